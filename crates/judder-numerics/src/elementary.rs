@@ -132,16 +132,6 @@ pub fn erf_with_derivative(w: f64) -> (f64, f64) {
     ((1.0 - complement).copysign(w), TWO_OVER_SQRT_PI * gaussian)
 }
 
-/// log₁₀ of a positive normal number (see [`ln`]).
-#[inline(always)]
-#[must_use]
-pub fn log10(x: f64) -> f64 {
-    ln(x) * std::f64::consts::LOG10_E
-}
-
-/// ln 10, the factor between derivatives by log₁₀ and by the natural logarithm.
-pub const LN_10: f64 = std::f64::consts::LN_10;
-
 const _: () = assert!(LN_2_HIGH + LN_2_LOW == LN_2);
 
 #[cfg(test)]

@@ -1,0 +1,78 @@
+//! The laws by name.
+
+use crate::fitted::FittedLaw;
+use crate::hertz::HertzLaw;
+use crate::response::{ContactPoint, ContactResponse};
+use std::fmt;
+
+/// Normal force, contact area and viscoelastic friction as functions of speed and depth, with exact first derivatives.
+pub trait ContactLaw: Sync {
+    /// F̃_k, Ã, μ_visc and their derivatives at a point; finite for every finite point, limits at v̂ → 0 and ŷ → 0.
+    fn evaluate(&self, at: &ContactPoint) -> ContactResponse;
+
+    /// What makes the law doubtful at v̂, ŷ; `None` inside its range of validity.
+    fn concern(&self, velocity: f64, indentation: f64) -> Option<ValidityConcern>;
+}
+
+/// Why a law should not be trusted at a point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ValidityConcern {
+    /// The indentation is too large for a half-space and a shallow contact.
+    TooDeep {
+        /// ŷ at the point.
+        indentation: f64,
+        /// The largest ŷ of the range of validity.
+        limit: f64,
+    },
+    /// The speed is in the tail of the fitted friction bell, which falls faster than the true friction.
+    FrictionTail {
+        /// v̂ at the point.
+        velocity: f64,
+        /// Distance from the centre of the bell in its widths.
+        widths: f64,
+        /// The largest such distance of the range of validity.
+        limit: f64,
+    },
+}
+
+impl fmt::Display for ValidityConcern {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooDeep { indentation, limit } => write!(
+                f,
+                "indentation y/R = {indentation:.3e} is beyond {limit}, where the contact is no longer shallow"
+            ),
+            Self::FrictionTail { velocity, widths, limit } => write!(
+                f,
+                "speed v τ/R = {velocity:.3e} is {widths:.1} widths from the peak of the fitted friction (trusted to {limit}): \
+                 the Gaussian tail is far below the true friction, which falls only as v and 1/v"
+            ),
+        }
+    }
+}
+
+/// A contact law that a case can name.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Law {
+    /// Eqs. (34)–(39) as printed or with the corrected velocity axis, or any other fit of that form.
+    Fitted(FittedLaw),
+    /// The elastic contact.
+    Hertz(HertzLaw),
+}
+
+impl ContactLaw for Law {
+    #[inline(always)]
+    fn evaluate(&self, at: &ContactPoint) -> ContactResponse {
+        match self {
+            Self::Fitted(law) => law.evaluate(at),
+            Self::Hertz(law) => law.evaluate(at),
+        }
+    }
+
+    fn concern(&self, velocity: f64, indentation: f64) -> Option<ValidityConcern> {
+        match self {
+            Self::Fitted(law) => law.concern(velocity, indentation),
+            Self::Hertz(law) => law.concern(velocity, indentation),
+        }
+    }
+}

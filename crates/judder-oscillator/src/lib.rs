@@ -1,1 +1,53 @@
-//! Placeholder.
+//! The two-degree-of-freedom oscillator in sliding contact with a substrate: is steady sliding stable, and why not.
+//!
+//! In the order in which the data flows:
+//!
+//! - [`groups`]: the dimensionless groups (9)–(11), (14), to and from quantities with units; the coefficients they stand for.
+//! - [`friction`]: the friction force (5), with either reading of the load that carries it.
+//! - [`motion`]: the equations of motion (12), (13).
+//! - [`equilibrium`]: steady sliding (15).
+//! - [`linearisation`]: damping and stiffness about it (16)–(20), equivalent damping (23).
+//! - [`linear_system`]: any M q̈ + C q̇ + K q = 0 of two degrees of freedom, its state matrix (22).
+//! - [`characteristic`]: the characteristic polynomial (21) and Hurwitz determinants, which decide stability.
+//! - [`conservative`]: the eigenvalues without damping (24), (25), their coalescence (26), thresholds in closed form (27), (28).
+//! - [`spectrum`]: eigenvalues and eigenvectors.
+//! - [`mechanism`]: verdict and mechanism, and [`growth`]: which force feeds the growth.
+//! - [`block`]: the stability decision for many points at once, in vector arithmetic.
+//! - [`critical`]: thresholds, all of them, over a range (Figs. 7, 8).
+//! - [`map`]: stability maps, at every point or only where something changes (Figs. 9, 10).
+//! - [`boundary`]: the curve that bounds a map, followed by continuation.
+//!
+//! Equation numbers are those of Papangelo, Putignano and Hoffmann, *Critical thresholds for mode-coupling instability in
+//! viscoelastic sliding contacts*, Nonlinear Dynamics (2021), "the oscillator paper".
+
+pub mod block;
+pub mod boundary;
+pub mod characteristic;
+pub mod conservative;
+pub mod critical;
+pub mod equilibrium;
+mod error;
+pub mod friction;
+pub mod groups;
+pub mod growth;
+pub mod linear_system;
+pub mod linearisation;
+pub mod map;
+pub mod mechanism;
+pub mod motion;
+pub mod spectrum;
+
+pub use error::OscillatorError;
+pub use friction::FrictionLoad;
+pub use groups::{Coefficients, Dimensional, Groups};
+pub use linear_system::LinearSystem;
+pub use mechanism::{Mechanism, Verdict};
+
+/// The contact: which law, and which load carries the viscoelastic friction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Contact {
+    /// F̃_k, Ã, μ_visc over speed and depth.
+    pub law: judder_contact::Law,
+    /// F_n μ_visc (as printed) or F_k μ_visc.
+    pub friction_load: FrictionLoad,
+}

@@ -1,0 +1,139 @@
+//! The characteristic polynomial (21) and the Hurwitz determinants that decide stability.
+
+use crate::linear_system::ReducedSystem;
+
+/// Relative width of the band around a vanishing Hurwitz condition in which a point is called marginal: a condition is a
+/// sum of terms, and below this share of their magnitudes its sign is rounding.
+pub const MARGINAL_BAND: f64 = 1e-12;
+
+/// det(λ² I + λ C + K) = λ⁴ + p3 λ³ + p2 λ² + p1 λ + p0, with the size of the terms that each coefficient sums.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Characteristic {
+    /// p0 = det K.
+    pub p0: f64,
+    /// p1 = c11 k22 + c22 k11 − c12 k21 − c21 k12.
+    pub p1: f64,
+    /// p2 = k11 + k22 + det C.
+    pub p2: f64,
+    /// p3 = tr C.
+    pub p3: f64,
+    size: [f64; 3],
+}
+
+impl Characteristic {
+    /// The polynomial of a system with unit mass matrix.
+    #[inline(always)]
+    #[must_use]
+    pub fn new(system: &ReducedSystem) -> Self {
+        let [[c11, c12], [c21, c22]] = system.damping;
+        let [[k11, k12], [k21, k22]] = system.stiffness;
+        Self {
+            p0: k11 * k22 - k12 * k21,
+            p1: (c11 * k22 + c22 * k11) - (c12 * k21 + c21 * k12),
+            p2: (k11 + k22) + (c11 * c22 - c12 * c21),
+            p3: c11 + c22,
+            size: [
+                (k11 * k22).abs() + (k12 * k21).abs(),
+                (c11 * k22).abs() + (c22 * k11).abs() + (c12 * k21).abs() + (c21 * k12).abs(),
+                c11.abs() + c22.abs(),
+            ],
+        }
+    }
+
+    /// The coefficients of 1, λ, …, λ⁴.
+    #[must_use]
+    pub fn coefficients(&self) -> [f64; 5] {
+        [self.p0, self.p1, self.p2, self.p3, 1.0]
+    }
+
+    /// The third Hurwitz determinant H3 = p1 p2 p3 − p1² − p3² p0, which vanishes on a Hopf boundary.
+    #[inline(always)]
+    #[must_use]
+    pub fn third_determinant(&self) -> f64 {
+        self.p1 * self.p2 * self.p3 - self.p1 * self.p1 - self.p3 * self.p3 * self.p0
+    }
+
+    /// The smallest of the four conditions p0 > 0, p1 > 0, p3 > 0, H3 > 0, each over the magnitudes of its terms, so
+    /// between −1 and 1: positive where the system is stable, negative where it is unstable.
+    ///
+    /// 0 for a system without damping, which these conditions cannot decide; see [`Characteristic::decision`].
+    #[inline(always)]
+    #[must_use]
+    pub fn margin(&self) -> f64 {
+        let scale =
+            (self.p1 * self.p2 * self.p3).abs() + self.p1 * self.p1 + self.p3 * self.p3 * self.p0.abs();
+        let smaller = |a: f64, b: f64| if a < b { a } else { b };
+        let share = |value: f64, size: f64| if size > 0.0 { value / size } else { 0.0 };
+        smaller(
+            smaller(share(self.p0, self.size[0]), share(self.p1, self.size[1])),
+            smaller(share(self.p3, self.size[2]), share(self.third_determinant(), scale)),
+        )
+    }
+
+    /// Stability by Routh and Hurwitz; without any damping, by the roots of λ⁴ + p2 λ² + p0.
+    #[inline(always)]
+    #[must_use]
+    pub fn decision(&self) -> Decision {
+        let undamped = self.size[2] == 0.0 && self.size[1] == 0.0;
+        let squares_collide = self.p2 * self.p2 - 4.0 * self.p0 < 0.0;
+        let undamped_unstable = (self.p0 < 0.0) | (self.p2 < 0.0) | squares_collide;
+        let margin = self.margin();
+        let stable = !undamped & (margin > MARGINAL_BAND);
+        let unstable = if undamped { undamped_unstable } else { margin < -MARGINAL_BAND };
+        if stable {
+            Decision::Stable
+        } else if unstable {
+            Decision::Unstable
+        } else {
+            Decision::Marginal
+        }
+    }
+
+    /// ω of the oscillation on a Hopf boundary: ω² = p1/p3. NaN where p1/p3 is negative.
+    #[must_use]
+    pub fn hopf_frequency(&self) -> f64 {
+        (self.p1 / self.p3).sqrt()
+    }
+}
+
+/// What the Hurwitz conditions say.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Decision {
+    /// All roots in the left half-plane.
+    Stable,
+    /// A condition vanishes within [`MARGINAL_BAND`], or purely imaginary roots of an undamped system.
+    Marginal,
+    /// A root in the right half-plane.
+    Unstable,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(damping: [[f64; 2]; 2], stiffness: [[f64; 2]; 2]) -> Characteristic {
+        Characteristic::new(&ReducedSystem { damping, stiffness })
+    }
+
+    #[test]
+    fn a_negatively_damped_degree_of_freedom_is_unstable() {
+        let k = [[1.0, 0.0], [0.0, 2.0]];
+        assert_eq!(of([[0.1, 0.0], [0.0, 0.1]], k).decision(), Decision::Stable);
+        assert_eq!(of([[-0.1, 0.0], [0.0, 0.3]], k).decision(), Decision::Unstable);
+    }
+
+    #[test]
+    fn without_damping_it_is_marginal_or_flutter_or_divergence() {
+        let none = [[0.0; 2]; 2];
+        assert_eq!(of(none, [[2.0, 0.5], [0.5, 1.0]]).decision(), Decision::Marginal);
+        assert_eq!(of(none, [[2.0, -2.0], [1.0, 2.0]]).decision(), Decision::Unstable);
+        assert_eq!(of(none, [[1.0, 2.0], [2.0, 1.0]]).decision(), Decision::Unstable);
+    }
+
+    #[test]
+    fn the_hopf_frequency_of_proportional_damping() {
+        // K = [[2, 1 − 4μ/3], [1, 2]] at μ = 3/4 has k12 = 0: a double root at ω² = 2
+        let c = of([[0.02, 0.0], [0.0, 0.02]], [[2.0, 0.0], [1.0, 2.0]]);
+        assert!((c.hopf_frequency() - 2_f64.sqrt()).abs() < 1e-14);
+    }
+}

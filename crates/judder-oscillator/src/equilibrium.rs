@@ -1,0 +1,222 @@
+//! Steady sliding (15).
+//!
+//! Eliminating x̃ leaves one equation for the indentation: with s = (k22 − k12²/k11) k̃_x and β = k12/k11,
+//!
+//! G(ŷ) = s ŷ + β |F_μ|(ŷ)/(E0* R²) + F̃_k(ŷ) − F̃_n = 0.
+//!
+//! ŷ spans ten decades, so the unknown is ln ŷ. For k12 ≥ 0 all terms but the last grow from zero, the root lies below
+//! F̃_n/s, and one root was found everywhere; for k12 < 0 friction pulls the indenter in, and the roots are counted.
+
+use crate::Contact;
+use crate::error::OscillatorError;
+use crate::friction::friction_force;
+use crate::groups::Coefficients;
+use judder_contact::{ContactLaw, ContactPoint, ContactResponse};
+use judder_numerics::root::all_roots;
+
+/// The state of steady sliding.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Equilibrium {
+    /// x̃_e.
+    pub x: f64,
+    /// ỹ_e.
+    pub y: f64,
+    /// ŷ_e = ỹ_e/R̃.
+    pub indentation: f64,
+    /// ln ŷ_e, the number that was iterated.
+    pub ln_indentation: f64,
+    /// The contact law there.
+    pub response: ContactResponse,
+}
+
+/// G of (15) with x̃ eliminated, and ŷ dG/dŷ.
+#[inline(always)]
+pub(crate) fn imbalance<L: ContactLaw>(
+    law: &L,
+    load: crate::FrictionLoad,
+    c: &Coefficients,
+    at: &ContactPoint,
+) -> (f64, f64) {
+    let response = law.evaluate(at);
+    let friction = friction_force(load, c, &response);
+    let ratio = c.k12 / c.k11;
+    let spring = (c.k22 - c.k12 * ratio) * c.stiffness;
+    let value = spring * at.indentation + ratio * friction.value + response.force.value - c.normal_load;
+    let slope = spring + ratio * friction.by_indentation + response.force.by_indentation;
+    (value, slope * at.indentation)
+}
+
+/// Newton's step in ln ŷ, no longer than one e-fold.
+#[inline(always)]
+pub(crate) fn newton_step((value, slope): (f64, f64)) -> f64 {
+    let step = -value / slope;
+    let step = if step > 1.0 { 1.0 } else { step };
+    if step < -1.0 { -1.0 } else { step }
+}
+
+/// The steady sliding state (15).
+///
+/// # Errors
+/// No equilibrium with contact, several of them, or an iteration that did not settle (with the residual).
+pub fn equilibrium(contact: &Contact, c: &Coefficients) -> Result<Equilibrium, OscillatorError> {
+    Ok(equilibrium_at(contact, c, ln_indentation(contact, c)?))
+}
+
+/// Everything about the equilibrium whose ln ŷ is known.
+#[must_use]
+pub fn equilibrium_at(contact: &Contact, c: &Coefficients, ln_indentation: f64) -> Equilibrium {
+    let start = ContactPoint::new(c.velocity, 1.0);
+    let at = ContactPoint::at_ln_indentation(start.velocity, start.ln_velocity, ln_indentation);
+    let response = contact.law.evaluate(&at);
+    let friction = friction_force(contact.friction_load, c, &response).value / c.normal_load;
+    let y = c.radius() * at.indentation;
+    Equilibrium {
+        x: (friction - c.k12 * y) / c.k11,
+        y,
+        indentation: at.indentation,
+        ln_indentation,
+        response,
+    }
+}
+
+/// G as a function of ln ŷ alone.
+struct Imbalance<'a> {
+    contact: &'a Contact,
+    coefficients: &'a Coefficients,
+    start: ContactPoint,
+}
+
+impl Imbalance<'_> {
+    fn at(&self, ln_indentation: f64) -> (f64, f64) {
+        let at = ContactPoint::at_ln_indentation(self.start.velocity, self.start.ln_velocity, ln_indentation);
+        imbalance(&self.contact.law, self.contact.friction_load, self.coefficients, &at)
+    }
+}
+
+/// ln ŷ_e, from a bracket and Newton steps kept inside it.
+pub(crate) fn ln_indentation(contact: &Contact, c: &Coefficients) -> Result<f64, OscillatorError> {
+    let imbalance = Imbalance { contact, coefficients: c, start: ContactPoint::new(c.velocity, 1.0) };
+    let (lower, upper) = if c.k12 < 0.0 { only_sign_change(&imbalance)? } else { bracket(&imbalance)? };
+    root_in_bracket(&imbalance, lower, upper)
+}
+
+/// ln ŷ between which a search for equilibria moves: ŷ from 1e-100 to 1e3.
+const SEARCH: (f64, f64) = (-230.0, 7.0);
+
+fn no_equilibrium() -> OscillatorError {
+    OscillatorError::NoEquilibrium { searched_from: SEARCH.0.exp(), searched_to: SEARCH.1.exp() }
+}
+
+/// A bracket for k12 ≥ 0: above, the springs alone carry the load; below, nothing does.
+fn bracket(imbalance: &Imbalance<'_>) -> Result<(f64, f64), OscillatorError> {
+    let c = imbalance.coefficients;
+    let spring = (c.k22 - c.k12 * c.k12 / c.k11) * c.stiffness;
+    // a hair above F̃_n/s, where rounding cannot turn the sign
+    let mut upper = if spring > 0.0 { (c.normal_load / spring).ln() + 1e-9 } else { SEARCH.1 };
+    upper = upper.clamp(SEARCH.0, SEARCH.1);
+    if imbalance.at(upper).0 < 0.0 {
+        return Err(no_equilibrium());
+    }
+    let mut stride = 1.0;
+    while upper > SEARCH.0 {
+        let lower = (upper - stride).max(SEARCH.0);
+        if imbalance.at(lower).0 < 0.0 {
+            return Ok((lower, upper));
+        }
+        upper = lower;
+        stride *= 2.0;
+    }
+    Err(no_equilibrium())
+}
+
+/// A bracket for k12 < 0, where there may be none or several.
+fn only_sign_change(imbalance: &Imbalance<'_>) -> Result<(f64, f64), OscillatorError> {
+    const SAMPLES: usize = 1201;
+    let samples: Vec<f64> =
+        (0..SAMPLES).map(|k| SEARCH.0 + (SEARCH.1 - SEARCH.0) * k as f64 / (SAMPLES - 1) as f64).collect();
+    let roots = all_roots(|u| imbalance.at(u).0 / imbalance.coefficients.normal_load, &samples).roots;
+    match roots[..] {
+        [] => Err(no_equilibrium()),
+        [root] => Ok((root - 1e-6, root + 1e-6)),
+        _ => {
+            Err(OscillatorError::SeveralEquilibria { indentations: roots.iter().map(|u| u.exp()).collect() })
+        }
+    }
+}
+
+/// Newton in ln ŷ, with bisection wherever a step leaves the bracket.
+fn root_in_bracket(imbalance: &Imbalance<'_>, lower: f64, upper: f64) -> Result<f64, OscillatorError> {
+    const LIMIT: usize = 100;
+    let (mut lower, mut upper) = (lower, upper);
+    let mut u = 0.5 * (lower + upper);
+    let mut value = f64::NAN;
+    for _ in 0..LIMIT {
+        let here = imbalance.at(u);
+        value = here.0;
+        if value < 0.0 {
+            lower = u
+        } else {
+            upper = u
+        }
+        let next = u + newton_step(here);
+        let next = if next > lower && next < upper { next } else { 0.5 * (lower + upper) };
+        if (next - u).abs() <= 2.0 * f64::EPSILON * u.abs().max(1.0) {
+            return Ok(next);
+        }
+        u = next;
+    }
+    Err(OscillatorError::EquilibriumNotConverged {
+        iterations: LIMIT,
+        indentation: u.exp(),
+        residual: value / imbalance.coefficients.normal_load,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{FrictionLoad, Groups};
+    use judder_contact::{FittedLaw, HertzLaw, Law};
+
+    #[test]
+    fn without_coupling_hertz_is_a_cubic_in_the_root_of_the_depth() {
+        // Ω² k̃_x s² + 4/3 s³ = F̃_n with s = √ŷ: chosen so that s = 0.01 solves it
+        let s: f64 = 0.01;
+        let groups = Groups {
+            coupling: 0.0,
+            normal_load: 0.00375 * s * s + 4.0 / 3.0 * s.powi(3),
+            ..Groups::default()
+        };
+        let contact =
+            Contact { law: Law::Hertz(HertzLaw::default()), friction_load: FrictionLoad::NormalLoad };
+        let e = equilibrium(&contact, &groups.coefficients().unwrap()).unwrap();
+        assert!((e.indentation - 1e-4).abs() < 1e-18, "{:e}", e.indentation);
+    }
+
+    #[test]
+    fn both_rows_of_eq_15_hold() {
+        let contact = Contact {
+            law: Law::Fitted(FittedLaw::oscillator_paper()),
+            friction_load: FrictionLoad::NormalLoad,
+        };
+        let groups = Groups { velocity: 1e-3, normal_load: 1e-3, shear_strength: 0.05, ..Groups::default() };
+        let c = groups.coefficients().unwrap();
+        let e = equilibrium(&contact, &c).unwrap();
+        let right =
+            e.response.friction.value + groups.shear_strength / groups.normal_load * e.response.area.value;
+        assert!((c.k11 * e.x + c.k12 * e.y - right).abs() < 1e-13 * right);
+        let right = 1.0 - e.response.force.value / groups.normal_load;
+        assert!((c.k22 * e.y + c.k12 * e.x - right).abs() < 1e-13);
+    }
+
+    #[test]
+    fn friction_that_pulls_in_is_counted_not_guessed() {
+        // α = 135°: k12 < 0
+        let contact = Contact {
+            law: Law::Fitted(FittedLaw::oscillator_paper()),
+            friction_load: FrictionLoad::NormalLoad,
+        };
+        let groups = Groups { coupling_angle: 2.356, shear_strength: 0.01, ..Groups::default() };
+        assert!(equilibrium(&contact, &groups.coefficients().unwrap()).is_ok());
+    }
+}

@@ -1,0 +1,66 @@
+use judder_numerics::polynomial::PolynomialError;
+use thiserror::Error;
+
+/// Why an oscillator has no answer.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum OscillatorError {
+    /// A dimensionless group is outside the values for which the model makes sense.
+    #[error("{name} = {value} must be {requirement}")]
+    InvalidGroup {
+        /// The group, with its symbol.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it must be.
+        requirement: &'static str,
+    },
+    /// No steady sliding with contact in the range that was searched.
+    #[error(
+        "no steady sliding with contact for indentations y/R between {searched_from:e} and {searched_to:e}"
+    )]
+    NoEquilibrium {
+        /// Smallest ŷ that was looked at.
+        searched_from: f64,
+        /// Largest ŷ that was looked at.
+        searched_to: f64,
+    },
+    /// More than one steady sliding state: the linear analysis of "the" equilibrium has no meaning.
+    #[error("{} steady sliding states, at indentations y/R = {indentations:?}", indentations.len())]
+    SeveralEquilibria {
+        /// All ŷ_e found, ascending.
+        indentations: Vec<f64>,
+    },
+    /// The equilibrium iteration did not settle.
+    #[error(
+        "equilibrium not converged after {iterations} iterations: y/R = {indentation:e}, residual {residual:e} of the load"
+    )]
+    EquilibriumNotConverged {
+        /// Iterations made.
+        iterations: usize,
+        /// Last ŷ.
+        indentation: f64,
+        /// Force imbalance over the normal load.
+        residual: f64,
+    },
+    /// A matrix entry is NaN or infinite.
+    #[error("entry ({}, {}) of the {matrix} matrix is not finite: {value}", row + 1, column + 1)]
+    NotFinite {
+        /// `"mass"`, `"damping"` or `"stiffness"`.
+        matrix: &'static str,
+        /// Row, from 0.
+        row: usize,
+        /// Column, from 0.
+        column: usize,
+        /// The entry.
+        value: f64,
+    },
+    /// The mass matrix is not symmetric and positive definite.
+    #[error("the mass matrix {mass:?} is not symmetric and positive definite")]
+    InvalidMass {
+        /// The matrix, row by row.
+        mass: [[f64; 2]; 2],
+    },
+    /// The eigenvalues did not come out.
+    #[error("eigenvalues: {0}")]
+    Spectrum(#[from] PolynomialError),
+}

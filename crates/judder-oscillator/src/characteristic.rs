@@ -1,6 +1,7 @@
 //! The characteristic polynomial (21) and the Hurwitz determinants that decide stability.
 
 use crate::linear_system::ReducedSystem;
+use crate::mechanism::Verdict;
 
 /// Relative width of the band around a vanishing Hurwitz condition in which a point is called marginal: a condition is a
 /// sum of terms, and below this share of their magnitudes its sign is rounding.
@@ -56,7 +57,7 @@ impl Characteristic {
     /// The smallest of the four conditions p0 > 0, p1 > 0, p3 > 0, H3 > 0, each over the magnitudes of its terms, so
     /// between −1 and 1: positive where the system is stable, negative where it is unstable.
     ///
-    /// 0 for a system without damping, which these conditions cannot decide; see [`Characteristic::decision`].
+    /// 0 for a system without damping, which these conditions cannot decide; see [`Characteristic::stability_sign`].
     #[inline(always)]
     #[must_use]
     pub fn margin(&self) -> f64 {
@@ -70,22 +71,31 @@ impl Characteristic {
         )
     }
 
-    /// Stability by Routh and Hurwitz; without any damping, by the roots of λ⁴ + p2 λ² + p0.
+    /// 1 where the system is stable, −1 where it is unstable, 0 where it is marginal: by Routh and Hurwitz, and without
+    /// any damping by the roots of λ⁴ + p2 λ² + p0.
     #[inline(always)]
     #[must_use]
-    pub fn decision(&self) -> Decision {
-        let undamped = self.size[2] == 0.0 && self.size[1] == 0.0;
+    pub fn stability_sign(&self) -> f64 {
+        let damped = (self.size[2] > 0.0) | (self.size[1] > 0.0);
         let squares_collide = self.p2 * self.p2 - 4.0 * self.p0 < 0.0;
         let undamped_unstable = (self.p0 < 0.0) | (self.p2 < 0.0) | squares_collide;
         let margin = self.margin();
-        let stable = !undamped & (margin > MARGINAL_BAND);
-        let unstable = if undamped { undamped_unstable } else { margin < -MARGINAL_BAND };
-        if stable {
-            Decision::Stable
-        } else if unstable {
-            Decision::Unstable
+        let stable = damped & (margin > MARGINAL_BAND);
+        let unstable = (damped & (margin < -MARGINAL_BAND)) | (!damped & undamped_unstable);
+        let not_stable = if unstable { -1.0 } else { 0.0 };
+        if stable { 1.0 } else { not_stable }
+    }
+
+    /// [`Characteristic::stability_sign`] in words.
+    #[must_use]
+    pub fn verdict(&self) -> Verdict {
+        let sign = self.stability_sign();
+        if sign > 0.0 {
+            Verdict::Stable
+        } else if sign < 0.0 {
+            Verdict::Unstable
         } else {
-            Decision::Marginal
+            Verdict::Marginal
         }
     }
 
@@ -94,17 +104,6 @@ impl Characteristic {
     pub fn hopf_frequency(&self) -> f64 {
         (self.p1 / self.p3).sqrt()
     }
-}
-
-/// What the Hurwitz conditions say.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Decision {
-    /// All roots in the left half-plane.
-    Stable,
-    /// A condition vanishes within [`MARGINAL_BAND`], or purely imaginary roots of an undamped system.
-    Marginal,
-    /// A root in the right half-plane.
-    Unstable,
 }
 
 #[cfg(test)]
@@ -118,16 +117,16 @@ mod tests {
     #[test]
     fn a_negatively_damped_degree_of_freedom_is_unstable() {
         let k = [[1.0, 0.0], [0.0, 2.0]];
-        assert_eq!(of([[0.1, 0.0], [0.0, 0.1]], k).decision(), Decision::Stable);
-        assert_eq!(of([[-0.1, 0.0], [0.0, 0.3]], k).decision(), Decision::Unstable);
+        assert_eq!(of([[0.1, 0.0], [0.0, 0.1]], k).verdict(), Verdict::Stable);
+        assert_eq!(of([[-0.1, 0.0], [0.0, 0.3]], k).verdict(), Verdict::Unstable);
     }
 
     #[test]
     fn without_damping_it_is_marginal_or_flutter_or_divergence() {
         let none = [[0.0; 2]; 2];
-        assert_eq!(of(none, [[2.0, 0.5], [0.5, 1.0]]).decision(), Decision::Marginal);
-        assert_eq!(of(none, [[2.0, -2.0], [1.0, 2.0]]).decision(), Decision::Unstable);
-        assert_eq!(of(none, [[1.0, 2.0], [2.0, 1.0]]).decision(), Decision::Unstable);
+        assert_eq!(of(none, [[2.0, 0.5], [0.5, 1.0]]).verdict(), Verdict::Marginal);
+        assert_eq!(of(none, [[2.0, -2.0], [1.0, 2.0]]).verdict(), Verdict::Unstable);
+        assert_eq!(of(none, [[1.0, 2.0], [2.0, 1.0]]).verdict(), Verdict::Unstable);
     }
 
     #[test]

@@ -7,10 +7,10 @@
 //! ŷ spans ten decades, so the unknown is ln ŷ. For k12 ≥ 0 all terms but the last grow from zero, the root lies below
 //! F̃_n/s, and one root was found everywhere; for k12 < 0 friction pulls the indenter in, and the roots are counted.
 
-use crate::Contact;
 use crate::error::OscillatorError;
 use crate::friction::friction_force;
 use crate::groups::Coefficients;
+use crate::{Contact, FrictionLoad};
 use judder_contact::{ContactLaw, ContactPoint, ContactResponse};
 use judder_numerics::root::all_roots;
 
@@ -29,16 +29,15 @@ pub struct Equilibrium {
     pub response: ContactResponse,
 }
 
-/// G of (15) with x̃ eliminated, and ŷ dG/dŷ.
+/// G of (15) with x̃ eliminated, and ŷ dG/dŷ, from the law's response at a point.
 #[inline(always)]
-pub(crate) fn imbalance<L: ContactLaw>(
-    law: &L,
-    load: crate::FrictionLoad,
+pub(crate) fn imbalance(
+    load: FrictionLoad,
     c: &Coefficients,
     at: &ContactPoint,
+    response: &ContactResponse,
 ) -> (f64, f64) {
-    let response = law.evaluate(at);
-    let friction = friction_force(load, c, &response);
+    let friction = friction_force(load, c, response);
     let ratio = c.k12 / c.k11;
     let spring = (c.k22 - c.k12 * ratio) * c.stiffness;
     let value = spring * at.indentation + ratio * friction.value + response.force.value - c.normal_load;
@@ -89,7 +88,8 @@ struct Imbalance<'a> {
 impl Imbalance<'_> {
     fn at(&self, ln_indentation: f64) -> (f64, f64) {
         let at = ContactPoint::at_ln_indentation(self.start.velocity, self.start.ln_velocity, ln_indentation);
-        imbalance(&self.contact.law, self.contact.friction_load, self.coefficients, &at)
+        let response = self.contact.law.evaluate(&at);
+        imbalance(self.contact.friction_load, self.coefficients, &at, &response)
     }
 }
 
@@ -175,7 +175,7 @@ fn root_in_bracket(imbalance: &Imbalance<'_>, lower: f64, upper: f64) -> Result<
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{FrictionLoad, Groups};
+    use crate::Groups;
     use judder_contact::{FittedLaw, HertzLaw, Law};
 
     #[test]

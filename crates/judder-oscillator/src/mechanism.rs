@@ -1,6 +1,6 @@
 //! Verdict and mechanism.
 
-use crate::characteristic::{Characteristic, Decision};
+use crate::characteristic::Characteristic;
 use crate::conservative::discriminant;
 use crate::linear_system::ReducedSystem;
 
@@ -13,16 +13,6 @@ pub enum Verdict {
     Marginal,
     /// An eigenvalue in the right half-plane.
     Unstable,
-}
-
-impl From<Decision> for Verdict {
-    fn from(decision: Decision) -> Self {
-        match decision {
-            Decision::Stable => Self::Stable,
-            Decision::Marginal => Self::Marginal,
-            Decision::Unstable => Self::Unstable,
-        }
-    }
 }
 
 impl Verdict {
@@ -105,23 +95,29 @@ impl StabilityClass {
     #[inline(always)]
     #[must_use]
     pub fn of(system: &ReducedSystem) -> Self {
+        Self::from_code(Self::code(system) as u8)
+    }
+
+    /// [`StabilityClass::of`] as a number, in arithmetic that has a vector form.
+    #[inline(always)]
+    pub(crate) fn code(system: &ReducedSystem) -> f64 {
         let characteristic = Characteristic::new(system);
-        let decision = characteristic.decision();
         let flutters = (discriminant(&system.stiffness) < 0.0)
             | (characteristic.p0 < 0.0)
             | (system.stiffness[0][0] + system.stiffness[1][1] < 0.0);
         let falls = (system.damping[0][0] < 0.0) | (system.damping[1][1] < 0.0);
-        let unstable = match (flutters, falls) {
-            (true, true) => Self::Both,
-            (true, false) => Self::Flutter,
-            (false, true) => Self::NegativeDamping,
-            (false, false) => Self::NormalForceCoupling,
-        };
-        match decision {
-            Decision::Stable => Self::Stable,
-            Decision::Marginal => Self::Marginal,
-            Decision::Unstable => unstable,
-        }
+        let mechanism = if flutters { 1.0 } else { 0.0 } + if falls { 2.0 } else { 0.0 };
+        let unstable = if mechanism == 0.0 { 4.0 } else { mechanism };
+        let sign = characteristic.stability_sign();
+        let not_stable = if sign < 0.0 { unstable } else { 5.0 };
+        if sign > 0.0 { 0.0 } else { not_stable }
+    }
+
+    /// The class of a code; anything that is no code is [`StabilityClass::Unresolved`].
+    #[inline(always)]
+    #[must_use]
+    pub fn from_code(code: u8) -> Self {
+        Self::ALL[usize::from(code.min(6))]
     }
 
     /// Whether the point is unstable.

@@ -3,7 +3,7 @@
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::ErrorKind;
 use std::path::{Component, Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
+use std::sync::Mutex;
 
 use crate::name::check_name;
 use crate::staging::{self, Stage};
@@ -96,8 +96,7 @@ impl StudyFolder {
     /// file system; the earlier arrays then still stand.
     pub fn write_dataset(&self, analysis: &str, hash: &str, dataset: &Dataset) -> Result<(), StoreError> {
         check_name("an analysis", analysis)?;
-        let _publishing = self.publishing.lock().unwrap_or_else(PoisonError::into_inner);
-        results::write(&self.path, analysis, hash, dataset)
+        results::write(&self.path, &self.publishing, analysis, hash, dataset)
     }
 
     /// Reads the arrays of an analysis back.

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 use serde_json::{Map, Value};
 
@@ -19,7 +20,16 @@ pub(crate) const FOLDER: &str = "results.zarr";
 /// Everything is on the disk before anything that a reader sees changes. Then three renames: the root of the store
 /// forgets its consolidated metadata, the group takes its place, the root learns the new metadata. So a reader never
 /// meets metadata of one run with arrays of another, and a kill in between costs a reader some speed, no truth.
-pub(crate) fn write(study: &Path, analysis: &str, hash: &str, dataset: &Dataset) -> Result<(), StoreError> {
+///
+/// `publishing` is taken for the last part alone: the encoding runs on a pool of threads, of which one may meanwhile
+/// come here with another dataset.
+pub(crate) fn write(
+    study: &Path,
+    publishing: &Mutex<()>,
+    analysis: &str,
+    hash: &str,
+    dataset: &Dataset,
+) -> Result<(), StoreError> {
     let results = study.join(FOLDER);
     let target = results.join(analysis);
     let failed = |source| StoreError::write(&target, dataset.byte_count(), source);
@@ -31,6 +41,8 @@ pub(crate) fn write(study: &Path, analysis: &str, hash: &str, dataset: &Dataset)
         WriteFailure::Refused(source) => StoreError::DatasetUnwritable { path: target.clone(), source },
     })?;
     staging::sync_tree(&staged).map_err(failed)?;
+
+    let _publishing = publishing.lock().unwrap_or_else(PoisonError::into_inner);
     let mut groups = groups(&results)?;
     groups.insert(analysis.to_owned(), staged.clone());
     let forgetful = metadata::group(Map::new(), None);

@@ -59,14 +59,17 @@ pub(crate) fn replace_folder(stage: &Stage, staged: &Path, target: &Path) -> io:
         return rename(staged, target);
     }
     if exchange(staged, target).is_err() {
-        let aside = stage.place("replaced");
-        fs::rename(target, &aside)?;
-        if let Err(source) = fs::rename(staged, target) {
-            fs::rename(&aside, target)?;
-            return Err(source);
-        }
+        replace_in_two_steps(staged, target, &stage.place("replaced"))?;
     }
     target.parent().map_or(Ok(()), sync_folder)
+}
+
+fn replace_in_two_steps(staged: &Path, target: &Path, aside: &Path) -> io::Result<()> {
+    fs::rename(target, aside)?;
+    fs::rename(staged, target).or_else(|source| {
+        fs::rename(aside, target)?;
+        Err(source)
+    })
 }
 
 #[cfg(any(target_os = "linux", target_vendor = "apple"))]
@@ -122,5 +125,25 @@ pub(crate) fn remove(path: &Path) -> io::Result<()> {
     match removed {
         Err(source) if source.kind() != ErrorKind::NotFound => Err(source),
         _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_steps_replace_a_folder_or_leave_it() {
+        let study = tempfile::tempdir().unwrap();
+        let place = |name: &str| study.path().join(name);
+        for name in ["new", "old"] {
+            fs::create_dir(place(name)).unwrap();
+            fs::write(place(name).join("content"), name).unwrap();
+        }
+        let content = |name: &str| fs::read_to_string(place(name).join("content")).unwrap();
+        replace_in_two_steps(&place("missing"), &place("old"), &place("aside")).unwrap_err();
+        assert_eq!(content("old"), "old");
+        replace_in_two_steps(&place("new"), &place("old"), &place("aside")).unwrap();
+        assert_eq!((content("old"), content("aside")), ("new".to_owned(), "old".to_owned()));
     }
 }

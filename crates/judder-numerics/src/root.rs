@@ -102,8 +102,17 @@ pub struct RootSearch {
 /// resolves (a thousandth of a sample interval) may be missed; so may a pair whose dip no sample shows.
 pub fn all_roots(mut function: impl FnMut(f64) -> f64, samples: &[f64]) -> RootSearch {
     let values: Vec<f64> = samples.iter().map(|&s| function(s)).collect();
+    all_roots_from_values(function, samples, &values)
+}
+
+/// [`all_roots`] with the values at the samples known already (`values[k]` belongs to `samples[k]`).
+pub fn all_roots_from_values(
+    mut function: impl FnMut(f64) -> f64,
+    samples: &[f64],
+    values: &[f64],
+) -> RootSearch {
     let mut search = RootSearch::default();
-    search.failures.extend(samples.iter().zip(&values).filter(|(_, v)| !v.is_finite()).map(|(s, _)| *s));
+    search.failures.extend(samples.iter().zip(values).filter(|(_, v)| !v.is_finite()).map(|(s, _)| *s));
     let refine = |function: &mut dyn FnMut(f64) -> f64, a: f64, b: f64, roots: &mut Vec<f64>| {
         // the ends were seen to differ in sign; a failure inside leaves the interval without a root
         if let Ok(root) = bracketed_root(function, a, b, 0.0) {

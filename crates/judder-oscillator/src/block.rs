@@ -6,7 +6,7 @@
 
 use crate::characteristic::Characteristic;
 use crate::conservative::discriminant_share;
-use crate::equilibrium::{imbalance, ln_indentation, newton_step};
+use crate::equilibrium::{Balance, ln_indentation};
 use crate::groups::Coefficients;
 use crate::linear_system::ReducedSystem;
 use crate::linearisation::Linearisation;
@@ -93,6 +93,8 @@ pub struct Block {
     imbalance: Lanes,
     /// The stability margin ([`Characteristic::margin`]) of each point.
     pub margin: Lanes,
+    /// The share of the third Hurwitz determinant ([`Characteristic::third_determinant_share`]) of each point.
+    pub hopf_margin: Lanes,
     /// The share of the discriminant ([`discriminant_share`]) of each point; negative where the undamped modes have merged.
     pub conservative_margin: Lanes,
 }
@@ -108,6 +110,7 @@ impl Default for Block {
             class: none,
             imbalance: none,
             margin: none,
+            hopf_margin: none,
             conservative_margin: none,
         }
     }
@@ -131,7 +134,7 @@ fn iterate<L: ContactLaw>(law: &L, load: FrictionLoad, block: &mut Block) {
         let at =
             ContactPoint::at_ln_indentation(c.velocity, block.ln_velocity[lane], block.ln_indentation[lane]);
         let response = law.evaluate(&at);
-        let step = newton_step(imbalance(load, &c, &at, &response));
+        let step = Balance::new(load, &c, &at, &response).newton_step();
         block.step[lane] = step;
         block.ln_indentation[lane] += step;
     }
@@ -147,8 +150,10 @@ fn classify<L: ContactLaw>(law: &L, load: FrictionLoad, block: &mut Block) {
         let response = law.evaluate(&at);
         let linearisation = Linearisation::new(load, &c, &response);
         let system = ReducedSystem { damping: linearisation.damping(), stiffness: linearisation.stiffness() };
-        block.imbalance[lane] = imbalance(load, &c, &at, &response).0 / c.normal_load;
-        block.margin[lane] = Characteristic::new(&system).margin();
+        block.imbalance[lane] = Balance::new(load, &c, &at, &response).residual;
+        let characteristic = Characteristic::new(&system);
+        block.margin[lane] = characteristic.margin();
+        block.hopf_margin[lane] = characteristic.third_determinant_share();
         block.conservative_margin[lane] = discriminant_share(&system.stiffness);
         block.class[lane] = StabilityClass::code(&system);
     }
@@ -164,12 +169,17 @@ impl Block {
 
     /// Decides the first `count` points.
     ///
-    /// Lanes without a guess, with k12 < 0 (where equilibria must be counted), or whose iteration does not settle, are solved
-    /// by [`crate::equilibrium`]; where that has no answer either, the class is [`StabilityClass::Unresolved`] and ln ŷ_e NaN.
+    /// Lanes without a guess start from the lane before. Lanes with k12 < 0 (where equilibria must be counted), or whose iteration
+    /// does not settle, are solved by [`crate::equilibrium`]; where that has no answer either, the class is [`StabilityClass::Unresolved`] and ln ŷ_e NaN.
     pub fn decide(&mut self, contact: &Contact, count: usize) {
         for lane in 0..count {
-            if self.ln_indentation[lane].is_nan() || self.coefficients.k12[lane] < 0.0 {
+            if self.coefficients.k12[lane] < 0.0 {
                 self.solve_alone(contact, lane);
+            } else if self.ln_indentation[lane].is_nan() {
+                match lane.checked_sub(1).map(|before| self.ln_indentation[before]) {
+                    Some(before) if !before.is_nan() => self.ln_indentation[lane] = before,
+                    _ => self.solve_alone(contact, lane),
+                }
             }
         }
         for lane in count..LANES {
@@ -184,7 +194,7 @@ impl Block {
 
     fn decide_with<L: ContactLaw>(&mut self, law: &L, contact: &Contact, count: usize) {
         /// Newton doubles the digits: after a step this small the error is below rounding.
-        const SETTLED: f64 = 1e-8;
+        const SETTLED: f64 = 3e-8;
         const LIMIT: usize = 12;
         /// Force imbalance, over the load, that a settled iteration leaves; rounding leaves 1e-15.
         const BALANCED: f64 = 1e-12;

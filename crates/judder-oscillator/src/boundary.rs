@@ -1,1 +1,182 @@
-//! x
+//! The curve that bounds a stability map, by continuation.
+//!
+//! The equilibrium has one solution at every point of the plane, so it is eliminated, and the boundary is the zero set of
+//! one function of two positions: the third Hurwitz determinant (a Hopf boundary, since p0 = det K > 0), or for the
+//! conservative system the discriminant of (24), (25). The curve is followed by pseudo-arclength: a step along the tangent, then
+//! Newton across it. The gradient is by central differences; it steers, the residual decides. Starting points are the sign
+//! changes of the stability margin on a coarse grid, so that closed loops and several branches are found.
+
+mod continuation;
+mod field;
+
+use crate::Contact;
+use crate::critical::Range;
+use crate::groups::Coefficients;
+use continuation::follow;
+use field::Field;
+
+/// Which system's boundary is followed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Condition {
+    /// The full, damped system: the third Hurwitz determinant vanishes.
+    Full,
+    /// The system without damping: its two modes merge, (26).
+    Conservative,
+}
+
+/// One point of a boundary.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BoundaryPoint {
+    /// Value of the first swept quantity.
+    pub x: f64,
+    /// Value of the second swept quantity.
+    pub y: f64,
+    /// ŷ_e there.
+    pub indentation: f64,
+    /// The frequency of the oscillation that is born there, in units of ω_nx: √(p1/p3) on a Hopf boundary, that of the
+    /// merged modes √((k11 + k22)/2) on a conservative one.
+    pub frequency: f64,
+}
+
+/// Where a boundary turns back.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Fold {
+    /// In the first swept quantity.
+    InX,
+    /// In the second swept quantity.
+    InY,
+}
+
+/// Why a curve has an end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum End {
+    /// It closed on itself.
+    Closed,
+    /// Both ends left the plane.
+    LeftPlane,
+    /// The step fell below its limit, or there was no equilibrium: the curve is incomplete.
+    Stalled,
+}
+
+/// One connected piece of a boundary.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Boundary {
+    /// The points in order; a closed curve repeats its first point at the end.
+    pub points: Vec<BoundaryPoint>,
+    /// Indices of the points at which the curve turns back, and in which quantity.
+    pub folds: Vec<(usize, Fold)>,
+    /// How it ends.
+    pub end: End,
+}
+
+/// Grid intervals along each side among which sign changes are looked for.
+const SEED_INTERVALS: usize = 160;
+
+/// All pieces of the boundary in the rectangle `x` × `y`; `coefficients` gives the oscillator at its points.
+///
+/// A closed loop that fits between the lines of a 160 × 160 grid is not found; of two pieces closer than a quarter of such
+/// a cell one may be taken for the other.
+#[must_use]
+pub fn boundaries(
+    contact: &Contact,
+    condition: Condition,
+    (x, y): (&Range, &Range),
+    coefficients: &(dyn Fn(f64, f64) -> Coefficients + Sync),
+) -> Vec<Boundary> {
+    let field = Field { contact, condition, x, y, coefficients };
+    let mut curves: Vec<Vec<[f64; 2]>> = Vec::new();
+    let mut found = Vec::new();
+    for seed in field.sign_changes(SEED_INTERVALS) {
+        let reach = 0.25 / SEED_INTERVALS as f64;
+        let Some(start) = field.root_between(seed) else { continue };
+        if curves.iter().any(|curve| passes(curve, start, reach)) {
+            continue;
+        }
+        let curve = follow(&field, start);
+        found.push(field.boundary(&curve));
+        curves.push(curve.positions);
+    }
+    found
+}
+
+/// Whether a polyline comes within `reach` of a point.
+fn passes(curve: &[[f64; 2]], point: [f64; 2], reach: f64) -> bool {
+    curve.windows(2).any(|segment| {
+        let along = [segment[1][0] - segment[0][0], segment[1][1] - segment[0][1]];
+        let to = [point[0] - segment[0][0], point[1] - segment[0][1]];
+        let length = along[0] * along[0] + along[1] * along[1];
+        let share =
+            if length > 0.0 { ((to[0] * along[0] + to[1] * along[1]) / length).clamp(0.0, 1.0) } else { 0.0 };
+        (to[0] - share * along[0]).hypot(to[1] - share * along[1]) < reach
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::critical::{Scale, thresholds};
+    use crate::{FrictionLoad, Groups};
+    use judder_contact::{FittedLaw, Law};
+
+    fn paper(friction_load: FrictionLoad) -> Contact {
+        Contact { law: Law::Fitted(FittedLaw::oscillator_paper()), friction_load }
+    }
+
+    fn logarithmic(from: f64, to: f64) -> Range {
+        Range { from, to, scale: Scale::Logarithmic }
+    }
+
+    fn of_fig_9(normal_load: f64) -> impl Fn(f64, f64) -> Coefficients + Sync {
+        move |velocity, shear_strength| {
+            Groups { velocity, shear_strength, normal_load, ..Groups::default() }.resolve()
+        }
+    }
+
+    #[test]
+    fn the_conservative_boundary_of_fig_9a_passes_through_the_thresholds_of_fig_7() {
+        let contact = paper(FrictionLoad::NormalLoad);
+        let (x, y) = (logarithmic(1e-8, 1e2), logarithmic(1e-4, 1.0));
+        let at = of_fig_9(1e-6);
+        let curves = boundaries(&contact, Condition::Conservative, (&x, &y), &at);
+        assert!(curves.iter().all(|c| c.end != End::Stalled));
+        for p in curves.iter().flat_map(|c| &c.points).step_by(37) {
+            let found = thresholds(&contact, &logarithmic(1e-5, 10.0), 300, |s| at(p.x, s)).conservative;
+            let nearest = found.iter().map(|t| (t / p.y - 1.0).abs()).fold(f64::INFINITY, f64::min);
+            assert!(nearest < 1e-6, "at v̂ = {:e}: {nearest:e}", p.x);
+        }
+    }
+
+    #[test]
+    fn every_threshold_of_the_full_system_lies_on_a_boundary() {
+        for load in [FrictionLoad::NormalLoad, FrictionLoad::ContactForce] {
+            let contact = paper(load);
+            let (x, y) = (logarithmic(1e-8, 1e2), logarithmic(1e-4, 1.0));
+            for normal_load in [1e-6, 1e-3] {
+                let at = of_fig_9(normal_load);
+                let curves = boundaries(&contact, Condition::Full, (&x, &y), &at);
+                assert!(curves.iter().all(|c| c.end != End::Stalled), "{load:?} {normal_load}");
+                let positions: Vec<Vec<[f64; 2]>> = curves
+                    .iter()
+                    .map(|c| {
+                        c.points
+                            .iter()
+                            .map(|p| [(p.x.log10() + 8.0) / 10.0, (p.y.log10() + 4.0) / 4.0])
+                            .collect()
+                    })
+                    .collect();
+                for k in 1..40 {
+                    let position = f64::from(k) / 40.0;
+                    let found =
+                        thresholds(&contact, &logarithmic(1e-4, 1.0), 400, |s| at(x.value(position), s));
+                    for threshold in found.full {
+                        let point = [position, (threshold.log10() + 4.0) / 4.0];
+                        assert!(
+                            positions.iter().any(|c| passes(c, point, 1e-3)),
+                            "{load:?} {normal_load} {point:?}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}

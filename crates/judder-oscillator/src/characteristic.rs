@@ -7,6 +7,12 @@ use crate::mechanism::Verdict;
 /// sum of terms, and below this share of their magnitudes its sign is rounding.
 pub const MARGINAL_BAND: f64 = 1e-12;
 
+/// A number over the size of what it was summed from; 0 of nothing.
+#[inline(always)]
+fn share(value: f64, size: f64) -> f64 {
+    if size > 0.0 { value / size } else { 0.0 }
+}
+
 /// det(λ² I + λ C + K) = λ⁴ + p3 λ³ + p2 λ² + p1 λ + p0, with the size of the terms that each coefficient sums.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Characteristic {
@@ -54,21 +60,40 @@ impl Characteristic {
         self.p1 * self.p2 * self.p3 - self.p1 * self.p1 - self.p3 * self.p3 * self.p0
     }
 
+    /// H3 over the magnitudes of its terms: between −1 and 1, with its sign; 0 where all vanish.
+    #[inline(always)]
+    #[must_use]
+    pub fn third_determinant_share(&self) -> f64 {
+        let scale =
+            (self.p1 * self.p2 * self.p3).abs() + self.p1 * self.p1 + self.p3 * self.p3 * self.p0.abs();
+        share(self.third_determinant(), scale)
+    }
+
+    /// Whether any term of p1 or p3 is there at all.
+    #[inline(always)]
+    fn is_damped(&self) -> bool {
+        (self.size[2] > 0.0) | (self.size[1] > 0.0)
+    }
+
     /// The smallest of the four conditions p0 > 0, p1 > 0, p3 > 0, H3 > 0, each over the magnitudes of its terms, so
     /// between −1 and 1: positive where the system is stable, negative where it is unstable.
     ///
-    /// 0 for a system without damping, which these conditions cannot decide; see [`Characteristic::stability_sign`].
+    /// Without damping the conditions are those for real frequencies, p0 > 0, p2 > 0, p2² > 4 p0: negative is unstable still,
+    /// but positive is marginal.
     #[inline(always)]
     #[must_use]
     pub fn margin(&self) -> f64 {
-        let scale =
-            (self.p1 * self.p2 * self.p3).abs() + self.p1 * self.p1 + self.p3 * self.p3 * self.p0.abs();
         let smaller = |a: f64, b: f64| if a < b { a } else { b };
-        let share = |value: f64, size: f64| if size > 0.0 { value / size } else { 0.0 };
-        smaller(
-            smaller(share(self.p0, self.size[0]), share(self.p1, self.size[1])),
-            smaller(share(self.p3, self.size[2]), share(self.third_determinant(), scale)),
-        )
+        let square = self.p2 * self.p2;
+        let undamped = smaller(
+            share(self.p2, self.p2.abs()),
+            share(square - 4.0 * self.p0, square + 4.0 * self.p0.abs()),
+        );
+        let damped = smaller(
+            share(self.p1, self.size[1]),
+            smaller(share(self.p3, self.size[2]), self.third_determinant_share()),
+        );
+        smaller(share(self.p0, self.size[0]), if self.is_damped() { damped } else { undamped })
     }
 
     /// 1 where the system is stable, −1 where it is unstable, 0 where it is marginal: by Routh and Hurwitz, and without
@@ -76,13 +101,9 @@ impl Characteristic {
     #[inline(always)]
     #[must_use]
     pub fn stability_sign(&self) -> f64 {
-        let damped = (self.size[2] > 0.0) | (self.size[1] > 0.0);
-        let squares_collide = self.p2 * self.p2 - 4.0 * self.p0 < 0.0;
-        let undamped_unstable = (self.p0 < 0.0) | (self.p2 < 0.0) | squares_collide;
         let margin = self.margin();
-        let stable = damped & (margin > MARGINAL_BAND);
-        let unstable = (damped & (margin < -MARGINAL_BAND)) | (!damped & undamped_unstable);
-        let not_stable = if unstable { -1.0 } else { 0.0 };
+        let stable = self.is_damped() & (margin > MARGINAL_BAND);
+        let not_stable = if margin < -MARGINAL_BAND { -1.0 } else { 0.0 };
         if stable { 1.0 } else { not_stable }
     }
 

@@ -29,28 +29,51 @@ pub struct Equilibrium {
     pub response: ContactResponse,
 }
 
-/// G of (15) with x̃ eliminated, and ŷ dG/dŷ, from the law's response at a point.
-#[inline(always)]
-pub(crate) fn imbalance(
-    load: FrictionLoad,
-    c: &Coefficients,
-    at: &ContactPoint,
-    response: &ContactResponse,
-) -> (f64, f64) {
-    let friction = friction_force(load, c, response);
-    let ratio = c.k12 / c.k11;
-    let spring = (c.k22 - c.k12 * ratio) * c.stiffness;
-    let value = spring * at.indentation + ratio * friction.value + response.force.value - c.normal_load;
-    let slope = spring + ratio * friction.by_indentation + response.force.by_indentation;
-    (value, slope * at.indentation)
+/// The balance of (15) with x̃ eliminated, at one indentation.
+#[derive(Clone, Copy)]
+pub(crate) struct Balance {
+    /// G, over F̃_n.
+    pub(crate) residual: f64,
+    /// The forces that carry the load, G + F̃_n, over F̃_n.
+    carried: f64,
+    /// Their derivative by ln ŷ.
+    slope: f64,
 }
 
-/// Newton's step in ln ŷ, no longer than one e-fold.
-#[inline(always)]
-pub(crate) fn newton_step((value, slope): (f64, f64)) -> f64 {
-    let step = -value / slope;
-    let step = if step > 1.0 { 1.0 } else { step };
-    if step < -1.0 { -1.0 } else { step }
+impl Balance {
+    #[inline(always)]
+    pub(crate) fn new(
+        load: FrictionLoad,
+        c: &Coefficients,
+        at: &ContactPoint,
+        response: &ContactResponse,
+    ) -> Self {
+        let friction = friction_force(load, c, response);
+        let ratio = c.k12 / c.k11;
+        let spring = (c.k22 - c.k12 * ratio) * c.stiffness;
+        let carried = spring * at.indentation + ratio * friction.value + response.force.value;
+        let slope = spring + ratio * friction.by_indentation + response.force.by_indentation;
+        let per_load = 1.0 / c.normal_load;
+        Self {
+            residual: (carried - c.normal_load) * per_load,
+            carried: carried * per_load,
+            slope: slope * at.indentation * per_load,
+        }
+    }
+
+    /// Newton's step in ln ŷ, no longer than one e-fold.
+    ///
+    /// The forces are nearly powers of ŷ, so near the root the step is taken on their logarithm, whose curvature is an order
+    /// smaller; ln(1 + r) as its series.
+    #[inline(always)]
+    pub(crate) fn newton_step(&self) -> f64 {
+        let r = -self.residual / self.carried;
+        let logarithm = r * (1.0 - r * (0.5 - r * (1.0 / 3.0 - 0.25 * r)));
+        let near = (self.carried > 0.0) & (r.abs() < 0.3);
+        let step = if near { logarithm * self.carried } else { -self.residual } / self.slope;
+        let step = if step > 1.0 { 1.0 } else { step };
+        if step < -1.0 { -1.0 } else { step }
+    }
 }
 
 /// The steady sliding state (15).
@@ -86,10 +109,10 @@ struct Imbalance<'a> {
 }
 
 impl Imbalance<'_> {
-    fn at(&self, ln_indentation: f64) -> (f64, f64) {
+    fn at(&self, ln_indentation: f64) -> Balance {
         let at = ContactPoint::at_ln_indentation(self.start.velocity, self.start.ln_velocity, ln_indentation);
         let response = self.contact.law.evaluate(&at);
-        imbalance(self.contact.friction_load, self.coefficients, &at, &response)
+        Balance::new(self.contact.friction_load, self.coefficients, &at, &response)
     }
 }
 
@@ -114,13 +137,13 @@ fn bracket(imbalance: &Imbalance<'_>) -> Result<(f64, f64), OscillatorError> {
     // a hair above F̃_n/s, where rounding cannot turn the sign
     let mut upper = if spring > 0.0 { (c.normal_load / spring).ln() + 1e-9 } else { SEARCH.1 };
     upper = upper.clamp(SEARCH.0, SEARCH.1);
-    if imbalance.at(upper).0 < 0.0 {
+    if imbalance.at(upper).residual < 0.0 {
         return Err(no_equilibrium());
     }
     let mut stride = 1.0;
     while upper > SEARCH.0 {
         let lower = (upper - stride).max(SEARCH.0);
-        if imbalance.at(lower).0 < 0.0 {
+        if imbalance.at(lower).residual < 0.0 {
             return Ok((lower, upper));
         }
         upper = lower;
@@ -134,7 +157,7 @@ fn only_sign_change(imbalance: &Imbalance<'_>) -> Result<(f64, f64), OscillatorE
     const SAMPLES: usize = 1201;
     let samples: Vec<f64> =
         (0..SAMPLES).map(|k| SEARCH.0 + (SEARCH.1 - SEARCH.0) * k as f64 / (SAMPLES - 1) as f64).collect();
-    let roots = all_roots(|u| imbalance.at(u).0 / imbalance.coefficients.normal_load, &samples).roots;
+    let roots = all_roots(|u| imbalance.at(u).residual, &samples).roots;
     match roots[..] {
         [] => Err(no_equilibrium()),
         [root] => Ok((root - 1e-6, root + 1e-6)),
@@ -149,27 +172,23 @@ fn root_in_bracket(imbalance: &Imbalance<'_>, lower: f64, upper: f64) -> Result<
     const LIMIT: usize = 100;
     let (mut lower, mut upper) = (lower, upper);
     let mut u = 0.5 * (lower + upper);
-    let mut value = f64::NAN;
+    let mut residual = f64::NAN;
     for _ in 0..LIMIT {
         let here = imbalance.at(u);
-        value = here.0;
-        if value < 0.0 {
+        residual = here.residual;
+        if residual < 0.0 {
             lower = u
         } else {
             upper = u
         }
-        let next = u + newton_step(here);
+        let next = u + here.newton_step();
         let next = if next > lower && next < upper { next } else { 0.5 * (lower + upper) };
         if (next - u).abs() <= 2.0 * f64::EPSILON * u.abs().max(1.0) {
             return Ok(next);
         }
         u = next;
     }
-    Err(OscillatorError::EquilibriumNotConverged {
-        iterations: LIMIT,
-        indentation: u.exp(),
-        residual: value / imbalance.coefficients.normal_load,
-    })
+    Err(OscillatorError::EquilibriumNotConverged { iterations: LIMIT, indentation: u.exp(), residual })
 }
 
 #[cfg(test)]

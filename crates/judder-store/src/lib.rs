@@ -1,1 +1,38 @@
-//! Placeholder.
+//! What a run of judder leaves in its folder, written so that a reader sees the old content or the new, never half
+//! of it. This crate knows no physics and no case files: it stores what it is handed.
+//!
+//! In the order in which the data flows:
+//!
+//! - [`Variable`], [`Data`] (`variable.rs`) and [`Dataset`] (`dataset.rs`): named arrays with dimension names, units and
+//!   long names, checked as they are put together so that `xarray` can open what is stored.
+//! - [`Table`], [`Cells`] (`table.rs`): columns with units, for a spreadsheet.
+//! - [`Summary`], [`AnalysisRecord`], [`Status`] (`summary.rs`): `summary.json`, which also says what is done, so that
+//!   a rerun resumes.
+//! - [`StudyFolder`] (`folder.rs`): the folder of one study: takes it, locks it, sweeps what a killed run left, and is the
+//!   one door through which everything is written and read.
+//! - `zarr.rs`: one dataset as one group of the Zarr v3 store `results.zarr`; `metadata.rs`: the metadata of its groups,
+//!   consolidated so that one read opens all; `staging.rs`: the atomic write under all of the above.
+//! - [`content_hash`] (`hash.rs`) names a case or an analysis by its content.
+//! - [`StoreError`] (`error.rs`): what can go wrong, and what to do about it.
+
+mod dataset;
+mod error;
+mod folder;
+mod hash;
+mod metadata;
+mod name;
+mod results;
+mod staging;
+mod summary;
+mod table;
+mod variable;
+mod zarr;
+
+pub use dataset::Dataset;
+pub use error::StoreError;
+pub use folder::StudyFolder;
+pub use hash::content_hash;
+pub use num_complex::Complex64;
+pub use summary::{AnalysisRecord, Status, Summary, number};
+pub use table::{Cells, Table};
+pub use variable::{Data, Variable};

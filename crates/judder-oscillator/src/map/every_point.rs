@@ -13,49 +13,51 @@ const TILE_ROWS: usize = 256;
 #[must_use]
 pub fn every_point(contact: &Contact, plane: &impl Plane) -> StabilityMap {
     let (columns, rows) = (plane.columns(), plane.rows());
-    let bands: Vec<Vec<u8>> = (0..rows.div_ceil(TILE_ROWS))
-        .into_par_iter()
-        .map(|band| {
-            let first = band * TILE_ROWS;
-            let height = TILE_ROWS.min(rows - first);
-            let mut classes = vec![StabilityClass::Unresolved as u8; height * columns];
-            let tiles: Vec<(usize, Vec<u8>)> = (0..columns.div_ceil(LANES))
-                .into_par_iter()
-                .map(|tile| (tile * LANES, decide_tile(contact, plane, tile * LANES, first, height)))
-                .collect();
-            for (column, tile) in tiles {
-                let width = tile.len() / height;
-                for (row, codes) in tile.chunks(width).enumerate() {
-                    classes[row * columns + column..][..width].copy_from_slice(codes);
-                }
+    let mut classes = vec![StabilityClass::Unresolved as u8; columns * rows];
+    classes.par_chunks_mut((TILE_ROWS * columns).max(1)).enumerate().for_each(|(band, classes)| {
+        let first_row = band * TILE_ROWS;
+        let height = classes.len() / columns;
+        let tiles: Vec<(usize, Vec<u8>)> = (0..columns)
+            .into_par_iter()
+            .step_by(LANES)
+            .map(|column| {
+                let width = LANES.min(columns - column);
+                let mut codes = Vec::with_capacity(width * height);
+                let at = |lane: usize, row: usize| plane.coefficients(column + lane, first_row + row);
+                sweep_rows(contact, width, height, at, |_, block| {
+                    codes.extend((0..width).map(|lane| block.class(lane) as u8));
+                });
+                (column, codes)
+            })
+            .collect();
+        for (column, codes) in tiles {
+            let width = codes.len() / height;
+            for (row, codes) in codes.chunks(width).enumerate() {
+                classes[row * columns + column..][..width].copy_from_slice(codes);
             }
-            classes
-        })
-        .collect();
-    StabilityMap { columns, rows, classes: bands.concat(), decisions: columns * rows }
+        }
+    });
+    StabilityMap { columns, rows, classes, decisions: columns * rows }
 }
 
-/// The classes of one tile, row by row.
-fn decide_tile(
+/// Decides `height` rows of `width` ≤ [`LANES`] points, each row starting from those before it, and shows each decided row.
+pub(super) fn sweep_rows(
     contact: &Contact,
-    plane: &impl Plane,
-    column: usize,
-    first_row: usize,
+    width: usize,
     height: usize,
-) -> Vec<u8> {
-    let width = LANES.min(plane.columns() - column);
-    let mut codes = Vec::with_capacity(width * height);
+    coefficients: impl Fn(usize, usize) -> crate::Coefficients,
+    mut show: impl FnMut(usize, &Block),
+) {
     let mut block = Block::default();
     let mut history = History::default();
-    for row in first_row..first_row + height {
-        history.push(&block.ln_indentation);
+    for row in 0..height {
         for lane in 0..width {
-            block.set(lane, &plane.coefficients(column + lane, row), history.extrapolate(lane));
+            block.set(lane, &coefficients(lane, row), history.extrapolate(lane));
         }
         block.decide(contact, width);
-        codes.extend((0..width).map(|lane| block.class(lane) as u8));
+        history.push(&block.ln_indentation);
+        show(row, &block);
     }
-    codes
 }
 
 /// ln ŷ_e of the four rows before, the latest first.
@@ -76,7 +78,7 @@ impl History {
     /// The cubic through the four rows before, or as much of it as there is: on fine grids one Newton step then settles it.
     #[inline(always)]
     fn extrapolate(&self, lane: usize) -> f64 {
-        let [a, b, c, d] = self.0.map(|row| row[lane]);
+        let [a, b, c, d] = [self.0[0][lane], self.0[1][lane], self.0[2][lane], self.0[3][lane]];
         let cubic = 4.0 * (a + c) - 6.0 * b - d;
         let linear = a + (a - b);
         match (cubic.is_nan(), linear.is_nan()) {

@@ -1,0 +1,217 @@
+//! What can go wrong with a study folder.
+
+use std::error::Error;
+use std::io::{self, ErrorKind};
+use std::path::{Path, PathBuf};
+
+/// Why something could not be stored or read back. Every variant names the place and says what would be right.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum StoreError {
+    /// The output folder, or a part of its path, is a file.
+    #[error("{}: a study needs a folder, and this is a file (or runs through one); name another place with -o", path.display())]
+    NotAFolder {
+        /// The folder that was asked for.
+        path: PathBuf,
+    },
+    /// The folder holds someone's files and no study.
+    #[error("{}: not a study and not empty (it holds `{holds}`); name a new or an empty folder with -o, so that nothing of yours is overwritten", path.display())]
+    ForeignFolder {
+        /// The folder that was asked for.
+        path: PathBuf,
+        /// One of the files that stand in the way: the first by name.
+        holds: String,
+    },
+    /// There is no study to open.
+    #[error("{}: no study here; `judder run` makes one", path.display())]
+    NoStudy {
+        /// The folder that was asked for.
+        path: PathBuf,
+    },
+    /// Another process writes into this study.
+    #[error("{}: another judder is at work in this study; wait until it ends, or name another folder with -o", path.display())]
+    Locked {
+        /// The study folder.
+        path: PathBuf,
+    },
+    /// The disk, a quota or the largest permitted file is exhausted. What stood at `path` before still stands.
+    #[error("{}: no room for {bytes} bytes ({source}); free some space or name a folder on another disk, then run again: what is done is kept", path.display())]
+    DiskFull {
+        /// What was to be written.
+        path: PathBuf,
+        /// How many bytes were to be written (before compression, for a dataset).
+        bytes: u64,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// The user may not write here.
+    #[error("{}: not writable ({source}); change its permissions or name another folder with -o", path.display())]
+    NotWritable {
+        /// What was to be written.
+        path: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// Any other failure of the file system.
+    #[error("{}: could not {action}: {source}", path.display())]
+    FileSystem {
+        /// What was to be done, as a verb: `read`, `write`, `lock`.
+        action: &'static str,
+        /// The file or folder concerned.
+        path: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// `summary.json` is damaged or was made by something else.
+    #[error("{}: not a summary of judder ({source}); `judder run --fresh` recomputes everything and replaces it, -o names another folder", path.display())]
+    SummaryUnreadable {
+        /// The summary.
+        path: PathBuf,
+        /// Where and why reading stopped.
+        source: serde_json::Error,
+    },
+    /// A summary that JSON cannot hold, such as a wall time that is not a number.
+    #[error("{}: this summary cannot be written as JSON: {source}", path.display())]
+    SummaryUnwritable {
+        /// The summary.
+        path: PathBuf,
+        /// What JSON cannot hold.
+        source: serde_json::Error,
+    },
+    /// An analysis has no stored arrays.
+    #[error("{}: no results stored here; run this analysis first", path.display())]
+    NoDataset {
+        /// The group of the analysis.
+        path: PathBuf,
+    },
+    /// Stored arrays are damaged, or of a form that judder does not write.
+    #[error("{}: stored results cannot be read ({source}); `judder run --fresh` recomputes them", path.display())]
+    DatasetUnreadable {
+        /// The group, array or metadata file concerned.
+        path: PathBuf,
+        /// What was found.
+        source: Box<dyn Error + Send + Sync>,
+    },
+    /// The array library refused a dataset.
+    #[error("{}: results cannot be encoded: {source}", path.display())]
+    DatasetUnwritable {
+        /// The group concerned.
+        path: PathBuf,
+        /// The refusal.
+        source: Box<dyn Error + Send + Sync>,
+    },
+    /// A name that cannot be a file name everywhere.
+    #[error(
+        "`{name}` cannot name {what}: use up to 200 of the letters A-Z and a-z, digits, `_`, `-` and `.`, starting with neither `.` nor `__` (and not `zarr.json`)"
+    )]
+    InvalidName {
+        /// What was to be named, with its article: `a variable`.
+        what: &'static str,
+        /// The name.
+        name: String,
+    },
+    /// Two things of one name.
+    #[error("there are two {what}s named `{name}`; each needs a name of its own")]
+    Duplicate {
+        /// What is named: `variable`, `dimension`, `column`.
+        what: &'static str,
+        /// The name.
+        name: String,
+    },
+    /// A variable whose shape does not fit its data or its dimension names.
+    #[error(
+        "variable `{variable}`: {found} values do not fill the shape {shape:?} over the dimensions {dimensions:?}"
+    )]
+    ShapeMismatch {
+        /// The variable.
+        variable: String,
+        /// Its dimension names.
+        dimensions: Vec<String>,
+        /// Its shape.
+        shape: Vec<usize>,
+        /// How many values it holds.
+        found: usize,
+    },
+    /// Two variables that disagree about the length of a dimension.
+    #[error(
+        "variable `{variable}`: dimension `{dimension}` has length {found} here and {expected} in the variables before"
+    )]
+    DimensionConflict {
+        /// The variable that was added last.
+        variable: String,
+        /// The dimension.
+        dimension: String,
+        /// Its length so far.
+        expected: usize,
+        /// Its length in this variable.
+        found: usize,
+    },
+    /// A variable named as a dimension that is not the coordinate of that dimension.
+    #[error(
+        "variable `{variable}` has the name of a dimension, so it must be that dimension's coordinate: one-dimensional, over `{variable}` alone"
+    )]
+    NotACoordinate {
+        /// The variable.
+        variable: String,
+    },
+    /// An attribute by which CF readers would change the values.
+    #[error(
+        "`{owner}`: the attribute `{attribute}` has a meaning of its own to readers of the store; choose another name"
+    )]
+    ReservedAttribute {
+        /// The variable, or `dataset`.
+        owner: String,
+        /// The attribute.
+        attribute: String,
+    },
+    /// A unit that readers would take for dates.
+    #[error(
+        "variable `{variable}`: readers of the store turn the unit `{units}` into dates; write the symbol (`s`, `ms`, `min`, `h`)"
+    )]
+    DateUnits {
+        /// The variable.
+        variable: String,
+        /// Its unit.
+        units: String,
+    },
+    /// A column that is longer or shorter than the first one.
+    #[error("column `{column}` has {found} rows, the columns before have {expected}")]
+    ColumnLength {
+        /// The column.
+        column: String,
+        /// Rows of the columns before.
+        expected: usize,
+        /// Rows of this column.
+        found: usize,
+    },
+    /// A file to be written that is not a plain place inside the study folder.
+    #[error("{}: give a relative path that stays inside the study folder and is none of the store's own files", path.display())]
+    OutsideFolder {
+        /// The path that was asked for.
+        path: PathBuf,
+    },
+}
+
+impl StoreError {
+    /// Sorts a failed write of `bytes` bytes by what the user can do about it.
+    pub(crate) fn write(path: &Path, bytes: u64, source: io::Error) -> Self {
+        let path = path.to_owned();
+        match source.kind() {
+            ErrorKind::StorageFull | ErrorKind::QuotaExceeded | ErrorKind::FileTooLarge => {
+                Self::DiskFull { path, bytes, source }
+            }
+            ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => Self::NotWritable { path, source },
+            _ => Self::FileSystem { action: "write", path, source },
+        }
+    }
+
+    /// A failed read.
+    pub(crate) fn read(path: &Path, source: io::Error) -> Self {
+        Self::FileSystem { action: "read", path: path.to_owned(), source }
+    }
+
+    /// Stored results that make no sense.
+    pub(crate) fn unreadable(path: &Path, source: impl Into<Box<dyn Error + Send + Sync>>) -> Self {
+        Self::DatasetUnreadable { path: path.to_owned(), source: source.into() }
+    }
+}

@@ -1,0 +1,230 @@
+//! The folder of one study.
+
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::ErrorKind;
+use std::path::{Component, Path, PathBuf};
+use std::sync::Mutex;
+
+use crate::name::check_name;
+use crate::staging::{self, Stage};
+use crate::{Dataset, Status, StoreError, Summary, Table, results, summary, zarr};
+
+const LOCK: &str = ".judder.lock";
+
+/// The folder of one study, held by this process alone until dropped.
+///
+/// Everything is written atomically: a reader, another process included, sees the old content or the new; a failed
+/// write leaves the old. It can be shared between threads.
+#[derive(Debug)]
+pub struct StudyFolder {
+    path: PathBuf,
+    /// Taken while the root of `results.zarr` changes, so that two threads do not forget each other's groups.
+    publishing: Mutex<()>,
+    /// Holds the lock of the operating system, which ends with the process however it ends.
+    _lock: File,
+}
+
+impl StudyFolder {
+    /// Takes a folder for a run: makes it where there is none, takes up the study where there is one, and removes what a
+    /// killed run left half-written.
+    ///
+    /// # Errors
+    /// [`StoreError::NotAFolder`] for a file, [`StoreError::ForeignFolder`] for a folder with files and no study,
+    /// [`StoreError::NotWritable`], [`StoreError::Locked`] while another process holds the study.
+    pub fn create(path: impl AsRef<Path>) -> Result<Self, StoreError> {
+        let path = path.as_ref();
+        fs::create_dir_all(path).map_err(|source| match source.kind() {
+            ErrorKind::AlreadyExists | ErrorKind::NotADirectory => {
+                StoreError::NotAFolder { path: path.to_owned() }
+            }
+            _ => StoreError::write(path, 0, source),
+        })?;
+        refuse_foreign(path)?;
+        Self::take(path)
+    }
+
+    /// Takes an existing study, to rebuild parts of it.
+    ///
+    /// # Errors
+    /// [`StoreError::NoStudy`] where there is none; else as [`create`](Self::create).
+    pub fn open(path: impl AsRef<Path>) -> Result<Self, StoreError> {
+        let path = path.as_ref();
+        if path.is_file() {
+            return Err(StoreError::NotAFolder { path: path.to_owned() });
+        }
+        if !path.join(summary::FILE).exists() && !path.join(results::FOLDER).exists() {
+            return Err(StoreError::NoStudy { path: path.to_owned() });
+        }
+        Self::take(path)
+    }
+
+    fn take(path: &Path) -> Result<Self, StoreError> {
+        let lock = lock(path)?;
+        staging::sweep(path)?;
+        results::repair(path)?;
+        Ok(Self { path: path.to_owned(), publishing: Mutex::new(()), _lock: lock })
+    }
+
+    /// Where it is.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Forgets all results, for a run from scratch: removes `summary.json`, unread, and `results.zarr`. Tables, figures and
+    /// reports stay until they are written anew.
+    ///
+    /// # Errors
+    /// A failure of the file system.
+    pub fn forget(&self) -> Result<(), StoreError> {
+        for name in [summary::FILE, results::FOLDER] {
+            let path = self.path.join(name);
+            let forget = || {
+                // Moved away in one step first, so that a kill leaves no half of it.
+                let stage = Stage::new(&self.path)?;
+                if path.symlink_metadata().is_ok() { fs::rename(&path, stage.place(name)) } else { Ok(()) }
+            };
+            forget().map_err(|source| StoreError::write(&path, 0, source))?;
+        }
+        Ok(())
+    }
+
+    /// Writes the arrays of an analysis, in place of those of an earlier run. `hash` names all that they depend on.
+    ///
+    /// # Errors
+    /// [`StoreError::InvalidName`] for a name that cannot be a folder, [`StoreError::DiskFull`] and other failures of the
+    /// file system; the earlier arrays then still stand.
+    pub fn write_dataset(&self, analysis: &str, hash: &str, dataset: &Dataset) -> Result<(), StoreError> {
+        check_name("an analysis", analysis)?;
+        results::write(&self.path, &self.publishing, analysis, hash, dataset)
+    }
+
+    /// Reads the arrays of an analysis back.
+    ///
+    /// # Errors
+    /// [`StoreError::NoDataset`] where none are stored, [`StoreError::DatasetUnreadable`] where they are damaged or
+    /// incomplete.
+    pub fn read_dataset(&self, analysis: &str) -> Result<Dataset, StoreError> {
+        let group = self.group(analysis)?;
+        if !group.exists() {
+            return Err(StoreError::NoDataset { path: group });
+        }
+        zarr::read_group(&group)
+    }
+
+    /// Whether an analysis need not be run again: the summary calls it done under this hash, and its arrays are there,
+    /// written under the same hash.
+    ///
+    /// # Errors
+    /// As [`read_summary`](Self::read_summary).
+    pub fn is_done(&self, analysis: &str, hash: &str) -> Result<bool, StoreError> {
+        let group = self.group(analysis)?;
+        let summary = self.read_summary()?;
+        let record = summary.as_ref().and_then(|summary| summary.analyses.get(analysis));
+        let recorded = record.is_some_and(|record| record.hash == hash && record.status == Status::Done);
+        Ok(recorded && zarr::stored_hash(&group).is_some_and(|stored| stored == hash))
+    }
+
+    /// Writes `summary.json`.
+    ///
+    /// # Errors
+    /// [`StoreError::SummaryUnwritable`] for a wall time that is not finite; failures of the file system.
+    pub fn write_summary(&self, summary: &Summary) -> Result<(), StoreError> {
+        summary::write(&self.path, summary)
+    }
+
+    /// Reads `summary.json`; `None` where there is none yet.
+    ///
+    /// # Errors
+    /// [`StoreError::SummaryUnreadable`] for a damaged or foreign one.
+    pub fn read_summary(&self) -> Result<Option<Summary>, StoreError> {
+        summary::read(&self.path)
+    }
+
+    /// Writes `<name>.csv` and returns its path.
+    ///
+    /// # Errors
+    /// As [`write_dataset`](Self::write_dataset).
+    pub fn write_table(&self, name: &str, table: &Table) -> Result<PathBuf, StoreError> {
+        check_name("a table", name)?;
+        let path = self.path.join(format!("{name}.csv"));
+        let content = table.to_csv().map_err(|source| StoreError::write(&path, 0, source))?;
+        staging::write_file(&self.path, &path, &content)?;
+        Ok(path)
+    }
+
+    /// Writes another file of the study, such as `figures/map.svg`, with the folders that it needs, and returns its path.
+    ///
+    /// # Errors
+    /// [`StoreError::OutsideFolder`] for a path that is absolute, leaves the folder (also through a link), or is one of
+    /// the store's own; failures of the file system.
+    pub fn write_file(&self, relative: impl AsRef<Path>, content: &[u8]) -> Result<PathBuf, StoreError> {
+        let relative = relative.as_ref();
+        let outside = || StoreError::OutsideFolder { path: relative.to_owned() };
+        if !is_plain_place(relative) {
+            return Err(outside());
+        }
+        let path = self.path.join(relative);
+        let folder = path.parent().unwrap_or(&self.path);
+        let failed = |source| StoreError::write(&path, content.len() as u64, source);
+        // Asked before any folder is made: a link may lead elsewhere.
+        let existing = folder.ancestors().find(|ancestor| ancestor.exists()).unwrap_or(folder);
+        let real = existing.canonicalize().map_err(failed)?;
+        if !real.starts_with(self.path.canonicalize().map_err(failed)?) {
+            return Err(outside());
+        }
+        fs::create_dir_all(folder).map_err(failed)?;
+        staging::write_file(&self.path, &path, content)?;
+        Ok(path)
+    }
+
+    /// The folder of an analysis in the store.
+    fn group(&self, analysis: &str) -> Result<PathBuf, StoreError> {
+        check_name("an analysis", analysis)?;
+        Ok(self.path.join(results::FOLDER).join(analysis))
+    }
+}
+
+/// Refuses a folder that holds files of someone else.
+fn refuse_foreign(path: &Path) -> Result<(), StoreError> {
+    if path.join(summary::FILE).exists() || path.join(LOCK).exists() {
+        return Ok(());
+    }
+    let mut names = Vec::new();
+    for entry in fs::read_dir(path).map_err(|source| StoreError::read(path, source))? {
+        names.push(entry.map_err(|source| StoreError::read(path, source))?.file_name());
+    }
+    match names.iter().min() {
+        Some(first) => {
+            let holds = first.to_string_lossy().into_owned();
+            Err(StoreError::ForeignFolder { path: path.to_owned(), holds })
+        }
+        None => Ok(()),
+    }
+}
+
+/// Locks a study against other processes.
+fn lock(path: &Path) -> Result<File, StoreError> {
+    let file = path.join(LOCK);
+    let opened = OpenOptions::new().create(true).truncate(false).write(true).open(&file);
+    let lock = opened.map_err(|source| StoreError::write(&file, 0, source))?;
+    match lock.try_lock() {
+        Ok(()) => Ok(lock),
+        Err(TryLockError::WouldBlock) => Err(StoreError::Locked { path: path.to_owned() }),
+        // Some cluster file systems have no locks; to refuse them would help nobody.
+        Err(TryLockError::Error(source)) if source.kind() == ErrorKind::Unsupported => Ok(lock),
+        Err(TryLockError::Error(source)) => {
+            Err(StoreError::FileSystem { action: "lock", path: file, source })
+        }
+    }
+}
+
+/// Whether a relative path stays inside and names none of the store's own files.
+fn is_plain_place(relative: &Path) -> bool {
+    let plain = |component: Component| match component {
+        Component::Normal(name) => !name.to_string_lossy().starts_with('.'),
+        _ => false,
+    };
+    let own = relative.starts_with(results::FOLDER) || relative == Path::new(summary::FILE);
+    relative.file_name().is_some() && relative.components().all(plain) && !own
+}

@@ -1,0 +1,90 @@
+//! `results.zarr`: the store of all analyses of a study, a group each.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+use serde_json::{Map, Value};
+
+use crate::staging::{self, Stage};
+use crate::zarr::{self, WriteFailure};
+use crate::{Dataset, StoreError, metadata};
+
+/// The name of the store in a study folder.
+pub(crate) const FOLDER: &str = "results.zarr";
+
+/// Writes the group of an analysis, in place of one of that name.
+///
+/// Everything is on the disk before anything that a reader sees changes. Then three renames: the root of the store
+/// forgets its consolidated metadata, the group takes its place, the root learns the new metadata. So a reader never
+/// meets metadata of one run with arrays of another, and a kill in between costs a reader some speed, no truth.
+///
+/// `publishing` is taken for the last part alone: the encoding runs on a pool of threads, of which one may meanwhile
+/// come here with another dataset.
+pub(crate) fn write(
+    study: &Path,
+    publishing: &Mutex<()>,
+    analysis: &str,
+    hash: &str,
+    dataset: &Dataset,
+) -> Result<(), StoreError> {
+    let results = study.join(FOLDER);
+    let target = results.join(analysis);
+    let failed = |source| StoreError::write(&target, dataset.byte_count(), source);
+
+    let stage = Stage::new(study).map_err(failed)?;
+    let staged = stage.place("group");
+    zarr::write_group(&staged, hash, dataset).map_err(|failure| match failure {
+        WriteFailure::Io(source) => failed(source),
+        WriteFailure::Refused(source) => StoreError::DatasetUnwritable { path: target.clone(), source },
+    })?;
+    staging::sync_tree(&staged).map_err(failed)?;
+
+    let _publishing = publishing.lock().unwrap_or_else(PoisonError::into_inner);
+    let mut groups = groups(&results)?;
+    groups.insert(analysis.to_owned(), staged.clone());
+    let forgetful = metadata::group(Map::new(), None);
+    let knowing = metadata::root(&groups)?;
+
+    let publish = || -> io::Result<()> {
+        let forgetful = stage.file("forgetful", &metadata::content(&forgetful))?;
+        let knowing = stage.file("knowing", &metadata::content(&knowing))?;
+        fs::create_dir_all(&results)?;
+        let root = results.join(metadata::FILE);
+        staging::rename(&forgetful, &root)?;
+        staging::replace_folder(&stage, &staged, &target)?;
+        staging::rename(&knowing, &root)
+    };
+    publish().map_err(failed)
+}
+
+/// Completes the metadata of the root where a killed run left them without those of the groups.
+pub(crate) fn repair(study: &Path) -> Result<(), StoreError> {
+    let results = study.join(FOLDER);
+    let consolidated = |mut root: Map<String, Value>| metadata::take_members(&mut root).is_some();
+    if !results.is_dir() || metadata::read(&results).is_ok_and(consolidated) {
+        return Ok(());
+    }
+    let root = metadata::root(&groups(&results)?)?;
+    staging::write_file(study, &results.join(metadata::FILE), &metadata::content(&root))
+}
+
+/// The sound groups of the store, by name.
+fn groups(results: &Path) -> Result<BTreeMap<String, PathBuf>, StoreError> {
+    let entries = match fs::read_dir(results) {
+        Ok(entries) => entries,
+        Err(source) if source.kind() == io::ErrorKind::NotFound => return Ok(BTreeMap::new()),
+        Err(source) => return Err(StoreError::read(results, source)),
+    };
+    let mut groups = BTreeMap::new();
+    for entry in entries {
+        let entry = entry.map_err(|source| StoreError::read(results, source))?;
+        let folder = entry.path();
+        if let (Ok(name), Some(_)) = (entry.file_name().into_string(), zarr::stored_hash(&folder)) {
+            groups.insert(name, folder);
+        }
+    }
+    Ok(groups)
+}

@@ -1,0 +1,149 @@
+//! The atomic write: everything is put together in a staging folder inside the study, forced to the disk, and then renamed
+//! into place. A write that fails removes its staging folder; one that is killed leaves it for [`sweep`].
+
+use std::fs::{self, File};
+use std::io::{self, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+use tempfile::TempDir;
+
+use crate::StoreError;
+
+const PREFIX: &str = ".partial-";
+
+/// A staging folder, on the disk of the study so that a rename can leave it. Removed when dropped.
+pub(crate) struct Stage(TempDir);
+
+impl Stage {
+    pub(crate) fn new(study: &Path) -> io::Result<Self> {
+        tempfile::Builder::new().prefix(PREFIX).tempdir_in(study).map(Self)
+    }
+
+    /// A place in the staging folder.
+    pub(crate) fn place(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    /// Writes a file into the staging folder and forces it to the disk.
+    pub(crate) fn file(&self, name: &str, content: &[u8]) -> io::Result<PathBuf> {
+        let place = self.place(name);
+        let mut file = File::create_new(&place)?;
+        file.write_all(content)?;
+        file.sync_all()?;
+        Ok(place)
+    }
+}
+
+/// Writes a file so that a reader sees what was at `target` before, or all of `content`.
+pub(crate) fn write_file(study: &Path, target: &Path, content: &[u8]) -> Result<(), StoreError> {
+    let write = || {
+        let stage = Stage::new(study)?;
+        let staged = stage.file("content", content)?;
+        rename(&staged, target)
+    };
+    write().map_err(|source| StoreError::write(target, content.len() as u64, source))
+}
+
+/// Renames a staged file or folder to a place where there is nothing, or a file to replace.
+pub(crate) fn rename(staged: &Path, target: &Path) -> io::Result<()> {
+    fs::rename(staged, target)?;
+    target.parent().map_or(Ok(()), sync_folder)
+}
+
+/// Puts a staged folder at `target`; what stood there ends up in the staging folder.
+///
+/// One step where the system can exchange two folders (Linux, macOS). Elsewhere two: in the moment between, `target` is
+/// absent, never half there.
+pub(crate) fn replace_folder(stage: &Stage, staged: &Path, target: &Path) -> io::Result<()> {
+    if !target.exists() {
+        return rename(staged, target);
+    }
+    if exchange(staged, target).is_err() {
+        replace_in_two_steps(staged, target, &stage.place("replaced"))?;
+    }
+    target.parent().map_or(Ok(()), sync_folder)
+}
+
+fn replace_in_two_steps(staged: &Path, target: &Path, aside: &Path) -> io::Result<()> {
+    fs::rename(target, aside)?;
+    fs::rename(staged, target).or_else(|source| {
+        fs::rename(aside, target)?;
+        Err(source)
+    })
+}
+
+#[cfg(any(target_os = "linux", target_vendor = "apple"))]
+fn exchange(one: &Path, other: &Path) -> io::Result<()> {
+    use rustix::fs::{CWD, RenameFlags, renameat_with};
+    Ok(renameat_with(CWD, one, CWD, other, RenameFlags::EXCHANGE)?)
+}
+
+#[cfg(not(any(target_os = "linux", target_vendor = "apple")))]
+fn exchange(_one: &Path, _other: &Path) -> io::Result<()> {
+    Err(ErrorKind::Unsupported.into())
+}
+
+/// Forces the entries of a folder, and of all folders in it, to the disk.
+pub(crate) fn sync_tree(folder: &Path) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        if entry.file_type()?.is_dir() {
+            sync_tree(&entry.path())?;
+        }
+    }
+    sync_folder(folder)
+}
+
+/// Forces the entries of a folder to the disk, where the system has a notion of it.
+fn sync_folder(folder: &Path) -> io::Result<()> {
+    if cfg!(unix) { File::open(folder)?.sync_all() } else { Ok(()) }
+}
+
+/// Removes the staging folders that a killed run left.
+pub(crate) fn sweep(study: &Path) -> Result<(), StoreError> {
+    for entry in fs::read_dir(study).map_err(|source| StoreError::read(study, source))? {
+        let entry = entry.map_err(|source| StoreError::read(study, source))?;
+        if entry.file_name().to_string_lossy().starts_with(PREFIX) {
+            let left = entry.path();
+            remove(&left).map_err(|source| StoreError::FileSystem {
+                action: "remove",
+                path: left,
+                source,
+            })?;
+        }
+    }
+    Ok(())
+}
+
+/// Removes a file or a folder; nothing there is as good.
+pub(crate) fn remove(path: &Path) -> io::Result<()> {
+    let removed = match fs::symlink_metadata(path) {
+        Ok(metadata) if metadata.is_dir() => fs::remove_dir_all(path),
+        Ok(_) => fs::remove_file(path),
+        Err(source) => Err(source),
+    };
+    match removed {
+        Err(source) if source.kind() != ErrorKind::NotFound => Err(source),
+        _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_steps_replace_a_folder_or_leave_it() {
+        let study = tempfile::tempdir().unwrap();
+        let place = |name: &str| study.path().join(name);
+        for name in ["new", "old"] {
+            fs::create_dir(place(name)).unwrap();
+            fs::write(place(name).join("content"), name).unwrap();
+        }
+        let content = |name: &str| fs::read_to_string(place(name).join("content")).unwrap();
+        replace_in_two_steps(&place("missing"), &place("old"), &place("aside")).unwrap_err();
+        assert_eq!(content("old"), "old");
+        replace_in_two_steps(&place("new"), &place("old"), &place("aside")).unwrap();
+        assert_eq!((content("old"), content("aside")), ("new".to_owned(), "old".to_owned()));
+    }
+}

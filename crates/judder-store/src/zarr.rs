@@ -1,0 +1,264 @@
+//! One dataset as one group of a Zarr v3 store: an array a variable, compressed with zstd, each chunk with a checksum.
+
+use std::error::Error;
+use std::fs;
+use std::io;
+use std::path::Path;
+use std::sync::Arc;
+
+use num_complex::Complex64;
+use serde_json::{Map, Value};
+use zarrs::array::codec::{Crc32cCodec, ZstdCodec};
+use zarrs::array::{
+    Array, ArrayBuilder, ArrayError, ArrayMetadataOptions, ArraySubset, CodecError, CodecOptions, DataType,
+    Element, ElementOwned, FillValue, data_type,
+};
+use zarrs::filesystem::FilesystemStore;
+use zarrs::storage::StorageError;
+
+use crate::metadata::{self, HASH_ATTRIBUTE};
+use crate::{Data, Dataset, StoreError, Variable};
+
+/// A chunk is one file: large enough that a map of 1000 × 1000 is one, small enough to be read alone from a large one.
+const CHUNK_BYTES: u64 = 8 << 20;
+
+/// No store of ours has chunks beyond this; damaged metadata that says so must not be believed.
+const LARGEST_CHUNK_BYTES: u64 = 1 << 30;
+
+const COMPRESSION_LEVEL: i32 = 3;
+
+/// Why a group could not be written.
+pub(crate) enum WriteFailure {
+    /// The file system failed.
+    Io(io::Error),
+    /// The array library refused.
+    Refused(Box<dyn Error + Send + Sync>),
+}
+
+impl From<io::Error> for WriteFailure {
+    fn from(source: io::Error) -> Self {
+        Self::Io(source)
+    }
+}
+
+impl From<StorageError> for WriteFailure {
+    fn from(failure: StorageError) -> Self {
+        match failure {
+            // The library shares its errors; ours own theirs, with the same code.
+            StorageError::IOError(source) => Self::Io(match source.raw_os_error() {
+                Some(code) => io::Error::from_raw_os_error(code),
+                None => io::Error::new(source.kind(), source.to_string()),
+            }),
+            other => Self::Refused(other.into()),
+        }
+    }
+}
+
+impl From<ArrayError> for WriteFailure {
+    fn from(failure: ArrayError) -> Self {
+        match failure {
+            ArrayError::StorageError(storage) | ArrayError::CodecError(CodecError::StorageError(storage)) => {
+                storage.into()
+            }
+            other => Self::Refused(other.into()),
+        }
+    }
+}
+
+/// Writes a dataset as the group in `folder`, which must not exist yet.
+pub(crate) fn write_group(folder: &Path, hash: &str, dataset: &Dataset) -> Result<(), WriteFailure> {
+    fs::create_dir(folder)?;
+    let store = FilesystemStore::new(folder).map_err(|refusal| WriteFailure::Refused(refusal.into()))?;
+    let store = Arc::new(store);
+    let mut members = Map::new();
+    for variable in dataset.variables() {
+        let array = match &variable.data {
+            Data::F64(values) => write_array(&store, variable, data_type::float64(), f64::NAN, values),
+            Data::Complex(values) => write_array(
+                &store,
+                variable,
+                data_type::complex128(),
+                Complex64::new(f64::NAN, f64::NAN),
+                values,
+            ),
+            Data::I64(values) => write_array(&store, variable, data_type::int64(), i64::MIN, values),
+            Data::U8(values) => write_array(&store, variable, data_type::uint8(), u8::MAX, values),
+            Data::Text(values) => write_array(&store, variable, data_type::string(), "", values),
+        }?;
+        members.insert(variable.name.clone(), array);
+    }
+    let group = metadata::group(group_attributes(hash, dataset), Some(members));
+    let path = folder.join(metadata::FILE);
+    fs::write(&path, metadata::content(&group))?;
+    fs::File::open(&path)?.sync_all()?;
+    Ok(())
+}
+
+/// Writes one variable and returns the metadata of its array.
+fn write_array<T: Element>(
+    store: &Arc<FilesystemStore>,
+    variable: &Variable,
+    data_type: DataType,
+    fill_value: impl Into<FillValue>,
+    values: &[T],
+) -> Result<Value, WriteFailure> {
+    let shape: Vec<u64> = variable.shape.iter().map(|&length| length as u64).collect();
+    let chunk_shape = chunk_shape(&shape, variable.data.value_size() as u64);
+    let array = ArrayBuilder::new(shape, chunk_shape, data_type, fill_value.into())
+        .bytes_to_bytes_codecs(vec![
+            Arc::new(ZstdCodec::new(COMPRESSION_LEVEL, false)),
+            Arc::new(Crc32cCodec::new()),
+        ])
+        .dimension_names(Some(variable.dimensions.iter().map(String::as_str)))
+        .attributes(variable_attributes(variable))
+        .build(store.clone(), &format!("/{}", variable.name))
+        .map_err(|refusal| WriteFailure::Refused(refusal.into()))?;
+    // The library's signature would show up among the attributes in a notebook.
+    let plain = ArrayMetadataOptions::default().with_include_zarrs_metadata(false);
+    array.store_metadata_opt(&plain)?;
+    if !values.is_empty() {
+        // Chunks of fill values are stored too, so that a missing file is a damage and not a result.
+        let options = CodecOptions::default().with_store_empty_chunks(true);
+        array.store_array_subset_opt(&array.subset_all(), values, &options)?;
+    }
+    serde_json::to_value(array.metadata_opt(&plain)).map_err(|refusal| WriteFailure::Refused(refusal.into()))
+}
+
+/// Halves the longest axis until a chunk has at most [`CHUNK_BYTES`].
+fn chunk_shape(shape: &[u64], value_size: u64) -> Vec<u64> {
+    let mut chunk: Vec<u64> = shape.iter().map(|&length| length.max(1)).collect();
+    while chunk.iter().product::<u64>().saturating_mul(value_size) > CHUNK_BYTES {
+        match chunk.iter_mut().max() {
+            Some(longest) => *longest = longest.div_ceil(2),
+            None => break,
+        }
+    }
+    chunk
+}
+
+fn group_attributes(hash: &str, dataset: &Dataset) -> Map<String, Value> {
+    let mut attributes = dataset.attributes().clone();
+    let auxiliary: Vec<&str> = dataset
+        .variables()
+        .iter()
+        .filter(|variable| variable.is_coordinate && variable.dimensions != [variable.name.as_str()])
+        .map(|variable| variable.name.as_str())
+        .collect();
+    if !auxiliary.is_empty() {
+        // The CF convention's list, which makes coordinates of variables that are no dimension's own.
+        attributes.insert("coordinates".into(), auxiliary.join(" ").into());
+    }
+    attributes.insert(HASH_ATTRIBUTE.into(), hash.into());
+    attributes
+}
+
+fn variable_attributes(variable: &Variable) -> Map<String, Value> {
+    let mut attributes = Map::new();
+    for (key, text) in [("long_name", &variable.long_name), ("units", &variable.units)] {
+        if !text.is_empty() {
+            attributes.insert(key.into(), text.as_str().into());
+        }
+    }
+    attributes.extend(variable.attributes.clone());
+    attributes
+}
+
+/// The hash under which the group in `folder` was written; `None` where there is no sound group.
+pub(crate) fn stored_hash(folder: &Path) -> Option<String> {
+    let mut group = metadata::read(folder).ok()?;
+    let mut attributes = metadata::take_object(&mut group, "attributes")?;
+    Some(metadata::take_text(&mut attributes, HASH_ATTRIBUTE))
+}
+
+/// Reads the group in `folder` back.
+pub(crate) fn read_group(folder: &Path) -> Result<Dataset, StoreError> {
+    let mut group = metadata::read(folder)?;
+    let members = metadata::take_members(&mut group)
+        .ok_or_else(|| StoreError::unreadable(folder, "its metadata do not list its arrays"))?;
+    let mut attributes = metadata::take_object(&mut group, "attributes").unwrap_or_default();
+    attributes.remove(HASH_ATTRIBUTE);
+    let coordinates = metadata::take_text(&mut attributes, "coordinates");
+    let coordinates: Vec<&str> = coordinates.split_whitespace().collect();
+
+    let store = FilesystemStore::new(folder).map_err(|source| StoreError::unreadable(folder, source))?;
+    let store = Arc::new(store);
+    let damaged = |source| StoreError::unreadable(folder, source);
+    let mut dataset = Dataset::new();
+    for name in members.keys() {
+        let mut variable = read_variable(&store, name)
+            .map_err(|source| StoreError::DatasetUnreadable { path: folder.join(name), source })?;
+        variable.is_coordinate |= coordinates.contains(&name.as_str());
+        dataset = dataset.with(variable).map_err(damaged)?;
+    }
+    for (name, value) in attributes {
+        dataset = dataset.attribute(&name, value).map_err(damaged)?;
+    }
+    Ok(dataset)
+}
+
+type ReadFailure = Box<dyn Error + Send + Sync>;
+
+fn read_variable(store: &Arc<FilesystemStore>, name: &str) -> Result<Variable, ReadFailure> {
+    let array = Array::open(store.clone(), &format!("/{name}"))?;
+    check_chunks(store, &array)?;
+    let shape = array.shape().iter().map(|&length| usize::try_from(length)).collect::<Result<Vec<_>, _>>()?;
+    let dimensions = array.dimension_names().clone().ok_or("its dimensions have no names")?;
+    let dimensions =
+        dimensions.into_iter().collect::<Option<Vec<_>>>().ok_or("one of its dimensions has no name")?;
+    let dimensions: Vec<&str> = dimensions.iter().map(String::as_str).collect();
+    let data = match array.data_type() {
+        kind if *kind == data_type::float64() => Data::F64(values(&array)?),
+        kind if *kind == data_type::complex128() => Data::Complex(values(&array)?),
+        kind if *kind == data_type::int64() => Data::I64(values(&array)?),
+        kind if *kind == data_type::uint8() => Data::U8(values(&array)?),
+        kind if *kind == data_type::string() => Data::Text(values(&array)?),
+        other => return Err(format!("values of type {other:?} are none that judder writes").into()),
+    };
+    let mut variable = Variable::new(name, &dimensions, &shape, data);
+    variable.attributes = array.attributes().clone();
+    variable.units = metadata::take_text(&mut variable.attributes, "units");
+    variable.long_name = metadata::take_text(&mut variable.attributes, "long_name");
+    Ok(variable)
+}
+
+fn values<T: ElementOwned>(array: &Array<FilesystemStore>) -> Result<Vec<T>, ArrayError> {
+    if array.shape().contains(&0) {
+        return Ok(Vec::new());
+    }
+    array.retrieve_array_subset(&array.subset_all())
+}
+
+/// Refuses an array with a chunk missing, which would otherwise read as fill values, or of absurd size.
+fn check_chunks(store: &FilesystemStore, array: &Array<FilesystemStore>) -> Result<(), ReadFailure> {
+    let origin = vec![0; array.dimensionality()];
+    let values =
+        array.chunk_shape(&origin)?.iter().try_fold(1_u64, |count, length| count.checked_mul(length.get()));
+    if values.is_none_or(|count| count > LARGEST_CHUNK_BYTES / 16) {
+        return Err("its metadata ask for chunks of absurd size".into());
+    }
+    if array.shape().contains(&0) {
+        return Ok(());
+    }
+    for indices in &ArraySubset::new_with_shape(array.chunk_grid_shape().to_vec()).indices() {
+        let chunk = store.key_to_fspath(&array.chunk_key(&indices));
+        if !chunk.is_file() {
+            return Err(format!("a part is missing: {}", chunk.display()).into());
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn chunks_are_whole_where_small_and_bounded_where_large() {
+        assert_eq!(chunk_shape(&[1000, 1000], 8), [1000, 1000]);
+        assert_eq!(chunk_shape(&[], 8), Vec::<u64>::new());
+        assert_eq!(chunk_shape(&[0, 5], 8), [1, 5]);
+        let large = chunk_shape(&[20_000, 3, 7000], 16);
+        assert!(large.iter().product::<u64>() * 16 <= CHUNK_BYTES);
+        assert!(large.iter().product::<u64>() * 16 > CHUNK_BYTES / 4);
+    }
+}

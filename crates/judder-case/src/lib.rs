@@ -1,1 +1,53 @@
-//! Placeholder.
+//! Case files of judder: TOML text in, a typed and validated case out. No numerics, no oscillator code.
+//!
+//! The modules in the order in which the data flows:
+//!
+//! - `document`: the TOML text as a tree whose every value knows its place; `--set` options are grafted onto it.
+//! - [`dimension`] and [`quantity`]: `"3.5 kN/m"` becomes a number in SI units with its dimension.
+//! - [`keys`]: **the one table of keys**, which drives reading, defaults, sweeps, schema and templates.
+//! - `section`: typed reading of one table; unknown keys are refused first.
+//! - [`inputs`]: the value of every numeric key at one operating point.
+//! - [`sweep`], `swept_keys`, `read_sweep`: what an analysis varies, over which range.
+//! - `analysis`, [`oscillator_analysis`], [`oscillator_case`]: the oscillator case and its analyses.
+//! - `expression`, [`two_degrees`]: the two-degrees case, matrices of expressions.
+//! - [`case_file`]: the way in. `resolved`: the way out, canonical JSON for the hash and the report.
+//! - [`cause`], `help`, [`error`]: what is wrong, what would be right, where.
+//! - [`schema`], [`template`]: the JSON Schema for editors and the commented cases of `judder new`.
+
+pub mod analysis;
+pub mod case_file;
+pub mod cause;
+pub mod dimension;
+mod document;
+pub mod error;
+pub mod expression;
+mod help;
+pub mod inputs;
+pub mod keys;
+mod nearest;
+pub mod oscillator_analysis;
+pub mod oscillator_case;
+pub mod quantity;
+mod read_sweep;
+mod resolved;
+pub mod schema;
+mod section;
+pub mod sweep;
+mod swept_keys;
+pub mod template;
+pub mod two_degrees;
+
+pub use analysis::Analysis;
+pub use case_file::{Case, CaseFile};
+pub use cause::Cause;
+pub use dimension::Dimension;
+pub use error::CaseError;
+pub use inputs::{FrictionLoad, LawName, OscillatorInputs, TimeForm};
+pub use keys::{Form, KEYS, Key, OscillatorKey, Range, Value};
+pub use oscillator_analysis::OscillatorAnalysis;
+pub use oscillator_case::OscillatorCase;
+pub use quantity::{Quantity, QuantityError};
+pub use schema::schema;
+pub use sweep::{Family, MapMethod, ParameterKey, Scale, StabilityMap, Sweep, Within};
+pub use template::{TEMPLATES, template};
+pub use two_degrees::{Parameter, TwoDegreesAnalysis, TwoDegreesCase, TwoDegreesMatrices};

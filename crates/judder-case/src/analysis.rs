@@ -1,0 +1,101 @@
+//! Analyses: a name that serves as a file name, and a kind with its settings.
+
+use crate::cause::Cause;
+use crate::document::{Data, Node};
+use crate::error::Fault;
+use crate::section::{Section, list, text, wrong_type};
+
+/// One analysis of a case.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Analysis<Kind> {
+    /// Unique in its case, safe as a file name; the kind where the case gives none.
+    pub name: String,
+    /// What is computed.
+    pub kind: Kind,
+}
+
+/// A kind of analysis: its name, its keys besides `name` and `kind`, and how those are read.
+pub(crate) struct Kind<S, T> {
+    pub(crate) name: &'static str,
+    pub(crate) keys: &'static [&'static str],
+    pub(crate) doc: &'static str,
+    pub(crate) read: fn(&S, &Section<'_>) -> Result<T, Fault>,
+}
+
+/// Kinds of the oscillator that this version does not compute yet.
+const LATER: [&str; 4] = ["motion", "bifurcation", "limit-cycle", "basin"];
+
+/// Every other kind of any model.
+const OTHER_MODELS: [&str; 15] = [
+    "equivalent-damping",
+    "critical-shear-strength",
+    "critical-load",
+    "critical",
+    "contact",
+    "contact-law",
+    "fit",
+    "modulus",
+    "modes",
+    "locus",
+    "march",
+    "growth",
+    "spectrogram",
+    "eigen",
+    "eigen-sweep",
+];
+
+/// Reads `[[analysis]]`: each kind is looked up among `kinds`, and reads its own keys.
+pub(crate) fn read_analyses<S, T>(
+    root: &Section<'_>,
+    keys: &S,
+    kinds: &[Kind<S, T>],
+) -> Result<Vec<Analysis<T>>, Fault> {
+    let Some(node) = root.get("analysis") else { return Ok(Vec::new()) };
+    let mut analyses: Vec<Analysis<T>> = Vec::new();
+    for node in list("analysis", node)? {
+        let kind = find_kind(node, kinds)?;
+        let known: Vec<_> = ["name", "kind"].iter().chain(kind.keys).copied().collect();
+        let section = Section::open(node, "", &format!("an analysis of kind `{}`", kind.name), &known)?;
+        let name = section.text("name")?.unwrap_or(kind.name).to_owned();
+        let place = section.get("name").map_or(node.place, |name| name.place);
+        if !is_file_name(&name) {
+            return Err(Cause::BadName { name }.at(place));
+        }
+        if analyses.iter().any(|other| other.name.eq_ignore_ascii_case(&name)) {
+            return Err(Cause::DuplicateName { name }.at(place));
+        }
+        analyses.push(Analysis { name, kind: (kind.read)(keys, &section)? });
+    }
+    Ok(analyses)
+}
+
+/// The kind of one analysis; it decides which keys the analysis may have.
+fn find_kind<'k, S, T>(node: &Node, kinds: &'k [Kind<S, T>]) -> Result<&'k Kind<S, T>, Fault> {
+    let Data::Table(table) = &node.data else { return Err(wrong_type("analysis", "a table", node)) };
+    let known: Vec<_> = kinds.iter().map(|kind| kind.name.to_owned()).collect();
+    let Some(entry) = table.get("kind") else {
+        let expected = format!("kind = \"…\", one of {}", known.join(", "));
+        let (key, section) = ("kind".to_owned(), "this analysis".to_owned());
+        return Err(Cause::MissingKey { key, section, expected }.at(node.place));
+    };
+    let name = text("kind", &entry.node)?;
+    if let Some(kind) = kinds.iter().find(|kind| kind.name == name) {
+        return Ok(kind);
+    }
+    let (what, place) = ("analysis kind", entry.node.part(0..name.len()));
+    let name = name.to_owned();
+    Err(if LATER.contains(&name.as_str()) {
+        Cause::LaterVersion { what, name, known }
+    } else if OTHER_MODELS.contains(&name.as_str()) {
+        Cause::OtherModel { name, known }
+    } else {
+        Cause::UnknownName { what, name, known }
+    }
+    .at(place))
+}
+
+/// Whether a name is a plain file name on every system.
+fn is_file_name(name: &str) -> bool {
+    let plain = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'.' | b'_' | b'-');
+    (1..=100).contains(&name.len()) && !name.starts_with('.') && name.bytes().all(plain)
+}

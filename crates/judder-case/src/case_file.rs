@@ -1,0 +1,115 @@
+//! The way in: a path or a text with its `--set` options becomes a validated case.
+
+use std::io::ErrorKind;
+use std::path::Path;
+
+use crate::cause::Cause;
+use crate::document::{Data, Node, apply_override, parse};
+use crate::error::{CaseError, Fault, Sources};
+use crate::oscillator_case::OscillatorCase;
+use crate::two_degrees::TwoDegreesCase;
+use crate::{oscillator_case, two_degrees};
+
+/// A case file that was read and found valid.
+#[derive(Debug, Clone)]
+pub struct CaseFile {
+    /// The name without folder and extension: `out/<name>` is where a run goes by default.
+    pub name: String,
+    /// The text as read, without the `--set` options.
+    pub text: String,
+    /// The `--set` options in their order.
+    pub overrides: Vec<String>,
+    /// The case, with the options applied.
+    pub case: Case,
+}
+
+/// A validated case of one of the models.
+#[derive(Debug, Clone)]
+#[expect(clippy::large_enum_variant, reason = "one case a program: its size does not matter")]
+pub enum Case {
+    /// `model = "oscillator"`.
+    Oscillator(OscillatorCase),
+    /// `model = "two-degrees"`.
+    TwoDegrees(TwoDegreesCase),
+}
+
+/// The models of this version.
+pub const MODELS: [&str; 2] = ["oscillator", "two-degrees"];
+
+/// Models that a later version brings.
+const LATER: [&str; 3] = ["contact", "sliding", "structure"];
+
+impl CaseFile {
+    /// Reads and validates the case file at `path` with the options `--set key=value`.
+    ///
+    /// # Errors
+    /// [`CaseError`] with the cause, the place in file or option, and what would be right.
+    pub fn read(path: impl AsRef<Path>, overrides: &[String]) -> Result<Self, CaseError> {
+        let path = path.as_ref();
+        let name = path.display().to_string();
+        let bytes = std::fs::read(path).map_err(|source| {
+            let path = path.to_owned();
+            let cause = match source.kind() {
+                ErrorKind::NotFound => Cause::Missing { path },
+                ErrorKind::IsADirectory => Cause::Folder { path },
+                _ => Cause::Unreadable { path, source },
+            };
+            CaseError::without_place(cause, &name)
+        })?;
+        let text = String::from_utf8(bytes).map_err(|error| {
+            let offset = error.utf8_error().valid_up_to();
+            CaseError::without_place(Cause::Binary { name: name.clone(), offset }, &name)
+        })?;
+        Self::parse(&name, &text, overrides)
+    }
+
+    /// Validates the text of a case file; `name`, a path or any word, is what errors call it.
+    ///
+    /// # Errors
+    /// [`CaseError`] with the cause, the place in text or option, and what would be right.
+    pub fn parse(name: &str, text: &str, overrides: &[String]) -> Result<Self, CaseError> {
+        let sources = Sources::new(name, text, overrides);
+        let case = read_case(name, text, overrides).map_err(|fault| sources.error(fault))?;
+        let stem = Path::new(name).file_stem().map_or(name.into(), |stem| stem.to_string_lossy());
+        Ok(Self { name: stem.into_owned(), text: text.to_owned(), overrides: overrides.to_vec(), case })
+    }
+}
+
+fn read_case(name: &str, text: &str, overrides: &[String]) -> Result<Case, Fault> {
+    let mut root = parse(text)?;
+    if matches!(&root.data, Data::Table(table) if table.entries.is_empty()) {
+        return Err(Cause::Empty { name: name.to_owned() }.at(root.place));
+    }
+    for (index, option) in overrides.iter().enumerate() {
+        apply_override(&mut root, index + 1, option)?;
+    }
+    match read_model(&root)? {
+        "oscillator" => oscillator_case::read(&root).map(Case::Oscillator),
+        _ => two_degrees::read(&root).map(Case::TwoDegrees),
+    }
+}
+
+/// The model of the case, one of [`MODELS`].
+fn read_model(root: &Node) -> Result<&'static str, Fault> {
+    let known = || MODELS.map(String::from).to_vec();
+    let model = match &root.data {
+        Data::Table(table) => table.get("model").map(|entry| &entry.node),
+        _ => None,
+    };
+    let Some(node) = model else {
+        let expected = "model = \"oscillator\" or model = \"two-degrees\"".to_owned();
+        let (key, section) = ("model".to_owned(), "the case".to_owned());
+        return Err(Cause::MissingKey { key, section, expected }.at(root.place));
+    };
+    let name = crate::section::text("model", node)?;
+    if let Some(model) = MODELS.into_iter().find(|model| *model == name) {
+        return Ok(model);
+    }
+    let (what, place, later) = ("model", node.part(0..name.len()), LATER.contains(&name));
+    let name = name.to_owned();
+    Err(match later {
+        true => Cause::LaterVersion { what, name, known: known() },
+        false => Cause::UnknownName { what, name, known: known() },
+    }
+    .at(place))
+}

@@ -1,0 +1,142 @@
+//! Dimensions: exponents of length, mass, time and angle, with the words an error needs.
+
+use std::fmt;
+
+/// The dimension of a quantity: exponents of metre, kilogram, second and radian.
+///
+/// Angle is kept apart from pure number so that `"45 deg"` cannot stand where a number is wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub struct Dimension {
+    /// Exponent of length (m).
+    pub length: i8,
+    /// Exponent of mass (kg).
+    pub mass: i8,
+    /// Exponent of time (s).
+    pub time: i8,
+    /// Exponent of angle (rad).
+    pub angle: i8,
+}
+
+/// A dimension that case files use: its name with article, an example, its SI unit.
+struct Named(Dimension, &'static str, &'static str, &'static str);
+
+const NAMED: [Named; 12] = [
+    Named(Dimension::NUMBER, "a plain number", "0.01", "1"),
+    Named(Dimension::LENGTH, "a length", "10 mm", "m"),
+    Named(Dimension::MASS, "a mass", "30 g", "kg"),
+    Named(Dimension::TIME, "a time", "10 ms", "s"),
+    Named(Dimension::ANGLE, "an angle", "45 deg", "rad"),
+    Named(Dimension::SPEED, "a speed", "30 mm/s", "m/s"),
+    Named(Dimension::FORCE, "a force", "0.2 N", "N"),
+    Named(Dimension::STRESS, "a stress", "1 MPa", "Pa"),
+    Named(Dimension::COMPLIANCE, "a compliance", "1e-7 1/Pa", "1/Pa"),
+    Named(Dimension::STIFFNESS, "a stiffness", "50 N/m", "N/m"),
+    Named(Dimension::ANGULAR_FREQUENCY, "an angular frequency", "40 rad/s\" or \"7 kHz", "rad/s"),
+    Named(Dimension::RATE, "a rate", "5 1/s", "1/s"),
+];
+
+impl Dimension {
+    /// No dimension: a pure number.
+    pub const NUMBER: Self = Self::new(0, 0, 0, 0);
+    /// Length, m.
+    pub const LENGTH: Self = Self::new(1, 0, 0, 0);
+    /// Mass, kg.
+    pub const MASS: Self = Self::new(0, 1, 0, 0);
+    /// Time, s.
+    pub const TIME: Self = Self::new(0, 0, 1, 0);
+    /// Angle, rad.
+    pub const ANGLE: Self = Self::new(0, 0, 0, 1);
+    /// Speed, m/s.
+    pub const SPEED: Self = Self::new(1, 0, -1, 0);
+    /// Force, N.
+    pub const FORCE: Self = Self::new(1, 1, -2, 0);
+    /// Stress and modulus, Pa.
+    pub const STRESS: Self = Self::new(-1, 1, -2, 0);
+    /// Compliance, 1/Pa.
+    pub const COMPLIANCE: Self = Self::new(1, -1, 2, 0);
+    /// Stiffness of a spring, N/m.
+    pub const STIFFNESS: Self = Self::new(0, 1, -2, 0);
+    /// Angular frequency, rad/s; a frequency in Hz is 2π rad/s.
+    pub const ANGULAR_FREQUENCY: Self = Self::new(0, 0, -1, 1);
+    /// Rate, 1/s.
+    pub const RATE: Self = Self::new(0, 0, -1, 0);
+
+    /// The dimension m^length kg^mass s^time rad^angle.
+    pub const fn new(length: i8, mass: i8, time: i8, angle: i8) -> Self {
+        Self { length, mass, time, angle }
+    }
+
+    /// Whether this is the dimension of a pure number.
+    pub const fn is_number(self) -> bool {
+        self.length == 0 && self.mass == 0 && self.time == 0 && self.angle == 0
+    }
+
+    /// The exponents of `self · other^power`; `None` where one leaves the range of `i8`.
+    pub(crate) fn times(self, other: Self, power: i8) -> Option<Self> {
+        let sum = |left: i8, right: i8| right.checked_mul(power).and_then(|right| left.checked_add(right));
+        Some(Self {
+            length: sum(self.length, other.length)?,
+            mass: sum(self.mass, other.mass)?,
+            time: sum(self.time, other.time)?,
+            angle: sum(self.angle, other.angle)?,
+        })
+    }
+
+    /// The SI unit in which numbers of this dimension are kept, such as `N/m`; `1` for a pure number.
+    pub fn unit(self) -> String {
+        if let Some(Named(_, _, _, unit)) = self.named() {
+            return (*unit).to_owned();
+        }
+        let powers = [(self.length, "m"), (self.mass, "kg"), (self.time, "s"), (self.angle, "rad")];
+        let factors = powers.iter().filter(|(power, _)| *power != 0).map(|(power, unit)| match power {
+            1 => (*unit).to_owned(),
+            _ => format!("{unit}^{power}"),
+        });
+        factors.collect::<Vec<_>>().join(" ")
+    }
+
+    /// An example of a quantity of this dimension as it stands in a case file.
+    pub fn example(self) -> String {
+        match self.named() {
+            Some(Named(_, _, example, _)) => (*example).to_owned(),
+            None => format!("1 {}", self.unit()),
+        }
+    }
+
+    fn named(self) -> Option<&'static Named> {
+        NAMED.iter().find(|named| named.0 == self)
+    }
+}
+
+impl fmt::Display for Dimension {
+    /// The name with its article, `a speed`; a dimension without a name shows its unit.
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.named() {
+            Some(Named(_, name, _, _)) => formatter.write_str(name),
+            None => write!(formatter, "a quantity in {}", self.unit()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantity::Quantity;
+
+    #[test]
+    fn every_example_and_unit_has_the_dimension_it_stands_for() {
+        for Named(dimension, name, example, unit) in NAMED.iter().skip(1) {
+            for example in example.split("\" or \"") {
+                assert_eq!(Quantity::parse(example).unwrap().dimension, *dimension, "{name}: {example}");
+            }
+            assert_eq!(Quantity::parse(&format!("1 {unit}")).unwrap().dimension, *dimension, "{name}");
+        }
+    }
+
+    #[test]
+    fn a_dimension_without_a_name_shows_its_unit() {
+        let odd = Quantity::parse("3 kg m^2").unwrap().dimension;
+        assert_eq!(odd.to_string(), "a quantity in m^2 kg");
+        assert_eq!(odd.unit(), "m^2 kg");
+    }
+}

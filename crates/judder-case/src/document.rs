@@ -1,0 +1,233 @@
+//! The case file as a tree whose every key and value knows its place; `--set` options are grafted onto it.
+
+use toml::Spanned;
+use toml::de::{DeInteger, DeTable, DeValue};
+
+use crate::cause::Cause;
+use crate::error::{Fault, Place};
+
+/// A value with its place.
+#[derive(Debug, Clone)]
+pub(crate) struct Node {
+    pub(crate) place: Place,
+    pub(crate) data: Data,
+}
+
+/// What a value is.
+#[derive(Debug, Clone)]
+pub(crate) enum Data {
+    /// A number; `whole` where it was written as an integer.
+    Number {
+        value: f64,
+        whole: Option<i64>,
+    },
+    Text(String),
+    Boolean(bool),
+    Date,
+    List(Vec<Node>),
+    Table(Table),
+}
+
+/// A table, its entries in the order of the text.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Table {
+    pub(crate) entries: Vec<Entry>,
+}
+
+/// A key with its place, and its value.
+#[derive(Debug, Clone)]
+pub(crate) struct Entry {
+    pub(crate) key: String,
+    pub(crate) place: Place,
+    pub(crate) node: Node,
+}
+
+impl Table {
+    pub(crate) fn get(&self, key: &str) -> Option<&Entry> {
+        self.entries.iter().find(|entry| entry.key == key)
+    }
+}
+
+impl Node {
+    /// What the value is, as an error says it.
+    pub(crate) fn type_name(&self) -> &'static str {
+        match &self.data {
+            Data::Number { whole: Some(_), .. } => "an integer",
+            Data::Number { .. } => "a number",
+            Data::Text(_) => "a string",
+            Data::Boolean(_) => "a boolean",
+            Data::Date => "a date",
+            Data::List(_) => "a list",
+            Data::Table(_) => "a table",
+        }
+    }
+
+    /// The place of `range` of a text value; the whole value where escapes hide the correspondence.
+    pub(crate) fn part(&self, range: std::ops::Range<usize>) -> Place {
+        let Data::Text(text) = &self.data else { return self.place };
+        let quotes = match (self.place.end - self.place.start).checked_sub(text.len()) {
+            Some(0) => 0,
+            Some(2) => 1,
+            _ => return self.place,
+        };
+        let offset = self.place.start + quotes;
+        Place { start: offset + range.start, end: offset + range.end, ..self.place }
+    }
+}
+
+/// Parses the text of the case file.
+pub(crate) fn parse(text: &str) -> Result<Node, Fault> {
+    let converter = Converter { source: 0, offset: 0 };
+    match DeTable::parse(text) {
+        Ok(table) => {
+            let place = converter.place(table.span());
+            Ok(Node { place, data: Data::Table(converter.table(table.into_inner())) })
+        }
+        Err(error) => {
+            let span = error.span().unwrap_or(0..0);
+            Err(Cause::Syntax { message: error.message().to_owned() }.at(converter.place(span)))
+        }
+    }
+}
+
+/// Grafts the `number`-th option `key=value` onto the tree; a later option wins over an earlier one.
+///
+/// The value is read as TOML and, where it is none, as a bare string: `velocity=30 mm/s` needs no inner quotes.
+pub(crate) fn apply_override(root: &mut Node, number: usize, option: &str) -> Result<(), Fault> {
+    let whole = Place { source: number, start: 0, end: option.len() };
+    let malformed = || Cause::OverrideForm { option: option.to_owned() }.at(whole);
+    let (path, value) = option.split_once('=').ok_or_else(malformed)?;
+    let offset = option.len() - value.trim_start().len();
+    let value = value.trim();
+    let value_place = Place { source: number, start: offset, end: offset + value.len() };
+    let data = match DeValue::parse(value) {
+        Ok(parsed) => Converter { source: number, offset }.value(parsed).data,
+        Err(_) => Data::Text(value.to_owned()),
+    };
+    // no key of a case lies deeper, and grafting recurses
+    if path.matches('.').count() > 8 {
+        return Err(malformed());
+    }
+    let mut steps = Vec::new();
+    let mut start = 0;
+    for step in path.split('.') {
+        let place = Place { source: number, start, end: start + step.len() };
+        start = place.end + 1;
+        if step.trim().is_empty() {
+            return Err(malformed());
+        }
+        steps.push((step.trim(), place));
+    }
+    graft(root, "the case", &steps, Node { place: value_place, data })
+}
+
+/// Walks down `steps`, making tables where there are none, and puts `leaf` at the end.
+fn graft(node: &mut Node, name: &str, steps: &[(&str, Place)], leaf: Node) -> Result<(), Fault> {
+    let [(step, place), rest @ ..] = steps else {
+        *node = leaf;
+        return Ok(());
+    };
+    let found = node.type_name();
+    let Data::Table(table) = &mut node.data else {
+        return Err(
+            Cause::WrongType { key: name.to_owned(), expected: "a table".to_owned(), found }.at(*place)
+        );
+    };
+    let index = match table.entries.iter().position(|entry| entry.key == *step) {
+        Some(index) => index,
+        None => {
+            let node = Node { place: *place, data: Data::Table(Table::default()) };
+            table.entries.push(Entry { key: (*step).to_owned(), place: *place, node });
+            table.entries.len() - 1
+        }
+    };
+    graft(&mut table.entries[index].node, step, rest, leaf)
+}
+
+/// Turns the spanned TOML of one source into nodes.
+struct Converter {
+    source: usize,
+    offset: usize,
+}
+
+impl Converter {
+    fn place(&self, span: std::ops::Range<usize>) -> Place {
+        Place { source: self.source, start: self.offset + span.start, end: self.offset + span.end }
+    }
+
+    fn table(&self, table: DeTable<'_>) -> Table {
+        let mut entries: Vec<_> = table
+            .into_iter()
+            .map(|(key, value)| Entry {
+                place: self.place(key.span()),
+                key: key.into_inner().into_owned(),
+                node: self.value(value),
+            })
+            .collect();
+        entries.sort_by_key(|entry| entry.place.start);
+        Table { entries }
+    }
+
+    fn value(&self, value: Spanned<DeValue<'_>>) -> Node {
+        let place = self.place(value.span());
+        let data = match value.into_inner() {
+            DeValue::String(text) => Data::Text(text.into_owned()),
+            DeValue::Integer(integer) => whole_number(&integer),
+            DeValue::Float(float) => {
+                Data::Number { value: float.as_str().parse().unwrap_or(f64::NAN), whole: None }
+            }
+            DeValue::Boolean(value) => Data::Boolean(value),
+            DeValue::Datetime(_) => Data::Date,
+            DeValue::Array(list) => Data::List(list.into_iter().map(|item| self.value(item)).collect()),
+            DeValue::Table(table) => Data::Table(self.table(table)),
+        };
+        Node { place, data }
+    }
+}
+
+/// An integer beyond `i64` still has a value; in another base than ten it becomes NaN, which every key refuses.
+fn whole_number(integer: &DeInteger<'_>) -> Data {
+    match i64::from_str_radix(integer.as_str(), integer.radix()) {
+        Ok(whole) => Data::Number { value: whole as f64, whole: Some(whole) },
+        Err(_) => {
+            let value = if integer.radix() == 10 { integer.as_str().parse() } else { Ok(f64::NAN) };
+            Data::Number { value: value.unwrap_or(f64::NAN), whole: None }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn text_of(root: &Node, section: &str, key: &str) -> Option<String> {
+        let Data::Table(root) = &root.data else { return None };
+        let Data::Table(table) = &root.get(section)?.node.data else { return None };
+        match &table.get(key)?.node.data {
+            Data::Text(text) => Some(text.clone()),
+            Data::Number { value, .. } => Some(value.to_string()),
+            _ => None,
+        }
+    }
+
+    #[test]
+    fn options_are_grafted_with_their_place() {
+        let mut root = parse("[operation]\nvelocity = 1e-4\n").unwrap();
+        apply_override(&mut root, 1, "operation.velocity = 30 mm/s").unwrap();
+        apply_override(&mut root, 2, "contact.law=hertz").unwrap();
+        apply_override(&mut root, 3, "operation.normal_load=2e-6").unwrap();
+        assert_eq!(text_of(&root, "operation", "velocity").unwrap(), "30 mm/s");
+        assert_eq!(text_of(&root, "contact", "law").unwrap(), "hertz");
+        assert_eq!(text_of(&root, "operation", "normal_load").unwrap(), "0.000002");
+        let Data::Table(table) = &root.data else { panic!() };
+        let Data::Table(operation) = &table.get("operation").unwrap().node.data else { panic!() };
+        let place = operation.get("velocity").unwrap().node.place;
+        assert_eq!((place.source, place.start, place.end), (1, 21, 28));
+    }
+
+    #[test]
+    fn entries_keep_the_order_of_the_text() {
+        let Data::Table(table) = parse("b = 1\na = 2\nz = 3").unwrap().data else { panic!() };
+        assert_eq!(table.entries.iter().map(|entry| entry.key.as_str()).collect::<Vec<_>>(), ["b", "a", "z"]);
+    }
+}

@@ -1,0 +1,107 @@
+//! An error with its place: which file (or `--set` option), which bytes, what would be right.
+
+use std::fmt;
+use std::sync::Arc;
+
+use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode, SourceSpan};
+
+use crate::cause::Cause;
+
+/// What is wrong with a case, and where: a [`Cause`] at a place of the case file or of a `--set` option.
+///
+/// As a [`Diagnostic`] it carries the source text, one labelled span and a help line; the terminal draws them.
+#[derive(Debug)]
+pub struct CaseError {
+    cause: Box<Cause>,
+    source: NamedSource<Arc<str>>,
+    span: Option<SourceSpan>,
+}
+
+impl CaseError {
+    pub(crate) fn without_place(cause: Cause, name: &str) -> Self {
+        Self { cause: Box::new(cause), source: NamedSource::new(name, Arc::from("")), span: None }
+    }
+
+    /// What is wrong, with the values that a caller can act on.
+    pub fn cause(&self) -> &Cause {
+        &self.cause
+    }
+
+    /// The name of the text that the error points into: that of the case file, or `--set`.
+    pub fn source_name(&self) -> &str {
+        self.source.name()
+    }
+
+    /// The part of the text that the error concerns; empty where the error has no place.
+    pub fn place(&self) -> &str {
+        let span = self.span.map_or(0..0, |span| span.offset()..span.offset() + span.len());
+        self.source.inner().get(span).unwrap_or_default()
+    }
+}
+
+impl fmt::Display for CaseError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.cause.fmt(formatter)
+    }
+}
+
+impl std::error::Error for CaseError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        std::error::Error::source(&*self.cause)
+    }
+}
+
+impl Diagnostic for CaseError {
+    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
+        self.cause.help().map(|help| Box::new(help) as Box<dyn fmt::Display>)
+    }
+
+    fn source_code(&self) -> Option<&dyn SourceCode> {
+        self.span.map(|_| &self.source as &dyn SourceCode)
+    }
+
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        let span = self.span?;
+        Some(Box::new(std::iter::once(LabeledSpan::at(span, self.cause.label()))))
+    }
+}
+
+/// A range of bytes in one of the texts of a case.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Place {
+    /// 0 is the case file, n the n-th `--set` option.
+    pub(crate) source: usize,
+    pub(crate) start: usize,
+    pub(crate) end: usize,
+}
+
+/// A cause with its place, before the source text is attached.
+#[derive(Debug)]
+pub(crate) struct Fault {
+    cause: Box<Cause>,
+    place: Place,
+}
+
+impl Cause {
+    pub(crate) fn at(self, place: Place) -> Fault {
+        Fault { cause: Box::new(self), place }
+    }
+}
+
+/// The texts of a case: the file first, then the `--set` options.
+pub(crate) struct Sources(Vec<(String, Arc<str>)>);
+
+impl Sources {
+    pub(crate) fn new(name: &str, text: &str, overrides: &[String]) -> Self {
+        let options = overrides.iter().map(|option| ("--set".to_owned(), Arc::from(option.as_str())));
+        Self(std::iter::once((name.to_owned(), Arc::from(text))).chain(options).collect())
+    }
+
+    /// Attaches the text to a fault.
+    pub(crate) fn error(&self, fault: Fault) -> CaseError {
+        let Place { source, start, end } = fault.place;
+        let (name, text) = self.0.get(source).cloned().unwrap_or_default();
+        let span = Some(SourceSpan::from((start, end.saturating_sub(start))));
+        CaseError { cause: fault.cause, source: NamedSource::new(name, text), span }
+    }
+}

@@ -1,0 +1,120 @@
+//! What would be right: the help line of every cause, and the words beside its caret.
+
+use crate::cause::{Cause, gibibytes};
+use crate::dimension::Dimension;
+use crate::nearest::did_you_mean;
+use crate::quantity::{QuantityError, UNIT_LIST};
+use crate::sweep::MAP_BYTES_PER_POINT;
+
+impl Cause {
+    /// What stands beside the caret: a few words.
+    pub fn label(&self) -> &'static str {
+        match self {
+            Self::Syntax { .. } => "here",
+            Self::UnknownKey { .. } => "unknown key",
+            Self::MissingKey { .. } => "in this section",
+            Self::WrongType { .. } | Self::MatrixShape { .. } => "wrong type",
+            Self::UnknownName { .. } | Self::UnknownTemplate { .. } => "unknown name",
+            Self::LaterVersion { .. } | Self::OtherModel { .. } => "not available here",
+            Self::WrongDimension { .. } => "wrong unit",
+            Self::NeedsUnit { .. } => "no unit",
+            Self::NotFinite { .. } | Self::NotFiniteEntry { .. } => "not finite",
+            Self::OutOfRange { .. } => "out of range",
+            Self::Conflict { .. } | Self::KeyTwice { .. } | Self::DuplicateName { .. } => "given twice",
+            Self::NotNumeric { .. } => "not a number",
+            Self::EmptyRange { .. } | Self::Backwards { .. } | Self::LogThroughZero { .. } => "this range",
+            Self::TooFewPoints { .. } => "too few",
+            Self::TooLarge { .. } => "too many",
+            Self::MixedForms { .. } => "of the other kind",
+            _ => "here",
+        }
+    }
+
+    /// What would be right.
+    pub fn help(&self) -> Option<String> {
+        Some(match self {
+            Self::Missing { .. } | Self::Folder { .. } | Self::Empty { .. } | Self::Binary { .. } => {
+                "`judder new` prints a case file to start from".to_owned()
+            }
+            Self::Unreadable { .. } => return None,
+            Self::Syntax { .. } => "text and quantities stand in quotes: velocity = \"30 mm/s\"".to_owned(),
+            Self::OverrideForm { .. } => {
+                "write the dotted key, `=`, the value: --set \"operation.velocity=30 mm/s\"".to_owned()
+            }
+            Self::UnknownKey { key, known, .. } => did_you_mean(key, known, "keys here"),
+            Self::MissingKey { expected, .. } => format!("give {expected}"),
+            Self::WrongType { .. } => return None,
+            Self::UnknownName { name, known, .. } | Self::UnknownTemplate { name, known } => {
+                did_you_mean(name, known, "known")
+            }
+            Self::LaterVersion { known, .. }
+            | Self::OtherModel { known, .. }
+            | Self::NotNumeric { known, .. } => format!("available: {}", known.join(", ")),
+            Self::Quantity { dimension, problem, .. } => help_for_quantity(*dimension, problem),
+            Self::WrongDimension { expected, found, group, .. } => {
+                help_for_dimension(*expected, *found, *group)
+            }
+            Self::NeedsUnit { dimension, .. } => format!("write {}", with_example(*dimension)),
+            _ => return self.help_for_values(),
+        })
+    }
+
+    /// The help of causes that lie in values and ranges rather than in names and units.
+    fn help_for_values(&self) -> Option<String> {
+        let help = match self {
+            Self::Conflict { first, second } => format!("keep `{first}` or `{second}`"),
+            Self::PronyTerms { .. } => "give one term { time, compliance }".to_owned(),
+            Self::PronyCompliance { .. } => "1/E∞ = 1/E0 − compliance must be positive".to_owned(),
+            Self::GlassyBelowRubbery { .. } => {
+                "E∞ must be above E0; only the law \"hertz\" takes E∞ = E0".to_owned()
+            }
+            Self::EmptyRange { .. } => "let `from` and `to` differ".to_owned(),
+            Self::Backwards { .. } => "exchange `from` and `to`".to_owned(),
+            Self::TooFewPoints { .. } => "at least 2 points are needed".to_owned(),
+            Self::LogThroughZero { .. } => {
+                "let both ends have one sign, or use scale = \"linear\"".to_owned()
+            }
+            Self::MixedForms { .. } => "use plain numbers throughout, or units throughout".to_owned(),
+            Self::TooLarge { limit, .. } => {
+                let most = limit / MAP_BYTES_PER_POINT;
+                format!("the limit is {}: at most {most} points in all", gibibytes(*limit))
+            }
+            Self::BadName { .. } => {
+                "use 1 to 100 of A-Z a-z 0-9 . _ - and no leading dot: the name becomes a file name"
+                    .to_owned()
+            }
+            Self::DuplicateName { .. } => "give each analysis a `name` of its own".to_owned(),
+            Self::ParameterName { .. } => {
+                "a letter, then letters, digits or _; functions and pi are taken".to_owned()
+            }
+            Self::MatrixShape { .. } => "as in [[\"2\", \"1 - mu\"], [1, 2]]".to_owned(),
+            Self::Expression { problem, parameters } => problem.help(parameters),
+            _ => return None,
+        };
+        Some(help)
+    }
+}
+
+fn with_example(dimension: Dimension) -> String {
+    format!("{dimension}, such as \"{}\"", dimension.example())
+}
+
+fn help_for_quantity(dimension: Dimension, problem: &QuantityError) -> String {
+    match problem {
+        QuantityError::UnknownUnit { .. } => {
+            format!("{}; known units: {UNIT_LIST}", with_example(dimension))
+        }
+        QuantityError::FactorAfterQuotient => "write one `/` before each divisor: J/kg/s".to_owned(),
+        _ => format!("write {}", with_example(dimension)),
+    }
+}
+
+fn help_for_dimension(expected: Dimension, found: Dimension, group: Option<&str>) -> String {
+    match group {
+        Some(group) if found.is_number() => {
+            format!("without quotes it is {group}; with a unit, {}", with_example(expected))
+        }
+        Some(group) => format!("write {}, or a plain number: {group}", with_example(expected)),
+        None => format!("write {}", with_example(expected)),
+    }
+}

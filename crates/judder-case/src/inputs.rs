@@ -1,0 +1,208 @@
+//! The numbers and choices of one oscillator operating point.
+
+use crate::cause::Cause;
+use crate::keys::{KEY_COUNT, KEYS, OscillatorKey, Value};
+
+/// The contact law of an oscillator case.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum LawName {
+    /// The paper's fits as printed.
+    OscillatorPaper,
+    /// The paper's fits on the corrected velocity axis.
+    OscillatorPaperCorrected,
+    /// The elastic closed form.
+    Hertz,
+}
+
+impl LawName {
+    /// The laws with their names in a case file.
+    pub const ALL: [(&'static str, Self); 3] = [
+        ("oscillator-paper", Self::OscillatorPaper),
+        ("oscillator-paper-corrected", Self::OscillatorPaperCorrected),
+        ("hertz", Self::Hertz),
+    ];
+
+    /// The name in a case file.
+    pub fn name(self) -> &'static str {
+        Self::ALL[self as usize].0
+    }
+}
+
+/// The force that the viscoelastic friction coefficient multiplies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum FrictionLoad {
+    /// F_n μ_visc, as printed.
+    NormalLoad,
+    /// F_k μ_visc, the instantaneous contact force.
+    ContactForce,
+}
+
+impl FrictionLoad {
+    /// The choices with their names in a case file.
+    pub const ALL: [(&'static str, Self); 2] =
+        [("normal-load", Self::NormalLoad), ("contact-force", Self::ContactForce)];
+
+    /// The name in a case file.
+    pub fn name(self) -> &'static str {
+        Self::ALL[self as usize].0
+    }
+}
+
+/// How the substrate's relaxation was given; the other quantities follow from what was given.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum TimeForm {
+    /// `retardation_time` with `glassy_modulus`.
+    Retardation,
+    /// `relaxation_time` with `glassy_modulus`: τ = τ_r E∞/E0.
+    Relaxation,
+    /// One Prony term, whose time is τ: 1/E∞ = 1/E0 − compliance.
+    Prony {
+        /// The compliance of the term, 1/Pa.
+        compliance: f64,
+    },
+}
+
+impl TimeForm {
+    /// The key of `[substrate]` that was given.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Retardation => "retardation_time",
+            Self::Relaxation => "relaxation_time",
+            Self::Prony { .. } => "prony",
+        }
+    }
+}
+
+/// The value of every numeric key at one operating point. Small and `Copy`: a sweep sets one key a point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OscillatorInputs {
+    values: [Value; KEY_COUNT],
+    time_form: TimeForm,
+}
+
+impl Default for OscillatorInputs {
+    /// The oscillator paper's values.
+    fn default() -> Self {
+        let values = KEYS.map(|entry| entry.default.map_or(Value::si(0.0), |(_, value)| value));
+        Self { values, time_form: TimeForm::Retardation }
+    }
+}
+
+impl OscillatorInputs {
+    /// The value of a key. Retardation time, relaxation time and glassy modulus follow from what was given:
+    /// τ_r = τ E0/E∞, and 1/E∞ = 1/E0 − compliance for a Prony term.
+    pub fn get(&self, key: OscillatorKey) -> Value {
+        let rubbery = self.values[OscillatorKey::RubberyModulus as usize].number;
+        match (key, self.time_form) {
+            (OscillatorKey::GlassyModulus, TimeForm::Prony { compliance }) => {
+                Value::si(1.0 / (1.0 / rubbery - compliance))
+            }
+            (OscillatorKey::RetardationTime, TimeForm::Relaxation) => {
+                let relaxation = self.values[OscillatorKey::RelaxationTime as usize].number;
+                Value::si(relaxation * self.number(OscillatorKey::GlassyModulus) / rubbery)
+            }
+            (OscillatorKey::RelaxationTime, TimeForm::Retardation | TimeForm::Prony { .. }) => {
+                let retardation = self.values[OscillatorKey::RetardationTime as usize].number;
+                Value::si(retardation * rubbery / self.number(OscillatorKey::GlassyModulus))
+            }
+            _ => self.values[key as usize],
+        }
+    }
+
+    /// The number of a key, in the form that [`OscillatorInputs::get`] tells.
+    pub fn number(&self, key: OscillatorKey) -> f64 {
+        self.get(key).number
+    }
+
+    /// How the relaxation of the substrate was given.
+    pub fn time_form(&self) -> TimeForm {
+        self.time_form
+    }
+
+    /// Sets a key. Setting a time, or the glassy modulus of a Prony case, also makes that the form in which the
+    /// relaxation is given. Neither range nor form is checked here: that is the reader's part.
+    pub fn set(&mut self, key: OscillatorKey, value: Value) {
+        match (key, self.time_form) {
+            (OscillatorKey::RetardationTime, TimeForm::Relaxation) => self.time_form = TimeForm::Retardation,
+            (OscillatorKey::RelaxationTime, TimeForm::Retardation) => self.time_form = TimeForm::Relaxation,
+            (OscillatorKey::RelaxationTime, TimeForm::Prony { .. }) => {
+                self.values[OscillatorKey::GlassyModulus as usize] = self.get(OscillatorKey::GlassyModulus);
+                self.time_form = TimeForm::Relaxation;
+            }
+            (OscillatorKey::GlassyModulus, TimeForm::Prony { .. }) => self.time_form = TimeForm::Retardation,
+            _ => (),
+        }
+        self.values[key as usize] = value;
+    }
+
+    /// Makes one Prony term the form in which the relaxation is given: creep time in s, compliance in 1/Pa.
+    pub fn set_prony(&mut self, time: f64, compliance: f64) {
+        self.values[OscillatorKey::RetardationTime as usize] = Value::si(time);
+        self.time_form = TimeForm::Prony { compliance };
+    }
+
+    /// Checks the conditions that tie keys together: E∞ > E0 (for `hertz`, E∞ ≥ E0), and for a Prony term
+    /// compliance < 1/E0.
+    ///
+    /// # Errors
+    /// [`Cause::PronyCompliance`] or [`Cause::GlassyBelowRubbery`].
+    pub fn check(&self, law: LawName) -> Result<(), Cause> {
+        let rubbery = self.number(OscillatorKey::RubberyModulus);
+        if let TimeForm::Prony { compliance } = self.time_form
+            && compliance >= 1.0 / rubbery
+        {
+            return Err(Cause::PronyCompliance { compliance, limit: 1.0 / rubbery });
+        }
+        let glassy = self.number(OscillatorKey::GlassyModulus);
+        if glassy > rubbery || (law == LawName::Hertz && glassy == rubbery) {
+            Ok(())
+        } else {
+            Err(Cause::GlassyBelowRubbery { rubbery, glassy, law })
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use OscillatorKey::{GlassyModulus, RelaxationTime, RetardationTime, RubberyModulus};
+
+    #[test]
+    fn relaxation_and_retardation_follow_from_each_other() {
+        let mut inputs = OscillatorInputs::default();
+        assert_eq!(inputs.number(RelaxationTime), 1e-3);
+        inputs.set(RelaxationTime, Value::si(2e-3));
+        assert_eq!((inputs.number(RetardationTime), inputs.time_form()), (0.02, TimeForm::Relaxation));
+        inputs.set(GlassyModulus, Value::si(2e7));
+        assert_eq!(inputs.number(RetardationTime), 0.04);
+        inputs.set(RetardationTime, Value::si(0.01));
+        assert_eq!((inputs.number(RelaxationTime), inputs.time_form()), (5e-4, TimeForm::Retardation));
+    }
+
+    #[test]
+    fn a_prony_term_gives_the_glassy_modulus_until_that_is_set() {
+        let mut inputs = OscillatorInputs::default();
+        inputs.set_prony(0.01, 0.9e-6);
+        assert!((inputs.number(GlassyModulus) / 1e7 - 1.0).abs() < 1e-12);
+        assert!((inputs.number(RelaxationTime) / 1e-3 - 1.0).abs() < 1e-12);
+        inputs.set(RubberyModulus, Value::si(2e6));
+        assert!(matches!(inputs.check(LawName::Hertz), Err(Cause::PronyCompliance { .. })));
+        inputs.set(GlassyModulus, Value::si(2e7));
+        assert_eq!((inputs.number(RetardationTime), inputs.time_form()), (0.01, TimeForm::Retardation));
+        assert!(inputs.check(LawName::OscillatorPaper).is_ok());
+    }
+
+    #[test]
+    fn equal_moduli_are_for_hertz_alone() {
+        let mut inputs = OscillatorInputs::default();
+        inputs.set(GlassyModulus, Value::si(1e6));
+        assert!(inputs.check(LawName::Hertz).is_ok());
+        assert!(matches!(inputs.check(LawName::OscillatorPaper), Err(Cause::GlassyBelowRubbery { .. })));
+    }
+
+    #[test]
+    fn names_stand_at_their_index() {
+        assert!(LawName::ALL.iter().all(|(name, law)| law.name() == *name));
+        assert!(FrictionLoad::ALL.iter().all(|(name, load)| load.name() == *name));
+    }
+}

@@ -1,0 +1,367 @@
+//! The one table of keys: every numeric key of an oscillator case, with its dimension, group, range and default.
+//!
+//! Reading, defaults, unit errors, `--set`, sweeps, the schema and the templates are all driven by [`KEYS`].
+
+use std::fmt;
+
+use crate::dimension::Dimension;
+
+/// Whether a number is the paper's dimensionless group or a quantity in SI units.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Form {
+    /// A plain number in the case file: the group that [`Key::group`] names.
+    Group,
+    /// A quantity with a unit in the case file; the number is in SI units.
+    Si,
+}
+
+/// A number of a case with its form.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Value {
+    /// The number: a group, or in the SI unit of the key's dimension.
+    pub number: f64,
+    /// Which of the two it is.
+    pub form: Form,
+}
+
+impl Value {
+    /// A dimensionless group or pure number.
+    pub const fn group(number: f64) -> Self {
+        Self { number, form: Form::Group }
+    }
+
+    /// A number in SI units.
+    pub const fn si(number: f64) -> Self {
+        Self { number, form: Form::Si }
+    }
+}
+
+/// The numbers that a key takes; every number must be finite besides.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Range {
+    /// Above zero.
+    Positive,
+    /// Zero or above.
+    NonNegative,
+    /// Any finite number.
+    Any,
+    /// Above the first number, up to and including the second.
+    Interval {
+        /// Excluded lower end.
+        above: f64,
+        /// Included upper end.
+        up_to: f64,
+    },
+}
+
+impl Range {
+    /// Whether `number` lies in the range; a NaN lies in none.
+    pub fn contains(self, number: f64) -> bool {
+        number.is_finite()
+            && match self {
+                Self::Positive => number > 0.0,
+                Self::NonNegative => number >= 0.0,
+                Self::Any => true,
+                Self::Interval { above, up_to } => number > above && number <= up_to,
+            }
+    }
+}
+
+impl fmt::Display for Range {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Positive => formatter.write_str("positive"),
+            Self::NonNegative => formatter.write_str("zero or positive"),
+            Self::Any => formatter.write_str("finite"),
+            Self::Interval { above, up_to } => write!(formatter, "above {above} and at most {up_to}"),
+        }
+    }
+}
+
+/// A numeric key of an oscillator case; its position in [`KEYS`] is `key as usize`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum OscillatorKey {
+    /// E0.
+    RubberyModulus,
+    /// E∞.
+    GlassyModulus,
+    /// τ, the creep time.
+    RetardationTime,
+    /// τ_r = τ E0/E∞.
+    RelaxationTime,
+    /// ν.
+    PoissonRatio,
+    /// R.
+    Radius,
+    /// τ0.
+    ShearStrength,
+    /// ξ_x.
+    DampingX,
+    /// ξ_y.
+    DampingY,
+    /// Ω.
+    FrequencyRatio,
+    /// η.
+    Coupling,
+    /// α.
+    CouplingAngle,
+    /// ω_nx.
+    NaturalFrequency,
+    /// k_x.
+    StiffnessX,
+    /// v_d.
+    Velocity,
+    /// F_n.
+    NormalLoad,
+}
+
+/// The number of numeric keys.
+pub const KEY_COUNT: usize = 16;
+
+impl OscillatorKey {
+    /// The entry of this key in the table.
+    pub fn entry(self) -> &'static Key {
+        &KEYS[self as usize]
+    }
+
+    /// The key of a dotted path such as `operation.velocity`.
+    pub fn from_path(path: &str) -> Option<Self> {
+        KEYS.iter().find(|entry| entry.path == path).map(|entry| entry.key)
+    }
+}
+
+impl fmt::Display for OscillatorKey {
+    /// The dotted path.
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(self.entry().path)
+    }
+}
+
+/// One entry of the table of keys.
+#[derive(Debug, Clone, Copy)]
+pub struct Key {
+    /// The key itself.
+    pub key: OscillatorKey,
+    /// Its dotted path in the case file, `section.name`.
+    pub path: &'static str,
+    /// The paper's symbol of the dimensional quantity, or of the pure number.
+    pub symbol: &'static str,
+    /// The dimension of a value with a unit.
+    pub dimension: Dimension,
+    /// The dimensionless group that a plain number is; without one the key takes only a quantity with a unit.
+    pub group: Option<&'static str>,
+    /// The numbers allowed, as group and in SI units alike.
+    pub range: Range,
+    /// The oscillator paper's value: as a case file writes it (without quotes), and read.
+    pub default: Option<(&'static str, Value)>,
+    /// What the key is, in one line.
+    pub doc: &'static str,
+}
+
+impl Key {
+    /// The section of the key, such as `operation`.
+    pub fn section(&self) -> &'static str {
+        self.path.split_once('.').map_or("", |(section, _)| section)
+    }
+
+    /// The name of the key in its section, such as `velocity`.
+    pub fn name(&self) -> &'static str {
+        self.path.split_once('.').map_or(self.path, |(_, name)| name)
+    }
+}
+
+/// An entry that takes a pure number only.
+const fn number(
+    key: OscillatorKey,
+    path: &'static str,
+    symbol: &'static str,
+    range: Range,
+    default: (&'static str, f64),
+    doc: &'static str,
+) -> Key {
+    let default = Some((default.0, Value::group(default.1)));
+    Key { key, path, symbol, dimension: Dimension::NUMBER, group: Some(symbol), range, default, doc }
+}
+
+/// An entry that takes a quantity with a unit only.
+const fn quantity(
+    key: OscillatorKey,
+    path: &'static str,
+    symbol: &'static str,
+    dimension: Dimension,
+    default: (&'static str, f64),
+    doc: &'static str,
+) -> Key {
+    let default = Some((default.0, Value::si(default.1)));
+    Key { key, path, symbol, dimension, group: None, range: Range::Positive, default, doc }
+}
+
+/// Every numeric key of an oscillator case, in the order of the case file. The defaults are the oscillator paper's.
+pub static KEYS: [Key; KEY_COUNT] = [
+    quantity(
+        OscillatorKey::RubberyModulus,
+        "substrate.rubbery_modulus",
+        "E0",
+        Dimension::STRESS,
+        ("1 MPa", 1e6),
+        "modulus of the substrate under slow loading",
+    ),
+    quantity(
+        OscillatorKey::GlassyModulus,
+        "substrate.glassy_modulus",
+        "E∞",
+        Dimension::STRESS,
+        ("10 MPa", 1e7),
+        "modulus of the substrate under fast loading, above the rubbery modulus",
+    ),
+    quantity(
+        OscillatorKey::RetardationTime,
+        "substrate.retardation_time",
+        "τ",
+        Dimension::TIME,
+        ("10 ms", 0.01),
+        "creep time of the substrate, the paper's τ",
+    ),
+    Key {
+        default: None,
+        ..quantity(
+            OscillatorKey::RelaxationTime,
+            "substrate.relaxation_time",
+            "τ_r",
+            Dimension::TIME,
+            ("", 0.0),
+            "relaxation time of the substrate, τ E0/E∞; in place of retardation_time",
+        )
+    },
+    number(
+        OscillatorKey::PoissonRatio,
+        "substrate.poisson_ratio",
+        "ν",
+        Range::Interval { above: -1.0, up_to: 0.5 },
+        ("0.5", 0.5),
+        "Poisson ratio of the substrate",
+    ),
+    quantity(
+        OscillatorKey::Radius,
+        "indenter.radius",
+        "R",
+        Dimension::LENGTH,
+        ("10 mm", 0.01),
+        "radius of the indenter",
+    ),
+    Key {
+        dimension: Dimension::STRESS,
+        group: Some("τ0/E0*"),
+        ..number(
+            OscillatorKey::ShearStrength,
+            "contact.shear_strength",
+            "τ0",
+            Range::NonNegative,
+            ("0.01", 0.01),
+            "interfacial shear strength",
+        )
+    },
+    number(
+        OscillatorKey::DampingX,
+        "oscillator.damping_x",
+        "ξ_x",
+        Range::NonNegative,
+        ("0.01", 0.01),
+        "damping ratio along the sliding direction",
+    ),
+    number(
+        OscillatorKey::DampingY,
+        "oscillator.damping_y",
+        "ξ_y",
+        Range::NonNegative,
+        ("0.01", 0.01),
+        "damping ratio normal to the surface",
+    ),
+    number(
+        OscillatorKey::FrequencyRatio,
+        "oscillator.frequency_ratio",
+        "Ω",
+        Range::Positive,
+        ("1.0", 1.0),
+        "normal over tangential natural frequency, ω_ny/ω_nx",
+    ),
+    number(
+        OscillatorKey::Coupling,
+        "oscillator.coupling",
+        "η",
+        Range::NonNegative,
+        ("1.0", 1.0),
+        "coupling frequency ratio ω_nxy/ω_nx: its square is the oblique spring's stiffness over k_x",
+    ),
+    Key {
+        range: Range::Any,
+        ..quantity(
+            OscillatorKey::CouplingAngle,
+            "oscillator.coupling_angle",
+            "α",
+            Dimension::ANGLE,
+            ("45 deg", std::f64::consts::FRAC_PI_4),
+            "inclination of the oblique spring",
+        )
+    },
+    quantity(
+        OscillatorKey::NaturalFrequency,
+        "oscillator.natural_frequency",
+        "ω_nx",
+        Dimension::ANGULAR_FREQUENCY,
+        ("40 rad/s", 40.0),
+        "tangential natural frequency; 1 Hz is 2π rad/s",
+    ),
+    quantity(
+        OscillatorKey::StiffnessX,
+        "oscillator.stiffness_x",
+        "k_x",
+        Dimension::STIFFNESS,
+        ("50 N/m", 50.0),
+        "tangential stiffness",
+    ),
+    Key {
+        dimension: Dimension::SPEED,
+        group: Some("v_d τ/R"),
+        ..number(
+            OscillatorKey::Velocity,
+            "operation.velocity",
+            "v_d",
+            Range::Positive,
+            ("1e-4", 1e-4),
+            "driving speed",
+        )
+    },
+    Key {
+        dimension: Dimension::FORCE,
+        group: Some("F_n/(E0* R²)"),
+        ..number(
+            OscillatorKey::NormalLoad,
+            "operation.normal_load",
+            "F_n",
+            Range::Positive,
+            ("1e-6", 1e-6),
+            "normal load",
+        )
+    },
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantity::Quantity;
+
+    #[test]
+    fn every_key_stands_at_its_index_and_its_default_reads_as_stated() {
+        for (index, entry) in KEYS.iter().enumerate() {
+            assert_eq!(entry.key as usize, index, "{}", entry.path);
+            assert_eq!(OscillatorKey::from_path(entry.path), Some(entry.key));
+            let Some((text, value)) = entry.default else { continue };
+            let quantity = Quantity::parse(text).unwrap();
+            assert_eq!(quantity.number, value.number, "{}", entry.path);
+            assert!(entry.range.contains(value.number), "{}", entry.path);
+            let expected = if value.form == Form::Si { entry.dimension } else { Dimension::NUMBER };
+            assert_eq!(quantity.dimension, expected, "{}", entry.path);
+        }
+    }
+}

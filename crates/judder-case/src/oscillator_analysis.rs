@@ -1,0 +1,132 @@
+//! The analyses of an oscillator case.
+
+use crate::analysis::Kind;
+use crate::cause::Cause;
+use crate::error::Fault;
+use crate::keys::OscillatorKey;
+use crate::read_sweep::{PlacedSweep, read_family, read_map, read_sweep, read_within};
+use crate::section::Section;
+use crate::sweep::{Family, StabilityMap, Sweep, Within};
+use crate::swept_keys::{OscillatorKeys, SweptKeys};
+
+/// What an analysis of an oscillator case computes.
+#[derive(Debug, Clone, PartialEq)]
+pub enum OscillatorAnalysis {
+    /// `equivalent-damping`: ξ_eq along one key.
+    EquivalentDamping {
+        /// The swept key.
+        sweep: Sweep<OscillatorKey>,
+        /// One curve a value, where given.
+        family: Option<Family<OscillatorKey>>,
+    },
+    /// `spectrum`: the eigenvalues along one key.
+    Spectrum {
+        /// The swept key.
+        sweep: Sweep<OscillatorKey>,
+        /// One set of curves a value, where given.
+        family: Option<Family<OscillatorKey>>,
+    },
+    /// `critical-shear-strength`: all roots τ0,crit along one key.
+    CriticalShearStrength {
+        /// The swept key.
+        sweep: Sweep<OscillatorKey>,
+        /// Where roots are sought; τ0/E0* from 1e-6 to 1e3 by default.
+        within: Within,
+        /// One set of roots a value, where given.
+        family: Option<Family<OscillatorKey>>,
+    },
+    /// `critical-load`: all roots F_n,crit along one key.
+    CriticalLoad {
+        /// The swept key.
+        sweep: Sweep<OscillatorKey>,
+        /// Where roots are sought; F_n/(E0* R²) from 1e-10 to 1 by default.
+        within: Within,
+        /// One set of roots a value, where given.
+        family: Option<Family<OscillatorKey>>,
+    },
+    /// `stability-map`: the verdict over two keys.
+    StabilityMap(StabilityMap<OscillatorKey>),
+}
+
+/// The default range of `critical-shear-strength`, τ0/E0*.
+pub const SHEAR_STRENGTH_WITHIN: (f64, f64) = (1e-6, 1e3);
+
+/// The default range of `critical-load`, F_n/(E0* R²).
+pub const LOAD_WITHIN: (f64, f64) = (1e-10, 1e0);
+
+/// The kinds of an oscillator case.
+pub(crate) const KINDS: [Kind<OscillatorKeys, OscillatorAnalysis>; 5] = [
+    Kind {
+        name: "equivalent-damping",
+        keys: &["sweep", "family"],
+        doc: "the equivalent damping ratio along one key",
+        read: |keys, section| {
+            let (sweep, family) = read_curves(keys, section)?;
+            Ok(OscillatorAnalysis::EquivalentDamping { sweep: sweep.sweep, family })
+        },
+    },
+    Kind {
+        name: "spectrum",
+        keys: &["sweep", "family"],
+        doc: "the eigenvalues along one key",
+        read: |keys, section| {
+            let (sweep, family) = read_curves(keys, section)?;
+            Ok(OscillatorAnalysis::Spectrum { sweep: sweep.sweep, family })
+        },
+    },
+    Kind {
+        name: "critical-shear-strength",
+        keys: &["sweep", "within", "family"],
+        doc: "the critical shear strengths along one key",
+        read: |keys, section| {
+            let (sweep, family) = read_threshold(keys, section, OscillatorKey::ShearStrength)?;
+            let within = read_within(section, OscillatorKey::ShearStrength, SHEAR_STRENGTH_WITHIN)?;
+            Ok(OscillatorAnalysis::CriticalShearStrength { sweep, within, family })
+        },
+    },
+    Kind {
+        name: "critical-load",
+        keys: &["sweep", "within", "family"],
+        doc: "the critical loads along one key",
+        read: |keys, section| {
+            let (sweep, family) = read_threshold(keys, section, OscillatorKey::NormalLoad)?;
+            let within = read_within(section, OscillatorKey::NormalLoad, LOAD_WITHIN)?;
+            Ok(OscillatorAnalysis::CriticalLoad { sweep, within, family })
+        },
+    },
+    Kind {
+        name: "stability-map",
+        keys: &["x", "y", "method", "boundaries"],
+        doc: "stable and unstable points over two keys",
+        read: |keys, section| read_map(keys, section).map(OscillatorAnalysis::StabilityMap),
+    },
+];
+
+type Curves<S> = (S, Option<Family<OscillatorKey>>);
+
+/// Reads the sweep of an analysis and its family.
+fn read_curves(
+    keys: &OscillatorKeys,
+    section: &Section<'_>,
+) -> Result<Curves<PlacedSweep<OscillatorKey>>, Fault> {
+    let sweep = read_sweep(keys, section, "sweep", None)?;
+    let family = read_family(keys, section, &sweep)?;
+    Ok((sweep, family))
+}
+
+/// Reads sweep and family of an analysis that seeks `sought`, which therefore can be neither.
+fn read_threshold(
+    keys: &OscillatorKeys,
+    section: &Section<'_>,
+    sought: OscillatorKey,
+) -> Result<Curves<Sweep<OscillatorKey>>, Fault> {
+    let twice = |first| Cause::KeyTwice { key: keys.path(sought), first, second: "sought quantity" };
+    let (placed, family) = read_curves(keys, section)?;
+    if placed.sweep.key == sought {
+        return Err(twice("sweep").at(placed.key));
+    }
+    match (&family, section.get("family")) {
+        (Some(family), Some(node)) if family.key == sought => Err(twice("family").at(node.place)),
+        _ => Ok((placed.sweep, family)),
+    }
+}

@@ -1,0 +1,222 @@
+//! The JSON Schema of case files, so that editors complete and check: generated from the table of keys.
+
+use serde_json::{Map, Value as Json, json};
+
+use crate::analysis::Kind;
+use crate::inputs::{FrictionLoad, LawName};
+use crate::keys::{KEYS, Key, OscillatorKey, Range};
+use crate::oscillator_analysis::{LOAD_WITHIN, SHEAR_STRENGTH_WITHIN};
+use crate::oscillator_case::SECTIONS;
+use crate::sweep::{MapMethod, Scale};
+use crate::two_degrees::CRITICAL_POINTS;
+use crate::{oscillator_analysis, two_degrees};
+
+/// The JSON Schema (draft 2020-12) of case files of both models, with descriptions and defaults.
+///
+/// It knows names, types, signs and defaults; units and conditions between keys are checked by reading the case.
+pub fn schema() -> Json {
+    let mut definitions = json!({
+        "points": { "type": "integer", "minimum": 2, "description": "number of points, both ends included" },
+        "oscillator-key": names(KEYS.iter().map(|entry| entry.path), "dotted path of a numeric key"),
+        "scale": choice(Scale::ALL.map(|(name, _)| name), "linear", "spacing of the points"),
+    });
+    for entry in &KEYS {
+        definitions[entry.path] = key(entry);
+    }
+    let mut json = json!({
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "A case of judder",
+        "type": "object",
+        "required": ["model"],
+        "oneOf": [oscillator(), two_degrees_case()],
+        "$defs": definitions,
+    });
+    json.sort_all_objects();
+    json
+}
+
+/// A table with these keys and no others.
+fn table(description: &str, properties: Map<String, Json>, required: &[&str]) -> Json {
+    json!({
+        "type": "object", "description": description, "properties": properties, "required": required,
+        "additionalProperties": false,
+    })
+}
+
+fn object<const N: usize>(entries: [(&str, Json); N]) -> Map<String, Json> {
+    entries.into_iter().map(|(key, value)| (key.to_owned(), value)).collect()
+}
+
+fn names<'a>(names: impl IntoIterator<Item = &'a str>, description: &str) -> Json {
+    json!({ "enum": names.into_iter().collect::<Vec<_>>(), "description": description })
+}
+
+fn choice<const N: usize>(choices: [&str; N], default: &str, description: &str) -> Json {
+    let mut json = names(choices, description);
+    json["default"] = json!(default);
+    json
+}
+
+fn reference(definition: &str) -> Json {
+    json!({ "$ref": format!("#/$defs/{definition}") })
+}
+
+/// What a numeric key takes: a group, a quantity in quotes, or either.
+fn key(entry: &Key) -> Json {
+    let mut forms = Vec::new();
+    if let Some(group) = entry.group {
+        let mut form = match entry.range {
+            Range::Positive => json!({ "exclusiveMinimum": 0.0 }),
+            Range::NonNegative => json!({ "minimum": 0.0 }),
+            Range::Any => json!({}),
+            Range::Interval { above, up_to } => json!({ "exclusiveMinimum": above, "maximum": up_to }),
+        };
+        form["type"] = json!("number");
+        form["description"] = json!(group);
+        forms.push(form);
+    }
+    if !entry.dimension.is_number() {
+        let example = entry.dimension.example();
+        let examples: Vec<_> = example.split("\" or \"").collect();
+        forms.push(json!({
+            "type": "string", "description": entry.dimension.to_string(), "examples": examples,
+        }));
+    }
+    let mut json = json!({ "description": format!("{}: {}", entry.symbol, entry.doc), "anyOf": forms });
+    if let Some((text, value)) = entry.default {
+        json["default"] = if entry.group.is_some() { json!(value.number) } else { json!(text) };
+    }
+    json
+}
+
+fn oscillator() -> Json {
+    let mut properties = object([
+        ("title", json!({ "type": "string" })),
+        ("model", json!({ "const": "oscillator" })),
+        ("analysis", analyses(&oscillator_analysis::KINDS, oscillator_setting)),
+    ]);
+    for section in SECTIONS {
+        let entries = KEYS.iter().filter(|entry| entry.section() == section);
+        let mut keys: Map<_, _> =
+            entries.map(|entry| (entry.name().to_owned(), reference(entry.path))).collect();
+        match section {
+            "substrate" => {
+                let term = object([
+                    ("time", json!({ "type": "string" })),
+                    ("compliance", json!({ "type": "string" })),
+                ]);
+                let term = table("one term of the creep compliance", term, &["time", "compliance"]);
+                let doc = "one term, in place of the times and the glassy modulus: 1/E∞ = 1/E0 − compliance";
+                let prony = json!({ "type": "array", "items": term, "minItems": 1, "maxItems": 1, "description": doc });
+                keys.insert("prony".to_owned(), prony);
+            }
+            "contact" => {
+                let laws = choice(LawName::ALL.map(|(name, _)| name), "oscillator-paper", "contact law");
+                let loads = FrictionLoad::ALL.map(|(name, _)| name);
+                let loads = choice(loads, "normal-load", "the force that μ_visc multiplies");
+                keys.extend(object([("law", laws), ("friction_load", loads)]));
+            }
+            _ => (),
+        }
+        properties.insert(section.to_owned(), table("", keys, &[]));
+    }
+    table("the oscillator of the oscillator paper", properties, &["model"])
+}
+
+fn two_degrees_case() -> Json {
+    let entry = json!({ "type": ["number", "string"] });
+    let row = json!({ "type": "array", "items": entry, "minItems": 2, "maxItems": 2 });
+    let matrix = |description: &str| json!({ "type": "array", "items": row, "minItems": 2, "maxItems": 2, "description": description });
+    let matrices = object([
+        ("mass", matrix("M, 2×2 numbers or expressions; the identity by default")),
+        ("damping", matrix("C; zero by default")),
+        ("stiffness", matrix("K")),
+    ]);
+    let properties = object([
+        ("title", json!({ "type": "string" })),
+        ("model", json!({ "const": "two-degrees" })),
+        ("parameters", json!({ "type": "object", "additionalProperties": { "type": "number" } })),
+        ("matrices", table("M, C and K", matrices, &["stiffness"])),
+        ("analysis", analyses(&two_degrees::KINDS, two_degrees_setting)),
+    ]);
+    table("two degrees of freedom with given matrices", properties, &["model", "matrices"])
+}
+
+/// The list of analyses: one alternative a kind.
+fn analyses<S, T>(kinds: &[Kind<S, T>], setting: impl Fn(&str, &str) -> Json) -> Json {
+    let alternatives = kinds.iter().map(|kind| {
+        let mut properties = object([
+            ("kind", json!({ "const": kind.name })),
+            ("name", json!({ "type": "string", "pattern": "^[A-Za-z0-9_-][A-Za-z0-9._-]{0,99}$", "default": kind.name })),
+        ]);
+        properties.extend(kind.keys.iter().map(|key| ((*key).to_owned(), setting(kind.name, key))));
+        let needed = |key: &&&str| matches!(**key, "sweep" | "x" | "y");
+        let required: Vec<_> = ["kind"].iter().chain(kind.keys.iter().filter(needed)).copied().collect();
+        table(kind.doc, properties, &required)
+    });
+    json!({ "type": "array", "items": { "oneOf": alternatives.collect::<Vec<_>>() } })
+}
+
+/// A setting that both models share.
+fn map_setting(key: &str) -> Json {
+    match key {
+        "method" => choice(MapMethod::ALL.map(|(name, _)| name), "adaptive", "how points are decided"),
+        _ => {
+            json!({ "type": "boolean", "default": true, "description": "trace the boundary curves as well" })
+        }
+    }
+}
+
+fn sweep(key: Json, end: &Json, description: &str, points: Option<usize>) -> Json {
+    let entries = [
+        ("key", key),
+        ("from", end.clone()),
+        ("to", end.clone()),
+        ("points", reference("points")),
+        ("scale", reference("scale")),
+    ];
+    let required: &[&str] =
+        if points.is_some() { &["key", "from", "to"] } else { &["key", "from", "to", "points"] };
+    let mut properties = object(entries);
+    if let Some(points) = points {
+        properties["points"]["default"] = json!(points);
+    }
+    table(description, properties, required)
+}
+
+fn oscillator_setting(kind: &str, key: &str) -> Json {
+    let end =
+        json!({ "type": ["number", "string"], "description": "a group, or a quantity with the key's unit" });
+    match key {
+        "sweep" | "x" | "y" => sweep(reference("oscillator-key"), &end, "a numeric key over a range", None),
+        "family" => {
+            let values = json!({ "type": "array", "items": end, "minItems": 1 });
+            let entries = object([("key", reference("oscillator-key")), ("values", values)]);
+            table("one curve a value of another key", entries, &["key", "values"])
+        }
+        "within" => {
+            let (sought, default) = match kind {
+                "critical-load" => (OscillatorKey::NormalLoad, LOAD_WITHIN),
+                _ => (OscillatorKey::ShearStrength, SHEAR_STRENGTH_WITHIN),
+            };
+            let end = reference(sought.entry().path);
+            let mut json = table(
+                "where roots are sought",
+                object([("from", end.clone()), ("to", end)]),
+                &["from", "to"],
+            );
+            json["default"] = json!({ "from": default.0, "to": default.1 });
+            json
+        }
+        _ => map_setting(key),
+    }
+}
+
+fn two_degrees_setting(kind: &str, key: &str) -> Json {
+    let name = json!({ "type": "string", "description": "parameters.NAME" });
+    let points = (kind == "critical").then_some(CRITICAL_POINTS);
+    match key {
+        "sweep" | "x" | "y" => sweep(name, &json!({ "type": "number" }), "a parameter over a range", points),
+        _ => map_setting(key),
+    }
+}

@@ -1,0 +1,113 @@
+//! Typed reading of one section: unknown keys are refused first, then each key is read as what it must be.
+
+use crate::cause::Cause;
+use crate::document::{Data, Node, Table};
+use crate::error::{Fault, Place};
+
+/// A table of the case with the words that errors need.
+pub(crate) struct Section<'a> {
+    /// What comes before a key in an error: `substrate.`, or nothing in an analysis.
+    prefix: String,
+    /// How an error names the section: `[substrate]`, `this analysis`.
+    name: String,
+    table: &'a Table,
+    pub(crate) place: Place,
+}
+
+impl<'a> Section<'a> {
+    /// Opens `node`, which must be a table with no other keys than `known`.
+    pub(crate) fn open(node: &'a Node, path: &str, name: &str, known: &[&str]) -> Result<Self, Fault> {
+        let Data::Table(table) = &node.data else {
+            return Err(wrong_type(path, "a table", node));
+        };
+        let prefix = if path.is_empty() { String::new() } else { format!("{path}.") };
+        let section = Self { prefix, name: name.to_owned(), table, place: node.place };
+        match table.entries.iter().find(|entry| !known.contains(&entry.key.as_str())) {
+            Some(unknown) => Err(Cause::UnknownKey {
+                key: unknown.key.clone(),
+                section: section.name,
+                known: known.iter().map(|key| (*key).to_owned()).collect(),
+            }
+            .at(unknown.place)),
+            None => Ok(section),
+        }
+    }
+
+    /// The dotted path of a key of this section.
+    pub(crate) fn path(&self, key: &str) -> String {
+        format!("{}{key}", self.prefix)
+    }
+
+    pub(crate) fn get(&self, key: &str) -> Option<&'a Node> {
+        self.table.get(key).map(|entry| &entry.node)
+    }
+
+    /// The value of a key that must be there; `expected` says what it would be.
+    pub(crate) fn required(&self, key: &str, expected: &str) -> Result<&'a Node, Fault> {
+        self.get(key).ok_or_else(|| {
+            let (key, section) = (key.to_owned(), self.name.clone());
+            Cause::MissingKey { key, section, expected: expected.to_owned() }.at(self.place)
+        })
+    }
+
+    pub(crate) fn text(&self, key: &str) -> Result<Option<&'a str>, Fault> {
+        self.get(key).map(|node| text(&self.path(key), node)).transpose()
+    }
+
+    pub(crate) fn boolean(&self, key: &str) -> Result<Option<bool>, Fault> {
+        let Some(node) = self.get(key) else { return Ok(None) };
+        match node.data {
+            Data::Boolean(value) => Ok(Some(value)),
+            _ => Err(wrong_type(&self.path(key), "true or false", node)),
+        }
+    }
+
+    /// One of a few words, each with its meaning.
+    pub(crate) fn choice<T: Copy>(
+        &self,
+        key: &str,
+        what: &'static str,
+        choices: &[(&'static str, T)],
+    ) -> Result<Option<T>, Fault> {
+        let Some(node) = self.get(key) else { return Ok(None) };
+        let name = text(&self.path(key), node)?;
+        match choices.iter().find(|(choice, _)| *choice == name) {
+            Some((_, meaning)) => Ok(Some(*meaning)),
+            None => {
+                let known = choices.iter().map(|(choice, _)| (*choice).to_owned()).collect();
+                Err(Cause::UnknownName { what, name: name.to_owned(), known }.at(node.part(0..name.len())))
+            }
+        }
+    }
+}
+
+/// The items of a list.
+pub(crate) fn list<'a>(key: &str, node: &'a Node) -> Result<&'a [Node], Fault> {
+    match &node.data {
+        Data::List(items) => Ok(items),
+        _ => Err(wrong_type(key, "a list", node)),
+    }
+}
+
+/// A string.
+pub(crate) fn text<'a>(key: &str, node: &'a Node) -> Result<&'a str, Fault> {
+    match &node.data {
+        Data::Text(text) => Ok(text),
+        _ => Err(wrong_type(key, "a string", node)),
+    }
+}
+
+/// A finite plain number; an integer counts as one.
+pub(crate) fn finite_number(key: &str, node: &Node) -> Result<f64, Fault> {
+    match node.data {
+        Data::Number { value, .. } if value.is_finite() => Ok(value),
+        Data::Number { .. } => Err(Cause::NotFinite { key: key.to_owned() }.at(node.place)),
+        _ => Err(wrong_type(key, "a plain number", node)),
+    }
+}
+
+/// The fault of a value of the wrong type.
+pub(crate) fn wrong_type(key: &str, expected: &str, node: &Node) -> Fault {
+    Cause::WrongType { key: key.to_owned(), expected: expected.to_owned(), found: node.type_name() }
+        .at(node.place)
+}

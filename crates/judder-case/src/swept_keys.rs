@@ -1,0 +1,155 @@
+//! What can be swept: the numeric keys of an oscillator case, or the parameters of a two-degrees case.
+
+use crate::cause::Cause;
+use crate::document::{Data, Node};
+use crate::error::Fault;
+use crate::inputs::{LawName, OscillatorInputs};
+use crate::keys::{Form, KEYS, Key, OscillatorKey, Value};
+use crate::quantity::Quantity;
+use crate::section::{finite_number, wrong_type};
+use crate::sweep::ParameterKey;
+
+/// The keys that the analyses of one case can vary.
+pub(crate) trait SweptKeys {
+    type Key: Copy + PartialEq;
+
+    /// The key that a case file names by `path`.
+    fn find(&self, path: &str) -> Result<Self::Key, Cause>;
+
+    /// The dotted path of a key.
+    fn path(&self, key: Self::Key) -> String;
+
+    /// Reads a value of `key`; an error calls it `name`.
+    fn read(&self, key: Self::Key, name: &str, node: &Node) -> Result<Value, Fault>;
+
+    /// Whether two keys vary the same quantity.
+    fn same(&self, first: Self::Key, second: Self::Key) -> bool;
+
+    /// Checks the conditions that tie keys together, with some keys set.
+    fn check(&self, settings: &[(Self::Key, Value)]) -> Result<(), Cause>;
+}
+
+/// Reads the value of a numeric key: a plain number is its group, a string carries a unit.
+pub(crate) fn read_value(entry: &Key, name: &str, node: &Node) -> Result<Value, Fault> {
+    let value = match &node.data {
+        Data::Number { .. } => {
+            let number = finite_number(name, node)?;
+            if entry.group.is_none() {
+                return Err(
+                    Cause::NeedsUnit { key: name.to_owned(), dimension: entry.dimension }.at(node.place)
+                );
+            }
+            Value::group(number)
+        }
+        Data::Text(text) if !entry.dimension.is_number() => read_quantity(entry, name, text, node)?,
+        _ => {
+            let expected = match (entry.group, entry.dimension.is_number()) {
+                (_, true) => "a plain number".to_owned(),
+                (None, false) => {
+                    format!("{} in quotes, such as \"{}\"", entry.dimension, entry.dimension.example())
+                }
+                (Some(group), false) => {
+                    format!(
+                        "a plain number ({group}) or {} in quotes, such as \"{}\"",
+                        entry.dimension,
+                        entry.dimension.example()
+                    )
+                }
+            };
+            return Err(wrong_type(name, &expected, node));
+        }
+    };
+    if entry.range.contains(value.number) {
+        return Ok(value);
+    }
+    Err(Cause::OutOfRange { key: name.to_owned(), number: value.number, range: entry.range }.at(node.place))
+}
+
+fn read_quantity(entry: &Key, name: &str, text: &str, node: &Node) -> Result<Value, Fault> {
+    let dimension = entry.dimension;
+    let quantity = Quantity::parse(text).map_err(|(problem, range)| {
+        Cause::Quantity { key: name.to_owned(), dimension, problem }.at(node.part(range))
+    })?;
+    if quantity.dimension == dimension {
+        return Ok(Value { number: quantity.number, form: Form::Si });
+    }
+    let (key, found) = (name.to_owned(), quantity.dimension);
+    Err(Cause::WrongDimension { key, expected: dimension, found, group: entry.group }.at(node.place))
+}
+
+/// The numeric keys of an oscillator case, around its operating point.
+pub(crate) struct OscillatorKeys {
+    pub(crate) inputs: OscillatorInputs,
+    pub(crate) law: LawName,
+}
+
+/// Keys of an oscillator case that are not numeric.
+const NOT_NUMERIC: [&str; 6] =
+    ["title", "model", "contact.law", "contact.friction_load", "substrate.prony", "analysis"];
+
+impl SweptKeys for OscillatorKeys {
+    type Key = OscillatorKey;
+
+    fn find(&self, path: &str) -> Result<OscillatorKey, Cause> {
+        OscillatorKey::from_path(path).ok_or_else(|| {
+            let known = KEYS.iter().map(|entry| entry.path.to_owned()).collect();
+            if NOT_NUMERIC.contains(&path) {
+                Cause::NotNumeric { key: path.to_owned(), known }
+            } else {
+                Cause::UnknownName { what: "swept key", name: path.to_owned(), known }
+            }
+        })
+    }
+
+    fn path(&self, key: OscillatorKey) -> String {
+        key.to_string()
+    }
+
+    fn read(&self, key: OscillatorKey, name: &str, node: &Node) -> Result<Value, Fault> {
+        read_value(key.entry(), name, node)
+    }
+
+    fn same(&self, first: OscillatorKey, second: OscillatorKey) -> bool {
+        let is_time = |key| matches!(key, OscillatorKey::RetardationTime | OscillatorKey::RelaxationTime);
+        first == second || (is_time(first) && is_time(second))
+    }
+
+    fn check(&self, settings: &[(OscillatorKey, Value)]) -> Result<(), Cause> {
+        let mut inputs = self.inputs;
+        for (key, value) in settings {
+            inputs.set(*key, *value);
+        }
+        inputs.check(self.law)
+    }
+}
+
+/// The parameters of a two-degrees case, by their names.
+pub(crate) struct ParameterKeys(pub(crate) Vec<String>);
+
+impl SweptKeys for ParameterKeys {
+    type Key = ParameterKey;
+
+    fn find(&self, path: &str) -> Result<ParameterKey, Cause> {
+        let name = path.strip_prefix("parameters.").unwrap_or(path);
+        self.0.iter().position(|known| known == name).map(ParameterKey).ok_or_else(|| {
+            let known = self.0.iter().map(|name| format!("parameters.{name}")).collect();
+            Cause::UnknownName { what: "swept key", name: path.to_owned(), known }
+        })
+    }
+
+    fn path(&self, key: ParameterKey) -> String {
+        format!("parameters.{}", self.0[key.0])
+    }
+
+    fn read(&self, _: ParameterKey, name: &str, node: &Node) -> Result<Value, Fault> {
+        finite_number(name, node).map(Value::group)
+    }
+
+    fn same(&self, first: ParameterKey, second: ParameterKey) -> bool {
+        first == second
+    }
+
+    fn check(&self, _: &[(ParameterKey, Value)]) -> Result<(), Cause> {
+        Ok(())
+    }
+}

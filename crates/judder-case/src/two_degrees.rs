@@ -1,0 +1,217 @@
+//! The two-degrees case: M, C and K as expressions of a few parameters, for benchmarks and minimal models.
+
+use crate::analysis::{Analysis, Kind, read_analyses};
+use crate::cause::Cause;
+use crate::document::{Data, Node};
+use crate::error::Fault;
+use crate::expression::{Expression, is_parameter_name};
+use crate::read_sweep::{read_map, read_sweep};
+use crate::section::{Section, finite_number, list, wrong_type};
+use crate::sweep::{ParameterKey, StabilityMap, Sweep};
+use crate::swept_keys::ParameterKeys;
+
+/// A validated two-degrees case.
+#[derive(Debug, Clone)]
+pub struct TwoDegreesCase {
+    /// The title; empty where the case gives none.
+    pub title: String,
+    /// The parameters in the order of the case file.
+    pub parameters: Vec<Parameter>,
+    /// The analyses in the order of the case file.
+    pub analyses: Vec<Analysis<TwoDegreesAnalysis>>,
+    /// M, C and K.
+    matrices: Box<[Matrix; 3]>,
+}
+
+/// A named number that expressions use and sweeps vary.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Parameter {
+    /// The name in expressions; a swept key calls it `parameters.NAME`.
+    pub name: String,
+    /// The value where no sweep sets it; finite.
+    pub value: f64,
+}
+
+/// The matrices at one point, row-major, every entry finite.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TwoDegreesMatrices {
+    /// M; the identity where the case gives none.
+    pub mass: [[f64; 2]; 2],
+    /// C; zero where the case gives none.
+    pub damping: [[f64; 2]; 2],
+    /// K.
+    pub stiffness: [[f64; 2]; 2],
+}
+
+/// What an analysis of a two-degrees case computes.
+#[derive(Debug, Clone, PartialEq)]
+pub enum TwoDegreesAnalysis {
+    /// `spectrum`: the eigenvalues along one parameter.
+    Spectrum {
+        /// The swept parameter.
+        sweep: Sweep<ParameterKey>,
+    },
+    /// `stability-map`: the verdict over two parameters.
+    StabilityMap(StabilityMap<ParameterKey>),
+    /// `critical`: the values of one parameter at which stability changes.
+    Critical {
+        /// The parameter, the range in which changes are sought, and the samples of the search.
+        sweep: Sweep<ParameterKey>,
+    },
+}
+
+/// The default number of samples of `critical`.
+pub const CRITICAL_POINTS: usize = 400;
+
+/// The kinds of a two-degrees case.
+pub(crate) const KINDS: [Kind<ParameterKeys, TwoDegreesAnalysis>; 3] = [
+    Kind {
+        name: "spectrum",
+        keys: &["sweep"],
+        doc: "the eigenvalues along one parameter",
+        read: |keys, section| {
+            let sweep = read_sweep(keys, section, "sweep", None)?.sweep;
+            Ok(TwoDegreesAnalysis::Spectrum { sweep })
+        },
+    },
+    Kind {
+        name: "stability-map",
+        keys: &["x", "y", "method", "boundaries"],
+        doc: "stable and unstable points over two parameters",
+        read: |keys, section| read_map(keys, section).map(TwoDegreesAnalysis::StabilityMap),
+    },
+    Kind {
+        name: "critical",
+        keys: &["sweep"],
+        doc: "the values of a parameter at which stability changes",
+        read: |keys, section| {
+            let sweep = read_sweep(keys, section, "sweep", Some(CRITICAL_POINTS))?.sweep;
+            Ok(TwoDegreesAnalysis::Critical { sweep })
+        },
+    },
+];
+
+/// One matrix: compiled entries, and their texts for the record.
+#[derive(Debug, Clone)]
+struct Matrix {
+    name: &'static str,
+    entries: [[Entry; 2]; 2],
+}
+
+#[derive(Debug, Clone)]
+struct Entry {
+    text: String,
+    expression: Expression,
+}
+
+impl TwoDegreesCase {
+    /// The values of all parameters, in their order: what a sweep starts from.
+    pub fn values(&self) -> Vec<f64> {
+        self.parameters.iter().map(|parameter| parameter.value).collect()
+    }
+
+    /// The matrices where the parameters are `values`, in the order of [`TwoDegreesCase::parameters`].
+    ///
+    /// # Errors
+    /// [`Cause::NotFiniteEntry`] names the first entry that is NaN or infinite, as it is where `values` is too short.
+    pub fn matrices(&self, values: &[f64]) -> Result<TwoDegreesMatrices, Cause> {
+        let [mass, damping, stiffness] = &*self.matrices;
+        Ok(TwoDegreesMatrices {
+            mass: self.evaluate(mass, values)?,
+            damping: self.evaluate(damping, values)?,
+            stiffness: self.evaluate(stiffness, values)?,
+        })
+    }
+
+    /// The texts of the entries of M, C and K as the case file has them, with the names of the matrices.
+    pub fn expressions(&self) -> [(&'static str, [[&str; 2]; 2]); 3] {
+        self.matrices.each_ref().map(|matrix| {
+            let texts = matrix.entries.each_ref().map(|row| row.each_ref().map(|entry| entry.text.as_str()));
+            (matrix.name, texts)
+        })
+    }
+
+    fn evaluate(&self, matrix: &Matrix, values: &[f64]) -> Result<[[f64; 2]; 2], Cause> {
+        let numbers = matrix
+            .entries
+            .each_ref()
+            .map(|row| row.each_ref().map(|entry| entry.expression.evaluate(values)));
+        for (row, entries) in numbers.iter().enumerate() {
+            for (column, value) in entries.iter().copied().enumerate() {
+                if !value.is_finite() {
+                    let point = self.parameters.iter().zip(values);
+                    let point: Vec<_> =
+                        point.map(|(parameter, value)| format!("{} = {value}", parameter.name)).collect();
+                    let (matrix, point) = (matrix.name, point.join(", "));
+                    return Err(Cause::NotFiniteEntry { matrix, row, column, value, point });
+                }
+            }
+        }
+        Ok(numbers)
+    }
+}
+
+/// Reads a two-degrees case from the root of its tree.
+pub(crate) fn read(root: &Node) -> Result<TwoDegreesCase, Fault> {
+    let known = ["title", "model", "parameters", "matrices", "analysis"];
+    let root = Section::open(root, "", "a two-degrees case", &known)?;
+    let parameters = read_parameters(&root)?;
+    let names: Vec<_> = parameters.iter().map(|parameter| parameter.name.clone()).collect();
+    let node = root.required("matrices", "[matrices] with stiffness = [[…, …], […, …]]")?;
+    let section = Section::open(node, "matrices", "[matrices]", &["mass", "damping", "stiffness"])?;
+    section.required("stiffness", "stiffness = [[\"2\", \"1 - mu\"], [1, 2]]")?;
+    let matrix = |name, diagonal| read_matrix(&section, name, diagonal, &names);
+    let matrices = Box::new([matrix("mass", 1.0)?, matrix("damping", 0.0)?, matrix("stiffness", 0.0)?]);
+    let title = root.text("title")?.unwrap_or_default().to_owned();
+    let analyses = read_analyses(&root, &ParameterKeys(names), &KINDS)?;
+    Ok(TwoDegreesCase { title, parameters, analyses, matrices })
+}
+
+fn read_parameters(root: &Section<'_>) -> Result<Vec<Parameter>, Fault> {
+    let Some(node) = root.get("parameters") else { return Ok(Vec::new()) };
+    let Data::Table(table) = &node.data else { return Err(wrong_type("parameters", "a table", node)) };
+    let read = table.entries.iter().map(|entry| {
+        let name = entry.key.clone();
+        if !is_parameter_name(&name) {
+            return Err(Cause::ParameterName { name }.at(entry.place));
+        }
+        let value = finite_number(&format!("parameters.{name}"), &entry.node)?;
+        Ok(Parameter { name, value })
+    });
+    read.collect()
+}
+
+/// Reads one matrix; where the case gives none it is `diagonal` times the identity.
+fn read_matrix(
+    section: &Section<'_>,
+    name: &'static str,
+    diagonal: f64,
+    parameters: &[String],
+) -> Result<Matrix, Fault> {
+    let constant = |value: f64| Entry { text: value.to_string(), expression: Expression::constant(value) };
+    let Some(node) = section.get(name) else {
+        let entries = [[constant(diagonal), constant(0.0)], [constant(0.0), constant(diagonal)]];
+        return Ok(Matrix { name, entries });
+    };
+    let key = section.path(name);
+    let pair = |node: &'_ Node| -> Result<[Node; 2], Fault> {
+        let shape = || Cause::MatrixShape { key: key.clone() }.at(node.place);
+        list(&key, node)?.to_vec().try_into().map_err(|_| shape())
+    };
+    let [first, second] = pair(node)?;
+    let read = |node: &Node| match &node.data {
+        Data::Text(text) => {
+            let expression = Expression::compile(text, parameters).map_err(|(problem, range)| {
+                Cause::Expression { problem, parameters: parameters.to_vec() }.at(node.part(range))
+            })?;
+            Ok(Entry { text: text.clone(), expression })
+        }
+        Data::Number { .. } => finite_number(&key, node).map(constant),
+        _ => Err(wrong_type(&key, "a number or an expression in quotes", node)),
+    };
+    let row = |node: &Node| -> Result<[Entry; 2], Fault> {
+        let [left, right] = pair(node)?;
+        Ok([read(&left)?, read(&right)?])
+    };
+    Ok(Matrix { name, entries: [row(&first)?, row(&second)?] })
+}

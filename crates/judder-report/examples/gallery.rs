@@ -5,7 +5,8 @@
 #[path = "gallery/figures.rs"]
 mod figures;
 #[path = "gallery/report.rs"]
-//mod report;
+mod report;
+
 use std::error::Error;
 use std::fs;
 use std::path::Path;
@@ -19,6 +20,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         fs::write(stem.with_extension("svg"), judder_report::svg(&figure)?)?;
         fs::write(stem.with_extension("png"), judder_report::png(&figure, 3.0)?)?;
     }
-
+    fs::write(folder.join("report.html"), judder_report::html(&report::page(figures::all()))?)?;
     Ok(())
 }

@@ -37,6 +37,8 @@ pub(crate) struct DrawnAxis {
     pub(crate) ticks: Ticks,
     /// Markup, with the power of ten that the tick labels leave out.
     pub(crate) label: String,
+    /// Markup, as it was given.
+    pub(crate) source_label: String,
 }
 
 /// A panel with its place.
@@ -196,7 +198,7 @@ fn drawn_axis(axis: &Axis, placed: Placed, ticks: Ticks) -> DrawnAxis {
         Some(power) => format!("{} (×10^{{{}}})", axis.label, power.to_string().replace('-', "−")),
         None => axis.label.clone(),
     };
-    DrawnAxis { placed, ticks, label }
+    DrawnAxis { placed, ticks, label, source_label: axis.label.clone() }
 }
 
 fn widest_label(ticks: &Ticks) -> f64 {

@@ -19,7 +19,9 @@ pub mod figure;
 mod layout;
 mod legend;
 mod markup;
+pub mod page;
 pub mod palette;
+mod plotly;
 mod png;
 mod raster;
 mod scale;
@@ -30,6 +32,8 @@ mod validate;
 
 pub use error::{PanelError, ReportError};
 pub use figure::{Axis, Figure, Layer, Legend, Panel, Scale};
+pub use page::{Block, Page, Section, html};
 pub use palette::{Role, Style};
+pub use plotly::plotly;
 pub use png::png;
 pub use svg::svg;

@@ -67,9 +67,7 @@ pub(crate) fn legend_box(panel: &Panel, room: Room<'_>, entries: &[Entry]) -> Op
 
 /// Length of the curves and rules that a box would hide; a point counts as much as may be hidden.
 fn hidden(panel: &Panel, room: Room<'_>, place: &Place) -> f64 {
-    let clear =
-        Place { x: place.x - 3.0, y: place.y - 3.0, width: place.width + 6.0, height: place.height + 6.0 };
-    panel.layers.iter().map(|layer| hidden_of_layer(layer, room, &clear)).sum()
+    panel.layers.iter().map(|layer| hidden_of_layer(layer, room, place)).sum()
 }
 
 fn hidden_of_layer(layer: &Layer, room: Room<'_>, place: &Place) -> f64 {

@@ -120,7 +120,8 @@ pub(crate) fn html(label: &str) -> String {
 fn span_html(span: &Span) -> String {
     let depth = usize::from(span.level.unsigned_abs());
     let (open, close) = if span.level < 0 { ("<sub>", "</sub>") } else { ("<sup>", "</sup>") };
-    let text = escape(&span.text);
+    // a number and its power of ten stay on one line
+    let text = escape(&span.text).replace(" × ", "\u{a0}×\u{a0}");
     let text = if span.italic { format!("<i>{text}</i>") } else { text };
     format!("{}{text}{}", open.repeat(depth), close.repeat(depth))
 }

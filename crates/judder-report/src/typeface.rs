@@ -12,6 +12,7 @@ pub(crate) const ITALIC: &[u8] = include_bytes!("../assets/fonts/NotoSans-Italic
 pub(crate) const BOLD: &[u8] = include_bytes!("../assets/fonts/NotoSans-Bold.ttf");
 /// The same fonts for the page.
 pub(crate) const REGULAR_WEB: &[u8] = include_bytes!("../assets/fonts/NotoSans-Regular.woff2");
+pub(crate) const BOLD_WEB: &[u8] = include_bytes!("../assets/fonts/NotoSans-Bold.woff2");
 pub(crate) const ITALIC_WEB: &[u8] = include_bytes!("../assets/fonts/NotoSans-Italic.woff2");
 
 /// Families to ask for where the bundled files are not at hand, the most alike first.

@@ -16,17 +16,35 @@
     }
   }
 
+  // the fixed decades suit the first view; inside two of them, or beyond the first view, plotly's own ticks do
+  function fitTicks(live, layout) {
+    const changes = {};
+    for (const name of Object.keys(layout).filter((key) => /^[xy]axis/.test(key) && layout[key].type === "log")) {
+      const [from, to] = live.layout[name].range;
+      const [first, last] = layout[name].range;
+      const suits = to - from >= Math.min(2, last - first) - 0.01 && from >= first - 0.01 && to <= last + 0.01;
+      const mode = suits ? "array" : "auto";
+      if (live.layout[name].tickmode !== mode) {
+        changes[name + ".tickmode"] = mode;
+        changes[name + ".minor.tickmode"] = mode;
+      }
+    }
+    if (Object.keys(changes).length > 0) Plotly.relayout(live, changes);
+  }
+
   function draw(figure) {
     const still = figure.querySelector(".still");
     const live = figure.querySelector(".live");
     const chart = JSON.parse(figure.querySelector("script").textContent);
     chart.data.forEach(nameClasses);
-    const arrangement = () => (narrow.matches ? chart.narrow : chart.layout);
+    // plotly writes into its layout, so each view gets a copy
+    const arrangement = () => structuredClone(narrow.matches ? chart.narrow : chart.layout);
     live.hidden = false;
     Plotly.newPlot(live, chart.data, arrangement(), config).then(
       () => {
         still.classList.add("replaced");
         narrow.addEventListener("change", () => Plotly.react(live, chart.data, arrangement(), config));
+        live.on("plotly_relayout", () => fitTicks(live, chart.layout));
       },
       () => { live.hidden = true; },
     );

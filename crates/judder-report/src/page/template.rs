@@ -1,12 +1,12 @@
 //! From the page as data to HTML, through the templates in `templates/`.
 
-use super::{Block, Page, Scoreboard, Section, Verdict};
+use super::{Block, Page, Scoreboard, Section, Table, Verdict};
 use crate::error::ReportError;
 use crate::figure::Figure;
 use crate::markup;
 use crate::plotly::plotly;
 use crate::svg::svg;
-use crate::typeface::{ITALIC_WEB, REGULAR_WEB};
+use crate::typeface::{BOLD_WEB, ITALIC_WEB, REGULAR_WEB};
 use askama::Template;
 use base64::{Engine, engine::general_purpose::STANDARD};
 use std::collections::BTreeSet;
@@ -23,6 +23,7 @@ struct PageTemplate<'a> {
     style: &'a str,
     regular: String,
     italic: String,
+    bold: String,
     plotly: &'a str,
     script: &'a str,
     interactive: bool,
@@ -58,6 +59,11 @@ impl BlockTemplate<'_> {
         board.ours.get(*column).map(|head| markup::plain(head)).unwrap_or_default()
     }
 
+    /// Whether a column of a table holds numbers, judged by its first row.
+    fn has_numbers(&self, table: &Table, column: &usize) -> bool {
+        table.rows.first().and_then(|row| row.get(*column)).is_some_and(|cell| is_number(cell))
+    }
+
     /// Number of checks that passed, or that did not.
     fn checks(&self, passed: bool) -> usize {
         match self.block {
@@ -87,6 +93,7 @@ pub fn html(page: &Page) -> Result<String, ReportError> {
         style: STYLE,
         regular: STANDARD.encode(REGULAR_WEB),
         italic: STANDARD.encode(ITALIC_WEB),
+        bold: STANDARD.encode(BOLD_WEB),
         plotly: PLOTLY,
         script: SCRIPT,
         interactive,

@@ -1,6 +1,7 @@
 //! A figure for the browser: the JSON that plotly.js draws, with hover values and zoom.
 
 mod arrange;
+mod marks;
 mod traces;
 
 use crate::error::ReportError;
@@ -23,9 +24,9 @@ pub fn plotly(figure: &Figure) -> Result<Value, ReportError> {
     let drawn = layout(figure).panels;
     let wide = figure.columns.min(figure.panels.len()).max(1);
     Ok(json!({
-        "data": traces::of_figure(figure, &drawn),
-        "layout": arrange::layout(figure, &drawn, wide),
-        "narrow": arrange::layout(figure, &drawn, 1),
+        "data": traces::of_figure(figure),
+        "layout": arrange::layout(figure, &drawn, wide, false),
+        "narrow": arrange::layout(figure, &drawn, 1, true),
     }))
 }
 

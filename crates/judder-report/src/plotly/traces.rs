@@ -2,20 +2,20 @@
 
 use super::suffix;
 use crate::figure::{ClassMap, Figure, Layer, Line, Panel, Scale, ValueMap};
-use crate::layout::{DrawnAxis, DrawnPanel};
 use crate::legend::{Entry, entries};
 use crate::markup::html;
+use crate::palette::{QUIET, Role};
 use crate::scale::stretch;
 use base64::{Engine, engine::general_purpose::STANDARD};
 use serde_json::{Value, json};
 
 /// The traces of all panels; those that share a label share one legend entry and are shown or hidden together.
-pub(super) fn of_figure(figure: &Figure, drawn: &[DrawnPanel]) -> Vec<Value> {
+pub(super) fn of_figure(figure: &Figure) -> Vec<Value> {
     let mut explained: Vec<String> = Vec::new();
     let mut traces = Vec::new();
-    for (index, (panel, drawn)) in figure.panels.iter().zip(drawn).enumerate() {
+    for (index, panel) in figure.panels.iter().enumerate() {
         let mut of_panel: Vec<Value> = entries(panel).iter().filter_map(area_key).collect();
-        of_panel.extend(panel.layers.iter().filter_map(|layer| trace(layer, panel, drawn)));
+        of_panel.extend(panel.layers.iter().filter_map(|layer| trace(layer, panel, index)));
         for mut trace in of_panel {
             let label = trace["name"].as_str().unwrap_or_default().to_owned();
             let known = explained.contains(&label);
@@ -32,15 +32,19 @@ pub(super) fn of_figure(figure: &Figure, drawn: &[DrawnPanel]) -> Vec<Value> {
 
 /// A legend entry for a coloured area, which plotly has none for.
 fn area_key(entry: &Entry) -> Option<Value> {
-    let colour = entry.area?.colour().to_string();
+    let role = entry.area?;
+    let symbol = if role == Role::Unresolved { "square-x-open" } else { "square" };
     Some(json!({
         "type": "scatter", "mode": "markers", "name": html(&entry.label), "x": [null], "y": [null],
-        "marker": { "symbol": "square", "size": 13, "color": colour, "line": { "width": 0.7, "color": "#6b6b6b" } },
+        "marker": {
+            "symbol": symbol, "size": 13, "color": role.colour().to_string(),
+            "line": { "width": 0.7, "color": QUIET.to_string() },
+        },
         "hoverinfo": "skip",
     }))
 }
 
-fn trace(layer: &Layer, panel: &Panel, drawn: &DrawnPanel) -> Option<Value> {
+fn trace(layer: &Layer, panel: &Panel, index: usize) -> Option<Value> {
     match layer {
         Layer::Line(line) => {
             let mut trace = curve(line, panel);
@@ -49,6 +53,7 @@ fn trace(layer: &Layer, panel: &Panel, drawn: &DrawnPanel) -> Option<Value> {
                 "color": line.style.role.colour().to_string(),
                 "width": 1.5 * line.style.width,
                 "dash": line.style.dash.plotly(),
+                "simplify": false,
             });
             Some(trace)
         }
@@ -64,7 +69,7 @@ fn trace(layer: &Layer, panel: &Panel, drawn: &DrawnPanel) -> Option<Value> {
             Some(trace)
         }
         Layer::Classes(map) => Some(class_map(map, panel)),
-        Layer::Values(map) => drawn.bar.as_ref().map(|bar| value_map(map, bar, panel)),
+        Layer::Values(map) => Some(value_map(map, panel, index)),
         Layer::Rule(_) | Layer::Region(_) | Layer::Note(_) => None,
     }
 }
@@ -75,8 +80,8 @@ fn curve(line: &Line, panel: &Panel) -> Value {
     let mut trace = json!({
         "type": "scatter",
         "name": html(&line.label),
-        "x": floats(&placed(x, &line.x), None),
-        "y": floats(&placed(y, &line.y), None),
+        "x": floats(&at_least_a_gap(placed(x, &line.x)), None),
+        "y": floats(&at_least_a_gap(placed(y, &line.y)), None),
         "connectgaps": false,
         "hovertemplate": format!(
             "{}: {}<br>{}: {}<extra>{}</extra>",
@@ -89,6 +94,11 @@ fn curve(line: &Line, panel: &Panel) -> Value {
         trace["customdata"] = line.x.iter().zip(&line.y).map(|(x, y)| json!([x, y])).collect();
     }
     trace
+}
+
+/// Plotly keeps no legend entry for an empty curve; one gap is drawn alike and keeps it.
+fn at_least_a_gap(values: Vec<f64>) -> Vec<f64> {
+    if values.is_empty() { vec![f64::NAN] } else { values }
 }
 
 /// Whether values are handed over as the axis stretches them, because plotly lacks such an axis.
@@ -112,7 +122,10 @@ fn class_map(map: &ClassMap, panel: &Panel) -> Value {
         .iter()
         .enumerate()
         .flat_map(|(index, class)| {
-            let colour = class.role.colour().to_string();
+            let colour = match class.role {
+                Role::Unresolved => "rgba(255,255,255,0)".to_owned(),
+                role => role.colour().to_string(),
+            };
             let (from, to) = (index as f64 / count, (index + 1) as f64 / count);
             [json!([from, colour]), json!([to, colour])]
         })
@@ -133,31 +146,17 @@ fn class_map(map: &ClassMap, panel: &Panel) -> Value {
     trace
 }
 
-fn value_map(map: &ValueMap, bar: &DrawnAxis, panel: &Panel) -> Value {
+fn value_map(map: &ValueMap, panel: &Panel, index: usize) -> Value {
     let scale = map.bar.scale;
-    let shades = map.colours.stops();
-    let colours: Vec<Value> = shades
-        .iter()
-        .enumerate()
-        .map(|(index, colour)| json!([index as f64 / (shades.len() - 1) as f64, colour.to_string()]))
-        .collect();
     let z: Vec<f64> = map.z.iter().map(|z| stretch(scale, *z)).collect();
     let shape = shape(&map.x, &map.y);
     let own = if scale == Scale::Linear { "z" } else { "customdata" };
-    let labelled = bar.ticks.major.iter().filter(|tick| !tick.label.is_empty());
     let mut trace = json!({
         "type": "heatmap", "name": "",
         "x": floats(&placed(panel.x.scale, &map.x), None),
         "y": floats(&placed(panel.y.scale, &map.y), None),
         "z": floats(&z, Some(&shape)),
-        "zmin": stretch(scale, bar.placed.from), "zmax": stretch(scale, bar.placed.to),
-        "colorscale": colours,
-        "colorbar": {
-            "title": { "text": html(&bar.label), "side": "right" },
-            "thickness": 12, "outlinewidth": 0.7, "ticks": "inside",
-            "tickvals": labelled.clone().map(|tick| stretch(scale, tick.value)).collect::<Vec<f64>>(),
-            "ticktext": labelled.map(|tick| html(&tick.label)).collect::<Vec<String>>(),
-        },
+        "coloraxis": format!("coloraxis{}", suffix(index)),
         "hovertemplate": format!(
             "{}: %{{x:.4~g}}<br>{}: %{{y:.4~g}}<br>{}: %{{{own}:.5~g}}<extra></extra>",
             html(&panel.x.label), html(&panel.y.label), html(&map.bar.label),

@@ -37,6 +37,7 @@ impl Cause {
                 "`judder new` prints a case file to start from".to_owned()
             }
             Self::Unreadable { .. } => return None,
+            Self::Syntax { message } if !message.contains("quoted") => return None,
             Self::Syntax { .. } => "text and quantities stand in quotes: velocity = \"30 mm/s\"".to_owned(),
             Self::OverrideForm { .. } => {
                 "write the dotted key, `=`, the value: --set \"operation.velocity=30 mm/s\"".to_owned()
@@ -70,7 +71,10 @@ impl Cause {
             }
             Self::EmptyRange { .. } => "let `from` and `to` differ".to_owned(),
             Self::Backwards { .. } => "exchange `from` and `to`".to_owned(),
-            Self::TooFewPoints { .. } => "at least 2 points are needed".to_owned(),
+            Self::TooFewPoints { .. } => "count both ends".to_owned(),
+            Self::KeyTwice { .. } => "take two different quantities".to_owned(),
+            Self::NotFinite { .. } => "nan, inf and numbers beyond 1e308 are not values of a case".to_owned(),
+            Self::EmptyList { .. } => "give at least one value, or leave the table out".to_owned(),
             Self::LogThroughZero { .. } => {
                 "let both ends have one sign, or use scale = \"linear\"".to_owned()
             }

@@ -35,7 +35,7 @@ pub(crate) fn read_sweep<S: SweptKeys>(
     let section = Section::open(node, name, &format!("`{name}`"), &["key", "from", "to", "points", "scale"])?;
     let (key, key_place) = read_key(keys, &section)?;
     let ends = |end: &str| {
-        let value = section.required(end, "the value at this end")?;
+        let value = section.required(end, &format!("{end} = …, the value at this end"))?;
         keys.read(key, &section.path(end), value)
     };
     let (from, to) = (ends("from")?, ends("to")?);
@@ -104,7 +104,7 @@ pub(crate) fn read_within(
     };
     let section = Section::open(node, "within", "`within`", &["from", "to"])?;
     let ends = |end: &str| {
-        let node = section.required(end, "the value at this end")?;
+        let node = section.required(end, &format!("{end} = …, the value at this end"))?;
         let path = section.path(end);
         let value = read_value(sought.entry(), &path, node)?;
         if value.number > 0.0 {

@@ -106,7 +106,7 @@ fn with_example(dimension: Dimension) -> String {
 fn help_for_quantity(dimension: Dimension, problem: &QuantityError) -> String {
     match problem {
         QuantityError::UnknownUnit { .. } => {
-            format!("{}; known units: {UNIT_LIST}", with_example(dimension))
+            format!("write {}; known units: {UNIT_LIST}", with_example(dimension))
         }
         QuantityError::FactorAfterQuotient => "write one `/` before each divisor: J/kg/s".to_owned(),
         _ => format!("write {}", with_example(dimension)),

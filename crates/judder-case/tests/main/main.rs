@@ -6,6 +6,7 @@ mod any_text;
 mod bad_analysis;
 mod bad_key;
 mod bad_source;
+mod bad_sweep;
 mod bad_two_degrees;
 mod editors;
 mod oscillator;

@@ -193,3 +193,27 @@ fn a_file_is_named_by_its_stem() {
     let file = CaseFile::read(&path, &["contact.law=hertz".to_owned()]).unwrap();
     assert_eq!((file.name.as_str(), file.text.as_str()), ("fig-9a", INTERFACE));
 }
+
+#[test]
+fn a_byte_order_mark_and_windows_line_ends_are_no_obstacle() {
+    let text = format!("\u{feff}{}", INTERFACE.replace('\n', "\r\n"));
+    assert_eq!(oscillator(&text, &[]).analyses.len(), 2);
+}
+
+#[test]
+fn conditions_between_keys_are_checked_where_both_vary() {
+    let text = r#"
+        model = "oscillator"
+        [[analysis]]
+        kind = "stability-map"
+        x = { key = "substrate.rubbery_modulus", from = "1 MPa", to = "20 MPa", points = 3 }
+        y = { key = "substrate.glassy_modulus", from = "30 MPa", to = "50 MPa", points = 3 }
+        [[analysis]]
+        kind = "spectrum"
+        sweep = { key = "substrate.rubbery_modulus", from = "1 MPa", to = "20 MPa", points = 3 }
+        family = { key = "substrate.glassy_modulus", values = ["30 MPa"] }
+    "#;
+    assert_eq!(oscillator(text, &[]).analyses.len(), 2);
+    assert!(parse(&text.replace("from = \"30 MPa\"", "from = \"15 MPa\""), &[]).is_err());
+    assert!(parse(&text.replace("[\"30 MPa\"]", "[\"15 MPa\"]"), &[]).is_err());
+}

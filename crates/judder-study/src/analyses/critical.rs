@@ -158,7 +158,8 @@ fn table(
     found: &[(OscillatorInputs, Thresholds)],
     unit: &str,
 ) -> Result<Table, StudyError> {
-    let (mut values, mut thresholds, mut systems) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut values, mut thresholds) = (Vec::<f64>::new(), Vec::<f64>::new());
+    let mut systems: Vec<String> = Vec::new();
     let mut rows_of_curve = Vec::new();
     for curve in found.chunks(axis.values.len()) {
         let before = values.len();

@@ -25,6 +25,22 @@ pub fn names(case: &Case) -> Vec<String> {
     }
 }
 
+/// How many steps the analysis at `index` announces to its progress.
+#[must_use]
+pub fn steps(case: &Case, index: usize) -> usize {
+    let curves = |family: &Option<judder_case::Family<_>>| family.as_ref().map_or(1, |f| f.values.len());
+    match case {
+        Case::Oscillator(case) => match &case.analyses[index].kind {
+            OscillatorAnalysis::EquivalentDamping { sweep, family }
+            | OscillatorAnalysis::Spectrum { sweep, family }
+            | OscillatorAnalysis::CriticalShearStrength { sweep, family, .. }
+            | OscillatorAnalysis::CriticalLoad { sweep, family, .. } => sweep.points * curves(family),
+            OscillatorAnalysis::StabilityMap(_) => 2,
+        },
+        Case::TwoDegrees(_) => 1,
+    }
+}
+
 /// Runs the analysis at `index` of a case.
 ///
 /// # Errors

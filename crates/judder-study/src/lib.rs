@@ -26,6 +26,7 @@ pub mod report;
 pub mod reproduce;
 pub mod resolve;
 pub mod run;
+mod text;
 
 pub use error::StudyError;
 pub use progress::{Progress, Silent};

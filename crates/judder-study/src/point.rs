@@ -2,6 +2,7 @@
 
 use crate::bridge;
 use crate::error::StudyError;
+use crate::text::{columns, list, number};
 use judder_case::OscillatorCase;
 use judder_contact::ContactLaw;
 use judder_oscillator::critical::{Range, Scale, thresholds};
@@ -141,5 +142,63 @@ impl Point {
             },
             "warnings": self.warnings,
         })
+    }
+}
+
+impl Point {
+    /// What `judder point` prints on a terminal.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let verdict = self.class.verdict().map_or("unresolved", judder_oscillator::Verdict::name);
+        let mechanism = match self.class.mechanism() {
+            judder_oscillator::Mechanism::None => String::new(),
+            mechanism => format!(", by {}", mechanism.name()),
+        };
+        let mut text = format!("{verdict}{mechanism}\n\n");
+        text.push_str(&columns(&self.state_rows()));
+        text.push_str("\neigenvalues λ/ω_nx\n");
+        let eigenvalues = self.eigenvalues.map(|l| vec![number(l.re), format!("{} i", number(l.im))]);
+        text.push_str(&columns(&eigenvalues));
+        text.push_str("\ngrowth rate fed by each entry of C and K\n");
+        text.push_str(&columns(&self.share_rows()));
+        text.push_str("\nthresholds without damping (eqs. 27, 28)\n");
+        text.push_str(&columns(&[
+            vec!["critical shear strength τ0/E0*".to_owned(), list(&self.critical_shear_strength)],
+            vec!["critical load F_n/(E0* R²)".to_owned(), list(&self.critical_load)],
+        ]));
+        for warning in &self.warnings {
+            text.push_str("\nwarning: ");
+            text.push_str(warning);
+            text.push('\n');
+        }
+        text
+    }
+
+    fn state_rows(&self) -> Vec<Vec<String>> {
+        let response = &self.equilibrium.response;
+        [
+            ("speed v τ/R", self.groups.velocity),
+            ("load F_n/(E0* R²)", self.groups.normal_load),
+            ("shear strength τ0/E0*", self.groups.shear_strength),
+            ("indentation y/R", self.equilibrium.indentation),
+            ("displacement x/x0", self.equilibrium.x),
+            ("displacement y/x0", self.equilibrium.y),
+            ("contact force F_k/(E0* R²)", response.force.value),
+            ("contact area A/R²", response.area.value),
+            ("viscoelastic friction μ_visc", response.friction.value),
+            ("equivalent damping ξ_eq", self.linearisation.equivalent_damping()),
+            ("growth rate", self.growth_rate()),
+        ]
+        .into_iter()
+        .map(|(name, value)| vec![name.to_owned(), number(value)])
+        .collect()
+    }
+
+    fn share_rows(&self) -> Vec<Vec<String>> {
+        let (c, k) = (&self.shares.damping, &self.shares.stiffness);
+        [("c11", c[0][0]), ("c21", c[1][0]), ("c22", c[1][1]), ("k12 + k12c", k[0][1]), ("k21", k[1][0])]
+            .into_iter()
+            .map(|(name, value)| vec![name.to_owned(), number(value)])
+            .collect()
     }
 }

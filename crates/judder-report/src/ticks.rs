@@ -35,7 +35,11 @@ pub(crate) fn ticks(axis: &Placed, room: usize) -> Ticks {
 
 /// Multiples of 1, 2 or 5 times a power of ten, with fifths or quarters between them.
 fn linear(from: f64, to: f64, room: usize) -> Ticks {
-    let (leading, power) = nice_step((to - from) / room as f64);
+    // a single label does not tell the scale, so a step that allows no second one is refined
+    let mut steps = (room..room + 4).map(|room| nice_step((to - from) / room as f64));
+    let marks_two =
+        |(leading, power): &(f64, i32)| multiples(from, to, leading * 10_f64.powi(*power)).count() > 1;
+    let (leading, power) = steps.find(marks_two).unwrap_or_else(|| nice_step((to - from) / room as f64));
     let step = leading * 10_f64.powi(power);
     let parts = if leading == 2.0 { 4.0 } else { 5.0 };
     let largest = from.abs().max(to.abs()).log10().floor() as i32;
@@ -87,7 +91,7 @@ fn decades(from: f64, to: f64) -> (i32, i32) {
 
 /// Every how many decades there is room for a label: 1, 2, 3, 5, 10, 20, …
 fn stride(count: usize, room: usize) -> i32 {
-    let least = count.div_ceil(room);
+    let least = count.saturating_sub(1).div_ceil(room).max(1);
     [1, 2, 3, 5, 10, 20, 50, 100].into_iter().find(|stride| *stride >= least).unwrap_or(200) as i32
 }
 
@@ -238,7 +242,7 @@ mod tests {
             prop_assert!(values.iter().chain(&ticks.minor).all(|value| placed.contains(*value)));
             let labels = ticks.major.iter().filter(|tick| !tick.label.is_empty()).count();
             prop_assert!(labels <= room + 4, "{} labels for {}", labels, room);
-            prop_assert!(kind != 0 || labels >= 1);
+            prop_assert!(kind != 0 || labels >= 2);
         }
     }
 }

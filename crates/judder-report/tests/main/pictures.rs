@@ -57,6 +57,23 @@ fn maps_are_one_picture_with_a_pixel_a_cell() {
 }
 
 #[test]
+fn cells_are_not_blended() {
+    let classes = [Role::Stable, Role::Both].map(|role| judder_report::figure::Class::new("", role)).into();
+    let map = ClassMap { x: vec![0.0, 1.0], y: vec![0.0, 1.0], codes: vec![0, 1, 1, 0], classes };
+    let panel = Panel::new(Axis::linear(""), Axis::linear(""), vec![Layer::Classes(map)]);
+    let bytes = png(&Figure::new("map", "", vec![panel]), 1.0).unwrap();
+    let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
+    let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut pixels).unwrap();
+    // a row through the lower half of the frame, away from its ticks
+    let row = &pixels[info.line_size * (info.height as usize * 6 / 10)..][..info.line_size];
+    let samples = info.color_type.samples();
+    let colours: std::collections::BTreeSet<&[u8]> =
+        row.chunks(samples).skip(40).take(info.width as usize - 60).collect();
+    assert!(colours.len() <= 3, "two classes and at most one seam: {colours:?}");
+}
+
+#[test]
 fn a_png_has_the_size_that_was_asked_for_and_shows_its_texts() {
     let figure = one_line(Scale::Linear, vec![0.0, 1.0], vec![0.0, 1.0]);
     let text = svg(&figure).unwrap();

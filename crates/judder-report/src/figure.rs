@@ -1,6 +1,8 @@
 //! A figure as data: panels, axes and layers, without any drawing.
 //!
-//! Texts (titles, labels, captions) take the small markup of [`crate::markup`].
+//! Texts (titles, labels, captions) take a small markup: `_{…}` and `^{…}` lower and raise, `$…$` sets symbols (letters
+//! italic, digits and signs upright, subscripts of several letters upright); everything else is Unicode:
+//! `"Shear strength $τ̃_{0,crit}$"`, `"10^{−3}"`, `"Speed (m s^{−1})"`.
 
 use crate::palette::{ColourMap, Role, Style};
 

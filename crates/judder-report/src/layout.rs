@@ -107,21 +107,35 @@ pub(crate) fn layout(figure: &Figure) -> Layout {
         .enumerate()
         .map(|(index, panel)| draw_panel(panel, letter(figure, index), frame_width, frame_height))
         .collect();
-    // the same room around every frame keeps rows and columns aligned
-    let around = panels.iter().map(room_around).fold(Around::default(), Around::widest);
-    let (cell_width, cell_height) =
-        (around.left + frame_width + around.right, around.top + frame_height + around.bottom);
+    // the same room in a column, and in a row, keeps frames aligned
+    let around: Vec<Around> = panels.iter().map(room_around).collect();
+    let widest = |belongs: &dyn Fn(usize) -> bool| {
+        let members = around.iter().enumerate().filter(|(index, _)| belongs(*index));
+        members.fold(Around::default(), |widest, (_, around)| widest.widest(*around))
+    };
+    let rows = panels.len().div_ceil(columns);
+    let across: Vec<Around> = (0..columns).map(|column| widest(&|index| index % columns == column)).collect();
+    let down: Vec<Around> = (0..rows).map(|row| widest(&|index| index / columns == row)).collect();
+    let lefts = starts(across.iter().map(|around| around.left + frame_width + around.right));
+    let tops = starts(down.iter().map(|around| around.top + frame_height + around.bottom));
     for (index, panel) in panels.iter_mut().enumerate() {
-        let (column, row) = ((index % columns) as f64, (index / columns) as f64);
-        panel.frame.x = MARGIN + around.left + column * (cell_width + GUTTER);
-        panel.frame.y = MARGIN + around.top + row * (cell_height + GUTTER);
+        let (column, row) = (index % columns, index / columns);
+        panel.frame.x = lefts[column] + across[column].left;
+        panel.frame.y = tops[row] + down[row].top;
     }
-    let rows = panels.len().div_ceil(columns) as f64;
-    let width = 2.0 * MARGIN + columns as f64 * (cell_width + GUTTER) - GUTTER;
-    let bottom = MARGIN + rows * (cell_height + GUTTER) - GUTTER;
+    let (width, bottom) = (lefts[columns] - GUTTER + MARGIN, tops[rows] - GUTTER);
     let entries = place_legends(figure, &mut panels);
-    let (legend, end) = legend_rows(entries, MARGIN + around.left, width - MARGIN, bottom + GUTTER);
+    let (legend, end) = legend_rows(entries, MARGIN + across[0].left, width - MARGIN, bottom + GUTTER);
     Layout { width, height: end.max(0.0) + MARGIN, panels, legend }
+}
+
+/// Where cells of these sizes begin, and last where one more would.
+fn starts(sizes: impl Iterator<Item = f64>) -> Vec<f64> {
+    let next = sizes.scan(MARGIN, |start, size| {
+        *start += size + GUTTER;
+        Some(*start)
+    });
+    std::iter::once(MARGIN).chain(next).collect()
 }
 
 /// Frames shrink as they share a page's width.

@@ -131,6 +131,11 @@ pub(crate) fn plain(label: &str) -> String {
     parse(label).into_iter().map(|span| span.text).collect()
 }
 
+/// The label without its markup, for attributes and titles of XML and HTML.
+pub(crate) fn plain_html(label: &str) -> String {
+    escape(&plain(label))
+}
+
 /// Text for XML and HTML; characters that XML forbids become U+FFFD.
 pub(crate) fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());

@@ -280,10 +280,11 @@ impl ColourMap {
         }
     }
 
-    /// The colour at `fraction` of the range, 0..1; outside it the end colours.
+    /// The colour at `fraction` of the range, 0..1; outside it the end colours, for NaN the lower one.
     pub fn at(self, fraction: f64) -> Colour {
         let stops = self.stops();
-        let place = fraction.clamp(0.0, 1.0) * (stops.len() - 1) as f64;
+        let fraction = if fraction.is_nan() { 0.0 } else { fraction.clamp(0.0, 1.0) };
+        let place = fraction * (stops.len() - 1) as f64;
         let below = (place as usize).min(stops.len() - 2);
         mix(stops[below], stops[below + 1], place - below as f64)
     }

@@ -4,6 +4,8 @@ use crate::figure::{Axis, Scale};
 
 /// Beyond this magnitude (and below its inverse, on log axes) differences overflow; nothing is drawn there.
 const LARGEST: f64 = 1e300;
+/// What is smaller than this counts as zero on a linear axis, whose steps would underflow.
+pub(crate) const SMALLEST: f64 = 1e-280;
 /// A range narrower than this, relative to its values, is widened: its ticks could not be told apart.
 const NARROWEST: f64 = 1e-10;
 
@@ -37,12 +39,12 @@ impl Placed {
         let (first, last) = (stretch(scale, low), stretch(scale, high));
         let narrow = match scale {
             Scale::Log => last - first < 1e-6,
-            _ => high - low <= NARROWEST * high.abs().max(low.abs()).max(1e-280),
+            _ => high - low <= NARROWEST * high.abs().max(low.abs()).max(SMALLEST),
         };
         let pad = match scale {
             _ if !narrow => padding * (last - first),
             Scale::Log => 0.5,
-            Scale::Linear if first == 0.0 => 0.5,
+            Scale::Linear if high.abs().max(low.abs()) < SMALLEST => 0.5,
             Scale::Linear => 0.1 * first.abs().max(last.abs()),
             Scale::SymmetricLog { .. } => 0.5,
         };

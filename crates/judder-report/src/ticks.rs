@@ -35,7 +35,11 @@ pub(crate) fn ticks(axis: &Placed, room: usize) -> Ticks {
 
 /// Multiples of 1, 2 or 5 times a power of ten, with fifths or quarters between them.
 fn linear(from: f64, to: f64, room: usize) -> Ticks {
-    let (leading, power) = nice_step((to - from) / room as f64);
+    // a single label does not tell the scale, so a step that allows no second one is refined
+    let mut steps = (room..room + 4).map(|room| nice_step((to - from) / room as f64));
+    let marks_two =
+        |(leading, power): &(f64, i32)| multiples(from, to, leading * 10_f64.powi(*power)).count() > 1;
+    let (leading, power) = steps.find(marks_two).unwrap_or_else(|| nice_step((to - from) / room as f64));
     let step = leading * 10_f64.powi(power);
     let parts = if leading == 2.0 { 4.0 } else { 5.0 };
     let largest = from.abs().max(to.abs()).log10().floor() as i32;
@@ -87,7 +91,7 @@ fn decades(from: f64, to: f64) -> (i32, i32) {
 
 /// Every how many decades there is room for a label: 1, 2, 3, 5, 10, 20, …
 fn stride(count: usize, room: usize) -> i32 {
-    let least = count.div_ceil(room);
+    let least = count.saturating_sub(1).div_ceil(room).max(1);
     [1, 2, 3, 5, 10, 20, 50, 100].into_iter().find(|stride| *stride >= least).unwrap_or(200) as i32
 }
 
@@ -179,6 +183,66 @@ pub(crate) fn thin_labels(axis: &Placed, ticks: &mut Ticks, share: f64) {
             tick.label.clear();
         } else {
             taken = place;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::Axis;
+    use proptest::prelude::*;
+
+    fn labels(axis: Axis, from: f64, to: f64, room: usize) -> Vec<String> {
+        let placed = Placed::new(&axis.with_range(from, to), std::iter::empty(), 0.0);
+        ticks(&placed, room).major.into_iter().map(|tick| tick.label).collect()
+    }
+
+    #[test]
+    fn linear_ticks_are_round_and_have_true_minus_signs() {
+        assert_eq!(labels(Axis::linear(""), -1.0, 1.0, 5), ["−1.0", "−0.5", "0.0", "0.5", "1.0"]);
+        assert_eq!(labels(Axis::linear(""), 0.0, 400.0, 6), ["0", "100", "200", "300", "400"]);
+        assert_eq!(labels(Axis::linear(""), 0.0, 3e-6, 4), ["0", "1", "2", "3"]);
+    }
+
+    #[test]
+    fn decades_are_thinned_to_the_room() {
+        assert_eq!(labels(Axis::log(""), 1e-2, 1e1, 6), ["10^{−2}", "10^{−1}", "10^{0}", "10^{1}"]);
+        let thinned = labels(Axis::log(""), 1e-8, 1e2, 6);
+        assert_eq!(thinned.iter().filter(|label| !label.is_empty()).count(), 6);
+        assert_eq!(labels(Axis::log(""), 2.0, 6.0, 4), ["2", "5"]);
+    }
+
+    #[test]
+    fn symmetric_log_ticks_have_both_signs_and_zero() {
+        assert_eq!(
+            labels(Axis::symmetric_log("", 1e-2), -0.1, 1.0, 9),
+            ["−10^{−1}", "−10^{−2}", "0", "10^{−2}", "10^{−1}", "10^{0}"]
+        );
+    }
+
+    proptest! {
+        /// Whatever the range: ascending, inside, few, and never only one label on a linear axis.
+        #[test]
+        fn ticks_are_sorted_inside_and_few(
+            from in -1e12..1e12_f64,
+            exponent in -8.0..14.0_f64,
+            part in -6..3_i32,
+            kind in 0..3,
+            room in 2..12_usize,
+        ) {
+            let axis = [Axis::linear(""), Axis::log(""), Axis::symmetric_log("", 10_f64.powi(part))][kind as usize].clone();
+            let from = if kind == 1 { from.abs().max(1e-12) } else { from };
+            let to = from + 10_f64.powf(exponent).max(1e-9 * from.abs());
+            let placed = Placed::new(&axis.with_range(from, to), std::iter::empty(), 0.0);
+            let ticks = ticks(&placed, room);
+            let values: Vec<f64> = ticks.major.iter().map(|tick| tick.value).collect();
+            prop_assert!(values.windows(2).all(|pair| pair[0] < pair[1]), "{:?}", values);
+            prop_assert!(ticks.minor.windows(2).all(|pair| pair[0] < pair[1]), "{:?}", ticks.minor);
+            prop_assert!(values.iter().chain(&ticks.minor).all(|value| placed.contains(*value)));
+            let labels = ticks.major.iter().filter(|tick| !tick.label.is_empty()).count();
+            prop_assert!(labels <= room + 4, "{} labels for {}", labels, room);
+            prop_assert!(kind != 0 || labels >= 2);
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::error::{PanelError, ReportError};
 use crate::figure::{Axis, Figure, Layer, Panel, Scale};
-use crate::scale::drawable;
+use crate::scale::{SMALLEST, drawable};
 
 /// A figure is in order when its name is a file stem, its ranges can be drawn and its arrays fit together.
 pub(crate) fn check(figure: &Figure) -> Result<(), ReportError> {
@@ -57,8 +57,9 @@ fn check_axis(axis: &Axis, name: &'static str) -> Result<(), PanelError> {
         return Err(PanelError::LinearPart { axis: name, linear });
     }
     let Some((from, to)) = axis.range else { return Ok(()) };
-    // closer ends than this differ by rounding alone
-    let apart = to - from > 1e-12 * from.abs().max(to.abs());
+    // closer ends than this differ by rounding alone, or underflow
+    let least = if axis.scale == Scale::Log { 0.0 } else { SMALLEST };
+    let apart = to - from > 1e-12 * from.abs().max(to.abs()).max(least);
     if apart && drawable(axis.scale, from) && drawable(axis.scale, to) {
         return Ok(());
     }

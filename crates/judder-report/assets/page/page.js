@@ -2,7 +2,13 @@
 "use strict";
 (function () {
   const narrow = window.matchMedia("(max-width: 700px)");
-  const config = { responsive: true, displaylogo: false, modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d"] };
+  // plotly's button that uploads a chart has no place on a page that stays on its reader's machine
+  const config = {
+    responsive: true,
+    displaylogo: false,
+    plotlyServerURL: "",
+    modeBarButtonsToRemove: ["sendChartToCloud", "sendDataToCloud", "select2d", "lasso2d", "autoScale2d"],
+  };
 
   // a class map carries codes; their names are shared strings, so a large map costs little
   function nameClasses(trace) {

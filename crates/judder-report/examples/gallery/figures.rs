@@ -5,7 +5,7 @@ use judder_report::palette::ColourMap;
 use judder_report::{Axis, Figure, Layer, Legend, Panel, Role};
 
 /// One figure of every kind.
-pub fn all() -> Vec<Figure> {
+pub(crate) fn all() -> Vec<Figure> {
     vec![stability_map(), equivalent_damping(), eigenvalues(), thresholds(), growth_rates(), motion()]
 }
 

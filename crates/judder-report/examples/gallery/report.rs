@@ -4,7 +4,7 @@ use judder_report::page::{Check, Claim, Code, Details, Scoreboard, Table, Verdic
 use judder_report::{Block, Figure, Page, Section};
 
 /// A page around these figures.
-pub fn page(figures: Vec<Figure>) -> Page {
+pub(crate) fn page(figures: Vec<Figure>) -> Page {
     Page {
         title: "The oscillator paper, reproduced".to_owned(),
         lead: "Figures 4 to 10 of Critical thresholds for mode-coupling instability in viscoelastic sliding contacts, \

@@ -56,7 +56,7 @@ impl BlockTemplate<'_> {
 
     /// Head of one of our columns, which names the cell on small screens.
     fn head(&self, board: &Scoreboard, column: &usize) -> String {
-        board.ours.get(*column).map(|head| markup::plain(head)).unwrap_or_default()
+        board.ours.get(*column).map(|head| markup::plain_html(head)).unwrap_or_default()
     }
 
     /// Whether a column of a table holds numbers, judged by its first row.

@@ -5,9 +5,9 @@ use crate::figure::{Figure, Layer, Scale, ValueMap};
 use crate::layout::{DrawnAxis, DrawnPanel};
 use crate::legend;
 use crate::markup::html;
-use crate::palette::INK;
+use crate::palette::{INK, QUIET};
 use crate::scale::stretch;
-use crate::ticks::Ticks;
+use crate::ticks::{Ticks, ticks};
 use crate::typeface::{FAMILIES, width};
 use serde_json::{Value, json};
 
@@ -21,6 +21,8 @@ const FONT_SIZE: f64 = 12.5;
 /// Width for which legends are reckoned, on a large and on a small screen.
 const WIDE: f64 = 800.0;
 const NARROW: f64 = 290.0;
+/// Labels for which a horizontal axis has room on a small screen.
+const SMALL_ROOM: usize = 6;
 /// What a colour bar takes from the width of its panel.
 const BAR_ROOM: f64 = 0.14;
 
@@ -36,6 +38,10 @@ pub(super) fn layout(figure: &Figure, drawn: &[DrawnPanel], columns: usize, smal
         "font": { "family": FAMILIES, "size": FONT_SIZE, "color": INK.to_string() },
         "paper_bgcolor": "#ffffff", "plot_bgcolor": "#ffffff",
         "hovermode": "closest", "dragmode": "zoom",
+        "hoverlabel": {
+            "bgcolor": "#ffffff", "bordercolor": QUIET.to_string(), "align": "left",
+            "font": { "family": FAMILIES, "size": 12, "color": INK.to_string() },
+        },
         "legend": {
             "orientation": "h", "x": 0, "xanchor": "left", "y": -(BOTTOM - 4.0) / plot_height, "yanchor": "top",
         },
@@ -44,8 +50,9 @@ pub(super) fn layout(figure: &Figure, drawn: &[DrawnPanel], columns: usize, smal
     for (index, (panel, drawn)) in figure.panels.iter().zip(drawn).enumerate() {
         let place = place(index, columns, height, plot_height, drawn.bar.is_some());
         let name = suffix(index);
-        layout[format!("xaxis{name}")] = axis(&drawn.x, place.across, &format!("y{name}"));
-        layout[format!("yaxis{name}")] = axis(&drawn.y, place.up, &format!("x{name}"));
+        let x_ticks = if small { ticks(&drawn.x.placed, SMALL_ROOM) } else { drawn.x.ticks.clone() };
+        layout[format!("xaxis{name}")] = axis(&drawn.x, &x_ticks, place.across, &format!("y{name}"));
+        layout[format!("yaxis{name}")] = axis(&drawn.y, &drawn.y.ticks, place.up, &format!("x{name}"));
         notes.extend(marks::heading(drawn, (place.across.0, place.up.1)));
         for layer in &panel.layers {
             shapes.extend(marks::shape(layer, panel, &name));
@@ -111,7 +118,7 @@ fn colour_axis(map: &ValueMap, bar: &DrawnAxis, place: &Place) -> Value {
     })
 }
 
-fn axis(drawn: &DrawnAxis, domain: (f64, f64), anchor: &str) -> Value {
+fn axis(drawn: &DrawnAxis, ticks: &Ticks, domain: (f64, f64), anchor: &str) -> Value {
     let scale = drawn.placed.scale;
     let mut axis = json!({
         "domain": [domain.0, domain.1], "anchor": anchor,
@@ -127,11 +134,11 @@ fn axis(drawn: &DrawnAxis, domain: (f64, f64), anchor: &str) -> Value {
         Scale::Linear => axis["type"] = json!("linear"),
         Scale::Log => {
             axis["type"] = json!("log");
-            fix_ticks(&mut axis, &drawn.ticks, |value| value);
+            fix_ticks(&mut axis, ticks, |value| value);
         }
         Scale::SymmetricLog { .. } => {
             axis["type"] = json!("linear");
-            fix_ticks(&mut axis, &drawn.ticks, |value| stretch(scale, value));
+            fix_ticks(&mut axis, ticks, |value| stretch(scale, value));
         }
     }
     axis

@@ -77,6 +77,8 @@ fn trace(layer: &Layer, panel: &Panel, index: usize) -> Option<Value> {
 /// What lines and points have in common.
 fn curve(line: &Line, panel: &Panel) -> Value {
     let (x, y) = (panel.x.scale, panel.y.scale);
+    let name =
+        if line.label.is_empty() { String::new() } else { format!("<b>{}</b><br>", html(&line.label)) };
     let mut trace = json!({
         "type": "scatter",
         "name": html(&line.label),
@@ -84,10 +86,9 @@ fn curve(line: &Line, panel: &Panel) -> Value {
         "y": floats(&at_least_a_gap(placed(y, &line.y)), None),
         "connectgaps": false,
         "hovertemplate": format!(
-            "{}: {}<br>{}: {}<extra>{}</extra>",
+            "{name}{}: {}<br>{}: {}<extra></extra>",
             html(&panel.x.label), hover_value("x", "customdata[0]", x),
             html(&panel.y.label), hover_value("y", "customdata[1]", y),
-            html(&line.label),
         ),
     });
     if stretched(x) || stretched(y) {
@@ -138,7 +139,7 @@ fn class_map(map: &ClassMap, panel: &Panel) -> Value {
         "z": { "dtype": "u1", "bdata": STANDARD.encode(&map.codes), "shape": shape(&map.x, &map.y) },
         "zmin": -0.5, "zmax": count - 0.5, "showscale": false,
         "meta": { "classes": classes },
-        "hovertemplate": format!("{}: %{{x:.4~g}}<br>{}: %{{y:.4~g}}<extra>%{{text}}</extra>", html(&panel.x.label), html(&panel.y.label)),
+        "hovertemplate": format!("<b>%{{text}}</b><br>{}: %{{x:.4~g}}<br>{}: %{{y:.4~g}}<extra></extra>", html(&panel.x.label), html(&panel.y.label)),
     });
     if !colours.is_empty() {
         trace["colorscale"] = json!(colours);

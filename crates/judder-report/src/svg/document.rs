@@ -3,7 +3,7 @@
 use super::text::Text;
 use crate::figure::Figure;
 use crate::layout::{Frame, Layout};
-use crate::markup::{escape, plain};
+use crate::markup::{escape, plain_html};
 use crate::palette::{INK, Role, UNRESOLVED_GROUND};
 use crate::typeface::FAMILIES;
 use std::fmt::{Arguments, Write};
@@ -26,8 +26,8 @@ impl Document {
              viewBox=\"0 0 {width} {height}\" font-family=\"{FAMILIES}\" fill=\"{INK}\" role=\"img\" \
              aria-labelledby=\"{name}-title {name}-caption\">"
         ));
-        document.put(format_args!("<title id=\"{name}-title\">{}</title>", escape(&plain(&figure.title))));
-        document.put(format_args!("<desc id=\"{name}-caption\">{}</desc>", escape(&plain(&figure.caption))));
+        document.put(format_args!("<title id=\"{name}-title\">{}</title>", plain_html(&figure.title)));
+        document.put(format_args!("<desc id=\"{name}-caption\">{}</desc>", plain_html(&figure.caption)));
         let hatch = Role::Unresolved.colour();
         document.put(format_args!(
             "<defs><pattern id=\"{name}-hatch\" width=\"4\" height=\"4\" patternUnits=\"userSpaceOnUse\" \

@@ -42,7 +42,7 @@ fn draw_picture(document: &mut Document, picture: Option<Picture>, frame: Frame,
     }
     document.put(format_args!(
         "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" \
-         image-rendering=\"pixelated\" href=\"{}\"/>",
+         image-rendering=\"optimizeSpeed\" style=\"image-rendering:pixelated\" href=\"{}\"/>",
         number(place.x),
         number(place.y),
         number(place.width),

@@ -13,6 +13,9 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+/// The version that studies are stamped with; another version computes everything again.
+const VERSION: &str = env!("CARGO_PKG_VERSION");
+
 /// What of a case is to be run, and whether from nothing.
 #[derive(Debug, Clone, Default)]
 pub struct RunOptions {
@@ -86,7 +89,8 @@ pub fn run(
         store.forget()?;
     }
     let resolved = file.case.resolved();
-    let mut study = Study::open(&store, file, &resolved, &names)?;
+    let mut study = Study::open(&store, &names)?;
+    study.set_case(file, &resolved);
     let mut skipped = Vec::new();
     for (index, name) in names.iter().enumerate() {
         if !options.only.is_empty() && !options.only.contains(name) {
@@ -106,25 +110,22 @@ pub fn run(
     study.summary.wall_time_s = start.elapsed().as_secs_f64();
     store.write_summary(&study.summary)?;
     let report = report::write(&store, &study.summary)?;
-    let wanted = |name: &String| options.only.is_empty() || options.only.contains(name);
-    let kept = Keepsakes::of(&study.summary);
-    let complete = names.iter().filter(|name| wanted(name)).all(|name| {
-        let done = study.summary.analyses.get(name).is_some_and(|record| record.status == Status::Done);
-        done && kept.missing.get(name).copied().unwrap_or(0) == 0
-    });
-    let messages = messages(&study.summary, &kept);
+    let wanted: Vec<String> =
+        names.into_iter().filter(|name| options.only.is_empty() || options.only.contains(name)).collect();
+    let complete = study.is_complete(&wanted);
+    let messages = messages(&study.summary, &study.kept);
     Ok(RunReport { folder: folder.to_owned(), summary: study.summary, report, skipped, complete, messages })
 }
 
 /// Names all that the result of an analysis depends on: the case without its list of analyses and its title, this analysis, the version.
-fn analysis_hash(resolved: &Value, index: usize) -> String {
+pub(crate) fn analysis_hash(resolved: &Value, index: usize) -> String {
     let mut model = resolved.clone();
     let analysis = model.get("analysis").and_then(|list| list.get(index)).cloned();
     if let Some(object) = model.as_object_mut() {
         object.remove("analysis");
         object.remove("title");
     }
-    content_hash(json!([env!("CARGO_PKG_VERSION"), model, analysis]).to_string().as_bytes())
+    content_hash(json!([VERSION, model, analysis]).to_string().as_bytes())
 }
 
 /// A study folder in the making.
@@ -136,22 +137,10 @@ pub(crate) struct Study<'a> {
 
 impl<'a> Study<'a> {
     /// Takes up what an earlier run left of these analyses, and drops the rest.
-    pub(crate) fn open(
-        store: &'a StudyFolder,
-        file: &CaseFile,
-        resolved: &Value,
-        names: &[String],
-    ) -> Result<Self, StudyError> {
-        let earlier = store.read_summary()?.unwrap_or_default();
-        let mut kept = Keepsakes::of(&earlier);
-        kept.source.clone_from(&file.text);
-        kept.overrides.clone_from(&file.overrides);
-        let mut summary = Summary {
-            case_hash: content_hash(resolved.to_string().as_bytes()),
-            version: env!("CARGO_PKG_VERSION").to_owned(),
-            case: resolved.clone(),
-            ..earlier
-        };
+    pub(crate) fn open(store: &'a StudyFolder, names: &[String]) -> Result<Self, StudyError> {
+        let mut summary = store.read_summary()?.unwrap_or_default();
+        let mut kept = Keepsakes::of(&summary);
+        VERSION.clone_into(&mut summary.version);
         summary.warnings.clear();
         summary.results.retain(|name, _| names.contains(name));
         summary.analyses.retain(|name, _| names.contains(name));
@@ -159,6 +148,23 @@ impl<'a> Study<'a> {
         kept.missing.retain(|name, _| names.contains(name));
         kept.put(&mut summary);
         Ok(Self { store, summary, kept })
+    }
+
+    /// Names the case whose study this is.
+    fn set_case(&mut self, file: &CaseFile, resolved: &Value) {
+        self.kept.source.clone_from(&file.text);
+        self.kept.overrides.clone_from(&file.overrides);
+        self.kept.put(&mut self.summary);
+        self.summary.case_hash = content_hash(resolved.to_string().as_bytes());
+        self.summary.case = resolved.clone();
+    }
+
+    /// Whether these analyses are done and miss nothing.
+    pub(crate) fn is_complete(&self, names: &[String]) -> bool {
+        names.iter().all(|name| {
+            let done = self.summary.analyses.get(name).is_some_and(|record| record.status == Status::Done);
+            done && self.kept.missing.get(name).copied().unwrap_or(0) == 0
+        })
     }
 
     /// Stores the outcome of an analysis, or why there is none. Interruptions and failures to write end the run.

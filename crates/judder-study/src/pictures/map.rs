@@ -43,12 +43,16 @@ pub(super) fn stability_map(dataset: &Dataset) -> Option<Panel> {
     Some(Panel::new(axis(x), axis(y), layers))
 }
 
+/// Points along each side of a drawn map: more than a panel has pixels would only make the page heavy.
+const DRAWN_SIDE: usize = 400;
+
 /// The class map with ascending axes, whichever way they were swept, and only the classes that occur.
 fn ascending(columns: &[f64], rows: &[f64], codes: &[u8]) -> ClassMap {
     let order = |values: &[f64]| {
         let mut indices: Vec<usize> = (0..values.len()).collect();
         indices.sort_by(|a, b| values[*a].total_cmp(&values[*b]));
-        indices
+        let drawn = indices.len().min(DRAWN_SIDE);
+        (0..drawn).map(|k| indices[k * (indices.len() - 1) / (drawn - 1).max(1)]).collect::<Vec<usize>>()
     };
     let (across, up) = (order(columns), order(rows));
     let present: Vec<StabilityClass> =

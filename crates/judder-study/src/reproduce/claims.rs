@@ -1,0 +1,93 @@
+//! The numbers and claims of sections 2–4 of the oscillator paper, each with the way it is measured.
+
+mod damping;
+mod equations;
+mod maps;
+mod thresholds;
+
+use super::scoreboard::Measured;
+use judder_oscillator::Contact;
+
+/// What kind of line a claim is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// It agrees where we find what the paper says.
+    Statement,
+    /// The print is wrong and the right value known; the measurement shows the right value.
+    Misprint,
+}
+
+/// A claim of the paper.
+pub(super) struct Claim {
+    pub(super) place: &'static str,
+    pub(super) says: &'static str,
+    pub(super) kind: Kind,
+    pub(super) measure: fn(&Contact) -> Measured,
+    pub(super) why: &'static str,
+}
+
+const fn statement(
+    place: &'static str,
+    says: &'static str,
+    measure: fn(&Contact) -> Measured,
+    why: &'static str,
+) -> Claim {
+    Claim { place, says, kind: Kind::Statement, measure, why }
+}
+
+const fn misprint(
+    place: &'static str,
+    says: &'static str,
+    measure: fn(&Contact) -> Measured,
+    why: &'static str,
+) -> Claim {
+    Claim { place, says, kind: Kind::Misprint, measure, why }
+}
+
+fn measured(ours: impl Into<String>, holds: bool) -> Measured {
+    Measured { ours: ours.into(), holds }
+}
+
+/// A number with three digits, in the markup of the page.
+fn short(value: f64) -> String {
+    if value == 0.0 || (0.01..1000.0).contains(&value.abs()) {
+        let digits = 2 - value.abs().max(1e-2).log10().floor() as i32;
+        return format!("{value:.*}", digits.max(0) as usize).replace('-', "−");
+    }
+    let text = format!("{value:.2e}");
+    match text.split_once('e') {
+        Some((mantissa, exponent)) => format!("{mantissa} × 10^{{{exponent}}}").replace('-', "−"),
+        None => text,
+    }
+}
+
+/// All claims, in the order of the paper.
+pub(super) const CLAIMS: [Claim; 27] = [
+    equations::HERTZ_LIMIT,
+    equations::AREA_HAS_A_MINIMUM,
+    equations::FORCE_GROWS,
+    equations::DAMPING_IN_Y,
+    equations::DISPLACEMENT_IN_16,
+    equations::CHAIN_RULE_17,
+    equations::SIGN_OF_C21,
+    damping::LIMITS,
+    damping::LARGE_DAMPING,
+    damping::NEGATIVE_NEAR,
+    damping::STRENGTH_REDUCES,
+    damping::NEGATIVE_AT_LOW_LOAD,
+    damping::STRENGTH_RAISES_AT_HIGH_SPEED,
+    thresholds::OUTER_PAIR,
+    thresholds::FIG_5,
+    thresholds::FIG_6,
+    thresholds::DERIVATIVES_IN_27,
+    thresholds::FIG_7_GROWS,
+    thresholds::FIG_7_EASY,
+    thresholds::FIG_8_TRENDS,
+    maps::FIG_9A_AGREEMENT,
+    maps::WORSE_AT_LARGER_LOAD,
+    maps::FIG_9B_ENDS,
+    maps::LARGER_REGION,
+    maps::PREVAILING,
+    maps::DECOUPLED,
+    maps::FIG_10_ENLARGES,
+];

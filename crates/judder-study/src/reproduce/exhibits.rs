@@ -1,0 +1,127 @@
+//! The figures of the paper: which case makes which panel.
+
+use judder_case::{Case, OscillatorAnalysis};
+
+/// A figure of the paper.
+pub(super) struct Exhibit {
+    /// File stem.
+    pub(super) name: &'static str,
+    /// Heading.
+    pub(super) title: &'static str,
+    /// What stands under it.
+    pub(super) caption: &'static str,
+    /// The cases that make its panels.
+    pub(super) sources: &'static [Source],
+}
+
+/// A panel of the paper: a case with a few keys set on top.
+pub(super) struct Source {
+    /// Beginning of the names of its analyses.
+    pub(super) name: &'static str,
+    /// Name of the case.
+    pub(super) case_name: &'static str,
+    /// Text of the case.
+    pub(super) case: &'static str,
+    /// What is set on top of it.
+    pub(super) overrides: &'static [&'static str],
+    /// Panel heading; empty where the figure has one panel in the paper.
+    pub(super) label: &'static str,
+}
+
+macro_rules! case {
+    ($file:literal) => {
+        include_str!(concat!("../../../../cases/oscillator-paper/", $file, ".toml"))
+    };
+}
+
+const fn source(name: &'static str, case: &'static str, label: &'static str) -> Source {
+    Source { name, case_name: name, case, overrides: &[], label }
+}
+
+const fn fig_4(name: &'static str, overrides: &'static [&'static str], label: &'static str) -> Source {
+    Source { name, case_name: "fig-4", case: case!("fig-4"), overrides, label }
+}
+
+/// Figs. 4 to 10.
+pub(super) const EXHIBITS: [Exhibit; 7] = [
+    Exhibit {
+        name: "fig-4",
+        title: "Fig. 4: equivalent damping over speed",
+        caption: "Equivalent damping $ξ_{eq}$, eq. (23), over the substrate velocity for four loads and four shear strengths. The vertical \
+                  axis is logarithmic on both sides of zero.",
+        sources: &[
+            fig_4("fig-4a", &["operation.normal_load=7.5e-2"], "$F̃_{n}$ = 7.5 × 10^{−2}"),
+            fig_4("fig-4b", &["operation.normal_load=7.5e-3"], "$F̃_{n}$ = 7.5 × 10^{−3}"),
+            fig_4("fig-4c", &["operation.normal_load=7.5e-4"], "$F̃_{n}$ = 7.5 × 10^{−4}"),
+            fig_4("fig-4d", &["operation.normal_load=7.5e-5"], "$F̃_{n}$ = 7.5 × 10^{−5}"),
+        ],
+    },
+    Exhibit {
+        name: "fig-5",
+        title: "Fig. 5: eigenvalues over the shear strength",
+        caption: "Eigenvalues at $v̂_{d}$ = 10^{−4}, $F̃_{n}$ = 7.5 × 10^{−6}. The paper shows the system without damping (dashed).",
+        sources: &[source("fig-5", case!("fig-5"), "")],
+    },
+    Exhibit {
+        name: "fig-6",
+        title: "Fig. 6: eigenvalues over the normal load",
+        caption: "Eigenvalues at $v̂_{d}$ = 1.58 × 10^{−4}, $τ̃_{0}$ = 0.01. The paper shows the system without damping (dashed).",
+        sources: &[source("fig-6", case!("fig-6"), "")],
+    },
+    Exhibit {
+        name: "fig-7",
+        title: "Fig. 7: critical shear strength over speed",
+        caption: "All thresholds of the shear strength for five loads. Dashed: without damping, eq. (27) made self-consistent, as in the paper. \
+                  Solid: the full, damped system.",
+        sources: &[source("fig-7", case!("fig-7"), "")],
+    },
+    Exhibit {
+        name: "fig-8",
+        title: "Fig. 8: critical load over speed",
+        caption: "All thresholds of the load for three shear strengths. Dashed: without damping, eq. (28) made self-consistent, as in the \
+                  paper. Solid: the full, damped system.",
+        sources: &[source("fig-8", case!("fig-8"), "")],
+    },
+    Exhibit {
+        name: "fig-9",
+        title: "Fig. 9: stability over speed and shear strength",
+        caption: "Stability of steady sliding; the colour is the mechanism. Solid black: boundary of the full system. Dashed: without damping. \
+                  Red: full system with $η = 0$.",
+        sources: &[
+            source("fig-9a", case!("fig-9a"), "$F̃_{n}$ = 10^{−6}"),
+            source("fig-9b", case!("fig-9b"), "$F̃_{n}$ = 10^{−3}"),
+        ],
+    },
+    Exhibit {
+        name: "fig-10",
+        title: "Fig. 10: stability over speed and load",
+        caption: "Stability of steady sliding; the colour is the mechanism. Solid black: boundary of the full system. Dashed: without damping. \
+                  Red: full system with $η = 0$.",
+        sources: &[
+            source("fig-10a", case!("fig-10a"), "$τ̃_{0}$ = 10^{−2}"),
+            source("fig-10b", case!("fig-10b"), "$τ̃_{0}$ = 10^{−1}"),
+        ],
+    },
+];
+
+/// Fewer points for a quick look: curves and maps keep their shape.
+pub(super) fn thin_out(case: &mut Case) {
+    const CURVE: usize = 301;
+    const THRESHOLDS: usize = 101;
+    const MAP: usize = 400;
+    let Case::Oscillator(case) = case else { return };
+    for analysis in &mut case.analyses {
+        match &mut analysis.kind {
+            OscillatorAnalysis::EquivalentDamping { sweep, .. }
+            | OscillatorAnalysis::Spectrum { sweep, .. } => {
+                sweep.points = sweep.points.min(CURVE);
+            }
+            OscillatorAnalysis::CriticalShearStrength { sweep, .. }
+            | OscillatorAnalysis::CriticalLoad { sweep, .. } => sweep.points = sweep.points.min(THRESHOLDS),
+            OscillatorAnalysis::StabilityMap(map) => {
+                map.x.points = map.x.points.min(MAP);
+                map.y.points = map.y.points.min(MAP);
+            }
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! The report of the reproduction.
+
+use super::exhibits::{EXHIBITS, Exhibit};
+use super::readings::READINGS;
+use super::scoreboard::{self, ClaimLine};
+use super::{KEY, analysis_name, is_done};
+use crate::error::StudyError;
+use crate::pictures;
+use crate::report::{check_rows, facts, warnings, write_figure, write_page};
+use crate::run::Keepsakes;
+use judder_report::page::{Code, Details, Table};
+use judder_report::{Block, Figure, Legend, Page, Section};
+use judder_store::{StudyFolder, Summary};
+use serde_json::Value;
+use std::path::PathBuf;
+
+/// The figures of one law: how many of the readings, from where, and what is added to names and titles.
+const LAWS: [(usize, &str, &str); 2] = [(0, "", ""), (2, "-corrected", ", with the corrected velocity axis")];
+
+/// Draws every figure of the paper and the page.
+pub(super) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, StudyError> {
+    let lines: Vec<ClaimLine> = summary
+        .extra
+        .get(KEY)
+        .and_then(|kept| serde_json::from_value(kept.get("scoreboard")?.clone()).ok())
+        .unwrap_or_default();
+    let kept = Keepsakes::of(summary);
+    let board = vec![
+        Block::text(
+            "Every number and claim of sections 2 to 4, measured with both readings of the viscoelastic friction, and with the velocity \
+             axis as printed and corrected. A verdict is about the printed law; the last two columns show what the correction does to it.",
+        ),
+        Block::Scoreboard(scoreboard::block(&lines)),
+    ];
+    let mut sections = vec![Section::new("Scoreboard", board)];
+    for exhibit in &EXHIBITS {
+        sections.push(Section::new(exhibit.title, exhibit_blocks(store, summary, exhibit)?));
+    }
+    sections.push(Section::new("Areas of the maps", vec![Block::Table(areas(summary))]));
+    sections.push(Section::new("Checks", vec![Block::Checks(check_rows(&kept.checks))]));
+    sections.push(Section::new("Warnings", vec![Block::Warnings(warnings(summary))]));
+    sections.push(Section::new("Cases", cases()));
+    let page = Page {
+        title: "The oscillator paper, recomputed".to_owned(),
+        lead: lead(&lines, &kept),
+        facts: facts(summary),
+        sections,
+    };
+    write_page(store, &page)
+}
+
+fn lead(lines: &[ClaimLine], kept: &Keepsakes) -> String {
+    let count = |verdict: &str| lines.iter().filter(|line| line.verdict == verdict).count();
+    let checks = kept.checks.values().flatten().count();
+    let passed = kept.checks.values().flatten().filter(|check| check.passed()).count();
+    format!(
+        "Papangelo, Putignano and Hoffmann, Critical thresholds for mode-coupling instability in viscoelastic sliding contacts, Nonlinear \
+         Dynamics (2021): Figs. 4 to 10. Of {} claims {} agree, {} are misprints whose right value is known, {} are open. {passed} of {checks} \
+         checks are within their limits.",
+        lines.len(),
+        count("agrees"),
+        count("misprint"),
+        count("open")
+    )
+}
+
+/// The figure with the printed law, and the one with the corrected axis.
+fn exhibit_blocks(
+    store: &StudyFolder,
+    summary: &Summary,
+    exhibit: &Exhibit,
+) -> Result<Vec<Block>, StudyError> {
+    let mut blocks = Vec::new();
+    for (first, ending, addition) in LAWS {
+        let mut panels = Vec::new();
+        for source in exhibit.sources {
+            for reading in &READINGS[first..first + 2] {
+                let name = analysis_name(source, reading);
+                if !is_done(summary, &name) {
+                    continue;
+                }
+                let title = if source.label.is_empty() {
+                    reading.label.to_owned()
+                } else {
+                    format!("{}; {}", source.label, reading.label)
+                };
+                let drawn = pictures::panels(&store.read_dataset(&name)?);
+                panels.extend(
+                    drawn.into_iter().map(|p| p.with_title(title.clone()).with_legend(Legend::Below)),
+                );
+            }
+        }
+        if panels.is_empty() {
+            continue;
+        }
+        let figure =
+            Figure::new(format!("{}{ending}", exhibit.name), format!("{}{addition}", exhibit.title), panels);
+        blocks.push(write_figure(store, figure.with_caption(exhibit.caption))?);
+    }
+    Ok(blocks)
+}
+
+/// The shares of every mechanism in every map.
+fn areas(summary: &Summary) -> Table {
+    const CLASSES: [&str; 5] = ["stable", "flutter", "negative-damping", "both", "normal-force-coupling"];
+    let mut rows = Vec::new();
+    for source in EXHIBITS.iter().flat_map(|exhibit| exhibit.sources) {
+        for reading in &READINGS {
+            let fractions = summary
+                .results
+                .get(&analysis_name(source, reading))
+                .and_then(|result| result.get("fractions"))
+                .and_then(Value::as_object);
+            let Some(fractions) = fractions else { continue };
+            let share = |class: &str| fractions.get(class).and_then(Value::as_f64).unwrap_or(f64::NAN);
+            let mut row = vec![source.name.replace("fig-", "Fig. "), reading.label.to_owned()];
+            row.extend(CLASSES.map(|class| format!("{:.1}", 100.0 * share(class))));
+            let unstable: f64 = CLASSES[1..].iter().map(|class| share(class)).sum();
+            row.push(format!("{:.1}", 100.0 * share("normal-force-coupling") / unstable));
+            rows.push(row);
+        }
+    }
+    let head = ["map", "reading"].into_iter().chain(CLASSES).chain(["neither, of the unstable"]);
+    Table {
+        caption: "Shares of the maps in per cent, by mechanism; the last column is the part of the unstable area that is neither flutter nor \
+                  negative damping."
+            .to_owned(),
+        head: head.map(|h| h.replace('-', " ")).collect(),
+        rows,
+    }
+}
+
+/// The case files, behind a line each.
+fn cases() -> Vec<Block> {
+    let mut shown: Vec<&str> = Vec::new();
+    let mut blocks = Vec::new();
+    for source in EXHIBITS.iter().flat_map(|exhibit| exhibit.sources) {
+        if shown.contains(&source.case_name) {
+            continue;
+        }
+        shown.push(source.case_name);
+        let caption = format!("cases/oscillator-paper/{}.toml", source.case_name);
+        blocks.push(Block::Details(Details {
+            summary: caption.clone(),
+            blocks: vec![Block::Code(Code { caption, text: source.case.to_owned() })],
+        }));
+    }
+    blocks
+}

@@ -1,0 +1,90 @@
+//! The scoreboard: every claim measured with every reading, and what becomes of it.
+
+use super::claims::{CLAIMS, Claim, Kind};
+use super::readings::READINGS;
+use crate::error::StudyError;
+use crate::progress::Progress;
+use judder_report::page;
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+/// What we find with one reading.
+pub(super) struct Measured {
+    /// Our number, in a few characters.
+    pub(super) ours: String,
+    /// Whether it is what the paper says (for a misprint: what we say instead).
+    pub(super) holds: bool,
+}
+
+/// One line of the scoreboard.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ClaimLine {
+    /// Where it stands in the paper.
+    pub place: String,
+    /// What the paper says.
+    pub says: String,
+    /// What we find, with each reading.
+    pub ours: Vec<String>,
+    /// `agrees`, `misprint` or `open`.
+    pub verdict: String,
+    /// Why, in one line.
+    pub why: String,
+}
+
+/// Measures all claims.
+pub(super) fn measure(progress: &dyn Progress) -> Result<Vec<ClaimLine>, StudyError> {
+    let contacts: Vec<_> = READINGS.iter().map(super::readings::Reading::contact).collect();
+    CLAIMS
+        .par_iter()
+        .map(|claim| {
+            if progress.interrupted() {
+                return Err(StudyError::Interrupted);
+            }
+            let measured: Vec<Measured> = contacts.iter().map(claim.measure).collect();
+            progress.advance();
+            Ok(line(claim, measured))
+        })
+        .collect()
+}
+
+fn line(claim: &Claim, measured: Vec<Measured>) -> ClaimLine {
+    let holds: Vec<bool> = measured.iter().map(|m| m.holds).collect();
+    let (verdict, with) = match (claim.kind, holds[0], holds[1]) {
+        (Kind::Misprint, true, true) => ("misprint", ""),
+        (Kind::Misprint, _, _) | (Kind::Statement, false, false) => ("open", ""),
+        (Kind::Statement, true, true) => ("agrees", ""),
+        (Kind::Statement, true, false) => ("agrees", "Only with F_n μ_visc. "),
+        (Kind::Statement, false, true) => ("agrees", "Only with F_k μ_visc. "),
+    };
+    let corrected = match (claim.kind, verdict, holds[2], holds[3]) {
+        (Kind::Statement, "agrees", false, false) => " Not so with the corrected velocity axis.",
+        (Kind::Statement, "open", true, _) | (Kind::Statement, "open", _, true) => {
+            " It holds with the corrected velocity axis."
+        }
+        _ => "",
+    };
+    ClaimLine {
+        place: claim.place.to_owned(),
+        says: claim.says.to_owned(),
+        ours: measured.into_iter().map(|m| m.ours).collect(),
+        verdict: verdict.to_owned(),
+        why: format!("{with}{}{corrected}", claim.why),
+    }
+}
+
+/// The scoreboard as a block of the page.
+pub(super) fn block(lines: &[ClaimLine]) -> page::Scoreboard {
+    let verdict = |word: &str| match word {
+        "agrees" => page::Verdict::Agrees,
+        "misprint" => page::Verdict::Misprint,
+        _ => page::Verdict::Open,
+    };
+    let rows = lines.iter().map(|line| page::Claim {
+        place: line.place.clone(),
+        says: line.says.clone(),
+        ours: line.ours.clone(),
+        verdict: verdict(&line.verdict),
+        why: line.why.clone(),
+    });
+    page::Scoreboard { ours: READINGS.iter().map(|r| r.label.to_owned()).collect(), rows: rows.collect() }
+}

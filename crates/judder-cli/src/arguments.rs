@@ -1,9 +1,11 @@
 //! The command line as types.
 
-use clap::{ArgAction, Args, Parser};
+use clap::error::{ContextKind, ContextValue};
+use clap::{ArgAction, Args, CommandFactory, Parser};
 
 use crate::commands::Command;
 use crate::console::Console;
+use crate::failure::Failure;
 
 const HELP: &str = "\
 Examples:
@@ -22,7 +24,7 @@ Colours obey NO_COLOR, CLICOLOR and CLICOLOR_FORCE.";
 
 /// judder: a workbench for friction-induced vibration
 #[derive(Debug, Parser)]
-#[command(name = "judder", version, after_help = HELP, max_term_width = 100, disable_help_subcommand = true)]
+#[command(name = "judder", version, after_help = HELP, max_term_width = 100)]
 pub(crate) struct Arguments {
     #[command(subcommand)]
     pub(crate) command: Option<Command>,
@@ -40,7 +42,7 @@ struct Manner {
     /// Say nothing but results and errors
     #[arg(short, long, global = true, conflicts_with = "verbose")]
     quiet: bool,
-    /// Say more: every analysis with its time; -vv also its steps and the folder's state
+    /// Say more: every analysis with its time; -vv also where and what
     #[arg(short, long, global = true, action = ArgAction::Count)]
     verbose: u8,
 }
@@ -50,4 +52,36 @@ impl Arguments {
     pub(crate) fn console(&self) -> Console {
         Console::new(self.manner.json, self.manner.quiet, self.manner.verbose)
     }
+}
+
+/// What is wrong with a command line, and what would be right.
+pub(crate) fn refuse(error: &clap::Error) -> Failure {
+    if let Some(ContextValue::String(name)) = error.get(ContextKind::InvalidSubcommand) {
+        return unknown_command(name);
+    }
+    // clap writes paragraphs: what is wrong, tips, the usage.
+    let text = error.to_string();
+    let mut paragraphs = text.split("\n\n").map(|paragraph| paragraph.lines().map(str::trim));
+    let wrong: Vec<_> = paragraphs.next().into_iter().flatten().collect();
+    let wrong = wrong.join(" ");
+    let right: Vec<_> = paragraphs.flatten().filter(|line| !line.is_empty()).collect();
+    Failure::wrong_input(wrong.strip_prefix("error: ").unwrap_or(&wrong), right.join("\n"))
+}
+
+/// clap finds no neighbour of a word as short as `rnu`, so the nearest command is sought here.
+fn unknown_command(name: &str) -> Failure {
+    let arguments = Arguments::command();
+    let known: Vec<_> = arguments
+        .get_subcommands()
+        .filter(|command| !command.is_hide_set())
+        .map(clap::Command::get_name)
+        .collect();
+    let edits = |command: &&&str| strsim::damerau_levenshtein(name, command);
+    let near =
+        known.iter().min_by_key(edits).filter(|command| edits(command) <= 1 + name.chars().count() / 3);
+    let question = near.map(|command| format!("did you mean `{command}`? ")).unwrap_or_default();
+    Failure::wrong_input(
+        format!("there is no command `{name}`"),
+        format!("{question}commands: {}", known.join(", ")),
+    )
 }

@@ -181,15 +181,3 @@ fn exit_of(error: &StudyError) -> Exit {
         _ => Exit::Incomplete,
     }
 }
-
-impl From<clap::Error> for Failure {
-    /// clap writes paragraphs: what is wrong, tips, the usage.
-    fn from(error: clap::Error) -> Self {
-        let text = error.to_string();
-        let mut paragraphs = text.split("\n\n").map(|paragraph| paragraph.lines().map(str::trim));
-        let wrong: Vec<_> = paragraphs.next().into_iter().flatten().collect();
-        let wrong = wrong.join(" ");
-        let right: Vec<_> = paragraphs.flatten().filter(|line| !line.is_empty()).collect();
-        Self::wrong_input(wrong.strip_prefix("error: ").unwrap_or(&wrong), right.join("\n"))
-    }
-}

@@ -7,13 +7,14 @@
 //! - `threads`, `interrupt`, `progress`: the pool of `--threads`, Ctrl-C, bars and times.
 //! - `failure`: every error with its message, place, help and exit code.
 //! - `console`: results to standard output, all else to standard error.
-//! - `scoreboard`: the table of `judder reproduce`.
+//! - `scoreboard`, `plain`: the table of `judder reproduce`.
 
 mod arguments;
 mod commands;
 mod console;
 mod failure;
 mod interrupt;
+mod plain;
 mod progress;
 mod scoreboard;
 mod threads;
@@ -25,7 +26,6 @@ use clap::error::ErrorKind;
 
 use crate::arguments::Arguments;
 use crate::console::Console;
-use crate::failure::Failure;
 
 fn main() -> ExitCode {
     let (console, outcome) = match Arguments::try_parse() {
@@ -39,7 +39,7 @@ fn main() -> ExitCode {
             let _ = help.print();
             return ExitCode::SUCCESS;
         }
-        Err(error) => (Console::before_parsing(), Err(Failure::from(error))),
+        Err(error) => (Console::before_parsing(), Err(arguments::refuse(&error))),
     };
     let exit = outcome.unwrap_or_else(|failure| {
         console.failure(&failure);

@@ -19,9 +19,10 @@ Examples:
   judder run case.toml --only map --only thresholds --threads 8
   judder run case.toml --json | jq .results.map.unstable_fraction
 
-The folder then holds summary.json, results.zarr, tables as CSV, figures and report.html. A second run goes on where
-the first one ended: an analysis runs again only where something that it depends on has changed. Ctrl-C ends cleanly
-and keeps what is done; once more, at once.";
+The folder then holds summary.json, results.zarr, tables as CSV, figures and report.html. A second run goes on \
+where the first one ended: an analysis runs again only where something that it depends on has changed.
+
+Ctrl-C ends cleanly and keeps what is done; a second Ctrl-C ends at once.";
 
 /// Run the analyses of a case; a rerun resumes
 #[derive(Debug, Args)]

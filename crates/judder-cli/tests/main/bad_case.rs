@@ -1,0 +1,140 @@
+//! Cases that are refused, each with what is wrong, what would be right, exit code 2 and nothing left behind.
+
+use crate::desk::{CASE, Desk};
+
+/// Checks that `run`, `check` and `point` refuse the small case with these lines in place of others.
+fn refused(lines: &str, message: &str, help: &str) {
+    let desk = Desk::with_case(&format!("model = \"oscillator\"\n{lines}\n"));
+    for command in ["run", "check", "point"] {
+        desk.refused(&[command, "case.toml"], message, help);
+    }
+}
+
+fn map(x: &str) -> String {
+    format!(
+        "[[analysis]]\nkind = \"stability-map\"\nx = {{ {x} }}\n\
+         y = {{ key = \"contact.shear_strength\", from = 1e-4, to = 1, points = 25000, scale = \"log\" }}"
+    )
+}
+
+#[test]
+fn an_unknown_key() {
+    let message = "unknown key `velocty` in [operation]";
+    refused("[operation]\nvelocty = 1e-4", message, "did you mean `velocity`?");
+    refused("[operation]\nvelocty = 1e-4", "case.toml:3:1", "velocty = 1e-4");
+}
+
+#[test]
+fn a_wrong_unit() {
+    let message = "`operation.velocity` must be a speed, but this is a length";
+    refused("[operation]\nvelocity = \"30 mm\"", message, "write a speed, such as \"30 mm/s\"");
+}
+
+#[test]
+fn a_negative_stiffness() {
+    let message = "`oscillator.stiffness_x` must be greater than 0";
+    refused("[oscillator]\nstiffness_x = \"-50 N/m\"", message, "out of range");
+}
+
+#[test]
+fn nan() {
+    let message = "`operation.normal_load` is not a finite number";
+    refused("[operation]\nnormal_load = nan", message, "not values of a case");
+}
+
+#[test]
+fn an_empty_range() {
+    let x = "key = \"operation.velocity\", from = 1, to = 1, points = 40";
+    refused(&map(x), "the range is empty", "let `from` and `to` differ");
+}
+
+#[test]
+fn a_logarithmic_range_through_zero() {
+    let x = "key = \"operation.velocity\", from = 0, to = 1, points = 40, scale = \"log\"";
+    refused(&map(x), "a logarithmic range cannot touch or pass zero", "use scale = \"linear\"");
+}
+
+#[test]
+fn a_sweep_of_a_key_that_does_not_exist() {
+    let x = "key = \"operation.velocty\", from = 1e-8, to = 1, points = 40";
+    refused(&map(x), "unknown swept key `operation.velocty`", "did you mean `operation.velocity`?");
+}
+
+#[test]
+fn a_map_of_a_thousand_million_points() {
+    let x = "key = \"operation.velocity\", from = 1e-8, to = 1e2, points = 40000, scale = \"log\"";
+    refused(&map(x), "40000 × 25000 = 1000000000 points need 14.9 GiB of memory", "the limit is");
+}
+
+#[test]
+fn what_later_versions_bring() {
+    let later = "comes with a later version";
+    for law in ["bem", "file"] {
+        let message = format!("`{law}` {later}");
+        refused(&format!("[contact]\nlaw = \"{law}\""), &message, "available: oscillator-paper");
+    }
+    for kind in ["motion", "bifurcation", "limit-cycle", "basin"] {
+        let message = format!("the analysis kind `{kind}` {later}");
+        refused(&format!("[[analysis]]\nkind = \"{kind}\""), &message, "available: ");
+    }
+    for model in ["contact", "sliding", "structure"] {
+        let desk = Desk::with_case(&format!("model = \"{model}\""));
+        desk.refused(&["run", "case.toml"], &format!("the model `{model}` {later}"), "available: oscillator");
+    }
+}
+
+#[test]
+fn files_that_are_no_case() {
+    let desk = Desk::with_case(CASE);
+    desk.write("binary.toml", [0x7f, b'E', b'L', b'F', 0xff, 0xfe]);
+    desk.write("empty.toml", "# nothing\n");
+    desk.write("prose.toml", "velocity is thirty\n");
+    let begin = "`judder new` prints a case file to start from";
+    desk.refused(&["run", "missing.toml"], "there is no file `missing.toml`", begin);
+    desk.refused(&["run", "."], "`.` is a folder, not a case file", begin);
+    desk.refused(&["run", "binary.toml"], "`binary.toml` is not a text file: the byte at offset 4", begin);
+    desk.refused(&["run", "empty.toml"], "`empty.toml` is empty", begin);
+    desk.refused(&["run", "prose.toml"], "this is not TOML", "prose.toml:1:");
+    // a path through a file cannot be read, whoever asks
+    desk.refused(&["run", "case.toml/inner.toml"], "cannot read `case.toml/inner.toml`", "Not a directory");
+}
+
+#[test]
+fn set_options() {
+    let desk = Desk::with_case(CASE);
+    let refused = |option: &str, message: &str, help: &str| {
+        desk.refused(&["run", "case.toml", "--set", option], message, help);
+    };
+    refused("operation.velocity", "is not of the form key=value", "--set \"operation.velocity=30 mm/s\"");
+    refused("operation.velocty=1", "unknown key `velocty`", "did you mean `velocity`?");
+    refused("operation.velocity=30 mm", "but this is a length", "[--set:1:20]");
+    refused("operation.velocity=nan", "is not a finite number", "[--set:1:20]");
+}
+
+#[test]
+fn the_place_is_drawn() {
+    let desk = Desk::with_case("model = \"oscillator\"\n\n[operation]\nvelocty = 1e-4\n");
+    let expected = "  × unknown key `velocty` in [operation]
+   ╭─[case.toml:4:1]
+ 3 │ [operation]
+ 4 │ velocty = 1e-4
+   · ───┬───
+   ·    ╰── unknown key
+   ╰────
+  help: did you mean `velocity`? keys here: velocity, normal_load
+";
+    assert_eq!(desk.judder(&["check", "case.toml"]).stderr, expected);
+}
+
+#[test]
+fn the_place_is_in_the_document() {
+    let desk = Desk::with_case("model = \"oscillator\"\n\n[operation]\nvelocity = \"3 τ\"\n");
+    let said = desk.judder(&["--json", "run", "case.toml"]);
+    assert_eq!(said.code, 2);
+    said.says("`operation.velocity` is not a speed");
+    let error = &said.json()["error"];
+    assert_eq!(error["message"], "`operation.velocity` is not a speed: unknown unit `τ`");
+    let place = serde_json::json!({ "source": "case.toml", "line": 4, "column": 15, "text": "τ" });
+    assert_eq!(error["place"], place);
+    assert!(error["help"].as_str().unwrap().starts_with("write a speed"));
+}

@@ -1,0 +1,73 @@
+//! Folders that cannot take or do not hold a study.
+
+use std::fs;
+
+use crate::desk::{CASE, Desk};
+
+#[test]
+fn an_output_folder_that_is_a_file() {
+    let desk = Desk::with_case(CASE);
+    desk.write("taken", "precious");
+    let message = "a study needs a folder, and this is a file";
+    desk.refused(&["run", "case.toml", "-o", "taken"], message, "name another place with -o");
+    desk.refused(&["run", "case.toml", "-o", "taken/inner"], message, "name another place with -o");
+    desk.refused(&["reproduce", "--quick", "-o", "taken"], message, "name another place with -o");
+    desk.refused(&["report", "taken"], message, "");
+    assert_eq!(fs::read_to_string(desk.path("taken")).unwrap(), "precious");
+}
+
+#[test]
+fn a_folder_with_files_of_others() {
+    let desk = Desk::with_case(CASE);
+    let message = "not a study and not empty (it holds `case.toml`)";
+    desk.refused(&["run", "case.toml", "-o", "."], message, "so that nothing of yours is overwritten");
+}
+
+#[test]
+fn a_folder_that_is_no_study() {
+    let desk = Desk::with_case(CASE);
+    fs::create_dir(desk.path("empty")).unwrap();
+    for folder in ["empty", "nowhere"] {
+        desk.refused(&["report", folder], "no study here", "`judder run` makes one");
+    }
+}
+
+#[test]
+fn a_summary_of_something_else() {
+    let desk = Desk::with_case(CASE);
+    fs::create_dir(desk.path("other")).unwrap();
+    desk.write("other/summary.json", "{\"by\": \"someone else\"}");
+    let said = desk.judder(&["report", "other"]);
+    assert_eq!(said.code, 2);
+    said.says("not a summary of judder");
+    said.says("--fresh");
+}
+
+/// In a file system of 128 KiB that lives only as long as the shell which mounted it.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk() {
+    use std::process::Command;
+
+    const SCRIPT: &str = "mount -t tmpfs -o size=128k none disk && touch mounted && \
+        \"$JUDDER\" run case.toml -o disk/study; code=$?; find disk -mindepth 1 > left; \
+        cat disk/study/summary.json > summary.json; exit $code";
+    let desk = Desk::with_case(&CASE.replace("points = 24", "points = 400"));
+    fs::create_dir(desk.path("disk")).unwrap();
+    let output = Command::new("unshare")
+        .args(["--user", "--map-root-user", "--mount", "sh", "-c", SCRIPT])
+        .env("JUDDER", env!("CARGO_BIN_EXE_judder"))
+        .current_dir(desk.path("."))
+        .output();
+    if !desk.path("mounted").exists() {
+        eprintln!("SKIPPED: a_full_disk needs `unshare` and leave to mount: {output:?}");
+        return;
+    }
+    let said = crate::desk::Said::of(output.unwrap());
+    assert_eq!(said.code, 1, "{}", said.stderr);
+    said.says("no room for ");
+    said.says("what is done is kept");
+    let left = fs::read_to_string(desk.path("left")).unwrap();
+    assert!(!left.contains(".tmp") && !left.contains("staging"), "{left}");
+    desk.read_json("summary.json");
+}

@@ -1,0 +1,14 @@
+//! The command from outside: exit codes, messages, documents, folders.
+
+#![allow(clippy::expect_used, clippy::panic, clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod bad_arguments;
+mod bad_case;
+mod bad_folder;
+mod desk;
+mod editors;
+mod interrupt;
+mod point;
+mod reproduce;
+mod run;
+mod speaking;

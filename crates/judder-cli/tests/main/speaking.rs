@@ -1,0 +1,89 @@
+//! Streams: who says what where, and with which colours.
+
+use std::process::Stdio;
+
+use crate::desk::{CASE, Desk, Said};
+
+#[test]
+fn alone_it_prints_help() {
+    let desk = Desk::new();
+    let help = desk.succeed(&[]).stdout;
+    for command in ["new", "check", "run", "point", "report", "reproduce", "schema"] {
+        assert!(help.contains(&format!("\n  {command} ")), "{command} is not in\n{help}");
+        let own = desk.succeed(&[command, "--help"]).stdout;
+        assert!(own.contains("Example"), "{own}");
+    }
+    assert!(help.contains("Exit codes:"));
+    assert!(desk.succeed(&["--version"]).stdout.starts_with("judder "));
+}
+
+#[test]
+fn quiet_says_nothing() {
+    let desk = Desk::with_case(CASE);
+    let said = desk.succeed(&["run", "case.toml", "-q"]);
+    assert_eq!((said.stdout.as_str(), said.stderr.as_str()), ("", ""));
+    let said = desk.succeed(&["report", "out/case", "--quiet"]);
+    assert_eq!((said.stdout.as_str(), said.stderr.as_str()), ("", ""));
+    assert!(!desk.succeed(&["point", "case.toml", "-q"]).stdout.is_empty());
+    desk.refused(&["-q", "run", "missing.toml"], "there is no file", "judder new");
+}
+
+#[test]
+fn verbose_says_more() {
+    let desk = Desk::with_case(CASE);
+    let said = desk.succeed(&["run", "case.toml"]);
+    assert_eq!(said.stdout, "");
+    said.says("report: out/case/report.html");
+    assert!(!said.stderr.contains("loci: 11 of 11 steps"));
+    let said = desk.succeed(&["run", "case.toml", "--fresh", "-v"]);
+    said.says("loci: 11 of 11 steps in ");
+    said.says("wall time: ");
+    assert!(!said.stderr.contains("folder: "));
+    desk.succeed(&["run", "case.toml", "-vv"]).says("folder: out/case");
+}
+
+#[test]
+fn documents_stand_alone() {
+    let desk = Desk::with_case(CASE);
+    let summary = desk.succeed(&["run", "case.toml", "--json", "-vv"]).json();
+    assert_eq!(summary, desk.read_json("out/case/summary.json"));
+    let report = desk.succeed(&["--json", "report", "out/case"]).json();
+    assert_eq!(report, serde_json::json!({ "report": "out/case/report.html" }));
+}
+
+#[test]
+fn colours_are_asked_for() {
+    let desk = Desk::new();
+    let coloured = |variables: &[(&str, &str)]| {
+        let mut command = desk.command(&["run", "missing.toml"]);
+        command.envs(variables.iter().copied());
+        Said::of(command.output().unwrap()).stderr.contains('\u{1b}')
+    };
+    assert!(!coloured(&[]), "no terminal, no colours");
+    assert!(coloured(&[("CLICOLOR_FORCE", "1")]));
+    assert!(!coloured(&[("CLICOLOR_FORCE", "0")]));
+    assert!(!coloured(&[("NO_COLOR", "1")]));
+    assert!(!coloured(&[("CLICOLOR", "0")]));
+}
+
+#[test]
+fn a_reader_that_has_gone_is_no_failure() {
+    let desk = Desk::with_case(CASE);
+    for arguments in [&["schema"][..], &["new"], &["point", "case.toml", "--json"], &["--help"], &[]] {
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        let mut command = desk.command(arguments);
+        let said = Said::of(command.stdout(writer).stderr(Stdio::piped()).output().unwrap());
+        assert_eq!((said.code, said.stderr.as_str()), (0, ""), "{arguments:?}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_result_that_cannot_be_written_is_missing() {
+    let desk = Desk::with_case(CASE);
+    let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+    let said = Said::of(desk.command(&["schema"]).stdout(full).output().unwrap());
+    assert_eq!(said.code, 1);
+    said.says("standard output could not be written: No space left on device");
+}

@@ -39,7 +39,7 @@ pub(crate) enum Command {
 ///
 /// # Errors
 /// Why there is no result.
-pub(crate) fn execute(command: Option<Command>, console: &Console) -> Result<Exit, Failure> {
+pub(crate) fn execute(command: Option<Command>, console: Console) -> Result<Exit, Failure> {
     match command {
         Some(Command::New(new)) => new.execute(console),
         Some(Command::Check(check)) => check.execute(console),

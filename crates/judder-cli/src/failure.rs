@@ -52,7 +52,7 @@ impl Message {
         Self { help: Some(help.into()), ..self }
     }
 
-    /// The errors of the lower floors say what is wrong and, after the last semicolon, what would be right.
+    /// The store says what is wrong and, after the last semicolon, what would be right.
     fn from_sentence(error: &impl Display) -> Self {
         let text = error.to_string();
         match text.rsplit_once("; ") {
@@ -159,7 +159,12 @@ impl From<StudyError> for Failure {
                     _ => format!("it has {}", known.join(", ")),
                 })
             }
-            error => Message::from_sentence(&error),
+            StudyError::WrongModel { command, model } => Message::error(format!(
+                "`judder {command}` takes an oscillator case; this one is of model `{model}`"
+            ))
+            .with_help("`judder check` and `judder run` take it"),
+            error @ (StudyError::Store(_) | StudyError::Interrupted) => Message::from_sentence(&error),
+            error => Message::error(error.to_string()),
         };
         Self { exit, diagnostic: Box::new(message) }
     }

@@ -31,7 +31,7 @@ fn main() -> ExitCode {
     let (console, outcome) = match Arguments::try_parse() {
         Ok(arguments) => {
             let console = arguments.console();
-            let outcome = commands::execute(arguments.command, &console);
+            let outcome = commands::execute(arguments.command, console);
             (console, outcome)
         }
         Err(help) if matches!(help.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) => {

@@ -22,7 +22,7 @@ pub(crate) struct Check {
 }
 
 impl Check {
-    pub(super) fn execute(&self, console: &Console) -> Result<Exit, Failure> {
+    pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
         let resolved = resolve(&self.case.read()?)?;
         console.result(|| resolved.text(), || resolved.json())?;
         Ok(Exit::Done)

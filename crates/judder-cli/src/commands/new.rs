@@ -29,7 +29,7 @@ pub(crate) struct New {
 }
 
 impl New {
-    pub(super) fn execute(&self, console: &Console) -> Result<Exit, Failure> {
+    pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
         let name = self.template.as_str();
         if LATER.contains(&name) {
             let help = format!("available: {}", TEMPLATES.join(", "));

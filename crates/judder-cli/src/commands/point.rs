@@ -26,7 +26,7 @@ pub(crate) struct Point {
 }
 
 impl Point {
-    pub(super) fn execute(&self, console: &Console) -> Result<Exit, Failure> {
+    pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
         let Case::Oscillator(case) = self.case.read()?.case else {
             return Err(StudyError::WrongModel { command: "point", model: "two-degrees" }.into());
         };

@@ -23,7 +23,7 @@ pub(crate) struct Report {
 }
 
 impl Report {
-    pub(super) fn execute(&self, console: &Console) -> Result<Exit, Failure> {
+    pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
         let page = rebuild(&self.folder)?;
         console.document(|| json!({ "report": page }))?;
         console.note(format_args!("report: {}", page.display()));

@@ -44,13 +44,13 @@ enum Paper {
 }
 
 impl Reproduce {
-    pub(super) fn execute(&self, console: &Console) -> Result<Exit, Failure> {
+    pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
         if let Paper::BeamsPaper = self.paper {
             return Err(Failure::later("the reproduction of the beams paper", "available: oscillator-paper"));
         }
         let folder =
             self.output.clone().unwrap_or_else(|| Path::new("out/reproduce/oscillator-paper").into());
-        let bars = Bars::new(*console)?;
+        let bars = Bars::new(console)?;
         let reproduction = self.threads.install(|| oscillator_paper(&folder, self.quick, &bars))??;
         console.result(
             || scoreboard::text(&reproduction, output_width()),

@@ -44,14 +44,14 @@ pub(crate) struct Run {
 }
 
 impl Run {
-    pub(super) fn execute(&self, console: &Console) -> Result<Exit, Failure> {
+    pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
         let file = self.case.read()?;
         let folder = self.output.clone().unwrap_or_else(|| Path::new("out").join(&file.name));
         let options = RunOptions { only: self.only.clone(), fresh: self.fresh };
-        let bars = Bars::new(*console)?;
+        let bars = Bars::new(console)?;
         let report = self.threads.install(|| run(&file, &folder, &options, &bars))??;
         console.document(|| json!(report.summary))?;
-        Ok(tell(&report, *console))
+        Ok(tell(&report, console))
     }
 }
 

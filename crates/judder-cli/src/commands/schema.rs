@@ -18,7 +18,7 @@ An editor with a TOML language server (Taplo, Even Better TOML) completes and ch
 pub(crate) struct Schema {}
 
 impl Schema {
-    pub(super) fn execute(&self, console: &Console) -> Result<Exit, Failure> {
+    pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
         console.result(|| format!("{:#}\n", judder_case::schema()), judder_case::schema)?;
         Ok(Exit::Done)
     }

@@ -66,7 +66,11 @@ fn an_analysis_that_the_case_does_not_have() {
 fn point_is_for_oscillators() {
     let case = "model = \"two-degrees\"\n[matrices]\nstiffness = [[2, 0], [0, 1]]";
     let message = "`judder point` takes an oscillator case; this one is of model `two-degrees`";
-    Desk::with_case(case).refused(&["point", "case.toml"], message, "");
+    Desk::with_case(case).refused(
+        &["point", "case.toml"],
+        message,
+        "`judder check` and `judder run` take it",
+    );
 }
 
 #[test]
@@ -76,7 +80,6 @@ fn errors_are_documents_too() {
         let said = desk.judder(arguments);
         assert_eq!(said.code, 2, "{arguments:?}");
         let error = said.json()["error"].clone();
-        // `explore` takes whatever stands behind it
         assert!(error["message"].is_string() && error["help"].is_string(), "{arguments:?}: {error}");
         assert!(error["place"].is_null());
     }

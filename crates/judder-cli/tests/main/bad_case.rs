@@ -32,7 +32,7 @@ fn a_wrong_unit() {
 
 #[test]
 fn a_negative_stiffness() {
-    let message = "`oscillator.stiffness_x` must be greater than 0";
+    let message = "`oscillator.stiffness_x` must be positive, but is -50.0";
     refused("[oscillator]\nstiffness_x = \"-50 N/m\"", message, "out of range");
 }
 
@@ -50,7 +50,7 @@ fn an_empty_range() {
 
 #[test]
 fn a_logarithmic_range_through_zero() {
-    let x = "key = \"operation.velocity\", from = 0, to = 1, points = 40, scale = \"log\"";
+    let x = "key = \"oscillator.coupling\", from = 0, to = 1, points = 40, scale = \"log\"";
     refused(&map(x), "a logarithmic range cannot touch or pass zero", "use scale = \"linear\"");
 }
 
@@ -69,9 +69,9 @@ fn a_map_of_a_thousand_million_points() {
 #[test]
 fn what_later_versions_bring() {
     let later = "comes with a later version";
-    for law in ["bem", "file"] {
-        let message = format!("`{law}` {later}");
-        refused(&format!("[contact]\nlaw = \"{law}\""), &message, "available: oscillator-paper");
+    for (law, name) in [("\"bem\"", "bem"), ("{ file = \"law.json\" }", "{ file = … }")] {
+        let message = format!("the contact law `{name}` {later}");
+        refused(&format!("[contact]\nlaw = {law}"), &message, "available: oscillator-paper");
     }
     for kind in ["motion", "bifurcation", "limit-cycle", "basin"] {
         let message = format!("the analysis kind `{kind}` {later}");

@@ -52,7 +52,13 @@ fn a_full_disk() {
     const SCRIPT: &str = "mount -t tmpfs -o size=128k none disk && touch mounted && \
         \"$JUDDER\" run case.toml -o disk/study; code=$?; find disk -mindepth 1 > left; \
         cat disk/study/summary.json > summary.json; exit $code";
-    let desk = Desk::with_case(&CASE.replace("points = 24", "points = 400"));
+    // the first analysis fits, the second does not
+    let desk = Desk::with_case(
+        "model = \"oscillator\"\n[[analysis]]\nname = \"small\"\nkind = \"equivalent-damping\"\n\
+         sweep = { key = \"operation.velocity\", from = 1e-3, to = 1, points = 5 }\n\
+         [[analysis]]\nname = \"large\"\nkind = \"spectrum\"\n\
+         sweep = { key = \"operation.velocity\", from = 1e-3, to = 1, points = 20000 }\n",
+    );
     fs::create_dir(desk.path("disk")).unwrap();
     let output = Command::new("unshare")
         .args(["--user", "--map-root-user", "--mount", "sh", "-c", SCRIPT])
@@ -69,5 +75,7 @@ fn a_full_disk() {
     said.says("what is done is kept");
     let left = fs::read_to_string(desk.path("left")).unwrap();
     assert!(!left.contains(".tmp") && !left.contains("staging"), "{left}");
-    desk.read_json("summary.json");
+    let summary = desk.read_json("summary.json");
+    assert_eq!(summary["analyses"]["small"]["status"], "done");
+    assert!(summary["results"]["large"].is_null());
 }

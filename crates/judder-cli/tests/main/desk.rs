@@ -17,6 +17,7 @@ name = "map"
 kind = "stability-map"
 x = { key = "operation.velocity", from = 1e-8, to = 1e2, points = 24, scale = "log" }
 y = { key = "contact.shear_strength", from = 1e-4, to = 1.0, points = 20, scale = "log" }
+boundaries = false
 
 [[analysis]]
 name = "loci"

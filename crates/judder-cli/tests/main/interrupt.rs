@@ -30,8 +30,8 @@ model = "oscillator"
 [[analysis]]
 name = "deaf"
 kind = "stability-map"
-x = { key = "operation.velocity", from = 1e-8, to = 1e2, points = 12000, scale = "log" }
-y = { key = "oscillator.coupling", from = 0.5, to = 1.5, points = 4000 }
+x = { key = "operation.velocity", from = 1e-8, to = 1e2, points = 4000, scale = "log" }
+y = { key = "oscillator.coupling", from = 0.5, to = 1.5, points = 2000 }
 method = "every-point"
 boundaries = false
 "#;

@@ -27,7 +27,7 @@ fn matrix(value: &Value) -> [[f64; 2]; 2] {
 
 fn eigenvalues(point: &Value) -> Vec<(f64, f64)> {
     let pairs = point["eigenvalues"].as_array().unwrap();
-    pairs.iter().map(|pair| numbers(pair)).map(|pair| (pair[0], pair[1])).collect()
+    pairs.iter().map(numbers).map(|pair| (pair[0], pair[1])).collect()
 }
 
 fn determinant(m: [[f64; 2]; 2]) -> f64 {
@@ -151,7 +151,7 @@ fn a_point_without_contact_has_no_answer() {
     // nothing presses: refused by the case
     Desk::with_case(CASE).refused(
         &["point", "case.toml", "--set", "operation.normal_load=0"],
-        "`operation.normal_load` must be greater than 0",
+        "`operation.normal_load` must be positive, but is 0.0",
         "out of range",
     );
 }

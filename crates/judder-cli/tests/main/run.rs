@@ -43,7 +43,7 @@ fn the_summary_has_its_keys() {
         for roots in ["full", "conservative"] {
             let lists = critical[roots].as_array().unwrap();
             assert_eq!(lists.len(), 5, "{name}.{roots}");
-            let ascending = |list: &Value| list.as_array().unwrap().is_sorted_by_key(|root| root.as_f64());
+            let ascending = |list: &Value| list.as_array().unwrap().is_sorted_by_key(Value::as_f64);
             assert!(lists.iter().all(ascending), "{name}.{roots}");
         }
     }

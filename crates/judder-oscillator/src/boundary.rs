@@ -2,9 +2,8 @@
 //!
 //! The equilibrium has one solution at every point of the plane, so it is eliminated, and the boundary is the zero set of
 //! one function of two positions: the third Hurwitz determinant (a Hopf boundary, since p0 = det K > 0), or for the
-//! conservative system the discriminant of (24), (25). The curve is followed by pseudo-arclength: a step along the tangent, then
-//! Newton across it. The gradient is by central differences; it steers, the residual decides. Starting points are the sign
-//! changes of the stability margin on a coarse grid, so that closed loops and several branches are found.
+//! conservative system the discriminant of (24), (25). The curve is followed in steps of arclength. Starting points are
+//! the sign changes of the stability margin on a coarse grid, so that closed loops and several branches are found.
 
 mod continuation;
 mod field;

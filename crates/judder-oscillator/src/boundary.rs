@@ -125,6 +125,23 @@ mod tests {
         Range { from, to, scale: Scale::Logarithmic }
     }
 
+    #[test]
+    fn curves_that_begin_on_the_border_are_whole() {
+        let (x, y) = (logarithmic(1e-8, 1e2), logarithmic(1e-9, 1e-1));
+        for load in [FrictionLoad::NormalLoad, FrictionLoad::ContactForce] {
+            for (coupling, shear_strength) in [(1.0, 0.01), (0.0, 0.01), (1.0, 0.1), (0.0, 0.1)] {
+                let at = move |velocity, normal_load| {
+                    Groups { velocity, normal_load, shear_strength, coupling, ..Groups::default() }.resolve()
+                };
+                let curves = boundaries(&paper(load), Condition::Full, (&x, &y), &at);
+                assert!(
+                    curves.iter().all(|c| c.end != End::Stalled && c.points.len() > 10),
+                    "{load:?} {coupling}"
+                );
+            }
+        }
+    }
+
     fn of_fig_9(normal_load: f64) -> impl Fn(f64, f64) -> Coefficients + Sync {
         move |velocity, shear_strength| {
             Groups { velocity, shear_strength, normal_load, ..Groups::default() }.resolve()

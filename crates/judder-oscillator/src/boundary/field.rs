@@ -27,10 +27,11 @@ impl Field<'_> {
         (self.coefficients)(self.x.value(position[0]), self.y.value(position[1]))
     }
 
-    /// The margin whose sign is the stability, by the scalar path; NaN without an equilibrium. Outside the square it is that of
-    /// the nearest point of the border, so that a curve can be followed up to it.
+    /// The margin whose sign is the stability, by the scalar path; NaN without an equilibrium. Outside the square, where the
+    /// quantities may make no sense any more, it is then that of the nearest point of the border.
     pub(super) fn margin(&self, position: [f64; 2]) -> f64 {
-        let Some((_, system)) = self.state(position.map(|s| s.clamp(0.0, 1.0))) else { return f64::NAN };
+        let clamped = position.map(|s| s.clamp(0.0, 1.0));
+        let Some((_, system)) = self.state(position).or_else(|| self.state(clamped)) else { return f64::NAN };
         match self.condition {
             Condition::Full => Characteristic::new(&system).margin(),
             Condition::Conservative => discriminant_share(&system.stiffness),

@@ -1,0 +1,82 @@
+//! One module a command.
+
+mod check;
+mod new;
+mod point;
+mod report;
+mod reproduce;
+mod run;
+mod schema;
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+
+use clap::{Args, CommandFactory, Subcommand};
+use judder_case::CaseFile;
+
+use crate::arguments::Arguments;
+use crate::console::Console;
+use crate::failure::{Exit, Failure};
+
+/// What judder is asked to do.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    New(new::New),
+    Check(check::Check),
+    Run(run::Run),
+    Point(point::Point),
+    Report(report::Report),
+    Reproduce(reproduce::Reproduce),
+    Schema(schema::Schema),
+    #[command(hide = true, disable_help_flag = true)]
+    Explore {
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        rest: Vec<OsString>,
+    },
+}
+
+/// Does what was asked for.
+///
+/// # Errors
+/// Why there is no result.
+pub(crate) fn execute(command: Option<Command>, console: &Console) -> Result<Exit, Failure> {
+    match command {
+        Some(Command::New(new)) => new.execute(console),
+        Some(Command::Check(check)) => check.execute(console),
+        Some(Command::Run(run)) => run.execute(console),
+        Some(Command::Point(point)) => point.execute(console),
+        Some(Command::Report(report)) => report.execute(console),
+        Some(Command::Reproduce(reproduce)) => reproduce.execute(console),
+        Some(Command::Schema(schema)) => schema.execute(console),
+        Some(Command::Explore { .. }) => Err(Failure::later(
+            "`judder explore`",
+            "`judder run CASE.toml` writes report.html, a page to zoom and hover in",
+        )),
+        None if console.json() => {
+            Err(Failure::wrong_input("no command was given", "`judder --help` lists the commands"))
+        }
+        None => {
+            // A reader that has gone is no failure.
+            let _ = Arguments::command().print_help();
+            Ok(Exit::Done)
+        }
+    }
+}
+
+/// A case file with changes on top.
+#[derive(Debug, Args)]
+struct CaseArguments {
+    /// The case file
+    #[arg(value_name = "CASE.toml")]
+    case: PathBuf,
+    /// Set a key of the case on top of its file; may be given several times
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    overrides: Vec<String>,
+}
+
+impl CaseArguments {
+    /// Reads the case with the changes applied.
+    fn read(&self) -> Result<CaseFile, Failure> {
+        Ok(CaseFile::read(&self.case, &self.overrides)?)
+    }
+}

@@ -1,0 +1,30 @@
+//! `judder check`: what a case means and what it would take; nothing runs.
+
+use clap::Args;
+use judder_study::resolve::resolve;
+
+use super::CaseArguments;
+use crate::console::Console;
+use crate::failure::{Exit, Failure};
+
+const HELP: &str = "\
+Examples:
+  judder check case.toml
+  judder check case.toml --set \"operation.velocity=30 mm/s\"
+  judder check case.toml --json | jq .groups";
+
+/// Validate a case and print what it means: every key, stability limits, time and memory; run nothing
+#[derive(Debug, Args)]
+#[command(after_help = HELP)]
+pub(crate) struct Check {
+    #[command(flatten)]
+    case: CaseArguments,
+}
+
+impl Check {
+    pub(super) fn execute(&self, console: &Console) -> Result<Exit, Failure> {
+        let resolved = resolve(&self.case.read()?)?;
+        console.result(|| resolved.text(), || resolved.json())?;
+        Ok(Exit::Done)
+    }
+}

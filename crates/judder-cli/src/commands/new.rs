@@ -1,0 +1,42 @@
+//! `judder new`: a commented case file to start from.
+
+use clap::Args;
+use judder_case::{TEMPLATES, template};
+use serde_json::json;
+
+use crate::console::Console;
+use crate::failure::{Exit, Failure};
+
+/// Templates that a later version brings.
+const LATER: [&str; 1] = ["beams-paper"];
+
+const HELP: &str = "\
+Examples:
+  judder new > case.toml
+  judder new two-degrees > minimal.toml
+
+Templates:
+  oscillator    two degrees of freedom on a viscoelastic substrate; every key with the paper's value
+  two-degrees   mass, damping and stiffness matrices of your own, with parameters";
+
+/// Print a commented case file
+#[derive(Debug, Args)]
+#[command(after_help = HELP)]
+pub(crate) struct New {
+    /// Which one
+    #[arg(default_value = "oscillator")]
+    template: String,
+}
+
+impl New {
+    pub(super) fn execute(&self, console: &Console) -> Result<Exit, Failure> {
+        let name = self.template.as_str();
+        if LATER.contains(&name) {
+            let help = format!("available: {}", TEMPLATES.join(", "));
+            return Err(Failure::later(&format!("the template `{name}`"), &help));
+        }
+        let text = template(name)?;
+        console.result(|| text.clone(), || json!({ "template": name, "text": text }))?;
+        Ok(Exit::Done)
+    }
+}

@@ -1,0 +1,37 @@
+//! `judder point`: one operating point, in milliseconds.
+
+use clap::Args;
+use judder_case::Case;
+use judder_study::StudyError;
+use judder_study::point::point;
+
+use super::CaseArguments;
+use crate::console::Console;
+use crate::failure::{Exit, Failure};
+
+const HELP: &str = "\
+Examples:
+  judder point case.toml
+  judder point case.toml --set operation.velocity=1e-3 --set contact.shear_strength=0.05
+  judder point case.toml --json | jq .growth_rate
+
+All numbers are dimensionless as in the oscillator paper: eigenvalues in units of ω_nx, forces of E0* R², areas of R².";
+
+/// Analyse one operating point of an oscillator: equilibrium, matrices, eigenvalues, verdict, thresholds
+#[derive(Debug, Args)]
+#[command(after_help = HELP)]
+pub(crate) struct Point {
+    #[command(flatten)]
+    case: CaseArguments,
+}
+
+impl Point {
+    pub(super) fn execute(&self, console: &Console) -> Result<Exit, Failure> {
+        let Case::Oscillator(case) = self.case.read()?.case else {
+            return Err(StudyError::WrongModel { command: "point", model: "two-degrees" }.into());
+        };
+        let point = point(&case)?;
+        console.result(|| point.text(), || point.json())?;
+        Ok(if point.class.verdict().is_some() { Exit::Done } else { Exit::Incomplete })
+    }
+}

@@ -1,0 +1,66 @@
+//! `judder reproduce`: a paper, figure by figure, with its scoreboard.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+use judder_study::reproduce::oscillator_paper;
+
+use crate::console::{Console, output_width};
+use crate::failure::{Exit, Failure};
+use crate::progress::Bars;
+use crate::scoreboard;
+use crate::threads::Threads;
+
+const HELP: &str = "\
+Examples:
+  judder reproduce oscillator-paper
+  judder reproduce --quick -o out/quick
+  judder reproduce --json | jq '.scoreboard[] | select(.verdict == \"open\")'";
+
+/// Recompute every figure and quoted number of a paper and print the scoreboard
+#[derive(Debug, Args)]
+#[command(after_help = HELP)]
+pub(crate) struct Reproduce {
+    /// Which paper
+    #[arg(value_enum, default_value_t = Paper::OscillatorPaper)]
+    paper: Paper,
+    /// Fewer points: in seconds instead of minutes
+    #[arg(long)]
+    quick: bool,
+    /// The study folder [default: out/reproduce/<paper>]
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    threads: Threads,
+}
+
+/// The papers that judder knows.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum Paper {
+    /// Critical thresholds for mode-coupling instability in viscoelastic sliding contacts (2021)
+    OscillatorPaper,
+    /// Dynamic substructuring with time variant coupling conditions (2020); comes with a later version
+    BeamsPaper,
+}
+
+impl Reproduce {
+    pub(super) fn execute(&self, console: &Console) -> Result<Exit, Failure> {
+        if let Paper::BeamsPaper = self.paper {
+            return Err(Failure::later("the reproduction of the beams paper", "available: oscillator-paper"));
+        }
+        let folder =
+            self.output.clone().unwrap_or_else(|| Path::new("out/reproduce/oscillator-paper").into());
+        let bars = Bars::new(*console)?;
+        let reproduction = self.threads.install(|| oscillator_paper(&folder, self.quick, &bars))??;
+        console.result(
+            || scoreboard::text(&reproduction, output_width()),
+            || scoreboard::document(&reproduction),
+        )?;
+        console.note(format_args!("report: {}", reproduction.report.display()));
+        if reproduction.complete {
+            return Ok(Exit::Done);
+        }
+        console.incomplete("a result of the reproduction is missing", "the report says which");
+        Ok(Exit::Incomplete)
+    }
+}

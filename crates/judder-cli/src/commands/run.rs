@@ -1,0 +1,75 @@
+//! `judder run`: the analyses of a case into a study folder.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use judder_study::run::{RunOptions, RunReport, run};
+use serde_json::json;
+
+use super::CaseArguments;
+use crate::console::Console;
+use crate::failure::{Exit, Failure};
+use crate::progress::Bars;
+use crate::threads::Threads;
+
+const HELP: &str = "\
+Examples:
+  judder run case.toml
+  judder run case.toml -o out/fast --set operation.velocity=1e-2
+  judder run case.toml --only map --only thresholds --threads 8
+  judder run case.toml --json | jq .results.map.unstable_fraction
+
+The folder then holds summary.json, results.zarr, tables as CSV, figures and report.html. A second run goes on where
+the first one ended: an analysis runs again only where something that it depends on has changed. Ctrl-C ends cleanly
+and keeps what is done; once more, at once.";
+
+/// Run the analyses of a case; a rerun resumes
+#[derive(Debug, Args)]
+#[command(after_help = HELP)]
+pub(crate) struct Run {
+    #[command(flatten)]
+    case: CaseArguments,
+    /// The study folder [default: out/<case name>]
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    /// Run this analysis and no others; may be given several times
+    #[arg(long, value_name = "NAME")]
+    only: Vec<String>,
+    #[command(flatten)]
+    threads: Threads,
+    /// Forget earlier results first
+    #[arg(long)]
+    fresh: bool,
+}
+
+impl Run {
+    pub(super) fn execute(&self, console: &Console) -> Result<Exit, Failure> {
+        let file = self.case.read()?;
+        let folder = self.output.clone().unwrap_or_else(|| Path::new("out").join(&file.name));
+        let options = RunOptions { only: self.only.clone(), fresh: self.fresh };
+        let bars = Bars::new(*console)?;
+        let report = self.threads.install(|| run(&file, &folder, &options, &bars))??;
+        console.document(|| json!(report.summary))?;
+        Ok(tell(&report, *console))
+    }
+}
+
+/// Says what came of a run.
+fn tell(report: &RunReport, console: Console) -> Exit {
+    if !report.skipped.is_empty() {
+        console.note(format_args!("done before: {}", report.skipped.join(", ")));
+    }
+    for message in &report.messages {
+        console.warn(message);
+    }
+    console.detail(2, format_args!("folder: {}", report.folder.display()));
+    console.detail(2, format_args!("case: {}", report.summary.case_hash));
+    console.detail(1, format_args!("wall time: {:.2} s", report.summary.wall_time_s));
+    console.note(format_args!("report: {}", report.report.display()));
+    if report.complete {
+        return Exit::Done;
+    }
+    console
+        .incomplete("a requested result is missing or failed its check", "the report says which and where");
+    Exit::Incomplete
+}

@@ -1,0 +1,195 @@
+//! Every error with its message, place, help and exit code.
+
+use std::fmt::{self, Display};
+use std::io;
+use std::process::ExitCode;
+
+use judder_case::CaseError;
+use judder_store::StoreError;
+use judder_study::StudyError;
+use miette::{Diagnostic, Severity};
+use serde_json::{Value, json};
+
+/// How a command ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Exit {
+    /// Every requested result is there.
+    Done,
+    /// A requested result is missing, or a check failed.
+    Incomplete,
+    /// The input is wrong.
+    WrongInput,
+}
+
+impl From<Exit> for ExitCode {
+    fn from(exit: Exit) -> Self {
+        match exit {
+            Exit::Done => Self::SUCCESS,
+            Exit::Incomplete => Self::from(1),
+            Exit::WrongInput => Self::from(2),
+        }
+    }
+}
+
+/// What is wrong and what would be right, without a place in a file.
+#[derive(Debug)]
+pub(crate) struct Message {
+    severity: Severity,
+    text: String,
+    help: Option<String>,
+}
+
+impl Message {
+    pub(crate) fn error(text: impl Into<String>) -> Self {
+        Self { severity: Severity::Error, text: text.into(), help: None }
+    }
+
+    pub(crate) fn warning(text: impl Into<String>) -> Self {
+        Self { severity: Severity::Warning, text: text.into(), help: None }
+    }
+
+    pub(crate) fn with_help(self, help: impl Into<String>) -> Self {
+        Self { help: Some(help.into()), ..self }
+    }
+
+    /// The errors of the lower floors say what is wrong and, after the last semicolon, what would be right.
+    fn from_sentence(error: &impl Display) -> Self {
+        let text = error.to_string();
+        match text.rsplit_once("; ") {
+            Some((wrong, right)) => Self::error(wrong).with_help(right),
+            None => Self::error(text),
+        }
+    }
+}
+
+impl Display for Message {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.text)
+    }
+}
+
+impl std::error::Error for Message {}
+
+impl Diagnostic for Message {
+    fn severity(&self) -> Option<Severity> {
+        Some(self.severity)
+    }
+
+    fn help<'a>(&'a self) -> Option<Box<dyn Display + 'a>> {
+        self.help.as_ref().map(|help| Box::new(help) as Box<dyn Display>)
+    }
+}
+
+/// Why a command has no result.
+#[derive(Debug)]
+pub(crate) struct Failure {
+    /// How the command ends.
+    pub(crate) exit: Exit,
+    diagnostic: Box<dyn Diagnostic>,
+}
+
+impl Failure {
+    /// The input is wrong, and how to mend it.
+    pub(crate) fn wrong_input(text: impl Into<String>, help: impl Into<String>) -> Self {
+        Self { exit: Exit::WrongInput, diagnostic: Box::new(Message::error(text).with_help(help)) }
+    }
+
+    /// Something that this version does not have yet, and what it has.
+    pub(crate) fn later(what: &str, help: &str) -> Self {
+        Self::wrong_input(format!("{what} comes with a later version"), help)
+    }
+
+    /// The result could not be computed or kept.
+    pub(crate) fn missing(message: Message) -> Self {
+        Self { exit: Exit::Incomplete, diagnostic: Box::new(message) }
+    }
+
+    /// Standard output could not be written.
+    pub(crate) fn output(source: io::Error) -> Self {
+        Self::missing(Message::error(format!("standard output could not be written: {source}")))
+    }
+
+    /// The error as it is drawn.
+    pub(crate) fn diagnostic(&self) -> &dyn Diagnostic {
+        &*self.diagnostic
+    }
+
+    /// The error as a document: `place` is null where the error has none, `line` and `column` count from 1.
+    pub(crate) fn json(&self) -> Value {
+        let error = &self.diagnostic;
+        let mut message = error.to_string();
+        let mut cause = error.source();
+        while let Some(source) = cause {
+            message = format!("{message}: {source}");
+            cause = source.source();
+        }
+        let help = error.help().map(|help| help.to_string());
+        json!({ "error": { "message": message, "place": place(&**error), "help": help } })
+    }
+}
+
+/// Where in which text an error lies.
+fn place(error: &dyn Diagnostic) -> Option<Value> {
+    let label = error.labels()?.next()?;
+    let found = error.source_code()?.read_span(label.inner(), 0, 0).ok()?;
+    Some(json!({
+        "source": found.name(),
+        "line": found.line() + 1,
+        "column": found.column() + 1,
+        "text": String::from_utf8_lossy(found.data()),
+    }))
+}
+
+impl From<CaseError> for Failure {
+    fn from(error: CaseError) -> Self {
+        Self { exit: Exit::WrongInput, diagnostic: Box::new(error) }
+    }
+}
+
+impl From<StudyError> for Failure {
+    fn from(error: StudyError) -> Self {
+        let exit = exit_of(&error);
+        let message = match error {
+            StudyError::Case(error) => return error.into(),
+            StudyError::NoResults { folder } => Message::error(format!("{folder}: no results here yet"))
+                .with_help(format!("`judder run CASE.toml -o {folder}` makes some")),
+            StudyError::UnknownAnalysis { name, known } => {
+                Message::error(format!("the case has no analysis `{name}`")).with_help(match known.len() {
+                    0 => "it has none at all".to_owned(),
+                    _ => format!("it has {}", known.join(", ")),
+                })
+            }
+            error => Message::from_sentence(&error),
+        };
+        Self { exit, diagnostic: Box::new(message) }
+    }
+}
+
+/// Whether the input is to blame for an error.
+fn exit_of(error: &StudyError) -> Exit {
+    match error {
+        StudyError::Case(_)
+        | StudyError::UnknownAnalysis { .. }
+        | StudyError::WrongModel { .. }
+        | StudyError::NoResults { .. }
+        | StudyError::Store(
+            StoreError::NotAFolder { .. }
+            | StoreError::ForeignFolder { .. }
+            | StoreError::NoStudy { .. }
+            | StoreError::SummaryUnreadable { .. },
+        ) => Exit::WrongInput,
+        _ => Exit::Incomplete,
+    }
+}
+
+impl From<clap::Error> for Failure {
+    /// clap writes paragraphs: what is wrong, tips, the usage.
+    fn from(error: clap::Error) -> Self {
+        let text = error.to_string();
+        let mut paragraphs = text.split("\n\n").map(|paragraph| paragraph.lines().map(str::trim));
+        let wrong: Vec<_> = paragraphs.next().into_iter().flatten().collect();
+        let wrong = wrong.join(" ");
+        let right: Vec<_> = paragraphs.flatten().filter(|line| !line.is_empty()).collect();
+        Self::wrong_input(wrong.strip_prefix("error: ").unwrap_or(&wrong), right.join("\n"))
+    }
+}

@@ -3,7 +3,7 @@
 use crate::cause::Cause;
 use crate::document::{Data, Node};
 use crate::error::Fault;
-use crate::section::{Section, list, text, wrong_type};
+use crate::section::{Section, text, wrong_type};
 
 /// One analysis of a case.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,7 +52,10 @@ pub(crate) fn read_analyses<S, T>(
 ) -> Result<Vec<Analysis<T>>, Fault> {
     let Some(node) = root.get("analysis") else { return Ok(Vec::new()) };
     let mut analyses: Vec<Analysis<T>> = Vec::new();
-    for node in list("analysis", node)? {
+    let Data::List(nodes) = &node.data else {
+        return Err(wrong_type("analysis", "a list, each item headed [[analysis]]", node));
+    };
+    for node in nodes {
         let kind = find_kind(node, kinds)?;
         let known: Vec<_> = ["name", "kind"].iter().chain(kind.keys).copied().collect();
         let section = Section::open(node, "", &format!("an analysis of kind `{}`", kind.name), &known)?;

@@ -154,7 +154,7 @@ pub enum Cause {
         key: String,
     },
     /// A number outside the range of its key.
-    #[error("`{key}` must be {range}, but is {number}")]
+    #[error("`{key}` must be {range}, but is {number:?}")]
     OutOfRange {
         /// The key.
         key: String,
@@ -180,7 +180,7 @@ pub enum Cause {
         terms: usize,
     },
     /// A Prony compliance that leaves no positive glassy modulus: 1/E∞ = 1/E0 − compliance.
-    #[error("the prony compliance {compliance} 1/Pa is not below 1/E0 = {limit} 1/Pa")]
+    #[error("the prony compliance {compliance:e} 1/Pa is not below 1/E0 = {limit:e} 1/Pa")]
     PronyCompliance {
         /// The compliance of the term, 1/Pa.
         compliance: f64,
@@ -188,7 +188,7 @@ pub enum Cause {
         limit: f64,
     },
     /// E∞ < E0, or E∞ = E0 with a law that needs relaxation.
-    #[error("the glassy modulus {glassy} Pa is not above the rubbery modulus {rubbery} Pa")]
+    #[error("the glassy modulus {glassy:e} Pa is not above the rubbery modulus {rubbery:e} Pa")]
     GlassyBelowRubbery {
         /// E0, Pa.
         rubbery: f64,
@@ -206,13 +206,13 @@ pub enum Cause {
         known: Vec<String>,
     },
     /// A sweep that begins where it ends.
-    #[error("the range is empty: from and to are both {from}")]
+    #[error("the range is empty: from and to are both {from:?}")]
     EmptyRange {
         /// Both ends.
         from: f64,
     },
     /// A range in which roots are sought that runs backwards.
-    #[error("the range runs backwards: from {from} to {to}")]
+    #[error("the range runs backwards: from {from:?} to {to:?}")]
     Backwards {
         /// The first end.
         from: f64,
@@ -220,13 +220,13 @@ pub enum Cause {
         to: f64,
     },
     /// A sweep of fewer than two points.
-    #[error("{points} points do not make a sweep")]
+    #[error("a sweep has at least 2 points, not {points}")]
     TooFewPoints {
         /// The number of points asked for.
         points: i64,
     },
     /// A logarithmic range that touches or passes zero.
-    #[error("a logarithmic range cannot touch or pass zero: {from} to {to}")]
+    #[error("a logarithmic range cannot touch or pass zero: {from:?} to {to:?}")]
     LogThroughZero {
         /// The first end.
         from: f64,

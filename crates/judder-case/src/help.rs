@@ -37,6 +37,7 @@ impl Cause {
                 "`judder new` prints a case file to start from".to_owned()
             }
             Self::Unreadable { .. } => return None,
+            Self::Syntax { message } if !message.contains("quoted") => return None,
             Self::Syntax { .. } => "text and quantities stand in quotes: velocity = \"30 mm/s\"".to_owned(),
             Self::OverrideForm { .. } => {
                 "write the dotted key, `=`, the value: --set \"operation.velocity=30 mm/s\"".to_owned()
@@ -70,7 +71,10 @@ impl Cause {
             }
             Self::EmptyRange { .. } => "let `from` and `to` differ".to_owned(),
             Self::Backwards { .. } => "exchange `from` and `to`".to_owned(),
-            Self::TooFewPoints { .. } => "at least 2 points are needed".to_owned(),
+            Self::TooFewPoints { .. } => "count both ends".to_owned(),
+            Self::KeyTwice { .. } => "take two different quantities".to_owned(),
+            Self::NotFinite { .. } => "nan, inf and numbers beyond 1e308 are not values of a case".to_owned(),
+            Self::EmptyList { .. } => "give at least one value, or leave the table out".to_owned(),
             Self::LogThroughZero { .. } => {
                 "let both ends have one sign, or use scale = \"linear\"".to_owned()
             }
@@ -102,7 +106,7 @@ fn with_example(dimension: Dimension) -> String {
 fn help_for_quantity(dimension: Dimension, problem: &QuantityError) -> String {
     match problem {
         QuantityError::UnknownUnit { .. } => {
-            format!("{}; known units: {UNIT_LIST}", with_example(dimension))
+            format!("write {}; known units: {UNIT_LIST}", with_example(dimension))
         }
         QuantityError::FactorAfterQuotient => "write one `/` before each divisor: J/kg/s".to_owned(),
         _ => format!("write {}", with_example(dimension)),

@@ -73,18 +73,22 @@ impl TimeForm {
     }
 }
 
-/// The value of every numeric key at one operating point. Small and `Copy`: a sweep sets one key a point.
+/// The value of every numeric key at one operating point. Small and `Copy`: a sweep sets one key a point, and
+/// the order in which several keys are set does not matter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OscillatorInputs {
     values: [Value; KEY_COUNT],
-    time_form: TimeForm,
+    /// Whether the relaxation time is the one that was given; the retardation time then follows.
+    gives_relaxation: bool,
+    /// The compliance of a Prony term, 1/Pa; the glassy modulus then follows.
+    compliance: Option<f64>,
 }
 
 impl Default for OscillatorInputs {
     /// The oscillator paper's values.
     fn default() -> Self {
         let values = KEYS.map(|entry| entry.default.map_or(Value::si(0.0), |(_, value)| value));
-        Self { values, time_form: TimeForm::Retardation }
+        Self { values, gives_relaxation: false, compliance: None }
     }
 }
 
@@ -92,20 +96,21 @@ impl OscillatorInputs {
     /// The value of a key. Retardation time, relaxation time and glassy modulus follow from what was given:
     /// τ_r = τ E0/E∞, and 1/E∞ = 1/E0 − compliance for a Prony term.
     pub fn get(&self, key: OscillatorKey) -> Value {
-        let rubbery = self.values[OscillatorKey::RubberyModulus as usize].number;
-        match (key, self.time_form) {
-            (OscillatorKey::GlassyModulus, TimeForm::Prony { compliance }) => {
-                Value::si(1.0 / (1.0 / rubbery - compliance))
+        let given = |key: OscillatorKey| self.values[key as usize];
+        let rubbery = given(OscillatorKey::RubberyModulus).number;
+        let glassy = match self.compliance {
+            Some(compliance) => Value::si(1.0 / (1.0 / rubbery - compliance)),
+            None => given(OscillatorKey::GlassyModulus),
+        };
+        match key {
+            OscillatorKey::GlassyModulus => glassy,
+            OscillatorKey::RetardationTime if self.gives_relaxation => {
+                Value::si(given(OscillatorKey::RelaxationTime).number * glassy.number / rubbery)
             }
-            (OscillatorKey::RetardationTime, TimeForm::Relaxation) => {
-                let relaxation = self.values[OscillatorKey::RelaxationTime as usize].number;
-                Value::si(relaxation * self.number(OscillatorKey::GlassyModulus) / rubbery)
+            OscillatorKey::RelaxationTime if !self.gives_relaxation => {
+                Value::si(given(OscillatorKey::RetardationTime).number * rubbery / glassy.number)
             }
-            (OscillatorKey::RelaxationTime, TimeForm::Retardation | TimeForm::Prony { .. }) => {
-                let retardation = self.values[OscillatorKey::RetardationTime as usize].number;
-                Value::si(retardation * rubbery / self.number(OscillatorKey::GlassyModulus))
-            }
-            _ => self.values[key as usize],
+            _ => given(key),
         }
     }
 
@@ -116,20 +121,20 @@ impl OscillatorInputs {
 
     /// How the relaxation of the substrate was given.
     pub fn time_form(&self) -> TimeForm {
-        self.time_form
+        match self.compliance {
+            Some(compliance) => TimeForm::Prony { compliance },
+            None if self.gives_relaxation => TimeForm::Relaxation,
+            None => TimeForm::Retardation,
+        }
     }
 
-    /// Sets a key. Setting a time, or the glassy modulus of a Prony case, also makes that the form in which the
-    /// relaxation is given. Neither range nor form is checked here: that is the reader's part.
+    /// Sets a key. Setting one of the two times makes the other follow; setting the glassy modulus replaces the
+    /// compliance of a Prony term. Neither range nor form is checked here: that is the reader's part.
     pub fn set(&mut self, key: OscillatorKey, value: Value) {
-        match (key, self.time_form) {
-            (OscillatorKey::RetardationTime, TimeForm::Relaxation) => self.time_form = TimeForm::Retardation,
-            (OscillatorKey::RelaxationTime, TimeForm::Retardation) => self.time_form = TimeForm::Relaxation,
-            (OscillatorKey::RelaxationTime, TimeForm::Prony { .. }) => {
-                self.values[OscillatorKey::GlassyModulus as usize] = self.get(OscillatorKey::GlassyModulus);
-                self.time_form = TimeForm::Relaxation;
-            }
-            (OscillatorKey::GlassyModulus, TimeForm::Prony { .. }) => self.time_form = TimeForm::Retardation,
+        match key {
+            OscillatorKey::RetardationTime => self.gives_relaxation = false,
+            OscillatorKey::RelaxationTime => self.gives_relaxation = true,
+            OscillatorKey::GlassyModulus => self.compliance = None,
             _ => (),
         }
         self.values[key as usize] = value;
@@ -137,8 +142,8 @@ impl OscillatorInputs {
 
     /// Makes one Prony term the form in which the relaxation is given: creep time in s, compliance in 1/Pa.
     pub fn set_prony(&mut self, time: f64, compliance: f64) {
-        self.values[OscillatorKey::RetardationTime as usize] = Value::si(time);
-        self.time_form = TimeForm::Prony { compliance };
+        self.set(OscillatorKey::RetardationTime, Value::si(time));
+        self.compliance = Some(compliance);
     }
 
     /// Checks the conditions that tie keys together: E∞ > E0 (for `hertz`, E∞ ≥ E0), and for a Prony term
@@ -148,7 +153,7 @@ impl OscillatorInputs {
     /// [`Cause::PronyCompliance`] or [`Cause::GlassyBelowRubbery`].
     pub fn check(&self, law: LawName) -> Result<(), Cause> {
         let rubbery = self.number(OscillatorKey::RubberyModulus);
-        if let TimeForm::Prony { compliance } = self.time_form
+        if let Some(compliance) = self.compliance
             && compliance >= 1.0 / rubbery
         {
             return Err(Cause::PronyCompliance { compliance, limit: 1.0 / rubbery });
@@ -190,6 +195,17 @@ mod tests {
         inputs.set(GlassyModulus, Value::si(2e7));
         assert_eq!((inputs.number(RetardationTime), inputs.time_form()), (0.01, TimeForm::Retardation));
         assert!(inputs.check(LawName::OscillatorPaper).is_ok());
+    }
+
+    #[test]
+    fn the_order_of_setting_does_not_matter() {
+        let settings = [RubberyModulus, RelaxationTime].map(|key| (key, Value::si(0.5)));
+        let mut forward = OscillatorInputs::default();
+        forward.set_prony(0.01, 0.9e-6);
+        let mut backward = forward;
+        settings.iter().for_each(|(key, value)| forward.set(*key, *value));
+        settings.iter().rev().for_each(|(key, value)| backward.set(*key, *value));
+        assert_eq!(forward, backward);
     }
 
     #[test]

@@ -159,6 +159,14 @@ pub struct Key {
 }
 
 impl Key {
+    /// What stands at an axis: the group or pure number, or the symbol with its SI unit.
+    pub fn label(&self, form: Form) -> String {
+        match (form, self.group) {
+            (Form::Group, Some(group)) => group.to_owned(),
+            _ => format!("{} ({})", self.symbol, self.dimension.unit()),
+        }
+    }
+
     /// The section of the key, such as `operation`.
     pub fn section(&self) -> &'static str {
         self.path.split_once('.').map_or("", |(section, _)| section)
@@ -291,7 +299,7 @@ pub static KEYS: [Key; KEY_COUNT] = [
         "η",
         Range::NonNegative,
         ("1.0", 1.0),
-        "coupling frequency ratio ω_nxy/ω_nx: its square is the oblique spring's stiffness over k_x",
+        "coupling frequency ratio, ω_nxy/ω_nx; η² is k_xy/k_x",
     ),
     Key {
         range: Range::Any,
@@ -350,6 +358,16 @@ pub static KEYS: [Key; KEY_COUNT] = [
 mod tests {
     use super::*;
     use crate::quantity::Quantity;
+
+    #[test]
+    fn axes_are_labelled_in_both_forms() {
+        let velocity = OscillatorKey::Velocity.entry();
+        assert_eq!(
+            (velocity.label(Form::Group).as_str(), velocity.label(Form::Si).as_str()),
+            ("v_d τ/R", "v_d (m/s)")
+        );
+        assert_eq!(OscillatorKey::DampingX.entry().label(Form::Group), "ξ_x");
+    }
 
     #[test]
     fn every_key_stands_at_its_index_and_its_default_reads_as_stated() {

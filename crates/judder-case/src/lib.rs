@@ -12,7 +12,7 @@
 //! - `expression`, [`two_degrees`]: the two-degrees case, matrices of expressions.
 //! - [`case_file`]: the way in. `resolved`: the way out, canonical JSON for the hash and the report.
 //! - [`cause`], `help`, [`error`]: what is wrong, what would be right, where.
-//! - [`schema`], [`template`]: the JSON Schema for editors and the commented cases of `judder new`.
+//! - [`mod@schema`], [`mod@template`]: the JSON Schema for editors and the commented cases of `judder new`.
 
 pub mod analysis;
 pub mod case_file;

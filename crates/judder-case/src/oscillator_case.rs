@@ -4,7 +4,7 @@ use crate::analysis::{Analysis, read_analyses};
 use crate::cause::Cause;
 use crate::dimension::Dimension;
 use crate::document::{Data, Node};
-use crate::error::Fault;
+use crate::error::{Fault, Place};
 use crate::inputs::{FrictionLoad, LawName, OscillatorInputs, TimeForm};
 use crate::keys::{KEYS, Key, OscillatorKey};
 use crate::oscillator_analysis::{KINDS, OscillatorAnalysis};
@@ -82,11 +82,21 @@ pub(crate) fn read(root: &Node) -> Result<OscillatorCase, Fault> {
             _ => (),
         }
     }
-    let substrate = root.get("substrate").map_or(root.place, |node| node.place);
-    case.inputs.check(case.law).map_err(|cause| cause.at(substrate))?;
+    case.inputs.check(case.law).map_err(|cause| cause.at(moduli_place(&root)))?;
     let keys = OscillatorKeys { inputs: case.inputs, law: case.law };
     case.analyses = read_analyses(&root, &keys, &KINDS)?;
     Ok(case)
+}
+
+/// Where the ratio of the moduli was given: the key that says most about it.
+fn moduli_place(root: &Section<'_>) -> Place {
+    let node = match root.get("substrate").map(|node| &node.data) {
+        Some(Data::Table(table)) => {
+            ["prony", "glassy_modulus", "rubbery_modulus"].into_iter().find_map(|key| table.get(key))
+        }
+        _ => None,
+    };
+    node.map_or(root.place, |entry| entry.node.place)
 }
 
 /// Reads a Prony term and refuses two ways of saying the same thing.

@@ -25,6 +25,8 @@ impl<K: Copy> PlacedSweep<K> {
 }
 
 /// Reads the sweep `name` of an analysis; `default_points` stands in where the case gives none.
+///
+/// Conditions between keys are left to [`read_family`] and [`read_map`], which know what else varies.
 pub(crate) fn read_sweep<S: SweptKeys>(
     keys: &S,
     analysis: &Section<'_>,
@@ -35,7 +37,7 @@ pub(crate) fn read_sweep<S: SweptKeys>(
     let section = Section::open(node, name, &format!("`{name}`"), &["key", "from", "to", "points", "scale"])?;
     let (key, key_place) = read_key(keys, &section)?;
     let ends = |end: &str| {
-        let value = section.required(end, "the value at this end")?;
+        let value = section.required(end, &format!("{end} = …, the value at this end"))?;
         keys.read(key, &section.path(end), value)
     };
     let (from, to) = (ends("from")?, ends("to")?);
@@ -56,19 +58,21 @@ pub(crate) fn read_sweep<S: SweptKeys>(
     let sweep = Sweep { key, path: keys.path(key), from, to, points, scale, form };
     let placed = PlacedSweep { sweep, key: key_place, points: place_of("points"), whole: section.place };
     check_size(&[(points, placed.points)])?;
-    for end in placed.ends() {
-        keys.check(&[(key, end)]).map_err(|cause| cause.at(placed.whole))?;
-    }
     Ok(placed)
 }
 
-/// Reads the family of an analysis that sweeps `sweep`: one curve a value.
+/// Reads the family of an analysis that sweeps `sweep`, one curve a value, and checks the ends of every curve.
 pub(crate) fn read_family<S: SweptKeys>(
     keys: &S,
     analysis: &Section<'_>,
     sweep: &PlacedSweep<S::Key>,
 ) -> Result<Option<Family<S::Key>>, Fault> {
-    let Some(node) = analysis.get("family") else { return Ok(None) };
+    let Some(node) = analysis.get("family") else {
+        for end in sweep.ends() {
+            keys.check(&[(sweep.sweep.key, end)]).map_err(|cause| cause.at(sweep.whole))?;
+        }
+        return Ok(None);
+    };
     let section = Section::open(node, "family", "`family`", &["key", "values"])?;
     let (key, key_place) = read_key(keys, &section)?;
     if keys.same(key, sweep.sweep.key) {
@@ -104,7 +108,7 @@ pub(crate) fn read_within(
     };
     let section = Section::open(node, "within", "`within`", &["from", "to"])?;
     let ends = |end: &str| {
-        let node = section.required(end, "the value at this end")?;
+        let node = section.required(end, &format!("{end} = …, the value at this end"))?;
         let path = section.path(end);
         let value = read_value(sought.entry(), &path, node)?;
         if value.number > 0.0 {

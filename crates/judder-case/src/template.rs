@@ -2,6 +2,7 @@
 
 use crate::cause::Cause;
 use crate::error::CaseError;
+use crate::inputs::OscillatorInputs;
 use crate::keys::{Form, KEYS, Key};
 use crate::oscillator_case::SECTIONS;
 
@@ -39,12 +40,16 @@ fn oscillator() -> String {
     text + OSCILLATOR_ANALYSES
 }
 
-/// `velocity = 1e-4  # v_d τ/R, or with a unit ("30 mm/s"): driving speed`; without a default, a commented line.
+/// `velocity = 1e-4  # v_d τ/R, or with a unit ("30 mm/s"): driving speed`; a key
+/// without a default shows, as a comment, the value that follows from the others.
 fn line(entry: &Key) -> String {
     let (mark, value) = match entry.default {
         Some((text, value)) if value.form == Form::Group => ("", text.to_owned()),
         Some((text, _)) => ("", format!("\"{text}\"")),
-        None => ("# ", format!("\"{}\"", entry.dimension.example())),
+        None => {
+            let number = OscillatorInputs::default().number(entry.key);
+            ("# ", format!("\"{number} {}\"", entry.dimension.unit()))
+        }
     };
     let symbol = match entry.group {
         Some(group) if !entry.dimension.is_number() => {

@@ -139,10 +139,16 @@ pub fn all_roots_from_values(
     search
 }
 
-/// Whether the middle value is the nearest to zero of three of one sign.
+/// Whether three values of one sign may hide two roots: the middle one is the nearest to zero, and either far below its
+/// neighbours or above the vertex of the parabola through all three.
 fn dips(left: f64, middle: f64, right: f64) -> bool {
     let one_sign = left * middle > 0.0 && right * middle > 0.0;
-    one_sign && middle.abs() <= left.abs() && middle.abs() <= right.abs()
+    let [left, middle, right] = [left, middle, right].map(f64::abs);
+    let slope = 0.5 * (right - left);
+    let curvature = right - 2.0 * middle + left;
+    let vertex = middle - 0.5 * slope * slope / curvature;
+    let lowest = middle < left && middle < right;
+    one_sign && lowest && (middle < 0.5 * left.min(right) || vertex < 0.5 * middle)
 }
 
 /// A point of `[a, b]` where `sign · function` is negative, if its minimum there is (golden section).

@@ -5,7 +5,12 @@
 
 use crate::Contact;
 use crate::block::{Block, LANES};
+use crate::characteristic::Characteristic;
+use crate::conservative::discriminant_share;
+use crate::equilibrium::equilibrium;
 use crate::groups::Coefficients;
+use crate::linear_system::ReducedSystem;
+use crate::linearisation::Linearisation;
 use judder_numerics::root::all_roots_from_values;
 
 /// How a range is divided.
@@ -77,6 +82,13 @@ fn margins(contact: &Contact, at: &impl Fn(f64) -> Coefficients, positions: &[f6
     (full, conservative)
 }
 
+/// The system about steady sliding, by the scalar path; `None` without an equilibrium.
+fn reduced_system(contact: &Contact, c: &Coefficients) -> Option<ReducedSystem> {
+    let state = equilibrium(contact, c).ok()?;
+    let linearisation = Linearisation::new(contact.friction_load, c, &state.response);
+    Some(ReducedSystem { damping: linearisation.damping(), stiffness: linearisation.stiffness() })
+}
+
 /// All thresholds of both systems over `range`, looked for from `samples` evenly spaced positions (at least 2).
 ///
 /// `coefficients` gives the oscillator at a value of the swept quantity. Roots are found to the last digits that the
@@ -92,9 +104,11 @@ pub fn thresholds(
     let last = samples.max(2) - 1;
     let positions: Vec<f64> = (0..=last).map(|k| k as f64 / last as f64).collect();
     let (full, conservative) = margins(contact, &at, &positions);
-    let one = |position: f64| margins(contact, &at, &[position]);
-    let full = all_roots_from_values(|position| one(position).0[0], &positions, &full);
-    let conservative = all_roots_from_values(|position| one(position).1[0], &positions, &conservative);
+    let system = |position: f64| reduced_system(contact, &at(position));
+    let margin = |position: f64| system(position).map_or(f64::NAN, |s| Characteristic::new(&s).margin());
+    let merging = |position: f64| system(position).map_or(f64::NAN, |s| discriminant_share(&s.stiffness));
+    let full = all_roots_from_values(margin, &positions, &full);
+    let conservative = all_roots_from_values(merging, &positions, &conservative);
     let values = |positions: Vec<f64>| positions.into_iter().map(|position| range.value(position)).collect();
     Thresholds {
         full: values(full.roots),
@@ -107,7 +121,6 @@ pub fn thresholds(
 mod tests {
     use super::*;
     use crate::conservative::critical_shear_strength;
-    use crate::equilibrium::equilibrium;
     use crate::{FrictionLoad, Groups};
     use judder_contact::{FittedLaw, Law};
 

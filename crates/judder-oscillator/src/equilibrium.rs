@@ -177,9 +177,9 @@ fn root_in_bracket(imbalance: &Imbalance<'_>, lower: f64, upper: f64) -> Result<
         let here = imbalance.at(u);
         residual = here.residual;
         if residual < 0.0 {
-            lower = u
+            lower = u;
         } else {
-            upper = u
+            upper = u;
         }
         let next = u + here.newton_step();
         let next = if next > lower && next < upper { next } else { 0.5 * (lower + upper) };

@@ -1,1 +1,39 @@
-//! Placeholder.
+//! Pictures and the page: figures as data, drawn three ways, and one self-contained report.
+//!
+//! This crate knows no physics: it gets labels, arrays and colour roles. In the order in which the data flows:
+//!
+//! - [`figure`]: a figure as data: panels, axes, layers.
+//! - [`palette`]: colours, dashes and markers by meaning, the same in every picture.
+//! - `validate`: whether arrays and ranges fit together; what is wrong is a [`ReportError`].
+//! - `markup`, `typeface`: labels with sub- and superscripts and symbols; how wide they are.
+//! - `scale`, `ticks`, `extent`: where values stand on an axis, where an axis is marked, what the data span.
+//! - `legend`, `corner`, `layout`: what is explained, where that hides no data, and where everything stands.
+//! - `raster`: maps as little pictures, one pixel a cell.
+//! - [`svg`], [`png`], [`plotly`]: the figure as a drawing, as pixels, and for the browser.
+//! - [`page`]: sections of text, figures, tables, scoreboards and checks as one HTML file.
+
+mod corner;
+mod error;
+mod extent;
+pub mod figure;
+mod layout;
+mod legend;
+mod markup;
+pub mod page;
+pub mod palette;
+mod plotly;
+mod png;
+mod raster;
+mod scale;
+mod svg;
+mod ticks;
+mod typeface;
+mod validate;
+
+pub use error::{PanelError, ReportError};
+pub use figure::{Axis, Figure, Layer, Legend, Panel, Scale};
+pub use page::{Block, Page, Section, html};
+pub use palette::{Role, Style};
+pub use plotly::plotly;
+pub use png::png;
+pub use svg::svg;

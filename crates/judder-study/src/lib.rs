@@ -1,1 +1,32 @@
-//! Placeholder.
+//! Studies: a case file in, a folder with results, figures and a report out.
+//!
+//! In the order in which the data flows:
+//!
+//! - [`bridge`]: from the keys of a case to the oscillator and its contact.
+//! - [`point`]: everything about one operating point.
+//! - [`outcome`]: what an analysis leaves: scalars, arrays, a table, checks, warnings.
+//! - [`analyses`]: one module a kind of analysis.
+//! - [`checks`]: every number doubted by another number.
+//! - [`run`]: the analyses of a case into a study folder; what is done already is not done again.
+//! - [`pictures`]: figures from stored arrays.
+//! - [`report`]: figures and page of a study folder, rebuilt from what is stored.
+//! - [`resolve`]: what `judder check` shows.
+//! - [`reproduce`]: the oscillator paper, figure by figure, with its scoreboard.
+
+pub mod analyses;
+pub mod bridge;
+pub mod checks;
+mod error;
+mod labels;
+pub mod outcome;
+pub mod pictures;
+pub mod point;
+mod progress;
+pub mod report;
+pub mod reproduce;
+pub mod resolve;
+pub mod run;
+mod text;
+
+pub use error::StudyError;
+pub use progress::{Progress, Silent};

@@ -1,0 +1,178 @@
+//! Texts and options that are refused before any section is read.
+
+use std::fs;
+
+use crate::{help_of, refused, refused_with};
+use judder_case::{CaseFile, Cause};
+
+#[test]
+fn an_empty_text() {
+    refused(
+        "# only a comment\n",
+        "`case.toml` is empty",
+        "",
+        "`judder new` prints a case file to start from",
+    );
+}
+
+#[test]
+fn a_text_that_is_not_toml() {
+    refused(
+        r#"model = "oscillator"
+[operation]
+velocity = 30 mm/s
+"#,
+        "this is not TOML: string values must be quoted, expected literal string",
+        "30 mm/s",
+        r#"text and quantities stand in quotes: velocity = "30 mm/s""#,
+    );
+}
+
+#[test]
+fn a_key_given_twice() {
+    refused(
+        r#"model = "oscillator"
+title = "a"
+title = "b"
+"#,
+        "this is not TOML: duplicate key",
+        "title",
+        "",
+    );
+}
+
+#[test]
+fn no_model() {
+    refused(
+        "title = \"x\"\n",
+        "the case lacks the key `model`",
+        "",
+        r#"give model = "oscillator" or model = "two-degrees""#,
+    );
+}
+
+#[test]
+fn an_unknown_model() {
+    refused(
+        "model = \"oscilator\"\n",
+        "unknown model `oscilator`",
+        "oscilator",
+        "did you mean `oscillator`? known: oscillator, two-degrees",
+    );
+}
+
+#[test]
+fn a_model_of_a_later_version() {
+    refused(
+        "model = \"sliding\"\n",
+        "the model `sliding` comes with a later version",
+        "sliding",
+        "available: oscillator, two-degrees",
+    );
+}
+
+#[test]
+fn an_option_without_a_value() {
+    refused_with(
+        "model = \"oscillator\"\n",
+        &["operation.velocity"],
+        "`--set operation.velocity` is not of the form key=value",
+        "--set operation.velocity",
+        r#"write the dotted key, `=`, the value: --set "operation.velocity=30 mm/s""#,
+    );
+}
+
+#[test]
+fn an_option_with_an_empty_step() {
+    refused_with(
+        "model = \"oscillator\"\n",
+        &["operation..velocity=1"],
+        "`--set operation..velocity=1` is not of the form key=value",
+        "--set operation..velocity=1",
+        r#"write the dotted key, `=`, the value: --set "operation.velocity=30 mm/s""#,
+    );
+}
+
+#[test]
+fn an_option_of_an_unknown_key() {
+    refused_with(
+        "model = \"oscillator\"\n",
+        &["operation.velocty=30 mm/s"],
+        "unknown key `velocty` in [operation]",
+        "--set velocty",
+        "did you mean `velocity`? keys here: velocity, normal_load",
+    );
+}
+
+#[test]
+fn an_option_with_a_wrong_unit() {
+    refused_with(
+        "model = \"oscillator\"\n",
+        &["title=x", "operation.velocity = 30 N"],
+        "`operation.velocity` must be a speed, but this is a force",
+        "--set 30 N",
+        r#"write a speed, such as "30 mm/s", or a plain number: v_d τ/R"#,
+    );
+}
+
+#[test]
+fn an_option_below_a_value() {
+    refused_with(
+        "model = \"oscillator\"\n",
+        &["model.name=1"],
+        "`model` is a string, but must be a table",
+        "--set name",
+        "",
+    );
+}
+
+#[test]
+fn an_option_that_is_not_a_number() {
+    refused_with(
+        "model = \"oscillator\"\n",
+        &["operation.velocity=nan"],
+        "`operation.velocity` is not a finite number",
+        "--set nan",
+        "nan, inf and numbers beyond 1e308 are not values of a case",
+    );
+}
+
+fn read_error(path: &std::path::Path) -> judder_case::CaseError {
+    CaseFile::read(path, &[]).expect_err("the file must be refused")
+}
+
+#[test]
+fn a_file_that_does_not_exist() {
+    let folder = tempfile::tempdir().unwrap();
+    let error = read_error(&folder.path().join("none.toml"));
+    assert!(matches!(error.cause(), Cause::Missing { path } if path.ends_with("none.toml")));
+    assert!(error.to_string().starts_with("there is no file `"));
+    assert_eq!(help_of(&error), "`judder new` prints a case file to start from");
+}
+
+#[test]
+fn a_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    let error = read_error(folder.path());
+    assert!(matches!(error.cause(), Cause::Folder { .. }));
+    assert!(error.to_string().ends_with("is a folder, not a case file"));
+}
+
+#[test]
+fn a_path_through_a_file() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("file"), "x").unwrap();
+    let error = read_error(&folder.path().join("file/case.toml"));
+    assert!(matches!(error.cause(), Cause::Unreadable { .. }));
+    assert!(std::error::Error::source(&error).is_some());
+}
+
+#[test]
+fn a_binary_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("case.toml");
+    fs::write(&path, b"model = \"\xff\xfe\0\"").unwrap();
+    let error = read_error(&path);
+    assert!(matches!(error.cause(), Cause::Binary { offset: 9, .. }));
+    assert!(error.to_string().ends_with("is not a text file: the byte at offset 9 is not UTF-8"));
+}

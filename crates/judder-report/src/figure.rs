@@ -1,0 +1,303 @@
+//! A figure as data: panels, axes and layers, without any drawing.
+//!
+//! Texts (titles, labels, captions) take a small markup: `_{…}` and `^{…}` lower and raise, `$…$` sets symbols (letters
+//! italic, digits and signs upright, subscripts of several letters upright); everything else is Unicode:
+//! `"Shear strength $τ̃_{0,crit}$"`, `"10^{−3}"`, `"Speed (m s^{−1})"`.
+
+use crate::palette::{ColourMap, Role, Style};
+
+/// A figure of one or more panels on a grid, all frames of the same size.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    /// File stem (`"fig-9a"` becomes `figures/fig-9a.svg`): letters, digits, `-`, `_` and `.`.
+    pub name: String,
+    /// What the figure shows, in a few words; a heading on the page, the accessible name of the picture.
+    pub title: String,
+    /// The text under the figure.
+    pub caption: String,
+    /// Panels in a row; at least 1.
+    pub columns: usize,
+    /// The panels, row by row. Two or more are lettered (a), (b), ….
+    pub panels: Vec<Panel>,
+}
+
+impl Figure {
+    /// A figure of `panels`, in one column when there is one panel and in two otherwise.
+    pub fn new(name: impl Into<String>, title: impl Into<String>, panels: Vec<Panel>) -> Self {
+        let columns = panels.len().clamp(1, 2);
+        Self { name: name.into(), title: title.into(), caption: String::new(), columns, panels }
+    }
+
+    /// The same figure with the text that stands under it.
+    #[must_use]
+    pub fn with_caption(self, caption: impl Into<String>) -> Self {
+        Self { caption: caption.into(), ..self }
+    }
+
+    /// The same figure with `columns` panels in a row.
+    #[must_use]
+    pub fn with_columns(self, columns: usize) -> Self {
+        Self { columns, ..self }
+    }
+}
+
+/// One frame with its axes and what is drawn in it, the first layer at the bottom.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Panel {
+    /// Stands above the frame; may be empty.
+    pub title: String,
+    /// The horizontal axis.
+    pub x: Axis,
+    /// The vertical axis.
+    pub y: Axis,
+    /// What is drawn, from the back to the front.
+    pub layers: Vec<Layer>,
+    /// Where the labels of the layers are explained.
+    pub legend: Legend,
+}
+
+impl Panel {
+    /// A panel without a title; its legend stands below the figure if it has a class map, which would be covered,
+    /// and otherwise inside, where the data leave room.
+    pub fn new(x: Axis, y: Axis, layers: Vec<Layer>) -> Self {
+        let has_map = layers.iter().any(|layer| matches!(layer, Layer::Classes(_)));
+        let legend = if has_map { Legend::Below } else { Legend::Inside };
+        Self { title: String::new(), x, y, layers, legend }
+    }
+
+    /// The same panel under a title.
+    #[must_use]
+    pub fn with_title(self, title: impl Into<String>) -> Self {
+        Self { title: title.into(), ..self }
+    }
+
+    /// The same panel with its legend at another place.
+    #[must_use]
+    pub fn with_legend(self, legend: Legend) -> Self {
+        Self { legend, ..self }
+    }
+}
+
+/// Where the legend of a panel stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Legend {
+    /// In a corner of the frame where it hides nothing; below, with those of the other panels, where there is none.
+    #[default]
+    Inside,
+    /// In this corner of the frame.
+    At(Corner),
+    /// Under the whole figure, together with the entries of the other panels, each once.
+    Below,
+    /// Nowhere.
+    Hidden,
+}
+
+/// A corner of a frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum Corner {
+    TopLeft,
+    TopRight,
+    BottomLeft,
+    BottomRight,
+}
+
+/// An axis: what it shows, how values are spread along it, and from where to where.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// Quantity, symbol and unit, e.g. `"Load $F̃_{n}$ (−)"`.
+    pub label: String,
+    /// How values are spread along the axis.
+    pub scale: Scale,
+    /// First and last value, ascending; `None` takes what the data span.
+    pub range: Option<(f64, f64)>,
+}
+
+impl Axis {
+    /// A linear axis over what the data span.
+    pub fn linear(label: impl Into<String>) -> Self {
+        Self { label: label.into(), scale: Scale::Linear, range: None }
+    }
+
+    /// A logarithmic axis over what the (positive) data span.
+    pub fn log(label: impl Into<String>) -> Self {
+        Self { label: label.into(), scale: Scale::Log, range: None }
+    }
+
+    /// An axis logarithmic to both sides of zero, linear between −`linear` and `linear`.
+    pub fn symmetric_log(label: impl Into<String>, linear: f64) -> Self {
+        Self { label: label.into(), scale: Scale::SymmetricLog { linear }, range: None }
+    }
+
+    /// The same axis from `from` to `to`.
+    #[must_use]
+    pub fn with_range(self, from: f64, to: f64) -> Self {
+        Self { range: Some((from, to)), ..self }
+    }
+}
+
+/// How values are spread along an axis or over a colour bar.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Scale {
+    /// Evenly.
+    #[default]
+    Linear,
+    /// By the logarithm; values that are not positive have no place and make gaps.
+    Log,
+    /// By the logarithm of the magnitude on both sides of zero, evenly between −`linear` and `linear`.
+    SymmetricLog {
+        /// Half width of the even part, > 0; it is as wide as two decades.
+        linear: f64,
+    },
+}
+
+/// One thing drawn in a panel.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Layer {
+    /// Points joined by straight segments.
+    Line(Line),
+    /// Single points, each with a marker.
+    Points(Line),
+    /// A map of a few named classes (a stability map).
+    Classes(ClassMap),
+    /// A map of values with a colour bar.
+    Values(ValueMap),
+    /// A horizontal or vertical reference line across the frame.
+    Rule(Rule),
+    /// A shaded rectangle or band.
+    Region(Region),
+    /// A short text at a place.
+    Note(Note),
+}
+
+impl Layer {
+    /// A line through (`x[i]`, `y[i]`); a NaN is a gap. An empty label keeps it out of the legend.
+    pub fn line(label: impl Into<String>, x: Vec<f64>, y: Vec<f64>, style: impl Into<Style>) -> Self {
+        Self::Line(Line { label: label.into(), x, y, style: style.into() })
+    }
+
+    /// Markers at (`x[i]`, `y[i]`).
+    pub fn points(label: impl Into<String>, x: Vec<f64>, y: Vec<f64>, style: impl Into<Style>) -> Self {
+        Self::Points(Line { label: label.into(), x, y, style: style.into() })
+    }
+
+    /// A legend entry with a line sample and no data, to explain a dash or a colour once.
+    pub fn key(label: impl Into<String>, style: impl Into<Style>) -> Self {
+        Self::line(label, Vec::new(), Vec::new(), style)
+    }
+
+    /// A thin vertical line at `x = value`.
+    pub fn vertical_rule(value: f64, label: impl Into<String>) -> Self {
+        Self::Rule(Rule { direction: Direction::Vertical, value, label: label.into() })
+    }
+
+    /// A thin horizontal line at `y = value`.
+    pub fn horizontal_rule(value: f64, label: impl Into<String>) -> Self {
+        Self::Rule(Rule { direction: Direction::Horizontal, value, label: label.into() })
+    }
+
+    /// A short text whose left end stands at (`x`, `y`).
+    pub fn note(x: f64, y: f64, text: impl Into<String>) -> Self {
+        Self::Note(Note { x, y, text: text.into() })
+    }
+}
+
+/// A curve or a set of points.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Line {
+    /// Legend text; empty for none.
+    pub label: String,
+    /// Abscissae.
+    pub x: Vec<f64>,
+    /// Ordinates, as many as abscissae; what is not finite (or has no place on a log axis) is a gap.
+    pub y: Vec<f64>,
+    /// Colour, dash, marker.
+    pub style: Style,
+}
+
+/// A map whose cells belong to one of a few named classes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ClassMap {
+    /// Centres of the columns, strictly ascending, positive on a log axis.
+    pub x: Vec<f64>,
+    /// Centres of the rows, strictly ascending, positive on a log axis.
+    pub y: Vec<f64>,
+    /// Index into `classes` of every cell, row-major: `codes[row * x.len() + column]`.
+    pub codes: Vec<u8>,
+    /// The classes, at most 256.
+    pub classes: Vec<Class>,
+}
+
+/// A class of a map.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Class {
+    /// Legend text.
+    pub label: String,
+    /// Colour by meaning; [`Role::Unresolved`] is hatched.
+    pub role: Role,
+}
+
+impl Class {
+    /// A class of this name and colour role.
+    pub fn new(label: impl Into<String>, role: Role) -> Self {
+        Self { label: label.into(), role }
+    }
+}
+
+/// A map of values, with a colour bar to the right of its frame.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ValueMap {
+    /// Centres of the columns, strictly ascending, positive on a log axis.
+    pub x: Vec<f64>,
+    /// Centres of the rows, strictly ascending, positive on a log axis.
+    pub y: Vec<f64>,
+    /// Values, row-major: `z[row * x.len() + column]`; what is not finite is drawn as unresolved.
+    pub z: Vec<f64>,
+    /// Quantity, symbol and unit, scale and range of the colour bar.
+    pub bar: Axis,
+    /// The colours, from the smallest to the largest value.
+    pub colours: ColourMap,
+}
+
+/// The direction of a reference line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum Direction {
+    Horizontal,
+    Vertical,
+}
+
+/// A reference line across the frame.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rule {
+    /// Which way it runs.
+    pub direction: Direction,
+    /// Where it crosses the other axis.
+    pub value: f64,
+    /// Text along the line; may be empty.
+    pub label: String,
+}
+
+/// A shaded band or rectangle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Region {
+    /// Legend text; empty for none.
+    pub label: String,
+    /// From and to along x; `None` for the whole width.
+    pub x: Option<(f64, f64)>,
+    /// From and to along y; `None` for the whole height.
+    pub y: Option<(f64, f64)>,
+    /// Colour by meaning.
+    pub role: Role,
+}
+
+/// A text at a place of the panel.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Note {
+    /// Abscissa of its left end.
+    pub x: f64,
+    /// Ordinate of its middle.
+    pub y: f64,
+    /// The text.
+    pub text: String,
+}

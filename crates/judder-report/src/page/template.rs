@@ -1,0 +1,174 @@
+//! From the page as data to HTML, through the templates in `templates/`.
+
+use super::{Block, Page, Scoreboard, Section, Table, Verdict};
+use crate::error::ReportError;
+use crate::figure::Figure;
+use crate::markup;
+use crate::plotly::plotly;
+use crate::svg::svg;
+use crate::typeface::{BOLD_WEB, ITALIC_WEB, REGULAR_WEB};
+use askama::Template;
+use base64::{Engine, engine::general_purpose::STANDARD};
+use std::collections::BTreeSet;
+
+const STYLE: &str = include_str!("../../assets/page/page.css");
+const SCRIPT: &str = include_str!("../../assets/page/page.js");
+const PLOTLY: &str = include_str!("../../assets/plotly/plotly-cartesian.min.js");
+
+#[derive(Template)]
+#[template(path = "page.html")]
+struct PageTemplate<'a> {
+    page: &'a Page,
+    sections: Vec<(&'a Section, Vec<String>)>,
+    style: &'a str,
+    regular: String,
+    italic: String,
+    bold: String,
+    plotly: &'a str,
+    script: &'a str,
+    interactive: bool,
+}
+
+#[derive(Template)]
+#[template(path = "block.html")]
+struct BlockTemplate<'a> {
+    block: &'a Block,
+    /// Blocks inside this one, already written.
+    inner: Vec<String>,
+    figure: Option<DrawnFigure>,
+}
+
+/// A figure as it stands on the page.
+struct DrawnFigure {
+    number: usize,
+    svg: String,
+    json: String,
+}
+
+impl BlockTemplate<'_> {
+    /// Number of claims of a scoreboard with this verdict.
+    fn claims(&self, verdict: Verdict) -> usize {
+        match self.block {
+            Block::Scoreboard(board) => board.rows.iter().filter(|row| row.verdict == verdict).count(),
+            _ => 0,
+        }
+    }
+
+    /// Head of one of our columns, which names the cell on small screens.
+    fn head(&self, board: &Scoreboard, column: &usize) -> String {
+        board.ours.get(*column).map(|head| markup::plain_html(head)).unwrap_or_default()
+    }
+
+    /// Whether a column of a table holds numbers, judged by its first row.
+    fn has_numbers(&self, table: &Table, column: &usize) -> bool {
+        table.rows.first().and_then(|row| row.get(*column)).is_some_and(|cell| is_number(cell))
+    }
+
+    /// Number of checks that passed, or that did not.
+    fn checks(&self, passed: bool) -> usize {
+        match self.block {
+            Block::Checks(checks) => checks.iter().filter(|check| check.passed == passed).count(),
+            _ => 0,
+        }
+    }
+}
+
+/// The page as one HTML file that asks for nothing outside itself; the same bytes for the same page.
+///
+/// Figures are plotly charts; without scripts, on paper and while loading they are the drawings of [`crate::svg`].
+///
+/// # Errors
+/// What [`ReportError`] says of a figure, or of two figures of the same name.
+pub fn html(page: &Page) -> Result<String, ReportError> {
+    let mut writer = Writer { page, names: BTreeSet::new() };
+    let sections = page
+        .sections
+        .iter()
+        .map(|section| Ok((section, writer.blocks(&section.blocks)?)))
+        .collect::<Result<Vec<_>, ReportError>>()?;
+    let interactive = !writer.names.is_empty();
+    let template = PageTemplate {
+        page,
+        sections,
+        style: STYLE,
+        regular: STANDARD.encode(REGULAR_WEB),
+        italic: STANDARD.encode(ITALIC_WEB),
+        bold: STANDARD.encode(BOLD_WEB),
+        plotly: PLOTLY,
+        script: SCRIPT,
+        interactive,
+    };
+    template.render().map_err(|error| writer.failed(&error))
+}
+
+/// Writes blocks and keeps count of the figures.
+struct Writer<'a> {
+    page: &'a Page,
+    names: BTreeSet<String>,
+}
+
+impl Writer<'_> {
+    fn blocks(&mut self, blocks: &[Block]) -> Result<Vec<String>, ReportError> {
+        blocks.iter().map(|block| self.block(block)).collect()
+    }
+
+    fn block(&mut self, block: &Block) -> Result<String, ReportError> {
+        let inner = match block {
+            Block::Details(details) => self.blocks(&details.blocks)?,
+            _ => Vec::new(),
+        };
+        let figure = match block {
+            Block::Figure(figure) => Some(self.figure(figure)?),
+            _ => None,
+        };
+        BlockTemplate { block, inner, figure }.render().map_err(|error| self.failed(&error))
+    }
+
+    fn figure(&mut self, figure: &Figure) -> Result<DrawnFigure, ReportError> {
+        if !self.names.insert(figure.name.clone()) {
+            return Err(ReportError::SameName { name: figure.name.clone() });
+        }
+        let (svg, json) = (svg(figure)?, plotly(figure)?.to_string());
+        Ok(DrawnFigure { number: self.names.len(), svg, json: inside_script(&json) })
+    }
+
+    fn failed(&self, error: &askama::Error) -> ReportError {
+        ReportError::Page { title: self.page.title.clone(), reason: error.to_string() }
+    }
+}
+
+/// JSON in which no browser finds the end of the script element it stands in; `<` occurs in its strings only.
+fn inside_script(json: &str) -> String {
+    json.replace('<', "\\u003c")
+}
+
+/// Whether a cell is a number (perhaps with signs and powers of ten around it) and is set flush right.
+fn is_number(cell: &str) -> bool {
+    let bare = markup::plain(cell);
+    let digits = bare.chars().filter(char::is_ascii_digit).count();
+    digits > 0 && bare.chars().all(|c| c.is_ascii_digit() || " .,+-−–×e±%<>≤≥≈∞".contains(c))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scripts_cannot_be_ended_from_inside() {
+        assert_eq!(inside_script("\"</script>\""), "\"\\u003c/script>\"");
+        for script in [PLOTLY, SCRIPT] {
+            let script = script.to_lowercase();
+            assert!(!script.contains("</script") && !script.contains("<!--"), "cannot stand inside a page");
+        }
+    }
+
+    #[test]
+    fn numbers_are_told_from_words() {
+        for cell in ["1.5", "−3 × 10^{−2}", "≈ 7e-8", "12 %"] {
+            assert!(is_number(cell), "{cell}");
+        }
+        for cell in ["", "–", "mode 1", "0.2 N"] {
+            assert!(!is_number(cell), "{cell}");
+        }
+    }
+}

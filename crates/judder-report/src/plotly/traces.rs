@@ -1,0 +1,185 @@
+//! The layers of a figure as plotly traces.
+
+use super::suffix;
+use crate::figure::{ClassMap, Figure, Layer, Line, Panel, Scale, ValueMap};
+use crate::legend::{Entry, entries};
+use crate::markup::html;
+use crate::palette::{QUIET, Role};
+use crate::scale::stretch;
+use base64::{Engine, engine::general_purpose::STANDARD};
+use serde_json::{Value, json};
+
+/// The traces of all panels; those that share a label share one legend entry and are shown or hidden together.
+pub(super) fn of_figure(figure: &Figure) -> Vec<Value> {
+    let mut explained: Vec<String> = Vec::new();
+    let mut traces = Vec::new();
+    for (index, panel) in figure.panels.iter().enumerate() {
+        let mut of_panel: Vec<Value> = entries(panel).iter().filter_map(area_key).collect();
+        of_panel.extend(panel.layers.iter().filter_map(|layer| trace(layer, panel, index)));
+        for mut trace in of_panel {
+            let label = trace["name"].as_str().unwrap_or_default().to_owned();
+            let known = explained.contains(&label);
+            trace["xaxis"] = json!(format!("x{}", suffix(index)));
+            trace["yaxis"] = json!(format!("y{}", suffix(index)));
+            trace["showlegend"] = json!(!label.is_empty() && !known);
+            trace["legendgroup"] = json!(label);
+            explained.push(label);
+            traces.push(trace);
+        }
+    }
+    traces
+}
+
+/// A legend entry for a coloured area, which plotly has none for.
+fn area_key(entry: &Entry) -> Option<Value> {
+    let role = entry.area?;
+    let symbol = if role == Role::Unresolved { "square-x-open" } else { "square" };
+    Some(json!({
+        "type": "scatter", "mode": "markers", "name": html(&entry.label), "x": [null], "y": [null],
+        "marker": {
+            "symbol": symbol, "size": 13, "color": role.colour().to_string(),
+            "line": { "width": 0.7, "color": QUIET.to_string() },
+        },
+        "hoverinfo": "skip",
+    }))
+}
+
+fn trace(layer: &Layer, panel: &Panel, index: usize) -> Option<Value> {
+    match layer {
+        Layer::Line(line) => {
+            let mut trace = curve(line, panel);
+            trace["mode"] = json!("lines");
+            trace["line"] = json!({
+                "color": line.style.role.colour().to_string(),
+                "width": 1.5 * line.style.width,
+                "dash": line.style.dash.plotly(),
+                "simplify": false,
+            });
+            Some(trace)
+        }
+        Layer::Points(points) => {
+            let mut trace = curve(points, panel);
+            trace["mode"] = json!("markers");
+            trace["marker"] = json!({
+                "color": points.style.role.colour().to_string(),
+                "symbol": points.style.marker.plotly(),
+                "size": 7,
+                "line": { "width": 0.7, "color": "#ffffff" },
+            });
+            Some(trace)
+        }
+        Layer::Classes(map) => Some(class_map(map, panel)),
+        Layer::Values(map) => Some(value_map(map, panel, index)),
+        Layer::Rule(_) | Layer::Region(_) | Layer::Note(_) => None,
+    }
+}
+
+/// What lines and points have in common.
+fn curve(line: &Line, panel: &Panel) -> Value {
+    let (x, y) = (panel.x.scale, panel.y.scale);
+    let name =
+        if line.label.is_empty() { String::new() } else { format!("<b>{}</b><br>", html(&line.label)) };
+    let mut trace = json!({
+        "type": "scatter",
+        "name": html(&line.label),
+        "x": floats(&at_least_a_gap(placed(x, &line.x)), None),
+        "y": floats(&at_least_a_gap(placed(y, &line.y)), None),
+        "connectgaps": false,
+        "hovertemplate": format!(
+            "{name}{}: {}<br>{}: {}<extra></extra>",
+            html(&panel.x.label), hover_value("x", "customdata[0]", x),
+            html(&panel.y.label), hover_value("y", "customdata[1]", y),
+        ),
+    });
+    if stretched(x) || stretched(y) {
+        trace["customdata"] = line.x.iter().zip(&line.y).map(|(x, y)| json!([x, y])).collect();
+    }
+    trace
+}
+
+/// Plotly keeps no legend entry for an empty curve; one gap is drawn alike and keeps it.
+fn at_least_a_gap(values: Vec<f64>) -> Vec<f64> {
+    if values.is_empty() { vec![f64::NAN] } else { values }
+}
+
+/// Whether values are handed over as the axis stretches them, because plotly lacks such an axis.
+fn stretched(scale: Scale) -> bool {
+    matches!(scale, Scale::SymmetricLog { .. })
+}
+
+/// Values as they are handed over.
+fn placed(scale: Scale, values: &[f64]) -> Vec<f64> {
+    values.iter().map(|value| if stretched(scale) { stretch(scale, *value) } else { *value }).collect()
+}
+
+fn hover_value(own: &str, custom: &str, scale: Scale) -> String {
+    format!("%{{{}:.5~g}}", if stretched(scale) { custom } else { own })
+}
+
+fn class_map(map: &ClassMap, panel: &Panel) -> Value {
+    let count = map.classes.len().max(1) as f64;
+    let colours: Vec<Value> = map
+        .classes
+        .iter()
+        .enumerate()
+        .flat_map(|(index, class)| {
+            let colour = match class.role {
+                Role::Unresolved => "rgba(255,255,255,0)".to_owned(),
+                role => role.colour().to_string(),
+            };
+            let (from, to) = (index as f64 / count, (index + 1) as f64 / count);
+            [json!([from, colour]), json!([to, colour])]
+        })
+        .collect();
+    let classes: Vec<String> = map.classes.iter().map(|class| html(&class.label)).collect();
+    let mut trace = json!({
+        "type": "heatmap", "name": "",
+        "x": floats(&placed(panel.x.scale, &map.x), None),
+        "y": floats(&placed(panel.y.scale, &map.y), None),
+        "z": { "dtype": "u1", "bdata": STANDARD.encode(&map.codes), "shape": shape(&map.x, &map.y) },
+        "zmin": -0.5, "zmax": count - 0.5, "showscale": false,
+        "meta": { "classes": classes },
+        "hovertemplate": format!("<b>%{{text}}</b><br>{}: %{{x:.4~g}}<br>{}: %{{y:.4~g}}<extra></extra>", html(&panel.x.label), html(&panel.y.label)),
+    });
+    if !colours.is_empty() {
+        trace["colorscale"] = json!(colours);
+    }
+    trace
+}
+
+fn value_map(map: &ValueMap, panel: &Panel, index: usize) -> Value {
+    let scale = map.bar.scale;
+    let z: Vec<f64> = map.z.iter().map(|z| stretch(scale, *z)).collect();
+    let shape = shape(&map.x, &map.y);
+    let own = if scale == Scale::Linear { "z" } else { "customdata" };
+    let mut trace = json!({
+        "type": "heatmap", "name": "",
+        "x": floats(&placed(panel.x.scale, &map.x), None),
+        "y": floats(&placed(panel.y.scale, &map.y), None),
+        "z": floats(&z, Some(&shape)),
+        "coloraxis": format!("coloraxis{}", suffix(index)),
+        "hovertemplate": format!(
+            "{}: %{{x:.4~g}}<br>{}: %{{y:.4~g}}<br>{}: %{{{own}:.5~g}}<extra></extra>",
+            html(&panel.x.label), html(&panel.y.label), html(&map.bar.label),
+        ),
+    });
+    if scale != Scale::Linear {
+        trace["customdata"] = floats(&map.z, Some(&shape));
+    }
+    trace
+}
+
+/// Rows and columns, as plotly reads them.
+fn shape(x: &[f64], y: &[f64]) -> String {
+    format!("{}, {}", y.len(), x.len())
+}
+
+/// A typed array, which is shorter than digits and knows NaN.
+fn floats(values: &[f64], shape: Option<&str>) -> Value {
+    let bytes: Vec<u8> = values.iter().flat_map(|value| value.to_le_bytes()).collect();
+    let mut array = json!({ "dtype": "f8", "bdata": STANDARD.encode(bytes) });
+    if let Some(shape) = shape {
+        array["shape"] = json!(shape);
+    }
+    array
+}

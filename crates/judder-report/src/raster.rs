@@ -1,0 +1,144 @@
+//! Maps as little pictures: one pixel a cell where the grid is even on its axes, resampled where it is not.
+
+use crate::figure::{ClassMap, ValueMap};
+use crate::palette::{Colour, Role};
+use crate::scale::Placed;
+use base64::{Engine, engine::general_purpose::STANDARD};
+
+/// A picture and where it stands, as fractions of the frame (0 at the left and lower ends, 1 at the others).
+#[derive(Debug, Clone)]
+pub(crate) struct Picture {
+    /// `data:image/png;base64,…`
+    pub(crate) address: String,
+    pub(crate) across: (f64, f64),
+    pub(crate) up: (f64, f64),
+}
+
+/// Pixels along an axis whose cells are not even, or are more than this.
+const RESAMPLED: usize = 2048;
+
+/// The picture of a class map; unresolved cells are clear, so that the hatch under the picture shows.
+pub(crate) fn classes(map: &ClassMap, x: &Placed, y: &Placed) -> Option<Picture> {
+    let palette: Vec<[u8; 4]> =
+        map.classes.iter().map(|class| opaque_unless_unresolved(class.role)).collect();
+    picture(&map.x, &map.y, x, y, &palette, |cell| map.codes.get(cell).copied().unwrap_or(0))
+}
+
+fn opaque_unless_unresolved(role: Role) -> [u8; 4] {
+    let Colour(red, green, blue) = role.colour();
+    [red, green, blue, if role == Role::Unresolved { 0 } else { 255 }]
+}
+
+/// The last index of a value map's palette: cells without a value.
+const NO_VALUE: u8 = 255;
+
+/// The picture of a value map in 255 shades over the range of its colour bar; cells without a value are clear.
+pub(crate) fn values(map: &ValueMap, x: &Placed, y: &Placed, bar: &Placed) -> Option<Picture> {
+    let shades = f64::from(NO_VALUE) - 1.0;
+    let palette: Vec<[u8; 4]> = (0..=NO_VALUE)
+        .map(|index| {
+            let Colour(red, green, blue) = map.colours.at(f64::from(index) / shades);
+            [red, green, blue, if index == NO_VALUE { 0 } else { 255 }]
+        })
+        .collect();
+    picture(&map.x, &map.y, x, y, &palette, |cell| {
+        let fraction = map.z.get(cell).and_then(|z| bar.fraction(*z));
+        fraction.map_or(NO_VALUE, |fraction| (fraction.clamp(0.0, 1.0) * shades).round() as u8)
+    })
+}
+
+/// Cells of a map along one axis: which one each pixel shows, and the fractions between which they stand.
+struct Columns {
+    cells: Vec<usize>,
+    from: f64,
+    to: f64,
+}
+
+/// `None` where there are no cells, or none in the frame.
+fn columns(centres: &[f64], axis: &Placed) -> Option<Columns> {
+    let places: Vec<f64> = centres.iter().filter_map(|centre| axis.fraction(*centre)).collect();
+    let (first, last) = (*places.first()?, *places.last()?);
+    if places.len() == 1 {
+        return Some(Columns { cells: vec![0], from: first - 0.5, to: first + 0.5 });
+    }
+    let count = places.len();
+    let mean = (last - first) / (count - 1) as f64;
+    let even = places.windows(2).all(|pair| (pair[1] - pair[0] - mean).abs() <= 1e-3 * mean);
+    let (from, to) = (first - (places[1] - first) / 2.0, last + (last - places[count - 2]) / 2.0);
+    if even && count <= RESAMPLED {
+        return Some(Columns { cells: (0..count).collect(), from, to });
+    }
+    let edges: Vec<f64> = places.windows(2).map(|pair| (pair[0] + pair[1]) / 2.0).collect();
+    // only what the frame shows, so that far cells do not coarsen the picture
+    let (from, to) = (from.max(0.0), to.min(1.0));
+    if from >= to {
+        return None;
+    }
+    let cells = (0..RESAMPLED)
+        .map(|pixel| {
+            let place = from + (to - from) * (pixel as f64 + 0.5) / RESAMPLED as f64;
+            edges.partition_point(|edge| *edge < place)
+        })
+        .collect();
+    Some(Columns { cells, from, to })
+}
+
+fn picture(
+    x: &[f64],
+    y: &[f64],
+    axis_x: &Placed,
+    axis_y: &Placed,
+    palette: &[[u8; 4]],
+    index: impl Fn(usize) -> u8,
+) -> Option<Picture> {
+    let (across, up) = (columns(x, axis_x)?, columns(y, axis_y)?);
+    // rows of a picture run down, those of a map up
+    let pixels: Vec<u8> = up
+        .cells
+        .iter()
+        .rev()
+        .flat_map(|row| across.cells.iter().map(move |column| row * x.len() + column))
+        .map(index)
+        .collect();
+    let png = indexed_png(across.cells.len(), up.cells.len(), &pixels, palette).ok()?;
+    Some(Picture {
+        address: format!("data:image/png;base64,{}", STANDARD.encode(png)),
+        across: (across.from, across.to),
+        up: (up.from, up.to),
+    })
+}
+
+/// A palette picture, which for maps of few classes is a tenth of a full-colour one.
+fn indexed_png(
+    width: usize,
+    height: usize,
+    pixels: &[u8],
+    palette: &[[u8; 4]],
+) -> Result<Vec<u8>, png::EncodingError> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, width as u32, height as u32);
+    encoder.set_color(png::ColorType::Indexed);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_palette(
+        palette.iter().flat_map(|[red, green, blue, _]| [*red, *green, *blue]).collect::<Vec<u8>>(),
+    );
+    encoder.set_trns(palette.iter().map(|[.., alpha]| *alpha).collect::<Vec<u8>>());
+    encoder.set_compression(png::Compression::High);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(pixels)?;
+    writer.finish()?;
+    Ok(bytes)
+}
+
+/// The colours of a colour bar from its lower to its upper end, as an upright picture.
+pub(crate) fn bar(map: &ValueMap) -> Option<String> {
+    let palette: Vec<[u8; 4]> = (0..=255_u8)
+        .map(|index| {
+            let Colour(red, green, blue) = map.colours.at(f64::from(index) / 255.0);
+            [red, green, blue, 255]
+        })
+        .collect();
+    let pixels: Vec<u8> = (0..=255).rev().collect();
+    let png = indexed_png(1, pixels.len(), &pixels, &palette).ok()?;
+    Some(format!("data:image/png;base64,{}", STANDARD.encode(png)))
+}

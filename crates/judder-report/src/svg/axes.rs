@@ -1,0 +1,97 @@
+//! Frames, ticks, labels and colour bars.
+
+use super::document::{Document, append, number, rectangle};
+use super::text::{Anchor, Text};
+use crate::figure::ValueMap;
+use crate::layout::{BAR_GAP, BAR_WIDTH, DrawnAxis, DrawnPanel, Frame, TICK_GAP};
+use crate::palette::INK;
+use crate::raster;
+use crate::typeface::{LABEL_SIZE, SMALL_SIZE, width};
+
+/// Length of long and short ticks, which point inwards.
+const LONG: f64 = 4.2;
+const SHORT: f64 = 2.3;
+/// From the middle of small digits down to their baseline.
+const HALF_DIGIT: f64 = 0.36 * SMALL_SIZE;
+
+/// Draws the frame of a panel with ticks on all four sides, its labels and its heading.
+pub(super) fn draw(document: &mut Document, panel: &DrawnPanel) {
+    let frame = panel.frame;
+    let (left, right) = (frame.x, frame.x + frame.width);
+    let (top, bottom) = (frame.y, frame.y + frame.height);
+    let mut ticks = String::new();
+    for (value, length) in marks(&panel.x) {
+        let x = number(left + panel.x.placed.fraction(value).unwrap_or(0.0) * frame.width);
+        let (up, down) = (number(-length), number(length));
+        append(&mut ticks, format_args!("M{x} {}v{up}M{x} {}v{down}", number(bottom), number(top)));
+    }
+    for (value, length) in marks(&panel.y) {
+        let y = number(bottom - panel.y.placed.fraction(value).unwrap_or(0.0) * frame.height);
+        let (outward, inward) = (number(-length), number(length));
+        append(&mut ticks, format_args!("M{} {y}h{inward}M{} {y}h{outward}", number(left), number(right)));
+    }
+    document.put(format_args!("<path d=\"{ticks}\" fill=\"none\" stroke=\"{INK}\" stroke-width=\"0.5\"/>"));
+    let stroke = format!("fill=\"none\" stroke=\"{INK}\" stroke-width=\"0.7\"");
+    document.put(format_args!("{}", rectangle(frame, &stroke)));
+    draw_labels(document, panel);
+}
+
+/// Values and lengths of the ticks of an axis.
+fn marks(axis: &DrawnAxis) -> impl Iterator<Item = (f64, f64)> + '_ {
+    let long = axis.ticks.major.iter().map(|tick| (tick.value, LONG));
+    long.chain(axis.ticks.minor.iter().map(|value| (*value, SHORT)))
+}
+
+fn draw_labels(document: &mut Document, panel: &DrawnPanel) {
+    let frame = panel.frame;
+    let bottom = frame.y + frame.height;
+    let below = bottom + TICK_GAP + 0.8 * SMALL_SIZE;
+    for tick in &panel.x.ticks.major {
+        let x = frame.x + panel.x.placed.fraction(tick.value).unwrap_or(0.0) * frame.width;
+        document.text(&Text::new(&tick.label, SMALL_SIZE), x, below);
+    }
+    for tick in &panel.y.ticks.major {
+        let y = bottom - panel.y.placed.fraction(tick.value).unwrap_or(0.0) * frame.height;
+        let text = Text::new(&tick.label, SMALL_SIZE).anchored(Anchor::End);
+        document.text(&text, frame.x - TICK_GAP, y + HALF_DIGIT);
+    }
+    let centre = frame.x + frame.width / 2.0;
+    document.text(&Text::new(&panel.x.label, LABEL_SIZE), centre, below + 1.45 * LABEL_SIZE);
+    let beside = frame.x - TICK_GAP - panel.tick_width - 0.62 * LABEL_SIZE;
+    document.text(&Text::new(&panel.y.label, LABEL_SIZE).upright(), beside, frame.y + frame.height / 2.0);
+    let letter = Text::new(&panel.letter, LABEL_SIZE).anchored(Anchor::Start).bold();
+    document.text(&letter, frame.x, frame.y - 5.5);
+    let indent = if panel.letter.is_empty() { 0.0 } else { 1.2 * LABEL_SIZE };
+    let title = Text::new(&panel.title, LABEL_SIZE).anchored(Anchor::Start);
+    document.text(&title, frame.x + indent, frame.y - 5.5);
+}
+
+/// Draws the colour bar of a value map beside its frame.
+pub(super) fn draw_bar(document: &mut Document, map: &ValueMap, panel: &DrawnPanel) {
+    let (Some(axis), Some(address)) = (&panel.bar, raster::bar(map)) else { return };
+    let frame = panel.frame;
+    let bar = Frame { x: frame.x + frame.width + BAR_GAP, width: BAR_WIDTH, ..frame };
+    document.put(format_args!(
+        "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" href=\"{address}\"/>",
+        number(bar.x),
+        number(bar.y),
+        number(bar.width),
+        number(bar.height),
+    ));
+    let stroke = format!("fill=\"none\" stroke=\"{INK}\" stroke-width=\"0.5\"");
+    document.put(format_args!("{}", rectangle(bar, &stroke)));
+    let mut widest = 0.0_f64;
+    for tick in &axis.ticks.major {
+        let y = bar.y + (1.0 - axis.placed.fraction(tick.value).unwrap_or(0.0)) * bar.height;
+        let (from, end) = (number(bar.x + bar.width - 2.5), number(bar.x + bar.width));
+        document.put(format_args!(
+            "<path d=\"M{from} {y}H{end}\" stroke=\"{INK}\" stroke-width=\"0.5\"/>",
+            y = number(y)
+        ));
+        let text = Text::new(&tick.label, SMALL_SIZE).anchored(Anchor::Start);
+        document.text(&text, bar.x + bar.width + TICK_GAP, y + HALF_DIGIT);
+        widest = widest.max(width(&tick.label, SMALL_SIZE));
+    }
+    let beside = bar.x + bar.width + TICK_GAP + widest + 1.2 * LABEL_SIZE;
+    document.text(&Text::new(&axis.label, LABEL_SIZE).upright(), beside, bar.y + bar.height / 2.0);
+}

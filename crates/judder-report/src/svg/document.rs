@@ -1,0 +1,102 @@
+//! The SVG document that is being written.
+
+use super::text::Text;
+use crate::figure::Figure;
+use crate::layout::{Frame, Layout};
+use crate::markup::{escape, plain_html};
+use crate::palette::{INK, Role, UNRESOLVED_GROUND};
+use crate::typeface::FAMILIES;
+use std::fmt::{Arguments, Write};
+
+/// An SVG document up to the last element written.
+pub(super) struct Document {
+    out: String,
+    /// Begins every id, so that several figures can stand in one page.
+    name: String,
+}
+
+impl Document {
+    /// Head, accessible name, hatch and white ground.
+    pub(super) fn open(figure: &Figure, layout: &Layout) -> Self {
+        let mut document = Self { out: String::new(), name: escape(&figure.name) };
+        let (width, height) = (number(layout.width), number(layout.height));
+        let name = document.name.clone();
+        document.put(format_args!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}pt\" height=\"{height}pt\" \
+             viewBox=\"0 0 {width} {height}\" font-family=\"{FAMILIES}\" fill=\"{INK}\" role=\"img\" \
+             aria-labelledby=\"{name}-title {name}-caption\">"
+        ));
+        document.put(format_args!("<title id=\"{name}-title\">{}</title>", plain_html(&figure.title)));
+        document.put(format_args!("<desc id=\"{name}-caption\">{}</desc>", plain_html(&figure.caption)));
+        let hatch = Role::Unresolved.colour();
+        document.put(format_args!(
+            "<defs><pattern id=\"{name}-hatch\" width=\"4\" height=\"4\" patternUnits=\"userSpaceOnUse\" \
+             patternTransform=\"rotate(45)\"><rect width=\"4\" height=\"4\" fill=\"{UNRESOLVED_GROUND}\"/>\
+             <rect width=\"1.2\" height=\"4\" fill=\"{hatch}\"/></pattern></defs>"
+        ));
+        document.put(format_args!("<rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>"));
+        document
+    }
+
+    /// Adds an element and a line end.
+    pub(super) fn put(&mut self, element: Arguments<'_>) {
+        append(&mut self.out, format_args!("{element}\n"));
+    }
+
+    /// Adds a label whose anchor stands at (`x`, `y`) on its baseline.
+    pub(super) fn text(&mut self, text: &Text, x: f64, y: f64) {
+        if !text.is_empty() {
+            self.put(format_args!("{}", text.element(x, y)));
+        }
+    }
+
+    /// Opens a group that is cut at a frame.
+    pub(super) fn open_clip(&mut self, frame: Frame, index: usize) {
+        let name = self.name.clone();
+        self.put(format_args!("<clipPath id=\"{name}-frame-{index}\">{}</clipPath>", rectangle(frame, "")));
+        self.put(format_args!("<g clip-path=\"url(#{name}-frame-{index})\">"));
+    }
+
+    pub(super) fn close_group(&mut self) {
+        self.put(format_args!("</g>"));
+    }
+
+    /// The fill of an area of this meaning.
+    pub(super) fn area_fill(&self, role: Role) -> String {
+        match role {
+            Role::Unresolved => format!("url(#{}-hatch)", self.name),
+            _ => role.colour().to_string(),
+        }
+    }
+
+    /// The finished document.
+    pub(super) fn close(mut self) -> String {
+        self.put(format_args!("</svg>"));
+        self.out
+    }
+}
+
+/// Adds a piece to a text.
+pub(super) fn append(out: &mut String, piece: Arguments<'_>) {
+    // writing to a String cannot fail
+    let _ = out.write_fmt(piece);
+}
+
+/// A rectangle with further attributes.
+pub(super) fn rectangle(frame: Frame, attributes: &str) -> String {
+    format!(
+        "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"{}{attributes}/>",
+        number(frame.x),
+        number(frame.y),
+        number(frame.width.max(0.0)),
+        number(frame.height.max(0.0)),
+        if attributes.is_empty() { "" } else { " " },
+    )
+}
+
+/// A coordinate to a hundredth of a point, as short as it goes.
+pub(super) fn number(value: f64) -> String {
+    let text = format!("{value:.2}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}

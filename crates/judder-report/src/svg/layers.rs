@@ -1,0 +1,212 @@
+//! What a panel shows: maps, regions, curves, points, reference lines and notes.
+
+use super::document::{Document, number, rectangle};
+use super::path::polyline;
+use super::text::{Anchor, Text};
+use crate::figure::{Direction, Layer, Line, Region, Rule};
+use crate::layout::{DrawnPanel, Frame};
+use crate::palette::{Marker, QUIET, Role, Style};
+use crate::raster::{self, Picture};
+use crate::typeface::{SMALL_SIZE, width};
+
+/// Draws a map or a region, which lie under everything else.
+pub(super) fn draw_ground(document: &mut Document, layer: &Layer, panel: &DrawnPanel) {
+    let (x, y) = (&panel.x.placed, &panel.y.placed);
+    match layer {
+        Layer::Classes(map) => {
+            let open = map.classes.iter().any(|class| class.role == Role::Unresolved);
+            draw_picture(document, raster::classes(map, x, y), panel.frame, open);
+        }
+        Layer::Values(map) => {
+            let open = map.z.iter().any(|z| !z.is_finite());
+            let picture = panel.bar.as_ref().and_then(|bar| raster::values(map, x, y, &bar.placed));
+            draw_picture(document, picture, panel.frame, open);
+        }
+        Layer::Region(region) => draw_region(document, region, panel),
+        _ => {}
+    }
+}
+
+/// Draws a picture, over a hatch that shows through its clear cells.
+fn draw_picture(document: &mut Document, picture: Option<Picture>, frame: Frame, open: bool) {
+    let Some(picture) = picture else { return };
+    let place = Frame {
+        x: frame.x + picture.across.0 * frame.width,
+        y: frame.y + (1.0 - picture.up.1) * frame.height,
+        width: (picture.across.1 - picture.across.0) * frame.width,
+        height: (picture.up.1 - picture.up.0) * frame.height,
+    };
+    if open {
+        let fill = format!("fill=\"{}\"", document.area_fill(Role::Unresolved));
+        document.put(format_args!("{}", rectangle(place, &fill)));
+    }
+    document.put(format_args!(
+        "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" \
+         image-rendering=\"optimizeSpeed\" style=\"image-rendering:pixelated\" href=\"{}\"/>",
+        number(place.x),
+        number(place.y),
+        number(place.width),
+        number(place.height),
+        picture.address,
+    ));
+}
+
+fn draw_region(document: &mut Document, region: &Region, panel: &DrawnPanel) {
+    let frame = panel.frame;
+    let span = |ends: Option<(f64, f64)>, axis: &crate::scale::Placed| match ends {
+        None => Some((0.0, 1.0)),
+        Some((from, to)) => {
+            let (from, to) = (axis.fraction(from)?, axis.fraction(to)?);
+            Some((from.min(to).clamp(0.0, 1.0), from.max(to).clamp(0.0, 1.0)))
+        }
+    };
+    let (Some(across), Some(up)) = (span(region.x, &panel.x.placed), span(region.y, &panel.y.placed)) else {
+        return;
+    };
+    let place = Frame {
+        x: frame.x + across.0 * frame.width,
+        y: frame.y + (1.0 - up.1) * frame.height,
+        width: (across.1 - across.0) * frame.width,
+        height: (up.1 - up.0) * frame.height,
+    };
+    let fill = format!("fill=\"{}\"", document.area_fill(region.role));
+    document.put(format_args!("{}", rectangle(place, &fill)));
+}
+
+/// Draws a curve, points or a reference line.
+pub(super) fn draw_curve(document: &mut Document, layer: &Layer, panel: &DrawnPanel) {
+    match layer {
+        Layer::Line(line) => draw_line(document, line, panel),
+        Layer::Points(points) => {
+            let places = places(points, panel).flatten().filter(|place| near(*place, panel.frame));
+            document.put(format_args!("{}", marker_path(&points.style, places)));
+        }
+        Layer::Rule(rule) => {
+            if let Some((x, y, end_x, end_y)) = rule_ends(rule, panel) {
+                document.put(format_args!(
+                    "<path d=\"M{} {}L{} {}\" stroke=\"{QUIET}\" stroke-width=\"0.7\" stroke-dasharray=\"1.4 1.8\"/>",
+                    number(x),
+                    number(y),
+                    number(end_x),
+                    number(end_y),
+                ));
+            }
+        }
+        _ => {}
+    }
+}
+
+/// Draws the light rim that lifts a curve off a map.
+pub(super) fn draw_rim(document: &mut Document, layer: &Layer, panel: &DrawnPanel) {
+    let Layer::Line(line) = layer else { return };
+    let data = polyline(places(line, panel), panel.frame);
+    if !data.is_empty() {
+        document.put(format_args!(
+            "<path d=\"{data}\" fill=\"none\" stroke=\"#ffffff\" stroke-opacity=\"0.8\" stroke-width=\"{}\" \
+             stroke-linejoin=\"round\"/>",
+            number(line.style.width + 1.3),
+        ));
+    }
+}
+
+fn places<'a>(line: &'a Line, panel: &'a DrawnPanel) -> impl Iterator<Item = Option<(f64, f64)>> + 'a {
+    line.x.iter().zip(&line.y).map(|(x, y)| panel.point(*x, *y))
+}
+
+/// Markers outside the frame are left out, whole.
+fn near((x, y): (f64, f64), frame: Frame) -> bool {
+    const SLACK: f64 = 0.01;
+    (frame.x - SLACK..=frame.x + frame.width + SLACK).contains(&x)
+        && (frame.y - SLACK..=frame.y + frame.height + SLACK).contains(&y)
+}
+
+fn draw_line(document: &mut Document, line: &Line, panel: &DrawnPanel) {
+    let data = polyline(places(line, panel), panel.frame);
+    if data.is_empty() {
+        return;
+    }
+    document.put(format_args!("<path d=\"{data}\" {}/>", line_attributes(&line.style)));
+}
+
+/// Stroke, width and dash of a line.
+pub(super) fn line_attributes(style: &Style) -> String {
+    let dash: Vec<String> = style.dash.pattern().iter().map(|part| number(part * style.width)).collect();
+    let dash =
+        if dash.is_empty() { String::new() } else { format!(" stroke-dasharray=\"{}\"", dash.join(" ")) };
+    format!(
+        "fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"{dash}",
+        style.role.colour(),
+        number(style.width),
+    )
+}
+
+/// One path with a marker at every place.
+pub(super) fn marker_path(style: &Style, places: impl Iterator<Item = (f64, f64)>) -> String {
+    let data: String = places
+        .map(|(x, y)| {
+            let start = |dx: f64, dy: f64| format!("M{} {}", number(x + dx), number(y + dy));
+            match style.marker {
+                Marker::Circle => format!("{}a2.1 2.1 0 1 0 4.2 0a2.1 2.1 0 1 0-4.2 0z", start(-2.1, 0.0)),
+                Marker::Square => format!("{}h3.8v3.8h-3.8z", start(-1.9, -1.9)),
+                Marker::Diamond => format!("{}l2.5 2.5l-2.5 2.5l-2.5-2.5z", start(0.0, -2.5)),
+                Marker::Triangle => format!("{}l2.5 4.3h-5z", start(0.0, -2.7)),
+                Marker::Cross => format!("{}l4 4m0-4l-4 4", start(-2.0, -2.0)),
+            }
+        })
+        .collect();
+    let colour = style.role.colour();
+    match style.marker {
+        Marker::Cross => {
+            format!("<path d=\"{data}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"1.1\"/>")
+        }
+        _ => format!("<path d=\"{data}\" fill=\"{colour}\" stroke=\"#ffffff\" stroke-width=\"0.5\"/>"),
+    }
+}
+
+/// Both ends of a reference line, where it crosses the frame.
+fn rule_ends(rule: &Rule, panel: &DrawnPanel) -> Option<(f64, f64, f64, f64)> {
+    let frame = panel.frame;
+    let (right, bottom) = (frame.x + frame.width, frame.y + frame.height);
+    match rule.direction {
+        Direction::Vertical if panel.x.placed.contains(rule.value) => {
+            let x = frame.x + panel.x.placed.fraction(rule.value)? * frame.width;
+            Some((x, frame.y, x, bottom))
+        }
+        Direction::Horizontal if panel.y.placed.contains(rule.value) => {
+            let y = bottom - panel.y.placed.fraction(rule.value)? * frame.height;
+            Some((frame.x, y, right, y))
+        }
+        _ => None,
+    }
+}
+
+/// Draws the text of a note or a reference line, with a light rim, inside the frame.
+pub(super) fn draw_text(document: &mut Document, layer: &Layer, panel: &DrawnPanel) {
+    let frame = panel.frame;
+    let (label, x, y) = match layer {
+        Layer::Note(note) => {
+            let Some((x, y)) = panel.point(note.x, note.y).filter(|place| near(*place, frame)) else {
+                return;
+            };
+            (&note.text, x, y + 0.36 * SMALL_SIZE)
+        }
+        Layer::Rule(rule) => {
+            let Some((_, y, x, _)) = rule_ends(rule, panel) else { return };
+            match rule.direction {
+                Direction::Vertical => (&rule.label, x + 4.0, frame.y + 13.0),
+                Direction::Horizontal => (&rule.label, x, y - 3.0),
+            }
+        }
+        _ => return,
+    };
+    let furthest = frame.x + frame.width - 6.0 - width(label, SMALL_SIZE);
+    // a label that would leave the frame on the right of its line goes to the left of it
+    let beside = match layer {
+        Layer::Rule(rule) if rule.direction == Direction::Vertical && x > furthest => {
+            x - 8.0 - width(label, SMALL_SIZE)
+        }
+        _ => x.min(furthest),
+    };
+    let text = Text::new(label, SMALL_SIZE).anchored(Anchor::Start).with_halo().coloured(QUIET);
+    document.text(&text, beside, y);
+}

@@ -1,0 +1,92 @@
+//! Whether a figure can be drawn: checked once, before any picture is made, so that drawing cannot fail.
+
+use crate::error::{PanelError, ReportError};
+use crate::figure::{Axis, Figure, Layer, Panel, Scale};
+use crate::scale::{SMALLEST, drawable};
+
+/// A figure is in order when its name is a file stem, its ranges can be drawn and its arrays fit together.
+pub(crate) fn check(figure: &Figure) -> Result<(), ReportError> {
+    let allowed = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
+    let name = &figure.name;
+    if name.is_empty() || name.starts_with('.') || !name.chars().all(allowed) {
+        return Err(ReportError::FigureName { name: name.clone() });
+    }
+    if figure.columns == 0 {
+        return Err(ReportError::Columns { figure: name.clone(), columns: 0 });
+    }
+    for (index, panel) in figure.panels.iter().enumerate() {
+        check_panel(panel).map_err(|source| ReportError::Panel {
+            figure: name.clone(),
+            panel: index,
+            source,
+        })?;
+    }
+    Ok(())
+}
+
+fn check_panel(panel: &Panel) -> Result<(), PanelError> {
+    check_axis(&panel.x, "x")?;
+    check_axis(&panel.y, "y")?;
+    for (layer, content) in panel.layers.iter().enumerate() {
+        match content {
+            Layer::Line(line) | Layer::Points(line) if line.x.len() != line.y.len() => {
+                return Err(PanelError::Lengths { layer, x: line.x.len(), y: line.y.len() });
+            }
+            Layer::Classes(map) => {
+                check_grid(layer, panel, &map.x, &map.y, map.codes.len())?;
+                let classes = map.classes.len();
+                let stray = map.codes.iter().enumerate().find(|(_, code)| usize::from(**code) >= classes);
+                if let Some((cell, code)) = stray {
+                    return Err(PanelError::Code { layer, cell, code: *code, classes });
+                }
+            }
+            Layer::Values(map) => {
+                check_axis(&map.bar, "colour")?;
+                check_grid(layer, panel, &map.x, &map.y, map.z.len())?;
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+fn check_axis(axis: &Axis, name: &'static str) -> Result<(), PanelError> {
+    if let Scale::SymmetricLog { linear } = axis.scale
+        && !drawable(Scale::Log, linear)
+    {
+        return Err(PanelError::LinearPart { axis: name, linear });
+    }
+    let Some((from, to)) = axis.range else { return Ok(()) };
+    // closer ends than this differ by rounding alone, or underflow
+    let least = if axis.scale == Scale::Log { 0.0 } else { SMALLEST };
+    let apart = to - from > 1e-12 * from.abs().max(to.abs()).max(least);
+    if apart && drawable(axis.scale, from) && drawable(axis.scale, to) {
+        return Ok(());
+    }
+    Err(PanelError::Range { axis: name, from, to })
+}
+
+fn check_grid(layer: usize, panel: &Panel, x: &[f64], y: &[f64], cells: usize) -> Result<(), PanelError> {
+    check_coordinates(layer, "x", x, panel.x.scale)?;
+    check_coordinates(layer, "y", y, panel.y.scale)?;
+    if x.len().checked_mul(y.len()) == Some(cells) {
+        return Ok(());
+    }
+    Err(PanelError::Cells { layer, cells, columns: x.len(), rows: y.len() })
+}
+
+fn check_coordinates(
+    layer: usize,
+    axis: &'static str,
+    coordinates: &[f64],
+    scale: Scale,
+) -> Result<(), PanelError> {
+    let mut last = f64::NEG_INFINITY;
+    for (index, value) in coordinates.iter().copied().enumerate() {
+        if !(value > last && drawable(scale, value)) {
+            return Err(PanelError::Coordinate { layer, axis, index, value });
+        }
+        last = value;
+    }
+    Ok(())
+}

@@ -1,0 +1,79 @@
+//! The plotly JSON holds the figure's numbers: typed arrays decode to them, shapes and names are right.
+
+use crate::samples::{HOSTILE, every_layer, one_line};
+use base64::{Engine, engine::general_purpose::STANDARD};
+use judder_report::{Scale, plotly};
+use serde_json::{Value, json};
+
+pub(crate) fn base64_bytes(text: &str) -> Vec<u8> {
+    STANDARD.decode(text).unwrap()
+}
+
+fn floats(array: &Value) -> Vec<f64> {
+    assert_eq!(array["dtype"], "f8");
+    let bytes = base64_bytes(array["bdata"].as_str().unwrap());
+    bytes.chunks_exact(8).map(|chunk| f64::from_le_bytes(chunk.try_into().unwrap())).collect()
+}
+
+#[test]
+fn curves_keep_every_digit_and_their_gaps() {
+    let x = vec![1e-8, 0.1 + 0.2, f64::NAN, 1e300];
+    let chart = plotly(&one_line(Scale::Log, x.clone(), x.clone())).unwrap();
+    let back = floats(&chart["data"][0]["x"]);
+    assert_eq!(back[..2], x[..2]);
+    assert!(back[2].is_nan());
+    assert_eq!(chart["layout"]["xaxis"]["type"], "log");
+}
+
+#[test]
+fn class_maps_carry_codes_shape_and_names() {
+    let chart = plotly(&every_layer("$τ̃_{0}$")).unwrap();
+    let traces = chart["data"].as_array().unwrap();
+    let map = traces.iter().find(|trace| trace["type"] == "heatmap" && trace["z"]["dtype"] == "u1").unwrap();
+    assert_eq!(base64_bytes(map["z"]["bdata"].as_str().unwrap()), [0, 1, 2, 2, 1, 0]);
+    assert_eq!(map["z"]["shape"], "2, 3");
+    assert_eq!(map["meta"]["classes"], json!(["<i>τ̃</i><sub>0</sub>", "flutter", "unresolved"]));
+}
+
+#[test]
+fn value_maps_show_their_own_values() {
+    let chart = plotly(&every_layer("z")).unwrap();
+    let traces = chart["data"].as_array().unwrap();
+    let map = traces.iter().find(|trace| trace["coloraxis"].is_string()).unwrap();
+    assert_eq!(floats(&map["customdata"])[..3], [1.0, 2.0, 3.0]);
+    assert_eq!(floats(&map["z"])[0], 0.0, "log colours are handed over as logarithms");
+    assert!(chart["layout"][map["coloraxis"].as_str().unwrap()]["colorbar"].is_object());
+}
+
+#[test]
+fn symmetric_log_axes_show_their_own_values() {
+    let chart =
+        plotly(&one_line(Scale::SymmetricLog { linear: 0.1 }, vec![-10.0, 0.05], vec![0.0, 1.0])).unwrap();
+    let trace = &chart["data"][0];
+    assert_eq!(floats(&trace["x"]), [-3.0, 0.5]);
+    assert_eq!(trace["customdata"], json!([[-10.0, 0.0], [0.05, 1.0]]));
+}
+
+#[test]
+fn a_label_has_one_legend_entry() {
+    let chart = plotly(&every_layer("same")).unwrap();
+    let shown = chart["data"].as_array().unwrap().iter().filter(|trace| trace["showlegend"] == true);
+    let names: Vec<&Value> = shown.map(|trace| &trace["name"]).collect();
+    let distinct: std::collections::BTreeSet<String> = names.iter().map(ToString::to_string).collect();
+    assert_eq!(names.len(), distinct.len(), "{names:?}");
+}
+
+#[test]
+fn small_screens_get_one_column() {
+    let chart = plotly(&every_layer("")).unwrap();
+    assert_eq!(chart["narrow"]["xaxis2"]["domain"][0], 0.0);
+    assert_ne!(chart["layout"]["xaxis2"]["domain"][0], 0.0);
+}
+
+#[test]
+fn hostile_texts_are_escaped_and_bytes_repeat() {
+    let figure = every_layer(HOSTILE);
+    let text = plotly(&figure).unwrap().to_string();
+    assert!(!text.contains("</script>"));
+    assert_eq!(text, plotly(&figure).unwrap().to_string());
+}

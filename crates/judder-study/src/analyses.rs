@@ -1,0 +1,79 @@
+//! One module a kind of analysis; each turns a case and its settings into an [`Outcome`].
+
+mod axis;
+mod critical;
+mod equivalent_damping;
+mod spectrum;
+mod stability_map;
+mod steady_states;
+mod two_degrees;
+
+pub(crate) use steady_states::SteadyState;
+
+use crate::bridge;
+use crate::error::StudyError;
+use crate::outcome::Outcome;
+use crate::progress::Progress;
+use judder_case::{Case, OscillatorAnalysis, OscillatorCase};
+
+/// The names of the analyses of a case, in its order.
+#[must_use]
+pub fn names(case: &Case) -> Vec<String> {
+    match case {
+        Case::Oscillator(case) => case.analyses.iter().map(|a| a.name.clone()).collect(),
+        Case::TwoDegrees(case) => case.analyses.iter().map(|a| a.name.clone()).collect(),
+    }
+}
+
+/// How many steps the analysis at `index` announces to its progress.
+#[must_use]
+pub fn steps(case: &Case, index: usize) -> usize {
+    let curves = |family: &Option<judder_case::Family<_>>| family.as_ref().map_or(1, |f| f.values.len());
+    match case {
+        Case::Oscillator(case) => match &case.analyses[index].kind {
+            OscillatorAnalysis::EquivalentDamping { sweep, family }
+            | OscillatorAnalysis::Spectrum { sweep, family }
+            | OscillatorAnalysis::CriticalShearStrength { sweep, family, .. }
+            | OscillatorAnalysis::CriticalLoad { sweep, family, .. } => sweep.points * curves(family),
+            OscillatorAnalysis::StabilityMap(_) => 2,
+        },
+        Case::TwoDegrees(_) => 1,
+    }
+}
+
+/// Runs the analysis at `index` of a case.
+///
+/// # Errors
+/// [`StudyError::Interrupted`], or arrays that the store refuses.
+pub fn run(case: &Case, index: usize, progress: &dyn Progress) -> Result<Outcome, StudyError> {
+    match case {
+        Case::Oscillator(case) => {
+            let mut outcome = oscillator(case, &case.analyses[index].kind, progress)?;
+            outcome.warnings.extend(bridge::law_warning(case));
+            Ok(outcome)
+        }
+        Case::TwoDegrees(case) => two_degrees::run(case, &case.analyses[index].kind, progress),
+    }
+}
+
+fn oscillator(
+    case: &OscillatorCase,
+    analysis: &OscillatorAnalysis,
+    progress: &dyn Progress,
+) -> Result<Outcome, StudyError> {
+    match analysis {
+        OscillatorAnalysis::EquivalentDamping { sweep, family } => {
+            equivalent_damping::run(case, sweep, family.as_ref(), progress)
+        }
+        OscillatorAnalysis::Spectrum { sweep, family } => {
+            spectrum::run(case, sweep, family.as_ref(), progress)
+        }
+        OscillatorAnalysis::CriticalShearStrength { sweep, within, family } => {
+            critical::run(case, critical::Sought::ShearStrength, sweep, within, family.as_ref(), progress)
+        }
+        OscillatorAnalysis::CriticalLoad { sweep, within, family } => {
+            critical::run(case, critical::Sought::Load, sweep, within, family.as_ref(), progress)
+        }
+        OscillatorAnalysis::StabilityMap(map) => stability_map::run(case, map, progress),
+    }
+}

@@ -1,0 +1,117 @@
+//! Swept quantities as axes of arrays.
+
+use crate::labels::{Quantity, oscillator_key, parameter};
+use judder_case::{Family, OscillatorCase, OscillatorInputs, OscillatorKey, ParameterKey, Scale, Sweep};
+use judder_oscillator::critical;
+use judder_store::Variable;
+use serde_json::{Map, Value, json};
+
+/// A swept quantity with its values: a coordinate of arrays, an axis of figures.
+#[derive(Debug, Clone)]
+pub(crate) struct Axis {
+    pub(crate) quantity: Quantity,
+    pub(crate) values: Vec<f64>,
+    pub(crate) scale: Scale,
+}
+
+impl Axis {
+    pub(crate) fn of_oscillator(sweep: &Sweep<OscillatorKey>) -> Self {
+        Self { quantity: oscillator_key(sweep.key, sweep.form), values: sweep.values(), scale: sweep.scale }
+    }
+
+    pub(crate) fn of_parameter(sweep: &Sweep<ParameterKey>) -> Self {
+        let name = sweep.path.rsplit('.').next().unwrap_or(&sweep.path);
+        Self { quantity: parameter(name), values: sweep.values(), scale: sweep.scale }
+    }
+
+    /// The coordinate variable; `label` and `scale` let the figures be drawn again from the arrays alone.
+    pub(crate) fn coordinate(&self) -> Variable {
+        coordinate(&self.quantity, self.values.clone()).attribute("scale", self.scale.name())
+    }
+
+    pub(crate) fn name(&self) -> &str {
+        &self.quantity.name
+    }
+}
+
+fn coordinate(quantity: &Quantity, values: Vec<f64>) -> Variable {
+    let plain: String = quantity.label.chars().filter(|c| !"${}_".contains(*c)).collect();
+    Variable::coordinate(&quantity.name, values)
+        .units(&quantity.unit)
+        .long_name(&plain)
+        .attribute("label", quantity.label.clone())
+        .attribute("symbol", quantity.symbol.clone())
+}
+
+/// The range of a sweep, for searches and continuation.
+pub(crate) fn range<K>(sweep: &Sweep<K>) -> critical::Range {
+    let scale = match sweep.scale {
+        Scale::Linear => critical::Scale::Linear,
+        Scale::Log => critical::Scale::Logarithmic,
+    };
+    critical::Range { from: sweep.from, to: sweep.to, scale }
+}
+
+/// The curves of an analysis: one operating point to start from for each value of the family, or one alone.
+pub(crate) struct Curves {
+    family: Option<(Quantity, Vec<f64>, String)>,
+    pub(crate) inputs: Vec<OscillatorInputs>,
+}
+
+impl Curves {
+    pub(crate) fn new(case: &OscillatorCase, family: Option<&Family<OscillatorKey>>) -> Self {
+        let Some(family) = family else { return Self { family: None, inputs: vec![case.inputs] } };
+        let inputs = family.values.iter().map(|value| {
+            let mut inputs = case.inputs;
+            family.set(&mut inputs, *value);
+            inputs
+        });
+        let quantity = oscillator_key(family.key, family.form);
+        Self {
+            family: Some((quantity, family.values.clone(), family.path.clone())),
+            inputs: inputs.collect(),
+        }
+    }
+
+    /// One curve, of a case that has no operating points.
+    pub(crate) fn alone() -> Self {
+        Self { family: None, inputs: vec![OscillatorInputs::default()] }
+    }
+
+    /// The family's coordinate, where there is one.
+    pub(crate) fn coordinate(&self) -> Option<Variable> {
+        let (quantity, values, _) = self.family.as_ref()?;
+        Some(coordinate(quantity, values.clone()))
+    }
+
+    /// Dimension names and shape of an array over family, axis and further dimensions.
+    pub(crate) fn dimensions<'a>(
+        &'a self,
+        axis: &'a Axis,
+        further: &[(&'a str, usize)],
+    ) -> (Vec<&'a str>, Vec<usize>) {
+        let family = self.family.as_ref().map(|(quantity, values, _)| (quantity.name.as_str(), values.len()));
+        family.into_iter().chain([(axis.name(), axis.values.len())]).chain(further.iter().copied()).unzip()
+    }
+
+    /// The scalars of a run: the one curve's own, or a list of curves with the family's values.
+    pub(crate) fn scalars(&self, curves: Vec<Map<String, Value>>) -> Map<String, Value> {
+        match &self.family {
+            None => curves.into_iter().next().unwrap_or_default(),
+            Some((_, values, path)) => {
+                let mut all = Map::new();
+                all.insert("family".to_owned(), json!({ "key": path, "values": values }));
+                all.insert("curves".to_owned(), json!(curves));
+                all
+            }
+        }
+    }
+
+    /// The family's name and, for each curve, its value; for tables.
+    pub(crate) fn column(&self, rows_of_curve: &[usize]) -> Option<(String, String, Vec<f64>)> {
+        let (quantity, values, _) = self.family.as_ref()?;
+        let column =
+            values.iter().zip(rows_of_curve).flat_map(|(value, rows)| std::iter::repeat_n(*value, *rows));
+        Some((quantity.name.clone(), quantity.unit.clone(), column.collect()))
+    }
+}

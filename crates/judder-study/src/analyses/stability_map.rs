@@ -1,0 +1,162 @@
+//! `stability-map`: verdict and mechanism over two keys (Figs. 9, 10).
+
+mod arrays;
+mod overlays;
+
+use super::axis::Axis;
+use super::steady_states::{SteadyState, validity_warnings};
+use crate::bridge;
+use crate::checks;
+use crate::error::StudyError;
+use crate::outcome::Outcome;
+use crate::progress::Progress;
+use judder_case::{
+    Form, MapMethod, OscillatorCase, OscillatorInputs, OscillatorKey, StabilityMap as MapSettings, Sweep,
+};
+use judder_oscillator::map::{
+    CoefficientPlane, Method, Plane, StabilityMap, SweptCoefficient, stability_map,
+};
+use judder_oscillator::mechanism::StabilityClass;
+use judder_oscillator::spectrum::{eigenvalues, growth_rate};
+use judder_oscillator::{Coefficients, Contact};
+use rayon::prelude::*;
+use serde_json::{Map, Value, json};
+use std::time::Instant;
+
+pub(super) use arrays::{MapArrays, class_fractions};
+
+/// Points along each side of the grid on which checks are made and the law's range of validity is looked at.
+const CHECKED_SIDE: usize = 24;
+
+/// The plane of any two keys: the groups are resolved at every point.
+struct CasePlane<'a> {
+    inputs: OscillatorInputs,
+    x: (&'a Sweep<OscillatorKey>, &'a [f64]),
+    y: (&'a Sweep<OscillatorKey>, &'a [f64]),
+}
+
+impl CasePlane<'_> {
+    fn inputs(&self, column: usize, row: usize) -> OscillatorInputs {
+        let mut inputs = self.inputs;
+        self.x.0.set(&mut inputs, self.x.1[column]);
+        self.y.0.set(&mut inputs, self.y.1[row]);
+        inputs
+    }
+}
+
+impl Plane for CasePlane<'_> {
+    fn columns(&self) -> usize {
+        self.x.1.len()
+    }
+
+    fn rows(&self) -> usize {
+        self.y.1.len()
+    }
+
+    fn coefficients(&self, column: usize, row: usize) -> Coefficients {
+        bridge::coefficients(&self.inputs(column, row))
+    }
+}
+
+/// The coefficient that a sweep of this key sets directly, if it is one.
+fn swept_coefficient(sweep: &Sweep<OscillatorKey>) -> Option<SweptCoefficient> {
+    match (sweep.key, sweep.form) {
+        (OscillatorKey::Velocity, Form::Group) => Some(SweptCoefficient::Velocity),
+        (OscillatorKey::NormalLoad, Form::Group) => Some(SweptCoefficient::NormalLoad),
+        (OscillatorKey::ShearStrength, Form::Group) => Some(SweptCoefficient::ShearStrength),
+        _ => None,
+    }
+}
+
+/// The map of a plane, by the short way where both keys are coefficients.
+fn decide(contact: &Contact, plane: &CasePlane<'_>, method: Method) -> StabilityMap {
+    match (swept_coefficient(plane.x.0), swept_coefficient(plane.y.0)) {
+        (Some(x), Some(y)) => {
+            let base = bridge::coefficients(&plane.inputs(0, 0));
+            let plane = CoefficientPlane { base, x: (x, plane.x.1.to_vec()), y: (y, plane.y.1.to_vec()) };
+            stability_map(contact, &plane, method)
+        }
+        _ => stability_map(contact, plane, method),
+    }
+}
+
+pub(super) fn run(
+    case: &OscillatorCase,
+    settings: &MapSettings<OscillatorKey>,
+    progress: &dyn Progress,
+) -> Result<Outcome, StudyError> {
+    let contact = bridge::contact(case);
+    let (x, y) = (Axis::of_oscillator(&settings.x), Axis::of_oscillator(&settings.y));
+    let plane = CasePlane { inputs: case.inputs, x: (&settings.x, &x.values), y: (&settings.y, &y.values) };
+    let method = match settings.method {
+        MapMethod::Adaptive => Method::Adaptive,
+        MapMethod::EveryPoint => Method::EveryPoint,
+    };
+    let start = Instant::now();
+    let map = decide(&contact, &plane, method);
+    let seconds = start.elapsed().as_secs_f64();
+    progress.advance();
+    if progress.interrupted() {
+        return Err(StudyError::Interrupted);
+    }
+    let growth = (method == Method::EveryPoint).then(|| growth_rates(&contact, &plane));
+    let overlays =
+        if settings.boundaries { overlays::trace(&contact, case, settings, progress)? } else { Vec::new() };
+    progress.advance();
+    let states = checked_states(&contact, &plane);
+    let mut outcome = Outcome {
+        scalars: scalars(&map, seconds, &overlays),
+        dataset: MapArrays { x: &x, y: &y, map: &map, growth, overlays: &overlays }.dataset()?,
+        warnings: validity_warnings(&contact, states.iter().map(|(state, _)| state)),
+        checks: checks::steady_sliding(&contact, &states.iter().map(|(state, _)| *state).collect::<Vec<_>>()),
+        missing: map.count(StabilityClass::Unresolved),
+        table: None,
+    };
+    outcome.checks.push(checks::map_against_points(&contact, &states, &map));
+    outcome.checks.extend(overlays::check(&overlays));
+    if outcome.missing > 0 {
+        outcome.warnings.push(format!(
+            "{} of {} points have no answer; they are drawn hatched",
+            outcome.missing,
+            map.classes.len()
+        ));
+    }
+    Ok(outcome)
+}
+
+/// The growth rate at every point, row by row; NaN where there is no equilibrium.
+fn growth_rates(contact: &Contact, plane: &CasePlane<'_>) -> Vec<f64> {
+    let columns = plane.columns();
+    (0..columns * plane.rows())
+        .into_par_iter()
+        .map(|index| {
+            let state = SteadyState::new(contact, &plane.inputs(index % columns, index / columns)).ok()?;
+            let system = state.linearisation.system().reduced().ok()?;
+            Some(growth_rate(&eigenvalues(&system).ok()?))
+        })
+        .map(|rate| rate.unwrap_or(f64::NAN))
+        .collect()
+}
+
+/// Steady states on a coarse grid over the plane, each with its grid point.
+fn checked_states(contact: &Contact, plane: &CasePlane<'_>) -> Vec<(SteadyState, (usize, usize))> {
+    let lines = |count: usize| {
+        let last = CHECKED_SIDE.min(count) - 1;
+        (0..=last).map(move |k| k * (count - 1) / last.max(1))
+    };
+    lines(plane.rows())
+        .flat_map(|row| lines(plane.columns()).map(move |column| (column, row)))
+        .filter_map(|(column, row)| {
+            SteadyState::new(contact, &plane.inputs(column, row)).ok().map(|state| (state, (column, row)))
+        })
+        .collect()
+}
+
+fn scalars(map: &StabilityMap, seconds: f64, overlays: &[overlays::Overlay]) -> Map<String, Value> {
+    let mut scalars = class_fractions(map);
+    scalars.insert("seconds".to_owned(), json!(seconds));
+    let boundaries: Map<String, Value> =
+        overlays.iter().map(|overlay| (overlay.name.to_owned(), overlay.summary())).collect();
+    scalars.insert("boundaries".to_owned(), Value::Object(boundaries));
+    scalars
+}

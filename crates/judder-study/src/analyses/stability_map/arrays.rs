@@ -1,0 +1,60 @@
+//! A map and its overlays as arrays and scalars.
+
+use super::super::axis::Axis;
+use super::overlays::Overlay;
+use crate::error::StudyError;
+use judder_oscillator::map::StabilityMap;
+use judder_oscillator::mechanism::StabilityClass;
+use judder_store::{Dataset, Variable};
+use serde_json::{Map, Value, json};
+
+/// What a map leaves in the store.
+pub(crate) struct MapArrays<'a> {
+    pub(crate) x: &'a Axis,
+    pub(crate) y: &'a Axis,
+    pub(crate) map: &'a StabilityMap,
+    pub(crate) growth: Option<Vec<f64>>,
+    pub(crate) overlays: &'a [Overlay],
+}
+
+impl MapArrays<'_> {
+    /// `stability` (codes by row and column), `growth_rate` where every point was decided, and for each overlay its points with NaN
+    /// between separate curves.
+    pub(crate) fn dataset(self) -> Result<Dataset, StudyError> {
+        let dimensions = [self.y.name(), self.x.name()];
+        let shape = [self.map.rows, self.map.columns];
+        let meanings: Vec<(u8, &str)> =
+            StabilityClass::ALL.iter().map(|class| (*class as u8, class.name())).collect();
+        let classes =
+            Variable::classes("stability", &dimensions, &shape, self.map.classes.clone(), &meanings)
+                .long_name("stability of steady sliding, by mechanism");
+        let mut dataset =
+            Dataset::new().with(self.x.coordinate())?.with(self.y.coordinate())?.with(classes)?;
+        if let Some(growth) = self.growth {
+            let growth = Variable::new("growth_rate", &dimensions, &shape, growth)
+                .units("1")
+                .long_name("growth rate max Re(λ)/ω_nx");
+            dataset = dataset.with(growth)?;
+        }
+        for overlay in self.overlays {
+            dataset = overlay.add_to(dataset, self.x, self.y)?;
+        }
+        Ok(dataset.attribute("kind", "stability-map")?)
+    }
+}
+
+/// Decisions made, unstable share, and the share of every class.
+pub(crate) fn class_fractions(map: &StabilityMap) -> Map<String, Value> {
+    let total = map.classes.len() as f64;
+    let fractions: Map<String, Value> = StabilityClass::ALL
+        .iter()
+        .map(|class| (class.name().to_owned(), json!(map.count(*class) as f64 / total)))
+        .collect();
+    Map::from_iter([
+        ("points".to_owned(), json!(map.decisions)),
+        ("grid".to_owned(), json!([map.columns, map.rows])),
+        ("unstable_fraction".to_owned(), json!(map.unstable_fraction())),
+        ("unresolved".to_owned(), json!(map.count(StabilityClass::Unresolved))),
+        ("fractions".to_owned(), Value::Object(fractions)),
+    ])
+}

@@ -1,0 +1,122 @@
+//! The analyses of a two-degrees case: any M, C, K with swept parameters.
+
+use super::axis::{Axis, Curves, range};
+use super::spectrum::{self, Spectra};
+use super::stability_map::{MapArrays, class_fractions};
+use crate::error::StudyError;
+use crate::outcome::{CheckRecord, Outcome};
+use crate::progress::Progress;
+use judder_case::{ParameterKey, StabilityMap as MapSettings, Sweep, TwoDegreesAnalysis, TwoDegreesCase};
+use judder_numerics::root::all_roots;
+use judder_oscillator::LinearSystem;
+use judder_oscillator::characteristic::Characteristic;
+use judder_oscillator::map::StabilityMap;
+use judder_oscillator::mechanism::StabilityClass;
+use judder_oscillator::spectrum::{eigenvalues, growth_rate, leading};
+use judder_store::{Dataset, Table, Variable};
+use rayon::prelude::*;
+use serde_json::{Map, json};
+
+pub(super) fn run(
+    case: &TwoDegreesCase,
+    analysis: &TwoDegreesAnalysis,
+    progress: &dyn Progress,
+) -> Result<Outcome, StudyError> {
+    match analysis {
+        TwoDegreesAnalysis::Spectrum { sweep } => {
+            let axis = Axis::of_parameter(sweep);
+            let spectra =
+                axis.values.iter().map(|value| Spectra::new(&system(case, &[(sweep, *value)])?)).collect();
+            spectrum::outcome(&axis, &Curves::alone(), spectra)
+        }
+        TwoDegreesAnalysis::StabilityMap(settings) => map(case, settings),
+        TwoDegreesAnalysis::Critical { sweep } => critical(case, sweep, progress),
+    }
+}
+
+/// M, C, K with these parameters set; `None` where an entry is not finite.
+fn system(case: &TwoDegreesCase, set: &[(&Sweep<ParameterKey>, f64)]) -> Option<LinearSystem> {
+    let mut values = case.values();
+    for (sweep, value) in set {
+        sweep.set(&mut values, *value);
+    }
+    let matrices = case.matrices(&values).ok()?;
+    Some(LinearSystem { mass: matrices.mass, damping: matrices.damping, stiffness: matrices.stiffness })
+}
+
+fn map(case: &TwoDegreesCase, settings: &MapSettings<ParameterKey>) -> Result<Outcome, StudyError> {
+    let (x, y) = (Axis::of_parameter(&settings.x), Axis::of_parameter(&settings.y));
+    let (columns, rows) = (x.values.len(), y.values.len());
+    let start = std::time::Instant::now();
+    let classes: Vec<u8> = (0..columns * rows)
+        .into_par_iter()
+        .map(|index| {
+            let set = [(&settings.x, x.values[index % columns]), (&settings.y, y.values[index / columns])];
+            let reduced = system(case, &set).and_then(|system| system.reduced().ok());
+            reduced.map_or(StabilityClass::Unresolved, |reduced| StabilityClass::of(&reduced)) as u8
+        })
+        .collect();
+    let seconds = start.elapsed().as_secs_f64();
+    let map = StabilityMap { columns, rows, classes, decisions: columns * rows };
+    let mut scalars = class_fractions(&map);
+    scalars.insert("seconds".to_owned(), json!(seconds));
+    Ok(Outcome {
+        scalars,
+        dataset: MapArrays { x: &x, y: &y, map: &map, growth: None, overlays: &[] }.dataset()?,
+        missing: map.count(StabilityClass::Unresolved),
+        ..Outcome::default()
+    })
+}
+
+/// Where stability changes along one parameter, with the frequency of the oscillation that is born there.
+fn critical(
+    case: &TwoDegreesCase,
+    sweep: &Sweep<ParameterKey>,
+    progress: &dyn Progress,
+) -> Result<Outcome, StudyError> {
+    let range = range(sweep);
+    let last = sweep.points - 1;
+    let positions: Vec<f64> = (0..=last).map(|k| k as f64 / last as f64).collect();
+    let reduced = |position: f64| system(case, &[(sweep, range.value(position))])?.reduced().ok();
+    let margin = |position: f64| reduced(position).map_or(f64::NAN, |r| Characteristic::new(&r).margin());
+    let search = all_roots(margin, &positions);
+    progress.advance();
+    let at_root = |position: &f64| {
+        let values = reduced(*position).and_then(|r| eigenvalues(&r).ok())?;
+        Some((leading(&values).im.abs(), growth_rate(&values)))
+    };
+    let born: Vec<Option<(f64, f64)>> = search.roots.iter().map(at_root).collect();
+    let frequency: Vec<f64> = born.iter().map(|b| b.map_or(f64::NAN, |b| b.0)).collect();
+    let growth = born.iter().flatten().map(|b| b.1.abs()).fold(0.0, f64::max);
+    let values: Vec<f64> = search.roots.iter().map(|position| range.value(*position)).collect();
+    let axis = Axis::of_parameter(sweep);
+    let count = values.len();
+    let check = CheckRecord {
+        name: "growth rate vanishes at the critical values".to_owned(),
+        compared: format!("largest real part of the eigenvalues, at {count} values"),
+        figure: growth,
+        // a root of multiplicity two carries half the digits
+        limit: 1e-6,
+    };
+    let roots =
+        Variable::coordinate("critical", values.clone()).long_name(&format!("critical {}", axis.name()));
+    let frequencies = Variable::new("frequency", &["critical"], &[count], frequency.clone())
+        .units("1")
+        .long_name("frequency of the oscillation born there");
+    Ok(Outcome {
+        scalars: Map::from_iter([
+            ("key".to_owned(), json!(sweep.path)),
+            ("critical".to_owned(), json!(values)),
+            ("frequency".to_owned(), json!(frequency)),
+        ]),
+        dataset: Dataset::new().with(roots)?.with(frequencies)?.attribute("kind", "critical")?,
+        table: Some(Table::new().column(axis.name(), "1", values)?.column("frequency", "1", frequency)?),
+        checks: if count > 0 { vec![check] } else { Vec::new() },
+        missing: search.failures.len(),
+        warnings: if search.failures.is_empty() {
+            Vec::new()
+        } else {
+            vec![format!("no system at {} of {} samples of the search", search.failures.len(), sweep.points)]
+        },
+    })
+}

@@ -1,0 +1,180 @@
+//! Every number doubted by another number: the comparisons that a run makes of itself.
+
+use crate::analyses::SteadyState;
+use crate::bridge;
+use crate::outcome::CheckRecord;
+use judder_case::OscillatorInputs;
+use judder_oscillator::characteristic::{Characteristic, MARGINAL_BAND};
+use judder_oscillator::conservative::discriminant_share;
+use judder_oscillator::critical::Thresholds;
+use judder_oscillator::equilibrium::equilibrium;
+use judder_oscillator::linearisation::Linearisation;
+use judder_oscillator::map::StabilityMap;
+use judder_oscillator::mechanism::StabilityClass;
+use judder_oscillator::motion::{MotionState, accelerations};
+use judder_oscillator::spectrum::{eigenvalues, growth_rate};
+use judder_oscillator::{Contact, LinearSystem};
+
+/// At most so many points of an analysis are checked.
+const MOST: usize = 400;
+/// Growth rates below this share of |λ| are left out where signs are compared: there an eigenvalue is rounding.
+const EIGENVALUE_BAND: f64 = 1e-7;
+
+/// The checks of steady sliding and its linearisation, on (a sample of) these states.
+pub(crate) fn steady_sliding(contact: &Contact, states: &[SteadyState]) -> Vec<CheckRecord> {
+    let sample: Vec<&SteadyState> = states.iter().step_by(states.len().div_ceil(MOST).max(1)).collect();
+    if sample.is_empty() {
+        return Vec::new();
+    }
+    let count = sample.len();
+    let largest = |figure: &dyn Fn(&SteadyState) -> f64| sample.iter().map(|s| figure(s)).fold(0.0, f64::max);
+    vec![
+        CheckRecord {
+            name: "steady sliding satisfies the equations of motion".to_owned(),
+            compared: format!("both rows of (12) at rest, over the normal load, at {count} points"),
+            figure: largest(&|s| imbalance(contact, s)),
+            limit: 1e-10,
+        },
+        CheckRecord {
+            name: "C and K are the Jacobian of the equations of motion".to_owned(),
+            compared: format!("central differences of (12) against (20), at {count} points"),
+            figure: largest(&|s| jacobian_error(contact, s)),
+            limit: 1e-6,
+        },
+        CheckRecord {
+            name: "Hurwitz decides as the eigenvalues do".to_owned(),
+            compared: format!("number of disagreements beyond |Re λ| = 1e-7 |λ|, at {count} points"),
+            figure: sample.iter().filter(|s| disagrees(&s.linearisation.system())).count() as f64,
+            limit: 0.0,
+        },
+    ]
+}
+
+fn at_rest(state: &SteadyState) -> MotionState {
+    MotionState { x: state.equilibrium.x, y: state.equilibrium.y, velocity_x: 0.0, velocity_y: 0.0 }
+}
+
+/// The accelerations at the equilibrium, over the largest force that acts there.
+fn imbalance(contact: &Contact, state: &SteadyState) -> f64 {
+    let c = &state.coefficients;
+    let [x, y] = accelerations(contact, c, &at_rest(state));
+    let scale = 1.0 + (c.k11 * state.equilibrium.x).abs() + (c.k12 * state.equilibrium.y).abs();
+    x.abs().max(y.abs()) / scale
+}
+
+/// The largest departure of C and K from central differences, each over the entry and a unit force per step unit.
+fn jacobian_error(contact: &Contact, state: &SteadyState) -> f64 {
+    const STEP: f64 = 1e-5;
+    let c = &state.coefficients;
+    let speed = c.velocity * c.radius() / c.retardation_time;
+    let rest = at_rest(state);
+    let column = |scale: f64, move_by: &dyn Fn(f64) -> MotionState| -> [f64; 2] {
+        let step = STEP * scale;
+        let (plus, minus) =
+            (accelerations(contact, c, &move_by(step)), accelerations(contact, c, &move_by(-step)));
+        [0, 1].map(|row| -(plus[row] - minus[row]) / (2.0 * step))
+    };
+    let [damping, stiffness] = [state.linearisation.damping(), state.linearisation.stiffness()];
+    let along_x = state.equilibrium.x.abs().max(state.equilibrium.y);
+    let columns = [
+        (&stiffness, 0, along_x, column(along_x, &|h| MotionState { x: rest.x + h, ..rest })),
+        (&stiffness, 1, rest.y, column(rest.y, &|h| MotionState { y: rest.y + h, ..rest })),
+        (&damping, 0, speed, column(speed, &|h| MotionState { velocity_x: h, ..rest })),
+        (&damping, 1, speed, column(speed, &|h| MotionState { velocity_y: h, ..rest })),
+    ];
+    let force = 1.0 + (c.k11 * rest.x).abs() + (c.k12 * rest.y).abs();
+    columns
+        .iter()
+        .flat_map(|(matrix, index, scale, slopes)| {
+            (0..2).map(move |row| {
+                let exact = matrix[row][*index];
+                (slopes[row] - exact).abs() / (exact.abs() + force / scale)
+            })
+        })
+        .fold(0.0, f64::max)
+}
+
+/// Whether the Hurwitz conditions and the eigenvalues differ on a system outside both marginal bands.
+fn disagrees(system: &LinearSystem) -> bool {
+    let Ok(reduced) = system.reduced() else { return false };
+    let Ok(values) = eigenvalues(&reduced) else { return true };
+    let growth = growth_rate(&values);
+    let size = values.iter().map(|l| l.norm()).fold(0.0, f64::max);
+    let margin = Characteristic::new(&reduced).margin();
+    let clear = growth.abs() > EIGENVALUE_BAND * size && margin.abs() > MARGINAL_BAND;
+    clear && (growth > 0.0) != (margin < 0.0)
+}
+
+/// A map against points solved alone, by the bracketed scalar path and the eigenvalues.
+pub(crate) fn map_against_points(
+    contact: &Contact,
+    states: &[(SteadyState, (usize, usize))],
+    map: &StabilityMap,
+) -> CheckRecord {
+    let wrong = states.iter().filter(|(state, (column, row))| {
+        let Ok(reduced) = state.linearisation.system().reduced() else { return true };
+        let clear = Characteristic::new(&reduced).margin().abs() > 1e-9
+            && discriminant_share(&reduced.stiffness).abs() > 1e-9
+            && Linearisation::new(contact.friction_load, &state.coefficients, &state.equilibrium.response)
+                .c11
+                != 0.0;
+        clear && StabilityClass::of(&reduced) != map.class(*column, *row)
+    });
+    CheckRecord {
+        name: "the map agrees with points solved alone".to_owned(),
+        compared: format!("number of points whose class differs, of {} over the whole map", states.len()),
+        figure: wrong.count() as f64,
+        limit: 0.0,
+    }
+}
+
+/// Thresholds against the eigenvalues at them: the growth rate, and the coalescence of the undamped modes.
+pub(crate) fn thresholds(
+    contact: &Contact,
+    found: &[(OscillatorInputs, &Thresholds)],
+    set: impl Fn(&OscillatorInputs, f64) -> OscillatorInputs,
+) -> Vec<CheckRecord> {
+    let system_at = |inputs: &OscillatorInputs, value: f64| {
+        let c = bridge::coefficients(&set(inputs, value));
+        let state = equilibrium(contact, &c).ok()?;
+        Linearisation::new(contact.friction_load, &c, &state.response).system().reduced().ok()
+    };
+    let (mut growth, mut merging, mut full_count, mut conservative_count) = (0.0_f64, 0.0_f64, 0, 0);
+    for (inputs, roots) in found {
+        for root in &roots.full {
+            let Some(reduced) = system_at(inputs, *root) else { continue };
+            let Ok(values) = eigenvalues(&reduced) else { continue };
+            let size = values.iter().map(|l| l.norm()).fold(0.0, f64::max);
+            growth = growth.max(growth_rate(&values).abs() / size);
+            full_count += 1;
+        }
+        for root in &roots.conservative {
+            let Some(reduced) = system_at(inputs, *root) else { continue };
+            merging = merging.max(discriminant_share(&reduced.stiffness).abs());
+            conservative_count += 1;
+        }
+    }
+    let record = |name: &str, compared: String, figure: f64, limit: f64| CheckRecord {
+        name: name.to_owned(),
+        compared,
+        figure,
+        limit,
+    };
+    let full = record(
+        "growth rate vanishes at the thresholds of the full system",
+        format!("|max Re λ| over max |λ| from the eigenvalues, at {full_count} thresholds"),
+        growth,
+        1e-8,
+    );
+    let conservative = record(
+        "the undamped modes merge at the conservative thresholds",
+        format!("discriminant of (24), (25) over its terms, at {conservative_count} thresholds"),
+        merging,
+        1e-9,
+    );
+    [(full, full_count), (conservative, conservative_count)]
+        .into_iter()
+        .filter(|(_, count)| *count > 0)
+        .map(|(record, _)| record)
+        .collect()
+}

@@ -1,0 +1,43 @@
+//! What an analysis leaves.
+
+use judder_store::{Dataset, Table};
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+
+/// Scalars, arrays, a table, checks and warnings of one analysis.
+#[derive(Debug, Clone, Default)]
+pub struct Outcome {
+    /// What `summary.json` shows of it.
+    pub scalars: Map<String, Value>,
+    /// Every array, with coordinates and units.
+    pub dataset: Dataset,
+    /// What a spreadsheet wants, where the result is a table.
+    pub table: Option<Table>,
+    /// The comparisons that were made.
+    pub checks: Vec<CheckRecord>,
+    /// What the user has to know before trusting the numbers.
+    pub warnings: Vec<String>,
+    /// Requested results that are missing (unresolved points, failed searches); any makes the run exit with 1.
+    pub missing: usize,
+}
+
+/// A number doubted by another number.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CheckRecord {
+    /// What is checked.
+    pub name: String,
+    /// What was compared with what, and how often.
+    pub compared: String,
+    /// The largest disagreement.
+    pub figure: f64,
+    /// What it may be at most.
+    pub limit: f64,
+}
+
+impl CheckRecord {
+    /// Whether the disagreement is within its limit.
+    #[must_use]
+    pub fn passed(&self) -> bool {
+        self.figure <= self.limit
+    }
+}

@@ -1,0 +1,121 @@
+//! Figures from stored arrays: everything that is drawn can be drawn again without computing anything.
+
+mod curves;
+mod map;
+
+use judder_report::{Axis, Figure, Panel, Role};
+use judder_store::{Data, Dataset, Variable};
+use num_complex::Complex64;
+
+/// The figure of an analysis; `None` where its result is not a picture.
+#[must_use]
+pub fn figure(name: &str, title: &str, dataset: &Dataset) -> Option<Figure> {
+    let panels = panels(dataset);
+    (!panels.is_empty()).then(|| Figure::new(name, title, panels).with_caption(caption(dataset)))
+}
+
+/// The panels of an analysis, to be put together with those of others.
+#[must_use]
+pub fn panels(dataset: &Dataset) -> Vec<Panel> {
+    let panels = match kind(dataset) {
+        "equivalent-damping" => curves::equivalent_damping(dataset).map(|panel| vec![panel]),
+        "spectrum" => curves::spectrum(dataset),
+        "critical-shear-strength" | "critical-load" => curves::critical(dataset).map(|panel| vec![panel]),
+        "stability-map" => map::stability_map(dataset).map(|panel| vec![panel]),
+        _ => None,
+    };
+    panels.unwrap_or_default()
+}
+
+fn kind(dataset: &Dataset) -> &str {
+    dataset.attributes().get("kind").and_then(|kind| kind.as_str()).unwrap_or_default()
+}
+
+/// What stands under the figure of a kind.
+fn caption(dataset: &Dataset) -> &'static str {
+    match kind(dataset) {
+        "equivalent-damping" => {
+            "Equivalent damping $ξ_{eq} = c_{11}/2$, eq. (23). The vertical axis is logarithmic on both sides of zero. \
+             Below zero, friction that falls with speed feeds the motion."
+        }
+        "spectrum" => {
+            "Eigenvalues in units of $ω_{nx}$: growth rates and frequencies. Solid: full system, eq. (21). Dashed: without \
+             damping, eqs. (24), (25)."
+        }
+        "critical-shear-strength" | "critical-load" => {
+            "All thresholds in the searched range. Dashed: without damping, eqs. (27), (28) made self-consistent. Solid: where the \
+             full, damped system gains or loses stability."
+        }
+        "stability-map" => {
+            "Stability of steady sliding, coloured by what carries the instability. Curves are followed by continuation: \
+             full system (solid black), without damping (dashed), full system with $η = 0$ (red)."
+        }
+        _ => "",
+    }
+}
+
+fn reals<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [f64]> {
+    match &dataset.variable(name)?.data {
+        Data::F64(values) => Some(values),
+        _ => None,
+    }
+}
+
+fn complexes<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [Complex64]> {
+    match &dataset.variable(name)?.data {
+        Data::Complex(values) => Some(values),
+        _ => None,
+    }
+}
+
+fn text<'a>(variable: &'a Variable, attribute: &str) -> Option<&'a str> {
+    variable.attributes.get(attribute)?.as_str()
+}
+
+/// The axis of a swept quantity.
+fn axis(coordinate: &Variable) -> Axis {
+    let label = text(coordinate, "label").unwrap_or(&coordinate.long_name);
+    if text(coordinate, "scale") == Some("log") { Axis::log(label) } else { Axis::linear(label) }
+}
+
+/// The coordinate along the last named dimension that has one, and that of the family before it.
+struct Swept<'a> {
+    axis: &'a Variable,
+    values: &'a [f64],
+    family: Option<(&'a Variable, &'a [f64])>,
+}
+
+impl<'a> Swept<'a> {
+    /// The swept quantities of an array: its dimensions that have coordinates.
+    fn of(dataset: &'a Dataset, array: &str) -> Option<Self> {
+        let mut coordinates = dataset
+            .variable(array)?
+            .dimensions
+            .iter()
+            .filter_map(|dimension| Some((dataset.variable(dimension)?, reals(dataset, dimension)?)));
+        let first = coordinates.next()?;
+        Some(match coordinates.next() {
+            Some((axis, values)) => Self { axis, values, family: Some(first) },
+            None => Self { axis: first.0, values: first.1, family: None },
+        })
+    }
+
+    fn curves(&self) -> usize {
+        self.family.map_or(1, |(_, values)| values.len())
+    }
+
+    /// The legend of a curve of the family: symbol = value; `alone` where there is no family.
+    fn label(&self, curve: usize, alone: &str) -> String {
+        let Some((variable, values)) = self.family else { return alone.to_owned() };
+        let symbol = text(variable, "symbol").unwrap_or(&variable.name);
+        let unit = if variable.units == "1" { String::new() } else { format!(" {}", variable.units) };
+        format!("{symbol} = {}{unit}", crate::labels::short_number(values[curve]))
+    }
+
+    fn role(&self, curve: usize) -> Role {
+        match self.family {
+            Some(_) => Role::Graded { index: curve, count: self.curves() },
+            None => Role::FullBoundary,
+        }
+    }
+}

@@ -1,0 +1,204 @@
+//! Everything about one operating point: what `judder point` prints.
+
+use crate::bridge;
+use crate::error::StudyError;
+use crate::text::{columns, list, number};
+use judder_case::OscillatorCase;
+use judder_contact::ContactLaw;
+use judder_oscillator::critical::{Range, Scale, thresholds};
+use judder_oscillator::equilibrium::{Equilibrium, equilibrium};
+use judder_oscillator::growth::{GrowthShares, growth_shares, sensitivities};
+use judder_oscillator::linearisation::Linearisation;
+use judder_oscillator::mechanism::StabilityClass;
+use judder_oscillator::spectrum::{eigenvalues, growth_rate, leading, mode};
+use judder_oscillator::{Contact, Groups};
+use num_complex::Complex64;
+use serde_json::{Value, json};
+
+/// Where the critical shear strength is sought, as τ0/E0*.
+pub const SHEAR_STRENGTHS: Range = Range { from: 1e-8, to: 1e3, scale: Scale::Logarithmic };
+/// Where the critical load is sought, as F_n/(E0* R²).
+pub const LOADS: Range = Range { from: 1e-14, to: 1e1, scale: Scale::Logarithmic };
+/// Samples of those searches: 40 a decade.
+const SAMPLES: usize = 601;
+
+/// One operating point, analysed.
+#[derive(Debug, Clone)]
+pub struct Point {
+    /// The dimensionless groups.
+    pub groups: Groups,
+    /// Steady sliding.
+    pub equilibrium: Equilibrium,
+    /// C and K about it.
+    pub linearisation: Linearisation,
+    /// The four eigenvalues, sorted by imaginary, then real part.
+    pub eigenvalues: [Complex64; 4],
+    /// Verdict and mechanism.
+    pub class: StabilityClass,
+    /// What each matrix entry feeds into the growth rate of the leading mode.
+    pub shares: GrowthShares,
+    /// ∂λ by the entries of C and K, for the leading mode.
+    pub sensitivities: judder_oscillator::growth::Sensitivities,
+    /// All conservative thresholds of the shear strength at this speed and load, ascending.
+    pub critical_shear_strength: Vec<f64>,
+    /// All conservative thresholds of the load at this speed and shear strength, ascending.
+    pub critical_load: Vec<f64>,
+    /// What makes the law doubtful here.
+    pub warnings: Vec<String>,
+}
+
+/// Analyses the operating point of a case.
+///
+/// # Errors
+/// A group out of range, no (or more than one) equilibrium.
+pub fn point(case: &OscillatorCase) -> Result<Point, StudyError> {
+    let contact = bridge::contact(case);
+    let mut point = analyse(&contact, bridge::groups(&case.inputs))?;
+    point.warnings.extend(bridge::law_warning(case));
+    Ok(point)
+}
+
+/// Analyses an oscillator given by its groups.
+///
+/// # Errors
+/// As [`point`].
+pub fn analyse(contact: &Contact, groups: Groups) -> Result<Point, StudyError> {
+    let coefficients = groups.coefficients()?;
+    let equilibrium = equilibrium(contact, &coefficients)?;
+    let linearisation = Linearisation::new(contact.friction_load, &coefficients, &equilibrium.response);
+    let system = linearisation.system();
+    let reduced = system.reduced()?;
+    let eigenvalues = eigenvalues(&reduced)?;
+    let leading_mode = mode(&system, leading(&eigenvalues));
+    let strengths = thresholds(contact, &SHEAR_STRENGTHS, SAMPLES, |shear_strength| {
+        Groups { shear_strength, ..groups }.resolve()
+    });
+    let loads =
+        thresholds(contact, &LOADS, SAMPLES, |normal_load| Groups { normal_load, ..groups }.resolve());
+    let concern = contact.law.concern(groups.velocity, equilibrium.indentation);
+    Ok(Point {
+        groups,
+        equilibrium,
+        linearisation,
+        eigenvalues,
+        class: StabilityClass::of(&reduced),
+        shares: growth_shares(&system, &leading_mode),
+        sensitivities: sensitivities(&system, &leading_mode),
+        critical_shear_strength: strengths.conservative,
+        critical_load: loads.conservative,
+        warnings: concern.map(|concern| concern.to_string()).into_iter().collect(),
+    })
+}
+
+/// A complex number as `[re, im]`.
+fn pair(value: Complex64) -> Value {
+    json!([value.re, value.im])
+}
+
+impl Point {
+    /// The growth rate, in units of ω_nx.
+    #[must_use]
+    pub fn growth_rate(&self) -> f64 {
+        growth_rate(&self.eigenvalues)
+    }
+
+    /// The document of `judder point --json`.
+    #[must_use]
+    pub fn json(&self) -> Value {
+        let response = &self.equilibrium.response;
+        let sensitivity = |entries: [[Complex64; 2]; 2]| entries.map(|row| row.map(pair));
+        json!({
+            "groups": {
+                "stiffness": self.groups.stiffness,
+                "retardation_time": self.groups.retardation_time,
+                "radius": self.groups.radius(),
+                "velocity": self.groups.velocity,
+                "normal_load": self.groups.normal_load,
+                "shear_strength": self.groups.shear_strength,
+            },
+            "equilibrium": {
+                "x": self.equilibrium.x,
+                "y": self.equilibrium.y,
+                "indentation": self.equilibrium.indentation,
+            },
+            "contact": {
+                "force": response.force.value,
+                "area": response.area.value,
+                "viscoelastic_friction": response.friction.value,
+            },
+            "damping": self.linearisation.damping(),
+            "stiffness": self.linearisation.stiffness(),
+            "eigenvalues": self.eigenvalues.map(pair),
+            "growth_rate": self.growth_rate(),
+            "verdict": self.class.verdict().map_or("unresolved", judder_oscillator::Verdict::name),
+            "mechanism": self.class.mechanism().name(),
+            "equivalent_damping": self.linearisation.equivalent_damping(),
+            "critical_shear_strength": self.critical_shear_strength,
+            "critical_load": self.critical_load,
+            "growth_shares": { "damping": self.shares.damping, "stiffness": self.shares.stiffness },
+            "sensitivities": {
+                "damping": sensitivity(self.sensitivities.damping),
+                "stiffness": sensitivity(self.sensitivities.stiffness),
+            },
+            "warnings": self.warnings,
+        })
+    }
+}
+
+impl Point {
+    /// What `judder point` prints on a terminal.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let verdict = self.class.verdict().map_or("unresolved", judder_oscillator::Verdict::name);
+        let mechanism = match self.class.mechanism() {
+            judder_oscillator::Mechanism::None => String::new(),
+            mechanism => format!(", by {}", mechanism.name()),
+        };
+        let mut text = format!("{verdict}{mechanism}\n\n");
+        text.push_str(&columns(&self.state_rows()));
+        text.push_str("\neigenvalues λ/ω_nx\n");
+        let eigenvalues = self.eigenvalues.map(|l| vec![number(l.re), format!("{} i", number(l.im))]);
+        text.push_str(&columns(&eigenvalues));
+        text.push_str("\ngrowth rate fed by each entry of C and K\n");
+        text.push_str(&columns(&self.share_rows()));
+        text.push_str("\nthresholds without damping (eqs. 27, 28)\n");
+        text.push_str(&columns(&[
+            vec!["critical shear strength τ0/E0*".to_owned(), list(&self.critical_shear_strength)],
+            vec!["critical load F_n/(E0* R²)".to_owned(), list(&self.critical_load)],
+        ]));
+        for warning in &self.warnings {
+            text.push_str("\nwarning: ");
+            text.push_str(warning);
+            text.push('\n');
+        }
+        text
+    }
+
+    fn state_rows(&self) -> Vec<Vec<String>> {
+        let response = &self.equilibrium.response;
+        [
+            ("speed v τ/R", self.groups.velocity),
+            ("load F_n/(E0* R²)", self.groups.normal_load),
+            ("shear strength τ0/E0*", self.groups.shear_strength),
+            ("indentation y/R", self.equilibrium.indentation),
+            ("displacement x/x0", self.equilibrium.x),
+            ("displacement y/x0", self.equilibrium.y),
+            ("contact force F_k/(E0* R²)", response.force.value),
+            ("contact area A/R²", response.area.value),
+            ("viscoelastic friction μ_visc", response.friction.value),
+            ("equivalent damping ξ_eq", self.linearisation.equivalent_damping()),
+            ("growth rate", self.growth_rate()),
+        ]
+        .into_iter()
+        .map(|(name, value)| vec![name.to_owned(), number(value)])
+        .collect()
+    }
+
+    fn share_rows(&self) -> Vec<Vec<String>> {
+        let (c, k) = (&self.shares.damping, &self.shares.stiffness);
+        [("c11", c[0][0]), ("c21", c[1][0]), ("c22", c[1][1]), ("k12 + k12c", k[0][1]), ("k21", k[1][0])]
+            .into_iter()
+            .map(|(name, value)| vec![name.to_owned(), number(value)])
+            .collect()
+    }
+}

@@ -1,0 +1,171 @@
+//! Figures and page of a study folder, from what is stored in it.
+
+use crate::error::StudyError;
+use crate::outcome::CheckRecord;
+use crate::pictures;
+use crate::run::Keepsakes;
+use judder_report::page::{Check, Code, Details, Table};
+use judder_report::{Block, Figure, Page, Section, html, png, svg};
+use judder_store::{Status, StoreError, StudyFolder, Summary};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+
+/// Pixels per typographic point in the PNG figures: 216 dots per inch.
+const PIXELS_PER_POINT: f64 = 3.0;
+
+/// Rebuilds figures and `report.html` of a study folder from its stored results; returns the page's path.
+///
+/// # Errors
+/// A folder without results, damaged results, or a folder that cannot be written.
+pub fn rebuild(folder: &Path) -> Result<PathBuf, StudyError> {
+    let store = StudyFolder::open(folder)?;
+    let summary = store.read_summary()?;
+    let Some(summary) = summary.filter(|summary| !summary.analyses.is_empty()) else {
+        return Err(StudyError::NoResults { folder: folder.display().to_string() });
+    };
+    if summary.extra.contains_key(crate::reproduce::KEY) {
+        return crate::reproduce::write_report(&store, &summary);
+    }
+    write(&store, &summary)
+}
+
+/// Draws all figures and the page.
+pub(crate) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, StudyError> {
+    let kept = Keepsakes::of(summary);
+    let mut sections = Vec::new();
+    for (name, record) in ordered(summary) {
+        let mut blocks = Vec::new();
+        match &record.status {
+            Status::Failed { reason } => blocks.push(Block::text(format!("No result: {reason}"))),
+            Status::Done => {
+                let dataset = store.read_dataset(name)?;
+                if let Some(figure) = pictures::figure(name, name, &dataset) {
+                    blocks.push(write_figure(store, figure)?);
+                }
+                blocks.extend(summary.results.get(name).and_then(scalar_table).map(Block::Table));
+            }
+        }
+        sections.push(Section::new(name, blocks));
+    }
+    sections.push(Section::new("Checks", vec![Block::Checks(check_rows(&kept.checks))]));
+    sections.push(Section::new("Warnings", vec![Block::Warnings(warnings(summary))]));
+    sections.push(case_section(summary, &kept));
+    let title =
+        summary.case.get("title").and_then(Value::as_str).filter(|t| !t.is_empty()).unwrap_or("A study");
+    let page = Page { title: title.to_owned(), lead: lead(summary, &kept), facts: facts(summary), sections };
+    write_page(store, &page)
+}
+
+/// The analyses in the order of the case.
+fn ordered(summary: &Summary) -> Vec<(&String, &judder_store::AnalysisRecord)> {
+    let listed: Vec<&str> = summary
+        .case
+        .get("analysis")
+        .and_then(Value::as_array)
+        .into_iter()
+        .flatten()
+        .filter_map(|analysis| analysis.get("name")?.as_str())
+        .collect();
+    let mut records: Vec<_> = summary.analyses.iter().collect();
+    records.sort_by_key(|(name, _)| listed.iter().position(|listed| listed == name));
+    records
+}
+
+/// What was done and what came out, in a sentence or two.
+fn lead(summary: &Summary, kept: &Keepsakes) -> String {
+    let done = summary.analyses.values().filter(|record| record.status == Status::Done).count();
+    let checks = kept.checks.values().flatten().count();
+    let passed = kept.checks.values().flatten().filter(|check| check.passed()).count();
+    let warnings = warnings(summary).len();
+    format!(
+        "{done} of {} analyses done, {passed} of {checks} checks within their limits, {warnings} warnings.",
+        summary.analyses.len()
+    )
+}
+
+pub(crate) fn facts(summary: &Summary) -> Vec<(String, String)> {
+    vec![
+        ("judder".to_owned(), summary.version.clone()),
+        ("case hash".to_owned(), summary.case_hash.chars().take(16).collect()),
+        ("wall time".to_owned(), format!("{:.2} s", summary.wall_time_s)),
+    ]
+}
+
+pub(crate) fn warnings(summary: &Summary) -> Vec<String> {
+    let of_analyses = summary
+        .analyses
+        .iter()
+        .flat_map(|(name, record)| record.warnings.iter().map(move |warning| format!("{name}: {warning}")));
+    summary.warnings.iter().cloned().chain(of_analyses).collect()
+}
+
+pub(crate) fn check_rows<'a>(
+    checks: impl IntoIterator<Item = (&'a String, &'a Vec<CheckRecord>)>,
+) -> Vec<Check> {
+    let rows = checks.into_iter().flat_map(|(name, checks)| checks.iter().map(move |check| (name, check)));
+    rows.map(|(name, check)| Check {
+        name: format!("{name}: {}", check.name),
+        compared: check.compared.clone(),
+        figure: figure(check.figure),
+        limit: format!("≤ {}", figure(check.limit)),
+        passed: check.passed(),
+    })
+    .collect()
+}
+
+/// A figure of a check: counts as they are, disagreements with two digits.
+fn figure(value: f64) -> String {
+    if value == value.trunc() && value.abs() < 1e6 { format!("{value}") } else { format!("{value:.1e}") }
+}
+
+/// The scalars of an analysis that fit a table.
+fn scalar_table(scalars: &serde_json::Map<String, Value>) -> Option<Table> {
+    let rows: Vec<Vec<String>> = scalars
+        .iter()
+        .filter_map(|(name, value)| match value {
+            Value::Number(number) => Some(vec![name.replace('_', " "), number.to_string()]),
+            Value::String(text) => Some(vec![name.replace('_', " "), text.clone()]),
+            Value::Array(list)
+                if !list.is_empty() && list.len() <= 12 && list.iter().all(Value::is_number) =>
+            {
+                let shown: Vec<String> = list.iter().map(Value::to_string).collect();
+                Some(vec![name.replace('_', " "), shown.join(", ")])
+            }
+            _ => None,
+        })
+        .collect();
+    (!rows.is_empty()).then(|| Table {
+        caption: String::new(),
+        head: vec!["quantity".to_owned(), "value".to_owned()],
+        rows,
+    })
+}
+
+fn case_section(summary: &Summary, kept: &Keepsakes) -> Section {
+    let mut blocks =
+        vec![Block::Code(Code { caption: "The case file".to_owned(), text: kept.source.clone() })];
+    if !kept.overrides.is_empty() {
+        blocks.push(Block::Code(Code {
+            caption: "Set on top of it".to_owned(),
+            text: kept.overrides.join("\n"),
+        }));
+    }
+    let resolved = serde_json::to_string_pretty(&summary.case).unwrap_or_default();
+    blocks.push(Block::Details(Details {
+        summary: "The resolved case, with every default".to_owned(),
+        blocks: vec![Block::Code(Code { caption: "Resolved case".to_owned(), text: resolved })],
+    }));
+    Section::new("Case", blocks)
+}
+
+/// Writes a figure as SVG and PNG, and gives it as a block of the page.
+pub(crate) fn write_figure(store: &StudyFolder, figure: Figure) -> Result<Block, StudyError> {
+    store.write_file(format!("figures/{}.svg", figure.name), svg(&figure)?.as_bytes())?;
+    store.write_file(format!("figures/{}.png", figure.name), &png(&figure, PIXELS_PER_POINT)?)?;
+    Ok(Block::figure(figure))
+}
+
+pub(crate) fn write_page(store: &StudyFolder, page: &Page) -> Result<PathBuf, StudyError> {
+    let written: Result<PathBuf, StoreError> = store.write_file("report.html", html(page)?.as_bytes());
+    Ok(written?)
+}

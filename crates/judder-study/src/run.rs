@@ -1,0 +1,213 @@
+//! The analyses of a case into a study folder.
+
+use crate::analyses;
+use crate::error::StudyError;
+use crate::outcome::{CheckRecord, Outcome};
+use crate::progress::Progress;
+use crate::report;
+use judder_case::CaseFile;
+use judder_store::{AnalysisRecord, Status, StudyFolder, Summary, content_hash};
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// What of a case is to be run, and whether from nothing.
+#[derive(Debug, Clone, Default)]
+pub struct RunOptions {
+    /// Only these analyses; all where empty.
+    pub only: Vec<String>,
+    /// Forget earlier results first.
+    pub fresh: bool,
+}
+
+/// What a run left.
+#[derive(Debug, Clone)]
+pub struct RunReport {
+    /// The study folder.
+    pub folder: PathBuf,
+    /// The content of its `summary.json`.
+    pub summary: Summary,
+    /// Its `report.html`.
+    pub report: PathBuf,
+    /// Analyses that were done before.
+    pub skipped: Vec<String>,
+    /// Whether every requested result is there.
+    pub complete: bool,
+    /// Warnings and failed checks, one line each.
+    pub messages: Vec<String>,
+}
+
+/// What a study keeps in `summary.json` beside results and records.
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+pub(crate) struct Keepsakes {
+    /// The text of the case file, for the report.
+    pub(crate) source: String,
+    /// The `--set` options that were on top of it.
+    pub(crate) overrides: Vec<String>,
+    /// Analysis → its checks.
+    pub(crate) checks: BTreeMap<String, Vec<CheckRecord>>,
+    /// Analysis → how many of its results are missing.
+    pub(crate) missing: BTreeMap<String, usize>,
+}
+
+impl Keepsakes {
+    const KEY: &'static str = "study";
+
+    /// Those of a summary; empty where it has none.
+    pub(crate) fn of(summary: &Summary) -> Self {
+        let kept = summary.extra.get(Self::KEY).cloned().unwrap_or_default();
+        serde_json::from_value(kept).unwrap_or_default()
+    }
+
+    pub(crate) fn put(&self, summary: &mut Summary) {
+        summary.extra.insert(Self::KEY.to_owned(), json!(self));
+    }
+}
+
+/// Runs the analyses of a case that are not done yet, then draws figures and report.
+///
+/// # Errors
+/// An unknown name in `only`, a folder that cannot be written, or [`StudyError::Interrupted`]; what was done until then is kept.
+pub fn run(
+    file: &CaseFile,
+    folder: &Path,
+    options: &RunOptions,
+    progress: &dyn Progress,
+) -> Result<RunReport, StudyError> {
+    let start = Instant::now();
+    let names = analyses::names(&file.case);
+    if let Some(name) = options.only.iter().find(|name| !names.contains(name)) {
+        return Err(StudyError::UnknownAnalysis { name: name.clone(), known: names });
+    }
+    let store = StudyFolder::create(folder)?;
+    if options.fresh {
+        store.forget()?;
+    }
+    let resolved = file.case.resolved();
+    let mut study = Study::open(&store, file, &resolved, &names)?;
+    let mut skipped = Vec::new();
+    for (index, name) in names.iter().enumerate() {
+        if !options.only.is_empty() && !options.only.contains(name) {
+            continue;
+        }
+        let hash = analysis_hash(&resolved, index);
+        if store.is_done(name, &hash)? {
+            skipped.push(name.clone());
+            continue;
+        }
+        progress.begin(name, analyses::steps(&file.case, index));
+        let began = Instant::now();
+        let outcome = analyses::run(&file.case, index, progress);
+        progress.end();
+        study.keep(name, hash, outcome, began.elapsed().as_secs_f64())?;
+    }
+    study.summary.wall_time_s = start.elapsed().as_secs_f64();
+    store.write_summary(&study.summary)?;
+    let report = report::write(&store, &study.summary)?;
+    let wanted = |name: &String| options.only.is_empty() || options.only.contains(name);
+    let kept = Keepsakes::of(&study.summary);
+    let complete = names.iter().filter(|name| wanted(name)).all(|name| {
+        let done = study.summary.analyses.get(name).is_some_and(|record| record.status == Status::Done);
+        done && kept.missing.get(name).copied().unwrap_or(0) == 0
+    });
+    let messages = messages(&study.summary, &kept);
+    Ok(RunReport { folder: folder.to_owned(), summary: study.summary, report, skipped, complete, messages })
+}
+
+/// Names all that the result of an analysis depends on: the case without its list of analyses and its title, this analysis, the version.
+fn analysis_hash(resolved: &Value, index: usize) -> String {
+    let mut model = resolved.clone();
+    let analysis = model.get("analysis").and_then(|list| list.get(index)).cloned();
+    if let Some(object) = model.as_object_mut() {
+        object.remove("analysis");
+        object.remove("title");
+    }
+    content_hash(json!([env!("CARGO_PKG_VERSION"), model, analysis]).to_string().as_bytes())
+}
+
+/// A study folder in the making.
+pub(crate) struct Study<'a> {
+    store: &'a StudyFolder,
+    pub(crate) summary: Summary,
+    kept: Keepsakes,
+}
+
+impl<'a> Study<'a> {
+    /// Takes up what an earlier run left of these analyses, and drops the rest.
+    pub(crate) fn open(
+        store: &'a StudyFolder,
+        file: &CaseFile,
+        resolved: &Value,
+        names: &[String],
+    ) -> Result<Self, StudyError> {
+        let earlier = store.read_summary()?.unwrap_or_default();
+        let mut kept = Keepsakes::of(&earlier);
+        kept.source.clone_from(&file.text);
+        kept.overrides.clone_from(&file.overrides);
+        let mut summary = Summary {
+            case_hash: content_hash(resolved.to_string().as_bytes()),
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            case: resolved.clone(),
+            ..earlier
+        };
+        summary.warnings.clear();
+        summary.results.retain(|name, _| names.contains(name));
+        summary.analyses.retain(|name, _| names.contains(name));
+        kept.checks.retain(|name, _| names.contains(name));
+        kept.missing.retain(|name, _| names.contains(name));
+        kept.put(&mut summary);
+        Ok(Self { store, summary, kept })
+    }
+
+    /// Stores the outcome of an analysis, or why there is none. Interruptions and failures to write end the run.
+    pub(crate) fn keep(
+        &mut self,
+        name: &str,
+        hash: String,
+        outcome: Result<Outcome, StudyError>,
+        wall_time_s: f64,
+    ) -> Result<(), StudyError> {
+        let (status, warnings) = match outcome {
+            Ok(outcome) => {
+                self.store.write_dataset(name, &hash, &outcome.dataset)?;
+                if let Some(table) = &outcome.table {
+                    self.store.write_table(name, table)?;
+                }
+                self.summary.results.insert(name.to_owned(), outcome.scalars);
+                self.kept.checks.insert(name.to_owned(), outcome.checks);
+                self.kept.missing.insert(name.to_owned(), outcome.missing);
+                (Status::Done, outcome.warnings)
+            }
+            Err(error @ (StudyError::Interrupted | StudyError::Store(_))) => return Err(error),
+            Err(error) => {
+                self.summary.results.remove(name);
+                (Status::Failed { reason: error.to_string() }, Vec::new())
+            }
+        };
+        let record = AnalysisRecord { hash, status, wall_time_s, warnings };
+        self.summary.analyses.insert(name.to_owned(), record);
+        self.kept.put(&mut self.summary);
+        self.store.write_summary(&self.summary)?;
+        Ok(())
+    }
+}
+
+/// Everything that the user should read: failures, warnings, checks beyond their limits.
+fn messages(summary: &Summary, kept: &Keepsakes) -> Vec<String> {
+    let mut messages = Vec::new();
+    for (name, record) in &summary.analyses {
+        if let Status::Failed { reason } = &record.status {
+            messages.push(format!("{name}: {reason}"));
+        }
+        messages.extend(record.warnings.iter().map(|warning| format!("{name}: {warning}")));
+        for check in kept.checks.get(name).into_iter().flatten().filter(|check| !check.passed()) {
+            messages.push(format!(
+                "{name}: check failed: {}: {:.1e}, at most {:.0e}",
+                check.name, check.figure, check.limit
+            ));
+        }
+    }
+    messages
+}

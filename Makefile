@@ -65,12 +65,14 @@ endif
 doc-tests: ## the examples in the docs and in the book
 	$(CARGO) test $(LOCKED) --workspace --doc
 
-python-tests: .venv/installed ## what a run leaves, opened with the real xarray; the book's links and cases
+python-tests: .venv/installed ## study folders in the real xarray, the book's links, the cases
 	$(PYTHON) -m pytest -q -p no:cacheprovider tests/python
 
 docs: ## build the API documentation and the book
 	RUSTDOCFLAGS='-D warnings' $(CARGO) doc $(LOCKED) --workspace --no-deps
 	mdbook=$$($(MDBOOK)); "$$mdbook" build docs
+	@if grep -rlE '<(script|link|img)[^>]*(https?:)?//' --include='*.html' docs/book; then \
+		echo 'The pages above fetch something from outside: the book must be readable offline.'; exit 1; fi
 
 deny: ## licences and sources of the dependencies, banned crates
 	cargo_deny=$$($(CARGO_DENY)); "$$cargo_deny" --workspace check bans licenses sources

@@ -93,8 +93,6 @@ pub struct Block {
     imbalance: Lanes,
     /// The stability margin ([`Characteristic::margin`]) of each point.
     pub margin: Lanes,
-    /// The share of the third Hurwitz determinant ([`Characteristic::third_determinant_share`]) of each point.
-    pub hopf_margin: Lanes,
     /// The share of the discriminant ([`discriminant_share`]) of each point; negative where the undamped modes have merged.
     pub conservative_margin: Lanes,
 }
@@ -110,7 +108,6 @@ impl Default for Block {
             class: none,
             imbalance: none,
             margin: none,
-            hopf_margin: none,
             conservative_margin: none,
         }
     }
@@ -153,7 +150,6 @@ fn classify<L: ContactLaw>(law: &L, load: FrictionLoad, block: &mut Block) {
         block.imbalance[lane] = Balance::new(load, &c, &at, &response).residual;
         let characteristic = Characteristic::new(&system);
         block.margin[lane] = characteristic.margin();
-        block.hopf_margin[lane] = characteristic.third_determinant_share();
         block.conservative_margin[lane] = discriminant_share(&system.stiffness);
         block.class[lane] = StabilityClass::code(&system);
     }

@@ -2,9 +2,8 @@
 //!
 //! The equilibrium has one solution at every point of the plane, so it is eliminated, and the boundary is the zero set of
 //! one function of two positions: the third Hurwitz determinant (a Hopf boundary, since p0 = det K > 0), or for the
-//! conservative system the discriminant of (24), (25). The curve is followed by pseudo-arclength: a step along the tangent, then
-//! Newton across it. The gradient is by central differences; it steers, the residual decides. Starting points are the sign
-//! changes of the stability margin on a coarse grid, so that closed loops and several branches are found.
+//! conservative system the discriminant of (24), (25). The curve is followed in steps of arclength. Starting points are
+//! the sign changes of the stability margin on a coarse grid, so that closed loops and several branches are found.
 
 mod continuation;
 mod field;
@@ -124,6 +123,23 @@ mod tests {
 
     fn logarithmic(from: f64, to: f64) -> Range {
         Range { from, to, scale: Scale::Logarithmic }
+    }
+
+    #[test]
+    fn curves_that_begin_on_the_border_are_whole() {
+        let (x, y) = (logarithmic(1e-8, 1e2), logarithmic(1e-9, 1e-1));
+        for load in [FrictionLoad::NormalLoad, FrictionLoad::ContactForce] {
+            for (coupling, shear_strength) in [(1.0, 0.01), (0.0, 0.01), (1.0, 0.1), (0.0, 0.1)] {
+                let at = move |velocity, normal_load| {
+                    Groups { velocity, normal_load, shear_strength, coupling, ..Groups::default() }.resolve()
+                };
+                let curves = boundaries(&paper(load), Condition::Full, (&x, &y), &at);
+                assert!(
+                    curves.iter().all(|c| c.end != End::Stalled && c.points.len() > 10),
+                    "{load:?} {coupling}"
+                );
+            }
+        }
     }
 
     fn of_fig_9(normal_load: f64) -> impl Fn(f64, f64) -> Coefficients + Sync {

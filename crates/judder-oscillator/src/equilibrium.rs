@@ -12,6 +12,7 @@ use crate::friction::friction_force;
 use crate::groups::Coefficients;
 use crate::{Contact, FrictionLoad};
 use judder_contact::{ContactLaw, ContactPoint, ContactResponse};
+use judder_numerics::elementary::ln;
 use judder_numerics::root::all_roots;
 
 /// The state of steady sliding.
@@ -61,18 +62,13 @@ impl Balance {
         }
     }
 
-    /// Newton's step in ln ŷ, no longer than one e-fold.
+    /// Newton's step in ln ŷ, on the logarithm of the forces that carry the load.
     ///
-    /// The forces are nearly powers of ŷ, so near the root the step is taken on their logarithm, whose curvature is an order
-    /// smaller; ln(1 + r) as its series.
+    /// They are sums of powers of ŷ with exponents near one, so in logarithms the equation is nearly a straight line: the
+    /// steps are right from far away, and near the root the error falls faster than on the forces themselves.
     #[inline(always)]
     pub(crate) fn newton_step(&self) -> f64 {
-        let r = -self.residual / self.carried;
-        let logarithm = r * (1.0 - r * (0.5 - r * (1.0 / 3.0 - 0.25 * r)));
-        let near = (self.carried > 0.0) & (r.abs() < 0.3);
-        let step = if near { logarithm * self.carried } else { -self.residual } / self.slope;
-        let step = if step > 1.0 { 1.0 } else { step };
-        if step < -1.0 { -1.0 } else { step }
+        -ln(self.carried) * self.carried / self.slope
     }
 }
 
@@ -135,21 +131,10 @@ fn bracket(imbalance: &Imbalance<'_>) -> Result<(f64, f64), OscillatorError> {
     let c = imbalance.coefficients;
     let spring = (c.k22 - c.k12 * c.k12 / c.k11) * c.stiffness;
     // a hair above F̃_n/s, where rounding cannot turn the sign
-    let mut upper = if spring > 0.0 { (c.normal_load / spring).ln() + 1e-9 } else { SEARCH.1 };
-    upper = upper.clamp(SEARCH.0, SEARCH.1);
-    if imbalance.at(upper).residual < 0.0 {
-        return Err(no_equilibrium());
-    }
-    let mut stride = 1.0;
-    while upper > SEARCH.0 {
-        let lower = (upper - stride).max(SEARCH.0);
-        if imbalance.at(lower).residual < 0.0 {
-            return Ok((lower, upper));
-        }
-        upper = lower;
-        stride *= 2.0;
-    }
-    Err(no_equilibrium())
+    let upper = if spring > 0.0 { (c.normal_load / spring).ln() + 1e-9 } else { SEARCH.1 };
+    let upper = upper.clamp(SEARCH.0, SEARCH.1);
+    let is_bracketed = imbalance.at(upper).residual >= 0.0 && imbalance.at(SEARCH.0).residual < 0.0;
+    if is_bracketed { Ok((SEARCH.0, upper)) } else { Err(no_equilibrium()) }
 }
 
 /// A bracket for k12 < 0, where there may be none or several.
@@ -171,7 +156,7 @@ fn only_sign_change(imbalance: &Imbalance<'_>) -> Result<(f64, f64), OscillatorE
 fn root_in_bracket(imbalance: &Imbalance<'_>, lower: f64, upper: f64) -> Result<f64, OscillatorError> {
     const LIMIT: usize = 100;
     let (mut lower, mut upper) = (lower, upper);
-    let mut u = 0.5 * (lower + upper);
+    let mut u = upper;
     let mut residual = f64::NAN;
     for _ in 0..LIMIT {
         let here = imbalance.at(u);

@@ -51,3 +51,25 @@ pub struct Contact {
     /// F_n μ_visc (as printed) or F_k μ_visc.
     pub friction_load: FrictionLoad,
 }
+
+/// The examples of the book, which are tests like any other.
+#[cfg(doctest)]
+mod book {
+    macro_rules! chapter {
+        ($name:ident, $path:literal) => {
+            #[doc = include_str!(concat!("../../../docs/src/", $path, ".md"))]
+            struct $name;
+        };
+    }
+    chapter!(FirstMap, "tutorials/first-map");
+    chapter!(Oscillator, "theory/oscillator");
+    chapter!(ContactLaws, "theory/contact-laws");
+    chapter!(Checks, "theory/checks");
+    chapter!(Figure4, "figures/figure-4");
+    chapter!(Figure5, "figures/figure-5");
+    chapter!(Figure6, "figures/figure-6");
+    chapter!(Figure7, "figures/figure-7");
+    chapter!(Figure8, "figures/figure-8");
+    chapter!(Figure9, "figures/figure-9");
+    chapter!(Figure10, "figures/figure-10");
+}

@@ -10,6 +10,7 @@ mod scoreboard;
 
 use crate::analyses;
 use crate::error::StudyError;
+use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::run::{Study, analysis_hash};
 use exhibits::{EXHIBITS, Source};
@@ -62,7 +63,7 @@ pub fn oscillator_paper(
         }
         progress.begin(name, analyses::steps(&file.case, 0));
         let began = Instant::now();
-        let outcome = analyses::run(&file.case, 0, progress);
+        let outcome = analyses::run(&file.case, 0, progress).map(without_lists);
         progress.end();
         study.keep(name, hash, outcome, began.elapsed().as_secs_f64())?;
     }
@@ -109,6 +110,14 @@ fn runs(quick: bool) -> Result<Vec<(String, CaseFile)>, StudyError> {
         }
     }
     Ok(runs)
+}
+
+/// The outcome without the lists that its arrays hold anyway: dozens of curves would make the summary unreadable.
+fn without_lists(mut outcome: Outcome) -> Outcome {
+    let lists =
+        ["value", "curves", "eigenvalues", "conservative_eigenvalues", "growth_rate", "full", "conservative"];
+    outcome.scalars.retain(|name, _| !lists.contains(&name.as_str()));
+    outcome
 }
 
 /// Whether an analysis of a summary has its result.

@@ -5,8 +5,9 @@ use super::{Boundary, BoundaryPoint, Condition};
 use crate::Contact;
 use crate::block::{Block, LANES};
 use crate::characteristic::Characteristic;
+use crate::conservative::discriminant_share;
 use crate::critical::Range;
-use crate::equilibrium::equilibrium_at;
+use crate::equilibrium::{Equilibrium, equilibrium};
 use crate::groups::Coefficients;
 use crate::linear_system::ReducedSystem;
 use crate::linearisation::Linearisation;
@@ -21,57 +22,36 @@ pub(super) struct Field<'a> {
     pub(super) coefficients: &'a (dyn Fn(f64, f64) -> Coefficients + Sync),
 }
 
-/// Value and gradient at a position, with the indentation as a starting value for the next.
-#[derive(Clone, Copy)]
-pub(super) struct Local {
-    pub(super) value: f64,
-    pub(super) gradient: [f64; 2],
-    pub(super) ln_indentation: f64,
-}
-
 impl Field<'_> {
     fn at(&self, position: [f64; 2]) -> Coefficients {
         (self.coefficients)(self.x.value(position[0]), self.y.value(position[1]))
     }
 
-    /// The boundary function of a decided lane.
-    fn value(&self, block: &Block, lane: usize) -> f64 {
+    /// The margin whose sign is the stability, by the scalar path; NaN without an equilibrium. Outside the square, where the
+    /// quantities may make no sense any more, it is then that of the nearest point of the border.
+    pub(super) fn margin(&self, position: [f64; 2]) -> f64 {
+        let clamped = position.map(|s| s.clamp(0.0, 1.0));
+        let Some((_, system)) = self.state(position).or_else(|| self.state(clamped)) else { return f64::NAN };
         match self.condition {
-            _ if block.ln_indentation[lane].is_nan() => f64::NAN,
-            Condition::Full => block.hopf_margin[lane],
-            Condition::Conservative => block.conservative_margin[lane],
+            Condition::Full => Characteristic::new(&system).margin(),
+            Condition::Conservative => discriminant_share(&system.stiffness),
         }
     }
 
-    /// The margin whose sign is the stability, which the seeds are taken from.
-    fn margin(&self, block: &Block, lane: usize) -> f64 {
+    fn state(&self, position: [f64; 2]) -> Option<(Equilibrium, ReducedSystem)> {
+        let c = self.at(position);
+        let state = equilibrium(self.contact, &c).ok()?;
+        let l = Linearisation::new(self.contact.friction_load, &c, &state.response);
+        Some((state, ReducedSystem { damping: l.damping(), stiffness: l.stiffness() }))
+    }
+
+    /// The same margin of a decided lane.
+    fn lane_margin(&self, block: &Block, lane: usize) -> f64 {
         match self.condition {
             _ if block.ln_indentation[lane].is_nan() => f64::NAN,
             Condition::Full => block.margin[lane],
             Condition::Conservative => block.conservative_margin[lane],
         }
-    }
-
-    /// Value and central-difference gradient, from one block of five points; `None` without an equilibrium.
-    pub(super) fn local(&self, position: [f64; 2], guess: f64) -> Option<Local> {
-        /// Balances truncation (h²) against rounding (ε/h) of a function of order one.
-        const STEP: f64 = 1e-5;
-        let [s, t] = position;
-        let mut block = Block::default();
-        for (lane, at) in
-            [[s, t], [s + STEP, t], [s - STEP, t], [s, t + STEP], [s, t - STEP]].into_iter().enumerate()
-        {
-            block.set(lane, &self.at(at), guess);
-        }
-        block.decide(self.contact, 5);
-        let value = |lane: usize| self.value(&block, lane);
-        let gradient = [(value(1) - value(2)) / (2.0 * STEP), (value(3) - value(4)) / (2.0 * STEP)];
-        let length = gradient[0].hypot(gradient[1]);
-        (length.is_finite() && length > 0.0).then(|| Local {
-            value: value(0),
-            gradient,
-            ln_indentation: block.ln_indentation[0],
-        })
     }
 
     /// Pairs of neighbouring points of a grid between which the stability changes.
@@ -87,7 +67,7 @@ impl Field<'_> {
                     block.set(lane, &self.at([position(first + lane), position(row)]), f64::NAN);
                 }
                 block.decide(self.contact, width);
-                margins.extend((0..width).map(|lane| self.margin(&block, lane)));
+                margins.extend((0..width).map(|lane| self.lane_margin(&block, lane)));
             }
         }
         let mut pairs = Vec::new();
@@ -113,31 +93,31 @@ impl Field<'_> {
     /// The point between two grid points at which the stability changes.
     pub(super) fn root_between(&self, [a, b]: [[f64; 2]; 2]) -> Option<[f64; 2]> {
         let between = |share: f64| [a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])];
-        let mut block = Block::default();
-        let margin = |share: f64| {
-            block.set(0, &self.at(between(share)), f64::NAN);
-            block.decide(self.contact, 1);
-            self.margin(&block, 0)
-        };
-        bracketed_root(margin, 0.0, 1.0, 1e-12).ok().map(between)
+        bracketed_root(|share| self.margin(between(share)), 0.0, 1.0, 1e-12).ok().map(between)
     }
 
     /// The curve in the swept quantities, with what belongs to each point.
     pub(super) fn boundary(&self, curve: &Curve) -> Boundary {
-        let points = curve.positions.iter().zip(&curve.ln_indentations).map(|(position, ln_indentation)| {
-            let c = self.at(*position);
-            let e = equilibrium_at(self.contact, &c, *ln_indentation);
-            let l = Linearisation::new(self.contact.friction_load, &c, &e.response);
-            let frequency = match self.condition {
-                Condition::Full => {
-                    let system = ReducedSystem { damping: l.damping(), stiffness: l.stiffness() };
-                    Characteristic::new(&system).hopf_frequency()
-                }
-                Condition::Conservative => (0.5 * (l.k11 + l.k22)).sqrt(),
+        let points = curve.positions.iter().map(|position| {
+            let (indentation, frequency) = match self.state(*position) {
+                Some((state, system)) => (state.indentation, self.frequency(&system)),
+                None => (f64::NAN, f64::NAN),
             };
-            let (x, y) = (self.x.value(position[0]), self.y.value(position[1]));
-            BoundaryPoint { x, y, indentation: e.indentation, frequency }
+            BoundaryPoint {
+                x: self.x.value(position[0]),
+                y: self.y.value(position[1]),
+                indentation,
+                frequency,
+            }
         });
         Boundary { points: points.collect(), folds: curve.folds.clone(), end: curve.end }
+    }
+
+    /// The frequency of the oscillation that is born on the boundary.
+    fn frequency(&self, system: &ReducedSystem) -> f64 {
+        match self.condition {
+            Condition::Full => Characteristic::new(system).hopf_frequency(),
+            Condition::Conservative => (0.5 * (system.stiffness[0][0] + system.stiffness[1][1])).sqrt(),
+        }
     }
 }

@@ -67,18 +67,16 @@ pub(super) fn critical(dataset: &Dataset) -> Option<Panel> {
             continue;
         }
         for (curve, roots) in roots.chunks(most * swept.values.len()).enumerate() {
-            for k in 0..most {
-                let (x, y) = branch(swept.values, roots, most, k);
-                let role = swept.role(curve);
-                let style = if is_full { role.solid() } else { role.dashed() };
-                let shown = match (k, swept.family.is_some(), is_full) {
-                    (0, true, true) => swept.label(curve, ""),
-                    (0, false, true) => "full system".to_owned(),
-                    (0, false, false) => "without damping".to_owned(),
-                    _ => String::new(),
-                };
-                layers.push(Layer::line(shown, x, y, style));
-            }
+            let (x, y) = branches(swept.values, roots, most);
+            let role = swept.role(curve);
+            let style = if is_full { role.solid() } else { role.dashed() };
+            let shown = match (swept.family.is_some(), is_full) {
+                (true, true) => swept.label(curve, ""),
+                (true, false) => String::new(),
+                (false, true) => "full system".to_owned(),
+                (false, false) => "without damping".to_owned(),
+            };
+            layers.push(Layer::line(shown, x, y, style));
         }
     }
     if swept.family.is_some() {
@@ -88,20 +86,34 @@ pub(super) fn critical(dataset: &Dataset) -> Option<Panel> {
     Some(Panel::new(axis(swept.axis), Axis::log(label), layers))
 }
 
-/// The k-th root along the sweep, interrupted where the number of roots changes: there roots are born or die, and the k-th of one
-/// point is not the k-th of the next.
-fn branch(values: &[f64], roots: &[f64], most: usize, k: usize) -> (Vec<f64>, Vec<f64>) {
+/// The roots along the sweep as segments between neighbouring values, a gap after each: neighbours are joined in order, and where
+/// their numbers differ, the nearest ones.
+fn branches(values: &[f64], roots: &[f64], most: usize) -> (Vec<f64>, Vec<f64>) {
+    let lists: Vec<Vec<f64>> = roots
+        .chunks(most)
+        .map(|roots| roots.iter().copied().filter(|root| root.is_finite()).collect())
+        .collect();
     let (mut x, mut y) = (Vec::new(), Vec::new());
-    let mut count_before = None;
-    for (value, roots) in values.iter().zip(roots.chunks(most)) {
-        let count = roots.iter().filter(|root| root.is_finite()).count();
-        if count_before.is_some_and(|before| before != count) {
-            x.push(*value);
-            y.push(f64::NAN);
+    for (values, lists) in values.windows(2).zip(lists.windows(2)) {
+        for (from, to) in pairs(&lists[0], &lists[1]) {
+            x.extend([values[0], values[1], values[1]]);
+            y.extend([from, to, f64::NAN]);
         }
-        count_before = Some(count);
-        x.push(*value);
-        y.push(roots[k]);
     }
     (x, y)
+}
+
+/// Joins two ascending lists of roots without crossing, leaving out of the longer one what makes the joints longest.
+fn pairs(left: &[f64], right: &[f64]) -> Vec<(f64, f64)> {
+    if left.len() > right.len() {
+        return pairs(right, left).into_iter().map(|(r, l)| (l, r)).collect();
+    }
+    let length = |joined: &[(f64, f64)]| joined.iter().map(|(a, b)| (a / b).ln().abs()).sum::<f64>();
+    let surplus = right.len() - left.len();
+    // roots are born and die in neighbouring pairs: what is left out stands together
+    let leaving_out = |first: usize| -> Vec<(f64, f64)> {
+        let kept = right.iter().enumerate().filter(|(k, _)| *k < first || *k >= first + surplus);
+        left.iter().copied().zip(kept.map(|(_, root)| *root)).collect()
+    };
+    (0..=left.len()).map(leaving_out).min_by(|a, b| length(a).total_cmp(&length(b))).unwrap_or_default()
 }

@@ -97,7 +97,7 @@ impl Panel {
 }
 
 /// Points along each side of the maps that claims are measured on.
-pub(super) const SIDE: usize = 300;
+pub(super) const SIDE: usize = 200;
 
 /// The law's response at a point.
 pub(super) fn response(

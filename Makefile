@@ -1,0 +1,86 @@
+# What to type; `make` alone prints the list. Every target does its own set-up, in folders of the project:
+# .tools (Cargo tools), .venv (Python), target or $CARGO_TARGET_DIR (what Cargo builds), out (what judder writes).
+
+SHELL := bash
+.SHELLFLAGS := -euo pipefail -c
+.DEFAULT_GOAL := help
+.NOTPARALLEL:
+
+CARGO ?= cargo
+TARGET := $(or $(CARGO_TARGET_DIR),target)
+JUDDER := $(TARGET)/release/judder
+# In CI the lock file is taken as it is; on a desk Cargo may still write what Cargo.toml asks for.
+LOCKED := $(if $(CI),--locked)
+
+REQUIREMENTS := $(wildcard tests/python/requirements.txt benches/requirements.txt)
+PYTHON := .venv/bin/python
+# Only the search of the book: no server, no file watcher.
+MDBOOK := tools/cargo-tool mdbook 0.5.4 --no-default-features --features search
+CARGO_DENY := tools/cargo-tool cargo-deny 0.20.2
+NEXTEST := $(shell $(CARGO) nextest --version >/dev/null 2>&1 && echo yes)
+
+.PHONY: help demo test bench validate setup format lint rust-tests doc-tests python-tests docs deny advisories
+
+help: ## print this list
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
+
+demo: ## build judder, reproduce the oscillator paper, say where the report lies
+	$(CARGO) build --release $(LOCKED) -p judder-cli
+	"$(JUDDER)" reproduce oscillator-paper --quick
+	@printf '\nThe report lies here: %s\n' "$(CURDIR)/out/reproduce/oscillator-paper/report.html"
+
+test: format lint rust-tests doc-tests python-tests docs deny ## everything that must hold before a change is merged
+	@printf '\nEvery check passed.\n'
+
+bench: .venv/installed ## time the stability decision, beside a NumPy peer
+	$(CARGO) bench $(LOCKED) -p judder-oscillator
+	$(PYTHON) benches/compare.py
+
+validate: ## the expensive validation, in release: the tests that `make test` leaves out
+ifeq ($(NEXTEST),yes)
+	$(CARGO) nextest run $(LOCKED) --workspace --release --run-ignored only --no-tests pass
+else
+	$(CARGO) test $(LOCKED) --workspace --release --lib --bins --tests --examples -- --ignored
+endif
+
+setup: .venv/installed ## fetch and build what the other targets need
+	$(CARGO) fetch $(LOCKED)
+	$(MDBOOK) >/dev/null
+	$(CARGO_DENY) >/dev/null
+
+format: ## check that the code is formatted
+	$(CARGO) fmt --all --check
+
+lint: ## clippy, warnings are errors
+	$(CARGO) clippy $(LOCKED) --workspace --all-targets -- -D warnings
+
+rust-tests: ## unit, property, validation and convergence tests
+ifeq ($(NEXTEST),yes)
+	$(CARGO) nextest run $(LOCKED) --workspace
+else
+	@echo 'cargo-nextest is not installed: cargo test takes its place.'
+	$(CARGO) test $(LOCKED) --workspace --lib --bins --tests --examples
+endif
+
+doc-tests: ## the examples in the docs and in the book
+	$(CARGO) test $(LOCKED) --workspace --doc
+
+python-tests: .venv/installed ## study folders in the real xarray, the book's links, the cases
+	$(PYTHON) -m pytest -q -p no:cacheprovider tests/python
+
+docs: ## build the API documentation and the book
+	RUSTDOCFLAGS='-D warnings' $(CARGO) doc $(LOCKED) --workspace --no-deps
+	mdbook=$$($(MDBOOK)); "$$mdbook" build docs
+	@if grep -rlE '<(script|link|img)[^>]*(https?:)?//' --include='*.html' docs/book; then \
+		echo 'The pages above fetch something from outside: the book must be readable offline.'; exit 1; fi
+
+deny: ## licences and sources of the dependencies, banned crates
+	cargo_deny=$$($(CARGO_DENY)); "$$cargo_deny" --workspace check bans licenses sources
+
+# Not a part of `make test`: its answer depends on the day, and it needs the network.
+advisories: ## known vulnerabilities of the dependencies
+	cargo_deny=$$($(CARGO_DENY)); "$$cargo_deny" --workspace check advisories
+
+.venv/installed: tools/python-environment $(REQUIREMENTS)
+	tools/python-environment .venv $(REQUIREMENTS)
+	@touch $@

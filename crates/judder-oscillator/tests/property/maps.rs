@@ -1,0 +1,58 @@
+//! A map does not depend on how it was made: threads, method.
+
+use crate::panels::{Panel, panels};
+use judder_oscillator::map::{CoefficientPlane, Method, StabilityMap, stability_map};
+use judder_oscillator::mechanism::StabilityClass;
+
+fn with_threads(threads: usize, panel: &Panel, method: Method) -> StabilityMap {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+    pool.install(|| stability_map(&panel.contact, &panel.plane, method))
+}
+
+#[test]
+fn the_number_of_threads_leaves_no_trace() {
+    for panel in panels(301) {
+        for method in [Method::EveryPoint, Method::Adaptive] {
+            let (alone, together) = (with_threads(1, &panel, method), with_threads(4, &panel, method));
+            assert!(alone == together, "{} {} {method:?}", panel.figure, panel.load_name());
+        }
+    }
+}
+
+/// Every `across`-th column and `up`-th row of a panel.
+fn thinned(panel: &Panel, across: usize, up: usize) -> Panel {
+    let thin = |values: &[f64], step: usize| values.iter().copied().step_by(step).collect();
+    let CoefficientPlane { base, x, y } = &panel.plane;
+    let plane = CoefficientPlane { base: *base, x: (x.0, thin(&x.1, across)), y: (y.0, thin(&y.1, up)) };
+    Panel { plane, ..*panel }
+}
+
+#[test]
+fn both_methods_give_one_map_on_grids_of_every_shape() {
+    for panel in panels(400) {
+        // the last two leave a single row and a single column
+        for (across, up) in [(1, 1), (1, 3), (7, 1), (13, 11), (1, 400), (400, 1)] {
+            let panel = thinned(&panel, across, up);
+            let brute = stability_map(&panel.contact, &panel.plane, Method::EveryPoint);
+            let adaptive = stability_map(&panel.contact, &panel.plane, Method::Adaptive);
+            assert!(
+                brute.classes == adaptive.classes,
+                "{} {} {across} {up}",
+                panel.figure,
+                panel.load_name()
+            );
+            assert_eq!(brute.count(StabilityClass::Unresolved), 0);
+            assert!(adaptive.decisions <= brute.decisions);
+        }
+    }
+}
+
+#[test]
+fn an_empty_plane_has_an_empty_map() {
+    let mut panel = panels(10).swap_remove(0);
+    panel.plane.x.1.clear();
+    for method in [Method::EveryPoint, Method::Adaptive] {
+        let map = stability_map(&panel.contact, &panel.plane, method);
+        assert_eq!((map.columns, map.rows, map.decisions, map.classes.len()), (0, 10, 0, 0));
+    }
+}

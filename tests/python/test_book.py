@@ -1,0 +1,67 @@
+"""The book: every chapter is reachable, every link and include leads somewhere, every case file is accepted."""
+
+import os
+import pathlib
+import re
+import subprocess
+import unicodedata
+
+import pytest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+BOOK = ROOT / "docs" / "src"
+CHAPTERS = sorted(BOOK.rglob("*.md"))
+CASES = sorted((ROOT / "cases").rglob("*.toml"))
+
+
+def relative(path):
+    return str(path.relative_to(ROOT))
+
+
+def without_code(text):
+    return re.sub(r"`[^`\n]*`", "", re.sub(r"^```.*?^```", "", text, flags=re.DOTALL | re.MULTILINE))
+
+
+def anchors(chapter):
+    """The anchors that mdBook gives to the headings of a chapter."""
+    headings = re.findall(r"^#+ (.*)$", without_code(chapter.read_text("utf-8")), flags=re.MULTILINE)
+    plain = (unicodedata.normalize("NFC", heading).lower().strip() for heading in headings)
+    return {re.sub(r"[^\w\- ]", "", heading).replace(" ", "-") for heading in plain}
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=relative)
+def test_links_lead_somewhere(chapter):
+    for target in re.findall(r"\]\(([^)\s]+)\)", without_code(chapter.read_text("utf-8"))):
+        if re.match(r"[a-z]+:", target):
+            continue
+        path, _, anchor = target.partition("#")
+        linked = (chapter.parent / path).resolve() if path else chapter
+        assert linked.is_file(), f"{relative(chapter)} links to {target}"
+        assert not anchor or anchor in anchors(linked), f"{relative(chapter)} links to {target}"
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=relative)
+def test_includes_exist(chapter):
+    for target in re.findall(r"\{\{#include ([^}]+)\}\}", chapter.read_text("utf-8")):
+        assert (chapter.parent / target.strip()).is_file(), f"{relative(chapter)} includes {target}"
+
+
+def test_every_chapter_is_in_the_summary():
+    summary = (BOOK / "SUMMARY.md").read_text("utf-8")
+    linked = {(BOOK / target).resolve() for target in re.findall(r"\]\(([^)]+\.md)\)", summary)}
+    assert linked == set(CHAPTERS) - {BOOK / "SUMMARY.md"}
+
+
+@pytest.fixture(scope="session")
+def judder():
+    """The program, built as the tests are."""
+    subprocess.run(["cargo", "build", "--quiet", "-p", "judder-cli"], cwd=ROOT, check=True)
+    target = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", "target"))
+    return ROOT / target / "debug" / "judder"
+
+
+@pytest.mark.skipif(not (ROOT / "crates" / "judder-cli").is_dir(), reason="needs the crate judder-cli")
+@pytest.mark.parametrize("case", CASES, ids=relative)
+def test_cases_are_accepted(judder, case):
+    check = subprocess.run([judder, "check", case], cwd=ROOT, capture_output=True, text=True)
+    assert check.returncode == 0, check.stderr

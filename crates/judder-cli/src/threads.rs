@@ -10,7 +10,7 @@ const MOST_THREADS: usize = 4096;
 /// The option `--threads`.
 #[derive(Debug, Clone, Copy, Args)]
 pub(crate) struct Threads {
-    /// Threads to compute with [default: one a core]; results do not depend on it
+    /// Threads to compute with, one a core by default; results do not depend on it
     #[arg(long, value_name = "N", value_parser = parse)]
     threads: Option<usize>,
 }

@@ -27,8 +27,7 @@ pub(crate) struct Reproduce {
     /// Fewer points: in seconds instead of minutes
     #[arg(long)]
     quick: bool,
-    /// The study folder [default: out/reproduce/<paper>]
-    #[arg(short, long, value_name = "DIR")]
+    #[arg(short, long, value_name = "DIR", help = "The study folder [default: out/reproduce/<paper>]")]
     output: Option<PathBuf>,
     #[command(flatten)]
     threads: Threads,

@@ -30,8 +30,7 @@ Ctrl-C ends cleanly and keeps what is done; a second Ctrl-C ends at once.";
 pub(crate) struct Run {
     #[command(flatten)]
     case: CaseArguments,
-    /// The study folder [default: out/<case name>]
-    #[arg(short, long, value_name = "DIR")]
+    #[arg(short, long, value_name = "DIR", help = "The study folder [default: out/<case name>]")]
     output: Option<PathBuf>,
     /// Run this analysis and no others; may be given several times
     #[arg(long, value_name = "NAME")]

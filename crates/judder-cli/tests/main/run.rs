@@ -161,6 +161,21 @@ fn two_degrees_run_as_well() {
 }
 
 #[test]
+fn a_missing_result_shows_in_the_exit_code() {
+    // the square root has no value at two of the five points
+    let desk = Desk::with_case(
+        "model = \"two-degrees\"\n[parameters]\nmu = 0.5\n[matrices]\nstiffness = [[2, 0], [0, \"sqrt(mu)\"]]\n\
+         [[analysis]]\nname = \"locus\"\nkind = \"spectrum\"\n\
+         sweep = { key = \"parameters.mu\", from = -1, to = 1, points = 5 }\n",
+    );
+    let said = desk.judder(&["run", "case.toml", "--json", "-q"]);
+    assert_eq!(said.code, 1);
+    said.says("× a requested result is missing or failed its check");
+    assert_eq!(said.json(), desk.read_json("out/case/summary.json"));
+    assert!(desk.path("out/case/report.html").is_file());
+}
+
+#[test]
 fn a_case_without_analyses_is_a_page() {
     let desk = Desk::with_case("model = \"oscillator\"\n");
     let summary = desk.succeed(&["run", "case.toml", "--json"]).json();

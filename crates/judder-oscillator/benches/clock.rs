@@ -28,11 +28,13 @@ fn median_seconds<T>(repeats: usize, mut work: impl FnMut() -> T) -> (f64, T) {
     (seconds[repeats / 2], result)
 }
 
+/// Independent products and sums: enough to hide the latency of each, few enough for the registers.
+const CHAINS: usize = 64;
+
 /// Multiplications and additions that never leave the registers, as many of each: what the core can do at most without
 /// fused operations, which the decision does not use either.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2", "aarch64+neon"))]
 fn multiply_and_add(rounds: usize) -> f64 {
-    const CHAINS: usize = 128;
     let (mut products, mut sums) = ([1.0_f64; CHAINS], [0.0_f64; CHAINS]);
     let (factor, term) = (black_box(1.000_000_1), black_box(1e-9));
     for _ in 0..rounds {
@@ -47,7 +49,7 @@ fn multiply_and_add(rounds: usize) -> f64 {
 fn peak_operations_per_second() -> f64 {
     const ROUNDS: usize = 1_000_000;
     let (seconds, _) = median_seconds(5, || multiply_and_add(black_box(ROUNDS)));
-    (2 * 128 * ROUNDS) as f64 / seconds
+    (2 * CHAINS * ROUNDS) as f64 / seconds
 }
 
 fn report(panel: &Panel, file: Option<&String>) -> std::io::Result<()> {

@@ -33,7 +33,7 @@ pub fn rebuild(folder: &Path) -> Result<PathBuf, StudyError> {
 pub(crate) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, StudyError> {
     let kept = Keepsakes::of(summary);
     let mut sections = Vec::new();
-    for (name, record) in ordered(summary) {
+    for (name, record) in in_order(summary) {
         let mut blocks = Vec::new();
         match &record.status {
             Status::Failed { reason } => blocks.push(Block::text(format!("No result: {reason}"))),
@@ -57,7 +57,7 @@ pub(crate) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, S
 }
 
 /// The analyses in the order of the case.
-fn ordered(summary: &Summary) -> Vec<(&String, &judder_store::AnalysisRecord)> {
+pub(crate) fn in_order(summary: &Summary) -> Vec<(&String, &judder_store::AnalysisRecord)> {
     let listed: Vec<&str> = summary
         .case
         .get("analysis")

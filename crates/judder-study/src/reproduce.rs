@@ -15,7 +15,7 @@ use crate::progress::Progress;
 use crate::run::{Study, analysis_hash};
 use exhibits::{EXHIBITS, Source};
 use judder_case::CaseFile;
-use judder_store::{Status, StudyFolder, Summary};
+use judder_store::{Status, StudyFolder, Summary, content_hash};
 use readings::READINGS;
 use serde_json::json;
 use std::path::{Path, PathBuf};
@@ -56,8 +56,9 @@ pub fn oscillator_paper(
     let names: Vec<String> = runs.iter().map(|(name, _)| name.clone()).collect();
     let mut study = Study::open(&store, &names)?;
     study.summary.case = json!({ "title": "The oscillator paper", "model": "oscillator", "quick": quick });
-    for (name, file) in &runs {
-        let hash = analysis_hash(&file.case.resolved(), 0);
+    let hashes: Vec<String> = runs.iter().map(|(_, file)| analysis_hash(&file.case.resolved(), 0)).collect();
+    study.summary.case_hash = content_hash(hashes.concat().as_bytes());
+    for ((name, file), hash) in runs.iter().zip(hashes) {
         if store.is_done(name, &hash)? {
             continue;
         }

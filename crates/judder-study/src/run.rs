@@ -200,10 +200,10 @@ impl<'a> Study<'a> {
     }
 }
 
-/// Everything that the user should read: failures, warnings, checks beyond their limits.
+/// Everything that the user should read, in the order of the case: failures, warnings, checks beyond their limits.
 fn messages(summary: &Summary, kept: &Keepsakes) -> Vec<String> {
     let mut messages = Vec::new();
-    for (name, record) in &summary.analyses {
+    for (name, record) in report::in_order(summary) {
         if let Status::Failed { reason } = &record.status {
             messages.push(format!("{name}: {reason}"));
         }

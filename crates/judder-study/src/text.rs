@@ -22,11 +22,10 @@ pub(crate) fn columns(rows: &[Vec<String>]) -> String {
 
 /// A number to seven digits: as it is in the middle of the scale, as a power of ten at its ends.
 pub(crate) fn number(value: f64) -> String {
-    if value == 0.0 || (1e-3..1e5).contains(&value.abs()) {
-        format!("{value:.7}")
-    } else {
-        format!("{value:.6e}")
+    if value == 0.0 {
+        return "0".to_owned();
     }
+    if (1e-3..1e5).contains(&value.abs()) { format!("{value:.7}") } else { format!("{value:.6e}") }
 }
 
 /// Numbers in a row, or a word where there are none.

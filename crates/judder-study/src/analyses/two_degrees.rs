@@ -27,7 +27,15 @@ pub(super) fn run(
             let axis = Axis::of_parameter(sweep);
             let spectra =
                 axis.values.iter().map(|value| Spectra::new(&system(case, &[(sweep, *value)])?)).collect();
-            spectrum::outcome(&axis, &Curves::alone(), spectra)
+            let mut outcome = spectrum::outcome(&axis, &Curves::alone(), spectra)?;
+            if outcome.missing > 0 {
+                outcome.warnings.push(format!(
+                    "no eigenvalues at {} of {} values: the matrices are not finite there, or M is not symmetric and positive definite",
+                    outcome.missing,
+                    axis.values.len()
+                ));
+            }
+            Ok(outcome)
         }
         TwoDegreesAnalysis::StabilityMap(settings) => map(case, settings),
         TwoDegreesAnalysis::Critical { sweep } => critical(case, sweep, progress),

@@ -86,34 +86,69 @@ pub(super) fn critical(dataset: &Dataset) -> Option<Panel> {
     Some(Panel::new(axis(swept.axis), Axis::log(label), layers))
 }
 
-/// The roots along the sweep as segments between neighbouring values, a gap after each: neighbours are joined in order, and where
-/// their numbers differ, the nearest ones.
-fn branches(values: &[f64], roots: &[f64], most: usize) -> (Vec<f64>, Vec<f64>) {
+/// A curve of roots in the making.
+type Chain = (Vec<f64>, Vec<f64>);
+
+/// The roots along the sweep as curves, with a gap after each: neighbours are joined in order, and where their numbers differ,
+/// the nearest ones; what is left over begins or ends there.
+fn branches(values: &[f64], roots: &[f64], most: usize) -> Chain {
     let lists: Vec<Vec<f64>> = roots
         .chunks(most)
         .map(|roots| roots.iter().copied().filter(|root| root.is_finite()).collect())
         .collect();
-    let (mut x, mut y) = (Vec::new(), Vec::new());
-    for (values, lists) in values.windows(2).zip(lists.windows(2)) {
-        for (from, to) in pairs(&lists[0], &lists[1]) {
-            x.extend([values[0], values[1], values[1]]);
-            y.extend([from, to, f64::NAN]);
+    let (mut done, mut open): (Vec<Chain>, Vec<Chain>) = (Vec::new(), Vec::new());
+    for (k, (value, list)) in values.iter().zip(&lists).enumerate() {
+        let before: &[f64] = if k > 0 { &lists[k - 1] } else { &[] };
+        let joined = pairs(before, list);
+        let mut next: Vec<Chain> = vec![Chain::default(); list.len()];
+        for (from, chain) in open.into_iter().enumerate() {
+            match joined.iter().find(|(left, _)| *left == from) {
+                Some((_, to)) => next[*to] = chain,
+                None => done.push(chain),
+            }
         }
+        for ((x, y), root) in next.iter_mut().zip(list) {
+            x.push(*value);
+            y.push(*root);
+        }
+        open = next;
     }
-    (x, y)
+    let mut all = Chain::default();
+    for (x, y) in done.into_iter().chain(open) {
+        all.0.extend(x.iter().copied().chain(x.last().copied()));
+        all.1.extend(y.into_iter().chain([f64::NAN]));
+    }
+    all
 }
 
-/// Joins two ascending lists of roots without crossing, leaving out of the longer one what makes the joints longest.
-fn pairs(left: &[f64], right: &[f64]) -> Vec<(f64, f64)> {
+/// Joins two ascending lists of roots, by index, without crossing, leaving out of the longer one what would make the joints
+/// longest.
+fn pairs(left: &[f64], right: &[f64]) -> Vec<(usize, usize)> {
     if left.len() > right.len() {
         return pairs(right, left).into_iter().map(|(r, l)| (l, r)).collect();
     }
-    let length = |joined: &[(f64, f64)]| joined.iter().map(|(a, b)| (a / b).ln().abs()).sum::<f64>();
+    let length = |joined: &[(usize, usize)]| {
+        joined.iter().map(|(a, b)| (left[*a] / right[*b]).ln().abs()).sum::<f64>()
+    };
     let surplus = right.len() - left.len();
     // roots are born and die in neighbouring pairs: what is left out stands together
-    let leaving_out = |first: usize| -> Vec<(f64, f64)> {
-        let kept = right.iter().enumerate().filter(|(k, _)| *k < first || *k >= first + surplus);
-        left.iter().copied().zip(kept.map(|(_, root)| *root)).collect()
+    let leaving_out = |first: usize| -> Vec<(usize, usize)> {
+        (0..left.len()).zip((0..right.len()).filter(|k| *k < first || *k >= first + surplus)).collect()
     };
     (0..=left.len()).map(leaving_out).min_by(|a, b| length(a).total_cmp(&length(b))).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pair_that_dies_ends_two_curves_and_leaves_the_third_whole() {
+        let nan = f64::NAN;
+        let roots = [1.0, 10.0, 20.0, 1.1, 14.0, 15.0, 1.2, nan, nan, 1.3, nan, nan];
+        let (x, y) = branches(&[1.0, 2.0, 3.0, 4.0], &roots, 3);
+        let curves: Vec<&[f64]> = y.split(|v| v.is_nan()).filter(|curve| !curve.is_empty()).collect();
+        assert_eq!(curves, [&[10.0, 14.0][..], &[20.0, 15.0], &[1.0, 1.1, 1.2, 1.3]]);
+        assert_eq!(x.len(), y.len());
+    }
 }

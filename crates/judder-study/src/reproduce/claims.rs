@@ -50,7 +50,10 @@ fn measured(ours: impl Into<String>, holds: bool) -> Measured {
 
 /// A number with three digits, in the markup of the page.
 fn short(value: f64) -> String {
-    if value == 0.0 || (0.01..1000.0).contains(&value.abs()) {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    if (0.01..1000.0).contains(&value.abs()) {
         let digits = 2 - value.abs().max(1e-2).log10().floor() as i32;
         return format!("{value:.*}", digits.max(0) as usize).replace('-', "−");
     }

@@ -6,7 +6,7 @@ use judder_case::{Case, OscillatorAnalysis};
 pub(super) struct Exhibit {
     /// File stem.
     pub(super) name: &'static str,
-    /// Heading.
+    /// What it shows, and the number that it has in the paper.
     pub(super) title: &'static str,
     /// What stands under it.
     pub(super) caption: &'static str,
@@ -46,7 +46,7 @@ const fn fig_4(name: &'static str, overrides: &'static [&'static str], label: &'
 pub(super) const EXHIBITS: [Exhibit; 7] = [
     Exhibit {
         name: "fig-4",
-        title: "Fig. 4: equivalent damping over speed",
+        title: "Equivalent damping over speed, the paper's Fig. 4",
         caption: "Equivalent damping $ξ_{eq}$, eq. (23), over the substrate velocity for four loads and four shear strengths. The vertical \
                   axis is logarithmic on both sides of zero.",
         sources: &[
@@ -58,33 +58,33 @@ pub(super) const EXHIBITS: [Exhibit; 7] = [
     },
     Exhibit {
         name: "fig-5",
-        title: "Fig. 5: eigenvalues over the shear strength",
+        title: "Eigenvalues over the shear strength, the paper's Fig. 5",
         caption: "Eigenvalues at $v̂_{d}$ = 10^{−4}, $F̃_{n}$ = 7.5 × 10^{−6}. The paper shows the system without damping (dashed).",
         sources: &[source("fig-5", case!("fig-5"), "")],
     },
     Exhibit {
         name: "fig-6",
-        title: "Fig. 6: eigenvalues over the normal load",
+        title: "Eigenvalues over the normal load, the paper's Fig. 6",
         caption: "Eigenvalues at $v̂_{d}$ = 1.58 × 10^{−4}, $τ̃_{0}$ = 0.01. The paper shows the system without damping (dashed).",
         sources: &[source("fig-6", case!("fig-6"), "")],
     },
     Exhibit {
         name: "fig-7",
-        title: "Fig. 7: critical shear strength over speed",
+        title: "Critical shear strength over speed, the paper's Fig. 7",
         caption: "All thresholds of the shear strength for five loads. Dashed: without damping, eq. (27) made self-consistent, as in the paper. \
                   Solid: the full, damped system.",
         sources: &[source("fig-7", case!("fig-7"), "")],
     },
     Exhibit {
         name: "fig-8",
-        title: "Fig. 8: critical load over speed",
+        title: "Critical load over speed, the paper's Fig. 8",
         caption: "All thresholds of the load for three shear strengths. Dashed: without damping, eq. (28) made self-consistent, as in the \
                   paper. Solid: the full, damped system.",
         sources: &[source("fig-8", case!("fig-8"), "")],
     },
     Exhibit {
         name: "fig-9",
-        title: "Fig. 9: stability over speed and shear strength",
+        title: "Stability over speed and shear strength, the paper's Fig. 9",
         caption: "Stability of steady sliding; the colour is the mechanism. Solid black: boundary of the full system. Dashed: without damping. \
                   Red: full system with $η = 0$.",
         sources: &[
@@ -94,7 +94,7 @@ pub(super) const EXHIBITS: [Exhibit; 7] = [
     },
     Exhibit {
         name: "fig-10",
-        title: "Fig. 10: stability over speed and load",
+        title: "Stability over speed and load, the paper's Fig. 10",
         caption: "Stability of steady sliding; the colour is the mechanism. Solid black: boundary of the full system. Dashed: without damping. \
                   Red: full system with $η = 0$.",
         sources: &[

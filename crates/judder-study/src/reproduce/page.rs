@@ -34,7 +34,8 @@ pub(super) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, S
     ];
     let mut sections = vec![Section::new("Scoreboard", board)];
     for exhibit in &EXHIBITS {
-        sections.push(Section::new(exhibit.title, exhibit_blocks(store, summary, exhibit)?));
+        let heading = exhibit.name.replace("fig-", "Fig. ");
+        sections.push(Section::new(heading, exhibit_blocks(store, summary, exhibit)?));
     }
     sections.push(Section::new("Areas of the maps", vec![Block::Table(areas(summary))]));
     sections.push(Section::new("Checks", vec![Block::Checks(check_rows(&kept.checks))]));

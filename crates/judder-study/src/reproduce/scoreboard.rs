@@ -53,8 +53,8 @@ fn line(claim: &Claim, measured: Vec<Measured>) -> ClaimLine {
         (Kind::Misprint, true, true) => ("misprint", ""),
         (Kind::Misprint, _, _) | (Kind::Statement, false, false) => ("open", ""),
         (Kind::Statement, true, true) => ("agrees", ""),
-        (Kind::Statement, true, false) => ("agrees", "Only with F_n μ_visc. "),
-        (Kind::Statement, false, true) => ("agrees", "Only with F_k μ_visc. "),
+        (Kind::Statement, true, false) => ("agrees", "Only with $F_{n} μ_{visc}$. "),
+        (Kind::Statement, false, true) => ("agrees", "Only with $F_{k} μ_{visc}$. "),
     };
     let corrected = match (claim.kind, verdict, holds[2], holds[3]) {
         (Kind::Statement, "agrees", false, false) => " Not so with the corrected velocity axis.",

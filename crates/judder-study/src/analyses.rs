@@ -14,7 +14,7 @@ use crate::bridge;
 use crate::error::StudyError;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
-use judder_case::{Case, OscillatorAnalysis, OscillatorCase};
+use judder_case::{Case, MapMethod, OscillatorAnalysis, OscillatorCase};
 
 /// The names of the analyses of a case, in its order.
 #[must_use]
@@ -35,6 +35,8 @@ pub fn steps(case: &Case, index: usize) -> usize {
             | OscillatorAnalysis::Spectrum { sweep, family }
             | OscillatorAnalysis::CriticalShearStrength { sweep, family, .. }
             | OscillatorAnalysis::CriticalLoad { sweep, family, .. } => sweep.points * curves(family),
+            // the decisions and the boundaries are a step each, the growth rates one a row
+            OscillatorAnalysis::StabilityMap(map) if map.method == MapMethod::EveryPoint => 2 + map.y.points,
             OscillatorAnalysis::StabilityMap(_) => 2,
         },
         Case::TwoDegrees(_) => 1,

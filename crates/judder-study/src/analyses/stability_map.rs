@@ -99,7 +99,10 @@ pub(super) fn run(
     if progress.interrupted() {
         return Err(StudyError::Interrupted);
     }
-    let growth = (method == Method::EveryPoint).then(|| growth_rates(&contact, &plane));
+    let growth = match method {
+        Method::EveryPoint => Some(growth_rates(&contact, &plane, progress)?),
+        Method::Adaptive => None,
+    };
     let overlays =
         if settings.boundaries { overlays::trace(&contact, case, settings, progress)? } else { Vec::new() };
     progress.advance();
@@ -125,17 +128,28 @@ pub(super) fn run(
 }
 
 /// The growth rate at every point, row by row; NaN where there is no equilibrium.
-fn growth_rates(contact: &Contact, plane: &CasePlane<'_>) -> Vec<f64> {
-    let columns = plane.columns();
-    (0..columns * plane.rows())
+fn growth_rates(
+    contact: &Contact,
+    plane: &CasePlane<'_>,
+    progress: &dyn Progress,
+) -> Result<Vec<f64>, StudyError> {
+    let at = |column: usize, row: usize| {
+        let state = SteadyState::new(contact, &plane.inputs(column, row)).ok()?;
+        let system = state.linearisation.system().reduced().ok()?;
+        Some(growth_rate(&eigenvalues(&system).ok()?))
+    };
+    let rows: Result<Vec<Vec<f64>>, StudyError> = (0..plane.rows())
         .into_par_iter()
-        .map(|index| {
-            let state = SteadyState::new(contact, &plane.inputs(index % columns, index / columns)).ok()?;
-            let system = state.linearisation.system().reduced().ok()?;
-            Some(growth_rate(&eigenvalues(&system).ok()?))
+        .map(|row| {
+            if progress.interrupted() {
+                return Err(StudyError::Interrupted);
+            }
+            let rates = (0..plane.columns()).map(|column| at(column, row).unwrap_or(f64::NAN)).collect();
+            progress.advance();
+            Ok(rates)
         })
-        .map(|rate| rate.unwrap_or(f64::NAN))
-        .collect()
+        .collect();
+    Ok(rows?.concat())
 }
 
 /// Steady states on a coarse grid over the plane, each with its grid point.

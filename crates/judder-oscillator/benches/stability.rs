@@ -20,7 +20,10 @@ fn maps(criterion: &mut Criterion) {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
     for panel in panels(1000) {
         let mut group = criterion.benchmark_group(format!("{}, {}", panel.figure, panel.load_name()));
-        group.sample_size(10).measurement_time(Duration::from_secs(2));
+        group
+            .sample_size(10)
+            .warm_up_time(Duration::from_millis(500))
+            .measurement_time(Duration::from_secs(2));
         group.throughput(Throughput::Elements(1_000_000));
         for (method, decide) in [("every point", false), ("adaptive", true)] {
             group.bench_function(BenchmarkId::from_parameter(method), |bencher| {

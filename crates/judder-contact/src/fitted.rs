@@ -80,7 +80,7 @@ impl FittedLaw {
     ) -> WithDerivatives {
         let [b1, b2, b3, b4, b5] = self.area;
         let distance = log10_velocity - (b3 * log10_indentation + b4);
-        let bell = exp(-(distance * distance) / (2.0 * b5 * b5));
+        let bell = exp((distance * distance) * (-0.5 / (b5 * b5)));
         // −d(bell)/d(log₁₀ v̂), per unit of the natural logarithm
         let fall = bell * distance * (LOG10_E / (b5 * b5));
         WithDerivatives {
@@ -100,7 +100,7 @@ impl FittedLaw {
     ) -> WithDerivatives {
         let [c1, c2, c3, c4] = self.friction;
         let distance = log10_velocity - (c2 * log10_indentation + c3);
-        let value = c1 * at.indentation.sqrt() * exp(-(distance * distance) / (2.0 * c4 * c4));
+        let value = c1 * at.indentation.sqrt() * exp((distance * distance) * (-0.5 / (c4 * c4)));
         let fall = distance * (LOG10_E / (c4 * c4));
         WithDerivatives {
             value,

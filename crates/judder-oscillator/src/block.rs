@@ -81,7 +81,7 @@ impl CoefficientLanes {
     }
 }
 
-/// A block of points: coefficients and guesses go in, indentations, classes and margins come out.
+/// A block of points: coefficients and guesses go in, indentations and classes come out, margins where they are asked for.
 #[derive(Debug, Clone)]
 pub struct Block {
     coefficients: CoefficientLanes,
@@ -91,9 +91,9 @@ pub struct Block {
     step: Lanes,
     class: Lanes,
     imbalance: Lanes,
-    /// The stability margin ([`Characteristic::margin`]) of each point.
+    /// The stability margin ([`Characteristic::margin`]) of each point, after [`Block::measure_margins`].
     pub margin: Lanes,
-    /// The share of the discriminant ([`discriminant_share`]) of each point; negative where the undamped modes have merged.
+    /// The share of the discriminant ([`discriminant_share`]) of each point, likewise; negative where the undamped modes have merged.
     pub conservative_margin: Lanes,
 }
 
@@ -137,22 +137,40 @@ fn iterate<L: ContactLaw>(law: &L, load: FrictionLoad, block: &mut Block) {
     }
 }
 
-/// Class, margins and force balance of every point, at the indentations that stand in the block.
+/// Class and force balance of every point, at the indentations that stand in the block.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2", "aarch64+neon"))]
 fn classify<L: ContactLaw>(law: &L, load: FrictionLoad, block: &mut Block) {
     for lane in 0..LANES {
-        let c = block.coefficients.get(lane);
-        let at =
-            ContactPoint::at_ln_indentation(c.velocity, block.ln_velocity[lane], block.ln_indentation[lane]);
-        let response = law.evaluate(&at);
-        let linearisation = Linearisation::new(load, &c, &response);
-        let system = ReducedSystem { damping: linearisation.damping(), stiffness: linearisation.stiffness() };
-        block.imbalance[lane] = Balance::new(load, &c, &at, &response).residual;
-        let characteristic = Characteristic::new(&system);
-        block.margin[lane] = characteristic.margin();
-        block.conservative_margin[lane] = discriminant_share(&system.stiffness);
+        let (balance, system) = linearise(law, load, block, lane);
+        block.imbalance[lane] = balance.residual;
         block.class[lane] = StabilityClass::code(&system);
     }
+}
+
+/// Margins of every point, at the indentations that stand in the block.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2", "aarch64+neon"))]
+fn weigh<L: ContactLaw>(law: &L, load: FrictionLoad, block: &mut Block) {
+    for lane in 0..LANES {
+        let (_, system) = linearise(law, load, block, lane);
+        block.margin[lane] = Characteristic::new(&system).margin();
+        block.conservative_margin[lane] = discriminant_share(&system.stiffness);
+    }
+}
+
+/// The balance of forces of a lane, and the system about it.
+#[inline(always)]
+fn linearise<L: ContactLaw>(
+    law: &L,
+    load: FrictionLoad,
+    block: &Block,
+    lane: usize,
+) -> (Balance, ReducedSystem) {
+    let c = block.coefficients.get(lane);
+    let at = ContactPoint::at_ln_indentation(c.velocity, block.ln_velocity[lane], block.ln_indentation[lane]);
+    let response = law.evaluate(&at);
+    let linearisation = Linearisation::new(load, &c, &response);
+    let system = ReducedSystem { damping: linearisation.damping(), stiffness: linearisation.stiffness() };
+    (Balance::new(load, &c, &at, &response), system)
 }
 
 impl Block {
@@ -185,6 +203,19 @@ impl Block {
         match &contact.law {
             Law::Fitted(law) => self.decide_with(law, contact, count),
             Law::Hertz(law) => self.decide_with(law, contact, count),
+        }
+    }
+
+    /// The margins of the decided points; NaN where there is no equilibrium.
+    pub fn measure_margins(&mut self, contact: &Contact) {
+        match &contact.law {
+            Law::Fitted(law) => weigh(law, contact.friction_load, self),
+            Law::Hertz(law) => weigh(law, contact.friction_load, self),
+        }
+        for lane in 0..LANES {
+            if self.ln_indentation[lane].is_nan() {
+                (self.margin[lane], self.conservative_margin[lane]) = (f64::NAN, f64::NAN);
+            }
         }
     }
 
@@ -258,6 +289,7 @@ mod tests {
                 block.set(lane, c, exact + guess);
             }
             block.decide(&contact, LANES);
+            block.measure_margins(&contact);
             for (lane, c) in points.iter().enumerate() {
                 let e = equilibrium(&contact, c).unwrap();
                 prop_assert!((block.ln_indentation[lane] - e.ln_indentation).abs() <= 1e-13);

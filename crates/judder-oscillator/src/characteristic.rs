@@ -64,9 +64,13 @@ impl Characteristic {
     #[inline(always)]
     #[must_use]
     pub fn third_determinant_share(&self) -> f64 {
-        let scale =
-            (self.p1 * self.p2 * self.p3).abs() + self.p1 * self.p1 + self.p3 * self.p3 * self.p0.abs();
-        share(self.third_determinant(), scale)
+        share(self.third_determinant(), self.third_determinant_size())
+    }
+
+    /// The magnitudes of the terms of H3, summed.
+    #[inline(always)]
+    fn third_determinant_size(&self) -> f64 {
+        (self.p1 * self.p2 * self.p3).abs() + self.p1 * self.p1 + self.p3 * self.p3 * self.p0.abs()
     }
 
     /// Whether any term of p1 or p3 is there at all.
@@ -97,13 +101,26 @@ impl Characteristic {
     }
 
     /// 1 where the system is stable, −1 where it is unstable, 0 where it is marginal: by Routh and Hurwitz, and without
-    /// any damping by the roots of λ⁴ + p2 λ² + p0.
+    /// any damping by the roots of λ⁴ + p2 λ² + p0. The sign of [`Characteristic::margin`] with its band, without dividing.
     #[inline(always)]
     #[must_use]
     pub fn stability_sign(&self) -> f64 {
-        let margin = self.margin();
-        let stable = self.is_damped() & (margin > MARGINAL_BAND);
-        let not_stable = if margin < -MARGINAL_BAND { -1.0 } else { 0.0 };
+        let [size_0, size_1, size_3] = self.size;
+        let square = self.p2 * self.p2;
+        let above = |value: f64, size: f64| value > MARGINAL_BAND * size;
+        let below = |value: f64, size: f64| value < -MARGINAL_BAND * size;
+        let (h3, size_h3) = (self.third_determinant(), self.third_determinant_size());
+        let damped = self.is_damped();
+        let stable = damped
+            & above(self.p0, size_0)
+            & above(self.p1, size_1)
+            & above(self.p3, size_3)
+            & above(h3, size_h3);
+        let damped_unstable = below(self.p1, size_1) | below(self.p3, size_3) | below(h3, size_h3);
+        let undamped_unstable =
+            below(self.p2, self.p2.abs()) | below(square - 4.0 * self.p0, square + 4.0 * self.p0.abs());
+        let unstable = below(self.p0, size_0) | (damped & damped_unstable) | (!damped & undamped_unstable);
+        let not_stable = if unstable { -1.0 } else { 0.0 };
         if stable { 1.0 } else { not_stable }
     }
 

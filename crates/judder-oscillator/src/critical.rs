@@ -72,11 +72,9 @@ fn margins(contact: &Contact, at: &impl Fn(f64) -> Coefficients, positions: &[f6
             block.set(lane, &at(*position), guess);
         }
         block.decide(contact, positions.len());
-        for lane in 0..positions.len() {
-            let known = !block.ln_indentation[lane].is_nan();
-            full.push(if known { block.margin[lane] } else { f64::NAN });
-            conservative.push(if known { block.conservative_margin[lane] } else { f64::NAN });
-        }
+        block.measure_margins(contact);
+        full.extend(&block.margin[..positions.len()]);
+        conservative.extend(&block.conservative_margin[..positions.len()]);
         guess = block.ln_indentation[positions.len() - 1];
     }
     (full, conservative)

@@ -45,20 +45,11 @@ impl Field<'_> {
         Some((state, ReducedSystem { damping: l.damping(), stiffness: l.stiffness() }))
     }
 
-    /// The same margin of a decided lane.
-    fn lane_margin(&self, block: &Block, lane: usize) -> f64 {
-        match self.condition {
-            _ if block.ln_indentation[lane].is_nan() => f64::NAN,
-            Condition::Full => block.margin[lane],
-            Condition::Conservative => block.conservative_margin[lane],
-        }
-    }
-
     /// Pairs of neighbouring points of a grid between which the stability changes.
     pub(super) fn sign_changes(&self, intervals: usize) -> Vec<[[f64; 2]; 2]> {
         let side = intervals + 1;
         let position = |k: usize| k as f64 / intervals as f64;
-        let mut margins = Vec::with_capacity(side * side);
+        let mut margins: Vec<f64> = Vec::with_capacity(side * side);
         let mut block = Block::default();
         for row in 0..side {
             for first in (0..side).step_by(LANES) {
@@ -67,7 +58,11 @@ impl Field<'_> {
                     block.set(lane, &self.at([position(first + lane), position(row)]), f64::NAN);
                 }
                 block.decide(self.contact, width);
-                margins.extend((0..width).map(|lane| self.lane_margin(&block, lane)));
+                block.measure_margins(self.contact);
+                margins.extend(match self.condition {
+                    Condition::Full => &block.margin[..width],
+                    Condition::Conservative => &block.conservative_margin[..width],
+                });
             }
         }
         let mut pairs = Vec::new();

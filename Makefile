@@ -65,8 +65,13 @@ endif
 doc-tests: ## the examples in the docs and in the book
 	$(CARGO) test $(LOCKED) --workspace --doc
 
+# Built for the whole workspace, as the Rust tests are: a build of one crate would choose other features and start over.
 python-tests: .venv/installed ## study folders in the real xarray, the book's links, the cases
-	$(PYTHON) -m pytest -q -p no:cacheprovider tests/python
+	$(CARGO) build $(LOCKED) --workspace --bins --examples
+	@sample=$$(mktemp -d); trap 'rm -rf "$$sample"' EXIT; \
+		"$(TARGET)/debug/examples/sample_study" "$$sample/study"; \
+		set -x; JUDDER="$(abspath $(TARGET))/debug/judder" JUDDER_SAMPLE_STUDY="$$sample/study" \
+		$(PYTHON) -m pytest -q -p no:cacheprovider tests/python
 
 docs: ## build the API documentation and the book
 	RUSTDOCFLAGS='-D warnings' $(CARGO) doc $(LOCKED) --workspace --no-deps

@@ -29,6 +29,7 @@ pub mod oscillator_analysis;
 pub mod oscillator_case;
 pub mod quantity;
 mod read_sweep;
+pub mod reference;
 mod resolved;
 pub mod schema;
 mod section;

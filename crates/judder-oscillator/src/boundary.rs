@@ -9,10 +9,13 @@ mod continuation;
 mod field;
 
 use crate::Contact;
+use crate::characteristic::Characteristic;
 use crate::critical::Range;
 use crate::groups::Coefficients;
-use continuation::follow;
-use field::Field;
+use crate::linear_system::ReducedSystem;
+use continuation::{Curve, Margin, follow};
+use field::{Field, grid_position, pairs_that_differ};
+use judder_numerics::root::bracketed_root;
 
 /// Which system's boundary is followed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -83,19 +86,56 @@ pub fn boundaries(
     coefficients: &(dyn Fn(f64, f64) -> Coefficients + Sync),
 ) -> Vec<Boundary> {
     let field = Field { contact, condition, x, y, coefficients };
-    let mut curves: Vec<Vec<[f64; 2]>> = Vec::new();
-    let mut found = Vec::new();
-    for seed in field.sign_changes(SEED_INTERVALS) {
-        let reach = 0.25 / SEED_INTERVALS as f64;
-        let Some(start) = field.root_between(seed) else { continue };
-        if curves.iter().any(|curve| passes(curve, start, reach)) {
-            continue;
+    let curves = follow_all(&|position| field.margin(position), field.sign_changes(SEED_INTERVALS));
+    curves.iter().map(|curve| field.boundary(curve)).collect()
+}
+
+/// All pieces of the stability boundary of any system with two swept quantities; `system` gives it, with unit mass matrix, at
+/// their values. The indentation of the points is NaN. What can be missed is as for [`boundaries`].
+#[must_use]
+pub fn boundaries_of_system(
+    (x, y): (&Range, &Range),
+    system: &dyn Fn(f64, f64) -> Option<ReducedSystem>,
+) -> Vec<Boundary> {
+    let at = |position: [f64; 2]| system(x.value(position[0]), y.value(position[1]));
+    let margin = |position: [f64; 2]| {
+        let clamped = position.map(|s| s.clamp(0.0, 1.0));
+        at(position).or_else(|| at(clamped)).map_or(f64::NAN, |system| Characteristic::new(&system).margin())
+    };
+    let side = SEED_INTERVALS + 1;
+    let along = |k: usize| grid_position(k, SEED_INTERVALS);
+    let margins: Vec<f64> =
+        (0..side * side).map(|index| margin([along(index % side), along(index / side)])).collect();
+    let curves = follow_all(&margin, pairs_that_differ(&margins, SEED_INTERVALS));
+    let point = |position: &[f64; 2]| BoundaryPoint {
+        x: x.value(position[0]),
+        y: y.value(position[1]),
+        indentation: f64::NAN,
+        frequency: at(*position).map_or(f64::NAN, |system| Characteristic::new(&system).hopf_frequency()),
+    };
+    curves
+        .into_iter()
+        .map(|curve| Boundary {
+            points: curve.positions.iter().map(point).collect(),
+            folds: curve.folds,
+            end: curve.end,
+        })
+        .collect()
+}
+
+/// The curves through all seeds, each curve once.
+fn follow_all(margin: &Margin<'_>, seeds: Vec<[[f64; 2]; 2]>) -> Vec<Curve> {
+    let reach = 0.25 / SEED_INTERVALS as f64;
+    let mut curves: Vec<Curve> = Vec::new();
+    for [a, b] in seeds {
+        let between = |share: f64| [a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])];
+        let Ok(share) = bracketed_root(|share| margin(between(share)), 0.0, 1.0, 1e-12) else { continue };
+        let start = between(share);
+        if !curves.iter().any(|curve| passes(&curve.positions, start, reach)) {
+            curves.push(follow(margin, start));
         }
-        let curve = follow(&field, start);
-        found.push(field.boundary(&curve));
-        curves.push(curve.positions);
     }
-    found
+    curves
 }
 
 /// Whether a polyline comes within `reach` of a point.
@@ -123,6 +163,25 @@ mod tests {
 
     fn logarithmic(from: f64, to: f64) -> Range {
         Range { from, to, scale: Scale::Logarithmic }
+    }
+
+    #[test]
+    fn the_boundary_of_a_general_system_is_the_closed_form() {
+        // K = [[2, 1 − 4μ/3], [1, 2]], C = c I: the modes merge and lose stability at μ_H = 3/4 (1 + 2 c²) for equal damping
+        let linear = |from: f64, to: f64| Range { from, to, scale: Scale::Linear };
+        let system = |friction: f64, damping: f64| {
+            Some(ReducedSystem {
+                damping: [[damping, 0.0], [0.0, damping]],
+                stiffness: [[2.0, 1.0 - 4.0 / 3.0 * friction], [1.0, 2.0]],
+            })
+        };
+        let curves = boundaries_of_system((&linear(0.0, 1.5), &linear(0.01, 0.3)), &system);
+        assert_eq!(curves.len(), 1);
+        assert_eq!(curves[0].end, End::LeftPlane);
+        for p in &curves[0].points {
+            // (c1 = c2 = c, D = 0): μ_H = (k12 + 2 c²)/k3 with r = (c1 k22 + c2 k11)/(c1 + c2) = 2
+            assert!((p.x - 0.75 * (1.0 + 2.0 * p.y * p.y)).abs() < 1e-10, "{p:?}");
+        }
     }
 
     #[test]

@@ -4,7 +4,6 @@
 //! change of stability between the two sides of the curve. Nothing is differentiated, so a boundary is followed where the
 //! margin turns from one limit to the other within a hair, as it does where two Hopf curves run side by side.
 
-use super::field::Field;
 use super::{End, Fold};
 use judder_numerics::root::bracketed_root;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -20,6 +19,9 @@ const GENTLE: f64 = 0.05;
 /// More points than this on one curve mean that something is wrong with it.
 const MOST_POINTS: usize = 100_000;
 
+/// The stability margin over positions in the unit square: positive on one side of the curve, negative on the other.
+pub(super) type Margin<'a> = dyn Fn([f64; 2]) -> f64 + 'a;
+
 /// A followed curve.
 pub(super) struct Curve {
     pub(super) positions: Vec<[f64; 2]>,
@@ -33,20 +35,20 @@ fn at(from: [f64; 2], distance: f64, angle: f64) -> [f64; 2] {
 }
 
 /// The angle at which the curve crosses the circle about `from`, near `direction`.
-fn advance(field: &Field<'_>, from: [f64; 2], step: f64, direction: f64) -> Option<f64> {
-    let margin = |angle: f64| field.margin(at(from, step, angle));
-    bracketed_root(margin, direction - ASIDE, direction + ASIDE, 1e-13).ok()
+fn advance(margin: &Margin<'_>, from: [f64; 2], step: f64, direction: f64) -> Option<f64> {
+    let around = |angle: f64| margin(at(from, step, angle));
+    bracketed_root(around, direction - ASIDE, direction + ASIDE, 1e-13).ok()
 }
 
 /// The two directions in which the curve leaves a point of it: where a small circle changes stability.
-fn directions(field: &Field<'_>, start: [f64; 2]) -> Option<[f64; 2]> {
+fn directions(margin: &Margin<'_>, start: [f64; 2]) -> Option<[f64; 2]> {
     const SECTORS: usize = 24;
     let angle = |k: usize| TAU * k as f64 / SECTORS as f64;
     let mut radius = 0.1 * LONGEST;
     while radius > SHORTEST {
-        let margin = |angle: f64| field.margin(at(start, radius, angle));
+        let around = |angle: f64| margin(at(start, radius, angle));
         let changes: Vec<f64> =
-            (0..SECTORS).filter_map(|k| bracketed_root(margin, angle(k), angle(k + 1), 1e-9).ok()).collect();
+            (0..SECTORS).filter_map(|k| bracketed_root(around, angle(k), angle(k + 1), 1e-9).ok()).collect();
         if let [a, b] = changes[..] {
             return Some([a, b]);
         }
@@ -56,15 +58,15 @@ fn directions(field: &Field<'_>, start: [f64; 2]) -> Option<[f64; 2]> {
 }
 
 /// Follows the curve through `start` both ways.
-pub(super) fn follow(field: &Field<'_>, start: [f64; 2]) -> Curve {
-    let Some([one_way, other_way]) = directions(field, start) else {
+pub(super) fn follow(margin: &Margin<'_>, start: [f64; 2]) -> Curve {
+    let Some([one_way, other_way]) = directions(margin, start) else {
         return Curve { positions: vec![start], folds: Vec::new(), end: End::Stalled };
     };
-    let (forward, end) = march(field, start, one_way);
+    let (forward, end) = march(margin, start, one_way);
     if end == End::Closed {
         return assemble(forward, end);
     }
-    let (backward, other_end) = march(field, start, other_way);
+    let (backward, other_end) = march(margin, start, other_way);
     let positions = backward.into_iter().skip(1).rev().chain(forward).collect();
     assemble(positions, if other_end == End::LeftPlane { end } else { other_end })
 }
@@ -79,7 +81,7 @@ fn turn(from: f64, to: f64) -> f64 {
 }
 
 /// Steps along the curve from a point until it leaves the plane, closes, or stalls.
-fn march(field: &Field<'_>, first: [f64; 2], direction: f64) -> (Vec<[f64; 2]>, End) {
+fn march(margin: &Margin<'_>, first: [f64; 2], direction: f64) -> (Vec<[f64; 2]>, End) {
     let mut positions = vec![first];
     let (mut here, mut heading) = (first, direction);
     let mut step = 0.1 * LONGEST;
@@ -87,13 +89,13 @@ fn march(field: &Field<'_>, first: [f64; 2], direction: f64) -> (Vec<[f64; 2]>, 
         if step < SHORTEST {
             return (positions, End::Stalled);
         }
-        let Some(angle) = advance(field, here, step, heading) else {
+        let Some(angle) = advance(margin, here, step, heading) else {
             step *= 0.5;
             continue;
         };
         let next = at(here, step, angle);
         if !is_inside(next) {
-            positions.extend(border(field, here, step, heading));
+            positions.extend(border(margin, here, step, heading));
             return (positions, End::LeftPlane);
         }
         let turned = turn(heading, angle).abs();
@@ -113,12 +115,12 @@ fn march(field: &Field<'_>, first: [f64; 2], direction: f64) -> (Vec<[f64; 2]>, 
 }
 
 /// Where the curve crosses the border of the plane, within one step.
-fn border(field: &Field<'_>, here: [f64; 2], step: f64, heading: f64) -> Option<[f64; 2]> {
+fn border(margin: &Margin<'_>, here: [f64; 2], step: f64, heading: f64) -> Option<[f64; 2]> {
     let (mut inside, mut outside) = (0.0, step);
     let mut found = None;
     for _ in 0..40 {
         let middle = 0.5 * (inside + outside);
-        let position = at(here, middle, advance(field, here, middle, heading)?);
+        let position = at(here, middle, advance(margin, here, middle, heading)?);
         if is_inside(position) {
             inside = middle;
         } else {

@@ -11,7 +11,6 @@ use crate::equilibrium::{Equilibrium, equilibrium};
 use crate::groups::Coefficients;
 use crate::linear_system::ReducedSystem;
 use crate::linearisation::Linearisation;
-use judder_numerics::root::bracketed_root;
 
 /// The boundary function over the unit square.
 pub(super) struct Field<'a> {
@@ -48,7 +47,7 @@ impl Field<'_> {
     /// Pairs of neighbouring points of a grid between which the stability changes.
     pub(super) fn sign_changes(&self, intervals: usize) -> Vec<[[f64; 2]; 2]> {
         let side = intervals + 1;
-        let position = |k: usize| k as f64 / intervals as f64;
+        let position = |k: usize| grid_position(k, intervals);
         let mut margins: Vec<f64> = Vec::with_capacity(side * side);
         let mut block = Block::default();
         for row in 0..side {
@@ -65,30 +64,7 @@ impl Field<'_> {
                 });
             }
         }
-        let mut pairs = Vec::new();
-        for row in 0..side {
-            for column in 0..side {
-                let here = row * side + column;
-                let mut compare = |other: usize, to: [f64; 2]| {
-                    if margins[here] * margins[other] < 0.0 {
-                        pairs.push([[position(column), position(row)], to]);
-                    }
-                };
-                if column < intervals {
-                    compare(here + 1, [position(column + 1), position(row)]);
-                }
-                if row < intervals {
-                    compare(here + side, [position(column), position(row + 1)]);
-                }
-            }
-        }
-        pairs
-    }
-
-    /// The point between two grid points at which the stability changes.
-    pub(super) fn root_between(&self, [a, b]: [[f64; 2]; 2]) -> Option<[f64; 2]> {
-        let between = |share: f64| [a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])];
-        bracketed_root(|share| self.margin(between(share)), 0.0, 1.0, 1e-12).ok().map(between)
+        pairs_that_differ(&margins, intervals)
     }
 
     /// The curve in the swept quantities, with what belongs to each point.
@@ -115,4 +91,29 @@ impl Field<'_> {
             Condition::Conservative => (0.5 * (system.stiffness[0][0] + system.stiffness[1][1])).sqrt(),
         }
     }
+}
+
+/// Positions of a grid with so many intervals along each side.
+pub(super) fn grid_position(k: usize, intervals: usize) -> f64 {
+    k as f64 / intervals as f64
+}
+
+/// Pairs of neighbouring grid points, row by row, whose margins differ in sign.
+pub(super) fn pairs_that_differ(margins: &[f64], intervals: usize) -> Vec<[[f64; 2]; 2]> {
+    let side = intervals + 1;
+    let position =
+        |column: usize, row: usize| [grid_position(column, intervals), grid_position(row, intervals)];
+    let mut pairs = Vec::new();
+    for row in 0..side {
+        for column in 0..side {
+            let here = row * side + column;
+            if column < intervals && margins[here] * margins[here + 1] < 0.0 {
+                pairs.push([position(column, row), position(column + 1, row)]);
+            }
+            if row < intervals && margins[here] * margins[here + side] < 0.0 {
+                pairs.push([position(column, row), position(column, row + 1)]);
+            }
+        }
+    }
+    pairs
 }

@@ -23,7 +23,9 @@ use rayon::prelude::*;
 use serde_json::{Map, Value, json};
 use std::time::Instant;
 
-pub(super) use arrays::{MapArrays, class_fractions};
+pub(super) use arrays::MapArrays;
+use arrays::class_fractions;
+pub(super) use overlays::Overlay;
 
 /// Points along each side of the grid on which checks are made and the law's range of validity is looked at.
 const CHECKED_SIDE: usize = 24;
@@ -108,8 +110,9 @@ pub(super) fn run(
     progress.advance();
     let states = checked_states(&contact, &plane);
     let mut outcome = Outcome {
-        scalars: scalars(&map, seconds, &overlays),
-        dataset: MapArrays { x: &x, y: &y, map: &map, growth, overlays: &overlays }.dataset()?,
+        scalars: map_scalars(&map, seconds, &overlays),
+        dataset: MapArrays { x: &x, y: &y, map: &map, growth, overlays: &overlays, neither: NORMAL_FORCE }
+            .dataset()?,
         warnings: validity_warnings(&contact, states.iter().map(|(state, _)| state)),
         checks: checks::steady_sliding(&contact, &states.iter().map(|(state, _)| *state).collect::<Vec<_>>()),
         missing: map.count(StabilityClass::Unresolved),
@@ -166,7 +169,8 @@ fn checked_states(contact: &Contact, plane: &CasePlane<'_>) -> Vec<(SteadyState,
         .collect()
 }
 
-fn scalars(map: &StabilityMap, seconds: f64, overlays: &[overlays::Overlay]) -> Map<String, Value> {
+/// What the summary says of a map and its boundaries.
+pub(super) fn map_scalars(map: &StabilityMap, seconds: f64, overlays: &[Overlay]) -> Map<String, Value> {
     let mut scalars = class_fractions(map);
     scalars.insert("seconds".to_owned(), json!(seconds));
     let boundaries: Map<String, Value> =

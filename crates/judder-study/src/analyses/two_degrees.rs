@@ -2,13 +2,14 @@
 
 use super::axis::{Axis, Curves, range};
 use super::spectrum::{self, Spectra};
-use super::stability_map::{MapArrays, class_fractions};
+use super::stability_map::{DAMPING, MapArrays, Overlay, map_scalars};
 use crate::error::StudyError;
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use judder_case::{ParameterKey, StabilityMap as MapSettings, Sweep, TwoDegreesAnalysis, TwoDegreesCase};
 use judder_numerics::root::all_roots;
 use judder_oscillator::LinearSystem;
+use judder_oscillator::boundary::boundaries_of_system;
 use judder_oscillator::characteristic::Characteristic;
 use judder_oscillator::map::StabilityMap;
 use judder_oscillator::mechanism::StabilityClass;
@@ -66,11 +67,17 @@ fn map(case: &TwoDegreesCase, settings: &MapSettings<ParameterKey>) -> Result<Ou
         .collect();
     let seconds = start.elapsed().as_secs_f64();
     let map = StabilityMap { columns, rows, classes, decisions: columns * rows };
-    let mut scalars = class_fractions(&map);
-    scalars.insert("seconds".to_owned(), json!(seconds));
+    let mut overlays = Vec::new();
+    if settings.boundaries {
+        let at = |x: f64, y: f64| system(case, &[(&settings.x, x), (&settings.y, y)])?.reduced().ok();
+        overlays
+            .push(Overlay::of_system(boundaries_of_system((&range(&settings.x), &range(&settings.y)), &at)));
+    }
+    let scalars = map_scalars(&map, seconds, &overlays);
     Ok(Outcome {
         scalars,
-        dataset: MapArrays { x: &x, y: &y, map: &map, growth: None, overlays: &[] }.dataset()?,
+        dataset: MapArrays { x: &x, y: &y, map: &map, growth: None, overlays: &overlays, neither: DAMPING }
+            .dataset()?,
         missing: map.count(StabilityClass::Unresolved),
         ..Outcome::default()
     })

@@ -6,14 +6,14 @@ use judder_report::figure::{Class, ClassMap};
 use judder_report::{Layer, Panel, Role};
 use judder_store::{Data, Dataset};
 
-/// Colour and legend of a class.
-fn class(class: StabilityClass) -> Class {
+/// Colour and legend of a class; `neither` names what is neither flutter nor negative damping.
+fn class(class: StabilityClass, neither: &str) -> Class {
     let (label, role) = match class {
         StabilityClass::Stable => ("stable", Role::Stable),
         StabilityClass::Flutter => ("flutter", Role::Flutter),
         StabilityClass::NegativeDamping => ("negative damping", Role::NegativeDamping),
         StabilityClass::Both => ("both", Role::Both),
-        StabilityClass::NormalForceCoupling => ("normal-force coupling", Role::NormalForceCoupling),
+        StabilityClass::NormalForceCoupling => (neither, Role::NormalForceCoupling),
         StabilityClass::Marginal => ("marginal", Role::Reference),
         StabilityClass::Unresolved => ("unresolved", Role::Unresolved),
     };
@@ -27,7 +27,11 @@ pub(super) fn stability_map(dataset: &Dataset) -> Option<Panel> {
     let Data::U8(codes) = &map.data else { return None };
     let (x, y) = (dataset.variable(x_name)?, dataset.variable(y_name)?);
     let (columns, rows) = (reals(dataset, x_name)?, reals(dataset, y_name)?);
-    let mut layers = vec![Layer::Classes(ascending(columns, rows, codes))];
+    let neither = match dataset.attributes().get("neither").and_then(|name| name.as_str()) {
+        Some("destabilised-by-damping") => "destabilised by damping",
+        _ => "normal-force coupling",
+    };
+    let mut layers = vec![Layer::Classes(ascending(columns, rows, codes, neither))];
     for (name, label, role) in [
         ("decoupled_boundary", "boundary for $η = 0$", Role::DecoupledBoundary),
         ("full_boundary", "boundary, full system", Role::FullBoundary),
@@ -47,7 +51,7 @@ pub(super) fn stability_map(dataset: &Dataset) -> Option<Panel> {
 const DRAWN_SIDE: usize = 400;
 
 /// The class map with ascending axes, whichever way they were swept, and only the classes that occur.
-fn ascending(columns: &[f64], rows: &[f64], codes: &[u8]) -> ClassMap {
+fn ascending(columns: &[f64], rows: &[f64], codes: &[u8], neither: &str) -> ClassMap {
     let order = |values: &[f64]| {
         let mut indices: Vec<usize> = (0..values.len()).collect();
         indices.sort_by(|a, b| values[*a].total_cmp(&values[*b]));
@@ -63,6 +67,6 @@ fn ascending(columns: &[f64], rows: &[f64], codes: &[u8]) -> ClassMap {
         x: across.iter().map(|k| columns[*k]).collect(),
         y: up.iter().map(|k| rows[*k]).collect(),
         codes: up.iter().flat_map(|row| across.iter().map(move |column| at(row, column))).collect(),
-        classes: present.into_iter().map(class).collect(),
+        classes: present.into_iter().map(|c| class(c, neither)).collect(),
     }
 }

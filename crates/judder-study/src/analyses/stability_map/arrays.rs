@@ -15,7 +15,14 @@ pub(crate) struct MapArrays<'a> {
     pub(crate) map: &'a StabilityMap,
     pub(crate) growth: Option<Vec<f64>>,
     pub(crate) overlays: &'a [Overlay],
+    /// What an instability is called that is neither flutter nor negative damping.
+    pub(crate) neither: &'static str,
 }
+
+/// In the oscillator it is the velocity-dependent normal force that is left.
+pub(crate) const NORMAL_FORCE: &str = "normal-force-coupling";
+/// In a general system it is anything that damping does beside a negative diagonal.
+pub(crate) const DAMPING: &str = "destabilised-by-damping";
 
 impl MapArrays<'_> {
     /// `stability` (codes by row and column), `growth_rate` where every point was decided, and for each overlay its points with NaN
@@ -23,8 +30,13 @@ impl MapArrays<'_> {
     pub(crate) fn dataset(self) -> Result<Dataset, StudyError> {
         let dimensions = [self.y.name(), self.x.name()];
         let shape = [self.map.rows, self.map.columns];
-        let meanings: Vec<(u8, &str)> =
-            StabilityClass::ALL.iter().map(|class| (*class as u8, class.name())).collect();
+        let meanings: Vec<(u8, &str)> = StabilityClass::ALL
+            .iter()
+            .map(|class| match class {
+                StabilityClass::NormalForceCoupling => (*class as u8, self.neither),
+                class => (*class as u8, class.name()),
+            })
+            .collect();
         let classes =
             Variable::classes("stability", &dimensions, &shape, self.map.classes.clone(), &meanings)
                 .long_name("stability of steady sliding, by mechanism");
@@ -39,7 +51,7 @@ impl MapArrays<'_> {
         for overlay in self.overlays {
             dataset = overlay.add_to(dataset, self.x, self.y)?;
         }
-        Ok(dataset.attribute("kind", "stability-map")?)
+        Ok(dataset.attribute("kind", "stability-map")?.attribute("neither", self.neither)?)
     }
 }
 

@@ -93,6 +93,11 @@ pub(super) fn check(overlays: &[Overlay]) -> Vec<CheckRecord> {
 }
 
 impl Overlay {
+    /// The stability boundary of a system that is no oscillator.
+    pub(crate) fn of_system(curves: Vec<Boundary>) -> Self {
+        Self { name: "full_boundary", what: "stability boundary", curves, residual: None }
+    }
+
     /// Pieces, how they end, folds, range of frequencies.
     pub(super) fn summary(&self) -> Value {
         let count = |end: End| self.curves.iter().filter(|c| c.end == end).count();

@@ -23,8 +23,8 @@ use rayon::prelude::*;
 use serde_json::{Map, Value, json};
 use std::time::Instant;
 
-pub(super) use arrays::MapArrays;
-use arrays::class_fractions;
+pub(super) use arrays::{DAMPING, MapArrays};
+use arrays::{NORMAL_FORCE, class_fractions};
 pub(super) use overlays::Overlay;
 
 /// Points along each side of the grid on which checks are made and the law's range of validity is looked at.

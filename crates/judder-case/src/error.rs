@@ -6,7 +6,7 @@ use std::sync::Arc;
 use miette::{Diagnostic, LabeledSpan, SourceCode, SourceSpan};
 
 use crate::cause::Cause;
-use crate::excerpt::Source;
+use crate::excerpt::{QUOTED, Source};
 
 /// What is wrong with a case, and where: a [`Cause`] at a place of the case file or of a `--set` option.
 ///
@@ -46,7 +46,12 @@ impl CaseError {
 
 impl fmt::Display for CaseError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.cause.fmt(formatter)
+        let message = self.cause.to_string();
+        // a message repeats words of the case, which may be of any length
+        match message.floor_char_boundary(QUOTED) {
+            end if end < message.len() => write!(formatter, "{}…", &message[..end]),
+            _ => formatter.write_str(&message),
+        }
     }
 }
 

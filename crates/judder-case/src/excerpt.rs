@@ -5,7 +5,7 @@ use std::sync::Arc;
 use miette::{MietteError, MietteSpanContents, SourceCode, SourceSpan, SpanContents};
 
 /// The most that an error quotes, bytes.
-const QUOTED: usize = 2000;
+pub(crate) const QUOTED: usize = 2000;
 
 /// What remains on either side of the place where more than [`QUOTED`] would be quoted, bytes.
 const MARGIN: usize = 100;

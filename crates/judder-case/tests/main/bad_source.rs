@@ -223,6 +223,7 @@ fn a_file_of_the_size_limit_and_one_beyond() {
 fn an_overlong_line_is_not_quoted_whole() {
     let text = format!("model = \"{}\"\n", "x".repeat(1 << 19));
     let error = CaseFile::parse("case.toml", &text, &[]).expect_err("an unknown model");
+    assert!(error.to_string().ends_with("xxx…") && error.to_string().len() < 2100);
     let label = error.labels().unwrap().next().unwrap();
     let quoted = error.source_code().unwrap().read_span(label.inner(), 1, 1).unwrap();
     assert!(quoted.data().starts_with(b"model = \"xxx") && quoted.data().len() < 5000);

@@ -1,6 +1,7 @@
 //! The way in: a path or a text with its `--set` options becomes a validated case.
 
-use std::io::ErrorKind;
+use std::fs::File;
+use std::io::{ErrorKind, Read};
 use std::path::Path;
 
 use crate::cause::Cause;
@@ -36,6 +37,9 @@ pub enum Case {
 /// The models of this version.
 pub const MODELS: [&str; 2] = ["oscillator", "two-degrees"];
 
+/// The most that a case file may hold, bytes: 1 MiB.
+pub const CASE_BYTES_LIMIT: u64 = 1 << 20;
+
 /// Models that a later version brings.
 const LATER: [&str; 3] = ["contact", "sliding", "structure"];
 
@@ -47,15 +51,7 @@ impl CaseFile {
     pub fn read(path: impl AsRef<Path>, overrides: &[String]) -> Result<Self, CaseError> {
         let path = path.as_ref();
         let name = path.display().to_string();
-        let bytes = std::fs::read(path).map_err(|source| {
-            let path = path.to_owned();
-            let cause = match source.kind() {
-                ErrorKind::NotFound => Cause::Missing { path },
-                ErrorKind::IsADirectory => Cause::Folder { path },
-                _ => Cause::Unreadable { path, source },
-            };
-            CaseError::without_place(cause, &name)
-        })?;
+        let bytes = read_bytes(path).map_err(|cause| CaseError::without_place(cause, &name))?;
         let text = String::from_utf8(bytes).map_err(|error| {
             let offset = error.utf8_error().valid_up_to();
             CaseError::without_place(Cause::Binary { name: name.clone(), offset }, &name)
@@ -73,6 +69,33 @@ impl CaseFile {
         let stem = Path::new(name).file_stem().map_or(name.into(), |stem| stem.to_string_lossy());
         Ok(Self { name: stem.into_owned(), text: text.to_owned(), overrides: overrides.to_vec(), case })
     }
+}
+
+/// The bytes of a regular file of bounded size: opening a pipe or reading a device might never end.
+fn read_bytes(path: &Path) -> Result<Vec<u8>, Cause> {
+    let fail = |source: std::io::Error| {
+        let path = path.to_owned();
+        match source.kind() {
+            ErrorKind::NotFound => Cause::Missing { path },
+            _ => Cause::Unreadable { path, source },
+        }
+    };
+    let metadata = std::fs::metadata(path).map_err(fail)?;
+    if metadata.is_dir() {
+        return Err(Cause::Folder { path: path.to_owned() });
+    }
+    if !metadata.is_file() {
+        return Err(Cause::NotAFile { path: path.to_owned() });
+    }
+    let mut bytes = Vec::new();
+    let mut file = File::open(path).map_err(fail)?.take(CASE_BYTES_LIMIT + 1);
+    file.read_to_end(&mut bytes).map_err(fail)?;
+    // a file can be longer than its metadata says: those of the system often claim no length
+    let size = metadata.len().max(bytes.len() as u64);
+    if size > CASE_BYTES_LIMIT {
+        return Err(Cause::TooLong { path: path.to_owned(), size, limit: CASE_BYTES_LIMIT });
+    }
+    Ok(bytes)
 }
 
 fn read_case(name: &str, text: &str, overrides: &[String]) -> Result<Case, Fault> {

@@ -8,6 +8,7 @@ use crate::dimension::Dimension;
 use crate::expression::ExpressionError;
 use crate::inputs::LawName;
 use crate::keys::Range;
+use crate::mass::MassProblem;
 use crate::quantity::QuantityError;
 
 /// What is wrong with a case. The fields are what a caller needs in order to act.
@@ -24,6 +25,22 @@ pub enum Cause {
     Folder {
         /// The path as given.
         path: PathBuf,
+    },
+    /// The path is a device, a pipe or a socket, whose end may never come.
+    #[error("`{}` is a device, pipe or socket, not a case file", path.display())]
+    NotAFile {
+        /// The path as given.
+        path: PathBuf,
+    },
+    /// The file is larger than any case file.
+    #[error("`{}` has {size} bytes, but a case file has at most {limit} ({} MiB)", path.display(), limit >> 20)]
+    TooLong {
+        /// The path as given.
+        path: PathBuf,
+        /// The size of the file, bytes.
+        size: u64,
+        /// The limit, bytes.
+        limit: u64,
     },
     /// The file could not be read.
     #[error("cannot read `{}`", path.display())]
@@ -300,7 +317,7 @@ pub enum Cause {
         parameters: Vec<String>,
     },
     /// An expression that gives NaN or an infinity at the point asked for.
-    #[error("{matrix}[{row}][{column}] is {value}, at {point}")]
+    #[error("{matrix}[{row}][{column}] is {value}{}{point}", if point.is_empty() { "" } else { ", at " })]
     NotFiniteEntry {
         /// `mass`, `damping` or `stiffness`.
         matrix: &'static str,
@@ -310,8 +327,16 @@ pub enum Cause {
         column: usize,
         /// What the expression gave.
         value: f64,
-        /// The parameters, as in `mu = 0.5`.
+        /// The parameters that the entry depends on, as in `mu = 0.5`; empty where there are none.
         point: String,
+    },
+    /// A mass matrix that is not symmetric and positive definite.
+    #[error("the mass matrix {mass:?} is {problem}")]
+    Mass {
+        /// M, row-major.
+        mass: [[f64; 2]; 2],
+        /// What is wrong with it.
+        problem: MassProblem,
     },
     /// No template of this name.
     #[error("there is no template `{name}`")]

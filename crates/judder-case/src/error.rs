@@ -3,9 +3,10 @@
 use std::fmt;
 use std::sync::Arc;
 
-use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode, SourceSpan};
+use miette::{Diagnostic, LabeledSpan, SourceCode, SourceSpan};
 
 use crate::cause::Cause;
+use crate::excerpt::{QUOTED, Source};
 
 /// What is wrong with a case, and where: a [`Cause`] at a place of the case file or of a `--set` option.
 ///
@@ -13,13 +14,17 @@ use crate::cause::Cause;
 #[derive(Debug)]
 pub struct CaseError {
     cause: Box<Cause>,
-    source: NamedSource<Arc<str>>,
+    source: Source,
     span: Option<SourceSpan>,
 }
 
 impl CaseError {
     pub(crate) fn without_place(cause: Cause, name: &str) -> Self {
-        Self { cause: Box::new(cause), source: NamedSource::new(name, Arc::from("")), span: None }
+        Self {
+            cause: Box::new(cause),
+            source: Source { name: name.to_owned(), text: Arc::from("") },
+            span: None,
+        }
     }
 
     /// What is wrong, with the values that a caller can act on.
@@ -29,19 +34,24 @@ impl CaseError {
 
     /// The name of the text that the error points into: that of the case file, or `--set`.
     pub fn source_name(&self) -> &str {
-        self.source.name()
+        &self.source.name
     }
 
     /// The part of the text that the error concerns; empty where the error has no place.
     pub fn place(&self) -> &str {
         let span = self.span.map_or(0..0, |span| span.offset()..span.offset() + span.len());
-        self.source.inner().get(span).unwrap_or_default()
+        self.source.text.get(span).unwrap_or_default()
     }
 }
 
 impl fmt::Display for CaseError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.cause.fmt(formatter)
+        let message = self.cause.to_string();
+        // a message repeats words of the case, which may be of any length
+        match message.floor_char_boundary(QUOTED) {
+            end if end < message.len() => write!(formatter, "{}…", &message[..end]),
+            _ => formatter.write_str(&message),
+        }
     }
 }
 
@@ -61,7 +71,7 @@ impl Diagnostic for CaseError {
     }
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        let span = self.span?;
+        let span = self.source.shorten(self.span?);
         Some(Box::new(std::iter::once(LabeledSpan::at(span, self.cause.label()))))
     }
 }
@@ -102,6 +112,6 @@ impl Sources {
         let Place { source, start, end } = fault.place;
         let (name, text) = self.0.get(source).cloned().unwrap_or_default();
         let span = Some(SourceSpan::from((start, end.saturating_sub(start))));
-        CaseError { cause: fault.cause, source: NamedSource::new(name, text), span }
+        CaseError { cause: fault.cause, source: Source { name, text }, span }
     }
 }

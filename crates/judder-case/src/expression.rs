@@ -134,6 +134,11 @@ impl Expression {
         Ok(Self { steps: compiler.steps })
     }
 
+    /// Whether the expression contains the parameter at `index`.
+    pub(crate) fn depends_on(&self, index: usize) -> bool {
+        self.steps.iter().any(|step| matches!(step, Step::Parameter(used) if *used == index))
+    }
+
     /// The value where the parameters are `values`, in the order given to [`Expression::compile`].
     pub(crate) fn evaluate(&self, values: &[f64]) -> f64 {
         let mut stack = [0.0; DEPTH];

@@ -24,6 +24,7 @@ impl Cause {
             Self::NotNumeric { .. } => "not a number",
             Self::EmptyRange { .. } | Self::Backwards { .. } | Self::LogThroughZero { .. } => "this range",
             Self::TooFewPoints { .. } => "too few",
+            Self::Mass { .. } => "not a mass matrix",
             Self::TooLarge { .. } => "too many",
             Self::MixedForms { .. } => "of the other kind",
             _ => "here",
@@ -33,9 +34,12 @@ impl Cause {
     /// What would be right.
     pub fn help(&self) -> Option<String> {
         Some(match self {
-            Self::Missing { .. } | Self::Folder { .. } | Self::Empty { .. } | Self::Binary { .. } => {
-                "`judder new` prints a case file to start from".to_owned()
-            }
+            Self::Missing { .. }
+            | Self::Folder { .. }
+            | Self::NotAFile { .. }
+            | Self::TooLong { .. }
+            | Self::Empty { .. }
+            | Self::Binary { .. } => "`judder new` prints a case file to start from".to_owned(),
             Self::Unreadable { .. } => return None,
             Self::Syntax { message } if !message.contains("quoted") => return None,
             Self::Syntax { .. } => "text and quantities stand in quotes: velocity = \"30 mm/s\"".to_owned(),
@@ -93,6 +97,11 @@ impl Cause {
             }
             Self::MatrixShape { .. } => "as in [[\"2\", \"1 - mu\"], [1, 2]]".to_owned(),
             Self::Expression { problem, parameters } => problem.help(parameters),
+            Self::NotFiniteEntry { .. } => {
+                "an entry must be finite: mind division by zero, roots and logarithms of negative numbers"
+                    .to_owned()
+            }
+            Self::Mass { problem, .. } => problem.help().to_owned(),
             _ => return None,
         };
         Some(help)

@@ -9,9 +9,9 @@
 //! - [`inputs`]: the value of every numeric key at one operating point.
 //! - [`sweep`], `swept_keys`, `read_sweep`: what an analysis varies, over which range.
 //! - `analysis`, [`oscillator_analysis`], [`oscillator_case`]: the oscillator case and its analyses.
-//! - `expression`, [`two_degrees`]: the two-degrees case, matrices of expressions.
+//! - [`expression`], `matrix`, [`mass`], [`two_degrees`]: the two-degrees case, matrices of expressions.
 //! - [`case_file`]: the way in. `resolved`: the way out, canonical JSON for the hash and the report.
-//! - [`cause`], `help`, [`error`]: what is wrong, what would be right, where.
+//! - [`cause`], `help`, `excerpt`, [`error`]: what is wrong, what would be right, where.
 //! - [`mod@schema`], [`mod@template`]: the JSON Schema for editors and the commented cases of `judder new`.
 
 pub mod analysis;
@@ -20,10 +20,13 @@ pub mod cause;
 pub mod dimension;
 mod document;
 pub mod error;
+mod excerpt;
 pub mod expression;
 mod help;
 pub mod inputs;
 pub mod keys;
+pub mod mass;
+mod matrix;
 mod nearest;
 pub mod oscillator_analysis;
 pub mod oscillator_case;
@@ -45,6 +48,7 @@ pub use dimension::Dimension;
 pub use error::CaseError;
 pub use inputs::{FrictionLoad, LawName, OscillatorInputs, TimeForm};
 pub use keys::{Form, KEYS, Key, OscillatorKey, Range, Value};
+pub use mass::MassProblem;
 pub use oscillator_analysis::OscillatorAnalysis;
 pub use oscillator_case::OscillatorCase;
 pub use quantity::{Quantity, QuantityError};

@@ -4,9 +4,10 @@ use crate::analysis::{Analysis, Kind, read_analyses};
 use crate::cause::Cause;
 use crate::document::{Data, Node};
 use crate::error::Fault;
-use crate::expression::{Expression, is_parameter_name};
+use crate::expression::is_parameter_name;
+use crate::matrix::{Matrix, Scope, read_mass, read_matrix};
 use crate::read_sweep::{read_map, read_sweep};
-use crate::section::{Section, finite_number, list, wrong_type};
+use crate::section::{Section, finite_number, wrong_type};
 use crate::sweep::{ParameterKey, StabilityMap, Sweep};
 use crate::swept_keys::ParameterKeys;
 
@@ -60,6 +61,16 @@ pub enum TwoDegreesAnalysis {
     },
 }
 
+impl TwoDegreesAnalysis {
+    /// The positions of the parameters that the analysis varies.
+    fn swept(&self) -> Vec<usize> {
+        match self {
+            Self::Spectrum { sweep } | Self::Critical { sweep } => vec![sweep.key.index()],
+            Self::StabilityMap(map) => vec![map.x.key.index(), map.y.key.index()],
+        }
+    }
+}
+
 /// The default number of samples of `critical`.
 pub const CRITICAL_POINTS: usize = 400;
 
@@ -91,19 +102,6 @@ pub(crate) const KINDS: [Kind<ParameterKeys, TwoDegreesAnalysis>; 3] = [
     },
 ];
 
-/// One matrix: compiled entries, and their texts for the record.
-#[derive(Debug, Clone)]
-struct Matrix {
-    name: &'static str,
-    entries: [[Entry; 2]; 2],
-}
-
-#[derive(Debug, Clone)]
-struct Entry {
-    text: String,
-    expression: Expression,
-}
-
 impl TwoDegreesCase {
     /// The values of all parameters, in their order: what a sweep starts from.
     pub fn values(&self) -> Vec<f64> {
@@ -117,37 +115,15 @@ impl TwoDegreesCase {
     pub fn matrices(&self, values: &[f64]) -> Result<TwoDegreesMatrices, Cause> {
         let [mass, damping, stiffness] = &*self.matrices;
         Ok(TwoDegreesMatrices {
-            mass: self.evaluate(mass, values)?,
-            damping: self.evaluate(damping, values)?,
-            stiffness: self.evaluate(stiffness, values)?,
+            mass: mass.evaluate(values)?,
+            damping: damping.evaluate(values)?,
+            stiffness: stiffness.evaluate(values)?,
         })
     }
 
     /// The texts of the entries of M, C and K as the case file has them, with the names of the matrices.
     pub fn expressions(&self) -> [(&'static str, [[&str; 2]; 2]); 3] {
-        self.matrices.each_ref().map(|matrix| {
-            let texts = matrix.entries.each_ref().map(|row| row.each_ref().map(|entry| entry.text.as_str()));
-            (matrix.name, texts)
-        })
-    }
-
-    fn evaluate(&self, matrix: &Matrix, values: &[f64]) -> Result<[[f64; 2]; 2], Cause> {
-        let numbers = matrix
-            .entries
-            .each_ref()
-            .map(|row| row.each_ref().map(|entry| entry.expression.evaluate(values)));
-        for (row, entries) in numbers.iter().enumerate() {
-            for (column, value) in entries.iter().copied().enumerate() {
-                if !value.is_finite() {
-                    let point = self.parameters.iter().zip(values);
-                    let point: Vec<_> =
-                        point.map(|(parameter, value)| format!("{} = {value}", parameter.name)).collect();
-                    let (matrix, point) = (matrix.name, point.join(", "));
-                    return Err(Cause::NotFiniteEntry { matrix, row, column, value, point });
-                }
-            }
-        }
-        Ok(numbers)
+        self.matrices.each_ref().map(|matrix| (matrix.name, matrix.texts()))
     }
 }
 
@@ -156,14 +132,21 @@ pub(crate) fn read(root: &Node) -> Result<TwoDegreesCase, Fault> {
     let known = ["title", "model", "parameters", "matrices", "analysis"];
     let root = Section::open(root, "", "a two-degrees case", &known)?;
     let parameters = read_parameters(&root)?;
-    let names: Vec<_> = parameters.iter().map(|parameter| parameter.name.clone()).collect();
+    let keys = ParameterKeys(parameters.iter().map(|parameter| parameter.name.clone()).collect());
+    let values: Vec<_> = parameters.iter().map(|parameter| parameter.value).collect();
     let node = root.required("matrices", "[matrices] with stiffness = [[…, …], […, …]]")?;
     let section = Section::open(node, "matrices", "[matrices]", &["mass", "damping", "stiffness"])?;
     section.required("stiffness", "stiffness = [[\"2\", \"1 - mu\"], [1, 2]]")?;
-    let matrix = |name, diagonal| read_matrix(&section, name, diagonal, &names);
-    let matrices = Box::new([matrix("mass", 1.0)?, matrix("damping", 0.0)?, matrix("stiffness", 0.0)?]);
     let title = root.text("title")?.unwrap_or_default().to_owned();
-    let analyses = read_analyses(&root, &ParameterKeys(names), &KINDS)?;
+    // before the matrices: an entry that an analysis varies is judged by the run
+    let analyses = read_analyses(&root, &keys, &KINDS)?;
+    let swept: Vec<_> = analyses.iter().flat_map(|analysis| analysis.kind.swept()).collect();
+    let scope = Scope { names: &keys.0, values: &values, swept: &swept };
+    let matrices = Box::new([
+        read_mass(&section, &scope)?,
+        read_matrix(&section, "damping", 0.0, &scope)?,
+        read_matrix(&section, "stiffness", 0.0, &scope)?,
+    ]);
     Ok(TwoDegreesCase { title, parameters, analyses, matrices })
 }
 
@@ -179,39 +162,4 @@ fn read_parameters(root: &Section<'_>) -> Result<Vec<Parameter>, Fault> {
         Ok(Parameter { name, value })
     });
     read.collect()
-}
-
-/// Reads one matrix; where the case gives none it is `diagonal` times the identity.
-fn read_matrix(
-    section: &Section<'_>,
-    name: &'static str,
-    diagonal: f64,
-    parameters: &[String],
-) -> Result<Matrix, Fault> {
-    let constant = |value: f64| Entry { text: value.to_string(), expression: Expression::constant(value) };
-    let Some(node) = section.get(name) else {
-        let entries = [[constant(diagonal), constant(0.0)], [constant(0.0), constant(diagonal)]];
-        return Ok(Matrix { name, entries });
-    };
-    let key = section.path(name);
-    let pair = |node: &'_ Node| -> Result<[Node; 2], Fault> {
-        let shape = || Cause::MatrixShape { key: key.clone() }.at(node.place);
-        list(&key, node)?.to_vec().try_into().map_err(|_| shape())
-    };
-    let [first, second] = pair(node)?;
-    let read = |node: &Node| match &node.data {
-        Data::Text(text) => {
-            let expression = Expression::compile(text, parameters).map_err(|(problem, range)| {
-                Cause::Expression { problem, parameters: parameters.to_vec() }.at(node.part(range))
-            })?;
-            Ok(Entry { text: text.clone(), expression })
-        }
-        Data::Number { .. } => finite_number(&key, node).map(constant),
-        _ => Err(wrong_type(&key, "a number or an expression in quotes", node)),
-    };
-    let row = |node: &Node| -> Result<[Entry; 2], Fault> {
-        let [left, right] = pair(node)?;
-        Ok([read(&left)?, read(&right)?])
-    };
-    Ok(Matrix { name, entries: [row(&first)?, row(&second)?] })
 }

@@ -44,7 +44,8 @@ fn check(text: &str, overrides: &[&str]) {
     if let Err(error) = parse(text, overrides) {
         let place = error.place().len();
         let span = error.labels().and_then(|mut labels| labels.next()).map_or(0, |label| label.len());
-        assert_eq!(place, span, "{error} lies outside its text");
+        // a long place is labelled in part
+        assert!(place == span || (place > 2000 && span <= 2000), "{error} lies outside its text");
     }
 }
 

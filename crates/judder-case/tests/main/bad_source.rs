@@ -4,6 +4,7 @@ use std::fs;
 
 use crate::{help_of, refused, refused_with};
 use judder_case::{CaseFile, Cause};
+use miette::Diagnostic;
 
 #[test]
 fn an_empty_text() {
@@ -175,4 +176,56 @@ fn a_binary_file() {
     let error = read_error(&path);
     assert!(matches!(error.cause(), Cause::Binary { offset: 9, .. }));
     assert!(error.to_string().ends_with("is not a text file: the byte at offset 9 is not UTF-8"));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_device() {
+    let error = read_error("/dev/zero".as_ref());
+    assert!(matches!(error.cause(), Cause::NotAFile { .. }));
+    assert_eq!(error.to_string(), "`/dev/zero` is a device, pipe or socket, not a case file");
+    assert_eq!(help_of(&error), "`judder new` prints a case file to start from");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_socket() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("case.toml");
+    let _socket = std::os::unix::net::UnixListener::bind(&path).unwrap();
+    assert!(matches!(read_error(&path).cause(), Cause::NotAFile { .. }));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_pipe() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("case.toml");
+    let made = std::process::Command::new("mkfifo").arg(&path).status().unwrap();
+    assert!(made.success());
+    assert!(matches!(read_error(&path).cause(), Cause::NotAFile { .. }));
+}
+
+#[test]
+fn a_file_of_the_size_limit_and_one_beyond() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("case.toml");
+    let text = "model = \"oscillator\"\n#";
+    fs::write(&path, format!("{text}{}", "x".repeat((1 << 20) - text.len()))).unwrap();
+    assert!(CaseFile::read(&path, &[]).is_ok());
+    fs::write(&path, "#".repeat((1 << 20) + 1)).unwrap();
+    let error = read_error(&path);
+    assert!(matches!(error.cause(), Cause::TooLong { size: 1_048_577, limit: 1_048_576, .. }));
+    assert!(error.to_string().ends_with("has 1048577 bytes, but a case file has at most 1048576 (1 MiB)"));
+}
+
+#[test]
+fn an_overlong_line_is_not_quoted_whole() {
+    let text = format!("model = \"{}\"\n", "x".repeat(1 << 19));
+    let error = CaseFile::parse("case.toml", &text, &[]).expect_err("an unknown model");
+    assert!(error.to_string().ends_with("xxx…") && error.to_string().len() < 2100);
+    let label = error.labels().unwrap().next().unwrap();
+    let quoted = error.source_code().unwrap().read_span(label.inner(), 1, 1).unwrap();
+    assert!(quoted.data().starts_with(b"model = \"xxx") && quoted.data().len() < 5000);
+    assert_eq!((quoted.name(), quoted.line()), (Some("case.toml"), 0));
 }

@@ -1,6 +1,6 @@
 //! Two-degrees cases that are refused.
 
-use crate::refused;
+use crate::{refused, refused_with};
 
 fn case(parameters: &str, stiffness: &str, rest: &str) -> String {
     format!(
@@ -165,5 +165,82 @@ kind = "critical-load""#,
         "the analysis kind `critical-load` belongs to another model",
         "critical-load",
         "available: spectrum, stability-map, critical",
+    );
+}
+
+const FINITE: &str =
+    "an entry must be finite: mind division by zero, roots and logarithms of negative numbers";
+
+#[test]
+fn a_constant_entry_that_is_infinite() {
+    refused(&stiffness(r#"[[2, 1], [1, "1/0"]]"#), "stiffness[1][1] is inf", "1/0", FINITE);
+}
+
+#[test]
+fn a_constant_entry_that_is_no_number() {
+    let damping = stiffness("[[2, 1], [1, 2]]").replace("stiffness", "damping");
+    refused(
+        &format!("{}stiffness = [[2, 1], [1, 2]]\n", damping.replace("[[2, 1]", "[[\"sqrt(-1)\", 1]")),
+        "damping[0][0] is NaN",
+        "sqrt(-1)",
+        FINITE,
+    );
+}
+
+#[test]
+fn an_option_that_makes_an_entry_infinite() {
+    refused_with(
+        &stiffness("[[2, 1], [1, 2]]"),
+        &[r#"matrices.stiffness=[[2, 1], ["1/0", 2]]"#],
+        "stiffness[1][0] is inf",
+        "--set 1/0",
+        FINITE,
+    );
+}
+
+#[test]
+fn an_entry_that_is_not_finite_at_the_parameters_of_the_case() {
+    let text = case(
+        "mu = 1\nnu = 2\nkappa = 3",
+        r#"[["nu", "kappa/(mu - 1)"], [1, 2]]"#,
+        r#"[[analysis]]
+kind = "spectrum"
+sweep = { key = "nu", from = 0, to = 1, points = 5 }"#,
+    );
+    refused(&text, "stiffness[0][1] is inf, at mu = 1, kappa = 3", "kappa/(mu - 1)", FINITE);
+}
+
+fn mass_refused(mass: &str, message: &str, help: &str) {
+    let text = stiffness(&format!("[[2, 1], [1, 2]]\nmass = {mass}"));
+    refused(&text, message, mass, help);
+}
+
+#[test]
+fn a_singular_mass() {
+    let help = "mass[0][0] and the determinant must be positive, as in [[2, 1], [1, 2]]";
+    mass_refused("[[1, 1], [1, 1]]", "the mass matrix [[1.0, 1.0], [1.0, 1.0]] is singular", help);
+    // no analysis varies mu
+    mass_refused(
+        r#"[[1, 0], [0, "mu - 0.5"]]"#,
+        "the mass matrix [[1.0, 0.0], [0.0, 0.0]] is singular",
+        help,
+    );
+}
+
+#[test]
+fn a_mass_that_is_not_positive_definite() {
+    mass_refused(
+        r#"[["-1", 0], [0, 1]]"#,
+        "the mass matrix [[-1.0, 0.0], [0.0, 1.0]] is not positive definite",
+        "mass[0][0] and the determinant must be positive, as in [[2, 1], [1, 2]]",
+    );
+}
+
+#[test]
+fn a_mass_that_is_not_symmetric() {
+    mass_refused(
+        "[[1, 0.5], [0, 1]]",
+        "the mass matrix [[1.0, 0.5], [0.0, 1.0]] is not symmetric",
+        "let mass[0][1] and mass[1][0] be equal, as in [[2, 1], [1, 2]]",
     );
 }

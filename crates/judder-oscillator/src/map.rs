@@ -7,7 +7,7 @@ use crate::Contact;
 use crate::groups::Coefficients;
 use crate::mechanism::StabilityClass;
 
-pub use adaptive::adaptive;
+pub use adaptive::{AdaptiveMap, adaptive};
 pub use every_point::every_point;
 
 /// A rectangular grid of operating points: columns along the first swept quantity, rows along the second.

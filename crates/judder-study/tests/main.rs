@@ -1,5 +1,7 @@
 //! Studies end to end: the benchmark cases, results that belong to their case, the scoreboard.
 
+#![allow(clippy::unwrap_used)]
+
 use judder_case::CaseFile;
 use judder_study::Silent;
 use judder_study::run::{RunOptions, RunReport, run};

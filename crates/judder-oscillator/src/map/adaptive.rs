@@ -18,20 +18,41 @@ const COARSE_INTERVALS: usize = 40;
 /// Decides the map on a coarse grid, then along its boundaries.
 #[must_use]
 pub fn adaptive(contact: &Contact, plane: &impl Plane) -> StabilityMap {
-    if plane.columns() == 0 || plane.rows() == 0 {
-        return every_point(contact, plane);
+    AdaptiveMap::new(contact, plane).decide()
+}
+
+/// A map whose memory is laid out, so that all that is left to do is to decide it.
+pub struct AdaptiveMap<'a, P> {
+    contact: &'a Contact,
+    plane: &'a P,
+    canvas: Canvas<'a, P>,
+}
+
+impl<'a, P: Plane> AdaptiveMap<'a, P> {
+    /// Lays out the memory: about five bytes a grid point.
+    #[must_use]
+    pub fn new(contact: &'a Contact, plane: &'a P) -> Self {
+        Self { contact, plane, canvas: Canvas::new(contact, plane) }
     }
-    let mut canvas = Canvas::new(contact, plane);
-    let (across, up) = (coarse_lines(plane.columns()), coarse_lines(plane.rows()));
-    canvas.decide_grid(&across, &up);
-    let pairs = neighbours_on(&canvas, &across, &up);
-    let mut fresh = bisect(&mut canvas, pairs);
-    loop {
-        follow(&mut canvas, fresh);
-        canvas.fill();
-        fresh = canvas.decide_filled_points_that_differ();
-        if fresh.is_empty() {
-            return canvas.into_map();
+
+    /// Decides the map.
+    #[must_use]
+    pub fn decide(self) -> StabilityMap {
+        let Self { contact, plane, mut canvas } = self;
+        if plane.columns() == 0 || plane.rows() == 0 {
+            return every_point(contact, plane);
+        }
+        let (across, up) = (coarse_lines(plane.columns()), coarse_lines(plane.rows()));
+        canvas.decide_grid(&across, &up);
+        let pairs = neighbours_on(&canvas, &across, &up);
+        let mut fresh = bisect(&mut canvas, pairs);
+        loop {
+            follow(&mut canvas, fresh);
+            canvas.fill();
+            fresh = canvas.decide_filled_points_that_differ();
+            if fresh.is_empty() {
+                return canvas.into_map();
+            }
         }
     }
 }

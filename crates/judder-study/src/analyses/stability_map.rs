@@ -14,7 +14,7 @@ use judder_case::{
     Form, MapMethod, OscillatorCase, OscillatorInputs, OscillatorKey, StabilityMap as MapSettings, Sweep,
 };
 use judder_oscillator::map::{
-    CoefficientPlane, Method, Plane, StabilityMap, SweptCoefficient, stability_map,
+    AdaptiveMap, CoefficientPlane, Method, Plane, StabilityMap, SweptCoefficient, every_point,
 };
 use judder_oscillator::mechanism::StabilityClass;
 use judder_oscillator::spectrum::{eigenvalues, growth_rate};
@@ -70,20 +70,24 @@ fn swept_coefficient(sweep: &Sweep<OscillatorKey>) -> Option<SweptCoefficient> {
     }
 }
 
-/// Starts the threads, whose first start would be counted with the decisions.
-fn warm_up() {
+/// The map of a plane and the seconds that its decisions took, without the start of the threads and the layout of the memory.
+fn timed<P: Plane>(contact: &Contact, plane: &P, method: Method) -> (StabilityMap, f64) {
     rayon::broadcast(|_| ());
+    let layout = (method == Method::Adaptive).then(|| AdaptiveMap::new(contact, plane));
+    let start = Instant::now();
+    let map = layout.map_or_else(|| every_point(contact, plane), AdaptiveMap::decide);
+    (map, start.elapsed().as_secs_f64())
 }
 
-/// The map of a plane, by the short way where both keys are coefficients.
-fn decide(contact: &Contact, plane: &CasePlane<'_>, method: Method) -> StabilityMap {
+/// The map of a plane, by the short way where both keys are coefficients, and its seconds.
+fn decide(contact: &Contact, plane: &CasePlane<'_>, method: Method) -> (StabilityMap, f64) {
     match (swept_coefficient(plane.x.0), swept_coefficient(plane.y.0)) {
         (Some(x), Some(y)) => {
             let base = bridge::coefficients(&plane.inputs(0, 0));
             let plane = CoefficientPlane { base, x: (x, plane.x.1.to_vec()), y: (y, plane.y.1.to_vec()) };
-            stability_map(contact, &plane, method)
+            timed(contact, &plane, method)
         }
-        _ => stability_map(contact, plane, method),
+        _ => timed(contact, plane, method),
     }
 }
 
@@ -99,10 +103,7 @@ pub(super) fn run(
         MapMethod::Adaptive => Method::Adaptive,
         MapMethod::EveryPoint => Method::EveryPoint,
     };
-    warm_up();
-    let start = Instant::now();
-    let map = decide(&contact, &plane, method);
-    let seconds = start.elapsed().as_secs_f64();
+    let (map, seconds) = decide(&contact, &plane, method);
     progress.advance();
     if progress.interrupted() {
         return Err(StudyError::Interrupted);

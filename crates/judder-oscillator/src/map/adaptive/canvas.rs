@@ -37,7 +37,8 @@ impl<'a, P: Plane> Canvas<'a, P> {
             contact,
             plane,
             classes: vec![CLOSED; size],
-            ln_indentation: vec![0.0; size],
+            // written, not zeroed: memory that is only promised would be fetched page by page among the decisions
+            ln_indentation: vec![f32::NAN; size],
             queue: Vec::new(),
             decisions: 0,
         };
@@ -187,13 +188,15 @@ impl<'a, P: Plane> Canvas<'a, P> {
     }
 
     /// The finished map, without frame and marks.
-    pub(super) fn into_map(self) -> StabilityMap {
+    pub(super) fn into_map(mut self) -> StabilityMap {
         let (columns, rows) = (self.plane.columns(), self.plane.rows());
-        let mut classes = Vec::with_capacity(columns * rows);
         for row in 0..rows {
-            classes.extend(self.row(row).iter().map(|class| class & !UNDECIDED));
+            let start = self.index(0, row);
+            self.classes.copy_within(start..start + columns, row * columns);
         }
-        StabilityMap { columns, rows, classes, decisions: self.decisions }
+        self.classes.truncate(columns * rows);
+        self.classes.iter_mut().for_each(|class| *class &= !UNDECIDED);
+        StabilityMap { columns, rows, classes: self.classes, decisions: self.decisions }
     }
 }
 

@@ -9,7 +9,8 @@ pub fn reference() -> String {
     let mut page = String::from(
         "# Case files\n\n\
          A case is a TOML file. A plain number is the paper's dimensionless group, a string carries a unit (`\"30 mm/s\"`, `\"0.2 N\"`, `\"1 MPa\"`, \
-         `\"30 deg\"`). Keys left out take the values below. `judder schema` prints the JSON Schema, `judder new` a commented case.\n\n\
+         `\"30 deg\"`). Keys left out take the values below. `judder schema` prints the JSON Schema, `judder new` a commented case. \
+         A case is a file of at most 1 MiB.\n\n\
          ## Keys of an oscillator case\n\n\
          | key | symbol | a plain number is | a string is | default | allowed | what it is |\n\
          | --- | --- | --- | --- | --- | --- | --- |\n",

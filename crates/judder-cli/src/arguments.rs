@@ -16,7 +16,7 @@ Examples:
   judder reproduce --quick          the oscillator paper, figure by figure
 
 Exit codes:
-  0  done; an unstable point or an empty list of roots is an answer
+  0  done; an unstable point or an empty list of roots is an answer, a failed check a warning
   1  a requested result is missing: it did not converge, was interrupted or could not be written
   2  the input is wrong: the case, an option, the folder
 

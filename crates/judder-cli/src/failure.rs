@@ -15,7 +15,7 @@ use serde_json::{Value, json};
 pub(crate) enum Exit {
     /// Every requested result is there.
     Done,
-    /// A requested result is missing, or a check failed.
+    /// A requested result is missing. A failed check is a warning and does not make it so.
     Incomplete,
     /// The input is wrong.
     WrongInput,

@@ -34,6 +34,7 @@ struct CoefficientLanes {
     k11: Lanes,
     k12: Lanes,
     k22: Lanes,
+    spring: Lanes,
 }
 
 impl CoefficientLanes {
@@ -48,6 +49,7 @@ impl CoefficientLanes {
         k11: [0.0; LANES],
         k12: [0.0; LANES],
         k22: [0.0; LANES],
+        spring: [0.0; LANES],
     };
 
     #[inline(always)]
@@ -62,6 +64,7 @@ impl CoefficientLanes {
         self.k11[lane] = c.k11;
         self.k12[lane] = c.k12;
         self.k22[lane] = c.k22;
+        self.spring[lane] = c.spring;
     }
 
     #[inline(always)]
@@ -77,6 +80,7 @@ impl CoefficientLanes {
             k11: self.k11[lane],
             k12: self.k12[lane],
             k22: self.k22[lane],
+            spring: self.spring[lane],
         }
     }
 }

@@ -185,6 +185,23 @@ mod tests {
     }
 
     #[test]
+    fn a_straight_boundary_along_a_grid_line_is_one_curve_without_folds() {
+        let linear = |from: f64, to: f64| Range { from, to, scale: Scale::Linear };
+        let undamped = |friction: f64, _: f64| {
+            let stiffness = [[2.0, 1.0 - 4.0 / 3.0 * friction], [1.0, 2.0]];
+            Some(ReducedSystem { damping: [[0.0; 2]; 2], stiffness })
+        };
+        for to in [1.5, 1.4] {
+            let curves = boundaries_of_system((&linear(0.0, to), &linear(0.0, 1.0)), &undamped);
+            assert_eq!(curves.len(), 1, "to {to}");
+            assert_eq!((curves[0].end, curves[0].folds.len()), (End::LeftPlane, 0));
+            for p in &curves[0].points {
+                assert!((p.x - 0.75).abs() < 1e-12 && (p.frequency - 2_f64.sqrt()).abs() < 1e-6, "{p:?}");
+            }
+        }
+    }
+
+    #[test]
     fn curves_that_begin_on_the_border_are_whole() {
         let (x, y) = (logarithmic(1e-8, 1e2), logarithmic(1e-9, 1e-1));
         for load in [FrictionLoad::NormalLoad, FrictionLoad::ContactForce] {

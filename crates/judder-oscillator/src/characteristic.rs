@@ -137,10 +137,11 @@ impl Characteristic {
         }
     }
 
-    /// ω of the oscillation on a Hopf boundary: ω² = p1/p3. NaN where p1/p3 is negative.
+    /// ω of the oscillation on a Hopf boundary: ω² = p1/p3; without damping that of the merged modes, ω² = p2/2. NaN where it is
+    /// negative.
     #[must_use]
     pub fn hopf_frequency(&self) -> f64 {
-        (self.p1 / self.p3).sqrt()
+        if self.is_damped() { (self.p1 / self.p3).sqrt() } else { (0.5 * self.p2).sqrt() }
     }
 }
 

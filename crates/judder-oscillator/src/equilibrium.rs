@@ -51,7 +51,7 @@ impl Balance {
     ) -> Self {
         let friction = friction_force(load, c, response);
         let ratio = c.k12 / c.k11;
-        let spring = (c.k22 - c.k12 * ratio) * c.stiffness;
+        let spring = c.spring * c.stiffness;
         let carried = spring * at.indentation + ratio * friction.value + response.force.value;
         let slope = spring + ratio * friction.by_indentation + response.force.by_indentation;
         let per_load = 1.0 / c.normal_load;
@@ -129,7 +129,7 @@ fn no_equilibrium() -> OscillatorError {
 /// A bracket for k12 ≥ 0: above, the springs alone carry the load; below, nothing does.
 fn bracket(imbalance: &Imbalance<'_>) -> Result<(f64, f64), OscillatorError> {
     let c = imbalance.coefficients;
-    let spring = (c.k22 - c.k12 * c.k12 / c.k11) * c.stiffness;
+    let spring = c.spring * c.stiffness;
     // a hair above F̃_n/s, where rounding cannot turn the sign
     let upper = if spring > 0.0 { (c.normal_load / spring).ln() + 1e-9 } else { SEARCH.1 };
     let upper = upper.clamp(SEARCH.0, SEARCH.1);

@@ -60,6 +60,12 @@ pub enum OscillatorError {
         /// The matrix, row by row.
         mass: [[f64; 2]; 2],
     },
+    /// The eigenvalues are beyond the range of numbers.
+    #[error("the eigenvalues are not finite: entries as large as {largest:e} overflow on the way")]
+    Overflow {
+        /// The largest magnitude among the entries of C and K.
+        largest: f64,
+    },
     /// The eigenvalues did not come out.
     #[error("eigenvalues: {0}")]
     Spectrum(#[from] PolynomialError),

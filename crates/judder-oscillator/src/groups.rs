@@ -97,6 +97,8 @@ impl Groups {
             k11: 1.0 + coupling_squared * cosine * cosine,
             k12: coupling_squared * sine * cosine,
             k22: self.frequency_ratio * self.frequency_ratio + coupling_squared * sine * sine,
+            spring: self.frequency_ratio * self.frequency_ratio
+                + coupling_squared * sine * sine / (1.0 + coupling_squared * cosine * cosine),
         }
     }
 
@@ -223,6 +225,8 @@ pub struct Coefficients {
     pub k12: f64,
     /// Ω² + η² sin² α, the structure's part of k22.
     pub k22: f64,
+    /// k22 − k12²/k11 = Ω² + η² sin² α/(1 + η² cos² α), the spring that is left along y when x follows.
+    pub spring: f64,
 }
 
 impl Coefficients {

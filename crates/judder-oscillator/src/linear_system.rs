@@ -13,6 +13,16 @@ pub struct LinearSystem {
     pub stiffness: [[f64; 2]; 2],
 }
 
+/// Refuses a matrix with an entry that is NaN or infinite.
+fn check_finite(matrix: &'static str, entries: &[[f64; 2]; 2]) -> Result<(), OscillatorError> {
+    for (row, values) in entries.iter().enumerate() {
+        if let Some(column) = values.iter().position(|value| !value.is_finite()) {
+            return Err(OscillatorError::NotFinite { matrix, row, column, value: values[column] });
+        }
+    }
+    Ok(())
+}
+
 /// The product of two 2×2 matrices.
 fn product(a: [[f64; 2]; 2], b: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
     std::array::from_fn(|i| std::array::from_fn(|j| a[i][0] * b[0][j] + a[i][1] * b[1][j]))
@@ -24,25 +34,22 @@ impl LinearSystem {
     /// # Errors
     /// An entry that is not finite, or a mass matrix that is not symmetric and positive definite.
     pub fn reduced(&self) -> Result<ReducedSystem, OscillatorError> {
-        for (matrix, entries) in
-            [("mass", &self.mass), ("damping", &self.damping), ("stiffness", &self.stiffness)]
-        {
-            for (row, values) in entries.iter().enumerate() {
-                if let Some(column) = values.iter().position(|v| !v.is_finite()) {
-                    return Err(OscillatorError::NotFinite { matrix, row, column, value: values[column] });
-                }
-            }
-        }
+        check_finite("mass", &self.mass)?;
+        check_finite("damping", &self.damping)?;
+        check_finite("stiffness", &self.stiffness)?;
         let [[a, b], [c, d]] = self.mass;
         let determinant = a * d - b * c;
         if b != c || a <= 0.0 || determinant <= 0.0 {
             return Err(OscillatorError::InvalidMass { mass: self.mass });
         }
         let inverse = [[d / determinant, -b / determinant], [-c / determinant, a / determinant]];
-        Ok(ReducedSystem {
+        let reduced = ReducedSystem {
             damping: product(inverse, self.damping),
             stiffness: product(inverse, self.stiffness),
-        })
+        };
+        check_finite("damping", &reduced.damping)?;
+        check_finite("stiffness", &reduced.stiffness)?;
+        Ok(reduced)
     }
 
     /// The state matrix (22), [[0, I], [−M⁻¹K, −M⁻¹C]], 4×4, for the state (q, q̇).

@@ -14,11 +14,17 @@ use num_complex::Complex64;
 /// Non-finite entries, or an iteration that did not settle.
 pub fn eigenvalues(system: &ReducedSystem) -> Result<[Complex64; 4], OscillatorError> {
     let undamped = system.damping.iter().flatten().all(|c| *c == 0.0);
-    if undamped {
-        return Ok(crate::conservative::conservative_eigenvalues(&system.stiffness));
+    let values = if undamped {
+        crate::conservative::conservative_eigenvalues(&system.stiffness)
+    } else {
+        let roots = real_polynomial_roots(&Characteristic::new(system).coefficients())?;
+        [roots[0], roots[1], roots[2], roots[3]]
+    };
+    if values.iter().all(|value| value.is_finite()) {
+        return Ok(values);
     }
-    let roots = real_polynomial_roots(&Characteristic::new(system).coefficients())?;
-    Ok([roots[0], roots[1], roots[2], roots[3]])
+    let entries = system.damping.iter().chain(&system.stiffness).flatten();
+    Err(OscillatorError::Overflow { largest: entries.fold(0.0, |largest, entry| entry.abs().max(largest)) })
 }
 
 /// The growth rate: the largest real part.

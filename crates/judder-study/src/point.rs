@@ -75,7 +75,20 @@ pub fn analyse(contact: &Contact, groups: Groups) -> Result<Point, StudyError> {
     });
     let loads =
         thresholds(contact, &LOADS, SAMPLES, |normal_load| Groups { normal_load, ..groups }.resolve());
-    let concern = contact.law.concern(groups.velocity, equilibrium.indentation);
+    let mut warnings: Vec<String> = contact
+        .law
+        .concern(groups.velocity, equilibrium.indentation)
+        .iter()
+        .map(ToString::to_string)
+        .collect();
+    for (what, found) in [("shear strengths", &strengths), ("loads", &loads)] {
+        if let (Some(first), Some(last)) = (found.failures.first(), found.failures.last()) {
+            warnings.push(format!(
+                "no single steady sliding state at {} of {SAMPLES} {what} searched, between {first:.3e} and {last:.3e}: thresholds there are missing",
+                found.failures.len()
+            ));
+        }
+    }
     Ok(Point {
         groups,
         equilibrium,
@@ -86,7 +99,7 @@ pub fn analyse(contact: &Contact, groups: Groups) -> Result<Point, StudyError> {
         sensitivities: sensitivities(&system, &leading_mode),
         critical_shear_strength: strengths.conservative,
         critical_load: loads.conservative,
-        warnings: concern.map(|concern| concern.to_string()).into_iter().collect(),
+        warnings,
     })
 }
 

@@ -54,9 +54,9 @@ pub fn oscillator_paper(
     let store = StudyFolder::create(folder)?;
     let runs = runs(quick)?;
     let names: Vec<String> = runs.iter().map(|(name, _)| name.clone()).collect();
-    let mut study = Study::open(&store, &names)?;
-    study.summary.case = json!({ "title": "The oscillator paper", "model": "oscillator", "quick": quick });
     let hashes: Vec<String> = runs.iter().map(|(_, file)| analysis_hash(&file.case.resolved(), 0)).collect();
+    let mut study = Study::open(&store, names.iter().zip(&hashes))?;
+    study.summary.case = json!({ "title": "The oscillator paper", "model": "oscillator", "quick": quick });
     study.summary.case_hash = content_hash(hashes.concat().as_bytes());
     for ((name, file), hash) in runs.iter().zip(hashes) {
         if store.is_done(name, &hash)? {

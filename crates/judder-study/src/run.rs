@@ -89,14 +89,14 @@ pub fn run(
         store.forget()?;
     }
     let resolved = file.case.resolved();
-    let mut study = Study::open(&store, &names)?;
+    let hashes: Vec<String> = (0..names.len()).map(|index| analysis_hash(&resolved, index)).collect();
+    let mut study = Study::open(&store, names.iter().zip(&hashes))?;
     study.set_case(file, &resolved);
     let mut skipped = Vec::new();
-    for (index, name) in names.iter().enumerate() {
+    for (index, (name, hash)) in names.iter().zip(hashes.clone()).enumerate() {
         if !options.only.is_empty() && !options.only.contains(name) {
             continue;
         }
-        let hash = analysis_hash(&resolved, index);
         if store.is_done(name, &hash)? {
             skipped.push(name.clone());
             continue;
@@ -136,16 +136,22 @@ pub(crate) struct Study<'a> {
 }
 
 impl<'a> Study<'a> {
-    /// Takes up what an earlier run left of these analyses, and drops the rest.
-    pub(crate) fn open(store: &'a StudyFolder, names: &[String]) -> Result<Self, StudyError> {
+    /// Takes up what an earlier run left of these analyses under these hashes, and drops the rest: what another case left
+    /// must not stand under this one's name.
+    pub(crate) fn open<'b>(
+        store: &'a StudyFolder,
+        analyses: impl Iterator<Item = (&'b String, &'b String)>,
+    ) -> Result<Self, StudyError> {
+        let current: BTreeMap<&String, &String> = analyses.collect();
         let mut summary = store.read_summary()?.unwrap_or_default();
         let mut kept = Keepsakes::of(&summary);
         VERSION.clone_into(&mut summary.version);
         summary.warnings.clear();
-        summary.results.retain(|name, _| names.contains(name));
-        summary.analyses.retain(|name, _| names.contains(name));
-        kept.checks.retain(|name, _| names.contains(name));
-        kept.missing.retain(|name, _| names.contains(name));
+        summary.analyses.retain(|name, record| current.get(name) == Some(&&record.hash));
+        let stays = |name: &String| summary.analyses.contains_key(name);
+        summary.results.retain(|name, _| stays(name));
+        kept.checks.retain(|name, _| stays(name));
+        kept.missing.retain(|name, _| stays(name));
         kept.put(&mut summary);
         Ok(Self { store, summary, kept })
     }

@@ -43,7 +43,8 @@ fn advance(margin: &Margin<'_>, from: [f64; 2], step: f64, direction: f64) -> Op
 /// The two directions in which the curve leaves a point of it: where a small circle changes stability.
 fn directions(margin: &Margin<'_>, start: [f64; 2]) -> Option<[f64; 2]> {
     const SECTORS: usize = 24;
-    let angle = |k: usize| TAU * k as f64 / SECTORS as f64;
+    // turned off the axes, along which boundaries like to run
+    let angle = |k: usize| 0.1 + TAU * k as f64 / SECTORS as f64;
     let mut radius = 0.1 * LONGEST;
     while radius > SHORTEST {
         let around = |angle: f64| margin(at(start, radius, angle));
@@ -144,14 +145,28 @@ fn reaches(here: [f64; 2], next: [f64; 2], start: [f64; 2], direction: f64) -> b
 
 /// The curve with its folds: the points beyond which a coordinate turns back.
 fn assemble(positions: Vec<[f64; 2]>, end: End) -> Curve {
-    let mut folds = Vec::new();
-    for (k, triple) in positions.windows(3).enumerate() {
-        for (axis, fold) in [(0, Fold::InX), (1, Fold::InY)] {
-            let (before, after) = (triple[1][axis] - triple[0][axis], triple[2][axis] - triple[1][axis]);
-            if before * after < 0.0 {
-                folds.push((k + 1, fold));
-            }
+    let mut folds: Vec<(usize, Fold)> = [(0, Fold::InX), (1, Fold::InY)]
+        .into_iter()
+        .flat_map(|(axis, fold)| turning_points(&positions, axis).into_iter().map(move |index| (index, fold)))
+        .collect();
+    folds.sort_by_key(|(index, _)| *index);
+    Curve { positions, folds, end }
+}
+
+/// Indices of the points beyond which a coordinate turns back, by more than rounding can.
+fn turning_points(positions: &[[f64; 2]], axis: usize) -> Vec<usize> {
+    /// Shorter ways back are rounding on a stretch along the other axis.
+    const LEAST: f64 = 1e-6;
+    let mut turning = Vec::new();
+    let (mut extreme, mut direction) = (0, 0.0);
+    for (index, position) in positions.iter().enumerate() {
+        let way = position[axis] - positions[extreme][axis];
+        if way * direction > 0.0 || (direction == 0.0 && way.abs() > LEAST) {
+            (extreme, direction) = (index, way.signum());
+        } else if way.abs() > LEAST {
+            turning.push(extreme);
+            (extreme, direction) = (index, way.signum());
         }
     }
-    Curve { positions, folds, end }
+    turning
 }

@@ -103,14 +103,16 @@ pub(super) fn pairs_that_differ(margins: &[f64], intervals: usize) -> Vec<[[f64;
     let side = intervals + 1;
     let position =
         |column: usize, row: usize| [grid_position(column, intervals), grid_position(row, intervals)];
+    // a margin that vanishes on a grid line counts with the positive ones, so that the boundary there has two sides
+    let differ = |a: f64, b: f64| !a.is_nan() && !b.is_nan() && (a >= 0.0) != (b >= 0.0);
     let mut pairs = Vec::new();
     for row in 0..side {
         for column in 0..side {
             let here = row * side + column;
-            if column < intervals && margins[here] * margins[here + 1] < 0.0 {
+            if column < intervals && differ(margins[here], margins[here + 1]) {
                 pairs.push([position(column, row), position(column + 1, row)]);
             }
-            if row < intervals && margins[here] * margins[here + side] < 0.0 {
+            if row < intervals && differ(margins[here], margins[here + side]) {
                 pairs.push([position(column, row), position(column, row + 1)]);
             }
         }

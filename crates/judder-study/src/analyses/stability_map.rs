@@ -25,7 +25,7 @@ use std::time::Instant;
 
 pub(super) use arrays::{DAMPING, MapArrays};
 use arrays::{NORMAL_FORCE, class_fractions};
-pub(super) use overlays::Overlay;
+pub(super) use overlays::{Overlay, incomplete};
 
 /// Points along each side of the grid on which checks are made and the law's range of validity is looked at.
 const CHECKED_SIDE: usize = 24;
@@ -70,6 +70,11 @@ fn swept_coefficient(sweep: &Sweep<OscillatorKey>) -> Option<SweptCoefficient> {
     }
 }
 
+/// Starts the threads, whose first start would be counted with the decisions.
+fn warm_up() {
+    rayon::broadcast(|_| ());
+}
+
 /// The map of a plane, by the short way where both keys are coefficients.
 fn decide(contact: &Contact, plane: &CasePlane<'_>, method: Method) -> StabilityMap {
     match (swept_coefficient(plane.x.0), swept_coefficient(plane.y.0)) {
@@ -94,6 +99,7 @@ pub(super) fn run(
         MapMethod::Adaptive => Method::Adaptive,
         MapMethod::EveryPoint => Method::EveryPoint,
     };
+    warm_up();
     let start = Instant::now();
     let map = decide(&contact, &plane, method);
     let seconds = start.elapsed().as_secs_f64();
@@ -110,7 +116,7 @@ pub(super) fn run(
     progress.advance();
     let states = checked_states(&contact, &plane);
     let mut outcome = Outcome {
-        scalars: map_scalars(&map, seconds, &overlays),
+        scalars: map_scalars(&map, NORMAL_FORCE, seconds, &overlays),
         dataset: MapArrays { x: &x, y: &y, map: &map, growth, overlays: &overlays, neither: NORMAL_FORCE }
             .dataset()?,
         warnings: validity_warnings(&contact, states.iter().map(|(state, _)| state)),
@@ -120,14 +126,16 @@ pub(super) fn run(
     };
     outcome.checks.push(checks::map_against_points(&contact, &states, &map));
     outcome.checks.extend(overlays::check(&overlays));
-    if outcome.missing > 0 {
-        outcome.warnings.push(format!(
-            "{} of {} points have no answer; they are drawn hatched",
-            outcome.missing,
-            map.classes.len()
-        ));
-    }
+    outcome.warnings.extend(incomplete(&overlays));
+    outcome.warnings.extend(unresolved_warning(&map));
     Ok(outcome)
+}
+
+/// How many points of a map have no answer, where there are such.
+pub(super) fn unresolved_warning(map: &StabilityMap) -> Option<String> {
+    let missing = map.count(StabilityClass::Unresolved);
+    let all = map.classes.len();
+    (missing > 0).then(|| format!("{missing} of {all} points have no answer; they are drawn hatched"))
 }
 
 /// The growth rate at every point, row by row; NaN where there is no equilibrium.
@@ -155,14 +163,18 @@ fn growth_rates(
     Ok(rows?.concat())
 }
 
-/// Steady states on a coarse grid over the plane, each with its grid point.
-fn checked_states(contact: &Contact, plane: &CasePlane<'_>) -> Vec<(SteadyState, (usize, usize))> {
+/// Column and row of the points of a coarse grid over a map.
+pub(super) fn checked_points(columns: usize, rows: usize) -> impl Iterator<Item = (usize, usize)> {
     let lines = |count: usize| {
         let last = CHECKED_SIDE.min(count) - 1;
         (0..=last).map(move |k| k * (count - 1) / last.max(1))
     };
-    lines(plane.rows())
-        .flat_map(|row| lines(plane.columns()).map(move |column| (column, row)))
+    lines(rows).flat_map(move |row| lines(columns).map(move |column| (column, row)))
+}
+
+/// Steady states on a coarse grid over the plane, each with its grid point.
+fn checked_states(contact: &Contact, plane: &CasePlane<'_>) -> Vec<(SteadyState, (usize, usize))> {
+    checked_points(plane.columns(), plane.rows())
         .filter_map(|(column, row)| {
             SteadyState::new(contact, &plane.inputs(column, row)).ok().map(|state| (state, (column, row)))
         })
@@ -170,8 +182,13 @@ fn checked_states(contact: &Contact, plane: &CasePlane<'_>) -> Vec<(SteadyState,
 }
 
 /// What the summary says of a map and its boundaries.
-pub(super) fn map_scalars(map: &StabilityMap, seconds: f64, overlays: &[Overlay]) -> Map<String, Value> {
-    let mut scalars = class_fractions(map);
+pub(super) fn map_scalars(
+    map: &StabilityMap,
+    neither: &'static str,
+    seconds: f64,
+    overlays: &[Overlay],
+) -> Map<String, Value> {
+    let mut scalars = class_fractions(map, neither);
     scalars.insert("seconds".to_owned(), json!(seconds));
     let boundaries: Map<String, Value> =
         overlays.iter().map(|overlay| (overlay.name.to_owned(), overlay.summary())).collect();

@@ -2,7 +2,10 @@
 
 use super::axis::{Axis, Curves, range};
 use super::spectrum::{self, Spectra};
-use super::stability_map::{DAMPING, MapArrays, Overlay, map_scalars};
+use super::stability_map::{
+    DAMPING, MapArrays, Overlay, checked_points, incomplete, map_scalars, unresolved_warning,
+};
+use crate::checks;
 use crate::error::StudyError;
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
@@ -73,14 +76,33 @@ fn map(case: &TwoDegreesCase, settings: &MapSettings<ParameterKey>) -> Result<Ou
         overlays
             .push(Overlay::of_system(boundaries_of_system((&range(&settings.x), &range(&settings.y)), &at)));
     }
-    let scalars = map_scalars(&map, seconds, &overlays);
+    let scalars = map_scalars(&map, DAMPING, seconds, &overlays);
     Ok(Outcome {
         scalars,
         dataset: MapArrays { x: &x, y: &y, map: &map, growth: None, overlays: &overlays, neither: DAMPING }
             .dataset()?,
         missing: map.count(StabilityClass::Unresolved),
+        warnings: unresolved_warning(&map).into_iter().chain(incomplete(&overlays)).collect(),
+        checks: map_checks(case, settings, &map, (&x.values, &y.values)),
         ..Outcome::default()
     })
+}
+
+/// The map against the eigenvalues, on a grid of points over it.
+fn map_checks(
+    case: &TwoDegreesCase,
+    settings: &MapSettings<ParameterKey>,
+    map: &StabilityMap,
+    (x, y): (&[f64], &[f64]),
+) -> Vec<CheckRecord> {
+    let points = checked_points(x.len(), y.len());
+    let systems: Vec<(LinearSystem, bool)> = points
+        .filter_map(|(column, row)| {
+            let system = system(case, &[(&settings.x, x[column]), (&settings.y, y[row])])?;
+            Some((system, map.class(column, row).is_unstable()))
+        })
+        .collect();
+    vec![checks::unstable_as_eigenvalues_say(&systems)]
 }
 
 /// Where stability changes along one parameter, with the frequency of the oscillation that is born there.

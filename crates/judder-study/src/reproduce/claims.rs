@@ -65,9 +65,10 @@ fn short(value: f64) -> String {
 }
 
 /// All claims, in the order of the paper.
-pub(super) const CLAIMS: [Claim; 27] = [
+pub(super) const CLAIMS: [Claim; 31] = [
     equations::HERTZ_LIMIT,
     equations::AREA_HAS_A_MINIMUM,
+    equations::FRICTION_OVER_DEPTH,
     equations::FORCE_GROWS,
     equations::DAMPING_IN_Y,
     equations::DISPLACEMENT_IN_16,
@@ -92,5 +93,8 @@ pub(super) const CLAIMS: [Claim; 27] = [
     maps::LARGER_REGION,
     maps::PREVAILING,
     maps::DECOUPLED,
+    maps::FIG_10_ENDS,
     maps::FIG_10_ENLARGES,
+    thresholds::SPEED_OF_SECTION_5,
+    thresholds::SECTION_5,
 ];

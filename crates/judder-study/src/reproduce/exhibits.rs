@@ -88,8 +88,8 @@ pub(super) const EXHIBITS: [Exhibit; 7] = [
         caption: "Stability of steady sliding; the colour is the mechanism. Solid black: boundary of the full system. Dashed: without damping. \
                   Red: full system with $η = 0$.",
         sources: &[
-            source("fig-9a", case!("fig-9a"), "$F̃_{n}$ = 10^{−6}"),
-            source("fig-9b", case!("fig-9b"), "$F̃_{n}$ = 10^{−3}"),
+            source("fig-9a", case!("fig-9a"), "9a, $F̃_{n}$ = 10^{−6}"),
+            source("fig-9b", case!("fig-9b"), "9b, $F̃_{n}$ = 10^{−3}"),
         ],
     },
     Exhibit {
@@ -98,8 +98,8 @@ pub(super) const EXHIBITS: [Exhibit; 7] = [
         caption: "Stability of steady sliding; the colour is the mechanism. Solid black: boundary of the full system. Dashed: without damping. \
                   Red: full system with $η = 0$.",
         sources: &[
-            source("fig-10a", case!("fig-10a"), "$τ̃_{0}$ = 10^{−2}"),
-            source("fig-10b", case!("fig-10b"), "$τ̃_{0}$ = 10^{−1}"),
+            source("fig-10a", case!("fig-10a"), "10a, $τ̃_{0}$ = 10^{−2}"),
+            source("fig-10b", case!("fig-10b"), "10b, $τ̃_{0}$ = 10^{−1}"),
         ],
     },
 ];

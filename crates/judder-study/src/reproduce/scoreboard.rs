@@ -88,3 +88,37 @@ pub(super) fn block(lines: &[ClaimLine]) -> page::Scoreboard {
     });
     page::Scoreboard { ours: READINGS.iter().map(|r| r.label.to_owned()).collect(), rows: rows.collect() }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::progress::Silent;
+
+    /// The verdicts as the book tells them, in the order of the paper.
+    #[test]
+    fn the_verdicts() {
+        let lines = measure(&Silent).unwrap();
+        let odd: Vec<(&str, &str)> = lines
+            .iter()
+            .filter(|line| line.verdict != "agrees")
+            .map(|line| (line.place.as_str(), line.verdict.as_str()))
+            .collect();
+        let expected = [
+            ("§2.1, Fig. 3a", "open"),
+            ("Eq. (12)", "misprint"),
+            ("Eq. (16)", "misprint"),
+            ("Eq. (17)", "misprint"),
+            ("§4.1", "misprint"),
+            ("Eq. (24), §4.2", "misprint"),
+            ("§4.2, Fig. 6", "misprint"),
+            ("Eqs. (27), (28)", "misprint"),
+            ("§4.3, Fig. 9a", "open"),
+            ("§4.3, Fig. 9b", "open"),
+            ("§4.3", "misprint"),
+            ("§5", "misprint"),
+        ];
+        assert_eq!(odd, expected);
+        let only_contact_force = lines.iter().filter(|line| line.why.starts_with("Only with $F_{k}")).count();
+        assert_eq!(only_contact_force, 2, "the sign change of Fig. 4 and the threshold of section 5");
+    }
+}

@@ -32,10 +32,7 @@ impl MapArrays<'_> {
         let shape = [self.map.rows, self.map.columns];
         let meanings: Vec<(u8, &str)> = StabilityClass::ALL
             .iter()
-            .map(|class| match class {
-                StabilityClass::NormalForceCoupling => (*class as u8, self.neither),
-                class => (*class as u8, class.name()),
-            })
+            .map(|class| (*class as u8, class_name(*class, self.neither)))
             .collect();
         let classes =
             Variable::classes("stability", &dimensions, &shape, self.map.classes.clone(), &meanings)
@@ -55,12 +52,17 @@ impl MapArrays<'_> {
     }
 }
 
+/// The name of a class where what is neither flutter nor negative damping is called `neither`.
+fn class_name(class: StabilityClass, neither: &'static str) -> &'static str {
+    if class == StabilityClass::NormalForceCoupling { neither } else { class.name() }
+}
+
 /// Decisions made, unstable share, and the share of every class.
-pub(crate) fn class_fractions(map: &StabilityMap) -> Map<String, Value> {
+pub(crate) fn class_fractions(map: &StabilityMap, neither: &'static str) -> Map<String, Value> {
     let total = map.classes.len() as f64;
     let fractions: Map<String, Value> = StabilityClass::ALL
         .iter()
-        .map(|class| (class.name().to_owned(), json!(map.count(*class) as f64 / total)))
+        .map(|class| (class_name(*class, neither).to_owned(), json!(map.count(*class) as f64 / total)))
         .collect();
     Map::from_iter([
         ("points".to_owned(), json!(map.decisions)),

@@ -51,15 +51,14 @@ pub(super) const NEGATIVE_NEAR: Claim = statement(
                     .find(|v| equivalent_damping(contact, *v, *load, 0.0) < 0.0)
             })
             .collect();
-        let near = |v: f64| (10_f64.powf(-2.5)..10_f64.powf(-1.5)).contains(&v);
-        // the insets show the two larger loads cross the axis there
-        let holds = crossings[..2].iter().all(|v| v.is_some_and(near));
-        measured(
-            crossings.iter().map(|v| v.map_or("never".to_owned(), short)).collect::<Vec<_>>().join(", "),
-            holds,
-        )
+        let found: Vec<f64> = crossings.iter().flatten().copied().collect();
+        let typical = (found.iter().map(|v| v.ln()).sum::<f64>() / found.len() as f64).exp();
+        let shown: Vec<String> = crossings.iter().map(|v| v.map_or("never".to_owned(), short)).collect();
+        // a mean of nothing is NaN, which is in no range
+        measured(shown.join(", "), (0.5e-2..2e-2).contains(&typical))
     },
-    "First speed with $ξ_{eq}$ < 0 at $τ̃_{0}$ = 0, from the largest load to the smallest; judged by the two larger loads within half a decade.",
+    "First speed with $ξ_{eq}$ < 0 at $τ̃_{0}$ = 0, from the largest load to the smallest, where it stays positive (the text says “in all the panels”); \
+     judged by their geometric mean within a factor 2.",
 );
 
 pub(super) const STRENGTH_REDUCES: Claim = statement(

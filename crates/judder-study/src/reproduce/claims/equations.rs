@@ -3,6 +3,7 @@
 use super::{Claim, measured, misprint, short, statement};
 use crate::reproduce::measures::{LOADS_OF_FIG_4, log_grid, response, state};
 use crate::reproduce::scoreboard::Measured;
+use judder_oscillator::motion::{MotionState, accelerations};
 use judder_oscillator::{Contact, Groups};
 
 /// A depth in the middle of the law's range.
@@ -37,6 +38,23 @@ pub(super) const AREA_HAS_A_MINIMUM: Claim = statement(
     "At $ŷ$ = 0.01.",
 );
 
+pub(super) const FRICTION_OVER_DEPTH: Claim = statement(
+    "§2.1, Fig. 3a",
+    "$μ_{visc}$ monotonically increases with the indentation",
+    |contact| {
+        let falls = log_grid(1e-8, 1e2, 201)
+            .into_iter()
+            .filter(|v| {
+                log_grid(1e-6, 1e-1, 51)
+                    .iter()
+                    .any(|y| response(contact, *v, *y).friction.by_indentation < 0.0)
+            })
+            .count();
+        measured(format!("falls somewhere at {falls} of 201 speeds"), falls == 0)
+    },
+    "The bell (38) shifts with the depth, so below its peak speed a deeper contact rubs less; $k_{12c}$ can be positive there.",
+);
+
 pub(super) const FORCE_GROWS: Claim = statement(
     "§4.1, Fig. 3c",
     "$F̃_{k}$ increases monotonically with the sliding velocity",
@@ -51,9 +69,12 @@ pub(super) const FORCE_GROWS: Claim = statement(
 );
 
 fn damping_in_y(_: &Contact) -> Measured {
-    // k_y = Ω² k_x: c_y/(m ω_nx) = 2 ξ_y √(k_y m)/(m ω_nx) = 2 ξ_y Ω
-    let c = Groups { frequency_ratio: 3.0, damping_y: 0.01, ..Groups::default() }.resolve();
-    measured("2 $ξ_{y}$ $Ω$", (c.damping_y - 0.06).abs() < 1e-15)
+    // straight from the definitions: c_y/(m ω_nx) with c_y = 2 ξ_y √(k_y m), k_y = Ω² k_x, m = k_x/ω_nx²
+    let (ratio, damping, stiffness, frequency) = (3.0_f64, 0.01, 50.0_f64, 40.0_f64);
+    let mass = stiffness / (frequency * frequency);
+    let exact = 2.0 * damping * (ratio * ratio * stiffness * mass).sqrt() / (mass * frequency);
+    let c = Groups { frequency_ratio: ratio, damping_y: damping, ..Groups::default() }.resolve();
+    measured("2 $ξ_{y}$ $Ω$", (c.damping_y - exact).abs() < 1e-14)
 }
 
 pub(super) const DAMPING_IN_Y: Claim = misprint(
@@ -62,6 +83,18 @@ pub(super) const DAMPING_IN_Y: Claim = misprint(
     damping_in_y,
     "With $ξ_{y}$ as defined in (9), $c_{y}$/($m$ $ω_{nx}$) = 2 $ξ_{y}$ $Ω$. Without effect here, where $Ω$ = 1.",
 );
+
+/// Central differences of the x-acceleration (12) by q̃′ and by q̃ at the default point, without the structure's part.
+fn contact_derivatives(contact: &Contact) -> [f64; 2] {
+    let c = Groups::default().resolve();
+    let Some((rest, _)) = state(contact, Groups::default()) else { return [f64::NAN; 2] };
+    let at = |y: f64, velocity_y: f64| {
+        accelerations(contact, &c, &MotionState { x: rest.x, y: rest.y + y, velocity_x: 0.0, velocity_y })[0]
+    };
+    let step = 1e-5 * rest.y;
+    let slope = |plus: f64, minus: f64| (plus - minus) / (2.0 * step);
+    [slope(at(0.0, step), at(0.0, -step)), slope(at(step, 0.0), at(-step, 0.0)) + c.k12]
+}
 
 /// The largest entry that the Jacobian of (12) has in a place, over the velocities and loads of Fig. 4.
 fn over_fig_4(
@@ -81,14 +114,22 @@ fn over_fig_4(
 pub(super) const DISPLACEMENT_IN_16: Claim = misprint(
     "Eq. (16)",
     "Contact terms by $ŷ$ multiply $q̃′$ (a velocity)",
-    |_| measured("multiply $q̃$", true),
+    |contact| {
+        let [by_velocity, by_displacement] = contact_derivatives(contact);
+        measured("multiply $q̃$", by_velocity == 0.0 && by_displacement.abs() > 0.0)
+    },
     "They are derivatives by the indentation, so they belong to K, where (20) puts them.",
 );
 
 pub(super) const CHAIN_RULE_17: Claim = misprint(
     "Eq. (17)",
     "∂/∂$ũ′$ = ∂/∂$v̂_{rel}$ and ∂/∂$q̃$ = ∂/∂$ŷ$",
-    |_| measured("factors $τ̃/R̃$ and 1/$R̃$", true),
+    |contact| {
+        let [_, by_displacement] = contact_derivatives(contact);
+        let groups = Groups::default();
+        let exact = state(contact, groups).map_or(f64::NAN, |(_, l)| -l.k12c);
+        measured("factors $τ̃/R̃$ and 1/$R̃$", (by_displacement / exact - 1.0).abs() < 1e-6)
+    },
     "$v̂ = ṽ τ̃/R̃$ and $ŷ = ỹ/R̃$; (16) and (20) do carry the factors.",
 );
 
@@ -99,7 +140,7 @@ pub(super) const SIGN_OF_C21: Claim = misprint(
         let entries = over_fig_4(contact, |l| l.c21);
         let (low, high) =
             entries.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), e| (l.min(*e), h.max(*e)));
-        measured(format!("{} … {}", short(low), short(high.min(0.0))), high <= 0.0 && low < 0.0)
+        measured(format!("{} … {}", short(low), short(high)), high <= 0.0 && low < 0.0)
     },
     "$|v_{rel}| = v_{d} − x′$ falls as the oscillator moves with the substrate, so $c_{21} = −(τ̃/k̃_{x})$ ∂$F̃_{k}$/∂$v̂$ ≤ 0; the Jacobian of (12) \
      confirms it.",

@@ -36,11 +36,11 @@ bench: .venv/installed ## time the stability decision, beside a NumPy peer
 	$(CARGO) bench $(LOCKED) -p judder-oscillator
 	$(PYTHON) benches/compare.py
 
-validate: ## the expensive validation, in release: the tests that `make test` leaves out
+validate: ## the expensive validation: the tests that `make test` leaves out
 ifeq ($(NEXTEST),yes)
-	$(CARGO) nextest run $(LOCKED) --workspace --release --run-ignored only --no-tests pass
+	$(CARGO) nextest run $(LOCKED) --workspace --run-ignored only --no-tests pass
 else
-	$(CARGO) test $(LOCKED) --workspace --release --lib --bins --tests --examples -- --ignored
+	$(CARGO) test $(LOCKED) --workspace --lib --bins --tests --examples -- --ignored
 endif
 
 setup: .venv/installed ## fetch and build what the other targets need

@@ -65,7 +65,7 @@ impl FittedLaw {
         let bracket = a2 + error_function;
         WithDerivatives {
             value: scale * at.indentation * bracket,
-            by_velocity: scale * at.indentation * slope * a3 * LOG10_E / at.velocity,
+            by_velocity: scale * at.indentation * slope * a3 * LOG10_E * (1.0 / at.velocity),
             by_indentation: scale * (1.5 * bracket + slope * a4 * LOG10_E),
         }
     }
@@ -85,7 +85,7 @@ impl FittedLaw {
         let fall = bell * distance * (LOG10_E / (b5 * b5));
         WithDerivatives {
             value: b1 * at.indentation * (b2 - bell),
-            by_velocity: b1 * at.indentation * fall / at.velocity,
+            by_velocity: b1 * at.indentation * fall * (1.0 / at.velocity),
             by_indentation: b1 * (b2 - bell - b3 * fall),
         }
     }
@@ -104,7 +104,7 @@ impl FittedLaw {
         let fall = distance * (LOG10_E / (c4 * c4));
         WithDerivatives {
             value,
-            by_velocity: -value * fall / at.velocity,
+            by_velocity: -value * fall * (1.0 / at.velocity),
             by_indentation: value * (0.5 + c2 * fall) / at.indentation,
         }
     }

@@ -35,6 +35,7 @@ struct CoefficientLanes {
     k12: Lanes,
     k22: Lanes,
     spring: Lanes,
+    coupling_ratio: Lanes,
 }
 
 impl CoefficientLanes {
@@ -50,6 +51,7 @@ impl CoefficientLanes {
         k12: [0.0; LANES],
         k22: [0.0; LANES],
         spring: [0.0; LANES],
+        coupling_ratio: [0.0; LANES],
     };
 
     #[inline(always)]
@@ -65,6 +67,7 @@ impl CoefficientLanes {
         self.k12[lane] = c.k12;
         self.k22[lane] = c.k22;
         self.spring[lane] = c.spring;
+        self.coupling_ratio[lane] = c.coupling_ratio;
     }
 
     #[inline(always)]
@@ -81,6 +84,7 @@ impl CoefficientLanes {
             k12: self.k12[lane],
             k22: self.k22[lane],
             spring: self.spring[lane],
+            coupling_ratio: self.coupling_ratio[lane],
         }
     }
 }

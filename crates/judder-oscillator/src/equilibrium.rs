@@ -50,7 +50,7 @@ impl Balance {
         response: &ContactResponse,
     ) -> Self {
         let friction = friction_force(load, c, response);
-        let ratio = c.k12 / c.k11;
+        let ratio = c.coupling_ratio;
         let spring = c.spring * c.stiffness;
         let carried = spring * at.indentation + ratio * friction.value + response.force.value;
         let slope = spring + ratio * friction.by_indentation + response.force.by_indentation;

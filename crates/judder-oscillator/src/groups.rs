@@ -86,6 +86,7 @@ impl Groups {
     pub fn resolve(&self) -> Coefficients {
         let (sine, cosine) = self.coupling_angle.sin_cos();
         let coupling_squared = self.coupling * self.coupling;
+        let (k11, k12) = (1.0 + coupling_squared * cosine * cosine, coupling_squared * sine * cosine);
         Coefficients {
             velocity: self.velocity,
             normal_load: self.normal_load,
@@ -94,11 +95,11 @@ impl Groups {
             retardation_time: self.retardation_time,
             damping_x: 2.0 * self.damping_x,
             damping_y: 2.0 * self.damping_y * self.frequency_ratio,
-            k11: 1.0 + coupling_squared * cosine * cosine,
-            k12: coupling_squared * sine * cosine,
+            k11,
+            k12,
             k22: self.frequency_ratio * self.frequency_ratio + coupling_squared * sine * sine,
-            spring: self.frequency_ratio * self.frequency_ratio
-                + coupling_squared * sine * sine / (1.0 + coupling_squared * cosine * cosine),
+            spring: self.frequency_ratio * self.frequency_ratio + coupling_squared * sine * sine / k11,
+            coupling_ratio: k12 / k11,
         }
     }
 
@@ -225,6 +226,8 @@ pub struct Coefficients {
     pub k12: f64,
     /// Ω² + η² sin² α, the structure's part of k22.
     pub k22: f64,
+    /// k12/k11, the part of a force along x that acts along y when x follows.
+    pub coupling_ratio: f64,
     /// k22 − k12²/k11 = Ω² + η² sin² α/(1 + η² cos² α), the spring that is left along y when x follows.
     pub spring: f64,
 }

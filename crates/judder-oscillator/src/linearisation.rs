@@ -37,8 +37,8 @@ impl Linearisation {
     #[must_use]
     pub fn new(load: FrictionLoad, c: &Coefficients, response: &ContactResponse) -> Self {
         let friction = friction_force(load, c, response);
-        let per_velocity = c.retardation_time / c.stiffness;
         let per_indentation = 1.0 / c.stiffness;
+        let per_velocity = c.retardation_time * per_indentation;
         Self {
             c11: c.damping_x + per_velocity * friction.by_velocity,
             c21: -per_velocity * response.force.by_velocity,

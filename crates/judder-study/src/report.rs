@@ -115,7 +115,14 @@ pub(crate) fn check_rows<'a>(
 
 /// A figure of a check: counts as they are, disagreements with two digits.
 fn figure(value: f64) -> String {
-    if value == value.trunc() && value.abs() < 1e6 { format!("{value}") } else { format!("{value:.1e}") }
+    if value == value.trunc() && value.abs() < 1e6 {
+        return format!("{value}");
+    }
+    let text = format!("{value:.1e}");
+    match text.split_once('e') {
+        Some((mantissa, exponent)) => format!("{mantissa} × 10^{{{exponent}}}").replace('-', "−"),
+        None => text,
+    }
 }
 
 /// The scalars of an analysis that fit a table.

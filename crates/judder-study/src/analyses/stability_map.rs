@@ -125,7 +125,7 @@ pub(super) fn run(
         missing: map.count(StabilityClass::Unresolved),
         table: None,
     };
-    outcome.checks.push(checks::map_against_points(&contact, &states, &map));
+    outcome.checks.push(checks::map_against_points(&states, &map));
     outcome.checks.extend(overlays::check(&overlays));
     outcome.warnings.extend(incomplete(&overlays));
     outcome.warnings.extend(unresolved_warning(&map));

@@ -2,6 +2,7 @@
 
 use super::super::axis::{Axis, range};
 use crate::bridge;
+use crate::checks::VanishingGrowth;
 use crate::error::StudyError;
 use crate::outcome::CheckRecord;
 use crate::progress::Progress;
@@ -9,7 +10,6 @@ use judder_case::{OscillatorCase, OscillatorKey, StabilityMap as MapSettings, Va
 use judder_oscillator::boundary::{Boundary, Condition, End, Fold, boundaries};
 use judder_oscillator::equilibrium::equilibrium;
 use judder_oscillator::linearisation::Linearisation;
-use judder_oscillator::spectrum::{eigenvalues, leading};
 use judder_oscillator::{Coefficients, Contact};
 use judder_store::{Dataset, Variable};
 use serde_json::{Value, json};
@@ -20,8 +20,8 @@ pub(crate) struct Overlay {
     pub(crate) name: &'static str,
     what: &'static str,
     curves: Vec<Boundary>,
-    /// The largest |growth rate| over |λ| on a Hopf boundary, from the eigenvalues; `None` for the conservative one.
-    residual: Option<f64>,
+    /// The growth rates along a Hopf boundary; `None` for the conservative one.
+    growth: Option<VanishingGrowth>,
 }
 
 /// Follows all boundaries that make sense for these settings.
@@ -56,26 +56,26 @@ pub(super) fn trace(
         }
         let coefficients = at(coupled);
         let curves = boundaries(contact, condition, ranges, &coefficients);
-        let residual =
-            (condition == Condition::Full).then(|| growth_residual(contact, &curves, &coefficients));
-        overlays.push(Overlay { name, what, curves, residual });
+        let growth = (condition == Condition::Full).then(|| growth_along(contact, &curves, &coefficients));
+        overlays.push(Overlay { name, what, curves, growth });
     }
     Ok(overlays)
 }
 
-/// The largest |Re λ|/|λ| of the leading eigenvalue over points of Hopf boundaries: zero up to rounding.
-fn growth_residual(contact: &Contact, curves: &[Boundary], at: &impl Fn(f64, f64) -> Coefficients) -> f64 {
-    let points = curves.iter().flat_map(|curve| &curve.points).step_by(7);
-    points
-        .filter_map(|p| {
-            let c = at(p.x, p.y);
-            let state = equilibrium(contact, &c).ok()?;
-            let system =
-                Linearisation::new(contact.friction_load, &c, &state.response).system().reduced().ok()?;
-            let value = leading(&eigenvalues(&system).ok()?);
-            Some(value.re.abs() / value.norm())
-        })
-        .fold(0.0, f64::max)
+/// The growth rates at every seventh point of Hopf boundaries: zero up to rounding.
+fn growth_along(
+    contact: &Contact,
+    curves: &[Boundary],
+    at: &impl Fn(f64, f64) -> Coefficients,
+) -> VanishingGrowth {
+    let mut growth = VanishingGrowth::default();
+    for point in curves.iter().flat_map(|curve| &curve.points).step_by(7) {
+        let c = at(point.x, point.y);
+        let linearisation = equilibrium(contact, &c)
+            .map(|state| Linearisation::new(contact.friction_load, &c, &state.response));
+        growth.add(linearisation.and_then(|l| l.system().reduced()).ok());
+    }
+    growth
 }
 
 /// A warning for each overlay that has incomplete curves.
@@ -100,23 +100,25 @@ pub(crate) fn incomplete(overlays: &[Overlay]) -> Vec<String> {
 
 /// The checks that the overlays carry.
 pub(super) fn check(overlays: &[Overlay]) -> Vec<CheckRecord> {
-    let checked = overlays.iter().filter_map(|overlay| {
-        let count: usize = overlay.curves.iter().map(|c| c.points.len().div_ceil(7)).sum();
-        (count > 0).then(|| CheckRecord {
-            name: format!("growth rate vanishes on the {}", overlay.what),
-            compared: format!("|Re λ|/|λ| from the eigenvalues, at {count} points of the followed curve"),
-            figure: overlay.residual.unwrap_or(f64::NAN),
-            // where two eigenvalues coincide the growth rate is as the root of rounding
-            limit: 1e-6,
+    let checked = overlays.iter().filter_map(|overlay| Some((overlay.what, overlay.growth?)));
+    checked
+        .filter(|(_, growth)| growth.count > 0)
+        .map(|(what, growth)| CheckRecord {
+            name: format!("growth rate vanishes on the {what}"),
+            compared: format!(
+                "|max Re λ| over max |λ| from the eigenvalues, at {} points of the followed curve",
+                growth.count
+            ),
+            figure: growth.figure,
+            limit: growth.limit,
         })
-    });
-    checked.filter(|check| !check.figure.is_nan()).collect()
+        .collect()
 }
 
 impl Overlay {
     /// The stability boundary of a system that is no oscillator.
     pub(crate) fn of_system(curves: Vec<Boundary>) -> Self {
-        Self { name: "full_boundary", what: "stability boundary", curves, residual: None }
+        Self { name: "full_boundary", what: "stability boundary", curves, growth: None }
     }
 
     /// Pieces, how they end, folds, range of frequencies.

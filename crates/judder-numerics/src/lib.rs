@@ -4,8 +4,13 @@
 //! - [`root`]: one root in a bracket, and all roots of a scalar function over an interval.
 //! - [`polynomial`]: all roots of a small real polynomial, conjugate pairs exact.
 //!
-//! What a library does is called, not wrapped; these three stand here because no library gives them in this form.
+//! - [`quadrature`]: the rule of Gauss and Legendre.
+//! - [`gmres`]: a large, non-symmetric system known only by its products.
+//!
+//! What a library does is called, not wrapped; these stand here because no library gives them in this form.
 
 pub mod elementary;
+pub mod gmres;
 pub mod polynomial;
+pub mod quadrature;
 pub mod root;

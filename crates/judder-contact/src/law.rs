@@ -1,9 +1,41 @@
-//! The laws by name.
+//! The laws by name, and the computed ones.
+//!
+//! - [`collapsed`]: a law that is one curve: a paraboloid's.
+//! - [`table`]: a law on a plane of speed and depth.
+//! - [`limits`], [`material`], [`origin`]: what is known exactly about both, and what they were computed for.
+//! - [`knots`], [`quantities`]: their axes and values.
+//! - [`sweep`]: both made from a contact solver, knot by knot, as fine as it takes.
+//! - [`boundary_elements`]: the points of a sweep from the contact of steady sliding.
+//! - [`mod@file`]: both in a JSON file.
+
+pub mod boundary_elements;
+pub mod collapsed;
+mod error;
+pub mod file;
+pub mod knots;
+pub mod limits;
+pub mod material;
+pub mod origin;
+pub mod quantities;
+mod scaled;
+mod spline;
+pub mod sweep;
+pub mod table;
+
+pub use collapsed::CollapsedLaw;
+pub use error::LawError;
+pub use knots::Knots;
+pub use limits::LawIndenter;
+pub use material::{LawMaterial, LawTerm};
+pub use origin::LawOrigin;
+pub use quantities::{KnotValues, LawErrors, PerQuantity};
+pub use table::TabulatedLaw;
 
 use crate::fitted::FittedLaw;
 use crate::hertz::HertzLaw;
 use crate::response::{ContactPoint, ContactResponse};
 use std::fmt;
+use std::sync::Arc;
 
 /// Normal force, contact area and viscoelastic friction as functions of speed and depth, with exact first derivatives.
 pub trait ContactLaw: Sync {
@@ -33,6 +65,13 @@ pub enum ValidityConcern {
         /// The largest such distance of the range of validity.
         limit: f64,
     },
+    /// The speed is beyond a computed table, where the law goes to its exact limit by an assumed power.
+    SpeedBeyondTable {
+        /// v̂ at the point.
+        velocity: f64,
+        /// How far the law still is from its limit there, relative: more than its own error.
+        distance: f64,
+    },
 }
 
 impl fmt::Display for ValidityConcern {
@@ -47,17 +86,27 @@ impl fmt::Display for ValidityConcern {
                 "speed v τ/R = {velocity:.3e} is {widths:.1} widths from the peak of the fitted friction (trusted to {limit}): \
                  the Gaussian tail is far below the true friction, which falls only as v and 1/v"
             ),
+            Self::SpeedBeyondTable { velocity, distance } => write!(
+                f,
+                "speed v τ/R = {velocity:.3e} is beyond the computed table, still {:.2} % from the exact limit: the way \
+                 there is assumed",
+                100.0 * distance
+            ),
         }
     }
 }
 
 /// A contact law that a case can name.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Law {
     /// Eqs. (34)–(39) as printed or with the corrected velocity axis, or any other fit of that form.
     Fitted(FittedLaw),
     /// The elastic contact.
     Hertz(HertzLaw),
+    /// A computed curve for a paraboloid.
+    Collapsed(Arc<CollapsedLaw>),
+    /// A computed table.
+    Tabulated(Arc<TabulatedLaw>),
 }
 
 impl ContactLaw for Law {
@@ -66,6 +115,8 @@ impl ContactLaw for Law {
         match self {
             Self::Fitted(law) => law.evaluate(at),
             Self::Hertz(law) => law.evaluate(at),
+            Self::Collapsed(law) => law.evaluate(at),
+            Self::Tabulated(law) => law.evaluate(at),
         }
     }
 
@@ -73,6 +124,8 @@ impl ContactLaw for Law {
         match self {
             Self::Fitted(law) => law.concern(velocity, indentation),
             Self::Hertz(law) => law.concern(velocity, indentation),
+            Self::Collapsed(law) => law.concern(velocity, indentation),
+            Self::Tabulated(law) => law.concern(velocity, indentation),
         }
     }
 }

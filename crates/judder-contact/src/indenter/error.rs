@@ -1,0 +1,223 @@
+//! Why an indenter cannot be had.
+
+use std::path::PathBuf;
+use thiserror::Error;
+
+/// Why an indenter cannot be had.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum IndenterError {
+    /// The file cannot be read at all.
+    #[error("{} cannot be read: {reason}", path.display())]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        reason: String,
+    },
+    /// The ending of the file's name says nothing about its form.
+    #[error(
+        "{} has no known ending: height maps are .npy, text matrices (.txt, .csv, .tsv, .dat, .asc) \
+         or NetCDF (.nc, .nc4, .cdf)", path.display()
+    )]
+    UnknownEnding {
+        /// The file.
+        path: PathBuf,
+    },
+    /// A `.npy` file that is damaged or of a form that is not read.
+    #[error("the .npy file {problem}")]
+    Npy {
+        /// What is wrong and what would be right.
+        problem: String,
+    },
+    /// A number of a text matrix cannot be read.
+    #[error("line {line}, entry {entry}: {text:?} is not a number")]
+    NotANumber {
+        /// Line of the file, from 1.
+        line: usize,
+        /// Entry of the line, from 1.
+        entry: usize,
+        /// What stands there.
+        text: String,
+    },
+    /// An entry of a text matrix is empty.
+    #[error("line {line}, entry {entry} is empty: every height must be given")]
+    MissingEntry {
+        /// Line of the file, from 1.
+        line: usize,
+        /// Entry of the line, from 1.
+        entry: usize,
+    },
+    /// Rows of different lengths.
+    #[error(
+        "line {line} has {found} entries, the lines above have {expected}: all rows must be equally long"
+    )]
+    RaggedRow {
+        /// Line of the file, from 1.
+        line: usize,
+        /// Entries in this line.
+        found: usize,
+        /// Entries in the lines above.
+        expected: usize,
+    },
+    /// Commas that may separate or be decimal.
+    #[error(
+        "line {line} has both commas and {other}: it is not clear whether the comma is decimal; use points"
+    )]
+    AmbiguousComma {
+        /// Line of the file, from 1.
+        line: usize,
+        /// The other separator.
+        other: &'static str,
+    },
+    /// The text is not UTF-8.
+    #[error("the text matrix holds bytes that are no text (at byte {byte})")]
+    NotText {
+        /// Position of the first such byte.
+        byte: usize,
+    },
+    /// The NetCDF reader fails.
+    #[error("the NetCDF file cannot be read: {reason}; `nccopy -k classic in.nc out.nc` writes a plain copy")]
+    NetCdf {
+        /// What the reader says.
+        reason: String,
+    },
+    /// No variable of a NetCDF file has two dimensions.
+    #[error("no variable of the NetCDF file has two dimensions; it holds {}", listed(variables))]
+    NoMatrix {
+        /// The variables that there are.
+        variables: Vec<String>,
+    },
+    /// Several variables of a NetCDF file have two dimensions.
+    #[error(
+        "several variables of the NetCDF file could be the heights: set `variable` to one of {}",
+        listed(variables)
+    )]
+    SeveralMatrices {
+        /// The candidates.
+        variables: Vec<String>,
+    },
+    /// The named variable does not exist or is not a matrix.
+    #[error("the NetCDF file has no variable {name:?} with two dimensions; it has {}", listed(variables))]
+    NoSuchVariable {
+        /// The name asked for.
+        name: String,
+        /// The variables with two dimensions.
+        variables: Vec<String>,
+    },
+    /// A variable was named for a file that holds one array without a name.
+    #[error("`variable` is {name:?}, but the file holds one array without a name: leave `variable` out")]
+    VariableWithoutNames {
+        /// The name asked for.
+        name: String,
+    },
+    /// Coordinates that do not rise or fall by equal steps.
+    #[error("the coordinate {name:?} has no equal steps: {first} and {other} (at step {step})")]
+    UnequalSteps {
+        /// The coordinate.
+        name: String,
+        /// The first step.
+        first: f64,
+        /// The step that differs most.
+        other: f64,
+        /// Where that is, from 1.
+        step: usize,
+    },
+    /// Steps along x and y differ.
+    #[error("the steps along x ({x}) and y ({y}) differ: the cells must be squares")]
+    NotSquare {
+        /// Step along x.
+        x: f64,
+        /// Step along y.
+        y: f64,
+    },
+    /// Heights and coordinates in different units.
+    #[error(
+        "the heights are in {heights:?}, the coordinate {coordinate:?} is in {coordinates:?}: \
+         bring them to one unit, or leave the coordinates out and give `spacing`"
+    )]
+    UnitsDiffer {
+        /// Unit of the heights.
+        heights: String,
+        /// The coordinate.
+        coordinate: String,
+        /// Its unit.
+        coordinates: String,
+    },
+    /// The file's coordinates contradict the spacing that is given.
+    #[error("the file's coordinates say a spacing of {in_file}, the case says {given}: leave one out")]
+    SpacingDisagrees {
+        /// From the file, in the problem's length unit.
+        in_file: f64,
+        /// As given.
+        given: f64,
+    },
+    /// Neither the file nor the caller says the spacing.
+    #[error("the file has no coordinates: `spacing`, the distance of neighbouring heights, must be given")]
+    SpacingMissing,
+    /// A height is NaN or infinite, or masked.
+    #[error(
+        "the height at row {row}, column {column} (from 0) is {value}: heights must be finite; fill the gaps first"
+    )]
+    HeightNotFinite {
+        /// Row of the height, from 0.
+        row: usize,
+        /// Column of the height, from 0.
+        column: usize,
+        /// The height.
+        value: f64,
+    },
+    /// Too few heights.
+    #[error("{rows} × {columns} heights are too few: at least {least} × {least} are needed")]
+    TooFewHeights {
+        /// Rows.
+        rows: usize,
+        /// Columns.
+        columns: usize,
+        /// The fewest.
+        least: usize,
+    },
+    /// A count that does not fill the lattice.
+    #[error("{found} heights do not fill {rows} × {columns} places")]
+    HeightsDoNotFit {
+        /// Heights given.
+        found: usize,
+        /// Rows.
+        rows: usize,
+        /// Columns.
+        columns: usize,
+    },
+    /// A number that must be positive is not.
+    #[error("the {what} is {value}: it must be a positive number")]
+    NotPositive {
+        /// What it is.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// The Hurst exponent is outside its range.
+    #[error("the Hurst exponent is {value}: it must lie above 0 and not above 1")]
+    Hurst {
+        /// Its value.
+        value: f64,
+    },
+    /// Wave lengths in the wrong order.
+    #[error("the {longer} ({from}) must be longer than the {shorter} ({to})")]
+    WaveLengths {
+        /// The wave that must be longer.
+        longer: &'static str,
+        /// Its length.
+        from: f64,
+        /// The wave that must be shorter.
+        shorter: &'static str,
+        /// Its length.
+        to: f64,
+    },
+}
+
+fn listed(names: &[String]) -> String {
+    if names.is_empty() {
+        return String::from("none");
+    }
+    let quoted: Vec<String> = names.iter().map(|name| format!("{name:?}")).collect();
+    quoted.join(", ")
+}

@@ -1,0 +1,126 @@
+//! Matrices in NetCDF files: classic (1, 2, 5) and NetCDF-4.
+
+use super::error::IndenterError;
+use super::height_table::{EQUAL, HeightTable};
+use netcdf_reader::{NcFile, NcVariable};
+
+/// Reads the matrix named `variable`, or the only one that there is, of the file's root group.
+///
+/// Packed numbers are unpacked (`scale_factor`, `add_offset`). The spacing comes from the coordinates of both dimensions
+/// where the file has them. A matrix over (x, y) is turned to (y, x); rows and columns whose coordinate falls are turned
+/// around. Masked heights come out as NaN, for the map to refuse with their place.
+///
+/// # Errors
+/// A damaged file, no matrix, several without a name, unequal steps, cells that are not squares, heights and
+/// coordinates in different units.
+pub fn read_netcdf(bytes: Vec<u8>, variable: Option<&str>) -> Result<HeightTable, IndenterError> {
+    let file = NcFile::from_vec(bytes).map_err(unreadable)?;
+    let matrix = chosen(file.variables().map_err(unreadable)?, variable)?;
+    let values = file.read_variable_unpacked_masked(matrix.name()).map_err(unreadable)?;
+    let mut table = oriented(values.iter().copied().collect(), matrix)?;
+    let transposed = is_transposed(matrix);
+    let names = matrix.dimensions().iter().map(|dimension| dimension.name.as_str());
+    let names: Vec<&str> = if transposed { names.rev().collect() } else { names.collect() };
+    let across = step_of(&file, matrix, names[0])?;
+    let along = step_of(&file, matrix, names[1])?;
+    if along.is_some_and(|step| step < 0.0) {
+        table.heights.chunks_exact_mut(table.columns).for_each(<[f64]>::reverse);
+    }
+    if across.is_some_and(|step| step < 0.0) {
+        let rows: Vec<&[f64]> = table.heights.chunks_exact(table.columns).rev().collect();
+        table.heights = rows.concat();
+    }
+    if let (Some(x), Some(y)) = (along.map(f64::abs), across.map(f64::abs)) {
+        if (x - y).abs() > EQUAL * x {
+            return Err(IndenterError::NotSquare { x, y });
+        }
+        table.spacing = Some(x);
+    }
+    Ok(table)
+}
+
+fn unreadable(error: netcdf_reader::Error) -> IndenterError {
+    IndenterError::NetCdf { reason: error.to_string() }
+}
+
+/// The variable that holds the heights.
+fn chosen<'a>(variables: &'a [NcVariable], name: Option<&str>) -> Result<&'a NcVariable, IndenterError> {
+    let matrices: Vec<&NcVariable> = variables.iter().filter(|variable| is_matrix(variable)).collect();
+    let names = || matrices.iter().map(|variable| variable.name().to_owned()).collect();
+    match (name, matrices.as_slice()) {
+        (Some(name), _) => matrices
+            .iter()
+            .find(|variable| variable.name() == name)
+            .copied()
+            .ok_or_else(|| IndenterError::NoSuchVariable { name: name.to_owned(), variables: names() }),
+        (None, [only]) => Ok(only),
+        (None, []) => Err(IndenterError::NoMatrix {
+            variables: variables.iter().map(|variable| variable.name().to_owned()).collect(),
+        }),
+        (None, _) => Err(IndenterError::SeveralMatrices { variables: names() }),
+    }
+}
+
+fn is_matrix(variable: &NcVariable) -> bool {
+    let numbers = variable.dtype().is_primitive() && variable.dtype().size().is_ok();
+    numbers && variable.ndim() == 2 && variable.shape().iter().all(|size| *size > 1)
+}
+
+fn is_transposed(matrix: &NcVariable) -> bool {
+    let initial = |index: usize| {
+        let name = matrix.dimensions().get(index).map_or("", |dimension| dimension.name.as_str());
+        name.chars().next().map(|letter| letter.to_ascii_lowercase())
+    };
+    initial(0) == Some('x') && initial(1) == Some('y')
+}
+
+/// The values as rows along x.
+fn oriented(values: Vec<f64>, matrix: &NcVariable) -> Result<HeightTable, IndenterError> {
+    let shape: Vec<usize> = matrix.shape().iter().filter_map(|size| usize::try_from(*size).ok()).collect();
+    let (first, second) = match shape.as_slice() {
+        [first, second] if first.checked_mul(*second) == Some(values.len()) => (*first, *second),
+        _ => {
+            return Err(IndenterError::NetCdf {
+                reason: String::from("a matrix has not the size that it states"),
+            });
+        }
+    };
+    if !is_transposed(matrix) {
+        return Ok(HeightTable { columns: second, rows: first, heights: values, spacing: None });
+    }
+    let places = (0..second).flat_map(|row| (0..first).map(move |column| column * second + row));
+    let heights = places.map(|place| values[place]).collect();
+    Ok(HeightTable { columns: first, rows: second, heights, spacing: None })
+}
+
+/// The equal step of a dimension's coordinate, negative where it falls; `None` where it has no coordinate.
+fn step_of(file: &NcFile, matrix: &NcVariable, name: &str) -> Result<Option<f64>, IndenterError> {
+    let Ok(coordinate) = file.coordinate_variable(name) else {
+        return Ok(None);
+    };
+    if let (Some(heights), Some(coordinates)) = (unit(matrix), unit(coordinate))
+        && heights != coordinates
+    {
+        let coordinate = name.to_owned();
+        return Err(IndenterError::UnitsDiffer { heights, coordinate, coordinates });
+    }
+    let values = file.read_variable_unpacked_masked(coordinate.name()).map_err(unreadable)?;
+    let values: Vec<f64> = values.iter().copied().collect();
+    let steps: Vec<f64> = values.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let Some(first) = steps.first().copied() else {
+        return Ok(None);
+    };
+    // NaN fails the comparison and is refused with the rest.
+    let unequal =
+        steps.iter().position(|step| !((step - first).abs() <= EQUAL * first.abs() && *step != 0.0));
+    match unequal {
+        Some(at) => {
+            Err(IndenterError::UnequalSteps { name: name.to_owned(), first, other: steps[at], step: at + 1 })
+        }
+        None => Ok(Some((values[values.len() - 1] - values[0]) / steps.len() as f64)),
+    }
+}
+
+fn unit(variable: &NcVariable) -> Option<String> {
+    variable.attribute("units").and_then(|attribute| attribute.value.as_string())
+}

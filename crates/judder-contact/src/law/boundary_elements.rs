@@ -1,0 +1,99 @@
+//! One point of a law from the contact of steady sliding.
+
+use super::limits::LawIndenter;
+use super::material::LawMaterial;
+use super::sweep::LawSample;
+use crate::kernel::substrate::{SlidingSubstrate, WakeTerm};
+use crate::steady::profile::{Paraboloid, Profile, Sphere};
+use crate::steady::refinement::Estimate;
+use crate::steady::{GridChoice, MEMORY, SteadyError, SteadyQuestion, solve};
+use crate::unilateral::{Loading, UnilateralLimits};
+use thiserror::Error;
+
+/// Why a point of a law could not be computed.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum SampleError {
+    /// The contact has no solution on any grid.
+    #[error(transparent)]
+    Steady(#[from] SteadyError),
+    /// The finest grid does not give the accuracy.
+    #[error(
+        "not converged: force, area and friction are known to {force:.1e}, {area:.1e} and {friction:.1e} on {cells} cells \
+         a side, with a residual of {residual:.1e}"
+    )]
+    NotConverged {
+        /// Relative error of the force.
+        force: f64,
+        /// Relative error of the area.
+        area: f64,
+        /// Relative error of the friction.
+        friction: f64,
+        /// Cells a side of the finest grid.
+        cells: usize,
+        /// Largest residual of the unilateral conditions.
+        residual: f64,
+    },
+}
+
+/// Force, area and friction at one speed and depth, by the boundary-element solver on grids as fine as the accuracy asks.
+///
+/// `accuracy` is the relative error allowed to the force; area and friction may be five times as far off.
+///
+/// # Errors
+/// [`SampleError`].
+pub fn sample(
+    material: &LawMaterial,
+    indenter: LawIndenter,
+    velocity: f64,
+    indentation: f64,
+    accuracy: f64,
+) -> Result<LawSample, SampleError> {
+    let substrate = material.sliding(velocity);
+    let contact = solve(&SteadyQuestion {
+        substrate: &substrate,
+        profile: indenter.profile(),
+        loading: Loading::Indentation(indentation),
+        accuracy,
+        grid: GridChoice::Automatic,
+        limits: UnilateralLimits::default(),
+        memory: MEMORY,
+    })?;
+    let refinement = &contact.refinement;
+    let [force, area, friction] = [refinement.force, refinement.area, refinement.friction];
+    if !contact.converged {
+        return Err(SampleError::NotConverged {
+            force: force.error,
+            area: area.error,
+            friction: friction.error,
+            cells: contact.finest.grid.columns,
+            residual: contact.finest.solution.errors.worst(),
+        });
+    }
+    let [(force, force_error), (area, area_error), (friction, friction_error)] =
+        [force, area, friction].map(|Estimate { value, error, .. }| (value, error));
+    Ok(LawSample { force, area, friction, force_error, area_error, friction_error })
+}
+
+impl LawMaterial {
+    /// The material under an indenter that slides at v̂ = v τ/R; lengths in R.
+    #[must_use]
+    pub fn sliding(&self, velocity: f64) -> SlidingSubstrate {
+        let terms = self
+            .terms
+            .iter()
+            .map(|term| WakeTerm { compliance: term.compliance, length: velocity * term.retardation_time })
+            .collect();
+        SlidingSubstrate { instantaneous: 1.0 / self.modulus_ratio, terms }
+    }
+}
+
+impl LawIndenter {
+    /// Its surface.
+    #[must_use]
+    pub fn profile(self) -> &'static dyn Profile {
+        match self {
+            Self::Paraboloid => &Paraboloid,
+            Self::Sphere => &Sphere,
+        }
+    }
+}

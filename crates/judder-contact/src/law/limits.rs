@@ -1,0 +1,164 @@
+//! What is known exactly about an indenter: the elastic contact, and friction in very slow and very fast sliding.
+
+use crate::law::error::LawError;
+use crate::law::material::LawMaterial;
+use crate::law::quantities::PerQuantity;
+use judder_numerics::quadrature::gauss_legendre;
+use serde::{Deserialize, Serialize};
+use std::f64::consts::PI;
+
+/// The indenter of a computed law.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum LawIndenter {
+    /// Height r²/2R: everything depends on v τ/√(R δ) alone.
+    Paraboloid,
+    /// Height R − √(R² − r²): a paraboloid where it is shallow.
+    Sphere,
+}
+
+/// The elastic contact of an indenter with a half-space at one depth, over that of the paraboloid of the same radius.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ElasticContact {
+    /// F/(4/3 E* √R δ^{3/2}).
+    pub force: f64,
+    /// A/(π R δ).
+    pub area: f64,
+    /// Mean curvature of the indenter under the elastic pressure, times R: the friction of slow sliding over a paraboloid's.
+    pub slow_friction: f64,
+    /// ∫p u/(0.8 F δ): the friction of fast sliding over a paraboloid's.
+    pub fast_friction: f64,
+}
+
+/// ∫_0^end f, on panels so short that rounding is all that is left for the functions here (singular at 1, `end` ≤ 0.84).
+fn integral(end: f64, function: impl Fn(f64) -> f64) -> f64 {
+    const PANELS: usize = 24;
+    let rule = gauss_legendre::<5>();
+    let width = end / PANELS as f64;
+    let panel =
+        |k: usize| -> f64 { rule.iter().map(|(x, weight)| weight * function((k as f64 + x) * width)).sum() };
+    width * (0..PANELS).map(panel).sum::<f64>()
+}
+
+impl LawIndenter {
+    /// The elastic contact at ŷ = δ/R.
+    ///
+    /// Any smooth axisymmetric indenter is a sequence of flat punches (Sneddon 1965; Johnson, *Contact Mechanics*, 5.2): with δ(a) the
+    /// depth at contact radius a, F = 2 E* ∫ s δ′(s) ds, the mean curvature under the pressure is ∫ δ′² ds/∫ 2 s δ′ ds, and
+    /// ∫p u = 2 ∫F dδ. Sphere: δ = a artanh(a/R); paraboloid: δ = a²/R.
+    ///
+    /// # Errors
+    /// A sphere at ŷ that is not between 0 and 1: the half-space knows no such contact.
+    pub fn elastic(self, indentation: f64) -> Result<ElasticContact, LawError> {
+        match self {
+            Self::Paraboloid => {
+                Ok(ElasticContact { force: 1.0, area: 1.0, slow_friction: 1.0, fast_friction: 1.0 })
+            }
+            Self::Sphere if indentation > 0.0 && indentation < 1.0 => Ok(sphere(indentation)),
+            Self::Sphere => Err(LawError::InvalidNumber {
+                name: "indentation δ/R of a sphere",
+                value: indentation,
+                requirement: "between 0 and 1",
+            }),
+        }
+    }
+
+    /// The logarithms to which [`crate::law::scaled`] goes at a depth: at rest, and at infinite speed.
+    pub(crate) fn logarithms(
+        self,
+        indentation: f64,
+        material: &LawMaterial,
+    ) -> Result<PerQuantity<(f64, f64)>, LawError> {
+        let elastic = self.elastic(indentation)?;
+        let (force, area) = (elastic.force.ln(), elastic.area.ln());
+        Ok(PerQuantity {
+            force: (force, force + material.modulus_ratio.ln()),
+            area: (area, area),
+            friction: (elastic.slow_friction.ln(), elastic.fast_friction.ln()),
+        })
+    }
+}
+
+fn sphere(indentation: f64) -> ElasticContact {
+    let depth = |a: f64| a * a.atanh();
+    let slope = |a: f64| a.atanh() + a / (1.0 - a * a);
+    let radius = contact_radius(indentation);
+    // F/(E* R²): as an integral of positive terms, because the closed form cancels for shallow contacts
+    let force = integral(radius, |a| 2.0 * a * slope(a));
+    let curvature = integral(radius, |a| slope(a) * slope(a)) / force;
+    // 2 ∫F dδ = 2 (F δ − ∫δ dF)
+    let work = 2.0 * (force * indentation - integral(radius, |a| 2.0 * a * slope(a) * depth(a)));
+    ElasticContact {
+        force: force / (4.0 / 3.0 * indentation * indentation.sqrt()),
+        area: PI * radius * radius / (PI * indentation),
+        slow_friction: curvature,
+        fast_friction: work / (0.8 * force * indentation),
+    }
+}
+
+/// a/R with a artanh(a/R) = δ: Newton from above, where a convex function cannot be overshot.
+fn contact_radius(indentation: f64) -> f64 {
+    const LIMIT: usize = 60;
+    let mut radius = indentation.sqrt();
+    for _ in 0..LIMIT {
+        let excess = radius * radius.atanh() - indentation;
+        let next = radius - excess / (radius.atanh() + radius / (1.0 - radius * radius));
+        if next >= radius {
+            break;
+        }
+        radius = next;
+    }
+    radius
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sphere_against_the_closed_form_of_sneddon() {
+        for a in [0.05_f64, 0.3, 0.6] {
+            let depth = a * a.atanh();
+            let contact = LawIndenter::Sphere.elastic(depth).unwrap();
+            let force = (1.0 + a * a) * a.atanh() - a;
+            assert!((contact.force * 4.0 / 3.0 * depth.powf(1.5) / force - 1.0).abs() < 1e-11, "{a}");
+            assert!((contact.area * depth / (a * a) - 1.0).abs() < 1e-12, "{a}");
+        }
+    }
+
+    #[test]
+    fn the_ratios_of_friction_from_the_pressure_itself() {
+        // p(r) = (E*/π) ∫_r^a δ′(s)/√(s² − r²) ds, integrated here by s² = r² + w², r = a sin θ
+        let a: f64 = 0.5;
+        let contact = LawIndenter::Sphere.elastic(a * a.atanh()).unwrap();
+        let slope = |s: f64| s.atanh() + s / (1.0 - s * s);
+        let mut sums = [0.0; 3];
+        for k in 0..400 {
+            let theta = (k as f64 + 0.5) / 400.0 * PI / 2.0;
+            let r = a * theta.sin();
+            let end = a * theta.cos();
+            let pressure = integral(end, |w| {
+                let s = (r * r + w * w).sqrt();
+                slope(s) / s
+            });
+            let weight = pressure * r * a * theta.cos();
+            let root = (1.0 - r * r).sqrt();
+            let curvature = 0.5 * (1.0 / root.powi(3) + 1.0 / root);
+            for (sum, factor) in sums.iter_mut().zip([1.0, curvature, a * a.atanh() - (1.0 - root)]) {
+                *sum += weight * factor;
+            }
+        }
+        assert!((sums[1] / sums[0] / contact.slow_friction - 1.0).abs() < 1e-5);
+        assert!((sums[2] / sums[0] / (0.8 * a * a.atanh()) / contact.fast_friction - 1.0).abs() < 1e-5);
+    }
+
+    #[test]
+    fn a_shallow_sphere_is_a_paraboloid() {
+        let contact = LawIndenter::Sphere.elastic(1e-10).unwrap();
+        for ratio in [contact.force, contact.area, contact.slow_friction, contact.fast_friction] {
+            assert!((ratio - 1.0).abs() < 1e-9, "{ratio}");
+        }
+        assert!(LawIndenter::Sphere.elastic(1.0).is_err());
+        assert!(LawIndenter::Sphere.elastic(f64::NAN).is_err());
+    }
+}

@@ -1,0 +1,134 @@
+//! The points of a sweep, solved in parallel and kept.
+
+use super::{FailedPoint, LawSample, SolvedPoint, SweepObserver};
+use crate::law::error::LawError;
+use crate::law::quantities::{KnotValues, PerQuantity};
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+use std::fmt::Display;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// A place as its bits, depth first: positive numbers sort like their bits.
+type Key = (u64, u64);
+
+fn key(velocity: f64, indentation: f64) -> Key {
+    (indentation.to_bits(), velocity.to_bits())
+}
+
+/// All that has been solved.
+pub(super) struct Solving<'a, S> {
+    sampler: &'a S,
+    observer: &'a dyn SweepObserver,
+    solved: BTreeMap<Key, SolvedPoint>,
+    /// The points of the level before, in their order: neighbours are taken from these alone, so that no point depends on which
+    /// of its own level were solved first, or in an earlier run.
+    level: Vec<SolvedPoint>,
+}
+
+/// What became of one point.
+enum Attempt {
+    Solved(SolvedPoint),
+    Failed(FailedPoint),
+    Interrupted,
+}
+
+impl<'a, S, E> Solving<'a, S>
+where
+    S: Fn(f64, f64, Option<&SolvedPoint>) -> Result<LawSample, E> + Sync,
+    E: Display,
+{
+    pub(super) fn new(sampler: &'a S, observer: &'a dyn SweepObserver, known: &[SolvedPoint]) -> Self {
+        let solved = known.iter().map(|point| (key(point.velocity, point.indentation), *point)).collect();
+        Self { sampler, observer, solved, level: Vec::new() }
+    }
+
+    /// Solves those of the points (v̂, ŷ) that have not been.
+    pub(super) fn solve(&mut self, points: &[(f64, f64)]) -> Result<(), LawError> {
+        let missing: Vec<(f64, f64)> =
+            points.iter().copied().filter(|(v, y)| !self.solved.contains_key(&key(*v, *y))).collect();
+        let done = AtomicUsize::new(0);
+        let attempts: Vec<Attempt> = missing
+            .par_iter()
+            .map(|&(velocity, indentation)| {
+                if self.observer.interrupted() {
+                    return Attempt::Interrupted;
+                }
+                let neighbour = nearest(&self.level, velocity, indentation);
+                let attempt = attempt(self.sampler, velocity, indentation, neighbour);
+                if let Attempt::Solved(point) = &attempt {
+                    let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+                    self.observer.finished(point, done, missing.len());
+                }
+                attempt
+            })
+            .collect();
+        let (mut failures, mut is_interrupted) = (Vec::new(), false);
+        for attempt in attempts {
+            match attempt {
+                Attempt::Solved(point) => {
+                    self.solved.insert(key(point.velocity, point.indentation), point);
+                }
+                Attempt::Failed(failure) => failures.push(failure),
+                Attempt::Interrupted => is_interrupted = true,
+            }
+        }
+        if is_interrupted {
+            return Err(LawError::Interrupted { finished: self.solved.len() });
+        }
+        if !failures.is_empty() {
+            return Err(LawError::FailedPoints { attempted: missing.len(), failures });
+        }
+        self.level = points.iter().filter_map(|(v, y)| self.solved.get(&key(*v, *y)).copied()).collect();
+        Ok(())
+    }
+
+    /// f, g, m at the points of the level, in their order, and the largest errors of the solutions.
+    pub(super) fn values(&self) -> (KnotValues, PerQuantity<f64>) {
+        let mut values = KnotValues::default();
+        let mut errors = PerQuantity::uniform(0.0_f64);
+        for point in &self.level {
+            let y = point.indentation;
+            let sample = point.sample.values();
+            values.force.push(sample.force / (y * y.sqrt()));
+            values.area.push(sample.area / y);
+            values.friction.push(sample.friction / y.sqrt());
+            errors = errors.zip(point.sample.errors()).map(|(a, b)| a.max(b));
+        }
+        (values, errors)
+    }
+
+    /// The points of the last level, by depth, then speed.
+    pub(super) fn into_points(self) -> Vec<SolvedPoint> {
+        self.level
+    }
+}
+
+fn attempt<S, E>(sampler: &S, velocity: f64, indentation: f64, neighbour: Option<&SolvedPoint>) -> Attempt
+where
+    S: Fn(f64, f64, Option<&SolvedPoint>) -> Result<LawSample, E>,
+    E: Display,
+{
+    let failed = |cause: String| Attempt::Failed(FailedPoint { velocity, indentation, cause });
+    match sampler(velocity, indentation, neighbour) {
+        Err(cause) => failed(cause.to_string()),
+        Ok(sample) => {
+            let is_value = |value: f64| value > 0.0 && value.is_finite();
+            let is_error = |value: f64| value >= 0.0 && value.is_finite();
+            if sample.values().into_array().into_iter().all(is_value)
+                && sample.errors().into_array().into_iter().all(is_error)
+            {
+                Attempt::Solved(SolvedPoint { velocity, indentation, sample })
+            } else {
+                failed(format!("the solution is not positive and finite: {sample:?}"))
+            }
+        }
+    }
+}
+
+/// The solved point nearest in logarithms, the first of equals.
+fn nearest(points: &[SolvedPoint], velocity: f64, indentation: f64) -> Option<&SolvedPoint> {
+    let distance = |point: &SolvedPoint| {
+        (point.velocity / velocity).ln().abs() + (point.indentation / indentation).ln().abs()
+    };
+    points.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))
+}

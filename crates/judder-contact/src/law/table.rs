@@ -1,0 +1,291 @@
+//! A law on a plane of speed and depth.
+
+use crate::law::error::LawError;
+use crate::law::knots::{Knots, Place};
+use crate::law::origin::LawOrigin;
+use crate::law::quantities::{KnotValues, LawErrors, NAMES, PerQuantity};
+use crate::law::scaled::{FrictionReference, SPEED_RATES, ScaledLogarithm, ln_speed, logarithms};
+use crate::law::spline::{Tail, left_out, pieces};
+use crate::law::{ContactLaw, ValidityConcern};
+use crate::response::{ContactPoint, ContactResponse};
+
+/// How the law leaves the table along ln ŷ: what depends on the depth shrinks as ŷ below it, and saturates above it.
+const INDENTATION_RATES: (f64, f64) = (1.0, -1.0);
+const INDENTATION_TAILS: (Tail, Tail) = (Tail::Relaxing { rate: 1.0 }, Tail::Levelling);
+
+/// The smallest number of knots along the speed.
+const FEWEST_SPEEDS: usize = 3;
+
+/// The tails to the exact limits at rest and at infinite speed.
+pub(crate) fn speed_tails((rest, infinite): (f64, f64)) -> (Tail, Tail) {
+    (
+        Tail::ToLimit { rate: SPEED_RATES.0, limit: rest },
+        Tail::ToLimit { rate: SPEED_RATES.1, limit: infinite },
+    )
+}
+
+/// Refuses values that are too few or too many, or not positive and finite.
+pub(crate) fn check_values(speeds: &Knots, rows: usize, values: &KnotValues) -> Result<(), LawError> {
+    let columns = speeds.count();
+    if columns < FEWEST_SPEEDS {
+        let axis = crate::law::scaled::SPEED_AXIS;
+        return Err(LawError::TooFewKnots { axis, count: columns, least: FEWEST_SPEEDS });
+    }
+    for (list, quantity) in values.as_ref().zip(NAMES).into_array() {
+        if list.len() != rows * columns {
+            return Err(LawError::WrongCount { quantity, found: list.len(), expected: rows * columns });
+        }
+        if let Some(index) = list.iter().position(|value| !(*value > 0.0 && value.is_finite())) {
+            let (row, column) = (index / columns, index % columns);
+            return Err(LawError::InvalidValue { quantity, column, row, value: list[index] });
+        }
+    }
+    Ok(())
+}
+
+/// Names a tail that is further from its limit than the law's own error.
+pub(crate) fn tail_concern(
+    velocity: f64,
+    away: PerQuantity<f64>,
+    errors: &LawErrors,
+) -> Option<ValidityConcern> {
+    let worst = away
+        .zip(errors.total())
+        .into_array()
+        .into_iter()
+        .filter(|(distance, error)| distance.abs() > *error)
+        .map(|(distance, _)| distance.abs())
+        .reduce(f64::max)?;
+    Some(ValidityConcern::SpeedBeyondTable { velocity, distance: worst })
+}
+
+/// One bicubic piece, `[a][b][quantity]`: sums over the functions of ln z (a) and of ln ŷ (b).
+///
+/// The quantities (and one zero) stand together, so that the sums over a and b are made for all of them by one vector instruction.
+type Patch = [[[f64; 4]; 4]; 4];
+
+/// Σ_a w_a c_a, entry by entry.
+#[inline(always)]
+pub(crate) fn combined(c: &[[f64; 4]; 4], weights: &[f64; 4]) -> [f64; 4] {
+    let mut sum = [0.0; 4];
+    for k in 0..4 {
+        sum[k] =
+            (c[0][k] * weights[0] + c[1][k] * weights[1]) + (c[2][k] * weights[2] + c[3][k] * weights[3]);
+    }
+    sum
+}
+
+/// [`combined`] over the functions of ln z, for each function of ln ŷ.
+#[inline(always)]
+fn along_speed(patch: &Patch, weights: &[f64; 4]) -> [[f64; 4]; 4] {
+    let [c0, c1, c2, c3] = patch;
+    let mut sums = [[0.0; 4]; 4];
+    for b in 0..4 {
+        for k in 0..4 {
+            sums[b][k] = (c0[b][k] * weights[0] + c1[b][k] * weights[1])
+                + (c2[b][k] * weights[2] + c3[b][k] * weights[3]);
+        }
+    }
+    sums
+}
+
+/// A law over speed and depth as a C² table in ln z and ln ŷ, z = v̂/√ŷ = v τ/√(R δ), of the logarithms of f = F̃/ŷ^{3/2}, g = Ã/ŷ and
+/// m = μ/√ŷ.
+///
+/// In these coordinates a paraboloid's law is a function of ln z alone, and a sphere's nearly so; few knots along ln ŷ suffice.
+/// Outside the table the law is still C²:
+///
+/// - slow and fast: the exact limits ([`LawIndenter::elastic`](crate::law::limits::LawIndenter::elastic): Hertz with E0 and with E∞, friction
+///   ∝ v and ∝ 1/v), approached as z² ln z and ln z/z;
+/// - shallow: the collapse on z, approached as ŷ;
+/// - deep: f, g, m level off; [`concern`](ContactLaw::concern) says so.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TabulatedLaw {
+    origin: LawOrigin,
+    speeds: Knots,
+    indentations: Knots,
+    values: KnotValues,
+    errors: LawErrors,
+    reference: FrictionReference,
+    patches: Vec<Patch>,
+}
+
+impl TabulatedLaw {
+    /// The law through f, g, m at even knots of ln z (at least three) and ln ŷ (at least two), speed fastest; `solver` are the relative
+    /// errors of the values.
+    ///
+    /// # Errors
+    /// A material that is none, too few knots, a wrong number of values, a value that is not positive and finite, a sphere
+    /// deeper than its radius.
+    pub fn new(
+        origin: LawOrigin,
+        speeds: Knots,
+        indentations: Knots,
+        values: KnotValues,
+        solver: PerQuantity<f64>,
+    ) -> Result<Self, LawError> {
+        let origin = LawOrigin { material: origin.material.checked()?, ..origin };
+        check_values(&speeds, indentations.count(), &values)?;
+        let reference = FrictionReference::new(&origin.material);
+        let limits = limits(&origin, &indentations)?;
+        let scaled = logarithms(&reference, &speeds, indentations.count(), &values);
+        let patches = patches(&speeds, &indentations, &scaled, &limits);
+        let [along_speed, along_depth] = left_out_by_axis(&speeds, &indentations, &scaled, &limits);
+        let interpolation = along_speed.zip(along_depth).map(|(a, b)| f64::max(a, b));
+        let errors = LawErrors { interpolation, solver };
+        Ok(Self { origin, speeds, indentations, values, errors, reference, patches })
+    }
+
+    /// What it was computed for.
+    #[must_use]
+    pub fn origin(&self) -> &LawOrigin {
+        &self.origin
+    }
+
+    /// The knots of ln z.
+    #[must_use]
+    pub fn ln_speeds(&self) -> &Knots {
+        &self.speeds
+    }
+
+    /// The knots of ln ŷ.
+    #[must_use]
+    pub fn ln_indentations(&self) -> &Knots {
+        &self.indentations
+    }
+
+    /// f, g, m at the knots, speed fastest.
+    #[must_use]
+    pub fn values(&self) -> &KnotValues {
+        &self.values
+    }
+
+    /// Its errors, relative.
+    #[must_use]
+    pub fn errors(&self) -> &LawErrors {
+        &self.errors
+    }
+
+    /// The largest interpolation error along the speed and along the depth, from the knots left out along each.
+    ///
+    /// # Errors
+    /// None that [`new`](Self::new) has not found.
+    pub(crate) fn errors_by_axis(&self) -> Result<[PerQuantity<f64>; 2], LawError> {
+        let limits = limits(&self.origin, &self.indentations)?;
+        let scaled = logarithms(&self.reference, &self.speeds, self.indentations.count(), &self.values);
+        Ok(left_out_by_axis(&self.speeds, &self.indentations, &scaled, &limits))
+    }
+
+    #[inline(always)]
+    fn places(&self, at: &ContactPoint) -> (Place, Place, &Patch) {
+        let speed = self.speeds.place(ln_speed(at), SPEED_RATES);
+        let depth = self.indentations.place(at.ln_indentation, INDENTATION_RATES);
+        let patch = &self.patches[depth.piece * self.speeds.pieces() + speed.piece];
+        (speed, depth, patch)
+    }
+}
+
+impl ContactLaw for TabulatedLaw {
+    #[inline(always)]
+    fn evaluate(&self, at: &ContactPoint) -> ContactResponse {
+        let (speed, depth, patch) = self.places(at);
+        let here = along_speed(patch, &speed.basis);
+        let value = combined(&here, &depth.basis);
+        let by_ln_speed = combined(&along_speed(patch, &speed.slopes), &depth.basis);
+        let by_ln_indentation = combined(&here, &depth.slopes);
+        let scaled = |k: usize| ScaledLogarithm {
+            value: value[k],
+            by_ln_speed: by_ln_speed[k],
+            by_ln_indentation: by_ln_indentation[k],
+        };
+        let scaled = PerQuantity { force: scaled(0), area: scaled(1), friction: scaled(2) };
+        self.reference.response(at, scaled)
+    }
+
+    fn concern(&self, velocity: f64, indentation: f64) -> Option<ValidityConcern> {
+        let at = ContactPoint::new(velocity, indentation);
+        let (speed, depth, patch) = self.places(&at);
+        if depth.piece == self.indentations.count() && at.ln_indentation > self.indentations.last() {
+            return Some(ValidityConcern::TooDeep { indentation, limit: self.indentations.last().exp() });
+        }
+        let is_tail = speed.piece == 0 || speed.piece == self.speeds.count();
+        let [_, w, wt, wtt] = speed.basis;
+        let [force, area, friction, _] = combined(&along_speed(patch, &[0.0, w, wt, wtt]), &depth.basis);
+        let away = PerQuantity { force, area, friction };
+        is_tail.then(|| tail_concern(velocity, away, &self.errors)).flatten()
+    }
+}
+
+/// The limits at rest and at infinite speed of every row.
+fn limits(origin: &LawOrigin, indentations: &Knots) -> Result<Vec<PerQuantity<(f64, f64)>>, LawError> {
+    indentations
+        .iter()
+        .map(|ln_indentation| origin.indenter.logarithms(ln_indentation.exp(), &origin.material))
+        .collect()
+}
+
+/// The bicubic pieces: splines along ln z in every row, then splines along ln ŷ through each of their coefficients.
+///
+/// Both steps are linear, so what holds in every row (the way to the limits, the continuity at the knots) holds between them.
+fn patches(
+    speeds: &Knots,
+    indentations: &Knots,
+    scaled: &KnotValues,
+    limits: &[PerQuantity<(f64, f64)>],
+) -> Vec<Patch> {
+    let columns = speeds.count();
+    let rows: Vec<PerQuantity<Vec<[f64; 4]>>> = limits
+        .iter()
+        .enumerate()
+        .map(|(row, limits)| {
+            scaled.as_ref().zip(limits.map(speed_tails)).map(|(list, (low, high))| {
+                pieces(&list[row * columns..(row + 1) * columns], speeds, low, high)
+            })
+        })
+        .collect();
+    let mut patches = vec![[[[0.0; 4]; 4]; 4]; speeds.pieces() * indentations.pieces()];
+    let (low, high) = INDENTATION_TAILS;
+    for piece in 0..speeds.pieces() {
+        for a in 0..4 {
+            let column = |row: &PerQuantity<Vec<[f64; 4]>>| row.as_ref().map(|list| list[piece][a]);
+            let column: Vec<PerQuantity<f64>> = rows.iter().map(column).collect();
+            let along = |select: fn(&PerQuantity<f64>) -> f64| {
+                pieces(&column.iter().map(select).collect::<Vec<_>>(), indentations, low, high)
+            };
+            let (force, area, friction) = (along(|q| q.force), along(|q| q.area), along(|q| q.friction));
+            for depth in 0..indentations.pieces() {
+                let patch = &mut patches[depth * speeds.pieces() + piece];
+                for b in 0..4 {
+                    patch[a][b] = [force[depth][b], area[depth][b], friction[depth][b], 0.0];
+                }
+            }
+        }
+    }
+    patches
+}
+
+/// The largest deviations at left-out knots, along the speed and along the depth.
+fn left_out_by_axis(
+    speeds: &Knots,
+    indentations: &Knots,
+    scaled: &KnotValues,
+    limits: &[PerQuantity<(f64, f64)>],
+) -> [PerQuantity<f64>; 2] {
+    let columns = speeds.count();
+    let mut worst = [PerQuantity::uniform(0.0_f64); 2];
+    for (row, limits) in limits.iter().enumerate() {
+        let here = scaled.as_ref().zip(limits.map(speed_tails)).map(|(list, (low, high))| {
+            left_out(&list[row * columns..(row + 1) * columns], speeds, low, high, SPEED_RATES)
+        });
+        worst[0] = worst[0].zip(here).map(|(a, b)| a.max(b));
+    }
+    for column in 0..columns {
+        let here = scaled.as_ref().map(|list| {
+            let along: Vec<f64> = list.iter().copied().skip(column).step_by(columns).collect();
+            let (low, high) = INDENTATION_TAILS;
+            left_out(&along, indentations, low, high, INDENTATION_RATES)
+        });
+        worst[1] = worst[1].zip(here).map(|(a, b)| a.max(b));
+    }
+    worst
+}

@@ -1,0 +1,221 @@
+//! What a material refuses.
+
+use thiserror::Error;
+
+/// Why numbers do not make a viscoelastic material.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum MaterialError {
+    /// A quantity that must be positive and finite is not.
+    #[error("{name} is {value}: it must be a positive, finite number")]
+    NotPositive {
+        /// What it is, with its symbol.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A term of a spectrum has a part that is not positive and finite.
+    #[error("term {index} of the spectrum has the {name} {value}: it must be a positive, finite number")]
+    Term {
+        /// The term, counted from 1 in the order given.
+        index: usize,
+        /// `"retardation time"`, `"compliance"`, `"relaxation time"` or `"modulus"`.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// The rubbery modulus is not below the glassy one.
+    #[error("the rubbery modulus E0 = {rubbery:e} Pa must be below the glassy modulus E∞ = {glassy:e} Pa")]
+    RubberyNotBelowGlassy {
+        /// E0 \[Pa\].
+        rubbery: f64,
+        /// E∞ \[Pa\].
+        glassy: f64,
+    },
+    /// The sum of a spectrum leaves the range of floating-point numbers.
+    #[error("the spectrum adds up to {sum}: moduli or compliances are too far apart to be added")]
+    Sum {
+        /// The sum.
+        sum: f64,
+    },
+    /// The WLF formula has no value this far below its reference.
+    #[error(
+        "the temperature {temperature} K is too low for the WLF formula: it holds above T_ref − C2 = {lowest} K"
+    )]
+    BelowVogel {
+        /// T \[K\].
+        temperature: f64,
+        /// T_ref − C2 \[K\].
+        lowest: f64,
+    },
+    /// A shift beyond what numbers hold.
+    #[error("at {temperature} K the times shift by {decades:.0} decades, which no number holds")]
+    ShiftTooLarge {
+        /// T \[K\].
+        temperature: f64,
+        /// log10 a_T.
+        decades: f64,
+    },
+    /// A term of the other form would be too small or too large for a floating-point number.
+    #[error("term {index} has no counterpart that a floating-point number can hold: leave it out")]
+    NoCounterpart {
+        /// The term, counted from 1 in ascending order of times.
+        index: usize,
+    },
+    /// A continuous spectrum is negative or not a number somewhere, or nothing everywhere.
+    #[error(
+        "the continuous spectrum is {value} at the retardation time {time:e} s: it must be positive, or zero in places"
+    )]
+    Density {
+        /// τ \[s\].
+        time: f64,
+        /// 𝒞(τ) [1/(Pa s)], or its integral where it is nothing.
+        value: f64,
+    },
+    /// Too few samples of a continuous spectrum.
+    #[error("{samples} samples of a continuous spectrum were given: at least two are needed")]
+    Samples {
+        /// Their number.
+        samples: usize,
+    },
+    /// The range of a continuous spectrum is empty, or samples of it do not ascend.
+    #[error("retardation times must ascend: {after:e} s comes after {before:e} s")]
+    Range {
+        /// The earlier time \[s\].
+        before: f64,
+        /// The later one \[s\].
+        after: f64,
+    },
+    /// A number of terms that no series has.
+    #[error("{terms} terms were asked for: at least 1 and at most {most}")]
+    Terms {
+        /// Terms asked for.
+        terms: usize,
+        /// Largest number.
+        most: usize,
+    },
+    /// A tolerance that no series meets.
+    #[error("{terms} terms come within {error:.1e}, not within the tolerance {tolerance:.1e}")]
+    ToleranceNotMet {
+        /// Terms tried last.
+        terms: usize,
+        /// Error with them.
+        error: f64,
+        /// Tolerance asked for.
+        tolerance: f64,
+    },
+    /// The measured band ends before the rubbery plateau, and no modulus at rest was given.
+    #[error(
+        "the data, down to {lowest:e} rad/s, do not show a modulus at rest (the best fit has E0 = 0): give the rubbery modulus"
+    )]
+    NoPlateau {
+        /// Lowest ω [rad/s].
+        lowest: f64,
+    },
+    /// The given rubbery modulus is not below the measured ones.
+    #[error(
+        "the rubbery modulus {rubbery:e} Pa must be below the lowest measured storage modulus, {lowest:e} Pa"
+    )]
+    RubberyAboveData {
+        /// E0 \[Pa\].
+        rubbery: f64,
+        /// Lowest E′ \[Pa\].
+        lowest: f64,
+    },
+    /// A least-squares problem with NaN, an infinity, or parts that do not fit.
+    #[error("a least-squares problem holds a number that is not finite, or its parts do not fit together")]
+    LeastSquares,
+    /// Measured moduli that cannot be used.
+    #[error(transparent)]
+    Dma(#[from] DmaError),
+}
+
+/// Why a table of measured moduli cannot be used. Rows are lines of the file, counted from 1.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum DmaError {
+    /// No data.
+    #[error("there are no data: a header line and at least one row are needed")]
+    Empty,
+    /// No column of the header is the quantity.
+    #[error("the header has no column for the {quantity}: found {}", quoted(found))]
+    MissingColumn {
+        /// What is missing, and how it may be called.
+        quantity: &'static str,
+        /// The columns found.
+        found: Vec<String>,
+    },
+    /// Two columns of the header are the quantity.
+    #[error("the header has two columns for the {quantity}: `{first}` and `{second}`")]
+    AmbiguousColumn {
+        /// What is there twice.
+        quantity: &'static str,
+        /// The first of them.
+        first: String,
+        /// The second.
+        second: String,
+    },
+    /// A column without a unit, or with one that is not known or does not belong to it.
+    #[error("the column `{column}` needs its unit in brackets, one of {}", quoted(expected))]
+    Unit {
+        /// The column as found.
+        column: String,
+        /// Units that it may have.
+        expected: Vec<String>,
+    },
+    /// A row with more or fewer fields than the header.
+    #[error("row {row} has {found} fields, the header has {expected}")]
+    Fields {
+        /// The row.
+        row: usize,
+        /// Its fields.
+        found: usize,
+        /// Those of the header.
+        expected: usize,
+    },
+    /// A number that is not positive and finite, or no number.
+    #[error(
+        "the {name} in row {row} is `{found}`: it must be a positive, finite number with a decimal point"
+    )]
+    Value {
+        /// The row.
+        row: usize,
+        /// What it is.
+        name: &'static str,
+        /// What was found.
+        found: String,
+    },
+    /// A frequency that does not rise.
+    #[error("the frequency in row {row} is {after:e} rad/s after {before:e} rad/s: frequencies must rise")]
+    Order {
+        /// The row.
+        row: usize,
+        /// ω of the row before [rad/s].
+        before: f64,
+        /// ω of the row [rad/s].
+        after: f64,
+    },
+    /// Several temperatures where one is needed.
+    #[error("the data are of {sweeps} temperature sweeps: shift them to a master curve first")]
+    SeveralTemperatures {
+        /// Number of sweeps.
+        sweeps: usize,
+    },
+    /// Shift factors that do not belong to the sweeps.
+    #[error("{factors} shift factors were given for {sweeps} temperature sweeps: one a sweep is needed")]
+    Factors {
+        /// Number of factors.
+        factors: usize,
+        /// Number of sweeps.
+        sweeps: usize,
+    },
+}
+
+/// Names in backquotes, with commas.
+fn quoted(names: &[String]) -> String {
+    let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+    quoted.join(", ")
+}
+
+/// `value`, if it is positive and neither infinite nor so small that its inverse is.
+pub(super) fn positive(name: &'static str, value: f64) -> Result<f64, MaterialError> {
+    if value.is_normal() && value > 0.0 { Ok(value) } else { Err(MaterialError::NotPositive { name, value }) }
+}

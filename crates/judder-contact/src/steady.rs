@@ -1,0 +1,222 @@
+//! Steady sliding of a rigid indenter on a viscoelastic half-space: grids chosen, refined, and their errors shown.
+//!
+//! - [`profile`]: the indenter's surface as a height over every point.
+//! - [`domain`]: the square in which contact is sought, fitted to the contact.
+//! - [`level`]: the problem on one grid and what is measured on its solution.
+//! - [`contact_area`]: the area with its perimeter placed inside the cells.
+//! - [`bulk_dissipation`]: friction once more, from the energy dissipated.
+//! - [`refinement`]: the errors estimated from a sequence of grids.
+//! - [`mod@line`]: the same for a long cylinder.
+
+pub mod bulk_dissipation;
+pub mod contact_area;
+pub mod domain;
+pub mod error;
+pub mod level;
+pub mod line;
+pub mod profile;
+pub mod refinement;
+
+use crate::kernel::substrate::SlidingSubstrate;
+use crate::unilateral::{Loading, UnilateralLimits};
+use domain::Domain;
+pub use error::SteadyError;
+use level::{Level, LevelStart};
+use profile::Profile;
+use refinement::{LevelSummary, Refinement};
+
+/// Cells a side of the grid on which the extent of the contact is found.
+const SCOUT: usize = 32;
+/// Cells a side of the finest grid that is chosen without being asked for.
+const FINEST: usize = 1024;
+/// Cells a side of the coarsest grid of a sequence.
+const COARSEST: usize = 32;
+/// How often the domain may be fitted to the contact.
+const FITS: usize = 4;
+/// Bytes that a kernel may take unless said otherwise: the finest grid chosen unasked takes a tenth.
+pub const MEMORY: u64 = 4 << 30;
+
+/// The grid on which a contact is computed.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum GridChoice {
+    /// Domain fitted to the contact, cells halved until the accuracy is met.
+    #[default]
+    Automatic,
+    /// Domain fitted to the contact, this many cells a side.
+    Cells(usize),
+    /// A square domain as given.
+    Fixed {
+        /// Cells a side.
+        cells: usize,
+        /// Half the side of the domain, in R.
+        half_width: f64,
+        /// Its centre, in R.
+        centre: [f64; 2],
+    },
+}
+
+/// A steady-sliding problem: lengths in R, pressures in E0*, forces in E0* R².
+#[derive(Clone, Copy)]
+pub struct SteadyQuestion<'a> {
+    /// The substrate with its wake lengths ℓ_k = v τ_k, in R.
+    pub substrate: &'a SlidingSubstrate,
+    /// The indenter's surface.
+    pub profile: &'a dyn Profile,
+    /// Imposed depth y/R or force F/(E0* R²).
+    pub loading: Loading,
+    /// Relative error allowed to the force; area and friction may be five times as far off.
+    pub accuracy: f64,
+    /// Cells and extent.
+    pub grid: GridChoice,
+    /// How exactly each grid's problem is solved.
+    pub limits: UnilateralLimits,
+    /// Bytes of memory that a grid's kernel may take.
+    pub memory: u64,
+}
+
+/// The answer: what the indenter feels, how exact that is, and the fields on the finest grid.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SteadyContact {
+    /// Force, area, friction and depth with their estimated errors, and the grids they come from.
+    pub refinement: Refinement,
+    /// Friction coefficient from the energy dissipated in the bulk, on the finest grid.
+    pub friction_from_dissipation: f64,
+    /// The finest grid's solution.
+    pub finest: Level,
+    /// Changes of the contact set over all grids.
+    pub iterations: usize,
+    /// Products with the kernel over all grids.
+    pub products: usize,
+    /// Whether every grid's problem was solved and the accuracy is met.
+    pub converged: bool,
+}
+
+impl SteadyContact {
+    /// Relative difference of the two frictions, from the surface and from the bulk.
+    #[must_use]
+    pub fn friction_difference(&self) -> f64 {
+        let scale = self.finest.friction.abs().max(self.friction_from_dissipation.abs());
+        if scale == 0.0 { 0.0 } else { (self.finest.friction - self.friction_from_dissipation).abs() / scale }
+    }
+}
+
+/// Solves a steady-sliding problem on a sequence of grids until its accuracy is met.
+///
+/// # Errors
+/// [`SteadyError`] where the question is ill posed, the given domain is too small or a product overflows. An answer
+/// that misses its accuracy is no error: `converged` is false and the errors say by how much.
+pub fn solve(question: &SteadyQuestion<'_>) -> Result<SteadyContact, SteadyError> {
+    check(question)?;
+    let (domain, sides, mut start) = match question.grid {
+        GridChoice::Fixed { cells, half_width, centre } => {
+            (Domain { centre, half_width }, nested(cells), LevelStart::none(question))
+        }
+        GridChoice::Cells(cells) => {
+            let (domain, start) = fitted_domain(question)?;
+            (domain, nested(cells), start)
+        }
+        GridChoice::Automatic => {
+            let (domain, start) = fitted_domain(question)?;
+            (domain, nested(FINEST), start)
+        }
+    };
+    let mut summaries: Vec<LevelSummary> = Vec::new();
+    let mut finest = None;
+    for side in sides {
+        let level = Level::solve(question, &domain.grid(side), &start)?;
+        if level.touches_edge() {
+            return Err(too_small(question, &domain));
+        }
+        summaries.push(LevelSummary::of(&level));
+        start = LevelStart::from(&level);
+        finest = Some(level);
+        if question.grid == GridChoice::Automatic && Refinement::of(&summaries).meets(question.accuracy) {
+            break;
+        }
+    }
+    let finest = finest.ok_or(SteadyError::NoCells)?;
+    Ok(answer(question, &summaries, finest))
+}
+
+/// The error that names the half width which would do, found where the domain is free.
+fn too_small(question: &SteadyQuestion<'_>, domain: &Domain) -> SteadyError {
+    match fitted_domain(question) {
+        Ok((fitted, _)) => SteadyError::DomainTooSmall {
+            half_width: domain.half_width,
+            centre_x: domain.centre[0],
+            needed: domain.half_width_around(&fitted),
+        },
+        Err(error) => error,
+    }
+}
+
+fn answer(question: &SteadyQuestion<'_>, summaries: &[LevelSummary], finest: Level) -> SteadyContact {
+    let refinement = Refinement::of(summaries);
+    let dissipated = bulk_dissipation::friction_from_dissipation(
+        &finest.grid,
+        &finest.solution.pressure,
+        question.substrate,
+    );
+    let solved = summaries.iter().all(|level| level.converged);
+    SteadyContact {
+        friction_from_dissipation: dissipated / finest.force,
+        iterations: summaries.iter().map(|level| level.iterations).sum(),
+        products: summaries.iter().map(|level| level.products).sum(),
+        converged: solved && refinement.meets(question.accuracy),
+        refinement,
+        finest,
+    }
+}
+
+/// Cells a side, each grid twice as fine as the one before, up to `finest`.
+fn nested(finest: usize) -> Vec<usize> {
+    let mut sides = vec![finest];
+    while sides[sides.len() - 1].is_multiple_of(2) && sides[sides.len() - 1] / 2 >= COARSEST {
+        sides.push(sides[sides.len() - 1] / 2);
+    }
+    sides.reverse();
+    sides
+}
+
+/// The domain that the contact fills, found on a coarse grid, with a pressure to start from.
+fn fitted_domain(question: &SteadyQuestion<'_>) -> Result<(Domain, LevelStart), SteadyError> {
+    let mut domain = Domain::overlap(question.profile, question.loading);
+    let mut start = LevelStart::none(question);
+    for _ in 0..FITS {
+        let level = Level::solve(question, &domain.grid(SCOUT), &start)?;
+        start = LevelStart::from(&level);
+        match domain.fitted(&level) {
+            Some(better) => domain = better,
+            None => break,
+        }
+    }
+    Ok((domain, start))
+}
+
+fn check(question: &SteadyQuestion<'_>) -> Result<(), SteadyError> {
+    if !(question.accuracy > 0.0 && question.accuracy < 1.0) {
+        return Err(SteadyError::Accuracy { accuracy: question.accuracy });
+    }
+    if let Loading::Indentation(depth) = question.loading
+        && depth >= question.profile.deepest()
+    {
+        return Err(SteadyError::TooDeep { indentation: depth, limit: question.profile.deepest() });
+    }
+    match question.grid {
+        GridChoice::Automatic => Ok(()),
+        GridChoice::Cells(cells) if cells >= 8 => Ok(()),
+        GridChoice::Fixed { cells, half_width, centre }
+            if cells >= 8
+                && half_width > 0.0
+                && half_width.is_finite()
+                && centre.iter().all(|c| c.is_finite()) =>
+        {
+            Ok(())
+        }
+        GridChoice::Cells(cells) => Err(SteadyError::TooFewCells { cells }),
+        GridChoice::Fixed { cells, half_width, .. } if cells >= 8 => {
+            Err(SteadyError::HalfWidth { half_width })
+        }
+        GridChoice::Fixed { cells, .. } => Err(SteadyError::TooFewCells { cells }),
+    }
+}

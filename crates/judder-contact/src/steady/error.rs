@@ -1,0 +1,71 @@
+//! Why a steady-sliding problem has no answer.
+
+use crate::kernel::check::KernelError;
+use crate::unilateral::UnilateralError;
+use thiserror::Error;
+
+/// Why a steady-sliding problem has no answer.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum SteadyError {
+    /// The accuracy is not a small positive fraction.
+    #[error("the accuracy is {accuracy}: it must lie between 0 and 1")]
+    Accuracy {
+        /// The accuracy asked for.
+        accuracy: f64,
+    },
+    /// Too few cells to hold a contact.
+    #[error("{cells} cells a side are too few: at least 8 are needed")]
+    TooFewCells {
+        /// Cells a side asked for.
+        cells: usize,
+    },
+    /// The domain has no extent.
+    #[error("half the width of the domain is {half_width}: it must be a positive number (in units of R)")]
+    HalfWidth {
+        /// Half width asked for.
+        half_width: f64,
+    },
+    /// There is no grid to solve on.
+    #[error("there is no grid to solve on")]
+    NoCells,
+    /// The contact reaches the edge of the domain.
+    #[error(
+        "the contact touches the edge of the domain (half width {half_width:.4} R about x = {centre_x:.4} R): \
+         a half width of at least {needed:.4} R, a side of twice that, is needed"
+    )]
+    DomainTooSmall {
+        /// Half the side of the domain, in R.
+        half_width: f64,
+        /// x of its centre, in R.
+        centre_x: f64,
+        /// Half the side that would hold the contact, in R.
+        needed: f64,
+    },
+    /// The indenter ends before the contact does.
+    #[error(
+        "the contact reaches the edge of the indenter at x = {x:.4} R, y = {y:.4} R: \
+         a larger height map is needed, or less depth"
+    )]
+    BeyondIndenter {
+        /// x of a cell in contact beside the edge, in R.
+        x: f64,
+        /// y of the cell, in R.
+        y: f64,
+    },
+    /// The indenter is not that deep.
+    #[error(
+        "the indentation is {indentation} R: this indenter ends at {limit} R, and a half-space is void long before"
+    )]
+    TooDeep {
+        /// y/R asked for.
+        indentation: f64,
+        /// The depth at which the indenter ends.
+        limit: f64,
+    },
+    /// There is no kernel for the grid or the substrate.
+    #[error(transparent)]
+    Kernel(#[from] KernelError),
+    /// A grid's problem is ill posed or overflows.
+    #[error(transparent)]
+    Unilateral(#[from] UnilateralError),
+}

@@ -1,0 +1,208 @@
+//! The problem on one grid, and what is measured on its solution.
+
+use super::SteadyQuestion;
+use super::contact_area::contact_area;
+use super::error::SteadyError;
+use super::profile::{OUT_OF_REACH, Profile};
+use crate::kernel::check::check;
+use crate::kernel::sliding::SlidingOperator;
+use crate::surface::grid::SurfaceGrid;
+use crate::surface::operator::SurfaceOperator;
+use crate::unilateral::active_set::{self, Start};
+use crate::unilateral::symmetric;
+use crate::unilateral::{Loading, UnilateralProblem, UnilateralSolution};
+
+/// The solution on one grid; lengths in R, forces in E0* R².
+#[derive(Debug, Clone, PartialEq)]
+pub struct Level {
+    /// The cells.
+    pub grid: SurfaceGrid,
+    /// Pressure, gap, depth, errors and work.
+    pub solution: UnilateralSolution,
+    /// How far upstream of the cells' centres the gap was taken, in R.
+    pub collocation_shift: f64,
+    /// F/(E0* R²).
+    pub force: f64,
+    /// A/R².
+    pub area: f64,
+    /// μ, from the pressure times the slope of the indenter.
+    pub friction: f64,
+}
+
+/// What a grid's solve starts from: the solution on another grid.
+pub struct LevelStart {
+    grid: Option<SurfaceGrid>,
+    pressure: Vec<f64>,
+    indentation: f64,
+}
+
+impl LevelStart {
+    /// Nothing but the rubbery depth.
+    #[must_use]
+    pub fn none(question: &SteadyQuestion<'_>) -> Self {
+        let indentation = match question.loading {
+            Loading::Indentation(depth) => depth,
+            Loading::Load(force) => question.profile.elastic_depth(force),
+        };
+        Self { grid: None, pressure: Vec::new(), indentation }
+    }
+
+    /// The pressure at the cells of another grid, linear between the cells of this one; zero where the nearest cell is
+    /// free or outside.
+    fn on(&self, grid: &SurfaceGrid) -> Vec<f64> {
+        let Some(from) = &self.grid else {
+            return vec![0.0; grid.len()];
+        };
+        let columns: Vec<_> = (0..grid.columns)
+            .map(|c| neighbours(grid.x(c), from.origin[0], from.cell, from.columns))
+            .collect();
+        let mut pressure = Vec::with_capacity(grid.len());
+        for row in 0..grid.rows {
+            let along_y = neighbours(grid.y(row), from.origin[1], from.cell, from.rows);
+            pressure.extend(columns.iter().map(|along_x| self.between(from.columns, along_x, &along_y)));
+        }
+        pressure
+    }
+
+    fn between(&self, columns: usize, along_x: &Option<Neighbours>, along_y: &Option<Neighbours>) -> f64 {
+        let (Some(x), Some(y)) = (along_x, along_y) else {
+            return 0.0;
+        };
+        let at = |row: usize, column: usize| self.pressure[row * columns + column];
+        if at(y.nearest, x.nearest) <= 0.0 {
+            return 0.0;
+        }
+        let line = |row: usize| at(row, x.nearest) * (1.0 - x.weight) + at(row, x.next) * x.weight;
+        line(y.nearest) * (1.0 - y.weight) + line(y.next) * y.weight
+    }
+}
+
+/// The two cells of a line between which a position lies.
+struct Neighbours {
+    nearest: usize,
+    next: usize,
+    /// Weight of the next cell.
+    weight: f64,
+}
+
+fn neighbours(position: f64, origin: f64, cell: f64, count: usize) -> Option<Neighbours> {
+    let place = (position - origin) / cell - 0.5;
+    let nearest = place.round();
+    if nearest < 0.0 || nearest >= count as f64 {
+        return None;
+    }
+    let next = (nearest + (place - nearest).signum()).clamp(0.0, (count - 1) as f64);
+    Some(Neighbours { nearest: nearest as usize, next: next as usize, weight: (place - nearest).abs() })
+}
+
+impl From<&Level> for LevelStart {
+    fn from(level: &Level) -> Self {
+        Self {
+            grid: Some(level.grid),
+            pressure: level.solution.pressure.clone(),
+            indentation: level.solution.indentation,
+        }
+    }
+}
+
+impl Level {
+    /// Solves the question on one grid.
+    ///
+    /// # Errors
+    /// [`SteadyError::Kernel`], [`SteadyError::Unilateral`], [`SteadyError::BeyondIndenter`].
+    pub fn solve(
+        question: &SteadyQuestion<'_>,
+        grid: &SurfaceGrid,
+        start: &LevelStart,
+    ) -> Result<Self, SteadyError> {
+        check(grid, question.substrate, question.memory)?;
+        let mut operator = SlidingOperator::new(*grid, question.substrate);
+        let shift = operator.collocation_shift();
+        let heights = heights(question.profile, grid, shift);
+        let problem = UnilateralProblem { heights: &heights, loading: question.loading };
+        let pressure = start.on(grid);
+        let start = Start { pressure: &pressure, indentation: start.indentation };
+        let solution = if operator.is_symmetric() {
+            symmetric::solve(&mut operator, &problem, start, question.limits)?
+        } else {
+            active_set::solve(&mut operator, &problem, start, question.limits)?
+        };
+        if let Some(cell) = beside_the_edge(grid, &heights, &solution.pressure) {
+            return Err(SteadyError::BeyondIndenter {
+                x: grid.x(cell % grid.columns),
+                y: grid.y(cell / grid.columns),
+            });
+        }
+        let force = solution.pressure.iter().sum::<f64>() * grid.cell_area();
+        let resistance = resistance(question.profile, grid, &solution.pressure);
+        let area = contact_area(grid, &solution.pressure);
+        Ok(Self {
+            grid: *grid,
+            collocation_shift: shift,
+            force,
+            area,
+            friction: resistance / force,
+            solution,
+        })
+    }
+
+    /// The sides of the box around the cells in contact: left, right, top, bottom, in R.
+    #[must_use]
+    pub fn bounds(&self) -> Option<[f64; 4]> {
+        let grid = &self.grid;
+        let loaded =
+            self.solution.pressure.iter().enumerate().filter(|(_, p)| **p > 0.0).map(|(cell, _)| cell);
+        let cells = loaded.fold(None, |bounds: Option<[usize; 4]>, cell| {
+            let (row, column) = (cell / grid.columns, cell % grid.columns);
+            let [left, right, top, bottom] = bounds.unwrap_or([column, column, row, row]);
+            Some([left.min(column), right.max(column), top.min(row), bottom.max(row)])
+        })?;
+        let half = 0.5 * grid.cell;
+        Some([
+            grid.x(cells[0]) - half,
+            grid.x(cells[1]) + half,
+            grid.y(cells[2]) - half,
+            grid.y(cells[3]) + half,
+        ])
+    }
+
+    /// Whether a cell at the edge of the grid is in contact.
+    #[must_use]
+    pub fn touches_edge(&self) -> bool {
+        let (columns, rows) = (self.grid.columns, self.grid.rows);
+        self.solution.pressure.iter().enumerate().any(|(cell, pressure)| {
+            let (row, column) = (cell / columns, cell % columns);
+            *pressure > 0.0 && (row == 0 || column == 0 || row + 1 == rows || column + 1 == columns)
+        })
+    }
+}
+
+/// A cell in contact with a neighbour where there is no indenter.
+fn beside_the_edge(grid: &SurfaceGrid, heights: &[f64], pressure: &[f64]) -> Option<usize> {
+    let beyond = |cell: usize| heights[cell] >= OUT_OF_REACH;
+    (0..grid.len()).filter(|cell| pressure[*cell] > 0.0).find(|cell| {
+        let (row, column) = (cell / grid.columns, cell % grid.columns);
+        (column > 0 && beyond(cell - 1))
+            || (column + 1 < grid.columns && beyond(cell + 1))
+            || (row > 0 && beyond(cell - grid.columns))
+            || (row + 1 < grid.rows && beyond(cell + grid.columns))
+    })
+}
+
+/// Heights at the collocation points.
+pub(crate) fn heights(profile: &dyn Profile, grid: &SurfaceGrid, shift: f64) -> Vec<f64> {
+    (0..grid.len())
+        .map(|cell| profile.height(grid.x(cell % grid.columns) - shift, grid.y(cell / grid.columns)))
+        .collect()
+}
+
+/// F_x = ∫ p ∂h/∂x: the pressure of a cell times the mean slope of the indenter over it.
+pub(crate) fn resistance(profile: &dyn Profile, grid: &SurfaceGrid, pressure: &[f64]) -> f64 {
+    let half = 0.5 * grid.cell;
+    let mut sum = 0.0;
+    for (cell, p) in pressure.iter().enumerate().filter(|(_, p)| **p > 0.0) {
+        let (x, y) = (grid.x(cell % grid.columns), grid.y(cell / grid.columns));
+        sum += p * (profile.height(x + half, y) - profile.height(x - half, y));
+    }
+    sum * grid.cell
+}

@@ -1,0 +1,164 @@
+//! What a sequence of grids says about the error of the finest.
+
+use super::level::Level;
+
+/// How much further than the force area and friction may be off.
+const SECONDARY: f64 = 5.0;
+/// A friction below this is as good as none: its relative error is not asked about.
+const NO_FRICTION: f64 = 1e-12;
+
+/// One grid in the table of refinement.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LevelSummary {
+    /// Cells a side.
+    pub cells: usize,
+    /// h/R, side of a cell.
+    pub cell: f64,
+    /// F/(E0* R²).
+    pub force: f64,
+    /// A/R².
+    pub area: f64,
+    /// μ.
+    pub friction: f64,
+    /// y/R.
+    pub indentation: f64,
+    /// Changes of the contact set.
+    pub iterations: usize,
+    /// Products with the kernel.
+    pub products: usize,
+    /// Largest recomputed error of the unilateral conditions.
+    pub residual: f64,
+    /// Whether the grid's problem was solved.
+    pub converged: bool,
+}
+
+impl LevelSummary {
+    /// The row of one grid.
+    #[must_use]
+    pub fn of(level: &Level) -> Self {
+        Self {
+            cells: level.grid.columns,
+            cell: level.grid.cell,
+            force: level.force,
+            area: level.area,
+            friction: level.friction,
+            indentation: level.solution.indentation,
+            iterations: level.solution.iterations,
+            products: level.solution.products,
+            residual: level.solution.errors.worst(),
+            converged: level.solution.converged,
+        }
+    }
+}
+
+/// A value from a sequence of grids.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Estimate {
+    /// The value, extrapolated to a vanishing cell where the last three grids agree on an order.
+    pub value: f64,
+    /// Estimated relative error of the value; infinite from a single grid.
+    pub error: f64,
+    /// The observed order of convergence, where three grids show one.
+    pub order: Option<f64>,
+}
+
+/// The results of a sequence of grids, coarse to fine.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Refinement {
+    /// F/(E0* R²).
+    pub force: Estimate,
+    /// A/R².
+    pub area: Estimate,
+    /// μ.
+    pub friction: Estimate,
+    /// y/R.
+    pub indentation: Estimate,
+    /// The grids.
+    pub levels: Vec<LevelSummary>,
+}
+
+impl Refinement {
+    /// The estimates from a sequence of grids, each with half the cell of the one before.
+    #[must_use]
+    pub fn of(levels: &[LevelSummary]) -> Self {
+        let estimate = |value: fn(&LevelSummary) -> f64| {
+            let values: Vec<f64> = levels.iter().map(value).collect();
+            Estimate::of(&values)
+        };
+        Self {
+            force: estimate(|level| level.force),
+            area: Estimate::last_of(&levels.iter().map(|level| level.area).collect::<Vec<_>>()),
+            friction: estimate(|level| level.friction),
+            indentation: estimate(|level| level.indentation),
+            levels: levels.to_vec(),
+        }
+    }
+
+    /// Whether force (or depth), area and friction are known to the accuracy.
+    #[must_use]
+    pub fn meets(&self, accuracy: f64) -> bool {
+        let friction_known =
+            self.friction.value.abs() < NO_FRICTION || self.friction.error <= SECONDARY * accuracy;
+        self.force.error.max(self.indentation.error) <= accuracy
+            && self.area.error <= SECONDARY * accuracy
+            && friction_known
+    }
+}
+
+impl Estimate {
+    /// Richardson's extrapolation of a sequence in which the cell is halved each time.
+    ///
+    /// From three values with differences d₁, d₂ the order is log₂(d₁/d₂). Between 1/2 and 3 it is believed: the last
+    /// value is corrected by d₂/(2^order − 1), and the correction is the error. Otherwise
+    /// the last value stands, with the last difference as its error.
+    #[must_use]
+    pub fn of(values: &[f64]) -> Self {
+        let plain = Self::last_of(values);
+        let [.., earlier, previous, last] = *values else {
+            return plain;
+        };
+        let step = last - previous;
+        let ratio = (previous - earlier) / step;
+        if !ratio.is_finite() || !(std::f64::consts::SQRT_2..=8.0).contains(&ratio) {
+            return plain;
+        }
+        let correction = step / (ratio - 1.0);
+        Self { value: last + correction, error: relative(correction, last), order: Some(ratio.log2()) }
+    }
+
+    /// The last value of a sequence, with its difference from the one before as its error.
+    #[must_use]
+    pub fn last_of(values: &[f64]) -> Self {
+        match *values {
+            [] => Self { value: f64::NAN, error: f64::INFINITY, order: None },
+            [only] => Self { value: only, error: f64::INFINITY, order: None },
+            [.., previous, last] => Self { value: last, error: relative(last - previous, last), order: None },
+        }
+    }
+}
+
+fn relative(difference: f64, to: f64) -> f64 {
+    if difference == 0.0 { 0.0 } else { (difference / to).abs() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sequence_of_known_order_is_extrapolated_to_its_limit() {
+        let values: Vec<f64> = (0..4).map(|k| 2.0 + 0.3 * 0.5_f64.powf(1.5 * f64::from(k))).collect();
+        let estimate = Estimate::of(&values);
+        assert!((estimate.value - 2.0).abs() < 1e-12);
+        assert!((estimate.order.unwrap() - 1.5).abs() < 1e-9);
+        assert!(estimate.error >= (values[3] - 2.0).abs() / 2.0 * 0.99);
+    }
+
+    #[test]
+    fn a_sequence_without_an_order_keeps_its_last_difference_as_error() {
+        let estimate = Estimate::of(&[1.0, 1.1, 1.05]);
+        assert_eq!((estimate.value, estimate.order), (1.05, None));
+        assert!((estimate.error - 0.05 / 1.05).abs() < 1e-12);
+        assert_eq!(Estimate::of(&[1.0]).error, f64::INFINITY);
+    }
+}

@@ -1,0 +1,5 @@
+//! Pressures and displacements on a surface of square cells.
+
+pub mod convolution;
+pub mod grid;
+pub mod operator;

@@ -1,0 +1,4 @@
+//! Orders of convergence, shown.
+
+mod grids;
+mod transient_steps;

@@ -1,0 +1,11 @@
+//! What must hold at every point.
+
+mod kernel_check;
+mod law_file;
+mod law_smoothness;
+mod law_sweep;
+mod material;
+mod rough_contact;
+mod sliding_operator;
+mod steady_sliding;
+mod transient_contact;

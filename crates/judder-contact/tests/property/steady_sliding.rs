@@ -1,0 +1,166 @@
+//! Symmetries and equivalences of steady sliding.
+
+use crate::questions::{assert_close, on_grid, paraboloid};
+use judder_contact::indenter::{HeightMap, Shape};
+use judder_contact::kernel::substrate::SlidingSubstrate;
+use judder_contact::steady::profile::{Paraboloid, Profile, Sphere};
+use judder_contact::steady::{GridChoice, MEMORY, SteadyError, SteadyQuestion, solve};
+use judder_contact::unilateral::{Loading, UnilateralLimits};
+
+/// For a paraboloid and one retardation time all depends on z = v τ/√(R δ).
+#[test]
+fn the_paraboloid_collapses_on_one_curve() {
+    for z in [0.05, 1.0, 40.0] {
+        let scaled: Vec<[f64; 3]> = [1.0, 1e-2, 3.7e-5]
+            .map(|depth: f64| {
+                let substrate = SlidingSubstrate::single(10.0, z * depth.sqrt());
+                let contact = on_grid(
+                    &substrate,
+                    &Paraboloid,
+                    Loading::Indentation(depth),
+                    GridChoice::Cells(64),
+                    1e-12,
+                );
+                assert!(contact.refinement.levels.iter().all(|level| level.converged));
+                let level = contact.finest;
+                [level.force / depth.powf(1.5), level.area / depth, level.friction / depth.sqrt()]
+            })
+            .to_vec();
+        for other in &scaled[1..] {
+            for (found, wanted) in other.iter().zip(scaled[0]) {
+                assert_close(*found, wanted, 1e-10);
+            }
+        }
+    }
+}
+
+#[test]
+fn an_imposed_load_and_the_depth_that_it_finds_are_one_contact() {
+    for (contrast, length) in [(10.0, 0.02), (100.0, 0.5), (1000.0, 0.1)] {
+        let substrate = SlidingSubstrate::single(contrast, length);
+        let pressed = paraboloid(&substrate, Loading::Load(2e-3), 64);
+        assert!(pressed.refinement.levels.iter().all(|level| level.converged));
+        let grid = pressed.finest.grid;
+        let half_width = 0.5 * grid.cell * grid.columns as f64;
+        let centre = [grid.origin[0] + half_width, grid.origin[1] + half_width];
+        let depth = Loading::Indentation(pressed.finest.solution.indentation);
+        let fixed = GridChoice::Fixed { cells: 64, half_width, centre };
+        let indented = on_grid(&substrate, &Paraboloid, depth, fixed, 1e-7);
+        assert_close(indented.finest.force, 2e-3, 1e-5);
+        assert_close(indented.finest.friction, pressed.finest.friction, 1e-5);
+        assert_close(indented.finest.area, pressed.finest.area, 1e-3);
+    }
+}
+
+/// Nothing distinguishes +y from −y.
+#[test]
+fn fields_are_symmetric_across_the_direction_of_sliding() {
+    let contact = paraboloid(&SlidingSubstrate::single(10.0, 1.0), Loading::Indentation(1.0), 64);
+    let pressure = &contact.finest.solution.pressure;
+    let largest = pressure.iter().copied().fold(0.0, f64::max);
+    for row in 0..64 {
+        for column in 0..64 {
+            let (here, there) = (pressure[row * 64 + column], pressure[(63 - row) * 64 + column]);
+            assert!((here - there).abs() < 1e-5 * largest);
+        }
+    }
+}
+
+/// A skew bump and its mirror image.
+struct Skew {
+    side: f64,
+}
+
+impl Profile for Skew {
+    fn height(&self, x: f64, y: f64) -> f64 {
+        0.5 * (x * x + 1.7 * y * y + 0.5 * self.side * x * y)
+    }
+
+    fn extent(&self, depth: f64) -> f64 {
+        (2.5 * depth).sqrt()
+    }
+
+    fn elastic_depth(&self, force: f64) -> f64 {
+        Paraboloid.elastic_depth(force)
+    }
+}
+
+/// A mirrored indenter gives the mirrored pressure.
+#[test]
+fn a_mirrored_indenter_has_mirrored_fields() {
+    let substrate = SlidingSubstrate::single(10.0, 0.6);
+    let grid = GridChoice::Fixed { cells: 48, half_width: 1.5, centre: [0.0, 0.0] };
+    let solved =
+        [1.0, -1.0].map(|side| on_grid(&substrate, &Skew { side }, Loading::Indentation(1.0), grid, 1e-9));
+    let [left, right] = &solved;
+    assert_close(left.finest.force, right.finest.force, 1e-8);
+    for row in 0..48 {
+        for column in 0..48 {
+            let here = left.finest.solution.pressure[row * 48 + column];
+            let there = right.finest.solution.pressure[(47 - row) * 48 + column];
+            assert!((here - there).abs() < 1e-7);
+        }
+    }
+}
+
+#[test]
+fn a_domain_that_the_contact_outgrows_is_refused_with_the_width_that_would_do() {
+    let substrate = SlidingSubstrate::elastic();
+    let grid = GridChoice::Fixed { cells: 32, half_width: 0.8, centre: [0.0, 0.0] };
+    let question = SteadyQuestion {
+        substrate: &substrate,
+        profile: &Paraboloid,
+        loading: Loading::Indentation(1.0),
+        accuracy: 1e-2,
+        grid,
+        limits: UnilateralLimits::default(),
+        memory: MEMORY,
+    };
+    let error = solve(&question).unwrap_err();
+    let SteadyError::DomainTooSmall { needed, .. } = error else { panic!("{error}") };
+    // Hertz's radius is 1, the rest is margin.
+    assert!((1.05..1.6).contains(&needed), "{needed}");
+    assert!(error.to_string().contains("touches the edge"));
+}
+
+/// A bowl on a lattice that ends at 0.7 of the contact's radius is refused where it ends.
+#[test]
+fn a_height_map_that_ends_under_the_contact_is_refused() {
+    let (side, spacing) = (15, 0.1);
+    let heights = (0..side * side)
+        .map(|index| {
+            let at = |k: usize| (k as f64 - 7.0) * spacing;
+            0.5 * (at(index % side).powi(2) + at(index / side).powi(2))
+        })
+        .collect();
+    let map = HeightMap::new(heights, side, side, spacing, false).unwrap();
+    let substrate = SlidingSubstrate::elastic();
+    let question = SteadyQuestion {
+        substrate: &substrate,
+        profile: &Shape::HeightMap(map),
+        loading: Loading::Indentation(1.0),
+        accuracy: 1e-2,
+        grid: GridChoice::Cells(64),
+        limits: UnilateralLimits::default(),
+        memory: MEMORY,
+    };
+    let error = solve(&question).unwrap_err();
+    assert!(matches!(error, SteadyError::BeyondIndenter { .. }), "{error}");
+}
+
+#[test]
+fn a_sphere_below_its_equator_is_refused() {
+    let substrate = SlidingSubstrate::elastic();
+    for depth in [1.0, 1.4, 3.0] {
+        let question = SteadyQuestion {
+            substrate: &substrate,
+            profile: &Sphere,
+            loading: Loading::Indentation(depth),
+            accuracy: 1e-2,
+            grid: GridChoice::Automatic,
+            limits: UnilateralLimits::default(),
+            memory: MEMORY,
+        };
+        assert!(matches!(solve(&question), Err(SteadyError::TooDeep { .. })));
+    }
+}

@@ -1,0 +1,60 @@
+//! Height maps written by NumPy, SciPy and netCDF4 (`height_maps/write.py`), read back.
+
+use judder_contact::indenter::{HeightTable, IndenterError, read_height_table};
+use std::path::Path;
+
+fn read(name: &str, variable: Option<&str>) -> Result<HeightTable, IndenterError> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/validation/height_maps");
+    read_height_table(&folder.join(name), variable)
+}
+
+/// z = 0.25 (2 x² + y²) + 0.125 x + 3, as in the script.
+fn expected(row: usize, column: usize) -> f64 {
+    let (x, y) = (0.5 * column as f64, 0.5 * row as f64 - 1.0);
+    0.25 * (2.0 * x * x + y * y) + 0.125 * x + 3.0
+}
+
+#[test]
+fn every_form_gives_the_same_heights() {
+    for (name, spacing) in [
+        ("c_order.npy", None),
+        ("fortran_order_f4.npy", None),
+        ("classic.nc", Some(0.5)),
+        ("transposed.nc", Some(0.5)),
+        ("no_coordinates.nc", None),
+        ("four_packed.nc", Some(0.5)),
+    ] {
+        let table = read(name, None).unwrap();
+        assert_eq!((table.columns, table.rows, table.spacing), (5, 4, spacing), "{name}");
+        for (index, height) in table.heights.iter().enumerate() {
+            // The numbers are sums of powers of two that every form holds exactly.
+            assert_eq!(*height, expected(index / 5, index % 5), "{name}, {index}");
+        }
+    }
+}
+
+#[test]
+fn ambiguous_files_are_refused_by_name() {
+    let message = |name, variable| read(name, variable).unwrap_err().to_string();
+    assert!(message("two_variables.nc", None).contains("`variable` to one of \"z\", \"error\""));
+    assert!(message("two_variables.nc", Some("depth")).contains("no variable \"depth\""));
+    assert!(read("two_variables.nc", Some("z")).is_ok());
+    assert!(matches!(read("stretched.nc", None), Err(IndenterError::UnequalSteps { step: 2, .. })));
+    assert_eq!(read("oblong.nc", None), Err(IndenterError::NotSquare { x: 1.0, y: 0.5 }));
+    assert!(matches!(read("two_units.nc", None), Err(IndenterError::UnitsDiffer { .. })));
+    assert!(message("integers.npy", None).contains("<i8"));
+    assert!(message("c_order.npy", Some("z")).contains("leave `variable` out"));
+}
+
+#[test]
+fn masked_heights_are_refused_with_their_place() {
+    let table = read("four_masked.nc", None).unwrap();
+    let error = table.into_map(1e-6, Some(1e-6), false).unwrap_err();
+    assert!(matches!(error, IndenterError::HeightNotFinite { row: 2, column: 3, .. }), "{error}");
+}
+
+#[test]
+fn files_that_are_none_are_refused() {
+    assert!(matches!(read("missing.npy", None), Err(IndenterError::Unreadable { .. })));
+    assert!(matches!(read("write.py", None), Err(IndenterError::UnknownEnding { .. })));
+}

@@ -26,7 +26,9 @@ pub(crate) struct Kind<S, T> {
 const LATER: [&str; 4] = ["motion", "bifurcation", "limit-cycle", "basin"];
 
 /// Every other kind of any model.
-const OTHER_MODELS: [&str; 15] = [
+const OTHER_MODELS: [&str; 18] = [
+    "spectrum",
+    "stability-map",
     "equivalent-damping",
     "critical-shear-strength",
     "critical-load",
@@ -35,6 +37,7 @@ const OTHER_MODELS: [&str; 15] = [
     "contact-law",
     "fit",
     "modulus",
+    "transient",
     "modes",
     "locus",
     "march",

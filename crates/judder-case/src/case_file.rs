@@ -5,11 +5,13 @@ use std::io::{ErrorKind, Read};
 use std::path::Path;
 
 use crate::cause::Cause;
+use crate::contact_case::ContactCase;
 use crate::document::{Data, Node, apply_override, parse};
 use crate::error::{CaseError, Fault, Sources};
+use crate::file_reference::FileReference;
 use crate::oscillator_case::OscillatorCase;
 use crate::two_degrees::TwoDegreesCase;
-use crate::{oscillator_case, two_degrees};
+use crate::{contact_case, oscillator_case, two_degrees};
 
 /// A case file that was read and found valid.
 #[derive(Debug, Clone)]
@@ -26,22 +28,43 @@ pub struct CaseFile {
 
 /// A validated case of one of the models.
 #[derive(Debug, Clone)]
-#[expect(clippy::large_enum_variant, reason = "one case a program: its size does not matter")]
 pub enum Case {
     /// `model = "oscillator"`.
     Oscillator(OscillatorCase),
+    /// `model = "contact"`.
+    Contact(ContactCase),
     /// `model = "two-degrees"`.
     TwoDegrees(TwoDegreesCase),
 }
 
 /// The models of this version.
-pub const MODELS: [&str; 2] = ["oscillator", "two-degrees"];
+pub const MODELS: [&str; 3] = ["oscillator", "contact", "two-degrees"];
+
+impl Case {
+    /// The name of its model in a case file.
+    pub fn model(&self) -> &'static str {
+        match self {
+            Self::Oscillator(_) => "oscillator",
+            Self::Contact(_) => "contact",
+            Self::TwoDegrees(_) => "two-degrees",
+        }
+    }
+
+    /// The files that the case names: results depend on what they hold.
+    pub fn files(&self) -> Vec<&FileReference> {
+        match self {
+            Self::Oscillator(case) => case.files(),
+            Self::Contact(case) => case.files(),
+            Self::TwoDegrees(_) => Vec::new(),
+        }
+    }
+}
 
 /// The most that a case file may hold, bytes: 1 MiB.
 pub const CASE_BYTES_LIMIT: u64 = 1 << 20;
 
 /// Models that a later version brings.
-const LATER: [&str; 3] = ["contact", "sliding", "structure"];
+const LATER: [&str; 2] = ["sliding", "structure"];
 
 impl CaseFile {
     /// Reads and validates the case file at `path` with the options `--set key=value`.
@@ -106,8 +129,10 @@ fn read_case(name: &str, text: &str, overrides: &[String]) -> Result<Case, Fault
     for (index, option) in overrides.iter().enumerate() {
         apply_override(&mut root, index + 1, option)?;
     }
+    let folder = Path::new(name).parent().unwrap_or(Path::new(""));
     match read_model(&root)? {
-        "oscillator" => oscillator_case::read(&root).map(Case::Oscillator),
+        "oscillator" => oscillator_case::read(&root, folder).map(Case::Oscillator),
+        "contact" => contact_case::read(&root, folder).map(Case::Contact),
         _ => two_degrees::read(&root).map(Case::TwoDegrees),
     }
 }
@@ -120,7 +145,7 @@ fn read_model(root: &Node) -> Result<&'static str, Fault> {
         _ => None,
     };
     let Some(node) = model else {
-        let expected = "model = \"oscillator\" or model = \"two-degrees\"".to_owned();
+        let expected = MODELS.map(|model| format!("model = \"{model}\"")).join(" or ");
         let (key, section) = ("model".to_owned(), "the case".to_owned());
         return Err(Cause::MissingKey { key, section, expected }.at(root.place));
     };

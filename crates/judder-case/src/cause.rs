@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
+use crate::contact_problem::ContactProblem;
 use crate::dimension::Dimension;
 use crate::expression::ExpressionError;
 use crate::inputs::LawName;
@@ -188,18 +189,16 @@ pub enum Cause {
         /// The key that contradicts it.
         second: String,
     },
-    /// A Prony series of other than one term.
-    #[error(
-        "the contact laws of this version have one retardation time, but `substrate.prony` has {terms} terms"
-    )]
-    PronyTerms {
-        /// The number of terms.
-        terms: usize,
+    /// A series or measured data with a law that was fitted for one retardation time.
+    #[error("the law `{}` knows one retardation time only, this substrate has several", law.name())]
+    SeveralTimes {
+        /// The law in use.
+        law: LawName,
     },
-    /// A Prony compliance that leaves no positive glassy modulus: 1/E∞ = 1/E0 − compliance.
+    /// Prony compliances that leave no positive glassy modulus: 1/E∞ = 1/E0 − compliance.
     #[error("the prony compliance {compliance:e} 1/Pa is not below 1/E0 = {limit:e} 1/Pa")]
     PronyCompliance {
-        /// The compliance of the term, 1/Pa.
+        /// The sum of the compliances, 1/Pa.
         compliance: f64,
         /// 1/E0, 1/Pa.
         limit: f64,
@@ -337,6 +336,12 @@ pub enum Cause {
         mass: [[f64; 2]; 2],
         /// What is wrong with it.
         problem: MassProblem,
+    },
+    /// A substrate, an indenter or a contact analysis that cannot be.
+    #[error("{problem}")]
+    Contact {
+        /// What is wrong with it.
+        problem: ContactProblem,
     },
     /// No template of this name.
     #[error("there is no template `{name}`")]

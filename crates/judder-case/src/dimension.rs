@@ -1,8 +1,8 @@
-//! Dimensions: exponents of length, mass, time and angle, with the words an error needs.
+//! Dimensions: exponents of length, mass, time, angle, temperature and amount, with the words an error needs.
 
 use std::fmt;
 
-/// The dimension of a quantity: exponents of metre, kilogram, second and radian.
+/// The dimension of a quantity: exponents of metre, kilogram, second, radian, kelvin and mole.
 ///
 /// Angle is kept apart from pure number so that `"45 deg"` cannot stand where a number is wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -15,12 +15,16 @@ pub struct Dimension {
     pub time: i8,
     /// Exponent of angle (rad).
     pub angle: i8,
+    /// Exponent of temperature (K).
+    pub temperature: i8,
+    /// Exponent of amount of substance (mol).
+    pub amount: i8,
 }
 
 /// A dimension that case files use: its name with article, an example, its SI unit.
 struct Named(Dimension, &'static str, &'static str, &'static str);
 
-const NAMED: [Named; 12] = [
+const NAMED: [Named; 14] = [
     Named(Dimension::NUMBER, "a plain number", "0.01", "1"),
     Named(Dimension::LENGTH, "a length", "10 mm", "m"),
     Named(Dimension::MASS, "a mass", "30 g", "kg"),
@@ -33,6 +37,8 @@ const NAMED: [Named; 12] = [
     Named(Dimension::STIFFNESS, "a stiffness", "50 N/m", "N/m"),
     Named(Dimension::ANGULAR_FREQUENCY, "an angular frequency", "40 rad/s\" or \"7 kHz", "rad/s"),
     Named(Dimension::RATE, "a rate", "5 1/s", "1/s"),
+    Named(Dimension::TEMPERATURE, "a temperature", "25 degC\" or \"298 K", "K"),
+    Named(Dimension::MOLAR_ENERGY, "an energy per amount", "80 kJ/mol", "J/mol"),
 ];
 
 impl Dimension {
@@ -61,14 +67,33 @@ impl Dimension {
     /// Rate, 1/s.
     pub const RATE: Self = Self::new(0, 0, -1, 0);
 
+    /// Temperature, K.
+    pub const TEMPERATURE: Self = Self { temperature: 1, ..Self::NUMBER };
+    /// Amount of substance, mol.
+    pub const AMOUNT: Self = Self { amount: 1, ..Self::NUMBER };
+    /// Energy per amount, J/mol.
+    pub const MOLAR_ENERGY: Self = Self { amount: -1, ..Self::new(2, 1, -2, 0) };
+
     /// The dimension m^length kg^mass s^time rad^angle.
     pub const fn new(length: i8, mass: i8, time: i8, angle: i8) -> Self {
-        Self { length, mass, time, angle }
+        Self { length, mass, time, angle, temperature: 0, amount: 0 }
     }
 
     /// Whether this is the dimension of a pure number.
-    pub const fn is_number(self) -> bool {
-        self.length == 0 && self.mass == 0 && self.time == 0 && self.angle == 0
+    pub fn is_number(self) -> bool {
+        self.powers().iter().all(|(power, _)| *power == 0)
+    }
+
+    /// Each exponent with its SI unit.
+    fn powers(self) -> [(i8, &'static str); 6] {
+        [
+            (self.length, "m"),
+            (self.mass, "kg"),
+            (self.time, "s"),
+            (self.angle, "rad"),
+            (self.temperature, "K"),
+            (self.amount, "mol"),
+        ]
     }
 
     /// The exponents of `self · other^power`; `None` where one leaves the range of `i8`.
@@ -79,6 +104,8 @@ impl Dimension {
             mass: sum(self.mass, other.mass)?,
             time: sum(self.time, other.time)?,
             angle: sum(self.angle, other.angle)?,
+            temperature: sum(self.temperature, other.temperature)?,
+            amount: sum(self.amount, other.amount)?,
         })
     }
 
@@ -87,11 +114,11 @@ impl Dimension {
         if let Some(Named(_, _, _, unit)) = self.named() {
             return (*unit).to_owned();
         }
-        let powers = [(self.length, "m"), (self.mass, "kg"), (self.time, "s"), (self.angle, "rad")];
-        let factors = powers.iter().filter(|(power, _)| *power != 0).map(|(power, unit)| match power {
-            1 => (*unit).to_owned(),
-            _ => format!("{unit}^{power}"),
-        });
+        let factors =
+            self.powers().into_iter().filter(|(power, _)| *power != 0).map(|(power, unit)| match power {
+                1 => unit.to_owned(),
+                _ => format!("{unit}^{power}"),
+            });
         factors.collect::<Vec<_>>().join(" ")
     }
 

@@ -27,6 +27,7 @@ impl Cause {
             Self::Mass { .. } => "not a mass matrix",
             Self::TooLarge { .. } => "too many",
             Self::MixedForms { .. } => "of the other kind",
+            Self::Contact { problem } => problem.label(),
             _ => "here",
         }
     }
@@ -68,7 +69,9 @@ impl Cause {
     fn help_for_values(&self) -> Option<String> {
         let help = match self {
             Self::Conflict { first, second } => format!("keep `{first}` or `{second}`"),
-            Self::PronyTerms { .. } => "give one term { time, compliance }".to_owned(),
+            Self::SeveralTimes { .. } => {
+                "give one term, or compute the law for this substrate: law = \"bem\"".to_owned()
+            }
             Self::PronyCompliance { .. } => "1/E∞ = 1/E0 − compliance must be positive".to_owned(),
             Self::GlassyBelowRubbery { .. } => {
                 "E∞ must be above E0; only the law \"hertz\" takes E∞ = E0".to_owned()
@@ -102,6 +105,7 @@ impl Cause {
                     .to_owned()
             }
             Self::Mass { problem, .. } => problem.help().to_owned(),
+            Self::Contact { problem } => problem.help(),
             _ => return None,
         };
         Some(help)

@@ -12,19 +12,29 @@ pub enum LawName {
     OscillatorPaperCorrected,
     /// The elastic closed form.
     Hertz,
+    /// Computed for the case's own substrate by the boundary-element method.
+    Bem,
+    /// Computed earlier, from a file.
+    File,
 }
 
 impl LawName {
-    /// The laws with their names in a case file.
-    pub const ALL: [(&'static str, Self); 3] = [
+    /// The laws that are words, with their names in a case file.
+    pub const ALL: [(&'static str, Self); 4] = [
         ("oscillator-paper", Self::OscillatorPaper),
         ("oscillator-paper-corrected", Self::OscillatorPaperCorrected),
         ("hertz", Self::Hertz),
+        ("bem", Self::Bem),
     ];
 
-    /// The name in a case file.
+    /// The name in a case file; `file` for `{ file = "law.json" }`.
     pub fn name(self) -> &'static str {
-        Self::ALL[self as usize].0
+        Self::ALL.get(self as usize).map_or("file", |(name, _)| name)
+    }
+
+    /// Whether the law was fitted for one retardation time and E∞/E0 = 10.
+    pub fn is_fitted(self) -> bool {
+        matches!(self, Self::OscillatorPaper | Self::OscillatorPaperCorrected)
     }
 }
 

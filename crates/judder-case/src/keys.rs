@@ -1,6 +1,7 @@
 //! The one table of keys: every numeric key of an oscillator case, with its dimension, group, range and default.
 //!
-//! Reading, defaults, unit errors, `--set`, sweeps, the schema and the templates are all driven by [`KEYS`].
+//! Reading, defaults, unit errors, `--set`, sweeps, the schema and the templates are all driven by [`KEYS`]; the numbers that
+//! contact cases have besides stand in [`CONTACT_KEYS`](crate::contact_keys::CONTACT_KEYS).
 
 use std::fmt;
 
@@ -139,10 +140,10 @@ impl fmt::Display for OscillatorKey {
 
 /// One entry of the table of keys.
 #[derive(Debug, Clone, Copy)]
-pub struct Key {
+pub struct Key<K = OscillatorKey> {
     /// The key itself.
-    pub key: OscillatorKey,
-    /// Its dotted path in the case file, `section.name`.
+    pub key: K,
+    /// Its dotted path in the case file, such as `section.name`.
     pub path: &'static str,
     /// The paper's symbol of the dimensional quantity, or of the pure number.
     pub symbol: &'static str,
@@ -150,6 +151,8 @@ pub struct Key {
     pub dimension: Dimension,
     /// The dimensionless group that a plain number is; without one the key takes only a quantity with a unit.
     pub group: Option<&'static str>,
+    /// Whether a temperature is meant as a difference: degrees Celsius, with their own zero, are then refused.
+    pub difference: bool,
     /// The numbers allowed, as group and in SI units alike.
     pub range: Range,
     /// The oscillator paper's value: as a case file writes it (without quotes), and read.
@@ -158,7 +161,12 @@ pub struct Key {
     pub doc: &'static str,
 }
 
-impl Key {
+impl<K> Key<K> {
+    /// An example of a value with a unit.
+    pub fn example(&self) -> String {
+        if self.difference { "51.6 K".to_owned() } else { self.dimension.example() }
+    }
+
     /// What stands at an axis: the group or pure number, or the symbol with its SI unit.
     pub fn label(&self, form: Form) -> String {
         match (form, self.group) {
@@ -172,36 +180,38 @@ impl Key {
         self.path.split_once('.').map_or("", |(section, _)| section)
     }
 
-    /// The name of the key in its section, such as `velocity`.
+    /// The name of the key in its table, such as `velocity`.
     pub fn name(&self) -> &'static str {
-        self.path.split_once('.').map_or(self.path, |(_, name)| name)
+        self.path.rsplit_once('.').map_or(self.path, |(_, name)| name)
     }
 }
 
 /// An entry that takes a pure number only.
-const fn number(
-    key: OscillatorKey,
+pub(crate) const fn number<K: Copy>(
+    key: K,
     path: &'static str,
     symbol: &'static str,
     range: Range,
     default: (&'static str, f64),
     doc: &'static str,
-) -> Key {
+) -> Key<K> {
     let default = Some((default.0, Value::group(default.1)));
-    Key { key, path, symbol, dimension: Dimension::NUMBER, group: Some(symbol), range, default, doc }
+    let group = Some(symbol);
+    Key { key, path, symbol, dimension: Dimension::NUMBER, group, difference: false, range, default, doc }
 }
 
 /// An entry that takes a quantity with a unit only.
-const fn quantity(
-    key: OscillatorKey,
+pub(crate) const fn quantity<K: Copy>(
+    key: K,
     path: &'static str,
     symbol: &'static str,
     dimension: Dimension,
     default: (&'static str, f64),
     doc: &'static str,
-) -> Key {
+) -> Key<K> {
     let default = Some((default.0, Value::si(default.1)));
-    Key { key, path, symbol, dimension, group: None, range: Range::Positive, default, doc }
+    let range = Range::Positive;
+    Key { key, path, symbol, dimension, group: None, difference: false, range, default, doc }
 }
 
 /// Every numeric key of an oscillator case, in the order of the case file. The defaults are the oscillator paper's.

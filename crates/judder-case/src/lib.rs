@@ -9,19 +9,26 @@
 //! - [`inputs`]: the value of every numeric key at one operating point.
 //! - [`sweep`], `swept_keys`, `read_sweep`: what an analysis varies, over which range.
 //! - `analysis`, [`oscillator_analysis`], [`oscillator_case`]: the oscillator case and its analyses.
+//! - [`contact_keys`], [`substrate`], [`shape`], [`contact_analysis`], [`contact_case`]: the contact case and its analyses;
+//!   [`file_reference`]: the files that a case names.
 //! - [`expression`], `matrix`, [`mass`], [`two_degrees`]: the two-degrees case, matrices of expressions.
 //! - [`case_file`]: the way in. `resolved`: the way out, canonical JSON for the hash and the report.
-//! - [`cause`], `help`, `excerpt`, [`error`]: what is wrong, what would be right, where.
+//! - [`cause`], [`contact_problem`], `help`, `excerpt`, [`error`]: what is wrong, what would be right, where.
 //! - [`mod@schema`], [`mod@template`]: the JSON Schema for editors and the commented cases of `judder new`.
 
 pub mod analysis;
 pub mod case_file;
 pub mod cause;
+pub mod contact_analysis;
+pub mod contact_case;
+pub mod contact_keys;
+pub mod contact_problem;
 pub mod dimension;
 mod document;
 pub mod error;
 mod excerpt;
 pub mod expression;
+pub mod file_reference;
 mod help;
 pub mod inputs;
 pub mod keys;
@@ -36,16 +43,24 @@ pub mod reference;
 mod resolved;
 pub mod schema;
 mod section;
+pub mod shape;
+pub mod substrate;
 pub mod sweep;
 mod swept_keys;
 pub mod template;
+pub mod transient_analysis;
 pub mod two_degrees;
 
 pub use analysis::Analysis;
 pub use case_file::{Case, CaseFile};
 pub use cause::Cause;
+pub use contact_analysis::{ContactAnalysis, ContactSettings, LawMethod, LawSettings, Loading, Span};
+pub use contact_case::ContactCase;
+pub use contact_keys::{CONTACT_KEYS, ContactKey};
+pub use contact_problem::ContactProblem;
 pub use dimension::Dimension;
 pub use error::CaseError;
+pub use file_reference::FileReference;
 pub use inputs::{FrictionLoad, LawName, OscillatorInputs, TimeForm};
 pub use keys::{Form, KEYS, Key, OscillatorKey, Range, Value};
 pub use mass::MassProblem;
@@ -53,6 +68,9 @@ pub use oscillator_analysis::OscillatorAnalysis;
 pub use oscillator_case::OscillatorCase;
 pub use quantity::{Quantity, QuantityError};
 pub use schema::schema;
+pub use shape::{HeightFile, RoughSurface, Roughness, Shape};
+pub use substrate::{PronyTerm, RelaxationSource, RelaxationTerm, Shift, Substrate, Temperature, TermCount};
 pub use sweep::{Family, MapMethod, ParameterKey, Scale, StabilityMap, Sweep, Within};
 pub use template::{TEMPLATES, template};
+pub use transient_analysis::{Motion, Oscillation, TransientSettings};
 pub use two_degrees::{Parameter, TwoDegreesAnalysis, TwoDegreesCase, TwoDegreesMatrices};

@@ -13,7 +13,7 @@ use crate::dimension::Dimension;
 /// A number in SI units with its dimension.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Quantity {
-    /// The number in m, kg, s, rad and their products; always finite.
+    /// The number in m, kg, s, rad, K, mol and their products; always finite.
     pub number: f64,
     /// Its dimension.
     pub dimension: Dimension,
@@ -48,7 +48,7 @@ pub enum QuantityError {
 /// A unit without prefix: symbol, factor and power of ten to SI, dimension, whether prefixes apply.
 struct Unit(&'static str, f64, i32, Dimension, bool);
 
-const UNITS: [Unit; 13] = [
+const UNITS: [Unit; 15] = [
     Unit("m", 1.0, 0, Dimension::LENGTH, true),
     Unit("g", 1.0, -3, Dimension::MASS, true),
     Unit("s", 1.0, 0, Dimension::TIME, true),
@@ -62,10 +62,18 @@ const UNITS: [Unit; 13] = [
     Unit("Pa", 1.0, 0, Dimension::STRESS, true),
     Unit("J", 1.0, 0, Dimension::new(2, 1, -2, 0), true),
     Unit("W", 1.0, 0, Dimension::new(2, 1, -3, 0), true),
+    Unit("K", 1.0, 0, Dimension::TEMPERATURE, true),
+    Unit("mol", 1.0, 0, Dimension::AMOUNT, true),
 ];
 
 /// The number 1 stands as a unit at the beginning: `1/Pa`.
 const ONE: Unit = Unit("1", 1.0, 0, Dimension::NUMBER, false);
+
+/// The ways of writing degrees Celsius, which stand alone: their zero is not that of the kelvin.
+const CELSIUS: [&str; 2] = ["degC", "°C"];
+
+/// 0 °C in kelvin.
+const CELSIUS_ZERO: f64 = 273.15;
 
 /// Powers of ten, summed over a whole unit and applied once: 30 mm/s is then exactly 0.03 m/s.
 const PREFIXES: [(char, i32); 10] = [
@@ -82,7 +90,8 @@ const PREFIXES: [(char, i32); 10] = [
 ];
 
 /// The units and prefixes that [`Quantity::parse`] knows, for help texts.
-pub const UNIT_LIST: &str = "m g s min h N Pa J W Hz rad deg, with the prefixes p n µ (or u) m c k M G";
+pub const UNIT_LIST: &str =
+    "m g s min h N Pa J W K mol degC Hz rad deg, with the prefixes p n µ (or u) m c k M G";
 
 impl Quantity {
     /// Parses `"3.5 kN/m"` and the like; `Hz` is 2π rad/s.
@@ -94,13 +103,22 @@ impl Quantity {
         let (number, length) =
             leading_number(&text[start..]).ok_or((QuantityError::NoNumber, 0..text.len()))?;
         let unit_start = start + length;
-        let (factor, exponent, dimension) = parse_unit(&text[unit_start..])
-            .map_err(|(cause, range)| (cause, range.start + unit_start..range.end + unit_start))?;
-        let number = scale(number * factor, exponent);
+        let (number, dimension) = if CELSIUS.contains(&text[unit_start..].trim()) {
+            (number + CELSIUS_ZERO, Dimension::TEMPERATURE)
+        } else {
+            let (factor, exponent, dimension) = parse_unit(&text[unit_start..])
+                .map_err(|(cause, range)| (cause, range.start + unit_start..range.end + unit_start))?;
+            (scale(number * factor, exponent), dimension)
+        };
         if !number.is_finite() {
             return Err((QuantityError::TooLarge, start..text.trim_end().len()));
         }
         Ok(Self { number, dimension })
+    }
+
+    /// Whether the text is a temperature in degrees Celsius, whose number was moved to the zero of the kelvin.
+    pub(crate) fn is_celsius(text: &str) -> bool {
+        CELSIUS.iter().any(|unit| text.trim_end().ends_with(unit))
     }
 }
 
@@ -171,7 +189,9 @@ fn parse_unit(text: &str) -> Placed<(f64, i32, Dimension)> {
         first &= next.is_whitespace();
     }
     if wants_unit {
-        return Err((QuantityError::Misplaced, text.trim_end().len() - 1..text.trim_end().len()));
+        let end = text.trim_end().len();
+        let last = text[..end].chars().next_back().map_or(0, char::len_utf8);
+        return Err((QuantityError::Misplaced, end - last..end));
     }
     Ok((factor, exponent, dimension))
 }
@@ -250,6 +270,10 @@ mod tests {
             ("10 ms", 0.01, Dimension::TIME),
             ("1e-7 1/Pa", 1e-7, Dimension::COMPLIANCE),
             ("0.9e-6/Pa", 0.9e-6, Dimension::COMPLIANCE),
+            ("25 degC", 298.15, Dimension::TEMPERATURE),
+            ("-10 °C", 263.15, Dimension::TEMPERATURE),
+            ("300 K", 300.0, Dimension::TEMPERATURE),
+            ("80 kJ/mol", 8e4, Dimension::MOLAR_ENERGY),
             ("2 µm", 2e-6, Dimension::LENGTH),
             ("2 kg·m/s²", 2.0, Dimension::FORCE),
             ("2 kg m s^-2", 2.0, Dimension::FORCE),
@@ -279,8 +303,11 @@ mod tests {
             (".", QuantityError::NoNumber, 0..1),
             ("nan m", QuantityError::NoNumber, 0..5),
             ("1e999 m", QuantityError::TooLarge, 0..7),
+            ("1e999 degC", QuantityError::TooLarge, 0..10),
+            ("3 degC/s", QuantityError::UnknownUnit { unit: "degC".into() }, 2..6),
             ("3 furlong/s", QuantityError::UnknownUnit { unit: "furlong".into() }, 2..9),
             ("3 m/", QuantityError::Misplaced, 3..4),
+            ("0m·", QuantityError::Misplaced, 2..4),
             ("3 m//s", QuantityError::Misplaced, 4..5),
             ("3,5 m", QuantityError::Misplaced, 1..2),
             ("3 N/m s", QuantityError::FactorAfterQuotient, 6..7),

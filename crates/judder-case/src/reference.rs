@@ -1,8 +1,9 @@
 //! The reference page of the book: every key and every kind of analysis, from the tables that read them.
 
+use crate::contact_analysis;
 use crate::oscillator_analysis;
 use crate::two_degrees;
-use crate::{FrictionLoad, KEYS, LawName, Range};
+use crate::{CONTACT_KEYS, FrictionLoad, KEYS, Key, LawName, Range};
 
 /// The page, as Markdown.
 pub fn reference() -> String {
@@ -16,33 +17,26 @@ pub fn reference() -> String {
          | --- | --- | --- | --- | --- | --- | --- |\n",
     );
     for key in &KEYS {
-        let number = match (key.group, key.dimension.is_number()) {
-            (Some(group), _) => group.to_owned(),
-            (None, true) => "the number".to_owned(),
-            (None, false) => "not allowed".to_owned(),
-        };
-        let string =
-            if key.dimension.is_number() { "not allowed".to_owned() } else { key.dimension.example() };
-        let default = key.default.map_or(String::new(), |(text, _)| format!("`{text}`"));
-        page += &format!(
-            "| `{}` | {} | {number} | {string} | {default} | {} | {} |\n",
-            key.path,
-            key.symbol,
-            allowed(key.range),
-            key.doc
-        );
+        page += &row(key);
     }
     let laws: Vec<String> = LawName::ALL.iter().map(|(name, _)| format!("`{name}`")).collect();
     let loads: Vec<String> = FrictionLoad::ALL.iter().map(|(name, _)| format!("`{name}`")).collect();
     page += &format!(
-        "\n`contact.law` is one of {}; `contact.friction_load` of {}.\n",
+        "\n`contact.law` is one of {}, or `{{ file = \"law.json\" }}`, a law that a contact case has left; `contact.friction_load` is one of {}. \
+         The law `bem` is computed for the case's own substrate under a paraboloid.\n",
         laws.join(", "),
         loads.join(", ")
     );
-    page += "\nThe relaxation of the substrate is given as `retardation_time` (creep), or as `relaxation_time`, or as one `prony` term \
-             `[{ time = \"10 ms\", compliance = \"0.9e-6 1/Pa\" }]`, which then gives the glassy modulus too.\n";
+    page += SUBSTRATE;
     page += "\n## Analyses of an oscillator case\n\n";
     page += &kinds(oscillator_analysis::KINDS.iter().map(|kind| (kind.name, kind.keys, kind.doc)));
+    page += CONTACT;
+    for key in &CONTACT_KEYS {
+        page += &row(key);
+    }
+    page += "\n### Analyses of a contact case\n\n";
+    page += &kinds(contact_analysis::KINDS.iter().map(|kind| (kind.name, kind.keys, kind.doc)));
+    page += CONTACT_RANGES;
     page += "\n## Analyses of a two-degrees case\n\n\
              `[parameters]` holds numbers by name; `[matrices]` holds `mass` (identity by default), `damping` (zero by default) and `stiffness` as 2 × 2 \
              arrays of numbers or expressions of the parameters. Swept keys are `parameters.NAME`.\n\n";
@@ -51,6 +45,66 @@ pub fn reference() -> String {
              `family` is `{ key = \"…\", values = [ … ] }`, one curve a value, and `within` is `{ from = 1e-6, to = 1e3 }`. `method` is `adaptive` (the \
              default) or `every-point`; `boundaries = false` leaves the curves out.\n";
     page
+}
+
+/// How the relaxation of a substrate is given.
+const SUBSTRATE: &str = "
+The relaxation of the substrate is given in one of these ways. A *retardation* time belongs to creep at constant stress, a *relaxation* time to the \
+decay of stress at constant strain; for one term the second is E0/E∞ of the first.
+
+| key of `[substrate]` | what it says |
+| --- | --- |
+| `retardation_time` | one retardation time, with both moduli |
+| `relaxation_time` | one relaxation time, with both moduli |
+| `prony = [{ time = \"10 ms\", compliance = \"0.9e-6 1/Pa\" }, …]` | retardation times and creep compliances; 1/E∞ = 1/E0 − Σ C_k follows |
+| `relaxation = [{ time = \"1 ms\", modulus = \"9 MPa\" }, …]` | relaxation times and moduli; E∞ = E0 + Σ E_j follows |
+| `dma = { file = \"data.csv\", terms = \"auto\" }` | a series fitted to measured storage and loss moduli; the glassy modulus follows, and the rubbery one unless it is given |
+
+Times ascend. Where there are several, the τ of the groups (v τ/R, ω τ) is the mean retardation time Σ C_k τ_k/Σ C_k. The fitted laws know one time \
+only. `temperature = \"40 degC\"` with `shift = { wlf = { c1 = 17.4, c2 = \"51.6 K\", reference_temperature = \"25 degC\" } }` or \
+`shift = { arrhenius = { activation_energy = \"80 kJ/mol\", reference_temperature = \"25 degC\" } }` moves all times. A path is relative to the case file.
+";
+
+/// What a contact case has, before the table of its numbers.
+const CONTACT: &str = "
+## Keys of a contact case
+
+`model = \"contact\"` takes `[substrate]` as above, `[indenter]` with `radius` and `shape`, and analyses. `shape` is `\"paraboloid\"` (the default), \
+`\"sphere\"`, `\"cylinder\"` (a line contact: forces are per length), a height map `{ heights = \"file.npy\", spacing = \"1 um\" }` (npy, text matrix or \
+NetCDF; `variable` picks one of several, `unit` is the length of a height of 1, `periodic = true` repeats it), or a generated surface \
+`{ rough = { period = \"1 mm\", cells = 256, hurst = 0.8, rms_height = \"1 um\", seed = 1 } }`.
+
+| key | symbol | a plain number is | a string is | default | allowed | what it is |
+| --- | --- | --- | --- | --- | --- | --- |
+";
+
+/// What follows the analyses of a contact case.
+const CONTACT_RANGES: &str = "
+A `contact` takes `velocity` and either `indentation` or `load`. In the kinds `contact-law`, `fit` and `modulus`, `velocity`, `indentation` and `frequency` are ranges \
+`{ from = 1e-6, to = 1e4, points = 51 }` with equal ratios between their points. `method` is `collapse` (one curve over v τ/√(R δ), exact for a paraboloid \
+and its default) or `sweep`; the default accuracy of a law is 1e-2. An accuracy is that of the force; area and friction may be five times as far off. \
+A law is `converged` where the errors of its interpolation and of its contacts together are within it. `cells` is an even number, 64 at least.
+
+A `transient` takes `motion`, `duration`, and either `indentation` or `load`. `motion = \"start\"` takes `velocity`, at which the indenter slides from time 0 on; \
+`\"reciprocation\"` takes `amplitude` and `frequency` of its position; `\"rest\"` neither. `oscillation = { amplitude = 1e-3, frequency = 0.4 }` adds a wave to the \
+`indentation` at rest or after a start. Before time 0 the contact has rested for ever; at rest without `oscillation` the indenter presses on an untouched \
+substrate at time 0.
+";
+
+/// One row of a table of keys.
+fn row<K>(key: &Key<K>) -> String {
+    let number = match (key.group, key.dimension.is_number()) {
+        (Some(group), _) => group.to_owned(),
+        (None, true) => "the number".to_owned(),
+        (None, false) => "not allowed".to_owned(),
+    };
+    let string = match key.dimension.is_number() {
+        true => "not allowed".to_owned(),
+        false => key.example().replace("\" or \"", " or "),
+    };
+    let default = key.default.map_or(String::new(), |(text, _)| format!("`{text}`"));
+    let (range, doc) = (allowed(key.range), key.doc);
+    format!("| `{}` | {} | {number} | {string} | {default} | {range} | {doc} |\n", key.path, key.symbol)
 }
 
 fn allowed(range: Range) -> String {

@@ -4,11 +4,19 @@ use serde_json::{Map, Value as Json, json};
 
 use crate::analysis::Analysis;
 use crate::case_file::Case;
+use crate::contact_analysis::{ContactAnalysis, LawSettings, Loading, Span};
+use crate::contact_case::ContactCase;
+use crate::contact_keys::ContactKey;
 use crate::dimension::Dimension;
-use crate::keys::{Form, KEYS, OscillatorKey};
+use crate::keys::{Form, KEYS, OscillatorKey, Value};
 use crate::oscillator_analysis::OscillatorAnalysis;
 use crate::oscillator_case::OscillatorCase;
+use crate::shape::{Roughness, Shape};
+use crate::substrate::{
+    PronyTerm, RelaxationSource, RelaxationTerm, Shift, Substrate, Temperature, TermCount,
+};
 use crate::sweep::{Family, ParameterKey, StabilityMap, Sweep, Within};
+use crate::transient_analysis::{Motion, Oscillation, TransientSettings};
 use crate::two_degrees::{TwoDegreesAnalysis, TwoDegreesCase};
 
 impl Case {
@@ -18,6 +26,7 @@ impl Case {
     pub fn resolved(&self) -> Json {
         let mut json = match self {
             Self::Oscillator(case) => oscillator(case),
+            Self::Contact(case) => contact(case),
             Self::TwoDegrees(case) => two_degrees(case),
         };
         // another crate of the build may have switched serde_json to insertion order
@@ -34,11 +43,177 @@ fn oscillator(case: &OscillatorCase) -> Json {
         "substrate": { "given_as": case.time_form().name() },
         "analysis": case.analyses.iter().map(|analysis| named(analysis, oscillator_analysis)).collect::<Vec<_>>(),
     });
+    if let Some(file) = &case.law_file {
+        json["contact"]["law"] = json!({ "file": file.given });
+    }
+    add_substrate(&mut json["substrate"], &case.substrate);
     for entry in &KEYS {
         let value = case.inputs.get(entry.key);
         json[entry.section()][entry.name()] = number(value.number, value.form, entry.dimension);
     }
     json
+}
+
+fn contact(case: &ContactCase) -> Json {
+    let mut json = json!({
+        "model": "contact",
+        "title": case.title,
+        "substrate": { "given_as": case.inputs.time_form().name() },
+        "indenter": { "shape": shape(&case.shape) },
+        "analysis": case.analyses.iter().map(|analysis| named(analysis, contact_analysis)).collect::<Vec<_>>(),
+    });
+    add_substrate(&mut json["substrate"], &case.substrate);
+    for entry in ContactCase::KEYS.map(OscillatorKey::entry) {
+        let value = case.inputs.get(entry.key);
+        json[entry.section()][entry.name()] = number(value.number, value.form, entry.dimension);
+    }
+    json
+}
+
+/// Adds what a substrate has beside its numeric keys.
+fn add_substrate(json: &mut Json, substrate: &Substrate) {
+    let si = |value: f64, key: ContactKey| number(value, Form::Si, key.entry().dimension);
+    match &substrate.source {
+        RelaxationSource::OneTime => (),
+        RelaxationSource::Prony(terms) => {
+            let term = |term: &PronyTerm| {
+                json!({
+                    "time": si(term.retardation_time, ContactKey::PronyTime),
+                    "compliance": si(term.compliance, ContactKey::PronyCompliance),
+                })
+            };
+            json["given_as"] = json!("prony");
+            json["prony"] = terms.iter().map(term).collect();
+        }
+        RelaxationSource::Relaxation(terms) => {
+            let term = |term: &RelaxationTerm| {
+                json!({
+                    "time": si(term.relaxation_time, ContactKey::RelaxationTime),
+                    "modulus": si(term.modulus, ContactKey::RelaxationModulus),
+                })
+            };
+            json["given_as"] = json!("relaxation");
+            json["relaxation"] = terms.iter().map(term).collect();
+        }
+        RelaxationSource::Dma { file, terms, .. } => {
+            let terms = match terms {
+                TermCount::Auto => json!("auto"),
+                TermCount::Given(count) => json!(count),
+            };
+            json["given_as"] = json!("dma");
+            json["dma"] = json!({ "file": file.given, "terms": terms });
+        }
+    }
+    if let Some(Temperature { temperature, shift }) = &substrate.temperature {
+        json["temperature"] = si(*temperature, ContactKey::Temperature);
+        json["shift"] = match *shift {
+            Shift::Wlf { first, second, reference } => json!({ "wlf": {
+                "c1": first, "c2": si(second, ContactKey::WlfSecond),
+                "reference_temperature": si(reference, ContactKey::WlfReference),
+            } }),
+            Shift::Arrhenius { activation_energy, reference } => json!({ "arrhenius": {
+                "activation_energy": si(activation_energy, ContactKey::ActivationEnergy),
+                "reference_temperature": si(reference, ContactKey::ArrheniusReference),
+            } }),
+        };
+    }
+}
+
+fn shape(shape: &Shape) -> Json {
+    let length = |value: f64| number(value, Form::Si, Dimension::LENGTH);
+    match shape {
+        Shape::Heights(heights) => json!({
+            "heights": heights.file.given, "spacing": heights.spacing.map(length), "variable": heights.variable,
+            "unit": length(heights.unit), "periodic": heights.periodic,
+        }),
+        Shape::Rough(rough) => {
+            let (name, value) = match rough.roughness {
+                Roughness::Height(height) => ("rms_height", length(height)),
+                Roughness::Slope(slope) => ("rms_slope", json!(slope)),
+            };
+            json!({ "rough": {
+                "period": length(rough.period), "cells": rough.cells, "hurst": rough.hurst,
+                "roll_off": length(rough.roll_off), "cut_off": length(rough.cut_off), "seed": rough.seed,
+                name: value,
+            } })
+        }
+        word => json!(word.name()),
+    }
+}
+
+fn contact_analysis(kind: &ContactAnalysis) -> Json {
+    let value = contact_value;
+    match kind {
+        ContactAnalysis::Contact(contact) => {
+            let (loading, load) = pressed(contact.loading);
+            json!({
+                "kind": "contact", "velocity": value(contact.velocity, ContactKey::Velocity), loading: load,
+                "accuracy": contact.accuracy, "cells": contact.cells,
+                "domain": contact.domain.map(|domain| value(domain, ContactKey::Domain)),
+            })
+        }
+        ContactAnalysis::ContactLaw(law) => law_settings("contact-law", law),
+        ContactAnalysis::Fit { law, velocity_scale } => {
+            let mut json = law_settings("fit", law);
+            json["velocity_scale"] = json!(velocity_scale);
+            json
+        }
+        ContactAnalysis::Modulus { frequency } => json!({
+            "kind": "modulus",
+            "frequency": frequency.as_ref().map(|range| span(range, ContactKey::Frequency)),
+        }),
+        ContactAnalysis::Transient(settings) => transient(settings),
+    }
+}
+
+fn transient(settings: &TransientSettings) -> Json {
+    let (key, load) = pressed(settings.loading);
+    let mut json = json!({
+        "kind": "transient", "motion": settings.motion.name(), key: load,
+        "duration": contact_value(settings.duration, ContactKey::Duration), "cells": settings.cells,
+        "oscillation": settings.oscillation.as_ref().map(oscillation),
+    });
+    match &settings.motion {
+        Motion::Rest => {}
+        Motion::Start(velocity) => json["velocity"] = contact_value(*velocity, ContactKey::Velocity),
+        Motion::Reciprocation(wave) => {
+            json["amplitude"] = contact_value(wave.amplitude, ContactKey::Amplitude);
+            json["frequency"] = contact_value(wave.frequency, ContactKey::Frequency);
+        }
+    }
+    json
+}
+
+fn oscillation(wave: &Oscillation) -> Json {
+    json!({
+        "amplitude": contact_value(wave.amplitude, ContactKey::Amplitude),
+        "frequency": contact_value(wave.frequency, ContactKey::Frequency),
+    })
+}
+
+/// What presses the indenter down: its key and its value.
+fn pressed(loading: Loading) -> (&'static str, Json) {
+    match loading {
+        Loading::Indentation(depth) => ("indentation", contact_value(depth, ContactKey::Indentation)),
+        Loading::Load(force) => ("load", contact_value(force, ContactKey::Load)),
+    }
+}
+
+fn contact_value(value: Value, key: ContactKey) -> Json {
+    number(value.number, value.form, key.entry().dimension)
+}
+
+fn law_settings(kind: &str, law: &LawSettings) -> Json {
+    json!({
+        "kind": kind, "velocity": span(&law.velocity, ContactKey::Velocity),
+        "indentation": span(&law.indentation, ContactKey::Indentation), "accuracy": law.accuracy,
+        "method": law.method.name(),
+    })
+}
+
+fn span(span: &Span, key: ContactKey) -> Json {
+    let end = |end| number(end, span.form, key.entry().dimension);
+    json!({ "from": end(span.from), "to": end(span.to), "points": span.points })
 }
 
 fn two_degrees(case: &TwoDegreesCase) -> Json {

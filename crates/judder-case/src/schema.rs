@@ -1,8 +1,11 @@
 //! The JSON Schema of case files, so that editors complete and check: generated from the table of keys.
 
+mod contact;
+
 use serde_json::{Map, Value as Json, json};
 
 use crate::analysis::Kind;
+use crate::contact_keys::CONTACT_KEYS;
 use crate::inputs::{FrictionLoad, LawName};
 use crate::keys::{KEYS, Key, OscillatorKey, Range};
 use crate::oscillator_analysis::{LOAD_WITHIN, SHEAR_STRENGTH_WITHIN};
@@ -11,7 +14,7 @@ use crate::sweep::{MapMethod, Scale};
 use crate::two_degrees::CRITICAL_POINTS;
 use crate::{oscillator_analysis, two_degrees};
 
-/// The JSON Schema (draft 2020-12) of case files of both models, with descriptions and defaults.
+/// The JSON Schema (draft 2020-12) of case files of all models, with descriptions and defaults.
 ///
 /// It knows names, types, signs and defaults; units and conditions between keys are checked by reading the case.
 pub fn schema() -> Json {
@@ -23,12 +26,15 @@ pub fn schema() -> Json {
     for entry in &KEYS {
         definitions[entry.path] = key(entry);
     }
+    for entry in &CONTACT_KEYS {
+        definitions[entry.path] = key(entry);
+    }
     let mut json = json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "A case of judder",
         "type": "object",
         "required": ["model"],
-        "oneOf": [oscillator(), two_degrees_case()],
+        "oneOf": [oscillator(), contact::case(), two_degrees_case()],
         "$defs": definitions,
     });
     json.sort_all_objects();
@@ -62,7 +68,7 @@ fn reference(definition: &str) -> Json {
 }
 
 /// What a numeric key takes: a group, a quantity in quotes, or either.
-fn key(entry: &Key) -> Json {
+fn key<K>(entry: &Key<K>) -> Json {
     let mut forms = Vec::new();
     if let Some(group) = entry.group {
         let mut form = match entry.range {
@@ -76,7 +82,7 @@ fn key(entry: &Key) -> Json {
         forms.push(form);
     }
     if !entry.dimension.is_number() {
-        let example = entry.dimension.example();
+        let example = entry.example();
         let examples: Vec<_> = example.split("\" or \"").collect();
         forms.push(json!({
             "type": "string", "description": entry.dimension.to_string(), "examples": examples,
@@ -100,18 +106,12 @@ fn oscillator() -> Json {
         let mut keys: Map<_, _> =
             entries.map(|entry| (entry.name().to_owned(), reference(entry.path))).collect();
         match section {
-            "substrate" => {
-                let term = object([
-                    ("time", json!({ "type": "string" })),
-                    ("compliance", json!({ "type": "string" })),
-                ]);
-                let term = table("one term of the creep compliance", term, &["time", "compliance"]);
-                let doc = "one term, in place of the times and the glassy modulus: 1/E∞ = 1/E0 − compliance";
-                let prony = json!({ "type": "array", "items": term, "minItems": 1, "maxItems": 1, "description": doc });
-                keys.insert("prony".to_owned(), prony);
-            }
+            "substrate" => keys.extend(contact::substrate()),
             "contact" => {
-                let laws = choice(LawName::ALL.map(|(name, _)| name), "oscillator-paper", "contact law");
+                let words = choice(LawName::ALL.map(|(name, _)| name), "oscillator-paper", "contact law");
+                let file = object([("file", contact::file("a law that was computed earlier"))]);
+                let file = table("a law from a file", file, &["file"]);
+                let laws = json!({ "anyOf": [words, file], "default": "oscillator-paper" });
                 let loads = FrictionLoad::ALL.map(|(name, _)| name);
                 let loads = choice(loads, "normal-load", "the force that μ_visc multiplies");
                 keys.extend(object([("law", laws), ("friction_load", loads)]));

@@ -1,6 +1,7 @@
 //! Typed reading of one section: unknown keys are refused first, then each key is read as what it must be.
 
 use crate::cause::Cause;
+use crate::contact_problem::ContactProblem;
 use crate::document::{Data, Node, Table};
 use crate::error::{Fault, Place};
 
@@ -59,6 +60,21 @@ impl<'a> Section<'a> {
         match node.data {
             Data::Boolean(value) => Ok(Some(value)),
             _ => Err(wrong_type(&self.path(key), "true or false", node)),
+        }
+    }
+
+    /// A whole number from `from` to `to`.
+    pub(crate) fn whole(&self, key: &str, from: usize, to: usize) -> Result<Option<usize>, Fault> {
+        let Some(node) = self.get(key) else { return Ok(None) };
+        let Data::Number { whole: Some(found), .. } = node.data else {
+            return Err(wrong_type(&self.path(key), "an integer", node));
+        };
+        match usize::try_from(found) {
+            Ok(count) if (from..=to).contains(&count) => Ok(Some(count)),
+            _ => {
+                let problem = ContactProblem::Count { key: self.path(key), from, to, found };
+                Err(Cause::Contact { problem }.at(node.place))
+            }
         }
     }
 

@@ -1,6 +1,7 @@
 //! What can be swept: the numeric keys of an oscillator case, or the parameters of a two-degrees case.
 
 use crate::cause::Cause;
+use crate::contact_problem::ContactProblem;
 use crate::document::{Data, Node};
 use crate::error::Fault;
 use crate::inputs::{LawName, OscillatorInputs};
@@ -30,7 +31,7 @@ pub(crate) trait SweptKeys {
 }
 
 /// Reads the value of a numeric key: a plain number is its group, a string carries a unit.
-pub(crate) fn read_value(entry: &Key, name: &str, node: &Node) -> Result<Value, Fault> {
+pub(crate) fn read_value<K>(entry: &Key<K>, name: &str, node: &Node) -> Result<Value, Fault> {
     let value = match &node.data {
         Data::Number { .. } => {
             let number = finite_number(name, node)?;
@@ -46,13 +47,13 @@ pub(crate) fn read_value(entry: &Key, name: &str, node: &Node) -> Result<Value, 
             let expected = match (entry.group, entry.dimension.is_number()) {
                 (_, true) => "a plain number".to_owned(),
                 (None, false) => {
-                    format!("{} in quotes, such as \"{}\"", entry.dimension, entry.dimension.example())
+                    format!("{} in quotes, such as \"{}\"", entry.dimension, entry.example())
                 }
                 (Some(group), false) => {
                     format!(
                         "a plain number ({group}) or {} in quotes, such as \"{}\"",
                         entry.dimension,
-                        entry.dimension.example()
+                        entry.example()
                     )
                 }
             };
@@ -65,11 +66,15 @@ pub(crate) fn read_value(entry: &Key, name: &str, node: &Node) -> Result<Value, 
     Err(Cause::OutOfRange { key: name.to_owned(), number: value.number, range: entry.range }.at(node.place))
 }
 
-fn read_quantity(entry: &Key, name: &str, text: &str, node: &Node) -> Result<Value, Fault> {
+fn read_quantity<K>(entry: &Key<K>, name: &str, text: &str, node: &Node) -> Result<Value, Fault> {
     let dimension = entry.dimension;
     let quantity = Quantity::parse(text).map_err(|(problem, range)| {
         Cause::Quantity { key: name.to_owned(), dimension, problem }.at(node.part(range))
     })?;
+    if entry.difference && Quantity::is_celsius(text) {
+        let problem = ContactProblem::Difference { key: name.to_owned(), example: entry.example() };
+        return Err(Cause::Contact { problem }.at(node.place));
+    }
     if quantity.dimension == dimension {
         return Ok(Value { number: quantity.number, form: Form::Si });
     }
@@ -81,23 +86,59 @@ fn read_quantity(entry: &Key, name: &str, text: &str, node: &Node) -> Result<Val
 pub(crate) struct OscillatorKeys {
     pub(crate) inputs: OscillatorInputs,
     pub(crate) law: LawName,
+    /// What decides moduli and times together, where a series or data were given.
+    pub(crate) decided_by: Option<&'static str>,
 }
 
 /// Keys of an oscillator case that are not numeric.
-const NOT_NUMERIC: [&str; 6] =
-    ["title", "model", "contact.law", "contact.friction_load", "substrate.prony", "analysis"];
+const NOT_NUMERIC: [&str; 10] = [
+    "title",
+    "model",
+    "contact.law",
+    "contact.friction_load",
+    "substrate.prony",
+    "substrate.relaxation",
+    "substrate.dma",
+    "substrate.temperature",
+    "substrate.shift",
+    "analysis",
+];
+
+impl OscillatorKeys {
+    /// What keeps a key from being swept.
+    fn fixed_by(&self, key: OscillatorKey) -> Option<String> {
+        use OscillatorKey::{GlassyModulus, RelaxationTime, RetardationTime, RubberyModulus};
+        let is_modulus = matches!(key, RubberyModulus | GlassyModulus);
+        match self.decided_by {
+            Some(by) if is_modulus || matches!(key, RetardationTime | RelaxationTime) => {
+                Some(format!("`{by}`"))
+            }
+            _ if is_modulus && self.law == LawName::Bem => {
+                Some("the law `bem`, which is computed for one substrate,".to_owned())
+            }
+            _ => None,
+        }
+    }
+}
 
 impl SweptKeys for OscillatorKeys {
     type Key = OscillatorKey;
 
     fn find(&self, path: &str) -> Result<OscillatorKey, Cause> {
-        OscillatorKey::from_path(path).ok_or_else(|| {
-            let known = KEYS.iter().map(|entry| entry.path.to_owned()).collect();
-            if NOT_NUMERIC.contains(&path) {
-                Cause::NotNumeric { key: path.to_owned(), known }
-            } else {
-                Cause::UnknownName { what: "swept key", name: path.to_owned(), known }
-            }
+        if let Some(key) = OscillatorKey::from_path(path) {
+            return match self.fixed_by(key) {
+                None => Ok(key),
+                Some(by) => {
+                    let problem = ContactProblem::FixedKey { key: path.to_owned(), by };
+                    Err(Cause::Contact { problem })
+                }
+            };
+        }
+        let known = KEYS.iter().map(|entry| entry.path.to_owned()).collect();
+        Err(if NOT_NUMERIC.contains(&path) {
+            Cause::NotNumeric { key: path.to_owned(), known }
+        } else {
+            Cause::UnknownName { what: "swept key", name: path.to_owned(), known }
         })
     }
 

@@ -1,13 +1,14 @@
 //! The commented case files that `judder new` prints; the sections are generated from the table of keys.
 
 use crate::cause::Cause;
+use crate::contact_case::ContactCase;
 use crate::error::CaseError;
 use crate::inputs::OscillatorInputs;
-use crate::keys::{Form, KEYS, Key};
+use crate::keys::{Form, KEYS, Key, OscillatorKey};
 use crate::oscillator_case::SECTIONS;
 
 /// The names of the templates; the first is the default of `judder new`.
-pub const TEMPLATES: [&str; 2] = ["oscillator", "two-degrees"];
+pub const TEMPLATES: [&str; 3] = ["oscillator", "contact", "two-degrees"];
 
 /// The commented case file of this name.
 ///
@@ -16,6 +17,7 @@ pub const TEMPLATES: [&str; 2] = ["oscillator", "two-degrees"];
 pub fn template(name: &str) -> Result<String, CaseError> {
     match name {
         "oscillator" => Ok(oscillator()),
+        "contact" => Ok(contact()),
         "two-degrees" => Ok(TWO_DEGREES.to_owned()),
         _ => {
             let known = TEMPLATES.map(String::from).to_vec();
@@ -38,6 +40,18 @@ fn oscillator() -> String {
         }
     }
     text + OSCILLATOR_ANALYSES
+}
+
+fn contact() -> String {
+    let mut text = CONTACT_HEAD.to_owned();
+    for section in ["substrate", "indenter"] {
+        text.push_str(&format!("\n[{section}]\n"));
+        for key in ContactCase::KEYS.map(OscillatorKey::entry).iter().filter(|e| e.section() == section) {
+            text.push_str(&line(key));
+        }
+        text.push_str(if section == "substrate" { SUBSTRATE_CHOICES } else { SHAPE_CHOICES });
+    }
+    text + CONTACT_ANALYSES
 }
 
 /// `velocity = 1e-4  # v_d τ/R, or with a unit ("30 mm/s"): driving speed`; a key
@@ -71,7 +85,7 @@ model = \"oscillator\"
 ";
 
 const CONTACT_CHOICES: &str = "\
-law = \"oscillator-paper\"          # as printed; or \"oscillator-paper-corrected\", \"hertz\"
+law = \"oscillator-paper\"          # as printed; or \"oscillator-paper-corrected\", \"hertz\", \"bem\", { file = \"law.json\" }
 friction_load = \"normal-load\"     # F_n μ_visc as printed; or \"contact-force\", F_k μ_visc
 ";
 
@@ -102,6 +116,59 @@ name = \"thresholds\"
 kind = \"critical-shear-strength\"  # all roots along one key; likewise \"critical-load\"
 sweep = { key = \"operation.velocity\", from = 1e-8, to = 1e2, points = 101, scale = \"log\" }
 within = { from = 1e-6, to = 1e3 } # where roots are sought
+";
+
+const CONTACT_HEAD: &str = "\
+# A case of judder: a rigid indenter that slides steadily on a viscoelastic substrate.
+# A plain number is a dimensionless group; a string carries a unit. Every key that is left out takes the value shown
+# here, which is the oscillator paper's.
+
+title = \"A paraboloid on rubber\"
+model = \"contact\"
+";
+
+const SUBSTRATE_CHOICES: &str = "\
+# In place of the time and the glassy modulus, one of:
+# prony = [{ time = \"10 ms\", compliance = \"0.9e-6 1/Pa\" }]       # retardation times, ascending, and compliances
+# relaxation = [{ time = \"1 ms\", modulus = \"9 MPa\" }]             # relaxation times, ascending, and moduli
+# dma = { file = \"data.csv\", terms = \"auto\" }                     # a series fitted to measured moduli
+# The temperature, and how it moves all times:
+# temperature = \"40 degC\"
+# shift = { wlf = { c1 = 17.4, c2 = \"51.6 K\", reference_temperature = \"25 degC\" } }
+";
+
+const SHAPE_CHOICES: &str = "\
+shape = \"paraboloid\"            # or \"sphere\", \"cylinder\", { heights = \"file.npy\", spacing = \"1 um\" },
+                                  # { rough = { period = \"1 mm\", cells = 256, hurst = 0.8, rms_height = \"1 um\", seed = 1 } }
+";
+
+const CONTACT_ANALYSES: &str = "
+[[analysis]]
+name = \"modulus\"
+kind = \"modulus\"                  # storage and loss modulus, loss tangent
+# frequency = { from = \"1 Hz\", to = \"1 kHz\", points = 200 }
+
+[[analysis]]
+name = \"contact\"
+kind = \"contact\"                  # one contact: force, area, friction, fields
+velocity = 1e-2                   # v τ/R, or a speed (\"30 mm/s\")
+indentation = 1e-2                # δ/R, or a length; or in its place load = 1e-4, F/(E0* R²), or a force
+accuracy = 1e-3                   # relative, of the force
+
+[[analysis]]
+name = \"law\"
+kind = \"contact-law\"              # force, area, friction over speed and indentation; leaves law.json for an oscillator
+velocity = { from = 1e-6, to = 1e4, points = 51 }
+indentation = { from = 1e-4, to = 1e-1, points = 16 }
+accuracy = 1e-2
+method = \"collapse\"               # exact for a paraboloid; or \"sweep\"
+
+[[analysis]]
+name = \"fit\"
+kind = \"fit\"                      # the three functions of the oscillator paper
+velocity = { from = 1e-6, to = 1e4, points = 51 }
+indentation = { from = 1e-4, to = 1e-1, points = 16 }
+velocity_scale = 0.01             # factor of v τ/R at which the functions are read
 ";
 
 const TWO_DEGREES: &str = "\

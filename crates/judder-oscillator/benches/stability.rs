@@ -1,6 +1,8 @@
 //! What a stability decision costs: alone, in a map decided at every point, in an adaptive map; and one full analysis.
 #![allow(clippy::unwrap_used, reason = "a benchmark that cannot start has nothing to report")]
 
+#[path = "../tests/computed/mod.rs"]
+mod computed;
 #[path = "../tests/panels/mod.rs"]
 mod panels;
 
@@ -72,5 +74,22 @@ fn single_points(criterion: &mut Criterion) {
     });
 }
 
-criterion_group!(benches, maps, single_points);
+/// Fig. 9a decided at every point, with the printed law and with laws that are tables.
+fn laws(criterion: &mut Criterion) {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    let mut panel = panels(1000).swap_remove(0);
+    let mut group = criterion.benchmark_group("laws, 1000 × 1000 at every point");
+    group.sample_size(10).measurement_time(Duration::from_secs(2));
+    let [curve, table] = computed::computed_laws();
+    let printed = panel.contact.law.clone();
+    for (name, law) in [("fitted", printed), ("collapsed", curve), ("tabulated", table)] {
+        panel.contact.law = law;
+        group.bench_function(name, |bencher| {
+            pool.install(|| bencher.iter(|| every_point(&panel.contact, &panel.plane)));
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, maps, laws, single_points);
 criterion_main!(benches);

@@ -211,6 +211,8 @@ impl Block {
         match &contact.law {
             Law::Fitted(law) => self.decide_with(law, contact, count),
             Law::Hertz(law) => self.decide_with(law, contact, count),
+            Law::Collapsed(law) => self.decide_with(law.as_ref(), contact, count),
+            Law::Tabulated(law) => self.decide_with(law.as_ref(), contact, count),
         }
     }
 
@@ -219,6 +221,8 @@ impl Block {
         match &contact.law {
             Law::Fitted(law) => weigh(law, contact.friction_load, self),
             Law::Hertz(law) => weigh(law, contact.friction_load, self),
+            Law::Collapsed(law) => weigh(law.as_ref(), contact.friction_load, self),
+            Law::Tabulated(law) => weigh(law.as_ref(), contact.friction_load, self),
         }
         for lane in 0..LANES {
             if self.ln_indentation[lane].is_nan() {

@@ -44,7 +44,7 @@ pub use linear_system::LinearSystem;
 pub use mechanism::{Mechanism, Verdict};
 
 /// The contact: which law, and which load carries the viscoelastic friction.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Contact {
     /// F̃_k, Ã, μ_visc over speed and depth.
     pub law: judder_contact::Law,
@@ -62,8 +62,11 @@ mod book {
         };
     }
     chapter!(FirstMap, "tutorials/first-map");
+    chapter!(OwnRubber, "tutorials/own-rubber");
     chapter!(Oscillator, "theory/oscillator");
     chapter!(ContactLaws, "theory/contact-laws");
+    chapter!(SlidingKernel, "theory/sliding-kernel");
+    chapter!(ComputedLaws, "theory/computed-laws");
     chapter!(Checks, "theory/checks");
     chapter!(Figure4, "figures/figure-4");
     chapter!(Figure5, "figures/figure-5");

@@ -2,6 +2,7 @@
 //! the resolution of a map leaves unchanged (`convergence`).
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on has failed")]
 
+mod computed;
 mod convergence;
 mod page;
 mod panels;

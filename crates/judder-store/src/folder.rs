@@ -7,7 +7,7 @@ use std::sync::Mutex;
 
 use crate::name::check_name;
 use crate::staging::{self, Stage};
-use crate::{Dataset, Status, StoreError, Summary, Table, results, summary, zarr};
+use crate::{Dataset, Scratch, Status, StoreError, Summary, Table, results, scratch, summary, zarr};
 
 const LOCK: &str = ".judder.lock";
 
@@ -86,7 +86,7 @@ impl StudyFolder {
             };
             forget().map_err(|source| StoreError::write(&path, 0, source))?;
         }
-        Ok(())
+        scratch::forget(&self.path)
     }
 
     /// Writes the arrays of an analysis, in place of those of an earlier run. `hash` names all that they depend on.
@@ -123,6 +123,15 @@ impl StudyFolder {
         let record = summary.as_ref().and_then(|summary| summary.analyses.get(analysis));
         let recorded = record.is_some_and(|record| record.hash == hash && record.status == Status::Done);
         Ok(recorded && zarr::stored_hash(&group).is_some_and(|stored| stored == hash))
+    }
+
+    /// What an analysis has kept under this hash before it was interrupted, and where it keeps more.
+    ///
+    /// # Errors
+    /// A name that cannot be a file, failures of the file system.
+    pub fn scratch(&self, analysis: &str, hash: &str) -> Result<Scratch, StoreError> {
+        check_name("an analysis", analysis)?;
+        Scratch::open(&self.path, analysis, hash)
     }
 
     /// Writes `summary.json`.

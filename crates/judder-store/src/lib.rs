@@ -10,8 +10,10 @@
 //!   a rerun resumes.
 //! - [`StudyFolder`] (`folder.rs`): the folder of one study: takes it, locks it, sweeps what a killed run left, and is the
 //!   one door through which everything is written and read.
+//! - [`Scratch`] (`scratch.rs`): what an analysis keeps while it runs.
 //! - `zarr.rs`: one dataset as one group of the Zarr v3 store `results.zarr`; `metadata.rs`: the metadata of its groups,
 //!   consolidated so that one read opens all; `staging.rs`: the atomic write under all of the above.
+//! - [`vtu()`], [`Quads`] (`vtu.rs`): fields on square cells for ParaView.
 //! - [`content_hash`] (`hash.rs`) names a case or an analysis by its content.
 //! - [`StoreError`] (`error.rs`): what can go wrong, and what to do about it.
 
@@ -22,10 +24,12 @@ mod hash;
 mod metadata;
 mod name;
 mod results;
+mod scratch;
 mod staging;
 mod summary;
 mod table;
 mod variable;
+mod vtu;
 mod zarr;
 
 pub use dataset::Dataset;
@@ -33,6 +37,8 @@ pub use error::StoreError;
 pub use folder::StudyFolder;
 pub use hash::content_hash;
 pub use num_complex::Complex64;
+pub use scratch::Scratch;
 pub use summary::{AnalysisRecord, Status, Summary, number};
 pub use table::{Cells, Table};
 pub use variable::{Data, Variable};
+pub use vtu::{Quads, vtu};

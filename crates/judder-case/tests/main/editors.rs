@@ -12,8 +12,10 @@ fn every_template_is_a_valid_case() {
         let case = parse(&text, &[]).unwrap_or_else(|error| panic!("{name}: {error}"));
         let commented = text.lines().filter(|line| line.contains("# ")).count();
         assert!(commented > 5, "{name} has comments");
-        if let Case::Oscillator(case) = case {
-            assert_eq!(case.inputs, OscillatorInputs::default());
+        match case {
+            Case::Oscillator(case) => assert_eq!(case.inputs, OscillatorInputs::default()),
+            Case::Contact(case) => assert_eq!(case.inputs, OscillatorInputs::default()),
+            Case::TwoDegrees(_) => (),
         }
     }
 }
@@ -31,7 +33,7 @@ fn the_template_of_the_oscillator_shows_every_key() {
 fn an_unknown_template_names_the_known_ones() {
     let error = template("oscilator").unwrap_err();
     assert_eq!(error.to_string(), "there is no template `oscilator`");
-    assert_eq!(help_of(&error), "did you mean `oscillator`? known: oscillator, two-degrees");
+    assert_eq!(help_of(&error), "did you mean `oscillator`? known: oscillator, contact, two-degrees");
 }
 
 /// Calls `visit` with every object of a JSON document.

@@ -4,10 +4,12 @@
 
 mod any_text;
 mod bad_analysis;
+mod bad_contact;
 mod bad_key;
 mod bad_source;
 mod bad_sweep;
 mod bad_two_degrees;
+mod contact;
 mod editors;
 mod oscillator;
 mod two_degrees;

@@ -24,7 +24,7 @@ fn thinned(panel: &Panel, across: usize, up: usize) -> Panel {
     let thin = |values: &[f64], step: usize| values.iter().copied().step_by(step).collect();
     let CoefficientPlane { base, x, y } = &panel.plane;
     let plane = CoefficientPlane { base: *base, x: (x.0, thin(&x.1, across)), y: (y.0, thin(&y.1, up)) };
-    Panel { plane, ..*panel }
+    Panel { plane, contact: panel.contact.clone(), ..*panel }
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! What holds at every point of the parameter space.
 
+mod computed_laws;
 mod equilibrium;
 mod groups;
 mod growth;

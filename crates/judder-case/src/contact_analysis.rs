@@ -1,0 +1,349 @@
+//! The analyses of a contact case.
+
+use crate::analysis::Kind;
+use crate::cause::Cause;
+use crate::contact_keys::{CONTACT_KEYS, ContactKey};
+use crate::contact_problem::ContactProblem;
+use crate::dimension::Dimension;
+use crate::error::Fault;
+use crate::inputs::{LawName, OscillatorInputs};
+use crate::keys::{Form, Key, Value};
+use crate::section::Section;
+use crate::shape::Shape;
+use crate::swept_keys::read_value;
+use crate::transient_analysis::{TRANSIENT_KEYS, TransientSettings, read_transient};
+
+/// What an analysis of a contact case computes.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ContactAnalysis {
+    /// `contact`: one contact, with its fields.
+    Contact(ContactSettings),
+    /// `contact-law`: force, area and friction over speed and indentation.
+    ContactLaw(LawSettings),
+    /// `fit`: the three functions of the oscillator paper through a computed law.
+    Fit {
+        /// What is computed.
+        law: LawSettings,
+        /// The factor of v τ/R at which the functions are read.
+        velocity_scale: f64,
+    },
+    /// `modulus`: storage and loss modulus and loss tangent.
+    Modulus {
+        /// The frequencies, as ω τ or in rad/s; chosen from the spectrum where left out.
+        frequency: Option<Span>,
+    },
+    /// `transient`: a contact that is followed in time.
+    Transient(TransientSettings),
+}
+
+/// One contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactSettings {
+    /// v, as v τ/R or in m/s; at rest it is 0.
+    pub velocity: Value,
+    /// What presses the indenter down.
+    pub loading: Loading,
+    /// Relative accuracy of the force.
+    pub accuracy: f64,
+    /// Cells along a side; chosen and refined from the accuracy where left out.
+    pub cells: Option<usize>,
+    /// Side of the computed square, as L/R or in m; chosen where left out.
+    pub domain: Option<Value>,
+}
+
+/// What presses the indenter down.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Loading {
+    /// δ, as δ/R or in m.
+    Indentation(Value),
+    /// F, as F/(E0* R²) or in N; of a cylinder per length, as F/(E0* R) or in N/m.
+    Load(Value),
+}
+
+/// A law over speed and indentation.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LawSettings {
+    /// Speeds, as v τ/R or in m/s.
+    pub velocity: Span,
+    /// Indentations, as δ/R or in m.
+    pub indentation: Span,
+    /// Relative accuracy of the law.
+    pub accuracy: f64,
+    /// How the plane is covered.
+    pub method: LawMethod,
+}
+
+/// A range with equal ratios between its points.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Span {
+    /// The lower end; positive.
+    pub from: f64,
+    /// The upper end; above the lower one.
+    pub to: f64,
+    /// The number of points, both ends included, at least 2.
+    pub points: usize,
+    /// Whether the ends are groups or in SI units.
+    pub form: Form,
+}
+
+impl Span {
+    /// All points in order: the ends exact.
+    pub fn values(&self) -> Vec<f64> {
+        let last = self.points.saturating_sub(1).max(1);
+        let (first, end) = (self.from.log10(), self.to.log10());
+        (0..self.points)
+            .map(|index| match index {
+                0 => self.from,
+                _ if index == last => self.to,
+                _ => 10_f64.powf(first + (end - first) * index as f64 / last as f64),
+            })
+            .collect()
+    }
+}
+
+/// How a law covers the plane of speed and indentation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum LawMethod {
+    /// One curve over z = v τ/√(R δ) serves the whole plane: exact for a paraboloid.
+    Collapse,
+    /// A table over speed and indentation, refined where it must be.
+    Sweep,
+}
+
+impl LawMethod {
+    /// The methods with their names in a case file.
+    pub const ALL: [(&'static str, Self); 2] = [("collapse", Self::Collapse), ("sweep", Self::Sweep)];
+
+    /// The name in a case file.
+    pub fn name(self) -> &'static str {
+        Self::ALL[self as usize].0
+    }
+}
+
+/// The default accuracy of `contact-law` and `fit`.
+pub const LAW_ACCURACY: f64 = 1e-2;
+
+/// The default range of speeds of `contact-law` and `fit`, v τ/R: a hundredfold of the paper's axis, as its fits are read at
+/// v τ/(100 R).
+pub const LAW_VELOCITY: (f64, f64, usize) = (1e-6, 1e4, 51);
+/// The default range of indentations of `contact-law` and `fit`, δ/R.
+pub const LAW_INDENTATION: (f64, f64, usize) = (1e-4, 1e-1, 16);
+
+/// The cells along a side that a contact may be given, an even number: a coarser grid of half as many, at least 32, says
+/// how exact the finest is.
+pub const CELLS: [usize; 2] = [64, 4096];
+
+/// The points that a span of a law or of frequencies may have.
+pub(crate) const SPAN_POINTS: usize = 2000;
+
+/// The default number of frequencies.
+pub const FREQUENCIES: usize = 200;
+
+/// What the analyses of a contact case need to know of it.
+pub(crate) struct ContactScope {
+    pub(crate) shape: Shape,
+    pub(crate) inputs: OscillatorInputs,
+    /// Whether the moduli are known: measured data decide them later.
+    pub(crate) moduli_known: bool,
+}
+
+/// The kinds of a contact case.
+pub(crate) const KINDS: [Kind<ContactScope, ContactAnalysis>; 5] = [
+    Kind {
+        name: "contact",
+        keys: &["velocity", "indentation", "load", "accuracy", "cells", "domain"],
+        doc: "one contact: force, area, friction, fields",
+        read: |scope, section| read_contact(scope, section).map(ContactAnalysis::Contact),
+    },
+    Kind {
+        name: "contact-law",
+        keys: &["velocity", "indentation", "accuracy", "method"],
+        doc: "force, area and friction over speed and indentation, as a law for an oscillator",
+        read: |scope, section| read_law("contact-law", scope, section).map(ContactAnalysis::ContactLaw),
+    },
+    Kind {
+        name: "fit",
+        keys: &["velocity", "indentation", "accuracy", "method", "velocity_scale"],
+        doc: "the three functions of the oscillator paper, fitted to a computed law",
+        read: |scope, section| {
+            let law = read_law("fit", scope, section)?;
+            let velocity_scale = read_pure(section, ContactKey::VelocityScale)?;
+            Ok(ContactAnalysis::Fit { law, velocity_scale })
+        },
+    },
+    Kind {
+        name: "modulus",
+        keys: &["frequency"],
+        doc: "storage and loss modulus and loss tangent over frequency",
+        read: |_, section| {
+            let frequency = match section.get("frequency") {
+                Some(_) => Some(read_span(section, ContactKey::Frequency, None)?),
+                None => None,
+            };
+            Ok(ContactAnalysis::Modulus { frequency })
+        },
+    },
+    Kind {
+        name: "transient",
+        keys: TRANSIENT_KEYS,
+        doc: "a contact that is followed in time: histories of force, friction and area, work of a cycle",
+        read: |scope, section| read_transient(scope, section).map(ContactAnalysis::Transient),
+    },
+];
+
+/// The keys of a contact that have no meaning for a shape, and why.
+fn endless_keys(shape: &Shape) -> (&'static [&'static str], &'static str) {
+    match shape {
+        Shape::Cylinder => {
+            (&["indentation", "domain"], "a cylinder, whose depth depends on how far away it is measured")
+        }
+        shape if shape.is_periodic() => {
+            (&["indentation", "domain", "cells"], "a surface that repeats itself, whose heights are the grid")
+        }
+        _ => (&[], ""),
+    }
+}
+
+/// The load of a line contact, per length.
+static LINE_LOAD: Key<ContactKey> = Key {
+    dimension: Dimension::STIFFNESS,
+    group: Some("F/(E0* R)"),
+    ..CONTACT_KEYS[ContactKey::Load as usize]
+};
+
+fn read_contact(scope: &ContactScope, section: &Section<'_>) -> Result<ContactSettings, Fault> {
+    let is_line = scope.shape == Shape::Cylinder;
+    for key in endless_keys(&scope.shape).0 {
+        if let Some(node) = section.get(key) {
+            let what = endless_keys(&scope.shape).1;
+            return Err(Cause::Contact { problem: ContactProblem::Endless { key, what } }.at(node.place));
+        }
+    }
+    let value = |key: ContactKey| {
+        let entry = match key {
+            ContactKey::Load if is_line => &LINE_LOAD,
+            key => key.entry(),
+        };
+        section.get(entry.name()).map(|node| read_value(entry, entry.name(), node)).transpose()
+    };
+    section.required("velocity", "velocity = 1e-2 (v τ/R), or \"30 mm/s\"")?;
+    let loading = match (value(ContactKey::Indentation)?, value(ContactKey::Load)?) {
+        (Some(indentation), None) => Loading::Indentation(indentation),
+        (None, Some(load)) => Loading::Load(load),
+        (Some(_), Some(_)) => {
+            let place = section.get("load").map_or(section.place, |node| node.place);
+            let (first, second) = ("indentation".to_owned(), "load".to_owned());
+            return Err(Cause::Contact { problem: ContactProblem::OneOfTwo { first, second } }.at(place));
+        }
+        (None, None) => {
+            if is_line {
+                section.required("load", "load = 1e-2 (F/(E0* R)), or \"600 N/mm\"")?;
+            } else if scope.shape.is_periodic() {
+                section.required("load", "load = 1e-4 (F/(E0* R²)), or \"10 N\", of one period")?;
+            }
+            section.required("indentation", "indentation = 1e-2 (δ/R), or load = 1e-4 (F/(E0* R²))")?;
+            Loading::Indentation(Value::group(0.0))
+        }
+    };
+    Ok(ContactSettings {
+        velocity: value(ContactKey::Velocity)?.unwrap_or(Value::group(0.0)),
+        loading,
+        accuracy: read_pure(section, ContactKey::Accuracy)?,
+        cells: read_cells(section)?,
+        domain: value(ContactKey::Domain)?,
+    })
+}
+
+/// Reads `cells`, which two grids must be made of.
+fn read_cells(section: &Section<'_>) -> Result<Option<usize>, Fault> {
+    let [from, to] = CELLS;
+    // one cell is a number of cells as well: the message of those that cannot be halved says more
+    let cells = section.whole("cells", 1, to)?;
+    match (cells, section.get("cells")) {
+        (Some(found), Some(node)) if found < from || !found.is_multiple_of(2) => {
+            Err(Cause::Contact { problem: ContactProblem::Cells { from, to, found } }.at(node.place))
+        }
+        _ => Ok(cells),
+    }
+}
+
+/// Reads a pure number that has a default.
+fn read_pure(section: &Section<'_>, key: ContactKey) -> Result<f64, Fault> {
+    let entry = key.entry();
+    match section.get(entry.name()) {
+        Some(node) => Ok(read_value(entry, entry.name(), node)?.number),
+        None => Ok(entry.default.map_or(0.0, |(_, value)| value.number)),
+    }
+}
+
+fn read_law(kind: &'static str, scope: &ContactScope, section: &Section<'_>) -> Result<LawSettings, Fault> {
+    let shape = scope.shape.name();
+    if !matches!(scope.shape, Shape::Paraboloid | Shape::Sphere) {
+        let shapes = "a paraboloid or a sphere";
+        return Err(
+            Cause::Contact { problem: ContactProblem::Shape { kind, shapes, shape } }.at(section.place)
+        );
+    }
+    if scope.moduli_known {
+        scope.inputs.check(LawName::Bem).map_err(|cause| cause.at(section.place))?;
+    }
+    let is_paraboloid = scope.shape == Shape::Paraboloid;
+    let method = match section.choice("method", "method", &LawMethod::ALL)? {
+        Some(LawMethod::Collapse) if !is_paraboloid => {
+            let place = section.get("method").map_or(section.place, |node| node.place);
+            return Err(Cause::Contact { problem: ContactProblem::Collapse { shape } }.at(place));
+        }
+        Some(method) => method,
+        None if is_paraboloid => LawMethod::Collapse,
+        None => LawMethod::Sweep,
+    };
+    let accuracy = match section.get("accuracy") {
+        Some(_) => read_pure(section, ContactKey::Accuracy)?,
+        None => LAW_ACCURACY,
+    };
+    Ok(LawSettings {
+        velocity: read_span(section, ContactKey::Velocity, Some(LAW_VELOCITY))?,
+        indentation: read_span(section, ContactKey::Indentation, Some(LAW_INDENTATION))?,
+        accuracy,
+        method,
+    })
+}
+
+/// Reads `{ from, to, points }` of a key; `default` is in groups.
+fn read_span(
+    section: &Section<'_>,
+    key: ContactKey,
+    default: Option<(f64, f64, usize)>,
+) -> Result<Span, Fault> {
+    let entry = key.entry();
+    let (name, points) = (entry.name(), default.map_or(FREQUENCIES, |(_, _, points)| points));
+    let node = match (section.get(name), default) {
+        (Some(node), _) => node,
+        (None, Some((from, to, points))) => return Ok(Span { from, to, points, form: Form::Group }),
+        (None, None) => section.required(name, "a range, { from = …, to = … }")?,
+    };
+    let table = Section::open(node, name, &format!("`{name}`"), &["from", "to", "points"])?;
+    let end = |end: &str| {
+        let node = table.required(end, &format!("{end} = …, the value at this end"))?;
+        let value = read_value(entry, &table.path(end), node)?;
+        if value.number > 0.0 {
+            return Ok((value, node.place));
+        }
+        let (key, number) = (table.path(end), value.number);
+        Err(Cause::OutOfRange { key, number, range: crate::keys::Range::Positive }.at(node.place))
+    };
+    let ((from, _), (to, to_place)) = (end("from")?, end("to")?);
+    if from.form != to.form {
+        let keys = format!("`{}` and `{}`", table.path("from"), table.path("to"));
+        return Err(Cause::MixedForms { keys }.at(to_place));
+    }
+    let (form, from, to) = (from.form, from.number, to.number);
+    match from.total_cmp(&to) {
+        std::cmp::Ordering::Equal => Err(Cause::EmptyRange { from }.at(table.place)),
+        std::cmp::Ordering::Greater => Err(Cause::Backwards { from, to }.at(table.place)),
+        std::cmp::Ordering::Less => {
+            let points = table.whole("points", 2, SPAN_POINTS)?.unwrap_or(points);
+            Ok(Span { from, to, points, form })
+        }
+    }
+}

@@ -1,0 +1,163 @@
+//! What can be wrong with a substrate, an indenter or a contact analysis, beyond types, units and ranges.
+
+use std::path::PathBuf;
+
+use thiserror::Error;
+
+/// What is wrong, with what a caller needs in order to act.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ContactProblem {
+    /// A file that the case names and that is not there.
+    #[error("`{key}` names `{}`, which {what}", path.display())]
+    File {
+        /// The key.
+        key: String,
+        /// Where the file was looked for.
+        path: PathBuf,
+        /// `does not exist` or `is not a file`.
+        what: &'static str,
+    },
+    /// Times of a series that do not ascend.
+    #[error("the times of `{key}` must ascend, but {time:e} s follows {before:e} s")]
+    UnsortedTimes {
+        /// The key of the list.
+        key: &'static str,
+        /// The earlier time, s.
+        before: f64,
+        /// The later entry, s.
+        time: f64,
+    },
+    /// Two keys of which one decides the other.
+    #[error("`{first}` and `{second}` cannot both be given: one follows from the other")]
+    OneOfTwo {
+        /// The first key.
+        first: String,
+        /// The second key.
+        second: String,
+    },
+    /// A number of things outside its limits.
+    #[error("`{key}` must be a whole number from {from} to {to}, but is {found}")]
+    Count {
+        /// The key.
+        key: String,
+        /// The smallest.
+        from: usize,
+        /// The largest.
+        to: usize,
+        /// What was given.
+        found: i64,
+    },
+    /// Degrees Celsius where a difference of temperatures is meant.
+    #[error("`{key}` is a difference of temperatures, but degrees Celsius have their own zero")]
+    Difference {
+        /// The key.
+        key: String,
+        /// A difference as it should be written.
+        example: String,
+    },
+    /// A grid that has no grid of half its cells beside it.
+    #[error("`cells` must be a multiple of two from {from} to {to}, but is {found}")]
+    Cells {
+        /// The smallest.
+        from: usize,
+        /// The largest.
+        to: usize,
+        /// What was given.
+        found: usize,
+    },
+    /// An analysis that does not know the shape.
+    #[error("the analysis kind `{kind}` is for {shapes}, not for the shape `{shape}`")]
+    Shape {
+        /// The kind.
+        kind: &'static str,
+        /// The shapes that it knows.
+        shapes: &'static str,
+        /// The shape of the case.
+        shape: &'static str,
+    },
+    /// The collapse on one variable of another shape than a paraboloid.
+    #[error("the method `collapse` is exact for a paraboloid only, not for the shape `{shape}`")]
+    Collapse {
+        /// The shape of the case.
+        shape: &'static str,
+    },
+    /// A key that a contact without end does not know: a line, a surface that repeats itself.
+    #[error("`{key}` has no meaning for {what}")]
+    Endless {
+        /// The key.
+        key: &'static str,
+        /// The shape in words, with the reason.
+        what: &'static str,
+    },
+    /// A key that another choice of its analysis leaves without meaning.
+    #[error("`{key}` has no meaning with {with}")]
+    Meaningless {
+        /// The key.
+        key: &'static str,
+        /// The other choice, as the case writes it.
+        with: String,
+    },
+    /// Wave lengths of a rough surface that do not descend.
+    #[error(
+        "the wave lengths of `indenter.shape.rough` must descend: {longer} {from:e} m, {shorter} {to:e} m"
+    )]
+    WaveLengths {
+        /// The name of the one that must be longer.
+        longer: &'static str,
+        /// Its value, m.
+        from: f64,
+        /// The name of the one that must be shorter.
+        shorter: &'static str,
+        /// Its value, m.
+        to: f64,
+    },
+    /// A swept key whose value another choice of the case decides.
+    #[error("`{key}` cannot be swept: {by} decides it")]
+    FixedKey {
+        /// The key.
+        key: String,
+        /// What decides it.
+        by: String,
+    },
+}
+
+impl ContactProblem {
+    /// What stands beside the caret.
+    pub(crate) fn label(&self) -> &'static str {
+        match self {
+            Self::File { .. } => "no such file",
+            Self::UnsortedTimes { .. } => "not ascending",
+            Self::OneOfTwo { .. } => "one too many",
+            Self::Count { .. } | Self::Cells { .. } => "out of range",
+            Self::Difference { .. } => "not a difference",
+            Self::Shape { .. } | Self::Collapse { .. } | Self::Endless { .. } => "another shape",
+            Self::Meaningless { .. } => "without meaning",
+            Self::WaveLengths { .. } => "these lengths",
+            Self::FixedKey { .. } => "fixed",
+        }
+    }
+
+    /// What would be right.
+    pub(crate) fn help(&self) -> String {
+        match self {
+            Self::File { .. } => "a path in a case is relative to the folder of the case file".to_owned(),
+            Self::UnsortedTimes { .. } => "list the terms from the shortest time to the longest".to_owned(),
+            Self::OneOfTwo { first, second } => format!("keep `{first}` or `{second}`"),
+            Self::Count { from, to, .. } => format!("give a number from {from} to {to}"),
+            Self::Difference { example, .. } => format!("write a difference: \"{example}\""),
+            Self::Cells { from, .. } => format!(
+                "give an even number, {from} at least: the grid of half as many cells says how exact the answer is"
+            ),
+            Self::Shape { shapes, .. } => {
+                format!("the analysis kind `contact` takes any shape; this one, {shapes}")
+            }
+            Self::Collapse { .. } => "leave `method` out, or use method = \"sweep\"".to_owned(),
+            Self::Endless { .. } => "give `load`, and leave this key out".to_owned(),
+            Self::Meaningless { key, .. } => format!("leave `{key}` out"),
+            Self::WaveLengths { .. } => "period ≥ roll_off > cut_off ≥ two cells".to_owned(),
+            Self::FixedKey { .. } => {
+                "sweep another key, or run the case once a value with `--set`".to_owned()
+            }
+        }
+    }
+}

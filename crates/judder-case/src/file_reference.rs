@@ -1,0 +1,40 @@
+//! Files that a case names, relative to its own folder.
+
+use std::path::{Path, PathBuf};
+
+use crate::cause::Cause;
+use crate::contact_problem::ContactProblem;
+use crate::document::Node;
+use crate::error::Fault;
+use crate::section::{Section, text};
+
+/// A file that a case names; it was there when the case was read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FileReference {
+    /// The path as the case file has it.
+    pub given: String,
+    /// The path from the folder in which the program runs.
+    pub path: PathBuf,
+}
+
+/// Reads the path under `key` of `section`, relative to `folder`.
+pub(crate) fn read_file_reference(
+    section: &Section<'_>,
+    key: &str,
+    folder: &Path,
+) -> Result<FileReference, Fault> {
+    let node = section.required(key, &format!("{key} = \"…\", a path relative to the case file"))?;
+    let name = section.path(key);
+    let given = text(&name, node)?;
+    let path = folder.join(given);
+    let what = match std::fs::metadata(&path) {
+        Ok(metadata) if metadata.is_file() => return Ok(FileReference { given: given.to_owned(), path }),
+        Ok(_) => "is not a file",
+        Err(_) => "does not exist",
+    };
+    Err(refused(name, path, what, node))
+}
+
+fn refused(key: String, path: PathBuf, what: &'static str, node: &Node) -> Fault {
+    Cause::Contact { problem: ContactProblem::File { key, path, what } }.at(node.place)
+}

@@ -19,7 +19,7 @@ MDBOOK := tools/cargo-tool mdbook 0.5.4 --no-default-features --features search
 CARGO_DENY := tools/cargo-tool cargo-deny 0.20.2
 NEXTEST := $(shell $(CARGO) nextest --version >/dev/null 2>&1 && echo yes)
 
-.PHONY: help demo test bench validate setup format lint rust-tests doc-tests python-tests docs deny advisories
+.PHONY: help demo test bench bench-rough validate setup format lint rust-tests doc-tests python-tests docs deny advisories
 
 help: ## print this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
@@ -32,9 +32,15 @@ demo: ## build judder, reproduce the oscillator paper, say where the report lies
 test: format lint rust-tests doc-tests python-tests docs deny ## everything that must hold before a change is merged
 	@printf '\nEvery check passed.\n'
 
-bench: .venv/installed ## time the stability decision, beside a NumPy peer
+bench: .venv/installed ## time the stability decision and the sliding contact, beside NumPy and SciPy peers
 	$(CARGO) bench $(LOCKED) -p judder-oscillator
 	$(PYTHON) benches/compare.py
+	$(CARGO) bench $(LOCKED) -p judder-contact --bench contact
+	$(PYTHON) benches/compare_sliding.py
+
+# The peers stand apart: ASPHER compiles itself and wants g++ and libeigen3-dev.
+bench-rough: .venv-peers/installed ## time the elastic contact of rough surfaces, beside Tamaas and ASPHER
+	.venv-peers/bin/python benches/compare_rough.py
 
 validate: ## the expensive validation: the tests that `make test` leaves out
 ifeq ($(NEXTEST),yes)
@@ -85,6 +91,10 @@ deny: ## licences and sources of the dependencies, banned crates
 # Not a part of `make test`: its answer depends on the day, and it needs the network.
 advisories: ## known vulnerabilities of the dependencies
 	cargo_deny=$$($(CARGO_DENY)); "$$cargo_deny" --workspace check advisories
+
+.venv-peers/installed: tools/python-environment benches/peer/requirements.txt
+	tools/python-environment .venv-peers benches/peer/requirements.txt
+	@touch $@
 
 .venv/installed: tools/python-environment $(REQUIREMENTS)
 	tools/python-environment .venv $(REQUIREMENTS)

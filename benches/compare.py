@@ -1,4 +1,4 @@
-"""judder's stability maps against a NumPy peer, in one session: A B A B, one core each, panel by panel.
+"""judder's stability maps against a NumPy peer, in one run: A B A B, one core each, panel by panel.
 
     python benches/compare.py [--rounds N]
 

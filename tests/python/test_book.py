@@ -1,6 +1,5 @@
 """The book: every chapter is reachable, every link and include leads somewhere, every case file is accepted."""
 
-import os
 import pathlib
 import re
 import subprocess
@@ -50,16 +49,6 @@ def test_every_chapter_is_in_the_summary():
     summary = (BOOK / "SUMMARY.md").read_text("utf-8")
     linked = {(BOOK / target).resolve() for target in re.findall(r"\]\(([^)]+\.md)\)", summary)}
     assert linked == set(CHAPTERS) - {BOOK / "SUMMARY.md"}
-
-
-@pytest.fixture(scope="session")
-def judder():
-    """The program that JUDDER names; without it, one that is built here."""
-    given = os.environ.get("JUDDER")
-    if given:
-        return given
-    subprocess.run(["cargo", "build", "--quiet", "-p", "judder-cli"], cwd=ROOT, check=True)
-    return ROOT / os.environ.get("CARGO_TARGET_DIR", "target") / "debug" / "judder"
 
 
 @pytest.mark.parametrize("case", CASES, ids=relative)

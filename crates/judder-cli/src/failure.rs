@@ -174,6 +174,9 @@ impl From<StudyError> for Failure {
 fn exit_of(error: &StudyError) -> Exit {
     match error {
         StudyError::Case(_)
+        | StudyError::File { .. }
+        | StudyError::Material(_)
+        | StudyError::Indenter(_)
         | StudyError::UnknownAnalysis { .. }
         | StudyError::WrongModel { .. }
         | StudyError::NoResults { .. }

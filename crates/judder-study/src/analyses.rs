@@ -1,6 +1,7 @@
 //! One module a kind of analysis; each turns a case and its settings into an [`Outcome`].
 
 mod axis;
+pub(crate) mod contact;
 mod critical;
 mod equivalent_damping;
 mod spectrum;
@@ -11,7 +12,9 @@ mod two_degrees;
 pub(crate) use steady_states::SteadyState;
 
 use crate::bridge;
+use crate::computed_law::Points;
 use crate::error::StudyError;
+use crate::material::temperature_warning;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use judder_case::{Case, MapMethod, OscillatorAnalysis, OscillatorCase};
@@ -21,6 +24,7 @@ use judder_case::{Case, MapMethod, OscillatorAnalysis, OscillatorCase};
 pub fn names(case: &Case) -> Vec<String> {
     match case {
         Case::Oscillator(case) => case.analyses.iter().map(|a| a.name.clone()).collect(),
+        Case::Contact(case) => case.analyses.iter().map(|a| a.name.clone()).collect(),
         Case::TwoDegrees(case) => case.analyses.iter().map(|a| a.name.clone()).collect(),
     }
 }
@@ -39,6 +43,7 @@ pub fn steps(case: &Case, index: usize) -> usize {
             OscillatorAnalysis::StabilityMap(map) if map.method == MapMethod::EveryPoint => 2 + map.y.points,
             OscillatorAnalysis::StabilityMap(_) => 2,
         },
+        Case::Contact(case) => contact::steps(&case.analyses[index].kind),
         Case::TwoDegrees(_) => 1,
     }
 }
@@ -48,12 +53,26 @@ pub fn steps(case: &Case, index: usize) -> usize {
 /// # Errors
 /// [`StudyError::Interrupted`], or arrays that the store refuses.
 pub fn run(case: &Case, index: usize, progress: &dyn Progress) -> Result<Outcome, StudyError> {
+    run_from(case, index, (&[], &|_| ()), progress)
+}
+
+/// Runs the analysis at `index` of a case; a law goes on from the points that an interrupted run has solved.
+pub(crate) fn run_from(
+    case: &Case,
+    index: usize,
+    points: Points<'_>,
+    progress: &dyn Progress,
+) -> Result<Outcome, StudyError> {
     match case {
         Case::Oscillator(case) => {
+            let case = &bridge::with_material(case)?;
+            let contact = bridge::contact(case, progress)?;
             let mut outcome = oscillator(case, &case.analyses[index].kind, progress)?;
-            outcome.warnings.extend(bridge::law_warning(case));
+            outcome.warnings.extend(bridge::law_warning(case, &contact.law)?);
+            outcome.warnings.extend(temperature_warning(&case.substrate)?);
             Ok(outcome)
         }
+        Case::Contact(case) => contact::run(case, &case.analyses[index], points, progress),
         Case::TwoDegrees(case) => two_degrees::run(case, &case.analyses[index].kind, progress),
     }
 }

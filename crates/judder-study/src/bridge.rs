@@ -1,23 +1,57 @@
 //! From the keys of a case to the oscillator and its contact.
 
+use crate::computed_law;
+use crate::error::StudyError;
+use crate::material::Material;
+use crate::progress::Progress;
 use judder_case::{Form, FrictionLoad as CaseLoad, LawName, OscillatorCase, OscillatorInputs, OscillatorKey};
+use judder_contact::law::file::from_json;
+use judder_contact::law::material::{LawMaterial, LawTerm};
 use judder_contact::{FittedLaw, HertzLaw, Law};
 use judder_oscillator::groups::Scales;
 use judder_oscillator::{Coefficients, Contact, FrictionLoad, Groups};
 
-/// The contact that a case names.
-#[must_use]
-pub fn contact(case: &OscillatorCase) -> Contact {
+/// The accuracy of the law `bem`.
+pub const BEM_ACCURACY: f64 = 1e-2;
+
+/// The contact that a case names. The law `bem` is computed at its first use and remembered while the program runs.
+///
+/// # Errors
+/// A law that cannot be computed or read, [`StudyError::Interrupted`].
+pub fn contact(case: &OscillatorCase, progress: &dyn Progress) -> Result<Contact, StudyError> {
     let law = match case.law {
         LawName::OscillatorPaper => Law::Fitted(FittedLaw::oscillator_paper()),
         LawName::OscillatorPaperCorrected => Law::Fitted(FittedLaw::oscillator_paper_corrected()),
         LawName::Hertz => Law::Hertz(HertzLaw::default()),
+        LawName::Bem => {
+            let material = Material::new(&case.substrate, &case.inputs)?;
+            computed_law::of_paraboloid(&material, BEM_ACCURACY, progress)?
+        }
+        LawName::File => read_law(case)?,
     };
     let friction_load = match case.friction_load {
         CaseLoad::NormalLoad => FrictionLoad::NormalLoad,
         CaseLoad::ContactForce => FrictionLoad::ContactForce,
     };
-    Contact { law, friction_load }
+    Ok(Contact { law, friction_load })
+}
+
+fn read_law(case: &OscillatorCase) -> Result<Law, StudyError> {
+    let path = case.law_file.as_ref().map(|file| file.path.clone()).unwrap_or_default();
+    let unusable = |reason: String| StudyError::File { path: path.clone(), reason };
+    let text = std::fs::read_to_string(&path).map_err(|error| unusable(error.to_string()))?;
+    from_json(&text).map_err(|error| unusable(error.to_string()))
+}
+
+/// The case with the moduli and the time that its series, data and temperature say.
+///
+/// # Errors
+/// Data that cannot be read or fitted.
+pub fn with_material(case: &OscillatorCase) -> Result<OscillatorCase, StudyError> {
+    let plain = case.substrate.decided_by().is_none();
+    let inputs =
+        if plain { case.inputs } else { Material::new(&case.substrate, &case.inputs)?.told_to(&case.inputs) };
+    Ok(OscillatorCase { inputs, ..case.clone() })
 }
 
 /// The three scales that turn groups into quantities: E0* = E0/(1 − ν²), R, ω_nx.
@@ -64,21 +98,64 @@ pub fn coefficients(inputs: &OscillatorInputs) -> Coefficients {
     groups(inputs).coefficients().unwrap_or(Coefficients { normal_load: f64::NAN, ..Coefficients::default() })
 }
 
-/// What a law was made for and a case departs from, in words.
-#[must_use]
-pub fn law_warning(case: &OscillatorCase) -> Option<String> {
+/// What a law was made for and a case departs from, in words: E∞/E0, then the times τ_k/τ with their compliances. An
+/// oscillator case says no shape of the indenter to compare.
+///
+/// # Errors
+/// A substrate that cannot be.
+pub fn law_warning(case: &OscillatorCase, law: &Law) -> Result<Option<String>, StudyError> {
     /// E∞/E0 of the substrate that the paper's fits were computed for.
     const FITTED_CONTRAST: f64 = 10.0;
+    let made_for = match law {
+        // the law `bem` is computed for the substrate of the case
+        _ if case.law == LawName::Bem => return Ok(None),
+        Law::Hertz(_) => return Ok(None),
+        Law::Fitted(_) => LawMaterial::one_time(FITTED_CONTRAST)?,
+        Law::Collapsed(law) => law.origin().material.clone(),
+        Law::Tabulated(law) => law.origin().material.clone(),
+    };
     let contrast =
         case.inputs.number(OscillatorKey::GlassyModulus) / case.inputs.number(OscillatorKey::RubberyModulus);
-    let departs = case.law != LawName::Hertz && (contrast / FITTED_CONTRAST - 1.0).abs() > 1e-9;
-    departs.then(|| {
-        format!(
-            "the law `{}` was fitted for E∞/E0 = {FITTED_CONTRAST}, this substrate has E∞/E0 = {contrast:.4}: \
-             the law does not know the difference",
-            case.law.name()
-        )
-    })
+    let (made, has) = if (contrast / made_for.modulus_ratio - 1.0).abs() > 1e-9 {
+        (format!("E∞/E0 = {}", made_for.modulus_ratio), format!("E∞/E0 = {contrast:.4}"))
+    } else {
+        let own = Material::new(&case.substrate, &case.inputs)?.of_law();
+        let Some(difference) = difference_of_terms(&made_for, &own) else { return Ok(None) };
+        difference
+    };
+    let verb = if case.law.is_fitted() { "fitted" } else { "computed" };
+    Ok(Some(format!(
+        "the law `{}` was {verb} for {made}, this substrate has {has}: the law does not know the difference",
+        case.law.name()
+    )))
+}
+
+/// The number of retardation times of two materials, or the first time that differs; `None` where they are the same.
+fn difference_of_terms(made_for: &LawMaterial, own: &LawMaterial) -> Option<(String, String)> {
+    /// What two fits to the same data on different machines may differ by.
+    const SAME: f64 = 1e-6;
+    let ascending = |material: &LawMaterial| {
+        let mut terms = material.terms.clone();
+        terms.sort_by(|a, b| a.retardation_time.total_cmp(&b.retardation_time));
+        terms
+    };
+    let (made_for, own) = (ascending(made_for), ascending(own));
+    if made_for.len() != own.len() {
+        let count = |terms: &[LawTerm]| match terms.len() {
+            1 => "1 retardation time".to_owned(),
+            many => format!("{many} retardation times"),
+        };
+        return Some((count(&made_for), count(&own)));
+    }
+    let same = |a: f64, b: f64| (a / b - 1.0).abs() <= SAME;
+    let place = made_for.iter().zip(&own).position(|(a, b)| {
+        !same(a.retardation_time, b.retardation_time) || !same(a.compliance, b.compliance)
+    })?;
+    let shown = |term: &LawTerm| {
+        let (time, compliance) = (term.retardation_time, term.compliance);
+        format!("τ_{0}/τ = {time:.4e} with C_{0} E0 = {compliance:.4e}", place + 1)
+    };
+    Some((shown(&made_for[place]), shown(&own[place])))
 }
 
 #[cfg(test)]
@@ -92,6 +169,27 @@ mod tests {
             groups(&OscillatorInputs::default()),
             Groups { stiffness: 50.0 / (1e6 / 0.75 * 0.01), ..Groups::default() }
         );
+    }
+
+    #[test]
+    fn materials_of_one_contrast_are_told_apart_by_their_times() {
+        let of = |terms: &[(f64, f64)]| LawMaterial {
+            modulus_ratio: 10.0,
+            terms: terms
+                .iter()
+                .map(|(retardation_time, compliance)| LawTerm {
+                    retardation_time: *retardation_time,
+                    compliance: *compliance,
+                })
+                .collect(),
+        };
+        let (one, two) = (of(&[(1.0, 0.9)]), of(&[(0.5, 0.6), (2.0, 0.3)]));
+        assert_eq!(difference_of_terms(&two, &of(&[(2.0, 0.3), (0.5, 0.6)])), None);
+        let (made, has) = difference_of_terms(&one, &two).unwrap();
+        assert_eq!((made.as_str(), has.as_str()), ("1 retardation time", "2 retardation times"));
+        let (made, has) = difference_of_terms(&two, &of(&[(0.5, 0.6), (2.1, 0.3)])).unwrap();
+        assert_eq!(made, "τ_2/τ = 2.0000e0 with C_2 E0 = 3.0000e-1");
+        assert_eq!(has, "τ_2/τ = 2.1000e0 with C_2 E0 = 3.0000e-1");
     }
 
     #[test]

@@ -1,7 +1,14 @@
 use judder_case::CaseError;
+use judder_contact::LawError;
+use judder_contact::indenter::IndenterError;
+use judder_contact::material::MaterialError;
+use judder_contact::periodic_contact::PeriodicContactError;
+use judder_contact::steady::SteadyError;
+use judder_contact::transient::TransientError;
 use judder_oscillator::OscillatorError;
 use judder_report::ReportError;
 use judder_store::StoreError;
+use std::path::PathBuf;
 use thiserror::Error;
 
 /// Why a study has no result.
@@ -35,12 +42,41 @@ pub enum StudyError {
         /// The model of the case.
         model: &'static str,
     },
+    /// A file that the case names could not be used.
+    #[error("{}: {reason}", path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// The substrate cannot be.
+    #[error("the substrate: {0}")]
+    Material(#[from] MaterialError),
+    /// The indenter cannot be.
+    #[error("the indenter: {0}")]
+    Indenter(#[from] IndenterError),
+    /// A surface that repeats itself has no contact.
+    #[error("the contact has no answer: {0}")]
+    Periodic(#[from] PeriodicContactError),
+    /// The law cannot be computed or read.
+    #[error("the contact law: {0}")]
+    Law(LawError),
+    /// The contact cannot be followed in time.
+    #[error("the transient contact: {0}")]
+    Transient(#[from] TransientError),
+    /// The contact has no answer.
+    #[error("the contact has no answer: {0}")]
+    Contact(#[from] SteadyError),
     /// The folder holds no results to report on.
     #[error("{folder} holds no results yet: run `judder run CASE.toml -o {folder}` first")]
     NoResults {
         /// The folder.
         folder: String,
     },
+    /// The contact computation does not know the shape, or what presses it down.
+    #[error("{0}")]
+    Unsupported(String),
     /// Stopped by the user; what was done is kept.
     #[error("interrupted; what was done is kept, and the same command goes on from there")]
     Interrupted,

@@ -16,8 +16,11 @@
 pub mod analyses;
 pub mod bridge;
 pub mod checks;
+mod computed_law;
 mod error;
+mod indenter;
 mod labels;
+mod material;
 pub mod outcome;
 pub mod pictures;
 pub mod point;

@@ -15,6 +15,8 @@ pub struct Outcome {
     pub table: Option<Table>,
     /// The comparisons that were made.
     pub checks: Vec<CheckRecord>,
+    /// Files beside arrays and table, each with its path in the study folder: fields, laws.
+    pub files: Vec<(String, Vec<u8>)>,
     /// What the user has to know before trusting the numbers.
     pub warnings: Vec<String>,
     /// Requested results that are missing (unresolved points, failed searches); any makes the run exit with 1.

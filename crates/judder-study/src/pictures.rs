@@ -1,7 +1,11 @@
 //! Figures from stored arrays: everything that is drawn can be drawn again without computing anything.
 
+mod contact;
 mod curves;
+mod laws;
 mod map;
+mod modulus;
+mod transient;
 
 use judder_report::{Axis, Figure, Panel, Role};
 use judder_store::{Data, Dataset, Variable};
@@ -22,6 +26,11 @@ pub fn panels(dataset: &Dataset) -> Vec<Panel> {
         "spectrum" => curves::spectrum(dataset),
         "critical-shear-strength" | "critical-load" => curves::critical(dataset).map(|panel| vec![panel]),
         "stability-map" => map::stability_map(dataset).map(|panel| vec![panel]),
+        "contact" => contact::contact(dataset),
+        "contact-law" => laws::contact_law(dataset),
+        "fit" => laws::fit(dataset),
+        "modulus" => modulus::modulus(dataset),
+        "transient" => transient::transient(dataset),
         _ => None,
     };
     panels.unwrap_or_default()
@@ -50,11 +59,27 @@ fn caption(dataset: &Dataset) -> &'static str {
             "Stability of steady sliding, coloured by what carries the instability. Curves are followed by continuation: \
              full system (solid black), without damping (dashed), full system with $η = 0$ (red)."
         }
+        "contact" => {
+            "The indenter slides to the right. Sections along $y$ = 0; the surface of the substrate is compared with the indenter. The grids: \
+             how far force, area and friction of each are from the extrapolated values."
+        }
+        "contact-law" => {
+            "Force, area and friction over speed for several indentations (left; dashed: Hertz with $E_{0}$ and with $E_{∞}$) and over speed and \
+             indentation (right)."
+        }
+        "fit" => {
+            "Computed values (points) and the fitted functions (34), (36), (38) (curves); right, their difference over the largest value at \
+             each indentation."
+        }
+        "modulus" => "Storage and loss modulus and loss tangent over angular frequency.",
+        "transient" => {
+            "Normal force, friction force and area over time; where the path repeats itself, the loop whose area is the work of a cycle."
+        }
         _ => "",
     }
 }
 
-fn reals<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [f64]> {
+pub(crate) fn reals<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [f64]> {
     match &dataset.variable(name)?.data {
         Data::F64(values) => Some(values),
         _ => None,
@@ -73,7 +98,7 @@ fn text<'a>(variable: &'a Variable, attribute: &str) -> Option<&'a str> {
 }
 
 /// The axis of a swept quantity.
-fn axis(coordinate: &Variable) -> Axis {
+pub(crate) fn axis(coordinate: &Variable) -> Axis {
     let label = text(coordinate, "label").unwrap_or(&coordinate.long_name);
     if text(coordinate, "scale") == Some("log") { Axis::log(label) } else { Axis::linear(label) }
 }

@@ -2,6 +2,8 @@
 
 use crate::bridge;
 use crate::error::StudyError;
+use crate::material::temperature_warning;
+use crate::progress::Silent;
 use crate::text::{columns, list, number};
 use judder_case::OscillatorCase;
 use judder_contact::ContactLaw;
@@ -52,9 +54,11 @@ pub struct Point {
 /// # Errors
 /// A group out of range, no (or more than one) equilibrium.
 pub fn point(case: &OscillatorCase) -> Result<Point, StudyError> {
-    let contact = bridge::contact(case);
+    let case = &bridge::with_material(case)?;
+    let contact = bridge::contact(case, &Silent)?;
     let mut point = analyse(&contact, bridge::groups(&case.inputs))?;
-    point.warnings.extend(bridge::law_warning(case));
+    point.warnings.extend(bridge::law_warning(case, &contact.law)?);
+    point.warnings.extend(temperature_warning(&case.substrate)?);
     Ok(point)
 }
 

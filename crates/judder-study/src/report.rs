@@ -125,17 +125,29 @@ fn figure(value: f64) -> String {
     }
 }
 
+/// A number for a reader: whole numbers as they are, others to six digits; `summary.json` has them all.
+fn six_digits(number: &serde_json::Number) -> String {
+    match number.as_f64() {
+        Some(value) if !number.is_i64() && !number.is_u64() => {
+            let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+            let plain = value == 0.0 || (1e-3..1e6).contains(&value.abs());
+            if plain { format!("{rounded}") } else { format!("{rounded:e}") }
+        }
+        _ => number.to_string(),
+    }
+}
+
 /// The scalars of an analysis that fit a table.
 fn scalar_table(scalars: &serde_json::Map<String, Value>) -> Option<Table> {
     let rows: Vec<Vec<String>> = scalars
         .iter()
         .filter_map(|(name, value)| match value {
-            Value::Number(number) => Some(vec![name.replace('_', " "), number.to_string()]),
+            Value::Number(number) => Some(vec![name.replace('_', " "), six_digits(number)]),
             Value::String(text) => Some(vec![name.replace('_', " "), text.clone()]),
             Value::Array(list)
                 if !list.is_empty() && list.len() <= 12 && list.iter().all(Value::is_number) =>
             {
-                let shown: Vec<String> = list.iter().map(Value::to_string).collect();
+                let shown: Vec<String> = list.iter().filter_map(Value::as_number).map(six_digits).collect();
                 Some(vec![name.replace('_', " "), shown.join(", ")])
             }
             _ => None,

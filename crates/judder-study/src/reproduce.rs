@@ -1,7 +1,10 @@
-//! The oscillator paper: Figs. 4–10 and what its text claims about them, with both readings of the friction and both velocity
-//! axes of the fitted law.
+//! The oscillator paper: Figs. 3–10, 13, 14 and what its text claims about them, with both readings of the friction, both
+//! velocity axes of the fitted law, and the law computed anew.
 
+mod by_law;
 mod claims;
+mod contact_figures;
+mod evidence;
 mod exhibits;
 mod measures;
 mod page;
@@ -13,12 +16,15 @@ use crate::error::StudyError;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::run::{Study, analysis_hash};
-use exhibits::{EXHIBITS, Source};
-use judder_case::CaseFile;
+use evidence::Evidence;
+use exhibits::{CONTACT_CASES, EXHIBITS, LAW_FILE, Source};
+use judder_case::{Case, CaseFile, FileReference, LawName};
+use judder_contact::law::sweep::SolvedPoint;
 use judder_store::{Status, StudyFolder, Summary, content_hash};
-use readings::READINGS;
+use readings::{READINGS, ReadLaw, Reading};
 use serde_json::json;
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 pub use scoreboard::ClaimLine;
@@ -41,10 +47,18 @@ pub struct Reproduction {
     pub complete: bool,
 }
 
-/// Recomputes Figs. 4–10 and the scoreboard into a folder; `quick` takes fewer points.
+/// A case with one analysis, and the name under which that is kept.
+struct Run {
+    name: String,
+    hash: String,
+    file: CaseFile,
+}
+
+/// Recomputes Figs. 3–10, 13, 14 and the scoreboard into a folder; `quick` takes fewer points of the curves and maps.
 ///
 /// # Errors
-/// A folder that cannot be written, or [`StudyError::Interrupted`]; what was done until then is kept.
+/// A folder that cannot be written, a law that cannot be computed, or [`StudyError::Interrupted`]; what was done until then is
+/// kept.
 pub fn oscillator_paper(
     folder: &Path,
     quick: bool,
@@ -52,24 +66,29 @@ pub fn oscillator_paper(
 ) -> Result<Reproduction, StudyError> {
     let start = Instant::now();
     let store = StudyFolder::create(folder)?;
-    let runs = runs(quick)?;
-    let names: Vec<String> = runs.iter().map(|(name, _)| name.clone()).collect();
-    let hashes: Vec<String> = runs.iter().map(|(_, file)| analysis_hash(&file.case.resolved(), 0)).collect();
-    let mut study = Study::open(&store, names.iter().zip(&hashes))?;
+    let runs = runs(folder, quick)?;
+    let names: Vec<String> = runs.iter().map(|run| run.name.clone()).collect();
+    let hashes: Vec<&str> = runs.iter().map(|run| run.hash.as_str()).collect();
+    let mut study = Study::open(&store, runs.iter().map(|run| (&run.name, &run.hash)))?;
     study.summary.case = json!({ "title": "The oscillator paper", "model": "oscillator", "quick": quick });
     study.summary.case_hash = content_hash(hashes.concat().as_bytes());
-    for ((name, file), hash) in runs.iter().zip(hashes) {
-        if store.is_done(name, &hash)? {
+    // the contacts of Fig. 3 are those of Fig. 14
+    let solved: Mutex<Vec<SolvedPoint>> = Mutex::new(Vec::new());
+    let points = || solved.lock().unwrap_or_else(PoisonError::into_inner);
+    for run in &runs {
+        if store.is_done(&run.name, &run.hash)? {
             continue;
         }
-        progress.begin(name, analyses::steps(&file.case, 0));
+        progress.begin(&run.name, analyses::steps(&run.file.case, 0));
         let began = Instant::now();
-        let outcome = analyses::run(&file.case, 0, progress).map(without_lists);
+        let known = points().clone();
+        let keep = |point: &SolvedPoint| points().push(*point);
+        let outcome = analyses::run_from(&run.file.case, 0, (&known, &keep), progress).map(without_lists);
         progress.end();
-        study.keep(name, hash, outcome, began.elapsed().as_secs_f64())?;
+        study.keep(&run.name, run.hash.clone(), outcome, began.elapsed().as_secs_f64())?;
     }
     progress.begin("scoreboard", claims::CLAIMS.len());
-    let scoreboard = scoreboard::measure(progress)?;
+    let scoreboard = scoreboard::measure(&Evidence::stored(&store, progress)?, progress)?;
     progress.end();
     study
         .summary
@@ -89,28 +108,53 @@ pub(crate) fn write_report(store: &StudyFolder, summary: &Summary) -> Result<Pat
 }
 
 /// The name of a panel's analysis with a reading.
-fn analysis_name(source: &Source, reading: &readings::Reading) -> String {
+fn analysis_name(source: &Source, reading: &Reading) -> String {
     format!("{}-{}", source.name, reading.slug)
 }
 
-/// Every case to run, with the name under which its one analysis is kept.
-fn runs(quick: bool) -> Result<Vec<(String, CaseFile)>, StudyError> {
+/// Every case to run: the contact computation first, because the oscillators use its law.
+fn runs(folder: &Path, quick: bool) -> Result<Vec<Run>, StudyError> {
     let mut runs = Vec::new();
+    for (name, text) in CONTACT_CASES {
+        let file = CaseFile::parse(name, text, &[])?;
+        let hash = analysis_hash(&file.case.resolved(), 0);
+        runs.push(Run { name: name.to_owned(), hash, file });
+    }
+    // a computed law is what its case and this version make it: their hash names it before it is there
+    let law_hash = runs[0].hash.clone();
     for source in EXHIBITS.iter().flat_map(|exhibit| exhibit.sources) {
         for reading in &READINGS {
-            let mut overrides = vec![
-                format!("contact.law={}", reading.law),
-                format!("contact.friction_load={}", reading.friction_load),
-            ];
-            overrides.extend(source.overrides.iter().map(|o| (*o).to_owned()));
-            let mut file = CaseFile::parse(source.case_name, source.case, &overrides)?;
+            let mut file = oscillator_case(source, reading)?;
             if quick {
                 exhibits::thin_out(&mut file.case);
             }
-            runs.push((analysis_name(source, reading), file));
+            let mut resolved = file.case.resolved();
+            if reading.law == ReadLaw::Computed {
+                resolved["files"][LAW_FILE] = json!(law_hash);
+                use_law(&mut file.case, folder.join(LAW_FILE));
+            }
+            let hash = analysis_hash(&resolved, 0);
+            runs.push(Run { name: analysis_name(source, reading), hash, file });
         }
     }
     Ok(runs)
+}
+
+fn oscillator_case(source: &Source, reading: &Reading) -> Result<CaseFile, StudyError> {
+    let mut overrides = vec![
+        format!("contact.law={}", reading.law.key()),
+        format!("contact.friction_load={}", reading.friction_load),
+    ];
+    overrides.extend(source.overrides.iter().map(|o| (*o).to_owned()));
+    Ok(CaseFile::parse(source.case_name, source.case, &overrides)?)
+}
+
+/// Puts the law of a file in place of the case's own; the file is there by the time the case runs.
+fn use_law(case: &mut Case, path: PathBuf) {
+    if let Case::Oscillator(case) = case {
+        case.law = LawName::File;
+        case.law_file = Some(FileReference { given: LAW_FILE.to_owned(), path });
+    }
 }
 
 /// The outcome without the lists that its arrays hold anyway: dozens of curves would make the summary unreadable.

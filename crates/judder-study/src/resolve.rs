@@ -1,12 +1,14 @@
 //! What `judder check` shows: the resolved case with and without units, its stability limits, and what a run would take.
 
+mod contact;
+
 use crate::bridge;
 use crate::error::StudyError;
 use crate::point;
 use crate::text::{columns, list, number};
 use judder_case::sweep::MAP_BYTES_PER_POINT;
 use judder_case::{
-    Case, CaseFile, Form, KEYS, MapMethod, OscillatorAnalysis, OscillatorCase, TwoDegreesAnalysis,
+    Case, CaseFile, Form, KEYS, LawName, MapMethod, OscillatorAnalysis, OscillatorCase, TwoDegreesAnalysis,
     TwoDegreesCase,
 };
 use judder_oscillator::groups::Dimensional;
@@ -60,15 +62,22 @@ struct Estimate {
 /// Matrices that are not finite at the case's own parameters.
 pub fn resolve(file: &CaseFile) -> Result<Resolved, StudyError> {
     match &file.case {
-        Case::Oscillator(case) => Ok(oscillator(file, case)),
+        Case::Oscillator(case) => oscillator(file, &bridge::with_material(case)?),
+        Case::Contact(case) => contact::resolve(file, case),
         Case::TwoDegrees(case) => Ok(two_degrees(file, case)),
     }
 }
 
-fn oscillator(file: &CaseFile, case: &OscillatorCase) -> Resolved {
+/// Where nothing is known of the operating point: a law that would have to be computed first.
+const LATER: &str = "the law `bem` is computed by a run, which takes seconds to minutes";
+
+fn oscillator(file: &CaseFile, case: &OscillatorCase) -> Result<Resolved, StudyError> {
     let groups = bridge::groups(&case.inputs);
     let dimensional = groups.dimensional(&bridge::scales(&case.inputs));
-    let limits = point::point(case);
+    let limits = match case.law {
+        LawName::Bem => Err(LATER.to_owned()),
+        _ => point::point(case).map_err(|error| format!("no answer: {error}")),
+    };
     let estimates: Vec<Estimate> = case.analyses.iter().map(|a| of_oscillator(&a.name, &a.kind)).collect();
     let mut text = format!(
         "{}\n\nlaw {}, friction load {}\n\n",
@@ -98,14 +107,15 @@ fn oscillator(file: &CaseFile, case: &OscillatorCase) -> Resolved {
             point.json()
         }
         Err(error) => {
-            text.push_str(&format!("  no answer: {error}\n"));
+            text.push_str(&format!("  {error}\n"));
             Value::Null
         }
     };
     text.push_str(&estimate_text(&estimates));
-    let warnings: Vec<String> = bridge::law_warning(case)
+    let warnings: Vec<String> = limits
+        .map(|point| point.warnings)
+        .unwrap_or_default()
         .into_iter()
-        .chain(limits.map(|point| point.warnings).unwrap_or_default())
         .collect::<std::collections::BTreeSet<_>>()
         .into_iter()
         .collect();
@@ -119,7 +129,7 @@ fn oscillator(file: &CaseFile, case: &OscillatorCase) -> Resolved {
         "estimate": estimate_json(&estimates),
         "warnings": warnings,
     });
-    Resolved { document, text }
+    Ok(Resolved { document, text })
 }
 
 fn title(title: &str) -> &str {

@@ -5,7 +5,8 @@ use crate::error::StudyError;
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use crate::report;
-use judder_case::CaseFile;
+use judder_case::{Case, CaseFile};
+use judder_contact::law::sweep::SolvedPoint;
 use judder_store::{AnalysisRecord, Status, StudyFolder, Summary, content_hash};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -88,7 +89,7 @@ pub fn run(
     if options.fresh {
         store.forget()?;
     }
-    let resolved = file.case.resolved();
+    let resolved = with_files(file.case.resolved(), &file.case)?;
     let hashes: Vec<String> = (0..names.len()).map(|index| analysis_hash(&resolved, index)).collect();
     let mut study = Study::open(&store, names.iter().zip(&hashes))?;
     study.set_case(file, &resolved);
@@ -103,9 +104,18 @@ pub fn run(
         }
         progress.begin(name, analyses::steps(&file.case, index));
         let began = Instant::now();
-        let outcome = analyses::run(&file.case, index, progress);
+        let scratch = store.scratch(name, &hash)?;
+        // a line that is no point comes from elsewhere: it is solved anew
+        let known: Vec<SolvedPoint> =
+            scratch.lines().iter().filter_map(|line| serde_json::from_str(line).ok()).collect();
+        let kept = |point: &SolvedPoint| {
+            // a point that cannot be kept costs a rerun, no result
+            let _ = serde_json::to_string(point).map(|line| scratch.keep(&line));
+        };
+        let outcome = analyses::run_from(&file.case, index, (&known, &kept), progress);
         progress.end();
         study.keep(name, hash, outcome, began.elapsed().as_secs_f64())?;
+        scratch.discard()?;
     }
     study.summary.wall_time_s = start.elapsed().as_secs_f64();
     store.write_summary(&study.summary)?;
@@ -115,6 +125,16 @@ pub fn run(
     let complete = study.is_complete(&wanted);
     let messages = messages(&study.summary, &study.kept);
     Ok(RunReport { folder: folder.to_owned(), summary: study.summary, report, skipped, complete, messages })
+}
+
+/// The resolved case with the content of every file that it names, by its hash.
+fn with_files(mut resolved: Value, case: &Case) -> Result<Value, StudyError> {
+    for file in case.files() {
+        let content = std::fs::read(&file.path)
+            .map_err(|source| StudyError::File { path: file.path.clone(), reason: source.to_string() })?;
+        resolved["files"][&file.given] = json!(content_hash(&content));
+    }
+    Ok(resolved)
 }
 
 /// Names all that the result of an analysis depends on: the case without its list of analyses and its title, this analysis, the version.
@@ -186,6 +206,9 @@ impl<'a> Study<'a> {
                 self.store.write_dataset(name, &hash, &outcome.dataset)?;
                 if let Some(table) = &outcome.table {
                     self.store.write_table(name, table)?;
+                }
+                for (path, content) in &outcome.files {
+                    self.store.write_file(path, content)?;
                 }
                 self.summary.results.insert(name.to_owned(), outcome.scalars);
                 self.kept.checks.insert(name.to_owned(), outcome.checks);

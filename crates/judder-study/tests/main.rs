@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod contact;
+
 use judder_case::CaseFile;
 use judder_study::Silent;
 use judder_study::run::{RunOptions, RunReport, run};

@@ -13,10 +13,12 @@ const LATER: [&str; 1] = ["beams-paper"];
 const HELP: &str = "\
 Examples:
   judder new > case.toml
+  judder new contact > contact.toml
   judder new two-degrees > minimal.toml
 
 Templates:
   oscillator    two degrees of freedom on a viscoelastic substrate; every key with the paper's value
+  contact       a rigid indenter that slides on a viscoelastic substrate: fields, laws, fits, moduli
   two-degrees   mass, damping and stiffness matrices of your own, with parameters";
 
 /// Print a commented case file

@@ -27,8 +27,9 @@ pub(crate) struct Point {
 
 impl Point {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
-        let Case::Oscillator(case) = self.case.read()?.case else {
-            return Err(StudyError::WrongModel { command: "point", model: "two-degrees" }.into());
+        let case = match self.case.read()?.case {
+            Case::Oscillator(case) => case,
+            other => return Err(StudyError::WrongModel { command: "point", model: other.model() }.into()),
         };
         let point = point(&case)?;
         console.result(|| point.text(), || point.json())?;

@@ -69,18 +69,46 @@ fn a_map_of_a_thousand_million_points() {
 #[test]
 fn what_later_versions_bring() {
     let later = "comes with a later version";
-    for (law, name) in [("\"bem\"", "bem"), ("{ file = \"law.json\" }", "{ file = … }")] {
-        let message = format!("the contact law `{name}` {later}");
-        refused(&format!("[contact]\nlaw = {law}"), &message, "available: oscillator-paper");
-    }
     for kind in ["motion", "bifurcation", "limit-cycle", "basin"] {
         let message = format!("the analysis kind `{kind}` {later}");
         refused(&format!("[[analysis]]\nkind = \"{kind}\""), &message, "available: ");
     }
-    for model in ["contact", "sliding", "structure"] {
+    for model in ["sliding", "structure"] {
         let desk = Desk::with_case(&format!("model = \"{model}\""));
         desk.refused(&["run", "case.toml"], &format!("the model `{model}` {later}"), "available: oscillator");
     }
+}
+
+#[test]
+fn what_a_contact_case_cannot_be() {
+    let refused = |lines: &str, message: &str, help: &str| {
+        let desk = Desk::with_case(&format!("model = \"contact\"\n{lines}\n"));
+        for command in ["run", "check"] {
+            desk.refused(&[command, "case.toml"], message, help);
+        }
+    };
+    let contact = "[[analysis]]\nkind = \"contact\"\nvelocity = 1\n";
+    refused("indenter = { shape = \"cone\" }", "unknown shape `cone`", "known: paraboloid, sphere, cylinder");
+    refused(
+        &format!("{contact}indentation = 1e-2\nload = 1"),
+        "cannot both be given",
+        "keep `indentation` or `load`",
+    );
+    refused(&format!("{contact}load = 1e-2\naccuracy = 2"), "`accuracy` must be above 0", "out of range");
+    refused(
+        "substrate = { dma = { file = \"x.csv\" } }",
+        "which does not exist",
+        "relative to the folder of the case",
+    );
+}
+
+#[test]
+fn data_that_are_none() {
+    let desk = Desk::with_case("model = \"contact\"\nsubstrate = { dma = { file = \"data.csv\" } }\n");
+    desk.write("data.csv", "frequency [Hz],E' [MPa],E'' [MPa]\n1,2,x\n");
+    let said = desk.judder(&["check", "case.toml"]);
+    assert_eq!(said.code, 2, "{}", said.stderr);
+    said.says("data.csv: ");
 }
 
 #[test]

@@ -13,6 +13,14 @@ fn every_template_is_checked_and_runs() {
         desk.succeed(&["run", "case.toml"]);
         assert!(desk.path("out/case/report.html").is_file(), "{template}");
     }
+    // the laws of this one take seconds
+    let desk = Desk::new();
+    desk.write("case.toml", desk.succeed(&["new", "contact"]).stdout);
+    let shown = desk.succeed(&["check", "case.toml"]).stdout;
+    for words in ["A paraboloid on rubber", "E∞/E0", "collapse, 51 × 16 points", "cells", "MB"] {
+        assert!(shown.contains(words), "{words:?} is not in\n{shown}");
+    }
+    desk.succeed(&["run", "case.toml", "--only", "modulus"]);
 }
 
 #[test]

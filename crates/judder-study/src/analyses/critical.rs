@@ -58,7 +58,7 @@ pub(super) fn run(
     family: Option<&Family<OscillatorKey>>,
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
-    let contact = bridge::contact(case);
+    let contact = bridge::contact(case, progress)?;
     let (axis, curves) = (Axis::of_oscillator(sweep), Curves::new(case, family));
     let range = Range { from: within.from, to: within.to, scale: Scale::Logarithmic };
     let samples = ((within.to / within.from).log10() * SAMPLES_PER_DECADE).ceil() as usize + 1;

@@ -17,7 +17,7 @@ pub(super) fn run(
     family: Option<&Family<OscillatorKey>>,
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
-    let contact = bridge::contact(case);
+    let contact = bridge::contact(case, progress)?;
     let (axis, curves) = (Axis::of_oscillator(sweep), Curves::new(case, family));
     let mut outcome = Outcome::default();
     let (mut damping, mut states, mut scalars) = (Vec::new(), Vec::new(), Vec::new());

@@ -42,7 +42,7 @@ pub(super) fn run(
     family: Option<&Family<OscillatorKey>>,
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
-    let contact = bridge::contact(case);
+    let contact = bridge::contact(case, progress)?;
     let (axis, curves) = (Axis::of_oscillator(sweep), Curves::new(case, family));
     let (mut spectra, mut states, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
     for inputs in &curves.inputs {

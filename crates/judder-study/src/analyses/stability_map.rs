@@ -96,7 +96,7 @@ pub(super) fn run(
     settings: &MapSettings<OscillatorKey>,
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
-    let contact = bridge::contact(case);
+    let contact = bridge::contact(case, progress)?;
     let (x, y) = (Axis::of_oscillator(&settings.x), Axis::of_oscillator(&settings.y));
     let plane = CasePlane { inputs: case.inputs, x: (&settings.x, &x.values), y: (&settings.y, &y.values) };
     let method = match settings.method {
@@ -123,7 +123,7 @@ pub(super) fn run(
         warnings: validity_warnings(&contact, states.iter().map(|(state, _)| state)),
         checks: checks::steady_sliding(&contact, &states.iter().map(|(state, _)| *state).collect::<Vec<_>>()),
         missing: map.count(StabilityClass::Unresolved),
-        table: None,
+        ..Outcome::default()
     };
     outcome.checks.push(checks::map_against_points(&states, &map));
     outcome.checks.extend(overlays::check(&overlays));

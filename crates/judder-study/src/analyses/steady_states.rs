@@ -60,7 +60,9 @@ pub(crate) fn validity_warnings<'a>(
         count += 1;
         match contact.law.concern(state.coefficients.velocity, state.equilibrium.indentation) {
             Some(concern @ ValidityConcern::TooDeep { .. }) => deep.push(concern),
-            Some(concern @ ValidityConcern::FrictionTail { .. }) => tail.push(concern),
+            Some(
+                concern @ (ValidityConcern::FrictionTail { .. } | ValidityConcern::SpeedBeyondTable { .. }),
+            ) => tail.push(concern),
             None => (),
         }
     }

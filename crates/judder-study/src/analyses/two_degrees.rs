@@ -155,5 +155,6 @@ fn critical(
         } else {
             vec![format!("no system at {} of {} samples of the search", search.failures.len(), sweep.points)]
         },
+        ..Outcome::default()
     })
 }

@@ -1,5 +1,7 @@
-//! The numbers and claims of sections 2–4 of the oscillator paper, each with the way it is measured.
+//! The numbers and claims of the oscillator paper, each with the way it is measured: sections 2–5 here, the contact computation in
+//! [`contact`].
 
+pub(super) mod contact;
 mod damping;
 mod equations;
 mod maps;
@@ -64,7 +66,7 @@ fn short(value: f64) -> String {
     }
 }
 
-/// All claims, in the order of the paper.
+/// All claims of the sections, in the order of the paper.
 pub(super) const CLAIMS: [Claim; 31] = [
     equations::HERTZ_LIMIT,
     equations::AREA_HAS_A_MINIMUM,

@@ -42,6 +42,18 @@ const fn fig_4(name: &'static str, overrides: &'static [&'static str], label: &'
     Source { name, case_name: "fig-4", case: case!("fig-4"), overrides, label }
 }
 
+/// The contact computation, Figs. 3, 13 and 14: names and texts of the cases. The first leaves the law that the others use.
+pub(super) const CONTACT_CASES: [(&str, &str); 3] =
+    [(LAW, case!("fig-3")), (MODULUS, case!("fig-13")), (FIT, case!("fig-14"))];
+/// Fig. 3: the computed law.
+pub(super) const LAW: &str = "fig-3";
+/// Fig. 13: the material.
+pub(super) const MODULUS: &str = "fig-13";
+/// Fig. 14: the fit.
+pub(super) const FIT: &str = "fig-14";
+/// The file in the study folder in which Fig. 3 leaves its law: that of its analysis.
+pub(super) const LAW_FILE: &str = "law.json";
+
 /// Figs. 4 to 10.
 pub(super) const EXHIBITS: [Exhibit; 7] = [
     Exhibit {

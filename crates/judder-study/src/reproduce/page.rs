@@ -1,9 +1,10 @@
 //! The report of the reproduction.
 
-use super::exhibits::{EXHIBITS, Exhibit};
+use super::claims::CLAIMS;
+use super::exhibits::{CONTACT_CASES, EXHIBITS, Exhibit};
 use super::readings::READINGS;
 use super::scoreboard::{self, ClaimLine};
-use super::{KEY, analysis_name, is_done};
+use super::{KEY, analysis_name, by_law, contact_figures, is_done};
 use crate::error::StudyError;
 use crate::pictures;
 use crate::report::{check_rows, facts, warnings, write_figure, write_page};
@@ -15,7 +16,13 @@ use serde_json::Value;
 use std::path::PathBuf;
 
 /// The figures of one law: how many of the readings, from where, and what is added to names and titles.
-const LAWS: [(usize, &str, &str); 2] = [(0, "", ""), (2, "-corrected", ", with the corrected velocity axis")];
+const LAWS: [(usize, &str, &str); 3] = [
+    (0, "", ""),
+    (2, "-corrected", ", with the corrected velocity axis"),
+    (4, "-computed", ", with the computed law"),
+];
+/// The columns of the contact computation, which knows no friction load.
+const BY_LAW: [(usize, &str); 3] = [(0, "as printed"), (2, "corrected axis"), (4, "computed")];
 
 /// Draws every figure of the paper and the page.
 pub(super) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, StudyError> {
@@ -25,18 +32,13 @@ pub(super) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, S
         .and_then(|kept| serde_json::from_value(kept.get("scoreboard")?.clone()).ok())
         .unwrap_or_default();
     let kept = Keepsakes::of(summary);
-    let board = vec![
-        Block::text(
-            "Every number and claim of sections 2 to 4, measured with both readings of the viscoelastic friction, and with the velocity \
-             axis as printed and corrected. A verdict is about the printed law; the last two columns show what the correction does to it.",
-        ),
-        Block::Scoreboard(scoreboard::block(&lines)),
-    ];
-    let mut sections = vec![Section::new("Scoreboard", board)];
+    let mut sections = vec![Section::new("Scoreboard", boards(&lines))];
+    sections.extend(contact_figures::sections(store, summary)?);
     for exhibit in &EXHIBITS {
         let heading = exhibit.name.replace("fig-", "Fig. ");
         sections.push(Section::new(heading, exhibit_blocks(store, summary, exhibit)?));
     }
+    sections.push(by_law::section(store, summary)?);
     sections.push(Section::new("Areas of the maps", vec![Block::Table(areas(summary))]));
     sections.push(Section::new("Checks", vec![Block::Checks(check_rows(&kept.checks))]));
     sections.push(Section::new("Warnings", vec![Block::Warnings(warnings(summary))]));
@@ -50,13 +52,32 @@ pub(super) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, S
     write_page(store, &page)
 }
 
+/// The scoreboard in two parts: with every reading, and by law alone.
+fn boards(lines: &[ClaimLine]) -> Vec<Block> {
+    let (sections, contact) = lines.split_at(CLAIMS.len().min(lines.len()));
+    let readings: Vec<(usize, &str)> = READINGS.iter().map(|reading| reading.label).enumerate().collect();
+    vec![
+        Block::text(
+            "Every number and claim of sections 2 to 4, measured with both readings of the viscoelastic friction: with the velocity axis of the fits \
+             as printed and corrected, and with the law computed for a sphere. A verdict is about the printed law; the other columns show what the \
+             correction and the computation do to it.",
+        ),
+        Block::Scoreboard(scoreboard::block(sections, &readings)),
+        Block::Heading("The contact computation".to_owned()),
+        Block::text(
+            "Appendices A and B, from contacts that were computed anew. A verdict is about the number that the paper prints.",
+        ),
+        Block::Scoreboard(scoreboard::block(contact, &BY_LAW)),
+    ]
+}
+
 fn lead(lines: &[ClaimLine], kept: &Keepsakes) -> String {
     let count = |verdict: &str| lines.iter().filter(|line| line.verdict == verdict).count();
     let checks = kept.checks.values().flatten().count();
     let passed = kept.checks.values().flatten().filter(|check| check.passed()).count();
     format!(
         "Papangelo, Putignano and Hoffmann, Critical thresholds for mode-coupling instability in viscoelastic sliding contacts, Nonlinear \
-         Dynamics (2021): Figs. 4 to 10. Of {} claims {} agree, {} are misprints whose right value is known, {} are open. {passed} of {checks} \
+         Dynamics (2021): Figs. 3 to 10, 13 and 14. Of {} claims {} agree, {} are misprints whose right value is known, {} are open. {passed} of {checks} \
          checks are within their limits.",
         lines.len(),
         count("agrees"),
@@ -133,18 +154,14 @@ fn areas(summary: &Summary) -> Table {
 
 /// The case files, behind a line each.
 fn cases() -> Vec<Block> {
-    let mut shown: Vec<&str> = Vec::new();
-    let mut blocks = Vec::new();
-    for source in EXHIBITS.iter().flat_map(|exhibit| exhibit.sources) {
-        if shown.contains(&source.case_name) {
-            continue;
-        }
-        shown.push(source.case_name);
-        let caption = format!("cases/oscillator-paper/{}.toml", source.case_name);
-        blocks.push(Block::Details(Details {
-            summary: caption.clone(),
-            blocks: vec![Block::Code(Code { caption, text: source.case.to_owned() })],
-        }));
-    }
-    blocks
+    let sources = EXHIBITS.iter().flat_map(|exhibit| exhibit.sources);
+    let mut cases: Vec<(&str, &str)> =
+        CONTACT_CASES.into_iter().chain(sources.map(|source| (source.case_name, source.case))).collect();
+    cases.dedup_by_key(|(name, _)| *name);
+    let block = |(name, text): (&str, &str)| {
+        let caption = format!("cases/oscillator-paper/{name}.toml");
+        let code = Block::Code(Code { caption: caption.clone(), text: text.to_owned() });
+        Block::Details(Details { summary: caption, blocks: vec![code] })
+    };
+    cases.into_iter().map(block).collect()
 }

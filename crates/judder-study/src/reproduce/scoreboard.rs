@@ -1,6 +1,7 @@
 //! The scoreboard: every claim measured with every reading, and what becomes of it.
 
-use super::claims::{CLAIMS, Claim, Kind};
+use super::claims::{CLAIMS, Claim, Kind, contact};
+use super::evidence::Evidence;
 use super::readings::READINGS;
 use crate::error::StudyError;
 use crate::progress::Progress;
@@ -31,10 +32,10 @@ pub struct ClaimLine {
     pub why: String,
 }
 
-/// Measures all claims.
-pub(super) fn measure(progress: &dyn Progress) -> Result<Vec<ClaimLine>, StudyError> {
-    let contacts: Vec<_> = READINGS.iter().map(super::readings::Reading::contact).collect();
-    CLAIMS
+/// Measures all claims: those of the sections with every reading, then those of the contact computation.
+pub(super) fn measure(evidence: &Evidence, progress: &dyn Progress) -> Result<Vec<ClaimLine>, StudyError> {
+    let contacts: Vec<_> = READINGS.iter().map(|reading| reading.contact(&evidence.law)).collect();
+    let lines: Result<Vec<ClaimLine>, StudyError> = CLAIMS
         .par_iter()
         .map(|claim| {
             if progress.interrupted() {
@@ -44,8 +45,14 @@ pub(super) fn measure(progress: &dyn Progress) -> Result<Vec<ClaimLine>, StudyEr
             progress.advance();
             Ok(line(claim, measured))
         })
-        .collect()
+        .collect();
+    let mut lines = lines?;
+    lines.extend(contact::lines(evidence));
+    Ok(lines)
 }
+
+/// The laws beside the printed one, with the place of their first reading.
+const OTHER_LAWS: [(usize, &str); 2] = [(2, "the corrected velocity axis"), (4, "the computed law")];
 
 fn line(claim: &Claim, measured: Vec<Measured>) -> ClaimLine {
     let holds: Vec<bool> = measured.iter().map(|m| m.holds).collect();
@@ -56,24 +63,31 @@ fn line(claim: &Claim, measured: Vec<Measured>) -> ClaimLine {
         (Kind::Statement, true, false) => ("agrees", "Only with $F_{n} μ_{visc}$. "),
         (Kind::Statement, false, true) => ("agrees", "Only with $F_{k} μ_{visc}$. "),
     };
-    let corrected = match (claim.kind, verdict, holds[2], holds[3]) {
-        (Kind::Statement, "agrees", false, false) => " Not so with the corrected velocity axis.",
-        (Kind::Statement, "open", true, _) | (Kind::Statement, "open", _, true) => {
-            " It holds with the corrected velocity axis."
-        }
-        _ => "",
+    let others = |wanted: bool| -> Vec<&str> {
+        let with = |first: usize| holds[first] || holds[first + 1];
+        OTHER_LAWS.into_iter().filter(|(first, _)| with(*first) == wanted).map(|(_, name)| name).collect()
+    };
+    let other_laws = match (claim.kind, verdict) {
+        (Kind::Statement, "agrees") => added(" Not so with ", &others(false), " or "),
+        (Kind::Statement, "open") => added(" It holds with ", &others(true), " and "),
+        _ => String::new(),
     };
     ClaimLine {
         place: claim.place.to_owned(),
         says: claim.says.to_owned(),
         ours: measured.into_iter().map(|m| m.ours).collect(),
         verdict: verdict.to_owned(),
-        why: format!("{with}{}{corrected}", claim.why),
+        why: format!("{with}{}{other_laws}", claim.why),
     }
 }
 
-/// The scoreboard as a block of the page.
-pub(super) fn block(lines: &[ClaimLine]) -> page::Scoreboard {
+/// A sentence about some laws; nothing where there are none.
+fn added(beginning: &str, laws: &[&str], between: &str) -> String {
+    if laws.is_empty() { String::new() } else { format!("{beginning}{}.", laws.join(between)) }
+}
+
+/// Some lines of the scoreboard as a block of the page, with the columns of these readings and their heads.
+pub(super) fn block(lines: &[ClaimLine], columns: &[(usize, &str)]) -> page::Scoreboard {
     let verdict = |word: &str| match word {
         "agrees" => page::Verdict::Agrees,
         "misprint" => page::Verdict::Misprint,
@@ -82,22 +96,27 @@ pub(super) fn block(lines: &[ClaimLine]) -> page::Scoreboard {
     let rows = lines.iter().map(|line| page::Claim {
         place: line.place.clone(),
         says: line.says.clone(),
-        ours: line.ours.clone(),
+        ours: columns.iter().map(|(k, _)| line.ours.get(*k).cloned().unwrap_or_default()).collect(),
         verdict: verdict(&line.verdict),
         why: line.why.clone(),
     });
-    page::Scoreboard { ours: READINGS.iter().map(|r| r.label.to_owned()).collect(), rows: rows.collect() }
+    page::Scoreboard {
+        ours: columns.iter().map(|(_, head)| (*head).to_owned()).collect(),
+        rows: rows.collect(),
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::progress::Silent;
+    use crate::reproduce::evidence::computed;
 
     /// The verdicts as the book tells them, in the order of the paper.
     #[test]
     fn the_verdicts() {
-        let lines = measure(&Silent).unwrap();
+        let mut lines = measure(&computed(), &Silent).unwrap();
+        lines.truncate(CLAIMS.len());
         let odd: Vec<(&str, &str)> = lines
             .iter()
             .filter(|line| line.verdict != "agrees")

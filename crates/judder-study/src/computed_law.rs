@@ -1,0 +1,172 @@
+//! Contact laws computed with the boundary-element solver.
+
+use crate::error::StudyError;
+use crate::material::Material;
+use crate::progress::Progress;
+use judder_case::LawMethod;
+use judder_contact::law::boundary_elements::sample;
+use judder_contact::law::sweep::{
+    CollapseRequest, SolvedPoint, SweepEnd, SweepLevel, SweepObserver, SweepRange, SweepRequest,
+    collapse_sweep, sweep,
+};
+use judder_contact::law::{LawErrors, LawIndenter, LawOrigin, PerQuantity};
+use judder_contact::{Law, LawError};
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// The part of a law's accuracy that its single solutions may use up.
+pub(crate) const SHARE_OF_SOLVER: f64 = 0.5;
+/// How much further than the force area and friction may be off.
+const SECONDARY: f64 = 5.0;
+/// The most contacts that a law may take.
+const MOST_POINTS: usize = 4000;
+/// ŷ at which the curve of a paraboloid is computed; by the collapse any will do.
+const COLLAPSE_INDENTATION: f64 = 1e-2;
+
+/// A law to be computed.
+#[derive(Debug, Clone)]
+pub(crate) struct LawTask<'a> {
+    /// The substrate.
+    pub(crate) material: &'a Material,
+    /// The indenter.
+    pub(crate) indenter: LawIndenter,
+    /// How the plane is covered.
+    pub(crate) method: LawMethod,
+    /// v̂ between which the law is wanted.
+    pub(crate) velocity: (f64, f64),
+    /// ŷ between which the law is wanted.
+    pub(crate) indentation: (f64, f64),
+    /// Relative accuracy.
+    pub(crate) accuracy: f64,
+}
+
+/// A computed law, and how it came about.
+#[derive(Debug, Clone)]
+pub(crate) struct ComputedLaw {
+    pub(crate) law: Law,
+    pub(crate) end: SweepEnd,
+    pub(crate) levels: Vec<SweepLevel>,
+    pub(crate) points: Vec<SolvedPoint>,
+}
+
+/// Tells a sweep's progress, and where solved points are kept.
+struct Watch<'a> {
+    progress: &'a dyn Progress,
+    kept: &'a (dyn Fn(&SolvedPoint) + Sync),
+}
+
+impl SweepObserver for Watch<'_> {
+    fn finished(&self, point: &SolvedPoint, _done: usize, _planned: usize) {
+        (self.kept)(point);
+        self.progress.advance();
+    }
+
+    fn interrupted(&self) -> bool {
+        self.progress.interrupted()
+    }
+}
+
+/// The points that are known already, and who is handed each new one.
+pub(crate) type Points<'a> = (&'a [SolvedPoint], &'a (dyn Fn(&SolvedPoint) + Sync));
+
+/// Computes a law, or gives the one that was computed before while the program runs; `known` points are not solved again, and every
+/// new one is handed to `kept`.
+///
+/// # Errors
+/// [`StudyError::Interrupted`], [`StudyError::Law`].
+pub(crate) fn compute(
+    task: &LawTask<'_>,
+    points: Points<'_>,
+    progress: &dyn Progress,
+) -> Result<ComputedLaw, StudyError> {
+    static KNOWN: Mutex<Vec<(String, ComputedLaw)>> = Mutex::new(Vec::new());
+    let LawTask { material, indenter, method, velocity, indentation, accuracy } = task;
+    // a curve of the paraboloid knows no ranges
+    let ranges = (*method == LawMethod::Sweep).then_some((velocity, indentation));
+    let key = format!("{:?} {indenter:?} {method:?} {ranges:?} {accuracy}", material.of_law());
+    // held while computing: two threads shall not compute the same law
+    let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some((_, law)) = known.iter().find(|(other, _)| *other == key) {
+        return Ok(law.clone());
+    }
+    let law = compute_anew(task, points, progress)?;
+    known.push((key, law.clone()));
+    Ok(law)
+}
+
+fn compute_anew(
+    task: &LawTask<'_>,
+    (known, kept): Points<'_>,
+    progress: &dyn Progress,
+) -> Result<ComputedLaw, StudyError> {
+    let material = task.material.of_law();
+    let substrate = material.clone();
+    let solve = |velocity: f64, indentation: f64, _: Option<&SolvedPoint>| {
+        sample(&substrate, task.indenter, velocity, indentation, SHARE_OF_SOLVER * task.accuracy)
+    };
+    let watch = Watch { progress, kept };
+    let source = format!("judder {}, boundary elements, steady sliding", env!("CARGO_PKG_VERSION"));
+    // what the single contacts leave of the force's accuracy
+    let accuracy =
+        PerQuantity { force: (1.0 - SHARE_OF_SOLVER) * task.accuracy, ..PerQuantity::uniform(task.accuracy) };
+    let (law, end, levels, points) = match task.method {
+        LawMethod::Collapse => {
+            let request = CollapseRequest {
+                ln_speeds: SweepRange::all_speeds(&material),
+                material,
+                source,
+                indentation: COLLAPSE_INDENTATION,
+                accuracy,
+                most_points: MOST_POINTS,
+            };
+            let found = collapse_sweep(&request, known, &solve, &watch)?;
+            (Law::Collapsed(Arc::new(found.law)), found.end, found.levels, found.points)
+        }
+        LawMethod::Sweep => {
+            let request = SweepRequest {
+                range: SweepRange::covering(task.velocity, task.indentation, &material)?,
+                origin: LawOrigin { material, indenter: task.indenter, source },
+                accuracy,
+                most_points: MOST_POINTS,
+            };
+            let found = sweep(&request, known, &solve, &watch)?;
+            (Law::Tabulated(Arc::new(found.law)), found.end, found.levels, found.points)
+        }
+    };
+    Ok(ComputedLaw { law, end, levels, points })
+}
+
+/// Whether a law is as accurate as asked: interpolation and solver together, area and friction five times as far off as the
+/// force at most.
+pub(crate) fn meets(errors: &LawErrors, accuracy: f64) -> bool {
+    let total = errors.total();
+    total.force <= accuracy && total.area.max(total.friction) <= SECONDARY * accuracy
+}
+
+impl From<LawError> for StudyError {
+    fn from(error: LawError) -> Self {
+        match error {
+            LawError::Interrupted { .. } => Self::Interrupted,
+            error => Self::Law(error),
+        }
+    }
+}
+
+/// The law `bem` of a substrate under a paraboloid.
+///
+/// # Errors
+/// As [`compute`].
+pub(crate) fn of_paraboloid(
+    material: &Material,
+    accuracy: f64,
+    progress: &dyn Progress,
+) -> Result<Law, StudyError> {
+    let task = LawTask {
+        material,
+        indenter: LawIndenter::Paraboloid,
+        method: LawMethod::Collapse,
+        velocity: (f64::MIN_POSITIVE, f64::MAX),
+        indentation: (f64::MIN_POSITIVE, f64::MAX),
+        accuracy,
+    };
+    Ok(compute(&task, (&[], &|_| ()), progress)?.law)
+}

@@ -1,0 +1,266 @@
+//! Figs. 3, 13 and 14 and the table of coefficients, from what is stored.
+
+use super::evidence::{CORRECTED, r_squared};
+use super::exhibits::{FIT, LAW, MODULUS};
+use super::is_done;
+use crate::error::StudyError;
+use crate::labels::short_number;
+use crate::pictures::{self, axis, reals};
+use crate::report::write_figure;
+use judder_contact::law::PerQuantity;
+use judder_contact::{ContactLaw, ContactPoint, FittedLaw};
+use judder_report::figure::ValueMap;
+use judder_report::page::Table;
+use judder_report::palette::ColourMap;
+use judder_report::{Axis, Block, Figure, Layer, Legend, Panel, Role, Section};
+use judder_store::{Dataset, StudyFolder, Summary};
+use serde_json::Value;
+
+/// Rows of equal indentation that Fig. 3 draws as curves: one a decade of the case's forty.
+const ROWS: [usize; 4] = [0, 13, 26, 39];
+/// Fig. 14 draws every third point of every third row.
+const THINNED: usize = 3;
+
+/// A quantity of the contact, in the order of Fig. 3, with its label and its colour scale.
+struct Quantity {
+    name: &'static str,
+    label: &'static str,
+    pick: fn(PerQuantity<f64>) -> f64,
+    is_logarithmic: bool,
+}
+
+const QUANTITIES: [Quantity; 3] = [
+    Quantity {
+        name: "friction",
+        label: "Friction $μ_{visc}$ (−)",
+        pick: |values| values.friction,
+        is_logarithmic: false,
+    },
+    Quantity {
+        name: "area",
+        label: "Contact area $Ã$ (−)",
+        pick: |values| values.area,
+        is_logarithmic: true,
+    },
+    Quantity {
+        name: "force",
+        label: "Contact force $F̃_{k}$ (−)",
+        pick: |values| values.force,
+        is_logarithmic: true,
+    },
+];
+
+impl Quantity {
+    fn axis(&self) -> Axis {
+        if self.is_logarithmic { Axis::log(self.label) } else { Axis::linear(self.label) }
+    }
+}
+
+/// The sections of the contact computation; none where it has no result.
+pub(super) fn sections(store: &StudyFolder, summary: &Summary) -> Result<Vec<Section>, StudyError> {
+    let mut sections = Vec::new();
+    if is_done(summary, LAW) && is_done(summary, FIT) {
+        let (law, fit) = (store.read_dataset(LAW)?, store.read_dataset(FIT)?);
+        let functions = Functions::of(summary);
+        let figures = [figure_3(&fit, &functions), figure_3_maps(&law), figure_14(&fit, &functions)];
+        let [curves, maps, scatter] = figures;
+        let mut blocks = Vec::new();
+        for figure in [curves, maps].into_iter().flatten() {
+            blocks.push(write_figure(store, figure)?);
+        }
+        sections.push(Section::new("Fig. 3", blocks));
+        let mut blocks = Vec::new();
+        if let Some(figure) = scatter {
+            blocks.push(write_figure(store, figure)?);
+        }
+        blocks.extend(coefficients(summary).map(Block::Table));
+        sections.push(Section::new("Fig. 14", blocks));
+    }
+    if is_done(summary, MODULUS)
+        && let Some(figure) = figure_13(&store.read_dataset(MODULUS)?)
+    {
+        sections.insert(sections.len().min(1), Section::new("Fig. 13", vec![write_figure(store, figure)?]));
+    }
+    Ok(sections)
+}
+
+/// The three functions as printed, with the corrected axis, and fitted anew.
+struct Functions {
+    all: Vec<(&'static str, FittedLaw, Role)>,
+}
+
+impl Functions {
+    fn of(summary: &Summary) -> Self {
+        let ours = fitted(summary).map(|law| ("our fit", law, Role::Series(0)));
+        let others = [
+            ("printed fit, corrected axis", FittedLaw::oscillator_paper_corrected(), Role::Series(2)),
+            ("printed fit, as printed", FittedLaw::oscillator_paper(), Role::Series(1)),
+        ];
+        Self { all: ours.into_iter().chain(others).collect() }
+    }
+}
+
+/// The law of the stored fit.
+fn fitted(summary: &Summary) -> Option<FittedLaw> {
+    fn numbers<const N: usize>(result: &serde_json::Map<String, Value>, name: &str) -> Option<[f64; N]> {
+        let list = result.get(name)?.get("coefficients")?.as_array()?;
+        list.iter().map(Value::as_f64).collect::<Option<Vec<f64>>>()?.try_into().ok()
+    }
+    let result = summary.results.get(FIT)?;
+    Some(FittedLaw {
+        force: numbers(result, "force")?,
+        area: numbers(result, "area")?,
+        friction: numbers(result, "friction")?,
+        log10_velocity_scale: CORRECTED,
+    })
+}
+
+fn values(law: &FittedLaw, velocity: f64, indentation: f64) -> PerQuantity<f64> {
+    let found = law.evaluate(&ContactPoint::new(velocity, indentation));
+    PerQuantity { force: found.force.value, area: found.area.value, friction: found.friction.value }
+}
+
+/// Computed points and the fitted functions over speed, at four indentations.
+fn figure_3(fit: &Dataset, functions: &Functions) -> Option<Figure> {
+    let (velocities, indentations) = (reals(fit, "velocity")?, reals(fit, "indentation")?);
+    let mut panels = Vec::new();
+    for quantity in &QUANTITIES {
+        let computed = reals(fit, quantity.name)?;
+        let mut layers = Vec::new();
+        for (name, law, role) in functions.all.iter().rev() {
+            for row in ROWS {
+                let depth = *indentations.get(row)?;
+                let curve = velocities.iter().map(|v| (quantity.pick)(values(law, *v, depth))).collect();
+                let label = if row == ROWS[0] { *name } else { "" };
+                let style = if *name == "our fit" { role.solid() } else { role.dashed() };
+                layers.push(Layer::line(label, velocities.to_vec(), curve, style));
+            }
+        }
+        for row in ROWS {
+            let points = computed.chunks(velocities.len()).nth(row)?.to_vec();
+            let label = if row == ROWS[0] { "computed" } else { "" };
+            layers.push(Layer::points(label, velocities.to_vec(), points, Role::FullBoundary));
+        }
+        let panel = Panel::new(axis(fit.variable("velocity")?), quantity.axis(), layers);
+        panels.push(panel.with_legend(Legend::Below));
+    }
+    let depths: Vec<String> =
+        ROWS.iter().filter_map(|row| indentations.get(*row)).map(|d| short_number(*d)).collect();
+    let caption = format!(
+        "Points: computed for a sphere. Solid: the functions (34), (36), (38) fitted to them. Dashed: the paper's own fit, with the corrected axis and as \
+         printed. $δ$/$R$ = {}, each panel from bottom to top.",
+        depths.join(", ")
+    );
+    Some(
+        Figure::new("fig-3", "Friction, area and force over speed, the paper's Fig. 3", panels)
+            .with_caption(caption),
+    )
+}
+
+/// The computed quantities over speed and indentation, and where the contacts were solved.
+fn figure_3_maps(law: &Dataset) -> Option<Figure> {
+    let (velocities, indentations) = (reals(law, "velocity")?, reals(law, "indentation")?);
+    // the ends are logarithms there and back
+    let within = |value: f64, list: &[f64]| value > 0.999 * list[0] && value < 1.001 * list[list.len() - 1];
+    let (solved_v, solved_y) = (reals(law, "sample_velocity")?, reals(law, "sample_indentation")?);
+    let places = solved_v.iter().copied().zip(solved_y.iter().copied());
+    let (x_dots, y_dots): (Vec<f64>, Vec<f64>) =
+        places.filter(|(v, y)| within(*v, velocities) && within(*y, indentations)).unzip();
+    let mut panels = Vec::new();
+    for quantity in &QUANTITIES {
+        let map = ValueMap {
+            x: velocities.to_vec(),
+            y: indentations.to_vec(),
+            z: reals(law, quantity.name)?.to_vec(),
+            bar: quantity.axis(),
+            colours: ColourMap::Sequential,
+        };
+        let dots = Layer::points("", x_dots.clone(), y_dots.clone(), Role::FullBoundary);
+        let (x, y) = (axis(law.variable("velocity")?), axis(law.variable("indentation")?));
+        panels.push(Panel::new(x, y, vec![Layer::Values(map), dots]));
+    }
+    Some(
+        Figure::new("fig-3-maps", "Friction, area and force over speed and indentation", panels).with_caption(
+            "The computed law. Points: contacts that were solved; below $δ$/$R$ = 0.01 a sphere is a paraboloid, and the law follows \
+             from $v τ$/($R δ$)^{1/2} alone.",
+        ),
+    )
+}
+
+/// Fitted against computed values, with r² of each.
+fn figure_14(fit: &Dataset, functions: &Functions) -> Option<Figure> {
+    let (velocities, indentations) = (reals(fit, "velocity")?, reals(fit, "indentation")?);
+    let places: Vec<(f64, f64)> =
+        indentations.iter().flat_map(|y| velocities.iter().map(move |v| (*v, *y))).collect();
+    let shown = |k: &usize| {
+        (k % velocities.len()).is_multiple_of(THINNED) && (k / velocities.len()).is_multiple_of(THINNED)
+    };
+    let shown: Vec<usize> = (0..places.len()).filter(shown).collect();
+    let mut panels = Vec::new();
+    for name in ["force", "area", "friction"] {
+        let quantity = QUANTITIES.iter().find(|quantity| quantity.name == name)?;
+        let computed = reals(fit, name)?;
+        let largest = computed.iter().copied().fold(0.0, f64::max);
+        let mut layers = vec![Layer::line("", vec![0.0, largest], vec![0.0, largest], Role::Reference)];
+        let mut r2 = Vec::new();
+        for (label, law, role) in functions.all.iter().rev() {
+            let all: Vec<f64> = places.iter().map(|(v, y)| (quantity.pick)(values(law, *v, *y))).collect();
+            r2.push(format!("{:.4}", r_squared(computed, &all)).replace('-', "−"));
+            let some = |list: &[f64]| shown.iter().map(|k| list[*k]).collect::<Vec<f64>>();
+            layers.push(Layer::points(*label, some(computed), some(&all), *role));
+        }
+        let title = format!("$r^{{2}}$ = {}", r2.join("; "));
+        let x = Axis::linear(format!("{}, computed", quantity.label.trim_end_matches(" (−)")));
+        let y = Axis::linear(format!("{}, fitted", quantity.label.trim_end_matches(" (−)")));
+        panels.push(Panel::new(x, y, layers).with_title(title).with_legend(Legend::Below));
+    }
+    Some(
+        Figure::new("fig-14", "Computed against fitted, the paper's Fig. 14", panels).with_caption(
+            "Every third speed and indentation of the grid; on the line the fit is exact. Above each panel $r^{2}$ of all points: as printed, \
+             with the corrected axis, our fit. The paper gives 0.9999, 0.9995, 0.9957.",
+        ),
+    )
+}
+
+/// Storage and loss modulus and loss tangent over frequency.
+fn figure_13(modulus: &Dataset) -> Option<Figure> {
+    let panels = pictures::panels(modulus);
+    let figure = Figure::new("fig-13", "Modulus and loss tangent, the paper's Fig. 13", panels).with_caption(
+        "One retardation time $τ$ = 10 ms, $E_{0}$ = 1 MPa, $E_{∞}$ = 10 MPa: the material that the contacts are computed for.",
+    );
+    (!figure.panels.is_empty()).then_some(figure)
+}
+
+/// The fourteen coefficients beside the paper's.
+fn coefficients(summary: &Summary) -> Option<Table> {
+    let result = summary.results.get(FIT)?;
+    let intervals: Vec<Value> = ["force", "area", "friction"]
+        .iter()
+        .filter_map(|name| result.get(*name)?.get("intervals")?.as_array().cloned())
+        .flatten()
+        .collect();
+    let number = |value: Option<&Value>, digits: usize| {
+        format!("{:.digits$}", value.and_then(Value::as_f64).unwrap_or(f64::NAN)).replace('-', "−")
+    };
+    let row = |(line, interval): (&Value, &Value)| {
+        let off = line.get("relative_deviation").and_then(Value::as_f64).unwrap_or(f64::NAN);
+        vec![
+            line.get("name").and_then(Value::as_str).unwrap_or_default().to_owned(),
+            number(line.get("paper"), 3),
+            number(line.get("value"), 3),
+            format!("{} … {}", number(interval.get(0), 3), number(interval.get(1), 3)),
+            number(line.get("deviation"), 3),
+            format!("{:.1}", 100.0 * off).replace('-', "−"),
+        ]
+    };
+    let lines = result.get("beside_the_paper")?.as_array()?;
+    Some(Table {
+        caption: "The coefficients on the corrected axis, beside the paper's. The intervals say how well the points determine them, not how well the \
+                  functions describe the contact."
+            .to_owned(),
+        head: ["coefficient", "paper", "ours", "95 % interval", "difference", "difference, %"]
+            .map(str::to_owned)
+            .to_vec(),
+        rows: lines.iter().zip(&intervals).map(row).collect(),
+    })
+}

@@ -1,0 +1,154 @@
+//! What the claims about the contact computation are measured on.
+
+use super::exhibits::{CONTACT_CASES, FIT, LAW_FILE};
+use crate::bridge::BEM_ACCURACY;
+use crate::computed_law;
+use crate::error::StudyError;
+use crate::material::ContactScales;
+use crate::progress::Progress;
+use judder_case::{Case, CaseFile, ContactAnalysis, ContactCase, LawSettings};
+use judder_contact::fit::{FitSample, LawFit, Weighting, fit_law};
+use judder_contact::law::boundary_elements::sample;
+use judder_contact::law::file::from_json;
+use judder_contact::law::{LawIndenter, PerQuantity};
+use judder_contact::material::CreepSpectrum;
+use judder_contact::{ContactLaw, ContactPoint, FittedLaw, Law};
+use judder_store::StudyFolder;
+
+/// log₁₀ of the factor of v τ/R at which the fits are read: the corrected axis.
+pub(super) const CORRECTED: f64 = -2.0;
+
+/// v̂ of the contacts at both ends, at [`SHALLOW`]: z = v̂/√ŷ = 10⁻⁴ and 10⁵, where a contact is elastic but for ln z/z.
+const ENDS: [f64; 2] = [1e-5, 1e4];
+/// ŷ of the contacts at both ends: a sphere is a paraboloid there to 0.3 %.
+const SHALLOW: f64 = 1e-2;
+/// Relative accuracy of their force.
+const END_ACCURACY: f64 = 2e-3;
+
+/// The computed law of the paper's sphere, and what was fitted to it.
+#[derive(Debug, Clone)]
+pub(super) struct Evidence {
+    pub(super) law: Law,
+    /// F̃/ŷ^{3/2} and Ã/ŷ, solved for very slow and for very fast sliding.
+    pub(super) ends: [[f64; 2]; 2],
+    /// The law on the grid of Fig. 14.
+    pub(super) samples: Vec<FitSample>,
+    /// The functions of appendix B through them, on the corrected axis.
+    pub(super) fit: LawFit,
+    /// The same as printed.
+    pub(super) fit_as_printed: LawFit,
+    /// The same for a paraboloid, on the corrected axis.
+    pub(super) paraboloid: LawFit,
+    /// The paper's material.
+    pub(super) spectrum: CreepSpectrum,
+}
+
+impl Evidence {
+    /// From what Fig. 3 left in a study folder.
+    pub(super) fn stored(store: &StudyFolder, progress: &dyn Progress) -> Result<Self, StudyError> {
+        let path = store.path().join(LAW_FILE);
+        let unusable = |reason: String| StudyError::File { path: path.clone(), reason };
+        let text = std::fs::read_to_string(&path).map_err(|error| unusable(error.to_string()))?;
+        let law = from_json(&text).map_err(|error| unusable(error.to_string()))?;
+        Self::new(law, progress)
+    }
+
+    /// From a law of the paper's sphere.
+    pub(super) fn new(law: Law, progress: &dyn Progress) -> Result<Self, StudyError> {
+        let (case, settings) = contact_case(FIT)?;
+        let scales = ContactScales::new(&case)?;
+        let curve = computed_law::of_paraboloid(&scales.material, BEM_ACCURACY, progress)?;
+        let samples = samples(&law, &settings);
+        let fit = |samples: &[FitSample], scale: f64| {
+            fit_law(samples, scale, Weighting::Absolute)
+                .map_err(|error| StudyError::Unsupported(error.to_string()))
+        };
+        Ok(Self {
+            fit: fit(&samples, CORRECTED)?,
+            fit_as_printed: fit(&samples, 0.0)?,
+            paraboloid: fit(&self::samples(&curve, &settings), CORRECTED)?,
+            ends: [end(&scales, ENDS[0])?, end(&scales, ENDS[1])?],
+            spectrum: scales.material.spectrum,
+            law,
+            samples,
+        })
+    }
+
+    /// r² of force, area and friction of a fitted law against the computed values.
+    pub(super) fn r_squared(&self, functions: &FittedLaw) -> [f64; 3] {
+        let fitted: Vec<[f64; 3]> =
+            self.samples.iter().map(|sample| values(functions, sample).into_array()).collect();
+        [0, 1, 2].map(|k| {
+            let computed: Vec<f64> =
+                self.samples.iter().map(|sample| sample.values.into_array()[k]).collect();
+            r_squared(&computed, &fitted.iter().map(|values| values[k]).collect::<Vec<f64>>())
+        })
+    }
+}
+
+/// F̃/ŷ^{3/2} and Ã/ŷ of a sphere at one speed.
+fn end(scales: &ContactScales, velocity: f64) -> Result<[f64; 2], StudyError> {
+    let found = sample(&scales.material.of_law(), LawIndenter::Sphere, velocity, SHALLOW, END_ACCURACY)
+        .map_err(|error| StudyError::Unsupported(error.to_string()))?;
+    Ok([found.force / SHALLOW.powf(1.5), found.area / SHALLOW])
+}
+
+/// r² = 1 − Σ (value − function)²/Σ (value − mean)².
+pub(super) fn r_squared(values: &[f64], functions: &[f64]) -> f64 {
+    let mean = values.iter().sum::<f64>() / values.len() as f64;
+    let off: f64 = values.iter().zip(functions).map(|(value, function)| (value - function).powi(2)).sum();
+    1.0 - off / values.iter().map(|value| (value - mean).powi(2)).sum::<f64>()
+}
+
+/// F̃, Ã, μ of a law where a sample is.
+pub(super) fn values(law: &impl ContactLaw, sample: &FitSample) -> PerQuantity<f64> {
+    let found = law.evaluate(&ContactPoint::new(sample.velocity, sample.indentation));
+    PerQuantity { force: found.force.value, area: found.area.value, friction: found.friction.value }
+}
+
+/// A law on the grid of the settings, row by row of equal indentation.
+fn samples(law: &Law, settings: &LawSettings) -> Vec<FitSample> {
+    let mut samples = Vec::new();
+    for indentation in settings.indentation.values() {
+        for velocity in settings.velocity.values() {
+            let place = FitSample { velocity, indentation, values: PerQuantity::uniform(0.0) };
+            samples.push(FitSample { values: values(law, &place), ..place });
+        }
+    }
+    samples
+}
+
+/// A case of the contact computation with the settings of its one law or fit.
+pub(super) fn contact_case(name: &str) -> Result<(ContactCase, LawSettings), StudyError> {
+    let missing = || StudyError::Unsupported(format!("the case {name} computes no law"));
+    let (_, text) = CONTACT_CASES.iter().find(|(known, _)| *known == name).ok_or_else(missing)?;
+    let Case::Contact(case) = CaseFile::parse(name, text, &[])?.case else { return Err(missing()) };
+    match case.analyses.first().map(|analysis| analysis.kind.clone()) {
+        Some(ContactAnalysis::ContactLaw(law) | ContactAnalysis::Fit { law, .. }) => Ok((case, law)),
+        _ => Err(missing()),
+    }
+}
+
+/// The evidence of Fig. 3's own case, computed once for all tests.
+#[cfg(test)]
+pub(super) fn computed() -> Evidence {
+    use crate::computed_law::{LawTask, compute};
+    use crate::progress::Silent;
+    use std::sync::OnceLock;
+    static EVIDENCE: OnceLock<Evidence> = OnceLock::new();
+    let make = || {
+        let (case, settings) = contact_case(FIT).unwrap();
+        let scales = ContactScales::new(&case).unwrap();
+        let task = LawTask {
+            material: &scales.material,
+            indenter: LawIndenter::Sphere,
+            method: settings.method,
+            velocity: (settings.velocity.from, settings.velocity.to),
+            indentation: (settings.indentation.from, settings.indentation.to),
+            accuracy: BEM_ACCURACY,
+        };
+        let found = compute(&task, (&[], &|_| ()), &Silent).unwrap();
+        Evidence::new(found.law, &Silent).unwrap()
+    };
+    EVIDENCE.get_or_init(make).clone()
+}

@@ -10,15 +10,32 @@
     modeBarButtonsToRemove: ["sendChartToCloud", "sendDataToCloud", "select2d", "lasso2d", "autoScale2d"],
   };
 
-  // a class map carries codes; their names are shared strings, so a large map costs little
-  function nameClasses(trace) {
+  // an array that several traces have stands in the first of them
+  function findArrays(trace, _index, traces) {
+    for (const key of ["x", "y", "customdata"]) {
+      const same = trace[key] && trace[key].same;
+      if (same) trace[key] = traces[same[0]][same[1]];
+    }
+  }
+
+  // a class map carries runs of codes; the names of codes are shared strings, so a large map costs little
+  function unrollClasses(trace) {
     const classes = trace.meta && trace.meta.classes;
     if (!classes) return;
-    const columns = Number(trace.z.shape.split(",")[1]);
-    const codes = Uint8Array.from(atob(trace.z.bdata), (character) => character.charCodeAt(0));
+    const [rows, columns] = trace.z.shape.split(",").map(Number);
+    const runs = Uint8Array.from(atob(trace.z.runs), (character) => character.charCodeAt(0));
+    const codes = new Uint8Array(rows * columns);
+    for (let run = 0, start = 0; run < runs.length; run += 3) {
+      const end = start + runs[run + 1] + 256 * runs[run + 2];
+      codes.fill(runs[run], start, end);
+      start = end;
+    }
+    trace.z = [];
     trace.text = [];
     for (let start = 0; start < codes.length; start += columns) {
-      trace.text.push(Array.from(codes.subarray(start, start + columns), (code) => classes[code]));
+      const row = codes.subarray(start, start + columns);
+      trace.z.push(row);
+      trace.text.push(Array.from(row, (code) => classes[code]));
     }
   }
 
@@ -42,7 +59,8 @@
     const still = figure.querySelector(".still");
     const live = figure.querySelector(".live");
     const chart = JSON.parse(figure.querySelector("script").textContent);
-    chart.data.forEach(nameClasses);
+    chart.data.forEach(findArrays);
+    chart.data.forEach(unrollClasses);
     // plotly writes into its layout, so each view gets a copy
     const arrangement = () => structuredClone(narrow.matches ? chart.narrow : chart.layout);
     live.hidden = false;

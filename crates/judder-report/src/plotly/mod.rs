@@ -13,9 +13,10 @@ use serde_json::{Value, json};
 /// The figure as `{ "data", "layout", "narrow" }` for plotly.js.
 ///
 /// `narrow` is the layout for a small screen, with the panels in one column. Numbers are typed arrays
-/// (`{ dtype, bdata, shape }`, little-endian base64). A class map holds the codes of its cells as `z` and the names
-/// of its classes as `meta.classes`; the page fills its hover `text` from them. Values on a symmetric log axis are
-/// stretched as the axis is; their own values are in `customdata`.
+/// (`{ dtype, bdata, shape }`, little-endian base64); `{ same: [trace, key] }` is the array of an earlier trace. A class
+/// map holds the codes of its cells as `z`, in runs (`{ runs, shape }`, base64 of three bytes each: a code, and how often it
+/// follows), and the names of its classes as `meta.classes`; the page makes codes and hover `text` of them. Values on a
+/// symmetric log axis are stretched as the axis is; their own values are in `customdata`, in pairs where both axes are.
 ///
 /// # Errors
 /// As [`crate::svg`].

@@ -8,6 +8,10 @@ use crate::palette::{QUIET, Role};
 use crate::scale::stretch;
 use base64::{Engine, engine::general_purpose::STANDARD};
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
+
+/// Arrays no longer than this, as text, are not worth sharing.
+const SHARED: usize = 64;
 
 /// The traces of all panels; those that share a label share one legend entry and are shown or hidden together.
 pub(super) fn of_figure(figure: &Figure) -> Vec<Value> {
@@ -27,7 +31,24 @@ pub(super) fn of_figure(figure: &Figure) -> Vec<Value> {
             traces.push(trace);
         }
     }
+    share_arrays(&mut traces);
     traces
+}
+
+/// Leaves every array in the first trace that has it; others say `[trace, key]` of that one.
+fn share_arrays(traces: &mut [Value]) {
+    let mut known: BTreeMap<String, (usize, &str)> = BTreeMap::new();
+    for (index, trace) in traces.iter_mut().enumerate() {
+        for key in ["x", "y", "customdata"] {
+            let Some(data) = trace[key]["bdata"].as_str().filter(|data| data.len() > SHARED) else {
+                continue;
+            };
+            match known.get(data) {
+                Some((first, name)) => trace[key] = json!({ "same": [first, name] }),
+                None => drop(known.insert(data.to_owned(), (index, key))),
+            }
+        }
+    }
 }
 
 /// A legend entry for a coloured area, which plotly has none for.
@@ -77,6 +98,7 @@ fn trace(layer: &Layer, panel: &Panel, index: usize) -> Option<Value> {
 /// What lines and points have in common.
 fn curve(line: &Line, panel: &Panel) -> Value {
     let (x, y) = (panel.x.scale, panel.y.scale);
+    let both = stretched(x) && stretched(y);
     let name =
         if line.label.is_empty() { String::new() } else { format!("<b>{}</b><br>", html(&line.label)) };
     let mut trace = json!({
@@ -87,12 +109,18 @@ fn curve(line: &Line, panel: &Panel) -> Value {
         "connectgaps": false,
         "hovertemplate": format!(
             "{name}{}: {}<br>{}: {}<extra></extra>",
-            html(&panel.x.label), hover_value("x", "customdata[0]", x),
-            html(&panel.y.label), hover_value("y", "customdata[1]", y),
+            html(&panel.x.label), hover_value("x", if both { "customdata[0]" } else { "customdata" }, x),
+            html(&panel.y.label), hover_value("y", if both { "customdata[1]" } else { "customdata" }, y),
         ),
     });
-    if stretched(x) || stretched(y) {
-        trace["customdata"] = line.x.iter().zip(&line.y).map(|(x, y)| json!([x, y])).collect();
+    match (stretched(x), stretched(y)) {
+        (false, false) => {}
+        (true, false) => trace["customdata"] = floats(&line.x, None),
+        (false, true) => trace["customdata"] = floats(&line.y, None),
+        (true, true) => {
+            let pairs: Vec<f64> = line.x.iter().zip(&line.y).flat_map(|(x, y)| [*x, *y]).collect();
+            trace["customdata"] = floats(&pairs, Some(&format!("{}, 2", line.x.len())));
+        }
     }
     trace
 }
@@ -136,7 +164,7 @@ fn class_map(map: &ClassMap, panel: &Panel) -> Value {
         "type": "heatmap", "name": "",
         "x": floats(&placed(panel.x.scale, &map.x), None),
         "y": floats(&placed(panel.y.scale, &map.y), None),
-        "z": { "dtype": "u1", "bdata": STANDARD.encode(&map.codes), "shape": shape(&map.x, &map.y) },
+        "z": { "runs": STANDARD.encode(runs(&map.codes)), "shape": shape(&map.x, &map.y) },
         "zmin": -0.5, "zmax": count - 0.5, "showscale": false,
         "meta": { "classes": classes },
         "hovertemplate": format!("<b>%{{text}}</b><br>{}: %{{x:.4~g}}<br>{}: %{{y:.4~g}}<extra></extra>", html(&panel.x.label), html(&panel.y.label)),
@@ -145,6 +173,17 @@ fn class_map(map: &ClassMap, panel: &Panel) -> Value {
         trace["colorscale"] = json!(colours);
     }
     trace
+}
+
+/// Codes as runs: a code, and in two bytes, the lower first, how often it follows.
+fn runs(codes: &[u8]) -> Vec<u8> {
+    let most = usize::from(u16::MAX);
+    let same = codes.chunk_by(|a, b| a == b).flat_map(|run| run.chunks(most));
+    same.flat_map(|run| {
+        let [low, high] = (run.len() as u16).to_le_bytes();
+        [run[0], low, high]
+    })
+    .collect()
 }
 
 fn value_map(map: &ValueMap, panel: &Panel, index: usize) -> Value {

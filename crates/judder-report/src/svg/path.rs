@@ -1,6 +1,6 @@
 //! Curves as path data: cut at the surroundings of the frame, broken at gaps, without points that fall together.
 
-use super::document::{append, number};
+use super::document::append;
 use crate::layout::Frame;
 
 /// How far beyond the frame a curve is kept, so that the ends of thick strokes stay hidden.
@@ -21,23 +21,41 @@ pub(super) fn polyline(points: impl Iterator<Item = Option<(f64, f64)>>, frame: 
     path.data
 }
 
-/// Path data and the point at which it stands, as written.
+/// Path data and the point at which it stands, in hundredths; steps are written from point to point, which is shorter.
 struct Path {
     data: String,
-    at: Option<(String, String)>,
+    at: Option<(i64, i64)>,
 }
 
 impl Path {
     fn segment(&mut self, from: (f64, f64), to: (f64, f64)) {
-        let from = (number(from.0), number(from.1));
-        let to = (number(to.0), number(to.1));
-        if self.at.as_ref() != Some(&from) {
-            append(&mut self.data, format_args!("M{} {}", from.0, from.1));
+        let hundredths = |(x, y): (f64, f64)| ((100.0 * x).round() as i64, (100.0 * y).round() as i64);
+        let (from, to) = (hundredths(from), hundredths(to));
+        if self.at != Some(from) {
+            self.command('M', from);
         } else if from == to {
             return;
         }
-        append(&mut self.data, format_args!("L{} {}", to.0, to.1));
+        self.command('l', (to.0 - from.0, to.1 - from.1));
         self.at = Some(to);
+    }
+
+    /// A letter with two numbers; a sign parts them as well as a blank does.
+    fn command(&mut self, letter: char, (x, y): (i64, i64)) {
+        let blank = if y < 0 { "" } else { " " };
+        append(&mut self.data, format_args!("{letter}{}{blank}{}", short(x), short(y)));
+    }
+}
+
+/// Hundredths as a number without what it does not need: `12`, `.5`, `-.05`.
+fn short(hundredths: i64) -> String {
+    let (sign, size) = (if hundredths < 0 { "-" } else { "" }, hundredths.unsigned_abs());
+    let (whole, rest) = (size / 100, size % 100);
+    let whole = if whole == 0 && rest > 0 { String::new() } else { whole.to_string() };
+    match (rest, rest % 10) {
+        (0, _) => format!("{sign}{whole}"),
+        (_, 0) => format!("{sign}{whole}.{}", rest / 10),
+        _ => format!("{sign}{whole}.{rest:02}"),
     }
 }
 
@@ -78,13 +96,19 @@ mod tests {
     #[test]
     fn gaps_break_and_far_ends_are_cut() {
         let points = [Some((0.0, 0.0)), Some((10.0, 10.0)), None, Some((50.0, 50.0)), Some((50.0, 1e9))];
-        assert_eq!(polyline(points.into_iter(), FRAME), "M0 0L10 10M50 50L50 112");
+        assert_eq!(polyline(points.into_iter(), FRAME), "M0 0l10 10M50 50l0 62");
+    }
+
+    #[test]
+    fn steps_add_up_to_the_points_and_are_short() {
+        let points = [(0.5, 0.25), (1.004, 0.2), (0.9, 12.0)].map(Some);
+        assert_eq!(polyline(points.into_iter(), FRAME), "M.5 .25l.5-.05l-.1 11.8");
     }
 
     #[test]
     fn points_that_fall_together_are_drawn_once() {
         let points = [(0.0, 0.0), (0.001, 0.0), (0.002, 0.0), (5.0, 0.0)].map(Some);
-        assert_eq!(polyline(points.into_iter(), FRAME), "M0 0L0 0L5 0");
+        assert_eq!(polyline(points.into_iter(), FRAME), "M0 0l0 0l5 0");
     }
 
     #[test]

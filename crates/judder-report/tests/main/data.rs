@@ -29,8 +29,13 @@ fn curves_keep_every_digit_and_their_gaps() {
 fn class_maps_carry_codes_shape_and_names() {
     let chart = plotly(&every_layer("$τ̃_{0}$")).unwrap();
     let traces = chart["data"].as_array().unwrap();
-    let map = traces.iter().find(|trace| trace["type"] == "heatmap" && trace["z"]["dtype"] == "u1").unwrap();
-    assert_eq!(base64_bytes(map["z"]["bdata"].as_str().unwrap()), [0, 1, 2, 2, 1, 0]);
+    let map =
+        traces.iter().find(|trace| trace["type"] == "heatmap" && trace["z"]["runs"].is_string()).unwrap();
+    let runs = base64_bytes(map["z"]["runs"].as_str().unwrap());
+    let codes =
+        runs.chunks_exact(3).flat_map(|run| vec![run[0]; usize::from(u16::from_le_bytes([run[1], run[2]]))]);
+    assert_eq!(codes.collect::<Vec<u8>>(), [0, 1, 2, 2, 1, 0]);
+    assert_eq!(runs.len(), 3 * 5, "the two cells of one code are one run");
     assert_eq!(map["z"]["shape"], "2, 3");
     assert_eq!(map["meta"]["classes"], json!(["<i>τ̃</i><sub>0</sub>", "flutter", "unresolved"]));
 }
@@ -51,7 +56,22 @@ fn symmetric_log_axes_show_their_own_values() {
         plotly(&one_line(Scale::SymmetricLog { linear: 0.1 }, vec![-10.0, 0.05], vec![0.0, 1.0])).unwrap();
     let trace = &chart["data"][0];
     assert_eq!(floats(&trace["x"]), [-3.0, 0.5]);
-    assert_eq!(trace["customdata"], json!([[-10.0, 0.0], [0.05, 1.0]]));
+    let hover = trace["hovertemplate"].as_str().unwrap();
+    assert!(hover.contains("%{customdata[0]:") && hover.contains("%{customdata[1]:"));
+    assert_eq!(trace["customdata"]["shape"], "2, 2");
+    assert_eq!(floats(&trace["customdata"]), [-10.0, 0.0, 0.05, 1.0]);
+}
+
+#[test]
+fn an_array_of_several_curves_stands_once() {
+    let x: Vec<f64> = (0..20).map(f64::from).collect();
+    let mut figure = one_line(Scale::Linear, x.clone(), x.iter().map(|x| x * x).collect());
+    let again = figure.panels[0].layers[0].clone();
+    figure.panels[0].layers.push(again);
+    let chart = plotly(&figure).unwrap();
+    assert_eq!(floats(&chart["data"][0]["x"]), x);
+    assert_eq!(chart["data"][1]["x"], json!({ "same": [0, "x"] }));
+    assert_eq!(chart["data"][1]["y"], json!({ "same": [0, "y"] }));
 }
 
 #[test]

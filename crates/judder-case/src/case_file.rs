@@ -6,8 +6,9 @@ use std::path::Path;
 
 use crate::cause::Cause;
 use crate::contact_case::ContactCase;
+use crate::contact_problem::ContactProblem;
 use crate::document::{Data, Node, apply_override, parse};
-use crate::error::{CaseError, Fault, Sources};
+use crate::error::{CaseError, Fault, Place, Sources};
 use crate::file_reference::FileReference;
 use crate::oscillator_case::OscillatorCase;
 use crate::two_degrees::TwoDegreesCase;
@@ -18,6 +19,8 @@ use crate::{contact_case, oscillator_case, two_degrees};
 pub struct CaseFile {
     /// The name without folder and extension: `out/<name>` is where a run goes by default.
     pub name: String,
+    /// What errors call the file: the path as given.
+    pub origin: String,
     /// The text as read, without the `--set` options.
     pub text: String,
     /// The `--set` options in their order.
@@ -90,7 +93,21 @@ impl CaseFile {
         let sources = Sources::new(name, text, overrides);
         let case = read_case(name, text, overrides).map_err(|fault| sources.error(fault))?;
         let stem = Path::new(name).file_stem().map_or(name.into(), |stem| stem.to_string_lossy());
-        Ok(Self { name: stem.into_owned(), text: text.to_owned(), overrides: overrides.to_vec(), case })
+        let (name, origin) = (stem.into_owned(), name.to_owned());
+        Ok(Self { name, origin, text: text.to_owned(), overrides: overrides.to_vec(), case })
+    }
+
+    /// The error of an analysis, by its index, that shows only when its numbers are looked at: at the first of these keys that
+    /// the analysis has, or at the analysis.
+    pub fn analysis_error(&self, index: usize, keys: &[&str], problem: ContactProblem) -> CaseError {
+        let cause = Cause::Contact { problem };
+        let place = read_tree(&self.origin, &self.text, &self.overrides)
+            .ok()
+            .and_then(|root| place(&root, index, keys));
+        match place {
+            Some(place) => Sources::new(&self.origin, &self.text, &self.overrides).error(cause.at(place)),
+            None => CaseError::without_place(cause, &self.origin),
+        }
     }
 }
 
@@ -121,7 +138,28 @@ fn read_bytes(path: &Path) -> Result<Vec<u8>, Cause> {
     Ok(bytes)
 }
 
+/// The place of the first of these keys of an analysis.
+fn place(root: &Node, index: usize, keys: &[&str]) -> Option<Place> {
+    let Data::Table(root) = &root.data else { return None };
+    let Data::List(analyses) = &root.get("analysis")?.node.data else { return None };
+    let analysis = analyses.get(index)?;
+    let Data::Table(table) = &analysis.data else { return None };
+    let key = keys.iter().find_map(|key| table.get(key));
+    Some(key.map_or(analysis.place, |entry| entry.node.place))
+}
+
 fn read_case(name: &str, text: &str, overrides: &[String]) -> Result<Case, Fault> {
+    let root = read_tree(name, text, overrides)?;
+    let folder = Path::new(name).parent().unwrap_or(Path::new(""));
+    match read_model(&root)? {
+        "oscillator" => oscillator_case::read(&root, folder).map(Case::Oscillator),
+        "contact" => contact_case::read(&root, folder).map(Case::Contact),
+        _ => two_degrees::read(&root).map(Case::TwoDegrees),
+    }
+}
+
+/// The tree of a case with the options grafted onto it.
+fn read_tree(name: &str, text: &str, overrides: &[String]) -> Result<Node, Fault> {
     let mut root = parse(text)?;
     if matches!(&root.data, Data::Table(table) if table.entries.is_empty()) {
         return Err(Cause::Empty { name: name.to_owned() }.at(root.place));
@@ -129,12 +167,7 @@ fn read_case(name: &str, text: &str, overrides: &[String]) -> Result<Case, Fault
     for (index, option) in overrides.iter().enumerate() {
         apply_override(&mut root, index + 1, option)?;
     }
-    let folder = Path::new(name).parent().unwrap_or(Path::new(""));
-    match read_model(&root)? {
-        "oscillator" => oscillator_case::read(&root, folder).map(Case::Oscillator),
-        "contact" => contact_case::read(&root, folder).map(Case::Contact),
-        _ => two_degrees::read(&root).map(Case::TwoDegrees),
-    }
+    Ok(root)
 }
 
 /// The model of the case, one of [`MODELS`].

@@ -8,6 +8,7 @@ use crate::dimension::Dimension;
 use crate::error::Fault;
 use crate::inputs::{LawName, OscillatorInputs};
 use crate::keys::{Form, Key, Value};
+use crate::memory::{MEMORY_LIMIT, Memory, read_memory_limit};
 use crate::section::Section;
 use crate::shape::Shape;
 use crate::swept_keys::read_value;
@@ -49,6 +50,8 @@ pub struct ContactSettings {
     pub cells: Option<usize>,
     /// Side of the computed square, as L/R or in m; chosen where left out.
     pub domain: Option<Value>,
+    /// What the largest grid may take.
+    pub memory: Memory,
 }
 
 /// What presses the indenter down.
@@ -71,6 +74,8 @@ pub struct LawSettings {
     pub accuracy: f64,
     /// How the plane is covered.
     pub method: LawMethod,
+    /// What the largest grid of each of its contacts may take.
+    pub memory: Memory,
 }
 
 /// A range with equal ratios between its points.
@@ -145,25 +150,34 @@ pub(crate) struct ContactScope {
     pub(crate) inputs: OscillatorInputs,
     /// Whether the moduli are known: measured data decide them later.
     pub(crate) moduli_known: bool,
+    /// The memory limit of the case.
+    pub(crate) memory: Memory,
+}
+
+impl ContactScope {
+    /// The memory limit of an analysis: its own, or that of the case.
+    pub(crate) fn memory_limit(&self, section: &Section<'_>) -> Result<Memory, Fault> {
+        Ok(read_memory_limit(section)?.unwrap_or(self.memory))
+    }
 }
 
 /// The kinds of a contact case.
 pub(crate) const KINDS: [Kind<ContactScope, ContactAnalysis>; 5] = [
     Kind {
         name: "contact",
-        keys: &["velocity", "indentation", "load", "accuracy", "cells", "domain"],
+        keys: &["velocity", "indentation", "load", "accuracy", "cells", "domain", MEMORY_LIMIT],
         doc: "one contact: force, area, friction, fields",
         read: |scope, section| read_contact(scope, section).map(ContactAnalysis::Contact),
     },
     Kind {
         name: "contact-law",
-        keys: &["velocity", "indentation", "accuracy", "method"],
+        keys: &["velocity", "indentation", "accuracy", "method", MEMORY_LIMIT],
         doc: "force, area and friction over speed and indentation, as a law for an oscillator",
         read: |scope, section| read_law("contact-law", scope, section).map(ContactAnalysis::ContactLaw),
     },
     Kind {
         name: "fit",
-        keys: &["velocity", "indentation", "accuracy", "method", "velocity_scale"],
+        keys: &["velocity", "indentation", "accuracy", "method", "velocity_scale", MEMORY_LIMIT],
         doc: "the three functions of the oscillator paper, fitted to a computed law",
         read: |scope, section| {
             let law = read_law("fit", scope, section)?;
@@ -251,6 +265,7 @@ fn read_contact(scope: &ContactScope, section: &Section<'_>) -> Result<ContactSe
         accuracy: read_pure(section, ContactKey::Accuracy)?,
         cells: read_cells(section)?,
         domain: value(ContactKey::Domain)?,
+        memory: scope.memory_limit(section)?,
     })
 }
 
@@ -306,6 +321,7 @@ fn read_law(kind: &'static str, scope: &ContactScope, section: &Section<'_>) -> 
         indentation: read_span(section, ContactKey::Indentation, Some(LAW_INDENTATION))?,
         accuracy,
         method,
+        memory: scope.memory_limit(section)?,
     })
 }
 

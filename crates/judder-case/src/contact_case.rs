@@ -9,6 +9,7 @@ use crate::error::Fault;
 use crate::file_reference::FileReference;
 use crate::inputs::{LawName, OscillatorInputs};
 use crate::keys::OscillatorKey;
+use crate::memory::{MEMORY_LIMIT, Memory, read_memory_limit};
 use crate::oscillator_case::moduli_place;
 use crate::section::Section;
 use crate::shape::{Shape, read_shape};
@@ -53,7 +54,7 @@ impl ContactCase {
 
 /// Reads a contact case from the root of its tree; files are relative to `folder`.
 pub(crate) fn read(root: &Node, folder: &Path) -> Result<ContactCase, Fault> {
-    let known = ["title", "model", "substrate", "indenter", "analysis"];
+    let known = ["title", "model", MEMORY_LIMIT, "substrate", "indenter", "analysis"];
     let root = Section::open(root, "", "a contact case", &known)?;
     let mut case = ContactCase {
         title: root.text("title")?.unwrap_or_default().to_owned(),
@@ -78,7 +79,8 @@ pub(crate) fn read(root: &Node, folder: &Path) -> Result<ContactCase, Fault> {
         // an elastic substrate is in order: it is the limit
         case.inputs.check(LawName::Hertz).map_err(|cause| cause.at(moduli_place(&root)))?;
     }
-    let scope = ContactScope { shape: case.shape.clone(), inputs: case.inputs, moduli_known };
+    let memory = read_memory_limit(&root)?.unwrap_or(Memory::DEFAULT);
+    let scope = ContactScope { shape: case.shape.clone(), inputs: case.inputs, moduli_known, memory };
     case.analyses = read_analyses(&root, &scope, &KINDS)?;
     Ok(case)
 }

@@ -14,6 +14,22 @@ pub enum ContactKey {
     RelaxationTime,
     /// E_j of a term of the relaxation modulus.
     RelaxationModulus,
+    /// Median of a log-normal spectrum.
+    SpectrumMedian,
+    /// Its standard deviation in decades.
+    SpectrumWidth,
+    /// Shortest time of a power-law spectrum.
+    SpectrumFrom,
+    /// Its longest time.
+    SpectrumTo,
+    /// The exponent of its compliance.
+    SpectrumExponent,
+    /// τ of a sample of a spectrum.
+    SampleTime,
+    /// 𝒞 of a sample of a spectrum.
+    SampleDensity,
+    /// Relative error that taking a spectrum apart may make.
+    SpectrumAccuracy,
     /// T.
     Temperature,
     /// C1 of the WLF shift.
@@ -63,7 +79,7 @@ pub enum ContactKey {
 }
 
 /// The number of these keys.
-pub const CONTACT_KEY_COUNT: usize = 27;
+pub const CONTACT_KEY_COUNT: usize = 35;
 
 impl ContactKey {
     /// The entry of this key in the table.
@@ -135,6 +151,66 @@ pub const CONTACT_KEYS: [Key<ContactKey>; CONTACT_KEY_COUNT] = [
         "E_j",
         Dimension::STRESS,
         "modulus of a term",
+    ),
+    given(
+        ContactKey::SpectrumMedian,
+        "substrate.continuous.log_normal.median",
+        "τ_m",
+        Dimension::TIME,
+        "median of the retardation times",
+    ),
+    pure(
+        ContactKey::SpectrumWidth,
+        "substrate.continuous.log_normal.width",
+        "w",
+        Range::Interval { above: 0.0, up_to: 10.0 },
+        "standard deviation in decades of time",
+    ),
+    given(
+        ContactKey::SpectrumFrom,
+        "substrate.continuous.power_law.from",
+        "τ_1",
+        Dimension::TIME,
+        "shortest retardation time",
+    ),
+    given(
+        ContactKey::SpectrumTo,
+        "substrate.continuous.power_law.to",
+        "τ_2",
+        Dimension::TIME,
+        "longest retardation time",
+    ),
+    pure(
+        ContactKey::SpectrumExponent,
+        "substrate.continuous.power_law.exponent",
+        "m",
+        Range::Any,
+        "exponent of the compliance, which grows as t^m; at 0 the spectrum is even in ln τ",
+    ),
+    given(
+        ContactKey::SampleTime,
+        "substrate.continuous.samples.time",
+        "τ",
+        Dimension::TIME,
+        "retardation time of a sample",
+    ),
+    Key {
+        range: Range::NonNegative,
+        ..given(
+            ContactKey::SampleDensity,
+            "substrate.continuous.samples.density",
+            "𝒞",
+            Dimension::COMPLIANCE_RATE,
+            "spectrum at this time",
+        )
+    },
+    number(
+        ContactKey::SpectrumAccuracy,
+        "substrate.continuous.accuracy",
+        "ε",
+        Range::Interval { above: 0.0, up_to: 0.2 },
+        ("1e-3", 1e-3),
+        "relative error of E(ω) that the terms may make at any frequency; or give `terms`",
     ),
     given(
         ContactKey::Temperature,

@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
+use crate::memory::Memory;
+
 /// What is wrong, with what a caller needs in order to act.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ContactProblem {
@@ -111,6 +113,78 @@ pub enum ContactProblem {
         /// Its value, m.
         to: f64,
     },
+    /// Samples of a spectrum that are zero throughout.
+    #[error("the samples of `substrate.continuous` are zero throughout")]
+    NoSpectrum,
+    /// A text that is not an amount of memory, or too little.
+    #[error("`{key}` is not an amount of memory of 1 MiB at least")]
+    NotMemory {
+        /// The key.
+        key: String,
+    },
+    /// A grid that takes more memory than allowed.
+    #[error("{columns} × {rows} cells take {needed} of memory, and the limit is {limit}")]
+    Memory {
+        /// Cells along x.
+        columns: usize,
+        /// Cells along y.
+        rows: usize,
+        /// What they take.
+        needed: Memory,
+        /// What is allowed.
+        limit: Memory,
+    },
+    /// An indenter that ends before the depth asked for.
+    #[error("the indentation is {indentation} R, and this indenter ends at {limit} R")]
+    TooDeep {
+        /// δ/R.
+        indentation: f64,
+        /// δ/R at which the indenter ends.
+        limit: f64,
+    },
+    /// A load that presses the indenter in to where it has ended.
+    #[error("this load presses the indenter in by {indentation:.3e} R at least, and it ends at {limit} R")]
+    LoadTooLarge {
+        /// δ/R on the glassy substrate.
+        indentation: f64,
+        /// δ/R at which the indenter ends.
+        limit: f64,
+    },
+    /// A contact that would go on beyond the heights of a file.
+    #[error("the contact reaches the edge of the heights at x = {x:.4e} R, y = {y:.4e} R")]
+    BeyondHeights {
+        /// x/R of a cell in contact beside the edge.
+        x: f64,
+        /// y/R of the cell.
+        y: f64,
+    },
+    /// A periodic substrate that has not forgotten a period when the next one comes.
+    #[error(
+        "at this speed the substrate still remembers {memory:.1e} of its deformation after one period, and {allowed:e} is \
+         allowed at most"
+    )]
+    LongWake {
+        /// The part of the deformation that is left.
+        memory: f64,
+        /// The part that may be.
+        allowed: f64,
+    },
+    /// A motion that would be followed in too many steps.
+    #[error("this takes {needed:.0} steps at least, and {allowed} are allowed")]
+    TooManySteps {
+        /// The steps that motion and frequencies need.
+        needed: f64,
+        /// The steps allowed.
+        allowed: usize,
+    },
+    /// A computed square that the contact does not fit into.
+    #[error("the contact touches the edge of the computed square, whose side is {side:.4e} R")]
+    DomainTooSmall {
+        /// Its side over R.
+        side: f64,
+        /// The side over R that would hold the contact.
+        needed: f64,
+    },
     /// A swept key whose value another choice of the case decides.
     #[error("`{key}` cannot be swept: {by} decides it")]
     FixedKey {
@@ -134,6 +208,15 @@ impl ContactProblem {
             Self::Meaningless { .. } => "without meaning",
             Self::WaveLengths { .. } => "these lengths",
             Self::FixedKey { .. } => "fixed",
+            Self::NoSpectrum => "no spectrum",
+            Self::NotMemory { .. } => "not an amount",
+            Self::Memory { .. } => "too much",
+            Self::TooDeep { .. } => "too deep",
+            Self::LoadTooLarge { .. } => "too large",
+            Self::BeyondHeights { .. } => "beyond the heights",
+            Self::LongWake { .. } => "too fast",
+            Self::TooManySteps { .. } => "too long",
+            Self::DomainTooSmall { .. } => "too small",
         }
     }
 
@@ -155,6 +238,26 @@ impl ContactProblem {
             Self::Endless { .. } => "give `load`, and leave this key out".to_owned(),
             Self::Meaningless { key, .. } => format!("leave `{key}` out"),
             Self::WaveLengths { .. } => "period ≥ roll_off > cut_off ≥ two cells".to_owned(),
+            Self::NoSpectrum => "give a positive density at one time at least".to_owned(),
+            Self::NotMemory { .. } => "write \"4 GiB\" or \"512 MiB\"".to_owned(),
+            Self::Memory { needed, .. } => {
+                format!("take fewer cells, or set memory_limit = \"{}\"", needed.rounded_up())
+            }
+            Self::TooDeep { .. } | Self::LoadTooLarge { .. } => {
+                "give far less: a half-space stands for the substrate only while contact and depth are small"
+                    .to_owned()
+            }
+            Self::BeyondHeights { .. } => "press less, or give heights of a larger piece".to_owned(),
+            Self::LongWake { .. } => "slide slower, or take a longer period".to_owned(),
+            Self::TooManySteps { .. } => {
+                "shorten `duration`, slide or oscillate slower, or take fewer `cells`".to_owned()
+            }
+            Self::DomainTooSmall { needed, .. } => {
+                format!(
+                    "give `domain` = {:.3e} at least, or leave it out: the square is then fitted to the contact",
+                    1.01 * needed
+                )
+            }
             Self::FixedKey { .. } => {
                 "sweep another key, or run the case once a value with `--set`".to_owned()
             }

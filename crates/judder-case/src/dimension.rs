@@ -24,7 +24,7 @@ pub struct Dimension {
 /// A dimension that case files use: its name with article, an example, its SI unit.
 struct Named(Dimension, &'static str, &'static str, &'static str);
 
-const NAMED: [Named; 14] = [
+const NAMED: [Named; 15] = [
     Named(Dimension::NUMBER, "a plain number", "0.01", "1"),
     Named(Dimension::LENGTH, "a length", "10 mm", "m"),
     Named(Dimension::MASS, "a mass", "30 g", "kg"),
@@ -34,6 +34,7 @@ const NAMED: [Named; 14] = [
     Named(Dimension::FORCE, "a force", "0.2 N", "N"),
     Named(Dimension::STRESS, "a stress", "1 MPa", "Pa"),
     Named(Dimension::COMPLIANCE, "a compliance", "1e-7 1/Pa", "1/Pa"),
+    Named(Dimension::COMPLIANCE_RATE, "a compliance per time", "1e-5 1/Pa/s", "1/Pa/s"),
     Named(Dimension::STIFFNESS, "a stiffness", "50 N/m", "N/m"),
     Named(Dimension::ANGULAR_FREQUENCY, "an angular frequency", "40 rad/s\" or \"7 kHz", "rad/s"),
     Named(Dimension::RATE, "a rate", "5 1/s", "1/s"),
@@ -60,6 +61,8 @@ impl Dimension {
     pub const STRESS: Self = Self::new(-1, 1, -2, 0);
     /// Compliance, 1/Pa.
     pub const COMPLIANCE: Self = Self::new(1, -1, 2, 0);
+    /// Compliance per time, 1/(Pa s).
+    pub const COMPLIANCE_RATE: Self = Self::new(1, -1, 1, 0);
     /// Stiffness of a spring, N/m.
     pub const STIFFNESS: Self = Self::new(0, 1, -2, 0);
     /// Angular frequency, rad/s; a frequency in Hz is 2π rad/s.

@@ -2,6 +2,7 @@
 
 use crate::cause::{Cause, gibibytes};
 use crate::dimension::Dimension;
+use crate::inputs::LawName;
 use crate::nearest::did_you_mean;
 use crate::quantity::{QuantityError, UNIT_LIST};
 use crate::sweep::MAP_BYTES_PER_POINT;
@@ -73,6 +74,9 @@ impl Cause {
                 "give one term, or compute the law for this substrate: law = \"bem\"".to_owned()
             }
             Self::PronyCompliance { .. } => "1/E∞ = 1/E0 − compliance must be positive".to_owned(),
+            Self::GlassyBelowRubbery { law: LawName::Hertz, .. } => {
+                "E∞ must be above E0, or equal to it for an elastic substrate".to_owned()
+            }
             Self::GlassyBelowRubbery { .. } => {
                 "E∞ must be above E0; only the law \"hertz\" takes E∞ = E0".to_owned()
             }

@@ -10,7 +10,7 @@
 //! - [`sweep`], `swept_keys`, `read_sweep`: what an analysis varies, over which range.
 //! - `analysis`, [`oscillator_analysis`], [`oscillator_case`]: the oscillator case and its analyses.
 //! - [`contact_keys`], [`substrate`], [`shape`], [`contact_analysis`], [`contact_case`]: the contact case and its analyses;
-//!   [`file_reference`]: the files that a case names.
+//!   [`file_reference`]: the files that a case names; [`memory`]: what they may take; [`continuous`]: a spectrum without lines.
 //! - [`expression`], `matrix`, [`mass`], [`two_degrees`]: the two-degrees case, matrices of expressions.
 //! - [`case_file`]: the way in. `resolved`: the way out, canonical JSON for the hash and the report.
 //! - [`cause`], [`contact_problem`], `help`, `excerpt`, [`error`]: what is wrong, what would be right, where.
@@ -23,6 +23,7 @@ pub mod contact_analysis;
 pub mod contact_case;
 pub mod contact_keys;
 pub mod contact_problem;
+pub mod continuous;
 pub mod dimension;
 mod document;
 pub mod error;
@@ -34,6 +35,7 @@ pub mod inputs;
 pub mod keys;
 pub mod mass;
 mod matrix;
+pub mod memory;
 mod nearest;
 pub mod oscillator_analysis;
 pub mod oscillator_case;
@@ -58,12 +60,14 @@ pub use contact_analysis::{ContactAnalysis, ContactSettings, LawMethod, LawSetti
 pub use contact_case::ContactCase;
 pub use contact_keys::{CONTACT_KEYS, ContactKey};
 pub use contact_problem::ContactProblem;
+pub use continuous::{ContinuousSource, Density, DensitySample, TermChoice};
 pub use dimension::Dimension;
 pub use error::CaseError;
 pub use file_reference::FileReference;
 pub use inputs::{FrictionLoad, LawName, OscillatorInputs, TimeForm};
 pub use keys::{Form, KEYS, Key, OscillatorKey, Range, Value};
 pub use mass::MassProblem;
+pub use memory::Memory;
 pub use oscillator_analysis::OscillatorAnalysis;
 pub use oscillator_case::OscillatorCase;
 pub use quantity::{Quantity, QuantityError};

@@ -106,9 +106,11 @@ pub(crate) fn read(root: &Node, folder: &Path) -> Result<OscillatorCase, Fault> 
 /// Where the ratio of the moduli was given: the key that says most about it.
 pub(crate) fn moduli_place(root: &Section<'_>) -> Place {
     let node = match root.get("substrate").map(|node| &node.data) {
-        Some(Data::Table(table)) => ["prony", "relaxation", "dma", "glassy_modulus", "rubbery_modulus"]
-            .into_iter()
-            .find_map(|key| table.get(key)),
+        Some(Data::Table(table)) => {
+            ["prony", "relaxation", "continuous", "dma", "glassy_modulus", "rubbery_modulus"]
+                .into_iter()
+                .find_map(|key| table.get(key))
+        }
         _ => None,
     };
     node.map_or(root.place, |entry| entry.node.place)
@@ -120,6 +122,7 @@ fn check_terms(case: &OscillatorCase) -> Result<(), Cause> {
         RelaxationSource::OneTime => 1,
         RelaxationSource::Prony(terms) => terms.len(),
         RelaxationSource::Relaxation(terms) => terms.len(),
+        RelaxationSource::Continuous(_) => 2,
         // measured data decide the moduli, and the number of terms
         RelaxationSource::Dma { .. } if case.law.is_fitted() => 2,
         RelaxationSource::Dma { .. } => return Ok(()),

@@ -58,7 +58,12 @@ decay of stress at constant strain; for one term the second is E0/E∞ of the fi
 | `relaxation_time` | one relaxation time, with both moduli |
 | `prony = [{ time = \"10 ms\", compliance = \"0.9e-6 1/Pa\" }, …]` | retardation times and creep compliances; 1/E∞ = 1/E0 − Σ C_k follows |
 | `relaxation = [{ time = \"1 ms\", modulus = \"9 MPa\" }, …]` | relaxation times and moduli; E∞ = E0 + Σ E_j follows |
+| `continuous = { log_normal = { median = \"10 ms\", width = 1 } }` | a continuous spectrum 𝒞(τ) between both moduli; or `power_law = { from = \"1 us\", to = \"1 s\", exponent = 0.3 }`, or `samples = [{ time = \"1 ms\", density = \"1e-5 1/Pa/s\" }, …]`, from which the glassy modulus follows |
 | `dma = { file = \"data.csv\", terms = \"auto\" }` | a series fitted to measured storage and loss moduli; the glassy modulus follows, and the rubbery one unless it is given |
+
+A continuous spectrum, 1/E(ω) = 1/E∞ + ∫ 𝒞(τ)/(1 + iωτ) dτ, is taken apart into as few retardation times as keep E(ω) within `accuracy` (1e-3 where \
+left out) at every frequency, or into as many as `terms` says; `judder check` and every result show the error. Log-normal means that τ𝒞 is a Gaussian in \
+log₁₀ τ, a power law 𝒞 ∝ τ^(m − 1); between samples τ𝒞 is linear in ln τ.
 
 Times ascend. Where there are several, the τ of the groups (v τ/R, ω τ) is the mean retardation time Σ C_k τ_k/Σ C_k. The fitted laws know one time \
 only. `temperature = \"40 degC\"` with `shift = { wlf = { c1 = 17.4, c2 = \"51.6 K\", reference_temperature = \"25 degC\" } }` or \
@@ -71,8 +76,12 @@ const CONTACT: &str = "
 
 `model = \"contact\"` takes `[substrate]` as above, `[indenter]` with `radius` and `shape`, and analyses. `shape` is `\"paraboloid\"` (the default), \
 `\"sphere\"`, `\"cylinder\"` (a line contact: forces are per length), a height map `{ heights = \"file.npy\", spacing = \"1 um\" }` (npy, text matrix or \
-NetCDF; `variable` picks one of several, `unit` is the length of a height of 1, `periodic = true` repeats it), or a generated surface \
+NetCDF; `variable` picks one of several, `unit` is the length of a height of 1, `periodic = true` repeats it, \
+`turned_over = true` lets the largest heights touch first, as the peaks of a measured topography do), or a generated surface \
 `{ rough = { period = \"1 mm\", cells = 256, hurst = 0.8, rms_height = \"1 um\", seed = 1 } }`.
+
+`memory_limit = \"4 GiB\"`, of the case or of one analysis, is what the largest grid of one contact may take (4 GiB where left out; units TiB, GiB, MiB, KiB, \
+TB, GB, MB, kB). A law solves as many contacts at a time as there are threads. A grid that needs more is refused before it is made.
 
 | key | symbol | a plain number is | a string is | default | allowed | what it is |
 | --- | --- | --- | --- | --- | --- | --- |

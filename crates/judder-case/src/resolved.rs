@@ -7,6 +7,7 @@ use crate::case_file::Case;
 use crate::contact_analysis::{ContactAnalysis, LawSettings, Loading, Span};
 use crate::contact_case::ContactCase;
 use crate::contact_keys::ContactKey;
+use crate::continuous::{ContinuousSource, Density, DensitySample, TermChoice};
 use crate::dimension::Dimension;
 use crate::keys::{Form, KEYS, OscillatorKey, Value};
 use crate::oscillator_analysis::OscillatorAnalysis;
@@ -95,6 +96,10 @@ fn add_substrate(json: &mut Json, substrate: &Substrate) {
             json["given_as"] = json!("relaxation");
             json["relaxation"] = terms.iter().map(term).collect();
         }
+        RelaxationSource::Continuous(source) => {
+            json["given_as"] = json!("continuous");
+            json["continuous"] = continuous(source);
+        }
         RelaxationSource::Dma { file, terms, .. } => {
             let terms = match terms {
                 TermCount::Auto => json!("auto"),
@@ -119,12 +124,36 @@ fn add_substrate(json: &mut Json, substrate: &Substrate) {
     }
 }
 
+fn continuous(source: &ContinuousSource) -> Json {
+    let time = |time: f64| number(time, Form::Si, Dimension::TIME);
+    let mut json = match &source.density {
+        Density::LogNormal { median, width } => {
+            json!({ "log_normal": { "median": time(*median), "width": width } })
+        }
+        Density::PowerLaw { from, to, exponent } => {
+            json!({ "power_law": { "from": time(*from), "to": time(*to), "exponent": exponent } })
+        }
+        Density::Samples(samples) => {
+            let sample = |sample: &DensitySample| {
+                let density = number(sample.density, Form::Si, Dimension::COMPLIANCE_RATE);
+                json!({ "time": time(sample.time), "density": density })
+            };
+            json!({ "samples": samples.iter().map(sample).collect::<Vec<_>>() })
+        }
+    };
+    match source.terms {
+        TermChoice::Given(terms) => json["terms"] = json!(terms),
+        TermChoice::Within(accuracy) => json["accuracy"] = json!(accuracy),
+    }
+    json
+}
+
 fn shape(shape: &Shape) -> Json {
     let length = |value: f64| number(value, Form::Si, Dimension::LENGTH);
     match shape {
         Shape::Heights(heights) => json!({
             "heights": heights.file.given, "spacing": heights.spacing.map(length), "variable": heights.variable,
-            "unit": length(heights.unit), "periodic": heights.periodic,
+            "unit": length(heights.unit), "periodic": heights.periodic, "turned_over": heights.turned_over,
         }),
         Shape::Rough(rough) => {
             let (name, value) = match rough.roughness {
@@ -148,7 +177,7 @@ fn contact_analysis(kind: &ContactAnalysis) -> Json {
             let (loading, load) = pressed(contact.loading);
             json!({
                 "kind": "contact", "velocity": value(contact.velocity, ContactKey::Velocity), loading: load,
-                "accuracy": contact.accuracy, "cells": contact.cells,
+                "accuracy": contact.accuracy, "cells": contact.cells, "memory_limit": contact.memory.bytes,
                 "domain": contact.domain.map(|domain| value(domain, ContactKey::Domain)),
             })
         }
@@ -171,6 +200,7 @@ fn transient(settings: &TransientSettings) -> Json {
     let mut json = json!({
         "kind": "transient", "motion": settings.motion.name(), key: load,
         "duration": contact_value(settings.duration, ContactKey::Duration), "cells": settings.cells,
+        "memory_limit": settings.memory.bytes,
         "oscillation": settings.oscillation.as_ref().map(oscillation),
     });
     match &settings.motion {
@@ -207,7 +237,7 @@ fn law_settings(kind: &str, law: &LawSettings) -> Json {
     json!({
         "kind": kind, "velocity": span(&law.velocity, ContactKey::Velocity),
         "indentation": span(&law.indentation, ContactKey::Indentation), "accuracy": law.accuracy,
-        "method": law.method.name(),
+        "method": law.method.name(), "memory_limit": law.memory.bytes,
     })
 }
 

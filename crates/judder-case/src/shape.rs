@@ -39,6 +39,8 @@ pub struct HeightFile {
     pub unit: f64,
     /// Whether the surface repeats itself at its edges.
     pub periodic: bool,
+    /// Whether large heights point towards the substrate, as in a measured topography, so that its peaks touch first.
+    pub turned_over: bool,
 }
 
 /// A generated self-affine rough surface; lengths in m.
@@ -103,12 +105,14 @@ pub(crate) fn read_shape(indenter: &Section<'_>, folder: &Path) -> Result<Shape,
         return Ok(Shape::WORDS[index].1.clone());
     }
     let has = |key: &str| matches!(&node.data, Data::Table(table) if table.get(key).is_some());
-    let known: &[&str] = match (has("heights"), has("rough")) {
-        (true, true) => &["heights", "spacing", "variable", "unit", "periodic", "rough"],
-        (false, true) => &["rough"],
-        _ => &["heights", "spacing", "variable", "unit", "periodic"],
-    };
-    let section = Section::open(node, "indenter.shape", "`indenter.shape`", known)?;
+    let mut known = Vec::new();
+    if has("heights") || !has("rough") {
+        known.extend(["heights", "spacing", "variable", "unit", "periodic", "turned_over"]);
+    }
+    if has("rough") {
+        known.push("rough");
+    }
+    let section = Section::open(node, "indenter.shape", "`indenter.shape`", &known)?;
     match (section.get("heights"), section.get("rough")) {
         (Some(_), Some(node)) => {
             let (first, second) = (section.path("heights"), section.path("rough"));
@@ -134,6 +138,7 @@ fn read_heights(section: &Section<'_>, folder: &Path) -> Result<HeightFile, Faul
         variable: section.text("variable")?.map(str::to_owned),
         unit,
         periodic: section.boolean("periodic")?.unwrap_or(false),
+        turned_over: section.boolean("turned_over")?.unwrap_or(false),
     })
 }
 

@@ -5,6 +5,7 @@ use std::path::Path;
 use crate::cause::Cause;
 use crate::contact_keys::ContactKey;
 use crate::contact_problem::ContactProblem;
+use crate::continuous::{ContinuousSource, Density, read_continuous};
 use crate::document::{Data, Node};
 use crate::error::Fault;
 use crate::file_reference::{FileReference, read_file_reference};
@@ -41,6 +42,7 @@ impl Substrate {
             }
             RelaxationSource::Prony(_) => Some("substrate.prony"),
             RelaxationSource::Relaxation(_) => Some("substrate.relaxation"),
+            RelaxationSource::Continuous(_) => Some("substrate.continuous"),
             RelaxationSource::Dma { .. } => Some("substrate.dma"),
         }
     }
@@ -56,6 +58,8 @@ pub enum RelaxationSource {
     Prony(Vec<PronyTerm>),
     /// Terms of the relaxation modulus: E∞ = E0 + Σ E_j.
     Relaxation(Vec<RelaxationTerm>),
+    /// A continuous spectrum, which is taken apart into terms.
+    Continuous(ContinuousSource),
     /// A series fitted to measured moduli, which decides the numeric keys as well.
     Dma {
         /// The measured data.
@@ -68,13 +72,13 @@ pub enum RelaxationSource {
 }
 
 impl RelaxationSource {
-    /// How many terms were given; `None` where measured data decide.
+    /// How many terms were given; `None` where measured data or a continuous spectrum decide.
     pub fn terms(&self) -> Option<usize> {
         match self {
             Self::OneTime => Some(1),
             Self::Prony(terms) => Some(terms.len()),
             Self::Relaxation(terms) => Some(terms.len()),
-            Self::Dma { .. } => None,
+            Self::Dma { .. } | Self::Continuous(_) => None,
         }
     }
 }
@@ -140,10 +144,10 @@ pub enum Shift {
 pub const TERM_LIMIT: usize = 60;
 
 /// The keys of `[substrate]` that are not numeric.
-pub(crate) const OTHER_KEYS: [&str; 5] = ["prony", "relaxation", "dma", "temperature", "shift"];
+pub(crate) const OTHER_KEYS: [&str; 6] = ["prony", "relaxation", "continuous", "dma", "temperature", "shift"];
 
 /// The keys that each say all of the relaxation, and those that follow from them.
-const CONFLICTS: [(&str, &str); 12] = [
+const CONFLICTS: [(&str, &str); 18] = [
     ("retardation_time", "relaxation_time"),
     ("retardation_time", "prony"),
     ("retardation_time", "relaxation"),
@@ -156,6 +160,12 @@ const CONFLICTS: [(&str, &str); 12] = [
     ("glassy_modulus", "dma"),
     ("prony", "relaxation"),
     ("prony", "dma"),
+    ("retardation_time", "continuous"),
+    ("relaxation_time", "continuous"),
+    ("prony", "continuous"),
+    ("relaxation", "continuous"),
+    ("relaxation", "dma"),
+    ("continuous", "dma"),
 ];
 
 /// Reads `[substrate]`: its numeric keys into `inputs`, the rest as it is; files are relative to `folder`.
@@ -174,8 +184,7 @@ pub(crate) fn read_substrate(
             inputs.set(entry.key, read_value(entry, entry.path, node)?);
         }
     }
-    let conflicts = CONFLICTS.into_iter().chain([("relaxation", "dma")]);
-    for (first, second) in conflicts {
+    for (first, second) in CONFLICTS {
         if let (Some(_), Some(node)) = (section.get(first), section.get(second)) {
             let (first, second) = (section.path(first), section.path(second));
             return Err(Cause::Conflict { first, second }.at(node.place));
@@ -207,6 +216,14 @@ fn read_source(
         let term = |[relaxation_time, modulus]: [f64; 2]| RelaxationTerm { relaxation_time, modulus };
         return Ok(RelaxationSource::Relaxation(terms.into_iter().map(term).collect()));
     }
+    if let Some(node) = section.get("continuous") {
+        let source = read_continuous(node, inputs)?;
+        if let (Density::Samples(_), Some(node)) = (&source.density, section.get("glassy_modulus")) {
+            let (first, second) = (section.path("continuous"), section.path("glassy_modulus"));
+            return Err(Cause::Conflict { first, second }.at(node.place));
+        }
+        return Ok(RelaxationSource::Continuous(source));
+    }
     let Some(node) = section.get("dma") else { return Ok(RelaxationSource::OneTime) };
     let table = Section::open(node, "substrate.dma", "`substrate.dma`", &["file", "terms"])?;
     let file = read_file_reference(&table, "file", folder)?;
@@ -232,13 +249,17 @@ fn set_relaxation(inputs: &mut OscillatorInputs, terms: &[[f64; 2]]) {
 }
 
 /// Reads a list of terms, a time and a weight each, in the order of their times.
-fn read_terms(node: &Node, [time, weight]: [ContactKey; 2]) -> Result<Vec<[f64; 2]>, Fault> {
+pub(crate) fn read_terms(node: &Node, [time, weight]: [ContactKey; 2]) -> Result<Vec<[f64; 2]>, Fault> {
     let (time, weight) = (time.entry(), weight.entry());
     let (key, _) = time.path.rsplit_once('.').unwrap_or_default();
     let items = list(key, node)?;
     let mut terms: Vec<[f64; 2]> = Vec::with_capacity(items.len());
     for item in items {
-        let word = if key.ends_with("prony") { "a prony term" } else { "a relaxation term" };
+        let word = match time.key {
+            ContactKey::PronyTime => "a prony term",
+            ContactKey::RelaxationTime => "a relaxation term",
+            _ => "a sample of the spectrum",
+        };
         let section = Section::open(item, key, word, &[time.name(), weight.name()])?;
         let read = |entry: &Key<ContactKey>| {
             let expected = format!("{} = \"{}\"", entry.name(), entry.example());
@@ -298,7 +319,7 @@ fn read_temperature(section: &Section<'_>) -> Result<Option<Temperature>, Fault>
 }
 
 /// Reads a table that holds exactly these numbers.
-fn read_numbers<const N: usize>(node: &Node, keys: [ContactKey; N]) -> Result<[f64; N], Fault> {
+pub(crate) fn read_numbers<const N: usize>(node: &Node, keys: [ContactKey; N]) -> Result<[f64; N], Fault> {
     let names = keys.map(|key| key.entry().name());
     let (path, _) = keys[0].entry().path.rsplit_once('.').unwrap_or_default();
     let section = Section::open(node, path, &format!("`{path}`"), &names)?;
@@ -306,7 +327,7 @@ fn read_numbers<const N: usize>(node: &Node, keys: [ContactKey; N]) -> Result<[f
     for (number, key) in numbers.iter_mut().zip(keys) {
         let entry = key.entry();
         let example =
-            if entry.dimension.is_number() { "17.4".to_owned() } else { format!("\"{}\"", entry.example()) };
+            if entry.dimension.is_number() { "1.5".to_owned() } else { format!("\"{}\"", entry.example()) };
         let node = section.required(entry.name(), &format!("{} = {example}", entry.name()))?;
         *number = read_value(entry, entry.path, node)?.number;
     }

@@ -91,13 +91,14 @@ pub(crate) struct OscillatorKeys {
 }
 
 /// Keys of an oscillator case that are not numeric.
-const NOT_NUMERIC: [&str; 10] = [
+const NOT_NUMERIC: [&str; 11] = [
     "title",
     "model",
     "contact.law",
     "contact.friction_load",
     "substrate.prony",
     "substrate.relaxation",
+    "substrate.continuous",
     "substrate.dma",
     "substrate.temperature",
     "substrate.shift",

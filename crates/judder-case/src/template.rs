@@ -131,6 +131,7 @@ const SUBSTRATE_CHOICES: &str = "\
 # In place of the time and the glassy modulus, one of:
 # prony = [{ time = \"10 ms\", compliance = \"0.9e-6 1/Pa\" }]       # retardation times, ascending, and compliances
 # relaxation = [{ time = \"1 ms\", modulus = \"9 MPa\" }]             # relaxation times, ascending, and moduli
+# continuous = { log_normal = { median = \"10 ms\", width = 1 } }     # a continuous spectrum between both moduli
 # dma = { file = \"data.csv\", terms = \"auto\" }                     # a series fitted to measured moduli
 # The temperature, and how it moves all times:
 # temperature = \"40 degC\"
@@ -139,6 +140,7 @@ const SUBSTRATE_CHOICES: &str = "\
 
 const SHAPE_CHOICES: &str = "\
 shape = \"paraboloid\"            # or \"sphere\", \"cylinder\", { heights = \"file.npy\", spacing = \"1 um\" },
+                                  # where turned_over = true lets the largest heights touch first,
                                   # { rough = { period = \"1 mm\", cells = 256, hurst = 0.8, rms_height = \"1 um\", seed = 1 } }
 ";
 

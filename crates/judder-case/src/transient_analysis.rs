@@ -6,6 +6,7 @@ use crate::contact_keys::ContactKey;
 use crate::contact_problem::ContactProblem;
 use crate::error::Fault;
 use crate::keys::Value;
+use crate::memory::{MEMORY_LIMIT, Memory};
 use crate::section::Section;
 use crate::shape::Shape;
 use crate::swept_keys::read_value;
@@ -23,6 +24,8 @@ pub struct TransientSettings {
     pub duration: Value,
     /// Cells a side of the window that moves with the indenter.
     pub cells: usize,
+    /// What window and remembered strip may take.
+    pub memory: Memory,
 }
 
 /// How an indenter moves along the surface.
@@ -94,6 +97,7 @@ pub(crate) const TRANSIENT_KEYS: &[&str] = &[
     "oscillation",
     "duration",
     "cells",
+    MEMORY_LIMIT,
 ];
 
 pub(crate) fn read_transient(
@@ -142,6 +146,7 @@ pub(crate) fn read_transient(
         oscillation,
         duration: needed(section, ContactKey::Duration, "duration = 5 (t/τ), or \"50 ms\"")?,
         cells: section.whole("cells", fewest, most)?.unwrap_or(TRANSIENT_CELLS),
+        memory: scope.memory_limit(section)?,
     })
 }
 

@@ -85,6 +85,11 @@ impl Console {
         write_message(&draw(&Message::error(text).with_help(help)));
     }
 
+    /// Why a part of the result is missing; told also to whoever asked for silence.
+    pub(crate) fn refusal(self, failure: &Failure) {
+        write_message(&draw(failure.diagnostic()));
+    }
+
     /// Why there is no result: for a person on standard error, for a program on standard output.
     pub(crate) fn failure(self, failure: &Failure) {
         if self.json {

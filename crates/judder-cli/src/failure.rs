@@ -2,11 +2,12 @@
 
 use std::fmt::{self, Display};
 use std::io;
+use std::path::Path;
 use std::process::ExitCode;
 
 use judder_case::CaseError;
-use judder_store::StoreError;
 use judder_study::StudyError;
+use judder_study::run::RefusedAnalysis;
 use miette::{Diagnostic, Severity};
 use serde_json::{Value, json};
 
@@ -52,7 +53,7 @@ impl Message {
         Self { help: Some(help.into()), ..self }
     }
 
-    /// The store says what is wrong and, after the last semicolon, what would be right.
+    /// A sentence that says what is wrong and, after its last semicolon, what would be right.
     fn from_sentence(error: &impl Display) -> Self {
         let text = error.to_string();
         match text.rsplit_once("; ") {
@@ -140,6 +141,19 @@ fn place(error: &dyn Diagnostic) -> Option<Value> {
     }))
 }
 
+impl Failure {
+    /// Why an analysis of a case was refused. An error that has no place in the case file is told with its analysis.
+    pub(crate) fn of_analysis(case: &Path, refused: RefusedAnalysis) -> Self {
+        match refused.error {
+            StudyError::Case(error) => error.into(),
+            error => {
+                let sentence = format!("{}, analysis `{}`: {error}", case.display(), refused.name);
+                Self { exit: Exit::WrongInput, diagnostic: Box::new(Message::from_sentence(&sentence)) }
+            }
+        }
+    }
+}
+
 impl From<CaseError> for Failure {
     fn from(error: CaseError) -> Self {
         Self { exit: Exit::WrongInput, diagnostic: Box::new(error) }
@@ -148,7 +162,7 @@ impl From<CaseError> for Failure {
 
 impl From<StudyError> for Failure {
     fn from(error: StudyError) -> Self {
-        let exit = exit_of(&error);
+        let exit = if error.is_wrong_input() { Exit::WrongInput } else { Exit::Incomplete };
         let message = match error {
             StudyError::Case(error) => return error.into(),
             StudyError::NoResults { folder } => Message::error(format!("{folder}: no results here yet"))
@@ -163,29 +177,8 @@ impl From<StudyError> for Failure {
                 "`judder {command}` takes an oscillator case; this one is of model `{model}`"
             ))
             .with_help("`judder check` and `judder run` take it"),
-            error @ (StudyError::Store(_) | StudyError::Interrupted) => Message::from_sentence(&error),
-            error => Message::error(error.to_string()),
+            error => Message::from_sentence(&error),
         };
         Self { exit, diagnostic: Box::new(message) }
-    }
-}
-
-/// Whether the input is to blame for an error.
-fn exit_of(error: &StudyError) -> Exit {
-    match error {
-        StudyError::Case(_)
-        | StudyError::File { .. }
-        | StudyError::Material(_)
-        | StudyError::Indenter(_)
-        | StudyError::UnknownAnalysis { .. }
-        | StudyError::WrongModel { .. }
-        | StudyError::NoResults { .. }
-        | StudyError::Store(
-            StoreError::NotAFolder { .. }
-            | StoreError::ForeignFolder { .. }
-            | StoreError::NoStudy { .. }
-            | StoreError::SummaryUnreadable { .. },
-        ) => Exit::WrongInput,
-        _ => Exit::Incomplete,
     }
 }

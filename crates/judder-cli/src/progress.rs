@@ -53,6 +53,10 @@ impl Progress for Bars {
         *self.bar() = bar;
     }
 
+    fn expect(&self, steps: usize) {
+        self.bar().inc_length(steps as u64);
+    }
+
     fn advance(&self) {
         self.bar().inc(1);
     }

@@ -3,7 +3,7 @@
 //! `rough [HEIGHTS.npy MEAN_PRESSURE TOLERANCE PRESSURE.f64]`: one line of JSON a surface. The surface is a square of side 1,
 //! pressures are in E0*; the pressure is written as little-endian doubles. Without arguments: generated surfaces.
 
-use judder_contact::indenter::{HeightMap, RoughSurface, Roughness, read_height_table};
+use judder_contact::indenter::{HeightMap, RoughSurface, Roughness, height_table};
 use judder_contact::kernel::substrate::SlidingSubstrate;
 use judder_contact::periodic_contact::{PeriodicContact, PeriodicQuestion, solve};
 use judder_contact::unilateral::UnilateralLimits;
@@ -37,7 +37,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     // Cargo adds `--bench`.
     let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
     if let [heights, mean_pressure, tolerance, output] = arguments.as_slice() {
-        let table = read_height_table(Path::new(heights), None)?;
+        let table = height_table(Path::new(heights), std::fs::read(heights)?, None)?;
         let spacing = 1.0 / table.columns as f64;
         let surface = table.into_map(1.0, Some(spacing), true)?;
         let contact = press(&surface, mean_pressure.parse()?, tolerance.parse()?)?;

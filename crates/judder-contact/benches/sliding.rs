@@ -91,7 +91,7 @@ fn collapse(accuracy: f64) -> Result<(), Box<dyn std::error::Error>> {
         most_points: 500,
     };
     let sampler = |velocity: f64, indentation: f64, _: Option<&SolvedPoint>| {
-        sample(&material, LawIndenter::Paraboloid, velocity, indentation, 0.2 * accuracy)
+        sample(&material, LawIndenter::Paraboloid, velocity, indentation, 0.2 * accuracy, MEMORY)
     };
     let start = Instant::now();
     let law = collapse_sweep(&request, &[], &sampler, &())?;
@@ -107,7 +107,7 @@ fn sphere(accuracy: f64, points: usize) -> Result<(), Box<dyn std::error::Error>
         .into_par_iter()
         .map(|index| {
             let (velocity, depth) = (even(1e-4, 1e2, index % points), even(1e-4, 1e-1, index / points));
-            sample(&material, LawIndenter::Sphere, velocity, depth, accuracy)
+            sample(&material, LawIndenter::Sphere, velocity, depth, accuracy, MEMORY)
         })
         .filter(Result::is_ok)
         .count();

@@ -3,7 +3,7 @@
 //! - [`shape`]: the indenters by name, as a height over every point.
 //! - [`height_map`]: heights on a lattice, interpolated between its points.
 //! - [`height_table`]: the numbers of a file before they become a map.
-//! - [`height_file`]: which reader serves which file.
+//! - [`height_file`]: which reader serves the bytes of which file.
 //! - [`npy`], [`text_matrix`], [`netcdf`]: the readers, from bytes.
 //! - [`rough`]: generated self-affine surfaces.
 
@@ -18,7 +18,7 @@ pub mod shape;
 pub mod text_matrix;
 
 pub use error::IndenterError;
-pub use height_file::read_height_table;
+pub use height_file::height_table;
 pub use height_map::HeightMap;
 pub use height_table::HeightTable;
 pub use rough::{RoughSurface, Roughness};

@@ -123,6 +123,14 @@ impl<'a> TransientQuestion<'a> {
         }
     }
 
+    /// Columns and rows of the strip of material that will be remembered, and the bytes that this takes: ask before running.
+    ///
+    /// # Errors
+    /// What makes the question ill posed, but not [`TransientError::Memory`].
+    pub fn needs(&self) -> Result<([usize; 2], u64), TransientError> {
+        window::Window::needs(self)
+    }
+
     /// Refuses a path whose motion over the cells or whose frequencies need more steps than are allowed.
     fn refuse_too_many_steps(&self, cell: f64) -> Result<(), TransientError> {
         let StepControl { cells_a_step, most, .. } = self.steps;

@@ -14,9 +14,9 @@ pub(crate) use steady_states::SteadyState;
 use crate::bridge;
 use crate::computed_law::Points;
 use crate::error::StudyError;
-use crate::material::temperature_warning;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
+use crate::spectrum_source::temperature_warning;
 use judder_case::{Case, MapMethod, OscillatorAnalysis, OscillatorCase};
 
 /// The names of the analyses of a case, in its order.

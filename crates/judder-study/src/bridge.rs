@@ -2,6 +2,7 @@
 
 use crate::computed_law;
 use crate::error::StudyError;
+use crate::input_file;
 use crate::material::Material;
 use crate::progress::Progress;
 use judder_case::{Form, FrictionLoad as CaseLoad, LawName, OscillatorCase, OscillatorInputs, OscillatorKey};
@@ -38,9 +39,7 @@ pub fn contact(case: &OscillatorCase, progress: &dyn Progress) -> Result<Contact
 
 fn read_law(case: &OscillatorCase) -> Result<Law, StudyError> {
     let path = case.law_file.as_ref().map(|file| file.path.clone()).unwrap_or_default();
-    let unusable = |reason: String| StudyError::File { path: path.clone(), reason };
-    let text = std::fs::read_to_string(&path).map_err(|error| unusable(error.to_string()))?;
-    from_json(&text).map_err(|error| unusable(error.to_string()))
+    from_json(&input_file::text(&path)?).map_err(|error| input_file::unusable(&path, &error))
 }
 
 /// The case with the moduli and the time that its series, data and temperature say.

@@ -10,6 +10,7 @@ use judder_contact::law::sweep::{
     collapse_sweep, sweep,
 };
 use judder_contact::law::{LawErrors, LawIndenter, LawOrigin, PerQuantity};
+use judder_contact::steady::MEMORY;
 use judder_contact::{Law, LawError};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -37,6 +38,8 @@ pub(crate) struct LawTask<'a> {
     pub(crate) indentation: (f64, f64),
     /// Relative accuracy.
     pub(crate) accuracy: f64,
+    /// Bytes that the largest grid of each contact may take.
+    pub(crate) memory: u64,
 }
 
 /// A computed law, and how it came about.
@@ -55,6 +58,10 @@ struct Watch<'a> {
 }
 
 impl SweepObserver for Watch<'_> {
+    fn begins(&self, points: usize) {
+        self.progress.expect(points);
+    }
+
     fn finished(&self, point: &SolvedPoint, _done: usize, _planned: usize) {
         (self.kept)(point);
         self.progress.advance();
@@ -79,7 +86,7 @@ pub(crate) fn compute(
     progress: &dyn Progress,
 ) -> Result<ComputedLaw, StudyError> {
     static KNOWN: Mutex<Vec<(String, ComputedLaw)>> = Mutex::new(Vec::new());
-    let LawTask { material, indenter, method, velocity, indentation, accuracy } = task;
+    let LawTask { material, indenter, method, velocity, indentation, accuracy, .. } = task;
     // a curve of the paraboloid knows no ranges
     let ranges = (*method == LawMethod::Sweep).then_some((velocity, indentation));
     let key = format!("{:?} {indenter:?} {method:?} {ranges:?} {accuracy}", material.of_law());
@@ -101,7 +108,8 @@ fn compute_anew(
     let material = task.material.of_law();
     let substrate = material.clone();
     let solve = |velocity: f64, indentation: f64, _: Option<&SolvedPoint>| {
-        sample(&substrate, task.indenter, velocity, indentation, SHARE_OF_SOLVER * task.accuracy)
+        let accuracy = SHARE_OF_SOLVER * task.accuracy;
+        sample(&substrate, task.indenter, velocity, indentation, accuracy, task.memory)
     };
     let watch = Watch { progress, kept };
     let source = format!("judder {}, boundary elements, steady sliding", env!("CARGO_PKG_VERSION"));
@@ -167,6 +175,7 @@ pub(crate) fn of_paraboloid(
         velocity: (f64::MIN_POSITIVE, f64::MAX),
         indentation: (f64::MIN_POSITIVE, f64::MAX),
         accuracy,
+        memory: MEMORY,
     };
     Ok(compute(&task, (&[], &|_| ()), progress)?.law)
 }

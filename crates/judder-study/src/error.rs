@@ -81,3 +81,37 @@ pub enum StudyError {
     #[error("interrupted; what was done is kept, and the same command goes on from there")]
     Interrupted,
 }
+
+impl StudyError {
+    /// Whether the input is to blame: what the case, its files or the arguments say cannot be. Otherwise a result that could be
+    /// is missing.
+    #[must_use]
+    pub fn is_wrong_input(&self) -> bool {
+        match self {
+            Self::Case(_)
+            | Self::UnknownAnalysis { .. }
+            | Self::WrongModel { .. }
+            | Self::File { .. }
+            | Self::Material(_)
+            | Self::Indenter(_)
+            | Self::Unsupported(_)
+            | Self::NoResults { .. }
+            | Self::Periodic(_) => true,
+            Self::Store(error) => matches!(
+                error,
+                StoreError::NotAFolder { .. }
+                    | StoreError::ForeignFolder { .. }
+                    | StoreError::NoStudy { .. }
+                    | StoreError::SummaryUnreadable { .. }
+            ),
+            // a square that was chosen, not given
+            Self::Contact(error) => {
+                !matches!(error, SteadyError::DomainTooSmall { .. } | SteadyError::NoCells)
+            }
+            // a window that was chosen, not given
+            Self::Transient(error) => !matches!(error, TransientError::WindowTooSmall { .. }),
+            Self::Law(error) => !matches!(error, LawError::FailedPoints { .. }),
+            Self::Oscillator(_) | Self::Report(_) | Self::Interrupted => false,
+        }
+    }
+}

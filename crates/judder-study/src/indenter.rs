@@ -1,9 +1,10 @@
 //! From `[indenter]` to the surface that presses on the substrate.
 
 use crate::error::StudyError;
+use crate::input_file::{bytes, unusable};
 use judder_case::{HeightFile, RoughSurface, Roughness, Shape};
 use judder_contact::indenter::{
-    HeightMap, RoughSurface as Generator, Roughness as Measure, Shape as Surface, read_height_table,
+    HeightMap, IndenterError, RoughSurface as Generator, Roughness as Measure, Shape as Surface, height_table,
 };
 use judder_contact::law::LawIndenter;
 use judder_contact::steady::profile::Profile;
@@ -34,13 +35,12 @@ pub(crate) fn height_map(shape: &Shape, radius: f64) -> Result<HeightMap, StudyE
 }
 
 fn from_file(heights: &HeightFile, radius: f64) -> Result<HeightMap, StudyError> {
-    let unusable = |error: judder_contact::indenter::IndenterError| StudyError::File {
-        path: heights.file.path.clone(),
-        reason: error.to_string(),
-    };
-    let table = read_height_table(&heights.file.path, heights.variable.as_deref()).map_err(unusable)?;
-    let spacing = heights.spacing.map(|spacing| spacing / radius);
-    table.into_map(heights.unit / radius, spacing, heights.periodic).map_err(unusable)
+    let path = &heights.file.path;
+    let unusable = |error: IndenterError| unusable(path, &error);
+    let table = height_table(path, bytes(path)?, heights.variable.as_deref()).map_err(unusable)?;
+    let map = table.into_map(heights.unit, heights.spacing, heights.periodic).map_err(unusable)?;
+    let map = map.in_units_of(radius);
+    Ok(if heights.turned_over { map.turned_over() } else { map })
 }
 
 fn generated(rough: &RoughSurface, radius: f64) -> Generator {

@@ -3,6 +3,8 @@
 //! In the order in which the data flows:
 //!
 //! - [`bridge`]: from the keys of a case to the oscillator and its contact.
+//! - `input_file`, `spectrum_source`, `material`, `indenter`: the files that a case names, the substrate, the surface that presses.
+//! - `door`: what is refused of a contact case before anything runs.
 //! - [`point`]: everything about one operating point.
 //! - [`outcome`]: what an analysis leaves: scalars, arrays, a table, checks, warnings.
 //! - [`analyses`]: one module a kind of analysis.
@@ -17,8 +19,10 @@ pub mod analyses;
 pub mod bridge;
 pub mod checks;
 mod computed_law;
+mod door;
 mod error;
 mod indenter;
+mod input_file;
 mod labels;
 mod material;
 pub mod outcome;
@@ -29,6 +33,7 @@ pub mod report;
 pub mod reproduce;
 pub mod resolve;
 pub mod run;
+mod spectrum_source;
 mod text;
 
 pub use error::StudyError;

@@ -2,8 +2,8 @@
 
 use crate::bridge;
 use crate::error::StudyError;
-use crate::material::temperature_warning;
 use crate::progress::Silent;
+use crate::spectrum_source::temperature_warning;
 use crate::text::{columns, list, number};
 use judder_case::OscillatorCase;
 use judder_contact::ContactLaw;

@@ -1,7 +1,9 @@
 //! The analyses of a case into a study folder.
 
 use crate::analyses;
+use crate::door;
 use crate::error::StudyError;
+use crate::input_file;
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use crate::report;
@@ -27,7 +29,7 @@ pub struct RunOptions {
 }
 
 /// What a run left.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct RunReport {
     /// The study folder.
     pub folder: PathBuf,
@@ -39,8 +41,19 @@ pub struct RunReport {
     pub skipped: Vec<String>,
     /// Whether every requested result is there.
     pub complete: bool,
-    /// Warnings and failed checks, one line each.
+    /// Warnings and failed checks, one line each; not why an analysis was refused.
     pub messages: Vec<String>,
+    /// Analyses without a result because the input is wrong.
+    pub refused: Vec<RefusedAnalysis>,
+}
+
+/// An analysis without a result because the input is wrong.
+#[derive(Debug)]
+pub struct RefusedAnalysis {
+    /// Its name.
+    pub name: String,
+    /// What is wrong, and where.
+    pub error: StudyError,
 }
 
 /// What a study keeps in `summary.json` beside results and records.
@@ -85,6 +98,8 @@ pub fn run(
     if let Some(name) = options.only.iter().find(|name| !names.contains(name)) {
         return Err(StudyError::UnknownAnalysis { name: name.clone(), known: names });
     }
+    let is_wanted = |name: &str| options.only.is_empty() || options.only.iter().any(|only| only == name);
+    door::check(file, is_wanted)?;
     let store = StudyFolder::create(folder)?;
     if options.fresh {
         store.forget()?;
@@ -93,9 +108,9 @@ pub fn run(
     let hashes: Vec<String> = (0..names.len()).map(|index| analysis_hash(&resolved, index)).collect();
     let mut study = Study::open(&store, names.iter().zip(&hashes))?;
     study.set_case(file, &resolved);
-    let mut skipped = Vec::new();
+    let (mut skipped, mut refused) = (Vec::new(), Vec::new());
     for (index, (name, hash)) in names.iter().zip(hashes.clone()).enumerate() {
-        if !options.only.is_empty() && !options.only.contains(name) {
+        if !is_wanted(name) {
             continue;
         }
         if store.is_done(name, &hash)? {
@@ -114,25 +129,26 @@ pub fn run(
         };
         let outcome = analyses::run_from(&file.case, index, (&known, &kept), progress);
         progress.end();
-        study.keep(name, hash, outcome, began.elapsed().as_secs_f64())?;
+        let outcome = outcome.map_err(|error| door::placed(error, file, index));
+        if let Some(error) = study.keep(name, hash, outcome, began.elapsed().as_secs_f64())? {
+            refused.push(RefusedAnalysis { name: name.clone(), error });
+        }
         scratch.discard()?;
     }
     study.summary.wall_time_s = start.elapsed().as_secs_f64();
     store.write_summary(&study.summary)?;
     let report = report::write(&store, &study.summary)?;
-    let wanted: Vec<String> =
-        names.into_iter().filter(|name| options.only.is_empty() || options.only.contains(name)).collect();
+    let wanted: Vec<String> = names.into_iter().filter(|name| is_wanted(name)).collect();
     let complete = study.is_complete(&wanted);
-    let messages = messages(&study.summary, &study.kept);
-    Ok(RunReport { folder: folder.to_owned(), summary: study.summary, report, skipped, complete, messages })
+    let messages = messages(&study.summary, &study.kept, &refused);
+    let (folder, summary) = (folder.to_owned(), study.summary);
+    Ok(RunReport { folder, summary, report, skipped, complete, messages, refused })
 }
 
 /// The resolved case with the content of every file that it names, by its hash.
 fn with_files(mut resolved: Value, case: &Case) -> Result<Value, StudyError> {
     for file in case.files() {
-        let content = std::fs::read(&file.path)
-            .map_err(|source| StudyError::File { path: file.path.clone(), reason: source.to_string() })?;
-        resolved["files"][&file.given] = json!(content_hash(&content));
+        resolved["files"][&file.given] = json!(content_hash(&input_file::bytes(&file.path)?));
     }
     Ok(resolved)
 }
@@ -140,7 +156,11 @@ fn with_files(mut resolved: Value, case: &Case) -> Result<Value, StudyError> {
 /// Names all that the result of an analysis depends on: the case without its list of analyses and its title, this analysis, the version.
 pub(crate) fn analysis_hash(resolved: &Value, index: usize) -> String {
     let mut model = resolved.clone();
-    let analysis = model.get("analysis").and_then(|list| list.get(index)).cloned();
+    let mut analysis = model.get("analysis").and_then(|list| list.get(index)).cloned();
+    if let Some(object) = analysis.as_mut().and_then(Value::as_object_mut) {
+        // it decides whether there is a result, not which
+        object.remove("memory_limit");
+    }
     if let Some(object) = model.as_object_mut() {
         object.remove("analysis");
         object.remove("title");
@@ -193,14 +213,16 @@ impl<'a> Study<'a> {
         })
     }
 
-    /// Stores the outcome of an analysis, or why there is none. Interruptions and failures to write end the run.
+    /// Stores the outcome of an analysis, or why there is none; gives the error back where the input is to blame. Interruptions
+    /// and failures to write end the run.
     pub(crate) fn keep(
         &mut self,
         name: &str,
         hash: String,
         outcome: Result<Outcome, StudyError>,
         wall_time_s: f64,
-    ) -> Result<(), StudyError> {
+    ) -> Result<Option<StudyError>, StudyError> {
+        let mut refused = None;
         let (status, warnings) = match outcome {
             Ok(outcome) => {
                 self.store.write_dataset(name, &hash, &outcome.dataset)?;
@@ -218,22 +240,25 @@ impl<'a> Study<'a> {
             Err(error @ (StudyError::Interrupted | StudyError::Store(_))) => return Err(error),
             Err(error) => {
                 self.summary.results.remove(name);
-                (Status::Failed { reason: error.to_string() }, Vec::new())
+                let reason = error.to_string();
+                refused = Some(error).filter(StudyError::is_wrong_input);
+                (Status::Failed { reason }, Vec::new())
             }
         };
         let record = AnalysisRecord { hash, status, wall_time_s, warnings };
         self.summary.analyses.insert(name.to_owned(), record);
         self.kept.put(&mut self.summary);
         self.store.write_summary(&self.summary)?;
-        Ok(())
+        Ok(refused)
     }
 }
 
 /// Everything that the user should read, in the order of the case: failures, warnings, checks beyond their limits.
-fn messages(summary: &Summary, kept: &Keepsakes) -> Vec<String> {
+fn messages(summary: &Summary, kept: &Keepsakes, refused: &[RefusedAnalysis]) -> Vec<String> {
     let mut messages = Vec::new();
     for (name, record) in report::in_order(summary) {
-        if let Status::Failed { reason } = &record.status {
+        let is_refused = refused.iter().any(|refused| refused.name == *name);
+        if let (Status::Failed { reason }, false) = (&record.status, is_refused) {
             messages.push(format!("{name}: {reason}"));
         }
         messages.extend(record.warnings.iter().map(|warning| format!("{name}: {warning}")));

@@ -9,6 +9,7 @@ use crate::contact_analysis::{
 use crate::contact_case::ContactCase;
 use crate::contact_keys::{CONTACT_KEYS, ContactKey};
 use crate::keys::OscillatorKey;
+use crate::memory::MEMORY_LIMIT;
 use crate::shape::{ROUGH_CELLS, Shape};
 use crate::substrate::TERM_LIMIT;
 use crate::transient_analysis::{MOTION_NAMES, STEPPING_CELLS, TRANSIENT_CELLS};
@@ -26,6 +27,7 @@ pub(super) fn case() -> Json {
         ("model", json!({ "const": "contact" })),
         ("substrate", table("the material that the indenter slides on", substrate, &[])),
         ("indenter", table("the rigid body that slides", indenter, &[])),
+        (MEMORY_LIMIT, memory()),
         ("analysis", analyses(&KINDS, setting)),
     ]);
     table("a rigid indenter that slides on a viscoelastic substrate", properties, &["model"])
@@ -62,10 +64,39 @@ pub(super) fn substrate() -> Map<String, Json> {
             "relaxation",
             series("relaxation", "modulus", "terms of the relaxation modulus: E∞ = E0 + Σ modulus"),
         ),
+        ("continuous", continuous()),
         ("dma", table("a series fitted to measured moduli", dma, &["file"])),
         ("temperature", reference(ContactKey::Temperature.entry().path)),
         ("shift", shift),
     ])
+}
+
+/// A continuous spectrum.
+fn continuous() -> Json {
+    let keys = |prefix: &str| -> Map<String, Json> {
+        let entries = CONTACT_KEYS.iter().filter(|entry| entry.path.starts_with(prefix));
+        entries.map(|entry| (entry.name().to_owned(), reference(entry.path))).collect()
+    };
+    let sample = table("𝒞 at one time", keys("substrate.continuous.samples."), &["time", "density"]);
+    let of_form = |name: &str, doc: &str, required: &[&str]| {
+        table(doc, keys(&format!("substrate.continuous.{name}.")), required)
+    };
+    let entries = object([
+        ("log_normal", of_form("log_normal", "τ𝒞 is a Gaussian in log₁₀ τ", &["median", "width"])),
+        ("power_law", of_form("power_law", "𝒞 ∝ τ^(m − 1) between two times", &["from", "to", "exponent"])),
+        ("samples", json!({ "type": "array", "items": sample, "minItems": 2, "maxItems": TERM_LIMIT })),
+        ("terms", json!({ "type": "integer", "minimum": 1, "maximum": TERM_LIMIT })),
+        ("accuracy", reference("substrate.continuous.accuracy")),
+    ]);
+    table("a continuous spectrum, taken apart into retardation times", entries, &[])
+}
+
+/// A memory limit.
+fn memory() -> Json {
+    json!({
+        "type": "string", "examples": ["4 GiB", "512 MiB"], "default": "4 GiB",
+        "description": "what the largest grid of one contact may take",
+    })
 }
 
 /// A path.
@@ -81,6 +112,12 @@ fn shape() -> Json {
         ("variable", json!({ "type": "string", "description": "which one, where a file holds several" })),
         ("unit", reference("indenter.shape.unit")),
         ("periodic", json!({ "type": "boolean", "default": false })),
+        (
+            "turned_over",
+            json!({
+                "type": "boolean", "default": false, "description": "whether large heights point towards the substrate",
+            }),
+        ),
     ]);
     let mut rough = object([
         ("cells", whole(ROUGH_CELLS)),
@@ -132,6 +169,7 @@ fn setting(kind: &str, key: &str) -> Json {
             "type": "integer", "minimum": CELLS[0], "maximum": CELLS[1], "multipleOf": 2,
             "description": "cells along a side, an even number; chosen from the accuracy by default",
         }),
+        MEMORY_LIMIT => memory(),
         "method" => choice(LawMethod::ALL.map(|(name, _)| name), "collapse", "how the plane is covered"),
         _ => reference(&format!("analysis.{key}")),
     }

@@ -3,8 +3,8 @@
 use crate::parse;
 use judder_case::contact_analysis::{LAW_ACCURACY, LAW_INDENTATION, LAW_VELOCITY};
 use judder_case::{
-    Case, CaseFile, ContactAnalysis, ContactCase, Form, LawMethod, LawName, Loading, Motion, Oscillation,
-    OscillatorKey, RelaxationSource, Roughness, Shape, Shift, TermCount, Value,
+    Case, CaseFile, ContactAnalysis, ContactCase, Density, Form, LawMethod, LawName, Loading, Motion,
+    Oscillation, OscillatorKey, RelaxationSource, Roughness, Shape, Shift, TermChoice, TermCount, Value,
 };
 
 fn contact(text: &str) -> ContactCase {
@@ -12,6 +12,42 @@ fn contact(text: &str) -> ContactCase {
         Case::Contact(case) => case,
         other => panic!("{other:?}"),
     }
+}
+
+#[test]
+fn a_continuous_spectrum_with_its_density_and_terms() {
+    let read = |continuous: &str| {
+        let case = contact(&format!("substrate = {{ continuous = {{ {continuous} }} }}"));
+        let RelaxationSource::Continuous(source) = case.substrate.source else { panic!("another source") };
+        (source, case.inputs)
+    };
+    let (source, _) = read("log_normal = { median = \"10 ms\", width = 1.5 }");
+    assert_eq!(source.density, Density::LogNormal { median: 0.01, width: 1.5 });
+    assert_eq!(source.terms, TermChoice::Within(1e-3));
+    let (source, _) = read("power_law = { from = \"1 us\", to = \"1 s\", exponent = 0.3 }, terms = 7");
+    assert_eq!(source.density, Density::PowerLaw { from: 1e-6, to: 1.0, exponent: 0.3 });
+    assert_eq!(source.terms, TermChoice::Given(7));
+    // τ𝒞 = 0.3e-6 1/Pa over three e-foldings is 0.9e-6 1/Pa in all
+    let last = 1e-3 * 3.0_f64.exp();
+    let (_, inputs) = read(&format!(
+        "samples = [{{ time = \"1 ms\", density = \"0.3e-3 1/Pa/s\" }}, {{ time = \"{last} s\", density = \"{} 1/Pa/s\" }}]",
+        0.3e-6 / last
+    ));
+    assert!((inputs.number(OscillatorKey::GlassyModulus) / 1e7 - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn the_memory_limit_of_an_analysis_goes_before_that_of_the_case() {
+    let case = contact(
+        "memory_limit = \"512 MiB\"\n[[analysis]]\nkind = \"contact-law\"\n[[analysis]]\n\
+                kind = \"contact\"\nvelocity = 1\nindentation = 0.1\nmemory_limit = \"2 GiB\"",
+    );
+    let bytes = case.analyses.iter().map(|analysis| match &analysis.kind {
+        ContactAnalysis::Contact(settings) => settings.memory.bytes,
+        ContactAnalysis::ContactLaw(law) => law.memory.bytes,
+        _ => 0,
+    });
+    assert_eq!(bytes.collect::<Vec<_>>(), [512 << 20, 2 << 30]);
 }
 
 #[test]

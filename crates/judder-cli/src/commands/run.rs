@@ -22,7 +22,8 @@ Examples:
 The folder then holds summary.json, results.zarr, tables as CSV, figures and report.html. A second run goes on \
 where the first one ended: an analysis runs again only where something that it depends on has changed.
 
-A check beyond its limit is a warning; the exit code is 1 only where a requested result is missing.
+A check beyond its limit is a warning; the exit code is 1 only where a requested result is missing, and 2 where the input \
+is to blame for it.
 
 Ctrl-C ends cleanly and keeps what is done; a second Ctrl-C ends at once.";
 
@@ -52,12 +53,12 @@ impl Run {
         let bars = Bars::new(console)?;
         let report = self.threads.install(|| run(&file, &folder, &options, &bars))??;
         console.document(|| json!(report.summary))?;
-        Ok(tell(&report, console))
+        Ok(tell(report, &self.case.case, console))
     }
 }
 
 /// Says what came of a run. Failed checks are among the warnings: only a missing result changes the exit code.
-fn tell(report: &RunReport, console: Console) -> Exit {
+fn tell(report: RunReport, case: &Path, console: Console) -> Exit {
     if !report.skipped.is_empty() {
         console.note(format_args!("done before: {}", report.skipped.join(", ")));
     }
@@ -70,6 +71,12 @@ fn tell(report: &RunReport, console: Console) -> Exit {
     console.note(format_args!("report: {}", report.report.display()));
     if report.complete {
         return Exit::Done;
+    }
+    if !report.refused.is_empty() {
+        for refused in report.refused {
+            console.refusal(&Failure::of_analysis(case, refused));
+        }
+        return Exit::WrongInput;
     }
     console.incomplete("a requested result is missing", "the report says which and where");
     Exit::Incomplete

@@ -4,6 +4,7 @@
 
 mod bad_arguments;
 mod bad_case;
+mod bad_contact;
 mod bad_folder;
 mod desk;
 mod editors;

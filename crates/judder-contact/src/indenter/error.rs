@@ -1,28 +1,22 @@
 //! Why an indenter cannot be had.
 
-use std::path::PathBuf;
 use thiserror::Error;
 
 /// Why an indenter cannot be had.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum IndenterError {
-    /// The file cannot be read at all.
-    #[error("{} cannot be read: {reason}", path.display())]
-    Unreadable {
-        /// The file.
-        path: PathBuf,
-        /// What the system says.
-        reason: String,
-    },
     /// The ending of the file's name says nothing about its form.
     #[error(
-        "{} has no known ending: height maps are .npy, text matrices (.txt, .csv, .tsv, .dat, .asc) \
-         or NetCDF (.nc, .nc4, .cdf)", path.display()
+        "the ending {ending:?} says nothing about the form of the heights; they are read from .npy, from text matrices (.txt, .csv, \
+         .tsv, .dat, .asc) and from NetCDF (.nc, .nc4, .cdf)"
     )]
     UnknownEnding {
-        /// The file.
-        path: PathBuf,
+        /// What follows the last point of the name, in small letters; empty where it has none.
+        ending: String,
     },
+    /// The file has no bytes.
+    #[error("the file is empty; a matrix of heights is needed")]
+    Empty,
     /// A `.npy` file that is damaged or of a form that is not read.
     #[error("the .npy file {problem}")]
     Npy {
@@ -30,7 +24,10 @@ pub enum IndenterError {
         problem: String,
     },
     /// A number of a text matrix cannot be read.
-    #[error("line {line}, entry {entry}: {text:?} is not a number")]
+    #[error(
+        "line {line}, entry {entry} of the text matrix is {text:?}, not a finite number with a decimal point; mend it, or fill the \
+         gap first"
+    )]
     NotANumber {
         /// Line of the file, from 1.
         line: usize,
@@ -40,7 +37,7 @@ pub enum IndenterError {
         text: String,
     },
     /// An entry of a text matrix is empty.
-    #[error("line {line}, entry {entry} is empty: every height must be given")]
+    #[error("line {line}, entry {entry} of the text matrix is empty; every height must be given")]
     MissingEntry {
         /// Line of the file, from 1.
         line: usize,
@@ -49,7 +46,7 @@ pub enum IndenterError {
     },
     /// Rows of different lengths.
     #[error(
-        "line {line} has {found} entries, the lines above have {expected}: all rows must be equally long"
+        "line {line} of the text matrix has {found} entries, the lines above have {expected}; all rows must be equally long"
     )]
     RaggedRow {
         /// Line of the file, from 1.
@@ -61,7 +58,7 @@ pub enum IndenterError {
     },
     /// Commas that may separate or be decimal.
     #[error(
-        "line {line} has both commas and {other}: it is not clear whether the comma is decimal; use points"
+        "line {line} of the text matrix has both commas and {other}, and the comma may be decimal; write decimal points"
     )]
     AmbiguousComma {
         /// Line of the file, from 1.
@@ -70,26 +67,33 @@ pub enum IndenterError {
         other: &'static str,
     },
     /// The text is not UTF-8.
-    #[error("the text matrix holds bytes that are no text (at byte {byte})")]
+    #[error(
+        "the text matrix is not UTF-8 text: the byte at offset {byte} is none; save numbers as plain text, or as .npy"
+    )]
     NotText {
         /// Position of the first such byte.
         byte: usize,
     },
     /// The NetCDF reader fails.
-    #[error("the NetCDF file cannot be read: {reason}; `nccopy -k classic in.nc out.nc` writes a plain copy")]
+    #[error(
+        "the file cannot be read as NetCDF: {reason}; if it is such a file, `nccopy -k classic in.nc out.nc` writes a plain copy"
+    )]
     NetCdf {
         /// What the reader says.
         reason: String,
     },
     /// No variable of a NetCDF file has two dimensions.
-    #[error("no variable of the NetCDF file has two dimensions; it holds {}", listed(variables))]
+    #[error(
+        "no variable of the NetCDF file has two dimensions, as heights over y and x do; it holds {}",
+        listed(variables)
+    )]
     NoMatrix {
         /// The variables that there are.
         variables: Vec<String>,
     },
     /// Several variables of a NetCDF file have two dimensions.
     #[error(
-        "several variables of the NetCDF file could be the heights: set `variable` to one of {}",
+        "several variables of the NetCDF file could be the heights; set `variable` to one of {}",
         listed(variables)
     )]
     SeveralMatrices {
@@ -97,7 +101,10 @@ pub enum IndenterError {
         variables: Vec<String>,
     },
     /// The named variable does not exist or is not a matrix.
-    #[error("the NetCDF file has no variable {name:?} with two dimensions; it has {}", listed(variables))]
+    #[error(
+        "the NetCDF file has no variable {name:?} with two dimensions; set `variable` to one of {}",
+        listed(variables)
+    )]
     NoSuchVariable {
         /// The name asked for.
         name: String,
@@ -105,13 +112,16 @@ pub enum IndenterError {
         variables: Vec<String>,
     },
     /// A variable was named for a file that holds one array without a name.
-    #[error("`variable` is {name:?}, but the file holds one array without a name: leave `variable` out")]
+    #[error("`variable` is {name:?}, but the file holds one array without a name; leave `variable` out")]
     VariableWithoutNames {
         /// The name asked for.
         name: String,
     },
     /// Coordinates that do not rise or fall by equal steps.
-    #[error("the coordinate {name:?} has no equal steps: {first} and {other} (at step {step})")]
+    #[error(
+        "the coordinate {name:?} has no equal steps: the first is {first}, step {step} is {other}; interpolate the heights to \
+         equal steps first"
+    )]
     UnequalSteps {
         /// The coordinate.
         name: String,
@@ -123,7 +133,9 @@ pub enum IndenterError {
         step: usize,
     },
     /// Steps along x and y differ.
-    #[error("the steps along x ({x}) and y ({y}) differ: the cells must be squares")]
+    #[error(
+        "the steps of the coordinates along x ({x}) and y ({y}) differ; interpolate the heights to square cells first"
+    )]
     NotSquare {
         /// Step along x.
         x: f64,
@@ -132,7 +144,7 @@ pub enum IndenterError {
     },
     /// Heights and coordinates in different units.
     #[error(
-        "the heights are in {heights:?}, the coordinate {coordinate:?} is in {coordinates:?}: \
+        "the heights are in {heights:?}, the coordinate {coordinate:?} is in {coordinates:?}; \
          bring them to one unit, or leave the coordinates out and give `spacing`"
     )]
     UnitsDiffer {
@@ -144,19 +156,21 @@ pub enum IndenterError {
         coordinates: String,
     },
     /// The file's coordinates contradict the spacing that is given.
-    #[error("the file's coordinates say a spacing of {in_file}, the case says {given}: leave one out")]
+    #[error(
+        "the coordinates of the file have steps of {in_file:e} m, `spacing` is {given:e} m; leave `spacing` out, or mend `unit`"
+    )]
     SpacingDisagrees {
-        /// From the file, in the problem's length unit.
+        /// From the file \[m\].
         in_file: f64,
-        /// As given.
+        /// As given \[m\].
         given: f64,
     },
     /// Neither the file nor the caller says the spacing.
-    #[error("the file has no coordinates: `spacing`, the distance of neighbouring heights, must be given")]
+    #[error("the file has no coordinates; give `spacing`, the distance of neighbouring heights")]
     SpacingMissing,
     /// A height is NaN or infinite, or masked.
     #[error(
-        "the height at row {row}, column {column} (from 0) is {value}: heights must be finite; fill the gaps first"
+        "the height at row {row}, column {column} (counted from 0) is {value}, not a finite number; fill the gaps first"
     )]
     HeightNotFinite {
         /// Row of the height, from 0.
@@ -167,7 +181,7 @@ pub enum IndenterError {
         value: f64,
     },
     /// Too few heights.
-    #[error("{rows} × {columns} heights are too few: at least {least} × {least} are needed")]
+    #[error("{rows} × {columns} heights are too few; at least {least} × {least} are needed")]
     TooFewHeights {
         /// Rows.
         rows: usize,

@@ -68,6 +68,13 @@ impl HeightMap {
         Self { heights, lowest, ..*self }
     }
 
+    /// The same map with this length as the unit of its own.
+    #[must_use]
+    pub fn in_units_of(self, length: f64) -> Self {
+        let heights = self.heights.iter().map(|height| height / length).collect();
+        Self { heights, spacing: self.spacing / length, ..self }
+    }
+
     /// The heights, `rows` × `columns`, the lowest zero.
     #[must_use]
     pub fn heights(&self) -> &[f64] {
@@ -250,7 +257,7 @@ mod tests {
         heights[13] = f64::NAN;
         let error = HeightMap::new(heights.clone(), 5, 4, 1.0, false).unwrap_err();
         let message =
-            "the height at row 2, column 3 (from 0) is NaN: heights must be finite; fill the gaps first";
+            "the height at row 2, column 3 (counted from 0) is NaN, not a finite number; fill the gaps first";
         assert_eq!(error.to_string(), message);
         heights[13] = 0.0;
         let shape = |columns, rows, spacing| HeightMap::new(heights.clone(), columns, rows, spacing, false);

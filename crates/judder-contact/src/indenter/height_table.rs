@@ -20,11 +20,12 @@ pub struct HeightTable {
 }
 
 impl HeightTable {
-    /// The map that the table describes; `unit` is the length for which the file writes 1.
+    /// The map that the table describes, in m; `unit` is the length for which the file writes 1, `spacing` what the caller says
+    /// of it \[m\].
     ///
     /// # Errors
-    /// [`IndenterError::SpacingMissing`] and [`IndenterError::SpacingDisagrees`] for the spacing, in the problem's length
-    /// unit, and everything that [`HeightMap::new`] refuses.
+    /// [`IndenterError::SpacingMissing`] and [`IndenterError::SpacingDisagrees`], and everything that
+    /// [`HeightMap::new`] refuses.
     pub fn into_map(
         self,
         unit: f64,

@@ -81,7 +81,7 @@ fn oriented(values: Vec<f64>, matrix: &NcVariable) -> Result<HeightTable, Indent
         [first, second] if first.checked_mul(*second) == Some(values.len()) => (*first, *second),
         _ => {
             return Err(IndenterError::NetCdf {
-                reason: String::from("a matrix has not the size that it states"),
+                reason: String::from("its matrix has not the size that it states"),
             });
         }
     };

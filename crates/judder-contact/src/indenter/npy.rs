@@ -16,7 +16,9 @@ pub fn read_npy(bytes: &[u8]) -> Result<HeightTable, IndenterError> {
         "True" => true,
         "False" => false,
         other => {
-            return Err(problem(format!("has the fortran_order {other}, which is neither True nor False")));
+            return Err(problem(format!(
+                "has the fortran_order {other}, which is neither True nor False; save it anew with numpy.save"
+            )));
         }
     };
     let (rows, columns) = shape(entry(header, "shape")?)?;
@@ -24,7 +26,8 @@ pub fn read_npy(bytes: &[u8]) -> Result<HeightTable, IndenterError> {
     if needed != Some(data.len()) {
         let found = data.len();
         return Err(problem(format!(
-            "holds {found} bytes of data, which is not a {rows} × {columns} matrix of it"
+            "holds {found} bytes of data, which are not the {rows} × {columns} numbers that its header says; it was cut, or changed: save \
+             it anew with numpy.save"
         )));
     }
     let stored: Vec<f64> = data.chunks_exact(number.size()).map(|bytes| number.read(bytes)).collect();
@@ -43,25 +46,29 @@ fn problem(problem: String) -> IndenterError {
 
 /// The header's text and the data behind it.
 fn split(bytes: &[u8]) -> Result<(&str, &[u8]), IndenterError> {
-    let cut = || problem(String::from("ends within its header"));
-    let rest =
-        bytes.strip_prefix(MAGIC).ok_or_else(|| problem(String::from("does not begin with \\x93NUMPY")))?;
+    let cut = || problem(String::from("ends within its header; save it anew with numpy.save"));
+    let foreign = || {
+        problem(String::from("does not begin with \\x93NUMPY, and so is none; save heights with numpy.save"))
+    };
+    let rest = bytes.strip_prefix(MAGIC).ok_or_else(foreign)?;
     let (version, rest) = rest.split_first_chunk::<2>().ok_or_else(cut)?;
     let (length, rest) = match version[0] {
         1 => rest.split_first_chunk::<2>().map(|(size, rest)| (u16::from_le_bytes(*size) as usize, rest)),
         2 | 3 => rest.split_first_chunk::<4>().map(|(size, rest)| (u32::from_le_bytes(*size) as usize, rest)),
-        other => return Err(problem(format!("has version {other}; versions 1, 2 and 3 are read"))),
+        other => {
+            return Err(problem(format!("has version {other} of the format; versions 1, 2 and 3 are read")));
+        }
     }
     .ok_or_else(cut)?;
     let (header, data) = rest.split_at_checked(length).ok_or_else(cut)?;
-    let header =
-        std::str::from_utf8(header).map_err(|_| problem(String::from("has a header that is no text")))?;
+    let header = std::str::from_utf8(header)
+        .map_err(|_| problem(String::from("has a header that is no text; save it anew with numpy.save")))?;
     Ok((header, data))
 }
 
 /// The value of a key of the header, which is a Python dictionary of plain values.
 fn entry<'a>(header: &'a str, key: &str) -> Result<&'a str, IndenterError> {
-    let missing = || problem(format!("has no {key} in its header"));
+    let missing = || problem(format!("has no {key} in its header; save it anew with numpy.save"));
     let (_, rest) = header.split_once(&format!("'{key}'")).ok_or_else(missing)?;
     let rest = rest.trim_start().strip_prefix(':').ok_or_else(missing)?.trim_start();
     let end = match rest.chars().next().ok_or_else(missing)? {
@@ -78,7 +85,9 @@ fn shape(text: &str) -> Result<(usize, usize), IndenterError> {
         inner.split(',').map(str::trim).filter(|size| !size.is_empty()).map(str::parse).collect();
     match sizes.as_deref() {
         Ok([rows, columns]) => Ok((*rows, *columns)),
-        _ => Err(problem(format!("holds an array of shape {text}: a matrix (rows, columns) is needed"))),
+        _ => Err(problem(format!(
+            "holds an array of shape {text}; a matrix of shape (rows, columns) is needed"
+        ))),
     }
 }
 
@@ -99,7 +108,7 @@ impl Number {
             ">f4" => Ok(Self::BigSingle),
             ">f8" => Ok(Self::BigDouble),
             other => Err(problem(format!(
-                "holds numbers of type {other}: only f4 and f8 are read; save it as array.astype('f8')"
+                "holds numbers of type {other}, and only f4 and f8 are read; save it as array.astype('f8')"
             ))),
         }
     }

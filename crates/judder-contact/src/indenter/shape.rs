@@ -1,7 +1,7 @@
 //! The indenters by name.
 
 use super::height_map::HeightMap;
-use crate::steady::profile::{Paraboloid, Profile, Sphere};
+use crate::steady::profile::{OUT_OF_REACH, Paraboloid, Profile, Sphere};
 use std::f64::consts::PI;
 
 /// The surface of a rigid indenter, lowest at the origin; lengths in the problem's unit, mostly R.
@@ -63,7 +63,8 @@ impl Profile for Shape {
     fn deepest(&self) -> f64 {
         match self {
             Self::Sphere { radius } => radius * Sphere.deepest(),
-            Self::Paraboloid { .. } | Self::Cylinder { .. } | Self::HeightMap(_) => f64::INFINITY,
+            Self::Paraboloid { radius } | Self::Cylinder { radius } => radius * Paraboloid.deepest(),
+            Self::HeightMap(_) => OUT_OF_REACH,
         }
     }
 

@@ -6,7 +6,7 @@ use super::height_table::HeightTable;
 /// Reads one row of heights a line, separated by spaces, tabs, commas or semicolons; `#` and `%` begin a comment.
 ///
 /// # Errors
-/// What is no text, what is no number, an empty entry, rows of different lengths, and commas that could be decimal,
+/// What is no text, what is no finite number, an empty entry, rows of different lengths, and commas that could be decimal,
 /// each with its line.
 pub fn read_text_matrix(bytes: &[u8]) -> Result<HeightTable, IndenterError> {
     let text =
@@ -25,12 +25,13 @@ pub fn read_text_matrix(bytes: &[u8]) -> Result<HeightTable, IndenterError> {
             if entry.is_empty() {
                 return Err(IndenterError::MissingEntry { line, entry: entry_number });
             }
-            let height = entry.parse().map_err(|_| IndenterError::NotANumber {
-                line,
-                entry: entry_number,
-                text: entry.to_owned(),
-            })?;
-            heights.push(height);
+            match entry.parse::<f64>() {
+                Ok(height) if height.is_finite() => heights.push(height),
+                _ => {
+                    let text = entry.to_owned();
+                    return Err(IndenterError::NotANumber { line, entry: entry_number, text });
+                }
+            }
         }
         let found = heights.len() - before;
         if rows > 0 && found != columns {
@@ -89,6 +90,10 @@ mod tests {
             error("1 2\n3 x"),
             IndenterError::NotANumber { line: 2, entry: 2, text: String::from("x") }
         );
+        for gap in ["nan", "inf", "1e999"] {
+            let text = String::from(gap);
+            assert_eq!(error(&format!("1 {gap}")), IndenterError::NotANumber { line: 1, entry: 2, text });
+        }
         assert_eq!(error("1,,2"), IndenterError::MissingEntry { line: 1, entry: 2 });
         assert_eq!(error("1,5;2,5"), IndenterError::AmbiguousComma { line: 1, other: "semicolons" });
         assert_eq!(

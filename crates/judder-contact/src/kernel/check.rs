@@ -48,7 +48,10 @@ pub enum KernelError {
     #[error("the substrate is rigid: all its compliances are zero")]
     Rigid,
     /// The operator takes more memory than allowed.
-    #[error("{columns} × {rows} cells take {needed} bytes, of {allowed} allowed")]
+    #[error(
+        "{columns} × {rows} cells take {:.2} GiB of memory, and {:.2} GiB are allowed; take fewer cells, or allow more memory",
+        gibibytes(*needed), gibibytes(*allowed)
+    )]
     Memory {
         /// Cells along x.
         columns: usize,
@@ -73,8 +76,8 @@ pub enum KernelError {
     },
     /// Wakes reach from one period into the next.
     #[error(
-        "after one period of {period} the substrate still remembers {memory:e} of its deformation, and at most {allowed:e} is \
-         allowed: the longest wake is {length}; slide slower, or take a longer period or the kernel without images"
+        "after one period the substrate still remembers {memory:.1e} of its deformation, and at most {allowed:e} is allowed: the \
+         longest wake v τ is {:.2} of the period; slide slower, or take a longer period", length / period
     )]
     LongWake {
         /// L, period along x.
@@ -86,6 +89,11 @@ pub enum KernelError {
         /// The largest memory allowed.
         allowed: f64,
     },
+}
+
+/// Bytes in the unit in which messages tell memory.
+pub(crate) fn gibibytes(bytes: u64) -> f64 {
+    bytes as f64 / f64::from(1 << 30)
 }
 
 /// Checks a grid and a substrate before an operator is made of them that may take `allowed` bytes.

@@ -6,7 +6,7 @@ use super::sweep::LawSample;
 use crate::kernel::substrate::{SlidingSubstrate, WakeTerm};
 use crate::steady::profile::{Paraboloid, Profile, Sphere};
 use crate::steady::refinement::Estimate;
-use crate::steady::{GridChoice, MEMORY, SteadyError, SteadyQuestion, solve};
+use crate::steady::{GridChoice, SteadyError, SteadyQuestion, solve};
 use crate::unilateral::{Loading, UnilateralLimits};
 use thiserror::Error;
 
@@ -37,7 +37,8 @@ pub enum SampleError {
 
 /// Force, area and friction at one speed and depth, by the boundary-element solver on grids as fine as the accuracy asks.
 ///
-/// `accuracy` is the relative error allowed to the force; area and friction may be five times as far off.
+/// `accuracy` is the relative error allowed to the force; area and friction may be five times as far off. `memory` is what the
+/// finest grid may take, bytes.
 ///
 /// # Errors
 /// [`SampleError`].
@@ -47,6 +48,7 @@ pub fn sample(
     velocity: f64,
     indentation: f64,
     accuracy: f64,
+    memory: u64,
 ) -> Result<LawSample, SampleError> {
     let substrate = material.sliding(velocity);
     let contact = solve(&SteadyQuestion {
@@ -56,7 +58,7 @@ pub fn sample(
         accuracy,
         grid: GridChoice::Automatic,
         limits: UnilateralLimits::default(),
-        memory: MEMORY,
+        memory,
     })?;
     let refinement = &contact.refinement;
     let [force, area, friction] = [refinement.force, refinement.area, refinement.friction];

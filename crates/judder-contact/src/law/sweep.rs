@@ -75,6 +75,11 @@ impl fmt::Display for FailedPoint {
 
 /// Who watches a sweep.
 pub trait SweepObserver: Sync {
+    /// A level begins, of which so many points are yet to be solved.
+    fn begins(&self, points: usize) {
+        let _ = points;
+    }
+
     /// A point was solved, the `done`-th of the `planned` points of this level; called from any thread, in any order.
     fn finished(&self, point: &SolvedPoint, done: usize, planned: usize) {
         let _ = (point, done, planned);

@@ -33,33 +33,38 @@ pub struct DmaData {
 }
 
 impl DmaData {
-    /// Data whose frequencies rise from point to point; `row` numbers in errors count points from 1.
+    /// Data whose frequencies rise from point to point; the lines of errors count points from 1.
     ///
     /// # Errors
     /// [`DmaError::Empty`], [`DmaError::Value`] for a number that is not positive and finite, [`DmaError::Order`] where the
     /// frequency does not rise.
     pub fn new(points: Vec<DmaPoint>) -> Result<Self, DmaError> {
-        let rows = points.into_iter().enumerate().map(|(index, point)| (index + 1, point)).collect();
-        Self::from_rows(rows)
+        let lines = points.into_iter().enumerate().map(|(index, point)| (index + 1, point)).collect();
+        Self::from_lines(lines, ("rad/s", 1.0))
     }
 
-    /// [`DmaData::new`] for points that know the row of the file they come from.
-    pub(super) fn from_rows(rows: Vec<(usize, DmaPoint)>) -> Result<Self, DmaError> {
-        if rows.is_empty() {
+    /// [`DmaData::new`] for points that know the line of the file they come from; the unit of the file's frequencies, with its
+    /// factor to rad/s, is for errors.
+    pub(super) fn from_lines(
+        lines: Vec<(usize, DmaPoint)>,
+        (unit, factor): (&'static str, f64),
+    ) -> Result<Self, DmaError> {
+        if lines.is_empty() {
             return Err(DmaError::Empty);
         }
-        for (row, point) in &rows {
+        for (line, point) in &lines {
             if let Some((name, value)) = point.unusable() {
-                return Err(DmaError::Value { row: *row, name, found: value.to_string() });
+                return Err(DmaError::Value { line: *line, name, found: value.to_string() });
             }
         }
-        for pair in rows.windows(2) {
+        for pair in lines.windows(2) {
             let [before, after] = [&pair[0].1, &pair[1].1].map(|point| point.angular_frequency);
             if after <= before {
-                return Err(DmaError::Order { row: pair[1].0, before, after });
+                let [before, after] = [before, after].map(|frequency| rounded(frequency / factor));
+                return Err(DmaError::Order { line: pair[1].0, before, after, unit });
             }
         }
-        Ok(Self { points: rows.into_iter().map(|(_, point)| point).collect() })
+        Ok(Self { points: lines.into_iter().map(|(_, point)| point).collect() })
     }
 
     /// The points, ascending in frequency.
@@ -74,6 +79,11 @@ impl DmaData {
         let frequency = |point: Option<&DmaPoint>| point.map_or(f64::NAN, |point| point.angular_frequency);
         (frequency(self.points.first()), frequency(self.points.last()))
     }
+}
+
+/// The number as the file has it, without what its way to rad/s and back has added.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.12e}").parse().unwrap_or(value)
 }
 
 /// Moduli measured over frequency at several temperatures, each with its own band.

@@ -24,35 +24,35 @@ impl DmaTable {
     /// - Empty lines and lines that begin with `#` are left out.
     ///
     /// # Errors
-    /// [`DmaError`], with the header's columns or the row: what is missing, there twice, without unit, not positive, or does
+    /// [`DmaError`], with the header's columns or the line: what is missing, there twice, without unit, not positive, or does
     /// not rise in frequency.
     pub fn parse(text: &str) -> Result<Self, DmaError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut lines = text.lines().enumerate().map(|(index, line)| (index + 1, line.trim()));
         let mut lines = lines.by_ref().filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
-        let (_, header) = lines.next().ok_or(DmaError::Empty)?;
+        let (header_line, header) = lines.next().ok_or(DmaError::Empty)?;
         let separator = [';', '\t'].into_iter().find(|candidate| header.contains(*candidate)).unwrap_or(',');
         let columns: Vec<&str> = header.split(separator).map(unquoted).collect();
-        let layout = Layout::of(&columns)?;
+        let layout = Layout::of(&columns, header_line)?;
         let mut rows = Vec::new();
-        for (row, line) in lines {
-            let fields: Vec<&str> = line.split(separator).map(unquoted).collect();
+        for (line, text) in lines {
+            let fields: Vec<&str> = text.split(separator).map(unquoted).collect();
             if fields.len() != columns.len() {
-                return Err(DmaError::Fields { row, found: fields.len(), expected: columns.len() });
+                return Err(DmaError::Fields { line, found: fields.len(), expected: columns.len() });
             }
-            rows.push(layout.read(row, &fields)?);
+            rows.push(layout.read(line, &fields)?);
         }
+        let unit = layout.frequency.unit();
         if layout.temperature.is_none() {
-            return Ok(Self::Sweep(DmaData::from_rows(
-                rows.into_iter().map(|(row, _, p)| (row, p)).collect(),
-            )?));
+            let points = rows.into_iter().map(|(line, _, point)| (line, point)).collect();
+            return Ok(Self::Sweep(DmaData::from_lines(points, unit)?));
         }
         if rows.is_empty() {
             return Err(DmaError::Empty);
         }
         let sweeps = rows.chunk_by(|a, b| a.1 == b.1).map(|run| {
-            let points = run.iter().map(|(row, _, point)| (*row, *point)).collect();
-            Ok((run[0].1, DmaData::from_rows(points)?))
+            let points = run.iter().map(|(line, _, point)| (*line, *point)).collect();
+            Ok((run[0].1, DmaData::from_lines(points, unit)?))
         });
         Ok(Self::Sweeps(DmaSweeps { sweeps: sweeps.collect::<Result<_, _>>()? }))
     }
@@ -108,8 +108,16 @@ const TEMPERATURE: Quantity = Quantity {
 /// Where a quantity stands, and how it becomes SI.
 struct Column {
     index: usize,
+    unit: &'static str,
     factor: f64,
     offset: f64,
+}
+
+impl Column {
+    /// The unit, with its factor to SI.
+    fn unit(&self) -> (&'static str, f64) {
+        (self.unit, self.factor)
+    }
 }
 
 /// Where everything stands.
@@ -121,26 +129,29 @@ struct Layout {
 }
 
 impl Layout {
-    fn of(columns: &[&str]) -> Result<Self, DmaError> {
+    fn of(columns: &[&str], line: usize) -> Result<Self, DmaError> {
         let needed = |quantities: &[&Quantity]| {
             let called = quantities[0].called;
             let found = || columns.iter().map(|column| (*column).to_owned()).collect();
-            find(columns, quantities)?
-                .ok_or_else(|| DmaError::MissingColumn { quantity: called, found: found() })
+            find(columns, quantities, line)?.ok_or_else(|| DmaError::MissingColumn {
+                line,
+                quantity: called,
+                found: found(),
+            })
         };
         Ok(Self {
             frequency: needed(&[&FREQUENCY, &ANGULAR_FREQUENCY])?,
             storage: needed(&[&STORAGE])?,
             loss: needed(&[&LOSS])?,
-            temperature: find(columns, &[&TEMPERATURE])?,
+            temperature: find(columns, &[&TEMPERATURE], line)?,
         })
     }
 
-    /// (row, temperature, point) of a row; without temperatures, zero.
-    fn read(&self, row: usize, fields: &[&str]) -> Result<(usize, f64, DmaPoint), DmaError> {
+    /// (line, temperature, point) of a line; without temperatures, zero.
+    fn read(&self, line: usize, fields: &[&str]) -> Result<(usize, f64, DmaPoint), DmaError> {
         let read = |column: &Column, name: &'static str| {
             let found = fields[column.index];
-            let wrong = || DmaError::Value { row, name, found: found.to_owned() };
+            let wrong = || DmaError::Value { line, name, found: found.to_owned() };
             let value: f64 = found.parse().map_err(|_| wrong())?;
             let value = value * column.factor + column.offset;
             if value.is_normal() && value > 0.0 { Ok(value) } else { Err(wrong()) }
@@ -151,12 +162,12 @@ impl Layout {
             loss_modulus: read(&self.loss, "loss modulus")?,
         };
         let temperature = self.temperature.as_ref().map(|column| read(column, "absolute temperature"));
-        Ok((row, temperature.transpose()?.unwrap_or(0.0), point))
+        Ok((line, temperature.transpose()?.unwrap_or(0.0), point))
     }
 }
 
 /// The one column that is one of the quantities.
-fn find(columns: &[&str], quantities: &[&Quantity]) -> Result<Option<Column>, DmaError> {
+fn find(columns: &[&str], quantities: &[&Quantity], line: usize) -> Result<Option<Column>, DmaError> {
     let mut found: Option<(Column, &str)> = None;
     for (index, column) in columns.iter().enumerate() {
         let (name, unit) = name_and_unit(column);
@@ -166,14 +177,14 @@ fn find(columns: &[&str], quantities: &[&Quantity]) -> Result<Option<Column>, Dm
         };
         if let Some((_, first)) = found {
             let (first, second) = (first.to_owned(), (*column).to_owned());
-            return Err(DmaError::AmbiguousColumn { quantity: quantity.called, first, second });
+            return Err(DmaError::AmbiguousColumn { line, quantity: quantity.called, first, second });
         }
         let known = quantity.units.iter().find(|(name, ..)| Some(*name) == unit);
-        let Some((_, factor, offset)) = known else {
+        let Some((unit, factor, offset)) = known else {
             let expected = quantity.units.iter().map(|(name, ..)| (*name).to_owned()).collect();
-            return Err(DmaError::Unit { column: (*column).to_owned(), expected });
+            return Err(DmaError::Unit { line, column: (*column).to_owned(), expected });
         };
-        found = Some((Column { index, factor: *factor, offset: *offset }, column));
+        found = Some((Column { index, unit, factor: *factor, offset: *offset }, column));
     }
     Ok(found.map(|(column, _)| column))
 }
@@ -225,29 +236,36 @@ mod tests {
 
     #[test]
     fn headers_that_could_mean_something_else_are_refused() {
-        assert!(refused("f [Hz],G' [Pa],G'' [Pa]\n1,1,1").contains("found `f [Hz]`, `G' [Pa]`, `G'' [Pa]`"));
+        assert!(
+            refused("f [Hz],G' [Pa],G'' [Pa]\n1,1,1")
+                .contains("has the columns `f [Hz]`, `G' [Pa]`, `G'' [Pa]`; one for the storage")
+        );
         assert!(
             refused("f,E' [Pa],E'' [Pa]\n1,1,1")
-                .contains("`f` needs its unit in brackets, one of `Hz`, `rad/s`")
+                .contains("the column `f` of the header, line 1, is without a unit that it can have; write it in brackets, one of `Hz`, `rad/s`")
         );
-        assert!(refused("omega [Hz],E' [Pa],E'' [Pa]\n1,1,1").contains("`omega [Hz]` needs its unit"));
+        assert!(refused("omega [Hz],E' [Pa],E'' [Pa]\n1,1,1").contains("`omega [Hz]` of the header"));
         assert!(
             refused("f [Hz],omega [rad/s],E' [Pa],E'' [Pa]\n1,1,1,1")
                 .contains("two columns for the frequency")
         );
         assert!(refused("f [Hz],E' [psi],E'' [Pa]\n1,1,1").contains("`GPa`"));
-        assert!(refused("1.0,2e6,3e5\n2.0,2e6,3e5").contains("no column for the frequency"));
+        assert!(refused("1.0,2e6,3e5\n2.0,2e6,3e5").contains("one for the frequency"));
     }
 
     #[test]
-    fn bad_rows_are_refused_with_their_number() {
+    fn bad_lines_are_refused_with_their_number() {
         let rows = |rows: &str| refused(&format!("# head\nf [Hz],E' [Pa],E'' [Pa]\n{rows}"));
-        assert!(rows("1,1,1\n2,NaN,1").contains("storage modulus in row 4 is `NaN`"));
-        assert!(rows("1,1,-1").contains("loss modulus in row 3 is `-1`"));
-        assert!(rows("1,1,1\n1,1,1").contains("frequency in row 4"));
-        assert!(rows("2,1,1\n1,1,1").contains("frequencies must rise"));
-        assert!(rows("1,1").contains("row 3 has 2 fields, the header has 3"));
-        assert!(rows("").contains("no data"));
-        assert!(refused("").contains("no data"));
+        assert!(rows("1,1,1\n2,NaN,1").contains("storage modulus in line 4 is `NaN`"));
+        assert!(rows("1,1,-1").contains("loss modulus in line 3 is `-1`"));
+        assert!(rows("1,1,1\n1,1,1").contains("frequency in line 4"));
+        let order = rows("20,1,1\n0.1,1,1");
+        assert!(
+            order.contains("in line 4 is 0.1 Hz and does not rise above 20 Hz, the one before"),
+            "{order}"
+        );
+        assert!(rows("1,1").contains("line 3 has 2 fields, the header has 3"));
+        assert!(rows("").contains("no measurements"));
+        assert!(refused("").contains("no measurements"));
     }
 }

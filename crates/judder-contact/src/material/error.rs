@@ -1,12 +1,13 @@
 //! What a material refuses.
 
+use std::f64::consts::TAU;
 use thiserror::Error;
 
 /// Why numbers do not make a viscoelastic material.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum MaterialError {
     /// A quantity that must be positive and finite is not.
-    #[error("{name} is {value}: it must be a positive, finite number")]
+    #[error("{name} is {value}; it must be a positive, finite number")]
     NotPositive {
         /// What it is, with its symbol.
         name: &'static str,
@@ -14,7 +15,7 @@ pub enum MaterialError {
         value: f64,
     },
     /// A term of a spectrum has a part that is not positive and finite.
-    #[error("term {index} of the spectrum has the {name} {value}: it must be a positive, finite number")]
+    #[error("term {index} of the spectrum has the {name} {value}; it must be a positive, finite number")]
     Term {
         /// The term, counted from 1 in the order given.
         index: usize,
@@ -24,7 +25,9 @@ pub enum MaterialError {
         value: f64,
     },
     /// The rubbery modulus is not below the glassy one.
-    #[error("the rubbery modulus E0 = {rubbery:e} Pa must be below the glassy modulus E∞ = {glassy:e} Pa")]
+    #[error(
+        "the rubbery modulus E0 = {rubbery:e} Pa is not below the glassy modulus E∞ = {glassy:e} Pa; give a larger glassy modulus"
+    )]
     RubberyNotBelowGlassy {
         /// E0 \[Pa\].
         rubbery: f64,
@@ -39,7 +42,7 @@ pub enum MaterialError {
     },
     /// The WLF formula has no value this far below its reference.
     #[error(
-        "the temperature {temperature} K is too low for the WLF formula: it holds above T_ref − C2 = {lowest} K"
+        "the temperature {temperature:.2} K is too low for the WLF formula; it holds above T_ref − C2 = {lowest:.2} K"
     )]
     BelowVogel {
         /// T \[K\].
@@ -48,7 +51,9 @@ pub enum MaterialError {
         lowest: f64,
     },
     /// A shift beyond what numbers hold.
-    #[error("at {temperature} K the times shift by {decades:.0} decades, which no number holds")]
+    #[error(
+        "at {temperature:.2} K the times shift by {decades:.0} decades, which no number holds; give a temperature nearer to the reference"
+    )]
     ShiftTooLarge {
         /// T \[K\].
         temperature: f64,
@@ -56,14 +61,16 @@ pub enum MaterialError {
         decades: f64,
     },
     /// A term of the other form would be too small or too large for a floating-point number.
-    #[error("term {index} has no counterpart that a floating-point number can hold: leave it out")]
+    #[error(
+        "term {index} of the spectrum has no counterpart in the other form that a number can hold; leave it out"
+    )]
     NoCounterpart {
         /// The term, counted from 1 in ascending order of times.
         index: usize,
     },
     /// A continuous spectrum is negative or not a number somewhere, or nothing everywhere.
     #[error(
-        "the continuous spectrum is {value} at the retardation time {time:e} s: it must be positive, or zero in places"
+        "the continuous spectrum is {value} at the retardation time {time:e} s; it must be positive, or zero in places"
     )]
     Density {
         /// τ \[s\].
@@ -72,13 +79,15 @@ pub enum MaterialError {
         value: f64,
     },
     /// Too few samples of a continuous spectrum.
-    #[error("{samples} samples of a continuous spectrum were given: at least two are needed")]
+    #[error("{samples} samples of a continuous spectrum were given; at least two are needed")]
     Samples {
         /// Their number.
         samples: usize,
     },
     /// The range of a continuous spectrum is empty, or samples of it do not ascend.
-    #[error("retardation times must ascend: {after:e} s comes after {before:e} s")]
+    #[error(
+        "the retardation time {after:e} s of the continuous spectrum comes after {before:e} s; times must ascend"
+    )]
     Range {
         /// The earlier time \[s\].
         before: f64,
@@ -86,7 +95,7 @@ pub enum MaterialError {
         after: f64,
     },
     /// A number of terms that no series has.
-    #[error("{terms} terms were asked for: at least 1 and at most {most}")]
+    #[error("{terms} terms were asked for; at least 1 and at most {most} are possible")]
     Terms {
         /// Terms asked for.
         terms: usize,
@@ -94,7 +103,9 @@ pub enum MaterialError {
         most: usize,
     },
     /// A tolerance that no series meets.
-    #[error("{terms} terms come within {error:.1e}, not within the tolerance {tolerance:.1e}")]
+    #[error(
+        "{terms} terms come within {error:.1e} of the spectrum, not within {tolerance:.1e}; allow a larger error"
+    )]
     ToleranceNotMet {
         /// Terms tried last.
         terms: usize,
@@ -105,7 +116,8 @@ pub enum MaterialError {
     },
     /// The measured band ends before the rubbery plateau, and no modulus at rest was given.
     #[error(
-        "the data, down to {lowest:e} rad/s, do not show a modulus at rest (the best fit has E0 = 0): give the rubbery modulus"
+        "the data, down to {lowest:.4e} rad/s ({:.4e} Hz), do not show a modulus at rest (the best fit has E0 = 0); give the \
+         rubbery modulus", lowest / TAU
     )]
     NoPlateau {
         /// Lowest ω [rad/s].
@@ -113,7 +125,7 @@ pub enum MaterialError {
     },
     /// The given rubbery modulus is not below the measured ones.
     #[error(
-        "the rubbery modulus {rubbery:e} Pa must be below the lowest measured storage modulus, {lowest:e} Pa"
+        "the rubbery modulus {rubbery:e} Pa is not below the lowest measured storage modulus, {lowest:e} Pa; give a smaller one, or none"
     )]
     RubberyAboveData {
         /// E0 \[Pa\].
@@ -129,23 +141,31 @@ pub enum MaterialError {
     Dma(#[from] DmaError),
 }
 
-/// Why a table of measured moduli cannot be used. Rows are lines of the file, counted from 1.
+/// Why a table of measured moduli cannot be used. Lines are those of the file, counted from 1.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum DmaError {
     /// No data.
-    #[error("there are no data: a header line and at least one row are needed")]
+    #[error(
+        "there are no measurements; a header line such as `frequency [Hz],E' [MPa],E'' [MPa]` and lines of numbers are needed"
+    )]
     Empty,
     /// No column of the header is the quantity.
-    #[error("the header has no column for the {quantity}: found {}", quoted(found))]
+    #[error("the header, line {line}, has the columns {}; one for the {quantity} is needed", quoted(found))]
     MissingColumn {
+        /// The header's line.
+        line: usize,
         /// What is missing, and how it may be called.
         quantity: &'static str,
         /// The columns found.
         found: Vec<String>,
     },
     /// Two columns of the header are the quantity.
-    #[error("the header has two columns for the {quantity}: `{first}` and `{second}`")]
+    #[error(
+        "the header, line {line}, has two columns for the {quantity}: `{first}` and `{second}`; keep one, or rename the other"
+    )]
     AmbiguousColumn {
+        /// The header's line.
+        line: usize,
         /// What is there twice.
         quantity: &'static str,
         /// The first of them.
@@ -154,18 +174,25 @@ pub enum DmaError {
         second: String,
     },
     /// A column without a unit, or with one that is not known or does not belong to it.
-    #[error("the column `{column}` needs its unit in brackets, one of {}", quoted(expected))]
+    #[error(
+        "the column `{column}` of the header, line {line}, is without a unit that it can have; write it in brackets, one of {}",
+        quoted(expected)
+    )]
     Unit {
+        /// The header's line.
+        line: usize,
         /// The column as found.
         column: String,
         /// Units that it may have.
         expected: Vec<String>,
     },
-    /// A row with more or fewer fields than the header.
-    #[error("row {row} has {found} fields, the header has {expected}")]
+    /// A line with more or fewer fields than the header.
+    #[error(
+        "line {line} has {found} fields, the header has {expected}; every line needs as many, with the separator of the header"
+    )]
     Fields {
-        /// The row.
-        row: usize,
+        /// The line.
+        line: usize,
         /// Its fields.
         found: usize,
         /// Those of the header.
@@ -173,34 +200,41 @@ pub enum DmaError {
     },
     /// A number that is not positive and finite, or no number.
     #[error(
-        "the {name} in row {row} is `{found}`: it must be a positive, finite number with a decimal point"
+        "the {name} in line {line} is `{found}`; it must be a positive, finite number with a decimal point"
     )]
     Value {
-        /// The row.
-        row: usize,
+        /// The line.
+        line: usize,
         /// What it is.
         name: &'static str,
         /// What was found.
         found: String,
     },
     /// A frequency that does not rise.
-    #[error("the frequency in row {row} is {after:e} rad/s after {before:e} rad/s: frequencies must rise")]
+    #[error(
+        "the frequency in line {line} is {after} {unit} and does not rise above {before} {unit}, the one before; sort the lines by \
+         temperature, then frequency, and leave doubles out"
+    )]
     Order {
-        /// The row.
-        row: usize,
-        /// ω of the row before [rad/s].
+        /// The line.
+        line: usize,
+        /// The frequency before.
         before: f64,
-        /// ω of the row [rad/s].
+        /// The one of the line.
         after: f64,
+        /// The unit of both, that of the file.
+        unit: &'static str,
     },
     /// Several temperatures where one is needed.
-    #[error("the data are of {sweeps} temperature sweeps: shift them to a master curve first")]
+    #[error(
+        "the data are of {sweeps} temperature sweeps; a rule that shifts them to a master curve is needed"
+    )]
     SeveralTemperatures {
         /// Number of sweeps.
         sweeps: usize,
     },
     /// Shift factors that do not belong to the sweeps.
-    #[error("{factors} shift factors were given for {sweeps} temperature sweeps: one a sweep is needed")]
+    #[error("{factors} shift factors were given for {sweeps} temperature sweeps; one a sweep is needed")]
     Factors {
         /// Number of factors.
         factors: usize,

@@ -8,19 +8,19 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum SteadyError {
     /// The accuracy is not a small positive fraction.
-    #[error("the accuracy is {accuracy}: it must lie between 0 and 1")]
+    #[error("the accuracy is {accuracy}; it must lie between 0 and 1")]
     Accuracy {
         /// The accuracy asked for.
         accuracy: f64,
     },
     /// Too few cells to hold a contact.
-    #[error("{cells} cells a side are too few: at least 8 are needed")]
+    #[error("{cells} cells a side are too few; at least 8 are needed")]
     TooFewCells {
         /// Cells a side asked for.
         cells: usize,
     },
     /// The domain has no extent.
-    #[error("half the width of the domain is {half_width}: it must be a positive number (in units of R)")]
+    #[error("half the side of the domain is {half_width} R; it must be a positive number")]
     HalfWidth {
         /// Half width asked for.
         half_width: f64,
@@ -30,8 +30,8 @@ pub enum SteadyError {
     NoCells,
     /// The contact reaches the edge of the domain.
     #[error(
-        "the contact touches the edge of the domain (half width {half_width:.4} R about x = {centre_x:.4} R): \
-         a half width of at least {needed:.4} R, a side of twice that, is needed"
+        "the contact touches the edge of the domain, a square of side {:.4e} R about x = {centre_x:.4e} R; a side of at least \
+         {:.4e} R is needed", 2.0 * half_width, 2.0 * needed
     )]
     DomainTooSmall {
         /// Half the side of the domain, in R.
@@ -43,8 +43,7 @@ pub enum SteadyError {
     },
     /// The indenter ends before the contact does.
     #[error(
-        "the contact reaches the edge of the indenter at x = {x:.4} R, y = {y:.4} R: \
-         a larger height map is needed, or less depth"
+        "the contact reaches the edge of the indenter at x = {x:.4e} R, y = {y:.4e} R; press less, or give a larger height map"
     )]
     BeyondIndenter {
         /// x of a cell in contact beside the edge, in R.
@@ -54,7 +53,8 @@ pub enum SteadyError {
     },
     /// The indenter is not that deep.
     #[error(
-        "the indentation is {indentation} R: this indenter ends at {limit} R, and a half-space is void long before"
+        "the indentation is {indentation} R, and this indenter ends at {limit} R; give far less: a half-space stands for the \
+         substrate only while contact and depth are small"
     )]
     TooDeep {
         /// y/R asked for.

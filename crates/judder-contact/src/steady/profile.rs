@@ -1,5 +1,8 @@
 //! The indenter's surface.
 
+/// Height, in R, given to points where there is no indenter, as beyond the equator of a sphere: no contact reaches there.
+pub(crate) const OUT_OF_REACH: f64 = 1e3;
+
 /// The surface of a rigid indenter, lowest at the origin; lengths in R.
 pub trait Profile: Sync {
     /// Height of the surface above its lowest point at (x, y); very large where the indenter does not reach.
@@ -8,9 +11,9 @@ pub trait Profile: Sync {
     /// Distance from the origin within which the height stays below `depth`.
     fn extent(&self, depth: f64) -> f64;
 
-    /// The depth at which the indenter ends.
+    /// The depth at which the indenter ends, or is taken to.
     fn deepest(&self) -> f64 {
-        f64::INFINITY
+        OUT_OF_REACH
     }
 
     /// Depth at which the force of an elastic contact with unit modulus is `force`, or a guess of it.
@@ -38,9 +41,6 @@ impl Profile for Paraboloid {
 /// h = 1 − √(1 − x² − y²), a true sphere with R = 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Sphere;
-
-/// Height given to points beyond the equator, where the sphere is not: no contact reaches there.
-pub(crate) const OUT_OF_REACH: f64 = 1e3;
 
 impl Profile for Sphere {
     fn height(&self, x: f64, y: f64) -> f64 {

@@ -1,5 +1,6 @@
 //! Why a transient contact has no answer.
 
+use crate::kernel::check::gibibytes;
 use crate::unilateral::UnilateralError;
 use thiserror::Error;
 
@@ -7,7 +8,7 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum TransientError {
     /// A number that must be positive is not.
-    #[error("the {what} is {value}: it must be a positive number")]
+    #[error("the {what} is {value}; it must be a positive number")]
     NotPositive {
         /// What it is.
         what: &'static str,
@@ -15,7 +16,7 @@ pub enum TransientError {
         value: f64,
     },
     /// A number of the path is NaN or infinite.
-    #[error("the {what} of the path is {value}: it must be a finite number")]
+    #[error("the {what} of the path is {value}; it must be a finite number")]
     NotFinite {
         /// What it is.
         what: &'static str,
@@ -39,7 +40,9 @@ pub enum TransientError {
         values: usize,
     },
     /// The indenter never touches the substrate.
-    #[error("the largest {what} of the path is {value}: the indenter never presses on the substrate")]
+    #[error(
+        "the largest {what} of the path is {value}, and so the indenter never presses on the substrate; give a positive one"
+    )]
     NeverTouches {
         /// `indentation` or `load`.
         what: &'static str,
@@ -55,7 +58,7 @@ pub enum TransientError {
         duration: f64,
     },
     /// Too few cells to hold a contact.
-    #[error("{cells} cells a side are too few: at least {least} are needed")]
+    #[error("{cells} cells a side are too few; at least {least} are needed")]
     TooFewCells {
         /// Cells a side asked for.
         cells: usize,
@@ -64,8 +67,8 @@ pub enum TransientError {
     },
     /// The strip of material that must be remembered does not fit into memory.
     #[error(
-        "the path must remember a strip of {columns} × {rows} cells, which takes {needed} bytes of {allowed} allowed: \
-         shorten the path, slide slower, or take fewer cells"
+        "the path must remember a strip of {columns} × {rows} cells, which takes {:.2} GiB of memory, and {:.2} GiB are allowed; \
+         shorten the path, slide slower, take fewer cells, or allow more memory", gibibytes(*needed), gibibytes(*allowed)
     )]
     Memory {
         /// Cells along x.
@@ -78,7 +81,9 @@ pub enum TransientError {
         allowed: u64,
     },
     /// The path cannot be followed in the steps that are allowed.
-    #[error("the path takes at least {needed:.0} steps of {allowed} allowed: shorten it or allow more")]
+    #[error(
+        "the path takes at least {needed:.0} steps, and {allowed} are allowed; shorten it, slide slower, or take fewer cells"
+    )]
     TooManySteps {
         /// Steps that the motion and the frequencies of the path need.
         needed: f64,

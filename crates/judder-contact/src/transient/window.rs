@@ -33,7 +33,19 @@ pub(super) struct Window {
 impl Window {
     /// The window that holds the contact on the whole path, and the strip that holds what it remembers.
     pub(super) fn of(question: &TransientQuestion<'_>) -> Result<Self, TransientError> {
-        let TransientGrid { cells, half_width, memory_limit } = question.grid;
+        let memory_limit = question.grid.memory_limit;
+        let window = Self::unlimited(question)?;
+        let needed = window.memory_bytes(question.substrate.terms.len());
+        if needed > memory_limit {
+            let (columns, rows) = (window.strip, window.side);
+            return Err(TransientError::Memory { columns, rows, needed, allowed: memory_limit });
+        }
+        Ok(window)
+    }
+
+    /// [`Window::of`] whatever it takes.
+    fn unlimited(question: &TransientQuestion<'_>) -> Result<Self, TransientError> {
+        let TransientGrid { cells, half_width, .. } = question.grid;
         if cells < FEWEST {
             return Err(TransientError::TooFewCells { cells, least: FEWEST });
         }
@@ -46,13 +58,13 @@ impl Window {
         let travelled = travelled(question.path, question.substrate, question.duration);
         let columns = (travelled / cell).ceil() + 2.0 * (question.steps.cells_a_step + 1.0).ceil();
         let strip = if travelled > 0.0 { cells.saturating_add(columns as usize) } else { cells };
-        let window = Self { side: cells, cell, strip, depth };
-        let needed = window.memory_bytes(question.substrate.terms.len());
-        if needed > memory_limit {
-            let (columns, rows) = (strip, cells);
-            return Err(TransientError::Memory { columns, rows, needed, allowed: memory_limit });
-        }
-        Ok(window)
+        Ok(Self { side: cells, cell, strip, depth })
+    }
+
+    /// Columns and rows of the strip that a question needs, and the bytes that it takes.
+    pub(super) fn needs(question: &TransientQuestion<'_>) -> Result<([usize; 2], u64), TransientError> {
+        let window = Self::unlimited(question)?;
+        Ok(([window.strip, window.side], window.memory_bytes(question.substrate.terms.len())))
     }
 
     /// Bytes of the operators of window and strip and of the fields on them.

@@ -116,7 +116,7 @@ pub enum UnilateralError {
         value: f64,
     },
     /// The imposed depth or force is not a positive number.
-    #[error("the imposed {what} is {value}: it must be a positive number")]
+    #[error("the imposed {what} is {value}; it must be a positive number")]
     LoadingNotPositive {
         /// `indentation` or `load`.
         what: &'static str,
@@ -129,7 +129,10 @@ pub enum UnilateralError {
     )]
     NotSymmetric,
     /// Products with the operator overflow.
-    #[error("the displacement of the surface is not finite after {products} products with the kernel")]
+    #[error(
+        "the displacement of the surface is beyond what numbers hold (after {products} products with the kernel); give a smaller load \
+         or indentation"
+    )]
     NotFinite {
         /// Products made until then.
         products: usize,

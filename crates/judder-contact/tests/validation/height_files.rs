@@ -1,11 +1,11 @@
 //! Height maps written by NumPy, SciPy and netCDF4 (`height_maps/write.py`), read back.
 
-use judder_contact::indenter::{HeightTable, IndenterError, read_height_table};
+use judder_contact::indenter::{HeightTable, IndenterError, height_table};
 use std::path::Path;
 
 fn read(name: &str, variable: Option<&str>) -> Result<HeightTable, IndenterError> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/validation/height_maps");
-    read_height_table(&folder.join(name), variable)
+    height_table(Path::new(name), std::fs::read(folder.join(name)).unwrap(), variable)
 }
 
 /// z = 0.25 (2 x² + y²) + 0.125 x + 3, as in the script.
@@ -55,6 +55,10 @@ fn masked_heights_are_refused_with_their_place() {
 
 #[test]
 fn files_that_are_none_are_refused() {
-    assert!(matches!(read("missing.npy", None), Err(IndenterError::Unreadable { .. })));
-    assert!(matches!(read("write.py", None), Err(IndenterError::UnknownEnding { .. })));
+    assert_eq!(read("write.py", None), Err(IndenterError::UnknownEnding { ending: String::from("py") }));
+    for name in ["heights.npy", "heights.txt", "heights.nc"] {
+        assert_eq!(height_table(Path::new(name), Vec::new(), None), Err(IndenterError::Empty));
+    }
+    let text = height_table(Path::new("heights.nc"), b"1 2\n3 4\n".to_vec(), None);
+    assert!(matches!(text, Err(IndenterError::NetCdf { .. })));
 }

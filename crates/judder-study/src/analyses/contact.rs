@@ -7,20 +7,28 @@ mod line;
 mod modulus;
 mod periodic;
 mod single;
+mod size;
 mod transient;
 
-pub(crate) use line::STRIPS;
 pub(crate) use single::{grid, loading};
+pub(crate) use size::{cells_of_law, lattice};
 pub(crate) use transient::Asked;
 
 use crate::computed_law::Points;
 use crate::error::StudyError;
-use crate::material::temperature_warning;
-use crate::outcome::Outcome;
+use crate::material::ContactScales;
+use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
+use crate::spectrum_source::temperature_warning;
 use judder_case::{Analysis, ContactAnalysis, ContactCase, LawMethod, Shape};
+use judder_contact::material::Discretisation;
+use judder_store::number;
+use serde_json::json;
 
-/// Contacts that a law usually takes.
+/// What the terms of a continuous spectrum may leave of its modulus.
+const SPECTRUM_LIMIT: f64 = 1e-2;
+
+/// Contacts that a law usually takes, for an estimate: how many it is depends on where they are needed.
 pub(crate) fn usual_contacts(method: LawMethod) -> usize {
     match method {
         LawMethod::Collapse => 65,
@@ -28,11 +36,11 @@ pub(crate) fn usual_contacts(method: LawMethod) -> usize {
     }
 }
 
-/// How many steps an analysis announces.
+/// How many steps an analysis announces; a law does so itself, level by level.
 pub(super) fn steps(kind: &ContactAnalysis) -> usize {
     match kind {
         ContactAnalysis::Contact(_) | ContactAnalysis::Modulus { .. } | ContactAnalysis::Transient(_) => 1,
-        ContactAnalysis::ContactLaw(law) | ContactAnalysis::Fit { law, .. } => usual_contacts(law.method),
+        ContactAnalysis::ContactLaw(_) | ContactAnalysis::Fit { .. } => 0,
     }
 }
 
@@ -56,5 +64,23 @@ pub(super) fn run(
         ContactAnalysis::Transient(settings) => transient::run(case, settings, progress),
     }?;
     outcome.warnings.extend(temperature_warning(&case.substrate)?);
+    if let Some(found) = ContactScales::new(case)?.material.discretisation {
+        tell_discretisation(&mut outcome, &found);
+    }
     Ok(outcome)
+}
+
+/// Says how well the terms stand for a continuous spectrum.
+fn tell_discretisation(outcome: &mut Outcome, found: &Discretisation) {
+    let terms = found.spectrum.terms().len();
+    outcome.scalars.insert("spectrum_terms".to_owned(), json!(terms));
+    outcome.scalars.insert("spectrum_error".to_owned(), number(found.error));
+    outcome.checks.push(CheckRecord {
+        name: "the terms stand for the continuous spectrum".to_owned(),
+        compared: format!(
+            "E(ω) of {terms} retardation times against that of the spectrum, the largest relative error"
+        ),
+        figure: found.error,
+        limit: SPECTRUM_LIMIT,
+    });
 }

@@ -12,6 +12,7 @@ use judder_contact::law::boundary_elements::sample;
 use judder_contact::law::file::from_json;
 use judder_contact::law::{LawIndenter, PerQuantity};
 use judder_contact::material::CreepSpectrum;
+use judder_contact::steady::MEMORY;
 use judder_contact::{ContactLaw, ContactPoint, FittedLaw, Law};
 use judder_store::StudyFolder;
 
@@ -88,8 +89,9 @@ impl Evidence {
 
 /// F̃/ŷ^{3/2} and Ã/ŷ of a sphere at one speed.
 fn end(scales: &ContactScales, velocity: f64) -> Result<[f64; 2], StudyError> {
-    let found = sample(&scales.material.of_law(), LawIndenter::Sphere, velocity, SHALLOW, END_ACCURACY)
-        .map_err(|error| StudyError::Unsupported(error.to_string()))?;
+    let found =
+        sample(&scales.material.of_law(), LawIndenter::Sphere, velocity, SHALLOW, END_ACCURACY, MEMORY)
+            .map_err(|error| StudyError::Unsupported(error.to_string()))?;
     Ok([found.force / SHALLOW.powf(1.5), found.area / SHALLOW])
 }
 
@@ -146,6 +148,7 @@ pub(super) fn computed() -> Evidence {
             velocity: (settings.velocity.from, settings.velocity.to),
             indentation: (settings.indentation.from, settings.indentation.to),
             accuracy: BEM_ACCURACY,
+            memory: MEMORY,
         };
         let found = compute(&task, (&[], &|_| ()), &Silent).unwrap();
         Evidence::new(found.law, &Silent).unwrap()

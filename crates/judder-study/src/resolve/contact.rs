@@ -1,17 +1,16 @@
 //! What `judder check` shows of a contact case.
 
 use super::{Resolved, columns, number, title};
-use crate::analyses::contact::{Asked, STRIPS, grid, loading, usual_contacts};
-use crate::computed_law::SHARE_OF_SOLVER;
+use crate::analyses::contact::{Asked, cells_of_law, lattice, loading, usual_contacts};
+use crate::door;
 use crate::error::StudyError;
-use crate::indenter::height_map;
-use crate::material::{ContactScales, temperature_warning};
+use crate::material::ContactScales;
+use crate::spectrum_source::temperature_warning;
 use judder_case::{
-    Analysis, CaseFile, ContactAnalysis, ContactCase, ContactSettings, Form, LawSettings, OscillatorKey,
-    Shape,
+    Analysis, CaseFile, ContactAnalysis, ContactCase, ContactSettings, Form, LawSettings, Memory,
+    OscillatorKey, Shape,
 };
 use judder_contact::kernel::sliding::SlidingOperator;
-use judder_contact::steady::GridChoice;
 use judder_contact::unilateral::Loading;
 use serde_json::{Value, json};
 
@@ -41,6 +40,7 @@ impl Estimate {
 }
 
 pub(super) fn resolve(file: &CaseFile, case: &ContactCase) -> Result<Resolved, StudyError> {
+    door::check(file, |_| true)?;
     let scales = ContactScales::new(case)?;
     let estimates = case
         .analyses
@@ -62,6 +62,13 @@ pub(super) fn resolve(file: &CaseFile, case: &ContactCase) -> Result<Resolved, S
     ];
     let shown = rows.map(|(name, value, unit)| vec![name.to_owned(), number(value), unit.to_owned()]);
     text.push_str(&columns(&shown));
+    if let Some(found) = &scales.material.discretisation {
+        let (terms, error) = (found.spectrum.terms().len(), found.error);
+        let line = format!(
+            "\nthe continuous spectrum as {terms} terms: E(ω) is within {error:.1e} at every frequency\n"
+        );
+        text.push_str(&line);
+    }
     text.push_str(&estimate_text(&estimates));
     for warning in &warnings {
         text.push_str(&format!("\nwarning: {warning}\n"));
@@ -72,6 +79,7 @@ pub(super) fn resolve(file: &CaseFile, case: &ContactCase) -> Result<Resolved, S
             "contrast": spectrum.contrast(),
             "terms": spectrum.terms().len(),
             "time_second": scales.time,
+            "spectrum_error": scales.material.discretisation.as_ref().map(|found| found.error),
             "reduced_modulus_pascal": scales.scales.reduced_modulus,
         },
         "estimate": estimates.iter().map(estimate_json).collect::<Vec<Value>>(),
@@ -104,7 +112,7 @@ fn estimate(
             (asked_of_contact(case, settings, scales), 1, lattice(case, settings, scales)?)
         }
         ContactAnalysis::ContactLaw(law) | ContactAnalysis::Fit { law, .. } => {
-            (asked_of_law(law), usual_contacts(law.method), [cells_for(SHARE_OF_SOLVER * law.accuracy); 2])
+            (asked_of_law(law), usual_contacts(law.method), [cells_of_law(law); 2])
         }
         ContactAnalysis::Modulus { .. } => ("E(ω)".to_owned(), 0, [0; 2]),
         ContactAnalysis::Transient(settings) => {
@@ -136,36 +144,6 @@ fn asked_of_law(law: &LawSettings) -> String {
     format!("{method}, {} × {} points, accuracy {accuracy:e}", law.velocity.points, law.indentation.points)
 }
 
-/// Columns and rows that a contact will need; the heights of a surface that repeats itself are its grid.
-fn lattice(
-    case: &ContactCase,
-    settings: &ContactSettings,
-    scales: &ContactScales,
-) -> Result<[usize; 2], StudyError> {
-    let cells = match (&case.shape, grid(settings, scales)) {
-        (Shape::Cylinder, _) => return Ok([settings.cells.unwrap_or(STRIPS), 1]),
-        (Shape::Rough(rough), _) => rough.cells,
-        (shape, _) if shape.is_periodic() => {
-            let heights = height_map(shape, scales.scales.radius)?.grid();
-            return Ok([heights.columns, heights.rows]);
-        }
-        (_, GridChoice::Automatic) => cells_for(settings.accuracy),
-        (_, GridChoice::Cells(cells) | GridChoice::Fixed { cells, .. }) => cells,
-    };
-    Ok([cells; 2])
-}
-
-/// Cells a side that an accuracy of the force usually needs.
-fn cells_for(accuracy: f64) -> usize {
-    match accuracy {
-        a if a >= 1e-2 => 64,
-        a if a >= 3e-3 => 128,
-        a if a >= 3e-4 => 256,
-        a if a >= 1e-4 => 512,
-        _ => 1024,
-    }
-}
-
 fn estimate_text(estimates: &[Estimate]) -> String {
     if estimates.is_empty() {
         return "\nno analyses\n".to_owned();
@@ -182,12 +160,12 @@ fn estimate_text(estimates: &[Estimate]) -> String {
                 e.asked.clone(),
                 size,
                 format!("about {:.1} s", e.seconds()),
-                format!("{:.1} MB", e.bytes() as f64 / 1e6),
+                Memory { bytes: e.bytes() }.to_string(),
             ]
         })
         .collect();
     format!(
-        "\nanalyses: what is asked, contacts and likely grid, time and memory on one core\n{}",
+        "\nanalyses: what is asked, likely contacts and grid, time and memory on one core\n{}",
         columns(&rows)
     )
 }

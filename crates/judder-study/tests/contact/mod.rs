@@ -145,7 +145,7 @@ fn a_law_file_that_is_none_is_named() {
         "#,
     );
     assert!(!report.complete);
-    assert!(report.messages[0].contains("law.json: "), "{:?}", report.messages);
+    assert!(report.refused[0].error.to_string().contains("law.json: "), "{:?}", report.refused);
 }
 
 #[test]
@@ -282,4 +282,69 @@ fn a_check_knows_the_grid_of_strips_and_of_heights() {
         let checked = resolve(&CaseFile::read(&path, &[]).unwrap()).unwrap().json();
         assert_eq!(checked["estimate"][0]["bytes"], bytes, "{checked}");
     }
+}
+
+/// The paraboloid z = ±r²/2R, R = 10 mm, as heights over 33 × 33 points that are 0.1 mm apart.
+fn write_heights(folder: &Path, name: &str, sign: f64) {
+    let height = |row: i32, column: i32| {
+        let squared = 1e-8 * f64::from((row - 16).pow(2) + (column - 16).pow(2));
+        (sign * squared / 2e-2).to_string()
+    };
+    let line = |row: i32| (0..33).map(|column| height(row, column)).collect::<Vec<_>>().join(" ");
+    std::fs::write(folder.join(name), (0..33).map(line).collect::<Vec<_>>().join("\n")).unwrap();
+}
+
+#[test]
+fn a_topography_turned_over_is_its_mirror_image() {
+    let folder = tempfile::tempdir().unwrap();
+    write_heights(folder.path(), "valley.txt", 1.0);
+    write_heights(folder.path(), "peak.txt", -1.0);
+    let run = |shape: &str| {
+        let text = format!(
+            "model = \"contact\"\n[indenter]\nshape = {{ {shape}, spacing = \"0.1 mm\" }}\n[[analysis]]\n\
+             kind = \"contact\"\nvelocity = 1e-3\nindentation = 1e-3\ncells = 64\naccuracy = 0.1\n"
+        );
+        run_text(folder.path(), &text)
+    };
+    let force = |shape: &str| number(&result(&run(shape), "contact")["force"]);
+    let valley = force("heights = \"valley.txt\"");
+    assert!((valley / force("heights = \"peak.txt\", turned_over = true") - 1.0).abs() < 1e-9);
+    // as it stands, its corners touch first
+    let error = run("heights = \"peak.txt\"").refused.remove(0).error.to_string();
+    assert!(error.contains("reaches the edge of the heights"), "{error}");
+}
+
+/// Samples of a box, τ𝒞 even in ln τ: 1/E0 − 1/E∞ = τ𝒞 ln(τ_2/τ_1).
+#[test]
+fn a_continuous_spectrum_is_taken_apart_with_its_error_shown() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |continuous: &str| {
+        run_text(
+            folder.path(),
+            &format!(
+                "model = \"contact\"\nsubstrate = {{ continuous = {{ {continuous} }} }}\n[[analysis]]\nkind = \"modulus\"\n"
+            ),
+        )
+    };
+    let box_of = |terms: &str| {
+        let decades = 3.0 * std::f64::consts::LN_10;
+        let density = |time: f64| 0.9e-6 / decades / time;
+        let sample =
+            |time: f64| format!("{{ time = \"{time} s\", density = \"{:e} 1/Pa/s\" }}", density(time));
+        format!("samples = [{}, {}, {}], {terms}", sample(1e-3), sample(1e-2), sample(1.0))
+    };
+    let report = run(&box_of("accuracy = 1e-4"));
+    assert!(report.complete && report.messages.is_empty(), "{:?}", report.messages);
+    let fine = result(&report, "modulus").clone();
+    assert!((number(&fine["glassy_modulus_pascal"]) / 1e7 - 1.0).abs() < 1e-9);
+    assert!(number(&fine["spectrum_error"]) <= 1e-4);
+    let same = run("power_law = { from = \"1 ms\", to = \"1 s\", exponent = 0 }, accuracy = 1e-4");
+    let same = result(&same, "modulus");
+    assert_eq!(fine["terms"], same["terms"]);
+    let (a, b) = (number(&fine["largest_loss_tangent"]), number(&same["largest_loss_tangent"]));
+    assert!((a / b - 1.0).abs() < 1e-9, "{a} {b}");
+    // two terms for three decades are too few, which a check says
+    let coarse = run(&box_of("terms = 2"));
+    assert!(number(&result(&coarse, "modulus")["spectrum_error"]) > 1e-2);
+    assert!(coarse.messages.iter().any(|m| m.contains("the terms stand for the continuous spectrum")));
 }

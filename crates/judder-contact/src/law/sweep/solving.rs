@@ -46,6 +46,7 @@ where
     pub(super) fn solve(&mut self, points: &[(f64, f64)]) -> Result<(), LawError> {
         let missing: Vec<(f64, f64)> =
             points.iter().copied().filter(|(v, y)| !self.solved.contains_key(&key(*v, *y))).collect();
+        self.observer.begins(missing.len());
         let done = AtomicUsize::new(0);
         let attempts: Vec<Attempt> = missing
             .par_iter()

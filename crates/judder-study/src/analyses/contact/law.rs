@@ -10,7 +10,7 @@ use judder_case::{ContactCase, Form, LawMethod, LawSettings, Span};
 use judder_contact::law::file::to_json;
 use judder_contact::law::sweep::{SolvedPoint, SweepEnd};
 use judder_contact::law::{LawErrors, PerQuantity};
-use judder_contact::steady::{GridChoice, MEMORY, SteadyQuestion, solve};
+use judder_contact::steady::{GridChoice, SteadyQuestion, solve};
 use judder_contact::unilateral::{Loading, UnilateralLimits};
 use judder_contact::{ContactLaw, ContactPoint, Law};
 use judder_store::{Dataset, Table, Variable, number};
@@ -58,6 +58,7 @@ impl Plane {
             velocity: Self::ends(&self.velocities),
             indentation: Self::ends(&self.indentations),
             accuracy: settings.accuracy,
+            memory: settings.memory.bytes,
         })
     }
 
@@ -262,7 +263,7 @@ fn checks(
             accuracy: 0.5 * task.accuracy,
             grid: GridChoice::Automatic,
             limits: UnilateralLimits::default(),
-            memory: MEMORY,
+            memory: task.memory,
         })?;
         let (found, law) = (&contact.refinement, law.evaluate(&ContactPoint::new(velocity, depth)));
         for (law, found) in [

@@ -5,7 +5,6 @@ use crate::error::StudyError;
 use crate::material::ContactScales;
 use crate::outcome::{CheckRecord, Outcome};
 use judder_case::{ContactCase, ContactSettings};
-use judder_contact::steady::MEMORY;
 use judder_contact::steady::line::{LineContact, LineQuestion, solve};
 use judder_contact::unilateral::{Loading, UnilateralLimits};
 use judder_store::{Dataset, Table, Variable, number};
@@ -30,7 +29,7 @@ pub(super) fn run(case: &ContactCase, settings: &ContactSettings) -> Result<Outc
             load,
             cells,
             limits: UnilateralLimits::default(),
-            memory: MEMORY,
+            memory: settings.memory.bytes,
         })
     };
     // the coarser grid says how exact the finer one is

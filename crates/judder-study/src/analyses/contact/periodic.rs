@@ -8,7 +8,6 @@ use crate::material::ContactScales;
 use crate::outcome::{CheckRecord, Outcome};
 use judder_case::{ContactCase, ContactSettings};
 use judder_contact::periodic_contact::{PeriodicQuestion, solve};
-use judder_contact::steady::MEMORY;
 use judder_contact::unilateral::{Loading, UnilateralLimits};
 use judder_store::number;
 use serde_json::{Map, json};
@@ -28,7 +27,7 @@ pub(super) fn run(case: &ContactCase, name: &str, settings: &ContactSettings) ->
         surface: &surface,
         mean_pressure: load / period,
         limits,
-        memory: MEMORY,
+        memory: settings.memory.bytes,
     })?;
     let solution = &contact.solution;
     let residual = solution.errors.worst();

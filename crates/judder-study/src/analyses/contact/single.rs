@@ -8,7 +8,7 @@ use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use judder_case::{ContactCase, ContactSettings, Loading as CaseLoading, Shape};
 use judder_contact::steady::refinement::{Estimate, LevelSummary};
-use judder_contact::steady::{GridChoice, MEMORY, SteadyContact, SteadyQuestion, solve};
+use judder_contact::steady::{GridChoice, SteadyContact, SteadyQuestion, solve};
 use judder_contact::unilateral::{Loading, UnilateralLimits};
 use judder_store::{Table, number};
 use serde_json::{Map, Value, json};
@@ -66,7 +66,7 @@ pub(super) fn run(
         accuracy: settings.accuracy,
         grid: grid(settings, &scales),
         limits: UnilateralLimits::default(),
-        memory: MEMORY,
+        memory: settings.memory.bytes,
     };
     if progress.interrupted() {
         return Err(StudyError::Interrupted);

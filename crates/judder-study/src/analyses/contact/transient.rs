@@ -7,7 +7,8 @@ use crate::material::ContactScales;
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use judder_case::{ContactCase, Motion, Oscillation, Shape, TransientSettings};
-use judder_contact::steady::{GridChoice, MEMORY, SteadyQuestion, solve};
+use judder_contact::steady::profile::Profile;
+use judder_contact::steady::{GridChoice, SteadyQuestion, solve};
 use judder_contact::transient::{
     Before, Course, CreepingSubstrate, IndenterPath, NormalCourse, TransientHistory, TransientQuestion,
     TransientSample, run as follow,
@@ -84,6 +85,29 @@ impl Asked {
         }
     }
 
+    /// The question of a contact in time.
+    pub(crate) fn question<'a>(
+        &'a self,
+        substrate: &'a CreepingSubstrate,
+        profile: &'a dyn Profile,
+        settings: &TransientSettings,
+    ) -> TransientQuestion<'a> {
+        let mut question = TransientQuestion::new(substrate, profile, &self.path, self.duration);
+        question.before = self.before;
+        question.grid.cells = settings.cells;
+        question.grid.memory_limit = settings.memory.bytes;
+        question.energy = true;
+        question
+    }
+
+    /// The largest δ/R of an imposed indentation; zero under a load.
+    pub(crate) fn largest_depth(&self) -> f64 {
+        match &self.path.normal {
+            NormalCourse::Indentation(course) => course.range(self.duration)[1],
+            NormalCourse::Load(_) => 0.0,
+        }
+    }
+
     /// What is asked, in groups, in words.
     pub(crate) fn words(&self, settings: &TransientSettings) -> String {
         format!("{}, t/τ = {}", settings.motion.name(), crate::text::number(self.duration))
@@ -109,15 +133,9 @@ pub(super) fn run(
 ) -> Result<Outcome, StudyError> {
     let scales = ContactScales::new(case)?;
     let asked = Asked::new(&case.shape, settings, &scales);
-    let mut substrate = CreepingSubstrate::of(&scales.material.spectrum);
-    for term in &mut substrate.terms {
-        term.time /= scales.time;
-    }
+    let substrate = scales.creeping();
     let profile = profile(&case.shape, scales.scales.radius)?;
-    let mut question = TransientQuestion::new(&substrate, &*profile, &asked.path, asked.duration);
-    question.before = asked.before;
-    question.grid.cells = settings.cells;
-    question.energy = true;
+    let question = asked.question(&substrate, &*profile, settings);
     let mut interrupted = false;
     let history = follow(&question, &mut |_| {
         interrupted = progress.interrupted();
@@ -134,7 +152,8 @@ pub(super) fn run(
         ..Outcome::default()
     };
     if let (Some(velocity), None) = (asked.velocity, asked.depth_frequency) {
-        let steady = Steady::new(&scales, &*profile, velocity, asked.loading)?;
+        let memory = settings.memory.bytes;
+        let steady = Steady::new(&scales, &*profile, (velocity, asked.loading), memory)?;
         outcome.scalars.insert("steady_force".to_owned(), number(steady.force));
         outcome.scalars.insert("steady_friction".to_owned(), number(steady.friction));
         let slid = velocity * asked.duration;
@@ -174,9 +193,9 @@ struct Steady {
 impl Steady {
     fn new(
         scales: &ContactScales,
-        profile: &dyn judder_contact::steady::profile::Profile,
-        velocity: f64,
-        loading: Loading,
+        profile: &dyn Profile,
+        (velocity, loading): (f64, Loading),
+        memory: u64,
     ) -> Result<Self, StudyError> {
         let contact = solve(&SteadyQuestion {
             substrate: &scales.material.sliding(velocity),
@@ -185,7 +204,7 @@ impl Steady {
             accuracy: STEADY_ACCURACY,
             grid: GridChoice::Automatic,
             limits: UnilateralLimits::default(),
-            memory: MEMORY,
+            memory,
         })?;
         Ok(Self { force: contact.refinement.force.value, friction: contact.refinement.friction.value })
     }

@@ -1,0 +1,104 @@
+//! Amounts of memory: `"4 GiB"`, `"512 MB"`.
+
+use std::fmt;
+
+use crate::cause::Cause;
+use crate::contact_problem::ContactProblem;
+use crate::error::Fault;
+use crate::quantity::leading_number;
+use crate::section::{Section, text};
+
+/// The key under which a case or an analysis limits memory.
+pub(crate) const MEMORY_LIMIT: &str = "memory_limit";
+
+/// An amount of memory.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Memory {
+    /// Bytes.
+    pub bytes: u64,
+}
+
+const KIB: u64 = 1 << 10;
+const MIB: u64 = 1 << 20;
+const GIB: u64 = 1 << 30;
+/// Each unit with its bytes, the binary ones from large to small first.
+const UNITS: [(&str, u64); 8] = [
+    ("TiB", 1 << 40),
+    ("GiB", GIB),
+    ("MiB", MIB),
+    ("KiB", KIB),
+    ("TB", 1_000_000_000_000),
+    ("GB", 1_000_000_000),
+    ("MB", 1_000_000),
+    ("kB", 1_000),
+];
+/// The least limit that leaves room for a contact.
+const LEAST: u64 = MIB;
+
+impl Memory {
+    /// 4 GiB: what the computation of one contact may take where the case does not say.
+    pub const DEFAULT: Self = Self { bytes: 4 * GIB };
+
+    /// Reads `"4 GiB"`: a number and one of TiB, GiB, MiB, KiB, TB, GB, MB, kB.
+    pub(crate) fn parse(text: &str) -> Option<Self> {
+        let text = text.trim();
+        let (number, length) = leading_number(text)?;
+        let (_, unit) = UNITS.iter().find(|(unit, _)| *unit == text[length..].trim_start())?;
+        let bytes = number * *unit as f64;
+        (bytes >= LEAST as f64 && bytes < (1_u64 << 53) as f64).then_some(Self { bytes: bytes as u64 })
+    }
+
+    /// The amount that a limit would need to be, in whole GiB or MiB, as a case writes it.
+    pub(crate) fn rounded_up(self) -> String {
+        let (unit, size) = if self.bytes >= GIB { ("GiB", GIB) } else { ("MiB", MIB) };
+        format!("{} {unit}", self.bytes.div_ceil(size))
+    }
+}
+
+impl fmt::Display for Memory {
+    /// In the largest binary unit that gives one or more: `3.2 GiB`.
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (unit, size) =
+            UNITS[..3].iter().find(|(_, size)| self.bytes >= *size).copied().unwrap_or(("KiB", KIB));
+        write!(formatter, "{:.1} {unit}", self.bytes as f64 / size as f64)
+    }
+}
+
+/// Reads `memory_limit` of a section.
+pub(crate) fn read_memory_limit(section: &Section<'_>) -> Result<Option<Memory>, Fault> {
+    let Some(node) = section.get(MEMORY_LIMIT) else { return Ok(None) };
+    let key = section.path(MEMORY_LIMIT);
+    match Memory::parse(text(&key, node)?) {
+        Some(memory) => Ok(Some(memory)),
+        None => Err(Cause::Contact { problem: ContactProblem::NotMemory { key } }.at(node.place)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn amounts_are_read_and_shown_in_their_units() {
+        let shown = |text: &str| Memory::parse(text).map(|memory| memory.to_string());
+        for (text, expected) in [
+            ("4 GiB", "4.0 GiB"),
+            ("3435973837 B", ""),
+            ("3.2GiB", "3.2 GiB"),
+            (" 512 MB ", "488.3 MiB"),
+            ("2 TiB", "2.0 TiB"),
+            ("2048 KiB", "2.0 MiB"),
+            ("1000 kB", ""),
+            ("-1 GiB", ""),
+            ("1e300 GiB", ""),
+            ("4", ""),
+            ("GiB", ""),
+        ] {
+            let expected = (!expected.is_empty()).then(|| expected.to_owned());
+            assert_eq!(shown(text), expected, "{text:?}");
+        }
+        assert_eq!(Memory { bytes: 6 * GIB + 1 }.rounded_up(), "7 GiB");
+        assert_eq!(Memory { bytes: 5 * MIB }.rounded_up(), "5 MiB");
+        assert_eq!(Memory { bytes: 700 }.to_string(), "0.7 KiB");
+    }
+}

@@ -2,7 +2,7 @@
 //!
 //! - [`shape`]: the indenters by name, as a height over every point.
 //! - [`height_map`]: heights on a lattice, interpolated between its points.
-//! - [`height_table`]: the numbers of a file before they become a map.
+//! - [`mod@height_table`]: the numbers of a file before they become a map.
 //! - [`height_file`]: which reader serves the bytes of which file.
 //! - [`npy`], [`text_matrix`], [`netcdf`]: the readers, from bytes.
 //! - [`rough`]: generated self-affine surfaces.

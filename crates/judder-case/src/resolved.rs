@@ -8,6 +8,7 @@ use crate::contact_analysis::{ContactAnalysis, LawSettings, Loading, Span};
 use crate::contact_case::ContactCase;
 use crate::contact_keys::ContactKey;
 use crate::dimension::Dimension;
+use crate::inputs::LawName;
 use crate::keys::{Form, KEYS, OscillatorKey, Value};
 use crate::oscillator_analysis::OscillatorAnalysis;
 use crate::oscillator_case::OscillatorCase;
@@ -45,6 +46,9 @@ fn oscillator(case: &OscillatorCase) -> Json {
     });
     if let Some(file) = &case.law_file {
         json["contact"]["law"] = json!({ "file": file.given });
+    }
+    if case.law == LawName::Bem {
+        json["contact"]["law"] = json!({ "computed": true, "accuracy": case.law_accuracy });
     }
     add_substrate(&mut json["substrate"], &case.substrate);
     for entry in &KEYS {

@@ -5,7 +5,7 @@ use crate::error::StudyError;
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use crate::report;
-use judder_case::{Case, CaseFile};
+use judder_case::{Case, CaseFile, LawName, OscillatorCase};
 use judder_contact::law::sweep::SolvedPoint;
 use judder_store::{AnalysisRecord, Status, StudyFolder, Summary, content_hash};
 use serde::{Deserialize, Serialize};
@@ -93,6 +93,7 @@ pub fn run(
     let hashes: Vec<String> = (0..names.len()).map(|index| analysis_hash(&resolved, index)).collect();
     let mut study = Study::open(&store, names.iter().zip(&hashes))?;
     study.set_case(file, &resolved);
+    let law = shared_law(&file.case, &resolved);
     let mut skipped = Vec::new();
     for (index, (name, hash)) in names.iter().zip(hashes.clone()).enumerate() {
         if !options.only.is_empty() && !options.only.contains(name) {
@@ -104,7 +105,8 @@ pub fn run(
         }
         progress.begin(name, analyses::steps(&file.case, index));
         let began = Instant::now();
-        let scratch = store.scratch(name, &hash)?;
+        let (kept_as, of) = law.as_deref().map_or((name.as_str(), hash.as_str()), |law| (LAW_POINTS, law));
+        let scratch = store.scratch(kept_as, of)?;
         // a line that is no point comes from elsewhere: it is solved anew
         let known: Vec<SolvedPoint> =
             scratch.lines().iter().filter_map(|line| serde_json::from_str(line).ok()).collect();
@@ -115,7 +117,14 @@ pub fn run(
         let outcome = analyses::run_from(&file.case, index, (&known, &kept), progress);
         progress.end();
         study.keep(name, hash, outcome, began.elapsed().as_secs_f64())?;
-        scratch.discard()?;
+        if law.is_none() {
+            scratch.discard()?;
+        }
+    }
+    if let Some(law) = &law
+        && all_done(&store, &names, &hashes)?
+    {
+        store.scratch(LAW_POINTS, law)?.discard()?;
     }
     study.summary.wall_time_s = start.elapsed().as_secs_f64();
     store.write_summary(&study.summary)?;
@@ -125,6 +134,25 @@ pub fn run(
     let complete = study.is_complete(&wanted);
     let messages = messages(&study.summary, &study.kept);
     Ok(RunReport { folder: folder.to_owned(), summary: study.summary, report, skipped, complete, messages })
+}
+
+/// Where the solved contacts of the law are kept that the analyses of an oscillator case share.
+const LAW_POINTS: &str = "law";
+
+/// What the law depends on that a case has computed for all its analyses; `None` where it has none.
+fn shared_law(case: &Case, resolved: &Value) -> Option<String> {
+    let Case::Oscillator(OscillatorCase { law: LawName::Bem, .. }) = case else { return None };
+    let of = json!([VERSION, resolved["substrate"], resolved["files"], resolved["contact"]["law"]]);
+    Some(content_hash(of.to_string().as_bytes()))
+}
+
+fn all_done(store: &StudyFolder, names: &[String], hashes: &[String]) -> Result<bool, StudyError> {
+    for (name, hash) in names.iter().zip(hashes) {
+        if !store.is_done(name, hash)? {
+            return Ok(false);
+        }
+    }
+    Ok(true)
 }
 
 /// The resolved case with the content of every file that it names, by its hash.

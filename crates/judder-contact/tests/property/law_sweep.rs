@@ -62,7 +62,7 @@ fn as_accurate_as_asked_and_no_finer() {
             let force = sweep.law.evaluate(&ContactPoint::new(v, y)).force.value;
             assert!((force / contact(LawIndenter::Sphere, v, y).force - 1.0).abs() < accuracy);
         }
-        assert_eq!(sweep.law.errors().solver, PerQuantity { force: 1e-4, area: 2e-4, friction: 3e-4 });
+        assert_eq!(sweep.law.data().errors().solver, PerQuantity { force: 1e-4, area: 2e-4, friction: 3e-4 });
     }
     assert!(coarse.points.len() < fine.points.len() && coarse.points.len() < 400);
 }
@@ -118,7 +118,7 @@ fn a_solver_that_is_not_accurate_enough_ends_the_sweep_and_says_so() {
     let request = SweepRequest { most_points: 100_000, ..request(1e-3) };
     let sweep = sweep(&request, &[], &noisy, &()).unwrap();
     assert_eq!(sweep.end, SweepEnd::SolverError);
-    assert!(sweep.law.errors().interpolation.friction > 1e-3);
+    assert!(sweep.law.data().errors().interpolation.friction > 1e-3);
 }
 
 #[test]

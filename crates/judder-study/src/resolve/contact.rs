@@ -2,7 +2,6 @@
 
 use super::{Resolved, columns, number, title};
 use crate::analyses::contact::{Asked, STRIPS, grid, loading, usual_contacts};
-use crate::computed_law::SHARE_OF_SOLVER;
 use crate::error::StudyError;
 use crate::indenter::height_map;
 use crate::material::{ContactScales, temperature_warning};
@@ -11,6 +10,7 @@ use judder_case::{
     Shape,
 };
 use judder_contact::kernel::sliding::SlidingOperator;
+use judder_contact::law::boundary_elements::sweep_accuracy;
 use judder_contact::steady::GridChoice;
 use judder_contact::unilateral::Loading;
 use serde_json::{Value, json};
@@ -103,9 +103,11 @@ fn estimate(
         ContactAnalysis::Contact(settings) => {
             (asked_of_contact(case, settings, scales), 1, lattice(case, settings, scales)?)
         }
-        ContactAnalysis::ContactLaw(law) | ContactAnalysis::Fit { law, .. } => {
-            (asked_of_law(law), usual_contacts(law.method), [cells_for(SHARE_OF_SOLVER * law.accuracy); 2])
-        }
+        ContactAnalysis::ContactLaw(law) | ContactAnalysis::Fit { law, .. } => (
+            asked_of_law(law),
+            usual_contacts(law.method),
+            [cells_for(sweep_accuracy(law.accuracy).contacts); 2],
+        ),
         ContactAnalysis::Modulus { .. } => ("E(ω)".to_owned(), 0, [0; 2]),
         ContactAnalysis::Transient(settings) => {
             let asked = Asked::new(&case.shape, settings, scales);

@@ -67,7 +67,7 @@ where
         let (values, solver) = solving.values();
         let law =
             CollapsedLaw::new(request.material.clone(), request.source.clone(), speeds, values, solver)?;
-        let errors = law.errors().interpolation;
+        let errors = law.data().errors().interpolation;
         levels.push(SweepLevel {
             columns: speeds.count(),
             rows: 1,

@@ -29,9 +29,9 @@ pub struct SweepRange {
 
 /// z between which a law is tabulated; beyond, its exact limits and their asymptotes hold.
 ///
-/// Slow: deviations are of order z² ln z with the longest time. Fast: of order ln z/z times E∞/E0 with the shortest.
+/// Slow: what the tail does not know is of order z³ with the longest time. Fast: of order ln z/z times E∞/E0 with the shortest.
 fn informative_speeds(material: &LawMaterial) -> (f64, f64) {
-    const SLOW: f64 = 1e-2;
+    const SLOW: f64 = 5e-2;
     const FAST: f64 = 1e2;
     let (shortest, longest) = material.time_span().unwrap_or((1.0, 1.0));
     (SLOW / longest, FAST * material.modulus_ratio / shortest)

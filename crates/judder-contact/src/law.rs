@@ -71,7 +71,7 @@ pub enum ValidityConcern {
     SpeedBeyondTable {
         /// v̂ at the point.
         velocity: f64,
-        /// How far the law still is from its limit there, relative: more than its own error.
+        /// How far the law still is from what is known of its way to the limit, relative: more than its own error.
         distance: f64,
     },
 }
@@ -90,8 +90,8 @@ impl fmt::Display for ValidityConcern {
             ),
             Self::SpeedBeyondTable { velocity, distance } => write!(
                 f,
-                "speed v τ/R = {velocity:.3e} is beyond the computed table, still {:.2} % from the exact limit: the way \
-                 there is assumed",
+                "speed v τ/R = {velocity:.3e} is beyond the computed table, still {:.2} % from what is known exactly: \
+                 the way there is assumed",
                 100.0 * distance
             ),
         }

@@ -102,7 +102,7 @@ fn compute_anew(
     let material = task.material.of_law();
     let substrate = material.clone();
     let shares = sweep_accuracy(task.accuracy);
-    let solve = |velocity: f64, indentation: f64, _: Option<&SolvedPoint>| {
+    let solve = |velocity: f64, indentation: f64| {
         sample(&substrate, task.indenter, velocity, indentation, shares.contacts)
     };
     let watch = Watch { progress, kept };

@@ -88,8 +88,9 @@ impl ContactLaw for CollapsedLaw {
         let at = ContactPoint::new(velocity, indentation);
         let place = self.data.speeds.place(ln_speed(&at), SPEED_RATES);
         let is_tail = place.piece == 0 || place.piece == self.data.speeds.count();
-        let [_, w, wt, wtt] = place.basis;
-        let [force, area, friction, _] = combined(&self.pieces[place.piece], &[0.0, w, wt, wtt]);
+        // the term whose factor is known is no assumption
+        let [_, w, wt, _] = place.basis;
+        let [force, area, friction, _] = combined(&self.pieces[place.piece], &[0.0, w, wt, 0.0]);
         let away = PerQuantity { force, area, friction };
         is_tail.then(|| tail_concern(velocity, away, &self.data.errors)).flatten()
     }

@@ -204,8 +204,9 @@ impl ContactLaw for TabulatedLaw {
             return Some(ValidityConcern::TooDeep { indentation, limit: self.indentations.last().exp() });
         }
         let is_tail = speed.piece == 0 || speed.piece == self.data.speeds.count();
-        let [_, w, wt, wtt] = speed.basis;
-        let [force, area, friction, _] = combined(&along_speed(patch, &[0.0, w, wt, wtt]), &depth.basis);
+        // the term whose factor is known is no assumption
+        let [_, w, wt, _] = speed.basis;
+        let [force, area, friction, _] = combined(&along_speed(patch, &[0.0, w, wt, 0.0]), &depth.basis);
         let away = PerQuantity { force, area, friction };
         is_tail.then(|| tail_concern(velocity, away, &self.data.errors)).flatten()
     }

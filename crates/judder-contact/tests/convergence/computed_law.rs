@@ -1,7 +1,7 @@
 //! Laws of different accuracies are the same law, in value and in slope.
 
 use judder_contact::law::boundary_elements::{sample, sweep_accuracy};
-use judder_contact::law::sweep::{CollapseRequest, SolvedPoint, SweepRange, collapse_sweep};
+use judder_contact::law::sweep::{CollapseRequest, SweepRange, collapse_sweep};
 use judder_contact::law::{LawIndenter, LawMaterial};
 use judder_contact::{CollapsedLaw, ContactLaw, ContactPoint, ContactResponse};
 
@@ -9,9 +9,7 @@ const DEPTH: f64 = 1e-2;
 
 fn law(material: &LawMaterial, accuracy: f64) -> CollapsedLaw {
     let shares = sweep_accuracy(accuracy);
-    let solver = |v: f64, y: f64, _: Option<&SolvedPoint>| {
-        sample(material, LawIndenter::Paraboloid, v, y, shares.contacts)
-    };
+    let solver = |v: f64, y: f64| sample(material, LawIndenter::Paraboloid, v, y, shares.contacts);
     let request = CollapseRequest {
         material: material.clone(),
         source: "test".to_owned(),

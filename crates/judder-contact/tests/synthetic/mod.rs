@@ -2,7 +2,7 @@
 //! that rises, area that dips, approaches as z (with the exact factor), z² and 1/z. It stands in for a solver.
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
-use judder_contact::law::sweep::{LawSample, SolvedPoint};
+use judder_contact::law::sweep::LawSample;
 use judder_contact::law::{KnotValues, Knots, LawIndenter, LawMaterial, LawOrigin, PerQuantity};
 use judder_contact::{CollapsedLaw, TabulatedLaw};
 use std::convert::Infallible;
@@ -35,10 +35,8 @@ pub(crate) fn contact(indenter: LawIndenter, v: f64, y: f64) -> PerQuantity<f64>
 }
 
 /// The same as a solver's answer.
-pub(crate) fn sample(
-    indenter: LawIndenter,
-) -> impl Fn(f64, f64, Option<&SolvedPoint>) -> Result<LawSample, Infallible> + Sync {
-    move |v, y, _| {
+pub(crate) fn sample(indenter: LawIndenter) -> impl Fn(f64, f64) -> Result<LawSample, Infallible> + Sync {
+    move |v, y| {
         let PerQuantity { force, area, friction } = contact(indenter, v, y);
         Ok(LawSample { force, area, friction, force_error: 1e-4, area_error: 2e-4, friction_error: 3e-4 })
     }

@@ -46,7 +46,7 @@ pub fn collapse_sweep<S, E>(
     observer: &dyn SweepObserver,
 ) -> Result<Sweep<CollapsedLaw>, LawError>
 where
-    S: Fn(f64, f64, Option<&SolvedPoint>) -> Result<LawSample, E> + Sync,
+    S: Fn(f64, f64) -> Result<LawSample, E> + Sync,
     E: Display,
 {
     check_accuracy(request.accuracy)?;

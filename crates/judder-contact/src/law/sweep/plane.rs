@@ -90,7 +90,7 @@ pub struct SweepRequest {
 
 /// Solves the contact over speed and depth until the table through the solutions is as accurate as asked.
 ///
-/// `sampler` solves the contact at v̂, ŷ; it is handed the nearest point solved at an earlier level. `known` are points that an
+/// `sampler` solves the contact at v̂, ŷ. `known` are points that an
 /// earlier, interrupted sweep handed to its observer: they are not solved again. With the same sampler the result is the same
 /// to the last bit for any number of threads, resumed or not.
 ///
@@ -104,7 +104,7 @@ pub fn sweep<S, E>(
     observer: &dyn SweepObserver,
 ) -> Result<Sweep<TabulatedLaw>, LawError>
 where
-    S: Fn(f64, f64, Option<&SolvedPoint>) -> Result<LawSample, E> + Sync,
+    S: Fn(f64, f64) -> Result<LawSample, E> + Sync,
     E: Display,
 {
     check_accuracy(request.accuracy)?;

@@ -19,7 +19,7 @@ fn thresholds_at_low_speed_are_those_of_the_contact() {
     };
     let found = [1e-2, 3e-3, 1e-3].map(lowest);
     for strength in found {
-        assert!((strength / found[2] - 1.0).abs() < 0.03, "{found:?}");
+        assert!((strength / found[2] - 1.0).abs() < 1e-3, "{found:?}");
     }
 }
 

@@ -189,6 +189,14 @@ pub enum Cause {
         /// The key that contradicts it.
         second: String,
     },
+    /// A law that is a table whose keys do not fit each other.
+    #[error("`{key}` of `contact.law` must be {requirement}")]
+    LawTable {
+        /// The key.
+        key: &'static str,
+        /// What it must be.
+        requirement: &'static str,
+    },
     /// A series or measured data with a law that was fitted for one retardation time.
     #[error("the law `{}` knows one retardation time only, this substrate has several", law.name())]
     SeveralTimes {

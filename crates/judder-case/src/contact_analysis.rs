@@ -283,7 +283,7 @@ fn read_cells(section: &Section<'_>) -> Result<Option<usize>, Fault> {
 }
 
 /// Reads a pure number that has a default.
-fn read_pure(section: &Section<'_>, key: ContactKey) -> Result<f64, Fault> {
+pub(crate) fn read_pure(section: &Section<'_>, key: ContactKey) -> Result<f64, Fault> {
     let entry = key.entry();
     match section.get(entry.name()) {
         Some(node) => Ok(read_value(entry, entry.name(), node)?.number),

@@ -4,6 +4,8 @@ use std::path::Path;
 
 use crate::analysis::{Analysis, read_analyses};
 use crate::cause::Cause;
+use crate::contact_analysis::{LAW_ACCURACY, read_pure};
+use crate::contact_keys::ContactKey;
 use crate::document::{Data, Node};
 use crate::error::{Fault, Place};
 use crate::file_reference::{FileReference, read_file_reference};
@@ -23,6 +25,8 @@ pub struct OscillatorCase {
     pub law: LawName,
     /// The file of the law, for [`LawName::File`].
     pub law_file: Option<FileReference>,
+    /// The relative accuracy of the law, for [`LawName::Bem`].
+    pub law_accuracy: f64,
     /// The force that the viscoelastic friction coefficient multiplies.
     pub friction_load: FrictionLoad,
     /// The value of every numeric key at the operating point of the case.
@@ -40,6 +44,7 @@ impl Default for OscillatorCase {
             title: String::new(),
             law: LawName::OscillatorPaper,
             law_file: None,
+            law_accuracy: LAW_ACCURACY,
             friction_load: FrictionLoad::NormalLoad,
             inputs: OscillatorInputs::default(),
             substrate: Substrate::default(),
@@ -133,12 +138,40 @@ fn check_terms(case: &OscillatorCase) -> Result<(), Cause> {
     case.inputs.check(case.law)
 }
 
+/// The keys of a law that is a table: a file, or a computation with its accuracy.
+const LAW_KEYS: [&str; 3] = ["file", "computed", "accuracy"];
+
+/// Reads a law that is a table.
+fn read_law_table(table: &Section<'_>, case: &mut OscillatorCase, folder: &Path) -> Result<(), Fault> {
+    let Some(node) = table.get("computed") else {
+        if let Some(accuracy) = table.get("accuracy") {
+            let requirement =
+                "left out, or stand beside `computed = true`: a file has the accuracy that it has";
+            return Err(Cause::LawTable { key: "accuracy", requirement }.at(accuracy.place));
+        }
+        case.law_file = Some(read_file_reference(table, "file", folder)?);
+        case.law = LawName::File;
+        return Ok(());
+    };
+    if table.boolean("computed")? != Some(true) {
+        let requirement = "true, or left out";
+        return Err(Cause::LawTable { key: "computed", requirement }.at(node.place));
+    }
+    if let Some(file) = table.get("file") {
+        let requirement = "left out beside `computed = true`: a law is computed or read";
+        return Err(Cause::LawTable { key: "file", requirement }.at(file.place));
+    }
+    case.law = LawName::Bem;
+    if table.get("accuracy").is_some() {
+        case.law_accuracy = read_pure(table, ContactKey::Accuracy)?;
+    }
+    Ok(())
+}
+
 /// Reads the contact law and the friction load.
 fn read_contact(section: &Section<'_>, case: &mut OscillatorCase, folder: &Path) -> Result<(), Fault> {
     if let Some(node @ Node { data: Data::Table(_), .. }) = section.get("law") {
-        let table = Section::open(node, "contact.law", "`contact.law`", &["file"])?;
-        case.law_file = Some(read_file_reference(&table, "file", folder)?);
-        case.law = LawName::File;
+        read_law_table(&Section::open(node, "contact.law", "`contact.law`", &LAW_KEYS)?, case, folder)?;
     } else if let Some(law) = section.choice("law", "contact law", &LawName::ALL)? {
         case.law = law;
     }

@@ -22,8 +22,8 @@ pub fn reference() -> String {
     let laws: Vec<String> = LawName::ALL.iter().map(|(name, _)| format!("`{name}`")).collect();
     let loads: Vec<String> = FrictionLoad::ALL.iter().map(|(name, _)| format!("`{name}`")).collect();
     page += &format!(
-        "\n`contact.law` is one of {}, or `{{ file = \"law.json\" }}`, a law that a contact case has left; `contact.friction_load` is one of {}. \
-         The law `bem` is computed for the case's own substrate under a paraboloid.\n",
+        "\n`contact.law` is one of {}, or `{{ file = \"law.json\" }}`, a law that a contact case has left, or `{{ computed = true, accuracy = 3e-3 }}`; `contact.friction_load` is one of {}. \
+         The law `bem` is computed for the case's own substrate under a paraboloid, to an accuracy of 1e-2, or as accurately as the last form says.\n",
         laws.join(", "),
         loads.join(", ")
     );

@@ -9,6 +9,7 @@ use crate::contact_case::ContactCase;
 use crate::contact_keys::ContactKey;
 use crate::continuous::{ContinuousSource, Density, DensitySample, TermChoice};
 use crate::dimension::Dimension;
+use crate::inputs::LawName;
 use crate::keys::{Form, KEYS, OscillatorKey, Value};
 use crate::oscillator_analysis::OscillatorAnalysis;
 use crate::oscillator_case::OscillatorCase;
@@ -46,6 +47,9 @@ fn oscillator(case: &OscillatorCase) -> Json {
     });
     if let Some(file) = &case.law_file {
         json["contact"]["law"] = json!({ "file": file.given });
+    }
+    if case.law == LawName::Bem {
+        json["contact"]["law"] = json!({ "computed": true, "accuracy": case.law_accuracy });
     }
     add_substrate(&mut json["substrate"], &case.substrate);
     for entry in &KEYS {

@@ -111,7 +111,12 @@ fn oscillator() -> Json {
                 let words = choice(LawName::ALL.map(|(name, _)| name), "oscillator-paper", "contact law");
                 let file = object([("file", contact::file("a law that was computed earlier"))]);
                 let file = table("a law from a file", file, &["file"]);
-                let laws = json!({ "anyOf": [words, file], "default": "oscillator-paper" });
+                let computed = object([
+                    ("computed", json!({ "const": true })),
+                    ("accuracy", reference("analysis.accuracy")),
+                ]);
+                let computed = table("the law `bem`, with its accuracy", computed, &["computed"]);
+                let laws = json!({ "anyOf": [words, file, computed], "default": "oscillator-paper" });
                 let loads = FrictionLoad::ALL.map(|(name, _)| name);
                 let loads = choice(loads, "normal-load", "the force that μ_visc multiplies");
                 keys.extend(object([("law", laws), ("friction_load", loads)]));

@@ -7,7 +7,7 @@
 use judder_contact::kernel::sliding::SlidingOperator;
 use judder_contact::kernel::substrate::SlidingSubstrate;
 use judder_contact::law::boundary_elements::sample;
-use judder_contact::law::sweep::{CollapseRequest, SolvedPoint, SweepRange, collapse_sweep};
+use judder_contact::law::sweep::{CollapseRequest, SweepRange, collapse_sweep};
 use judder_contact::law::{LawIndenter, LawMaterial, PerQuantity};
 use judder_contact::steady::profile::Paraboloid;
 use judder_contact::steady::{GridChoice, MEMORY, SteadyContact, SteadyQuestion, solve};
@@ -90,7 +90,7 @@ fn collapse(accuracy: f64) -> Result<(), Box<dyn std::error::Error>> {
         accuracy: PerQuantity { force: accuracy, area: accuracy, friction: accuracy },
         most_points: 500,
     };
-    let sampler = |velocity: f64, indentation: f64, _: Option<&SolvedPoint>| {
+    let sampler = |velocity: f64, indentation: f64| {
         sample(&material, LawIndenter::Paraboloid, velocity, indentation, 0.2 * accuracy, MEMORY)
     };
     let start = Instant::now();

@@ -3,13 +3,14 @@
 //! - [`collapsed`]: a law that is one curve: a paraboloid's.
 //! - [`table`]: a law on a plane of speed and depth.
 //! - [`limits`], [`material`], [`origin`]: what is known exactly about both, and what they were computed for.
-//! - [`knots`], [`quantities`]: their axes and values.
+//! - [`data`], [`knots`], [`quantities`]: their axes and values.
 //! - [`sweep`]: both made from a contact solver, knot by knot, as fine as it takes.
 //! - [`boundary_elements`]: the points of a sweep from the contact of steady sliding.
 //! - [`mod@file`]: both in a JSON file.
 
 pub mod boundary_elements;
 pub mod collapsed;
+pub mod data;
 mod error;
 pub mod file;
 pub mod knots;
@@ -23,6 +24,7 @@ pub mod sweep;
 pub mod table;
 
 pub use collapsed::CollapsedLaw;
+pub use data::LawData;
 pub use error::LawError;
 pub use knots::Knots;
 pub use limits::LawIndenter;
@@ -69,7 +71,7 @@ pub enum ValidityConcern {
     SpeedBeyondTable {
         /// v̂ at the point.
         velocity: f64,
-        /// How far the law still is from its limit there, relative: more than its own error.
+        /// How far the law still is from what is known of its way to the limit, relative: more than its own error.
         distance: f64,
     },
 }
@@ -88,8 +90,8 @@ impl fmt::Display for ValidityConcern {
             ),
             Self::SpeedBeyondTable { velocity, distance } => write!(
                 f,
-                "speed v τ/R = {velocity:.3e} is beyond the computed table, still {:.2} % from the exact limit: the way \
-                 there is assumed",
+                "speed v τ/R = {velocity:.3e} is beyond the computed table, still {:.2} % from what is known exactly: \
+                 the way there is assumed",
                 100.0 * distance
             ),
         }
@@ -107,6 +109,18 @@ pub enum Law {
     Collapsed(Arc<CollapsedLaw>),
     /// A computed table.
     Tabulated(Arc<TabulatedLaw>),
+}
+
+impl Law {
+    /// What a computed law is made of; `None` for a law that is a formula.
+    #[must_use]
+    pub fn data(&self) -> Option<&LawData> {
+        match self {
+            Self::Fitted(_) | Self::Hertz(_) => None,
+            Self::Collapsed(law) => Some(law.data()),
+            Self::Tabulated(law) => Some(law.data()),
+        }
+    }
 }
 
 impl ContactLaw for Law {

@@ -95,7 +95,7 @@ pub fn solve(question: &PeriodicQuestion<'_>) -> Result<PeriodicContact, Periodi
     }
     let start = Start { pressure: &pressure, indentation };
     let solution = solve_level(question, grid, heights, start, limits)?;
-    Ok(measured(question.surface, grid, solution))
+    Ok(measured(question, grid, solution))
 }
 
 fn coarsest_cells(grid: &SurfaceGrid, coarser: &[(SurfaceGrid, Vec<f64>)]) -> usize {
@@ -148,7 +148,12 @@ fn solve_level(
     Ok(active_set::solve(&mut operator, &problem, start, limits)?)
 }
 
-fn measured(surface: &HeightMap, grid: SurfaceGrid, solution: UnilateralSolution) -> PeriodicContact {
+fn measured(
+    question: &PeriodicQuestion<'_>,
+    grid: SurfaceGrid,
+    solution: UnilateralSolution,
+) -> PeriodicContact {
+    let surface = question.surface;
     let cells = grid.len() as f64;
     let half = 0.5 * grid.cell;
     let (mut sum, mut resistance) = (0.0, 0.0);
@@ -159,7 +164,8 @@ fn measured(surface: &HeightMap, grid: SurfaceGrid, solution: UnilateralSolution
     }
     PeriodicContact {
         grid,
-        contact_fraction: periodic_contact_area(&grid, &solution.pressure) / (cells * grid.cell_area()),
+        contact_fraction: periodic_contact_area(&grid, &solution.pressure, question.substrate)
+            / (cells * grid.cell_area()),
         mean_gap: solution.gap.iter().sum::<f64>() / cells,
         friction: resistance / sum,
         solution,

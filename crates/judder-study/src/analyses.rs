@@ -11,13 +11,14 @@ mod two_degrees;
 
 pub(crate) use steady_states::SteadyState;
 
-use crate::bridge;
-use crate::computed_law::Points;
+use crate::bridge::{self, CaseContact};
+use crate::computed_law::{NO_POINTS, Points};
 use crate::error::StudyError;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::spectrum_source::temperature_warning;
 use judder_case::{Case, MapMethod, OscillatorAnalysis, OscillatorCase};
+use judder_oscillator::Contact;
 
 /// The names of the analyses of a case, in its order.
 #[must_use]
@@ -53,7 +54,7 @@ pub fn steps(case: &Case, index: usize) -> usize {
 /// # Errors
 /// [`StudyError::Interrupted`], or arrays that the store refuses.
 pub fn run(case: &Case, index: usize, progress: &dyn Progress) -> Result<Outcome, StudyError> {
-    run_from(case, index, (&[], &|_| ()), progress)
+    run_from(case, index, NO_POINTS, progress)
 }
 
 /// Runs the analysis at `index` of a case; a law goes on from the points that an interrupted run has solved.
@@ -66,9 +67,9 @@ pub(crate) fn run_from(
     match case {
         Case::Oscillator(case) => {
             let case = &bridge::with_material(case)?;
-            let contact = bridge::contact(case, progress)?;
-            let mut outcome = oscillator(case, &case.analyses[index].kind, progress)?;
-            outcome.warnings.extend(bridge::law_warning(case, &contact.law)?);
+            let CaseContact { contact, warnings } = bridge::contact(case, points, progress)?;
+            let mut outcome = oscillator((case, &contact), &case.analyses[index].kind, progress)?;
+            outcome.warnings.extend(warnings);
             outcome.warnings.extend(temperature_warning(&case.substrate)?);
             Ok(outcome)
         }
@@ -78,23 +79,28 @@ pub(crate) fn run_from(
 }
 
 fn oscillator(
-    case: &OscillatorCase,
+    (case, contact): (&OscillatorCase, &Contact),
     analysis: &OscillatorAnalysis,
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
     match analysis {
         OscillatorAnalysis::EquivalentDamping { sweep, family } => {
-            equivalent_damping::run(case, sweep, family.as_ref(), progress)
+            equivalent_damping::run((case, contact), sweep, family.as_ref(), progress)
         }
         OscillatorAnalysis::Spectrum { sweep, family } => {
-            spectrum::run(case, sweep, family.as_ref(), progress)
+            spectrum::run((case, contact), sweep, family.as_ref(), progress)
         }
-        OscillatorAnalysis::CriticalShearStrength { sweep, within, family } => {
-            critical::run(case, critical::Sought::ShearStrength, sweep, within, family.as_ref(), progress)
-        }
+        OscillatorAnalysis::CriticalShearStrength { sweep, within, family } => critical::run(
+            (case, contact),
+            critical::Sought::ShearStrength,
+            sweep,
+            within,
+            family.as_ref(),
+            progress,
+        ),
         OscillatorAnalysis::CriticalLoad { sweep, within, family } => {
-            critical::run(case, critical::Sought::Load, sweep, within, family.as_ref(), progress)
+            critical::run((case, contact), critical::Sought::Load, sweep, within, family.as_ref(), progress)
         }
-        OscillatorAnalysis::StabilityMap(map) => stability_map::run(case, map, progress),
+        OscillatorAnalysis::StabilityMap(map) => stability_map::run((case, contact), map, progress),
     }
 }

@@ -1,32 +1,44 @@
 //! From the keys of a case to the oscillator and its contact.
 
-use crate::computed_law;
+use crate::computed_law::{self, Points};
 use crate::error::StudyError;
 use crate::input_file;
 use crate::material::Material;
 use crate::progress::Progress;
 use judder_case::{Form, FrictionLoad as CaseLoad, LawName, OscillatorCase, OscillatorInputs, OscillatorKey};
+use judder_contact::law::LawIndenter;
 use judder_contact::law::file::from_json;
 use judder_contact::law::material::{LawMaterial, LawTerm};
 use judder_contact::{FittedLaw, HertzLaw, Law};
 use judder_oscillator::groups::Scales;
 use judder_oscillator::{Coefficients, Contact, FrictionLoad, Groups};
 
-/// The accuracy of the law `bem`.
-pub const BEM_ACCURACY: f64 = 1e-2;
+/// The contact of a case, and what makes its law doubtful there.
+pub(crate) struct CaseContact {
+    pub(crate) contact: Contact,
+    pub(crate) warnings: Vec<String>,
+}
 
-/// The contact that a case names. The law `bem` is computed at its first use and remembered while the program runs.
+/// The contact that a case names. The law `bem` is computed at its first use, from the `points` that are known, and remembered while
+/// the program runs.
 ///
 /// # Errors
 /// A law that cannot be computed or read, [`StudyError::Interrupted`].
-pub fn contact(case: &OscillatorCase, progress: &dyn Progress) -> Result<Contact, StudyError> {
+pub(crate) fn contact(
+    case: &OscillatorCase,
+    points: Points<'_>,
+    progress: &dyn Progress,
+) -> Result<CaseContact, StudyError> {
+    let mut missed = None;
     let law = match case.law {
         LawName::OscillatorPaper => Law::Fitted(FittedLaw::oscillator_paper()),
         LawName::OscillatorPaperCorrected => Law::Fitted(FittedLaw::oscillator_paper_corrected()),
         LawName::Hertz => Law::Hertz(HertzLaw::default()),
         LawName::Bem => {
             let material = Material::new(&case.substrate, &case.inputs)?;
-            computed_law::of_paraboloid(&material, BEM_ACCURACY, progress)?
+            let computed = computed_law::of_paraboloid(&material, case.law_accuracy, points, progress)?;
+            missed = computed.missed(case.law_accuracy);
+            computed.law
         }
         LawName::File => read_law(case)?,
     };
@@ -34,7 +46,22 @@ pub fn contact(case: &OscillatorCase, progress: &dyn Progress) -> Result<Contact
         CaseLoad::NormalLoad => FrictionLoad::NormalLoad,
         CaseLoad::ContactForce => FrictionLoad::ContactForce,
     };
-    Ok(Contact { law, friction_load })
+    let warnings =
+        missed.into_iter().chain(shape_warning(case, &law)).chain(law_warning(case, &law)?).collect();
+    Ok(CaseContact { contact: Contact { law, friction_load }, warnings })
+}
+
+/// That a law was computed for another indenter than the paraboloid of an oscillator, in words.
+fn shape_warning(case: &OscillatorCase, law: &Law) -> Option<String> {
+    let shape = match law.data()?.origin().indenter {
+        LawIndenter::Paraboloid => return None,
+        LawIndenter::Sphere => "a sphere",
+    };
+    Some(format!(
+        "the law `{}` was computed for {shape}, an oscillator case says a radius alone, that of a paraboloid: at a tenth of the radius the two differ by 1 % in \
+         force, 3 % in area",
+        case.law.name()
+    ))
 }
 
 fn read_law(case: &OscillatorCase) -> Result<Law, StudyError> {
@@ -97,12 +124,11 @@ pub fn coefficients(inputs: &OscillatorInputs) -> Coefficients {
     groups(inputs).coefficients().unwrap_or(Coefficients { normal_load: f64::NAN, ..Coefficients::default() })
 }
 
-/// What a law was made for and a case departs from, in words: E∞/E0, then the times τ_k/τ with their compliances. An
-/// oscillator case says no shape of the indenter to compare.
+/// What substrate a law was made for and a case departs from, in words: E∞/E0, then the times τ_k/τ with their compliances.
 ///
 /// # Errors
 /// A substrate that cannot be.
-pub fn law_warning(case: &OscillatorCase, law: &Law) -> Result<Option<String>, StudyError> {
+fn law_warning(case: &OscillatorCase, law: &Law) -> Result<Option<String>, StudyError> {
     /// E∞/E0 of the substrate that the paper's fits were computed for.
     const FITTED_CONTRAST: f64 = 10.0;
     let made_for = match law {
@@ -110,8 +136,8 @@ pub fn law_warning(case: &OscillatorCase, law: &Law) -> Result<Option<String>, S
         _ if case.law == LawName::Bem => return Ok(None),
         Law::Hertz(_) => return Ok(None),
         Law::Fitted(_) => LawMaterial::one_time(FITTED_CONTRAST)?,
-        Law::Collapsed(law) => law.origin().material.clone(),
-        Law::Tabulated(law) => law.origin().material.clone(),
+        Law::Collapsed(law) => law.data().origin().material.clone(),
+        Law::Tabulated(law) => law.data().origin().material.clone(),
     };
     let contrast =
         case.inputs.number(OscillatorKey::GlassyModulus) / case.inputs.number(OscillatorKey::RubberyModulus);

@@ -4,18 +4,16 @@ use crate::error::StudyError;
 use crate::material::Material;
 use crate::progress::Progress;
 use judder_case::LawMethod;
-use judder_contact::law::boundary_elements::sample;
+use judder_contact::law::boundary_elements::{sample, sweep_accuracy};
 use judder_contact::law::sweep::{
     CollapseRequest, SolvedPoint, SweepEnd, SweepLevel, SweepObserver, SweepRange, SweepRequest,
     collapse_sweep, sweep,
 };
-use judder_contact::law::{LawErrors, LawIndenter, LawOrigin, PerQuantity};
+use judder_contact::law::{LawErrors, LawIndenter, LawOrigin};
 use judder_contact::steady::MEMORY;
 use judder_contact::{Law, LawError};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// The part of a law's accuracy that its single solutions may use up.
-pub(crate) const SHARE_OF_SOLVER: f64 = 0.5;
 /// How much further than the force area and friction may be off.
 const SECONDARY: f64 = 5.0;
 /// The most contacts that a law may take.
@@ -72,6 +70,9 @@ impl SweepObserver for Watch<'_> {
     }
 }
 
+/// Nothing is known, and nothing is kept.
+pub(crate) const NO_POINTS: Points<'static> = (&[], &|_| ());
+
 /// The points that are known already, and who is handed each new one.
 pub(crate) type Points<'a> = (&'a [SolvedPoint], &'a (dyn Fn(&SolvedPoint) + Sync));
 
@@ -107,15 +108,13 @@ fn compute_anew(
 ) -> Result<ComputedLaw, StudyError> {
     let material = task.material.of_law();
     let substrate = material.clone();
-    let solve = |velocity: f64, indentation: f64, _: Option<&SolvedPoint>| {
-        let accuracy = SHARE_OF_SOLVER * task.accuracy;
-        sample(&substrate, task.indenter, velocity, indentation, accuracy, task.memory)
+    let shares = sweep_accuracy(task.accuracy);
+    let solve = |velocity: f64, indentation: f64| {
+        sample(&substrate, task.indenter, velocity, indentation, shares.contacts, task.memory)
     };
     let watch = Watch { progress, kept };
     let source = format!("judder {}, boundary elements, steady sliding", env!("CARGO_PKG_VERSION"));
-    // what the single contacts leave of the force's accuracy
-    let accuracy =
-        PerQuantity { force: (1.0 - SHARE_OF_SOLVER) * task.accuracy, ..PerQuantity::uniform(task.accuracy) };
+    let accuracy = shares.interpolation;
     let (law, end, levels, points) = match task.method {
         LawMethod::Collapse => {
             let request = CollapseRequest {
@@ -143,6 +142,38 @@ fn compute_anew(
     Ok(ComputedLaw { law, end, levels, points })
 }
 
+impl ComputedLaw {
+    /// Its errors.
+    pub(crate) fn errors(&self) -> LawErrors {
+        self.law.data().map_or_else(LawErrors::default, |data| *data.errors())
+    }
+
+    /// By how much it misses an accuracy, and why; `None` where it is met.
+    pub(crate) fn missed(&self, accuracy: f64) -> Option<String> {
+        let errors = self.errors();
+        let total = errors.total();
+        (!meets(&errors, accuracy)).then(|| {
+            format!(
+                "the law misses its accuracy {accuracy:.0e}: interpolation and contacts leave force {:.1e}, area {:.1e}, friction {:.1e} \
+                 (area and friction may have five times the accuracy); {}",
+                total.force,
+                total.area,
+                total.friction,
+                ending(self.end)
+            )
+        })
+    }
+}
+
+/// Why a sweep ended.
+pub(crate) fn ending(end: SweepEnd) -> &'static str {
+    match end {
+        SweepEnd::Accurate => "the interpolation is as accurate as asked",
+        SweepEnd::SolverError => "the single contacts are no more accurate than that",
+        SweepEnd::MostPoints => "more points would be needed than are allowed",
+    }
+}
+
 /// Whether a law is as accurate as asked: interpolation and solver together, area and friction five times as far off as the
 /// force at most.
 pub(crate) fn meets(errors: &LawErrors, accuracy: f64) -> bool {
@@ -166,8 +197,9 @@ impl From<LawError> for StudyError {
 pub(crate) fn of_paraboloid(
     material: &Material,
     accuracy: f64,
+    points: Points<'_>,
     progress: &dyn Progress,
-) -> Result<Law, StudyError> {
+) -> Result<ComputedLaw, StudyError> {
     let task = LawTask {
         material,
         indenter: LawIndenter::Paraboloid,
@@ -177,5 +209,5 @@ pub(crate) fn of_paraboloid(
         accuracy,
         memory: MEMORY,
     };
-    Ok(compute(&task, (&[], &|_| ()), progress)?.law)
+    compute(&task, points, progress)
 }

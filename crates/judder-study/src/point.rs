@@ -1,6 +1,7 @@
 //! Everything about one operating point: what `judder point` prints.
 
-use crate::bridge;
+use crate::bridge::{self, CaseContact};
+use crate::computed_law::NO_POINTS;
 use crate::error::StudyError;
 use crate::progress::Silent;
 use crate::spectrum_source::temperature_warning;
@@ -55,9 +56,9 @@ pub struct Point {
 /// A group out of range, no (or more than one) equilibrium.
 pub fn point(case: &OscillatorCase) -> Result<Point, StudyError> {
     let case = &bridge::with_material(case)?;
-    let contact = bridge::contact(case, &Silent)?;
+    let CaseContact { contact, warnings } = bridge::contact(case, NO_POINTS, &Silent)?;
     let mut point = analyse(&contact, bridge::groups(&case.inputs))?;
-    point.warnings.extend(bridge::law_warning(case, &contact.law)?);
+    point.warnings.extend(warnings);
     point.warnings.extend(temperature_warning(&case.substrate)?);
     Ok(point)
 }

@@ -7,7 +7,7 @@ use crate::input_file;
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use crate::report;
-use judder_case::{Case, CaseFile};
+use judder_case::{Case, CaseFile, LawName, OscillatorCase};
 use judder_contact::law::sweep::SolvedPoint;
 use judder_store::{AnalysisRecord, Status, StudyFolder, Summary, content_hash};
 use serde::{Deserialize, Serialize};
@@ -109,6 +109,7 @@ pub fn run(
     let mut study = Study::open(&store, names.iter().zip(&hashes))?;
     study.set_case(file, &resolved);
     let (mut skipped, mut refused) = (Vec::new(), Vec::new());
+    let law = shared_law(&file.case, &resolved);
     for (index, (name, hash)) in names.iter().zip(hashes.clone()).enumerate() {
         if !is_wanted(name) {
             continue;
@@ -119,7 +120,8 @@ pub fn run(
         }
         progress.begin(name, analyses::steps(&file.case, index));
         let began = Instant::now();
-        let scratch = store.scratch(name, &hash)?;
+        let (kept_as, of) = law.as_deref().map_or((name.as_str(), hash.as_str()), |law| (LAW_POINTS, law));
+        let scratch = store.scratch(kept_as, of)?;
         // a line that is no point comes from elsewhere: it is solved anew
         let known: Vec<SolvedPoint> =
             scratch.lines().iter().filter_map(|line| serde_json::from_str(line).ok()).collect();
@@ -133,7 +135,14 @@ pub fn run(
         if let Some(error) = study.keep(name, hash, outcome, began.elapsed().as_secs_f64())? {
             refused.push(RefusedAnalysis { name: name.clone(), error });
         }
-        scratch.discard()?;
+        if law.is_none() {
+            scratch.discard()?;
+        }
+    }
+    if let Some(law) = &law
+        && all_done(&store, &names, &hashes)?
+    {
+        store.scratch(LAW_POINTS, law)?.discard()?;
     }
     study.summary.wall_time_s = start.elapsed().as_secs_f64();
     store.write_summary(&study.summary)?;
@@ -143,6 +152,25 @@ pub fn run(
     let messages = messages(&study.summary, &study.kept, &refused);
     let (folder, summary) = (folder.to_owned(), study.summary);
     Ok(RunReport { folder, summary, report, skipped, complete, messages, refused })
+}
+
+/// Where the solved contacts of the law are kept that the analyses of an oscillator case share.
+const LAW_POINTS: &str = "law";
+
+/// What the law depends on that a case has computed for all its analyses; `None` where it has none.
+fn shared_law(case: &Case, resolved: &Value) -> Option<String> {
+    let Case::Oscillator(OscillatorCase { law: LawName::Bem, .. }) = case else { return None };
+    let of = json!([VERSION, resolved["substrate"], resolved["files"], resolved["contact"]["law"]]);
+    Some(content_hash(of.to_string().as_bytes()))
+}
+
+fn all_done(store: &StudyFolder, names: &[String], hashes: &[String]) -> Result<bool, StudyError> {
+    for (name, hash) in names.iter().zip(hashes) {
+        if !store.is_done(name, hash)? {
+            return Ok(false);
+        }
+    }
+    Ok(true)
 }
 
 /// The resolved case with the content of every file that it names, by its hash.

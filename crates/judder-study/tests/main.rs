@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod computed_law;
 mod contact;
 
 use judder_case::CaseFile;

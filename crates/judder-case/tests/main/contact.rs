@@ -218,6 +218,30 @@ fn an_oscillator_takes_a_series_with_a_computed_law() {
 }
 
 #[test]
+fn a_computed_law_takes_an_accuracy() {
+    let law = |value: &str| parse(&format!("model = \"oscillator\"\n[contact]\nlaw = {value}\n"), &[]);
+    let accuracy = |value: &str| {
+        let Case::Oscillator(case) = law(value).unwrap() else { panic!() };
+        assert_eq!(case.law, LawName::Bem);
+        case.law_accuracy
+    };
+    assert_eq!(accuracy("\"bem\""), 1e-2);
+    assert_eq!(accuracy("{ computed = true }"), 1e-2);
+    assert_eq!(accuracy("{ computed = true, accuracy = 3e-3 }"), 3e-3);
+    let resolved = law("{ computed = true, accuracy = 3e-3 }").unwrap().resolved();
+    assert_eq!(resolved["contact"]["law"]["accuracy"], 3e-3);
+    for (wrong, said) in [
+        ("{ computed = false }", "`computed` of `contact.law` must be true"),
+        ("{ computed = true, accuracy = 0.5 }", "accuracy"),
+        ("{ computed = true, file = \"law.json\" }", "a law is computed or read"),
+        ("{ file = \"law.json\", accuracy = 1e-3 }", "a file has the accuracy that it has"),
+    ] {
+        let error = law(wrong).unwrap_err().to_string();
+        assert!(error.contains(said), "{wrong}: {error}");
+    }
+}
+
+#[test]
 fn a_law_from_a_file_is_found_beside_the_case() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("law.json"), "{}").unwrap();

@@ -2,6 +2,7 @@
 
 use super::limits::LawIndenter;
 use super::material::LawMaterial;
+use super::quantities::PerQuantity;
 use super::sweep::LawSample;
 use crate::kernel::substrate::{SlidingSubstrate, WakeTerm};
 use crate::steady::profile::{Paraboloid, Profile, Sphere};
@@ -9,6 +10,27 @@ use crate::steady::refinement::Estimate;
 use crate::steady::{GridChoice, SteadyError, SteadyQuestion, solve};
 use crate::unilateral::{Loading, UnilateralLimits};
 use thiserror::Error;
+
+/// The part of a law's accuracy that its single contacts may use up: less than what is left to the interpolation, because the slope
+/// of the law divides their errors by the distance of the knots.
+const SHARE_OF_CONTACTS: f64 = 0.2;
+
+/// How the accuracy of a law is shared.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AccuracyShares {
+    /// What is asked of a single contact, as in [`sample`].
+    pub contacts: f64,
+    /// What is asked of the interpolation between them.
+    pub interpolation: PerQuantity<f64>,
+}
+
+/// The shares of a relative accuracy of the force; area and friction may be five times as far off.
+#[must_use]
+pub fn sweep_accuracy(accuracy: f64) -> AccuracyShares {
+    let contacts = SHARE_OF_CONTACTS * accuracy;
+    let interpolation = PerQuantity { force: accuracy - contacts, ..PerQuantity::uniform(accuracy) };
+    AccuracyShares { contacts, interpolation }
+}
 
 /// Why a point of a law could not be computed.
 #[derive(Debug, Clone, PartialEq, Error)]

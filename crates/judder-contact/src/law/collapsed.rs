@@ -1,5 +1,6 @@
 //! The law of a paraboloid: one curve instead of a plane.
 
+use crate::law::data::LawData;
 use crate::law::error::LawError;
 use crate::law::knots::Knots;
 use crate::law::limits::LawIndenter;
@@ -19,13 +20,10 @@ const DEEPEST: f64 = 0.1;
 ///
 /// Exact for a paraboloid on a half-space with any creep spectrum: lengths measured in √(R δ) take depth and radius out of the
 /// problem. f, g, m are C² splines in ln z through values at even knots; outside them each approaches its exact limit as
-/// z² ln z (slow) and ln z/z (fast), without a jump in value, slope or curvature.
+/// z with its exact factor, then z² ln z (slow), and as ln z/z (fast), without a jump in value, slope or curvature.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CollapsedLaw {
-    origin: LawOrigin,
-    speeds: Knots,
-    values: KnotValues,
-    errors: LawErrors,
+    data: LawData,
     reference: FrictionReference,
     /// `[a][quantity]`: sums over the functions of ln z (a), as in a table's patch.
     pieces: Vec<[[f64; 4]; 4]>,
@@ -48,7 +46,7 @@ impl CollapsedLaw {
         let reference = FrictionReference::new(&material);
         let limits = LawIndenter::Paraboloid.logarithms(1.0, &material)?;
         let scaled = logarithms(&reference, &speeds, 1, &values);
-        let tails = limits.map(speed_tails);
+        let tails = speed_tails(limits, &speeds, &material);
         let splines = scaled.as_ref().zip(tails).map(|(list, (low, high))| pieces(list, &speeds, low, high));
         let interpolation = scaled
             .as_ref()
@@ -61,38 +59,20 @@ impl CollapsedLaw {
         let pieces = (0..speeds.pieces()).map(piece).collect();
         let origin = LawOrigin { material, indenter: LawIndenter::Paraboloid, source };
         let errors = LawErrors { interpolation, solver };
-        Ok(Self { origin, speeds, values, errors, reference, pieces })
+        Ok(Self { data: LawData { origin, speeds, values, errors }, reference, pieces })
     }
 
-    /// What it was computed for.
+    /// What it is made of: origin, knots, values, errors.
     #[must_use]
-    pub fn origin(&self) -> &LawOrigin {
-        &self.origin
-    }
-
-    /// The knots of ln z.
-    #[must_use]
-    pub fn ln_speeds(&self) -> &Knots {
-        &self.speeds
-    }
-
-    /// f, g, m at the knots.
-    #[must_use]
-    pub fn values(&self) -> &KnotValues {
-        &self.values
-    }
-
-    /// Its errors, relative.
-    #[must_use]
-    pub fn errors(&self) -> &LawErrors {
-        &self.errors
+    pub fn data(&self) -> &LawData {
+        &self.data
     }
 }
 
 impl ContactLaw for CollapsedLaw {
     #[inline(always)]
     fn evaluate(&self, at: &ContactPoint) -> ContactResponse {
-        let place = self.speeds.place(ln_speed(at), SPEED_RATES);
+        let place = self.data.speeds.place(ln_speed(at), SPEED_RATES);
         let piece = &self.pieces[place.piece];
         let (value, slope) = (combined(piece, &place.basis), combined(piece, &place.slopes));
         let scaled =
@@ -106,11 +86,12 @@ impl ContactLaw for CollapsedLaw {
             return Some(ValidityConcern::TooDeep { indentation, limit: DEEPEST });
         }
         let at = ContactPoint::new(velocity, indentation);
-        let place = self.speeds.place(ln_speed(&at), SPEED_RATES);
-        let is_tail = place.piece == 0 || place.piece == self.speeds.count();
-        let [_, w, wt, wtt] = place.basis;
-        let [force, area, friction, _] = combined(&self.pieces[place.piece], &[0.0, w, wt, wtt]);
+        let place = self.data.speeds.place(ln_speed(&at), SPEED_RATES);
+        let is_tail = place.piece == 0 || place.piece == self.data.speeds.count();
+        // the term whose factor is known is no assumption
+        let [_, w, wt, _] = place.basis;
+        let [force, area, friction, _] = combined(&self.pieces[place.piece], &[0.0, w, wt, 0.0]);
         let away = PerQuantity { force, area, friction };
-        is_tail.then(|| tail_concern(velocity, away, &self.errors)).flatten()
+        is_tail.then(|| tail_concern(velocity, away, &self.data.errors)).flatten()
     }
 }

@@ -107,12 +107,11 @@ impl Limits {
 /// # Errors
 /// JSON that cannot be written, which no law leads to.
 pub fn to_json(law: &Law) -> Result<Option<String>, LawError> {
-    let (origin, speeds, depths, values, errors) = match law {
-        Law::Fitted(_) | Law::Hertz(_) => return Ok(None),
-        Law::Collapsed(law) => (law.origin(), law.ln_speeds(), None, law.values(), law.errors()),
-        Law::Tabulated(law) => {
-            (law.origin(), law.ln_speeds(), Some(law.ln_indentations()), law.values(), law.errors())
-        }
+    let Some(data) = law.data() else { return Ok(None) };
+    let (origin, values) = (data.origin(), data.values());
+    let depths = match law {
+        Law::Tabulated(law) => Some(law.ln_indentations()),
+        _ => None,
     };
     let document = Document {
         format: FORMAT.to_owned(),
@@ -121,11 +120,11 @@ pub fn to_json(law: &Law) -> Result<Option<String>, LawError> {
         indenter: origin.indenter,
         material: origin.material.clone(),
         knots: KnotLists {
-            ln_speeds: speeds.iter().collect(),
+            ln_speeds: data.ln_speeds().iter().collect(),
             ln_indentations: depths.map(|knots| knots.iter().collect()),
         },
         values: values.clone(),
-        errors: *errors,
+        errors: *data.errors(),
         limits: Limits::new(&origin.material),
     };
     Ok(Some(serde_json::to_string_pretty(&document)?))

@@ -113,8 +113,8 @@ impl Knots {
 
     /// Where `x` lies, and the four functions of which a piece is a sum; `rates` are those of the tails.
     ///
-    /// A piece is c0 + w (c1 + c2 t + c3 t²), where t is the distance from the knot at its left (from the first and the last knot
-    /// in the tails), w = t between knots and w = e^{rate·t} in the tails.
+    /// With t the distance from the knot at its left, from the first and the last knot in the tails, a piece is
+    /// c0 + c1 t + c2 t² + c3 t³ between knots and c0 + e^{rate·t} (c1 + c2 t) + c3 e^{rate·t/2} in the tails.
     #[inline(always)]
     pub(crate) fn place(&self, x: f64, rates: (f64, f64)) -> Place {
         let position = (x - self.first) * self.per_step + 1.0;
@@ -122,19 +122,18 @@ impl Knots {
         let piece = (position as usize).min(self.count);
         let knot = piece.max(1) - 1;
         let t = x - (self.first + self.step * knot as f64);
-        let (w, slope) = if piece == 0 || piece == self.count {
+        if piece == 0 || piece == self.count {
             let rate = if piece == 0 { rates.0 } else { rates.1 };
-            let w = exp(rate * t);
-            (w, rate * w)
-        } else {
-            (t, 1.0)
-        };
-        let wt = w * t;
-        Place {
-            piece,
-            basis: [1.0, w, wt, wt * t],
-            slopes: [0.0, slope, slope * t + w, (slope * t + 2.0 * w) * t],
+            let root = exp(0.5 * rate * t);
+            let (w, slope) = (root * root, rate * root * root);
+            return Place {
+                piece,
+                basis: [1.0, w, w * t, root],
+                slopes: [0.0, slope, slope * t + w, 0.5 * rate * root],
+            };
         }
+        let square = t * t;
+        Place { piece, basis: [1.0, t, square, square * t], slopes: [0.0, 1.0, 2.0 * t, 3.0 * square] }
     }
 }
 
@@ -143,7 +142,7 @@ impl Knots {
 pub(crate) struct Place {
     /// The piece of the spline.
     pub(crate) piece: usize,
-    /// 1, w, w t, w t².
+    /// The four functions.
     pub(crate) basis: [f64; 4],
     /// Their derivatives.
     pub(crate) slopes: [f64; 4],

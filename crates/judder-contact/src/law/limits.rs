@@ -5,7 +5,6 @@ use crate::law::material::LawMaterial;
 use crate::law::quantities::PerQuantity;
 use judder_numerics::quadrature::gauss_legendre;
 use serde::{Deserialize, Serialize};
-use std::f64::consts::PI;
 
 /// The indenter of a computed law.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -28,6 +27,21 @@ pub struct ElasticContact {
     pub slow_friction: f64,
     /// ∫p u/(0.8 F δ): the friction of fast sliding over a paraboloid's.
     pub fast_friction: f64,
+    /// How fast the area's logarithm falls with z from rest, over a paraboloid: √(R δ)/a.
+    pub area_slope: f64,
+    /// How fast the logarithm of friction over speed does.
+    pub friction_slope: f64,
+}
+
+/// What is known of a scaled logarithm (see [`crate::law::scaled`]) at both ends of the speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct SpeedLimits {
+    /// Its value at rest.
+    pub(crate) rest: f64,
+    /// Its slope over z at rest.
+    pub(crate) slope: f64,
+    /// Its value at infinite speed.
+    pub(crate) infinite: f64,
 }
 
 /// ∫_0^end f, on panels so short that rounding is all that is left for the functions here (singular at 1, `end` ≤ 0.84).
@@ -45,15 +59,21 @@ impl LawIndenter {
     ///
     /// Any smooth axisymmetric indenter is a sequence of flat punches (Sneddon 1965; Johnson, *Contact Mechanics*, 5.2): with δ(a) the
     /// depth at contact radius a, F = 2 E* ∫ s δ′(s) ds, the mean curvature under the pressure is ∫ δ′² ds/∫ 2 s δ′ ds, and
-    /// ∫p u = 2 ∫F dδ. Sphere: δ = a artanh(a/R); paraboloid: δ = a²/R.
+    /// ∫p u = 2 ∫F dδ. Both the pressure near the edge and that of a punch with the indenter's slope grow as δ′(a), so the friction of
+    /// slow sliding falls with its square. Sphere: δ = a artanh(a/R); paraboloid: δ = a²/R.
     ///
     /// # Errors
     /// A sphere at ŷ that is not between 0 and 1: the half-space knows no such contact.
     pub fn elastic(self, indentation: f64) -> Result<ElasticContact, LawError> {
         match self {
-            Self::Paraboloid => {
-                Ok(ElasticContact { force: 1.0, area: 1.0, slow_friction: 1.0, fast_friction: 1.0 })
-            }
+            Self::Paraboloid => Ok(ElasticContact {
+                force: 1.0,
+                area: 1.0,
+                slow_friction: 1.0,
+                fast_friction: 1.0,
+                area_slope: 1.0,
+                friction_slope: 1.0,
+            }),
             Self::Sphere if indentation > 0.0 && indentation < 1.0 => Ok(sphere(indentation)),
             Self::Sphere => Err(LawError::InvalidNumber {
                 name: "indentation δ/R of a sphere",
@@ -63,18 +83,26 @@ impl LawIndenter {
         }
     }
 
-    /// The logarithms to which [`crate::law::scaled`] goes at a depth: at rest, and at infinite speed.
+    /// What is known of the logarithms of [`crate::law::scaled`] at a depth, at rest and at infinite speed.
     pub(crate) fn logarithms(
         self,
         indentation: f64,
         material: &LawMaterial,
-    ) -> Result<PerQuantity<(f64, f64)>, LawError> {
+    ) -> Result<PerQuantity<SpeedLimits>, LawError> {
         let elastic = self.elastic(indentation)?;
         let (force, area) = (elastic.force.ln(), elastic.area.ln());
         Ok(PerQuantity {
-            force: (force, force + material.modulus_ratio.ln()),
-            area: (area, area),
-            friction: (elastic.slow_friction.ln(), elastic.fast_friction.ln()),
+            force: SpeedLimits { rest: force, slope: 0.0, infinite: force + material.modulus_ratio.ln() },
+            area: SpeedLimits {
+                rest: area,
+                slope: elastic.area_slope * material.slow_area_slope(),
+                infinite: area,
+            },
+            friction: SpeedLimits {
+                rest: elastic.slow_friction.ln(),
+                slope: elastic.friction_slope * material.slow_friction_slope(),
+                infinite: elastic.fast_friction.ln(),
+            },
         })
     }
 }
@@ -88,11 +116,17 @@ fn sphere(indentation: f64) -> ElasticContact {
     let curvature = integral(radius, |a| slope(a) * slope(a)) / force;
     // 2 ∫F dδ = 2 (F δ − ∫δ dF)
     let work = 2.0 * (force * indentation - integral(radius, |a| 2.0 * a * slope(a) * depth(a)));
+    let force_ratio = force / (4.0 / 3.0 * indentation * indentation.sqrt());
+    let area_ratio = radius * radius / indentation;
+    // δ′(a) over that of the paraboloid of the same radius of contact
+    let steepness = slope(radius) / (2.0 * radius);
     ElasticContact {
-        force: force / (4.0 / 3.0 * indentation * indentation.sqrt()),
-        area: PI * radius * radius / (PI * indentation),
+        force: force_ratio,
+        area: area_ratio,
         slow_friction: curvature,
         fast_friction: work / (0.8 * force * indentation),
+        area_slope: 1.0 / area_ratio.sqrt(),
+        friction_slope: area_ratio * steepness * steepness / (force_ratio * curvature),
     }
 }
 
@@ -114,6 +148,7 @@ fn contact_radius(indentation: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::PI;
 
     #[test]
     fn sphere_against_the_closed_form_of_sneddon() {
@@ -155,7 +190,9 @@ mod tests {
     #[test]
     fn a_shallow_sphere_is_a_paraboloid() {
         let contact = LawIndenter::Sphere.elastic(1e-10).unwrap();
-        for ratio in [contact.force, contact.area, contact.slow_friction, contact.fast_friction] {
+        let slopes = [contact.area_slope, contact.friction_slope];
+        let ratios = [contact.force, contact.area, contact.slow_friction, contact.fast_friction];
+        for ratio in ratios.into_iter().chain(slopes) {
             assert!((ratio - 1.0).abs() < 1e-9, "{ratio}");
         }
         assert!(LawIndenter::Sphere.elastic(1.0).is_err());

@@ -2,6 +2,7 @@
 
 use crate::law::error::LawError;
 use serde::{Deserialize, Serialize};
+use std::f64::consts::PI;
 
 /// How far Σ C_k E0 may be from 1 − E0/E∞: a dozen digits of rounding on the way through other units.
 const COMPLIANCE_TOLERANCE: f64 = 1e-9;
@@ -84,6 +85,34 @@ impl LawMaterial {
     pub fn fast_friction(&self) -> f64 {
         let rate: f64 = self.terms.iter().map(|term| term.compliance / term.retardation_time).sum();
         0.8 * self.modulus_ratio * rate
+    }
+
+    /// The slope of the area's logarithm over z = v̂/√ŷ at rest, for a paraboloid: ln(g/π) → −(2/π) s z with s = Σ C_k E0 τ_k/τ.
+    ///
+    /// To first order in the speed p is the elastic pressure, shifted upstream by s v, and q = J p, which moves the surface
+    /// as it would an elastic one, is not shifted. The layers at the edges decide where contact ends: by the factors of Wiener and
+    /// Hopf, J being free of zeros and poles in one half-plane, the leading edge is that of q, the trailing edge that of p. So the
+    /// contact is shorter than the elastic one by the shift, its area smaller by 2 a s v τ.
+    #[must_use]
+    pub fn slow_area_slope(&self) -> f64 {
+        -2.0 / PI * self.slow_friction()
+    }
+
+    /// The slope of the logarithm of μ/(s v̂) over z at rest, for a paraboloid: (2/π) (s − 2 m/s) with s = Σ C_k E0 τ_k/τ and
+    /// m = Σ C_k E0 (τ_k/τ)².
+    ///
+    /// Under the layer of the trailing edge p ~ √d, so q is singular there in second order, as (s²/8 − m/4) d^{−3/2} at a distance d;
+    /// the moment of that singularity about the lowest point, by reciprocity with a tilted punch, adds to the friction. The same
+    /// singularity adds 3/8 (2 m − s²) z² to the force, relative.
+    #[must_use]
+    pub fn slow_friction_slope(&self) -> f64 {
+        let slow = self.slow_friction();
+        let square: f64 = self
+            .terms
+            .iter()
+            .map(|term| term.compliance * term.retardation_time * term.retardation_time)
+            .sum();
+        2.0 / PI * (slow - 2.0 * square / slow)
     }
 
     /// The shortest and the longest τ_k/τ; `None` without terms.

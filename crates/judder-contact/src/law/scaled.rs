@@ -15,8 +15,8 @@ use std::f64::consts::PI;
 /// 4/3, Hertz's F̃/ŷ^{3/2}.
 const HERTZ_FORCE: f64 = 4.0 / 3.0;
 
-/// Powers of z with which a law approaches its limits, each times a logarithm: z² in slow sliding, where the force is even
-/// in the speed and the edge of the contact brings the logarithm; 1/z in fast sliding.
+/// Powers of z with which a law approaches its limits, each times a logarithm: z² in slow sliding, after a term in z whose factor is
+/// known ([`crate::law::limits`]); 1/z in fast sliding.
 pub(crate) const SPEED_RATES: (f64, f64) = (2.0, -1.0);
 
 /// A logarithm with its derivatives by ln z (at constant ŷ) and ln ŷ (at constant z).

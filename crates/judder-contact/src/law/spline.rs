@@ -8,12 +8,15 @@ use crate::law::knots::Knots;
 /// How a function continues beyond the last knot of an axis; ξ is the signed distance from it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Tail {
-    /// limit + e^{rate ξ} (α + β ξ), to a known limit: a power of the speed times its logarithm.
+    /// limit + γ e^{rate ξ/2} + e^{rate ξ} (α + β ξ), to a known limit: a power of the speed times its logarithm, and half that
+    /// power where its factor is known.
     ToLimit {
         /// The power: positive below the first knot, negative above the last.
         rate: f64,
         /// The known limit.
         limit: f64,
+        /// γ.
+        half: f64,
     },
     /// edge + slope (e^{rate ξ} − 1)/rate, to a limit that value and slope at the edge decide.
     Relaxing {
@@ -29,7 +32,9 @@ impl Tail {
     /// Curvature at the edge = `of_slope` · slope + `of_value` · value + `constant`.
     fn curvature(self) -> (f64, f64, f64) {
         match self {
-            Self::ToLimit { rate, limit } => (2.0 * rate, -rate * rate, rate * rate * limit),
+            Self::ToLimit { rate, limit, half } => {
+                (2.0 * rate, -rate * rate, rate * rate * (limit + 0.25 * half))
+            }
             Self::Relaxing { rate } => (rate, 0.0, 0.0),
             Self::Levelling => (0.0, 0.0, 0.0),
         }
@@ -38,9 +43,9 @@ impl Tail {
     /// The coefficients of the tail's piece from value, slope and curvature at the edge.
     fn piece(self, value: f64, slope: f64, curvature: f64) -> [f64; 4] {
         match self {
-            Self::ToLimit { rate, limit } => {
-                let alpha = value - limit;
-                [limit, alpha, slope - rate * alpha, 0.0]
+            Self::ToLimit { rate, limit, half } => {
+                let alpha = value - limit - half;
+                [limit, alpha, slope - rate * (alpha + 0.5 * half), half]
             }
             Self::Relaxing { rate } => [value - slope / rate, slope / rate, 0.0, 0.0],
             Self::Levelling => {
@@ -138,6 +143,10 @@ mod tests {
         (dot(place.basis), dot(place.slopes))
     }
 
+    fn to_limit(rate: f64, limit: f64, half: f64) -> Tail {
+        Tail::ToLimit { rate, limit, half }
+    }
+
     /// 1/(1 + e^{2x}) and tails that are not those of the spline, so that nothing is exact.
     fn bump(x: f64) -> f64 {
         (2.0 * x).exp() / (1.0 + (3.0 * x).exp())
@@ -148,7 +157,7 @@ mod tests {
         let knots = Knots::new("x", -3.0, 4.0, 8).unwrap();
         let values: Vec<f64> = knots.iter().map(bump).collect();
         for (low, high, rates) in [
-            (Tail::ToLimit { rate: 2.0, limit: 0.0 }, Tail::ToLimit { rate: -1.0, limit: 0.0 }, (2.0, -1.0)),
+            (to_limit(2.0, 0.0, -0.2), to_limit(-1.0, 0.0, 0.0), (2.0, -1.0)),
             (Tail::Relaxing { rate: 1.0 }, Tail::Relaxing { rate: -1.0 }, (1.0, -1.0)),
             (Tail::Relaxing { rate: 1.0 }, Tail::Levelling, (1.0, -1.0)),
         ] {
@@ -172,7 +181,7 @@ mod tests {
 
     #[test]
     fn fourth_order() {
-        let ends = (Tail::ToLimit { rate: 2.0, limit: 0.0 }, Tail::ToLimit { rate: -1.0, limit: 0.0 });
+        let ends = (to_limit(2.0, 0.0, 0.0), to_limit(-1.0, 0.0, 0.0));
         let error = |count| {
             let knots = Knots::new("x", -8.0, 12.0, count).unwrap();
             let values: Vec<f64> = knots.iter().map(bump).collect();
@@ -201,11 +210,12 @@ mod tests {
 
     #[test]
     fn a_tail_of_the_assumed_form_is_exact() {
-        // e^{-x}(1 + x) to the limit 3, from a table that covers a part of it
-        let tail = |x: f64| 3.0 + (-x).exp() * (1.0 + x);
+        // to the limit 3, from a table that covers a part of it
+        let tail = |x: f64| 3.0 + (-x).exp() * (1.0 + x) + 0.7 * (-0.5 * x).exp();
         let knots = Knots::new("x", 0.0, 4.0, 65).unwrap();
         let values: Vec<f64> = knots.iter().map(tail).collect();
-        let high = Tail::ToLimit { rate: -1.0, limit: 3.0 };
+        // γ is counted from the last knot
+        let high = to_limit(-1.0, 3.0, 0.7 * (-2.0_f64).exp());
         let pieces = pieces(&values, &knots, Tail::Relaxing { rate: 1.0 }, high);
         for x in [5.0, 7.0, 20.0] {
             assert!((at(&pieces, &knots, (1.0, -1.0), x).0 - tail(x)).abs() < 1e-6);

@@ -2,7 +2,7 @@
 //!
 //! The grid of knots starts coarse. As long as the values at every second knot are not predicted by the others to the asked
 //! accuracy, along the speed or along the depth, that axis is halved. A level's points are independent and are solved in
-//! parallel; each is given its nearest neighbour of the levels before, so that nothing depends on the number of threads.
+//! parallel, so that nothing depends on the number of threads.
 
 mod collapse;
 mod plane;
@@ -44,7 +44,7 @@ impl LawSample {
     }
 }
 
-/// A solved point of a sweep: what is kept to resume it, and what a neighbour is told.
+/// A solved point of a sweep: what is kept to resume it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SolvedPoint {

@@ -1,7 +1,10 @@
 //! A law on a plane of speed and depth.
 
+use crate::law::data::LawData;
 use crate::law::error::LawError;
 use crate::law::knots::{Knots, Place};
+use crate::law::limits::SpeedLimits;
+use crate::law::material::LawMaterial;
 use crate::law::origin::LawOrigin;
 use crate::law::quantities::{KnotValues, LawErrors, NAMES, PerQuantity};
 use crate::law::scaled::{FrictionReference, SPEED_RATES, ScaledLogarithm, ln_speed, logarithms};
@@ -16,12 +19,24 @@ const INDENTATION_TAILS: (Tail, Tail) = (Tail::Relaxing { rate: 1.0 }, Tail::Lev
 /// The smallest number of knots along the speed.
 const FEWEST_SPEEDS: usize = 3;
 
+/// The tails of each quantity below the first and above the last knot.
+pub(crate) type RowTails = PerQuantity<(Tail, Tail)>;
+
 /// The tails to the exact limits at rest and at infinite speed.
-pub(crate) fn speed_tails((rest, infinite): (f64, f64)) -> (Tail, Tail) {
-    (
-        Tail::ToLimit { rate: SPEED_RATES.0, limit: rest },
-        Tail::ToLimit { rate: SPEED_RATES.1, limit: infinite },
-    )
+///
+/// The slope at rest holds where z is small for the longest time; a table that begins later has nothing to do with it.
+pub(crate) fn speed_tails(
+    limits: PerQuantity<SpeedLimits>,
+    speeds: &Knots,
+    material: &LawMaterial,
+) -> RowTails {
+    let longest = material.time_span().map_or(1.0, |(_, longest)| longest);
+    let first = speeds.first().exp();
+    let reach = first / (1.0 + (longest * first).powi(4));
+    limits.map(|limits| {
+        let low = Tail::ToLimit { rate: SPEED_RATES.0, limit: limits.rest, half: limits.slope * reach };
+        (low, Tail::ToLimit { rate: SPEED_RATES.1, limit: limits.infinite, half: 0.0 })
+    })
 }
 
 /// Refuses values that are too few or too many, or not positive and finite.
@@ -96,16 +111,13 @@ fn along_speed(patch: &Patch, weights: &[f64; 4]) -> [[f64; 4]; 4] {
 /// Outside the table the law is still C²:
 ///
 /// - slow and fast: the exact limits ([`LawIndenter::elastic`](crate::law::limits::LawIndenter::elastic): Hertz with E0 and with E∞, friction
-///   ∝ v and ∝ 1/v), approached as z² ln z and ln z/z;
+///   ∝ v and ∝ 1/v), approached as z, with its exact factor, then z² ln z, and as ln z/z;
 /// - shallow: the collapse on z, approached as ŷ;
 /// - deep: f, g, m level off; [`concern`](ContactLaw::concern) says so.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TabulatedLaw {
-    origin: LawOrigin,
-    speeds: Knots,
+    data: LawData,
     indentations: Knots,
-    values: KnotValues,
-    errors: LawErrors,
     reference: FrictionReference,
     patches: Vec<Patch>,
 }
@@ -127,25 +139,19 @@ impl TabulatedLaw {
         let origin = LawOrigin { material: origin.material.checked()?, ..origin };
         check_values(&speeds, indentations.count(), &values)?;
         let reference = FrictionReference::new(&origin.material);
-        let limits = limits(&origin, &indentations)?;
+        let tails = row_tails(&origin, &speeds, &indentations)?;
         let scaled = logarithms(&reference, &speeds, indentations.count(), &values);
-        let patches = patches(&speeds, &indentations, &scaled, &limits);
-        let [along_speed, along_depth] = left_out_by_axis(&speeds, &indentations, &scaled, &limits);
+        let patches = patches(&speeds, &indentations, &scaled, &tails);
+        let [along_speed, along_depth] = left_out_by_axis(&speeds, &indentations, &scaled, &tails);
         let interpolation = along_speed.zip(along_depth).map(|(a, b)| f64::max(a, b));
         let errors = LawErrors { interpolation, solver };
-        Ok(Self { origin, speeds, indentations, values, errors, reference, patches })
+        Ok(Self { data: LawData { origin, speeds, values, errors }, indentations, reference, patches })
     }
 
-    /// What it was computed for.
+    /// What it is made of: origin, knots along the speed, values, errors.
     #[must_use]
-    pub fn origin(&self) -> &LawOrigin {
-        &self.origin
-    }
-
-    /// The knots of ln z.
-    #[must_use]
-    pub fn ln_speeds(&self) -> &Knots {
-        &self.speeds
+    pub fn data(&self) -> &LawData {
+        &self.data
     }
 
     /// The knots of ln ŷ.
@@ -154,33 +160,22 @@ impl TabulatedLaw {
         &self.indentations
     }
 
-    /// f, g, m at the knots, speed fastest.
-    #[must_use]
-    pub fn values(&self) -> &KnotValues {
-        &self.values
-    }
-
-    /// Its errors, relative.
-    #[must_use]
-    pub fn errors(&self) -> &LawErrors {
-        &self.errors
-    }
-
     /// The largest interpolation error along the speed and along the depth, from the knots left out along each.
     ///
     /// # Errors
     /// None that [`new`](Self::new) has not found.
     pub(crate) fn errors_by_axis(&self) -> Result<[PerQuantity<f64>; 2], LawError> {
-        let limits = limits(&self.origin, &self.indentations)?;
-        let scaled = logarithms(&self.reference, &self.speeds, self.indentations.count(), &self.values);
-        Ok(left_out_by_axis(&self.speeds, &self.indentations, &scaled, &limits))
+        let LawData { origin, speeds, values, .. } = &self.data;
+        let tails = row_tails(origin, speeds, &self.indentations)?;
+        let scaled = logarithms(&self.reference, speeds, self.indentations.count(), values);
+        Ok(left_out_by_axis(speeds, &self.indentations, &scaled, &tails))
     }
 
     #[inline(always)]
     fn places(&self, at: &ContactPoint) -> (Place, Place, &Patch) {
-        let speed = self.speeds.place(ln_speed(at), SPEED_RATES);
+        let speed = self.data.speeds.place(ln_speed(at), SPEED_RATES);
         let depth = self.indentations.place(at.ln_indentation, INDENTATION_RATES);
-        let patch = &self.patches[depth.piece * self.speeds.pieces() + speed.piece];
+        let patch = &self.patches[depth.piece * self.data.speeds.pieces() + speed.piece];
         (speed, depth, patch)
     }
 }
@@ -208,37 +203,35 @@ impl ContactLaw for TabulatedLaw {
         if depth.piece == self.indentations.count() && at.ln_indentation > self.indentations.last() {
             return Some(ValidityConcern::TooDeep { indentation, limit: self.indentations.last().exp() });
         }
-        let is_tail = speed.piece == 0 || speed.piece == self.speeds.count();
-        let [_, w, wt, wtt] = speed.basis;
-        let [force, area, friction, _] = combined(&along_speed(patch, &[0.0, w, wt, wtt]), &depth.basis);
+        let is_tail = speed.piece == 0 || speed.piece == self.data.speeds.count();
+        // the term whose factor is known is no assumption
+        let [_, w, wt, _] = speed.basis;
+        let [force, area, friction, _] = combined(&along_speed(patch, &[0.0, w, wt, 0.0]), &depth.basis);
         let away = PerQuantity { force, area, friction };
-        is_tail.then(|| tail_concern(velocity, away, &self.errors)).flatten()
+        is_tail.then(|| tail_concern(velocity, away, &self.data.errors)).flatten()
     }
 }
 
-/// The limits at rest and at infinite speed of every row.
-fn limits(origin: &LawOrigin, indentations: &Knots) -> Result<Vec<PerQuantity<(f64, f64)>>, LawError> {
-    indentations
-        .iter()
-        .map(|ln_indentation| origin.indenter.logarithms(ln_indentation.exp(), &origin.material))
-        .collect()
+/// The tails of every row along the speed.
+fn row_tails(origin: &LawOrigin, speeds: &Knots, indentations: &Knots) -> Result<Vec<RowTails>, LawError> {
+    let material = &origin.material;
+    let of_row = |ln_indentation: f64| {
+        let limits = origin.indenter.logarithms(ln_indentation.exp(), material)?;
+        Ok(speed_tails(limits, speeds, material))
+    };
+    indentations.iter().map(of_row).collect()
 }
 
 /// The bicubic pieces: splines along ln z in every row, then splines along ln ŷ through each of their coefficients.
 ///
 /// Both steps are linear, so what holds in every row (the way to the limits, the continuity at the knots) holds between them.
-fn patches(
-    speeds: &Knots,
-    indentations: &Knots,
-    scaled: &KnotValues,
-    limits: &[PerQuantity<(f64, f64)>],
-) -> Vec<Patch> {
+fn patches(speeds: &Knots, indentations: &Knots, scaled: &KnotValues, tails: &[RowTails]) -> Vec<Patch> {
     let columns = speeds.count();
-    let rows: Vec<PerQuantity<Vec<[f64; 4]>>> = limits
+    let rows: Vec<PerQuantity<Vec<[f64; 4]>>> = tails
         .iter()
         .enumerate()
-        .map(|(row, limits)| {
-            scaled.as_ref().zip(limits.map(speed_tails)).map(|(list, (low, high))| {
+        .map(|(row, tails)| {
+            scaled.as_ref().zip(*tails).map(|(list, (low, high))| {
                 pieces(&list[row * columns..(row + 1) * columns], speeds, low, high)
             })
         })
@@ -269,12 +262,12 @@ fn left_out_by_axis(
     speeds: &Knots,
     indentations: &Knots,
     scaled: &KnotValues,
-    limits: &[PerQuantity<(f64, f64)>],
+    tails: &[RowTails],
 ) -> [PerQuantity<f64>; 2] {
     let columns = speeds.count();
     let mut worst = [PerQuantity::uniform(0.0_f64); 2];
-    for (row, limits) in limits.iter().enumerate() {
-        let here = scaled.as_ref().zip(limits.map(speed_tails)).map(|(list, (low, high))| {
+    for (row, tails) in tails.iter().enumerate() {
+        let here = scaled.as_ref().zip(*tails).map(|(list, (low, high))| {
             left_out(&list[row * columns..(row + 1) * columns], speeds, low, high, SPEED_RATES)
         });
         worst[0] = worst[0].zip(here).map(|(a, b)| a.max(b));

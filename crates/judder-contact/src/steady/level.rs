@@ -135,7 +135,7 @@ impl Level {
         }
         let force = solution.pressure.iter().sum::<f64>() * grid.cell_area();
         let resistance = resistance(question.profile, grid, &solution.pressure);
-        let area = contact_area(grid, &solution.pressure);
+        let area = contact_area(grid, &solution.pressure, question.substrate);
         Ok(Self {
             grid: *grid,
             collocation_shift: shift,

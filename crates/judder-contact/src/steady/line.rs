@@ -1,5 +1,6 @@
 //! Steady sliding of a long cylinder across its axis: the line contact.
 
+use super::contact_area::contact_length;
 use super::error::SteadyError;
 use crate::kernel::sliding::SlidingOperator;
 use crate::kernel::substrate::SlidingSubstrate;
@@ -65,7 +66,7 @@ pub fn solve(question: &LineQuestion<'_>) -> Result<LineContact, SteadyError> {
         };
         let solution = on_grid(question, grid, &start)?;
         start = (solution.pressure.clone(), solution.indentation);
-        finest = Some(measured(grid, solution));
+        finest = Some(measured(grid, solution, question.substrate));
     }
     finest.ok_or(SteadyError::NoCells)
 }
@@ -88,11 +89,11 @@ fn on_grid(
     Ok(active_set::solve(&mut operator, &problem, start, question.limits)?)
 }
 
-fn measured(grid: SurfaceGrid, solution: UnilateralSolution) -> LineContact {
+fn measured(grid: SurfaceGrid, solution: UnilateralSolution, substrate: &SlidingSubstrate) -> LineContact {
     let pressure = &solution.pressure;
     let force: f64 = pressure.iter().sum();
     let moment: f64 = pressure.iter().enumerate().map(|(column, p)| p * grid.x(column)).sum();
-    let width = super::contact_area::length_in_contact(pressure) * grid.cell;
+    let width = contact_length(&grid, pressure, substrate);
     let peak_pressure = pressure.iter().copied().fold(0.0, f64::max);
     LineContact { grid, peak_pressure, width, friction: moment / force, solution }
 }

@@ -82,7 +82,7 @@ impl<'a> ContactSolver<'a> {
             indentation: solution.indentation + lowest,
             force: pressure.iter().sum::<f64>() * grid.cell_area(),
             friction_force: resistance(self.question.profile, &grid, pressure),
-            area: contact_area(&grid, pressure),
+            area: contact_area(&grid, pressure, &SlidingSubstrate::elastic()),
             residual: solution.errors.worst() * solution.indentation.max(0.0) / self.window.depth,
             gap: solution.gap,
             converged: solution.converged,

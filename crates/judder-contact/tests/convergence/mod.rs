@@ -1,4 +1,5 @@
 //! Orders of convergence, shown.
 
+mod computed_law;
 mod grids;
 mod transient_steps;

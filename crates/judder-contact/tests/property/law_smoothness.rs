@@ -78,7 +78,7 @@ fn curvatures(law: &dyn ContactLaw, z: f64, y: f64, along_depth: bool) -> [[f64;
 #[test]
 fn curvature_is_continuous_across_knots_and_edges() {
     let law = tabulated(Sphere, 33, 5);
-    let (speeds, depths) = (*law.ln_speeds(), *law.ln_indentations());
+    let (speeds, depths) = (*law.data().ln_speeds(), *law.ln_indentations());
     for (ln_z, ln_y) in speeds.iter().flat_map(|z| depths.iter().map(move |y| (z, y))) {
         for along_depth in [false, true] {
             // off the knots of the other axis, where nothing but this knot could jump
@@ -156,7 +156,7 @@ fn deviation(law: &dyn ContactLaw, indenter: LawIndenter, ln_z: (f64, f64), ln_y
 #[test]
 fn the_closed_form_comes_back_within_the_stated_error_inside_and_outside() {
     let law = tabulated(Sphere, 65, 9);
-    let stated = law.errors().interpolation.into_array().into_iter().fold(0.0, f64::max);
+    let stated = law.data().errors().interpolation.into_array().into_iter().fold(0.0, f64::max);
     let inside = deviation(&law, Sphere, (-4.6, 6.9), (-6.9, -1.21));
     assert!(inside < stated && stated < 0.02, "{inside} {stated}");
     let slow = deviation(&law, Sphere, (-14.0, -4.6), (-6.9, -1.21));
@@ -191,6 +191,6 @@ fn concerns_name_the_side_that_is_left() {
     assert_eq!(short.concern(1e-9, 0.01), None);
     let z = 1001.0 * 0.1;
     let concern = short.concern(z, 0.01);
-    let away = short.errors().total().friction;
+    let away = short.data().errors().total().friction;
     assert_eq!(concern.is_some(), away < 5e-4, "{concern:?} {away}");
 }

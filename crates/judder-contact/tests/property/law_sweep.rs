@@ -19,13 +19,6 @@ fn request(accuracy: f64) -> SweepRequest {
     }
 }
 
-/// A solver whose answer depends, a little, on the neighbour that it started from.
-fn started(v: f64, y: f64, near: Option<&SolvedPoint>) -> Result<LawSample, LawError> {
-    let start = near.map_or(1.0, |point| point.sample.force);
-    let exact = sample(LawIndenter::Sphere)(v, y, None).unwrap_or_else(|never| match never {});
-    Ok(LawSample { force: exact.force * (1.0 + 1e-9 * start), ..exact })
-}
-
 /// Collects, and stops after a number of points.
 struct Watch {
     points: Mutex<Vec<SolvedPoint>>,
@@ -62,7 +55,7 @@ fn as_accurate_as_asked_and_no_finer() {
             let force = sweep.law.evaluate(&ContactPoint::new(v, y)).force.value;
             assert!((force / contact(LawIndenter::Sphere, v, y).force - 1.0).abs() < accuracy);
         }
-        assert_eq!(sweep.law.errors().solver, PerQuantity { force: 1e-4, area: 2e-4, friction: 3e-4 });
+        assert_eq!(sweep.law.data().errors().solver, PerQuantity { force: 1e-4, area: 2e-4, friction: 3e-4 });
     }
     assert!(coarse.points.len() < fine.points.len() && coarse.points.len() < 400);
 }
@@ -71,7 +64,7 @@ fn as_accurate_as_asked_and_no_finer() {
 fn the_same_on_any_number_of_threads_and_after_an_interruption() {
     let run = |threads: usize, known: &[SolvedPoint], observer: &dyn SweepObserver| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| sweep(&request(1e-2), known, &started, observer))
+        pool.install(|| sweep(&request(1e-2), known, &sample(LawIndenter::Sphere), observer))
     };
     let alone = run(1, &[], &()).unwrap();
     assert_eq!(run(5, &[], &()).unwrap(), alone);
@@ -90,8 +83,8 @@ fn the_same_on_any_number_of_threads_and_after_an_interruption() {
 
 #[test]
 fn points_that_fail_are_all_named_and_nothing_is_guessed() {
-    let failing = |v: f64, y: f64, near: Option<&SolvedPoint>| {
-        if v > 1.0 && y > 0.1 { Err("stalled") } else { Ok(sample(LawIndenter::Sphere)(v, y, near).unwrap()) }
+    let failing = |v: f64, y: f64| {
+        if v > 1.0 && y > 0.1 { Err("stalled") } else { Ok(sample(LawIndenter::Sphere)(v, y).unwrap()) }
     };
     let Err(LawError::FailedPoints { attempted, failures }) = sweep(&request(1e-2), &[], &failing, &())
     else {
@@ -99,17 +92,15 @@ fn points_that_fail_are_all_named_and_nothing_is_guessed() {
     };
     assert_eq!(attempted, 27);
     assert!(!failures.is_empty() && failures.iter().all(|f| f.velocity > 1.0 && f.cause == "stalled"));
-    let nan = |v: f64, y: f64, near: Option<&SolvedPoint>| {
-        sample(LawIndenter::Sphere)(v, y, near).map(|s| LawSample { area: f64::NAN, ..s })
-    };
+    let nan = |v: f64, y: f64| sample(LawIndenter::Sphere)(v, y).map(|s| LawSample { area: f64::NAN, ..s });
     assert!(matches!(sweep(&request(1e-2), &[], &nan, &()), Err(LawError::FailedPoints { .. })));
 }
 
 #[test]
 fn a_solver_that_is_not_accurate_enough_ends_the_sweep_and_says_so() {
     // noise of half a percent, a different one at every point
-    let noisy = |v: f64, y: f64, near: Option<&SolvedPoint>| {
-        sample(LawIndenter::Sphere)(v, y, near).map(|s| {
+    let noisy = |v: f64, y: f64| {
+        sample(LawIndenter::Sphere)(v, y).map(|s| {
             let bits = (v.to_bits() ^ y.to_bits().rotate_left(17)).wrapping_mul(0x9E37_79B9_7F4A_7C15);
             let noise = 5e-3 * ((bits >> 11) as f64 / (1_u64 << 52) as f64 - 1.0);
             LawSample { friction: s.friction * (1.0 + noise), friction_error: 5e-3, ..s }
@@ -118,7 +109,7 @@ fn a_solver_that_is_not_accurate_enough_ends_the_sweep_and_says_so() {
     let request = SweepRequest { most_points: 100_000, ..request(1e-3) };
     let sweep = sweep(&request, &[], &noisy, &()).unwrap();
     assert_eq!(sweep.end, SweepEnd::SolverError);
-    assert!(sweep.law.errors().interpolation.friction > 1e-3);
+    assert!(sweep.law.data().errors().interpolation.friction > 1e-3);
 }
 
 #[test]

@@ -14,6 +14,7 @@ mod periodic_surface;
 mod prony_fit;
 mod quasi_steady_law;
 mod rough_surface;
+mod slow_sliding;
 mod spectrum;
 mod transient_at_rest;
 mod transient_sliding;

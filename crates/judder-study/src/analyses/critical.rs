@@ -7,6 +7,7 @@ use crate::error::StudyError;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use judder_case::{Family, Form, OscillatorCase, OscillatorInputs, OscillatorKey, Sweep, Value, Within};
+use judder_oscillator::Contact;
 use judder_oscillator::critical::{Range, Scale, Thresholds, thresholds};
 use judder_store::{Dataset, Table, Variable};
 use rayon::prelude::*;
@@ -51,14 +52,13 @@ impl Sought {
 }
 
 pub(super) fn run(
-    case: &OscillatorCase,
+    (case, contact): (&OscillatorCase, &Contact),
     sought: Sought,
     sweep: &Sweep<OscillatorKey>,
     within: &Within,
     family: Option<&Family<OscillatorKey>>,
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
-    let contact = bridge::contact(case, progress)?;
     let (axis, curves) = (Axis::of_oscillator(sweep), Curves::new(case, family));
     let range = Range { from: within.from, to: within.to, scale: Scale::Logarithmic };
     let samples = ((within.to / within.from).log10() * SAMPLES_PER_DECADE).ceil() as usize + 1;
@@ -79,7 +79,7 @@ pub(super) fn run(
                 let mut here = *inputs;
                 sweep.set(&mut here, *value);
                 let at = |threshold: f64| bridge::coefficients(&set(&here, threshold));
-                let found = thresholds(&contact, &range, samples, at);
+                let found = thresholds(contact, &range, samples, at);
                 progress.advance();
                 Ok((here, found))
             })
@@ -88,7 +88,7 @@ pub(super) fn run(
     }
     let roots: Vec<(OscillatorInputs, &Thresholds)> = found.iter().map(|(inputs, t)| (*inputs, t)).collect();
     let mut outcome = assemble(sought, within, &axis, &curves, &found)?;
-    outcome.checks = checks::thresholds(&contact, &roots, set);
+    outcome.checks = checks::thresholds(contact, &roots, set);
     Ok(outcome)
 }
 

@@ -2,27 +2,26 @@
 
 use super::axis::{Axis, Curves};
 use super::steady_states::{along, failure_warning, validity_warnings};
-use crate::bridge;
 use crate::checks;
 use crate::error::StudyError;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use judder_case::{Family, OscillatorCase, OscillatorKey, Sweep};
+use judder_oscillator::Contact;
 use judder_store::{Dataset, Table, Variable};
 use serde_json::{Map, json};
 
 pub(super) fn run(
-    case: &OscillatorCase,
+    (case, contact): (&OscillatorCase, &Contact),
     sweep: &Sweep<OscillatorKey>,
     family: Option<&Family<OscillatorKey>>,
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
-    let contact = bridge::contact(case, progress)?;
     let (axis, curves) = (Axis::of_oscillator(sweep), Curves::new(case, family));
     let mut outcome = Outcome::default();
     let (mut damping, mut states, mut scalars) = (Vec::new(), Vec::new(), Vec::new());
     for inputs in &curves.inputs {
-        let line = along(&contact, inputs, sweep, progress)?;
+        let line = along(contact, inputs, sweep, progress)?;
         outcome.warnings.extend(failure_warning(&line, &axis.values));
         outcome.missing += line.iter().filter(|s| s.is_err()).count();
         let values: Vec<f64> = line
@@ -36,8 +35,8 @@ pub(super) fn run(
         damping.extend(values);
         states.extend(line.into_iter().flatten());
     }
-    outcome.warnings.extend(validity_warnings(&contact, states.iter()));
-    outcome.checks = checks::steady_sliding(&contact, &states);
+    outcome.warnings.extend(validity_warnings(contact, states.iter()));
+    outcome.checks = checks::steady_sliding(contact, &states);
     outcome.scalars = curves.scalars(scalars);
     let rows = vec![axis.values.len(); curves.inputs.len()];
     let mut table = Table::new();

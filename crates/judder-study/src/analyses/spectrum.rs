@@ -2,15 +2,14 @@
 
 use super::axis::{Axis, Curves};
 use super::steady_states::{along, failure_warning, validity_warnings};
-use crate::bridge;
 use crate::checks;
 use crate::error::StudyError;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use judder_case::{Family, OscillatorCase, OscillatorKey, Sweep};
-use judder_oscillator::LinearSystem;
 use judder_oscillator::conservative::conservative_eigenvalues;
 use judder_oscillator::spectrum::{eigenvalues, growth_rate};
+use judder_oscillator::{Contact, LinearSystem};
 use judder_store::{Dataset, Table, Variable};
 use num_complex::Complex64;
 use serde_json::{Map, Value, json};
@@ -37,26 +36,25 @@ impl Spectra {
 }
 
 pub(super) fn run(
-    case: &OscillatorCase,
+    (case, contact): (&OscillatorCase, &Contact),
     sweep: &Sweep<OscillatorKey>,
     family: Option<&Family<OscillatorKey>>,
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
-    let contact = bridge::contact(case, progress)?;
     let (axis, curves) = (Axis::of_oscillator(sweep), Curves::new(case, family));
     let (mut spectra, mut states, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
     for inputs in &curves.inputs {
-        let line = along(&contact, inputs, sweep, progress)?;
+        let line = along(contact, inputs, sweep, progress)?;
         warnings.extend(failure_warning(&line, &axis.values));
         spectra.extend(
             line.iter().map(|s| s.as_ref().ok().and_then(|s| Spectra::new(&s.linearisation.system()))),
         );
         states.extend(line.into_iter().flatten());
     }
-    warnings.extend(validity_warnings(&contact, states.iter()));
+    warnings.extend(validity_warnings(contact, states.iter()));
     let mut outcome = outcome(&axis, &curves, spectra)?;
     outcome.warnings = warnings;
-    outcome.checks = checks::steady_sliding(&contact, &states);
+    outcome.checks = checks::steady_sliding(contact, &states);
     Ok(outcome)
 }
 

@@ -92,36 +92,35 @@ fn decide(contact: &Contact, plane: &CasePlane<'_>, method: Method) -> (Stabilit
 }
 
 pub(super) fn run(
-    case: &OscillatorCase,
+    (case, contact): (&OscillatorCase, &Contact),
     settings: &MapSettings<OscillatorKey>,
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
-    let contact = bridge::contact(case, progress)?;
     let (x, y) = (Axis::of_oscillator(&settings.x), Axis::of_oscillator(&settings.y));
     let plane = CasePlane { inputs: case.inputs, x: (&settings.x, &x.values), y: (&settings.y, &y.values) };
     let method = match settings.method {
         MapMethod::Adaptive => Method::Adaptive,
         MapMethod::EveryPoint => Method::EveryPoint,
     };
-    let (map, seconds) = decide(&contact, &plane, method);
+    let (map, seconds) = decide(contact, &plane, method);
     progress.advance();
     if progress.interrupted() {
         return Err(StudyError::Interrupted);
     }
     let growth = match method {
-        Method::EveryPoint => Some(growth_rates(&contact, &plane, progress)?),
+        Method::EveryPoint => Some(growth_rates(contact, &plane, progress)?),
         Method::Adaptive => None,
     };
     let overlays =
-        if settings.boundaries { overlays::trace(&contact, case, settings, progress)? } else { Vec::new() };
+        if settings.boundaries { overlays::trace(contact, case, settings, progress)? } else { Vec::new() };
     progress.advance();
-    let states = checked_states(&contact, &plane);
+    let states = checked_states(contact, &plane);
     let mut outcome = Outcome {
         scalars: map_scalars(&map, NORMAL_FORCE, seconds, &overlays),
         dataset: MapArrays { x: &x, y: &y, map: &map, growth, overlays: &overlays, neither: NORMAL_FORCE }
             .dataset()?,
-        warnings: validity_warnings(&contact, states.iter().map(|(state, _)| state)),
-        checks: checks::steady_sliding(&contact, &states.iter().map(|(state, _)| *state).collect::<Vec<_>>()),
+        warnings: validity_warnings(contact, states.iter().map(|(state, _)| state)),
+        checks: checks::steady_sliding(contact, &states.iter().map(|(state, _)| *state).collect::<Vec<_>>()),
         missing: map.count(StabilityClass::Unresolved),
         ..Outcome::default()
     };

@@ -171,9 +171,8 @@ fn lead(changes: &[Change]) -> String {
     format!(
         "The maps and thresholds with the law computed for a sphere, beside those with the printed fits. From the printed to the computed law {} of the \
          points of a map change between stable and unstable: most of that is the velocity axis. From the fits with the corrected axis to the computed \
-         law {} change. That is no more than the accuracy of the computed law leaves open: at low speed and larger loads the threshold hangs on the slope of the \
-         contact area over the speed, which is small there, and a law of 1 % does not have it. The teeth of those boundaries are the law's, not the \
-         oscillator's.",
+         law {} change. At low speed and larger loads the threshold hangs on the slope of the contact area over the speed, which is small there: the computed law \
+         has the exact one, −(2/π) Σ C_k E_0 τ_k/τ over z, the fits fall like a Gaussian bell.",
         between([0, 2]),
         between([1, 2])
     )

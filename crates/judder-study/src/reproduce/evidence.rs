@@ -1,8 +1,7 @@
 //! What the claims about the contact computation are measured on.
 
 use super::exhibits::{CONTACT_CASES, FIT, LAW_FILE};
-use crate::bridge::BEM_ACCURACY;
-use crate::computed_law;
+use crate::computed_law::{self, NO_POINTS};
 use crate::error::StudyError;
 use crate::material::ContactScales;
 use crate::progress::Progress;
@@ -58,7 +57,7 @@ impl Evidence {
     pub(super) fn new(law: Law, progress: &dyn Progress) -> Result<Self, StudyError> {
         let (case, settings) = contact_case(FIT)?;
         let scales = ContactScales::new(&case)?;
-        let curve = computed_law::of_paraboloid(&scales.material, BEM_ACCURACY, progress)?;
+        let curve = computed_law::of_paraboloid(&scales.material, settings.accuracy, NO_POINTS, progress)?;
         let samples = samples(&law, &settings);
         let fit = |samples: &[FitSample], scale: f64| {
             fit_law(samples, scale, Weighting::Absolute)
@@ -67,7 +66,7 @@ impl Evidence {
         Ok(Self {
             fit: fit(&samples, CORRECTED)?,
             fit_as_printed: fit(&samples, 0.0)?,
-            paraboloid: fit(&self::samples(&curve, &settings), CORRECTED)?,
+            paraboloid: fit(&self::samples(&curve.law, &settings), CORRECTED)?,
             ends: [end(&scales, ENDS[0])?, end(&scales, ENDS[1])?],
             spectrum: scales.material.spectrum,
             law,
@@ -147,7 +146,7 @@ pub(super) fn computed() -> Evidence {
             method: settings.method,
             velocity: (settings.velocity.from, settings.velocity.to),
             indentation: (settings.indentation.from, settings.indentation.to),
-            accuracy: BEM_ACCURACY,
+            accuracy: settings.accuracy,
             memory: MEMORY,
         };
         let found = compute(&task, (&[], &|_| ()), &Silent).unwrap();

@@ -9,7 +9,7 @@ use serde_json::{Map, Value};
 use std::path::Path;
 
 /// Runs a case of this text in a folder, whose files the text may name.
-fn run_text(folder: &Path, text: &str) -> RunReport {
+pub(crate) fn run_text(folder: &Path, text: &str) -> RunReport {
     let path = folder.join("case.toml");
     std::fs::write(&path, text).unwrap();
     run_into(&folder.join("out"), &CaseFile::read(&path, &[]).unwrap(), &[])

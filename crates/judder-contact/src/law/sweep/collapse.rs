@@ -46,7 +46,7 @@ pub fn collapse_sweep<S, E>(
     observer: &dyn SweepObserver,
 ) -> Result<Sweep<CollapsedLaw>, LawError>
 where
-    S: Fn(f64, f64, Option<&SolvedPoint>) -> Result<LawSample, E> + Sync,
+    S: Fn(f64, f64) -> Result<LawSample, E> + Sync,
     E: Display,
 {
     check_accuracy(request.accuracy)?;
@@ -67,7 +67,7 @@ where
         let (values, solver) = solving.values();
         let law =
             CollapsedLaw::new(request.material.clone(), request.source.clone(), speeds, values, solver)?;
-        let errors = law.errors().interpolation;
+        let errors = law.data().errors().interpolation;
         levels.push(SweepLevel {
             columns: speeds.count(),
             rows: 1,

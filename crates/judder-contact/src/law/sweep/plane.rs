@@ -29,9 +29,9 @@ pub struct SweepRange {
 
 /// z between which a law is tabulated; beyond, its exact limits and their asymptotes hold.
 ///
-/// Slow: deviations are of order z² ln z with the longest time. Fast: of order ln z/z times E∞/E0 with the shortest.
+/// Slow: what the tail does not know is of order z³ with the longest time. Fast: of order ln z/z times E∞/E0 with the shortest.
 fn informative_speeds(material: &LawMaterial) -> (f64, f64) {
-    const SLOW: f64 = 1e-2;
+    const SLOW: f64 = 5e-2;
     const FAST: f64 = 1e2;
     let (shortest, longest) = material.time_span().unwrap_or((1.0, 1.0));
     (SLOW / longest, FAST * material.modulus_ratio / shortest)
@@ -90,7 +90,7 @@ pub struct SweepRequest {
 
 /// Solves the contact over speed and depth until the table through the solutions is as accurate as asked.
 ///
-/// `sampler` solves the contact at v̂, ŷ; it is handed the nearest point solved at an earlier level. `known` are points that an
+/// `sampler` solves the contact at v̂, ŷ. `known` are points that an
 /// earlier, interrupted sweep handed to its observer: they are not solved again. With the same sampler the result is the same
 /// to the last bit for any number of threads, resumed or not.
 ///
@@ -104,7 +104,7 @@ pub fn sweep<S, E>(
     observer: &dyn SweepObserver,
 ) -> Result<Sweep<TabulatedLaw>, LawError>
 where
-    S: Fn(f64, f64, Option<&SolvedPoint>) -> Result<LawSample, E> + Sync,
+    S: Fn(f64, f64) -> Result<LawSample, E> + Sync,
     E: Display,
 {
     check_accuracy(request.accuracy)?;

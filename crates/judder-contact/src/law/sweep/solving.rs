@@ -20,8 +20,7 @@ pub(super) struct Solving<'a, S> {
     sampler: &'a S,
     observer: &'a dyn SweepObserver,
     solved: BTreeMap<Key, SolvedPoint>,
-    /// The points of the level before, in their order: neighbours are taken from these alone, so that no point depends on which
-    /// of its own level were solved first, or in an earlier run.
+    /// The points of the last level, in their order.
     level: Vec<SolvedPoint>,
 }
 
@@ -34,7 +33,7 @@ enum Attempt {
 
 impl<'a, S, E> Solving<'a, S>
 where
-    S: Fn(f64, f64, Option<&SolvedPoint>) -> Result<LawSample, E> + Sync,
+    S: Fn(f64, f64) -> Result<LawSample, E> + Sync,
     E: Display,
 {
     pub(super) fn new(sampler: &'a S, observer: &'a dyn SweepObserver, known: &[SolvedPoint]) -> Self {
@@ -54,8 +53,7 @@ where
                 if self.observer.interrupted() {
                     return Attempt::Interrupted;
                 }
-                let neighbour = nearest(&self.level, velocity, indentation);
-                let attempt = attempt(self.sampler, velocity, indentation, neighbour);
+                let attempt = attempt(self.sampler, velocity, indentation);
                 if let Attempt::Solved(point) = &attempt {
                     let done = done.fetch_add(1, Ordering::Relaxed) + 1;
                     self.observer.finished(point, done, missing.len());
@@ -104,13 +102,13 @@ where
     }
 }
 
-fn attempt<S, E>(sampler: &S, velocity: f64, indentation: f64, neighbour: Option<&SolvedPoint>) -> Attempt
+fn attempt<S, E>(sampler: &S, velocity: f64, indentation: f64) -> Attempt
 where
-    S: Fn(f64, f64, Option<&SolvedPoint>) -> Result<LawSample, E>,
+    S: Fn(f64, f64) -> Result<LawSample, E>,
     E: Display,
 {
     let failed = |cause: String| Attempt::Failed(FailedPoint { velocity, indentation, cause });
-    match sampler(velocity, indentation, neighbour) {
+    match sampler(velocity, indentation) {
         Err(cause) => failed(cause.to_string()),
         Ok(sample) => {
             let is_value = |value: f64| value > 0.0 && value.is_finite();
@@ -124,12 +122,4 @@ where
             }
         }
     }
-}
-
-/// The solved point nearest in logarithms, the first of equals.
-fn nearest(points: &[SolvedPoint], velocity: f64, indentation: f64) -> Option<&SolvedPoint> {
-    let distance = |point: &SolvedPoint| {
-        (point.velocity / velocity).ln().abs() + (point.indentation / indentation).ln().abs()
-    };
-    points.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))
 }

@@ -1,7 +1,7 @@
 //! `fit`: the three functions of the oscillator paper through a computed law (appendix B).
 
-use super::law::{Plane, errors_of, missed};
-use crate::computed_law::{Points, compute};
+use super::law::Plane;
+use crate::computed_law::{ComputedLaw, Points, compute};
 use crate::error::StudyError;
 use crate::material::ContactScales;
 use crate::outcome::{CheckRecord, Outcome};
@@ -13,8 +13,9 @@ use judder_contact::{ContactLaw, ContactPoint, FittedLaw, Law};
 use judder_store::{Table, Variable, number};
 use serde_json::{Map, Value, json};
 
-/// What the samples of a fit are, and with that its intervals.
-const SAMPLES: &str = "read from the law's table at the points of the case; the intervals describe the fit, not the computation";
+/// What the samples of a fit are, of a sphere and of a paraboloid.
+const SOLVED: &str = "the contacts that the law was made from";
+const SOLVED_AT_ALL_DEPTHS: &str = "the contacts that the law was made from, each at every depth of the case: the contact of a paraboloid depends on v τ/√(R δ) alone";
 /// How closely a fit must come back when it is fitted to itself.
 const RETURN_LIMIT: f64 = 1e-6;
 
@@ -28,7 +29,7 @@ pub(super) fn run(
     let plane = Plane::new(settings, &scales);
     let computed = compute(&plane.task(case, &scales, settings)?, points, progress)?;
     let values = plane.values(&computed.law);
-    let samples = samples(&plane, &values);
+    let samples = samples(&plane, &computed);
     let unfit = |error: judder_contact::fit::FitError| StudyError::Unsupported(error.to_string());
     let fit = fit_law(&samples, velocity_scale.log10(), Weighting::Absolute).map_err(unfit)?;
     let beside = fit.beside(&FittedLaw::oscillator_paper());
@@ -48,10 +49,9 @@ pub(super) fn run(
     ] {
         dataset = dataset.with(over_plane(name, values, symbol))?;
     }
-    let errors = errors_of(&computed.law);
-    let missed = missed(&computed, &errors, settings.accuracy);
+    let missed = computed.missed(settings.accuracy);
     Ok(Outcome {
-        scalars: scalars(&fit, &beside, velocity_scale, errors.total()),
+        scalars: scalars(&fit, &beside, velocity_scale, (&computed, samples.len())),
         dataset: dataset.attribute("kind", "fit")?,
         table: Some(table(&beside)?),
         checks: vec![returns(&plane, &fit).map_err(unfit)?],
@@ -61,28 +61,42 @@ pub(super) fn run(
     })
 }
 
-fn samples(plane: &Plane, values: &PerQuantity<Vec<f64>>) -> Vec<FitSample> {
-    let places = plane
-        .indentations
-        .iter()
-        .flat_map(|indentation| plane.velocities.iter().map(move |velocity| (*velocity, *indentation)));
-    let numbers = values.force.iter().zip(&values.area).zip(&values.friction);
-    places
-        .zip(numbers)
-        .map(|((velocity, indentation), ((force, area), friction))| FitSample {
-            velocity,
-            indentation,
-            values: PerQuantity { force: *force, area: *area, friction: *friction },
-        })
-        .collect()
+/// The solved contacts within the speeds of the plane; those of a paraboloid at each of its depths, because the law is one curve.
+fn samples(plane: &Plane, computed: &ComputedLaw) -> Vec<FitSample> {
+    let solved = computed.points.iter().map(FitSample::from);
+    let all: Vec<FitSample> = match computed.law {
+        Law::Collapsed(_) => solved
+            .flat_map(|sample| plane.indentations.iter().map(move |depth| at_depth(&sample, *depth)))
+            .collect(),
+        _ => solved.collect(),
+    };
+    let (slowest, fastest) = Plane::ends(&plane.velocities);
+    all.into_iter().filter(|sample| sample.velocity >= slowest && sample.velocity <= fastest).collect()
+}
+
+/// The contact of a paraboloid at another depth and the same v τ/√(R δ): F̃ ∝ ŷ^{3/2}, Ã ∝ ŷ, μ ∝ √ŷ.
+fn at_depth(sample: &FitSample, indentation: f64) -> FitSample {
+    let deeper = indentation / sample.indentation;
+    let PerQuantity { force, area, friction } = sample.values;
+    FitSample {
+        velocity: sample.velocity * deeper.sqrt(),
+        indentation,
+        values: PerQuantity {
+            force: force * deeper * deeper.sqrt(),
+            area: area * deeper,
+            friction: friction * deeper.sqrt(),
+        },
+    }
 }
 
 fn scalars(
     fit: &LawFit,
     beside: &[CoefficientComparison],
     velocity_scale: f64,
-    law_error: PerQuantity<f64>,
+    (computed, samples): (&ComputedLaw, usize),
 ) -> Map<String, Value> {
+    let law_error = computed.errors().total();
+    let what = if matches!(computed.law, Law::Collapsed(_)) { SOLVED_AT_ALL_DEPTHS } else { SOLVED };
     fn function<const N: usize>(fit: &FunctionFit<N>) -> Value {
         json!({
             "coefficients": fit.coefficients.to_vec(), "standard_errors": fit.standard_errors.to_vec(),
@@ -102,7 +116,8 @@ fn scalars(
         ("area".to_owned(), function(&fit.area)),
         ("friction".to_owned(), function(&fit.friction)),
         ("velocity_scale".to_owned(), number(velocity_scale)),
-        ("samples".to_owned(), json!(SAMPLES)),
+        ("samples".to_owned(), json!(what)),
+        ("sample_count".to_owned(), json!(samples)),
         ("r2".to_owned(), json!([fit.force.r2, fit.area.r2, fit.friction.r2])),
         ("beside_the_paper".to_owned(), compared.collect()),
         (

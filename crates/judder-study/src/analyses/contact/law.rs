@@ -1,6 +1,6 @@
 //! `contact-law`: force, area and friction over speed and indentation, as a law that an oscillator uses.
 
-use crate::computed_law::{ComputedLaw, LawTask, Points, compute, meets};
+use crate::computed_law::{ComputedLaw, LawTask, Points, compute, ending, meets};
 use crate::error::StudyError;
 use crate::indenter;
 use crate::material::ContactScales;
@@ -8,7 +8,7 @@ use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use judder_case::{ContactCase, Form, LawMethod, LawSettings, Span};
 use judder_contact::law::file::to_json;
-use judder_contact::law::sweep::{SolvedPoint, SweepEnd};
+use judder_contact::law::sweep::SolvedPoint;
 use judder_contact::law::{LawErrors, PerQuantity};
 use judder_contact::steady::{GridChoice, SteadyQuestion, solve};
 use judder_contact::unilateral::{Loading, UnilateralLimits};
@@ -40,7 +40,7 @@ impl Plane {
         }
     }
 
-    fn ends(values: &[f64]) -> (f64, f64) {
+    pub(super) fn ends(values: &[f64]) -> (f64, f64) {
         (values.first().copied().unwrap_or(f64::NAN), values.last().copied().unwrap_or(f64::NAN))
     }
 
@@ -107,7 +107,7 @@ pub(super) fn run(
     let plane = Plane::new(settings, &scales);
     let task = plane.task(case, &scales, settings)?;
     let computed = compute(&task, points, progress)?;
-    let errors = errors_of(&computed.law);
+    let errors = computed.errors();
     let file = format!("{name}.json");
     let mut outcome = Outcome {
         scalars: scalars(&computed, (&errors, settings.accuracy), &scales, &file),
@@ -119,43 +119,10 @@ pub(super) fn run(
     if let Some(text) = to_json(&computed.law)? {
         outcome.files.push((file, text.into_bytes()));
     }
-    let missed = missed(&computed, &errors, settings.accuracy);
+    let missed = computed.missed(settings.accuracy);
     outcome.missing = usize::from(missed.is_some());
     outcome.warnings.extend(missed);
     Ok(outcome)
-}
-
-/// The errors that a computed law carries.
-pub(super) fn errors_of(law: &Law) -> LawErrors {
-    match law {
-        Law::Collapsed(law) => *law.errors(),
-        Law::Tabulated(law) => *law.errors(),
-        Law::Fitted(_) | Law::Hertz(_) => LawErrors::default(),
-    }
-}
-
-/// By how much a law misses its accuracy, and why; `None` where it is met.
-pub(super) fn missed(computed: &ComputedLaw, errors: &LawErrors, accuracy: f64) -> Option<String> {
-    let total = errors.total();
-    (!meets(errors, accuracy)).then(|| {
-        format!(
-            "the accuracy {accuracy:.0e} is not met: interpolation and contacts leave force {:.1e}, area {:.1e}, friction {:.1e} \
-             (area and friction may have five times the accuracy); {}",
-            total.force,
-            total.area,
-            total.friction,
-            ending(computed.end)
-        )
-    })
-}
-
-/// Why a sweep ended.
-fn ending(end: SweepEnd) -> &'static str {
-    match end {
-        SweepEnd::Accurate => "the interpolation is as accurate as asked",
-        SweepEnd::SolverError => "the single contacts are no more accurate than that",
-        SweepEnd::MostPoints => "more points would be needed than are allowed",
-    }
 }
 
 fn scalars(

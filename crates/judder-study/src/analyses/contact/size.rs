@@ -2,11 +2,12 @@
 
 use super::line::STRIPS;
 use super::single::grid;
-use crate::computed_law::SHARE_OF_SOLVER;
+
 use crate::error::StudyError;
 use crate::indenter::height_map;
 use crate::material::ContactScales;
 use judder_case::{ContactCase, ContactSettings, LawSettings, Shape};
+use judder_contact::law::boundary_elements::sweep_accuracy;
 use judder_contact::steady::GridChoice;
 
 /// Columns and rows that a contact will need; the heights of a surface that repeats itself are its grid.
@@ -33,7 +34,7 @@ pub(crate) fn lattice(
 
 /// Cells a side that the contacts of a law usually need.
 pub(crate) fn cells_of_law(law: &LawSettings) -> usize {
-    cells_for(SHARE_OF_SOLVER * law.accuracy)
+    cells_for(sweep_accuracy(law.accuracy).contacts)
 }
 
 /// Cells a side that an accuracy of the force usually needs.

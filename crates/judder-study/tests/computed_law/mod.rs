@@ -1,0 +1,109 @@
+//! Computed laws in oscillator cases.
+
+use crate::contact::run_text;
+use judder_case::{Case, CaseFile};
+use judder_study::run::{RunOptions, run};
+use judder_study::{Progress, StudyError};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// At low speed the critical shear strength hangs on the slope of the contact area; it does not depend on how finely the law was made.
+#[test]
+fn thresholds_at_low_speed_are_those_of_the_contact() {
+    let lowest = |accuracy: f64| {
+        let text = format!(
+            "model = \"oscillator\"\n[contact]\nlaw = {{ computed = true, accuracy = {accuracy} }}\n\
+             [operation]\nvelocity = 1e-5\nnormal_load = 1e-4\n"
+        );
+        let Case::Oscillator(case) = CaseFile::parse("case.toml", &text, &[]).unwrap().case else { panic!() };
+        judder_study::point::point(&case).unwrap().critical_shear_strength[0]
+    };
+    let found = [1e-2, 3e-3, 1e-3].map(lowest);
+    for strength in found {
+        assert!((strength / found[2] - 1.0).abs() < 1e-3, "{found:?}");
+    }
+}
+
+/// Stops after a number of steps.
+struct Impatient {
+    left: AtomicUsize,
+    done: AtomicUsize,
+}
+
+impl Impatient {
+    fn after(steps: usize) -> Self {
+        Self { left: AtomicUsize::new(steps), done: AtomicUsize::new(0) }
+    }
+}
+
+impl Progress for Impatient {
+    fn begin(&self, _name: &str, _steps: usize) {}
+    fn advance(&self) {
+        self.done.fetch_add(1, Ordering::Relaxed);
+        let _ = self.left.fetch_update(Ordering::Relaxed, Ordering::Relaxed, |left| left.checked_sub(1));
+    }
+    fn end(&self) {}
+    fn interrupted(&self) -> bool {
+        self.left.load(Ordering::Relaxed) == 0
+    }
+}
+
+/// The law of an oscillator case goes on from the contacts of an interrupted run, and serves all its analyses.
+#[test]
+fn a_computed_law_is_taken_up_and_shared() {
+    let text = r#"
+        model = "oscillator"
+        substrate = { glassy_modulus = "7.3 MPa" }
+        contact = { law = { computed = true, accuracy = 0.04 } }
+        [[analysis]]
+        name = "slow"
+        kind = "equivalent-damping"
+        sweep = { key = "operation.velocity", from = 1e-4, to = 1e-3, points = 3, scale = "log" }
+        [[analysis]]
+        name = "fast"
+        kind = "equivalent-damping"
+        sweep = { key = "operation.velocity", from = 1e-2, to = 1e-1, points = 3, scale = "log" }
+    "#;
+    let folder = tempfile::tempdir().unwrap();
+    let file = CaseFile::parse("case.toml", text, &[]).unwrap();
+    let points = folder.path().join(".scratch-law");
+    let stopped = run(&file, folder.path(), &RunOptions::default(), &Impatient::after(7));
+    assert!(matches!(stopped, Err(StudyError::Interrupted)));
+    // the hash of the law, then a line a contact
+    let kept = std::fs::read_to_string(&points).unwrap().lines().count() - 1;
+    assert!((7..=9).contains(&kept), "{kept}");
+    let rest = Impatient::after(usize::MAX);
+    let report = run(&file, folder.path(), &RunOptions::default(), &rest).unwrap();
+    assert!(report.complete && report.messages.is_empty(), "{:?}", report.messages);
+    assert!(!points.exists());
+    // nine knots, then seventeen or thirty-three: what was known is not solved again, and nothing twice
+    let steps = rest.done.load(Ordering::Relaxed) - 6;
+    assert!([9, 17, 33].contains(&(steps + kept)), "{steps} {kept}");
+}
+
+#[test]
+fn a_law_says_what_it_was_made_for_and_what_it_misses() {
+    let folder = tempfile::tempdir().unwrap();
+    let law = r#"
+        model = "contact"
+        indenter = { shape = "sphere" }
+        [[analysis]]
+        name = "law"
+        kind = "contact-law"
+        velocity = { from = 1e-2, to = 1e-1, points = 3 }
+        indentation = { from = 5e-2, to = 1e-1, points = 3 }
+        accuracy = 0.2
+    "#;
+    run_text(folder.path(), law);
+    std::fs::copy(folder.path().join("out/law.json"), folder.path().join("law.json")).unwrap();
+    let text = r#"
+        model = "oscillator"
+        substrate = { glassy_modulus = "5 MPa" }
+        contact = { law = { file = "law.json" } }
+        [[analysis]]
+        kind = "equivalent-damping"
+        sweep = { key = "operation.velocity", from = 1e-2, to = 1e-1, points = 3, scale = "log" }
+    "#;
+    let messages = run_text(folder.path(), text).messages.join("\n");
+    assert!(messages.contains("computed for a sphere") && messages.contains("a paraboloid"), "{messages}");
+    assert!(messages.contains("E∞/E0 = 10, this substrate has E∞/E0 = 5"), "{messages}");
+}

@@ -50,7 +50,7 @@ impl SlidingOperator {
     /// means something only for d well beyond the contact and its wakes.
     ///
     /// # Errors
-    /// What [`check`] refuses, a grid of more than one row, and a reference distance that is not positive and finite.
+    /// What [`SlidingOperator::new`] refuses, a grid of more than one row, and a reference distance that is not positive and finite.
     pub fn line(
         grid: SurfaceGrid,
         substrate: &SlidingSubstrate,

@@ -4,7 +4,6 @@ use super::SteadyQuestion;
 use super::contact_area::contact_area;
 use super::error::SteadyError;
 use super::profile::{OUT_OF_REACH, Profile};
-use crate::kernel::check::check;
 use crate::kernel::sliding::SlidingOperator;
 use crate::surface::grid::SurfaceGrid;
 use crate::surface::operator::SurfaceOperator;
@@ -115,8 +114,7 @@ impl Level {
         grid: &SurfaceGrid,
         start: &LevelStart,
     ) -> Result<Self, SteadyError> {
-        check(grid, question.substrate, question.memory)?;
-        let mut operator = SlidingOperator::new(*grid, question.substrate);
+        let mut operator = SlidingOperator::new(*grid, question.substrate, question.memory)?;
         let shift = operator.collocation_shift();
         let heights = heights(question.profile, grid, shift);
         let problem = UnilateralProblem { heights: &heights, loading: question.loading };

@@ -1,5 +1,6 @@
 //! Why a transient contact has no answer.
 
+use crate::kernel::check::KernelError;
 use crate::unilateral::UnilateralError;
 use thiserror::Error;
 
@@ -98,6 +99,9 @@ pub enum TransientError {
         /// Half the side that would hold the contact, in R.
         needed: f64,
     },
+    /// There is no kernel for the window or the strip.
+    #[error(transparent)]
+    Kernel(#[from] KernelError),
     /// The contact problem of a step is ill posed or overflows.
     #[error(transparent)]
     Unilateral(#[from] UnilateralError),

@@ -3,13 +3,12 @@
 mod fields;
 mod fit;
 mod law;
-mod line;
 mod modulus;
 mod periodic;
+mod refined;
 mod single;
 mod transient;
 
-pub(crate) use line::STRIPS;
 pub(crate) use single::{grid, loading};
 pub(crate) use transient::Asked;
 
@@ -18,7 +17,7 @@ use crate::error::StudyError;
 use crate::material::temperature_warning;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
-use judder_case::{Analysis, ContactAnalysis, ContactCase, LawMethod, Shape};
+use judder_case::{Analysis, ContactAnalysis, ContactCase, LawMethod};
 
 /// Contacts that a law usually takes.
 pub(crate) fn usual_contacts(method: LawMethod) -> usize {
@@ -43,7 +42,6 @@ pub(super) fn run(
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
     let mut outcome = match &analysis.kind {
-        ContactAnalysis::Contact(settings) if case.shape == Shape::Cylinder => line::run(case, settings),
         ContactAnalysis::Contact(settings) if case.shape.is_periodic() => {
             periodic::run(case, &analysis.name, settings)
         }

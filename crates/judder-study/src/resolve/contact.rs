@@ -1,7 +1,7 @@
 //! What `judder check` shows of a contact case.
 
 use super::{Resolved, columns, number, title};
-use crate::analyses::contact::{Asked, STRIPS, grid, loading, usual_contacts};
+use crate::analyses::contact::{Asked, grid, loading, usual_contacts};
 use crate::computed_law::SHARE_OF_SOLVER;
 use crate::error::StudyError;
 use crate::indenter::height_map;
@@ -143,7 +143,9 @@ fn lattice(
     scales: &ContactScales,
 ) -> Result<[usize; 2], StudyError> {
     let cells = match (&case.shape, grid(settings, scales)) {
-        (Shape::Cylinder, _) => return Ok([settings.cells.unwrap_or(STRIPS), 1]),
+        (Shape::Cylinder, _) => {
+            return Ok([settings.cells.unwrap_or_else(|| strips_for(settings.accuracy)), 1]);
+        }
         (Shape::Rough(rough), _) => rough.cells,
         (shape, _) if shape.is_periodic() => {
             let heights = height_map(shape, scales.scales.radius)?.grid();
@@ -163,6 +165,15 @@ fn cells_for(accuracy: f64) -> usize {
         a if a >= 3e-4 => 256,
         a if a >= 1e-4 => 512,
         _ => 1024,
+    }
+}
+
+/// Strips that an accuracy of a line contact usually needs.
+fn strips_for(accuracy: f64) -> usize {
+    match accuracy {
+        a if a >= 1e-2 => 512,
+        a if a >= 1e-3 => 2048,
+        _ => 16384,
     }
 }
 

@@ -62,8 +62,14 @@ fn the_cylinders_of_wang_and_knothe() {
     let folder = tempfile::tempdir().unwrap();
     let report = run_into(folder.path(), &case("benchmarks/wang-knothe.toml", &[]), &[]);
     assert!(report.complete, "{:?}", report.messages);
-    let peak = number(&result(&report, "line")["peak_pressure_pascal"]);
+    let line = result(&report, "line");
+    let peak = number(&line["peak_pressure_pascal"]);
     assert!((peak / 78.74e6 - 1.0).abs() < 1e-3, "{peak}");
+    assert!(number(&line["friction_difference"]) < 1e-2, "{line:?}");
+    assert!(number(&line["area_error"]) < 5e-3 && number(&line["friction_error"]) < 5e-3, "{line:?}");
+    for file in ["fields/line.vtu", "line.csv", "figures/line.svg"] {
+        assert!(folder.path().join(file).is_file(), "{file}");
+    }
 }
 
 #[test]
@@ -271,7 +277,7 @@ fn a_check_knows_the_grid_of_strips_and_of_heights() {
     std::fs::write(folder.path().join("heights.txt"), heights).unwrap();
     let file = "{ heights = \"heights.txt\", spacing = \"1 um\", unit = \"1 um\", periodic = true }";
     for (shape, bytes) in [
-        ("\"cylinder\"", SlidingOperator::memory_bytes(1024, 1)),
+        ("\"cylinder\"", SlidingOperator::memory_bytes(2048, 1)),
         (file, SlidingOperator::memory_bytes(8, 4)),
     ] {
         let path = folder.path().join("case.toml");

@@ -4,10 +4,9 @@ use crate::error::StudyError;
 use crate::material::ContactScales;
 use judder_contact::indenter::HeightMap;
 use judder_contact::periodic_contact::PeriodicContact;
-use judder_contact::steady::SteadyContact;
 use judder_contact::steady::level::Level;
 use judder_contact::steady::profile::Profile;
-use judder_contact::steady::refinement::LevelSummary;
+use judder_contact::steady::refinement::{LevelSummary, Refinement};
 use judder_contact::surface::grid::SurfaceGrid;
 use judder_contact::unilateral::UnilateralSolution;
 use judder_store::{Dataset, Quads, Variable, vtu};
@@ -97,20 +96,20 @@ impl<'a> Fields<'a> {
     /// The surfaces, and the grids from coarse to fine.
     pub(super) fn dataset(
         &self,
-        contact: &SteadyContact,
+        refinement: &Refinement,
         scales: &ContactScales,
     ) -> Result<Dataset, StudyError> {
         let mut dataset = self.surfaces()?;
         let coordinate = |name: &str, values: &[f64], long_name: &str| {
             Variable::coordinate(name, values.to_vec()).units("1").long_name(long_name)
         };
-        let levels = &contact.refinement.levels;
+        let levels = &refinement.levels;
         let cells: Vec<f64> = levels.iter().map(|level| level.cells as f64).collect();
         dataset = dataset.with(coordinate("level", &cells, "cells a side, grid by grid"))?;
         let rows: [(&str, OfLevel, &str); 5] = [
             ("level_cell", |l| l.cell, "side of a cell h/R"),
-            ("level_force", |l| l.force, "force F/(E0* R²)"),
-            ("level_area", |l| l.area, "area A/R²"),
+            ("level_force", |l| l.force, "force F/(E0* R²), of a line F/(E0* R)"),
+            ("level_area", |l| l.area, "area A/R², of a line its width over R"),
             ("level_friction", |l| l.friction, "friction coefficient"),
             ("level_residual", |l| l.residual, "largest error of the unilateral conditions"),
         ];
@@ -119,12 +118,11 @@ impl<'a> Fields<'a> {
             dataset = dataset
                 .with(Variable::new(name, &["level"], &[values.len()], values).long_name(long_name))?;
         }
-        let r = &contact.refinement;
         Ok(dataset
             .attribute("kind", "contact")?
-            .attribute("force", r.force.value)?
-            .attribute("area", r.area.value)?
-            .attribute("friction", r.friction.value)?
+            .attribute("force", refinement.force.value)?
+            .attribute("area", refinement.area.value)?
+            .attribute("friction", refinement.friction.value)?
             .attribute("radius_metre", scales.scales.radius)?
             .attribute("reduced_modulus_pascal", scales.scales.reduced_modulus)?)
     }

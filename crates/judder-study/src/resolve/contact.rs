@@ -136,7 +136,7 @@ fn asked_of_law(law: &LawSettings) -> String {
     format!("{method}, {} × {} points, accuracy {accuracy:e}", law.velocity.points, law.indentation.points)
 }
 
-/// Columns and rows that a contact will need; the heights of a surface that repeats itself are its grid.
+/// Columns and rows that a contact will need; the heights of a surface that repeats itself are the coarsest of its grids.
 fn lattice(
     case: &ContactCase,
     settings: &ContactSettings,

@@ -178,12 +178,24 @@ fn a_rough_surface_touches_with_its_peaks() {
         kind = "contact"
         velocity = "10 mm/s"
         load = "20 mN"
+        accuracy = 1e-2
+        [[analysis]]
+        name = "as-deep"
+        kind = "contact"
+        velocity = "10 mm/s"
+        indentation = "4 um"
+        accuracy = 1e-2
         "#,
     );
     assert!(report.complete, "{:?}", report.messages);
     let contact = result(&report, "contact");
     let fraction = number(&contact["contact_fraction"]);
     assert!(fraction > 0.0 && fraction < 1.0 && number(&contact["friction"]) > 0.0, "{contact:?}");
+    assert!(number(&contact["friction_difference"]) < 1e-2, "{contact:?}");
+    assert!(number(&contact["cells"]) > 32.0 && number(&contact["area_error"]) < 5e-2, "{contact:?}");
+    let deep = result(&report, "as-deep");
+    assert!((number(&deep["indentation_metre"]) / 4e-6 - 1.0).abs() < 1e-12);
+    assert!(number(&deep["force_error"]) < 1e-2 && number(&deep["mean_gap"]) > 0.0, "{deep:?}");
 }
 
 /// Sneddon (1965): a small oscillation of the depth at rest meets a flat punch of the contact's radius, c_y = 2 a E″(ω)/ω.

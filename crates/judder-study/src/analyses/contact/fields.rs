@@ -2,8 +2,7 @@
 
 use crate::error::StudyError;
 use crate::material::ContactScales;
-use judder_contact::indenter::HeightMap;
-use judder_contact::periodic_contact::PeriodicContact;
+use judder_contact::periodic_contact::level::PeriodicLevel;
 use judder_contact::steady::level::Level;
 use judder_contact::steady::profile::Profile;
 use judder_contact::steady::refinement::{LevelSummary, Refinement};
@@ -35,24 +34,21 @@ const REACH: f64 = 100.0;
 impl<'a> Fields<'a> {
     /// The fields of the finest grid of a contact.
     pub(super) fn new(level: &'a Level, profile: &dyn Profile) -> Self {
-        Self::of(level.grid, &level.solution, level.collocation_shift, |x, y| profile.height(x, y))
+        let (grid, shift) = (level.grid, level.collocation_shift);
+        let rows = (0..grid.rows).map(|row| grid.y(row));
+        let height = |y: f64| (0..grid.columns).map(move |column| profile.height(grid.x(column) - shift, y));
+        Self::of(grid, &level.solution, shift, rows.flat_map(height).collect())
     }
 
     /// The fields of one period of a surface.
-    pub(super) fn of_period(contact: &'a PeriodicContact, surface: &HeightMap) -> Self {
-        Self::of(contact.grid, &contact.solution, 0.0, |x, y| surface.height(x, y))
+    pub(super) fn of_period(level: &'a PeriodicLevel) -> Self {
+        Self::of(level.grid, &level.solution, level.collocation_shift, level.heights.clone())
     }
 
-    fn of(
-        grid: SurfaceGrid,
-        solution: &'a UnilateralSolution,
-        shift: f64,
-        height_at: impl Fn(f64, f64) -> f64,
-    ) -> Self {
+    fn of(grid: SurfaceGrid, solution: &'a UnilateralSolution, shift: f64, height: Vec<f64>) -> Self {
         let x: Vec<f64> = (0..grid.columns).map(|column| grid.x(column)).collect();
         let x_surface: Vec<f64> = x.iter().map(|x| x - shift).collect();
         let y: Vec<f64> = (0..grid.rows).map(|row| grid.y(row)).collect();
-        let height: Vec<f64> = y.iter().flat_map(|y| x_surface.iter().map(|x| height_at(*x, *y))).collect();
         let displacement = solution
             .gap
             .iter()

@@ -14,7 +14,7 @@ use judder_contact::unilateral::{Loading, UnilateralLimits};
 /// Cells a side where a domain is given and cells are not.
 pub(crate) const CELLS_OF_A_GIVEN_DOMAIN: usize = 256;
 /// What friction from the bulk may differ by from friction at the surface.
-const DISSIPATION_LIMIT: f64 = 1e-2;
+pub(super) const DISSIPATION_LIMIT: f64 = 1e-2;
 /// What pressure and gap may leave of each other, computed anew.
 pub(super) const RESIDUAL_LIMIT: f64 = 1e-5;
 /// Below this v τ/√(R δ) the friction of slow sliding is as good as exact.

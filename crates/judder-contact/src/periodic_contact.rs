@@ -19,7 +19,7 @@ use level::{PeriodicLevel, start_from_coarser};
 use thiserror::Error;
 
 /// Cells of the finest grid that a surface is refined to; the heights themselves may have more.
-const FINEST: usize = 2048 * 2048;
+pub const FINEST: usize = 2048 * 2048;
 
 /// What is imposed on a surface that repeats itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -64,12 +64,11 @@ pub struct PeriodicContact {
 }
 
 impl PeriodicContact {
-    /// Relative difference of the two frictions, from the surface and from the bulk.
+    /// Relative difference of the two frictions, from the surface and from the bulk; 0 where nothing dissipates.
     #[must_use]
     pub fn friction_difference(&self) -> f64 {
         let (surface, bulk) = (self.finest.friction, self.finest.friction_from_dissipation);
-        let scale = surface.abs().max(bulk.abs());
-        if scale == 0.0 { 0.0 } else { (surface - bulk).abs() / scale }
+        if bulk == 0.0 { 0.0 } else { (surface - bulk).abs() / surface.abs().max(bulk) }
     }
 }
 
@@ -144,9 +143,13 @@ impl PeriodicQuestion<'_> {
     }
 }
 
-/// The estimates of a sequence of grids. What does not dissipate has no friction, to the last digit.
+/// The estimates of a sequence of grids.
+///
+/// A rough contact has so many edges that where each falls in its cells does not matter: the area has an order, about one, and is
+/// extrapolated as well. What does not dissipate has no friction, to the last digit.
 fn refinement(question: &PeriodicQuestion<'_>, levels: &[LevelSummary]) -> Refinement {
-    let refinement = Refinement::of(levels);
+    let areas: Vec<f64> = levels.iter().map(|level| level.area).collect();
+    let refinement = Refinement { area: Estimate::of(&areas), ..Refinement::of(levels) };
     if question.substrate.terms.iter().all(|term| term.compliance * term.length == 0.0) {
         let friction = Estimate { value: 0.0, error: 0.0, order: None };
         return Refinement { friction, ..refinement };

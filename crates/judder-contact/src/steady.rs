@@ -53,7 +53,7 @@ pub enum GridChoice {
         cells: usize,
         /// Half the side of the domain, in R.
         half_width: f64,
-        /// Its centre, in R.
+        /// Its centre, in R; a line contact has x alone.
         centre: [f64; 2],
     },
 }

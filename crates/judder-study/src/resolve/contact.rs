@@ -11,6 +11,7 @@ use judder_case::{
     Shape,
 };
 use judder_contact::kernel::sliding::SlidingOperator;
+use judder_contact::periodic_contact::FINEST;
 use judder_contact::steady::GridChoice;
 use judder_contact::unilateral::Loading;
 use serde_json::{Value, json};
@@ -136,7 +137,7 @@ fn asked_of_law(law: &LawSettings) -> String {
     format!("{method}, {} × {} points, accuracy {accuracy:e}", law.velocity.points, law.indentation.points)
 }
 
-/// Columns and rows that a contact will need; the heights of a surface that repeats itself are the coarsest of its grids.
+/// Columns and rows that a contact will need.
 fn lattice(
     case: &ContactCase,
     settings: &ContactSettings,
@@ -146,10 +147,10 @@ fn lattice(
         (Shape::Cylinder, _) => {
             return Ok([settings.cells.unwrap_or_else(|| strips_for(settings.accuracy)), 1]);
         }
-        (Shape::Rough(rough), _) => rough.cells,
+        (Shape::Rough(rough), _) => return Ok(refined([rough.cells; 2], settings.accuracy)),
         (shape, _) if shape.is_periodic() => {
             let heights = height_map(shape, scales.scales.radius)?.grid();
-            return Ok([heights.columns, heights.rows]);
+            return Ok(refined([heights.columns, heights.rows], settings.accuracy));
         }
         (_, GridChoice::Automatic) => cells_for(settings.accuracy),
         (_, GridChoice::Cells(cells) | GridChoice::Fixed { cells, .. }) => cells,
@@ -166,6 +167,18 @@ fn cells_for(accuracy: f64) -> usize {
         a if a >= 1e-4 => 512,
         _ => 1024,
     }
+}
+
+/// Columns and rows that an accuracy usually needs of a surface that repeats itself, whose heights are its coarsest grid.
+fn refined(mut lattice: [usize; 2], accuracy: f64) -> [usize; 2] {
+    for _ in 0..if accuracy >= 1e-2 { 2 } else { 4 } {
+        let finer = lattice.map(|cells| 2 * cells);
+        if finer[0] * finer[1] > FINEST {
+            break;
+        }
+        lattice = finer;
+    }
+    lattice
 }
 
 /// Strips that an accuracy of a line contact usually needs.

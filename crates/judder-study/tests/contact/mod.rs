@@ -281,7 +281,7 @@ fn laws_of_the_default_accuracy_converge() {
     }
 }
 
-/// Strips are one row, and the heights of a surface that repeats itself are its grid.
+/// Strips are one row, and the heights of a surface that repeats itself are the coarsest of its grids.
 #[test]
 fn a_check_knows_the_grid_of_strips_and_of_heights() {
     let folder = tempfile::tempdir().unwrap();
@@ -290,7 +290,7 @@ fn a_check_knows_the_grid_of_strips_and_of_heights() {
     let file = "{ heights = \"heights.txt\", spacing = \"1 um\", unit = \"1 um\", periodic = true }";
     for (shape, bytes) in [
         ("\"cylinder\"", SlidingOperator::memory_bytes(2048, 1)),
-        (file, SlidingOperator::memory_bytes(8, 4)),
+        (file, SlidingOperator::memory_bytes(128, 64)),
     ] {
         let path = folder.path().join("case.toml");
         let text = format!(

@@ -212,7 +212,7 @@ fn endless_keys(shape: &Shape) -> (&'static [&'static str], &'static str) {
             (&["indentation", "domain"], "a cylinder, whose depth depends on how far away it is measured")
         }
         shape if shape.is_periodic() => {
-            (&["indentation", "domain", "cells"], "a surface that repeats itself, whose heights are the grid")
+            (&["domain", "cells"], "a surface that repeats itself, whose heights are the coarsest grid")
         }
         _ => (&[], ""),
     }
@@ -252,8 +252,6 @@ fn read_contact(scope: &ContactScope, section: &Section<'_>) -> Result<ContactSe
         (None, None) => {
             if is_line {
                 section.required("load", "load = 1e-2 (F/(E0* R)), or \"600 N/mm\"")?;
-            } else if scope.shape.is_periodic() {
-                section.required("load", "load = 1e-4 (F/(E0* R²)), or \"10 N\", of one period")?;
             }
             section.required("indentation", "indentation = 1e-2 (δ/R), or load = 1e-4 (F/(E0* R²))")?;
             Loading::Indentation(Value::group(0.0))

@@ -1,4 +1,5 @@
 //! What the contact computation costs on one thread: kernels, operators, products.
+#![allow(clippy::unwrap_used, reason = "a benchmark that cannot go on has failed")]
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use judder_contact::kernel::sliding::SlidingOperator;
@@ -30,7 +31,7 @@ fn making(criterion: &mut Criterion) {
             bencher.iter(|| WakeKernel::new(side, side, 0.3, black_box(&in_cells)));
         });
         group.bench_function(BenchmarkId::new("operator", side), |bencher| {
-            bencher.iter(|| SlidingOperator::new(grid(side), black_box(&substrate())));
+            bencher.iter(|| SlidingOperator::new(grid(side), black_box(&substrate()), u64::MAX).unwrap());
         });
     }
     group.finish();
@@ -41,7 +42,7 @@ fn products(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("product");
     group.sample_size(20).warm_up_time(Duration::from_millis(200)).measurement_time(Duration::from_secs(1));
     for side in SIDES {
-        let mut operator = SlidingOperator::new(grid(side), &substrate());
+        let mut operator = SlidingOperator::new(grid(side), &substrate(), u64::MAX).unwrap();
         let pressure: Vec<f64> = (0..side * side).map(|cell| (cell % 17) as f64).collect();
         let mut displacement = vec![0.0; pressure.len()];
         group.bench_function(BenchmarkId::new("displacement", side), |bencher| {

@@ -5,22 +5,24 @@
 
 use judder_contact::indenter::{HeightMap, RoughSurface, Roughness, height_table};
 use judder_contact::kernel::substrate::SlidingSubstrate;
-use judder_contact::periodic_contact::{PeriodicContact, PeriodicQuestion, solve};
+use judder_contact::periodic_contact::level::PeriodicLevel;
+use judder_contact::periodic_contact::{PeriodicLoading, PeriodicQuestion, solve};
 use judder_contact::unilateral::UnilateralLimits;
 use std::error::Error;
 use std::path::Path;
 use std::time::Instant;
 
-fn press(surface: &HeightMap, mean_pressure: f64, tolerance: f64) -> Result<PeriodicContact, Box<dyn Error>> {
+fn press(surface: &HeightMap, mean_pressure: f64, tolerance: f64) -> Result<PeriodicLevel, Box<dyn Error>> {
     let question = PeriodicQuestion {
         substrate: &SlidingSubstrate::elastic(),
         surface,
-        mean_pressure,
+        loading: PeriodicLoading::MeanPressure(mean_pressure),
+        accuracy: None,
         limits: UnilateralLimits { tolerance, ..UnilateralLimits::default() },
         memory: u64::MAX,
     };
     let clock = Instant::now();
-    let contact = solve(&question)?;
+    let contact = solve(&question)?.finest;
     println!(
         "{{\"seconds\": {:.6}, \"cells\": {}, \"converged\": {}, \"products\": {}, \"sets\": {}, \"worst\": {:e}}}",
         clock.elapsed().as_secs_f64(),

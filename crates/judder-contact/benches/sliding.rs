@@ -4,6 +4,7 @@
 //! `sliding collapse ACCURACY` and `sliding sphere ACCURACY POINTS`: a law for E∞/E0 = 10, by the collapse, and on a grid of `POINTS` × `POINTS`
 //! speeds and depths, on all cores.
 
+use judder_contact::kernel::check::KernelError;
 use judder_contact::kernel::sliding::SlidingOperator;
 use judder_contact::kernel::substrate::SlidingSubstrate;
 use judder_contact::law::boundary_elements::sample;
@@ -53,7 +54,7 @@ fn contact(cells: usize, contrast: f64, z: f64) -> Result<(), Box<dyn std::error
         seconds = seconds.min(start.elapsed().as_secs_f64());
     }
     let finest = &answer.refinement.levels[answer.refinement.levels.len() - 1];
-    let floor = finest.products as f64 * seconds_a_product(&answer, &SlidingSubstrate::single(contrast, z));
+    let floor = finest.products as f64 * seconds_a_product(&answer, &SlidingSubstrate::single(contrast, z))?;
     println!(
         r#"{{"seconds": {seconds}, "floor_seconds": {floor}, "force": {}, "friction": {}, "residual": {}, "converged": {}, "products": {}, "products_finest": {}}}"#,
         finest.force,
@@ -67,8 +68,8 @@ fn contact(cells: usize, contrast: f64, z: f64) -> Result<(), Box<dyn std::error
 }
 
 /// The least time of a product with the kernel of the finest grid.
-fn seconds_a_product(answer: &SteadyContact, substrate: &SlidingSubstrate) -> f64 {
-    let mut operator = SlidingOperator::new(answer.finest.grid, substrate);
+fn seconds_a_product(answer: &SteadyContact, substrate: &SlidingSubstrate) -> Result<f64, KernelError> {
+    let mut operator = SlidingOperator::new(answer.finest.grid, substrate, MEMORY)?;
     let pressure = &answer.finest.solution.pressure;
     let mut displacement = vec![0.0; pressure.len()];
     let mut least = f64::INFINITY;
@@ -77,7 +78,7 @@ fn seconds_a_product(answer: &SteadyContact, substrate: &SlidingSubstrate) -> f6
         operator.displacement(std::hint::black_box(pressure), &mut displacement);
         least = least.min(start.elapsed().as_secs_f64());
     }
-    least
+    Ok(least)
 }
 
 fn collapse(accuracy: f64) -> Result<(), Box<dyn std::error::Error>> {

@@ -1,51 +1,75 @@
 //! A rough surface that repeats itself, pressed on the substrate or sliding over it.
+//!
+//! - [`level`]: the problem on one grid, and what is measured on its solution.
+//! - `interpolation`: the surface on finer grids than its own.
+//! - `dissipation`: friction once more, from the energy dissipated.
+
+mod dissipation;
+mod interpolation;
+pub mod level;
 
 use crate::indenter::HeightMap;
 use crate::kernel::check::KernelError;
 use crate::kernel::sliding::SlidingOperator;
 use crate::kernel::substrate::SlidingSubstrate;
-use crate::steady::contact_area::periodic_contact_area;
-use crate::surface::grid::SurfaceGrid;
-use crate::surface::operator::SurfaceOperator;
-use crate::unilateral::active_set::{self, Start};
-use crate::unilateral::{
-    Loading, UnilateralError, UnilateralLimits, UnilateralProblem, UnilateralSolution, symmetric,
-};
+use crate::steady::refinement::{Estimate, LevelSummary, Refinement};
+use crate::unilateral::active_set::Start;
+use crate::unilateral::{UnilateralError, UnilateralLimits};
+use level::{PeriodicLevel, start_from_coarser};
 use thiserror::Error;
 
-/// Cells a side below which no coarser grid gives a start.
-const COARSEST: usize = 32;
-/// The tolerance of the grids that only give a start.
-const START: f64 = 1e-2;
+/// Cells of the finest grid that a surface is refined to; the heights themselves may have more.
+pub const FINEST: usize = 2048 * 2048;
 
-/// A periodic contact under an imposed load; lengths in one unit, pressures in E0*.
+/// What is imposed on a surface that repeats itself.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PeriodicLoading {
+    /// p̄/E0*, mean pressure over the period.
+    MeanPressure(f64),
+    /// δ, depth of the surface's lowest lattice point below the mean plane of the deformed substrate.
+    ///
+    /// The mean gap is the mean height less δ, so this imposes the distance of the mean planes. On a half-space a mean pressure has
+    /// no finite mean displacement, and no other depth means anything. At the mean height all is in contact, and no
+    /// greater depth exists.
+    Indentation(f64),
+}
+
+/// A periodic contact; lengths in one unit, pressures in E0*.
 #[derive(Debug, Clone, Copy)]
 pub struct PeriodicQuestion<'a> {
     /// The substrate with its wake lengths.
     pub substrate: &'a SlidingSubstrate,
-    /// One period of the surface; its lattice is the grid.
+    /// One period of the surface; its lattice is the coarsest grid that answers.
     pub surface: &'a HeightMap,
-    /// p̄, mean pressure over the period.
-    pub mean_pressure: f64,
-    /// How exactly the problem is solved.
+    /// Imposed mean pressure or depth.
+    pub loading: PeriodicLoading,
+    /// Relative error allowed to depth or load; area and friction may be five times as far off. `None` stays on the surface's own
+    /// lattice, whose errors stay unknown.
+    pub accuracy: Option<f64>,
+    /// How exactly each grid's problem is solved.
     pub limits: UnilateralLimits,
-    /// Bytes that the computation may take.
+    /// Bytes that a grid's kernel may take.
     pub memory: u64,
 }
 
-/// The solution of a periodic contact.
+/// The answer: load, area, friction and depth with their errors, and the fields on the finest grid.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PeriodicContact {
-    /// The cells, with the lowest point of the surface at the origin.
-    pub grid: SurfaceGrid,
-    /// Pressure, gap and depth: that of the lowest point below the mean plane of the deformed substrate.
-    pub solution: UnilateralSolution,
-    /// The part of the surface in contact, A/A₀, with its perimeter placed inside the cells.
-    pub contact_fraction: f64,
-    /// Mean of the gap.
-    pub mean_gap: f64,
-    /// μ, from the pressure times the slope of the surface.
-    pub friction: f64,
+    /// Load F/(E0* L²) and area of one period, friction and depth, and the grids they come from.
+    pub refinement: Refinement,
+    /// The finest grid's solution.
+    pub finest: PeriodicLevel,
+    /// Whether every grid's problem was solved and the accuracy, where one is asked for, is met.
+    pub converged: bool,
+}
+
+impl PeriodicContact {
+    /// Relative difference of the two frictions, from the surface and from the bulk; 0 where nothing dissipates.
+    #[must_use]
+    pub fn friction_difference(&self) -> f64 {
+        let (surface, bulk) = (self.finest.friction, self.finest.friction_from_dissipation);
+        if bulk == 0.0 { 0.0 } else { (surface - bulk).abs() / surface.abs().max(bulk) }
+    }
 }
 
 /// Why a periodic contact has no answer.
@@ -56,6 +80,23 @@ pub enum PeriodicContactError {
         "the height map is not periodic: set `periodic = true` where the surface repeats itself at its edges"
     )]
     NotPeriodic,
+    /// The accuracy is not a small positive fraction.
+    #[error("the accuracy is {accuracy}: it must lie between 0 and 1")]
+    Accuracy {
+        /// The accuracy asked for.
+        accuracy: f64,
+    },
+    /// The surface would be below its own mean plane everywhere.
+    #[error(
+        "the indentation is {indentation}: at {limit}, the mean height above the lowest point, all is in contact, and no deeper \
+         contact exists; impose a load"
+    )]
+    TooDeep {
+        /// δ asked for.
+        indentation: f64,
+        /// The mean height.
+        limit: f64,
+    },
     /// The kernel refuses the grid or the speed.
     #[error(transparent)]
     Kernel(#[from] KernelError),
@@ -64,110 +105,73 @@ pub enum PeriodicContactError {
     Unilateral(#[from] UnilateralError),
 }
 
-/// Solves a periodic contact on nested grids: each gives the start of the next, which has half the cell.
+/// Solves a periodic contact on the surface's lattice and, until its accuracy is met, on grids of half the cell.
 ///
-/// An elastic substrate takes conjugate gradients, one with a wake the active set.
+/// Between its lattice points the surface is their trigonometric interpolation, so finer grids hold the same surface and their answers
+/// differ by the discretisation alone. Each grid gives the start of the next; coarser grids, with means of heights, give that of the
+/// first.
 ///
 /// # Errors
-/// [`PeriodicContactError`]. A solution that did not converge is no error: it says so.
+/// [`PeriodicContactError`]. A solution that did not converge, or an accuracy that the finest grid allowed does not meet, is no
+/// error: `converged` is false.
 pub fn solve(question: &PeriodicQuestion<'_>) -> Result<PeriodicContact, PeriodicContactError> {
+    check(question)?;
+    let (mut pressure, mut indentation) = start_from_coarser(question)?;
+    let mut summaries: Vec<LevelSummary> = Vec::new();
+    let mut factor = 1;
+    loop {
+        let start = Start { pressure: &pressure, indentation };
+        let level = PeriodicLevel::solve(question, factor, start)?;
+        summaries.push(level.summary());
+        let refinement = refinement(question, &summaries);
+        let met = question.accuracy.is_none_or(|accuracy| refinement.meets(accuracy));
+        if met || !question.has_room_for(2 * factor) {
+            let solved = summaries.iter().all(|level| level.converged);
+            return Ok(PeriodicContact { refinement, finest: level, converged: solved && met });
+        }
+        (pressure, indentation) = (level.doubled(), level.solution.indentation);
+        factor *= 2;
+    }
+}
+
+impl PeriodicQuestion<'_> {
+    /// Whether a grid so many times as fine is allowed.
+    fn has_room_for(&self, factor: usize) -> bool {
+        let lattice = self.surface.grid();
+        let (columns, rows) = (factor * lattice.columns, factor * lattice.rows);
+        columns * rows <= FINEST && SlidingOperator::memory_bytes(columns, rows) <= self.memory
+    }
+}
+
+/// The estimates of a sequence of grids.
+///
+/// A rough contact has so many edges that where each falls in its cells does not matter: the area has an order, about one, and is
+/// extrapolated as well. What does not dissipate has no friction, to the last digit.
+fn refinement(question: &PeriodicQuestion<'_>, levels: &[LevelSummary]) -> Refinement {
+    let areas: Vec<f64> = levels.iter().map(|level| level.area).collect();
+    let refinement = Refinement { area: Estimate::of(&areas), ..Refinement::of(levels) };
+    if question.substrate.terms.iter().all(|term| term.compliance * term.length == 0.0) {
+        let friction = Estimate { value: 0.0, error: 0.0, order: None };
+        return Refinement { friction, ..refinement };
+    }
+    refinement
+}
+
+fn check(question: &PeriodicQuestion<'_>) -> Result<(), PeriodicContactError> {
     if !question.surface.is_periodic() {
         return Err(PeriodicContactError::NotPeriodic);
     }
-    let (grid, heights) = (question.surface.grid(), question.surface.heights());
-    let mut coarser: Vec<(SurfaceGrid, Vec<f64>)> = Vec::new();
-    loop {
-        let (fine, values) = coarser.last().map_or((&grid, heights), |(grid, heights)| (grid, heights));
-        if !can_be_halved(fine) {
-            break;
+    if let Some(accuracy) = question.accuracy
+        && !(accuracy > 0.0 && accuracy < 1.0)
+    {
+        return Err(PeriodicContactError::Accuracy { accuracy });
+    }
+    let heights = question.surface.heights();
+    let limit = heights.iter().sum::<f64>() / heights.len() as f64;
+    match question.loading {
+        PeriodicLoading::Indentation(indentation) if indentation >= limit => {
+            Err(PeriodicContactError::TooDeep { indentation, limit })
         }
-        let level = halved(fine, values);
-        coarser.push(level);
-    }
-    let limits = question.limits;
-    let rough = UnilateralLimits { tolerance: START.max(limits.tolerance), ..limits };
-    let (mut pressure, mut indentation) =
-        (vec![question.mean_pressure; coarsest_cells(&grid, &coarser)], 0.0);
-    for (grid, heights) in coarser.iter().rev() {
-        let start = Start { pressure: &pressure, indentation };
-        let solution = solve_level(question, *grid, heights, start, rough)?;
-        (pressure, indentation) = (doubled(grid, &solution.pressure), solution.indentation);
-    }
-    let start = Start { pressure: &pressure, indentation };
-    let solution = solve_level(question, grid, heights, start, limits)?;
-    Ok(measured(question, grid, solution))
-}
-
-fn coarsest_cells(grid: &SurfaceGrid, coarser: &[(SurfaceGrid, Vec<f64>)]) -> usize {
-    coarser.last().map_or(grid, |(grid, _)| grid).len()
-}
-
-fn can_be_halved(grid: &SurfaceGrid) -> bool {
-    grid.columns.min(grid.rows) > COARSEST && grid.columns.is_multiple_of(2) && grid.rows.is_multiple_of(2)
-}
-
-/// The grid of twice the cell, with the means of four heights.
-fn halved(fine: &SurfaceGrid, heights: &[f64]) -> (SurfaceGrid, Vec<f64>) {
-    let coarse =
-        SurfaceGrid { columns: fine.columns / 2, rows: fine.rows / 2, cell: 2.0 * fine.cell, ..*fine };
-    let mut means = Vec::with_capacity(coarse.len());
-    for rows in heights.chunks_exact(2 * fine.columns) {
-        let (upper, lower) = rows.split_at(fine.columns);
-        let pairs = upper.chunks_exact(2).zip(lower.chunks_exact(2));
-        means.extend(pairs.map(|(above, below)| 0.25 * (above[0] + above[1] + below[0] + below[1])));
-    }
-    (coarse, means)
-}
-
-/// The pressure of a coarse grid at the cells of the next finer one.
-fn doubled(coarse: &SurfaceGrid, pressure: &[f64]) -> Vec<f64> {
-    let rows = pressure.chunks_exact(coarse.columns);
-    let wide = rows.map(|row| row.iter().flat_map(|value| [*value, *value]).collect::<Vec<f64>>());
-    wide.flat_map(|row| [row.clone(), row]).flatten().collect()
-}
-
-fn solve_level(
-    question: &PeriodicQuestion<'_>,
-    grid: SurfaceGrid,
-    heights: &[f64],
-    start: Start<'_>,
-    limits: UnilateralLimits,
-) -> Result<UnilateralSolution, PeriodicContactError> {
-    let mut operator = SlidingOperator::periodic(grid, question.substrate, question.memory)?;
-    let load = question.mean_pressure * grid.len() as f64 * grid.cell_area();
-    let loading = Loading::Load(load);
-    if operator.is_symmetric() {
-        let problem = UnilateralProblem { heights, loading };
-        return Ok(symmetric::solve(&mut operator, &problem, start, limits)?);
-    }
-    let shift = operator.collocation_shift();
-    let upstream: Vec<f64> = (0..grid.len())
-        .map(|cell| question.surface.height(grid.x(cell % grid.columns) - shift, grid.y(cell / grid.columns)))
-        .collect();
-    let problem = UnilateralProblem { heights: &upstream, loading };
-    Ok(active_set::solve(&mut operator, &problem, start, limits)?)
-}
-
-fn measured(
-    question: &PeriodicQuestion<'_>,
-    grid: SurfaceGrid,
-    solution: UnilateralSolution,
-) -> PeriodicContact {
-    let surface = question.surface;
-    let cells = grid.len() as f64;
-    let half = 0.5 * grid.cell;
-    let (mut sum, mut resistance) = (0.0, 0.0);
-    for (cell, pressure) in solution.pressure.iter().enumerate().filter(|(_, pressure)| **pressure > 0.0) {
-        let (x, y) = (grid.x(cell % grid.columns), grid.y(cell / grid.columns));
-        resistance += pressure * (surface.height(x + half, y) - surface.height(x - half, y)) / grid.cell;
-        sum += pressure;
-    }
-    PeriodicContact {
-        grid,
-        contact_fraction: periodic_contact_area(&grid, &solution.pressure, question.substrate)
-            / (cells * grid.cell_area()),
-        mean_gap: solution.gap.iter().sum::<f64>() / cells,
-        friction: resistance / sum,
-        solution,
+        _ => Ok(()),
     }
 }

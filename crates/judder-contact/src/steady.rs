@@ -6,18 +6,19 @@
 //! - [`contact_area`]: the area with its perimeter placed inside the cells.
 //! - [`bulk_dissipation`]: friction once more, from the energy dissipated.
 //! - [`refinement`]: the errors estimated from a sequence of grids.
-//! - [`mod@line`]: the same for a long cylinder.
+//! - `line`: what is different for a long cylinder.
 
 pub mod bulk_dissipation;
 pub mod contact_area;
 pub mod domain;
 pub mod error;
 pub mod level;
-pub mod line;
+mod line;
 pub mod profile;
 pub mod refinement;
 
 use crate::kernel::substrate::SlidingSubstrate;
+use crate::surface::grid::SurfaceGrid;
 use crate::unilateral::{Loading, UnilateralLimits};
 use domain::Domain;
 pub use error::SteadyError;
@@ -29,6 +30,8 @@ use refinement::{LevelSummary, Refinement};
 const SCOUT: usize = 32;
 /// Cells a side of the finest grid that is chosen without being asked for.
 const FINEST: usize = 1024;
+/// Strips of the finest row that is chosen without being asked for: a line contact costs a row, not a square.
+const FINEST_STRIPS: usize = 16384;
 /// Cells a side of the coarsest grid of a sequence.
 const COARSEST: usize = 32;
 /// How often the domain may be fitted to the contact.
@@ -50,12 +53,14 @@ pub enum GridChoice {
         cells: usize,
         /// Half the side of the domain, in R.
         half_width: f64,
-        /// Its centre, in R.
+        /// Its centre, in R; a line contact has x alone.
         centre: [f64; 2],
     },
 }
 
 /// A steady-sliding problem: lengths in R, pressures in E0*, forces in E0* R².
+///
+/// The contact of a [line](Profile::is_line) takes a force per length in E0* R, and answers with a width in place of an area.
 #[derive(Clone, Copy)]
 pub struct SteadyQuestion<'a> {
     /// The substrate with its wake lengths ℓ_k = v τ_k, in R.
@@ -72,6 +77,21 @@ pub struct SteadyQuestion<'a> {
     pub limits: UnilateralLimits,
     /// Bytes of memory that a grid's kernel may take.
     pub memory: u64,
+}
+
+impl SteadyQuestion<'_> {
+    /// A domain in squares, or in strips for a line contact.
+    fn cells(&self, domain: &Domain, side: usize) -> SurfaceGrid {
+        if self.profile.is_line() { domain.strips(side) } else { domain.grid(side) }
+    }
+
+    fn refinement(&self, levels: &[LevelSummary]) -> Refinement {
+        if self.profile.is_line() { Refinement::of_line(levels) } else { Refinement::of(levels) }
+    }
+
+    fn finest(&self) -> usize {
+        if self.profile.is_line() { FINEST_STRIPS } else { FINEST }
+    }
 }
 
 /// The answer: what the indenter feels, how exact that is, and the fields on the finest grid.
@@ -117,20 +137,21 @@ pub fn solve(question: &SteadyQuestion<'_>) -> Result<SteadyContact, SteadyError
         }
         GridChoice::Automatic => {
             let (domain, start) = fitted_domain(question)?;
-            (domain, nested(FINEST), start)
+            (domain, nested(question.finest()), start)
         }
     };
     let mut summaries: Vec<LevelSummary> = Vec::new();
     let mut finest = None;
     for side in sides {
-        let level = Level::solve(question, &domain.grid(side), &start)?;
+        let level = Level::solve(question, &question.cells(&domain, side), &start)?;
         if level.touches_edge() {
             return Err(too_small(question, &domain));
         }
         summaries.push(LevelSummary::of(&level));
         start = LevelStart::from(&level);
         finest = Some(level);
-        if question.grid == GridChoice::Automatic && Refinement::of(&summaries).meets(question.accuracy) {
+        if question.grid == GridChoice::Automatic && question.refinement(&summaries).meets(question.accuracy)
+        {
             break;
         }
     }
@@ -151,12 +172,12 @@ fn too_small(question: &SteadyQuestion<'_>, domain: &Domain) -> SteadyError {
 }
 
 fn answer(question: &SteadyQuestion<'_>, summaries: &[LevelSummary], finest: Level) -> SteadyContact {
-    let refinement = Refinement::of(summaries);
-    let dissipated = bulk_dissipation::friction_from_dissipation(
-        &finest.grid,
-        &finest.solution.pressure,
-        question.substrate,
-    );
+    let refinement = question.refinement(summaries);
+    let dissipated = if question.profile.is_line() {
+        bulk_dissipation::friction_of_a_line
+    } else {
+        bulk_dissipation::friction_from_dissipation
+    }(&finest.grid, &finest.solution.pressure, question.substrate);
     let solved = summaries.iter().all(|level| level.converged);
     SteadyContact {
         friction_from_dissipation: dissipated / finest.force,
@@ -183,7 +204,7 @@ fn fitted_domain(question: &SteadyQuestion<'_>) -> Result<(Domain, LevelStart), 
     let mut domain = Domain::overlap(question.profile, question.loading);
     let mut start = LevelStart::none(question);
     for _ in 0..FITS {
-        let level = Level::solve(question, &domain.grid(SCOUT), &start)?;
+        let level = Level::solve(question, &question.cells(&domain, SCOUT), &start)?;
         start = LevelStart::from(&level);
         match domain.fitted(&level) {
             Some(better) => domain = better,

@@ -27,12 +27,6 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// Whether the contact is a line along y: everything is per length and the plane-strain kernel applies.
-    #[must_use]
-    pub fn is_line(&self) -> bool {
-        matches!(self, Self::Cylinder { .. })
-    }
-
     /// Whether the surface repeats itself, so that only the periodic kernel applies.
     #[must_use]
     pub fn is_periodic(&self) -> bool {
@@ -78,6 +72,10 @@ impl Profile for Shape {
             Self::Cylinder { .. } => 2.0 * force / PI,
             Self::HeightMap(map) => map.elastic_depth(force),
         }
+    }
+
+    fn is_line(&self) -> bool {
+        matches!(self, Self::Cylinder { .. })
     }
 }
 

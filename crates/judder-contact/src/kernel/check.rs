@@ -100,7 +100,11 @@ pub(crate) fn gibibytes(bytes: u64) -> f64 {
 ///
 /// # Errors
 /// The first thing found that is not a number in its range, and [`KernelError::Memory`].
-pub fn check(grid: &SurfaceGrid, substrate: &SlidingSubstrate, allowed: u64) -> Result<(), KernelError> {
+pub(super) fn check(
+    grid: &SurfaceGrid,
+    substrate: &SlidingSubstrate,
+    allowed: u64,
+) -> Result<(), KernelError> {
     let (columns, rows) = (grid.columns, grid.rows);
     if columns == 0 || rows == 0 {
         return Err(KernelError::NoCells { columns, rows });

@@ -47,10 +47,11 @@ impl SlidingOperator {
     /// u(x) = J * W\[p\] with W\[p\] = −(2/π) ∫ p(s) ln(|x − s|/d) ds: forces are per length, in E0* times the length unit.
     /// The reference distance d moves all displacements by (2/π) ln d times the relaxed compliance times the force, for
     /// the wake of a constant is that constant; load-controlled contacts do not depend on it. An indentation
-    /// means something only for d well beyond the contact and its wakes.
+    /// means something only for d well beyond the contact and its wakes. The
+    /// [self-displacement](crate::surface::operator::SurfaceOperator::self_displacement) is counted from the least one in the row, so that it is positive for any d.
     ///
     /// # Errors
-    /// What [`check`] refuses, a grid of more than one row, and a reference distance that is not positive and finite.
+    /// What [`SlidingOperator::new`] refuses, a grid of more than one row, and a reference distance that is not positive and finite.
     pub fn line(
         grid: SurfaceGrid,
         substrate: &SlidingSubstrate,
@@ -67,7 +68,10 @@ impl SlidingOperator {
         let in_cells = substrate.in_cells(grid.cell);
         let shift = in_cells.collocation_shift(1.0);
         let kernel = line_kernel(grid.columns, shift, reference / grid.cell, &in_cells);
-        Ok(Self::with_spectra(grid, Arc::new(KernelSpectra::from_kernel(&kernel, shift, &in_cells))))
+        let mut spectra = KernelSpectra::from_kernel(&kernel, shift, &in_cells);
+        // Displacements may have either sign, as the reference is chosen; what solvers weigh them by may not.
+        spectra.at_itself -= kernel.values.iter().copied().fold(f64::INFINITY, f64::min);
+        Ok(Self::with_spectra(grid, Arc::new(spectra)))
     }
 }
 

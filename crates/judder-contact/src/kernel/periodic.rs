@@ -30,7 +30,7 @@ impl SlidingOperator {
     /// is controlled by its load. Valid where wakes end within a period, v τ ≪ L.
     ///
     /// # Errors
-    /// What [`check`] refuses, and [`KernelError::LongWake`] where [`memory_of_a_period`] exceeds [`PERIODIC_MEMORY`].
+    /// What [`SlidingOperator::new`] refuses, and [`KernelError::LongWake`] where [`memory_of_a_period`] exceeds [`PERIODIC_MEMORY`].
     pub fn periodic(
         grid: SurfaceGrid,
         substrate: &SlidingSubstrate,

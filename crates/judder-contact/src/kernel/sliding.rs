@@ -1,6 +1,7 @@
 //! Operators of steady sliding.
 
 use super::cache::KernelCache;
+use super::check::{KernelError, check};
 use super::spectra::KernelSpectra;
 use super::substrate::SlidingSubstrate;
 use crate::surface::convolution::Workspace;
@@ -20,21 +21,31 @@ pub struct SlidingOperator {
 impl SlidingOperator {
     /// The operator of a grid on a sliding substrate without images; terms' lengths are in the grid's length unit.
     ///
-    /// Both are taken as [checked](super::check::check): of a grid or a substrate that the check refuses nothing useful comes.
-    #[must_use]
-    pub fn new(grid: SurfaceGrid, substrate: &SlidingSubstrate) -> Self {
+    /// # Errors
+    /// [`KernelError`]: a grid or a substrate that has no kernel, and more memory than `allowed` bytes.
+    pub fn new(grid: SurfaceGrid, substrate: &SlidingSubstrate, allowed: u64) -> Result<Self, KernelError> {
+        check(&grid, substrate, allowed)?;
         let spectra = KernelSpectra::unbounded(grid.columns, grid.rows, &substrate.in_cells(grid.cell));
-        Self::with_spectra(grid, Arc::new(spectra))
+        Ok(Self::with_spectra(grid, Arc::new(spectra)))
     }
 
     /// As [`new`](Self::new), from a kernel that has been computed before where there is one. The result is the same to
     /// the last bit.
-    #[must_use]
-    pub fn cached(grid: SurfaceGrid, substrate: &SlidingSubstrate, cache: &KernelCache) -> Self {
-        Self::with_spectra(grid, cache.spectra(grid.columns, grid.rows, &substrate.in_cells(grid.cell)))
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn cached(
+        grid: SurfaceGrid,
+        substrate: &SlidingSubstrate,
+        allowed: u64,
+        cache: &KernelCache,
+    ) -> Result<Self, KernelError> {
+        check(&grid, substrate, allowed)?;
+        let spectra = cache.spectra(grid.columns, grid.rows, &substrate.in_cells(grid.cell));
+        Ok(Self::with_spectra(grid, spectra))
     }
 
-    pub(crate) fn with_spectra(grid: SurfaceGrid, spectra: Arc<KernelSpectra>) -> Self {
+    pub(super) fn with_spectra(grid: SurfaceGrid, spectra: Arc<KernelSpectra>) -> Self {
         let product_work = spectra.product.transform.workspace();
         let inverse_work = spectra.inverse.transform.workspace();
         Self { grid, spectra, product_work, inverse_work }

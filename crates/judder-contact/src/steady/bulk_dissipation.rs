@@ -8,6 +8,10 @@ use std::f64::consts::PI;
 
 /// Largest number of cells a side for which the transform is taken; finer pressures are gathered in blocks first.
 const LARGEST_SIDE: usize = 128;
+/// The same for the one row of a line contact.
+const LARGEST_ROW: usize = 2048;
+/// How often half a wave over the contact is halved for the first panel.
+const HALVINGS: i32 = 16;
 /// Nodes of a panel, which spans half a wave over the contact once the waves are short.
 const NODES: usize = 6;
 
@@ -21,12 +25,12 @@ const NODES: usize = 6;
 /// with the |P|² ∝ q⁻⁴ of a pressure that ends like a square root. Valid for any pressure on a bounded contact.
 #[must_use]
 pub fn friction_from_dissipation(grid: &SurfaceGrid, pressure: &[f64], substrate: &SlidingSubstrate) -> f64 {
-    let Some(patch) = Patch::of(grid, pressure) else {
+    let Some(patch) = Patch::of(grid, pressure, LARGEST_SIDE) else {
         return 0.0;
     };
     let shortest = 0.5 * PI / patch.cell;
-    let along = wave_numbers(patch.width(), patch.cell);
-    let across = wave_numbers(patch.height(), patch.cell);
+    let along = wave_numbers(patch.width(), patch.cell, HALVINGS);
+    let across = wave_numbers(patch.height(), patch.cell, HALVINGS);
     let (mut resolved, mut last_octave) = (0.0, 0.0);
     let across: Vec<Across> = across.into_iter().map(|(wave, weight)| patch.across(wave, weight)).collect();
     let mut rows = FoldedRows::new(patch.rows);
@@ -48,6 +52,34 @@ pub fn friction_from_dissipation(grid: &SurfaceGrid, pressure: &[f64], substrate
     (resolved + last_octave * beyond_the_last_octave(substrate, shortest)) / (2.0 * PI * PI)
 }
 
+/// The friction force per length of a line contact, in E0* times the length unit, from the dissipation in the bulk.
+///
+/// F_x = (1/2π) ∫ q · 2 Im[J(q)]/|q| · |P(q)|² dq, as [`friction_from_dissipation`] with all waves along x. Without the
+/// waves across, long ones weigh more: the quadrature begins where the longest wake is passed in a small part of a wave.
+#[must_use]
+pub fn friction_of_a_line(grid: &SurfaceGrid, pressure: &[f64], substrate: &SlidingSubstrate) -> f64 {
+    let Some(patch) = Patch::of(grid, pressure, LARGEST_ROW) else {
+        return 0.0;
+    };
+    let shortest = 0.5 * PI / patch.cell;
+    let longest = substrate.terms.iter().map(|term| term.length).fold(0.0, f64::max);
+    let beyond = (longest / patch.width()).log2().clamp(0.0, 100.0).ceil() as i32;
+    let (mut resolved, mut last_octave) = (0.0, 0.0);
+    let mut rows = FoldedRows::new(1);
+    for (wave, weight) in wave_numbers(patch.width(), patch.cell, HALVINGS + beyond) {
+        patch.transform_rows(wave, &mut rows);
+        let power = (rows.even_re[0].powi(2) + rows.even_im[0].powi(2)) / patch.sinc(wave).powi(2);
+        let part = weight * substrate.compliance(wave).im * power;
+        resolved += part;
+        if wave > 0.5 * shortest {
+            last_octave += part;
+        }
+    }
+    // Forces were taken as on squares: P is h times what it is on strips.
+    let strip = grid.cell * grid.cell;
+    (resolved + last_octave * beyond_the_last_octave(substrate, shortest)) * 2.0 / (PI * strip)
+}
+
 /// ∫ q⁻³ Im J(q) dq over all waves that are not resolved, over that of the octave before.
 fn beyond_the_last_octave(substrate: &SlidingSubstrate, shortest: f64) -> f64 {
     let octave = |from: f64| -> f64 {
@@ -66,10 +98,10 @@ fn beyond_the_last_octave(substrate: &SlidingSubstrate, shortest: f64) -> f64 {
 }
 
 /// Nodes and weights on (0, q_max): panels that double up to half a wave over the contact, equal panels from there.
-fn wave_numbers(extent: f64, cell: f64) -> Vec<(f64, f64)> {
+fn wave_numbers(extent: f64, cell: f64, halvings: i32) -> Vec<(f64, f64)> {
     let half_wave = PI / extent;
     let largest = 0.5 * PI / cell;
-    let mut edges: Vec<f64> = (0..=16).rev().map(|halvings| half_wave * 0.5_f64.powi(halvings)).collect();
+    let mut edges: Vec<f64> = (0..=halvings).rev().map(|halving| half_wave * 0.5_f64.powi(halving)).collect();
     edges.insert(0, 0.0);
     let equal = ((largest - half_wave) / half_wave).ceil().max(0.0) as usize;
     edges.extend((1..=equal).map(|panel| half_wave * (1 + panel) as f64));
@@ -92,7 +124,7 @@ struct Patch {
 }
 
 impl Patch {
-    fn of(grid: &SurfaceGrid, pressure: &[f64]) -> Option<Self> {
+    fn of(grid: &SurfaceGrid, pressure: &[f64], largest_side: usize) -> Option<Self> {
         let loaded = |column: usize, row: usize| pressure[row * grid.columns + column] != 0.0;
         let rows: Vec<usize> =
             (0..grid.rows).filter(|row| (0..grid.columns).any(|c| loaded(c, *row))).collect();
@@ -100,7 +132,7 @@ impl Patch {
             (0..grid.columns).filter(|c| (0..grid.rows).any(|row| loaded(*c, row))).collect();
         let (top, bottom) = (*rows.first()?, *rows.last()?);
         let (left, right) = (*columns.first()?, *columns.last()?);
-        let block = (bottom + 1 - top).max(right + 1 - left).div_ceil(LARGEST_SIDE);
+        let block = (bottom + 1 - top).max(right + 1 - left).div_ceil(largest_side);
         let (wide, high) = ((right + 1 - left).div_ceil(block), (bottom + 1 - top).div_ceil(block));
         let mut forces = vec![0.0; wide * high];
         for row in top..=bottom {

@@ -38,6 +38,13 @@ impl Domain {
         SurfaceGrid::square(side, self.centre, self.half_width)
     }
 
+    /// The domain as one row of strips, for a line contact.
+    #[must_use]
+    pub fn strips(&self, side: usize) -> SurfaceGrid {
+        let square = self.grid(side);
+        SurfaceGrid { rows: 1, origin: [square.origin[0], -0.5 * square.cell], ..square }
+    }
+
     /// A domain that the contact fills better, or `None` when it fills this one well.
     #[must_use]
     pub fn fitted(&self, level: &Level) -> Option<Self> {

@@ -13,6 +13,11 @@ pub enum SteadyError {
         /// The accuracy asked for.
         accuracy: f64,
     },
+    /// A line contact under an imposed depth.
+    #[error(
+        "a line contact takes a load per length: its indentation depends on how far away the body is held, and none is given"
+    )]
+    LineIndentation,
     /// Too few cells to hold a contact.
     #[error("{cells} cells a side are too few; at least 8 are needed")]
     TooFewCells {

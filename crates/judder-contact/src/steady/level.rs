@@ -1,10 +1,10 @@
 //! The problem on one grid, and what is measured on its solution.
 
 use super::SteadyQuestion;
-use super::contact_area::contact_area;
+use super::contact_area::{contact_area, contact_length};
 use super::error::SteadyError;
+use super::line;
 use super::profile::{OUT_OF_REACH, Profile};
-use crate::kernel::check::check;
 use crate::kernel::sliding::SlidingOperator;
 use crate::surface::grid::SurfaceGrid;
 use crate::surface::operator::SurfaceOperator;
@@ -12,7 +12,7 @@ use crate::unilateral::active_set::{self, Start};
 use crate::unilateral::symmetric;
 use crate::unilateral::{Loading, UnilateralProblem, UnilateralSolution};
 
-/// The solution on one grid; lengths in R, forces in E0* R².
+/// The solution on one grid; lengths in R, forces in E0* R². Of a line contact forces and areas are per length.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Level {
     /// The cells.
@@ -21,9 +21,9 @@ pub struct Level {
     pub solution: UnilateralSolution,
     /// How far upstream of the cells' centres the gap was taken, in R.
     pub collocation_shift: f64,
-    /// F/(E0* R²).
+    /// F/(E0* R²); of a line contact F/(E0* R).
     pub force: f64,
-    /// A/R².
+    /// A/R²; of a line contact its width over R.
     pub area: f64,
     /// μ, from the pressure times the slope of the indenter.
     pub friction: f64,
@@ -31,9 +31,9 @@ pub struct Level {
 
 /// What a grid's solve starts from: the solution on another grid.
 pub struct LevelStart {
-    grid: Option<SurfaceGrid>,
-    pressure: Vec<f64>,
-    indentation: f64,
+    pub(super) grid: Option<SurfaceGrid>,
+    pub(super) pressure: Vec<f64>,
+    pub(super) indentation: f64,
 }
 
 impl LevelStart {
@@ -115,35 +115,40 @@ impl Level {
         grid: &SurfaceGrid,
         start: &LevelStart,
     ) -> Result<Self, SteadyError> {
-        check(grid, question.substrate, question.memory)?;
-        let mut operator = SlidingOperator::new(*grid, question.substrate);
+        let is_line = question.profile.is_line();
+        let posed = if is_line {
+            line::pose(question, grid, start)?
+        } else {
+            let operator = SlidingOperator::new(*grid, question.substrate, question.memory)?;
+            Posed { operator, loading: question.loading, indentation: start.indentation, datum: 0.0 }
+        };
+        let Posed { mut operator, loading, indentation, datum } = posed;
         let shift = operator.collocation_shift();
         let heights = heights(question.profile, grid, shift);
-        let problem = UnilateralProblem { heights: &heights, loading: question.loading };
+        let problem = UnilateralProblem { heights: &heights, loading };
         let pressure = start.on(grid);
-        let start = Start { pressure: &pressure, indentation: start.indentation };
-        let solution = if operator.is_symmetric() {
+        let start = Start { pressure: &pressure, indentation };
+        let mut solution = if operator.is_symmetric() {
             symmetric::solve(&mut operator, &problem, start, question.limits)?
         } else {
             active_set::solve(&mut operator, &problem, start, question.limits)?
         };
+        solution.indentation -= datum;
         if let Some(cell) = beside_the_edge(grid, &heights, &solution.pressure) {
             return Err(SteadyError::BeyondIndenter {
                 x: grid.x(cell % grid.columns),
                 y: grid.y(cell / grid.columns),
             });
         }
-        let force = solution.pressure.iter().sum::<f64>() * grid.cell_area();
+        let pressures = solution.pressure.iter().sum::<f64>();
         let resistance = resistance(question.profile, grid, &solution.pressure);
-        let area = contact_area(grid, &solution.pressure, question.substrate);
-        Ok(Self {
-            grid: *grid,
-            collocation_shift: shift,
-            force,
-            area,
-            friction: resistance / force,
-            solution,
-        })
+        let (force, area) = if is_line {
+            (pressures * grid.cell, contact_length(grid, &solution.pressure, question.substrate))
+        } else {
+            (pressures * grid.cell_area(), contact_area(grid, &solution.pressure, question.substrate))
+        };
+        let friction = resistance / (pressures * grid.cell_area());
+        Ok(Self { grid: *grid, collocation_shift: shift, force, area, friction, solution })
     }
 
     /// The sides of the box around the cells in contact: left, right, top, bottom, in R.
@@ -166,15 +171,26 @@ impl Level {
         ])
     }
 
-    /// Whether a cell at the edge of the grid is in contact.
+    /// Whether a cell at the edge of the grid is in contact; the one row of a line contact has two ends and no sides.
     #[must_use]
     pub fn touches_edge(&self) -> bool {
         let (columns, rows) = (self.grid.columns, self.grid.rows);
+        let at_end = |index: usize, count: usize| index == 0 || index + 1 == count;
         self.solution.pressure.iter().enumerate().any(|(cell, pressure)| {
             let (row, column) = (cell / columns, cell % columns);
-            *pressure > 0.0 && (row == 0 || column == 0 || row + 1 == rows || column + 1 == columns)
+            *pressure > 0.0 && (at_end(column, columns) || (rows > 1 && at_end(row, rows)))
         })
     }
+}
+
+/// The problem of one grid as a solver takes it.
+pub(super) struct Posed {
+    pub(super) operator: SlidingOperator,
+    pub(super) loading: Loading,
+    /// The depth to start from, as the operator measures depths.
+    pub(super) indentation: f64,
+    /// What the operator's depths are more than those that are told.
+    pub(super) datum: f64,
 }
 
 /// A cell in contact with a neighbour where there is no indenter.

@@ -1,99 +1,57 @@
-//! Steady sliding of a long cylinder across its axis: the line contact.
+//! What is different where the indenter goes on for ever across the direction of sliding: the line contact.
+//!
+//! A plane half-space has no absolute displacement: a load moves its surface by an amount that grows with the logarithm of the
+//! distance to what is held. Pressure, width and friction under a load do not depend on it. The depth that is told is
+//! measured against the surface that the same force on a line would leave at the distance R; a body that is held
+//! D below the surface goes down by (2/π) (ln D/R − ν/(2(1−ν))) F/E0* more
+//! ([`reference_at_depth`](crate::kernel::line::reference_at_depth)).
 
-use super::contact_area::contact_length;
+use super::SteadyQuestion;
 use super::error::SteadyError;
+use super::level::{LevelStart, Posed};
 use crate::kernel::sliding::SlidingOperator;
-use crate::kernel::substrate::SlidingSubstrate;
 use crate::surface::grid::SurfaceGrid;
-use crate::surface::operator::SurfaceOperator;
-use crate::unilateral::active_set::{self, Start};
-use crate::unilateral::{Loading, UnilateralLimits, UnilateralProblem, UnilateralSolution};
-use std::f64::consts::PI;
+use crate::unilateral::Loading;
+use std::f64::consts::{E, FRAC_2_PI};
 
-/// Half the domain over the half width of the rubbery contact, which is the widest.
-const DOMAIN: f64 = 1.25;
-/// Cells of the coarsest grid.
-const COARSEST: usize = 32;
-
-/// A cylinder of unit radius under a load per length; lengths in R, pressures in E0*.
-#[derive(Clone, Copy)]
-pub struct LineQuestion<'a> {
-    /// The substrate with its wake lengths ℓ_k = v τ_k, in R.
-    pub substrate: &'a SlidingSubstrate,
-    /// F/(E0* R), force per length of the cylinder.
-    pub load: f64,
-    /// Cells across the domain, which is 1.25 times as wide as the rubbery contact.
-    pub cells: usize,
-    /// How exactly the problem is solved.
-    pub limits: UnilateralLimits,
-    /// Bytes of memory that the kernel may take.
-    pub memory: u64,
-}
-
-/// The line contact on its finest grid.
-#[derive(Debug, Clone, PartialEq)]
-pub struct LineContact {
-    /// The strips, one row.
-    pub grid: SurfaceGrid,
-    /// Pressure, gap, errors and work; the depth has no meaning of its own in a line contact.
-    pub solution: UnilateralSolution,
-    /// Largest pressure over E0*.
-    pub peak_pressure: f64,
-    /// Length in contact over R.
-    pub width: f64,
-    /// μ, from the pressure times the slope of the cylinder.
-    pub friction: f64,
-}
-
-/// Solves the line contact of a cylinder h = x²/2 under a load, on nested grids.
+/// The problem of one row of strips.
 ///
-/// # Errors
-/// [`SteadyError`] for too few cells, a load that is not positive, a substrate that cannot be served.
-pub fn solve(question: &LineQuestion<'_>) -> Result<LineContact, SteadyError> {
-    if question.cells < COARSEST {
-        return Err(SteadyError::TooFewCells { cells: question.cells });
-    }
-    // Hertz's half width a = √(4 F R/(π E0*)) and depth scale a²/2.
-    let half_contact = (4.0 * question.load / PI).sqrt();
-    let mut start = (vec![0.0], 0.5 * half_contact * half_contact);
-    let mut finest = None;
-    for cells in super::nested(question.cells) {
-        let half_width = DOMAIN * half_contact;
-        let grid = SurfaceGrid {
-            rows: 1,
-            origin: [-half_width, 0.0],
-            ..SurfaceGrid::square(cells, [0.0; 2], half_width)
-        };
-        let solution = on_grid(question, grid, &start)?;
-        start = (solution.pressure.clone(), solution.indentation);
-        finest = Some(measured(grid, solution, question.substrate));
-    }
-    finest.ok_or(SteadyError::NoCells)
+/// The solver measures its errors by the depth. So the operator's reference distance is chosen such that the depth is as
+/// large as the undeformed indenter is high at twice the half width of the contact that is started from; with a
+/// reference far away the depth would be that of a body and hide gaps as large as the contact is high.
+pub(super) fn pose(
+    question: &SteadyQuestion<'_>,
+    grid: &SurfaceGrid,
+    start: &LevelStart,
+) -> Result<Posed, SteadyError> {
+    let Loading::Load(load) = question.loading else {
+        return Err(SteadyError::LineIndentation);
+    };
+    // What the depth gains when the reference distance grows by a factor e.
+    let gain = FRAC_2_PI * load * question.substrate.relaxed();
+    let (depth, reference) = match start.half_width() {
+        Some(half_width) => {
+            let depth = question.profile.height(2.0 * half_width, 0.0);
+            (depth, ((depth - start.indentation) / gain).exp())
+        }
+        None => {
+            // Nothing is known but that the depth is positive beyond the contact and its wakes.
+            let longest = question.substrate.terms.iter().map(|term| term.length).fold(0.0, f64::max);
+            (start.indentation, E * (grid.cell * grid.columns as f64 + longest))
+        }
+    };
+    let operator = SlidingOperator::line(*grid, question.substrate, reference, question.memory)?;
+    // A strip's force per length is p h, and the solver knows squares with p h².
+    let loading = Loading::Load(load * grid.cell);
+    Ok(Posed { operator, loading, indentation: depth, datum: gain * reference.ln() })
 }
 
-fn on_grid(
-    question: &LineQuestion<'_>,
-    grid: SurfaceGrid,
-    (pressure, indentation): &(Vec<f64>, f64),
-) -> Result<UnilateralSolution, SteadyError> {
-    // Any reference far beyond the contact does: under a load it moves the depth alone.
-    let reference = 1e3 * grid.cell * grid.columns as f64;
-    let mut operator = SlidingOperator::line(grid, question.substrate, reference, question.memory)?;
-    let shift = operator.collocation_shift();
-    let heights: Vec<f64> = (0..grid.columns).map(|column| 0.5 * (grid.x(column) - shift).powi(2)).collect();
-    // A strip's force per length is p h, a square cell's force p h².
-    let problem = UnilateralProblem { heights: &heights, loading: Loading::Load(question.load * grid.cell) };
-    let start: Vec<f64> =
-        (0..grid.columns).map(|column| pressure[column * pressure.len() / grid.columns]).collect();
-    let start = Start { pressure: &start, indentation: *indentation };
-    Ok(active_set::solve(&mut operator, &problem, start, question.limits)?)
-}
-
-fn measured(grid: SurfaceGrid, solution: UnilateralSolution, substrate: &SlidingSubstrate) -> LineContact {
-    let pressure = &solution.pressure;
-    let force: f64 = pressure.iter().sum();
-    let moment: f64 = pressure.iter().enumerate().map(|(column, p)| p * grid.x(column)).sum();
-    let width = contact_length(&grid, pressure, substrate);
-    let peak_pressure = pressure.iter().copied().fold(0.0, f64::max);
-    LineContact { grid, peak_pressure, width, friction: moment / force, solution }
+impl LevelStart {
+    /// Half the width of the contact that is started from.
+    fn half_width(&self) -> Option<f64> {
+        let grid = self.grid.as_ref()?;
+        let first = self.pressure.iter().position(|pressure| *pressure > 0.0)?;
+        let last = self.pressure.iter().rposition(|pressure| *pressure > 0.0)?;
+        Some(0.5 * (last + 1 - first) as f64 * grid.cell)
+    }
 }

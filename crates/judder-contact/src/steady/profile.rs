@@ -18,6 +18,11 @@ pub trait Profile: Sync {
 
     /// Depth at which the force of an elastic contact with unit modulus is `force`, or a guess of it.
     fn elastic_depth(&self, force: f64) -> f64;
+
+    /// Whether the indenter goes on for ever along y: a line contact, whose force and area are per length.
+    fn is_line(&self) -> bool {
+        false
+    }
 }
 
 /// h = (x² + y²)/2, the shallow sphere of Hertz with R = 1.

@@ -22,6 +22,8 @@ pub struct LevelSummary {
     pub friction: f64,
     /// y/R.
     pub indentation: f64,
+    /// Largest pressure over E0*.
+    pub peak_pressure: f64,
     /// Changes of the contact set.
     pub iterations: usize,
     /// Products with the kernel.
@@ -43,6 +45,7 @@ impl LevelSummary {
             area: level.area,
             friction: level.friction,
             indentation: level.solution.indentation,
+            peak_pressure: level.solution.pressure.iter().copied().fold(0.0, f64::max),
             iterations: level.solution.iterations,
             products: level.solution.products,
             residual: level.solution.errors.worst(),
@@ -73,6 +76,8 @@ pub struct Refinement {
     pub friction: Estimate,
     /// y/R.
     pub indentation: Estimate,
+    /// Largest pressure over E0*; no accuracy is asked of it.
+    pub peak_pressure: Estimate,
     /// The grids.
     pub levels: Vec<LevelSummary>,
 }
@@ -81,16 +86,33 @@ impl Refinement {
     /// The estimates from a sequence of grids, each with half the cell of the one before.
     #[must_use]
     pub fn of(levels: &[LevelSummary]) -> Self {
-        let estimate = |value: fn(&LevelSummary) -> f64| {
-            let values: Vec<f64> = levels.iter().map(value).collect();
-            Estimate::of(&values)
-        };
+        let values = |value: fn(&LevelSummary) -> f64| -> Vec<f64> { levels.iter().map(value).collect() };
+        let estimate = |value| Estimate::of(&values(value));
+        // Edges and peaks fall between cells as they please: no order to extrapolate by.
+        let last = |value| Estimate::last_of(&values(value));
         Self {
             force: estimate(|level| level.force),
-            area: Estimate::last_of(&levels.iter().map(|level| level.area).collect::<Vec<_>>()),
+            area: last(|level| level.area),
             friction: estimate(|level| level.friction),
             indentation: estimate(|level| level.indentation),
+            peak_pressure: last(|level| level.peak_pressure),
             levels: levels.to_vec(),
+        }
+    }
+
+    /// The same for a line contact, which has two edges alone.
+    ///
+    /// Where they fall within their strips changes from grid to grid and moves width and friction: no order to extrapolate by,
+    /// and no round edge over whose rows it would be averaged.
+    #[must_use]
+    pub fn of_line(levels: &[LevelSummary]) -> Self {
+        let jumping = |value: fn(&LevelSummary) -> f64| {
+            Estimate::jumping(&levels.iter().map(value).collect::<Vec<f64>>())
+        };
+        Self {
+            area: jumping(|level| level.area),
+            friction: jumping(|level| level.friction),
+            ..Self::of(levels)
         }
     }
 
@@ -124,6 +146,18 @@ impl Estimate {
         }
         let correction = step / (ratio - 1.0);
         Self { value: last + correction, error: relative(correction, last), order: Some(ratio.log2()) }
+    }
+
+    /// The last value of a sequence that jumps, with the larger of its last two steps as its error.
+    #[must_use]
+    pub fn jumping(values: &[f64]) -> Self {
+        match *values {
+            [.., earlier, previous, last] => {
+                let step = (last - previous).abs().max((previous - earlier).abs());
+                Self { value: last, error: relative(step, last), order: None }
+            }
+            _ => Self { error: f64::INFINITY, ..Self::last_of(values) },
+        }
     }
 
     /// The last value of a sequence, with its difference from the one before as its error.
@@ -160,5 +194,7 @@ mod tests {
         assert_eq!((estimate.value, estimate.order), (1.05, None));
         assert!((estimate.error - 0.05 / 1.05).abs() < 1e-12);
         assert_eq!(Estimate::of(&[1.0]).error, f64::INFINITY);
+        assert!((Estimate::jumping(&[1.0, 1.1, 1.05]).error - 0.1 / 1.05).abs() < 1e-12);
+        assert_eq!(Estimate::jumping(&[1.0, 1.0]).error, f64::INFINITY);
     }
 }

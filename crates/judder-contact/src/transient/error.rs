@@ -1,6 +1,6 @@
 //! Why a transient contact has no answer.
 
-use crate::kernel::check::gibibytes;
+use crate::kernel::check::{KernelError, gibibytes};
 use crate::unilateral::UnilateralError;
 use thiserror::Error;
 
@@ -103,6 +103,9 @@ pub enum TransientError {
         /// Half the side that would hold the contact, in R.
         needed: f64,
     },
+    /// There is no kernel for the window or the strip.
+    #[error(transparent)]
+    Kernel(#[from] KernelError),
     /// The contact problem of a step is ill posed or overflows.
     #[error(transparent)]
     Unilateral(#[from] UnilateralError),

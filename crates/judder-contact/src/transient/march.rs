@@ -31,8 +31,9 @@ impl<'a> March<'a> {
     pub(super) fn new(question: &'a TransientQuestion<'a>) -> Result<Self, TransientError> {
         let window = Window::of(question)?;
         let first_column = window.first_column(question.path.position.at(0.0));
-        let mut memory = Memory::new(window, question.substrate, first_column);
-        let mut solver = ContactSolver::new(question, window);
+        let allowed = question.grid.memory_limit;
+        let mut memory = Memory::new(window, question.substrate, first_column, allowed)?;
+        let mut solver = ContactSolver::new(question, window)?;
         let compliance = match question.before {
             Before::Untouched => question.substrate.instantaneous,
             Before::Settled => question.substrate.relaxed(),

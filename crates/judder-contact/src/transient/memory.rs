@@ -4,6 +4,7 @@
 //! where nothing has pressed, while w_k reaches everywhere. So the fields p_k are kept, and material on which the
 //! indenter will come has crept rightly before it is reached.
 
+use super::error::TransientError;
 use super::substrate::{CreepingSubstrate, CreepingTerm};
 use super::weights::StepWeights;
 use super::window::Window;
@@ -63,17 +64,22 @@ pub(super) struct Memory {
 
 impl Memory {
     /// Material that has never been pressed on.
-    pub(super) fn new(window: Window, substrate: &CreepingSubstrate, first_column: i64) -> Self {
+    pub(super) fn new(
+        window: Window,
+        substrate: &CreepingSubstrate,
+        first_column: i64,
+        allowed: u64,
+    ) -> Result<Self, TransientError> {
         let cells = window.strip * window.side;
-        Self {
+        Ok(Self {
             window,
             substrate: substrate.clone(),
-            operator: SlidingOperator::new(window.strip_grid(), &SlidingSubstrate::elastic()),
+            operator: SlidingOperator::new(window.strip_grid(), &SlidingSubstrate::elastic(), allowed)?,
             first_column: first_column - ((window.strip - window.side) / 2) as i64,
             retarded: vec![vec![0.0; cells]; substrate.terms.len()],
             source: vec![0.0; cells],
             displacement: vec![0.0; cells],
-        }
+        })
     }
 
     /// The weights of a step, term by term.

@@ -42,9 +42,10 @@ pub(super) struct ContactSolver<'a> {
 }
 
 impl<'a> ContactSolver<'a> {
-    pub(super) fn new(question: &'a TransientQuestion<'a>, window: Window) -> Self {
-        let operator = SlidingOperator::new(window.grid(0, 0.0), &SlidingSubstrate::elastic());
-        Self { question, window, operator }
+    pub(super) fn new(question: &'a TransientQuestion<'a>, window: Window) -> Result<Self, TransientError> {
+        let allowed = question.grid.memory_limit;
+        let operator = SlidingOperator::new(window.grid(0, 0.0), &SlidingSubstrate::elastic(), allowed)?;
+        Ok(Self { question, window, operator })
     }
 
     /// The contact at a time, when pressures act on the surface with a compliance over a history.

@@ -274,7 +274,7 @@ mod tests {
     const NOWHERE: Start<'static> = Start { pressure: &[], indentation: 0.0 };
 
     fn elastic(grid: SurfaceGrid) -> SlidingOperator {
-        SlidingOperator::new(grid, &SlidingSubstrate::elastic())
+        SlidingOperator::new(grid, &SlidingSubstrate::elastic(), u64::MAX).unwrap()
     }
 
     fn paraboloid(grid: &SurfaceGrid) -> Vec<f64> {
@@ -325,7 +325,7 @@ mod tests {
     #[test]
     fn refuses_an_operator_that_is_not_symmetric() {
         let grid = SurfaceGrid::square(8, [0.0; 2], 0.12);
-        let mut sliding = SlidingOperator::new(grid, &SlidingSubstrate::single(10.0, 0.1));
+        let mut sliding = SlidingOperator::new(grid, &SlidingSubstrate::single(10.0, 0.1), u64::MAX).unwrap();
         let heights = paraboloid(&grid);
         let problem = UnilateralProblem { heights: &heights, loading: Loading::Indentation(0.01) };
         let error = solve(&mut sliding, &problem, NOWHERE, UnilateralLimits::default());

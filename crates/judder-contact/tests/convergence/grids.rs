@@ -21,10 +21,19 @@ fn the_elastic_force_converges_faster_than_linearly() {
     assert!(errors[3] < 1e-5);
 }
 
-/// In between the limits there is no closed form: the differences of successive grids fall.
+/// In between the limits there is no closed form: the steps from grid to grid fall by at least 1.5 orders a halving, from the first
+/// to the last, at every contrast and speed. One by one they jump, for the edge falls into its cells as it pleases.
 #[test]
-fn the_viscoelastic_force_settles() {
-    let forces = forces(&SlidingSubstrate::single(10.0, 0.1));
-    let steps: Vec<f64> = forces.windows(2).map(|pair| (pair[1] - pair[0]).abs()).collect();
-    assert!(steps[1] < 0.5 * steps[0] && steps[2] < 0.5 * steps[1], "{steps:?}");
+fn the_viscoelastic_force_converges_faster_than_linearly() {
+    println!("E∞/E0   z      steps, order");
+    for (contrast, length) in
+        [(10.0, 0.1), (10.0, 1.0), (10.0, 10.0), (100.0, 0.3), (100.0, 3.0), (1000.0, 1.0)]
+    {
+        let forces = forces(&SlidingSubstrate::single(contrast, length));
+        let steps: Vec<f64> = forces.windows(2).map(|pair| (pair[1] / pair[0] - 1.0).abs()).collect();
+        let order = (steps[0] / steps[2]).log2() / 2.0;
+        println!("{contrast:5} {length:5} {:8.1e} {:8.1e} {:8.1e} {order:5.2}", steps[0], steps[1], steps[2]);
+        assert!(order > 1.5, "{order} from {steps:?}");
+        assert!(steps[2] < 1e-4, "{steps:?}");
+    }
 }

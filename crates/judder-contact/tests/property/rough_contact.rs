@@ -3,7 +3,9 @@
 use judder_contact::indenter::{HeightMap, RoughSurface, Roughness};
 use judder_contact::kernel::sliding::SlidingOperator;
 use judder_contact::kernel::substrate::SlidingSubstrate;
-use judder_contact::periodic_contact::{PeriodicContact, PeriodicQuestion, solve};
+use judder_contact::periodic_contact::level::PeriodicLevel;
+use judder_contact::periodic_contact::{PeriodicContactError, PeriodicLoading, PeriodicQuestion, solve};
+use judder_contact::steady::MEMORY;
 use judder_contact::unilateral::active_set::{self, Start};
 use judder_contact::unilateral::{Loading, UnilateralLimits, UnilateralProblem};
 
@@ -28,9 +30,18 @@ fn limits() -> UnilateralLimits {
     UnilateralLimits { tolerance: TOLERANCE, ..UnilateralLimits::default() }
 }
 
-fn press(surface: &HeightMap, substrate: &SlidingSubstrate, mean_pressure: f64) -> PeriodicContact {
-    let question = PeriodicQuestion { substrate, surface, mean_pressure, limits: limits(), memory: u64::MAX };
-    solve(&question).unwrap()
+fn asked<'a>(
+    surface: &'a HeightMap,
+    substrate: &'a SlidingSubstrate,
+    loading: PeriodicLoading,
+    accuracy: Option<f64>,
+) -> PeriodicQuestion<'a> {
+    PeriodicQuestion { substrate, surface, loading, accuracy, limits: limits(), memory: MEMORY }
+}
+
+fn press(surface: &HeightMap, substrate: &SlidingSubstrate, mean_pressure: f64) -> PeriodicLevel {
+    let loading = PeriodicLoading::MeanPressure(mean_pressure);
+    solve(&asked(surface, substrate, loading, None)).unwrap().finest
 }
 
 /// Two algorithms, one pressure.
@@ -75,4 +86,44 @@ fn sliding_over_roughness_has_friction_and_the_same_bytes() {
     let elastic = press(&surface, &SlidingSubstrate::elastic(), 0.02);
     assert!(elastic.friction.abs() < 0.01 * contact.friction, "{} {}", elastic.friction, contact.friction);
     assert!(contact.contact_fraction < elastic.contact_fraction);
+}
+
+/// Finer grids hold the same surface: the accuracy is met, friction is that of the bulk, and a depth is as good as its load.
+#[test]
+fn a_rough_contact_is_refined_until_its_accuracy_is_met() {
+    let (surface, accuracy) = (rough(64), 1e-2);
+    for (substrate, load) in
+        [(SlidingSubstrate::elastic(), 0.01), (SlidingSubstrate::single(10.0, 0.02), 0.02)]
+    {
+        let pressed =
+            solve(&asked(&surface, &substrate, PeriodicLoading::MeanPressure(load), Some(accuracy))).unwrap();
+        assert!(pressed.converged, "{:?}", pressed.refinement);
+        let levels = &pressed.refinement.levels;
+        assert!(levels.len() > 1 && levels.iter().all(|level| level.converged));
+        assert!((pressed.finest.mean_pressure / load - 1.0).abs() < 1e-8);
+        if !substrate.terms.is_empty() {
+            assert!(pressed.friction_difference() < 1e-2, "{}", pressed.friction_difference());
+        }
+        let depth = PeriodicLoading::Indentation(pressed.refinement.indentation.value);
+        let indented = solve(&asked(&surface, &substrate, depth, Some(accuracy))).unwrap();
+        assert!(indented.converged, "{:?}", indented.refinement);
+        assert!((indented.refinement.force.value / load - 1.0).abs() < 2.0 * accuracy);
+        let heights = surface.heights();
+        let mean = heights.iter().sum::<f64>() / heights.len() as f64;
+        let gap = mean - indented.finest.solution.indentation;
+        assert!((indented.finest.mean_gap / gap - 1.0).abs() < 1e-9);
+    }
+}
+
+/// An accuracy beyond the finest grid that memory allows is missed, and said to be.
+#[test]
+fn an_accuracy_out_of_reach_is_missed_honestly() {
+    let (surface, substrate) = (rough(32), SlidingSubstrate::elastic());
+    let question = asked(&surface, &substrate, PeriodicLoading::MeanPressure(0.01), Some(1e-6));
+    let memory = SlidingOperator::memory_bytes(64, 64);
+    let contact = solve(&PeriodicQuestion { memory, ..question }).unwrap();
+    assert_eq!(contact.finest.grid.columns, 64);
+    assert!(contact.finest.solution.converged && !contact.converged);
+    let too_deep = solve(&asked(&surface, &substrate, PeriodicLoading::Indentation(1.0), None));
+    assert!(matches!(too_deep, Err(PeriodicContactError::TooDeep { .. })));
 }

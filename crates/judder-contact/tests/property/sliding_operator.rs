@@ -57,7 +57,7 @@ fn two_terms() -> SlidingSubstrate {
 fn a_product_is_the_sum_over_all_cells() {
     for (columns, rows) in [(1, 1), (2, 1), (1, 9), (7, 5), (16, 3), (13, 22)] {
         let (grid, substrate) = (grid(columns, rows, 0.37), two_terms());
-        let mut operator = SlidingOperator::new(grid, &substrate);
+        let mut operator = SlidingOperator::new(grid, &substrate, u64::MAX).unwrap();
         let in_cells = substrate.in_cells(grid.cell);
         let kernel = WakeKernel::new(columns, rows, in_cells.collocation_shift(1.0), &in_cells);
         let pressure = uneven(grid.len());
@@ -79,7 +79,7 @@ fn a_product_over_a_line_is_the_sum_over_its_strips() {
 #[test]
 fn rows_in_reverse_order_give_displacements_in_reverse_order() {
     let grid = grid(12, 9, 0.5);
-    let mut operator = SlidingOperator::new(grid, &two_terms());
+    let mut operator = SlidingOperator::new(grid, &two_terms(), u64::MAX).unwrap();
     let reverse = |values: &[f64]| values.chunks(12).rev().flatten().copied().collect::<Vec<f64>>();
     let pressure = uneven(grid.len());
     let straight = displaced(&mut operator, &pressure);
@@ -90,7 +90,7 @@ fn rows_in_reverse_order_give_displacements_in_reverse_order() {
 #[test]
 fn sliding_backwards_is_the_transposed_operator() {
     let grid = grid(14, 6, 0.5);
-    let mut operator = SlidingOperator::new(grid, &two_terms());
+    let mut operator = SlidingOperator::new(grid, &two_terms(), u64::MAX).unwrap();
     let mirror =
         |values: &[f64]| values.chunks(14).flat_map(|row| row.iter().rev().copied()).collect::<Vec<f64>>();
     let (one, other) = (uneven(grid.len()), uneven(2 * grid.len())[grid.len()..].to_vec());
@@ -117,12 +117,14 @@ fn equal_wakes_add_and_a_wake_of_no_length_is_none() {
     let grid = grid(9, 7, 0.25);
     let term = |compliance, length| WakeTerm { compliance, length };
     let parts = vec![term(0.5, 2.0), term(0.125, 0.0), term(0.25, 2.0)];
-    let mut parts = SlidingOperator::new(grid, &SlidingSubstrate { instantaneous: 0.125, terms: parts });
+    let mut parts =
+        SlidingOperator::new(grid, &SlidingSubstrate { instantaneous: 0.125, terms: parts }, u64::MAX)
+            .unwrap();
     let whole = SlidingSubstrate { instantaneous: 0.25, terms: vec![term(0.75, 2.0)] };
     let pressure = uneven(grid.len());
     assert_eq!(
         displaced(&mut parts, &pressure),
-        displaced(&mut SlidingOperator::new(grid, &whole), &pressure)
+        displaced(&mut SlidingOperator::new(grid, &whole, u64::MAX).unwrap(), &pressure)
     );
 }
 
@@ -146,8 +148,8 @@ fn a_cached_kernel_gives_the_same_bytes() {
     for cell in [0.25, 0.25, 0.1 + 0.2] {
         // The same ratio of wake and cell, but for rounding.
         let (grid, substrate) = (grid(11, 9, cell), SlidingSubstrate::single(10.0, 12.7 * cell));
-        let mut fresh = SlidingOperator::new(grid, &substrate);
-        let mut cached = SlidingOperator::cached(grid, &substrate, &cache);
+        let mut fresh = SlidingOperator::new(grid, &substrate, u64::MAX).unwrap();
+        let mut cached = SlidingOperator::cached(grid, &substrate, u64::MAX, &cache).unwrap();
         assert_eq!(displaced(&mut cached, &pressure), displaced(&mut fresh, &pressure));
     }
     assert_eq!(cache.bytes(), judder_contact::kernel::spectra::KernelSpectra::memory_bytes(11, 9));
@@ -165,7 +167,7 @@ fn the_approximate_inverse_undoes_the_operator() {
     for substrate in substrates {
         let grid = SurfaceGrid::square(64, [0.0, 0.0], 2.0);
         let place = |cell: usize| (grid.x(cell % 64), grid.y(cell / 64));
-        let mut operator = SlidingOperator::new(grid, &substrate);
+        let mut operator = SlidingOperator::new(grid, &substrate, u64::MAX).unwrap();
         let pressure: Vec<f64> =
             (0..grid.len()).map(place).map(|(x, y)| x * (-4.0 * (x * x + y * y)).exp()).collect();
         let mut again = vec![0.0; grid.len()];
@@ -196,7 +198,7 @@ proptest! {
         }
     }
 
-    /// No grid and no substrate, however odd, makes an operator panic.
+    /// No grid and no substrate, however odd, panics: it is refused, or makes an operator.
     #[test]
     fn nothing_panics(
         columns in 0_usize..5, rows in 0_usize..5, cell in any::<f64>(), instantaneous in any::<f64>(),
@@ -204,10 +206,11 @@ proptest! {
     ) {
         let substrate = SlidingSubstrate { instantaneous, terms: vec![WakeTerm { compliance, length }] };
         let grid = grid(columns, rows, cell);
-        let mut operator = SlidingOperator::new(grid, &substrate);
-        let (pressure, mut out) = (vec![1.0; grid.len()], vec![0.0; grid.len()]);
-        operator.displacement(&pressure, &mut out);
-        operator.precondition(&pressure, &mut out);
+        if let Ok(mut operator) = SlidingOperator::new(grid, &substrate, u64::MAX) {
+            let (pressure, mut out) = (vec![1.0; grid.len()], vec![0.0; grid.len()]);
+            operator.displacement(&pressure, &mut out);
+            operator.precondition(&pressure, &mut out);
+        }
         let _ = SlidingOperator::line(grid, &substrate, cell, u64::MAX);
         let _ = SlidingOperator::periodic(grid, &substrate, u64::MAX);
     }

@@ -2,10 +2,14 @@
 
 use crate::questions::{assert_close, on_grid, paraboloid};
 use judder_contact::indenter::{HeightMap, Shape};
+use judder_contact::kernel::sliding::SlidingOperator;
 use judder_contact::kernel::substrate::SlidingSubstrate;
 use judder_contact::steady::profile::{Paraboloid, Profile, Sphere};
 use judder_contact::steady::{GridChoice, MEMORY, SteadyError, SteadyQuestion, solve};
-use judder_contact::unilateral::{Loading, UnilateralLimits};
+use judder_contact::surface::grid::SurfaceGrid;
+use judder_contact::surface::operator::SurfaceOperator;
+use judder_contact::unilateral::active_set::{self, Start};
+use judder_contact::unilateral::{Loading, UnilateralLimits, UnilateralProblem};
 
 /// For a paraboloid and one retardation time all depends on z = v τ/√(R δ).
 #[test]
@@ -100,6 +104,94 @@ fn a_mirrored_indenter_has_mirrored_fields() {
             let there = right.finest.solution.pressure[(47 - row) * 48 + column];
             assert!((here - there).abs() < 1e-7);
         }
+    }
+}
+
+/// Sliding to −x: the transposed operator, summed cell by cell. Only its approximate inverse is that of +x, mirrored.
+struct Backwards {
+    forwards: SlidingOperator,
+    /// The displacements of a unit pressure on each cell.
+    columns: Vec<Vec<f64>>,
+}
+
+impl Backwards {
+    fn new(mut forwards: SlidingOperator) -> Self {
+        let cells = forwards.grid().len();
+        let columns = (0..cells).map(|cell| {
+            let (mut unit, mut displacement) = (vec![0.0; cells], vec![0.0; cells]);
+            unit[cell] = 1.0;
+            forwards.displacement(&unit, &mut displacement);
+            displacement
+        });
+        Self { columns: columns.collect(), forwards }
+    }
+}
+
+impl SurfaceOperator for Backwards {
+    fn grid(&self) -> &SurfaceGrid {
+        self.forwards.grid()
+    }
+
+    fn displacement(&mut self, pressure: &[f64], displacement: &mut [f64]) {
+        for (value, column) in displacement.iter_mut().zip(&self.columns) {
+            *value = column.iter().zip(pressure).map(|(entry, pressure)| entry * pressure).sum();
+        }
+    }
+
+    fn precondition(&mut self, displacement: &[f64], pressure: &mut [f64]) {
+        let columns = self.grid().columns;
+        let mut backwards = vec![0.0; pressure.len()];
+        self.forwards.precondition(&mirrored(displacement, columns), &mut backwards);
+        pressure.copy_from_slice(&mirrored(&backwards, columns));
+    }
+
+    fn is_symmetric(&self) -> bool {
+        false
+    }
+
+    fn self_displacement(&self) -> f64 {
+        self.forwards.self_displacement()
+    }
+
+    fn collocation_shift(&self) -> f64 {
+        -self.forwards.collocation_shift()
+    }
+}
+
+fn mirrored(values: &[f64], columns: usize) -> Vec<f64> {
+    values.chunks(columns).flat_map(|row| row.iter().rev().copied()).collect()
+}
+
+/// The mirror image of an indenter that slides the other way presses with the mirrored pressure and drags the other way.
+#[test]
+fn mirrored_sliding_has_mirrored_fields() {
+    let grid = SurfaceGrid { rows: 18, ..SurfaceGrid::square(24, [0.0, 0.0], 1.4) };
+    let grid = SurfaceGrid { origin: [grid.origin[0], -9.0 * grid.cell], ..grid };
+    let leaning = |x: f64, y: f64| 0.5 * (x * x + 1.3 * y * y) + 0.12 * x * x * x + 0.1 * x * y + 0.05;
+    let limits = UnilateralLimits { tolerance: 1e-10, ..UnilateralLimits::default() };
+    for (contrast, length) in [(10.0, 0.6), (1000.0, 2.0)] {
+        let substrate = SlidingSubstrate::single(contrast, length);
+        let pressed = |operator: &mut dyn SurfaceOperator, side: f64| {
+            let shift = operator.collocation_shift();
+            let heights: Vec<f64> = (0..grid.len())
+                .map(|cell| leaning(side * (grid.x(cell % 24) - shift), grid.y(cell / 24)))
+                .collect();
+            let problem = UnilateralProblem { heights: &heights, loading: Loading::Indentation(0.8) };
+            let start = Start { pressure: &vec![0.0; grid.len()], indentation: 0.8 };
+            let solution = active_set::solve(operator, &problem, start, limits).unwrap();
+            assert!(solution.converged, "{:?}", solution.errors);
+            solution.pressure
+        };
+        let mut forwards = SlidingOperator::new(grid, &substrate, MEMORY).unwrap();
+        let ahead = pressed(&mut forwards, 1.0);
+        let back = pressed(&mut Backwards::new(forwards), -1.0);
+        let largest = ahead.iter().copied().fold(0.0, f64::max);
+        for (there, here) in mirrored(&back, 24).iter().zip(&ahead) {
+            assert!((there - here).abs() < 1e-8 * largest, "{there} {here}");
+        }
+        // It is no symmetric contact that is compared with itself.
+        let skew = mirrored(&ahead, 24).iter().zip(&ahead).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(skew > 0.1 * largest);
     }
 }
 

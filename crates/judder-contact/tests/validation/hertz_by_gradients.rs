@@ -20,7 +20,7 @@ fn force_and_pressure_of_a_paraboloid() {
     let shape = Shape::Paraboloid { radius: RADIUS };
     let centres = (0..grid.len()).map(|cell| (grid.x(cell % 128), grid.y(cell / 128)));
     let heights: Vec<f64> = centres.map(|(x, y)| shape.height(x, y)).collect();
-    let mut operator = SlidingOperator::new(grid, &SlidingSubstrate::elastic());
+    let mut operator = SlidingOperator::new(grid, &SlidingSubstrate::elastic(), u64::MAX).unwrap();
     let problem = UnilateralProblem { heights: &heights, loading: Loading::Indentation(DEPTH) };
     let limits = UnilateralLimits { tolerance: 1e-9, ..UnilateralLimits::default() };
     let nowhere = Start { pressure: &[], indentation: 0.0 };

@@ -72,7 +72,7 @@ fn short_wakes_drag_alike_with_images_and_without() {
     let grid = SurfaceGrid::square(128, [0.0, 0.0], 8.0);
     for length in [0.1, 0.5, 1.0] {
         let substrate = SlidingSubstrate::single(10.0, length);
-        let alone = drag(&mut SlidingOperator::new(grid, &substrate));
+        let alone = drag(&mut SlidingOperator::new(grid, &substrate, u64::MAX).unwrap());
         let repeated = drag(&mut SlidingOperator::periodic(grid, &substrate, u64::MAX).unwrap());
         assert!(alone < 0.0);
         assert_close(repeated, alone, 1e-2);
@@ -85,7 +85,7 @@ fn the_longest_wake_allowed_costs_little_where_periods_are_wide() {
     for (period, allowed) in [(4.4, 0.1), (8.8, 0.03), (17.6, 0.01)] {
         let grid = SurfaceGrid::square((20.0 * period) as usize, [0.0, 0.0], 0.5 * period);
         let substrate = SlidingSubstrate::single(10.0, period / (0.901 / PERIODIC_MEMORY).ln());
-        let alone = drag(&mut SlidingOperator::new(grid, &substrate));
+        let alone = drag(&mut SlidingOperator::new(grid, &substrate, u64::MAX).unwrap());
         let repeated = drag(&mut SlidingOperator::periodic(grid, &substrate, u64::MAX).unwrap());
         let deviation = (repeated / alone - 1.0).abs();
         assert!((0.5 * allowed..allowed).contains(&deviation), "{period}: {deviation}");

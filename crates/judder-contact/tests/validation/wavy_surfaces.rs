@@ -3,17 +3,19 @@
 use crate::questions::assert_close;
 use judder_contact::indenter::HeightMap;
 use judder_contact::kernel::substrate::SlidingSubstrate;
-use judder_contact::periodic_contact::{PeriodicContact, PeriodicContactError, PeriodicQuestion, solve};
+use judder_contact::periodic_contact::level::PeriodicLevel;
+use judder_contact::periodic_contact::{PeriodicContactError, PeriodicLoading, PeriodicQuestion, solve};
 use judder_contact::unilateral::UnilateralLimits;
 use std::f64::consts::PI;
 
 /// Δ, over the wave length 1.
 const AMPLITUDE: f64 = 0.01;
 
-fn press(surface: &HeightMap, mean_pressure: f64, substrate: &SlidingSubstrate) -> PeriodicContact {
+fn press(surface: &HeightMap, mean_pressure: f64, substrate: &SlidingSubstrate) -> PeriodicLevel {
     let limits = UnilateralLimits { tolerance: 1e-9, ..UnilateralLimits::default() };
-    let question = PeriodicQuestion { substrate, surface, mean_pressure, limits, memory: u64::MAX };
-    let contact = solve(&question).unwrap();
+    let loading = PeriodicLoading::MeanPressure(mean_pressure);
+    let question = PeriodicQuestion { substrate, surface, loading, accuracy: None, limits, memory: u64::MAX };
+    let contact = solve(&question).unwrap().finest;
     assert!(contact.solution.converged, "{:?}", contact.solution.errors);
     contact
 }
@@ -68,16 +70,37 @@ fn two_waves_in_full_contact() {
     }
 }
 
-/// A/A₀ = π (3 p̄/8π p*)^⅔ at light load, 1 − (3/2π)(1 − p̄/p*) near full contact.
+/// What x makes f zero, f rising.
+fn root(f: impl Fn(f64) -> f64) -> f64 {
+    let (mut low, mut high) = (0.0, 2.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if f(middle) < 0.0 { low = middle } else { high = middle }
+    }
+    low
+}
+
+/// A period has two peaks and two hollows, h = Δ (q²r²/2 − q⁴r⁴/16 + …) about each in the mean over directions.
+///
+/// Light load: circles of radius a, to the order beyond Hertz by Sneddon (1965),
+/// p̄ = 2F/λ² = (8/3λ²) E* Δ q² a³ (1 − q²a²/5); the first term alone is Johnson's π (3p̄/8πp*)^⅔. Near full contact: holes of radius b, where
+/// the pressure of full contact would pull; at their edge no stress is singular, ∫ (p̄ − p* + p* h/Δ) r/√(b² − r²) dr = 0, so
+/// 1 − p̄/p* = q²b²/3 − q⁴b⁴/30; the first term alone is (3/2π)(1 − p̄/p*).
 #[test]
 fn two_waves_near_both_ends() {
-    let full = 2.0_f64.sqrt() * PI * AMPLITUDE;
+    let (full, wave) = (2.0_f64.sqrt() * PI * AMPLITUDE, 2.0 * PI);
     let area =
         |side, part: f64| press(&two_waves(side), part * full, &SlidingSubstrate::elastic()).contact_fraction;
-    let light: f64 = 0.002;
-    assert_close(area(256, light), PI * (3.0 * light / (8.0 * PI)).powf(2.0 / 3.0), 0.03);
-    let heavy = 0.95;
-    assert_close(1.0 - area(128, heavy), 3.0 / (2.0 * PI) * (1.0 - heavy), 0.06);
+    for light in [0.002, 0.005] {
+        let radius =
+            root(|qa| 8.0 / 3.0 * AMPLITUDE * qa.powi(3) / wave * (1.0 - qa * qa / 5.0) - light * full)
+                / wave;
+        assert_close(area(512, light), 2.0 * PI * radius * radius, 3e-3);
+    }
+    for heavy in [0.95, 0.98] {
+        let radius = root(|qb| qb * qb / 3.0 - qb.powi(4) / 30.0 - (1.0 - heavy)) / wave;
+        assert_close(1.0 - area(512, heavy), 2.0 * PI * radius * radius, 3e-3);
+    }
 }
 
 /// The shear stress of a sinusoid in full contact, q²Δ²E″(q v)/[4(1 − ν²)].
@@ -97,7 +120,8 @@ fn a_surface_that_ends_is_refused() {
     let ends = HeightMap::new(wave.heights().to_vec(), 8, 8, wave.spacing(), false).unwrap();
     let substrate = &SlidingSubstrate::elastic();
     let limits = UnilateralLimits::default();
+    let loading = PeriodicLoading::MeanPressure(0.1);
     let question =
-        PeriodicQuestion { substrate, surface: &ends, mean_pressure: 0.1, limits, memory: u64::MAX };
+        PeriodicQuestion { substrate, surface: &ends, loading, accuracy: None, limits, memory: u64::MAX };
     assert_eq!(solve(&question), Err(PeriodicContactError::NotPeriodic));
 }

@@ -3,9 +3,9 @@
 mod fields;
 mod fit;
 mod law;
-mod line;
 mod modulus;
 mod periodic;
+mod refined;
 mod single;
 mod size;
 mod transient;
@@ -20,7 +20,7 @@ use crate::material::ContactScales;
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use crate::spectrum_source::temperature_warning;
-use judder_case::{Analysis, ContactAnalysis, ContactCase, LawMethod, Shape};
+use judder_case::{Analysis, ContactAnalysis, ContactCase, LawMethod};
 use judder_contact::material::Discretisation;
 use judder_store::number;
 use serde_json::json;
@@ -51,7 +51,6 @@ pub(super) fn run(
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
     let mut outcome = match &analysis.kind {
-        ContactAnalysis::Contact(settings) if case.shape == Shape::Cylinder => line::run(case, settings),
         ContactAnalysis::Contact(settings) if case.shape.is_periodic() => {
             periodic::run(case, &analysis.name, settings)
         }

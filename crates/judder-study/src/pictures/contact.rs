@@ -30,9 +30,12 @@ pub(super) fn contact(dataset: &Dataset) -> Option<Vec<Panel>> {
         && let Some(depth) = dataset.attributes().get("indentation").and_then(serde_json::Value::as_f64)
     {
         let surface: Vec<f64> = row(displacement).iter().map(|u| -u).collect();
-        // what stands far above the surface would flatten the picture
+        // what stands far above the contact would flatten the picture
+        let height = row(height);
+        let touching = height.iter().zip(row(pressure)).filter(|(_, pressure)| *pressure > 0.0);
+        let highest = 4.0 * touching.map(|(height, _)| *height).fold(0.0, f64::max);
         let indenter: Vec<f64> =
-            row(height).iter().map(|h| if *h < 2.0 * depth { h - depth } else { f64::NAN }).collect();
+            height.iter().map(|h| if *h < highest { h - depth } else { f64::NAN }).collect();
         let layers = vec![
             Layer::line("surface of the substrate", at.to_vec(), surface, Role::Series(0)),
             Layer::line("indenter", at.to_vec(), indenter, Role::Reference.dashed()),

@@ -37,6 +37,7 @@ impl Impatient {
 
 impl Progress for Impatient {
     fn begin(&self, _name: &str, _steps: usize) {}
+    fn expect(&self, _steps: usize) {}
     fn advance(&self) {
         self.done.fetch_add(1, Ordering::Relaxed);
         let _ = self.left.fetch_update(Ordering::Relaxed, Ordering::Relaxed, |left| left.checked_sub(1));

@@ -62,8 +62,14 @@ fn the_cylinders_of_wang_and_knothe() {
     let folder = tempfile::tempdir().unwrap();
     let report = run_into(folder.path(), &case("benchmarks/wang-knothe.toml", &[]), &[]);
     assert!(report.complete, "{:?}", report.messages);
-    let peak = number(&result(&report, "line")["peak_pressure_pascal"]);
+    let line = result(&report, "line");
+    let peak = number(&line["peak_pressure_pascal"]);
     assert!((peak / 78.74e6 - 1.0).abs() < 1e-3, "{peak}");
+    assert!(number(&line["friction_difference"]) < 1e-2, "{line:?}");
+    assert!(number(&line["area_error"]) < 5e-3 && number(&line["friction_error"]) < 5e-3, "{line:?}");
+    for file in ["fields/line.vtu", "line.csv", "figures/line.svg"] {
+        assert!(folder.path().join(file).is_file(), "{file}");
+    }
 }
 
 #[test]
@@ -172,12 +178,24 @@ fn a_rough_surface_touches_with_its_peaks() {
         kind = "contact"
         velocity = "10 mm/s"
         load = "20 mN"
+        accuracy = 1e-2
+        [[analysis]]
+        name = "as-deep"
+        kind = "contact"
+        velocity = "10 mm/s"
+        indentation = "4 um"
+        accuracy = 1e-2
         "#,
     );
     assert!(report.complete, "{:?}", report.messages);
     let contact = result(&report, "contact");
     let fraction = number(&contact["contact_fraction"]);
     assert!(fraction > 0.0 && fraction < 1.0 && number(&contact["friction"]) > 0.0, "{contact:?}");
+    assert!(number(&contact["friction_difference"]) < 1e-2, "{contact:?}");
+    assert!(number(&contact["cells"]) > 32.0 && number(&contact["area_error"]) < 5e-2, "{contact:?}");
+    let deep = result(&report, "as-deep");
+    assert!((number(&deep["indentation_metre"]) / 4e-6 - 1.0).abs() < 1e-12);
+    assert!(number(&deep["force_error"]) < 1e-2 && number(&deep["mean_gap"]) > 0.0, "{deep:?}");
 }
 
 /// Sneddon (1965): a small oscillation of the depth at rest meets a flat punch of the contact's radius, c_y = 2 a E″(ω)/ω.
@@ -263,7 +281,7 @@ fn laws_of_the_default_accuracy_converge() {
     }
 }
 
-/// Strips are one row, and the heights of a surface that repeats itself are its grid.
+/// Strips are one row, and the heights of a surface that repeats itself are the coarsest of its grids.
 #[test]
 fn a_check_knows_the_grid_of_strips_and_of_heights() {
     let folder = tempfile::tempdir().unwrap();
@@ -271,8 +289,8 @@ fn a_check_knows_the_grid_of_strips_and_of_heights() {
     std::fs::write(folder.path().join("heights.txt"), heights).unwrap();
     let file = "{ heights = \"heights.txt\", spacing = \"1 um\", unit = \"1 um\", periodic = true }";
     for (shape, bytes) in [
-        ("\"cylinder\"", SlidingOperator::memory_bytes(1024, 1)),
-        (file, SlidingOperator::memory_bytes(8, 4)),
+        ("\"cylinder\"", SlidingOperator::memory_bytes(2048, 1)),
+        (file, SlidingOperator::memory_bytes(128, 64)),
     ] {
         let path = folder.path().join("case.toml");
         let text = format!(

@@ -2,12 +2,10 @@
 
 use crate::error::StudyError;
 use crate::material::ContactScales;
-use judder_contact::indenter::HeightMap;
-use judder_contact::periodic_contact::PeriodicContact;
-use judder_contact::steady::SteadyContact;
+use judder_contact::periodic_contact::level::PeriodicLevel;
 use judder_contact::steady::level::Level;
 use judder_contact::steady::profile::Profile;
-use judder_contact::steady::refinement::LevelSummary;
+use judder_contact::steady::refinement::{LevelSummary, Refinement};
 use judder_contact::surface::grid::SurfaceGrid;
 use judder_contact::unilateral::UnilateralSolution;
 use judder_store::{Dataset, Quads, Variable, vtu};
@@ -36,24 +34,21 @@ const REACH: f64 = 100.0;
 impl<'a> Fields<'a> {
     /// The fields of the finest grid of a contact.
     pub(super) fn new(level: &'a Level, profile: &dyn Profile) -> Self {
-        Self::of(level.grid, &level.solution, level.collocation_shift, |x, y| profile.height(x, y))
+        let (grid, shift) = (level.grid, level.collocation_shift);
+        let rows = (0..grid.rows).map(|row| grid.y(row));
+        let height = |y: f64| (0..grid.columns).map(move |column| profile.height(grid.x(column) - shift, y));
+        Self::of(grid, &level.solution, shift, rows.flat_map(height).collect())
     }
 
     /// The fields of one period of a surface.
-    pub(super) fn of_period(contact: &'a PeriodicContact, surface: &HeightMap) -> Self {
-        Self::of(contact.grid, &contact.solution, 0.0, |x, y| surface.height(x, y))
+    pub(super) fn of_period(level: &'a PeriodicLevel) -> Self {
+        Self::of(level.grid, &level.solution, level.collocation_shift, level.heights.clone())
     }
 
-    fn of(
-        grid: SurfaceGrid,
-        solution: &'a UnilateralSolution,
-        shift: f64,
-        height_at: impl Fn(f64, f64) -> f64,
-    ) -> Self {
+    fn of(grid: SurfaceGrid, solution: &'a UnilateralSolution, shift: f64, height: Vec<f64>) -> Self {
         let x: Vec<f64> = (0..grid.columns).map(|column| grid.x(column)).collect();
         let x_surface: Vec<f64> = x.iter().map(|x| x - shift).collect();
         let y: Vec<f64> = (0..grid.rows).map(|row| grid.y(row)).collect();
-        let height: Vec<f64> = y.iter().flat_map(|y| x_surface.iter().map(|x| height_at(*x, *y))).collect();
         let displacement = solution
             .gap
             .iter()
@@ -97,20 +92,20 @@ impl<'a> Fields<'a> {
     /// The surfaces, and the grids from coarse to fine.
     pub(super) fn dataset(
         &self,
-        contact: &SteadyContact,
+        refinement: &Refinement,
         scales: &ContactScales,
     ) -> Result<Dataset, StudyError> {
         let mut dataset = self.surfaces()?;
         let coordinate = |name: &str, values: &[f64], long_name: &str| {
             Variable::coordinate(name, values.to_vec()).units("1").long_name(long_name)
         };
-        let levels = &contact.refinement.levels;
+        let levels = &refinement.levels;
         let cells: Vec<f64> = levels.iter().map(|level| level.cells as f64).collect();
         dataset = dataset.with(coordinate("level", &cells, "cells a side, grid by grid"))?;
         let rows: [(&str, OfLevel, &str); 5] = [
             ("level_cell", |l| l.cell, "side of a cell h/R"),
-            ("level_force", |l| l.force, "force F/(E0* R²)"),
-            ("level_area", |l| l.area, "area A/R²"),
+            ("level_force", |l| l.force, "force F/(E0* R²), of a line F/(E0* R)"),
+            ("level_area", |l| l.area, "area A/R², of a line its width over R"),
             ("level_friction", |l| l.friction, "friction coefficient"),
             ("level_residual", |l| l.residual, "largest error of the unilateral conditions"),
         ];
@@ -119,12 +114,11 @@ impl<'a> Fields<'a> {
             dataset = dataset
                 .with(Variable::new(name, &["level"], &[values.len()], values).long_name(long_name))?;
         }
-        let r = &contact.refinement;
         Ok(dataset
             .attribute("kind", "contact")?
-            .attribute("force", r.force.value)?
-            .attribute("area", r.area.value)?
-            .attribute("friction", r.friction.value)?
+            .attribute("force", refinement.force.value)?
+            .attribute("area", refinement.area.value)?
+            .attribute("friction", refinement.friction.value)?
             .attribute("radius_metre", scales.scales.radius)?
             .attribute("reduced_modulus_pascal", scales.scales.reduced_modulus)?)
     }

@@ -1,22 +1,20 @@
 //! `contact`: one contact, with its fields, the grids it comes from, and friction from two sides.
 
 use super::fields::Fields;
+use super::refined::Refined;
 use crate::error::StudyError;
 use crate::indenter::profile;
 use crate::material::ContactScales;
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use judder_case::{ContactCase, ContactSettings, Loading as CaseLoading, Shape};
-use judder_contact::steady::refinement::{Estimate, LevelSummary};
 use judder_contact::steady::{GridChoice, SteadyContact, SteadyQuestion, solve};
 use judder_contact::unilateral::{Loading, UnilateralLimits};
-use judder_store::{Table, number};
-use serde_json::{Map, Value, json};
 
 /// Cells a side where a domain is given and cells are not.
 pub(crate) const CELLS_OF_A_GIVEN_DOMAIN: usize = 256;
 /// What friction from the bulk may differ by from friction at the surface.
-const DISSIPATION_LIMIT: f64 = 1e-2;
+pub(super) const DISSIPATION_LIMIT: f64 = 1e-2;
 /// What pressure and gap may leave of each other, computed anew.
 pub(super) const RESIDUAL_LIMIT: f64 = 1e-5;
 /// Below this v τ/√(R δ) the friction of slow sliding is as good as exact.
@@ -74,103 +72,22 @@ pub(super) fn run(
     let contact = solve(&question)?;
     progress.advance();
     let fields = Fields::new(&contact.finest, &*profile);
-    let mut outcome = Outcome {
-        scalars: scalars(&contact, &scales, velocity),
-        dataset: fields.dataset(&contact, &scales)?,
-        table: Some(history(&contact.refinement.levels)?),
+    let refined = Refined {
+        refinement: &contact.refinement,
+        friction_from_dissipation: contact.friction_from_dissipation,
+        friction_difference: contact.friction_difference(),
+        converged: contact.converged,
+        is_line: profile.is_line(),
+    };
+    Ok(Outcome {
+        scalars: refined.scalars(&scales, velocity),
+        dataset: fields.dataset(&contact.refinement, &scales)?,
+        table: Some(refined.history()?),
         checks: checks(case, &contact, &question, (velocity, scales.material.spectrum.contrast())),
         files: vec![(format!("fields/{name}.vtu"), fields.vtu()?)],
-        ..Outcome::default()
-    };
-    if !contact.converged {
-        outcome.missing = 1;
-        outcome.warnings.push(missed(&contact, settings.accuracy));
-    }
-    Ok(outcome)
-}
-
-/// Why a contact does not count as solved.
-fn missed(contact: &SteadyContact, accuracy: f64) -> String {
-    let stalled: Vec<String> = contact
-        .refinement
-        .levels
-        .iter()
-        .filter(|level| !level.converged)
-        .map(|level| format!("{0} × {0} (residual {1:.1e})", level.cells, level.residual))
-        .collect();
-    if !stalled.is_empty() {
-        return format!("the contact was not solved on the grids {}", stalled.join(", "));
-    }
-    let Estimates { force, area, friction, indentation } = Estimates::of(contact);
-    format!(
-        "the accuracy {accuracy:.0e} is not met on {0} × {0} cells: estimated errors of force {1:.1e}, depth {2:.1e}, \
-         area {3:.1e}, friction {4:.1e} (area and friction may have five times the accuracy)",
-        contact.finest.grid.columns, force.error, indentation.error, area.error, friction.error
-    )
-}
-
-/// The four estimates by name.
-struct Estimates {
-    force: Estimate,
-    area: Estimate,
-    friction: Estimate,
-    indentation: Estimate,
-}
-
-impl Estimates {
-    fn of(contact: &SteadyContact) -> Self {
-        let r = &contact.refinement;
-        Self { force: r.force, area: r.area, friction: r.friction, indentation: r.indentation }
-    }
-}
-
-fn scalars(contact: &SteadyContact, scales: &ContactScales, velocity: f64) -> Map<String, Value> {
-    let Estimates { force, area, friction, indentation } = Estimates::of(contact);
-    let radius = scales.scales.radius;
-    let residual = contact.refinement.levels.last().map_or(f64::NAN, |level| level.residual);
-    let errors = json!({
-        "force": number(force.error), "area": number(area.error), "friction": number(friction.error),
-        "indentation": number(indentation.error),
-    });
-    Map::from_iter([
-        ("force".to_owned(), number(force.value)),
-        ("area".to_owned(), number(area.value)),
-        ("friction".to_owned(), number(friction.value)),
-        ("indentation".to_owned(), number(indentation.value)),
-        ("velocity".to_owned(), number(velocity)),
-        ("force_error".to_owned(), number(force.error)),
-        ("area_error".to_owned(), number(area.error)),
-        ("friction_error".to_owned(), number(friction.error)),
-        ("friction_from_dissipation".to_owned(), number(contact.friction_from_dissipation)),
-        ("friction_difference".to_owned(), number(contact.friction_difference())),
-        ("force_newton".to_owned(), number(force.value * scales.force_unit())),
-        ("area_square_metre".to_owned(), number(area.value * radius * radius)),
-        ("indentation_metre".to_owned(), number(indentation.value * radius)),
-        ("velocity_metre_per_second".to_owned(), number(velocity * radius / scales.time)),
-        ("cells".to_owned(), json!(contact.finest.grid.columns)),
-        ("iterations".to_owned(), json!(contact.iterations)),
-        ("products".to_owned(), json!(contact.products)),
-        ("residual".to_owned(), number(residual)),
-        ("converged".to_owned(), json!(contact.converged)),
-        ("errors".to_owned(), errors),
-    ])
-}
-
-/// The grids from coarse to fine.
-fn history(levels: &[LevelSummary]) -> Result<Table, StudyError> {
-    let column = |value: fn(&LevelSummary) -> f64| levels.iter().map(value).collect::<Vec<f64>>();
-    let count =
-        |value: fn(&LevelSummary) -> usize| levels.iter().map(|l| value(l) as i64).collect::<Vec<i64>>();
-    Ok(Table::new()
-        .column("cells", "1", count(|l| l.cells))?
-        .column("cell", "R", column(|l| l.cell))?
-        .column("force", "E0* R²", column(|l| l.force))?
-        .column("area", "R²", column(|l| l.area))?
-        .column("friction", "1", column(|l| l.friction))?
-        .column("indentation", "R", column(|l| l.indentation))?
-        .column("iterations", "1", count(|l| l.iterations))?
-        .column("products", "1", count(|l| l.products))?
-        .column("residual", "1", column(|l| l.residual))?)
+        missing: usize::from(!contact.converged),
+        warnings: refined.missed(settings.accuracy).into_iter().collect(),
+    })
 }
 
 fn checks(
@@ -180,7 +97,8 @@ fn checks(
     (velocity, contrast): (f64, f64),
 ) -> Vec<CheckRecord> {
     let errors = &contact.finest.solution.errors;
-    let cells = contact.finest.grid.columns;
+    let grid = contact.finest.grid;
+    let size = format!("{} × {} cells", grid.columns, grid.rows);
     let record = |name: &str, compared: String, figure: f64, limit: f64| CheckRecord {
         name: name.to_owned(),
         compared,
@@ -190,15 +108,13 @@ fn checks(
     let mut checks = vec![
         record(
             "pressure and gap exclude each other",
-            format!("the smaller of p/p_max and |g|/δ, computed anew on {cells} × {cells} cells"),
+            format!("the smaller of p/p_max and |g|/δ, computed anew on {size}"),
             errors.complementarity,
             RESIDUAL_LIMIT,
         ),
         record(
             "nothing pulls and nothing penetrates",
-            format!(
-                "most negative pressure over the largest, penetration over the depth, {cells} × {cells} cells"
-            ),
+            format!("most negative pressure over the largest, penetration over the depth, {size}"),
             errors.largest_penetration.max(-errors.smallest_pressure),
             RESIDUAL_LIMIT,
         ),

@@ -3,13 +3,14 @@
 use judder_contact::law::boundary_elements::{sample, sweep_accuracy};
 use judder_contact::law::sweep::{CollapseRequest, SweepRange, collapse_sweep};
 use judder_contact::law::{LawIndenter, LawMaterial};
+use judder_contact::steady::MEMORY;
 use judder_contact::{CollapsedLaw, ContactLaw, ContactPoint, ContactResponse};
 
 const DEPTH: f64 = 1e-2;
 
 fn law(material: &LawMaterial, accuracy: f64) -> CollapsedLaw {
     let shares = sweep_accuracy(accuracy);
-    let solver = |v: f64, y: f64| sample(material, LawIndenter::Paraboloid, v, y, shares.contacts);
+    let solver = |v: f64, y: f64| sample(material, LawIndenter::Paraboloid, v, y, shares.contacts, MEMORY);
     let request = CollapseRequest {
         material: material.clone(),
         source: "test".to_owned(),
@@ -57,7 +58,8 @@ fn contacts_between_the_knots_are_within_the_error_that_a_law_shows() {
     let law = law(&material, 1e-2);
     let shown = law.data().errors().total();
     for z in [0.023, 0.071, 0.31, 2.7, 33.0] {
-        let exact = sample(&material, LawIndenter::Paraboloid, z * DEPTH.sqrt(), DEPTH, 2e-4).unwrap();
+        let exact =
+            sample(&material, LawIndenter::Paraboloid, z * DEPTH.sqrt(), DEPTH, 2e-4, MEMORY).unwrap();
         let found = at(&law, z);
         for (name, found, exact, shown) in [
             ("force", found.force.value, exact.force, shown.force),

@@ -3,14 +3,17 @@
 //! - [`elementary`]: `exp`, `ln`, `erf` without branches, the same bits on every machine and at every vector width.
 //! - [`root`]: one root in a bracket, and all roots of a scalar function over an interval.
 //! - [`polynomial`]: all roots of a small real polynomial, conjugate pairs exact.
-//!
 //! - [`quadrature`]: the rule of Gauss and Legendre.
 //! - [`gmres`]: a large, non-symmetric system known only by its products.
+//! - [`dense`]: a small system of linear equations.
+//! - [`piecewise`]: motion whose equations change from mode to mode, with located events.
 //!
 //! What a library does is called, not wrapped; these stand here because no library gives them in this form.
 
+pub mod dense;
 pub mod elementary;
 pub mod gmres;
+pub mod piecewise;
 pub mod polynomial;
 pub mod quadrature;
 pub mod root;

@@ -43,21 +43,18 @@ fn evaluate(coefficients: &[f64], z: Complex64) -> (Complex64, Complex64, f64) {
 ///
 /// Ehrlich–Aberth iteration from a ring that is deliberately not symmetric about the real axis, until each root is as
 /// good as the coefficients allow: a simple root to a few units in the last place of its conditioning, a double root to
-/// about the square root of it. `N` is the number of coefficients, degree + 1.
+/// about the square root of it.
 ///
 /// # Errors
 /// Non-finite coefficients, a vanishing leading one, or no convergence (with the iteration count and the last change).
-pub fn real_polynomial_roots<const N: usize>(
-    coefficients: &[f64; N],
-) -> Result<Vec<Complex64>, PolynomialError> {
+pub fn real_polynomial_roots(coefficients: &[f64]) -> Result<Vec<Complex64>, PolynomialError> {
     if let Some(power) = coefficients.iter().position(|c| !c.is_finite()) {
         return Err(PolynomialError::NotFinite { power });
     }
-    let degree = N - 1;
-    let leading = coefficients[degree];
-    if leading == 0.0 {
-        return Err(PolynomialError::DegenerateDegree);
-    }
+    let leading = match coefficients.last() {
+        Some(leading) if *leading != 0.0 => *leading,
+        _ => return Err(PolynomialError::DegenerateDegree),
+    };
     let zeros = coefficients.iter().take_while(|c| **c == 0.0).count();
     let reduced: Vec<f64> = coefficients[zeros..].iter().map(|c| c / leading).collect();
     let mut roots = simultaneous_iteration(&reduced)?;

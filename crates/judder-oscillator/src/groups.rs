@@ -239,6 +239,13 @@ impl Coefficients {
     pub fn radius(&self) -> f64 {
         self.stiffness / self.normal_load
     }
+
+    /// ṽ_d = v̂_d R̃/τ̃, the speed of the substrate in the units of the oscillator's own.
+    #[inline(always)]
+    #[must_use]
+    pub fn belt_velocity(&self) -> f64 {
+        self.velocity * self.radius() / self.retardation_time
+    }
 }
 
 #[cfg(test)]

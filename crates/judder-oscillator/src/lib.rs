@@ -4,7 +4,6 @@
 //!
 //! - [`groups`]: the dimensionless groups (9)–(11), (14), to and from quantities with units; the coefficients they stand for.
 //! - [`friction`]: the friction force (5), with either reading of the load that carries it.
-//! - [`motion`]: the equations of motion (12), (13).
 //! - [`equilibrium`]: steady sliding (15).
 //! - [`linearisation`]: damping and stiffness about it (16)–(20), equivalent damping (23).
 //! - [`linear_system`]: any M q̈ + C q̇ + K q = 0 of two degrees of freedom, its state matrix (22).
@@ -16,6 +15,9 @@
 //! - [`critical`]: thresholds, all of them, over a range (Figs. 7, 8).
 //! - [`map`]: stability maps, at every point or only where something changes (Figs. 9, 10).
 //! - [`boundary`]: the curve that bounds a map, followed by continuation.
+//! - [`motion`]: the equations of motion (12), (13) with stick, slip and lift-off, and where a motion settles.
+//! - [`hopf`]: what grows from a threshold: the first Lyapunov coefficient.
+//! - [`cycle`]: limit cycles, stable or not, and their branches along a parameter.
 //!
 //! Equation numbers are those of Papangelo, Putignano and Hoffmann, *Critical thresholds for mode-coupling instability in
 //! viscoelastic sliding contacts*, Nonlinear Dynamics (2021), "the oscillator paper".
@@ -25,11 +27,13 @@ pub mod boundary;
 pub mod characteristic;
 pub mod conservative;
 pub mod critical;
+pub mod cycle;
 pub mod equilibrium;
 mod error;
 pub mod friction;
 pub mod groups;
 pub mod growth;
+pub mod hopf;
 pub mod linear_system;
 pub mod linearisation;
 pub mod map;

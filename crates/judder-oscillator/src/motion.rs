@@ -1,4 +1,29 @@
-//! The equations of motion (12), (13).
+//! Motion: the equations (12), (13), and what comes of them beyond small disturbances.
+//!
+//! - here: the accelerations of (12), (13), as one formula.
+//! - [`contact_state`]: stick, slip, lift-off.
+//! - [`sliding_system`]: what the nonsmooth engine and everything built on it ask of an oscillator.
+//! - [`stick_slip`]: the oscillator of the paper as such a system.
+//! - [`belt`]: the mass on a belt, with one degree of freedom, of the literature's benchmarks.
+//! - [`measures`]: averages, fractions of the time, work along a motion.
+//! - [`attractor`]: where a motion settles.
+//! - [`time_stepping`], [`smoothed`]: two other engines for the same motion, to hold the first against.
+
+pub mod attractor;
+pub mod belt;
+pub mod contact_state;
+pub mod measures;
+pub mod sliding_system;
+pub mod smoothed;
+pub mod stick_slip;
+pub mod time_stepping;
+
+pub use belt::{BeltOscillator, FallingFriction};
+pub use contact_state::ContactState;
+pub use sliding_system::{Powers, SlidingSystem};
+pub use smoothed::Smoothed;
+pub use stick_slip::StickSlip;
+pub use time_stepping::TimeStepping;
 
 use crate::Contact;
 use crate::friction::friction_force;
@@ -30,7 +55,7 @@ pub fn accelerations(contact: &Contact, c: &Coefficients, state: &MotionState) -
     if indentation <= 0.0 {
         return [-structure_x, 1.0 - structure_y];
     }
-    let relative = state.velocity_x * c.retardation_time / c.radius() - c.velocity;
+    let relative = (state.velocity_x - c.belt_velocity()) * c.retardation_time / c.radius();
     let response = contact.law.evaluate(&ContactPoint::new(relative.abs(), indentation));
     let friction = friction_force(contact.friction_load, c, &response).value / c.normal_load;
     let direction = if relative == 0.0 { 0.0 } else { -relative.signum() };

@@ -2,7 +2,10 @@
 //!
 //! "The text" is Papangelo, Putignano and Hoffmann, Nonlinear Dynamics (2021). Numbers of ours are pinned beside the printed ones.
 
+mod belt;
 mod equivalent_damping;
+mod limit_cycles;
+mod motion;
 mod stability_maps;
 mod thresholds;
 mod two_degrees;

@@ -1,0 +1,68 @@
+//! How far a knock reaches: from a subcritical Hopf point back to the fold.
+//!
+//! Beside a subcritical threshold an unstable cycle bounds the disturbances that stable steady sliding survives. Its branch
+//! leads away from the threshold, on the stable side, to a turn: beyond it no cycle of the branch is left, before it a large
+//! cycle waits for a knock. So the turn, and not the threshold, is the safe limit as far as this branch tells: cycles of other
+//! branches, with more oscillations in a period, may live beyond it.
+
+use super::continuation::{Branch, BranchEnd, Continuation, continue_branch};
+use super::{CycleError, shoot};
+use crate::hopf::{HopfPoint, hopf_point};
+use crate::motion::SlidingSystem;
+
+/// What lies beside a threshold.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GlobalMargin<const N: usize> {
+    /// The mode at the threshold with its first Lyapunov coefficient.
+    pub hopf: HopfPoint<N>,
+    /// The first turn of the branch away from the threshold; `None` beside a supercritical threshold, and where the branch
+    /// ends before it turns.
+    pub fold: Option<f64>,
+    /// The branch, from its small cycles on; `None` beside a supercritical threshold.
+    pub branch: Option<Branch<N>>,
+}
+
+impl<const N: usize> GlobalMargin<N> {
+    /// The parameter farthest from the threshold at which a cycle of the branch is known: the fold, or the last point of a
+    /// branch that was lost before it.
+    #[must_use]
+    pub fn reaches(&self) -> Option<f64> {
+        let last = self.branch.as_ref().and_then(|branch| branch.points.last()).map(|point| point.parameter);
+        self.fold.or(last)
+    }
+
+    /// Why the branch ended, where it did not come to a fold.
+    #[must_use]
+    pub fn lost(&self) -> Option<&BranchEnd> {
+        self.branch.as_ref().filter(|_| self.fold.is_none()).map(|branch| &branch.end)
+    }
+}
+
+/// Follows the cycles that bound stable steady sliding beside a threshold at `threshold`.
+///
+/// `system_at` makes the oscillator at a value of the parameter; `stable_side` is +1 where steady sliding is stable above the
+/// threshold, −1 where it is below.
+///
+/// # Errors
+/// The mode at the threshold or the first small cycle cannot be had.
+pub fn global_margin<S: SlidingSystem<N>, const N: usize>(
+    system_at: &impl Fn(f64) -> Result<S, CycleError>,
+    threshold: f64,
+    stable_side: f64,
+    options: &Continuation<N>,
+) -> Result<GlobalMargin<N>, CycleError> {
+    /// How far beside the threshold the first cycle is sought, relative: near enough for the amplitude law.
+    const BESIDE: f64 = 1e-3;
+    let hopf = hopf_point(&system_at(threshold)?)?;
+    if !hopf.is_subcritical() {
+        return Ok(GlobalMargin { hopf, fold: None, branch: None });
+    }
+    let parameter = threshold * (1.0 + stable_side * BESIDE);
+    let system = system_at(parameter)?;
+    let rms = hopf.rms(hopf_point(&system)?.growth_rate).ok_or(CycleError::Singular)?;
+    let start = hopf.state_on_cycle(&system.steady_sliding(), rms);
+    let small = shoot(&system, start, 1, &options.shooting)?;
+    let branch = continue_branch(system_at, parameter, (small.start, 1), stable_side, options)?;
+    let fold = branch.folds.first().map(|fold| fold.parameter);
+    Ok(GlobalMargin { hopf, fold, branch: Some(branch) })
+}

@@ -1,0 +1,195 @@
+//! Where a motion settles: steady sliding, a cycle, or neither within its time.
+
+use super::measures::Measures;
+use super::{ContactState, SlidingSystem};
+use judder_numerics::piecewise::{March, MarchError, Settings};
+use std::collections::VecDeque;
+
+/// How long a motion is followed and when it counts as settled.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Patience {
+    /// The longest time.
+    pub time: f64,
+    /// Distance of returns from each other, over their distance from steady sliding, below which they are the same.
+    pub closeness: f64,
+    /// Distance from steady sliding, in the same scales, below which the motion has come to it.
+    pub rest: f64,
+    /// The most oscillations in one period.
+    pub oscillations: usize,
+}
+
+impl Default for Patience {
+    fn default() -> Self {
+        Self { time: 2e4, closeness: 1e-6, rest: 1e-6, oscillations: 8 }
+    }
+}
+
+/// What a motion has settled to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Settled {
+    /// Steady sliding.
+    SteadySliding,
+    /// A cycle of so many oscillations.
+    Cycle {
+        /// Returns to the section in a period.
+        oscillations: usize,
+    },
+    /// Neither, within its time.
+    Irregular,
+}
+
+/// A settled motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Attractor<const N: usize> {
+    /// What it is.
+    pub settled: Settled,
+    /// The time that it took.
+    pub time: f64,
+    /// The period of a cycle; the mean time of an oscillation otherwise, NaN where there was none.
+    pub period: f64,
+    /// Over one period of a cycle, over the second half of the time otherwise.
+    pub measures: Measures,
+    /// Its last state, on the section unless it is irregular.
+    pub state: [f64; N],
+    /// Of an irregular motion the returns that came nearest to an earlier one, and how many oscillations lie between, by
+    /// rising number: each is next to an unstable cycle.
+    pub recurrences: Vec<([f64; N], usize)>,
+}
+
+/// The largest component of a difference in units of the scales.
+#[must_use]
+pub fn distance<const N: usize>(a: &[f64; N], b: &[f64; N], scales: &[f64; N]) -> f64 {
+    (0..N).fold(0.0, |largest: f64, i| largest.max((a[i] - b[i]).abs() / scales[i]))
+}
+
+/// Returns kept, over the most oscillations of a period.
+const REMEMBERED: usize = 8;
+
+/// Follows a motion until it has settled.
+///
+/// # Errors
+/// The motion cannot be followed: budget of steps, accumulation, a state that is not finite.
+pub fn settle<const N: usize>(
+    system: &impl SlidingSystem<N>,
+    start: [f64; N],
+    settings: Settings<N>,
+    patience: &Patience,
+) -> Result<Attractor<N>, MarchError> {
+    let (rest, scales) = (system.steady_sliding(), system.scales());
+    let mut march =
+        March::new(system, system.contact_state(&start), start, settings)?.with_section(system.section());
+    let mut returns: VecDeque<(f64, [f64; N])> = VecDeque::new();
+    let mut late = Measures::default();
+    loop {
+        let advance = march.advance(patience.time)?;
+        if march.time() > 0.5 * patience.time
+            && let Some(leg) = &advance.leg
+        {
+            late.add(system, leg, rest[0]);
+            late.changes += usize::from(advance.crossing.is_some());
+        }
+        if advance.on_section {
+            returns.push_front((march.time(), march.state()));
+            returns.truncate(REMEMBERED * patience.oscillations);
+            let state = march.state();
+            if march.mode() == ContactState::SlipBehind && distance(&state, &rest, &scales) < patience.rest {
+                return Ok(at_rest(&march, &returns, state));
+            }
+            let allowed = patience.closeness * distance(&state, &rest, &scales);
+            if let Some(oscillations) = repetition(&returns, &scales, allowed, patience.oscillations) {
+                return one_period(system, march, settings, oscillations);
+            }
+        }
+        if march.time() >= patience.time {
+            return Ok(Attractor {
+                settled: Settled::Irregular,
+                time: march.time(),
+                period: mean_return_time(&returns),
+                measures: late,
+                state: march.state(),
+                recurrences: recurrences(&returns, &scales, patience.oscillations),
+            });
+        }
+    }
+}
+
+fn at_rest<S: SlidingSystem<N>, const N: usize>(
+    march: &March<'_, S, N>,
+    returns: &VecDeque<(f64, [f64; N])>,
+    state: [f64; N],
+) -> Attractor<N> {
+    Attractor {
+        settled: Settled::SteadySliding,
+        time: march.time(),
+        period: mean_return_time(returns),
+        measures: Measures::default(),
+        state,
+        recurrences: Vec::new(),
+    }
+}
+
+fn mean_return_time<const N: usize>(returns: &VecDeque<(f64, [f64; N])>) -> f64 {
+    match (returns.front(), returns.back()) {
+        (Some(last), Some(first)) if returns.len() > 1 => (last.0 - first.0) / (returns.len() - 1) as f64,
+        _ => f64::NAN,
+    }
+}
+
+fn recurrences<const N: usize>(
+    returns: &VecDeque<(f64, [f64; N])>,
+    scales: &[f64; N],
+    most: usize,
+) -> Vec<([f64; N], usize)> {
+    let nearest = |oscillations: usize| {
+        let pairs = returns.iter().zip(returns.iter().skip(oscillations));
+        let distances = pairs.map(|(later, earlier)| (distance(&later.1, &earlier.1, scales), later.1));
+        distances.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, state)| (state, oscillations))
+    };
+    (1..=most).filter_map(nearest).collect()
+}
+
+/// The fewest oscillations after which the returns repeat, twice in a row.
+fn repetition<const N: usize>(
+    returns: &VecDeque<(f64, [f64; N])>,
+    scales: &[f64; N],
+    allowed: f64,
+    most: usize,
+) -> Option<usize> {
+    (1..=most).find(|period| {
+        let repeats = |k: usize| match (returns.get(k), returns.get(k + period)) {
+            (Some(a), Some(b)) => distance(&a.1, &b.1, scales) < allowed,
+            _ => false,
+        };
+        // a full period twice, so that a slow passage is not taken for a cycle
+        (0..2 * period).all(repeats)
+    })
+}
+
+/// One more period, measured.
+fn one_period<S: SlidingSystem<N>, const N: usize>(
+    system: &S,
+    march: March<'_, S, N>,
+    settings: Settings<N>,
+    oscillations: usize,
+) -> Result<Attractor<N>, MarchError> {
+    let (start, rest) = (march.state(), system.steady_sliding());
+    let mut lap = March::new(system, march.mode(), start, settings)?.with_section(system.section());
+    let mut measures = Measures::default();
+    let mut left = oscillations;
+    while left > 0 {
+        let advance = lap.advance(f64::INFINITY)?;
+        if let Some(leg) = &advance.leg {
+            measures.add(system, leg, rest[0]);
+        }
+        measures.changes += usize::from(advance.crossing.is_some());
+        left -= usize::from(advance.on_section);
+    }
+    Ok(Attractor {
+        settled: Settled::Cycle { oscillations },
+        time: march.time(),
+        period: lap.time(),
+        measures,
+        state: lap.state(),
+        recurrences: Vec::new(),
+    })
+}

@@ -1,0 +1,46 @@
+//! What the nonsmooth engine and everything built on it ask of an oscillator.
+
+use super::ContactState;
+use judder_numerics::piecewise::{PiecewiseSmooth, Plane};
+
+/// An oscillator in sliding contact, as a system that changes between stick, slip and lift-off.
+///
+/// A state holds N/2 displacements and then their velocities; the first displacement is x, along the sliding direction.
+pub trait SlidingSystem<const N: usize>: PiecewiseSmooth<N, Mode = ContactState> + Sync {
+    /// The contact state in which a motion goes on from any state, one on a boundary between states too.
+    fn contact_state(&self, state: &[f64; N]) -> ContactState;
+
+    /// v_rel, the velocity of the indenter less that of the substrate, in the units of the state.
+    fn relative_velocity(&self, state: &[f64; N]) -> f64;
+
+    /// The state of steady sliding.
+    fn steady_sliding(&self) -> [f64; N];
+
+    /// The magnitude of each component of the state that a motion about steady sliding has, for tolerances.
+    fn scales(&self) -> [f64; N];
+
+    /// The power that the friction force and the contact's normal force feed into the oscillator, and the power that its
+    /// own dampers take out, in a state.
+    fn powers(&self, contact_state: ContactState, state: &[f64; N]) -> Powers;
+
+    /// The energy of the oscillator's masses and springs, less the work of the constant load.
+    fn energy(&self, state: &[f64; N]) -> f64;
+
+    /// The plane ẋ = 0, crossed where x is largest.
+    fn section(&self) -> Plane<N> {
+        let mut normal = [0.0; N];
+        normal[N / 2] = 1.0;
+        Plane { normal, offset: 0.0 }
+    }
+}
+
+/// Where energy enters and leaves the oscillator, each as the power into it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Powers {
+    /// Of the friction force: what the moving substrate feeds in less what sliding costs.
+    pub friction: f64,
+    /// Of the substrate's normal force.
+    pub normal: f64,
+    /// Of the dampers, never positive.
+    pub damping: f64,
+}

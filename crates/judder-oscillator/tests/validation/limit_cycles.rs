@@ -1,0 +1,159 @@
+//! The stick-slip cycles of section 5 of the text: F̃_n = 7.5e-4, ṽ_d = 5e-3.
+
+use judder_contact::{FittedLaw, Law};
+use judder_numerics::piecewise::Settings;
+use judder_oscillator::critical::{Range, Scale, thresholds};
+use judder_oscillator::cycle::shooting::{Shooting, from_simulation, shoot};
+use judder_oscillator::cycle::{Continuation, global_margin, return_map};
+use judder_oscillator::hopf::hopf_point;
+use judder_oscillator::motion::attractor::{Patience, Settled, settle};
+use judder_oscillator::motion::{ContactState, SlidingSystem, StickSlip};
+use judder_oscillator::{Contact, FrictionLoad, Groups};
+
+pub(crate) fn section_5(shear_strength: f64, friction_load: FrictionLoad) -> StickSlip {
+    let contact = Contact { law: Law::Fitted(FittedLaw::oscillator_paper()), friction_load };
+    let groups = Groups { normal_load: 7.5e-4, velocity: 4e-4, shear_strength, ..Groups::default() };
+    StickSlip::new(contact, groups.coefficients().unwrap()).unwrap()
+}
+
+pub(crate) fn settings<const N: usize>(system: &impl SlidingSystem<N>, tolerance: f64) -> Settings<N> {
+    let absolute = system.scales().map(|scale| tolerance * scale);
+    Settings { relative: tolerance, absolute, longest_step: 1.0, steps: 10_000_000 }
+}
+
+fn shooting<const N: usize>(system: &impl SlidingSystem<N>, tolerance: f64) -> Shooting<N> {
+    Shooting {
+        settings: settings(system, tolerance),
+        tolerance: 100.0 * tolerance,
+        iterations: 20,
+        longest: 2000.0,
+    }
+}
+
+fn disturbed(system: &StickSlip) -> [f64; 4] {
+    let mut start = system.steady_sliding();
+    start[0] += 0.2 * start[0].abs();
+    start
+}
+
+/// Our notes on the paper: stable, with a period of about 133.
+#[test]
+fn the_cycle_at_0_03_has_a_period_of_about_133_and_is_stable() {
+    for (load, period) in [(FrictionLoad::NormalLoad, 132.855_768), (FrictionLoad::ContactForce, 131.894_444)]
+    {
+        let system = section_5(0.03, load);
+        let cycle =
+            from_simulation(&system, disturbed(&system), &shooting(&system, 1e-11), &Patience::default())
+                .unwrap();
+        assert!((cycle.period() - period).abs() < 1e-5, "{}", cycle.period());
+        assert!(
+            cycle.is_stable() && cycle.trivial_error < 1e-5,
+            "{:?} {:e}",
+            cycle.multipliers,
+            cycle.trivial_error
+        );
+        assert!(cycle.fraction(ContactState::Stick) > 0.97);
+    }
+}
+
+/// Our notes on the paper: an orbit of period about 204 is unstable, with a multiplier of 1.5, and motions stay irregular.
+#[test]
+fn the_cycle_at_0_05_is_unstable_and_found_beside_the_irregular_motion() {
+    let system = section_5(0.05, FrictionLoad::NormalLoad);
+    let patience = Patience { time: 5e3, ..Patience::default() };
+    let limits = settings(&system, 1e-9);
+    let settled = settle(&system, disturbed(&system), limits, &patience).unwrap();
+    assert_eq!(settled.settled, Settled::Irregular);
+    let cycle = from_simulation(&system, disturbed(&system), &shooting(&system, 1e-9), &patience).unwrap();
+    println!("{} {:?}", cycle.period(), cycle.multipliers);
+    assert!((cycle.period() / cycle.oscillations as f64 - 204.0).abs() < 1.5, "{}", cycle.period());
+    assert!(!cycle.is_stable());
+}
+
+#[test]
+fn the_monodromy_agrees_with_differences_of_the_return_map() {
+    for load in [FrictionLoad::NormalLoad, FrictionLoad::ContactForce] {
+        let system = section_5(0.03, load);
+        let limits = settings(&system, 1e-12);
+        let cycle =
+            from_simulation(&system, disturbed(&system), &shooting(&system, 1e-12), &Patience::default())
+                .unwrap();
+        let scales = system.scales();
+        let around = |start| return_map(&system, start, cycle.oscillations, limits, 1000.0).unwrap();
+        let exact = around(cycle.start).derivative;
+        let scaled = |i: usize, j: usize, entry: f64| entry * scales[j] / scales[i];
+        let largest =
+            (0..16).fold(0.0_f64, |largest, k| largest.max(scaled(k / 4, k % 4, exact[k / 4][k % 4]).abs()));
+        for column in [0, 1, 3] {
+            let moved = |by: f64| {
+                let mut start = cycle.start;
+                start[column] += by * scales[column];
+                around(start).state
+            };
+            let (far, near) = (1e-4, 5e-5);
+            let slope = |by: f64, i: usize| (moved(by)[i] - moved(-by)[i]) / (2.0 * by * scales[column]);
+            for i in [0, 1, 3] {
+                let difference = (4.0 * slope(near, i) - slope(far, i)) / 3.0;
+                let error = scaled(i, column, difference - exact[i][column]).abs();
+                assert!(error < 1e-6 * largest, "{load:?} {i} {column}: {difference} {}", exact[i][column]);
+            }
+        }
+    }
+}
+
+#[test]
+fn above_a_supercritical_threshold_the_amplitude_follows_the_lyapunov_coefficient() {
+    let load = FrictionLoad::ContactForce;
+    let contact = Contact { law: Law::Fitted(FittedLaw::oscillator_paper()), friction_load: load };
+    let range = Range { from: 1e-4, to: 1e-1, scale: Scale::Logarithmic };
+    let at = |shear_strength| *section_5(shear_strength, load).coefficients();
+    let threshold = thresholds(&contact, &range, 200, at).full[0];
+    let hopf = hopf_point(&section_5(threshold, load)).unwrap();
+    println!("{threshold} {hopf:?}");
+    assert!(!hopf.is_subcritical());
+    for beyond in [1e-4, 1e-3] {
+        let system = section_5(threshold * (1.0 + beyond), load);
+        let here = hopf_point(&system).unwrap();
+        let predicted = hopf.rms(here.growth_rate).unwrap();
+        let start = hopf.state_on_cycle(&system.steady_sliding(), predicted);
+        let cycle = shoot(&system, start, 1, &shooting(&system, 1e-12)).unwrap();
+        println!("{beyond} {predicted} {} {:?}", cycle.around.measures.rms(), cycle.multipliers);
+        assert!(cycle.is_stable());
+        assert!((cycle.around.measures.rms() / predicted - 1.0).abs() < 0.01);
+    }
+}
+
+/// F̃_n = 1e-6, v̂ = 1e-2: stable below τ̃0 = 0.104, but a knock starts a cycle from 0.0604 on.
+#[test]
+fn below_a_subcritical_threshold_simulations_change_at_the_fold() {
+    let contact = Contact {
+        law: Law::Fitted(FittedLaw::oscillator_paper()),
+        friction_load: FrictionLoad::ContactForce,
+    };
+    let coefficients = |shear_strength: f64| {
+        Groups { normal_load: 1e-6, velocity: 1e-2, shear_strength, ..Groups::default() }.resolve()
+    };
+    let at = |shear: f64| Ok(StickSlip::new(contact.clone(), coefficients(shear))?);
+    let range = Range { from: 1e-2, to: 1.0, scale: Scale::Logarithmic };
+    let threshold = thresholds(&contact, &range, 100, coefficients).full[0];
+    let options = Continuation {
+        shooting: shooting(&at(threshold).unwrap(), 1e-10),
+        range: (1e-3, 1.0),
+        steps: (0.01, 0.5),
+        points: 150,
+        parameter_scale: threshold,
+    };
+    let margin = global_margin(&at, threshold, -1.0, &options).unwrap();
+    let fold = margin.fold.unwrap();
+    assert!((threshold - 0.103_99).abs() < 1e-4 && (fold - 0.0604).abs() < 1e-4, "{threshold} {fold}");
+    let branch = margin.branch.unwrap();
+    let (first, last) = (branch.points.first().unwrap(), branch.points.last().unwrap());
+    assert!(!first.cycle.is_stable() && last.cycle.is_stable() && branch.folds[0].is_smooth);
+    let simulated = |shear: f64| {
+        let system: StickSlip = at(shear).unwrap();
+        settle(&system, last.cycle.start, settings(&system, 1e-9), &Patience::default()).unwrap().settled
+    };
+    // below the fold another cycle is left, of 8 oscillations, which belongs to no branch of this threshold
+    assert!(!matches!(simulated(0.99 * fold), Settled::Cycle { oscillations: 1 }));
+    assert_eq!(simulated(1.01 * fold), Settled::Cycle { oscillations: 1 });
+}

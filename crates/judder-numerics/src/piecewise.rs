@@ -2,18 +2,24 @@
 //!
 //! - [`PiecewiseSmooth`]: what a system says of itself: its modes, fields, guards, and where it goes on from a guard.
 //! - [`march`]: the motion step by step, explicit or, where it is stiff, implicit; no change of mode missed or repeated.
+//! - [`leg`]: what it is made of: legs, crossings, and the plane on which it is looked at.
 //! - [`quartic`]: a guard along one step, and where it first turns negative.
 //! - [`tangent`]: how a small disturbance travels along a motion, through its events.
 //!
 //! The mathematics stands here apart from the physics of stick, slip and lift-off.
 
 mod dormand_prince;
+mod error;
+pub mod leg;
 pub mod march;
 pub mod quartic;
 mod radau;
+mod stiffness;
 pub mod tangent;
 
-pub use march::{Advance, Crossing, Leg, March, MarchError, Plane, Settings};
+pub use error::MarchError;
+pub use leg::{Advance, Crossing, Leg, Plane};
+pub use march::{March, Settings};
 
 use std::fmt::Debug;
 

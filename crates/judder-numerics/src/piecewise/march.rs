@@ -1,10 +1,12 @@
 //! The motion, step by step.
 
+use super::error::MarchError;
+use super::leg::{Advance, Crossing, Leg, Method, Plane};
 use super::quartic::{self, Quartic};
+use super::stiffness::Stiffness;
 use super::{PiecewiseSmooth, dormand_prince, radau, rate};
 use std::array::from_fn;
 use std::collections::VecDeque;
-use thiserror::Error;
 
 /// How a motion is stepped.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,150 +19,6 @@ pub struct Settings<const N: usize> {
     pub longest_step: f64,
     /// The most steps, taken or refused.
     pub steps: usize,
-}
-
-/// Why a motion cannot go on.
-#[derive(Debug, Clone, Copy, PartialEq, Error)]
-pub enum MarchError {
-    /// The budget of steps is spent.
-    #[error(
-        "the motion has used its {steps} steps at time {time}, in steps of {step:e}: give it more, or a shorter time"
-    )]
-    StepsSpent {
-        /// The budget.
-        steps: usize,
-        /// Where the motion stands.
-        time: f64,
-        /// The last step's length.
-        step: f64,
-    },
-    /// No step is short enough for the tolerance.
-    #[error(
-        "no step from time {time} is short enough for the tolerance, down to {step:e}: the field is not smooth or not finite there"
-    )]
-    StepTooShort {
-        /// Where the motion stands.
-        time: f64,
-        /// The last step that was tried.
-        step: f64,
-    },
-    /// Changes of mode pile up.
-    #[error("changes of mode accumulate: {changes} of them within {interval:e} before time {time}")]
-    Accumulation {
-        /// How many.
-        changes: usize,
-        /// Within which time.
-        interval: f64,
-        /// Where the motion stands.
-        time: f64,
-    },
-    /// The state that it starts from is not finite.
-    #[error("component {component} of the state is not finite: {value}")]
-    NotFinite {
-        /// Index from 0.
-        component: usize,
-        /// Its value.
-        value: f64,
-    },
-}
-
-/// Which method made a step.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Method {
-    /// Dormand and Prince's, explicit.
-    Explicit,
-    /// Radau's, implicit, for stiff legs.
-    Implicit,
-}
-
-/// One accepted step within one mode.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Leg<M, const N: usize> {
-    /// The mode.
-    pub mode: M,
-    /// The method of the step.
-    pub method: Method,
-    /// Time at its start.
-    pub time: f64,
-    /// Its length.
-    pub step: f64,
-    /// Whether it begins or ends where the mode changes.
-    pub is_at_edge: bool,
-    /// The state at its end.
-    pub end: [f64; N],
-    /// The state along it, over the fraction of the step.
-    pub dense: [Quartic; N],
-}
-
-impl<M, const N: usize> Leg<M, N> {
-    /// The state at its start.
-    #[must_use]
-    pub fn start(&self) -> [f64; N] {
-        from_fn(|i| self.dense[i][0])
-    }
-
-    /// The state at a fraction of the step.
-    #[must_use]
-    pub fn at(&self, fraction: f64) -> [f64; N] {
-        from_fn(|i| quartic::value(&self.dense[i], fraction))
-    }
-}
-
-/// A change of mode.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Crossing<M, const N: usize> {
-    /// When.
-    pub time: f64,
-    /// The mode that ends.
-    pub from: M,
-    /// The mode that begins.
-    pub to: M,
-    /// The guard of the ending mode that was crossed.
-    pub guard: usize,
-    /// The state on it.
-    pub state: [f64; N],
-}
-
-/// A plane of the state space, n·u = offset, that a motion crosses from its positive to its negative side.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Plane<const N: usize> {
-    /// n.
-    pub normal: [f64; N],
-    /// The offset.
-    pub offset: f64,
-}
-
-impl<const N: usize> Plane<N> {
-    /// n·u − offset.
-    #[must_use]
-    pub fn value(&self, state: &[f64; N]) -> f64 {
-        rate(&self.normal, state) - self.offset
-    }
-
-    /// The state moved along the normal onto the plane; exactly for a plane on which one component is zero.
-    #[must_use]
-    pub fn project(&self, state: &[f64; N]) -> [f64; N] {
-        let by = self.value(state) / rate(&self.normal, &self.normal);
-        from_fn(|i| if self.normal[i] == 0.0 { state[i] } else { state[i] - by * self.normal[i] })
-    }
-
-    fn along(&self, dense: &[Quartic; N]) -> Quartic {
-        from_fn(|k| {
-            let sum = (0..N).fold(0.0, |sum, i| sum + self.normal[i] * dense[i][k]);
-            if k == 0 { sum - self.offset } else { sum }
-        })
-    }
-}
-
-/// What one advance brought.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Advance<M, const N: usize> {
-    /// The step; `None` where the mode changed at once, without any time.
-    pub leg: Option<Leg<M, N>>,
-    /// The change of mode at its end.
-    pub crossing: Option<Crossing<M, N>>,
-    /// Whether the step ends on the section.
-    pub on_section: bool,
 }
 
 /// A motion that is under way.
@@ -179,31 +37,6 @@ pub struct March<'a, S: PiecewiseSmooth<N>, const N: usize> {
     starts_at_edge: bool,
     stiffness: Stiffness,
     recent_crossings: VecDeque<f64>,
-}
-
-/// What is remembered to tell a stiff leg: how often the explicit step was as long as its stability allows.
-#[derive(Debug, Clone, Copy, Default)]
-struct Stiffness {
-    limited: u32,
-    free: u32,
-    is_stiff: bool,
-}
-
-impl Stiffness {
-    /// Takes note of a step's length times the rate of the field (Hairer, Nørsett, Wanner, *Solving …* II, IV.2).
-    fn observe(&mut self, step_times_rate: f64) {
-        const BOUNDARY: f64 = 3.25;
-        if step_times_rate > BOUNDARY {
-            self.free = 0;
-            self.limited += 1;
-            self.is_stiff = self.limited >= 15;
-        } else {
-            self.free += 1;
-            if self.free >= 6 {
-                self.limited = 0;
-            }
-        }
-    }
 }
 
 /// A step that may be taken.
@@ -362,7 +195,7 @@ impl<'a, S: PiecewiseSmooth<N>, const N: usize> March<'a, S, N> {
                 if step == self.step || error > 0.5 {
                     self.step = step * self.growth(error);
                 }
-                if !self.stiffness.is_stiff {
+                if !self.stiffness.is_stiff() {
                     self.stiffness.observe(step * trial.rate);
                 }
                 return Ok(trial);
@@ -376,14 +209,14 @@ impl<'a, S: PiecewiseSmooth<N>, const N: usize> March<'a, S, N> {
 
     /// By what the next step may be longer.
     fn growth(&self, error: f64) -> f64 {
-        let order = if self.stiffness.is_stiff { 4.0 } else { 5.0 };
+        let order = if self.stiffness.is_stiff() { 4.0 } else { 5.0 };
         (0.9 * error.max(1e-10).powf(-1.0 / order)).clamp(0.2, 5.0)
     }
 
     /// A step of a given length by the method of the leg; `None` where it gives no number.
     fn attempt(&self, step: f64) -> Option<Trial<N>> {
         let field = |u: &[f64; N]| self.system.field(self.mode, u);
-        let trial = if self.stiffness.is_stiff {
+        let trial = if self.stiffness.is_stiff() {
             let jacobian = self.system.jacobian(self.mode, &self.state);
             let is_settled = |c: &[f64; N]| self.weighted(c, &self.state) < 1e-3;
             let stepped = radau::step(field, &jacobian, &self.state, &self.field, step, is_settled)?;
@@ -509,7 +342,7 @@ impl<'a, S: PiecewiseSmooth<N>, const N: usize> March<'a, S, N> {
 
     /// Takes a step; `met` is what its end lies on.
     fn take(&mut self, trial: Trial<N>, met: Option<Target>) -> Advance<S::Mode, N> {
-        let method = if self.stiffness.is_stiff { Method::Implicit } else { Method::Explicit };
+        let method = if self.stiffness.is_stiff() { Method::Implicit } else { Method::Explicit };
         let leg = Leg {
             mode: self.mode,
             method,

@@ -1,6 +1,6 @@
 //! How a small disturbance travels along a motion.
 
-use super::march::{Crossing, Leg, Method};
+use super::leg::{Crossing, Leg, Method};
 use super::{PiecewiseSmooth, dormand_prince, radau, rate};
 use crate::dense::{Triangles, product};
 use std::array::from_fn;

@@ -1,0 +1,46 @@
+use thiserror::Error;
+
+/// Why a motion cannot go on.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum MarchError {
+    /// The budget of steps is spent.
+    #[error(
+        "the motion has used its {steps} steps at time {time}, in steps of {step:e}: give it more, or a shorter time"
+    )]
+    StepsSpent {
+        /// The budget.
+        steps: usize,
+        /// Where the motion stands.
+        time: f64,
+        /// The last step's length.
+        step: f64,
+    },
+    /// No step is short enough for the tolerance.
+    #[error(
+        "no step from time {time} is short enough for the tolerance, down to {step:e}: the field is not smooth or not finite there"
+    )]
+    StepTooShort {
+        /// Where the motion stands.
+        time: f64,
+        /// The last step that was tried.
+        step: f64,
+    },
+    /// Changes of mode pile up.
+    #[error("changes of mode accumulate: {changes} of them within {interval:e} before time {time}")]
+    Accumulation {
+        /// How many.
+        changes: usize,
+        /// Within which time.
+        interval: f64,
+        /// Where the motion stands.
+        time: f64,
+    },
+    /// The state that it starts from is not finite.
+    #[error("component {component} of the state is not finite: {value}")]
+    NotFinite {
+        /// Index from 0.
+        component: usize,
+        /// Its value.
+        value: f64,
+    },
+}

@@ -52,7 +52,7 @@ fn oscillator(case: &OscillatorCase) -> Json {
         json["contact"]["law"] = json!({ "computed": true, "accuracy": case.law_accuracy });
     }
     add_substrate(&mut json["substrate"], &case.substrate);
-    for entry in &KEYS {
+    for entry in KEYS.iter().filter(|entry| case.substrate.has(entry.key)) {
         let value = case.inputs.get(entry.key);
         json[entry.section()][entry.name()] = number(value.number, value.form, entry.dimension);
     }
@@ -68,7 +68,8 @@ fn contact(case: &ContactCase) -> Json {
         "analysis": case.analyses.iter().map(|analysis| named(analysis, contact_analysis)).collect::<Vec<_>>(),
     });
     add_substrate(&mut json["substrate"], &case.substrate);
-    for entry in ContactCase::KEYS.map(OscillatorKey::entry) {
+    let keys = ContactCase::KEYS.into_iter().filter(|key| case.substrate.has(*key));
+    for entry in keys.map(OscillatorKey::entry) {
         let value = case.inputs.get(entry.key);
         json[entry.section()][entry.name()] = number(value.number, value.form, entry.dimension);
     }

@@ -24,6 +24,11 @@ pub struct Substrate {
 }
 
 impl Substrate {
+    /// Whether the key has a value: several retardation times have a mean, but no one relaxation time.
+    pub fn has(&self, key: OscillatorKey) -> bool {
+        key != OscillatorKey::RelaxationTime || self.source == RelaxationSource::OneTime
+    }
+
     /// The file that the substrate names, where it does.
     pub fn file(&self) -> Option<&FileReference> {
         match &self.source {

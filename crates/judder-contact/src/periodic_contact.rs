@@ -145,11 +145,16 @@ impl PeriodicQuestion<'_> {
 
 /// The estimates of a sequence of grids.
 ///
-/// A rough contact has so many edges that where each falls in its cells does not matter: the area has an order, about one, and is
-/// extrapolated as well. What does not dissipate has no friction, to the last digit.
+/// A rough contact has so many edges that where each falls in its cells does not matter: area and friction have an order, that of the
+/// area about one, and are extrapolated as well. What does not dissipate has no friction, to the last digit.
 fn refinement(question: &PeriodicQuestion<'_>, levels: &[LevelSummary]) -> Refinement {
-    let areas: Vec<f64> = levels.iter().map(|level| level.area).collect();
-    let refinement = Refinement { area: Estimate::of(&areas), ..Refinement::of(levels) };
+    let estimate =
+        |value: fn(&LevelSummary) -> f64| Estimate::of(&levels.iter().map(value).collect::<Vec<f64>>());
+    let refinement = Refinement {
+        area: estimate(|level| level.area),
+        friction: estimate(|level| level.friction),
+        ..Refinement::of(levels, false)
+    };
     if question.substrate.terms.iter().all(|term| term.compliance * term.length == 0.0) {
         let friction = Estimate { value: 0.0, error: 0.0, order: None };
         return Refinement { friction, ..refinement };

@@ -86,7 +86,11 @@ impl SteadyQuestion<'_> {
     }
 
     fn refinement(&self, levels: &[LevelSummary]) -> Refinement {
-        if self.profile.is_line() { Refinement::of_line(levels) } else { Refinement::of(levels) }
+        if self.profile.is_line() {
+            return Refinement::of_line(levels);
+        }
+        let unresolved = levels.last().is_some_and(|finest| self.substrate.has_wake_of(finest.cell));
+        Refinement::of(levels, unresolved)
     }
 
     fn finest(&self) -> usize {
@@ -97,7 +101,8 @@ impl SteadyQuestion<'_> {
 /// The answer: what the indenter feels, how exact that is, and the fields on the finest grid.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SteadyContact {
-    /// Force, area, friction and depth with their estimated errors, and the grids they come from.
+    /// Force, area, friction and depth with their estimated errors, and the grids they come from; the error of the friction is no
+    /// smaller than the difference from that in the bulk.
     pub refinement: Refinement,
     /// Friction coefficient from the energy dissipated in the bulk, on the finest grid.
     pub friction_from_dissipation: f64,
@@ -115,8 +120,7 @@ impl SteadyContact {
     /// Relative difference of the two frictions, from the surface and from the bulk.
     #[must_use]
     pub fn friction_difference(&self) -> f64 {
-        let scale = self.finest.friction.abs().max(self.friction_from_dissipation.abs());
-        if scale == 0.0 { 0.0 } else { (self.finest.friction - self.friction_from_dissipation).abs() / scale }
+        relative_difference(self.finest.friction, self.friction_from_dissipation)
     }
 }
 
@@ -140,8 +144,8 @@ pub fn solve(question: &SteadyQuestion<'_>) -> Result<SteadyContact, SteadyError
             (domain, nested(question.finest()), start)
         }
     };
+    let finest = sides.last().copied();
     let mut summaries: Vec<LevelSummary> = Vec::new();
-    let mut finest = None;
     for side in sides {
         let level = Level::solve(question, &question.cells(&domain, side), &start)?;
         if level.touches_edge() {
@@ -149,14 +153,17 @@ pub fn solve(question: &SteadyQuestion<'_>) -> Result<SteadyContact, SteadyError
         }
         summaries.push(LevelSummary::of(&level));
         start = LevelStart::from(&level);
-        finest = Some(level);
-        if question.grid == GridChoice::Automatic && question.refinement(&summaries).meets(question.accuracy)
-        {
-            break;
+        let may_end = question.grid == GridChoice::Automatic
+            && question.refinement(&summaries).meets(question.accuracy);
+        // The bulk is asked last: it costs as much as a coarse grid.
+        if may_end || Some(side) == finest {
+            let contact = answer(question, &summaries, level);
+            if Some(side) == finest || contact.refinement.meets(question.accuracy) {
+                return Ok(contact);
+            }
         }
     }
-    let finest = finest.ok_or(SteadyError::NoCells)?;
-    Ok(answer(question, &summaries, finest))
+    Err(SteadyError::NoCells)
 }
 
 /// The error that names the half width which would do, found where the domain is free.
@@ -172,21 +179,29 @@ fn too_small(question: &SteadyQuestion<'_>, domain: &Domain) -> SteadyError {
 }
 
 fn answer(question: &SteadyQuestion<'_>, summaries: &[LevelSummary], finest: Level) -> SteadyContact {
-    let refinement = question.refinement(summaries);
     let dissipated = if question.profile.is_line() {
         bulk_dissipation::friction_of_a_line
     } else {
         bulk_dissipation::friction_from_dissipation
     }(&finest.grid, &finest.solution.pressure, question.substrate);
+    let friction_from_dissipation = dissipated / finest.force;
+    let difference = relative_difference(finest.friction, friction_from_dissipation);
+    let refinement = question.refinement(summaries).with_friction_difference(difference);
     let solved = summaries.iter().all(|level| level.converged);
     SteadyContact {
-        friction_from_dissipation: dissipated / finest.force,
+        friction_from_dissipation,
         iterations: summaries.iter().map(|level| level.iterations).sum(),
         products: summaries.iter().map(|level| level.products).sum(),
         converged: solved && refinement.meets(question.accuracy),
         refinement,
         finest,
     }
+}
+
+/// The difference over the larger of the two; 0 where both are.
+fn relative_difference(one: f64, other: f64) -> f64 {
+    let scale = one.abs().max(other.abs());
+    if scale == 0.0 { 0.0 } else { (one - other).abs() / scale }
 }
 
 /// Cells a side, each grid twice as fine as the one before, up to `finest`.

@@ -87,10 +87,10 @@ pub(crate) fn compute(
     progress: &dyn Progress,
 ) -> Result<ComputedLaw, StudyError> {
     static KNOWN: Mutex<Vec<(String, ComputedLaw)>> = Mutex::new(Vec::new());
-    let LawTask { material, indenter, method, velocity, indentation, accuracy, .. } = task;
+    let LawTask { material, indenter, method, velocity, indentation, accuracy, memory } = task;
     // a curve of the paraboloid knows no ranges
     let ranges = (*method == LawMethod::Sweep).then_some((velocity, indentation));
-    let key = format!("{:?} {indenter:?} {method:?} {ranges:?} {accuracy}", material.of_law());
+    let key = format!("{:?} {indenter:?} {method:?} {ranges:?} {accuracy} {memory}", material.of_law());
     // held while computing: two threads shall not compute the same law
     let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some((_, law)) = known.iter().find(|(other, _)| *other == key) {

@@ -138,6 +138,7 @@ fn title(title: &str) -> &str {
 
 fn key_rows(case: &OscillatorCase) -> Vec<Vec<String>> {
     KEYS.iter()
+        .filter(|key| case.substrate.has(key.key))
         .map(|key| {
             let value = case.inputs.get(key.key);
             let unit = match value.form {

@@ -48,6 +48,12 @@ impl SlidingSubstrate {
         Self { instantaneous, terms: vec![WakeTerm { compliance: 1.0 - instantaneous, length }] }
     }
 
+    /// Whether a wake is about as long as a cell, from a third to one and a half: shorter ones are a lag, longer ones are resolved.
+    #[must_use]
+    pub fn has_wake_of(&self, cell: f64) -> bool {
+        self.terms.iter().any(|term| (1.0 / 3.0..=1.5).contains(&(term.length / cell)))
+    }
+
     /// E0/E∞ + Σ C_k E0, the compliance when all has crept: 1 for a substrate measured by its own E0.
     #[must_use]
     pub fn relaxed(&self) -> f64 {

@@ -7,13 +7,13 @@ use judder_numerics::quadrature::gauss_legendre;
 use std::f64::consts::PI;
 
 /// Largest number of cells a side for which the transform is taken; finer pressures are gathered in blocks first.
-const LARGEST_SIDE: usize = 128;
+const LARGEST_SIDE: usize = 256;
 /// The same for the one row of a line contact.
 const LARGEST_ROW: usize = 2048;
 /// How often half a wave over the contact is halved for the first panel.
 const HALVINGS: i32 = 16;
 /// Nodes of a panel, which spans half a wave over the contact once the waves are short.
-const NODES: usize = 6;
+const NODES: usize = 4;
 
 /// The friction force, in E0* times the square of the length unit, from the dissipation in the bulk.
 ///

@@ -6,6 +6,10 @@ use super::level::Level;
 const SECONDARY: f64 = 5.0;
 /// A friction below this is as good as none: its relative error is not asked about.
 const NO_FRICTION: f64 = 1e-12;
+/// What a step of the friction must have shrunk to before it is believed: the part of the step before, as of two orders.
+const BELIEVED: f64 = 0.25;
+/// How much further off a grid may be whose cells are as long as a wake: there convergence has not begun.
+const UNRESOLVED_WAKE: f64 = 2.0;
 
 /// One grid in the table of refinement.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -57,9 +61,9 @@ impl LevelSummary {
 /// A value from a sequence of grids.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Estimate {
-    /// The value, extrapolated to a vanishing cell where the last three grids agree on an order.
+    /// The value; of force and depth extrapolated to a vanishing cell where the last three grids agree on an order.
     pub value: f64,
-    /// Estimated relative error of the value; infinite from a single grid.
+    /// Estimated relative error of the value; infinite from too few grids.
     pub error: f64,
     /// The observed order of convergence, where three grids show one.
     pub order: Option<f64>,
@@ -83,19 +87,32 @@ pub struct Refinement {
 }
 
 impl Refinement {
-    /// The estimates from a sequence of grids, each with half the cell of the one before.
+    /// The estimates from a sequence of grids, each with half the cell of the one before; `unresolved` says that a wake is
+    /// about as long as a cell of the finest.
+    ///
+    /// Edges fall between cells as they please, so area and friction jump: two grids may agree by chance where both are off.
+    /// Their errors are infinite below three grids. That of the area is the sum of the last two steps, that of the friction the last
+    /// step or a quarter of the one before; twice the sum of both where a wake is not resolved.
     #[must_use]
-    pub fn of(levels: &[LevelSummary]) -> Self {
+    pub fn of(levels: &[LevelSummary], unresolved: bool) -> Self {
         let values = |value: fn(&LevelSummary) -> f64| -> Vec<f64> { levels.iter().map(value).collect() };
         let estimate = |value| Estimate::of(&values(value));
-        // Edges and peaks fall between cells as they please: no order to extrapolate by.
-        let last = |value| Estimate::last_of(&values(value));
+        let (area, friction) = (values(|level| level.area), values(|level| level.friction));
+        let wide = |[earlier, later]: [f64; 2]| UNRESOLVED_WAKE * (earlier + later);
+        let (area, friction) = if unresolved {
+            (Estimate::jumping(&area, wide), Estimate::jumping(&friction, wide))
+        } else {
+            (
+                Estimate::jumping(&area, |[earlier, later]| earlier + later),
+                Estimate::jumping(&friction, |[earlier, later]| later.max(BELIEVED * earlier)),
+            )
+        };
         Self {
             force: estimate(|level| level.force),
-            area: last(|level| level.area),
-            friction: estimate(|level| level.friction),
+            area,
+            friction,
             indentation: estimate(|level| level.indentation),
-            peak_pressure: last(|level| level.peak_pressure),
+            peak_pressure: Estimate::last_of(&values(|level| level.peak_pressure)),
             levels: levels.to_vec(),
         }
     }
@@ -107,13 +124,23 @@ impl Refinement {
     #[must_use]
     pub fn of_line(levels: &[LevelSummary]) -> Self {
         let jumping = |value: fn(&LevelSummary) -> f64| {
-            Estimate::jumping(&levels.iter().map(value).collect::<Vec<f64>>())
+            let values: Vec<f64> = levels.iter().map(value).collect();
+            Estimate::jumping(&values, |[earlier, later]| earlier.max(later))
         };
         Self {
             area: jumping(|level| level.area),
             friction: jumping(|level| level.friction),
-            ..Self::of(levels)
+            ..Self::of(levels, false)
         }
+    }
+
+    /// Counts the relative difference of friction from the surface and from the bulk as an error of the friction.
+    #[must_use]
+    pub fn with_friction_difference(mut self, difference: f64) -> Self {
+        if self.friction.value.abs() >= NO_FRICTION {
+            self.friction.error = self.friction.error.max(difference);
+        }
+        self
     }
 
     /// Whether force (or depth), area and friction are known to the accuracy.
@@ -131,8 +158,8 @@ impl Estimate {
     /// Richardson's extrapolation of a sequence in which the cell is halved each time.
     ///
     /// From three values with differences d₁, d₂ the order is log₂(d₁/d₂). Between 1/2 and 3 it is believed: the last
-    /// value is corrected by d₂/(2^order − 1), and the correction is the error. Otherwise
-    /// the last value stands, with the last difference as its error.
+    /// value is corrected by d₂/(2^order − 1), and the larger of correction and d₂ is the error. Otherwise
+    /// the last value stands, with d₂ as its error.
     #[must_use]
     pub fn of(values: &[f64]) -> Self {
         let plain = Self::last_of(values);
@@ -145,16 +172,17 @@ impl Estimate {
             return plain;
         }
         let correction = step / (ratio - 1.0);
-        Self { value: last + correction, error: relative(correction, last), order: Some(ratio.log2()) }
+        let error = relative(correction, last).max(plain.error);
+        Self { value: last + correction, error, order: Some(ratio.log2()) }
     }
 
-    /// The last value of a sequence that jumps, with the larger of its last two steps as its error.
+    /// The last value of a sequence that jumps, with what `error` makes of the sizes of its last two steps, the earlier first.
     #[must_use]
-    pub fn jumping(values: &[f64]) -> Self {
+    pub fn jumping(values: &[f64], error: impl Fn([f64; 2]) -> f64) -> Self {
         match *values {
             [.., earlier, previous, last] => {
-                let step = (last - previous).abs().max((previous - earlier).abs());
-                Self { value: last, error: relative(step, last), order: None }
+                let steps = [(previous - earlier).abs(), (last - previous).abs()];
+                Self { value: last, error: relative(error(steps), last), order: None }
             }
             _ => Self { error: f64::INFINITY, ..Self::last_of(values) },
         }
@@ -194,7 +222,12 @@ mod tests {
         assert_eq!((estimate.value, estimate.order), (1.05, None));
         assert!((estimate.error - 0.05 / 1.05).abs() < 1e-12);
         assert_eq!(Estimate::of(&[1.0]).error, f64::INFINITY);
-        assert!((Estimate::jumping(&[1.0, 1.1, 1.05]).error - 0.1 / 1.05).abs() < 1e-12);
-        assert_eq!(Estimate::jumping(&[1.0, 1.0]).error, f64::INFINITY);
+    }
+
+    #[test]
+    fn two_values_that_agree_are_not_believed() {
+        let sum = |[earlier, later]: [f64; 2]| earlier + later;
+        assert!((Estimate::jumping(&[1.0, 1.1, 1.05], sum).error - 0.15 / 1.05).abs() < 1e-12);
+        assert_eq!(Estimate::jumping(&[1.0, 1.0], sum).error, f64::INFINITY);
     }
 }

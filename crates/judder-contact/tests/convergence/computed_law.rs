@@ -59,7 +59,7 @@ fn contacts_between_the_knots_are_within_the_error_that_a_law_shows() {
     let shown = law.data().errors().total();
     for z in [0.023, 0.071, 0.31, 2.7, 33.0] {
         let exact =
-            sample(&material, LawIndenter::Paraboloid, z * DEPTH.sqrt(), DEPTH, 2e-4, MEMORY).unwrap();
+            sample(&material, LawIndenter::Paraboloid, z * DEPTH.sqrt(), DEPTH, 5e-4, MEMORY).unwrap();
         let found = at(&law, z);
         for (name, found, exact, shown) in [
             ("force", found.force.value, exact.force, shown.force),

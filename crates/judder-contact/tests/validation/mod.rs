@@ -16,6 +16,7 @@ mod quasi_steady_law;
 mod rough_surface;
 mod slow_sliding;
 mod spectrum;
+mod stated_errors;
 mod transient_at_rest;
 mod transient_sliding;
 mod wake;

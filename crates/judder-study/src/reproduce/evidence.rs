@@ -18,12 +18,12 @@ use judder_store::StudyFolder;
 /// log₁₀ of the factor of v τ/R at which the fits are read: the corrected axis.
 pub(super) const CORRECTED: f64 = -2.0;
 
-/// v̂ of the contacts at both ends, at [`SHALLOW`]: z = v̂/√ŷ = 10⁻⁴ and 10⁵, where a contact is elastic but for ln z/z.
-const ENDS: [f64; 2] = [1e-5, 1e4];
-/// ŷ of the contacts at both ends: a sphere is a paraboloid there to 0.3 %.
-const SHALLOW: f64 = 1e-2;
+/// v̂ of the contacts at both ends, at [`SHALLOW`]: z = v̂/√ŷ = 10⁻⁴ and 10⁶, where a contact is elastic but for ln z/z.
+const ENDS: [f64; 2] = [1e-6, 1e4];
+/// ŷ of the contacts at both ends: a sphere is a paraboloid there to 3·10⁻⁵.
+const SHALLOW: f64 = 1e-4;
 /// Relative accuracy of their force.
-const END_ACCURACY: f64 = 2e-3;
+const END_ACCURACY: f64 = 1e-3;
 
 /// The computed law of the paper's sphere, and what was fitted to it.
 #[derive(Debug, Clone)]

@@ -92,8 +92,9 @@ pub(super) fn resolve(file: &CaseFile, case: &ContactCase) -> Result<Resolved, S
 fn key_rows(case: &ContactCase, scales: &ContactScales) -> Vec<Vec<String>> {
     let inputs = scales.material.told_to(&case.inputs);
     ContactCase::KEYS
+        .into_iter()
+        .filter(|key| case.substrate.has(*key))
         .map(OscillatorKey::entry)
-        .iter()
         .map(|key| {
             let value = inputs.get(key.key);
             let unit = if value.form == Form::Si { key.dimension.unit() } else { String::new() };

@@ -17,7 +17,7 @@ use judder_store::{Dataset, Table, Variable, number};
 use serde_json::{Map, Value, json};
 
 /// What friction from the bulk may differ by from friction at the surface.
-const DISSIPATION_LIMIT: f64 = 2e-2;
+const DISSIPATION_LIMIT: f64 = 1e-2;
 /// Places on the plane, as shares of both ranges, at which a contact is solved anew.
 const PROBES: [(f64, f64); 3] = [(0.31, 0.17), (0.53, 0.61), (0.74, 0.89)];
 

@@ -1,12 +1,13 @@
 //! What the claims about the contact computation are measured on.
 
 use super::exhibits::{CONTACT_CASES, FIT, LAW_FILE};
+use crate::analyses::contact::Plane;
 use crate::computed_law::{self, NO_POINTS};
 use crate::error::StudyError;
 use crate::material::ContactScales;
 use crate::progress::Progress;
 use judder_case::{Case, CaseFile, ContactAnalysis, ContactCase, LawSettings};
-use judder_contact::fit::{FitSample, LawFit, Weighting, fit_law};
+use judder_contact::fit::{FitSample, LawFit};
 use judder_contact::law::boundary_elements::sample;
 use judder_contact::law::file::from_json;
 use judder_contact::law::{LawIndenter, PerQuantity};
@@ -31,7 +32,7 @@ pub(super) struct Evidence {
     pub(super) law: Law,
     /// F̃/ŷ^{3/2} and Ã/ŷ, solved for very slow and for very fast sliding.
     pub(super) ends: [[f64; 2]; 2],
-    /// The law on the grid of Fig. 14.
+    /// The law on the plane of Fig. 14: the samples of the fit, its figure and its scoreboard.
     pub(super) samples: Vec<FitSample>,
     /// The functions of appendix B through them, on the corrected axis.
     pub(super) fit: LawFit,
@@ -58,19 +59,18 @@ impl Evidence {
         let (case, settings) = contact_case(FIT)?;
         let scales = ContactScales::new(&case)?;
         let curve = computed_law::of_paraboloid(&scales.material, settings.accuracy, NO_POINTS, progress)?;
-        let samples = samples(&law, &settings);
-        let fit = |samples: &[FitSample], scale: f64| {
-            fit_law(samples, scale, Weighting::Absolute)
-                .map_err(|error| StudyError::Unsupported(error.to_string()))
+        let plane = Plane::new(&settings, &scales);
+        let fit = |law: &Law, scale: f64| {
+            plane.fit(law, scale).map_err(|error| StudyError::Unsupported(error.to_string()))
         };
         Ok(Self {
-            fit: fit(&samples, CORRECTED)?,
-            fit_as_printed: fit(&samples, 0.0)?,
-            paraboloid: fit(&self::samples(&curve.law, &settings), CORRECTED)?,
+            samples: plane.samples(&law),
+            fit: fit(&law, CORRECTED)?,
+            fit_as_printed: fit(&law, 0.0)?,
+            paraboloid: fit(&curve.law, CORRECTED)?,
             ends: [end(&scales, ENDS[0])?, end(&scales, ENDS[1])?],
             spectrum: scales.material.spectrum,
             law,
-            samples,
         })
     }
 
@@ -105,18 +105,6 @@ pub(super) fn r_squared(values: &[f64], functions: &[f64]) -> f64 {
 pub(super) fn values(law: &impl ContactLaw, sample: &FitSample) -> PerQuantity<f64> {
     let found = law.evaluate(&ContactPoint::new(sample.velocity, sample.indentation));
     PerQuantity { force: found.force.value, area: found.area.value, friction: found.friction.value }
-}
-
-/// A law on the grid of the settings, row by row of equal indentation.
-fn samples(law: &Law, settings: &LawSettings) -> Vec<FitSample> {
-    let mut samples = Vec::new();
-    for indentation in settings.indentation.values() {
-        for velocity in settings.velocity.values() {
-            let place = FitSample { velocity, indentation, values: PerQuantity::uniform(0.0) };
-            samples.push(FitSample { values: values(law, &place), ..place });
-        }
-    }
-    samples
 }
 
 /// A case of the contact computation with the settings of its one law or fit.

@@ -1,6 +1,6 @@
 //! What the claims about the contact computation are measured on.
 
-use super::exhibits::{CONTACT_CASES, FIT, LAW_FILE};
+use super::exhibits::{CONTACT_CASES, FIT, LAW_FILE, thin_out};
 use crate::analyses::contact::Plane;
 use crate::computed_law::{self, NO_POINTS};
 use crate::error::StudyError;
@@ -42,21 +42,27 @@ pub(super) struct Evidence {
     pub(super) paraboloid: LawFit,
     /// The paper's material.
     pub(super) spectrum: CreepSpectrum,
+    /// Whether a paraboloid stands for the sphere.
+    pub(super) quick: bool,
 }
 
 impl Evidence {
     /// From what Fig. 3 left in a study folder.
-    pub(super) fn stored(store: &StudyFolder, progress: &dyn Progress) -> Result<Self, StudyError> {
+    pub(super) fn stored(
+        store: &StudyFolder,
+        quick: bool,
+        progress: &dyn Progress,
+    ) -> Result<Self, StudyError> {
         let path = store.path().join(LAW_FILE);
         let unusable = |reason: String| StudyError::File { path: path.clone(), reason };
         let text = std::fs::read_to_string(&path).map_err(|error| unusable(error.to_string()))?;
         let law = from_json(&text).map_err(|error| unusable(error.to_string()))?;
-        Self::new(law, progress)
+        Self::new(law, quick, progress)
     }
 
-    /// From a law of the paper's sphere.
-    pub(super) fn new(law: Law, progress: &dyn Progress) -> Result<Self, StudyError> {
-        let (case, settings) = contact_case(FIT)?;
+    /// From a law of the paper's sphere, or of the paraboloid that stands for it in a quick run.
+    pub(super) fn new(law: Law, quick: bool, progress: &dyn Progress) -> Result<Self, StudyError> {
+        let (case, settings) = contact_case(FIT, quick)?;
         let scales = ContactScales::new(&case)?;
         let curve = computed_law::of_paraboloid(&scales.material, settings.accuracy, NO_POINTS, progress)?;
         let plane = Plane::new(&settings, &scales);
@@ -69,6 +75,7 @@ impl Evidence {
             fit_as_printed: fit(&law, 0.0)?,
             paraboloid: fit(&curve.law, CORRECTED)?,
             ends: [end(&scales, ENDS[0])?, end(&scales, ENDS[1])?],
+            quick,
             spectrum: scales.material.spectrum,
             law,
         })
@@ -108,10 +115,14 @@ pub(super) fn values(law: &impl ContactLaw, sample: &FitSample) -> PerQuantity<f
 }
 
 /// A case of the contact computation with the settings of its one law or fit.
-pub(super) fn contact_case(name: &str) -> Result<(ContactCase, LawSettings), StudyError> {
+pub(super) fn contact_case(name: &str, quick: bool) -> Result<(ContactCase, LawSettings), StudyError> {
     let missing = || StudyError::Unsupported(format!("the case {name} computes no law"));
     let (_, text) = CONTACT_CASES.iter().find(|(known, _)| *known == name).ok_or_else(missing)?;
-    let Case::Contact(case) = CaseFile::parse(name, text, &[])?.case else { return Err(missing()) };
+    let mut case = CaseFile::parse(name, text, &[])?.case;
+    if quick {
+        thin_out(&mut case);
+    }
+    let Case::Contact(case) = case else { return Err(missing()) };
     match case.analyses.first().map(|analysis| analysis.kind.clone()) {
         Some(ContactAnalysis::ContactLaw(law) | ContactAnalysis::Fit { law, .. }) => Ok((case, law)),
         _ => Err(missing()),
@@ -126,7 +137,7 @@ pub(super) fn computed() -> Evidence {
     use std::sync::OnceLock;
     static EVIDENCE: OnceLock<Evidence> = OnceLock::new();
     let make = || {
-        let (case, settings) = contact_case(FIT).unwrap();
+        let (case, settings) = contact_case(FIT, false).unwrap();
         let scales = ContactScales::new(&case).unwrap();
         let task = LawTask {
             material: &scales.material,
@@ -138,7 +149,7 @@ pub(super) fn computed() -> Evidence {
             memory: MEMORY,
         };
         let found = compute(&task, (&[], &|_| ()), &Silent).unwrap();
-        Evidence::new(found.law, &Silent).unwrap()
+        Evidence::new(found.law, false, &Silent).unwrap()
     };
     EVIDENCE.get_or_init(make).clone()
 }

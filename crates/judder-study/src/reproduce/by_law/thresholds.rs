@@ -4,6 +4,7 @@ use super::{LAWS, LOADS, friction, sources, stored};
 use crate::error::StudyError;
 use crate::labels::short_number;
 use crate::pictures::{axis, reals};
+use crate::reproduce::claims::short;
 use judder_report::page::Table;
 use judder_report::{Axis, Figure, Layer, Legend, Panel};
 use judder_store::{Dataset, StudyFolder, Summary};
@@ -133,8 +134,8 @@ impl Moved {
             let mut row = vec![self.kind.label.to_owned(), friction(self.load).to_owned(), value];
             for [a, b] in [[0, 2], [1, 2]] {
                 let distance = Distance::between(&self.full[a][curve], &self.full[b][curve]);
-                row.push(format!("{:.2}", distance.median));
-                row.push(format!("{:.2}", distance.largest));
+                row.push(short(distance.median));
+                row.push(short(distance.largest));
                 row.push(format!("{:.0}", 100.0 * distance.unpaired));
             }
             row
@@ -180,7 +181,8 @@ impl Distance {
 pub(super) fn table(moved: &[Moved]) -> Table {
     Table {
         caption: "The threshold of the full system (Fig. 7: the lowest, Fig. 8: the highest) with one law over that with another, the larger over the smaller: \
-                  median and largest over the speeds; and the share of the speeds, in per cent, at which one law has a threshold and the other none."
+                  median and largest over the speeds; and the share of the speeds, in per cent, at which one law has a threshold and the other none. \
+                  Factors of thousands stand where a branch ends at another speed and a threshold far from it takes its place."
             .to_owned(),
         head: [
             "figure",

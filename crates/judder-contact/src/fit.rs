@@ -12,7 +12,6 @@ pub use least_squares::FunctionFit;
 
 use crate::fitted::FittedLaw;
 use crate::law::PerQuantity;
-use crate::law::sweep::SolvedPoint;
 use functions::{area, force, friction};
 use least_squares::{Observation, fit_function};
 use thiserror::Error;
@@ -26,17 +25,6 @@ pub struct FitSample {
     pub indentation: f64,
     /// F̃, Ã, μ.
     pub values: PerQuantity<f64>,
-}
-
-impl From<&SolvedPoint> for FitSample {
-    fn from(point: &SolvedPoint) -> Self {
-        let sample = &point.sample;
-        Self {
-            velocity: point.velocity,
-            indentation: point.indentation,
-            values: PerQuantity { force: sample.force, area: sample.area, friction: sample.friction },
-        }
-    }
 }
 
 /// What the least squares are of.
@@ -142,7 +130,24 @@ impl CoefficientComparison {
 const NAMES: [&str; 14] =
     ["a1", "a2", "a3", "a4", "a5", "b1", "b2", "b3", "b4", "b5", "c1", "c2", "c3", "c4"];
 
+/// The functions, as errors name them.
+const FUNCTIONS: [&str; 3] = ["force (34)", "area (36)", "friction (38)"];
+
 impl LawFit {
+    /// The same fit with the errors of `independent` samples: for samples that were interpolated between so many contacts.
+    ///
+    /// Standard errors become √((n − p)/(m − p)) times as large, n samples, m of them independent, p coefficients; the
+    /// intervals take m − p degrees of freedom. More than n are taken for n.
+    ///
+    /// # Errors
+    /// Not more independent samples than coefficients.
+    pub fn of_independent(mut self, independent: usize) -> Result<Self, FitError> {
+        self.force.widen(FUNCTIONS[0], independent)?;
+        self.area.widen(FUNCTIONS[1], independent)?;
+        self.friction.widen(FUNCTIONS[2], independent)?;
+        Ok(self)
+    }
+
     /// The fit as a law.
     #[must_use]
     pub fn law(&self) -> FittedLaw {
@@ -184,7 +189,8 @@ impl LawFit {
 /// Start values come from the samples. Standard errors are those of the linearised least squares, s²(JᵀJ)⁻¹, with s² the
 /// residual variance; the 95 % intervals take Student's t with as many degrees of freedom as samples exceed coefficients.
 /// They say how well the samples determine the coefficients, not how well the functions describe the contact: where the
-/// residuals are the functions' own, they are not independent.
+/// residuals are the functions' own, they are not independent. Samples of an interpolated law are as many as the contacts
+/// that it was made from: [`LawFit::of_independent`].
 ///
 /// # Errors
 /// Samples that are not finite, speeds or depths that are not positive; samples too few or too alike; no convergence.
@@ -214,12 +220,11 @@ pub fn fit_law(
     let forces = observations(1.5, |values| values.force);
     let areas = observations(1.0, |values| values.area);
     let frictions = observations(0.5, |values| values.friction);
+    let [of_force, of_area, of_friction] = FUNCTIONS;
     let mut fit = LawFit {
-        force: fit_function("force (34)", &forces, force, |data| start::force("force (34)", data))?,
-        area: fit_function("area (36)", &areas, area, |data| start::area("area (36)", data))?,
-        friction: fit_function("friction (38)", &frictions, friction, |data| {
-            start::friction("friction (38)", data)
-        })?,
+        force: fit_function(of_force, &forces, force, |data| start::force(of_force, data))?,
+        area: fit_function(of_area, &areas, area, |data| start::area(of_area, data))?,
+        friction: fit_function(of_friction, &frictions, friction, |data| start::friction(of_friction, data))?,
         log10_velocity_scale,
     };
     // the functions are even in the widths

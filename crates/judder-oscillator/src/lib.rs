@@ -69,8 +69,6 @@ mod book {
     chapter!(OwnRubber, "tutorials/own-rubber");
     chapter!(Oscillator, "theory/oscillator");
     chapter!(ContactLaws, "theory/contact-laws");
-    chapter!(SlidingKernel, "theory/sliding-kernel");
-    chapter!(ComputedLaws, "theory/computed-laws");
     chapter!(Checks, "theory/checks");
     chapter!(Figure4, "figures/figure-4");
     chapter!(Figure5, "figures/figure-5");

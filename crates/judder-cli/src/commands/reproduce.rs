@@ -24,7 +24,7 @@ pub(crate) struct Reproduce {
     /// Which paper
     #[arg(value_enum, default_value_t = Paper::OscillatorPaper)]
     paper: Paper,
-    /// Fewer points: in seconds instead of minutes
+    /// Fewer points, and a paraboloid's law in place of the sphere's: in seconds instead of minutes
     #[arg(long)]
     quick: bool,
     #[arg(short, long, value_name = "DIR", help = "The study folder [default: out/reproduce/<paper>]")]

@@ -1,6 +1,7 @@
 //! `judder reproduce`.
 
 use crate::desk::Desk;
+use serde_json::Value;
 
 #[test]
 #[ignore = "expensive: every figure of the paper"]
@@ -18,5 +19,23 @@ fn the_oscillator_paper_is_reproduced() {
         assert!(["agrees", "misprint", "open"].contains(&verdict), "{claim}");
         assert!(claim["ours"].as_object().is_some_and(|ours| !ours.is_empty()), "{claim}");
     }
+    the_scoreboard_is_that_of_the_fit(&desk, &document);
     desk.succeed(&["report", "out/reproduce/oscillator-paper"]);
+}
+
+/// Summary and scoreboard show one fit: r² of the first stands in the second.
+fn the_scoreboard_is_that_of_the_fit(desk: &Desk, document: &Value) {
+    let summary = desk.path("out/reproduce/oscillator-paper/summary.json");
+    let summary: Value = serde_json::from_str(&std::fs::read_to_string(summary).unwrap()).unwrap();
+    let fit = &summary["results"]["fig-14"];
+    for quantity in ["force", "area", "friction"] {
+        let ending = format!("of the {quantity}");
+        let is_r2 = |claim: &&Value| {
+            claim["place"].as_str().unwrap().starts_with("App. B")
+                && claim["says"].as_str().unwrap().ends_with(&ending)
+        };
+        let claim = document["scoreboard"].as_array().unwrap().iter().find(is_r2).unwrap();
+        let r2 = format!("{:.4}", fit[quantity]["r2"].as_f64().unwrap());
+        assert_eq!(claim["ours"]["computed, F_n μ"], r2, "{quantity}");
+    }
 }

@@ -46,6 +46,32 @@ impl<const N: usize> FunctionFit<N> {
             self.intervals[index] = (-high, -low);
         }
     }
+
+    /// Widens errors and intervals to those of `independent` samples, where all samples were interpolated between so many.
+    ///
+    /// With n samples, m of them independent, the information JᵀJ is m/n of what it seems, and the freedom m − N.
+    pub(super) fn widen(&mut self, name: &'static str, independent: usize) -> Result<(), FitError> {
+        let samples = self.residuals.len();
+        let independent = independent.min(samples);
+        if independent <= N {
+            return Err(FitError::TooFewSamples { function: name, samples: independent, coefficients: N });
+        }
+        let freedom = (independent - N) as f64;
+        let factor = ((samples - N) as f64 / freedom).sqrt();
+        let quantile = upper_quantile(name, freedom)?;
+        for n in 0..N {
+            self.standard_errors[n] *= factor;
+            let reach = quantile * self.standard_errors[n];
+            self.intervals[n] = (self.coefficients[n] - reach, self.coefficients[n] + reach);
+        }
+        Ok(())
+    }
+}
+
+/// How many standard errors a 95 % interval reaches to each side.
+fn upper_quantile(name: &'static str, freedom: f64) -> Result<f64, FitError> {
+    let student = StudentsT::new(0.0, 1.0, freedom).map_err(|_| FitError::Undetermined { function: name })?;
+    Ok(student.inverse_cdf(UPPER_END))
 }
 
 /// A function with its gradient by the coefficients, at log₁₀ v̂ and log₁₀ ŷ.
@@ -150,8 +176,8 @@ fn statistics<const N: usize>(
     for (mut column, length) in jacobian.column_iter_mut().zip(&lengths) {
         column /= *length;
     }
-    let inverse = (jacobian.transpose() * &jacobian).cholesky().ok_or(undetermined.clone())?.inverse();
-    let quantile = StudentsT::new(0.0, 1.0, freedom).map_err(|_| undetermined)?.inverse_cdf(UPPER_END);
+    let inverse = (jacobian.transpose() * &jacobian).cholesky().ok_or(undetermined)?.inverse();
+    let quantile = upper_quantile(name, freedom)?;
     let mut standard_errors = [0.0; N];
     let mut intervals = [(0.0, 0.0); N];
     for n in 0..N {

@@ -114,6 +114,31 @@ fn ninety_five_percent_intervals_hold_the_truth_ninety_five_times_in_a_hundred()
     assert!((share - 0.95).abs() < 0.02, "{share}");
 }
 
+/// Every sample k times over tells what the samples tell once: errors and intervals come back.
+#[test]
+fn repeated_samples_have_the_errors_of_the_independent_ones() {
+    let law = FittedLaw::oscillator_paper_corrected();
+    let mut noise = Noise(35);
+    let once: Vec<FitSample> = samples(&law, (-1.5, 1.5, 8), (-2.5, -1.0, 4))
+        .into_iter()
+        .map(|s| FitSample { values: s.values.map(|value| value * (1.0 + 0.02 * noise.normal())), ..s })
+        .collect();
+    let fit = fit_law(&once, -2.0, Weighting::Absolute).unwrap();
+    let repeated = fit_law(&once.repeat(5), -2.0, Weighting::Absolute).unwrap();
+    let honest = repeated.clone().of_independent(once.len()).unwrap();
+    let errors = |fit: &LawFit| fit.beside(&law).into_iter().map(|c| (c.standard_error, c.interval));
+    for ((once, repeated), honest) in errors(&fit).zip(errors(&repeated)).zip(errors(&honest)) {
+        assert!((honest.0 / once.0 - 1.0).abs() < 1e-5 && repeated.0 < 0.5 * once.0);
+        assert!(
+            (honest.1.1 - once.1.1).abs() < 1e-4 * once.0 && (honest.1.0 - once.1.0).abs() < 1e-4 * once.0
+        );
+    }
+    assert!(matches!(
+        repeated.of_independent(5),
+        Err(FitError::TooFewSamples { samples: 5, coefficients: 5, .. })
+    ));
+}
+
 #[test]
 fn what_cannot_be_fitted_is_refused() {
     let law = FittedLaw::oscillator_paper();

@@ -10,6 +10,7 @@ mod single;
 mod size;
 mod transient;
 
+pub(crate) use law::Plane;
 pub(crate) use single::{grid, loading};
 pub(crate) use size::{cells_of_law, lattice};
 pub(crate) use transient::Asked;

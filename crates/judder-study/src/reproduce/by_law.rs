@@ -1,16 +1,17 @@
 //! How much of the paper's maps and thresholds is the fit's: the same analyses with the printed, the corrected and the computed law.
 
+mod thresholds;
+
 use super::exhibits::{EXHIBITS, Source};
 use super::readings::{READINGS, ReadLaw, Reading};
-use super::{analysis_name, is_done};
+use super::{analysis_name, computed_for, is_done};
 use crate::error::StudyError;
-use crate::labels::short_number;
 use crate::pictures::{axis, reals};
 use crate::report::write_figure;
 use judder_oscillator::mechanism::StabilityClass;
 use judder_report::figure::{Class, ClassMap};
 use judder_report::page::Table;
-use judder_report::{Axis, Block, Figure, Layer, Legend, Panel, Role, Section};
+use judder_report::{Block, Figure, Layer, Panel, Role, Section};
 use judder_store::{Data, Dataset, StudyFolder, Summary};
 
 /// The loads that friction can act on.
@@ -32,17 +33,23 @@ pub(super) fn section(store: &StudyFolder, summary: &Summary) -> Result<Section,
             changes.extend(Change::of(store, summary, source, load)?);
         }
     }
-    let mut blocks = vec![Block::text(lead(&changes))];
+    let mut blocks = vec![Block::text(lead(&changes, computed_for(summary)))];
     if !changes.is_empty() {
         blocks.push(Block::Table(table(&changes)));
-        let panels: Vec<Panel> =
-            changes.iter().filter(|change| change.load == LOADS[0]).filter_map(Change::panel).collect();
-        if !panels.is_empty() {
-            blocks.push(write_figure(store, map_figure(panels))?);
+        for load in LOADS {
+            let of_load = changes.iter().filter(|change| change.load == load);
+            let panels: Vec<Panel> = of_load.filter_map(Change::panel).collect();
+            if !panels.is_empty() {
+                blocks.push(write_figure(store, map_figure(panels, load))?);
+            }
         }
     }
-    if let Some(figure) = threshold_figure(store, summary)? {
-        blocks.push(write_figure(store, figure)?);
+    let moved = thresholds::all(store, summary)?;
+    if !moved.is_empty() {
+        blocks.push(Block::Table(thresholds::table(&moved)));
+    }
+    for moved in &moved {
+        blocks.push(write_figure(store, moved.figure())?);
     }
     Ok(Section::new("How much of the map is the fit's?", blocks))
 }
@@ -53,6 +60,11 @@ fn sources() -> impl Iterator<Item = &'static Source> {
 
 fn maps() -> impl Iterator<Item = &'static Source> {
     sources().filter(|source| source.name.starts_with("fig-9") || source.name.starts_with("fig-10"))
+}
+
+/// How a friction load reads in a table or a caption.
+fn friction(load: &str) -> &'static str {
+    if load == LOADS[0] { "$F_{n} μ_{visc}$" } else { "$F_{k} μ_{visc}$" }
 }
 
 fn reading(law: ReadLaw, load: &str) -> Option<&'static Reading> {
@@ -158,7 +170,7 @@ fn classes(dataset: &Dataset) -> Option<Vec<StabilityClass>> {
     }
 }
 
-fn lead(changes: &[Change]) -> String {
+fn lead(changes: &[Change], computed_for: &str) -> String {
     let between = |laws: [usize; 2]| {
         let shares: Vec<f64> = changes.iter().map(|change| 100.0 * change.verdict_changes(laws)).collect();
         let least = shares.iter().copied().fold(f64::INFINITY, f64::min);
@@ -169,7 +181,7 @@ fn lead(changes: &[Change]) -> String {
         return "The maps with the computed law are missing.".to_owned();
     }
     format!(
-        "The maps and thresholds with the law computed for a sphere, beside those with the printed fits. From the printed to the computed law {} of the \
+        "The maps and thresholds with the law computed for {computed_for}, beside those with the printed fits. From the printed to the computed law {} of the \
          points of a map change between stable and unstable: most of that is the velocity axis. From the fits with the corrected axis to the computed \
          law {} change. At low speed and larger loads the threshold hangs on the slope of the contact area over the speed, which is small there: the computed law \
          has the exact one, −(2/π) Σ C_k E_0 τ_k/τ over z, the fits fall like a Gaussian bell.",
@@ -181,9 +193,7 @@ fn lead(changes: &[Change]) -> String {
 fn table(changes: &[Change]) -> Table {
     let per_cent = |share: f64| format!("{:.1}", 100.0 * share);
     let row = |change: &Change| {
-        let label = READINGS.iter().find(|reading| reading.friction_load == change.load);
-        let friction = label.map_or("", |reading| reading.label).trim_start_matches("printed law, ");
-        let mut row = vec![change.source.name.replace("fig-", "Fig. "), friction.to_owned()];
+        let mut row = vec![change.source.name.replace("fig-", "Fig. "), friction(change.load).to_owned()];
         row.extend([0, 1, 2].map(|law| per_cent(change.unstable(law))));
         row.extend([[0, 2], [0, 1], [1, 2]].map(|laws| per_cent(change.verdict_changes(laws))));
         row.push(per_cent(change.share([0, 2], |a, b| a != b)));
@@ -210,56 +220,10 @@ fn table(changes: &[Change]) -> Table {
     }
 }
 
-fn map_figure(panels: Vec<Panel>) -> Figure {
-    Figure::new("maps-by-law", "Stability maps, printed against computed law", panels).with_caption(
-        "Figs. 9 and 10 with $F_{n} μ_{visc}$: where the printed fits and the computed law decide differently between stable and unstable.",
-    )
-}
-
-/// Thresholds of Fig. 7 over speed: the lowest of the full system, with the three laws.
-fn threshold_figure(store: &StudyFolder, summary: &Summary) -> Result<Option<Figure>, StudyError> {
-    let Some(source) = sources().find(|source| source.name == "fig-7") else { return Ok(None) };
-    let mut panels: Vec<Panel> = Vec::new();
-    for (law, name, role) in LAWS {
-        let Some(dataset) = stored(store, summary, source, law, LOADS[0])? else { return Ok(None) };
-        for (index, (load, layers)) in
-            curves(&dataset, name, role).unwrap_or_default().into_iter().enumerate()
-        {
-            if let Some(panel) = panels.get_mut(index) {
-                panel.layers.extend(layers);
-                continue;
-            }
-            let Some(speed) = dataset.variable("velocity") else { return Ok(None) };
-            let vertical = Axis::log("Lowest threshold $τ̃_{0,crit}$ (−)");
-            let title = format!("$F̃_{{n}}$ = {}", short_number(load));
-            panels
-                .push(Panel::new(axis(speed), vertical, layers).with_title(title).with_legend(Legend::Below));
-        }
-    }
-    if panels.is_empty() {
-        return Ok(None);
-    }
-    let figure = Figure::new("thresholds-by-law", "Critical shear strength with three laws", panels);
-    Ok(Some(figure.with_caption(
-        "The lowest threshold of Fig. 7 with $F_{n} μ_{visc}$. Solid: full system. Dashed: without damping.",
-    )))
-}
-
-/// For every load of Fig. 7 its lowest thresholds over speed: full system and without damping.
-fn curves(dataset: &Dataset, law: &str, role: Role) -> Option<Vec<(f64, Vec<Layer>)>> {
-    let (speeds, loads) = (reals(dataset, "velocity")?, reals(dataset, "normal_load")?);
-    let lowest = |name: &str, curve: usize| -> Option<Vec<f64>> {
-        let most = *dataset.variable(name)?.shape.last()?;
-        let of_curve = reals(dataset, name)?.chunks(most.max(1) * speeds.len()).nth(curve)?;
-        Some(of_curve.chunks(most.max(1)).map(|roots| roots[0]).collect())
-    };
-    loads
-        .iter()
-        .enumerate()
-        .map(|(curve, load)| {
-            let solid = Layer::line(law, speeds.to_vec(), lowest("full", curve)?, role.solid());
-            let dashed = Layer::line("", speeds.to_vec(), lowest("conservative", curve)?, role.dashed());
-            Some((*load, vec![solid, dashed]))
-        })
-        .collect()
+fn map_figure(panels: Vec<Panel>, load: &str) -> Figure {
+    let stem = if load == LOADS[0] { "maps-by-law".to_owned() } else { format!("maps-by-law-{load}") };
+    Figure::new(stem, "Stability maps, printed against computed law", panels).with_caption(format!(
+        "Figs. 9 and 10 with {}: where the printed fits and the computed law decide differently between stable and unstable.",
+        friction(load)
+    ))
 }

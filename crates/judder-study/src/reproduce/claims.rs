@@ -51,7 +51,7 @@ fn measured(ours: impl Into<String>, holds: bool) -> Measured {
 }
 
 /// A number with three digits, in the markup of the page.
-fn short(value: f64) -> String {
+pub(super) fn short(value: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }

@@ -2,7 +2,7 @@
 
 use super::evidence::{CORRECTED, r_squared};
 use super::exhibits::{FIT, LAW, MODULUS};
-use super::is_done;
+use super::{computed_for, is_done};
 use crate::error::StudyError;
 use crate::labels::short_number;
 use crate::pictures::{self, axis, reals};
@@ -16,10 +16,10 @@ use judder_report::{Axis, Block, Figure, Layer, Legend, Panel, Role, Section};
 use judder_store::{Dataset, StudyFolder, Summary};
 use serde_json::Value;
 
-/// Rows of equal indentation that Fig. 3 draws as curves: one a decade of the case's forty.
-const ROWS: [usize; 4] = [0, 13, 26, 39];
-/// Fig. 14 draws every third point of every third row.
-const THINNED: usize = 3;
+/// Rows of equal indentation that Fig. 3 draws as curves: one a decade.
+const ROWS: usize = 4;
+/// Fig. 14 draws so many points along each axis at most.
+const DRAWN: usize = 14;
 
 /// A quantity of the contact, in the order of Fig. 3, with its label and its colour scale.
 struct Quantity {
@@ -62,7 +62,8 @@ pub(super) fn sections(store: &StudyFolder, summary: &Summary) -> Result<Vec<Sec
     if is_done(summary, LAW) && is_done(summary, FIT) {
         let (law, fit) = (store.read_dataset(LAW)?, store.read_dataset(FIT)?);
         let functions = Functions::of(summary);
-        let figures = [figure_3(&fit, &functions), figure_3_maps(&law), figure_14(&fit, &functions)];
+        let curves = figure_3(&fit, &functions, computed_for(summary));
+        let figures = [curves, figure_3_maps(&law), figure_14(&fit, &functions)];
         let [curves, maps, scatter] = figures;
         let mut blocks = Vec::new();
         for figure in [curves, maps].into_iter().flatten() {
@@ -121,34 +122,37 @@ fn values(law: &FittedLaw, velocity: f64, indentation: f64) -> PerQuantity<f64> 
 }
 
 /// Computed points and the fitted functions over speed, at four indentations.
-fn figure_3(fit: &Dataset, functions: &Functions) -> Option<Figure> {
+fn figure_3(fit: &Dataset, functions: &Functions, computed_for: &str) -> Option<Figure> {
     let (velocities, indentations) = (reals(fit, "velocity")?, reals(fit, "indentation")?);
+    let last = indentations.len().checked_sub(1)?;
+    let rows: Vec<usize> = (0..ROWS).map(|k| k * last / (ROWS - 1)).collect();
     let mut panels = Vec::new();
     for quantity in &QUANTITIES {
         let computed = reals(fit, quantity.name)?;
         let mut layers = Vec::new();
         for (name, law, role) in functions.all.iter().rev() {
-            for row in ROWS {
-                let depth = *indentations.get(row)?;
+            for row in &rows {
+                let depth = *indentations.get(*row)?;
                 let curve = velocities.iter().map(|v| (quantity.pick)(values(law, *v, depth))).collect();
-                let label = if row == ROWS[0] { *name } else { "" };
+                let label = if *row == 0 { *name } else { "" };
                 let style = if *name == "our fit" { role.solid() } else { role.dashed() };
                 layers.push(Layer::line(label, velocities.to_vec(), curve, style));
             }
         }
-        for row in ROWS {
-            let points = computed.chunks(velocities.len()).nth(row)?.to_vec();
-            let label = if row == ROWS[0] { "computed" } else { "" };
+        for row in &rows {
+            let points = computed.chunks(velocities.len()).nth(*row)?.to_vec();
+            let label = if *row == 0 { "computed" } else { "" };
             layers.push(Layer::points(label, velocities.to_vec(), points, Role::FullBoundary));
         }
         let panel = Panel::new(axis(fit.variable("velocity")?), quantity.axis(), layers);
         panels.push(panel.with_legend(Legend::Below));
     }
     let depths: Vec<String> =
-        ROWS.iter().filter_map(|row| indentations.get(*row)).map(|d| short_number(*d)).collect();
+        rows.iter().filter_map(|row| indentations.get(*row)).map(|d| short_number(*d)).collect();
     let caption = format!(
-        "Points: computed for a sphere. Solid: the functions (34), (36), (38) fitted to them. Dashed: the paper's own fit, with the corrected axis and as \
+        "Points: the law computed for {} at the points of the case. Solid: the functions (34), (36), (38) fitted to it at all of them. Dashed: the paper's own fit, with the corrected axis and as \
          printed. $δ$/$R$ = {}, each panel from bottom to top.",
+        computed_for,
         depths.join(", ")
     );
     Some(
@@ -181,8 +185,8 @@ fn figure_3_maps(law: &Dataset) -> Option<Figure> {
     }
     Some(
         Figure::new("fig-3-maps", "Friction, area and force over speed and indentation", panels).with_caption(
-            "The computed law. Points: contacts that were solved; below $δ$/$R$ = 0.01 a sphere is a paraboloid, and the law follows \
-             from $v τ$/($R δ$)^{1/2} alone.",
+            "The computed law. Points: contacts that were solved; where the indenter is a paraboloid, a sphere below $δ$/$R$ = 0.01, the law \
+             follows from $v τ$/($R δ$)^{1/2} alone.",
         ),
     )
 }
@@ -192,8 +196,9 @@ fn figure_14(fit: &Dataset, functions: &Functions) -> Option<Figure> {
     let (velocities, indentations) = (reals(fit, "velocity")?, reals(fit, "indentation")?);
     let places: Vec<(f64, f64)> =
         indentations.iter().flat_map(|y| velocities.iter().map(move |v| (*v, *y))).collect();
+    let (across, up) = (velocities.len().div_ceil(DRAWN), indentations.len().div_ceil(DRAWN));
     let shown = |k: &usize| {
-        (k % velocities.len()).is_multiple_of(THINNED) && (k / velocities.len()).is_multiple_of(THINNED)
+        (k % velocities.len()).is_multiple_of(across) && (k / velocities.len()).is_multiple_of(up)
     };
     let shown: Vec<usize> = (0..places.len()).filter(shown).collect();
     let mut panels = Vec::new();
@@ -216,7 +221,7 @@ fn figure_14(fit: &Dataset, functions: &Functions) -> Option<Figure> {
     }
     Some(
         Figure::new("fig-14", "Computed against fitted, the paper's Fig. 14", panels).with_caption(
-            "Every third speed and indentation of the grid; on the line the fit is exact. Above each panel $r^{2}$ of all points: as printed, \
+            "At most 14 speeds and indentations of the plane; on the line the fit is exact. Above each panel $r^{2}$ of all its points: as printed, \
              with the corrected axis, our fit. The paper gives 0.9999, 0.9995, 0.9957.",
         ),
     )

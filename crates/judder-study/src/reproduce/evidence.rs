@@ -1,12 +1,13 @@
 //! What the claims about the contact computation are measured on.
 
-use super::exhibits::{CONTACT_CASES, FIT, LAW_FILE};
+use super::exhibits::{CONTACT_CASES, FIT, LAW_FILE, thin_out};
+use crate::analyses::contact::Plane;
 use crate::computed_law::{self, NO_POINTS};
 use crate::error::StudyError;
 use crate::material::ContactScales;
 use crate::progress::Progress;
 use judder_case::{Case, CaseFile, ContactAnalysis, ContactCase, LawSettings};
-use judder_contact::fit::{FitSample, LawFit, Weighting, fit_law};
+use judder_contact::fit::{FitSample, LawFit};
 use judder_contact::law::boundary_elements::sample;
 use judder_contact::law::file::from_json;
 use judder_contact::law::{LawIndenter, PerQuantity};
@@ -31,7 +32,7 @@ pub(super) struct Evidence {
     pub(super) law: Law,
     /// F̃/ŷ^{3/2} and Ã/ŷ, solved for very slow and for very fast sliding.
     pub(super) ends: [[f64; 2]; 2],
-    /// The law on the grid of Fig. 14.
+    /// The law on the plane of Fig. 14: the samples of the fit, its figure and its scoreboard.
     pub(super) samples: Vec<FitSample>,
     /// The functions of appendix B through them, on the corrected axis.
     pub(super) fit: LawFit,
@@ -41,36 +42,42 @@ pub(super) struct Evidence {
     pub(super) paraboloid: LawFit,
     /// The paper's material.
     pub(super) spectrum: CreepSpectrum,
+    /// Whether a paraboloid stands for the sphere.
+    pub(super) quick: bool,
 }
 
 impl Evidence {
     /// From what Fig. 3 left in a study folder.
-    pub(super) fn stored(store: &StudyFolder, progress: &dyn Progress) -> Result<Self, StudyError> {
+    pub(super) fn stored(
+        store: &StudyFolder,
+        quick: bool,
+        progress: &dyn Progress,
+    ) -> Result<Self, StudyError> {
         let path = store.path().join(LAW_FILE);
         let unusable = |reason: String| StudyError::File { path: path.clone(), reason };
         let text = std::fs::read_to_string(&path).map_err(|error| unusable(error.to_string()))?;
         let law = from_json(&text).map_err(|error| unusable(error.to_string()))?;
-        Self::new(law, progress)
+        Self::new(law, quick, progress)
     }
 
-    /// From a law of the paper's sphere.
-    pub(super) fn new(law: Law, progress: &dyn Progress) -> Result<Self, StudyError> {
-        let (case, settings) = contact_case(FIT)?;
+    /// From a law of the paper's sphere, or of the paraboloid that stands for it in a quick run.
+    pub(super) fn new(law: Law, quick: bool, progress: &dyn Progress) -> Result<Self, StudyError> {
+        let (case, settings) = contact_case(FIT, quick)?;
         let scales = ContactScales::new(&case)?;
         let curve = computed_law::of_paraboloid(&scales.material, settings.accuracy, NO_POINTS, progress)?;
-        let samples = samples(&law, &settings);
-        let fit = |samples: &[FitSample], scale: f64| {
-            fit_law(samples, scale, Weighting::Absolute)
-                .map_err(|error| StudyError::Unsupported(error.to_string()))
+        let plane = Plane::new(&settings, &scales);
+        let fit = |law: &Law, scale: f64| {
+            plane.fit(law, scale).map_err(|error| StudyError::Unsupported(error.to_string()))
         };
         Ok(Self {
-            fit: fit(&samples, CORRECTED)?,
-            fit_as_printed: fit(&samples, 0.0)?,
-            paraboloid: fit(&self::samples(&curve.law, &settings), CORRECTED)?,
+            samples: plane.samples(&law),
+            fit: fit(&law, CORRECTED)?,
+            fit_as_printed: fit(&law, 0.0)?,
+            paraboloid: fit(&curve.law, CORRECTED)?,
             ends: [end(&scales, ENDS[0])?, end(&scales, ENDS[1])?],
+            quick,
             spectrum: scales.material.spectrum,
             law,
-            samples,
         })
     }
 
@@ -107,23 +114,15 @@ pub(super) fn values(law: &impl ContactLaw, sample: &FitSample) -> PerQuantity<f
     PerQuantity { force: found.force.value, area: found.area.value, friction: found.friction.value }
 }
 
-/// A law on the grid of the settings, row by row of equal indentation.
-fn samples(law: &Law, settings: &LawSettings) -> Vec<FitSample> {
-    let mut samples = Vec::new();
-    for indentation in settings.indentation.values() {
-        for velocity in settings.velocity.values() {
-            let place = FitSample { velocity, indentation, values: PerQuantity::uniform(0.0) };
-            samples.push(FitSample { values: values(law, &place), ..place });
-        }
-    }
-    samples
-}
-
 /// A case of the contact computation with the settings of its one law or fit.
-pub(super) fn contact_case(name: &str) -> Result<(ContactCase, LawSettings), StudyError> {
+pub(super) fn contact_case(name: &str, quick: bool) -> Result<(ContactCase, LawSettings), StudyError> {
     let missing = || StudyError::Unsupported(format!("the case {name} computes no law"));
     let (_, text) = CONTACT_CASES.iter().find(|(known, _)| *known == name).ok_or_else(missing)?;
-    let Case::Contact(case) = CaseFile::parse(name, text, &[])?.case else { return Err(missing()) };
+    let mut case = CaseFile::parse(name, text, &[])?.case;
+    if quick {
+        thin_out(&mut case);
+    }
+    let Case::Contact(case) = case else { return Err(missing()) };
     match case.analyses.first().map(|analysis| analysis.kind.clone()) {
         Some(ContactAnalysis::ContactLaw(law) | ContactAnalysis::Fit { law, .. }) => Ok((case, law)),
         _ => Err(missing()),
@@ -138,7 +137,7 @@ pub(super) fn computed() -> Evidence {
     use std::sync::OnceLock;
     static EVIDENCE: OnceLock<Evidence> = OnceLock::new();
     let make = || {
-        let (case, settings) = contact_case(FIT).unwrap();
+        let (case, settings) = contact_case(FIT, false).unwrap();
         let scales = ContactScales::new(&case).unwrap();
         let task = LawTask {
             material: &scales.material,
@@ -150,7 +149,7 @@ pub(super) fn computed() -> Evidence {
             memory: MEMORY,
         };
         let found = compute(&task, (&[], &|_| ()), &Silent).unwrap();
-        Evidence::new(found.law, &Silent).unwrap()
+        Evidence::new(found.law, false, &Silent).unwrap()
     };
     EVIDENCE.get_or_init(make).clone()
 }

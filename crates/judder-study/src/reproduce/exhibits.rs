@@ -1,6 +1,6 @@
 //! The figures of the paper: which case makes which panel.
 
-use judder_case::{Case, OscillatorAnalysis};
+use judder_case::{Case, ContactAnalysis, ContactCase, LawMethod, OscillatorAnalysis, OscillatorCase, Shape};
 
 /// A figure of the paper.
 pub(super) struct Exhibit {
@@ -116,12 +116,33 @@ pub(super) const EXHIBITS: [Exhibit; 7] = [
     },
 ];
 
-/// Fewer points for a quick look: curves and maps keep their shape.
+/// Fewer points for a quick look: curves and maps keep their shape, a paraboloid's law stands for the sphere's.
 pub(super) fn thin_out(case: &mut Case) {
+    match case {
+        Case::Oscillator(case) => thin_out_oscillator(case),
+        Case::Contact(case) => thin_out_contact(case),
+        Case::TwoDegrees(_) => {}
+    }
+}
+
+/// A law that is one curve, on a coarse plane.
+fn thin_out_contact(case: &mut ContactCase) {
+    const SPEEDS: usize = 17;
+    const DEPTHS: usize = 7;
+    for analysis in &mut case.analyses {
+        if let ContactAnalysis::ContactLaw(law) | ContactAnalysis::Fit { law, .. } = &mut analysis.kind {
+            case.shape = Shape::Paraboloid;
+            law.method = LawMethod::Collapse;
+            law.velocity.points = law.velocity.points.min(SPEEDS);
+            law.indentation.points = law.indentation.points.min(DEPTHS);
+        }
+    }
+}
+
+fn thin_out_oscillator(case: &mut OscillatorCase) {
     const CURVE: usize = 301;
     const THRESHOLDS: usize = 101;
     const MAP: usize = 400;
-    let Case::Oscillator(case) = case else { return };
     for analysis in &mut case.analyses {
         match &mut analysis.kind {
             OscillatorAnalysis::EquivalentDamping { sweep, .. }
@@ -134,6 +155,31 @@ pub(super) fn thin_out(case: &mut Case) {
                 map.x.points = map.x.points.min(MAP);
                 map.y.points = map.y.points.min(MAP);
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use judder_case::CaseFile;
+
+    #[test]
+    fn a_quick_run_takes_one_curve_on_a_coarse_plane() {
+        for name in [LAW, FIT] {
+            let (_, text) = CONTACT_CASES.into_iter().find(|(known, _)| *known == name).unwrap();
+            let mut case = CaseFile::parse(name, text, &[]).unwrap().case;
+            let full = case.resolved();
+            thin_out(&mut case);
+            assert_ne!(case.resolved(), full, "a quick result must not pass for a full one");
+            let Case::Contact(case) = case else { panic!("{name}") };
+            let (ContactAnalysis::ContactLaw(law) | ContactAnalysis::Fit { law, .. }) =
+                case.analyses[0].kind.clone()
+            else {
+                panic!("{name}")
+            };
+            assert_eq!((case.shape, law.method), (Shape::Paraboloid, LawMethod::Collapse));
+            assert!(law.velocity.points * law.indentation.points < 200);
         }
     }
 }

@@ -4,7 +4,7 @@ use super::claims::CLAIMS;
 use super::exhibits::{CONTACT_CASES, EXHIBITS, Exhibit};
 use super::readings::READINGS;
 use super::scoreboard::{self, ClaimLine};
-use super::{KEY, analysis_name, by_law, contact_figures, is_done};
+use super::{KEY, analysis_name, by_law, computed_for, contact_figures, is_done};
 use crate::error::StudyError;
 use crate::pictures;
 use crate::report::{check_rows, facts, warnings, write_figure, write_page};
@@ -32,7 +32,7 @@ pub(super) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, S
         .and_then(|kept| serde_json::from_value(kept.get("scoreboard")?.clone()).ok())
         .unwrap_or_default();
     let kept = Keepsakes::of(summary);
-    let mut sections = vec![Section::new("Scoreboard", boards(&lines))];
+    let mut sections = vec![Section::new("Scoreboard", boards(&lines, computed_for(summary)))];
     sections.extend(contact_figures::sections(store, summary)?);
     for exhibit in &EXHIBITS {
         let heading = exhibit.name.replace("fig-", "Fig. ");
@@ -53,15 +53,16 @@ pub(super) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, S
 }
 
 /// The scoreboard in two parts: with every reading, and by law alone.
-fn boards(lines: &[ClaimLine]) -> Vec<Block> {
+fn boards(lines: &[ClaimLine], computed_for: &str) -> Vec<Block> {
     let (sections, contact) = lines.split_at(CLAIMS.len().min(lines.len()));
     let readings: Vec<(usize, &str)> = READINGS.iter().map(|reading| reading.label).enumerate().collect();
     vec![
-        Block::text(
+        Block::text(format!(
             "Every number and claim of sections 2 to 4, measured with both readings of the viscoelastic friction: with the velocity axis of the fits \
-             as printed and corrected, and with the law computed for a sphere. A verdict is about the printed law; the other columns show what the \
+             as printed and corrected, and with the law computed for {}. A verdict is about the printed law; the other columns show what the \
              correction and the computation do to it.",
-        ),
+            computed_for
+        )),
         Block::Scoreboard(scoreboard::block(sections, &readings)),
         Block::Heading("The contact computation".to_owned()),
         Block::text(

@@ -136,6 +136,28 @@ fn a_law_serves_an_oscillator_and_a_fit() {
     assert!(oscillator.complete, "{:?}", oscillator.messages);
 }
 
+/// Appendix B, (35), (37), (39), and its r²: the fit of Fig. 14 finds all coefficients within 3 %, a5 within 0.05.
+#[test]
+fn the_fit_finds_the_papers_coefficients() {
+    let folder = tempfile::tempdir().unwrap();
+    let report = run_into(folder.path(), &case("oscillator-paper/fig-14.toml", &[]), &[]);
+    assert!(report.complete && report.messages.is_empty(), "{:?}", report.messages);
+    let fit = result(&report, "fit");
+    let lines = fit["beside_the_paper"].as_array().unwrap();
+    assert_eq!(lines.len(), 14);
+    for line in lines {
+        let (figure, bar) =
+            if line["name"] == "a5" { ("deviation", 0.05) } else { ("relative_deviation", 0.03) };
+        assert!(number(&line[figure]).abs() < bar, "{line}");
+    }
+    for (found, expected) in fit["r2"].as_array().unwrap().iter().zip([0.9999, 0.9995, 0.9954]) {
+        assert!((number(found) - expected).abs() < 1e-4, "{}", fit["r2"]);
+    }
+    // every point of the plane is a sample, but only the solved contacts are independent
+    assert_eq!(fit["sample_count"], 1600);
+    assert!(number(&fit["contacts_solved"]) < 200.0, "{}", fit["contacts_solved"]);
+}
+
 #[test]
 fn a_law_file_that_is_none_is_named() {
     let folder = tempfile::tempdir().unwrap();

@@ -7,15 +7,13 @@ use crate::material::ContactScales;
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use judder_case::{ContactCase, LawSettings};
-use judder_contact::fit::{CoefficientComparison, FitSample, FunctionFit, LawFit, Weighting, fit_law};
-use judder_contact::law::PerQuantity;
-use judder_contact::{ContactLaw, ContactPoint, FittedLaw, Law};
+use judder_contact::fit::{CoefficientComparison, FitError, FunctionFit, LawFit};
+use judder_contact::{FittedLaw, Law};
 use judder_store::{Table, Variable, number};
 use serde_json::{Map, Value, json};
 
-/// What the samples of a fit are, of a sphere and of a paraboloid.
-const SOLVED: &str = "the contacts that the law was made from";
-const SOLVED_AT_ALL_DEPTHS: &str = "the contacts that the law was made from, each at every depth of the case: the contact of a paraboloid depends on v τ/√(R δ) alone";
+/// What the samples of a fit are.
+const SAMPLES: &str = "the computed law at every speed and indentation of the case";
 /// How closely a fit must come back when it is fitted to itself.
 const RETURN_LIMIT: f64 = 1e-6;
 
@@ -29,9 +27,8 @@ pub(super) fn run(
     let plane = Plane::new(settings, &scales);
     let computed = compute(&plane.task(case, &scales, settings)?, points, progress)?;
     let values = plane.values(&computed.law);
-    let samples = samples(&plane, &computed);
-    let unfit = |error: judder_contact::fit::FitError| StudyError::Unsupported(error.to_string());
-    let fit = fit_law(&samples, velocity_scale.log10(), Weighting::Absolute).map_err(unfit)?;
+    let unfit = |error: FitError| StudyError::Unsupported(error.to_string());
+    let fit = plane.fit(&computed.law, velocity_scale.log10()).map_err(unfit)?;
     let beside = fit.beside(&FittedLaw::oscillator_paper());
     let shape = [plane.indentations.len(), plane.velocities.len()];
     let over_plane = |name: &str, values: Vec<f64>, long_name: &str| {
@@ -51,7 +48,7 @@ pub(super) fn run(
     }
     let missed = computed.missed(settings.accuracy);
     Ok(Outcome {
-        scalars: scalars(&fit, &beside, velocity_scale, (&computed, samples.len())),
+        scalars: scalars(&fit, &beside, velocity_scale, (&computed, shape.iter().product())),
         dataset: dataset.attribute("kind", "fit")?,
         table: Some(table(&beside)?),
         checks: vec![returns(&plane, &fit).map_err(unfit)?],
@@ -61,34 +58,6 @@ pub(super) fn run(
     })
 }
 
-/// The solved contacts within the speeds of the plane; those of a paraboloid at each of its depths, because the law is one curve.
-fn samples(plane: &Plane, computed: &ComputedLaw) -> Vec<FitSample> {
-    let solved = computed.points.iter().map(FitSample::from);
-    let all: Vec<FitSample> = match computed.law {
-        Law::Collapsed(_) => solved
-            .flat_map(|sample| plane.indentations.iter().map(move |depth| at_depth(&sample, *depth)))
-            .collect(),
-        _ => solved.collect(),
-    };
-    let (slowest, fastest) = Plane::ends(&plane.velocities);
-    all.into_iter().filter(|sample| sample.velocity >= slowest && sample.velocity <= fastest).collect()
-}
-
-/// The contact of a paraboloid at another depth and the same v τ/√(R δ): F̃ ∝ ŷ^{3/2}, Ã ∝ ŷ, μ ∝ √ŷ.
-fn at_depth(sample: &FitSample, indentation: f64) -> FitSample {
-    let deeper = indentation / sample.indentation;
-    let PerQuantity { force, area, friction } = sample.values;
-    FitSample {
-        velocity: sample.velocity * deeper.sqrt(),
-        indentation,
-        values: PerQuantity {
-            force: force * deeper * deeper.sqrt(),
-            area: area * deeper,
-            friction: friction * deeper.sqrt(),
-        },
-    }
-}
-
 fn scalars(
     fit: &LawFit,
     beside: &[CoefficientComparison],
@@ -96,7 +65,6 @@ fn scalars(
     (computed, samples): (&ComputedLaw, usize),
 ) -> Map<String, Value> {
     let law_error = computed.errors().total();
-    let what = if matches!(computed.law, Law::Collapsed(_)) { SOLVED_AT_ALL_DEPTHS } else { SOLVED };
     fn function<const N: usize>(fit: &FunctionFit<N>) -> Value {
         json!({
             "coefficients": fit.coefficients.to_vec(), "standard_errors": fit.standard_errors.to_vec(),
@@ -116,8 +84,9 @@ fn scalars(
         ("area".to_owned(), function(&fit.area)),
         ("friction".to_owned(), function(&fit.friction)),
         ("velocity_scale".to_owned(), number(velocity_scale)),
-        ("samples".to_owned(), json!(what)),
+        ("samples".to_owned(), json!(SAMPLES)),
         ("sample_count".to_owned(), json!(samples)),
+        ("contacts_solved".to_owned(), json!(computed.points.len())),
         ("r2".to_owned(), json!([fit.force.r2, fit.area.r2, fit.friction.r2])),
         ("beside_the_paper".to_owned(), compared.collect()),
         (
@@ -142,21 +111,9 @@ fn table(beside: &[CoefficientComparison]) -> Result<Table, StudyError> {
 }
 
 /// The functions, fitted to their own values, must come back.
-fn returns(plane: &Plane, fit: &LawFit) -> Result<CheckRecord, judder_contact::fit::FitError> {
+fn returns(plane: &Plane, fit: &LawFit) -> Result<CheckRecord, FitError> {
     let law = fit.law();
-    let mut own = Vec::new();
-    for indentation in &plane.indentations {
-        for velocity in &plane.velocities {
-            let found = law.evaluate(&ContactPoint::new(*velocity, *indentation));
-            let values = PerQuantity {
-                force: found.force.value,
-                area: found.area.value,
-                friction: found.friction.value,
-            };
-            own.push(FitSample { velocity: *velocity, indentation: *indentation, values });
-        }
-    }
-    let again = fit_law(&own, fit.log10_velocity_scale, Weighting::Absolute)?;
+    let again = plane.fit(&Law::Fitted(law), fit.log10_velocity_scale)?;
     let figure = again.beside(&law).iter().map(|line| line.relative_deviation().abs()).fold(0.0, f64::max);
     Ok(CheckRecord {
         name: "the fit finds the coefficients of functions of its own form".to_owned(),

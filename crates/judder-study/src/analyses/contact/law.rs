@@ -7,6 +7,7 @@ use crate::material::ContactScales;
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use judder_case::{ContactCase, Form, LawMethod, LawSettings, Span};
+use judder_contact::fit::{FitError, FitSample, LawFit, Weighting, fit_law};
 use judder_contact::law::file::to_json;
 use judder_contact::law::sweep::SolvedPoint;
 use judder_contact::law::{LawErrors, PerQuantity};
@@ -22,14 +23,14 @@ const DISSIPATION_LIMIT: f64 = 1e-2;
 const PROBES: [(f64, f64); 3] = [(0.31, 0.17), (0.53, 0.61), (0.74, 0.89)];
 
 /// A law over the plane of the settings.
-pub(super) struct Plane {
+pub(crate) struct Plane {
     pub(super) velocities: Vec<f64>,
     pub(super) indentations: Vec<f64>,
 }
 
 impl Plane {
     /// The points of the settings, as v̂ and ŷ.
-    pub(super) fn new(settings: &LawSettings, scales: &ContactScales) -> Self {
+    pub(crate) fn new(settings: &LawSettings, scales: &ContactScales) -> Self {
         let groups = |span: &Span, unit: f64| -> Vec<f64> {
             let unit = if span.form == Form::Group { 1.0 } else { unit };
             span.values().into_iter().map(|value| value * unit).collect()
@@ -40,7 +41,7 @@ impl Plane {
         }
     }
 
-    pub(super) fn ends(values: &[f64]) -> (f64, f64) {
+    fn ends(values: &[f64]) -> (f64, f64) {
         (values.first().copied().unwrap_or(f64::NAN), values.last().copied().unwrap_or(f64::NAN))
     }
 
@@ -64,16 +65,31 @@ impl Plane {
 
     /// A quantity of the law on the plane, row by row of equal indentation.
     pub(super) fn values(&self, law: &Law) -> PerQuantity<Vec<f64>> {
-        let mut values = PerQuantity { force: Vec::new(), area: Vec::new(), friction: Vec::new() };
-        for indentation in &self.indentations {
-            for velocity in &self.velocities {
-                let found = law.evaluate(&ContactPoint::new(*velocity, *indentation));
-                values.force.push(found.force.value);
-                values.area.push(found.area.value);
-                values.friction.push(found.friction.value);
-            }
-        }
-        values
+        let samples = self.samples(law);
+        let of = |pick: fn(&PerQuantity<f64>) -> f64| samples.iter().map(|s| pick(&s.values)).collect();
+        PerQuantity { force: of(|q| q.force), area: of(|q| q.area), friction: of(|q| q.friction) }
+    }
+
+    /// The law at every point of the plane, row by row of equal indentation: what is fitted, shown and judged.
+    pub(crate) fn samples(&self, law: &Law) -> Vec<FitSample> {
+        let at = |velocity: f64, indentation: f64| {
+            let found = law.evaluate(&ContactPoint::new(velocity, indentation));
+            let (force, area, friction) = (found.force.value, found.area.value, found.friction.value);
+            FitSample { velocity, indentation, values: PerQuantity { force, area, friction } }
+        };
+        let row = |depth: &f64| self.velocities.iter().map(|v| at(*v, *depth)).collect::<Vec<_>>();
+        self.indentations.iter().flat_map(row).collect()
+    }
+
+    /// The functions of appendix B through a law on the plane, read at 10^`log10_velocity_scale` v̂; with the errors of as many samples
+    /// as the law has contacts, because it is interpolated between them.
+    ///
+    /// # Errors
+    /// As [`fit_law`].
+    pub(crate) fn fit(&self, law: &Law, log10_velocity_scale: f64) -> Result<LawFit, FitError> {
+        let samples = self.samples(law);
+        let contacts = law.data().map_or(samples.len(), |data| data.values().force.len());
+        fit_law(&samples, log10_velocity_scale, Weighting::Absolute)?.of_independent(contacts)
     }
 
     /// The coordinates of arrays on the plane.

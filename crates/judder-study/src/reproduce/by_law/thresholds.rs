@@ -1,0 +1,216 @@
+//! The thresholds of Figs. 7 and 8 with the three laws: drawn, and how far they move.
+
+use super::{LAWS, LOADS, friction, sources, stored};
+use crate::error::StudyError;
+use crate::labels::short_number;
+use crate::pictures::{axis, reals};
+use crate::reproduce::claims::short;
+use judder_report::page::Table;
+use judder_report::{Axis, Figure, Layer, Legend, Panel};
+use judder_store::{Dataset, StudyFolder, Summary};
+
+/// A figure of thresholds over speed.
+struct Kind {
+    /// Its source.
+    source: &'static str,
+    /// Its name in the paper.
+    label: &'static str,
+    /// File stem of the drawing.
+    stem: &'static str,
+    title: &'static str,
+    /// Name of the coordinate of its curves, and its symbol.
+    family: (&'static str, &'static str),
+    vertical: &'static str,
+    /// Which of the thresholds at one speed it is about: the paper knows one, the full system up to three.
+    which: &'static str,
+    pick: fn(&[f64]) -> Option<f64>,
+}
+
+const KINDS: [Kind; 2] = [
+    Kind {
+        source: "fig-7",
+        label: "Fig. 7",
+        stem: "thresholds-by-law",
+        title: "Critical shear strength with three laws",
+        family: ("normal_load", "$F̃_{n}$"),
+        vertical: "Lowest threshold $τ̃_{0,crit}$ (−)",
+        which: "lowest",
+        pick: |roots| roots.iter().copied().find(|root| root.is_finite()),
+    },
+    Kind {
+        source: "fig-8",
+        label: "Fig. 8",
+        stem: "loads-by-law",
+        title: "Critical load with three laws",
+        family: ("shear_strength", "$τ̃_{0}$"),
+        vertical: "Highest threshold $F̃_{n,crit}$ (−)",
+        which: "highest",
+        pick: |roots| roots.iter().copied().rfind(|root| root.is_finite()),
+    },
+];
+
+/// One figure with one friction load: `[law][curve][speed]`, NaN where there is no threshold.
+pub(super) struct Moved {
+    kind: &'static Kind,
+    load: &'static str,
+    speed: Axis,
+    speeds: Vec<f64>,
+    family: Vec<f64>,
+    full: Vec<Vec<Vec<f64>>>,
+    conservative: Vec<Vec<Vec<f64>>>,
+}
+
+/// What is stored of both figures with both friction loads.
+pub(super) fn all(store: &StudyFolder, summary: &Summary) -> Result<Vec<Moved>, StudyError> {
+    let mut all = Vec::new();
+    for kind in &KINDS {
+        for load in LOADS {
+            all.extend(Moved::of(store, summary, kind, load)?);
+        }
+    }
+    Ok(all)
+}
+
+impl Moved {
+    fn of(
+        store: &StudyFolder,
+        summary: &Summary,
+        kind: &'static Kind,
+        load: &'static str,
+    ) -> Result<Option<Self>, StudyError> {
+        let Some(source) = sources().find(|source| source.name == kind.source) else { return Ok(None) };
+        let mut datasets = Vec::new();
+        for (law, ..) in LAWS {
+            let Some(dataset) = stored(store, summary, source, law, load)? else { return Ok(None) };
+            datasets.push(dataset);
+        }
+        Ok(Self::from_datasets(kind, load, &datasets))
+    }
+
+    fn from_datasets(kind: &'static Kind, load: &'static str, datasets: &[Dataset]) -> Option<Self> {
+        let first = datasets.first()?;
+        let of = |name: &str| datasets.iter().map(|dataset| picked(dataset, name, kind)).collect();
+        let (full, conservative): (Option<Vec<_>>, Option<Vec<_>>) = (of("full"), of("conservative"));
+        Some(Self {
+            kind,
+            load,
+            speed: axis(first.variable("velocity")?),
+            speeds: reals(first, "velocity")?.to_vec(),
+            family: reals(first, kind.family.0)?.to_vec(),
+            full: full?,
+            conservative: conservative?,
+        })
+    }
+
+    /// One panel a curve of the paper's figure, with the three laws.
+    pub(super) fn figure(&self) -> Figure {
+        let panel = |(curve, value): (usize, &f64)| {
+            let mut layers = Vec::new();
+            for (law, (_, name, role)) in LAWS.into_iter().enumerate() {
+                let line = |label: &str, lists: &[Vec<Vec<f64>>], style| {
+                    Layer::line(label, self.speeds.clone(), lists[law][curve].clone(), style)
+                };
+                layers.push(line(name, &self.full, role.solid()));
+                layers.push(line("", &self.conservative, role.dashed()));
+            }
+            Panel::new(self.speed.clone(), Axis::log(self.kind.vertical), layers)
+                .with_title(format!("{} = {}", self.kind.family.1, short_number(*value)))
+                .with_legend(Legend::Below)
+        };
+        let panels = self.family.iter().enumerate().map(panel).collect();
+        let ending = if self.load == LOADS[0] { String::new() } else { format!("-{}", self.load) };
+        Figure::new(format!("{}{ending}", self.kind.stem), self.kind.title, panels).with_caption(format!(
+            "The {} threshold of {} with {}. Solid: full system. Dashed: without damping.",
+            self.kind.which,
+            self.kind.label,
+            friction(self.load)
+        ))
+    }
+
+    /// One row a curve: by what factor the thresholds of the full system differ between two laws.
+    fn rows(&self) -> Vec<Vec<String>> {
+        let row = |(curve, value): (usize, &f64)| {
+            let value = format!("{} = {}", self.kind.family.1, short_number(*value));
+            let mut row = vec![self.kind.label.to_owned(), friction(self.load).to_owned(), value];
+            for [a, b] in [[0, 2], [1, 2]] {
+                let distance = Distance::between(&self.full[a][curve], &self.full[b][curve]);
+                row.push(short(distance.median));
+                row.push(short(distance.largest));
+                row.push(format!("{:.0}", 100.0 * distance.unpaired));
+            }
+            row
+        };
+        self.family.iter().enumerate().map(row).collect()
+    }
+}
+
+/// The threshold that a figure is about, of every curve and speed.
+fn picked(dataset: &Dataset, name: &str, kind: &Kind) -> Option<Vec<Vec<f64>>> {
+    let speeds = reals(dataset, "velocity")?.len();
+    let most = (*dataset.variable(name)?.shape.last()?).max(1);
+    let curve = |roots: &[f64]| roots.chunks(most).map(|at| (kind.pick)(at).unwrap_or(f64::NAN)).collect();
+    Some(reals(dataset, name)?.chunks(most * speeds).map(curve).collect())
+}
+
+/// How far two curves of thresholds are from each other.
+struct Distance {
+    /// Median over the speeds of the larger threshold over the smaller.
+    median: f64,
+    /// The same, the largest.
+    largest: f64,
+    /// Share of the speeds at which one of the two has a threshold and the other none.
+    unpaired: f64,
+}
+
+impl Distance {
+    fn between(a: &[f64], b: &[f64]) -> Self {
+        let pairs = || a.iter().zip(b);
+        let both = pairs().filter(|(a, b)| a.is_finite() && b.is_finite());
+        let mut factors: Vec<f64> = both.map(|(a, b)| (a / b).max(b / a)).collect();
+        factors.sort_by(f64::total_cmp);
+        let single = pairs().filter(|(a, b)| a.is_finite() != b.is_finite()).count();
+        Self {
+            median: factors.get(factors.len() / 2).copied().unwrap_or(f64::NAN),
+            largest: factors.last().copied().unwrap_or(f64::NAN),
+            unpaired: single as f64 / a.len().max(1) as f64,
+        }
+    }
+}
+
+/// How far the thresholds move, in numbers.
+pub(super) fn table(moved: &[Moved]) -> Table {
+    Table {
+        caption: "The threshold of the full system (Fig. 7: the lowest, Fig. 8: the highest) with one law over that with another, the larger over the smaller: \
+                  median and largest over the speeds; and the share of the speeds, in per cent, at which one law has a threshold and the other none. \
+                  Factors of thousands stand where a branch ends at another speed and a threshold far from it takes its place."
+            .to_owned(),
+        head: [
+            "figure",
+            "friction",
+            "curve",
+            "printed → computed, median",
+            "largest",
+            "only one, %",
+            "corrected → computed, median",
+            "largest",
+            "only one, %",
+        ]
+        .map(str::to_owned)
+        .to_vec(),
+        rows: moved.iter().flat_map(Moved::rows).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thresholds_are_compared_where_both_laws_have_one() {
+        let none = f64::NAN;
+        let distance = Distance::between(&[1.0, 2.0, 8.0, none, none], &[2.0, 2.0, 1.0, 3.0, none]);
+        assert_eq!((distance.median, distance.largest, distance.unpaired), (2.0, 8.0, 0.2));
+        assert_eq!((KINDS[0].pick)(&[0.1, 0.3, none]), Some(0.1));
+        assert_eq!((KINDS[1].pick)(&[0.1, 0.3, none]), Some(0.3));
+    }
+}

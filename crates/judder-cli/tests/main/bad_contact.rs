@@ -178,7 +178,7 @@ fn a_law_file_that_is_none() {
 fn a_square_that_the_contact_does_not_fit_into() {
     let text = case(
         "indenter = { shape = \"sphere\" }",
-        "name = \"tight\"\nkind = \"contact\"\nvelocity = 1e-2\nindentation = 1e-2\ncells = 64\ndomain = 0.1",
+        "name = \"tight\"\nkind = \"contact\"\nvelocity = 1e-2\nindentation = 1e-2\ncells = 128\ndomain = 0.1",
     );
     let text = format!("{text}[[analysis]]\nkind = \"modulus\"\n");
     let desk = Desk::with_case(&text);

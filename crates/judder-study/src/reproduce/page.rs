@@ -59,9 +59,8 @@ fn boards(lines: &[ClaimLine], computed_for: &str) -> Vec<Block> {
     vec![
         Block::text(format!(
             "Every number and claim of sections 2 to 4, measured with both readings of the viscoelastic friction: with the velocity axis of the fits \
-             as printed and corrected, and with the law computed for {}. A verdict is about the printed law; the other columns show what the \
-             correction and the computation do to it.",
-            computed_for
+             as printed and corrected, and with the law computed for {computed_for}. A verdict is about the printed law; the other columns show what the \
+             correction and the computation do to it."
         )),
         Block::Scoreboard(scoreboard::block(sections, &readings)),
         Block::Heading("The contact computation".to_owned()),

@@ -97,14 +97,17 @@ impl Refined<'_> {
         if !stalled.is_empty() {
             return Some(format!("the contact was not solved on {}", stalled.join(", ")));
         }
+        let finest = r.levels.last().map(size).unwrap_or_default();
+        if r.area.error.is_infinite() || r.friction.error.is_infinite() {
+            return Some(format!(
+                "the errors of area and friction are not known on {finest}: it takes three grids to tell them; give 128 or more, or \
+                 leave `cells` out"
+            ));
+        }
         Some(format!(
-            "the accuracy {accuracy:.0e} is not met on {}: estimated errors of force {:.1e}, depth {:.1e}, area {:.1e}, \
+            "the accuracy {accuracy:.0e} is not met on {finest}: estimated errors of force {:.1e}, depth {:.1e}, area {:.1e}, \
              friction {:.1e} (area and friction may have five times the accuracy)",
-            r.levels.last().map(size).unwrap_or_default(),
-            r.force.error,
-            r.indentation.error,
-            r.area.error,
-            r.friction.error
+            r.force.error, r.indentation.error, r.area.error, r.friction.error
         ))
     }
 }

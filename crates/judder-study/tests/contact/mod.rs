@@ -73,23 +73,17 @@ fn the_cylinders_of_wang_and_knothe() {
 }
 
 #[test]
-fn two_grids_far_from_each_other_do_not_count_as_converged() {
-    let folder = tempfile::tempdir().unwrap();
-    let report = run_text(
-        folder.path(),
-        r#"
-        model = "contact"
-        [[analysis]]
-        kind = "contact"
-        velocity = 1e-1
-        load = 1e-3
-        cells = 64
-        accuracy = 1e-6
-        "#,
-    );
-    assert!(!report.complete);
-    assert_eq!(result(&report, "contact")["converged"], false);
-    assert!(report.messages.iter().any(|message| message.contains("is not met on 64 × 64 cells")));
+fn grids_far_from_each_other_do_not_count_as_converged() {
+    for (cells, said) in [(64, "are not known on 64 × 64 cells"), (128, "is not met on 128 × 128 cells")] {
+        let folder = tempfile::tempdir().unwrap();
+        let text = format!(
+            "model = \"contact\"\n[[analysis]]\nkind = \"contact\"\nvelocity = 1e-1\nload = 1e-3\ncells = {cells}\naccuracy = 1e-6\n"
+        );
+        let report = run_text(folder.path(), &text);
+        assert!(!report.complete);
+        assert_eq!(result(&report, "contact")["converged"], false);
+        assert!(report.messages.iter().any(|message| message.contains(said)), "{:?}", report.messages);
+    }
 }
 
 /// A law goes from its case into a file, and from there into an oscillator; the fit finds the paper's shape.

@@ -6,10 +6,12 @@
 //! - [`quadrature`]: the rule of Gauss and Legendre.
 //! - [`gmres`]: a large, non-symmetric system known only by its products.
 //! - [`dense`]: a small system of linear equations.
+//! - [`counter`]: even random numbers, each computed from its place alone.
 //! - [`piecewise`]: motion whose equations change from mode to mode, with located events.
 //!
 //! What a library does is called, not wrapped; these stand here because no library gives them in this form.
 
+pub mod counter;
 pub mod dense;
 pub mod elementary;
 pub mod gmres;

@@ -6,12 +6,14 @@
 //! - [`stick_slip`]: the oscillator of the paper as such a system.
 //! - [`belt`]: the mass on a belt, with one degree of freedom, of the literature's benchmarks.
 //! - [`measures`]: averages, fractions of the time, work along a motion.
+//! - [`history`]: a motion over a given time.
 //! - [`attractor`]: where a motion settles.
 //! - [`time_stepping`], [`smoothed`]: two other engines for the same motion, to hold the first against.
 
 pub mod attractor;
 pub mod belt;
 pub mod contact_state;
+pub mod history;
 pub mod measures;
 pub mod sliding_system;
 pub mod smoothed;

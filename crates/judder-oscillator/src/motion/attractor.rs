@@ -10,6 +10,8 @@ use std::collections::VecDeque;
 pub struct Patience {
     /// The longest time.
     pub time: f64,
+    /// The first part of it, which the averages of an irregular motion leave out.
+    pub transient: f64,
     /// Distance of returns from each other, over their distance from steady sliding, below which they are the same.
     pub closeness: f64,
     /// Distance from steady sliding, in the same scales, below which the motion has come to it.
@@ -20,7 +22,7 @@ pub struct Patience {
 
 impl Default for Patience {
     fn default() -> Self {
-        Self { time: 2e4, closeness: 1e-6, rest: 1e-6, oscillations: 8 }
+        Self { time: 2e4, transient: 1e4, closeness: 1e-6, rest: 1e-6, oscillations: 8 }
     }
 }
 
@@ -47,9 +49,11 @@ pub struct Attractor<const N: usize> {
     pub time: f64,
     /// The period of a cycle; the mean time of an oscillation otherwise, NaN where there was none.
     pub period: f64,
-    /// Over one period of a cycle, over the second half of the time otherwise.
+    /// Over one period of a cycle; over the time after the transient of an irregular motion.
     pub measures: Measures,
-    /// Its last state, on the section unless it is irregular.
+    /// Its last meetings with the section, the latest first: those of one period of a cycle, some of an irregular motion.
+    pub returns: Vec<[f64; N]>,
+    /// Its last state, on the section if it is a cycle.
     pub state: [f64; N],
     /// Of an irregular motion the returns that came nearest to an earlier one, and how many oscillations lie between, by
     /// rising number: each is next to an unstable cycle.
@@ -82,22 +86,24 @@ pub fn settle<const N: usize>(
     let mut late = Measures::default();
     loop {
         let advance = march.advance(patience.time)?;
-        if march.time() > 0.5 * patience.time
+        if march.time() > patience.transient
             && let Some(leg) = &advance.leg
         {
             late.add(system, leg, rest[0]);
             late.changes += usize::from(advance.crossing.is_some());
         }
+        // after every step: not every motion to steady sliding oscillates
+        let state = march.state();
+        if march.mode() == ContactState::SlipBehind && distance(&state, &rest, &scales) < patience.rest {
+            return Ok(at_rest(&march, &returns, state));
+        }
         if advance.on_section {
-            returns.push_front((march.time(), march.state()));
+            returns.push_front((march.time(), state));
             returns.truncate(REMEMBERED * patience.oscillations);
-            let state = march.state();
-            if march.mode() == ContactState::SlipBehind && distance(&state, &rest, &scales) < patience.rest {
-                return Ok(at_rest(&march, &returns, state));
-            }
             let allowed = patience.closeness * distance(&state, &rest, &scales);
             if let Some(oscillations) = repetition(&returns, &scales, allowed, patience.oscillations) {
-                return one_period(system, march, settings, oscillations);
+                let returns = returns.iter().take(oscillations).map(|(_, state)| *state).collect();
+                return one_period(system, march, settings, returns);
             }
         }
         if march.time() >= patience.time {
@@ -106,6 +112,7 @@ pub fn settle<const N: usize>(
                 time: march.time(),
                 period: mean_return_time(&returns),
                 measures: late,
+                returns: returns.iter().map(|(_, state)| *state).collect(),
                 state: march.state(),
                 recurrences: recurrences(&returns, &scales, patience.oscillations),
             });
@@ -123,6 +130,7 @@ fn at_rest<S: SlidingSystem<N>, const N: usize>(
         time: march.time(),
         period: mean_return_time(returns),
         measures: Measures::default(),
+        returns: Vec::new(),
         state,
         recurrences: Vec::new(),
     }
@@ -148,8 +156,10 @@ fn recurrences<const N: usize>(
     (1..=most).filter_map(nearest).collect()
 }
 
-/// The fewest oscillations after which the returns repeat, twice in a row.
-fn repetition<const N: usize>(
+/// The fewest oscillations, `most` at most, after which the returns (time and state, the latest first) come `allowed` near to
+/// each other in units of the scales, twice in a row; `None` where there are none.
+#[must_use]
+pub fn repetition<const N: usize>(
     returns: &VecDeque<(f64, [f64; N])>,
     scales: &[f64; N],
     allowed: f64,
@@ -170,11 +180,12 @@ fn one_period<S: SlidingSystem<N>, const N: usize>(
     system: &S,
     march: March<'_, S, N>,
     settings: Settings<N>,
-    oscillations: usize,
+    returns: Vec<[f64; N]>,
 ) -> Result<Attractor<N>, MarchError> {
     let (start, rest) = (march.state(), system.steady_sliding());
     let mut lap = March::new(system, march.mode(), start, settings)?.with_section(system.section());
     let mut measures = Measures::default();
+    let oscillations = returns.len();
     let mut left = oscillations;
     while left > 0 {
         let advance = lap.advance(f64::INFINITY)?;
@@ -189,6 +200,7 @@ fn one_period<S: SlidingSystem<N>, const N: usize>(
         time: march.time(),
         period: lap.time(),
         measures,
+        returns,
         state: lap.state(),
         recurrences: Vec::new(),
     })

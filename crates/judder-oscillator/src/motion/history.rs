@@ -1,0 +1,310 @@
+//! The history of one motion: states on a uniform grid of time, changes of the contact state, oscillations, averages.
+
+use super::measures::Measures;
+use super::{ContactState, SlidingSystem};
+use judder_numerics::piecewise::quartic::{first_fall, value};
+use judder_numerics::piecewise::{Advance, Crossing, Leg, March, MarchError, Settings};
+use thiserror::Error;
+
+/// What of a motion is kept.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Window {
+    /// How long it is followed.
+    pub duration: f64,
+    /// The first part of the time, which averages and oscillations leave out.
+    pub transient: f64,
+    /// Points of the grid of time, both ends included; at least 2.
+    pub points: usize,
+}
+
+/// A state on the grid of time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sample<const N: usize> {
+    /// When.
+    pub time: f64,
+    /// In which contact state.
+    pub contact_state: ContactState,
+    /// The state.
+    pub state: [f64; N],
+}
+
+/// One oscillation, from one largest x to the next.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Oscillation<const N: usize> {
+    /// When it ends.
+    pub time: f64,
+    /// How long it takes.
+    pub period: f64,
+    /// Half the distance between its smallest and its largest x.
+    pub amplitude: f64,
+    /// The state at its end, on the section.
+    pub state: [f64; N],
+}
+
+/// A motion that was followed to the end of its time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct History<const N: usize> {
+    /// The states on the grid.
+    pub samples: Vec<Sample<N>>,
+    /// All changes of the contact state, those of the transient too.
+    pub events: Vec<Crossing<ContactState, N>>,
+    /// The oscillations after the transient.
+    pub oscillations: Vec<Oscillation<N>>,
+    /// Averages and work after the transient.
+    pub measures: Measures,
+    /// The energy at the end less that at the end of the transient.
+    pub energy_change: f64,
+    /// Steps used.
+    pub steps: usize,
+}
+
+impl<const N: usize> History<N> {
+    /// What the works after the transient leave of the change of energy, over the largest of them; zero where nothing
+    /// moved.
+    #[must_use]
+    pub fn energy_residual(&self) -> f64 {
+        let work = self.measures.work;
+        let parts = [work.friction, work.normal, work.damping, self.energy_change];
+        let largest = parts.iter().fold(0.0_f64, |largest, part| largest.max(part.abs()));
+        if largest == 0.0 {
+            return 0.0;
+        }
+        (work.friction + work.normal + work.damping - self.energy_change).abs() / largest
+    }
+}
+
+/// A motion that cannot be followed to its end, with the last state that was reached.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[error("{source}; it is in {contact_state}, at the state {state:?}")]
+pub struct LostMotion {
+    /// Why.
+    pub source: MarchError,
+    /// The contact state there.
+    pub contact_state: ContactState,
+    /// The state there: displacements, then their velocities.
+    pub state: Vec<f64>,
+}
+
+/// Follows a motion over a time.
+///
+/// # Errors
+/// The motion cannot be followed: budget of steps, accumulation, a state that is not finite.
+pub fn follow<const N: usize>(
+    system: &impl SlidingSystem<N>,
+    start: [f64; N],
+    settings: Settings<N>,
+    window: &Window,
+) -> Result<History<N>, LostMotion> {
+    let mut march = begin(system, start, settings)?;
+    let mut recorder = Recorder::new(system, window);
+    for until in [window.transient, window.duration] {
+        recorder.begin(&march);
+        while march.time() < until {
+            recorder.add(&advance(&mut march, until)?);
+        }
+    }
+    Ok(recorder.finish(&march))
+}
+
+/// Follows a cycle once around: from `start`, moved onto the section, for so many returns, which take `period`.
+///
+/// # Errors
+/// As [`follow`].
+pub fn follow_cycle<const N: usize>(
+    system: &impl SlidingSystem<N>,
+    mut start: [f64; N],
+    settings: Settings<N>,
+    (returns, period): (usize, f64),
+    points: usize,
+) -> Result<History<N>, LostMotion> {
+    start[N / 2] = 0.0;
+    let window = Window { duration: period, transient: 0.0, points };
+    let mut march = begin(system, start, settings)?;
+    let mut recorder = Recorder::new(system, &window);
+    recorder.begin(&march);
+    while recorder.history.oscillations.len() < returns {
+        recorder.add(&advance(&mut march, f64::INFINITY)?);
+    }
+    Ok(recorder.finish(&march))
+}
+
+fn begin<S: SlidingSystem<N>, const N: usize>(
+    system: &S,
+    start: [f64; N],
+    settings: Settings<N>,
+) -> Result<March<'_, S, N>, LostMotion> {
+    let contact_state = system.contact_state(&start);
+    let march = March::new(system, contact_state, start, settings);
+    let march = march.map_err(|source| LostMotion { source, contact_state, state: start.to_vec() })?;
+    Ok(march.with_section(system.section()))
+}
+
+fn advance<S: SlidingSystem<N>, const N: usize>(
+    march: &mut March<'_, S, N>,
+    until: f64,
+) -> Result<Advance<ContactState, N>, LostMotion> {
+    march.advance(until).map_err(|source| LostMotion {
+        source,
+        contact_state: march.mode(),
+        state: march.state().to_vec(),
+    })
+}
+
+/// A history in the making.
+struct Recorder<'a, S, const N: usize> {
+    system: &'a S,
+    window: &'a Window,
+    /// x of steady sliding, about which moments are taken.
+    centre: f64,
+    history: History<N>,
+    /// The energy where averages begin.
+    energy: f64,
+    /// When the section was last met, where it was.
+    last_return: Option<f64>,
+    /// Smallest and largest x since then.
+    range: (f64, f64),
+}
+
+impl<'a, S: SlidingSystem<N>, const N: usize> Recorder<'a, S, N> {
+    fn new(system: &'a S, window: &'a Window) -> Self {
+        let history = History {
+            samples: Vec::with_capacity(window.points),
+            events: Vec::new(),
+            oscillations: Vec::new(),
+            measures: Measures::default(),
+            energy_change: 0.0,
+            steps: 0,
+        };
+        let centre = system.steady_sliding()[0];
+        Self { system, window, centre, history, energy: 0.0, last_return: None, range: (f64::NAN, f64::NAN) }
+    }
+
+    /// Averages begin here, anew.
+    fn begin(&mut self, march: &March<'_, S, N>) {
+        self.history.measures = Measures::default();
+        self.history.oscillations.clear();
+        self.energy = self.system.energy(&march.state());
+        let state = march.state();
+        // where x' is zero and falling x is largest
+        let falls = self.system.field(march.mode(), &state)[N / 2] < 0.0;
+        let starts_on_section = falls && self.system.section().value(&state) == 0.0;
+        self.last_return = starts_on_section.then(|| march.time());
+        self.range = (state[0], state[0]);
+    }
+
+    fn add(&mut self, advance: &Advance<ContactState, N>) {
+        if let Some(leg) = &advance.leg {
+            self.history.measures.add(self.system, leg, self.centre);
+            self.add_samples(leg);
+            self.widen(leg);
+            if advance.on_section {
+                self.add_return(leg);
+            }
+        }
+        if let Some(crossing) = advance.crossing.filter(|crossing| crossing.from != crossing.to) {
+            self.history.events.push(crossing);
+            self.history.measures.changes += 1;
+        }
+    }
+
+    /// The time of the next point of the grid.
+    fn next_time(&self) -> f64 {
+        self.window.duration * self.history.samples.len() as f64 / (self.window.points - 1) as f64
+    }
+
+    fn add_samples(&mut self, leg: &Leg<ContactState, N>) {
+        while self.history.samples.len() < self.window.points && self.next_time() <= leg.time + leg.step {
+            let time = self.next_time();
+            let fraction = ((time - leg.time) / leg.step).clamp(0.0, 1.0);
+            self.history.samples.push(Sample { time, contact_state: leg.mode, state: leg.at(fraction) });
+        }
+    }
+
+    /// Takes note of how far x goes along a leg: a smallest x within it is where x' rises through zero.
+    fn widen(&mut self, leg: &Leg<ContactState, N>) {
+        let turn = first_fall(&leg.dense[N / 2].map(|c| -c)).map(|fraction| value(&leg.dense[0], fraction));
+        for x in [leg.dense[0][0], leg.end[0]].into_iter().chain(turn) {
+            self.range = (self.range.0.min(x), self.range.1.max(x));
+        }
+    }
+
+    fn add_return(&mut self, leg: &Leg<ContactState, N>) {
+        let time = leg.time + leg.step;
+        if let Some(last) = self.last_return {
+            let amplitude = 0.5 * (self.range.1 - self.range.0);
+            let oscillation = Oscillation { time, period: time - last, amplitude, state: leg.end };
+            self.history.oscillations.push(oscillation);
+        }
+        self.last_return = Some(time);
+        self.range = (leg.end[0], leg.end[0]);
+    }
+
+    fn finish(mut self, march: &March<'_, S, N>) -> History<N> {
+        // the last point of the grid may lie a rounding error beyond the last step
+        while self.history.samples.len() < self.window.points {
+            let (time, contact_state, state) = (self.next_time(), march.mode(), march.state());
+            self.history.samples.push(Sample { time, contact_state, state });
+        }
+        self.history.energy_change = self.system.energy(&march.state()) - self.energy;
+        self.history.steps = march.steps_used();
+        self.history
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::{BeltOscillator, FallingFriction};
+
+    fn belt(damping: f64, velocity: f64) -> BeltOscillator {
+        let friction = FallingFriction { at_rest: 1.0, at_speed: 0.5, decay_speed: 0.5 };
+        BeltOscillator::new(damping, 1.0, velocity, friction).unwrap()
+    }
+
+    fn settings(steps: usize) -> Settings<2> {
+        Settings { relative: 1e-10, absolute: [1e-10; 2], longest_step: 1.0, steps }
+    }
+
+    #[test]
+    fn a_stick_slip_motion_is_kept_with_its_events_and_its_energy() {
+        let window = Window { duration: 100.0, transient: 40.0, points: 1001 };
+        let history = follow(&belt(0.05, 1.0), [1.0, 1.0], settings(1_000_000), &window).unwrap();
+        assert_eq!(history.samples.len(), 1001);
+        assert_eq!((history.samples[0].time, history.samples[1000].time), (0.0, 100.0));
+        for crossing in &history.events {
+            // a sticking mass moves with the belt
+            let before = history.samples.iter().rev().find(|s| s.time < crossing.time);
+            if let Some(sample) = before.filter(|s| s.contact_state == ContactState::Stick) {
+                assert_eq!((crossing.from, sample.state[1]), (ContactState::Stick, 1.0));
+            }
+        }
+        // a cycle: nothing is stored, what the belt feeds in is dissipated
+        assert!(history.energy_residual() < 1e-7, "{:e}", history.energy_residual());
+        assert!(history.measures.work.friction > 0.0 && history.measures.work.damping < 0.0);
+        let [.., before, last] = history.oscillations[..] else { unreachable!("oscillations") };
+        assert!(
+            (before.period - last.period).abs() < 1e-6 && (before.amplitude - last.amplitude).abs() < 1e-6
+        );
+    }
+
+    #[test]
+    fn an_undamped_swing_has_the_period_and_the_amplitude_of_its_frequency() {
+        // far above the speeds of the swing friction is constant
+        let window = Window { duration: 50.0, transient: 0.0, points: 2 };
+        let history = follow(&belt(0.0, 1000.0), [0.5 + 0.25, 0.0], settings(1_000_000), &window).unwrap();
+        for oscillation in &history.oscillations {
+            assert!((oscillation.period - std::f64::consts::TAU).abs() < 1e-8);
+            assert!((oscillation.amplitude - 0.25).abs() < 1e-8);
+        }
+        assert_eq!(history.oscillations.len(), 7);
+    }
+
+    #[test]
+    fn a_spent_budget_says_where_the_motion_stands() {
+        let window = Window { duration: 100.0, transient: 0.0, points: 2 };
+        let lost = follow(&belt(0.05, 1.0), [1.0, 1.0], settings(50), &window).unwrap_err();
+        assert!(matches!(lost.source, MarchError::StepsSpent { steps: 50, .. }));
+        assert_eq!(lost.state.len(), 2);
+        assert!(lost.to_string().contains("at the state ["), "{lost}");
+    }
+}

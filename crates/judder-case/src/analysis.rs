@@ -22,13 +22,14 @@ pub(crate) struct Kind<S, T> {
     pub(crate) read: fn(&S, &Section<'_>) -> Result<T, Fault>,
 }
 
-/// Kinds of the oscillator that this version does not compute yet.
-const LATER: [&str; 4] = ["motion", "bifurcation", "limit-cycle", "basin"];
-
 /// Every other kind of any model.
-const OTHER_MODELS: [&str; 18] = [
+const OTHER_MODELS: [&str; 22] = [
     "spectrum",
     "stability-map",
+    "motion",
+    "bifurcation",
+    "limit-cycle",
+    "basin",
     "equivalent-damping",
     "critical-shear-strength",
     "critical-load",
@@ -90,9 +91,7 @@ fn find_kind<'k, S, T>(node: &Node, kinds: &'k [Kind<S, T>]) -> Result<&'k Kind<
     }
     let (what, place) = ("analysis kind", entry.node.part(0..name.len()));
     let name = name.to_owned();
-    Err(if LATER.contains(&name.as_str()) {
-        Cause::LaterVersion { what, name, known }
-    } else if OTHER_MODELS.contains(&name.as_str()) {
+    Err(if OTHER_MODELS.contains(&name.as_str()) {
         Cause::OtherModel { name, known }
     } else {
         Cause::UnknownName { what, name, known }

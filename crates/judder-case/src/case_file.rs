@@ -4,6 +4,7 @@ use std::fs::File;
 use std::io::{ErrorKind, Read};
 use std::path::Path;
 
+use crate::belt_case::BeltCase;
 use crate::cause::Cause;
 use crate::contact_case::ContactCase;
 use crate::contact_problem::ContactProblem;
@@ -12,7 +13,7 @@ use crate::error::{CaseError, Fault, Place, Sources};
 use crate::file_reference::FileReference;
 use crate::oscillator_case::OscillatorCase;
 use crate::two_degrees::TwoDegreesCase;
-use crate::{contact_case, oscillator_case, two_degrees};
+use crate::{belt_case, contact_case, oscillator_case, two_degrees};
 
 /// A case file that was read and found valid.
 #[derive(Debug, Clone)]
@@ -36,12 +37,14 @@ pub enum Case {
     Oscillator(OscillatorCase),
     /// `model = "contact"`.
     Contact(ContactCase),
+    /// `model = "belt"`.
+    Belt(BeltCase),
     /// `model = "two-degrees"`.
     TwoDegrees(TwoDegreesCase),
 }
 
 /// The models of this version.
-pub const MODELS: [&str; 3] = ["oscillator", "contact", "two-degrees"];
+pub const MODELS: [&str; 4] = ["oscillator", "contact", "belt", "two-degrees"];
 
 impl Case {
     /// The name of its model in a case file.
@@ -49,6 +52,7 @@ impl Case {
         match self {
             Self::Oscillator(_) => "oscillator",
             Self::Contact(_) => "contact",
+            Self::Belt(_) => "belt",
             Self::TwoDegrees(_) => "two-degrees",
         }
     }
@@ -58,7 +62,7 @@ impl Case {
         match self {
             Self::Oscillator(case) => case.files(),
             Self::Contact(case) => case.files(),
-            Self::TwoDegrees(_) => Vec::new(),
+            Self::Belt(_) | Self::TwoDegrees(_) => Vec::new(),
         }
     }
 }
@@ -154,6 +158,7 @@ fn read_case(name: &str, text: &str, overrides: &[String]) -> Result<Case, Fault
     match read_model(&root)? {
         "oscillator" => oscillator_case::read(&root, folder).map(Case::Oscillator),
         "contact" => contact_case::read(&root, folder).map(Case::Contact),
+        "belt" => belt_case::read(&root).map(Case::Belt),
         _ => two_degrees::read(&root).map(Case::TwoDegrees),
     }
 }

@@ -243,6 +243,14 @@ pub enum Cause {
         /// The second end.
         to: f64,
     },
+    /// A transient that leaves no time to average over.
+    #[error("the transient of {transient:?} leaves nothing of the duration of {duration:?}")]
+    NothingMeasured {
+        /// The transient, in the form of the case.
+        transient: f64,
+        /// The duration, in the form of the case.
+        duration: f64,
+    },
     /// A sweep of fewer than two points.
     #[error("a sweep has at least 2 points, not {points}")]
     TooFewPoints {

@@ -24,6 +24,7 @@ impl Cause {
             Self::Conflict { .. } | Self::KeyTwice { .. } | Self::DuplicateName { .. } => "given twice",
             Self::NotNumeric { .. } => "not a number",
             Self::EmptyRange { .. } | Self::Backwards { .. } | Self::LogThroughZero { .. } => "this range",
+            Self::NothingMeasured { .. } => "too long",
             Self::TooFewPoints { .. } => "too few",
             Self::Mass { .. } => "not a mass matrix",
             Self::TooLarge { .. } => "too many",
@@ -82,6 +83,7 @@ impl Cause {
             }
             Self::EmptyRange { .. } => "let `from` and `to` differ".to_owned(),
             Self::Backwards { .. } => "exchange `from` and `to`".to_owned(),
+            Self::NothingMeasured { .. } => "let `transient` be shorter than `duration`".to_owned(),
             Self::TooFewPoints { .. } => "count both ends".to_owned(),
             Self::KeyTwice { .. } => "take two different quantities".to_owned(),
             Self::NotFinite { .. } => "nan, inf and numbers beyond 1e308 are not values of a case".to_owned(),

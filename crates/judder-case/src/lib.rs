@@ -11,12 +11,14 @@
 //! - `analysis`, [`oscillator_analysis`], [`oscillator_case`]: the oscillator case and its analyses.
 //! - [`contact_keys`], [`substrate`], [`shape`], [`contact_analysis`], [`contact_case`]: the contact case and its analyses;
 //!   [`file_reference`]: the files that a case names; [`memory`]: what they may take; [`continuous`]: a spectrum without lines.
+//! - [`motion_analysis`], [`belt_case`]: the analyses of motion, and the mass on a belt.
 //! - [`expression`], `matrix`, [`mass`], [`two_degrees`]: the two-degrees case, matrices of expressions.
 //! - [`case_file`]: the way in. `resolved`: the way out, canonical JSON for the hash and the report.
 //! - [`cause`], [`contact_problem`], `help`, `excerpt`, [`error`]: what is wrong, what would be right, where.
 //! - [`mod@schema`], [`mod@template`]: the JSON Schema for editors and the commented cases of `judder new`.
 
 pub mod analysis;
+pub mod belt_case;
 pub mod case_file;
 pub mod cause;
 pub mod contact_analysis;
@@ -36,6 +38,7 @@ pub mod keys;
 pub mod mass;
 mod matrix;
 pub mod memory;
+pub mod motion_analysis;
 mod nearest;
 pub mod oscillator_analysis;
 pub mod oscillator_case;
@@ -54,6 +57,7 @@ pub mod transient_analysis;
 pub mod two_degrees;
 
 pub use analysis::Analysis;
+pub use belt_case::{BELT_KEYS, BeltCase, BeltInputs, BeltKey};
 pub use case_file::{Case, CaseFile};
 pub use cause::Cause;
 pub use contact_analysis::{ContactAnalysis, ContactSettings, LawMethod, LawSettings, Loading, Span};
@@ -68,6 +72,7 @@ pub use inputs::{FrictionLoad, LawName, OscillatorInputs, TimeForm};
 pub use keys::{Form, KEYS, Key, OscillatorKey, Range, Value};
 pub use mass::MassProblem;
 pub use memory::Memory;
+pub use motion_analysis::{Following, MotionAnalysis, MotionStart, SweepDirection};
 pub use oscillator_analysis::OscillatorAnalysis;
 pub use oscillator_case::OscillatorCase;
 pub use quantity::{Quantity, QuantityError};

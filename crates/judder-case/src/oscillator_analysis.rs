@@ -3,7 +3,11 @@
 use crate::analysis::Kind;
 use crate::cause::Cause;
 use crate::error::Fault;
-use crate::keys::OscillatorKey;
+use crate::keys::{Key, OscillatorKey};
+use crate::motion_analysis::{
+    BASIN, BIFURCATION, HISTORY, LIMIT_CYCLE, MotionAnalysis, MotionKeys, TIME_OF_OSCILLATOR, TimeKey,
+    read_basin, read_bifurcation, read_history, read_limit_cycle,
+};
 use crate::read_sweep::{PlacedSweep, read_family, read_map, read_sweep, read_within};
 use crate::section::Section;
 use crate::sweep::{Family, StabilityMap, Sweep, Within};
@@ -46,6 +50,8 @@ pub enum OscillatorAnalysis {
     },
     /// `stability-map`: the verdict over two keys.
     StabilityMap(StabilityMap<OscillatorKey>),
+    /// `motion`, `limit-cycle`, `bifurcation`, `basin`: motion with stick, slip and lift-off.
+    Motion(MotionAnalysis<OscillatorKey>),
 }
 
 /// The default range of `critical-shear-strength`, τ0/E0*.
@@ -55,7 +61,7 @@ pub const SHEAR_STRENGTH_WITHIN: (f64, f64) = (1e-6, 1e3);
 pub const LOAD_WITHIN: (f64, f64) = (1e-10, 1e0);
 
 /// The kinds of an oscillator case.
-pub(crate) const KINDS: [Kind<OscillatorKeys, OscillatorAnalysis>; 5] = [
+pub(crate) const KINDS: [Kind<OscillatorKeys, OscillatorAnalysis>; 9] = [
     Kind {
         name: "equivalent-damping",
         keys: &["sweep", "family"],
@@ -100,7 +106,19 @@ pub(crate) const KINDS: [Kind<OscillatorKeys, OscillatorAnalysis>; 5] = [
         doc: "stable and unstable points over two keys",
         read: |keys, section| read_map(keys, section).map(OscillatorAnalysis::StabilityMap),
     },
+    HISTORY.kind(|keys, section| read_history(keys, section).map(OscillatorAnalysis::Motion)),
+    LIMIT_CYCLE.kind(|keys, section| read_limit_cycle(keys, section).map(OscillatorAnalysis::Motion)),
+    BIFURCATION.kind(|keys, section| read_bifurcation(keys, section).map(OscillatorAnalysis::Motion)),
+    BASIN.kind(|keys, section| read_basin(keys, section).map(OscillatorAnalysis::Motion)),
 ];
+
+impl MotionKeys for OscillatorKeys {
+    const COORDINATES: &'static [&'static str] = &["x", "y", "velocity_x", "velocity_y"];
+
+    fn time() -> &'static Key<TimeKey> {
+        &TIME_OF_OSCILLATOR
+    }
+}
 
 type Curves<S> = (S, Option<Family<OscillatorKey>>);
 

@@ -61,18 +61,30 @@ pub(crate) fn read_sweep<S: SweptKeys>(
     Ok(placed)
 }
 
+/// Reads the sweep of an analysis that varies nothing else, and checks its ends.
+pub(crate) fn read_checked_sweep<S: SweptKeys>(
+    keys: &S,
+    analysis: &Section<'_>,
+) -> Result<Sweep<S::Key>, Fault> {
+    let sweep = read_sweep(keys, analysis, "sweep", None)?;
+    check_ends(keys, &sweep)?;
+    Ok(sweep.sweep)
+}
+
+fn check_ends<S: SweptKeys>(keys: &S, sweep: &PlacedSweep<S::Key>) -> Result<(), Fault> {
+    sweep
+        .ends()
+        .into_iter()
+        .try_for_each(|end| keys.check(&[(sweep.sweep.key, end)]).map_err(|cause| cause.at(sweep.whole)))
+}
+
 /// Reads the family of an analysis that sweeps `sweep`, one curve a value, and checks the ends of every curve.
 pub(crate) fn read_family<S: SweptKeys>(
     keys: &S,
     analysis: &Section<'_>,
     sweep: &PlacedSweep<S::Key>,
 ) -> Result<Option<Family<S::Key>>, Fault> {
-    let Some(node) = analysis.get("family") else {
-        for end in sweep.ends() {
-            keys.check(&[(sweep.sweep.key, end)]).map_err(|cause| cause.at(sweep.whole))?;
-        }
-        return Ok(None);
-    };
+    let Some(node) = analysis.get("family") else { return check_ends(keys, sweep).map(|()| None) };
     let section = Section::open(node, "family", "`family`", &["key", "values"])?;
     let (key, key_place) = read_key(keys, &section)?;
     if keys.same(key, sweep.sweep.key) {
@@ -166,7 +178,7 @@ fn read_points(section: &Section<'_>) -> Result<usize, Fault> {
 }
 
 /// Refuses a value of another form than the first, at its place.
-fn same_form(keys: String, first: Form, second: Form, place: Place) -> Result<(), Fault> {
+pub(crate) fn same_form(keys: String, first: Form, second: Form, place: Place) -> Result<(), Fault> {
     if first == second { Ok(()) } else { Err(Cause::MixedForms { keys }.at(place)) }
 }
 

@@ -1,5 +1,6 @@
 //! The reference page of the book: every key and every kind of analysis, from the tables that read them.
 
+use crate::belt_case::{self, BELT_KEYS};
 use crate::contact_analysis;
 use crate::oscillator_analysis;
 use crate::two_degrees;
@@ -30,6 +31,7 @@ pub fn reference() -> String {
     page += SUBSTRATE;
     page += "\n## Analyses of an oscillator case\n\n";
     page += &kinds(oscillator_analysis::KINDS.iter().map(|kind| (kind.name, kind.keys, kind.doc)));
+    page += MOTION;
     page += CONTACT;
     for key in &CONTACT_KEYS {
         page += &row(key);
@@ -37,6 +39,13 @@ pub fn reference() -> String {
     page += "\n### Analyses of a contact case\n\n";
     page += &kinds(contact_analysis::KINDS.iter().map(|kind| (kind.name, kind.keys, kind.doc)));
     page += CONTACT_RANGES;
+    page += BELT;
+    for key in &BELT_KEYS {
+        page += &row(key);
+    }
+    page += "\n### Analyses of a belt case\n\n";
+    page += &kinds(belt_case::KINDS.iter().map(|kind| (kind.name, kind.keys, kind.doc)));
+    page += "\nThe settings are those of the [analyses of motion](#analyses-of-motion) above, with `x` and `velocity_x` for coordinates.\n";
     page += "\n## Analyses of a two-degrees case\n\n\
              `[parameters]` holds numbers by name; `[matrices]` holds `mass` (identity by default), `damping` (zero by default) and `stiffness` as 2 × 2 \
              arrays of numbers or expressions of the parameters. Swept keys are `parameters.NAME`.\n\n";
@@ -68,6 +77,37 @@ log₁₀ τ, a power law 𝒞 ∝ τ^(m − 1); between samples τ𝒞 is linea
 Times ascend. Where there are several, the τ of the groups (v τ/R, ω τ) is the mean retardation time Σ C_k τ_k/Σ C_k. The fitted laws know one time \
 only. `temperature = \"40 degC\"` with `shift = { wlf = { c1 = 17.4, c2 = \"51.6 K\", reference_temperature = \"25 degC\" } }` or \
 `shift = { arrhenius = { activation_energy = \"80 kJ/mol\", reference_temperature = \"25 degC\" } }` moves all times. A path is relative to the case file.
+";
+
+/// The settings of the analyses of motion.
+const MOTION: &str = "
+### Analyses of motion
+
+`motion`, `limit-cycle`, `bifurcation` and `basin` follow the motion through [stick, slip and lift-off](theory/motion.md). Their settings:
+
+| key | default | what it is |
+| --- | --- | --- |
+| `start` | `{ disturbance = 0.2 }` | steady sliding with x moved by this share of its magnitude, or a state `{ x, y, velocity_x, velocity_y }` in units of x0 = F_n/k_x and ω_nx; \
+what is left out stands as in steady sliding; y ≤ 0 is in the air |
+| `duration` | 2000 for `motion`, 5000 for `bifurcation`, 2e4 otherwise | ω_nx t, or a time (`\"50 s\"`): how long a `motion` is followed; within which any other settles |
+| `transient` | half the duration | the first part of it, which the averages of a `motion`, or of an irregular one in a `bifurcation`, leave out |
+| `tolerance` | 1e-8 for `motion`, 1e-10 for `limit-cycle`, 1e-6 otherwise | local error of a step, relative to the magnitudes of steady sliding; above 1e-14, at most 1e-2 |
+| `steps` | 10000000 | the most steps of one motion |
+| `points` | 4096 | of a `motion`: points of the uniform grid of time that is kept |
+| `direction` | `\"both\"` | of a `bifurcation`: `\"forward\"`, `\"backward\"` or both; each motion starts where the one before has ended, the first from `start` |
+| `within` | | of a `basin`: ranges `{ x = [-2.0, 2.0], velocity_x = [0.0, 2.0] }` from which starts are drawn evenly and independently |
+| `samples`, `seed` | 1000, 1 | of a `basin`: how many starts, and which; the n-th depends on the seed and on n alone |
+";
+
+/// What a belt case has, before the table of its numbers.
+const BELT: &str = "
+## Keys of a belt case
+
+`model = \"belt\"` is one mass on a moving belt, x″ + 2ξ x′ + x = −sgn(v_rel) N μ(|v_rel|) with v_rel = x′ − v and μ(v) = μ_∞ + (μ_0 − μ_∞) e^(−|v|/v_0). Mass \
+and natural frequency are the units.
+
+| key | symbol | a plain number is | a string is | default | allowed | what it is |
+| --- | --- | --- | --- | --- | --- | --- |
 ";
 
 /// What a contact case has, before the table of its numbers.

@@ -1,5 +1,7 @@
 //! The resolved case as canonical JSON: every key with the value in use, keys sorted, the same bytes each time.
 
+mod motion;
+
 use serde_json::{Map, Value as Json, json};
 
 use crate::analysis::Analysis;
@@ -18,6 +20,7 @@ use crate::substrate::{
     PronyTerm, RelaxationSource, RelaxationTerm, Shift, Substrate, Temperature, TermCount,
 };
 use crate::sweep::{Family, ParameterKey, StabilityMap, Sweep, Within};
+use crate::swept_keys::OscillatorKeys;
 use crate::transient_analysis::{Motion, Oscillation, TransientSettings};
 use crate::two_degrees::{TwoDegreesAnalysis, TwoDegreesCase};
 
@@ -29,6 +32,7 @@ impl Case {
         let mut json = match self {
             Self::Oscillator(case) => oscillator(case),
             Self::Contact(case) => contact(case),
+            Self::Belt(case) => motion::belt(case),
             Self::TwoDegrees(case) => two_degrees(case),
         };
         // another crate of the build may have switched serde_json to insertion order
@@ -289,6 +293,7 @@ fn oscillator_analysis(kind: &OscillatorAnalysis) -> Json {
             "family": curves.as_ref().map(family),
         }),
         OscillatorAnalysis::StabilityMap(map) => stability_map(map),
+        OscillatorAnalysis::Motion(kind) => motion::motion::<OscillatorKeys>(kind),
     }
 }
 

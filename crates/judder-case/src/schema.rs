@@ -1,16 +1,20 @@
 //! The JSON Schema of case files, so that editors complete and check: generated from the table of keys.
 
 mod contact;
+mod motion;
 
 use serde_json::{Map, Value as Json, json};
 
 use crate::analysis::Kind;
+use crate::belt_case::BELT_KEYS;
 use crate::contact_keys::CONTACT_KEYS;
 use crate::inputs::{FrictionLoad, LawName};
 use crate::keys::{KEYS, Key, OscillatorKey, Range};
+use crate::motion_analysis::BASIN;
 use crate::oscillator_analysis::{LOAD_WITHIN, SHEAR_STRENGTH_WITHIN};
 use crate::oscillator_case::SECTIONS;
 use crate::sweep::{MapMethod, Scale};
+use crate::swept_keys::OscillatorKeys;
 use crate::two_degrees::CRITICAL_POINTS;
 use crate::{oscillator_analysis, two_degrees};
 
@@ -29,12 +33,16 @@ pub fn schema() -> Json {
     for entry in &CONTACT_KEYS {
         definitions[entry.path] = key(entry);
     }
+    definitions["belt-key"] = names(BELT_KEYS.iter().map(|entry| entry.path), "dotted path of a key");
+    for entry in &BELT_KEYS {
+        definitions[motion::definition(entry.path)] = key(entry);
+    }
     let mut json = json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "A case of judder",
         "type": "object",
         "required": ["model"],
-        "oneOf": [oscillator(), contact::case(), two_degrees_case()],
+        "oneOf": [oscillator(), contact::case(), motion::belt_case(), two_degrees_case()],
         "$defs": definitions,
     });
     json.sort_all_objects();
@@ -155,7 +163,9 @@ fn analyses<S, T>(kinds: &[Kind<S, T>], setting: impl Fn(&str, &str) -> Json) ->
             ("name", json!({ "type": "string", "pattern": "^[A-Za-z0-9_-][A-Za-z0-9._-]{0,99}$", "default": kind.name })),
         ]);
         properties.extend(kind.keys.iter().map(|key| ((*key).to_owned(), setting(kind.name, key))));
-        let needed = |key: &&&str| matches!(**key, "sweep" | "x" | "y");
+        let needed = |key: &&&str| {
+            matches!(**key, "sweep" | "x" | "y") || (**key == "within" && kind.name == BASIN.name)
+        };
         let required: Vec<_> = ["kind"].iter().chain(kind.keys.iter().filter(needed)).copied().collect();
         table(kind.doc, properties, &required)
     });
@@ -192,6 +202,9 @@ fn sweep(key: Json, end: &Json, description: &str, points: Option<usize>) -> Jso
 fn oscillator_setting(kind: &str, key: &str) -> Json {
     let end =
         json!({ "type": ["number", "string"], "description": "a group, or a quantity with the key's unit" });
+    if let Some(setting) = motion::setting::<OscillatorKeys>(kind, key) {
+        return setting;
+    }
     match key {
         "sweep" | "x" | "y" => sweep(reference("oscillator-key"), &end, "a numeric key over a range", None),
         "family" => {

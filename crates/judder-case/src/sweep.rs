@@ -1,5 +1,6 @@
 //! Sweeps, families and maps: what an analysis varies.
 
+use crate::belt_case::{BeltInputs, BeltKey};
 use crate::inputs::OscillatorInputs;
 use crate::keys::{Form, OscillatorKey, Value};
 
@@ -76,6 +77,13 @@ impl Sweep<OscillatorKey> {
     /// Sets the swept key of one operating point.
     pub fn set(&self, inputs: &mut OscillatorInputs, value: f64) {
         inputs.set(self.key, Value { number: value, form: self.form });
+    }
+}
+
+impl Sweep<BeltKey> {
+    /// Sets the swept key of one operating point.
+    pub fn set(&self, inputs: &mut BeltInputs, value: f64) {
+        inputs.set(self.key, value);
     }
 }
 

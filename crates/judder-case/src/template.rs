@@ -1,5 +1,6 @@
 //! The commented case files that `judder new` prints; the sections are generated from the table of keys.
 
+use crate::belt_case::{BELT_KEYS, BELT_SECTIONS};
 use crate::cause::Cause;
 use crate::contact_case::ContactCase;
 use crate::error::CaseError;
@@ -8,7 +9,7 @@ use crate::keys::{Form, KEYS, Key, OscillatorKey};
 use crate::oscillator_case::SECTIONS;
 
 /// The names of the templates; the first is the default of `judder new`.
-pub const TEMPLATES: [&str; 3] = ["oscillator", "contact", "two-degrees"];
+pub const TEMPLATES: [&str; 4] = ["oscillator", "contact", "belt", "two-degrees"];
 
 /// The commented case file of this name.
 ///
@@ -18,6 +19,7 @@ pub fn template(name: &str) -> Result<String, CaseError> {
     match name {
         "oscillator" => Ok(oscillator()),
         "contact" => Ok(contact()),
+        "belt" => Ok(belt()),
         "two-degrees" => Ok(TWO_DEGREES.to_owned()),
         _ => {
             let known = TEMPLATES.map(String::from).to_vec();
@@ -40,6 +42,19 @@ fn oscillator() -> String {
         }
     }
     text + OSCILLATOR_ANALYSES
+}
+
+fn belt() -> String {
+    let mut text = BELT_HEAD.to_owned();
+    for section in BELT_SECTIONS {
+        text.push_str(&format!("\n[{section}]\n"));
+        for entry in BELT_KEYS.iter().filter(|entry| entry.section() == section) {
+            let value = entry.default.map_or("", |(text, _)| text);
+            let setting = format!("{} = {value}", entry.name());
+            text.push_str(&format!("{setting:<34}# {}: {}\n", entry.symbol, entry.doc));
+        }
+    }
+    text + BELT_ANALYSES
 }
 
 fn contact() -> String {
@@ -116,6 +131,60 @@ name = \"thresholds\"
 kind = \"critical-shear-strength\"  # all roots along one key; likewise \"critical-load\"
 sweep = { key = \"operation.velocity\", from = 1e-8, to = 1e2, points = 101, scale = \"log\" }
 within = { from = 1e-6, to = 1e3 } # where roots are sought
+
+[[analysis]]
+name = \"motion\"
+kind = \"motion\"                   # stick, slip, lift-off over time
+duration = 2000                   # ω_nx t, or a time (\"50 s\"); averages leave out the first half, or `transient`
+# start = { x = 0.1, y = 1.0, velocity_x = 0.0, velocity_y = 0.0 }   # in x0 and ω_nx; or { disturbance = 0.2 }, of |x_e|
+
+[[analysis]]
+name = \"diagram\"
+kind = \"bifurcation\"              # what motions settle to along one key, up and down; likewise \"limit-cycle\" at one point
+sweep = { key = \"contact.shear_strength\", from = 1e-3, to = 1e-1, points = 20, scale = \"log\" }
+direction = \"both\"                # or \"forward\", \"backward\"
+
+[[analysis]]
+name = \"knocks\"
+kind = \"basin\"                    # from which share of the starts steady sliding is reached
+within = { velocity_x = [-0.05, 0.05] }   # drawn evenly; what is left out stands as in steady sliding
+samples = 200
+seed = 1
+";
+
+const BELT_HEAD: &str = "\
+# A case of judder: one mass on a moving belt, x″ + 2ξ x′ + x = −sgn(v_rel) N μ(|v_rel|), v_rel = x′ − v. Mass and natural
+# frequency are the units. Every key that is left out takes the value shown here.
+
+title = \"A mass on a belt\"
+model = \"belt\"
+";
+
+const BELT_ANALYSES: &str = "
+[[analysis]]
+name = \"motion\"
+kind = \"motion\"                   # stick and slip over time
+start = { x = 1.0, velocity_x = 1.0 }
+duration = 200
+transient = 100                   # averages leave it out
+
+[[analysis]]
+name = \"cycle\"
+kind = \"limit-cycle\"              # the cycle that the motion settles to, with its Floquet multipliers
+start = { x = 1.0, velocity_x = 1.0 }
+
+[[analysis]]
+name = \"diagram\"
+kind = \"bifurcation\"              # up and down, each motion from the end of the one before
+sweep = { key = \"operation.velocity\", from = 0.5, to = 2.0, points = 31 }
+start = { x = 1.0, velocity_x = 1.0 }
+
+[[analysis]]
+name = \"basin\"
+kind = \"basin\"                    # from which share of the starts steady sliding is reached
+within = { x = [-2.0, 2.0], velocity_x = [0.0, 2.0] }
+samples = 200
+seed = 1
 ";
 
 const CONTACT_HEAD: &str = "\

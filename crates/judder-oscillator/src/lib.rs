@@ -68,6 +68,7 @@ mod book {
     chapter!(FirstMap, "tutorials/first-map");
     chapter!(OwnRubber, "tutorials/own-rubber");
     chapter!(Oscillator, "theory/oscillator");
+    chapter!(Motion, "theory/motion");
     chapter!(ContactLaws, "theory/contact-laws");
     chapter!(Checks, "theory/checks");
     chapter!(Figure4, "figures/figure-4");

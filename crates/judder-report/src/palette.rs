@@ -46,6 +46,12 @@ pub enum Role {
     NormalForceCoupling,
     /// Area without an answer; hatched.
     Unresolved,
+    /// Area: the indenter moves with the substrate.
+    Stick,
+    /// Area: it slides ahead of the substrate.
+    SlipAhead,
+    /// Area: it has left the substrate.
+    LiftOff,
     /// Stability boundary of the full system: black, solid.
     FullBoundary,
     /// Stability boundary of the conservative system: black, dashed.
@@ -91,6 +97,9 @@ impl Role {
             Self::NegativeDamping => Colour(0xee, 0xab, 0x55),
             Self::Flutter => Colour(0x5b, 0x90, 0xc4),
             Self::Both => Colour(0x6a, 0x46, 0x82),
+            Self::LiftOff => Colour(0xdd, 0xe9, 0xf7),
+            Self::Stick => Colour(0xb9, 0xd9, 0xb2),
+            Self::SlipAhead => Colour(0xd8, 0x9f, 0xc1),
             Self::Unresolved => Colour(0x8c, 0x8c, 0x8c),
             Self::FullBoundary | Self::ConservativeBoundary => Colour(0, 0, 0),
             Self::DecoupledBoundary => Colour(0xc8, 0x10, 0x2e),
@@ -318,6 +327,13 @@ mod tests {
             let step = lightness(pair[0].colour()) - lightness(pair[1].colour());
             assert!(step > 7.0, "{pair:?} are only {step:.1} apart");
         }
+    }
+
+    #[test]
+    fn contact_states_are_apart_in_grey() {
+        let grounds = [Role::LiftOff, Role::Stick, Role::SlipAhead].map(|role| lightness(role.colour()));
+        let steps = [100.0 - grounds[0], grounds[0] - grounds[1], grounds[1] - grounds[2]];
+        assert!(steps.iter().all(|step| *step > 7.0), "{steps:?}");
     }
 
     #[test]

@@ -4,21 +4,25 @@ mod axis;
 pub(crate) mod contact;
 mod critical;
 mod equivalent_damping;
+mod motion;
 mod spectrum;
 mod stability_map;
 mod steady_states;
 mod two_degrees;
 
+pub(crate) use motion::belt;
 pub(crate) use steady_states::SteadyState;
 
 use crate::bridge::{self, CaseContact};
-use crate::computed_law::{NO_POINTS, Points};
 use crate::error::StudyError;
+use crate::kept::Kept;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::spectrum_source::temperature_warning;
 use judder_case::{Case, MapMethod, OscillatorAnalysis, OscillatorCase};
+use judder_contact::law::sweep::SolvedPoint;
 use judder_oscillator::Contact;
+use motion::{BeltModel, OscillatorModel};
 
 /// The names of the analyses of a case, in its order.
 #[must_use]
@@ -26,6 +30,7 @@ pub fn names(case: &Case) -> Vec<String> {
     match case {
         Case::Oscillator(case) => case.analyses.iter().map(|a| a.name.clone()).collect(),
         Case::Contact(case) => case.analyses.iter().map(|a| a.name.clone()).collect(),
+        Case::Belt(case) => case.analyses.iter().map(|a| a.name.clone()).collect(),
         Case::TwoDegrees(case) => case.analyses.iter().map(|a| a.name.clone()).collect(),
     }
 }
@@ -43,8 +48,10 @@ pub fn steps(case: &Case, index: usize) -> usize {
             // the decisions and the boundaries are a step each, the growth rates one a row
             OscillatorAnalysis::StabilityMap(map) if map.method == MapMethod::EveryPoint => 2 + map.y.points,
             OscillatorAnalysis::StabilityMap(_) => 2,
+            OscillatorAnalysis::Motion(kind) => motion::steps(kind),
         },
         Case::Contact(case) => contact::steps(&case.analyses[index].kind),
+        Case::Belt(case) => motion::steps(&case.analyses[index].kind),
         Case::TwoDegrees(_) => 1,
     }
 }
@@ -54,26 +61,30 @@ pub fn steps(case: &Case, index: usize) -> usize {
 /// # Errors
 /// [`StudyError::Interrupted`], or arrays that the store refuses.
 pub fn run(case: &Case, index: usize, progress: &dyn Progress) -> Result<Outcome, StudyError> {
-    run_from(case, index, NO_POINTS, progress)
+    run_from(case, index, (Kept::NOTHING, Kept::NOTHING), progress)
 }
 
-/// Runs the analysis at `index` of a case; a law goes on from the points that an interrupted run has solved.
+/// Runs the analysis at `index` of a case; it goes on from what an interrupted run has kept of the law that the analyses of an
+/// oscillator case share, and of this analysis.
 pub(crate) fn run_from(
     case: &Case,
     index: usize,
-    points: Points<'_>,
+    (law, own): (Kept<'_>, Kept<'_>),
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
     match case {
         Case::Oscillator(case) => {
             let case = &bridge::with_material(case)?;
-            let CaseContact { contact, warnings } = bridge::contact(case, points, progress)?;
-            let mut outcome = oscillator((case, &contact), &case.analyses[index].kind, progress)?;
+            let points = law.known();
+            let keep = |point: &SolvedPoint| law.add(point);
+            let CaseContact { contact, warnings } = bridge::contact(case, (&points, &keep), progress)?;
+            let mut outcome = oscillator((case, &contact), &case.analyses[index].kind, own, progress)?;
             outcome.warnings.extend(warnings);
             outcome.warnings.extend(temperature_warning(&case.substrate)?);
             Ok(outcome)
         }
-        Case::Contact(case) => contact::run(case, &case.analyses[index], points, progress),
+        Case::Contact(case) => contact::run(case, &case.analyses[index], own, progress),
+        Case::Belt(case) => motion::run(&BeltModel::new(case), &case.analyses[index].kind, own, progress),
         Case::TwoDegrees(case) => two_degrees::run(case, &case.analyses[index].kind, progress),
     }
 }
@@ -81,6 +92,7 @@ pub(crate) fn run_from(
 fn oscillator(
     (case, contact): (&OscillatorCase, &Contact),
     analysis: &OscillatorAnalysis,
+    kept: Kept<'_>,
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
     match analysis {
@@ -102,5 +114,8 @@ fn oscillator(
             critical::run((case, contact), critical::Sought::Load, sweep, within, family.as_ref(), progress)
         }
         OscillatorAnalysis::StabilityMap(map) => stability_map::run((case, contact), map, progress),
+        OscillatorAnalysis::Motion(kind) => {
+            motion::run(&OscillatorModel { inputs: &case.inputs, contact }, kind, kept, progress)
+        }
     }
 }

@@ -23,7 +23,7 @@ pub(crate) fn check(file: &CaseFile, is_wanted: impl Fn(&str) -> bool) -> Result
     let case = match &file.case {
         Case::Contact(case) => case,
         Case::Oscillator(case) => return bridge::with_material(case).map(drop),
-        Case::TwoDegrees(_) => return Ok(()),
+        Case::Belt(_) | Case::TwoDegrees(_) => return Ok(()),
     };
     let scales = ContactScales::new(case)?;
     let profile = profile(&case.shape, scales.scales.radius)?;

@@ -6,6 +6,8 @@ use judder_contact::periodic_contact::PeriodicContactError;
 use judder_contact::steady::SteadyError;
 use judder_contact::transient::TransientError;
 use judder_oscillator::OscillatorError;
+use judder_oscillator::cycle::CycleError;
+use judder_oscillator::motion::history::LostMotion;
 use judder_report::ReportError;
 use judder_store::StoreError;
 use std::path::PathBuf;
@@ -68,6 +70,12 @@ pub enum StudyError {
     /// The contact has no answer.
     #[error("the contact has no answer: {0}")]
     Contact(#[from] SteadyError),
+    /// A motion cannot be followed to its end.
+    #[error("the motion cannot be followed: {0}")]
+    Motion(#[from] LostMotion),
+    /// There is no cycle.
+    #[error("no limit cycle: {0}")]
+    Cycle(#[from] CycleError),
     /// The folder holds no results to report on.
     #[error("{folder} holds no results yet: run `judder run CASE.toml -o {folder}` first")]
     NoResults {
@@ -111,7 +119,9 @@ impl StudyError {
             // a window that was chosen, not given
             Self::Transient(error) => !matches!(error, TransientError::WindowTooSmall { .. }),
             Self::Law(error) => !matches!(error, LawError::FailedPoints { .. }),
-            Self::Oscillator(_) | Self::Report(_) | Self::Interrupted => false,
+            Self::Oscillator(_) | Self::Motion(_) | Self::Cycle(_) | Self::Report(_) | Self::Interrupted => {
+                false
+            }
         }
     }
 }

@@ -1,6 +1,6 @@
 //! How keys are called on axes and in tables, in the markup of the figures.
 
-use judder_case::{Form, OscillatorKey};
+use judder_case::{BeltKey, Form, OscillatorKey};
 
 /// A swept quantity: its name, its symbol and its unit.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -47,6 +47,24 @@ pub(crate) fn oscillator_key(key: OscillatorKey, form: Form) -> Quantity {
         label: format!("{words} ${symbol}$ ({shown})"),
         symbol: format!("${symbol}$"),
         unit,
+    }
+}
+
+/// How a key of a belt case is called.
+pub(crate) fn belt_key(key: BeltKey) -> Quantity {
+    let (words, symbol) = match key {
+        BeltKey::Damping => ("Damping", "ξ"),
+        BeltKey::AtRest => ("Friction at rest", "μ_{0}"),
+        BeltKey::AtSpeed => ("Friction at speed", "μ_{∞}"),
+        BeltKey::DecaySpeed => ("Decay speed", "v_{0}"),
+        BeltKey::Velocity => ("Belt velocity", "v"),
+        BeltKey::NormalForce => ("Normal force", "N"),
+    };
+    Quantity {
+        name: key.entry().name().to_owned(),
+        label: format!("{words} ${symbol}$ (−)"),
+        symbol: format!("${symbol}$"),
+        unit: "1".to_owned(),
     }
 }
 

@@ -23,6 +23,7 @@ mod door;
 mod error;
 mod indenter;
 mod input_file;
+mod kept;
 mod labels;
 mod material;
 pub mod outcome;

@@ -5,6 +5,7 @@ mod curves;
 mod laws;
 mod map;
 mod modulus;
+mod motion;
 mod transient;
 
 use judder_report::{Axis, Figure, Panel, Role};
@@ -31,6 +32,10 @@ pub fn panels(dataset: &Dataset) -> Vec<Panel> {
         "fit" => laws::fit(dataset),
         "modulus" => modulus::modulus(dataset),
         "transient" => transient::transient(dataset),
+        "motion" => motion::motion(dataset),
+        "limit-cycle" => motion::limit_cycle(dataset),
+        "bifurcation" => motion::bifurcation(dataset),
+        "basin" => motion::basin(dataset),
         _ => None,
     };
     panels.unwrap_or_default()
@@ -75,6 +80,19 @@ fn caption(dataset: &Dataset) -> &'static str {
         "transient" => {
             "Normal force, friction force and area over time; where the path repeats itself, the loop whose area is the work of a cycle."
         }
+        "motion" => {
+            "The whole motion; its end with the contact state shaded (white: slip); the phase portrait of that end with the changes of the contact \
+             state; the spectrum and the Poincaré section (where $x$ is largest) after the transient."
+        }
+        "limit-cycle" => {
+            "One period with the contact state shaded (white: slip), the phase portrait with the changes of the contact state, and the Floquet \
+             multipliers: the cycle is stable where all but the one at 1 lie within the unit circle."
+        }
+        "bifurcation" => {
+            "What motions settle to as the key goes up and down, each from the end of the one before: rms of $x$ about its mean, its largest values, the \
+             shares of the time in stick and off the substrate. A motion that is neither at rest nor periodic within its time counts as irregular."
+        }
+        "basin" => "Starts, drawn evenly, and what becomes of them.",
         _ => "",
     }
 }
@@ -89,6 +107,20 @@ pub(crate) fn reals<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [f64]> {
 fn complexes<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [Complex64]> {
     match &dataset.variable(name)?.data {
         Data::Complex(values) => Some(values),
+        _ => None,
+    }
+}
+
+fn codes<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [u8]> {
+    match &dataset.variable(name)?.data {
+        Data::U8(values) => Some(values),
+        _ => None,
+    }
+}
+
+fn words<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [String]> {
+    match &dataset.variable(name)?.data {
+        Data::Text(values) => Some(values),
         _ => None,
     }
 }

@@ -13,13 +13,13 @@ mod scoreboard;
 
 use crate::analyses;
 use crate::error::StudyError;
+use crate::kept::Kept;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::run::{Study, analysis_hash};
 use evidence::Evidence;
 use exhibits::{CONTACT_CASES, EXHIBITS, LAW_FILE, Source};
 use judder_case::{Case, CaseFile, FileReference, LawName};
-use judder_contact::law::sweep::SolvedPoint;
 use judder_store::{Status, StudyFolder, Summary, content_hash};
 use readings::{READINGS, ReadLaw, Reading};
 use serde_json::json;
@@ -74,7 +74,7 @@ pub fn oscillator_paper(
     study.summary.case = json!({ "title": "The oscillator paper", "model": "oscillator", "quick": quick });
     study.summary.case_hash = content_hash(hashes.concat().as_bytes());
     // the contacts of Fig. 3 are those of Fig. 14
-    let solved: Mutex<Vec<SolvedPoint>> = Mutex::new(Vec::new());
+    let solved: Mutex<Vec<String>> = Mutex::new(Vec::new());
     let points = || solved.lock().unwrap_or_else(PoisonError::into_inner);
     for run in &runs {
         if store.is_done(&run.name, &run.hash)? {
@@ -83,8 +83,9 @@ pub fn oscillator_paper(
         progress.begin(&run.name, analyses::steps(&run.file.case, 0));
         let began = Instant::now();
         let known = points().clone();
-        let keep = |point: &SolvedPoint| points().push(*point);
-        let outcome = analyses::run_from(&run.file.case, 0, (&known, &keep), progress).map(without_lists);
+        let keep = |line: &str| points().push(line.to_owned());
+        let kept = Kept { lines: &known, keep: &keep };
+        let outcome = analyses::run_from(&run.file.case, 0, (kept, kept), progress).map(without_lists);
         progress.end();
         study.keep(&run.name, run.hash.clone(), outcome, began.elapsed().as_secs_f64())?;
     }

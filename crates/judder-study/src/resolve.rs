@@ -1,6 +1,7 @@
 //! What `judder check` shows: the resolved case with and without units, its stability limits, and what a run would take.
 
 mod contact;
+mod motion;
 
 use crate::bridge;
 use crate::error::StudyError;
@@ -23,6 +24,9 @@ mod cost {
     pub(super) const THRESHOLDS: f64 = 2e-4;
     /// Following the three boundaries of a map.
     pub(super) const BOUNDARIES: f64 = 0.3;
+    /// A motion over a radian of its time: of the oscillator, of a mass on a belt.
+    pub(super) const RADIAN: f64 = 1e-5;
+    pub(super) const RADIAN_ON_BELT: f64 = 2e-7;
     /// One figure as SVG and PNG.
     pub(super) const FIGURE: f64 = 0.2;
 }
@@ -64,6 +68,7 @@ pub fn resolve(file: &CaseFile) -> Result<Resolved, StudyError> {
     match &file.case {
         Case::Oscillator(case) => oscillator(file, &bridge::with_material(case)?),
         Case::Contact(case) => contact::resolve(file, case),
+        Case::Belt(case) => motion::belt_case(file, case),
         Case::TwoDegrees(case) => Ok(two_degrees(file, case)),
     }
 }
@@ -168,6 +173,7 @@ fn group_rows(
 
 fn of_oscillator(name: &str, kind: &OscillatorAnalysis) -> Estimate {
     let (points, seconds) = match kind {
+        OscillatorAnalysis::Motion(kind) => return motion::estimate(name, kind, cost::RADIAN),
         OscillatorAnalysis::EquivalentDamping { sweep, family }
         | OscillatorAnalysis::Spectrum { sweep, family } => {
             let points = sweep.points * family.as_ref().map_or(1, |f| f.values.len());

@@ -4,12 +4,12 @@ use crate::analyses;
 use crate::door;
 use crate::error::StudyError;
 use crate::input_file;
+use crate::kept::Kept;
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use crate::report;
 use judder_case::{Case, CaseFile, LawName, OscillatorCase};
-use judder_contact::law::sweep::SolvedPoint;
-use judder_store::{AnalysisRecord, Status, StudyFolder, Summary, content_hash};
+use judder_store::{AnalysisRecord, Scratch, Status, StudyFolder, Summary, content_hash};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -120,24 +120,26 @@ pub fn run(
         }
         progress.begin(name, analyses::steps(&file.case, index));
         let began = Instant::now();
-        let (kept_as, of) = law.as_deref().map_or((name.as_str(), hash.as_str()), |law| (LAW_POINTS, law));
-        let scratch = store.scratch(kept_as, of)?;
-        // a line that is no point comes from elsewhere: it is solved anew
-        let known: Vec<SolvedPoint> =
-            scratch.lines().iter().filter_map(|line| serde_json::from_str(line).ok()).collect();
-        let kept = |point: &SolvedPoint| {
-            // a point that cannot be kept costs a rerun, no result
-            let _ = serde_json::to_string(point).map(|line| scratch.keep(&line));
+        // under a name that the shared law does not have
+        let scratch = store.scratch(&format!("of-{name}"), &hash)?;
+        // a line that cannot be kept costs a rerun, no result
+        let keep = |line: &str| {
+            let _ = scratch.keep(line);
         };
-        let outcome = analyses::run_from(&file.case, index, (&known, &kept), progress);
+        let shared = law.as_deref().map(|of| store.scratch(LAW_POINTS, of)).transpose()?;
+        let keep_shared = |line: &str| {
+            let _ = shared.as_ref().map(|shared| shared.keep(line));
+        };
+        let own = Kept { lines: scratch.lines(), keep: &keep };
+        let lines = shared.as_ref().map_or(&[][..], Scratch::lines);
+        let of_law = Kept { lines, keep: &keep_shared };
+        let outcome = analyses::run_from(&file.case, index, (of_law, own), progress);
         progress.end();
         let outcome = outcome.map_err(|error| door::placed(error, file, index));
         if let Some(error) = study.keep(name, hash, outcome, began.elapsed().as_secs_f64())? {
             refused.push(RefusedAnalysis { name: name.clone(), error });
         }
-        if law.is_none() {
-            scratch.discard()?;
-        }
+        scratch.discard()?;
     }
     if let Some(law) = &law
         && all_done(&store, &names, &hashes)?

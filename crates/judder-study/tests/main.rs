@@ -4,6 +4,7 @@
 
 mod computed_law;
 mod contact;
+mod motion;
 
 use judder_case::CaseFile;
 use judder_study::Silent;

@@ -38,7 +38,7 @@ name = "x"
 "#,
         "this analysis lacks the key `kind`",
         "[[analysis]]",
-        r#"give kind = "…", one of equivalent-damping, spectrum, critical-shear-strength, critical-load, stability-map"#,
+        r#"give kind = "…", one of equivalent-damping, spectrum, critical-shear-strength, critical-load, stability-map, motion, limit-cycle, bifurcation, basin"#,
     );
 }
 
@@ -48,17 +48,7 @@ fn an_unknown_kind() {
         &analysis("stability_map", ""),
         "unknown analysis kind `stability_map`",
         "stability_map",
-        "did you mean `stability-map`? known: equivalent-damping, spectrum, critical-shear-strength, critical-load, stability-map",
-    );
-}
-
-#[test]
-fn a_kind_of_a_later_version() {
-    refused(
-        &analysis("limit-cycle", "tolerance = 1e-10"),
-        "the analysis kind `limit-cycle` comes with a later version",
-        "limit-cycle",
-        "available: equivalent-damping, spectrum, critical-shear-strength, critical-load, stability-map",
+        "did you mean `stability-map`? known: equivalent-damping, spectrum, critical-shear-strength, critical-load, stability-map, motion, limit-cycle, bifurcation, basin",
     );
 }
 
@@ -68,7 +58,7 @@ fn a_kind_of_another_model() {
         &analysis("march", ""),
         "the analysis kind `march` belongs to another model",
         "march",
-        "available: equivalent-damping, spectrum, critical-shear-strength, critical-load, stability-map",
+        "available: equivalent-damping, spectrum, critical-shear-strength, critical-load, stability-map, motion, limit-cycle, bifurcation, basin",
     );
 }
 

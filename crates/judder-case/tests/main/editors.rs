@@ -3,7 +3,7 @@
 use serde_json::Value as Json;
 
 use crate::{help_of, parse};
-use judder_case::{Case, KEYS, OscillatorInputs, TEMPLATES, schema, template};
+use judder_case::{BeltInputs, Case, KEYS, OscillatorInputs, TEMPLATES, schema, template};
 
 #[test]
 fn every_template_is_a_valid_case() {
@@ -15,6 +15,7 @@ fn every_template_is_a_valid_case() {
         match case {
             Case::Oscillator(case) => assert_eq!(case.inputs, OscillatorInputs::default()),
             Case::Contact(case) => assert_eq!(case.inputs, OscillatorInputs::default()),
+            Case::Belt(case) => assert_eq!(case.inputs, BeltInputs::default()),
             Case::TwoDegrees(_) => (),
         }
     }
@@ -33,7 +34,7 @@ fn the_template_of_the_oscillator_shows_every_key() {
 fn an_unknown_template_names_the_known_ones() {
     let error = template("oscilator").unwrap_err();
     assert_eq!(error.to_string(), "there is no template `oscilator`");
-    assert_eq!(help_of(&error), "did you mean `oscillator`? known: oscillator, contact, two-degrees");
+    assert_eq!(help_of(&error), "did you mean `oscillator`? known: oscillator, contact, belt, two-degrees");
 }
 
 /// Calls `visit` with every object of a JSON document.

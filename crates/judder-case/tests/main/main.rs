@@ -6,11 +6,13 @@ mod any_text;
 mod bad_analysis;
 mod bad_contact;
 mod bad_key;
+mod bad_motion;
 mod bad_source;
 mod bad_sweep;
 mod bad_two_degrees;
 mod contact;
 mod editors;
+mod motion;
 mod oscillator;
 mod two_degrees;
 

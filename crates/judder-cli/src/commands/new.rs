@@ -14,11 +14,13 @@ const HELP: &str = "\
 Examples:
   judder new > case.toml
   judder new contact > contact.toml
+  judder new belt > belt.toml
   judder new two-degrees > minimal.toml
 
 Templates:
   oscillator    two degrees of freedom on a viscoelastic substrate; every key with the paper's value
   contact       a rigid indenter that slides on a viscoelastic substrate: fields, laws, fits, moduli
+  belt          one mass on a moving belt, with friction that falls with speed
   two-degrees   mass, damping and stiffness matrices of your own, with parameters";
 
 /// Print a commented case file

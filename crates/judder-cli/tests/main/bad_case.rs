@@ -69,10 +69,6 @@ fn a_map_of_a_thousand_million_points() {
 #[test]
 fn what_later_versions_bring() {
     let later = "comes with a later version";
-    for kind in ["motion", "bifurcation", "limit-cycle", "basin"] {
-        let message = format!("the analysis kind `{kind}` {later}");
-        refused(&format!("[[analysis]]\nkind = \"{kind}\""), &message, "available: ");
-    }
     for model in ["sliding", "structure"] {
         let desk = Desk::with_case(&format!("model = \"{model}\""));
         desk.refused(&["run", "case.toml"], &format!("the model `{model}` {later}"), "available: oscillator");

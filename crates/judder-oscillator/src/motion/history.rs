@@ -4,6 +4,7 @@ use super::measures::Measures;
 use super::{ContactState, SlidingSystem};
 use judder_numerics::piecewise::quartic::{first_fall, value};
 use judder_numerics::piecewise::{Advance, Crossing, Leg, March, MarchError, Settings};
+use std::collections::VecDeque;
 use thiserror::Error;
 
 /// What of a motion is kept.
@@ -28,6 +29,9 @@ pub struct Sample<const N: usize> {
     pub state: [f64; N],
 }
 
+/// Steps that are kept of a path at most.
+pub const PATH_POINTS: usize = 20_000;
+
 /// One oscillation, from one largest x to the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Oscillation<const N: usize> {
@@ -46,6 +50,9 @@ pub struct Oscillation<const N: usize> {
 pub struct History<const N: usize> {
     /// The states on the grid.
     pub samples: Vec<Sample<N>>,
+    /// The ends of the last [`PATH_POINTS`] steps that do not end in stick, changes of state among them: a slip between two
+    /// points of the grid keeps its shape.
+    pub path: VecDeque<Sample<N>>,
     /// All changes of the contact state, those of the transient too.
     pub events: Vec<Crossing<ContactState, N>>,
     /// The oscillations after the transient.
@@ -169,6 +176,7 @@ impl<'a, S: SlidingSystem<N>, const N: usize> Recorder<'a, S, N> {
     fn new(system: &'a S, window: &'a Window) -> Self {
         let history = History {
             samples: Vec::with_capacity(window.points),
+            path: VecDeque::new(),
             events: Vec::new(),
             oscillations: Vec::new(),
             measures: Measures::default(),
@@ -197,6 +205,7 @@ impl<'a, S: SlidingSystem<N>, const N: usize> Recorder<'a, S, N> {
             self.history.measures.add(self.system, leg, self.centre);
             self.add_samples(leg);
             self.widen(leg);
+            self.add_to_path(leg, advance.crossing.is_some());
             if advance.on_section {
                 self.add_return(leg);
             }
@@ -218,6 +227,17 @@ impl<'a, S: SlidingSystem<N>, const N: usize> Recorder<'a, S, N> {
             let fraction = ((time - leg.time) / leg.step).clamp(0.0, 1.0);
             self.history.samples.push(Sample { time, contact_state: leg.mode, state: leg.at(fraction) });
         }
+    }
+
+    fn add_to_path(&mut self, leg: &Leg<ContactState, N>, changes: bool) {
+        if leg.mode == ContactState::Stick && !changes {
+            return;
+        }
+        if self.history.path.len() == PATH_POINTS {
+            self.history.path.pop_front();
+        }
+        let time = leg.time + leg.step;
+        self.history.path.push_back(Sample { time, contact_state: leg.mode, state: leg.end });
     }
 
     /// Takes note of how far x goes along a leg: a smallest x within it is where x' rises through zero.
@@ -278,6 +298,10 @@ mod tests {
                 assert_eq!((crossing.from, sample.state[1]), (ContactState::Stick, 1.0));
             }
         }
+        // the ends of stick stand on its path, its middle does not
+        let stick = |sample: &&Sample<2>| sample.contact_state == ContactState::Stick;
+        let ends = history.events.iter().filter(|event| event.from == ContactState::Stick).count();
+        assert_eq!(history.path.iter().filter(stick).count(), ends);
         // a cycle: nothing is stored, what the belt feeds in is dissipated
         assert!(history.energy_residual() < 1e-7, "{:e}", history.energy_residual());
         assert!(history.measures.work.friction > 0.0 && history.measures.work.damping < 0.0);

@@ -1,7 +1,9 @@
 //! Swept quantities as axes of arrays.
 
-use crate::labels::{Quantity, oscillator_key, parameter};
-use judder_case::{Family, OscillatorCase, OscillatorInputs, OscillatorKey, ParameterKey, Scale, Sweep};
+use crate::labels::{Quantity, belt_key, oscillator_key, parameter};
+use judder_case::{
+    BeltKey, Family, OscillatorCase, OscillatorInputs, OscillatorKey, ParameterKey, Scale, Sweep,
+};
 use judder_oscillator::critical;
 use judder_store::Variable;
 use serde_json::{Map, Value, json};
@@ -17,6 +19,10 @@ pub(crate) struct Axis {
 impl Axis {
     pub(crate) fn of_oscillator(sweep: &Sweep<OscillatorKey>) -> Self {
         Self { quantity: oscillator_key(sweep.key, sweep.form), values: sweep.values(), scale: sweep.scale }
+    }
+
+    pub(crate) fn of_belt(sweep: &Sweep<BeltKey>) -> Self {
+        Self { quantity: belt_key(sweep.key), values: sweep.values(), scale: sweep.scale }
     }
 
     pub(crate) fn of_parameter(sweep: &Sweep<ParameterKey>) -> Self {

@@ -17,11 +17,13 @@ pub(crate) use transient::Asked;
 
 use crate::computed_law::Points;
 use crate::error::StudyError;
+use crate::kept::Kept;
 use crate::material::ContactScales;
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use crate::spectrum_source::temperature_warning;
 use judder_case::{Analysis, ContactAnalysis, ContactCase, LawMethod};
+use judder_contact::law::sweep::SolvedPoint;
 use judder_contact::material::Discretisation;
 use judder_store::number;
 use serde_json::json;
@@ -48,9 +50,12 @@ pub(super) fn steps(kind: &ContactAnalysis) -> usize {
 pub(super) fn run(
     case: &ContactCase,
     analysis: &Analysis<ContactAnalysis>,
-    points: Points<'_>,
+    kept: Kept<'_>,
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
+    let known: Vec<SolvedPoint> = kept.known();
+    let keep = |point: &SolvedPoint| kept.add(point);
+    let points: Points<'_> = (&known, &keep);
     let mut outcome = match &analysis.kind {
         ContactAnalysis::Contact(settings) if case.shape.is_periodic() => {
             periodic::run(case, &analysis.name, settings)

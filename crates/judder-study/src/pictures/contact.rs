@@ -7,7 +7,7 @@ use judder_report::{Axis, Layer, Panel, Role};
 use judder_store::Dataset;
 
 /// Width over height of the frame of a panel: lengths along x and y shall look alike.
-const FRAME: f64 = 206.0 / 152.0;
+pub(super) const FRAME: f64 = 206.0 / 152.0;
 
 /// Pressure with the contact's boundary, pressure and surfaces along y = 0, values over grids.
 pub(super) fn contact(dataset: &Dataset) -> Option<Vec<Panel>> {

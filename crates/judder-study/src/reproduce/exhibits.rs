@@ -1,6 +1,8 @@
 //! The figures of the paper: which case makes which panel.
 
-use judder_case::{Case, ContactAnalysis, ContactCase, LawMethod, OscillatorAnalysis, OscillatorCase, Shape};
+use judder_case::{
+    Case, ContactAnalysis, ContactCase, LawMethod, MotionAnalysis, OscillatorAnalysis, OscillatorCase, Shape,
+};
 
 /// A figure of the paper.
 pub(super) struct Exhibit {
@@ -121,7 +123,7 @@ pub(super) fn thin_out(case: &mut Case) {
     match case {
         Case::Oscillator(case) => thin_out_oscillator(case),
         Case::Contact(case) => thin_out_contact(case),
-        Case::TwoDegrees(_) => {}
+        Case::Belt(_) | Case::TwoDegrees(_) => {}
     }
 }
 
@@ -143,6 +145,7 @@ fn thin_out_oscillator(case: &mut OscillatorCase) {
     const CURVE: usize = 301;
     const THRESHOLDS: usize = 101;
     const MAP: usize = 400;
+    const DIAGRAM: usize = 20;
     for analysis in &mut case.analyses {
         match &mut analysis.kind {
             OscillatorAnalysis::EquivalentDamping { sweep, .. }
@@ -155,6 +158,10 @@ fn thin_out_oscillator(case: &mut OscillatorCase) {
                 map.x.points = map.x.points.min(MAP);
                 map.y.points = map.y.points.min(MAP);
             }
+            OscillatorAnalysis::Motion(MotionAnalysis::Bifurcation { sweep, .. }) => {
+                sweep.points = sweep.points.min(DIAGRAM);
+            }
+            OscillatorAnalysis::Motion(_) => (),
         }
     }
 }

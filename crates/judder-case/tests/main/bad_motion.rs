@@ -1,0 +1,145 @@
+//! Analyses of motion that are refused.
+
+use crate::bad_analysis::analysis;
+use crate::refused;
+
+#[test]
+fn a_coordinate_that_the_model_does_not_have() {
+    refused(
+        "model = \"belt\"\n[[analysis]]\nkind = \"motion\"\nstart = { x = 1, velocity_y = 0 }",
+        "unknown key `velocity_y` in `start`",
+        "velocity_y",
+        "did you mean `velocity_x`? keys here: x, velocity_x, disturbance",
+    );
+}
+
+#[test]
+fn a_start_that_says_nothing() {
+    refused(
+        &analysis("motion", "start = {}"),
+        "`start` lacks the key `disturbance`",
+        "{}",
+        "give disturbance = 0.2, or x = …, the coordinates of the start",
+    );
+}
+
+#[test]
+fn a_disturbance_beside_a_state() {
+    refused(
+        &analysis("limit-cycle", "start = { disturbance = 0.1, x = 17.5 }"),
+        "`start.x` together with `start.disturbance`: both say the same thing",
+        "17.5",
+        "keep `start.disturbance` or `start.x`",
+    );
+}
+
+#[test]
+fn a_transient_that_leaves_nothing() {
+    refused(
+        &analysis("motion", "duration = 100\ntransient = 100.0"),
+        "the transient of 100.0 leaves nothing of the duration of 100.0",
+        "100.0",
+        "let `transient` be shorter than `duration`",
+    );
+}
+
+#[test]
+fn times_of_two_forms() {
+    refused(
+        &analysis("motion", "duration = \"5 s\"\ntransient = 10"),
+        "`duration` and `transient` mix plain numbers with units",
+        "10",
+        "use plain numbers throughout, or units throughout",
+    );
+}
+
+#[test]
+fn a_time_with_a_unit_on_a_belt() {
+    refused(
+        "model = \"belt\"\n[[analysis]]\nkind = \"motion\"\nduration = \"5 s\"",
+        "`duration` is a string, but must be a plain number",
+        "\"5 s\"",
+        "",
+    );
+}
+
+#[test]
+fn a_tolerance_below_rounding() {
+    refused(
+        &analysis("limit-cycle", "tolerance = 1e-15"),
+        "`tolerance` must be above 0.00000000000001 and at most 0.01, but is 1e-15",
+        "1e-15",
+        "",
+    );
+}
+
+#[test]
+fn a_basin_without_ranges() {
+    refused(
+        &analysis("basin", ""),
+        "an analysis of kind `basin` lacks the key `within`",
+        "[[analysis]]",
+        "give within = { x = [from, to], velocity_x = [from, to] }, the ranges of the starts",
+    );
+    refused(
+        &analysis("basin", "within = {}"),
+        "`within` lacks the key `x`",
+        "{}",
+        "give x = [from, to], the range of a coordinate",
+    );
+}
+
+#[test]
+fn a_range_that_is_none() {
+    refused(
+        &analysis("basin", "within = { x = [2, 1] }"),
+        "the range runs backwards: from 2.0 to 1.0",
+        "[2, 1]",
+        "exchange `from` and `to`",
+    );
+    refused(
+        &analysis("basin", "within = { x = [1, 2, 3] }"),
+        "`within.x` is a list, but must be a list of two numbers, [from, to]",
+        "[1, 2, 3]",
+        "",
+    );
+}
+
+#[test]
+fn a_direction_that_is_none() {
+    refused(
+        &analysis(
+            "bifurcation",
+            "sweep = { key = \"operation.velocity\", from = 1e-5, to = 1e-3, points = 5 }\ndirection = \"up\"",
+        ),
+        "unknown direction `up`",
+        "up",
+        "known: both, forward, backward",
+    );
+}
+
+#[test]
+fn no_steps_at_all() {
+    refused(
+        &analysis("motion", "steps = 0"),
+        "`steps` must be a whole number from 1 to 1000000000000, but is 0",
+        "0",
+        "give a number from 1 to 1000000000000",
+    );
+}
+
+#[test]
+fn a_key_of_another_model() {
+    refused(
+        "model = \"belt\"\n[friction]\nshear_strength = 1\n",
+        "unknown key `shear_strength` in [friction]",
+        "shear_strength",
+        "keys here: at_rest, at_speed, decay_speed",
+    );
+    refused(
+        "model = \"contact\"\n[[analysis]]\nkind = \"basin\"\n",
+        "the analysis kind `basin` belongs to another model",
+        "basin",
+        "available: contact, contact-law, fit, modulus, transient",
+    );
+}

@@ -1,0 +1,99 @@
+//! Analyses of motion that are read.
+
+use crate::parse;
+use judder_case::{
+    BeltKey, Case, Form, MotionAnalysis, MotionStart, OscillatorAnalysis, OscillatorKey, SweepDirection,
+    Value,
+};
+
+fn oscillator(settings: &str) -> MotionAnalysis<OscillatorKey> {
+    let Case::Oscillator(case) =
+        parse(&format!("model = \"oscillator\"\n[[analysis]]\n{settings}"), &[]).unwrap()
+    else {
+        panic!("an oscillator case")
+    };
+    match &case.analyses[0].kind {
+        OscillatorAnalysis::Motion(kind) => kind.clone(),
+        other => panic!("{other:?} is no analysis of motion"),
+    }
+}
+
+#[test]
+fn a_motion_of_defaults() {
+    let MotionAnalysis::History { start, following, transient, points } = oscillator("kind = \"motion\"")
+    else {
+        panic!("a history")
+    };
+    assert_eq!(start, MotionStart::Disturbance(0.2));
+    assert_eq!((following.duration, transient), (Value::group(2000.0), Value::group(1000.0)));
+    assert_eq!((following.tolerance, following.steps, points), (1e-8, 10_000_000, 4096));
+}
+
+#[test]
+fn a_motion_in_seconds_from_the_air() {
+    let kind = oscillator(
+        "kind = \"motion\"\nduration = \"50 s\"\ntransient = \"20 s\"\nstart = { y = -0.5, velocity_y = 1 }",
+    );
+    let MotionAnalysis::History { start, following, transient, .. } = kind else { panic!("a history") };
+    assert_eq!(start, MotionStart::State(vec![None, Some(-0.5), None, Some(1.0)]));
+    assert_eq!((following.duration, transient), (Value::si(50.0), Value::si(20.0)));
+}
+
+#[test]
+fn a_limit_cycle_and_a_diagram_have_tolerances_of_their_own() {
+    let MotionAnalysis::LimitCycle { following, .. } = oscillator("kind = \"limit-cycle\"") else {
+        panic!("a cycle")
+    };
+    assert_eq!((following.tolerance, following.duration), (1e-10, Value::group(2e4)));
+    let kind = oscillator(
+        "kind = \"bifurcation\"\nsweep = { key = \"contact.shear_strength\", from = 1e-4, to = 5e-2, points = 3 }\n\
+         direction = \"backward\"\ntolerance = 1e-7",
+    );
+    let MotionAnalysis::Bifurcation { sweep, direction, following, .. } = kind else { panic!("a diagram") };
+    assert_eq!(
+        (sweep.key, sweep.form, following.tolerance),
+        (OscillatorKey::ShearStrength, Form::Group, 1e-7)
+    );
+    assert_eq!(direction, SweepDirection::Backward);
+    assert_eq!(direction.sweeps(), [SweepDirection::Backward]);
+}
+
+const BELT: &str = r#"
+model = "belt"
+[oscillator]
+damping = 0.05
+[friction]
+at_rest = 1.0
+[operation]
+velocity = 1.5
+[[analysis]]
+kind = "basin"
+within = { x = [-2, 2], velocity_x = [0, 2] }
+samples = 50
+seed = 7
+[[analysis]]
+kind = "bifurcation"
+sweep = { key = "operation.velocity", from = 1, to = 2, points = 5 }
+"#;
+
+#[test]
+fn a_mass_on_a_belt() {
+    let Case::Belt(case) = parse(BELT, &["friction.at_speed=0.4"]).unwrap() else { panic!("a belt case") };
+    assert_eq!((case.inputs.number(BeltKey::Velocity), case.inputs.number(BeltKey::AtSpeed)), (1.5, 0.4));
+    let MotionAnalysis::Basin { within, samples, seed, following } = &case.analyses[0].kind else {
+        panic!("a basin")
+    };
+    assert_eq!(*within, [Some((-2.0, 2.0)), Some((0.0, 2.0))]);
+    assert_eq!((*samples, *seed, following.tolerance), (50, 7, 1e-6));
+}
+
+#[test]
+fn the_resolved_case_shows_what_is_taken() {
+    let json = parse(BELT, &[]).unwrap().resolved();
+    assert_eq!(json["friction"], serde_json::json!({ "at_rest": 1.0, "at_speed": 0.5, "decay_speed": 0.5 }));
+    let basin = &json["analysis"][0];
+    assert_eq!(basin["within"], serde_json::json!({ "x": [-2.0, 2.0], "velocity_x": [0.0, 2.0] }));
+    assert_eq!((&basin["duration"], &basin["seed"]), (&serde_json::json!(2e4), &serde_json::json!(7)));
+    assert_eq!(json["analysis"][1]["start"], serde_json::json!({ "disturbance": 0.2 }));
+    assert_eq!(json["analysis"][1]["direction"], "both");
+}

@@ -1,0 +1,51 @@
+//! The analyses of motion: stick, slip and lift-off of the oscillator, stick and slip of the mass on a belt.
+
+mod amplitude_spectrum;
+mod basin;
+mod bifurcation;
+mod history;
+mod limit_cycle;
+mod model;
+
+pub(crate) use model::belt;
+pub(super) use model::{BeltModel, OscillatorModel};
+
+use crate::error::StudyError;
+use crate::kept::Kept;
+use crate::outcome::Outcome;
+use crate::progress::Progress;
+use judder_case::MotionAnalysis;
+use model::Model;
+
+/// How many steps an analysis announces.
+pub(super) fn steps<K>(kind: &MotionAnalysis<K>) -> usize {
+    match kind {
+        MotionAnalysis::History { .. } | MotionAnalysis::LimitCycle { .. } => 1,
+        MotionAnalysis::Bifurcation { sweep, direction, .. } => sweep.points * direction.sweeps().len(),
+        MotionAnalysis::Basin { samples, .. } => *samples,
+    }
+}
+
+pub(super) fn run<M: Model<N>, const N: usize>(
+    model: &M,
+    kind: &MotionAnalysis<M::Key>,
+    kept: Kept<'_>,
+    progress: &dyn Progress,
+) -> Result<Outcome, StudyError> {
+    match kind {
+        MotionAnalysis::History { start, following, transient, points } => {
+            history::run(model, start, following, (*transient, *points), progress)
+        }
+        MotionAnalysis::LimitCycle { start, following } => {
+            limit_cycle::run(model, start, following, progress)
+        }
+        MotionAnalysis::Bifurcation { sweep, direction, start, following, transient } => {
+            let settings = bifurcation::Settings { sweep, start, following, transient: *transient };
+            bifurcation::run(model, &settings, *direction, progress)
+        }
+        MotionAnalysis::Basin { within, samples, seed, following } => {
+            let draw = basin::Draw { within, samples: *samples, seed: *seed };
+            basin::run(model, &draw, following, kept, progress)
+        }
+    }
+}

@@ -1,0 +1,291 @@
+//! `basin`: from which share of the starts steady sliding is reached.
+
+use super::model::{Model, Operating};
+use crate::error::StudyError;
+use crate::kept::Kept;
+use crate::outcome::{CheckRecord, Outcome};
+use crate::progress::Progress;
+use judder_case::Following;
+use judder_numerics::counter::uniform;
+use judder_oscillator::motion::SlidingSystem;
+use judder_oscillator::motion::attractor::{Patience, Settled, settle};
+use judder_store::{Dataset, Table, Variable, number};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value, json};
+use std::collections::BTreeMap;
+
+/// Which starts are drawn.
+pub(super) struct Draw<'a> {
+    pub(super) within: &'a [Option<(f64, f64)>],
+    pub(super) samples: usize,
+    pub(super) seed: u64,
+}
+
+impl Draw<'_> {
+    /// The start of a sample: it depends on the seed and on the sample alone.
+    fn start<const N: usize>(&self, sample: usize, steady: [f64; N]) -> [f64; N] {
+        let mut state = steady;
+        for (k, (place, range)) in state.iter_mut().zip(self.within).enumerate() {
+            if let Some((from, to)) = range {
+                *place = from + (to - from) * uniform(self.seed, (sample * N + k) as u64);
+            }
+        }
+        state
+    }
+}
+
+/// What becomes of a start; the place is the number in stored results.
+const FATES: [(u8, &str); 4] = [(0, "steady sliding"), (1, "cycle"), (2, "irregular"), (3, "lost")];
+const LOST: u8 = 3;
+/// Two-sided 95 % of a normal distribution.
+const QUANTILE: f64 = 1.959_963_984_540_054;
+/// Samples that are followed again, more exactly.
+const REPEATED: usize = 50;
+/// By how much more exactly.
+const FINER: f64 = 1e-2;
+/// The share of them whose fate may change: those on the border of the basin.
+const CHANGED_LIMIT: f64 = 0.02;
+
+/// What became of one sample.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+struct Sample {
+    sample: usize,
+    /// Its place in [`FATES`].
+    fate: u8,
+    /// When that was clear; `None` where the motion is lost.
+    time: Option<f64>,
+    /// The rms of x of what it settles to; `None` where the motion is lost.
+    rms: Option<f64>,
+}
+
+pub(super) fn run<M: Model<N>, const N: usize>(
+    model: &M,
+    draw: &Draw<'_>,
+    following: &Following,
+    kept: Kept<'_>,
+    progress: &dyn Progress,
+) -> Result<Outcome, StudyError> {
+    let operating = model.operating(None)?;
+    let known: BTreeMap<usize, Sample> =
+        kept.known::<Sample>().into_iter().map(|sample| (sample.sample, sample)).collect();
+    let samples: Vec<Sample> = (0..draw.samples)
+        .into_par_iter()
+        .map(|index| {
+            if progress.interrupted() {
+                return Err(StudyError::Interrupted);
+            }
+            let sample = known.get(&index).copied().unwrap_or_else(|| {
+                let sample = follow(&operating, draw, following, index);
+                kept.add(&sample);
+                sample
+            });
+            progress.advance();
+            Ok(sample)
+        })
+        .collect::<Result<_, _>>()?;
+    let basin = Basin { samples: &samples, draw, operating: &operating };
+    let lost = basin.count(LOST);
+    let warning = (lost > 0).then(|| {
+        format!("{lost} of {} motions cannot be followed: the fraction is that of the others", draw.samples)
+    });
+    Ok(Outcome {
+        scalars: basin.scalars::<M, N>(),
+        dataset: basin.dataset::<M, N>()?,
+        table: Some(basin.table::<M, N>()?),
+        checks: vec![repeated(&operating, draw, following, &samples)],
+        warnings: warning.into_iter().collect(),
+        missing: lost,
+        ..Outcome::default()
+    })
+}
+
+fn follow<S: SlidingSystem<N>, const N: usize>(
+    operating: &Operating<S>,
+    draw: &Draw<'_>,
+    following: &Following,
+    sample: usize,
+) -> Sample {
+    let time = operating.time(following.duration);
+    let patience = Patience { time, transient: 0.5 * time, ..Patience::default() };
+    let start = draw.start(sample, operating.system.steady_sliding());
+    match settle(&operating.system, start, operating.settings(following), &patience) {
+        Err(_) => Sample { sample, fate: LOST, time: None, rms: None },
+        Ok(attractor) => {
+            let (fate, rms) = match attractor.settled {
+                Settled::SteadySliding => (0, 0.0),
+                Settled::Cycle { .. } => (1, attractor.measures.rms()),
+                Settled::Irregular => (2, attractor.measures.rms()),
+            };
+            Sample { sample, fate, time: Some(attractor.time), rms: Some(rms) }
+        }
+    }
+}
+
+/// Some samples followed again at a smaller tolerance: their fates must stay, but for those on the border.
+fn repeated<S: SlidingSystem<N>, const N: usize>(
+    operating: &Operating<S>,
+    draw: &Draw<'_>,
+    following: &Following,
+    samples: &[Sample],
+) -> CheckRecord {
+    let finer = Following { tolerance: (FINER * following.tolerance).max(1e-12), ..*following };
+    let some: Vec<&Sample> = samples.iter().take(REPEATED).collect();
+    let changed: Vec<bool> = some
+        .par_iter()
+        .map(|sample| follow(operating, draw, &finer, sample.sample).fate != sample.fate)
+        .collect();
+    let count = changed.iter().filter(|changed| **changed).count();
+    CheckRecord {
+        name: "the fates stay when the motions are followed more exactly".to_owned(),
+        compared: format!(
+            "share of {} samples whose fate changes at a hundredth of the tolerance",
+            some.len()
+        ),
+        figure: count as f64 / some.len() as f64,
+        limit: CHANGED_LIMIT,
+    }
+}
+
+/// The 95 % interval of a share after E. B. Wilson (1927).
+fn wilson(hits: usize, count: usize) -> (f64, f64) {
+    let (share, n) = (hits as f64 / count as f64, count as f64);
+    let square = QUANTILE * QUANTILE / n;
+    let middle = (share + 0.5 * square) / (1.0 + square);
+    let half = QUANTILE * (share * (1.0 - share) / n + 0.25 * square / n).sqrt() / (1.0 + square);
+    // rounding alone takes the ends of none and of all beyond 0 and 1
+    ((middle - half).max(0.0), (middle + half).min(1.0))
+}
+
+struct Basin<'a, S> {
+    samples: &'a [Sample],
+    draw: &'a Draw<'a>,
+    operating: &'a Operating<S>,
+}
+
+impl<S> Basin<'_, S> {
+    fn count(&self, fate: u8) -> usize {
+        self.samples.iter().filter(|sample| sample.fate == fate).count()
+    }
+
+    fn scalars<M: Model<N, System = S>, const N: usize>(&self) -> Map<String, Value> {
+        let decided = self.samples.len() - self.count(LOST);
+        let returned = self.count(0);
+        let (lower, upper) = wilson(returned, decided);
+        let within: Map<String, Value> = M::COORDINATES
+            .iter()
+            .zip(self.draw.within)
+            .filter_map(|(coordinate, range)| {
+                range.map(|(from, to)| (coordinate.name.to_owned(), json!([from, to])))
+            })
+            .collect();
+        let fates: Map<String, Value> = FATES
+            .iter()
+            .map(|(code, word)| (word.replace([' ', '-'], "_"), json!(self.count(*code))))
+            .collect();
+        Map::from_iter([
+            ("fraction".to_owned(), number(returned as f64 / decided as f64)),
+            ("interval".to_owned(), json!([number(lower), number(upper)])),
+            ("samples".to_owned(), json!(self.samples.len())),
+            ("seed".to_owned(), json!(self.draw.seed)),
+            (
+                "distribution".to_owned(),
+                json!("uniform and independent; other coordinates as in steady sliding"),
+            ),
+            ("within".to_owned(), Value::Object(within)),
+            ("fates".to_owned(), Value::Object(fates)),
+        ])
+    }
+
+    /// The start of every sample, coordinate by coordinate.
+    fn starts<M: Model<N, System = S>, const N: usize>(&self) -> Vec<Vec<f64>>
+    where
+        S: SlidingSystem<N>,
+    {
+        let steady = self.operating.system.steady_sliding();
+        let states: Vec<[f64; N]> =
+            self.samples.iter().map(|sample| self.draw.start(sample.sample, steady)).collect();
+        (0..N).map(|k| states.iter().map(|state| state[k]).collect()).collect()
+    }
+
+    fn dataset<M: Model<N, System = S>, const N: usize>(&self) -> Result<Dataset, StudyError>
+    where
+        S: SlidingSystem<N>,
+    {
+        let count = self.samples.len();
+        let over =
+            |name: &str, values: Vec<f64>| Variable::new(name, &["sample"], &[count], values).units("1");
+        let fates = self.samples.iter().map(|sample| sample.fate).collect();
+        let value = |value: fn(&Sample) -> Option<f64>| {
+            self.samples.iter().map(|sample| value(sample).unwrap_or(f64::NAN)).collect::<Vec<_>>()
+        };
+        let mut dataset = Dataset::new()
+            .with(
+                Variable::classes("fate", &["sample"], &[count], fates, &FATES)
+                    .long_name("what becomes of the start"),
+            )?
+            .with(over("settling_time", value(|s| s.time)).long_name("time θ after which that was clear"))?
+            .with(over("rms", value(|s| s.rms)).long_name("rms of x of what it settles to"))?;
+        let mut drawn = Vec::new();
+        for ((coordinate, values), range) in
+            M::COORDINATES.iter().zip(self.starts::<M, N>()).zip(self.draw.within)
+        {
+            let name = format!("start_{}", coordinate.name);
+            dataset = dataset.with(
+                over(&name, values).long_name(coordinate.long_name).attribute("label", coordinate.label),
+            )?;
+            if range.is_some() {
+                drawn.push(name);
+            }
+        }
+        Ok(dataset.attribute("kind", "basin")?.attribute("drawn", drawn)?)
+    }
+
+    fn table<M: Model<N, System = S>, const N: usize>(&self) -> Result<Table, StudyError>
+    where
+        S: SlidingSystem<N>,
+    {
+        let mut table = Table::new();
+        for (coordinate, values) in M::COORDINATES.iter().zip(self.starts::<M, N>()) {
+            table = table.column(coordinate.name, "1", values)?;
+        }
+        let words: Vec<String> =
+            self.samples.iter().map(|sample| FATES[usize::from(sample.fate)].1.to_owned()).collect();
+        let value = |value: fn(&Sample) -> Option<f64>| {
+            self.samples.iter().map(|sample| value(sample).unwrap_or(f64::NAN)).collect::<Vec<_>>()
+        };
+        Ok(table.column("fate", "", words)?.column("settling_time", "1", value(|s| s.time))?.column(
+            "rms",
+            "1",
+            value(|s| s.rms),
+        )?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// R. G. Newcombe, Statistics in Medicine 17 (1998), table I, method 3: 81 of 263, 15 of 148, 0 of 20, 1 of 29.
+    #[test]
+    fn the_intervals_are_those_of_the_literature() {
+        for (hits, count, lower, upper) in [
+            (81, 263, 0.2553, 0.3662),
+            (15, 148, 0.0624, 0.1605),
+            (0, 20, 0.0, 0.1611),
+            (1, 29, 0.0061, 0.1718),
+        ] {
+            let (low, high) = wilson(hits, count);
+            assert!((low - lower).abs() < 5e-5 && (high - upper).abs() < 5e-5, "{hits} {low} {high}");
+        }
+    }
+
+    #[test]
+    fn a_start_is_drawn_within_its_ranges_and_nowhere_else() {
+        let within = [Some((-2.0, 2.0)), None];
+        let draw = Draw { within: &within, samples: 1000, seed: 3 };
+        let starts: Vec<[f64; 2]> = (0..1000).map(|sample| draw.start(sample, [0.7, 0.1])).collect();
+        assert!(starts.iter().all(|start| (-2.0..2.0).contains(&start[0]) && start[1] == 0.1));
+        assert!(starts.iter().any(|start| start[0] < -1.9) && starts.iter().any(|start| start[0] > 1.9));
+    }
+}

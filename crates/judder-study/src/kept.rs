@@ -1,0 +1,30 @@
+//! What an interrupted run has left of an analysis, so that the next one goes on from there.
+
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+/// The lines of an earlier run, and who keeps each new one.
+#[derive(Clone, Copy)]
+pub(crate) struct Kept<'a> {
+    /// Lines of JSON.
+    pub(crate) lines: &'a [String],
+    /// Keeps a line; it may come from any thread.
+    pub(crate) keep: &'a (dyn Fn(&str) + Sync),
+}
+
+impl Kept<'_> {
+    /// Nothing is known and nothing is kept.
+    pub(crate) const NOTHING: Kept<'static> = Kept { lines: &[], keep: &|_| () };
+
+    /// What is known of one type; a line that is none of it comes from elsewhere and is passed over.
+    pub(crate) fn known<T: DeserializeOwned>(&self) -> Vec<T> {
+        self.lines.iter().filter_map(|line| serde_json::from_str(line).ok()).collect()
+    }
+
+    /// Keeps one more result; one that cannot be kept costs a rerun, no result.
+    pub(crate) fn add<T: Serialize>(&self, result: &T) {
+        if let Ok(line) = serde_json::to_string(result) {
+            (self.keep)(&line);
+        }
+    }
+}

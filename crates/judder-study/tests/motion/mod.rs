@@ -1,0 +1,191 @@
+//! Analyses of motion end to end: the literature's belt, the oscillator paper's section 5, what is kept of an interruption.
+
+use crate::{case, number, run_into};
+use judder_case::CaseFile;
+use judder_study::run::{RunOptions, run};
+use judder_study::{Progress, Silent, StudyError};
+use serde_json::Value;
+use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+const BELT: &str = "benchmarks/belt.toml";
+
+fn parsed(text: &str) -> CaseFile {
+    CaseFile::parse("case.toml", text, &[]).unwrap()
+}
+
+fn numbers(value: &Value) -> Vec<f64> {
+    value.as_array().unwrap().iter().map(|v| v.as_f64().unwrap_or(f64::NAN)).collect()
+}
+
+fn words(value: &Value) -> Vec<&str> {
+    value.as_array().unwrap().iter().map(|v| v.as_str().unwrap()).collect()
+}
+
+/// The comment of the case: 0.3165 ± 0.0150.
+#[test]
+fn the_basin_of_the_belts_fixed_point() {
+    let folder = tempfile::tempdir().unwrap();
+    let report = run_into(folder.path(), &case(BELT, &[]), &["basin"]);
+    assert!(report.complete && report.messages.is_empty(), "{:?}", report.messages);
+    let basin = &report.summary.results["basin"];
+    let (fraction, interval) = (number(&basin["fraction"]), numbers(&basin["interval"]));
+    assert!((fraction - 0.3165).abs() < 0.0150, "{fraction}");
+    assert!(interval[0] < fraction && fraction < interval[1] && interval[1] - interval[0] < 0.014);
+    assert!(folder.path().join("figures/basin.svg").exists());
+}
+
+/// Closed form: steady sliding loses stability at 0.5 ln 10 = 1.1513; the case's comment: the cycle exists up to 1.83660.
+#[test]
+fn the_belts_diagram_has_its_jumps_at_the_fold_and_at_the_hopf_point() {
+    let folder = tempfile::tempdir().unwrap();
+    let report = run_into(folder.path(), &case(BELT, &[]), &["diagram"]);
+    let diagram = &report.summary.results["diagram"];
+    let (values, rms) = (numbers(&diagram["value"]), numbers(&diagram["rms"]));
+    let (directions, becomes) = (words(&diagram["direction"]), words(&diagram["becomes"]));
+    assert_eq!((values.len(), directions[0], directions[121]), (122, "forward", "backward"));
+    for k in 0..122 {
+        // a step of the sweep may fall off the cycle a little before its end
+        if directions[k] == "forward" && (1.81..1.83660).contains(&values[k]) {
+            continue;
+        }
+        let cycle = match directions[k] {
+            "forward" => values[k] < 1.83660,
+            _ => values[k] < 0.5 * 10.0_f64.ln(),
+        };
+        assert_eq!(becomes[k] != "steady sliding", cycle, "{} {}", directions[k], values[k]);
+        assert_eq!(rms[k] > 0.0, cycle);
+    }
+    assert!(report.complete && folder.path().join("figures/diagram.svg").exists());
+}
+
+#[test]
+fn the_belts_cycle_and_its_motion_agree() {
+    let folder = tempfile::tempdir().unwrap();
+    let report = run_into(folder.path(), &case(BELT, &[]), &["cycle", "motion"]);
+    assert!(report.complete && report.messages.is_empty(), "{:?}", report.messages);
+    let (cycle, motion) = (&report.summary.results["cycle"], &report.summary.results["motion"]);
+    assert!((number(&cycle["period"]) / number(&motion["period"]) - 1.0).abs() < 1e-7);
+    assert!(motion["repeats"] == true && cycle["stable"] == true);
+    assert_eq!(words(&cycle["pattern"]), ["slip", "stick"]);
+    // stick forgets how fast the mass was: one multiplier is the trivial one, the other is zero
+    let multipliers = cycle["floquet_multipliers"].as_array().unwrap();
+    assert_eq!(numbers(&multipliers[0]), [1.0, 0.0]);
+    assert!(numbers(&multipliers[1])[0].abs() < 1e-8);
+    for name in ["friction", "normal", "damping", "change", "residual"] {
+        assert!(cycle["energy"][name].is_f64(), "{name}");
+    }
+    for figure in ["cycle", "motion"] {
+        assert!(folder.path().join(format!("figures/{figure}.svg")).exists());
+    }
+}
+
+/// Our notes on the paper: a stable cycle of period about 133 with the normal load.
+#[test]
+fn the_cycle_of_section_5() {
+    let text = "model = \"oscillator\"\n[contact]\nshear_strength = 0.03\n[operation]\nvelocity = 4e-4\nnormal_load = 7.5e-4\n\
+                [[analysis]]\nkind = \"limit-cycle\"\n[[analysis]]\nkind = \"motion\"\nduration = 1000\npoints = 2001";
+    let folder = tempfile::tempdir().unwrap();
+    let report = run_into(folder.path(), &parsed(text), &[]);
+    assert!(report.complete && report.messages.is_empty(), "{:?}", report.messages);
+    let (cycle, motion) = (&report.summary.results["limit-cycle"], &report.summary.results["motion"]);
+    assert!((number(&cycle["period"]) - 133.0).abs() < 1.0 && cycle["stable"] == true, "{cycle:?}");
+    assert_eq!(cycle["floquet_multipliers"].as_array().unwrap().len(), 4);
+    assert!(number(&cycle["residual"]) < 1e-8);
+    for result in [cycle, motion] {
+        assert!(number(&result["stick_fraction"]) > 0.97 && number(&result["lift_off_fraction"]) < 0.01);
+    }
+    // (2π/133 − ṽ_d/A_x) τ̃ with ṽ_d = 5e-3, τ̃ = 0.4 and A_x = 0.32 or so
+    let condition = number(&cycle["quasi_steady"]["largest"]);
+    assert!((condition - 0.4 * (std::f64::consts::TAU / 133.0 - 5e-3 / 0.32)).abs() < 5e-3, "{condition}");
+    assert_eq!(number(&motion["quasi_steady"]["above_0.1"]), 0.0);
+}
+
+#[test]
+fn a_motion_that_cannot_be_followed_says_when_and_where() {
+    let text = "model = \"belt\"\n[[analysis]]\nkind = \"motion\"\nstart = { x = 1.0, velocity_x = 1.0 }\nsteps = 60\n\
+                [[analysis]]\nkind = \"basin\"\nwithin = { x = [-1, 1] }\nsamples = 20\nsteps = 60";
+    let folder = tempfile::tempdir().unwrap();
+    let report = run_into(folder.path(), &parsed(text), &[]);
+    assert!(!report.complete);
+    let message = report.messages.iter().find(|m| m.starts_with("motion: ")).unwrap();
+    assert!(
+        message.contains("has used its 60 steps at time ") && message.contains("at the state ["),
+        "{message}"
+    );
+    // an ensemble marks what is lost, and goes on
+    assert_eq!(report.summary.results["basin"]["fates"]["lost"], 20);
+    assert!(
+        report.messages.iter().any(|m| m.starts_with("basin: 20 of 20 motions")),
+        "{:?}",
+        report.messages
+    );
+}
+
+#[test]
+fn an_oscillator_may_start_in_the_air() {
+    let text = "model = \"oscillator\"\n[operation]\nvelocity = 4e-4\nnormal_load = 7.5e-4\n[[analysis]]\nkind = \"motion\"\n\
+                start = { y = -0.01, velocity_y = -0.01 }\nduration = 20\ntransient = 0\npoints = 101";
+    let folder = tempfile::tempdir().unwrap();
+    let report = run_into(folder.path(), &parsed(text), &[]);
+    assert!(report.complete, "{:?}", report.messages);
+    assert!(number(&report.summary.results["motion"]["lift_off_fraction"]) > 0.01);
+    let table = std::fs::read_to_string(folder.path().join("motion.csv")).unwrap();
+    assert!(table.lines().nth(1).unwrap().ends_with("lift-off"), "{table}");
+}
+
+/// Asks to stop after so many steps.
+struct Impatient {
+    done: AtomicUsize,
+    most: usize,
+}
+
+impl Progress for Impatient {
+    fn begin(&self, _name: &str, _steps: usize) {}
+    fn expect(&self, _steps: usize) {}
+    fn advance(&self) {
+        self.done.fetch_add(1, Ordering::Relaxed);
+    }
+    fn end(&self) {}
+    fn interrupted(&self) -> bool {
+        self.done.load(Ordering::Relaxed) >= self.most
+    }
+}
+
+fn small_basin() -> CaseFile {
+    let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(BELT))
+        .unwrap();
+    parsed(&text.replace("samples = 20000", "samples = 300"))
+}
+
+#[test]
+fn a_basin_goes_on_where_it_was_interrupted() {
+    let (file, options) = (small_basin(), RunOptions { only: vec!["basin".to_owned()], fresh: false });
+    let interrupted = tempfile::tempdir().unwrap();
+    let impatient = Impatient { done: AtomicUsize::new(0), most: 100 };
+    let error = run(&file, interrupted.path(), &options, &impatient).unwrap_err();
+    assert!(matches!(error, StudyError::Interrupted));
+    let kept = std::fs::read_to_string(interrupted.path().join(".scratch-of-basin")).unwrap();
+    assert!(kept.lines().count() > 100, "{kept}");
+    let resumed = run(&file, interrupted.path(), &options, &Silent).unwrap();
+    let at_once = tempfile::tempdir().unwrap();
+    let whole = run(&file, at_once.path(), &options, &Silent).unwrap();
+    assert_eq!(resumed.summary.results, whole.summary.results);
+    let table = |folder: &Path| std::fs::read_to_string(folder.join("basin.csv")).unwrap();
+    assert_eq!(table(interrupted.path()), table(at_once.path()));
+}
+
+#[test]
+fn ensembles_do_not_depend_on_the_number_of_threads() {
+    let text = "model = \"belt\"\n[operation]\nvelocity = 1.5\n\
+                [[analysis]]\nkind = \"basin\"\nwithin = { x = [-2, 2], velocity_x = [0, 2] }\nsamples = 100\n\
+                [[analysis]]\nkind = \"bifurcation\"\nsweep = { key = \"friction.at_rest\", from = 0.6, to = 1.2, points = 8 }";
+    let tables = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        pool.install(|| run_into(folder.path(), &parsed(text), &[]));
+        ["basin.csv", "bifurcation.csv"]
+            .map(|name| std::fs::read_to_string(folder.path().join(name)).unwrap())
+    };
+    assert_eq!(tables(1), tables(3));
+}

@@ -45,6 +45,16 @@ pub struct Oscillation<const N: usize> {
     pub state: [f64; N],
 }
 
+impl<const N: usize> Oscillation<N> {
+    /// (ω − v_d/A_x) τ, eq. (3) of the oscillator paper: a law of steady sliding holds in motion where it is small against 1.
+    ///
+    /// With ω = 2π over the period and A_x the amplitude, in the units of the oscillator: ṽ_d and τ̃.
+    #[must_use]
+    pub fn quasi_steady_condition(&self, belt_velocity: f64, retardation_time: f64) -> f64 {
+        (std::f64::consts::TAU / self.period - belt_velocity / self.amplitude) * retardation_time
+    }
+}
+
 /// A motion that was followed to the end of its time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct History<const N: usize> {

@@ -258,8 +258,11 @@ impl SlidingSystem<4> for StickSlip {
     }
 
     fn scales(&self) -> [f64; 4] {
+        /// Of the depth: without friction and coupling steady sliding has x̃ = 0, which is no scale.
+        const LEAST: f64 = 1e-3;
         let [x, y, _, _] = self.steady_sliding;
-        [x.abs(), y.abs(), self.belt_velocity.min(x.abs()), y.abs()]
+        let along = x.abs().max(LEAST * y.abs());
+        [along, y.abs(), self.belt_velocity.min(along), y.abs()]
     }
 
     fn powers(&self, contact_state: ContactState, state: &[f64; 4]) -> Powers {

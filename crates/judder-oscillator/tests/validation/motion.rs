@@ -216,3 +216,21 @@ fn the_smoothed_sign_is_off_by_its_width() {
     let order = (errors[0] / errors[3]).log2() / 3.0;
     assert!((order - 1.0).abs() < 0.25, "{errors:?}");
 }
+
+/// Without friction and without coupling nothing moves along x, and steady sliding has x̃ = 0: no scale for tolerances.
+#[test]
+fn an_oscillator_without_friction_and_coupling_moves_by_its_spring() {
+    let contact = Contact { law: Law::Hertz(HertzLaw::default()), friction_load: FrictionLoad::NormalLoad };
+    let groups = Groups { shear_strength: 0.0, coupling: 0.0, damping_x: 0.0, ..Groups::default() };
+    let system = StickSlip::new(contact, groups.coefficients().unwrap()).unwrap();
+    let mut start = system.steady_sliding();
+    assert_eq!(start[0], 0.0);
+    start[0] = 1e-3;
+    let mut march =
+        March::new(&system, system.contact_state(&start), start, settings(&system, 1e-10)).unwrap();
+    let time = std::f64::consts::PI;
+    while march.time() < time {
+        march.advance(time).unwrap();
+    }
+    assert!((march.state()[0] + 1e-3).abs() < 1e-11, "{:?}", march.state());
+}

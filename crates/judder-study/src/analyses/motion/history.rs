@@ -11,7 +11,6 @@ use judder_oscillator::motion::history::{History, Oscillation, Sample, Window, f
 use judder_oscillator::motion::{ContactState, SlidingSystem};
 use judder_store::{Dataset, Table, Variable, number};
 use serde_json::{Map, Value, json};
-use std::f64::consts::TAU;
 
 /// What the works may leave of the change of energy, over the largest of them.
 const ENERGY_LIMIT: f64 = 1e-4;
@@ -106,9 +105,8 @@ pub(super) fn energy_check<const N: usize>(history: &History<N>) -> CheckRecord 
     }
 }
 
-/// (ω − v_d/A_x) τ of an oscillation, eq. (3) of the oscillator paper.
 fn condition<const N: usize>(memory: &Memory, oscillation: &Oscillation<N>) -> f64 {
-    (TAU / oscillation.period - memory.belt_velocity / oscillation.amplitude) * memory.retardation_time
+    oscillation.quasi_steady_condition(memory.belt_velocity, memory.retardation_time)
 }
 
 /// The paper's condition for its law: its largest magnitude, and the shares of the time in which it is above 0.1 and 1.

@@ -21,6 +21,9 @@ pub mod smoothed;
 pub mod stick_slip;
 pub mod time_stepping;
 
+/// Asks, after every step of a long motion, whether it shall stop.
+pub type Interrupted<'a> = &'a (dyn Fn() -> bool + Sync);
+
 pub use belt::{BeltOscillator, FallingFriction};
 pub use contact_state::ContactState;
 pub use equations::accelerations;

@@ -42,9 +42,14 @@ fn the_cycle_at_0_03_has_a_period_of_about_133_and_is_stable() {
     for (load, period) in [(FrictionLoad::NormalLoad, 132.855_768), (FrictionLoad::ContactForce, 131.894_444)]
     {
         let system = section_5(0.03, load);
-        let cycle =
-            from_simulation(&system, disturbed(&system), &shooting(&system, 1e-11), &Patience::default())
-                .unwrap();
+        let cycle = from_simulation(
+            &system,
+            disturbed(&system),
+            &shooting(&system, 1e-11),
+            &Patience::default(),
+            &|| false,
+        )
+        .unwrap();
         assert!((cycle.period() - period).abs() < 1e-5, "{}", cycle.period());
         assert!(
             cycle.is_stable() && cycle.trivial_error < 1e-5,
@@ -62,9 +67,10 @@ fn the_cycle_at_0_05_is_unstable_and_found_beside_the_irregular_motion() {
     let system = section_5(0.05, FrictionLoad::NormalLoad);
     let patience = Patience { time: 5e3, ..Patience::default() };
     let limits = settings(&system, 1e-9);
-    let settled = settle(&system, disturbed(&system), limits, &patience).unwrap();
+    let settled = settle(&system, disturbed(&system), limits, &patience, &|| false).unwrap();
     assert_eq!(settled.settled, Settled::Irregular);
-    let cycle = from_simulation(&system, disturbed(&system), &shooting(&system, 1e-9), &patience).unwrap();
+    let cycle =
+        from_simulation(&system, disturbed(&system), &shooting(&system, 1e-9), &patience, &|| false).unwrap();
     println!("{} {:?}", cycle.period(), cycle.multipliers);
     assert!((cycle.period() / cycle.oscillations as f64 - 204.0).abs() < 1.5, "{}", cycle.period());
     assert!(!cycle.is_stable());
@@ -75,9 +81,14 @@ fn the_monodromy_agrees_with_differences_of_the_return_map() {
     for load in [FrictionLoad::NormalLoad, FrictionLoad::ContactForce] {
         let system = section_5(0.03, load);
         let limits = settings(&system, 1e-12);
-        let cycle =
-            from_simulation(&system, disturbed(&system), &shooting(&system, 1e-12), &Patience::default())
-                .unwrap();
+        let cycle = from_simulation(
+            &system,
+            disturbed(&system),
+            &shooting(&system, 1e-12),
+            &Patience::default(),
+            &|| false,
+        )
+        .unwrap();
         let scales = system.scales();
         let around = |start| return_map(&system, start, cycle.oscillations, limits, 1000.0).unwrap();
         let exact = around(cycle.start).derivative;
@@ -151,7 +162,9 @@ fn below_a_subcritical_threshold_simulations_change_at_the_fold() {
     assert!(!first.cycle.is_stable() && last.cycle.is_stable() && branch.folds[0].is_smooth);
     let simulated = |shear: f64| {
         let system: StickSlip = at(shear).unwrap();
-        settle(&system, last.cycle.start, settings(&system, 1e-9), &Patience::default()).unwrap().settled
+        settle(&system, last.cycle.start, settings(&system, 1e-9), &Patience::default(), &|| false)
+            .unwrap()
+            .settled
     };
     // below the fold another cycle is left, of 8 oscillations, which belongs to no branch of this threshold
     assert!(!matches!(simulated(0.99 * fold), Settled::Cycle { oscillations: 1 }));

@@ -3,6 +3,7 @@
 mod amplitude_spectrum;
 mod basin;
 mod bifurcation;
+mod diagram;
 mod history;
 mod limit_cycle;
 mod model;
@@ -41,7 +42,7 @@ pub(super) fn run<M: Model<N>, const N: usize>(
         }
         MotionAnalysis::Bifurcation { sweep, direction, start, following, transient } => {
             let settings = bifurcation::Settings { sweep, start, following, transient: *transient };
-            bifurcation::run(model, &settings, *direction, progress)
+            bifurcation::run(model, &settings, *direction, kept, progress)
         }
         MotionAnalysis::Basin { within, samples, seed, following } => {
             let draw = basin::Draw { within, samples: *samples, seed: *seed };

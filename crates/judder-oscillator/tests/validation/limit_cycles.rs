@@ -4,7 +4,7 @@ use judder_contact::{FittedLaw, Law};
 use judder_numerics::piecewise::Settings;
 use judder_oscillator::critical::{Range, Scale, thresholds};
 use judder_oscillator::cycle::shooting::{Shooting, from_simulation, shoot};
-use judder_oscillator::cycle::{Continuation, global_margin, return_map};
+use judder_oscillator::cycle::{BranchEnd, Continuation, continue_branch, global_margin, return_map};
 use judder_oscillator::hopf::hopf_point;
 use judder_oscillator::motion::attractor::{Patience, Settled, settle};
 use judder_oscillator::motion::{ContactState, SlidingSystem, StickSlip};
@@ -132,6 +132,31 @@ fn above_a_supercritical_threshold_the_amplitude_follows_the_lyapunov_coefficien
         assert!(cycle.is_stable());
         assert!((cycle.around.measures.rms() / predicted - 1.0).abs() < 0.01);
     }
+}
+
+/// The stable cycle of τ̃0 = 0.03 loses stability, turns at 0.0325005 and ends where it grazes the release from stick: motions beside
+/// it release early and come back elsewhere.
+#[test]
+fn the_branch_of_section_5_ends_at_a_grazing_release() {
+    let at = |shear: f64| Ok(section_5(shear, FrictionLoad::NormalLoad));
+    let system = section_5(0.03, FrictionLoad::NormalLoad);
+    let shooting = shooting(&system, 1e-9);
+    let cycle =
+        from_simulation(&system, disturbed(&system), &shooting, &Patience::default(), &|| false).unwrap();
+    let options = Continuation {
+        shooting,
+        range: (1e-3, 0.06),
+        steps: (0.01, 0.1),
+        points: 300,
+        parameter_scale: 0.03,
+    };
+    let branch = continue_branch(&at, 0.03, (cycle.start, 1), 1.0, &options).unwrap();
+    println!("{:?} {:?} {}", branch.folds, branch.end, branch.points.len());
+    let [fold] = branch.folds[..] else { unreachable!("one fold") };
+    assert!(fold.is_smooth && (fold.parameter - 0.032_500_5).abs() < 1e-6);
+    let BranchEnd::Grazing { pattern, jump } = &branch.end else { unreachable!("{:?}", branch.end) };
+    let sticks = |pattern: &[ContactState]| pattern.iter().filter(|s| **s == ContactState::Stick).count();
+    assert!(*jump > 0.1 && sticks(pattern) > sticks(&cycle.around.pattern));
 }
 
 /// F̃_n = 1e-6, v̂ = 1e-2: stable below τ̃0 = 0.104, but a knock starts a cycle from 0.0604 on.

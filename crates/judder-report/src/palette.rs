@@ -155,6 +155,11 @@ impl Role {
     pub fn dotted(self) -> Style {
         Style::from(self).with_dash(Dash::Dotted)
     }
+
+    /// The same role with points that crowd: small markers without the light rims that would hide each other.
+    pub fn crowded(self) -> Style {
+        Style { crowded: true, ..Style::from(self) }
+    }
 }
 
 /// How a line or a set of points is drawn.
@@ -166,13 +171,15 @@ pub struct Style {
     pub dash: Dash,
     /// The shape of points.
     pub marker: Marker,
+    /// Whether points crowd: their markers are small and have no light rims.
+    pub crowded: bool,
     /// Width of the line in points (1/72 inch).
     pub width: f64,
 }
 
 impl From<Role> for Style {
     fn from(role: Role) -> Self {
-        Self { role, dash: role.dash(), marker: role.marker(), width: role.width() }
+        Self { role, dash: role.dash(), marker: role.marker(), crowded: false, width: role.width() }
     }
 }
 

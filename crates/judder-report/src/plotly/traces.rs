@@ -4,7 +4,7 @@ use super::suffix;
 use crate::figure::{ClassMap, Figure, Layer, Line, Panel, Scale, ValueMap};
 use crate::legend::{Entry, entries};
 use crate::markup::html;
-use crate::palette::{QUIET, Role};
+use crate::palette::{Marker, QUIET, Role};
 use crate::scale::stretch;
 use base64::{Engine, engine::general_purpose::STANDARD};
 use serde_json::{Value, json};
@@ -80,12 +80,15 @@ fn trace(layer: &Layer, panel: &Panel, index: usize) -> Option<Value> {
         }
         Layer::Points(points) => {
             let mut trace = curve(points, panel);
+            let size = if points.style.crowded { 3 } else { 7 };
+            // a cross is all rim
+            let has_rim = !points.style.crowded || points.style.marker == Marker::Cross;
             trace["mode"] = json!("markers");
             trace["marker"] = json!({
                 "color": points.style.role.colour().to_string(),
                 "symbol": points.style.marker.plotly(),
-                "size": 7,
-                "line": { "width": 0.7, "color": "#ffffff" },
+                "size": size,
+                "line": { "width": if has_rim { 0.7 } else { 0.0 }, "color": "#ffffff" },
             });
             Some(trace)
         }

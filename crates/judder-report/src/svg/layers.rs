@@ -140,26 +140,50 @@ pub(super) fn line_attributes(style: &Style) -> String {
     )
 }
 
+/// The size of markers that crowd, over that of others.
+const CROWDED: f64 = 0.45;
+
 /// One path with a marker at every place.
 pub(super) fn marker_path(style: &Style, places: impl Iterator<Item = (f64, f64)>) -> String {
-    let data: String = places
-        .map(|(x, y)| {
-            let start = |dx: f64, dy: f64| format!("M{} {}", number(x + dx), number(y + dy));
-            match style.marker {
-                Marker::Circle => format!("{}a2.1 2.1 0 1 0 4.2 0a2.1 2.1 0 1 0-4.2 0z", start(-2.1, 0.0)),
-                Marker::Square => format!("{}h3.8v3.8h-3.8z", start(-1.9, -1.9)),
-                Marker::Diamond => format!("{}l2.5 2.5l-2.5 2.5l-2.5-2.5z", start(0.0, -2.5)),
-                Marker::Triangle => format!("{}l2.5 4.3h-5z", start(0.0, -2.7)),
-                Marker::Cross => format!("{}l4 4m0-4l-4 4", start(-2.0, -2.0)),
-            }
-        })
-        .collect();
+    let size = if style.crowded { CROWDED } else { 1.0 };
+    let data: String = places.map(|place| marker(style.marker, place, size)).collect();
     let colour = style.role.colour();
-    match style.marker {
-        Marker::Cross => {
-            format!("<path d=\"{data}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"1.1\"/>")
+    match (style.marker, style.crowded) {
+        (Marker::Cross, _) => {
+            let width = number(1.1 * size);
+            format!("<path d=\"{data}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\"/>")
         }
-        _ => format!("<path d=\"{data}\" fill=\"{colour}\" stroke=\"#ffffff\" stroke-width=\"0.5\"/>"),
+        (_, true) => format!("<path d=\"{data}\" fill=\"{colour}\"/>"),
+        (_, false) => {
+            format!("<path d=\"{data}\" fill=\"{colour}\" stroke=\"#ffffff\" stroke-width=\"0.5\"/>")
+        }
+    }
+}
+
+/// One marker about a place.
+fn marker(shape: Marker, (x, y): (f64, f64), size: f64) -> String {
+    let scaled = |length: f64| number(size * length);
+    let start = |dx: f64, dy: f64| format!("M{} {}", number(x + size * dx), number(y + size * dy));
+    match shape {
+        Marker::Circle => {
+            let (r, d) = (scaled(2.1), scaled(4.2));
+            format!("{}a{r} {r} 0 1 0 {d} 0a{r} {r} 0 1 0-{d} 0z", start(-2.1, 0.0))
+        }
+        Marker::Square => {
+            let side = scaled(3.8);
+            format!("{}h{side}v{side}h-{side}z", start(-1.9, -1.9))
+        }
+        Marker::Diamond => {
+            let half = scaled(2.5);
+            format!("{}l{half} {half}l-{half} {half}l-{half}-{half}z", start(0.0, -2.5))
+        }
+        Marker::Triangle => {
+            format!("{}l{} {}h-{}z", start(0.0, -2.7), scaled(2.5), scaled(4.3), scaled(5.0))
+        }
+        Marker::Cross => {
+            let side = scaled(4.0);
+            format!("{}l{side} {side}m0-{side}l-{side} {side}", start(-2.0, -2.0))
+        }
     }
 }
 

@@ -6,7 +6,7 @@ use super::text::{Anchor, Text};
 use crate::figure::Panel;
 use crate::layout::{DrawnPanel, Frame};
 use crate::legend::{Entry, INSET, ROW, SAMPLE, SAMPLE_GAP, entries};
-use crate::palette::{QUIET, Role};
+use crate::palette::{QUIET, Role, Style};
 use crate::typeface::SMALL_SIZE;
 
 /// Draws the legend of a panel, where it stands inside the frame.
@@ -32,7 +32,8 @@ pub(super) fn draw_entry(document: &mut Document, entry: &Entry, x: f64, y: f64)
         document.put(format_args!("<path d=\"M{from} {y}H{to}\" {attributes}/>"));
     }
     if let Some(style) = entry.marker {
-        document.put(format_args!("{}", marker_path(&style, [(x + SAMPLE / 2.0, middle)].into_iter())));
+        let alone = Style { crowded: false, ..style };
+        document.put(format_args!("{}", marker_path(&alone, [(x + SAMPLE / 2.0, middle)].into_iter())));
     }
     let text = Text::new(&entry.label, SMALL_SIZE).anchored(Anchor::Start);
     document.text(&text, x + SAMPLE + SAMPLE_GAP, middle + 0.36 * SMALL_SIZE);

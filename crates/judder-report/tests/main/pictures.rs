@@ -151,3 +151,16 @@ proptest! {
         prop_assert!(Document::parse(&text).is_ok());
     }
 }
+
+/// Rims of markers that crowd would hide each other.
+#[test]
+fn markers_that_crowd_are_small_and_have_no_rims() {
+    let drawn = |style: judder_report::palette::Style| {
+        let layer = Layer::points("", vec![1.0, 2.0], vec![1.0, 2.0], style);
+        svg(&Figure::new("points", "", vec![Panel::new(Axis::linear(""), Axis::linear(""), vec![layer])]))
+            .unwrap()
+    };
+    let (usual, crowded) = (drawn(Role::Series(1).into()), drawn(Role::Series(1).crowded()));
+    assert!(usual.contains("h3.8v3.8") && usual.contains("stroke=\"#ffffff\" stroke-width=\"0.5\""));
+    assert!(!crowded.contains("h3.8v3.8") && !crowded.contains("stroke=\"#ffffff\" stroke-width=\"0.5\""));
+}

@@ -23,13 +23,14 @@ pub(crate) struct Kind<S, T> {
 }
 
 /// Every other kind of any model.
-const OTHER_MODELS: [&str; 22] = [
+const OTHER_MODELS: [&str; 23] = [
     "spectrum",
     "stability-map",
     "motion",
     "bifurcation",
     "limit-cycle",
     "basin",
+    "engines",
     "equivalent-damping",
     "critical-shear-strength",
     "critical-load",

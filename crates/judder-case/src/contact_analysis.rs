@@ -7,10 +7,11 @@ use crate::contact_problem::ContactProblem;
 use crate::dimension::Dimension;
 use crate::error::Fault;
 use crate::inputs::{LawName, OscillatorInputs};
-use crate::keys::{Form, Key, Value};
+use crate::keys::{Key, Value};
 use crate::memory::{MEMORY_LIMIT, Memory, read_memory_limit};
 use crate::section::Section;
 use crate::shape::Shape;
+use crate::span::{Span, read_span};
 use crate::swept_keys::read_value;
 use crate::transient_analysis::{TRANSIENT_KEYS, TransientSettings, read_transient};
 
@@ -76,34 +77,6 @@ pub struct LawSettings {
     pub method: LawMethod,
     /// What the largest grid of each of its contacts may take.
     pub memory: Memory,
-}
-
-/// A range with equal ratios between its points.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Span {
-    /// The lower end; positive.
-    pub from: f64,
-    /// The upper end; above the lower one.
-    pub to: f64,
-    /// The number of points, both ends included, at least 2.
-    pub points: usize,
-    /// Whether the ends are groups or in SI units.
-    pub form: Form,
-}
-
-impl Span {
-    /// All points in order: the ends exact.
-    pub fn values(&self) -> Vec<f64> {
-        let last = self.points.saturating_sub(1).max(1);
-        let (first, end) = (self.from.log10(), self.to.log10());
-        (0..self.points)
-            .map(|index| match index {
-                0 => self.from,
-                _ if index == last => self.to,
-                _ => 10_f64.powf(first + (end - first) * index as f64 / last as f64),
-            })
-            .collect()
-    }
 }
 
 /// How a law covers the plane of speed and indentation.
@@ -191,7 +164,7 @@ pub(crate) const KINDS: [Kind<ContactScope, ContactAnalysis>; 5] = [
         doc: "storage and loss modulus and loss tangent over frequency",
         read: |_, section| {
             let frequency = match section.get("frequency") {
-                Some(_) => Some(read_span(section, ContactKey::Frequency, None)?),
+                Some(_) => Some(span(section, ContactKey::Frequency, None)?),
                 None => None,
             };
             Ok(ContactAnalysis::Modulus { frequency })
@@ -315,49 +288,15 @@ fn read_law(kind: &'static str, scope: &ContactScope, section: &Section<'_>) -> 
         None => LAW_ACCURACY,
     };
     Ok(LawSettings {
-        velocity: read_span(section, ContactKey::Velocity, Some(LAW_VELOCITY))?,
-        indentation: read_span(section, ContactKey::Indentation, Some(LAW_INDENTATION))?,
+        velocity: span(section, ContactKey::Velocity, Some(LAW_VELOCITY))?,
+        indentation: span(section, ContactKey::Indentation, Some(LAW_INDENTATION))?,
         accuracy,
         method,
         memory: scope.memory_limit(section)?,
     })
 }
 
-/// Reads `{ from, to, points }` of a key; `default` is in groups.
-fn read_span(
-    section: &Section<'_>,
-    key: ContactKey,
-    default: Option<(f64, f64, usize)>,
-) -> Result<Span, Fault> {
-    let entry = key.entry();
-    let (name, points) = (entry.name(), default.map_or(FREQUENCIES, |(_, _, points)| points));
-    let node = match (section.get(name), default) {
-        (Some(node), _) => node,
-        (None, Some((from, to, points))) => return Ok(Span { from, to, points, form: Form::Group }),
-        (None, None) => section.required(name, "a range, { from = …, to = … }")?,
-    };
-    let table = Section::open(node, name, &format!("`{name}`"), &["from", "to", "points"])?;
-    let end = |end: &str| {
-        let node = table.required(end, &format!("{end} = …, the value at this end"))?;
-        let value = read_value(entry, &table.path(end), node)?;
-        if value.number > 0.0 {
-            return Ok((value, node.place));
-        }
-        let (key, number) = (table.path(end), value.number);
-        Err(Cause::OutOfRange { key, number, range: crate::keys::Range::Positive }.at(node.place))
-    };
-    let ((from, _), (to, to_place)) = (end("from")?, end("to")?);
-    if from.form != to.form {
-        let keys = format!("`{}` and `{}`", table.path("from"), table.path("to"));
-        return Err(Cause::MixedForms { keys }.at(to_place));
-    }
-    let (form, from, to) = (from.form, from.number, to.number);
-    match from.total_cmp(&to) {
-        std::cmp::Ordering::Equal => Err(Cause::EmptyRange { from }.at(table.place)),
-        std::cmp::Ordering::Greater => Err(Cause::Backwards { from, to }.at(table.place)),
-        std::cmp::Ordering::Less => {
-            let points = table.whole("points", 2, SPAN_POINTS)?.unwrap_or(points);
-            Ok(Span { from, to, points, form })
-        }
-    }
+fn span(section: &Section<'_>, key: ContactKey, default: Option<(f64, f64, usize)>) -> Result<Span, Fault> {
+    let points = default.map_or(FREQUENCIES, |(_, _, points)| points);
+    read_span(section, key.entry(), default, (points, SPAN_POINTS))
 }

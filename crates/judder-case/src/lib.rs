@@ -7,11 +7,11 @@
 //! - [`keys`]: **the one table of keys**, which drives reading, defaults, sweeps, schema and templates.
 //! - `section`: typed reading of one table; unknown keys are refused first.
 //! - [`inputs`]: the value of every numeric key at one operating point.
-//! - [`sweep`], `swept_keys`, `read_sweep`: what an analysis varies, over which range.
+//! - [`sweep`], [`span`], `swept_keys`, `read_sweep`: what an analysis varies, over which range.
 //! - `analysis`, [`oscillator_analysis`], [`oscillator_case`]: the oscillator case and its analyses.
 //! - [`contact_keys`], [`substrate`], [`shape`], [`contact_analysis`], [`contact_case`]: the contact case and its analyses;
 //!   [`file_reference`]: the files that a case names; [`memory`]: what they may take; [`continuous`]: a spectrum without lines.
-//! - [`motion_analysis`], [`belt_case`]: the analyses of motion, and the mass on a belt.
+//! - [`motion_analysis`], [`engines_analysis`], [`belt_case`]: the analyses of motion, and the mass on a belt.
 //! - [`expression`], `matrix`, [`mass`], [`two_degrees`]: the two-degrees case, matrices of expressions.
 //! - [`case_file`]: the way in. `resolved`: the way out, canonical JSON for the hash and the report.
 //! - [`cause`], [`contact_problem`], `help`, `excerpt`, [`error`]: what is wrong, what would be right, where.
@@ -28,6 +28,7 @@ pub mod contact_problem;
 pub mod continuous;
 pub mod dimension;
 mod document;
+pub mod engines_analysis;
 pub mod error;
 mod excerpt;
 pub mod expression;
@@ -49,6 +50,7 @@ mod resolved;
 pub mod schema;
 mod section;
 pub mod shape;
+pub mod span;
 pub mod substrate;
 pub mod sweep;
 mod swept_keys;
@@ -60,12 +62,13 @@ pub use analysis::Analysis;
 pub use belt_case::{BELT_KEYS, BeltCase, BeltInputs, BeltKey};
 pub use case_file::{Case, CaseFile};
 pub use cause::Cause;
-pub use contact_analysis::{ContactAnalysis, ContactSettings, LawMethod, LawSettings, Loading, Span};
+pub use contact_analysis::{ContactAnalysis, ContactSettings, LawMethod, LawSettings, Loading};
 pub use contact_case::ContactCase;
 pub use contact_keys::{CONTACT_KEYS, ContactKey};
 pub use contact_problem::ContactProblem;
 pub use continuous::{ContinuousSource, Density, DensitySample, TermChoice};
 pub use dimension::Dimension;
+pub use engines_analysis::EnginesSettings;
 pub use error::CaseError;
 pub use file_reference::FileReference;
 pub use inputs::{FrictionLoad, LawName, OscillatorInputs, TimeForm};
@@ -78,6 +81,7 @@ pub use oscillator_case::OscillatorCase;
 pub use quantity::{Quantity, QuantityError};
 pub use schema::schema;
 pub use shape::{HeightFile, RoughSurface, Roughness, Shape};
+pub use span::Span;
 pub use substrate::{PronyTerm, RelaxationSource, RelaxationTerm, Shift, Substrate, Temperature, TermCount};
 pub use sweep::{Family, MapMethod, ParameterKey, Scale, StabilityMap, Sweep, Within};
 pub use template::{TEMPLATES, template};

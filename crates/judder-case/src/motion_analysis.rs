@@ -164,8 +164,8 @@ pub(crate) trait MotionKeys: SweptKeys {
 /// Name, keys and meaning of a kind, whichever model it belongs to.
 pub(crate) struct MotionKind {
     pub(crate) name: &'static str,
-    keys: &'static [&'static str],
-    doc: &'static str,
+    pub(crate) keys: &'static [&'static str],
+    pub(crate) doc: &'static str,
     /// The default tolerance.
     pub(crate) tolerance: f64,
     /// The default duration.
@@ -265,7 +265,10 @@ pub(crate) fn read_basin<S: MotionKeys>(
     })
 }
 
-fn read_following<S: MotionKeys>(section: &Section<'_>, kind: &MotionKind) -> Result<Following, Fault> {
+pub(crate) fn read_following<S: MotionKeys>(
+    section: &Section<'_>,
+    kind: &MotionKind,
+) -> Result<Following, Fault> {
     let duration = section.get("duration").map(|node| read_value(S::time(), "duration", node)).transpose()?;
     let [fewest, most] = STEPS_LIMITS;
     Ok(Following {
@@ -299,7 +302,7 @@ fn read_transient<S: MotionKeys>(section: &Section<'_>, duration: Value) -> Resu
     Ok(transient)
 }
 
-fn read_start<S: MotionKeys>(section: &Section<'_>) -> Result<MotionStart, Fault> {
+pub(crate) fn read_start<S: MotionKeys>(section: &Section<'_>) -> Result<MotionStart, Fault> {
     let Some(node) = section.get("start") else { return Ok(MotionStart::Disturbance(DISTURBANCE)) };
     let known: Vec<&str> = S::COORDINATES.iter().copied().chain(["disturbance"]).collect();
     let table = Section::open(node, "start", "`start`", &known)?;

@@ -2,6 +2,7 @@
 
 use crate::analysis::Kind;
 use crate::cause::Cause;
+use crate::engines_analysis::{self, ENGINES, EnginesSettings};
 use crate::error::Fault;
 use crate::keys::{Key, OscillatorKey};
 use crate::motion_analysis::{
@@ -52,6 +53,8 @@ pub enum OscillatorAnalysis {
     StabilityMap(StabilityMap<OscillatorKey>),
     /// `motion`, `limit-cycle`, `bifurcation`, `basin`: motion with stick, slip and lift-off.
     Motion(MotionAnalysis<OscillatorKey>),
+    /// `engines`: one cycle by three engines.
+    Engines(EnginesSettings),
 }
 
 /// The default range of `critical-shear-strength`, τ0/E0*.
@@ -61,7 +64,7 @@ pub const SHEAR_STRENGTH_WITHIN: (f64, f64) = (1e-6, 1e3);
 pub const LOAD_WITHIN: (f64, f64) = (1e-10, 1e0);
 
 /// The kinds of an oscillator case.
-pub(crate) const KINDS: [Kind<OscillatorKeys, OscillatorAnalysis>; 9] = [
+pub(crate) const KINDS: [Kind<OscillatorKeys, OscillatorAnalysis>; 10] = [
     Kind {
         name: "equivalent-damping",
         keys: &["sweep", "family"],
@@ -110,6 +113,7 @@ pub(crate) const KINDS: [Kind<OscillatorKeys, OscillatorAnalysis>; 9] = [
     LIMIT_CYCLE.kind(|keys, section| read_limit_cycle(keys, section).map(OscillatorAnalysis::Motion)),
     BIFURCATION.kind(|keys, section| read_bifurcation(keys, section).map(OscillatorAnalysis::Motion)),
     BASIN.kind(|keys, section| read_basin(keys, section).map(OscillatorAnalysis::Motion)),
+    ENGINES.kind(|_, section| engines_analysis::read(section).map(OscillatorAnalysis::Engines)),
 ];
 
 impl MotionKeys for OscillatorKeys {

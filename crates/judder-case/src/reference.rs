@@ -83,7 +83,7 @@ only. `temperature = \"40 degC\"` with `shift = { wlf = { c1 = 17.4, c2 = \"51.6
 const MOTION: &str = "
 ### Analyses of motion
 
-`motion`, `limit-cycle`, `bifurcation` and `basin` follow the motion through [stick, slip and lift-off](theory/motion.md). Their settings:
+`motion`, `limit-cycle`, `bifurcation`, `basin` and `engines` follow the motion through [stick, slip and lift-off](theory/motion.md). Their settings:
 
 | key | default | what it is |
 | --- | --- | --- |
@@ -91,12 +91,14 @@ const MOTION: &str = "
 what is left out stands as in steady sliding; y ≤ 0 is in the air |
 | `duration` | 2000 for `motion`, 5000 for `bifurcation`, 2e4 otherwise | ω_nx t, or a time (`\"50 s\"`): how long a `motion` is followed; within which any other settles |
 | `transient` | half the duration | the first part of it, which the averages of a `motion`, or of an irregular one in a `bifurcation`, leave out |
-| `tolerance` | 1e-8 for `motion`, 1e-10 for `limit-cycle`, 1e-6 otherwise | local error of a step, relative to the magnitudes of steady sliding; above 1e-14, at most 1e-2 |
+| `tolerance` | 1e-8 for `motion`, 1e-10 for `limit-cycle` and `engines`, 1e-6 otherwise | local error of a step, relative to the magnitudes of steady sliding; above 1e-14, at most 1e-2 |
 | `steps` | 10000000 | the most steps of one motion |
 | `points` | 4096 | of a `motion`: points of the uniform grid of time that is kept |
 | `direction` | `\"both\"` | of a `bifurcation`: `\"forward\"`, `\"backward\"` or both; each motion starts where the one before has ended, the first from `start` |
 | `within` | | of a `basin`: ranges `{ x = [-2.0, 2.0], velocity_x = [0.0, 2.0] }` from which starts are drawn evenly and independently |
 | `samples`, `seed` | 1000, 1 | of a `basin`: how many starts, and which; the n-th depends on the seed and on n alone |
+| `time_step` | `{ from = 3e-4, to = 1e-1, points = 11 }` | of `engines`: steps of the time-stepping, ω_nx t or times, with equal ratios between them |
+| `width` | `{ from = 1e-4, to = 1.0, points = 13 }` | of `engines`: widths ε of the smoothed sign tanh(v_rel/ε), over v_d |
 ";
 
 /// What a belt case has, before the table of its numbers.

@@ -6,7 +6,7 @@ use serde_json::{Map, Value as Json, json};
 
 use crate::analysis::Analysis;
 use crate::case_file::Case;
-use crate::contact_analysis::{ContactAnalysis, LawSettings, Loading, Span};
+use crate::contact_analysis::{ContactAnalysis, LawSettings, Loading};
 use crate::contact_case::ContactCase;
 use crate::contact_keys::ContactKey;
 use crate::continuous::{ContinuousSource, Density, DensitySample, TermChoice};
@@ -16,6 +16,7 @@ use crate::keys::{Form, KEYS, OscillatorKey, Value};
 use crate::oscillator_analysis::OscillatorAnalysis;
 use crate::oscillator_case::OscillatorCase;
 use crate::shape::{Roughness, Shape};
+use crate::span::Span;
 use crate::substrate::{
     PronyTerm, RelaxationSource, RelaxationTerm, Shift, Substrate, Temperature, TermCount,
 };
@@ -198,7 +199,7 @@ fn contact_analysis(kind: &ContactAnalysis) -> Json {
         }
         ContactAnalysis::Modulus { frequency } => json!({
             "kind": "modulus",
-            "frequency": frequency.as_ref().map(|range| span(range, ContactKey::Frequency)),
+            "frequency": frequency.as_ref().map(|range| span(range, ContactKey::Frequency.entry().dimension)),
         }),
         ContactAnalysis::Transient(settings) => transient(settings),
     }
@@ -244,14 +245,14 @@ fn contact_value(value: Value, key: ContactKey) -> Json {
 
 fn law_settings(kind: &str, law: &LawSettings) -> Json {
     json!({
-        "kind": kind, "velocity": span(&law.velocity, ContactKey::Velocity),
-        "indentation": span(&law.indentation, ContactKey::Indentation), "accuracy": law.accuracy,
+        "kind": kind, "velocity": span(&law.velocity, ContactKey::Velocity.entry().dimension),
+        "indentation": span(&law.indentation, ContactKey::Indentation.entry().dimension), "accuracy": law.accuracy,
         "method": law.method.name(), "memory_limit": law.memory.bytes,
     })
 }
 
-fn span(span: &Span, key: ContactKey) -> Json {
-    let end = |end| number(end, span.form, key.entry().dimension);
+fn span(span: &Span, dimension: Dimension) -> Json {
+    let end = |end| number(end, span.form, dimension);
     json!({ "from": end(span.from), "to": end(span.to), "points": span.points })
 }
 
@@ -294,6 +295,7 @@ fn oscillator_analysis(kind: &OscillatorAnalysis) -> Json {
         }),
         OscillatorAnalysis::StabilityMap(map) => stability_map(map),
         OscillatorAnalysis::Motion(kind) => motion::motion::<OscillatorKeys>(kind),
+        OscillatorAnalysis::Engines(settings) => motion::engines(settings),
     }
 }
 

@@ -150,6 +150,12 @@ kind = \"basin\"                    # from which share of the starts steady slid
 within = { velocity_x = [-0.05, 0.05] }   # drawn evenly; what is left out stands as in steady sliding
 samples = 200
 seed = 1
+
+[[analysis]]
+name = \"engines\"
+kind = \"engines\"                  # the cycle by events, by time-stepping and with a smoothed sign, for a doubt of your own
+time_step = { from = 1e-3, to = 1e-1, points = 7 }   # ω_nx t, or times
+width = { from = 1e-3, to = 1.0, points = 7 }        # ε of the smoothed sign, over v_d
 ";
 
 const BELT_HEAD: &str = "\

@@ -9,12 +9,14 @@
 //! - [`history`]: a motion over a given time.
 //! - [`attractor`]: where a motion settles.
 //! - [`time_stepping`], [`smoothed`]: two other engines for the same motion, to hold the first against.
+//! - [`laps`]: their periods and averages.
 
 pub mod attractor;
 pub mod belt;
 pub mod contact_state;
 pub mod equations;
 pub mod history;
+pub mod laps;
 pub mod measures;
 pub mod sliding_system;
 pub mod smoothed;

@@ -49,6 +49,7 @@ pub fn steps(case: &Case, index: usize) -> usize {
             OscillatorAnalysis::StabilityMap(map) if map.method == MapMethod::EveryPoint => 2 + map.y.points,
             OscillatorAnalysis::StabilityMap(_) => 2,
             OscillatorAnalysis::Motion(kind) => motion::steps(kind),
+            OscillatorAnalysis::Engines(settings) => motion::engines::steps(settings),
         },
         Case::Contact(case) => contact::steps(&case.analyses[index].kind),
         Case::Belt(case) => motion::steps(&case.analyses[index].kind),
@@ -116,6 +117,9 @@ fn oscillator(
         OscillatorAnalysis::StabilityMap(map) => stability_map::run((case, contact), map, progress),
         OscillatorAnalysis::Motion(kind) => {
             motion::run(&OscillatorModel { inputs: &case.inputs, contact }, kind, kept, progress)
+        }
+        OscillatorAnalysis::Engines(settings) => {
+            motion::engines::run(&OscillatorModel { inputs: &case.inputs, contact }, settings, progress)
         }
     }
 }

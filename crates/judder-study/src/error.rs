@@ -77,6 +77,16 @@ pub enum StudyError {
     /// There is no cycle.
     #[error("no limit cycle: {0}")]
     Cycle(CycleError),
+    /// No other engine stays on the cycle.
+    #[error(
+        "the cycle of period {period:.4} is unstable, with a Floquet multiplier of magnitude {multiplier:.3}: the other engines would leave it"
+    )]
+    UnstableCycle {
+        /// Its period, ω_nx t.
+        period: f64,
+        /// The magnitude of the largest multiplier beside the trivial one.
+        multiplier: f64,
+    },
     /// The folder holds no results to report on.
     #[error("{folder} holds no results yet: run `judder run CASE.toml -o {folder}` first")]
     NoResults {
@@ -138,9 +148,12 @@ impl StudyError {
             // a window that was chosen, not given
             Self::Transient(error) => !matches!(error, TransientError::WindowTooSmall { .. }),
             Self::Law(error) => !matches!(error, LawError::FailedPoints { .. }),
-            Self::Oscillator(_) | Self::Motion(_) | Self::Cycle(_) | Self::Report(_) | Self::Interrupted => {
-                false
-            }
+            Self::Oscillator(_)
+            | Self::Motion(_)
+            | Self::Cycle(_)
+            | Self::UnstableCycle { .. }
+            | Self::Report(_)
+            | Self::Interrupted => false,
         }
     }
 }

@@ -2,10 +2,11 @@
 
 mod contact;
 mod curves;
+mod engines;
 mod laws;
 mod map;
 mod modulus;
-mod motion;
+pub(crate) mod motion;
 mod transient;
 
 use judder_report::{Axis, Figure, Panel, Role};
@@ -36,6 +37,7 @@ pub fn panels(dataset: &Dataset) -> Vec<Panel> {
         "limit-cycle" => motion::limit_cycle(dataset),
         "bifurcation" => motion::bifurcation(dataset),
         "basin" => motion::basin(dataset),
+        "engines" => engines::engines(dataset),
         _ => None,
     };
     panels.unwrap_or_default()
@@ -93,6 +95,10 @@ fn caption(dataset: &Dataset) -> &'static str {
              shares of the time in stick and off the substrate. A motion that is neither at rest nor periodic within its time counts as irregular."
         }
         "basin" => "Starts, drawn evenly, and what becomes of them.",
+        "engines" => {
+            "The cycle by time-stepping and with a smoothed sign against that by events: relative errors of rms and period. Dotted: in proportion to the \
+             step, to the width. A sign that is too wide comes to another motion, or to none."
+        }
         _ => "",
     }
 }
@@ -111,7 +117,7 @@ fn complexes<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [Complex64]> {
     }
 }
 
-fn codes<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [u8]> {
+pub(crate) fn codes<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [u8]> {
     match &dataset.variable(name)?.data {
         Data::U8(values) => Some(values),
         _ => None,

@@ -27,6 +27,8 @@ mod cost {
     /// A motion over a radian of its time: of the oscillator, of a mass on a belt.
     pub(super) const RADIAN: f64 = 1e-5;
     pub(super) const RADIAN_ON_BELT: f64 = 2e-7;
+    /// A step of the time-stepping.
+    pub(super) const TIME_STEP: f64 = 2.5e-6;
     /// One figure as SVG and PNG.
     pub(super) const FIGURE: f64 = 0.2;
 }
@@ -174,6 +176,7 @@ fn group_rows(
 fn of_oscillator(name: &str, kind: &OscillatorAnalysis) -> Estimate {
     let (points, seconds) = match kind {
         OscillatorAnalysis::Motion(kind) => return motion::estimate(name, kind, cost::RADIAN),
+        OscillatorAnalysis::Engines(settings) => return motion::engines(name, settings),
         OscillatorAnalysis::EquivalentDamping { sweep, family }
         | OscillatorAnalysis::Spectrum { sweep, family } => {
             let points = sweep.points * family.as_ref().map_or(1, |f| f.values.len());

@@ -2,13 +2,15 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use super::{Dimensioned, named, number, sweep};
+use super::{Dimensioned, named, number, span, sweep};
 use crate::belt_case::{BELT_KEYS, BeltCase, BeltKey, BeltKeys};
 use crate::dimension::Dimension;
+use crate::engines_analysis::{ENGINES, EnginesSettings, TIME_STEP, WIDTH};
 use crate::keys::Value;
 use crate::motion_analysis::{
     BASIN, BIFURCATION, Following, HISTORY, LIMIT_CYCLE, MotionAnalysis, MotionKeys, MotionStart,
 };
+use crate::swept_keys::OscillatorKeys;
 
 impl Dimensioned for BeltKey {
     fn dimension(self) -> Dimension {
@@ -56,6 +58,14 @@ where
             together(BASIN.name, own, how)
         }
     }
+}
+
+pub(super) fn engines(settings: &EnginesSettings) -> Json {
+    let own = json!({
+        "start": start::<OscillatorKeys>(&settings.start), "time_step": span(&settings.time_step, TIME_STEP.dimension),
+        "width": span(&settings.width, WIDTH.dimension),
+    });
+    together(ENGINES.name, own, &settings.following)
 }
 
 fn together(kind: &str, mut own: Json, following: &Following) -> Json {

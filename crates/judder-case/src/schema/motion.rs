@@ -4,7 +4,8 @@ use serde_json::{Map, Value as Json, json};
 
 use super::{analyses, choice, key, object, reference, sweep, table};
 use crate::belt_case::{self, BELT_KEYS, BELT_SECTIONS, BeltKeys};
-use crate::keys::Range;
+use crate::engines_analysis::{ENGINES, EnginesKey, LADDER_POINTS, TIME_STEP, TIME_STEPS, WIDTH, WIDTHS};
+use crate::keys::{Key, Range};
 use crate::motion_analysis::{
     BASIN, BASIN_SAMPLES, BASIN_SEED, BIFURCATION, DISTURBANCE, HISTORY, HISTORY_POINTS,
     HISTORY_POINTS_LIMITS, LIMIT_CYCLE, MOTION_STEPS, MotionKeys, MotionKind, SAMPLES_LIMITS, SEED_LIMITS,
@@ -13,7 +14,7 @@ use crate::motion_analysis::{
 
 /// Whether a kind is one of motion.
 fn kind(name: &str) -> Option<&'static MotionKind> {
-    const KINDS: [&MotionKind; 4] = [&HISTORY, &LIMIT_CYCLE, &BIFURCATION, &BASIN];
+    const KINDS: [&MotionKind; 5] = [&HISTORY, &LIMIT_CYCLE, &BIFURCATION, &BASIN, &ENGINES];
     KINDS.into_iter().find(|kind| kind.name == name)
 }
 
@@ -52,8 +53,19 @@ pub(super) fn setting<S: MotionKeys>(kind_name: &str, name: &str) -> Option<Json
             choice(SweepDirection::ALL.map(|(name, _)| name), "both", "which way the key is followed")
         }
         "tolerance" => tolerance(kind),
+        "time_step" => ladder(&TIME_STEP, TIME_STEPS),
+        "width" => ladder(&WIDTH, WIDTHS),
         _ => return None,
     })
+}
+
+/// A range of steps or widths.
+fn ladder(entry: &Key<EnginesKey>, (from, to, points): (f64, f64, usize)) -> Json {
+    let count = json!({ "type": "integer", "minimum": 2, "maximum": LADDER_POINTS, "default": points });
+    let entries = object([("from", key(entry)), ("to", key(entry)), ("points", count)]);
+    let mut json = table("a range, with equal ratios between its points", entries, &["from", "to"]);
+    json["default"] = json!({ "from": from, "to": to, "points": points });
+    json
 }
 
 fn tolerance(kind: &MotionKind) -> Json {

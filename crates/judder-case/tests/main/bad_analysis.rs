@@ -38,7 +38,7 @@ name = "x"
 "#,
         "this analysis lacks the key `kind`",
         "[[analysis]]",
-        r#"give kind = "…", one of equivalent-damping, spectrum, critical-shear-strength, critical-load, stability-map, motion, limit-cycle, bifurcation, basin"#,
+        r#"give kind = "…", one of equivalent-damping, spectrum, critical-shear-strength, critical-load, stability-map, motion, limit-cycle, bifurcation, basin, engines"#,
     );
 }
 
@@ -48,7 +48,7 @@ fn an_unknown_kind() {
         &analysis("stability_map", ""),
         "unknown analysis kind `stability_map`",
         "stability_map",
-        "did you mean `stability-map`? known: equivalent-damping, spectrum, critical-shear-strength, critical-load, stability-map, motion, limit-cycle, bifurcation, basin",
+        "did you mean `stability-map`? known: equivalent-damping, spectrum, critical-shear-strength, critical-load, stability-map, motion, limit-cycle, bifurcation, basin, engines",
     );
 }
 
@@ -58,7 +58,7 @@ fn a_kind_of_another_model() {
         &analysis("march", ""),
         "the analysis kind `march` belongs to another model",
         "march",
-        "available: equivalent-damping, spectrum, critical-shear-strength, critical-load, stability-map, motion, limit-cycle, bifurcation, basin",
+        "available: equivalent-damping, spectrum, critical-shear-strength, critical-load, stability-map, motion, limit-cycle, bifurcation, basin, engines",
     );
 }
 

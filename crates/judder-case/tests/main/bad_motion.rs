@@ -143,3 +143,23 @@ fn a_key_of_another_model() {
         "available: contact, contact-law, fit, modulus, transient",
     );
 }
+
+#[test]
+fn a_width_with_a_unit() {
+    refused(
+        &analysis("engines", "width = { from = \"1 mm/s\", to = 1 }"),
+        "`width.from` is a string, but must be a plain number",
+        "\"1 mm/s\"",
+        "",
+    );
+}
+
+#[test]
+fn engines_on_a_belt() {
+    refused(
+        "model = \"belt\"\n[[analysis]]\nkind = \"engines\"",
+        "the analysis kind `engines` belongs to another model",
+        "engines",
+        "available: motion, limit-cycle, bifurcation, basin",
+    );
+}

@@ -2,8 +2,8 @@
 
 use crate::parse;
 use judder_case::{
-    BeltKey, Case, Form, MotionAnalysis, MotionStart, OscillatorAnalysis, OscillatorKey, SweepDirection,
-    Value,
+    BeltKey, Case, EnginesSettings, Form, MotionAnalysis, MotionStart, OscillatorAnalysis, OscillatorKey,
+    SweepDirection, Value,
 };
 
 fn oscillator(settings: &str) -> MotionAnalysis<OscillatorKey> {
@@ -56,6 +56,29 @@ fn a_limit_cycle_and_a_diagram_have_tolerances_of_their_own() {
     );
     assert_eq!(direction, SweepDirection::Backward);
     assert_eq!(direction.sweeps(), [SweepDirection::Backward]);
+}
+
+fn engines(settings: &str) -> EnginesSettings {
+    let text = format!("model = \"oscillator\"\n[[analysis]]\nkind = \"engines\"\n{settings}");
+    let Case::Oscillator(case) = parse(&text, &[]).unwrap() else { panic!("an oscillator case") };
+    match &case.analyses[0].kind {
+        OscillatorAnalysis::Engines(settings) => settings.clone(),
+        other => panic!("{other:?} compares no engines"),
+    }
+}
+
+#[test]
+fn a_comparison_of_engines() {
+    let settings = engines("");
+    assert_eq!((settings.following.tolerance, settings.following.duration), (1e-10, Value::group(2e4)));
+    assert_eq!((settings.time_step.points, settings.width.points), (11, 13));
+    // the width of most codes is among the defaults
+    assert!(settings.width.values().iter().any(|width| (width - 0.1).abs() < 1e-12));
+    let settings = engines(
+        "time_step = { from = \"10 us\", to = \"1 ms\" }\nwidth = { from = 1e-3, to = 1, points = 4 }",
+    );
+    assert_eq!((settings.time_step.form, settings.time_step.points), (Form::Si, 11));
+    assert_eq!(settings.width.values().len(), 4);
 }
 
 const BELT: &str = r#"

@@ -31,6 +31,12 @@ impl TimeStepping {
         Err(OscillatorError::InvalidGroup { name: "time step", value: step, requirement: "positive" })
     }
 
+    /// The step.
+    #[must_use]
+    pub fn step(&self) -> f64 {
+        self.step
+    }
+
     /// The state a step later, and what the contact did in it.
     #[must_use]
     pub fn advance(&self, state: &[f64; 4]) -> ([f64; 4], ContactState) {

@@ -4,10 +4,13 @@ use super::limit_cycles::{section_5, settings};
 use judder_contact::{FittedLaw, HertzLaw, Law};
 use judder_numerics::dense::Triangles;
 use judder_numerics::piecewise::{March, PiecewiseSmooth, Settings};
+use judder_oscillator::cycle::shooting::{Shooting, from_simulation};
 use judder_oscillator::equilibrium::equilibrium;
 use judder_oscillator::linear_system::ReducedSystem;
 use judder_oscillator::linearisation::Linearisation;
 use judder_oscillator::mechanism::StabilityClass;
+use judder_oscillator::motion::attractor::Patience;
+use judder_oscillator::motion::laps::{Course, Laps, by_time_stepping, with_smoothed_sign};
 use judder_oscillator::motion::{ContactState, SlidingSystem, Smoothed, StickSlip, TimeStepping};
 use judder_oscillator::spectrum::{eigenvalues, leading};
 use judder_oscillator::{Contact, FrictionLoad, Groups};
@@ -215,6 +218,53 @@ fn the_smoothed_sign_is_off_by_its_width() {
     println!("{errors:?}");
     let order = (errors[0] / errors[3]).log2() / 3.0;
     assert!((order - 1.0).abs() < 0.25, "{errors:?}");
+}
+
+/// A cycle that two other engines follow comes out with the period and the rms that Newton's method gives it, in proportion to step and
+/// width.
+#[test]
+fn laps_of_two_other_engines_come_to_the_cycle() {
+    let load = FrictionLoad::NormalLoad;
+    let system = section_5(0.03, load);
+    let mut start = system.steady_sliding();
+    start[0] *= 1.2;
+    let limits = settings(&system, 1e-10);
+    let shooting = Shooting { settings: limits, tolerance: 1e-8, iterations: 20, longest: 1000.0 };
+    let cycle = from_simulation(&system, start, &shooting, &Patience::default(), &|| false).unwrap();
+    let course = Course {
+        start: cycle.start,
+        centre: system.steady_sliding()[0],
+        returns: 1,
+        laps: 3,
+        longest: 1000.0,
+        steps: 10_000_000,
+    };
+    let errors = |laps: &Laps| {
+        let last = laps.laps.last().unwrap();
+        [last.duration / cycle.period() - 1.0, last.rms() / cycle.around.measures.rms() - 1.0].map(f64::abs)
+    };
+    let stepped = |step: f64| {
+        let contact = Contact { law: Law::Fitted(FittedLaw::oscillator_paper()), friction_load: load };
+        let engine = TimeStepping::new(contact, *system.coefficients(), step).unwrap();
+        errors(&by_time_stepping(&engine, &course))
+    };
+    let smoothed = |width: f64| {
+        let smoothed = Smoothed::new(system.clone(), width * system.belt_velocity());
+        errors(&with_smoothed_sign(&smoothed, system.section(), limits, &course).unwrap())
+    };
+    for (coarse, fine, largest) in
+        [(stepped(4e-3), stepped(1e-3), 1e-4), (smoothed(8e-4), smoothed(2e-4), 2e-4)]
+    {
+        println!("{coarse:?} {fine:?}");
+        assert!(fine.iter().all(|error| *error < largest), "{fine:?}");
+        let order = (coarse[1] / fine[1]).log2() / 2.0;
+        assert!((order - 1.0).abs() < 0.25, "{coarse:?} {fine:?}");
+    }
+    // too few steps for three laps
+    let short = Course { steps: 1000, ..course };
+    let contact = Contact { law: Law::Fitted(FittedLaw::oscillator_paper()), friction_load: load };
+    let engine = TimeStepping::new(contact, *system.coefficients(), 1e-2).unwrap();
+    assert!(by_time_stepping(&engine, &short).laps.is_empty());
 }
 
 /// Without friction and without coupling nothing moves along x, and steady sliding has x̃ = 0: no scale for tolerances.

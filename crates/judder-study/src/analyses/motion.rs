@@ -4,6 +4,7 @@ mod amplitude_spectrum;
 mod basin;
 mod bifurcation;
 mod diagram;
+pub(super) mod engines;
 mod history;
 mod limit_cycle;
 mod model;

@@ -24,7 +24,7 @@ const LIFT_OFF: u8 = 3;
 /// Whole motion, its end, phase portrait, spectrum, section.
 pub(super) fn motion(dataset: &Dataset) -> Option<Vec<Panel>> {
     let time = reals(dataset, "time")?;
-    let shown = Shown::end_of(dataset)?;
+    let shown = Shown::end_of(dataset, SHOWN)?;
     let whole = vec![Layer::line("", time.to_vec(), reals(dataset, "x")?.to_vec(), Role::Series(0).solid())];
     let mut panels = vec![Panel::new(along_time(dataset)?, axis(dataset.variable("x")?), whole)];
     for name in ["x", "relative_velocity", "contact_area"] {
@@ -34,6 +34,13 @@ pub(super) fn motion(dataset: &Dataset) -> Option<Vec<Panel>> {
     panels.extend(spectrum(dataset));
     panels.extend(section(dataset));
     Some(panels)
+}
+
+/// The last oscillations of a motion: displacement, relative velocity and contact area over time, then the phase portrait.
+pub(crate) fn ending(dataset: &Dataset, oscillations: f64) -> Option<Vec<Panel>> {
+    let shown = Shown::end_of(dataset, oscillations)?;
+    let histories = ["x", "relative_velocity", "contact_area"].into_iter().map(|name| shown.history(name));
+    histories.chain([shown.portrait()]).collect()
 }
 
 /// One period, phase portrait, Floquet multipliers.
@@ -93,12 +100,12 @@ impl<'a> Shown<'a> {
     }
 
     /// A few oscillations at the end of a motion, fewer where they change too often to be told apart.
-    fn end_of(dataset: &'a Dataset) -> Option<Self> {
+    fn end_of(dataset: &'a Dataset, oscillations: f64) -> Option<Self> {
         let (time, events) = (reals(dataset, "time")?, reals(dataset, "event_time")?);
         let end = *time.last()?;
         let usual = match reals(dataset, "oscillation_period")? {
             [] => 0.1 * end,
-            periods => SHOWN * periods.iter().sum::<f64>() / periods.len() as f64,
+            periods => oscillations * periods.iter().sum::<f64>() / periods.len() as f64,
         };
         let crowded = events.len().checked_sub(MOST_CHANGES).map_or(0.0, |first| events[first]);
         Self::since(dataset, (end - usual).max(crowded).max(0.0))
@@ -199,7 +206,7 @@ fn section(dataset: &Dataset) -> Option<Panel> {
     if points.0.is_empty() {
         return None;
     }
-    let layer = Layer::points("", points.0, points.1, Role::Series(1));
+    let layer = Layer::points("", points.0, points.1, Role::Series(1).crowded());
     Some(Panel::new(along, up, vec![layer]).with_title("Poincaré section"))
 }
 
@@ -257,7 +264,7 @@ fn largest(dataset: &Dataset, directions: &[String], along: Axis) -> Option<Pane
     let layers = directions.iter().enumerate().map(|(k, direction)| {
         let points = || (0..x.len()).filter(|i| of[*i] == *direction);
         let across = points().map(|i| values[i]).collect();
-        Layer::points(direction, across, points().map(|i| x[i]).collect(), Role::Series(k))
+        Layer::points(direction, across, points().map(|i| x[i]).collect(), Role::Series(k).crowded())
     });
     let label =
         text(dataset.variable("section_x")?, "label").unwrap_or("x").replace("Displacement", "Largest");
@@ -282,7 +289,12 @@ pub(super) fn basin(dataset: &Dataset) -> Option<Vec<Panel>> {
     let layers = fates.iter().enumerate().filter(|(code, _)| fate.iter().any(|f| usize::from(*f) == *code));
     let layers = layers.map(|(code, label)| {
         let of = || (0..fate.len().min(MOST_STARTS)).filter(|i| usize::from(fate[*i]) == code);
-        Layer::points(*label, of().map(|i| x[i]).collect(), of().map(|i| y[i]).collect(), Role::Series(code))
+        Layer::points(
+            *label,
+            of().map(|i| x[i]).collect(),
+            of().map(|i| y[i]).collect(),
+            Role::Series(code).crowded(),
+        )
     });
     let along = |name: &str| dataset.variable(name).map(axis);
     Some(vec![Panel::new(along(first)?, along(second)?, layers.collect()).with_legend(Legend::Below)])

@@ -1,7 +1,8 @@
 //! The figures of the paper: which case makes which panel.
 
 use judder_case::{
-    Case, ContactAnalysis, ContactCase, LawMethod, MotionAnalysis, OscillatorAnalysis, OscillatorCase, Shape,
+    Case, ContactAnalysis, ContactCase, EnginesSettings, Following, Form, LawMethod, MotionAnalysis,
+    OscillatorAnalysis, OscillatorCase, Shape, Span, Value,
 };
 
 /// A figure of the paper.
@@ -35,6 +36,8 @@ macro_rules! case {
         include_str!(concat!("../../../../cases/oscillator-paper/", $file, ".toml"))
     };
 }
+
+pub(super) use case;
 
 const fn source(name: &'static str, case: &'static str, label: &'static str) -> Source {
     Source { name, case_name: name, case, overrides: &[], label }
@@ -145,7 +148,6 @@ fn thin_out_oscillator(case: &mut OscillatorCase) {
     const CURVE: usize = 301;
     const THRESHOLDS: usize = 101;
     const MAP: usize = 400;
-    const DIAGRAM: usize = 20;
     for analysis in &mut case.analyses {
         match &mut analysis.kind {
             OscillatorAnalysis::EquivalentDamping { sweep, .. }
@@ -158,12 +160,46 @@ fn thin_out_oscillator(case: &mut OscillatorCase) {
                 map.x.points = map.x.points.min(MAP);
                 map.y.points = map.y.points.min(MAP);
             }
-            OscillatorAnalysis::Motion(MotionAnalysis::Bifurcation { sweep, .. }) => {
-                sweep.points = sweep.points.min(DIAGRAM);
-            }
-            OscillatorAnalysis::Motion(_) => (),
+            OscillatorAnalysis::Motion(kind) => thin_out_motion(kind),
+            OscillatorAnalysis::Engines(settings) => thin_out_engines(settings),
         }
     }
+}
+
+/// Fewer motions, and shorter ones.
+fn thin_out_motion<K>(kind: &mut MotionAnalysis<K>) {
+    const DIAGRAM: usize = 16;
+    const SETTLING: f64 = 2000.0;
+    const HISTORY: f64 = 1000.0;
+    const CYCLE: f64 = 2500.0;
+    let shorten = |following: &mut Following, transient: &mut Value, longest: f64| {
+        if following.duration.form == Form::Group && following.duration.number > longest {
+            transient.number *= longest / following.duration.number;
+            following.duration.number = longest;
+        }
+    };
+    match kind {
+        MotionAnalysis::Bifurcation { sweep, following, transient, .. } => {
+            sweep.points = sweep.points.min(DIAGRAM);
+            shorten(following, transient, SETTLING);
+        }
+        MotionAnalysis::History { following, transient, points, .. } => {
+            let longer = following.duration.number;
+            shorten(following, transient, HISTORY);
+            // as dense as before
+            *points = (*points as f64 * following.duration.number / longer) as usize;
+        }
+        MotionAnalysis::LimitCycle { following, .. } => {
+            following.duration.number = following.duration.number.min(CYCLE);
+        }
+        MotionAnalysis::Basin { .. } => (),
+    }
+}
+
+/// As many steps and widths as an order takes.
+fn thin_out_engines(settings: &mut EnginesSettings) {
+    settings.time_step = Span { from: 1.25e-3, to: 5e-3, points: 3, ..settings.time_step };
+    settings.width = Span { from: 2e-4, to: 2e-3, points: 3, ..settings.width };
 }
 
 #[cfg(test)]

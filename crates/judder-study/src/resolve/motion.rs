@@ -3,7 +3,7 @@
 use super::{Estimate, Resolved, columns, cost, estimate_json, estimate_text, number, title};
 use crate::analyses::belt;
 use crate::error::StudyError;
-use judder_case::{BELT_KEYS, BeltCase, CaseFile, Form, MotionAnalysis};
+use judder_case::{BELT_KEYS, BeltCase, CaseFile, EnginesSettings, Form, MotionAnalysis};
 use judder_oscillator::motion::SlidingSystem;
 use serde_json::json;
 
@@ -38,6 +38,17 @@ pub(super) fn estimate<K>(name: &str, kind: &MotionAnalysis<K>, radian: f64) -> 
         seconds: motions as f64 * time * radian + cost::FIGURE,
         bytes: points as u128 * 8 * NUMBERS,
     }
+}
+
+/// What the comparison of the engines would take: nearly all of it the smallest steps of the time-stepping.
+pub(super) fn engines(name: &str, settings: &EnginesSettings) -> Estimate {
+    let points = settings.time_step.points + settings.width.points;
+    let steps: f64 = match settings.time_step.form {
+        Form::Group => settings.time_step.values().iter().map(|step| USUAL_TIME / step).sum(),
+        Form::Si => settings.following.steps as f64,
+    };
+    let seconds = steps * cost::TIME_STEP + points as f64 * USUAL_TIME * cost::RADIAN + cost::FIGURE;
+    Estimate { name: name.to_owned(), points, seconds, bytes: 0 }
 }
 
 pub(super) fn belt_case(file: &CaseFile, case: &BeltCase) -> Result<Resolved, StudyError> {

@@ -101,6 +101,44 @@ fn the_cycle_of_section_5() {
     assert_eq!(number(&motion["quasi_steady"]["above_0.1"]), 0.0);
 }
 
+const SECTION_5: &str = "model = \"oscillator\"\n[contact]\nshear_strength = 0.03\n[operation]\nvelocity = 4e-4\nnormal_load = 7.5e-4\n";
+
+/// Our notes on the paper: a smoothed sign of ε = 0.1 v_d is 5–11 % off in rms.
+#[test]
+fn two_other_engines_come_to_the_cycle_of_section_5() {
+    let text = format!(
+        "{SECTION_5}[[analysis]]\nkind = \"engines\"\ntime_step = {{ from = 1e-3, to = 4e-3, points = 3 }}\n\
+         width = {{ from = 1e-4, to = 1e-3, points = 3 }}"
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let report = run_into(folder.path(), &parsed(&text), &[]);
+    assert!(report.complete && report.messages.is_empty(), "{:?}", report.messages);
+    let engines = &report.summary.results["engines"];
+    assert!((number(&engines["period"]) - 132.855_768).abs() < 1e-5);
+    for engine in ["time_stepping", "smoothed"] {
+        assert!((number(&engines[engine]["order"]) - 1.0).abs() < 0.2, "{engines:?}");
+        assert!(number(&engines[engine]["extrapolated"]).abs() < 1e-5, "{engines:?}");
+    }
+    let typical = &engines["typical"];
+    assert_eq!((number(&typical["width"]), typical["becomes"].as_str()), (0.1, Some("cycle")));
+    assert!((-0.11..-0.05).contains(&number(&typical["rms_error"])), "{typical}");
+    assert!(folder.path().join("figures/engines.svg").exists());
+    let table = std::fs::read_to_string(folder.path().join("engines.csv")).unwrap();
+    assert_eq!(table.lines().count(), 7);
+}
+
+#[test]
+fn no_other_engine_is_asked_to_stay_on_an_unstable_cycle() {
+    let text =
+        format!("{SECTION_5}[[analysis]]\nkind = \"engines\"\nduration = 5000\n").replace("0.03", "0.05");
+    let folder = tempfile::tempdir().unwrap();
+    let report = run_into(folder.path(), &parsed(&text), &[]);
+    assert!(!report.complete);
+    let message =
+        "engines: the cycle of period 205.0937 is unstable, with a Floquet multiplier of magnitude 1.214";
+    assert!(report.messages.iter().any(|m| m.starts_with(message)), "{:?}", report.messages);
+}
+
 #[test]
 fn a_motion_that_cannot_be_followed_says_when_and_where() {
     let text = "model = \"belt\"\n[[analysis]]\nkind = \"motion\"\nstart = { x = 1.0, velocity_x = 1.0 }\nsteps = 60\n\

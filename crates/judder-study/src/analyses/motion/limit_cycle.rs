@@ -1,12 +1,13 @@
 //! `limit-cycle`: the cycle that a motion settles to, made exact by Newton's method.
 
 use super::history::{Arrays, energy_check, scalars};
-use super::model::Model;
+use super::model::{Model, Operating};
 use crate::error::StudyError;
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use judder_case::{Following, MotionStart};
 use judder_oscillator::cycle::shooting::{Cycle, Shooting, from_simulation};
+use judder_oscillator::motion::SlidingSystem;
 use judder_oscillator::motion::attractor::Patience;
 use judder_oscillator::motion::history::follow_cycle;
 use judder_store::{Variable, number};
@@ -29,12 +30,7 @@ pub(super) fn run<M: Model<N>, const N: usize>(
     let operating = model.operating(None)?;
     let settings = operating.settings(following);
     let time = operating.time(following.duration);
-    let shooting = Shooting {
-        settings,
-        tolerance: RETURN * following.tolerance,
-        iterations: NEWTON_ITERATIONS,
-        longest: time,
-    };
+    let shooting = shooting(&operating, following);
     let patience = Patience { time, transient: 0.5 * time, ..Patience::default() };
     let stop = || progress.interrupted();
     let cycle = from_simulation(&operating.system, operating.start(start), &shooting, &patience, &stop)?;
@@ -63,6 +59,19 @@ pub(super) fn run<M: Model<N>, const N: usize>(
         ],
         ..Outcome::default()
     })
+}
+
+/// How the cycle is made exact.
+pub(super) fn shooting<S: SlidingSystem<N>, const N: usize>(
+    operating: &Operating<S>,
+    following: &Following,
+) -> Shooting<N> {
+    Shooting {
+        settings: operating.settings(following),
+        tolerance: RETURN * following.tolerance,
+        iterations: NEWTON_ITERATIONS,
+        longest: operating.time(following.duration),
+    }
 }
 
 fn of_cycle<const N: usize>(cycle: &Cycle<N>) -> Map<String, Value> {

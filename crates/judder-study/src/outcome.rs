@@ -1,7 +1,7 @@
 //! What an analysis leaves.
 
 use judder_store::{Dataset, Table};
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Map, Value};
 
 /// Scalars, arrays, a table, checks and warnings of one analysis.
@@ -30,7 +30,8 @@ pub struct CheckRecord {
     pub name: String,
     /// What was compared with what, and how often.
     pub compared: String,
-    /// The largest disagreement.
+    /// The largest disagreement; infinite where one side was missing.
+    #[serde(deserialize_with = "number_or_infinite")]
     pub figure: f64,
     /// What it may be at most.
     pub limit: f64,
@@ -41,5 +42,24 @@ impl CheckRecord {
     #[must_use]
     pub fn passed(&self) -> bool {
         self.figure <= self.limit
+    }
+}
+
+/// JSON has no infinity and writes `null` for it.
+fn number_or_infinite<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
+    Ok(Option::deserialize(deserializer)?.unwrap_or(f64::INFINITY))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_check_without_a_number_stays_a_failed_check() {
+        let check =
+            CheckRecord { name: String::new(), compared: String::new(), figure: f64::INFINITY, limit: 1.0 };
+        let text = serde_json::to_string(&check).unwrap();
+        let kept: CheckRecord = serde_json::from_str(&text).unwrap();
+        assert!(kept == check && !kept.passed());
     }
 }

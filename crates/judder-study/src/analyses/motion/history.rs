@@ -16,6 +16,8 @@ use serde_json::{Map, Value, json};
 const ENERGY_LIMIT: f64 = 1e-4;
 /// Distance of two returns, over their distance from steady sliding, below which the motion repeats itself.
 const SAME: f64 = 1e-4;
+/// rms, over the magnitude of steady sliding, below which a motion is rounding about it.
+const AT_REST: f64 = 1e-12;
 /// The most oscillations in a period.
 const OSCILLATIONS: usize = 8;
 
@@ -40,9 +42,14 @@ pub(super) fn run<M: Model<N>, const N: usize>(
         scalars,
         dataset: arrays.with_spectrum(arrays.dataset()?, &window)?.attribute("kind", "motion")?,
         table: Some(arrays.table()?),
-        checks: vec![energy_check(&history)],
+        checks: moves(&operating.system, &history).then(|| energy_check(&history)).into_iter().collect(),
         ..Outcome::default()
     })
+}
+
+/// Whether there is a motion to speak of.
+fn moves<const N: usize>(system: &impl SlidingSystem<N>, history: &History<N>) -> bool {
+    history.measures.rms() > AT_REST * system.scales()[0]
 }
 
 /// What `summary.json` shows of a history.
@@ -51,7 +58,8 @@ pub(super) fn scalars<M: Model<N>, const N: usize>(
     history: &History<N>,
 ) -> Map<String, Value> {
     let measures = &history.measures;
-    let period = period(&operating.system, &history.oscillations);
+    let oscillations = if moves(&operating.system, history) { history.oscillations.as_slice() } else { &[] };
+    let period = period(&operating.system, oscillations);
     let mut scalars = Map::from_iter([
         ("rms".to_owned(), number(measures.rms())),
         ("mean".to_owned(), number(operating.system.steady_sliding()[0] + measures.mean())),
@@ -60,13 +68,13 @@ pub(super) fn scalars<M: Model<N>, const N: usize>(
         ("stick_fraction".to_owned(), number(measures.fraction(ContactState::Stick))),
         ("slip_ahead_fraction".to_owned(), number(measures.fraction(ContactState::SlipAhead))),
         ("lift_off_fraction".to_owned(), number(measures.fraction(ContactState::LiftOff))),
-        ("oscillations".to_owned(), json!(history.oscillations.len())),
+        ("oscillations".to_owned(), json!(oscillations.len())),
         ("changes".to_owned(), json!(measures.changes)),
         ("steps".to_owned(), json!(history.steps)),
         ("energy".to_owned(), energy(history)),
     ]);
     if let Some(memory) = M::memory(&operating.system) {
-        scalars.insert("quasi_steady".to_owned(), quasi_steady(&memory, &history.oscillations));
+        scalars.insert("quasi_steady".to_owned(), quasi_steady(&memory, oscillations));
     }
     scalars
 }

@@ -19,7 +19,7 @@ pub(crate) fn text(reproduction: &Reproduction, width: u16) -> String {
     table.set_header(["where", "the paper says", "we find", "verdict"]);
     let claims = &reproduction.scoreboard;
     for claim in claims {
-        let finding = findings(&reproduction.columns, &claim.ours).join("\n");
+        let finding = findings(columns(reproduction, claim), &claim.ours).join("\n");
         table.add_row([&claim.place, &claim.says, &finding, &claim.verdict].map(|cell| plain(cell)));
     }
     let doubtful = claims.iter().filter(|claim| claim.verdict != AGREES);
@@ -27,6 +27,11 @@ pub(crate) fn text(reproduction: &Reproduction, width: u16) -> String {
         .map(|claim| format!("{}, {}: {}\n", claim.verdict, claim.place, plain(&claim.why)))
         .collect();
     format!("{table}\n\n{reasons}\n{}\n", count(claims))
+}
+
+/// The heads of the numbers of a claim: its own, or those of the reproduction.
+fn columns<'a>(reproduction: &'a Reproduction, claim: &'a ClaimLine) -> &'a [String] {
+    if claim.columns.is_empty() { &reproduction.columns } else { &claim.columns }
 }
 
 /// Each different number once, with the readings that give it where they are not all.
@@ -63,7 +68,7 @@ fn count(claims: &[ClaimLine]) -> String {
 /// The scoreboard as a document; our numbers under the names of their columns.
 pub(crate) fn document(reproduction: &Reproduction) -> Value {
     let line = |claim: &ClaimLine| {
-        let columns = reproduction.columns.iter().cloned();
+        let columns = columns(reproduction, claim).iter().cloned();
         let ours: Map<_, _> = columns.zip(claim.ours.iter().map(|ours| json!(plain(ours)))).collect();
         json!({
             "place": claim.place, "says": plain(&claim.says), "ours": ours, "verdict": claim.verdict,
@@ -89,6 +94,7 @@ mod tests {
             ours: ours.map(String::from).to_vec(),
             verdict: verdict.to_owned(),
             why: "It is $π$.".to_owned(),
+            ..ClaimLine::default()
         };
         Reproduction {
             folder: "out".into(),

@@ -78,4 +78,6 @@ mod book {
     chapter!(Figure8, "figures/figure-8");
     chapter!(Figure9, "figures/figure-9");
     chapter!(Figure10, "figures/figure-10");
+    chapter!(Figure11, "figures/figure-11");
+    chapter!(Figure12, "figures/figure-12");
 }

@@ -1,5 +1,5 @@
-//! The oscillator paper: Figs. 3–10, 13, 14 and what its text claims about them, with both readings of the friction, both
-//! velocity axes of the fitted law, and the law computed anew.
+//! The oscillator paper: Figs. 3–14 and what its text claims about them, with both readings of the friction, both velocity axes of
+//! the fitted law, and the law computed anew; section 5 with both of its speeds.
 
 mod by_law;
 mod claims;
@@ -7,6 +7,8 @@ mod contact_figures;
 mod evidence;
 mod exhibits;
 mod measures;
+mod motion_exhibits;
+mod motion_figures;
 mod page;
 mod readings;
 mod scoreboard;
@@ -17,10 +19,13 @@ use crate::kept::Kept;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::run::{Study, analysis_hash};
+use claims::motion::Motions;
 use evidence::Evidence;
 use exhibits::{CONTACT_CASES, EXHIBITS, LAW_FILE, Source};
 use judder_case::{Case, CaseFile, FileReference, LawName};
 use judder_store::{Status, StudyFolder, Summary, content_hash};
+use motion_exhibits::{MotionRun, WAYS};
+use rayon::prelude::*;
 use readings::{READINGS, ReadLaw, Reading};
 use serde_json::json;
 use std::path::{Path, PathBuf};
@@ -47,14 +52,15 @@ pub struct Reproduction {
     pub complete: bool,
 }
 
-/// A case with one analysis, and the name under which that is kept.
+/// An analysis of a case, and the name under which that is kept.
 struct Run {
     name: String,
     hash: String,
     file: CaseFile,
+    analysis: usize,
 }
 
-/// Recomputes Figs. 3–10, 13, 14 and the scoreboard into a folder; `quick` takes fewer points of the curves and maps,
+/// Recomputes Figs. 3–14 and the scoreboard into a folder; `quick` takes fewer points of the curves and maps,
 /// and the law of a paraboloid, by the collapse, in place of the sphere's.
 ///
 /// # Errors
@@ -73,24 +79,12 @@ pub fn oscillator_paper(
     let mut study = Study::open(&store, runs.iter().map(|run| (&run.name, &run.hash)))?;
     study.summary.case = json!({ "title": "The oscillator paper", "model": "oscillator", "quick": quick });
     study.summary.case_hash = content_hash(hashes.concat().as_bytes());
-    // the contacts of Fig. 3 are those of Fig. 14
-    let solved: Mutex<Vec<String>> = Mutex::new(Vec::new());
-    let points = || solved.lock().unwrap_or_else(PoisonError::into_inner);
-    for run in &runs {
-        if store.is_done(&run.name, &run.hash)? {
-            continue;
-        }
-        progress.begin(&run.name, analyses::steps(&run.file.case, 0));
-        let began = Instant::now();
-        let known = points().clone();
-        let keep = |line: &str| points().push(line.to_owned());
-        let kept = Kept { lines: &known, keep: &keep };
-        let outcome = analyses::run_from(&run.file.case, 0, (kept, kept), progress).map(without_lists);
-        progress.end();
-        study.keep(&run.name, run.hash.clone(), outcome, began.elapsed().as_secs_f64())?;
-    }
+    let (steady, moving) = runs.split_at(runs.len() - motion_exhibits::runs().len());
+    run_all(&store, &mut study, steady, progress)?;
+    run_side_by_side(&store, &mut study, moving, progress)?;
     progress.begin("scoreboard", claims::CLAIMS.len());
-    let scoreboard = scoreboard::measure(&Evidence::stored(&store, quick, progress)?, progress)?;
+    let motions = motions(&store, &study.summary)?;
+    let scoreboard = scoreboard::measure(&Evidence::stored(&store, quick, progress)?, &motions, progress)?;
     progress.end();
     study
         .summary
@@ -102,6 +96,65 @@ pub fn oscillator_paper(
     let complete = study.is_complete(&names);
     let columns = READINGS.iter().map(|reading| reading.plain.to_owned()).collect();
     Ok(Reproduction { folder: folder.to_owned(), report, columns, scoreboard, complete })
+}
+
+/// Runs what is not done yet.
+fn run_all(
+    store: &StudyFolder,
+    study: &mut Study<'_>,
+    runs: &[Run],
+    progress: &dyn Progress,
+) -> Result<(), StudyError> {
+    // the contacts of Fig. 3 are those of Fig. 14
+    let solved: Mutex<Vec<String>> = Mutex::new(Vec::new());
+    let points = || solved.lock().unwrap_or_else(PoisonError::into_inner);
+    for Run { name, hash, file, analysis } in runs {
+        if store.is_done(name, hash)? {
+            continue;
+        }
+        progress.begin(name, analyses::steps(&file.case, *analysis));
+        let began = Instant::now();
+        let known = points().clone();
+        let keep = |line: &str| points().push(line.to_owned());
+        let kept = Kept { lines: &known, keep: &keep };
+        let outcome = analyses::run_from(&file.case, *analysis, (kept, kept), progress).map(without_lists);
+        progress.end();
+        study.keep(name, hash.clone(), outcome, began.elapsed().as_secs_f64())?;
+    }
+    Ok(())
+}
+
+/// Runs motions that are not done yet, which wait for nothing but their own past, beside each other.
+fn run_side_by_side(
+    store: &StudyFolder,
+    study: &mut Study<'_>,
+    runs: &[Run],
+    progress: &dyn Progress,
+) -> Result<(), StudyError> {
+    let mut open = Vec::new();
+    for run in runs {
+        if !store.is_done(&run.name, &run.hash)? {
+            open.push(run);
+        }
+    }
+    progress.begin("motions", open.iter().map(|run| analyses::steps(&run.file.case, run.analysis)).sum());
+    let outcomes: Vec<_> = open
+        .into_par_iter()
+        .map(|run| {
+            let began = Instant::now();
+            let outcome = analyses::run(&run.file.case, run.analysis, progress).map(without_lists);
+            (run, outcome, began.elapsed().as_secs_f64())
+        })
+        .collect();
+    progress.end();
+    let mut is_interrupted = false;
+    for (run, outcome, seconds) in outcomes {
+        match outcome {
+            Err(StudyError::Interrupted) => is_interrupted = true,
+            outcome => drop(study.keep(&run.name, run.hash.clone(), outcome, seconds)?),
+        }
+    }
+    if is_interrupted { Err(StudyError::Interrupted) } else { Ok(()) }
 }
 
 /// Rebuilds figures and page of a reproduction from what is stored.
@@ -123,7 +176,7 @@ fn runs(folder: &Path, quick: bool) -> Result<Vec<Run>, StudyError> {
             exhibits::thin_out(&mut file.case);
         }
         let hash = analysis_hash(&file.case.resolved(), 0);
-        runs.push(Run { name: name.to_owned(), hash, file });
+        runs.push(Run { name: name.to_owned(), hash, file, analysis: 0 });
     }
     // a computed law is what its case and this version make it: their hash names it before it is there
     let law_hash = runs[0].hash.clone();
@@ -139,10 +192,29 @@ fn runs(folder: &Path, quick: bool) -> Result<Vec<Run>, StudyError> {
                 use_law(&mut file.case, folder.join(LAW_FILE));
             }
             let hash = analysis_hash(&resolved, 0);
-            runs.push(Run { name: analysis_name(source, reading), hash, file });
+            runs.push(Run { name: analysis_name(source, reading), hash, file, analysis: 0 });
         }
     }
+    runs.extend(motion_runs(quick)?);
     Ok(runs)
+}
+
+/// The motions of section 5, and one cycle by three engines.
+fn motion_runs(quick: bool) -> Result<Vec<Run>, StudyError> {
+    let run = |MotionRun { name, case_name, case, analysis, overrides }| {
+        let mut file = CaseFile::parse(case_name, case, &overrides)?;
+        if quick {
+            exhibits::thin_out(&mut file.case);
+        }
+        let hash = analysis_hash(&file.case.resolved(), analysis);
+        Ok(Run { name, hash, file, analysis })
+    };
+    motion_exhibits::runs().into_iter().map(run).collect()
+}
+
+/// What is stored of the motions of section 5, for every way to read it.
+fn motions(store: &StudyFolder, summary: &Summary) -> Result<Vec<Option<Motions>>, StudyError> {
+    WAYS.iter().map(|way| Motions::stored(store, summary, way)).collect()
 }
 
 fn oscillator_case(source: &Source, reading: &Reading) -> Result<CaseFile, StudyError> {
@@ -164,9 +236,22 @@ fn use_law(case: &mut Case, path: PathBuf) {
 
 /// The outcome without the lists that its arrays hold anyway: dozens of curves would make the summary unreadable.
 fn without_lists(mut outcome: Outcome) -> Outcome {
-    let lists =
-        ["value", "curves", "eigenvalues", "conservative_eigenvalues", "growth_rate", "full", "conservative"];
-    outcome.scalars.retain(|name, _| !lists.contains(&name.as_str()));
+    const LISTS: [&str; 13] = [
+        "value",
+        "curves",
+        "eigenvalues",
+        "conservative_eigenvalues",
+        "growth_rate",
+        "full",
+        "conservative",
+        "direction",
+        "becomes",
+        "rms",
+        "period",
+        "stick_fraction",
+        "lift_off_fraction",
+    ];
+    outcome.scalars.retain(|name, value| !value.is_array() || !LISTS.contains(&name.as_str()));
     outcome
 }
 
@@ -182,4 +267,15 @@ fn computed_for(summary: &Summary) -> &'static str {
 /// Whether an analysis of a summary has its result.
 fn is_done(summary: &Summary, name: &str) -> bool {
     summary.analyses.get(name).is_some_and(|record| record.status == Status::Done)
+}
+
+/// The lines of the scoreboard about motions, from those of a quick run.
+#[cfg(test)]
+fn quick_motions(folder: &Path) -> Result<Vec<ClaimLine>, StudyError> {
+    let store = StudyFolder::create(folder)?;
+    let mut runs = motion_runs(true)?;
+    runs.retain(|run| run.name != motion_exhibits::ENGINES);
+    let mut study = Study::open(&store, runs.iter().map(|run| (&run.name, &run.hash)))?;
+    run_side_by_side(&store, &mut study, &runs, &crate::progress::Silent)?;
+    Ok(scoreboard::of_motions(&motions(&store, &study.summary)?))
 }

@@ -1,10 +1,11 @@
-//! The numbers and claims of the oscillator paper, each with the way it is measured: sections 2–5 here, the contact computation in
-//! [`contact`].
+//! The numbers and claims of the oscillator paper, each with the way it is measured: sections 2–5 here, the motions of section 5 in
+//! [`motion`], the contact computation in [`contact`].
 
 pub(super) mod contact;
 mod damping;
 mod equations;
 mod maps;
+pub(super) mod motion;
 mod thresholds;
 
 use super::scoreboard::Measured;
@@ -19,21 +20,21 @@ pub(super) enum Kind {
     Misprint,
 }
 
-/// A claim of the paper.
-pub(super) struct Claim {
+/// A claim of the paper, and what it is measured on.
+pub(super) struct Claim<T = Contact> {
     pub(super) place: &'static str,
     pub(super) says: &'static str,
     pub(super) kind: Kind,
-    pub(super) measure: fn(&Contact) -> Measured,
+    pub(super) measure: fn(&T) -> Measured,
     pub(super) why: &'static str,
 }
 
-const fn statement(
+const fn statement<T>(
     place: &'static str,
     says: &'static str,
-    measure: fn(&Contact) -> Measured,
+    measure: fn(&T) -> Measured,
     why: &'static str,
-) -> Claim {
+) -> Claim<T> {
     Claim { place, says, kind: Kind::Statement, measure, why }
 }
 

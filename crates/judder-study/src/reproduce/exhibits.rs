@@ -196,8 +196,9 @@ fn thin_out_motion<K>(kind: &mut MotionAnalysis<K>) {
     }
 }
 
-/// As many steps and widths as an order takes.
+/// As many steps and widths as an order takes; a tolerance that is still far below their errors.
 fn thin_out_engines(settings: &mut EnginesSettings) {
+    settings.following.tolerance = 1e-8;
     settings.time_step = Span { from: 1.25e-3, to: 5e-3, points: 3, ..settings.time_step };
     settings.width = Span { from: 2e-4, to: 2e-3, points: 3, ..settings.width };
 }

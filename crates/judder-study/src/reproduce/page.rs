@@ -1,10 +1,12 @@
 //! The report of the reproduction.
 
 use super::claims::CLAIMS;
+use super::claims::motion::MOTION_CLAIMS;
 use super::exhibits::{CONTACT_CASES, EXHIBITS, Exhibit};
+use super::motion_exhibits::{MOTION_CASES, WAYS};
 use super::readings::READINGS;
 use super::scoreboard::{self, ClaimLine};
-use super::{KEY, analysis_name, by_law, computed_for, contact_figures, is_done};
+use super::{KEY, analysis_name, by_law, computed_for, contact_figures, is_done, motion_figures};
 use crate::error::StudyError;
 use crate::pictures;
 use crate::report::{check_rows, facts, warnings, write_figure, write_page};
@@ -12,6 +14,7 @@ use crate::run::Keepsakes;
 use judder_report::page::{Code, Details, Table};
 use judder_report::{Block, Figure, Legend, Page, Section};
 use judder_store::{StudyFolder, Summary};
+use rayon::prelude::*;
 use serde_json::Value;
 use std::path::PathBuf;
 
@@ -34,10 +37,15 @@ pub(super) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, S
     let kept = Keepsakes::of(summary);
     let mut sections = vec![Section::new("Scoreboard", boards(&lines, computed_for(summary)))];
     sections.extend(contact_figures::sections(store, summary)?);
-    for exhibit in &EXHIBITS {
-        let heading = exhibit.name.replace("fig-", "Fig. ");
-        sections.push(Section::new(heading, exhibit_blocks(store, summary, exhibit)?));
-    }
+    let exhibits: Vec<Section> = EXHIBITS
+        .par_iter()
+        .map(|exhibit| {
+            let heading = exhibit.name.replace("fig-", "Fig. ");
+            Ok(Section::new(heading, exhibit_blocks(store, summary, exhibit)?))
+        })
+        .collect::<Result<_, StudyError>>()?;
+    sections.extend(exhibits);
+    sections.extend(motion_figures::sections(store, summary)?);
     sections.push(by_law::section(store, summary)?);
     sections.push(Section::new("Areas of the maps", vec![Block::Table(areas(summary))]));
     sections.push(Section::new("Checks", vec![Block::Checks(check_rows(&kept.checks))]));
@@ -54,15 +62,20 @@ pub(super) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, S
 
 /// The scoreboard in two parts: with every reading, and by law alone.
 fn boards(lines: &[ClaimLine], computed_for: &str) -> Vec<Block> {
-    let (sections, contact) = lines.split_at(CLAIMS.len().min(lines.len()));
+    let (sections, further) = lines.split_at(CLAIMS.len().min(lines.len()));
+    let (motions, contact) = further.split_at(MOTION_CLAIMS.len().min(further.len()));
     let readings: Vec<(usize, &str)> = READINGS.iter().map(|reading| reading.label).enumerate().collect();
+    let ways: Vec<(usize, &str)> = WAYS.iter().map(|way| way.label).enumerate().collect();
     vec![
         Block::text(format!(
-            "Every number and claim of sections 2 to 4, measured with both readings of the viscoelastic friction: with the velocity axis of the fits \
+            "Every number and claim of sections 2 to 4, and what section 5 says of the threshold, measured with both readings of the viscoelastic friction: with the velocity axis of the fits \
              as printed and corrected, and with the law computed for {computed_for}. A verdict is about the printed law; the other columns show what the \
              correction and the computation do to it."
         )),
         Block::Scoreboard(scoreboard::block(sections, &readings)),
+        Block::Heading("Motion".to_owned()),
+        Block::text(motion_figures::decision(motions)),
+        Block::Scoreboard(scoreboard::block(motions, &ways)),
         Block::Heading("The contact computation".to_owned()),
         Block::text(
             "Appendices A and B, from contacts that were computed anew. A verdict is about the number that the paper prints.",
@@ -77,7 +90,7 @@ fn lead(lines: &[ClaimLine], kept: &Keepsakes) -> String {
     let passed = kept.checks.values().flatten().filter(|check| check.passed()).count();
     format!(
         "Papangelo, Putignano and Hoffmann, Critical thresholds for mode-coupling instability in viscoelastic sliding contacts, Nonlinear \
-         Dynamics (2021): Figs. 3 to 10, 13 and 14. Of {} claims {} agree, {} are misprints whose right value is known, {} are open. {passed} of {checks} \
+         Dynamics (2021): Figs. 3 to 14. Of {} claims {} agree, {} are misprints whose right value is known, {} are open. {passed} of {checks} \
          checks are within their limits.",
         lines.len(),
         count("agrees"),
@@ -155,8 +168,11 @@ fn areas(summary: &Summary) -> Table {
 /// The case files, behind a line each.
 fn cases() -> Vec<Block> {
     let sources = EXHIBITS.iter().flat_map(|exhibit| exhibit.sources);
-    let mut cases: Vec<(&str, &str)> =
-        CONTACT_CASES.into_iter().chain(sources.map(|source| (source.case_name, source.case))).collect();
+    let mut cases: Vec<(&str, &str)> = CONTACT_CASES
+        .into_iter()
+        .chain(sources.map(|source| (source.case_name, source.case)))
+        .chain(MOTION_CASES)
+        .collect();
     cases.dedup_by_key(|(name, _)| *name);
     let block = |(name, text): (&str, &str)| {
         let caption = format!("cases/oscillator-paper/{name}.toml");

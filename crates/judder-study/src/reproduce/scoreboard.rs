@@ -1,7 +1,9 @@
 //! The scoreboard: every claim measured with every reading, and what becomes of it.
 
+use super::claims::motion::{MOTION_CLAIMS, Motions, missing};
 use super::claims::{CLAIMS, Claim, Kind, contact};
 use super::evidence::Evidence;
+use super::motion_exhibits::{OF_CAPTIONS, WAYS};
 use super::readings::READINGS;
 use crate::error::StudyError;
 use crate::progress::Progress;
@@ -18,7 +20,7 @@ pub(super) struct Measured {
 }
 
 /// One line of the scoreboard.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct ClaimLine {
     /// Where it stands in the paper.
     pub place: String,
@@ -26,14 +28,25 @@ pub struct ClaimLine {
     pub says: String,
     /// What we find, with each reading.
     pub ours: Vec<String>,
+    /// Whether each of them is what the paper says; empty where the line is judged as a whole.
+    #[serde(default)]
+    pub holds: Vec<bool>,
+    /// Heads of our numbers, where they are not those of the other lines.
+    #[serde(default)]
+    pub columns: Vec<String>,
     /// `agrees`, `misprint` or `open`.
     pub verdict: String,
     /// Why, in one line.
     pub why: String,
 }
 
-/// Measures all claims: those of the sections with every reading, then those of the contact computation.
-pub(super) fn measure(evidence: &Evidence, progress: &dyn Progress) -> Result<Vec<ClaimLine>, StudyError> {
+/// Measures all claims: those of the sections with every reading, those about motions with every way to read section 5, then those
+/// of the contact computation.
+pub(super) fn measure(
+    evidence: &Evidence,
+    motions: &[Option<Motions>],
+    progress: &dyn Progress,
+) -> Result<Vec<ClaimLine>, StudyError> {
     let contacts: Vec<_> = READINGS.iter().map(|reading| reading.contact(&evidence.law)).collect();
     let lines: Result<Vec<ClaimLine>, StudyError> = CLAIMS
         .par_iter()
@@ -43,18 +56,33 @@ pub(super) fn measure(evidence: &Evidence, progress: &dyn Progress) -> Result<Ve
             }
             let measured: Vec<Measured> = contacts.iter().map(claim.measure).collect();
             progress.advance();
-            Ok(line(claim, measured))
+            Ok(line(claim, measured, &OTHER_LAWS))
         })
         .collect();
     let mut lines = lines?;
+    lines.extend(of_motions(motions));
     lines.extend(contact::lines(evidence));
     Ok(lines)
 }
 
 /// The laws beside the printed one, with the place of their first reading.
 const OTHER_LAWS: [(usize, &str); 2] = [(2, "the corrected velocity axis"), (4, "the computed law")];
+/// The speed beside the captions', likewise.
+const OTHER_SPEEDS: [(usize, &str); 1] = [(OF_CAPTIONS, "the text's $v̂_{d}$ = 5 × 10^{−3}")];
 
-fn line(claim: &Claim, measured: Vec<Measured>) -> ClaimLine {
+/// The claims about motions, judged with the captions' speed.
+pub(super) fn of_motions(motions: &[Option<Motions>]) -> Vec<ClaimLine> {
+    let columns: Vec<String> = WAYS.iter().map(|way| way.plain.to_owned()).collect();
+    let of = |claim: &Claim<Motions>| {
+        let measure = |found: &Option<Motions>| found.as_ref().map_or_else(missing, claim.measure);
+        let measured = motions.iter().map(measure).collect();
+        ClaimLine { columns: columns.clone(), ..line(claim, measured, &OTHER_SPEEDS) }
+    };
+    MOTION_CLAIMS.par_iter().map(of).collect()
+}
+
+/// A claim with what becomes of it: judged by the first two numbers, one for either friction load; `others` name further pairs.
+fn line<T>(claim: &Claim<T>, measured: Vec<Measured>, others: &[(usize, &'static str)]) -> ClaimLine {
     let holds: Vec<bool> = measured.iter().map(|m| m.holds).collect();
     let (verdict, with) = match (claim.kind, holds[0], holds[1]) {
         (Kind::Misprint, true, true) => ("misprint", ""),
@@ -63,13 +91,13 @@ fn line(claim: &Claim, measured: Vec<Measured>) -> ClaimLine {
         (Kind::Statement, true, false) => ("agrees", "Only with $F_{n} μ_{visc}$. "),
         (Kind::Statement, false, true) => ("agrees", "Only with $F_{k} μ_{visc}$. "),
     };
-    let others = |wanted: bool| -> Vec<&str> {
+    let named = |wanted: bool| -> Vec<&str> {
         let with = |first: usize| holds[first] || holds[first + 1];
-        OTHER_LAWS.into_iter().filter(|(first, _)| with(*first) == wanted).map(|(_, name)| name).collect()
+        others.iter().filter(|(first, _)| with(*first) == wanted).map(|(_, name)| *name).collect()
     };
-    let other_laws = match (claim.kind, verdict) {
-        (Kind::Statement, "agrees") => added(" Not so with ", &others(false), " or "),
-        (Kind::Statement, "open") => added(" It holds with ", &others(true), " and "),
+    let beside = match (claim.kind, verdict) {
+        (Kind::Statement, "agrees") => added(" Not so with ", &named(false), " or "),
+        (Kind::Statement, "open") => added(" It holds with ", &named(true), " and "),
         _ => String::new(),
     };
     ClaimLine {
@@ -77,11 +105,13 @@ fn line(claim: &Claim, measured: Vec<Measured>) -> ClaimLine {
         says: claim.says.to_owned(),
         ours: measured.into_iter().map(|m| m.ours).collect(),
         verdict: verdict.to_owned(),
-        why: format!("{with}{}{other_laws}", claim.why),
+        why: format!("{with}{}{beside}", claim.why),
+        holds,
+        columns: Vec::new(),
     }
 }
 
-/// A sentence about some laws; nothing where there are none.
+/// A sentence about some readings; nothing where there are none.
 fn added(beginning: &str, laws: &[&str], between: &str) -> String {
     if laws.is_empty() { String::new() } else { format!("{beginning}{}.", laws.join(between)) }
 }
@@ -112,10 +142,35 @@ mod tests {
     use crate::progress::Silent;
     use crate::reproduce::evidence::computed;
 
+    /// The verdicts on section 5, from motions as a quick run makes them.
+    #[test]
+    fn the_verdicts_on_the_motions() {
+        let folder = tempfile::tempdir().unwrap();
+        let lines = crate::reproduce::quick_motions(folder.path()).unwrap();
+        let verdicts: Vec<(&str, &str, &[bool])> = lines
+            .iter()
+            .map(|line| (line.place.as_str(), line.verdict.as_str(), line.holds.as_slice()))
+            .collect();
+        let expected: [(&str, &str, &[bool]); 11] = [
+            ("Eq. (3), §5", "agrees", &[true, true, false, false]),
+            ("§5", "agrees", &[true, true, true, true]),
+            ("§5, Fig. 11", "agrees", &[false, true, false, false]),
+            ("§5, Fig. 11", "agrees", &[true, true, false, false]),
+            ("Fig. 11", "agrees", &[false, true, false, true]),
+            ("§5, Fig. 11", "agrees", &[true, true, false, false]),
+            ("§5, Fig. 12", "agrees", &[false, true, false, false]),
+            ("§5, Fig. 12", "agrees", &[false, true, false, false]),
+            ("§5, Fig. 12", "open", &[false, false, false, false]),
+            ("§5, Fig. 12", "agrees", &[true, true, true, true]),
+            ("§5, Fig. 12c", "agrees", &[true, true, true, true]),
+        ];
+        assert_eq!(verdicts, expected);
+    }
+
     /// The verdicts as the book tells them, in the order of the paper.
     #[test]
     fn the_verdicts() {
-        let mut lines = measure(&computed(), &Silent).unwrap();
+        let mut lines = measure(&computed(), &[const { None }; 4], &Silent).unwrap();
         lines.truncate(CLAIMS.len());
         let odd: Vec<(&str, &str)> = lines
             .iter()

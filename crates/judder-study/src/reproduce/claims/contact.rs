@@ -43,7 +43,14 @@ pub(in crate::reproduce) fn lines(evidence: &Evidence) -> Vec<ClaimLine> {
 /// A line with one cell a law, for both readings of each.
 fn line(place: &str, says: String, laws: [String; 3], verdict: &str, why: String) -> ClaimLine {
     let ours = laws.into_iter().flat_map(|law| [law.clone(), law]).collect();
-    ClaimLine { place: place.to_owned(), says, ours, verdict: verdict.to_owned(), why }
+    ClaimLine {
+        place: place.to_owned(),
+        says,
+        ours,
+        verdict: verdict.to_owned(),
+        why,
+        ..ClaimLine::default()
+    }
 }
 
 fn agreement(holds: bool) -> &'static str {

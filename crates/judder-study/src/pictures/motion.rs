@@ -3,6 +3,7 @@
 use super::contact::FRAME;
 use super::{axis, codes, complexes, reals, text, words};
 use judder_report::figure::Region;
+use judder_report::palette::Style;
 use judder_report::{Axis, Layer, Legend, Panel, Role};
 use judder_store::Dataset;
 use std::f64::consts::TAU;
@@ -191,6 +192,12 @@ fn spectrum(dataset: &Dataset) -> Option<Panel> {
     Some(Panel::new(Axis::linear("Frequency $ω$/$ω_{nx}$ (−)"), up, vec![layer]))
 }
 
+/// Markers for so many points, small where they would hide each other.
+fn markers(role: Role, points: usize) -> Style {
+    const CROWD: usize = 60;
+    if points > CROWD { role.crowded() } else { role.into() }
+}
+
 /// The states where x is largest: y over x, or for a model without y the next x over x.
 fn section(dataset: &Dataset) -> Option<Panel> {
     let x = reals(dataset, "section_x")?;
@@ -206,7 +213,8 @@ fn section(dataset: &Dataset) -> Option<Panel> {
     if points.0.is_empty() {
         return None;
     }
-    let layer = Layer::points("", points.0, points.1, Role::Series(1).crowded());
+    let style = markers(Role::Series(1), points.0.len());
+    let layer = Layer::points("", points.0, points.1, style);
     Some(Panel::new(along, up, vec![layer]).with_title("Poincaré section"))
 }
 
@@ -263,8 +271,9 @@ fn largest(dataset: &Dataset, directions: &[String], along: Axis) -> Option<Pane
     let of = words(dataset, "section_direction")?;
     let layers = directions.iter().enumerate().map(|(k, direction)| {
         let points = || (0..x.len()).filter(|i| of[*i] == *direction);
-        let across = points().map(|i| values[i]).collect();
-        Layer::points(direction, across, points().map(|i| x[i]).collect(), Role::Series(k).crowded())
+        let across: Vec<f64> = points().map(|i| values[i]).collect();
+        let style = markers(Role::Series(k), across.len());
+        Layer::points(direction, across, points().map(|i| x[i]).collect(), style)
     });
     let label =
         text(dataset.variable("section_x")?, "label").unwrap_or("x").replace("Displacement", "Largest");
@@ -289,12 +298,8 @@ pub(super) fn basin(dataset: &Dataset) -> Option<Vec<Panel>> {
     let layers = fates.iter().enumerate().filter(|(code, _)| fate.iter().any(|f| usize::from(*f) == *code));
     let layers = layers.map(|(code, label)| {
         let of = || (0..fate.len().min(MOST_STARTS)).filter(|i| usize::from(fate[*i]) == code);
-        Layer::points(
-            *label,
-            of().map(|i| x[i]).collect(),
-            of().map(|i| y[i]).collect(),
-            Role::Series(code).crowded(),
-        )
+        let style = markers(Role::Series(code), fate.len());
+        Layer::points(*label, of().map(|i| x[i]).collect(), of().map(|i| y[i]).collect(), style)
     });
     let along = |name: &str| dataset.variable(name).map(axis);
     Some(vec![Panel::new(along(first)?, along(second)?, layers.collect()).with_legend(Legend::Below)])

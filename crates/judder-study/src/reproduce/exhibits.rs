@@ -168,10 +168,11 @@ fn thin_out_oscillator(case: &mut OscillatorCase) {
 
 /// Fewer motions, and shorter ones.
 fn thin_out_motion<K>(kind: &mut MotionAnalysis<K>) {
-    const DIAGRAM: usize = 16;
-    const SETTLING: f64 = 2000.0;
+    const DIAGRAM: usize = 14;
+    const SETTLING: f64 = 1500.0;
     const HISTORY: f64 = 1000.0;
-    const CYCLE: f64 = 2500.0;
+    const CYCLE: f64 = 2000.0;
+    const CYCLE_TOLERANCE: f64 = 1e-9;
     let shorten = |following: &mut Following, transient: &mut Value, longest: f64| {
         if following.duration.form == Form::Group && following.duration.number > longest {
             transient.number *= longest / following.duration.number;
@@ -191,6 +192,7 @@ fn thin_out_motion<K>(kind: &mut MotionAnalysis<K>) {
         }
         MotionAnalysis::LimitCycle { following, .. } => {
             following.duration.number = following.duration.number.min(CYCLE);
+            following.tolerance = following.tolerance.max(CYCLE_TOLERANCE);
         }
         MotionAnalysis::Basin { .. } => (),
     }

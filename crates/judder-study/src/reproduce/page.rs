@@ -36,17 +36,14 @@ pub(super) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, S
         .unwrap_or_default();
     let kept = Keepsakes::of(summary);
     let mut sections = vec![Section::new("Scoreboard", boards(&lines, computed_for(summary)))];
-    sections.extend(contact_figures::sections(store, summary)?);
-    let exhibits: Vec<Section> = EXHIBITS
-        .par_iter()
-        .map(|exhibit| {
-            let heading = exhibit.name.replace("fig-", "Fig. ");
-            Ok(Section::new(heading, exhibit_blocks(store, summary, exhibit)?))
-        })
-        .collect::<Result<_, StudyError>>()?;
-    sections.extend(exhibits);
-    sections.extend(motion_figures::sections(store, summary)?);
-    sections.push(by_law::section(store, summary)?);
+    let ((contact, exhibits), (motion, law)) = rayon::join(
+        || rayon::join(|| contact_figures::sections(store, summary), || exhibits(store, summary)),
+        || rayon::join(|| motion_figures::sections(store, summary), || by_law::section(store, summary)),
+    );
+    sections.extend(contact?);
+    sections.extend(exhibits?);
+    sections.extend(motion?);
+    sections.push(law?);
     sections.push(Section::new("Areas of the maps", vec![Block::Table(areas(summary))]));
     sections.push(Section::new("Checks", vec![Block::Checks(check_rows(&kept.checks))]));
     sections.push(Section::new("Warnings", vec![Block::Warnings(warnings(summary))]));
@@ -60,7 +57,16 @@ pub(super) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, S
     write_page(store, &page)
 }
 
-/// The scoreboard in two parts: with every reading, and by law alone.
+/// The sections of Figs. 4 to 10.
+fn exhibits(store: &StudyFolder, summary: &Summary) -> Result<Vec<Section>, StudyError> {
+    let section = |exhibit: &Exhibit| {
+        let heading = exhibit.name.replace("fig-", "Fig. ");
+        Ok(Section::new(heading, exhibit_blocks(store, summary, exhibit)?))
+    };
+    EXHIBITS.par_iter().map(section).collect()
+}
+
+/// The scoreboard in three parts: with every reading, with every way to read section 5, and by law alone.
 fn boards(lines: &[ClaimLine], computed_for: &str) -> Vec<Block> {
     let (sections, further) = lines.split_at(CLAIMS.len().min(lines.len()));
     let (motions, contact) = further.split_at(MOTION_CLAIMS.len().min(further.len()));

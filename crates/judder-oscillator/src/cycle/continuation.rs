@@ -121,7 +121,7 @@ pub fn continue_branch<S: SlidingSystem<N>, const N: usize>(
         Branch { points: vec![first], folds: vec![], pattern_changes: vec![], end: BranchEnd::Points };
     let mut step = options.steps.0;
     while branch.points.len() < options.points {
-        match walk.next(&place, step) {
+        match walk.next(&place, step).and_then(|found| neighbour(&branch, found)) {
             Ok((next, next_place)) => {
                 let settled_fast = next.cycle.iterations <= 3;
                 step = (step * if settled_fast { 1.5 } else { 0.8 }).min(options.steps.1);
@@ -149,6 +149,23 @@ pub fn continue_branch<S: SlidingSystem<N>, const N: usize>(
         }
     }
     Ok(branch)
+}
+
+/// What was found if it is a neighbour of the branch's last cycle. Steady sliding is a fixed point of the return map too, and a
+/// long step can end at it.
+fn neighbour<const N: usize>(
+    branch: &Branch<N>,
+    found: (BranchPoint<N>, Place),
+) -> Result<(BranchPoint<N>, Place), CycleError> {
+    /// What the amplitude may shrink to in a step, and what the period may change by, either way.
+    const SHRINKS: f64 = 0.2;
+    const PERIOD: f64 = 1.5;
+    let Some(last) = branch.points.last() else { return Ok(found) };
+    let (from, to) = (last.cycle.period(), found.0.cycle.period());
+    let amplitude = |point: &BranchPoint<N>| point.cycle.around.measures.amplitude();
+    let is_neighbour =
+        amplitude(&found.0) > SHRINKS * amplitude(last) && to < PERIOD * from && from < PERIOD * to;
+    if is_neighbour { Ok(found) } else { Err(CycleError::Elsewhere { from, to }) }
 }
 
 impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError>, const N: usize> Walk<'_, F, N> {

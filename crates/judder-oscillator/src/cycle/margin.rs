@@ -6,7 +6,7 @@
 //! branches, with more oscillations in a period, may live beyond it.
 
 use super::continuation::{Branch, BranchEnd, Continuation, continue_branch};
-use super::{CycleError, shoot};
+use super::{CycleError, small_cycle};
 use crate::hopf::{HopfPoint, hopf_point};
 use crate::motion::SlidingSystem;
 
@@ -51,17 +51,11 @@ pub fn global_margin<S: SlidingSystem<N>, const N: usize>(
     stable_side: f64,
     options: &Continuation<N>,
 ) -> Result<GlobalMargin<N>, CycleError> {
-    /// How far beside the threshold the first cycle is sought, relative: near enough for the amplitude law.
-    const BESIDE: f64 = 1e-3;
     let hopf = hopf_point(&system_at(threshold)?)?;
     if !hopf.is_subcritical() {
         return Ok(GlobalMargin { hopf, fold: None, branch: None });
     }
-    let parameter = threshold * (1.0 + stable_side * BESIDE);
-    let system = system_at(parameter)?;
-    let rms = hopf.rms(hopf_point(&system)?.growth_rate).ok_or(CycleError::Singular)?;
-    let start = hopf.state_on_cycle(&system.steady_sliding(), rms);
-    let small = shoot(&system, start, 1, &options.shooting)?;
+    let (parameter, small) = small_cycle(system_at, threshold, &hopf, stable_side, options)?;
     let branch = continue_branch(system_at, parameter, (small.start, 1), stable_side, options)?;
     let fold = branch.folds.first().map(|fold| fold.parameter);
     Ok(GlobalMargin { hopf, fold, branch: Some(branch) })

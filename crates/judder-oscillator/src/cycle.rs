@@ -14,7 +14,7 @@ pub mod return_map;
 pub mod shooting;
 
 pub use birth::small_cycle;
-pub use continuation::{Branch, BranchEnd, BranchPoint, Continuation, continue_branch};
+pub use continuation::{Branch, BranchEnd, BranchPoint, Continuation, Fold, continue_branch};
 pub use error::CycleError;
 pub use margin::{GlobalMargin, global_margin};
 pub use return_map::{Return, return_map, returned_state};

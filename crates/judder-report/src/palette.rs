@@ -151,6 +151,11 @@ impl Role {
         Style::from(self).with_dash(Dash::Dashed)
     }
 
+    /// The same role drawn in dashes and dots.
+    pub fn dash_dotted(self) -> Style {
+        Style::from(self).with_dash(Dash::DashDotted)
+    }
+
     /// The same role drawn dotted.
     pub fn dotted(self) -> Style {
         Style::from(self).with_dash(Dash::Dotted)

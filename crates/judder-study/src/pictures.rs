@@ -58,7 +58,9 @@ fn caption(dataset: &Dataset) -> &'static str {
         }
         "critical-shear-strength" | "critical-load" => {
             "All thresholds in the searched range. Dashed: without damping, eqs. (27), (28) made self-consistent. Solid: where the \
-             full, damped system gains or loses stability."
+             full, damped system gains or loses stability. Where branches were followed: circles and squares tell super- from subcritical \
+             thresholds, and the dash-dotted curve is the fold of the cycles beside a subcritical one; between it and the threshold steady \
+             sliding is stable, but a knock starts a cycle."
         }
         "stability-map" => {
             "Stability of steady sliding, coloured by what carries the instability. Curves are followed by continuation: \

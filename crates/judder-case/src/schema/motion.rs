@@ -6,7 +6,7 @@ use super::{analyses, choice, key, object, reference, sweep, table};
 use crate::belt_case::{self, BELT_KEYS, BELT_SECTIONS, BeltKeys};
 use crate::keys::Range;
 use crate::motion_analysis::{
-    BASIN, BASIN_SAMPLES, BASIN_SEED, BIFURCATION, DISTURBANCE, HISTORY, HISTORY_POINTS,
+    BASIN, BASIN_SAMPLES, BASIN_SEED, BIFURCATION, BRANCHES, DISTURBANCE, HISTORY, HISTORY_POINTS,
     HISTORY_POINTS_LIMITS, LIMIT_CYCLE, MOTION_STEPS, MotionKeys, MotionKind, SAMPLES_LIMITS, SEED_LIMITS,
     STEPS_LIMITS, SweepDirection, TOLERANCE_RANGE, TRANSIENT_SHARE,
 };
@@ -52,6 +52,9 @@ pub(super) fn setting<S: MotionKeys>(kind_name: &str, name: &str) -> Option<Json
             choice(SweepDirection::ALL.map(|(name, _)| name), "both", "which way the key is followed")
         }
         "tolerance" => tolerance(kind),
+        "branches" => {
+            json!({ "type": "boolean", "default": BRANCHES, "description": "follow the branches of cycles through the diagram" })
+        }
         _ => return None,
     })
 }

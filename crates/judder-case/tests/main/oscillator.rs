@@ -159,7 +159,8 @@ fn a_sweep_sets_its_key() {
         family = { key = "substrate.relaxation_time", values = ["1 ms", "2 ms"] }
     "#;
     let case = oscillator(text, &[]);
-    let OscillatorAnalysis::CriticalShearStrength { sweep, within, family } = &case.analyses[0].kind else {
+    let OscillatorAnalysis::CriticalShearStrength { sweep, within, family, .. } = &case.analyses[0].kind
+    else {
         panic!("thresholds")
     };
     assert_eq!(case.analyses[0].name, "critical-shear-strength");

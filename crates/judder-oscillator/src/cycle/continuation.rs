@@ -9,6 +9,7 @@ use super::shooting::{Cycle, Guess, Shooting, finished, scaled, shoot};
 use crate::motion::SlidingSystem;
 use judder_numerics::dense::Triangles;
 use std::array::from_fn;
+use std::fmt;
 
 /// How a branch is followed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,8 +46,22 @@ pub enum BranchEnd {
     Points,
     /// It shrank to steady sliding: a Hopf point.
     SteadySliding,
+    /// It came back to its first cycle.
+    Closed,
     /// No next cycle could be found, with the last reason.
     Lost(CycleError),
+}
+
+impl fmt::Display for BranchEnd {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Range => formatter.write_str("leaves the range"),
+            Self::Points => formatter.write_str("goes on: as many cycles as were asked for"),
+            Self::SteadySliding => formatter.write_str("shrinks to steady sliding"),
+            Self::Closed => formatter.write_str("comes back to where it began"),
+            Self::Lost(error) => write!(formatter, "lost: {error}"),
+        }
+    }
 }
 
 /// Cycles along a parameter.
@@ -89,6 +104,17 @@ struct Place {
     tangent: Vec<f64>,
 }
 
+impl Place {
+    fn distance(&self, other: &Self) -> f64 {
+        self.at.iter().zip(&other.at).fold(0.0, |sum, (a, b)| sum + (a - b) * (a - b)).sqrt()
+    }
+
+    /// The cosine of the angle between the tangents.
+    fn alignment(&self, other: &Self) -> f64 {
+        self.tangent.iter().zip(&other.tangent).map(|(a, b)| a * b).sum()
+    }
+}
+
 /// A step that fails below it stands before a kink of the branch.
 const KINK: f64 = 1e-5;
 
@@ -116,12 +142,14 @@ pub fn continue_branch<S: SlidingSystem<N>, const N: usize>(
     let walk = Walk { system_at, options, oscillations: cycle.1, scales: system.scales() };
     let first = shoot(&system, cycle.0, cycle.1, &options.shooting)?;
     let mut place = walk.first_place(&first, parameter, direction)?;
+    let start = place.clone();
+    let mut farthest: f64 = 0.0;
     let first = BranchPoint { parameter, cycle: first, slope: place.tangent[N] };
     let mut branch =
         Branch { points: vec![first], folds: vec![], pattern_changes: vec![], end: BranchEnd::Points };
     let mut step = options.steps.0;
     while branch.points.len() < options.points {
-        match walk.next(&place, step).and_then(|found| neighbour(&branch, found)) {
+        match walk.next(&place, step).and_then(|found| neighbour(&branch, (&place, step), found)) {
             Ok((next, next_place)) => {
                 let settled_fast = next.cycle.iterations <= 3;
                 step = (step * if settled_fast { 1.5 } else { 0.8 }).min(options.steps.1);
@@ -143,7 +171,9 @@ pub fn continue_branch<S: SlidingSystem<N>, const N: usize>(
                 }
             },
         }
-        if let Some(end) = walk.end_of(&branch) {
+        farthest = farthest.max(place.distance(&start));
+        let is_closed = closes(&start, &place, farthest, &branch);
+        if let Some(end) = walk.end_of(&branch).or(is_closed.then_some(BranchEnd::Closed)) {
             branch.end = end;
             break;
         }
@@ -151,20 +181,33 @@ pub fn continue_branch<S: SlidingSystem<N>, const N: usize>(
     Ok(branch)
 }
 
-/// What was found if it is a neighbour of the branch's last cycle. Steady sliding is a fixed point of the return map too, and a
-/// long step can end at it.
+/// Whether a branch that has been away has come back to its start, going the same way.
+fn closes<const N: usize>(start: &Place, place: &Place, farthest: f64, branch: &Branch<N>) -> bool {
+    /// Of the farthest place, and the cosine of the angle to the first tangent.
+    const NEAR: f64 = 0.05;
+    const SAME_WAY: f64 = 0.9;
+    !branch.folds.is_empty() && place.distance(start) < NEAR * farthest && place.alignment(start) > SAME_WAY
+}
+
+/// What was found a step from a place if it is a neighbour of the branch's last cycle. Steady sliding is a fixed point of the return
+/// map too, and a long step can end at it, or on another sheet of the branch.
 fn neighbour<const N: usize>(
     branch: &Branch<N>,
+    (place, step): (&Place, f64),
     found: (BranchPoint<N>, Place),
 ) -> Result<(BranchPoint<N>, Place), CycleError> {
     /// What the amplitude may shrink to in a step, and what the period may change by, either way.
     const SHRINKS: f64 = 0.2;
     const PERIOD: f64 = 1.5;
+    /// How far the cycle may lie from where it was, over the step: Newton's method may correct no more than half a step.
+    const ASTRAY: f64 = 1.1;
     let Some(last) = branch.points.last() else { return Ok(found) };
     let (from, to) = (last.cycle.period(), found.0.cycle.period());
     let amplitude = |point: &BranchPoint<N>| point.cycle.around.measures.amplitude();
-    let is_neighbour =
-        amplitude(&found.0) > SHRINKS * amplitude(last) && to < PERIOD * from && from < PERIOD * to;
+    let is_neighbour = amplitude(&found.0) > SHRINKS * amplitude(last)
+        && to < PERIOD * from
+        && from < PERIOD * to
+        && found.1.distance(place) < ASTRAY * step;
     if is_neighbour { Ok(found) } else { Err(CycleError::Elsewhere { from, to }) }
 }
 
@@ -326,9 +369,8 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError>, const N: usize> W
             branch.pattern_changes.push(PatternChange { after, between: (last.parameter, next.parameter) });
         }
         if last.slope * next.slope < 0.0 {
-            let length =
-                from.at.iter().zip(self.scaled_place(next)).fold(0.0, |sum, (a, b)| sum + (a - b) * (a - b));
-            let parameter = self.turn(from, last, next, length.sqrt());
+            let there = Place { at: self.scaled_place(next), tangent: Vec::new() };
+            let parameter = self.turn(from, last, next, from.distance(&there));
             branch.folds.push(Fold { after, parameter, is_smooth });
         }
     }

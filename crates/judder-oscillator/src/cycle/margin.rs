@@ -5,7 +5,7 @@
 //! cycle waits for a knock. So the turn, and not the threshold, is the safe limit as far as this branch tells: cycles of other
 //! branches, with more oscillations in a period, may live beyond it.
 
-use super::continuation::{Branch, BranchEnd, Continuation, continue_branch};
+use super::continuation::{Branch, Continuation, continue_branch};
 use super::{CycleError, small_cycle};
 use crate::hopf::{HopfPoint, hopf_point};
 use crate::motion::SlidingSystem;
@@ -23,18 +23,15 @@ pub struct GlobalMargin<const N: usize> {
 }
 
 impl<const N: usize> GlobalMargin<N> {
-    /// The parameter farthest from the threshold at which a cycle of the branch is known: the fold, or the last point of a
-    /// branch that was lost before it.
+    /// The parameter farthest from the threshold at which a cycle of the branch is known: the fold, a later turn beyond it, or
+    /// the last point of a branch that was lost.
     #[must_use]
-    pub fn reaches(&self) -> Option<f64> {
-        let last = self.branch.as_ref().and_then(|branch| branch.points.last()).map(|point| point.parameter);
-        self.fold.or(last)
-    }
-
-    /// Why the branch ended, where it did not come to a fold.
-    #[must_use]
-    pub fn lost(&self) -> Option<&BranchEnd> {
-        self.branch.as_ref().filter(|_| self.fold.is_none()).map(|branch| &branch.end)
+    pub fn reaches(&self, threshold: f64) -> Option<f64> {
+        let branch = self.branch.as_ref()?;
+        let first = branch.points.first()?.parameter - threshold;
+        let turns = branch.folds.iter().map(|fold| fold.parameter);
+        let known = branch.points.iter().map(|point| point.parameter).chain(turns);
+        known.max_by(|a, b| (first * a).total_cmp(&(first * b)))
     }
 }
 

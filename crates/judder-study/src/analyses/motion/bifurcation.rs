@@ -1,5 +1,6 @@
 //! `bifurcation`: what motions settle to along one key, up and down.
 
+use super::branches::{self, SimulatedCycle};
 use super::model::Model;
 use crate::analyses::axis::Axis;
 use crate::error::StudyError;
@@ -18,6 +19,8 @@ pub(super) struct Settings<'a, K> {
     pub(super) start: &'a MotionStart,
     pub(super) following: &'a Following,
     pub(super) transient: CaseValue,
+    /// Whether the branches of cycles are followed as well.
+    pub(super) branches: bool,
 }
 
 /// What a motion has become; the place is the number in stored results.
@@ -85,7 +88,7 @@ pub(super) fn run<M: Model<N>, const N: usize>(
         .collect::<Result<_, _>>()?;
     let diagram = Diagram { axis: M::axis(settings.sweep), directions: direction.sweeps(), sweeps: &sweeps };
     let lost = sweeps.iter().flatten().filter(|point| point.attractor.is_err()).count();
-    Ok(Outcome {
+    let mut outcome = Outcome {
         scalars: diagram.scalars(&settings.sweep.path),
         dataset: diagram.dataset::<M>()?,
         table: Some(diagram.table()?),
@@ -93,7 +96,16 @@ pub(super) fn run<M: Model<N>, const N: usize>(
         warnings: diagram.warning().into_iter().collect(),
         missing: lost,
         ..Outcome::default()
-    })
+    };
+    if settings.branches {
+        let simulated = diagram.cycles();
+        let branches = branches::follow(model, (settings.sweep, settings.following), &simulated, progress)?;
+        outcome.scalars.extend(branches.scalars());
+        outcome.dataset = branches.add_arrays(outcome.dataset)?;
+        outcome.checks.extend(branches.check());
+        outcome.warnings.extend(branches.warnings());
+    }
+    Ok(outcome)
 }
 
 /// One sweep; its points stand in the order of the axis, whichever way it goes.
@@ -195,6 +207,22 @@ struct Diagram<'a, const N: usize> {
 impl<const N: usize> Diagram<'_, N> {
     fn points(&self) -> impl Iterator<Item = &Point<N>> {
         self.sweeps.iter().flatten()
+    }
+
+    /// Every cycle that a motion has settled to.
+    fn cycles(&self) -> Vec<SimulatedCycle<N>> {
+        let cycle = |(value, point): (f64, &Point<N>)| {
+            let attractor = point.attractor.as_ref().ok()?;
+            let Settled::Cycle { oscillations } = attractor.settled else { return None };
+            Some(SimulatedCycle {
+                value,
+                start: attractor.state,
+                oscillations,
+                rms: attractor.measures.rms(),
+                period: attractor.period,
+            })
+        };
+        self.places().0.into_iter().zip(self.points()).filter_map(cycle).collect()
     }
 
     fn values(&self, value: impl Fn(&Point<N>) -> f64) -> Vec<f64> {

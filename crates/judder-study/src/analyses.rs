@@ -12,6 +12,7 @@ mod steady_states;
 mod two_degrees;
 
 pub(crate) use motion::belt;
+pub(crate) use stability_map::{STARTS_IT, UNKNOWN};
 pub(crate) use steady_states::SteadyState;
 
 use crate::bridge::{self, CaseContact};

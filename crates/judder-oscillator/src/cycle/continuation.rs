@@ -3,11 +3,14 @@
 //! Pseudo-arclength continuation (H. B. Keller, 1977) on the return map. Where a cycle begins to touch a guard, the return
 //! map has a kink: the next point lies on a smooth piece with a derivative of its own, which Newton's method uses.
 
+mod place;
+
 use super::CycleError;
 use super::return_map::{Return, return_map, returned_state};
 use super::shooting::{Cycle, Guess, Shooting, finished, scaled, shoot};
 use crate::motion::SlidingSystem;
 use judder_numerics::dense::Triangles;
+use place::{Place, closes, neighbour};
 use std::array::from_fn;
 use std::fmt;
 
@@ -97,24 +100,6 @@ pub struct PatternChange {
     pub between: (f64, f64),
 }
 
-/// A place on the way with the unit tangent there; both hold the scaled state and then the scaled parameter.
-#[derive(Clone)]
-struct Place {
-    at: Vec<f64>,
-    tangent: Vec<f64>,
-}
-
-impl Place {
-    fn distance(&self, other: &Self) -> f64 {
-        self.at.iter().zip(&other.at).fold(0.0, |sum, (a, b)| sum + (a - b) * (a - b)).sqrt()
-    }
-
-    /// The cosine of the angle between the tangents.
-    fn alignment(&self, other: &Self) -> f64 {
-        self.tangent.iter().zip(&other.tangent).map(|(a, b)| a * b).sum()
-    }
-}
-
 /// A step that fails below it stands before a kink of the branch.
 const KINK: f64 = 1e-5;
 
@@ -179,36 +164,6 @@ pub fn continue_branch<S: SlidingSystem<N>, const N: usize>(
         }
     }
     Ok(branch)
-}
-
-/// Whether a branch that has been away has come back to its start, going the same way.
-fn closes<const N: usize>(start: &Place, place: &Place, farthest: f64, branch: &Branch<N>) -> bool {
-    /// Of the farthest place, and the cosine of the angle to the first tangent.
-    const NEAR: f64 = 0.05;
-    const SAME_WAY: f64 = 0.9;
-    !branch.folds.is_empty() && place.distance(start) < NEAR * farthest && place.alignment(start) > SAME_WAY
-}
-
-/// What was found a step from a place if it is a neighbour of the branch's last cycle. Steady sliding is a fixed point of the return
-/// map too, and a long step can end at it, or on another sheet of the branch.
-fn neighbour<const N: usize>(
-    branch: &Branch<N>,
-    (place, step): (&Place, f64),
-    found: (BranchPoint<N>, Place),
-) -> Result<(BranchPoint<N>, Place), CycleError> {
-    /// What the amplitude may shrink to in a step, and what the period may change by, either way.
-    const SHRINKS: f64 = 0.2;
-    const PERIOD: f64 = 1.5;
-    /// How far the cycle may lie from where it was, over the step: Newton's method may correct no more than half a step.
-    const ASTRAY: f64 = 1.1;
-    let Some(last) = branch.points.last() else { return Ok(found) };
-    let (from, to) = (last.cycle.period(), found.0.cycle.period());
-    let amplitude = |point: &BranchPoint<N>| point.cycle.around.measures.amplitude();
-    let is_neighbour = amplitude(&found.0) > SHRINKS * amplitude(last)
-        && to < PERIOD * from
-        && from < PERIOD * to
-        && found.1.distance(place) < ASTRAY * step;
-    if is_neighbour { Ok(found) } else { Err(CycleError::Elsewhere { from, to }) }
 }
 
 impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError>, const N: usize> Walk<'_, F, N> {

@@ -8,7 +8,9 @@ use judder_numerics::piecewise::Settings;
 use judder_oscillator::Contact;
 use judder_oscillator::critical::{Range, Scale};
 use judder_oscillator::cycle::shooting::Shooting;
-use judder_oscillator::cycle::{Branch, BranchEnd, Continuation, CycleError, GlobalMargin, global_margin};
+use judder_oscillator::cycle::{
+    Branch, BranchEnd, Continuation, CycleError, GlobalMargin, global_margin, shoot,
+};
 use judder_oscillator::hopf::{HopfPoint, growth_rate, growth_slope, hopf_point};
 use judder_oscillator::motion::attractor::{Attractor, Patience, Settled, settle};
 use judder_oscillator::motion::{SlidingSystem, StickSlip};
@@ -68,7 +70,7 @@ pub(super) struct Margin {
 impl Crossing<'_> {
     /// The value at a place `s` along the branch: s is the logarithm of the quantity over the threshold, or on a linear axis their
     /// difference over its length.
-    fn value(&self, threshold: f64, s: f64) -> f64 {
+    pub(super) fn value(&self, threshold: f64, s: f64) -> f64 {
         match self.range.scale {
             Scale::Logarithmic => threshold * s.exp(),
             Scale::Linear => threshold + s * (self.range.to - self.range.from).abs(),
@@ -76,7 +78,7 @@ impl Crossing<'_> {
     }
 
     /// The place of a value.
-    fn place(&self, threshold: f64, value: f64) -> f64 {
+    pub(super) fn place(&self, threshold: f64, value: f64) -> f64 {
         match self.range.scale {
             Scale::Logarithmic => (value / threshold).ln(),
             Scale::Linear => (value - threshold) / (self.range.to - self.range.from).abs(),
@@ -126,6 +128,11 @@ impl Crossing<'_> {
         Settings { relative: TOLERANCE, absolute, longest_step: 1.0, steps: STEPS }
     }
 
+    fn shooting(system: &StickSlip) -> Shooting<4> {
+        let settings = Self::settings(system);
+        Shooting { settings, tolerance: 100.0 * TOLERANCE, iterations: 12, longest: LONGEST_PERIOD }
+    }
+
     fn follow(&self, onset: &Onset, progress: &dyn Progress) -> Result<GlobalMargin<4>, CycleError> {
         let flights = AtomicUsize::new(0);
         let system_at = |s: f64| {
@@ -135,9 +142,7 @@ impl Crossing<'_> {
             }
             self.system(self.value(onset.threshold, s))
         };
-        let settings = Self::settings(&self.system(onset.threshold)?);
-        let shooting =
-            Shooting { settings, tolerance: 100.0 * TOLERANCE, iterations: 12, longest: LONGEST_PERIOD };
+        let shooting = Self::shooting(&self.system(onset.threshold)?);
         let ends = [self.range.from, self.range.to].map(|end| self.place(onset.threshold, end));
         // behind the fold the branch comes back; beyond the threshold it tells nothing of the margin
         let range = match onset.stable_side > 0.0 {
@@ -257,9 +262,14 @@ pub(super) fn fold_check(onsets: &[(Crossing<'_>, &Onset)]) -> (Option<CheckReco
         .map(|(crossing, threshold, fold, start)| {
             let fold = crossing.place(*threshold, *fold);
             let within = inside(fold);
+            let mut start = *start;
             [within, 2.0 * fold - within].map(|s| {
-                let system = crossing.system(crossing.value(*threshold, s));
-                system.map_or(Fate::Lost, |system| Fate::of(&system, *start))
+                let Ok(system) = crossing.system(crossing.value(*threshold, s)) else { return Fate::Lost };
+                // next to the fold a motion that is not quite on the large cycle may miss it
+                if let Ok(cycle) = shoot(&system, start, 1, &Crossing::shooting(&system)) {
+                    start = cycle.start;
+                }
+                Fate::of(&system, start)
             })
         })
         .collect();

@@ -102,7 +102,7 @@ fn folds(dataset: &Dataset, swept: &Swept<'_>) -> Vec<Layer> {
     let length = most * swept.values.len();
     for (curve, (roots, folds)) in roots.chunks(length).zip(folds.chunks(length)).enumerate() {
         let (x, y) = branches(swept.values, roots, folds, most);
-        let label = if curve == 0 { "fold: up to it a knock starts a cycle" } else { "" };
+        let label = if curve == 0 { "fold of the cycles" } else { "" };
         layers.push(Layer::line(label, x, y, swept.role(curve).dash_dotted()));
     }
     let points = |label: &str, of: &dyn Fn(usize) -> f64, series: usize| {

@@ -15,17 +15,17 @@ use judder_oscillator::hopf::{HopfPoint, growth_rate, growth_slope, hopf_point};
 use std::f64::consts::TAU;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// The loosest tolerance of a flight: derivatives of the return map need more digits than a motion that only settles.
-const TOLERANCE: f64 = 1e-8;
+/// The loosest tolerance of a flight: where a cycle begins to stick, the sheets on both sides are told apart by their last digits.
+const TOLERANCE: f64 = 1e-10;
 /// The most steps of a flight, its longest time, the most flights and cycles in one direction: what bounds the time of a branch.
 const STEPS: usize = 100_000;
 const LONGEST_PERIOD: f64 = 2000.0;
-const FLIGHTS: usize = 2000;
+const FLIGHTS: usize = 3000;
 const CYCLES: usize = 400;
 /// The first and the longest step along a branch, in the magnitudes of steady sliding and in parts of the sweep.
-const STEP: (f64, f64) = (0.01, 2.0);
+const STEP: (f64, f64) = (0.01, 4.0);
 /// The part of the sweep that counts as much along a branch as a magnitude of steady sliding does.
-const PART: f64 = 1.0 / 40.0;
+const PART: f64 = 1.0 / 100.0;
 /// Places at which the growth rate of steady sliding is looked at for changes of sign, at least.
 const SAMPLES: usize = 201;
 /// Branches that are followed from simulated cycles, at most.
@@ -88,10 +88,10 @@ impl<const N: usize> DiagramBranch<N> {
         Self { from, hopf, points, folds, shrinks, end }
     }
 
-    /// Whether a simulated cycle lies on it, and if so whether it is stable there: rms and period are those of two neighbours at its
-    /// value, or between them.
+    /// Whether a simulated cycle lies on it, and if so whether a cycle there is stable: rms and period are those of two neighbours at
+    /// its value, or between them.
     fn passes(&self, cycle: &SimulatedCycle<N>) -> Option<bool> {
-        let pair = self.points.windows(2).find(|pair| {
+        let near = self.points.windows(2).filter(|pair| {
             let [a, b] = [&pair[0], &pair[1]];
             // at a fold a cycle can lie beyond both of its neighbours
             let ends = [a.parameter, b.parameter];
@@ -105,8 +105,9 @@ impl<const N: usize> DiagramBranch<N> {
                 && a.cycle.oscillations == cycle.oscillations
                 && is_between(a.cycle.around.measures.rms(), b.cycle.around.measures.rms(), cycle.rms)
                 && is_between(a.cycle.period(), b.cycle.period(), cycle.period)
-        })?;
-        Some(pair.iter().any(|point| point.cycle.is_stable()))
+        });
+        let stable = near.map(|pair| pair.iter().any(|point| point.cycle.is_stable()));
+        stable.reduce(|any, is_stable| any || is_stable)
     }
 }
 

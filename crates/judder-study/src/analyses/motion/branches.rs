@@ -162,7 +162,7 @@ impl<M: Model<N>, const N: usize> Line<'_, M, N> {
     }
 
     /// The branch that begins at a Hopf point, on the side on which its cycles live.
-    fn from_hopf_point(&self, place: f64, hopf: &HopfPoint<N>) -> Result<DiagramBranch<N>, CycleError> {
+    fn branch_of(&self, place: f64, hopf: &HopfPoint<N>) -> Result<DiagramBranch<N>, CycleError> {
         let slope =
             growth_slope(|place| self.growth_rate(place), place, self.part()).ok_or(CycleError::NotBorn)?;
         // the cycles have σ/Re c₁ < 0
@@ -179,7 +179,7 @@ impl<M: Model<N>, const N: usize> Line<'_, M, N> {
     }
 
     /// The branch through a simulated cycle, both ways.
-    fn from_cycle(&self, cycle: &SimulatedCycle<N>) -> Result<DiagramBranch<N>, CycleError> {
+    fn branch_through(&self, cycle: &SimulatedCycle<N>) -> Result<DiagramBranch<N>, CycleError> {
         let place = self.place(cycle.value);
         let follow = |direction: f64| {
             self.budgeted(place, |system_at, options| {
@@ -272,7 +272,7 @@ pub(super) fn follow<M: Model<N>, const N: usize>(
     for cycle in simulated {
         if tried < FROM_SIMULATION && found.stability_of(cycle).is_none() {
             tried += 1;
-            let branch = line.from_cycle(cycle);
+            let branch = line.branch_through(cycle);
             found.keep(branch, || format!("simulated cycle at {:.6e}", cycle.value));
             interrupted(progress)?;
         }
@@ -313,7 +313,7 @@ impl<const N: usize> Branches<N> {
             branch.shrinks && branch.points.last().is_some_and(near)
         };
         if !self.branches.iter().any(ends_here) {
-            self.keep(line.from_hopf_point(place, &hopf), start);
+            self.keep(line.branch_of(place, &hopf), start);
         }
     }
 }

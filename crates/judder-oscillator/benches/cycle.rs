@@ -32,7 +32,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let shooting = Shooting { settings: settings(1e-11), tolerance: 1e-8, iterations: 20, longest: 1000.0 };
     let disturbed = [1.2 * rest[0], rest[1], rest[2], rest[3]];
-    let start = from_simulation(&system, disturbed, &shooting, &Patience::default())?.start;
+    let start = from_simulation(&system, disturbed, &shooting, &Patience::default(), &|| false)?.start;
     let lap = || -> Result<_, Box<dyn Error>> {
         let mut march = March::new(&system, system.contact_state(&start), start, settings(TOLERANCE))?
             .with_section(system.section());

@@ -12,7 +12,7 @@ use judder_oscillator::linear_system::ReducedSystem;
 use judder_oscillator::linearisation::Linearisation;
 use judder_oscillator::map::StabilityMap;
 use judder_oscillator::mechanism::StabilityClass;
-use judder_oscillator::motion::{MotionState, accelerations};
+use judder_oscillator::motion::accelerations;
 use judder_oscillator::spectrum::{eigenvalues, growth_rate};
 use judder_oscillator::{Contact, LinearSystem};
 
@@ -57,8 +57,8 @@ pub(crate) fn steady_sliding(contact: &Contact, states: &[SteadyState]) -> Vec<C
     ]
 }
 
-fn at_rest(state: &SteadyState) -> MotionState {
-    MotionState { x: state.equilibrium.x, y: state.equilibrium.y, velocity_x: 0.0, velocity_y: 0.0 }
+fn at_rest(state: &SteadyState) -> [f64; 4] {
+    [state.equilibrium.x, state.equilibrium.y, 0.0, 0.0]
 }
 
 /// The accelerations at the equilibrium, over the largest force that acts there.
@@ -75,21 +75,26 @@ fn jacobian_error(contact: &Contact, state: &SteadyState) -> f64 {
     let c = &state.coefficients;
     let speed = c.velocity * c.radius() / c.retardation_time;
     let rest = at_rest(state);
-    let column = |scale: f64, move_by: &dyn Fn(f64) -> MotionState| -> [f64; 2] {
+    let column = |place: usize, scale: f64| -> [f64; 2] {
+        let moved = |by: f64| {
+            let mut state = rest;
+            state[place] += by;
+            accelerations(contact, c, &state)
+        };
         let step = STEP * scale;
-        let (plus, minus) =
-            (accelerations(contact, c, &move_by(step)), accelerations(contact, c, &move_by(-step)));
+        let (plus, minus) = (moved(step), moved(-step));
         [0, 1].map(|row| -(plus[row] - minus[row]) / (2.0 * step))
     };
     let [damping, stiffness] = [state.linearisation.damping(), state.linearisation.stiffness()];
-    let along_x = state.equilibrium.x.abs().max(state.equilibrium.y);
+    let [x, y, ..] = rest;
+    let along_x = x.abs().max(y);
     let columns = [
-        (&stiffness, 0, along_x, column(along_x, &|h| MotionState { x: rest.x + h, ..rest })),
-        (&stiffness, 1, rest.y, column(rest.y, &|h| MotionState { y: rest.y + h, ..rest })),
-        (&damping, 0, speed, column(speed, &|h| MotionState { velocity_x: h, ..rest })),
-        (&damping, 1, speed, column(speed, &|h| MotionState { velocity_y: h, ..rest })),
+        (&stiffness, 0, along_x, column(0, along_x)),
+        (&stiffness, 1, y, column(1, y)),
+        (&damping, 0, speed, column(2, speed)),
+        (&damping, 1, speed, column(3, speed)),
     ];
-    let force = 1.0 + (c.k11 * rest.x).abs() + (c.k12 * rest.y).abs();
+    let force = 1.0 + (c.k11 * x).abs() + (c.k12 * y).abs();
     columns
         .iter()
         .flat_map(|(matrix, index, scale, slopes)| {

@@ -5,6 +5,7 @@ use judder_contact::material::MaterialError;
 use judder_contact::periodic_contact::PeriodicContactError;
 use judder_contact::steady::SteadyError;
 use judder_contact::transient::TransientError;
+use judder_numerics::piecewise::MarchError;
 use judder_oscillator::OscillatorError;
 use judder_oscillator::cycle::CycleError;
 use judder_oscillator::motion::history::LostMotion;
@@ -72,10 +73,10 @@ pub enum StudyError {
     Contact(#[from] SteadyError),
     /// A motion cannot be followed to its end.
     #[error("the motion cannot be followed: {0}")]
-    Motion(#[from] LostMotion),
+    Motion(LostMotion),
     /// There is no cycle.
     #[error("no limit cycle: {0}")]
-    Cycle(#[from] CycleError),
+    Cycle(CycleError),
     /// The folder holds no results to report on.
     #[error("{folder} holds no results yet: run `judder run CASE.toml -o {folder}` first")]
     NoResults {
@@ -88,6 +89,24 @@ pub enum StudyError {
     /// Stopped by the user; what was done is kept.
     #[error("interrupted; what was done is kept, and the same command goes on from there")]
     Interrupted,
+}
+
+impl From<LostMotion> for StudyError {
+    fn from(lost: LostMotion) -> Self {
+        match lost.source {
+            MarchError::Interrupted { .. } => Self::Interrupted,
+            _ => Self::Motion(lost),
+        }
+    }
+}
+
+impl From<CycleError> for StudyError {
+    fn from(error: CycleError) -> Self {
+        match error {
+            CycleError::Motion(MarchError::Interrupted { .. }) => Self::Interrupted,
+            _ => Self::Cycle(error),
+        }
+    }
 }
 
 impl StudyError {

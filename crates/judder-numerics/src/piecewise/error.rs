@@ -35,6 +35,12 @@ pub enum MarchError {
         /// Where the motion stands.
         time: f64,
     },
+    /// The caller wants it to stop.
+    #[error("the motion was interrupted at time {time}")]
+    Interrupted {
+        /// Where the motion stands.
+        time: f64,
+    },
     /// The state that it starts from is not finite.
     #[error("component {component} of the state is not finite: {value}")]
     NotFinite {

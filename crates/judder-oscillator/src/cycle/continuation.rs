@@ -4,13 +4,14 @@
 //! map has a kink: the next point lies on a smooth piece with a derivative of its own, which Newton's method uses.
 
 mod place;
+mod touching;
 
 use super::CycleError;
 use super::return_map::{Return, return_map, returned_state};
 use super::shooting::{Cycle, Guess, Shooting, finished, scaled, shoot};
-use crate::motion::SlidingSystem;
+use crate::motion::{ContactState, SlidingSystem};
 use judder_numerics::dense::Triangles;
-use place::{Place, closes, neighbour};
+use place::{Outing, Place, neighbour};
 use std::array::from_fn;
 use std::fmt;
 
@@ -51,6 +52,13 @@ pub enum BranchEnd {
     SteadySliding,
     /// It came back to its first cycle.
     Closed,
+    /// Its cycles come to touch a guard beyond which the return map jumps: no neighbour on the other side is a cycle.
+    Grazing {
+        /// The contact states of the motions beyond.
+        pattern: Vec<ContactState>,
+        /// By how much the return jumps, in scales.
+        jump: f64,
+    },
     /// No next cycle could be found, with the last reason.
     Lost(CycleError),
 }
@@ -62,6 +70,14 @@ impl fmt::Display for BranchEnd {
             Self::Points => formatter.write_str("goes on: as many cycles as were asked for"),
             Self::SteadySliding => formatter.write_str("shrinks to steady sliding"),
             Self::Closed => formatter.write_str("comes back to where it began"),
+            Self::Grazing { pattern, .. } => {
+                let words: Vec<String> = pattern.iter().map(ToString::to_string).collect();
+                let beyond = words.join(", ");
+                write!(
+                    formatter,
+                    "grazes: beyond, motions go through {beyond}, and their return jumps away from the cycle"
+                )
+            }
             Self::Lost(error) => write!(formatter, "lost: {error}"),
         }
     }
@@ -103,6 +119,10 @@ pub struct PatternChange {
 /// A step that fails below it stands before a kink of the branch.
 const KINK: f64 = 1e-5;
 
+/// A branch that makes so many steps in a row below this length crawls.
+const SHORT_STEPS: usize = 24;
+const SHORT: f64 = 1e-4;
+
 struct Walk<'a, F, const N: usize> {
     system_at: &'a F,
     options: &'a Continuation<N>,
@@ -127,17 +147,20 @@ pub fn continue_branch<S: SlidingSystem<N>, const N: usize>(
     let walk = Walk { system_at, options, oscillations: cycle.1, scales: system.scales() };
     let first = shoot(&system, cycle.0, cycle.1, &options.shooting)?;
     let mut place = walk.first_place(&first, parameter, direction)?;
-    let start = place.clone();
-    let mut farthest: f64 = 0.0;
+    let mut outing = Outing::from(place.clone());
     let first = BranchPoint { parameter, cycle: first, slope: place.tangent[N] };
     let mut branch =
         Branch { points: vec![first], folds: vec![], pattern_changes: vec![], end: BranchEnd::Points };
-    let mut step = options.steps.0;
+    let (mut step, mut short_steps) = (options.steps.0, 0);
     while branch.points.len() < options.points {
         match walk.next(&place, step).and_then(|found| neighbour(&branch, (&place, step), found)) {
             Ok((next, next_place)) => {
-                let settled_fast = next.cycle.iterations <= 3;
-                step = (step * if settled_fast { 1.5 } else { 0.8 }).min(options.steps.1);
+                let stretch = match next.cycle.iterations {
+                    ..=6 => 1.4,
+                    7 | 8 => 1.0,
+                    _ => 0.7,
+                };
+                step = (step * stretch).min(options.steps.1);
                 walk.note_changes(&mut branch, &next, &place);
                 branch.points.push(next);
                 place = next_place;
@@ -151,14 +174,15 @@ pub fn continue_branch<S: SlidingSystem<N>, const N: usize>(
                     step = options.steps.0;
                 }
                 None => {
-                    branch.end = BranchEnd::Lost(error);
+                    branch.end = walk.grazing(&place, &branch).unwrap_or(BranchEnd::Lost(error));
                     break;
                 }
             },
         }
-        farthest = farthest.max(place.distance(&start));
-        let is_closed = closes(&start, &place, farthest, &branch);
-        if let Some(end) = walk.end_of(&branch).or(is_closed.then_some(BranchEnd::Closed)) {
+        short_steps = if step < SHORT { short_steps + 1 } else { 0 };
+        let crawls = short_steps >= SHORT_STEPS;
+        let grazing = if crawls { walk.grazing(&place, &branch) } else { None };
+        if let Some(end) = grazing.or_else(|| walk.end_of(&branch)).or_else(|| outing.end(&place, &branch)) {
             branch.end = end;
             break;
         }
@@ -219,14 +243,15 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError>, const N: usize> W
 
     /// The derivative of the residual by state and parameter, above a last row of the caller's.
     fn bordered(&self, at: &[f64], around: &Return<N>, last: &[f64]) -> Result<Triangles, CycleError> {
-        // wide enough for a return that is good to 1e-10, and narrow enough to end before a kink
-        const DIFFERENCE: f64 = 1e-5;
-        let (above, below) = (self.residual_beside(at, DIFFERENCE)?, self.residual_beside(at, -DIFFERENCE)?);
+        /// Of the root of a step's tolerance: wide enough for the digits of a return, narrow enough to end before a guard that is near.
+        const DIFFERENCE: f64 = 0.03;
+        let by = DIFFERENCE * self.options.shooting.settings.relative.sqrt();
+        let (above, below) = (self.residual_beside(at, by)?, self.residual_beside(at, -by)?);
         let derivative = scaled(&around.derivative, &self.scales);
         let mut matrix = Vec::with_capacity((N + 1) * (N + 1));
         for (i, row) in derivative.iter().enumerate() {
             matrix.extend(row.iter().enumerate().map(|(j, d)| d - f64::from(u8::from(i == j))));
-            matrix.push((above[i] - below[i]) / (2.0 * DIFFERENCE));
+            matrix.push((above[i] - below[i]) / (2.0 * by));
         }
         matrix.extend_from_slice(last);
         Triangles::new(N + 1, matrix).ok_or(CycleError::Singular)
@@ -271,48 +296,6 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError>, const N: usize> W
             }
         }
         Err(CycleError::NotConverged { iterations: shooting.iterations, residual })
-    }
-
-    /// The first cycle on the other piece of a branch that ends, on this one, at a cycle that touches a guard.
-    ///
-    /// Beside the last cycle motions have another pattern, and the derivative of their return is that of the other piece.
-    /// Along its tangent the branch goes on to the side on which cycles have that pattern.
-    fn round_the_kink(&self, place: &Place, branch: &Branch<N>) -> Option<(BranchPoint<N>, Place)> {
-        const AWAY: [f64; 3] = [1e-2, 1e-3, 1e-4];
-        let here = branch.points.last()?;
-        let mut upwards = vec![0.0; N + 1];
-        upwards[N] = 1.0;
-        for at in self.neighbours(place) {
-            let Ok((_, around)) = self.around(&at) else { continue };
-            if around.pattern == here.cycle.around.pattern {
-                continue;
-            }
-            let Ok(tangent) = self.tangent(&at, &around, &upwards) else { continue };
-            for (step, sign) in AWAY.iter().flat_map(|step| [(*step, -1.0), (*step, 1.0)]) {
-                let tangent = tangent.iter().map(|t| sign * t).collect();
-                let start = Place { at: place.at.clone(), tangent };
-                match self.next(&start, step) {
-                    Ok((point, there)) if point.cycle.around.pattern == around.pattern => {
-                        return Some((point, there));
-                    }
-                    _ => {}
-                }
-            }
-        }
-        None
-    }
-
-    /// Places around one, each moved in one component of the state, ever further.
-    fn neighbours(&self, place: &Place) -> Vec<Vec<f64>> {
-        const AWAY: [f64; 3] = [1e-4, 1e-3, 1e-2];
-        let moves = AWAY.iter().flat_map(|away| (0..N).flat_map(move |i| [(i, *away), (i, -*away)]));
-        moves
-            .map(|(i, by)| {
-                let mut at = place.at.clone();
-                at[i] += by;
-                at
-            })
-            .collect()
     }
 
     /// Notes a fold and a change of the pattern between the branch's last point and the next.

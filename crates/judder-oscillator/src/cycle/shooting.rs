@@ -3,7 +3,7 @@
 use super::CycleError;
 use super::return_map::{Return, return_map};
 use crate::motion::attractor::{Patience, Settled, distance, settle};
-use crate::motion::{ContactState, SlidingSystem};
+use crate::motion::{ContactState, Interrupted, SlidingSystem};
 use judder_numerics::dense::{Triangles, eigenvalues};
 use judder_numerics::piecewise::Settings;
 use judder_numerics::piecewise::tangent::Matrix;
@@ -75,14 +75,15 @@ impl<const N: usize> Cycle<N> {
 /// An irregular motion comes near unstable cycles again and again: from its recurrences Newton's method goes to the shortest that it finds.
 ///
 /// # Errors
-/// The motion comes to rest, or is irregular and no cycle was found beside it; Newton's method fails.
+/// The motion comes to rest, or is irregular and no cycle was found beside it, or is interrupted; Newton's method fails.
 pub fn from_simulation<const N: usize>(
     system: &impl SlidingSystem<N>,
     start: [f64; N],
     shooting: &Shooting<N>,
     patience: &Patience,
+    interrupted: Interrupted<'_>,
 ) -> Result<Cycle<N>, CycleError> {
-    let settled = settle(system, start, shooting.settings, patience)?;
+    let settled = settle(system, start, shooting.settings, patience, interrupted)?;
     match settled.settled {
         Settled::SteadySliding => Err(CycleError::ComesToRest { time: settled.time }),
         Settled::Irregular => settled

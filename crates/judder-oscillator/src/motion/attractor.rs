@@ -1,7 +1,7 @@
 //! Where a motion settles: steady sliding, a cycle, or neither within its time.
 
 use super::measures::Measures;
-use super::{ContactState, SlidingSystem};
+use super::{ContactState, Interrupted, SlidingSystem};
 use judder_numerics::piecewise::{March, MarchError, Settings};
 use std::collections::VecDeque;
 
@@ -72,12 +72,13 @@ const REMEMBERED: usize = 8;
 /// Follows a motion until it has settled.
 ///
 /// # Errors
-/// The motion cannot be followed: budget of steps, accumulation, a state that is not finite.
+/// The motion cannot be followed: budget of steps, accumulation, a state that is not finite; or it was interrupted.
 pub fn settle<const N: usize>(
     system: &impl SlidingSystem<N>,
     start: [f64; N],
     settings: Settings<N>,
     patience: &Patience,
+    interrupted: Interrupted<'_>,
 ) -> Result<Attractor<N>, MarchError> {
     let (rest, scales) = (system.steady_sliding(), system.scales());
     let mut march =
@@ -85,6 +86,9 @@ pub fn settle<const N: usize>(
     let mut returns: VecDeque<(f64, [f64; N])> = VecDeque::new();
     let mut late = Measures::default();
     loop {
+        if interrupted() {
+            return Err(MarchError::Interrupted { time: march.time() });
+        }
         let advance = march.advance(patience.time)?;
         if march.time() > patience.transient
             && let Some(leg) = &advance.leg

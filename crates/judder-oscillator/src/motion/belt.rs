@@ -72,7 +72,7 @@ impl BeltOscillator {
     }
 
     fn speed(&self, mode: ContactState, state: &[f64; 2]) -> f64 {
-        (mode.direction() * (state[1] - self.belt_velocity)).max(0.0)
+        (mode.direction() * self.relative_velocity(state)).max(0.0)
     }
 
     fn structure(&self, [x, velocity]: &[f64; 2]) -> f64 {
@@ -81,18 +81,6 @@ impl BeltOscillator {
 
     fn stick_limit(&self) -> f64 {
         self.normal_force * self.friction.at_rest
-    }
-
-    fn state_at_rest(&self, state: &[f64; 2]) -> ContactState {
-        let (needed, limit) = (self.structure(state), self.stick_limit());
-        // a sticking mass is carried forward, so on the forward limit it slips at once
-        if needed >= limit {
-            ContactState::SlipBehind
-        } else if needed < -limit {
-            ContactState::SlipAhead
-        } else {
-            ContactState::Stick
-        }
     }
 }
 
@@ -123,7 +111,7 @@ impl PiecewiseSmooth<2> for BeltOscillator {
         match (mode, guard) {
             (ContactState::Stick, 0) => self.stick_limit() - self.structure(state),
             (ContactState::Stick, _) => self.stick_limit() + self.structure(state),
-            _ => mode.direction() * (state[1] - self.belt_velocity),
+            _ => mode.direction() * self.relative_velocity(state),
         }
     }
 
@@ -141,26 +129,27 @@ impl PiecewiseSmooth<2> for BeltOscillator {
             (ContactState::Stick, _) => (ContactState::SlipAhead, *state),
             _ => {
                 let at_rest = [state[0], self.belt_velocity];
-                (self.state_at_rest(&at_rest), at_rest)
+                (self.contact_state_at_rest(&at_rest), at_rest)
             }
         }
     }
 }
 
 impl SlidingSystem<2> for BeltOscillator {
-    fn contact_state(&self, state: &[f64; 2]) -> ContactState {
-        let relative = self.relative_velocity(state);
-        if relative < 0.0 {
-            ContactState::SlipBehind
-        } else if relative > 0.0 {
-            ContactState::SlipAhead
-        } else {
-            self.state_at_rest(state)
-        }
+    fn belt_velocity(&self) -> f64 {
+        self.belt_velocity
     }
 
-    fn relative_velocity(&self, state: &[f64; 2]) -> f64 {
-        state[1] - self.belt_velocity
+    fn contact_state_at_rest(&self, state: &[f64; 2]) -> ContactState {
+        let (needed, limit) = (self.structure(state), self.stick_limit());
+        // a sticking mass is carried forward, so on the forward limit it slips at once
+        if needed >= limit {
+            ContactState::SlipBehind
+        } else if needed < -limit {
+            ContactState::SlipAhead
+        } else {
+            ContactState::Stick
+        }
     }
 
     fn steady_sliding(&self) -> [f64; 2] {

@@ -1,7 +1,7 @@
 //! The history of one motion: states on a uniform grid of time, changes of the contact state, oscillations, averages.
 
 use super::measures::Measures;
-use super::{ContactState, SlidingSystem};
+use super::{ContactState, Interrupted, SlidingSystem};
 use judder_numerics::piecewise::quartic::{first_fall, value};
 use judder_numerics::piecewise::{Advance, Crossing, Leg, March, MarchError, Settings};
 use std::collections::VecDeque;
@@ -71,17 +71,19 @@ pub struct History<const N: usize> {
     pub measures: Measures,
     /// The energy at the end less that at the end of the transient.
     pub energy_change: f64,
+    /// The largest energy at the two ends times the tolerance of a step: what the motion does not resolve.
+    pub energy_resolution: f64,
     /// Steps used.
     pub steps: usize,
 }
 
 impl<const N: usize> History<N> {
-    /// What the works after the transient leave of the change of energy, over the largest of them; zero where nothing
-    /// moved.
+    /// What the works after the transient leave of the change of energy, over the largest of them or, where a motion at rest
+    /// leaves only rounding, over what the motion resolves.
     #[must_use]
     pub fn energy_residual(&self) -> f64 {
         let work = self.measures.work;
-        let parts = [work.friction, work.normal, work.damping, self.energy_change];
+        let parts = [work.friction, work.normal, work.damping, self.energy_change, self.energy_resolution];
         let largest = parts.iter().fold(0.0_f64, |largest, part| largest.max(part.abs()));
         if largest == 0.0 {
             return 0.0;
@@ -105,18 +107,22 @@ pub struct LostMotion {
 /// Follows a motion over a time.
 ///
 /// # Errors
-/// The motion cannot be followed: budget of steps, accumulation, a state that is not finite.
+/// The motion cannot be followed: budget of steps, accumulation, a state that is not finite; or it was interrupted.
 pub fn follow<const N: usize>(
     system: &impl SlidingSystem<N>,
     start: [f64; N],
     settings: Settings<N>,
     window: &Window,
+    interrupted: Interrupted<'_>,
 ) -> Result<History<N>, LostMotion> {
     let mut march = begin(system, start, settings)?;
-    let mut recorder = Recorder::new(system, window);
+    let mut recorder = Recorder::new(system, window, settings.relative);
     for until in [window.transient, window.duration] {
         recorder.begin(&march);
         while march.time() < until {
+            if interrupted() {
+                return Err(lost(&march, MarchError::Interrupted { time: march.time() }));
+            }
             recorder.add(&advance(&mut march, until)?);
         }
     }
@@ -137,7 +143,7 @@ pub fn follow_cycle<const N: usize>(
     start[N / 2] = 0.0;
     let window = Window { duration: period, transient: 0.0, points };
     let mut march = begin(system, start, settings)?;
-    let mut recorder = Recorder::new(system, &window);
+    let mut recorder = Recorder::new(system, &window, settings.relative);
     recorder.begin(&march);
     while recorder.history.oscillations.len() < returns {
         recorder.add(&advance(&mut march, f64::INFINITY)?);
@@ -160,17 +166,19 @@ fn advance<S: SlidingSystem<N>, const N: usize>(
     march: &mut March<'_, S, N>,
     until: f64,
 ) -> Result<Advance<ContactState, N>, LostMotion> {
-    march.advance(until).map_err(|source| LostMotion {
-        source,
-        contact_state: march.mode(),
-        state: march.state().to_vec(),
-    })
+    march.advance(until).map_err(|source| lost(march, source))
+}
+
+fn lost<S: SlidingSystem<N>, const N: usize>(march: &March<'_, S, N>, source: MarchError) -> LostMotion {
+    LostMotion { source, contact_state: march.mode(), state: march.state().to_vec() }
 }
 
 /// A history in the making.
 struct Recorder<'a, S, const N: usize> {
     system: &'a S,
     window: &'a Window,
+    /// Of a step, relative.
+    tolerance: f64,
     /// x of steady sliding, about which moments are taken.
     centre: f64,
     history: History<N>,
@@ -183,7 +191,7 @@ struct Recorder<'a, S, const N: usize> {
 }
 
 impl<'a, S: SlidingSystem<N>, const N: usize> Recorder<'a, S, N> {
-    fn new(system: &'a S, window: &'a Window) -> Self {
+    fn new(system: &'a S, window: &'a Window, tolerance: f64) -> Self {
         let history = History {
             samples: Vec::with_capacity(window.points),
             path: VecDeque::new(),
@@ -191,10 +199,12 @@ impl<'a, S: SlidingSystem<N>, const N: usize> Recorder<'a, S, N> {
             oscillations: Vec::new(),
             measures: Measures::default(),
             energy_change: 0.0,
+            energy_resolution: 0.0,
             steps: 0,
         };
         let centre = system.steady_sliding()[0];
-        Self { system, window, centre, history, energy: 0.0, last_return: None, range: (f64::NAN, f64::NAN) }
+        let (last_return, range) = (None, (f64::NAN, f64::NAN));
+        Self { system, window, tolerance, centre, history, energy: 0.0, last_return, range }
     }
 
     /// Averages begin here, anew.
@@ -275,7 +285,9 @@ impl<'a, S: SlidingSystem<N>, const N: usize> Recorder<'a, S, N> {
             let (time, contact_state, state) = (self.next_time(), march.mode(), march.state());
             self.history.samples.push(Sample { time, contact_state, state });
         }
-        self.history.energy_change = self.system.energy(&march.state()) - self.energy;
+        let energy = self.system.energy(&march.state());
+        self.history.energy_change = energy - self.energy;
+        self.history.energy_resolution = self.tolerance * energy.abs().max(self.energy.abs());
         self.history.steps = march.steps_used();
         self.history
     }
@@ -298,7 +310,7 @@ mod tests {
     #[test]
     fn a_stick_slip_motion_is_kept_with_its_events_and_its_energy() {
         let window = Window { duration: 100.0, transient: 40.0, points: 1001 };
-        let history = follow(&belt(0.05, 1.0), [1.0, 1.0], settings(1_000_000), &window).unwrap();
+        let history = follow(&belt(0.05, 1.0), [1.0, 1.0], settings(1_000_000), &window, &|| false).unwrap();
         assert_eq!(history.samples.len(), 1001);
         assert_eq!((history.samples[0].time, history.samples[1000].time), (0.0, 100.0));
         for crossing in &history.events {
@@ -325,7 +337,8 @@ mod tests {
     fn an_undamped_swing_has_the_period_and_the_amplitude_of_its_frequency() {
         // far above the speeds of the swing friction is constant
         let window = Window { duration: 50.0, transient: 0.0, points: 2 };
-        let history = follow(&belt(0.0, 1000.0), [0.5 + 0.25, 0.0], settings(1_000_000), &window).unwrap();
+        let history =
+            follow(&belt(0.0, 1000.0), [0.5 + 0.25, 0.0], settings(1_000_000), &window, &|| false).unwrap();
         for oscillation in &history.oscillations {
             assert!((oscillation.period - std::f64::consts::TAU).abs() < 1e-8);
             assert!((oscillation.amplitude - 0.25).abs() < 1e-8);
@@ -334,9 +347,27 @@ mod tests {
     }
 
     #[test]
+    fn at_rest_the_energy_is_kept_to_what_the_motion_resolves() {
+        let window = Window { duration: 50.0, transient: 0.0, points: 2 };
+        let system = belt(0.5, 1.0);
+        let start = system.steady_sliding();
+        let history = follow(&system, start, settings(1_000_000), &window, &|| false).unwrap();
+        assert!(history.energy_residual() < 1e-4, "{:e}", history.energy_residual());
+    }
+
+    #[test]
+    fn an_interrupted_motion_says_where_it_stands() {
+        let window = Window { duration: 100.0, transient: 0.0, points: 2 };
+        let asked = std::sync::atomic::AtomicUsize::new(0);
+        let interrupted = || asked.fetch_add(1, std::sync::atomic::Ordering::Relaxed) == 5;
+        let lost = follow(&belt(0.05, 1.0), [1.0, 1.0], settings(1000), &window, &interrupted).unwrap_err();
+        assert!(matches!(lost.source, MarchError::Interrupted { time } if time > 0.0), "{lost}");
+    }
+
+    #[test]
     fn a_spent_budget_says_where_the_motion_stands() {
         let window = Window { duration: 100.0, transient: 0.0, points: 2 };
-        let lost = follow(&belt(0.05, 1.0), [1.0, 1.0], settings(50), &window).unwrap_err();
+        let lost = follow(&belt(0.05, 1.0), [1.0, 1.0], settings(50), &window, &|| false).unwrap_err();
         assert!(matches!(lost.source, MarchError::StepsSpent { steps: 50, .. }));
         assert_eq!(lost.state.len(), 2);
         assert!(lost.to_string().contains("at the state ["), "{lost}");

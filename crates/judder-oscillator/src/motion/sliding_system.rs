@@ -7,11 +7,11 @@ use judder_numerics::piecewise::{PiecewiseSmooth, Plane};
 ///
 /// A state holds N/2 displacements and then their velocities; the first displacement is x, along the sliding direction.
 pub trait SlidingSystem<const N: usize>: PiecewiseSmooth<N, Mode = ContactState> + Sync {
-    /// The contact state in which a motion goes on from any state, one on a boundary between states too.
-    fn contact_state(&self, state: &[f64; N]) -> ContactState;
+    /// The velocity of the substrate, in the units of the state.
+    fn belt_velocity(&self) -> f64;
 
-    /// v_rel, the velocity of the indenter less that of the substrate, in the units of the state.
-    fn relative_velocity(&self, state: &[f64; N]) -> f64;
+    /// What follows where the indenter is in contact and moves with the substrate.
+    fn contact_state_at_rest(&self, state: &[f64; N]) -> ContactState;
 
     /// The state of steady sliding.
     fn steady_sliding(&self) -> [f64; N];
@@ -25,6 +25,31 @@ pub trait SlidingSystem<const N: usize>: PiecewiseSmooth<N, Mode = ContactState>
 
     /// The energy of the oscillator's masses and springs, less the work of the constant load.
     fn energy(&self, state: &[f64; N]) -> f64;
+
+    /// Whether the indenter presses on the substrate, or is about to.
+    fn is_in_contact(&self, _state: &[f64; N]) -> bool {
+        true
+    }
+
+    /// v_rel, the velocity of the indenter less that of the substrate, in the units of the state.
+    fn relative_velocity(&self, state: &[f64; N]) -> f64 {
+        state[N / 2] - self.belt_velocity()
+    }
+
+    /// The contact state in which a motion goes on from any state, one on a boundary between states too.
+    fn contact_state(&self, state: &[f64; N]) -> ContactState {
+        if !self.is_in_contact(state) {
+            return ContactState::LiftOff;
+        }
+        let relative = self.relative_velocity(state);
+        if relative < 0.0 {
+            ContactState::SlipBehind
+        } else if relative > 0.0 {
+            ContactState::SlipAhead
+        } else {
+            self.contact_state_at_rest(state)
+        }
+    }
 
     /// The plane ẋ = 0, crossed where x is largest.
     fn section(&self) -> Plane<N> {

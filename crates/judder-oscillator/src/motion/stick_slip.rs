@@ -5,12 +5,12 @@
 //! lift-off F̃_k, μ_visc and Ã vanish together, and (13) holds.
 
 use super::ContactState;
+use super::equations::{self, ContactForces, balance, contact_forces, structure_forces};
 use super::sliding_system::{Powers, SlidingSystem};
 use crate::equilibrium::equilibrium;
-use crate::friction::friction_force;
 use crate::groups::Coefficients;
 use crate::{Contact, OscillatorError};
-use judder_contact::{ContactLaw, ContactPoint, ContactResponse, WithDerivatives};
+use judder_contact::{ContactResponse, WithDerivatives};
 use judder_numerics::piecewise::PiecewiseSmooth;
 use judder_numerics::piecewise::tangent::Matrix;
 
@@ -23,16 +23,7 @@ const RELEASE_BEHIND: usize = 1;
 pub struct StickSlip {
     contact: Contact,
     coefficients: Coefficients,
-    belt_velocity: f64,
     steady_sliding: [f64; 4],
-}
-
-/// The contact's forces on the oscillator over F_n, with derivatives by v̂ and ŷ.
-struct Forces {
-    /// |F_μ|.
-    friction: WithDerivatives,
-    /// F_k.
-    normal: WithDerivatives,
 }
 
 impl StickSlip {
@@ -42,8 +33,7 @@ impl StickSlip {
     /// Steady sliding was not found.
     pub fn new(contact: Contact, coefficients: Coefficients) -> Result<Self, OscillatorError> {
         let e = equilibrium(&contact, &coefficients)?;
-        let steady_sliding = [e.x, e.y, 0.0, 0.0];
-        Ok(Self { contact, coefficients, belt_velocity: coefficients.belt_velocity(), steady_sliding })
+        Ok(Self { contact, coefficients, steady_sliding: [e.x, e.y, 0.0, 0.0] })
     }
 
     /// The numbers of its equations.
@@ -52,36 +42,20 @@ impl StickSlip {
         &self.coefficients
     }
 
-    /// ṽ_d.
-    #[must_use]
-    pub fn belt_velocity(&self) -> f64 {
-        self.belt_velocity
-    }
-
     /// The contact law at a state in contact: the speed is that of the mode's own direction, and zero beyond it.
     #[must_use]
     pub fn response(&self, contact_state: ContactState, state: &[f64; 4]) -> ContactResponse {
         let c = &self.coefficients;
-        let speed = contact_state.direction() * (state[2] - self.belt_velocity);
-        let velocity = speed.max(0.0) * c.retardation_time / c.radius();
-        self.contact.law.evaluate(&ContactPoint::new(velocity, state[1].max(0.0) / c.radius()))
+        let speed = equations::speed(c, contact_state, state);
+        equations::response(&self.contact, c, speed, state[1].max(0.0))
     }
 
-    fn forces(&self, contact_state: ContactState, state: &[f64; 4]) -> Forces {
+    fn forces(&self, contact_state: ContactState, state: &[f64; 4]) -> ContactForces {
+        if contact_state == ContactState::LiftOff {
+            return ContactForces::default();
+        }
         let c = &self.coefficients;
-        if contact_state == ContactState::LiftOff || state[1] <= 0.0 {
-            return Forces { friction: WithDerivatives::default(), normal: WithDerivatives::default() };
-        }
-        let response = self.response(contact_state, state);
-        let per_load = |q: WithDerivatives| WithDerivatives {
-            value: q.value / c.normal_load,
-            by_velocity: q.by_velocity / c.normal_load,
-            by_indentation: q.by_indentation / c.normal_load,
-        };
-        Forces {
-            friction: per_load(friction_force(self.contact.friction_load, c, &response)),
-            normal: per_load(response.force),
-        }
+        contact_forces(&self.contact, c, equations::speed(c, contact_state, state), state[1])
     }
 
     /// |F_μ|/F_n in a mode.
@@ -97,16 +71,10 @@ impl StickSlip {
         [friction.by_indentation / c.radius(), friction.by_velocity * per_speed]
     }
 
-    /// The forces of springs and dampers against x and y.
-    fn structure(&self, [x, y, velocity_x, velocity_y]: &[f64; 4]) -> [f64; 2] {
-        let c = &self.coefficients;
-        [c.damping_x * velocity_x + c.k11 * x + c.k12 * y, c.damping_y * velocity_y + c.k22 * y + c.k12 * x]
-    }
-
     /// How far the contact at rest is from slipping behind and ahead: (τ̃0/F̃_n) Ã(0, ŷ) ∓ the force that sticking takes.
     fn stick_margins(&self, state: &[f64; 4]) -> [f64; 2] {
         let limit = self.forces(ContactState::Stick, state).friction.value;
-        let needed = self.structure(state)[0];
+        let needed = structure_forces(&self.coefficients, state)[0];
         [limit - needed, limit + needed]
     }
 
@@ -116,60 +84,21 @@ impl StickSlip {
         let by_depth = self.forces(ContactState::Stick, state).friction.by_indentation / c.radius();
         [-1.0, 1.0].map(|s| [s * c.k11, by_depth + s * c.k12, s * c.damping_x, 0.0])
     }
-
-    /// What follows where the indenter is in contact and moves with the substrate.
-    fn state_at_rest(&self, state: &[f64; 4]) -> ContactState {
-        let [behind, ahead] = self.stick_margins(state);
-        if behind < 0.0 {
-            return ContactState::SlipBehind;
-        }
-        if ahead < 0.0 {
-            return ContactState::SlipAhead;
-        }
-        // on the limit itself the margin's own rate decides
-        let field = self.field(ContactState::Stick, state);
-        let rates = self
-            .stick_margin_gradients(state)
-            .map(|g| g.iter().zip(&field).fold(0.0, |sum, (g, f)| sum + g * f));
-        if behind == 0.0 && rates[0] < 0.0 {
-            ContactState::SlipBehind
-        } else if ahead == 0.0 && rates[1] < 0.0 {
-            ContactState::SlipAhead
-        } else {
-            ContactState::Stick
-        }
-    }
-
-    /// Whether the indenter presses on the substrate, or is about to.
-    fn is_in_contact(&self, state: &[f64; 4]) -> bool {
-        let [_, y, _, velocity_y] = *state;
-        if y != 0.0 {
-            return y > 0.0;
-        }
-        if velocity_y != 0.0 {
-            return velocity_y > 0.0;
-        }
-        1.0 - self.structure(state)[1] > 0.0
-    }
 }
 
 impl PiecewiseSmooth<4> for StickSlip {
     type Mode = ContactState;
 
     fn field(&self, mode: ContactState, state: &[f64; 4]) -> [f64; 4] {
-        let [_, _, velocity_x, velocity_y] = *state;
-        let structure = self.structure(state);
         let forces = self.forces(mode, state);
-        let acceleration_x = match mode {
-            ContactState::Stick => 0.0,
-            _ => -mode.direction() * forces.friction.value - structure[0],
-        };
-        [velocity_x, velocity_y, acceleration_x, 1.0 - forces.normal.value - structure[1]]
+        let [acceleration_x, acceleration_y] = balance(&self.coefficients, mode.direction(), &forces, state);
+        let held = mode == ContactState::Stick;
+        [state[2], state[3], if held { 0.0 } else { acceleration_x }, acceleration_y]
     }
 
     fn jacobian(&self, mode: ContactState, state: &[f64; 4]) -> Matrix<4> {
         let c = &self.coefficients;
-        let Forces { friction, normal } = self.forces(mode, state);
+        let ContactForces { friction, normal } = self.forces(mode, state);
         let (per_depth, per_speed) = (1.0 / c.radius(), c.retardation_time / c.radius());
         let direction = mode.direction();
         let row_x = if mode == ContactState::Stick {
@@ -204,7 +133,7 @@ impl PiecewiseSmooth<4> for StickSlip {
             (ContactState::LiftOff, _) => -state[1],
             (_, DEPTH) => state[1],
             (ContactState::Stick, margin) => self.stick_margins(state)[margin - RELEASE_BEHIND],
-            _ => mode.direction() * (state[2] - self.belt_velocity),
+            _ => mode.direction() * self.relative_velocity(state),
         }
     }
 
@@ -227,30 +156,49 @@ impl PiecewiseSmooth<4> for StickSlip {
             (ContactState::Stick, RELEASE_BEHIND) => (ContactState::SlipBehind, *state),
             (ContactState::Stick, _) => (ContactState::SlipAhead, *state),
             _ => {
-                let at_rest = [x, y, self.belt_velocity, velocity_y];
-                (self.state_at_rest(&at_rest), at_rest)
+                let at_rest = [x, y, self.belt_velocity(), velocity_y];
+                (self.contact_state_at_rest(&at_rest), at_rest)
             }
         }
     }
 }
 
 impl SlidingSystem<4> for StickSlip {
-    fn contact_state(&self, state: &[f64; 4]) -> ContactState {
-        if !self.is_in_contact(state) {
-            return ContactState::LiftOff;
+    fn belt_velocity(&self) -> f64 {
+        self.coefficients.belt_velocity()
+    }
+
+    fn contact_state_at_rest(&self, state: &[f64; 4]) -> ContactState {
+        let [behind, ahead] = self.stick_margins(state);
+        if behind < 0.0 {
+            return ContactState::SlipBehind;
         }
-        let relative = self.relative_velocity(state);
-        if relative < 0.0 {
+        if ahead < 0.0 {
+            return ContactState::SlipAhead;
+        }
+        // on the limit itself the margin's own rate decides
+        let field = self.field(ContactState::Stick, state);
+        let rates = self
+            .stick_margin_gradients(state)
+            .map(|g| g.iter().zip(&field).fold(0.0, |sum, (g, f)| sum + g * f));
+        if behind == 0.0 && rates[0] < 0.0 {
             ContactState::SlipBehind
-        } else if relative > 0.0 {
+        } else if ahead == 0.0 && rates[1] < 0.0 {
             ContactState::SlipAhead
         } else {
-            self.state_at_rest(state)
+            ContactState::Stick
         }
     }
 
-    fn relative_velocity(&self, state: &[f64; 4]) -> f64 {
-        state[2] - self.belt_velocity
+    fn is_in_contact(&self, state: &[f64; 4]) -> bool {
+        let [_, y, _, velocity_y] = *state;
+        if y != 0.0 {
+            return y > 0.0;
+        }
+        if velocity_y != 0.0 {
+            return velocity_y > 0.0;
+        }
+        1.0 - structure_forces(&self.coefficients, state)[1] > 0.0
     }
 
     fn steady_sliding(&self) -> [f64; 4] {
@@ -262,7 +210,7 @@ impl SlidingSystem<4> for StickSlip {
         const LEAST: f64 = 1e-3;
         let [x, y, _, _] = self.steady_sliding;
         let along = x.abs().max(LEAST * y.abs());
-        [along, y.abs(), self.belt_velocity.min(along), y.abs()]
+        [along, y.abs(), self.belt_velocity().min(along), y.abs()]
     }
 
     fn powers(&self, contact_state: ContactState, state: &[f64; 4]) -> Powers {
@@ -270,7 +218,7 @@ impl SlidingSystem<4> for StickSlip {
         let [_, _, velocity_x, velocity_y] = *state;
         let forces = self.forces(contact_state, state);
         let friction = match contact_state {
-            ContactState::Stick => self.structure(state)[0],
+            ContactState::Stick => structure_forces(&self.coefficients, state)[0],
             _ => -contact_state.direction() * forces.friction.value,
         };
         Powers {

@@ -5,10 +5,9 @@
 //! out of the inclusion and not of a mode. First order in the step.
 
 use super::ContactState;
-use crate::friction::friction_force;
+use super::equations::{ContactForces, contact_forces};
 use crate::groups::Coefficients;
 use crate::{Contact, OscillatorError};
-use judder_contact::{ContactLaw, ContactPoint};
 
 /// The oscillator of the paper under time-stepping; a state is x̃, ỹ, dx̃/dθ, dỹ/dθ.
 #[derive(Debug, Clone)]
@@ -44,7 +43,7 @@ impl TimeStepping {
             return (Self::moved(x, y, free_x, free_y, h), ContactState::LiftOff);
         }
         let (relative, contact_state) = self.slip(free_x - self.belt_velocity, y);
-        let (force, _) = self.forces(relative.abs(), y);
+        let force = self.forces(relative.abs(), y).normal.value;
         let velocity = (self.belt_velocity + relative, free_y - h * force);
         (Self::moved(x, y, velocity.0, velocity.1, h), contact_state)
     }
@@ -53,13 +52,8 @@ impl TimeStepping {
         [x + 0.5 * h * velocity_x, y + 0.5 * h * velocity_y, velocity_x, velocity_y]
     }
 
-    /// F_k and |F_μ| over F_n at a speed |v_rel| and depth ỹ.
-    fn forces(&self, speed: f64, y: f64) -> (f64, f64) {
-        let c = &self.coefficients;
-        let point = ContactPoint::new(speed * c.retardation_time / c.radius(), y / c.radius());
-        let response = self.contact.law.evaluate(&point);
-        let friction = friction_force(self.contact.friction_load, c, &response).value;
-        (response.force.value / c.normal_load, friction / c.normal_load)
+    fn forces(&self, speed: f64, y: f64) -> ContactForces {
+        contact_forces(&self.contact, &self.coefficients, speed, y)
     }
 
     /// v_rel at the end of the step: the solution of v_rel + h Sgn(v_rel) |F_μ|(|v_rel|) ∋ free.
@@ -69,7 +63,7 @@ impl TimeStepping {
     fn slip(&self, free: f64, y: f64) -> (f64, ContactState) {
         let h = self.step;
         let direction = free.signum();
-        let excess = |speed: f64| speed + h * self.forces(speed, y).1 - free.abs();
+        let excess = |speed: f64| speed + h * self.forces(speed, y).friction.value - free.abs();
         let is_stuck = excess(0.0) >= 0.0;
         // the excess is positive at the free speed itself: halve towards the last sign change below it
         let mut upper = free.abs();

@@ -3,27 +3,18 @@
 use crate::sampling::{any_contact, any_groups, for_each};
 use judder_oscillator::equilibrium::equilibrium;
 use judder_oscillator::linearisation::Linearisation;
-use judder_oscillator::motion::{MotionState, accelerations};
+use judder_oscillator::motion::accelerations;
 use judder_oscillator::{Coefficients, Contact};
 use proptest::prelude::*;
-
-/// A coordinate of the state.
-type Coordinate = fn(&mut MotionState) -> &mut f64;
 
 /// Step of the differences, relative to the size of what is varied.
 const STEP: f64 = 1e-3;
 
 /// Central difference of fourth order of the accelerations along one coordinate of the state.
-fn slope(
-    contact: &Contact,
-    c: &Coefficients,
-    at: &MotionState,
-    coordinate: Coordinate,
-    step: f64,
-) -> [f64; 2] {
+fn slope(contact: &Contact, c: &Coefficients, at: &[f64; 4], coordinate: usize, step: f64) -> [f64; 2] {
     let moved = |steps: f64| {
         let mut state = *at;
-        *coordinate(&mut state) += steps * step;
+        state[coordinate] += steps * step;
         accelerations(contact, c, &state)
     };
     let [far_left, left, right, far_right] = [-2.0, -1.0, 1.0, 2.0].map(moved);
@@ -38,7 +29,7 @@ fn damping_and_stiffness_are_the_jacobian_of_the_motion() {
         let c = groups.coefficients().unwrap();
         let e = equilibrium(&contact, &c).unwrap();
         let l = Linearisation::new(contact.friction_load, &c, &e.response);
-        let at = MotionState { x: e.x, y: e.y, velocity_x: 0.0, velocity_y: 0.0 };
+        let at = [e.x, e.y, 0.0, 0.0];
 
         let friction = c.k11 * e.x + c.k12 * e.y;
         let force = e.response.force.value / c.normal_load;
@@ -51,25 +42,15 @@ fn damping_and_stiffness_are_the_jacobian_of_the_motion() {
 
         // of each coordinate: its size, the entries that it brings into C or K, and the sizes of the terms that these sum
         let velocity = c.velocity * c.radius() / c.retardation_time;
-        let coordinates: [(Coordinate, f64, [f64; 2], [f64; 2]); 4] = [
-            (|s| &mut s.x, e.x.abs().max(e.y), [l.k11, l.k12], [l.k11, l.k12.abs()]),
-            (
-                |s| &mut s.y,
-                e.y,
-                [l.k12 + l.k12c, l.k22],
-                [l.k12.abs() + l.k12c.abs(), c.k22 + (l.k22 - c.k22).abs()],
-            ),
-            (
-                |s| &mut s.velocity_x,
-                velocity,
-                [l.c11, l.c21],
-                [c.damping_x + (l.c11 - c.damping_x).abs(), l.c21.abs()],
-            ),
-            (|s| &mut s.velocity_y, e.y, [0.0, l.c22], [0.0, l.c22]),
+        let coordinates: [(f64, [f64; 2], [f64; 2]); 4] = [
+            (e.x.abs().max(e.y), [l.k11, l.k12], [l.k11, l.k12.abs()]),
+            (e.y, [l.k12 + l.k12c, l.k22], [l.k12.abs() + l.k12c.abs(), c.k22 + (l.k22 - c.k22).abs()]),
+            (velocity, [l.c11, l.c21], [c.damping_x + (l.c11 - c.damping_x).abs(), l.c21.abs()]),
+            (e.y, [0.0, l.c22], [0.0, l.c22]),
         ];
-        for (k, (coordinate, size, entries, terms)) in coordinates.into_iter().enumerate() {
+        for (k, (size, entries, terms)) in coordinates.into_iter().enumerate() {
             let step = STEP * size;
-            let slopes = slope(&contact, &c, &at, coordinate, step);
+            let slopes = slope(&contact, &c, &at, k, step);
             for i in 0..2 {
                 let rounding = 16.0 * f64::EPSILON * sizes[i] / step;
                 prop_assert!(

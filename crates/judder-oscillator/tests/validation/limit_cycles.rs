@@ -4,7 +4,7 @@ use judder_contact::{FittedLaw, Law};
 use judder_numerics::piecewise::Settings;
 use judder_oscillator::critical::{Range, Scale, thresholds};
 use judder_oscillator::cycle::shooting::{Shooting, from_simulation, shoot};
-use judder_oscillator::cycle::{Continuation, global_margin, return_map};
+use judder_oscillator::cycle::{BranchEnd, Continuation, continue_branch, global_margin, return_map};
 use judder_oscillator::hopf::{growth_rate, growth_slope, hopf_point};
 use judder_oscillator::motion::attractor::{Patience, Settled, settle};
 use judder_oscillator::motion::{ContactState, SlidingSystem, StickSlip};
@@ -42,9 +42,14 @@ fn the_cycle_at_0_03_has_a_period_of_about_133_and_is_stable() {
     for (load, period) in [(FrictionLoad::NormalLoad, 132.855_768), (FrictionLoad::ContactForce, 131.894_444)]
     {
         let system = section_5(0.03, load);
-        let cycle =
-            from_simulation(&system, disturbed(&system), &shooting(&system, 1e-11), &Patience::default())
-                .unwrap();
+        let cycle = from_simulation(
+            &system,
+            disturbed(&system),
+            &shooting(&system, 1e-11),
+            &Patience::default(),
+            &|| false,
+        )
+        .unwrap();
         assert!((cycle.period() - period).abs() < 1e-5, "{}", cycle.period());
         assert!(
             cycle.is_stable() && cycle.trivial_error < 1e-5,
@@ -62,9 +67,10 @@ fn the_cycle_at_0_05_is_unstable_and_found_beside_the_irregular_motion() {
     let system = section_5(0.05, FrictionLoad::NormalLoad);
     let patience = Patience { time: 5e3, ..Patience::default() };
     let limits = settings(&system, 1e-9);
-    let settled = settle(&system, disturbed(&system), limits, &patience).unwrap();
+    let settled = settle(&system, disturbed(&system), limits, &patience, &|| false).unwrap();
     assert_eq!(settled.settled, Settled::Irregular);
-    let cycle = from_simulation(&system, disturbed(&system), &shooting(&system, 1e-9), &patience).unwrap();
+    let cycle =
+        from_simulation(&system, disturbed(&system), &shooting(&system, 1e-9), &patience, &|| false).unwrap();
     println!("{} {:?}", cycle.period(), cycle.multipliers);
     assert!((cycle.period() / cycle.oscillations as f64 - 204.0).abs() < 1.5, "{}", cycle.period());
     assert!(!cycle.is_stable());
@@ -75,9 +81,14 @@ fn the_monodromy_agrees_with_differences_of_the_return_map() {
     for load in [FrictionLoad::NormalLoad, FrictionLoad::ContactForce] {
         let system = section_5(0.03, load);
         let limits = settings(&system, 1e-12);
-        let cycle =
-            from_simulation(&system, disturbed(&system), &shooting(&system, 1e-12), &Patience::default())
-                .unwrap();
+        let cycle = from_simulation(
+            &system,
+            disturbed(&system),
+            &shooting(&system, 1e-12),
+            &Patience::default(),
+            &|| false,
+        )
+        .unwrap();
         let scales = system.scales();
         let around = |start| return_map(&system, start, cycle.oscillations, limits, 1000.0).unwrap();
         let exact = around(cycle.start).derivative;
@@ -163,6 +174,31 @@ fn a_fold_does_not_depend_on_the_steps_along_its_branch() {
     }
 }
 
+/// The stable cycle of τ̃0 = 0.03 loses stability, turns at 0.0325005 and ends where it grazes the release from stick: motions beside
+/// it release early and come back elsewhere.
+#[test]
+fn the_branch_of_section_5_ends_at_a_grazing_release() {
+    let at = |shear: f64| Ok(section_5(shear, FrictionLoad::NormalLoad));
+    let system = section_5(0.03, FrictionLoad::NormalLoad);
+    let shooting = shooting(&system, 1e-9);
+    let cycle =
+        from_simulation(&system, disturbed(&system), &shooting, &Patience::default(), &|| false).unwrap();
+    let options = Continuation {
+        shooting,
+        range: (1e-3, 0.06),
+        steps: (0.01, 0.1),
+        points: 300,
+        parameter_scale: 0.03,
+    };
+    let branch = continue_branch(&at, 0.03, (cycle.start, 1), 1.0, &options).unwrap();
+    println!("{:?} {:?} {}", branch.folds, branch.end, branch.points.len());
+    let [fold] = branch.folds[..] else { unreachable!("one fold") };
+    assert!(fold.is_smooth && (fold.parameter - 0.032_500_5).abs() < 1e-6);
+    let BranchEnd::Grazing { pattern, jump } = &branch.end else { unreachable!("{:?}", branch.end) };
+    let sticks = |pattern: &[ContactState]| pattern.iter().filter(|s| **s == ContactState::Stick).count();
+    assert!(*jump > 0.1 && sticks(pattern) > sticks(&cycle.around.pattern));
+}
+
 /// F̃_n = 1e-6, v̂ = 1e-2: stable below τ̃0 = 0.104, but a knock starts a cycle from 0.0604 on.
 #[test]
 fn below_a_subcritical_threshold_simulations_change_at_the_fold() {
@@ -191,7 +227,9 @@ fn below_a_subcritical_threshold_simulations_change_at_the_fold() {
     assert!(!first.cycle.is_stable() && last.cycle.is_stable() && branch.folds[0].is_smooth);
     let simulated = |shear: f64| {
         let system: StickSlip = at(shear).unwrap();
-        settle(&system, last.cycle.start, settings(&system, 1e-9), &Patience::default()).unwrap().settled
+        settle(&system, last.cycle.start, settings(&system, 1e-9), &Patience::default(), &|| false)
+            .unwrap()
+            .settled
     };
     // below the fold another cycle is left, of 8 oscillations, which belongs to no branch of this threshold
     assert!(!matches!(simulated(0.99 * fold), Settled::Cycle { oscillations: 1 }));

@@ -113,10 +113,10 @@ pub(super) fn run(
             found.onsets.iter().flatten().map(move |onset| (crossing, onset))
         })
         .collect();
-    let (check, warning) = fold_check(&onsets);
+    let (check, warning) = fold_check(&onsets, progress);
     outcome.checks.extend(check);
     outcome.warnings.extend(warning);
-    Ok(outcome)
+    if progress.interrupted() { Err(StudyError::Interrupted) } else { Ok(outcome) }
 }
 
 fn crossing<'a>(
@@ -178,11 +178,30 @@ fn assemble(
     });
     let mut scalars = curves.scalars(scalars.collect());
     scalars.insert("within".to_owned(), json!([within.from, within.to]));
+    let (label, unit) = sought.label(within.form);
+    let dataset = roots((axis, curves), found, (label, unit))?;
+    let dataset = onsets::add_arrays(dataset, (axis, curves), found, unit, global_margin)?;
+    warnings.extend(onsets::warnings(found));
+    Ok(Outcome {
+        scalars,
+        dataset: dataset.attribute("kind", sought.kind())?,
+        table: Some(table((axis, curves), found, unit, global_margin)?),
+        warnings,
+        missing: failures,
+        ..Outcome::default()
+    })
+}
+
+/// The thresholds of both systems.
+fn roots(
+    (axis, curves): (&Axis, &Curves),
+    found: &[Found],
+    (label, unit): (&str, &str),
+) -> Result<Dataset, StudyError> {
     let mut dataset = Dataset::new().with(axis.coordinate())?;
     if let Some(coordinate) = curves.coordinate() {
         dataset = dataset.with(coordinate)?;
     }
-    let (label, unit) = sought.label(within.form);
     for (name, pick, what) in [
         ("full", (|t: &Thresholds| &t.full) as fn(&Thresholds) -> &Vec<f64>, "of the full system"),
         ("conservative", |t| &t.conservative, "without damping, eqs. (27), (28) made self-consistent"),
@@ -200,16 +219,7 @@ fn assemble(
             .attribute("label", label);
         dataset = dataset.with(variable)?;
     }
-    dataset = onsets::add_arrays(dataset, (axis, curves), found, unit, global_margin)?;
-    warnings.extend(onsets::warnings(found));
-    Ok(Outcome {
-        scalars,
-        dataset: dataset.attribute("kind", sought.kind())?,
-        table: Some(table((axis, curves), found, unit, global_margin)?),
-        warnings,
-        missing: failures,
-        ..Outcome::default()
-    })
+    Ok(dataset)
 }
 
 /// One row a threshold.

@@ -13,7 +13,7 @@ use judder_oscillator::cycle::{
 };
 use judder_oscillator::hopf::{HopfPoint, growth_rate, growth_slope, hopf_point};
 use judder_oscillator::motion::attractor::{Attractor, Patience, Settled, settle};
-use judder_oscillator::motion::{SlidingSystem, StickSlip};
+use judder_oscillator::motion::{Interrupted, SlidingSystem, StickSlip};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -221,9 +221,9 @@ enum Fate {
 }
 
 impl Fate {
-    fn of(system: &StickSlip, start: [f64; 4]) -> Self {
+    fn of(system: &StickSlip, start: [f64; 4], interrupted: Interrupted<'_>) -> Self {
         let settings = Settings { steps: 100 * STEPS, ..Crossing::settings(system) };
-        match settle(system, start, settings, &Patience::default()) {
+        match settle(system, start, settings, &Patience::default(), interrupted) {
             Err(_) => Self::Lost,
             Ok(Attractor { settled: Settled::SteadySliding, .. }) => Self::AtRest,
             Ok(attractor) => Self::Moving {
@@ -247,7 +247,10 @@ impl Fate {
 
 /// Motions from large cycles, a little inside of some folds and as much outside: inside they must go on, outside they must not stay
 /// on a cycle of the branch. With a warning where they do not die out there either.
-pub(super) fn fold_check(onsets: &[(Crossing<'_>, &Onset)]) -> (Option<CheckRecord>, Option<String>) {
+pub(super) fn fold_check(
+    onsets: &[(Crossing<'_>, &Onset)],
+    progress: &dyn Progress,
+) -> (Option<CheckRecord>, Option<String>) {
     let known: Vec<_> = onsets
         .iter()
         .filter_map(|(crossing, onset)| {
@@ -269,7 +272,7 @@ pub(super) fn fold_check(onsets: &[(Crossing<'_>, &Onset)]) -> (Option<CheckReco
                 if let Ok(cycle) = shoot(&system, start, 1, &Crossing::shooting(&system)) {
                     start = cycle.start;
                 }
-                Fate::of(&system, start)
+                Fate::of(&system, start, &|| progress.interrupted())
             })
         })
         .collect();

@@ -4,6 +4,7 @@ mod amplitude_spectrum;
 mod basin;
 mod bifurcation;
 mod branches;
+mod diagram;
 mod history;
 mod limit_cycle;
 mod model;
@@ -43,7 +44,7 @@ pub(super) fn run<M: Model<N>, const N: usize>(
         MotionAnalysis::Bifurcation { sweep, direction, start, following, transient, branches } => {
             let (transient, branches) = (*transient, *branches);
             let settings = bifurcation::Settings { sweep, start, following, transient, branches };
-            bifurcation::run(model, &settings, *direction, progress)
+            bifurcation::run(model, &settings, *direction, kept, progress)
         }
         MotionAnalysis::Basin { within, samples, seed, following } => {
             let draw = basin::Draw { within, samples: *samples, seed: *seed };

@@ -217,20 +217,33 @@ fn small_basin() -> CaseFile {
 }
 
 #[test]
-fn a_basin_goes_on_where_it_was_interrupted() {
-    let (file, options) = (small_basin(), RunOptions { only: vec!["basin".to_owned()], fresh: false });
-    let interrupted = tempfile::tempdir().unwrap();
-    let impatient = Impatient { done: AtomicUsize::new(0), most: 100 };
-    let error = run(&file, interrupted.path(), &options, &impatient).unwrap_err();
+fn a_basin_and_a_diagram_go_on_where_they_were_interrupted() {
+    let file = small_basin();
+    for (name, most) in [("basin", 100), ("diagram", 10)] {
+        let options = RunOptions { only: vec![name.to_owned()], fresh: false };
+        let interrupted = tempfile::tempdir().unwrap();
+        let impatient = Impatient { done: AtomicUsize::new(0), most };
+        let error = run(&file, interrupted.path(), &options, &impatient).unwrap_err();
+        assert!(matches!(error, StudyError::Interrupted));
+        let kept = std::fs::read_to_string(interrupted.path().join(format!(".scratch-of-{name}"))).unwrap();
+        assert!(kept.lines().count() >= most, "{kept}");
+        let resumed = run(&file, interrupted.path(), &options, &Silent).unwrap();
+        let at_once = tempfile::tempdir().unwrap();
+        let whole = run(&file, at_once.path(), &options, &Silent).unwrap();
+        assert_eq!(resumed.summary.results, whole.summary.results);
+        let table = |folder: &Path| std::fs::read_to_string(folder.join(format!("{name}.csv"))).unwrap();
+        assert_eq!(table(interrupted.path()), table(at_once.path()));
+    }
+}
+
+#[test]
+fn one_long_motion_can_be_interrupted() {
+    let text = "model = \"belt\"\n[operation]\nvelocity = 1.0\n\
+                [[analysis]]\nkind = \"motion\"\nduration = 1e9\nsteps = 1_000_000_000\n";
+    let folder = tempfile::tempdir().unwrap();
+    let impatient = Impatient { done: AtomicUsize::new(0), most: 0 };
+    let error = run(&parsed(text), folder.path(), &RunOptions::default(), &impatient).unwrap_err();
     assert!(matches!(error, StudyError::Interrupted));
-    let kept = std::fs::read_to_string(interrupted.path().join(".scratch-of-basin")).unwrap();
-    assert!(kept.lines().count() > 100, "{kept}");
-    let resumed = run(&file, interrupted.path(), &options, &Silent).unwrap();
-    let at_once = tempfile::tempdir().unwrap();
-    let whole = run(&file, at_once.path(), &options, &Silent).unwrap();
-    assert_eq!(resumed.summary.results, whole.summary.results);
-    let table = |folder: &Path| std::fs::read_to_string(folder.join("basin.csv")).unwrap();
-    assert_eq!(table(interrupted.path()), table(at_once.path()));
 }
 
 #[test]

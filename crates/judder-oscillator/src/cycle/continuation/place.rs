@@ -1,6 +1,6 @@
 //! Places along a branch: whether the next one is a neighbour, whether the branch has come back to the first.
 
-use super::{Branch, BranchPoint};
+use super::{Branch, BranchEnd, BranchPoint};
 use crate::cycle::CycleError;
 
 /// A place on the way with the unit tangent there; both hold the scaled state and then the scaled parameter.
@@ -21,17 +21,27 @@ impl Place {
     }
 }
 
-/// Whether a branch that has been away has come back to its start, going the same way.
-pub(super) fn closes<const N: usize>(
-    start: &Place,
-    place: &Place,
+/// How far a branch has been from its start.
+pub(super) struct Outing {
+    start: Place,
     farthest: f64,
-    branch: &Branch<N>,
-) -> bool {
-    /// Of the farthest place, and the cosine of the angle to the first tangent.
-    const NEAR: f64 = 0.05;
-    const SAME_WAY: f64 = 0.9;
-    !branch.folds.is_empty() && place.distance(start) < NEAR * farthest && place.alignment(start) > SAME_WAY
+}
+
+impl Outing {
+    pub(super) fn from(start: Place) -> Self {
+        Self { start, farthest: 0.0 }
+    }
+
+    /// The end of a branch that has been away and has come back to its start, going the same way.
+    pub(super) fn end<const N: usize>(&mut self, place: &Place, branch: &Branch<N>) -> Option<BranchEnd> {
+        /// Of the farthest place, and the cosine of the angle to the first tangent.
+        const NEAR: f64 = 0.05;
+        const SAME_WAY: f64 = 0.9;
+        let distance = place.distance(&self.start);
+        self.farthest = self.farthest.max(distance);
+        let is_back = !branch.folds.is_empty() && distance < NEAR * self.farthest;
+        (is_back && place.alignment(&self.start) > SAME_WAY).then_some(BranchEnd::Closed)
+    }
 }
 
 /// What was found a step from a place if it is a neighbour of the branch's last cycle. Steady sliding is a fixed point of the return

@@ -7,6 +7,7 @@ use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use judder_case::Following;
 use judder_numerics::counter::uniform;
+use judder_numerics::piecewise::MarchError;
 use judder_oscillator::motion::SlidingSystem;
 use judder_oscillator::motion::attractor::{Patience, Settled, settle};
 use judder_store::{Dataset, Table, Variable, number};
@@ -72,16 +73,16 @@ pub(super) fn run<M: Model<N>, const N: usize>(
     let samples: Vec<Sample> = (0..draw.samples)
         .into_par_iter()
         .map(|index| {
-            if progress.interrupted() {
-                return Err(StudyError::Interrupted);
-            }
-            let sample = known.get(&index).copied().unwrap_or_else(|| {
-                let sample = follow(&operating, draw, following, index);
-                kept.add(&sample);
-                sample
-            });
+            let sample = match known.get(&index) {
+                Some(sample) => *sample,
+                None => {
+                    let sample = follow(&operating, draw, following, index, progress)?;
+                    kept.add(&sample);
+                    sample
+                }
+            };
             progress.advance();
-            Ok(sample)
+            Ok::<_, StudyError>(sample)
         })
         .collect::<Result<_, _>>()?;
     let basin = Basin { samples: &samples, draw, operating: &operating };
@@ -93,7 +94,7 @@ pub(super) fn run<M: Model<N>, const N: usize>(
         scalars: basin.scalars::<M, N>(),
         dataset: basin.dataset::<M, N>()?,
         table: Some(basin.table::<M, N>()?),
-        checks: vec![repeated(&operating, draw, following, &samples)],
+        checks: vec![repeated(&operating, draw, following, &samples, progress)?],
         warnings: warning.into_iter().collect(),
         missing: lost,
         ..Outcome::default()
@@ -105,21 +106,27 @@ fn follow<S: SlidingSystem<N>, const N: usize>(
     draw: &Draw<'_>,
     following: &Following,
     sample: usize,
-) -> Sample {
+    progress: &dyn Progress,
+) -> Result<Sample, StudyError> {
     let time = operating.time(following.duration);
     let patience = Patience { time, transient: 0.5 * time, ..Patience::default() };
     let start = draw.start(sample, operating.system.steady_sliding());
-    match settle(&operating.system, start, operating.settings(following), &patience) {
-        Err(_) => Sample { sample, fate: LOST, time: None, rms: None },
+    let settled = settle(&operating.system, start, operating.settings(following), &patience, &|| {
+        progress.interrupted()
+    });
+    let (fate, time, rms) = match settled {
+        Err(MarchError::Interrupted { .. }) => return Err(StudyError::Interrupted),
+        Err(_) => (LOST, None, None),
         Ok(attractor) => {
             let (fate, rms) = match attractor.settled {
                 Settled::SteadySliding => (0, 0.0),
                 Settled::Cycle { .. } => (1, attractor.measures.rms()),
                 Settled::Irregular => (2, attractor.measures.rms()),
             };
-            Sample { sample, fate, time: Some(attractor.time), rms: Some(rms) }
+            (fate, Some(attractor.time), Some(rms))
         }
-    }
+    };
+    Ok(Sample { sample, fate, time, rms })
 }
 
 /// Some samples followed again at a smaller tolerance: their fates must stay, but for those on the border.
@@ -128,15 +135,19 @@ fn repeated<S: SlidingSystem<N>, const N: usize>(
     draw: &Draw<'_>,
     following: &Following,
     samples: &[Sample],
-) -> CheckRecord {
+    progress: &dyn Progress,
+) -> Result<CheckRecord, StudyError> {
     let finer = Following { tolerance: (FINER * following.tolerance).max(1e-12), ..*following };
     let some: Vec<&Sample> = samples.iter().take(REPEATED).collect();
     let changed: Vec<bool> = some
         .par_iter()
-        .map(|sample| follow(operating, draw, &finer, sample.sample).fate != sample.fate)
-        .collect();
+        .map(|sample| {
+            let again = follow(operating, draw, &finer, sample.sample, progress)?;
+            Ok(again.fate != sample.fate)
+        })
+        .collect::<Result<_, StudyError>>()?;
     let count = changed.iter().filter(|changed| **changed).count();
-    CheckRecord {
+    Ok(CheckRecord {
         name: "the fates stay when the motions are followed more exactly".to_owned(),
         compared: format!(
             "share of {} samples whose fate changes at a hundredth of the tolerance",
@@ -144,7 +155,7 @@ fn repeated<S: SlidingSystem<N>, const N: usize>(
         ),
         figure: count as f64 / some.len() as f64,
         limit: CHANGED_LIMIT,
-    }
+    })
 }
 
 /// The 95 % interval of a share after E. B. Wilson (1927).

@@ -29,7 +29,8 @@ pub(super) fn run<M: Model<N>, const N: usize>(
     let operating = model.operating(None)?;
     let window =
         Window { duration: operating.time(following.duration), transient: operating.time(transient), points };
-    let history = follow(&operating.system, operating.start(start), operating.settings(following), &window)?;
+    let (start, settings) = (operating.start(start), operating.settings(following));
+    let history = follow(&operating.system, start, settings, &window, &|| progress.interrupted())?;
     progress.advance();
     let mut scalars = scalars::<M, N>(&operating, &history);
     scalars.insert("duration".to_owned(), number(window.duration));
@@ -98,7 +99,7 @@ fn energy<const N: usize>(history: &History<N>) -> Value {
 pub(super) fn energy_check<const N: usize>(history: &History<N>) -> CheckRecord {
     CheckRecord {
         name: "the work is stored or dissipated".to_owned(),
-        compared: "works of friction, normal force and dampers against the change of energy, over the largest of them"
+        compared: "works of friction, normal force and dampers against the change of energy, over the largest of them or what the motion resolves"
             .to_owned(),
         figure: history.energy_residual(),
         limit: ENERGY_LIMIT,

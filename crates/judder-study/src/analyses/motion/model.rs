@@ -60,7 +60,12 @@ impl<S> Operating<S> {
     {
         let mut state = self.system.steady_sliding();
         match start {
-            MotionStart::Disturbance(share) => state[0] += share * state[0].abs(),
+            MotionStart::Disturbance(share) => {
+                /// Of the scale: steady sliding that has no more has none, and a share of it would be no disturbance.
+                const NONE: f64 = 1e-12;
+                let (size, scale) = (state[0].abs(), self.system.scales()[0]);
+                state[0] += share * if size > NONE * scale { size } else { scale };
+            }
             MotionStart::State(given) => {
                 for (place, given) in state.iter_mut().zip(given) {
                     *place = given.unwrap_or(*place);

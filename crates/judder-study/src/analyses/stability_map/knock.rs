@@ -287,10 +287,10 @@ pub(super) fn add(
         .with(over(x, folds.iter().map(|fold| fold.0).collect()))?
         .with(over(y, folds.iter().map(|fold| fold.1).collect()))?;
     let crossings: Vec<_> = onsets.iter().map(|(index, onset)| (lines.crossing(*index), *onset)).collect();
-    let (check, warning) = fold_check(&crossings);
+    let (check, warning) = fold_check(&crossings, progress);
     outcome.checks.extend(check);
     outcome.warnings.extend(warning);
-    Ok(())
+    if progress.interrupted() { Err(StudyError::Interrupted) } else { Ok(()) }
 }
 
 /// The folds that were found, as points of the map.

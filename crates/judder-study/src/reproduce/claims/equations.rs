@@ -3,7 +3,7 @@
 use super::{Claim, measured, misprint, short, statement};
 use crate::reproduce::measures::{LOADS_OF_FIG_4, log_grid, response, state};
 use crate::reproduce::scoreboard::Measured;
-use judder_oscillator::motion::{MotionState, accelerations};
+use judder_oscillator::motion::accelerations;
 use judder_oscillator::{Contact, Groups};
 
 /// A depth in the middle of the law's range.
@@ -88,9 +88,7 @@ pub(super) const DAMPING_IN_Y: Claim = misprint(
 fn contact_derivatives(contact: &Contact) -> [f64; 2] {
     let c = Groups::default().resolve();
     let Some((rest, _)) = state(contact, Groups::default()) else { return [f64::NAN; 2] };
-    let at = |y: f64, velocity_y: f64| {
-        accelerations(contact, &c, &MotionState { x: rest.x, y: rest.y + y, velocity_x: 0.0, velocity_y })[0]
-    };
+    let at = |y: f64, velocity_y: f64| accelerations(contact, &c, &[rest.x, rest.y + y, 0.0, velocity_y])[0];
     let step = 1e-5 * rest.y;
     let slope = |plus: f64, minus: f64| (plus - minus) / (2.0 * step);
     [slope(at(0.0, step), at(0.0, -step)), slope(at(step, 0.0), at(-step, 0.0)) + c.k12]

@@ -100,14 +100,34 @@ impl<const N: usize> Branches<N> {
         ])
     }
 
-    pub(in crate::analyses::motion) fn add_arrays(
-        &self,
-        mut dataset: Dataset,
-    ) -> Result<Dataset, StudyError> {
-        let along = |dimension: &str, name: &str, long_name: &str, values: Vec<f64>| {
-            Variable::new(name, &[dimension], &[values.len()], values).units("1").long_name(long_name)
-        };
-        let steady = "steady_point";
+    pub(in crate::analyses::motion) fn add_arrays(&self, dataset: Dataset) -> Result<Dataset, StudyError> {
+        let turns: Vec<(f64, f64)> = self.branches.iter().flat_map(DiagramBranch::turns).collect();
+        let hopf = self.hopf_points.iter().map(|point| point.value).collect();
+        let marks = [
+            along("steady_point", "steady_value", "swept value", self.growth.iter().map(|g| g.0).collect()),
+            along(
+                "steady_point",
+                "growth_rate",
+                "growth rate of steady sliding",
+                self.growth.iter().map(|g| g.1).collect(),
+            ),
+            along("fold", "fold_value", "swept value at a fold", turns.iter().map(|t| t.0).collect()),
+            along(
+                "fold",
+                "fold_rms",
+                "rms of the cycle nearest to a fold",
+                turns.iter().map(|t| t.1).collect(),
+            ),
+            along("hopf_point", "hopf_value", "swept value at a Hopf point", hopf),
+        ];
+        self.cycle_arrays()
+            .into_iter()
+            .chain(marks)
+            .try_fold(dataset, |dataset, variable| Ok(dataset.with(variable)?))
+    }
+
+    /// The cycles of all branches, one branch after the other.
+    fn cycle_arrays(&self) -> Vec<Variable> {
         let told: Vec<(usize, Told)> = self
             .branches
             .iter()
@@ -115,16 +135,11 @@ impl<const N: usize> Branches<N> {
             .flat_map(|(k, branch)| branch.told().into_iter().map(move |told| (k, told)))
             .collect();
         let of = |pick: fn(&Told) -> f64| told.iter().map(|(_, t)| pick(t)).collect::<Vec<f64>>();
-        let turns: Vec<(f64, f64)> = self.branches.iter().flat_map(DiagramBranch::turns).collect();
         let point = "branch_point";
-        for variable in [
-            along(steady, "steady_value", "swept value", self.growth.iter().map(|g| g.0).collect()),
-            along(
-                steady,
-                "growth_rate",
-                "growth rate of steady sliding",
-                self.growth.iter().map(|g| g.1).collect(),
-            ),
+        let stable: Vec<u8> = told.iter().map(|(_, t)| u8::from(t.is_stable)).collect();
+        let number: Vec<i64> = told.iter().map(|(k, _)| *k as i64).collect();
+        let meanings = [(0, "unstable"), (1, "stable")];
+        vec![
             along(point, "branch_value", "swept value of a cycle on a branch", of(|t| t.value)),
             along(point, "branch_rms", "rms of x about its mean", of(|t| t.rms)),
             along(point, "branch_period", "period", of(|t| t.period)),
@@ -134,39 +149,11 @@ impl<const N: usize> Branches<N> {
                 "magnitude of the largest Floquet multiplier",
                 of(|t| t.largest_multiplier),
             ),
-            along("fold", "fold_value", "swept value at a fold", turns.iter().map(|t| t.0).collect()),
-            along(
-                "fold",
-                "fold_rms",
-                "rms of the cycle nearest to a fold",
-                turns.iter().map(|t| t.1).collect(),
-            ),
-            along(
-                "hopf_point",
-                "hopf_value",
-                "swept value at a Hopf point",
-                self.hopf_points.iter().map(|h| h.value).collect(),
-            ),
-        ] {
-            dataset = dataset.with(variable)?;
-        }
-        let stable: Vec<u8> = told.iter().map(|(_, t)| u8::from(t.is_stable)).collect();
-        let number: Vec<i64> = told.iter().map(|(k, _)| *k as i64).collect();
-        Ok(dataset
-            .with(
-                Variable::classes(
-                    "branch_stable",
-                    &[point],
-                    &[told.len()],
-                    stable,
-                    &[(0, "unstable"), (1, "stable")],
-                )
+            Variable::classes("branch_stable", &[point], &[told.len()], stable, &meanings)
                 .long_name("whether the cycle is stable"),
-            )?
-            .with(
-                Variable::new("branch_number", &[point], &[told.len()], number)
-                    .long_name("which branch, in the order of the summary"),
-            )?)
+            Variable::new("branch_number", &[point], &[told.len()], number)
+                .long_name("which branch, in the order of the summary"),
+        ]
     }
 
     /// That what simulation finds is stable by its Floquet multipliers; `None` where no simulated cycle lies on a branch.
@@ -198,4 +185,8 @@ impl<const N: usize> Branches<N> {
         });
         failed.into_iter().chain(alone).collect()
     }
+}
+
+fn along(dimension: &str, name: &str, long_name: &str, values: Vec<f64>) -> Variable {
+    Variable::new(name, &[dimension], &[values.len()], values).units("1").long_name(long_name)
 }

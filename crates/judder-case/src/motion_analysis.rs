@@ -44,6 +44,8 @@ pub enum MotionAnalysis<K> {
         following: Following,
         /// The first part of the time, which the averages of an irregular motion leave out; of the form of the duration.
         transient: Value,
+        /// Whether the branches of cycles, stable and unstable, are followed through the diagram as well.
+        branches: bool,
     },
     /// `basin`: the share of starts from which steady sliding is reached.
     Basin {
@@ -119,6 +121,8 @@ pub const SETTLING_DURATION: f64 = 2e4;
 pub const DIAGRAM_DURATION: f64 = 5000.0;
 /// The share of the duration that averages leave out by default.
 pub const TRANSIENT_SHARE: f64 = 0.5;
+/// Whether a diagram has its branches where the case says nothing: a cascade of cycles with sticks and lift-offs takes minutes.
+pub const BRANCHES: bool = false;
 /// The default points of a history, and their limits.
 pub const HISTORY_POINTS: usize = 4096;
 pub(crate) const HISTORY_POINTS_LIMITS: [usize; 2] = [16, 1 << 22];
@@ -197,7 +201,7 @@ pub(crate) const LIMIT_CYCLE: MotionKind = MotionKind {
 
 pub(crate) const BIFURCATION: MotionKind = MotionKind {
     name: "bifurcation",
-    keys: &["sweep", "direction", "start", "duration", "transient", "tolerance", "steps"],
+    keys: &["sweep", "direction", "start", "duration", "transient", "tolerance", "steps", "branches"],
     doc: "what the motion settles to along one key, each motion from the end of the one before",
     tolerance: 1e-6,
     duration: DIAGRAM_DURATION,
@@ -248,6 +252,7 @@ pub(crate) fn read_bifurcation<S: MotionKeys>(
         start: read_start::<S>(section)?,
         following,
         transient: read_transient::<S>(section, following.duration)?,
+        branches: section.boolean("branches")?.unwrap_or(BRANCHES),
     })
 }
 

@@ -39,6 +39,8 @@ pub enum OscillatorAnalysis {
         within: Within,
         /// One set of roots a value, where given.
         family: Option<Family<OscillatorKey>>,
+        /// Whether the branch of cycles is followed from each threshold back to its fold.
+        global_margin: bool,
     },
     /// `critical-load`: all roots F_n,crit along one key.
     CriticalLoad {
@@ -48,6 +50,8 @@ pub enum OscillatorAnalysis {
         within: Within,
         /// One set of roots a value, where given.
         family: Option<Family<OscillatorKey>>,
+        /// Whether the branch of cycles is followed from each threshold back to its fold.
+        global_margin: bool,
     },
     /// `stability-map`: the verdict over two keys.
     StabilityMap(StabilityMap<OscillatorKey>),
@@ -62,6 +66,15 @@ pub const SHEAR_STRENGTH_WITHIN: (f64, f64) = (1e-6, 1e3);
 
 /// The default range of `critical-load`, F_n/(E0* R²).
 pub const LOAD_WITHIN: (f64, f64) = (1e-10, 1e0);
+
+/// Whether the branches of cycles are followed back to their folds where the case says nothing: for thresholds along one key
+/// it takes a fraction of a second each, for a map up to a minute.
+pub(crate) const MARGIN_OF_THRESHOLDS: bool = true;
+pub(crate) const MARGIN_OF_MAP: bool = false;
+
+fn read_global_margin(section: &Section<'_>, default: bool) -> Result<bool, Fault> {
+    Ok(section.boolean("global_margin")?.unwrap_or(default))
+}
 
 /// The kinds of an oscillator case.
 pub(crate) const KINDS: [Kind<OscillatorKeys, OscillatorAnalysis>; 10] = [
@@ -85,29 +98,35 @@ pub(crate) const KINDS: [Kind<OscillatorKeys, OscillatorAnalysis>; 10] = [
     },
     Kind {
         name: "critical-shear-strength",
-        keys: &["sweep", "within", "family"],
+        keys: &["sweep", "within", "family", "global_margin"],
         doc: "the critical shear strengths along one key",
         read: |keys, section| {
             let (sweep, family) = read_threshold(keys, section, OscillatorKey::ShearStrength)?;
             let within = read_within(section, OscillatorKey::ShearStrength, SHEAR_STRENGTH_WITHIN)?;
-            Ok(OscillatorAnalysis::CriticalShearStrength { sweep, within, family })
+            let global_margin = read_global_margin(section, MARGIN_OF_THRESHOLDS)?;
+            Ok(OscillatorAnalysis::CriticalShearStrength { sweep, within, family, global_margin })
         },
     },
     Kind {
         name: "critical-load",
-        keys: &["sweep", "within", "family"],
+        keys: &["sweep", "within", "family", "global_margin"],
         doc: "the critical loads along one key",
         read: |keys, section| {
             let (sweep, family) = read_threshold(keys, section, OscillatorKey::NormalLoad)?;
             let within = read_within(section, OscillatorKey::NormalLoad, LOAD_WITHIN)?;
-            Ok(OscillatorAnalysis::CriticalLoad { sweep, within, family })
+            let global_margin = read_global_margin(section, MARGIN_OF_THRESHOLDS)?;
+            Ok(OscillatorAnalysis::CriticalLoad { sweep, within, family, global_margin })
         },
     },
     Kind {
         name: "stability-map",
-        keys: &["x", "y", "method", "boundaries"],
+        keys: &["x", "y", "method", "boundaries", "global_margin"],
         doc: "stable and unstable points over two keys",
-        read: |keys, section| read_map(keys, section).map(OscillatorAnalysis::StabilityMap),
+        read: |keys, section| {
+            let global_margin = read_global_margin(section, MARGIN_OF_MAP)?;
+            let map = StabilityMap { global_margin, ..read_map(keys, section)? };
+            Ok(OscillatorAnalysis::StabilityMap(map))
+        },
     },
     HISTORY.kind(|keys, section| read_history(keys, section).map(OscillatorAnalysis::Motion)),
     LIMIT_CYCLE.kind(|keys, section| read_limit_cycle(keys, section).map(OscillatorAnalysis::Motion)),

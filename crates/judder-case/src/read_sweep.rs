@@ -156,7 +156,7 @@ pub(crate) fn read_map<S: SweptKeys>(
     }
     let method = analysis.choice("method", "method", &MapMethod::ALL)?.unwrap_or(MapMethod::Adaptive);
     let boundaries = analysis.boolean("boundaries")?.unwrap_or(true);
-    Ok(StabilityMap { x: x.sweep, y: y.sweep, method, boundaries })
+    Ok(StabilityMap { x: x.sweep, y: y.sweep, method, boundaries, global_margin: false })
 }
 
 fn read_key<S: SweptKeys>(keys: &S, section: &Section<'_>) -> Result<(S::Key, Place), Fault> {

@@ -31,6 +31,7 @@ pub fn reference() -> String {
     page += SUBSTRATE;
     page += "\n## Analyses of an oscillator case\n\n";
     page += &kinds(oscillator_analysis::KINDS.iter().map(|kind| (kind.name, kind.keys, kind.doc)));
+    page += MARGIN;
     page += MOTION;
     page += CONTACT;
     for key in &CONTACT_KEYS {
@@ -79,6 +80,16 @@ only. `temperature = \"40 degC\"` with `shift = { wlf = { c1 = 17.4, c2 = \"51.6
 `shift = { arrhenius = { activation_energy = \"80 kJ/mol\", reference_temperature = \"25 degC\" } }` moves all times. A path is relative to the case file.
 ";
 
+/// The key of thresholds and maps that leads beyond linear stability.
+const MARGIN: &str = "
+### The global margin
+
+`global_margin` follows the cycles beside every subcritical threshold back to [their fold](theory/motion.md#the-global-margin): `true` by default in \
+`critical-shear-strength` and `critical-load`, where it takes some tenths of a second a threshold; `false` by default in a `stability-map` of an oscillator, \
+where it tells the points at which a knock starts a cycle apart from the other stable ones. The map is followed along `contact.shear_strength` or \
+`operation.normal_load` where one of them is an axis (`y` before `x`), otherwise along `y`; on 60 lines at most.
+";
+
 /// The settings of the analyses of motion.
 const MOTION: &str = "
 ### Analyses of motion
@@ -95,6 +106,8 @@ what is left out stands as in steady sliding; y ≤ 0 is in the air |
 | `steps` | 10000000 | the most steps of one motion |
 | `points` | 4096 | of a `motion`: points of the uniform grid of time that is kept |
 | `direction` | `\"both\"` | of a `bifurcation`: `\"forward\"`, `\"backward\"` or both; each motion starts where the one before has ended, the first from `start` |
+| `branches` | `false` | of a `bifurcation`: follow the [branches of cycles](theory/motion.md#branches-through-a-diagram), stable and unstable, along the swept key; \
+off by default, since a cascade of cycles that stick and lift off takes minutes |
 | `within` | | of a `basin`: ranges `{ x = [-2.0, 2.0], velocity_x = [0.0, 2.0] }` from which starts are drawn evenly and independently |
 | `samples`, `seed` | 1000, 1 | of a `basin`: how many starts, and which; the n-th depends on the seed and on n alone |
 | `time_step` | `{ from = 3e-4, to = 1e-1, points = 11 }` | of `engines`: steps of the time-stepping, ω_nx t or times, with equal ratios between them |

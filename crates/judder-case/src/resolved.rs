@@ -285,15 +285,26 @@ fn oscillator_analysis(kind: &OscillatorAnalysis) -> Json {
         OscillatorAnalysis::Spectrum { sweep: axis, family: curves } => json!({
             "kind": "spectrum", "sweep": sweep(axis), "family": curves.as_ref().map(family),
         }),
-        OscillatorAnalysis::CriticalShearStrength { sweep: axis, within: range, family: curves } => json!({
+        OscillatorAnalysis::CriticalShearStrength {
+            sweep: axis,
+            within: range,
+            family: curves,
+            global_margin,
+        } => json!({
             "kind": "critical-shear-strength", "sweep": sweep(axis), "within": within(range, strength),
-            "family": curves.as_ref().map(family),
+            "family": curves.as_ref().map(family), "global_margin": global_margin,
         }),
-        OscillatorAnalysis::CriticalLoad { sweep: axis, within: range, family: curves } => json!({
-            "kind": "critical-load", "sweep": sweep(axis), "within": within(range, load),
-            "family": curves.as_ref().map(family),
-        }),
-        OscillatorAnalysis::StabilityMap(map) => stability_map(map),
+        OscillatorAnalysis::CriticalLoad { sweep: axis, within: range, family: curves, global_margin } => {
+            json!({
+                "kind": "critical-load", "sweep": sweep(axis), "within": within(range, load),
+                "family": curves.as_ref().map(family), "global_margin": global_margin,
+            })
+        }
+        OscillatorAnalysis::StabilityMap(map) => {
+            let mut json = stability_map(map);
+            json["global_margin"] = json!(map.global_margin);
+            json
+        }
         OscillatorAnalysis::Motion(kind) => motion::motion::<OscillatorKeys>(kind),
         OscillatorAnalysis::Engines(settings) => motion::engines(settings),
     }

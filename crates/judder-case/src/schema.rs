@@ -11,7 +11,7 @@ use crate::contact_keys::CONTACT_KEYS;
 use crate::inputs::{FrictionLoad, LawName};
 use crate::keys::{KEYS, Key, OscillatorKey, Range};
 use crate::motion_analysis::BASIN;
-use crate::oscillator_analysis::{LOAD_WITHIN, SHEAR_STRENGTH_WITHIN};
+use crate::oscillator_analysis::{LOAD_WITHIN, MARGIN_OF_MAP, MARGIN_OF_THRESHOLDS, SHEAR_STRENGTH_WITHIN};
 use crate::oscillator_case::SECTIONS;
 use crate::sweep::{MapMethod, Scale};
 use crate::swept_keys::OscillatorKeys;
@@ -225,6 +225,11 @@ fn oscillator_setting(kind: &str, key: &str) -> Json {
             );
             json["default"] = json!({ "from": default.0, "to": default.1 });
             json
+        }
+        "global_margin" => {
+            let default = if kind == "stability-map" { MARGIN_OF_MAP } else { MARGIN_OF_THRESHOLDS };
+            let description = "follow the cycles from subcritical thresholds back to their fold";
+            json!({ "type": "boolean", "default": default, "description": description })
         }
         _ => map_setting(key),
     }

@@ -167,6 +167,8 @@ pub struct StabilityMap<K> {
     pub y: Sweep<K>,
     /// How the points are decided.
     pub method: MapMethod,
+    /// Whether stable points at which a knock starts a cycle are told apart; of oscillator cases only.
+    pub global_margin: bool,
     /// Whether the boundary curves are traced as well.
     pub boundaries: bool,
 }

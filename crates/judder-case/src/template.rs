@@ -114,6 +114,7 @@ x = { key = \"operation.velocity\", from = 1e-8, to = 1e2, points = 400, scale =
 y = { key = \"contact.shear_strength\", from = 1e-4, to = 1.0, points = 400, scale = \"log\" }
 method = \"adaptive\"               # or \"every-point\"
 boundaries = true                 # trace the boundary curves as well
+global_margin = false             # true: where steady sliding is stable, but a knock starts a cycle
 
 [[analysis]]
 name = \"eigenvalues\"
@@ -129,8 +130,9 @@ sweep = { key = \"operation.velocity\", from = 1e-8, to = 1e2, points = 200, sca
 [[analysis]]
 name = \"thresholds\"
 kind = \"critical-shear-strength\"  # all roots along one key; likewise \"critical-load\"
-sweep = { key = \"operation.velocity\", from = 1e-8, to = 1e2, points = 101, scale = \"log\" }
+sweep = { key = \"operation.velocity\", from = 1e-8, to = 1e2, points = 21, scale = \"log\" }
 within = { from = 1e-6, to = 1e3 } # where roots are sought
+global_margin = true              # follow the cycles beside each threshold back to their fold
 
 [[analysis]]
 name = \"motion\"
@@ -143,6 +145,7 @@ name = \"diagram\"
 kind = \"bifurcation\"              # what motions settle to along one key, up and down; likewise \"limit-cycle\" at one point
 sweep = { key = \"contact.shear_strength\", from = 1e-3, to = 1e-1, points = 20, scale = \"log\" }
 direction = \"both\"                # or \"forward\", \"backward\"
+branches = false                  # true: follow the branches of cycles, stable and unstable
 
 [[analysis]]
 name = \"knocks\"

@@ -2,16 +2,19 @@
 //!
 //! - [`mod@return_map`]: once around, from the section x' = 0 back to it, with the exact derivative through all events.
 //! - [`shooting`]: Newton's method on the return map; Floquet multipliers.
+//! - [`birth`]: the small cycles beside a Hopf point.
 //! - [`continuation`]: branches of cycles along any parameter, through folds and changes of the pattern.
 //! - [`margin`]: from a subcritical threshold back to the fold: how far a knock reaches.
 
+pub mod birth;
 pub mod continuation;
 mod error;
 pub mod margin;
 pub mod return_map;
 pub mod shooting;
 
-pub use continuation::{Branch, BranchEnd, BranchPoint, Continuation, continue_branch};
+pub use birth::small_cycle;
+pub use continuation::{Branch, BranchEnd, BranchPoint, Continuation, Fold, continue_branch};
 pub use error::CycleError;
 pub use margin::{GlobalMargin, global_margin};
 pub use return_map::{Return, return_map, returned_state};

@@ -43,6 +43,13 @@ impl<const N: usize> HopfPoint<N> {
         (squared >= 0.0).then(|| squared.sqrt())
     }
 
+    /// d(rms²)/dp = −2σ′/Re c₁: near a threshold p_c the cycles have an rms of x of √(factor·(p − p_c)). Positive where they
+    /// live above the threshold, negative where below. `growth_slope` is σ′ = dσ/dp.
+    #[must_use]
+    pub fn amplitude_factor(&self, growth_slope: f64) -> f64 {
+        -2.0 * growth_slope / self.coefficient
+    }
+
     /// The state u_e + z q + c. c. on a cycle of a given rms of x, where x is largest.
     #[must_use]
     pub fn state_on_cycle(&self, steady_sliding: &[f64; N], rms: f64) -> [f64; N] {
@@ -87,6 +94,33 @@ pub fn hopf_point<const N: usize>(system: &impl SlidingSystem<N>) -> Result<Hopf
         coefficient: cubic.re / (scales[0] * scales[0]),
         mode: from_fn(|i| mode[i] * scales[i] / scales[0]),
     })
+}
+
+/// σ, the largest real part of the eigenvalues of steady sliding, per unit of the oscillator's time.
+///
+/// # Errors
+/// Eigenvalues that did not come out.
+pub fn growth_rate<const N: usize>(system: &impl SlidingSystem<N>) -> Result<f64, CycleError> {
+    let scales = system.scales();
+    let raw = system.jacobian(ContactState::SlipBehind, &system.steady_sliding());
+    let scaled: Matrix<N> = from_fn(|i| from_fn(|j| raw[i][j] * scales[j] / scales[i]));
+    Ok(eigenvalues(&scaled)?.iter().fold(f64::NEG_INFINITY, |largest, value| largest.max(value.re)))
+}
+
+/// σ′ = dσ/dp of a growth rate that is known as a function of the parameter p, at a threshold.
+///
+/// Central differences over ever shorter steps, from a thousandth of `scale` on: of the two neighbours that agree best the
+/// shorter one counts, for a growth rate can bend sharply where two modes meet. `None` where it is not known on both sides.
+#[must_use]
+pub fn growth_slope(growth_rate_at: impl Fn(f64) -> Option<f64>, threshold: f64, scale: f64) -> Option<f64> {
+    const STEPS: [f64; 5] = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7];
+    let slope = |step: &f64| {
+        let step = step * scale;
+        Some((growth_rate_at(threshold + step)? - growth_rate_at(threshold - step)?) / (2.0 * step))
+    };
+    let slopes: Vec<f64> = STEPS.iter().filter_map(slope).collect();
+    let apart = |pair: &[f64]| (pair[0] - pair[1]).abs() / (pair[0].abs() + pair[1].abs());
+    slopes.windows(2).min_by(|a, b| apart(a).total_cmp(&apart(b))).map(|pair| pair[1])
 }
 
 /// c₁ = ½ ⟨p, C(q, q, q̄) − 2 B(q, A⁻¹ B(q, q̄)) + B(q̄, (2iω − A)⁻¹ B(q, q))⟩/⟨p, q⟩, with pᵀ for the left vector.

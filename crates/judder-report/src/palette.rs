@@ -31,6 +31,9 @@ pub const QUIET: Colour = Colour(0x6b, 0x6b, 0x6b);
 /// The ground of unresolved cells, under their hatch.
 pub const UNRESOLVED_GROUND: Colour = Colour(0xff, 0xff, 0xff);
 
+/// Side of the tile of a pattern, in points.
+pub(crate) const PATTERN_TILE: f64 = 4.0;
+
 /// What a colour means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
@@ -46,6 +49,10 @@ pub enum Role {
     NormalForceCoupling,
     /// Area without an answer; hatched.
     Unresolved,
+    /// Area: no instability, but a knock starts a motion; hatched the other way.
+    Knock,
+    /// Area: no instability, and not known what a knock does; dotted.
+    KnockUnknown,
     /// Area: the indenter moves with the substrate.
     Stick,
     /// Area: it slides ahead of the substrate.
@@ -101,6 +108,8 @@ impl Role {
             Self::Stick => Colour(0xb9, 0xd9, 0xb2),
             Self::SlipAhead => Colour(0xd8, 0x9f, 0xc1),
             Self::Unresolved => Colour(0x8c, 0x8c, 0x8c),
+            Self::Knock => Colour(0xfb, 0xdc, 0xd4),
+            Self::KnockUnknown => Colour(0xf7, 0xec, 0xe9),
             Self::FullBoundary | Self::ConservativeBoundary => Colour(0, 0, 0),
             Self::DecoupledBoundary => Colour(0xc8, 0x10, 0x2e),
             Self::Mode(index) | Self::Series(index) => QUALITATIVE[index % QUALITATIVE.len()],
@@ -141,6 +150,16 @@ impl Role {
         }
     }
 
+    /// The strokes over the colour of a patterned area, as an SVG path on a tile of [`PATTERN_TILE`] by as much, turned by so many
+    /// degrees; `None` for a plain one.
+    pub(crate) fn pattern(self) -> Option<(&'static str, f64)> {
+        match self {
+            Self::Knock => Some(("M0 0H0.9V4H0z", -45.0)),
+            Self::KnockUnknown => Some(("M1 1h1.1v1.1h-1.1z", 45.0)),
+            _ => None,
+        }
+    }
+
     /// The same role drawn solid.
     pub fn solid(self) -> Style {
         Style::from(self).with_dash(Dash::Solid)
@@ -149,6 +168,11 @@ impl Role {
     /// The same role drawn dashed.
     pub fn dashed(self) -> Style {
         Style::from(self).with_dash(Dash::Dashed)
+    }
+
+    /// The same role drawn in dashes and dots.
+    pub fn dash_dotted(self) -> Style {
+        Style::from(self).with_dash(Dash::DashDotted)
     }
 
     /// The same role drawn dotted.

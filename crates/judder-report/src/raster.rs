@@ -29,6 +29,46 @@ fn opaque_unless_unresolved(role: Role) -> [u8; 4] {
     [red, green, blue, if role == Role::Unresolved { 0 } else { 255 }]
 }
 
+/// Cells of one class that stand in one column, one on the other, as fractions of the frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Block {
+    pub(crate) across: (f64, f64),
+    pub(crate) up: (f64, f64),
+}
+
+/// All cells of a class map that have this meaning.
+pub(crate) fn blocks(map: &ClassMap, role: Role, x: &Placed, y: &Placed) -> Vec<Block> {
+    let (Some(across), Some(up)) = (columns(&map.x, x), columns(&map.y, y)) else { return Vec::new() };
+    let has_role = |column: usize, row: usize| {
+        let code = map.codes.get(row * map.x.len() + column);
+        code.and_then(|code| map.classes.get(usize::from(*code))).is_some_and(|class| class.role == role)
+    };
+    let edge = |line: &Columns, index: usize| {
+        line.from + (line.to - line.from) * index as f64 / line.cells.len() as f64
+    };
+    // neighbouring columns that look alike are one block
+    let runs = |column: usize| -> Vec<(usize, usize)> {
+        let rows: Vec<bool> = up.cells.iter().map(|row| has_role(column, *row)).collect();
+        let ends = |k: &usize| rows[*k] != (*k > 0 && rows[*k - 1]);
+        let mut edges: Vec<usize> = (0..rows.len()).filter(ends).collect();
+        if edges.len() % 2 == 1 {
+            edges.push(rows.len());
+        }
+        edges.chunks(2).map(|pair| (pair[0], pair[1])).collect()
+    };
+    let columns: Vec<Vec<(usize, usize)>> = across.cells.iter().map(|column| runs(*column)).collect();
+    let mut blocks = Vec::new();
+    let mut first = 0;
+    for alike in columns.chunk_by(|a, b| a == b) {
+        let span = (edge(&across, first), edge(&across, first + alike.len()));
+        first += alike.len();
+        blocks.extend(
+            alike[0].iter().map(|(from, to)| Block { across: span, up: (edge(&up, *from), edge(&up, *to)) }),
+        );
+    }
+    blocks
+}
+
 /// The last index of a value map's palette: cells without a value.
 const NO_VALUE: u8 = 255;
 

@@ -4,6 +4,7 @@ mod axis;
 pub(crate) mod contact;
 mod critical;
 mod equivalent_damping;
+mod margins;
 mod motion;
 mod spectrum;
 mod stability_map;
@@ -11,6 +12,7 @@ mod steady_states;
 mod two_degrees;
 
 pub(crate) use motion::belt;
+pub(crate) use stability_map::{STARTS_IT, UNKNOWN};
 pub(crate) use steady_states::SteadyState;
 
 use crate::bridge::{self, CaseContact};
@@ -19,7 +21,9 @@ use crate::kept::Kept;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::spectrum_source::temperature_warning;
-use judder_case::{Case, MapMethod, OscillatorAnalysis, OscillatorCase};
+use judder_case::{
+    Case, Family, MapMethod, OscillatorAnalysis, OscillatorCase, OscillatorKey, Sweep, Within,
+};
 use judder_contact::law::sweep::SolvedPoint;
 use judder_oscillator::Contact;
 use motion::{BeltModel, OscillatorModel};
@@ -103,16 +107,13 @@ fn oscillator(
         OscillatorAnalysis::Spectrum { sweep, family } => {
             spectrum::run((case, contact), sweep, family.as_ref(), progress)
         }
-        OscillatorAnalysis::CriticalShearStrength { sweep, within, family } => critical::run(
-            (case, contact),
-            critical::Sought::ShearStrength,
-            sweep,
-            within,
-            family.as_ref(),
-            progress,
-        ),
-        OscillatorAnalysis::CriticalLoad { sweep, within, family } => {
-            critical::run((case, contact), critical::Sought::Load, sweep, within, family.as_ref(), progress)
+        OscillatorAnalysis::CriticalShearStrength { sweep, within, family, global_margin } => {
+            let settings = critical_settings(sweep, within, family, *global_margin);
+            critical::run((case, contact), critical::Sought::ShearStrength, &settings, progress)
+        }
+        OscillatorAnalysis::CriticalLoad { sweep, within, family, global_margin } => {
+            let settings = critical_settings(sweep, within, family, *global_margin);
+            critical::run((case, contact), critical::Sought::Load, &settings, progress)
         }
         OscillatorAnalysis::StabilityMap(map) => stability_map::run((case, contact), map, progress),
         OscillatorAnalysis::Motion(kind) => {
@@ -122,4 +123,13 @@ fn oscillator(
             motion::engines::run(&OscillatorModel { inputs: &case.inputs, contact }, settings, progress)
         }
     }
+}
+
+fn critical_settings<'a>(
+    sweep: &'a Sweep<OscillatorKey>,
+    within: &'a Within,
+    family: &'a Option<Family<OscillatorKey>>,
+    global_margin: bool,
+) -> critical::Settings<'a> {
+    critical::Settings { sweep, within, family: family.as_ref(), global_margin }
 }

@@ -1,5 +1,6 @@
 //! Figures from stored arrays: everything that is drawn can be drawn again without computing anything.
 
+mod branches;
 mod contact;
 mod curves;
 mod engines;
@@ -60,11 +61,14 @@ fn caption(dataset: &Dataset) -> &'static str {
         }
         "critical-shear-strength" | "critical-load" => {
             "All thresholds in the searched range. Dashed: without damping, eqs. (27), (28) made self-consistent. Solid: where the \
-             full, damped system gains or loses stability."
+             full, damped system gains or loses stability. Where branches were followed: circles and squares tell super- from subcritical \
+             thresholds, and the dash-dotted curve is the fold of the cycles beside a subcritical one; between it and the threshold steady \
+             sliding is stable, but a knock starts a cycle."
         }
         "stability-map" => {
             "Stability of steady sliding, coloured by what carries the instability. Curves are followed by continuation: \
-             full system (solid black), without damping (dashed), full system with $η = 0$ (red)."
+             full system (solid black), without damping (dashed), full system with $η = 0$ (red). Where it is hatched, steady sliding is \
+             stable, but a cycle lives beside it, which a knock can start."
         }
         "contact" => {
             "The indenter slides to the right. Sections along $y$ = 0; the surface of the substrate is compared with the indenter. The grids: \
@@ -92,7 +96,8 @@ fn caption(dataset: &Dataset) -> &'static str {
         }
         "bifurcation" => {
             "What motions settle to as the key goes up and down, each from the end of the one before: rms of $x$ about its mean, its largest values, the \
-             shares of the time in stick and off the substrate. A motion that is neither at rest nor periodic within its time counts as irregular."
+             shares of the time in stick and off the substrate. A motion that is neither at rest nor periodic within its time counts as irregular. \
+             Where branches were followed, lines are cycles and steady sliding, stable (solid) or not (dashed), and points are simulated."
         }
         "basin" => "Starts, drawn evenly, and what becomes of them.",
         "engines" => {

@@ -22,6 +22,12 @@ mod cost {
     pub(super) const EIGENVALUES: f64 = 5e-6;
     /// The search for thresholds at one point.
     pub(super) const THRESHOLDS: f64 = 2e-4;
+    /// Following the cycles beside a threshold back to their fold.
+    pub(super) const MARGIN: f64 = 0.3;
+    /// Lines of a map along which they are followed, at most.
+    pub(super) const MARGIN_LINES: usize = 60;
+    /// Following the branches of an oscillator through a diagram: seconds to a minute.
+    pub(super) const BRANCHES: f64 = 10.0;
     /// Following the three boundaries of a map.
     pub(super) const BOUNDARIES: f64 = 0.3;
     /// A motion over a radian of its time: of the oscillator, of a mass on a belt.
@@ -182,10 +188,11 @@ fn of_oscillator(name: &str, kind: &OscillatorAnalysis) -> Estimate {
             let points = sweep.points * family.as_ref().map_or(1, |f| f.values.len());
             (points, points as f64 * cost::EIGENVALUES)
         }
-        OscillatorAnalysis::CriticalShearStrength { sweep, family, .. }
-        | OscillatorAnalysis::CriticalLoad { sweep, family, .. } => {
+        OscillatorAnalysis::CriticalShearStrength { sweep, family, global_margin, .. }
+        | OscillatorAnalysis::CriticalLoad { sweep, family, global_margin, .. } => {
             let points = sweep.points * family.as_ref().map_or(1, |f| f.values.len());
-            (points, points as f64 * cost::THRESHOLDS)
+            let margin = if *global_margin { cost::MARGIN } else { 0.0 };
+            (points, points as f64 * (cost::THRESHOLDS + margin))
         }
         OscillatorAnalysis::StabilityMap(map) => {
             let points = map.x.points * map.y.points;
@@ -196,7 +203,9 @@ fn of_oscillator(name: &str, kind: &OscillatorAnalysis) -> Estimate {
                     (24 * (map.x.points + map.y.points)).min(2 * points) as f64 * 2.0 * cost::DECISION
                 }
             };
-            (points, decisions + if map.boundaries { cost::BOUNDARIES } else { 0.0 })
+            let lines = map.x.points.max(map.y.points).min(cost::MARGIN_LINES);
+            let margins = if map.global_margin { lines as f64 * cost::MARGIN } else { 0.0 };
+            (points, decisions + margins + if map.boundaries { cost::BOUNDARIES } else { 0.0 })
         }
     };
     Estimate {

@@ -4,6 +4,7 @@
 
 mod computed_law;
 mod contact;
+mod global_margin;
 mod motion;
 
 use judder_case::CaseFile;

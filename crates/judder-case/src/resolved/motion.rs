@@ -46,10 +46,17 @@ where
         MotionAnalysis::LimitCycle { start: from, following: how } => {
             together(LIMIT_CYCLE.name, json!({ "start": start::<S>(from) }), how)
         }
-        MotionAnalysis::Bifurcation { sweep: axis, direction, start: from, following: how, transient } => {
+        MotionAnalysis::Bifurcation {
+            sweep: axis,
+            direction,
+            start: from,
+            following: how,
+            transient,
+            branches,
+        } => {
             let own = json!({
                 "sweep": sweep(axis), "direction": direction.name(), "start": start::<S>(from),
-                "transient": time(*transient),
+                "transient": time(*transient), "branches": branches,
             });
             together(BIFURCATION.name, own, how)
         }

@@ -7,7 +7,7 @@ use crate::belt_case::{self, BELT_KEYS, BELT_SECTIONS, BeltKeys};
 use crate::engines_analysis::{ENGINES, EnginesKey, LADDER_POINTS, TIME_STEP, TIME_STEPS, WIDTH, WIDTHS};
 use crate::keys::{Key, Range};
 use crate::motion_analysis::{
-    BASIN, BASIN_SAMPLES, BASIN_SEED, BIFURCATION, DISTURBANCE, HISTORY, HISTORY_POINTS,
+    BASIN, BASIN_SAMPLES, BASIN_SEED, BIFURCATION, BRANCHES, DISTURBANCE, HISTORY, HISTORY_POINTS,
     HISTORY_POINTS_LIMITS, LIMIT_CYCLE, MOTION_STEPS, MotionKeys, MotionKind, SAMPLES_LIMITS, SEED_LIMITS,
     STEPS_LIMITS, SweepDirection, TOLERANCE_RANGE, TRANSIENT_SHARE,
 };
@@ -55,6 +55,9 @@ pub(super) fn setting<S: MotionKeys>(kind_name: &str, name: &str) -> Option<Json
         "tolerance" => tolerance(kind),
         "time_step" => ladder(&TIME_STEP, TIME_STEPS),
         "width" => ladder(&WIDTH, WIDTHS),
+        "branches" => {
+            json!({ "type": "boolean", "default": BRANCHES, "description": "follow the branches of cycles through the diagram" })
+        }
         _ => return None,
     })
 }

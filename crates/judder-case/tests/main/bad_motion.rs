@@ -119,6 +119,40 @@ fn a_direction_that_is_none() {
 }
 
 #[test]
+fn branches_and_margins_that_are_neither_true_nor_false() {
+    let sweep = "sweep = { key = \"operation.velocity\", from = 1e-5, to = 1e-3, points = 5 }";
+    refused(
+        &analysis("bifurcation", &format!("{sweep}\nbranches = \"yes\"")),
+        "`branches` is a string, but must be true or false",
+        "\"yes\"",
+        "",
+    );
+    refused(
+        &analysis("critical-load", &format!("{sweep}\nglobal_margin = 1")),
+        "`global_margin` is an integer, but must be true or false",
+        "1",
+        "",
+    );
+}
+
+#[test]
+fn a_margin_of_a_kind_that_has_none() {
+    refused(
+        &analysis("spectrum", "global_margin = true"),
+        "unknown key `global_margin` in an analysis of kind `spectrum`",
+        "global_margin",
+        "keys here: name, kind, sweep, family",
+    );
+    refused(
+        "model = \"two-degrees\"\n[parameters]\nmu = 1\nc = 1\n[matrices]\nstiffness = [[1, 0], [0, 1]]\n[[analysis]]\n\
+         kind = \"stability-map\"\nglobal_margin = true",
+        "unknown key `global_margin` in an analysis of kind `stability-map`",
+        "global_margin",
+        "keys here: name, kind, x, y, method, boundaries",
+    );
+}
+
+#[test]
 fn no_steps_at_all() {
     refused(
         &analysis("motion", "steps = 0"),

@@ -49,12 +49,15 @@ fn a_limit_cycle_and_a_diagram_have_tolerances_of_their_own() {
         "kind = \"bifurcation\"\nsweep = { key = \"contact.shear_strength\", from = 1e-4, to = 5e-2, points = 3 }\n\
          direction = \"backward\"\ntolerance = 1e-7",
     );
-    let MotionAnalysis::Bifurcation { sweep, direction, following, .. } = kind else { panic!("a diagram") };
+    let MotionAnalysis::Bifurcation { sweep, direction, following, branches, .. } = kind else {
+        panic!("a diagram")
+    };
     assert_eq!(
         (sweep.key, sweep.form, following.tolerance),
         (OscillatorKey::ShearStrength, Form::Group, 1e-7)
     );
     assert_eq!(direction, SweepDirection::Backward);
+    assert!(!branches, "branches take minutes where cycles stick and lift off");
     assert_eq!(direction.sweeps(), [SweepDirection::Backward]);
 }
 

@@ -159,10 +159,12 @@ fn a_sweep_sets_its_key() {
         family = { key = "substrate.relaxation_time", values = ["1 ms", "2 ms"] }
     "#;
     let case = oscillator(text, &[]);
-    let OscillatorAnalysis::CriticalShearStrength { sweep, within, family } = &case.analyses[0].kind else {
+    let OscillatorAnalysis::CriticalShearStrength { sweep, within, family, global_margin } =
+        &case.analyses[0].kind
+    else {
         panic!("thresholds")
     };
-    assert_eq!(case.analyses[0].name, "critical-shear-strength");
+    assert_eq!((case.analyses[0].name.as_str(), *global_margin), ("critical-shear-strength", true));
     assert_eq!((within.from, within.to), SHEAR_STRENGTH_WITHIN);
     let mut inputs = case.inputs;
     sweep.set(&mut inputs, sweep.values()[1]);

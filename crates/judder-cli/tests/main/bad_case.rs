@@ -25,6 +25,16 @@ fn an_unknown_key() {
 }
 
 #[test]
+fn a_margin_or_branches_that_are_no_yes_or_no() {
+    let map = map("key = \"operation.velocity\", from = 1e-4, to = 1, points = 3");
+    let lines = format!("{}\nglobal_margin = \"yes\"", map.replace("25000", "3"));
+    refused(&lines, "`global_margin` is a string, but must be true or false", "global_margin = \"yes\"");
+    let lines = "[[analysis]]\nkind = \"bifurcation\"\nbranches = 1\n\
+                 sweep = { key = \"operation.velocity\", from = 1e-5, to = 1e-3, points = 3 }";
+    refused(lines, "`branches` is an integer, but must be true or false", "branches = 1");
+}
+
+#[test]
 fn a_wrong_unit() {
     let message = "`operation.velocity` must be a speed, but this is a length";
     refused("[operation]\nvelocity = \"30 mm\"", message, "write a speed, such as \"30 mm/s\"");

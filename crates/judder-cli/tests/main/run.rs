@@ -50,6 +50,40 @@ fn the_summary_has_its_keys() {
 }
 
 #[test]
+fn thresholds_carry_what_grows_from_them() {
+    let desk = Desk::with_case(CASE);
+    let summary = desk.succeed(&["run", "case.toml", "--json", "--only", "strengths"]).json();
+    let strengths = &summary["results"]["strengths"];
+    let lengths = |name: &str| -> Vec<usize> {
+        strengths[name].as_array().unwrap().iter().map(|list| list.as_array().unwrap().len()).collect()
+    };
+    for name in [
+        "criticality",
+        "stable_side",
+        "amplitude_factor",
+        "lyapunov_coefficient",
+        "fold",
+        "reaches",
+        "branch_end",
+    ] {
+        assert_eq!(lengths(name), lengths("full"), "{name}");
+    }
+    // a fold lies on the stable side, or there is none
+    for (threshold, (side, fold)) in entries(strengths, "full")
+        .into_iter()
+        .zip(entries(strengths, "stable_side").into_iter().zip(entries(strengths, "fold")))
+    {
+        let Some(fold) = fold.as_f64() else { continue };
+        assert_eq!(fold > threshold.as_f64().unwrap(), side == "above");
+    }
+}
+
+fn entries(result: &Value, name: &str) -> Vec<Value> {
+    let lists = result[name].as_array().unwrap();
+    lists.iter().flat_map(|list| list.as_array().unwrap().clone()).collect()
+}
+
+#[test]
 fn a_rerun_does_only_what_has_changed() {
     let desk = Desk::with_case(CASE);
     desk.succeed(&["run", "case.toml"]);

@@ -3,6 +3,7 @@
 //! Pseudo-arclength continuation (H. B. Keller, 1977) on the return map. Where a cycle begins to touch a guard, the return
 //! map has a kink: the next point lies on a smooth piece with a derivative of its own, which Newton's method uses.
 
+mod place;
 mod touching;
 
 use super::CycleError;
@@ -10,7 +11,9 @@ use super::return_map::{Return, return_map, returned_state};
 use super::shooting::{Cycle, Guess, Shooting, finished, scaled, shoot};
 use crate::motion::{ContactState, SlidingSystem};
 use judder_numerics::dense::Triangles;
+use place::{Outing, Place, neighbour};
 use std::array::from_fn;
+use std::fmt;
 
 /// How a branch is followed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,6 +50,8 @@ pub enum BranchEnd {
     Points,
     /// It shrank to steady sliding: a Hopf point.
     SteadySliding,
+    /// It came back to its first cycle.
+    Closed,
     /// Its cycles come to touch a guard beyond which the return map jumps: no neighbour on the other side is a cycle.
     Grazing {
         /// The contact states of the motions beyond.
@@ -56,6 +61,26 @@ pub enum BranchEnd {
     },
     /// No next cycle could be found, with the last reason.
     Lost(CycleError),
+}
+
+impl fmt::Display for BranchEnd {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Range => formatter.write_str("leaves the range"),
+            Self::Points => formatter.write_str("goes on: as many cycles as were asked for"),
+            Self::SteadySliding => formatter.write_str("shrinks to steady sliding"),
+            Self::Closed => formatter.write_str("comes back to where it began"),
+            Self::Grazing { pattern, .. } => {
+                let words: Vec<String> = pattern.iter().map(ToString::to_string).collect();
+                let beyond = words.join(", ");
+                write!(
+                    formatter,
+                    "grazes: beyond, motions go through {beyond}, and their return jumps away from the cycle"
+                )
+            }
+            Self::Lost(error) => write!(formatter, "lost: {error}"),
+        }
+    }
 }
 
 /// Cycles along a parameter.
@@ -91,13 +116,6 @@ pub struct PatternChange {
     pub between: (f64, f64),
 }
 
-/// A place on the way with the unit tangent there; both hold the scaled state and then the scaled parameter.
-#[derive(Clone)]
-struct Place {
-    at: Vec<f64>,
-    tangent: Vec<f64>,
-}
-
 /// A step that fails below it stands before a kink of the branch.
 const KINK: f64 = 1e-5;
 
@@ -129,12 +147,13 @@ pub fn continue_branch<S: SlidingSystem<N>, const N: usize>(
     let walk = Walk { system_at, options, oscillations: cycle.1, scales: system.scales() };
     let first = shoot(&system, cycle.0, cycle.1, &options.shooting)?;
     let mut place = walk.first_place(&first, parameter, direction)?;
+    let mut outing = Outing::from(place.clone());
     let first = BranchPoint { parameter, cycle: first, slope: place.tangent[N] };
     let mut branch =
         Branch { points: vec![first], folds: vec![], pattern_changes: vec![], end: BranchEnd::Points };
     let (mut step, mut short_steps) = (options.steps.0, 0);
     while branch.points.len() < options.points {
-        match walk.next(&place, step) {
+        match walk.next(&place, step).and_then(|found| neighbour(&branch, (&place, step), found)) {
             Ok((next, next_place)) => {
                 let stretch = match next.cycle.iterations {
                     ..=6 => 1.4,
@@ -163,7 +182,7 @@ pub fn continue_branch<S: SlidingSystem<N>, const N: usize>(
         short_steps = if step < SHORT { short_steps + 1 } else { 0 };
         let crawls = short_steps >= SHORT_STEPS;
         let grazing = if crawls { walk.grazing(&place, &branch) } else { None };
-        if let Some(end) = grazing.or_else(|| walk.end_of(&branch)) {
+        if let Some(end) = grazing.or_else(|| walk.end_of(&branch)).or_else(|| outing.end(&place, &branch)) {
             branch.end = end;
             break;
         }
@@ -288,9 +307,8 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError>, const N: usize> W
             branch.pattern_changes.push(PatternChange { after, between: (last.parameter, next.parameter) });
         }
         if last.slope * next.slope < 0.0 {
-            let length =
-                from.at.iter().zip(self.scaled_place(next)).fold(0.0, |sum, (a, b)| sum + (a - b) * (a - b));
-            let parameter = self.turn(from, last, next, length.sqrt());
+            let there = Place { at: self.scaled_place(next), tangent: Vec::new() };
+            let parameter = self.turn(from, last, next, from.distance(&there));
             branch.folds.push(Fold { after, parameter, is_smooth });
         }
     }

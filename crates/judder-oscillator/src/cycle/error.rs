@@ -42,6 +42,25 @@ pub enum CycleError {
         /// Distance of the return from the start.
         residual: f64,
     },
+    /// Whoever asked for the cycle has no more time for it.
+    #[error("stopped after {flights} flights around cycles")]
+    Stopped {
+        /// Flights made.
+        flights: usize,
+    },
+    /// Beside a Hopf point Newton's method goes elsewhere.
+    #[error("beside the Hopf point no cycle is found that follows the amplitude law")]
+    NotBorn,
+    /// Newton's method leads to a solution that is no neighbour.
+    #[error(
+        "the next solution is no neighbour of the last cycle: the period goes from {from:.4} to {to:.4}, or the cycle collapses to steady sliding"
+    )]
+    Elsewhere {
+        /// Period of the last cycle.
+        from: f64,
+        /// Period of the solution.
+        to: f64,
+    },
     /// The derivative of the return map is singular or not finite.
     #[error("the derivative of the return map is singular or not finite: a fold, or a grazing event")]
     Singular,

@@ -5,8 +5,8 @@
 //! cycle waits for a knock. So the turn, and not the threshold, is the safe limit as far as this branch tells: cycles of other
 //! branches, with more oscillations in a period, may live beyond it.
 
-use super::continuation::{Branch, BranchEnd, Continuation, continue_branch};
-use super::{CycleError, shoot};
+use super::continuation::{Branch, Continuation, continue_branch};
+use super::{CycleError, small_cycle};
 use crate::hopf::{HopfPoint, hopf_point};
 use crate::motion::SlidingSystem;
 
@@ -23,18 +23,15 @@ pub struct GlobalMargin<const N: usize> {
 }
 
 impl<const N: usize> GlobalMargin<N> {
-    /// The parameter farthest from the threshold at which a cycle of the branch is known: the fold, or the last point of a
-    /// branch that was lost before it.
+    /// The parameter farthest from the threshold at which a cycle of the branch is known: the fold, a later turn beyond it, or
+    /// the last point of a branch that was lost.
     #[must_use]
-    pub fn reaches(&self) -> Option<f64> {
-        let last = self.branch.as_ref().and_then(|branch| branch.points.last()).map(|point| point.parameter);
-        self.fold.or(last)
-    }
-
-    /// Why the branch ended, where it did not come to a fold.
-    #[must_use]
-    pub fn lost(&self) -> Option<&BranchEnd> {
-        self.branch.as_ref().filter(|_| self.fold.is_none()).map(|branch| &branch.end)
+    pub fn reaches(&self, threshold: f64) -> Option<f64> {
+        let branch = self.branch.as_ref()?;
+        let first = branch.points.first()?.parameter - threshold;
+        let turns = branch.folds.iter().map(|fold| fold.parameter);
+        let known = branch.points.iter().map(|point| point.parameter).chain(turns);
+        known.max_by(|a, b| (first * a).total_cmp(&(first * b)))
     }
 }
 
@@ -51,17 +48,11 @@ pub fn global_margin<S: SlidingSystem<N>, const N: usize>(
     stable_side: f64,
     options: &Continuation<N>,
 ) -> Result<GlobalMargin<N>, CycleError> {
-    /// How far beside the threshold the first cycle is sought, relative: near enough for the amplitude law.
-    const BESIDE: f64 = 1e-3;
     let hopf = hopf_point(&system_at(threshold)?)?;
     if !hopf.is_subcritical() {
         return Ok(GlobalMargin { hopf, fold: None, branch: None });
     }
-    let parameter = threshold * (1.0 + stable_side * BESIDE);
-    let system = system_at(parameter)?;
-    let rms = hopf.rms(hopf_point(&system)?.growth_rate).ok_or(CycleError::Singular)?;
-    let start = hopf.state_on_cycle(&system.steady_sliding(), rms);
-    let small = shoot(&system, start, 1, &options.shooting)?;
+    let (parameter, small) = small_cycle(system_at, threshold, &hopf, stable_side, options)?;
     let branch = continue_branch(system_at, parameter, (small.start, 1), stable_side, options)?;
     let fold = branch.folds.first().map(|fold| fold.parameter);
     Ok(GlobalMargin { hopf, fold, branch: Some(branch) })

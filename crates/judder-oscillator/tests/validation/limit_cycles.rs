@@ -5,7 +5,7 @@ use judder_numerics::piecewise::Settings;
 use judder_oscillator::critical::{Range, Scale, thresholds};
 use judder_oscillator::cycle::shooting::{Shooting, from_simulation, shoot};
 use judder_oscillator::cycle::{BranchEnd, Continuation, continue_branch, global_margin, return_map};
-use judder_oscillator::hopf::hopf_point;
+use judder_oscillator::hopf::{growth_rate, growth_slope, hopf_point};
 use judder_oscillator::motion::attractor::{Patience, Settled, settle};
 use judder_oscillator::motion::{ContactState, SlidingSystem, StickSlip};
 use judder_oscillator::{Contact, FrictionLoad, Groups};
@@ -122,6 +122,8 @@ fn above_a_supercritical_threshold_the_amplitude_follows_the_lyapunov_coefficien
     let hopf = hopf_point(&section_5(threshold, load)).unwrap();
     println!("{threshold} {hopf:?}");
     assert!(!hopf.is_subcritical());
+    let growth_at = |shear_strength| growth_rate(&section_5(shear_strength, load)).ok();
+    let factor = hopf.amplitude_factor(growth_slope(growth_at, threshold, threshold).unwrap());
     for beyond in [1e-4, 1e-3] {
         let system = section_5(threshold * (1.0 + beyond), load);
         let here = hopf_point(&system).unwrap();
@@ -131,6 +133,44 @@ fn above_a_supercritical_threshold_the_amplitude_follows_the_lyapunov_coefficien
         println!("{beyond} {predicted} {} {:?}", cycle.around.measures.rms(), cycle.multipliers);
         assert!(cycle.is_stable());
         assert!((cycle.around.measures.rms() / predicted - 1.0).abs() < 0.01);
+        let of_law = (factor * threshold * beyond).sqrt();
+        assert!((cycle.around.measures.rms() / of_law - 1.0).abs() < 0.01, "{of_law}");
+    }
+}
+
+/// Hard cases: a growth rate that bends right below the threshold, and cycles whose ỹ is a thousand times that of steady sliding.
+/// The fold must not depend on the steps, and no cycle may have collapsed to steady sliding, which returns to itself as well.
+#[test]
+fn a_fold_does_not_depend_on_the_steps_along_its_branch() {
+    let contact = Contact {
+        law: Law::Fitted(FittedLaw::oscillator_paper()),
+        friction_load: FrictionLoad::ContactForce,
+    };
+    for (normal_load, velocity, known) in [(1e-5, 1.0, 0.190_577), (1e-4, 1e-2, 0.007_091)] {
+        let coefficients = |shear_strength: f64| {
+            Groups { normal_load, velocity, shear_strength, ..Groups::default() }.resolve()
+        };
+        let range = Range { from: 1e-2, to: 10.0, scale: Scale::Logarithmic };
+        let threshold = thresholds(&contact, &range, 100, coefficients).full[0];
+        // along the logarithm of the shear strength
+        let at = |s: f64| Ok(StickSlip::new(contact.clone(), coefficients(threshold * s.exp()))?);
+        let fold = |longest_step: f64| {
+            let options = Continuation {
+                shooting: shooting(&at(0.0).unwrap(), 1e-8),
+                range: (-10.0, 0.0),
+                steps: (0.01, longest_step),
+                points: 150,
+                parameter_scale: 1.0,
+            };
+            let margin = global_margin(&at, 0.0, -1.0, &options).unwrap();
+            let branch = margin.branch.as_ref().unwrap();
+            let amplitude = |k: usize| branch.points[k].cycle.around.measures.amplitude();
+            assert!((0..=branch.folds[0].after).all(|k| amplitude(k) >= amplitude(0)));
+            threshold * margin.fold.unwrap().exp()
+        };
+        let folds = [fold(4.0), fold(8.0)];
+        assert!((folds[0] / folds[1] - 1.0).abs() < 1e-5, "{folds:?}");
+        assert!((folds[1] / known - 1.0).abs() < 1e-4, "{folds:?}");
     }
 }
 

@@ -1,10 +1,10 @@
 //! The SVG document that is being written.
 
 use super::text::Text;
-use crate::figure::Figure;
+use crate::figure::{Figure, Layer};
 use crate::layout::{Frame, Layout};
 use crate::markup::{escape, plain_html};
-use crate::palette::{INK, Role, UNRESOLVED_GROUND};
+use crate::palette::{INK, PATTERN_TILE, QUIET, Role, UNRESOLVED_GROUND};
 use crate::typeface::FAMILIES;
 use std::fmt::{Arguments, Write};
 
@@ -34,8 +34,28 @@ impl Document {
              patternTransform=\"rotate(45)\"><rect width=\"4\" height=\"4\" fill=\"{UNRESOLVED_GROUND}\"/>\
              <rect width=\"1.2\" height=\"4\" fill=\"{hatch}\"/></pattern></defs>"
         ));
+        for role in [Role::Knock, Role::KnockUnknown] {
+            if uses(figure, role) {
+                document.define_pattern(role);
+            }
+        }
         document.put(format_args!("<rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>"));
         document
+    }
+
+    fn define_pattern(&mut self, role: Role) {
+        let Some((strokes, angle)) = role.pattern() else { return };
+        let (name, tile) = (self.pattern_name(role), PATTERN_TILE);
+        self.put(format_args!(
+            "<defs><pattern id=\"{name}\" width=\"{tile}\" height=\"{tile}\" patternUnits=\"userSpaceOnUse\" \
+             patternTransform=\"rotate({angle})\"><rect width=\"{tile}\" height=\"{tile}\" fill=\"{}\"/>\
+             <path d=\"{strokes}\" fill=\"{QUIET}\"/></pattern></defs>",
+            role.colour()
+        ));
+    }
+
+    fn pattern_name(&self, role: Role) -> String {
+        format!("{}-{}", self.name, if role == Role::Knock { "knock" } else { "knock-unknown" })
     }
 
     /// Adds an element and a line end.
@@ -65,6 +85,7 @@ impl Document {
     pub(super) fn area_fill(&self, role: Role) -> String {
         match role {
             Role::Unresolved => format!("url(#{}-hatch)", self.name),
+            Role::Knock | Role::KnockUnknown => format!("url(#{})", self.pattern_name(role)),
             _ => role.colour().to_string(),
         }
     }
@@ -74,6 +95,14 @@ impl Document {
         self.put(format_args!("</svg>"));
         self.out
     }
+}
+
+/// Whether a class of a figure has this meaning.
+fn uses(figure: &Figure, role: Role) -> bool {
+    let layers = figure.panels.iter().flat_map(|panel| &panel.layers);
+    let classes =
+        layers.filter_map(|layer| if let Layer::Classes(map) = layer { Some(&map.classes) } else { None });
+    classes.flatten().any(|class| class.role == role)
 }
 
 /// Adds a piece to a text.

@@ -16,6 +16,9 @@ pub(super) fn draw_ground(document: &mut Document, layer: &Layer, panel: &DrawnP
         Layer::Classes(map) => {
             let open = map.classes.iter().any(|class| class.role == Role::Unresolved);
             draw_picture(document, raster::classes(map, x, y), panel.frame, open);
+            for class in map.classes.iter().filter(|class| class.role.pattern().is_some()) {
+                draw_patterned(document, &raster::blocks(map, class.role, x, y), class.role, panel.frame);
+            }
         }
         Layer::Values(map) => {
             let open = map.z.iter().any(|z| !z.is_finite());
@@ -49,6 +52,22 @@ fn draw_picture(document: &mut Document, picture: Option<Picture>, frame: Frame,
         number(place.height),
         picture.address,
     ));
+}
+
+/// Fills blocks of cells, as fractions of the frame, with the pattern of their meaning.
+fn draw_patterned(document: &mut Document, blocks: &[raster::Block], role: Role, frame: Frame) {
+    let data: String = blocks
+        .iter()
+        .map(|block| {
+            let (x, y) =
+                (frame.x + block.across.0 * frame.width, frame.y + (1.0 - block.up.1) * frame.height);
+            let (width, height) =
+                ((block.across.1 - block.across.0) * frame.width, (block.up.1 - block.up.0) * frame.height);
+            format!("M{} {}h{}v{}h-{}z", number(x), number(y), number(width), number(height), number(width))
+        })
+        .collect();
+    let fill = document.area_fill(role);
+    document.put(format_args!("<path d=\"{data}\" fill=\"{fill}\" shape-rendering=\"crispEdges\"/>"));
 }
 
 fn draw_region(document: &mut Document, region: &Region, panel: &DrawnPanel) {

@@ -1,6 +1,9 @@
 //! `critical-shear-strength`, `critical-load`: thresholds along one key (Figs. 7, 8).
 
+mod onsets;
+
 use super::axis::{Axis, Curves};
+use super::margins::{Crossing, Onset, fold_check};
 use crate::bridge;
 use crate::checks;
 use crate::error::StudyError;
@@ -51,55 +54,109 @@ impl Sought {
     }
 }
 
+/// What is asked.
+pub(super) struct Settings<'a> {
+    pub(super) sweep: &'a Sweep<OscillatorKey>,
+    pub(super) within: &'a Within,
+    pub(super) family: Option<&'a Family<OscillatorKey>>,
+    /// Whether branches are followed back to their folds.
+    pub(super) global_margin: bool,
+}
+
+/// The thresholds at one value of the swept key.
+struct Found {
+    inputs: OscillatorInputs,
+    thresholds: Thresholds,
+    /// One for each threshold of the full system.
+    onsets: Vec<Option<Onset>>,
+}
+
 pub(super) fn run(
     (case, contact): (&OscillatorCase, &Contact),
     sought: Sought,
-    sweep: &Sweep<OscillatorKey>,
-    within: &Within,
-    family: Option<&Family<OscillatorKey>>,
+    settings: &Settings<'_>,
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
-    let (axis, curves) = (Axis::of_oscillator(sweep), Curves::new(case, family));
-    let range = Range { from: within.from, to: within.to, scale: Scale::Logarithmic };
-    let samples = ((within.to / within.from).log10() * SAMPLES_PER_DECADE).ceil() as usize + 1;
-    let set = |inputs: &OscillatorInputs, value: f64| {
-        let mut inputs = *inputs;
-        inputs.set(sought.key(), Value { number: value, form: within.form });
-        inputs
-    };
-    let mut found: Vec<(OscillatorInputs, Thresholds)> = Vec::new();
-    for inputs in &curves.inputs {
-        let line: Result<Vec<_>, StudyError> = axis
-            .values
-            .par_iter()
-            .map(|value| {
-                if progress.interrupted() {
-                    return Err(StudyError::Interrupted);
-                }
+    let (axis, curves) = (Axis::of_oscillator(settings.sweep), Curves::new(case, settings.family));
+    let points: Vec<OscillatorInputs> = curves
+        .inputs
+        .iter()
+        .flat_map(|inputs| {
+            axis.values.iter().map(|value| {
                 let mut here = *inputs;
-                sweep.set(&mut here, *value);
-                let at = |threshold: f64| bridge::coefficients(&set(&here, threshold));
-                let found = thresholds(contact, &range, samples, at);
-                progress.advance();
-                Ok((here, found))
+                settings.sweep.set(&mut here, *value);
+                here
             })
-            .collect();
-        found.extend(line?);
-    }
-    let roots: Vec<(OscillatorInputs, &Thresholds)> = found.iter().map(|(inputs, t)| (*inputs, t)).collect();
-    let mut outcome = assemble(sought, within, &axis, &curves, &found)?;
-    outcome.checks = checks::thresholds(contact, &roots, set);
-    Ok(outcome)
+        })
+        .collect();
+    let found: Vec<Found> = points
+        .par_iter()
+        .map(|inputs| {
+            let found = at_point(contact, sought, settings, *inputs, progress);
+            progress.advance();
+            // a branch that was interrupted has only ended early
+            if progress.interrupted() { Err(StudyError::Interrupted) } else { Ok(found) }
+        })
+        .collect::<Result<_, _>>()?;
+    let mut outcome = assemble(sought, settings, (&axis, &curves), &found)?;
+    let roots: Vec<(OscillatorInputs, &Thresholds)> =
+        found.iter().map(|found| (found.inputs, &found.thresholds)).collect();
+    outcome.checks = checks::thresholds(contact, &roots, |inputs, value| {
+        let mut inputs = *inputs;
+        inputs.set(sought.key(), Value { number: value, form: settings.within.form });
+        inputs
+    });
+    let onsets: Vec<(Crossing<'_>, &Onset)> = found
+        .iter()
+        .flat_map(|found| {
+            let crossing = crossing(contact, sought, settings.within, found.inputs);
+            found.onsets.iter().flatten().map(move |onset| (crossing, onset))
+        })
+        .collect();
+    let (check, warning) = fold_check(&onsets, progress);
+    outcome.checks.extend(check);
+    outcome.warnings.extend(warning);
+    if progress.interrupted() { Err(StudyError::Interrupted) } else { Ok(outcome) }
+}
+
+fn crossing<'a>(
+    contact: &'a Contact,
+    sought: Sought,
+    within: &Within,
+    inputs: OscillatorInputs,
+) -> Crossing<'a> {
+    let range = Range { from: within.from, to: within.to, scale: Scale::Logarithmic };
+    Crossing { contact, inputs, key: sought.key(), form: within.form, range }
+}
+
+fn at_point(
+    contact: &Contact,
+    sought: Sought,
+    settings: &Settings<'_>,
+    inputs: OscillatorInputs,
+    progress: &dyn Progress,
+) -> Found {
+    let crossing = crossing(contact, sought, settings.within, inputs);
+    let decades = (settings.within.to / settings.within.from).log10();
+    let samples = (decades * SAMPLES_PER_DECADE).ceil() as usize + 1;
+    let at = |value: f64| bridge::coefficients(&crossing.inputs_at(value));
+    let thresholds = thresholds(contact, &crossing.range, samples, at);
+    let onset = |threshold: &f64| match settings.global_margin {
+        true => crossing.onset_with_margin(*threshold, progress),
+        false => crossing.onset(*threshold),
+    };
+    let onsets = thresholds.full.iter().map(onset).collect();
+    Found { inputs, thresholds, onsets }
 }
 
 fn assemble(
     sought: Sought,
-    within: &Within,
-    axis: &Axis,
-    curves: &Curves,
-    found: &[(OscillatorInputs, Thresholds)],
+    settings: &Settings<'_>,
+    (axis, curves): (&Axis, &Curves),
+    found: &[Found],
 ) -> Result<Outcome, StudyError> {
-    let failures: usize = found.iter().map(|(_, t)| usize::from(!t.failures.is_empty())).sum();
+    let Settings { within, global_margin, .. } = *settings;
+    let failures = found.iter().filter(|found| !found.thresholds.failures.is_empty()).count();
     let mut warnings = Vec::new();
     if failures > 0 {
         warnings.push(format!(
@@ -109,29 +166,50 @@ fn assemble(
     }
     let scalars = found.chunks(axis.values.len()).map(|curve| {
         let list = |pick: fn(&Thresholds) -> &Vec<f64>| {
-            curve.iter().map(|(_, t)| json!(pick(t))).collect::<Vec<_>>()
+            curve.iter().map(|found| json!(pick(&found.thresholds))).collect::<Vec<_>>()
         };
-        Map::from_iter([
+        let mut scalars = Map::from_iter([
             ("value".to_owned(), json!(axis.values)),
             ("full".to_owned(), json!(list(|t| &t.full))),
             ("conservative".to_owned(), json!(list(|t| &t.conservative))),
-        ])
+        ]);
+        onsets::add_scalars(&mut scalars, curve, global_margin);
+        scalars
     });
     let mut scalars = curves.scalars(scalars.collect());
     scalars.insert("within".to_owned(), json!([within.from, within.to]));
+    let (label, unit) = sought.label(within.form);
+    let dataset = roots((axis, curves), found, (label, unit))?;
+    let dataset = onsets::add_arrays(dataset, (axis, curves), found, unit, global_margin)?;
+    warnings.extend(onsets::warnings(found));
+    Ok(Outcome {
+        scalars,
+        dataset: dataset.attribute("kind", sought.kind())?,
+        table: Some(table((axis, curves), found, unit, global_margin)?),
+        warnings,
+        missing: failures,
+        ..Outcome::default()
+    })
+}
+
+/// The thresholds of both systems.
+fn roots(
+    (axis, curves): (&Axis, &Curves),
+    found: &[Found],
+    (label, unit): (&str, &str),
+) -> Result<Dataset, StudyError> {
     let mut dataset = Dataset::new().with(axis.coordinate())?;
     if let Some(coordinate) = curves.coordinate() {
         dataset = dataset.with(coordinate)?;
     }
-    let (label, unit) = sought.label(within.form);
     for (name, pick, what) in [
         ("full", (|t: &Thresholds| &t.full) as fn(&Thresholds) -> &Vec<f64>, "of the full system"),
         ("conservative", |t| &t.conservative, "without damping, eqs. (27), (28) made self-consistent"),
     ] {
-        let most = found.iter().map(|(_, t)| pick(t).len()).max().unwrap_or(0);
+        let most = found.iter().map(|found| pick(&found.thresholds).len()).max().unwrap_or(0);
         let root = format!("{name}_root");
-        let padded = found.iter().flat_map(|(_, t)| {
-            let roots = pick(t);
+        let padded = found.iter().flat_map(|found| {
+            let roots = pick(&found.thresholds);
             roots.iter().copied().chain(std::iter::repeat_n(f64::NAN, most - roots.len()))
         });
         let (dimensions, shape) = curves.dimensions(axis, &[(&root, most)]);
@@ -141,34 +219,31 @@ fn assemble(
             .attribute("label", label);
         dataset = dataset.with(variable)?;
     }
-    Ok(Outcome {
-        scalars,
-        dataset: dataset.attribute("kind", sought.kind())?,
-        table: Some(table(axis, curves, found, unit)?),
-        warnings,
-        missing: failures,
-        ..Outcome::default()
-    })
+    Ok(dataset)
 }
 
 /// One row a threshold.
 fn table(
-    axis: &Axis,
-    curves: &Curves,
-    found: &[(OscillatorInputs, Thresholds)],
+    (axis, curves): (&Axis, &Curves),
+    found: &[Found],
     unit: &str,
+    global_margin: bool,
 ) -> Result<Table, StudyError> {
     let (mut values, mut thresholds) = (Vec::<f64>::new(), Vec::<f64>::new());
     let mut systems: Vec<String> = Vec::new();
+    let mut onsets: Vec<Option<&Onset>> = Vec::new();
     let mut rows_of_curve = Vec::new();
     for curve in found.chunks(axis.values.len()) {
         let before = values.len();
-        for ((_, t), value) in curve.iter().zip(&axis.values) {
-            for (system, roots) in [("full", &t.full), ("conservative", &t.conservative)] {
+        for (found, value) in curve.iter().zip(&axis.values) {
+            let Thresholds { full, conservative, .. } = &found.thresholds;
+            for (system, roots) in [("full", full), ("conservative", conservative)] {
                 values.extend(std::iter::repeat_n(*value, roots.len()));
                 systems.extend(std::iter::repeat_n(system.to_owned(), roots.len()));
                 thresholds.extend(roots);
             }
+            onsets.extend(found.onsets.iter().map(Option::as_ref));
+            onsets.extend(conservative.iter().map(|_| None));
         }
         rows_of_curve.push(values.len() - before);
     }
@@ -176,9 +251,10 @@ fn table(
     if let Some((name, unit, column)) = curves.column(&rows_of_curve) {
         table = table.column(&name, &unit, column)?;
     }
-    Ok(table.column(axis.name(), &axis.quantity.unit, values)?.column("system", "", systems)?.column(
+    table = table.column(axis.name(), &axis.quantity.unit, values)?.column("system", "", systems)?.column(
         "threshold",
         unit,
         thresholds,
-    )?)
+    )?;
+    onsets::add_columns(table, &onsets, unit, global_margin)
 }

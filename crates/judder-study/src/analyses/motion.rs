@@ -3,6 +3,7 @@
 mod amplitude_spectrum;
 mod basin;
 mod bifurcation;
+mod branches;
 mod diagram;
 pub(super) mod engines;
 mod history;
@@ -41,8 +42,9 @@ pub(super) fn run<M: Model<N>, const N: usize>(
         MotionAnalysis::LimitCycle { start, following } => {
             limit_cycle::run(model, start, following, progress)
         }
-        MotionAnalysis::Bifurcation { sweep, direction, start, following, transient } => {
-            let settings = bifurcation::Settings { sweep, start, following, transient: *transient };
+        MotionAnalysis::Bifurcation { sweep, direction, start, following, transient, branches } => {
+            let (transient, branches) = (*transient, *branches);
+            let settings = bifurcation::Settings { sweep, start, following, transient, branches };
             bifurcation::run(model, &settings, *direction, kept, progress)
         }
         MotionAnalysis::Basin { within, samples, seed, following } => {

@@ -1,6 +1,7 @@
 //! `stability-map`: verdict and mechanism over two keys (Figs. 9, 10).
 
 mod arrays;
+mod knock;
 mod overlays;
 
 use super::axis::Axis;
@@ -25,6 +26,7 @@ use std::time::Instant;
 
 pub(super) use arrays::{DAMPING, MapArrays};
 use arrays::{NORMAL_FORCE, class_fractions};
+pub(crate) use knock::{STARTS_IT, UNKNOWN};
 pub(super) use overlays::{Overlay, incomplete};
 
 /// Points along each side of the grid on which checks are made and the law's range of validity is looked at.
@@ -128,6 +130,9 @@ pub(super) fn run(
     outcome.checks.extend(overlays::check(&overlays));
     outcome.warnings.extend(incomplete(&overlays));
     outcome.warnings.extend(unresolved_warning(&map));
+    if settings.global_margin {
+        knock::add(&mut outcome, (case, contact), settings, (&x, &y, &map), progress)?;
+    }
     Ok(outcome)
 }
 

@@ -1,6 +1,6 @@
 //! Curves over one swept quantity.
 
-use super::{Swept, axis, complexes, reals, text};
+use super::{Swept, axis, codes, complexes, reals, text};
 use judder_report::{Axis, Layer, Panel, Role};
 use judder_store::Dataset;
 
@@ -55,7 +55,7 @@ pub(super) fn spectrum(dataset: &Dataset) -> Option<Vec<Panel>> {
     ])
 }
 
-/// Thresholds over the swept quantity.
+/// Thresholds over the swept quantity, with what grows from them and the folds of the cycles that do.
 pub(super) fn critical(dataset: &Dataset) -> Option<Panel> {
     let swept = Swept::of(dataset, "full")?;
     let label = text(dataset.variable("full")?, "label").unwrap_or("Threshold");
@@ -67,7 +67,7 @@ pub(super) fn critical(dataset: &Dataset) -> Option<Panel> {
             continue;
         }
         for (curve, roots) in roots.chunks(most * swept.values.len()).enumerate() {
-            let (x, y) = branches(swept.values, roots, most);
+            let (x, y) = branches(swept.values, roots, roots, most);
             let role = swept.role(curve);
             let style = if is_full { role.solid() } else { role.dashed() };
             let shown = match (swept.family.is_some(), is_full) {
@@ -83,19 +83,50 @@ pub(super) fn critical(dataset: &Dataset) -> Option<Panel> {
         layers.push(Layer::key("full system", Role::FullBoundary.solid()));
         layers.push(Layer::key("without damping", Role::ConservativeBoundary));
     }
+    layers.extend(folds(dataset, &swept));
     Some(Panel::new(axis(swept.axis), Axis::log(label), layers))
+}
+
+/// The folds beside the thresholds, how far lost branches are known, and which thresholds are sub- or supercritical; nothing
+/// where no branch was followed, for then there are too many thresholds to mark them.
+fn folds(dataset: &Dataset, swept: &Swept<'_>) -> Vec<Layer> {
+    const SUBCRITICAL: u8 = 2;
+    let known = || {
+        let numbers = (reals(dataset, "full")?, reals(dataset, "fold")?, reals(dataset, "reaches")?);
+        Some((numbers, codes(dataset, "criticality")?, *dataset.variable("full")?.shape.last()?))
+    };
+    let Some(((roots, folds, reaches), criticality, most)) = known().filter(|known| known.2 > 0) else {
+        return Vec::new();
+    };
+    let mut layers = Vec::new();
+    let length = most * swept.values.len();
+    for (curve, (roots, folds)) in roots.chunks(length).zip(folds.chunks(length)).enumerate() {
+        let (x, y) = branches(swept.values, roots, folds, most);
+        let label = if curve == 0 { "fold of the cycles" } else { "" };
+        layers.push(Layer::line(label, x, y, swept.role(curve).dash_dotted()));
+    }
+    let points = |label: &str, of: &dyn Fn(usize) -> f64, series: usize| {
+        let across = (0..roots.len()).map(|k| swept.values[k % length / most]).collect();
+        Layer::points(label, across, (0..roots.len()).map(of).collect(), Role::Series(series))
+    };
+    let is = |k: usize, code: u8, value: f64| if criticality[k] == code { value } else { f64::NAN };
+    layers.push(points("supercritical", &|k| is(k, SUBCRITICAL - 1, roots[k]), 0));
+    layers.push(points("subcritical", &|k| is(k, SUBCRITICAL, roots[k]), 1));
+    let lost = |k: usize| if folds[k].is_nan() { reaches[k] } else { f64::NAN };
+    if (0..roots.len()).any(|k| lost(k).is_finite()) {
+        layers.push(points("no fold found: known up to here", &lost, 4));
+    }
+    layers
 }
 
 /// A curve of roots in the making.
 type Chain = (Vec<f64>, Vec<f64>);
 
 /// The roots along the sweep as curves, with a gap after each: neighbours are joined in order, and where their numbers differ,
-/// the nearest ones; what is left over begins or ends there.
-fn branches(values: &[f64], roots: &[f64], most: usize) -> Chain {
-    let lists: Vec<Vec<f64>> = roots
-        .chunks(most)
-        .map(|roots| roots.iter().copied().filter(|root| root.is_finite()).collect())
-        .collect();
+/// the nearest ones; what is left over begins or ends there. A curve shows the `shown` that belong to its roots.
+fn branches(values: &[f64], roots: &[f64], shown: &[f64], most: usize) -> Chain {
+    let finite = |roots: &[f64]| roots.iter().copied().filter(|root| root.is_finite()).collect();
+    let lists: Vec<Vec<f64>> = roots.chunks(most).map(finite).collect();
     let (mut done, mut open): (Vec<Chain>, Vec<Chain>) = (Vec::new(), Vec::new());
     for (k, (value, list)) in values.iter().zip(&lists).enumerate() {
         let before: &[f64] = if k > 0 { &lists[k - 1] } else { &[] };
@@ -107,9 +138,10 @@ fn branches(values: &[f64], roots: &[f64], most: usize) -> Chain {
                 None => done.push(chain),
             }
         }
-        for ((x, y), root) in next.iter_mut().zip(list) {
+        // roots stand first in their row
+        for ((x, y), shown) in next.iter_mut().zip(&shown[k * most..]) {
             x.push(*value);
-            y.push(*root);
+            y.push(*shown);
         }
         open = next;
     }
@@ -146,7 +178,7 @@ mod tests {
     fn a_pair_that_dies_ends_two_curves_and_leaves_the_third_whole() {
         let nan = f64::NAN;
         let roots = [1.0, 10.0, 20.0, 1.1, 14.0, 15.0, 1.2, nan, nan, 1.3, nan, nan];
-        let (x, y) = branches(&[1.0, 2.0, 3.0, 4.0], &roots, 3);
+        let (x, y) = branches(&[1.0, 2.0, 3.0, 4.0], &roots, &roots, 3);
         let curves: Vec<&[f64]> = y.split(|v| v.is_nan()).filter(|curve| !curve.is_empty()).collect();
         assert_eq!(curves, [&[10.0, 14.0][..], &[20.0, 15.0], &[1.0, 1.1, 1.2, 1.3]]);
         assert_eq!(x.len(), y.len());

@@ -1,6 +1,7 @@
 //! Stability maps.
 
 use super::{axis, reals};
+use crate::analyses::{STARTS_IT, UNKNOWN};
 use judder_oscillator::mechanism::StabilityClass;
 use judder_report::figure::{Class, ClassMap};
 use judder_report::{Layer, Panel, Role};
@@ -31,7 +32,8 @@ pub(super) fn stability_map(dataset: &Dataset) -> Option<Panel> {
         Some("destabilised-by-damping") => "destabilised by damping",
         _ => "normal-force coupling",
     };
-    let mut layers = vec![Layer::Classes(ascending(columns, rows, codes, neither))];
+    let (codes, classes) = drawn_classes(codes, super::codes(dataset, "knock"), neither);
+    let mut layers = vec![Layer::Classes(ascending(columns, rows, &codes, classes))];
     for (name, label, role) in [
         ("decoupled_boundary", "boundary for $η = 0$", Role::DecoupledBoundary),
         ("full_boundary", "boundary, full system", Role::FullBoundary),
@@ -44,14 +46,44 @@ pub(super) fn stability_map(dataset: &Dataset) -> Option<Panel> {
             layers.push(Layer::line(label, x.to_vec(), y.to_vec(), role));
         }
     }
+    if let (Some(x), Some(y)) =
+        (reals(dataset, &format!("fold_{x_name}")), reals(dataset, &format!("fold_{y_name}")))
+        && !x.is_empty()
+    {
+        layers.push(Layer::points(
+            "folds of cycles that were followed",
+            x.to_vec(),
+            y.to_vec(),
+            Role::FullBoundary,
+        ));
+    }
     Some(Panel::new(axis(x), axis(y), layers))
+}
+
+/// The classes that occur, and every point's place among them: the stable ones told apart by what a knock does there.
+fn drawn_classes(codes: &[u8], knock: Option<&[u8]>, neither: &str) -> (Vec<u8>, Vec<Class>) {
+    let third = [
+        (STARTS_IT, "stable, but a knock starts it", Role::Knock),
+        (UNKNOWN, "stable, a knock not followed to its end", Role::KnockUnknown),
+    ];
+    let knock_at = |k: usize| knock.map_or(0, |knock| knock[k]);
+    let mut classes: Vec<((u8, u8), Class)> = StabilityClass::ALL
+        .into_iter()
+        .map(|stability| ((stability as u8, 0), class(stability, neither)))
+        .collect();
+    let stable = StabilityClass::Stable as u8;
+    classes.splice(1..1, third.map(|(code, label, role)| ((stable, code), Class::new(label, role))));
+    classes.retain(|(key, _)| (0..codes.len()).any(|k| (codes[k], knock_at(k)) == *key));
+    let place = |key: (u8, u8)| classes.iter().position(|class| class.0 == key).unwrap_or(0) as u8;
+    let places = (0..codes.len()).map(|k| place((codes[k], knock_at(k)))).collect();
+    (places, classes.into_iter().map(|(_, class)| class).collect())
 }
 
 /// Points along each side of a drawn map: more than a panel has pixels would only make the page heavy.
 const DRAWN_SIDE: usize = 400;
 
-/// The class map with ascending axes, whichever way they were swept, and only the classes that occur.
-fn ascending(columns: &[f64], rows: &[f64], codes: &[u8], neither: &str) -> ClassMap {
+/// The class map with ascending axes, whichever way they were swept.
+fn ascending(columns: &[f64], rows: &[f64], codes: &[u8], classes: Vec<Class>) -> ClassMap {
     let order = |values: &[f64]| {
         let mut indices: Vec<usize> = (0..values.len()).collect();
         indices.sort_by(|a, b| values[*a].total_cmp(&values[*b]));
@@ -59,14 +91,11 @@ fn ascending(columns: &[f64], rows: &[f64], codes: &[u8], neither: &str) -> Clas
         (0..drawn).map(|k| indices[k * (indices.len() - 1) / (drawn - 1).max(1)]).collect::<Vec<usize>>()
     };
     let (across, up) = (order(columns), order(rows));
-    let present: Vec<StabilityClass> =
-        StabilityClass::ALL.into_iter().filter(|class| codes.contains(&(*class as u8))).collect();
-    let index = |code: u8| present.iter().position(|class| *class as u8 == code).unwrap_or(0) as u8;
-    let at = |row: &usize, column: &usize| index(codes[row * columns.len() + column]);
+    let at = |row: &usize, column: &usize| codes[row * columns.len() + column];
     ClassMap {
         x: across.iter().map(|k| columns[*k]).collect(),
         y: up.iter().map(|k| rows[*k]).collect(),
         codes: up.iter().flat_map(|row| across.iter().map(move |column| at(row, column))).collect(),
-        classes: present.into_iter().map(|c| class(c, neither)).collect(),
+        classes,
     }
 }

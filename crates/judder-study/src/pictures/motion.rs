@@ -1,5 +1,6 @@
 //! Motions: histories, phase portraits, spectra, sections, diagrams, basins.
 
+use super::branches;
 use super::contact::FRAME;
 use super::{axis, codes, complexes, reals, text, words};
 use judder_report::figure::Region;
@@ -224,13 +225,19 @@ pub(super) fn bifurcation(dataset: &Dataset) -> Option<Vec<Panel>> {
     let swept = dataset.variable(rms.dimensions.last()?)?;
     let values = reals(dataset, &swept.name)?;
     let directions = words(dataset, "direction")?;
-    let along = || axis(swept);
-    let (mut amplitude, mut shares) = (Vec::new(), Vec::new());
+    let (first, last) = (*values.first()?, *values.last()?);
+    let along = || axis(swept).with_range(first.min(last), first.max(last));
+    let branches = branches::layers(dataset);
+    let has_branches = branches.is_some();
+    let (mut amplitude, mut shares) = (branches.unwrap_or_default(), Vec::new());
     for (k, direction) in directions.iter().enumerate() {
         let of = |name: &str| -> Option<Vec<f64>> {
             Some(reals(dataset, name)?.get(k * values.len()..(k + 1) * values.len())?.to_vec())
         };
-        amplitude.push(Layer::line(direction, values.to_vec(), of("rms")?, Role::Series(k)));
+        amplitude.push(match has_branches {
+            true => Layer::points(direction, values.to_vec(), of("rms")?, Role::Series(k)),
+            false => Layer::line(direction, values.to_vec(), of("rms")?, Role::Series(k)),
+        });
         let becomes = codes(dataset, "becomes")?.get(k * values.len()..(k + 1) * values.len())?;
         let irregular: Vec<f64> = of("rms")?
             .into_iter()
@@ -239,7 +246,8 @@ pub(super) fn bifurcation(dataset: &Dataset) -> Option<Vec<Panel>> {
             .collect();
         if irregular.iter().any(|rms| rms.is_finite()) {
             let label = format!("{direction}, irregular");
-            amplitude.push(Layer::points(label, values.to_vec(), irregular, Role::Series(k)));
+            let role = if has_branches { Role::Series(4 + k) } else { Role::Series(k) };
+            amplitude.push(Layer::points(label, values.to_vec(), irregular, role));
         }
         for (name, label, series) in [("stick_fraction", "stick", 0), ("lift_off_fraction", "lift-off", 2)] {
             let label = format!("{label}, {direction}");
@@ -247,22 +255,37 @@ pub(super) fn bifurcation(dataset: &Dataset) -> Option<Vec<Panel>> {
         }
     }
     let mut panels = vec![
-        Panel::new(along(), amplitude_axis(reals(dataset, "rms")?), amplitude),
+        Panel::new(along(), amplitude_axis(&settled_rms(dataset)?, has_branches), amplitude),
         Panel::new(along(), Axis::linear("Share of the time (−)"), shares),
     ];
     panels.extend(largest(dataset, directions, along()));
     Some(panels)
 }
 
+/// The rms of every cycle, or where there is none of every motion: that of a motion that has not settled can be as small as it likes.
+fn settled_rms(dataset: &Dataset) -> Option<Vec<f64>> {
+    let (rms, becomes) = (reals(dataset, "rms")?, codes(dataset, "becomes")?);
+    let cycles: Vec<f64> = rms.iter().zip(becomes).filter(|(_, b)| **b == 1).map(|(rms, _)| *rms).collect();
+    Some(if cycles.is_empty() { rms.to_vec() } else { cycles })
+}
+
 /// Amplitudes that differ by more than this ask for a logarithmic axis.
 const WIDE: f64 = 100.0;
+/// Where branches are drawn, down to cycles of no amplitude, less is enough.
+const WIDE_WITH_BRANCHES: f64 = 10.0;
 
-/// The axis of an rms: logarithmic where motions differ widely; then steady sliding, with none, is a gap.
-fn amplitude_axis(rms: &[f64]) -> Axis {
+/// The axis of an rms: logarithmic where motions differ widely; then steady sliding, with none, is a gap, or where its own line is
+/// drawn the end of an axis that is linear next to zero.
+fn amplitude_axis(rms: &[f64], has_branches: bool) -> Axis {
     let moving = || rms.iter().copied().filter(|rms| *rms > 0.0);
     let (smallest, largest) = (moving().fold(f64::INFINITY, f64::min), moving().fold(0.0, f64::max));
     let label = "rms of $x$ (−)";
-    if largest > WIDE * smallest { Axis::log(label) } else { Axis::linear(label) }
+    let wide = if has_branches { WIDE_WITH_BRANCHES } else { WIDE };
+    match (largest > wide * smallest, has_branches) {
+        (false, _) => Axis::linear(label),
+        (true, false) => Axis::log(label),
+        (true, true) => Axis::symmetric_log(label, smallest),
+    }
 }
 
 /// The largest x of every oscillation along the swept key.

@@ -30,12 +30,15 @@ pub(super) fn estimate<K>(name: &str, kind: &MotionAnalysis<K>, radian: f64) -> 
             (*samples, *samples, settling(following.duration))
         }
     };
+    let has_branches = matches!(kind, MotionAnalysis::Bifurcation { branches: true, .. });
+    // what a branch costs is its flights, which take their radians
+    let branches = if has_branches { cost::BRANCHES * radian / cost::RADIAN } else { 0.0 };
     /// Numbers that are kept of a point.
     const NUMBERS: u128 = 16;
     Estimate {
         name: name.to_owned(),
         points,
-        seconds: motions as f64 * time * radian + cost::FIGURE,
+        seconds: motions as f64 * time * radian + branches + cost::FIGURE,
         bytes: points as u128 * 8 * NUMBERS,
     }
 }

@@ -59,6 +59,64 @@ fn the_belts_diagram_has_its_jumps_at_the_fold_and_at_the_hopf_point() {
     assert!(report.complete && folder.path().join("figures/diagram.svg").exists());
 }
 
+/// The same, by continuation: the unstable branch from the Hopf point to the fold, and the stable one back.
+#[test]
+fn the_belts_branches_lead_from_the_hopf_point_to_the_fold_and_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let report = run_into(folder.path(), &case(BELT, &[]), &["diagram"]);
+    assert!(report.messages.is_empty(), "{:?}", report.messages);
+    let diagram = &report.summary.results["diagram"];
+    let hopf = diagram["hopf_points"].as_array().unwrap();
+    assert_eq!((hopf.len(), &hopf[0]["criticality"]), (1, &Value::from("subcritical")));
+    assert!((number(&hopf[0]["value"]) - 0.5 * 10.0_f64.ln()).abs() < 1e-9);
+    // averaging: Re c₁ = (3/2) · (1/6) μ‴(v), with μ‴ = 4 e^(−2v) and e^(−2v) = 1/10
+    assert!((number(&hopf[0]["lyapunov_coefficient"]) - 0.1).abs() < 1e-6);
+    let branches = diagram["branches"].as_array().unwrap();
+    assert_eq!(branches.len(), 1);
+    let branch = &branches[0];
+    let (values, rms) = (numbers(&branch["value"]), numbers(&branch["rms"]));
+    assert_eq!((values[0], rms[0]), (number(&hopf[0]["value"]), 0.0));
+    let folds = numbers(&branch["folds"]);
+    assert!(folds.len() == 1 && (folds[0] - 1.836_601).abs() < 1e-5, "{folds:?}");
+    let stable: Vec<bool> =
+        branch["stable"].as_array().unwrap().iter().map(|s| s.as_bool().unwrap()).collect();
+    let turn = stable.iter().position(|stable| *stable).unwrap();
+    assert!(turn > 10 && stable[turn..].iter().all(|stable| *stable));
+    assert!(values[..turn].is_sorted() && values[turn..].is_sorted_by(|a, b| a >= b));
+    assert!(values.last().unwrap() < &0.5 && branch["end"] == "leaves the range");
+    let change = &branch["pattern_changes"][0];
+    assert_eq!((words(&change["from"]), words(&change["to"])), (vec!["slip"], vec!["slip", "stick"]));
+    // the simulated cycles lie on the stable part
+    let (simulated, of_motions) = (numbers(&diagram["value"]), numbers(&diagram["rms"]));
+    for (value, rms_of_motion) in simulated.iter().zip(&of_motions).filter(|(_, rms)| **rms > 0.1) {
+        let k = (turn..values.len() - 1).find(|k| values[k + 1] <= *value && *value <= values[*k]);
+        let Some(k) = k else { continue };
+        let share = (value - values[k]) / (values[k + 1] - values[k]);
+        let on_branch = rms[k] + share * (rms[k + 1] - rms[k]);
+        assert!((on_branch / rms_of_motion - 1.0).abs() < 5e-3, "{value} {on_branch} {rms_of_motion}");
+    }
+}
+
+/// Supercritical: simulations and the branch from the Hopf point are the same cycles.
+#[test]
+fn the_oscillators_branch_is_what_simulation_finds() {
+    let text = "model = \"oscillator\"\n[contact]\nfriction_load = \"contact-force\"\n[operation]\nvelocity = 4e-4\n\
+                normal_load = 7.5e-4\n[[analysis]]\nname = \"diagram\"\nkind = \"bifurcation\"\nbranches = true\n\
+                direction = \"forward\"\nduration = 20000\n\
+                sweep = { key = \"contact.shear_strength\", from = 1.95e-3, to = 2.05e-3, points = 5 }";
+    let folder = tempfile::tempdir().unwrap();
+    let report = run_into(folder.path(), &parsed(text), &[]);
+    assert!(report.complete && report.messages.is_empty(), "{:?}", report.messages);
+    let diagram = &report.summary.results["diagram"];
+    assert_eq!(diagram["hopf_points"][0]["criticality"], "supercritical");
+    assert!((number(&diagram["hopf_points"][0]["value"]) - 1.983_134_6e-3).abs() < 1e-9);
+    assert_eq!(words(&diagram["becomes"])[..2], ["steady sliding"; 2]);
+    assert!(words(&diagram["becomes"])[2..].iter().all(|becomes| *becomes == "cycle"));
+    let branch = &diagram["branches"][0];
+    assert!(branch["stable"].as_array().unwrap().iter().any(|stable| stable == true));
+    assert!(numbers(&branch["value"]).iter().all(|value| *value >= 1.983e-3));
+}
+
 #[test]
 fn the_belts_cycle_and_its_motion_agree() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,5 +1,6 @@
 //! `bifurcation`: what motions settle to along one key, up and down.
 
+use super::branches;
 use super::diagram::Diagram;
 use super::model::Model;
 use crate::error::StudyError;
@@ -20,12 +21,14 @@ pub(super) struct Settings<'a, K> {
     pub(super) start: &'a MotionStart,
     pub(super) following: &'a Following,
     pub(super) transient: CaseValue,
+    /// Whether the branches of cycles are followed as well.
+    pub(super) branches: bool,
 }
 
 /// What a motion has become; the place is the number in stored results.
 pub(super) const BECOMES: [(u8, &str); 4] =
     [(0, "steady sliding"), (1, "cycle"), (2, "irregular"), (3, "lost")];
-const CYCLE: u8 = 1;
+pub(super) const CYCLE: u8 = 1;
 pub(super) const LOST: u8 = 3;
 /// A motion that starts nearer to steady sliding than this, in its scales, is moved so far from it: at rest it would stay
 /// however unstable that were.
@@ -51,7 +54,7 @@ pub(super) struct Settling {
     /// Its last meetings with the section.
     pub(super) returns: Vec<Vec<f64>>,
     /// Its last state, from which the next motion starts.
-    state: Vec<f64>,
+    pub(super) state: Vec<f64>,
 }
 
 impl Settling {
@@ -101,7 +104,7 @@ pub(super) fn run<M: Model<N>, const N: usize>(
         .collect::<Result<_, _>>()?;
     let diagram = Diagram { axis: M::axis(settings.sweep), directions: direction.sweeps(), sweeps: &sweeps };
     let lost = sweeps.iter().flatten().filter(|point| point.is_err()).count();
-    Ok(Outcome {
+    let mut outcome = Outcome {
         scalars: diagram.scalars(&settings.sweep.path),
         dataset: diagram.dataset(&M::COORDINATES)?.attribute("kind", "bifurcation")?,
         table: Some(diagram.table()?),
@@ -109,7 +112,16 @@ pub(super) fn run<M: Model<N>, const N: usize>(
         warnings: diagram.warning().into_iter().collect(),
         missing: lost,
         ..Outcome::default()
-    })
+    };
+    if settings.branches {
+        let simulated = diagram.cycles();
+        let branches = branches::follow(model, (settings.sweep, settings.following), &simulated, progress)?;
+        outcome.scalars.extend(branches.scalars());
+        outcome.dataset = branches.add_arrays(outcome.dataset)?;
+        outcome.checks.extend(branches.check());
+        outcome.warnings.extend(branches.warnings());
+    }
+    Ok(outcome)
 }
 
 /// One sweep; its points stand in the order of the axis, whichever way it goes.

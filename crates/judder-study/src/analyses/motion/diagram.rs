@@ -1,6 +1,7 @@
 //! The bifurcation diagram as scalars, arrays and a table.
 
-use super::bifurcation::{BECOMES, LOST, Point, Settling};
+use super::bifurcation::{BECOMES, CYCLE, LOST, Point, Settling};
+use super::branches::SimulatedCycle;
 use super::model::Coordinate;
 use crate::analyses::axis::Axis;
 use crate::error::StudyError;
@@ -23,6 +24,21 @@ impl Diagram<'_> {
     /// One quantity of every point, NaN where the motion is lost.
     fn values(&self, value: impl Fn(&Settling) -> f64) -> Vec<f64> {
         self.points().map(|point| point.as_ref().map_or(f64::NAN, &value)).collect()
+    }
+
+    /// Every cycle that a motion has settled to.
+    pub(super) fn cycles<const N: usize>(&self) -> Vec<SimulatedCycle<N>> {
+        let cycle = |(value, point): (f64, &Point)| {
+            let settling = point.as_ref().ok().filter(|settling| settling.becomes == CYCLE)?;
+            Some(SimulatedCycle {
+                value,
+                start: settling.state.as_slice().try_into().ok()?,
+                oscillations: settling.returns.len(),
+                rms: settling.rms,
+                period: settling.period?,
+            })
+        };
+        self.places().0.into_iter().zip(self.points()).filter_map(cycle).collect()
     }
 
     fn becomes(&self) -> impl Iterator<Item = u8> {

@@ -172,7 +172,6 @@ fn thin_out_motion<K>(kind: &mut MotionAnalysis<K>) {
     const SETTLING: f64 = 1500.0;
     const HISTORY: f64 = 1000.0;
     const CYCLE: f64 = 2000.0;
-    const CYCLE_TOLERANCE: f64 = 1e-9;
     let shorten = |following: &mut Following, transient: &mut Value, longest: f64| {
         if following.duration.form == Form::Group && following.duration.number > longest {
             transient.number *= longest / following.duration.number;
@@ -192,7 +191,6 @@ fn thin_out_motion<K>(kind: &mut MotionAnalysis<K>) {
         }
         MotionAnalysis::LimitCycle { following, .. } => {
             following.duration.number = following.duration.number.min(CYCLE);
-            following.tolerance = following.tolerance.max(CYCLE_TOLERANCE);
         }
         MotionAnalysis::Basin { .. } => (),
     }

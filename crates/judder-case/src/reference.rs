@@ -98,7 +98,7 @@ const MOTION: &str = "
 
 | key | default | what it is |
 | --- | --- | --- |
-| `start` | `{ disturbance = 0.2 }` | steady sliding with x moved by this share of its magnitude, or a state `{ x, y, velocity_x, velocity_y }` in units of x0 = F_n/k_x and ω_nx; \
+| `start` | `{ disturbance = 0.2 }` | steady sliding with x moved by this share of its magnitude (of the scale of a motion where steady sliding has no x), or a state `{ x, y, velocity_x, velocity_y }` in units of x0 = F_n/k_x and ω_nx; \
 what is left out stands as in steady sliding; y ≤ 0 is in the air |
 | `duration` | 2000 for `motion`, 5000 for `bifurcation`, 2e4 otherwise | ω_nx t, or a time (`\"50 s\"`): how long a `motion` is followed; within which any other settles |
 | `transient` | half the duration | the first part of it, which the averages of a `motion`, or of an irregular one in a `bifurcation`, leave out |

@@ -154,7 +154,8 @@ pub fn continue_branch<S: SlidingSystem<N>, const N: usize>(
     let (mut step, mut short_steps) = (options.steps.0, 0);
     while branch.points.len() < options.points {
         match walk.next(&place, step).and_then(|found| neighbour(&branch, (&place, step), found)) {
-            Ok((next, next_place)) => {
+            Ok(found) => {
+                let (next, next_place) = walk.away_from_the_kink((&place, step), &branch, found);
                 let stretch = match next.cycle.iterations {
                     ..=6 => 1.4,
                     7 | 8 => 1.0,
@@ -167,7 +168,9 @@ pub fn continue_branch<S: SlidingSystem<N>, const N: usize>(
             }
             Err(_) if step > KINK => step *= 0.4,
             Err(error) => match walk.round_the_kink(&place, &branch) {
-                Some((next, next_place)) => {
+                Some(found) => {
+                    let (next, next_place) =
+                        walk.away_from_the_kink((&place, options.steps.0), &branch, found);
                     walk.note_changes(&mut branch, &next, &place);
                     branch.points.push(next);
                     place = next_place;
@@ -302,14 +305,15 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError>, const N: usize> W
     fn note_changes(&self, branch: &mut Branch<N>, next: &BranchPoint<N>, from: &Place) {
         let Some(last) = branch.points.last() else { return };
         let after = branch.points.len() - 1;
-        let is_smooth = last.cycle.around.pattern == next.cycle.around.pattern;
-        if !is_smooth {
+        let keeps_pattern = last.cycle.around.pattern == next.cycle.around.pattern;
+        let was_kink = branch.pattern_changes.last().is_some_and(|change| change.after + 1 == after);
+        if !keeps_pattern {
             branch.pattern_changes.push(PatternChange { after, between: (last.parameter, next.parameter) });
         }
         if last.slope * next.slope < 0.0 {
             let there = Place { at: self.scaled_place(next), tangent: Vec::new() };
             let parameter = self.turn(from, last, next, from.distance(&there));
-            branch.folds.push(Fold { after, parameter, is_smooth });
+            branch.folds.push(Fold { after, parameter, is_smooth: keeps_pattern && !was_kink });
         }
     }
 

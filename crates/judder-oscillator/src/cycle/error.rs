@@ -53,7 +53,7 @@ pub enum CycleError {
     NotBorn,
     /// Newton's method leads to a solution that is no neighbour.
     #[error(
-        "the next solution is no neighbour of the last cycle: the period goes from {from:.4} to {to:.4}, or the cycle collapses to steady sliding"
+        "Newton's method leads to no neighbour of the last cycle, of period {from:.4}, but to steady sliding or another piece of the branch, of period {to:.4}"
     )]
     Elsewhere {
         /// Period of the last cycle.

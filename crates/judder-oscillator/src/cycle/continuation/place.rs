@@ -2,6 +2,7 @@
 
 use super::{Branch, BranchEnd, BranchPoint};
 use crate::cycle::CycleError;
+use num_complex::Complex64;
 
 /// A place on the way with the unit tangent there; both hold the scaled state and then the scaled parameter.
 #[derive(Clone)]
@@ -44,6 +45,24 @@ impl Outing {
     }
 }
 
+/// Whether two cycles can be neighbours on a smooth piece of a branch: where the parameter turns, and there alone, the number of real
+/// multipliers above 1 changes by one. Otherwise the second lies on the same piece, and the branch has turned back on itself.
+fn keeps_its_sense<const N: usize>(last: &BranchPoint<N>, next: &BranchPoint<N>) -> bool {
+    /// A multiplier nearer to 1 tells nothing.
+    const CLEAR: f64 = 1e-4;
+    let real = |point: &BranchPoint<N>| {
+        let trivial = point.cycle.multipliers.iter().position(|m| *m == Complex64::ONE);
+        let others = point.cycle.multipliers.iter().enumerate().filter(move |(k, _)| Some(*k) != trivial);
+        others.filter(|(_, m)| m.im == 0.0).map(|(_, m)| m.re - 1.0).collect::<Vec<f64>>()
+    };
+    let is_clear = [last, next].iter().all(|point| real(point).iter().all(|m| m.abs() > CLEAR));
+    let sense = |point: &BranchPoint<N>| {
+        real(point).iter().fold(point.slope.signum(), |sign, m| if *m > 0.0 { -sign } else { sign })
+    };
+    let is_one_piece = last.cycle.around.pattern == next.cycle.around.pattern;
+    !is_one_piece || !is_clear || sense(last) == sense(next)
+}
+
 /// What was found a step from a place if it is a neighbour of the branch's last cycle. Steady sliding is a fixed point of the return
 /// map too, and a long step can end at it, or on another sheet of the branch.
 pub(super) fn neighbour<const N: usize>(
@@ -62,6 +81,7 @@ pub(super) fn neighbour<const N: usize>(
     let is_neighbour = amplitude(&found.0) > SHRINKS * amplitude(last)
         && to < PERIOD * from
         && from < PERIOD * to
-        && found.1.distance(place) < ASTRAY * step;
+        && found.1.distance(place) < ASTRAY * step
+        && keeps_its_sense(last, &found.0);
     if is_neighbour { Ok(found) } else { Err(CycleError::Elsewhere { from, to }) }
 }

@@ -48,6 +48,27 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError>, const N: usize> W
         (jump > JUMP).then_some(BranchEnd::Grazing { pattern: changed.pattern, jump })
     }
 
+    /// What was found a step from a place, or the cycle the other way where that has turned back: a lone cycle of another pattern,
+    /// right behind a kink, does not tell which way the branch goes on, but the branch keeps its pattern there.
+    pub(super) fn away_from_the_kink(
+        &self,
+        (place, step): (&Place, f64),
+        branch: &Branch<N>,
+        found: (BranchPoint<N>, Place),
+    ) -> (BranchPoint<N>, Place) {
+        let pattern = |point: &BranchPoint<N>| point.cycle.around.pattern.clone();
+        let [.., before, lone] = branch.points.as_slice() else { return found };
+        if pattern(before) == pattern(lone) || pattern(before) != pattern(&found.0) {
+            return found;
+        }
+        let tangent = place.tangent.iter().map(|t| -t).collect();
+        let back = Place { at: place.at.clone(), tangent };
+        match self.next(&back, step) {
+            Ok(other) if pattern(&other.0) == pattern(lone) => other,
+            _ => found,
+        }
+    }
+
     /// The first cycle on the other piece of a branch that ends, on this one, at a cycle that touches a guard.
     ///
     /// Beside the last cycle motions have another pattern, and the derivative of their return is that of the other piece.

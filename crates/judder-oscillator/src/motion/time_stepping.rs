@@ -48,7 +48,8 @@ impl TimeStepping {
         if y <= 0.0 {
             return (Self::moved(x, y, free_x, free_y, h), ContactState::LiftOff);
         }
-        let (relative, contact_state) = self.slip(free_x - self.belt_velocity, y);
+        let sticks = velocity_x == self.belt_velocity;
+        let (relative, contact_state) = self.slip(free_x - self.belt_velocity, y, sticks);
         let force = self.forces(relative.abs(), y).normal.value;
         let velocity = (self.belt_velocity + relative, free_y - h * force);
         (Self::moved(x, y, velocity.0, velocity.1, h), contact_state)
@@ -64,13 +65,16 @@ impl TimeStepping {
 
     /// v_rel at the end of the step: the solution of v_rel + h Sgn(v_rel) |F_μ|(|v_rel|) ∋ free.
     ///
-    /// Where friction falls so steeply with speed that there are several, the one of largest speed: from sliding, sliding
-    /// goes on.
-    fn slip(&self, free: f64, y: f64) -> (f64, ContactState) {
+    /// Where friction falls so steeply with speed that there are several, what was goes on: stick, or from sliding the one of
+    /// largest speed.
+    fn slip(&self, free: f64, y: f64, sticks: bool) -> (f64, ContactState) {
         let h = self.step;
         let direction = free.signum();
         let excess = |speed: f64| speed + h * self.forces(speed, y).friction.value - free.abs();
         let is_stuck = excess(0.0) >= 0.0;
+        if sticks && is_stuck {
+            return (0.0, ContactState::Stick);
+        }
         // the excess is positive at the free speed itself: halve towards the last sign change below it
         let mut upper = free.abs();
         let mut lower = upper;

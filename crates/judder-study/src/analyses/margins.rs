@@ -9,7 +9,7 @@ use judder_oscillator::Contact;
 use judder_oscillator::critical::{Range, Scale};
 use judder_oscillator::cycle::shooting::Shooting;
 use judder_oscillator::cycle::{
-    Branch, BranchEnd, Continuation, CycleError, GlobalMargin, global_margin, shoot,
+    Branch, BranchEnd, BranchPoint, Continuation, CycleError, GlobalMargin, global_margin, shoot,
 };
 use judder_oscillator::hopf::{HopfPoint, growth_rate, growth_slope, hopf_point};
 use judder_oscillator::motion::attractor::{Attractor, Patience, Settled, settle};
@@ -59,8 +59,8 @@ pub(super) struct Margin {
     pub(super) fold: Option<f64>,
     /// The value farthest from the threshold at which a cycle of it is known.
     pub(super) reaches: Option<f64>,
-    /// Whether it goes on to the end of the range.
-    pub(super) fills_the_range: bool,
+    /// Whether it is not known where it turns.
+    pub(super) is_open: bool,
     /// Where it ends, in words.
     pub(super) end: String,
     /// A stable cycle behind the fold.
@@ -123,6 +123,42 @@ impl Crossing<'_> {
         Some(Onset { margin: Some(margin), ..onset })
     }
 
+    /// Whether a branch turns only because its cycles shrink to steady sliding, at another threshold: a step over that lands on the
+    /// branch again.
+    fn meets_threshold(&self, onset: &Onset, branch: &Branch<4>, turn: f64) -> bool {
+        /// Of the largest amplitude; and of the place.
+        const SMALL: f64 = 0.1;
+        const NEAR: f64 = 0.01;
+        let Some(after) = branch.folds.first().map(|fold| fold.after) else { return false };
+        let amplitude = |point: &BranchPoint<4>| point.cycle.around.measures.amplitude();
+        let largest = branch.points.iter().take(after).map(amplitude).fold(0.0, f64::max);
+        let nearest = branch.points.iter().skip(after).take(2).map(amplitude).fold(f64::INFINITY, f64::min);
+        let growth = |s: f64| {
+            let system = self.system(self.value(onset.threshold, s));
+            system.and_then(|system| growth_rate(&system)).unwrap_or(f64::NAN)
+        };
+        nearest < SMALL * largest && growth(turn - NEAR) * growth(turn + NEAR) < 0.0
+    }
+
+    /// What becomes of the stable large cycle a little inside of a fold, and of the same start as much outside; `None` where there is
+    /// no such cycle.
+    fn fates_about(
+        &self,
+        threshold: f64,
+        fold: f64,
+        start: [f64; 4],
+        progress: &dyn Progress,
+    ) -> Option<[Fate; 2]> {
+        let within = inside(fold);
+        let fate = |s: f64, start: [f64; 4]| {
+            let system = self.system(self.value(threshold, s));
+            system.map_or(Fate::Lost, |system| Fate::of(&system, start, &|| progress.interrupted()))
+        };
+        let system = self.system(self.value(threshold, within)).ok()?;
+        let large = shoot(&system, start, 1, &Self::shooting(&system)).ok()?;
+        large.is_stable().then(|| [fate(within, large.start), fate(2.0 * fold - within, large.start)])
+    }
+
     fn settings(system: &StickSlip) -> Settings<4> {
         let absolute = system.scales().map(|scale| TOLERANCE * scale);
         Settings { relative: TOLERANCE, absolute, longest_step: 1.0, steps: STEPS }
@@ -155,21 +191,28 @@ impl Crossing<'_> {
 
     fn margin(&self, onset: &Onset, followed: &GlobalMargin<4>) -> Margin {
         let Some(branch) = &followed.branch else { return Margin::unknown(String::new()) };
-        let fold = followed.fold.filter(|_| !is_unfinished(branch));
+        let turn = followed.fold.filter(|_| !is_unfinished(branch));
+        let meets_threshold = turn.is_some_and(|turn| self.meets_threshold(onset, branch, turn));
+        let fold = turn.filter(|_| !meets_threshold);
         let value = |s: f64| self.value(onset.threshold, s);
         // a branch that is back at the threshold has turned where its steps were too long to see it
         let is_away = branch.points.last().is_some_and(|point| point.parameter * onset.stable_side > 0.0);
-        let fills_the_range = fold.is_none() && is_away && branch.end == BranchEnd::Range;
+        let ends_well =
+            meets_threshold || (is_away && matches!(branch.end, BranchEnd::Range | BranchEnd::SteadySliding));
         let (from, to) = (self.range.from.min(self.range.to), self.range.from.max(self.range.to));
         let end = match (fold, is_away) {
             (Some(_), _) => "fold".to_owned(),
+            (None, _) if meets_threshold => "another threshold".to_owned(),
             (None, true) => branch.end.to_string(),
             (None, false) => "comes back to the threshold, and its turn was not seen".to_owned(),
         };
         Margin {
             fold: fold.map(value),
-            reaches: followed.reaches(0.0).map(|s| value(s).clamp(from, to)),
-            fills_the_range,
+            reaches: turn
+                .filter(|_| meets_threshold)
+                .or_else(|| followed.reaches(0.0))
+                .map(|s| value(s).clamp(from, to)),
+            is_open: fold.is_none() && !ends_well,
             end,
             large: fold.and_then(|fold| large_cycle(branch, inside(fold))),
         }
@@ -200,12 +243,7 @@ fn large_cycle(branch: &Branch<4>, place: f64) -> Option<[f64; 4]> {
 
 impl Margin {
     fn unknown(end: String) -> Self {
-        Self { fold: None, reaches: None, fills_the_range: false, end, large: None }
-    }
-
-    /// Whether the branch was lost before anything could be said of where it turns.
-    pub(super) fn is_open(&self) -> bool {
-        self.fold.is_none() && !self.fills_the_range
+        Self { fold: None, reaches: None, is_open: true, end, large: None }
     }
 }
 
@@ -259,23 +297,13 @@ pub(super) fn fold_check(
         })
         .collect();
     let some: Vec<_> = known.iter().step_by(known.len().div_ceil(LOOKED_AT).max(1)).collect();
-    let count = some.len();
     let motions: Vec<[Fate; 2]> = some
         .par_iter()
-        .map(|(crossing, threshold, fold, start)| {
-            let fold = crossing.place(*threshold, *fold);
-            let within = inside(fold);
-            let mut start = *start;
-            [within, 2.0 * fold - within].map(|s| {
-                let Ok(system) = crossing.system(crossing.value(*threshold, s)) else { return Fate::Lost };
-                // next to the fold a motion that is not quite on the large cycle may miss it
-                if let Ok(cycle) = shoot(&system, start, 1, &Crossing::shooting(&system)) {
-                    start = cycle.start;
-                }
-                Fate::of(&system, start, &|| progress.interrupted())
-            })
+        .filter_map(|(crossing, threshold, fold, start)| {
+            crossing.fates_about(*threshold, crossing.place(*threshold, *fold), *start, progress)
         })
         .collect();
+    let count = motions.len();
     let is_wrong = |[within, beyond]: &&[Fate; 2]| {
         matches!(within, Fate::Lost | Fate::AtRest) || *beyond == Fate::Lost || within.is_like(*beyond)
     };

@@ -161,7 +161,7 @@ pub(super) fn warnings(found: &[Found]) -> Vec<String> {
     let all = found.iter().flat_map(|f| &f.onsets);
     let unknown = all.clone().filter(|onset| onset.is_none()).count();
     let margins: Vec<&Margin> = all.clone().flatten().filter_map(|onset| onset.margin.as_ref()).collect();
-    let open: Vec<&&Margin> = margins.iter().filter(|margin| margin.is_open()).collect();
+    let open: Vec<&&Margin> = margins.iter().filter(|margin| margin.is_open).collect();
     let beyond = all.flatten().filter(|onset| goes_beyond(onset)).count();
     let mut warnings = Vec::new();
     if unknown > 0 {

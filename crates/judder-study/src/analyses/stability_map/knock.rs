@@ -162,7 +162,7 @@ impl<'a> Lines<'a> {
         let margin = onset.margin.as_ref()?;
         let known_to = margin.fold.or(margin.reaches)?;
         let (threshold, side) = (onset.threshold, onset.stable_side);
-        let open_to = if margin.is_open() { side * f64::INFINITY } else { known_to };
+        let open_to = if margin.is_open { side * f64::INFINITY } else { known_to };
         Some(Reach { threshold, side, known_to, open_to })
     }
 
@@ -252,7 +252,7 @@ pub(super) fn add(
         .flat_map(|(index, line)| line.onsets.iter().flatten().map(move |onset| (index, onset)))
         .collect();
     let margins: Vec<_> = onsets.iter().filter_map(|(_, onset)| onset.margin.as_ref()).collect();
-    let open: Vec<_> = margins.iter().filter(|margin| margin.is_open()).collect();
+    let open: Vec<_> = margins.iter().filter(|margin| margin.is_open).collect();
     outcome.scalars.insert("knock_fraction".to_owned(), json!(share(STARTS_IT)));
     outcome.scalars.insert("knock_unknown_fraction".to_owned(), json!(share(UNKNOWN)));
     let summary = json!({

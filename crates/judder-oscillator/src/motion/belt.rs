@@ -170,6 +170,7 @@ impl SlidingSystem<2> for BeltOscillator {
         };
         Powers {
             friction: friction * state[1],
+            substrate: friction * self.belt_velocity,
             normal: 0.0,
             damping: -2.0 * self.damping * state[1] * state[1],
         }

@@ -51,8 +51,18 @@ impl<const N: usize> Oscillation<N> {
     /// With ω = 2π over the period and A_x the amplitude, in the units of the oscillator: ṽ_d and τ̃.
     #[must_use]
     pub fn quasi_steady_condition(&self, belt_velocity: f64, retardation_time: f64) -> f64 {
-        (std::f64::consts::TAU / self.period - belt_velocity / self.amplitude) * retardation_time
+        quasi_steady_condition((self.period, self.amplitude), belt_velocity, retardation_time)
     }
+}
+
+/// Eq. (3) of the oscillator paper for oscillations of a period and an amplitude.
+#[must_use]
+pub fn quasi_steady_condition(
+    (period, amplitude): (f64, f64),
+    belt_velocity: f64,
+    retardation_time: f64,
+) -> f64 {
+    (std::f64::consts::TAU / period - belt_velocity / amplitude) * retardation_time
 }
 
 /// A motion that was followed to the end of its time.
@@ -71,24 +81,24 @@ pub struct History<const N: usize> {
     pub measures: Measures,
     /// The energy at the end less that at the end of the transient.
     pub energy_change: f64,
-    /// The largest energy at the two ends times the tolerance of a step: what the motion does not resolve.
+    /// The largest energy at the two ends times the tolerance of a step, as often as there are steps: what the motion does not
+    /// resolve.
     pub energy_resolution: f64,
     /// Steps used.
     pub steps: usize,
 }
 
 impl<const N: usize> History<N> {
-    /// What the works after the transient leave of the change of energy, over the largest of them or, where a motion at rest
-    /// leaves only rounding, over what the motion resolves.
+    /// What the works after the transient leave of the change of energy beyond what the motion resolves, over the largest of them;
+    /// zero where nothing moved.
     #[must_use]
     pub fn energy_residual(&self) -> f64 {
         let work = self.measures.work;
-        let parts = [work.friction, work.normal, work.damping, self.energy_change, self.energy_resolution];
+        let parts = [work.friction, work.normal, work.damping, self.energy_change];
         let largest = parts.iter().fold(0.0_f64, |largest, part| largest.max(part.abs()));
-        if largest == 0.0 {
-            return 0.0;
-        }
-        (work.friction + work.normal + work.damping - self.energy_change).abs() / largest
+        let rest = (work.friction + work.normal + work.damping - self.energy_change).abs();
+        let beyond = rest - self.energy_resolution;
+        if beyond <= 0.0 { 0.0 } else { beyond / largest }
     }
 }
 
@@ -287,8 +297,9 @@ impl<'a, S: SlidingSystem<N>, const N: usize> Recorder<'a, S, N> {
         }
         let energy = self.system.energy(&march.state());
         self.history.energy_change = energy - self.energy;
-        self.history.energy_resolution = self.tolerance * energy.abs().max(self.energy.abs());
         self.history.steps = march.steps_used();
+        let largest = energy.abs().max(self.energy.abs());
+        self.history.energy_resolution = self.tolerance * largest * self.history.steps as f64;
         self.history
     }
 }

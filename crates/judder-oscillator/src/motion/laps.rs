@@ -3,7 +3,7 @@
 //! A cycle is known from its return map, which the two other engines do not have. Laps take from an engine no more than its
 //! states.
 
-use super::{ContactState, Smoothed, TimeStepping};
+use super::{ContactState, Interrupted, Smoothed, TimeStepping};
 use judder_numerics::piecewise::{Leg, March, MarchError, Plane, Settings};
 use judder_numerics::quadrature::gauss_legendre;
 use std::ops::Add;
@@ -75,7 +75,8 @@ pub struct Course {
     pub steps: usize,
 }
 
-/// The laps that were followed, and the state at the end: fewer laps than asked where the time or the steps did not do.
+/// The laps that were followed, and the state at the end: fewer laps than asked where the time or the steps did
+/// not do, and after an interruption.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Laps {
     /// One by one.
@@ -110,12 +111,12 @@ impl Counter {
 
 /// The laps of a motion under time-stepping. A return within a step is where x̃′ is zero on the straight line between its ends.
 #[must_use]
-pub fn by_time_stepping(engine: &TimeStepping, course: &Course) -> Laps {
+pub fn by_time_stepping(engine: &TimeStepping, course: &Course, interrupted: Interrupted<'_>) -> Laps {
     let (mut counter, mut state) = (Counter::new(), course.start);
     let step = engine.step();
     let affordable = ((course.longest / step) as usize).min(course.steps);
     for _ in 0..affordable {
-        if counter.is_done(course) {
+        if counter.is_done(course) || interrupted() {
             break;
         }
         let (next, _) = engine.advance(&state);
@@ -143,12 +144,13 @@ pub fn with_smoothed_sign(
     section: Plane<4>,
     settings: Settings<4>,
     course: &Course,
+    interrupted: Interrupted<'_>,
 ) -> Result<Laps, MarchError> {
     let mut counter = Counter::new();
     let settings = Settings { steps: course.steps, ..settings };
     let start = section.project(&course.start);
     let mut march = March::new(system, system.contact_state(&start), start, settings)?.with_section(section);
-    while !counter.is_done(course) && march.time() < course.longest {
+    while !counter.is_done(course) && march.time() < course.longest && !interrupted() {
         let advance = march.advance(course.longest)?;
         if let Some(leg) = &advance.leg {
             counter.open.add_leg(leg, course.centre);

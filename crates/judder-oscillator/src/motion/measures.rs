@@ -57,6 +57,7 @@ impl Measures {
             self.second_moment += share * x * x;
             let powers = system.powers(leg.mode, &state);
             self.work.friction += share * powers.friction;
+            self.work.substrate += share * powers.substrate;
             self.work.normal += share * powers.normal;
             self.work.damping += share * powers.damping;
         }

@@ -64,6 +64,8 @@ pub trait SlidingSystem<const N: usize>: PiecewiseSmooth<N, Mode = ContactState>
 pub struct Powers {
     /// Of the friction force: what the moving substrate feeds in less what sliding costs.
     pub friction: f64,
+    /// Of that what the moving substrate feeds in, F_μ v_d; the rest is lost where v_rel is not zero.
+    pub substrate: f64,
     /// Of the substrate's normal force.
     pub normal: f64,
     /// Of the dampers, never positive.

@@ -223,6 +223,7 @@ impl SlidingSystem<4> for StickSlip {
         };
         Powers {
             friction: friction * velocity_x,
+            substrate: friction * self.belt_velocity(),
             normal: -forces.normal.value * velocity_y,
             damping: -c.damping_x * velocity_x * velocity_x - c.damping_y * velocity_y * velocity_y,
         }

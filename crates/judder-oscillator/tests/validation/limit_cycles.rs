@@ -61,7 +61,8 @@ fn the_cycle_at_0_03_has_a_period_of_about_133_and_is_stable() {
     }
 }
 
-/// Our notes on the paper: an orbit of period about 204 is unstable, with a multiplier of 1.5, and motions stay irregular.
+/// Our notes on the paper: an orbit of period about 204 is unstable, and motions stay irregular. They give its multiplier as 1.5; from
+/// the saltation matrices, which differences of the return map confirm elsewhere, it is 1.214.
 #[test]
 fn the_cycle_at_0_05_is_unstable_and_found_beside_the_irregular_motion() {
     let system = section_5(0.05, FrictionLoad::NormalLoad);
@@ -72,8 +73,8 @@ fn the_cycle_at_0_05_is_unstable_and_found_beside_the_irregular_motion() {
     let cycle =
         from_simulation(&system, disturbed(&system), &shooting(&system, 1e-9), &patience, &|| false).unwrap();
     println!("{} {:?}", cycle.period(), cycle.multipliers);
-    assert!((cycle.period() / cycle.oscillations as f64 - 204.0).abs() < 1.5, "{}", cycle.period());
-    assert!(!cycle.is_stable());
+    assert!((cycle.period() - 205.094).abs() < 1e-2, "{}", cycle.period());
+    assert!((cycle.largest_multiplier() - 1.214).abs() < 1e-2, "{:?}", cycle.multipliers);
 }
 
 #[test]
@@ -201,7 +202,7 @@ fn the_branch_of_section_5_ends_at_a_grazing_release() {
 
 /// F̃_n = 1e-6, v̂ = 1e-2: stable below τ̃0 = 0.104, but a knock starts a cycle from 0.0604 on.
 #[test]
-fn below_a_subcritical_threshold_simulations_change_at_the_fold() {
+fn below_a_subcritical_threshold_the_cycle_of_its_branch_ends_at_the_fold() {
     let contact = Contact {
         law: Law::Fitted(FittedLaw::oscillator_paper()),
         friction_load: FrictionLoad::ContactForce,

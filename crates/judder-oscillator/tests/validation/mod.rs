@@ -6,6 +6,7 @@ mod belt;
 mod equivalent_damping;
 mod limit_cycles;
 mod motion;
+mod on_the_edge;
 mod stability_maps;
 mod thresholds;
 mod two_degrees;

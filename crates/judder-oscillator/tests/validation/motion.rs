@@ -246,11 +246,11 @@ fn laps_of_two_other_engines_come_to_the_cycle() {
     let stepped = |step: f64| {
         let contact = Contact { law: Law::Fitted(FittedLaw::oscillator_paper()), friction_load: load };
         let engine = TimeStepping::new(contact, *system.coefficients(), step).unwrap();
-        errors(&by_time_stepping(&engine, &course))
+        errors(&by_time_stepping(&engine, &course, &|| false))
     };
     let smoothed = |width: f64| {
         let smoothed = Smoothed::new(system.clone(), width * system.belt_velocity());
-        errors(&with_smoothed_sign(&smoothed, system.section(), limits, &course).unwrap())
+        errors(&with_smoothed_sign(&smoothed, system.section(), limits, &course, &|| false).unwrap())
     };
     for (coarse, fine, largest) in
         [(stepped(4e-3), stepped(1e-3), 1e-4), (smoothed(8e-4), smoothed(2e-4), 2e-4)]
@@ -264,7 +264,7 @@ fn laps_of_two_other_engines_come_to_the_cycle() {
     let short = Course { steps: 1000, ..course };
     let contact = Contact { law: Law::Fitted(FittedLaw::oscillator_paper()), friction_load: load };
     let engine = TimeStepping::new(contact, *system.coefficients(), 1e-2).unwrap();
-    assert!(by_time_stepping(&engine, &short).laps.is_empty());
+    assert!(by_time_stepping(&engine, &short, &|| false).laps.is_empty());
 }
 
 /// Without friction and without coupling nothing moves along x, and steady sliding has x̃ = 0: no scale for tolerances.

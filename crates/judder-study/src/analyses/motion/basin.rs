@@ -9,7 +9,7 @@ use judder_case::Following;
 use judder_numerics::counter::uniform;
 use judder_numerics::piecewise::MarchError;
 use judder_oscillator::motion::SlidingSystem;
-use judder_oscillator::motion::attractor::{Patience, Settled, settle};
+use judder_oscillator::motion::attractor::{Attractor, Patience, Settled, settle};
 use judder_store::{Dataset, Table, Variable, number};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -87,8 +87,10 @@ pub(super) fn run<M: Model<N>, const N: usize>(
         .collect::<Result<_, _>>()?;
     let basin = Basin { samples: &samples, draw, operating: &operating };
     let lost = basin.count(LOST);
-    let warning = (lost > 0).then(|| {
-        format!("{lost} of {} motions cannot be followed: the fraction is that of the others", draw.samples)
+    let warning = basin.first_lost().map(|sample| {
+        let why = settled(&operating, draw, following, sample, progress).err();
+        let why = why.map_or_else(String::new, |error| format!("; the first: {error}"));
+        format!("{lost} of {} motions cannot be followed{why}", draw.samples)
     });
     Ok(Outcome {
         scalars: basin.scalars::<M, N>(),
@@ -101,6 +103,20 @@ pub(super) fn run<M: Model<N>, const N: usize>(
     })
 }
 
+/// What the motion from a sample settles to.
+fn settled<S: SlidingSystem<N>, const N: usize>(
+    operating: &Operating<S>,
+    draw: &Draw<'_>,
+    following: &Following,
+    sample: usize,
+    progress: &dyn Progress,
+) -> Result<Attractor<N>, MarchError> {
+    let time = operating.time(following.duration);
+    let patience = Patience { time, transient: 0.5 * time, ..Patience::default() };
+    let start = draw.start(sample, operating.system.steady_sliding());
+    settle(&operating.system, start, operating.settings(following), &patience, &|| progress.interrupted())
+}
+
 fn follow<S: SlidingSystem<N>, const N: usize>(
     operating: &Operating<S>,
     draw: &Draw<'_>,
@@ -108,13 +124,7 @@ fn follow<S: SlidingSystem<N>, const N: usize>(
     sample: usize,
     progress: &dyn Progress,
 ) -> Result<Sample, StudyError> {
-    let time = operating.time(following.duration);
-    let patience = Patience { time, transient: 0.5 * time, ..Patience::default() };
-    let start = draw.start(sample, operating.system.steady_sliding());
-    let settled = settle(&operating.system, start, operating.settings(following), &patience, &|| {
-        progress.interrupted()
-    });
-    let (fate, time, rms) = match settled {
+    let (fate, time, rms) = match settled(operating, draw, following, sample, progress) {
         Err(MarchError::Interrupted { .. }) => return Err(StudyError::Interrupted),
         Err(_) => (LOST, None, None),
         Ok(attractor) => {
@@ -175,6 +185,10 @@ struct Basin<'a, S> {
 }
 
 impl<S> Basin<'_, S> {
+    fn first_lost(&self) -> Option<usize> {
+        self.samples.iter().find(|sample| sample.fate == LOST).map(|sample| sample.sample)
+    }
+
     fn count(&self, fate: u8) -> usize {
         self.samples.iter().filter(|sample| sample.fate == fate).count()
     }

@@ -2,15 +2,16 @@
 
 use super::branches;
 use super::diagram::Diagram;
-use super::model::Model;
+use super::model::{Memory, Model};
 use crate::error::StudyError;
 use crate::kept::Kept;
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use judder_case::{Following, MotionStart, Sweep, SweepDirection, Value as CaseValue};
 use judder_numerics::piecewise::MarchError;
-use judder_oscillator::motion::attractor::{Attractor, Patience, Settled, distance, settle};
-use judder_oscillator::motion::{ContactState, SlidingSystem};
+use judder_oscillator::motion::ContactState;
+use judder_oscillator::motion::attractor::{Attractor, Patience, Settled, settle};
+use judder_oscillator::motion::history::quasi_steady_condition;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -30,9 +31,6 @@ pub(super) const BECOMES: [(u8, &str); 4] =
     [(0, "steady sliding"), (1, "cycle"), (2, "irregular"), (3, "lost")];
 pub(super) const CYCLE: u8 = 1;
 pub(super) const LOST: u8 = 3;
-/// A motion that starts nearer to steady sliding than this, in its scales, is moved so far from it: at rest it would stay
-/// however unstable that were.
-const NUDGE: f64 = 1e-3;
 /// Motions of a sweep that are followed again, more exactly.
 const REPEATED: usize = 8;
 /// By how much more exactly.
@@ -51,6 +49,8 @@ pub(super) struct Settling {
     pub(super) period: Option<f64>,
     pub(super) stick_fraction: f64,
     pub(super) lift_off_fraction: f64,
+    /// Eq. (3) for its mean oscillation; `None` where nothing moves and for a contact without memory.
+    pub(super) quasi_steady_condition: Option<f64>,
     /// Its last meetings with the section.
     pub(super) returns: Vec<Vec<f64>>,
     /// Its last state, from which the next motion starts.
@@ -58,12 +58,13 @@ pub(super) struct Settling {
 }
 
 impl Settling {
-    fn of<const N: usize>(attractor: &Attractor<N>) -> Self {
-        let (becomes, moves) = match attractor.settled {
-            Settled::SteadySliding => (0, false),
-            Settled::Cycle { .. } => (CYCLE, true),
-            Settled::Irregular => (2, true),
+    fn of<const N: usize>(attractor: &Attractor<N>, memory: Option<&Memory>) -> Self {
+        let (becomes, oscillations) = match attractor.settled {
+            Settled::SteadySliding => (0, 0),
+            Settled::Cycle { oscillations } => (CYCLE, oscillations),
+            Settled::Irregular => (2, 1),
         };
+        let moves = oscillations > 0;
         let measures = &attractor.measures;
         let measured = |value: f64| if moves { value } else { 0.0 };
         Self {
@@ -72,6 +73,10 @@ impl Settling {
             period: moves.then_some(attractor.period),
             stick_fraction: measured(measures.fraction(ContactState::Stick)),
             lift_off_fraction: measured(measures.fraction(ContactState::LiftOff)),
+            quasi_steady_condition: memory.filter(|_| moves).map(|memory| {
+                let oscillation = (attractor.period / oscillations as f64, measures.amplitude());
+                quasi_steady_condition(oscillation, memory.belt_velocity, memory.retardation_time)
+            }),
             returns: attractor.returns.iter().map(|state| state.to_vec()).collect(),
             state: attractor.state.to_vec(),
         }
@@ -176,12 +181,7 @@ fn settled<M: Model<N>, const N: usize>(
     };
     let system = &operating.system;
     let last = last.and_then(|last| <[f64; N]>::try_from(last.state.as_slice()).ok());
-    let mut start = last.unwrap_or_else(|| operating.start(settings.start));
-    let (rest, scales) = (system.steady_sliding(), system.scales());
-    if distance(&start, &rest, &scales) < NUDGE {
-        start = rest;
-        start[0] += NUDGE * scales[0];
-    }
+    let start = operating.off_rest(last.unwrap_or_else(|| operating.start(settings.start)));
     let patience = Patience {
         time: operating.time(settings.following.duration),
         transient: operating.time(settings.transient),
@@ -190,7 +190,9 @@ fn settled<M: Model<N>, const N: usize>(
     let stepping = operating.settings(settings.following);
     match settle(system, start, stepping, &patience, &|| progress.interrupted()) {
         Err(MarchError::Interrupted { .. }) => Err(StudyError::Interrupted),
-        settled => Ok(settled.map(|attractor| Settling::of(&attractor)).map_err(|error| error.to_string())),
+        settled => Ok(settled
+            .map(|attractor| Settling::of(&attractor, M::memory(system).as_ref()))
+            .map_err(|error| error.to_string())),
     }
 }
 

@@ -28,6 +28,10 @@ const STEP: (f64, f64) = (0.01, 4.0);
 const PART: f64 = 1.0 / 100.0;
 /// Places at which the growth rate of steady sliding is looked at for changes of sign, at least.
 const SAMPLES: usize = 201;
+/// How far beside a change of stability, in parts of the sweep, steady sliding has two stabilities.
+const CHANGE: f64 = 1e-3;
+/// What rounding makes of a growth rate of zero, over ω_nx.
+const ROUNDING: f64 = 1e-13;
 /// Branches that are followed from simulated cycles, at most.
 const FROM_SIMULATION: usize = 6;
 
@@ -255,6 +259,7 @@ pub(super) fn follow<M: Model<N>, const N: usize>(
     let (from, to) = line.range();
     let last = sweep.points.max(SAMPLES) - 1;
     let places: Vec<f64> = (0..=last).map(|k| from + (to - from) * k as f64 / last as f64).collect();
+    let beside = CHANGE * line.part();
     let growth_at = |place: f64| line.growth_rate(place).unwrap_or(f64::NAN);
     let growth: Vec<f64> = places.iter().map(|place| growth_at(*place)).collect();
     let mut found = Branches {
@@ -264,7 +269,12 @@ pub(super) fn follow<M: Model<N>, const N: usize>(
         simulated: Vec::new(),
         failed: Vec::new(),
     };
-    for place in all_roots_from_values(growth_at, &places, &growth).roots {
+    // without damping the growth rate is zero but for rounding, and changes nowhere
+    let changes = |place: &f64| {
+        let (below, above) = (growth_at(place - beside), growth_at(place + beside));
+        below * above < 0.0 && below.abs().min(above.abs()) > ROUNDING
+    };
+    for place in all_roots_from_values(growth_at, &places, &growth).roots.into_iter().filter(changes) {
         found.begin_at(&line, place);
         interrupted(progress)?;
     }

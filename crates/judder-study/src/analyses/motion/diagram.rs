@@ -45,6 +45,10 @@ impl Diagram<'_> {
         self.points().map(|point| point.as_ref().map_or(LOST, |settling| settling.becomes))
     }
 
+    fn quasi_steady_condition(&self) -> Vec<f64> {
+        self.values(|settling| settling.quasi_steady_condition.unwrap_or(f64::NAN))
+    }
+
     fn period(&self) -> Vec<f64> {
         self.values(|settling| settling.period.unwrap_or(f64::NAN))
     }
@@ -73,6 +77,7 @@ impl Diagram<'_> {
             ("rms".to_owned(), json!(numbers(self.values(|s| s.rms)))),
             ("becomes".to_owned(), json!(self.words())),
             ("period".to_owned(), json!(numbers(self.period()))),
+            ("quasi_steady_condition".to_owned(), json!(numbers(self.quasi_steady_condition()))),
             ("stick_fraction".to_owned(), json!(numbers(self.values(|s| s.stick_fraction)))),
             ("lift_off_fraction".to_owned(), json!(numbers(self.values(|s| s.lift_off_fraction)))),
         ])
@@ -150,6 +155,7 @@ impl Diagram<'_> {
             .column("becomes", "", words(self.words()))?
             .column("rms", "1", self.values(|s| s.rms))?
             .column("period", "1", self.period())?
+            .column("quasi_steady_condition", "1", self.quasi_steady_condition())?
             .column("stick_fraction", "1", self.values(|s| s.stick_fraction))?
             .column("lift_off_fraction", "1", self.values(|s| s.lift_off_fraction))?)
     }

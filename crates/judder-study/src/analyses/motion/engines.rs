@@ -11,7 +11,9 @@ use judder_numerics::piecewise::Settings;
 use judder_oscillator::cycle::shooting::{Cycle, from_simulation};
 use judder_oscillator::motion::attractor::Patience;
 use judder_oscillator::motion::laps::{Course, Laps, Moments, by_time_stepping, with_smoothed_sign};
-use judder_oscillator::motion::{ContactState, SlidingSystem, Smoothed, StickSlip, TimeStepping};
+use judder_oscillator::motion::{
+    ContactState, Interrupted, SlidingSystem, Smoothed, StickSlip, TimeStepping,
+};
 use judder_oscillator::{Contact, OscillatorError};
 use judder_store::{Dataset, Table, Variable, number};
 use ladder::{Engine, Ladder};
@@ -70,23 +72,33 @@ struct Comparison<'a> {
 }
 
 impl Comparison<'_> {
-    fn time_stepping(&self, step: f64) -> Result<Reached, OscillatorError> {
+    fn time_stepping(&self, step: f64, interrupted: Interrupted<'_>) -> Result<Reached, OscillatorError> {
         let engine = TimeStepping::new(self.contact.clone(), *self.system.coefficients(), step)?;
-        Ok(Reached::of(&by_time_stepping(&engine, &self.course), self.system.belt_velocity()))
+        // steps that cannot reach the end of the periods need not begin
+        if step * self.course.steps as f64 * SLACK < self.course.longest {
+            return Ok(LOST);
+        }
+        let laps = by_time_stepping(&engine, &self.course, interrupted);
+        Ok(Reached::of(&laps, self.system.belt_velocity()))
     }
 
     /// With a sign whose width is so many times v_d.
-    fn smoothed(&self, width: f64) -> Reached {
+    fn smoothed(&self, width: f64, interrupted: Interrupted<'_>) -> Reached {
         let velocity = self.system.belt_velocity();
         let smoothed = Smoothed::new(self.system.clone(), width * velocity);
-        let laps = with_smoothed_sign(&smoothed, self.system.section(), self.settings, &self.course);
+        let laps =
+            with_smoothed_sign(&smoothed, self.system.section(), self.settings, &self.course, interrupted);
         laps.map_or(LOST, |laps| Reached::of(&laps, velocity))
     }
 
-    fn reached(&self, (engine, value): (Engine, f64)) -> Result<Reached, OscillatorError> {
+    fn reached(
+        &self,
+        (engine, value): (Engine, f64),
+        interrupted: Interrupted<'_>,
+    ) -> Result<Reached, OscillatorError> {
         match engine {
-            Engine::TimeStepping => self.time_stepping(value),
-            Engine::Smoothed => Ok(self.smoothed(value)),
+            Engine::TimeStepping => self.time_stepping(value, interrupted),
+            Engine::Smoothed => Ok(self.smoothed(value, interrupted)),
         }
     }
 }
@@ -140,7 +152,7 @@ fn stable_cycle(
     let time = operating.time(settings.following.duration);
     let shooting = super::limit_cycle::shooting(operating, &settings.following);
     let patience = Patience { time, transient: 0.5 * time, ..Patience::default() };
-    let start = operating.start(&settings.start);
+    let start = operating.off_rest(operating.start(&settings.start));
     let stop = || progress.interrupted();
     let cycle = from_simulation(&operating.system, start, &shooting, &patience, &stop)?;
     if cycle.is_stable() {
@@ -157,12 +169,9 @@ fn all(
     points
         .par_iter()
         .map(|point| {
-            if progress.interrupted() {
-                return Err(StudyError::Interrupted);
-            }
-            let reached = comparison.reached(*point)?;
+            let reached = comparison.reached(*point, &|| progress.interrupted())?;
             progress.advance();
-            Ok(reached)
+            if progress.interrupted() { Err(StudyError::Interrupted) } else { Ok(reached) }
         })
         .collect()
 }

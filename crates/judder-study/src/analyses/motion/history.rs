@@ -99,6 +99,7 @@ fn period<const N: usize>(
 fn energy<const N: usize>(history: &History<N>) -> Value {
     let work = &history.measures.work;
     json!({
+        "substrate": number(work.substrate), "sliding": number(work.friction - work.substrate),
         "friction": number(work.friction), "normal": number(work.normal), "damping": number(work.damping),
         "change": number(history.energy_change), "residual": number(history.energy_residual()),
     })
@@ -107,7 +108,7 @@ fn energy<const N: usize>(history: &History<N>) -> Value {
 pub(super) fn energy_check<const N: usize>(history: &History<N>) -> CheckRecord {
     CheckRecord {
         name: "the work is stored or dissipated".to_owned(),
-        compared: "works of friction, normal force and dampers against the change of energy, over the largest of them or what the motion resolves"
+        compared: "works of friction, normal force and dampers against the change of energy, beyond what the steps resolve, over the largest of them"
             .to_owned(),
         figure: history.energy_residual(),
         limit: ENERGY_LIMIT,

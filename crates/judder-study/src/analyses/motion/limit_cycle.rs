@@ -33,7 +33,13 @@ pub(super) fn run<M: Model<N>, const N: usize>(
     let shooting = shooting(&operating, following);
     let patience = Patience { time, transient: 0.5 * time, ..Patience::default() };
     let stop = || progress.interrupted();
-    let cycle = from_simulation(&operating.system, operating.start(start), &shooting, &patience, &stop)?;
+    let cycle = from_simulation(
+        &operating.system,
+        operating.off_rest(operating.start(start)),
+        &shooting,
+        &patience,
+        &stop,
+    )?;
     let around = (cycle.oscillations, cycle.period());
     let history = follow_cycle(&operating.system, cycle.start, settings, around, POINTS)?;
     progress.advance();

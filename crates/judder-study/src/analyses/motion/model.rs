@@ -7,9 +7,13 @@ use judder_case::{
     Value,
 };
 use judder_numerics::piecewise::Settings;
+use judder_oscillator::motion::attractor::distance;
 use judder_oscillator::motion::history::Sample;
 use judder_oscillator::motion::{BeltOscillator, FallingFriction, SlidingSystem, StickSlip};
 use judder_oscillator::{Contact, OscillatorError};
+
+/// How far from steady sliding, in its scales, a motion starts at least that is followed to where it settles.
+const NUDGE: f64 = 1e-3;
 
 /// A quantity of a history: name of its array, what it is, what stands at an axis.
 #[derive(Clone, Copy)]
@@ -51,6 +55,19 @@ impl<S> Operating<S> {
         let Following { tolerance, steps, .. } = *following;
         let absolute = self.system.scales().map(|scale| tolerance * scale);
         Settings { relative: tolerance, absolute, longest_step: LONGEST_STEP, steps }
+    }
+
+    /// A start that is not at rest: nearer to steady sliding than [`NUDGE`] it would stay there, however unstable that were.
+    pub(super) fn off_rest<const N: usize>(&self, mut start: [f64; N]) -> [f64; N]
+    where
+        S: SlidingSystem<N>,
+    {
+        let (rest, scales) = (self.system.steady_sliding(), self.system.scales());
+        if distance(&start, &rest, &scales) < NUDGE {
+            start = rest;
+            start[0] += NUDGE * scales[0];
+        }
+        start
     }
 
     /// Where a motion starts.

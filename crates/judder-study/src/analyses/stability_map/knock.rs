@@ -24,8 +24,11 @@ const SAMPLES: usize = 400;
 const BEYOND: f64 = 10.0;
 
 /// What a knock does at a stable point; the number is that in stored results.
-const KNOCK: [(u8, &str); 3] =
-    [(0, "dies out or point not stable"), (STARTS_IT, "starts a cycle"), (UNKNOWN, "unknown")];
+const KNOCK: [(u8, &str); 3] = [
+    (0, "no cycle of a followed branch, or point not stable"),
+    (STARTS_IT, "starts a cycle"),
+    (UNKNOWN, "unknown"),
+];
 pub(crate) const STARTS_IT: u8 = 1;
 pub(crate) const UNKNOWN: u8 = 2;
 

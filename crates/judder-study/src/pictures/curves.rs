@@ -114,7 +114,7 @@ fn folds(dataset: &Dataset, swept: &Swept<'_>) -> Vec<Layer> {
     layers.push(points("subcritical", &|k| is(k, SUBCRITICAL, roots[k]), 1));
     let lost = |k: usize| if folds[k].is_nan() { reaches[k] } else { f64::NAN };
     if (0..roots.len()).any(|k| lost(k).is_finite()) {
-        layers.push(points("no fold found: known up to here", &lost, 4));
+        layers.push(points("no fold: cycles up to here", &lost, 4));
     }
     layers
 }

@@ -1,4 +1,5 @@
 use crate::element::ElementKind;
+use crate::freedom::Direction;
 use thiserror::Error;
 
 /// Why there is no structure.
@@ -57,5 +58,43 @@ pub enum StructureError {
         nodes: usize,
         /// Node numbers in the list.
         found: usize,
+    },
+    /// A support names a displacement that the mesh does not have.
+    #[error(
+        "the mesh has no displacement {direction} of node {node}: it has {nodes} nodes (counted from 0) in {dimension} dimensions"
+    )]
+    UnknownFreedom {
+        /// The node.
+        node: usize,
+        /// The direction.
+        direction: Direction,
+        /// Nodes of the mesh.
+        nodes: usize,
+        /// 2 or 3.
+        dimension: usize,
+    },
+    /// A displacement is held and tied, or tied twice.
+    #[error("the displacement {direction} of node {node} is held or tied by two supports that differ")]
+    TwiceSupported {
+        /// The node.
+        node: usize,
+        /// The direction.
+        direction: Direction,
+    },
+    /// Elements name a material that is not given.
+    #[error("no material `{name}`; there are {}", if known.is_empty() { "none".to_owned() } else { known.join(", ") })]
+    UnknownMaterial {
+        /// The name.
+        name: String,
+        /// The names that there are.
+        known: Vec<String>,
+    },
+    /// The stiffness matrix has no Cholesky factor: something can move without force.
+    #[error(
+        "the structure can move without force: row {row} of its stiffness has no positive pivot; is it held?"
+    )]
+    NotHeld {
+        /// The row in the order of elimination.
+        row: usize,
     },
 }

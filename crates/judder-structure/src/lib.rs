@@ -2,12 +2,17 @@
 //!
 //! In the order in which the data flows:
 //!
-//! - [`mesh`]: nodes, elements, named sets.
+//! - [`mesh`]: nodes, elements, named sets; [`beam`] makes one of a straight beam.
 //! - [`material`]: linear elasticity, plane stress, plane strain.
 //! - [`element`]: shape functions, quadrature, stiffness and consistent mass of one element.
+//! - [`freedom`]: which displacements are free, tied, held.
+//! - [`assembly`]: sparse stiffness and mass of a mesh.
 
+pub mod assembly;
+pub mod beam;
 pub mod element;
 mod error;
+pub mod freedom;
 pub mod material;
 pub mod mesh;
 

@@ -97,4 +97,10 @@ pub enum StructureError {
         /// The row in the order of elimination.
         row: usize,
     },
+    /// A factorisation does not fit into memory.
+    #[error("the factors of a matrix of {rows} rows do not fit into memory")]
+    OutOfMemory {
+        /// Of the matrix.
+        rows: usize,
+    },
 }

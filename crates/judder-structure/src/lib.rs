@@ -2,18 +2,21 @@
 //!
 //! In the order in which the data flows:
 //!
-//! - [`mesh`]: nodes, elements, named sets; [`beam`] makes one of a straight beam.
+//! - [`mesh`]: nodes, elements, named sets; [`beam`] makes one of a straight beam, [`grid`] of a box.
 //! - [`material`]: linear elasticity, plane stress, plane strain.
 //! - [`element`]: shape functions, quadrature, stiffness and consistent mass of one element.
 //! - [`freedom`]: which displacements are free, tied, held.
 //! - [`assembly`]: sparse stiffness and mass of a mesh.
+//! - [`statics`]: displacements under loads that rest.
 
 pub mod assembly;
 pub mod beam;
 pub mod element;
 mod error;
 pub mod freedom;
+pub mod grid;
 pub mod material;
 pub mod mesh;
+pub mod statics;
 
 pub use error::StructureError;

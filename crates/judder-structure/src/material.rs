@@ -39,7 +39,6 @@ impl Elastic {
     pub fn stiffness(&self, section: Section) -> [[f64; 6]; 6] {
         let (e, nu) = (self.youngs_modulus, self.poisson_ratio);
         let shear = e / (2.0 * (1.0 + nu));
-        let mut d = [[0.0; 6]; 6];
         let (normal, coupling, axes) = match section {
             Section::PlaneStress { .. } => (e / (1.0 - nu * nu), nu * e / (1.0 - nu * nu), 2),
             Section::PlaneStrain { .. } | Section::Solid => {
@@ -47,15 +46,15 @@ impl Elastic {
                 (lame + 2.0 * shear, lame, section.dimension())
             }
         };
-        for i in 0..axes {
-            for j in 0..axes {
-                d[i][j] = if i == j { normal } else { coupling };
-            }
-        }
-        for k in axes..(if axes == 2 { 3 } else { 6 }) {
-            d[k][k] = shear;
-        }
-        d
+        let components = if axes == 2 { 3 } else { 6 };
+        let entry = |i: usize, j: usize| match (i == j, i.max(j)) {
+            (_, last) if last >= components => 0.0,
+            (true, last) if last >= axes => shear,
+            (true, _) => normal,
+            (false, last) if last < axes => coupling,
+            (false, _) => 0.0,
+        };
+        std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
     }
 }
 

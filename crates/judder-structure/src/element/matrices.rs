@@ -256,11 +256,8 @@ mod tests {
                 }
             }
             let dimension = kind.dimension();
-            let motions: Vec<Box<dyn Fn(&[f64; 3]) -> [f64; 3]>> = vec![
-                Box::new(|_| [1.0, 0.0, 0.0]),
-                Box::new(|_| [0.0, 1.0, 0.0]),
-                Box::new(|p| [-p[1], p[0], 0.0]),
-            ];
+            type Motion = fn(&[f64; 3]) -> [f64; 3];
+            let motions: [Motion; 3] = [|_| [1.0, 0.0, 0.0], |_| [0.0, 1.0, 0.0], |p| [-p[1], p[0], 0.0]];
             for motion in motions {
                 let u: Vec<f64> = nodes.iter().flat_map(|p| motion(p)[..dimension].to_vec()).collect();
                 for row in m.stiffness.chunks(m.size) {

@@ -1,0 +1,49 @@
+//! Displacements under loads that rest.
+
+use crate::StructureError;
+use crate::assembly::Sparse;
+use faer::linalg::cholesky::llt::factor::LltError as Pivot;
+use faer::linalg::solvers::Solve;
+use faer::sparse::linalg::LltError;
+use faer::sparse::linalg::solvers::Llt;
+use faer::{ColMut, Side};
+
+/// A stiffness that was factored once for many loads.
+#[derive(Debug, Clone)]
+pub struct Statics {
+    factor: Llt<usize, f64>,
+}
+
+impl Statics {
+    /// The Cholesky factor of a symmetric, positive definite stiffness; its lower triangle is read.
+    ///
+    /// # Errors
+    /// [`StructureError::NotHeld`] where a pivot is not positive, [`StructureError::OutOfMemory`].
+    pub fn new(stiffness: &Sparse) -> Result<Self, StructureError> {
+        match stiffness.sp_cholesky(Side::Lower) {
+            Ok(factor) => Ok(Self { factor }),
+            Err(LltError::Numeric(Pivot::NonPositivePivot { index })) => {
+                Err(StructureError::NotHeld { row: index })
+            }
+            Err(LltError::Generic(_)) => Err(StructureError::OutOfMemory { rows: stiffness.nrows() }),
+        }
+    }
+
+    /// u with K u = f, in place of f.
+    pub fn solve(&self, load: &mut [f64]) {
+        self.factor.solve_in_place(ColMut::from_slice_mut(load));
+    }
+}
+
+/// A x of a sparse matrix.
+#[must_use]
+pub fn product(matrix: &Sparse, x: &[f64]) -> Vec<f64> {
+    let mut y = vec![0.0; matrix.nrows()];
+    for (column, factor) in x.iter().enumerate() {
+        let values = matrix.val_of_col(column);
+        for (row, value) in matrix.row_idx_of_col(column).zip(values) {
+            y[row] += value * factor;
+        }
+    }
+    y
+}

@@ -1,0 +1,2 @@
+mod bending;
+mod patch;

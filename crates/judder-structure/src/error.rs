@@ -103,4 +103,10 @@ pub enum StructureError {
         /// Of the matrix.
         rows: usize,
     },
+    /// Modes are missing that a count knows of.
+    #[error("not all of {wanted} modes were found: the count of a factorisation knows of more")]
+    MissingModes {
+        /// How many were wanted.
+        wanted: usize,
+    },
 }

@@ -7,16 +7,20 @@
 //! - [`element`]: shape functions, quadrature, stiffness and consistent mass of one element.
 //! - [`freedom`]: which displacements are free, tied, held.
 //! - [`assembly`]: sparse stiffness and mass of a mesh.
+//! - [`factor`]: the factorisation of a symmetric matrix, with the count of its negative eigenvalues.
+//! - [`modes`]: undamped modes, with a count that shows whether one is missing.
 //! - [`statics`]: displacements under loads that rest.
 
 pub mod assembly;
 pub mod beam;
 pub mod element;
 mod error;
+pub mod factor;
 pub mod freedom;
 pub mod grid;
 pub mod material;
 pub mod mesh;
+pub mod modes;
 pub mod statics;
 
 pub use error::StructureError;

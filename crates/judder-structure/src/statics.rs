@@ -47,3 +47,8 @@ pub fn product(matrix: &Sparse, x: &[f64]) -> Vec<f64> {
     }
     y
 }
+
+/// aᵀ b.
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}

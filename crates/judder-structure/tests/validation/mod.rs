@@ -1,2 +1,3 @@
 mod bending;
+mod modes;
 mod patch;

@@ -1,0 +1,131 @@
+//! Modes: beams against Euler and Bernoulli, rigid motions, modes that come in pairs, none missing.
+
+use crate::Body;
+use judder_structure::beam::Beam;
+use judder_structure::element::ElementKind;
+use judder_structure::freedom::Supports;
+use judder_structure::grid::Grid;
+use judder_structure::material::{Elastic, Section};
+use judder_structure::modes::{Mode, Modes, Wanted, modes};
+use std::f64::consts::{PI, TAU};
+
+/// The two beams of the beams paper, Tables 1 and 2, held at one end.
+fn cantilever(length: f64, thickness: f64, width: f64, elements: usize, material: Elastic) -> Body {
+    let beam = Beam { length, thickness, elements: [elements, 2], origin: [0.0; 2], angle: 0.0 };
+    Body { mesh: beam.mesh("any").unwrap(), material, section: Section::PlaneStress { thickness: width } }
+}
+
+fn horizontal() -> Body {
+    cantilever(0.1, 0.002, 0.02, 100, Elastic::new(2.38e9, 0.4, 1200.0).unwrap())
+}
+
+fn oblique() -> Body {
+    cantilever(0.075, 0.0015, 0.01, 75, Elastic::new(71e9, 0.33, 2770.0).unwrap())
+}
+
+fn lowest(body: &Body, supports: &Supports, wanted: Wanted) -> Modes {
+    let assembled = body.assembled(&body.numbering(supports));
+    let found = modes(&assembled.stiffness, &assembled.mass, wanted).unwrap();
+    for mode in &found.modes {
+        assert!(mode.residual < 1e-11, "{} Hz: {:e}", mode.frequency_hz(), mode.residual);
+    }
+    found
+}
+
+fn nearest(found: &Modes, frequency: f64) -> f64 {
+    let frequencies = found.modes.iter().map(Mode::frequency_hz);
+    frequencies.min_by(|a, b| (a - frequency).abs().total_cmp(&(b - frequency).abs())).unwrap()
+}
+
+/// Our notes on the beams paper give the frequencies to half a percent.
+#[test]
+fn the_beams_of_the_paper_have_their_frequencies() {
+    for (body, expected) in [
+        (horizontal(), vec![45.5, 284.7, 794.7, 3523.0, 6909.0, 10567.0]),
+        (oblique(), vec![218.0, 1365.0, 3810.0, 7433.0]),
+    ] {
+        let found = lowest(&body, &body.held(&body.mesh.node_sets["start"]), Wanted::Lowest(14));
+        println!("{:?}", found.modes.iter().map(Mode::frequency_hz).collect::<Vec<_>>());
+        for frequency in expected {
+            let nearest = nearest(&found, frequency);
+            assert!((nearest / frequency - 1.0).abs() < 5e-3, "{frequency}: {nearest}");
+        }
+    }
+}
+
+/// ω = β² √(E I/(ρ A)) with cos βl cosh βl = −1, and ω = (k − ½) π/l √(E/ρ) along the axis.
+#[test]
+fn a_slender_cantilever_is_that_of_euler_and_bernoulli() {
+    let (length, thickness) = (1.0, 0.002);
+    let body = cantilever(length, thickness, 0.01, 300, Elastic::new(200e9, 0.0, 8000.0).unwrap());
+    let found = lowest(&body, &body.held(&body.mesh.node_sets["start"]), Wanted::Lowest(4));
+    let speed = (200e9 / 8000.0_f64).sqrt();
+    let radius = thickness / 12.0_f64.sqrt();
+    for (mode, root) in found.modes.iter().zip([1.875_104_069, 4.694_091_133, 7.854_757_438, 10.995_540_73]) {
+        let expected = (root / length).powi(2) * radius * speed / TAU;
+        assert!((mode.frequency_hz() / expected - 1.0).abs() < 2e-4, "{expected}: {}", mode.frequency_hz());
+    }
+    let along = PI / 2.0 / length * speed / TAU;
+    let band =
+        lowest(&body, &body.held(&body.mesh.node_sets["start"]), Wanted::Band(0.99 * along, 1.01 * along));
+    let best = nearest(&band, along);
+    assert!((best / along - 1.0).abs() < 1e-5, "{along}: {best}");
+}
+
+#[test]
+fn a_free_body_has_its_rigid_motions_at_zero() {
+    for (kind, rigid) in
+        [(ElementKind::Quad8, 3), (ElementKind::Hexahedron8, 6), (ElementKind::Tetrahedron10, 6)]
+    {
+        let grid = Grid { kind, size: [0.3, 0.2, 0.1], cells: [4, 3, 2] };
+        let section = if rigid == 3 { Section::PlaneStress { thickness: 0.01 } } else { Section::Solid };
+        let body = Body {
+            mesh: grid.mesh("any", |p| p).unwrap(),
+            material: Elastic::new(2e11, 0.3, 7800.0).unwrap(),
+            section,
+        };
+        let found = lowest(&body, &Supports::default(), Wanted::Lowest(rigid + 4));
+        let first = found.modes[rigid].eigenvalue;
+        assert!(found.modes[..rigid].iter().all(|mode| mode.eigenvalue.abs() < 1e-9 * first), "{kind}");
+        assert!(found.modes[rigid].frequency_hz() > 100.0);
+    }
+}
+
+/// A square that is held all round has modes in pairs; one start of Lanczos' method sees one of each.
+#[test]
+fn modes_that_come_in_pairs_are_both_found() {
+    let grid = Grid { kind: ElementKind::Quad8, size: [1.0; 3], cells: [8, 8, 1] };
+    let body = Body {
+        mesh: grid.mesh("any", |p| p).unwrap(),
+        material: Elastic::new(1.0, 0.3, 1.0).unwrap(),
+        section: Section::PlaneStrain { thickness: 1.0 },
+    };
+    let sides: Vec<usize> = body.mesh.node_sets.values().flatten().copied().collect();
+    let found = lowest(&body, &body.held(&sides), Wanted::Lowest(20));
+    assert_eq!(found.modes.len(), 20);
+    let values: Vec<f64> = found.modes.iter().map(|mode| mode.eigenvalue).collect();
+    let pairs = values.windows(2).filter(|pair| (pair[1] / pair[0] - 1.0).abs() < 1e-9).count();
+    assert!(pairs >= 5, "{values:?}");
+    let (limit, count) = found.counted;
+    assert!(values.iter().filter(|value| **value < limit).count() <= count && limit > values[19]);
+}
+
+#[test]
+fn shapes_are_orthogonal_in_mass_and_stiffness() {
+    let body = horizontal();
+    let assembled = body.assembled(&body.numbering(&body.held(&body.mesh.node_sets["start"])));
+    let found = modes(&assembled.stiffness, &assembled.mass, Wanted::Lowest(8)).unwrap().modes;
+    for a in &found {
+        let (inertial, elastic) = (
+            judder_structure::statics::product(&assembled.mass, &a.shape),
+            judder_structure::statics::product(&assembled.stiffness, &a.shape),
+        );
+        for b in &found {
+            let along = |force: &[f64]| force.iter().zip(&b.shape).map(|(f, u)| f * u).sum::<f64>();
+            let expected = f64::from(u8::from(a == b));
+            assert!((along(&inertial) - expected).abs() < 1e-10, "{}", along(&inertial));
+            let scale = (a.eigenvalue * b.eigenvalue).sqrt();
+            assert!((along(&elastic) / scale - expected).abs() < 1e-7, "{}", along(&elastic) / scale);
+        }
+    }
+}

@@ -109,4 +109,17 @@ pub enum StructureError {
         /// How many were wanted.
         wanted: usize,
     },
+    /// A freedom to be kept is named twice, or is not there.
+    #[error("freedom {freedom} is to be kept twice, or is none of the {freedoms} freedoms (counted from 0)")]
+    KeptTwice {
+        /// Which.
+        freedom: usize,
+        /// How many there are.
+        freedoms: usize,
+    },
+    /// The reduced mass is not positive definite, or an eigenvalue iteration did not end.
+    #[error(
+        "the reduced structure has no modal form: its mass is not positive definite, or its numbers are not finite"
+    )]
+    NoModalForm,
 }

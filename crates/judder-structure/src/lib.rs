@@ -9,10 +9,13 @@
 //! - [`assembly`]: sparse stiffness and mass of a mesh.
 //! - [`factor`]: the factorisation of a symmetric matrix, with the count of its negative eigenvalues.
 //! - [`modes`]: undamped modes, with a count that shows whether one is missing.
+//! - [`craig_bampton`]: a structure on the freedoms that are kept and its lowest fixed-interface modes.
 //! - [`statics`]: displacements under loads that rest.
 
 pub mod assembly;
 pub mod beam;
+pub mod craig_bampton;
+mod dense;
 pub mod element;
 mod error;
 pub mod factor;

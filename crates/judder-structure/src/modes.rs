@@ -4,11 +4,11 @@ mod lanczos;
 
 use crate::StructureError;
 use crate::assembly::Sparse;
+use crate::dense::{Eigen, generalised};
 use crate::factor::SymmetricFactor;
 use crate::statics::{dot, product};
-use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
+use faer::Mat;
 use faer::sparse::ops::binary_op;
-use faer::{Mat, Par, Side};
 use lanczos::Lanczos;
 use std::f64::consts::TAU;
 
@@ -100,31 +100,23 @@ fn rayleigh_ritz(
     found: Vec<(f64, Vec<f64>)>,
 ) -> Result<Vec<(f64, Vec<f64>)>, StructureError> {
     let wanted = found.len();
-    let failed = || StructureError::MissingModes { wanted };
     let shapes: Vec<Vec<f64>> = found.into_iter().map(|(_, shape)| shape).collect();
     let projected = |matrix: &Sparse| {
         let images: Vec<Vec<f64>> = shapes.iter().map(|shape| product(matrix, shape)).collect();
         Mat::from_fn(wanted, wanted, |i, j| dot(&shapes[i], &images[j]))
     };
-    let triangle = projected(mass).llt(Side::Lower).map_err(|_| failed())?.L().to_owned();
-    // L⁻¹ A L⁻ᵀ
-    let mut inner = projected(stiffness);
-    solve_lower_triangular_in_place(triangle.as_ref(), inner.as_mut(), Par::Seq);
-    let mut inner = inner.transpose().to_owned();
-    solve_lower_triangular_in_place(triangle.as_ref(), inner.as_mut(), Par::Seq);
-    let eigen = inner.self_adjoint_eigen(Side::Lower).map_err(|_| failed())?;
-    let mut shares = eigen.U().to_owned();
-    solve_upper_triangular_in_place(triangle.transpose(), shares.as_mut(), Par::Seq);
+    let Eigen { values, vectors } =
+        generalised(projected(stiffness), &projected(mass)).ok_or(StructureError::MissingModes { wanted })?;
     let combined = |k: usize| -> Vec<f64> {
         let mut sum = vec![0.0; mass.nrows()];
         for (i, shape) in shapes.iter().enumerate() {
             for (s, u) in sum.iter_mut().zip(shape) {
-                *s += shares[(i, k)] * u;
+                *s += vectors[(i, k)] * u;
             }
         }
         sum
     };
-    Ok((0..wanted).map(|k| (eigen.S()[k], combined(k))).collect())
+    Ok(values.into_iter().enumerate().map(|(k, value)| (value, combined(k))).collect())
 }
 
 /// A value between the last wanted eigenvalue and the next: halfway, where the two stand apart.

@@ -2,9 +2,10 @@
 
 use crate::StructureError;
 use crate::assembly::Sparse;
+use crate::dense::{Eigen, symmetric};
 use crate::factor::SymmetricFactor;
 use crate::statics::{dot, product};
-use faer::{Mat, Side};
+use faer::Mat;
 use judder_numerics::counter::uniform;
 
 /// A Krylov basis that grows until enough eigenvalues have converged.
@@ -134,11 +135,9 @@ impl<'a> Lanczos<'a> {
             1 => self.coupling[i.min(j)],
             _ => 0.0,
         });
-        let eigen = tridiagonal
-            .self_adjoint_eigen(Side::Lower)
-            .map_err(|_| StructureError::MissingModes { wanted: size })?;
+        let Eigen { values: inverse, vectors } =
+            symmetric(&tridiagonal).ok_or(StructureError::MissingModes { wanted: size })?;
         let open = self.next.as_ref().map_or(0.0, |(_, length)| *length);
-        let (inverse, vectors) = (eigen.S(), eigen.U());
         let has_converged = |k: &usize| {
             inverse[*k] > 0.0 && (open * vectors[(size - 1, *k)]).abs() <= TOLERANCE * inverse[*k]
         };

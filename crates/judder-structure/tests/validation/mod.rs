@@ -1,3 +1,4 @@
 mod bending;
+mod craig_bampton;
 mod modes;
 mod patch;

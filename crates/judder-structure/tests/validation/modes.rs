@@ -15,7 +15,7 @@ fn cantilever(length: f64, thickness: f64, width: f64, elements: usize, material
     Body { mesh: beam.mesh("any").unwrap(), material, section: Section::PlaneStress { thickness: width } }
 }
 
-fn horizontal() -> Body {
+pub(crate) fn horizontal() -> Body {
     cantilever(0.1, 0.002, 0.02, 100, Elastic::new(2.38e9, 0.4, 1200.0).unwrap())
 }
 

@@ -46,7 +46,7 @@ impl CraigBampton {
             number[*freedom] = k;
         }
         let part = |matrix: &Sparse| inner_part(matrix, &role, &number, inner.len());
-        let (inner_stiffness, inner_mass) = (part(stiffness), part(mass));
+        let (inner_stiffness, inner_mass) = (part(stiffness)?, part(mass)?);
         let fixed_interface = modes(&inner_stiffness, &inner_mass, Wanted::Lowest(count))?.modes;
         let factor = SymmetricFactor::new(&inner_stiffness)?;
         let mut basis = Mat::zeros(size, kept.len() + fixed_interface.len());
@@ -97,7 +97,12 @@ fn roles(size: usize, kept: &[usize]) -> Result<Vec<Option<usize>>, StructureErr
 }
 
 /// The part of a matrix on the freedoms that are not kept.
-fn inner_part(matrix: &Sparse, role: &[Option<usize>], number: &[usize], size: usize) -> Sparse {
+fn inner_part(
+    matrix: &Sparse,
+    role: &[Option<usize>],
+    number: &[usize],
+    size: usize,
+) -> Result<Sparse, StructureError> {
     let mut entries = Vec::new();
     for column in (0..matrix.ncols()).filter(|k| role[*k].is_none()) {
         for (row, value) in matrix.row_idx_of_col(column).zip(matrix.val_of_col(column)) {
@@ -106,7 +111,8 @@ fn inner_part(matrix: &Sparse, role: &[Option<usize>], number: &[usize], size: u
             }
         }
     }
-    Sparse::try_new_from_triplets(size, size, &entries).unwrap_or_else(|_| matrix.clone())
+    Sparse::try_new_from_triplets(size, size, &entries)
+        .map_err(|_| StructureError::OutOfMemory { rows: size })
 }
 
 /// Tᵀ A T.

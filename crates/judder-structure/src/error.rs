@@ -122,4 +122,7 @@ pub enum StructureError {
         "the reduced structure has no modal form: its mass is not positive definite, or its numbers are not finite"
     )]
     NoModalForm,
+    /// A factorisation does not tell how many eigenvalues are negative.
+    #[error("the factorisation does not tell how many eigenvalues are negative")]
+    NoInertia,
 }

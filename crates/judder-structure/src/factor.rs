@@ -63,19 +63,23 @@ impl SymmetricFactor {
     }
 
     /// How many eigenvalues are negative (Sylvester's law of inertia).
-    #[must_use]
-    pub fn negative_eigenvalues(&self) -> usize {
-        let SymbolicCholeskyRaw::Supernodal(symbolic) = self.symbolic.raw() else { return 0 };
+    ///
+    /// # Errors
+    /// [`StructureError::NoInertia`] where the factors are of a kind that does not tell.
+    pub fn negative_eigenvalues(&self) -> Result<usize, StructureError> {
+        let SymbolicCholeskyRaw::Supernodal(symbolic) = self.symbolic.raw() else {
+            return Err(StructureError::NoInertia);
+        };
         let factor =
             SupernodalIntranodeLbltRef::new(symbolic, &self.values, &self.subdiagonal, self.permutation());
-        (0..symbolic.n_supernodes())
+        Ok((0..symbolic.n_supernodes())
             .map(|s| {
                 let node = factor.supernode(s);
                 let block = node.val();
                 let diagonal = |k: usize| block[(k, k)];
                 negative_in(&self.subdiagonal[node.start()..node.start() + block.ncols()], diagonal)
             })
-            .sum()
+            .sum())
     }
 
     /// x with A x = b, in place of b.

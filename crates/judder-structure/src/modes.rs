@@ -61,7 +61,7 @@ const ROUNDS: usize = 20;
 /// [`StructureError::MissingModes`] where the count is not reached, [`StructureError::OutOfMemory`], numbers that are not finite.
 pub fn modes(stiffness: &Sparse, mass: &Sparse, wanted: Wanted) -> Result<Modes, StructureError> {
     let shift = -shift_scale(stiffness, mass)?;
-    let factor = SymmetricFactor::new(&shifted(stiffness, mass, shift))?;
+    let factor = SymmetricFactor::new(&shifted(stiffness, mass, shift)?)?;
     let mut search = Lanczos::new(&factor, mass, shift);
     let size = stiffness.nrows();
     let aim = match wanted {
@@ -88,7 +88,7 @@ pub fn modes(stiffness: &Sparse, mass: &Sparse, wanted: Wanted) -> Result<Modes,
             return Ok(Modes { modes, counted: (limit, count) });
         }
         target = target.max(count);
-        search.start_anew();
+        search.start_anew()?;
     }
     Err(StructureError::MissingModes { wanted: aim })
 }
@@ -139,18 +139,16 @@ fn limit_above(found: &[(f64, Vec<f64>)], target: usize, wanted: Wanted) -> f64 
 /// # Errors
 /// [`StructureError::OutOfMemory`].
 pub fn below(stiffness: &Sparse, mass: &Sparse, value: f64) -> Result<usize, StructureError> {
-    Ok(SymmetricFactor::new(&shifted(stiffness, mass, value))?.negative_eigenvalues())
+    SymmetricFactor::new(&shifted(stiffness, mass, value)?)?.negative_eigenvalues()
 }
 
 /// K − σ M.
-fn shifted(stiffness: &Sparse, mass: &Sparse, shift: f64) -> Sparse {
+fn shifted(stiffness: &Sparse, mass: &Sparse, shift: f64) -> Result<Sparse, StructureError> {
     let entry =
         |k: Option<&f64>, m: Option<&f64>| k.copied().unwrap_or(0.0) - shift * m.copied().unwrap_or(0.0);
     // both have the pattern of the mesh; of other patterns the union
-    match binary_op(stiffness.as_ref(), mass.as_ref(), entry) {
-        Ok(matrix) => matrix,
-        Err(_) => stiffness.clone(),
-    }
+    binary_op(stiffness.as_ref(), mass.as_ref(), entry)
+        .map_err(|_| StructureError::OutOfMemory { rows: stiffness.nrows() })
 }
 
 /// A small positive eigenvalue for shifts: far below the mean of all, far above what rounding makes of zero.

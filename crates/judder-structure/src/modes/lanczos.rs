@@ -7,6 +7,7 @@ use crate::factor::SymmetricFactor;
 use crate::statics::{dot, product};
 use faer::Mat;
 use judder_numerics::counter::uniform;
+use std::collections::VecDeque;
 
 /// A Krylov basis that grows until enough eigenvalues have converged.
 pub(super) struct Lanczos<'a> {
@@ -17,12 +18,20 @@ pub(super) struct Lanczos<'a> {
     basis: Vec<Vec<f64>>,
     /// M times each.
     with_mass: Vec<Vec<f64>>,
-    /// The projected operator: diagonal, and what couples each vector to the next.
-    diagonal: Vec<f64>,
-    coupling: Vec<f64>,
-    /// What the next vector is made of, and its length in M.
-    next: Option<(Vec<f64>, f64)>,
+    /// The operator between the vectors: of each its products with itself and those before it.
+    projected: Vec<Vec<f64>>,
+    /// What the next vectors are made of.
+    pending: VecDeque<Pending>,
     starts: u64,
+}
+
+/// What the operator makes of a vector outside the basis, or a random start.
+struct Pending {
+    vector: Vec<f64>,
+    /// In M.
+    length: f64,
+    /// The vector that it comes from.
+    from: Option<usize>,
 }
 
 /// An eigenvalue λ counts as converged where the residual of (K − σM)⁻¹M over its eigenvalue is below it.
@@ -40,16 +49,17 @@ impl<'a> Lanczos<'a> {
             shift,
             basis: Vec::new(),
             with_mass: Vec::new(),
-            diagonal: Vec::new(),
-            coupling: Vec::new(),
-            next: None,
+            projected: Vec::new(),
+            pending: VecDeque::new(),
             starts: 0,
         }
     }
 
-    /// Goes on from a random vector: what the space so far has missed is in it.
-    pub(super) fn start_anew(&mut self) {
-        self.next = None;
+    /// Takes in a random vector: what the space so far has missed is in it.
+    pub(super) fn start_anew(&mut self) -> Result<(), StructureError> {
+        let random = self.random()?;
+        self.pending.push_front(random);
+        Ok(())
     }
 
     /// The eigenvalues nearest above the shift, so many at least, with shapes of unit modal mass, by rising eigenvalue.
@@ -71,44 +81,49 @@ impl<'a> Lanczos<'a> {
 
     /// One more vector.
     fn grow(&mut self) -> Result<(), StructureError> {
-        let (mut vector, length) = match self.next.take() {
-            Some(next) => next,
-            None => self.random_vector()?,
-        };
-        if !self.basis.is_empty() {
-            self.coupling.push(length);
-        }
-        let mut with_mass = product(self.mass, &vector);
-        for v in vector.iter_mut().chain(&mut with_mass) {
-            *v /= if length == 0.0 { 1.0 } else { length };
-        }
+        let vector = self.next_vector()?;
+        let with_mass = product(self.mass, &vector);
         let mut image = with_mass.clone();
         self.factor.solve(&mut image)?;
-        self.diagonal.push(dot(&image, &with_mass));
         self.basis.push(vector);
         self.with_mass.push(with_mass);
+        self.projected.push(self.with_mass.iter().map(|with_mass| dot(&image, with_mass)).collect());
         let before = self.length_in_mass(&image);
         self.orthogonalise(&mut image);
-        let after = self.length_in_mass(&image);
-        // an invariant space couples to nothing: the next vector is a new start
-        self.next = (after > INVARIANT * before).then_some((image, after));
+        let length = self.length_in_mass(&image);
+        if length > INVARIANT * before {
+            self.pending.push_back(Pending { vector: image, length, from: Some(self.basis.len() - 1) });
+        }
         Ok(())
     }
 
-    /// A random vector outside the basis; it is not coupled to it.
-    fn random_vector(&mut self) -> Result<(Vec<f64>, f64), StructureError> {
+    /// A vector of unit length outside the basis: of what is pending the first that is not in it by now, else a random one.
+    fn next_vector(&mut self) -> Result<Vec<f64>, StructureError> {
+        loop {
+            let Pending { mut vector, length, from } = match self.pending.pop_front() {
+                Some(pending) => pending,
+                None => self.random()?,
+            };
+            self.orthogonalise(&mut vector);
+            let left = self.length_in_mass(&vector);
+            if left > INVARIANT * length {
+                return Ok(vector.iter().map(|v| v / left).collect());
+            }
+            if from.is_none() {
+                return Err(StructureError::MissingModes { wanted: self.basis.len() + 1 });
+            }
+        }
+    }
+
+    fn random(&mut self) -> Result<Pending, StructureError> {
         let size = self.mass.nrows();
         self.starts += 1;
-        let mut vector: Vec<f64> = (0..size as u64).map(|k| uniform(self.starts, k) - 0.5).collect();
+        let vector: Vec<f64> = (0..size as u64).map(|k| uniform(self.starts, k) - 0.5).collect();
         // once through the operator: nothing is left that has no mass
-        vector = product(self.mass, &vector);
+        let mut vector = product(self.mass, &vector);
         self.factor.solve(&mut vector)?;
-        self.orthogonalise(&mut vector);
         let length = self.length_in_mass(&vector);
-        for v in &mut vector {
-            *v /= length;
-        }
-        Ok((vector, 0.0))
+        Ok(Pending { vector, length, from: None })
     }
 
     /// Twice is enough (W. Kahan, B. N. Parlett).
@@ -130,17 +145,14 @@ impl<'a> Lanczos<'a> {
     /// The converged eigenvalues.
     fn ritz(&self) -> Result<Ritz, StructureError> {
         let size = self.basis.len();
-        let tridiagonal = Mat::from_fn(size, size, |i, j| match i.abs_diff(j) {
-            0 => self.diagonal[i],
-            1 => self.coupling[i.min(j)],
-            _ => 0.0,
-        });
+        let projected = Mat::from_fn(size, size, |i, j| self.projected[i.max(j)][i.min(j)]);
         let Eigen { values: inverse, vectors } =
-            symmetric(&tridiagonal).ok_or(StructureError::MissingModes { wanted: size })?;
-        let open = self.next.as_ref().map_or(0.0, |(_, length)| *length);
-        let has_converged = |k: &usize| {
-            inverse[*k] > 0.0 && (open * vectors[(size - 1, *k)]).abs() <= TOLERANCE * inverse[*k]
+            symmetric(&projected).ok_or(StructureError::MissingModes { wanted: size })?;
+        let residual = |k: usize| -> f64 {
+            let open = self.pending.iter().filter_map(|pending| Some((pending.from?, pending.length)));
+            open.map(|(from, length)| (length * vectors[(from, k)]).abs()).sum()
         };
+        let has_converged = |k: &usize| inverse[*k] > 0.0 && residual(*k) <= TOLERANCE * inverse[*k];
         // the largest eigenvalues of the inverse are the lowest of the structure
         let columns: Vec<usize> = (0..size).rev().take_while(has_converged).collect();
         Ok(Ritz {

@@ -6,7 +6,7 @@ use judder_structure::element::ElementKind;
 use judder_structure::freedom::Supports;
 use judder_structure::grid::Grid;
 use judder_structure::material::{Elastic, Section};
-use judder_structure::modes::{Mode, Modes, Wanted, modes};
+use judder_structure::modes::{Mode, Modes, Wanted, below, modes};
 use std::f64::consts::{PI, TAU};
 
 /// The two beams of the beams paper, Tables 1 and 2, held at one end.
@@ -106,6 +106,12 @@ fn modes_that_come_in_pairs_are_both_found() {
     let values: Vec<f64> = found.modes.iter().map(|mode| mode.eigenvalue).collect();
     let pairs = values.windows(2).filter(|pair| (pair[1] / pair[0] - 1.0).abs() < 1e-9).count();
     assert!(pairs >= 5, "{values:?}");
+    // between any two that stand apart a count finds as many below as were found
+    let assembled = body.assembled(&body.numbering(&body.held(&sides)));
+    for (k, pair) in values.windows(2).enumerate().filter(|(_, pair)| pair[1] / pair[0] > 1.0 + 1e-6) {
+        let middle = 0.5 * (pair[0] + pair[1]);
+        assert_eq!(below(&assembled.stiffness, &assembled.mass, middle).unwrap(), k + 1, "{values:?}");
+    }
     let (limit, count) = found.counted;
     assert!(values.iter().filter(|value| **value < limit).count() <= count && limit > values[19]);
 }

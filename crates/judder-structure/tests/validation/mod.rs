@@ -1,5 +1,6 @@
 mod bending;
 mod complex_modes;
 mod craig_bampton;
+mod eigen_sweep;
 mod modes;
 mod patch;

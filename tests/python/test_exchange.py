@@ -1,6 +1,7 @@
 """Matrices and meshes of other libraries come through; what judder writes, they read: SciPy, meshio, pyuff."""
 
 import pathlib
+import re
 import subprocess
 import xml.etree.ElementTree
 
@@ -117,14 +118,14 @@ def test_meshes_of_meshio_come_through(exchanged, tmp_path, kind, name):
         dimension = 2 if kind.startswith(("quad", "tri")) else 3
         tags = np.full((len(both), 2), [dimension, 1])
         mesh.point_data["gmsh:dim_tags"] = tags
-        mesh.cell_data = {"gmsh:geometrical": [np.array([1, 1])]}
+        mesh.cell_data = {"gmsh:geometrical": [np.array([1, 1])], "gmsh:physical": [np.array([5, 5])]}
         meshio.gmsh.write(tmp_path / name, mesh, fmt_version="4.1", binary="binary" in name)
     else:
         meshio.write(tmp_path / name, mesh)
-        # meshio names shells where Abaqus has solids of the plane
-        text = (tmp_path / name).read_text()
-        for theirs, plane in {"S8R": "CPS8", "CPS8": "CPS8", "S4R": "CPS4", "CPS4": "CPS4", "STRI65": "CPS6"}.items():
-            text = text.replace(f"TYPE={theirs}\n", f"TYPE={plane}\n")
+        # of the many types of a shape meshio writes one of shells, fluids or axes
+        types = {"quad": "CPS4I", "quad8": "CPE8", "triangle6": "CPS6", "hexahedron": "C3D8I", "hexahedron20": "C3D20",
+                 "tetra10": "C3D10"}
+        text = re.sub("TYPE=.*", f"TYPE={types[kind]}", (tmp_path / name).read_text())
         (tmp_path / name).write_text(text)
     ours = meshio.read(exchanged(tmp_path / name, "mesh.vtu"))
     np.testing.assert_allclose(ours.points, both[:-1], atol=1e-15)

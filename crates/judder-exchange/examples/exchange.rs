@@ -44,7 +44,7 @@ fn run() -> Result<(), Box<dyn Error>> {
     for warning in &file.warnings {
         eprintln!("{warning}");
     }
-    let geometry = Geometry::from(&file.mesh);
+    let geometry = Geometry { labels: file.node_labels.clone(), ..Geometry::from(&file.mesh) };
     let shape: Vec<[c64; 3]> = geometry
         .places
         .iter()

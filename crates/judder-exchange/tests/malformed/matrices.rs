@@ -1,6 +1,6 @@
 //! Matrices.
 
-use super::written;
+use super::{each_cut, written};
 use crate::file;
 use judder_exchange::matrix::read_matrix;
 use judder_exchange::{Cause, Place};
@@ -50,16 +50,15 @@ fn matlab_files_that_are_cut_or_changed_are_named_with_their_byte() {
     // behind the header stand the type and the size of the first variable; cut behind it the file is whole
     let first = 136 + u32::from_le_bytes([whole[132], whole[133], whole[134], whole[135]]) as usize;
     assert!(first < whole.len());
-    for length in (129..whole.len()).filter(|length| *length != first) {
-        let (_folder, path) = written("a.mat", &whole[..length]);
-        let error = read_matrix(&path).unwrap_err();
+    let lengths = (129..whole.len()).filter(|length| *length != first);
+    each_cut("a.mat", &whole, lengths, |length, path| {
+        let error = read_matrix(path).unwrap_err();
         assert!(matches!(error.place(), Place::Byte(128..)), "{length}: {error}");
-        let packed = sample("sparse_compressed.mat");
-        if length < packed.len() {
-            let (_folder, path) = written("a.mat", &packed[..length]);
-            read_matrix(&path).unwrap_err();
-        }
-    }
+    });
+    let packed = sample("sparse_compressed.mat");
+    each_cut("a.mat", &packed, 129..packed.len(), |length, path| {
+        assert!(read_matrix(path).is_err(), "{length}");
+    });
     let huge = replaced("sparse.mat", &[14, 0, 0, 0], &[14, 0, 0, 0, 0xff, 0xff, 0xff, 0xff]);
     assert!(message("a.mat", huge).contains("4294967295 bytes are needed"));
 }
@@ -67,10 +66,9 @@ fn matlab_files_that_are_cut_or_changed_are_named_with_their_byte() {
 #[test]
 fn archives_that_are_changed_are_named() {
     let whole = sample("csr.npz");
-    for length in 0..whole.len() {
-        let (_folder, path) = written("a.npz", &whole[..length]);
-        read_matrix(&path).unwrap_err();
-    }
+    each_cut("a.npz", &whole, 0..whole.len(), |length, path| {
+        assert!(read_matrix(path).is_err(), "{length}");
+    });
     // a number that no longer fits the checksum
     let stored = replaced("bsr.npz", &1.1_f64.to_le_bytes(), &9.9_f64.to_le_bytes());
     assert!(message("a.npz", stored).contains("does not unpack"));

@@ -1,6 +1,6 @@
 //! Meshes.
 
-use super::written;
+use super::{each_cut, written};
 use crate::file;
 use judder_exchange::Place;
 use judder_exchange::mesh_file::read_mesh;
@@ -28,12 +28,11 @@ fn meshes_of_gmsh_that_are_cut_are_refused_with_their_place() {
     for (name, is_text) in [("quad4.msh", true), ("quad8_binary.msh", false)] {
         let whole = sample(name);
         // the last end of a line may be missing
-        for length in 0..whole.len() - 1 {
-            let (_folder, path) = written(name, &whole[..length]);
-            let error = read_mesh(&path).unwrap_err();
+        each_cut(name, &whole, 0..whole.len() - 1, |length, path| {
+            let error = read_mesh(path).unwrap_err();
             let placed = matches!(error.place(), Place::Line(_)) || !is_text;
             assert!(placed || error.to_string().contains("no elements"), "{length}: {error}");
-        }
+        });
     }
 }
 

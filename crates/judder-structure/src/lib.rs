@@ -10,12 +10,20 @@
 //! - [`factor`]: the factorisation of a symmetric matrix, with the count of its negative eigenvalues.
 //! - [`modes`]: undamped modes, with a count that shows whether one is missing.
 //! - [`craig_bampton`]: a structure on the freedoms that are kept and its lowest fixed-interface modes.
+//! - [`quadratic`]: mass, damping and stiffness of a structure that need not be symmetric, [`affine`]: as sums of matrices with factors.
+//! - [`complex_modes`]: all eigenvalues of a region of the complex plane, each with its error and verdict.
+//! - [`eigen_sweep`]: complex modes over parameters, followed from point to point.
+//! - [`diagnosis`]: why a mode grows.
 //! - [`statics`]: displacements under loads that rest.
 
+pub mod affine;
 pub mod assembly;
 pub mod beam;
+pub mod complex_modes;
 pub mod craig_bampton;
 mod dense;
+pub mod diagnosis;
+pub mod eigen_sweep;
 pub mod element;
 mod error;
 pub mod factor;
@@ -24,6 +32,7 @@ pub mod grid;
 pub mod material;
 pub mod mesh;
 pub mod modes;
+pub mod quadratic;
 pub mod statics;
 
 pub use error::StructureError;

@@ -103,6 +103,24 @@ pub enum StructureError {
         /// Of the matrix.
         rows: usize,
     },
+    /// A matrix has no factors: a pivot is zero or not finite.
+    #[error(
+        "a matrix of {rows} rows is singular, or its numbers are not finite: is a shift an eigenvalue, or the structure not held?"
+    )]
+    Singular {
+        /// Of the matrix.
+        rows: usize,
+    },
+    /// A matrix has entries that the pattern of the factors does not have.
+    #[error(
+        "a matrix of {rows} rows does not have the pattern of factors for {expected} rows that it is to be factored with"
+    )]
+    WrongPattern {
+        /// Of the matrix.
+        rows: usize,
+        /// Of the pattern.
+        expected: usize,
+    },
     /// Modes are missing that a count knows of.
     #[error("not all of {wanted} modes were found: the count of a factorisation knows of more")]
     MissingModes {
@@ -122,7 +140,4 @@ pub enum StructureError {
         "the reduced structure has no modal form: its mass is not positive definite, or its numbers are not finite"
     )]
     NoModalForm,
-    /// A factorisation does not tell how many eigenvalues are negative.
-    #[error("the factorisation does not tell how many eigenvalues are negative")]
-    NoInertia,
 }

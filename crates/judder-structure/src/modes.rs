@@ -139,7 +139,7 @@ fn limit_above(found: &[(f64, Vec<f64>)], target: usize, wanted: Wanted) -> f64 
 /// # Errors
 /// [`StructureError::OutOfMemory`].
 pub fn below(stiffness: &Sparse, mass: &Sparse, value: f64) -> Result<usize, StructureError> {
-    SymmetricFactor::new(&shifted(stiffness, mass, value)?)?.negative_eigenvalues()
+    Ok(SymmetricFactor::new(&shifted(stiffness, mass, value)?)?.negative_eigenvalues())
 }
 
 /// K − σ M.

@@ -103,6 +103,26 @@ pub enum StructureError {
         /// Of the matrix.
         rows: usize,
     },
+    /// Two matrices are not of one structure.
+    #[error("a matrix of {} × {} and one of {} × {} do not belong to one structure: both must be square and of one size", first[0], first[1], second[0], second[1])]
+    DifferentSizes {
+        /// Rows and columns of the first.
+        first: [usize; 2],
+        /// Of the second.
+        second: [usize; 2],
+    },
+    /// No Rayleigh damping without negative coefficients has these ratios.
+    #[error(
+        "no Rayleigh damping has the ratios {} at {} Hz and {} at {} Hz: the ratio at the second must lie between {} and {}",
+        ratios[0], frequencies[0], ratios[1], frequencies[1],
+        ratios[0] * frequencies[0] / frequencies[1], ratios[0] * frequencies[1] / frequencies[0]
+    )]
+    NoRayleighDamping {
+        /// At the lower and the higher frequency.
+        ratios: [f64; 2],
+        /// In Hz.
+        frequencies: [f64; 2],
+    },
     /// A matrix has no factors: a pivot is zero or not finite.
     #[error(
         "a matrix of {rows} rows is singular, or its numbers are not finite: is a shift an eigenvalue, or the structure not held?"
@@ -134,6 +154,16 @@ pub enum StructureError {
         freedom: usize,
         /// How many there are.
         freedoms: usize,
+    },
+    /// A mode without stiffness would be cut off.
+    #[error(
+        "mode {mode} (counted from 0) of the modal form is rigid and would be cut off after {kept}: a rigid motion has no flexibility"
+    )]
+    CutRigid {
+        /// Its number.
+        mode: usize,
+        /// How many would be kept.
+        kept: usize,
     },
     /// The reduced mass is not positive definite, or an eigenvalue iteration did not end.
     #[error(

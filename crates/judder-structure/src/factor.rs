@@ -48,6 +48,14 @@ impl FactorPattern {
         Ok(Self { shared: Arc::new(Elimination { tree, order, inverse }) })
     }
 
+    /// How many eigenvalues of a matrix are negative (Sylvester's law of inertia); its factors are not held.
+    ///
+    /// # Errors
+    /// Those of [`SymmetricFactor::with_pattern`].
+    pub fn negative_eigenvalues(&self, matrix: &Sparse) -> Result<usize, StructureError> {
+        Ok(eliminated(&self.shared, matrix, |front| front.negative())?.iter().sum())
+    }
+
     /// Numbers that the factors hold, 8 bytes each.
     #[must_use]
     pub fn entries(&self) -> usize {
@@ -83,40 +91,8 @@ impl SymmetricFactor {
     /// [`StructureError::WrongPattern`] for a matrix of another size or with entries that the pattern lacks, and those of
     /// [`Self::new`].
     pub fn with_pattern(pattern: &FactorPattern, matrix: &Sparse) -> Result<Self, StructureError> {
-        let Elimination { tree, order, inverse } = &*pattern.shared;
-        let rows = matrix.nrows();
-        if rows != order.len() || matrix.ncols() != rows {
-            return Err(StructureError::WrongPattern { rows, expected: order.len() });
-        }
-        let permuted = Permuted::new(matrix, order, inverse)?;
-        let eliminated: Vec<(Vec<Front>, Vec<f64>)> = tree
-            .branches
-            .par_iter()
-            .map(|branch| eliminate_branch(tree, branch, &permuted))
-            .collect::<Result<_, _>>()?;
-        let mut updates = BTreeMap::new();
-        let mut fronts: Vec<Option<Front>> = (0..tree.blocks()).map(|_| None).collect();
-        for (branch, (own, update)) in tree.branches.iter().zip(eliminated) {
-            for (block, front) in branch.blocks.iter().zip(own) {
-                fronts[*block] = Some(front);
-            }
-            if let Some(root) = branch.blocks.last() {
-                updates.insert(*root, update);
-            }
-        }
-        let shared = !tree.branches.is_empty();
-        for block in &tree.trunk {
-            let (front, update) = eliminate(tree, *block, &permuted, &mut updates, shared)?;
-            fronts[*block] = Some(front);
-            updates.insert(*block, update);
-        }
-        // every block is in a branch or in the trunk
-        let fronts: Vec<Front> = fronts.into_iter().flatten().collect();
-        if fronts.iter().all(Front::is_regular) {
-            Ok(Self { pattern: pattern.clone(), fronts })
-        } else {
-            Err(StructureError::Singular { rows })
-        }
+        let fronts = eliminated(&pattern.shared, matrix, |front| front)?;
+        Ok(Self { pattern: pattern.clone(), fronts })
     }
 
     /// How many eigenvalues are negative (Sylvester's law of inertia).
@@ -234,21 +210,56 @@ impl Permuted {
     }
 }
 
+/// What is to be kept of each block, in their order.
+fn eliminated<T: Send>(
+    elimination: &Elimination,
+    matrix: &Sparse,
+    keep: impl Fn(Front) -> T + Sync,
+) -> Result<Vec<T>, StructureError> {
+    let Elimination { tree, order, inverse } = elimination;
+    let rows = matrix.nrows();
+    if rows != order.len() || matrix.ncols() != rows {
+        return Err(StructureError::WrongPattern { rows, expected: order.len() });
+    }
+    let permuted = Permuted::new(matrix, order, inverse)?;
+    let branch = |branch| eliminate_branch(tree, branch, &permuted, &keep);
+    let of_branches: Vec<_> = tree.branches.par_iter().map(branch).collect::<Result<_, _>>()?;
+    let mut updates = BTreeMap::new();
+    let mut kept: Vec<Option<T>> = (0..tree.blocks()).map(|_| None).collect();
+    for (branch, (own, update)) in tree.branches.iter().zip(of_branches) {
+        for (block, own) in branch.blocks.iter().zip(own) {
+            kept[*block] = Some(own);
+        }
+        if let Some(root) = branch.blocks.last() {
+            updates.insert(*root, update);
+        }
+    }
+    let shared = !tree.branches.is_empty();
+    for block in &tree.trunk {
+        let (front, update) = eliminate(tree, *block, &permuted, &mut updates, shared)?;
+        kept[*block] = Some(keep(front));
+        updates.insert(*block, update);
+    }
+    // every block is in a branch or in the trunk
+    Ok(kept.into_iter().flatten().collect())
+}
+
 /// Eliminates the blocks of a branch; what its root changes comes back beside them.
-fn eliminate_branch(
+fn eliminate_branch<T>(
     tree: &Tree,
     branch: &Branch,
     matrix: &Permuted,
-) -> Result<(Vec<Front>, Vec<f64>), StructureError> {
+    keep: impl Fn(Front) -> T,
+) -> Result<(Vec<T>, Vec<f64>), StructureError> {
     let mut updates: BTreeMap<usize, Vec<f64>> = BTreeMap::new();
-    let mut fronts = Vec::with_capacity(branch.blocks.len());
+    let mut kept = Vec::with_capacity(branch.blocks.len());
     for block in &branch.blocks {
         let (front, update) = eliminate(tree, *block, matrix, &mut updates, false)?;
-        fronts.push(front);
+        kept.push(keep(front));
         updates.insert(*block, update);
     }
     let update = branch.blocks.last().and_then(|root| updates.remove(root));
-    Ok((fronts, update.unwrap_or_default()))
+    Ok((kept, update.unwrap_or_default()))
 }
 
 /// Assembles a block from the matrix and the updates of its children, which are taken, and eliminates it.
@@ -278,7 +289,8 @@ fn eliminate(
             tree.rows(*child).iter().map(|row| place(*row)).collect::<Option<_>>().ok_or_else(wrong)?;
         assembly.add_update(&updates.remove(child).unwrap_or_default(), &places);
     }
-    assembly.eliminate(shared)
+    let (front, update) = assembly.eliminate(shared)?;
+    if front.is_regular() { Ok((front, update)) } else { Err(StructureError::Singular { rows: size }) }
 }
 
 #[cfg(test)]

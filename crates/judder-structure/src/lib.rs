@@ -10,11 +10,16 @@
 //! - [`factor`]: the factorisation of a symmetric matrix, with the count of its negative eigenvalues.
 //! - [`modes`]: undamped modes, with a count that shows whether one is missing.
 //! - [`craig_bampton`]: a structure on the freedoms that are kept and its lowest fixed-interface modes.
+//! - [`modal_form`]: a reduced structure in its own modes, and the flexibility of those that are cut off.
+//! - [`reduction_error`]: how far reduced frequencies can be from full ones, told by the reduction alone.
+//! - [`reduction_report`]: a reduced structure beside the full one.
+//! - [`damping`]: Rayleigh's, and viscous in place of structural.
 //! - [`statics`]: displacements under loads that rest.
 
 pub mod assembly;
 pub mod beam;
 pub mod craig_bampton;
+pub mod damping;
 mod dense;
 pub mod element;
 mod error;
@@ -23,7 +28,10 @@ pub mod freedom;
 pub mod grid;
 pub mod material;
 pub mod mesh;
+pub mod modal_form;
 pub mod modes;
+pub mod reduction_error;
+pub mod reduction_report;
 pub mod statics;
 
 pub use error::StructureError;

@@ -1,4 +1,5 @@
 mod bending;
 mod craig_bampton;
+mod damping;
 mod modes;
 mod patch;

@@ -87,7 +87,8 @@ pub fn modes(stiffness: &Sparse, mass: &Sparse, wanted: Wanted) -> Result<Modes,
                 Wanted::Band(from, _) => (found.values.partition_point(|v| *v < (TAU * from).powi(2)), known),
             };
             drop(search);
-            let modes = pencil.polished(&factor, found.shapes)?.into_iter().take(last).skip(first).collect();
+            let modes =
+                pencil.polished(&factor, shift, found.shapes)?.into_iter().take(last).skip(first).collect();
             return Ok(Modes { modes, counted: (limit, count) });
         }
         target = target.max(count);
@@ -110,18 +111,31 @@ impl Pencil<'_> {
 
     /// The modes within the space of what was found; where residuals are rough, of what the operator makes of it, which has less
     /// of the high modes in it.
-    fn polished(&self, factor: &SymmetricFactor, shapes: Vec<Vec<f64>>) -> Result<Vec<Mode>, StructureError> {
+    fn polished(
+        &self,
+        factor: &SymmetricFactor,
+        shift: f64,
+        shapes: Vec<Vec<f64>>,
+    ) -> Result<Vec<Mode>, StructureError> {
         let modes = self.rayleigh_ritz(shapes)?;
         if modes.iter().all(|mode| mode.residual <= ROUGH) {
             return Ok(modes);
         }
-        let iterated = |mode: Mode| -> Vec<f64> {
-            let mut shape = symmetric_product(self.mass, &mode.shape);
-            factor.solve(&mut shape);
-            let length = dot(&shape, &symmetric_product(self.mass, &shape)).sqrt();
-            shape.iter().map(|value| value / length).collect()
-        };
-        self.rayleigh_ritz(modes.into_iter().map(iterated).collect())
+        let mut shapes: Vec<Vec<f64>> =
+            modes.iter().map(|mode| symmetric_product(self.mass, &mode.shape)).collect();
+        for pair in shapes.chunks_mut(2) {
+            match pair {
+                [one, other] => factor.solve_together([one, other]),
+                others => others.iter_mut().for_each(|shape| factor.solve(shape)),
+            }
+        }
+        for (shape, mode) in shapes.iter_mut().zip(&modes) {
+            // back to a length near one; the space is what counts
+            for value in shape {
+                *value *= mode.eigenvalue - shift;
+            }
+        }
+        self.rayleigh_ritz(shapes)
     }
 
     /// The modes within the space of shapes: what a factorisation near a rigid motion mixed comes apart.

@@ -7,9 +7,7 @@ use crate::StructureError;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::lblt::factor::{LbltParams, cholesky_in_place, cholesky_in_place_scratch};
 use faer::linalg::matmul::matmul;
-use faer::linalg::triangular_solve::{
-    solve_unit_lower_triangular_in_place, solve_unit_upper_triangular_in_place,
-};
+use faer::linalg::triangular_solve::solve_unit_lower_triangular_in_place;
 use faer::{Accum, ColMut, MatMut, MatRef, Par, Spec};
 use rayon::prelude::*;
 
@@ -23,13 +21,13 @@ const CHUNK: usize = 512;
 /// The factors of a block of columns.
 #[derive(Debug)]
 pub(super) struct Front {
-    columns: usize,
+    pub(super) columns: usize,
     /// L below its diagonal of ones, the diagonal of B on it, column by column.
     lower: Vec<f64>,
     /// B beside its diagonal: an entry that is not zero begins a block of two rows.
-    subdiagonal: Vec<f64>,
+    pub(super) subdiagonal: Vec<f64>,
     /// Which row of the panel a row of its factor was.
-    pivots: Vec<usize>,
+    pub(super) pivots: Vec<usize>,
 }
 
 /// A block that is being assembled: its columns, and what they will change in the rows below.
@@ -196,26 +194,26 @@ fn divide(
 }
 
 /// A block of B.
-enum Pivot {
+pub(super) enum Pivot {
     One(f64),
     /// Both diagonal entries, and the one beside.
     Two(f64, f64, f64),
 }
 
 impl Pivot {
-    fn at(top: MatRef<'_, f64>, subdiagonal: &[f64], k: usize) -> Self {
+    pub(super) fn at(top: MatRef<'_, f64>, subdiagonal: &[f64], k: usize) -> Self {
         match subdiagonal[k] {
             0.0 => Self::One(top[(k, k)]),
             beside => Self::Two(top[(k, k)], top[(k + 1, k + 1)], beside),
         }
     }
 
-    fn rows(&self) -> usize {
+    pub(super) fn rows(&self) -> usize {
         if matches!(self, Self::One(_)) { 1 } else { 2 }
     }
 
     /// Scaled by the entry beside, which is the largest.
-    fn solve(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+    pub(super) fn solve(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         match *self {
             Self::One(a) => [x / a, 0.0],
             Self::Two(a, b, beside) => {
@@ -239,19 +237,19 @@ impl Pivot {
 }
 
 impl Front {
-    fn rows(&self) -> usize {
+    pub(super) fn rows(&self) -> usize {
         self.lower.len() / self.columns.max(1)
     }
 
     /// Its panels: first column and width.
-    fn panels(&self) -> impl DoubleEndedIterator<Item = (usize, usize)> + use<> {
+    pub(super) fn panels(&self) -> impl DoubleEndedIterator<Item = (usize, usize)> + use<> {
         let columns = self.columns;
         let panels = columns.div_ceil(PANEL);
         (0..panels).map(move |k| (k * PANEL, PANEL.min(columns - k * PANEL)))
     }
 
     /// A panel's diagonal block, and its rows below.
-    fn panel(&self, start: usize, width: usize) -> (MatRef<'_, f64>, MatRef<'_, f64>) {
+    pub(super) fn panel(&self, start: usize, width: usize) -> (MatRef<'_, f64>, MatRef<'_, f64>) {
         let columns = &self.lower[start * self.rows()..(start + width) * self.rows()];
         whole(columns, self.rows()).split_at_row(start).1.split_at_row(width)
     }
@@ -284,86 +282,10 @@ impl Front {
             })
         })
     }
-
-    /// x = B⁻¹ L⁻¹ P x on the block's columns; what the rows below lose comes back.
-    pub(super) fn forward(&self, x: &mut [f64], shared: bool) -> Vec<f64> {
-        let mut lost = vec![0.0; self.rows()];
-        for (start, width) in self.panels() {
-            let (top, below) = self.panel(start, width);
-            let own = &mut x[start..start + width];
-            for (x, lost) in own.iter_mut().zip(&lost[start..]) {
-                *x -= lost;
-            }
-            let before = own.to_vec();
-            for (x, pivot) in own.iter_mut().zip(&self.pivots[start..]) {
-                *x = before[*pivot];
-            }
-            solve_unit_lower_triangular_in_place(top, column_mut(own), Par::Seq);
-            let work = |k: usize, lost: &mut [f64]| {
-                let rows = below.subrows(k, lost.len());
-                matmul(column_mut(lost), Accum::Add, rows, column(own), 1.0, Par::Seq);
-            };
-            each_chunk(&mut lost[start + width..], shared, work);
-            let mut k = 0;
-            while k < width {
-                let pivot = Pivot::at(top, &self.subdiagonal[start..start + width], k);
-                let [first, second] = pivot.solve([own[k], own.get(k + 1).copied().unwrap_or(0.0)]);
-                own[k] = first;
-                if pivot.rows() == 2 {
-                    own[k + 1] = second;
-                }
-                k += pivot.rows();
-            }
-        }
-        lost.split_off(self.columns)
-    }
-
-    /// x = Pᵀ L⁻ᵀ x on the block's columns, which stand first, with the rows below after them.
-    pub(super) fn backward(&self, x: &mut [f64], shared: bool) {
-        for (start, width) in self.panels().rev() {
-            let (top, below) = self.panel(start, width);
-            let (own, after) = x.split_at_mut(start + width);
-            let own = &mut own[start..];
-            let partial = |k: usize| -> Vec<f64> {
-                let rows = CHUNK.min(after.len() - k);
-                let mut sum = vec![0.0; width];
-                let (left, right) = (below.subrows(k, rows).transpose(), column(&after[k..k + rows]));
-                matmul(column_mut(&mut sum), Accum::Replace, left, right, 1.0, Par::Seq);
-                sum
-            };
-            let chunks = after.len().div_ceil(CHUNK);
-            let partials: Vec<Vec<f64>> = if shared {
-                (0..chunks).into_par_iter().map(|k| partial(k * CHUNK)).collect()
-            } else {
-                (0..chunks).map(|k| partial(k * CHUNK)).collect()
-            };
-            for sum in partials {
-                for (x, s) in own.iter_mut().zip(&sum) {
-                    *x -= s;
-                }
-            }
-            solve_unit_upper_triangular_in_place(top.transpose(), column_mut(own), Par::Seq);
-            let before = own.to_vec();
-            for (value, pivot) in before.iter().zip(&self.pivots[start..]) {
-                own[*pivot] = *value;
-            }
-        }
-    }
 }
 
-fn each_chunk(values: &mut [f64], shared: bool, work: impl Fn(usize, &mut [f64]) + Sync) {
-    if shared {
-        values.par_chunks_mut(CHUNK).enumerate().for_each(|(k, chunk)| work(k * CHUNK, chunk));
-    } else {
-        values.chunks_mut(CHUNK).enumerate().for_each(|(k, chunk)| work(k * CHUNK, chunk));
-    }
-}
-
-fn column(values: &[f64]) -> MatRef<'_, f64> {
-    MatRef::from_column_major_slice(values, values.len(), 1)
-}
-
-fn column_mut(values: &mut [f64]) -> MatMut<'_, f64> {
+/// One column.
+pub(super) fn column_mut(values: &mut [f64]) -> MatMut<'_, f64> {
     let rows = values.len();
     MatMut::from_column_major_slice_mut(values, rows, 1)
 }

@@ -43,8 +43,8 @@ const TOLERANCE: f64 = 1e-11;
 pub(super) const APART: f64 = 1e-6;
 /// A new vector shorter than this share of what it was made of lies in the basis: the space is invariant.
 const INVARIANT: f64 = 1e-10;
-/// Vectors between looks at the eigenvalues.
-const STRIDE: usize = 5;
+/// Pairs of vectors between looks at the eigenvalues.
+const STRIDE: usize = 3;
 /// Entries of vectors that are worked together.
 const CHUNK: usize = 4096;
 
@@ -73,37 +73,50 @@ impl<'a> Lanczos<'a> {
         let size = self.mass.nrows();
         loop {
             for _ in 0..STRIDE {
-                if self.basis.len() < size {
-                    self.grow()?;
-                }
+                self.grow()?;
             }
             let ritz = self.ritz()?;
             let last = ritz.values.last().copied().unwrap_or(0.0);
             let is_apart = ritz.next.is_some_and(|next| next - last > APART * next.abs());
             let enough = ritz.values.len() > count || ritz.values.len() == count && is_apart;
             if enough || self.basis.len() == size {
-                let shapes = ritz.vectors.iter().map(|shares| self.combined(shares)).collect();
+                let pairs = ritz.vectors.iter().zip(&ritz.values);
+                let shapes = pairs.map(|(shares, value)| self.iterated(shares, *value)).collect();
                 return Ok(Found { values: ritz.values, shapes, next: ritz.next });
             }
         }
     }
 
-    /// One more vector.
+    /// Two more vectors, one where there is no other.
     fn grow(&mut self) -> Result<(), StructureError> {
-        let (vector, with_mass) = self.next_vector()?;
-        let mut image = with_mass.clone();
-        self.factor.solve(&mut image);
-        self.basis.push(vector);
-        self.with_mass.push(with_mass);
+        let size = self.mass.nrows();
+        let first = self.basis.len();
+        for _ in first..size.min(first + 2) {
+            let (vector, with_mass) = self.next_vector()?;
+            self.basis.push(vector);
+            self.with_mass.push(with_mass);
+        }
+        let mut images = self.with_mass[first..].to_vec();
+        match &mut images[..] {
+            [one, other] => self.factor.solve_together([one, other]),
+            others => others.iter_mut().for_each(|image| self.factor.solve(image)),
+        }
+        for (k, image) in images.into_iter().enumerate() {
+            self.take_in(image, first + k);
+        }
+        Ok(())
+    }
+
+    /// What the operator has made of a vector of the basis.
+    fn take_in(&mut self, mut image: Vec<f64>, from: usize) {
         let shares = self.orthogonalise(&mut image, 0);
         let length = dot(&image, &symmetric_product(self.mass, &image)).max(0.0).sqrt();
         let before = shares.iter().map(|share| share * share).sum::<f64>().sqrt().hypot(length);
         self.projected.push(shares);
         if length > INVARIANT * before {
-            let (from, orthogonal_to) = (Some(self.basis.len() - 1), self.basis.len());
-            self.pending.push_back(Pending { vector: image, length, from, orthogonal_to });
+            let orthogonal_to = self.basis.len();
+            self.pending.push_back(Pending { vector: image, length, from: Some(from), orthogonal_to });
         }
-        Ok(())
     }
 
     /// A vector of unit length outside the basis, with M times it: of what is pending the first that is not in the basis by now,
@@ -188,12 +201,21 @@ impl<'a> Lanczos<'a> {
         })
     }
 
-    fn combined(&self, shares: &[f64]) -> Vec<f64> {
-        combined(&self.basis, |k| shares[k])
+    /// What the operator makes of a Ritz vector, over its eigenvalue: the vector and what is outside the basis, which has less of
+    /// the high modes in it than the vector alone. It takes no solution.
+    fn iterated(&self, shares: &[f64], value: f64) -> Vec<f64> {
+        let mut shape = combined(&self.basis, |k| shares[k]);
+        for pending in &self.pending {
+            let share = pending.from.map_or(0.0, |from| shares[from] * (value - self.shift));
+            for (s, v) in shape.iter_mut().zip(&pending.vector) {
+                *s += share * v;
+            }
+        }
+        shape
     }
 }
 
-/// Eigenvalues by rising size, with shapes of unit modal mass.
+/// Eigenvalues by rising size, with shapes.
 pub(super) struct Found {
     pub(super) values: Vec<f64>,
     pub(super) shapes: Vec<Vec<f64>>,

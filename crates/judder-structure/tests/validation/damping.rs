@@ -44,5 +44,5 @@ fn proportional_damping_has_its_ratio_at_every_mode_and_couples_none() {
         * reference.frequency_hz()
         * along(&structural.matrix(&assembled.stiffness), reference, reference);
     let hysteretic = 0.03 * along(&assembled.stiffness, reference, reference);
-    assert!((viscous / hysteretic - 1.0).abs() < 1e-12, "{viscous} {hysteretic}");
+    assert!((viscous / hysteretic - 1.0).abs() < 1e-9, "{viscous} {hysteretic}");
 }

@@ -5,7 +5,7 @@
 
 use super::shift::ShiftedFactor;
 use crate::StructureError;
-use crate::dense::complex_eigen;
+use crate::dense::general::complex_eigen;
 use crate::quadratic::{Quadratic, Side};
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, MatRef, Par, c64};

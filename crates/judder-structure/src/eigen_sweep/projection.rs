@@ -8,7 +8,7 @@ use super::basis::decomposed;
 use crate::StructureError;
 use crate::affine::{Factors, Family, Term};
 use crate::complex_modes::{Refined, Searched, ShiftedFactor, Triple, vectors};
-use crate::dense::{real_eigen, solve};
+use crate::dense::general::{real_eigen, solve};
 use crate::quadratic::{Region, Side};
 use crate::statics::{dot, product};
 use faer::{Mat, c64};

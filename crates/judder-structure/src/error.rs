@@ -125,4 +125,68 @@ pub enum StructureError {
     /// A factorisation does not tell how many eigenvalues are negative.
     #[error("the factorisation does not tell how many eigenvalues are negative")]
     NoInertia,
+    /// Matrices of one problem differ in size, or one is not square.
+    #[error("the {name} matrix is {} × {}: it must be {rows} × {rows}", found.0, found.1)]
+    WrongShape {
+        /// Which.
+        name: String,
+        /// Its rows and columns.
+        found: (usize, usize),
+        /// What both must be.
+        rows: usize,
+    },
+    /// An entry of a matrix is not a number.
+    #[error(
+        "the {name} matrix has {value} in row {row}, column {column} (counted from 0): it must be finite"
+    )]
+    NotFinite {
+        /// Which.
+        name: String,
+        /// From 0.
+        row: usize,
+        /// From 0.
+        column: usize,
+        /// The entry.
+        value: f64,
+    },
+    /// A matrix that cannot be zero is.
+    #[error("the {name} matrix has no entries but zeros: without it there are no modes")]
+    EmptyMatrix {
+        /// Which.
+        name: String,
+    },
+    /// A range of the complex plane that is empty.
+    #[error("the region's range `{name}` goes from {from} to {to}: it must rise, between finite numbers")]
+    EmptyRegion {
+        /// `re` or `im`.
+        name: &'static str,
+        /// Its start.
+        from: f64,
+        /// Its end.
+        to: f64,
+    },
+    /// λ² M + λ C + K has no factors wherever it is tried.
+    #[error(
+        "λ²M + λC + K is singular at {value} and beside it: every number is an eigenvalue, or the matrices have an empty row or column"
+    )]
+    SingularEverywhere {
+        /// The last place that was tried.
+        value: faer::c64,
+    },
+    /// The eigenvalues of a small dense matrix were not found.
+    #[error("the eigenvalue iteration of a projected problem of {rows} rows did not end")]
+    NoDenseEigenvalues {
+        /// Of the matrix.
+        rows: usize,
+    },
+    /// A sum of matrices is given too many or too few factors.
+    #[error("{found} factors for the {terms} matrices of the {name}: there must be one for each")]
+    WrongFactors {
+        /// Mass, damping or stiffness.
+        name: &'static str,
+        /// How many factors.
+        found: usize,
+        /// How many matrices.
+        terms: usize,
+    },
 }

@@ -10,8 +10,10 @@
 //! - [`factor`]: the factorisation of a symmetric matrix, with the count of its negative eigenvalues.
 //! - [`modes`]: undamped modes, with a count that shows whether one is missing.
 //! - [`craig_bampton`]: a structure on the freedoms that are kept and its lowest fixed-interface modes.
+//! - [`quadratic`]: mass, damping and stiffness of a structure that need not be symmetric, [`affine`]: as sums of matrices with factors.
 //! - [`statics`]: displacements under loads that rest.
 
+pub mod affine;
 pub mod assembly;
 pub mod beam;
 pub mod craig_bampton;
@@ -24,6 +26,7 @@ pub mod grid;
 pub mod material;
 pub mod mesh;
 pub mod modes;
+pub mod quadratic;
 pub mod statics;
 
 pub use error::StructureError;

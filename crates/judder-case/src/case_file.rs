@@ -13,6 +13,7 @@ use crate::error::{CaseError, Fault, Place, Sources};
 use crate::file_reference::FileReference;
 use crate::oscillator_case::OscillatorCase;
 use crate::structure::StructureCase;
+use crate::structure::problem::StructureProblem;
 use crate::two_degrees::TwoDegreesCase;
 use crate::{belt_case, contact_case, oscillator_case, structure, two_degrees};
 
@@ -118,6 +119,36 @@ impl CaseFile {
             None => CaseError::without_place(cause, &self.origin),
         }
     }
+
+    /// The error of a structure that shows only when its files are read: at this dotted path, where a number counts in a list from 0,
+    /// or at the last part of it that is there.
+    pub fn structure_error(&self, path: &str, problem: StructureProblem) -> CaseError {
+        let cause = Cause::Structure { problem };
+        match read_tree(&self.origin, &self.text, &self.overrides) {
+            Ok(root) => {
+                let place = place_of_path(&root, path);
+                Sources::new(&self.origin, &self.text, &self.overrides).error(cause.at(place))
+            }
+            Err(_) => CaseError::without_place(cause, &self.origin),
+        }
+    }
+}
+
+/// The place of the last part of a dotted path that is there.
+fn place_of_path(root: &Node, path: &str) -> Place {
+    let mut node = root;
+    for step in path.split('.') {
+        let next = match &node.data {
+            Data::Table(table) => table.get(step).map(|entry| &entry.node),
+            Data::List(items) => step.parse().ok().and_then(|index: usize| items.get(index)),
+            _ => None,
+        };
+        match next {
+            Some(next) => node = next,
+            None => break,
+        }
+    }
+    node.place
 }
 
 /// The bytes of a regular file of bounded size: opening a pipe or reading a device might never end.

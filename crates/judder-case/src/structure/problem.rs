@@ -6,6 +6,7 @@ use thiserror::Error;
 
 use crate::cause::Cause;
 use crate::error::{Fault, Place};
+use crate::nearest::did_you_mean;
 
 /// What is wrong, with what a caller needs in order to act.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -87,6 +88,40 @@ pub enum StructureProblem {
     /// Values of a sweep that go to and fro.
     #[error("the values of `sweep.values` must ascend or descend")]
     UnsortedValues,
+    /// A set that the mesh does not have.
+    #[error("there is no set of nodes named `{name}`")]
+    UnknownSet {
+        /// The name as written.
+        name: String,
+        /// The sets that there are.
+        known: Vec<String>,
+    },
+    /// A node that the table of freedoms does not have.
+    #[error("the table of freedoms has no node {node}")]
+    UnknownNode {
+        /// The number as written.
+        node: usize,
+    },
+    /// Freedoms that are kept twice, or none that are free.
+    #[error("`reduction.kept` names {what}")]
+    KeptFreedoms {
+        /// What is wrong with them.
+        what: &'static str,
+    },
+    /// A file that cannot be used.
+    #[error("{}: {reason}", path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it, and where.
+        reason: String,
+    },
+    /// Elements, materials or supports that cannot be together.
+    #[error("{reason}")]
+    Unbuilt {
+        /// What is wrong.
+        reason: String,
+    },
     /// A kept set where there are no sets, or nodes where there is no table of freedoms.
     #[error("{0}")]
     Kept(KeptProblem),
@@ -146,6 +181,11 @@ impl StructureProblem {
             Self::Factor { .. } => "not finite",
             Self::NothingToSweep | Self::IdleParameter { .. } => "without effect",
             Self::UnsortedValues => "not in order",
+            Self::UnknownSet { .. } => "unknown set",
+            Self::UnknownNode { .. } => "unknown node",
+            Self::KeptFreedoms { .. } => "these freedoms",
+            Self::File { .. } => "this file",
+            Self::Unbuilt { .. } => "here",
             Self::Kept(_) => "not here",
             Self::NegativeDamping { .. } => "these ratios",
         }
@@ -176,6 +216,11 @@ impl StructureProblem {
             }
             Self::IdleParameter { .. } => "sweep a parameter that a factor contains".to_owned(),
             Self::UnsortedValues => "branches are followed from one value to the next: sort them".to_owned(),
+            Self::UnknownSet { name, known } => did_you_mean(name, known, "sets here"),
+            Self::UnknownNode { .. } => "name nodes that the table has".to_owned(),
+            Self::KeptFreedoms { .. } => "name free freedoms, each once".to_owned(),
+            Self::File { .. } => "the file is read as its ending says".to_owned(),
+            Self::Unbuilt { .. } => "mind elements, materials and supports".to_owned(),
             Self::Kept(KeptProblem::NoSets) => "as in kept = [{ nodes = [1, 17] }]".to_owned(),
             Self::Kept(KeptProblem::NoNodes) => "as in kept = [{ set = \"end\" }]".to_owned(),
             Self::Kept(KeptProblem::NoTable) => "give freedoms = \"table.csv\" in [matrices]".to_owned(),

@@ -1,0 +1,103 @@
+//! An error with its place: which file, where in it, what is wrong.
+
+use crate::cause::Cause;
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// Where in a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// The file as a whole.
+    Whole,
+    /// A line of a text, counted from 1.
+    Line(usize),
+    /// A byte of a binary file, counted from 0.
+    Byte(usize),
+}
+
+/// What is wrong with a file, and where.
+#[derive(Debug)]
+pub struct ExchangeError {
+    path: Option<PathBuf>,
+    place: Place,
+    cause: Box<Cause>,
+}
+
+impl ExchangeError {
+    pub(crate) fn new(place: Place, cause: Cause) -> Self {
+        Self { path: None, place, cause: Box::new(cause) }
+    }
+
+    pub(crate) fn at_line(line: usize, cause: Cause) -> Self {
+        Self::new(Place::Line(line), cause)
+    }
+
+    pub(crate) fn at_byte(byte: usize, cause: Cause) -> Self {
+        Self::new(Place::Byte(byte), cause)
+    }
+
+    pub(crate) fn in_file(mut self, path: &Path) -> Self {
+        self.path.get_or_insert_with(|| path.to_owned());
+        self
+    }
+
+    /// The same at another place.
+    pub(crate) fn moved(mut self, place: Place) -> Self {
+        self.place = place;
+        self
+    }
+
+    /// The same where bytes are counted from an earlier one.
+    pub(crate) fn shifted(mut self, by: usize) -> Self {
+        self.place = match self.place {
+            Place::Byte(byte) => Place::Byte(byte + by),
+            Place::Whole => Place::Byte(by),
+            line @ Place::Line(_) => line,
+        };
+        self
+    }
+
+    /// The file; none where bytes were read.
+    #[must_use]
+    pub fn path(&self) -> Option<&Path> {
+        self.path.as_deref()
+    }
+
+    /// Where in it.
+    #[must_use]
+    pub fn place(&self) -> Place {
+        self.place
+    }
+
+    /// What is wrong, with the values that a caller can act on.
+    #[must_use]
+    pub fn cause(&self) -> &Cause {
+        &self.cause
+    }
+}
+
+impl From<Cause> for ExchangeError {
+    fn from(cause: Cause) -> Self {
+        Self::new(Place::Whole, cause)
+    }
+}
+
+impl fmt::Display for ExchangeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(path) = &self.path {
+            write!(f, "{}: ", path.display())?;
+        }
+        match self.place {
+            Place::Whole => {}
+            Place::Line(line) => write!(f, "line {line}: ")?,
+            Place::Byte(byte) => write!(f, "byte {byte}: ")?,
+        }
+        write!(f, "{}", self.cause)
+    }
+}
+
+impl std::error::Error for ExchangeError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        std::error::Error::source(&*self.cause)
+    }
+}

@@ -1,0 +1,249 @@
+//! MATLAB's binary files of version 5, which are those of `-v6` and, compressed, of `-v7`.
+//!
+//! MathWorks, *MAT-File Format*, chapter 1.
+
+use super::{Matrix, Symmetry};
+use crate::bytes::{Bytes, Stored};
+use crate::cause::Cause;
+use crate::error::{ExchangeError, Place};
+use flate2::read::ZlibDecoder;
+use std::io::Read;
+
+const HEADER: usize = 128;
+const FORMAT: &str = "MATLAB file";
+
+/// Types of data elements.
+const MATRIX: u32 = 14;
+const COMPRESSED: u32 = 15;
+
+/// Classes of arrays.
+const SPARSE: u32 = 5;
+/// From double (6) to the last integer (15).
+const NUMERIC: std::ops::RangeInclusive<u32> = 6..=15;
+const COMPLEX: u32 = 0x800;
+
+/// A data element: its type and its bytes.
+struct Element<'a> {
+    kind: u32,
+    data: &'a [u8],
+    at: usize,
+}
+
+/// Reads the one real matrix, sparse or full, of a file; what is no matrix of numbers is passed over.
+pub(super) fn read_mat(bytes: &[u8]) -> Result<Matrix, ExchangeError> {
+    let big_endian = check_header(bytes)?;
+    let mut walk = Bytes::new(bytes, HEADER, big_endian);
+    let mut found: Vec<(String, Matrix)> = Vec::new();
+    while walk.left() > 0 {
+        let start = walk.at();
+        let element = element(&mut walk, false)?;
+        let read = if element.kind == COMPRESSED {
+            // places in what was packed mean nothing in the file: the element's own is told
+            let at = element.at;
+            let plain = unpacked(&element)?;
+            let mut inner = Bytes::new(&plain, 0, big_endian);
+            self::element(&mut inner, false)
+                .and_then(|element| variable(&element, big_endian))
+                .map_err(|error| error.moved(Place::Byte(at)))?
+        } else {
+            variable(&element, big_endian).map_err(|error| error.shifted(element.at))?
+        };
+        found.extend(read);
+        debug_assert!(walk.at() > start);
+    }
+    match found.len() {
+        1 => Ok(found.swap_remove(0).1),
+        0 => Err(foreign("it holds no matrix of numbers").into()),
+        _ => {
+            let names: Vec<&str> = found.iter().map(|(name, _)| name.as_str()).collect();
+            Err(Cause::Unsupported {
+                what: "the content",
+                found: format!("{} matrices ({})", names.len(), crate::quoted::quoted(&names.join(", "))),
+                read: "one matrix a file",
+            }
+            .into())
+        }
+    }
+}
+
+fn foreign(found: &str) -> Cause {
+    Cause::Foreign {
+        format: FORMAT,
+        found: found.to_owned(),
+        remedy: "save one sparse or full matrix with save(…, '-v7') or scipy.io.savemat",
+    }
+}
+
+/// Whether the file is big-endian.
+fn check_header(bytes: &[u8]) -> Result<bool, ExchangeError> {
+    if bytes.starts_with(b"\x89HDF") || bytes.starts_with(b"MATLAB 7.3") {
+        return Err(foreign("it is of version 7.3 (HDF5)").into());
+    }
+    match bytes.get(HEADER - 4..HEADER) {
+        Some([0, 1, b'I', b'M']) => Ok(false),
+        Some([1, 0, b'M', b'I']) => Ok(true),
+        Some(_) => Err(foreign("its header is not that of version 5").into()),
+        None => Err(Cause::Cut { what: "the header of 128 bytes", needed: HEADER, left: bytes.len() }.into()),
+    }
+}
+
+/// The next element. Inside arrays each begins at a multiple of eight bytes, and short ones have tag and data in eight.
+fn element<'a>(walk: &mut Bytes<'a>, aligned: bool) -> Result<Element<'a>, ExchangeError> {
+    let what = "a data element";
+    let first = walk.u32(what)?;
+    let (small, kind) = (first >> 16, first & 0xffff);
+    if small > 0 {
+        let at = walk.at();
+        let data = walk.take(4, what)?;
+        let data = data.get(..small as usize).ok_or_else(|| {
+            walk.error(Cause::Inconsistent {
+                what,
+                problem: format!("{small} bytes are said to lie in four"),
+            })
+        })?;
+        return Ok(Element { kind, data, at });
+    }
+    let size = walk.u32(what)? as usize;
+    let at = walk.at();
+    let data = walk.take(size, what)?;
+    if aligned {
+        // the last one of a file may lack its padding
+        walk.take(size.next_multiple_of(8).saturating_sub(size).min(walk.left()), what)?;
+    }
+    Ok(Element { kind, data, at })
+}
+
+/// The bytes of a compressed element: they grow as they are unpacked, up to the size that the element within says.
+fn unpacked(element: &Element<'_>) -> Result<Vec<u8>, ExchangeError> {
+    let damaged = |error: std::io::Error| {
+        ExchangeError::at_byte(
+            element.at,
+            Cause::Damaged { what: "a compressed element", problem: error.to_string() },
+        )
+    };
+    let mut plain = Vec::new();
+    // a size of 32 bits cannot be larger, so neither can what is unpacked
+    let most = u64::from(u32::MAX) + 8;
+    ZlibDecoder::new(element.data).take(most).read_to_end(&mut plain).map_err(damaged)?;
+    Ok(plain)
+}
+
+/// The matrix in an element, with its name; none where it is no array of numbers.
+fn variable(outer: &Element<'_>, big_endian: bool) -> Result<Option<(String, Matrix)>, ExchangeError> {
+    if outer.kind != MATRIX {
+        return Ok(None);
+    }
+    let mut walk = Bytes::new(outer.data, 0, big_endian);
+    let flags = whole_numbers(&element(&mut walk, true)?, big_endian)?;
+    let flags = *flags.first().unwrap_or(&0) as u32;
+    let class = flags & 0xff;
+    if class != SPARSE && !NUMERIC.contains(&class) {
+        return Ok(None);
+    }
+    let shape = whole_numbers(&element(&mut walk, true)?, big_endian)?;
+    let name = element(&mut walk, true)?;
+    let name = String::from_utf8_lossy(name.data).into_owned();
+    let [rows, columns] = *shape.as_slice() else {
+        return Ok(None);
+    };
+    if flags & COMPLEX != 0 {
+        return Err(walk.error(Cause::Unsupported {
+            what: "the matrix",
+            found: format!("complex (`{}`)", crate::quoted::quoted(&name)),
+            read: "a real one; save real and imaginary parts as two matrices",
+        }));
+    }
+    let entries = if class == SPARSE {
+        sparse(&mut walk, rows, columns, big_endian)?
+    } else {
+        full(&mut walk, rows, columns, big_endian)?
+    };
+    if let Some((row, column, value)) = entries.iter().find(|(_, _, value)| !value.is_finite()) {
+        let text = format!("{value} at row {}, column {}", row + 1, column + 1);
+        return Err(walk.error(Cause::NotANumber { text, what: "an entry of the matrix" }));
+    }
+    Ok(Some((name, Matrix::from_stored(rows, columns, entries, Symmetry::General)?)))
+}
+
+/// Columns with their rows and entries.
+fn sparse(
+    walk: &mut Bytes<'_>,
+    rows: usize,
+    columns: usize,
+    big_endian: bool,
+) -> Result<Vec<(usize, usize, f64)>, ExchangeError> {
+    let places = whole_numbers(&element(walk, true)?, big_endian)?;
+    let starts = whole_numbers(&element(walk, true)?, big_endian)?;
+    let values = numbers(&element(walk, true)?, big_endian)?;
+    let inconsistent =
+        |problem: String| walk.error(Cause::Inconsistent { what: "the sparse matrix", problem });
+    let ascending = starts.windows(2).all(|pair| pair[0] <= pair[1]);
+    if Some(starts.len()) != columns.checked_add(1) || !ascending {
+        return Err(inconsistent(format!(
+            "its {} column pointers do not ascend over {columns} columns",
+            starts.len()
+        )));
+    }
+    // of both arrays more may be stored than is used
+    let used = starts[columns];
+    if places.len().min(values.len()) < used {
+        let (rows, values) = (places.len(), values.len());
+        return Err(inconsistent(format!(
+            "its columns hold {used} entries, stored are {rows} rows and {values} numbers"
+        )));
+    }
+    if let Some(row) = places[..used].iter().find(|row| **row >= rows) {
+        return Err(inconsistent(format!("a row is {row} (from 0), of {rows}")));
+    }
+    let of_column = |column: usize| (starts[column]..starts[column + 1]).map(move |k| (column, k));
+    Ok((0..columns).flat_map(of_column).map(|(column, k)| (places[k], column, values[k])).collect())
+}
+
+/// All entries, column by column.
+fn full(
+    walk: &mut Bytes<'_>,
+    rows: usize,
+    columns: usize,
+    big_endian: bool,
+) -> Result<Vec<(usize, usize, f64)>, ExchangeError> {
+    let values = numbers(&element(walk, true)?, big_endian)?;
+    if rows.checked_mul(columns) != Some(values.len()) {
+        let found = values.len();
+        let problem = format!("{rows} × {columns} numbers are said, {found} are there");
+        return Err(walk.error(Cause::Inconsistent { what: "the full matrix", problem }));
+    }
+    let entries = values.into_iter().enumerate().filter(|(_, value)| *value != 0.0);
+    Ok(entries.map(|(k, value)| (k % rows, k / rows, value)).collect())
+}
+
+/// How an element stores its numbers.
+fn stored(element: &Element<'_>) -> Result<Stored, ExchangeError> {
+    match element.kind {
+        1 => Ok(Stored::Signed(1)),
+        2 => Ok(Stored::Unsigned(1)),
+        3 => Ok(Stored::Signed(2)),
+        4 => Ok(Stored::Unsigned(2)),
+        5 => Ok(Stored::Signed(4)),
+        6 => Ok(Stored::Unsigned(4)),
+        7 => Ok(Stored::Float(4)),
+        9 => Ok(Stored::Float(8)),
+        12 => Ok(Stored::Signed(8)),
+        13 => Ok(Stored::Unsigned(8)),
+        other => {
+            let problem = format!("its type is {other}, which is no number");
+            Err(ExchangeError::at_byte(element.at, Cause::Inconsistent { what: "a data element", problem }))
+        }
+    }
+}
+
+fn numbers(element: &Element<'_>, big_endian: bool) -> Result<Vec<f64>, ExchangeError> {
+    Ok(stored(element)?.floats(element.data, big_endian))
+}
+
+fn whole_numbers(element: &Element<'_>, big_endian: bool) -> Result<Vec<usize>, ExchangeError> {
+    let counts = stored(element)?.counts(element.data, big_endian);
+    counts.into_iter().collect::<Option<Vec<usize>>>().ok_or_else(|| {
+        let problem = String::from("a number is negative or not whole where a count is needed");
+        ExchangeError::at_byte(element.at, Cause::Inconsistent { what: "a data element", problem })
+    })
+}

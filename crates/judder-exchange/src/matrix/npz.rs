@@ -1,0 +1,198 @@
+//! Archives of `scipy.sparse.save_npz`.
+
+use super::{Matrix, Symmetry};
+use crate::cause::Cause;
+use crate::error::ExchangeError;
+use crate::npy::{Array, read_npy};
+use crate::quoted::quoted;
+use std::io::{Cursor, Read};
+use zip::ZipArchive;
+
+const ARCHIVE: &str = "the archive";
+
+/// The arrays of an archive, unpacked.
+struct Arrays<'a>(ZipArchive<Cursor<&'a [u8]>>);
+
+/// Reads CSR, CSC, BSR, COO and DIA matrices.
+pub(super) fn read_npz(bytes: &[u8]) -> Result<Matrix, ExchangeError> {
+    let archive = ZipArchive::new(Cursor::new(bytes))
+        .map_err(|error| Cause::Damaged { what: ARCHIVE, problem: error.to_string() })?;
+    let mut arrays = Arrays(archive);
+    let shape = arrays.counts("shape")?;
+    let [rows, columns] = shape.as_slice() else {
+        return Err(inconsistent(format!("its shape has {} numbers; a matrix has two", shape.len())));
+    };
+    let (rows, columns) = (*rows, *columns);
+    let format = arrays.format()?;
+    let entries = match format.as_str() {
+        "csr" => compressed(&mut arrays, rows, columns)?,
+        "csc" => turned(compressed(&mut arrays, columns, rows)?),
+        "bsr" => blocks(&mut arrays, rows, columns)?,
+        "coo" => coordinates(&mut arrays)?,
+        "dia" => diagonals(&mut arrays, rows, columns)?,
+        other => {
+            return Err(Cause::Unsupported {
+                what: "the storage of the matrix",
+                found: format!("`{}`", quoted(other)),
+                read: "csr, csc, bsr, coo or dia; save it as matrix.tocsr()",
+            }
+            .into());
+        }
+    };
+    if let Some((row, column, _)) = entries.iter().find(|(i, j, _)| *i >= rows || *j >= columns) {
+        let (row, column) = (row.saturating_add(1), column.saturating_add(1));
+        return Err(Cause::OutsideMatrix { row, column, rows, columns }.into());
+    }
+    match entries.iter().find(|(_, _, value)| !value.is_finite()) {
+        Some((row, column, value)) => {
+            let (text, what) = (format!("{value} at row {row}, column {column}"), "an entry of the matrix");
+            Err(Cause::NotANumber { text, what }.into())
+        }
+        None => Matrix::from_stored(rows, columns, entries, Symmetry::General),
+    }
+}
+
+type Entries = Vec<(usize, usize, f64)>;
+
+fn inconsistent(problem: String) -> ExchangeError {
+    Cause::Inconsistent { what: "the sparse matrix", problem }.into()
+}
+
+impl Arrays<'_> {
+    /// An array; its bytes grow as they are unpacked, whatever the archive says of their number.
+    fn array(&mut self, name: &str) -> Result<Array, ExchangeError> {
+        let mut file = self.0.by_name(&format!("{name}.npy")).map_err(|error| Cause::Foreign {
+            format: "sparse matrix of SciPy",
+            found: format!("its array `{name}` cannot be had ({error})"),
+            remedy: "write it with scipy.sparse.save_npz",
+        })?;
+        let mut bytes = Vec::new();
+        file.read_to_end(&mut bytes)
+            .map_err(|error| Cause::Damaged { what: ARCHIVE, problem: format!("`{name}`: {error}") })?;
+        Ok(read_npy(bytes)?)
+    }
+
+    fn floats(&mut self, name: &str) -> Result<Vec<f64>, ExchangeError> {
+        Ok(self.array(name)?.floats()?)
+    }
+
+    fn counts(&mut self, name: &str) -> Result<Vec<usize>, ExchangeError> {
+        Ok(self.array(name)?.counts()?)
+    }
+
+    /// The name of the storage: bytes, or characters of four bytes.
+    fn format(&mut self) -> Result<String, ExchangeError> {
+        let array = self.array("format")?;
+        Ok(array.data.iter().filter(|byte| **byte != 0).map(|byte| char::from(*byte)).collect())
+    }
+}
+
+fn turned(entries: Entries) -> Entries {
+    entries.into_iter().map(|(row, column, value)| (column, row, value)).collect()
+}
+
+/// Lines (rows or columns), each with its places and numbers.
+fn compressed(arrays: &mut Arrays<'_>, lines: usize, length: usize) -> Result<Entries, ExchangeError> {
+    let values = arrays.floats("data")?;
+    let starts = pointers(arrays, lines, values.len())?;
+    let places = arrays.counts("indices")?;
+    if places.len() != values.len() {
+        return Err(inconsistent(format!("{} indices for {} numbers", places.len(), values.len())));
+    }
+    if let Some(place) = places.iter().find(|place| **place >= length) {
+        return Err(inconsistent(format!("an index is {place} (from 0), of {length}")));
+    }
+    let of_line = |line: usize| (starts[line]..starts[line + 1]).map(move |k| (line, k));
+    Ok((0..lines).flat_map(of_line).map(|(line, k)| (line, places[k], values[k])).collect())
+}
+
+/// Where each line begins and ends: ascending, within the numbers.
+fn pointers(arrays: &mut Arrays<'_>, lines: usize, numbers: usize) -> Result<Vec<usize>, ExchangeError> {
+    let starts = arrays.counts("indptr")?;
+    let ascending = starts.windows(2).all(|pair| pair[0] <= pair[1]);
+    if Some(starts.len()) != lines.checked_add(1) || !ascending || starts.last() > Some(&numbers) {
+        return Err(inconsistent(format!(
+            "its {} pointers do not ascend to the {numbers} entries of {lines} lines",
+            starts.len()
+        )));
+    }
+    Ok(starts)
+}
+
+/// Dense blocks at places of a coarser matrix.
+fn blocks(arrays: &mut Arrays<'_>, rows: usize, columns: usize) -> Result<Entries, ExchangeError> {
+    let array = arrays.array("data")?;
+    let (values, shape) = (array.floats()?, array.shape);
+    let [count, height @ (1..), width @ (1..)] = *shape.as_slice() else {
+        return Err(inconsistent(format!("its blocks have the shape {shape:?}")));
+    };
+    if array.fortran_order || !rows.is_multiple_of(height) || !columns.is_multiple_of(width) {
+        let problem =
+            format!("blocks of {height} × {width}, or their order, do not fit into {rows} × {columns}");
+        return Err(inconsistent(problem));
+    }
+    let starts = pointers(arrays, rows / height, count)?;
+    let places = arrays.counts("indices")?;
+    if places.len() != count || places.iter().any(|place| *place >= columns / width) {
+        return Err(inconsistent(format!("its {} indices do not fit its {count} blocks", places.len())));
+    }
+    let mut entries = Vec::with_capacity(values.len());
+    for (line, pair) in starts.windows(2).enumerate() {
+        for block in pair[0]..pair[1] {
+            let numbers = values[block * height * width..].iter().take(height * width).enumerate();
+            entries
+                .extend(numbers.map(|(k, value)| {
+                    (line * height + k / width, places[block] * width + k % width, *value)
+                }));
+        }
+    }
+    Ok(entries)
+}
+
+fn coordinates(arrays: &mut Arrays<'_>) -> Result<Entries, ExchangeError> {
+    let values = arrays.floats("data")?;
+    let (rows, columns) = match arrays.counts("row") {
+        Ok(rows) => (rows, arrays.counts("col")?),
+        // arrays of any dimension, since SciPy 1.13
+        Err(error) => split_coordinates(arrays).map_err(|_| error)?,
+    };
+    if rows.len() != values.len() || columns.len() != values.len() {
+        let problem =
+            format!("{} rows and {} columns for {} numbers", rows.len(), columns.len(), values.len());
+        return Err(inconsistent(problem));
+    }
+    Ok(rows.into_iter().zip(columns).zip(values).map(|((row, column), value)| (row, column, value)).collect())
+}
+
+/// Rows and columns in one array.
+fn split_coordinates(arrays: &mut Arrays<'_>) -> Result<(Vec<usize>, Vec<usize>), ExchangeError> {
+    let coords = arrays.counts("coords")?;
+    let (rows, columns) = coords.split_at(coords.len() / 2);
+    Ok((rows.to_vec(), columns.to_vec()))
+}
+
+/// A_ij = data[k, j] with i = j − offset_k.
+fn diagonals(arrays: &mut Arrays<'_>, rows: usize, columns: usize) -> Result<Entries, ExchangeError> {
+    let array = arrays.array("data")?;
+    let (values, shape) = (array.floats()?, array.shape);
+    let offsets = arrays.floats("offsets")?;
+    let [count, length] = *shape.as_slice() else {
+        return Err(inconsistent(format!("its diagonals have the shape {shape:?}")));
+    };
+    if array.fortran_order || count != offsets.len() {
+        return Err(inconsistent(format!(
+            "{} offsets for {count} diagonals, or these by columns",
+            offsets.len()
+        )));
+    }
+    let mut entries = Vec::new();
+    for (k, offset) in offsets.iter().enumerate() {
+        for column in 0..length.min(columns) {
+            let (row, value) = (column as f64 - offset, values[k * length + column]);
+            if row >= 0.0 && row < rows as f64 && value != 0.0 {
+                entries.push((row as usize, column, value));
+            }
+        }
+    }
+    Ok(entries)
+}

@@ -1,0 +1,211 @@
+//! Matrix Market: text files of sparse and dense matrices.
+//!
+//! R. F. Boisvert, R. Pozo, K. Remington, *The Matrix Market Exchange Formats: Initial Design*, NISTIR 5935 (1996).
+
+use crate::cause::Cause;
+use crate::error::ExchangeError;
+use crate::matrix::{Matrix, Symmetry};
+use crate::quoted::quoted;
+use crate::text::{check_room, count, number, text_of};
+
+/// The header line of a file.
+struct Header {
+    sparse: bool,
+    symmetry: Symmetry,
+}
+
+/// Lines that are no comments, with their numbers.
+type Lines<'a> = dyn Iterator<Item = (usize, &'a str)> + 'a;
+
+/// Reads coordinate and array files of real and integer matrices: general, symmetric and skew-symmetric.
+pub(crate) fn read_matrix_market(bytes: &[u8]) -> Result<Matrix, ExchangeError> {
+    let text = text_of(bytes)?;
+    let header =
+        header(text.lines().next().unwrap_or("")).map_err(|cause| ExchangeError::at_line(1, cause))?;
+    let numbered = text.lines().enumerate().skip(1).map(|(k, line)| (k + 1, line.trim()));
+    let mut lines = numbered.filter(|(_, line)| !line.is_empty() && !line.starts_with('%'));
+    let (line, sizes) =
+        lines.next().ok_or(Cause::Cut { what: "the sizes of the matrix", needed: 3, left: 0 })?;
+    if header.sparse {
+        coordinates(&header, (line, sizes), &mut lines, bytes.len())
+    } else {
+        array(&header, (line, sizes), &mut lines, bytes.len())
+    }
+}
+
+fn header(line: &str) -> Result<Header, Cause> {
+    let lower = line.to_ascii_lowercase();
+    let words: Vec<&str> = lower.split_whitespace().collect();
+    let ["%%matrixmarket", "matrix", format, field, symmetry] = words.as_slice() else {
+        return Err(Cause::Foreign {
+            format: "Matrix Market file",
+            found: format!("its first line is `{}`", quoted(line)),
+            remedy: "the first line should be, say, `%%MatrixMarket matrix coordinate real general`",
+        });
+    };
+    let unsupported =
+        |what, found: &str, read| Cause::Unsupported { what, found: format!("`{}`", quoted(found)), read };
+    let sparse = match *format {
+        "coordinate" => true,
+        "array" => false,
+        other => return Err(unsupported("the format of the matrix", other, "`coordinate` or `array`")),
+    };
+    if !["real", "integer", "double"].contains(field) {
+        let read = "`real` or `integer`; write real and imaginary parts as two matrices";
+        return Err(unsupported("the field of the matrix", field, read));
+    }
+    let symmetry = match *symmetry {
+        "general" => Symmetry::General,
+        "symmetric" => Symmetry::Symmetric,
+        "skew-symmetric" => Symmetry::SkewSymmetric,
+        other => {
+            let read = "`general`, `symmetric` or `skew-symmetric`";
+            return Err(unsupported("the symmetry of the matrix", other, read));
+        }
+    };
+    Ok(Header { sparse, symmetry })
+}
+
+fn coordinates(
+    header: &Header,
+    (line, sizes): (usize, &str),
+    lines: &mut Lines<'_>,
+    bytes: usize,
+) -> Result<Matrix, ExchangeError> {
+    let here = |cause| ExchangeError::at_line(line, cause);
+    let words: Vec<&str> = sizes.split_whitespace().collect();
+    let [rows, columns, said] = words.as_slice() else {
+        let (what, expected) = ("the line of sizes", "rows, columns and entries");
+        return Err(here(Cause::WrongEntries { what, expected, found: words.len() }));
+    };
+    let rows = count(rows, 1, "rows").map_err(here)?;
+    let columns = count(columns, 1, "columns").map_err(here)?;
+    let said = count(said, 0, "entries").map_err(here)?;
+    // the shortest line is `1 1 1` with its end
+    check_room(said, 5, bytes + 1, "entries").map_err(here)?;
+    let mut entries = Vec::with_capacity(said);
+    for (line, text) in lines {
+        let entry = entry(text, rows, columns).map_err(|cause| ExchangeError::at_line(line, cause))?;
+        if entries.len() == said {
+            let cause = Cause::WrongCount { what: "entries", said, found: said + 1 };
+            return Err(ExchangeError::at_line(line, cause));
+        }
+        entries.push(entry);
+    }
+    if entries.len() != said {
+        return Err(here(Cause::WrongCount { what: "entries", said, found: entries.len() }));
+    }
+    Matrix::from_stored(rows, columns, entries, header.symmetry)
+}
+
+fn entry(text: &str, rows: usize, columns: usize) -> Result<(usize, usize, f64), Cause> {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let [row, column, value] = words.as_slice() else {
+        let (what, expected) = ("an entry", "a row, a column and a number");
+        return Err(Cause::WrongEntries { what, expected, found: words.len() });
+    };
+    let (row, column) = (count(row, 1, "a row")?, count(column, 1, "a column")?);
+    if row > rows || column > columns {
+        return Err(Cause::OutsideMatrix { row, column, rows, columns });
+    }
+    Ok((row - 1, column - 1, number(value, "an entry of the matrix")?))
+}
+
+/// A dense matrix, column by column; of symmetric ones from the diagonal down.
+fn array(
+    header: &Header,
+    (line, sizes): (usize, &str),
+    lines: &mut Lines<'_>,
+    bytes: usize,
+) -> Result<Matrix, ExchangeError> {
+    let here = |cause| ExchangeError::at_line(line, cause);
+    let words: Vec<&str> = sizes.split_whitespace().collect();
+    let [rows, columns] = words.as_slice() else {
+        let (what, expected) = ("the line of sizes", "rows and columns");
+        return Err(here(Cause::WrongEntries { what, expected, found: words.len() }));
+    };
+    let rows = count(rows, 1, "rows").map_err(here)?;
+    let columns = count(columns, 1, "columns").map_err(here)?;
+    let said = dense_entries(rows, columns, header.symmetry).map_err(here)?;
+    // the shortest line is `1` with its end
+    check_room(said, 2, bytes + 1, "entries").map_err(here)?;
+    let first = |column: usize| match header.symmetry {
+        Symmetry::General => 0,
+        Symmetry::Symmetric => column,
+        Symmetry::SkewSymmetric => column + 1,
+    };
+    let mut places = (0..columns).flat_map(|column| (first(column)..rows).map(move |row| (row, column)));
+    let mut entries = Vec::with_capacity(said);
+    for (line, text) in lines {
+        let there = |cause| ExchangeError::at_line(line, cause);
+        let value = number(text, "an entry of the matrix").map_err(there)?;
+        let Some((row, column)) = places.next() else {
+            return Err(there(Cause::WrongCount { what: "entries", said, found: said + 1 }));
+        };
+        entries.push((row, column, value));
+    }
+    if entries.len() != said {
+        return Err(here(Cause::WrongCount { what: "entries", said, found: entries.len() }));
+    }
+    entries.retain(|(_, _, value)| *value != 0.0);
+    Matrix::from_stored(rows, columns, entries, header.symmetry)
+}
+
+/// How many entries a dense file has.
+fn dense_entries(rows: usize, columns: usize, symmetry: Symmetry) -> Result<usize, Cause> {
+    if symmetry != Symmetry::General && rows != columns {
+        return Err(Cause::NotSquare { name: String::from("the matrix"), rows, columns });
+    }
+    let full = rows.saturating_mul(columns);
+    Ok(match symmetry {
+        Symmetry::General => full,
+        Symmetry::Symmetric => full.saturating_add(rows) / 2,
+        Symmetry::SkewSymmetric => (full - rows) / 2,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Result<Matrix, ExchangeError> {
+        read_matrix_market(text.as_bytes())
+    }
+
+    #[test]
+    fn storages_become_whole_matrices() {
+        let general =
+            read("%%MatrixMarket matrix coordinate real general\n% a\n\n2 2 3\n1 1 2\n2 1 -1e0\n1 2 3\n");
+        assert_eq!(general.unwrap().entries, [(0, 0, 2.0), (0, 1, 3.0), (1, 0, -1.0)]);
+        let symmetric =
+            read("%%MatrixMarket matrix coordinate integer symmetric\n2 2 2\n1 1 2\n2 1 -1\n").unwrap();
+        assert_eq!(symmetric.entries, [(0, 0, 2.0), (0, 1, -1.0), (1, 0, -1.0)]);
+        let skew = read("%%MatrixMarket MATRIX array real skew-symmetric\n3 3\n1\n2\n3\n").unwrap();
+        assert_eq!((skew.skew_asymmetry(), skew.entries[0]), (0.0, (0, 1, -1.0)));
+        let dense = read("%%MatrixMarket matrix array real general\n2 1\n0\n5\n").unwrap();
+        assert_eq!(dense.entries, [(1, 0, 5.0)]);
+    }
+
+    #[test]
+    fn damage_is_named_with_its_line() {
+        let message = |head: &str, rest: &str| {
+            read(&format!("%%MatrixMarket matrix {head}\n{rest}")).unwrap_err().to_string()
+        };
+        let general = "coordinate real general";
+        assert_eq!(message(general, "2 2 2\n1 1 1\n"), "line 2: says 2 entries, holds 1");
+        assert!(message(general, "2 2 1\n1 1 1\n1 2 1\n").starts_with("line 4: says 1 entries, holds 2"));
+        assert!(message(general, "2 2 99999999999\n").contains("hold"));
+        assert!(message(general, "2 2 1\n3 1 1\n").contains("row 3, column 1 (from 1) lies outside"));
+        assert!(message(general, "2 2 1\n1 1 inf\n").starts_with("line 3: `inf` is no finite number"));
+        assert!(
+            message("coordinate complex general", "")
+                .starts_with("line 1: the field of the matrix is `complex`")
+        );
+        assert!(message("coordinate real symmetric", "2 2 2\n1 2 1\n2 1 1\n").contains("both sides"));
+        assert!(message("coordinate real symmetric", "2 3 1\n1 1 1\n").contains("2 rows and 3 columns"));
+        assert!(message("coordinate real skew-symmetric", "1 1 1\n1 1 1\n").contains("on its diagonal"));
+        assert!(message("array real general", "2 2\n1\n2\n3\n").contains("says 4 entries, holds 3"));
+        assert!(message("array real general", "4000000000 4000000000\n1\n").contains("says 1"));
+        assert!(read("%%MatrixMarket tensor\n").unwrap_err().to_string().contains("should be, say"));
+    }
+}

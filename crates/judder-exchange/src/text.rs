@@ -1,0 +1,46 @@
+//! Lines and numbers of text files.
+
+use crate::cause::Cause;
+use crate::error::ExchangeError;
+use crate::quoted::quoted;
+
+/// The text of a file.
+pub(crate) fn text_of(bytes: &[u8]) -> Result<&str, ExchangeError> {
+    let text = std::str::from_utf8(bytes).map_err(|error| {
+        let byte = error.valid_up_to();
+        let line = 1 + bytes[..byte].iter().filter(|b| **b == b'\n').count();
+        ExchangeError::at_line(line, Cause::NotText { byte })
+    })?;
+    Ok(text.trim_start_matches('\u{feff}'))
+}
+
+/// A finite number; Fortran's exponents with `D` are known.
+pub(crate) fn number(word: &str, what: &'static str) -> Result<f64, Cause> {
+    let parsed = match word.parse::<f64>() {
+        Err(_) if word.contains(['d', 'D']) => word.replace(['d', 'D'], "e").parse(),
+        parsed => parsed,
+    };
+    match parsed {
+        Ok(value) if value.is_finite() => Ok(value),
+        _ => Err(Cause::NotANumber { text: quoted(word), what }),
+    }
+}
+
+/// A whole number.
+pub(crate) fn count(word: &str, least: usize, what: &'static str) -> Result<usize, Cause> {
+    match word.parse::<usize>() {
+        Ok(value) if value >= least => Ok(value),
+        _ => Err(Cause::NotACount { text: quoted(word), least, what }),
+    }
+}
+
+/// Whether `said` things of at least `bytes_each` can be in what is left of a file: asked before anything is allocated.
+pub(crate) fn check_room(
+    said: usize,
+    bytes_each: usize,
+    left: usize,
+    what: &'static str,
+) -> Result<(), Cause> {
+    let room = left / bytes_each;
+    if said > room { Err(Cause::TooMany { what, said, left, room }) } else { Ok(()) }
+}

@@ -1,0 +1,2 @@
+mod disc_brake;
+mod matrices;

@@ -8,6 +8,7 @@
 mod body;
 mod kept;
 mod layout;
+mod mesh_file;
 mod sums;
 
 pub(crate) use layout::Layout;

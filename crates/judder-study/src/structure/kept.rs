@@ -29,19 +29,28 @@ pub(super) fn kept(reduction: &Reduction, structure: &Structure) -> Result<Vec<u
 fn of_nodes(kept: &Kept, structure: &Structure, index: usize) -> Result<Vec<usize>, Unbuilt> {
     let Some(layout) = &structure.layout else { return Ok(Vec::new()) };
     let points: Vec<usize> = match (&kept.nodes, &structure.mesh) {
-        (KeptNodes::Set(set), Some(mesh)) => nodes_of(mesh, set, &format!("reduction.kept.{index}.set"))?.to_vec(),
+        (KeptNodes::Set(set), Some(mesh)) => {
+            nodes_of(mesh, set, &format!("reduction.kept.{index}.set"))?.to_vec()
+        }
         (KeptNodes::Set(_), None) => Vec::new(),
         (KeptNodes::Numbers(nodes), _) => nodes
             .iter()
             .map(|node| {
                 layout.names.iter().position(|name| name == node).ok_or_else(|| {
-                    Unbuilt::new(format!("reduction.kept.{index}.nodes"), StructureProblem::UnknownNode { node: *node })
+                    Unbuilt::new(
+                        format!("reduction.kept.{index}.nodes"),
+                        StructureProblem::UnknownNode { node: *node },
+                    )
                 })
             })
             .collect::<Result<_, _>>()?,
     };
     let of_point = |point: &usize| {
-        layout.freedoms[*point].into_iter().zip(kept.directions).filter(|(_, taken)| *taken).filter_map(|(k, _)| k)
+        layout.freedoms[*point]
+            .into_iter()
+            .zip(kept.directions)
+            .filter(|(_, taken)| *taken)
+            .filter_map(|(k, _)| k)
     };
     Ok(points.iter().flat_map(of_point).collect())
 }

@@ -146,7 +146,9 @@ mod tests {
     /// A box has twelve edges; of two cells along x and quadratic elements its four long edges have four pieces each, the others two.
     #[test]
     fn a_box_is_shown_by_its_edges() {
-        for (kind, pieces) in [(ElementKind::Hexahedron20, 4 * 4 + 8 * 2), (ElementKind::Hexahedron8, 4 * 2 + 8)] {
+        for (kind, pieces) in
+            [(ElementKind::Hexahedron20, 4 * 4 + 8 * 2), (ElementKind::Hexahedron8, 4 * 2 + 8)]
+        {
             let grid = Grid { kind, size: [2.0, 1.0, 1.0], cells: [2, 1, 1] };
             let mesh = grid.mesh("any", |p| p).unwrap();
             let lines = outline(&mesh);

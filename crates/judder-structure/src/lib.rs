@@ -11,11 +11,13 @@
 //! - [`modes`]: undamped modes, with a count that shows whether one is missing.
 //! - [`craig_bampton`]: a structure on the freedoms that are kept and its lowest fixed-interface modes.
 //! - [`quadratic`]: mass, damping and stiffness of a structure that need not be symmetric, [`affine`]: as sums of matrices with factors.
+//! - [`complex_modes`]: all eigenvalues of a region of the complex plane, each with its error and verdict.
 //! - [`statics`]: displacements under loads that rest.
 
 pub mod affine;
 pub mod assembly;
 pub mod beam;
+pub mod complex_modes;
 pub mod craig_bampton;
 mod dense;
 pub mod element;

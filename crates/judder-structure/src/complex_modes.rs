@@ -1,0 +1,198 @@
+//! Complex modes: all eigenvalues of (λ² M + λ C + K) x = 0 in a region of the complex plane, each with its error.
+//!
+//! Discs around shifts cover the region. Around each shift the problem is inverted and searched by block Arnoldi, once for right
+//! vectors and once, from a start of its own, for left vectors; discs overlap. What one search lacks of another is a [`Gap`]. Every
+//! eigenvalue is then refined on the full problem, and its error follows from its residuals and both vectors.
+//!
+//! F. Tisseur and K. Meerbergen, *The quadratic eigenvalue problem*, SIAM Review 43 (2001).
+
+mod accuracy;
+mod cover;
+mod disc;
+mod krylov;
+mod matching;
+mod refine;
+mod shift;
+mod vectors;
+
+pub use crate::quadratic::Region;
+pub use cover::Gap;
+
+use crate::StructureError;
+use crate::quadratic::Quadratic;
+use cover::{Cover, cover};
+use disc::Triple;
+use faer::c64;
+use rayon::prelude::*;
+use refine::{Neighbourhood, Refined};
+
+/// What the matrices are worth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// ε: how well the entries of the matrices are known, relative to their norms. 10⁻¹² by default: assembled matrices carry more
+    /// rounding than their number format.
+    pub data_precision: f64,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { data_precision: 1e-12 }
+    }
+}
+
+/// The complex modes of a region.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ComplexModes {
+    /// By rising imaginary part.
+    pub modes: Vec<ComplexMode>,
+    /// Why there may be more; empty where the check closed.
+    pub gaps: Vec<Gap>,
+    /// The middles of the discs, in 1/s.
+    pub shifts: Vec<c64>,
+}
+
+/// A complex mode; a motion x e^(λt).
+#[derive(Debug, Clone, PartialEq)]
+pub struct ComplexMode {
+    /// λ.
+    pub eigenvalue: Eigenvalue,
+    /// x with Q(λ) x = 0, of length one, its largest entry real and positive.
+    pub right: Vec<c64>,
+    /// y with yᴴ Q(λ) = 0, of length one.
+    pub left: Vec<c64>,
+}
+
+/// An eigenvalue and how well it is known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Eigenvalue {
+    /// λ = growth rate + i ω, in 1/s.
+    pub value: c64,
+    /// ‖Q(λ) x‖/(|λ|² ‖M‖ + |λ| ‖C‖ + ‖K‖), the normalised backward error of the right vector.
+    pub residual: f64,
+    /// That of the left vector.
+    pub left_residual: f64,
+    /// (|λ|² ‖M‖ + |λ| ‖C‖ + ‖K‖)/(|λ| |yᴴ Q′(λ) x|): how much more λ changes than the matrices, both relatively (F. Tisseur, 2000).
+    pub condition: f64,
+    /// How far the true eigenvalue may be, in 1/s, to first order in residual and precision of the matrices.
+    pub error: f64,
+    /// Whether it cannot be told from a defective one: another eigenvalue with the same vector lies within its error.
+    pub defective: bool,
+}
+
+/// What an eigenvalue says of stability.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verdict {
+    /// Disturbances decay.
+    Stable,
+    /// The sign of the growth rate is not known: it is below its own error, or the eigenvalue is defective beside the axis.
+    Marginal,
+    /// Disturbances grow.
+    Unstable,
+}
+
+impl ComplexModes {
+    /// Whether every check closed: nothing is missing.
+    #[must_use]
+    pub fn complete(&self) -> bool {
+        self.gaps.is_empty()
+    }
+}
+
+impl Eigenvalue {
+    /// Stable, marginal or unstable.
+    #[must_use]
+    pub fn verdict(&self) -> Verdict {
+        if self.value.re > self.error {
+            Verdict::Unstable
+        } else if self.value.re < -self.error {
+            Verdict::Stable
+        } else {
+            // so too where the error is not a number
+            Verdict::Marginal
+        }
+    }
+
+    /// ζ = −Re λ/|λ|.
+    #[must_use]
+    pub fn damping_ratio(&self) -> f64 {
+        -self.value.re / self.value.norm()
+    }
+
+    /// Im λ/2π in Hz.
+    #[must_use]
+    pub fn frequency_hz(&self) -> f64 {
+        self.value.im / std::f64::consts::TAU
+    }
+}
+
+impl Verdict {
+    /// The word in reports.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Stable => "stable",
+            Self::Marginal => "marginal",
+            Self::Unstable => "unstable",
+        }
+    }
+}
+
+/// All complex modes of a region.
+///
+/// # Errors
+/// [`StructureError::EmptyRegion`], [`StructureError::SingularEverywhere`] where λ²M + λC + K has no inverse at all,
+/// [`StructureError::OutOfMemory`]. Modes that may be missing are no error but a [`Gap`].
+pub fn complex_modes(
+    problem: &Quadratic,
+    region: &Region,
+    settings: &Settings,
+) -> Result<ComplexModes, StructureError> {
+    region.check()?;
+    let cover = cover(problem, region)?;
+    let refined = refined(problem, &cover)?;
+    let inside = |mode: &ComplexMode| region.contains(mode.eigenvalue.value, mode.eigenvalue.error);
+    let modes = finished(problem, &refined, settings).into_iter().filter(inside).collect();
+    let shifts = cover.discs.iter().map(|disc| disc.factor.shift()).collect();
+    Ok(ComplexModes { modes, gaps: cover.gaps, shifts })
+}
+
+/// Every eigenvalue of a cover, refined with the factors of its disc.
+fn refined(problem: &Quadratic, cover: &Cover) -> Result<Vec<Refined>, StructureError> {
+    let transposed = problem.transposed();
+    let neighbourhoods: Vec<Neighbourhood<'_>> = cover
+        .discs
+        .iter()
+        .map(|disc| Neighbourhood::new(problem, &transposed, vec![&disc.factor], &disc.triples))
+        .collect();
+    cover.members.par_iter().map(|(disc, place)| neighbourhoods[*disc].refined_to_rounding(*place)).collect()
+}
+
+/// Modes by rising imaginary part, with what each is known to.
+fn finished(problem: &Quadratic, refined: &[Refined], settings: &Settings) -> Vec<ComplexMode> {
+    let mut modes: Vec<ComplexMode> = refined
+        .iter()
+        .enumerate()
+        .map(|(k, of_one)| {
+            let others: Vec<&Refined> =
+                refined.iter().enumerate().filter(|(j, _)| *j != k).map(|(_, other)| other).collect();
+            mode(&of_one.triple, accuracy::accuracy(problem, of_one, &others, settings))
+        })
+        .collect();
+    modes.sort_by(|a, b| {
+        let (a, b) = (a.eigenvalue.value, b.eigenvalue.value);
+        a.im.total_cmp(&b.im).then(a.re.total_cmp(&b.re))
+    });
+    modes
+}
+
+/// A mode whose right vector's largest entry is real.
+fn mode(triple: &Triple, eigenvalue: Eigenvalue) -> ComplexMode {
+    let largest =
+        triple.right.iter().fold(c64::new(0.0, 0.0), |a, b| if b.norm() > a.norm() { *b } else { a });
+    let turn = largest.conj() / largest.norm();
+    ComplexMode {
+        eigenvalue,
+        right: triple.right.iter().map(|x| x * turn).collect(),
+        left: triple.left.iter().map(c64::conj).collect(),
+    }
+}

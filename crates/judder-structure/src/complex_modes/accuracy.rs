@@ -1,0 +1,72 @@
+//! How far an eigenvalue may be from the true one.
+
+use super::refine::Refined;
+use super::vectors::assurance;
+use super::{Eigenvalue, Settings};
+use crate::quadratic::Quadratic;
+
+/// An eigenvalue with its residuals, condition and error; the others that are known near it tell whether it may be defective.
+///
+/// First order: δ = (η + ε) N(λ)/|d|, with the normalised residual η, the precision ε of the matrices, N(λ) = |λ|² ‖M‖ + |λ| ‖C‖ +
+/// ‖K‖ and d = yᴴ Q′(λ) x of vectors of length one. Two eigenvalues with one vector, a distance g apart, move as
+/// ±√(g²/4 ± δ g) instead.
+pub(crate) fn accuracy(
+    problem: &Quadratic,
+    refined: &Refined,
+    others: &[&Refined],
+    settings: &Settings,
+) -> Eigenvalue {
+    /// Vectors are parallel above it.
+    const PARALLEL: f64 = 0.9;
+    let value = refined.triple.value;
+    let scale = problem.scale(value);
+    let first_order =
+        (refined.worse().max(f64::EPSILON) + settings.data_precision) * scale / refined.slope.norm();
+    let partner = others
+        .iter()
+        .filter(|other| assurance(&other.triple.right, &refined.triple.right) > PARALLEL)
+        .map(|other| (other.triple.value - value).norm())
+        .min_by(f64::total_cmp);
+    let error = partner.map_or(first_order, |gap| moved(first_order, gap));
+    Eigenvalue {
+        value,
+        residual: refined.residual,
+        left_residual: refined.left_residual,
+        condition: scale / (value.norm() * refined.slope.norm()),
+        error,
+        defective: partner.is_some_and(|gap| error >= 0.5 * gap),
+    }
+}
+
+/// How far one of two eigenvalues with one vector moves where a simple one would move by δ.
+fn moved(first_order: f64, gap: f64) -> f64 {
+    let ratio = first_order / gap;
+    if ratio < 0.25 {
+        first_order / (0.5 + (0.25 - ratio).sqrt())
+    } else if first_order.is_finite() {
+        (first_order * gap).sqrt()
+    } else {
+        first_order
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The roots ±√(g²/4 + δ g) of two eigenvalues that a disturbance couples.
+    #[test]
+    fn close_eigenvalues_move_as_the_roots_of_their_quadratic() {
+        let gap: f64 = 0.3;
+        for first_order in [1e-6, 1e-3, 0.07, 0.2, 5.0] {
+            let discriminant = gap * gap / 4.0 - first_order * gap;
+            let expected = if discriminant >= 0.0 {
+                gap / 2.0 - discriminant.sqrt()
+            } else {
+                (gap / 2.0).hypot((-discriminant).sqrt())
+            };
+            let found = moved(first_order, gap);
+            assert!((found / expected - 1.0).abs() < 1e-9, "{first_order}: {found} {expected}");
+        }
+    }
+}

@@ -1,0 +1,174 @@
+//! Discs that cover a region, and what they say of each other.
+
+use super::disc::{Disc, SAME};
+use super::matching::one_to_one;
+use crate::StructureError;
+use crate::quadratic::{Quadratic, Region};
+use faer::c64;
+use rayon::prelude::*;
+use std::fmt;
+
+/// Why the eigenvalues of a region may not be all.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Gap {
+    /// A search from one side, for right or for left vectors, found an eigenvalue that the other did not.
+    OneSided {
+        /// Where.
+        value: c64,
+    },
+    /// A disc lacks an eigenvalue that another found inside it.
+    Overlap {
+        /// Where.
+        value: c64,
+        /// The middle of the disc that lacks it.
+        shift: c64,
+    },
+    /// No disc covers a part of the region.
+    Uncovered {
+        /// Which part.
+        part: Region,
+    },
+}
+
+impl fmt::Display for Gap {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::OneSided { value } => {
+                write!(f, "{value:.6} 1/s was found by its right or its left vector only")
+            }
+            Self::Overlap { value, shift } => {
+                write!(f, "{value:.6} 1/s was not found from the shift {shift:.6} 1/s, whose disc holds it")
+            }
+            Self::Uncovered { part } => write!(
+                f,
+                "no disc covers the part {} to {}, {} to {} of the region",
+                part.re[0], part.re[1], part.im[0], part.im[1]
+            ),
+        }
+    }
+}
+
+/// Discs over a region.
+pub(super) struct Cover {
+    pub(super) discs: Vec<Disc>,
+    /// Each eigenvalue once: its disc, and its place there.
+    pub(super) members: Vec<(usize, usize)>,
+    pub(super) gaps: Vec<Gap>,
+}
+
+/// A disc asks for so much more than its part needs: the overlap with its neighbours.
+const MARGIN: f64 = 1.2;
+/// How often a part is halved before it stays uncovered.
+const HALVINGS: usize = 8;
+/// Within this share of a disc's radius it must know what others found.
+const WELL_INSIDE: f64 = 0.97;
+
+/// Covers a region by discs: by two, and where a search does not reach far enough by as many as it takes.
+pub(super) fn cover(problem: &Quadratic, region: &Region) -> Result<Cover, StructureError> {
+    let transposed = problem.transposed();
+    let (mut discs, mut gaps) = (Vec::new(), Vec::new());
+    let mut parts = region.halves().to_vec();
+    for halving in 0..=HALVINGS {
+        let searched: Vec<Disc> = parts
+            .par_iter()
+            .map(|part| Disc::search(problem, &transposed, part.centre(), MARGIN * part.radius()))
+            .collect::<Result<_, _>>()?;
+        let mut smaller = Vec::new();
+        for (part, disc) in parts.iter().zip(searched) {
+            let aside = (disc.factor.shift() - part.centre()).norm();
+            if disc.radius >= part.radius() + aside {
+                discs.push(disc);
+            } else if halving < HALVINGS {
+                smaller.extend(part.halves());
+            } else {
+                gaps.push(Gap::Uncovered { part: *part });
+                discs.push(disc);
+            }
+        }
+        parts = smaller;
+    }
+    gaps.extend(
+        discs.iter().flat_map(|disc| disc.lonely.iter().map(|value| Gap::OneSided { value: *value })),
+    );
+    let known: Vec<Known> = discs.iter().map(Known::of).collect();
+    let (members, overlaps) = once_each(&known);
+    gaps.extend(overlaps);
+    Ok(Cover { discs, members, gaps })
+}
+
+/// What a disc knows.
+struct Known {
+    shift: c64,
+    radius: f64,
+    values: Vec<c64>,
+}
+
+impl Known {
+    fn of(disc: &Disc) -> Self {
+        let values = disc.triples.iter().map(|triple| triple.value).collect();
+        Self { shift: disc.factor.shift(), radius: disc.radius, values }
+    }
+
+    fn holds(&self, value: c64) -> bool {
+        (value - self.shift).norm() <= WELL_INSIDE * self.radius
+    }
+}
+
+/// Each eigenvalue of overlapping discs once, in the disc that found it first, and what one disc lacks of another.
+fn once_each(discs: &[Known]) -> (Vec<(usize, usize)>, Vec<Gap>) {
+    let (mut members, mut values, mut gaps) = (Vec::new(), Vec::<c64>::new(), Vec::new());
+    for (number, disc) in discs.iter().enumerate() {
+        let farthest = disc.values.iter().map(|value| (value - disc.shift).norm()).fold(0.0, f64::max);
+        let same = one_to_one(&values, &disc.values, SAME * disc.radius.min(farthest));
+        let known: Vec<usize> = same.iter().map(|(i, _)| *i).collect();
+        let seen: Vec<usize> = same.iter().map(|(_, j)| *j).collect();
+        for (_, value) in values.iter().enumerate().filter(|(i, _)| !known.contains(i)) {
+            if disc.holds(*value) {
+                gaps.push(Gap::Overlap { value: *value, shift: disc.shift });
+            }
+        }
+        for (place, value) in disc.values.iter().enumerate().filter(|(j, _)| !seen.contains(j)) {
+            for other in discs[..number].iter().filter(|other| other.holds(*value)) {
+                gaps.push(Gap::Overlap { value: *value, shift: other.shift });
+            }
+            members.push((number, place));
+            values.push(*value);
+        }
+    }
+    (members, gaps)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn disc(shift: f64, values: &[f64]) -> Known {
+        let values = values.iter().map(|v| c64::new(0.0, *v)).collect();
+        Known { shift: c64::new(0.0, shift), radius: 10.0, values }
+    }
+
+    #[test]
+    fn an_eigenvalue_that_two_discs_hold_counts_once() {
+        let (members, gaps) =
+            once_each(&[disc(0.0, &[-3.0, 4.0, 8.0]), disc(10.0, &[4.0 + 1e-6, 8.0, 15.0])]);
+        assert_eq!(members, [(0, 0), (0, 1), (0, 2), (1, 2)]);
+        assert!(gaps.is_empty());
+    }
+
+    #[test]
+    fn a_hidden_eigenvalue_shows_as_a_gap_whichever_disc_lacks_it() {
+        let whole = [disc(0.0, &[-3.0, 4.0]), disc(10.0, &[4.0, 15.0])];
+        assert!(once_each(&whole).1.is_empty());
+        let (_, gaps) = once_each(&[disc(0.0, &[-3.0]), disc(10.0, &[4.0, 15.0])]);
+        assert_eq!(gaps, [Gap::Overlap { value: c64::new(0.0, 4.0), shift: c64::new(0.0, 0.0) }]);
+        let (members, gaps) = once_each(&[disc(0.0, &[-3.0, 4.0]), disc(10.0, &[15.0])]);
+        assert_eq!(gaps, [Gap::Overlap { value: c64::new(0.0, 4.0), shift: c64::new(0.0, 10.0) }]);
+        assert_eq!(members.len(), 3);
+    }
+
+    #[test]
+    fn of_a_double_eigenvalue_both_count() {
+        let (members, gaps) = once_each(&[disc(0.0, &[4.0, 4.0]), disc(10.0, &[4.0])]);
+        assert_eq!((members.len(), gaps.len()), (2, 1));
+    }
+}

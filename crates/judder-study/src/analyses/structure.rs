@@ -1,5 +1,6 @@
 //! The analyses of a structure case.
 
+mod eigen;
 mod modes;
 mod reduction;
 mod shapes;
@@ -29,7 +30,8 @@ pub(super) fn run(
     let mut outcome = match &analysis.kind {
         StructureAnalysis::Modes { wanted } => modes::run((case, structure), &analysis.name, *wanted),
         StructureAnalysis::Reduction { count } => reduction::run((case, structure), *count),
-        StructureAnalysis::Eigen { .. } | StructureAnalysis::EigenSweep(_) => {
+        StructureAnalysis::Eigen { region } => eigen::run((case, structure), &analysis.name, region),
+        StructureAnalysis::EigenSweep(_) => {
             Err(StudyError::Unsupported("later".to_owned()))
         }
     }?;

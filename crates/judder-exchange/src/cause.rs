@@ -1,6 +1,8 @@
 //! What can be wrong with a file of another program.
 
 use crate::matrix::Triangle;
+use judder_structure::StructureError;
+use judder_structure::element::ElementKind;
 use std::io;
 use thiserror::Error;
 
@@ -266,5 +268,114 @@ pub enum Cause {
     NotADirection {
         /// The word.
         text: String,
+    },
+    /// Something is named that is not there.
+    #[error("there is no {what} {label}")]
+    Unknown {
+        /// What kind of thing.
+        what: &'static str,
+        /// Its number or name.
+        label: String,
+    },
+    /// Sets that name sets have grown beyond the file.
+    #[error(
+        "the sets name more than {most} nodes or elements, far more than the file has; do sets name each other again and again?"
+    )]
+    SetsTooLarge {
+        /// The most that are read.
+        most: usize,
+    },
+    /// A keyword lacks a parameter.
+    #[error("*{keyword} needs the parameter {parameter}")]
+    MissingParameter {
+        /// The keyword.
+        keyword: String,
+        /// The parameter.
+        parameter: &'static str,
+    },
+    /// A keyword changes the meaning of the mesh and is not read.
+    #[error("*{keyword} is not read: {why}")]
+    Refused {
+        /// The keyword.
+        keyword: String,
+        /// Why, and what would be right.
+        why: &'static str,
+    },
+    /// A property that takes one line has none or several.
+    #[error("{what} takes one line, found are {found}; what depends on temperature or a field is not read")]
+    WrongLines {
+        /// The property.
+        what: &'static str,
+        /// Data lines.
+        found: usize,
+    },
+    /// An element has too few or too many nodes.
+    #[error(
+        "a {kind} takes {needed} nodes, found are {found}; a comma at the end of a line lets it go on in the next"
+    )]
+    WrongNodes {
+        /// Its shape.
+        kind: ElementKind,
+        /// Its nodes.
+        needed: usize,
+        /// Nodes found.
+        found: usize,
+    },
+    /// A side that an element does not have.
+    #[error("a {kind} has the sides S1 to S{sides}, not S{side}")]
+    NoSuchSide {
+        /// The shape.
+        kind: ElementKind,
+        /// The side, from 1.
+        side: usize,
+        /// Sides that there are.
+        sides: usize,
+    },
+    /// A section of a file does not end.
+    #[error("the section ${section} has no $End{section}; was the file cut?")]
+    NoEnd {
+        /// Its name.
+        section: String,
+    },
+    /// There are no elements to compute with.
+    #[error("has no elements of the plane or of space")]
+    NoElements,
+    /// Elements of the plane and of space in one mesh.
+    #[error(
+        "element {first} and element {other} have different dimensions; a mesh is all of the plane or all of space"
+    )]
+    MixedDimensions {
+        /// The number of one in the file.
+        first: usize,
+        /// The number of another.
+        other: usize,
+    },
+    /// A mesh of the plane has nodes off it.
+    #[error("node {node} lies at z = {z}; a mesh of the plane has all its nodes at z = 0")]
+    OffPlane {
+        /// Its number in the file.
+        node: usize,
+        /// Its place.
+        z: f64,
+    },
+    /// The file gives a block no material.
+    #[error("the elements `{block}` have no section with a material in the file; give it in the case")]
+    NoSection {
+        /// The name of the block.
+        block: String,
+    },
+    /// A material is not whole.
+    #[error("the material `{material}` has no {what}")]
+    MaterialLacks {
+        /// Its name.
+        material: String,
+        /// What is missing.
+        what: &'static str,
+    },
+    /// The mesh or the material is none.
+    #[error("{source}")]
+    Structure {
+        /// Why.
+        source: StructureError,
     },
 }

@@ -1,2 +1,3 @@
 mod disc_brake;
 mod matrices;
+mod meshes;

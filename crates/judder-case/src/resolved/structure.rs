@@ -6,7 +6,7 @@ use super::{named, number};
 use crate::dimension::Dimension;
 use crate::keys::Form;
 use crate::structure::analysis::{EigenMethod, EigenRegion, StructureAnalysis, WantedModes};
-use crate::structure::body::{Body, Geometry, Material};
+use crate::structure::body::{Body, Geometry, Material, PlaneSection};
 use crate::structure::damping::Damping;
 use crate::structure::matrices::{MatrixSums, MatrixTerm};
 use crate::structure::reduction::{FixedModes, KeptNodes, Reduction};
@@ -67,7 +67,7 @@ fn body(body: &Body) -> Json {
         Geometry::Mesh(file) => json["mesh"] = json!(file.given),
     }
     if !in_space {
-        json["section"] = json!(body.section.name());
+        json["section"] = json!(body.section.map(PlaneSection::name));
         json["width"] = body.width.map_or(Json::Null, |width| si(width, Dimension::LENGTH));
     }
     json

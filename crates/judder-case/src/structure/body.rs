@@ -17,9 +17,9 @@ use crate::structure_keys::StructureKey;
 pub struct Body {
     /// Where its elements come from.
     pub geometry: Geometry,
-    /// How the third direction of a body of the plane is meant; plane stress by default.
-    pub section: PlaneSection,
-    /// Its width across the plane, m; 1 m where the case gives none. In space without meaning.
+    /// How the third direction of a body of the plane is meant; where the case does not say, as a mesh file says, else plane stress.
+    pub section: Option<PlaneSection>,
+    /// Its width across the plane, m; where the case gives none, that of a mesh file, else 1 m. In space without meaning.
     pub width: Option<f64>,
     /// The material of all elements that have none of their own; of a mesh file it may be missing.
     pub material: Option<Material>,
@@ -212,8 +212,7 @@ pub(super) fn read_body(node: &Node, folder: &Path) -> Result<Body, Fault> {
     }
     let materials = read_materials(&section, is_mesh)?;
     let supports = read_supports(&section)?;
-    let section = plane.unwrap_or(PlaneSection::PlaneStress);
-    Ok(Body { geometry, section, width, material, materials, supports })
+    Ok(Body { geometry, section: plane, width, material, materials, supports })
 }
 
 fn read_beam(section: &Section<'_>) -> Result<Beam, Fault> {

@@ -96,6 +96,20 @@ pub enum StructureProblem {
         /// The sets that there are.
         known: Vec<String>,
     },
+    /// A material under a name that the mesh does not have.
+    #[error("the mesh has no group and no material named `{name}`")]
+    UnknownGroup {
+        /// The name as written.
+        name: String,
+        /// The names that there are.
+        known: Vec<String>,
+    },
+    /// Elements of which neither case nor mesh say what they are made of.
+    #[error("the elements of `{name}` have no material")]
+    NoMaterial {
+        /// The name of their group.
+        name: String,
+    },
     /// A node that the table of freedoms does not have.
     #[error("the table of freedoms has no node {node}")]
     UnknownNode {
@@ -182,6 +196,8 @@ impl StructureProblem {
             Self::NothingToSweep | Self::IdleParameter { .. } => "without effect",
             Self::UnsortedValues => "not in order",
             Self::UnknownSet { .. } => "unknown set",
+            Self::UnknownGroup { .. } => "unknown name",
+            Self::NoMaterial { .. } => "in this section",
             Self::UnknownNode { .. } => "unknown node",
             Self::KeptFreedoms { .. } => "these freedoms",
             Self::File { .. } => "this file",
@@ -217,6 +233,8 @@ impl StructureProblem {
             Self::IdleParameter { .. } => "sweep a parameter that a factor contains".to_owned(),
             Self::UnsortedValues => "branches are followed from one value to the next: sort them".to_owned(),
             Self::UnknownSet { name, known } => did_you_mean(name, known, "sets here"),
+            Self::UnknownGroup { name, known } => did_you_mean(name, known, "names here"),
+            Self::NoMaterial { name } => format!("give material = {{ … }} or materials = {{ {name} = {{ … }} }}"),
             Self::UnknownNode { .. } => "name nodes that the table has".to_owned(),
             Self::KeptFreedoms { .. } => "name free freedoms, each once".to_owned(),
             Self::File { .. } => "the file is read as its ending says".to_owned(),

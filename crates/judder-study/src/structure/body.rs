@@ -82,8 +82,8 @@ pub(super) fn section(body: &Body, dimension: usize) -> Section {
     let thickness = body.width.unwrap_or(WIDTH);
     match (dimension, body.section) {
         (3, _) => Section::Solid,
-        (_, PlaneSection::PlaneStress) => Section::PlaneStress { thickness },
-        (_, PlaneSection::PlaneStrain) => Section::PlaneStrain { thickness },
+        (_, Some(PlaneSection::PlaneStrain)) => Section::PlaneStrain { thickness },
+        (_, Some(PlaneSection::PlaneStress) | None) => Section::PlaneStress { thickness },
     }
 }
 

@@ -93,11 +93,3 @@ pub(super) fn with_complex(
     Ok(dataset.with(variable.units("1").long_name("shape of the mode, its largest displacement 1"))?)
 }
 
-/// The files with which ParaView shows real modes.
-pub(super) fn fields(
-    _name: &str,
-    _structure: &Structure,
-    _modes: &[Mode],
-) -> Result<Vec<(String, Vec<u8>)>, StudyError> {
-    Ok(Vec::new())
-}

@@ -16,6 +16,12 @@ pub enum Cause {
         /// What the system said.
         source: io::Error,
     },
+    /// The system does not take the file.
+    #[error("cannot be written: {source}")]
+    Unwritable {
+        /// What the system said.
+        source: io::Error,
+    },
     /// The name of the file does not tell its format.
     #[error("the extension `{found}` names no format that is read here; there are {known}")]
     UnknownExtension {

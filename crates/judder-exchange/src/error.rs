@@ -2,6 +2,7 @@
 
 use crate::cause::Cause;
 use std::fmt;
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// Where in a file.
@@ -79,6 +80,13 @@ impl ExchangeError {
 impl From<Cause> for ExchangeError {
     fn from(cause: Cause) -> Self {
         Self::new(Place::Whole, cause)
+    }
+}
+
+impl From<io::Error> for ExchangeError {
+    /// Files are read in one go: what fails on the way is writing.
+    fn from(source: io::Error) -> Self {
+        Cause::Unwritable { source }.into()
     }
 }
 

@@ -3,18 +3,24 @@
 //! - [`matrix`]: sparse matrices of Matrix Market, Abaqus, MATLAB and SciPy; [`system`] checks that they make one.
 //! - [`mesh_file`]: meshes of Gmsh, Abaqus and CalculiX, with sets, materials and sections.
 //! - [`freedom_table`]: what the rows of such matrices are.
+//! - [`geometry`]: what is drawn, with displacements at its nodes; [`vtu`] writes it for ParaView, [`universal`] for test engineers.
+//! - [`matrix_market`]: matrices for other programs; [`whole_file`]: files whole or not at all.
 
 mod bytes;
 mod cause;
 mod error;
 pub mod freedom_table;
+pub mod geometry;
 pub mod matrix;
-mod matrix_market;
+pub mod matrix_market;
 pub mod mesh_file;
 mod npy;
 mod quoted;
 pub mod system;
 mod text;
+pub mod universal;
+pub mod vtu;
+pub mod whole_file;
 
 pub use cause::Cause;
 pub use error::{ExchangeError, Place};

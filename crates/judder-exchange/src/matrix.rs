@@ -139,6 +139,22 @@ impl Matrix {
         }
     }
 
+    /// A matrix of judder, with its symmetry as its entries have it to the last bit.
+    #[must_use]
+    pub fn from_sparse(sparse: &Sparse) -> Self {
+        let mut entries: Vec<(usize, usize, f64)> =
+            sparse.triplet_iter().map(|entry| (entry.row, entry.col, *entry.val)).collect();
+        entries.sort_by_key(|(row, column, _)| (*row, *column));
+        let symmetry = Symmetry::General;
+        let mut matrix = Self { rows: sparse.nrows(), columns: sparse.ncols(), entries, symmetry };
+        if matrix.asymmetry() == 0.0 {
+            matrix.symmetry = Symmetry::Symmetric;
+        } else if matrix.skew_asymmetry() == 0.0 {
+            matrix.symmetry = Symmetry::SkewSymmetric;
+        }
+        matrix
+    }
+
     /// The triangle that has all the entries beside the diagonal; none where both have some, or neither, or the matrix is not
     /// square.
     #[must_use]
@@ -286,6 +302,7 @@ mod tests {
     #[test]
     fn sparse_matrices_have_the_entries() {
         let sparse = general(&[(0, 1, -1.0), (1, 0, 1.0)]).to_sparse().unwrap();
+        assert_eq!(Matrix::from_sparse(&sparse).symmetry, Symmetry::SkewSymmetric);
         assert_eq!((sparse.get(0, 1), sparse.get(1, 0), sparse.get(0, 0)), (Some(&-1.0), Some(&1.0), None));
     }
 }

@@ -7,6 +7,36 @@ use crate::error::ExchangeError;
 use crate::matrix::{Matrix, Symmetry};
 use crate::quoted::quoted;
 use crate::text::{check_room, count, number, text_of};
+use std::io::Write;
+
+/// Writes a matrix in coordinates: one triangle where it is symmetric or skew-symmetric by [`Matrix::symmetry`], all entries otherwise.
+/// Every number reads back to its last bit.
+///
+/// # Errors
+/// [`Cause::Inconsistent`] where the entries have not the symmetry that the matrix says, [`Cause::Unwritable`].
+pub fn write_matrix_market(to: &mut dyn Write, matrix: &Matrix) -> Result<(), ExchangeError> {
+    let (symmetry, departure) = match matrix.symmetry {
+        Symmetry::General => ("general", 0.0),
+        Symmetry::Symmetric => ("symmetric", matrix.asymmetry()),
+        Symmetry::SkewSymmetric => ("skew-symmetric", matrix.skew_asymmetry()),
+    };
+    if departure != 0.0 {
+        let problem = format!("it departs from {symmetry} by {departure:e} of its largest entry");
+        return Err(Cause::Inconsistent { what: "the matrix", problem }.into());
+    }
+    let stored = |(row, column, _): &&(usize, usize, f64)| match matrix.symmetry {
+        Symmetry::General => true,
+        Symmetry::Symmetric => row >= column,
+        Symmetry::SkewSymmetric => row > column,
+    };
+    let count = matrix.entries.iter().filter(stored).count();
+    writeln!(to, "%%MatrixMarket matrix coordinate real {symmetry}")?;
+    writeln!(to, "{} {} {count}", matrix.rows, matrix.columns)?;
+    for (row, column, value) in matrix.entries.iter().filter(stored) {
+        writeln!(to, "{} {} {value:e}", row + 1, column + 1)?;
+    }
+    Ok(())
+}
 
 /// The header line of a file.
 struct Header {
@@ -184,6 +214,22 @@ mod tests {
         assert_eq!((skew.skew_asymmetry(), skew.entries[0]), (0.0, (0, 1, -1.0)));
         let dense = read("%%MatrixMarket matrix array real general\n2 1\n0\n5\n").unwrap();
         assert_eq!(dense.entries, [(1, 0, 5.0)]);
+    }
+
+    #[test]
+    fn what_is_written_reads_back() {
+        for symmetry in [Symmetry::General, Symmetry::Symmetric, Symmetry::SkewSymmetric] {
+            let entries = vec![(1, 0, 0.1 + 0.2), (2, 0, -1e-300)];
+            let matrix = Matrix::from_stored(3, 3, entries, symmetry).unwrap();
+            let mut file = Vec::new();
+            write_matrix_market(&mut file, &matrix).unwrap();
+            assert_eq!(read_matrix_market(&file).unwrap(), matrix);
+        }
+        let wrong = Matrix {
+            symmetry: Symmetry::Symmetric,
+            ..read("%%MatrixMarket matrix array real general\n2 2\n1\n2\n3\n4\n").unwrap()
+        };
+        assert!(write_matrix_market(&mut Vec::new(), &wrong).unwrap_err().to_string().contains("departs"));
     }
 
     #[test]

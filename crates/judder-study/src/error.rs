@@ -91,6 +91,9 @@ pub enum StudyError {
     /// The structure has no answer.
     #[error("the structure: {0}")]
     Structure(#[from] StructureError),
+    /// The fields of shapes could not be written.
+    #[error("the fields for ParaView: {0}")]
+    Fields(String),
     /// The folder holds no results to report on.
     #[error("{folder} holds no results yet: run `judder run CASE.toml -o {folder}` first")]
     NoResults {
@@ -166,6 +169,7 @@ impl StudyError {
             | Self::Cycle(_)
             | Self::UnstableCycle { .. }
             | Self::Report(_)
+            | Self::Fields(_)
             | Self::Interrupted => false,
         }
     }

@@ -1,6 +1,7 @@
 //! The analyses of a structure case.
 
 mod eigen;
+mod fields;
 mod modes;
 mod reduction;
 mod shapes;

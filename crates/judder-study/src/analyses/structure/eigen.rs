@@ -1,5 +1,6 @@
 //! `eigen`: all complex modes in a region, each with its error.
 
+use super::fields::{self, Shape};
 use super::shapes;
 use crate::error::StudyError;
 use crate::outcome::{CheckRecord, Outcome};
@@ -59,7 +60,12 @@ pub(super) fn run(
         dataset = shapes::with_layout(dataset, layout)?;
         dataset = shapes::with_complex(dataset, layout, &shapes, &mut warnings)?;
     }
-    let _ = name;
+    let swinging = |(k, (mode, vector)): (usize, (&ComplexMode, Vec<Complex64>))| {
+        let (value, frequency) = (mode.eigenvalue.value, mode.eigenvalue.frequency_hz());
+        let name = format!("mode {} ({:.6} + {:.6} i 1/s)", k + 1, value.re, value.im);
+        Shape { name, vector, frequency, damping_ratio: mode.eigenvalue.damping_ratio() }
+    };
+    let shapes: Vec<Shape> = found.modes.iter().zip(shapes).enumerate().map(swinging).collect();
     Ok(Outcome {
         scalars,
         dataset,
@@ -67,7 +73,7 @@ pub(super) fn run(
         checks: checks(&found),
         missing: usize::from(!found.complete()),
         warnings,
-        files: Vec::new(),
+        files: fields::fields(name, structure, &shapes, true)?,
     })
 }
 

@@ -1,5 +1,6 @@
 //! `modes`: undamped modes with their shapes.
 
+use super::fields::{self, Shape};
 use super::shapes;
 use crate::error::StudyError;
 use crate::outcome::{CheckRecord, Outcome};
@@ -11,6 +12,7 @@ use judder_structure::assembly::Sparse;
 use judder_structure::modes::{Mode, Modes, Wanted, modes};
 use judder_structure::quadratic::Quadratic;
 use judder_structure::statics::product;
+use num_complex::Complex64;
 use serde_json::{Map, json};
 use std::f64::consts::TAU;
 
@@ -106,9 +108,23 @@ pub(super) fn run(
         dataset = shapes::with_layout(dataset, layout)?;
         dataset = shapes::with_real(dataset, layout, &vectors, &mut warnings)?;
     }
-    let files = shapes::fields(name, structure, &found.modes)?;
+    let shapes: Vec<Shape> = found.modes.iter().enumerate().map(|(k, mode)| {
+            let ratio = ratios.as_ref().map_or(0.0, |ratios| ratios[k]);
+            swinging(k, mode, (k >= rigid).then_some(ratio))
+        })
+        .collect();
+    let files = fields::fields(name, structure, &shapes, false)?;
     let checks = checks(&mass, &found, wanted);
     Ok(Outcome { scalars, dataset, table: Some(table), checks, files, warnings, missing: 0 })
+}
+
+/// A mode for the files of its shape, with its damping ratio; a rigid motion has none and does not swing.
+fn swinging(number: usize, mode: &Mode, ratio: Option<f64>) -> Shape {
+    let frequency = mode.frequency_hz();
+    let name = format!("mode {} ({frequency:.6} Hz)", number + 1);
+    let vector = mode.shape.iter().map(|u| Complex64::from(*u)).collect();
+    let frequency = if ratio.is_some() { frequency } else { 0.0 };
+    Shape { name, vector, frequency, damping_ratio: ratio.unwrap_or(0.0) }
 }
 
 /// ζ = φᵀCφ/(2ω) of mass-normalised shapes, NaN for rigid motions; `None` without damping.

@@ -1,7 +1,7 @@
-//! Shapes of modes: as arrays, compared with each other, as fields for ParaView.
+//! Shapes of modes: as arrays, compared with each other.
 
 use crate::error::StudyError;
-use crate::structure::{Layout, Structure};
+use crate::structure::Layout;
 use judder_store::{Dataset, Variable};
 use judder_structure::modes::Mode;
 use num_complex::Complex64;

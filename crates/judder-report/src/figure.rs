@@ -184,7 +184,14 @@ impl Layer {
         swing: Swing,
         style: impl Into<Style>,
     ) -> Self {
-        Self::Line(Line { label: label.into(), x, y, style: style.into(), swing: Some(Box::new(swing)), sizes: None })
+        Self::Line(Line {
+            label: label.into(),
+            x,
+            y,
+            style: style.into(),
+            swing: Some(Box::new(swing)),
+            sizes: None,
+        })
     }
 
     /// Markers at (`x[i]`, `y[i]`).

@@ -112,9 +112,7 @@ fn caption(dataset: &Dataset) -> &'static str {
             "Shapes over the body at rest (grey), displacements enlarged alike; on the page they swing. Last, how alike any two shapes are: the \
              modal assurance criterion, $|φ_{i}^{T}φ_{j}|^{2}$ over both lengths squared."
         }
-        "reduction" => {
-            "How far the frequencies of the reduced structure lie above those of the full one."
-        }
+        "reduction" => "How far the frequencies of the reduced structure lie above those of the full one.",
         "eigen" => {
             "All eigenvalues found in the region; the axis of growth rates is logarithmic on both sides of zero. Damping ratios $ζ = −$Re $λ/|λ|$: a \
              bubble's area is their magnitude. Shapes of the fastest growing modes, which swing on the page, and how alike any two shapes are."

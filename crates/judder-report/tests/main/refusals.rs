@@ -62,11 +62,16 @@ fn no_columns() {
 
 #[test]
 fn swings_and_sizes_that_do_not_fit() {
-    let swing = |points: usize| Swing { x: [vec![0.0; points], vec![0.0; points]], y: [vec![0.0; 2], vec![0.0; 2]] };
+    let swing =
+        |points: usize| Swing { x: [vec![0.0; points], vec![0.0; points]], y: [vec![0.0; 2], vec![0.0; 2]] };
     let line = |swing| Layer::swinging("", vec![1.0, 2.0], vec![1.0, 2.0], swing, Role::Series(0));
     assert!(refusal(&with_layer(line(swing(1)))).contains("2 abscissae but 1 ordinates"));
     assert!(refusal(&with_layer(line(swing(2)))).contains("swinging lines need linear axes"));
-    for (sizes, message) in [(vec![1.0], "2 abscissae but 1"), (vec![f64::NAN, 1.0], "marker 0 is NaN"), (vec![1.0, -1.0], "marker 1 is -1")] {
+    for (sizes, message) in [
+        (vec![1.0], "2 abscissae but 1"),
+        (vec![f64::NAN, 1.0], "marker 0 is NaN"),
+        (vec![1.0, -1.0], "marker 1 is -1"),
+    ] {
         let bubbles = Layer::bubbles("", (vec![1.0, 2.0], vec![1.0, 2.0]), sizes, Role::Series(0));
         assert!(refusal(&with_layer(bubbles)).contains(message), "{message}");
     }

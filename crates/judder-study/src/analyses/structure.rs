@@ -32,9 +32,7 @@ pub(super) fn run(
         StructureAnalysis::Modes { wanted } => modes::run((case, structure), &analysis.name, *wanted),
         StructureAnalysis::Reduction { count } => reduction::run((case, structure), *count),
         StructureAnalysis::Eigen { region } => eigen::run((case, structure), &analysis.name, region),
-        StructureAnalysis::EigenSweep(_) => {
-            Err(StudyError::Unsupported("later".to_owned()))
-        }
+        StructureAnalysis::EigenSweep(_) => Err(StudyError::Unsupported("later".to_owned())),
     }?;
     progress.advance();
     outcome.warnings.extend(structure.warnings.iter().cloned());

@@ -37,7 +37,8 @@ fn mac(dataset: &Dataset) -> Option<Panel> {
     }
     let numbers: Vec<f64> = (1..=count).map(|k| k as f64).collect();
     let bar = Axis::linear("MAC (−)").with_range(0.0, 1.0);
-    let map = ValueMap { x: numbers.clone(), y: numbers, z: values.to_vec(), bar, colours: ColourMap::Sequential };
+    let map =
+        ValueMap { x: numbers.clone(), y: numbers, z: values.to_vec(), bar, colours: ColourMap::Sequential };
     let axis = || Axis::linear("Mode");
     Some(Panel::new(axis(), axis(), vec![Layer::Values(map)]).with_title("shapes against each other"))
 }

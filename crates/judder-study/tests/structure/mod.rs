@@ -38,7 +38,10 @@ fn the_horizontal_beam_of_the_paper() {
         let omega = TAU * frequency;
         let ratio = 40.0 / (2.0 * omega) + 4e-8 * omega / 2.0;
         let (re, im) = (-ratio * omega, omega * (1.0 - ratio * ratio).sqrt());
-        assert!((number(&value["re"]) / re - 1.0).abs() < 1e-6 && (number(&value["im"]) / im - 1.0).abs() < 1e-9, "{value}");
+        assert!(
+            (number(&value["re"]) / re - 1.0).abs() < 1e-6 && (number(&value["im"]) / im - 1.0).abs() < 1e-9,
+            "{value}"
+        );
         assert_eq!(value["verdict"], "stable");
     }
     for file in ["modes.csv", "figures/modes.svg", "figures/damped.png", "report.html"] {
@@ -117,7 +120,8 @@ fn minimal(folder: &Path, more: &str) -> CaseFile {
 #[test]
 fn flutter_of_two_masses_from_files() {
     let folder = tempfile::tempdir().unwrap();
-    let eigen = "[[analysis]]\nname = \"flutter\"\nkind = \"eigen\"\nregion = { re = [-1, 1], im = [0.1, 3] }\n";
+    let eigen =
+        "[[analysis]]\nname = \"flutter\"\nkind = \"eigen\"\nregion = { re = [-1, 1], im = [0.1, 3] }\n";
     let file = minimal(folder.path(), eigen);
     let report = run_into(&folder.path().join("out"), &file, &[]);
     assert!(report.complete, "{:?}", report.messages);
@@ -143,7 +147,11 @@ fn files_that_do_not_fit_are_refused_with_their_place() {
         assert_eq!(error.place(), place, "{error}");
     };
     let file = minimal(folder.path(), modes);
-    std::fs::write(folder.path().join("M.mtx"), "%%MatrixMarket matrix coordinate real general\n3 3 1\n1 1 1.0\n").unwrap();
+    std::fs::write(
+        folder.path().join("M.mtx"),
+        "%%MatrixMarket matrix coordinate real general\n3 3 1\n1 1 1.0\n",
+    )
+    .unwrap();
     refused(&file, "rows", "[matrices]");
     let file = minimal(folder.path(), modes);
     std::fs::write(folder.path().join("K.mtx"), "nonsense").unwrap();
@@ -157,7 +165,8 @@ fn files_that_do_not_fit_are_refused_with_their_place() {
     };
     let unknown = beam("supports = [{ set = \"strat\", fixed = [\"x\"] }]\n");
     refused(&unknown, "no set of nodes named `strat`", "\"strat\"");
-    let held = "supports = [{ set = \"end\", fixed = [\"x\", \"y\"] }]\n[reduction]\nkept = [{ set = \"end\" }]\n";
+    let held =
+        "supports = [{ set = \"end\", fixed = [\"x\", \"y\"] }]\n[reduction]\nkept = [{ set = \"end\" }]\n";
     refused(&beam(held), "no freedom that is free", "[{ set = \"end\" }]");
 }
 

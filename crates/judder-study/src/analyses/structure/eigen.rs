@@ -94,7 +94,8 @@ pub(super) fn entry(value: &Eigenvalue) -> Value {
 /// Why there may be more eigenvalues.
 pub(super) fn gap_warnings(gaps: &[Gap]) -> Vec<String> {
     const SHOWN: usize = 5;
-    let mut warnings: Vec<String> = gaps.iter().take(SHOWN).map(|gap| format!("eigenvalues may be missing: {gap}")).collect();
+    let mut warnings: Vec<String> =
+        gaps.iter().take(SHOWN).map(|gap| format!("eigenvalues may be missing: {gap}")).collect();
     if gaps.len() > SHOWN {
         warnings.push(format!("eigenvalues may be missing at {} more places", gaps.len() - SHOWN));
     }
@@ -126,7 +127,11 @@ fn dataset(values: &[Eigenvalue], sought: &EigenRegion) -> Result<Dataset, Study
         .with(modal("error", of(&|v| v.error)).units("1/s").long_name("how far the true eigenvalue may be"))?
         .with(modal("residual", of(&|v| v.residual)).units("1").long_name("normalised backward error"))?
         .with(modal("condition", of(&|v| v.condition)).units("1").long_name("condition number"))?
-        .with(modal("damping_ratio", of(&Eigenvalue::damping_ratio)).units("1").long_name("damping ratio ζ = −Re λ/|λ|"))?
+        .with(
+            modal("damping_ratio", of(&Eigenvalue::damping_ratio))
+                .units("1")
+                .long_name("damping ratio ζ = −Re λ/|λ|"),
+        )?
         .with(Variable::classes("verdict", &["mode"], &[count], verdicts, &VERDICTS).long_name("verdict"))?)
 }
 

@@ -114,7 +114,9 @@ fn series(
 }
 
 /// What a writer writes, in memory: the study folder writes files whole or not at all.
-fn written(write: impl FnOnce(&mut dyn std::io::Write) -> Result<(), ExchangeError>) -> Result<Vec<u8>, StudyError> {
+fn written(
+    write: impl FnOnce(&mut dyn std::io::Write) -> Result<(), ExchangeError>,
+) -> Result<Vec<u8>, StudyError> {
     let mut bytes = Vec::new();
     write(&mut bytes).map_err(|error| StudyError::Fields(error.to_string()))?;
     Ok(bytes)

@@ -108,7 +108,11 @@ pub(super) fn run(
         dataset = shapes::with_layout(dataset, layout)?;
         dataset = shapes::with_real(dataset, layout, &vectors, &mut warnings)?;
     }
-    let shapes: Vec<Shape> = found.modes.iter().enumerate().map(|(k, mode)| {
+    let shapes: Vec<Shape> = found
+        .modes
+        .iter()
+        .enumerate()
+        .map(|(k, mode)| {
             let ratio = ratios.as_ref().map_or(0.0, |ratios| ratios[k]);
             swinging(k, mode, (k >= rigid).then_some(ratio))
         })

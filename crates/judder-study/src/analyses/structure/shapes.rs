@@ -92,4 +92,3 @@ pub(super) fn with_complex(
     let variable = Variable::new("shape", &["shown_mode", "point", "direction"], &[kept, points, 3], values);
     Ok(dataset.with(variable.units("1").long_name("shape of the mode, its largest displacement 1"))?)
 }
-

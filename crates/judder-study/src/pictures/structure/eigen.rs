@@ -1,6 +1,6 @@
 //! Complex modes: where they lie, how damped they are, their shapes.
 
-use super::{codes, complexes, mac, significant, shapes};
+use super::{codes, complexes, mac, shapes, significant};
 use judder_report::{Axis, Layer, Panel, Role};
 use judder_store::Dataset;
 use num_complex::Complex64;
@@ -56,7 +56,8 @@ pub(super) fn by_verdict(
 fn plane(values: &[Complex64], verdicts: &[u8]) -> Panel {
     let mut layers = vec![Layer::vertical_rule(0.0, "")];
     layers.extend(by_verdict(verdicts, &|k| (values[k].re, values[k].im / TAU), None));
-    Panel::new(growth_axis(values), Axis::linear("Frequency Im $λ$/2π (Hz)"), layers).with_title("eigenvalues")
+    Panel::new(growth_axis(values), Axis::linear("Frequency Im $λ$/2π (Hz)"), layers)
+        .with_title("eigenvalues")
 }
 
 /// Damping ratios over frequency; a bubble's area is the magnitude of its ratio.

@@ -34,7 +34,8 @@ struct Picture {
 
 impl Picture {
     fn new(dataset: &Dataset, mode: usize) -> Option<Self> {
-        let places: Vec<[f64; 3]> = reals(dataset, "place")?.chunks_exact(3).map(|p| [p[0], p[1], p[2]]).collect();
+        let places: Vec<[f64; 3]> =
+            reals(dataset, "place")?.chunks_exact(3).map(|p| [p[0], p[1], p[2]]).collect();
         let own = mode * 3 * places.len()..(mode + 1) * 3 * places.len();
         let shape: Vec<Complex64> = match reals(dataset, "shape") {
             Some(values) => values.get(own)?.iter().map(|value| Complex64::from(*value)).collect(),
@@ -42,12 +43,12 @@ impl Picture {
         };
         let in_plane = places.iter().all(|place| place[2] == places[0][2]);
         let rest: Vec<[f64; 2]> = places.iter().map(|place| on_paper(*place, in_plane)).collect();
-        let largest = shape.chunks_exact(3).map(|u| u.iter().map(|u| u.norm_sqr()).sum::<f64>()).fold(0.0, f64::max);
+        let largest =
+            shape.chunks_exact(3).map(|u| u.iter().map(|u| u.norm_sqr()).sum::<f64>()).fold(0.0, f64::max);
         let scale = DISPLACEMENT * diagonal(&rest) / largest.sqrt();
         let moved = shape.chunks_exact(3).map(|u| {
-            let part = |pick: fn(&Complex64) -> f64| {
-                on_paper([0, 1, 2].map(|k| scale * pick(&u[k])), in_plane)
-            };
+            let part =
+                |pick: fn(&Complex64) -> f64| on_paper([0, 1, 2].map(|k| scale * pick(&u[k])), in_plane);
             let ([a, b], [c, d]) = (part(|u| u.re), part(|u| u.im));
             [Complex64::new(a, c), Complex64::new(b, d)]
         });
@@ -70,7 +71,10 @@ impl Picture {
         let rest = |axis| along(axis, &|point, axis| self.rest[point][axis]);
         let drawn = |axis| along(axis, &|point, axis| self.rest[point][axis] + self.moved[point][axis].re);
         let swing = |axis| {
-            [along(axis, &|point, axis| self.moved[point][axis].re), along(axis, &|point, axis| self.moved[point][axis].im)]
+            [
+                along(axis, &|point, axis| self.moved[point][axis].re),
+                along(axis, &|point, axis| self.moved[point][axis].im),
+            ]
         };
         let swing = Swing { x: swing(0), y: swing(1) };
         let body = Role::Reference.solid();
@@ -100,9 +104,11 @@ impl Picture {
         };
         let [across, up] = [ends(0), ends(1)];
         let size = (1.0 + 2.0 * MARGIN) * (across.1 - across.0).max(FRAME * (up.1 - up.0));
-        let range = |(low, high): (f64, f64), size: f64| (0.5 * (low + high - size), 0.5 * (low + high + size));
+        let range =
+            |(low, high): (f64, f64), size: f64| (0.5 * (low + high - size), 0.5 * (low + high + size));
         let (x, y) = (range(across, size), range(up, size / FRAME));
-        let names = if self.in_plane { ["Position $x$ (m)", "Position $y$ (m)"] } else { ["Across (m)", "Up (m)"] };
+        let names =
+            if self.in_plane { ["Position $x$ (m)", "Position $y$ (m)"] } else { ["Across (m)", "Up (m)"] };
         [Axis::linear(names[0]).with_range(x.0, x.1), Axis::linear(names[1]).with_range(y.0, y.1)]
     }
 }

@@ -13,18 +13,23 @@ mod krylov;
 mod matching;
 mod refine;
 mod shift;
-mod vectors;
+pub(crate) mod vectors;
 
 pub use crate::quadratic::Region;
 pub use cover::Gap;
 
+pub(crate) use disc::Triple;
+pub(crate) use refine::Refined;
+pub(crate) use shift::{ShiftedFactor, Side};
+
 use crate::StructureError;
 use crate::quadratic::Quadratic;
+use accuracy::accuracy;
+pub(crate) use accuracy::left_by_residuals;
 use cover::{Cover, cover};
-use disc::Triple;
 use faer::c64;
 use rayon::prelude::*;
-use refine::{Neighbourhood, Refined};
+use refine::Neighbourhood;
 
 /// What the matrices are worth.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -147,13 +152,29 @@ pub fn complex_modes(
     region: &Region,
     settings: &Settings,
 ) -> Result<ComplexModes, StructureError> {
+    let searched = searched(problem, region)?;
+    let left_open: Vec<f64> =
+        searched.refined.iter().map(|refined| left_by_residuals(problem, refined)).collect();
+    let modes = finished(problem, &searched.refined, &left_open, region, settings);
+    let shifts = searched.factors.iter().map(ShiftedFactor::shift).collect();
+    Ok(ComplexModes { modes, gaps: searched.gaps, shifts })
+}
+
+/// What a search of a region leaves: more than its modes, for those who go on from them.
+pub(crate) struct Searched {
+    /// Those of the region, and those beside it that came along.
+    pub(crate) refined: Vec<Refined>,
+    pub(crate) factors: Vec<ShiftedFactor>,
+    pub(crate) gaps: Vec<Gap>,
+}
+
+/// Every eigenvalue of a region, refined, with the factors at the shifts.
+pub(crate) fn searched(problem: &Quadratic, region: &Region) -> Result<Searched, StructureError> {
     region.check()?;
     let cover = cover(problem, region)?;
     let refined = refined(problem, &cover)?;
-    let inside = |mode: &ComplexMode| region.contains(mode.eigenvalue.value, mode.eigenvalue.error);
-    let modes = finished(problem, &refined, settings).into_iter().filter(inside).collect();
-    let shifts = cover.discs.iter().map(|disc| disc.factor.shift()).collect();
-    Ok(ComplexModes { modes, gaps: cover.gaps, shifts })
+    let factors = cover.discs.into_iter().map(|disc| disc.factor).collect();
+    Ok(Searched { refined, factors, gaps: cover.gaps })
 }
 
 /// Every eigenvalue of a cover, refined with the factors of its disc.
@@ -162,21 +183,28 @@ fn refined(problem: &Quadratic, cover: &Cover) -> Result<Vec<Refined>, Structure
     let neighbourhoods: Vec<Neighbourhood<'_>> = cover
         .discs
         .iter()
-        .map(|disc| Neighbourhood::new(problem, &transposed, vec![&disc.factor], &disc.triples))
+        .map(|disc| Neighbourhood::new(problem, &transposed, &disc.factor, &disc.triples))
         .collect();
     cover.members.par_iter().map(|(disc, place)| neighbourhoods[*disc].refined_to_rounding(*place)).collect()
 }
 
-/// Modes by rising imaginary part, with what each is known to.
-fn finished(problem: &Quadratic, refined: &[Refined], settings: &Settings) -> Vec<ComplexMode> {
+/// The modes in a region by rising imaginary part, with what each is known to; the method leaves open of each so much, in 1/s.
+pub(crate) fn finished(
+    problem: &Quadratic,
+    refined: &[Refined],
+    left_open: &[f64],
+    region: &Region,
+    settings: &Settings,
+) -> Vec<ComplexMode> {
     let mut modes: Vec<ComplexMode> = refined
         .iter()
         .enumerate()
         .map(|(k, of_one)| {
             let others: Vec<&Refined> =
                 refined.iter().enumerate().filter(|(j, _)| *j != k).map(|(_, other)| other).collect();
-            mode(&of_one.triple, accuracy::accuracy(problem, of_one, &others, settings))
+            mode(&of_one.triple, accuracy(problem, of_one, &others, left_open[k], settings))
         })
+        .filter(|mode| region.contains(mode.eigenvalue.value, mode.eigenvalue.error))
         .collect();
     modes.sort_by(|a, b| {
         let (a, b) = (a.eigenvalue.value, b.eigenvalue.value);

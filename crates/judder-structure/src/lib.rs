@@ -12,6 +12,8 @@
 //! - [`craig_bampton`]: a structure on the freedoms that are kept and its lowest fixed-interface modes.
 //! - [`quadratic`]: mass, damping and stiffness of a structure that need not be symmetric, [`affine`]: as sums of matrices with factors.
 //! - [`complex_modes`]: all eigenvalues of a region of the complex plane, each with its error and verdict.
+//! - [`eigen_sweep`]: complex modes over parameters, followed from point to point.
+//! - [`diagnosis`]: why a mode grows.
 //! - [`statics`]: displacements under loads that rest.
 
 pub mod affine;
@@ -20,6 +22,8 @@ pub mod beam;
 pub mod complex_modes;
 pub mod craig_bampton;
 mod dense;
+pub mod diagnosis;
+pub mod eigen_sweep;
 pub mod element;
 mod error;
 pub mod factor;

@@ -142,6 +142,12 @@ impl Region {
         within(value.re, self.re) && within(value.im, self.im)
     }
 
+    /// A region larger by a share of its sides.
+    pub(crate) fn widened(&self, share: f64) -> Self {
+        let wider = |[from, to]: [f64; 2]| [from - share * (to - from), to + share * (to - from)];
+        Self { re: wider(self.re), im: wider(self.im) }
+    }
+
     /// Two halves, cut across the longer side.
     pub(crate) fn halves(&self) -> [Self; 2] {
         let centre = self.centre();

@@ -7,21 +7,21 @@ use crate::quadratic::Quadratic;
 
 /// An eigenvalue with its residuals, condition and error; the others that are known near it tell whether it may be defective.
 ///
-/// First order: δ = (η + ε) N(λ)/|d|, with the normalised residual η, the precision ε of the matrices, N(λ) = |λ|² ‖M‖ + |λ| ‖C‖ +
+/// First order: δ = δₘ + ε N(λ)/|d|, with what the method leaves δₘ, the precision ε of the matrices, N(λ) = |λ|² ‖M‖ + |λ| ‖C‖ +
 /// ‖K‖ and d = yᴴ Q′(λ) x of vectors of length one. Two eigenvalues with one vector, a distance g apart, move as
 /// ±√(g²/4 ± δ g) instead.
 pub(crate) fn accuracy(
     problem: &Quadratic,
     refined: &Refined,
     others: &[&Refined],
+    of_method: f64,
     settings: &Settings,
 ) -> Eigenvalue {
     /// Vectors are parallel above it.
     const PARALLEL: f64 = 0.9;
     let value = refined.triple.value;
     let scale = problem.scale(value);
-    let first_order =
-        (refined.worse().max(f64::EPSILON) + settings.data_precision) * scale / refined.slope.norm();
+    let first_order = of_method + (f64::EPSILON + settings.data_precision) * scale / refined.slope.norm();
     let partner = others
         .iter()
         .filter(|other| assurance(&other.triple.right, &refined.triple.right) > PARALLEL)
@@ -36,6 +36,11 @@ pub(crate) fn accuracy(
         error,
         defective: partner.is_some_and(|gap| error >= 0.5 * gap),
     }
+}
+
+/// η N(λ)/|d|: what normalised residuals η leave open to first order, in 1/s.
+pub(crate) fn left_by_residuals(problem: &Quadratic, refined: &Refined) -> f64 {
+    refined.worse() * problem.scale(refined.triple.value) / refined.slope.norm()
 }
 
 /// How far one of two eigenvalues with one vector moves where a simple one would move by δ.

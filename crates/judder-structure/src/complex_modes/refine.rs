@@ -11,12 +11,12 @@ use crate::StructureError;
 use crate::quadratic::{Quadratic, entries};
 use faer::{Mat, c64};
 
-/// Eigenvalues that are known beside each other, with factors at shifts among them.
+/// Eigenvalues that are known beside each other, with the factor at a shift among them.
 pub(crate) struct Neighbourhood<'a> {
-    pub(crate) problem: &'a Quadratic,
-    pub(crate) transposed: &'a Quadratic,
-    pub(crate) factors: Vec<&'a ShiftedFactor>,
-    pub(crate) triples: &'a [Triple],
+    problem: &'a Quadratic,
+    transposed: &'a Quadratic,
+    factor: &'a ShiftedFactor,
+    triples: &'a [Triple],
     /// dⱼ of each.
     slopes: Vec<c64>,
 }
@@ -26,9 +26,9 @@ pub(crate) struct Neighbourhood<'a> {
 pub(crate) struct Refined {
     pub(crate) triple: Triple,
     /// Q(λ) x.
-    rest: Vec<c64>,
+    pub(crate) rest: Vec<c64>,
     /// Q(λ)ᵀ z.
-    left_rest: Vec<c64>,
+    pub(crate) left_rest: Vec<c64>,
     pub(crate) residual: f64,
     pub(crate) left_residual: f64,
     /// d = zᵀ Q′(λ) x.
@@ -48,23 +48,23 @@ impl<'a> Neighbourhood<'a> {
     pub(crate) fn new(
         problem: &'a Quadratic,
         transposed: &'a Quadratic,
-        factors: Vec<&'a ShiftedFactor>,
+        factor: &'a ShiftedFactor,
         triples: &'a [Triple],
     ) -> Self {
         let slope = |triple: &Triple| {
             bilinear(&triple.left, problem.slope(triple.value, column(&triple.right)).col(0))
         };
-        Self { problem, transposed, factors, triples, slopes: triples.iter().map(slope).collect() }
+        Self { problem, transposed, factor, triples, slopes: triples.iter().map(slope).collect() }
     }
 
     /// A triple of the neighbourhood, refined until its residuals are rounding or fall no more.
     pub(crate) fn refined(&self, place: usize) -> Result<Refined, StructureError> {
-        let mut best = self.measured(self.triples[place].clone());
+        let mut best = self.measure(self.triples[place].clone());
         for _ in 0..STEPS {
             if best.worse() <= ROUNDING {
                 break;
             }
-            let next = self.measured(self.corrected(place, &best)?);
+            let next = self.measure(self.corrected(place, &best)?);
             if !next.is_better_than(&best) {
                 break;
             }
@@ -91,8 +91,8 @@ impl<'a> Neighbourhood<'a> {
             };
             let right = turned(Side::Right, &best.triple.left)?;
             let left = turned(Side::Left, &right)?;
-            let kept = self.measured(Triple { value: best.triple.value, right, left });
-            let moved = self.measured(Triple { value: kept.newton(), ..kept.triple.clone() });
+            let kept = self.measure(Triple { value: best.triple.value, right, left });
+            let moved = self.measure(Triple { value: kept.newton(), ..kept.triple.clone() });
             let next = if moved.is_better_than(&kept) { moved } else { kept };
             if !next.is_better_than(&best) {
                 break;
@@ -102,15 +102,8 @@ impl<'a> Neighbourhood<'a> {
         Ok(best)
     }
 
-    /// A triple with its residuals.
-    pub(crate) fn measured(&self, triple: Triple) -> Refined {
-        let (right, left) = (column(&triple.right), column(&triple.left));
-        let rest: Vec<c64> = entries(self.problem.image(triple.value, right).col(0)).collect();
-        let left_rest: Vec<c64> = entries(self.transposed.image(triple.value, left).col(0)).collect();
-        let scale = self.problem.scale(triple.value);
-        let slope = bilinear(&triple.left, self.problem.slope(triple.value, right).col(0));
-        let (residual, left_residual) = (length(&rest) / scale, length(&left_rest) / scale);
-        Refined { triple, rest, left_rest, residual, left_residual, slope }
+    fn measure(&self, triple: Triple) -> Refined {
+        Refined::measured(self.problem, self.transposed, triple)
     }
 
     /// One step of the iteration on both sides, then one of Newton on λ.
@@ -126,25 +119,22 @@ impl<'a> Neighbourhood<'a> {
             right: moved(&from.triple.right, &right),
             left: moved(&from.triple.left, &left),
         };
-        let value = self.measured(triple.clone()).newton();
+        let value = self.measure(triple.clone()).newton();
         Ok(if value.re.is_finite() && value.im.is_finite() { Triple { value, ..triple } } else { triple })
     }
 
     /// What the approximate inverse makes of both residuals.
-    pub(crate) fn steps(&self, place: usize, from: &Refined) -> Result<(Vec<c64>, Vec<c64>), StructureError> {
+    fn steps(&self, place: usize, from: &Refined) -> Result<(Vec<c64>, Vec<c64>), StructureError> {
         let value = from.triple.value;
-        let distance = |factor: &&&ShiftedFactor| (factor.shift() - value).norm();
-        let nearest = self.factors.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
-        let Some(factor) = nearest else { return Ok((from.rest.clone(), from.left_rest.clone())) };
         let solved = |side, rest: &[c64]| -> Result<Vec<c64>, StructureError> {
             let mut block = column(rest).to_owned();
-            factor.solve(side, &mut block)?;
+            self.factor.solve(side, &mut block)?;
             Ok(entries(block.col(0)).collect())
         };
         let mut right = solved(Side::Right, &from.rest)?;
         let mut left = solved(Side::Left, &from.left_rest)?;
         for (j, (known, slope)) in self.triples.iter().zip(&self.slopes).enumerate() {
-            let mut weight = -(factor.shift() - known.value).inv();
+            let mut weight = -(self.factor.shift() - known.value).inv();
             let apart = value - known.value;
             if j != place && apart.norm() > CLOSE * value.norm() {
                 weight += apart.inv();
@@ -159,6 +149,17 @@ impl<'a> Neighbourhood<'a> {
 }
 
 impl Refined {
+    /// A triple with its residuals.
+    pub(crate) fn measured(problem: &Quadratic, transposed: &Quadratic, triple: Triple) -> Self {
+        let (right, left) = (column(&triple.right), column(&triple.left));
+        let rest: Vec<c64> = entries(problem.image(triple.value, right).col(0)).collect();
+        let left_rest: Vec<c64> = entries(transposed.image(triple.value, left).col(0)).collect();
+        let scale = problem.scale(triple.value);
+        let slope = bilinear(&triple.left, problem.slope(triple.value, right).col(0));
+        let (residual, left_residual) = (length(&rest) / scale, length(&left_rest) / scale);
+        Self { triple, rest, left_rest, residual, left_residual, slope }
+    }
+
     /// Both residuals.
     pub(crate) fn worse(&self) -> f64 {
         self.residual + self.left_residual

@@ -1,5 +1,7 @@
 mod bending;
 mod complex_modes;
 mod craig_bampton;
+mod diagnosis;
+mod eigen_sweep;
 mod modes;
 mod patch;

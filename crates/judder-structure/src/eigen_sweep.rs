@@ -1,0 +1,140 @@
+//! Complex modes over parameters, followed from point to point.
+//!
+//! The full answer solves every point on its own. The fast one solves a few, the samples, makes a basis of their right and left
+//! vectors, and solves the other points in it; what the projection leaves open of an eigenvalue is measured on the full problem and is
+//! a part of its shown error.
+
+mod basis;
+mod projection;
+mod samples;
+mod tracking;
+
+use crate::StructureError;
+use crate::affine::{Factors, Family};
+use crate::complex_modes::{ComplexMode, Eigenvalue, Gap, Region, Settings, complex_modes, finished};
+use rayon::prelude::*;
+use samples::Samples;
+use tracking::Tracker;
+
+/// How the points are solved.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Method {
+    /// Each on its own.
+    Full,
+    /// In a basis of samples, as long as that leaves less open than a share of |λ|; where it does not, on its own.
+    Projected {
+        /// The share.
+        tolerance: f64,
+    },
+}
+
+/// Eigenvalues over points, as branches.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sweep {
+    /// In the order of the factors.
+    pub points: Vec<Point>,
+    /// How many branches there are.
+    pub branches: usize,
+    /// Vectors of the basis; `None` where there is none.
+    pub basis: Option<usize>,
+    /// The points that made the basis.
+    pub samples: Vec<usize>,
+}
+
+/// The eigenvalues of a point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Point {
+    /// By rising imaginary part.
+    pub eigenvalues: Vec<Tracked>,
+    /// Why there may be more.
+    pub gaps: Vec<Gap>,
+    /// Whether it was solved on its own, not in a basis.
+    pub full: bool,
+}
+
+/// An eigenvalue and its branch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tracked {
+    /// The eigenvalue; its error holds what a projection leaves open.
+    pub eigenvalue: Eigenvalue,
+    /// From 0, in the order in which branches appear.
+    pub branch: usize,
+}
+
+/// A point that is solved but not yet followed.
+struct Solved {
+    modes: Vec<ComplexMode>,
+    gaps: Vec<Gap>,
+    full: bool,
+}
+
+/// Points that are solved side by side.
+const BATCH: usize = 8;
+
+/// The eigenvalues of a region at every point, followed from each point to the next.
+///
+/// Neighbouring points should lie so near that the vectors of an eigenvalue stay alike, or that it moves by less than a twentieth of
+/// itself beside what it moved before.
+///
+/// # Errors
+/// Those of [`complex_modes`], at the first point that has one; [`StructureError::WrongFactors`].
+pub fn eigen_sweep(
+    family: &Family,
+    points: &[Factors],
+    region: &Region,
+    settings: &Settings,
+    method: Method,
+) -> Result<Sweep, StructureError> {
+    region.check()?;
+    for factors in points {
+        family.check(factors)?;
+    }
+    let full = |factors: &Factors| -> Result<Solved, StructureError> {
+        let modes = complex_modes(&family.at(factors)?, region, settings)?;
+        Ok(Solved { modes: modes.modes, gaps: modes.gaps, full: true })
+    };
+    let (Method::Projected { tolerance }, false) = (method, points.is_empty()) else {
+        return followed(points, |_, factors| full(factors));
+    };
+    let samples = Samples::trained(family, points, region, tolerance)?;
+    let Some(projection) = samples.projection() else { return followed(points, |_, factors| full(factors)) };
+    let solved = |number: usize, factors: &Factors| -> Result<Solved, StructureError> {
+        if let Some(sample) = samples.of_point(number) {
+            let modes = samples.modes(sample, settings)?;
+            return Ok(Solved { modes, gaps: sample.1.gaps.clone(), full: true });
+        }
+        let (projected, gaps) = samples.projected(projection, number)?;
+        if projected.within(tolerance) {
+            let problem = family.at(factors)?;
+            let modes = finished(&problem, &projected.refined, &projected.left_open, region, settings);
+            return Ok(Solved { modes, gaps, full: false });
+        }
+        full(factors)
+    };
+    let sweep = followed(points, solved)?;
+    Ok(Sweep { basis: Some(projection.size()), samples: samples.points(), ..sweep })
+}
+
+/// Solves points side by side and follows their modes in order.
+fn followed(
+    points: &[Factors],
+    solve: impl Fn(usize, &Factors) -> Result<Solved, StructureError> + Sync,
+) -> Result<Sweep, StructureError> {
+    let mut tracker = Tracker::default();
+    let mut done = Vec::with_capacity(points.len());
+    let numbered: Vec<(usize, &Factors)> = points.iter().enumerate().collect();
+    for batch in numbered.chunks(BATCH) {
+        let solved: Vec<Solved> =
+            batch.par_iter().map(|(number, factors)| solve(*number, factors)).collect::<Result<_, _>>()?;
+        for Solved { modes, gaps, full } in solved {
+            let branches = tracker.next(&modes);
+            let eigenvalues = modes
+                .iter()
+                .zip(branches)
+                .map(|(mode, branch)| Tracked { eigenvalue: mode.eigenvalue, branch })
+                .collect();
+            done.push(Point { eigenvalues, gaps, full });
+        }
+    }
+    Ok(Sweep { points: done, branches: tracker.branches(), basis: None, samples: Vec::new() })
+}

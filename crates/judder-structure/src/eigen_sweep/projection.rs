@@ -1,0 +1,176 @@
+//! A family of problems on a basis of few vectors, and what that leaves open.
+//!
+//! With right and left vectors of the samples in one basis V the projected eigenvalues are exact to second order: λ − λ̃ = sᵀ Q⁻¹ r/d
+//! with the residuals r = Q(λ̃) x̃ and s = Q(λ̃)ᵀ z̃, both orthogonal to V. The inverse of the nearest sample stands in for Q⁻¹: on what
+//! V does not carry the two differ little. Twice ‖s‖ ‖Q⁻¹ r‖/|d| is shown as the error.
+
+use super::basis::decomposed;
+use crate::StructureError;
+use crate::affine::{Factors, Family, Term};
+use crate::complex_modes::{Refined, Searched, ShiftedFactor, Side, Triple, vectors};
+use crate::dense::{real_eigen, solve};
+use crate::quadratic::Region;
+use crate::statics::{dot, product};
+use faer::{Mat, c64};
+use rayon::prelude::*;
+
+/// The terms Vᵀ A V of a family.
+pub(super) struct Projection<'a> {
+    family: &'a Family,
+    basis: Vec<Vec<f64>>,
+    mass: Vec<Mat<f64>>,
+    damping: Vec<Mat<f64>>,
+    stiffness: Vec<Mat<f64>>,
+}
+
+/// Eigenvalues of the projected problem, measured on the full one, with what the projection leaves open of each in 1/s.
+pub(super) struct Projected {
+    pub(super) refined: Vec<Refined>,
+    pub(super) left_open: Vec<f64>,
+}
+
+impl Projected {
+    /// Whether nothing is open beyond a share of |λ|.
+    pub(super) fn within(&self, tolerance: f64) -> bool {
+        let pairs = self.refined.iter().zip(&self.left_open);
+        pairs.into_iter().all(|(refined, open)| *open <= tolerance * refined.triple.value.norm())
+    }
+}
+
+impl<'a> Projection<'a> {
+    /// On the vectors of samples; `None` where these are no basis.
+    pub(super) fn new<'s>(family: &'a Family, samples: impl Iterator<Item = &'s Searched>) -> Option<Self> {
+        let snapshots: Vec<Vec<f64>> = samples
+            .flat_map(|sample| &sample.refined)
+            .flat_map(|refined| [&refined.triple.right, &refined.triple.left])
+            .flat_map(|vector| {
+                [vector.iter().map(|v| v.re).collect(), vector.iter().map(|v| v.im).collect::<Vec<f64>>()]
+            })
+            .collect();
+        let basis = decomposed(&snapshots)?;
+        let on_basis = |terms: &[Term]| terms.iter().map(|term| projected(term, &basis)).collect();
+        Some(Self {
+            family,
+            mass: on_basis(family.mass()),
+            damping: on_basis(family.damping()),
+            stiffness: on_basis(family.stiffness()),
+            basis,
+        })
+    }
+
+    /// Vectors of the basis.
+    pub(super) fn size(&self) -> usize {
+        self.basis.len()
+    }
+
+    /// The eigenvalues in a region at these factors; the factors of a sample near them measure what is left open.
+    pub(super) fn at(
+        &self,
+        factors: &Factors,
+        region: &Region,
+        sample: &[ShiftedFactor],
+    ) -> Result<Projected, StructureError> {
+        let triples = self.triples(factors, region)?;
+        let problem = self.family.at(factors)?;
+        let transposed = problem.transposed();
+        let refined: Vec<Refined> =
+            triples.into_iter().map(|triple| Refined::measured(&problem, &transposed, triple)).collect();
+        let left_open = left_open(&refined, sample)?;
+        Ok(Projected { refined, left_open })
+    }
+
+    /// The eigenvalues of the projected problem in a region, with their vectors on all freedoms.
+    fn triples(&self, factors: &Factors, region: &Region) -> Result<Vec<Triple>, StructureError> {
+        let size = self.size();
+        let failed = || StructureError::NoDenseEigenvalues { rows: 2 * size };
+        let mass = sum(&self.mass, &factors.mass, size);
+        // λ = ω₀ s makes the blocks of the companion matrix alike
+        let unit = region.re.iter().chain(&region.im).fold(0.0_f64, |a, b| a.max(b.abs()));
+        let stiffness = sum(&self.stiffness, &factors.stiffness, size);
+        let damping = sum(&self.damping, &factors.damping, size);
+        let mut blocks = Mat::from_fn(size, 2 * size, |i, j| {
+            if j < size { -stiffness[(i, j)] / (unit * unit) } else { -damping[(i, j - size)] / unit }
+        });
+        solve(mass.clone(), &mut blocks).ok_or_else(failed)?;
+        let companion = Mat::from_fn(2 * size, 2 * size, |i, j| match (i < size, i + size == j) {
+            (true, true) => 1.0,
+            (true, false) => 0.0,
+            _ => blocks[(i - size, j)],
+        });
+        let inside = |value: c64| region.contains(value * unit, BORDER * unit);
+        let picked = real_eigen(&companion, inside).ok_or_else(failed)?;
+        // of the left vectors w = (…, Mᵀ y) the lower half
+        let count = picked.values.len();
+        let mut halves = Mat::from_fn(size, 2 * count, |i, k| {
+            let entry = picked.left[(size + i, k % count)];
+            if k < count { entry.re } else { -entry.im }
+        });
+        solve(mass.transpose().to_owned(), &mut halves).ok_or_else(failed)?;
+        Ok((0..count)
+            .map(|k| Triple {
+                value: picked.values[k] * unit,
+                right: self.lifted(|i| picked.right[(i, k)]),
+                left: self.lifted(|i| c64::new(halves[(i, k)], halves[(i, count + k)])),
+            })
+            .collect())
+    }
+
+    /// V times coordinates, of length one.
+    fn lifted(&self, coordinates: impl Fn(usize) -> c64) -> Vec<c64> {
+        let mut sum = vec![c64::new(0.0, 0.0); self.family.size()];
+        for (i, vector) in self.basis.iter().enumerate() {
+            let share = coordinates(i);
+            for (s, v) in sum.iter_mut().zip(vector) {
+                *s += share * *v;
+            }
+        }
+        vectors::normalise(&mut sum);
+        sum
+    }
+}
+
+/// Eigenvalues that lie outside of the region by this share of its size are looked at: their error may reach in.
+const BORDER: f64 = 1e-6;
+
+/// Vᵀ A V.
+fn projected(term: &Term, basis: &[Vec<f64>]) -> Mat<f64> {
+    let columns: Vec<Vec<f64>> = basis
+        .par_iter()
+        .map(|vector| {
+            let image = product(&term.matrix, vector);
+            basis.iter().map(|left| dot(left, &image)).collect()
+        })
+        .collect();
+    Mat::from_fn(basis.len(), basis.len(), |i, j| columns[j][i])
+}
+
+/// Σ fᵢ Aᵢ.
+fn sum(matrices: &[Mat<f64>], factors: &[f64], size: usize) -> Mat<f64> {
+    Mat::from_fn(size, size, |i, j| matrices.iter().zip(factors).map(|(matrix, f)| f * matrix[(i, j)]).sum())
+}
+
+/// 2 ‖s‖ ‖Q⁻¹ r‖/|d| of each, with the factor whose shift is nearest.
+fn left_open(refined: &[Refined], sample: &[ShiftedFactor]) -> Result<Vec<f64>, StructureError> {
+    const SAFETY: f64 = 2.0;
+    let mut left_open = vec![f64::INFINITY; refined.len()];
+    for (number, factor) in sample.iter().enumerate() {
+        let nearest = |value: c64| {
+            let distance = |k: &usize| (sample[*k].shift() - value).norm();
+            (0..sample.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)))
+        };
+        let mine: Vec<usize> =
+            (0..refined.len()).filter(|k| nearest(refined[*k].triple.value) == Some(number)).collect();
+        if mine.is_empty() {
+            continue;
+        }
+        let size = refined[0].rest.len();
+        let mut block = Mat::from_fn(size, mine.len(), |row, k| refined[mine[k]].rest[row]);
+        factor.solve(Side::Right, &mut block)?;
+        for (k, place) in mine.iter().enumerate() {
+            let of = &refined[*place];
+            left_open[*place] =
+                SAFETY * vectors::length(&of.left_rest) * block.col(k).norm_l2() / of.slope.norm();
+        }
+    }
+    Ok(left_open)
+}

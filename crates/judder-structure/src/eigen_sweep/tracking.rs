@@ -1,0 +1,88 @@
+//! Which eigenvalue of one point is which of the next: continuity of the vectors on both sides and of the eigenvalue.
+
+use crate::complex_modes::{ComplexMode, vectors::assurance};
+use faer::c64;
+
+/// Follows branches from point to point.
+#[derive(Default)]
+pub(super) struct Tracker {
+    branches: Vec<Branch>,
+}
+
+/// A branch as far as it was seen.
+struct Branch {
+    right: Vec<c64>,
+    left: Vec<c64>,
+    value: c64,
+    /// What the last step changed.
+    step: c64,
+    /// Whether the last point had it.
+    alive: bool,
+}
+
+/// Vectors and values that agree worse than this are not one branch.
+const STRANGER: f64 = 1.2;
+/// A difference from the extrapolated λ by this share of |λ| says no more than a larger one: half as much as vectors that are orthogonal.
+const JUMP: f64 = 0.05;
+
+impl Tracker {
+    /// Branches seen so far.
+    pub(super) fn branches(&self) -> usize {
+        self.branches.len()
+    }
+
+    /// The branch of each mode of the next point; one that follows none of the last point's begins a new one.
+    pub(super) fn next(&mut self, modes: &[ComplexMode]) -> Vec<usize> {
+        let mut candidates: Vec<(f64, usize, usize)> = Vec::new();
+        for (number, branch) in self.branches.iter().enumerate().filter(|(_, branch)| branch.alive) {
+            let costs = modes.iter().enumerate().map(|(k, mode)| (branch.distance(mode), number, k));
+            candidates.extend(costs.filter(|(cost, ..)| *cost < STRANGER));
+        }
+        candidates.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+        let mut of_mode: Vec<Option<usize>> = vec![None; modes.len()];
+        for branch in &mut self.branches {
+            branch.alive = false;
+        }
+        for (_, number, k) in candidates {
+            if !self.branches[number].alive && of_mode[k].is_none() {
+                self.branches[number].follow(&modes[k]);
+                of_mode[k] = Some(number);
+            }
+        }
+        of_mode
+            .into_iter()
+            .zip(modes)
+            .map(|(known, mode)| {
+                known.unwrap_or_else(|| {
+                    self.branches.push(Branch::new(mode));
+                    self.branches.len() - 1
+                })
+            })
+            .collect()
+    }
+}
+
+impl Branch {
+    fn new(mode: &ComplexMode) -> Self {
+        Self {
+            right: mode.right.clone(),
+            left: mode.left.clone(),
+            value: mode.eigenvalue.value,
+            step: c64::new(0.0, 0.0),
+            alive: true,
+        }
+    }
+
+    fn follow(&mut self, mode: &ComplexMode) {
+        let step = mode.eigenvalue.value - self.value;
+        *self = Self { step, ..Self::new(mode) };
+    }
+
+    /// 0 for a mode that goes on as expected.
+    fn distance(&self, mode: &ComplexMode) -> f64 {
+        let alike = assurance(&self.right, &mode.right) * assurance(&self.left, &mode.left);
+        let value = mode.eigenvalue.value;
+        let jump = (value - self.value - self.step).norm() / (JUMP * value.norm().max(self.value.norm()));
+        1.0 - alike.sqrt() + 0.5 * jump.min(1.0)
+    }
+}

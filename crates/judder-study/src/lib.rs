@@ -32,6 +32,7 @@ pub mod pictures;
 pub mod point;
 mod progress;
 pub mod report;
+mod report_tables;
 pub mod reproduce;
 pub mod resolve;
 pub mod run;

@@ -43,6 +43,7 @@ pub fn panels(dataset: &Dataset) -> Vec<Panel> {
         "modes" => structure::modes(dataset),
         "reduction" => structure::reduction(dataset),
         "eigen" => structure::eigen(dataset),
+        "eigen-sweep" => structure::eigen_sweep(dataset),
         _ => None,
     };
     panels.unwrap_or_default()
@@ -113,6 +114,11 @@ fn caption(dataset: &Dataset) -> &'static str {
              modal assurance criterion, $|φ_{i}^{T}φ_{j}|^{2}$ over both lengths squared."
         }
         "reduction" => "How far the frequencies of the reduced structure lie above those of the full one.",
+        "eigen-sweep" => {
+            "Every branch is followed through the points where eigenvalues meet: where two frequencies lock in, growth rates part. Squares are \
+             unstable; the axis of growth rates is logarithmic on both sides of zero. In the last panel a bubble's area is the magnitude of the damping \
+             ratio."
+        }
         "eigen" => {
             "All eigenvalues found in the region; the axis of growth rates is logarithmic on both sides of zero. Damping ratios $ζ = −$Re $λ/|λ|$: a \
              bubble's area is their magnitude. Shapes of the fastest growing modes, which swing on the page, and how alike any two shapes are."

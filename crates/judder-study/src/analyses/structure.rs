@@ -1,6 +1,8 @@
 //! The analyses of a structure case.
 
+mod diagnosis;
 mod eigen;
+mod eigen_sweep;
 mod fields;
 mod modes;
 mod reduction;
@@ -32,7 +34,7 @@ pub(super) fn run(
         StructureAnalysis::Modes { wanted } => modes::run((case, structure), &analysis.name, *wanted),
         StructureAnalysis::Reduction { count } => reduction::run((case, structure), *count),
         StructureAnalysis::Eigen { region } => eigen::run((case, structure), &analysis.name, region),
-        StructureAnalysis::EigenSweep(_) => Err(StudyError::Unsupported("later".to_owned())),
+        StructureAnalysis::EigenSweep(settings) => eigen_sweep::run((case, structure), settings, progress),
     }?;
     progress.advance();
     outcome.warnings.extend(structure.warnings.iter().cloned());

@@ -2,8 +2,10 @@
 
 mod eigen;
 mod shapes;
+mod sweep;
 
 pub(super) use eigen::eigen;
+pub(super) use sweep::eigen_sweep;
 
 use super::{codes, complexes, contact::FRAME, reals};
 use judder_report::figure::ValueMap;

@@ -1,5 +1,6 @@
 //! `eigen`: all complex modes in a region, each with its error.
 
+use super::diagnosis;
 use super::fields::{self, Shape};
 use super::shapes;
 use crate::error::StudyError;
@@ -42,7 +43,7 @@ pub(super) fn run(
     found.modes.sort_by(|a, b| in_order(&a.eigenvalue, &b.eigenvalue));
     let values: Vec<Eigenvalue> = found.modes.iter().map(|mode| mode.eigenvalue).collect();
     let unstable = values.iter().filter(|value| value.verdict() == Verdict::Unstable).count();
-    let scalars = Map::from_iter([
+    let mut scalars = Map::from_iter([
         ("eigenvalues".to_owned(), values.iter().map(entry).collect::<Value>()),
         ("complete".to_owned(), json!(found.complete())),
         ("unstable".to_owned(), json!(unstable)),
@@ -50,6 +51,12 @@ pub(super) fn run(
         ("shifts".to_owned(), json!(found.shifts.len())),
     ]);
     let mut warnings = gap_warnings(&found.gaps);
+    let mut checks = checks(&found);
+    if let Some(told) = diagnosis::of_growing(case, structure, (&problem, sought), &found.modes)? {
+        scalars.insert("diagnosis".to_owned(), told.scalars);
+        warnings.extend(told.warnings);
+        checks.push(told.check);
+    }
     let shapes: Vec<Vec<Complex64>> = found.modes.iter().map(|mode| of_largest_one(&mode.right)).collect();
     let mut dataset = dataset(&values, sought)?.with(
         Variable::new("mac", &["mode", "other_mode"], &[values.len(); 2], shapes::complex_mac(&shapes))
@@ -70,7 +77,7 @@ pub(super) fn run(
         scalars,
         dataset,
         table: Some(table(&values)?),
-        checks: checks(&found),
+        checks,
         missing: usize::from(!found.complete()),
         warnings,
         files: fields::fields(name, structure, &shapes, true)?,

@@ -24,7 +24,8 @@ pub(super) fn run(
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
     let values = &settings.sweep.values;
-    let points = values.iter().map(|value| at(case, settings, *value)).collect::<Result<Vec<Factors>, _>>()?;
+    let points =
+        values.iter().map(|value| at(case, settings, *value)).collect::<Result<Vec<Factors>, _>>()?;
     let method = match settings.method {
         EigenMethod::Full => Method::Full,
         EigenMethod::Projected { tolerance } => Method::Projected { tolerance },
@@ -67,7 +68,9 @@ fn warnings(values: &[f64], points: &[Point]) -> Vec<String> {
     const SHOWN: usize = 3;
     let told = values.iter().zip(points).filter(|(_, point)| !point.gaps.is_empty());
     told.take(SHOWN)
-        .flat_map(|(value, point)| gap_warnings(&point.gaps).into_iter().map(move |gap| format!("at {value}: {gap}")))
+        .flat_map(|(value, point)| {
+            gap_warnings(&point.gaps).into_iter().map(move |gap| format!("at {value}: {gap}"))
+        })
         .collect()
 }
 
@@ -117,7 +120,8 @@ fn scalars(settings: &EigenSweep, sweep: &Sweep) -> Map<String, Value> {
             entries.collect()
         })
         .collect();
-    let is_unstable = |point: &Point| point.eigenvalues.iter().any(|t| t.eigenvalue.verdict() == Verdict::Unstable);
+    let is_unstable =
+        |point: &Point| point.eigenvalues.iter().any(|t| t.eigenvalue.verdict() == Verdict::Unstable);
     Map::from_iter([
         ("key".to_owned(), json!(settings.sweep.path)),
         ("value".to_owned(), json!(settings.sweep.values)),
@@ -173,7 +177,9 @@ fn dataset(settings: &EigenSweep, sweep: &Sweep) -> Result<Dataset, StudyError> 
                 .units("1/s")
                 .long_name("how far the true eigenvalue may be"),
         )?
-        .with(Variable::classes("verdict", &over, &[rows, columns], verdicts, &meanings).long_name("verdict"))?)
+        .with(
+            Variable::classes("verdict", &over, &[rows, columns], verdicts, &meanings).long_name("verdict"),
+        )?)
 }
 
 fn table(settings: &EigenSweep, sweep: &Sweep) -> Result<Table, StudyError> {
@@ -184,7 +190,9 @@ fn table(settings: &EigenSweep, sweep: &Sweep) -> Result<Table, StudyError> {
         .zip(&sweep.points)
         .flat_map(|(value, point)| point.eigenvalues.iter().map(move |tracked| (*value, tracked)))
         .collect();
-    let of = |pick: &dyn Fn(&Tracked) -> f64| -> Vec<f64> { rows.iter().map(|(_, tracked)| pick(tracked)).collect() };
+    let of = |pick: &dyn Fn(&Tracked) -> f64| -> Vec<f64> {
+        rows.iter().map(|(_, tracked)| pick(tracked)).collect()
+    };
     let words: Vec<String> = rows.iter().map(|(_, t)| t.eigenvalue.verdict().name().to_owned()).collect();
     let branches: Vec<i64> = rows.iter().map(|(_, tracked)| tracked.branch as i64).collect();
     Ok(Table::new()

@@ -37,7 +37,8 @@ pub(in crate::pictures) fn eigen_sweep(dataset: &Dataset) -> Option<Vec<Panel>> 
     locus.extend(branches.curves(&growth, &hertz));
     Some(vec![
         Panel::new(axis(coordinate), frequency(), branches.curves(&value, &hertz)).with_title("frequencies"),
-        Panel::new(axis(coordinate), growth_axis(branches.eigenvalues), over_growth).with_title("growth rates"),
+        Panel::new(axis(coordinate), growth_axis(branches.eigenvalues), over_growth)
+            .with_title("growth rates"),
         Panel::new(growth_axis(branches.eigenvalues), frequency(), locus).with_title("root locus"),
         Panel::new(axis(coordinate), frequency(), branches.bubbles()).with_title("damping ratios"),
     ])
@@ -56,7 +57,9 @@ impl Branches<'_> {
         let mut layers = Vec::new();
         for branch in 0..self.count {
             let rows = 0..self.values.len();
-            let of = |pick: Pick<'_>| rows.clone().map(|row| pick(self.values[row], self.at(row, branch).0)).collect();
+            let of = |pick: Pick<'_>| {
+                rows.clone().map(|row| pick(self.values[row], self.at(row, branch).0)).collect()
+            };
             layers.push(Layer::line("", of(x), of(y), Role::Mode(branch)));
         }
         let unstable: Vec<(usize, usize)> = (0..self.values.len())
@@ -65,7 +68,10 @@ impl Branches<'_> {
             .collect();
         if !unstable.is_empty() {
             let of = |pick: Pick<'_>| {
-                unstable.iter().map(|(row, branch)| pick(self.values[*row], self.at(*row, *branch).0)).collect()
+                unstable
+                    .iter()
+                    .map(|(row, branch)| pick(self.values[*row], self.at(*row, *branch).0))
+                    .collect()
             };
             let (label, role) = VERDICTS[usize::from(UNSTABLE)];
             layers.push(Layer::points(label, of(x), of(y), role));
@@ -84,6 +90,10 @@ impl Branches<'_> {
         let ratio = |k: usize| -present[k].1.re / present[k].1.norm();
         let largest = (0..present.len()).map(|k| ratio(k).abs()).fold(f64::MIN_POSITIVE, f64::max);
         let verdicts: Vec<u8> = present.iter().map(|entry| entry.2).collect();
-        by_verdict(&verdicts, &|k| (present[k].0, present[k].1.im / TAU), Some(&|k| bubble(ratio(k), largest)))
+        by_verdict(
+            &verdicts,
+            &|k| (present[k].0, present[k].1.im / TAU),
+            Some(&|k| bubble(ratio(k), largest)),
+        )
     }
 }

@@ -27,8 +27,18 @@ fn eigenvalues(values: &[Value]) -> Table {
         cells.push(value["verdict"].as_str().unwrap_or_default().to_owned());
         cells
     };
-    let more = if values.len() > ROWS { format!(", the first {ROWS} of {}", values.len()) } else { String::new() };
-    let head = ["mode", "Re $λ$ (1/s)", "Im $λ$ (1/s)", "frequency (Hz)", "damping ratio", "error (1/s)", "residual", "verdict"];
+    let more =
+        if values.len() > ROWS { format!(", the first {ROWS} of {}", values.len()) } else { String::new() };
+    let head = [
+        "mode",
+        "Re $λ$ (1/s)",
+        "Im $λ$ (1/s)",
+        "frequency (Hz)",
+        "damping ratio",
+        "error (1/s)",
+        "residual",
+        "verdict",
+    ];
     Table {
         caption: format!("Eigenvalues{more}"),
         head: head.map(String::from).to_vec(),
@@ -49,7 +59,11 @@ fn diagnosis(told: &Value) -> Table {
         row(format!("parameter {}", word(&own["name"])), String::new(), short(&own["sensitivity"][0]));
     }
     for own in told["component_modes"].as_array().into_iter().flatten() {
-        let name = format!("undamped mode {} at {} Hz: share of the kinetic energy", own["mode"], short(&own["frequency_hz"]));
+        let name = format!(
+            "undamped mode {} at {} Hz: share of the kinetic energy",
+            own["mode"],
+            short(&own["frequency_hz"])
+        );
         row(name, short(&own["share"]), String::new());
     }
     let head = ["what", "growth (1/s), or share", "change of the growth rate per unit (1/s)"];

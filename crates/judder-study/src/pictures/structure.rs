@@ -41,7 +41,7 @@ fn mac(dataset: &Dataset) -> Option<Panel> {
     let bar = Axis::linear("MAC (−)").with_range(0.0, 1.0);
     let map =
         ValueMap { x: numbers.clone(), y: numbers, z: values.to_vec(), bar, colours: ColourMap::Sequential };
-    let axis = || Axis::linear("Mode");
+    let axis = || Axis::linear("Mode").with_range(0.5, count as f64 + 0.5);
     Some(Panel::new(axis(), axis(), vec![Layer::Values(map)]).with_title("shapes against each other"))
 }
 

@@ -76,8 +76,8 @@ fn a_bar_of_bricks_bends_about_both_axes() {
     assert!(errors.iter().all(|error| (-1e-8..1e-2).contains(error)), "{errors:?}");
 }
 
-/// R. Hoppe, 1871: ω_n² = n² (n² − 1)²/(n² + 1) E I/(ρ A R⁴), each frequency twice, after three rigid motions. A ring of h/R = 0.04 lies a
-/// little below.
+/// R. Hoppe, 1871: ω_n² = n² (n² − 1)²/(n² + 1) E I/(ρ A R⁴), each frequency twice, after three rigid motions; of a thin ring, h/R = 0.04
+/// here.
 #[test]
 fn a_free_ring_from_a_mesh_file() {
     let folder = tempfile::tempdir().unwrap();
@@ -94,7 +94,7 @@ fn a_free_ring_from_a_mesh_file() {
         let expected = factor * bending / (radius * radius) / (2.0 * PI);
         let pair = &found[2 * n as usize - 1..][..2];
         assert!((pair[1] / pair[0] - 1.0).abs() < 1e-6, "n = {n}: {pair:?}");
-        assert!((-0.01..0.001).contains(&(pair[0] / expected - 1.0)), "n = {n}: {} {expected}", pair[0]);
+        assert!((pair[0] / expected - 1.0).abs() < 3e-3, "n = {n}: {} {expected}", pair[0]);
     }
 }
 

@@ -7,11 +7,14 @@ use crate::structure::{Structure, factors};
 use judder_case::StructureCase;
 use judder_case::structure::analysis::EigenRegion;
 use judder_store::number;
+use judder_structure::StructureError;
 use judder_structure::affine::Factors;
-use judder_structure::complex_modes::{ComplexMode, Verdict};
+use judder_structure::assembly::Sparse;
+use judder_structure::complex_modes::{ComplexMode, Region, Settings, Verdict, complex_modes};
 use judder_structure::diagnosis::{Diagnosis, Influence, Part, diagnosis, participations};
 use judder_structure::modes::{Mode, Wanted, modes};
 use judder_structure::quadratic::Quadratic;
+use judder_structure::statics::product;
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 
@@ -49,10 +52,10 @@ pub(super) fn of_growing(
     growing.truncate(MODES);
     let at = factors(case, &case.values())?;
     let undamped = Undamped::new(problem)?;
-    let highest = sought.im[1].abs().max(sought.im[0].abs()) * REACH / TAU;
+    let highest = sought.im[1].abs().max(sought.im[0].abs()) * REACH;
     let mut warnings = Vec::new();
-    let components = match modes(&undamped.stiffness, &undamped.mass, Wanted::Band(0.0, highest)) {
-        Ok(components) => components.modes,
+    let components = match components(&undamped, highest) {
+        Ok(components) => components,
         Err(error) => {
             warnings.push(format!("no undamped modes to compare with: {error}"));
             Vec::new()
@@ -88,6 +91,38 @@ pub(super) fn of_growing(
         limit: BALANCE_LIMIT,
     };
     Ok(Some(Told { scalars: Value::from(entries), warnings, check }))
+}
+
+/// The undamped modes up to an angular frequency. Where a stiffness that is no more than symmetric lets the search for real modes
+/// fail, the engine of complex modes finds them on the imaginary axis.
+fn components(undamped: &Undamped, highest: f64) -> Result<Vec<Mode>, StudyError> {
+    /// Half the width of the strip about the axis, over its height.
+    const STRIP: f64 = 1e-3;
+    let Undamped { mass, stiffness, .. } = undamped;
+    match modes(stiffness, mass, Wanted::Band(0.0, highest / TAU)) {
+        Ok(found) => return Ok(found.modes),
+        Err(StructureError::MissingModes { .. }) => (),
+        Err(error) => return Err(error.into()),
+    }
+    let rows = mass.nrows();
+    let none =
+        Sparse::try_new_from_triplets(rows, rows, &[]).map_err(|_| StructureError::OutOfMemory { rows })?;
+    let problem = Quadratic::new(mass.clone(), none, stiffness.clone())?;
+    let strip = Region { re: [-STRIP * highest, STRIP * highest], im: [0.0, highest] };
+    let found = complex_modes(&problem, &strip, &Settings::default())?;
+    Ok(found.modes.iter().map(|mode| real(mass, mode)).collect())
+}
+
+/// A mode on the imaginary axis as a real one: its vector has its largest entry real, so that all are.
+fn real(mass: &Sparse, mode: &ComplexMode) -> Mode {
+    let shape: Vec<f64> = mode.right.iter().map(|entry| entry.re).collect();
+    let image = product(mass, &shape);
+    let length = shape.iter().zip(&image).map(|(a, b)| a * b).sum::<f64>().sqrt();
+    Mode {
+        eigenvalue: mode.eigenvalue.value.norm_sqr(),
+        shape: shape.iter().map(|entry| entry / length).collect(),
+        residual: mode.eigenvalue.residual,
+    }
 }
 
 /// The influences of all matrices.

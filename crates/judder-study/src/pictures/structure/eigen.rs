@@ -11,6 +11,8 @@ pub(super) const VERDICTS: [(&str, Role); 3] =
     [("stable", Role::Series(0)), ("marginal", Role::Series(2)), ("unstable", Role::Series(1))];
 /// Of the largest growth rate, what the even part of its axis takes.
 const EVEN: f64 = 1e-3;
+/// Where a logarithmic axis ends, over the largest value.
+const ROOM: f64 = 3.0;
 /// Shapes that a figure shows: the unstable ones first.
 const SHOWN: usize = 4;
 
@@ -31,9 +33,24 @@ pub(in crate::pictures) fn eigen(dataset: &Dataset) -> Option<Vec<Panel>> {
 
 /// An axis of growth rates that shows both signs over many decades.
 pub(super) fn growth_axis(values: &[Complex64]) -> Axis {
-    let largest = values.iter().map(|value| value.re.abs()).fold(0.0, f64::max);
+    let finite = values.iter().map(|value| value.re.abs()).filter(|growth| growth.is_finite());
+    let largest = finite.fold(0.0, f64::max);
     let label = "Growth rate Re $λ$ (1/s)";
-    if largest > 0.0 { Axis::symmetric_log(label, EVEN * largest) } else { Axis::linear(label) }
+    match largest > 0.0 {
+        true => Axis::symmetric_log(label, EVEN * largest).with_range(-ROOM * largest, ROOM * largest),
+        false => Axis::linear(label),
+    }
+}
+
+/// An axis of the frequencies of eigenvalues, with room beside the outermost.
+pub(super) fn frequency_axis(values: &[Complex64]) -> Axis {
+    /// Room on both sides, over the span; and over the frequency itself, where it is one.
+    const BESIDE: [f64; 2] = [0.08, 0.01];
+    let hertz = values.iter().map(|value| value.im / TAU).filter(|hertz| hertz.is_finite());
+    let (low, high) = hertz.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), f| (l.min(f), h.max(f)));
+    let room = (BESIDE[0] * (high - low)).max(BESIDE[1] * high.abs());
+    let axis = Axis::linear("Frequency Im $λ$/2π (Hz)");
+    if room > 0.0 && room.is_finite() { axis.with_range(low - room, high + room) } else { axis }
 }
 
 /// The eigenvalues of each verdict as points.
@@ -56,8 +73,7 @@ pub(super) fn by_verdict(
 fn plane(values: &[Complex64], verdicts: &[u8]) -> Panel {
     let mut layers = vec![Layer::vertical_rule(0.0, "")];
     layers.extend(by_verdict(verdicts, &|k| (values[k].re, values[k].im / TAU), None));
-    Panel::new(growth_axis(values), Axis::linear("Frequency Im $λ$/2π (Hz)"), layers)
-        .with_title("eigenvalues")
+    Panel::new(growth_axis(values), frequency_axis(values), layers).with_title("eigenvalues")
 }
 
 /// Damping ratios over frequency; a bubble's area is the magnitude of its ratio.
@@ -67,8 +83,9 @@ fn bubbles(values: &[Complex64], verdicts: &[u8]) -> Panel {
     let mut layers = vec![Layer::horizontal_rule(0.0, "")];
     let size = |k: usize| bubble(ratio(k), largest);
     layers.extend(by_verdict(verdicts, &|k| (values[k].im / TAU, ratio(k)), Some(&size)));
-    let vertical = Axis::symmetric_log("Damping ratio $ζ$ (−)", EVEN * largest);
-    Panel::new(Axis::linear("Frequency Im $λ$/2π (Hz)"), vertical, layers).with_title("damping ratios")
+    let vertical = Axis::symmetric_log("Damping ratio $ζ$ (−)", EVEN * largest)
+        .with_range(-ROOM * largest, ROOM * largest);
+    Panel::new(frequency_axis(values), vertical, layers).with_title("damping ratios")
 }
 
 /// The diameter of a bubble over that of a usual marker: its area is in proportion to the ratio, and never too small to be seen.

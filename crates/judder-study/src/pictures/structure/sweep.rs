@@ -1,9 +1,9 @@
 //! Complex modes along a parameter: frequencies with lock-in, growth rates, the root locus, damping ratios.
 
-use super::eigen::{VERDICTS, bubble, by_verdict, growth_axis};
+use super::eigen::{VERDICTS, bubble, by_verdict, frequency_axis, growth_axis};
 use super::{codes, complexes, reals};
 use crate::pictures::axis;
-use judder_report::{Axis, Layer, Panel, Role};
+use judder_report::{Layer, Panel, Role};
 use judder_store::Dataset;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -28,7 +28,7 @@ pub(in crate::pictures) fn eigen_sweep(dataset: &Dataset) -> Option<Vec<Panel>> 
         verdicts: codes(dataset, "verdict")?,
         count: *dataset.variable("eigenvalue")?.shape.last()?,
     };
-    let frequency = || Axis::linear("Frequency Im $λ$/2π (Hz)");
+    let frequency = || frequency_axis(branches.eigenvalues);
     let (value, hertz) = (|v: f64, _: Complex64| v, |_: f64, l: Complex64| l.im / TAU);
     let growth = |_: f64, l: Complex64| l.re;
     let mut over_growth = vec![Layer::horizontal_rule(0.0, "")];

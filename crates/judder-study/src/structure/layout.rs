@@ -53,6 +53,12 @@ impl Layout {
     }
 }
 
+/// An edge of the surface: its node in the middle, where it has one, and the normals of its faces.
+struct Edge {
+    middle: Option<usize>,
+    normals: Vec<[f64; 3]>,
+}
+
 /// The sides that only one element has: free edges in the plane; in space the edges in which free faces of different directions
 /// meet.
 fn outline(mesh: &Mesh) -> Vec<[usize; 2]> {
@@ -61,15 +67,15 @@ fn outline(mesh: &Mesh) -> Vec<[usize; 2]> {
     if is_plane {
         return free.iter().flat_map(|side| along(side[0], side.get(2).copied(), side[1])).collect();
     }
-    let mut edges: BTreeMap<[usize; 2], (Option<usize>, Vec<[f64; 3]>)> = BTreeMap::new();
+    let mut edges: BTreeMap<[usize; 2], Edge> = BTreeMap::new();
     for side in &free {
         let corners = corners_of_face(side.len());
         let normal = normal(mesh, &side[..corners]);
         for k in 0..corners {
             let (a, b) = (side[k], side[(k + 1) % corners]);
             let middle = middle_of_edge(mesh, side, corners, [a, b]);
-            let edge = edges.entry([a.min(b), a.max(b)]).or_insert((middle, Vec::new()));
-            edge.1.push(normal);
+            let edge = edges.entry([a.min(b), a.max(b)]).or_insert(Edge { middle, normals: Vec::new() });
+            edge.normals.push(normal);
         }
     }
     let dot = |a: &[f64; 3], b: &[f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
@@ -79,8 +85,8 @@ fn outline(mesh: &Mesh) -> Vec<[usize; 2]> {
     };
     edges
         .iter()
-        .filter(|(_, (_, normals))| is_edge(normals))
-        .flat_map(|([a, b], (middle, _))| along(*a, *middle, *b))
+        .filter(|(_, edge)| is_edge(&edge.normals))
+        .flat_map(|([a, b], edge)| along(*a, edge.middle, *b))
         .collect()
 }
 

@@ -13,7 +13,7 @@ use judder_structure::modes::{Mode, Modes, Wanted, modes};
 use judder_structure::quadratic::Quadratic;
 use judder_structure::statics::product;
 use num_complex::Complex64;
-use serde_json::{Map, json};
+use serde_json::{Map, Value, json};
 use std::f64::consts::TAU;
 
 /// What the normalised backward error of a mode may be.
@@ -63,63 +63,87 @@ pub(super) fn run(
         WantedModes::Band(from, to) => Wanted::Band(from / TAU, to / TAU),
     };
     let found = modes(&stiffness, &mass, wanted)?;
-    let frequencies: Vec<f64> = found.modes.iter().map(Mode::frequency_hz).collect();
-    let residuals: Vec<f64> = found.modes.iter().map(|mode| mode.residual).collect();
-    let ratios = damping_ratios(&problem, &found.modes);
-    let rigid = rigid_modes(&frequencies);
+    let table = ModeTable {
+        frequencies: found.modes.iter().map(Mode::frequency_hz).collect(),
+        residuals: found.modes.iter().map(|mode| mode.residual).collect(),
+        ratios: damping_ratios(&problem, &found.modes),
+    };
+    let rigid = rigid_modes(&table.frequencies);
     let mut scalars = Map::from_iter([
-        ("frequencies_hz".to_owned(), json!(frequencies)),
-        ("residuals".to_owned(), json!(residuals)),
+        ("frequencies_hz".to_owned(), json!(table.frequencies)),
+        ("residuals".to_owned(), json!(table.residuals)),
         ("rigid_modes".to_owned(), json!(rigid)),
-        (
-            "counted".to_owned(),
-            json!({ "below_hz": number(found.counted.0.max(0.0).sqrt() / TAU), "modes": found.counted.1 }),
-        ),
+        ("counted".to_owned(), counted(&found)),
         ("degrees_of_freedom".to_owned(), json!(problem.size())),
     ]);
-    let count = frequencies.len();
-    let modal = |name: &str, values: &[f64]| Variable::new(name, &["mode"], &[count], values.to_vec());
-    let mut dataset = Dataset::new()
-        .attribute("kind", "modes")?
-        .with(
-            Variable::coordinate("mode", (1..=count as i64).collect::<Vec<_>>())
-                .long_name("number of the mode"),
-        )?
-        .with(modal("frequency", &frequencies).units("Hz").long_name("natural frequency"))?
-        .with(modal("residual", &residuals).units("1").long_name("normalised backward error"))?
-        .with(
-            Variable::new("mac", &["mode", "other_mode"], &[count, count], shapes::mac(&found.modes))
-                .units("1")
-                .long_name("modal assurance criterion of two shapes"),
-        )?;
-    let mut table = Table::new()
-        .column("mode", "1", (1..=count as i64).collect::<Vec<_>>())?
-        .column("frequency", "Hz", frequencies.clone())?
-        .column("residual", "1", residuals.clone())?;
-    if let Some(ratios) = &ratios {
+    if let Some(ratios) = &table.ratios {
         scalars.insert("damping_ratios".to_owned(), ratios.iter().map(|ratio| number(*ratio)).collect());
-        dataset =
-            dataset.with(modal("damping_ratio", ratios).units("1").long_name("modal damping ratio ζ"))?;
-        table = table.column("damping_ratio", "1", ratios.clone())?;
     }
     let mut warnings = warnings;
+    let mut dataset = table.dataset(&found.modes)?;
     if let Some(layout) = &structure.layout {
         let vectors: Vec<&[f64]> = found.modes.iter().map(|mode| &mode.shape[..]).collect();
         dataset = shapes::with_layout(dataset, layout)?;
         dataset = shapes::with_real(dataset, layout, &vectors, &mut warnings)?;
     }
-    let shapes: Vec<Shape> = found
-        .modes
-        .iter()
-        .enumerate()
-        .map(|(k, mode)| {
-            let ratio = ratios.as_ref().map_or(0.0, |ratios| ratios[k]);
-            swinging(k, mode, (k >= rigid).then_some(ratio))
-        })
-        .collect();
+    let swinging = |(k, mode): (usize, &Mode)| {
+        let ratio = table.ratios.as_ref().map_or(0.0, |ratios| ratios[k]);
+        swinging(k, mode, (k >= rigid).then_some(ratio))
+    };
+    let shapes: Vec<Shape> = found.modes.iter().enumerate().map(swinging).collect();
     let files = fields::fields(name, structure, &shapes, false)?;
     let checks = checks(&mass, &found, wanted);
-    Ok(Outcome { scalars, dataset, table: Some(table), checks, files, warnings, missing: 0 })
+    Ok(Outcome { scalars, dataset, table: Some(table.columns()?), checks, files, warnings, missing: 0 })
+}
+
+/// How many modes a factorisation counts, and below which frequency.
+fn counted(found: &Modes) -> Value {
+    let (limit, modes) = found.counted;
+    json!({ "below_hz": number(limit.max(0.0).sqrt() / TAU), "modes": modes })
+}
+
+/// What is told of every mode.
+struct ModeTable {
+    frequencies: Vec<f64>,
+    residuals: Vec<f64>,
+    /// Damping ratios, where there is damping.
+    ratios: Option<Vec<f64>>,
+}
+
+impl ModeTable {
+    fn numbers(&self) -> Vec<i64> {
+        (1..=self.frequencies.len() as i64).collect()
+    }
+
+    fn dataset(&self, modes: &[Mode]) -> Result<Dataset, StudyError> {
+        let count = self.frequencies.len();
+        let modal = |name: &str, values: &[f64]| Variable::new(name, &["mode"], &[count], values.to_vec());
+        let mac = Variable::new("mac", &["mode", "other_mode"], &[count, count], shapes::mac(modes));
+        let dataset = Dataset::new()
+            .attribute("kind", "modes")?
+            .with(Variable::coordinate("mode", self.numbers()).long_name("number of the mode"))?
+            .with(modal("frequency", &self.frequencies).units("Hz").long_name("natural frequency"))?
+            .with(modal("residual", &self.residuals).units("1").long_name("normalised backward error"))?
+            .with(mac.units("1").long_name("modal assurance criterion of two shapes"))?;
+        match &self.ratios {
+            None => Ok(dataset),
+            Some(ratios) => {
+                let ratios = modal("damping_ratio", ratios).units("1").long_name("modal damping ratio ζ");
+                Ok(dataset.with(ratios)?)
+            }
+        }
+    }
+
+    fn columns(&self) -> Result<Table, StudyError> {
+        let table = Table::new()
+            .column("mode", "1", self.numbers())?
+            .column("frequency", "Hz", self.frequencies.clone())?
+            .column("residual", "1", self.residuals.clone())?;
+        match &self.ratios {
+            None => Ok(table),
+            Some(ratios) => Ok(table.column("damping_ratio", "1", ratios.clone())?),
+        }
+    }
 }
 
 /// A mode for the files of its shape, with its damping ratio; a rigid motion has none and does not swing.

@@ -44,8 +44,12 @@ impl Picture {
         let in_plane = places.iter().all(|place| place[2] == places[0][2]);
         let rest: Vec<[f64; 2]> = places.iter().map(|place| on_paper(*place, in_plane)).collect();
         let largest =
-            shape.chunks_exact(3).map(|u| u.iter().map(|u| u.norm_sqr()).sum::<f64>()).fold(0.0, f64::max);
+            shape.chunks_exact(3).map(|u| u.iter().map(Complex64::norm_sqr).sum::<f64>()).fold(0.0, f64::max);
         let scale = DISPLACEMENT * diagonal(&rest) / largest.sqrt();
+        // points in one place, or none that moves, are no picture
+        if !(scale.is_finite() && scale > 0.0) {
+            return None;
+        }
         let moved = shape.chunks_exact(3).map(|u| {
             let part =
                 |pick: fn(&Complex64) -> f64| on_paper([0, 1, 2].map(|k| scale * pick(&u[k])), in_plane);

@@ -20,7 +20,7 @@ use std::f64::consts::TAU;
 const RESIDUAL_LIMIT: f64 = 1e-11;
 /// What shapes may leave of each other in the inner product of the mass.
 const ORTHOGONALITY_LIMIT: f64 = 1e-8;
-/// Below this share of the largest frequency that was asked for a mode is a rigid motion: rounding of ω² leaves its root.
+/// Below this share of the frequency up to which modes were counted a mode is a rigid motion: rounding of ω² leaves its root.
 const RIGID: f64 = 1e-4;
 /// Departure from symmetry that is rounding.
 const ROUNDING: f64 = 1e-12;
@@ -66,9 +66,9 @@ pub(super) fn run(
     let table = ModeTable {
         frequencies: found.modes.iter().map(Mode::frequency_hz).collect(),
         residuals: found.modes.iter().map(|mode| mode.residual).collect(),
-        ratios: damping_ratios(&problem, &found.modes),
+        ratios: damping_ratios(&problem, &found),
     };
-    let rigid = rigid_modes(&table.frequencies);
+    let rigid = rigid_modes(&found);
     let mut scalars = Map::from_iter([
         ("frequencies_hz".to_owned(), json!(table.frequencies)),
         ("residuals".to_owned(), json!(table.residuals)),
@@ -156,23 +156,23 @@ fn swinging(number: usize, mode: &Mode, ratio: Option<f64>) -> Shape {
 }
 
 /// ζ = φᵀCφ/(2ω) of mass-normalised shapes, NaN for rigid motions; `None` without damping.
-fn damping_ratios(problem: &Quadratic, modes: &[Mode]) -> Option<Vec<f64>> {
+fn damping_ratios(problem: &Quadratic, found: &Modes) -> Option<Vec<f64>> {
     if problem.damping().val().iter().all(|value| *value == 0.0) {
         return None;
     }
-    let rigid = rigid_modes(&modes.iter().map(Mode::frequency_hz).collect::<Vec<_>>());
+    let rigid = rigid_modes(found);
     let ratio = |(k, mode): (usize, &Mode)| {
         let image = product(problem.damping(), &mode.shape);
         let work: f64 = mode.shape.iter().zip(&image).map(|(a, b)| a * b).sum();
         if k < rigid { f64::NAN } else { work / (2.0 * TAU * mode.frequency_hz()) }
     };
-    Some(modes.iter().enumerate().map(ratio).collect())
+    Some(found.modes.iter().enumerate().map(ratio).collect())
 }
 
-/// How many of ascending frequencies are zero but for rounding.
-fn rigid_modes(frequencies: &[f64]) -> usize {
-    let largest = frequencies.last().copied().unwrap_or(0.0);
-    frequencies.iter().take_while(|frequency| **frequency < RIGID * largest).count()
+/// How many modes are rigid motions: zero but for rounding beside the value up to which modes were counted.
+fn rigid_modes(found: &Modes) -> usize {
+    let limit = RIGID * found.counted.0.max(0.0).sqrt() / TAU;
+    found.modes.iter().take_while(|mode| mode.frequency_hz() < limit).count()
 }
 
 fn checks(mass: &Sparse, found: &Modes, wanted: Wanted) -> Vec<CheckRecord> {

@@ -47,10 +47,30 @@ impl Geometry {
         }
     }
 
+    /// Whether every place has its label and every cell its nodes.
+    pub(crate) fn check(&self) -> Result<(), Cause> {
+        let said = self.places.len();
+        if self.labels.len() != said {
+            return Err(Cause::WrongCount { what: "labels of places", said, found: self.labels.len() });
+        }
+        let wrong = |(kind, own): &&(ElementKind, Vec<usize>)| {
+            own.len() != kind.nodes() || own.iter().any(|node| *node >= said)
+        };
+        match self.cells.iter().find(wrong) {
+            Some((kind, own)) if own.len() != kind.nodes() => {
+                Err(Cause::WrongNodes { kind: *kind, needed: kind.nodes(), found: own.len() })
+            }
+            Some((_, own)) => {
+                let node = own.iter().max().copied().unwrap_or_default();
+                Err(Cause::Unknown { what: "node", label: format!("{node} (from 0) of {said}") })
+            }
+            None => Ok(()),
+        }
+    }
+
     /// The lines of a drawing: all sides of plane elements, the edges of those faces of solids that belong to one only, each once,
-    /// over the middles of edges where there are some.
-    #[must_use]
-    pub fn lines(&self) -> Vec<[usize; 2]> {
+    /// over the middles of edges where there are some. The geometry must be [whole](Self::check).
+    pub(crate) fn lines(&self) -> Vec<[usize; 2]> {
         let mut faces: BTreeMap<Vec<usize>, (usize, Vec<usize>)> = BTreeMap::new();
         for (kind, own) in &self.cells {
             for side in kind.sides() {
@@ -150,6 +170,19 @@ mod tests {
         assert_eq!(lines(ElementKind::Quad8), 14);
         assert_eq!(lines(ElementKind::Hexahedron8), 20);
         assert_eq!(lines(ElementKind::Hexahedron20), 40);
+    }
+
+    #[test]
+    fn cells_without_their_nodes_are_refused() {
+        let whole = Geometry::from(&mesh(ElementKind::Quad4));
+        whole.check().unwrap();
+        let mut beyond = whole.clone();
+        beyond.cells[0].1[0] = 6;
+        assert_eq!(beyond.check().unwrap_err().to_string(), "there is no node 6 (from 0) of 6");
+        let mut short = whole.clone();
+        short.cells[0].1.pop();
+        assert!(matches!(short.check(), Err(Cause::WrongNodes { needed: 4, found: 3, .. })));
+        assert!(Geometry { labels: vec![1], ..whole }.check().is_err());
     }
 
     #[test]

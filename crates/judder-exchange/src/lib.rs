@@ -24,3 +24,7 @@ pub mod whole_file;
 
 pub use cause::Cause;
 pub use error::{ExchangeError, Place};
+
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/src/files.md")]
+mod chapter_of_the_book {}

@@ -12,7 +12,8 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::path::Path;
 
-/// A mesh as a file gives it. Lengths, and all that materials say, are taken as SI: files do not tell their units.
+/// A mesh as a file gives it. Lengths, and all that materials say, are taken as SI: files do not tell their units, see
+/// [`MeshFile::in_si`].
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct MeshFile {
     /// The mesh; nodes that no element uses are left out. Blocks are named by their section (`.inp`: the element set of
@@ -49,6 +50,22 @@ pub struct FileSection {
     pub material: Option<String>,
     /// How the third direction is meant, by the types of the elements.
     pub section: Section,
+}
+
+/// The consistent units in which a file was written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Units {
+    /// Of lengths, in m.
+    pub length: f64,
+    /// Of masses, in kg.
+    pub mass: f64,
+    /// Of times, in s.
+    pub time: f64,
+}
+
+impl Units {
+    /// mm, t, s: forces in N, moduli in MPa, densities in t/mm³.
+    pub const MILLIMETRE_TONNE_SECOND: Self = Self { length: 1e-3, mass: 1e3, time: 1.0 };
 }
 
 /// Something that was passed over, and where.
@@ -92,6 +109,27 @@ pub fn read_mesh(path: &Path) -> Result<MeshFile, ExchangeError> {
 }
 
 impl MeshFile {
+    /// The same in SI units, from a file that was written in others.
+    #[must_use]
+    pub fn in_si(mut self, units: Units) -> Self {
+        let Units { length, mass, time } = units;
+        self.mesh.nodes.iter_mut().flatten().for_each(|place| *place *= length);
+        for material in self.materials.values_mut() {
+            let stress = mass / (length * time * time);
+            material.elastic = material.elastic.map(|[modulus, ratio]| [modulus * stress, ratio]);
+            material.density = material.density.map(|density| density * mass / length.powi(3));
+        }
+        for section in self.sections.values_mut() {
+            match &mut section.section {
+                Section::PlaneStress { thickness } | Section::PlaneStrain { thickness } => {
+                    *thickness *= length;
+                }
+                Section::Solid => {}
+            }
+        }
+        self
+    }
+
     /// 2 in the plane, 3 in space.
     #[must_use]
     pub fn dimension(&self) -> usize {

@@ -30,8 +30,9 @@ pub fn write_units(to: &mut dyn Write) -> Result<(), ExchangeError> {
 /// Writes places, dataset 2411, with the labels of the geometry.
 ///
 /// # Errors
-/// [`crate::Cause::Unwritable`].
+/// What is wrong with the geometry, and [`crate::Cause::Unwritable`].
 pub fn write_nodes(to: &mut dyn Write, geometry: &Geometry) -> Result<(), ExchangeError> {
+    geometry.check()?;
     begin(to, 2411)?;
     for (label, place) in geometry.labels.iter().zip(&geometry.places) {
         writeln!(to, "{label:>10}{:>10}{:>10}{:>10}", 1, 1, 11)?;
@@ -47,8 +48,9 @@ const PIECES: usize = 83;
 /// Writes the lines of a drawing, datasets 82: the outer edges of the elements.
 ///
 /// # Errors
-/// [`crate::Cause::Unwritable`].
+/// What is wrong with the geometry, and [`crate::Cause::Unwritable`].
 pub fn write_lines(to: &mut dyn Write, geometry: &Geometry) -> Result<(), ExchangeError> {
+    geometry.check()?;
     for (k, pieces) in geometry.lines().chunks(PIECES).enumerate() {
         begin(to, 82)?;
         // zero lifts the pen; the first node needs no zero

@@ -60,8 +60,10 @@ pub fn complex_fields(name: &str, shape: &[[c64; 3]]) -> Vec<Field> {
 /// Writes a mesh, or points, with fields at the nodes.
 ///
 /// # Errors
-/// [`Cause::WrongCount`] for a field that does not fill the nodes, [`Cause::Unwritable`].
+/// [`Cause::WrongCount`] for a field that does not fill the nodes, [`Cause::WrongNodes`] and [`Cause::Unknown`] for cells without their nodes,
+/// [`Cause::Unwritable`].
 pub fn write_vtu(to: &mut dyn Write, geometry: &Geometry, fields: &[Field]) -> Result<(), ExchangeError> {
+    geometry.check()?;
     let said = geometry.places.len();
     if let Some(field) = fields.iter().find(|field| field.values.len() != said) {
         return Err(Cause::WrongCount { what: "values of a field", said, found: field.values.len() }.into());

@@ -1,6 +1,8 @@
 //! Files of other programs, by the kind of evidence.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
+mod malformed;
+mod property;
 mod validation;
 
 use std::path::{Path, PathBuf};

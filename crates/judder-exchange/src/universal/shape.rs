@@ -85,6 +85,7 @@ fn write_shape(
     parameters: &[f64],
     values: impl ExactSizeIterator<Item = Vec<f64>>,
 ) -> Result<(), ExchangeError> {
+    geometry.check()?;
     let (said, found) = (geometry.labels.len(), values.len());
     if said != found {
         return Err(Cause::WrongCount { what: "displacements", said, found }.into());

@@ -1,7 +1,7 @@
 //! Meshes of Gmsh (`meshes/write.py`) and decks, by volumes, masses and places.
 
 use crate::file;
-use judder_exchange::mesh_file::{MeshFile, UNNAMED, read_mesh};
+use judder_exchange::mesh_file::{MeshFile, UNNAMED, Units, read_mesh};
 use judder_structure::assembly::assemble;
 use judder_structure::element::ElementKind;
 use judder_structure::freedom::{Direction, Numbering, Supports};
@@ -177,4 +177,15 @@ fn a_deck_of_calculix_has_its_brick() {
     assert!(face.iter().all(|node| file.mesh.nodes[*node][0] == 2.0));
     assert!(file.warnings[0].to_string().contains("full integration"));
     assert_ne!(file.mesh.blocks[0].material, UNNAMED);
+}
+
+/// In mm, t and s a mass is a thousand times its number, a modulus a million times.
+#[test]
+fn units_are_turned_into_si() {
+    let file = read("pad.inp");
+    let before = mass(&file.mesh, &file.materials_of_blocks().unwrap());
+    let si = file.in_si(Units::MILLIMETRE_TONNE_SECOND);
+    let materials = si.materials_of_blocks().unwrap();
+    close(mass(&si.mesh, &materials), 1e3 * before, 1e-12);
+    close(materials["Plate"].0.youngs_modulus, 2.1e17, 1e-12);
 }

@@ -13,6 +13,8 @@ pub(super) const VERDICTS: [(&str, Role); 3] =
 const EVEN: f64 = 1e-3;
 /// Where a logarithmic axis ends, over the largest value.
 const ROOM: f64 = 3.0;
+/// The diameter of the largest bubble over that of a usual marker.
+pub(super) const LARGEST: f64 = 4.0;
 /// Shapes that a figure shows: the unstable ones first.
 const SHOWN: usize = 4;
 
@@ -81,16 +83,15 @@ fn bubbles(values: &[Complex64], verdicts: &[u8]) -> Panel {
     let ratio = |k: usize| -values[k].re / values[k].norm();
     let largest = (0..values.len()).map(|k| ratio(k).abs()).fold(f64::MIN_POSITIVE, f64::max);
     let mut layers = vec![Layer::horizontal_rule(0.0, "")];
-    let size = |k: usize| bubble(ratio(k), largest);
+    let size = |k: usize| LARGEST * bubble(ratio(k), largest);
     layers.extend(by_verdict(verdicts, &|k| (values[k].im / TAU, ratio(k)), Some(&size)));
     let vertical = Axis::symmetric_log("Damping ratio $ζ$ (−)", EVEN * largest)
         .with_range(-ROOM * largest, ROOM * largest);
     Panel::new(frequency_axis(values), vertical, layers).with_title("damping ratios")
 }
 
-/// The diameter of a bubble over that of a usual marker: its area is in proportion to the ratio, and never too small to be seen.
+/// The diameter of a bubble over that of the largest: its area is in proportion to the ratio, and never too small to be seen.
 pub(super) fn bubble(ratio: f64, largest: f64) -> f64 {
-    const LARGEST: f64 = 4.0;
-    const SMALLEST: f64 = 0.6;
-    (LARGEST * (ratio.abs() / largest).sqrt()).max(SMALLEST)
+    const SMALLEST: f64 = 0.15;
+    (ratio.abs() / largest).sqrt().max(SMALLEST)
 }

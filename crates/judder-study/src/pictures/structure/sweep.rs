@@ -1,6 +1,6 @@
 //! Complex modes along a parameter: frequencies with lock-in, growth rates, the root locus, damping ratios.
 
-use super::eigen::{VERDICTS, bubble, by_verdict, frequency_axis, growth_axis};
+use super::eigen::{LARGEST, VERDICTS, bubble, by_verdict, frequency_axis, growth_axis};
 use super::{codes, complexes, reals};
 use crate::pictures::axis;
 use judder_report::{Layer, Panel, Role};
@@ -8,6 +8,10 @@ use judder_store::Dataset;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
+/// Usual markers that stand side by side across a panel.
+const ACROSS: f64 = 45.0;
+/// More points than these crowd.
+const FEW: usize = 30;
 /// The code of an unstable eigenvalue.
 const UNSTABLE: u8 = 2;
 
@@ -52,7 +56,7 @@ impl Branches<'_> {
         (self.eigenvalues[place], self.verdicts[place])
     }
 
-    /// Every branch as a thin line, dashes and colours in turn; over it the part where it is unstable, thick and with squares.
+    /// Every branch as a thin line, dashes and colours in turn; over them squares where one is unstable.
     fn curves(&self, x: Pick<'_>, y: Pick<'_>) -> Vec<Layer> {
         let mut layers = Vec::new();
         for branch in 0..self.count {
@@ -74,7 +78,8 @@ impl Branches<'_> {
                     .collect()
             };
             let (label, role) = VERDICTS[usize::from(UNSTABLE)];
-            layers.push(Layer::points(label, of(x), of(y), role));
+            let style = if unstable.len() > FEW { role.crowded() } else { role.into() };
+            layers.push(Layer::points(label, of(x), of(y), style));
         }
         layers
     }
@@ -89,11 +94,13 @@ impl Branches<'_> {
             .collect();
         let ratio = |k: usize| -present[k].1.re / present[k].1.norm();
         let largest = (0..present.len()).map(|k| ratio(k).abs()).fold(f64::MIN_POSITIVE, f64::max);
+        // bubbles of neighbouring values shall stand side by side
+        let diameter = (ACROSS / self.values.len() as f64).clamp(1.0, LARGEST);
         let verdicts: Vec<u8> = present.iter().map(|entry| entry.2).collect();
         by_verdict(
             &verdicts,
             &|k| (present[k].0, present[k].1.im / TAU),
-            Some(&|k| bubble(ratio(k), largest)),
+            Some(&|k| diameter * bubble(ratio(k), largest)),
         )
     }
 }

@@ -5,11 +5,12 @@
 
 use faer::diag::Diag;
 use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::lblt::factor::{LbltParams, cholesky_in_place, cholesky_in_place_scratch};
 use faer::linalg::evd::{ComputeEigenvectors, EvdParams, evd_cplx, evd_real, evd_scratch};
 use faer::linalg::lu::partial_pivoting::factor::{PartialPivLuParams, lu_in_place, lu_in_place_scratch};
 use faer::linalg::lu::partial_pivoting::solve::{solve_in_place_scratch, solve_in_place_with_conj};
 use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
-use faer::{Conj, Mat, MatRef, Par, Side, Spec, c64};
+use faer::{ColMut, Conj, Mat, MatRef, Par, Side, Spec, c64};
 use nalgebra::{DMatrix, SymmetricEigen};
 
 /// Eigenvalues by rising size, and vectors as columns.
@@ -135,6 +136,41 @@ pub(crate) fn real_eigen(matrix: &Mat<f64>, pick: impl Fn(c64) -> bool) -> Optio
     })
 }
 
+/// How many eigenvalues of a symmetric matrix are negative; `None` where its numbers are not finite. Its lower triangle is read.
+pub(crate) fn negative_eigenvalues(matrix: &Mat<f64>) -> Option<usize> {
+    let size = matrix.nrows();
+    let (mut factor, mut beside) = (matrix.clone(), vec![0.0; size]);
+    let (mut forward, mut inverse) = (vec![0_usize; size], vec![0; size]);
+    let parameters = Spec::<LbltParams, f64>::default();
+    let needed = cholesky_in_place_scratch::<usize, f64>(size, Par::Seq, parameters);
+    cholesky_in_place(
+        factor.as_mut(),
+        ColMut::from_slice_mut(&mut beside).as_diagonal_mut(),
+        &mut forward,
+        &mut inverse,
+        Par::Seq,
+        MemStack::new(&mut MemBuffer::try_new(needed).ok()?),
+        parameters,
+    );
+    let (mut negative, mut row) = (0, 0);
+    while row < size {
+        let (a, b) = (factor[(row, row)], beside[row]);
+        if !(a.is_finite() && b.is_finite()) {
+            return None;
+        }
+        if b == 0.0 {
+            negative += usize::from(a < 0.0);
+            row += 1;
+            continue;
+        }
+        let c = factor[(row + 1, row + 1)];
+        // of a block of two rows one is negative where the determinant is
+        negative += if a / b * (c / b) < 1.0 { 1 } else { 2 * usize::from(a + c < 0.0) };
+        row += 2;
+    }
+    Some(negative)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -178,6 +214,15 @@ mod tests {
                 assert!((row(i) - value * right[(i, k)]).norm() < 1e-12);
                 assert!((column(i) - value * left[(i, k)].conj()).norm() < 1e-12);
             }
+        }
+    }
+
+    #[test]
+    fn negative_eigenvalues_are_counted() {
+        for size in [1, 2, 20, 100, 150] {
+            let matrix = graded(size);
+            let expected = symmetric(&matrix).unwrap().values.iter().filter(|value| **value < 0.0).count();
+            assert_eq!(negative_eigenvalues(&matrix), Some(expected), "{size}");
         }
     }
 

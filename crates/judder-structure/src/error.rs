@@ -103,6 +103,44 @@ pub enum StructureError {
         /// Of the matrix.
         rows: usize,
     },
+    /// Two matrices are not of one structure.
+    #[error("a matrix of {} × {} and one of {} × {} do not belong to one structure: both must be square and of one size", first[0], first[1], second[0], second[1])]
+    DifferentSizes {
+        /// Rows and columns of the first.
+        first: [usize; 2],
+        /// Of the second.
+        second: [usize; 2],
+    },
+    /// No Rayleigh damping without negative coefficients has these ratios.
+    #[error(
+        "no Rayleigh damping has the ratios {} at {} Hz and {} at {} Hz: the ratio at the second must lie between {} and {}",
+        ratios[0], frequencies[0], ratios[1], frequencies[1],
+        ratios[0] * frequencies[0] / frequencies[1], ratios[0] * frequencies[1] / frequencies[0]
+    )]
+    NoRayleighDamping {
+        /// At the lower and the higher frequency.
+        ratios: [f64; 2],
+        /// In Hz.
+        frequencies: [f64; 2],
+    },
+    /// A matrix has no factors: a pivot is zero or not finite.
+    #[error(
+        "a matrix of {rows} rows is singular, or its numbers are not finite: is a shift an eigenvalue, or the structure not held?"
+    )]
+    Singular {
+        /// Of the matrix.
+        rows: usize,
+    },
+    /// A matrix has entries that the pattern of the factors does not have.
+    #[error(
+        "a matrix of {rows} rows does not have the pattern of factors for {expected} rows that it is to be factored with"
+    )]
+    WrongPattern {
+        /// Of the matrix.
+        rows: usize,
+        /// Of the pattern.
+        expected: usize,
+    },
     /// Modes are missing that a count knows of.
     #[error("not all of {wanted} modes were found: the count of a factorisation knows of more")]
     MissingModes {
@@ -117,14 +155,21 @@ pub enum StructureError {
         /// How many there are.
         freedoms: usize,
     },
+    /// A mode without stiffness would be cut off.
+    #[error(
+        "mode {mode} (counted from 0) of the modal form is rigid and would be cut off after {kept}: a rigid motion has no flexibility"
+    )]
+    CutRigid {
+        /// Its number.
+        mode: usize,
+        /// How many would be kept.
+        kept: usize,
+    },
     /// The reduced mass is not positive definite, or an eigenvalue iteration did not end.
     #[error(
         "the reduced structure has no modal form: its mass is not positive definite, or its numbers are not finite"
     )]
     NoModalForm,
-    /// A factorisation does not tell how many eigenvalues are negative.
-    #[error("the factorisation does not tell how many eigenvalues are negative")]
-    NoInertia,
     /// Matrices of one problem differ in size, or one is not square.
     #[error("the {name} matrix is {} × {}: it must be {rows} × {rows}", found.0, found.1)]
     WrongShape {

@@ -1,123 +1,408 @@
 //! The sparse factorisation of a symmetric matrix that need not be positive, and how many of its eigenvalues are negative.
+//!
+//! The multifrontal method: I. S. Duff and J. K. Reid, *The multifrontal solution of indefinite sparse symmetric linear equations*, ACM
+//! Transactions on Mathematical Software 9 (1983). Subtrees of the elimination are worked side by side, and the large blocks above
+//! them piece by piece; pieces and the order of sums do not depend on the number of threads.
+
+mod front;
+mod ordering;
+mod substitution;
+mod tree;
 
 use crate::StructureError;
 use crate::assembly::Sparse;
-use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
-use faer::linalg::cholesky::lblt::factor::LbltParams;
+use faer::Side;
+use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::perm::PermRef;
-use faer::sparse::linalg::SupernodalThreshold;
-use faer::sparse::linalg::cholesky::supernodal::SupernodalIntranodeLbltRef;
-use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, IntranodeLbltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
-    factorize_symbolic_cholesky,
-};
-use faer::{Conj, MatMut, Par, Side, Spec};
+use faer::sparse::utils::{permute_self_adjoint_scratch, permute_self_adjoint_to_unsorted};
+use front::{Assembly, Front};
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use tree::{Branch, Tree};
+
+/// The order of elimination and the pattern of the factors: one for all matrices with one pattern.
+#[derive(Debug, Clone)]
+pub struct FactorPattern {
+    shared: Arc<Elimination>,
+}
+
+#[derive(Debug)]
+struct Elimination {
+    tree: Tree,
+    order: Vec<usize>,
+    inverse: Vec<usize>,
+}
+
+impl FactorPattern {
+    /// The pattern of the factors of a matrix; its lower triangle is read, its values are not.
+    ///
+    /// # Errors
+    /// [`StructureError::OutOfMemory`].
+    pub fn new(matrix: &Sparse) -> Result<Self, StructureError> {
+        let order = ordering::order(matrix)?;
+        let mut inverse = vec![0; order.len()];
+        for (k, row) in order.iter().enumerate() {
+            inverse[*row] = k;
+        }
+        let tree = Tree::new(matrix, &order, &inverse)?;
+        Ok(Self { shared: Arc::new(Elimination { tree, order, inverse }) })
+    }
+
+    /// How many eigenvalues of a matrix are negative (Sylvester's law of inertia); its factors are not held.
+    ///
+    /// # Errors
+    /// Those of [`SymmetricFactor::with_pattern`].
+    pub fn negative_eigenvalues(&self, matrix: &Sparse) -> Result<usize, StructureError> {
+        Ok(eliminated(&self.shared, matrix, |front| front.negative())?.iter().sum())
+    }
+
+    /// Numbers that the factors hold, 8 bytes each.
+    #[must_use]
+    pub fn entries(&self) -> usize {
+        self.shared.tree.entries()
+    }
+
+    /// Multiplications and additions of a factorisation.
+    #[must_use]
+    pub fn operations(&self) -> f64 {
+        self.shared.tree.operations()
+    }
+}
 
 /// P A Pᵀ = L B Lᵀ with blocks of one and two rows in B.
 #[derive(Debug)]
 pub struct SymmetricFactor {
-    symbolic: SymbolicCholesky<usize>,
-    values: Vec<f64>,
-    subdiagonal: Vec<f64>,
-    forward: Vec<usize>,
-    inverse: Vec<usize>,
+    pattern: FactorPattern,
+    fronts: Vec<Front>,
 }
 
 impl SymmetricFactor {
     /// The factors of a symmetric matrix; its lower triangle is read.
     ///
     /// # Errors
-    /// [`StructureError::OutOfMemory`].
+    /// [`StructureError::OutOfMemory`], [`StructureError::Singular`].
     pub fn new(matrix: &Sparse) -> Result<Self, StructureError> {
-        let rows = matrix.nrows();
-        let out_of_memory = || StructureError::OutOfMemory { rows };
-        let parameters = CholeskySymbolicParams {
-            supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
-            ..CholeskySymbolicParams::default()
-        };
-        let symbolic =
-            factorize_symbolic_cholesky(matrix.symbolic(), Side::Lower, SymmetricOrdering::Amd, parameters)
-                .map_err(|_| out_of_memory())?;
-        let mut values = vec![0.0; symbolic.len_val()];
-        let mut subdiagonal = vec![0.0; rows];
-        let (mut forward, mut inverse) = (vec![0; rows], vec![0; rows]);
-        let parameters = Spec::<LbltParams, f64>::default();
-        let mut memory =
-            buffer(symbolic.factorize_numeric_intranode_lblt_scratch::<f64>(Par::Seq, parameters), rows)?;
-        symbolic.factorize_numeric_intranode_lblt(
-            &mut values,
-            &mut subdiagonal,
-            &mut forward,
-            &mut inverse,
-            matrix.as_ref(),
-            Side::Lower,
-            Par::Seq,
-            MemStack::new(&mut memory),
-            parameters,
-        );
-        Ok(Self { symbolic, values, subdiagonal, forward, inverse })
+        Self::with_pattern(&FactorPattern::new(matrix)?, matrix)
     }
 
-    fn permutation(&self) -> PermRef<'_, usize> {
-        PermRef::new_checked(&self.forward, &self.inverse, self.forward.len())
+    /// The factors of a matrix whose pattern is known.
+    ///
+    /// # Errors
+    /// [`StructureError::WrongPattern`] for a matrix of another size or with entries that the pattern lacks, and those of
+    /// [`Self::new`].
+    pub fn with_pattern(pattern: &FactorPattern, matrix: &Sparse) -> Result<Self, StructureError> {
+        let fronts = eliminated(&pattern.shared, matrix, |front| front)?;
+        Ok(Self { pattern: pattern.clone(), fronts })
     }
 
     /// How many eigenvalues are negative (Sylvester's law of inertia).
-    ///
-    /// # Errors
-    /// [`StructureError::NoInertia`] where the factors are of a kind that does not tell.
-    pub fn negative_eigenvalues(&self) -> Result<usize, StructureError> {
-        let SymbolicCholeskyRaw::Supernodal(symbolic) = self.symbolic.raw() else {
-            return Err(StructureError::NoInertia);
-        };
-        let factor =
-            SupernodalIntranodeLbltRef::new(symbolic, &self.values, &self.subdiagonal, self.permutation());
-        Ok((0..symbolic.n_supernodes())
-            .map(|s| {
-                let node = factor.supernode(s);
-                let block = node.val();
-                let diagonal = |k: usize| block[(k, k)];
-                negative_in(&self.subdiagonal[node.start()..node.start() + block.ncols()], diagonal)
-            })
-            .sum())
+    #[must_use]
+    pub fn negative_eigenvalues(&self) -> usize {
+        self.fronts.iter().map(Front::negative).sum()
     }
 
     /// x with A x = b, in place of b.
-    ///
-    /// # Errors
-    /// [`StructureError::OutOfMemory`].
-    pub fn solve(&self, right: &mut [f64]) -> Result<(), StructureError> {
-        let rows = right.len();
-        let factor =
-            IntranodeLbltRef::new(&self.symbolic, &self.values, &self.subdiagonal, self.permutation());
-        let mut memory = buffer(self.symbolic.solve_in_place_scratch::<f64>(1, Par::Seq), rows)?;
-        let right = MatMut::from_column_major_slice_mut(right, rows, 1);
-        factor.solve_in_place_with_conj(Conj::No, right, Par::Seq, MemStack::new(&mut memory));
-        Ok(())
+    pub fn solve(&self, right: &mut [f64]) {
+        self.solve_together([right]);
     }
-}
 
-fn buffer(needed: StackReq, rows: usize) -> Result<MemBuffer, StructureError> {
-    MemBuffer::try_new(needed).map_err(|_| StructureError::OutOfMemory { rows })
-}
-
-/// Negative eigenvalues of a block diagonal: a row with a subdiagonal entry begins a block of two rows.
-fn negative_in(subdiagonal: &[f64], diagonal: impl Fn(usize) -> f64) -> usize {
-    let (mut negative, mut row) = (0, 0);
-    while row < subdiagonal.len() {
-        let beside = subdiagonal[row];
-        if beside == 0.0 {
-            negative += usize::from(diagonal(row) < 0.0);
-            row += 1;
-            continue;
+    /// The same for N right sides together: large factors are read from memory once for all of them.
+    pub fn solve_together<const N: usize>(&self, right: [&mut [f64]; N]) {
+        let Elimination { tree, order, .. } = &*self.pattern.shared;
+        let shared = !tree.branches.is_empty();
+        let mut x = right.each_ref().map(|right| order.iter().map(|row| right[*row]).collect::<Vec<f64>>());
+        let forward = |branch: &Branch| self.forward_branch(branch, &x);
+        let solved: Vec<[Vec<f64>; N]> = tree.branches.par_iter().map(forward).collect();
+        for (branch, solved) in tree.branches.iter().zip(&solved) {
+            let (columns, rows) = branch.places.split_at(branch.columns);
+            for (x, solved) in x.iter_mut().zip(solved) {
+                for (place, value) in columns.iter().zip(solved) {
+                    x[*place] = *value;
+                }
+                for (place, lost) in rows.iter().zip(&solved[branch.columns..]) {
+                    x[*place] += lost;
+                }
+            }
         }
-        let (a, b) = (diagonal(row), diagonal(row + 1));
-        negative += match (a * b - beside * beside < 0.0, a + b < 0.0) {
-            (true, _) => 1,
-            (false, true) => 2,
-            (false, false) => 0,
-        };
-        row += 2;
+        for block in &tree.trunk {
+            let own = x.each_mut().map(|x| &mut x[tree.columns(*block)]);
+            let lost = self.fronts[*block].forward(own, shared);
+            for (x, lost) in x.iter_mut().zip(lost) {
+                for (row, lost) in tree.rows(*block).iter().zip(lost) {
+                    x[*row] -= lost;
+                }
+            }
+        }
+        for block in tree.trunk.iter().rev() {
+            let columns = tree.columns(*block);
+            let mut own =
+                x.each_ref().map(|x| gathered(x, columns.clone().chain(tree.rows(*block).iter().copied())));
+            self.fronts[*block].backward(&mut own, shared);
+            for (x, own) in x.iter_mut().zip(&own) {
+                x[columns.clone()].copy_from_slice(&own[..columns.len()]);
+            }
+        }
+        let backward = |branch: &Branch| self.backward_branch(branch, &x);
+        let solved: Vec<[Vec<f64>; N]> = tree.branches.par_iter().map(backward).collect();
+        for (branch, solved) in tree.branches.iter().zip(&solved) {
+            for (x, solved) in x.iter_mut().zip(solved) {
+                for (place, value) in branch.places.iter().zip(&solved[..branch.columns]) {
+                    x[*place] = *value;
+                }
+            }
+        }
+        for (right, x) in right.into_iter().zip(&x) {
+            for (row, value) in order.iter().zip(x) {
+                right[*row] = *value;
+            }
+        }
     }
-    negative
+
+    /// The values at a branch's columns, and what it adds to the rows of its root.
+    fn forward_branch<const N: usize>(&self, branch: &Branch, x: &[Vec<f64>; N]) -> [Vec<f64>; N] {
+        let tree = &self.pattern.shared.tree;
+        let columns = &branch.places[..branch.columns];
+        let mut local = x.each_ref().map(|x| gathered(x, columns.iter().copied()));
+        for local in &mut local {
+            local.resize(branch.places.len(), 0.0);
+        }
+        let mut start = 0;
+        for (block, rows) in branch.blocks.iter().zip(&branch.rows) {
+            let end = start + tree.width(*block);
+            let own = local.each_mut().map(|local| &mut local[start..end]);
+            let lost = self.fronts[*block].forward(own, false);
+            for (local, lost) in local.iter_mut().zip(lost) {
+                for (row, lost) in rows.iter().zip(lost) {
+                    local[*row] -= lost;
+                }
+            }
+            start = end;
+        }
+        local
+    }
+
+    fn backward_branch<const N: usize>(&self, branch: &Branch, x: &[Vec<f64>; N]) -> [Vec<f64>; N] {
+        let tree = &self.pattern.shared.tree;
+        let mut local = x.each_ref().map(|x| gathered(x, branch.places.iter().copied()));
+        let mut end = branch.columns;
+        for (block, rows) in branch.blocks.iter().zip(&branch.rows).rev() {
+            let start = end - tree.width(*block);
+            let mut own =
+                local.each_ref().map(|local| gathered(local, (start..end).chain(rows.iter().copied())));
+            self.fronts[*block].backward(&mut own, false);
+            for (local, own) in local.iter_mut().zip(&own) {
+                local[start..end].copy_from_slice(&own[..end - start]);
+            }
+            end = start;
+        }
+        local
+    }
+}
+
+fn gathered(x: &[f64], places: impl Iterator<Item = usize>) -> Vec<f64> {
+    places.map(|place| x[place]).collect()
+}
+
+/// The lower triangle of P A Pᵀ.
+struct Permuted {
+    starts: Vec<usize>,
+    rows: Vec<usize>,
+    values: Vec<f64>,
+}
+
+impl Permuted {
+    fn new(matrix: &Sparse, order: &[usize], inverse: &[usize]) -> Result<Self, StructureError> {
+        let size = order.len();
+        let entries = matrix.compute_nnz();
+        let mut new = Self { starts: vec![0; size + 1], rows: vec![0; entries], values: vec![0.0; entries] };
+        let needed = permute_self_adjoint_scratch::<usize>(size);
+        let mut memory =
+            MemBuffer::try_new(needed).map_err(|_| StructureError::OutOfMemory { rows: size })?;
+        permute_self_adjoint_to_unsorted(
+            &mut new.values,
+            &mut new.starts,
+            &mut new.rows,
+            matrix.as_ref(),
+            PermRef::new_checked(order, inverse, size),
+            Side::Lower,
+            Side::Lower,
+            MemStack::new(&mut memory),
+        );
+        Ok(new)
+    }
+
+    fn column(&self, column: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
+        let own = self.starts[column]..self.starts[column + 1];
+        self.rows[own.clone()].iter().copied().zip(self.values[own].iter().copied())
+    }
+}
+
+/// What is to be kept of each block, in their order.
+fn eliminated<T: Send>(
+    elimination: &Elimination,
+    matrix: &Sparse,
+    keep: impl Fn(Front) -> T + Sync,
+) -> Result<Vec<T>, StructureError> {
+    let Elimination { tree, order, inverse } = elimination;
+    let rows = matrix.nrows();
+    if rows != order.len() || matrix.ncols() != rows {
+        return Err(StructureError::WrongPattern { rows, expected: order.len() });
+    }
+    let permuted = Permuted::new(matrix, order, inverse)?;
+    let branch = |branch| eliminate_branch(tree, branch, &permuted, &keep);
+    let of_branches: Vec<_> = tree.branches.par_iter().map(branch).collect::<Result<_, _>>()?;
+    let mut updates = BTreeMap::new();
+    let mut kept: Vec<Option<T>> = (0..tree.blocks()).map(|_| None).collect();
+    for (branch, (own, update)) in tree.branches.iter().zip(of_branches) {
+        for (block, own) in branch.blocks.iter().zip(own) {
+            kept[*block] = Some(own);
+        }
+        if let Some(root) = branch.blocks.last() {
+            updates.insert(*root, update);
+        }
+    }
+    let shared = !tree.branches.is_empty();
+    for block in &tree.trunk {
+        let (front, update) = eliminate(tree, *block, &permuted, &mut updates, shared)?;
+        kept[*block] = Some(keep(front));
+        updates.insert(*block, update);
+    }
+    // every block is in a branch or in the trunk
+    Ok(kept.into_iter().flatten().collect())
+}
+
+/// Eliminates the blocks of a branch; what its root changes comes back beside them.
+fn eliminate_branch<T>(
+    tree: &Tree,
+    branch: &Branch,
+    matrix: &Permuted,
+    keep: impl Fn(Front) -> T,
+) -> Result<(Vec<T>, Vec<f64>), StructureError> {
+    let mut updates: BTreeMap<usize, Vec<f64>> = BTreeMap::new();
+    let mut kept = Vec::with_capacity(branch.blocks.len());
+    for block in &branch.blocks {
+        let (front, update) = eliminate(tree, *block, matrix, &mut updates, false)?;
+        kept.push(keep(front));
+        updates.insert(*block, update);
+    }
+    let update = branch.blocks.last().and_then(|root| updates.remove(root));
+    Ok((kept, update.unwrap_or_default()))
+}
+
+/// Assembles a block from the matrix and the updates of its children, which are taken, and eliminates it.
+fn eliminate(
+    tree: &Tree,
+    block: usize,
+    matrix: &Permuted,
+    updates: &mut BTreeMap<usize, Vec<f64>>,
+    shared: bool,
+) -> Result<(Front, Vec<f64>), StructureError> {
+    let (columns, rows) = (tree.columns(block), tree.rows(block));
+    let size = matrix.starts.len() - 1;
+    let (begin, width) = (columns.start, columns.len());
+    let wrong = || StructureError::WrongPattern { rows: size, expected: size };
+    let place = |row: usize| match row < columns.end {
+        true => Some(row - begin),
+        false => rows.binary_search(&row).ok().map(|k| width + k),
+    };
+    let mut assembly = Assembly::new(width, rows.len(), size)?;
+    for column in columns.clone() {
+        for (row, value) in matrix.column(column) {
+            assembly.add(place(row).ok_or_else(wrong)?, column - begin, value);
+        }
+    }
+    for child in &tree.children[block] {
+        let places: Vec<usize> =
+            tree.rows(*child).iter().map(|row| place(*row)).collect::<Option<_>>().ok_or_else(wrong)?;
+        assembly.add_update(&updates.remove(child).unwrap_or_default(), &places);
+    }
+    let (front, update) = assembly.eliminate(shared)?;
+    if front.is_regular() { Ok((front, update)) } else { Err(StructureError::Singular { rows: size }) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::statics::product;
+    use faer::sparse::Triplet;
+
+    /// The five-point Laplacian of a square less a shift: its eigenvalues are known.
+    fn shifted_laplacian(side: usize, shift: f64) -> Sparse {
+        let number = |i: usize, j: usize| i * side + j;
+        let mut entries = Vec::new();
+        for (i, j) in (0..side).flat_map(|i| (0..side).map(move |j| (i, j))) {
+            entries.push(Triplet::new(number(i, j), number(i, j), 4.0 - shift));
+            for other in [(i + 1 < side).then(|| number(i + 1, j)), (j + 1 < side).then(|| number(i, j + 1))]
+            {
+                entries.extend(other.map(|other| Triplet::new(other, number(i, j), -1.0)));
+                entries.extend(other.map(|other| Triplet::new(number(i, j), other, -1.0)));
+            }
+        }
+        Sparse::try_new_from_triplets(side * side, side * side, &entries).unwrap()
+    }
+
+    /// λ = 4 − 2 cos(iπ/(n+1)) − 2 cos(jπ/(n+1)).
+    fn below(side: usize, shift: f64) -> usize {
+        let cosine = |i: usize| 2.0 * (i as f64 * std::f64::consts::PI / (side + 1) as f64).cos();
+        (1..=side)
+            .flat_map(|i| (1..=side).map(move |j| 4.0 - cosine(i) - cosine(j)))
+            .filter(|l| *l < shift)
+            .count()
+    }
+
+    fn right(size: usize) -> Vec<f64> {
+        (0..size).map(|k| (1.7 * k as f64).sin()).collect()
+    }
+
+    #[test]
+    fn solutions_and_signs_are_those_of_the_matrix_with_and_without_branches() {
+        for (side, shift) in [(1, 0.5), (7, 2.1), (40, 1.234), (160, 0.9)] {
+            let matrix = shifted_laplacian(side, shift);
+            let factor = SymmetricFactor::new(&matrix).unwrap();
+            assert_eq!(factor.negative_eigenvalues(), below(side, shift), "{side}");
+            let right = right(side * side);
+            let mut x = right.clone();
+            factor.solve(&mut x);
+            let rest =
+                product(&matrix, &x).iter().zip(&right).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(rest < 1e-9, "{side}: {rest:e}");
+            let (mut first, mut second) = (right.clone(), x.clone());
+            factor.solve_together([&mut first, &mut second]);
+            let mut alone = x.clone();
+            factor.solve(&mut alone);
+            assert!(first == x && second == alone, "{side}");
+        }
+    }
+
+    #[test]
+    fn the_number_of_threads_does_not_change_a_bit() {
+        let solved = |threads: usize| {
+            rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(|| {
+                let matrix = shifted_laplacian(220, 0.9);
+                let factor = SymmetricFactor::new(&matrix).unwrap();
+                assert!(factor.pattern.shared.tree.branches.len() > 1);
+                let mut x = right(matrix.nrows());
+                factor.solve(&mut x);
+                x.iter().map(|x| x.to_bits()).collect::<Vec<_>>()
+            })
+        };
+        assert_eq!(solved(1), solved(3));
+    }
+
+    #[test]
+    fn a_matrix_that_is_singular_or_of_another_pattern_is_refused() {
+        let matrix = shifted_laplacian(3, 4.0);
+        let zero = shifted_laplacian(1, 4.0);
+        assert_eq!(SymmetricFactor::new(&zero).unwrap_err(), StructureError::Singular { rows: 1 });
+        let pattern = FactorPattern::new(&zero).unwrap();
+        let error = SymmetricFactor::with_pattern(&pattern, &matrix).unwrap_err();
+        assert_eq!(error, StructureError::WrongPattern { rows: 9, expected: 1 });
+        let size = 9;
+        let diagonal: Vec<_> = (0..size).map(|k| Triplet::new(k, k, 1.0)).collect();
+        let pattern =
+            FactorPattern::new(&Sparse::try_new_from_triplets(size, size, &diagonal).unwrap()).unwrap();
+        let error = SymmetricFactor::with_pattern(&pattern, &matrix).unwrap_err();
+        assert!(matches!(error, StructureError::WrongPattern { .. }));
+    }
 }

@@ -14,6 +14,10 @@
 //! - [`complex_modes`]: all eigenvalues of a region of the complex plane, each with its error and verdict.
 //! - [`eigen_sweep`]: complex modes over parameters, followed from point to point.
 //! - [`diagnosis`]: why a mode grows.
+//! - [`modal_form`]: a reduced structure in its own modes, and the flexibility of those that are cut off.
+//! - [`reduction_error`]: how far reduced frequencies can be from full ones, told by the reduction alone.
+//! - [`reduction_report`]: a reduced structure beside the full one.
+//! - [`damping`]: Rayleigh's, and viscous in place of structural.
 //! - [`statics`]: displacements under loads that rest.
 
 pub mod affine;
@@ -21,6 +25,7 @@ pub mod assembly;
 pub mod beam;
 pub mod complex_modes;
 pub mod craig_bampton;
+pub mod damping;
 mod dense;
 pub mod diagnosis;
 pub mod eigen_sweep;
@@ -31,8 +36,11 @@ pub mod freedom;
 pub mod grid;
 pub mod material;
 pub mod mesh;
+pub mod modal_form;
 pub mod modes;
 pub mod quadratic;
+pub mod reduction_error;
+pub mod reduction_report;
 pub mod statics;
 
 pub use error::StructureError;

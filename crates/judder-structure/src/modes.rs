@@ -5,11 +5,10 @@ mod lanczos;
 use crate::StructureError;
 use crate::assembly::Sparse;
 use crate::dense::{Eigen, generalised};
-use crate::factor::SymmetricFactor;
-use crate::statics::{dot, product};
+use crate::factor::{FactorPattern, SymmetricFactor};
+use crate::statics::{dot, sum, symmetric_product};
 use faer::Mat;
-use faer::sparse::ops::binary_op;
-use lanczos::Lanczos;
+use lanczos::{APART, Found, Lanczos, combined};
 use std::f64::consts::TAU;
 
 /// Which modes are wanted.
@@ -51,84 +50,128 @@ pub struct Modes {
 
 /// Rounds of the search before it gives up on modes that the count knows of.
 const ROUNDS: usize = 20;
+/// Residuals that one more inverse iteration is spent on.
+const ROUGH: f64 = 1e-14;
 
 /// The modes of a structure by shift-invert Lanczos in the inner product of the mass (T. Ericsson and A. Ruhe, 1980).
 ///
-/// A shift below zero lets rigid motions come out as what they are. Sylvester's law of inertia counts the eigenvalues below a
-/// value above the last mode; while there are more than were found, the search goes on from a start of its own.
+/// Both matrices are symmetric and hold both triangles. A shift below zero lets rigid motions come out as what they are. Sylvester's
+/// law of inertia counts the eigenvalues below a value above the last mode; while there are more than were found, the search goes on
+/// from a start of its own.
 ///
 /// # Errors
 /// [`StructureError::MissingModes`] where the count is not reached, [`StructureError::OutOfMemory`], numbers that are not finite.
 pub fn modes(stiffness: &Sparse, mass: &Sparse, wanted: Wanted) -> Result<Modes, StructureError> {
+    let pencil = Pencil { stiffness, mass };
     let shift = -shift_scale(stiffness, mass)?;
-    let factor = SymmetricFactor::new(&shifted(stiffness, mass, shift)?)?;
+    let at_shift = pencil.shifted(shift)?;
+    let pattern = FactorPattern::new(&at_shift)?;
+    let factor = SymmetricFactor::with_pattern(&pattern, &at_shift)?;
+    drop(at_shift);
+    let below = |value: f64| pattern.negative_eigenvalues(&pencil.shifted(value)?);
     let mut search = Lanczos::new(&factor, mass, shift);
     let size = stiffness.nrows();
     let aim = match wanted {
         Wanted::Lowest(count) => count.min(size),
-        Wanted::Band(_, to) => below(stiffness, mass, (TAU * to).powi(2))?,
+        Wanted::Band(_, to) => below((TAU * to).powi(2))?,
     };
     let mut target = aim;
     for _ in 0..ROUNDS {
-        let found = search.converged((target + 1).min(size))?;
+        let found = search.converged(target)?;
         let limit = limit_above(&found, target, wanted);
-        let count = below(stiffness, mass, limit)?;
-        let known = found.iter().filter(|(value, _)| *value < limit).count();
+        let count = if let Wanted::Band(..) = wanted { aim } else { below(limit)? };
+        let known = found.values.partition_point(|value| *value < limit);
         if known >= count {
-            let first = match wanted {
-                Wanted::Lowest(_) => 0,
-                Wanted::Band(from, _) => {
-                    found.iter().filter(|(value, _)| *value < (TAU * from).powi(2)).count()
-                }
+            let (first, last) = match wanted {
+                Wanted::Lowest(_) => (0, aim.min(known)),
+                Wanted::Band(from, _) => (found.values.partition_point(|v| *v < (TAU * from).powi(2)), known),
             };
-            let last = if matches!(wanted, Wanted::Lowest(_)) { aim.min(known) } else { known };
-            let found = rayleigh_ritz(stiffness, mass, found)?;
-            let modes = found.into_iter().take(last).skip(first);
-            let modes = modes.map(|(value, shape)| finished(stiffness, mass, value, shape)).collect();
+            drop(search);
+            let modes =
+                pencil.polished(&factor, shift, found.shapes)?.into_iter().take(last).skip(first).collect();
             return Ok(Modes { modes, counted: (limit, count) });
         }
         target = target.max(count);
-        search.start_anew()?;
+        search.start_anew();
     }
     Err(StructureError::MissingModes { wanted: aim })
 }
 
-/// The modes within the space of the shapes that were found: what a factorisation near a rigid motion mixed comes apart.
-fn rayleigh_ritz(
-    stiffness: &Sparse,
-    mass: &Sparse,
-    found: Vec<(f64, Vec<f64>)>,
-) -> Result<Vec<(f64, Vec<f64>)>, StructureError> {
-    let wanted = found.len();
-    let shapes: Vec<Vec<f64>> = found.into_iter().map(|(_, shape)| shape).collect();
-    let projected = |matrix: &Sparse| {
-        let images: Vec<Vec<f64>> = shapes.iter().map(|shape| product(matrix, shape)).collect();
-        Mat::from_fn(wanted, wanted, |i, j| dot(&shapes[i], &images[j]))
-    };
-    let Eigen { values, vectors } =
-        generalised(projected(stiffness), &projected(mass)).ok_or(StructureError::MissingModes { wanted })?;
-    let combined = |k: usize| -> Vec<f64> {
-        let mut sum = vec![0.0; mass.nrows()];
-        for (i, shape) in shapes.iter().enumerate() {
-            for (s, u) in sum.iter_mut().zip(shape) {
-                *s += vectors[(i, k)] * u;
+/// K − λ M.
+struct Pencil<'a> {
+    stiffness: &'a Sparse,
+    mass: &'a Sparse,
+}
+
+impl Pencil<'_> {
+    /// K − σ M.
+    fn shifted(&self, shift: f64) -> Result<Sparse, StructureError> {
+        sum(1.0, self.stiffness, -shift, self.mass)
+    }
+
+    /// The modes within the space of what was found; where residuals are rough, of what the operator makes of it, which has less
+    /// of the high modes in it.
+    fn polished(
+        &self,
+        factor: &SymmetricFactor,
+        shift: f64,
+        shapes: Vec<Vec<f64>>,
+    ) -> Result<Vec<Mode>, StructureError> {
+        let modes = self.rayleigh_ritz(shapes)?;
+        if modes.iter().all(|mode| mode.residual <= ROUGH) {
+            return Ok(modes);
+        }
+        let mut shapes: Vec<Vec<f64>> =
+            modes.iter().map(|mode| symmetric_product(self.mass, &mode.shape)).collect();
+        for pair in shapes.chunks_mut(2) {
+            match pair {
+                [one, other] => factor.solve_together([one, other]),
+                others => others.iter_mut().for_each(|shape| factor.solve(shape)),
             }
         }
-        sum
-    };
-    Ok(values.into_iter().enumerate().map(|(k, value)| (value, combined(k))).collect())
+        for (shape, mode) in shapes.iter_mut().zip(&modes) {
+            // back to a length near one; the space is what counts
+            for value in shape {
+                *value *= mode.eigenvalue - shift;
+            }
+        }
+        self.rayleigh_ritz(shapes)
+    }
+
+    /// The modes within the space of shapes: what a factorisation near a rigid motion mixed comes apart.
+    fn rayleigh_ritz(&self, shapes: Vec<Vec<f64>>) -> Result<Vec<Mode>, StructureError> {
+        let wanted = shapes.len();
+        if wanted == 0 {
+            return Ok(Vec::new());
+        }
+        let projected = |matrix: &Sparse| {
+            let images: Vec<Vec<f64>> = shapes.iter().map(|shape| symmetric_product(matrix, shape)).collect();
+            Mat::from_fn(wanted, wanted, |i, j| dot(&shapes[i], &images[j]))
+        };
+        let Eigen { values, vectors } = generalised(projected(self.stiffness), &projected(self.mass))
+            .ok_or(StructureError::MissingModes { wanted })?;
+        let norms = [norm_of(self.stiffness), norm_of(self.mass)];
+        let mode = |(k, value)| self.mode(value, combined(&shapes, |i| vectors[(i, k)]), norms);
+        Ok(values.into_iter().enumerate().map(mode).collect())
+    }
+
+    fn mode(&self, eigenvalue: f64, shape: Vec<f64>, [of_stiffness, of_mass]: [f64; 2]) -> Mode {
+        let elastic = symmetric_product(self.stiffness, &shape);
+        let inertial = symmetric_product(self.mass, &shape);
+        let norm = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let rest: Vec<f64> = elastic.iter().zip(&inertial).map(|(k, m)| k - eigenvalue * m).collect();
+        let scale = (of_stiffness + eigenvalue.abs() * of_mass) * norm(&shape);
+        Mode { eigenvalue, shape, residual: norm(&rest) / scale }
+    }
 }
 
 /// A value between the last wanted eigenvalue and the next: halfway, where the two stand apart.
-fn limit_above(found: &[(f64, Vec<f64>)], target: usize, wanted: Wanted) -> f64 {
-    /// Relative distance of eigenvalues that are not one.
-    const APART: f64 = 1e-6;
+fn limit_above(found: &Found, target: usize, wanted: Wanted) -> f64 {
     if let Wanted::Band(_, to) = wanted {
         return (TAU * to).powi(2);
     }
-    let value = |k: usize| found.get(k).map(|(value, _)| *value);
-    let last = value(target.saturating_sub(1)).unwrap_or(0.0);
-    match value(target) {
+    let last = target.checked_sub(1).and_then(|k| found.values.get(k)).copied().unwrap_or(0.0);
+    match found.values.get(target).copied().or(found.next) {
         Some(next) if next - last > APART * next.abs() => 0.5 * (last + next),
         _ => last * (1.0 + APART) + f64::MIN_POSITIVE,
     }
@@ -137,18 +180,10 @@ fn limit_above(found: &[(f64, Vec<f64>)], target: usize, wanted: Wanted) -> f64 
 /// How many eigenvalues lie below a value.
 ///
 /// # Errors
-/// [`StructureError::OutOfMemory`].
+/// [`StructureError::OutOfMemory`], [`StructureError::Singular`] where the value is an eigenvalue.
 pub fn below(stiffness: &Sparse, mass: &Sparse, value: f64) -> Result<usize, StructureError> {
-    SymmetricFactor::new(&shifted(stiffness, mass, value)?)?.negative_eigenvalues()
-}
-
-/// K − σ M.
-fn shifted(stiffness: &Sparse, mass: &Sparse, shift: f64) -> Result<Sparse, StructureError> {
-    let entry =
-        |k: Option<&f64>, m: Option<&f64>| k.copied().unwrap_or(0.0) - shift * m.copied().unwrap_or(0.0);
-    // both have the pattern of the mesh; of other patterns the union
-    binary_op(stiffness.as_ref(), mass.as_ref(), entry)
-        .map_err(|_| StructureError::OutOfMemory { rows: stiffness.nrows() })
+    let matrix = Pencil { stiffness, mass }.shifted(value)?;
+    FactorPattern::new(&matrix)?.negative_eigenvalues(&matrix)
 }
 
 /// A small positive eigenvalue for shifts: far below the mean of all, far above what rounding makes of zero.
@@ -163,14 +198,6 @@ fn shift_scale(stiffness: &Sparse, mass: &Sparse) -> Result<f64, StructureError>
         }
     }
     Ok(SHARE * of_stiffness / of_mass)
-}
-
-fn finished(stiffness: &Sparse, mass: &Sparse, eigenvalue: f64, shape: Vec<f64>) -> Mode {
-    let (elastic, inertial) = (product(stiffness, &shape), product(mass, &shape));
-    let norm = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
-    let rest: Vec<f64> = elastic.iter().zip(&inertial).map(|(k, m)| k - eigenvalue * m).collect();
-    let scale = (norm_of(stiffness) + eigenvalue.abs() * norm_of(mass)) * norm(&shape);
-    Mode { eigenvalue, shape, residual: norm(&rest) / scale }
 }
 
 /// The largest sum of magnitudes of a column.

@@ -6,7 +6,9 @@ use faer::linalg::cholesky::llt::factor::LltError as Pivot;
 use faer::linalg::solvers::Solve;
 use faer::sparse::linalg::LltError;
 use faer::sparse::linalg::solvers::Llt;
+use faer::sparse::ops::binary_op;
 use faer::{ColMut, Side};
+use rayon::prelude::*;
 
 /// A stiffness that was factored once for many loads.
 #[derive(Debug, Clone)]
@@ -46,6 +48,33 @@ pub fn product(matrix: &Sparse, x: &[f64]) -> Vec<f64> {
         }
     }
     y
+}
+
+/// A x of a symmetric matrix with both triangles.
+pub(crate) fn symmetric_product(matrix: &Sparse, x: &[f64]) -> Vec<f64> {
+    /// Rows that are worked together.
+    const CHUNK: usize = 4096;
+    let mut y = vec![0.0; matrix.nrows()];
+    y.par_chunks_mut(CHUNK).enumerate().for_each(|(chunk, y)| {
+        for (k, y) in y.iter_mut().enumerate() {
+            let row = chunk * CHUNK + k;
+            let entries = matrix.row_idx_of_col_raw(row).iter().zip(matrix.val_of_col(row));
+            *y = entries.map(|(column, value)| value * x[*column]).sum();
+        }
+    });
+    y
+}
+
+/// a A + b B of two square matrices of one size, on the union of their patterns.
+pub(crate) fn sum(a: f64, first: &Sparse, b: f64, second: &Sparse) -> Result<Sparse, StructureError> {
+    let size = |matrix: &Sparse| [matrix.nrows(), matrix.ncols()];
+    if size(first) != size(second) || first.nrows() != first.ncols() {
+        return Err(StructureError::DifferentSizes { first: size(first), second: size(second) });
+    }
+    let entry =
+        |x: Option<&f64>, y: Option<&f64>| a * x.copied().unwrap_or(0.0) + b * y.copied().unwrap_or(0.0);
+    binary_op(first.as_ref(), second.as_ref(), entry)
+        .map_err(|_| StructureError::OutOfMemory { rows: first.nrows() })
 }
 
 /// aᵀ b.

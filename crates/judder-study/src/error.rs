@@ -158,7 +158,6 @@ impl StudyError {
                 error,
                 StructureError::MissingModes { .. }
                     | StructureError::OutOfMemory { .. }
-                    | StructureError::NoInertia
                     | StructureError::NoModalForm
                     | StructureError::SingularEverywhere { .. }
                     | StructureError::NoDenseEigenvalues { .. }

@@ -4,9 +4,10 @@ use crate::StructureError;
 use crate::assembly::Sparse;
 use crate::dense::{Eigen, symmetric};
 use crate::factor::SymmetricFactor;
-use crate::statics::{dot, product};
+use crate::statics::{dot, symmetric_product};
 use faer::Mat;
 use judder_numerics::counter::uniform;
+use rayon::prelude::*;
 use std::collections::VecDeque;
 
 /// A Krylov basis that grows until enough eigenvalues have converged.
@@ -32,14 +33,20 @@ struct Pending {
     length: f64,
     /// The vector that it comes from.
     from: Option<usize>,
+    /// How many vectors of the basis it is orthogonal to, from the first on.
+    orthogonal_to: usize,
 }
 
 /// An eigenvalue λ counts as converged where the residual of (K − σM)⁻¹M over its eigenvalue is below it.
-const TOLERANCE: f64 = 1e-13;
+const TOLERANCE: f64 = 1e-11;
+/// Relative distance of eigenvalues that are not one.
+pub(super) const APART: f64 = 1e-6;
 /// A new vector shorter than this share of what it was made of lies in the basis: the space is invariant.
 const INVARIANT: f64 = 1e-10;
-/// Vectors between looks at the eigenvalues.
-const STRIDE: usize = 5;
+/// Pairs of vectors between looks at the eigenvalues.
+const STRIDE: usize = 3;
+/// Entries of vectors that are worked together.
+const CHUNK: usize = 4096;
 
 impl<'a> Lanczos<'a> {
     pub(super) fn new(factor: &'a SymmetricFactor, mass: &'a Sparse, shift: f64) -> Self {
@@ -56,58 +63,78 @@ impl<'a> Lanczos<'a> {
     }
 
     /// Takes in a random vector: what the space so far has missed is in it.
-    pub(super) fn start_anew(&mut self) -> Result<(), StructureError> {
-        let random = self.random()?;
+    pub(super) fn start_anew(&mut self) {
+        let random = self.random();
         self.pending.push_front(random);
-        Ok(())
     }
 
-    /// The eigenvalues nearest above the shift, so many at least, with shapes of unit modal mass, by rising eigenvalue.
-    pub(super) fn converged(&mut self, count: usize) -> Result<Vec<(f64, Vec<f64>)>, StructureError> {
+    /// The eigenvalues nearest above the shift, so many at least, and where the next ones begin.
+    pub(super) fn converged(&mut self, count: usize) -> Result<Found, StructureError> {
         let size = self.mass.nrows();
         loop {
             for _ in 0..STRIDE {
-                if self.basis.len() < size {
-                    self.grow()?;
-                }
+                self.grow()?;
             }
             let ritz = self.ritz()?;
-            if ritz.values.len() >= count || self.basis.len() == size {
-                let pairs = ritz.values.iter().enumerate();
-                return pairs.map(|(k, value)| Ok((*value, self.shape(&ritz, k)?))).collect();
+            let last = ritz.values.last().copied().unwrap_or(0.0);
+            let is_apart = ritz.next.is_some_and(|next| next - last > APART * next.abs());
+            let enough = ritz.values.len() > count || ritz.values.len() == count && is_apart;
+            if enough || self.basis.len() == size {
+                let pairs = ritz.vectors.iter().zip(&ritz.values);
+                let shapes = pairs.map(|(shares, value)| self.iterated(shares, *value)).collect();
+                return Ok(Found { values: ritz.values, shapes, next: ritz.next });
             }
         }
     }
 
-    /// One more vector.
+    /// Two more vectors, one where there is no other.
     fn grow(&mut self) -> Result<(), StructureError> {
-        let vector = self.next_vector()?;
-        let with_mass = product(self.mass, &vector);
-        let mut image = with_mass.clone();
-        self.factor.solve(&mut image)?;
-        self.basis.push(vector);
-        self.with_mass.push(with_mass);
-        self.projected.push(self.with_mass.iter().map(|with_mass| dot(&image, with_mass)).collect());
-        let before = self.length_in_mass(&image);
-        self.orthogonalise(&mut image);
-        let length = self.length_in_mass(&image);
-        if length > INVARIANT * before {
-            self.pending.push_back(Pending { vector: image, length, from: Some(self.basis.len() - 1) });
+        let size = self.mass.nrows();
+        let first = self.basis.len();
+        for _ in first..size.min(first + 2) {
+            let (vector, with_mass) = self.next_vector()?;
+            self.basis.push(vector);
+            self.with_mass.push(with_mass);
+        }
+        let mut images = self.with_mass[first..].to_vec();
+        match &mut images[..] {
+            [one, other] => self.factor.solve_together([one, other]),
+            others => others.iter_mut().for_each(|image| self.factor.solve(image)),
+        }
+        for (k, image) in images.into_iter().enumerate() {
+            self.take_in(image, first + k);
         }
         Ok(())
     }
 
-    /// A vector of unit length outside the basis: of what is pending the first that is not in it by now, else a random one.
-    fn next_vector(&mut self) -> Result<Vec<f64>, StructureError> {
+    /// What the operator has made of a vector of the basis.
+    fn take_in(&mut self, mut image: Vec<f64>, from: usize) {
+        let shares = self.orthogonalise(&mut image, 0);
+        let length = dot(&image, &symmetric_product(self.mass, &image)).max(0.0).sqrt();
+        let before = shares.iter().map(|share| share * share).sum::<f64>().sqrt().hypot(length);
+        self.projected.push(shares);
+        if length > INVARIANT * before {
+            let orthogonal_to = self.basis.len();
+            self.pending.push_back(Pending { vector: image, length, from: Some(from), orthogonal_to });
+        }
+    }
+
+    /// A vector of unit length outside the basis, with M times it: of what is pending the first that is not in the basis by now,
+    /// else a random one.
+    fn next_vector(&mut self) -> Result<(Vec<f64>, Vec<f64>), StructureError> {
         loop {
-            let Pending { mut vector, length, from } = match self.pending.pop_front() {
+            let Pending { mut vector, length, from, orthogonal_to } = match self.pending.pop_front() {
                 Some(pending) => pending,
-                None => self.random()?,
+                None => self.random(),
             };
-            self.orthogonalise(&mut vector);
-            let left = self.length_in_mass(&vector);
+            self.orthogonalise(&mut vector, orthogonal_to);
+            let mut with_mass = symmetric_product(self.mass, &vector);
+            let left = dot(&vector, &with_mass).max(0.0).sqrt();
             if left > INVARIANT * length {
-                return Ok(vector.iter().map(|v| v / left).collect());
+                for value in vector.iter_mut().chain(&mut with_mass) {
+                    *value /= left;
+                }
+                return Ok((vector, with_mass));
             }
             if from.is_none() {
                 return Err(StructureError::MissingModes { wanted: self.basis.len() + 1 });
@@ -115,31 +142,38 @@ impl<'a> Lanczos<'a> {
         }
     }
 
-    fn random(&mut self) -> Result<Pending, StructureError> {
+    fn random(&mut self) -> Pending {
         let size = self.mass.nrows();
         self.starts += 1;
         let vector: Vec<f64> = (0..size as u64).map(|k| uniform(self.starts, k) - 0.5).collect();
         // once through the operator: nothing is left that has no mass
-        let mut vector = product(self.mass, &vector);
-        self.factor.solve(&mut vector)?;
-        let length = self.length_in_mass(&vector);
-        Ok(Pending { vector, length, from: None })
+        let mut vector = symmetric_product(self.mass, &vector);
+        self.factor.solve(&mut vector);
+        let length = dot(&vector, &symmetric_product(self.mass, &vector)).max(0.0).sqrt();
+        Pending { vector, length, from: None, orthogonal_to: 0 }
     }
 
-    /// Twice is enough (W. Kahan, B. N. Parlett).
-    fn orthogonalise(&self, vector: &mut [f64]) {
+    /// Takes out the shares of the vectors of the basis from one on, which come back. Twice is enough (W. Kahan, B. N. Parlett).
+    fn orthogonalise(&self, vector: &mut [f64], first: usize) -> Vec<f64> {
+        let (basis, with_mass) = (&self.basis[first..], &self.with_mass[first..]);
+        let mut total = vec![0.0; basis.len()];
+        if basis.is_empty() {
+            return total;
+        }
         for _ in 0..2 {
-            for (basis, with_mass) in self.basis.iter().zip(&self.with_mass) {
-                let share = dot(vector, with_mass);
-                for (v, b) in vector.iter_mut().zip(basis) {
-                    *v -= share * b;
+            let shares: Vec<f64> = with_mass.par_iter().map(|with_mass| dot(vector, with_mass)).collect();
+            vector.par_chunks_mut(CHUNK).enumerate().for_each(|(k, chunk)| {
+                for (basis, share) in basis.iter().zip(&shares) {
+                    for (v, b) in chunk.iter_mut().zip(&basis[k * CHUNK..]) {
+                        *v -= share * b;
+                    }
                 }
+            });
+            for (total, share) in total.iter_mut().zip(&shares) {
+                *total += share;
             }
         }
-    }
-
-    fn length_in_mass(&self, vector: &[f64]) -> f64 {
-        dot(vector, &product(self.mass, vector)).max(0.0).sqrt()
+        total
     }
 
     /// The converged eigenvalues.
@@ -155,32 +189,57 @@ impl<'a> Lanczos<'a> {
         let has_converged = |k: &usize| inverse[*k] > 0.0 && residual(*k) <= TOLERANCE * inverse[*k];
         // the largest eigenvalues of the inverse are the lowest of the structure
         let columns: Vec<usize> = (0..size).rev().take_while(has_converged).collect();
+        // some eigenvalue lies as near as the residual tells
+        let next = size
+            .checked_sub(columns.len() + 1)
+            .map(|k| inverse[k] + residual(k))
+            .filter(|value| *value > 0.0);
         Ok(Ritz {
+            next: next.map(|value| self.shift + 1.0 / value),
             values: columns.iter().map(|k| self.shift + 1.0 / inverse[*k]).collect(),
             vectors: columns.iter().map(|k| (0..size).map(|i| vectors[(i, *k)]).collect()).collect(),
         })
     }
 
-    /// A shape of unit modal mass, once more through the operator: that leaves less of the high modes in it.
-    fn shape(&self, ritz: &Ritz, k: usize) -> Result<Vec<f64>, StructureError> {
-        let mut shape = vec![0.0; self.mass.nrows()];
-        for (basis, share) in self.basis.iter().zip(&ritz.vectors[k]) {
-            for (s, b) in shape.iter_mut().zip(basis) {
-                *s += share * b;
+    /// What the operator makes of a Ritz vector, over its eigenvalue: the vector and what is outside the basis, which has less of
+    /// the high modes in it than the vector alone. It takes no solution.
+    fn iterated(&self, shares: &[f64], value: f64) -> Vec<f64> {
+        let mut shape = combined(&self.basis, |k| shares[k]);
+        for pending in &self.pending {
+            let share = pending.from.map_or(0.0, |from| shares[from] * (value - self.shift));
+            for (s, v) in shape.iter_mut().zip(&pending.vector) {
+                *s += share * v;
             }
         }
-        shape = product(self.mass, &shape);
-        self.factor.solve(&mut shape)?;
-        let length = self.length_in_mass(&shape);
-        for s in &mut shape {
-            *s /= length;
-        }
-        Ok(shape)
+        shape
     }
+}
+
+/// Eigenvalues by rising size, with shapes.
+pub(super) struct Found {
+    pub(super) values: Vec<f64>,
+    pub(super) shapes: Vec<Vec<f64>>,
+    /// A value near above which the next seems to lie; `None` where there is none.
+    pub(super) next: Option<f64>,
+}
+
+/// Σ shares of vectors.
+pub(super) fn combined(vectors: &[Vec<f64>], share: impl Fn(usize) -> f64 + Sync) -> Vec<f64> {
+    let mut sum = vec![0.0; vectors.first().map_or(0, Vec::len)];
+    sum.par_chunks_mut(CHUNK).enumerate().for_each(|(chunk, sum)| {
+        for (k, vector) in vectors.iter().enumerate() {
+            let share = share(k);
+            for (s, v) in sum.iter_mut().zip(&vector[chunk * CHUNK..]) {
+                *s += share * v;
+            }
+        }
+    });
+    sum
 }
 
 /// Eigenvalues λ by rising size, with their coordinates in the basis.
 struct Ritz {
+    next: Option<f64>,
     values: Vec<f64>,
     vectors: Vec<Vec<f64>>,
 }

@@ -19,7 +19,7 @@ pub(crate) fn horizontal() -> Body {
     cantilever(0.1, 0.002, 0.02, 100, Elastic::new(2.38e9, 0.4, 1200.0).unwrap())
 }
 
-fn oblique() -> Body {
+pub(crate) fn oblique() -> Body {
     cantilever(0.075, 0.0015, 0.01, 75, Elastic::new(71e9, 0.33, 2770.0).unwrap())
 }
 

@@ -54,6 +54,15 @@ pub(super) fn reduction(dataset: &Dataset) -> Option<Vec<Panel>> {
         Layer::line("", full.to_vec(), shown.clone(), Role::Series(0).solid()),
         Layer::points("reduced against full", full.to_vec(), shown, Role::Series(0)),
     ];
+    if let Some(bounds) = reals(dataset, "bound") {
+        let shown = bounds.iter().map(|bound| if *bound > 1e-12 { *bound } else { f64::NAN }).collect();
+        layers.push(Layer::line(
+            "bound told by the reduction",
+            full.to_vec(),
+            shown,
+            Role::Series(1).dashed(),
+        ));
+    }
     if let Some(limit) = dataset.attributes().get("limit_hz").and_then(serde_json::Value::as_f64) {
         layers.push(Layer::vertical_rule(limit, "limit told by the reduction"));
         layers.push(Layer::horizontal_rule(1e-4, ""));

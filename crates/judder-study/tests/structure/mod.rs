@@ -18,7 +18,8 @@ fn nearest(found: &[f64], wanted: f64) -> f64 {
 }
 
 /// The horizontal beam: 45.5, 284.7, 794.7, 3523, 6909, 10567 Hz in full, 6916.5 Hz in place of 6909 with the paper's reduction (our
-/// notes on the beams paper); the modes of proportional damping are λ = −ζω ± iω √(1 − ζ²), ζ = α/(2ω) + βω/2.
+/// notes on the beams paper); the modes of proportional damping are λ = −ζω ± iω √(1 − ζ²), ζ = α/(2ω) + βω/2. The lowest have a condition
+/// of 1e9, so rounding leaves them six digits.
 #[test]
 fn the_horizontal_beam_of_the_paper() {
     let folder = tempfile::tempdir().unwrap();
@@ -42,7 +43,7 @@ fn the_horizontal_beam_of_the_paper() {
         let ratio = 40.0 / (2.0 * omega) + 4e-8 * omega / 2.0;
         let (re, im) = (-ratio * omega, omega * (1.0 - ratio * ratio).sqrt());
         assert!(
-            (number(&value["re"]) / re - 1.0).abs() < 1e-6 && (number(&value["im"]) / im - 1.0).abs() < 1e-9,
+            (number(&value["re"]) / re - 1.0).abs() < 1e-6 && (number(&value["im"]) / im - 1.0).abs() < 1e-6,
             "{value}"
         );
         assert_eq!(value["verdict"], "stable");

@@ -137,6 +137,37 @@ fn flutter_of_two_masses_from_files() {
     assert!((number(&growth["re"]) - 0.202_071_768_8).abs() < 1e-9, "{growth}");
 }
 
+/// The frequencies of the minimal model meet at μ = 3/4; beyond it one of the pair grows with Re √(−2 + i √(4μ/3 − 1)).
+#[test]
+fn lock_in_of_two_masses_along_friction() {
+    let folder = tempfile::tempdir().unwrap();
+    let sweep = |method: &str| {
+        format!(
+            "[[analysis]]\nname = \"{method}\"\nkind = \"eigen-sweep\"\nregion = {{ re = [-1, 1], im = [0.1, 3] }}\n\
+             sweep = {{ key = \"parameters.mu\", values = [0.0, 0.3, 0.6, 0.9, 1.2] }}\nmethod = \"{method}\"\n"
+        )
+    };
+    let file = minimal(folder.path(), &(sweep("full") + &sweep("projected")));
+    let report = run_into(&folder.path().join("out"), &file, &[]);
+    assert!(report.complete, "{:?}", report.messages);
+    for method in ["full", "projected"] {
+        let result = &report.summary.results[method];
+        assert_eq!(result["unstable"], serde_json::json!([false, false, false, true, true]), "{method}");
+        assert_eq!((&result["complete"], &result["branches"]), (&Value::from(true), &Value::from(2)));
+        for (mu, values) in [0.9_f64, 1.2].iter().zip(&result["eigenvalues"].as_array().unwrap()[3..]) {
+            // √(−2 + i b) has the real part √((√(4 + b²) − 2)/2)
+            let b = (4.0 * mu / 3.0 - 1.0).sqrt();
+            let growth = (((4.0 + b * b).sqrt() - 2.0) / 2.0).sqrt();
+            let largest =
+                values.as_array().unwrap().iter().map(|value| number(&value["re"])).fold(-1.0, f64::max);
+            assert!((largest / growth - 1.0).abs() < 1e-9, "{method}, {mu}: {largest} {growth}");
+        }
+    }
+    assert!(
+        folder.path().join("out/figures/full.svg").is_file() && folder.path().join("out/full.csv").is_file()
+    );
+}
+
 /// What only the files can tell is refused with its place in the case, before anything is written.
 #[test]
 fn files_that_do_not_fit_are_refused_with_their_place() {

@@ -23,7 +23,7 @@ pub(crate) struct Kind<S, T> {
 }
 
 /// Every other kind of any model.
-const OTHER_MODELS: [&str; 23] = [
+const OTHER_MODELS: [&str; 24] = [
     "spectrum",
     "stability-map",
     "motion",
@@ -41,6 +41,7 @@ const OTHER_MODELS: [&str; 23] = [
     "modulus",
     "transient",
     "modes",
+    "reduction",
     "locus",
     "march",
     "growth",

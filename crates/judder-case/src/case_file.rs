@@ -12,8 +12,10 @@ use crate::document::{Data, Node, apply_override, parse};
 use crate::error::{CaseError, Fault, Place, Sources};
 use crate::file_reference::FileReference;
 use crate::oscillator_case::OscillatorCase;
+use crate::structure::StructureCase;
+use crate::structure::problem::StructureProblem;
 use crate::two_degrees::TwoDegreesCase;
-use crate::{belt_case, contact_case, oscillator_case, two_degrees};
+use crate::{belt_case, contact_case, oscillator_case, structure, two_degrees};
 
 /// A case file that was read and found valid.
 #[derive(Debug, Clone)]
@@ -41,10 +43,12 @@ pub enum Case {
     Belt(BeltCase),
     /// `model = "two-degrees"`.
     TwoDegrees(TwoDegreesCase),
+    /// `model = "structure"`.
+    Structure(StructureCase),
 }
 
 /// The models of this version.
-pub const MODELS: [&str; 4] = ["oscillator", "contact", "belt", "two-degrees"];
+pub const MODELS: [&str; 5] = ["oscillator", "contact", "belt", "two-degrees", "structure"];
 
 impl Case {
     /// The name of its model in a case file.
@@ -54,6 +58,7 @@ impl Case {
             Self::Contact(_) => "contact",
             Self::Belt(_) => "belt",
             Self::TwoDegrees(_) => "two-degrees",
+            Self::Structure(_) => "structure",
         }
     }
 
@@ -62,6 +67,7 @@ impl Case {
         match self {
             Self::Oscillator(case) => case.files(),
             Self::Contact(case) => case.files(),
+            Self::Structure(case) => case.files(),
             Self::Belt(_) | Self::TwoDegrees(_) => Vec::new(),
         }
     }
@@ -71,7 +77,7 @@ impl Case {
 pub const CASE_BYTES_LIMIT: u64 = 1 << 20;
 
 /// Models that a later version brings.
-const LATER: [&str; 2] = ["sliding", "structure"];
+const LATER: [&str; 1] = ["sliding"];
 
 impl CaseFile {
     /// Reads and validates the case file at `path` with the options `--set key=value`.
@@ -113,6 +119,36 @@ impl CaseFile {
             None => CaseError::without_place(cause, &self.origin),
         }
     }
+
+    /// The error of a structure that shows only when its files are read: at this dotted path, where a number counts in a list from 0,
+    /// or at the last part of it that is there.
+    pub fn structure_error(&self, path: &str, problem: StructureProblem) -> CaseError {
+        let cause = Cause::Structure { problem };
+        match read_tree(&self.origin, &self.text, &self.overrides) {
+            Ok(root) => {
+                let place = place_of_path(&root, path);
+                Sources::new(&self.origin, &self.text, &self.overrides).error(cause.at(place))
+            }
+            Err(_) => CaseError::without_place(cause, &self.origin),
+        }
+    }
+}
+
+/// The place of the last part of a dotted path that is there.
+fn place_of_path(root: &Node, path: &str) -> Place {
+    let mut node = root;
+    for step in path.split('.') {
+        let next = match &node.data {
+            Data::Table(table) => table.get(step).map(|entry| &entry.node),
+            Data::List(items) => step.parse().ok().and_then(|index: usize| items.get(index)),
+            _ => None,
+        };
+        match next {
+            Some(next) => node = next,
+            None => break,
+        }
+    }
+    node.place
 }
 
 /// The bytes of a regular file of bounded size: opening a pipe or reading a device might never end.
@@ -159,6 +195,7 @@ fn read_case(name: &str, text: &str, overrides: &[String]) -> Result<Case, Fault
         "oscillator" => oscillator_case::read(&root, folder).map(Case::Oscillator),
         "contact" => contact_case::read(&root, folder).map(Case::Contact),
         "belt" => belt_case::read(&root).map(Case::Belt),
+        "structure" => structure::read(&root, folder).map(Case::Structure),
         _ => two_degrees::read(&root).map(Case::TwoDegrees),
     }
 }

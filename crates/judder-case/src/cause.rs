@@ -11,6 +11,7 @@ use crate::inputs::LawName;
 use crate::keys::Range;
 use crate::mass::MassProblem;
 use crate::quantity::QuantityError;
+use crate::structure::problem::StructureProblem;
 
 /// What is wrong with a case. The fields are what a caller needs in order to act.
 #[derive(Debug, Error)]
@@ -358,6 +359,12 @@ pub enum Cause {
     Contact {
         /// What is wrong with it.
         problem: ContactProblem,
+    },
+    /// A structure that cannot be.
+    #[error("{problem}")]
+    Structure {
+        /// What is wrong with it.
+        problem: StructureProblem,
     },
     /// No template of this name.
     #[error("there is no template `{name}`")]

@@ -24,7 +24,7 @@ pub struct Dimension {
 /// A dimension that case files use: its name with article, an example, its SI unit.
 struct Named(Dimension, &'static str, &'static str, &'static str);
 
-const NAMED: [Named; 15] = [
+const NAMED: [Named; 16] = [
     Named(Dimension::NUMBER, "a plain number", "0.01", "1"),
     Named(Dimension::LENGTH, "a length", "10 mm", "m"),
     Named(Dimension::MASS, "a mass", "30 g", "kg"),
@@ -40,6 +40,7 @@ const NAMED: [Named; 15] = [
     Named(Dimension::RATE, "a rate", "5 1/s", "1/s"),
     Named(Dimension::TEMPERATURE, "a temperature", "25 degC\" or \"298 K", "K"),
     Named(Dimension::MOLAR_ENERGY, "an energy per amount", "80 kJ/mol", "J/mol"),
+    Named(Dimension::DENSITY, "a density", "7850 kg/m^3", "kg/m^3"),
 ];
 
 impl Dimension {
@@ -72,6 +73,8 @@ impl Dimension {
 
     /// Temperature, K.
     pub const TEMPERATURE: Self = Self { temperature: 1, ..Self::NUMBER };
+    /// Mass per volume, kg/m³.
+    pub const DENSITY: Self = Self::new(-3, 1, 0, 0);
     /// Amount of substance, mol.
     pub const AMOUNT: Self = Self { amount: 1, ..Self::NUMBER };
     /// Energy per amount, J/mol.

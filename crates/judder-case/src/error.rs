@@ -85,6 +85,13 @@ pub(crate) struct Place {
     pub(crate) end: usize,
 }
 
+impl Place {
+    /// Whether it lies in a `--set` option.
+    pub(crate) fn is_option(self) -> bool {
+        self.source > 0
+    }
+}
+
 /// A cause with its place, before the source text is attached.
 #[derive(Debug)]
 pub(crate) struct Fault {

@@ -30,6 +30,7 @@ impl Cause {
             Self::TooLarge { .. } => "too many",
             Self::MixedForms { .. } => "of the other kind",
             Self::Contact { problem } => problem.label(),
+            Self::Structure { problem } => problem.label(),
             _ => "here",
         }
     }
@@ -112,6 +113,7 @@ impl Cause {
             }
             Self::Mass { problem, .. } => problem.help().to_owned(),
             Self::Contact { problem } => problem.help(),
+            Self::Structure { problem } => problem.help(),
             _ => return None,
         };
         Some(help)

@@ -13,6 +13,7 @@
 //!   [`file_reference`]: the files that a case names; [`memory`]: what they may take; [`continuous`]: a spectrum without lines.
 //! - [`motion_analysis`], [`engines_analysis`], [`belt_case`]: the analyses of motion, and the mass on a belt.
 //! - [`expression`], `matrix`, [`mass`], [`two_degrees`]: the two-degrees case, matrices of expressions.
+//! - [`structure_keys`], [`structure`]: the structure case: bodies of elements, sums of matrices, their analyses.
 //! - [`case_file`]: the way in. `resolved`: the way out, canonical JSON for the hash and the report.
 //! - [`cause`], [`contact_problem`], `help`, `excerpt`, [`error`]: what is wrong, what would be right, where.
 //! - [`mod@schema`], [`mod@template`]: the JSON Schema for editors and the commented cases of `judder new`.
@@ -51,6 +52,8 @@ pub mod schema;
 mod section;
 pub mod shape;
 pub mod span;
+pub mod structure;
+pub mod structure_keys;
 pub mod substrate;
 pub mod sweep;
 mod swept_keys;
@@ -82,6 +85,10 @@ pub use quantity::{Quantity, QuantityError};
 pub use schema::schema;
 pub use shape::{HeightFile, RoughSurface, Roughness, Shape};
 pub use span::Span;
+pub use structure::analysis::StructureAnalysis;
+pub use structure::problem::StructureProblem;
+pub use structure::{StructureCase, StructureSource};
+pub use structure_keys::{STRUCTURE_KEYS, StructureKey};
 pub use substrate::{PronyTerm, RelaxationSource, RelaxationTerm, Shift, Substrate, Temperature, TermCount};
 pub use sweep::{Family, MapMethod, ParameterKey, Scale, StabilityMap, Sweep, Within};
 pub use template::{TEMPLATES, template};

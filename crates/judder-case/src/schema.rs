@@ -2,6 +2,7 @@
 
 mod contact;
 mod motion;
+mod structure;
 
 use serde_json::{Map, Value as Json, json};
 
@@ -13,6 +14,7 @@ use crate::keys::{KEYS, Key, OscillatorKey, Range};
 use crate::motion_analysis::BASIN;
 use crate::oscillator_analysis::{LOAD_WITHIN, MARGIN_OF_MAP, MARGIN_OF_THRESHOLDS, SHEAR_STRENGTH_WITHIN};
 use crate::oscillator_case::SECTIONS;
+use crate::structure_keys::STRUCTURE_KEYS;
 use crate::sweep::{MapMethod, Scale};
 use crate::swept_keys::OscillatorKeys;
 use crate::two_degrees::CRITICAL_POINTS;
@@ -37,12 +39,15 @@ pub fn schema() -> Json {
     for entry in &BELT_KEYS {
         definitions[motion::definition(entry.path)] = key(entry);
     }
+    for entry in &STRUCTURE_KEYS {
+        definitions[entry.path] = key(entry);
+    }
     let mut json = json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "A case of judder",
         "type": "object",
         "required": ["model"],
-        "oneOf": [oscillator(), contact::case(), motion::belt_case(), two_degrees_case()],
+        "oneOf": [oscillator(), contact::case(), motion::belt_case(), two_degrees_case(), structure::case()],
         "$defs": definitions,
     });
     json.sort_all_objects();

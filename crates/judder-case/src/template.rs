@@ -9,7 +9,7 @@ use crate::keys::{Form, KEYS, Key, OscillatorKey};
 use crate::oscillator_case::SECTIONS;
 
 /// The names of the templates; the first is the default of `judder new`.
-pub const TEMPLATES: [&str; 4] = ["oscillator", "contact", "belt", "two-degrees"];
+pub const TEMPLATES: [&str; 5] = ["oscillator", "contact", "belt", "two-degrees", "structure"];
 
 /// The commented case file of this name.
 ///
@@ -21,6 +21,7 @@ pub fn template(name: &str) -> Result<String, CaseError> {
         "contact" => Ok(contact()),
         "belt" => Ok(belt()),
         "two-degrees" => Ok(TWO_DEGREES.to_owned()),
+        "structure" => Ok(STRUCTURE.to_owned()),
         _ => {
             let known = TEMPLATES.map(String::from).to_vec();
             Err(CaseError::without_place(Cause::UnknownTemplate { name: name.to_owned(), known }, name))
@@ -275,4 +276,55 @@ sweep = { key = \"parameters.mu\", from = 0.0, to = 1.5, points = 151 }
 name = \"onset\"
 kind = \"critical\"                 # the values at which stability changes
 sweep = { key = \"parameters.mu\", from = 0.0, to = 1.5 }
+";
+
+const STRUCTURE: &str = "\
+# A case of judder: one linear structure alone. This one is the horizontal beam of the beams paper, held at one end.
+
+title = \"A cantilever\"
+model = \"structure\"
+
+[structure]                       # in place of the beam: block = { … } or mesh = \"file.msh\", see below
+beam = { length = \"100 mm\", thickness = \"2 mm\", elements = [100, 2], angle = \"0 deg\", start = \"clamped\", end = \"free\" }
+section = \"plane-stress\"          # or \"plane-strain\"; without meaning in space
+width = \"20 mm\"                   # across the plane
+material = { youngs_modulus = \"2.38 GPa\", poisson_ratio = 0.4, density = \"1200 kg/m^3\" }
+# supports = [{ set = \"end\", tied = [\"y\"] }]                        # of any set of nodes: fixed, or moving as one
+
+# In place of the beam, one of:
+# block = { element = \"hexahedron20\", size = [\"1 m\", \"0.1 m\", \"0.1 m\"], cells = [20, 2, 2] }   # sets x-min, x-max, y-min, …
+# mesh = \"part.msh\"                # Gmsh 4.1 (physical names are sets) or Abaqus/CalculiX .inp, relative to this file
+# materials = { steel = { youngs_modulus = \"210 GPa\", poisson_ratio = 0.3, density = \"7850 kg/m^3\" } }   # by the mesh's names
+#
+# In place of [structure] and [damping], what another program assembled, with factors of [parameters]:
+# [parameters]
+# speed = 6.28
+# [matrices]
+# folder = \"matrices\"
+# mass      = [{ file = \"M.mtx\" }]
+# damping   = [{ file = \"D.mtx\" }, { file = \"G.mtx\", factor = \"speed\" }]
+# stiffness = [{ file = \"K.mtx\", triangle = \"lower\" }, { file = \"KR.mtx\" }]
+# freedoms  = \"freedoms.csv\"      # node, direction, x, y, z of every degree of freedom
+
+[damping]                         # C = α M + β K; or structural = { loss_factor = 0.02, reference_frequency = \"1 kHz\" }
+rayleigh = { alpha = \"40 1/s\", beta = \"4e-8 s\" }
+
+[reduction]                       # Craig and Bampton: freedoms that are kept, modes with these held
+kept = [{ set = \"upper-corners\" }]
+count = 20                        # or cut_off = \"20 kHz\"
+
+[[analysis]]
+name = \"modes\"
+kind = \"modes\"                    # undamped modes
+count = 12                        # from the lowest on; or band = [\"1 kHz\", \"10 kHz\"]
+
+[[analysis]]
+name = \"reduced\"
+kind = \"reduction\"                # reduced against full
+count = 12
+
+[[analysis]]
+name = \"damped\"
+kind = \"eigen\"                    # complex modes in a region: growth rates in 1/s, angular frequencies in rad/s
+region = { re = [-500.0, 100.0], im = [0.0, 50000.0] }
 ";

@@ -150,7 +150,7 @@ pub(crate) fn read(root: &Node) -> Result<TwoDegreesCase, Fault> {
     Ok(TwoDegreesCase { title, parameters, analyses, matrices })
 }
 
-fn read_parameters(root: &Section<'_>) -> Result<Vec<Parameter>, Fault> {
+pub(crate) fn read_parameters(root: &Section<'_>) -> Result<Vec<Parameter>, Fault> {
     let Some(node) = root.get("parameters") else { return Ok(Vec::new()) };
     let Data::Table(table) = &node.data else { return Err(wrong_type("parameters", "a table", node)) };
     let read = table.entries.iter().map(|entry| {

@@ -96,6 +96,22 @@ pub enum PanelError {
         /// Number of ordinates.
         y: usize,
     },
+    /// A marker of a size that cannot be drawn.
+    #[error("layer {layer}: the size of marker {index} is {value}: give a finite number, zero or more")]
+    Size {
+        /// The layer.
+        layer: usize,
+        /// The marker, from 0.
+        index: usize,
+        /// Its size.
+        value: f64,
+    },
+    /// A line swings over an axis that is not even.
+    #[error("layer {layer} swings, but an axis is logarithmic: swinging lines need linear axes")]
+    SwingScale {
+        /// The layer.
+        layer: usize,
+    },
     /// A map has another number of cells than its coordinates say.
     #[error("layer {layer}: {cells} cells for {columns} columns and {rows} rows: {} are needed", .columns * .rows)]
     Cells {

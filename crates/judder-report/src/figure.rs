@@ -173,12 +173,40 @@ pub enum Layer {
 impl Layer {
     /// A line through (`x[i]`, `y[i]`); a NaN is a gap. An empty label keeps it out of the legend.
     pub fn line(label: impl Into<String>, x: Vec<f64>, y: Vec<f64>, style: impl Into<Style>) -> Self {
-        Self::Line(Line { label: label.into(), x, y, style: style.into() })
+        Self::Line(Line { label: label.into(), x, y, style: style.into(), swing: None, sizes: None })
+    }
+
+    /// A line that swings about its place: drawn at phase zero, moving on the page.
+    pub fn swinging(
+        label: impl Into<String>,
+        x: Vec<f64>,
+        y: Vec<f64>,
+        swing: Swing,
+        style: impl Into<Style>,
+    ) -> Self {
+        Self::Line(Line {
+            label: label.into(),
+            x,
+            y,
+            style: style.into(),
+            swing: Some(Box::new(swing)),
+            sizes: None,
+        })
     }
 
     /// Markers at (`x[i]`, `y[i]`).
     pub fn points(label: impl Into<String>, x: Vec<f64>, y: Vec<f64>, style: impl Into<Style>) -> Self {
-        Self::Points(Line { label: label.into(), x, y, style: style.into() })
+        Self::Points(Line { label: label.into(), x, y, style: style.into(), swing: None, sizes: None })
+    }
+
+    /// Markers of sizes of their own: `sizes[i]` times the usual diameter.
+    pub fn bubbles(
+        label: impl Into<String>,
+        (x, y): (Vec<f64>, Vec<f64>),
+        sizes: Vec<f64>,
+        style: impl Into<Style>,
+    ) -> Self {
+        Self::Points(Line { label: label.into(), x, y, style: style.into(), swing: None, sizes: Some(sizes) })
     }
 
     /// A legend entry with a line sample and no data, to explain a dash or a colour once.
@@ -213,6 +241,20 @@ pub struct Line {
     pub y: Vec<f64>,
     /// Colour, dash, marker.
     pub style: Style,
+    /// How it moves on the page, where it does.
+    pub swing: Option<Box<Swing>>,
+    /// Diameters of the markers over the usual one, one a point; all of the usual one where there are none.
+    pub sizes: Option<Vec<f64>>,
+}
+
+/// A harmonic motion of the points of a line about their rest: at the phase φ they stand at rest + Re((a + i b) e^{iφ}), and the line
+/// as it is drawn is that of φ = 0, rest + a.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Swing {
+    /// a and b along x, one a point.
+    pub x: [Vec<f64>; 2],
+    /// a and b along y, one a point.
+    pub y: [Vec<f64>; 2],
 }
 
 /// A map whose cells belong to one of a few named classes.

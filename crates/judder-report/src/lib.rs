@@ -31,7 +31,7 @@ mod typeface;
 mod validate;
 
 pub use error::{PanelError, ReportError};
-pub use figure::{Axis, Figure, Layer, Legend, Panel, Scale};
+pub use figure::{Axis, Figure, Layer, Legend, Panel, Scale, Swing};
 pub use page::{Block, Page, Section, html};
 pub use palette::{Role, Style};
 pub use plotly::plotly;

@@ -1,7 +1,7 @@
 //! Whether a figure can be drawn: checked once, before any picture is made, so that drawing cannot fail.
 
 use crate::error::{PanelError, ReportError};
-use crate::figure::{Axis, Figure, Layer, Panel, Scale};
+use crate::figure::{Axis, Figure, Layer, Line, Panel, Scale};
 use crate::scale::{SMALLEST, drawable};
 
 /// A figure is in order when its name is a file stem, its ranges can be drawn and its arrays fit together.
@@ -32,6 +32,10 @@ fn check_panel(panel: &Panel) -> Result<(), PanelError> {
             Layer::Line(line) | Layer::Points(line) if line.x.len() != line.y.len() => {
                 return Err(PanelError::Lengths { layer, x: line.x.len(), y: line.y.len() });
             }
+            Layer::Line(line) | Layer::Points(line) => {
+                check_swing(layer, line, panel)?;
+                check_sizes(layer, line)?;
+            }
             Layer::Classes(map) => {
                 check_grid(layer, panel, &map.x, &map.y, map.codes.len())?;
                 let classes = map.classes.len();
@@ -48,6 +52,31 @@ fn check_panel(panel: &Panel) -> Result<(), PanelError> {
         }
     }
     Ok(())
+}
+
+/// A swing has an amplitude for every point, and axes that are even: elsewhere it would not be harmonic.
+fn check_swing(layer: usize, line: &Line, panel: &Panel) -> Result<(), PanelError> {
+    let Some(swing) = &line.swing else { return Ok(()) };
+    let parts = swing.x.iter().chain(&swing.y).map(Vec::len);
+    match parts.into_iter().find(|length| *length != line.x.len()) {
+        Some(length) => Err(PanelError::Lengths { layer, x: line.x.len(), y: length }),
+        None if panel.x.scale != Scale::Linear || panel.y.scale != Scale::Linear => {
+            Err(PanelError::SwingScale { layer })
+        }
+        None => Ok(()),
+    }
+}
+
+/// A size for every point, none of them negative.
+fn check_sizes(layer: usize, line: &Line) -> Result<(), PanelError> {
+    let Some(sizes) = &line.sizes else { return Ok(()) };
+    if sizes.len() != line.x.len() {
+        return Err(PanelError::Lengths { layer, x: line.x.len(), y: sizes.len() });
+    }
+    match sizes.iter().position(|size| !(size.is_finite() && *size >= 0.0)) {
+        Some(index) => Err(PanelError::Size { layer, index, value: sizes[index] }),
+        None => Ok(()),
+    }
 }
 
 fn check_axis(axis: &Axis, name: &'static str) -> Result<(), PanelError> {

@@ -9,6 +9,7 @@ mod motion;
 mod spectrum;
 mod stability_map;
 mod steady_states;
+mod structure;
 mod two_degrees;
 
 pub(crate) use motion::belt;
@@ -21,6 +22,7 @@ use crate::kept::Kept;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::spectrum_source::temperature_warning;
+use crate::structure::Structure;
 use judder_case::{
     Case, Family, MapMethod, OscillatorAnalysis, OscillatorCase, OscillatorKey, Sweep, Within,
 };
@@ -36,6 +38,7 @@ pub fn names(case: &Case) -> Vec<String> {
         Case::Contact(case) => case.analyses.iter().map(|a| a.name.clone()).collect(),
         Case::Belt(case) => case.analyses.iter().map(|a| a.name.clone()).collect(),
         Case::TwoDegrees(case) => case.analyses.iter().map(|a| a.name.clone()).collect(),
+        Case::Structure(case) => case.analyses.iter().map(|a| a.name.clone()).collect(),
     }
 }
 
@@ -58,6 +61,7 @@ pub fn steps(case: &Case, index: usize) -> usize {
         Case::Contact(case) => contact::steps(&case.analyses[index].kind),
         Case::Belt(case) => motion::steps(&case.analyses[index].kind),
         Case::TwoDegrees(_) => 1,
+        Case::Structure(case) => structure::steps(&case.analyses[index].kind),
     }
 }
 
@@ -66,13 +70,13 @@ pub fn steps(case: &Case, index: usize) -> usize {
 /// # Errors
 /// [`StudyError::Interrupted`], or arrays that the store refuses.
 pub fn run(case: &Case, index: usize, progress: &dyn Progress) -> Result<Outcome, StudyError> {
-    run_from(case, index, (Kept::NOTHING, Kept::NOTHING), progress)
+    run_from((case, &Prepared::new(case)?), index, (Kept::NOTHING, Kept::NOTHING), progress)
 }
 
 /// Runs the analysis at `index` of a case; it goes on from what an interrupted run has kept of the law that the analyses of an
 /// oscillator case share, and of this analysis.
 pub(crate) fn run_from(
-    case: &Case,
+    (case, prepared): (&Case, &Prepared),
     index: usize,
     (law, own): (Kept<'_>, Kept<'_>),
     progress: &dyn Progress,
@@ -91,6 +95,30 @@ pub(crate) fn run_from(
         Case::Contact(case) => contact::run(case, &case.analyses[index], own, progress),
         Case::Belt(case) => motion::run(&BeltModel::new(case), &case.analyses[index].kind, own, progress),
         Case::TwoDegrees(case) => two_degrees::run(case, &case.analyses[index].kind, progress),
+        Case::Structure(case) => match prepared {
+            Prepared::Structure(built) => structure::run((case, built), &case.analyses[index], progress),
+            Prepared::Nothing => {
+                structure::run((case, &Structure::new(case)?), &case.analyses[index], progress)
+            }
+        },
+    }
+}
+
+/// What all analyses of a case share that takes time to make.
+pub(crate) enum Prepared {
+    /// Nothing.
+    Nothing,
+    /// The structure of a structure case.
+    Structure(Box<Structure>),
+}
+
+impl Prepared {
+    /// What the analyses of a case share.
+    fn new(case: &Case) -> Result<Self, StudyError> {
+        match case {
+            Case::Structure(case) => Ok(Self::Structure(Box::new(Structure::new(case)?))),
+            _ => Ok(Self::Nothing),
+        }
     }
 }
 

@@ -1,10 +1,12 @@
 //! What is refused of a case before anything runs, and where its file is to blame for what a run finds.
 
+use crate::analyses::Prepared;
 use crate::analyses::contact::{Asked, cells_of_law, grid, lattice, loading};
 use crate::bridge;
 use crate::error::StudyError;
 use crate::indenter::profile;
 use crate::material::ContactScales;
+use crate::structure::Structure;
 use judder_case::{Case, CaseFile, ContactAnalysis, ContactCase, ContactProblem, Memory, Shape};
 use judder_contact::kernel::check::KernelError;
 use judder_contact::kernel::sliding::SlidingOperator;
@@ -14,16 +16,20 @@ use judder_contact::steady::{GridChoice, SteadyError};
 use judder_contact::transient::TransientError;
 use judder_contact::unilateral::Loading;
 
-/// Looks at the data of a substrate; of a contact case at all files, and at depth and memory of each of its analyses that is
+/// Looks at the data of a substrate; reads and assembles a structure, which the analyses share; of a contact case at all files, and at depth and memory of each of its analyses that is
 /// wanted.
 ///
 /// # Errors
 /// What cannot be read or be, [`StudyError::Case`] with its place for an analysis.
-pub(crate) fn check(file: &CaseFile, is_wanted: impl Fn(&str) -> bool) -> Result<(), StudyError> {
+pub(crate) fn check(file: &CaseFile, is_wanted: impl Fn(&str) -> bool) -> Result<Prepared, StudyError> {
     let case = match &file.case {
         Case::Contact(case) => case,
-        Case::Oscillator(case) => return bridge::with_material(case).map(drop),
-        Case::Belt(_) | Case::TwoDegrees(_) => return Ok(()),
+        Case::Oscillator(case) => return bridge::with_material(case).map(|_| Prepared::Nothing),
+        Case::Structure(case) => {
+            let structure = Structure::new(case).map_err(|unbuilt| unbuilt.placed(file))?;
+            return Ok(Prepared::Structure(Box::new(structure)));
+        }
+        Case::Belt(_) | Case::TwoDegrees(_) => return Ok(Prepared::Nothing),
     };
     let scales = ContactScales::new(case)?;
     let profile = profile(&case.shape, scales.scales.radius)?;
@@ -32,7 +38,7 @@ pub(crate) fn check(file: &CaseFile, is_wanted: impl Fn(&str) -> bool) -> Result
         depth(case, &analysis.kind, &scales, &*profile).map_err(refuse)?;
         memory(case, &analysis.kind, &scales, &*profile)?.map_err(refuse)?;
     }
-    Ok(())
+    Ok(Prepared::Nothing)
 }
 
 /// The keys that are to blame, the first that the analysis has, and why.

@@ -11,6 +11,7 @@ use judder_oscillator::cycle::CycleError;
 use judder_oscillator::motion::history::LostMotion;
 use judder_report::ReportError;
 use judder_store::StoreError;
+use judder_structure::StructureError;
 use std::path::PathBuf;
 use thiserror::Error;
 
@@ -87,6 +88,12 @@ pub enum StudyError {
         /// The magnitude of the largest multiplier beside the trivial one.
         multiplier: f64,
     },
+    /// The structure has no answer.
+    #[error("the structure: {0}")]
+    Structure(#[from] StructureError),
+    /// The fields of shapes could not be written.
+    #[error("the fields for ParaView: {0}")]
+    Fields(String),
     /// The folder holds no results to report on.
     #[error("{folder} holds no results yet: run `judder run CASE.toml -o {folder}` first")]
     NoResults {
@@ -147,12 +154,21 @@ impl StudyError {
             }
             // a window that was chosen, not given
             Self::Transient(error) => !matches!(error, TransientError::WindowTooSmall { .. }),
+            Self::Structure(error) => !matches!(
+                error,
+                StructureError::MissingModes { .. }
+                    | StructureError::OutOfMemory { .. }
+                    | StructureError::NoModalForm
+                    | StructureError::SingularEverywhere { .. }
+                    | StructureError::NoDenseEigenvalues { .. }
+            ),
             Self::Law(error) => !matches!(error, LawError::FailedPoints { .. }),
             Self::Oscillator(_)
             | Self::Motion(_)
             | Self::Cycle(_)
             | Self::UnstableCycle { .. }
             | Self::Report(_)
+            | Self::Fields(_)
             | Self::Interrupted => false,
         }
     }

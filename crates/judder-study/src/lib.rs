@@ -5,6 +5,7 @@
 //! - [`bridge`]: from the keys of a case to the oscillator and its contact.
 //! - `input_file`, `spectrum_source`, `material`, `indenter`: the files that a case names, the substrate, the surface that presses.
 //! - `door`: what is refused of a contact case before anything runs.
+//! - `structure`: the structure of a case: elements assembled, matrices read.
 //! - [`point`]: everything about one operating point.
 //! - [`outcome`]: what an analysis leaves: scalars, arrays, a table, checks, warnings.
 //! - [`analyses`]: one module a kind of analysis.
@@ -31,10 +32,12 @@ pub mod pictures;
 pub mod point;
 mod progress;
 pub mod report;
+mod report_tables;
 pub mod reproduce;
 pub mod resolve;
 pub mod run;
 mod spectrum_source;
+mod structure;
 mod text;
 
 pub use error::StudyError;

@@ -8,6 +8,7 @@ mod laws;
 mod map;
 mod modulus;
 pub(crate) mod motion;
+mod structure;
 mod transient;
 
 use judder_report::{Axis, Figure, Panel, Role};
@@ -39,6 +40,10 @@ pub fn panels(dataset: &Dataset) -> Vec<Panel> {
         "bifurcation" => motion::bifurcation(dataset),
         "basin" => motion::basin(dataset),
         "engines" => engines::engines(dataset),
+        "modes" => structure::modes(dataset),
+        "reduction" => structure::reduction(dataset),
+        "eigen" => structure::eigen(dataset),
+        "eigen-sweep" => structure::eigen_sweep(dataset),
         _ => None,
     };
     panels.unwrap_or_default()
@@ -103,6 +108,23 @@ fn caption(dataset: &Dataset) -> &'static str {
         "engines" => {
             "The cycle by time-stepping and with a smoothed sign against that by events: relative errors of rms and period. Dotted: in proportion to the \
              step, to the width. A sign that is too wide comes to another motion, or to none."
+        }
+        "modes" => {
+            "Shapes over the body at rest (grey), displacements enlarged alike; on the page they swing. Last, how alike any two shapes are: the \
+             modal assurance criterion, $|φ_{i}^{T}φ_{j}|^{2}$ over both lengths squared."
+        }
+        "reduction" => {
+            "How far the frequencies of the reduced structure lie above those of the full one, and what the reduction alone says that this is at most. Below \
+             its limit it says that every frequency is within 10^{−4}, the dotted level."
+        }
+        "eigen-sweep" => {
+            "Every branch is followed through the points where eigenvalues meet: where two frequencies lock in, growth rates part. Squares are \
+             unstable; the axis of growth rates is logarithmic on both sides of zero. In the last panel a bubble's area is the magnitude of the damping \
+             ratio."
+        }
+        "eigen" => {
+            "All eigenvalues found in the region; the axis of growth rates is logarithmic on both sides of zero. Damping ratios $ζ = −$Re $λ/|λ|$: a \
+             bubble's area is their magnitude. Shapes of the fastest growing modes, which swing on the page, and how alike any two shapes are."
         }
         _ => "",
     }

@@ -3,6 +3,7 @@
 use crate::error::StudyError;
 use crate::outcome::CheckRecord;
 use crate::pictures;
+use crate::report_tables;
 use crate::run::Keepsakes;
 use judder_report::page::{Check, Code, Details, Table};
 use judder_report::{Block, Figure, Page, Section, html, png, svg};
@@ -43,6 +44,7 @@ pub(crate) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, S
                     blocks.push(write_figure(store, figure)?);
                 }
                 blocks.extend(summary.results.get(name).and_then(scalar_table).map(Block::Table));
+                blocks.extend(summary.results.get(name).map(report_tables::tables).unwrap_or_default());
             }
         }
         sections.push(Section::new(name, blocks));

@@ -13,7 +13,7 @@ mod page;
 mod readings;
 mod scoreboard;
 
-use crate::analyses;
+use crate::analyses::{self, Prepared};
 use crate::error::StudyError;
 use crate::kept::Kept;
 use crate::outcome::Outcome;
@@ -117,7 +117,8 @@ fn run_all(
         let known = points().clone();
         let keep = |line: &str| points().push(line.to_owned());
         let kept = Kept { lines: &known, keep: &keep };
-        let outcome = analyses::run_from(&file.case, *analysis, (kept, kept), progress).map(without_lists);
+        let outcome = analyses::run_from((&file.case, &Prepared::Nothing), *analysis, (kept, kept), progress)
+            .map(without_lists);
         progress.end();
         study.keep(name, hash.clone(), outcome, began.elapsed().as_secs_f64())?;
     }

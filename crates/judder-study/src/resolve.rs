@@ -2,6 +2,7 @@
 
 mod contact;
 mod motion;
+mod structure;
 
 use crate::bridge;
 use crate::error::StudyError;
@@ -78,6 +79,7 @@ pub fn resolve(file: &CaseFile) -> Result<Resolved, StudyError> {
         Case::Contact(case) => contact::resolve(file, case),
         Case::Belt(case) => motion::belt_case(file, case),
         Case::TwoDegrees(case) => Ok(two_degrees(file, case)),
+        Case::Structure(case) => structure::resolve(file, case),
     }
 }
 

@@ -99,7 +99,7 @@ pub fn run(
         return Err(StudyError::UnknownAnalysis { name: name.clone(), known: names });
     }
     let is_wanted = |name: &str| options.only.is_empty() || options.only.iter().any(|only| only == name);
-    door::check(file, is_wanted)?;
+    let prepared = door::check(file, is_wanted)?;
     let store = StudyFolder::create(folder)?;
     if options.fresh {
         store.forget()?;
@@ -133,7 +133,7 @@ pub fn run(
         let own = Kept { lines: scratch.lines(), keep: &keep };
         let lines = shared.as_ref().map_or(&[][..], Scratch::lines);
         let of_law = Kept { lines, keep: &keep_shared };
-        let outcome = analyses::run_from(&file.case, index, (of_law, own), progress);
+        let outcome = analyses::run_from((&file.case, &prepared), index, (of_law, own), progress);
         progress.end();
         let outcome = outcome.map_err(|error| door::placed(error, file, index));
         if let Some(error) = study.keep(name, hash, outcome, began.elapsed().as_secs_f64())? {

@@ -48,7 +48,7 @@ fn no_model() {
         "title = \"x\"\n",
         "the case lacks the key `model`",
         "",
-        r#"give model = "oscillator" or model = "contact" or model = "belt" or model = "two-degrees""#,
+        r#"give model = "oscillator" or model = "contact" or model = "belt" or model = "two-degrees" or model = "structure""#,
     );
 }
 
@@ -58,7 +58,7 @@ fn an_unknown_model() {
         "model = \"oscilator\"\n",
         "unknown model `oscilator`",
         "oscilator",
-        "did you mean `oscillator`? known: oscillator, contact, belt, two-degrees",
+        "did you mean `oscillator`? known: oscillator, contact, belt, two-degrees, structure",
     );
 }
 
@@ -68,7 +68,7 @@ fn a_model_of_a_later_version() {
         "model = \"sliding\"\n",
         "the model `sliding` comes with a later version",
         "sliding",
-        "available: oscillator, contact, belt, two-degrees",
+        "available: oscillator, contact, belt, two-degrees, structure",
     );
 }
 

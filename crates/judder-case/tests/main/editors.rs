@@ -16,7 +16,7 @@ fn every_template_is_a_valid_case() {
             Case::Oscillator(case) => assert_eq!(case.inputs, OscillatorInputs::default()),
             Case::Contact(case) => assert_eq!(case.inputs, OscillatorInputs::default()),
             Case::Belt(case) => assert_eq!(case.inputs, BeltInputs::default()),
-            Case::TwoDegrees(_) => (),
+            Case::TwoDegrees(_) | Case::Structure(_) => (),
         }
     }
 }
@@ -34,7 +34,10 @@ fn the_template_of_the_oscillator_shows_every_key() {
 fn an_unknown_template_names_the_known_ones() {
     let error = template("oscilator").unwrap_err();
     assert_eq!(error.to_string(), "there is no template `oscilator`");
-    assert_eq!(help_of(&error), "did you mean `oscillator`? known: oscillator, contact, belt, two-degrees");
+    assert_eq!(
+        help_of(&error),
+        "did you mean `oscillator`? known: oscillator, contact, belt, two-degrees, structure"
+    );
 }
 
 /// Calls `visit` with every object of a JSON document.

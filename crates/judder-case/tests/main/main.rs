@@ -8,12 +8,14 @@ mod bad_contact;
 mod bad_key;
 mod bad_motion;
 mod bad_source;
+mod bad_structure;
 mod bad_sweep;
 mod bad_two_degrees;
 mod contact;
 mod editors;
 mod motion;
 mod oscillator;
+mod structure;
 mod two_degrees;
 
 use judder_case::{Case, CaseError, CaseFile, KEYS};

@@ -13,3 +13,4 @@ mod point;
 mod reproduce;
 mod run;
 mod speaking;
+mod structure;

@@ -39,6 +39,46 @@
     }
   }
 
+  // numbers of a typed array, little-endian as the page wrote them
+  function numbers(array) {
+    const bytes = Uint8Array.from(atob(array.bdata), (character) => character.charCodeAt(0));
+    const view = new DataView(bytes.buffer);
+    return Array.from({ length: bytes.length / 8 }, (_, index) => view.getFloat64(8 * index, true));
+  }
+
+  // the frames of one period of all swinging lines, and the buttons that show them
+  const phases = 24;
+  const periods = 20;
+  function makeFrames(chart) {
+    const traces = chart.data.flatMap((trace, index) => (trace.meta && trace.meta.swing ? [index] : []));
+    if (traces.length === 0) return [];
+    const swings = traces.map((index) => {
+      const trace = chart.data[index];
+      return ["x", "y"].map((axis) => [numbers(trace[axis]), ...trace.meta.swing[axis].map(numbers)]);
+    });
+    const at = (phase) => ([drawn, real, imaginary]) =>
+      drawn.map((value, k) => value + real[k] * (Math.cos(phase) - 1) - imaginary[k] * Math.sin(phase));
+    const frames = Array.from({ length: phases }, (_, number) => {
+      const [x, y] = [0, 1].map((axis) => swings.map((swing) => at((2 * Math.PI * number) / phases)(swing[axis])));
+      return { name: String(number), traces, data: traces.map((_, k) => ({ x: x[k], y: y[k] })) };
+    });
+    const names = Array.from({ length: phases * periods + 1 }, (_, number) => String(number % phases));
+    const show = (frames, duration) => [frames, {
+      mode: "immediate", frame: { duration, redraw: false }, transition: { duration: 0 },
+    }];
+    const buttons = [
+      { label: "Swing", method: "animate", args: show(names, 60) },
+      { label: "Stop", method: "animate", args: show(["0"], 0) },
+    ];
+    for (const layout of [chart.layout, chart.narrow]) {
+      layout.updatemenus = [{
+        type: "buttons", direction: "left", showactive: false, buttons, x: 1, xanchor: "right", y: 1, yanchor: "bottom",
+        pad: { b: 4, r: 0 }, font: { size: 11.5 }, bgcolor: "#ffffff",
+      }];
+    }
+    return frames;
+  }
+
   // the fixed decades suit the first view; inside two of them, or beyond the first view, plotly's own ticks do
   function fitTicks(live, layout) {
     const changes = {};
@@ -61,10 +101,11 @@
     const chart = JSON.parse(figure.querySelector("script").textContent);
     chart.data.forEach(findArrays);
     chart.data.forEach(unrollClasses);
+    const frames = makeFrames(chart);
     // plotly writes into its layout, so each view gets a copy
     const arrangement = () => structuredClone(narrow.matches ? chart.narrow : chart.layout);
     live.hidden = false;
-    Plotly.newPlot(live, chart.data, arrangement(), config).then(
+    Plotly.newPlot(live, { data: chart.data, layout: arrangement(), config, frames }).then(
       () => {
         still.classList.add("replaced");
         narrow.addEventListener("change", () => Plotly.react(live, chart.data, arrangement(), config));

@@ -16,6 +16,7 @@ use serde_json::{Value, json};
 /// (`{ dtype, bdata, shape }`, little-endian base64); `{ same: [trace, key] }` is the array of an earlier trace. A class
 /// map holds the codes of its cells as `z`, in runs (`{ runs, shape }`, base64 of three bytes each: a code, and how often it
 /// follows), and the names of its classes as `meta.classes`; the page makes codes and hover `text` of them. Values on a
+/// swinging line has the real and imaginary parts of its amplitude as `meta.swing`; the page makes frames of them. Values on a
 /// symmetric log axis are stretched as the axis is; their own values are in `customdata`, in pairs where both axes are.
 ///
 /// # Errors

@@ -1,7 +1,7 @@
 //! The layers of a figure as plotly traces.
 
 use super::suffix;
-use crate::figure::{ClassMap, Figure, Layer, Line, Panel, Scale, ValueMap};
+use crate::figure::{ClassMap, Figure, Layer, Line, Panel, Scale, Swing, ValueMap};
 use crate::legend::{Entry, entries};
 use crate::markup::html;
 use crate::palette::{Marker, QUIET, Role};
@@ -80,7 +80,11 @@ fn trace(layer: &Layer, panel: &Panel, index: usize) -> Option<Value> {
         }
         Layer::Points(points) => {
             let mut trace = curve(points, panel);
-            let size = if points.style.crowded { 3 } else { 7 };
+            let usual = if points.style.crowded { 3.0 } else { 7.0 };
+            let size = match &points.sizes {
+                Some(sizes) => sizes.iter().map(|size| usual * size).collect(),
+                None => json!(usual),
+            };
             // a cross is all rim
             let has_rim = !points.style.crowded || points.style.marker == Marker::Cross;
             trace["mode"] = json!("markers");
@@ -96,6 +100,12 @@ fn trace(layer: &Layer, panel: &Panel, index: usize) -> Option<Value> {
         Layer::Values(map) => Some(value_map(map, panel, index)),
         Layer::Rule(_) | Layer::Region(_) | Layer::Note(_) => None,
     }
+}
+
+/// The amplitudes of a line that swings.
+fn swing(swing: &Swing) -> Value {
+    let parts = |parts: &[Vec<f64>; 2]| parts.each_ref().map(|part| floats(part, None));
+    json!({ "swing": { "x": parts(&swing.x), "y": parts(&swing.y) } })
 }
 
 /// What lines and points have in common.
@@ -116,6 +126,9 @@ fn curve(line: &Line, panel: &Panel) -> Value {
             html(&panel.y.label), hover_value("y", if both { "customdata[1]" } else { "customdata" }, y),
         ),
     });
+    if let Some(own) = &line.swing {
+        trace["meta"] = swing(own);
+    }
     match (stretched(x), stretched(y)) {
         (false, false) => {}
         (true, false) => trace["customdata"] = floats(&line.x, None),

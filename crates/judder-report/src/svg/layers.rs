@@ -97,7 +97,9 @@ pub(super) fn draw_curve(document: &mut Document, layer: &Layer, panel: &DrawnPa
     match layer {
         Layer::Line(line) => draw_line(document, line, panel),
         Layer::Points(points) => {
-            let places = places(points, panel).flatten().filter(|place| near(*place, panel.frame));
+            let sizes = (0..points.x.len()).map(|k| points.sizes.as_ref().map_or(1.0, |sizes| sizes[k]));
+            let places = places(points, panel).zip(sizes).filter_map(|(place, size)| Some((place?, size)));
+            let places = places.filter(|(place, _)| near(*place, panel.frame));
             document.put(format_args!("{}", marker_path(&points.style, places)));
         }
         Layer::Rule(rule) => {
@@ -162,10 +164,10 @@ pub(super) fn line_attributes(style: &Style) -> String {
 /// The size of markers that crowd, over that of others.
 const CROWDED: f64 = 0.45;
 
-/// One path with a marker at every place.
-pub(super) fn marker_path(style: &Style, places: impl Iterator<Item = (f64, f64)>) -> String {
+/// One path with a marker of its size at every place.
+pub(super) fn marker_path(style: &Style, places: impl Iterator<Item = ((f64, f64), f64)>) -> String {
     let size = if style.crowded { CROWDED } else { 1.0 };
-    let data: String = places.map(|place| marker(style.marker, place, size)).collect();
+    let data: String = places.map(|(place, own)| marker(style.marker, place, own * size)).collect();
     let colour = style.role.colour();
     match (style.marker, style.crowded) {
         (Marker::Cross, _) => {

@@ -33,7 +33,8 @@ pub(super) fn draw_entry(document: &mut Document, entry: &Entry, x: f64, y: f64)
     }
     if let Some(style) = entry.marker {
         let alone = Style { crowded: false, ..style };
-        document.put(format_args!("{}", marker_path(&alone, [(x + SAMPLE / 2.0, middle)].into_iter())));
+        document
+            .put(format_args!("{}", marker_path(&alone, [((x + SAMPLE / 2.0, middle), 1.0)].into_iter())));
     }
     let text = Text::new(&entry.label, SMALL_SIZE).anchored(Anchor::Start);
     document.text(&text, x + SAMPLE + SAMPLE_GAP, middle + 0.36 * SMALL_SIZE);

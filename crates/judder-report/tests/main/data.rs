@@ -2,7 +2,7 @@
 
 use crate::samples::{HOSTILE, every_layer, one_line};
 use base64::{Engine, engine::general_purpose::STANDARD};
-use judder_report::{Scale, plotly};
+use judder_report::{Axis, Figure, Layer, Panel, Role, Scale, Swing, plotly};
 use serde_json::{Value, json};
 
 pub(crate) fn base64_bytes(text: &str) -> Vec<u8> {
@@ -96,4 +96,17 @@ fn hostile_texts_are_escaped_and_bytes_repeat() {
     let text = plotly(&figure).unwrap().to_string();
     assert!(!text.contains("</script>"));
     assert_eq!(text, plotly(&figure).unwrap().to_string());
+}
+
+#[test]
+fn swinging_lines_carry_their_amplitudes() {
+    let swing = Swing { x: [vec![0.0, 0.5], vec![0.0; 2]], y: [vec![1.0, 0.0], vec![0.0, 3.0]] };
+    let line = Layer::swinging("mode", vec![0.0, 1.0], vec![1.0, 0.0], swing, Role::Series(0));
+    let panel = |layer| vec![Panel::new(Axis::linear("x"), Axis::linear("y"), vec![layer])];
+    let chart = plotly(&Figure::new("mode", "A mode", panel(line.clone()))).unwrap();
+    let meta = &chart["data"][0]["meta"]["swing"];
+    assert_eq!(floats(&meta["y"][1]), [0.0, 3.0]);
+    // the frame holds the whole swing: from −3 to 3
+    let range: Vec<f64> = serde_json::from_value(chart["layout"]["yaxis"]["range"].clone()).unwrap();
+    assert!(range[0] <= -3.0 && range[1] >= 3.0, "{range:?}");
 }

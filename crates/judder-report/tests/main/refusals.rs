@@ -1,7 +1,7 @@
 //! What cannot be drawn is refused with the place, the value and what would be right.
 
 use judder_report::figure::{Class, ClassMap};
-use judder_report::{Axis, Figure, Layer, Panel, Role, Scale, plotly, png, svg};
+use judder_report::{Axis, Figure, Layer, Panel, Role, Scale, Swing, plotly, png, svg};
 
 fn refusal(figure: &Figure) -> String {
     let error = svg(figure).unwrap_err().to_string();
@@ -58,4 +58,21 @@ fn arrays_that_do_not_fit_together() {
 #[test]
 fn no_columns() {
     assert!(refusal(&Figure::new("f", "", vec![]).with_columns(0)).contains("at least 1"));
+}
+
+#[test]
+fn swings_and_sizes_that_do_not_fit() {
+    let swing =
+        |points: usize| Swing { x: [vec![0.0; points], vec![0.0; points]], y: [vec![0.0; 2], vec![0.0; 2]] };
+    let line = |swing| Layer::swinging("", vec![1.0, 2.0], vec![1.0, 2.0], swing, Role::Series(0));
+    assert!(refusal(&with_layer(line(swing(1)))).contains("2 abscissae but 1 ordinates"));
+    assert!(refusal(&with_layer(line(swing(2)))).contains("swinging lines need linear axes"));
+    for (sizes, message) in [
+        (vec![1.0], "2 abscissae but 1"),
+        (vec![f64::NAN, 1.0], "marker 0 is NaN"),
+        (vec![1.0, -1.0], "marker 1 is -1"),
+    ] {
+        let bubbles = Layer::bubbles("", (vec![1.0, 2.0], vec![1.0, 2.0]), sizes, Role::Series(0));
+        assert!(refusal(&with_layer(bubbles)).contains(message), "{message}");
+    }
 }

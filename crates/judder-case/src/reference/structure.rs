@@ -1,0 +1,57 @@
+//! What the page says of structure cases.
+
+use super::{kinds, row};
+use crate::structure::analysis::KINDS;
+use crate::structure_keys::STRUCTURE_KEYS;
+
+/// The section on structure cases.
+pub(super) fn section() -> String {
+    let mut page = HEAD.to_owned();
+    for key in &STRUCTURE_KEYS {
+        page += &row(key);
+    }
+    page += MATRICES;
+    page += "\n### Analyses of a structure case\n\n";
+    page += &kinds(KINDS.iter().map(|kind| (kind.name, kind.keys, kind.doc)));
+    page + SETTINGS
+}
+
+const HEAD: &str = "
+## Keys of a structure case
+
+`model = \"structure\"` is one linear structure alone, M u″ + C u′ + K u = 0, from `[structure]` or from `[matrices]`.
+
+`[structure]` takes one of
+
+| key | what it is | sets of nodes |
+| --- | --- | --- |
+| `beam = { length, thickness, elements = [100, 2], angle, origin, start, end }` | a straight beam of eight-node quadrilaterals; `start` and `end` are `\"free\"`, `\"clamped\"` or `\"guided\"` \
+(the end face keeps its shape, is held along x and moves as one along y) | `start`, `end`, `lower`, `upper`, `lower-corners`, `upper-corners` |
+| `block = { element, size = [\"1 m\", \"0.1 m\", \"0.1 m\"], cells = [20, 2, 2] }` | a rectangle or box of equal cells; `element` is one of `quad4`, `quad8` (the default in the plane), `triangle6`, \
+`hexahedron8`, `hexahedron20` (the default in space), `tetrahedron10` | `x-min`, `x-max`, `y-min`, … |
+| `mesh = \"part.msh\"` | a mesh file, Gmsh 4.1 (`.msh`) or Abaqus and CalculiX (`.inp`), lengths in m | those of the file |
+
+and beside it `section` (`\"plane-stress\"`, the default, or `\"plane-strain\"`) and `width` (1 m where left out) for bodies of the plane, `material` (of all elements that have no other) and, for a mesh, \
+`materials = { steel = { … } }` by the names that the file has for them, and `supports`, a list of `{ set = \"…\", fixed = [\"x\", \"y\"], tied = [\"y\"] }`: the nodes of a set are held in the directions \
+`fixed` and move as one in the directions `tied`. `[damping]` takes `rayleigh = { alpha, beta }`, or `rayleigh = { ratios = [{ frequency = \"100 Hz\", ratio = 0.01 }, { frequency = \"5 kHz\", ratio = 0.02 }] }`, \
+or `structural = { loss_factor, reference_frequency }`; left out, there is none.
+
+`[reduction]` keeps freedoms and fixed-interface modes (Craig and Bampton): `kept = [{ set = \"upper-corners\", directions = [\"y\"] }]`, all free directions where none are named, and `count` modes (20 where left out) or all \
+up to `cut_off`. Of matrices with a table of freedoms, `nodes = [1, 17]` stand in place of `set`.
+
+| key | symbol | a plain number is | a string is | default | allowed | what it is |
+| --- | --- | --- | --- | --- | --- | --- |
+";
+
+const MATRICES: &str = "
+`[matrices]` takes `mass`, `damping` (zero where left out) and `stiffness`, each a list of `{ file = \"K.mtx\", factor = \"speed^2 - 1\" }`: the sum of the files times their factors, which are numbers or expressions of \
+`[parameters]` (1 where left out). Files are Matrix Market or Abaqus coordinate text (`.mtx`), MATLAB 5 (`.mat`) or SciPy (`.npz`), in `folder` (that of the case where left out; a folder given by `--set` is sought where the \
+program runs first). `triangle = \"lower\"` or `\"upper\"`, of one term or of all, says that a file holds one triangle of a symmetric matrix. `freedoms = \"table.csv\"` names a table with node, direction and place of every \
+degree of freedom.
+";
+
+const SETTINGS: &str = "
+`modes` takes `count` (20 where left out) or `band = [\"1 kHz\", \"10 kHz\"]`; of matrices whose stiffness is not symmetric the modes are those of its symmetric part, with a warning. `reduction` compares `count` frequencies \
+(12 where left out). `region = { re = [-50.0, 1000.0], im = [0.0, 20000.0] }` is a rectangle of λ = re + i im in 1/s and rad/s. The `sweep` of an `eigen-sweep` is `{ key = \"parameters.speed\", from = 1.0, to = 100.0, points = 100 }` or \
+`{ key = \"parameters.speed\", values = [1.0, 2.0, 5.0] }`; `method` is `\"full\"` (the default) or `\"projected\"`, which takes `tolerance`.
+";

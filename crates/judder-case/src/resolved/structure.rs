@@ -1,0 +1,152 @@
+//! The structure case.
+
+use serde_json::{Map, Value as Json, json};
+
+use super::{named, number};
+use crate::dimension::Dimension;
+use crate::keys::Form;
+use crate::structure::analysis::{EigenMethod, EigenRegion, StructureAnalysis, WantedModes};
+use crate::structure::body::{Body, Geometry, Material, PlaneSection};
+use crate::structure::damping::Damping;
+use crate::structure::matrices::{MatrixSums, MatrixTerm};
+use crate::structure::reduction::{FixedModes, KeptNodes, Reduction};
+use crate::structure::{StructureCase, StructureSource};
+
+pub(super) fn case(case: &StructureCase) -> Json {
+    let mut json = json!({
+        "model": "structure",
+        "title": case.title,
+        "analysis": case.analyses.iter().map(|a| named(a, analysis)).collect::<Vec<_>>(),
+    });
+    match &case.source {
+        StructureSource::Body(source) => {
+            json["structure"] = body(source);
+            json["damping"] = damping(&case.damping);
+        }
+        StructureSource::Matrices(sums) => {
+            let parameters = case.parameters.iter().map(|parameter| json!([parameter.name, parameter.value]));
+            json["parameters"] = parameters.collect();
+            json["matrices"] = matrices(sums);
+        }
+    }
+    if let Some(kept) = &case.reduction {
+        json["reduction"] = reduction(kept);
+    }
+    json
+}
+
+fn si(value: f64, dimension: Dimension) -> Json {
+    number(value, Form::Si, dimension)
+}
+
+fn lengths(values: &[f64]) -> Json {
+    values.iter().map(|value| si(*value, Dimension::LENGTH)).collect()
+}
+
+fn body(body: &Body) -> Json {
+    let mut json = json!({
+        "material": body.material.as_ref().map(material),
+        "materials": body.materials.iter().map(|(name, own)| (name.clone(), material(own))).collect::<Map<_, _>>(),
+        "supports": body.supports.iter().map(|support| json!({
+            "set": support.set, "fixed": directions(support.fixed), "tied": directions(support.tied),
+        })).collect::<Vec<_>>(),
+    });
+    let mut in_space = false;
+    match &body.geometry {
+        Geometry::Beam(beam) => {
+            json["beam"] = json!({
+                "length": si(beam.length, Dimension::LENGTH), "thickness": si(beam.thickness, Dimension::LENGTH),
+                "elements": beam.elements, "origin": lengths(&beam.origin), "angle": si(beam.angle, Dimension::ANGLE),
+                "start": beam.ends[0].name(), "end": beam.ends[1].name(),
+            });
+        }
+        Geometry::Block(block) => {
+            in_space = block.element.dimension() == 3;
+            json["block"] = json!({ "element": block.element.name(), "size": lengths(&block.size), "cells": block.cells });
+        }
+        Geometry::Mesh(file) => json["mesh"] = json!(file.given),
+    }
+    if !in_space {
+        json["section"] = json!(body.section.map(PlaneSection::name));
+        json["width"] = body.width.map_or(Json::Null, |width| si(width, Dimension::LENGTH));
+    }
+    json
+}
+
+fn material(material: &Material) -> Json {
+    json!({
+        "youngs_modulus": si(material.youngs_modulus, Dimension::STRESS), "poisson_ratio": material.poisson_ratio,
+        "density": si(material.density, Dimension::DENSITY),
+    })
+}
+
+fn directions(taken: [bool; 3]) -> Vec<&'static str> {
+    ["x", "y", "z"].into_iter().zip(taken).filter(|(_, taken)| *taken).map(|(name, _)| name).collect()
+}
+
+fn damping(damping: &Damping) -> Json {
+    match damping {
+        Damping::None => json!({}),
+        Damping::Rayleigh { alpha, beta } => json!({
+            "rayleigh": { "alpha": si(*alpha, Dimension::RATE), "beta": si(*beta, Dimension::TIME) },
+        }),
+        Damping::Structural { loss_factor, reference_frequency } => json!({
+            "structural": {
+                "loss_factor": loss_factor, "reference_frequency": si(*reference_frequency, Dimension::ANGULAR_FREQUENCY),
+            },
+        }),
+    }
+}
+
+fn matrices(sums: &MatrixSums) -> Json {
+    let term = |term: &MatrixTerm| json!({ "file": term.file.given, "factor": term.factor.text, "triangle": term.triangle.name() });
+    let mut json: Map<String, Json> = sums
+        .sums()
+        .iter()
+        .map(|(name, terms)| ((*name).to_owned(), terms.iter().map(term).collect()))
+        .collect();
+    // the files stand for themselves, wherever their folder is
+    json.insert("freedoms".to_owned(), json!(sums.freedoms.as_ref().map(|file| &file.given)));
+    Json::Object(json)
+}
+
+fn reduction(reduction: &Reduction) -> Json {
+    let kept = reduction.kept.iter().map(|kept| match &kept.nodes {
+        KeptNodes::Set(set) => json!({ "set": set, "directions": directions(kept.directions) }),
+        KeptNodes::Numbers(nodes) => json!({ "nodes": nodes, "directions": directions(kept.directions) }),
+    });
+    let mut json = json!({ "kept": kept.collect::<Vec<_>>() });
+    match reduction.modes {
+        FixedModes::Count(count) => json["count"] = json!(count),
+        FixedModes::CutOff(limit) => json["cut_off"] = si(limit, Dimension::ANGULAR_FREQUENCY),
+    }
+    json
+}
+
+fn region(region: &EigenRegion) -> Json {
+    json!({ "re": region.re, "im": region.im })
+}
+
+fn analysis(kind: &StructureAnalysis) -> Json {
+    match kind {
+        StructureAnalysis::Modes { wanted: WantedModes::Count(count) } => {
+            json!({ "kind": "modes", "count": count })
+        }
+        StructureAnalysis::Modes { wanted: WantedModes::Band(from, to) } => {
+            let end = |frequency: &f64| si(*frequency, Dimension::ANGULAR_FREQUENCY);
+            json!({ "kind": "modes", "band": [end(from), end(to)] })
+        }
+        StructureAnalysis::Reduction { count } => json!({ "kind": "reduction", "count": count }),
+        StructureAnalysis::Eigen { region: sought } => json!({ "kind": "eigen", "region": region(sought) }),
+        StructureAnalysis::EigenSweep(sweep) => {
+            let mut json = json!({
+                "kind": "eigen-sweep", "region": region(&sweep.region), "method": sweep.method.name(),
+                "sweep": { "key": sweep.sweep.path, "values": sweep.sweep.values, "scale": sweep.sweep.scale.name() },
+            });
+            if let EigenMethod::Projected { tolerance } = sweep.method {
+                json["tolerance"] = json!(tolerance);
+            }
+            json
+        }
+    }
+}

@@ -1,0 +1,123 @@
+//! The structure case: one linear structure alone, from a generator, a mesh file or the matrices of another program.
+//!
+//! - [`body`]: what elements, materials and supports make: `[structure]`.
+//! - [`matrices`]: what other programs assembled: `[matrices]`, sums of files with factors.
+//! - [`damping`]: `[damping]` of a body.
+//! - [`reduction`]: `[reduction]`, which freedoms and modes are kept.
+//! - [`analysis`]: what is computed.
+//! - [`problem`]: what can be wrong with all of it, beyond types, units and ranges.
+
+pub mod analysis;
+pub mod body;
+pub mod damping;
+mod lists;
+pub mod matrices;
+pub mod problem;
+pub mod reduction;
+
+use std::path::Path;
+
+use crate::analysis::{Analysis, read_analyses};
+use crate::cause::Cause;
+use crate::contact_problem::ContactProblem;
+use crate::document::Node;
+use crate::error::Fault;
+use crate::file_reference::FileReference;
+use crate::section::Section;
+use crate::swept_keys::ParameterKeys;
+use crate::two_degrees::{Parameter, read_parameters};
+use analysis::{KINDS, StructureAnalysis, StructureScope};
+use body::{Body, Geometry, read_body};
+use damping::{Damping, read_damping};
+use matrices::{MatrixSums, read_matrices};
+use problem::StructureProblem;
+use reduction::{Reduction, read_reduction};
+
+/// A validated structure case.
+#[derive(Debug, Clone)]
+pub struct StructureCase {
+    /// The title; empty where the case gives none.
+    pub title: String,
+    /// The parameters in the order of the case file; only factors of matrices use them.
+    pub parameters: Vec<Parameter>,
+    /// Where the structure comes from.
+    pub source: StructureSource,
+    /// The damping of a body; matrices have their own.
+    pub damping: Damping,
+    /// Which freedoms and modes a reduction keeps.
+    pub reduction: Option<Reduction>,
+    /// The analyses in the order of the case file.
+    pub analyses: Vec<Analysis<StructureAnalysis>>,
+}
+
+/// Where a structure comes from.
+#[derive(Debug, Clone)]
+pub enum StructureSource {
+    /// `[structure]`: elements with materials and supports.
+    Body(Box<Body>),
+    /// `[matrices]`: what another program assembled.
+    Matrices(Box<MatrixSums>),
+}
+
+impl StructureCase {
+    /// The values of all parameters, in their order: what a sweep starts from.
+    pub fn values(&self) -> Vec<f64> {
+        self.parameters.iter().map(|parameter| parameter.value).collect()
+    }
+
+    /// The files that the case names.
+    pub fn files(&self) -> Vec<&FileReference> {
+        match &self.source {
+            StructureSource::Body(body) => match &body.geometry {
+                Geometry::Mesh(file) => vec![file],
+                Geometry::Beam(_) | Geometry::Block(_) => Vec::new(),
+            },
+            StructureSource::Matrices(sums) => sums.files(),
+        }
+    }
+}
+
+/// Reads a structure case from the root of its tree; files are relative to `folder`.
+pub(crate) fn read(root: &Node, folder: &Path) -> Result<StructureCase, Fault> {
+    let known = ["title", "model", "parameters", "structure", "matrices", "damping", "reduction", "analysis"];
+    let root = Section::open(root, "", "a structure case", &known)?;
+    let parameters = read_parameters(&root)?;
+    let keys = ParameterKeys(parameters.iter().map(|parameter| parameter.name.clone()).collect());
+    let source = match (root.get("structure"), root.get("matrices")) {
+        (Some(node), None) => {
+            refuse(&root, "parameters", "[structure]")?;
+            StructureSource::Body(Box::new(read_body(node, folder)?))
+        }
+        (None, Some(node)) => {
+            refuse(&root, "damping", "[matrices]")?;
+            StructureSource::Matrices(Box::new(read_matrices(node, &keys.0, folder)?))
+        }
+        (None, None) => return Err(StructureProblem::NoStructure.at(root.place)),
+        (Some(_), Some(node)) => {
+            let (first, second) = ("structure".to_owned(), "matrices".to_owned());
+            return Err(Cause::Conflict { first, second }.at(node.place));
+        }
+    };
+    let damping = root.get("damping").map(read_damping).transpose()?.unwrap_or(Damping::None);
+    let reduction = root.get("reduction").map(|node| read_reduction(node, &source)).transpose()?;
+    let values: Vec<f64> = parameters.iter().map(|parameter| parameter.value).collect();
+    let sums = match &source {
+        StructureSource::Matrices(sums) => Some((**sums).clone()),
+        StructureSource::Body(_) => None,
+    };
+    let scope = StructureScope { keys, sums, values, has_reduction: reduction.is_some() };
+    let analyses = read_analyses(&root, &scope, &KINDS)?;
+    let title = root.text("title")?.unwrap_or_default().to_owned();
+    Ok(StructureCase { title, parameters, source, damping, reduction, analyses })
+}
+
+/// Refuses a section that has no meaning beside another.
+fn refuse(root: &Section<'_>, key: &'static str, beside: &str) -> Result<(), Fault> {
+    match root.get(key) {
+        None => Ok(()),
+        Some(node) => {
+            let problem = ContactProblem::Meaningless { key, with: beside.to_owned() };
+            Err(Cause::Contact { problem }.at(node.place))
+        }
+    }
+}

@@ -1,0 +1,274 @@
+//! The analyses of a structure case.
+
+use super::lists::{length, quantities, quantity};
+use super::matrices::MatrixSums;
+use super::problem::StructureProblem;
+use crate::analysis::Kind;
+use crate::cause::Cause;
+use crate::document::Node;
+use crate::error::Fault;
+use crate::read_sweep::read_sweep;
+use crate::section::{Section, finite_number, list, text};
+use crate::structure_keys::StructureKey;
+use crate::sweep::{ParameterKey, Scale};
+use crate::swept_keys::{ParameterKeys, SweptKeys};
+
+/// What an analysis of a structure case computes.
+#[derive(Debug, Clone, PartialEq)]
+pub enum StructureAnalysis {
+    /// `modes`: undamped modes.
+    Modes {
+        /// Which.
+        wanted: WantedModes,
+    },
+    /// `reduction`: the reduced structure against the full one.
+    Reduction {
+        /// How many frequencies are compared.
+        count: usize,
+    },
+    /// `eigen`: complex modes.
+    Eigen {
+        /// Where they are sought.
+        region: EigenRegion,
+    },
+    /// `eigen-sweep`: complex modes along a parameter.
+    EigenSweep(EigenSweep),
+}
+
+/// Which undamped modes are wanted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum WantedModes {
+    /// So many, from the lowest on.
+    Count(usize),
+    /// All between two angular frequencies, rad/s.
+    Band(f64, f64),
+}
+
+/// A rectangle of the complex plane: λ = re + i im.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EigenRegion {
+    /// Growth rates, 1/s, ascending.
+    pub re: [f64; 2],
+    /// Angular frequencies, rad/s, ascending.
+    pub im: [f64; 2],
+}
+
+/// Complex modes along a parameter.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EigenSweep {
+    /// The parameter and its values.
+    pub sweep: ParameterValues,
+    /// Where eigenvalues are sought.
+    pub region: EigenRegion,
+    /// How each value is solved.
+    pub method: EigenMethod,
+}
+
+/// A parameter with the values that it takes one after the other.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ParameterValues {
+    /// The parameter.
+    pub key: ParameterKey,
+    /// Its dotted path.
+    pub path: String,
+    /// The values, two at least, ascending or descending.
+    pub values: Vec<f64>,
+    /// How they are spaced, for the axis of figures.
+    pub scale: Scale,
+}
+
+/// How the points of a sweep of complex modes are solved.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum EigenMethod {
+    /// Every point on the full matrices.
+    Full,
+    /// On a basis of the modes of a few points, which grows until the full matrices leave no larger error.
+    Projected {
+        /// Relative error of an eigenvalue.
+        tolerance: f64,
+    },
+}
+
+impl EigenMethod {
+    /// The name in a case file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Full => "full",
+            Self::Projected { .. } => "projected",
+        }
+    }
+}
+
+/// The number of modes where the case does not say.
+pub const MODES: usize = 20;
+
+/// The most modes of an analysis.
+pub const MODES_LIMIT: usize = 2000;
+
+/// The number of frequencies that `reduction` compares where the case does not say.
+pub const COMPARED: usize = 12;
+
+/// What the analyses of a structure case need to know of it.
+pub(crate) struct StructureScope {
+    pub(crate) keys: ParameterKeys,
+    /// The matrices, where it is given by them.
+    pub(crate) sums: Option<MatrixSums>,
+    /// The values of the parameters.
+    pub(crate) values: Vec<f64>,
+    pub(crate) has_reduction: bool,
+}
+
+/// The kinds of a structure case.
+pub(crate) const KINDS: [Kind<StructureScope, StructureAnalysis>; 4] = [
+    Kind {
+        name: "modes",
+        keys: &["count", "band"],
+        doc: "undamped modes: frequencies, shapes, residuals, and a count that shows whether one is missing",
+        read: |scope, section| {
+            check_factors(scope, section)?;
+            Ok(StructureAnalysis::Modes { wanted: read_wanted(section)? })
+        },
+    },
+    Kind {
+        name: "reduction",
+        keys: &["count"],
+        doc: "frequencies of the reduced structure against those of the full one, and the limit that the reduction tells of itself",
+        read: |scope, section| {
+            if !scope.has_reduction {
+                let (key, section_name) = ("reduction".to_owned(), "the case".to_owned());
+                let expected = "[reduction] with kept = [{ set = \"…\" }]".to_owned();
+                return Err(Cause::MissingKey { key, section: section_name, expected }.at(section.place));
+            }
+            check_factors(scope, section)?;
+            let count = section.whole("count", 1, MODES_LIMIT)?.unwrap_or(COMPARED);
+            Ok(StructureAnalysis::Reduction { count })
+        },
+    },
+    Kind {
+        name: "eigen",
+        keys: &["region"],
+        doc: "all complex modes in a region of the plane of growth rate and frequency, each with its error",
+        read: |scope, section| {
+            check_factors(scope, section)?;
+            Ok(StructureAnalysis::Eigen { region: read_region(section)? })
+        },
+    },
+    Kind {
+        name: "eigen-sweep",
+        keys: &["sweep", "region", "method", "tolerance"],
+        doc: "complex modes along a parameter, followed through where they meet",
+        read: |scope, section| read_eigen_sweep(scope, section).map(StructureAnalysis::EigenSweep),
+    },
+];
+
+fn read_wanted(section: &Section<'_>) -> Result<WantedModes, Fault> {
+    let count = section.whole("count", 1, MODES_LIMIT)?;
+    match (count, section.get("band")) {
+        (Some(_), Some(node)) => {
+            let (first, second) = ("count".to_owned(), "band".to_owned());
+            Err(Cause::Conflict { first, second }.at(node.place))
+        }
+        (count, None) => Ok(WantedModes::Count(count.unwrap_or(MODES))),
+        (None, Some(node)) => {
+            let band = quantities(section, StructureKey::Band, node)?;
+            let [from, to] = band[..] else {
+                return Err(length(section, "band", "two frequencies, from and to", node));
+            };
+            ascending(from, to, node)?;
+            Ok(WantedModes::Band(from, to))
+        }
+    }
+}
+
+fn ascending(from: f64, to: f64, node: &Node) -> Result<(), Fault> {
+    match from.total_cmp(&to) {
+        std::cmp::Ordering::Less => Ok(()),
+        std::cmp::Ordering::Equal => Err(Cause::EmptyRange { from }.at(node.place)),
+        std::cmp::Ordering::Greater => Err(Cause::Backwards { from, to }.at(node.place)),
+    }
+}
+
+fn read_region(section: &Section<'_>) -> Result<EigenRegion, Fault> {
+    let example = "region = { re = [-50.0, 1000.0], im = [0.0, 20000.0] }, in 1/s and rad/s";
+    let node = section.required("region", example)?;
+    let region = Section::open(node, "region", "`region`", &["re", "im"])?;
+    let range = |key: &str, example: &str| {
+        let node = region.required(key, example)?;
+        let path = region.path(key);
+        let numbers = list(&path, node)?.iter().map(|item| finite_number(&path, item));
+        let numbers = numbers.collect::<Result<Vec<f64>, Fault>>()?;
+        let [from, to] = numbers[..] else {
+            return Err(length(&region, key, "two numbers, from and to", node));
+        };
+        ascending(from, to, node)?;
+        Ok([from, to])
+    };
+    Ok(EigenRegion {
+        re: range("re", "re = [-50.0, 1000.0], growth rates in 1/s")?,
+        im: range("im", "im = [0.0, 20000.0], angular frequencies in rad/s")?,
+    })
+}
+
+fn read_eigen_sweep(scope: &StructureScope, section: &Section<'_>) -> Result<EigenSweep, Fault> {
+    let Some(sums) = &scope.sums else { return Err(StructureProblem::NothingToSweep.at(section.place)) };
+    let node =
+        section.required("sweep", "sweep = { key = \"parameters.NAME\", from = …, to = …, points = … }")?;
+    let sweep = read_values(&scope.keys, section, node)?;
+    let index = sweep.key.index();
+    if !sums.sums().iter().flat_map(|(_, terms)| *terms).any(|term| term.factor.depends_on(index)) {
+        let name = scope.keys.0[index].clone();
+        return Err(StructureProblem::IdleParameter { name }.at(node.place));
+    }
+    for value in &sweep.values {
+        let mut values = scope.values.clone();
+        values[index] = *value;
+        sums.check(&values).map_err(|cause| cause.at(node.place))?;
+    }
+    let tolerance = quantity(section, StructureKey::Tolerance)?;
+    let method = match section.choice("method", "method", &[("full", false), ("projected", true)])? {
+        Some(true) => EigenMethod::Projected { tolerance },
+        _ => match section.get("tolerance") {
+            None => EigenMethod::Full,
+            Some(node) => {
+                let with = "method = \"full\"".to_owned();
+                let problem = crate::contact_problem::ContactProblem::Meaningless { key: "tolerance", with };
+                return Err(Cause::Contact { problem }.at(node.place));
+            }
+        },
+    };
+    Ok(EigenSweep { sweep, region: read_region(section)?, method })
+}
+
+/// The values of `sweep`: a range as in every sweep, or a list.
+fn read_values(keys: &ParameterKeys, section: &Section<'_>, node: &Node) -> Result<ParameterValues, Fault> {
+    let all = ["key", "from", "to", "points", "scale", "values"];
+    let table = Section::open(node, "sweep", "`sweep`", &all)?;
+    let Some(list_node) = table.get("values") else {
+        let sweep = read_sweep(keys, section, "sweep", None)?.sweep;
+        let values = sweep.values();
+        return Ok(ParameterValues { key: sweep.key, path: sweep.path, values, scale: sweep.scale });
+    };
+    let table = Section::open(node, "sweep", "`sweep` with `values`", &["key", "values"])?;
+    let key_node = table.required("key", "the dotted path of a parameter, key = \"parameters.NAME\"")?;
+    let name = text("sweep.key", key_node)?;
+    let key = keys.find(name).map_err(|cause| cause.at(key_node.place))?;
+    let values = list("sweep.values", list_node)?
+        .iter()
+        .map(|item| finite_number("sweep.values", item))
+        .collect::<Result<Vec<f64>, Fault>>()?;
+    if values.len() < 2 {
+        return Err(Cause::TooFewPoints { points: values.len() as i64 }.at(list_node.place));
+    }
+    // branches are followed from one value to the next
+    let monotone = values.is_sorted_by(|a, b| a < b) || values.is_sorted_by(|a, b| a > b);
+    if !monotone {
+        return Err(StructureProblem::UnsortedValues.at(list_node.place));
+    }
+    Ok(ParameterValues { key, path: keys.path(key), values, scale: Scale::Linear })
+}
+
+/// Refuses an analysis at the case's own parameters where a factor has no value.
+fn check_factors(scope: &StructureScope, section: &Section<'_>) -> Result<(), Fault> {
+    let checked = scope.sums.as_ref().map(|sums| sums.check(&scope.values));
+    checked.unwrap_or(Ok(())).map_err(|cause| cause.at(section.place))
+}

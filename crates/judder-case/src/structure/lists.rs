@@ -1,0 +1,80 @@
+//! Lists of quantities, whole numbers and directions.
+
+use super::problem::StructureProblem;
+use crate::cause::Cause;
+use crate::contact_problem::ContactProblem;
+use crate::document::{Data, Node};
+use crate::error::Fault;
+use crate::section::{Section, list, text};
+use crate::structure_keys::StructureKey;
+use crate::swept_keys::read_value;
+
+/// A number that may be left out where it has a default, in SI units.
+pub(super) fn quantity(section: &Section<'_>, key: StructureKey) -> Result<f64, Fault> {
+    let entry = key.entry();
+    match (section.get(entry.name()), entry.default) {
+        (Some(node), _) => Ok(read_value(entry, &section.path(entry.name()), node)?.number),
+        (None, Some((_, value))) => Ok(value.number),
+        (None, None) => {
+            let example = match entry.dimension.is_number() {
+                true => format!("{} = …, {}", entry.name(), entry.doc),
+                false => format!("{} = \"{}\"", entry.name(), entry.example()),
+            };
+            section.required(entry.name(), &example).and_then(|node| Ok(read_value(entry, "", node)?.number))
+        }
+    }
+}
+
+/// The quantities of a list, in SI units.
+pub(super) fn quantities(section: &Section<'_>, key: StructureKey, node: &Node) -> Result<Vec<f64>, Fault> {
+    let entry = key.entry();
+    let path = section.path(entry.name());
+    list(&path, node)?.iter().map(|item| Ok(read_value(entry, &path, item)?.number)).collect()
+}
+
+/// The refusal of a list of the wrong length.
+pub(super) fn length(section: &Section<'_>, key: &str, expected: &'static str, node: &Node) -> Fault {
+    let found = if let Data::List(items) = &node.data { items.len() } else { 0 };
+    StructureProblem::Length { key: section.path(key), expected, found }.at(node.place)
+}
+
+/// Whole numbers of a list, each from `from` to `to`.
+pub(super) fn whole_numbers(
+    section: &Section<'_>,
+    key: &str,
+    node: &Node,
+    (from, to): (usize, usize),
+) -> Result<Vec<usize>, Fault> {
+    let path = section.path(key);
+    let read = |item: &Node| {
+        let Data::Number { whole: Some(found), .. } = item.data else {
+            return Err(crate::section::wrong_type(&path, "a list of integers", item));
+        };
+        match usize::try_from(found) {
+            Ok(count) if (from..=to).contains(&count) => Ok(count),
+            _ => {
+                let problem = ContactProblem::Count { key: path.clone(), from, to, found };
+                Err(Cause::Contact { problem }.at(item.place))
+            }
+        }
+    };
+    list(&path, node)?.iter().map(read).collect()
+}
+
+/// The directions of a list such as `["x", "y"]`; `None` where the key is left out.
+pub(super) fn directions(section: &Section<'_>, key: &str) -> Result<Option<[bool; 3]>, Fault> {
+    const NAMES: [&str; 3] = ["x", "y", "z"];
+    let Some(node) = section.get(key) else { return Ok(None) };
+    let path = section.path(key);
+    let mut taken = [false; 3];
+    for item in list(&path, node)? {
+        let name = text(&path, item)?;
+        let Some(axis) = NAMES.iter().position(|known| *known == name) else {
+            let known = NAMES.map(String::from).to_vec();
+            let (what, name) = ("direction", name.to_owned());
+            return Err(Cause::UnknownName { what, known, name }.at(item.place));
+        };
+        taken[axis] = true;
+    }
+    Ok(Some(taken))
+}

@@ -1,0 +1,248 @@
+//! What can be wrong with a structure case, beyond types, units and ranges.
+
+use std::path::PathBuf;
+
+use thiserror::Error;
+
+use crate::cause::Cause;
+use crate::error::{Fault, Place};
+use crate::nearest::did_you_mean;
+
+/// What is wrong, with what a caller needs in order to act.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum StructureProblem {
+    /// A case without a structure.
+    #[error("a structure case needs `[structure]` or `[matrices]`")]
+    NoStructure,
+    /// None or several of the ways to describe a body.
+    #[error("[structure] has {}, but takes one of `beam`, `block`, `mesh`", listed(found))]
+    OneGeometry {
+        /// The keys that are there.
+        found: Vec<&'static str>,
+    },
+    /// A key that a generated body needs.
+    #[error("{what} needs `{key}`")]
+    Needs {
+        /// What needs it.
+        what: &'static str,
+        /// The key.
+        key: &'static str,
+        /// What its value would be.
+        example: &'static str,
+    },
+    /// A list of another length.
+    #[error("`{key}` has {found} entries, but must have {expected}")]
+    Length {
+        /// The key.
+        key: String,
+        /// What it must have.
+        expected: &'static str,
+        /// What it has.
+        found: usize,
+    },
+    /// A mesh file of a format that is not read.
+    #[error("`{key}` names `{}`, which is of no format that is read", path.display())]
+    Format {
+        /// The key.
+        key: String,
+        /// The file.
+        path: PathBuf,
+        /// The endings that are known.
+        known: &'static str,
+    },
+    /// A support that holds nothing.
+    #[error("the support of set `{set}` neither fixes nor ties a direction")]
+    EmptySupport {
+        /// The set of nodes.
+        set: String,
+    },
+    /// A folder that is not there.
+    #[error("`{key}` names `{}`, which {what}", path.display())]
+    Folder {
+        /// The key.
+        key: String,
+        /// Where the folder was looked for.
+        path: PathBuf,
+        /// `does not exist` or `is not a folder`.
+        what: &'static str,
+    },
+    /// A factor of a matrix that gives NaN or an infinity.
+    #[error("the factor of `{file}` is {value}{}{point}", if point.is_empty() { "" } else { ", at " })]
+    Factor {
+        /// The file of the matrix.
+        file: String,
+        /// What the expression gave.
+        value: f64,
+        /// The parameters that the factor depends on, as in `speed = 0`; empty where there are none.
+        point: String,
+    },
+    /// A sweep of a structure that has no parameters.
+    #[error("there is nothing to sweep: only factors of `[matrices]` depend on parameters")]
+    NothingToSweep,
+    /// A swept parameter that no factor contains.
+    #[error("no factor of a matrix contains the parameter `{name}`")]
+    IdleParameter {
+        /// The parameter.
+        name: String,
+    },
+    /// Values of a sweep that go to and fro.
+    #[error("the values of `sweep.values` must ascend or descend")]
+    UnsortedValues,
+    /// A set that the mesh does not have.
+    #[error("there is no set of nodes named `{name}`")]
+    UnknownSet {
+        /// The name as written.
+        name: String,
+        /// The sets that there are.
+        known: Vec<String>,
+    },
+    /// A material under a name that the mesh does not have.
+    #[error("the mesh has no group and no material named `{name}`")]
+    UnknownGroup {
+        /// The name as written.
+        name: String,
+        /// The names that there are.
+        known: Vec<String>,
+    },
+    /// Elements of which neither case nor mesh say what they are made of.
+    #[error("the elements of `{name}` have no material")]
+    NoMaterial {
+        /// The name of their group.
+        name: String,
+    },
+    /// A node that the table of freedoms does not have.
+    #[error("the table of freedoms has no node {node}")]
+    UnknownNode {
+        /// The number as written.
+        node: usize,
+    },
+    /// Freedoms that are kept twice, or none that are free.
+    #[error("`reduction.kept` names {what}")]
+    KeptFreedoms {
+        /// What is wrong with them.
+        what: &'static str,
+    },
+    /// A file that cannot be used.
+    #[error("{}: {reason}", path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it, and where.
+        reason: String,
+    },
+    /// Elements, materials or supports that cannot be together.
+    #[error("{reason}")]
+    Unbuilt {
+        /// What is wrong.
+        reason: String,
+    },
+    /// A kept set where there are no sets, or nodes where there is no table of freedoms.
+    #[error("{0}")]
+    Kept(KeptProblem),
+    /// Fewer or more damping ratios than the two that fix α and β.
+    #[error("the damping ratios {first} at {} Hz and {second} at {} Hz need a negative coefficient", hertz(*first_frequency), hertz(*second_frequency))]
+    NegativeDamping {
+        /// ζ at the lower frequency.
+        first: f64,
+        /// The lower frequency, rad/s.
+        first_frequency: f64,
+        /// ζ at the higher frequency.
+        second: f64,
+        /// The higher frequency, rad/s.
+        second_frequency: f64,
+    },
+}
+
+/// How the kept freedoms of a reduction do not fit the structure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum KeptProblem {
+    /// `set` with `[matrices]`.
+    #[error("matrices have no sets: `reduction.kept` names nodes of the table `matrices.freedoms`")]
+    NoSets,
+    /// `nodes` with `[structure]`.
+    #[error("`reduction.kept` of a body names sets, not nodes")]
+    NoNodes,
+    /// `nodes` without `matrices.freedoms`.
+    #[error("`reduction.kept` names nodes, but `matrices.freedoms` does not say which freedoms they have")]
+    NoTable,
+}
+
+fn listed(found: &[&str]) -> String {
+    match found {
+        [] => "none".to_owned(),
+        _ => found.iter().map(|key| format!("`{key}`")).collect::<Vec<_>>().join(" and "),
+    }
+}
+
+fn hertz(angular: f64) -> f64 {
+    angular / std::f64::consts::TAU
+}
+
+impl StructureProblem {
+    pub(crate) fn at(self, place: Place) -> Fault {
+        Cause::Structure { problem: self }.at(place)
+    }
+
+    /// What stands beside the caret.
+    pub(crate) fn label(&self) -> &'static str {
+        match self {
+            Self::NoStructure | Self::Needs { .. } => "in this section",
+            Self::OneGeometry { .. } => "one of three",
+            Self::Length { .. } => "wrong length",
+            Self::Format { .. } => "unknown format",
+            Self::EmptySupport { .. } => "without effect",
+            Self::Folder { .. } => "no such folder",
+            Self::Factor { .. } => "not finite",
+            Self::NothingToSweep | Self::IdleParameter { .. } => "without effect",
+            Self::UnsortedValues => "not in order",
+            Self::UnknownSet { .. } => "unknown set",
+            Self::UnknownGroup { .. } => "unknown name",
+            Self::NoMaterial { .. } => "in this section",
+            Self::UnknownNode { .. } => "unknown node",
+            Self::KeptFreedoms { .. } => "these freedoms",
+            Self::File { .. } => "this file",
+            Self::Unbuilt { .. } => "here",
+            Self::Kept(_) => "not here",
+            Self::NegativeDamping { .. } => "these ratios",
+        }
+    }
+
+    /// What would be right.
+    pub(crate) fn help(&self) -> String {
+        match self {
+            Self::NoStructure => {
+                "give [structure] with beam = { … }, block = { … } or mesh = \"file.msh\", or [matrices] with mass = [{ file = \"…\" }]"
+                    .to_owned()
+            }
+            Self::OneGeometry { .. } => {
+                "as in beam = { length = \"100 mm\", thickness = \"2 mm\", elements = [100, 2] }".to_owned()
+            }
+            Self::Needs { example, .. } => format!("give {example}"),
+            Self::Length { expected, .. } => format!("give {expected}"),
+            Self::Format { known, .. } => format!("known endings: {known}"),
+            Self::EmptySupport { .. } => "give fixed = [\"x\", \"y\"] or tied = [\"y\"]".to_owned(),
+            Self::Folder { .. } => {
+                "a folder in a case is relative to the case file, one in `--set` to where the program runs"
+                    .to_owned()
+            }
+            Self::Factor { .. } => "a factor must be finite: mind division by zero".to_owned(),
+            Self::NothingToSweep => {
+                "take matrices with factors such as \"1/speed - 1\", or run the case once a value with `--set`"
+                    .to_owned()
+            }
+            Self::IdleParameter { .. } => "sweep a parameter that a factor contains".to_owned(),
+            Self::UnsortedValues => "branches are followed from one value to the next: sort them".to_owned(),
+            Self::UnknownSet { name, known } => did_you_mean(name, known, "sets here"),
+            Self::UnknownGroup { name, known } => did_you_mean(name, known, "names here"),
+            Self::NoMaterial { name } => format!("give material = {{ … }} or materials = {{ {name} = {{ … }} }}"),
+            Self::UnknownNode { .. } => "name nodes that the table has".to_owned(),
+            Self::KeptFreedoms { .. } => "name free freedoms, each once".to_owned(),
+            Self::File { .. } => "the file is read as its ending says".to_owned(),
+            Self::Unbuilt { .. } => "mind elements, materials and supports".to_owned(),
+            Self::Kept(KeptProblem::NoSets) => "as in kept = [{ nodes = [1, 17] }]".to_owned(),
+            Self::Kept(KeptProblem::NoNodes) => "as in kept = [{ set = \"end\" }]".to_owned(),
+            Self::Kept(KeptProblem::NoTable) => "give freedoms = \"table.csv\" in [matrices]".to_owned(),
+            Self::NegativeDamping { .. } => "move the ratios closer to one another".to_owned(),
+        }
+    }
+}

@@ -1,0 +1,76 @@
+//! Structures: the template, the disc brake, what only a file can tell.
+
+use std::path::Path;
+
+use serde_json::Value;
+
+use crate::desk::Desk;
+
+#[test]
+fn the_template_runs() {
+    let desk = Desk::new();
+    let template = desk.succeed(&["new", "structure"]).stdout;
+    desk.write("case.toml", template);
+    let checked = desk.succeed(&["check", "case.toml", "--json"]).json();
+    assert_eq!(checked["structure"]["degrees_of_freedom"], 1600);
+    let summary = desk.succeed(&["run", "case.toml", "--json"]).json();
+    assert_eq!(summary["results"]["modes"]["frequencies_hz"].as_array().unwrap().len(), 12);
+    assert_eq!(summary["results"]["damped"]["complete"], true);
+    for file in
+        ["fields/modes.vtu", "fields/modes.unv", "fields/modes-mode-1.pvd", "fields/damped-mode-1-00.vtu"]
+    {
+        assert!(desk.path(&format!("out/case/{file}")).is_file(), "{file}");
+    }
+}
+
+#[test]
+fn a_set_that_is_not_there_is_shown_in_the_case() {
+    let desk = Desk::new();
+    let template = desk.succeed(&["new", "structure"]).stdout;
+    desk.write("case.toml", template.replace("set = \"upper-corners\"", "set = \"uper-corners\""));
+    let message = "there is no set of nodes named `uper-corners`";
+    for command in ["run", "check"] {
+        desk.refused(&[command, "case.toml"], message, "did you mean `upper-corners`?");
+    }
+}
+
+/// The numbers of the data's own notes: 11 eigenvalues, two of them unstable, one marginal.
+#[test]
+fn the_disc_brake_squeals() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let data = root.join("../shared/data/disc-brake-m0");
+    if !data.is_dir() {
+        eprintln!("SKIPPED: the matrices of the disc brake are not at {}", data.display());
+        return;
+    }
+    let desk = Desk::new();
+    let case = root.join("cases/benchmarks/disc-brake.toml");
+    let folder = format!("matrices.folder={}", data.canonicalize().unwrap().display());
+    let arguments =
+        ["run", case.to_str().unwrap(), "--set", &folder, "--only", "squeal", "--json", "-o", "out"];
+    let squeal = desk.succeed(&arguments).json()["results"]["squeal"].clone();
+    assert_eq!(squeal["complete"], true);
+    let values = squeal["eigenvalues"].as_array().unwrap();
+    assert_eq!(values.len(), 11);
+    let of = |verdict: &str| -> Vec<&Value> {
+        values.iter().filter(|value| value["verdict"] == verdict).collect()
+    };
+    let number = |value: &Value| value.as_f64().unwrap();
+    for (value, (re, im)) in
+        of("unstable").iter().zip([(2.076_338, 4_920.344_220), (69.474_050, 17_429.059_590)])
+    {
+        assert!(
+            (number(&value["re"]) - re).abs() < 2e-6 && (number(&value["im"]) - im).abs() < 2e-6,
+            "{value}"
+        );
+        assert!(number(&value["residual"]) < 1e-12);
+    }
+    assert_eq!((of("unstable").len(), of("marginal").len()), (2, 1));
+    assert!((number(&of("marginal")[0]["im"]) - 5_130.604_422).abs() < 2e-6);
+    // the work of all matrices is the growth rate, and undamped modes take part
+    for told in squeal["diagnosis"].as_array().unwrap() {
+        let sum: f64 = told["matrices"].as_array().unwrap().iter().map(|own| number(&own["growth"])).sum();
+        assert!((sum - number(&told["growth_rate"])).abs() < 1e-6, "{told}");
+        assert!(number(&told["component_modes"][0]["share"]) > 0.1, "{told}");
+    }
+}

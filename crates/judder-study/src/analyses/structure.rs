@@ -1,0 +1,42 @@
+//! The analyses of a structure case.
+
+mod diagnosis;
+mod eigen;
+mod eigen_sweep;
+mod fields;
+mod modes;
+mod reduction;
+mod shapes;
+
+use crate::error::StudyError;
+use crate::outcome::Outcome;
+use crate::progress::Progress;
+use crate::structure::Structure;
+use judder_case::{Analysis, StructureAnalysis, StructureCase};
+
+/// How many steps an analysis announces.
+pub(super) fn steps(kind: &StructureAnalysis) -> usize {
+    match kind {
+        StructureAnalysis::EigenSweep(sweep) => sweep.sweep.values.len(),
+        _ => 1,
+    }
+}
+
+pub(super) fn run(
+    (case, structure): (&StructureCase, &Structure),
+    analysis: &Analysis<StructureAnalysis>,
+    progress: &dyn Progress,
+) -> Result<Outcome, StudyError> {
+    if progress.interrupted() {
+        return Err(StudyError::Interrupted);
+    }
+    let mut outcome = match &analysis.kind {
+        StructureAnalysis::Modes { wanted } => modes::run((case, structure), &analysis.name, *wanted),
+        StructureAnalysis::Reduction { count } => reduction::run((case, structure), *count),
+        StructureAnalysis::Eigen { region } => eigen::run((case, structure), &analysis.name, region),
+        StructureAnalysis::EigenSweep(settings) => eigen_sweep::run((case, structure), settings, progress),
+    }?;
+    progress.advance();
+    outcome.warnings.extend(structure.warnings.iter().cloned());
+    Ok(outcome)
+}

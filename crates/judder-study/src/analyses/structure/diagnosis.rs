@@ -1,0 +1,190 @@
+//! Why modes grow: what feeds them, which undamped modes take part, what would change them.
+
+use super::modes::Undamped;
+use crate::error::StudyError;
+use crate::outcome::CheckRecord;
+use crate::structure::{Structure, factors};
+use judder_case::StructureCase;
+use judder_case::structure::analysis::EigenRegion;
+use judder_store::number;
+use judder_structure::StructureError;
+use judder_structure::affine::Factors;
+use judder_structure::assembly::Sparse;
+use judder_structure::complex_modes::{ComplexMode, Region, Settings, Verdict, complex_modes};
+use judder_structure::diagnosis::{Diagnosis, Influence, Part, diagnosis, participations};
+use judder_structure::modes::{Mode, Wanted, modes};
+use judder_structure::quadratic::Quadratic;
+use judder_structure::statics::product;
+use serde_json::{Value, json};
+use std::f64::consts::TAU;
+
+/// Modes that are looked at, the fastest growing first.
+const MODES: usize = 10;
+/// Undamped modes that are told of each.
+const COMPONENTS: usize = 5;
+/// Undamped modes are sought up to so much more than the highest frequency of the region.
+const REACH: f64 = 1.5;
+/// Relative step of the derivatives of factors.
+const STEP: f64 = 1e-6;
+/// What the growths of all matrices may leave of the growth rate, over |λ|.
+const BALANCE_LIMIT: f64 = 1e-9;
+
+/// What is told of the modes that grow.
+pub(super) struct Told {
+    pub(super) scalars: Value,
+    pub(super) warnings: Vec<String>,
+    pub(super) check: CheckRecord,
+}
+
+/// Looks at the unstable modes of a region; `None` where there are none.
+pub(super) fn of_growing(
+    case: &StructureCase,
+    structure: &Structure,
+    (problem, sought): (&Quadratic, &EigenRegion),
+    found: &[ComplexMode],
+) -> Result<Option<Told>, StudyError> {
+    let mut growing: Vec<(usize, &ComplexMode)> =
+        found.iter().enumerate().filter(|(_, mode)| mode.eigenvalue.verdict() == Verdict::Unstable).collect();
+    if growing.is_empty() {
+        return Ok(None);
+    }
+    growing.sort_by(|a, b| b.1.eigenvalue.value.re.total_cmp(&a.1.eigenvalue.value.re));
+    growing.truncate(MODES);
+    let at = factors(case, &case.values())?;
+    let undamped = Undamped::new(problem)?;
+    let highest = sought.im[1].abs().max(sought.im[0].abs()) * REACH;
+    let mut warnings = Vec::new();
+    let components = match components(&undamped, highest) {
+        Ok(components) => components,
+        Err(error) => {
+            warnings.push(format!("no undamped modes to compare with: {error}"));
+            Vec::new()
+        }
+    };
+    let (mut entries, mut balance) = (Vec::new(), 0.0_f64);
+    for (number, mode) in &growing {
+        let told = diagnosis(&structure.family, &at, mode)?;
+        let value = mode.eigenvalue.value;
+        let sum: f64 = told.influences.iter().map(|influence| influence.growth).sum();
+        balance = balance.max((sum - value.re).abs() / value.norm());
+        let paradoxes = told.influences.iter().filter(|influence| influence.is_paradox());
+        warnings.extend(paradoxes.map(|influence| {
+            format!(
+                "mode {} at {:.1} Hz: the damping {} takes energy out of it, but more of it lets it grow faster (damping paradox)",
+                number + 1,
+                mode.eigenvalue.frequency_hz(),
+                influence.name
+            )
+        }));
+        let mut entry = entry(&told, sum);
+        entry["mode"] = json!(number + 1);
+        entry["growth_rate"] = json!(value.re);
+        entry["frequency_hz"] = json!(mode.eigenvalue.frequency_hz());
+        entry["component_modes"] = taking_part(&undamped, &components, mode);
+        entry["parameters"] = by_parameters(case, &told, &at)?;
+        entries.push(entry);
+    }
+    let check = CheckRecord {
+        name: "the work of all matrices is the growth rate".to_owned(),
+        compared: format!("sum of their growths against Re λ, over |λ|, of {} unstable modes", growing.len()),
+        figure: balance,
+        limit: BALANCE_LIMIT,
+    };
+    Ok(Some(Told { scalars: Value::from(entries), warnings, check }))
+}
+
+/// The undamped modes up to an angular frequency. Where a stiffness that is no more than symmetric lets the search for real modes
+/// fail, the engine of complex modes finds them on the imaginary axis.
+fn components(undamped: &Undamped, highest: f64) -> Result<Vec<Mode>, StudyError> {
+    /// Half the width of the strip about the axis, over its height.
+    const STRIP: f64 = 1e-3;
+    let Undamped { mass, stiffness, .. } = undamped;
+    match modes(stiffness, mass, Wanted::Band(0.0, highest / TAU)) {
+        Ok(found) => return Ok(found.modes),
+        Err(StructureError::MissingModes { .. }) => (),
+        Err(error) => return Err(error.into()),
+    }
+    let rows = mass.nrows();
+    let none =
+        Sparse::try_new_from_triplets(rows, rows, &[]).map_err(|_| StructureError::OutOfMemory { rows })?;
+    let problem = Quadratic::new(mass.clone(), none, stiffness.clone())?;
+    let strip = Region { re: [-STRIP * highest, STRIP * highest], im: [0.0, highest] };
+    let found = complex_modes(&problem, &strip, &Settings::default())?;
+    Ok(found.modes.iter().map(|mode| real(mass, mode)).collect())
+}
+
+/// A mode on the imaginary axis as a real one: its vector has its largest entry real, so that all are.
+fn real(mass: &Sparse, mode: &ComplexMode) -> Mode {
+    let shape: Vec<f64> = mode.right.iter().map(|entry| entry.re).collect();
+    let image = product(mass, &shape);
+    let length = shape.iter().zip(&image).map(|(a, b)| a * b).sum::<f64>().sqrt();
+    Mode {
+        eigenvalue: mode.eigenvalue.value.norm_sqr(),
+        shape: shape.iter().map(|entry| entry / length).collect(),
+        residual: mode.eigenvalue.residual,
+    }
+}
+
+/// The influences of all matrices.
+fn entry(told: &Diagnosis, sum: f64) -> Value {
+    let influence = |own: &Influence| {
+        json!({
+            "part": own.part.name(), "name": own.name, "factor": own.factor, "growth": number(own.growth),
+            "sensitivity": [number(own.sensitivity.re), number(own.sensitivity.im)],
+        })
+    };
+    json!({
+        "matrices": told.influences.iter().map(influence).collect::<Vec<_>>(), "sum": number(sum),
+        "positive_energy": told.positive_energy,
+    })
+}
+
+/// The undamped modes with the largest shares.
+fn taking_part(undamped: &Undamped, components: &[Mode], mode: &ComplexMode) -> Value {
+    let mut shares = participations(&undamped.mass, components, mode);
+    shares.sort_by(|a, b| b.share.total_cmp(&a.share));
+    let entry = |own: &judder_structure::diagnosis::Participation| {
+        json!({
+            "mode": own.component + 1, "frequency_hz": components[own.component].frequency_hz(),
+            "share": number(own.share), "mac": number(own.assurance),
+        })
+    };
+    shares.iter().take(COMPONENTS).map(entry).collect()
+}
+
+/// ∂λ/∂p of every parameter: Σ ∂λ/∂fᵢ dfᵢ/dp, the factors' derivatives by central differences.
+fn by_parameters(case: &StructureCase, told: &Diagnosis, at: &Factors) -> Result<Value, StudyError> {
+    let mut entries = Vec::new();
+    for (index, parameter) in case.parameters.iter().enumerate() {
+        let step = STEP * if parameter.value == 0.0 { 1.0 } else { parameter.value.abs() };
+        let moved = |by: f64| {
+            let mut values = case.values();
+            values[index] += by;
+            factors(case, &values)
+        };
+        // at the edge of where factors have values there is no derivative
+        let (Ok(plus), Ok(minus)) = (moved(step), moved(-step)) else { continue };
+        let slope = |part: Part, k: usize| {
+            let of = |factors: &Factors| match part {
+                Part::Mass => factors.mass[k],
+                Part::Damping => factors.damping[k],
+                Part::Stiffness => factors.stiffness[k],
+            };
+            (of(&plus) - of(&minus)) / (2.0 * step)
+        };
+        let places = [
+            (Part::Mass, at.mass.len()),
+            (Part::Damping, at.damping.len()),
+            (Part::Stiffness, at.stiffness.len()),
+        ];
+        let slopes = places.into_iter().flat_map(|(part, count)| (0..count).map(move |k| (part, k)));
+        let sum: num_complex::Complex64 = told
+            .influences
+            .iter()
+            .zip(slopes)
+            .map(|(influence, (part, k))| influence.sensitivity * slope(part, k))
+            .sum();
+        entries.push(json!({ "name": parameter.name, "sensitivity": [number(sum.re), number(sum.im)] }));
+    }
+    Ok(Value::from(entries))
+}

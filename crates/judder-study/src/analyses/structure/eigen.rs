@@ -1,0 +1,177 @@
+//! `eigen`: all complex modes in a region, each with its error.
+
+use super::diagnosis;
+use super::fields::{self, Shape};
+use super::shapes;
+use crate::error::StudyError;
+use crate::outcome::{CheckRecord, Outcome};
+use crate::structure::Structure;
+use judder_case::StructureCase;
+use judder_case::structure::analysis::EigenRegion;
+use judder_store::{Dataset, Table, Variable, number};
+use judder_structure::complex_modes::{
+    ComplexMode, ComplexModes, Eigenvalue, Gap, Region, Settings, Verdict, complex_modes,
+};
+use num_complex::Complex64;
+use serde_json::{Map, Value, json};
+
+/// What the normalised backward error of an eigenpair may be.
+const RESIDUAL_LIMIT: f64 = 1e-12;
+/// The verdicts as codes of arrays.
+pub(super) const VERDICTS: [(u8, &str); 3] = [(0, "stable"), (1, "marginal"), (2, "unstable")];
+
+pub(super) fn code(verdict: Verdict) -> u8 {
+    match verdict {
+        Verdict::Stable => 0,
+        Verdict::Marginal => 1,
+        Verdict::Unstable => 2,
+    }
+}
+
+/// The region of a case as the engine takes it.
+pub(super) fn region(region: &EigenRegion) -> Region {
+    Region { re: region.re, im: region.im }
+}
+
+pub(super) fn run(
+    (case, structure): (&StructureCase, &Structure),
+    name: &str,
+    sought: &EigenRegion,
+) -> Result<Outcome, StudyError> {
+    let problem = structure.at(case, &case.values())?;
+    let mut found = complex_modes(&problem, &region(sought), &Settings::default())?;
+    found.modes.sort_by(|a, b| in_order(&a.eigenvalue, &b.eigenvalue));
+    let values: Vec<Eigenvalue> = found.modes.iter().map(|mode| mode.eigenvalue).collect();
+    let unstable = values.iter().filter(|value| value.verdict() == Verdict::Unstable).count();
+    let mut scalars = Map::from_iter([
+        ("eigenvalues".to_owned(), values.iter().map(entry).collect::<Value>()),
+        ("complete".to_owned(), json!(found.complete())),
+        ("unstable".to_owned(), json!(unstable)),
+        ("degrees_of_freedom".to_owned(), json!(problem.size())),
+        ("shifts".to_owned(), json!(found.shifts.len())),
+    ]);
+    let mut warnings = gap_warnings(&found.gaps);
+    let mut checks = checks(&found);
+    if let Some(told) = diagnosis::of_growing(case, structure, (&problem, sought), &found.modes)? {
+        scalars.insert("diagnosis".to_owned(), told.scalars);
+        warnings.extend(told.warnings);
+        checks.push(told.check);
+    }
+    let shapes: Vec<Vec<Complex64>> = found.modes.iter().map(|mode| of_largest_one(&mode.right)).collect();
+    let mut dataset = dataset(&values, sought)?.with(
+        Variable::new("mac", &["mode", "other_mode"], &[values.len(); 2], shapes::complex_mac(&shapes))
+            .units("1")
+            .long_name("modal assurance criterion of two shapes"),
+    )?;
+    if let Some(layout) = &structure.layout {
+        dataset = shapes::with_layout(dataset, layout)?;
+        dataset = shapes::with_complex(dataset, layout, &shapes, &mut warnings)?;
+    }
+    let swinging = |(k, (mode, vector)): (usize, (&ComplexMode, Vec<Complex64>))| {
+        let (value, frequency) = (mode.eigenvalue.value, mode.eigenvalue.frequency_hz());
+        let name = format!("mode {} ({:.6} + {:.6} i 1/s)", k + 1, value.re, value.im);
+        Shape { name, vector, frequency, damping_ratio: mode.eigenvalue.damping_ratio() }
+    };
+    let shapes: Vec<Shape> = found.modes.iter().zip(shapes).enumerate().map(swinging).collect();
+    Ok(Outcome {
+        scalars,
+        dataset,
+        table: Some(table(&values)?),
+        checks,
+        missing: usize::from(!found.complete()),
+        warnings,
+        files: fields::fields(name, structure, &shapes, true)?,
+    })
+}
+
+/// By imaginary, then by real part.
+pub(super) fn in_order(a: &Eigenvalue, b: &Eigenvalue) -> std::cmp::Ordering {
+    a.value.im.total_cmp(&b.value.im).then(a.value.re.total_cmp(&b.value.re))
+}
+
+/// An eigenvalue for `summary.json`.
+pub(super) fn entry(value: &Eigenvalue) -> Value {
+    json!({
+        "re": value.value.re, "im": value.value.im, "residual": value.residual, "left_residual": value.left_residual,
+        "verdict": value.verdict().name(), "error": number(value.error), "condition": number(value.condition),
+        "defective": value.defective, "frequency_hz": value.frequency_hz(), "damping_ratio": number(value.damping_ratio()),
+    })
+}
+
+/// Why there may be more eigenvalues.
+pub(super) fn gap_warnings(gaps: &[Gap]) -> Vec<String> {
+    const SHOWN: usize = 5;
+    let mut warnings: Vec<String> =
+        gaps.iter().take(SHOWN).map(|gap| format!("eigenvalues may be missing: {gap}")).collect();
+    if gaps.len() > SHOWN {
+        warnings.push(format!("eigenvalues may be missing at {} more places", gaps.len() - SHOWN));
+    }
+    warnings
+}
+
+/// A shape whose largest entry has magnitude 1; its phase stays as it is.
+fn of_largest_one(vector: &[Complex64]) -> Vec<Complex64> {
+    let largest = vector.iter().map(|entry| entry.norm()).fold(0.0, f64::max);
+    if largest == 0.0 { vector.to_vec() } else { vector.iter().map(|entry| entry / largest).collect() }
+}
+
+fn dataset(values: &[Eigenvalue], sought: &EigenRegion) -> Result<Dataset, StudyError> {
+    let count = values.len();
+    let numbers: Vec<i64> = (1..=count as i64).collect();
+    let of = |pick: &dyn Fn(&Eigenvalue) -> f64| -> Vec<f64> { values.iter().map(pick).collect() };
+    let modal = |name: &str, values: Vec<f64>| Variable::new(name, &["mode"], &[count], values);
+    let eigenvalues: Vec<Complex64> = values.iter().map(|value| value.value).collect();
+    let verdicts: Vec<u8> = values.iter().map(|value| code(value.verdict())).collect();
+    Ok(Dataset::new()
+        .attribute("kind", "eigen")?
+        .attribute("region", json!({ "re": sought.re, "im": sought.im }))?
+        .with(Variable::coordinate("mode", numbers).long_name("number of the mode, by rising frequency"))?
+        .with(
+            Variable::new("eigenvalue", &["mode"], &[count], eigenvalues)
+                .units("1/s")
+                .long_name("eigenvalue λ, growth rate + i angular frequency"),
+        )?
+        .with(modal("error", of(&|v| v.error)).units("1/s").long_name("how far the true eigenvalue may be"))?
+        .with(modal("residual", of(&|v| v.residual)).units("1").long_name("normalised backward error"))?
+        .with(modal("condition", of(&|v| v.condition)).units("1").long_name("condition number"))?
+        .with(
+            modal("damping_ratio", of(&Eigenvalue::damping_ratio))
+                .units("1")
+                .long_name("damping ratio ζ = −Re λ/|λ|"),
+        )?
+        .with(Variable::classes("verdict", &["mode"], &[count], verdicts, &VERDICTS).long_name("verdict"))?)
+}
+
+fn table(values: &[Eigenvalue]) -> Result<Table, StudyError> {
+    let of = |pick: &dyn Fn(&Eigenvalue) -> f64| -> Vec<f64> { values.iter().map(pick).collect() };
+    let words: Vec<String> = values.iter().map(|value| value.verdict().name().to_owned()).collect();
+    Ok(Table::new()
+        .column("mode", "1", (1..=values.len() as i64).collect::<Vec<_>>())?
+        .column("re", "1/s", of(&|v| v.value.re))?
+        .column("im", "1/s", of(&|v| v.value.im))?
+        .column("frequency", "Hz", of(&Eigenvalue::frequency_hz))?
+        .column("damping_ratio", "1", of(&Eigenvalue::damping_ratio))?
+        .column("error", "1/s", of(&|v| v.error))?
+        .column("residual", "1", of(&|v| v.residual))?
+        .column("condition", "1", of(&|v| v.condition))?
+        .column("verdict", "1", words)?)
+}
+
+fn checks(found: &ComplexModes) -> Vec<CheckRecord> {
+    let largest = |pick: fn(&ComplexMode) -> f64| found.modes.iter().map(pick).fold(0.0, f64::max);
+    let count = found.modes.len();
+    vec![
+        CheckRecord {
+            name: "eigenpairs satisfy (λ² M + λ C + K) x = 0".to_owned(),
+            compared: format!("normalised backward error of right and left vectors, {count} modes"),
+            figure: largest(|mode| mode.eigenvalue.residual.max(mode.eigenvalue.left_residual)),
+            limit: RESIDUAL_LIMIT,
+        },
+        CheckRecord {
+            name: "no eigenvalue is missing".to_owned(),
+            compared: format!("places where the overlaps of {} discs did not close", found.shifts.len()),
+            figure: found.gaps.len() as f64,
+            limit: 0.0,
+        },
+    ]
+}

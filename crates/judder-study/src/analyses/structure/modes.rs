@@ -1,0 +1,219 @@
+//! `modes`: undamped modes with their shapes.
+
+use super::fields::{self, Shape};
+use super::shapes;
+use crate::error::StudyError;
+use crate::outcome::{CheckRecord, Outcome};
+use crate::structure::{Structure, symmetric_part};
+use judder_case::StructureCase;
+use judder_case::structure::analysis::WantedModes;
+use judder_store::{Dataset, Table, Variable, number};
+use judder_structure::assembly::Sparse;
+use judder_structure::modes::{Mode, Modes, Wanted, modes};
+use judder_structure::quadratic::Quadratic;
+use judder_structure::statics::product;
+use num_complex::Complex64;
+use serde_json::{Map, Value, json};
+use std::f64::consts::TAU;
+
+/// What the normalised backward error of a mode may be.
+const RESIDUAL_LIMIT: f64 = 1e-11;
+/// What shapes may leave of each other in the inner product of the mass.
+const ORTHOGONALITY_LIMIT: f64 = 1e-8;
+/// Below this share of the frequency up to which modes were counted a mode is a rigid motion: rounding of ω² leaves its root.
+const RIGID: f64 = 1e-4;
+/// Departure from symmetry that is rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// M and K of which modes are those of an undamped structure, and what has to be said of them.
+pub(super) struct Undamped {
+    pub(super) mass: Sparse,
+    pub(super) stiffness: Sparse,
+    pub(super) warnings: Vec<String>,
+}
+
+impl Undamped {
+    /// The symmetric parts at the case's own parameters.
+    pub(super) fn new(problem: &Quadratic) -> Result<Self, StudyError> {
+        let mut warnings = Vec::new();
+        let mut part = |name: &str, matrix: &Sparse| {
+            let (part, departure) = symmetric_part(matrix)?;
+            if departure > ROUNDING {
+                warnings.push(format!(
+                    "the {name} is not symmetric ({departure:.1e} of its largest entry): the modes are those of its symmetric part"
+                ));
+            }
+            Ok::<_, StudyError>(part)
+        };
+        let mass = part("mass", problem.mass())?;
+        let stiffness = part("stiffness", problem.stiffness())?;
+        Ok(Self { mass, stiffness, warnings })
+    }
+}
+
+pub(super) fn run(
+    (case, structure): (&StructureCase, &Structure),
+    name: &str,
+    wanted: WantedModes,
+) -> Result<Outcome, StudyError> {
+    let problem = structure.at(case, &case.values())?;
+    let Undamped { mass, stiffness, warnings } = Undamped::new(&problem)?;
+    let wanted = match wanted {
+        WantedModes::Count(count) => Wanted::Lowest(count),
+        WantedModes::Band(from, to) => Wanted::Band(from / TAU, to / TAU),
+    };
+    let found = modes(&stiffness, &mass, wanted)?;
+    let table = ModeTable {
+        frequencies: found.modes.iter().map(Mode::frequency_hz).collect(),
+        residuals: found.modes.iter().map(|mode| mode.residual).collect(),
+        ratios: damping_ratios(&problem, &found),
+    };
+    let rigid = rigid_modes(&found);
+    let mut scalars = Map::from_iter([
+        ("frequencies_hz".to_owned(), json!(table.frequencies)),
+        ("residuals".to_owned(), json!(table.residuals)),
+        ("rigid_modes".to_owned(), json!(rigid)),
+        ("counted".to_owned(), counted(&found)),
+        ("degrees_of_freedom".to_owned(), json!(problem.size())),
+    ]);
+    if let Some(ratios) = &table.ratios {
+        scalars.insert("damping_ratios".to_owned(), ratios.iter().map(|ratio| number(*ratio)).collect());
+    }
+    let mut warnings = warnings;
+    let mut dataset = table.dataset(&found.modes)?;
+    if let Some(layout) = &structure.layout {
+        let vectors: Vec<&[f64]> = found.modes.iter().map(|mode| &mode.shape[..]).collect();
+        dataset = shapes::with_layout(dataset, layout)?;
+        dataset = shapes::with_real(dataset, layout, &vectors, &mut warnings)?;
+    }
+    let swinging = |(k, mode): (usize, &Mode)| {
+        let ratio = table.ratios.as_ref().map_or(0.0, |ratios| ratios[k]);
+        swinging(k, mode, (k >= rigid).then_some(ratio))
+    };
+    let shapes: Vec<Shape> = found.modes.iter().enumerate().map(swinging).collect();
+    let files = fields::fields(name, structure, &shapes, false)?;
+    let checks = checks(&mass, &found, wanted);
+    Ok(Outcome { scalars, dataset, table: Some(table.columns()?), checks, files, warnings, missing: 0 })
+}
+
+/// How many modes a factorisation counts, and below which frequency.
+fn counted(found: &Modes) -> Value {
+    let (limit, modes) = found.counted;
+    json!({ "below_hz": number(limit.max(0.0).sqrt() / TAU), "modes": modes })
+}
+
+/// What is told of every mode.
+struct ModeTable {
+    frequencies: Vec<f64>,
+    residuals: Vec<f64>,
+    /// Damping ratios, where there is damping.
+    ratios: Option<Vec<f64>>,
+}
+
+impl ModeTable {
+    fn numbers(&self) -> Vec<i64> {
+        (1..=self.frequencies.len() as i64).collect()
+    }
+
+    fn dataset(&self, modes: &[Mode]) -> Result<Dataset, StudyError> {
+        let count = self.frequencies.len();
+        let modal = |name: &str, values: &[f64]| Variable::new(name, &["mode"], &[count], values.to_vec());
+        let mac = Variable::new("mac", &["mode", "other_mode"], &[count, count], shapes::mac(modes));
+        let dataset = Dataset::new()
+            .attribute("kind", "modes")?
+            .with(Variable::coordinate("mode", self.numbers()).long_name("number of the mode"))?
+            .with(modal("frequency", &self.frequencies).units("Hz").long_name("natural frequency"))?
+            .with(modal("residual", &self.residuals).units("1").long_name("normalised backward error"))?
+            .with(mac.units("1").long_name("modal assurance criterion of two shapes"))?;
+        match &self.ratios {
+            None => Ok(dataset),
+            Some(ratios) => {
+                let ratios = modal("damping_ratio", ratios).units("1").long_name("modal damping ratio ζ");
+                Ok(dataset.with(ratios)?)
+            }
+        }
+    }
+
+    fn columns(&self) -> Result<Table, StudyError> {
+        let table = Table::new()
+            .column("mode", "1", self.numbers())?
+            .column("frequency", "Hz", self.frequencies.clone())?
+            .column("residual", "1", self.residuals.clone())?;
+        match &self.ratios {
+            None => Ok(table),
+            Some(ratios) => Ok(table.column("damping_ratio", "1", ratios.clone())?),
+        }
+    }
+}
+
+/// A mode for the files of its shape, with its damping ratio; a rigid motion has none and does not swing.
+fn swinging(number: usize, mode: &Mode, ratio: Option<f64>) -> Shape {
+    let frequency = mode.frequency_hz();
+    let name = format!("mode {} ({frequency:.6} Hz)", number + 1);
+    let vector = mode.shape.iter().map(|u| Complex64::from(*u)).collect();
+    let frequency = if ratio.is_some() { frequency } else { 0.0 };
+    Shape { name, vector, frequency, damping_ratio: ratio.unwrap_or(0.0) }
+}
+
+/// ζ = φᵀCφ/(2ω) of mass-normalised shapes, NaN for rigid motions; `None` without damping.
+fn damping_ratios(problem: &Quadratic, found: &Modes) -> Option<Vec<f64>> {
+    if problem.damping().val().iter().all(|value| *value == 0.0) {
+        return None;
+    }
+    let rigid = rigid_modes(found);
+    let ratio = |(k, mode): (usize, &Mode)| {
+        let image = product(problem.damping(), &mode.shape);
+        let work: f64 = mode.shape.iter().zip(&image).map(|(a, b)| a * b).sum();
+        if k < rigid { f64::NAN } else { work / (2.0 * TAU * mode.frequency_hz()) }
+    };
+    Some(found.modes.iter().enumerate().map(ratio).collect())
+}
+
+/// How many modes are rigid motions: zero but for rounding beside the value up to which modes were counted.
+fn rigid_modes(found: &Modes) -> usize {
+    let limit = RIGID * found.counted.0.max(0.0).sqrt() / TAU;
+    found.modes.iter().take_while(|mode| mode.frequency_hz() < limit).count()
+}
+
+fn checks(mass: &Sparse, found: &Modes, wanted: Wanted) -> Vec<CheckRecord> {
+    let modes = &found.modes;
+    let residual = modes.iter().map(|mode| mode.residual).fold(0.0, f64::max);
+    let (limit, counted) = found.counted;
+    let expected = match wanted {
+        Wanted::Lowest(count) => counted.min(count),
+        // below the band there are others
+        Wanted::Band(..) => modes.iter().filter(|mode| mode.eigenvalue < limit).count(),
+    };
+    vec![
+        CheckRecord {
+            name: "modes satisfy K φ = ω² M φ".to_owned(),
+            compared: format!("normalised backward error of {} modes", modes.len()),
+            figure: residual,
+            limit: RESIDUAL_LIMIT,
+        },
+        CheckRecord {
+            name: "no mode is missing".to_owned(),
+            compared: format!("modes found against {counted} that a factorisation counts below the next one"),
+            figure: expected.abs_diff(modes.len()) as f64,
+            limit: 0.0,
+        },
+        CheckRecord {
+            name: "shapes are orthogonal".to_owned(),
+            compared: "largest entry of Φᵀ M Φ − I".to_owned(),
+            figure: departure_from_orthogonality(mass, modes),
+            limit: ORTHOGONALITY_LIMIT,
+        },
+    ]
+}
+
+fn departure_from_orthogonality(mass: &Sparse, modes: &[Mode]) -> f64 {
+    let mut largest = 0.0_f64;
+    for (i, mode) in modes.iter().enumerate() {
+        let image = product(mass, &mode.shape);
+        for (j, other) in modes.iter().enumerate().take(i + 1) {
+            let entry: f64 = image.iter().zip(&other.shape).map(|(a, b)| a * b).sum();
+            largest = largest.max((entry - f64::from(u8::from(i == j))).abs());
+        }
+    }
+    largest
+}

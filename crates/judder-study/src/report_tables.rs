@@ -1,0 +1,91 @@
+//! Tables of the report beside the scalars: eigenvalues, and why modes grow.
+
+use judder_report::Block;
+use judder_report::page::Table;
+use serde_json::{Map, Value};
+
+/// Rows that a table shows; all are in the CSV file.
+const ROWS: usize = 40;
+
+/// The tables of an analysis that has complex modes.
+pub(crate) fn tables(results: &Map<String, Value>) -> Vec<Block> {
+    let is_list = |value: &&Vec<Value>| value.first().is_some_and(|first| first.get("verdict").is_some());
+    let Some(values) = results.get("eigenvalues").and_then(Value::as_array).filter(is_list) else {
+        return Vec::new();
+    };
+    let mut blocks = vec![Block::Table(eigenvalues(values))];
+    let diagnoses = results.get("diagnosis").and_then(Value::as_array);
+    blocks.extend(diagnoses.into_iter().flatten().map(|told| Block::Table(diagnosis(told))));
+    blocks
+}
+
+fn eigenvalues(values: &[Value]) -> Table {
+    let row = |(k, value): (usize, &Value)| {
+        let numbers = ["re", "im", "frequency_hz", "damping_ratio", "error", "residual"];
+        let mut cells = vec![(k + 1).to_string()];
+        cells.extend(numbers.iter().map(|name| short(&value[*name])));
+        cells.push(value["verdict"].as_str().unwrap_or_default().to_owned());
+        cells
+    };
+    let more =
+        if values.len() > ROWS { format!(", the first {ROWS} of {}", values.len()) } else { String::new() };
+    let head = [
+        "mode",
+        "Re $λ$ (1/s)",
+        "Im $λ$ (1/s)",
+        "frequency (Hz)",
+        "damping ratio",
+        "error (1/s)",
+        "residual",
+        "verdict",
+    ];
+    Table {
+        caption: format!("Eigenvalues{more}"),
+        head: head.map(String::from).to_vec(),
+        rows: values.iter().enumerate().take(ROWS).map(row).collect(),
+    }
+}
+
+/// What each matrix adds to the growth rate of a mode, which undamped modes take part, what changes it.
+fn diagnosis(told: &Value) -> Table {
+    let mut rows = Vec::new();
+    let mut row = |what: String, value: String, change: String| rows.push(vec![what, value, change]);
+    for own in told["matrices"].as_array().into_iter().flatten() {
+        let name = format!("{} ({})", word(&own["name"]), word(&own["part"]));
+        row(name, short(&own["growth"]), short(&own["sensitivity"][0]));
+    }
+    row("sum: the growth rate".to_owned(), short(&told["sum"]), String::new());
+    for own in told["parameters"].as_array().into_iter().flatten() {
+        row(format!("parameter {}", word(&own["name"])), String::new(), short(&own["sensitivity"][0]));
+    }
+    for own in told["component_modes"].as_array().into_iter().flatten() {
+        let name = format!(
+            "undamped mode {} at {} Hz: share of the kinetic energy",
+            own["mode"],
+            short(&own["frequency_hz"])
+        );
+        row(name, short(&own["share"]), String::new());
+    }
+    let head = ["what", "growth (1/s), or share", "change of the growth rate per unit (1/s)"];
+    Table {
+        caption: format!("Why mode {} at {} Hz grows", told["mode"], short(&told["frequency_hz"])),
+        head: head.map(String::from).to_vec(),
+        rows,
+    }
+}
+
+fn word(value: &Value) -> &str {
+    value.as_str().unwrap_or_default()
+}
+
+/// A number to six digits; a dash where there is none.
+fn short(value: &Value) -> String {
+    match value.as_f64() {
+        None => "–".to_owned(),
+        Some(value) => {
+            let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+            let plain = value == 0.0 || (1e-3..1e7).contains(&value.abs());
+            if plain { format!("{rounded}") } else { format!("{rounded:e}") }.replace('-', "−")
+        }
+    }
+}

@@ -14,8 +14,8 @@ use faer::sparse::linalg::cholesky::simplicial::{
 use feral_scotch::{CscPattern, ScotchOptions, scotch_order_full};
 use rayon::prelude::*;
 
-/// Below so many groups of rows a minimum degree leaves as little fill.
-const DISSECTED_FROM: usize = 1000;
+/// Factorisations of fewer operations are done before a dissection is.
+const WORTH_DISSECTING: f64 = 5e8;
 /// Seeds of the dissections that are tried; their counts of operations differ by a third on a cube.
 const SEEDS: [u64; 4] = [1, 2, 3, 4];
 /// How far the two sides of a separator may differ.
@@ -28,20 +28,22 @@ const IMBALANCE: f64 = 0.1;
 pub(super) fn order(matrix: &Sparse) -> Result<Vec<usize>, StructureError> {
     let full = Graph::of_lower_triangle(matrix);
     let (groups, graph) = full.grouped();
-    let minimum_degree = minimum_degree(&graph, matrix.nrows())?;
-    let orders: Vec<Vec<usize>> = if groups.len() < DISSECTED_FROM {
-        vec![minimum_degree]
-    } else {
-        let dissected: Vec<_> = SEEDS.par_iter().filter_map(|seed| dissection(&graph, *seed)).collect();
-        std::iter::once(minimum_degree).chain(dissected).collect()
-    };
-    let operations: Vec<f64> = match orders.len() {
-        1 => vec![0.0],
-        _ => orders.par_iter().map(|order| operations(&graph, order)).collect::<Result<_, _>>()?,
-    };
-    // the first of the best
-    let best = (1..orders.len()).fold(0, |best, k| if operations[k] < operations[best] { k } else { best });
-    Ok(orders[best].iter().flat_map(|group| groups[*group].iter().copied()).collect())
+    let mut best = minimum_degree(&graph, matrix.nrows())?;
+    let mut fewest = operations(&graph, &best)?;
+    let rows_of_group = matrix.nrows() as f64 / groups.len().max(1) as f64;
+    if fewest * rows_of_group.powi(3) > WORTH_DISSECTING {
+        let dissected = |seed: &u64| -> Result<_, StructureError> {
+            dissection(&graph, *seed).map(|order| Ok((operations(&graph, &order)?, order))).transpose()
+        };
+        let dissected: Vec<_> = SEEDS.par_iter().map(dissected).collect::<Result<_, _>>()?;
+        for (operations, order) in dissected.into_iter().flatten() {
+            // of equals the first
+            if operations < fewest {
+                (fewest, best) = (operations, order);
+            }
+        }
+    }
+    Ok(best.iter().flat_map(|group| groups[*group].iter().copied()).collect())
 }
 
 /// Neighbours of vertices, each with itself, ascending.
@@ -219,7 +221,7 @@ mod tests {
 
     #[test]
     fn a_dissected_cube_takes_fewer_operations_than_by_minimum_degree_and_every_row_once() {
-        let matrix = cube(12, 1);
+        let matrix = cube(12, 3);
         let graph = Graph::of_lower_triangle(&matrix);
         let by_degree = operations(&graph, &minimum_degree(&graph, 1).unwrap()).unwrap();
         let best = order(&matrix).unwrap();

@@ -1,6 +1,8 @@
-//! Solutions with the factors of a block of columns.
+//! Solutions with the factors: forward through the tree, block by block, and back.
 
 use super::front::{Front, Pivot, column_mut};
+use super::tree::Branch;
+use super::{Elimination, SymmetricFactor};
 use faer::linalg::triangular_solve::{
     solve_unit_lower_triangular_in_place, solve_unit_upper_triangular_in_place,
 };
@@ -10,6 +12,109 @@ use std::ops::Range;
 
 /// Rows that are worked together.
 const CHUNK: usize = 512;
+
+impl SymmetricFactor {
+    /// x with A x = b, in place of b.
+    pub fn solve(&self, right: &mut [f64]) {
+        self.solve_together([right]);
+    }
+
+    /// The same for N right sides together: large factors are read from memory once for all of them.
+    pub fn solve_together<const N: usize>(&self, right: [&mut [f64]; N]) {
+        let Elimination { tree, order, .. } = &*self.pattern.shared;
+        let shared = !tree.branches.is_empty();
+        let mut x = right.each_ref().map(|right| order.iter().map(|row| right[*row]).collect::<Vec<f64>>());
+        let forward = |branch: &Branch| self.forward_branch(branch, &x);
+        let solved: Vec<[Vec<f64>; N]> = tree.branches.par_iter().map(forward).collect();
+        for (branch, solved) in tree.branches.iter().zip(&solved) {
+            let (columns, rows) = branch.places.split_at(branch.columns);
+            for (x, solved) in x.iter_mut().zip(solved) {
+                for (place, value) in columns.iter().zip(solved) {
+                    x[*place] = *value;
+                }
+                for (place, lost) in rows.iter().zip(&solved[branch.columns..]) {
+                    x[*place] += lost;
+                }
+            }
+        }
+        for block in &tree.trunk {
+            let own = x.each_mut().map(|x| &mut x[tree.columns(*block)]);
+            let lost = self.fronts[*block].forward(own, shared);
+            for (x, lost) in x.iter_mut().zip(lost) {
+                for (row, lost) in tree.rows(*block).iter().zip(lost) {
+                    x[*row] -= lost;
+                }
+            }
+        }
+        for block in tree.trunk.iter().rev() {
+            let columns = tree.columns(*block);
+            let mut own =
+                x.each_ref().map(|x| gathered(x, columns.clone().chain(tree.rows(*block).iter().copied())));
+            self.fronts[*block].backward(&mut own, shared);
+            for (x, own) in x.iter_mut().zip(&own) {
+                x[columns.clone()].copy_from_slice(&own[..columns.len()]);
+            }
+        }
+        let backward = |branch: &Branch| self.backward_branch(branch, &x);
+        let solved: Vec<[Vec<f64>; N]> = tree.branches.par_iter().map(backward).collect();
+        for (branch, solved) in tree.branches.iter().zip(&solved) {
+            for (x, solved) in x.iter_mut().zip(solved) {
+                for (place, value) in branch.places.iter().zip(&solved[..branch.columns]) {
+                    x[*place] = *value;
+                }
+            }
+        }
+        for (right, x) in right.into_iter().zip(&x) {
+            for (row, value) in order.iter().zip(x) {
+                right[*row] = *value;
+            }
+        }
+    }
+
+    /// The values at a branch's columns, and what it adds to the rows of its root.
+    fn forward_branch<const N: usize>(&self, branch: &Branch, x: &[Vec<f64>; N]) -> [Vec<f64>; N] {
+        let tree = &self.pattern.shared.tree;
+        let columns = &branch.places[..branch.columns];
+        let mut local = x.each_ref().map(|x| gathered(x, columns.iter().copied()));
+        for local in &mut local {
+            local.resize(branch.places.len(), 0.0);
+        }
+        let mut start = 0;
+        for (block, rows) in branch.blocks.iter().zip(&branch.rows) {
+            let end = start + tree.width(*block);
+            let own = local.each_mut().map(|local| &mut local[start..end]);
+            let lost = self.fronts[*block].forward(own, false);
+            for (local, lost) in local.iter_mut().zip(lost) {
+                for (row, lost) in rows.iter().zip(lost) {
+                    local[*row] -= lost;
+                }
+            }
+            start = end;
+        }
+        local
+    }
+
+    fn backward_branch<const N: usize>(&self, branch: &Branch, x: &[Vec<f64>; N]) -> [Vec<f64>; N] {
+        let tree = &self.pattern.shared.tree;
+        let mut local = x.each_ref().map(|x| gathered(x, branch.places.iter().copied()));
+        let mut end = branch.columns;
+        for (block, rows) in branch.blocks.iter().zip(&branch.rows).rev() {
+            let start = end - tree.width(*block);
+            let mut own =
+                local.each_ref().map(|local| gathered(local, (start..end).chain(rows.iter().copied())));
+            self.fronts[*block].backward(&mut own, false);
+            for (local, own) in local.iter_mut().zip(&own) {
+                local[start..end].copy_from_slice(&own[..end - start]);
+            }
+            end = start;
+        }
+        local
+    }
+}
+
+fn gathered(x: &[f64], places: impl Iterator<Item = usize>) -> Vec<f64> {
+    places.map(|place| x[place]).collect()
+}
 
 impl Front {
     /// x = B⁻¹ L⁻¹ P x on the block's columns, of N right sides; what the rows below lose comes back.

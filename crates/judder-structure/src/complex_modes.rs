@@ -20,7 +20,7 @@ pub use cover::Gap;
 
 pub(crate) use disc::Triple;
 pub(crate) use refine::Refined;
-pub(crate) use shift::{ShiftedFactor, Side};
+pub(crate) use shift::ShiftedFactor;
 
 use crate::StructureError;
 use crate::quadratic::Quadratic;
@@ -179,12 +179,8 @@ pub(crate) fn searched(problem: &Quadratic, region: &Region) -> Result<Searched,
 
 /// Every eigenvalue of a cover, refined with the factors of its disc.
 fn refined(problem: &Quadratic, cover: &Cover) -> Result<Vec<Refined>, StructureError> {
-    let transposed = problem.transposed();
-    let neighbourhoods: Vec<Neighbourhood<'_>> = cover
-        .discs
-        .iter()
-        .map(|disc| Neighbourhood::new(problem, &transposed, &disc.factor, &disc.triples))
-        .collect();
+    let neighbourhoods: Vec<Neighbourhood<'_>> =
+        cover.discs.iter().map(|disc| Neighbourhood::new(problem, &disc.factor, &disc.triples)).collect();
     cover.members.par_iter().map(|(disc, place)| neighbourhoods[*disc].refined_to_rounding(*place)).collect()
 }
 

@@ -1,16 +1,14 @@
-//! Eigenvalues of dense matrices.
+//! Eigenvalues of dense symmetric matrices.
 //!
-//! Symmetric ones by nalgebra's QL iteration: the divide-and-conquer of faer 0.24 leaves residuals of 10⁻⁴ of the norm on graded matrices of 150 rows
+//! By nalgebra's QL iteration: the divide-and-conquer of faer 0.24 leaves residuals of 10⁻⁴ of the norm on graded matrices of 150 rows
 //! and more, as a test here shows for ours that it does not.
 
-use faer::diag::Diag;
+pub(crate) mod general;
+
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::lblt::factor::{LbltParams, cholesky_in_place, cholesky_in_place_scratch};
-use faer::linalg::evd::{ComputeEigenvectors, EvdParams, evd_cplx, evd_real, evd_scratch};
-use faer::linalg::lu::partial_pivoting::factor::{PartialPivLuParams, lu_in_place, lu_in_place_scratch};
-use faer::linalg::lu::partial_pivoting::solve::{solve_in_place_scratch, solve_in_place_with_conj};
 use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
-use faer::{ColMut, Conj, Mat, MatRef, Par, Side, Spec, c64};
+use faer::{ColMut, Mat, Par, Side, Spec};
 use nalgebra::{DMatrix, SymmetricEigen};
 
 /// Eigenvalues by rising size, and vectors as columns.
@@ -48,92 +46,6 @@ pub(crate) fn generalised(stiffness: Mat<f64>, mass: &Mat<f64>) -> Option<Eigen>
     let Eigen { values, mut vectors } = symmetric(&inner)?;
     solve_upper_triangular_in_place(triangle.transpose(), vectors.as_mut(), Par::Seq);
     Some(Eigen { values, vectors })
-}
-
-/// A v = λ v for a complex matrix: the values, and vectors as columns. `None` where the iteration does not end.
-pub(crate) fn complex_eigen(matrix: MatRef<'_, c64>) -> Option<(Vec<c64>, Mat<c64>)> {
-    let size = matrix.nrows();
-    let finite = |entry: c64| entry.re.is_finite() && entry.im.is_finite();
-    if !(0..size).all(|j| (0..size).all(|i| finite(matrix[(i, j)]))) {
-        return None;
-    }
-    let parameters = Spec::<EvdParams, c64>::default();
-    let (none, all) = (ComputeEigenvectors::No, ComputeEigenvectors::Yes);
-    let mut memory = MemBuffer::try_new(evd_scratch::<c64>(size, none, all, Par::Seq, parameters)).ok()?;
-    let (mut values, mut vectors) = (Diag::<c64>::zeros(size), Mat::zeros(size, size));
-    let stack = MemStack::new(&mut memory);
-    evd_cplx(matrix, values.as_mut(), None, Some(vectors.as_mut()), Par::Seq, stack, parameters).ok()?;
-    Some(((0..size).map(|k| values.column_vector()[k]).collect(), vectors))
-}
-
-/// X with A X = B, in place of B; `None` where A is singular.
-pub(crate) fn solve(mut matrix: Mat<f64>, right: &mut Mat<f64>) -> Option<()> {
-    let size = matrix.nrows();
-    let (mut forward, mut inverse) = (vec![0_usize; size], vec![0; size]);
-    let parameters = Spec::<PartialPivLuParams, f64>::default();
-    let needed = lu_in_place_scratch::<usize, f64>(size, size, Par::Seq, parameters)
-        .or(solve_in_place_scratch::<usize, f64>(size, right.ncols(), Par::Seq));
-    let mut memory = MemBuffer::try_new(needed).ok()?;
-    let stack = MemStack::new(&mut memory);
-    let (_, rows) = lu_in_place(matrix.as_mut(), &mut forward, &mut inverse, Par::Seq, stack, parameters);
-    let (factors, stack) = (matrix.as_ref(), MemStack::new(&mut memory));
-    solve_in_place_with_conj(factors, factors, rows, Conj::No, right.as_mut(), Par::Seq, stack);
-    let finite = (0..right.ncols()).all(|j| (0..size).all(|i| right[(i, j)].is_finite()));
-    finite.then_some(())
-}
-
-/// A v = λ v and wᴴ A = λ wᴴ for a real matrix, those of its eigenvalues that a test picks; vectors are columns, of length one.
-pub(crate) struct Picked {
-    pub(crate) values: Vec<c64>,
-    pub(crate) right: Mat<c64>,
-    pub(crate) left: Mat<c64>,
-}
-
-/// `None` where the iteration does not end.
-pub(crate) fn real_eigen(matrix: &Mat<f64>, pick: impl Fn(c64) -> bool) -> Option<Picked> {
-    let size = matrix.nrows();
-    if !(0..size).all(|j| (0..size).all(|i| matrix[(i, j)].is_finite())) {
-        return None;
-    }
-    let parameters = Spec::<EvdParams, f64>::default();
-    let all = ComputeEigenvectors::Yes;
-    let mut memory = MemBuffer::try_new(evd_scratch::<f64>(size, all, all, Par::Seq, parameters)).ok()?;
-    let (mut re, mut im) = (Diag::<f64>::zeros(size), Diag::<f64>::zeros(size));
-    let (mut left, mut right) = (Mat::zeros(size, size), Mat::zeros(size, size));
-    evd_real(
-        matrix.as_ref(),
-        re.as_mut(),
-        im.as_mut(),
-        Some(left.as_mut()),
-        Some(right.as_mut()),
-        Par::Seq,
-        MemStack::new(&mut memory),
-        parameters,
-    )
-    .ok()?;
-    let value = |k: usize| c64::new(re.column_vector()[k], im.column_vector()[k]);
-    let picked: Vec<usize> = (0..size).filter(|k| pick(value(*k))).collect();
-    // of a pair the first column is the real and the second the imaginary part of the vector of the upper value
-    let entry = |vectors: &Mat<f64>, row: usize, k: usize| match value(k).im {
-        above if above > 0.0 => c64::new(vectors[(row, k)], vectors[(row, k + 1)]),
-        below if below < 0.0 => c64::new(vectors[(row, k - 1)], -vectors[(row, k)]),
-        _ => c64::new(vectors[(row, k)], 0.0),
-    };
-    let gathered = |vectors: &Mat<f64>| {
-        let mut gathered = Mat::from_fn(size, picked.len(), |row, k| entry(vectors, row, picked[k]));
-        for k in 0..picked.len() {
-            let length = gathered.col(k).norm_l2();
-            for row in 0..size {
-                gathered[(row, k)] /= length;
-            }
-        }
-        gathered
-    };
-    Some(Picked {
-        values: picked.iter().map(|k| value(*k)).collect(),
-        right: gathered(&right),
-        left: gathered(&left),
-    })
 }
 
 /// How many eigenvalues of a symmetric matrix are negative; `None` where its numbers are not finite. Its lower triangle is read.
@@ -174,7 +86,6 @@ pub(crate) fn negative_eigenvalues(matrix: &Mat<f64>) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use judder_numerics::counter::uniform;
 
     /// A graded matrix, whose entries span eleven decades.
     fn graded(size: usize) -> Mat<f64> {
@@ -199,21 +110,6 @@ mod tests {
                 }
             }
             assert!(eigen.values.is_sorted());
-        }
-    }
-
-    #[test]
-    fn eigenvectors_of_real_matrices_belong_to_their_values_on_both_sides() {
-        let matrix = Mat::from_fn(30, 30, |i, j| uniform(3, (30 * i + j) as u64) - 0.5);
-        let Picked { values, right, left } = real_eigen(&matrix, |value| value.norm() > 0.5).unwrap();
-        assert!(values.len() > 20 && values.iter().any(|value| value.im == 0.0));
-        for (k, value) in values.iter().enumerate() {
-            let row = |i: usize| (0..30).map(|j| right[(j, k)] * matrix[(i, j)]).sum::<c64>();
-            let column = |j: usize| (0..30).map(|i| left[(i, k)].conj() * matrix[(i, j)]).sum::<c64>();
-            for i in 0..30 {
-                assert!((row(i) - value * right[(i, k)]).norm() < 1e-12);
-                assert!((column(i) - value * left[(i, k)].conj()).norm() < 1e-12);
-            }
         }
     }
 

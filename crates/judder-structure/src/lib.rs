@@ -10,14 +10,14 @@
 //! - [`factor`]: the factorisation of a symmetric matrix, with the count of its negative eigenvalues.
 //! - [`modes`]: undamped modes, with a count that shows whether one is missing.
 //! - [`craig_bampton`]: a structure on the freedoms that are kept and its lowest fixed-interface modes.
-//! - [`quadratic`]: mass, damping and stiffness of a structure that need not be symmetric, [`affine`]: as sums of matrices with factors.
-//! - [`complex_modes`]: all eigenvalues of a region of the complex plane, each with its error and verdict.
-//! - [`eigen_sweep`]: complex modes over parameters, followed from point to point.
-//! - [`diagnosis`]: why a mode grows.
 //! - [`modal_form`]: a reduced structure in its own modes, and the flexibility of those that are cut off.
 //! - [`reduction_error`]: how far reduced frequencies can be from full ones, told by the reduction alone.
 //! - [`reduction_report`]: a reduced structure beside the full one.
 //! - [`damping`]: Rayleigh's, and viscous in place of structural.
+//! - [`quadratic`]: mass, damping and stiffness of a structure that need not be symmetric, [`affine`]: as sums of matrices with factors.
+//! - [`complex_modes`]: all eigenvalues of a region of the complex plane, each with its error and verdict.
+//! - [`eigen_sweep`]: complex modes over parameters, followed from point to point.
+//! - [`diagnosis`]: why a mode grows.
 //! - [`statics`]: displacements under loads that rest.
 
 pub mod affine;

@@ -65,13 +65,12 @@ const WELL_INSIDE: f64 = 0.97;
 
 /// Covers a region by discs: by two, and where a search does not reach far enough by as many as it takes.
 pub(super) fn cover(problem: &Quadratic, region: &Region) -> Result<Cover, StructureError> {
-    let transposed = problem.transposed();
     let (mut discs, mut gaps) = (Vec::new(), Vec::new());
     let mut parts = region.halves().to_vec();
     for halving in 0..=HALVINGS {
         let searched: Vec<Disc> = parts
             .par_iter()
-            .map(|part| Disc::search(problem, &transposed, part.centre(), MARGIN * part.radius()))
+            .map(|part| Disc::search(problem, part.centre(), MARGIN * part.radius()))
             .collect::<Result<_, _>>()?;
         let mut smaller = Vec::new();
         for (part, disc) in parts.iter().zip(searched) {

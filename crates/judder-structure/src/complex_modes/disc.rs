@@ -2,10 +2,10 @@
 
 use super::krylov::{Found, search};
 use super::matching::one_to_one;
-use super::shift::{ShiftedFactor, Side};
+use super::shift::ShiftedFactor;
 use super::vectors::{bilinear, column};
 use crate::StructureError;
-use crate::quadratic::Quadratic;
+use crate::quadratic::{Quadratic, Side};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};
 
@@ -40,17 +40,12 @@ const CLUSTER: f64 = 1e-7;
 
 impl Disc {
     /// Searches around a centre, out to the asked radius or as far as one search reaches.
-    pub(super) fn search(
-        problem: &Quadratic,
-        transposed: &Quadratic,
-        centre: c64,
-        asked: f64,
-    ) -> Result<Self, StructureError> {
+    pub(super) fn search(problem: &Quadratic, centre: c64, asked: f64) -> Result<Self, StructureError> {
         const SEEDS: (u64, u64) = (101, 202);
         let factor = ShiftedFactor::near(problem, centre, asked)?;
         let (right, left) = rayon::join(
             || search(problem, &factor, Side::Right, asked, SEEDS.0),
-            || search(transposed, &factor, Side::Left, asked, SEEDS.1),
+            || search(problem, &factor, Side::Left, asked, SEEDS.1),
         );
         let (right, left) = (right?, left?);
         let radius = right.radius.min(left.radius);
@@ -97,7 +92,7 @@ fn biorthogonalise(problem: &Quadratic, triples: &mut [Triple], distance: f64) {
         }
         let slope = |i: usize, j: usize| {
             let middle = 0.5 * (triples[i].value + triples[j].value);
-            let image = problem.slope(middle, column(&triples[j].right));
+            let image = problem.slope(Side::Right, middle, column(&triples[j].right));
             bilinear(&triples[i].left, image.col(0))
         };
         let products = Mat::from_fn(cluster.len(), cluster.len(), |i, j| slope(cluster[i], cluster[j]));

@@ -3,10 +3,10 @@
 //! With λ = σ + ρ/θ the problem reads θ² Q(σ) x + θ ρ Q′(σ) x + ρ² M x = 0, so θ (x, u) = (−Q(σ)⁻¹ (ρ Q′(σ) x + ρ² M u), x) with
 //! u = x/θ. Eigenvalues within ρ of σ have |θ| ≥ 1, and infinite ones θ = 0.
 
-use super::shift::{ShiftedFactor, Side};
+use super::shift::ShiftedFactor;
 use crate::StructureError;
-use crate::dense::complex_eigen;
-use crate::quadratic::Quadratic;
+use crate::dense::general::complex_eigen;
+use crate::quadratic::{Quadratic, Side};
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, MatRef, Par, c64};
 use judder_numerics::counter::uniform;
@@ -124,8 +124,8 @@ impl<'a> Basis<'a> {
     fn through(&self, block: MatRef<'_, c64>) -> Result<Mat<c64>, StructureError> {
         let (size, width) = (self.problem.size(), block.ncols());
         let (x, u) = (block.subrows(0, size), block.subrows(size, size));
-        let mut image = self.problem.slope(self.factor.shift(), x);
-        self.problem.add_mass(c64::new(self.reach, 0.0), u, &mut image);
+        let mut image = self.problem.slope(self.side, self.factor.shift(), x);
+        self.problem.add_mass(self.side, c64::new(self.reach, 0.0), u, &mut image);
         self.factor.solve(self.side, &mut image)?;
         Ok(Mat::from_fn(2 * size, width, |row, column| {
             if row < size { image[(row, column)] * -self.reach } else { x[(row - size, column)] }

@@ -5,16 +5,15 @@
 //! known ones from σ to λ, and what is left converges as fast as the unknown eigenvalues are far.
 
 use super::disc::Triple;
-use super::shift::{ShiftedFactor, Side};
+use super::shift::ShiftedFactor;
 use super::vectors::{bilinear, column, length, normalise};
 use crate::StructureError;
-use crate::quadratic::{Quadratic, entries};
+use crate::quadratic::{Quadratic, Side, entries};
 use faer::{Mat, c64};
 
 /// Eigenvalues that are known beside each other, with the factor at a shift among them.
 pub(crate) struct Neighbourhood<'a> {
     problem: &'a Quadratic,
-    transposed: &'a Quadratic,
     factor: &'a ShiftedFactor,
     triples: &'a [Triple],
     /// dⱼ of each.
@@ -45,16 +44,11 @@ const STEPS: usize = 4;
 const CLOSE: f64 = 1e-7;
 
 impl<'a> Neighbourhood<'a> {
-    pub(crate) fn new(
-        problem: &'a Quadratic,
-        transposed: &'a Quadratic,
-        factor: &'a ShiftedFactor,
-        triples: &'a [Triple],
-    ) -> Self {
+    pub(crate) fn new(problem: &'a Quadratic, factor: &'a ShiftedFactor, triples: &'a [Triple]) -> Self {
         let slope = |triple: &Triple| {
-            bilinear(&triple.left, problem.slope(triple.value, column(&triple.right)).col(0))
+            bilinear(&triple.left, problem.slope(Side::Right, triple.value, column(&triple.right)).col(0))
         };
-        Self { problem, transposed, factor, triples, slopes: triples.iter().map(slope).collect() }
+        Self { problem, factor, triples, slopes: triples.iter().map(slope).collect() }
     }
 
     /// A triple of the neighbourhood, refined until its residuals are rounding or fall no more.
@@ -103,7 +97,7 @@ impl<'a> Neighbourhood<'a> {
     }
 
     fn measure(&self, triple: Triple) -> Refined {
-        Refined::measured(self.problem, self.transposed, triple)
+        Refined::measured(self.problem, triple)
     }
 
     /// One step of the iteration on both sides, then one of Newton on λ.
@@ -150,12 +144,12 @@ impl<'a> Neighbourhood<'a> {
 
 impl Refined {
     /// A triple with its residuals.
-    pub(crate) fn measured(problem: &Quadratic, transposed: &Quadratic, triple: Triple) -> Self {
+    pub(crate) fn measured(problem: &Quadratic, triple: Triple) -> Self {
         let (right, left) = (column(&triple.right), column(&triple.left));
-        let rest: Vec<c64> = entries(problem.image(triple.value, right).col(0)).collect();
-        let left_rest: Vec<c64> = entries(transposed.image(triple.value, left).col(0)).collect();
+        let rest: Vec<c64> = entries(problem.image(Side::Right, triple.value, right).col(0)).collect();
+        let left_rest: Vec<c64> = entries(problem.image(Side::Left, triple.value, left).col(0)).collect();
         let scale = problem.scale(triple.value);
-        let slope = bilinear(&triple.left, problem.slope(triple.value, right).col(0));
+        let slope = bilinear(&triple.left, problem.slope(Side::Right, triple.value, right).col(0));
         let (residual, left_residual) = (length(&rest) / scale, length(&left_rest) / scale);
         Self { triple, rest, left_rest, residual, left_residual, slope }
     }

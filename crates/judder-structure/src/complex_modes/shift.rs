@@ -1,21 +1,12 @@
 //! Q(σ) factored once for many solutions, with it and with its transpose.
 
 use crate::StructureError;
-use crate::quadratic::Quadratic;
+use crate::quadratic::{Quadratic, Side};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::lu::partial_pivoting::factor::PartialPivLuParams;
 use faer::sparse::linalg::LuError;
 use faer::sparse::linalg::lu::{LuRef, LuSymbolicParams, NumericLu, SymbolicLu, factorize_symbolic_lu};
 use faer::{Conj, Mat, Par, Spec, c64};
-
-/// Which matrix is solved with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Side {
-    /// Q(σ).
-    Right,
-    /// Q(σ)ᵀ.
-    Left,
-}
 
 /// P Q(σ) Pᶜ = L U.
 #[derive(Debug)]

@@ -7,9 +7,9 @@
 use super::basis::decomposed;
 use crate::StructureError;
 use crate::affine::{Factors, Family, Term};
-use crate::complex_modes::{Refined, Searched, ShiftedFactor, Side, Triple, vectors};
-use crate::dense::{real_eigen, solve};
-use crate::quadratic::Region;
+use crate::complex_modes::{Refined, Searched, ShiftedFactor, Triple, vectors};
+use crate::dense::general::{real_eigen, solve};
+use crate::quadratic::{Region, Side};
 use crate::statics::{dot, product};
 use faer::{Mat, c64};
 use rayon::prelude::*;
@@ -72,9 +72,8 @@ impl<'a> Projection<'a> {
     ) -> Result<Projected, StructureError> {
         let triples = self.triples(factors, region)?;
         let problem = self.family.at(factors)?;
-        let transposed = problem.transposed();
         let refined: Vec<Refined> =
-            triples.into_iter().map(|triple| Refined::measured(&problem, &transposed, triple)).collect();
+            triples.into_iter().map(|triple| Refined::measured(&problem, triple)).collect();
         let left_open = left_open(&refined, sample)?;
         Ok(Projected { refined, left_open })
     }

@@ -75,6 +75,10 @@ impl<'a> Lanczos<'a> {
             for _ in 0..STRIDE {
                 self.grow()?;
             }
+            if self.basis.len() == size {
+                // the space is whole: what is pending lies in it
+                self.pending.clear();
+            }
             let ritz = self.ritz()?;
             let last = ritz.values.last().copied().unwrap_or(0.0);
             let is_apart = ritz.next.is_some_and(|next| next - last > APART * next.abs());

@@ -1,6 +1,8 @@
 //! Modes: beams against Euler and Bernoulli, rigid motions, modes that come in pairs, none missing.
 
 use crate::Body;
+use faer::sparse::Triplet;
+use judder_structure::assembly::Sparse;
 use judder_structure::beam::Beam;
 use judder_structure::element::ElementKind;
 use judder_structure::freedom::Supports;
@@ -132,6 +134,27 @@ fn shapes_are_orthogonal_in_mass_and_stiffness() {
             assert!((along(&inertial) - expected).abs() < 1e-10, "{}", along(&inertial));
             let scale = (a.eigenvalue * b.eigenvalue).sqrt();
             assert!((along(&elastic) / scale - expected).abs() < 1e-7, "{}", along(&elastic) / scale);
+        }
+    }
+}
+
+/// Springs in a row, of which as many modes are asked as there are freedoms: ω² = 2 − 2 cos(k π/(n + 1)).
+#[test]
+fn all_modes_of_a_small_structure_are_found() {
+    for size in 1..=9_usize {
+        let entries = |diagonal: f64, beside: f64| {
+            let row = move |i: usize| {
+                let next = (i + 1 < size).then_some([(i, i + 1, beside), (i + 1, i, beside)]);
+                std::iter::once((i, i, diagonal)).chain(next.into_iter().flatten())
+            };
+            let triplets: Vec<_> = (0..size).flat_map(row).map(|(i, j, v)| Triplet::new(i, j, v)).collect();
+            Sparse::try_new_from_triplets(size, size, &triplets).unwrap()
+        };
+        let found = modes(&entries(2.0, -1.0), &entries(1.0, 0.0), Wanted::Lowest(size)).unwrap();
+        assert_eq!(found.modes.len(), size);
+        for (k, mode) in found.modes.iter().enumerate() {
+            let expected = 2.0 - 2.0 * ((k + 1) as f64 * PI / (size + 1) as f64).cos();
+            assert!((mode.eigenvalue - expected).abs() < 1e-13, "{size} {k}: {}", mode.eigenvalue);
         }
     }
 }

@@ -14,6 +14,7 @@ use crate::affine::{Factors, Family};
 use crate::complex_modes::{ComplexMode, Eigenvalue, Gap, Region, Settings, complex_modes, finished};
 use rayon::prelude::*;
 use samples::Samples;
+use std::ops::Range;
 use tracking::Tracker;
 
 /// How the points are solved.
@@ -37,8 +38,14 @@ pub struct Sweep {
     pub branches: usize,
     /// Vectors of the basis; `None` where there is none.
     pub basis: Option<usize>,
-    /// The points that made the basis.
+    /// The points that made the basis, by their numbers in the curve, or in all curves one after the other.
     pub samples: Vec<usize>,
+}
+
+impl Sweep {
+    fn empty() -> Self {
+        Self { points: Vec::new(), branches: 0, basis: None, samples: Vec::new() }
+    }
 }
 
 /// The eigenvalues of a point.
@@ -85,47 +92,72 @@ pub fn eigen_sweep(
     settings: &Settings,
     method: Method,
 ) -> Result<Sweep, StructureError> {
+    let mut sweeps = eigen_sweeps(family, &[points], region, settings, method)?;
+    Ok(sweeps.pop().unwrap_or_else(Sweep::empty))
+}
+
+/// As [`eigen_sweep`], for curves of points, each followed on its own: one basis, of samples from all of them, serves every curve.
+///
+/// # Errors
+/// Those of [`eigen_sweep`].
+pub fn eigen_sweeps(
+    family: &Family,
+    curves: &[&[Factors]],
+    region: &Region,
+    settings: &Settings,
+    method: Method,
+) -> Result<Vec<Sweep>, StructureError> {
     region.check()?;
-    for factors in points {
+    let points = curves.concat();
+    for factors in &points {
         family.check(factors)?;
     }
     let full = |factors: &Factors| -> Result<Solved, StructureError> {
         let modes = complex_modes(&family.at(factors)?, region, settings)?;
         Ok(Solved { modes: modes.modes, gaps: modes.gaps, full: true })
     };
-    let (Method::Projected { tolerance }, false) = (method, points.is_empty()) else {
-        return followed(points, |_, factors| full(factors));
+    let each_curve = |solve: &(dyn Fn(usize) -> Result<Solved, StructureError> + Sync)| {
+        let mut first = 0;
+        let ranges = curves.iter().map(|curve| {
+            first += curve.len();
+            first - curve.len()..first
+        });
+        ranges.map(|range| followed(range, solve)).collect::<Result<Vec<Sweep>, _>>()
     };
-    let samples = Samples::trained(family, points, region, tolerance)?;
-    let Some(projection) = samples.projection() else { return followed(points, |_, factors| full(factors)) };
-    let solved = |number: usize, factors: &Factors| -> Result<Solved, StructureError> {
+    let (Method::Projected { tolerance }, false) = (method, points.is_empty()) else {
+        return each_curve(&|number| full(&points[number]));
+    };
+    let samples = Samples::trained(family, &points, region, tolerance)?;
+    let Some(projection) = samples.projection() else {
+        return each_curve(&|number| full(&points[number]));
+    };
+    let sweeps = each_curve(&|number| {
         if let Some(sample) = samples.of_point(number) {
             let modes = samples.modes(sample, settings)?;
             return Ok(Solved { modes, gaps: sample.1.gaps.clone(), full: true });
         }
         let (projected, gaps) = samples.projected(projection, number)?;
         if projected.within(tolerance) {
-            let problem = family.at(factors)?;
+            let problem = family.at(&points[number])?;
             let modes = finished(&problem, &projected.refined, &projected.left_open, region, settings);
             return Ok(Solved { modes, gaps, full: false });
         }
-        full(factors)
-    };
-    let sweep = followed(points, solved)?;
-    Ok(Sweep { basis: Some(projection.size()), samples: samples.points(), ..sweep })
+        full(&points[number])
+    })?;
+    let with_basis = |sweep| Sweep { basis: Some(projection.size()), samples: samples.points(), ..sweep };
+    Ok(sweeps.into_iter().map(with_basis).collect())
 }
 
-/// Solves points side by side and follows their modes in order.
+/// Solves the points of a curve side by side and follows their modes in order.
 fn followed(
-    points: &[Factors],
-    solve: impl Fn(usize, &Factors) -> Result<Solved, StructureError> + Sync,
+    curve: Range<usize>,
+    solve: &(dyn Fn(usize) -> Result<Solved, StructureError> + Sync),
 ) -> Result<Sweep, StructureError> {
     let mut tracker = Tracker::default();
-    let mut done = Vec::with_capacity(points.len());
-    let numbered: Vec<(usize, &Factors)> = points.iter().enumerate().collect();
-    for batch in numbered.chunks(BATCH) {
-        let solved: Vec<Solved> =
-            batch.par_iter().map(|(number, factors)| solve(*number, factors)).collect::<Result<_, _>>()?;
+    let mut sweep = Sweep::empty();
+    let numbers: Vec<usize> = curve.collect();
+    for batch in numbers.chunks(BATCH) {
+        let solved: Vec<Solved> = batch.par_iter().map(|number| solve(*number)).collect::<Result<_, _>>()?;
         for Solved { modes, gaps, full } in solved {
             let branches = tracker.next(&modes);
             let eigenvalues = modes
@@ -133,8 +165,9 @@ fn followed(
                 .zip(branches)
                 .map(|(mode, branch)| Tracked { eigenvalue: mode.eigenvalue, branch })
                 .collect();
-            done.push(Point { eigenvalues, gaps, full });
+            sweep.points.push(Point { eigenvalues, gaps, full });
         }
     }
-    Ok(Sweep { points: done, branches: tracker.branches(), basis: None, samples: Vec::new() })
+    sweep.branches = tracker.branches();
+    Ok(sweep)
 }

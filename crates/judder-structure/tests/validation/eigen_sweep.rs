@@ -7,7 +7,7 @@ use judder_structure::StructureError;
 use judder_structure::affine::{Factors, Family, Term};
 use judder_structure::assembly::Sparse;
 use judder_structure::complex_modes::{Region, Settings, Verdict};
-use judder_structure::eigen_sweep::{Method, Sweep, eigen_sweep};
+use judder_structure::eigen_sweep::{Method, Sweep, eigen_sweep, eigen_sweeps};
 
 fn term(name: &str, size: usize, entries: impl IntoIterator<Item = (usize, usize, f64)>) -> Term {
     let triplets: Vec<_> = entries.into_iter().map(|(i, j, v)| Triplet::new(i, j, v)).collect();
@@ -150,6 +150,33 @@ fn an_eigenvalue_that_enters_begins_a_branch_in_both_ways() {
     let counts = |sweep: &Sweep| sweep.points.iter().map(|point| point.eigenvalues.len()).collect::<Vec<_>>();
     assert_eq!(counts(&fast), counts(&full));
     assert!(counts(&full).iter().min() < counts(&full).iter().max(), "{:?}", counts(&full));
+}
+
+#[test]
+fn one_basis_serves_two_parameters() {
+    let family = chain();
+    let at = |speed: f64, friction: f64| Factors {
+        mass: vec![1.0],
+        damping: vec![1.0, speed],
+        stiffness: vec![1.0 + 0.01 * speed, friction],
+    };
+    let curve = |friction: f64| (0..6).map(|k| at(1.0 + 0.2 * f64::from(k), friction)).collect::<Vec<_>>();
+    let curves: Vec<Vec<Factors>> = (0..4).map(|k| curve(0.5 + 0.5 * f64::from(k))).collect();
+    let curves: Vec<&[Factors]> = curves.iter().map(Vec::as_slice).collect();
+    let settings = Settings { data_precision: 0.0 };
+    let solved = |method| eigen_sweeps(&family, &curves, &OF_THE_CHAIN, &settings, method).unwrap();
+    let (fast, full) = (solved(FAST), solved(Method::Full));
+    assert!(fast.iter().all(|sweep| sweep.points.iter().any(|point| !point.full)));
+    for (fast, full) in fast.iter().zip(&full) {
+        assert_eq!(fast.branches, full.branches);
+        for (a, b) in fast.points.iter().zip(&full.points) {
+            assert_eq!(a.eigenvalues.len(), b.eigenvalues.len());
+            for (a, b) in a.eigenvalues.iter().zip(&b.eigenvalues) {
+                let distance = (a.eigenvalue.value - b.eigenvalue.value).norm();
+                assert!(distance <= a.eigenvalue.error + b.eigenvalue.error, "{}", a.eigenvalue.value);
+            }
+        }
+    }
 }
 
 #[test]

@@ -18,6 +18,7 @@ pub(crate) mod vectors;
 pub use crate::quadratic::Region;
 pub use cover::Gap;
 
+use disc::SAME;
 pub(crate) use disc::Triple;
 pub(crate) use refine::Refined;
 pub(crate) use shift::ShiftedFactor;
@@ -89,7 +90,7 @@ pub struct Eigenvalue {
 pub enum Verdict {
     /// Disturbances decay.
     Stable,
-    /// The sign of the growth rate is not known: it is below its own error, or the eigenvalue is defective beside the axis.
+    /// The sign of the growth rate is not known: it is below its own error, which of a defective eigenvalue is that of a square root.
     Marginal,
     /// Disturbances grow.
     Unstable,
@@ -100,6 +101,14 @@ impl ComplexModes {
     #[must_use]
     pub fn complete(&self) -> bool {
         self.gaps.is_empty()
+    }
+}
+
+impl ComplexMode {
+    /// Whether the eigenvalue lies in a region, or may lie there by its error.
+    fn is_in(&self, region: &Region) -> bool {
+        let error = self.eigenvalue.error;
+        region.contains(self.eigenvalue.value, if error.is_finite() { error } else { 0.0 })
     }
 }
 
@@ -173,8 +182,15 @@ pub(crate) fn searched(problem: &Quadratic, region: &Region) -> Result<Searched,
     region.check()?;
     let cover = cover(problem, region)?;
     let refined = refined(problem, &cover)?;
+    let mut gaps = cover.gaps;
+    for ((disc, place), refined) in cover.members.iter().zip(&refined) {
+        let (from, to) = (cover.discs[*disc].triples[*place].value, refined.triple.value);
+        if (to - from).norm() > SAME * cover.discs[*disc].reach {
+            gaps.push(Gap::Strayed { from, to });
+        }
+    }
     let factors = cover.discs.into_iter().map(|disc| disc.factor).collect();
-    Ok(Searched { refined, factors, gaps: cover.gaps })
+    Ok(Searched { refined, factors, gaps })
 }
 
 /// Every eigenvalue of a cover, refined with the factors of its disc.
@@ -184,7 +200,7 @@ fn refined(problem: &Quadratic, cover: &Cover) -> Result<Vec<Refined>, Structure
     cover.members.par_iter().map(|(disc, place)| neighbourhoods[*disc].refined_to_rounding(*place)).collect()
 }
 
-/// The modes in a region by rising imaginary part, with what each is known to; the method leaves open of each so much, in 1/s.
+/// The modes in a region by rising imaginary part, with what each is known to; the method leaves open so much of each, times d.
 pub(crate) fn finished(
     problem: &Quadratic,
     refined: &[Refined],
@@ -200,7 +216,7 @@ pub(crate) fn finished(
                 refined.iter().enumerate().filter(|(j, _)| *j != k).map(|(_, other)| other).collect();
             mode(&of_one.triple, accuracy(problem, of_one, &others, left_open[k], settings))
         })
-        .filter(|mode| region.contains(mode.eigenvalue.value, mode.eigenvalue.error))
+        .filter(|mode| mode.is_in(region))
         .collect();
     modes.sort_by(|a, b| {
         let (a, b) = (a.eigenvalue.value, b.eigenvalue.value);

@@ -32,6 +32,8 @@ pub struct Influence {
     pub growth: f64,
     /// ∂λ/∂f in 1/s per unit of the factor.
     pub sensitivity: c64,
+    /// Growths of this size are rounding.
+    rounding: f64,
 }
 
 /// The influences on a mode, mass before damping before stiffness.
@@ -58,7 +60,7 @@ impl Influence {
     /// The damping paradox: a damping that takes energy out of the motion, and of which more lets it grow faster (H. Ziegler, 1952).
     #[must_use]
     pub fn is_paradox(&self) -> bool {
-        self.part == Part::Damping && self.growth < 0.0 && self.factor * self.sensitivity.re > 0.0
+        self.part == Part::Damping && self.growth < -self.rounding && self.factor * self.sensitivity.re > 0.0
     }
 }
 
@@ -103,9 +105,13 @@ pub fn diagnosis(
         factor: forms.factor,
         growth: -part.power(value, forms.within) / energy,
         sensitivity: -forms.per_unit * part.weight(value) / slope,
+        rounding: ROUNDING * value.norm(),
     });
     Ok(Diagnosis { influences: influences.collect(), positive_energy: energy > 0.0 })
 }
+
+/// Growths below this share of |λ| are rounding: those of matrices that do no work.
+const ROUNDING: f64 = 1e-12;
 
 /// The products of one matrix with a mode's vectors.
 struct Forms {

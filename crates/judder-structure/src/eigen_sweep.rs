@@ -12,6 +12,7 @@ mod tracking;
 use crate::StructureError;
 use crate::affine::{Factors, Family};
 use crate::complex_modes::{ComplexMode, Eigenvalue, Gap, Region, Settings, complex_modes, finished};
+use faer::c64;
 use rayon::prelude::*;
 use samples::Samples;
 use std::ops::Range;
@@ -75,6 +76,8 @@ struct Solved {
     full: bool,
 }
 
+/// An eigenvalue may have entered or left the region within so many of its last steps.
+const STEPS: f64 = 3.0;
 /// Points that are solved side by side.
 const BATCH: usize = 8;
 
@@ -122,7 +125,7 @@ pub fn eigen_sweeps(
             first += curve.len();
             first - curve.len()..first
         });
-        ranges.map(|range| followed(range, solve)).collect::<Result<Vec<Sweep>, _>>()
+        ranges.map(|range| followed(range, region, solve)).collect::<Result<Vec<Sweep>, _>>()
     };
     let (Method::Projected { tolerance }, false) = (method, points.is_empty()) else {
         return each_curve(&|number| full(&points[number]));
@@ -136,13 +139,13 @@ pub fn eigen_sweeps(
             let modes = samples.modes(sample, settings)?;
             return Ok(Solved { modes, gaps: sample.1.gaps.clone(), full: true });
         }
-        let (projected, gaps) = samples.projected(projection, number)?;
-        if projected.within(tolerance) {
-            let problem = family.at(&points[number])?;
-            let modes = finished(&problem, &projected.refined, &projected.left_open, region, settings);
-            return Ok(Solved { modes, gaps, full: false });
-        }
-        full(&points[number])
+        let projected = samples.projected(projection, number)?;
+        let Some((projected, gaps)) = projected.filter(|(projected, _)| projected.within(tolerance)) else {
+            return full(&points[number]);
+        };
+        let problem = family.at(&points[number])?;
+        let modes = finished(&problem, &projected.refined, &projected.left_open, region, settings);
+        Ok(Solved { modes, gaps, full: false })
     })?;
     let with_basis = |sweep| Sweep { basis: Some(projection.size()), samples: samples.points(), ..sweep };
     Ok(sweeps.into_iter().map(with_basis).collect())
@@ -151,6 +154,7 @@ pub fn eigen_sweeps(
 /// Solves the points of a curve side by side and follows their modes in order.
 fn followed(
     curve: Range<usize>,
+    region: &Region,
     solve: &(dyn Fn(usize) -> Result<Solved, StructureError> + Sync),
 ) -> Result<Sweep, StructureError> {
     let mut tracker = Tracker::default();
@@ -169,5 +173,79 @@ fn followed(
         }
     }
     sweep.branches = tracker.branches();
+    mark_torn(&mut sweep.points, region);
     Ok(sweep)
+}
+
+/// Marks the ends of branches inside the region beside points that were solved in a basis: what the basis lacks has no other trace.
+fn mark_torn(points: &mut [Point], region: &Region) {
+    let mut torn = Vec::new();
+    for place in 0..points.len() {
+        for tracked in &points[place].eigenvalues {
+            let (before, after) = (place.checked_sub(1), (place + 1 < points.len()).then_some(place + 1));
+            let value = tracked.eigenvalue.value;
+            for (beside, beyond) in [(before, after), (after, before)] {
+                let Some(beside) = beside else { continue };
+                let in_full = points[place].full && points[beside].full;
+                if in_full || points[beside].value(tracked.branch).is_some() {
+                    continue;
+                }
+                let known = beyond.and_then(|beyond| points[beyond].value(tracked.branch));
+                let reach = known.map_or(0.0, |known| STEPS * (value - known).norm());
+                if region.distance_to_edge(value) > reach.max(tracked.eigenvalue.error) {
+                    torn.push((place, Gap::Torn { value }));
+                }
+            }
+        }
+    }
+    for (place, gap) in torn {
+        points[place].gaps.push(gap);
+    }
+}
+
+impl Point {
+    /// The eigenvalue of a branch.
+    fn value(&self, branch: usize) -> Option<c64> {
+        self.eigenvalues.iter().find(|of| of.branch == branch).map(|of| of.eigenvalue.value)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Points of one branch each, where there is a value.
+    fn points(values: &[Option<f64>], full: bool) -> Vec<Point> {
+        let tracked = |value: f64| Tracked {
+            eigenvalue: Eigenvalue {
+                value: c64::new(0.0, value),
+                residual: 0.0,
+                left_residual: 0.0,
+                condition: 1.0,
+                error: 1e-6,
+                defective: false,
+            },
+            branch: 0,
+        };
+        let point = |value: &Option<f64>| Point {
+            eigenvalues: value.iter().map(|value| tracked(*value)).collect(),
+            gaps: Vec::new(),
+            full,
+        };
+        values.iter().map(point).collect()
+    }
+
+    #[test]
+    fn a_branch_that_ends_inside_the_region_is_torn() {
+        let region = Region { re: [-10.0, 10.0], im: [0.0, 20.0] };
+        let torn = |values: &[Option<f64>], full: bool| {
+            let mut points = points(values, full);
+            mark_torn(&mut points, &region);
+            points.iter().map(|point| point.gaps.len()).collect::<Vec<_>>()
+        };
+        let hidden = [Some(9.0), Some(9.1), None, Some(9.3)];
+        assert_eq!(torn(&hidden, false), [0, 1, 0, 1]);
+        assert_eq!(torn(&hidden, true), [0; 4], "points on their own answer for themselves");
+        assert_eq!(torn(&[Some(18.0), Some(19.0), None, None], false), [0; 4], "it leaves over the edge");
+    }
 }

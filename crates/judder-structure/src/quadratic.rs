@@ -83,6 +83,11 @@ impl Quadratic {
         (self.norms[0] * size + self.norms[1]) * size + self.norms[2]
     }
 
+    /// √(‖M‖₁ ‖M‖∞).
+    pub(crate) fn mass_norm(&self) -> f64 {
+        self.norms[0]
+    }
+
     /// Q(λ) as a sparse matrix on the union of the three patterns.
     pub(crate) fn at(&self, value: c64) -> Result<SparseColMat<usize, c64>, StructureError> {
         let parts =
@@ -139,6 +144,12 @@ impl Region {
     pub(crate) fn contains(&self, value: c64, margin: f64) -> bool {
         let within = |x: f64, range: [f64; 2]| range[0] - margin <= x && x <= range[1] + margin;
         within(value.re, self.re) && within(value.im, self.im)
+    }
+
+    /// How far a value inside is from the nearest edge.
+    pub(crate) fn distance_to_edge(&self, value: c64) -> f64 {
+        let within = |x: f64, [from, to]: [f64; 2]| (x - from).min(to - x);
+        within(value.re, self.re).min(within(value.im, self.im))
     }
 
     /// A region larger by a share of its sides.

@@ -7,51 +7,52 @@ use crate::quadratic::Quadratic;
 
 /// An eigenvalue with its residuals, condition and error; the others that are known near it tell whether it may be defective.
 ///
-/// First order: δ = δₘ + ε N(λ)/|d|, with what the method leaves δₘ, the precision ε of the matrices, N(λ) = |λ|² ‖M‖ + |λ| ‖C‖ +
+/// First order: δ = (o + ε N(λ))/|d|, with what the method leaves open o, the precision ε of the matrices, N(λ) = |λ|² ‖M‖ + |λ| ‖C‖ +
 /// ‖K‖ and d = yᴴ Q′(λ) x of vectors of length one. Two eigenvalues with one vector, a distance g apart, move as
-/// ±√(g²/4 ± δ g) instead.
+/// ±√(g²/4 ± δ g) instead; |d| is then no more than g ‖M‖, which bounds δ g from below where g is lost in rounding.
 pub(crate) fn accuracy(
     problem: &Quadratic,
     refined: &Refined,
     others: &[&Refined],
-    of_method: f64,
+    left_open: f64,
     settings: &Settings,
 ) -> Eigenvalue {
     /// Vectors are parallel above it.
     const PARALLEL: f64 = 0.9;
     let value = refined.triple.value;
-    let scale = problem.scale(value);
-    let first_order = of_method + (f64::EPSILON + settings.data_precision) * scale / refined.slope.norm();
+    let (scale, slope) = (problem.scale(value), refined.slope.norm());
+    let disturbance = left_open + (f64::EPSILON + settings.data_precision) * scale;
     let partner = others
         .iter()
         .filter(|other| assurance(&other.triple.right, &refined.triple.right) > PARALLEL)
         .map(|other| (other.triple.value - value).norm())
         .min_by(f64::total_cmp);
-    let error = partner.map_or(first_order, |gap| moved(first_order, gap));
+    let least = disturbance / problem.mass_norm();
+    let error = partner.map_or(disturbance / slope, |gap| moved(disturbance / slope, gap, least));
     Eigenvalue {
         value,
         residual: refined.residual,
         left_residual: refined.left_residual,
-        condition: scale / (value.norm() * refined.slope.norm()),
+        condition: scale / (value.norm() * slope),
         error,
         defective: partner.is_some_and(|gap| error >= 0.5 * gap),
     }
 }
 
-/// η N(λ)/|d|: what normalised residuals η leave open to first order, in 1/s.
+/// η N(λ): what normalised residuals η leave open of d times the eigenvalue.
 pub(crate) fn left_by_residuals(problem: &Quadratic, refined: &Refined) -> f64 {
-    refined.worse() * problem.scale(refined.triple.value) / refined.slope.norm()
+    refined.worse() * problem.scale(refined.triple.value)
 }
 
-/// How far one of two eigenvalues with one vector moves where a simple one would move by δ.
-fn moved(first_order: f64, gap: f64) -> f64 {
+/// How far one of two eigenvalues with one vector moves where a simple one would move by δ; δ g is no less than the last argument.
+fn moved(first_order: f64, gap: f64, least: f64) -> f64 {
     let ratio = first_order / gap;
     if ratio < 0.25 {
         first_order / (0.5 + (0.25 - ratio).sqrt())
-    } else if first_order.is_finite() {
-        (first_order * gap).sqrt()
     } else {
-        first_order
+        // an infinite δ belongs to a distance of zero
+        let product = if first_order.is_finite() { first_order * gap } else { 0.0 };
+        product.max(least).sqrt()
     }
 }
 
@@ -70,8 +71,15 @@ mod tests {
             } else {
                 (gap / 2.0).hypot((-discriminant).sqrt())
             };
-            let found = moved(first_order, gap);
+            let found = moved(first_order, gap, 0.0);
             assert!((found / expected - 1.0).abs() < 1e-9, "{first_order}: {found} {expected}");
         }
+    }
+
+    #[test]
+    fn two_eigenvalues_that_coincide_have_the_error_of_a_defective_one() {
+        assert_eq!(moved(f64::INFINITY, 0.0, 4.0), 2.0);
+        assert_eq!(moved(1e3, 0.0, 4.0), 2.0);
+        assert!(moved(1e3, 1e-3, 1e-9) == 1.0);
     }
 }

@@ -23,6 +23,18 @@ pub enum Gap {
         /// The middle of the disc that lacks it.
         shift: c64,
     },
+    /// The refinement of an eigenvalue ended at another place.
+    Strayed {
+        /// Where it was found.
+        from: c64,
+        /// Where it ended.
+        to: c64,
+    },
+    /// A branch of a sweep begins or ends inside the region, beside a point that was solved in a basis.
+    Torn {
+        /// Where.
+        value: c64,
+    },
     /// No disc covers a part of the region.
     Uncovered {
         /// Which part.
@@ -39,6 +51,13 @@ impl fmt::Display for Gap {
             Self::Overlap { value, shift } => {
                 write!(f, "{value:.6} 1/s was not found from the shift {shift:.6} 1/s, whose disc holds it")
             }
+            Self::Strayed { from, to } => {
+                write!(f, "what was found at {from:.6} 1/s went to {to:.6} 1/s when it was refined")
+            }
+            Self::Torn { value } => write!(
+                f,
+                "the branch at {value:.6} 1/s begins or ends inside the region: the basis may lack an eigenvalue here"
+            ),
             Self::Uncovered { part } => write!(
                 f,
                 "no disc covers the part {} to {}, {} to {} of the region",

@@ -26,6 +26,8 @@ pub(super) struct Disc {
     pub(super) factor: ShiftedFactor,
     /// Every eigenvalue nearer to the shift was found, but for the lonely ones.
     pub(super) radius: f64,
+    /// As far as was asked and found.
+    pub(super) reach: f64,
     pub(super) triples: Vec<Triple>,
     /// Eigenvalues within the radius that only one side has found.
     pub(super) lonely: Vec<c64>,
@@ -52,7 +54,7 @@ impl Disc {
         let reach = asked.min(radius);
         let (mut triples, lonely) = pair(factor.shift(), &right, &left, reach);
         biorthogonalise(problem, &mut triples, CLUSTER * reach);
-        Ok(Self { factor, radius, triples, lonely })
+        Ok(Self { factor, radius, reach, triples, lonely })
     }
 }
 

@@ -23,7 +23,7 @@ pub(super) struct Projection<'a> {
     stiffness: Vec<Mat<f64>>,
 }
 
-/// Eigenvalues of the projected problem, measured on the full one, with what the projection leaves open of each in 1/s.
+/// Eigenvalues of the projected problem, measured on the full one, with what the projection leaves open of each, times d.
 pub(super) struct Projected {
     pub(super) refined: Vec<Refined>,
     pub(super) left_open: Vec<f64>,
@@ -33,7 +33,7 @@ impl Projected {
     /// Whether nothing is open beyond a share of |λ|.
     pub(super) fn within(&self, tolerance: f64) -> bool {
         let pairs = self.refined.iter().zip(&self.left_open);
-        pairs.into_iter().all(|(refined, open)| *open <= tolerance * refined.triple.value.norm())
+        pairs.into_iter().all(|(of, open)| *open <= tolerance * of.triple.value.norm() * of.slope.norm())
     }
 }
 
@@ -63,25 +63,25 @@ impl<'a> Projection<'a> {
         self.basis.len()
     }
 
-    /// The eigenvalues in a region at these factors; the factors of a sample near them measure what is left open.
+    /// The eigenvalues in a region at these factors; the factors of a sample near them measure what is left open. `None` where the
+    /// projected problem has no solution: its mass is singular, say.
     pub(super) fn at(
         &self,
         factors: &Factors,
         region: &Region,
         sample: &[ShiftedFactor],
-    ) -> Result<Projected, StructureError> {
-        let triples = self.triples(factors, region)?;
+    ) -> Result<Option<Projected>, StructureError> {
+        let Some(triples) = self.triples(factors, region) else { return Ok(None) };
         let problem = self.family.at(factors)?;
         let refined: Vec<Refined> =
             triples.into_iter().map(|triple| Refined::measured(&problem, triple)).collect();
         let left_open = left_open(&refined, sample)?;
-        Ok(Projected { refined, left_open })
+        Ok(Some(Projected { refined, left_open }))
     }
 
     /// The eigenvalues of the projected problem in a region, with their vectors on all freedoms.
-    fn triples(&self, factors: &Factors, region: &Region) -> Result<Vec<Triple>, StructureError> {
+    fn triples(&self, factors: &Factors, region: &Region) -> Option<Vec<Triple>> {
         let size = self.size();
-        let failed = || StructureError::NoDenseEigenvalues { rows: 2 * size };
         let mass = sum(&self.mass, &factors.mass, size);
         // λ = ω₀ s makes the blocks of the companion matrix alike
         let unit = region.re.iter().chain(&region.im).fold(0.0_f64, |a, b| a.max(b.abs()));
@@ -90,28 +90,27 @@ impl<'a> Projection<'a> {
         let mut blocks = Mat::from_fn(size, 2 * size, |i, j| {
             if j < size { -stiffness[(i, j)] / (unit * unit) } else { -damping[(i, j - size)] / unit }
         });
-        solve(mass.clone(), &mut blocks).ok_or_else(failed)?;
+        solve(mass.clone(), &mut blocks)?;
         let companion = Mat::from_fn(2 * size, 2 * size, |i, j| match (i < size, i + size == j) {
             (true, true) => 1.0,
             (true, false) => 0.0,
             _ => blocks[(i - size, j)],
         });
         let inside = |value: c64| region.contains(value * unit, BORDER * unit);
-        let picked = real_eigen(&companion, inside).ok_or_else(failed)?;
+        let picked = real_eigen(&companion, inside)?;
         // of the left vectors w = (…, Mᵀ y) the lower half
         let count = picked.values.len();
         let mut halves = Mat::from_fn(size, 2 * count, |i, k| {
             let entry = picked.left[(size + i, k % count)];
             if k < count { entry.re } else { -entry.im }
         });
-        solve(mass.transpose().to_owned(), &mut halves).ok_or_else(failed)?;
-        Ok((0..count)
-            .map(|k| Triple {
-                value: picked.values[k] * unit,
-                right: self.lifted(|i| picked.right[(i, k)]),
-                left: self.lifted(|i| c64::new(halves[(i, k)], halves[(i, count + k)])),
-            })
-            .collect())
+        solve(mass.transpose().to_owned(), &mut halves)?;
+        let triple = |k: usize| Triple {
+            value: picked.values[k] * unit,
+            right: self.lifted(|i| picked.right[(i, k)]),
+            left: self.lifted(|i| c64::new(halves[(i, k)], halves[(i, count + k)])),
+        };
+        Some((0..count).map(triple).collect())
     }
 
     /// V times coordinates, of length one.
@@ -148,7 +147,7 @@ fn sum(matrices: &[Mat<f64>], factors: &[f64], size: usize) -> Mat<f64> {
     Mat::from_fn(size, size, |i, j| matrices.iter().zip(factors).map(|(matrix, f)| f * matrix[(i, j)]).sum())
 }
 
-/// 2 ‖s‖ ‖Q⁻¹ r‖/|d| of each, with the factor whose shift is nearest.
+/// 2 ‖s‖ ‖Q⁻¹ r‖ of each, with the factor whose shift is nearest.
 fn left_open(refined: &[Refined], sample: &[ShiftedFactor]) -> Result<Vec<f64>, StructureError> {
     const SAFETY: f64 = 2.0;
     let mut left_open = vec![f64::INFINITY; refined.len()];
@@ -167,8 +166,7 @@ fn left_open(refined: &[Refined], sample: &[ShiftedFactor]) -> Result<Vec<f64>, 
         factor.solve(Side::Right, &mut block)?;
         for (k, place) in mine.iter().enumerate() {
             let of = &refined[*place];
-            left_open[*place] =
-                SAFETY * vectors::length(&of.left_rest) * block.col(k).norm_l2() / of.slope.norm();
+            left_open[*place] = SAFETY * vectors::length(&of.left_rest) * block.col(k).norm_l2();
         }
     }
     Ok(left_open)

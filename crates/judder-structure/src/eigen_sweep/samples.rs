@@ -39,7 +39,8 @@ impl<'a> Samples<'a> {
         samples.take(&order[..first])?;
         for next in &order[first..] {
             let Some(projection) = &samples.projection else { break };
-            if samples.taken.len() == LARGEST || samples.projected(projection, *next)?.0.within(tolerance) {
+            let sufficient = samples.projected(projection, *next)?.is_some_and(|of| of.0.within(tolerance));
+            if samples.taken.len() == LARGEST || sufficient {
                 break;
             }
             samples.take(&[*next])?;
@@ -85,19 +86,20 @@ impl<'a> Samples<'a> {
         Ok(finished(&problem, &sample.refined, &left_open, self.region, settings))
     }
 
-    /// The projected eigenvalues of a point, measured by the nearest sample, and the gaps of that sample.
+    /// The projected eigenvalues of a point, measured by the nearest sample, and the gaps of that sample; `None` where there are none.
     pub(super) fn projected(
         &self,
         projection: &Projection<'a>,
         number: usize,
-    ) -> Result<(Projected, Vec<Gap>), StructureError> {
+    ) -> Result<Option<(Projected, Vec<Gap>)>, StructureError> {
         let scales = scales(self.points);
         let from_here =
             |(taken, _): &&(usize, Searched)| distance(&self.points[*taken], &self.points[number], &scales);
         let nearest = self.taken.iter().min_by(|a, b| from_here(a).total_cmp(&from_here(b)));
         let (factors, gaps) =
             nearest.map_or((&[][..], Vec::new()), |(_, sample)| (&sample.factors[..], sample.gaps.clone()));
-        Ok((projection.at(&self.points[number], self.region, factors)?, gaps))
+        let projected = projection.at(&self.points[number], self.region, factors)?;
+        Ok(projected.map(|projected| (projected, gaps)))
     }
 }
 

@@ -152,6 +152,47 @@ fn an_eigenvalue_that_enters_begins_a_branch_in_both_ways() {
     assert!(counts(&full).iter().min() < counts(&full).iter().max(), "{:?}", counts(&full));
 }
 
+/// A mode of its own that rushes into the region and out again: samples are taken where the factors differ most.
+#[test]
+fn an_eigenvalue_that_only_two_points_have_is_found() {
+    let chain = chain();
+    let alone = |size: f64| {
+        let entries = (0..CHAIN).map(|k| (k, k, if k == CHAIN - 1 { size } else { 0.0 }));
+        term("alone", CHAIN, entries)
+    };
+    let cut = |matrix: &Sparse| {
+        let kept = (0..CHAIN - 1).flat_map(|column| {
+            let values = matrix.val_of_col(column).to_vec();
+            let rows: Vec<usize> = matrix.row_idx_of_col(column).collect();
+            rows.into_iter()
+                .zip(values)
+                .filter(|(row, _)| *row < CHAIN - 1)
+                .map(move |(row, v)| (row, column, v))
+        });
+        term("cut", CHAIN, kept)
+    };
+    let of = |terms: &[Term]| terms.iter().map(|term| cut(&term.matrix)).collect::<Vec<_>>();
+    let (damping, mut stiffness) = (of(chain.damping()), of(chain.stiffness()));
+    stiffness.push(alone(1.0));
+    let family = Family::new(vec![identity(CHAIN)], damping, stiffness).unwrap();
+    let points: Vec<Factors> = along_the_chain(11)
+        .into_iter()
+        .enumerate()
+        .map(|(k, mut factors)| {
+            // at two points between the ends and the middle it swings with 80 1/s, elsewhere with 1000 1/s
+            let frequency = if k == 3 || k == 4 { 80.0_f64 } else { 1000.0 };
+            factors.stiffness.push(frequency.powi(2));
+            factors
+        })
+        .collect();
+    let settings = Settings::default();
+    let fast = eigen_sweep(&family, &points, &OF_THE_CHAIN, &settings, FAST).unwrap();
+    let full = eigen_sweep(&family, &points, &OF_THE_CHAIN, &settings, Method::Full).unwrap();
+    for (k, (fast, full)) in fast.points.iter().zip(&full.points).enumerate() {
+        assert_eq!(fast.eigenvalues.len(), full.eigenvalues.len(), "{k}");
+    }
+}
+
 #[test]
 fn one_basis_serves_two_parameters() {
     let family = chain();

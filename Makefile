@@ -39,6 +39,7 @@ bench: .venv/installed ## time the stability decision, the sliding contact, a li
 	$(PYTHON) benches/compare_sliding.py
 	$(PYTHON) benches/compare_motion.py
 	$(PYTHON) benches/compare_modes.py
+	$(PYTHON) benches/compare_eigen.py $(JUDDER_DISC_BRAKE)
 	$(CARGO) bench $(LOCKED) -p judder-structure --bench reduction
 
 # The peers stand apart: ASPHER compiles itself and wants g++ and libeigen3-dev.

@@ -52,7 +52,7 @@ def main() -> int:
     if len(ours["eigenvalues"]) != len(peer["eigenvalues"]) or max(apart) > AGREEMENT:
         print("  disqualified: the eigenvalues differ")
         return 1
-    return 0 if ratio >= BAR and share <= 1.0 else 1
+    return 0 if ratio >= BAR and share <= 1.0 and ours["complete"] else 1
 
 
 if __name__ == "__main__":

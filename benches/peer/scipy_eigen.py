@@ -20,6 +20,7 @@ from scipy.sparse.linalg import LinearOperator, eigs, splu
 
 RE, IM = (-50.0, 1000.0), (0.0, 20000.0)
 PARTS = 2
+REPEATS = 2
 
 
 def read(folder: Path, name: str) -> sparse.csc_matrix:
@@ -56,10 +57,9 @@ def search(solve, mass, slope, radius: float, size: int) -> tuple[np.ndarray, np
         count *= 2
 
 
-def main() -> int:
-    mass, damping, stiffness = assemble(Path(sys.argv[1]), float(sys.argv[2]))
+def solve(mass, damping, stiffness) -> list[complex]:
+    """The eigenvalues of the region, by rising imaginary part."""
     size = mass.shape[0]
-    begin = time.perf_counter()
     found: list[complex] = []
     height = (IM[1] - IM[0]) / PARTS
     for part in range(PARTS):
@@ -79,8 +79,16 @@ def main() -> int:
             inside = RE[0] < value.real < RE[1] and IM[0] + part * height < value.imag <= IM[0] + (part + 1) * height
             if inside:
                 found.append(value)
-    seconds = time.perf_counter() - begin
-    found.sort(key=lambda value: value.imag)
+    return sorted(found, key=lambda value: value.imag)
+
+
+def main() -> int:
+    matrices = assemble(Path(sys.argv[1]), float(sys.argv[2]))
+    seconds = float("inf")
+    for _ in range(REPEATS):
+        begin = time.perf_counter()
+        found = solve(*matrices)
+        seconds = min(seconds, time.perf_counter() - begin)
     print(json.dumps({"seconds": seconds, "eigenvalues": [[value.real, value.imag] for value in found]}))
     return 0
 

@@ -21,6 +21,8 @@ const POINTS: usize = 100;
 /// Every so many points the full answer stands beside the projected one.
 const CHECKED: usize = 11;
 const TOLERANCE: f64 = 1e-7;
+/// As many as the peer takes.
+const REPEATS: usize = 2;
 
 fn family(folder: &Path) -> Result<Family, Box<dyn Error>> {
     let terms = |names: &[&str]| -> Result<Vec<Term>, Box<dyn Error>> {
@@ -91,7 +93,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let family = family(Path::new(&folder))?;
     let problem = family.at(&factors(TAU))?;
-    let (seconds, found) = least(5, || complex_modes(&problem, &REGION, &Settings::default()));
+    let (seconds, found) = least(REPEATS, || complex_modes(&problem, &REGION, &Settings::default()));
     let found = found?;
     let floor = floor(&problem, &found.shifts)?;
     let values: Vec<[f64; 2]> =

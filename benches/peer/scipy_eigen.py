@@ -57,7 +57,7 @@ def search(solve, mass, slope, radius: float, size: int) -> tuple[np.ndarray, np
         count *= 2
 
 
-def solve(mass, damping, stiffness) -> list[complex]:
+def eigenvalues(mass, damping, stiffness) -> list[complex]:
     """The eigenvalues of the region, by rising imaginary part."""
     size = mass.shape[0]
     found: list[complex] = []
@@ -87,7 +87,7 @@ def main() -> int:
     seconds = float("inf")
     for _ in range(REPEATS):
         begin = time.perf_counter()
-        found = solve(*matrices)
+        found = eigenvalues(*matrices)
         seconds = min(seconds, time.perf_counter() - begin)
     print(json.dumps({"seconds": seconds, "eigenvalues": [[value.real, value.imag] for value in found]}))
     return 0

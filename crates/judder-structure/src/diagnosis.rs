@@ -207,12 +207,3 @@ pub fn participations(mass: &Sparse, components: &[Mode], mode: &ComplexMode) ->
         })
         .collect()
 }
-
-/// The modal assurance criterion between two lists of real shapes: rows by the first list, columns by the second.
-#[must_use]
-pub fn assurance_matrix(first: &[Mode], second: &[Mode]) -> Vec<Vec<f64>> {
-    let of_pair = |a: &Mode, b: &Mode| {
-        dot(&a.shape, &b.shape).powi(2) / (dot(&a.shape, &a.shape) * dot(&b.shape, &b.shape))
-    };
-    first.iter().map(|a| second.iter().map(|b| of_pair(a, b)).collect()).collect()
-}

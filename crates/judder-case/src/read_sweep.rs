@@ -24,6 +24,16 @@ impl<K: Copy> PlacedSweep<K> {
     }
 }
 
+/// A family with the places that later checks point at.
+pub(crate) struct PlacedFamily<K> {
+    pub(crate) family: Family<K>,
+    pub(crate) key: Place,
+    /// Of each value.
+    pub(crate) places: Vec<Place>,
+    /// Of all values.
+    pub(crate) whole: Place,
+}
+
 /// Reads the sweep `name` of an analysis; `default_points` stands in where the case gives none.
 ///
 /// Conditions between keys are left to [`read_family`] and [`read_map`], which know what else varies.
@@ -84,29 +94,47 @@ pub(crate) fn read_family<S: SweptKeys>(
     analysis: &Section<'_>,
     sweep: &PlacedSweep<S::Key>,
 ) -> Result<Option<Family<S::Key>>, Fault> {
-    let Some(node) = analysis.get("family") else { return check_ends(keys, sweep).map(|()| None) };
+    let Some(placed) = read_placed_family(keys, analysis, sweep.sweep.key)? else {
+        return check_ends(keys, sweep).map(|()| None);
+    };
+    let PlacedFamily { family, places, whole, .. } = placed;
+    for (number, place) in family.values.iter().zip(&places) {
+        let value = Value { number: *number, form: family.form };
+        for end in sweep.ends() {
+            keys.check(&[(family.key, value), (sweep.sweep.key, end)]).map_err(|cause| cause.at(*place))?;
+        }
+    }
+    check_size(&[(family.values.len(), whole), (sweep.sweep.points, sweep.points)])?;
+    Ok(Some(family))
+}
+
+/// Reads the family of an analysis that sweeps `swept`; whether its values go together with the sweep is left to the caller.
+pub(crate) fn read_placed_family<S: SweptKeys>(
+    keys: &S,
+    analysis: &Section<'_>,
+    swept: S::Key,
+) -> Result<Option<PlacedFamily<S::Key>>, Fault> {
+    let Some(node) = analysis.get("family") else { return Ok(None) };
     let section = Section::open(node, "family", "`family`", &["key", "values"])?;
     let (key, key_place) = read_key(keys, &section)?;
-    if keys.same(key, sweep.sweep.key) {
+    if keys.same(key, swept) {
         return Err(key_twice(keys.path(key), "sweep", "family").at(key_place));
     }
     let values_node = section.required("values", "values = [ … ], one curve each")?;
     let nodes = list("family.values", values_node)?;
-    let mut values = Vec::with_capacity(nodes.len());
+    let (mut values, mut places) = (Vec::with_capacity(nodes.len()), Vec::with_capacity(nodes.len()));
     let mut form = None;
     for node in nodes {
         let value = keys.read(key, "family.values", node)?;
         same_form("`family.values`".to_owned(), *form.get_or_insert(value.form), value.form, node.place)?;
-        for end in sweep.ends() {
-            keys.check(&[(key, value), (sweep.sweep.key, end)]).map_err(|cause| cause.at(node.place))?;
-        }
         values.push(value.number);
+        places.push(node.place);
     }
     let Some(form) = form else {
         return Err(Cause::EmptyList { key: "family.values".to_owned() }.at(values_node.place));
     };
-    check_size(&[(values.len(), values_node.place), (sweep.sweep.points, sweep.points)])?;
-    Ok(Some(Family { key, path: keys.path(key), values, form }))
+    let family = Family { key, path: keys.path(key), values, form };
+    Ok(Some(PlacedFamily { family, key: key_place, places, whole: values_node.place }))
 }
 
 /// Reads the range in which an analysis seeks roots of `sought`; `default` is in groups.
@@ -192,7 +220,7 @@ fn key_twice(key: String, first: &'static str, second: &'static str) -> Cause {
 }
 
 /// Refuses a product of point counts that would not fit into the memory limit, at the largest factor.
-fn check_size(factors: &[(usize, Place)]) -> Result<(), Fault> {
+pub(crate) fn check_size(factors: &[(usize, Place)]) -> Result<(), Fault> {
     let points = factors.iter().fold(1, |product: u128, (count, _)| product.saturating_mul(*count as u128));
     let bytes = points.saturating_mul(MAP_BYTES_PER_POINT);
     match factors.iter().max_by_key(|(count, _)| *count) {

@@ -119,7 +119,7 @@ fn caption(dataset: &Dataset) -> &'static str {
         }
         "eigen-sweep" => {
             "Every branch is followed through the points where eigenvalues meet: where two frequencies lock in, growth rates part. Squares are \
-             unstable; the axis of growth rates is logarithmic on both sides of zero. In the last panel a bubble's area is the magnitude of the damping \
+             unstable; the axis of growth rates is logarithmic on both sides of zero. Among the damping ratios a bubble's area is the magnitude of the damping \
              ratio."
         }
         "eigen" => {

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use super::{named, number};
+use super::{family, named, number};
 use crate::dimension::Dimension;
 use crate::keys::Form;
 use crate::structure::analysis::{EigenMethod, EigenRegion, StructureAnalysis, WantedModes};
@@ -142,6 +142,7 @@ fn analysis(kind: &StructureAnalysis) -> Json {
             let mut json = json!({
                 "kind": "eigen-sweep", "region": region(&sweep.region), "method": sweep.method.name(),
                 "sweep": { "key": sweep.sweep.path, "values": sweep.sweep.values, "scale": sweep.sweep.scale.name() },
+                "family": sweep.family.as_ref().map(family),
             });
             if let EigenMethod::Projected { tolerance } = sweep.method {
                 json["tolerance"] = json!(tolerance);

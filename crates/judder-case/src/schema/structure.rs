@@ -185,6 +185,15 @@ fn setting(kind: &str, key: &str) -> Json {
             let of_range = sweep(name, &json!({ "type": "number" }), "a parameter over a range", None);
             json!({ "oneOf": [of_range, of_list] })
         }
+        "family" => {
+            let values = json!({ "type": "array", "items": { "type": "number" }, "minItems": 1 });
+            let name = json!({ "type": "string", "description": "parameters.NAME" });
+            table(
+                "one curve a value of another parameter",
+                object([("key", name), ("values", values)]),
+                &["key", "values"],
+            )
+        }
         "tolerance" => number(StructureKey::Tolerance),
         _ => choice(["full", "projected"], "full", "how each point is solved"),
     }

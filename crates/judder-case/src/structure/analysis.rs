@@ -6,11 +6,11 @@ use super::problem::StructureProblem;
 use crate::analysis::Kind;
 use crate::cause::Cause;
 use crate::document::Node;
-use crate::error::Fault;
-use crate::read_sweep::read_sweep;
+use crate::error::{Fault, Place};
+use crate::read_sweep::{PlacedFamily, check_size, read_placed_family, read_sweep};
 use crate::section::{Section, finite_number, list, text};
 use crate::structure_keys::StructureKey;
-use crate::sweep::{ParameterKey, Scale};
+use crate::sweep::{Family, ParameterKey, Scale};
 use crate::swept_keys::{ParameterKeys, SweptKeys};
 
 /// What an analysis of a structure case computes.
@@ -58,6 +58,8 @@ pub struct EigenRegion {
 pub struct EigenSweep {
     /// The parameter and its values.
     pub sweep: ParameterValues,
+    /// One curve for each value of another parameter.
+    pub family: Option<Family<ParameterKey>>,
     /// Where eigenvalues are sought.
     pub region: EigenRegion,
     /// How each value is solved.
@@ -155,7 +157,7 @@ pub(crate) const KINDS: [Kind<StructureScope, StructureAnalysis>; 4] = [
     },
     Kind {
         name: "eigen-sweep",
-        keys: &["sweep", "region", "method", "tolerance"],
+        keys: &["sweep", "family", "region", "method", "tolerance"],
         doc: "complex modes along a parameter, followed through where they meet",
         read: |scope, section| read_eigen_sweep(scope, section).map(StructureAnalysis::EigenSweep),
     },
@@ -214,16 +216,13 @@ fn read_eigen_sweep(scope: &StructureScope, section: &Section<'_>) -> Result<Eig
     let node =
         section.required("sweep", "sweep = { key = \"parameters.NAME\", from = …, to = …, points = … }")?;
     let sweep = read_values(&scope.keys, section, node)?;
-    let index = sweep.key.index();
-    if !sums.sums().iter().flat_map(|(_, terms)| *terms).any(|term| term.factor.depends_on(index)) {
-        let name = scope.keys.0[index].clone();
-        return Err(StructureProblem::IdleParameter { name }.at(node.place));
+    check_effect(scope, sums, sweep.key, node.place)?;
+    let family = read_placed_family(&scope.keys, section, sweep.key)?;
+    if let Some(placed) = &family {
+        check_effect(scope, sums, placed.family.key, placed.key)?;
+        check_size(&[(placed.family.values.len(), placed.whole), (sweep.values.len(), node.place)])?;
     }
-    for value in &sweep.values {
-        let mut values = scope.values.clone();
-        values[index] = *value;
-        sums.check(&values).map_err(|cause| cause.at(node.place))?;
-    }
+    check_values(scope, sums, (&sweep, node.place), family.as_ref())?;
     let tolerance = quantity(section, StructureKey::Tolerance)?;
     let method = match section.choice("method", "method", &[("full", false), ("projected", true)])? {
         Some(true) => EigenMethod::Projected { tolerance },
@@ -236,7 +235,43 @@ fn read_eigen_sweep(scope: &StructureScope, section: &Section<'_>) -> Result<Eig
             }
         },
     };
-    Ok(EigenSweep { sweep, region: read_region(section)?, method })
+    let family = family.map(|placed| placed.family);
+    Ok(EigenSweep { sweep, family, region: read_region(section)?, method })
+}
+
+/// Refuses a parameter that no factor contains.
+fn check_effect(
+    scope: &StructureScope,
+    sums: &MatrixSums,
+    key: ParameterKey,
+    place: Place,
+) -> Result<(), Fault> {
+    let index = key.index();
+    if sums.sums().iter().flat_map(|(_, terms)| *terms).any(|term| term.factor.depends_on(index)) {
+        return Ok(());
+    }
+    Err(StructureProblem::IdleParameter { name: scope.keys.0[index].clone() }.at(place))
+}
+
+/// Refuses values at which a factor has none, at the value of the family or, without one, at the sweep.
+fn check_values(
+    scope: &StructureScope,
+    sums: &MatrixSums,
+    (sweep, place): (&ParameterValues, Place),
+    family: Option<&PlacedFamily<ParameterKey>>,
+) -> Result<(), Fault> {
+    let along = |mut values: Vec<f64>, place: Place| {
+        sweep.values.iter().try_for_each(|value| {
+            values[sweep.key.index()] = *value;
+            sums.check(&values).map_err(|cause| cause.at(place))
+        })
+    };
+    let Some(placed) = family else { return along(scope.values.clone(), place) };
+    placed.family.values.iter().zip(&placed.places).try_for_each(|(value, place)| {
+        let mut values = scope.values.clone();
+        values[placed.family.key.index()] = *value;
+        along(values, *place)
+    })
 }
 
 /// The values of `sweep`: a range as in every sweep, or a list.

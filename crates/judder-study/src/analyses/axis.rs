@@ -26,8 +26,7 @@ impl Axis {
     }
 
     pub(crate) fn of_parameter(sweep: &Sweep<ParameterKey>) -> Self {
-        let name = sweep.path.rsplit('.').next().unwrap_or(&sweep.path);
-        Self { quantity: parameter(name), values: sweep.values(), scale: sweep.scale }
+        Self { quantity: parameter(name_of(&sweep.path)), values: sweep.values(), scale: sweep.scale }
     }
 
     /// The coordinate variable; `label` and `scale` let the figures be drawn again from the arrays alone.
@@ -49,6 +48,11 @@ fn coordinate(quantity: &Quantity, values: Vec<f64>) -> Variable {
         .attribute("symbol", quantity.symbol.clone())
 }
 
+/// The name of a parameter in its dotted path.
+pub(crate) fn name_of(path: &str) -> &str {
+    path.rsplit('.').next().unwrap_or(path)
+}
+
 /// The range of a sweep, for searches and continuation.
 pub(crate) fn range<K>(sweep: &Sweep<K>) -> critical::Range {
     let scale = match sweep.scale {
@@ -59,9 +63,9 @@ pub(crate) fn range<K>(sweep: &Sweep<K>) -> critical::Range {
 }
 
 /// The curves of an analysis: one operating point to start from for each value of the family, or one alone.
-pub(crate) struct Curves {
+pub(crate) struct Curves<I = OscillatorInputs> {
     family: Option<(Quantity, Vec<f64>, String)>,
-    pub(crate) inputs: Vec<OscillatorInputs>,
+    pub(crate) inputs: Vec<I>,
 }
 
 impl Curves {
@@ -83,7 +87,28 @@ impl Curves {
     pub(crate) fn alone() -> Self {
         Self { family: None, inputs: vec![OscillatorInputs::default()] }
     }
+}
 
+impl Curves<Vec<f64>> {
+    /// Curves over parameters with these values; the family's dimension is named `family`, for parameters may have any name.
+    pub(crate) fn of_parameters(values: Vec<f64>, family: Option<&Family<ParameterKey>>) -> Self {
+        let Some(family) = family else { return Self { family: None, inputs: vec![values] } };
+        let inputs = family.values.iter().map(|value| {
+            let mut inputs = values.clone();
+            if let Some(parameter) = inputs.get_mut(family.key.index()) {
+                *parameter = *value;
+            }
+            inputs
+        });
+        let quantity = Quantity { name: "family".to_owned(), ..parameter(name_of(&family.path)) };
+        Self {
+            inputs: inputs.collect(),
+            family: Some((quantity, family.values.clone(), family.path.clone())),
+        }
+    }
+}
+
+impl<I> Curves<I> {
     /// The family's coordinate, where there is one.
     pub(crate) fn coordinate(&self) -> Option<Variable> {
         let (quantity, values, _) = self.family.as_ref()?;
@@ -111,6 +136,12 @@ impl Curves {
                 all
             }
         }
+    }
+
+    /// What tells a curve in a message: parameter = value; `None` where there is one alone.
+    pub(crate) fn told(&self, curve: usize) -> Option<String> {
+        let (quantity, values, _) = self.family.as_ref()?;
+        Some(format!("{} = {}", quantity.symbol, values.get(curve)?))
     }
 
     /// The family's name and, for each curve, its value; for tables.

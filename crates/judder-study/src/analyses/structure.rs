@@ -17,7 +17,9 @@ use judder_case::{Analysis, StructureAnalysis, StructureCase};
 /// How many steps an analysis announces.
 pub(super) fn steps(kind: &StructureAnalysis) -> usize {
     match kind {
-        StructureAnalysis::EigenSweep(sweep) => sweep.sweep.values.len(),
+        StructureAnalysis::EigenSweep(sweep) => {
+            sweep.sweep.values.len() * sweep.family.as_ref().map_or(1, |family| family.values.len())
+        }
         _ => 1,
     }
 }

@@ -81,7 +81,10 @@ fn asked(kind: &StructureAnalysis) -> String {
                 EigenMethod::Full => "full".to_owned(),
                 EigenMethod::Projected { tolerance } => format!("projected to {tolerance:e}"),
             };
-            format!("complex modes at {} values of {}, {method}", values.len(), sweep.sweep.path)
+            let curves = sweep.family.as_ref().map_or_else(String::new, |family| {
+                format!(" for each of {} values of {}", family.values.len(), family.path)
+            });
+            format!("complex modes at {} values of {}{curves}, {method}", values.len(), sweep.sweep.path)
         }
     }
 }

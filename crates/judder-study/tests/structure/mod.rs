@@ -168,6 +168,62 @@ fn lock_in_of_two_masses_along_friction() {
     );
 }
 
+/// With a second parameter s, K = [[2, 1 − 4μ/3], [s, 2]]: λ² = −2 ± √(s (1 − 4μ/3)).
+#[test]
+fn a_family_of_lock_ins_has_one_basis() {
+    let folder = tempfile::tempdir().unwrap();
+    let sweep = |method: &str| {
+        format!(
+            "[[analysis]]\nname = \"{method}\"\nkind = \"eigen-sweep\"\nregion = {{ re = [-1, 1], im = [0.1, 3] }}\n\
+             sweep = {{ key = \"parameters.mu\", values = [0.0, 0.3, 0.6, 0.9, 1.2] }}\n\
+             family = {{ key = \"parameters.s\", values = [1.0, 0.25] }}\nmethod = \"{method}\"\n"
+        )
+    };
+    minimal(folder.path(), "");
+    let head = "%%MatrixMarket matrix coordinate real general\n2 2 ";
+    std::fs::write(folder.path().join("K.mtx"), format!("{head}4\n1 1 2.0\n1 2 1.0\n2 1 1e-300\n2 2 2.0\n")).unwrap();
+    std::fs::write(folder.path().join("S.mtx"), format!("{head}2\n2 1 1.0\n1 2 1e-300\n")).unwrap();
+    let text = std::fs::read_to_string(folder.path().join("case.toml")).unwrap();
+    let text = text
+        .replace("mu = 1.0", "mu = 1.0\ns = 1.0")
+        .replace("{ file = \"F.mtx\"", "{ file = \"S.mtx\", factor = \"s\" }, { file = \"F.mtx\"");
+    std::fs::write(folder.path().join("case.toml"), text + &sweep("full") + &sweep("projected")).unwrap();
+    let file = CaseFile::read(folder.path().join("case.toml"), &[]).unwrap();
+    let report = run_into(&folder.path().join("out"), &file, &[]);
+    assert!(report.complete && report.messages.is_empty(), "{:?}", report.messages);
+    for method in ["full", "projected"] {
+        let result = &report.summary.results[method];
+        assert_eq!(result["family"], serde_json::json!({ "key": "parameters.s", "values": [1.0, 0.25] }));
+        let curves = result["curves"].as_array().unwrap();
+        assert_eq!((curves.len(), &result["key"]), (2, &Value::from("parameters.mu")));
+        for (s, curve) in [1.0_f64, 0.25].iter().zip(curves) {
+            assert_eq!(curve["unstable"], serde_json::json!([false, false, false, true, true]), "{method}");
+            assert_eq!((&curve["complete"], &curve["branches"]), (&Value::from(true), &Value::from(2)));
+            for (mu, values) in [0.9_f64, 1.2].iter().zip(&curve["eigenvalues"].as_array().unwrap()[3..]) {
+                let b = (s * (4.0 * mu / 3.0 - 1.0)).sqrt();
+                let growth = (((4.0 + b * b).sqrt() - 2.0) / 2.0).sqrt();
+                let largest =
+                    values.as_array().unwrap().iter().map(|value| number(&value["re"])).fold(-1.0, f64::max);
+                assert!((largest / growth - 1.0).abs() < 1e-9, "{method}, {s}, {mu}: {largest} {growth}");
+            }
+        }
+    }
+    let out = folder.path().join("out");
+    let store = judder_store::StudyFolder::open(&out).unwrap();
+    let dataset = store.read_dataset("full").unwrap();
+    let eigenvalue = dataset.variable("eigenvalue").unwrap();
+    assert_eq!(eigenvalue.dimensions, ["family", "value", "branch"]);
+    assert_eq!(eigenvalue.shape, [2, 5, 2]);
+    let titles: Vec<String> = pictures::panels(&dataset).into_iter().map(|panel| panel.title).collect();
+    assert!(
+        titles.ends_with(&["damping ratios, s = 1".into(), "damping ratios, s = 0.25".into()]),
+        "{titles:?}"
+    );
+    let table = std::fs::read_to_string(out.join("full.csv")).unwrap();
+    assert!(table.lines().any(|line| line.starts_with("family")), "{table}");
+    assert!(table.lines().any(|line| line.starts_with("0.25,1.2,1,")), "{table}");
+}
+
 /// What only the files can tell is refused with its place in the case, before anything is written.
 #[test]
 fn files_that_do_not_fit_are_refused_with_their_place() {

@@ -1,8 +1,9 @@
 //! `eigen-sweep`: complex modes along a parameter, followed from value to value.
 
 use super::eigen::{VERDICTS, code, entry, gap_warnings, in_order, region};
+use crate::analyses::axis::{Axis, Curves, name_of};
 use crate::error::StudyError;
-use crate::labels::parameter;
+use crate::labels::{Quantity, parameter};
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use crate::structure::{Structure, factors};
@@ -11,76 +12,88 @@ use judder_case::structure::analysis::{EigenMethod, EigenSweep};
 use judder_store::{Dataset, Table, Variable};
 use judder_structure::affine::Factors;
 use judder_structure::complex_modes::{Settings, Verdict, complex_modes};
-use judder_structure::eigen_sweep::{Method, Point, Sweep, Tracked, eigen_sweep};
+use judder_structure::eigen_sweep::{Method, Point, Sweep, Tracked, eigen_sweeps};
 use num_complex::Complex64;
 use serde_json::{Map, Value, json};
 
 /// Points of a projected sweep that are solved on the full matrices as well.
 const CHECKED: usize = 3;
 
+/// What is swept and what came of it.
+struct Run<'a> {
+    settings: &'a EigenSweep,
+    axis: Axis,
+    curves: Curves<Vec<f64>>,
+    /// One for each curve.
+    sweeps: Vec<Sweep>,
+}
+
 pub(super) fn run(
     (case, structure): (&StructureCase, &Structure),
     settings: &EigenSweep,
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
-    let values = &settings.sweep.values;
-    let points =
-        values.iter().map(|value| at(case, settings, *value)).collect::<Result<Vec<Factors>, _>>()?;
+    let curves = Curves::of_parameters(case.values(), settings.family.as_ref());
+    let points = curves
+        .inputs
+        .iter()
+        .map(|inputs| along(case, settings, inputs))
+        .collect::<Result<Vec<Vec<Factors>>, _>>()?;
     let method = match settings.method {
         EigenMethod::Full => Method::Full,
         EigenMethod::Projected { tolerance } => Method::Projected { tolerance },
     };
+    let each_curve: Vec<&[Factors]> = points.iter().map(Vec::as_slice).collect();
     let sought = region(&settings.region);
-    let mut sweep = eigen_sweep(&structure.family, &points, &sought, &Settings::default(), method)?;
-    for point in &mut sweep.points {
+    let mut sweeps = eigen_sweeps(&structure.family, &each_curve, &sought, &Settings::default(), method)?;
+    for point in sweeps.iter_mut().flat_map(|sweep| &mut sweep.points) {
         point.eigenvalues.sort_by(|a, b| in_order(&a.eigenvalue, &b.eigenvalue));
     }
-    (1..values.len()).for_each(|_| progress.advance());
-    let incomplete = sweep.points.iter().filter(|point| !point.gaps.is_empty()).count();
+    let (all_factors, all_points): (Vec<&Factors>, Vec<&Point>) =
+        points.iter().flatten().zip(sweeps.iter().flat_map(|sweep| &sweep.points)).unzip();
+    (1..all_points.len()).for_each(|_| progress.advance());
+    let incomplete = all_points.iter().filter(|point| !point.gaps.is_empty()).count();
     let mut checks = vec![CheckRecord {
         name: "no eigenvalue is missing".to_owned(),
-        compared: format!("values at which a check did not close, of {}", values.len()),
+        compared: format!("values at which a check did not close, of {}", all_points.len()),
         figure: incomplete as f64,
         limit: 0.0,
     }];
-    checks.extend(against_full((case, structure), settings, &sweep)?);
+    checks.extend(against_full(structure, settings, &all_factors, &all_points)?);
+    let quantity = Quantity { name: "value".to_owned(), ..parameter(name_of(&settings.sweep.path)) };
+    let axis = Axis { quantity, values: settings.sweep.values.clone(), scale: settings.sweep.scale };
+    let run = Run { settings, axis, curves, sweeps };
     Ok(Outcome {
-        scalars: scalars(settings, &sweep),
-        dataset: dataset(settings, &sweep)?,
-        table: Some(table(settings, &sweep)?),
+        scalars: run.scalars(),
+        dataset: run.dataset()?,
+        table: Some(run.table()?),
         checks,
         missing: incomplete,
-        warnings: warnings(values, &sweep.points),
+        warnings: run.warnings(),
         files: Vec::new(),
     })
 }
 
-/// The factors at a value of the parameter.
-fn at(case: &StructureCase, settings: &EigenSweep, value: f64) -> Result<Factors, StudyError> {
-    let mut values = case.values();
-    if let Some(parameter) = values.get_mut(settings.sweep.key.index()) {
-        *parameter = value;
-    }
-    factors(case, &values)
-}
-
-fn warnings(values: &[f64], points: &[Point]) -> Vec<String> {
-    const SHOWN: usize = 3;
-    let told = values.iter().zip(points).filter(|(_, point)| !point.gaps.is_empty());
-    told.take(SHOWN)
-        .flat_map(|(value, point)| {
-            gap_warnings(&point.gaps).into_iter().map(move |gap| format!("at {value}: {gap}"))
-        })
-        .collect()
+/// The factors along a curve whose parameters have these values.
+fn along(case: &StructureCase, settings: &EigenSweep, inputs: &[f64]) -> Result<Vec<Factors>, StudyError> {
+    let mut inputs = inputs.to_vec();
+    let mut at = |value: &f64| {
+        if let Some(parameter) = inputs.get_mut(settings.sweep.key.index()) {
+            *parameter = *value;
+        }
+        factors(case, &inputs)
+    };
+    settings.sweep.values.iter().map(&mut at).collect()
 }
 
 /// A few points of a projected sweep, solved again on the full matrices: how far eigenvalues lie apart over the error that is shown.
 fn against_full(
-    (case, structure): (&StructureCase, &Structure),
+    structure: &Structure,
     settings: &EigenSweep,
-    sweep: &Sweep,
+    factors: &[&Factors],
+    points: &[&Point],
 ) -> Result<Option<CheckRecord>, StudyError> {
-    let projected: Vec<usize> = (0..sweep.points.len()).filter(|k| !sweep.points[*k].full).collect();
+    let projected: Vec<usize> = (0..points.len()).filter(|k| !points[*k].full).collect();
     if projected.is_empty() {
         return Ok(None);
     }
@@ -88,14 +101,14 @@ fn against_full(
     let chosen: Vec<usize> = projected.iter().skip(step / 2).step_by(step).copied().collect();
     let mut figure = 0.0_f64;
     for point in &chosen {
-        let problem = structure.family.at(&at(case, settings, settings.sweep.values[*point])?)?;
+        let problem = structure.family.at(factors[*point])?;
         let full = complex_modes(&problem, &region(&settings.region), &Settings::default())?;
-        for Tracked { eigenvalue, .. } in &sweep.points[*point].eigenvalues {
+        for Tracked { eigenvalue, .. } in &points[*point].eigenvalues {
             let distance = full.modes.iter().map(|mode| (mode.eigenvalue.value - eigenvalue.value).norm());
             let error = full.modes.iter().map(|mode| mode.eigenvalue.error).fold(eigenvalue.error, f64::max);
             figure = figure.max(distance.fold(f64::INFINITY, f64::min) / error);
         }
-        if full.modes.len() != sweep.points[*point].eigenvalues.len() {
+        if full.modes.len() != points[*point].eigenvalues.len() {
             figure = f64::INFINITY;
         }
     }
@@ -107,7 +120,8 @@ fn against_full(
     }))
 }
 
-fn scalars(settings: &EigenSweep, sweep: &Sweep) -> Map<String, Value> {
+/// The scalars of one curve.
+fn scalars_of(values: &[f64], sweep: &Sweep) -> Map<String, Value> {
     let lists: Vec<Value> = sweep
         .points
         .iter()
@@ -123,15 +137,11 @@ fn scalars(settings: &EigenSweep, sweep: &Sweep) -> Map<String, Value> {
     let is_unstable =
         |point: &Point| point.eigenvalues.iter().any(|t| t.eigenvalue.verdict() == Verdict::Unstable);
     Map::from_iter([
-        ("key".to_owned(), json!(settings.sweep.path)),
-        ("value".to_owned(), json!(settings.sweep.values)),
+        ("value".to_owned(), json!(values)),
         ("eigenvalues".to_owned(), json!(lists)),
         ("complete".to_owned(), json!(sweep.points.iter().all(|point| point.gaps.is_empty()))),
         ("unstable".to_owned(), sweep.points.iter().map(is_unstable).collect()),
         ("branches".to_owned(), json!(sweep.branches)),
-        ("method".to_owned(), json!(settings.method.name())),
-        ("basis".to_owned(), json!(sweep.basis)),
-        ("samples".to_owned(), json!(sweep.samples.len())),
         ("solved_in_full".to_owned(), json!(sweep.points.iter().filter(|point| point.full).count())),
     ])
 }
@@ -141,67 +151,98 @@ const NONE: Complex64 = Complex64::new(f64::NAN, f64::NAN);
 /// The code of a verdict where a branch has no eigenvalue.
 const ABSENT: u8 = 3;
 
-fn dataset(settings: &EigenSweep, sweep: &Sweep) -> Result<Dataset, StudyError> {
-    let name = settings.sweep.path.rsplit('.').next().unwrap_or(&settings.sweep.path);
-    let quantity = parameter(name);
-    let (rows, columns) = (sweep.points.len(), sweep.branches);
-    let mut values = vec![NONE; rows * columns];
-    let (mut errors, mut verdicts) = (vec![f64::NAN; rows * columns], vec![ABSENT; rows * columns]);
-    for (row, point) in sweep.points.iter().enumerate() {
-        for Tracked { eigenvalue, branch } in &point.eigenvalues {
-            let place = row * columns + branch;
-            values[place] = eigenvalue.value;
-            errors[place] = eigenvalue.error;
-            verdicts[place] = code(eigenvalue.verdict());
-        }
+impl Run<'_> {
+    fn scalars(&self) -> Map<String, Value> {
+        let curves = self.sweeps.iter().map(|sweep| scalars_of(&self.axis.values, sweep)).collect();
+        let mut scalars = self.curves.scalars(curves);
+        // one basis serves all curves
+        let (basis, samples) =
+            self.sweeps.first().map_or((None, 0), |sweep| (sweep.basis, sweep.samples.len()));
+        scalars.extend([
+            ("key".to_owned(), json!(self.settings.sweep.path)),
+            ("method".to_owned(), json!(self.settings.method.name())),
+            ("basis".to_owned(), json!(basis)),
+            ("samples".to_owned(), json!(samples)),
+        ]);
+        scalars
     }
-    let over = ["value", "branch"];
-    let meanings: Vec<(u8, &str)> = VERDICTS.into_iter().chain([(ABSENT, "not in the region")]).collect();
-    Ok(Dataset::new()
-        .attribute("kind", "eigen-sweep")?
-        .attribute("region", json!({ "re": settings.region.re, "im": settings.region.im }))?
-        .with(
-            Variable::coordinate("value", settings.sweep.values.clone())
-                .units("1")
-                .long_name(&quantity.label)
-                .attribute("label", quantity.label.clone())
-                .attribute("scale", settings.sweep.scale.name()),
-        )?
-        .with(
-            Variable::new("eigenvalue", &over, &[rows, columns], values)
-                .units("1/s")
-                .long_name("eigenvalue λ of a branch, NaN where it is not in the region"),
-        )?
-        .with(
-            Variable::new("error", &over, &[rows, columns], errors)
-                .units("1/s")
-                .long_name("how far the true eigenvalue may be"),
-        )?
-        .with(
-            Variable::classes("verdict", &over, &[rows, columns], verdicts, &meanings).long_name("verdict"),
-        )?)
-}
 
-fn table(settings: &EigenSweep, sweep: &Sweep) -> Result<Table, StudyError> {
-    let rows: Vec<(f64, &Tracked)> = settings
-        .sweep
-        .values
-        .iter()
-        .zip(&sweep.points)
-        .flat_map(|(value, point)| point.eigenvalues.iter().map(move |tracked| (*value, tracked)))
-        .collect();
-    let of = |pick: &dyn Fn(&Tracked) -> f64| -> Vec<f64> {
-        rows.iter().map(|(_, tracked)| pick(tracked)).collect()
-    };
-    let words: Vec<String> = rows.iter().map(|(_, t)| t.eigenvalue.verdict().name().to_owned()).collect();
-    let branches: Vec<i64> = rows.iter().map(|(_, tracked)| tracked.branch as i64).collect();
-    Ok(Table::new()
-        .column("value", "1", rows.iter().map(|(value, _)| *value).collect::<Vec<f64>>())?
-        .column("branch", "1", branches)?
-        .column("re", "1/s", of(&|t| t.eigenvalue.value.re))?
-        .column("im", "1/s", of(&|t| t.eigenvalue.value.im))?
-        .column("frequency", "Hz", of(&|t| t.eigenvalue.frequency_hz()))?
-        .column("damping_ratio", "1", of(&|t| t.eigenvalue.damping_ratio()))?
-        .column("error", "1/s", of(&|t| t.eigenvalue.error))?
-        .column("verdict", "1", words)?)
+    fn warnings(&self) -> Vec<String> {
+        const SHOWN: usize = 3;
+        let points = self.sweeps.iter().enumerate().flat_map(|(curve, sweep)| {
+            self.axis.values.iter().zip(&sweep.points).map(move |(value, point)| (curve, value, point))
+        });
+        points
+            .filter(|(_, _, point)| !point.gaps.is_empty())
+            .take(SHOWN)
+            .flat_map(|(curve, value, point)| {
+                let with = self.curves.told(curve).map_or_else(String::new, |told| format!(", {told}"));
+                gap_warnings(&point.gaps).into_iter().map(move |gap| format!("at {value}{with}: {gap}"))
+            })
+            .collect()
+    }
+
+    fn dataset(&self) -> Result<Dataset, StudyError> {
+        let branches = self.sweeps.iter().map(|sweep| sweep.branches).max().unwrap_or(0);
+        let (over, shape) = self.curves.dimensions(&self.axis, &[("branch", branches)]);
+        let count = shape.iter().product();
+        let mut values = vec![NONE; count];
+        let (mut errors, mut verdicts) = (vec![f64::NAN; count], vec![ABSENT; count]);
+        for (row, point) in self.sweeps.iter().flat_map(|sweep| &sweep.points).enumerate() {
+            for Tracked { eigenvalue, branch } in &point.eigenvalues {
+                let place = row * branches + branch;
+                values[place] = eigenvalue.value;
+                errors[place] = eigenvalue.error;
+                verdicts[place] = code(eigenvalue.verdict());
+            }
+        }
+        let region = &self.settings.region;
+        let meanings: Vec<(u8, &str)> = VERDICTS.into_iter().chain([(ABSENT, "not in the region")]).collect();
+        let mut dataset = Dataset::new()
+            .attribute("kind", "eigen-sweep")?
+            .attribute("region", json!({ "re": region.re, "im": region.im }))?;
+        if let Some(family) = self.curves.coordinate() {
+            dataset = dataset.with(family)?;
+        }
+        Ok(dataset
+            .with(self.axis.coordinate())?
+            .with(
+                Variable::new("eigenvalue", &over, &shape, values)
+                    .units("1/s")
+                    .long_name("eigenvalue λ of a branch, NaN where it is not in the region"),
+            )?
+            .with(
+                Variable::new("error", &over, &shape, errors)
+                    .units("1/s")
+                    .long_name("how far the true eigenvalue may be"),
+            )?
+            .with(Variable::classes("verdict", &over, &shape, verdicts, &meanings).long_name("verdict"))?)
+    }
+
+    fn table(&self) -> Result<Table, StudyError> {
+        let rows_of = |sweep: &Sweep| sweep.points.iter().map(|point| point.eigenvalues.len()).sum();
+        let rows_of_curve: Vec<usize> = self.sweeps.iter().map(rows_of).collect();
+        let points = self.sweeps.iter().flat_map(|sweep| self.axis.values.iter().zip(&sweep.points));
+        let rows: Vec<(f64, &Tracked)> = points
+            .flat_map(|(value, point)| point.eigenvalues.iter().map(move |tracked| (*value, tracked)))
+            .collect();
+        let of = |pick: &dyn Fn(&Tracked) -> f64| -> Vec<f64> {
+            rows.iter().map(|(_, tracked)| pick(tracked)).collect()
+        };
+        let words: Vec<String> = rows.iter().map(|(_, t)| t.eigenvalue.verdict().name().to_owned()).collect();
+        let branches: Vec<i64> = rows.iter().map(|(_, tracked)| tracked.branch as i64).collect();
+        let mut table = Table::new();
+        if let Some((name, unit, values)) = self.curves.column(&rows_of_curve) {
+            table = table.column(&name, &unit, values)?;
+        }
+        Ok(table
+            .column("value", "1", rows.iter().map(|(value, _)| *value).collect::<Vec<f64>>())?
+            .column("branch", "1", branches)?
+            .column("re", "1/s", of(&|t| t.eigenvalue.value.re))?
+            .column("im", "1/s", of(&|t| t.eigenvalue.value.im))?
+            .column("frequency", "Hz", of(&|t| t.eigenvalue.frequency_hz()))?
+            .column("damping_ratio", "1", of(&|t| t.eigenvalue.damping_ratio()))?
+            .column("error", "1/s", of(&|t| t.eigenvalue.error))?
+            .column("verdict", "1", words)?)
+    }
 }

@@ -181,7 +181,8 @@ fn a_family_of_lock_ins_has_one_basis() {
     };
     minimal(folder.path(), "");
     let head = "%%MatrixMarket matrix coordinate real general\n2 2 ";
-    std::fs::write(folder.path().join("K.mtx"), format!("{head}4\n1 1 2.0\n1 2 1.0\n2 1 1e-300\n2 2 2.0\n")).unwrap();
+    std::fs::write(folder.path().join("K.mtx"), format!("{head}4\n1 1 2.0\n1 2 1.0\n2 1 1e-300\n2 2 2.0\n"))
+        .unwrap();
     std::fs::write(folder.path().join("S.mtx"), format!("{head}2\n2 1 1.0\n1 2 1e-300\n")).unwrap();
     let text = std::fs::read_to_string(folder.path().join("case.toml")).unwrap();
     let text = text

@@ -11,7 +11,7 @@ use judder_case::StructureCase;
 use judder_case::structure::analysis::{EigenMethod, EigenSweep};
 use judder_store::{Dataset, Table, Variable};
 use judder_structure::affine::Factors;
-use judder_structure::complex_modes::{Settings, Verdict, complex_modes};
+use judder_structure::complex_modes::{Eigenvalue, Settings, Verdict, complex_modes};
 use judder_structure::eigen_sweep::{Method, Point, Sweep, Tracked, eigen_sweeps};
 use num_complex::Complex64;
 use serde_json::{Map, Value, json};
@@ -103,14 +103,9 @@ fn against_full(
     for point in &chosen {
         let problem = structure.family.at(factors[*point])?;
         let full = complex_modes(&problem, &region(&settings.region), &Settings::default())?;
-        for Tracked { eigenvalue, .. } in &points[*point].eigenvalues {
-            let distance = full.modes.iter().map(|mode| (mode.eigenvalue.value - eigenvalue.value).norm());
-            let error = full.modes.iter().map(|mode| mode.eigenvalue.error).fold(eigenvalue.error, f64::max);
-            figure = figure.max(distance.fold(f64::INFINITY, f64::min) / error);
-        }
-        if full.modes.len() != points[*point].eigenvalues.len() {
-            figure = f64::INFINITY;
-        }
+        let projected = points[*point].eigenvalues.iter().map(|tracked| tracked.eigenvalue).collect();
+        let full = full.modes.iter().map(|mode| mode.eigenvalue).collect();
+        figure = figure.max(largest_share(projected, full));
     }
     Ok(Some(CheckRecord {
         name: "the projected eigenvalues are those of the full matrices".to_owned(),
@@ -118,6 +113,21 @@ fn against_full(
         figure,
         limit: 1.0,
     }))
+}
+
+/// How far the eigenvalues of two lists lie apart, pair by pair, over both errors; infinite where the lists differ in length.
+fn largest_share(ours: Vec<Eigenvalue>, mut theirs: Vec<Eigenvalue>) -> f64 {
+    if ours.len() != theirs.len() {
+        return f64::INFINITY;
+    }
+    let mut largest = 0.0_f64;
+    for one in ours {
+        let distance = |k: &usize| (theirs[*k].value - one.value).norm();
+        let nearest = (0..theirs.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        let Some(other) = nearest.map(|k| theirs.swap_remove(k)) else { continue };
+        largest = largest.max((other.value - one.value).norm() / (other.error + one.error));
+    }
+    largest
 }
 
 /// The scalars of one curve.
@@ -172,14 +182,19 @@ impl Run<'_> {
         let points = self.sweeps.iter().enumerate().flat_map(|(curve, sweep)| {
             self.axis.values.iter().zip(&sweep.points).map(move |(value, point)| (curve, value, point))
         });
-        points
-            .filter(|(_, _, point)| !point.gaps.is_empty())
+        let open = points.filter(|(_, _, point)| !point.gaps.is_empty());
+        let more = open.clone().count().saturating_sub(SHOWN);
+        let mut warnings: Vec<String> = open
             .take(SHOWN)
             .flat_map(|(curve, value, point)| {
                 let with = self.curves.told(curve).map_or_else(String::new, |told| format!(", {told}"));
                 gap_warnings(&point.gaps).into_iter().map(move |gap| format!("at {value}{with}: {gap}"))
             })
-            .collect()
+            .collect();
+        if more > 0 {
+            warnings.push(format!("eigenvalues may be missing at {more} more values"));
+        }
+        warnings
     }
 
     fn dataset(&self) -> Result<Dataset, StudyError> {

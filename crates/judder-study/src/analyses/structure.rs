@@ -5,6 +5,7 @@ mod eigen;
 mod eigen_sweep;
 mod fields;
 mod modes;
+mod reduced_files;
 mod reduction;
 mod shapes;
 
@@ -34,7 +35,7 @@ pub(super) fn run(
     }
     let mut outcome = match &analysis.kind {
         StructureAnalysis::Modes { wanted } => modes::run((case, structure), &analysis.name, *wanted),
-        StructureAnalysis::Reduction { count } => reduction::run((case, structure), *count),
+        StructureAnalysis::Reduction { count } => reduction::run((case, structure), &analysis.name, *count),
         StructureAnalysis::Eigen { region } => eigen::run((case, structure), &analysis.name, region),
         StructureAnalysis::EigenSweep(settings) => eigen_sweep::run((case, structure), settings, progress),
     }?;

@@ -2,6 +2,10 @@
 
 use crate::{case, number, run_into};
 use judder_case::CaseFile;
+use judder_exchange::freedom_table::read_freedoms;
+use judder_exchange::matrix::read_matrix;
+use judder_structure::modes::{Wanted, modes};
+use judder_structure::statics::Statics;
 use judder_study::StudyError;
 use judder_study::run::{RunOptions, run};
 use judder_study::{Silent, pictures};
@@ -78,6 +82,33 @@ fn a_bar_of_bricks_bends_about_both_axes() {
     }
     let errors = numbers(&report.summary.results["reduced"]["errors"]);
     assert!(errors.iter().all(|error| (-1e-8..1e-2).contains(error)), "{errors:?}");
+    the_reduced_matrices_have_its_frequencies(folder.path(), &report.summary.results["reduced"]);
+}
+
+/// The matrices that a reduction leaves are read again and have the frequencies of its summary; the first value of its first receptance
+/// is what the stiffness yields at rest, for it lies far below the lowest resonance.
+fn the_reduced_matrices_have_its_frequencies(folder: &Path, result: &serde_json::Map<String, Value>) {
+    let read = |what: &str| {
+        let path = folder.join(format!("fields/reduced-{what}.mtx"));
+        read_matrix(&path).unwrap().to_sparse().unwrap()
+    };
+    let (mass, stiffness) = (read("mass"), read("stiffness"));
+    assert_eq!(mass.nrows() as f64, number(&result["reduced_freedoms"]));
+    let reduced = numbers(&result["reduced_hz"]);
+    let found = modes(&stiffness, &mass, Wanted::Lowest(reduced.len())).unwrap().modes;
+    for (mode, expected) in found.iter().zip(&reduced) {
+        assert!((mode.frequency_hz() / expected - 1.0).abs() < 1e-8, "{} {expected}", mode.frequency_hz());
+    }
+    let kept = read_freedoms(&folder.join("fields/reduced-freedoms.csv")).unwrap();
+    assert_eq!(kept.len() as f64, number(&result["kept_freedoms"]));
+    let told = std::fs::read_to_string(folder.join("fields/reduced.unv")).unwrap();
+    assert_eq!(told.lines().filter(|line| line.trim() == "58").count(), kept.len().min(20));
+    let first = told.lines().skip_while(|line| line.trim() != "58").nth(12).unwrap();
+    let value: f64 = first.split_whitespace().next().unwrap().parse().unwrap();
+    let mut load = vec![0.0; stiffness.nrows()];
+    load[0] = 1.0;
+    Statics::new(&stiffness).unwrap().solve(&mut load);
+    assert!((value / load[0] - 1.0).abs() < 1e-3, "{value} {}", load[0]);
 }
 
 /// R. Hoppe, 1871: ω_n² = n² (n² − 1)²/(n² + 1) E I/(ρ A R⁴), each frequency twice, after three rigid motions; of a thin ring, h/R = 0.04
@@ -135,6 +166,17 @@ fn flutter_of_two_masses_from_files() {
     assert_eq!(values.len(), 2);
     let growth = values.iter().find(|value| value["verdict"] == "unstable").unwrap();
     assert!((number(&growth["re"]) - 0.202_071_768_8).abs() < 1e-9, "{growth}");
+    // right vectors are (1/r, 1) and left ones (r, 1) with r = 3(2 + λ²), so that modal a is 4 λ
+    let told = std::fs::read_to_string(folder.path().join("out/fields/flutter.unv")).unwrap();
+    let parameters: Vec<Vec<f64>> = told
+        .lines()
+        .map(|line| line.split_whitespace().filter_map(|word| word.parse().ok()).collect())
+        .filter(|line: &Vec<f64>| line.len() == 6 && (line[0].abs() - 0.202_072).abs() < 1e-5)
+        .collect();
+    assert_eq!(parameters.len(), 2, "{told}");
+    for line in parameters {
+        assert!((line[2] / line[0] - 4.0).abs() < 1e-4 && (line[3] / line[1] - 4.0).abs() < 1e-4, "{line:?}");
+    }
 }
 
 /// The frequencies of the minimal model meet at μ = 3/4; beyond it one of the pair grows with Re √(−2 + i √(4μ/3 − 1)).

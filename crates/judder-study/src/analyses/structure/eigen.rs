@@ -1,7 +1,7 @@
 //! `eigen`: all complex modes in a region, each with its error.
 
 use super::diagnosis;
-use super::fields::{self, Shape};
+use super::fields::{self, ModeKind, Shape};
 use super::shapes;
 use crate::error::StudyError;
 use crate::outcome::{CheckRecord, Outcome};
@@ -9,9 +9,12 @@ use crate::structure::Structure;
 use judder_case::StructureCase;
 use judder_case::structure::analysis::EigenRegion;
 use judder_store::{Dataset, Table, Variable, number};
+use judder_structure::assembly::Sparse;
 use judder_structure::complex_modes::{
     ComplexMode, ComplexModes, Eigenvalue, Gap, Region, Settings, Verdict, complex_modes,
 };
+use judder_structure::quadratic::Quadratic;
+use judder_structure::statics::product;
 use num_complex::Complex64;
 use serde_json::{Map, Value, json};
 
@@ -70,7 +73,8 @@ pub(super) fn run(
     let swinging = |(k, (mode, vector)): (usize, (&ComplexMode, Vec<Complex64>))| {
         let (value, frequency) = (mode.eigenvalue.value, mode.eigenvalue.frequency_hz());
         let name = format!("mode {} ({:.6} + {:.6} i 1/s)", k + 1, value.re, value.im);
-        Shape { name, vector, frequency, damping_ratio: mode.eigenvalue.damping_ratio() }
+        let modal_a = modal_a(&problem, mode, &vector);
+        Shape { name, vector, frequency, mode: ModeKind::Complex { eigenvalue: value, modal_a } }
     };
     let shapes: Vec<Shape> = found.modes.iter().zip(shapes).enumerate().map(swinging).collect();
     Ok(Outcome {
@@ -80,7 +84,7 @@ pub(super) fn run(
         checks,
         missing: usize::from(!found.complete()),
         warnings,
-        files: fields::fields(name, structure, &shapes, true)?,
+        files: fields::fields(name, structure, &shapes)?,
     })
 }
 
@@ -113,6 +117,25 @@ pub(super) fn gap_warnings(gaps: &[Gap]) -> Vec<String> {
 fn of_largest_one(vector: &[Complex64]) -> Vec<Complex64> {
     let largest = vector.iter().map(|entry| entry.norm()).fold(0.0, f64::max);
     if largest == 0.0 { vector.to_vec() } else { vector.iter().map(|entry| entry / largest).collect() }
+}
+
+/// a = ψᴴ(2λM + C)φ of a shape φ. The left vector ψ is scaled to ψ̄ = φ at the largest entry of φ, so that the receptance there is
+/// φ²/(a (iω − λ)) by this mode, and that of symmetric matrices is φ̄; where ψ vanishes there, it has length one.
+fn modal_a(problem: &Quadratic, mode: &ComplexMode, shape: &[Complex64]) -> Complex64 {
+    /// Of length one: below this an entry is rounding.
+    const ROUNDING: f64 = 1e-12;
+    let [re, im]: [Vec<f64>; 2] =
+        [shape.iter().map(|u| u.re).collect(), shape.iter().map(|u| u.im).collect()];
+    let work = |matrix: &Sparse| -> Complex64 {
+        let images = product(matrix, &re).into_iter().zip(product(matrix, &im));
+        images.zip(&mode.left).map(|((re, im), left)| left.conj() * Complex64::new(re, im)).sum()
+    };
+    let a = 2.0 * mode.eigenvalue.value * work(problem.mass()) + work(problem.damping());
+    let largest = shape.iter().zip(&mode.left).max_by(|a, b| a.0.norm().total_cmp(&b.0.norm()));
+    match largest {
+        Some((right, left)) if left.norm() > ROUNDING => a * right / left.conj(),
+        _ => a,
+    }
 }
 
 fn dataset(values: &[Eigenvalue], sought: &EigenRegion) -> Result<Dataset, StudyError> {

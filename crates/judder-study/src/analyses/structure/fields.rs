@@ -4,7 +4,9 @@ use crate::error::StudyError;
 use crate::structure::{Layout, Structure};
 use judder_exchange::ExchangeError;
 use judder_exchange::geometry::{Geometry, at_phase};
-use judder_exchange::universal::{RealShape, write_lines, write_nodes, write_real_shape, write_units};
+use judder_exchange::universal::{
+    ComplexShape, RealShape, write_complex_shape, write_lines, write_nodes, write_real_shape, write_units,
+};
 use judder_exchange::vtu::{Field, Values, complex_fields, write_pvd, write_vtu};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -24,8 +26,24 @@ pub(super) struct Shape {
     pub(super) vector: Vec<Complex64>,
     /// Im λ/2π, Hz; zero for what does not swing.
     pub(super) frequency: f64,
-    /// ζ, zero where there is none.
-    pub(super) damping_ratio: f64,
+    /// What else test engineers want to know of it.
+    pub(super) mode: ModeKind,
+}
+
+/// A mode whose shape is real or complex.
+pub(super) enum ModeKind {
+    /// An undamped one, mass-normalised.
+    Real {
+        /// ζ, zero where there is none.
+        damping_ratio: f64,
+    },
+    /// A complex one.
+    Complex {
+        /// λ in 1/s.
+        eigenvalue: Complex64,
+        /// ψᴴ(2λM + C)φ.
+        modal_a: Complex64,
+    },
 }
 
 impl Shape {
@@ -39,31 +57,27 @@ pub(super) fn fields(
     name: &str,
     structure: &Structure,
     shapes: &[Shape],
-    is_complex: bool,
 ) -> Result<Vec<(String, Vec<u8>)>, StudyError> {
     let Some(layout) = &structure.layout else { return Ok(Vec::new()) };
     let geometry = match &structure.mesh {
-        Some(mesh) => Geometry::from(mesh),
-        None => Geometry {
-            places: layout.points.clone(),
-            labels: (1..=layout.points.len()).collect(),
-            ..Geometry::default()
-        },
+        Some(mesh) => Geometry { labels: labels(layout), ..Geometry::from(mesh) },
+        None => Geometry { places: layout.points.clone(), labels: labels(layout), ..Geometry::default() },
     };
     let mut still = Vec::new();
     for shape in shapes {
         let values = shape.at_points(layout);
-        if is_complex {
-            still.extend(complex_fields(&shape.name, &values));
-        } else {
-            let real = values.iter().map(|u| u.map(|u| u.re)).collect();
-            still.push(Field { name: shape.name.clone(), values: Values::Vectors(real) });
+        match shape.mode {
+            ModeKind::Complex { .. } => still.extend(complex_fields(&shape.name, &values)),
+            ModeKind::Real { .. } => {
+                let real = values.iter().map(|u| u.map(|u| u.re)).collect();
+                still.push(Field { name: shape.name.clone(), values: Values::Vectors(real) });
+            }
         }
     }
-    let mut files = vec![(format!("fields/{name}.vtu"), written(|to| write_vtu(to, &geometry, &still))?)];
-    if !is_complex {
-        files.push((format!("fields/{name}.unv"), written(|to| universal(to, &geometry, layout, shapes))?));
-    }
+    let mut files = vec![
+        (format!("fields/{name}.vtu"), written(|to| write_vtu(to, &geometry, &still))?),
+        (format!("fields/{name}.unv"), written(|to| universal(to, &geometry, layout, shapes))?),
+    ];
     let most = MOVING.min(MOVING_BYTES / (FRAMES * 24 * geometry.places.len().max(1)));
     let swinging = shapes.iter().enumerate().filter(|(_, shape)| shape.frequency > 0.0);
     for (number, shape) in swinging.take(most) {
@@ -72,7 +86,18 @@ pub(super) fn fields(
     Ok(files)
 }
 
-/// Mass-normalised real shapes with their places and lines, for test engineers.
+/// The numbers of the points in files for test engineers: those that they have, or one more where there is a zero.
+fn labels(layout: &Layout) -> Vec<usize> {
+    let shift = label_shift(layout);
+    layout.names.iter().map(|name| name + shift).collect()
+}
+
+/// How far numbers of points move because labels are positive.
+pub(super) fn label_shift(layout: &Layout) -> usize {
+    usize::from(layout.names.contains(&0))
+}
+
+/// Shapes with their places and lines, for test engineers.
 fn universal(
     to: &mut dyn std::io::Write,
     geometry: &Geometry,
@@ -83,10 +108,22 @@ fn universal(
     write_nodes(to, geometry)?;
     write_lines(to, geometry)?;
     for (k, own) in shapes.iter().enumerate() {
-        let shape: Vec<[f64; 3]> = own.at_points(layout).iter().map(|u| u.map(|u| u.re)).collect();
-        let (number, frequency_hz, damping_ratio) = (k + 1, own.frequency, own.damping_ratio);
-        let mode = RealShape { number, frequency_hz, modal_mass: 1.0, damping_ratio, shape: &shape };
-        write_real_shape(to, geometry, &mode)?;
+        let (number, values) = (k + 1, own.at_points(layout));
+        match own.mode {
+            ModeKind::Real { damping_ratio } => {
+                let shape: Vec<[f64; 3]> = values.iter().map(|u| u.map(|u| u.re)).collect();
+                let frequency_hz = own.frequency;
+                let mode = RealShape { number, frequency_hz, modal_mass: 1.0, damping_ratio, shape: &shape };
+                write_real_shape(to, geometry, &mode)?;
+            }
+            ModeKind::Complex { eigenvalue, modal_a } => {
+                write_complex_shape(
+                    to,
+                    geometry,
+                    &ComplexShape { number, eigenvalue, modal_a, shape: &values },
+                )?;
+            }
+        }
     }
     Ok(())
 }
@@ -114,7 +151,7 @@ fn series(
 }
 
 /// What a writer writes, in memory: the study folder writes files whole or not at all.
-fn written(
+pub(super) fn written(
     write: impl FnOnce(&mut dyn std::io::Write) -> Result<(), ExchangeError>,
 ) -> Result<Vec<u8>, StudyError> {
     let mut bytes = Vec::new();

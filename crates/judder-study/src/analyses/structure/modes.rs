@@ -1,6 +1,6 @@
 //! `modes`: undamped modes with their shapes.
 
-use super::fields::{self, Shape};
+use super::fields::{self, ModeKind, Shape};
 use super::shapes;
 use crate::error::StudyError;
 use crate::outcome::{CheckRecord, Outcome};
@@ -91,7 +91,7 @@ pub(super) fn run(
         swinging(k, mode, (k >= rigid).then_some(ratio))
     };
     let shapes: Vec<Shape> = found.modes.iter().enumerate().map(swinging).collect();
-    let files = fields::fields(name, structure, &shapes, false)?;
+    let files = fields::fields(name, structure, &shapes)?;
     let checks = checks(&mass, &found, wanted);
     Ok(Outcome { scalars, dataset, table: Some(table.columns()?), checks, files, warnings, missing: 0 })
 }
@@ -152,7 +152,7 @@ fn swinging(number: usize, mode: &Mode, ratio: Option<f64>) -> Shape {
     let name = format!("mode {} ({frequency:.6} Hz)", number + 1);
     let vector = mode.shape.iter().map(|u| Complex64::from(*u)).collect();
     let frequency = if ratio.is_some() { frequency } else { 0.0 };
-    Shape { name, vector, frequency, damping_ratio: ratio.unwrap_or(0.0) }
+    Shape { name, vector, frequency, mode: ModeKind::Real { damping_ratio: ratio.unwrap_or(0.0) } }
 }
 
 /// ζ = φᵀCφ/(2ω) of mass-normalised shapes, NaN for rigid motions; `None` without damping.

@@ -1,6 +1,7 @@
 //! `reduction`: the reduced structure against the full one.
 
 use super::modes::Undamped;
+use super::reduced_files;
 use crate::error::StudyError;
 use crate::outcome::{CheckRecord, Outcome};
 use crate::structure::Structure;
@@ -19,17 +20,13 @@ const COMPLIANCE_LIMIT: f64 = 1e-8;
 
 pub(super) fn run(
     (case, structure): (&StructureCase, &Structure),
+    name: &str,
     count: usize,
 ) -> Result<Outcome, StudyError> {
     let problem = structure.at(case, &case.values())?;
-    let Undamped { mass, stiffness, warnings } = Undamped::new(&problem)?;
-    let cut_off = match case.reduction.as_ref().map(|reduction| reduction.modes) {
-        Some(FixedModes::CutOff(limit)) => CutOff::Frequency(limit / TAU),
-        Some(FixedModes::Count(count)) => CutOff::Count(count),
-        None => CutOff::Count(FIXED_MODES),
-    };
+    let Undamped { mass, stiffness, mut warnings } = Undamped::new(&problem)?;
     let kept = &structure.kept;
-    let reduced = CraigBampton::new(&stiffness, &mass, kept, cut_off)?;
+    let reduced = CraigBampton::new(&stiffness, &mass, kept, cut_off(case))?;
     let limit = reduced.error()?.limit_hz(TOLERANCE);
     // halfway to the limit of what is trusted; where nothing was left out, at the first kept mode held alone
     let probe = if limit.is_finite() { 0.5 * limit } else { 0.5 * first_frequency(&reduced) };
@@ -72,7 +69,17 @@ pub(super) fn run(
         ("degrees_of_freedom".to_owned(), json!(problem.size())),
     ]);
     let checks = checks(&report);
-    Ok(Outcome { scalars, dataset, table: Some(table), checks, warnings, ..Outcome::default() })
+    let files = reduced_files::files(name, structure, &reduced, limit, &mut warnings)?;
+    Ok(Outcome { scalars, dataset, table: Some(table), checks, warnings, files, missing: 0 })
+}
+
+/// Where the fixed-interface modes end.
+fn cut_off(case: &StructureCase) -> CutOff {
+    match case.reduction.as_ref().map(|reduction| reduction.modes) {
+        Some(FixedModes::CutOff(limit)) => CutOff::Frequency(limit / TAU),
+        Some(FixedModes::Count(count)) => CutOff::Count(count),
+        None => CutOff::Count(FIXED_MODES),
+    }
 }
 
 /// The lowest fixed-interface frequency, Hz; of a structure without such modes zero.

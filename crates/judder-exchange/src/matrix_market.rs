@@ -96,35 +96,56 @@ fn header(line: &str) -> Result<Header, Cause> {
     Ok(Header { sparse, symmetry })
 }
 
-fn coordinates(
-    header: &Header,
-    (line, sizes): (usize, &str),
+/// The numbers of the line of sizes, each with its name and the least that it can be.
+fn sizes<const N: usize>(
+    text: &str,
+    expected: &'static str,
+    names: [(&'static str, usize); N],
+) -> Result<[usize; N], Cause> {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    if words.len() != N {
+        return Err(Cause::WrongEntries { what: "the line of sizes", expected, found: words.len() });
+    }
+    let mut sizes = [0; N];
+    for (size, (word, (name, least))) in sizes.iter_mut().zip(words.into_iter().zip(names)) {
+        *size = count(word, least, name)?;
+    }
+    Ok(sizes)
+}
+
+/// What the lines hold, one a line, as many as are said.
+fn each_line<T>(
     lines: &mut Lines<'_>,
-    bytes: usize,
-) -> Result<Matrix, ExchangeError> {
-    let here = |cause| ExchangeError::at_line(line, cause);
-    let words: Vec<&str> = sizes.split_whitespace().collect();
-    let [rows, columns, said] = words.as_slice() else {
-        let (what, expected) = ("the line of sizes", "rows, columns and entries");
-        return Err(here(Cause::WrongEntries { what, expected, found: words.len() }));
-    };
-    let rows = count(rows, 1, "rows").map_err(here)?;
-    let columns = count(columns, 1, "columns").map_err(here)?;
-    let said = count(said, 0, "entries").map_err(here)?;
-    // the shortest line is `1 1 1` with its end
-    check_room(said, 5, bytes + 1, "entries").map_err(here)?;
+    (line_of_sizes, said): (usize, usize),
+    read: impl Fn(&str) -> Result<T, Cause>,
+) -> Result<Vec<T>, ExchangeError> {
+    let wrong = |found| Cause::WrongCount { what: "entries", said, found };
     let mut entries = Vec::with_capacity(said);
     for (line, text) in lines {
-        let entry = entry(text, rows, columns).map_err(|cause| ExchangeError::at_line(line, cause))?;
+        let entry = read(text).map_err(|cause| ExchangeError::at_line(line, cause))?;
         if entries.len() == said {
-            let cause = Cause::WrongCount { what: "entries", said, found: said + 1 };
-            return Err(ExchangeError::at_line(line, cause));
+            return Err(ExchangeError::at_line(line, wrong(said + 1)));
         }
         entries.push(entry);
     }
     if entries.len() != said {
-        return Err(here(Cause::WrongCount { what: "entries", said, found: entries.len() }));
+        return Err(ExchangeError::at_line(line_of_sizes, wrong(entries.len())));
     }
+    Ok(entries)
+}
+
+fn coordinates(
+    header: &Header,
+    (line, text): (usize, &str),
+    lines: &mut Lines<'_>,
+    bytes: usize,
+) -> Result<Matrix, ExchangeError> {
+    let here = |cause| ExchangeError::at_line(line, cause);
+    let names = [("rows", 1), ("columns", 1), ("entries", 0)];
+    let [rows, columns, said] = sizes(text, "rows, columns and entries", names).map_err(here)?;
+    // the shortest line is `1 1 1` with its end
+    check_room(said, 5, bytes + 1, "entries").map_err(here)?;
+    let entries = each_line(lines, (line, said), |text| entry(text, rows, columns))?;
     Matrix::from_stored(rows, columns, entries, header.symmetry)
 }
 
@@ -144,18 +165,12 @@ fn entry(text: &str, rows: usize, columns: usize) -> Result<(usize, usize, f64),
 /// A dense matrix, column by column; of symmetric ones from the diagonal down.
 fn array(
     header: &Header,
-    (line, sizes): (usize, &str),
+    (line, text): (usize, &str),
     lines: &mut Lines<'_>,
     bytes: usize,
 ) -> Result<Matrix, ExchangeError> {
     let here = |cause| ExchangeError::at_line(line, cause);
-    let words: Vec<&str> = sizes.split_whitespace().collect();
-    let [rows, columns] = words.as_slice() else {
-        let (what, expected) = ("the line of sizes", "rows and columns");
-        return Err(here(Cause::WrongEntries { what, expected, found: words.len() }));
-    };
-    let rows = count(rows, 1, "rows").map_err(here)?;
-    let columns = count(columns, 1, "columns").map_err(here)?;
+    let [rows, columns] = sizes(text, "rows and columns", [("rows", 1), ("columns", 1)]).map_err(here)?;
     let said = dense_entries(rows, columns, header.symmetry).map_err(here)?;
     // the shortest line is `1` with its end
     check_room(said, 2, bytes + 1, "entries").map_err(here)?;
@@ -164,20 +179,10 @@ fn array(
         Symmetry::Symmetric => column,
         Symmetry::SkewSymmetric => column + 1,
     };
-    let mut places = (0..columns).flat_map(|column| (first(column)..rows).map(move |row| (row, column)));
-    let mut entries = Vec::with_capacity(said);
-    for (line, text) in lines {
-        let there = |cause| ExchangeError::at_line(line, cause);
-        let value = number(text, "an entry of the matrix").map_err(there)?;
-        let Some((row, column)) = places.next() else {
-            return Err(there(Cause::WrongCount { what: "entries", said, found: said + 1 }));
-        };
-        entries.push((row, column, value));
-    }
-    if entries.len() != said {
-        return Err(here(Cause::WrongCount { what: "entries", said, found: entries.len() }));
-    }
-    entries.retain(|(_, _, value)| *value != 0.0);
+    let values = each_line(lines, (line, said), |text| number(text, "an entry of the matrix"))?;
+    let places = (0..columns).flat_map(|column| (first(column)..rows).map(move |row| (row, column)));
+    let entries = places.zip(values).filter(|(_, value)| *value != 0.0);
+    let entries = entries.map(|((row, column), value)| (row, column, value)).collect();
     Matrix::from_stored(rows, columns, entries, header.symmetry)
 }
 

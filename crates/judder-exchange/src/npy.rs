@@ -3,9 +3,11 @@
 use crate::bytes::Stored;
 use crate::cause::Cause;
 use crate::quoted::quoted;
+use std::io::Read;
 
 const MAGIC: &[u8] = b"\x93NUMPY";
 const ARRAY: &str = "a NumPy array";
+const HEADER: &str = "the header of a NumPy array";
 
 /// An array of numbers or of bytes.
 pub(crate) struct Array {
@@ -27,14 +29,11 @@ impl Array {
 
     /// All its whole numbers, in the order of the file.
     pub(crate) fn counts(&self) -> Result<Vec<usize>, Cause> {
-        let counts = self.stored.map_or_else(Vec::new, |stored| stored.counts(&self.data, self.big_endian));
-        let whole: Option<Vec<usize>> = counts.into_iter().collect();
-        match whole {
-            Some(whole) if whole.len() == self.shape.iter().product() => Ok(whole),
-            _ => {
-                Err(damaged(String::from("numbers that are negative or not whole where indices are needed")))
-            }
-        }
+        let stored = self.stored.ok_or_else(|| damaged(String::from("texts where indices are needed")))?;
+        let whole: Option<Vec<usize>> = stored.counts(&self.data, self.big_endian).into_iter().collect();
+        whole.ok_or_else(|| {
+            damaged(String::from("numbers that are negative or not whole where indices are needed"))
+        })
     }
 }
 
@@ -42,42 +41,65 @@ fn damaged(problem: String) -> Cause {
     Cause::Inconsistent { what: ARRAY, problem }
 }
 
-/// The array in these bytes.
-pub(crate) fn read_npy(mut bytes: Vec<u8>) -> Result<Array, Cause> {
-    let (header, data) = split(&bytes)?;
-    let start = bytes.len() - data.len();
-    let (stored, big_endian, size) = number(entry(header, "descr")?)?;
-    let fortran_order = entry(header, "fortran_order")? == "True";
-    let shape = shape(entry(header, "shape")?)?;
-    let count = shape.iter().try_fold(size, |bytes, length| bytes.checked_mul(*length));
-    if count != Some(data.len()) {
-        let found = data.len();
+/// Reads an array. No more is taken than the header says, and one byte to see that no more is there: what unpacks on the way
+/// cannot fill the memory with what the array does not have.
+pub(crate) fn read_npy(from: &mut impl Read) -> Result<Array, Cause> {
+    let header = read_header(from)?;
+    let (stored, big_endian, size) = number(entry(&header, "descr")?)?;
+    let fortran_order = entry(&header, "fortran_order")? == "True";
+    let shape = shape(entry(&header, "shape")?)?;
+    let said = shape.iter().try_fold(size, |bytes, length| bytes.checked_mul(*length));
+    let said = said.ok_or_else(|| damaged(format!("its shape {shape:?} is larger than any memory")))?;
+    let data = at_most(from, (said as u64).saturating_add(1))?;
+    if data.len() != said {
+        let found = if data.len() < said { data.len().to_string() } else { String::from("more") };
         return Err(damaged(format!(
             "its header says shape {shape:?} of {size} bytes each, and {found} bytes follow"
         )));
     }
-    bytes.drain(..start);
-    Ok(Array { data: bytes, stored, big_endian, fortran_order, shape })
+    Ok(Array { data, stored, big_endian, fortran_order, shape })
 }
 
-/// The header's text and the data behind it.
-fn split(bytes: &[u8]) -> Result<(&str, &[u8]), Cause> {
-    let cut = || Cause::Cut { what: "the header of a NumPy array", needed: 128, left: bytes.len() };
-    let rest = bytes.strip_prefix(MAGIC).ok_or_else(|| Cause::Foreign {
-        format: "NumPy array",
-        found: String::from("it does not begin with \\x93NUMPY"),
-        remedy: "write it with scipy.sparse.save_npz",
-    })?;
-    let (version, rest) = rest.split_first_chunk::<2>().ok_or_else(cut)?;
-    let (length, rest) = match version[0] {
-        1 => rest.split_first_chunk::<2>().map(|(size, rest)| (u16::from_le_bytes(*size) as usize, rest)),
-        2 | 3 => rest.split_first_chunk::<4>().map(|(size, rest)| (u32::from_le_bytes(*size) as usize, rest)),
-        other => return Err(damaged(format!("version {other} of the format; 1, 2 and 3 are read"))),
+/// The next bytes, so many at most.
+fn at_most(from: &mut impl Read, most: u64) -> Result<Vec<u8>, Cause> {
+    let mut bytes = Vec::new();
+    match from.take(most).read_to_end(&mut bytes) {
+        Ok(_) => Ok(bytes),
+        Err(error) => Err(Cause::Damaged { what: ARRAY, problem: error.to_string() }),
     }
-    .ok_or_else(cut)?;
-    let (header, data) = rest.split_at_checked(length).ok_or_else(cut)?;
-    let header = std::str::from_utf8(header).map_err(|_| damaged(String::from("its header is no text")))?;
-    Ok((header, data))
+}
+
+/// The next bytes, all of them.
+fn exactly<const N: usize>(from: &mut impl Read) -> Result<[u8; N], Cause> {
+    let bytes = at_most(from, N as u64)?;
+    let left = bytes.len();
+    bytes.try_into().map_err(|_| Cause::Cut { what: HEADER, needed: N, left })
+}
+
+/// The header's text.
+fn read_header(from: &mut impl Read) -> Result<String, Cause> {
+    /// NumPy itself reads no longer ones.
+    const LONGEST: usize = 10_000;
+    if at_most(from, MAGIC.len() as u64)? != MAGIC {
+        return Err(Cause::Foreign {
+            format: "NumPy array",
+            found: String::from("it does not begin with \\x93NUMPY"),
+            remedy: "write it with scipy.sparse.save_npz",
+        });
+    }
+    let length = match exactly::<2>(from)?[0] {
+        1 => usize::from(u16::from_le_bytes(exactly(from)?)),
+        2 | 3 => u32::from_le_bytes(exactly(from)?) as usize,
+        other => return Err(damaged(format!("version {other} of the format; 1, 2 and 3 are read"))),
+    };
+    if length > LONGEST {
+        return Err(damaged(format!("its header says {length} bytes of itself; {LONGEST} are read at most")));
+    }
+    let header = at_most(from, length as u64)?;
+    if header.len() < length {
+        return Err(Cause::Cut { what: HEADER, needed: length, left: header.len() });
+    }
+    String::from_utf8(header).map_err(|_| damaged(String::from("its header is no text")))
 }
 
 /// The value of a key of the header, which is a Python dictionary of plain values.
@@ -104,6 +126,7 @@ fn number(descr: &str) -> Result<(Option<Stored>, bool, usize), Cause> {
     let (order, kind) = letters.next().zip(letters.next()).ok_or_else(unsupported)?;
     let size: usize = letters.as_str().parse().map_err(|_| unsupported())?;
     let stored = match (kind, size) {
+        (_, 0) => return Err(unsupported()),
         ('f', 4 | 8) => Some(Stored::Float(size)),
         ('i', 1 | 2 | 4 | 8) => Some(Stored::Signed(size)),
         ('u' | 'b', 1 | 2 | 4 | 8) => Some(Stored::Unsigned(size)),
@@ -119,4 +142,50 @@ fn shape(text: &str) -> Result<Vec<usize>, Cause> {
     let sizes: Result<Vec<usize>, _> =
         inner.split(',').map(str::trim).filter(|size| !size.is_empty()).map(str::parse).collect();
     sizes.map_err(|_| damaged(format!("its shape is {}", quoted(text))))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(descr: &str, shape: &str, data: &[u8]) -> Result<Array, Cause> {
+        let header = format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': {shape}}}\n");
+        let length = (header.len() as u16).to_le_bytes();
+        let file = [MAGIC, &[1, 0], &length, header.as_bytes(), data].concat();
+        read_npy(&mut file.as_slice())
+    }
+
+    fn message(descr: &str, shape: &str, data: &[u8]) -> String {
+        read(descr, shape, data).map_or_else(|error| error.to_string(), |array| format!("{:?}", array.shape))
+    }
+
+    #[test]
+    fn arrays_and_numbers_alone_are_read() {
+        assert_eq!(read("<u2", "(3,)", &[1, 0, 2, 0, 3, 0]).unwrap().counts().unwrap(), [1, 2, 3]);
+        assert_eq!(read(">f8", "()", &2.5_f64.to_be_bytes()).unwrap().floats().unwrap(), [2.5]);
+        assert!(read("|S3", "()", b"csr").unwrap().counts().is_err());
+        assert!(read("<i1", "(1,)", &[0xff]).unwrap().counts().is_err());
+    }
+
+    #[test]
+    fn sizes_that_no_memory_has_are_refused() {
+        let huge = "(4611686018427387904, 8)";
+        for descr in ["|S0", "<U0", "<f0"] {
+            assert!(message(descr, huge, &[]).contains("the type of a NumPy array"), "{descr}");
+        }
+        assert!(message("|S1", huge, &[]).contains("larger than any memory"));
+        assert!(message("<f8", "(1125899906842624,)", &[0; 16]).contains("and 16 bytes follow"));
+    }
+
+    /// A reader that would never end.
+    #[test]
+    fn no_more_is_read_than_the_header_says() {
+        let header = "{'descr': '<i4', 'fortran_order': False, 'shape': (2,)}\n";
+        let start = [MAGIC, &[1, 0], &(header.len() as u16).to_le_bytes(), header.as_bytes()].concat();
+        let error = read_npy(&mut start.as_slice().chain(std::io::repeat(0))).err().unwrap();
+        assert!(error.to_string().contains("and more bytes follow"), "{error}");
+        let endless = [MAGIC, &[2, 0, 0xff, 0xff, 0xff, 0xff]].concat();
+        let error = read_npy(&mut endless.as_slice().chain(std::io::repeat(b' '))).err().unwrap();
+        assert!(error.to_string().contains("10000 are read at most"), "{error}");
+    }
 }

@@ -117,8 +117,10 @@ fn fixed_interface(
         }
     };
     let from = match cut_off {
-        _ if found.len() == size && cut_off != CutOff::Count(size - 1) => f64::INFINITY,
+        // fewer than were asked for are all that have mass
+        CutOff::Count(count) if found.len() <= count => f64::INFINITY,
         CutOff::Count(_) => found.pop().map_or(f64::INFINITY, |mode| mode.eigenvalue),
+        CutOff::Frequency(_) if found.len() == size => f64::INFINITY,
         CutOff::Frequency(limit) => (TAU * limit).powi(2),
     };
     Ok((found, from))

@@ -9,6 +9,7 @@
 //! - [`assembly`]: sparse stiffness and mass of a mesh.
 //! - [`factor`]: the factorisation of a symmetric matrix, with the count of its negative eigenvalues.
 //! - [`modes`]: undamped modes, with a count that shows whether one is missing.
+//! - [`rigid`]: which eigenvalues are those of rigid motions.
 //! - [`craig_bampton`]: a structure on the freedoms that are kept and its lowest fixed-interface modes.
 //! - [`modal_form`]: a reduced structure in its own modes, and the flexibility of those that are cut off.
 //! - [`reduction_error`]: how far reduced frequencies can be from full ones, told by the reduction alone.
@@ -41,6 +42,7 @@ pub mod modes;
 pub mod quadratic;
 pub mod reduction_error;
 pub mod reduction_report;
+pub mod rigid;
 pub mod statics;
 
 pub use error::StructureError;

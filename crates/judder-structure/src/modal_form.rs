@@ -3,6 +3,7 @@
 use crate::StructureError;
 use crate::craig_bampton::{CraigBampton, CutOff};
 use crate::dense::{Eigen, generalised};
+use crate::rigid::rigid_limit;
 use faer::Mat;
 use std::f64::consts::TAU;
 
@@ -50,8 +51,7 @@ impl ModalForm {
             CutOff::Count(count) => count.min(modes),
             CutOff::Frequency(limit) => self.frequencies_hz().iter().take_while(|hz| **hz < limit).count(),
         };
-        // what rounding makes of zero
-        let rigid = f64::EPSILON * modes as f64 * self.eigenvalues.last().copied().unwrap_or(0.0);
+        let rigid = rigid_limit(modes, self.eigenvalues.last().copied().unwrap_or(0.0));
         let cut = count..modes;
         if let Some(mode) = cut.clone().find(|k| self.eigenvalues[*k] <= rigid) {
             return Err(StructureError::CutRigid { mode, kept: count });

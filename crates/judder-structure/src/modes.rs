@@ -1,6 +1,7 @@
 //! Undamped modes: K φ = λ M φ, the lowest or those of a band, with a count that shows whether one is missing.
 
 mod lanczos;
+mod start;
 
 use crate::StructureError;
 use crate::assembly::Sparse;
@@ -9,14 +10,16 @@ use crate::factor::{FactorPattern, SymmetricFactor};
 use crate::statics::{dot, sum, symmetric_product};
 use faer::Mat;
 use lanczos::{APART, Found, Lanczos, combined};
+use start::{Start, upper_edge};
 use std::f64::consts::TAU;
 
 /// Which modes are wanted.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Wanted {
-    /// So many, from the lowest on.
+    /// So many, from the lowest on; where freedoms have no mass, no more than have one.
     Lowest(usize),
-    /// All between two frequencies in Hz.
+    /// All between two frequencies in Hz, both included. From zero, or a number below, it takes all below the second frequency; from
+    /// a number above zero no rigid motion, and the search begins at it: modes below are counted, not searched.
     Band(f64, f64),
 }
 
@@ -46,6 +49,19 @@ pub struct Modes {
     pub modes: Vec<Mode>,
     /// An eigenvalue above the last mode and how many modes lie below it, counted by the signs of a factorisation.
     pub counted: (f64, usize),
+    /// A value below the first mode and how many modes lie below it, counted in the same way: none is missing where as many were found
+    /// as lie between the two counts. Of the lowest modes, and of a band from zero, it is below all.
+    pub counted_from: (f64, usize),
+    /// The eigenvalue up to which modes are rigid motions, in 1/s²; see [`rigid_limit`](crate::rigid::rigid_limit).
+    pub rigid_limit: f64,
+}
+
+impl Modes {
+    /// How many of the modes are rigid motions: they are the first.
+    #[must_use]
+    pub fn rigid_modes(&self) -> usize {
+        self.modes.iter().take_while(|mode| mode.eigenvalue <= self.rigid_limit).count()
+    }
 }
 
 /// Rounds of the search before it gives up on modes that the count knows of.
@@ -55,43 +71,59 @@ const ROUGH: f64 = 1e-14;
 
 /// The modes of a structure by shift-invert Lanczos in the inner product of the mass (T. Ericsson and A. Ruhe, 1980).
 ///
-/// Both matrices are symmetric and hold both triangles. A shift below zero lets rigid motions come out as what they are. Sylvester's
-/// law of inertia counts the eigenvalues below a value above the last mode; while there are more than were found, the search goes on
-/// from a start of its own.
+/// Both matrices are symmetric and hold both triangles. A shift below zero lets rigid motions come out as what they are; a band above
+/// zero has its shift at its lower end, or a little below where an eigenvalue lies there. Sylvester's law of inertia counts the
+/// eigenvalues below a value above the last mode and below the shift; while there are more than were found, the search goes on from a
+/// start of its own.
 ///
 /// # Errors
-/// [`StructureError::MissingModes`] where the count is not reached, [`StructureError::OutOfMemory`], numbers that are not finite.
+/// [`StructureError::MissingModes`] where the count is not reached, [`StructureError::OutOfMemory`], numbers that are not finite,
+/// [`StructureError::InvalidNumber`] for a band that does not rise.
 pub fn modes(stiffness: &Sparse, mass: &Sparse, wanted: Wanted) -> Result<Modes, StructureError> {
     let pencil = Pencil { stiffness, mass };
-    let shift = -shift_scale(stiffness, mass)?;
-    let at_shift = pencil.shifted(shift)?;
-    let pattern = FactorPattern::new(&at_shift)?;
-    let factor = SymmetricFactor::with_pattern(&pattern, &at_shift)?;
-    drop(at_shift);
-    let below = |value: f64| pattern.negative_eigenvalues(&pencil.shifted(value)?);
-    let mut search = Lanczos::new(&factor, mass, shift);
-    let size = stiffness.nrows();
-    let aim = match wanted {
-        Wanted::Lowest(count) => count.min(size),
-        Wanted::Band(_, to) => below((TAU * to).powi(2))?,
+    let start = Start::new(&pencil, wanted)?;
+    let below = |value: f64| start.pattern.negative_eigenvalues(&pencil.shifted(value)?);
+    let counted = |limit| Ok::<_, StructureError>((limit, below(limit)?));
+    let whole = |modes, counted| Modes {
+        modes,
+        counted,
+        counted_from: start.counted,
+        rigid_limit: start.rigid_limit,
     };
+    let (aim, upper) = match wanted {
+        Wanted::Lowest(count) => (count.min(stiffness.nrows()), None),
+        Wanted::Band(_, to) => {
+            let upper = counted(upper_edge(to).max(start.counted.0))?;
+            if upper.1 <= start.counted.1 {
+                return Ok(whole(Vec::new(), upper));
+            }
+            (upper.1 - start.below, Some(upper))
+        }
+    };
+    let mut search = Lanczos::new(&start.factor, mass, start.shift);
     let mut target = aim;
     for _ in 0..ROUNDS {
         let found = search.converged(target)?;
-        let limit = limit_above(&found, target, wanted);
-        let count = if let Wanted::Band(..) = wanted { aim } else { below(limit)? };
-        let known = found.values.partition_point(|value| *value < limit);
-        if known >= count {
-            let (first, last) = match wanted {
-                Wanted::Lowest(_) => (0, aim.min(known)),
-                Wanted::Band(from, _) => (found.values.partition_point(|v| *v < (TAU * from).powi(2)), known),
-            };
-            drop(search);
-            let modes =
-                pencil.polished(&factor, shift, found.shapes)?.into_iter().take(last).skip(first).collect();
-            return Ok(Modes { modes, counted: (limit, count) });
+        if found.is_whole {
+            // freedoms without mass have no modes
+            target = target.min(found.values.len());
         }
-        target = target.max(count);
+        let (limit, count) = match upper {
+            Some(upper) => upper,
+            None => counted(limit_above(&found, target))?,
+        };
+        let known = found.values.partition_point(|value| *value < limit);
+        if known + start.below >= count {
+            drop(search);
+            let last = if upper.is_some() { known } else { aim.min(known) };
+            let modes = pencil.polished(&start.factor, start.shift, found.shapes)?;
+            let wanted = modes.into_iter().take(last).skip(start.counted.1 - start.below);
+            return Ok(whole(wanted.collect(), (limit, count)));
+        }
+        if found.is_whole {
+            break;
+        }
+        target = target.max(count - start.below);
         search.start_anew();
     }
     Err(StructureError::MissingModes { wanted: aim })
@@ -166,10 +198,7 @@ impl Pencil<'_> {
 }
 
 /// A value between the last wanted eigenvalue and the next: halfway, where the two stand apart.
-fn limit_above(found: &Found, target: usize, wanted: Wanted) -> f64 {
-    if let Wanted::Band(_, to) = wanted {
-        return (TAU * to).powi(2);
-    }
+fn limit_above(found: &Found, target: usize) -> f64 {
     let last = target.checked_sub(1).and_then(|k| found.values.get(k)).copied().unwrap_or(0.0);
     match found.values.get(target).copied().or(found.next) {
         Some(next) if next - last > APART * next.abs() => 0.5 * (last + next),

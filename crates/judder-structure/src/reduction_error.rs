@@ -10,6 +10,7 @@ use crate::StructureError;
 use crate::craig_bampton::CraigBampton;
 use crate::dense::negative_eigenvalues;
 use crate::modal_form::ModalForm;
+use crate::rigid::rigid_limit;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, Par};
 use std::f64::consts::TAU;
@@ -100,7 +101,7 @@ impl ReductionError {
         }))
     }
 
-    /// Whether a mode, counted from 0, has no stiffness but for rounding.
+    /// Whether a mode, counted from 0, has no stiffness but for rounding; see [`rigid_limit`].
     #[must_use]
     pub fn is_rigid(&self, mode: usize) -> bool {
         self.eigenvalues.get(mode).is_some_and(|value| *value <= self.rounding())
@@ -108,6 +109,6 @@ impl ReductionError {
 
     /// What rounding makes of an eigenvalue.
     fn rounding(&self) -> f64 {
-        f64::EPSILON * self.eigenvalues.last().copied().unwrap_or(0.0)
+        rigid_limit(self.eigenvalues.len(), self.eigenvalues.last().copied().unwrap_or(0.0))
     }
 }

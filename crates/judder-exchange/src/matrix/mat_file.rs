@@ -12,6 +12,10 @@ use std::io::Read;
 const HEADER: usize = 128;
 const FORMAT: &str = "MATLAB file";
 
+const ELEMENT: &str = "a data element";
+/// Bytes of an element's type and size.
+const TAG: u64 = 8;
+
 /// Types of data elements.
 const MATRIX: u32 = 14;
 const COMPRESSED: u32 = 15;
@@ -40,7 +44,7 @@ pub(super) fn read_mat(bytes: &[u8]) -> Result<Matrix, ExchangeError> {
         let read = if element.kind == COMPRESSED {
             // places in what was packed mean nothing in the file: the element's own is told
             let at = element.at;
-            let plain = unpacked(&element)?;
+            let plain = unpacked(&element, big_endian)?;
             let mut inner = Bytes::new(&plain, 0, big_endian);
             self::element(&mut inner, false)
                 .and_then(|element| variable(&element, big_endian))
@@ -89,7 +93,7 @@ fn check_header(bytes: &[u8]) -> Result<bool, ExchangeError> {
 
 /// The next element. Inside arrays each begins at a multiple of eight bytes, and short ones have tag and data in eight.
 fn element<'a>(walk: &mut Bytes<'a>, aligned: bool) -> Result<Element<'a>, ExchangeError> {
-    let what = "a data element";
+    let what = ELEMENT;
     let first = walk.u32(what)?;
     let (small, kind) = (first >> 16, first & 0xffff);
     if small > 0 {
@@ -113,18 +117,29 @@ fn element<'a>(walk: &mut Bytes<'a>, aligned: bool) -> Result<Element<'a>, Excha
     Ok(Element { kind, data, at })
 }
 
-/// The bytes of a compressed element: they grow as they are unpacked, up to the size that the element within says.
-fn unpacked(element: &Element<'_>) -> Result<Vec<u8>, ExchangeError> {
-    let damaged = |error: std::io::Error| {
-        ExchangeError::at_byte(
-            element.at,
-            Cause::Damaged { what: "a compressed element", problem: error.to_string() },
-        )
+/// The element within a compressed one, with its tag: no more is unpacked than the tag says, and one byte to see that no more is
+/// there, which also lets the checksum be compared.
+fn unpacked(element: &Element<'_>, big_endian: bool) -> Result<Vec<u8>, ExchangeError> {
+    let damaged = |problem: String| {
+        ExchangeError::at_byte(element.at, Cause::Damaged { what: "a compressed element", problem })
+    };
+    let mut stream = ZlibDecoder::new(element.data);
+    let mut unpack = |count: u64, plain: &mut Vec<u8>| {
+        stream.by_ref().take(count).read_to_end(plain).map_err(|error| damaged(error.to_string()))
     };
     let mut plain = Vec::new();
-    // a size of 32 bits cannot be larger, so neither can what is unpacked
-    let most = u64::from(u32::MAX) + 8;
-    ZlibDecoder::new(element.data).take(most).read_to_end(&mut plain).map_err(damaged)?;
+    unpack(TAG, &mut plain)?;
+    let mut tag = Bytes::new(&plain, 0, big_endian);
+    let (first, size) = (tag.u32(ELEMENT), tag.u32(ELEMENT));
+    // short elements lie in the tag itself
+    let size = match (first, size) {
+        (Ok(first), Ok(size)) if first >> 16 == 0 => u64::from(size),
+        _ => 0,
+    };
+    unpack(size, &mut plain)?;
+    if unpack(1, &mut plain)? > 0 {
+        return Err(damaged(format!("it holds more than the {size} bytes that its tag says")));
+    }
     Ok(plain)
 }
 
@@ -231,7 +246,7 @@ fn stored(element: &Element<'_>) -> Result<Stored, ExchangeError> {
         13 => Ok(Stored::Unsigned(8)),
         other => {
             let problem = format!("its type is {other}, which is no number");
-            Err(ExchangeError::at_byte(element.at, Cause::Inconsistent { what: "a data element", problem }))
+            Err(ExchangeError::at_byte(element.at, Cause::Inconsistent { what: ELEMENT, problem }))
         }
     }
 }
@@ -244,6 +259,6 @@ fn whole_numbers(element: &Element<'_>, big_endian: bool) -> Result<Vec<usize>, 
     let counts = stored(element)?.counts(element.data, big_endian);
     counts.into_iter().collect::<Option<Vec<usize>>>().ok_or_else(|| {
         let problem = String::from("a number is negative or not whole where a count is needed");
-        ExchangeError::at_byte(element.at, Cause::Inconsistent { what: "a data element", problem })
+        ExchangeError::at_byte(element.at, Cause::Inconsistent { what: ELEMENT, problem })
     })
 }

@@ -5,7 +5,7 @@ use crate::cause::Cause;
 use crate::error::ExchangeError;
 use crate::npy::{Array, read_npy};
 use crate::quoted::quoted;
-use std::io::{Cursor, Read};
+use std::io::Cursor;
 use zip::ZipArchive;
 
 const ARCHIVE: &str = "the archive";
@@ -59,17 +59,14 @@ fn inconsistent(problem: String) -> ExchangeError {
 }
 
 impl Arrays<'_> {
-    /// An array; its bytes grow as they are unpacked, whatever the archive says of their number.
+    /// An array; it unpacks no further than its own header says.
     fn array(&mut self, name: &str) -> Result<Array, ExchangeError> {
         let mut file = self.0.by_name(&format!("{name}.npy")).map_err(|error| Cause::Foreign {
             format: "sparse matrix of SciPy",
             found: format!("its array `{name}` cannot be had ({error})"),
             remedy: "write it with scipy.sparse.save_npz",
         })?;
-        let mut bytes = Vec::new();
-        file.read_to_end(&mut bytes)
-            .map_err(|error| Cause::Damaged { what: ARCHIVE, problem: format!("`{name}`: {error}") })?;
-        Ok(read_npy(bytes)?)
+        Ok(read_npy(&mut file)?)
     }
 
     fn floats(&mut self, name: &str) -> Result<Vec<f64>, ExchangeError> {

@@ -2,9 +2,14 @@
 
 use super::{each_cut, written};
 use crate::file;
+use flate2::Compression;
+use flate2::write::ZlibEncoder;
 use judder_exchange::matrix::read_matrix;
 use judder_exchange::{Cause, Place};
 use std::fs;
+use std::io::{Cursor, Write};
+use zip::ZipWriter;
+use zip::write::SimpleFileOptions;
 
 fn message(name: &str, content: impl AsRef<[u8]>) -> String {
     let (_folder, path) = written(name, content);
@@ -89,6 +94,39 @@ fn numbers_that_are_none_and_counts_that_cannot_be_are_refused() {
     let array = |rest: &str| message("a.mtx", format!("%%MatrixMarket matrix array real general\n{rest}"));
     assert!(array("4000000000 4000000000\n1\n").contains("says 16000000000000000000 entries"));
     assert!(message("a.mtx", "1 1 1\n99999999999 1 1\n").contains("is a number damaged?"));
+}
+
+/// Compressed files of some hundred bytes that would unpack to sixteen megabytes, a thousandfold each.
+#[test]
+fn what_unpacks_to_more_than_it_says_is_refused() {
+    const LENGTH: usize = 1 << 24;
+    let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
+    archive.start_file("shape.npy", SimpleFileOptions::default()).unwrap();
+    let header = b"{'descr': '<i8', 'fortran_order': False, 'shape': (2,), }\n";
+    archive.write_all(b"\x93NUMPY\x01\x00").unwrap();
+    archive.write_all(&(header.len() as u16).to_le_bytes()).unwrap();
+    archive.write_all(header).unwrap();
+    archive.write_all(&vec![0; LENGTH]).unwrap();
+    let archive = archive.finish().unwrap().into_inner();
+    assert!(archive.len() < LENGTH / 500);
+    let said = message("a.npz", archive);
+    assert!(said.contains("shape [2] of 8 bytes each, and more bytes follow"), "{said}");
+
+    // an element that says sixteen bytes
+    let mut packed = ZlibEncoder::new(Vec::new(), Compression::best());
+    packed.write_all(&[14, 0, 0, 0, 16, 0, 0, 0]).unwrap();
+    packed.write_all(&vec![0; LENGTH]).unwrap();
+    let packed = packed.finish().unwrap();
+    let mut file = sample("sparse.mat")[..128].to_vec();
+    file.extend(15_u32.to_le_bytes());
+    file.extend((packed.len() as u32).to_le_bytes());
+    file.extend(packed);
+    assert!(file.len() < LENGTH / 500);
+    let said = message("a.mat", file);
+    assert!(
+        said.contains("byte 136: a compressed element does not unpack: it holds more than the 16 bytes"),
+        "{said}"
+    );
 }
 
 #[test]

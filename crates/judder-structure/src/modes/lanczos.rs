@@ -24,6 +24,8 @@ pub(super) struct Lanczos<'a> {
     /// What the next vectors are made of.
     pending: VecDeque<Pending>,
     starts: u64,
+    /// Nothing with mass lies outside the basis.
+    is_whole: bool,
 }
 
 /// What the operator makes of a vector outside the basis, or a random start.
@@ -59,6 +61,7 @@ impl<'a> Lanczos<'a> {
             projected: Vec::new(),
             pending: VecDeque::new(),
             starts: 0,
+            is_whole: false,
         }
     }
 
@@ -75,18 +78,19 @@ impl<'a> Lanczos<'a> {
             for _ in 0..STRIDE {
                 self.grow()?;
             }
-            if self.basis.len() == size {
-                // the space is whole: what is pending lies in it
+            self.is_whole |= self.basis.len() == size;
+            if self.is_whole {
+                // what is pending lies in the basis
                 self.pending.clear();
             }
             let ritz = self.ritz()?;
             let last = ritz.values.last().copied().unwrap_or(0.0);
             let is_apart = ritz.next.is_some_and(|next| next - last > APART * next.abs());
             let enough = ritz.values.len() > count || ritz.values.len() == count && is_apart;
-            if enough || self.basis.len() == size {
+            if enough || self.is_whole {
                 let pairs = ritz.vectors.iter().zip(&ritz.values);
                 let shapes = pairs.map(|(shares, value)| self.iterated(shares, *value)).collect();
-                return Ok(Found { values: ritz.values, shapes, next: ritz.next });
+                return Ok(Found { values: ritz.values, shapes, next: ritz.next, is_whole: self.is_whole });
             }
         }
     }
@@ -96,7 +100,10 @@ impl<'a> Lanczos<'a> {
         let size = self.mass.nrows();
         let first = self.basis.len();
         for _ in first..size.min(first + 2) {
-            let (vector, with_mass) = self.next_vector()?;
+            let Some((vector, with_mass)) = self.next_vector()? else {
+                self.is_whole = true;
+                break;
+            };
             self.basis.push(vector);
             self.with_mass.push(with_mass);
         }
@@ -114,7 +121,7 @@ impl<'a> Lanczos<'a> {
     /// What the operator has made of a vector of the basis.
     fn take_in(&mut self, mut image: Vec<f64>, from: usize) {
         let shares = self.orthogonalise(&mut image, 0);
-        let length = dot(&image, &symmetric_product(self.mass, &image)).max(0.0).sqrt();
+        let length = length(self.mass, &image);
         let before = shares.iter().map(|share| share * share).sum::<f64>().sqrt().hypot(length);
         self.projected.push(shares);
         if length > INVARIANT * before {
@@ -124,8 +131,8 @@ impl<'a> Lanczos<'a> {
     }
 
     /// A vector of unit length outside the basis, with M times it: of what is pending the first that is not in the basis by now,
-    /// else a random one.
-    fn next_vector(&mut self) -> Result<(Vec<f64>, Vec<f64>), StructureError> {
+    /// else a random one. `None` where the basis holds all that has mass.
+    fn next_vector(&mut self) -> Result<Option<(Vec<f64>, Vec<f64>)>, StructureError> {
         loop {
             let Pending { mut vector, length, from, orthogonal_to } = match self.pending.pop_front() {
                 Some(pending) => pending,
@@ -138,22 +145,33 @@ impl<'a> Lanczos<'a> {
                 for value in vector.iter_mut().chain(&mut with_mass) {
                     *value /= left;
                 }
-                return Ok((vector, with_mass));
+                return Ok(Some((vector, with_mass)));
             }
             if from.is_none() {
+                if self.holds_all_mass() {
+                    return Ok(None);
+                }
                 return Err(StructureError::MissingModes { wanted: self.basis.len() + 1 });
             }
         }
     }
 
-    fn random(&mut self) -> Pending {
-        let size = self.mass.nrows();
+    /// Whether a random vector has no mass outside the basis. The operator must not be applied to it: of what is far above the
+    /// shift it would leave nothing to be seen.
+    fn holds_all_mass(&mut self) -> bool {
         self.starts += 1;
-        let vector: Vec<f64> = (0..size as u64).map(|k| uniform(self.starts, k) - 0.5).collect();
+        let mut vector = random(self.starts, self.mass.nrows());
+        let before = length(self.mass, &vector);
+        self.orthogonalise(&mut vector, 0);
+        length(self.mass, &vector) <= INVARIANT * before
+    }
+
+    fn random(&mut self) -> Pending {
+        self.starts += 1;
         // once through the operator: nothing is left that has no mass
-        let mut vector = symmetric_product(self.mass, &vector);
+        let mut vector = symmetric_product(self.mass, &random(self.starts, self.mass.nrows()));
         self.factor.solve(&mut vector);
-        let length = dot(&vector, &symmetric_product(self.mass, &vector)).max(0.0).sqrt();
+        let length = length(self.mass, &vector);
         Pending { vector, length, from: None, orthogonal_to: 0 }
     }
 
@@ -219,12 +237,41 @@ impl<'a> Lanczos<'a> {
     }
 }
 
+/// The distance of the shift to the eigenvalue nearest it, from above: some steps of the power method on the operator.
+pub(super) fn nearest(factor: &SymmetricFactor, mass: &Sparse) -> f64 {
+    /// Enough to see an eigenvalue that is a thousand times nearer than the next.
+    const STEPS: usize = 4;
+    let mut vector = random(0, mass.nrows());
+    let mut growth = 0.0;
+    for _ in 0..STEPS {
+        let before = length(mass, &vector);
+        for value in &mut vector {
+            *value /= before;
+        }
+        vector = symmetric_product(mass, &vector);
+        factor.solve(&mut vector);
+        growth = length(mass, &vector);
+    }
+    1.0 / growth
+}
+
+fn random(stream: u64, size: usize) -> Vec<f64> {
+    (0..size as u64).map(|k| uniform(stream, k) - 0.5).collect()
+}
+
+/// In the inner product of the mass.
+fn length(mass: &Sparse, vector: &[f64]) -> f64 {
+    dot(vector, &symmetric_product(mass, vector)).max(0.0).sqrt()
+}
+
 /// Eigenvalues by rising size, with shapes.
 pub(super) struct Found {
     pub(super) values: Vec<f64>,
     pub(super) shapes: Vec<Vec<f64>>,
     /// A value near above which the next seems to lie; `None` where there is none.
     pub(super) next: Option<f64>,
+    /// Whether there are no others above the shift, but infinite ones of freedoms without mass.
+    pub(super) is_whole: bool,
 }
 
 /// Σ shares of vectors.

@@ -2,6 +2,7 @@
 
 use crate::Body;
 use faer::sparse::Triplet;
+use judder_structure::StructureError;
 use judder_structure::assembly::Sparse;
 use judder_structure::beam::Beam;
 use judder_structure::element::ElementKind;
@@ -157,4 +158,77 @@ fn all_modes_of_a_small_structure_are_found() {
             assert!((mode.eigenvalue - expected).abs() < 1e-13, "{size} {k}: {}", mode.eigenvalue);
         }
     }
+}
+
+/// The block of a free body with its frequencies between two of its own, against all that a band from zero has.
+#[test]
+fn a_band_holds_all_between_its_counts_and_rigid_motions_only_from_zero() {
+    let grid = Grid { kind: ElementKind::Hexahedron8, size: [0.6, 0.2, 0.1], cells: [9, 3, 2] };
+    let body = Body {
+        mesh: grid.mesh("any", |p| p).unwrap(),
+        material: Elastic::new(2e11, 0.3, 7800.0).unwrap(),
+        section: Section::Solid,
+    };
+    let band = |from, to| {
+        let found = lowest(&body, &Supports::default(), Wanted::Band(from, to));
+        assert_eq!(found.modes.len(), found.counted.1 - found.counted_from.1, "{from} to {to} Hz");
+        found
+    };
+    let all = band(0.0, 8_000.0);
+    let frequencies: Vec<f64> = all.modes.iter().map(Mode::frequency_hz).collect();
+    let rigid: Vec<f64> = all.modes[..7].iter().map(|mode| mode.eigenvalue).collect();
+    println!("{frequencies:?}, {rigid:?}, rigid up to {:e}", all.rigid_limit);
+    assert_eq!((all.counted_from.1, all.rigid_modes()), (0, 6));
+    assert!(all.modes.len() >= 15, "{frequencies:?}");
+    let same = |found: &Modes, expected: &[f64]| {
+        let found: Vec<f64> = found.modes.iter().map(Mode::frequency_hz).collect();
+        assert_eq!(found.len(), expected.len(), "{found:?} {expected:?}");
+        assert!(
+            found.iter().zip(expected).all(|(a, b)| (a / b - 1.0).abs() < 1e-10),
+            "{found:?} {expected:?}"
+        );
+    };
+    let from_one = band(1.0, 8_000.0);
+    assert_eq!((from_one.counted_from.1, from_one.rigid_modes()), (6, 0));
+    same(&from_one, &frequencies[6..]);
+    // inside: between modes, from and to modes themselves, beside one, and where there is none
+    let middle = |k: usize| 0.5 * (frequencies[k] + frequencies[k + 1]);
+    same(&band(middle(8), middle(13)), &frequencies[9..14]);
+    same(&band(frequencies[9], frequencies[13]), &frequencies[9..14]);
+    same(&band(frequencies[9] * (1.0 + 1e-7), frequencies[13]), &frequencies[10..14]);
+    same(&band(frequencies[9] * (1.0 + 1e-7), frequencies[10] * (1.0 - 1e-7)), &[]);
+    // without frequencies that rounding leaves
+    same(&band(1e-9, 1e-8), &[]);
+    let assembled = body.assembled(&body.numbering(&Supports::default()));
+    for (from, to) in [(2.0, 1.0), (1.0, 1.0), (0.0, f64::NAN), (f64::NAN, 1.0), (0.0, f64::INFINITY)] {
+        let refused = modes(&assembled.stiffness, &assembled.mass, Wanted::Band(from, to)).unwrap_err();
+        assert!(matches!(refused, StructureError::InvalidNumber { .. }), "{from} {to}: {refused}");
+    }
+}
+
+/// A row of springs of which every second node has a mass: condensed, it is a row of half the stiffness, λ = 1 − cos(k π/(m + 1)).
+#[test]
+fn where_freedoms_have_no_mass_all_modes_are_those_of_the_others() {
+    let masses = 6_usize;
+    let size: usize = 2 * masses + 1;
+    let stiffness: Vec<_> = (0..size)
+        .flat_map(|i| [(i, i, 2.0), (i, (i + 1) % size, -1.0), ((i + 1) % size, i, -1.0)])
+        .filter(|(i, j, _)| i.abs_diff(*j) <= 1)
+        .map(|(i, j, value)| Triplet::new(i, j, value))
+        .collect();
+    let mass: Vec<_> = (0..masses).map(|k| Triplet::new(2 * k + 1, 2 * k + 1, 1.0)).collect();
+    let [stiffness, mass] =
+        [stiffness, mass].map(|entries| Sparse::try_new_from_triplets(size, size, &entries).unwrap());
+    for wanted in [masses - 1, masses, masses + 1, size, 2 * size] {
+        let found = modes(&stiffness, &mass, Wanted::Lowest(wanted)).unwrap();
+        assert_eq!(found.modes.len(), wanted.min(masses), "{wanted}");
+        for (k, mode) in found.modes.iter().enumerate() {
+            let expected = 1.0 - ((k + 1) as f64 * PI / (masses + 1) as f64).cos();
+            assert!((mode.eigenvalue - expected).abs() < 1e-13, "{wanted} {k}: {}", mode.eigenvalue);
+        }
+    }
+    // and a band beyond them all
+    let found = modes(&stiffness, &mass, Wanted::Band(0.1, 10.0)).unwrap();
+    assert_eq!(found.modes.len(), found.counted.1 - found.counted_from.1);
+    assert_eq!(found.counted.1, masses);
 }

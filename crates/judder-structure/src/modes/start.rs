@@ -1,0 +1,73 @@
+//! Where the search for modes begins: the shift, and what lies below it.
+
+use super::lanczos::nearest;
+use super::{Pencil, Wanted, shift_scale};
+use crate::StructureError;
+use crate::factor::{FactorPattern, SymmetricFactor};
+use crate::rigid::{largest_ratio, rigid_limit};
+use std::f64::consts::TAU;
+
+/// A mode this share of λ beside an edge of the band is in it: frequencies that are those of modes are told with rounding.
+const EDGE: f64 = 1e-9;
+/// Share of the band within which no eigenvalue may lie beside the shift: the operator's range would leave the others no digits.
+const NEAR: f64 = 1e-6;
+/// Share of the band by which a shift that is too near an eigenvalue moves down.
+const STEP: f64 = 1e-3;
+/// Shifts that are tried.
+const TRIES: usize = 8;
+
+/// A shift σ with the factors of K − σ M. The modes above it are searched.
+pub(super) struct Start {
+    pub(super) shift: f64,
+    pub(super) factor: SymmetricFactor,
+    pub(super) pattern: FactorPattern,
+    /// Eigenvalues below the shift.
+    pub(super) below: usize,
+    /// A value below the first wanted mode and how many eigenvalues lie below it.
+    pub(super) counted: (f64, usize),
+    /// Up to where eigenvalues are those of rigid motions.
+    pub(super) rigid_limit: f64,
+}
+
+impl Start {
+    pub(super) fn new(pencil: &Pencil<'_>, wanted: Wanted) -> Result<Self, StructureError> {
+        let scale = shift_scale(pencil.stiffness, pencil.mass)?;
+        let largest = largest_ratio(pencil.stiffness, pencil.mass);
+        let rigid_limit = rigid_limit(pencil.stiffness.nrows(), largest);
+        if let Wanted::Band(from, to) = wanted {
+            let (name, requirement) = ("the band's end in Hz", "finite and above its start");
+            if !(to.is_finite() && from < to) {
+                return Err(StructureError::InvalidNumber { name, value: to, requirement });
+            }
+        }
+        let (from, band) = match wanted {
+            Wanted::Band(from, to) if from > 0.0 => {
+                // above what rounding makes of zero: rigid motions have no frequency
+                let from = ((1.0 - EDGE) * (TAU * from).powi(2)).max(rigid_limit);
+                (from, Some((upper_edge(to) - from).max(0.0)))
+            }
+            _ => (-scale, None),
+        };
+        let at_shift = pencil.shifted(from)?;
+        let pattern = FactorPattern::new(&at_shift)?;
+        let factor = SymmetricFactor::with_pattern(&pattern, &at_shift)?;
+        // from zero nothing is passed over: a count that finds more below the shift ends the search as missing modes
+        let below = band.map_or(0, |_| factor.negative_eigenvalues());
+        let mut start = Self { shift: from, factor, pattern, below, counted: (from, below), rigid_limit };
+        let Some(band) = band else { return Ok(start) };
+        for _ in 0..TRIES {
+            if nearest(&start.factor, pencil.mass) > NEAR * band {
+                break;
+            }
+            start.shift -= STEP * band;
+            start.factor = SymmetricFactor::with_pattern(&start.pattern, &pencil.shifted(start.shift)?)?;
+            start.below = start.factor.negative_eigenvalues();
+        }
+        Ok(start)
+    }
+}
+
+/// The eigenvalue up to which modes are in a band that ends at a frequency in Hz.
+pub(super) fn upper_edge(to: f64) -> f64 {
+    (1.0 + EDGE) * (TAU * to).powi(2)
+}

@@ -45,12 +45,14 @@ pub enum Triangle {
     Lower,
     /// The upper triangle of a symmetric matrix.
     Upper,
+    /// All of it, also where one triangle is empty: friction couples some freedoms one way only.
+    AsStored,
 }
 
 impl Triangle {
     /// The choices with their names in a case file.
-    pub const ALL: [(&'static str, Self); 3] =
-        [("both", Self::Both), ("lower", Self::Lower), ("upper", Self::Upper)];
+    pub const ALL: [(&'static str, Self); 4] =
+        [("both", Self::Both), ("lower", Self::Lower), ("upper", Self::Upper), ("as-stored", Self::AsStored)];
 
     /// The name in a case file.
     pub fn name(self) -> &'static str {

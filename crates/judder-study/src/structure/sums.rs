@@ -45,6 +45,7 @@ fn read(name: &str, terms: &[MatrixTerm]) -> Result<Vec<Matrix>, Unbuilt> {
             Triangle::Both => read_matrix(path),
             Triangle::Lower => mirrored(matrix::Triangle::Lower),
             Triangle::Upper => mirrored(matrix::Triangle::Upper),
+            Triangle::AsStored => read_stored_matrix(path),
         };
         matrix.map_err(|error| {
             let (path, reason) = (path.clone(), error.to_string());

@@ -5,6 +5,7 @@
 mod any_text;
 mod bad_analysis;
 mod bad_contact;
+mod bad_family;
 mod bad_key;
 mod bad_motion;
 mod bad_source;

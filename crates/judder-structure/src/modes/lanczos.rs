@@ -28,6 +28,9 @@ pub(super) struct Lanczos<'a> {
     is_whole: bool,
 }
 
+/// A vector x of unit length and M x.
+type WithMass = (Vec<f64>, Vec<f64>);
+
 /// What the operator makes of a vector outside the basis, or a random start.
 struct Pending {
     vector: Vec<f64>,
@@ -132,7 +135,7 @@ impl<'a> Lanczos<'a> {
 
     /// A vector of unit length outside the basis, with M times it: of what is pending the first that is not in the basis by now,
     /// else a random one. `None` where the basis holds all that has mass.
-    fn next_vector(&mut self) -> Result<Option<(Vec<f64>, Vec<f64>)>, StructureError> {
+    fn next_vector(&mut self) -> Result<Option<WithMass>, StructureError> {
         loop {
             let Pending { mut vector, length, from, orthogonal_to } = match self.pending.pop_front() {
                 Some(pending) => pending,

@@ -5,6 +5,7 @@ use faer::sparse::Triplet;
 use judder_structure::StructureError;
 use judder_structure::assembly::Sparse;
 use judder_structure::beam::Beam;
+use judder_structure::craig_bampton::{CraigBampton, CutOff};
 use judder_structure::element::ElementKind;
 use judder_structure::freedom::Supports;
 use judder_structure::grid::Grid;
@@ -231,4 +232,10 @@ fn where_freedoms_have_no_mass_all_modes_are_those_of_the_others() {
     let found = modes(&stiffness, &mass, Wanted::Band(0.1, 10.0)).unwrap();
     assert_eq!(found.modes.len(), found.counted.1 - found.counted_from.1);
     assert_eq!(found.counted.1, masses);
+    // a reduction to one mass has the modes of the others, and with all of them no error
+    for (count, left_out) in [(masses - 2, true), (masses - 1, false), (masses, false), (size, false)] {
+        let reduced = CraigBampton::new(&stiffness, &mass, &[1], CutOff::Count(count)).unwrap();
+        assert_eq!(reduced.fixed_interface.len(), count.min(masses - 1));
+        assert_eq!(reduced.error().unwrap().limit_hz(1e-4).is_finite(), left_out, "{count}");
+    }
 }

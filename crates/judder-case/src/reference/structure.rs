@@ -46,7 +46,7 @@ up to `cut_off`. Of matrices with a table of freedoms, `nodes = [1, 17]` stand i
 const MATRICES: &str = "
 `[matrices]` takes `mass`, `damping` (zero where left out) and `stiffness`, each a list of `{ file = \"K.mtx\", factor = \"speed^2 - 1\" }`: the sum of the files times their factors, which are numbers or expressions of \
 `[parameters]` (1 where left out). Files are Matrix Market or Abaqus coordinate text (`.mtx`), MATLAB 5 (`.mat`) or SciPy (`.npz`), in `folder` (that of the case where left out; a folder given by `--set` is sought where the \
-program runs first). `triangle = \"lower\"` or `\"upper\"`, of one term or of all, says that a file holds one triangle of a symmetric matrix. `freedoms = \"table.csv\"` names a table with node, direction and place of every \
+program runs first). `triangle = \"lower\"` or `\"upper\"`, of one term or of all, says that a file holds one triangle of a symmetric matrix, `\"as-stored\"` that a matrix with an empty triangle really is so. `freedoms = \"table.csv\"` names a table with node, direction and place of every \
 degree of freedom.
 ";
 

@@ -179,7 +179,7 @@ pub enum Cause {
     },
     /// A matrix that should be whole has entries on one side of the diagonal only.
     #[error(
-        "holds {entries} entries in its {triangle} triangle and none in the other, though its storage claims the whole matrix; if it is one \
+        "holds entries ({entries}) in its {triangle} triangle and none in the other, though its storage claims the whole matrix; if it is one \
          triangle of a symmetric matrix, say so (triangle = \"{triangle}\"); if it is triangular indeed, say that (triangle = \"as-stored\"); \
          otherwise write it whole"
     )]

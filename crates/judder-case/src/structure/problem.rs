@@ -123,11 +123,9 @@ pub enum StructureProblem {
         what: &'static str,
     },
     /// A file that cannot be used.
-    #[error("{}: {reason}", path.display())]
+    #[error("{reason}")]
     File {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong with it, and where.
+        /// Which file, what is wrong with it, and where.
         reason: String,
     },
     /// Elements, materials or supports that cannot be together.
@@ -237,8 +235,8 @@ impl StructureProblem {
             Self::NoMaterial { name } => format!("give material = {{ … }} or materials = {{ {name} = {{ … }} }}"),
             Self::UnknownNode { .. } => "name nodes that the table has".to_owned(),
             Self::KeptFreedoms { .. } => "name free freedoms, each once".to_owned(),
-            Self::File { .. } => "the file is read as its ending says".to_owned(),
-            Self::Unbuilt { .. } => "mind elements, materials and supports".to_owned(),
+            Self::File { .. } => "a file is read as its ending says".to_owned(),
+            Self::Unbuilt { .. } => "mend what the message names".to_owned(),
             Self::Kept(KeptProblem::NoSets) => "as in kept = [{ nodes = [1, 17] }]".to_owned(),
             Self::Kept(KeptProblem::NoNodes) => "as in kept = [{ set = \"end\" }]".to_owned(),
             Self::Kept(KeptProblem::NoTable) => "give freedoms = \"table.csv\" in [matrices]".to_owned(),

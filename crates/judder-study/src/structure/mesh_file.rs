@@ -13,8 +13,7 @@ use std::collections::BTreeMap;
 /// Reads a mesh and assembles it.
 pub(super) fn structure(body: &Body, file: &FileReference, damping: &Damping) -> Result<Structure, Unbuilt> {
     let mut read = read_mesh(&file.path).map_err(|error| {
-        let (path, reason) = (file.path.clone(), error.to_string());
-        Unbuilt::new("structure.mesh", StructureProblem::File { path, reason })
+        Unbuilt::new("structure.mesh", StructureProblem::File { reason: error.to_string() })
     })?;
     name_nodes(&mut read);
     refuse_strangers(body, &read)?;

@@ -17,8 +17,7 @@ pub(super) fn structure(sums: &MatrixSums) -> Result<Structure, Unbuilt> {
     let table = match &sums.freedoms {
         None => None,
         Some(file) => Some(read_freedoms(&file.path).map_err(|error| {
-            let (path, reason) = (file.path.clone(), error.to_string());
-            Unbuilt::new("matrices.freedoms", StructureProblem::File { path, reason })
+            Unbuilt::new("matrices.freedoms", StructureProblem::File { reason: error.to_string() })
         })?),
     };
     check(sums, &read, table.as_deref())?;
@@ -48,8 +47,8 @@ fn read(name: &str, terms: &[MatrixTerm]) -> Result<Vec<Matrix>, Unbuilt> {
             Triangle::AsStored => read_stored_matrix(path),
         };
         matrix.map_err(|error| {
-            let (path, reason) = (path.clone(), error.to_string());
-            Unbuilt::new(format!("matrices.{name}.{index}.file"), StructureProblem::File { path, reason })
+            let reason = error.to_string();
+            Unbuilt::new(format!("matrices.{name}.{index}.file"), StructureProblem::File { reason })
         })
     };
     terms.par_iter().enumerate().map(read).collect()

@@ -70,6 +70,38 @@ pub fn assemble(
     Ok(Assembled { stiffness: pattern.matrix(stiffness), mass: pattern.matrix(mass) })
 }
 
+/// M a of a mesh that moves with one acceleration a in m/s², in N on the free displacements: its inertia load.
+///
+/// Held displacements move too, so that what their mass pushes on free ones is counted: for held structures the product of the mass
+/// on the free displacements alone would lack it.
+///
+/// # Errors
+/// As of [`assemble`].
+pub fn inertia_load(
+    mesh: &Mesh,
+    materials: &BTreeMap<String, (Elastic, Section)>,
+    numbering: &Numbering,
+    acceleration: [f64; 3],
+) -> Result<Vec<f64>, StructureError> {
+    mesh.check()?;
+    let kinds = kinds(mesh, materials)?;
+    let mut load = vec![0.0; numbering.freedoms().len()];
+    let elements = mesh.blocks.iter().zip(&kinds).flat_map(|(block, elements)| {
+        block.connectivity.chunks(block.kind.nodes()).map(move |nodes| (elements, nodes))
+    });
+    for (number, (elements, nodes)) in elements.enumerate() {
+        let places: Vec<[f64; 3]> = nodes.iter().map(|node| mesh.nodes[*node]).collect();
+        let matrices = elements.matrices(number, &places)?;
+        for (i, freedom) in numbering.of_element(nodes).enumerate() {
+            let Some(freedom) = freedom else { continue };
+            let row = &matrices.mass[i * matrices.size..(i + 1) * matrices.size];
+            let along = |j: usize| acceleration[j % numbering.dimension()];
+            load[freedom] += row.iter().enumerate().map(|(j, mass)| mass * along(j)).sum::<f64>();
+        }
+    }
+    Ok(load)
+}
+
 /// What computes each block's elements.
 fn kinds(
     mesh: &Mesh,
@@ -151,5 +183,44 @@ impl Pattern {
         let symbolic =
             SymbolicSparseColMat::new_checked(size, size, self.starts.clone(), None, self.rows.clone());
         Sparse::new(symbolic, values)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::beam::Beam;
+    use crate::freedom::{Direction, Supports};
+
+    /// A free body pushes back with its whole mass, and the load is the product of mass and acceleration.
+    #[test]
+    fn a_free_body_pushes_back_with_its_whole_mass() {
+        let beam = Beam { length: 0.3, thickness: 0.02, elements: [5, 2], origin: [0.0; 2], angle: 0.3 }
+            .mesh("m")
+            .unwrap();
+        let own = (Elastic::new(71e9, 0.33, 2770.0).unwrap(), Section::PlaneStress { thickness: 0.01 });
+        let materials = BTreeMap::from([("m".to_owned(), own)]);
+        let numbering = Numbering::new(&beam, 2, &Supports::default()).unwrap();
+        let load = inertia_load(&beam, &materials, &numbering, [2.0, -1.0, 0.0]).unwrap();
+        let along = |direction| {
+            let own = numbering
+                .freedoms()
+                .iter()
+                .zip(&load)
+                .filter(move |(freedom, _)| freedom.direction == direction);
+            own.map(|(_, load)| load).sum::<f64>()
+        };
+        let mass = 0.3 * 0.02 * 0.01 * 2770.0;
+        assert!(
+            (along(Direction::X) - 2.0 * mass).abs() < 1e-12 && (along(Direction::Y) + mass).abs() < 1e-12
+        );
+        let assembled = assemble(&beam, &materials, &numbering).unwrap();
+        let moved: Vec<f64> = numbering
+            .freedoms()
+            .iter()
+            .map(|f| if f.direction == Direction::X { 2.0 } else { -1.0 })
+            .collect();
+        let product = crate::statics::product(&assembled.mass, &moved);
+        assert!(load.iter().zip(&product).all(|(a, b)| (a - b).abs() < 1e-15));
     }
 }

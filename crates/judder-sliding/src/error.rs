@@ -1,0 +1,120 @@
+use thiserror::Error;
+
+/// Why two structures cannot slide, or a march cannot go on.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum SlidingError {
+    /// A number is out of its range.
+    #[error("{name} is {value}: it must be {requirement}")]
+    InvalidNumber {
+        /// Which.
+        name: String,
+        /// Its value.
+        value: f64,
+        /// What it must be.
+        requirement: &'static str,
+    },
+    /// A list has another length than what it belongs to.
+    #[error("{name} has {found} entries, but must have {expected}")]
+    Length {
+        /// Which.
+        name: String,
+        /// What it has.
+        found: usize,
+        /// What it must have.
+        expected: usize,
+    },
+    /// A track of fewer than two nodes.
+    #[error("a track needs two nodes at least, this one has {found}")]
+    ShortTrack {
+        /// How many it has.
+        found: usize,
+    },
+    /// Nodes of a track that do not follow each other.
+    #[error(
+        "the track is not ordered: from node {node} to the next it turns back by {angle_deg:.0}° at ({x:.6e}, {y:.6e}) m; its nodes must follow each other along the edge"
+    )]
+    Unordered {
+        /// The node, from 0.
+        node: usize,
+        /// By how much it turns there, in degrees.
+        angle_deg: f64,
+        /// Where it lies, m.
+        x: f64,
+        /// Where it lies, m.
+        y: f64,
+    },
+    /// A contact point beside the track.
+    #[error(
+        "the contact point is off the track: {position:.6e} m from its first node, the track is {length:.6e} m long"
+    )]
+    OffTrack {
+        /// Distance from the first node along the track, m.
+        position: f64,
+        /// Length of the track, m.
+        length: f64,
+    },
+    /// The normal force that closes the contact has no bound: the slider locks.
+    #[error(
+        "sprag-slip at {position:.6e} m: c·M⁻¹e is {mobility:.3e} 1/kg, friction pushes the slider into the track harder than the contact can push it out; a smaller friction coefficient than {friction:.4} slides"
+    )]
+    SpragSlip {
+        /// Distance of the contact point from the first node, m.
+        position: f64,
+        /// c·M⁻¹e, 1/kg.
+        mobility: f64,
+        /// The friction coefficient.
+        friction: f64,
+    },
+    /// There is no state of rest under the load.
+    #[error("nothing holds the pair at rest at {position:.6e} m: {reason}")]
+    NoEquilibrium {
+        /// Distance of the contact point from the first node, m.
+        position: f64,
+        /// Why not.
+        reason: &'static str,
+    },
+    /// The iteration for the deformed state has not ended.
+    #[error(
+        "the deformed state at {position:.6e} m was not found: after {iterations} iterations the contact still moves by {residual:.1e} m"
+    )]
+    NoConvergence {
+        /// Distance of the contact point from the first node, m.
+        position: f64,
+        /// How many were done.
+        iterations: usize,
+        /// By how much the contact point moved in the last, m.
+        residual: f64,
+    },
+    /// A step beyond what is stable.
+    #[error(
+        "the step of {step:.6e} s is over its limit of {limit:.6e} s: the fastest mode would grow without bound"
+    )]
+    StepOverLimit {
+        /// The step, s.
+        step: f64,
+        /// Its limit, s.
+        limit: f64,
+    },
+    /// A march has grown beyond all bounds.
+    #[error(
+        "the march is not finite any more at step {step}, {position:.6e} m: a mode has grown without bound"
+    )]
+    NotFinite {
+        /// The step.
+        step: u64,
+        /// Distance of the contact point from the first node, m.
+        position: f64,
+    },
+    /// Eigenvalues that were not found.
+    #[error("at {position:.6e} m {found} of {expected} eigenvalues were found up to {limit_hz:.6e} Hz")]
+    Incomplete {
+        /// Distance of the contact point from the first node, m.
+        position: f64,
+        /// How many were found.
+        found: usize,
+        /// How many there are.
+        expected: usize,
+        /// Up to which frequency, Hz.
+        limit_hz: f64,
+    },
+}

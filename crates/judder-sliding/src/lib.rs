@@ -1,0 +1,25 @@
+//! Two structures in sliding contact.
+//!
+//! In the order in which the data flows:
+//!
+//! - [`body`]: a structure in modal form, and places of it.
+//! - [`reduced`]: modal form and places of a structure that was reduced.
+//! - [`edge`]: the contact edge between its nodes, and where a point touches it.
+//! - [`friction`]: the friction coefficient.
+//! - [`pair`]: a slider and its track.
+//! - [`coupling`]: compatibility row and equilibrium column.
+//! - [`statics`]: the deformed configuration of steady sliding.
+//! - [`motion`]: prescribed motion, load and ramps.
+
+pub mod body;
+pub mod coupling;
+pub mod edge;
+mod error;
+pub mod friction;
+pub mod motion;
+pub mod pair;
+pub mod plane;
+pub mod reduced;
+pub mod statics;
+
+pub use error::SlidingError;

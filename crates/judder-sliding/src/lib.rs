@@ -10,12 +10,14 @@
 //! - [`coupling`]: compatibility row and equilibrium column.
 //! - [`statics`]: the deformed configuration of steady sliding.
 //! - [`motion`]: prescribed motion, load and ramps.
+//! - [`march`]: through time: Subs, EnSubs, FiLM, and the march with residual flexibility.
 
 pub mod body;
 pub mod coupling;
 pub mod edge;
 mod error;
 pub mod friction;
+pub mod march;
 pub mod motion;
 pub mod pair;
 pub mod plane;

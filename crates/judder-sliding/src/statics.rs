@@ -32,7 +32,7 @@ impl Equilibrium {
 
     /// The equilibrium at a position under a load in N: K q = F φ_A + e N with the gap closed, e and c those of the deformed
     /// contact.
-
+    ///
     /// # Errors
     /// [`SlidingError::OffTrack`]; [`SlidingError::NoEquilibrium`] where a rigid motion is not held, or the load lifts the slider off;
     /// [`SlidingError::NoConvergence`].

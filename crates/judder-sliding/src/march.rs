@@ -12,6 +12,7 @@ mod step;
 mod view;
 
 use crate::SlidingError;
+use crate::body::Body;
 use crate::coupling::Sliding;
 use crate::edge::EdgePoint;
 use crate::motion::{Drive, Motion};
@@ -142,6 +143,8 @@ pub struct March<'a> {
     force_before: Vector,
     /// Share of the initial damping that the recurrences have.
     tuned: f64,
+    /// What a unit of steady modal force does to each of the slider's modes in a step.
+    push_factors: Vec<f64>,
 }
 
 /// Where a march is, to the bit: what it goes on from after an interruption.
@@ -220,7 +223,7 @@ impl<'a> March<'a> {
         }
         let scheme = method.scheme();
         let initial = motion.initial_damping.map(|damping| (damping.alpha, damping.beta));
-        let step_limit = scheme::step_limit(pair, scheme, initial);
+        let step_limit = scheme::step_limit(pair, scheme, initial, [motion.start, motion.end]);
         let sides = [Side::Slider, Side::Track];
         let observed = sides.map(|side| pair.observed().iter().filter(|point| point.side == side).count());
         let own_rows = [2, 2 * pair.edge().stencil_nodes()];
@@ -248,6 +251,8 @@ impl<'a> March<'a> {
             body.set_row(places[k], &point.row);
             places[k] += 1;
         }
+        let push_factors =
+            (0..slider.modes()).map(|mode| slider.recurrence(mode).on_steady_force()).collect();
         let factors: Vec<f64> =
             eigenvalues.iter().zip(&damping).map(|(v, d)| scheme.at_once(step, *v, *d)).collect();
         let compliance = Compliance::new(pair, &factors);
@@ -281,6 +286,7 @@ impl<'a> March<'a> {
             force: [0.0; 2],
             force_before: [0.0; 2],
             tuned: drive.initial_damping,
+            push_factors,
         };
         let rest = vec![0.0; pair.modes()];
         march.begin(&Start { now: rest.clone(), before: rest, force: [0.0; 2] });
@@ -288,21 +294,29 @@ impl<'a> March<'a> {
     }
 }
 
-/// α + β λ of all modes, with this share of the initial damping in place of the structures' own.
-fn damping(pair: &Pair, motion: &Motion, share: f64) -> Vec<f64> {
-    let own = pair.damping();
-    let Some(initial) = motion.initial_damping else { return own };
-    let blend =
-        |(own, value): (&f64, f64)| share * (initial.alpha + initial.beta * value) + (1.0 - share) * own;
-    own.iter().zip(pair.eigenvalues()).map(blend).collect()
+/// α + β λ of a mode, with this share of the initial damping in place of the structure's own, 1/s.
+fn damping_of(share: f64, motion: &Motion, body: &Body, mode: usize) -> f64 {
+    let own = body.damping(mode);
+    motion.initial_damping.map_or(own, |initial| {
+        share * (initial.alpha + initial.beta * body.eigenvalues[mode]) + (1.0 - share) * own
+    })
 }
 
-/// Whether forces that change their sign from step to step die out at every place of the track: with these factors of all modes,
+/// The same of all modes, the slider's first.
+fn damping(pair: &Pair, motion: &Motion, share: f64) -> Vec<f64> {
+    let of =
+        |body: &Body| (0..body.modes()).map(|mode| damping_of(share, motion, body, mode)).collect::<Vec<_>>();
+    [of(&pair.slider().body), of(&pair.track().body)].concat()
+}
+
+/// Whether forces that change their sign from step to step die out at every place of a path: with these factors of all modes,
 /// n·G(n ∓ μ t) must be positive.
-fn stays_closed(pair: &Pair, factors: &[f64]) -> bool {
+fn stays_closed(pair: &Pair, [start, end]: [f64; 2], factors: &[f64]) -> bool {
     let compliance = Compliance::new(pair, factors);
     let friction = pair.friction().largest();
-    (0..pair.track().nodes.len() - 1).all(|segment| {
+    let place = |position: f64| pair.edge_point(position).map_or(0, |at| at.segment);
+    let (first, last) = (place(start.min(end)), place(start.max(end)));
+    (first..=last).all(|segment| {
         let (first, count) = (pair.edge().first_node(segment), pair.edge().stencil_nodes());
         let stencil = compliance.stencil(first, count);
         let places = pair.stencil(segment, |_| [0.0; 2]);

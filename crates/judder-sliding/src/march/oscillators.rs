@@ -3,7 +3,7 @@
 //! The hot loop of a march. Modes stand in chunks of eight, whatever the machine; the widest vector instructions are chosen at run
 //! time, and no operation differs between them, so neither do the results.
 
-use multiversion::multiversion;
+use pulp::{Arch, Simd, WithSimd};
 
 /// Modes in a chunk.
 pub(super) const LANES: usize = 8;
@@ -25,6 +25,13 @@ pub(super) struct Recurrence {
     pub(super) later: [f64; 2],
 }
 
+impl Recurrence {
+    /// What a force that stays does in a step.
+    pub(super) fn on_steady_force(&self) -> f64 {
+        self.at_once + self.later[0] + self.later[1]
+    }
+}
+
 /// Modal coordinates of one body with their recurrence and the rows that are watched.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Oscillators {
@@ -42,6 +49,12 @@ pub(super) struct Oscillators {
     force: Vec<Chunk>,
     /// Chunk after chunk, the rows of each one after the other.
     row_chunks: Vec<Chunk>,
+}
+
+/// One pass over the modes, under forces at the rows.
+struct Pass<'a> {
+    oscillators: &'a mut Oscillators,
+    forces: &'a [f64; ROWS],
 }
 
 /// Row counts for which the pass is compiled.
@@ -82,6 +95,21 @@ impl Oscillators {
         for (later, value) in self.later.iter_mut().zip(recurrence.later) {
             later[chunk][lane] = value;
         }
+    }
+
+    pub(super) fn recurrence(&self, mode: usize) -> Recurrence {
+        let (chunk, lane) = (mode / LANES, mode % LANES);
+        Recurrence {
+            ahead: self.ahead[chunk][lane],
+            behind: self.behind[chunk][lane],
+            at_once: self.at_once[chunk][lane],
+            later: [self.later[0][chunk][lane], self.later[1][chunk][lane]],
+        }
+    }
+
+    /// How many modes move.
+    pub(super) fn modes(&self) -> usize {
+        self.modes
     }
 
     /// What pushes each mode from one prediction to the next.
@@ -151,71 +179,111 @@ impl Oscillators {
     /// Goes on by one step under forces at the rows, and tells what the rows see of the next prediction.
     #[inline]
     pub(super) fn advance(&mut self, forces: &[f64; ROWS]) -> [f64; ROWS] {
-        advance(self, forces)
+        Arch::new().dispatch(Pass { oscillators: self, forces })
     }
 }
 
-#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2", "aarch64+neon"))]
-fn advance(o: &mut Oscillators, forces: &[f64; ROWS]) -> [f64; ROWS] {
-    if o.remembers {
-        match o.rows {
-            2 => pass::<2, true>(o, forces),
-            3 => pass::<3, true>(o, forces),
-            4 => pass::<4, true>(o, forces),
-            5 => pass::<5, true>(o, forces),
-            6 => pass::<6, true>(o, forces),
-            8 => pass::<8, true>(o, forces),
-            10 => pass::<10, true>(o, forces),
-            _ => pass::<ROWS, true>(o, forces),
-        }
-    } else {
-        match o.rows {
-            2 => pass::<2, false>(o, forces),
-            3 => pass::<3, false>(o, forces),
-            4 => pass::<4, false>(o, forces),
-            5 => pass::<5, false>(o, forces),
-            6 => pass::<6, false>(o, forces),
-            8 => pass::<8, false>(o, forces),
-            10 => pass::<10, false>(o, forces),
-            _ => pass::<ROWS, false>(o, forces),
+impl WithSimd for Pass<'_> {
+    type Output = [f64; ROWS];
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> [f64; ROWS] {
+        match LANES / S::F64_LANES {
+            1 => self.with_rows::<S, 1>(simd),
+            2 => self.with_rows::<S, 2>(simd),
+            4 => self.with_rows::<S, 4>(simd),
+            _ => self.with_rows::<S, 8>(simd),
         }
     }
+}
+
+impl Pass<'_> {
+    #[inline(always)]
+    fn with_rows<S: Simd, const K: usize>(self, simd: S) -> [f64; ROWS] {
+        match (self.oscillators.rows, self.oscillators.remembers) {
+            (2, false) => self.run::<S, K, 2, false>(simd),
+            (3, false) => self.run::<S, K, 3, false>(simd),
+            (4, false) => self.run::<S, K, 4, false>(simd),
+            (5, false) => self.run::<S, K, 5, false>(simd),
+            (6, false) => self.run::<S, K, 6, false>(simd),
+            (8, false) => self.run::<S, K, 8, false>(simd),
+            (10, false) => self.run::<S, K, 10, false>(simd),
+            (_, false) => self.run::<S, K, ROWS, false>(simd),
+            (2, true) => self.run::<S, K, 2, true>(simd),
+            (3, true) => self.run::<S, K, 3, true>(simd),
+            (4, true) => self.run::<S, K, 4, true>(simd),
+            (5, true) => self.run::<S, K, 5, true>(simd),
+            (6, true) => self.run::<S, K, 6, true>(simd),
+            (8, true) => self.run::<S, K, 8, true>(simd),
+            (10, true) => self.run::<S, K, 10, true>(simd),
+            (_, true) => self.run::<S, K, ROWS, true>(simd),
+        }
+    }
+
+    /// K vectors make a chunk.
+    #[inline(always)]
+    fn run<S: Simd, const K: usize, const N: usize, const REMEMBERS: bool>(self, simd: S) -> [f64; ROWS] {
+        let o = self.oscillators;
+        // loops, since closures would not be compiled for the machine's vectors
+        let mut forces = [simd.splat_f64s(0.0); N];
+        for r in 0..N {
+            forces[r] = simd.splat_f64s(self.forces[r]);
+        }
+        let mut sums = [[simd.splat_f64s(0.0); K]; N];
+        let (all_rows, _) = vectors::<S, K>(&o.row_chunks).as_chunks::<N>();
+        let own = vectors_mut::<S, K>(&mut o.state).iter_mut();
+        let own = own.zip(vectors_mut::<S, K>(&mut o.predicted)).zip(vectors_mut::<S, K>(&mut o.force));
+        let coefficients = vectors::<S, K>(&o.ahead).iter().zip(vectors::<S, K>(&o.behind));
+        let coefficients = coefficients.zip(vectors::<S, K>(&o.at_once)).zip(vectors::<S, K>(&o.push));
+        let later = vectors::<S, K>(&o.later[0]).iter().zip(vectors::<S, K>(&o.later[1]));
+        for ((((state, predicted), old), (((ahead, behind), at_once), push)), (rows, later)) in
+            own.zip(coefficients).zip(all_rows.iter().zip(later))
+        {
+            for k in 0..K {
+                let mut force = simd.splat_f64s(0.0);
+                for r in 0..N {
+                    force = simd.mul_add_f64s(forces[r], rows[r][k], force);
+                }
+                let now = simd.mul_add_f64s(at_once[k], force, predicted[k]);
+                let back = simd.mul_add_f64s(behind[k], state[k], simd.neg_f64s(push[k]));
+                let mut next = simd.mul_add_f64s(ahead[k], now, simd.neg_f64s(back));
+                if REMEMBERS {
+                    next = simd.mul_add_f64s(later.0[k], force, next);
+                    next = simd.mul_add_f64s(later.1[k], old[k], next);
+                    old[k] = force;
+                }
+                for r in 0..N {
+                    sums[r][k] = simd.mul_add_f64s(rows[r][k], next, sums[r][k]);
+                }
+                state[k] = now;
+                predicted[k] = next;
+            }
+        }
+        let mut seen = [0.0; ROWS];
+        for r in 0..N {
+            seen[r] = total(&lanes::<S, K>(&sums[r]));
+        }
+        seen
+    }
+}
+
+/// Chunks as vectors of the machine.
+#[inline(always)]
+fn vectors<S: Simd, const K: usize>(chunks: &[Chunk]) -> &[[S::f64s; K]] {
+    S::as_simd_f64s(chunks.as_flattened()).0.as_chunks().0
 }
 
 #[inline(always)]
-fn pass<const N: usize, const REMEMBERS: bool>(o: &mut Oscillators, forces: &[f64; ROWS]) -> [f64; ROWS] {
-    let mut sums = [[0.0; LANES]; N];
-    let (all_rows, _) = o.row_chunks.as_chunks::<N>();
-    let own = o.state.iter_mut().zip(&mut o.predicted).zip(&mut o.force);
-    let coefficients = o.ahead.iter().zip(&o.behind).zip(&o.at_once).zip(&o.push);
-    let later = o.later[0].iter().zip(&o.later[1]);
-    for ((((state, predicted), old), (((ahead, behind), at_once), push)), (rows, later)) in
-        own.zip(coefficients).zip(all_rows.iter().zip(later))
-    {
-        let mut force = [0.0; LANES];
-        for r in 0..N {
-            for lane in 0..LANES {
-                force[lane] += forces[r] * rows[r][lane];
-            }
-        }
-        let mut next = [0.0; LANES];
-        for lane in 0..LANES {
-            let now = predicted[lane] + at_once[lane] * force[lane];
-            next[lane] = ahead[lane] * now - behind[lane] * state[lane] + push[lane];
-            state[lane] = now;
-            if REMEMBERS {
-                next[lane] += later.0[lane] * force[lane] + later.1[lane] * old[lane];
-                old[lane] = force[lane];
-            }
-            predicted[lane] = next[lane];
-        }
-        for r in 0..N {
-            for lane in 0..LANES {
-                sums[r][lane] += rows[r][lane] * next[lane];
-            }
-        }
-    }
-    std::array::from_fn(|r| if r < N { total(&sums[r]) } else { 0.0 })
+fn vectors_mut<S: Simd, const K: usize>(chunks: &mut [Chunk]) -> &mut [[S::f64s; K]] {
+    S::as_mut_simd_f64s(chunks.as_flattened_mut()).0.as_chunks_mut().0
+}
+
+/// Vectors that make a chunk as its lanes.
+#[inline(always)]
+fn lanes<S: Simd, const K: usize>(sum: &[S::f64s; K]) -> Chunk {
+    let mut lanes = [0.0; LANES];
+    S::as_mut_simd_f64s(&mut lanes).0.copy_from_slice(sum);
+    lanes
 }
 
 /// The lanes' sum, in one order on every machine.

@@ -62,7 +62,7 @@ impl Scheme {
 ///
 /// Of central differences h ω ≤ 2 (√(1 + ζ²) − ζ) for every mode, with the larger of its own and the initial damping; of the exact
 /// scheme the step up to which the residual flexibility holds the contact against what the moving modes do between steps.
-pub(super) fn step_limit(pair: &Pair, scheme: Scheme, initial: Option<(f64, f64)>) -> f64 {
+pub(super) fn step_limit(pair: &Pair, scheme: Scheme, initial: Option<(f64, f64)>, path: [f64; 2]) -> f64 {
     let eigenvalues = pair.eigenvalues();
     let damping: Vec<f64> = eigenvalues
         .iter()
@@ -95,7 +95,7 @@ pub(super) fn step_limit(pair: &Pair, scheme: Scheme, initial: Option<(f64, f64)
                     .zip(pair.damping())
                     .map(|(v, d)| scheme.alternating(step, *v, d))
                     .collect();
-                if super::stays_closed(pair, &factors) { good = step } else { bad = step }
+                if super::stays_closed(pair, path, &factors) { good = step } else { bad = step }
             }
             good
         }

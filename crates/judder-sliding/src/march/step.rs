@@ -4,7 +4,7 @@ use super::compliance::{Block, Compliance, times};
 use super::oscillators::ROWS;
 use super::reaction::{Approach, Locked, Reaction, projected, sliding};
 use super::view::{View, vectors};
-use super::{Checkpoint, March, Method, Reached, Sample, Scheme, Sink, Start, damping};
+use super::{Checkpoint, March, Method, Reached, Sample, Scheme, Sink, Start, damping, damping_of};
 use crate::SlidingError;
 use crate::edge::{RunOff, Touch, combined};
 use crate::motion::Drive;
@@ -222,19 +222,22 @@ impl March<'_> {
 
     fn set_recurrences(&mut self, share: f64) {
         let step = self.settings.step;
-        let (eigenvalues, damping) =
-            (self.pair.eigenvalues(), damping(self.pair, &self.settings.motion, share));
-        let of_slider = self.pair.slider().body.modes();
-        for (k, (value, damping)) in eigenvalues.iter().zip(&damping).enumerate() {
-            if self.scheme.moves(*value) {
-                let recurrence = self.scheme.recurrence(step, *value, *damping);
-                match k.checked_sub(of_slider) {
-                    None => self.slider.set_recurrence(k, recurrence),
-                    Some(k) => self.track.set_recurrence(k, recurrence),
+        let bodies =
+            [(&self.pair.slider().body, &mut self.slider), (&self.pair.track().body, &mut self.track)];
+        for (body, oscillators) in bodies {
+            for (mode, value) in body.eigenvalues.iter().enumerate() {
+                if self.scheme.moves(*value) {
+                    let damping = damping_of(share, &self.settings.motion, body, mode);
+                    oscillators.set_recurrence(mode, self.scheme.recurrence(step, *value, damping));
                 }
             }
         }
+        for (mode, factor) in self.push_factors.iter_mut().enumerate() {
+            *factor = self.slider.recurrence(mode).on_steady_force();
+        }
         if self.scheme != Scheme::CentralDifferences {
+            let (eigenvalues, damping) =
+                (self.pair.eigenvalues(), damping(self.pair, &self.settings.motion, share));
             let at_once = |(v, d): (&f64, &f64)| self.scheme.at_once(step, *v, *d);
             let factors: Vec<f64> = eigenvalues.iter().zip(&damping).map(at_once).collect();
             self.compliance = Compliance::new(self.pair, &factors);
@@ -245,13 +248,9 @@ impl March<'_> {
 
     /// What load and inertia do to each mode from step to step; both change slowly against a step.
     fn set_push(&mut self, drive: &Drive) {
-        let slider = self.pair.slider();
-        let step = self.settings.step;
+        let (slider, factors) = (self.pair.slider(), &self.push_factors);
         let of = |mode: usize| {
-            let damping = damping_of(self.tuned, &self.settings.motion, &slider.body, mode);
-            let own = self.scheme.recurrence(step, slider.body.eigenvalues[mode], damping);
-            let factor = own.at_once + own.later[0] + own.later[1];
-            factor * (drive.load * slider.load[mode] - drive.acceleration * slider.inertia[mode])
+            factors[mode] * (drive.load * slider.load[mode] - drive.acceleration * slider.inertia[mode])
         };
         self.slider.set_push(of);
     }
@@ -367,13 +366,6 @@ fn look(
     if view.segment != segment {
         *view = View::new(pair, track, compliance, segment);
     }
-}
-
-fn damping_of(share: f64, motion: &crate::motion::Motion, body: &crate::body::Body, mode: usize) -> f64 {
-    let own = body.damping(mode);
-    motion.initial_damping.map_or(own, |initial| {
-        share * (initial.alpha + initial.beta * body.eigenvalues[mode]) + (1.0 - share) * own
-    })
 }
 
 /// A matrix of the plane along normal and tangent: nn, nt, tn, tt.

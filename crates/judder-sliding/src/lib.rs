@@ -11,17 +11,21 @@
 //! - [`statics`]: the deformed configuration of steady sliding.
 //! - [`motion`]: prescribed motion, load and ramps.
 //! - [`march`]: through time: Subs, EnSubs, FiLM, and the march with residual flexibility.
+//! - [`shape`]: the shape of a coupled mode.
+//! - [`growth`]: growth with the contact held, measured against the eigenvalue.
 
 pub mod body;
 pub mod coupling;
 pub mod edge;
 mod error;
 pub mod friction;
+pub mod growth;
 pub mod march;
 pub mod motion;
 pub mod pair;
 pub mod plane;
 pub mod reduced;
+pub mod shape;
 pub mod statics;
 
 pub use error::SlidingError;

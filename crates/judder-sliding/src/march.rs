@@ -139,6 +139,8 @@ pub struct March<'a> {
     observed: Vec<[f64; 3]>,
     accelerations: Vec<f64>,
     velocity: f64,
+    /// Sliding velocity that a held contact has beside its motion, m/s.
+    steady: f64,
     force: Vector,
     force_before: Vector,
     /// Share of the initial damping that the recurrences have.
@@ -190,7 +192,7 @@ impl<'a> March<'a> {
         Ok(march)
     }
 
-    /// A march with the contact held at the start of its motion, from a given state.
+    /// A march with the contact held at the start of its motion, from a given state; friction is that of its speed.
     ///
     /// # Errors
     /// As of [`March::new`].
@@ -200,7 +202,8 @@ impl<'a> March<'a> {
         if settings.step > march.step_limit {
             return Err(SlidingError::StepOverLimit { step: settings.step, limit: march.step_limit });
         }
-        march.direction = settings.motion.velocity.signum();
+        march.direction = if settings.motion.velocity < 0.0 { -1.0 } else { 1.0 };
+        (march.steady, march.velocity) = (settings.motion.velocity, settings.motion.velocity);
         march.begin(start);
         Ok(march)
     }
@@ -283,6 +286,7 @@ impl<'a> March<'a> {
             observed: vec![[0.0; 3]; watched],
             accelerations: vec![0.0; watched],
             velocity: drive.velocity,
+            steady: 0.0,
             force: [0.0; 2],
             force_before: [0.0; 2],
             tuned: drive.initial_damping,

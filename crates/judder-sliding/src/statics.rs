@@ -52,6 +52,17 @@ impl Equilibrium {
         Err(SlidingError::NoConvergence { position, iterations: ITERATIONS, residual: moved })
     }
 
+    /// The equilibrium on the undeformed geometry: linear.
+    ///
+    /// # Errors
+    /// As of [`Equilibrium::new`], but that nothing iterates.
+    pub fn undeformed(pair: &Pair, position: f64, load: f64, sliding: Sliding) -> Result<Self, SlidingError> {
+        let touch = pair.undeformed(position)?;
+        let coupling = Coupling::new(pair, &touch, sliding);
+        let (state, normal_force) = Self::at_touch(pair, (position, load), &touch, &coupling)?;
+        Ok(Self { state, normal_force, touch })
+    }
+
     /// The state for a given geometry: linear but for the one rigid motion that the contact may hold.
     fn at_touch(
         pair: &Pair,

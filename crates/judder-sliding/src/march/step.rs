@@ -87,7 +87,7 @@ impl March<'_> {
         self.steps += 1;
         self.at = touch.at;
         self.drive = drive;
-        self.velocity = slip / step;
+        self.velocity = self.steady + slip / step;
         Ok(Some(Sample {
             time: self.steps as f64 * step,
             position: drive.position,

@@ -5,6 +5,7 @@ use std::error::Error;
 use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
+use std::slice;
 use std::sync::Arc;
 
 use num_complex::Complex64;
@@ -139,7 +140,7 @@ fn write_from_file(
         file.read_exact(&mut bytes)?;
         let (numbers, _) = bytes.as_chunks();
         let values: Vec<f64> = numbers.iter().map(|number| f64::from_le_bytes(*number)).collect();
-        let subset = ArraySubset::new_with_ranges(&[first..next]);
+        let subset = ArraySubset::new_with_ranges(slice::from_ref(&(first..next)));
         array.store_array_subset_opt(&subset, &values, &with_empty_chunks())?;
         first = next;
     }

@@ -178,6 +178,7 @@ fn allowed(range: Range) -> String {
     match range {
         Range::Positive => "> 0".to_owned(),
         Range::NonNegative => "≥ 0".to_owned(),
+        Range::Fraction => "≥ 0, < 1".to_owned(),
         Range::Any => "any".to_owned(),
         Range::Interval { above, up_to } => format!("> {above}, ≤ {up_to}").replace('-', "−"),
     }

@@ -87,6 +87,7 @@ fn key<K>(entry: &Key<K>) -> Json {
         let mut form = match entry.range {
             Range::Positive => json!({ "exclusiveMinimum": 0.0 }),
             Range::NonNegative => json!({ "minimum": 0.0 }),
+            Range::Fraction => json!({ "minimum": 0.0, "exclusiveMaximum": 1.0 }),
             Range::Any => json!({}),
             Range::Interval { above, up_to } => json!({ "exclusiveMinimum": above, "maximum": up_to }),
         };

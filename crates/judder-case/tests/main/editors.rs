@@ -16,7 +16,7 @@ fn every_template_is_a_valid_case() {
             Case::Oscillator(case) => assert_eq!(case.inputs, OscillatorInputs::default()),
             Case::Contact(case) => assert_eq!(case.inputs, OscillatorInputs::default()),
             Case::Belt(case) => assert_eq!(case.inputs, BeltInputs::default()),
-            Case::TwoDegrees(_) | Case::Structure(_) => (),
+            Case::TwoDegrees(_) | Case::Structure(_) | Case::Sliding(_) => (),
         }
     }
 }
@@ -36,7 +36,7 @@ fn an_unknown_template_names_the_known_ones() {
     assert_eq!(error.to_string(), "there is no template `oscilator`");
     assert_eq!(
         help_of(&error),
-        "did you mean `oscillator`? known: oscillator, contact, belt, two-degrees, structure"
+        "did you mean `oscillator`? known: oscillator, contact, belt, two-degrees, structure, beams-paper"
     );
 }
 

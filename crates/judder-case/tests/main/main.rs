@@ -16,6 +16,7 @@ mod contact;
 mod editors;
 mod motion;
 mod oscillator;
+mod sliding;
 mod structure;
 mod two_degrees;
 

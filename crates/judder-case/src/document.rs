@@ -169,7 +169,8 @@ fn graft(node: &mut Node, name: &str, steps: &[(&str, Place)], leaf: Node) -> Re
         return match item(items, step) {
             Some(index) => graft(&mut items[index], step, rest, leaf),
             None => {
-                Err(Cause::UnknownName { what: "item of a list", name: (*step).to_owned(), known }.at(*place))
+                let (key, section) = ((*step).to_owned(), format!("`{name}`"));
+                Err(Cause::UnknownKey { key, section, known }.at(*place))
             }
         };
     }

@@ -19,6 +19,7 @@ pub mod spectrogram;
 pub mod structure;
 pub mod sweep;
 
+use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -57,10 +58,16 @@ pub struct SlidingCase {
     origin: Arc<Origin>,
 }
 
-#[derive(Debug)]
 struct Origin {
     root: Node,
     folder: PathBuf,
+}
+
+impl fmt::Debug for Origin {
+    /// The folder alone: the typed case says what the tree held.
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.debug_struct("Origin").field("folder", &self.folder).finish_non_exhaustive()
+    }
 }
 
 impl SlidingCase {

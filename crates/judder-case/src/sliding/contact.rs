@@ -6,7 +6,8 @@ use crate::document::{Data, Node};
 use crate::error::Fault;
 use crate::section::Section;
 use crate::sliding_keys::SlidingKey;
-use crate::structure::lists::{length, number, quantities};
+use crate::structure::lists::{number, quantities};
+use crate::structure::problem::StructureProblem;
 use crate::structure::reduction::{KeptNodes, read_nodes};
 use crate::swept_keys::read_value;
 
@@ -89,7 +90,8 @@ pub(super) fn read_contact(
     if let KeptNodes::Numbers(nodes) = &track.nodes
         && nodes.len() < 2
     {
-        return Err(length(&section, "track", "two nodes at least", node));
+        let (key, expected) = (section.path("track"), "two nodes at least");
+        return Err(StructureProblem::Length { key, expected, found: nodes.len() }.at(node.place));
     }
     let choice = section.choice("interpolation", "interpolation", &Interpolation::ALL)?;
     Ok(SlidingContact {

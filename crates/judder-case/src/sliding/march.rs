@@ -96,6 +96,9 @@ pub const CHECKPOINT_RANGE: [usize; 2] = [1000, 1_000_000_000];
 /// The most steps of a march: weeks.
 pub const STEPS: f64 = 1e12;
 
+/// A rate of exactly twice the pass band is none above it, however the factor 2π rounds.
+const ROUNDING: f64 = 1e-9;
+
 /// The keys of a march.
 pub(super) const MARCH_KEYS: &[&str] =
     &["method", "step", "from", "to", "signals", "signal", "cut_off", "slope", "sound", "checkpoint_steps"];
@@ -213,8 +216,8 @@ fn read_sampling(section: &Section<'_>, step: Option<f64>) -> Result<Sampling, F
     let sample_rate = value(SlidingKey::SampleRate)? / TAU;
     let place = table.as_ref().map_or(section.place, |table| table.place);
     let refuse = |reason: String| Err(SlidingProblem::SampleRate { sample_rate, reason }.at(place));
-    if sample_rate <= 2.0 * pass_band / TAU {
-        return refuse(format!("cannot carry frequencies up to {} Hz", pass_band / TAU));
+    if sample_rate <= 2.0 * pass_band / TAU * (1.0 + ROUNDING) {
+        return refuse(format!("cannot carry frequencies up to {:.0} Hz", pass_band / TAU));
     }
     match step {
         Some(step) if sample_rate * step > 1.0 => refuse(format!("are more than one a step of {step:e} s")),

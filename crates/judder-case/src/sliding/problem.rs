@@ -110,7 +110,7 @@ pub enum SlidingProblem {
         name: String,
     },
     /// Samples too few for the band that they shall carry, or more than there are steps.
-    #[error("samples at {sample_rate} Hz {reason}")]
+    #[error("samples at {sample_rate:.0} Hz {reason}")]
     SampleRate {
         /// f_s, Hz.
         sample_rate: f64,

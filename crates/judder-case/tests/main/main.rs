@@ -8,6 +8,7 @@ mod bad_contact;
 mod bad_family;
 mod bad_key;
 mod bad_motion;
+mod bad_sliding;
 mod bad_source;
 mod bad_structure;
 mod bad_sweep;

@@ -6,11 +6,10 @@ use super::structure::{body, damping, list, matrices, number as structure_number
 use super::{analyses, choice, names, object, reference, table};
 use crate::sliding::analysis::KINDS;
 use crate::sliding::contact::Interpolation;
-use crate::sliding::locus::{Configuration, POSITIONS};
+use crate::sliding::locus::{Configuration, POSITIONS, POSITIONS_LIMIT};
 use crate::sliding::march::{CHECKPOINT_RANGE, CHECKPOINT_STEPS, MarchMethod};
 use crate::sliding::motion::{Axis, SEED};
 use crate::sliding::spectrogram::Window;
-use crate::sliding::sweep::POINTS_LIMIT;
 use crate::sliding_keys::{SLIDING_KEYS, SlidingKey};
 use crate::structure::analysis::{MODES, MODES_LIMIT};
 use crate::structure_keys::StructureKey;
@@ -160,7 +159,7 @@ fn setting(_: &str, key: &str) -> Json {
             let mut properties = numbers("analysis.positions");
             properties.insert(
                 "points".to_owned(),
-                whole([2, POINTS_LIMIT], Some(POSITIONS), "how many, both ends included"),
+                whole([2, POSITIONS_LIMIT], Some(POSITIONS), "how many, both ends included"),
             );
             table("positions of the contact; the path of the motion by default", properties, &[])
         }

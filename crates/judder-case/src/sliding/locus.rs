@@ -1,7 +1,7 @@
 //! `locus`: complex eigenvalues against the position of the contact, or against any key.
 
 use super::SlidingCase;
-use super::sweep::{KeySweep, POINTS_LIMIT, read_key_sweep};
+use super::sweep::{KeySweep, read_key_sweep};
 use crate::cause::Cause;
 use crate::contact_problem::ContactProblem;
 use crate::error::Fault;
@@ -69,6 +69,9 @@ pub struct Positions {
     pub points: usize,
 }
 
+/// The most positions.
+pub const POSITIONS_LIMIT: usize = 1_000_000;
+
 /// The number of positions where the case does not say.
 pub const POSITIONS: usize = 1000;
 
@@ -116,5 +119,5 @@ fn read_positions(case: &SlidingCase, section: &Section<'_>) -> Result<Positions
     };
     let (from, to) = (end(SlidingKey::PositionsFrom, path[0])?, end(SlidingKey::PositionsTo, path[1])?);
     ascending(from, to, node)?;
-    Ok(Positions { from, to, points: table.whole("points", 2, POINTS_LIMIT)?.unwrap_or(POSITIONS) })
+    Ok(Positions { from, to, points: table.whole("points", 2, POSITIONS_LIMIT)?.unwrap_or(POSITIONS) })
 }

@@ -62,6 +62,10 @@ fn read_structure(node: &Node, parameters: &[String], folder: &Path) -> Result<S
             let sums = section.table("matrices", node, &matrices::KEYS)?;
             StructureSource::Matrices(Box::new(read_matrices(&sums, parameters, folder)?))
         }
+        None if ["beam", "block", "mesh"].iter().all(|key| section.get(key).is_none()) => {
+            let expected = "beam = { … }, block = { … }, mesh = \"file.msh\" or matrices = { … }";
+            return Err(section.missing("beam", expected));
+        }
         None => StructureSource::Body(Box::new(read_body(&section, folder)?)),
     };
     let damping = match section.get("damping") {

@@ -49,8 +49,8 @@ impl KeySweep {
 /// What can be swept: the sections whose numbers describe structures, contact and motion.
 const SWEPT: [&str; 4] = ["parameters", "structure", "contact", "motion"];
 
-/// The most points of a sweep or of the positions of a locus.
-pub const POINTS_LIMIT: usize = 1_000_000;
+/// The most points of a sweep: each is a case of its own.
+pub const SWEEP_LIMIT: usize = 100_000;
 
 /// Reads `{ key, from, to, points, scale }` or `{ key, values }`, and tries both ends on the case.
 pub(super) fn read_key_sweep(case: &SlidingCase, node: &Node) -> Result<KeySweep, Fault> {
@@ -107,7 +107,7 @@ fn read_range(path: String, table: &Section<'_>) -> Result<KeySweep, Fault> {
         return Err(Cause::LogThroughZero { from, to }.at(table.place));
     }
     table.required("points", "points = 101, the number of points, both ends included")?;
-    let points = table.whole("points", 2, POINTS_LIMIT)?.unwrap_or(2);
+    let points = table.whole("points", 2, SWEEP_LIMIT)?.unwrap_or(2);
     let values = Sweep { key: (), path: String::new(), from, to, points, scale, form: Form::Si }.values();
     Ok(KeySweep { path, values, dimension, scale })
 }

@@ -82,6 +82,16 @@ fn keys_of_a_structure_are_named_with_it() {
 }
 
 #[test]
+fn a_structure_of_nothing() {
+    let text = with_analyses("");
+    let line = text.lines().find(|line| line.starts_with("beam = ")).unwrap();
+    let error = parse(&text.replacen(line, "", 1), &[]).unwrap_err();
+    assert_eq!(error.to_string(), "the structure `oblique` lacks the key `beam`");
+    let help = "give beam = { … }, block = { … }, mesh = \"file.msh\" or matrices = { … }";
+    assert_eq!(help_of(&error), help);
+}
+
+#[test]
 fn a_structure_that_slides_on_itself() {
     changed(
         "track = { structure = \"horizontal\", set = \"upper-corners\" }",

@@ -5,6 +5,9 @@ use crate::text::{columns, number};
 use judder_case::{CaseFile, SlidingCase};
 use serde_json::{Map, Value, json};
 
+/// The most values of a list that are shown one by one.
+const SHOWN: usize = 8;
+
 /// The keys of a sliding case with their values.
 pub(super) fn resolve(file: &CaseFile, case: &SlidingCase) -> Resolved {
     let resolved = file.case.resolved();
@@ -48,6 +51,9 @@ fn shown(value: &Value) -> Option<String> {
             Some(format!("{} {}", number(table["value"].as_f64()?), table["unit"].as_str()?))
         }
         Value::Array(items) if items.is_empty() => None,
+        Value::Array(items) if items.len() > SHOWN => {
+            Some(format!("{} … {} ({} values)", shown(items.first()?)?, shown(items.last()?)?, items.len()))
+        }
         Value::Array(items) => Some(items.iter().filter_map(shown).collect::<Vec<_>>().join(", ")),
         value => Some(value.to_string()),
     }

@@ -9,10 +9,14 @@
 //! - [`pair`]: a slider and its track.
 //! - [`coupling`]: compatibility row and equilibrium column.
 //! - [`statics`]: the deformed configuration of steady sliding.
+//! - [`characteristic`]: the function whose zeros are the eigenvalues of the coupled pair.
+//! - [`dense_forms`]: the three-field form, its primal and its dual assembly with full matrices.
 //! - [`motion`]: prescribed motion, load and ramps.
 
 pub mod body;
+pub mod characteristic;
 pub mod coupling;
+pub mod dense_forms;
 pub mod edge;
 mod error;
 pub mod friction;

@@ -10,6 +10,7 @@
 //! - [`coupling`]: compatibility row and equilibrium column.
 //! - [`statics`]: the deformed configuration of steady sliding.
 //! - [`characteristic`]: the function whose zeros are the eigenvalues of the coupled pair.
+//! - [`spectrum`]: all eigenvalues up to a frequency, with the proof that none is missing.
 //! - [`dense_forms`]: the three-field form, its primal and its dual assembly with full matrices.
 //! - [`motion`]: prescribed motion, load and ramps.
 
@@ -24,6 +25,7 @@ pub mod motion;
 pub mod pair;
 pub mod plane;
 pub mod reduced;
+pub mod spectrum;
 pub mod statics;
 
 pub use error::SlidingError;

@@ -11,6 +11,8 @@
 //! - [`statics`]: the deformed configuration of steady sliding.
 //! - [`characteristic`]: the function whose zeros are the eigenvalues of the coupled pair.
 //! - [`spectrum`]: all eigenvalues up to a frequency, with the proof that none is missing.
+//! - [`zones`]: where along a parameter the pair is unstable.
+//! - [`locus`]: eigenvalues and unstable zones against contact position.
 //! - [`dense_forms`]: the three-field form, its primal and its dual assembly with full matrices.
 //! - [`motion`]: prescribed motion, load and ramps.
 
@@ -21,11 +23,14 @@ pub mod dense_forms;
 pub mod edge;
 mod error;
 pub mod friction;
+pub mod locus;
 pub mod motion;
 pub mod pair;
 pub mod plane;
 pub mod reduced;
 pub mod spectrum;
 pub mod statics;
+mod tracking;
+pub mod zones;
 
 pub use error::SlidingError;

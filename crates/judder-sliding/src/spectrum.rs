@@ -1,7 +1,7 @@
 //! All eigenvalues of a coupled pair up to a frequency, at one position, with the proof that none is missing.
 //!
 //! The zeros of D are found together (O. Aberth, *Iteration methods for finding all zeros of a polynomial simultaneously*, Math. Comp.
-//! 27, 1973), from the places between the poles or from those of a neighbouring position. Then the zeros that are known and the poles are
+//! 27, 1973), from the places between the poles. Then the zeros that are known and the poles are
 //! divided out of D: what is left must not turn around zero along the border of the region, or a zero is missing.
 
 mod count;
@@ -43,33 +43,18 @@ const ATTEMPTS: usize = 4;
 impl Spectrum {
     /// The spectrum of a characteristic function; `position` in m is for the message.
     ///
-    /// `neighbours` are the eigenvalues at a place nearby, where the search then starts; the list may be empty. The answer does not
-    /// depend on it beyond the rounding of the last steps.
-    ///
     /// # Errors
     /// [`SlidingError::Incomplete`] where the count along the border does not agree with what was found;
     /// [`SlidingError::InvalidNumber`] for a limit that is not positive, or more eigenvalues than there are.
-    pub fn new(
-        function: &Characteristic,
-        position: f64,
-        wanted: Wanted,
-        neighbours: &[Complex64],
-    ) -> Result<Self, SlidingError> {
+    pub fn new(function: &Characteristic, position: f64, wanted: Wanted) -> Result<Self, SlidingError> {
         let heights = pole_heights(function);
         let last = last_pole(&heights, wanted)?;
-        let scale = heights[last].max(match wanted {
-            Wanted::Below(limit) => limit,
-            Wanted::Lowest(_) => f64::MIN_POSITIVE,
-        });
-        let near = |mode: &usize| function.poles(*mode).iter().any(|pole| pole.norm() <= 1.5 * scale);
-        let near: Vec<usize> = (0..function.modes()).filter(near).collect();
-        let mut regular = Regular::new(function.evaluator(), near, scale);
-        let mut zeros: Vec<Iterate> = match (neighbours.is_empty(), wanted) {
-            (false, Wanted::Lowest(count)) if neighbours.len() > count => {
-                neighbours.iter().copied().map(Iterate::new).collect()
-            }
-            _ => starts(&heights[..=last], scale, 0),
+        let scale = match wanted {
+            Wanted::Below(limit) => heights[last].max(limit),
+            Wanted::Lowest(_) => heights[last],
         };
+        let mut regular = Regular::new(function, scale);
+        let mut zeros = starts(&heights[..=last], scale, 0);
         let mut failure = None;
         for attempt in 1..=ATTEMPTS {
             simultaneous::iterate(&mut regular, &mut zeros);
@@ -95,6 +80,18 @@ impl Spectrum {
         let expected = found + (missing.max(1) as usize).div_ceil(2);
         Err(SlidingError::Incomplete { position, found, expected, limit_hz: limit / TAU })
     }
+}
+
+/// Eigenvalues near `guesses`, so close that they may be told apart from all others; `None` where the iteration leaves them.
+pub(crate) fn polished<const COUNT: usize>(
+    function: &Characteristic,
+    guesses: [Complex64; COUNT],
+) -> Option<[Complex64; COUNT]> {
+    let scale = guesses.iter().map(|guess| guess.norm()).fold(0.0, f64::max);
+    let mut zeros = guesses.map(Iterate::new);
+    simultaneous::iterate(&mut Regular::new(function, scale), &mut zeros);
+    settle(function, &mut zeros, scale);
+    zeros.iter().all(|zero| zero.is_done).then(|| zeros.map(|zero| zero.value))
 }
 
 /// Imaginary parts of the upper poles, ascending.

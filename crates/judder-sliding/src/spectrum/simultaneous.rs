@@ -1,6 +1,6 @@
 //! Zeros of D found together: Newton's method where every zero is pushed off by the others.
 
-use crate::characteristic::{Evaluator, Valued};
+use crate::characteristic::{Characteristic, Evaluator, Valued};
 use num_complex::Complex64;
 
 /// D with the poles nearby multiplied out.
@@ -20,7 +20,7 @@ pub(super) struct Iterate {
     last_step: f64,
 }
 
-/// Sweeps over all zeros; from between the poles it takes about ten, from a neighbour's zeros three.
+/// Sweeps over all zeros; from between the poles it takes about ten.
 const SWEEPS: usize = 80;
 /// A step so small, as a share of the zero, is followed by none that counts: the next error is its square.
 const SMALL: f64 = 1e-11;
@@ -50,8 +50,11 @@ impl Iterate {
 }
 
 impl<'a> Regular<'a> {
-    pub(super) fn new(evaluator: Evaluator<'a>, near: Vec<usize>, scale: f64) -> Self {
-        Self { evaluator, near, scale }
+    /// Poles within one and a half of the scale are multiplied out.
+    pub(super) fn new(function: &'a Characteristic, scale: f64) -> Self {
+        let is_near = |mode: &usize| function.poles(*mode).iter().any(|pole| pole.norm() <= 1.5 * scale);
+        let near = (0..function.modes()).filter(is_near).collect();
+        Self { evaluator: function.evaluator(), near, scale }
     }
 
     /// f′/f of f = D Π p.

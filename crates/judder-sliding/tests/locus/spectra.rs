@@ -57,7 +57,7 @@ fn primal_dual_and_characteristic_function_agree() {
             let coupling = coupling(&pair, position, is_deformed);
             let (eigenvalues, damping) = (pair.eigenvalues(), pair.damping());
             let function = Characteristic::new(&coupling, &eigenvalues, &damping).unwrap();
-            let found = Spectrum::new(&function, position, Wanted::Below(LIMIT), &[]).unwrap();
+            let found = Spectrum::new(&function, position, Wanted::Below(LIMIT)).unwrap();
             let found = within(found.eigenvalues);
             let fields = ThreeField::new(&coupling, &eigenvalues, &damping).unwrap();
             let primal = within(fields.primal_spectrum(SHIFT).unwrap());

@@ -12,10 +12,12 @@ use crate::document::{Data, Node, apply_override, parse};
 use crate::error::{CaseError, Fault, Place, Sources};
 use crate::file_reference::FileReference;
 use crate::oscillator_case::OscillatorCase;
+use crate::sliding::SlidingCase;
+use crate::sliding::problem::SlidingProblem;
 use crate::structure::StructureCase;
 use crate::structure::problem::StructureProblem;
 use crate::two_degrees::TwoDegreesCase;
-use crate::{belt_case, contact_case, oscillator_case, structure, two_degrees};
+use crate::{belt_case, contact_case, oscillator_case, sliding, structure, two_degrees};
 
 /// A case file that was read and found valid.
 #[derive(Debug, Clone)]
@@ -45,10 +47,12 @@ pub enum Case {
     TwoDegrees(TwoDegreesCase),
     /// `model = "structure"`.
     Structure(StructureCase),
+    /// `model = "sliding"`.
+    Sliding(SlidingCase),
 }
 
 /// The models of this version.
-pub const MODELS: [&str; 5] = ["oscillator", "contact", "belt", "two-degrees", "structure"];
+pub const MODELS: [&str; 6] = ["oscillator", "contact", "belt", "two-degrees", "structure", "sliding"];
 
 impl Case {
     /// The name of its model in a case file.
@@ -59,6 +63,7 @@ impl Case {
             Self::Belt(_) => "belt",
             Self::TwoDegrees(_) => "two-degrees",
             Self::Structure(_) => "structure",
+            Self::Sliding(_) => "sliding",
         }
     }
 
@@ -68,6 +73,7 @@ impl Case {
             Self::Oscillator(case) => case.files(),
             Self::Contact(case) => case.files(),
             Self::Structure(case) => case.files(),
+            Self::Sliding(case) => case.files(),
             Self::Belt(_) | Self::TwoDegrees(_) => Vec::new(),
         }
     }
@@ -75,9 +81,6 @@ impl Case {
 
 /// The most that a case file may hold, bytes: 1 MiB.
 pub const CASE_BYTES_LIMIT: u64 = 1 << 20;
-
-/// Models that a later version brings.
-const LATER: [&str; 1] = ["sliding"];
 
 impl CaseFile {
     /// Reads and validates the case file at `path` with the options `--set key=value`.
@@ -120,10 +123,19 @@ impl CaseFile {
         }
     }
 
-    /// The error of a structure that shows only when its files are read: at this dotted path, where a number counts in a list from 0,
-    /// or at the last part of it that is there.
+    /// The error of a structure that shows only when its files are read: at this dotted path, where an item of a list goes by its
+    /// name or number, or at the last part of it that is there.
     pub fn structure_error(&self, path: &str, problem: StructureProblem) -> CaseError {
-        let cause = Cause::Structure { problem };
+        self.error_at(path, Cause::Structure { problem })
+    }
+
+    /// The error of a sliding case that shows only when its structures are built or coupled: at this dotted path, where an item of a
+    /// list goes by its name or number, or at the last part of it that is there.
+    pub fn sliding_error(&self, path: &str, problem: SlidingProblem) -> CaseError {
+        self.error_at(path, Cause::Sliding { problem })
+    }
+
+    fn error_at(&self, path: &str, cause: Cause) -> CaseError {
         match read_tree(&self.origin, &self.text, &self.overrides) {
             Ok(root) => {
                 let place = place_of_path(&root, path);
@@ -138,12 +150,7 @@ impl CaseFile {
 fn place_of_path(root: &Node, path: &str) -> Place {
     let mut node = root;
     for step in path.split('.') {
-        let next = match &node.data {
-            Data::Table(table) => table.get(step).map(|entry| &entry.node),
-            Data::List(items) => step.parse().ok().and_then(|index: usize| items.get(index)),
-            _ => None,
-        };
-        match next {
+        match node.step(step) {
             Some(next) => node = next,
             None => break,
         }
@@ -196,6 +203,7 @@ fn read_case(name: &str, text: &str, overrides: &[String]) -> Result<Case, Fault
         "contact" => contact_case::read(&root, folder).map(Case::Contact),
         "belt" => belt_case::read(&root).map(Case::Belt),
         "structure" => structure::read(&root, folder).map(Case::Structure),
+        "sliding" => sliding::read(&root, folder).map(Case::Sliding),
         _ => two_degrees::read(&root).map(Case::TwoDegrees),
     }
 }
@@ -228,11 +236,6 @@ fn read_model(root: &Node) -> Result<&'static str, Fault> {
     if let Some(model) = MODELS.into_iter().find(|model| *model == name) {
         return Ok(model);
     }
-    let (what, place, later) = ("model", node.part(0..name.len()), LATER.contains(&name));
-    let name = name.to_owned();
-    Err(match later {
-        true => Cause::LaterVersion { what, name, known: known() },
-        false => Cause::UnknownName { what, name, known: known() },
-    }
-    .at(place))
+    let (what, place) = ("model", node.part(0..name.len()));
+    Err(Cause::UnknownName { what, name: name.to_owned(), known: known() }.at(place))
 }

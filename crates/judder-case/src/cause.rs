@@ -11,6 +11,7 @@ use crate::inputs::LawName;
 use crate::keys::Range;
 use crate::mass::MassProblem;
 use crate::quantity::QuantityError;
+use crate::sliding::problem::SlidingProblem;
 use crate::structure::problem::StructureProblem;
 
 /// What is wrong with a case. The fields are what a caller needs in order to act.
@@ -116,16 +117,6 @@ pub enum Cause {
         /// The word as written.
         name: String,
         /// The words that are known.
-        known: Vec<String>,
-    },
-    /// A word whose meaning this version does not have yet.
-    #[error("the {what} `{name}` comes with a later version")]
-    LaterVersion {
-        /// What the word names.
-        what: &'static str,
-        /// The word as written.
-        name: String,
-        /// What this version has.
         known: Vec<String>,
     },
     /// An analysis of another model.
@@ -365,6 +356,12 @@ pub enum Cause {
     Structure {
         /// What is wrong with it.
         problem: StructureProblem,
+    },
+    /// Structures in sliding contact that cannot be.
+    #[error("{problem}")]
+    Sliding {
+        /// What is wrong with them.
+        problem: SlidingProblem,
     },
     /// No template of this name.
     #[error("there is no template `{name}`")]

@@ -24,13 +24,14 @@ pub struct Dimension {
 /// A dimension that case files use: its name with article, an example, its SI unit.
 struct Named(Dimension, &'static str, &'static str, &'static str);
 
-const NAMED: [Named; 16] = [
+const NAMED: [Named; 17] = [
     Named(Dimension::NUMBER, "a plain number", "0.01", "1"),
     Named(Dimension::LENGTH, "a length", "10 mm", "m"),
     Named(Dimension::MASS, "a mass", "30 g", "kg"),
     Named(Dimension::TIME, "a time", "10 ms", "s"),
     Named(Dimension::ANGLE, "an angle", "45 deg", "rad"),
     Named(Dimension::SPEED, "a speed", "30 mm/s", "m/s"),
+    Named(Dimension::ACCELERATION, "an acceleration", "1 m/s^2", "m/s^2"),
     Named(Dimension::FORCE, "a force", "0.2 N", "N"),
     Named(Dimension::STRESS, "a stress", "1 MPa", "Pa"),
     Named(Dimension::COMPLIANCE, "a compliance", "1e-7 1/Pa", "1/Pa"),
@@ -56,6 +57,8 @@ impl Dimension {
     pub const ANGLE: Self = Self::new(0, 0, 0, 1);
     /// Speed, m/s.
     pub const SPEED: Self = Self::new(1, 0, -1, 0);
+    /// Acceleration, m/s².
+    pub const ACCELERATION: Self = Self::new(1, 0, -2, 0);
     /// Force, N.
     pub const FORCE: Self = Self::new(1, 1, -2, 0);
     /// Stress and modulus, Pa.

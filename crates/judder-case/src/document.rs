@@ -62,6 +62,28 @@ impl Node {
         }
     }
 
+    /// The value under `key` of a table.
+    pub(crate) fn entry(&self, key: &str) -> Option<&Node> {
+        match &self.data {
+            Data::Table(table) => table.get(key).map(|entry| &entry.node),
+            _ => None,
+        }
+    }
+
+    /// The value to which a step of a dotted path leads: a key of a table, an item of a list.
+    pub(crate) fn step(&self, step: &str) -> Option<&Node> {
+        match &self.data {
+            Data::List(items) => item(items, step).and_then(|index| items.get(index)),
+            _ => self.entry(step),
+        }
+    }
+
+    /// Puts `leaf` at the end of a dotted path.
+    pub(crate) fn set(&mut self, path: &str, leaf: Node) -> Result<(), Fault> {
+        let steps: Vec<_> = path.split('.').map(|step| (step, leaf.place)).collect();
+        graft(self, "the case", &steps, leaf)
+    }
+
     /// The place of `range` of a text value; the whole value where escapes hide the correspondence.
     pub(crate) fn part(&self, range: std::ops::Range<usize>) -> Place {
         let Data::Text(text) = &self.data else { return self.place };
@@ -104,8 +126,7 @@ pub(crate) fn apply_override(root: &mut Node, number: usize, option: &str) -> Re
         Ok(parsed) => Converter { source: number, offset }.value(parsed).data,
         Err(_) => Data::Text(value.to_owned()),
     };
-    // no key of a case lies deeper, and grafting recurses
-    if path.matches('.').count() > 8 {
+    if path.matches('.').count() > STEPS_LIMIT {
         return Err(malformed());
     }
     let mut steps = Vec::new();
@@ -121,6 +142,21 @@ pub(crate) fn apply_override(root: &mut Node, number: usize, option: &str) -> Re
     graft(root, "the case", &steps, Node { place: value_place, data })
 }
 
+/// The most steps of a dotted path after the first: no key of a case lies deeper, and grafting recurses.
+pub(crate) const STEPS_LIMIT: usize = 8;
+
+/// The name of an item of a list: its `name`, else its `kind`.
+fn name_of(node: &Node) -> Option<&str> {
+    let name = node.entry("name").or_else(|| node.entry("kind"))?;
+    if let Data::Text(name) = &name.data { Some(name) } else { None }
+}
+
+/// The index of the item of a list that `step` means: the one of this name, or the one of this number, counted from 0.
+fn item(items: &[Node], step: &str) -> Option<usize> {
+    let named = items.iter().position(|node| name_of(node) == Some(step));
+    named.or_else(|| step.parse().ok().filter(|index| *index < items.len()))
+}
+
 /// Walks down `steps`, making tables where there are none, and puts `leaf` at the end.
 fn graft(node: &mut Node, name: &str, steps: &[(&str, Place)], leaf: Node) -> Result<(), Fault> {
     let [(step, place), rest @ ..] = steps else {
@@ -128,6 +164,16 @@ fn graft(node: &mut Node, name: &str, steps: &[(&str, Place)], leaf: Node) -> Re
         return Ok(());
     };
     let found = node.type_name();
+    if let Data::List(items) = &mut node.data {
+        let known: Vec<String> = items.iter().filter_map(name_of).map(str::to_owned).collect();
+        return match item(items, step) {
+            Some(index) => graft(&mut items[index], step, rest, leaf),
+            None => {
+                let (key, section) = ((*step).to_owned(), format!("`{name}`"));
+                Err(Cause::UnknownKey { key, section, known }.at(*place))
+            }
+        };
+    }
     let Data::Table(table) = &mut node.data else {
         return Err(
             Cause::WrongType { key: name.to_owned(), expected: "a table".to_owned(), found }.at(*place)

@@ -105,6 +105,13 @@ impl Cause {
     }
 }
 
+impl Fault {
+    /// What is wrong, without its place.
+    pub(crate) fn into_cause(self) -> Cause {
+        *self.cause
+    }
+}
+
 /// The texts of a case: the file first, then the `--set` options.
 pub(crate) struct Sources(Vec<(String, Arc<str>)>);
 

@@ -16,7 +16,7 @@ impl Cause {
             Self::MissingKey { .. } => "in this section",
             Self::WrongType { .. } | Self::MatrixShape { .. } => "wrong type",
             Self::UnknownName { .. } | Self::UnknownTemplate { .. } => "unknown name",
-            Self::LaterVersion { .. } | Self::OtherModel { .. } => "not available here",
+            Self::OtherModel { .. } => "not available here",
             Self::WrongDimension { .. } => "wrong unit",
             Self::NeedsUnit { .. } => "no unit",
             Self::NotFinite { .. } | Self::NotFiniteEntry { .. } => "not finite",
@@ -31,6 +31,7 @@ impl Cause {
             Self::MixedForms { .. } => "of the other kind",
             Self::Contact { problem } => problem.label(),
             Self::Structure { problem } => problem.label(),
+            Self::Sliding { problem } => problem.label(),
             _ => "here",
         }
     }
@@ -56,9 +57,9 @@ impl Cause {
             Self::UnknownName { name, known, .. } | Self::UnknownTemplate { name, known } => {
                 did_you_mean(name, known, "known")
             }
-            Self::LaterVersion { known, .. }
-            | Self::OtherModel { known, .. }
-            | Self::NotNumeric { known, .. } => format!("available: {}", known.join(", ")),
+            Self::OtherModel { known, .. } | Self::NotNumeric { known, .. } => {
+                format!("available: {}", known.join(", "))
+            }
             Self::Quantity { dimension, problem, .. } => help_for_quantity(*dimension, problem),
             Self::WrongDimension { expected, found, group, .. } => {
                 help_for_dimension(*expected, *found, *group)
@@ -114,6 +115,7 @@ impl Cause {
             Self::Mass { problem, .. } => problem.help().to_owned(),
             Self::Contact { problem } => problem.help(),
             Self::Structure { problem } => problem.help(),
+            Self::Sliding { problem } => problem.help(),
             _ => return None,
         };
         Some(help)

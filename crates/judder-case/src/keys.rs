@@ -44,6 +44,8 @@ pub enum Range {
     Positive,
     /// Zero or above.
     NonNegative,
+    /// Zero or above, below one.
+    Fraction,
     /// Any finite number.
     Any,
     /// Above the first number, up to and including the second.
@@ -62,6 +64,7 @@ impl Range {
             && match self {
                 Self::Positive => number > 0.0,
                 Self::NonNegative => number >= 0.0,
+                Self::Fraction => (0.0..1.0).contains(&number),
                 Self::Any => true,
                 Self::Interval { above, up_to } => number > above && number <= up_to,
             }
@@ -73,6 +76,7 @@ impl fmt::Display for Range {
         match self {
             Self::Positive => formatter.write_str("positive"),
             Self::NonNegative => formatter.write_str("zero or positive"),
+            Self::Fraction => formatter.write_str("zero or positive, and below one"),
             Self::Any => formatter.write_str("finite"),
             Self::Interval { above, up_to } => write!(formatter, "above {above} and at most {up_to}"),
         }

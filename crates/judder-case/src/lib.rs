@@ -14,6 +14,7 @@
 //! - [`motion_analysis`], [`engines_analysis`], [`belt_case`]: the analyses of motion, and the mass on a belt.
 //! - [`expression`], `matrix`, [`mass`], [`two_degrees`]: the two-degrees case, matrices of expressions.
 //! - [`structure_keys`], [`structure`]: the structure case: bodies of elements, sums of matrices, their analyses.
+//! - [`sliding_keys`], [`sliding`]: the sliding case: two structures, their contact, motion and analyses.
 //! - [`case_file`]: the way in. `resolved`: the way out, canonical JSON for the hash and the report.
 //! - [`cause`], [`contact_problem`], `help`, `excerpt`, [`error`]: what is wrong, what would be right, where.
 //! - [`mod@schema`], [`mod@template`]: the JSON Schema for editors and the commented cases of `judder new`.
@@ -51,6 +52,8 @@ mod resolved;
 pub mod schema;
 mod section;
 pub mod shape;
+pub mod sliding;
+pub mod sliding_keys;
 pub mod span;
 pub mod structure;
 pub mod structure_keys;
@@ -84,6 +87,10 @@ pub use oscillator_case::OscillatorCase;
 pub use quantity::{Quantity, QuantityError};
 pub use schema::schema;
 pub use shape::{HeightFile, RoughSurface, Roughness, Shape};
+pub use sliding::SlidingCase;
+pub use sliding::analysis::SlidingAnalysis;
+pub use sliding::problem::SlidingProblem;
+pub use sliding_keys::{SLIDING_KEYS, SlidingKey};
 pub use span::Span;
 pub use structure::analysis::StructureAnalysis;
 pub use structure::problem::StructureProblem;

@@ -1,5 +1,6 @@
 //! The reference page of the book: every key and every kind of analysis, from the tables that read them.
 
+mod sliding;
 mod structure;
 
 use crate::belt_case::{self, BELT_KEYS};
@@ -54,6 +55,7 @@ pub fn reference() -> String {
              arrays of numbers or expressions of the parameters. Swept keys are `parameters.NAME`.\n\n";
     page += &kinds(two_degrees::KINDS.iter().map(|kind| (kind.name, kind.keys, kind.doc)));
     page += &structure::section();
+    page += &sliding::section();
     page += "\nA sweep is `{ key = \"operation.velocity\", from = 1e-8, to = 1e2, points = 21, scale = \"log\" }` (`scale` is `linear` where left out), a \
              `family` is `{ key = \"…\", values = [ … ] }`, one curve a value, and `within` is `{ from = 1e-6, to = 1e3 }`. `method` is `adaptive` (the \
              default) or `every-point`; `boundaries = false` leaves the curves out.\n";
@@ -178,6 +180,7 @@ fn allowed(range: Range) -> String {
     match range {
         Range::Positive => "> 0".to_owned(),
         Range::NonNegative => "≥ 0".to_owned(),
+        Range::Fraction => "≥ 0, < 1".to_owned(),
         Range::Any => "any".to_owned(),
         Range::Interval { above, up_to } => format!("> {above}, ≤ {up_to}").replace('-', "−"),
     }

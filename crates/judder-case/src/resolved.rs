@@ -1,6 +1,7 @@
 //! The resolved case as canonical JSON: every key with the value in use, keys sorted, the same bytes each time.
 
 mod motion;
+mod sliding;
 mod structure;
 
 use serde_json::{Map, Value as Json, json};
@@ -37,6 +38,7 @@ impl Case {
             Self::Belt(case) => motion::belt(case),
             Self::TwoDegrees(case) => two_degrees(case),
             Self::Structure(case) => structure::case(case),
+            Self::Sliding(case) => sliding::case(case),
         };
         // another crate of the build may have switched serde_json to insertion order
         json.sort_all_objects();

@@ -2,6 +2,7 @@
 
 mod contact;
 mod motion;
+mod sliding;
 mod structure;
 
 use serde_json::{Map, Value as Json, json};
@@ -14,6 +15,7 @@ use crate::keys::{KEYS, Key, OscillatorKey, Range};
 use crate::motion_analysis::BASIN;
 use crate::oscillator_analysis::{LOAD_WITHIN, MARGIN_OF_MAP, MARGIN_OF_THRESHOLDS, SHEAR_STRENGTH_WITHIN};
 use crate::oscillator_case::SECTIONS;
+use crate::sliding_keys::SLIDING_KEYS;
 use crate::structure_keys::STRUCTURE_KEYS;
 use crate::sweep::{MapMethod, Scale};
 use crate::swept_keys::OscillatorKeys;
@@ -42,12 +44,17 @@ pub fn schema() -> Json {
     for entry in &STRUCTURE_KEYS {
         definitions[entry.path] = key(entry);
     }
+    for entry in &SLIDING_KEYS {
+        definitions[sliding::definition(entry.path)] = key(entry);
+    }
     let mut json = json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "A case of judder",
         "type": "object",
         "required": ["model"],
-        "oneOf": [oscillator(), contact::case(), motion::belt_case(), two_degrees_case(), structure::case()],
+        "oneOf": [
+            oscillator(), contact::case(), motion::belt_case(), two_degrees_case(), structure::case(), sliding::case(),
+        ],
         "$defs": definitions,
     });
     json.sort_all_objects();
@@ -87,6 +94,7 @@ fn key<K>(entry: &Key<K>) -> Json {
         let mut form = match entry.range {
             Range::Positive => json!({ "exclusiveMinimum": 0.0 }),
             Range::NonNegative => json!({ "minimum": 0.0 }),
+            Range::Fraction => json!({ "minimum": 0.0, "exclusiveMaximum": 1.0 }),
             Range::Any => json!({}),
             Range::Interval { above, up_to } => json!({ "exclusiveMinimum": above, "maximum": up_to }),
         };
@@ -168,8 +176,11 @@ fn analyses<S, T>(kinds: &[Kind<S, T>], setting: impl Fn(&str, &str) -> Json) ->
             ("name", json!({ "type": "string", "pattern": "^[A-Za-z0-9_-][A-Za-z0-9._-]{0,99}$", "default": kind.name })),
         ]);
         properties.extend(kind.keys.iter().map(|key| ((*key).to_owned(), setting(kind.name, key))));
-        let needed = |key: &&&str| {
-            matches!(**key, "sweep" | "x" | "y") || (**key == "within" && kind.name == BASIN.name)
+        let needed = |key: &&&str| match (kind.name, **key) {
+            ("locus", "sweep") => false,
+            ("march" | "growth", "method") | ("growth", "position" | "frequency") => true,
+            (_, "sweep" | "x" | "y" | "structure" | "of") => true,
+            (name, key) => key == "within" && name == BASIN.name,
         };
         let required: Vec<_> = ["kind"].iter().chain(kind.keys.iter().filter(needed)).copied().collect();
         table(kind.doc, properties, &required)

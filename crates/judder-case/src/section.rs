@@ -34,6 +34,22 @@ impl<'a> Section<'a> {
         }
     }
 
+    /// The dotted path of the section itself.
+    pub(crate) fn own_path(&self) -> &str {
+        self.prefix.strip_suffix('.').unwrap_or_default()
+    }
+
+    /// The section as an error names it.
+    pub(crate) fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Opens `node`, the table under `key` of this section.
+    pub(crate) fn table<'b>(&self, key: &str, node: &'b Node, known: &[&str]) -> Result<Section<'b>, Fault> {
+        let path = self.path(key);
+        Section::open(node, &path, &format!("`{path}`"), known)
+    }
+
     /// The dotted path of a key of this section.
     pub(crate) fn path(&self, key: &str) -> String {
         format!("{}{key}", self.prefix)
@@ -45,10 +61,13 @@ impl<'a> Section<'a> {
 
     /// The value of a key that must be there; `expected` says what it would be.
     pub(crate) fn required(&self, key: &str, expected: &str) -> Result<&'a Node, Fault> {
-        self.get(key).ok_or_else(|| {
-            let (key, section) = (key.to_owned(), self.name.clone());
-            Cause::MissingKey { key, section, expected: expected.to_owned() }.at(self.place)
-        })
+        self.get(key).ok_or_else(|| self.missing(key, expected))
+    }
+
+    /// The fault of a key that is not there; `expected` says what it would be.
+    pub(crate) fn missing(&self, key: &str, expected: &str) -> Fault {
+        let (key, section) = (key.to_owned(), self.name.clone());
+        Cause::MissingKey { key, section, expected: expected.to_owned() }.at(self.place)
     }
 
     pub(crate) fn text(&self, key: &str) -> Result<Option<&'a str>, Fault> {

@@ -10,7 +10,7 @@
 pub mod analysis;
 pub mod body;
 pub mod damping;
-mod lists;
+pub(crate) mod lists;
 pub mod matrices;
 pub mod problem;
 pub mod reduction;
@@ -67,12 +67,19 @@ impl StructureCase {
 
     /// The files that the case names.
     pub fn files(&self) -> Vec<&FileReference> {
-        match &self.source {
-            StructureSource::Body(body) => match &body.geometry {
+        self.source.files()
+    }
+}
+
+impl StructureSource {
+    /// The files that the source names.
+    pub fn files(&self) -> Vec<&FileReference> {
+        match self {
+            Self::Body(body) => match &body.geometry {
                 Geometry::Mesh(file) => vec![file],
                 Geometry::Beam(_) | Geometry::Block(_) => Vec::new(),
             },
-            StructureSource::Matrices(sums) => sums.files(),
+            Self::Matrices(sums) => sums.files(),
         }
     }
 }
@@ -86,11 +93,13 @@ pub(crate) fn read(root: &Node, folder: &Path) -> Result<StructureCase, Fault> {
     let source = match (root.get("structure"), root.get("matrices")) {
         (Some(node), None) => {
             refuse(&root, "parameters", "[structure]")?;
-            StructureSource::Body(Box::new(read_body(node, folder)?))
+            let section = Section::open(node, "structure", "[structure]", &body::KEYS)?;
+            StructureSource::Body(Box::new(read_body(&section, folder)?))
         }
         (None, Some(node)) => {
             refuse(&root, "damping", "[matrices]")?;
-            StructureSource::Matrices(Box::new(read_matrices(node, &keys.0, folder)?))
+            let section = Section::open(node, "matrices", "[matrices]", &matrices::KEYS)?;
+            StructureSource::Matrices(Box::new(read_matrices(&section, &keys.0, folder)?))
         }
         (None, None) => return Err(StructureProblem::NoStructure.at(root.place)),
         (Some(_), Some(node)) => {
@@ -98,8 +107,16 @@ pub(crate) fn read(root: &Node, folder: &Path) -> Result<StructureCase, Fault> {
             return Err(Cause::Conflict { first, second }.at(node.place));
         }
     };
-    let damping = root.get("damping").map(read_damping).transpose()?.unwrap_or(Damping::None);
-    let reduction = root.get("reduction").map(|node| read_reduction(node, &source)).transpose()?;
+    let damping = match root.get("damping") {
+        Some(node) => read_damping(&Section::open(node, "damping", "[damping]", &damping::KEYS)?)?,
+        None => Damping::None,
+    };
+    let reduction = root.get("reduction").map(|node| {
+        let section = Section::open(node, "reduction", "[reduction]", &reduction::KEYS)?;
+        section.required("kept", "kept = [{ set = \"end\" }], the freedoms that are kept")?;
+        read_reduction(&section, &source)
+    });
+    let reduction = reduction.transpose()?;
     let values: Vec<f64> = parameters.iter().map(|parameter| parameter.value).collect();
     let sums = match &source {
         StructureSource::Matrices(sums) => Some((**sums).clone()),

@@ -2,12 +2,13 @@
 
 use crate::cause::Cause;
 use crate::contact_problem::ContactProblem;
+use crate::dimension::Dimension;
 use crate::document::{Data, Node};
 use crate::error::Fault;
 use crate::inputs::{LawName, OscillatorInputs};
 use crate::keys::{Form, KEYS, Key, OscillatorKey, Value};
 use crate::quantity::Quantity;
-use crate::section::{finite_number, wrong_type};
+use crate::section::{finite_number, text, wrong_type};
 use crate::sweep::ParameterKey;
 
 /// The keys that the analyses of one case can vary.
@@ -64,6 +65,19 @@ pub(crate) fn read_value<K>(entry: &Key<K>, name: &str, node: &Node) -> Result<V
         return Ok(value);
     }
     Err(Cause::OutOfRange { key: name.to_owned(), number: value.number, range: entry.range }.at(node.place))
+}
+
+/// Reads a quantity of this dimension, in SI units; an error calls it `name`.
+pub(crate) fn read_si(name: &str, dimension: Dimension, node: &Node) -> Result<f64, Fault> {
+    let (key, text) = (name.to_owned(), text(name, node)?);
+    let quantity = Quantity::parse(text).map_err(|(problem, range)| {
+        Cause::Quantity { key: key.clone(), dimension, problem }.at(node.part(range))
+    })?;
+    if quantity.dimension == dimension {
+        return Ok(quantity.number);
+    }
+    Err(Cause::WrongDimension { key, expected: dimension, found: quantity.dimension, group: None }
+        .at(node.place))
 }
 
 fn read_quantity<K>(entry: &Key<K>, name: &str, text: &str, node: &Node) -> Result<Value, Fault> {

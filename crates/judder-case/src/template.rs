@@ -9,7 +9,7 @@ use crate::keys::{Form, KEYS, Key, OscillatorKey};
 use crate::oscillator_case::SECTIONS;
 
 /// The names of the templates; the first is the default of `judder new`.
-pub const TEMPLATES: [&str; 5] = ["oscillator", "contact", "belt", "two-degrees", "structure"];
+pub const TEMPLATES: [&str; 6] = ["oscillator", "contact", "belt", "two-degrees", "structure", "beams-paper"];
 
 /// The commented case file of this name.
 ///
@@ -22,6 +22,7 @@ pub fn template(name: &str) -> Result<String, CaseError> {
         "belt" => Ok(belt()),
         "two-degrees" => Ok(TWO_DEGREES.to_owned()),
         "structure" => Ok(STRUCTURE.to_owned()),
+        "beams-paper" => Ok(BEAMS_PAPER.to_owned()),
         _ => {
             let known = TEMPLATES.map(String::from).to_vec();
             Err(CaseError::without_place(Cause::UnknownTemplate { name: name.to_owned(), known }, name))
@@ -277,6 +278,9 @@ name = \"onset\"
 kind = \"critical\"                 # the values at which stability changes
 sweep = { key = \"parameters.mu\", from = 0.0, to = 1.5 }
 ";
+
+/// The case of the beams paper with every reading of what it does not print.
+const BEAMS_PAPER: &str = include_str!("template/beams-paper.toml");
 
 const STRUCTURE: &str = "\
 # A case of judder: one linear structure alone. This one is the horizontal beam of the beams paper, held at one end.

@@ -1,6 +1,7 @@
 //! What can be wrong with a file of another program.
 
 use crate::matrix::Triangle;
+use crate::wav::SoundError;
 use judder_structure::StructureError;
 use judder_structure::element::ElementKind;
 use std::io;
@@ -378,6 +379,12 @@ pub enum Cause {
         material: String,
         /// What is missing.
         what: &'static str,
+    },
+    /// A sound cannot be written.
+    #[error("{source}")]
+    Sound {
+        /// Why.
+        source: SoundError,
     },
     /// The mesh or the material is none.
     #[error("{source}")]

@@ -1,9 +1,10 @@
-//! The doors to other programs: their matrices and meshes in, shapes and test data out.
+//! The doors to other programs: their matrices and meshes in, shapes, test data and sound out.
 //!
 //! - [`matrix`]: sparse matrices of Matrix Market, Abaqus, MATLAB and SciPy; [`system`] checks that they make one.
 //! - [`mesh_file`]: meshes of Gmsh, Abaqus and CalculiX, with sets, materials and sections.
 //! - [`freedom_table`]: what the rows of such matrices are.
 //! - [`geometry`]: what is drawn, with displacements at its nodes; [`vtu`] writes it for ParaView, [`universal`] for test engineers.
+//! - [`wav`]: signals as sound.
 //! - [`matrix_market`]: matrices for other programs; [`whole_file`]: files whole or not at all.
 
 mod bytes;
@@ -20,6 +21,7 @@ pub mod system;
 mod text;
 pub mod universal;
 pub mod vtu;
+pub mod wav;
 pub mod whole_file;
 
 pub use cause::Cause;

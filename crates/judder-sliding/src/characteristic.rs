@@ -6,11 +6,14 @@
 
 use crate::SlidingError;
 use crate::coupling::Coupling;
-use multiversion::multiversion;
 use num_complex::Complex64;
+use pulp::{Arch, Simd, WithSimd};
 
 /// Numbers that are treated side by side; sums run in this many lanes on every machine, so that they end in the same bits.
 const LANES: usize = 8;
+
+/// p at the pole of a rigid motion, 1/s²: smaller than any that counts, and its square is still a number.
+const NONE: f64 = 1e-100;
 
 /// D(s) of one place of contact.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,6 +44,7 @@ pub struct Valued {
 #[derive(Debug, Clone)]
 pub struct Evaluator<'a> {
     function: &'a Characteristic,
+    arch: Arch,
     inverses: Inverses,
     matrix: Vec<Complex64>,
     slopes: Vec<Complex64>,
@@ -134,6 +138,7 @@ impl Characteristic {
         let square = vec![Complex64::ZERO; self.order * self.order];
         Evaluator {
             function: self,
+            arch: Arch::new(),
             inverses: Inverses { value: [list(), list()], slope: [list(), list()] },
             matrix: square.clone(),
             slopes: square.clone(),
@@ -151,10 +156,11 @@ impl Evaluator<'_> {
 
     /// D and dD/ds at s; on a pole the value a rounding beside it.
     pub fn at(&mut self, s: Complex64) -> Valued {
-        let Characteristic { order, frequencies, damping, products, follows_velocity, .. } = self.function;
-        invert(s, frequencies, damping, &mut self.inverses);
+        let Characteristic { order, products, follows_velocity, .. } = self.function;
+        self.arch.dispatch(Invert { s, function: self.function, inverses: &mut self.inverses });
         for (k, products) in products.iter().enumerate() {
-            let [re, im, slope_re, slope_im] = sums(products, &self.inverses);
+            let [re, im, slope_re, slope_im] =
+                self.arch.dispatch(Sums { products, inverses: &self.inverses });
             let (value, slope) = (Complex64::new(re, im), Complex64::new(slope_re, slope_im));
             let (row, column) = (k / order, k % order);
             let unit = if row > 0 && row == column { 1.0 } else { 0.0 };
@@ -187,49 +193,71 @@ fn polynomial(s: Complex64, frequency: f64, damping: f64) -> [f64; 2] {
     [re, s.im * (2.0 * s.re + damping)]
 }
 
-#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2", "aarch64+neon"))]
-fn invert(s: Complex64, frequencies: &[f64], damping: &[f64], inverses: &mut Inverses) {
-    let Inverses { value: [value_re, value_im], slope: [slope_re, slope_im] } = inverses;
-    let modes = frequencies.iter().zip(damping);
-    let values = value_re.iter_mut().zip(value_im.iter_mut());
-    let slopes = slope_re.iter_mut().zip(slope_im.iter_mut());
-    for (((frequency, damping), (value_re, value_im)), (slope_re, slope_im)) in modes.zip(values).zip(slopes)
-    {
-        let [re, im] = polynomial(s, *frequency, *damping);
-        // a rounding of λ away from a pole that is met exactly
-        let away = f64::EPSILON * (frequency * frequency + f64::MIN_POSITIVE / f64::EPSILON);
-        let re = if re == 0.0 && im == 0.0 { away } else { re };
-        let size = 1.0 / (re * re + im * im);
-        let (inverse_re, inverse_im) = (re * size, -im * size);
-        let (square_re, square_im) =
-            (inverse_re * inverse_re - inverse_im * inverse_im, 2.0 * inverse_re * inverse_im);
-        let (by_re, by_im) = (-(2.0 * s.re + damping), -2.0 * s.im);
-        (*value_re, *value_im) = (inverse_re, inverse_im);
-        *slope_re = by_re * square_re - by_im * square_im;
-        *slope_im = by_re * square_im + by_im * square_re;
+/// Fills the inverses of all modes at s.
+struct Invert<'a> {
+    s: Complex64,
+    function: &'a Characteristic,
+    inverses: &'a mut Inverses,
+}
+
+impl WithSimd for Invert<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Self { s, function, inverses } = self;
+        let Inverses { value: [value_re, value_im], slope: [slope_re, slope_im] } = inverses;
+        let modes = function.frequencies.iter().zip(&function.damping);
+        let values = value_re.iter_mut().zip(value_im.iter_mut());
+        let slopes = slope_re.iter_mut().zip(slope_im.iter_mut());
+        for (((frequency, damping), (value_re, value_im)), (slope_re, slope_im)) in
+            modes.zip(values).zip(slopes)
+        {
+            let [re, im] = polynomial(s, *frequency, *damping);
+            // a rounding of λ away from a pole that is met exactly
+            let away = f64::EPSILON * frequency * frequency + NONE;
+            let re = if re == 0.0 && im == 0.0 { away } else { re };
+            let size = 1.0 / (re * re + im * im);
+            let (inverse_re, inverse_im) = (re * size, -im * size);
+            let (square_re, square_im) =
+                (inverse_re * inverse_re - inverse_im * inverse_im, 2.0 * inverse_re * inverse_im);
+            let (by_re, by_im) = (-(2.0 * s.re + damping), -2.0 * s.im);
+            (*value_re, *value_im) = (inverse_re, inverse_im);
+            *slope_re = by_re * square_re - by_im * square_im;
+            *slope_im = by_re * square_im + by_im * square_re;
+        }
     }
 }
 
 /// Σ product_i / p_i and its derivative, by parts.
-#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2", "aarch64+neon"))]
-fn sums(products: &[f64], inverses: &Inverses) -> [f64; 4] {
-    let Inverses { value: [value_re, value_im], slope: [slope_re, slope_im] } = inverses;
-    let (products, _) = products.as_chunks::<LANES>();
-    let (value_re, _) = value_re.as_chunks::<LANES>();
-    let (value_im, _) = value_im.as_chunks::<LANES>();
-    let (slope_re, _) = slope_re.as_chunks::<LANES>();
-    let (slope_im, _) = slope_im.as_chunks::<LANES>();
-    let mut lanes = [[0.0; LANES]; 4];
-    let values = value_re.iter().zip(value_im);
-    for ((product, values), slopes) in products.iter().zip(values).zip(slope_re.iter().zip(slope_im)) {
-        for lane in 0..LANES {
-            lanes[0][lane] += product[lane] * values.0[lane];
-            lanes[1][lane] += product[lane] * values.1[lane];
-            lanes[2][lane] += product[lane] * slopes.0[lane];
-            lanes[3][lane] += product[lane] * slopes.1[lane];
+struct Sums<'a> {
+    products: &'a [f64],
+    inverses: &'a Inverses,
+}
+
+impl WithSimd for Sums<'_> {
+    type Output = [f64; 4];
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> [f64; 4] {
+        let Inverses { value: [value_re, value_im], slope: [slope_re, slope_im] } = self.inverses;
+        let (products, _) = self.products.as_chunks::<LANES>();
+        let (value_re, _) = value_re.as_chunks::<LANES>();
+        let (value_im, _) = value_im.as_chunks::<LANES>();
+        let (slope_re, _) = slope_re.as_chunks::<LANES>();
+        let (slope_im, _) = slope_im.as_chunks::<LANES>();
+        let mut lanes = [[0.0; LANES]; 4];
+        let values = value_re.iter().zip(value_im);
+        for ((product, values), slopes) in products.iter().zip(values).zip(slope_re.iter().zip(slope_im)) {
+            for lane in 0..LANES {
+                lanes[0][lane] += product[lane] * values.0[lane];
+                lanes[1][lane] += product[lane] * values.1[lane];
+                lanes[2][lane] += product[lane] * slopes.0[lane];
+                lanes[3][lane] += product[lane] * slopes.1[lane];
+            }
         }
+        lanes.map(|lanes| lanes.iter().sum())
     }
-    lanes.map(|lanes| lanes.iter().sum())
 }
 
 /// By elimination with pivots; the matrix is used up.

@@ -95,6 +95,20 @@ pub enum SlidingError {
         /// Its limit, s.
         limit: f64,
     },
+    /// A gap or penetration at the start that nothing closes smoothly.
+    #[error(
+        "at the start, {position:.6e} m, C is {gap:.3e} m from the track ({}): closed in one step it would be a kick; give the gap a ramp or put C on the track",
+        if *gap > 0.0 { "a gap" } else { "a penetration" }
+    )]
+    OpenAtStart {
+        /// n·(x_C − P), m.
+        gap: f64,
+        /// Distance of the contact point from the first node, m.
+        position: f64,
+    },
+    /// A checkpoint of another march.
+    #[error("the checkpoint is of another march: it has other modes or observed displacements")]
+    ForeignCheckpoint,
     /// A march has grown beyond all bounds.
     #[error(
         "the march is not finite any more at step {step}, {position:.6e} m: a mode has grown without bound"

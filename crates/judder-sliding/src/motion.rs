@@ -116,7 +116,7 @@ impl Motion {
         if !self.velocity.is_finite() || self.velocity == 0.0 {
             return refuse("the speed", self.velocity, "finite and not zero");
         }
-        if !((self.end - self.start) * self.velocity > 0.0) {
+        if (self.end - self.start) * self.velocity <= 0.0 {
             return refuse(
                 "the end of the path",
                 self.end,

@@ -64,9 +64,6 @@ pub struct Pair {
     arc: Vec<f64>,
 }
 
-/// Where the edge may turn at most from one segment to the next: beyond a right angle its nodes are not in order.
-const TURN: f64 = 0.0;
-
 impl Pair {
     /// A slider to the left or right of an edge.
     ///
@@ -257,7 +254,7 @@ fn ordered(nodes: &[Point]) -> Result<(Vec<f64>, Vector), SlidingError> {
     for (k, pair) in nodes.windows(2).enumerate() {
         let step = minus(pair[1].place, pair[0].place);
         let along = dot(step, direction);
-        if !(along > TURN * length(step)) {
+        if along <= 0.0 || along.is_nan() {
             let angle_deg = dot(step, turned(direction)).atan2(along).to_degrees().abs();
             let [x, y] = pair[0].place;
             return Err(SlidingError::Unordered { node: k, angle_deg, x, y });

@@ -65,10 +65,10 @@ impl Equilibrium {
         Err(SlidingError::NoConvergence { position, iterations: ITERATIONS, residual: moved })
     }
 
-    /// The state that the contact on the undeformed edge would be in, to first order in the load.
+    /// The equilibrium on the undeformed geometry: linear.
     ///
     /// # Errors
-    /// [`SlidingError::OffTrack`], [`SlidingError::NoEquilibrium`].
+    /// As of [`Equilibrium::new`], but that nothing iterates.
     pub fn undeformed(pair: &Pair, position: f64, load: f64, sliding: Sliding) -> Result<Self, SlidingError> {
         let touch = pair.undeformed(position)?;
         let coupling = Coupling::new(pair, &touch, sliding);

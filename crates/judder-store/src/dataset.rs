@@ -54,7 +54,13 @@ impl Dataset {
     /// A name that is taken or cannot be stored; a shape that does not fit the values or the dimension names; a dimension
     /// whose length differs from the variables before; a variable named as a dimension that is not its coordinate; an
     /// attribute or unit that readers would misunderstand.
-    pub fn with(mut self, variable: Variable) -> Result<Self, StoreError> {
+    pub fn with(self, variable: Variable) -> Result<Self, StoreError> {
+        check_filled(&variable)?;
+        self.joined_by(variable)
+    }
+
+    /// The same for a variable whose values may lie elsewhere.
+    pub(crate) fn joined_by(mut self, variable: Variable) -> Result<Self, StoreError> {
         check_variable(&variable)?;
         if self.variable(&variable.name).is_some() {
             return Err(StoreError::Duplicate { what: "variable", name: variable.name });
@@ -112,9 +118,9 @@ impl Dataset {
         })
     }
 
-    /// Size in memory, in bytes.
+    /// Size of all values, in bytes.
     pub(crate) fn byte_count(&self) -> u64 {
-        self.variables.iter().map(|variable| variable.data.byte_count() as u64).sum()
+        self.variables.iter().map(|variable| variable.byte_count() as u64).sum()
     }
 
     /// Whether a variable has the name of a dimension that it does not label: `xarray` refuses such a dataset.
@@ -123,15 +129,8 @@ impl Dataset {
     }
 }
 
-/// What can be checked of a variable alone.
-fn check_variable(variable: &Variable) -> Result<(), StoreError> {
-    check_name("a variable", &variable.name)?;
-    for (axis, dimension) in variable.dimensions.iter().enumerate() {
-        check_name("a dimension", dimension)?;
-        if variable.dimensions[..axis].contains(dimension) {
-            return Err(StoreError::Duplicate { what: "dimension", name: dimension.clone() });
-        }
-    }
+/// Refuses a variable whose values do not fill its shape.
+fn check_filled(variable: &Variable) -> Result<(), StoreError> {
     let filled = variable.shape.iter().try_fold(1_usize, |count, &length| count.checked_mul(length));
     if variable.dimensions.len() != variable.shape.len() || filled != Some(variable.data.len()) {
         return Err(StoreError::ShapeMismatch {
@@ -140,6 +139,18 @@ fn check_variable(variable: &Variable) -> Result<(), StoreError> {
             shape: variable.shape.clone(),
             found: variable.data.len(),
         });
+    }
+    Ok(())
+}
+
+/// What else can be checked of a variable alone.
+fn check_variable(variable: &Variable) -> Result<(), StoreError> {
+    check_name("a variable", &variable.name)?;
+    for (axis, dimension) in variable.dimensions.iter().enumerate() {
+        check_name("a dimension", dimension)?;
+        if variable.dimensions[..axis].contains(dimension) {
+            return Err(StoreError::Duplicate { what: "dimension", name: dimension.clone() });
+        }
     }
     for attribute in variable.attributes.keys() {
         check_attribute(&variable.name, attribute)?;

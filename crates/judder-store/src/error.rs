@@ -184,6 +184,36 @@ pub enum StoreError {
         /// Its unit.
         units: String,
     },
+    /// A variable that cannot grow.
+    #[error(
+        "variable `{variable}` cannot grow: describe it as an array of real numbers over `{dimension}` alone, which all growing variables share, of length 0"
+    )]
+    CannotGrow {
+        /// The variable.
+        variable: String,
+        /// The dimension along which the first one grows.
+        dimension: String,
+    },
+    /// New values for more or fewer variables than grow.
+    #[error("there are {found} slices of new values for {expected} growing variables; each needs one")]
+    SliceCount {
+        /// How many variables grow.
+        expected: usize,
+        /// How many slices there are.
+        found: usize,
+    },
+    /// New values that would leave variables of different lengths.
+    #[error(
+        "variable `{variable}`: {found} new values, where the first variable has {expected}; all grow together"
+    )]
+    SliceLength {
+        /// The variable.
+        variable: String,
+        /// New values of the first variable.
+        expected: usize,
+        /// New values of this one.
+        found: usize,
+    },
     /// A column that is longer or shorter than the first one.
     #[error("column `{column}` has {found} rows, the columns before have {expected}")]
     ColumnLength {

@@ -7,7 +7,8 @@ use std::sync::Mutex;
 
 use crate::name::check_name;
 use crate::staging::{self, Stage};
-use crate::{Dataset, Scratch, Status, StoreError, Summary, Table, results, scratch, summary, zarr};
+use crate::zarr::Elsewhere;
+use crate::{Dataset, Scratch, Status, StoreError, Summary, Table, results, scratch, stream, summary, zarr};
 
 const LOCK: &str = ".judder.lock";
 
@@ -60,7 +61,7 @@ impl StudyFolder {
 
     fn take(path: &Path) -> Result<Self, StoreError> {
         let lock = lock(path)?;
-        staging::sweep(path)?;
+        staging::sweep(path, staging::PREFIX)?;
         results::repair(path)?;
         Ok(Self { path: path.to_owned(), publishing: Mutex::new(()), _lock: lock })
     }
@@ -86,7 +87,8 @@ impl StudyFolder {
             };
             forget().map_err(|source| StoreError::write(&path, 0, source))?;
         }
-        scratch::forget(&self.path)
+        staging::sweep(&self.path, scratch::PREFIX)?;
+        staging::sweep(&self.path, stream::PREFIX)
     }
 
     /// Writes the arrays of an analysis, in place of those of an earlier run. `hash` names all that they depend on.
@@ -95,8 +97,19 @@ impl StudyFolder {
     /// [`StoreError::InvalidName`] for a name that cannot be a folder, [`StoreError::DiskFull`] and other failures of the
     /// file system; the earlier arrays then still stand.
     pub fn write_dataset(&self, analysis: &str, hash: &str, dataset: &Dataset) -> Result<(), StoreError> {
+        self.publish(analysis, hash, dataset, &Elsewhere::new())
+    }
+
+    /// The same for a dataset of which some values lie elsewhere.
+    pub(crate) fn publish(
+        &self,
+        analysis: &str,
+        hash: &str,
+        dataset: &Dataset,
+        elsewhere: &Elsewhere,
+    ) -> Result<(), StoreError> {
         check_name("an analysis", analysis)?;
-        results::write(&self.path, &self.publishing, analysis, hash, dataset)
+        results::write(&self.path, &self.publishing, analysis, hash, dataset, elsewhere)
     }
 
     /// Reads the arrays of an analysis back.

@@ -11,6 +11,7 @@
 //! - [`StudyFolder`] (`folder.rs`): the folder of one study: takes it, locks it, sweeps what a killed run left, and is the
 //!   one door through which everything is written and read.
 //! - [`Scratch`] (`scratch.rs`): what an analysis keeps while it runs.
+//! - [`StreamWriter`] (`stream.rs`): a dataset in the making, too long for memory, with the checkpoint from which an interrupted analysis goes on.
 //! - `zarr.rs`: one dataset as one group of the Zarr v3 store `results.zarr`; `metadata.rs`: the metadata of its groups,
 //!   consolidated so that one read opens all; `staging.rs`: the atomic write under all of the above.
 //! - [`vtu()`], [`Quads`] (`vtu.rs`): fields on square cells for ParaView.
@@ -26,6 +27,7 @@ mod name;
 mod results;
 mod scratch;
 mod staging;
+mod stream;
 mod summary;
 mod table;
 mod variable;
@@ -38,6 +40,7 @@ pub use folder::StudyFolder;
 pub use hash::content_hash;
 pub use num_complex::Complex64;
 pub use scratch::Scratch;
+pub use stream::StreamWriter;
 pub use summary::{AnalysisRecord, Status, Summary, number};
 pub use table::{Cells, Table};
 pub use variable::{Data, Variable};

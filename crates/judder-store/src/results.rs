@@ -9,7 +9,7 @@ use std::sync::{Mutex, PoisonError};
 use serde_json::{Map, Value};
 
 use crate::staging::{self, Stage};
-use crate::zarr::{self, WriteFailure};
+use crate::zarr::{self, Elsewhere, WriteFailure};
 use crate::{Dataset, StoreError, metadata};
 
 /// The name of the store in a study folder.
@@ -29,6 +29,7 @@ pub(crate) fn write(
     analysis: &str,
     hash: &str,
     dataset: &Dataset,
+    elsewhere: &Elsewhere,
 ) -> Result<(), StoreError> {
     let results = study.join(FOLDER);
     let target = results.join(analysis);
@@ -36,7 +37,7 @@ pub(crate) fn write(
 
     let stage = Stage::new(study).map_err(failed)?;
     let staged = stage.place("group");
-    zarr::write_group(&staged, hash, dataset).map_err(|failure| match failure {
+    zarr::write_group(&staged, hash, dataset, elsewhere).map_err(|failure| match failure {
         WriteFailure::Io(source) => failed(source),
         WriteFailure::Refused(source) => StoreError::DatasetUnwritable { path: target.clone(), source },
     })?;

@@ -7,7 +7,8 @@ use std::sync::{Mutex, PoisonError};
 
 use crate::{StoreError, staging};
 
-const PREFIX: &str = ".scratch-";
+/// How the names of their files begin.
+pub(crate) const PREFIX: &str = ".scratch-";
 
 /// Lines of one analysis under one hash. A line is on the disk once [`keep`](Self::keep) has returned; a kill loses at most the line
 /// that is being written.
@@ -70,17 +71,6 @@ impl Scratch {
     pub fn discard(self) -> Result<(), StoreError> {
         staging::remove(&self.path).map_err(|source| StoreError::write(&self.path, 0, source))
     }
-}
-
-/// Removes the lines of all analyses of a study.
-pub(crate) fn forget(study: &Path) -> Result<(), StoreError> {
-    for entry in fs::read_dir(study).map_err(|source| StoreError::read(study, source))? {
-        let path = entry.map_err(|source| StoreError::read(study, source))?.path();
-        if path.file_name().is_some_and(|name| name.to_string_lossy().starts_with(PREFIX)) {
-            staging::remove(&path).map_err(|source| StoreError::write(&path, 0, source))?;
-        }
-    }
-    Ok(())
 }
 
 #[cfg(test)]

@@ -9,7 +9,8 @@ use tempfile::TempDir;
 
 use crate::StoreError;
 
-const PREFIX: &str = ".partial-";
+/// How the names of staging folders begin.
+pub(crate) const PREFIX: &str = ".partial-";
 
 /// A staging folder, on the disk of the study so that a rename can leave it. Removed when dropped.
 pub(crate) struct Stage(TempDir);
@@ -99,11 +100,11 @@ fn sync_folder(folder: &Path) -> io::Result<()> {
     if cfg!(unix) { File::open(folder)?.sync_all() } else { Ok(()) }
 }
 
-/// Removes the staging folders that a killed run left.
-pub(crate) fn sweep(study: &Path) -> Result<(), StoreError> {
+/// Removes all of a study whose names begin so: the staging folders that a killed run left, what analyses kept while they ran.
+pub(crate) fn sweep(study: &Path, prefix: &str) -> Result<(), StoreError> {
     for entry in fs::read_dir(study).map_err(|source| StoreError::read(study, source))? {
         let entry = entry.map_err(|source| StoreError::read(study, source))?;
-        if entry.file_name().to_string_lossy().starts_with(PREFIX) {
+        if entry.file_name().to_string_lossy().starts_with(prefix) {
             let left = entry.path();
             remove(&left).map_err(|source| StoreError::FileSystem {
                 action: "remove",

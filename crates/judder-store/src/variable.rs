@@ -37,14 +37,6 @@ impl Data {
         self.len() == 0
     }
 
-    /// Size in memory, in bytes.
-    pub(crate) fn byte_count(&self) -> usize {
-        match self {
-            Self::Text(values) => values.iter().map(String::len).sum(),
-            _ => self.len() * self.value_size(),
-        }
-    }
-
     /// Size of one value, in bytes; of a label, a guess.
     pub(crate) fn value_size(&self) -> usize {
         match self {
@@ -158,6 +150,14 @@ impl Variable {
     pub fn as_coordinate(mut self) -> Self {
         self.is_coordinate = true;
         self
+    }
+
+    /// Size of its values, in bytes, wherever they lie.
+    pub(crate) fn byte_count(&self) -> usize {
+        match &self.data {
+            Data::Text(values) => values.iter().map(String::len).sum(),
+            data => self.shape.iter().product::<usize>() * data.value_size(),
+        }
     }
 
     /// With a further attribute.

@@ -1,9 +1,11 @@
 //! One dataset as one group of a Zarr v3 store: an array a variable, compressed with zstd, each chunk with a checksum.
 
+use std::collections::BTreeMap;
 use std::error::Error;
-use std::fs;
-use std::io;
-use std::path::Path;
+use std::fs::{self, File};
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+use std::slice;
 use std::sync::Arc;
 
 use num_complex::Complex64;
@@ -26,6 +28,10 @@ const CHUNK_BYTES: u64 = 8 << 20;
 const LARGEST_CHUNK_BYTES: u64 = 1 << 30;
 
 const COMPRESSION_LEVEL: i32 = 3;
+
+/// Files with the values of one-dimensional real variables that are too long for memory, by the names of the variables; each number is eight
+/// bytes, the least significant first.
+pub(crate) type Elsewhere = BTreeMap<String, PathBuf>;
 
 /// Why a group could not be written.
 pub(crate) enum WriteFailure {
@@ -66,13 +72,21 @@ impl From<ArrayError> for WriteFailure {
 }
 
 /// Writes a dataset as the group in `folder`, which must not exist yet.
-pub(crate) fn write_group(folder: &Path, hash: &str, dataset: &Dataset) -> Result<(), WriteFailure> {
+pub(crate) fn write_group(
+    folder: &Path,
+    hash: &str,
+    dataset: &Dataset,
+    elsewhere: &Elsewhere,
+) -> Result<(), WriteFailure> {
     fs::create_dir(folder)?;
     let store = FilesystemStore::new(folder).map_err(|refusal| WriteFailure::Refused(refusal.into()))?;
     let store = Arc::new(store);
     let mut members = Map::new();
     for variable in dataset.variables() {
         let array = match &variable.data {
+            Data::F64(_) if elsewhere.contains_key(&variable.name) => {
+                write_from_file(&store, variable, &elsewhere[&variable.name])
+            }
             Data::F64(values) => write_array(&store, variable, data_type::float64(), f64::NAN, values),
             Data::Complex(values) => write_array(
                 &store,
@@ -90,7 +104,7 @@ pub(crate) fn write_group(folder: &Path, hash: &str, dataset: &Dataset) -> Resul
     let group = metadata::group(group_attributes(hash, dataset), Some(members));
     let path = folder.join(metadata::FILE);
     fs::write(&path, metadata::content(&group))?;
-    fs::File::open(&path)?.sync_all()?;
+    File::open(&path)?.sync_all()?;
     Ok(())
 }
 
@@ -102,6 +116,59 @@ fn write_array<T: Element>(
     fill_value: impl Into<FillValue>,
     values: &[T],
 ) -> Result<Value, WriteFailure> {
+    let array = create_array(store, variable, data_type, fill_value)?;
+    if !values.is_empty() {
+        array.store_array_subset_opt(&array.subset_all(), values, &with_empty_chunks())?;
+    }
+    array_metadata(&array)
+}
+
+/// Writes a one-dimensional variable whose values lie in a file, a chunk at a time, and returns the metadata of its array.
+fn write_from_file(
+    store: &Arc<FilesystemStore>,
+    variable: &Variable,
+    path: &Path,
+) -> Result<Value, WriteFailure> {
+    let array = create_array(store, variable, data_type::float64(), f64::NAN)?;
+    let length: u64 = array.shape().iter().product();
+    let chunk = chunk_shape(array.shape(), size_of::<f64>() as u64).first().copied().unwrap_or(1);
+    let mut file = File::open(path)?;
+    let mut first = 0;
+    while first < length {
+        let next = (first + chunk).min(length);
+        let mut bytes = vec![0; (next - first) as usize * size_of::<f64>()];
+        file.read_exact(&mut bytes)?;
+        let (numbers, _) = bytes.as_chunks();
+        let values: Vec<f64> = numbers.iter().map(|number| f64::from_le_bytes(*number)).collect();
+        let subset = ArraySubset::new_with_ranges(slice::from_ref(&(first..next)));
+        array.store_array_subset_opt(&subset, &values, &with_empty_chunks())?;
+        first = next;
+    }
+    array_metadata(&array)
+}
+
+/// Chunks of fill values are stored too, so that a missing file is a damage and not a result.
+fn with_empty_chunks() -> CodecOptions {
+    CodecOptions::default().with_store_empty_chunks(true)
+}
+
+/// The library's signature would show up among the attributes in a notebook.
+fn plain_metadata() -> ArrayMetadataOptions {
+    ArrayMetadataOptions::default().with_include_zarrs_metadata(false)
+}
+
+fn array_metadata(array: &Array<FilesystemStore>) -> Result<Value, WriteFailure> {
+    serde_json::to_value(array.metadata_opt(&plain_metadata()))
+        .map_err(|refusal| WriteFailure::Refused(refusal.into()))
+}
+
+/// An array without values yet.
+fn create_array(
+    store: &Arc<FilesystemStore>,
+    variable: &Variable,
+    data_type: DataType,
+    fill_value: impl Into<FillValue>,
+) -> Result<Array<FilesystemStore>, WriteFailure> {
     let shape: Vec<u64> = variable.shape.iter().map(|&length| length as u64).collect();
     let chunk_shape = chunk_shape(&shape, variable.data.value_size() as u64);
     let array = ArrayBuilder::new(shape, chunk_shape, data_type, fill_value.into())
@@ -113,15 +180,8 @@ fn write_array<T: Element>(
         .attributes(variable_attributes(variable))
         .build(store.clone(), &format!("/{}", variable.name))
         .map_err(|refusal| WriteFailure::Refused(refusal.into()))?;
-    // The library's signature would show up among the attributes in a notebook.
-    let plain = ArrayMetadataOptions::default().with_include_zarrs_metadata(false);
-    array.store_metadata_opt(&plain)?;
-    if !values.is_empty() {
-        // Chunks of fill values are stored too, so that a missing file is a damage and not a result.
-        let options = CodecOptions::default().with_store_empty_chunks(true);
-        array.store_array_subset_opt(&array.subset_all(), values, &options)?;
-    }
-    serde_json::to_value(array.metadata_opt(&plain)).map_err(|refusal| WriteFailure::Refused(refusal.into()))
+    array.store_metadata_opt(&plain_metadata())?;
+    Ok(array)
 }
 
 /// Halves the longest axis until a chunk has at most [`CHUNK_BYTES`].

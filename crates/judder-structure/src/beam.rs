@@ -24,7 +24,8 @@ impl Beam {
     /// The mesh, all of one `material`.
     ///
     /// Node sets: `start`, `end` (the end faces, upwards), `lower`, `upper` (the edges from start to end), each with the nodes in
-    /// the middles of elements, and `lower-corners`, `upper-corners` without them. Side sets: `start`, `end`, `lower`, `upper`.
+    /// the middles of elements, and `lower-corners`, `upper-corners` without them; the corners of the beam, one node each:
+    /// `start-lower`, `start-upper`, `end-lower`, `end-upper`. Side sets: `start`, `end`, `lower`, `upper`.
     ///
     /// # Errors
     /// [`StructureError::InvalidNumber`] for a length, thickness or number of elements that is not positive.
@@ -56,6 +57,10 @@ impl Beam {
             ("upper", line(whole(along), vec![2 * across])),
             ("lower-corners", line(corners(along), vec![0])),
             ("upper-corners", line(corners(along), vec![2 * across])),
+            ("start-lower", line(vec![0], vec![0])),
+            ("start-upper", line(vec![0], vec![2 * across])),
+            ("end-lower", line(vec![2 * along], vec![0])),
+            ("end-upper", line(vec![2 * along], vec![2 * across])),
         ];
         let blocks = vec![Block { kind: ElementKind::Quad8, material: material.to_owned(), connectivity }];
         let node_sets = node_sets.map(|(name, nodes)| (name.to_owned(), nodes)).into();
@@ -132,6 +137,17 @@ mod tests {
             let [a, b] = [mesh.nodes[pair[0]], mesh.nodes[pair[1]]];
             let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
             assert!((dx.hypot(dy) - 1e-3).abs() < 1e-15 && (dy.atan2(dx) - beam().angle).abs() < 1e-10);
+        }
+    }
+
+    #[test]
+    fn its_corners_are_the_ends_of_its_edges() {
+        let sets = beam().mesh("rubber").unwrap().node_sets;
+        for (edge, corners) in
+            [("lower", ["start-lower", "end-lower"]), ("upper", ["start-upper", "end-upper"])]
+        {
+            let [first, last] = corners.map(|name| sets[name].clone());
+            assert_eq!((first, last), (vec![sets[edge][0]], vec![*sets[edge].last().unwrap()]), "{edge}");
         }
     }
 

@@ -39,6 +39,7 @@ pub fn names(case: &Case) -> Vec<String> {
         Case::Belt(case) => case.analyses.iter().map(|a| a.name.clone()).collect(),
         Case::TwoDegrees(case) => case.analyses.iter().map(|a| a.name.clone()).collect(),
         Case::Structure(case) => case.analyses.iter().map(|a| a.name.clone()).collect(),
+        Case::Sliding(case) => case.analyses.iter().map(|a| a.name.clone()).collect(),
     }
 }
 
@@ -60,7 +61,7 @@ pub fn steps(case: &Case, index: usize) -> usize {
         },
         Case::Contact(case) => contact::steps(&case.analyses[index].kind),
         Case::Belt(case) => motion::steps(&case.analyses[index].kind),
-        Case::TwoDegrees(_) => 1,
+        Case::TwoDegrees(_) | Case::Sliding(_) => 1,
         Case::Structure(case) => structure::steps(&case.analyses[index].kind),
     }
 }
@@ -95,6 +96,7 @@ pub(crate) fn run_from(
         Case::Contact(case) => contact::run(case, &case.analyses[index], own, progress),
         Case::Belt(case) => motion::run(&BeltModel::new(case), &case.analyses[index].kind, own, progress),
         Case::TwoDegrees(case) => two_degrees::run(case, &case.analyses[index].kind, progress),
+        Case::Sliding(_) => Err(StudyError::NotRunYet { model: "sliding" }),
         Case::Structure(case) => match prepared {
             Prepared::Structure(built) => structure::run((case, built), &case.analyses[index], progress),
             Prepared::Nothing => {

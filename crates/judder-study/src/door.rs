@@ -29,6 +29,7 @@ pub(crate) fn check(file: &CaseFile, is_wanted: impl Fn(&str) -> bool) -> Result
             let structure = Structure::new(case).map_err(|unbuilt| unbuilt.placed(file))?;
             return Ok(Prepared::Structure(Box::new(structure)));
         }
+        Case::Sliding(_) => return Err(StudyError::NotRunYet { model: "sliding" }),
         Case::Belt(_) | Case::TwoDegrees(_) => return Ok(Prepared::Nothing),
     };
     let scales = ContactScales::new(case)?;

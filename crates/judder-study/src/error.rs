@@ -46,6 +46,12 @@ pub enum StudyError {
         /// The model of the case.
         model: &'static str,
     },
+    /// A case of a model that is read, but not run.
+    #[error("cases of model `{model}` are read and checked, but not run yet")]
+    NotRunYet {
+        /// The model.
+        model: &'static str,
+    },
     /// A file that the case names could not be used.
     #[error("{}: {reason}", path.display())]
     File {
@@ -135,6 +141,7 @@ impl StudyError {
             Self::Case(_)
             | Self::UnknownAnalysis { .. }
             | Self::WrongModel { .. }
+            | Self::NotRunYet { .. }
             | Self::File { .. }
             | Self::Material(_)
             | Self::Indenter(_)

@@ -2,6 +2,7 @@
 
 mod contact;
 mod motion;
+mod sliding;
 mod structure;
 
 use crate::bridge;
@@ -80,6 +81,7 @@ pub fn resolve(file: &CaseFile) -> Result<Resolved, StudyError> {
         Case::Belt(case) => motion::belt_case(file, case),
         Case::TwoDegrees(case) => Ok(two_degrees(file, case)),
         Case::Structure(case) => structure::resolve(file, case),
+        Case::Sliding(case) => Ok(sliding::resolve(file, case)),
     }
 }
 

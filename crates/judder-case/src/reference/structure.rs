@@ -26,7 +26,7 @@ const HEAD: &str = "
 | key | what it is | sets of nodes |
 | --- | --- | --- |
 | `beam = { length, thickness, elements = [100, 2], angle, origin, start, end }` | a straight beam of eight-node quadrilaterals; `start` and `end` are `\"free\"`, `\"clamped\"` or `\"guided\"` \
-(the end face keeps its shape, is held along x and moves as one along y) | `start`, `end`, `lower`, `upper`, `lower-corners`, `upper-corners` |
+(the end face keeps its shape, is held along x and moves as one along y) | `start`, `end`, `lower`, `upper`, `lower-corners`, `upper-corners`, and of one node each `start-lower`, `start-upper`, `end-lower`, `end-upper` |
 | `block = { element, size = [\"1 m\", \"0.1 m\", \"0.1 m\"], cells = [20, 2, 2] }` | a rectangle or box of equal cells; `element` is one of `quad4`, `quad8` (the default in the plane), `triangle6`, \
 `hexahedron8`, `hexahedron20` (the default in space), `tetrahedron10` | `x-min`, `x-max`, `y-min`, … |
 | `mesh = \"part.msh\"` | a mesh file, Gmsh 4.1 (`.msh`) or Abaqus and CalculiX (`.inp`), lengths in m | those of the file |

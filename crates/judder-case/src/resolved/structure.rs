@@ -11,6 +11,7 @@ use crate::structure::damping::Damping;
 use crate::structure::matrices::{MatrixSums, MatrixTerm};
 use crate::structure::reduction::{FixedModes, KeptNodes, Reduction};
 use crate::structure::{StructureCase, StructureSource};
+use crate::two_degrees::Parameter;
 
 pub(super) fn case(case: &StructureCase) -> Json {
     let mut json = json!({
@@ -24,8 +25,7 @@ pub(super) fn case(case: &StructureCase) -> Json {
             json["damping"] = damping(&case.damping);
         }
         StructureSource::Matrices(sums) => {
-            let parameters = case.parameters.iter().map(|parameter| json!([parameter.name, parameter.value]));
-            json["parameters"] = parameters.collect();
+            json["parameters"] = parameters(&case.parameters);
             json["matrices"] = matrices(sums);
         }
     }
@@ -35,7 +35,11 @@ pub(super) fn case(case: &StructureCase) -> Json {
     json
 }
 
-fn si(value: f64, dimension: Dimension) -> Json {
+pub(super) fn parameters(parameters: &[Parameter]) -> Json {
+    parameters.iter().map(|parameter| json!([parameter.name, parameter.value])).collect()
+}
+
+pub(super) fn si(value: f64, dimension: Dimension) -> Json {
     number(value, Form::Si, dimension)
 }
 
@@ -43,7 +47,7 @@ fn lengths(values: &[f64]) -> Json {
     values.iter().map(|value| si(*value, Dimension::LENGTH)).collect()
 }
 
-fn body(body: &Body) -> Json {
+pub(super) fn body(body: &Body) -> Json {
     let mut json = json!({
         "material": body.material.as_ref().map(material),
         "materials": body.materials.iter().map(|(name, own)| (name.clone(), material(own))).collect::<Map<_, _>>(),
@@ -84,7 +88,7 @@ fn directions(taken: [bool; 3]) -> Vec<&'static str> {
     ["x", "y", "z"].into_iter().zip(taken).filter(|(_, taken)| *taken).map(|(name, _)| name).collect()
 }
 
-fn damping(damping: &Damping) -> Json {
+pub(super) fn damping(damping: &Damping) -> Json {
     match damping {
         Damping::None => json!({}),
         Damping::Rayleigh { alpha, beta } => json!({
@@ -98,7 +102,7 @@ fn damping(damping: &Damping) -> Json {
     }
 }
 
-fn matrices(sums: &MatrixSums) -> Json {
+pub(super) fn matrices(sums: &MatrixSums) -> Json {
     let term = |term: &MatrixTerm| json!({ "file": term.file.given, "factor": term.factor.text, "triangle": term.triangle.name() });
     let mut json: Map<String, Json> = sums
         .sums()
@@ -110,7 +114,7 @@ fn matrices(sums: &MatrixSums) -> Json {
     Json::Object(json)
 }
 
-fn reduction(reduction: &Reduction) -> Json {
+pub(super) fn reduction(reduction: &Reduction) -> Json {
     let kept = reduction.kept.iter().map(|kept| match &kept.nodes {
         KeptNodes::Set(set) => json!({ "set": set, "directions": directions(kept.directions) }),
         KeptNodes::Numbers(nodes) => json!({ "nodes": nodes, "directions": directions(kept.directions) }),
@@ -127,15 +131,20 @@ fn region(region: &EigenRegion) -> Json {
     json!({ "re": region.re, "im": region.im })
 }
 
-fn analysis(kind: &StructureAnalysis) -> Json {
-    match kind {
-        StructureAnalysis::Modes { wanted: WantedModes::Count(count) } => {
-            json!({ "kind": "modes", "count": count })
-        }
-        StructureAnalysis::Modes { wanted: WantedModes::Band(from, to) } => {
+/// Undamped modes.
+pub(super) fn wanted(wanted: &WantedModes) -> Json {
+    match wanted {
+        WantedModes::Count(count) => json!({ "kind": "modes", "count": count }),
+        WantedModes::Band(from, to) => {
             let end = |frequency: &f64| si(*frequency, Dimension::ANGULAR_FREQUENCY);
             json!({ "kind": "modes", "band": [end(from), end(to)] })
         }
+    }
+}
+
+fn analysis(kind: &StructureAnalysis) -> Json {
+    match kind {
+        StructureAnalysis::Modes { wanted: sought } => wanted(sought),
         StructureAnalysis::Reduction { count } => json!({ "kind": "reduction", "count": count }),
         StructureAnalysis::Eigen { region: sought } => json!({ "kind": "eigen", "region": region(sought) }),
         StructureAnalysis::EigenSweep(sweep) => {

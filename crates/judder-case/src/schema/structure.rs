@@ -14,10 +14,10 @@ pub(super) fn case() -> Json {
         ("title", json!({ "type": "string" })),
         ("model", json!({ "const": "structure" })),
         ("parameters", json!({ "type": "object", "additionalProperties": { "type": "number" } })),
-        ("structure", body()),
+        ("structure", table("elements with materials and supports", body(), &[])),
         ("matrices", matrices()),
         ("damping", damping()),
-        ("reduction", reduction()),
+        ("reduction", reduction(&["kept"])),
         ("analysis", analyses(&KINDS, setting)),
     ]);
     properties["parameters"]["description"] = json!("numbers that factors of matrices use and sweeps vary");
@@ -27,19 +27,19 @@ pub(super) fn case() -> Json {
 }
 
 /// The number of this key, by its definition.
-fn number(key: StructureKey) -> Json {
+pub(super) fn number(key: StructureKey) -> Json {
     reference(key.entry().path)
 }
 
-fn list(items: Json, [least, most]: [usize; 2], description: &str) -> Json {
+pub(super) fn list(items: Json, [least, most]: [usize; 2], description: &str) -> Json {
     json!({ "type": "array", "items": items, "minItems": least, "maxItems": most, "description": description })
 }
 
-fn text(description: &str) -> Json {
+pub(super) fn text(description: &str) -> Json {
     json!({ "type": "string", "description": description })
 }
 
-fn whole([from, to]: [usize; 2], default: Option<usize>, description: &str) -> Json {
+pub(super) fn whole([from, to]: [usize; 2], default: Option<usize>, description: &str) -> Json {
     let mut json = json!({ "type": "integer", "minimum": from, "maximum": to, "description": description });
     if let Some(default) = default {
         json["default"] = json!(default);
@@ -59,7 +59,8 @@ fn numbers(section: &str) -> Map<String, Json> {
     own.map(|entry| (entry.name().to_owned(), reference(entry.path))).collect()
 }
 
-fn body() -> Json {
+/// The keys of a body.
+pub(super) fn body() -> Map<String, Json> {
     let element = |description: &str| whole([ELEMENTS.0, ELEMENTS.1], None, description);
     let mut beam = numbers("structure.beam");
     let end = || choice(EndCondition::ALL.map(|(name, _)| name), "free", "how this end is held");
@@ -96,10 +97,10 @@ fn body() -> Json {
         ("materials", json!({ "type": "object", "additionalProperties": material(), "description": "materials by the names of a mesh file" })),
         ("supports", json!({ "type": "array", "items": table("what holds a set of nodes", support, &["set"]) })),
     ]));
-    table("elements with materials and supports", properties, &[])
+    properties
 }
 
-fn matrices() -> Json {
+pub(super) fn matrices() -> Json {
     let triangle =
         || choice(Triangle::ALL.map(|(name, _)| name), "both", "what of a symmetric matrix a file holds");
     let sum = |description: &str| {
@@ -123,7 +124,7 @@ fn matrices() -> Json {
     table("M, C and K that another program assembled", properties, &["mass", "stiffness"])
 }
 
-fn damping() -> Json {
+pub(super) fn damping() -> Json {
     let pair = table(
         "a frequency and its damping ratio",
         numbers("damping.rayleigh.ratios"),
@@ -142,7 +143,7 @@ fn damping() -> Json {
     table("the damping of a body; none by default", properties, &[])
 }
 
-fn reduction() -> Json {
+pub(super) fn reduction(required: &[&str]) -> Json {
     let kept = object([
         ("set", text("a set of nodes of a body")),
         (
@@ -159,7 +160,7 @@ fn reduction() -> Json {
         ),
         ("count", whole([1, FIXED_MODES_LIMIT], Some(FIXED_MODES), "fixed-interface modes that are kept")),
     ]));
-    table("what a Craig–Bampton reduction keeps", properties, &["kept"])
+    table("what a Craig–Bampton reduction keeps", properties, required)
 }
 
 fn setting(kind: &str, key: &str) -> Json {

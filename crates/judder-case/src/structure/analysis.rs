@@ -163,7 +163,7 @@ pub(crate) const KINDS: [Kind<StructureScope, StructureAnalysis>; 4] = [
     },
 ];
 
-fn read_wanted(section: &Section<'_>) -> Result<WantedModes, Fault> {
+pub(crate) fn read_wanted(section: &Section<'_>) -> Result<WantedModes, Fault> {
     let count = section.whole("count", 1, MODES_LIMIT)?;
     match (count, section.get("band")) {
         (Some(_), Some(node)) => {
@@ -172,7 +172,7 @@ fn read_wanted(section: &Section<'_>) -> Result<WantedModes, Fault> {
         }
         (count, None) => Ok(WantedModes::Count(count.unwrap_or(MODES))),
         (None, Some(node)) => {
-            let band = quantities(section, StructureKey::Band, node)?;
+            let band = quantities(section, StructureKey::Band.entry(), node)?;
             let [from, to] = band[..] else {
                 return Err(length(section, "band", "two frequencies, from and to", node));
             };
@@ -182,7 +182,7 @@ fn read_wanted(section: &Section<'_>) -> Result<WantedModes, Fault> {
     }
 }
 
-fn ascending(from: f64, to: f64, node: &Node) -> Result<(), Fault> {
+pub(crate) fn ascending(from: f64, to: f64, node: &Node) -> Result<(), Fault> {
     match from.total_cmp(&to) {
         std::cmp::Ordering::Less => Ok(()),
         std::cmp::Ordering::Equal => Err(Cause::EmptyRange { from }.at(node.place)),

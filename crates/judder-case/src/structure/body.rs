@@ -172,21 +172,23 @@ pub const ELEMENTS: (usize, usize) = (1, 100_000);
 /// The endings of mesh files that are read.
 pub const MESH_ENDINGS: &str = ".msh, .inp";
 
-const KEYS: [&str; 8] = ["beam", "block", "mesh", "section", "width", "material", "materials", "supports"];
+/// The keys of a body.
+pub(crate) const KEYS: [&str; 8] =
+    ["beam", "block", "mesh", "section", "width", "material", "materials", "supports"];
 
-/// Reads `[structure]`; a mesh file is relative to `folder`.
-pub(super) fn read_body(node: &Node, folder: &Path) -> Result<Body, Fault> {
-    let section = Section::open(node, "structure", "[structure]", &KEYS)?;
+/// Reads the body that `section` describes; a mesh file is relative to `folder`.
+pub(crate) fn read_body(section: &Section<'_>, folder: &Path) -> Result<Body, Fault> {
     let found: Vec<&'static str> =
         ["beam", "block", "mesh"].into_iter().filter(|key| section.get(key).is_some()).collect();
     let geometry = match found[..] {
-        ["beam"] => Geometry::Beam(read_beam(&section)?),
-        ["block"] => Geometry::Block(read_block(&section)?),
-        ["mesh"] => Geometry::Mesh(read_mesh(&section, folder)?),
+        ["beam"] => Geometry::Beam(read_beam(section)?),
+        ["block"] => Geometry::Block(read_block(section)?),
+        ["mesh"] => Geometry::Mesh(read_mesh(section, folder)?),
         _ => {
             let place =
                 found.last().and_then(|key| section.get(key)).map_or(section.place, |node| node.place);
-            return Err(StructureProblem::OneGeometry { found }.at(place));
+            let section = section.name().to_owned();
+            return Err(StructureProblem::OneGeometry { section, found }.at(place));
         }
     };
     let is_solid = matches!(&geometry, Geometry::Block(block) if block.element.dimension() == 3);
@@ -197,12 +199,12 @@ pub(super) fn read_body(node: &Node, folder: &Path) -> Result<Body, Fault> {
         }
     }
     let width = match section.get(StructureKey::Width.entry().name()) {
-        Some(_) => Some(quantity(&section, StructureKey::Width)?),
+        Some(_) => Some(quantity(section, StructureKey::Width)?),
         None => None,
     };
     let plane = section.choice("section", "section", &PlaneSection::ALL)?;
-    let material =
-        section.get("material").map(|node| read_material("structure.material", node)).transpose()?;
+    let material = section.get("material").map(|node| read_material(&section.path("material"), node));
+    let material = material.transpose()?;
     let is_mesh = matches!(geometry, Geometry::Mesh(_));
     if material.is_none() && !is_mesh {
         let example =
@@ -210,21 +212,21 @@ pub(super) fn read_body(node: &Node, folder: &Path) -> Result<Body, Fault> {
         let what = if matches!(geometry, Geometry::Beam(_)) { "a beam" } else { "a block" };
         return Err(StructureProblem::Needs { what, key: "material", example }.at(section.place));
     }
-    let materials = read_materials(&section, is_mesh)?;
-    let supports = read_supports(&section)?;
+    let materials = read_materials(section, is_mesh)?;
+    let supports = read_supports(section)?;
     Ok(Body { geometry, section: plane, width, material, materials, supports })
 }
 
 fn read_beam(section: &Section<'_>) -> Result<Beam, Fault> {
     let node = section.required("beam", "beam = { … }")?;
     let keys = ["length", "thickness", "elements", "angle", "origin", "start", "end"];
-    let beam = Section::open(node, "structure.beam", "`structure.beam`", &keys)?;
+    let beam = section.table("beam", node, &keys)?;
     let node = beam.required("elements", "elements = [100, 2], along and across")?;
     let two = |node| length(&beam, "elements", "two numbers, along and across", node);
     let elements =
         whole_numbers(&beam, "elements", node, ELEMENTS)?.try_into().map_err(|_: Vec<usize>| two(node))?;
     let origin = match beam.get("origin") {
-        Some(node) => quantities(&beam, StructureKey::BeamOrigin, node)?
+        Some(node) => quantities(&beam, StructureKey::BeamOrigin.entry(), node)?
             .try_into()
             .map_err(|_: Vec<f64>| length(&beam, "origin", "two lengths, x and y", node))?,
         None => [0.0; 2],
@@ -244,9 +246,9 @@ fn read_beam(section: &Section<'_>) -> Result<Beam, Fault> {
 
 fn read_block(section: &Section<'_>) -> Result<Block, Fault> {
     let node = section.required("block", "block = { … }")?;
-    let block = Section::open(node, "structure.block", "`structure.block`", &["element", "size", "cells"])?;
+    let block = section.table("block", node, &["element", "size", "cells"])?;
     let node = block.required("size", "size = [\"1 m\", \"0.1 m\", \"0.1 m\"]")?;
-    let size = quantities(&block, StructureKey::BlockSize, node)?;
+    let size = quantities(&block, StructureKey::BlockSize.entry(), node)?;
     let usual = if size.len() == 2 { BlockElement::Quad8 } else { BlockElement::Hexahedron20 };
     let element = block.choice("element", "element", &BlockElement::ALL)?.unwrap_or(usual);
     let expected = if element.dimension() == 2 { "two in the plane" } else { "three in space" };
@@ -290,10 +292,10 @@ fn read_materials(section: &Section<'_>, is_mesh: bool) -> Result<Vec<(String, M
         return Err(Cause::Contact { problem }.at(node.place));
     }
     let Data::Table(table) = &node.data else {
-        return Err(wrong_type("structure.materials", "a table", node));
+        return Err(wrong_type(&section.path("materials"), "a table", node));
     };
     let read = |entry: &crate::document::Entry| {
-        let path = format!("structure.materials.{}", entry.key);
+        let path = format!("{}.{}", section.path("materials"), entry.key);
         Ok((entry.key.clone(), read_material(&path, &entry.node)?))
     };
     table.entries.iter().map(read).collect()
@@ -301,10 +303,10 @@ fn read_materials(section: &Section<'_>, is_mesh: bool) -> Result<Vec<(String, M
 
 fn read_supports(section: &Section<'_>) -> Result<Vec<Support>, Fault> {
     let Some(node) = section.get("supports") else { return Ok(Vec::new()) };
+    let path = section.path("supports");
     let read = |node: &Node| {
-        let path = "structure.supports";
-        let support = Section::open(node, path, "a support", &["set", "fixed", "tied"])?;
-        let set = text("structure.supports.set", support.required("set", "set = \"…\", a set of nodes")?)?;
+        let support = Section::open(node, &path, "a support", &["set", "fixed", "tied"])?;
+        let set = text(&support.path("set"), support.required("set", "set = \"…\", a set of nodes")?)?;
         let fixed = directions(&support, "fixed")?.unwrap_or_default();
         let tied = directions(&support, "tied")?.unwrap_or_default();
         if fixed == [false; 3] && tied == [false; 3] {
@@ -312,5 +314,5 @@ fn read_supports(section: &Section<'_>) -> Result<Vec<Support>, Fault> {
         }
         Ok(Support { set: set.to_owned(), fixed, tied })
     };
-    list("structure.supports", node)?.iter().map(read).collect()
+    list(&path, node)?.iter().map(read).collect()
 }

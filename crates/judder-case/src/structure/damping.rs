@@ -29,20 +29,20 @@ pub enum Damping {
     },
 }
 
-/// Reads `[damping]`.
-pub(super) fn read_damping(node: &Node) -> Result<Damping, Fault> {
-    let section = Section::open(node, "damping", "[damping]", &["rayleigh", "structural"])?;
+/// The keys of a damping.
+pub(crate) const KEYS: [&str; 2] = ["rayleigh", "structural"];
+
+/// Reads the damping that `section` describes.
+pub(crate) fn read_damping(section: &Section<'_>) -> Result<Damping, Fault> {
     match (section.get("rayleigh"), section.get("structural")) {
         (None, None) => Ok(Damping::None),
         (Some(_), Some(node)) => {
             let (first, second) = (section.path("rayleigh"), section.path("structural"));
             Err(Cause::Conflict { first, second }.at(node.place))
         }
-        (Some(node), None) => read_rayleigh(node),
+        (Some(node), None) => read_rayleigh(section, node),
         (None, Some(node)) => {
-            let path = "damping.structural";
-            let keys = ["loss_factor", "reference_frequency"];
-            let table = Section::open(node, path, &format!("`{path}`"), &keys)?;
+            let table = section.table("structural", node, &["loss_factor", "reference_frequency"])?;
             Ok(Damping::Structural {
                 loss_factor: quantity(&table, StructureKey::LossFactor)?,
                 reference_frequency: quantity(&table, StructureKey::ReferenceFrequency)?,
@@ -52,9 +52,8 @@ pub(super) fn read_damping(node: &Node) -> Result<Damping, Fault> {
 }
 
 /// α and β, given or from two damping ratios ζ = α/(2ω) + βω/2.
-fn read_rayleigh(node: &Node) -> Result<Damping, Fault> {
-    let path = "damping.rayleigh";
-    let table = Section::open(node, path, &format!("`{path}`"), &["alpha", "beta", "ratios"])?;
+fn read_rayleigh(section: &Section<'_>, node: &Node) -> Result<Damping, Fault> {
+    let table = section.table("rayleigh", node, &["alpha", "beta", "ratios"])?;
     let Some(node) = table.get("ratios") else {
         return Ok(Damping::Rayleigh {
             alpha: quantity(&table, StructureKey::MassProportional)?,
@@ -73,7 +72,8 @@ fn read_rayleigh(node: &Node) -> Result<Damping, Fault> {
         let (key, expected, found) = (table.path("ratios"), "two pairs of frequency and ratio", nodes.len());
         return Err(StructureProblem::Length { key, expected, found }.at(node.place));
     };
-    let mut pairs = [read_pair(first)?, read_pair(second)?];
+    let path = table.path("ratios");
+    let mut pairs = [read_pair(&path, first)?, read_pair(&path, second)?];
     pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
     let [(first_frequency, first), (second_frequency, second)] = pairs;
     if first_frequency == second_frequency {
@@ -91,8 +91,7 @@ fn read_rayleigh(node: &Node) -> Result<Damping, Fault> {
     Err(StructureProblem::NegativeDamping { first, first_frequency, second, second_frequency }.at(node.place))
 }
 
-fn read_pair(node: &Node) -> Result<(f64, f64), Fault> {
-    let path = "damping.rayleigh.ratios";
+fn read_pair(path: &str, node: &Node) -> Result<(f64, f64), Fault> {
     let table = Section::open(node, path, &format!("an entry of `{path}`"), &["frequency", "ratio"])?;
     Ok((quantity(&table, StructureKey::RatioFrequency)?, quantity(&table, StructureKey::Ratio)?))
 }

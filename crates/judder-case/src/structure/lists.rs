@@ -5,13 +5,18 @@ use crate::cause::Cause;
 use crate::contact_problem::ContactProblem;
 use crate::document::{Data, Node};
 use crate::error::Fault;
+use crate::keys::Key;
 use crate::section::{Section, list, text};
 use crate::structure_keys::StructureKey;
 use crate::swept_keys::read_value;
 
+/// A number of a structure that may be left out where it has a default, in SI units.
+pub(crate) fn quantity(section: &Section<'_>, key: StructureKey) -> Result<f64, Fault> {
+    number(section, key.entry())
+}
+
 /// A number that may be left out where it has a default, in SI units.
-pub(super) fn quantity(section: &Section<'_>, key: StructureKey) -> Result<f64, Fault> {
-    let entry = key.entry();
+pub(crate) fn number<K>(section: &Section<'_>, entry: &Key<K>) -> Result<f64, Fault> {
     match (section.get(entry.name()), entry.default) {
         (Some(node), _) => Ok(read_value(entry, &section.path(entry.name()), node)?.number),
         (None, Some((_, value))) => Ok(value.number),
@@ -20,26 +25,25 @@ pub(super) fn quantity(section: &Section<'_>, key: StructureKey) -> Result<f64, 
                 true => format!("{} = …, {}", entry.name(), entry.doc),
                 false => format!("{} = \"{}\"", entry.name(), entry.example()),
             };
-            section.required(entry.name(), &example).and_then(|node| Ok(read_value(entry, "", node)?.number))
+            Err(section.missing(entry.name(), &example))
         }
     }
 }
 
 /// The quantities of a list, in SI units.
-pub(super) fn quantities(section: &Section<'_>, key: StructureKey, node: &Node) -> Result<Vec<f64>, Fault> {
-    let entry = key.entry();
+pub(crate) fn quantities<K>(section: &Section<'_>, entry: &Key<K>, node: &Node) -> Result<Vec<f64>, Fault> {
     let path = section.path(entry.name());
     list(&path, node)?.iter().map(|item| Ok(read_value(entry, &path, item)?.number)).collect()
 }
 
 /// The refusal of a list of the wrong length.
-pub(super) fn length(section: &Section<'_>, key: &str, expected: &'static str, node: &Node) -> Fault {
+pub(crate) fn length(section: &Section<'_>, key: &str, expected: &'static str, node: &Node) -> Fault {
     let found = if let Data::List(items) = &node.data { items.len() } else { 0 };
     StructureProblem::Length { key: section.path(key), expected, found }.at(node.place)
 }
 
 /// Whole numbers of a list, each from `from` to `to`.
-pub(super) fn whole_numbers(
+pub(crate) fn whole_numbers(
     section: &Section<'_>,
     key: &str,
     node: &Node,
@@ -62,7 +66,7 @@ pub(super) fn whole_numbers(
 }
 
 /// The directions of a list such as `["x", "y"]`; `None` where the key is left out.
-pub(super) fn directions(section: &Section<'_>, key: &str) -> Result<Option<[bool; 3]>, Fault> {
+pub(crate) fn directions(section: &Section<'_>, key: &str) -> Result<Option<[bool; 3]>, Fault> {
     const NAMES: [&str; 3] = ["x", "y", "z"];
     let Some(node) = section.get(key) else { return Ok(None) };
     let path = section.path(key);

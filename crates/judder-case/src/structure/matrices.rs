@@ -101,13 +101,13 @@ impl MatrixSums {
     }
 
     /// All files.
-    pub(super) fn files(&self) -> Vec<&FileReference> {
+    pub(crate) fn files(&self) -> Vec<&FileReference> {
         let terms = self.mass.iter().chain(&self.damping).chain(&self.stiffness);
         terms.map(|term| &term.file).chain(&self.freedoms).collect()
     }
 
     /// Refuses factors that are not finite where the parameters are `values`.
-    pub(super) fn check(&self, values: &[f64]) -> Result<(), Cause> {
+    pub(crate) fn check(&self, values: &[f64]) -> Result<(), Cause> {
         self.sums()
             .iter()
             .flat_map(|(_, terms)| *terms)
@@ -118,21 +118,26 @@ impl MatrixSums {
 /// The endings of matrix files that are read.
 pub const MATRIX_ENDINGS: &str = ".mtx, .mat, .npz";
 
-/// Reads `[matrices]`, whose factors are expressions of `parameters`.
-pub(super) fn read_matrices(node: &Node, parameters: &[String], folder: &Path) -> Result<MatrixSums, Fault> {
-    let keys = ["folder", "mass", "damping", "stiffness", "freedoms", "triangle"];
-    let section = Section::open(node, "matrices", "[matrices]", &keys)?;
-    let (given, base) = read_folder(&section, folder)?;
+/// The keys of matrices.
+pub(crate) const KEYS: [&str; 6] = ["folder", "mass", "damping", "stiffness", "freedoms", "triangle"];
+
+/// Reads the matrices that `section` describes, whose factors are expressions of `parameters`.
+pub(crate) fn read_matrices(
+    section: &Section<'_>,
+    parameters: &[String],
+    folder: &Path,
+) -> Result<MatrixSums, Fault> {
+    let (given, base) = read_folder(section, folder)?;
     let usual = section.choice("triangle", "triangle", &Triangle::ALL)?.unwrap_or(Triangle::Both);
     let scope = Scope { parameters, base: &base, usual };
     section.required("mass", "mass = [{ file = \"M.mtx\" }]")?;
     section.required("stiffness", "stiffness = [{ file = \"K.mtx\" }]")?;
-    let freedoms = section.get("freedoms").map(|_| read_file_reference(&section, "freedoms", &base));
+    let freedoms = section.get("freedoms").map(|_| read_file_reference(section, "freedoms", &base));
     Ok(MatrixSums {
         folder: given,
-        mass: read_sum(&section, "mass", &scope)?,
-        damping: read_sum(&section, "damping", &scope)?,
-        stiffness: read_sum(&section, "stiffness", &scope)?,
+        mass: read_sum(section, "mass", &scope)?,
+        damping: read_sum(section, "damping", &scope)?,
+        stiffness: read_sum(section, "stiffness", &scope)?,
         freedoms: freedoms.transpose()?,
     })
 }

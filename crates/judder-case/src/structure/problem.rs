@@ -15,8 +15,10 @@ pub enum StructureProblem {
     #[error("a structure case needs `[structure]` or `[matrices]`")]
     NoStructure,
     /// None or several of the ways to describe a body.
-    #[error("[structure] has {}, but takes one of `beam`, `block`, `mesh`", listed(found))]
+    #[error("{section} has {}, but takes one of `beam`, `block`, `mesh`", listed(found))]
     OneGeometry {
+        /// The section as an error names it.
+        section: String,
         /// The keys that are there.
         found: Vec<&'static str>,
     },
@@ -135,8 +137,13 @@ pub enum StructureProblem {
         reason: String,
     },
     /// A kept set where there are no sets, or nodes where there is no table of freedoms.
-    #[error("{0}")]
-    Kept(KeptProblem),
+    #[error("{}", kept(problem, key))]
+    Kept {
+        /// The key.
+        key: String,
+        /// What is wrong with it.
+        problem: KeptProblem,
+    },
     /// Fewer or more damping ratios than the two that fix α and β.
     #[error("the damping ratios {first} at {} Hz and {second} at {} Hz need a negative coefficient", hertz(*first_frequency), hertz(*second_frequency))]
     NegativeDamping {
@@ -151,18 +158,27 @@ pub enum StructureProblem {
     },
 }
 
-/// How the kept freedoms of a reduction do not fit the structure.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+/// How nodes that a case names do not fit the structure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum KeptProblem {
-    /// `set` with `[matrices]`.
-    #[error("matrices have no sets: `reduction.kept` names nodes of the table `matrices.freedoms`")]
+    /// A set of matrices.
     NoSets,
-    /// `nodes` with `[structure]`.
-    #[error("`reduction.kept` of a body names sets, not nodes")]
+    /// Numbers of nodes of a body.
     NoNodes,
-    /// `nodes` without `matrices.freedoms`.
-    #[error("`reduction.kept` names nodes, but `matrices.freedoms` does not say which freedoms they have")]
+    /// Numbers of nodes without `matrices.freedoms`.
     NoTable,
+}
+
+fn kept(problem: &KeptProblem, key: &str) -> String {
+    match problem {
+        KeptProblem::NoSets => {
+            format!("matrices have no sets: `{key}` names nodes of the table `matrices.freedoms`")
+        }
+        KeptProblem::NoNodes => format!("`{key}` of a body names sets, not nodes"),
+        KeptProblem::NoTable => {
+            format!("`{key}` names nodes, but `matrices.freedoms` does not say which freedoms they have")
+        }
+    }
 }
 
 fn listed(found: &[&str]) -> String {
@@ -200,7 +216,7 @@ impl StructureProblem {
             Self::KeptFreedoms { .. } => "these freedoms",
             Self::File { .. } => "this file",
             Self::Unbuilt { .. } => "here",
-            Self::Kept(_) => "not here",
+            Self::Kept { .. } => "not here",
             Self::NegativeDamping { .. } => "these ratios",
         }
     }
@@ -237,9 +253,11 @@ impl StructureProblem {
             Self::KeptFreedoms { .. } => "name free freedoms, each once".to_owned(),
             Self::File { .. } => "a file is read as its ending says".to_owned(),
             Self::Unbuilt { .. } => "mend what the message names".to_owned(),
-            Self::Kept(KeptProblem::NoSets) => "as in kept = [{ nodes = [1, 17] }]".to_owned(),
-            Self::Kept(KeptProblem::NoNodes) => "as in kept = [{ set = \"end\" }]".to_owned(),
-            Self::Kept(KeptProblem::NoTable) => "give freedoms = \"table.csv\" in [matrices]".to_owned(),
+            Self::Kept { problem: KeptProblem::NoSets, .. } => "as in nodes = [1, 17]".to_owned(),
+            Self::Kept { problem: KeptProblem::NoNodes, .. } => "as in set = \"end\"".to_owned(),
+            Self::Kept { problem: KeptProblem::NoTable, .. } => {
+                "give freedoms = \"table.csv\" with the matrices".to_owned()
+            }
             Self::NegativeDamping { .. } => "move the ratios closer to one another".to_owned(),
         }
     }

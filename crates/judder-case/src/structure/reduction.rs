@@ -51,42 +51,54 @@ pub const FIXED_MODES: usize = 20;
 /// The most fixed-interface modes.
 pub const FIXED_MODES_LIMIT: usize = 2000;
 
-/// Reads `[reduction]` of a structure from `source`.
-pub(super) fn read_reduction(node: &Node, source: &StructureSource) -> Result<Reduction, Fault> {
-    let section = Section::open(node, "reduction", "[reduction]", &["kept", "count", "cut_off"])?;
-    let node = section.required("kept", "kept = [{ set = \"end\" }], the freedoms that are kept")?;
-    let nodes = list("reduction.kept", node)?;
-    if nodes.is_empty() {
-        return Err(Cause::EmptyList { key: "reduction.kept".to_owned() }.at(node.place));
-    }
-    let kept = nodes.iter().map(|node| read_kept(node, source)).collect::<Result<_, _>>()?;
+/// The keys of a reduction.
+pub(crate) const KEYS: [&str; 3] = ["kept", "count", "cut_off"];
+
+/// Reads the reduction that `section` describes, of a structure from `source`; without `kept` it keeps no freedoms.
+pub(crate) fn read_reduction(section: &Section<'_>, source: &StructureSource) -> Result<Reduction, Fault> {
+    let kept = section.get("kept").map(|node| read_list(section, node, source)).transpose()?;
+    let kept = kept.unwrap_or_default();
     let count = section.whole("count", 1, FIXED_MODES_LIMIT)?;
     let modes = match (count, section.get("cut_off")) {
         (Some(_), Some(node)) => {
             let (first, second) = (section.path("count"), section.path("cut_off"));
             return Err(Cause::Conflict { first, second }.at(node.place));
         }
-        (None, Some(_)) => FixedModes::CutOff(quantity(&section, StructureKey::CutOff)?),
+        (None, Some(_)) => FixedModes::CutOff(quantity(section, StructureKey::CutOff)?),
         (count, None) => FixedModes::Count(count.unwrap_or(FIXED_MODES)),
     };
     Ok(Reduction { kept, modes })
 }
 
-fn read_kept(node: &Node, source: &StructureSource) -> Result<Kept, Fault> {
-    let path = "reduction.kept";
-    let section =
-        Section::open(node, path, &format!("an entry of `{path}`"), &["set", "nodes", "directions"])?;
-    let directions = directions(&section, "directions")?.unwrap_or([true; 3]);
+fn read_list(section: &Section<'_>, node: &Node, source: &StructureSource) -> Result<Vec<Kept>, Fault> {
+    let path = section.path("kept");
+    let nodes = list(&path, node)?;
+    if nodes.is_empty() {
+        return Err(Cause::EmptyList { key: path }.at(node.place));
+    }
+    let keys = ["set", "nodes", "directions"];
+    let read = |node: &Node| {
+        let section = Section::open(node, &path, &format!("an entry of `{path}`"), &keys)?;
+        let directions = directions(&section, "directions")?.unwrap_or([true; 3]);
+        Ok(Kept { nodes: read_nodes(&section, source)?, directions })
+    };
+    nodes.iter().map(read).collect()
+}
+
+/// The nodes that `section` names, by a `set` of a body or by `nodes` of a table of freedoms.
+pub(crate) fn read_nodes(section: &Section<'_>, source: &StructureSource) -> Result<KeptNodes, Fault> {
     if let (Some(_), Some(node)) = (section.get("set"), section.get("nodes")) {
         let (first, second) = (section.path("set"), section.path("nodes"));
         return Err(Cause::Conflict { first, second }.at(node.place));
     }
-    let refuse = |problem: KeptProblem, node: &Node| Err(StructureProblem::Kept(problem).at(node.place));
-    let nodes = match (source, section.get("set"), section.get("nodes")) {
+    let key = section.own_path().to_owned();
+    let refuse =
+        |problem: KeptProblem, node: &Node| Err(StructureProblem::Kept { key, problem }.at(node.place));
+    Ok(match (source, section.get("set"), section.get("nodes")) {
         (StructureSource::Body(_), _, Some(node)) => return refuse(KeptProblem::NoNodes, node),
         (StructureSource::Body(_), _, None) => {
             let node = section.required("set", "set = \"…\", a set of nodes")?;
-            KeptNodes::Set(text("reduction.kept.set", node)?.to_owned())
+            KeptNodes::Set(text(&section.path("set"), node)?.to_owned())
         }
         (StructureSource::Matrices(_), Some(node), _) => return refuse(KeptProblem::NoSets, node),
         (StructureSource::Matrices(sums), None, _) => {
@@ -94,8 +106,7 @@ fn read_kept(node: &Node, source: &StructureSource) -> Result<Kept, Fault> {
             if sums.freedoms.is_none() {
                 return refuse(KeptProblem::NoTable, node);
             }
-            KeptNodes::Numbers(whole_numbers(&section, "nodes", node, (0, usize::MAX >> 1))?)
+            KeptNodes::Numbers(whole_numbers(section, "nodes", node, (0, usize::MAX >> 1))?)
         }
-    };
-    Ok(Kept { nodes, directions })
+    })
 }

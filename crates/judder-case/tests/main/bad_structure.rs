@@ -211,7 +211,7 @@ fn kept_nodes_of_a_body() {
         &beam("[reduction]\nkept = [{ nodes = [1] }]\n"),
         "`reduction.kept` of a body names sets, not nodes",
         "[1]",
-        "as in kept = [{ set = \"end\" }]",
+        "as in set = \"end\"",
     );
 }
 
@@ -345,14 +345,14 @@ fn matrices_that_cannot_be() {
         "[reduction]\nkept = [{ nodes = [1] }]\n[parameters]",
         "`reduction.kept` names nodes, but `matrices.freedoms` does not say which freedoms they have",
         "[1]",
-        "give freedoms = \"table.csv\" in [matrices]",
+        "give freedoms = \"table.csv\" with the matrices",
     );
     matrices(
         "[parameters]",
         "[reduction]\nkept = [{ set = \"a\" }]\n[parameters]",
         "matrices have no sets: `reduction.kept` names nodes of the table `matrices.freedoms`",
         "\"a\"",
-        "as in kept = [{ nodes = [1, 17] }]",
+        "as in nodes = [1, 17]",
     );
 }
 

@@ -3,7 +3,7 @@
 use serde_json::Value as Json;
 
 use crate::{help_of, parse};
-use judder_case::{BeltInputs, Case, KEYS, OscillatorInputs, TEMPLATES, schema, template};
+use judder_case::{BeltInputs, Case, KEYS, OscillatorInputs, SLIDING_KEYS, TEMPLATES, schema, template};
 
 #[test]
 fn every_template_is_a_valid_case() {
@@ -16,7 +16,7 @@ fn every_template_is_a_valid_case() {
             Case::Oscillator(case) => assert_eq!(case.inputs, OscillatorInputs::default()),
             Case::Contact(case) => assert_eq!(case.inputs, OscillatorInputs::default()),
             Case::Belt(case) => assert_eq!(case.inputs, BeltInputs::default()),
-            Case::TwoDegrees(_) | Case::Structure(_) => (),
+            Case::TwoDegrees(_) | Case::Structure(_) | Case::Sliding(_) => (),
         }
     }
 }
@@ -36,8 +36,16 @@ fn an_unknown_template_names_the_known_ones() {
     assert_eq!(error.to_string(), "there is no template `oscilator`");
     assert_eq!(
         help_of(&error),
-        "did you mean `oscillator`? known: oscillator, contact, belt, two-degrees, structure"
+        "did you mean `oscillator`? known: oscillator, contact, belt, two-degrees, structure, beams-paper"
     );
+}
+
+#[test]
+fn the_template_of_the_beams_paper_shows_every_key() {
+    let text = template("beams-paper").unwrap();
+    for entry in &SLIDING_KEYS {
+        assert!(text.contains(&format!("{} = ", entry.name())), "{}", entry.path);
+    }
 }
 
 /// Calls `visit` with every object of a JSON document.
@@ -67,6 +75,17 @@ fn the_schema_knows_every_key_with_its_default_and_its_references_resolve() {
             assert!(schema.pointer(pointer).is_some(), "{reference}");
         }
     });
+}
+
+#[test]
+fn the_schema_uses_every_key_of_a_sliding_case() {
+    let mut used = Vec::new();
+    visit(&schema(), &mut |object| {
+        used.extend(object.get("$ref").and_then(Json::as_str).map(str::to_owned));
+    });
+    for entry in &SLIDING_KEYS {
+        assert!(used.contains(&format!("#/$defs/sliding.{}", entry.path)), "{}", entry.path);
+    }
 }
 
 #[test]

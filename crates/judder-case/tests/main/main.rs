@@ -8,6 +8,7 @@ mod bad_contact;
 mod bad_family;
 mod bad_key;
 mod bad_motion;
+mod bad_sliding;
 mod bad_source;
 mod bad_structure;
 mod bad_sweep;
@@ -16,6 +17,7 @@ mod contact;
 mod editors;
 mod motion;
 mod oscillator;
+mod sliding;
 mod structure;
 mod two_degrees;
 

@@ -1,14 +1,11 @@
 //! `judder new`: a commented case file to start from.
 
 use clap::Args;
-use judder_case::{TEMPLATES, template};
+use judder_case::template;
 use serde_json::json;
 
 use crate::console::Console;
 use crate::failure::{Exit, Failure};
-
-/// Templates that a later version brings.
-const LATER: [&str; 1] = ["beams-paper"];
 
 const HELP: &str = "\
 Examples:
@@ -21,7 +18,9 @@ Templates:
   oscillator    two degrees of freedom on a viscoelastic substrate; every key with the paper's value
   contact       a rigid indenter that slides on a viscoelastic substrate: fields, laws, fits, moduli
   belt          one mass on a moving belt, with friction that falls with speed
-  two-degrees   mass, damping and stiffness matrices of your own, with parameters";
+  two-degrees   mass, damping and stiffness matrices of your own, with parameters
+  structure     one linear structure alone: modes, reduction, complex modes
+  beams-paper   one structure slides along another: the beams paper with every reading as a key";
 
 /// Print a commented case file
 #[derive(Debug, Args)]
@@ -35,10 +34,6 @@ pub(crate) struct New {
 impl New {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
         let name = self.template.as_str();
-        if LATER.contains(&name) {
-            let help = format!("available: {}", TEMPLATES.join(", "));
-            return Err(Failure::later(&format!("the template `{name}`"), &help));
-        }
         let text = template(name)?;
         console.result(|| text.clone(), || json!({ "template": name, "text": text }))?;
         Ok(Exit::Done)

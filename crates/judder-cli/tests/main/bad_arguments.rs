@@ -27,12 +27,6 @@ fn commands_of_later_versions() {
     );
     let beams = "the reproduction of the beams paper comes with a later version";
     refused(&["reproduce", "beams-paper"], beams, "available: oscillator-paper");
-    let template = "the template `beams-paper` comes with a later version";
-    refused(
-        &["new", "beams-paper"],
-        template,
-        "available: oscillator, contact, belt, two-degrees, structure",
-    );
 }
 
 #[test]

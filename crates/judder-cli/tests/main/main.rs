@@ -12,5 +12,6 @@ mod interrupt;
 mod point;
 mod reproduce;
 mod run;
+mod sliding;
 mod speaking;
 mod structure;

@@ -1,3 +1,4 @@
 //! Closed forms.
 
 mod piecewise;
+mod signal;

@@ -76,29 +76,23 @@ fn with_extremes(
     even: &[(f64, Margin)],
     is_last: bool,
 ) -> Result<Vec<(f64, Margin)>, TooCoarse> {
-    let share = |k: usize| even[k].0;
-    let value = |k: usize| even[k].1.value;
     let mut knots = vec![even[0]];
-    for k in 1..KNOTS {
-        let sign = if value(k) > 0.0 { -1.0 } else { 1.0 };
+    for three in even.windows(3) {
+        let [(from, before), (at, margin), (to, after)] = [three[0], three[1], three[2]];
+        knots.push((at, margin));
         // a highest place below zero, or a lowest above it
-        let is_extreme = sign * value(k) >= sign * value(k - 1) && sign * value(k) >= sign * value(k + 1);
-        let extreme = if is_extreme {
-            let at = highest(|share| sign * branch.foretold(share).value, [share(k - 1), share(k + 1)]);
-            (at, branch.foretold(at))
-        } else {
-            even[k]
-        };
-        let Margin { value, doubt, eigenvalue } = extreme.1;
-        let decided = DECIDED * eigenvalue.norm();
+        let sign = if margin.value > 0.0 { -1.0 } else { 1.0 };
+        if sign * margin.value < sign * before.value || sign * margin.value < sign * after.value {
+            continue;
+        }
+        let at = highest(|share| sign * branch.foretold(share).value, [from, to]);
+        let extreme = branch.foretold(at);
+        let decided = DECIDED * extreme.eigenvalue.norm();
         let decided = if branch.is_conservative { decided * decided } else { decided };
-        if is_extreme && !is_last && value.abs() <= doubt && doubt > decided {
+        if !is_last && extreme.value.abs() <= extreme.doubt && extreme.doubt > decided {
             return Err(TooCoarse);
         }
-        knots.push(even[k]);
-        if is_extreme {
-            knots.push(extreme);
-        }
+        knots.push((at, extreme));
     }
     knots.push(even[KNOTS]);
     knots.sort_by(|a, b| a.0.total_cmp(&b.0));

@@ -7,7 +7,7 @@ use std::io::ErrorKind;
 use std::path::Path;
 use std::process::Command;
 
-use judder_store::{Dataset, StoreError, StudyFolder, Summary, Variable};
+use judder_store::{Dataset, StoreError, StreamWriter, StudyFolder, Summary, Variable};
 
 const CHILD_FOLDER: &str = "JUDDER_TEST_LIMITED_FOLDER";
 
@@ -65,6 +65,22 @@ fn write_without_room(study: &StudyFolder) {
     check_full(study.write_summary(&summary), "summary.json", 2_000_000);
     check_full(study.write_file("figures/a.svg", &[0; 2 << 20]).map(drop), "figures/a.svg", 2 << 20);
     check_untouched(study);
+    stream_without_room(study);
+    check_untouched(study);
+}
+
+/// An append that finds no room takes none, and a smaller one goes on where the last whole one ended.
+fn stream_without_room(study: &StudyFolder) {
+    let force = Variable::new("force", &["time"], &[0], Vec::<f64>::new());
+    let mut stream = StreamWriter::open(study, "march", "h", &[force]).unwrap();
+    stream.append(b"1", &[&[1.0]]).unwrap();
+    check_full(stream.append(b"2", &[&vec![2.0; 262_144]]), ".stream-march/force.f64", 2 << 20);
+    let values = study.path().join(".stream-march/force.f64");
+    assert_eq!(fs::metadata(&values).unwrap().len(), 8);
+    assert_eq!((stream.len(), stream.checkpoint()), (1, Some(&b"1"[..])));
+    stream.append(b"2", &[&[2.0]]).unwrap();
+    assert_eq!(stream.len(), 2);
+    fs::remove_dir_all(study.path().join(".stream-march")).unwrap();
 }
 
 /// A file may not grow beyond a limit that the shell sets: works without privileges.

@@ -7,6 +7,7 @@ mod datasets;
 mod disk_full;
 mod folders;
 mod replacement;
+mod streams;
 mod summaries_and_tables;
 
 use judder_store::{Dataset, Variable};

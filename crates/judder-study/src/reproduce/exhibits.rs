@@ -126,7 +126,7 @@ pub(super) fn thin_out(case: &mut Case) {
     match case {
         Case::Oscillator(case) => thin_out_oscillator(case),
         Case::Contact(case) => thin_out_contact(case),
-        Case::Belt(_) | Case::TwoDegrees(_) | Case::Structure(_) => {}
+        Case::Belt(_) | Case::TwoDegrees(_) | Case::Structure(_) | Case::Sliding(_) => {}
     }
 }
 

@@ -1,0 +1,140 @@
+//! The sliding case: one structure slides along another, and the coupling moves with the contact point.
+//!
+//! - [`structure`]: `[[structure]]`, the two structures.
+//! - [`contact`]: `[contact]`, who slides on what, and friction.
+//! - [`motion`]: `[motion]`, path, velocity, load, and how they begin.
+//! - [`observe`]: `[observe]`, points and signals.
+//! - [`analysis`], [`locus`], [`march`], [`spectrogram`]: what is computed.
+//! - [`sweep`]: any number of the case over a range.
+//! - [`problem`]: what can be wrong with all of it, beyond types, units and ranges.
+
+pub mod analysis;
+pub mod contact;
+pub mod locus;
+pub mod march;
+pub mod motion;
+pub mod observe;
+pub mod problem;
+pub mod spectrogram;
+pub mod structure;
+pub mod sweep;
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use crate::analysis::{Analysis, read_analyses};
+use crate::document::{Data, Node};
+use crate::error::Fault;
+use crate::file_reference::FileReference;
+use crate::section::Section;
+use crate::two_degrees::{Parameter, read_parameters};
+use analysis::{KINDS, SlidingAnalysis};
+use contact::{SlidingContact, read_contact};
+use motion::{SlidingMotion, read_motion};
+use observe::{ObservedPoint, read_points};
+use problem::SlidingProblem;
+use structure::{SlidingStructure, read_structures};
+use sweep::KeySweep;
+
+/// A validated sliding case.
+#[derive(Debug, Clone)]
+pub struct SlidingCase {
+    /// The title; empty where the case gives none.
+    pub title: String,
+    /// The parameters in the order of the case file; only factors of matrices use them.
+    pub parameters: Vec<Parameter>,
+    /// The two structures in the order of the case file.
+    pub structures: Box<[SlidingStructure; 2]>,
+    /// Who slides on what.
+    pub contact: SlidingContact,
+    /// Where the slider goes, under which load.
+    pub motion: SlidingMotion,
+    /// The points whose motion is kept.
+    pub points: Vec<ObservedPoint>,
+    /// The analyses in the order of the case file.
+    pub analyses: Vec<Analysis<SlidingAnalysis>>,
+    /// What the case was read from, to read it anew with another value.
+    origin: Arc<Origin>,
+}
+
+struct Origin {
+    root: Node,
+    folder: PathBuf,
+}
+
+impl fmt::Debug for Origin {
+    /// The folder alone: the typed case says what the tree held.
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.debug_struct("Origin").field("folder", &self.folder).finish_non_exhaustive()
+    }
+}
+
+impl SlidingCase {
+    /// The structure that slides.
+    pub fn slider(&self) -> &SlidingStructure {
+        &self.structures[self.contact.slider.structure]
+    }
+
+    /// The structure along which it slides.
+    pub fn track(&self) -> &SlidingStructure {
+        &self.structures[self.contact.track.structure]
+    }
+
+    /// The values of all parameters, in their order.
+    pub fn values(&self) -> Vec<f64> {
+        self.parameters.iter().map(|parameter| parameter.value).collect()
+    }
+
+    /// The files that the case names.
+    pub fn files(&self) -> Vec<&FileReference> {
+        self.structures.iter().flat_map(|structure| structure.source.files()).collect()
+    }
+
+    /// The case with a swept key at `value`, in SI units, without analyses: read anew, so that every key can be swept.
+    ///
+    /// # Errors
+    /// [`SlidingProblem::SweptValue`] where there is no such case.
+    pub fn at(&self, sweep: &KeySweep, value: f64) -> Result<Self, SlidingProblem> {
+        let Origin { root, folder } = &*self.origin;
+        let mut root = root.clone();
+        let place = root.place;
+        let read = root
+            .set(&sweep.path, Node { place, data: sweep.data(value) })
+            .and_then(|()| read_system(&root, folder));
+        read.map_err(|fault| {
+            let cause = fault.into_cause();
+            let (key, value) = (sweep.path.clone(), sweep.text(value));
+            let advice = cause.help().unwrap_or_else(|| "sweep values that the key can take".to_owned());
+            SlidingProblem::SweptValue { key, value, reason: cause.to_string(), advice }
+        })
+    }
+}
+
+const KEYS: [&str; 8] =
+    ["title", "model", "parameters", "structure", "contact", "motion", "observe", "analysis"];
+
+/// Reads a sliding case from the root of its tree; files are relative to `folder`.
+pub(crate) fn read(node: &Node, folder: &Path) -> Result<SlidingCase, Fault> {
+    let mut case = read_system(node, folder)?;
+    let root = Section::open(node, "", "a sliding case", &KEYS)?;
+    case.analyses = read_analyses(&root, &case, &KINDS)?;
+    if let Some(Node { data: Data::List(nodes), .. }) = root.get("analysis") {
+        spectrogram::check_references(&case.analyses, nodes)?;
+    }
+    Ok(case)
+}
+
+/// Everything but the analyses.
+fn read_system(node: &Node, folder: &Path) -> Result<SlidingCase, Fault> {
+    let root = Section::open(node, "", "a sliding case", &KEYS)?;
+    let parameters = read_parameters(&root)?;
+    let names: Vec<String> = parameters.iter().map(|parameter| parameter.name.clone()).collect();
+    let structures = Box::new(read_structures(&root, &names, folder)?);
+    let contact = read_contact(&root, &structures)?;
+    let motion = read_motion(&root, &structures, contact.slider.structure)?;
+    let points = read_points(&root, &structures)?;
+    let title = root.text("title")?.unwrap_or_default().to_owned();
+    let origin = Arc::new(Origin { root: node.clone(), folder: folder.to_owned() });
+    Ok(SlidingCase { title, parameters, structures, contact, motion, points, analyses: Vec::new(), origin })
+}

@@ -1,0 +1,240 @@
+//! What can be wrong with a sliding case, beyond types, units and ranges.
+
+use thiserror::Error;
+
+use crate::cause::Cause;
+use crate::error::{Fault, Place};
+use crate::quantity::QuantityError;
+
+/// What is wrong, with what a caller needs in order to act.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum SlidingProblem {
+    /// Another number of structures than two.
+    #[error("a sliding case has two structures, this one has {found}")]
+    StructureCount {
+        /// How many there are.
+        found: usize,
+    },
+    /// A name that a dotted path could not hold.
+    #[error("`{name}` cannot name a {what}")]
+    Name {
+        /// What it should name.
+        what: &'static str,
+        /// The name as written.
+        name: String,
+    },
+    /// Two things of one name.
+    #[error("there are two {what}s named `{name}`")]
+    NameTwice {
+        /// What they are.
+        what: &'static str,
+        /// Their name.
+        name: String,
+    },
+    /// A structure that would slide on itself.
+    #[error("`{name}` is both the slider and the track")]
+    SameStructure {
+        /// Its name.
+        name: String,
+    },
+    /// Nodes where one node is meant.
+    #[error("`{key}` names {found} nodes, but must name one")]
+    NotOneNode {
+        /// The key.
+        key: String,
+        /// How many nodes it names.
+        found: usize,
+    },
+    /// A list of nodes that is not an edge along which something could slide.
+    #[error("the track `{name}` {reason}")]
+    Track {
+        /// The set, or the nodes, as the case has it.
+        name: String,
+        /// Why not.
+        reason: String,
+    },
+    /// A contact point that the track does not reach.
+    #[error("`{key}` is {position} m, but the track goes from 0 to {length} m")]
+    OffTrack {
+        /// The key.
+        key: String,
+        /// s, m.
+        position: f64,
+        /// The length of the track, m.
+        length: f64,
+    },
+    /// A velocity that does not lead from the start to the end.
+    #[error("a velocity of {velocity} m/s does not lead from {start} m to {end} m")]
+    NoCourse {
+        /// s_0, m.
+        start: f64,
+        /// s_1, m.
+        end: f64,
+        /// v_x, m/s.
+        velocity: f64,
+    },
+    /// A position that the motion does not pass.
+    #[error("`{key}` is {position} m, but the motion goes from {start} m to {end} m")]
+    OutsidePath {
+        /// The key.
+        key: String,
+        /// s, m.
+        position: f64,
+        /// s_0, m.
+        start: f64,
+        /// s_1, m.
+        end: f64,
+    },
+    /// Speeds of a table of friction that do not ascend.
+    #[error("the speeds of the table of friction must ascend, but {speed} m/s follows {before} m/s")]
+    UnsortedSpeeds {
+        /// The earlier speed, m/s.
+        before: f64,
+        /// The later one, m/s.
+        speed: f64,
+    },
+    /// A table of friction whose columns differ in length.
+    #[error("the table of friction has {speeds} speeds and {coefficients} coefficients")]
+    FrictionTable {
+        /// How many speeds.
+        speeds: usize,
+        /// How many coefficients.
+        coefficients: usize,
+    },
+    /// A name of an analysis above, where there is none of the kind.
+    #[error("there is no {what} above that could be `{name}`")]
+    NothingAbove {
+        /// The kind.
+        what: &'static str,
+        /// The name as written.
+        name: String,
+    },
+    /// Samples too few for the band that they shall carry, or more than there are steps.
+    #[error("samples at {sample_rate:.0} Hz {reason}")]
+    SampleRate {
+        /// f_s, Hz.
+        sample_rate: f64,
+        /// Why not.
+        reason: String,
+    },
+    /// A march that would take too long.
+    #[error("this march takes {steps:.2e} steps, and {limit:.0e} are allowed")]
+    TooManySteps {
+        /// How many it takes.
+        steps: f64,
+        /// How many are allowed.
+        limit: f64,
+    },
+    /// A step beyond the limit of stability.
+    #[error("the step {step:e} s is above the limit of stability, {limit:e} s")]
+    StepLimit {
+        /// h, s.
+        step: f64,
+        /// The limit, s.
+        limit: f64,
+    },
+    /// A text that should be a value of a swept key.
+    #[error("`{key}` is not a quantity: {problem}")]
+    NotQuantity {
+        /// The key.
+        key: String,
+        /// Why it is none.
+        problem: QuantityError,
+    },
+    /// A swept key that no structure, contact or motion has.
+    #[error("`{key}` cannot be swept")]
+    NotSwept {
+        /// The key as written.
+        key: String,
+    },
+    /// A value of a swept key with which the case cannot be.
+    #[error("with `{key}` = {value}: {reason}")]
+    SweptValue {
+        /// The swept key.
+        key: String,
+        /// Its value, with the unit.
+        value: String,
+        /// What is wrong then.
+        reason: String,
+        /// What would be right.
+        advice: String,
+    },
+    /// Structures, contact or motion that do not go together.
+    #[error("{reason}")]
+    Unbuilt {
+        /// What is wrong.
+        reason: String,
+    },
+}
+
+impl SlidingProblem {
+    pub(crate) fn at(self, place: Place) -> Fault {
+        Cause::Sliding { problem: self }.at(place)
+    }
+
+    /// What stands beside the caret.
+    pub(crate) fn label(&self) -> &'static str {
+        match self {
+            Self::StructureCount { .. } => "not two",
+            Self::Name { .. } => "this name",
+            Self::NameTwice { .. } => "given twice",
+            Self::SameStructure { .. } => "the same structure",
+            Self::NotOneNode { .. } => "not one node",
+            Self::Track { .. } => "no edge",
+            Self::OffTrack { .. } => "off the track",
+            Self::NoCourse { .. } => "leads elsewhere",
+            Self::OutsidePath { .. } => "not on the path",
+            Self::UnsortedSpeeds { .. } => "not ascending",
+            Self::FrictionTable { .. } => "of another length",
+            Self::NothingAbove { .. } => "unknown name",
+            Self::SampleRate { .. } => "this rate",
+            Self::TooManySteps { .. } => "too long",
+            Self::StepLimit { .. } => "too large",
+            Self::NotQuantity { .. } => "no quantity",
+            Self::NotSwept { .. } => "not to be swept",
+            Self::SweptValue { .. } => "a value of this sweep",
+            Self::Unbuilt { .. } => "here",
+        }
+    }
+
+    /// What would be right.
+    pub(crate) fn help(&self) -> String {
+        let help = match self {
+            Self::StructureCount { .. } => {
+                "give two tables [[structure]]: what slides, and on what it slides"
+            }
+            Self::Name { .. } => {
+                "use 1 to 100 of A-Z a-z 0-9 _ -: keys such as structure.NAME.width contain it"
+            }
+            Self::NameTwice { what, .. } => return format!("give each {what} a `name` of its own"),
+            Self::SameStructure { .. } => "let one structure slide on the other",
+            Self::NotOneNode { .. } => "of a beam, `end-lower` or another corner is a set of one node",
+            Self::Track { .. } => {
+                "name the nodes of one edge in their order, as `upper-corners` of a beam has them"
+            }
+            Self::OffTrack { .. } => "let C stay between the first and the last node of the track",
+            Self::NoCourse { .. } => {
+                "the velocity is positive where `end` lies beyond `start`, negative where it lies before it"
+            }
+            Self::OutsidePath { .. } => "a march is a part of the motion, in its direction",
+            Self::UnsortedSpeeds { .. } => "list the speeds from the slowest to the fastest",
+            Self::FrictionTable { .. } => {
+                "as in { velocity = [\"0 mm/s\", \"10 mm/s\"], coefficient = [0.4, 0.3] }, two entries at least"
+            }
+            Self::NothingAbove { what, .. } => return format!("let the {what} stand before what shows it"),
+            Self::SampleRate { .. } => {
+                "1/step ≥ sample_rate > 2 pass_band; at 3e-7 s, 400 kHz carry 50 kHz with room for the filter"
+            }
+            Self::TooManySteps { .. } => "take a shorter path, a larger step or a higher velocity",
+            Self::StepLimit { .. } => "take a step below the limit",
+            Self::NotQuantity { .. } => "write a plain number, or a number with a unit in quotes: \"10 mm\"",
+            Self::NotSwept { .. } => {
+                "sweep a number of a structure, the contact, the motion or the parameters: structure.NAME.beam.angle, \
+                 contact.friction_coefficient, motion.load.force, parameters.NAME"
+            }
+            Self::SweptValue { advice, .. } => advice,
+            Self::Unbuilt { .. } => "mend what the message names",
+        };
+        help.to_owned()
+    }
+}

@@ -1,0 +1,487 @@
+//! Sliding cases that are refused: the message, the place and what would be right.
+
+use crate::sliding::with_analyses;
+use crate::structure::with_files;
+use crate::{help_of, parse, refused, refused_with};
+use judder_case::{Case, CaseFile, SlidingAnalysis, SlidingProblem, StructureProblem};
+
+/// The case of the beams paper with one thing changed.
+fn changed(from: &str, to: &str, message: &str, place: &str, help: &str) {
+    let text = with_analyses("");
+    assert!(text.contains(from), "{from}");
+    refused(&text.replacen(from, to, 1), message, place, help);
+}
+
+/// The case of the beams paper with another analysis.
+fn analysis(text: &str, message: &str, place: &str, help: &str) {
+    refused(&with_analyses(&format!("[[analysis]]\n{text}\n")), message, place, help);
+}
+
+#[test]
+fn another_number_of_structures() {
+    let text = with_analyses("");
+    let (head, rest) = text.split_once("[[structure]]").unwrap();
+    let (_, rest) = rest.split_once("[[structure]]").unwrap();
+    let error = parse(&format!("{head}[[structure]]{rest}"), &[]).unwrap_err();
+    assert_eq!(error.to_string(), "a sliding case has two structures, this one has 1");
+    assert_eq!(help_of(&error), "give two tables [[structure]]: what slides, and on what it slides");
+}
+
+#[test]
+fn names_of_structures() {
+    changed(
+        "name = \"horizontal\"",
+        "name = \"beam.2\"",
+        "`beam.2` cannot name a structure",
+        "\"beam.2\"",
+        "use 1 to 100 of A-Z a-z 0-9 _ -: keys such as structure.NAME.width contain it",
+    );
+    let text = with_analyses("").replace("name = \"horizontal\"", "name = \"oblique\"");
+    let error = parse(&text, &[]).unwrap_err();
+    assert_eq!(error.to_string(), "there are two structures named `oblique`");
+    assert_eq!(help_of(&error), "give each structure a `name` of its own");
+    changed(
+        "track = { structure = \"horizontal\"",
+        "track = { structure = \"horizontl\"",
+        "unknown structure `horizontl`",
+        "\"horizontl\"",
+        "did you mean `horizontal`? known: oblique, horizontal",
+    );
+}
+
+/// Paths name the structure, so that a message says which of the two is meant.
+#[test]
+fn keys_of_a_structure_are_named_with_it() {
+    changed(
+        "length = \"75 mm\"",
+        "length = \"75 N\"",
+        "`structure.oblique.beam.length` must be a length, but this is a force",
+        "\"75 N\"",
+        "write a length, such as \"10 mm\"",
+    );
+    changed(
+        "alpha = \"40 1/s\", beta = \"4e-8 s\" } }",
+        "alpha = \"-40 1/s\" } }",
+        "`structure.horizontal.damping.rayleigh.alpha` must be zero or positive, but is -40.0",
+        "\"-40 1/s\"",
+        "",
+    );
+    let error = parse(&with_analyses("").replace("poisson_ratio = 0.33, ", ""), &[]).unwrap_err();
+    assert_eq!(error.to_string(), "`structure.oblique.material` lacks the key `poisson_ratio`");
+    changed(
+        "reduction = { count = 20 }",
+        "reduction = { kept = [{ nodes = [1] }] }",
+        "`structure.oblique.reduction.kept` of a body names sets, not nodes",
+        "[1]",
+        "as in set = \"end\"",
+    );
+    let text = with_analyses("").replacen("beam = {", "block = { size = [] }\nbeam = {", 1);
+    let error = parse(&text, &[]).unwrap_err();
+    let message = "the structure `oblique` has `beam` and `block`, but takes one of `beam`, `block`, `mesh`";
+    assert_eq!(error.to_string(), message);
+}
+
+#[test]
+fn a_structure_of_nothing() {
+    let text = with_analyses("");
+    let line = text.lines().find(|line| line.starts_with("beam = ")).unwrap();
+    let error = parse(&text.replacen(line, "", 1), &[]).unwrap_err();
+    assert_eq!(error.to_string(), "the structure `oblique` lacks the key `beam`");
+    let help = "give beam = { … }, block = { … }, mesh = \"file.msh\" or matrices = { … }";
+    assert_eq!(help_of(&error), help);
+}
+
+#[test]
+fn a_structure_that_slides_on_itself() {
+    changed(
+        "track = { structure = \"horizontal\", set = \"upper-corners\" }",
+        "track = { structure = \"oblique\", set = \"upper-corners\" }",
+        "`oblique` is both the slider and the track",
+        "{ structure = \"oblique\", set = \"upper-corners\" }",
+        "let one structure slide on the other",
+    );
+}
+
+#[test]
+fn friction_that_cannot_be() {
+    changed(
+        "friction_coefficient = 0.3",
+        "friction_coefficient = -0.3",
+        "`contact.friction_coefficient` must be zero or positive, but is -0.3",
+        "-0.3",
+        "",
+    );
+    changed(
+        "friction_coefficient = 0.3",
+        "friction_coefficient = { velocity = [\"10 mm/s\", \"10 mm/s\"], coefficient = [0.4, 0.3] }",
+        "the speeds of the table of friction must ascend, but 0.01 m/s follows 0.01 m/s",
+        "[\"10 mm/s\", \"10 mm/s\"]",
+        "list the speeds from the slowest to the fastest",
+    );
+    changed(
+        "friction_coefficient = 0.3",
+        "friction_coefficient = { velocity = [\"0 m/s\", \"1 m/s\"], coefficient = [0.4] }",
+        "the table of friction has 2 speeds and 1 coefficients",
+        "[0.4]",
+        "as in { velocity = [\"0 mm/s\", \"10 mm/s\"], coefficient = [0.4, 0.3] }, two entries at least",
+    );
+    changed(
+        "interpolation = \"linear\"",
+        "interpolation = \"cubic\"",
+        "unknown interpolation `cubic`",
+        "cubic",
+        "known: linear, hermite",
+    );
+}
+
+/// The direction is that from start to end; the velocity must agree with it, and nothing slides at zero.
+#[test]
+fn a_velocity_that_leads_elsewhere() {
+    let help = "the velocity is positive where `end` lies beyond `start`, negative where it lies before it";
+    for (key, value, message) in [
+        ("velocity", "0 mm/s", "a velocity of 0 m/s does not lead from 0.01 m to 0.0985 m"),
+        ("velocity", "-30 mm/s", "a velocity of -0.03 m/s does not lead from 0.01 m to 0.0985 m"),
+        ("end", "10 mm", "a velocity of 0.03 m/s does not lead from 0.01 m to 0.01 m"),
+        ("start", "99 mm", "a velocity of 0.03 m/s does not lead from 0.099 m to 0.0985 m"),
+    ] {
+        let option = format!("motion.{key}={value}");
+        let error = parse(&with_analyses(""), &[&option]).unwrap_err();
+        assert_eq!((error.to_string().as_str(), help_of(&error).as_str()), (message, help));
+        assert!(key != "velocity" || error.place() == value);
+    }
+    changed(
+        "start = \"10 mm\" ",
+        "start = \"-1 mm\" ",
+        "`motion.start` must be zero or positive, but is -0.001",
+        "\"-1 mm\"",
+        "",
+    );
+}
+
+#[test]
+fn a_motion_without_a_load() {
+    let text = with_analyses("");
+    let line = text.lines().find(|line| line.starts_with("load = ")).unwrap();
+    let error = parse(&text.replace(line, ""), &[]).unwrap_err();
+    assert_eq!(error.to_string(), "`motion` lacks the key `load`");
+    assert_eq!(help_of(&error), "give load = { set = \"start\", direction = \"y\", force = \"-0.2 N\" }");
+    refused_with(
+        &text,
+        &["motion.load.direction=z"],
+        "unknown direction `z`",
+        "--set z",
+        "did you mean `x`? known: x, y",
+    );
+}
+
+#[test]
+fn points_and_signals() {
+    let march = "kind = \"march\"\nmethod = \"ensubs\"\n";
+    let known = "known: T.x, T.y, normal-force, tangential-force, sliding-velocity";
+    for signal in ["T.z", "A.y", "T.y.jerk", "T.y.velocity.x", "normal"] {
+        let error =
+            parse(&with_analyses(&format!("[[analysis]]\n{march}signal = \"{signal}\"\n")), &[]).unwrap_err();
+        assert_eq!(error.to_string(), format!("unknown signal `{signal}`"));
+        assert!(help_of(&error).ends_with(known), "{}", help_of(&error));
+    }
+    changed(
+        "{ name = \"T\", ",
+        "{ name = \"T.1\", ",
+        "`T.1` cannot name a point",
+        "\"T.1\"",
+        "use 1 to 100 of A-Z a-z 0-9 _ -: keys such as structure.NAME.width contain it",
+    );
+}
+
+#[test]
+fn a_locus_that_cannot_be() {
+    analysis(
+        "kind = \"locus\"\nat = \"74 mm\"",
+        "`at` has no meaning with `positions`, without `sweep`",
+        "\"74 mm\"",
+        "leave `at` out",
+    );
+    analysis(
+        "kind = \"locus\"\npositions = { from = \"50 mm\", to = \"20 mm\" }",
+        "the range runs backwards: from 0.05 to 0.02",
+        "{ from = \"50 mm\", to = \"20 mm\" }",
+        "exchange `from` and `to`",
+    );
+    analysis(
+        "kind = \"locus\"\nsweep = { key = \"contact.friction_coefficient\", from = 0, to = 1, points = 3 }",
+        "an analysis of kind `locus` lacks the key `at`",
+        "[[analysis]]",
+        "give at = \"74 mm\", where the contact is held while the key is swept",
+    );
+    analysis(
+        "kind = \"locus\"\nat = \"74 mm\"\npositions = {}\nsweep = { key = \"x\" }",
+        "`sweep` and `positions` cannot both be given: one follows from the other",
+        "{}",
+        "keep `sweep` or `positions`",
+    );
+}
+
+/// A sweep of the contact held at 74 mm.
+fn sweep(settings: &str, message: &str, place: &str, help: &str) {
+    let text = format!("kind = \"locus\"\nat = \"74 mm\"\nsweep = {{ {settings} }}");
+    analysis(&text, message, place, help);
+}
+
+#[test]
+fn swept_keys_that_cannot_be() {
+    let advice = "sweep a number of a structure, the contact, the motion or the parameters: structure.NAME.beam.angle, \
+                  contact.friction_coefficient, motion.load.force, parameters.NAME";
+    for key in ["analysis.locus.at", "friction_coefficient", ""] {
+        let (message, place) = (format!("`{key}` cannot be swept"), format!("\"{key}\""));
+        sweep(&format!("key = \"{key}\", from = 0, to = 1, points = 3"), &message, &place, advice);
+    }
+    let settings = "key = \"contact.frictoin_coefficient\", from = 0, to = 1, points = 3";
+    sweep(
+        settings,
+        "with `contact.frictoin_coefficient` = 0: unknown key `frictoin_coefficient` in `contact`",
+        &format!("{{ {settings} }}"),
+        "did you mean `friction_coefficient`? keys here: slider, track, friction_coefficient, interpolation, initial_gap",
+    );
+    let settings = "key = \"structure.oblque.width\", from = \"1 mm\", to = \"2 mm\", points = 3";
+    sweep(
+        settings,
+        "with `structure.oblque.width` = 0.001 m: unknown key `oblque` in `structure`",
+        &format!("{{ {settings} }}"),
+        "did you mean `oblique`? keys here: oblique, horizontal",
+    );
+    let settings = "key = \"contact.interpolation\", from = 0, to = 1, points = 3";
+    sweep(
+        settings,
+        "with `contact.interpolation` = 0: `contact.interpolation` is an integer, but must be a string",
+        &format!("{{ {settings} }}"),
+        "sweep values that the key can take",
+    );
+}
+
+#[test]
+fn swept_values_that_cannot_be() {
+    let settings = "key = \"contact.friction_coefficient\", from = 0.5, to = -0.5, points = 3";
+    sweep(
+        settings,
+        "with `contact.friction_coefficient` = -0.5: `contact.friction_coefficient` must be zero or positive, but is -0.5",
+        &format!("{{ {settings} }}"),
+        "sweep values that the key can take",
+    );
+    let settings = "key = \"motion.load.force\", values = [-1, -2]";
+    sweep(
+        settings,
+        "with `motion.load.force` = -1: `motion.load.force` needs a unit: it has no dimensionless form",
+        &format!("{{ {settings} }}"),
+        "write a force, such as \"0.2 N\"",
+    );
+    sweep(
+        "key = \"motion.load.force\", from = \"-1 N\", to = \"2 mm\", points = 3",
+        "`sweep.to` must be a force, but this is a length",
+        "\"2 mm\"",
+        "write a force, such as \"0.2 N\"",
+    );
+    sweep(
+        "key = \"motion.load.force\", values = [\"-1 N\", \"-3 N\", \"-2 N\"]",
+        "the values of `sweep.values` must ascend or descend",
+        "[\"-1 N\", \"-3 N\", \"-2 N\"]",
+        "branches are followed from one value to the next: sort them",
+    );
+    sweep(
+        "key = \"motion.load.force\", from = \"-1 Nn\", to = \"2 N\", points = 3",
+        "`sweep.from` is not a quantity: unknown unit `Nn`",
+        "Nn",
+        "write a plain number, or a number with a unit in quotes: \"10 mm\"",
+    );
+}
+
+/// A value within a range of which only the ends were tried.
+#[test]
+fn a_value_between_the_ends_of_a_sweep() {
+    let text = with_analyses(
+        "[[analysis]]\nkind = \"locus\"\nat = \"74 mm\"\n\
+         sweep = { key = \"motion.velocity\", from = \"10 mm/s\", to = \"30 mm/s\", points = 3 }\n",
+    );
+    let Case::Sliding(case) = parse(&text, &[]).unwrap() else { panic!("a sliding case") };
+    let SlidingAnalysis::Locus(locus) = &case.analyses[0].kind else { panic!("a locus") };
+    let judder_case::sliding::locus::Along::Key { sweep, .. } = &locus.along else { panic!("a key") };
+    let SlidingProblem::SweptValue { key, value, reason, .. } = case.at(sweep, -0.01).unwrap_err() else {
+        panic!("a value")
+    };
+    assert_eq!((key.as_str(), value.as_str()), ("motion.velocity", "-0.01 m/s"));
+    assert_eq!(reason, "a velocity of -0.01 m/s does not lead from 0.01 m to 0.0985 m");
+}
+
+#[test]
+fn a_march_that_cannot_be() {
+    let march = |method: &str, settings: &str| format!("kind = \"march\"\nmethod = \"{method}\"\n{settings}");
+    analysis(
+        "kind = \"march\"",
+        "an analysis of kind `march` lacks the key `method`",
+        "[[analysis]]",
+        "give method = \"…\", one of subs, ensubs, film, residual-flexibility",
+    );
+    analysis(
+        &march("ensub", ""),
+        "unknown method `ensub`",
+        "ensub",
+        "did you mean `ensubs`? known: subs, ensubs, film, residual-flexibility",
+    );
+    analysis(
+        &march("ensubs", "slope = \"static\""),
+        "`slope` has no meaning with method = \"ensubs\"",
+        "\"static\"",
+        "leave `slope` out",
+    );
+    analysis(
+        &march("film", "cut_off = \"100 kHz\""),
+        "`cut_off` has no meaning with method = \"film\"",
+        "\"100 kHz\"",
+        "leave `cut_off` out",
+    );
+    analysis(&march("film", "step = \"0 s\""), "`step` must be positive, but is 0.0", "\"0 s\"", "");
+    analysis(
+        &march("film", "from = \"5 mm\""),
+        "`from` is 0.005 m, but the motion goes from 0.01 m to 0.0985 m",
+        "\"5 mm\"",
+        "a march is a part of the motion, in its direction",
+    );
+    analysis(
+        &march("film", "from = \"50 mm\"\nto = \"20 mm\""),
+        "a velocity of 0.03 m/s does not lead from 0.05 m to 0.02 m",
+        "\"20 mm\"",
+        "the velocity is positive where `end` lies beyond `start`, negative where it lies before it",
+    );
+    analysis(
+        &march("film", "step = \"1e-12 s\""),
+        "this march takes 3.05e12 steps, and 1e12 are allowed",
+        "\"1e-12 s\"",
+        "take a shorter path, a larger step or a higher velocity",
+    );
+}
+
+#[test]
+fn samples_that_cannot_carry_a_signal() {
+    let help = "1/step ≥ sample_rate > 2 pass_band; at 3e-7 s, 400 kHz carry 50 kHz with room for the filter";
+    for (rate, reason) in [
+        ("100 kHz", "samples at 100000 Hz cannot carry frequencies up to 50000 Hz"),
+        ("4 MHz", "samples at 4000000 Hz are more than one a step of 3e-7 s"),
+    ] {
+        let signals = format!("{{ sample_rate = \"{rate}\" }}");
+        let text = format!("kind = \"march\"\nmethod = \"ensubs\"\nsignals = {signals}");
+        analysis(&text, reason, &signals, help);
+    }
+}
+
+#[test]
+fn a_growth_of_nothing() {
+    analysis(
+        "kind = \"growth\"\nmethod = \"ensubs\"\nposition = \"74 mm\"",
+        "an analysis of kind `growth` lacks the key `frequency`",
+        "[[analysis]]",
+        "give frequency = \"40 rad/s\" or \"7 kHz\"",
+    );
+    analysis(
+        "kind = \"growth\"\nmethod = \"ensubs\"\nposition = 74\nfrequency = \"3.52 kHz\"",
+        "`position` needs a unit: it has no dimensionless form",
+        "74",
+        "write a length, such as \"10 mm\"",
+    );
+}
+
+#[test]
+fn a_spectrogram_of_what_does_not_stand_above() {
+    let march = "kind = \"march\"\nname = \"long\"\nmethod = \"ensubs\"\n[[analysis]]\n";
+    analysis(
+        "kind = \"spectrogram\"\nof = \"long\"",
+        "there is no march above that could be `long`",
+        "\"long\"",
+        "let the march stand before what shows it",
+    );
+    analysis(
+        &format!("{march}kind = \"spectrogram\"\nof = \"lang\""),
+        "unknown march `lang`",
+        "\"lang\"",
+        "did you mean `long`? known: long",
+    );
+    analysis(
+        &format!("{march}kind = \"spectrogram\"\nof = \"long\"\nlocus = \"long\""),
+        "there is no locus over positions above that could be `long`",
+        "\"long\"",
+        "let the locus over positions stand before what shows it",
+    );
+    analysis(
+        &format!("{march}kind = \"spectrogram\"\nof = \"long\"\noverlap = 1"),
+        "`overlap` must be zero or positive, and below one, but is 1.0",
+        "1",
+        "",
+    );
+    analysis(
+        &format!("{march}kind = \"spectrogram\"\nof = \"long\"\nreference = \"1 N\""),
+        "`reference` must be an acceleration, but this is a force",
+        "\"1 N\"",
+        "write an acceleration, such as \"1 m/s^2\"",
+    );
+}
+
+/// What shows only when structures are built has its place by the names of the case.
+#[test]
+fn problems_of_a_run_have_their_place() {
+    let text =
+        with_analyses("[[analysis]]\nname = \"m\"\nkind = \"march\"\nmethod = \"film\"\nstep = \"4e-7 s\"\n");
+    let file = CaseFile::parse("case.toml", &text, &[]).unwrap();
+    let found = SlidingProblem::NotOneNode { key: "contact.slider".to_owned(), found: 5 };
+    let error = file.sliding_error("contact.slider.set", found);
+    assert_eq!(
+        (error.to_string().as_str(), error.place()),
+        ("`contact.slider` names 5 nodes, but must name one", "\"end-lower\"")
+    );
+    let error =
+        file.sliding_error("analysis.m.step", SlidingProblem::StepLimit { step: 4e-7, limit: 3.6e-7 });
+    assert_eq!(error.to_string(), "the step 4e-7 s is above the limit of stability, 3.6e-7 s");
+    assert_eq!(error.place(), "\"4e-7 s\"");
+    let unknown = StructureProblem::UnknownSet { name: "x".to_owned(), known: Vec::new() };
+    let error = file.structure_error("structure.horizontal.beam.length", unknown);
+    assert_eq!(error.place(), "\"100 mm\"");
+}
+
+/// A track of matrices: nodes by their numbers in the table of freedoms.
+const OF_MATRICES: &str = r#"
+[[structure]]
+name = "horizontal"
+matrices = { mass = [{ file = "M.mtx" }], stiffness = [{ file = "K.mtx", factor = "stiffer" }], freedoms = "table.csv" }
+reduction = { count = 5 }
+"#;
+
+#[test]
+fn structures_of_matrices() {
+    let text = with_analyses("");
+    let (head, rest) = text.split_once("[[structure]]                     # beam 2").unwrap();
+    let (_, rest) = rest.split_once("[contact]").unwrap();
+    let text = format!("{head}{OF_MATRICES}[contact]{rest}[parameters]\nstiffer = 2\n")
+        .replace("set = \"upper-corners\"", "nodes = [3, 4, 5]")
+        .replace("set = \"end-upper\"", "nodes = [5]");
+    let files = ["M.mtx", "K.mtx", "table.csv"];
+    let Case::Sliding(case) = with_files(&files, &text, &[]).unwrap() else { panic!("a sliding case") };
+    assert_eq!((case.files().len(), case.values()), (3, vec![2.0]));
+    let fails = |from: &str, to: &str, message: &str| {
+        assert!(text.contains(from), "{from}");
+        let error = with_files(&files, &text.replace(from, to), &[]).unwrap_err();
+        assert_eq!(error.to_string(), message);
+    };
+    fails("nodes = [5]", "nodes = [4, 5]", "`observe.points.nodes` names 2 nodes, but must name one");
+    fails(
+        "nodes = [3, 4, 5]",
+        "nodes = [3]",
+        "`contact.track` has 1 entries, but must have two nodes at least",
+    );
+    fails(
+        "nodes = [3, 4, 5]",
+        "set = \"edge\"",
+        "matrices have no sets: `contact.track` names nodes of the table `matrices.freedoms`",
+    );
+    fails(
+        "reduction = { count = 5 }",
+        "damping = {}",
+        "`damping` has no meaning with structure.horizontal.matrices",
+    );
+}

@@ -1,0 +1,350 @@
+//! Sound: signals as WAV files, for engineers who listen.
+
+use crate::cause::Cause;
+use crate::error::ExchangeError;
+use crate::whole_file::write_file;
+use hound::{SampleFormat, WavSpec, WavWriter};
+use std::io::{self, Cursor};
+use std::path::Path;
+use thiserror::Error;
+
+/// A WAV file says its size in 32 bits; this leaves room for its header.
+const MOST_BYTES: u64 = u32::MAX as u64 - 1024;
+
+/// The highest sample rate (Hz) at which the bytes of a second still fit into 32 bits.
+const HIGHEST_RATE: u32 = 100_000_000;
+
+/// The largest whole number of 24 bits, which is full scale.
+const FULL_SCALE_24: f64 = 8_388_607.0;
+
+/// How a sample is stored.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum WavFormat {
+    /// A whole number of 24 bits: every player, 138 dB.
+    #[default]
+    Integer24,
+    /// A real number of 32 bits.
+    Float32,
+}
+
+/// How loud a sound is made.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Loudness {
+    /// The largest sample of all channels comes to this level (dB of full scale, at most 0). Silence stays silence, with a gain of 1.
+    Peak(f64),
+    /// This value of the signal, in its unit, is full scale: sounds that are to be compared share it. No sample may be beyond it.
+    FullScale(f64),
+}
+
+impl Default for Loudness {
+    /// −1 dB of full scale, which leaves room for what players do between the samples.
+    fn default() -> Self {
+        Self::Peak(-1.0)
+    }
+}
+
+/// Why a sound cannot be written.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
+pub enum SoundError {
+    /// There are no channels or too many.
+    #[error("a sound has one channel or two, not {found}")]
+    Channels {
+        /// Their number.
+        found: usize,
+    },
+    /// The channels are not equally long.
+    #[error("the left channel has {left} samples, the right one {right}; both need the same")]
+    ChannelsDiffer {
+        /// Samples of the first channel.
+        left: usize,
+        /// Samples of the second channel.
+        right: usize,
+    },
+    /// A sample is NaN or infinite.
+    #[error("sample {index} of channel {channel} (both from 0) is {value}; only finite numbers can be heard")]
+    NotFinite {
+        /// The channel, from 0.
+        channel: usize,
+        /// The sample, from 0.
+        index: usize,
+        /// Its value.
+        value: f64,
+    },
+    /// A sample is larger than the stated full scale.
+    #[error(
+        "sample {index} of channel {channel} (both from 0) is {value}, beyond the full scale of {full_scale}; state a larger one"
+    )]
+    BeyondFullScale {
+        /// The channel, from 0.
+        channel: usize,
+        /// The sample, from 0.
+        index: usize,
+        /// Its value.
+        value: f64,
+        /// What was stated.
+        full_scale: f64,
+    },
+    /// The gain would be infinite or zero.
+    #[error("{what} of {value} gives a gain of {gain}, which is none; it must be a number of ordinary size")]
+    Gain {
+        /// What the gain was to be made from.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+        /// The gain.
+        gain: f64,
+    },
+    /// The level of the peak is above full scale or no number.
+    #[error("a peak at {level} dB of full scale cannot be; 0 is the highest, −1 the usual, −100 the lowest")]
+    PeakLevel {
+        /// What was asked for (dB).
+        level: f64,
+    },
+    /// The sample rate is zero or absurd.
+    #[error("{rate} samples a second cannot be played; resample it, say to 48000")]
+    Rate {
+        /// What was asked for (Hz).
+        rate: u32,
+    },
+    /// The sound does not fit into a WAV file.
+    #[error(
+        "a WAV file holds up to {most} bytes, this sound has {bytes}; write less of it, or at a lower rate"
+    )]
+    TooLong {
+        /// Bytes of its samples.
+        bytes: u64,
+        /// The most that fit.
+        most: u64,
+    },
+}
+
+impl From<SoundError> for ExchangeError {
+    fn from(source: SoundError) -> Self {
+        Cause::Sound { source }.into()
+    }
+}
+
+/// Writes one channel, or two of the same length, as a WAV file at `sample_rate` (Hz), and returns the gain g of both: what is heard is g times the
+/// signal, full scale being 1.
+///
+/// # Errors
+/// [`Cause::Sound`] with what cannot be heard; [`Cause::Unwritable`]. What was there before is then still there.
+pub fn write_wav(
+    path: &Path,
+    channels: &[&[f64]],
+    sample_rate: u32,
+    format: WavFormat,
+    loudness: Loudness,
+) -> Result<f64, ExchangeError> {
+    let encoded = check(channels, sample_rate, format)
+        .and_then(|()| gain(channels, loudness))
+        .map_err(ExchangeError::from)
+        .and_then(|gain| Ok((encoded(channels, sample_rate, format, gain)?, gain)));
+    let (bytes, gain) = encoded.map_err(|error| error.in_file(path))?;
+    write_file(path, |out| Ok(out.write_all(&bytes)?))?;
+    Ok(gain)
+}
+
+fn check(channels: &[&[f64]], sample_rate: u32, format: WavFormat) -> Result<(), SoundError> {
+    match channels {
+        [_] => {}
+        [left, right] if left.len() == right.len() => {}
+        [left, right] => {
+            return Err(SoundError::ChannelsDiffer { left: left.len(), right: right.len() });
+        }
+        _ => return Err(SoundError::Channels { found: channels.len() }),
+    }
+    if !(1..=HIGHEST_RATE).contains(&sample_rate) {
+        return Err(SoundError::Rate { rate: sample_rate });
+    }
+    let samples: u64 = channels.iter().map(|channel| channel.len() as u64).sum();
+    let bytes = samples.saturating_mul(u64::from(bits(format) / 8));
+    if bytes > MOST_BYTES {
+        return Err(SoundError::TooLong { bytes, most: MOST_BYTES });
+    }
+    for (channel, samples) in channels.iter().enumerate() {
+        if let Some(index) = samples.iter().position(|value| !value.is_finite()) {
+            return Err(SoundError::NotFinite { channel, index, value: samples[index] });
+        }
+    }
+    Ok(())
+}
+
+/// The factor from the signal to parts of full scale.
+fn gain(channels: &[&[f64]], loudness: Loudness) -> Result<f64, SoundError> {
+    let (what, value, gain) = match loudness {
+        Loudness::Peak(level) if !(-100.0..=0.0).contains(&level) => {
+            return Err(SoundError::PeakLevel { level });
+        }
+        Loudness::Peak(level) => {
+            let samples = channels.iter().flat_map(|channel| channel.iter());
+            let peak = samples.fold(0.0, |peak: f64, value| peak.max(value.abs()));
+            if peak == 0.0 {
+                return Ok(1.0);
+            }
+            ("a peak", peak, 10_f64.powf(level / 20.0) / peak)
+        }
+        Loudness::FullScale(full_scale) => {
+            for (channel, samples) in channels.iter().enumerate() {
+                if let Some(index) = samples.iter().position(|value| value.abs() > full_scale) {
+                    let value = samples[index];
+                    return Err(SoundError::BeyondFullScale { channel, index, value, full_scale });
+                }
+            }
+            ("a full scale", full_scale, 1.0 / full_scale)
+        }
+    };
+    if gain > 0.0 && gain.is_normal() { Ok(gain) } else { Err(SoundError::Gain { what, value, gain }) }
+}
+
+fn bits(format: WavFormat) -> u16 {
+    match format {
+        WavFormat::Integer24 => 24,
+        WavFormat::Float32 => 32,
+    }
+}
+
+/// The bytes of the file.
+fn encoded(
+    channels: &[&[f64]],
+    sample_rate: u32,
+    format: WavFormat,
+    gain: f64,
+) -> Result<Vec<u8>, ExchangeError> {
+    let sample_format = match format {
+        WavFormat::Integer24 => SampleFormat::Int,
+        WavFormat::Float32 => SampleFormat::Float,
+    };
+    let spec = WavSpec {
+        channels: channels.len() as u16,
+        sample_rate,
+        bits_per_sample: bits(format),
+        sample_format,
+    };
+    let mut file = Cursor::new(Vec::new());
+    let write = |file: &mut Cursor<Vec<u8>>| -> hound::Result<()> {
+        let mut writer = WavWriter::new(file, spec)?;
+        for index in 0..channels[0].len() {
+            for channel in channels {
+                // rounding may carry the largest sample a last bit beyond full scale
+                let part = (gain * channel[index]).clamp(-1.0, 1.0);
+                match format {
+                    WavFormat::Integer24 => writer.write_sample((part * FULL_SCALE_24).round() as i32)?,
+                    WavFormat::Float32 => writer.write_sample(part as f32)?,
+                }
+            }
+        }
+        writer.finalize()
+    };
+    write(&mut file).map_err(|error| match error {
+        hound::Error::IoError(source) => ExchangeError::from(source),
+        other => io::Error::other(other).into(),
+    })?;
+    Ok(file.into_inner())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use hound::WavReader;
+    use proptest::prelude::*;
+    use std::fs;
+
+    fn written(
+        channels: &[&[f64]],
+        format: WavFormat,
+        loudness: Loudness,
+    ) -> Result<(f64, Vec<u8>), ExchangeError> {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.wav");
+        let gain = write_wav(&path, channels, 48_000, format, loudness)?;
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+        Ok((gain, fs::read(&path).unwrap()))
+    }
+
+    fn problem(channels: &[&[f64]], loudness: Loudness) -> SoundError {
+        match written(channels, WavFormat::Integer24, loudness).unwrap_err().cause() {
+            Cause::Sound { source } => *source,
+            other => panic!("{other}"),
+        }
+    }
+
+    proptest! {
+        /// What is read, divided by the gain, is the signal, to half a step of 24 bits or to the 24 bits of a float's fraction.
+        #[test]
+        fn a_signal_comes_back(
+            pairs in prop::collection::vec((-1e4..1e4_f64, -1e4..1e4_f64), 1..200),
+            is_float in any::<bool>(),
+            is_stereo in any::<bool>(),
+        ) {
+            let (left, right): (Vec<f64>, Vec<f64>) = pairs.into_iter().unzip();
+            let channels: &[&[f64]] = if is_stereo { &[&left, &right] } else { &[&left] };
+            let format = if is_float { WavFormat::Float32 } else { WavFormat::Integer24 };
+            let (gain, bytes) = written(channels, format, Loudness::default()).unwrap();
+            let mut reader = WavReader::new(&bytes[..]).unwrap();
+            prop_assert_eq!(reader.spec().sample_rate, 48_000);
+            prop_assert_eq!(usize::from(reader.spec().channels), channels.len());
+            let read: Vec<f64> = if is_float {
+                reader.samples::<f32>().map(|sample| f64::from(sample.unwrap())).collect()
+            } else {
+                reader.samples::<i32>().map(|sample| f64::from(sample.unwrap()) / FULL_SCALE_24).collect()
+            };
+            prop_assert_eq!(read.len(), left.len() * channels.len());
+            for (place, found) in read.iter().enumerate() {
+                let expected = gain * channels[place % channels.len()][place / channels.len()];
+                prop_assert!((found - expected).abs() <= 6e-8, "{found} {expected}");
+            }
+            let loudest = read.iter().fold(0.0, |loudest: f64, part| loudest.max(part.abs()));
+            prop_assert!((20.0 * loudest.log10() + 1.0).abs() < 1e-5, "{loudest}");
+        }
+    }
+
+    /// The bytes that the format prescribes (Multimedia Programming Interface and Data Specifications 1.0, IBM and Microsoft, 1991).
+    #[test]
+    fn the_bytes_are_those_of_the_format() {
+        let (gain, bytes) =
+            written(&[&[2.0, -2.0, 1.0, 0.0]], WavFormat::Integer24, Loudness::FullScale(2.0)).unwrap();
+        assert_eq!(gain, 0.5);
+        assert_eq!((&bytes[..4], &bytes[8..12]), (&b"RIFF"[..], &b"WAVE"[..]));
+        assert_eq!(u32::from_le_bytes(bytes[4..8].try_into().unwrap()) as usize, bytes.len() - 8);
+        let data = bytes.len() - 12;
+        // 8388607, −8388607, 4194304 (half, rounded away from zero), 0
+        assert_eq!(bytes[data..], [0xff, 0xff, 0x7f, 1, 0, 0x80, 0, 0, 0x40, 0, 0, 0]);
+        assert_eq!(bytes[data - 8..data], *b"data\x0c\0\0\0");
+    }
+
+    #[test]
+    fn silence_and_nothing_are_files_too() {
+        let (gain, bytes) = written(&[&[0.0; 10]], WavFormat::Float32, Loudness::default()).unwrap();
+        assert_eq!(gain, 1.0);
+        assert_eq!(WavReader::new(&bytes[..]).unwrap().len(), 10);
+        let (_, bytes) = written(&[&[], &[]], WavFormat::Integer24, Loudness::default()).unwrap();
+        assert_eq!(WavReader::new(&bytes[..]).unwrap().len(), 0);
+    }
+
+    #[test]
+    fn what_cannot_be_heard_is_refused_and_what_was_there_stays() {
+        let peak = Loudness::default();
+        assert_eq!(problem(&[], peak), SoundError::Channels { found: 0 });
+        assert_eq!(problem(&[&[], &[], &[]], peak), SoundError::Channels { found: 3 });
+        assert_eq!(problem(&[&[1.0], &[]], peak), SoundError::ChannelsDiffer { left: 1, right: 0 });
+        let hole = problem(&[&[1.0, 2.0], &[1.0, f64::NAN]], peak);
+        assert!(matches!(hole, SoundError::NotFinite { channel: 1, index: 1, .. }));
+        let beyond = problem(&[&[0.0, -3.0]], Loudness::FullScale(2.0));
+        assert!(matches!(beyond, SoundError::BeyondFullScale { index: 1, value: -3.0, .. }));
+        assert_eq!(problem(&[&[1.0]], Loudness::Peak(1.0)), SoundError::PeakLevel { level: 1.0 });
+        assert!(matches!(problem(&[&[1.0]], Loudness::Peak(f64::NAN)), SoundError::PeakLevel { .. }));
+        assert!(matches!(problem(&[&[1e-320]], peak), SoundError::Gain { .. }));
+        for bad in [0.0, f64::NAN, f64::INFINITY] {
+            assert!(matches!(problem(&[&[0.0]], Loudness::FullScale(bad)), SoundError::Gain { .. }));
+        }
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.wav");
+        fs::write(&path, "old").unwrap();
+        let refused = write_wav(&path, &[&[1.0]], 0, WavFormat::Float32, peak).unwrap_err();
+        assert!(refused.to_string().contains("a.wav: 0 samples a second"), "{refused}");
+        write_wav(&path, &[&[f64::NAN]], 48_000, WavFormat::Float32, peak).unwrap_err();
+        assert_eq!(fs::read(&path).unwrap(), b"old");
+    }
+}

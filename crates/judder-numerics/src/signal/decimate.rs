@@ -1,0 +1,192 @@
+//! Fewer samples of a signal while it is made: low-pass filters of linear phase, and every n-th sample of what they let through.
+
+use super::bits;
+use super::error::{SignalError, positive, within};
+use super::plan;
+use super::stage::{Stage, StageState};
+use serde::{Deserialize, Serialize};
+
+/// The largest factor between two rates.
+const LARGEST_FACTOR: usize = 4096;
+
+/// What a [`Decimator`] must do: what lies below the pass edge comes through within the ripple; what lies above the stop edge, with all that
+/// would be folded below it, is suppressed.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Decimation {
+    /// Samples a second of the input (Hz).
+    #[serde(with = "bits")]
+    pub sample_rate: f64,
+    /// Samples of the input a sample of the output, 1 to 4096.
+    pub factor: usize,
+    /// Where the pass band ends (Hz).
+    #[serde(with = "bits")]
+    pub pass_edge: f64,
+    /// Where the stop band begins (Hz), at most the output's rate less the pass edge.
+    #[serde(with = "bits")]
+    pub stop_edge: f64,
+    /// How far the stop band is suppressed (dB), 20 to 150.
+    #[serde(with = "bits")]
+    pub attenuation: f64,
+    /// The largest deviation of the gain from 1 in the pass band, 1e-7 to 0.01.
+    #[serde(with = "bits")]
+    pub ripple: f64,
+}
+
+impl Decimation {
+    /// 80 dB of suppression above 1.24 times the pass edge, a gain of 1 to a hundredth of a per cent below the pass edge.
+    #[must_use]
+    pub fn new(sample_rate: f64, pass_edge: f64, factor: usize) -> Self {
+        Self { sample_rate, factor, pass_edge, stop_edge: 1.24 * pass_edge, attenuation: 80.0, ripple: 1e-4 }
+    }
+
+    /// The largest factor that leaves at least `output_rate` samples a second; 1 where there is none.
+    #[must_use]
+    pub fn factor_to(sample_rate: f64, output_rate: f64) -> usize {
+        // a rate that is met up to rounding is met
+        let factor = (sample_rate / output_rate * (1.0 + 1e-9)).floor();
+        if factor >= 1.0 { (factor as usize).min(LARGEST_FACTOR) } else { 1 }
+    }
+
+    fn check(&self) -> Result<(), SignalError> {
+        positive("the sample rate", self.sample_rate)?;
+        positive("the edge of the pass band", self.pass_edge)?;
+        within("the factor between the rates", self.factor as f64, 1.0, LARGEST_FACTOR as f64)?;
+        within("the attenuation in dB", self.attenuation, 20.0, 150.0)?;
+        within("the ripple of the pass band", self.ripple, 1e-7, 0.01)?;
+        let output_rate = self.sample_rate / self.factor as f64;
+        let limit = (output_rate - self.pass_edge).min(0.5 * self.sample_rate);
+        if self.stop_edge > self.pass_edge && self.stop_edge <= limit {
+            Ok(())
+        } else {
+            Err(SignalError::BandEdges { pass_edge: self.pass_edge, stop_edge: self.stop_edge, limit })
+        }
+    }
+}
+
+/// A streaming filter from one rate to a lower one, of linear phase.
+///
+/// A row of filters, each at the rate that is left before it, the cheapest row that does what was asked. The k-th output, counted from 0,
+/// comes with the input k·factor; it is the signal [`delay`](Self::delay) before that input, so the first outputs lie before the first
+/// input and show the level from which the filter started.
+///
+/// ```
+/// use judder_numerics::signal::decimate::{Decimation, Decimator};
+/// let mut filter = Decimator::new(&Decimation::new(1.0 / 3e-7, 50e3, 8), 0.0)?;
+/// let outputs = (0..8000).filter_map(|step| filter.push(f64::from(step % 5)));
+/// assert_eq!(outputs.count(), 1000);
+/// # Ok::<(), judder_numerics::signal::SignalError>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Decimator {
+    asked: Decimation,
+    stages: Vec<Stage>,
+    last: f64,
+    is_started: bool,
+}
+
+/// What a [`Decimator`] remembers, for a checkpoint: kept by the bits of its numbers, so that a filter which takes it up goes on as if
+/// it had never stopped.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct DecimatorState {
+    asked: Decimation,
+    stages: Vec<StageState>,
+    #[serde(with = "bits")]
+    last: f64,
+    is_started: bool,
+}
+
+impl Decimator {
+    /// A filter whose past is a constant: 0, or the level from which the signal starts.
+    ///
+    /// # Errors
+    /// Settings outside their ranges, band edges that fold onto the pass band, bands too close together.
+    pub fn new(asked: &Decimation, level: f64) -> Result<Self, SignalError> {
+        asked.check()?;
+        let stages =
+            plan::cheapest(asked).iter().map(|plan| Stage::new(plan, level)).collect::<Result<_, _>>()?;
+        Ok(Self { asked: *asked, stages, last: level, is_started: false })
+    }
+
+    /// A filter that goes on from a kept state.
+    ///
+    /// # Errors
+    /// [`SignalError::ForeignState`] where the state is that of a filter with other settings, or damaged.
+    pub fn resumed(asked: &Decimation, state: &DecimatorState) -> Result<Self, SignalError> {
+        let mut filter = Self::new(asked, 0.0)?;
+        if state.asked != *asked {
+            return Err(SignalError::ForeignState { what: "it was made with other settings" });
+        }
+        if state.stages.len() != filter.stages.len() {
+            return Err(SignalError::ForeignState { what: "it has another number of filters" });
+        }
+        for (stage, kept) in filter.stages.iter_mut().zip(&state.stages) {
+            stage.restore(kept)?;
+        }
+        (filter.last, filter.is_started) = (state.last, state.is_started);
+        Ok(filter)
+    }
+
+    /// Takes a sample in; gives one out at the first and then at every `factor`-th. Allocates nothing. A sample that is not finite comes
+    /// out as such, in all outputs that it reaches.
+    #[inline]
+    pub fn push(&mut self, value: f64) -> Option<f64> {
+        self.last = value;
+        self.is_started = true;
+        let mut passed = value;
+        for stage in &mut self.stages {
+            passed = stage.push(passed)?;
+        }
+        Some(passed)
+    }
+
+    /// The outputs up to the last input's time, as if the signal stayed at its last value; nothing where there was no input.
+    #[must_use]
+    pub fn finish(mut self) -> Vec<f64> {
+        let missing = if self.is_started { self.delay_in_samples() } else { 0 };
+        let held = self.last;
+        (0..missing).filter_map(|_| self.push(held)).collect()
+    }
+
+    /// How far the output lags behind the input (s), at every frequency.
+    #[must_use]
+    pub fn delay(&self) -> f64 {
+        self.delay_in_samples() as f64 / self.asked.sample_rate
+    }
+
+    /// The same in samples of the input.
+    #[must_use]
+    pub fn delay_in_samples(&self) -> usize {
+        let mut inputs = 1;
+        let mut delay = 0;
+        for stage in &self.stages {
+            delay += stage.delay() * inputs;
+            inputs *= stage.factor();
+        }
+        delay
+    }
+
+    /// Samples a second of the output (Hz).
+    #[must_use]
+    pub fn output_rate(&self) -> f64 {
+        self.asked.sample_rate / self.asked.factor as f64
+    }
+
+    /// Multiply-adds a sample of the input, on average.
+    #[must_use]
+    pub fn cost(&self) -> f64 {
+        let mut inputs = 1;
+        let mut cost = 0.0;
+        for stage in &self.stages {
+            inputs *= stage.factor();
+            cost += stage.length() as f64 / inputs as f64;
+        }
+        cost
+    }
+
+    /// What it remembers.
+    #[must_use]
+    pub fn state(&self) -> DecimatorState {
+        let stages = self.stages.iter().map(Stage::state).collect();
+        DecimatorState { asked: self.asked, stages, last: self.last, is_started: self.is_started }
+    }
+}

@@ -1,0 +1,334 @@
+//! Marches: the coupled structures through time, with a contact point that moves.
+//!
+//! The four methods differ in the geometry and the force of the contact only, and in how a mode goes from step to step; structures,
+//! interpolation and outputs are the same.
+
+mod compliance;
+mod oscillators;
+mod reaction;
+mod scheme;
+mod statically;
+mod step;
+mod view;
+
+use crate::SlidingError;
+use crate::body::Body;
+use crate::coupling::Sliding;
+use crate::edge::EdgePoint;
+use crate::motion::{Drive, Motion};
+use crate::pair::{Pair, Side};
+use crate::plane::Vector;
+use compliance::Compliance;
+use oscillators::{Oscillators, ROWS, Recurrence};
+pub use reaction::ContactState;
+use scheme::Scheme;
+use serde::{Deserialize, Serialize};
+use statically::StaticPath;
+use std::f64::consts::TAU;
+use view::View;
+
+/// How the contact is found and its force computed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Method {
+    /// Sliding that is known beforehand, on the undeformed edge (section 2.2), or on the edge that steady sliding deforms.
+    Subs {
+        /// Whether the edge has the slope of steady sliding.
+        static_slope: bool,
+    },
+    /// Sliding on the deformed edge (section 3).
+    EnSubs,
+    /// Stick, slip or lift-off on the deformed edge by forward increment Lagrange multipliers (section 2.1).
+    Film,
+    /// Sliding on the deformed edge; modes integrated exactly between contacts, those above a cut-off only with their flexibility.
+    ResidualFlexibility {
+        /// Modes from this frequency on only yield, Hz.
+        cut_off: f64,
+    },
+}
+
+impl Method {
+    fn scheme(self) -> Scheme {
+        match self {
+            Self::ResidualFlexibility { cut_off } => Scheme::Exact { cut_off: TAU * cut_off },
+            _ => Scheme::CentralDifferences,
+        }
+    }
+}
+
+/// What a march is to do.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MarchSettings {
+    /// By which method.
+    pub method: Method,
+    /// The time step, s.
+    pub step: f64,
+    /// What is prescribed.
+    pub motion: Motion,
+}
+
+/// One step of a march.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sample {
+    /// Since the start, s.
+    pub time: f64,
+    /// Distance of C from the track's first node without deformation, m.
+    pub position: f64,
+    /// N, on the slider along the normal, N.
+    pub normal_force: f64,
+    /// T, on the slider along the tangent, N: negative where it is dragged back.
+    pub tangential_force: f64,
+    /// How fast C moves along the track's own material, m/s.
+    pub sliding_velocity: f64,
+    /// Between C and the track after the step, m, on the geometry of the step.
+    pub gap: f64,
+    /// μ in this step.
+    pub friction: f64,
+    /// Stick, slip or open.
+    pub state: ContactState,
+}
+
+/// What takes the steps of a march as they come.
+pub trait Sink {
+    /// One step, with the accelerations of the observed displacements in m/s² (those of the step before: they are central
+    /// differences).
+    fn take(&mut self, sample: &Sample, accelerations: &[f64]);
+}
+
+impl<F: FnMut(&Sample, &[f64])> Sink for F {
+    fn take(&mut self, sample: &Sample, accelerations: &[f64]) {
+        self(sample, accelerations);
+    }
+}
+
+/// How far a march has come.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reached {
+    /// All steps that were asked for.
+    Steps,
+    /// The end of the path.
+    End,
+    /// The end of the track, before the end of the path.
+    RunOff,
+}
+
+/// Gap at the start that is rounding, as a share of a segment.
+const GAP_ROUNDING: f64 = 1e-12;
+
+/// A march: its structures' states and the contact between them.
+#[derive(Debug, Clone)]
+pub struct March<'a> {
+    pair: &'a Pair,
+    settings: MarchSettings,
+    scheme: Scheme,
+    step_limit: f64,
+    /// Gap at the start, as the structures lie undeformed, m.
+    first_gap: f64,
+    /// σ.
+    direction: f64,
+    slider: Oscillators,
+    track: Oscillators,
+    compliance: Compliance,
+    static_path: Option<StaticPath>,
+    view: View,
+    steps: u64,
+    at: EdgePoint,
+    drive: Drive,
+    /// Displacements of C now and without contact in the next step.
+    contact: [Vector; 2],
+    /// Observed displacements: before, now, predicted.
+    observed: Vec<[f64; 3]>,
+    accelerations: Vec<f64>,
+    velocity: f64,
+    /// Sliding velocity that a held contact has beside its motion, m/s.
+    steady: f64,
+    force: Vector,
+    force_before: Vector,
+    /// Share of the initial damping that the recurrences have.
+    tuned: f64,
+    /// What a unit of steady modal force does to each of the slider's modes in a step.
+    push_factors: Vec<f64>,
+}
+
+/// Where a march is, to the bit: what it goes on from after an interruption.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Checkpoint {
+    steps: u64,
+    at: EdgePoint,
+    segment: usize,
+    slider: [Vec<f64>; 3],
+    track: [Vec<f64>; 3],
+    contact: Vector,
+    nodes: [Vector; crate::edge::STENCIL],
+    observed: Vec<[f64; 2]>,
+    velocity: f64,
+    forces: [Vector; 2],
+    tuned: f64,
+}
+
+/// A state from which a march starts.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Start {
+    /// Modal coordinates, √kg m.
+    pub now: Vec<f64>,
+    /// Those one step before.
+    pub before: Vec<f64>,
+    /// The contact's force on the slider, N.
+    pub force: Vector,
+}
+
+impl<'a> March<'a> {
+    /// A march from rest without load.
+    ///
+    /// # Errors
+    /// [`SlidingError::StepOverLimit`], [`SlidingError::InvalidNumber`] for a motion or step that is none, [`SlidingError::OffTrack`],
+    /// [`SlidingError::OpenAtStart`] for a gap that has no ramp to close it, and what [`crate::statics::Equilibrium::new`] says where
+    /// the static slope is asked for.
+    pub fn new(pair: &'a Pair, settings: MarchSettings) -> Result<Self, SlidingError> {
+        settings.motion.check()?;
+        let march = Self::beyond_limit(pair, settings)?;
+        if settings.step > march.step_limit {
+            return Err(SlidingError::StepOverLimit { step: settings.step, limit: march.step_limit });
+        }
+        Ok(march)
+    }
+
+    /// A march with the contact held at the start of its motion, from a given state; friction is that of its speed.
+    ///
+    /// # Errors
+    /// As of [`March::new`].
+    pub fn held(pair: &'a Pair, settings: MarchSettings, start: &Start) -> Result<Self, SlidingError> {
+        let motion = settings.motion.held(settings.motion.start);
+        let mut march = Self::beyond_limit(pair, MarchSettings { motion, ..settings })?;
+        if settings.step > march.step_limit {
+            return Err(SlidingError::StepOverLimit { step: settings.step, limit: march.step_limit });
+        }
+        march.direction = if settings.motion.velocity < 0.0 { -1.0 } else { 1.0 };
+        (march.steady, march.velocity) = (settings.motion.velocity, settings.motion.velocity);
+        march.begin(start);
+        Ok(march)
+    }
+
+    /// As [`March::new`], with any step: to see what the limit guards against.
+    ///
+    /// # Errors
+    /// As of [`March::new`], but for the limit.
+    pub fn beyond_limit(pair: &'a Pair, settings: MarchSettings) -> Result<Self, SlidingError> {
+        let MarchSettings { method, step, motion } = settings;
+        if !(step.is_finite() && step > 0.0) {
+            let (name, requirement) = ("the step".to_owned(), "finite and positive");
+            return Err(SlidingError::InvalidNumber { name, value: step, requirement });
+        }
+        pair.edge_point(motion.end)?;
+        let touch = pair.undeformed(motion.start)?;
+        let first_gap = touch.gap + motion.initial_gap;
+        if motion.ramps.gap == 0.0 && first_gap.abs() > GAP_ROUNDING * touch.stretch {
+            return Err(SlidingError::OpenAtStart { gap: first_gap, position: motion.start });
+        }
+        let scheme = method.scheme();
+        let initial = motion.initial_damping.map(|damping| (damping.alpha, damping.beta));
+        let step_limit = scheme::step_limit(pair, scheme, initial, [motion.start, motion.end]);
+        let sides = [Side::Slider, Side::Track];
+        let observed = sides.map(|side| pair.observed().iter().filter(|point| point.side == side).count());
+        let own_rows = [2, 2 * pair.edge().stencil_nodes()];
+        if let Some(k) = (0..2).find(|k| own_rows[*k] + observed[*k] > ROWS) {
+            let name = "the list of observed displacements".to_owned();
+            return Err(SlidingError::Length { name, found: observed[k], expected: ROWS - own_rows[k] });
+        }
+        let drive = motion.at(0.0);
+        let damping = damping(pair, &motion, drive.initial_damping);
+        let bodies = [pair.slider().body.modes(), pair.modes()];
+        let eigenvalues = pair.eigenvalues();
+        let recurrences: Vec<Recurrence> =
+            eigenvalues.iter().zip(&damping).map(|(v, d)| scheme.recurrence(step, *v, *d)).collect();
+        let moving = |from: usize, to: usize| {
+            let count = eigenvalues[from..to].iter().filter(|value| scheme.moves(**value)).count();
+            &recurrences[from..from + count]
+        };
+        let mut slider = Oscillators::new(moving(0, bodies[0]), own_rows[0] + observed[0]);
+        let mut track = Oscillators::new(moving(bodies[0], bodies[1]), own_rows[1] + observed[1]);
+        slider.set_row(0, &pair.slider().contact.rows[0]);
+        slider.set_row(1, &pair.slider().contact.rows[1]);
+        let mut places = own_rows;
+        for point in pair.observed() {
+            let (body, k) = if point.side == Side::Slider { (&mut slider, 0) } else { (&mut track, 1) };
+            body.set_row(places[k], &point.row);
+            places[k] += 1;
+        }
+        let push_factors =
+            (0..slider.modes()).map(|mode| slider.recurrence(mode).on_steady_force()).collect();
+        let factors: Vec<f64> =
+            eigenvalues.iter().zip(&damping).map(|(v, d)| scheme.at_once(step, *v, *d)).collect();
+        let compliance = Compliance::new(pair, &factors);
+        let static_path = if method == (Method::Subs { static_slope: true }) {
+            let sliding = Sliding::at(pair.friction(), motion.velocity);
+            Some(StaticPath::new(pair, [motion.start, motion.end], motion.load, sliding)?)
+        } else {
+            None
+        };
+        let view = View::new(pair, &mut track, &compliance, touch.at.segment);
+        let watched = pair.observed().len();
+        let mut march = Self {
+            pair,
+            settings,
+            scheme,
+            step_limit,
+            first_gap,
+            direction: if motion.velocity < 0.0 { -1.0 } else { 1.0 },
+            slider,
+            track,
+            compliance,
+            static_path,
+            view,
+            steps: 0,
+            at: touch.at,
+            drive,
+            contact: [[0.0; 2]; 2],
+            observed: vec![[0.0; 3]; watched],
+            accelerations: vec![0.0; watched],
+            velocity: drive.velocity,
+            steady: 0.0,
+            force: [0.0; 2],
+            force_before: [0.0; 2],
+            tuned: drive.initial_damping,
+            push_factors,
+        };
+        let rest = vec![0.0; pair.modes()];
+        march.begin(&Start { now: rest.clone(), before: rest, force: [0.0; 2] });
+        Ok(march)
+    }
+}
+
+/// α + β λ of a mode, with this share of the initial damping in place of the structure's own, 1/s.
+fn damping_of(share: f64, motion: &Motion, body: &Body, mode: usize) -> f64 {
+    let own = body.damping(mode);
+    motion.initial_damping.map_or(own, |initial| {
+        share * (initial.alpha + initial.beta * body.eigenvalues[mode]) + (1.0 - share) * own
+    })
+}
+
+/// The same of all modes, the slider's first.
+fn damping(pair: &Pair, motion: &Motion, share: f64) -> Vec<f64> {
+    let of =
+        |body: &Body| (0..body.modes()).map(|mode| damping_of(share, motion, body, mode)).collect::<Vec<_>>();
+    [of(&pair.slider().body), of(&pair.track().body)].concat()
+}
+
+/// Whether forces that change their sign from step to step die out at every place of a path: with these factors of all modes,
+/// n·G(n ∓ μ t) must be positive.
+fn stays_closed(pair: &Pair, [start, end]: [f64; 2], factors: &[f64]) -> bool {
+    let compliance = Compliance::new(pair, factors);
+    let friction = pair.friction().largest();
+    let place = |position: f64| pair.edge_point(position).map_or(0, |at| at.segment);
+    let (first, last) = (place(start.min(end)), place(start.max(end)));
+    (first..=last).all(|segment| {
+        let (first, count) = (pair.edge().first_node(segment), pair.edge().stencil_nodes());
+        let stencil = compliance.stencil(first, count);
+        let places = pair.stencil(segment, |_| [0.0; 2]);
+        [0.0, 0.5, 1.0].into_iter().all(|fraction| {
+            let touch = pair.edge().touch_at([0.0; 2], EdgePoint { segment, fraction }, &places);
+            let between = compliance.between(&stencil, &touch.weights.value);
+            let [nn, nt, ..] = step::in_frame(&between, &touch);
+            nn - friction * nt.abs() > 0.0
+        })
+    })
+}

@@ -1,0 +1,381 @@
+//! One step of a march after the other.
+
+use super::compliance::{Block, Compliance, times};
+use super::oscillators::ROWS;
+use super::reaction::{Approach, Locked, Reaction, projected, sliding};
+use super::view::{View, vectors};
+use super::{Checkpoint, March, Method, Reached, Sample, Scheme, Sink, Start, damping, damping_of};
+use crate::SlidingError;
+use crate::edge::{RunOff, Touch, combined};
+use crate::motion::Drive;
+use crate::pair::Side;
+use crate::plane::{Vector, dot, minus, plus};
+
+/// How much of the initial damping may go before the exact recurrences are tuned anew.
+const STAIR: f64 = 0.02;
+/// Times that the exact scheme finds geometry and force, each from the other, in a step.
+const PASSES: usize = 3;
+
+impl March<'_> {
+    /// The largest stable step, s.
+    #[must_use]
+    pub fn step_limit(&self) -> f64 {
+        self.step_limit
+    }
+
+    /// Gap between C and the undeformed track at the start, m: closed over its ramp.
+    #[must_use]
+    pub fn first_gap(&self) -> f64 {
+        self.first_gap
+    }
+
+    /// Steps done.
+    #[must_use]
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// Steps from the start to the end of the path.
+    #[must_use]
+    pub fn all_steps(&self) -> u64 {
+        (self.settings.motion.duration() / self.settings.step).ceil() as u64
+    }
+
+    /// Modal coordinates of those modes that move, the slider's first, √kg m.
+    #[must_use]
+    pub fn state(&self) -> Vec<f64> {
+        [self.slider.state(), self.track.state()].concat()
+    }
+
+    /// Goes on by so many steps at most.
+    ///
+    /// # Errors
+    /// [`SlidingError::SpragSlip`] where the slider locks, [`SlidingError::NotFinite`] where a mode has grown without bound. What was
+    /// taken before stands.
+    pub fn advance(&mut self, steps: u64, sink: &mut impl Sink) -> Result<Reached, SlidingError> {
+        let is_path = self.settings.motion.velocity != 0.0;
+        let last = if is_path { self.all_steps() } else { u64::MAX };
+        for _ in 0..steps {
+            if self.steps >= last {
+                return Ok(Reached::End);
+            }
+            match self.step()? {
+                Some(sample) => sink.take(&sample, &self.accelerations),
+                None => return Ok(Reached::RunOff),
+            }
+        }
+        Ok(if self.steps >= last { Reached::End } else { Reached::Steps })
+    }
+
+    /// One step; `None` where the contact has run off the track.
+    fn step(&mut self) -> Result<Option<Sample>, SlidingError> {
+        let step = self.settings.step;
+        let drive = self.settings.motion.at((self.steps + 1) as f64 * step);
+        let friction = drive.friction * self.pair.friction().at(self.velocity);
+        let Ok((touch, approach, reaction)) = self.meet(&drive, friction)? else { return Ok(None) };
+        let Reaction { normal, tangential, state } = reaction;
+        let force = plus([touch.normal[0] * normal, touch.normal[1] * normal], tangential, touch.tangent);
+        let [nn, nt, tn, tt] = approach.compliance;
+        let gap = approach.gap + nn * normal + nt * tangential;
+        let slip = approach.slip + tn * normal + tt * tangential;
+        if !(normal.is_finite() && slip.is_finite()) {
+            return Err(SlidingError::NotFinite { step: self.steps + 1, position: drive.position });
+        }
+        self.watch(&touch, force, drive.acceleration);
+        self.tune(&drive);
+        self.move_on(&touch, force);
+        self.steps += 1;
+        self.at = touch.at;
+        self.drive = drive;
+        self.velocity = self.steady + slip / step;
+        Ok(Some(Sample {
+            time: self.steps as f64 * step,
+            position: drive.position,
+            normal_force: normal,
+            tangential_force: tangential,
+            sliding_velocity: self.velocity,
+            gap,
+            friction,
+            state,
+        }))
+    }
+
+    /// Where the contact is in the next step, and its force there.
+    #[inline]
+    fn meet(
+        &mut self,
+        drive: &Drive,
+        friction: f64,
+    ) -> Result<Result<(Touch, Approach, Reaction), RunOff>, SlidingError> {
+        if self.scheme == Scheme::CentralDifferences {
+            // the predictor takes the force that is to come as none: equation (16)
+            return self.meet_under(drive, friction, [0.0; 2]);
+        }
+        let mut force = plus(plus([0.0; 2], 2.0, self.force), -1.0, self.force_before);
+        let mut met = self.meet_under(drive, friction, force)?;
+        for _ in 1..PASSES {
+            let Ok((touch, _, Reaction { normal, tangential, .. })) = &met else { break };
+            force = plus([touch.normal[0] * normal, touch.normal[1] * normal], *tangential, touch.tangent);
+            met = self.meet_under(drive, friction, force)?;
+        }
+        Ok(met)
+    }
+
+    /// The same where the geometry is that under a force on the slider.
+    #[inline]
+    fn meet_under(
+        &mut self,
+        drive: &Drive,
+        friction: f64,
+        guess: Vector,
+    ) -> Result<Result<(Touch, Approach, Reaction), RunOff>, SlidingError> {
+        let rigid = self.pair.rigid_place(drive.position);
+        let touch = match self.touch(drive, rigid, guess) {
+            Ok(touch) => touch,
+            Err(off) => return Ok(Err(off)),
+        };
+        let weights = &touch.weights.value;
+        let between = self.compliance.between(&self.view.compliance, weights);
+        let [now, predicted] = self.contact;
+        let nodes = combined(weights, &self.view.displaced(&self.view.predicted));
+        let target = self.first_gap * drive.gap;
+        let gap = dot(touch.normal, minus(plus(rigid, 1.0, predicted), nodes))
+            + self.settings.motion.initial_gap
+            - target;
+        let advance = (drive.position - self.drive.position) * dot(self.pair.direction(), touch.tangent);
+        let of_track = minus(combined(weights, &self.view.predicted), combined(weights, &self.view.now));
+        let slip = advance + dot(touch.tangent, minus(minus(predicted, now), of_track));
+        let approach = Approach { gap, slip, compliance: in_frame(&between, &touch), friction };
+        let reaction = match self.settings.method {
+            Method::Film => projected(&approach),
+            _ => sliding(&approach, self.direction),
+        };
+        reaction.map(|reaction| Ok((touch, approach, reaction))).map_err(|Locked { compliance }| {
+            let mobility = compliance / (self.settings.step * self.settings.step);
+            SlidingError::SpragSlip { position: drive.position, mobility, friction }
+        })
+    }
+
+    /// The touch on the geometry that the method sees.
+    #[inline]
+    fn touch(&mut self, drive: &Drive, rigid: Vector, guess: Vector) -> Result<Touch, RunOff> {
+        let Self { pair, track, view, compliance, contact, at, static_path, .. } = self;
+        let edge = pair.edge();
+        match (self.settings.method, static_path) {
+            (Method::Subs { .. }, None) => {
+                let touch = edge.touch(rigid, *at, |segment| pair.stencil(segment, |_| [0.0; 2]))?;
+                look(view, pair, track, compliance, touch.at.segment);
+                Ok(touch)
+            }
+            (_, Some(path)) => {
+                let point = plus(rigid, 1.0, path.of_contact(drive.position));
+                let of_node = |node| path.of_node(drive.position, node);
+                let touch = edge.touch(point, *at, |segment| pair.stencil(segment, of_node))?;
+                look(view, pair, track, compliance, touch.at.segment);
+                Ok(touch)
+            }
+            _ => {
+                let point = plus(plus(rigid, 1.0, contact[1]), 1.0, compliance.of_contact(guess));
+                let weights = edge.weights(*at).value;
+                let is_guessed = guess != [0.0; 2];
+                edge.touch(point, *at, |segment| {
+                    look(view, pair, track, compliance, segment);
+                    let mut by = view.predicted;
+                    if is_guessed {
+                        let moved = view.compliance.of_nodes(&weights, guess);
+                        by = std::array::from_fn(|k| plus(by[k], 1.0, moved[k]));
+                    }
+                    view.displaced(&by)
+                })
+            }
+        }
+    }
+
+    /// Accelerations of what is observed, by central differences.
+    #[inline]
+    fn watch(&mut self, touch: &Touch, force: Vector, rigid: f64) {
+        let square = self.settings.step * self.settings.step;
+        let stencil = (self.view.first, self.view.count);
+        for (k, [before, now, predicted]) in self.observed.iter_mut().enumerate() {
+            let next = *predicted + self.compliance.of_observed(k, stencil, touch, force);
+            self.accelerations[k] =
+                (next - 2.0 * *now + *before) / square + self.pair.observed()[k].rigid * rigid;
+            (*before, *now) = (*now, next);
+        }
+    }
+
+    /// Takes over damping, load and inertia of this time into the next prediction.
+    #[inline]
+    fn tune(&mut self, drive: &Drive) {
+        let stair = if self.scheme == Scheme::CentralDifferences { 0.0 } else { STAIR };
+        let ends = drive.initial_damping == 0.0 && self.tuned != 0.0;
+        let is_retuned = (drive.initial_damping - self.tuned).abs() > stair || ends;
+        if is_retuned {
+            self.set_recurrences(drive.initial_damping);
+        }
+        let changed =
+            is_retuned || drive.load != self.drive.load || drive.acceleration != self.drive.acceleration;
+        if changed {
+            self.set_push(drive);
+        }
+    }
+
+    fn set_recurrences(&mut self, share: f64) {
+        let step = self.settings.step;
+        let bodies =
+            [(&self.pair.slider().body, &mut self.slider), (&self.pair.track().body, &mut self.track)];
+        for (body, oscillators) in bodies {
+            for (mode, value) in body.eigenvalues.iter().enumerate() {
+                if self.scheme.moves(*value) {
+                    let damping = damping_of(share, &self.settings.motion, body, mode);
+                    oscillators.set_recurrence(mode, self.scheme.recurrence(step, *value, damping));
+                }
+            }
+        }
+        for (mode, factor) in self.push_factors.iter_mut().enumerate() {
+            *factor = self.slider.recurrence(mode).on_steady_force();
+        }
+        if self.scheme != Scheme::CentralDifferences {
+            let (eigenvalues, damping) =
+                (self.pair.eigenvalues(), damping(self.pair, &self.settings.motion, share));
+            let at_once = |(v, d): (&f64, &f64)| self.scheme.at_once(step, *v, *d);
+            let factors: Vec<f64> = eigenvalues.iter().zip(&damping).map(at_once).collect();
+            self.compliance = Compliance::new(self.pair, &factors);
+            self.view.compliance = self.compliance.stencil(self.view.first, self.view.count);
+        }
+        self.tuned = share;
+    }
+
+    /// What load and inertia do to each mode from step to step; both change slowly against a step.
+    fn set_push(&mut self, drive: &Drive) {
+        let (slider, factors) = (self.pair.slider(), &self.push_factors);
+        let of = |mode: usize| {
+            factors[mode] * (drive.load * slider.load[mode] - drive.acceleration * slider.inertia[mode])
+        };
+        self.slider.set_push(of);
+    }
+
+    /// Both bodies to the next step under the contact's force, and what is seen of them then.
+    #[inline]
+    fn move_on(&mut self, touch: &Touch, force: Vector) {
+        let weights = &touch.weights.value;
+        let mut on_slider = [0.0; ROWS];
+        on_slider[..2].copy_from_slice(&force);
+        let mut on_track = [0.0; ROWS];
+        let moved = self.view.compliance.of_nodes(weights, force);
+        for (k, moved) in moved.iter().enumerate().take(self.view.count) {
+            on_track[2 * k] = -weights[k] * force[0];
+            on_track[2 * k + 1] = -weights[k] * force[1];
+            self.view.now[k] = plus(self.view.predicted[k], 1.0, *moved);
+        }
+        self.contact[0] = plus(self.contact[1], 1.0, self.compliance.of_contact(force));
+        let (of_slider, of_track) = (self.slider.advance(&on_slider), self.track.advance(&on_track));
+        self.contact[1] = [of_slider[0], of_slider[1]];
+        self.view.predicted = vectors(&of_track, self.view.count);
+        self.predict_observed(&of_slider, &of_track);
+        (self.force_before, self.force) = (self.force, force);
+    }
+
+    #[inline]
+    fn predict_observed(&mut self, of_slider: &[f64; ROWS], of_track: &[f64; ROWS]) {
+        let mut places = [2, 2 * self.view.count];
+        for (own, point) in self.observed.iter_mut().zip(self.pair.observed()) {
+            let (seen, k) = if point.side == Side::Slider { (of_slider, 0) } else { (of_track, 1) };
+            own[2] = seen[places[k]];
+            places[k] += 1;
+        }
+    }
+
+    /// Starts from a state at this time, with its prediction.
+    pub(super) fn begin(&mut self, start: &Start) {
+        self.set_push(&self.drive.clone());
+        let of_slider = self.pair.slider().body.modes();
+        self.slider.set_state(&start.now[..of_slider], &start.before[..of_slider]);
+        self.track.set_state(&start.now[of_slider..], &start.before[of_slider..]);
+        let segment = self.view.segment;
+        self.view = View::new(self.pair, &mut self.track, &self.compliance, segment);
+        let ([now, next], [track_now, track_next]) = (self.slider.seen(), self.track.seen());
+        self.contact = [[now[0], now[1]], [next[0], next[1]]];
+        self.predict_observed(&now, &track_now);
+        for own in &mut self.observed {
+            (own[0], own[1]) = (own[2], own[2]);
+        }
+        self.predict_observed(&next, &track_next);
+        (self.force, self.force_before) = (start.force, start.force);
+    }
+
+    /// Where the march is.
+    #[must_use]
+    pub fn checkpoint(&self) -> Checkpoint {
+        Checkpoint {
+            steps: self.steps,
+            at: self.at,
+            segment: self.view.segment,
+            slider: self.slider.memory(),
+            track: self.track.memory(),
+            contact: self.contact[0],
+            nodes: self.view.now,
+            observed: self.observed.iter().map(|own| [own[0], own[1]]).collect(),
+            velocity: self.velocity,
+            forces: [self.force, self.force_before],
+            tuned: self.tuned,
+        }
+    }
+
+    /// Goes back or on to where a march of the same pair and settings was, to the bit.
+    ///
+    /// # Errors
+    /// [`SlidingError::ForeignCheckpoint`].
+    pub fn resume(&mut self, checkpoint: &Checkpoint) -> Result<(), SlidingError> {
+        let fits = checkpoint.observed.len() == self.observed.len()
+            && checkpoint.segment + 1 < self.pair.track().nodes.len()
+            && self.slider.recall(&checkpoint.slider)
+            && self.track.recall(&checkpoint.track);
+        if !fits {
+            return Err(SlidingError::ForeignCheckpoint);
+        }
+        self.set_recurrences(checkpoint.tuned);
+        self.steps = checkpoint.steps;
+        self.at = checkpoint.at;
+        self.drive = self.settings.motion.at(checkpoint.steps as f64 * self.settings.step);
+        self.set_push(&self.drive.clone());
+        self.view = View::new(self.pair, &mut self.track, &self.compliance, checkpoint.segment);
+        self.view.now = checkpoint.nodes;
+        let [_, of_slider] = self.slider.seen();
+        let [_, of_track] = self.track.seen();
+        self.contact = [checkpoint.contact, [of_slider[0], of_slider[1]]];
+        self.predict_observed(&of_slider, &of_track);
+        for (own, kept) in self.observed.iter_mut().zip(&checkpoint.observed) {
+            own[..2].copy_from_slice(kept);
+        }
+        self.velocity = checkpoint.velocity;
+        [self.force, self.force_before] = checkpoint.forces;
+        Ok(())
+    }
+}
+
+/// Watches the track about another segment.
+#[inline(always)]
+fn look(
+    view: &mut View,
+    pair: &crate::pair::Pair,
+    track: &mut super::oscillators::Oscillators,
+    compliance: &Compliance,
+    segment: usize,
+) {
+    if view.segment != segment {
+        *view = View::new(pair, track, compliance, segment);
+    }
+}
+
+/// A matrix of the plane along normal and tangent: nn, nt, tn, tt.
+#[inline(always)]
+pub(super) fn in_frame(between: &Block, touch: &Touch) -> [f64; 4] {
+    let (by_normal, by_tangent) = (times(between, touch.normal), times(between, touch.tangent));
+    [
+        dot(touch.normal, by_normal),
+        dot(touch.normal, by_tangent),
+        dot(touch.tangent, by_normal),
+        dot(touch.tangent, by_tangent),
+    ]
+}

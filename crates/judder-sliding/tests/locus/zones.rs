@@ -107,8 +107,9 @@ fn sampling_every_ten_micrometres_shows_the_same_zones() {
         even(8851).par_iter().for_each(|position| {
             let all = spectrum(&pair, &conditions, *position, Wanted::Lowest(COUNT)).unwrap().eigenvalues;
             let unstable: Vec<Complex64> = all[..COUNT].iter().copied().filter(|s| s.re > 0.0).collect();
-            let over: Vec<&Zone> =
+            let mut over: Vec<&Zone> =
                 found.iter().filter(|zone| zone.from <= *position && *position <= zone.to).collect();
+            over.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
             assert_eq!(unstable.len(), over.len(), "{configuration:?} {position}: {unstable:?} {over:?}");
             for (s, zone) in unstable.iter().zip(over) {
                 assert!((s.im / TAU / zone.frequency_hz - 1.0).abs() < 0.02, "{position}: {s} {zone:?}");

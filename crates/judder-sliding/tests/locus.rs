@@ -1,6 +1,8 @@
 //! Eigenvalues of the pair of the beams paper against contact position.
 mod common;
 
+#[path = "locus/random.rs"]
+mod random;
 #[path = "locus/spectra.rs"]
 mod spectra;
 #[path = "locus/zones.rs"]

@@ -11,6 +11,7 @@
 //! - [`statics`]: the deformed configuration of steady sliding.
 //! - [`motion`]: prescribed motion, load and ramps.
 //! - [`march`]: through time: Subs, EnSubs, FiLM, and the march with residual flexibility.
+//! - [`recorder`]: signals of a march, decimated while it runs, and the extremes of every step.
 //! - [`shape`]: the shape of a coupled mode.
 //! - [`growth`]: growth with the contact held, measured against the eigenvalue.
 
@@ -24,6 +25,7 @@ pub mod march;
 pub mod motion;
 pub mod pair;
 pub mod plane;
+pub mod recorder;
 pub mod reduced;
 pub mod shape;
 pub mod statics;

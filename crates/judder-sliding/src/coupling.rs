@@ -3,6 +3,7 @@
 //! J. Brunetti, W. D'Ambrogio, A. Fregolent, *Dynamic substructuring with time variant coupling conditions for the analysis of
 //! friction induced vibrations* (2020), equations (3) to (8): one row c of B_C, and e = −B_Eᵀ, so that N > 0 presses.
 
+use crate::SlidingError;
 use crate::body::Point;
 use crate::edge::{Touch, Weights};
 use crate::friction::Friction;
@@ -114,6 +115,15 @@ impl Coupling {
     #[must_use]
     pub fn mobility(&self) -> f64 {
         product(&self.compatibility, &self.equilibrium)
+    }
+
+    /// Whether a normal force can open the contact, c·M⁻¹e > 0; `position` in m and the friction coefficient are for the message.
+    ///
+    /// # Errors
+    /// [`SlidingError::SpragSlip`] where it cannot: friction then presses harder than the contact can push back, and the slider locks.
+    pub fn check(&self, position: f64, friction: f64) -> Result<(), SlidingError> {
+        let mobility = self.mobility();
+        if mobility > 0.0 { Ok(()) } else { Err(SlidingError::SpragSlip { position, mobility, friction }) }
     }
 }
 

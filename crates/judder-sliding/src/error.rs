@@ -131,4 +131,10 @@ pub enum SlidingError {
         /// Up to which frequency, Hz.
         limit_hz: f64,
     },
+    /// An eigenproblem with full matrices that did not come out.
+    #[error("the eigenvalues of the full matrices were not found: {reason}")]
+    DenseFailure {
+        /// Why not.
+        reason: &'static str,
+    },
 }

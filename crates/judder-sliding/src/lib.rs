@@ -9,6 +9,11 @@
 //! - [`pair`]: a slider and its track.
 //! - [`coupling`]: compatibility row and equilibrium column.
 //! - [`statics`]: the deformed configuration of steady sliding.
+//! - [`characteristic`]: the function whose zeros are the eigenvalues of the coupled pair.
+//! - [`spectrum`]: all eigenvalues up to a frequency, with the proof that none is missing.
+//! - [`zones`]: where along a parameter the pair is unstable.
+//! - [`locus`]: eigenvalues and unstable zones against contact position.
+//! - [`dense_forms`]: the three-field form, its primal and its dual assembly with full matrices.
 //! - [`motion`]: prescribed motion, load and ramps.
 //! - [`march`]: through time: Subs, EnSubs, FiLM, and the march with residual flexibility.
 //! - [`recorder`]: signals of a march, decimated while it runs, and the extremes of every step.
@@ -16,11 +21,14 @@
 //! - [`growth`]: growth with the contact held, measured against the eigenvalue.
 
 pub mod body;
+pub mod characteristic;
 pub mod coupling;
+pub mod dense_forms;
 pub mod edge;
 mod error;
 pub mod friction;
 pub mod growth;
+pub mod locus;
 pub mod march;
 pub mod motion;
 pub mod pair;
@@ -28,6 +36,9 @@ pub mod plane;
 pub mod recorder;
 pub mod reduced;
 pub mod shape;
+pub mod spectrum;
 pub mod statics;
+mod tracking;
+pub mod zones;
 
 pub use error::SlidingError;

@@ -2,9 +2,9 @@
 
 use crate::SlidingError;
 use crate::coupling::{Coupling, Sliding, product};
-use crate::edge::Touch;
+use crate::edge::{EdgePoint, Touch};
 use crate::pair::Pair;
-use crate::plane::{length, minus};
+use crate::plane::{length, minus, plus};
 
 /// Both structures at rest under the load, sliding steadily.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,6 +20,8 @@ pub struct Equilibrium {
 /// How the contact point may still move in the last iteration, m.
 const TOLERANCE: f64 = 1e-15;
 const ITERATIONS: usize = 100;
+/// After so many iterations a contact that still goes to and fro between two segments rests on the node between them.
+const HESITATION: usize = 20;
 
 impl Equilibrium {
     /// The linear coupling there, with all that follows the motion: the geometry, and a friction coefficient that falls.
@@ -33,16 +35,27 @@ impl Equilibrium {
     /// The equilibrium at a position under a load in N: K q = F φ_A + e N with the gap closed, e and c those of the deformed
     /// contact.
     ///
+    /// Where the normal jumps at a node, a contact that would leave either segment for the other rests on the node, with the normal of the
+    /// segment before it.
+    ///
     /// # Errors
     /// [`SlidingError::OffTrack`]; [`SlidingError::NoEquilibrium`] where a rigid motion is not held, or the load lifts the slider off;
     /// [`SlidingError::NoConvergence`].
     pub fn new(pair: &Pair, position: f64, load: f64, sliding: Sliding) -> Result<Self, SlidingError> {
         let mut touch = pair.undeformed(position)?;
         let mut moved = f64::INFINITY;
-        for _ in 0..ITERATIONS {
+        let mut held = None;
+        for iteration in 0..ITERATIONS {
             let coupling = Coupling::new(pair, &touch, sliding);
             let (state, normal_force) = Self::at_touch(pair, (position, load), &touch, &coupling)?;
-            let next = pair.deformed(position, &state)?;
+            let next = match held {
+                Some(at) => held_touch(pair, position, at, &state),
+                None => pair.deformed(position, &state)?,
+            };
+            let (before, after) = (touch.at.segment, next.at.segment);
+            if iteration >= HESITATION && before.abs_diff(after) == 1 {
+                held = Some(EdgePoint { segment: before.min(after), fraction: 1.0 });
+            }
             moved = place_change(&touch, &next);
             touch = next;
             if moved <= TOLERANCE {
@@ -109,6 +122,14 @@ impl Equilibrium {
         }
         Ok((state, force))
     }
+}
+
+/// How the contact point touches the deformed edge at a given place of it.
+fn held_touch(pair: &Pair, position: f64, at: EdgePoint, state: &[f64]) -> Touch {
+    let (of_slider, of_track) = state.split_at(pair.slider().body.modes());
+    let point = plus(pair.rigid_place(position), 1.0, pair.slider().contact.displacement(of_slider));
+    let places = pair.stencil(at.segment, |node| pair.track().nodes[node].displacement(of_track));
+    pair.edge().touch_at(point, at, &places)
 }
 
 /// How far the contact point has moved on the edge, with the normal's turn over a segment, m.

@@ -10,6 +10,7 @@ use judder_oscillator::OscillatorError;
 use judder_oscillator::cycle::CycleError;
 use judder_oscillator::motion::history::LostMotion;
 use judder_report::ReportError;
+use judder_sliding::SlidingError;
 use judder_store::StoreError;
 use judder_structure::StructureError;
 use std::path::PathBuf;
@@ -46,12 +47,15 @@ pub enum StudyError {
         /// The model of the case.
         model: &'static str,
     },
-    /// A case of a model that is read, but not run.
-    #[error("cases of model `{model}` are read and checked, but not run yet")]
+    /// An analysis of a kind that is read, but not run.
+    #[error("analyses of kind `{kind}` are read and checked, but not run yet")]
     NotRunYet {
-        /// The model.
-        model: &'static str,
+        /// The kind.
+        kind: &'static str,
     },
+    /// Two structures cannot slide on each other, or their eigenvalues were not found.
+    #[error(transparent)]
+    Sliding(#[from] SlidingError),
     /// A file that the case names could not be used.
     #[error("{}: {reason}", path.display())]
     File {
@@ -159,6 +163,14 @@ impl StudyError {
             Self::Contact(error) => {
                 !matches!(error, SteadyError::DomainTooSmall { .. } | SteadyError::NoCells)
             }
+            Self::Sliding(error) => !matches!(
+                error,
+                SlidingError::Incomplete { .. }
+                    | SlidingError::DenseFailure { .. }
+                    | SlidingError::NoConvergence { .. }
+                    | SlidingError::NotFinite { .. }
+                    | SlidingError::ForeignCheckpoint
+            ),
             // a window that was chosen, not given
             Self::Transient(error) => !matches!(error, TransientError::WindowTooSmall { .. }),
             Self::Structure(error) => !matches!(

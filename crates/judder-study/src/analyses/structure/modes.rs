@@ -49,7 +49,7 @@ impl Undamped {
     }
 }
 
-pub(super) fn run(
+pub(in crate::analyses) fn run(
     (case, structure): (&StructureCase, &Structure),
     name: &str,
     wanted: WantedModes,

@@ -1,0 +1,189 @@
+//! All eigenvalues of a coupled pair up to a frequency, at one position, with the proof that none is missing.
+//!
+//! The zeros of D are found together (O. Aberth, *Iteration methods for finding all zeros of a polynomial simultaneously*, Math. Comp.
+//! 27, 1973), from the places between the poles. Then the zeros that are known and the poles are
+//! divided out of D: what is left must not turn around zero along the border of the region, or a zero is missing.
+
+mod count;
+mod simultaneous;
+
+use crate::SlidingError;
+use crate::characteristic::Characteristic;
+use num_complex::Complex64;
+use simultaneous::{Iterate, Regular};
+use std::f64::consts::TAU;
+
+/// Which eigenvalues are wanted; of a conjugate pair only the upper one is listed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Wanted {
+    /// So many of the lowest by imaginary part, real ones first.
+    Lowest(usize),
+    /// All with an imaginary part from zero up to this, rad/s.
+    Below(f64),
+}
+
+/// Eigenvalues s of one position, 1/s.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spectrum {
+    /// All with 0 ≤ Im s ≤ `limit` and |Re s| ≤ `limit`, by imaginary, then real part; real ones have Im s = 0.
+    pub eigenvalues: Vec<Complex64>,
+    /// Up to where the list is complete, rad/s.
+    pub limit: f64,
+}
+
+/// Zeros beyond those wanted that are sought as well: among them the border is laid.
+pub(crate) const GUARD: usize = 3;
+/// An imaginary part so small, as a share of the limit, is none.
+const REAL: f64 = 1e-10;
+/// Two eigenvalues of a conservative pair so near, as a share of their size, are mirror images.
+const MIRROR: f64 = 1e-6;
+/// How often missing zeros are sought from other places.
+const ATTEMPTS: usize = 4;
+
+impl Spectrum {
+    /// The spectrum of a characteristic function; `position` in m is for the message.
+    ///
+    /// # Errors
+    /// [`SlidingError::Incomplete`] where the count along the border does not agree with what was found;
+    /// [`SlidingError::InvalidNumber`] for a limit that is not positive, or more eigenvalues than there are.
+    pub fn new(function: &Characteristic, position: f64, wanted: Wanted) -> Result<Self, SlidingError> {
+        let heights = pole_heights(function);
+        let last = last_pole(&heights, wanted)?;
+        let scale = match wanted {
+            Wanted::Below(limit) => heights[last].max(limit),
+            Wanted::Lowest(_) => heights[last],
+        };
+        let mut regular = Regular::new(function, scale);
+        let mut zeros = starts(&heights[..=last], scale, 0);
+        let mut failure = None;
+        for attempt in 1..=ATTEMPTS {
+            simultaneous::iterate(&mut regular, &mut zeros);
+            zeros.retain(|zero| zero.is_done);
+            settle(function, &mut zeros, scale);
+            let limit = border(&zeros, wanted, scale);
+            let known: Vec<Complex64> = zeros.iter().map(|zero| zero.value).collect();
+            let inside = known.iter().filter(|s| s.im <= limit && s.re.abs() <= limit).count();
+            let enough = !matches!(wanted, Wanted::Lowest(count) if inside < count);
+            match count::missing(&mut regular, &known, limit) {
+                Some(0) if enough => {
+                    let eigenvalues =
+                        known.into_iter().filter(|s| s.im <= limit && s.re.abs() <= limit).collect();
+                    return Ok(Self { eigenvalues, limit });
+                }
+                Some(missing) if missing < 0 => zeros.clear(),
+                missing => failure = Some((inside, missing.unwrap_or(0), limit)),
+            }
+            zeros.extend(starts(&heights[..=last], scale, attempt));
+        }
+        let (found, missing, limit) = failure.unwrap_or((0, 0, scale));
+        // the count is that of both halves of the plane
+        let expected = found + (missing.max(1) as usize).div_ceil(2);
+        Err(SlidingError::Incomplete { position, found, expected, limit_hz: limit / TAU })
+    }
+}
+
+/// Eigenvalues near `guesses`, so close that they may be told apart from all others; `None` where the iteration leaves them.
+pub(crate) fn polished<const COUNT: usize>(
+    function: &Characteristic,
+    guesses: [Complex64; COUNT],
+) -> Option<[Complex64; COUNT]> {
+    let scale = guesses.iter().map(|guess| guess.norm()).fold(0.0, f64::max);
+    let mut zeros = guesses.map(Iterate::new);
+    simultaneous::iterate(&mut Regular::new(function, scale), &mut zeros);
+    settle(function, &mut zeros, scale);
+    zeros.iter().all(|zero| zero.is_done).then(|| zeros.map(|zero| zero.value))
+}
+
+/// Imaginary parts of the upper poles, ascending.
+fn pole_heights(function: &Characteristic) -> Vec<f64> {
+    let mut heights: Vec<f64> = (0..function.modes()).map(|mode| function.poles(mode)[0].im).collect();
+    heights.sort_by(f64::total_cmp);
+    heights
+}
+
+/// The pole up to which zeros are sought between poles.
+fn last_pole(heights: &[f64], wanted: Wanted) -> Result<usize, SlidingError> {
+    let highest = heights.len() - 1;
+    let refuse = |name: &str, value: f64, requirement| {
+        Err(SlidingError::InvalidNumber { name: name.to_owned(), value, requirement })
+    };
+    match wanted {
+        Wanted::Lowest(count) if count == 0 || count > highest => refuse(
+            "the count of eigenvalues",
+            count as f64,
+            "at least one and less than the modes of the pair",
+        ),
+        Wanted::Lowest(count) => Ok((count + GUARD).min(highest)),
+        Wanted::Below(limit) if !(limit.is_finite() && limit > 0.0) => {
+            refuse("the limit of the eigenvalues", limit, "finite and above zero")
+        }
+        Wanted::Below(limit) => Ok((heights.partition_point(|height| *height <= limit) + GUARD).min(highest)),
+    }
+}
+
+/// Places between the poles, beside the imaginary axis, farther from it with every attempt.
+fn starts(heights: &[f64], scale: f64, attempt: usize) -> Vec<Iterate> {
+    let mean = scale / heights.len() as f64;
+    let between = heights.windows(2).enumerate().map(|(k, pair)| {
+        let gap = (pair[1] - pair[0]).max(0.01 * mean);
+        let side = if k % 2 == 0 { 1.0 } else { -1.0 };
+        let (along, across) = match attempt {
+            0 => (0.5, 0.05),
+            _ => (0.15 + 0.17 * attempt as f64, 0.3 * (attempt * attempt) as f64),
+        };
+        Iterate::new(Complex64::new(side * across * gap, pair[0] + along * gap))
+    });
+    between.collect()
+}
+
+/// Real zeros are made real, mirror images exact where the pair is conservative; then all are sorted.
+fn settle(function: &Characteristic, zeros: &mut [Iterate], scale: f64) {
+    for zero in zeros.iter_mut().filter(|zero| zero.value.im.abs() <= REAL * scale) {
+        zero.value.im = 0.0;
+    }
+    if function.is_conservative() {
+        mirror(zeros);
+    }
+    zeros.sort_by(|a, b| a.value.im.total_cmp(&b.value.im).then(a.value.re.total_cmp(&b.value.re)));
+}
+
+/// Of a conservative pair s and −s̄ are eigenvalues together: those off the imaginary axis are paired, the others put on it.
+fn mirror(zeros: &mut [Iterate]) {
+    let nearest = |zeros: &[Iterate], image: Complex64| {
+        let distance = |k: &usize| (zeros[*k].value - image).norm_sqr();
+        (0..zeros.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)))
+    };
+    for k in 0..zeros.len() {
+        let value = zeros[k].value;
+        if value.re == 0.0 || value.im == 0.0 {
+            continue;
+        }
+        match nearest(zeros, -value.conj()) {
+            Some(other)
+                if other != k && (zeros[other].value + value.conj()).norm() <= MIRROR * value.norm() =>
+            {
+                let mean = 0.5 * (value - zeros[other].value.conj());
+                (zeros[k].value, zeros[other].value) = (mean, -mean.conj());
+            }
+            Some(same) if same == k && value.re.abs() <= MIRROR * value.norm() => zeros[k].value.re = 0.0,
+            _ => {}
+        }
+    }
+}
+
+/// Where the region ends: in the widest gap between the zeros above those wanted.
+fn border(zeros: &[Iterate], wanted: Wanted, scale: f64) -> f64 {
+    let height = |k: usize| zeros[k].value.im;
+    let (first, at_least) = match wanted {
+        Wanted::Lowest(count) => (count, 0.0),
+        Wanted::Below(limit) => (zeros.partition_point(|zero| zero.value.im <= limit), limit),
+    };
+    if first >= zeros.len() {
+        return 1.5 * scale.max(zeros.last().map_or(0.0, |zero| zero.value.norm()));
+    }
+    let below = |k: usize| if k == 0 { at_least } else { height(k - 1).max(at_least) };
+    let gap = |k: &usize| height(*k) - below(*k);
+    let last = (first + GUARD).min(zeros.len());
+    let widest = (first..last).max_by(|a, b| gap(a).total_cmp(&gap(b))).unwrap_or(first);
+    0.5 * (below(widest) + height(widest))
+}

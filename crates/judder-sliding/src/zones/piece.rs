@@ -1,0 +1,226 @@
+//! The search for unstable eigenvalues over a piece of a parameter's range, halved until its samples foretell what lies between them.
+
+use super::meeting::{Group, Margin, SAMPLES, Sheet};
+use super::strip::{Bound, Strip, strips};
+use super::{Family, Sample};
+use crate::SlidingError;
+use crate::spectrum::{Spectrum, Wanted};
+use crate::tracking::continued;
+use num_complex::Complex64;
+
+/// What a search over a piece leaves.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Searched {
+    /// Where spectra were taken, in order.
+    pub(super) samples: Vec<Sample>,
+    /// Of each part of the piece, in order, where an eigenvalue is unstable.
+    pub(super) strips: Vec<Vec<Strip>>,
+}
+
+/// A search over one piece.
+pub(super) struct Search<'a, F> {
+    family: &'a F,
+    count: usize,
+    /// A part so short is not halved any more.
+    resolution: f64,
+    done: Searched,
+}
+
+/// Two eigenvalues may meet where they come nearer than this share of what their distance changes from sample to sample.
+const MEETING: f64 = 1.2;
+/// Eigenvalues beyond those counted that are known as well.
+const BEYOND: usize = 2;
+
+/// The samples do not foretell what lies between them.
+pub(super) struct TooCoarse;
+
+impl<'a, F: Family> Search<'a, F> {
+    pub(super) fn over(
+        family: &'a F,
+        count: usize,
+        [from, to]: [f64; 2],
+        resolution: f64,
+    ) -> Result<Searched, SlidingError> {
+        let mut search = Self { family, count, resolution, done: Searched::default() };
+        let mut samples = Vec::with_capacity(SAMPLES);
+        for k in 0..SAMPLES {
+            let share = k as f64 / (SAMPLES - 1) as f64;
+            samples.push(search.sample(from + share * (to - from))?);
+        }
+        search.part(&samples)?;
+        search.done.samples.sort_by(|a, b| a.at.total_cmp(&b.at));
+        Ok(search.done)
+    }
+
+    /// The place of a new sample in the list.
+    fn sample(&mut self, at: f64) -> Result<usize, SlidingError> {
+        let function = self.family.at(at)?;
+        let wanted = Wanted::Lowest((self.count + BEYOND).min(function.modes() - 1));
+        let eigenvalues = Spectrum::new(&function, at, wanted)?.eigenvalues;
+        self.done.samples.push(Sample { at, eigenvalues });
+        Ok(self.done.samples.len() - 1)
+    }
+
+    /// Searches between the first and the last of five even samples, halving where they are too coarse.
+    fn part(&mut self, places: &[usize]) -> Result<(), SlidingError> {
+        let samples: Vec<&Sample> = places.iter().map(|place| &self.done.samples[*place]).collect();
+        let ends = [samples[0].at, samples[SAMPLES - 1].at];
+        let is_last = ends[1] - ends[0] <= self.resolution * (SAMPLES - 1) as f64;
+        let found = match grouped(&samples, self.count, is_last) {
+            Ok(groups) => self.strips_of(&groups, ends, is_last)?,
+            Err(TooCoarse) => None,
+        };
+        if let Some(found) = found {
+            self.done.strips.push(found);
+            return Ok(());
+        }
+        let mut halves = Vec::with_capacity(2 * SAMPLES - 1);
+        for pair in places.windows(2) {
+            let middle = 0.5 * (self.done.samples[pair[0]].at + self.done.samples[pair[1]].at);
+            halves.extend([pair[0], self.sample(middle)?]);
+        }
+        halves.push(places[SAMPLES - 1]);
+        self.part(&halves[..SAMPLES])?;
+        self.part(&halves[SAMPLES - 1..])
+    }
+
+    /// `None` where the part is to be halved.
+    fn strips_of(
+        &self,
+        groups: &[Group],
+        ends: [f64; 2],
+        is_last: bool,
+    ) -> Result<Option<Vec<Strip>>, SlidingError> {
+        let is_conservative = self.family.at(ends[0])?.is_conservative();
+        let mut all = Vec::new();
+        for group in groups {
+            for sheet in group.sheets() {
+                let branch = Branch { group: *group, sheet: *sheet, ends, is_conservative };
+                match strips(self.family, &branch, is_last) {
+                    Ok(strips) => all.extend(strips),
+                    Err(TooCoarse) => return Ok(None),
+                }
+            }
+        }
+        Ok(Some(all))
+    }
+}
+
+/// One eigenvalue over a part.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Branch {
+    pub(super) group: Group,
+    pub(super) sheet: Sheet,
+    /// Where the part starts and ends.
+    pub(super) ends: [f64; 2],
+    pub(super) is_conservative: bool,
+}
+
+impl Branch {
+    /// The parameter at a share of the part.
+    pub(super) fn place(&self, share: f64) -> f64 {
+        self.ends[0] + share * (self.ends[1] - self.ends[0])
+    }
+
+    /// As the samples foretell it.
+    pub(super) fn foretold(&self, share: f64) -> Margin {
+        self.group.foretold(share, self.sheet, self.is_conservative)
+    }
+
+    /// As it is; `None` where the pair does not exist there or has other eigenvalues.
+    pub(super) fn found(&self, family: &impl Family, share: f64) -> Option<Margin> {
+        let function = family.at(self.place(share)).ok()?;
+        self.group.found(share, self.sheet, &function)
+    }
+
+    /// Its bound at a share of the part; at an end it is cut, and may go on beyond.
+    pub(super) fn bound(&self, share: f64) -> Bound {
+        let eigenvalue = self.foretold(share).eigenvalue;
+        Bound { at: self.place(share), eigenvalue, is_cut: share == 0.0 || share == 1.0 }
+    }
+}
+
+/// Eigenvalues that are alone, and two that may meet; a `last` part has each alone where more than two may meet.
+fn grouped(samples: &[&Sample], count: usize, is_last: bool) -> Result<Vec<Group>, TooCoarse> {
+    let branches = matched(samples, count, is_last)?;
+    let mut partner: Vec<Option<usize>> = vec![None; branches.len()];
+    for i in 0..branches.len() {
+        let mirror = branches[i].values.map(|value| value.conj());
+        if branches[i].is_counted
+            && !is_last
+            && may_meet(&branches[i].values, &mirror)
+            && !branches[i].is_real()
+        {
+            return Err(TooCoarse);
+        }
+        for j in i + 1..branches.len() {
+            let is_counted = branches[i].is_counted || branches[j].is_counted;
+            if !(is_counted && may_meet(&branches[i].values, &branches[j].values)) {
+                continue;
+            }
+            if partner[i].is_none() && partner[j].is_none() {
+                (partner[i], partner[j]) = (Some(j), Some(i));
+            } else if !is_last {
+                return Err(TooCoarse);
+            }
+        }
+    }
+    let group = |(i, branch): (usize, &Matched)| match partner[i] {
+        Some(j) if i < j => Some(Group::two(branch.values, branches[j].values)),
+        None if branch.is_counted => Some(Group::alone(branch.values)),
+        _ => None,
+    };
+    let groups: Vec<Group> = branches.iter().enumerate().filter_map(group).collect();
+    if !is_last && groups.iter().any(|group| !group.is_smooth()) {
+        return Err(TooCoarse);
+    }
+    Ok(groups)
+}
+
+/// An eigenvalue through five samples.
+struct Matched {
+    values: [Complex64; SAMPLES],
+    /// Whether it is among those counted at any of them.
+    is_counted: bool,
+}
+
+impl Matched {
+    fn is_real(&self) -> bool {
+        self.values.iter().all(|value| value.im == 0.0)
+    }
+}
+
+/// Follows the eigenvalues of the first sample to the last.
+fn matched(samples: &[&Sample], count: usize, is_last: bool) -> Result<Vec<Matched>, TooCoarse> {
+    let mut branches: Vec<Vec<usize>> = (0..samples[0].eigenvalues.len()).map(|rank| vec![rank]).collect();
+    for next in 1..SAMPLES {
+        let value = |branch: &[usize], back: usize| samples[next - back].eigenvalues[branch[next - back]];
+        let foretold: Vec<Complex64> = branches
+            .iter()
+            .map(|branch| if next < 2 { value(branch, 1) } else { 2.0 * value(branch, 1) - value(branch, 2) })
+            .collect();
+        let found = continued(&foretold, &samples[next].eigenvalues);
+        for (branch, rank) in branches.iter_mut().zip(found) {
+            branch.extend(rank);
+        }
+        branches.retain(|branch| branch.len() == next + 1);
+    }
+    let covered = |k: usize| branches.iter().filter(|branch| branch[k] < count).count();
+    let least = |k: usize| count.min(samples[k].eigenvalues.len());
+    if !is_last && (0..SAMPLES).any(|k| covered(k) < least(k)) {
+        return Err(TooCoarse);
+    }
+    let follow = |branch: &Vec<usize>| Matched {
+        values: std::array::from_fn(|k| samples[k].eigenvalues[branch[k]]),
+        is_counted: branch.iter().any(|rank| *rank < count),
+    };
+    Ok(branches.iter().map(follow).collect())
+}
+
+/// Whether the difference may pass through zero between samples.
+fn may_meet(a: &[Complex64; SAMPLES], b: &[Complex64; SAMPLES]) -> bool {
+    let apart = |k: usize| a[k] - b[k];
+    let nearest = (0..SAMPLES).map(|k| apart(k).norm()).fold(f64::INFINITY, f64::min);
+    let change = (1..SAMPLES).map(|k| (apart(k) - apart(k - 1)).norm()).fold(0.0, f64::max);
+    nearest < MEETING * change
+}

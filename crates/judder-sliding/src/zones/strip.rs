@@ -1,0 +1,166 @@
+//! Where one eigenvalue is unstable within a part of a parameter's range.
+
+use super::Family;
+use super::meeting::Margin;
+use super::piece::{Branch, TooCoarse};
+use judder_numerics::root::bracketed_root;
+use num_complex::Complex64;
+
+/// A range in which one eigenvalue is unstable, within one part.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Strip {
+    pub(super) from: Bound,
+    pub(super) to: Bound,
+    /// Where it grows fastest, as a share of the part, and how fast, as the samples foretell it.
+    pub(super) peak: (f64, f64),
+    pub(super) branch: Branch,
+}
+
+/// An end of a strip.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Bound {
+    pub(super) at: f64,
+    pub(super) eigenvalue: Complex64,
+    /// Whether the part ends here, not the instability.
+    pub(super) is_cut: bool,
+}
+
+/// How many steps a part has in which what the samples foretell is looked at.
+const KNOTS: usize = 32;
+/// A growth rate that is not known better than this share of the eigenvalue is not decided on.
+const DECIDED: f64 = 1e-6;
+/// Bounds are located to this share of a part.
+const BOUND: f64 = 1e-9;
+const GOLDEN: f64 = 0.618_033_988_749_894_8;
+/// Golden sections for a peak: the last is below 10⁻⁶ of the first.
+const SECTIONS: usize = 30;
+
+/// All ranges of a part in which the branch is unstable; in a `last` part what is foretold is taken as it is.
+pub(super) fn strips(family: &impl Family, branch: &Branch, is_last: bool) -> Result<Vec<Strip>, TooCoarse> {
+    let share = |k: usize| k as f64 / KNOTS as f64;
+    let even: Vec<(f64, Margin)> = (0..=KNOTS).map(|k| (share(k), branch.foretold(share(k)))).collect();
+    if is_far_below(&even) {
+        return Ok(Vec::new());
+    }
+    let knots = with_extremes(branch, &even, is_last)?;
+    let mut found = Vec::new();
+    let mut from = (knots[0].1.value > 0.0).then_some(0.0);
+    for pair in knots.windows(2) {
+        let [(left, before), (right, after)] = [pair[0], pair[1]];
+        if (before.value > 0.0) == (after.value > 0.0) {
+            continue;
+        }
+        let root = crossing(family, branch, [left, right], is_last)?;
+        match from.take() {
+            None => from = Some(root),
+            Some(from) => found.push(strip(branch, [from, root], &knots)),
+        }
+    }
+    if let Some(from) = from {
+        found.push(strip(branch, [from, 1.0], &knots));
+    }
+    Ok(found)
+}
+
+/// Whether no value is nearer to zero than all values are to each other.
+fn is_far_below(knots: &[(f64, Margin)]) -> bool {
+    let values = || knots.iter().map(|knot| knot.1.value);
+    let (most, least) = (values().fold(f64::NEG_INFINITY, f64::max), values().fold(f64::INFINITY, f64::min));
+    let doubt = knots.iter().map(|knot| knot.1.doubt).fold(0.0, f64::max);
+    most + (most - least) + doubt < 0.0
+}
+
+/// What is foretold at even shares, with its extremes between them where a sign may hide.
+fn with_extremes(
+    branch: &Branch,
+    even: &[(f64, Margin)],
+    is_last: bool,
+) -> Result<Vec<(f64, Margin)>, TooCoarse> {
+    let mut knots = vec![even[0]];
+    for three in even.windows(3) {
+        let [(from, before), (at, margin), (to, after)] = [three[0], three[1], three[2]];
+        knots.push((at, margin));
+        // a highest place below zero, or a lowest above it
+        let sign = if margin.value > 0.0 { -1.0 } else { 1.0 };
+        if sign * margin.value < sign * before.value || sign * margin.value < sign * after.value {
+            continue;
+        }
+        let at = highest(|share| sign * branch.foretold(share).value, [from, to]);
+        let extreme = branch.foretold(at);
+        let decided = DECIDED * extreme.eigenvalue.norm();
+        let decided = if branch.is_conservative { decided * decided } else { decided };
+        if !is_last && extreme.value.abs() <= extreme.doubt && extreme.doubt > decided {
+            return Err(TooCoarse);
+        }
+        knots.push((at, extreme));
+    }
+    knots.push(even[KNOTS]);
+    knots.sort_by(|a, b| a.0.total_cmp(&b.0));
+    Ok(knots)
+}
+
+/// The share at which stability changes between two, by the eigenvalue itself.
+fn crossing(
+    family: &impl Family,
+    branch: &Branch,
+    [left, right]: [f64; 2],
+    is_last: bool,
+) -> Result<f64, TooCoarse> {
+    // at the ends of a part the samples are the eigenvalues
+    let itself = |share: f64| {
+        let is_sample = share == 0.0 || share == 1.0;
+        let margin = if is_sample { Some(branch.foretold(share)) } else { branch.found(family, share) };
+        margin.map_or(f64::NAN, |margin| margin.value)
+    };
+    match bracketed_root(itself, left, right, BOUND) {
+        Ok(root) => Ok(root),
+        Err(_) if !is_last => Err(TooCoarse),
+        Err(_) => {
+            bracketed_root(|share| branch.foretold(share).value, left, right, BOUND).map_err(|_| TooCoarse)
+        }
+    }
+}
+
+fn strip(branch: &Branch, [from, to]: [f64; 2], knots: &[(f64, Margin)]) -> Strip {
+    let growth = |share: f64| branch.foretold(share).eigenvalue.re;
+    let within = knots.iter().map(|knot| knot.0).filter(|share| *share > from && *share < to);
+    let best = within.chain([from, to]).max_by(|a, b| growth(*a).total_cmp(&growth(*b))).unwrap_or(from);
+    let step = 1.0 / KNOTS as f64;
+    let at = highest(growth, [(best - step).max(from), (best + step).min(to)]);
+    Strip { from: branch.bound(from), to: branch.bound(to), peak: (at, growth(at)), branch: *branch }
+}
+
+/// Where the strip's growth rate is highest, by the eigenvalue itself: the parameter and the eigenvalue.
+pub(super) fn peak(family: &impl Family, strip: &Strip) -> (f64, Complex64) {
+    let Strip { from, to, peak, branch } = strip;
+    let width = branch.ends[1] - branch.ends[0];
+    let share = |at: f64| (at - branch.ends[0]) / width;
+    let step = 1.0 / KNOTS as f64;
+    let range = [(peak.0 - step).max(share(from.at)), (peak.0 + step).min(share(to.at))];
+    let itself = |share: f64| branch.found(family, share).unwrap_or_else(|| branch.foretold(share));
+    let at = highest(|share| itself(share).eigenvalue.re, range);
+    (branch.place(at), itself(at).eigenvalue)
+}
+
+/// The place of the highest value of a function that has one summit between two places; the ends count.
+fn highest(mut function: impl FnMut(f64) -> f64, [from, to]: [f64; 2]) -> f64 {
+    let (mut a, mut b) = (from, to);
+    let (mut left, mut right) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
+    let (mut at_left, mut at_right) = (function(left), function(right));
+    for _ in 0..SECTIONS {
+        if at_left >= at_right {
+            (b, right, at_right) = (right, left, at_left);
+            left = b - GOLDEN * (b - a);
+            at_left = function(left);
+        } else {
+            (a, left, at_left) = (left, right, at_right);
+            right = a + GOLDEN * (b - a);
+            at_right = function(right);
+        }
+    }
+    let inner = if at_left >= at_right { (left, at_left) } else { (right, at_right) };
+    [(from, function(from)), (to, function(to))]
+        .into_iter()
+        .fold(inner, |best, end| if end.1 > best.1 { end } else { best })
+        .0
+}

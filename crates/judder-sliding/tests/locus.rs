@@ -1,0 +1,5 @@
+//! Eigenvalues of the pair of the beams paper against contact position.
+mod common;
+
+#[path = "locus/spectra.rs"]
+mod spectra;

@@ -95,7 +95,9 @@ pub enum PanelError {
         values: usize,
     },
     /// A second axis that turns back, or has something that is no number.
-    #[error("the second axis is out of order: its abscissae must ascend, its values rise or fall throughout, all finite")]
+    #[error(
+        "the second axis is out of order: its abscissae must ascend, its values rise or fall throughout, all finite"
+    )]
     SecondOrder,
     /// Abscissae and ordinates do not pair up.
     #[error("layer {layer}: {x} abscissae but {y} ordinates: give as many of both")]

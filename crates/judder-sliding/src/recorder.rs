@@ -241,7 +241,7 @@ impl Sink for Recorder {
     #[inline]
     fn take(&mut self, sample: &Sample, accelerations: &[f64]) {
         self.steps += 1;
-        let is_kept = (self.steps - 1) % self.factor == 0 && self.begin_sample();
+        let is_kept = (self.steps - 1).is_multiple_of(self.factor) && self.begin_sample();
         for k in 0..self.channels.len() {
             let value = self.value(self.channels[k], accelerations);
             if let Some(passed) = self.filters[k].push(value)

@@ -53,12 +53,9 @@ fn the_delay_is_taken_out_of_the_times() {
     assert!((times[times.len() - 1] - 20_000.0 * STEP).abs() < 10.0 * STEP);
     for (k, time) in times.iter().enumerate().skip(100).take(2000) {
         assert_eq!(columns[1][k], motion.at(*time).position);
-        for (column, expected) in [
-            (2, tone(*time)),
-            (3, tone(*time)),
-            (4, -0.3 * tone(*time)),
-            (5, tone(*time)),
-        ] {
+        for (column, expected) in
+            [(2, tone(*time)), (3, tone(*time)), (4, -0.3 * tone(*time)), (5, tone(*time))]
+        {
             assert!((columns[column][k] - expected).abs() < 2e-4, "{column} {time}: {}", columns[column][k]);
         }
         let velocity = TAU * 9e3 * (TAU * 9e3 * time).cos();

@@ -100,8 +100,8 @@ pub(crate) fn run_from(
         Case::Belt(case) => motion::run(&BeltModel::new(case), &case.analyses[index].kind, own, progress),
         Case::TwoDegrees(case) => two_degrees::run(case, &case.analyses[index].kind, progress),
         Case::Sliding(case) => match prepared {
-            Prepared::Sliding(system) => sliding::run((case, system), &case.analyses[index], progress),
-            _ => sliding::run((case, &SlidingSystem::new(case)?), &case.analyses[index], progress),
+            Prepared::Sliding(system) => sliding::run((case, system), &case.analyses[index], own, progress),
+            _ => sliding::run((case, &SlidingSystem::new(case)?), &case.analyses[index], own, progress),
         },
         Case::Structure(case) => match prepared {
             Prepared::Structure(built) => structure::run((case, built), &case.analyses[index], progress),

@@ -30,10 +30,19 @@ fn curves_keep_every_digit_and_their_gaps() {
 fn a_second_axis_stands_where_its_values_are() {
     let chart = plotly(&every_layer("$s$")).unwrap();
     let axis = &chart["layout"]["xaxis6"];
-    assert_eq!((&axis["overlaying"], &axis["side"], &axis["matches"]), (&json!("x3"), &json!("top"), &json!("x3")));
+    assert_eq!(
+        (&axis["overlaying"], &axis["side"], &axis["matches"]),
+        (&json!("x3"), &json!("top"), &json!("x3"))
+    );
     let place = axis["ticktext"].as_array().unwrap().iter().position(|text| text == "50").unwrap();
     assert_eq!(axis["tickvals"][place], 3.0);
-    assert!(chart["data"].as_array().unwrap().iter().any(|trace| trace["xaxis"] == "x6" && trace["yaxis"] == "y3"));
+    assert!(
+        chart["data"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .any(|trace| trace["xaxis"] == "x6" && trace["yaxis"] == "y3")
+    );
 }
 
 #[test]

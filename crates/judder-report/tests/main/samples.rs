@@ -39,7 +39,9 @@ pub(crate) fn every_layer(text: &str) -> Figure {
     let panels = vec![
         Panel::new(Axis::log(text), Axis::linear(text), vec![Layer::Classes(map)]).with_title(text),
         Panel::new(Axis::log(text), Axis::linear(text), vec![Layer::Values(values)]).with_title(text),
-        Panel::new(Axis::linear(text), Axis::symmetric_log(text, 0.1), curves).with_title(text).with_second_axis(second),
+        Panel::new(Axis::linear(text), Axis::symmetric_log(text, 0.1), curves)
+            .with_title(text)
+            .with_second_axis(second),
     ];
     Figure::new("every-layer", text, panels).with_caption(text)
 }

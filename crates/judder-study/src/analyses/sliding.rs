@@ -1,10 +1,32 @@
 //! The analyses of a sliding case.
 
+mod march;
+mod spectrogram;
+
 use crate::error::StudyError;
+use crate::kept::Kept;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::sliding::{SlidingSystem, alone};
+use judder_case::sliding::march::March;
+use judder_case::sliding::observe::ObservedPoint;
 use judder_case::{Analysis, SlidingAnalysis, SlidingCase};
+use judder_sliding::motion::Motion;
+use judder_sliding::pair::Pair;
+
+/// What marches, and how it is asked to.
+pub(crate) struct Marched<'a> {
+    /// The name of the analysis.
+    pub(crate) name: &'a str,
+    /// What the case asks for.
+    pub(crate) march: &'a March,
+    /// The slider and its track.
+    pub(crate) pair: &'a Pair,
+    /// The points whose motion is kept.
+    pub(crate) points: &'a [ObservedPoint],
+    /// What is prescribed, from the start of the march to its end.
+    pub(crate) motion: Motion,
+}
 
 /// How many steps an analysis announces.
 pub(super) fn steps(_kind: &SlidingAnalysis) -> usize {
@@ -14,6 +36,7 @@ pub(super) fn steps(_kind: &SlidingAnalysis) -> usize {
 pub(super) fn run(
     (case, system): (&SlidingCase, &SlidingSystem),
     analysis: &Analysis<SlidingAnalysis>,
+    kept: Kept<'_>,
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
     if progress.interrupted() {
@@ -28,8 +51,16 @@ pub(super) fn run(
         }
         SlidingAnalysis::Locus(_) => return Err(StudyError::NotRunYet { kind: "locus" }),
         SlidingAnalysis::Growth(_) => return Err(StudyError::NotRunYet { kind: "growth" }),
-        SlidingAnalysis::March(_) => return Err(StudyError::NotRunYet { kind: "march" }),
-        SlidingAnalysis::Spectrogram(_) => return Err(StudyError::NotRunYet { kind: "spectrogram" }),
+        SlidingAnalysis::March(asked) => {
+            let motion = Motion { start: asked.from, end: asked.to, ..system.motion };
+            let (name, pair, points) = (analysis.name.as_str(), &system.pair, case.points.as_slice());
+            march::run(&Marched { name, march: asked, pair, points, motion }, kept, progress)?
+        }
+        SlidingAnalysis::Spectrogram(asked) => {
+            let outcome = spectrogram::run((&analysis.name, asked), &case.points, kept.place)?;
+            progress.advance();
+            outcome
+        }
     };
     outcome.warnings.extend(system.warnings.iter().cloned());
     Ok(outcome)

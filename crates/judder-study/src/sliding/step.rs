@@ -16,10 +16,13 @@ pub(crate) struct Step {
     pub(crate) limit: f64,
 }
 
-/// Share of the limit that is taken where the case leaves the step to the march.
-const OF_LIMIT: f64 = 0.75;
-/// The largest step that a march takes by itself, s: 100 kHz is still seen.
-const OWN_LARGEST: f64 = 3e-6;
+/// The step of the paper, s, which a march of central differences takes by itself where it is stable.
+const STEP: f64 = 3e-7;
+/// The largest that the exact march takes by itself, s: 100 kHz is still seen.
+const EXACT_STEP: f64 = 3e-6;
+/// Shares of the limit that are taken at most where the case leaves the step to the march.
+const SHARE: f64 = 0.9;
+const EXACT_SHARE: f64 = 0.75;
 /// A step that any pair could take; the limit does not depend on it.
 const ANY: f64 = 1e-9;
 
@@ -49,7 +52,11 @@ pub(crate) fn step(
     let method =
         if matches!(method, Method::Subs { .. }) { Method::Subs { static_slope: false } } else { method };
     let limit = March::beyond_limit(pair, MarchSettings { method, step: ANY, motion })?.step_limit();
-    let step = given.unwrap_or((OF_LIMIT * limit).min(OWN_LARGEST));
+    let own = match method {
+        Method::ResidualFlexibility { .. } => (EXACT_SHARE * limit).min(EXACT_STEP),
+        _ => (SHARE * limit).min(STEP),
+    };
+    let step = given.unwrap_or(own);
     if step > limit {
         return Err(SlidingError::StepOverLimit { step, limit });
     }

@@ -77,12 +77,6 @@ fn a_map_of_a_thousand_million_points() {
 }
 
 #[test]
-fn what_later_versions_bring() {
-    let message = "the model `sliding` comes with a later version";
-    Desk::with_case("model = \"sliding\"").refused(&["run", "case.toml"], message, "available: oscillator");
-}
-
-#[test]
 fn what_a_contact_case_cannot_be() {
     let refused = |lines: &str, message: &str, help: &str| {
         let desk = Desk::with_case(&format!("model = \"contact\"\n{lines}\n"));

@@ -1,14 +1,24 @@
 //! The analyses of a sliding case.
 
+mod growth;
+mod locus;
+
 use crate::error::StudyError;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::sliding::{SlidingSystem, alone};
+use judder_case::sliding::locus::Along;
 use judder_case::{Analysis, SlidingAnalysis, SlidingCase};
 
 /// How many steps an analysis announces.
-pub(super) fn steps(_kind: &SlidingAnalysis) -> usize {
-    1
+pub(super) fn steps(kind: &SlidingAnalysis) -> usize {
+    match kind {
+        SlidingAnalysis::Locus(settings) => match &settings.along {
+            Along::Positions(positions) => positions.points,
+            Along::Key { sweep, .. } => sweep.values.len(),
+        },
+        _ => 1,
+    }
 }
 
 pub(super) fn run(
@@ -26,8 +36,8 @@ pub(super) fn run(
             progress.advance();
             outcome
         }
-        SlidingAnalysis::Locus(_) => return Err(StudyError::NotRunYet { kind: "locus" }),
-        SlidingAnalysis::Growth(_) => return Err(StudyError::NotRunYet { kind: "growth" }),
+        SlidingAnalysis::Locus(settings) => locus::run((case, system), settings, progress)?,
+        SlidingAnalysis::Growth(settings) => growth::run((case, system), settings, progress)?,
         SlidingAnalysis::March(_) => return Err(StudyError::NotRunYet { kind: "march" }),
         SlidingAnalysis::Spectrogram(_) => return Err(StudyError::NotRunYet { kind: "spectrogram" }),
     };

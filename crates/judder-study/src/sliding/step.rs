@@ -2,7 +2,7 @@
 
 use judder_case::sliding::march::MarchMethod;
 use judder_sliding::SlidingError;
-use judder_sliding::march::{March, MarchSettings, Method};
+use judder_sliding::march::{March, MarchSettings, Method, Predictor};
 use judder_sliding::motion::Motion;
 use judder_sliding::pair::Pair;
 use std::f64::consts::TAU;
@@ -16,10 +16,10 @@ pub(crate) struct Step {
     pub(crate) limit: f64,
 }
 
-/// Share of the limit that is taken where the case leaves the step to the march.
-const OF_LIMIT: f64 = 0.75;
-/// The largest step that a march takes by itself, s: 100 kHz is still seen.
-const OWN_LARGEST: f64 = 3e-6;
+/// Share of the limit, and largest step in s, that a march takes by itself: central differences as the paper's reading has them.
+const CENTRAL: (f64, f64) = (0.9, 3e-7);
+/// Those of the march with residual flexibility: 100 kHz is still seen.
+const RESIDUAL: (f64, f64) = (0.75, 3e-6);
 /// A step that any pair could take; the limit does not depend on it.
 const ANY: f64 = 1e-9;
 
@@ -48,8 +48,14 @@ pub(crate) fn step(
     // the static path does not matter to the limit, and takes long
     let method =
         if matches!(method, Method::Subs { .. }) { Method::Subs { static_slope: false } } else { method };
-    let limit = March::beyond_limit(pair, MarchSettings { method, step: ANY, motion })?.step_limit();
-    let step = given.unwrap_or((OF_LIMIT * limit).min(OWN_LARGEST));
+    let limit = March::beyond_limit(
+        pair,
+        MarchSettings { method, step: ANY, motion, predictor: Predictor::default() },
+    )?
+    .step_limit();
+    let (share, largest) =
+        if matches!(method, Method::ResidualFlexibility { .. }) { RESIDUAL } else { CENTRAL };
+    let step = given.unwrap_or((share * limit).min(largest));
     if step > limit {
         return Err(SlidingError::StepOverLimit { step, limit });
     }

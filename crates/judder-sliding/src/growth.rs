@@ -2,8 +2,8 @@
 
 use crate::SlidingError;
 use crate::coupling::{Coupling, Sliding};
-use crate::march::{March, MarchSettings, Method, Sample, Start};
-use crate::motion::{Motion, Ramps};
+use crate::march::{March, MarchSettings, Method, Predictor, Sample, Start};
+use crate::motion::{Motion, Noise, Ramps};
 use crate::pair::Pair;
 use crate::shape::mode_shape;
 use crate::statics::Equilibrium;
@@ -109,10 +109,16 @@ pub fn frozen_growth(
         velocity: settings.velocity,
         load: settings.load,
         initial_gap: 0.0,
+        noise: Noise::default(),
         ramps: Ramps::default(),
         initial_damping: None,
     };
-    let march_settings = MarchSettings { method: settings.method, step: settings.step, motion };
+    let march_settings = MarchSettings {
+        method: settings.method,
+        predictor: Predictor::default(),
+        step: settings.step,
+        motion,
+    };
     let mut march = March::held(pair, march_settings, &start)?;
     let periods = (PERIODS * TAU / eigenvalue.im.abs())
         .max((FOLDS / eigenvalue.re.abs()).min(10.0 * PERIODS * TAU / eigenvalue.im.abs()));

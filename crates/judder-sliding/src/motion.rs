@@ -1,6 +1,7 @@
 //! What is prescribed: motion, load, and how both begin.
 
 use crate::SlidingError;
+use judder_numerics::counter::uniform;
 use std::f64::consts::PI;
 
 /// The prescribed motion of the slider, its load, and their ramps.
@@ -16,10 +17,41 @@ pub struct Motion {
     pub load: f64,
     /// Gap, or negative penetration, between C and the track at the start, m; closed over its ramp.
     pub initial_gap: f64,
+    /// A random force on C, against which bursts start.
+    pub noise: Noise,
     /// How long speed, load, friction and an initial gap take to their values, s.
     pub ramps: Ramps,
     /// Damping at the start; `None` where the structures have their own from the start on.
     pub initial_damping: Option<InitialDamping>,
+}
+
+/// A random force on C along the normal of the track: even numbers of a seed, one every [`Noise::INTERVAL`], straight between them.
+///
+/// It is a function of time alone, the same for every method and step; its spectrum is flat to about a third of 1/INTERVAL.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Noise {
+    /// Root mean square of the numbers, N; 0 for none.
+    pub force: f64,
+    /// The seed.
+    pub seed: u64,
+}
+
+impl Noise {
+    /// From number to number, s.
+    pub const INTERVAL: f64 = 1e-5;
+
+    /// The force at a time, N.
+    #[must_use]
+    pub fn at(&self, time: f64) -> f64 {
+        if self.force == 0.0 {
+            return 0.0;
+        }
+        let place = time.max(0.0) / Self::INTERVAL;
+        let (number, share) = (place.floor() as u64, place.fract());
+        // of −1 … 1 the root mean square is 1/√3
+        let drawn = |n| (2.0 * uniform(self.seed, n) - 1.0) * 3.0_f64.sqrt() * self.force;
+        drawn(number) * (1.0 - share) + drawn(number + 1) * share
+    }
 }
 
 /// Durations of half-cosine ramps from rest, s; 0 is at once.
@@ -65,6 +97,8 @@ pub struct Drive {
     pub gap: f64,
     /// Share of the initial damping that is still there.
     pub initial_damping: f64,
+    /// Random force on C, N.
+    pub noise: f64,
 }
 
 /// (1 − cos π t/T)/2 from 0 to 1.
@@ -81,6 +115,7 @@ impl Motion {
             end: position,
             velocity: 0.0,
             initial_gap: 0.0,
+            noise: Noise::default(),
             ramps: Ramps::default(),
             initial_damping: None,
             ..*self
@@ -108,6 +143,7 @@ impl Motion {
             ("the end", self.end),
             ("the load", self.load),
             ("the initial gap", self.initial_gap),
+            ("the noise", self.noise.force),
         ] {
             if !value.is_finite() {
                 return refuse(name, value, "finite");
@@ -179,6 +215,7 @@ impl Motion {
             friction: half_cosine(time, self.ramps.friction),
             gap: 1.0 - half_cosine(time, self.ramps.gap),
             initial_damping,
+            noise: self.noise.at(time),
         }
     }
 }
@@ -194,6 +231,7 @@ mod tests {
             velocity: 0.03,
             load: -0.2,
             initial_gap: 0.0,
+            noise: Noise::default(),
             ramps: Ramps { velocity: 0.1, load: 0.2, friction: 0.1, gap: 0.0 },
             initial_damping: Some(InitialDamping { alpha: 40.0, beta: 4e-8, hold: 0.2, release: 0.05 }),
         }
@@ -219,6 +257,18 @@ mod tests {
         assert!((end.position - motion.end).abs() < 1e-15 && end.load == motion.load);
         assert_eq!((motion.at(0.19).initial_damping, motion.at(0.26).initial_damping), (1.0, 0.0));
         assert_eq!(motion.settled(), 0.25);
+    }
+
+    /// The numbers have their root mean square; between them the force is straight.
+    #[test]
+    fn noise_has_its_root_mean_square() {
+        let noise = Noise { force: 0.5, seed: 7 };
+        let drawn: Vec<f64> = (0..20_000).map(|k| noise.at(f64::from(k) * Noise::INTERVAL)).collect();
+        let square = drawn.iter().map(|f| f * f).sum::<f64>() / drawn.len() as f64;
+        assert!((square.sqrt() - 0.5).abs() < 0.01);
+        let halfway = noise.at(10.5 * Noise::INTERVAL);
+        assert!((halfway - 0.5 * (drawn[10] + drawn[11])).abs() < 1e-12);
+        assert_eq!(Noise::default().at(0.1), 0.0);
     }
 
     #[test]

@@ -164,6 +164,12 @@ impl Pair {
         &self.arc
     }
 
+    /// Distance of the track's last node from its first, along the prescribed motion, m.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        self.arc.last().copied().unwrap_or_default()
+    }
+
     /// Where C is, undeformed, when it has been moved so far from the track's first node.
     #[inline]
     #[must_use]

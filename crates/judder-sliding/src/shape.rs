@@ -20,9 +20,8 @@ pub fn mode_shape(
     let factor = |velocity: bool| if velocity { s } else { Complex64::ONE };
     let rows = coupling.feedback.iter().map(|feedback| {
         let factor = factor(feedback.follows_velocity);
-        let by_others = coupling.feedback.iter().enumerate();
         let mut row: Vec<Complex64> =
-            by_others.map(|(_, other)| -factor * sees(&feedback.row, &other.column)).collect();
+            coupling.feedback.iter().map(|other| -factor * sees(&feedback.row, &other.column)).collect();
         row.push(factor * sees(&feedback.row, &coupling.equilibrium));
         row
     });
@@ -54,11 +53,11 @@ fn solved(mut rows: Vec<Vec<Complex64>>) -> Vec<Complex64> {
     for k in 0..size {
         let pivot = (k..size).max_by(|a, b| rows[*a][k].norm().total_cmp(&rows[*b][k].norm())).unwrap_or(k);
         rows.swap(k, pivot);
-        for i in (0..size).filter(|i| *i != k).collect::<Vec<_>>() {
-            let factor = rows[i][k] / rows[k][k];
-            for j in k..=size {
-                let taken = factor * rows[k][j];
-                rows[i][j] -= taken;
+        let pivot = rows[k].clone();
+        for (_, row) in rows.iter_mut().enumerate().filter(|(i, _)| *i != k) {
+            let factor = row[k] / pivot[k];
+            for (entry, taken) in row.iter_mut().zip(&pivot) {
+                *entry -= factor * taken;
             }
         }
     }

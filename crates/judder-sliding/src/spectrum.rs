@@ -16,7 +16,7 @@ use std::f64::consts::TAU;
 /// Which eigenvalues are wanted; of a conjugate pair only the upper one is listed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Wanted {
-    /// So many of the lowest by imaginary part, real ones first.
+    /// So many of the lowest by imaginary part, real ones first; a few more are given as well.
     Lowest(usize),
     /// All with an imaginary part from zero up to this, rad/s.
     Below(f64),
@@ -65,11 +65,7 @@ impl Spectrum {
             let inside = known.iter().filter(|s| s.im <= limit && s.re.abs() <= limit).count();
             let enough = !matches!(wanted, Wanted::Lowest(count) if inside < count);
             match count::missing(&mut regular, &known, limit) {
-                Some(0) if enough => {
-                    let eigenvalues =
-                        known.into_iter().filter(|s| s.im <= limit && s.re.abs() <= limit).collect();
-                    return Ok(Self { eigenvalues, limit });
-                }
+                Some(0) if enough => return Ok(Self::below(known, limit, wanted)),
                 Some(missing) if missing < 0 => zeros.clear(),
                 missing => failure = Some((inside, missing.unwrap_or(0), limit)),
             }
@@ -79,6 +75,17 @@ impl Spectrum {
         // the count is that of both halves of the plane
         let expected = found + (missing.max(1) as usize).div_ceil(2);
         Err(SlidingError::Incomplete { position, found, expected, limit_hz: limit / TAU })
+    }
+
+    /// Those known in the region, of which no more than wanted where a limit is.
+    fn below(mut known: Vec<Complex64>, border: f64, wanted: Wanted) -> Self {
+        known.retain(|s| s.im <= border && s.re.abs() <= border);
+        let limit = match wanted {
+            Wanted::Below(limit) => limit,
+            Wanted::Lowest(_) => border,
+        };
+        known.retain(|s| s.im <= limit);
+        Self { eigenvalues: known, limit }
     }
 }
 

@@ -3,3 +3,5 @@ mod common;
 
 #[path = "locus/spectra.rs"]
 mod spectra;
+#[path = "locus/zones.rs"]
+mod zones;

@@ -1,8 +1,11 @@
 //! What is kept of a march: times, decimation, extremes, going on after an interruption.
+
+#![allow(clippy::unwrap_used)]
+
 mod common;
 
 use judder_numerics::signal::decimate::Decimation;
-use judder_sliding::march::{ContactState, March, MarchSettings, Method, Sample, Sink};
+use judder_sliding::march::{ContactState, March, MarchSettings, Method, Predictor, Sample, Sink};
 use judder_sliding::motion::Motion;
 use judder_sliding::recorder::{Channel, Recorder};
 use std::f64::consts::TAU;
@@ -91,7 +94,8 @@ fn extremes_and_states_are_those_after_the_ramps() {
 fn a_recorder_goes_on_to_the_bit() {
     let pair = common::pair();
     let motion = common::motion();
-    let settings = MarchSettings { method: Method::EnSubs, step: STEP, motion };
+    let settings =
+        MarchSettings { method: Method::EnSubs, step: STEP, motion, predictor: Predictor::default() };
     let channels = [Channel::Acceleration(0), Channel::Velocity(0), Channel::NormalForce];
     let new = || {
         let march = March::new(&pair, settings).unwrap();

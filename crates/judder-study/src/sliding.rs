@@ -26,7 +26,7 @@ use judder_sliding::SlidingError;
 use judder_sliding::body::Point;
 use judder_sliding::edge::Interpolation;
 use judder_sliding::friction::Friction;
-use judder_sliding::motion::{InitialDamping, Motion, Ramps};
+use judder_sliding::motion::{InitialDamping, Motion, Noise, Ramps};
 use judder_sliding::pair::{Observed, Pair, Side, Slider, Track};
 use judder_sliding::plane::Vector;
 use nodes::Nodes;
@@ -263,5 +263,6 @@ fn motion(case: &SlidingCase) -> Motion {
             hold: initial.hold,
             release: initial.release,
         }),
+        noise: Noise { force: own.noise.force, seed: own.noise.seed },
     }
 }

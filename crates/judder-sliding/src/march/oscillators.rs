@@ -226,8 +226,8 @@ impl Pass<'_> {
         let o = self.oscillators;
         // loops, since closures would not be compiled for the machine's vectors
         let mut forces = [simd.splat_f64s(0.0); N];
-        for r in 0..N {
-            forces[r] = simd.splat_f64s(self.forces[r]);
+        for (splat, force) in forces.iter_mut().zip(self.forces) {
+            *splat = simd.splat_f64s(*force);
         }
         let mut sums = [[simd.splat_f64s(0.0); K]; N];
         let (all_rows, _) = vectors::<S, K>(&o.row_chunks).as_chunks::<N>();
@@ -260,8 +260,8 @@ impl Pass<'_> {
             }
         }
         let mut seen = [0.0; ROWS];
-        for r in 0..N {
-            seen[r] = total(&lanes::<S, K>(&sums[r]));
+        for (seen, sum) in seen.iter_mut().zip(&sums) {
+            *seen = total(&lanes::<S, K>(sum));
         }
         seen
     }

@@ -4,12 +4,14 @@ use super::compliance::{Block, Compliance, times};
 use super::oscillators::ROWS;
 use super::reaction::{Approach, Locked, Reaction, projected, sliding};
 use super::view::{View, vectors};
-use super::{Checkpoint, March, Method, Reached, Sample, Scheme, Sink, Start, damping, damping_of};
+use super::{
+    Checkpoint, March, Method, Predictor, Reached, Sample, Scheme, Sink, Start, damping, damping_of,
+};
 use crate::SlidingError;
 use crate::edge::{RunOff, Touch, combined};
 use crate::motion::Drive;
 use crate::pair::Side;
-use crate::plane::{Vector, dot, minus, plus};
+use crate::plane::{Vector, dot, minus, plus, turned};
 
 /// How much of the initial damping may go before the exact recurrences are tuned anew.
 const STAIR: f64 = 0.02;
@@ -77,18 +79,16 @@ impl March<'_> {
         let step = self.settings.step;
         let drive = self.settings.motion.at((self.steps + 1) as f64 * step);
         let friction = drive.friction * self.pair.friction().at(self.velocity);
+        let disturbance = self.disturb(drive.noise);
         let Ok((touch, approach, reaction)) = self.meet(&drive, friction)? else { return Ok(None) };
         let Reaction { normal, tangential, state } = reaction;
         let force = plus([touch.normal[0] * normal, touch.normal[1] * normal], tangential, touch.tangent);
         let [nn, nt, tn, tt] = approach.compliance;
         let gap = approach.gap + nn * normal + nt * tangential;
         let slip = approach.slip + tn * normal + tt * tangential;
-        if !(normal.is_finite() && slip.is_finite()) {
-            return Err(SlidingError::NotFinite { step: self.steps + 1, position: drive.position });
-        }
         self.watch(&touch, force, drive.acceleration);
         self.tune(&drive);
-        self.move_on(&touch, force);
+        self.move_on(&touch, force, disturbance);
         self.steps += 1;
         self.at = touch.at;
         self.drive = drive;
@@ -105,6 +105,18 @@ impl March<'_> {
         }))
     }
 
+    /// The random force on C, which the prediction of its displacement takes in.
+    #[inline]
+    fn disturb(&mut self, noise: f64) -> Vector {
+        if noise == 0.0 {
+            return [0.0; 2];
+        }
+        let left = turned(self.pair.direction());
+        let disturbance = left.map(|along| along * noise * self.pair.edge().side);
+        self.contact[1] = plus(self.contact[1], 1.0, self.compliance.of_contact(disturbance));
+        disturbance
+    }
+
     /// Where the contact is in the next step, and its force there.
     #[inline]
     fn meet(
@@ -113,8 +125,11 @@ impl March<'_> {
         friction: f64,
     ) -> Result<Result<(Touch, Approach, Reaction), RunOff>, SlidingError> {
         if self.scheme == Scheme::CentralDifferences {
-            // the predictor takes the force that is to come as none: equation (16)
-            return self.meet_under(drive, friction, [0.0; 2]);
+            let force = match self.settings.predictor {
+                Predictor::Printed => [0.0; 2],
+                Predictor::WithForce => self.force,
+            };
+            return self.meet_under(drive, friction, force);
         }
         let mut force = plus(plus([0.0; 2], 2.0, self.force), -1.0, self.force_before);
         let mut met = self.meet_under(drive, friction, force)?;
@@ -150,6 +165,10 @@ impl March<'_> {
         let advance = (drive.position - self.drive.position) * dot(self.pair.direction(), touch.tangent);
         let of_track = minus(combined(weights, &self.view.predicted), combined(weights, &self.view.now));
         let slip = advance + dot(touch.tangent, minus(minus(predicted, now), of_track));
+        // a mode without bound carries C away long before its numbers end
+        if slip.is_nan() || gap.is_nan() || gap.abs() > self.pair.length() {
+            return Err(SlidingError::NotFinite { step: self.steps + 1, position: drive.position });
+        }
         let approach = Approach { gap, slip, compliance: in_frame(&between, &touch), friction };
         let reaction = match self.settings.method {
             Method::Film => projected(&approach),
@@ -262,10 +281,10 @@ impl March<'_> {
 
     /// Both bodies to the next step under the contact's force, and what is seen of them then.
     #[inline]
-    fn move_on(&mut self, touch: &Touch, force: Vector) {
+    fn move_on(&mut self, touch: &Touch, force: Vector, disturbance: Vector) {
         let weights = &touch.weights.value;
         let mut on_slider = [0.0; ROWS];
-        on_slider[..2].copy_from_slice(&force);
+        on_slider[..2].copy_from_slice(&plus(force, 1.0, disturbance));
         let mut on_track = [0.0; ROWS];
         let moved = self.view.compliance.of_nodes(weights, force);
         for (k, moved) in moved.iter().enumerate().take(self.view.count) {

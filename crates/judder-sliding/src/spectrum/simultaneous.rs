@@ -18,23 +18,26 @@ pub(super) struct Iterate {
     pub(super) value: Complex64,
     pub(super) is_done: bool,
     last_step: f64,
+    /// How many steps below [`ROUNDING`] were no shorter than the one before.
+    stalls: usize,
 }
 
 /// Sweeps over all zeros; from between the poles it takes about ten.
 const SWEEPS: usize = 80;
 /// A step so small, as a share of the zero, is followed by none that counts: the next error is its square.
 const SMALL: f64 = 1e-11;
-/// Below this share of the zero, a step that does not shrink is rounding.
+/// Below this share of the zero, steps that do not shrink, so many of them, are rounding: two zeros are one to half of the digits.
 const ROUNDING: f64 = 1e-5;
+const STALLS: usize = 4;
 /// The longest step, as a share of the scale.
 const LONGEST: f64 = 0.2;
 
 impl Iterate {
     pub(super) fn new(value: Complex64) -> Self {
-        Self { value, is_done: false, last_step: f64::INFINITY }
+        Self { value, is_done: false, last_step: f64::INFINITY, stalls: 0 }
     }
 
-    /// Takes a step; it is done where the step was small, or no smaller than the one before for rounding.
+    /// Takes a step; it is done where the step was small, or as small as rounding lets it be.
     fn take(&mut self, step: Complex64, scale: f64) {
         let length = step.norm();
         let step = if length > LONGEST * scale { step * (LONGEST * scale / length) } else { step };

@@ -46,6 +46,8 @@ pub(super) struct Margin {
 const ROUNDING: f64 = 1e-7;
 /// The share of the error of the second degree that the fourth keeps: for a smooth function it is far less.
 const KEPT: f64 = 0.1;
+/// Two eigenvalues are sought from so far apart at least, as a share of their size.
+const APART: f64 = 1e-4;
 /// An error of this share of the eigenvalue is too large to tell anything.
 const ROUGH: f64 = 3e-3;
 
@@ -149,8 +151,9 @@ impl Group {
             }
             Self::Two(mean, difference) => {
                 let (m, d) = (mean.at(share), difference.at(share));
-                // apart by rounding at least
-                let half = if d.norm() > 1e-16 * m.norm_sqr() { d.sqrt() } else { m * 1e-8 };
+                // two that start nearer to each other than they are push each other to and fro; on an axis they stay on it
+                let is_apart = d.norm() > (APART * m.norm()).powi(2);
+                let half = if is_apart { d.sqrt() } else { Complex64::new(APART, APART) * m };
                 let [a, b] = polished(function, [m + half, m - half])?;
                 let (found, square) = (0.5 * (a + b), 0.25 * (a - b) * (a - b));
                 is_near(found, m).then(|| two(found, square, sheet, is_conservative))

@@ -76,9 +76,10 @@ fn with_extremes(
     even: &[(f64, Margin)],
     is_last: bool,
 ) -> Result<Vec<(f64, Margin)>, TooCoarse> {
-    let mut knots = vec![even[0]];
-    for three in even.windows(3) {
-        let [(from, before), (at, margin), (to, after)] = [three[0], three[1], three[2]];
+    let mut knots = Vec::with_capacity(even.len());
+    for (k, (at, margin)) in even.iter().copied().enumerate() {
+        let (from, before) = even[k.saturating_sub(1)];
+        let (to, after) = even[(k + 1).min(KNOTS)];
         knots.push((at, margin));
         // a highest place below zero, or a lowest above it
         let sign = if margin.value > 0.0 { -1.0 } else { 1.0 };
@@ -86,6 +87,9 @@ fn with_extremes(
             continue;
         }
         let at = highest(|share| sign * branch.foretold(share).value, [from, to]);
+        if at == 0.0 || at == 1.0 {
+            continue;
+        }
         let extreme = branch.foretold(at);
         let decided = DECIDED * extreme.eigenvalue.norm();
         let decided = if branch.is_conservative { decided * decided } else { decided };
@@ -94,7 +98,6 @@ fn with_extremes(
         }
         knots.push((at, extreme));
     }
-    knots.push(even[KNOTS]);
     knots.sort_by(|a, b| a.0.total_cmp(&b.0));
     Ok(knots)
 }

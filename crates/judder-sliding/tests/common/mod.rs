@@ -4,7 +4,7 @@
 use judder_sliding::body::Point;
 use judder_sliding::edge::Interpolation;
 use judder_sliding::friction::Friction;
-use judder_sliding::motion::{InitialDamping, Motion, Ramps};
+use judder_sliding::motion::{InitialDamping, Motion, Noise, Ramps};
 use judder_sliding::pair::{Observed, Pair, Side, Slider, Track};
 use judder_sliding::reduced::Reduced;
 use judder_structure::assembly::{assemble, inertia_load};
@@ -30,6 +30,7 @@ pub(crate) fn motion() -> Motion {
         velocity: SPEED,
         load: LOAD,
         initial_gap: 0.0,
+        noise: Noise::default(),
         ramps: Ramps { velocity: 0.1, load: 0.1, friction: 0.1, gap: 0.1 },
         initial_damping: Some(InitialDamping { alpha: 40.0, beta: 4e-8, hold: 0.2, release: 0.05 }),
     }
@@ -108,4 +109,14 @@ fn reduce(
         CraigBampton::new(&assembled.stiffness, &assembled.mass, &kept, CutOff::Count(modes)).unwrap();
     let load = inertia_load(mesh, &materials, &numbering, [1.0, 0.0, 0.0]).unwrap();
     Reduced::new(&reduced, damping, &load).unwrap()
+}
+
+/// The same pair without damping.
+pub(crate) fn without_damping(pair: &Pair) -> Pair {
+    let (mut slider, mut track) = (pair.slider().clone(), pair.track().clone());
+    for body in [&mut slider.body, &mut track.body] {
+        (body.alpha, body.beta) = (0.0, 0.0);
+    }
+    let edge = (pair.edge().interpolation, true);
+    Pair::new(slider, track, edge, pair.friction().clone(), pair.observed().to_vec()).unwrap()
 }

@@ -1,6 +1,7 @@
 //! The same spectrum by three ways.
 
 use crate::common;
+use judder_sliding::SlidingError;
 use judder_sliding::characteristic::Characteristic;
 use judder_sliding::coupling::{Coupling, Sliding};
 use judder_sliding::dense_forms::ThreeField;
@@ -71,5 +72,93 @@ fn primal_dual_and_characteristic_function_agree() {
             assert!(distance(&found, &primal) < 1e-6, "{friction} {position} {is_deformed}");
             assert!(distance(&found, &dual) < 1e-6, "{friction} {position} {is_deformed}");
         }
+    }
+}
+
+/// Without friction and damping all frequencies are real, and the primal form is symmetric: L_E = L_C, and what follows the deformation is
+/// the stiffness of a potential. With friction it is not.
+#[test]
+fn without_friction_the_pair_is_conservative() {
+    for (friction, is_symmetric) in [(0.0, true), (0.3, false)] {
+        let pair = pair(friction);
+        let undamped = vec![0.0; pair.modes()];
+        for (position, is_deformed) in [(0.0740, false), (0.0823, false), (0.0740, true), (0.0823, true)] {
+            let coupling = coupling(&pair, position, is_deformed);
+            let function = Characteristic::new(&coupling, &pair.eigenvalues(), &undamped).unwrap();
+            let found = Spectrum::new(&function, position, Wanted::Below(LIMIT)).unwrap();
+            assert_eq!(found.eigenvalues.len(), 34);
+            assert!(!is_symmetric || found.eigenvalues.iter().all(|s| s.re == 0.0 && s.im > 0.0));
+            let fields = ThreeField::new(&coupling, &pair.eigenvalues(), &undamped).unwrap();
+            let (left, right) = (fields.equilibrium_basis(), fields.compatible_basis());
+            let mass = left.transpose() * &fields.mass * &right;
+            let stiffness = left.transpose() * &fields.stiffness * &right;
+            let skew = [&mass, &stiffness].map(|matrix| (matrix - matrix.transpose()).norm_max());
+            // rounding of the largest ω², and of the much smaller geometric stiffness
+            let is_small = skew[0] < 1e-13 && skew[1] < 1e-14 * stiffness.norm_max();
+            assert_eq!(is_small, is_symmetric, "{friction} {position} {is_deformed}: {skew:?}");
+        }
+    }
+}
+
+/// Real eigenvalues: a rigid mode and a soft one, damped beyond their critical damping, coupled to a stiff one. Full matrices have the same.
+#[test]
+fn overdamped_eigenvalues_are_found_and_real() {
+    let coupling = Coupling {
+        compatibility: vec![1.0, 0.7, -0.4, 0.3],
+        equilibrium: vec![1.0, 0.5, -0.6, 0.2],
+        feedback: Vec::new(),
+    };
+    let (eigenvalues, damping) = ([0.0, 1.0, 400.0, 900.0], [3.0, 5.0, 0.5, 0.5]);
+    let function = Characteristic::new(&coupling, &eigenvalues, &damping).unwrap();
+    let found = Spectrum::new(&function, 0.0, Wanted::Below(28.0)).unwrap().eigenvalues;
+    let fields = ThreeField::new(&coupling, &eigenvalues, &damping).unwrap();
+    let mut dense = fields.primal_spectrum(1.0).unwrap();
+    dense.retain(|s| s.im > -1e-9 && s.im < 28.0);
+    assert!(found.iter().filter(|s| s.im == 0.0).count() >= 2, "{found:?}");
+    assert!(distance(&found, &dense) < 1e-9, "{found:?} {dense:?}");
+}
+
+/// At the clamp the track gives no way: all its modes are eigenvalues, next to those of the slider alone.
+#[test]
+fn modes_that_are_not_coupled_are_eigenvalues() {
+    let pair = pair(0.3);
+    let touch = pair.undeformed(0.0).unwrap();
+    let coupling = Coupling::new(&pair, &touch, Sliding::at(pair.friction(), common::SPEED));
+    let function = Characteristic::new(&coupling, &pair.eigenvalues(), &pair.damping()).unwrap();
+    let found = Spectrum::new(&function, 0.0, Wanted::Below(LIMIT)).unwrap().eigenvalues;
+    let first = pair.slider().body.modes();
+    let track = (first..pair.modes()).map(|mode| function.poles(mode)[0]).filter(|pole| pole.im < LIMIT);
+    for pole in track {
+        let nearest = found.iter().map(|s| (s - pole).norm()).fold(f64::INFINITY, f64::min);
+        assert!(nearest < 1e-9 * pole.norm(), "{pole}: {nearest}");
+    }
+}
+
+/// c·M⁻¹e falls with friction in a straight line: up to its root the pair slides, beyond it locks. The paper's μ = 0.3 is far from it.
+#[test]
+fn locking_is_named_with_its_position() {
+    let pair = pair(0.3);
+    let touch = pair.undeformed(0.0505).unwrap();
+    let coupled =
+        |friction: f64| Coupling::new(&pair, &touch, Sliding { friction, slope: 0.0, direction: 1.0 });
+    let none = coupled(0.0).mobility();
+    let critical = none / (none - coupled(1.0).mobility());
+    assert!(critical > 3.0, "{critical}");
+    let check = |friction: f64| coupled(friction).check(0.0505, friction);
+    assert_eq!((check(0.3), check(critical * (1.0 - 1e-9))), (Ok(()), Ok(())));
+    let error = check(critical * (1.0 + 1e-9)).unwrap_err();
+    assert!(matches!(error, SlidingError::SpragSlip { mobility, .. } if mobility <= 0.0), "{error}");
+    assert!(error.to_string().contains("5.050000e-2 m"), "{error}");
+}
+
+/// More eigenvalues than there are, or none, are refused, not left out.
+#[test]
+fn wishes_that_cannot_be_met_are_refused() {
+    let pair = pair(0.3);
+    let function =
+        Characteristic::new(&coupling(&pair, 0.05, false), &pair.eigenvalues(), &pair.damping()).unwrap();
+    for wanted in [Wanted::Lowest(0), Wanted::Lowest(243), Wanted::Below(-1.0), Wanted::Below(f64::NAN)] {
+        let error = Spectrum::new(&function, 0.05, wanted).unwrap_err();
+        assert!(matches!(error, SlidingError::InvalidNumber { .. }), "{wanted:?}: {error}");
     }
 }

@@ -1,5 +1,7 @@
 //! The analyses of a sliding case.
 
+mod growth;
+mod locus;
 mod march;
 mod spectrogram;
 
@@ -8,6 +10,7 @@ use crate::kept::Kept;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::sliding::{SlidingSystem, alone};
+use judder_case::sliding::locus::Along;
 use judder_case::sliding::march::March;
 use judder_case::sliding::observe::ObservedPoint;
 use judder_case::{Analysis, SlidingAnalysis, SlidingCase};
@@ -29,8 +32,14 @@ pub(crate) struct Marched<'a> {
 }
 
 /// How many steps an analysis announces.
-pub(super) fn steps(_kind: &SlidingAnalysis) -> usize {
-    1
+pub(super) fn steps(kind: &SlidingAnalysis) -> usize {
+    match kind {
+        SlidingAnalysis::Locus(settings) => match &settings.along {
+            Along::Positions(positions) => positions.points,
+            Along::Key { sweep, .. } => sweep.values.len(),
+        },
+        _ => 1,
+    }
 }
 
 pub(super) fn run(
@@ -49,8 +58,8 @@ pub(super) fn run(
             progress.advance();
             outcome
         }
-        SlidingAnalysis::Locus(_) => return Err(StudyError::NotRunYet { kind: "locus" }),
-        SlidingAnalysis::Growth(_) => return Err(StudyError::NotRunYet { kind: "growth" }),
+        SlidingAnalysis::Locus(settings) => locus::run((case, system), settings, progress)?,
+        SlidingAnalysis::Growth(settings) => growth::run((case, system), settings, progress)?,
         SlidingAnalysis::March(asked) => {
             let motion = Motion { start: asked.from, end: asked.to, ..system.motion };
             let (name, pair, points) = (analysis.name.as_str(), &system.pair, case.points.as_slice());

@@ -2,7 +2,7 @@
 
 use judder_case::sliding::march::MarchMethod;
 use judder_sliding::SlidingError;
-use judder_sliding::march::{March, MarchSettings, Method};
+use judder_sliding::march::{March, MarchSettings, Method, Predictor};
 use judder_sliding::motion::Motion;
 use judder_sliding::pair::Pair;
 use std::f64::consts::TAU;
@@ -16,13 +16,10 @@ pub(crate) struct Step {
     pub(crate) limit: f64,
 }
 
-/// The step of the paper, s, which a march of central differences takes by itself where it is stable.
-const STEP: f64 = 3e-7;
-/// The largest that the exact march takes by itself, s: 100 kHz is still seen.
-const EXACT_STEP: f64 = 3e-6;
-/// Shares of the limit that are taken at most where the case leaves the step to the march.
-const SHARE: f64 = 0.9;
-const EXACT_SHARE: f64 = 0.75;
+/// Share of the limit, and largest step in s, that a march takes by itself: central differences as the paper's reading has them.
+const CENTRAL: (f64, f64) = (0.9, 3e-7);
+/// Those of the march with residual flexibility: 100 kHz is still seen.
+const RESIDUAL: (f64, f64) = (0.75, 3e-6);
 /// A step that any pair could take; the limit does not depend on it.
 const ANY: f64 = 1e-9;
 
@@ -51,12 +48,14 @@ pub(crate) fn step(
     // the static path does not matter to the limit, and takes long
     let method =
         if matches!(method, Method::Subs { .. }) { Method::Subs { static_slope: false } } else { method };
-    let limit = March::beyond_limit(pair, MarchSettings { method, step: ANY, motion })?.step_limit();
-    let own = match method {
-        Method::ResidualFlexibility { .. } => (EXACT_SHARE * limit).min(EXACT_STEP),
-        _ => (SHARE * limit).min(STEP),
-    };
-    let step = given.unwrap_or(own);
+    let limit = March::beyond_limit(
+        pair,
+        MarchSettings { method, step: ANY, motion, predictor: Predictor::default() },
+    )?
+    .step_limit();
+    let (share, largest) =
+        if matches!(method, Method::ResidualFlexibility { .. }) { RESIDUAL } else { CENTRAL };
+    let step = given.unwrap_or((share * limit).min(largest));
     if step > limit {
         return Err(SlidingError::StepOverLimit { step, limit });
     }

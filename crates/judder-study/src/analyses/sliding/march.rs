@@ -1,6 +1,7 @@
 //! `march`: the motion along the path.
 
 mod blocks;
+mod expected;
 mod loudness;
 mod samples;
 mod settings;
@@ -17,7 +18,7 @@ use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::sliding::{method, step};
 use blocks::Marching;
-use judder_sliding::march::{March, MarchSettings};
+use judder_sliding::march::{March, MarchSettings, Predictor};
 use judder_sliding::recorder::Recorder;
 use loudness::loudness;
 use samples::{Finished, Samples};
@@ -31,7 +32,8 @@ pub(crate) fn run(of: &Marched<'_>, kept: Kept<'_>, progress: &dyn Progress) -> 
     let decimation = settings::decimation(&asked.signals, chosen.step);
     let signals = signals::recorded(points, asked.signal);
     let channels: Vec<_> = signals.iter().map(|signal| signals::channel(*signal)).collect();
-    let march_settings = MarchSettings { method, step: chosen.step, motion: of.motion };
+    let march_settings =
+        MarchSettings { method, step: chosen.step, motion: of.motion, predictor: Predictor::default() };
     let mut marching = Marching {
         march: March::new(of.pair, march_settings)?,
         recorder: Recorder::new(of.pair, &of.motion, &channels, &decimation)?,
@@ -45,7 +47,16 @@ pub(crate) fn run(of: &Marched<'_>, kept: Kept<'_>, progress: &dyn Progress) -> 
     let Marching { march, recorder, samples, .. } = marching;
     let sample_rate = decimation.sample_rate / decimation.factor as f64;
     let loud = loudness(&samples, (asked.signal, points), (of.motion.settled(), sample_rate))?;
-    let told = Told { of, chosen, steps: march.steps(), way: &way, tally: recorder.tally(), loud: &loud };
+    let zones = expected::zones(of);
+    let told = Told {
+        of,
+        chosen,
+        steps: march.steps(),
+        way: &way,
+        tally: recorder.tally(),
+        loud: &loud,
+        zones: &zones,
+    };
     let mut outcome = Outcome {
         scalars: told.scalars(),
         table: Some(told.table()?),

@@ -13,6 +13,8 @@ pub(super) struct PlacedBurst {
     pub(super) burst: Burst,
     /// m.
     pub(super) position: f64,
+    /// Where it was when the burst began, m.
+    pub(super) start: f64,
     /// Level before it, in the unit of the signal: √2 times the rms of as long a stretch, or of what there is after the ramps.
     pub(super) level_before: Option<f64>,
 }
@@ -83,6 +85,7 @@ pub(super) fn loudness(
     let placed = |burst: Burst| PlacedBurst {
         burst,
         position: history.position(burst.peak_time),
+        start: history.position(burst.start),
         level_before: history.level_before(&burst),
     };
     Ok(Loudness { peak, bursts: found.into_iter().map(placed).collect() })

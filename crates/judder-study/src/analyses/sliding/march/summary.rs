@@ -2,6 +2,7 @@
 
 use super::super::Marched;
 use super::blocks::Way;
+use super::expected;
 use super::loudness::{Loudness, PlacedBurst};
 use super::signals::unit;
 use crate::error::StudyError;
@@ -9,6 +10,8 @@ use crate::sliding::Step;
 use judder_case::sliding::march::MarchMethod;
 use judder_case::sliding::observe::{PointQuantity, Signal};
 use judder_numerics::signal::extremes::Extremes;
+use judder_sliding::SlidingError;
+use judder_sliding::amplification::Amplification;
 use judder_sliding::recorder::Tally;
 use judder_store::{Dataset, Table, Variable};
 use serde_json::{Map, Value, json};
@@ -23,6 +26,7 @@ pub(super) struct Told<'a> {
     pub(super) way: &'a Way,
     pub(super) tally: &'a Tally,
     pub(super) loud: &'a Loudness,
+    pub(super) zones: &'a Result<Vec<Amplification>, SlidingError>,
 }
 
 impl Told<'_> {
@@ -35,11 +39,14 @@ impl Told<'_> {
             "method": asked.method.name(), "steps": self.steps, "step_s": self.chosen.step,
             "step_limit_s": self.chosen.limit, "seconds": self.way.seconds, "settled_s": self.of.motion.settled(),
             "signal": asked.signal.name(self.of.points), "signal_unit": unit(asked.signal),
-            "peak_position_m": position, "bursts": self.loud.bursts.iter().map(burst).collect::<Vec<_>>(),
+            "peak_position_m": position, "bursts": self.loud.bursts.iter().map(|own| self.burst(own)).collect::<Vec<_>>(),
             "normal_force": span(normal_force), "sliding_velocity": span(sliding_velocity),
             "stick_steps": stick_steps, "open_steps": open_steps, "reversed_steps": reversed_steps,
         });
         scalars[peak_key(asked.signal)] = json!(peak);
+        if let Ok(zones) = self.zones {
+            scalars["zones"] = zones.iter().map(expected::told).collect();
+        }
         if let Some(ended) = &self.way.ended {
             scalars["ended"] =
                 json!({ "time_s": ended.time, "position_m": ended.position, "reason": ended.reason });
@@ -48,6 +55,21 @@ impl Told<'_> {
             Value::Object(map) => map,
             _ => Map::new(),
         }
+    }
+
+    fn zones(&self) -> &[Amplification] {
+        self.zones.as_deref().unwrap_or_default()
+    }
+
+    /// Amplifications in nepers: measured over the level before, and what the zone that was passed promises.
+    fn burst(&self, own: &PlacedBurst) -> Value {
+        let PlacedBurst { burst, position, level_before, .. } = own;
+        json!({
+            "position_m": position, "time_s": burst.peak_time, "frequency_hz": burst.frequency, "peak": burst.peak,
+            "duration_s": burst.duration,
+            "measured_amplification": level_before.map(|level| (burst.peak / level).ln()),
+            "expected_amplification": expected::zone_of(self.zones(), own).map(|zone| zone.nepers),
+        })
     }
 
     /// The bursts for a spreadsheet.
@@ -111,6 +133,9 @@ impl Told<'_> {
                 "nothing is left of the march after its ramps, which end at {settled} s: no peak, no bursts"
             ));
         }
+        if let Err(error) = self.zones {
+            warnings.push(format!("no expected amplification beside the bursts: {error}"));
+        }
         let knows_sliding_alone = asked.method != MarchMethod::Film;
         let Tally { reversed_steps, open_steps, .. } = self.tally;
         if knows_sliding_alone && *reversed_steps > 0 {
@@ -137,13 +162,4 @@ fn peak_key(signal: Signal) -> &'static str {
 
 fn span(extremes: &Extremes) -> Value {
     json!({ "min": extremes.minimum().map(|(_, value)| value), "max": extremes.maximum().map(|(_, value)| value) })
-}
-
-fn burst(own: &PlacedBurst) -> Value {
-    let PlacedBurst { burst, position, level_before } = own;
-    json!({
-        "position_m": position, "time_s": burst.peak_time, "frequency_hz": burst.frequency, "peak": burst.peak,
-        "duration_s": burst.duration,
-        "measured_amplification": level_before.map(|level| (burst.peak / level).ln()),
-    })
 }

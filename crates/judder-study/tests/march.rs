@@ -49,7 +49,7 @@ points = [{ name = "T", structure = "horizontal", set = "end-upper" }]
 "#;
 
 fn case(analyses: &str) -> CaseFile {
-    CaseFile::parse(&format!("{PAIR}\n{analyses}"), "case.toml", &[]).unwrap()
+    CaseFile::parse("case.toml", &format!("{PAIR}\n{analyses}"), &[]).unwrap()
 }
 
 fn march(name: &str, rest: &str) -> String {
@@ -178,7 +178,7 @@ fn an_interrupted_march_goes_on_to_the_bit() {
 fn a_march_that_fails_keeps_what_it_had() {
     let text = format!("{PAIR}\n{}", march("ensubs", "method = \"ensubs\""))
         .replace("friction_coefficient = 0.3", "friction_coefficient = 5.0");
-    let file = CaseFile::parse(&text, "case.toml", &[]).unwrap();
+    let file = CaseFile::parse("case.toml", &text, &[]).unwrap();
     let folder = TempDir::new().unwrap();
     let report = run(&file, &folder.path().join("study"), &RunOptions::default(), &Silent).unwrap();
     assert!(!report.complete);

@@ -274,14 +274,14 @@ pub static SLIDING_KEYS: [Key<SlidingKey>; 30] = [
         "of a `march`: where it begins; `motion.start` where left out",
     ),
     position(SlidingKey::To, "analysis.to", "s", "of a `march`: where it ends; `motion.end` where left out"),
-    quantity(
+    open(quantity(
         SlidingKey::Step,
         "analysis.step",
         "h",
         TIME,
-        ("3e-7 s", 3e-7),
-        "time step; `residual-flexibility` chooses its own where left out",
-    ),
+        ("", 0.0),
+        "time step; where left out, 3e-7 s or 0.9 of the limit of stability, of `residual-flexibility` 3e-6 s or 0.75 of it, whichever is smaller",
+    )),
     open(quantity(
         SlidingKey::Frequency,
         "analysis.frequency",
@@ -295,7 +295,7 @@ pub static SLIDING_KEYS: [Key<SlidingKey>; 30] = [
         "analysis.cut_off",
         "ω_c",
         FREQUENCY,
-        ("150 kHz", 150e3 * HERTZ),
+        ("60 kHz", 60e3 * HERTZ),
         "of `residual-flexibility`: modes above are replaced by their flexibility",
     ),
     quantity(
@@ -312,7 +312,7 @@ pub static SLIDING_KEYS: [Key<SlidingKey>; 30] = [
         "2π f_s",
         FREQUENCY,
         ("400 kHz", 400e3 * HERTZ),
-        "samples per time at least: the steps between samples are a whole number",
+        "samples per time at least: the steps between samples are a whole number; every step where steps are longer",
     ),
     quantity(
         SlidingKey::WindowLength,

@@ -125,6 +125,22 @@ impl From<SoundError> for ExchangeError {
     }
 }
 
+/// One channel, or two of the same length, as the bytes of a WAV file at `sample_rate` (Hz), and the gain g of both: what is heard is g times
+/// the signal, full scale being 1.
+///
+/// # Errors
+/// [`Cause::Sound`] with what cannot be heard.
+pub fn wav_bytes(
+    channels: &[&[f64]],
+    sample_rate: u32,
+    format: WavFormat,
+    loudness: Loudness,
+) -> Result<(Vec<u8>, f64), ExchangeError> {
+    check(channels, sample_rate, format)?;
+    let gain = gain(channels, loudness)?;
+    Ok((encoded(channels, sample_rate, format, gain)?, gain))
+}
+
 /// Writes one channel, or two of the same length, as a WAV file at `sample_rate` (Hz), and returns the gain g of both: what is heard is g times the
 /// signal, full scale being 1.
 ///
@@ -137,11 +153,8 @@ pub fn write_wav(
     format: WavFormat,
     loudness: Loudness,
 ) -> Result<f64, ExchangeError> {
-    let encoded = check(channels, sample_rate, format)
-        .and_then(|()| gain(channels, loudness))
-        .map_err(ExchangeError::from)
-        .and_then(|gain| Ok((encoded(channels, sample_rate, format, gain)?, gain)));
-    let (bytes, gain) = encoded.map_err(|error| error.in_file(path))?;
+    let (bytes, gain) =
+        wav_bytes(channels, sample_rate, format, loudness).map_err(|error| error.in_file(path))?;
     write_file(path, |out| Ok(out.write_all(&bytes)?))?;
     Ok(gain)
 }

@@ -86,6 +86,19 @@ pub enum PanelError {
         /// What was given.
         linear: f64,
     },
+    /// Abscissae and values of a second axis do not pair up.
+    #[error("the second axis has {x} abscissae but {values} values: give as many of both")]
+    SecondLengths {
+        /// Number of abscissae.
+        x: usize,
+        /// Number of values.
+        values: usize,
+    },
+    /// A second axis that turns back, or has something that is no number.
+    #[error(
+        "the second axis is out of order: its abscissae must ascend, its values rise or fall throughout, all finite"
+    )]
+    SecondOrder,
     /// Abscissae and ordinates do not pair up.
     #[error("layer {layer}: {x} abscissae but {y} ordinates: give as many of both")]
     Lengths {

@@ -54,6 +54,8 @@ pub struct Panel {
     pub layers: Vec<Layer>,
     /// Where the labels of the layers are explained.
     pub legend: Legend,
+    /// What else belongs to the abscissae, along the upper side of the frame.
+    pub second: Option<SecondAxis>,
 }
 
 impl Panel {
@@ -62,7 +64,7 @@ impl Panel {
     pub fn new(x: Axis, y: Axis, layers: Vec<Layer>) -> Self {
         let has_map = layers.iter().any(|layer| matches!(layer, Layer::Classes(_)));
         let legend = if has_map { Legend::Below } else { Legend::Inside };
-        Self { title: String::new(), x, y, layers, legend }
+        Self { title: String::new(), x, y, layers, legend, second: None }
     }
 
     /// The same panel under a title.
@@ -76,6 +78,23 @@ impl Panel {
     pub fn with_legend(self, legend: Legend) -> Self {
         Self { legend, ..self }
     }
+
+    /// The same panel with a second scale along its upper side.
+    #[must_use]
+    pub fn with_second_axis(self, second: SecondAxis) -> Self {
+        Self { second: Some(second), ..self }
+    }
+}
+
+/// A second quantity along the horizontal axis, such as the place that belongs to each time: straight between its points.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SecondAxis {
+    /// Quantity, symbol and unit.
+    pub label: String,
+    /// Abscissae, strictly ascending.
+    pub x: Vec<f64>,
+    /// The value above each of them: rising throughout or falling throughout, but it may stand still.
+    pub value: Vec<f64>,
 }
 
 /// Where the legend of a panel stands.

@@ -6,6 +6,7 @@ use crate::figure::{Axis, Figure, Layer, Legend, Panel, Scale, ValueMap};
 use crate::legend::{self, Entry};
 use crate::palette::ColourMap;
 use crate::scale::Placed;
+use crate::second_axis::{self, DrawnSecond};
 use crate::ticks::{Ticks, thin_labels, ticks};
 use crate::typeface::{SMALL_SIZE, width};
 
@@ -47,6 +48,8 @@ pub(crate) struct DrawnPanel {
     pub(crate) frame: Frame,
     pub(crate) x: DrawnAxis,
     pub(crate) y: DrawnAxis,
+    /// Along the upper side.
+    pub(crate) second: Option<DrawnSecond>,
     /// The colour bar of each value map, in the order of the layers (one panel has room for one).
     pub(crate) bar: Option<DrawnAxis>,
     /// Letter (empty where there is one panel) and title.
@@ -59,6 +62,12 @@ pub(crate) struct DrawnPanel {
 }
 
 impl DrawnPanel {
+    /// From the frame up to its heading.
+    pub(crate) fn heading_rise(&self) -> f64 {
+        let labelled = |second: &DrawnSecond| if second.label.is_empty() { 0.0 } else { LINE + 2.0 };
+        self.second.as_ref().map_or(0.0, |second| TICK_GAP + LINE - 2.0 + labelled(second))
+    }
+
     /// The place of a value pair, where it has one.
     pub(crate) fn point(&self, x: f64, y: f64) -> Option<(f64, f64)> {
         let (across, up) = (self.x.placed.fraction(x)?, self.y.placed.fraction(y)?);
@@ -173,10 +182,13 @@ fn draw_panel(panel: &Panel, letter: String, width_of_frame: f64, height: f64) -
     let mut ticks_y = ticks(&placed_y, (height / 22.0) as usize);
     thin_labels(&placed_y, &mut ticks_y, LINE / height);
     let tick_width = widest_label(&ticks_y);
+    let room = ((width_of_frame / 30.0) as usize, (widest + 5.0) / width_of_frame);
+    let second = panel.second.as_ref().map(|second| second_axis::drawn(second, &placed_x, room));
     DrawnPanel {
         frame: Frame { x: 0.0, y: 0.0, width: width_of_frame, height },
         x: drawn_axis(&panel.x, placed_x, ticks_x),
         y: drawn_axis(&panel.y, placed_y, ticks_y),
+        second,
         bar: panel.layers.iter().find_map(value_map).map(|map| bar_axis(map, height)),
         letter,
         title: panel.title.clone(),
@@ -229,7 +241,8 @@ fn room_around(panel: &DrawnPanel) -> Around {
         left: TICK_GAP + panel.tick_width + label_room(&panel.y),
         // half a tick label may stand out to the right
         right: bar.max(widest_label(&panel.x.ticks) / 2.0),
-        top: if panel.letter.is_empty() && panel.title.is_empty() { 4.0 } else { LINE + 5.0 },
+        top: panel.heading_rise()
+            + if panel.letter.is_empty() && panel.title.is_empty() { 4.0 } else { LINE + 5.0 },
         bottom: TICK_GAP + LINE + label_room(&panel.x),
     }
 }

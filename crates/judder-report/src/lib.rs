@@ -7,6 +7,7 @@
 //! - `validate`: whether arrays and ranges fit together; what is wrong is a [`ReportError`].
 //! - `markup`, `typeface`: labels with sub- and superscripts and symbols; how wide they are.
 //! - `scale`, `ticks`, `extent`: where values stand on an axis, where an axis is marked, what the data span.
+//! - `second_axis`: a second scale along the upper side of a frame.
 //! - `legend`, `corner`, `layout`: what is explained, where that hides no data, and where everything stands.
 //! - `raster`: maps as little pictures, one pixel a cell.
 //! - [`svg`], [`png`], [`plotly`]: the figure as a drawing, as pixels, and for the browser.
@@ -25,13 +26,14 @@ mod plotly;
 mod png;
 mod raster;
 mod scale;
+mod second_axis;
 mod svg;
 mod ticks;
 mod typeface;
 mod validate;
 
 pub use error::{PanelError, ReportError};
-pub use figure::{Axis, Figure, Layer, Legend, Panel, Scale, Swing};
+pub use figure::{Axis, Figure, Layer, Legend, Panel, Scale, SecondAxis, Swing};
 pub use page::{Block, Page, Section, html};
 pub use palette::{Role, Style};
 pub use plotly::plotly;

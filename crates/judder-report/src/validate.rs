@@ -1,7 +1,7 @@
 //! Whether a figure can be drawn: checked once, before any picture is made, so that drawing cannot fail.
 
 use crate::error::{PanelError, ReportError};
-use crate::figure::{Axis, Figure, Layer, Line, Panel, Scale};
+use crate::figure::{Axis, Figure, Layer, Line, Panel, Scale, SecondAxis};
 use crate::scale::{SMALLEST, drawable};
 
 /// A figure is in order when its name is a file stem, its ranges can be drawn and its arrays fit together.
@@ -27,6 +27,7 @@ pub(crate) fn check(figure: &Figure) -> Result<(), ReportError> {
 fn check_panel(panel: &Panel) -> Result<(), PanelError> {
     check_axis(&panel.x, "x")?;
     check_axis(&panel.y, "y")?;
+    check_second(panel)?;
     for (layer, content) in panel.layers.iter().enumerate() {
         match content {
             Layer::Line(line) | Layer::Points(line) if line.x.len() != line.y.len() => {
@@ -52,6 +53,18 @@ fn check_panel(panel: &Panel) -> Result<(), PanelError> {
         }
     }
     Ok(())
+}
+
+/// A second scale has a finite value above each of its abscissae, and turns nowhere.
+fn check_second(panel: &Panel) -> Result<(), PanelError> {
+    let Some(SecondAxis { x, value, .. }) = &panel.second else { return Ok(()) };
+    if x.len() != value.len() {
+        return Err(PanelError::SecondLengths { x: x.len(), values: value.len() });
+    }
+    let is_in_order = x.iter().chain(value).all(|number| number.is_finite())
+        && x.is_sorted_by(|a, b| a < b)
+        && (value.is_sorted() || value.is_sorted_by(|a, b| a >= b));
+    if is_in_order { Ok(()) } else { Err(PanelError::SecondOrder) }
 }
 
 /// A swing has an amplitude for every point, and axes that are even: elsewhere it would not be harmonic.

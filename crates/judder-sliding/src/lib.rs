@@ -14,11 +14,14 @@
 //! - [`zones`]: where along a parameter the pair is unstable.
 //! - [`locus`]: eigenvalues and unstable zones against contact position.
 //! - [`dense_forms`]: the three-field form, its primal and its dual assembly with full matrices.
+//! - [`amplification`]: what a zone of growth does to a vibration that passes through it.
 //! - [`motion`]: prescribed motion, load and ramps.
 //! - [`march`]: through time: Subs, EnSubs, FiLM, and the march with residual flexibility.
+//! - [`recorder`]: signals of a march, decimated while it runs, and the extremes of every step.
 //! - [`shape`]: the shape of a coupled mode.
 //! - [`growth`]: growth with the contact held, measured against the eigenvalue.
 
+pub mod amplification;
 pub mod body;
 pub mod characteristic;
 pub mod coupling;
@@ -32,6 +35,7 @@ pub mod march;
 pub mod motion;
 pub mod pair;
 pub mod plane;
+pub mod recorder;
 pub mod reduced;
 pub mod shape;
 pub mod spectrum;

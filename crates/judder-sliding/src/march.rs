@@ -105,6 +105,10 @@ pub trait Sink {
     /// One step, with the accelerations of the observed displacements in m/s² (those of the step before: they are central
     /// differences).
     fn take(&mut self, sample: &Sample, accelerations: &[f64]);
+
+    /// Before that, each observed displacement in m after this step, without what the slider's frame has moved, and where that frame
+    /// is; passed over where nobody wants it.
+    fn displaced(&mut self, _point: usize, _displacement: f64, _position: f64) {}
 }
 
 impl<F: FnMut(&Sample, &[f64])> Sink for F {

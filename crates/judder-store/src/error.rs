@@ -194,6 +194,14 @@ pub enum StoreError {
         /// The dimension along which the first one grows.
         dimension: String,
     },
+    /// A variable that does not grow was asked for.
+    #[error("no variable `{variable}` grows here; there are {}", known.join(", "))]
+    NotGrowing {
+        /// The variable.
+        variable: String,
+        /// Those that grow.
+        known: Vec<String>,
+    },
     /// New values for more or fewer variables than grow.
     #[error("there are {found} slices of new values for {expected} growing variables; each needs one")]
     SliceCount {

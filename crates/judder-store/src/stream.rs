@@ -36,6 +36,7 @@ const VALUE_BYTES: u64 = size_of::<f64>() as u64;
 /// drop(stream); // or a kill
 /// let stream = StreamWriter::open(&study, "march", "hash", &variables)?;
 /// assert_eq!((stream.len(), stream.checkpoint()), (2, Some(&b"step 2"[..])));
+/// assert_eq!(stream.values("normal_force")?, [10.0, 10.5]);
 /// stream.finish(Dataset::new().attribute("step_s", 1e-6)?)?;
 /// assert_eq!(study.read_dataset("march")?.dimension_length("time"), Some(2));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -110,6 +111,22 @@ impl<'a> StreamWriter<'a> {
     #[must_use]
     pub fn checkpoint(&self) -> Option<&[u8]> {
         self.checkpoint.as_deref()
+    }
+
+    /// What has been appended to a variable so far; it is read from the disk.
+    ///
+    /// # Errors
+    /// [`StoreError::NotGrowing`], failures of the file system.
+    pub fn values(&self, variable: &str) -> Result<Vec<f64>, StoreError> {
+        if !self.variables.iter().any(|known| known.name == variable) {
+            let known = self.variables.iter().map(|known| known.name.clone()).collect();
+            return Err(StoreError::NotGrowing { variable: variable.to_owned(), known });
+        }
+        let path = place(&self.folder, variable);
+        let mut bytes = fs::read(&path).map_err(|source| StoreError::read(&path, source))?;
+        bytes.truncate((self.len * VALUE_BYTES) as usize);
+        let (values, _) = bytes.as_chunks::<{ VALUE_BYTES as usize }>();
+        Ok(values.iter().map(|value| f64::from_le_bytes(*value)).collect())
     }
 
     /// Appends a slice of new values to each variable, in their order and equally long (empty ones keep the checkpoint alone), and replaces the

@@ -6,6 +6,7 @@ mod critical;
 mod equivalent_damping;
 mod margins;
 mod motion;
+mod sliding;
 mod spectrum;
 mod stability_map;
 mod steady_states;
@@ -21,6 +22,7 @@ use crate::error::StudyError;
 use crate::kept::Kept;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
+use crate::sliding::SlidingSystem;
 use crate::spectrum_source::temperature_warning;
 use crate::structure::Structure;
 use judder_case::{
@@ -61,7 +63,8 @@ pub fn steps(case: &Case, index: usize) -> usize {
         },
         Case::Contact(case) => contact::steps(&case.analyses[index].kind),
         Case::Belt(case) => motion::steps(&case.analyses[index].kind),
-        Case::TwoDegrees(_) | Case::Sliding(_) => 1,
+        Case::TwoDegrees(_) => 1,
+        Case::Sliding(case) => sliding::steps(&case.analyses[index].kind),
         Case::Structure(case) => structure::steps(&case.analyses[index].kind),
     }
 }
@@ -96,12 +99,13 @@ pub(crate) fn run_from(
         Case::Contact(case) => contact::run(case, &case.analyses[index], own, progress),
         Case::Belt(case) => motion::run(&BeltModel::new(case), &case.analyses[index].kind, own, progress),
         Case::TwoDegrees(case) => two_degrees::run(case, &case.analyses[index].kind, progress),
-        Case::Sliding(_) => Err(StudyError::NotRunYet { model: "sliding" }),
+        Case::Sliding(case) => match prepared {
+            Prepared::Sliding(system) => sliding::run((case, system), &case.analyses[index], own, progress),
+            _ => sliding::run((case, &SlidingSystem::new(case)?), &case.analyses[index], own, progress),
+        },
         Case::Structure(case) => match prepared {
             Prepared::Structure(built) => structure::run((case, built), &case.analyses[index], progress),
-            Prepared::Nothing => {
-                structure::run((case, &Structure::new(case)?), &case.analyses[index], progress)
-            }
+            _ => structure::run((case, &Structure::new(case)?), &case.analyses[index], progress),
         },
     }
 }
@@ -112,6 +116,8 @@ pub(crate) enum Prepared {
     Nothing,
     /// The structure of a structure case.
     Structure(Box<Structure>),
+    /// The pair of a sliding case.
+    Sliding(Box<SlidingSystem>),
 }
 
 impl Prepared {
@@ -119,6 +125,7 @@ impl Prepared {
     fn new(case: &Case) -> Result<Self, StudyError> {
         match case {
             Case::Structure(case) => Ok(Self::Structure(Box::new(Structure::new(case)?))),
+            Case::Sliding(case) => Ok(Self::Sliding(Box::new(SlidingSystem::new(case)?))),
             _ => Ok(Self::Nothing),
         }
     }

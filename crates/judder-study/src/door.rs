@@ -6,6 +6,7 @@ use crate::bridge;
 use crate::error::StudyError;
 use crate::indenter::profile;
 use crate::material::ContactScales;
+use crate::sliding::SlidingSystem;
 use crate::structure::Structure;
 use judder_case::{Case, CaseFile, ContactAnalysis, ContactCase, ContactProblem, Memory, Shape};
 use judder_contact::kernel::check::KernelError;
@@ -29,7 +30,10 @@ pub(crate) fn check(file: &CaseFile, is_wanted: impl Fn(&str) -> bool) -> Result
             let structure = Structure::new(case).map_err(|unbuilt| unbuilt.placed(file))?;
             return Ok(Prepared::Structure(Box::new(structure)));
         }
-        Case::Sliding(_) => return Err(StudyError::NotRunYet { model: "sliding" }),
+        Case::Sliding(case) => {
+            let system = SlidingSystem::new(case).map_err(|uncoupled| uncoupled.placed(file))?;
+            return Ok(Prepared::Sliding(Box::new(system)));
+        }
         Case::Belt(_) | Case::TwoDegrees(_) => return Ok(Prepared::Nothing),
     };
     let scales = ContactScales::new(case)?;

@@ -5,11 +5,14 @@ use judder_contact::material::MaterialError;
 use judder_contact::periodic_contact::PeriodicContactError;
 use judder_contact::steady::SteadyError;
 use judder_contact::transient::TransientError;
+use judder_exchange::ExchangeError;
 use judder_numerics::piecewise::MarchError;
+use judder_numerics::signal::SignalError;
 use judder_oscillator::OscillatorError;
 use judder_oscillator::cycle::CycleError;
 use judder_oscillator::motion::history::LostMotion;
 use judder_report::ReportError;
+use judder_sliding::SlidingError;
 use judder_store::StoreError;
 use judder_structure::StructureError;
 use std::path::PathBuf;
@@ -46,11 +49,49 @@ pub enum StudyError {
         /// The model of the case.
         model: &'static str,
     },
-    /// A case of a model that is read, but not run.
-    #[error("cases of model `{model}` are read and checked, but not run yet")]
+    /// An analysis of a kind that is read, but not run.
+    #[error("analyses of kind `{kind}` are read and checked, but not run yet")]
     NotRunYet {
-        /// The model.
-        model: &'static str,
+        /// The kind.
+        kind: &'static str,
+    },
+    /// Two structures cannot slide on each other, or their eigenvalues were not found.
+    #[error(transparent)]
+    Sliding(#[from] SlidingError),
+    /// A signal of a march cannot be treated.
+    #[error("the signal: {0}")]
+    Signal(#[from] SignalError),
+    /// A sound could not be made.
+    #[error("the sound: {source}")]
+    Sound {
+        /// Why.
+        source: ExchangeError,
+    },
+    /// The state from which an interrupted march would go on cannot be used.
+    #[error("the state of the interrupted march cannot be read ({source}); run again with --fresh")]
+    Checkpoint {
+        /// Why.
+        source: serde_json::Error,
+    },
+    /// An analysis takes the result of another, which is not there.
+    #[error(
+        "`{by}` takes the result of `{analysis}`, which is not there: run `{analysis}` first, or all analyses in one run"
+    )]
+    NotDone {
+        /// The analysis without a result.
+        analysis: String,
+        /// Which takes it.
+        by: String,
+    },
+    /// A march has not kept a signal.
+    #[error(
+        "the march `{march}` keeps accelerations, contact forces and the sliding velocity, but not `{signal}`: give it signal = \"{signal}\""
+    )]
+    NotRecorded {
+        /// The march.
+        march: String,
+        /// What it has not kept.
+        signal: String,
     },
     /// A file that the case names could not be used.
     #[error("{}: {reason}", path.display())]
@@ -146,6 +187,8 @@ impl StudyError {
             | Self::Material(_)
             | Self::Indenter(_)
             | Self::Unsupported(_)
+            | Self::Signal(_)
+            | Self::NotRecorded { .. }
             | Self::NoResults { .. }
             | Self::Periodic(_) => true,
             Self::Store(error) => matches!(
@@ -159,6 +202,14 @@ impl StudyError {
             Self::Contact(error) => {
                 !matches!(error, SteadyError::DomainTooSmall { .. } | SteadyError::NoCells)
             }
+            Self::Sliding(error) => !matches!(
+                error,
+                SlidingError::Incomplete { .. }
+                    | SlidingError::DenseFailure { .. }
+                    | SlidingError::NoConvergence { .. }
+                    | SlidingError::NotFinite { .. }
+                    | SlidingError::ForeignCheckpoint
+            ),
             // a window that was chosen, not given
             Self::Transient(error) => !matches!(error, TransientError::WindowTooSmall { .. }),
             Self::Structure(error) => !matches!(
@@ -176,6 +227,9 @@ impl StudyError {
             | Self::UnstableCycle { .. }
             | Self::Report(_)
             | Self::Fields(_)
+            | Self::Sound { .. }
+            | Self::Checkpoint { .. }
+            | Self::NotDone { .. }
             | Self::Interrupted => false,
         }
     }

@@ -1,5 +1,6 @@
 //! What an interrupted run has left of an analysis, so that the next one goes on from there.
 
+use judder_store::StudyFolder;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -10,11 +11,26 @@ pub(crate) struct Kept<'a> {
     pub(crate) lines: &'a [String],
     /// Keeps a line; it may come from any thread.
     pub(crate) keep: &'a (dyn Fn(&str) + Sync),
+    /// Where the study is; none where there is none.
+    pub(crate) place: Option<Place<'a>>,
+}
+
+/// An analysis in its study folder: for those that store arrays while they run, and those that read what others have left.
+#[derive(Clone, Copy)]
+pub(crate) struct Place<'a> {
+    /// The folder.
+    pub(crate) study: &'a StudyFolder,
+    /// The analysis's name.
+    pub(crate) analysis: &'a str,
+    /// What its result depends on.
+    pub(crate) hash: &'a str,
+    /// The same of all analyses of the case.
+    pub(crate) all: &'a [(String, String)],
 }
 
 impl Kept<'_> {
     /// Nothing is known and nothing is kept.
-    pub(crate) const NOTHING: Kept<'static> = Kept { lines: &[], keep: &|_| () };
+    pub(crate) const NOTHING: Kept<'static> = Kept { lines: &[], keep: &|_| (), place: None };
 
     /// What is known of one type; a line that is none of it comes from elsewhere and is passed over.
     pub(crate) fn known<T: DeserializeOwned>(&self) -> Vec<T> {

@@ -6,6 +6,7 @@
 //! - `input_file`, `spectrum_source`, `material`, `indenter`: the files that a case names, the substrate, the surface that presses.
 //! - `door`: what is refused of a contact case before anything runs.
 //! - `structure`: the structure of a case: elements assembled, matrices read.
+//! - `sliding`: the pair of a sliding case: both structures reduced, the contact between them.
 //! - [`point`]: everything about one operating point.
 //! - [`outcome`]: what an analysis leaves: scalars, arrays, a table, checks, warnings.
 //! - [`analyses`]: one module a kind of analysis.
@@ -36,6 +37,7 @@ mod report_tables;
 pub mod reproduce;
 pub mod resolve;
 pub mod run;
+mod sliding;
 mod spectrum_source;
 mod structure;
 mod text;

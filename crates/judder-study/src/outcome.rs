@@ -11,6 +11,8 @@ pub struct Outcome {
     pub scalars: Map<String, Value>,
     /// Every array, with coordinates and units.
     pub dataset: Dataset,
+    /// Whether the arrays are in the study folder already: they grew there while the analysis ran.
+    pub is_stored: bool,
     /// What a spreadsheet wants, where the result is a table.
     pub table: Option<Table>,
     /// The comparisons that were made.

@@ -8,6 +8,7 @@ mod laws;
 mod map;
 mod modulus;
 pub(crate) mod motion;
+mod sliding;
 mod structure;
 mod transient;
 
@@ -44,6 +45,8 @@ pub fn panels(dataset: &Dataset) -> Vec<Panel> {
         "reduction" => structure::reduction(dataset),
         "eigen" => structure::eigen(dataset),
         "eigen-sweep" => structure::eigen_sweep(dataset),
+        "march" => sliding::march(dataset),
+        "spectrogram" => sliding::spectrogram(dataset),
         _ => None,
     };
     panels.unwrap_or_default()
@@ -125,6 +128,12 @@ fn caption(dataset: &Dataset) -> &'static str {
         "eigen" => {
             "All eigenvalues found in the region; the axis of growth rates is logarithmic on both sides of zero. Damping ratios $ζ = −$Re $λ/|λ|$: a \
              bubble's area is their magnitude. Shapes of the fastest growing modes, which swing on the page, and how alike any two shapes are."
+        }
+        "march" => {
+            "Each line fills the space between the smallest and the largest sample of a column; samples are low-passed before they are thinned. Above              the frame, where the contact is. Extremes of every step stand in the table."
+        }
+        "spectrogram" => {
+            "Left, the highest level in each cell of the drawing, with the unstable zones of a locus laid over: a bar from start to end, a marker in its              middle. Right, the highest level in each of successive stretches, every spectrum standing on its position."
         }
         _ => "",
     }

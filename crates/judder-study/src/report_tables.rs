@@ -1,4 +1,4 @@
-//! Tables of the report beside the scalars: eigenvalues, and why modes grow.
+//! Tables of the report beside the scalars: eigenvalues, why modes grow, bursts.
 
 use judder_report::Block;
 use judder_report::page::Table;
@@ -7,8 +7,44 @@ use serde_json::{Map, Value};
 /// Rows that a table shows; all are in the CSV file.
 const ROWS: usize = 40;
 
-/// The tables of an analysis that has complex modes.
+/// The tables of an analysis that has complex modes or bursts.
 pub(crate) fn tables(results: &Map<String, Value>) -> Vec<Block> {
+    let mut blocks = complex_modes(results);
+    let listed = results.get("bursts").and_then(Value::as_array).filter(|listed| !listed.is_empty());
+    blocks.extend(listed.map(|listed| Block::Table(bursts(listed))));
+    blocks
+}
+
+/// Bursts with the growth that was measured and that of the zone which they passed.
+fn bursts(listed: &[Value]) -> Table {
+    let keys = [
+        "time_s",
+        "position_m",
+        "frequency_hz",
+        "peak",
+        "duration_s",
+        "measured_amplification",
+        "expected_amplification",
+    ];
+    let head = [
+        "time (s)",
+        "position (m)",
+        "frequency (Hz)",
+        "peak",
+        "duration (s)",
+        "ln(peak/level before)",
+        "∫ $σ$ d$t$ of its zone",
+    ];
+    let more =
+        if listed.len() > ROWS { format!(", the first {ROWS} of {}", listed.len()) } else { String::new() };
+    Table {
+        caption: format!("Bursts{more}"),
+        head: head.map(String::from).to_vec(),
+        rows: listed.iter().take(ROWS).map(|own| keys.map(|key| short(&own[key])).to_vec()).collect(),
+    }
+}
+
+fn complex_modes(results: &Map<String, Value>) -> Vec<Block> {
     let is_list = |value: &&Vec<Value>| value.first().is_some_and(|first| first.get("verdict").is_some());
     let Some(values) = results.get("eigenvalues").and_then(Value::as_array).filter(is_list) else {
         return Vec::new();

@@ -116,7 +116,7 @@ fn run_all(
         let began = Instant::now();
         let known = points().clone();
         let keep = |line: &str| points().push(line.to_owned());
-        let kept = Kept { lines: &known, keep: &keep };
+        let kept = Kept { lines: &known, keep: &keep, place: None };
         let outcome = analyses::run_from((&file.case, &Prepared::Nothing), *analysis, (kept, kept), progress)
             .map(without_lists);
         progress.end();

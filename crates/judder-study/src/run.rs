@@ -4,7 +4,7 @@ use crate::analyses;
 use crate::door;
 use crate::error::StudyError;
 use crate::input_file;
-use crate::kept::Kept;
+use crate::kept::{Kept, Place};
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use crate::report;
@@ -110,6 +110,7 @@ pub fn run(
     study.set_case(file, &resolved);
     let (mut skipped, mut refused) = (Vec::new(), Vec::new());
     let law = shared_law(&file.case, &resolved);
+    let all: Vec<(String, String)> = names.iter().cloned().zip(hashes.iter().cloned()).collect();
     for (index, (name, hash)) in names.iter().zip(hashes.clone()).enumerate() {
         if !is_wanted(name) {
             continue;
@@ -130,9 +131,10 @@ pub fn run(
         let keep_shared = |line: &str| {
             let _ = shared.as_ref().map(|shared| shared.keep(line));
         };
-        let own = Kept { lines: scratch.lines(), keep: &keep };
+        let place = Place { study: &store, analysis: name, hash: &hash, all: &all };
+        let own = Kept { lines: scratch.lines(), keep: &keep, place: Some(place) };
         let lines = shared.as_ref().map_or(&[][..], Scratch::lines);
-        let of_law = Kept { lines, keep: &keep_shared };
+        let of_law = Kept { lines, keep: &keep_shared, place: None };
         let outcome = analyses::run_from((&file.case, &prepared), index, (of_law, own), progress);
         progress.end();
         let outcome = outcome.map_err(|error| door::placed(error, file, index));
@@ -195,7 +197,18 @@ pub(crate) fn analysis_hash(resolved: &Value, index: usize) -> String {
         object.remove("analysis");
         object.remove("title");
     }
-    content_hash(json!([VERSION, model, analysis]).to_string().as_bytes())
+    let others = used_by(resolved, analysis.as_ref());
+    if others.is_empty() {
+        return content_hash(json!([VERSION, model, analysis]).to_string().as_bytes());
+    }
+    content_hash(json!([VERSION, model, analysis, others]).to_string().as_bytes())
+}
+
+/// The other analyses whose results an analysis takes, as the case describes them.
+fn used_by<'a>(resolved: &'a Value, analysis: Option<&Value>) -> Vec<&'a Value> {
+    let names: Vec<&str> = ["of", "locus"].iter().filter_map(|key| analysis?.get(key)?.as_str()).collect();
+    let all = resolved.get("analysis").and_then(Value::as_array).into_iter().flatten();
+    all.filter(|other| other["name"].as_str().is_some_and(|name| names.contains(&name))).collect()
 }
 
 /// A study folder in the making.
@@ -255,7 +268,9 @@ impl<'a> Study<'a> {
         let mut refused = None;
         let (status, warnings) = match outcome {
             Ok(outcome) => {
-                self.store.write_dataset(name, &hash, &outcome.dataset)?;
+                if !outcome.is_stored {
+                    self.store.write_dataset(name, &hash, &outcome.dataset)?;
+                }
                 if let Some(table) = &outcome.table {
                     self.store.write_table(name, table)?;
                 }

@@ -11,14 +11,18 @@ mod layout;
 mod mesh_file;
 mod sums;
 
+pub(crate) use kept::{freedoms_of, points_of};
 pub(crate) use layout::Layout;
 
 use crate::error::StudyError;
 use judder_case::{CaseFile, StructureCase, StructureProblem, StructureSource};
 use judder_structure::affine::{Factors, Family};
 use judder_structure::assembly::Sparse;
+use judder_structure::freedom::Numbering;
+use judder_structure::material::{Elastic, Section};
 use judder_structure::mesh::Mesh;
 use judder_structure::quadratic::Quadratic;
+use std::collections::BTreeMap;
 
 /// A structure whose files are read and whose elements are assembled.
 pub(crate) struct Structure {
@@ -27,11 +31,18 @@ pub(crate) struct Structure {
     /// Where its freedoms lie; `None` where nothing tells.
     pub(crate) layout: Option<Layout>,
     /// Its elements, where it has any.
-    pub(crate) mesh: Option<Mesh>,
+    pub(crate) elements: Option<Elements>,
     /// The freedoms that a reduction keeps.
     pub(crate) kept: Vec<usize>,
     /// What the user has to know of it.
     pub(crate) warnings: Vec<String>,
+}
+
+/// Elements with what they are made of and how their freedoms are numbered.
+pub(crate) struct Elements {
+    pub(crate) mesh: Mesh,
+    pub(crate) materials: BTreeMap<String, (Elastic, Section)>,
+    pub(crate) numbering: Numbering,
 }
 
 /// Why a structure cannot be, and at which dotted path of the case.
@@ -44,6 +55,14 @@ pub(crate) struct Unbuilt {
 impl Unbuilt {
     fn new(path: impl Into<String>, problem: StructureProblem) -> Self {
         Self { path: path.into(), problem }
+    }
+
+    /// The same of a structure that is one of several, by its name.
+    pub(crate) fn of_structure(self, name: &str) -> Self {
+        let path = self.path.strip_prefix("structure").unwrap_or(&self.path).trim_start_matches('.');
+        let path =
+            if path.is_empty() { format!("structure.{name}") } else { format!("structure.{name}.{path}") };
+        Self { path, ..self }
     }
 
     /// With a reason in words.
@@ -74,6 +93,11 @@ impl Structure {
             structure.kept = kept::kept(reduction, &structure)?;
         }
         Ok(structure)
+    }
+
+    /// The mesh of its elements, where it has any.
+    pub(crate) fn mesh(&self) -> Option<&Mesh> {
+        self.elements.as_ref().map(|elements| &elements.mesh)
     }
 
     /// M, C and K where the parameters of a case are `values`.

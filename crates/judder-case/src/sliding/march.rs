@@ -51,7 +51,7 @@ impl MarchMethod {
 pub struct March {
     /// How it integrates.
     pub method: MarchMethod,
-    /// h, s; `None` where `residual-flexibility` shall choose.
+    /// h, s; `None` where the method shall choose.
     pub step: Option<f64>,
     /// s at its start, m; the ramps run from here.
     pub from: f64,
@@ -81,7 +81,7 @@ pub struct Sampling {
 pub struct Growth {
     /// How it integrates; `subs` means the undeformed configuration, the others the deformed one.
     pub method: MarchMethod,
-    /// h, s; `None` where `residual-flexibility` shall choose.
+    /// h, s; `None` where the method shall choose.
     pub step: Option<f64>,
     /// s, m.
     pub position: f64,
@@ -107,7 +107,7 @@ pub(super) const GROWTH_KEYS: &[&str] = &["method", "position", "frequency", "st
 
 pub(super) fn read_march(case: &SlidingCase, section: &Section<'_>) -> Result<March, Fault> {
     let method = read_method(section)?;
-    let step = read_step(section, method)?;
+    let step = read_step(section)?;
     let [from, to] = read_path(case, section)?;
     let motion = &case.motion;
     if let Some(step) = step {
@@ -134,7 +134,7 @@ pub(super) fn read_growth(_: &SlidingCase, section: &Section<'_>) -> Result<Grow
     let method = read_method(section)?;
     Ok(Growth {
         method,
-        step: read_step(section, method)?,
+        step: read_step(section)?,
         position: number(section, SlidingKey::Position.entry())?,
         frequency: number(section, SlidingKey::Frequency.entry())?,
     })
@@ -177,12 +177,8 @@ fn read_method(section: &Section<'_>) -> Result<MarchMethod, Fault> {
     })
 }
 
-fn read_step(section: &Section<'_>, method: MarchMethod) -> Result<Option<f64>, Fault> {
-    let chooses = matches!(method, MarchMethod::ResidualFlexibility { .. });
-    if chooses && section.get("step").is_none() {
-        return Ok(None);
-    }
-    number(section, SlidingKey::Step.entry()).map(Some)
+fn read_step(section: &Section<'_>) -> Result<Option<f64>, Fault> {
+    section.get("step").map(|_| number(section, SlidingKey::Step.entry())).transpose()
 }
 
 /// The part of the path that is marched.

@@ -7,6 +7,7 @@ use crate::legend;
 use crate::markup::html;
 use crate::palette::{INK, QUIET};
 use crate::scale::stretch;
+use crate::second_axis::DrawnSecond;
 use crate::ticks::{Ticks, ticks};
 use crate::typeface::{FAMILIES, width};
 use serde_json::{Value, json};
@@ -16,6 +17,8 @@ const SINGLE_HEIGHT: f64 = 400.0;
 const PANEL_HEIGHT: f64 = 285.0;
 const ROW_GAP: f64 = 84.0;
 const TOP: f64 = 34.0;
+/// Room for ticks and label of a second axis.
+const SECOND: f64 = 40.0;
 const BOTTOM: f64 = 58.0;
 const FONT_SIZE: f64 = 12.5;
 /// Width for which legends are reckoned, on a large and on a small screen.
@@ -30,11 +33,13 @@ const BAR_ROOM: f64 = 0.14;
 pub(super) fn layout(figure: &Figure, drawn: &[DrawnPanel], columns: usize, small: bool) -> Value {
     let rows = drawn.len().div_ceil(columns).max(1) as f64;
     let height = if columns == 1 && !small { SINGLE_HEIGHT } else { PANEL_HEIGHT };
-    let plot_height = rows * height + (rows - 1.0) * ROW_GAP;
+    let top = if drawn.iter().any(|panel| panel.second.is_some()) { SECOND } else { 0.0 };
+    let row_gap = ROW_GAP + top;
+    let plot_height = rows * height + (rows - 1.0) * row_gap;
     let bottom = BOTTOM + legend_height(figure, if small { NARROW } else { WIDE });
     let mut layout = json!({
-        "height": TOP + plot_height + bottom,
-        "margin": { "l": 66, "r": 16, "t": TOP, "b": bottom, "pad": 0 },
+        "height": TOP + top + plot_height + bottom,
+        "margin": { "l": 66, "r": 16, "t": TOP + top, "b": bottom, "pad": 0 },
         "font": { "family": FAMILIES, "size": FONT_SIZE, "color": INK.to_string() },
         "paper_bgcolor": "#ffffff", "plot_bgcolor": "#ffffff",
         "hovermode": "closest", "dragmode": "zoom",
@@ -48,12 +53,19 @@ pub(super) fn layout(figure: &Figure, drawn: &[DrawnPanel], columns: usize, smal
     });
     let (mut shapes, mut notes, mut images) = (Vec::new(), Vec::new(), Vec::new());
     for (index, (panel, drawn)) in figure.panels.iter().zip(drawn).enumerate() {
-        let place = place(index, columns, height, plot_height, drawn.bar.is_some());
+        let place = place((index, columns), (height, row_gap), plot_height, drawn.bar.is_some());
         let name = suffix(index);
         let x_ticks = if small { ticks(&drawn.x.placed, SMALL_ROOM) } else { drawn.x.ticks.clone() };
         layout[format!("xaxis{name}")] = axis(&drawn.x, &x_ticks, place.across, &format!("y{name}"));
         layout[format!("yaxis{name}")] = axis(&drawn.y, &drawn.y.ticks, place.up, &format!("x{name}"));
-        notes.extend(marks::heading(drawn, (place.across.0, place.up.1)));
+        if let Some(second) = &drawn.second {
+            // its upper side belongs to the second axis
+            layout[format!("xaxis{name}")]["mirror"] = json!(true);
+            layout[format!("xaxis{}", suffix(figure.panels.len() + index))] =
+                second_axis(second, &layout[format!("xaxis{name}")], &name);
+        }
+        let rise = if drawn.second.is_some() { SECOND } else { 0.0 };
+        notes.extend(marks::heading(drawn, (place.across.0, place.up.1), rise));
         for layer in &panel.layers {
             shapes.extend(marks::shape(layer, panel, &name));
             notes.extend(marks::note(layer, panel, &name));
@@ -85,13 +97,18 @@ struct Place {
     up: (f64, f64),
 }
 
-fn place(index: usize, columns: usize, height: f64, plot_height: f64, has_bar: bool) -> Place {
+fn place(
+    (index, columns): (usize, usize),
+    (height, row_gap): (f64, f64),
+    plot_height: f64,
+    has_bar: bool,
+) -> Place {
     const COLUMN_GAP: f64 = 0.12;
     let (column, row) = ((index % columns) as f64, (index / columns) as f64);
     let share = (1.0 - COLUMN_GAP * (columns as f64 - 1.0)) / columns as f64;
     let left = column * (share + COLUMN_GAP);
     let width = if has_bar { share * (1.0 - BAR_ROOM) } else { share };
-    let top = 1.0 - row * (height + ROW_GAP) / plot_height;
+    let top = 1.0 - row * (height + row_gap) / plot_height;
     Place { across: (left, left + width), up: ((top - height / plot_height).max(0.0), top) }
 }
 
@@ -142,6 +159,20 @@ fn axis(drawn: &DrawnAxis, ticks: &Ticks, domain: (f64, f64), anchor: &str) -> V
         }
     }
     axis
+}
+
+/// An axis that lies over that of the abscissae, moves with it, and is labelled above.
+fn second_axis(second: &DrawnSecond, below: &Value, name: &str) -> Value {
+    let labelled = second.major.iter().filter(|tick| !tick.label.is_empty());
+    json!({
+        "overlaying": format!("x{name}"), "matches": format!("x{name}"), "anchor": format!("y{name}"), "side": "top",
+        "type": below["type"], "range": below["range"],
+        "title": { "text": html(&second.label), "standoff": 6 },
+        "ticks": "inside", "ticklen": 5, "tickcolor": INK.to_string(), "tickmode": "array",
+        "tickvals": labelled.clone().map(|tick| tick.value).collect::<Vec<f64>>(),
+        "ticktext": labelled.map(|tick| html(&tick.label)).collect::<Vec<String>>(),
+        "showgrid": false, "zeroline": false,
+    })
 }
 
 /// Gives an axis the ticks of the drawing, which plotly's own would only resemble.

@@ -30,14 +30,14 @@ pub(super) fn hatch(layer: &Layer, name: &str) -> Option<Value> {
     })
 }
 
-/// Letter and title above a panel whose upper left corner stands here.
-pub(super) fn heading(drawn: &DrawnPanel, corner: (f64, f64)) -> Option<Value> {
+/// Letter and title, so far above a panel whose upper left corner stands here.
+pub(super) fn heading(drawn: &DrawnPanel, corner: (f64, f64), rise: f64) -> Option<Value> {
     let letter = if drawn.letter.is_empty() { String::new() } else { format!("<b>{}</b>  ", drawn.letter) };
     let text = letter + &html(&drawn.title);
     (!text.is_empty()).then(|| {
         json!({
             "text": text, "showarrow": false, "xref": "paper", "yref": "paper",
-            "x": corner.0, "y": corner.1, "xanchor": "left", "yanchor": "bottom", "yshift": 3,
+            "x": corner.0, "y": corner.1, "xanchor": "left", "yanchor": "bottom", "yshift": 3.0 + rise,
             "font": { "size": 13.5 },
         })
     })

@@ -30,9 +30,18 @@ pub(super) fn of_figure(figure: &Figure) -> Vec<Value> {
             explained.push(label);
             traces.push(trace);
         }
+        traces.extend(panel.second.as_ref().map(|_| second_key(figure.panels.len() + index, index)));
     }
     share_arrays(&mut traces);
     traces
+}
+
+/// Nothing to be seen, without which plotly would not draw the second axis of a panel.
+fn second_key(axis: usize, panel: usize) -> Value {
+    json!({
+        "type": "scatter", "mode": "markers", "x": [null], "y": [null], "hoverinfo": "skip", "showlegend": false,
+        "xaxis": format!("x{}", suffix(axis)), "yaxis": format!("y{}", suffix(panel)),
+    })
 }
 
 /// Leaves every array in the first trace that has it; others say `[trace, key]` of that one.

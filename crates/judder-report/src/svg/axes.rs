@@ -6,6 +6,7 @@ use crate::figure::ValueMap;
 use crate::layout::{BAR_GAP, BAR_WIDTH, DrawnAxis, DrawnPanel, Frame, TICK_GAP};
 use crate::palette::INK;
 use crate::raster;
+use crate::second_axis::DrawnSecond;
 use crate::typeface::{LABEL_SIZE, SMALL_SIZE, width};
 
 /// Length of long and short ticks, which point inwards.
@@ -23,7 +24,14 @@ pub(super) fn draw(document: &mut Document, panel: &DrawnPanel) {
     for (value, length) in marks(&panel.x) {
         let x = number(left + panel.x.placed.fraction(value).unwrap_or(0.0) * frame.width);
         let (up, down) = (number(-length), number(length));
-        append(&mut ticks, format_args!("M{x} {}v{up}M{x} {}v{down}", number(bottom), number(top)));
+        append(&mut ticks, format_args!("M{x} {}v{up}", number(bottom)));
+        if panel.second.is_none() {
+            append(&mut ticks, format_args!("M{x} {}v{down}", number(top)));
+        }
+    }
+    for (value, length) in panel.second.iter().flat_map(second_marks) {
+        let x = number(left + panel.x.placed.fraction(value).unwrap_or(0.0) * frame.width);
+        append(&mut ticks, format_args!("M{x} {}v{}", number(top), number(length)));
     }
     for (value, length) in marks(&panel.y) {
         let y = number(bottom - panel.y.placed.fraction(value).unwrap_or(0.0) * frame.height);
@@ -40,6 +48,24 @@ pub(super) fn draw(document: &mut Document, panel: &DrawnPanel) {
 fn marks(axis: &DrawnAxis) -> impl Iterator<Item = (f64, f64)> + '_ {
     let long = axis.ticks.major.iter().map(|tick| (tick.value, LONG));
     long.chain(axis.ticks.minor.iter().map(|value| (*value, SHORT)))
+}
+
+/// The same of a second axis, at the abscissae where they stand.
+fn second_marks(second: &DrawnSecond) -> impl Iterator<Item = (f64, f64)> + '_ {
+    let long = second.major.iter().map(|tick| (tick.value, LONG));
+    long.chain(second.minor.iter().map(|x| (*x, SHORT)))
+}
+
+/// Labels of the second axis above the frame.
+fn draw_second(document: &mut Document, panel: &DrawnPanel, second: &DrawnSecond) {
+    let frame = panel.frame;
+    let above = frame.y - TICK_GAP;
+    for tick in &second.major {
+        let x = frame.x + panel.x.placed.fraction(tick.value).unwrap_or(0.0) * frame.width;
+        document.text(&Text::new(&tick.label, SMALL_SIZE), x, above);
+    }
+    let centre = frame.x + frame.width / 2.0;
+    document.text(&Text::new(&second.label, LABEL_SIZE), centre, above - 1.2 * LABEL_SIZE);
 }
 
 fn draw_labels(document: &mut Document, panel: &DrawnPanel) {
@@ -59,11 +85,15 @@ fn draw_labels(document: &mut Document, panel: &DrawnPanel) {
     document.text(&Text::new(&panel.x.label, LABEL_SIZE), centre, below + 1.45 * LABEL_SIZE);
     let beside = frame.x - TICK_GAP - panel.tick_width - 0.62 * LABEL_SIZE;
     document.text(&Text::new(&panel.y.label, LABEL_SIZE).upright(), beside, frame.y + frame.height / 2.0);
+    if let Some(second) = &panel.second {
+        draw_second(document, panel, second);
+    }
+    let heading = frame.y - panel.heading_rise() - 5.5;
     let letter = Text::new(&panel.letter, LABEL_SIZE).anchored(Anchor::Start).bold();
-    document.text(&letter, frame.x, frame.y - 5.5);
+    document.text(&letter, frame.x, heading);
     let indent = if panel.letter.is_empty() { 0.0 } else { 1.2 * LABEL_SIZE };
     let title = Text::new(&panel.title, LABEL_SIZE).anchored(Anchor::Start);
-    document.text(&title, frame.x + indent, frame.y - 5.5);
+    document.text(&title, frame.x + indent, heading);
 }
 
 /// Draws the colour bar of a value map beside its frame.

@@ -25,6 +25,26 @@ fn curves_keep_every_digit_and_their_gaps() {
     assert_eq!(chart["layout"]["xaxis"]["type"], "log");
 }
 
+/// Straight from 10 at 1 to 90 at 5: 20 a unit, so 50 stands above 3.
+#[test]
+fn a_second_axis_stands_where_its_values_are() {
+    let chart = plotly(&every_layer("$s$")).unwrap();
+    let axis = &chart["layout"]["xaxis6"];
+    assert_eq!(
+        (&axis["overlaying"], &axis["side"], &axis["matches"]),
+        (&json!("x3"), &json!("top"), &json!("x3"))
+    );
+    let place = axis["ticktext"].as_array().unwrap().iter().position(|text| text == "50").unwrap();
+    assert_eq!(axis["tickvals"][place], 3.0);
+    assert!(
+        chart["data"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .any(|trace| trace["xaxis"] == "x6" && trace["yaxis"] == "y3")
+    );
+}
+
 #[test]
 fn class_maps_carry_codes_shape_and_names() {
     let chart = plotly(&every_layer("$τ̃_{0}$")).unwrap();

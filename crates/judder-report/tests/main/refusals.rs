@@ -1,7 +1,7 @@
 //! What cannot be drawn is refused with the place, the value and what would be right.
 
 use judder_report::figure::{Class, ClassMap};
-use judder_report::{Axis, Figure, Layer, Panel, Role, Scale, Swing, plotly, png, svg};
+use judder_report::{Axis, Figure, Layer, Panel, Role, Scale, SecondAxis, Swing, plotly, png, svg};
 
 fn refusal(figure: &Figure) -> String {
     let error = svg(figure).unwrap_err().to_string();
@@ -23,6 +23,21 @@ fn map(x: Vec<f64>, codes: Vec<u8>) -> Figure {
 fn names_that_are_no_file_stems() {
     for name in ["", "a/b", "..", "a b", "\u{3c4}"] {
         assert!(refusal(&Figure::new(name, "", vec![])).contains("file stem"), "{name}");
+    }
+}
+
+#[test]
+fn second_axes_out_of_order() {
+    for (x, value, words) in [
+        (vec![0.0, 1.0], vec![0.0], "2 abscissae but 1 values"),
+        (vec![0.0, 0.0], vec![0.0, 1.0], "out of order"),
+        (vec![0.0, 1.0, 2.0], vec![0.0, 2.0, 1.0], "out of order"),
+        (vec![0.0, 1.0], vec![0.0, f64::NAN], "out of order"),
+    ] {
+        let panel = Panel::new(Axis::linear("x"), Axis::linear("y"), Vec::new());
+        let panel = panel.with_second_axis(SecondAxis { label: String::new(), x, value });
+        let text = refusal(&Figure::new("f", "", vec![panel]));
+        assert!(text.contains(words), "{text}");
     }
 }
 

@@ -2,7 +2,7 @@
 
 use judder_report::figure::{Class, ClassMap, Region, ValueMap};
 use judder_report::palette::ColourMap;
-use judder_report::{Axis, Figure, Layer, Panel, Role, Scale};
+use judder_report::{Axis, Figure, Layer, Panel, Role, Scale, SecondAxis};
 
 /// What tries to break out of attributes, elements, scripts and markup.
 pub(crate) const HOSTILE: &str = "<b>&\"quoted\"'</script><!-- ]]> _{a^{b} $x\u{0}$ {{ }} %{x}";
@@ -35,10 +35,13 @@ pub(crate) fn every_layer(text: &str) -> Figure {
         Layer::note(1.5, 0.0, text),
         Layer::key(text, Role::ConservativeBoundary),
     ];
+    let second = SecondAxis { label: text.to_owned(), x: vec![1.0, 5.0], value: vec![10.0, 90.0] };
     let panels = vec![
         Panel::new(Axis::log(text), Axis::linear(text), vec![Layer::Classes(map)]).with_title(text),
         Panel::new(Axis::log(text), Axis::linear(text), vec![Layer::Values(values)]).with_title(text),
-        Panel::new(Axis::linear(text), Axis::symmetric_log(text, 0.1), curves).with_title(text),
+        Panel::new(Axis::linear(text), Axis::symmetric_log(text, 0.1), curves)
+            .with_title(text)
+            .with_second_axis(second),
     ];
     Figure::new("every-layer", text, panels).with_caption(text)
 }

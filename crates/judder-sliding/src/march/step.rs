@@ -62,7 +62,12 @@ impl March<'_> {
                 return Ok(Reached::End);
             }
             match self.step()? {
-                Some(sample) => sink.take(&sample, &self.accelerations),
+                Some(sample) => {
+                    for (point, own) in self.observed.iter().enumerate() {
+                        sink.displaced(point, own[1], sample.position);
+                    }
+                    sink.take(&sample, &self.accelerations);
+                }
                 None => return Ok(Reached::RunOff),
             }
         }

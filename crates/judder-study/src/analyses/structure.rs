@@ -9,6 +9,8 @@ mod reduced_files;
 mod reduction;
 mod shapes;
 
+pub(super) use modes::run as modes;
+
 use crate::error::StudyError;
 use crate::outcome::Outcome;
 use crate::progress::Progress;

@@ -15,7 +15,7 @@ pub(super) fn resolve(file: &CaseFile, case: &StructureCase) -> Result<Resolved,
     let family = &structure.family;
     let mut text = format!("{}\n\nthe structure\n", title(&case.title));
     let mut rows = vec![vec!["degrees of freedom".to_owned(), family.size().to_string()]];
-    if let Some(mesh) = &structure.mesh {
+    if let Some(mesh) = structure.mesh() {
         rows.push(vec!["elements".to_owned(), mesh.elements().to_string()]);
         rows.push(vec!["nodes".to_owned(), mesh.nodes.len().to_string()]);
         let sets: Vec<String> =
@@ -51,8 +51,8 @@ pub(super) fn resolve(file: &CaseFile, case: &StructureCase) -> Result<Resolved,
         "case": file.case.resolved(),
         "structure": {
             "degrees_of_freedom": family.size(),
-            "elements": structure.mesh.as_ref().map(judder_structure::mesh::Mesh::elements),
-            "nodes": structure.mesh.as_ref().map(|mesh| mesh.nodes.len()),
+            "elements": structure.mesh().map(judder_structure::mesh::Mesh::elements),
+            "nodes": structure.mesh().map(|mesh| mesh.nodes.len()),
             "mass": entries(family.mass()), "damping": entries(family.damping()), "stiffness": entries(family.stiffness()),
             "kept_freedoms": structure.kept.len(),
         },

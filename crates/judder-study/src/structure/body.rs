@@ -1,6 +1,6 @@
 //! Elements with materials and supports, assembled.
 
-use super::{Layout, Structure, Unbuilt};
+use super::{Elements, Layout, Structure, Unbuilt};
 use judder_case::StructureProblem;
 use judder_case::structure::body::{
     Beam, Block, BlockElement, Body, EndCondition, Geometry, Material, PlaneSection,
@@ -33,13 +33,13 @@ pub(super) fn structure(body: &Body, damping: &Damping) -> Result<Structure, Unb
     let dimension = dimension_of(&mesh);
     let section = section(body, dimension);
     let materials = material.map(|material| (OWN.to_owned(), (material, section))).into_iter().collect();
-    assembled(mesh, &materials, &supports, damping)
+    assembled(mesh, materials, &supports, damping)
 }
 
 /// Elements with what they are made of and what holds them.
 pub(super) fn assembled(
     mesh: Mesh,
-    materials: &BTreeMap<String, (Elastic, Section)>,
+    materials: BTreeMap<String, (Elastic, Section)>,
     supports: &Supports,
     damping: &Damping,
 ) -> Result<Structure, Unbuilt> {
@@ -47,7 +47,7 @@ pub(super) fn assembled(
     let numbering = Numbering::new(&mesh, dimension, supports)
         .map_err(|error| Unbuilt::because("structure.supports", &error))?;
     let Assembled { stiffness, mass } =
-        assemble(&mesh, materials, &numbering).map_err(|error| Unbuilt::because("structure", &error))?;
+        assemble(&mesh, &materials, &numbering).map_err(|error| Unbuilt::because("structure", &error))?;
     let term = |name: &str, matrix: &_| Term { name: name.to_owned(), matrix: Clone::clone(matrix) };
     let damping = match damping {
         Damping::None => Vec::new(),
@@ -59,7 +59,8 @@ pub(super) fn assembled(
     let family = Family::new(vec![term("mass", &mass)], damping, vec![term("stiffness", &stiffness)])
         .map_err(|error| Unbuilt::because("structure", &error))?;
     let layout = Layout::of_mesh(&mesh, &numbering);
-    Ok(Structure { family, layout: Some(layout), mesh: Some(mesh), kept: Vec::new(), warnings: Vec::new() })
+    let elements = Some(Elements { mesh, materials, numbering });
+    Ok(Structure { family, layout: Some(layout), elements, kept: Vec::new(), warnings: Vec::new() })
 }
 
 /// The factors of the terms of a body: α and β, or η/ω_r.

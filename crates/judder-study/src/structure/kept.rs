@@ -7,6 +7,18 @@ use judder_case::structure::reduction::{Kept, KeptNodes, Reduction};
 
 /// The freedoms of the kept nodes, each once, in the order of the case.
 pub(super) fn kept(reduction: &Reduction, structure: &Structure) -> Result<Vec<usize>, Unbuilt> {
+    let freedoms = freedoms_of(reduction, structure)?;
+    let all = structure.family.size();
+    let what = match freedoms.len() {
+        0 => "no freedom that is free",
+        count if count == all => "all freedoms, which leaves nothing to reduce",
+        _ => return Ok(freedoms),
+    };
+    Err(Unbuilt::new("reduction.kept", StructureProblem::KeptFreedoms { what }))
+}
+
+/// The same, which may be none or all.
+pub(crate) fn freedoms_of(reduction: &Reduction, structure: &Structure) -> Result<Vec<usize>, Unbuilt> {
     let mut freedoms = Vec::new();
     let mut is_kept = vec![false; structure.family.size()];
     for (index, kept) in reduction.kept.iter().enumerate() {
@@ -17,34 +29,28 @@ pub(super) fn kept(reduction: &Reduction, structure: &Structure) -> Result<Vec<u
             }
         }
     }
-    let all = structure.family.size();
-    let what = match freedoms.len() {
-        0 => "no freedom that is free",
-        count if count == all => "all freedoms, which leaves nothing to reduce",
-        _ => return Ok(freedoms),
-    };
-    Err(Unbuilt::new("reduction.kept", StructureProblem::KeptFreedoms { what }))
+    Ok(freedoms)
+}
+
+/// The points of the layout that nodes at the dotted path `path` of the case name, in their order.
+pub(crate) fn points_of(nodes: &KeptNodes, structure: &Structure, path: &str) -> Result<Vec<usize>, Unbuilt> {
+    match (nodes, structure.mesh(), &structure.layout) {
+        (KeptNodes::Set(set), Some(mesh), _) => Ok(nodes_of(mesh, set, &format!("{path}.set"))?.to_vec()),
+        (KeptNodes::Numbers(nodes), _, Some(layout)) => {
+            let point = |node: &usize| {
+                let unknown = StructureProblem::UnknownNode { node: *node };
+                let place = layout.names.iter().position(|name| name == node);
+                place.ok_or_else(|| Unbuilt::new(format!("{path}.nodes"), unknown))
+            };
+            nodes.iter().map(point).collect()
+        }
+        _ => Ok(Vec::new()),
+    }
 }
 
 fn of_nodes(kept: &Kept, structure: &Structure, index: usize) -> Result<Vec<usize>, Unbuilt> {
     let Some(layout) = &structure.layout else { return Ok(Vec::new()) };
-    let points: Vec<usize> = match (&kept.nodes, &structure.mesh) {
-        (KeptNodes::Set(set), Some(mesh)) => {
-            nodes_of(mesh, set, &format!("reduction.kept.{index}.set"))?.to_vec()
-        }
-        (KeptNodes::Set(_), None) => Vec::new(),
-        (KeptNodes::Numbers(nodes), _) => nodes
-            .iter()
-            .map(|node| {
-                layout.names.iter().position(|name| name == node).ok_or_else(|| {
-                    Unbuilt::new(
-                        format!("reduction.kept.{index}.nodes"),
-                        StructureProblem::UnknownNode { node: *node },
-                    )
-                })
-            })
-            .collect::<Result<_, _>>()?,
-    };
+    let points = points_of(&kept.nodes, structure, &format!("reduction.kept.{index}"))?;
     let of_point = |point: &usize| {
         layout.freedoms[*point]
             .into_iter()

@@ -20,7 +20,7 @@ pub(super) fn structure(body: &Body, file: &FileReference, damping: &Damping) ->
     let materials = materials(body, &read)?;
     let mut supports = Supports::default();
     add_supports(body, &read.mesh, &mut supports)?;
-    let mut structure = assembled(read.mesh, &materials, &supports, damping)?;
+    let mut structure = assembled(read.mesh, materials, &supports, damping)?;
     if let Some(layout) = &mut structure.layout {
         layout.names = read.node_labels;
     }

@@ -25,7 +25,7 @@ pub(super) fn structure(sums: &MatrixSums) -> Result<Structure, Unbuilt> {
     let family =
         Family::new(mass?, damping?, stiffness?).map_err(|error| Unbuilt::because("matrices", &error))?;
     let layout = table.as_deref().map(Layout::of_table);
-    Ok(Structure { family, layout, mesh: None, kept: Vec::new(), warnings: Vec::new() })
+    Ok(Structure { family, layout, elements: None, kept: Vec::new(), warnings: Vec::new() })
 }
 
 /// The factors of all terms where the parameters are `values`.

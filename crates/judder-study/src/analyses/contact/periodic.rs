@@ -53,6 +53,7 @@ pub(super) fn run(case: &ContactCase, name: &str, settings: &ContactSettings) ->
         checks: checks(&contact, &question),
         missing: usize::from(!contact.converged),
         warnings: refined.missed(settings.accuracy).into_iter().collect(),
+        ..Outcome::default()
     })
 }
 

@@ -87,6 +87,7 @@ pub(super) fn run(
         files: vec![(format!("fields/{name}.vtu"), fields.vtu()?)],
         missing: usize::from(!contact.converged),
         warnings: refined.missed(settings.accuracy).into_iter().collect(),
+        ..Outcome::default()
     })
 }
 

@@ -85,6 +85,7 @@ pub(super) fn run(
         missing: usize::from(!found.complete()),
         warnings,
         files: fields::fields(name, structure, &shapes)?,
+        ..Outcome::default()
     })
 }
 

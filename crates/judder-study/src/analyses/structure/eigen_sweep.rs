@@ -71,6 +71,7 @@ pub(super) fn run(
         missing: incomplete,
         warnings: run.warnings(),
         files: Vec::new(),
+        ..Outcome::default()
     })
 }
 

@@ -59,7 +59,7 @@ pub(super) fn fields(
     shapes: &[Shape],
 ) -> Result<Vec<(String, Vec<u8>)>, StudyError> {
     let Some(layout) = &structure.layout else { return Ok(Vec::new()) };
-    let geometry = match &structure.mesh {
+    let geometry = match structure.mesh() {
         Some(mesh) => Geometry { labels: labels(layout), ..Geometry::from(mesh) },
         None => Geometry { places: layout.points.clone(), labels: labels(layout), ..Geometry::default() },
     };

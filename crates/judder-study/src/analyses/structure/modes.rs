@@ -49,7 +49,7 @@ impl Undamped {
     }
 }
 
-pub(super) fn run(
+pub(in crate::analyses) fn run(
     (case, structure): (&StructureCase, &Structure),
     name: &str,
     wanted: WantedModes,
@@ -91,7 +91,15 @@ pub(super) fn run(
     let shapes: Vec<Shape> = found.modes.iter().enumerate().map(swinging).collect();
     let files = fields::fields(name, structure, &shapes)?;
     let checks = checks(&mass, &found, wanted);
-    Ok(Outcome { scalars, dataset, table: Some(table.columns()?), checks, files, warnings, missing: 0 })
+    Ok(Outcome {
+        scalars,
+        dataset,
+        table: Some(table.columns()?),
+        checks,
+        files,
+        warnings,
+        ..Outcome::default()
+    })
 }
 
 /// How many modes a factorisation counts, and below which frequency.

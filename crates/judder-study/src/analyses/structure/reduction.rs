@@ -70,7 +70,7 @@ pub(super) fn run(
     ]);
     let checks = checks(&report);
     let files = reduced_files::files(name, structure, &reduced, limit, &mut warnings)?;
-    Ok(Outcome { scalars, dataset, table: Some(table), checks, warnings, files, missing: 0 })
+    Ok(Outcome { scalars, dataset, table: Some(table), checks, warnings, files, ..Outcome::default() })
 }
 
 /// Where the fixed-interface modes end.

@@ -1,0 +1,100 @@
+//! `growth`: the growth of a mode in a march with the contact held, against the eigenvalue there.
+
+use crate::error::StudyError;
+use crate::outcome::{CheckRecord, Outcome};
+use crate::progress::Progress;
+use crate::sliding::{SlidingSystem, Step, method, step};
+use judder_case::SlidingCase;
+use judder_case::sliding::march::Growth;
+use judder_sliding::SlidingError;
+use judder_sliding::characteristic::Characteristic;
+use judder_sliding::growth::{GrowthSettings, Held, frozen_growth};
+use judder_sliding::pair::Pair;
+use judder_sliding::spectrum::{Spectrum, Wanted};
+use judder_store::{Dataset, Variable, number};
+use num_complex::Complex64;
+use serde_json::{Map, json};
+use std::f64::consts::TAU;
+
+/// What measured and predicted growth may differ by.
+const GROWTH_LIMIT: f64 = 1e-2;
+/// What their frequencies may differ by: a march of three steps a radian is off by (ω h)²/24.
+const FREQUENCY_LIMIT: f64 = 1e-3;
+/// Eigenvalues so near the asked frequency, as a share of it, may be meant: of two that are coupled the growing one is.
+const NEAR: f64 = 1e-2;
+/// Up to which multiple of the asked frequency eigenvalues are sought.
+const SOUGHT: f64 = 1.5;
+
+pub(super) fn run(
+    (case, system): (&SlidingCase, &SlidingSystem),
+    settings: &Growth,
+    progress: &dyn Progress,
+) -> Result<Outcome, StudyError> {
+    let (pair, position) = (&system.pair, settings.position);
+    let method = method(settings.method);
+    pair.edge_point(position)?;
+    let Step { step, limit } = step(pair, method, settings.step, system.motion.held(position))?;
+    let (velocity, load) = (case.motion.velocity, case.motion.load.force);
+    let asked = GrowthSettings { method, step, position, velocity, load };
+    let held = Held::new(pair, &asked)?;
+    held.coupling.check(position, pair.friction().at(velocity))?;
+    let eigenvalue = meant(pair, &held, position, settings.frequency)?;
+    if progress.interrupted() {
+        return Err(StudyError::Interrupted);
+    }
+    let growth = frozen_growth(pair, &asked, &held, eigenvalue)?;
+    progress.advance();
+    let [measured, predicted] = [growth.measured, growth.predicted];
+    let scalars = Map::from_iter([
+        ("measured".to_owned(), number(measured.re)),
+        ("predicted".to_owned(), number(predicted.re)),
+        ("frequency_hz".to_owned(), number(predicted.im / TAU)),
+        ("measured_frequency_hz".to_owned(), number(measured.im / TAU)),
+        ("spread".to_owned(), number(growth.spread)),
+        ("method".to_owned(), json!(settings.method.name())),
+        ("position_m".to_owned(), json!(position)),
+        ("normal_force".to_owned(), number(held.normal_force)),
+        ("steps".to_owned(), json!(growth.steps)),
+        ("step_s".to_owned(), json!(step)),
+        ("step_limit_s".to_owned(), json!(limit)),
+    ]);
+    let scalar = |name: &str, value: Complex64| Variable::new(name, &[], &[], vec![value]).units("1/s");
+    let dataset = Dataset::new()
+        .attribute("kind", "growth")?
+        .attribute("position_m", position)?
+        .with(scalar("measured", measured).long_name("growth rate and angular frequency in the march"))?
+        .with(scalar("predicted", predicted).long_name("eigenvalue with the contact held"))?;
+    let compared =
+        format!("{} against {:.6} 1/s at {:.4} Hz", settings.method.name(), predicted.re, predicted.im / TAU);
+    let checks = vec![
+        CheckRecord {
+            name: "the march grows as the eigenvalue says".to_owned(),
+            compared: format!("relative difference of growth rates, {compared}"),
+            figure: ((measured.re - predicted.re) / predicted.re).abs(),
+            limit: GROWTH_LIMIT,
+        },
+        CheckRecord {
+            name: "the march swings as the eigenvalue says".to_owned(),
+            compared: format!("relative difference of frequencies, {compared}"),
+            figure: ((measured.im - predicted.im) / predicted.im).abs(),
+            limit: FREQUENCY_LIMIT,
+        },
+    ];
+    Ok(Outcome { scalars, dataset, checks, ..Outcome::default() })
+}
+
+/// The eigenvalue that is meant by a frequency in rad/s: of those near it the one that grows fastest, else the nearest.
+fn meant(pair: &Pair, held: &Held, position: f64, frequency: f64) -> Result<Complex64, SlidingError> {
+    let function = Characteristic::new(&held.coupling, &pair.eigenvalues(), &pair.damping())?;
+    let all = Spectrum::new(&function, position, Wanted::Below(SOUGHT * frequency))?.eigenvalues;
+    let swinging: Vec<Complex64> = all.into_iter().filter(|s| s.im > 0.0).collect();
+    let away = |s: &Complex64| (s.im - frequency).abs();
+    let near = swinging.iter().filter(|s| away(s) <= NEAR * frequency);
+    let fastest = near.max_by(|a, b| a.re.total_cmp(&b.re));
+    let nearest = swinging.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
+    fastest.or(nearest).copied().ok_or(SlidingError::InvalidNumber {
+        name: "the frequency of the mode that is meant, in Hz,".to_owned(),
+        value: frequency / TAU,
+        requirement: "near that of a mode of the coupled pair",
+    })
+}

@@ -1,0 +1,131 @@
+//! What a locus leaves.
+
+use super::traced::{Row, Traced};
+use crate::analyses::axis::Axis;
+use crate::error::StudyError;
+use judder_case::sliding::locus::{Along, Locus};
+use judder_sliding::zones::Zone;
+use judder_store::{Dataset, Table, Variable, number};
+use num_complex::Complex64;
+use serde_json::{Map, Value, json};
+use std::f64::consts::TAU;
+
+pub(super) struct Results<'a> {
+    pub(super) settings: &'a Locus,
+    pub(super) axis: &'a Axis,
+    pub(super) traced: &'a Traced,
+}
+
+impl Results<'_> {
+    fn is_over_positions(&self) -> bool {
+        matches!(self.settings.along, Along::Positions(_))
+    }
+
+    pub(super) fn scalars(&self) -> Map<String, Value> {
+        let Self { settings, axis, traced } = self;
+        let table = |pick: &dyn Fn(&Complex64) -> f64| -> Value {
+            let row = |row: &Row| -> Value { row.eigenvalues.iter().map(|s| number(pick(s))).collect() };
+            traced.rows.iter().map(row).collect()
+        };
+        let column = |pick: &dyn Fn(&Row) -> f64| -> Value {
+            traced.rows.iter().map(|row| number(pick(row))).collect()
+        };
+        let key = if self.is_over_positions() { "position_m" } else { "value" };
+        let failures = axis.values.iter().zip(&traced.rows);
+        let failures =
+            failures.filter_map(|(value, row)| Some(json!({ key: value, "reason": row.failure.as_ref()? })));
+        let mut scalars = Map::from_iter([
+            (key.to_owned(), json!(axis.values)),
+            ("frequencies_hz".to_owned(), table(&|s| s.im / TAU)),
+            ("growth_rates".to_owned(), table(&|s| s.re)),
+            ("unstable".to_owned(), traced.zones.iter().map(|zone| self.zone(zone)).collect()),
+            ("normal_force".to_owned(), column(&|row| row.state.normal_force)),
+            ("slope".to_owned(), column(&|row| row.state.slope)),
+            ("configuration".to_owned(), json!(settings.configuration.name())),
+            ("damping".to_owned(), json!(settings.damping)),
+            ("missing".to_owned(), failures.collect()),
+        ]);
+        if let Along::Key { at, sweep } = &settings.along {
+            scalars.insert("key".to_owned(), json!(sweep.path));
+            scalars.insert("unit".to_owned(), json!(axis.quantity.unit));
+            scalars.insert("at_m".to_owned(), json!(at));
+        }
+        scalars
+    }
+
+    fn zone(&self, zone: &Zone) -> Value {
+        let [from, to, peak] =
+            if self.is_over_positions() { ["from_m", "to_m", "peak_m"] } else { ["from", "to", "peak"] };
+        json!({
+            from: zone.from, to: zone.to, peak: zone.peak,
+            "frequency_hz": zone.frequency_hz, "max_growth_rate": zone.growth_rate,
+        })
+    }
+
+    pub(super) fn dataset(&self) -> Result<Dataset, StudyError> {
+        let Self { settings, axis, traced } = self;
+        let (name, rows) = (axis.name(), traced.rows.len());
+        let eigenvalues: Vec<Complex64> =
+            traced.rows.iter().flat_map(|row| row.eigenvalues.clone()).collect();
+        let count = settings.count;
+        let branches: Vec<i64> = (1..=count as i64).collect();
+        let along = |own: &str, pick: &dyn Fn(&Row) -> f64| {
+            Variable::new(own, &[name], &[rows], traced.rows.iter().map(pick).collect::<Vec<f64>>())
+        };
+        let zones = &traced.zones;
+        let of_zone = |own: &str, unit: &str, words: &str, pick: &dyn Fn(&Zone) -> f64| {
+            let values = zones.iter().map(pick).collect::<Vec<f64>>();
+            Variable::new(own, &["zone"], &[zones.len()], values).units(unit).long_name(words)
+        };
+        let unit = &axis.quantity.unit;
+        Ok(Dataset::new()
+            .attribute("kind", "locus")?
+            .attribute("configuration", settings.configuration.name())?
+            .attribute("damping", settings.damping)?
+            .with(axis.coordinate())?
+            .with(Variable::coordinate("branch", branches).long_name("number of the branch"))?
+            .with(
+                Variable::new("eigenvalue", &[name, "branch"], &[rows, count], eigenvalues)
+                    .units("1/s")
+                    .long_name("eigenvalue s of a branch, NaN where there is none"),
+            )?
+            .with(
+                along("normal_force", &|row| row.state.normal_force)
+                    .units("N")
+                    .long_name("normal force at rest"),
+            )?
+            .with(
+                along("slope", &|row| row.state.slope)
+                    .units("1")
+                    .long_name("slope of the edge at the contact"),
+            )?
+            .with(of_zone("zone_from", unit, "start of an unstable zone", &|zone| zone.from))?
+            .with(of_zone("zone_to", unit, "end of an unstable zone", &|zone| zone.to))?
+            .with(of_zone("zone_peak", unit, "where a zone grows fastest", &|zone| zone.peak))?
+            .with(of_zone("zone_growth_rate", "1/s", "largest growth rate of a zone", &|zone| {
+                zone.growth_rate
+            }))?
+            .with(of_zone("zone_frequency", "Hz", "frequency where a zone grows fastest", &|zone| {
+                zone.frequency_hz
+            }))?)
+    }
+
+    pub(super) fn table(&self) -> Result<Table, StudyError> {
+        let Self { axis, traced, .. } = self;
+        let rows = axis.values.iter().zip(&traced.rows).flat_map(|(value, row)| {
+            let branches = row.eigenvalues.iter().enumerate();
+            branches
+                .filter(|(_, s)| s.re.is_finite())
+                .map(move |(branch, s)| (*value, branch as i64 + 1, *s, row.state))
+        });
+        let rows: Vec<_> = rows.collect();
+        let numbers = |pick: &dyn Fn(usize) -> f64| (0..rows.len()).map(pick).collect::<Vec<f64>>();
+        Ok(Table::new()
+            .column(axis.name(), &axis.quantity.unit, numbers(&|k| rows[k].0))?
+            .column("branch", "1", rows.iter().map(|row| row.1).collect::<Vec<i64>>())?
+            .column("frequency", "Hz", numbers(&|k| rows[k].2.im / TAU))?
+            .column("growth_rate", "1/s", numbers(&|k| rows[k].2.re))?
+            .column("normal_force", "N", numbers(&|k| rows[k].3.normal_force))?
+            .column("slope", "1", numbers(&|k| rows[k].3.slope))?)
+    }
+}

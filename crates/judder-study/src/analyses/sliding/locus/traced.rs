@@ -1,0 +1,243 @@
+//! Eigenvalues and unstable zones of a family of pairs, with what could not be.
+
+use crate::analyses::axis::Axis;
+use crate::error::StudyError;
+use crate::progress::Progress;
+use judder_sliding::SlidingError;
+use judder_sliding::characteristic::Characteristic;
+use judder_sliding::coupling::Sliding;
+use judder_sliding::locus::{Conditions, Configuration, follow};
+use judder_sliding::pair::Pair;
+use judder_sliding::spectrum::{Spectrum, Wanted};
+use judder_sliding::statics::Equilibrium;
+use judder_sliding::zones::Zone;
+use num_complex::Complex64;
+use rayon::prelude::*;
+
+/// A pair for each value of a parameter.
+pub(super) trait Family: Sync {
+    /// Its characteristic function.
+    fn at(&self, value: f64) -> Result<Characteristic, SlidingError>;
+    /// Its state of rest.
+    fn state(&self, value: f64) -> Result<State, SlidingError>;
+    /// Why there is none at a value, in words; `None` where there is one.
+    fn reason(&self, value: f64) -> Option<String>;
+}
+
+/// What a pair is like at rest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct State {
+    /// N, N.
+    pub(super) normal_force: f64,
+    /// By how much the edge climbs at the contact, over the line from the track's first node to its last.
+    pub(super) slope: f64,
+}
+
+impl State {
+    pub(super) fn new(pair: &Pair, conditions: &Conditions, position: f64) -> Result<Self, SlidingError> {
+        let Conditions { configuration, velocity, load, .. } = *conditions;
+        let sliding = Sliding::at(pair.friction(), velocity);
+        let rest = match configuration {
+            Configuration::Undeformed => Equilibrium::undeformed(pair, position, load, sliding)?,
+            Configuration::Deformed => Equilibrium::new(pair, position, load, sliding)?,
+        };
+        let ([x, y], [along, up]) = (pair.direction(), rest.touch.tangent);
+        let slope = (x * up - y * along) / (x * along + y * up);
+        Ok(Self { normal_force: rest.normal_force, slope })
+    }
+}
+
+/// A smooth piece after the other from one value to another.
+type Pieces<'a> = &'a (dyn Fn([f64; 2]) -> Result<Vec<[f64; 2]>, SlidingError> + Sync);
+
+/// Where a family is traced.
+pub(super) struct Range<'a> {
+    /// Ascending.
+    pub(super) values: &'a [f64],
+    /// The pieces between two of them on which the family is smooth.
+    pub(super) pieces: Pieces<'a>,
+    /// How narrow a zone may be.
+    pub(super) resolution: f64,
+}
+
+/// What a family has at one value.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Row {
+    /// One a branch; NaN where there is none.
+    pub(super) eigenvalues: Vec<Complex64>,
+    pub(super) state: State,
+    /// Why there is nothing.
+    pub(super) failure: Option<String>,
+}
+
+/// All of them.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Traced {
+    pub(super) rows: Vec<Row>,
+    /// By where they start.
+    pub(super) zones: Vec<Zone>,
+    /// Ranges in which branches are not followed and zones not located, and why.
+    pub(super) untraced: Vec<([f64; 2], String)>,
+}
+
+/// What stands where a branch has no eigenvalue.
+const NONE: Complex64 = Complex64::new(f64::NAN, f64::NAN);
+/// Failures that are told one by one.
+const SHOWN: usize = 3;
+
+impl Traced {
+    /// How many results are missing: values without eigenvalues, ranges without zones.
+    pub(super) fn missing(&self) -> usize {
+        self.rows.iter().filter(|row| row.failure.is_some()).count() + self.untraced.len()
+    }
+
+    /// What the user has to know.
+    pub(super) fn warnings(&self, axis: &Axis) -> Vec<String> {
+        let failed = || {
+            let rows = axis.values.iter().zip(&self.rows);
+            rows.filter_map(|(value, row)| Some((value, row.failure.as_ref()?)))
+        };
+        let told =
+            |(value, reason): (&f64, &String)| format!("nothing at {} = {value}: {reason}", axis.name());
+        let mut warnings: Vec<String> = failed().take(SHOWN).map(told).collect();
+        let more = failed().count().saturating_sub(SHOWN);
+        if more > 0 {
+            warnings.push(format!("nothing at {more} more values"));
+        }
+        warnings.extend(self.untraced.iter().map(|([from, to], reason)| {
+            format!("from {from} to {to} branches are not followed and zones not located: {reason}")
+        }));
+        warnings
+    }
+}
+
+/// Traces a family; where a value fails, what lies on both sides of it is traced all the same.
+///
+/// # Errors
+/// [`StudyError::Interrupted`]; the failure of all values, where none succeeds.
+pub(super) fn trace(
+    family: &impl Family,
+    range: &Range<'_>,
+    count: usize,
+    progress: &dyn Progress,
+) -> Result<Traced, StudyError> {
+    let states: Vec<Option<State>> = range
+        .values
+        .par_iter()
+        .map(|value| if progress.interrupted() { None } else { family.state(*value).ok() })
+        .collect();
+    let mut rows: Vec<Row> = states
+        .into_iter()
+        .map(|state| Row {
+            eigenvalues: vec![NONE; count],
+            state: state.unwrap_or(State { normal_force: f64::NAN, slope: f64::NAN }),
+            failure: None,
+        })
+        .collect();
+    let mut traced = Traced { rows: Vec::new(), zones: Vec::new(), untraced: Vec::new() };
+    let whole = followed(family, range, (0, range.values.len()), count, Some(progress));
+    stop(progress)?;
+    match whole {
+        Ok((eigenvalues, zones)) => {
+            place(&mut rows, eigenvalues);
+            traced.zones = zones;
+        }
+        Err(error) => piecewise(family, range, count, (&mut rows, &mut traced), progress, error)?,
+    }
+    traced.rows = rows;
+    Ok(traced)
+}
+
+fn stop(progress: &dyn Progress) -> Result<(), StudyError> {
+    if progress.interrupted() { Err(StudyError::Interrupted) } else { Ok(()) }
+}
+
+fn place(rows: &mut [Row], eigenvalues: Vec<Vec<Complex64>>) {
+    for (row, found) in rows.iter_mut().zip(eigenvalues) {
+        for (place, value) in row.eigenvalues.iter_mut().zip(found) {
+            *place = value;
+        }
+    }
+}
+
+type Found = (Vec<Vec<Complex64>>, Vec<Zone>);
+
+/// Branches and zones from one value to another, by their numbers; each value advances the progress, and the user may stop.
+fn followed(
+    family: &impl Family,
+    range: &Range<'_>,
+    (first, end): (usize, usize),
+    count: usize,
+    progress: Option<&dyn Progress>,
+) -> Result<Found, SlidingError> {
+    let values = &range.values[first..end];
+    let at = |value: f64| {
+        if let Some(progress) = progress {
+            if progress.interrupted() {
+                // told as an interruption by the caller
+                return Err(SlidingError::NoEquilibrium {
+                    position: value,
+                    reason: "the run was interrupted",
+                });
+            }
+            if values.binary_search_by(|known| known.total_cmp(&value)).is_ok() {
+                progress.advance();
+            }
+        }
+        family.at(value)
+    };
+    let pieces = match values {
+        [first, .., last] => (range.pieces)([*first, *last])?,
+        _ => Vec::new(),
+    };
+    let found = follow(&at, values, &pieces, count, range.resolution)?;
+    Ok((found.eigenvalues, found.zones))
+}
+
+/// Every value by itself, then each run of values that succeed.
+fn piecewise(
+    family: &impl Family,
+    range: &Range<'_>,
+    count: usize,
+    (rows, traced): (&mut [Row], &mut Traced),
+    progress: &dyn Progress,
+    error: SlidingError,
+) -> Result<(), StudyError> {
+    let alone: Vec<Result<Vec<Complex64>, SlidingError>> = range
+        .values
+        .par_iter()
+        .map(|value| {
+            let spectrum = Spectrum::new(&family.at(*value)?, *value, Wanted::Lowest(count))?;
+            Ok(spectrum.eigenvalues.into_iter().take(count).collect())
+        })
+        .collect();
+    if alone.iter().all(Result::is_err) {
+        return Err(error.into());
+    }
+    stop(progress)?;
+    for ((row, found), value) in rows.iter_mut().zip(&alone).zip(range.values) {
+        match found {
+            Ok(found) => place(std::slice::from_mut(row), vec![found.clone()]),
+            Err(error) => row.failure = Some(family.reason(*value).unwrap_or_else(|| error.to_string())),
+        }
+    }
+    let mut first = 0;
+    while first < alone.len() {
+        let end = (first..alone.len()).find(|k| alone[*k].is_err()).unwrap_or(alone.len());
+        if end > first + 1 {
+            match followed(family, range, (first, end), count, None) {
+                Ok((eigenvalues, zones)) => {
+                    place(&mut rows[first..end], eigenvalues);
+                    traced.zones.extend(zones);
+                }
+                Err(error) => {
+                    let ends = [range.values[first], range.values[end - 1]];
+                    traced.untraced.push((ends, error.to_string()));
+                }
+            }
+            stop(progress)?;
+        }
+        first = end + 1;
+    }
+    Ok(())
+}

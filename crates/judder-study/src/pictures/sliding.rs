@@ -1,0 +1,7 @@
+//! Sliding structures: marches and their spectrograms.
+
+mod march;
+mod spectrogram;
+
+pub(super) use march::march;
+pub(super) use spectrogram::spectrogram;

@@ -1,0 +1,118 @@
+//! The nodes that a sliding case names, and the freedoms that each structure has to keep for them.
+
+use super::Uncoupled;
+use crate::structure::{Structure, freedoms_of, points_of};
+use judder_case::structure::reduction::KeptNodes;
+use judder_case::{SlidingCase, SlidingProblem};
+
+/// Points of the structures' layouts, and freedoms.
+pub(super) struct Nodes {
+    /// C, of the slider.
+    pub(super) contact: usize,
+    /// The nodes of the track in the order of their set.
+    pub(super) track: Vec<usize>,
+    /// The freedom of the slider on which the load acts.
+    pub(super) load: usize,
+    /// The observed points, each of its structure.
+    pub(super) observed: Vec<usize>,
+    /// For each structure the freedoms that are kept, each once.
+    pub(super) freedoms: [Vec<usize>; 2],
+}
+
+impl Nodes {
+    /// Looks all of them up.
+    pub(super) fn new(case: &SlidingCase, structures: [&Structure; 2]) -> Result<Self, Uncoupled> {
+        let [slider, track] = [case.contact.slider.structure, case.contact.track.structure];
+        let contact = one(
+            points_of(&case.contact.slider.nodes, structures[slider], "contact.slider")?,
+            "contact.slider",
+        )?;
+        let edge = points_of(&case.contact.track.nodes, structures[track], "contact.track")?;
+        let load = loaded(case, structures[slider])?;
+        let observed = case.points.iter().map(|point| {
+            let path = format!("observe.points.{}", point.name);
+            one(points_of(&point.node.nodes, structures[point.node.structure], &path)?, &path)
+        });
+        let observed = observed.collect::<Result<Vec<usize>, Uncoupled>>()?;
+        if plane(structures[slider], contact).is_empty() {
+            return Err(Uncoupled::because(
+                "contact.slider",
+                "C is held along x and y: it can neither be pressed on the track nor leave it",
+            ));
+        }
+        let mut freedoms = [vec![], vec![]];
+        freedoms[slider].push(load);
+        freedoms[slider].extend(plane(structures[slider], contact));
+        freedoms[track].extend(edge.iter().flat_map(|point| plane(structures[track], *point)));
+        for (point, at) in case.points.iter().zip(&observed) {
+            let structure = point.node.structure;
+            freedoms[structure].extend(plane(structures[structure], *at));
+        }
+        for (index, own) in case.structures.iter().enumerate() {
+            let more = freedoms_of(&own.reduction, structures[index])
+                .map_err(|unbuilt| unbuilt.of_structure(&own.name))?;
+            freedoms[index].extend(more);
+        }
+        let freedoms = freedoms.map(each_once);
+        Ok(Self { contact, track: edge, load, observed, freedoms })
+    }
+}
+
+/// The free displacements of a point along x and y.
+fn plane(structure: &Structure, point: usize) -> Vec<usize> {
+    let of = |point: &[Option<usize>; 3]| point[..2].iter().copied().flatten().collect();
+    structure.layout.as_ref().and_then(|layout| layout.freedoms.get(point)).map(of).unwrap_or_default()
+}
+
+fn each_once(freedoms: Vec<usize>) -> Vec<usize> {
+    let mut seen = std::collections::BTreeSet::new();
+    freedoms.into_iter().filter(|freedom| seen.insert(*freedom)).collect()
+}
+
+fn one(points: Vec<usize>, path: &str) -> Result<usize, Uncoupled> {
+    match points[..] {
+        [point] => Ok(point),
+        _ => {
+            let problem = SlidingProblem::NotOneNode { key: path.to_owned(), found: points.len() };
+            Err(Uncoupled::new(path, problem))
+        }
+    }
+}
+
+/// The one freedom that all loaded nodes share.
+fn loaded(case: &SlidingCase, slider: &Structure) -> Result<usize, Uncoupled> {
+    let load = &case.motion.load;
+    let points = points_of(&load.nodes, slider, "motion.load")?;
+    let axis = load.direction as usize;
+    let freedoms = slider
+        .layout
+        .as_ref()
+        .map(|layout| points.iter().filter_map(|point| layout.freedoms[*point][axis]).collect::<Vec<_>>());
+    let freedoms = each_once(freedoms.unwrap_or_default());
+    let (name, along) = (name(&load.nodes), load.direction.name());
+    match freedoms[..] {
+        [freedom] => Ok(freedom),
+        [] => Err(Uncoupled::because(
+            "motion.load",
+            format!(
+                "`{name}` is held along {along}: a load there moves nothing; free it, or load another set"
+            ),
+        )),
+        _ => Err(Uncoupled::because(
+            "motion.load",
+            format!(
+                "the {} nodes of `{name}` move along {along} each on its own, but one load acts on one freedom: tie them along \
+                 {along}, as start = \"guided\" of a beam does, or name a set of one node",
+                freedoms.len()
+            ),
+        )),
+    }
+}
+
+/// Nodes as a case has them.
+pub(super) fn name(nodes: &KeptNodes) -> String {
+    match nodes {
+        KeptNodes::Set(set) => set.clone(),
+        KeptNodes::Numbers(numbers) => numbers.iter().map(usize::to_string).collect::<Vec<_>>().join(", "),
+    }
+}

@@ -6,6 +6,7 @@ mod computed_law;
 mod contact;
 mod global_margin;
 mod motion;
+mod sliding;
 mod structure;
 
 use judder_case::CaseFile;

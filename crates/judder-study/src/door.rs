@@ -6,7 +6,7 @@ use crate::bridge;
 use crate::error::StudyError;
 use crate::indenter::profile;
 use crate::material::ContactScales;
-use crate::sliding::SlidingSystem;
+use crate::sliding::{self, SlidingSystem};
 use crate::structure::Structure;
 use judder_case::{Case, CaseFile, ContactAnalysis, ContactCase, ContactProblem, Memory, Shape};
 use judder_contact::kernel::check::KernelError;
@@ -124,6 +124,9 @@ fn beyond(columns: usize, rows: usize, needed: u64, limit: u64) -> Refusal {
 
 /// What a run found wrong with an analysis, at its place in the case file where it has one.
 pub(crate) fn placed(error: StudyError, file: &CaseFile, index: usize) -> StudyError {
+    if let (StudyError::Sliding(own), Case::Sliding(case)) = (&error, &file.case) {
+        return sliding::placed(own, (file, case), index).map_or(error, StudyError::from);
+    }
     match blame(&error, &file.case, index) {
         Some((keys, problem)) => file.analysis_error(index, keys, problem).into(),
         None => error,

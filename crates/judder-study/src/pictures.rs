@@ -45,6 +45,7 @@ pub fn panels(dataset: &Dataset) -> Vec<Panel> {
         "reduction" => structure::reduction(dataset),
         "eigen" => structure::eigen(dataset),
         "eigen-sweep" => structure::eigen_sweep(dataset),
+        "locus" => sliding::locus(dataset),
         "march" => sliding::march(dataset),
         "spectrogram" => sliding::spectrogram(dataset),
         _ => None,
@@ -119,6 +120,10 @@ fn caption(dataset: &Dataset) -> &'static str {
         "reduction" => {
             "How far the frequencies of the reduced structure lie above those of the full one, and what the reduction alone says that this is at most. Below \
              its limit it says that every frequency is within 10^{−4}, the dotted level."
+        }
+        "locus" => {
+            "Complex eigenvalues of the coupled pair, dark to light along the axis; axes of growth rates are logarithmic on both sides of zero. Zones \
+             are located by the roots of the growth rate itself, however narrow; the markers stand where they grow fastest."
         }
         "eigen-sweep" => {
             "Every branch is followed through the points where eigenvalues meet: where two frequencies lock in, growth rates part. Squares are \

@@ -81,7 +81,7 @@ pub fn resolve(file: &CaseFile) -> Result<Resolved, StudyError> {
         Case::Belt(case) => motion::belt_case(file, case),
         Case::TwoDegrees(case) => Ok(two_degrees(file, case)),
         Case::Structure(case) => structure::resolve(file, case),
-        Case::Sliding(case) => Ok(sliding::resolve(file, case)),
+        Case::Sliding(case) => sliding::resolve(file, case),
     }
 }
 

@@ -1,17 +1,20 @@
 //! From the keys of a sliding case to a slider on its track.
 //!
+//! - `blame`: which key is to blame for what an analysis found.
 //! - `part`: a structure reduced to the freedoms that contact, load and observed points need.
 //! - `nodes`: which nodes and freedoms those are.
 //! - `damping`: α and β of a structure.
 //! - `edge`: the order of the track's nodes, and on which side of it the slider lies.
 //! - `step`: methods and steps of marches.
 
+mod blame;
 mod damping;
 mod edge;
 mod nodes;
 mod part;
 mod step;
 
+pub(crate) use blame::placed;
 pub(crate) use part::Part;
 pub(crate) use step::{Step, method, step};
 

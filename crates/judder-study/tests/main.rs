@@ -7,6 +7,7 @@ mod contact;
 mod global_margin;
 mod march;
 mod motion;
+mod sliding;
 mod structure;
 
 use judder_case::CaseFile;

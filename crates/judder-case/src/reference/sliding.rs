@@ -35,7 +35,7 @@ const HEAD: &str = "
 | `motion.noise = { force, seed }` | a random force on C; the same seed (1 where left out) gives the same force |
 | `observe.points = [{ name, structure, set }]` | points whose acceleration, velocity and displacement along x and y a march keeps |
 
-The path leads from `motion.start` to `motion.end`; where `end` lies before `start`, towards the first node of the track, the velocity is negative. The slider stands where C meets the track at `start`: a `beam.origin` of it has no effect.
+The path leads from `motion.start` to `motion.end`; where `end` lies before `start`, towards the first node of the track, the velocity is negative. The slider stands where C meets the track at `start`: a `beam.origin` of it has no effect. It lies on that side of the track on which its own middle lies then. Nodes of the track that do not follow each other in their set are taken in their order along the edge, towards +x (or +y), with a warning; `judder check` shows all of it. The damping matrix of imported matrices has to be α M + β K, to 1e-8 of its largest entry.
 
 An item of a list goes by its name in `--set` and in swept keys: `structure.oblique.beam.angle`, `observe.points.T.set`, `analysis.ensubs.step`; an analysis without a name goes by its kind.
 
@@ -48,7 +48,7 @@ const SETTINGS: &str = "
 
 A `locus` follows `count` branches (20 where left out), from the lowest frequency on, in the `configuration` `\"undeformed\"` (the default) or `\"deformed\"`, with `damping = false` without damping. It runs over `positions = { from, to, points }` (the path of the motion and 1000 points where left out), or \
 holds the contact `at = \"74 mm\"` and takes `sweep = { key = \"contact.friction_coefficient\", from = 0.0, to = 1.0, points = 101 }` of any number of `structure`, `contact`, `motion` or `parameters`; \
-`from`, `to` and the entries of `values = [ … ]` in place of them are plain numbers, or quantities with units. Each value is a case of its own.
+`from`, `to` and the entries of `values = [ … ]` in place of them are plain numbers, or quantities with units. Each value is a case of its own. Where a value has no pair, because the slider locks or nothing holds it, the result says so and the others are computed all the same; then the exit code is 1.
 
 The `method` of a `march` or a `growth` is `\"subs\"` (couplings of the rigid motion; with `slope = \"static\"` a march puts the static slope of the deformed track in), `\"ensubs\"` (couplings of the deformed structures), `\"film\"` (forward increment Lagrange multipliers) or `\"residual-flexibility\"` \
 (exact between contacts, modes above `cut_off` replaced by their flexibility). In a `growth`, `\"subs\"` means the undeformed configuration, the others the deformed one.

@@ -24,3 +24,163 @@ fn a_swept_key_that_is_not_there_is_shown_in_the_case() {
     let message = "with `contact.frction_coefficient` = 0: unknown key";
     desk.refused(&["check", "case.toml"], message, "did you mean `friction_coefficient`?");
 }
+
+/// A coarse pair, which runs in a moment.
+const PAIR: &str = r#"
+model = "sliding"
+
+[[structure]]
+name = "slider"
+beam = { length = "75 mm", thickness = "1.5 mm", elements = [15, 1], angle = "-30 deg", start = "guided" }
+width = "10 mm"
+material = { youngs_modulus = "71 GPa", poisson_ratio = 0.33, density = "2770 kg/m^3" }
+damping = { structural = { loss_factor = 0.001, reference_frequency = "3.5 kHz" } }
+reduction = { count = 6 }
+
+[[structure]]
+name = "track"
+beam = { length = "100 mm", thickness = "2 mm", elements = [20, 1], start = "clamped" }
+width = "20 mm"
+material = { youngs_modulus = "2.38 GPa", poisson_ratio = 0.40, density = "1200 kg/m^3" }
+damping = { rayleigh = { alpha = "40 1/s", beta = "4e-8 s" } }
+reduction = { count = 6 }
+
+[contact]
+slider = { structure = "slider", set = "end-lower" }
+track = { structure = "track", set = "upper-corners" }
+
+[motion]
+end = "90 mm"
+load = { set = "start" }
+
+[observe]
+points = [{ name = "T", structure = "track", set = "end-upper" }]
+
+[[analysis]]
+name = "modes"
+kind = "modes"
+structure = "track"
+count = 5
+
+[[analysis]]
+name = "locus"
+kind = "locus"
+count = 10
+positions = { from = "20 mm", to = "80 mm", points = 13 }
+
+[[analysis]]
+name = "friction"
+kind = "locus"
+configuration = "deformed"
+count = 10
+at = "52 mm"
+sweep = { key = "contact.friction_coefficient", from = 0.5, to = 0.1, points = 5 }
+
+[[analysis]]
+name = "growth"
+kind = "growth"
+method = "ensubs"
+position = "52 mm"
+frequency = "400 Hz"
+step = "2e-7 s"
+"#;
+
+/// The summary keys that stay, their shapes, the checks.
+#[test]
+fn a_pair_runs() {
+    let desk = Desk::with_case(PAIR);
+    let summary = desk.succeed(&["run", "case.toml", "--json"]).json();
+    let results = &summary["results"];
+    assert_eq!(results["modes"]["frequencies_hz"].as_array().unwrap().len(), 5);
+    let lengths = |name: &str, key: &str| {
+        let rows = results[name][key].as_array().unwrap();
+        assert!(rows.iter().all(|row| row.as_array().unwrap().len() == 10), "{name} {key}");
+        rows.len()
+    };
+    assert_eq!(results["locus"]["position_m"][12], 0.08);
+    assert_eq!(results["friction"]["value"][0], 0.5);
+    for (name, rows) in [("locus", 13), ("friction", 5)] {
+        assert_eq!((lengths(name, "frequencies_hz"), lengths(name, "growth_rates")), (rows, rows));
+        assert!(
+            results[name]["unstable"].is_array() && results[name]["missing"].as_array().unwrap().is_empty()
+        );
+    }
+    let number = |key: &str| results["growth"][key].as_f64().unwrap();
+    assert!((number("measured") / number("predicted") - 1.0).abs() < 1e-2, "{}", results["growth"]);
+    assert!((number("frequency_hz") / 400.0 - 1.0).abs() < 0.5);
+    let checks = &summary["study"]["checks"];
+    for (name, count) in [("locus", 3), ("friction", 3), ("growth", 2)] {
+        assert_eq!(checks[name].as_array().unwrap().len(), count, "{checks}");
+    }
+    for file in ["locus.csv", "friction.csv", "figures/locus.svg", "figures/friction.png"] {
+        assert!(desk.path(&format!("out/case/{file}")).is_file(), "{file}");
+    }
+    // the same bytes on one thread
+    desk.succeed(&["run", "case.toml", "--threads", "1", "-o", "alone", "--only", "locus"]);
+    let table = |folder: &str| std::fs::read(desk.path(&format!("{folder}/locus.csv"))).unwrap();
+    assert!(table("out/case") == table("alone"));
+}
+
+#[test]
+fn a_check_knows_the_pair() {
+    let desk = Desk::with_case(PAIR);
+    let checked = desk.succeed(&["check", "case.toml", "--json"]).json();
+    // 20 free nodes of the edge by two, six modes; u_y of A, C by two, six modes
+    let structures = checked["structures"].as_array().unwrap();
+    assert_eq!((&structures[0]["kept_freedoms"], &structures[1]["kept_freedoms"]), (&3.into(), &40.into()));
+    assert_eq!(checked["pair"]["degrees_of_freedom"], 55);
+    assert_eq!(checked["pair"]["side"], "left");
+    for method in ["subs", "ensubs", "film", "residual-flexibility"] {
+        assert!(checked["step_limits_s"][method].as_f64().unwrap() > 1e-8, "{method}");
+    }
+    assert_eq!(checked["estimate"].as_array().unwrap().len(), 4);
+}
+
+/// What only the structures can tell is shown where the case says it.
+#[test]
+fn what_cannot_slide_is_shown_in_the_case() {
+    let wrong = [
+        (
+            "set = \"end-lower\"",
+            "set = \"end-lowr\"",
+            "no set of nodes named `end-lowr`",
+            "did you mean `end-lower`?",
+        ),
+        (
+            "set = \"end-lower\"",
+            "set = \"end\"",
+            "`contact.slider` names 3 nodes, but must name one",
+            "end-lower",
+        ),
+        ("set = \"end-upper\"", "set = \"end\"", "`observe.points.T` names 3 nodes", "end-lower"),
+        (
+            "end = \"90 mm\"",
+            "end = \"120 mm\"",
+            "`motion.end` is 0.12 m, but the track goes from 0 to 0.1 m",
+            "first and the last",
+        ),
+        (
+            "load = { set = \"start\" }",
+            "load = { set = \"start\", direction = \"x\" }",
+            "`start` is held along x",
+            "motion",
+        ),
+        ("start = \"guided\"", "start = \"free\"", "move along y each on its own", "tie them"),
+        (
+            "set = \"upper-corners\"",
+            "set = \"end-upper\"",
+            "the track `end-upper` is no edge",
+            "nodes of one edge",
+        ),
+        ("step = \"2e-7 s\"", "step = \"1e-4 s\"", "above the limit of stability", "below the limit"),
+        ("position = \"52 mm\"", "position = \"520 mm\"", "`position` is 0.52 m", "first and the last"),
+    ];
+    for (right, wrong, message, help) in wrong {
+        let desk = Desk::with_case(&PAIR.replacen(right, wrong, 1));
+        let said = desk.judder(&["run", "case.toml", "--only", "growth"]);
+        assert_eq!(said.code, 2, "{wrong}: {}", said.stderr);
+        said.says(message);
+        said.says(help);
+        said.says("case.toml:");
+    }
+}

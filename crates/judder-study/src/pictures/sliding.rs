@@ -1,7 +1,9 @@
-//! Sliding structures: marches and their spectrograms.
+//! Sliding structures: loci, marches and their spectrograms.
 
+mod locus;
 mod march;
 mod spectrogram;
 
+pub(super) use locus::locus;
 pub(super) use march::march;
 pub(super) use spectrogram::spectrogram;

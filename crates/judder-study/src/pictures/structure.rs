@@ -4,7 +4,7 @@ mod eigen;
 mod shapes;
 mod sweep;
 
-pub(super) use eigen::eigen;
+pub(super) use eigen::{eigen, frequency_axis};
 pub(super) use sweep::eigen_sweep;
 
 use super::{codes, complexes, contact::FRAME, reals};
@@ -72,7 +72,7 @@ pub(super) fn reduction(dataset: &Dataset) -> Option<Vec<Panel>> {
 }
 
 /// A number to four digits.
-fn significant(value: f64) -> String {
+pub(super) fn significant(value: f64) -> String {
     let digits = (3 - value.abs().log10().floor().clamp(-20.0, 3.0) as i32).max(0) as usize;
     format!("{value:.digits$}").replace('-', "−")
 }

@@ -1,6 +1,11 @@
-//! What `judder check` shows of a sliding case: every key with the value in use.
+//! What `judder check` shows of a sliding case: every key with the value in use, the pair, the limits of its steps.
 
-use super::{Resolved, title};
+mod estimate;
+mod pair;
+
+use super::{Estimate, Resolved, estimate_json, estimate_text, title};
+use crate::error::StudyError;
+use crate::sliding::SlidingSystem;
 use crate::text::{columns, number};
 use judder_case::{CaseFile, SlidingCase};
 use serde_json::{Map, Value, json};
@@ -8,8 +13,12 @@ use serde_json::{Map, Value, json};
 /// The most values of a list that are shown one by one.
 const SHOWN: usize = 8;
 
-/// The keys of a sliding case with their values.
-pub(super) fn resolve(file: &CaseFile, case: &SlidingCase) -> Resolved {
+/// The keys of a sliding case with their values, and what is known of its pair.
+///
+/// # Errors
+/// Structures that cannot be, or cannot slide on each other, at their places in the case.
+pub(super) fn resolve(file: &CaseFile, case: &SlidingCase) -> Result<Resolved, StudyError> {
+    let system = SlidingSystem::new(case).map_err(|uncoupled| uncoupled.placed(file))?;
     let resolved = file.case.resolved();
     let mut text = format!("{}\n\n", title(&case.title));
     let mut rows = Vec::new();
@@ -17,7 +26,20 @@ pub(super) fn resolve(file: &CaseFile, case: &SlidingCase) -> Resolved {
         add_rows(section, &resolved[section], &mut rows);
     }
     text.push_str(&columns(&rows));
-    Resolved { document: json!({ "case": resolved }), text }
+    let known = pair::known(case, &system);
+    text.push_str(&known.text);
+    let estimates: Vec<Estimate> =
+        case.analyses.iter().map(|a| estimate::estimate(case, &system, &a.name, &a.kind)).collect();
+    text.push_str(&estimate_text(&estimates));
+    for warning in &known.warnings {
+        text.push_str(&format!("\nwarning: {warning}\n"));
+    }
+    let mut document =
+        json!({ "case": resolved, "estimate": estimate_json(&estimates), "warnings": known.warnings });
+    if let (Value::Object(document), Value::Object(pair)) = (&mut document, known.document) {
+        document.extend(pair);
+    }
+    Ok(Resolved { document, text })
 }
 
 /// A row a value, with its dotted path.

@@ -45,7 +45,7 @@ pub(super) fn growth_axis(values: &[Complex64]) -> Axis {
 }
 
 /// An axis of the frequencies of eigenvalues, with room beside the outermost.
-pub(super) fn frequency_axis(values: &[Complex64]) -> Axis {
+pub(in crate::pictures) fn frequency_axis(values: &[Complex64]) -> Axis {
     /// Room on both sides, over the span; and over the frequency itself, where it is one.
     const BESIDE: [f64; 2] = [0.08, 0.01];
     let hertz = values.iter().map(|value| value.im / TAU).filter(|hertz| hertz.is_finite());

@@ -13,6 +13,7 @@ use judder_sliding::statics::Equilibrium;
 use judder_sliding::zones::Zone;
 use num_complex::Complex64;
 use rayon::prelude::*;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A pair for each value of a parameter.
 pub(super) trait Family: Sync {
@@ -171,6 +172,7 @@ fn followed(
     progress: Option<&dyn Progress>,
 ) -> Result<Found, SlidingError> {
     let values = &range.values[first..end];
+    let is_told: Vec<AtomicBool> = values.iter().map(|_| AtomicBool::new(false)).collect();
     let at = |value: f64| {
         if let Some(progress) = progress {
             if progress.interrupted() {
@@ -180,7 +182,10 @@ fn followed(
                     reason: "the run was interrupted",
                 });
             }
-            if values.binary_search_by(|known| known.total_cmp(&value)).is_ok() {
+            // the search for zones comes by some values again
+            if let Ok(k) = values.binary_search_by(|known| known.total_cmp(&value))
+                && !is_told[k].swap(true, Ordering::Relaxed)
+            {
                 progress.advance();
             }
         }

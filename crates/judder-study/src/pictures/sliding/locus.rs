@@ -1,0 +1,194 @@
+//! The locus.
+
+use crate::pictures::structure::{frequency_axis, significant};
+use crate::pictures::{axis, complexes, reals, text};
+use judder_report::figure::Region;
+use judder_report::{Axis, Layer, Panel, Role};
+use judder_store::{Dataset, Variable};
+use num_complex::Complex64;
+use std::f64::consts::TAU;
+
+/// Values that lines and points are drawn at, at most: zones are located, not sampled.
+const SHOWN: usize = 400;
+/// Shades of the complex plane.
+const SHADES: usize = 8;
+/// Zones whose growth rate is written beside them: those that grow fastest.
+const TOLD: usize = 6;
+/// Of the fastest growth, what the even part of the axis of growth rates takes.
+const EVEN: f64 = 0.1;
+/// Where a logarithmic axis ends, over the largest value.
+const ROOM: f64 = 2.0;
+/// The diameter of the largest marker of a zone over the usual one, and the share of it that the smallest has.
+const BUBBLES: (f64, f64) = (2.5, 0.4);
+
+/// A locus over position or any key.
+struct Locus<'a> {
+    coordinate: &'a Variable,
+    /// From the values to what is shown: m to mm.
+    scale: f64,
+    /// The values that are shown, by their numbers.
+    shown: Vec<usize>,
+    values: &'a [f64],
+    eigenvalues: &'a [Complex64],
+    count: usize,
+    zones: Vec<Zone>,
+}
+
+#[derive(Clone, Copy)]
+struct Zone {
+    from: f64,
+    to: f64,
+    peak: f64,
+    growth: f64,
+    frequency: f64,
+}
+
+/// The complex plane, frequencies and growth rates, the normal force at rest.
+pub(in crate::pictures) fn locus(dataset: &Dataset) -> Option<Vec<Panel>> {
+    let locus = Locus::new(dataset)?;
+    let force = reals(dataset, "normal_force")?.to_vec();
+    let along = locus.values.iter().map(|value| value * locus.scale).collect();
+    let force = Layer::line("", along, force, Role::Series(0).solid());
+    Some(vec![
+        locus.plane(),
+        locus.frequencies(),
+        locus.growth_rates(),
+        Panel::new(locus.across(), Axis::linear("Normal force $N$ (N)"), vec![force]).with_title("at rest"),
+    ])
+}
+
+impl<'a> Locus<'a> {
+    fn new(dataset: &'a Dataset) -> Option<Self> {
+        let variable = dataset.variable("eigenvalue")?;
+        let coordinate = dataset.variable(variable.dimensions.first()?)?;
+        let values = reals(dataset, &coordinate.name)?;
+        let count = *variable.shape.last()?;
+        let scale = if coordinate.name == "position" { 1e3 } else { 1.0 };
+        let of = |name: &str| reals(dataset, name);
+        let (from, to, peak) = (of("zone_from")?, of("zone_to")?, of("zone_peak")?);
+        let (growth, frequency) = (of("zone_growth_rate")?, of("zone_frequency")?);
+        let zone = |k: usize| Zone {
+            from: from[k] * scale,
+            to: to[k] * scale,
+            peak: peak[k] * scale,
+            growth: growth[k],
+            frequency: frequency[k],
+        };
+        let zones = (0..from.len()).map(zone).collect();
+        let step = values.len().div_ceil(SHOWN).max(1);
+        let last = values.len().checked_sub(1)?;
+        let mut shown: Vec<usize> = (0..values.len()).step_by(step).collect();
+        if shown.last() != Some(&last) {
+            shown.push(last);
+        }
+        Some(Self {
+            coordinate,
+            scale,
+            shown,
+            values,
+            eigenvalues: complexes(dataset, "eigenvalue")?,
+            count,
+            zones,
+        })
+    }
+
+    /// The axis of positions in mm, or of the swept key.
+    fn across(&self) -> Axis {
+        if self.scale == 1.0 { axis(self.coordinate) } else { Axis::linear("Contact position $s$ (mm)") }
+    }
+
+    fn at(&self, row: usize, branch: usize) -> Complex64 {
+        self.eigenvalues[row * self.count + branch]
+    }
+
+    /// Every branch as a thin line.
+    fn lines(&self, pick: impl Fn(Complex64) -> f64) -> Vec<Layer> {
+        let along: Vec<f64> = self.shown.iter().map(|row| self.values[*row] * self.scale).collect();
+        let line = |branch: usize| {
+            let up = self.shown.iter().map(|row| pick(self.at(*row, branch))).collect();
+            Layer::line("", along.clone(), up, Role::Mode(branch))
+        };
+        (0..self.count).map(line).collect()
+    }
+
+    fn growth_axis(&self) -> Axis {
+        let rates = || self.eigenvalues.iter().map(|s| s.re).filter(|rate| rate.is_finite());
+        let fastest = self.zones.iter().map(|zone| zone.growth).fold(0.0, f64::max);
+        let low = rates().fold(0.0, f64::min);
+        let label = "Growth rate Re $s$ (1/s)";
+        let even = if fastest > 0.0 { EVEN * fastest } else { EVEN * EVEN * -low };
+        if even == 0.0 {
+            return Axis::linear(label).with_range(-1.0, 1.0);
+        }
+        let high = rates().fold(fastest, f64::max);
+        Axis::symmetric_log(label, even).with_range((ROOM * low).min(-even), (ROOM * high).max(even))
+    }
+
+    /// Fig. 2 of the beams paper: growth rate and frequency, from dark to light along the axis.
+    fn plane(&self) -> Panel {
+        let symbol = text(self.coordinate, "symbol").unwrap_or(&self.coordinate.name);
+        let unit = match (self.scale == 1.0, self.coordinate.units.as_str()) {
+            (false, _) => " mm".to_owned(),
+            (true, "1") => String::new(),
+            (true, unit) => format!(" {unit}"),
+        };
+        let shades = SHADES.min(self.shown.len());
+        let mut layers = vec![Layer::vertical_rule(0.0, "")];
+        for (index, rows) in self.shown.chunks(self.shown.len().div_ceil(shades)).enumerate() {
+            let points: Vec<Complex64> =
+                rows.iter().flat_map(|row| (0..self.count).map(|branch| self.at(*row, branch))).collect();
+            let (x, y) = points.iter().map(|s| (s.re, s.im / TAU)).unzip();
+            let role = Role::Graded { index, count: shades };
+            let first = rows.first().map_or(f64::NAN, |row| self.values[*row] * self.scale);
+            let label = format!("from {symbol} = {}{unit}", significant(first));
+            layers.push(Layer::points(label, x, y, role.crowded()));
+        }
+        let (x, y) = self.zones.iter().map(|zone| (zone.growth, zone.frequency)).unzip();
+        layers.push(Layer::points("fastest growth of a zone", x, y, Role::Series(1)));
+        Panel::new(self.growth_axis(), frequency_axis(self.eigenvalues), layers)
+            .with_title("locus")
+            .with_legend(judder_report::Legend::Below)
+    }
+
+    /// Frequencies, with every unstable zone and its growth rate.
+    fn frequencies(&self) -> Panel {
+        let mut layers = self.lines(|s| s.im / TAU);
+        for zone in &self.zones {
+            let (x, y) = (vec![zone.from, zone.to], vec![zone.frequency; 2]);
+            layers.push(Layer::line("", x, y, Role::Series(1).solid().with_width(3.0)));
+        }
+        let fastest = self.zones.iter().map(|zone| zone.growth).fold(f64::MIN_POSITIVE, f64::max);
+        let sizes =
+            self.zones.iter().map(|zone| BUBBLES.0 * (zone.growth / fastest).max(0.0).sqrt().max(BUBBLES.1));
+        let places = self.zones.iter().map(|zone| (zone.peak, zone.frequency)).unzip();
+        if !self.zones.is_empty() {
+            let label = "unstable; area: growth rate";
+            layers.push(Layer::bubbles(label, places, sizes.collect(), Role::Series(1)));
+        }
+        let mut told: Vec<&Zone> = self.zones.iter().collect();
+        told.sort_by(|a, b| b.growth.total_cmp(&a.growth));
+        layers.extend(told.iter().take(TOLD).map(|zone| {
+            Layer::note(zone.peak, zone.frequency, format!("   {} 1/s", significant(zone.growth)))
+        }));
+        Panel::new(self.across(), frequency_axis(self.eigenvalues), layers)
+            .with_title("frequencies")
+            .with_legend(judder_report::Legend::Below)
+    }
+
+    /// Growth rates, the zones shaded.
+    fn growth_rates(&self) -> Panel {
+        let shade = |(k, zone): (usize, &Zone)| {
+            let label = if k == 0 { "unstable zone" } else { "" };
+            let x = Some((zone.from, zone.to));
+            Layer::Region(Region { label: label.to_owned(), x, y: None, role: Role::Knock })
+        };
+        let mut layers: Vec<Layer> = self.zones.iter().enumerate().map(shade).collect();
+        layers.push(Layer::horizontal_rule(0.0, ""));
+        layers.extend(self.lines(|s| s.re));
+        let (x, y) = self.zones.iter().map(|zone| (zone.peak, zone.growth)).unzip();
+        layers.push(Layer::points("fastest growth of a zone", x, y, Role::Series(1)));
+        Panel::new(self.across(), self.growth_axis(), layers)
+            .with_title("growth rates")
+            .with_legend(judder_report::Legend::Below)
+    }
+}

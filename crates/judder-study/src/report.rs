@@ -162,7 +162,7 @@ fn scalar_table(scalars: &serde_json::Map<String, Value>) -> Option<Table> {
     })
 }
 
-fn case_section(summary: &Summary, kept: &Keepsakes) -> Section {
+pub(crate) fn case_section(summary: &Summary, kept: &Keepsakes) -> Section {
     let mut blocks =
         vec![Block::Code(Code { caption: "The case file".to_owned(), text: kept.source.clone() })];
     if !kept.overrides.is_empty() {

@@ -1,6 +1,7 @@
-//! The oscillator paper: Figs. 3–14 and what its text claims about them, with both readings of the friction, both velocity axes of
+//! The papers, recomputed: the beams paper in [`beams`]; here the oscillator paper: Figs. 3–14 and what its text claims about them, with both readings of the friction, both velocity axes of
 //! the fitted law, and the law computed anew; section 5 with both of its speeds.
 
+mod beams;
 mod by_law;
 mod claims;
 mod contact_figures;
@@ -32,6 +33,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
+pub use beams::beams_paper;
 pub use scoreboard::ClaimLine;
 
 /// Where a summary keeps that it is a reproduction, and its scoreboard.
@@ -160,7 +162,10 @@ fn run_side_by_side(
 
 /// Rebuilds figures and page of a reproduction from what is stored.
 pub(crate) fn write_report(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, StudyError> {
-    page::write(store, summary)
+    match summary.extra.get(KEY).and_then(|own| own.get("paper")).and_then(serde_json::Value::as_str) {
+        Some(beams::PAPER) => beams::write_report(store, summary),
+        _ => page::write(store, summary),
+    }
 }
 
 /// The name of a panel's analysis with a reading.

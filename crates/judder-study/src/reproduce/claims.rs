@@ -29,7 +29,7 @@ pub(super) struct Claim<T = Contact> {
     pub(super) why: &'static str,
 }
 
-const fn statement<T>(
+pub(super) const fn statement<T>(
     place: &'static str,
     says: &'static str,
     measure: fn(&T) -> Measured,
@@ -47,7 +47,7 @@ const fn misprint(
     Claim { place, says, kind: Kind::Misprint, measure, why }
 }
 
-fn measured(ours: impl Into<String>, holds: bool) -> Measured {
+pub(super) fn measured(ours: impl Into<String>, holds: bool) -> Measured {
     Measured { ours: ours.into(), holds }
 }
 

@@ -30,8 +30,10 @@ pub(super) fn run(
         Along::Key { at, sweep } => swept::run((case, system), settings, (*at, sweep), progress)?,
     };
     let results = Results { settings, axis: &axis, traced: &traced };
+    let mut scalars = results.scalars();
+    scalars.insert("degrees_of_freedom".to_owned(), system.pair.modes().into());
     Ok(Outcome {
-        scalars: results.scalars(),
+        scalars,
         dataset: results.dataset()?,
         table: Some(results.table()?),
         checks,

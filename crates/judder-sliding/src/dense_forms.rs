@@ -241,8 +241,11 @@ mod tests {
         for found in [fields.dual_spectrum(0.3), other.primal_spectrum(0.3), other.dual_spectrum(0.3)] {
             let found = found.unwrap();
             assert_eq!(found.len(), 14);
-            for (value, expected) in found.iter().zip(&expected) {
-                assert!((value - expected).norm() < 1e-9, "{value} {expected}");
+            // a flutter pair has one imaginary part, whose rounding decides their order
+            for expected in &expected {
+                let nearest =
+                    found.iter().map(|value| (value - expected).norm()).fold(f64::INFINITY, f64::min);
+                assert!(nearest < 1e-9, "{expected}: {nearest:e}");
             }
         }
     }

@@ -101,8 +101,10 @@ pub fn frozen_growth(
         held.state.iter().zip(&shape).map(|(rest, mode)| rest + (swing * mode).re).collect()
     };
     let sliding = Sliding::at(pair.friction(), settings.velocity);
-    let force = held.force_at_rest(pair, settings, sliding)?;
-    let start = Start { now: at(0.0), before: at(-settings.step), force };
+    let rest = held.force_at_rest(pair, settings, sliding)?;
+    let force = |time: f64| rest.map(|along| along * (1.0 + AMPLITUDE * (eigenvalue * time).exp().re));
+    let start =
+        Start { now: at(0.0), before: at(-settings.step), forces: [force(0.0), force(-settings.step)] };
     let motion = Motion {
         start: settings.position,
         end: settings.position,

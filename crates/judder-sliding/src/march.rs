@@ -158,6 +158,8 @@ pub struct March<'a> {
     force_before: Vector,
     /// Share of the initial damping that the recurrences have.
     tuned: f64,
+    /// How far C yields in the modes that do not move, per unit of load and of acceleration of the slider's frame.
+    yielding: [Vector; 2],
     /// What a unit of steady modal force does to each of the slider's modes in a step.
     push_factors: Vec<f64>,
 }
@@ -185,8 +187,8 @@ pub struct Start {
     pub now: Vec<f64>,
     /// Those one step before.
     pub before: Vec<f64>,
-    /// The contact's force on the slider, N.
-    pub force: Vector,
+    /// The contact's force on the slider now and one step before, N.
+    pub forces: [Vector; 2],
 }
 
 impl<'a> March<'a> {
@@ -217,6 +219,10 @@ impl<'a> March<'a> {
         }
         march.direction = if settings.motion.velocity < 0.0 { -1.0 } else { 1.0 };
         (march.steady, march.velocity) = (settings.motion.velocity, settings.motion.velocity);
+        if !matches!(settings.method, Method::Subs { .. }) {
+            march.at = pair.deformed(motion.start, &start.now)?.at;
+            march.view = View::new(pair, &mut march.track, &march.compliance, march.at.segment);
+        }
         march.begin(start);
         Ok(march)
     }
@@ -303,10 +309,11 @@ impl<'a> March<'a> {
             force: [0.0; 2],
             force_before: [0.0; 2],
             tuned: drive.initial_damping,
+            yielding: yielding(pair, scheme),
             push_factors,
         };
         let rest = vec![0.0; pair.modes()];
-        march.begin(&Start { now: rest.clone(), before: rest, force: [0.0; 2] });
+        march.begin(&Start { now: rest.clone(), before: rest, forces: [[0.0; 2]; 2] });
         Ok(march)
     }
 }
@@ -324,6 +331,20 @@ fn damping(pair: &Pair, motion: &Motion, share: f64) -> Vec<f64> {
     let of =
         |body: &Body| (0..body.modes()).map(|mode| damping_of(share, motion, body, mode)).collect::<Vec<_>>();
     [of(&pair.slider().body), of(&pair.track().body)].concat()
+}
+
+/// How far C yields in the modes that do not move, under a unit load, m/N, and a unit acceleration of the slider's frame, s².
+fn yielding(pair: &Pair, scheme: Scheme) -> [Vector; 2] {
+    let slider = pair.slider();
+    let eigenvalues = slider.body.eigenvalues.iter().enumerate();
+    let still: Vec<(usize, f64)> =
+        eigenvalues.filter(|(_, value)| !scheme.moves(**value)).map(|(mode, value)| (mode, *value)).collect();
+    let of = |forces: &[f64], sign: f64| {
+        [0, 1].map(|k| {
+            still.iter().map(|(m, value)| sign * slider.contact.rows[k][*m] * forces[*m] / value).sum()
+        })
+    };
+    [of(&slider.load, 1.0), of(&slider.inertia, -1.0)]
 }
 
 /// Whether forces that change their sign from step to step die out at every place of a path: with these factors of all modes,

@@ -79,12 +79,11 @@ impl Spectrum {
 
     /// Those known in the region, of which no more than wanted where a limit is.
     fn below(mut known: Vec<Complex64>, border: f64, wanted: Wanted) -> Self {
-        known.retain(|s| s.im <= border && s.re.abs() <= border);
         let limit = match wanted {
             Wanted::Below(limit) => limit,
             Wanted::Lowest(_) => border,
         };
-        known.retain(|s| s.im <= limit);
+        known.retain(|s| s.im <= limit && s.re.abs() <= limit);
         Self { eigenvalues: known, limit }
     }
 }

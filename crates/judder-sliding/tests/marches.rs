@@ -143,7 +143,7 @@ fn shadow_energy(steps: u64) {
     let start = Start {
         now: rest.state.iter().map(|q| 0.9 * q).collect(),
         before: rest.state.iter().map(|q| 0.9 * q).collect(),
-        force: [0.0, 0.9 * rest.normal_force],
+        forces: [[0.0, 0.9 * rest.normal_force]; 2],
     };
     let motion = Motion { start: position, end: position, velocity: common::SPEED, ..common::motion() };
     let settings = MarchSettings {
@@ -279,12 +279,12 @@ fn wrong_marches_are_named() {
     };
     let kick = at(kick).err();
     assert!(matches!(kick, Some(SlidingError::OpenAtStart { .. })), "{kick:?}");
-    let locking = common::pair_with(Interpolation::Linear, Friction::constant(4.0).unwrap(), 20);
+    let locking = common::pair_with(Interpolation::Linear, Friction::constant(30.0).unwrap(), 20);
     let settings = MarchSettings {
         method: Method::EnSubs,
         predictor: Predictor::WithForce,
         step: STEP,
-        motion: common::motion(),
+        motion: Motion { ramps: Ramps { friction: 0.0, ..common::motion().ramps }, ..common::motion() },
     };
     let mut nothing = |_: &Sample, _: &[f64]| ();
     let locked = March::new(&locking, settings).unwrap().advance(1_000_000, &mut nothing);

@@ -126,15 +126,22 @@ impl Oscillators {
         }
     }
 
-    /// Sets this time's and the last time's coordinates and predicts the next without contact.
-    pub(super) fn set_state(&mut self, now: &[f64], before: &[f64]) {
+    /// Sets coordinates and forces at the rows, each of this time and of the last, and predicts the next without contact.
+    pub(super) fn set_state(&mut self, [now, before]: [&[f64]; 2], [force, force_before]: [&[f64; ROWS]; 2]) {
         for mode in 0..self.modes {
             let (chunk, lane) = (mode / LANES, mode % LANES);
-            self.state[chunk][lane] = now[mode];
-            self.force[chunk][lane] = 0.0;
+            let of_mode = |forces: &[f64; ROWS]| -> f64 {
+                let rows = &self.row_chunks[chunk * self.rows..(chunk + 1) * self.rows];
+                rows.iter().zip(forces).map(|(row, force)| row[lane] * force).sum()
+            };
+            let (of_now, of_before) = (of_mode(force), of_mode(force_before));
             self.predicted[chunk][lane] = self.ahead[chunk][lane] * now[mode]
                 - self.behind[chunk][lane] * before[mode]
-                + self.push[chunk][lane];
+                + self.push[chunk][lane]
+                + self.later[0][chunk][lane] * of_now
+                + self.later[1][chunk][lane] * of_before;
+            self.state[chunk][lane] = now[mode];
+            self.force[chunk][lane] = of_now;
         }
     }
 
@@ -161,19 +168,9 @@ impl Oscillators {
         true
     }
 
-    /// What the rows see of the coordinates now, and of their prediction.
+    /// What the rows see of the coordinates now, and of their prediction: the same bits as [`Self::advance`] tells.
     pub(super) fn seen(&self) -> [[f64; ROWS]; 2] {
-        let mut seen = [[0.0; ROWS]; 2];
-        for (seen, chunks) in seen.iter_mut().zip([&self.state, &self.predicted]) {
-            for (row, seen) in seen.iter_mut().enumerate().take(self.rows) {
-                let sum = |sum: Chunk, (k, q): (usize, &Chunk)| {
-                    let row = &self.row_chunks[k * self.rows + row];
-                    std::array::from_fn(|lane| sum[lane] + row[lane] * q[lane])
-                };
-                *seen = total(&chunks.iter().enumerate().fold([0.0; LANES], sum));
-            }
-        }
-        seen
+        [&self.state, &self.predicted].map(|chunks| Arch::new().dispatch(Sight { oscillators: self, chunks }))
     }
 
     /// Goes on by one step under forces at the rows, and tells what the rows see of the next prediction.
@@ -267,6 +264,34 @@ impl Pass<'_> {
     }
 }
 
+/// What the rows see of coordinates.
+struct Sight<'a> {
+    oscillators: &'a Oscillators,
+    chunks: &'a [Chunk],
+}
+
+impl WithSimd for Sight<'_> {
+    type Output = [f64; ROWS];
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> [f64; ROWS] {
+        let rows = self.oscillators.rows;
+        let mut seen = [0.0; ROWS];
+        for (place, seen) in seen.iter_mut().enumerate().take(rows) {
+            let mut sum = [0.0; LANES];
+            for (own, chunk) in self.oscillators.row_chunks.chunks_exact(rows).zip(self.chunks) {
+                let row = S::as_simd_f64s(&own[place]).0;
+                let sums = S::as_mut_simd_f64s(&mut sum).0.iter_mut();
+                for ((sum, row), q) in sums.zip(row).zip(S::as_simd_f64s(chunk).0) {
+                    *sum = simd.mul_add_f64s(*row, *q, *sum);
+                }
+            }
+            *seen = total(&sum);
+        }
+        seen
+    }
+}
+
 /// Chunks as vectors of the machine.
 #[inline(always)]
 fn vectors<S: Simd, const K: usize>(chunks: &[Chunk]) -> &[[S::f64s; K]] {
@@ -310,7 +335,7 @@ mod tests {
         }
         oscillators.set_push(|k| 0.01 * k as f64);
         let now: Vec<f64> = (0..19).map(|k| (k as f64).cos()).collect();
-        oscillators.set_state(&now, &now);
+        oscillators.set_state([&now, &now], [&[0.0; ROWS]; 2]);
         oscillators
     }
 

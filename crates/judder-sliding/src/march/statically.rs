@@ -46,8 +46,11 @@ impl StaticPath {
     fn place(&self, position: f64) -> (usize, f64) {
         let last = self.positions.len() - 1;
         let below = self.positions.partition_point(|known| *known <= position).clamp(1, last) - 1;
-        let share = (position - self.positions[below]) / (self.positions[below + 1] - self.positions[below]);
-        (below, share.clamp(0.0, 1.0))
+        let width = self.positions[below + 1] - self.positions[below];
+        // a held contact has a path without length
+        let share =
+            if width > 0.0 { ((position - self.positions[below]) / width).clamp(0.0, 1.0) } else { 0.0 };
+        (below, share)
     }
 
     /// Displacement of C at a position.

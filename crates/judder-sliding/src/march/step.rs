@@ -8,7 +8,7 @@ use super::{
     Checkpoint, March, Method, Predictor, Reached, Sample, Scheme, Sink, Start, damping, damping_of,
 };
 use crate::SlidingError;
-use crate::edge::{RunOff, Touch, combined};
+use crate::edge::{RunOff, STENCIL, Touch, combined};
 use crate::motion::Drive;
 use crate::pair::Side;
 use crate::plane::{Vector, dot, minus, plus, turned};
@@ -83,10 +83,10 @@ impl March<'_> {
         let slip = approach.slip + tn * normal + tt * tangential;
         self.watch(&touch, force, drive.acceleration);
         self.tune(&drive);
+        self.drive = drive;
         self.move_on(&touch, force, disturbance);
         self.steps += 1;
         self.at = touch.at;
-        self.drive = drive;
         self.velocity = self.steady + slip / step;
         Ok(Some(Sample {
             time: self.steps as f64 * step,
@@ -278,21 +278,24 @@ impl March<'_> {
     #[inline]
     fn move_on(&mut self, touch: &Touch, force: Vector, disturbance: Vector) {
         let weights = &touch.weights.value;
-        let mut on_slider = [0.0; ROWS];
-        on_slider[..2].copy_from_slice(&plus(force, 1.0, disturbance));
-        let mut on_track = [0.0; ROWS];
+        let (on_slider, on_track) = rows_of(force, disturbance, (&self.view, weights));
         let moved = self.view.compliance.of_nodes(weights, force);
         for (k, moved) in moved.iter().enumerate().take(self.view.count) {
-            on_track[2 * k] = -weights[k] * force[0];
-            on_track[2 * k + 1] = -weights[k] * force[1];
             self.view.now[k] = plus(self.view.predicted[k], 1.0, *moved);
         }
         self.contact[0] = plus(self.contact[1], 1.0, self.compliance.of_contact(force));
         let (of_slider, of_track) = (self.slider.advance(&on_slider), self.track.advance(&on_track));
-        self.contact[1] = [of_slider[0], of_slider[1]];
+        self.contact[1] = self.with_yielding(&of_slider);
         self.view.predicted = vectors(&of_track, self.view.count);
         self.predict_observed(&of_slider, &of_track);
         (self.force_before, self.force) = (self.force, force);
+    }
+
+    /// The displacement of C by the rows of its moving modes, with what load and inertia do to the others; both change slowly.
+    #[inline]
+    fn with_yielding(&self, seen: &[f64; ROWS]) -> Vector {
+        let [by_load, by_acceleration] = self.yielding;
+        plus(plus([seen[0], seen[1]], self.drive.load, by_load), self.drive.acceleration, by_acceleration)
     }
 
     #[inline]
@@ -308,19 +311,23 @@ impl March<'_> {
     /// Starts from a state at this time, with its prediction.
     pub(super) fn begin(&mut self, start: &Start) {
         self.set_push(&self.drive.clone());
+        let at_rows =
+            |force: Vector| rows_of(force, [0.0; 2], (&self.view, &self.pair.edge().weights(self.at).value));
+        let [(slider_now, track_now), (slider_before, track_before)] = start.forces.map(at_rows);
         let of_slider = self.pair.slider().body.modes();
-        self.slider.set_state(&start.now[..of_slider], &start.before[..of_slider]);
-        self.track.set_state(&start.now[of_slider..], &start.before[of_slider..]);
+        let [now, before] = [&start.now, &start.before].map(|state| state.split_at(of_slider));
+        self.slider.set_state([now.0, before.0], [&slider_now, &slider_before]);
+        self.track.set_state([now.1, before.1], [&track_now, &track_before]);
         let segment = self.view.segment;
         self.view = View::new(self.pair, &mut self.track, &self.compliance, segment);
         let ([now, next], [track_now, track_next]) = (self.slider.seen(), self.track.seen());
-        self.contact = [[now[0], now[1]], [next[0], next[1]]];
+        self.contact = [self.with_yielding(&now), self.with_yielding(&next)];
         self.predict_observed(&now, &track_now);
         for own in &mut self.observed {
             (own[0], own[1]) = (own[2], own[2]);
         }
         self.predict_observed(&next, &track_next);
-        (self.force, self.force_before) = (start.force, start.force);
+        [self.force, self.force_before] = start.forces;
     }
 
     /// Where the march is.
@@ -362,7 +369,7 @@ impl March<'_> {
         self.view.now = checkpoint.nodes;
         let [_, of_slider] = self.slider.seen();
         let [_, of_track] = self.track.seen();
-        self.contact = [checkpoint.contact, [of_slider[0], of_slider[1]]];
+        self.contact = [checkpoint.contact, self.with_yielding(&of_slider)];
         self.predict_observed(&of_slider, &of_track);
         for (own, kept) in self.observed.iter_mut().zip(&checkpoint.observed) {
             own[..2].copy_from_slice(kept);
@@ -371,6 +378,21 @@ impl March<'_> {
         [self.force, self.force_before] = checkpoint.forces;
         Ok(())
     }
+}
+
+/// Forces at the rows of slider and track, of the contact on the slider and of a disturbance on C.
+#[inline(always)]
+fn rows_of(
+    force: Vector,
+    disturbance: Vector,
+    (view, weights): (&View, &[f64; STENCIL]),
+) -> ([f64; ROWS], [f64; ROWS]) {
+    let (mut on_slider, mut on_track) = ([0.0; ROWS], [0.0; ROWS]);
+    on_slider[..2].copy_from_slice(&plus(force, 1.0, disturbance));
+    for (pair, weight) in on_track.as_chunks_mut::<2>().0.iter_mut().zip(weights).take(view.count) {
+        *pair = [-weight * force[0], -weight * force[1]];
+    }
+    (on_slider, on_track)
 }
 
 /// Watches the track about another segment.

@@ -46,8 +46,10 @@ impl Iterate {
             self.value = self.value.conj();
         }
         let size = self.value.norm() + 1e-3 * scale;
-        self.is_done =
-            length <= SMALL * size || (length <= ROUNDING * size && length >= 0.9 * self.last_step);
+        if length <= ROUNDING * size && length >= 0.9 * self.last_step {
+            self.stalls += 1;
+        }
+        self.is_done = length <= SMALL * size || self.stalls >= STALLS;
         self.last_step = length;
     }
 }

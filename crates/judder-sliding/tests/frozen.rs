@@ -1,0 +1,67 @@
+//! Growth with the contact held, measured in marches, against eigenvalues.
+#![allow(clippy::unwrap_used, reason = "tests")]
+mod common;
+
+use judder_sliding::growth::{GrowthSettings, Held, frozen_growth};
+use judder_sliding::locus::{Conditions, Configuration, Settings, locus, spectrum};
+use judder_sliding::march::Method;
+use judder_sliding::pair::Pair;
+use judder_sliding::spectrum::Wanted;
+use judder_sliding::zones::Zone;
+use std::f64::consts::TAU;
+
+fn conditions(configuration: Configuration) -> Conditions {
+    Conditions { configuration, is_damped: true, velocity: common::SPEED, load: common::LOAD }
+}
+
+/// The zones of the paper's path, those of largest growth first.
+fn zones(pair: &Pair, configuration: Configuration) -> Vec<Zone> {
+    let positions = vec![0.010, 0.0985];
+    let settings = Settings { conditions: conditions(configuration), count: 20, positions };
+    let mut zones = locus(pair, &settings).unwrap().followed.zones;
+    zones.sort_by(|a, b| b.growth_rate.total_cmp(&a.growth_rate));
+    zones
+}
+
+/// Measured growth agrees with the eigenvalue to 1 % where the pair grows fastest in each zone.
+fn growth_agrees(pair: &Pair, method: Method, configuration: Configuration, step: f64) {
+    let zones = zones(pair, configuration);
+    assert!(zones.len() >= 4, "{zones:?}");
+    for zone in zones.iter().take(5) {
+        let settings =
+            GrowthSettings { method, step, position: zone.peak, velocity: common::SPEED, load: common::LOAD };
+        let held = Held::new(pair, &settings).unwrap();
+        let conditions = conditions(configuration);
+        let all = spectrum(pair, &conditions, zone.peak, Wanted::Lowest(20)).unwrap().eigenvalues;
+        let fastest = all.iter().copied().max_by(|a, b| a.re.total_cmp(&b.re)).unwrap();
+        let growth = frozen_growth(pair, &settings, &held, fastest).unwrap();
+        println!(
+            "{method:?} {:.3} mm, {:.2} Hz: measured {:.4}, predicted {:.4}, halves differ by {:.1e}, {:.4} Hz off",
+            zone.peak * 1e3,
+            fastest.im / TAU,
+            growth.measured.re,
+            fastest.re,
+            growth.spread,
+            (growth.measured.im - fastest.im) / TAU
+        );
+        assert!((growth.measured.re / fastest.re - 1.0).abs() < 1e-2, "{growth:?}");
+    }
+}
+
+#[test]
+fn subs_grows_as_the_undeformed_eigenvalue() {
+    let method = Method::Subs { static_slope: false };
+    growth_agrees(&common::pair(), method, Configuration::Undeformed, 3e-7);
+}
+
+#[test]
+fn ensubs_grows_as_the_deformed_eigenvalue() {
+    growth_agrees(&common::pair(), Method::EnSubs, Configuration::Deformed, 3e-7);
+}
+
+/// So does the march with residual flexibility, whose step is eight times as long.
+#[test]
+fn residual_flexibility_grows_as_the_deformed_eigenvalue() {
+    let method = Method::ResidualFlexibility { cut_off: 150e3 };
+    growth_agrees(&common::pair(), method, Configuration::Deformed, 1.2e-6);
+}

@@ -19,6 +19,8 @@ pub struct Equilibrium {
 
 /// How the contact point may still move in the last iteration, m.
 const TOLERANCE: f64 = 1e-15;
+/// What rounding may leave of that on a long track, as a share of its length; asked only of an iteration that has had its time.
+const ROUNDING: f64 = 1e-12;
 const ITERATIONS: usize = 100;
 /// After so many iterations a contact that still goes to and fro between two segments rests on the node between them.
 const HESITATION: usize = 20;
@@ -45,6 +47,7 @@ impl Equilibrium {
         let mut touch = pair.undeformed(position)?;
         let mut moved = f64::INFINITY;
         let mut held = None;
+        let rounding = ROUNDING * pair.node_positions().last().copied().unwrap_or_default();
         for iteration in 0..ITERATIONS {
             let coupling = Coupling::new(pair, &touch, sliding);
             let (state, normal_force) = Self::at_touch(pair, (position, load), &touch, &coupling)?;
@@ -58,7 +61,7 @@ impl Equilibrium {
             }
             moved = place_change(&touch, &next);
             touch = next;
-            if moved <= TOLERANCE {
+            if moved <= TOLERANCE || (iteration >= HESITATION && moved <= rounding) {
                 return Ok(Self { state, normal_force, touch });
             }
         }

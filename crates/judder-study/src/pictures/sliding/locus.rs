@@ -12,8 +12,6 @@ use std::f64::consts::TAU;
 const SHOWN: usize = 400;
 /// Shades of the complex plane.
 const SHADES: usize = 8;
-/// Zones whose growth rate is written beside them: those that grow fastest.
-const TOLD: usize = 6;
 /// Of the fastest growth, what the even part of the axis of growth rates takes.
 const EVEN: f64 = 0.1;
 /// Where a logarithmic axis ends, over the largest value.
@@ -115,7 +113,7 @@ impl<'a> Locus<'a> {
         let rates = || self.eigenvalues.iter().map(|s| s.re).filter(|rate| rate.is_finite());
         let fastest = self.zones.iter().map(|zone| zone.growth).fold(0.0, f64::max);
         let low = rates().fold(0.0, f64::min);
-        let label = "Growth rate Re $s$ (1/s)";
+        let label = "Growth rate Re $λ$ (1/s)";
         let even = if fastest > 0.0 { EVEN * fastest } else { EVEN * EVEN * -low };
         if even == 0.0 {
             return Axis::linear(label).with_range(-1.0, 1.0);
@@ -150,7 +148,7 @@ impl<'a> Locus<'a> {
             .with_legend(judder_report::Legend::Below)
     }
 
-    /// Frequencies, with every unstable zone and its growth rate.
+    /// Frequencies, with every unstable zone, by whose marker its growth rate is seen.
     fn frequencies(&self) -> Panel {
         let mut layers = self.lines(|s| s.im / TAU);
         for zone in &self.zones {
@@ -165,11 +163,6 @@ impl<'a> Locus<'a> {
             let label = "unstable; area: growth rate";
             layers.push(Layer::bubbles(label, places, sizes.collect(), Role::Series(1)));
         }
-        let mut told: Vec<&Zone> = self.zones.iter().collect();
-        told.sort_by(|a, b| b.growth.total_cmp(&a.growth));
-        layers.extend(told.iter().take(TOLD).map(|zone| {
-            Layer::note(zone.peak, zone.frequency, format!("   {} 1/s", significant(zone.growth)))
-        }));
         Panel::new(self.across(), frequency_axis(self.eigenvalues), layers)
             .with_title("frequencies")
             .with_legend(judder_report::Legend::Below)
@@ -180,7 +173,7 @@ impl<'a> Locus<'a> {
         let shade = |(k, zone): (usize, &Zone)| {
             let label = if k == 0 { "unstable zone" } else { "" };
             let x = Some((zone.from, zone.to));
-            Layer::Region(Region { label: label.to_owned(), x, y: None, role: Role::Knock })
+            Layer::Region(Region { label: label.to_owned(), x, y: None, role: Role::Flutter })
         };
         let mut layers: Vec<Layer> = self.zones.iter().enumerate().map(shade).collect();
         layers.push(Layer::horizontal_rule(0.0, ""));

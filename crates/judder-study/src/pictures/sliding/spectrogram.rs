@@ -128,7 +128,7 @@ impl Levels {
         };
         let layers = places.iter().zip(spectra.chunks(lines)).enumerate().map(spectrum).collect();
         let signal = dataset.attributes().get("signal")?.as_str()?;
-        let title = format!("{signal}: {:.0} dB are {:.3} mm high", high - low, HEIGHT * distance);
+        let title = format!("{signal}: {:.0} dB are {:.1} mm high", high - low, HEIGHT * distance);
         let up = Axis::linear("Position $s$ (mm)");
         Some(Panel::new(Axis::linear("Frequency (kHz)"), up, layers).with_title(title))
     }

@@ -87,7 +87,7 @@ impl Results<'_> {
             .with(
                 Variable::new("eigenvalue", &[name, "branch"], &[rows, count], eigenvalues)
                     .units("1/s")
-                    .long_name("eigenvalue s of a branch, NaN where there is none"),
+                    .long_name("eigenvalue λ of a branch, NaN where there is none"),
             )?
             .with(
                 along("normal_force", &|row| row.state.normal_force)

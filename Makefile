@@ -32,7 +32,7 @@ demo: ## build judder, reproduce the oscillator paper, say where the report lies
 test: format lint rust-tests doc-tests python-tests docs deny ## everything that must hold before a change is merged
 	@printf '\nEvery check passed.\n'
 
-bench: .venv/installed ## time the stability decision, the sliding contact, a limit cycle and modes, beside NumPy and SciPy peers
+bench: .venv/installed ## time the stability decision, the sliding contact, a limit cycle, modes, loci and marches, beside NumPy and SciPy peers
 	$(CARGO) bench $(LOCKED) -p judder-oscillator
 	$(PYTHON) benches/compare.py
 	$(CARGO) bench $(LOCKED) -p judder-contact --bench contact
@@ -41,6 +41,7 @@ bench: .venv/installed ## time the stability decision, the sliding contact, a li
 	$(PYTHON) benches/compare_modes.py
 	$(PYTHON) benches/compare_eigen.py $(JUDDER_DISC_BRAKE)
 	$(CARGO) bench $(LOCKED) -p judder-structure --bench reduction
+	$(CARGO) bench $(LOCKED) -p judder-sliding
 
 # The peers stand apart: ASPHER compiles itself and wants g++ and libeigen3-dev.
 bench-rough: .venv-peers/installed ## time the elastic contact of rough surfaces, beside Tamaas and ASPHER

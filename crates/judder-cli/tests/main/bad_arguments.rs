@@ -25,8 +25,6 @@ fn commands_of_later_versions() {
         "`judder explore` comes with a later version",
         "report.html",
     );
-    let beams = "the reproduction of the beams paper comes with a later version";
-    refused(&["reproduce", "beams-paper"], beams, "available: oscillator-paper");
 }
 
 #[test]

@@ -19,8 +19,8 @@ pub struct Equilibrium {
 
 /// How the contact point may still move in the last iteration, m.
 const TOLERANCE: f64 = 1e-15;
-/// What rounding may leave of that on a long track, as a share of its length; asked only of an iteration that has had its time.
-const ROUNDING: f64 = 1e-12;
+/// What rounding may leave of that, as a share of a segment; asked only of an iteration that has had its time.
+const ROUNDING: f64 = 1e-9;
 const ITERATIONS: usize = 100;
 /// After so many iterations a contact that still goes to and fro between two segments rests on the node between them.
 const HESITATION: usize = 20;
@@ -47,7 +47,6 @@ impl Equilibrium {
         let mut touch = pair.undeformed(position)?;
         let mut moved = f64::INFINITY;
         let mut held = None;
-        let rounding = ROUNDING * pair.node_positions().last().copied().unwrap_or_default();
         for iteration in 0..ITERATIONS {
             let coupling = Coupling::new(pair, &touch, sliding);
             let (state, normal_force) = Self::at_touch(pair, (position, load), &touch, &coupling)?;
@@ -61,7 +60,7 @@ impl Equilibrium {
             }
             moved = place_change(&touch, &next);
             touch = next;
-            if moved <= TOLERANCE || (iteration >= HESITATION && moved <= rounding) {
+            if moved <= TOLERANCE || (iteration >= HESITATION && moved <= ROUNDING * touch.stretch) {
                 return Ok(Self { state, normal_force, touch });
             }
         }

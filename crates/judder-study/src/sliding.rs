@@ -186,11 +186,12 @@ fn coupled(
         Ok(Point { place: part.place(point), rows: part.rows(point)? })
     };
     let mut observed = Vec::new();
-    for (own, at) in case.points.iter().zip(&nodes.observed) {
+    for (number, (own, at)) in case.points.iter().zip(&nodes.observed).enumerate() {
         let is_slider = own.node.structure == case.contact.slider.structure;
         let (side, part) = if is_slider { (Side::Slider, slider) } else { (Side::Track, track) };
-        for (axis, row) in part.rows(*at)?.into_iter().enumerate() {
-            let rigid = if is_slider { edge.direction[axis] } else { 0.0 };
+        for (axis, row) in [Axis::X, Axis::Y].into_iter().zip(part.rows(*at)?) {
+            debug_assert_eq!(observed.len(), SlidingSystem::observed(number, axis));
+            let rigid = if is_slider { edge.direction[axis as usize] } else { 0.0 };
             observed.push(Observed { side, row, rigid });
         }
     }

@@ -163,7 +163,7 @@ fn what_cannot_slide_is_shown_in_the_case() {
             "load = { set = \"start\" }",
             "load = { set = \"start\", direction = \"x\" }",
             "`start` is held along x",
-            "motion",
+            "free it",
         ),
         ("start = \"guided\"", "start = \"free\"", "move along y each on its own", "tie them"),
         (

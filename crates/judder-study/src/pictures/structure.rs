@@ -73,6 +73,9 @@ pub(super) fn reduction(dataset: &Dataset) -> Option<Vec<Panel>> {
 
 /// A number to four digits.
 pub(super) fn significant(value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
     let digits = (3 - value.abs().log10().floor().clamp(-20.0, 3.0) as i32).max(0) as usize;
     format!("{value:.digits$}").replace('-', "−")
 }

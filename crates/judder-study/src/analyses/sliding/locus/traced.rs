@@ -149,6 +149,16 @@ pub(super) fn trace(
     Ok(traced)
 }
 
+/// An error without the place that it names, which is the value of the swept key.
+fn told(error: &SlidingError) -> String {
+    match error {
+        SlidingError::Incomplete { found, expected, limit_hz, .. } => {
+            format!("{found} of {expected} eigenvalues were found up to {limit_hz:.6e} Hz")
+        }
+        _ => error.to_string(),
+    }
+}
+
 fn stop(progress: &dyn Progress) -> Result<(), StudyError> {
     if progress.interrupted() { Err(StudyError::Interrupted) } else { Ok(()) }
 }
@@ -223,7 +233,7 @@ fn piecewise(
     for ((row, found), value) in rows.iter_mut().zip(&alone).zip(range.values) {
         match found {
             Ok(found) => place(std::slice::from_mut(row), vec![found.clone()]),
-            Err(error) => row.failure = Some(family.reason(*value).unwrap_or_else(|| error.to_string())),
+            Err(error) => row.failure = Some(family.reason(*value).unwrap_or_else(|| told(error))),
         }
     }
     let mut first = 0;
@@ -237,7 +247,7 @@ fn piecewise(
                 }
                 Err(error) => {
                     let ends = [range.values[first], range.values[end - 1]];
-                    traced.untraced.push((ends, error.to_string()));
+                    traced.untraced.push((ends, told(&error)));
                 }
             }
             stop(progress)?;

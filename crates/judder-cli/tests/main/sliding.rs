@@ -221,7 +221,7 @@ fn wrong_marches_are_refused() {
     let desk = Desk::with_case(&short(&format!("{march}step = \"2 us\"\n")));
     let said = desk.judder(&["run", "case.toml"]);
     assert_eq!(said.code, 2, "{}", said.stderr);
-    said.says("over its limit");
+    said.says("above the limit of stability");
     let desk = Desk::with_case(&short(&format!("{march}signal = \"T.z\"\n")));
     desk.refused(&["run", "case.toml"], "unknown signal `T.z`", "T.y");
 }

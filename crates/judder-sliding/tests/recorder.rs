@@ -118,3 +118,26 @@ fn a_recorder_goes_on_to_the_bit() {
     }
     assert_eq!(whole.tally(), second.tally());
 }
+
+/// Steps take no memory: not the marches, not what is kept of them once there is room; across nodes of the track too.
+#[test]
+fn a_step_allocates_nothing() {
+    let pair = common::pair();
+    let motion = common::motion();
+    for method in [
+        Method::Subs { static_slope: false },
+        Method::EnSubs,
+        Method::Film,
+        Method::Subs { static_slope: true },
+    ] {
+        let settings = MarchSettings { method, step: STEP, motion, predictor: Predictor::default() };
+        let mut march = March::new(&pair, settings).unwrap();
+        let channels = [Channel::Acceleration(0), Channel::NormalForce, Channel::SlidingVelocity];
+        let mut recorder = Recorder::new(&pair, &motion, &channels, &decimation()).unwrap();
+        recorder.reserve(400_000);
+        let counted = allocation_counter::measure(|| {
+            march.advance(400_000, &mut recorder).unwrap();
+        });
+        assert_eq!((march.steps(), counted.count_total), (400_000, 0), "{method:?}");
+    }
+}

@@ -196,7 +196,7 @@ fn a_step_over_the_limit_is_refused() {
     let (_folder, report) = studied(&march("ensubs", "method = \"ensubs\"\nstep = \"2 us\""));
     assert!(!report.complete);
     let refused = report.refused[0].error.to_string();
-    assert!(refused.contains("over its limit"), "{refused}");
+    assert!(refused.contains("above the limit of stability"), "{refused}");
 }
 
 #[test]

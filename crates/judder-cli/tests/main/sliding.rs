@@ -184,3 +184,57 @@ fn what_cannot_slide_is_shown_in_the_case() {
         said.says("case.toml:");
     }
 }
+
+/// The coarse pair with these analyses alone, and ramps of milliseconds.
+fn short(analyses: &str) -> String {
+    let (pair, _) = PAIR.split_once("[[analysis]]").unwrap();
+    let ramps = "[motion]\nvelocity = \"300 mm/s\"\nstart = \"84 mm\"\n\
+                 ramps = { velocity = \"4 ms\", load = \"4 ms\", friction = \"4 ms\", gap = \"4 ms\" }";
+    format!("{}\n{analyses}", pair.replace("[motion]", ramps))
+}
+
+/// The last part of a path: the keys that stay, the files, and a spectrogram of what was stored.
+#[test]
+fn a_march_runs_and_is_shown() {
+    let desk = Desk::with_case(&short(
+        "[[analysis]]\nname = \"film\"\nkind = \"march\"\nmethod = \"film\"\n\n\
+         [[analysis]]\nname = \"levels\"\nkind = \"spectrogram\"\nof = \"film\"\n",
+    ));
+    let summary = desk.succeed(&["run", "case.toml", "--json"]).json();
+    let told = &summary["results"]["film"];
+    for key in ["steps", "step_s", "step_limit_s", "seconds", "peak_acceleration", "peak_position_m"] {
+        assert!(told[key].as_f64().is_some_and(|value| value > 0.0), "{key}: {told}");
+    }
+    for key in ["normal_force", "sliding_velocity"] {
+        assert!(told[key]["min"].as_f64().unwrap() <= told[key]["max"].as_f64().unwrap(), "{key}");
+    }
+    assert!(told["bursts"].is_array() && told["stick_steps"].is_u64() && told["open_steps"].is_u64());
+    assert!(summary["results"]["levels"]["peak_level_db"].is_f64());
+    for file in ["film.csv", "film-T.y.wav", "figures/film.svg", "figures/levels.png", "results.zarr/film"] {
+        assert!(desk.path(&format!("out/case/{file}")).exists(), "{file}");
+    }
+}
+
+#[test]
+fn wrong_marches_are_refused() {
+    let march = "[[analysis]]\nname = \"film\"\nkind = \"march\"\nmethod = \"film\"\n";
+    let desk = Desk::with_case(&short(&format!("{march}step = \"2 us\"\n")));
+    let said = desk.judder(&["run", "case.toml"]);
+    assert_eq!(said.code, 2, "{}", said.stderr);
+    said.says("above the limit of stability");
+    let desk = Desk::with_case(&short(&format!("{march}signal = \"T.z\"\n")));
+    desk.refused(&["run", "case.toml"], "unknown signal `T.z`", "T.y");
+}
+
+/// A slider that locks on its way: what was computed before stays, and the exit code says that something is missing.
+#[test]
+fn a_march_that_ends_before_its_path_says_where() {
+    let march = "[[analysis]]\nname = \"ensubs\"\nkind = \"march\"\nmethod = \"ensubs\"\n";
+    let desk = Desk::with_case(&short(march));
+    let said = desk.judder(&["run", "case.toml", "--set", "contact.friction_coefficient=5", "--json"]);
+    assert_eq!(said.code, 1, "{}", said.stderr);
+    said.says("before the end of its path");
+    let ended = &desk.read_json("out/case/summary.json")["results"]["ensubs"]["ended"];
+    assert!(ended["reason"].as_str().unwrap().contains("sprag-slip"), "{ended}");
+    assert!(desk.path("out/case/results.zarr/ensubs").exists());
+}

@@ -98,9 +98,11 @@ impl Levels {
             None => "unstable zones of the locus".to_owned(),
         };
         let style = Role::Series(1).solid();
+        // what begins there stays in sight
+        let sizes = vec![0.6; middles.0.len()];
         vec![
             Layer::line("", bars.0, bars.1, style.with_width(2.0)),
-            Layer::points(label, middles.0, middles.1, Role::Series(1)),
+            Layer::bubbles(label, middles, sizes, Role::Series(1)),
         ]
     }
 

@@ -145,7 +145,7 @@ const FILM_BURSTS: Claim<Found> = statement(
                 burst.frequency * 1e-3
             ),
         };
-        measured(ours, loudest.as_ref().is_some_and(|burst| within(burst)))
+        measured(ours, loudest.as_ref().is_some_and(within))
     },
     "A burst belongs to a zone of the deformed locus with its frequency (2 %) that it has passed by 1 mm at most.",
 );

@@ -1,6 +1,5 @@
 //! The pair of the beams paper at rest.
-mod common;
-
+use crate::common;
 use judder_sliding::coupling::Sliding;
 use judder_sliding::statics::Equilibrium;
 use std::f64::consts::TAU;

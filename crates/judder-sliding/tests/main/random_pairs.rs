@@ -1,5 +1,4 @@
 //! The laws of contact at every step of FiLM, on random pairs.
-#![allow(clippy::unwrap_used, reason = "tests")]
 
 use judder_numerics::counter::uniform;
 use judder_sliding::SlidingError;

@@ -1,9 +1,6 @@
 //! What is kept of a march: times, decimation, extremes, going on after an interruption.
 
-#![allow(clippy::unwrap_used)]
-
-mod common;
-
+use crate::common;
 use judder_numerics::signal::decimate::Decimation;
 use judder_sliding::march::{ContactState, March, MarchSettings, Method, Predictor, Sample, Sink};
 use judder_sliding::motion::Motion;

@@ -1,7 +1,5 @@
 //! Growth with the contact held, measured in marches, against eigenvalues.
-#![allow(clippy::unwrap_used, reason = "tests")]
-mod common;
-
+use crate::common;
 use judder_sliding::growth::{GrowthSettings, Held, frozen_growth};
 use judder_sliding::locus::{Conditions, Configuration, Settings, locus, spectrum};
 use judder_sliding::march::Method;

@@ -1,7 +1,5 @@
 //! The marches on the pair of the beams paper.
-#![allow(clippy::unwrap_used, reason = "tests")]
-mod common;
-
+use crate::common;
 use judder_numerics::signal::decimate::{Decimation, Decimator};
 use judder_sliding::edge::Interpolation;
 use judder_sliding::friction::Friction;

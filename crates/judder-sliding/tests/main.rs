@@ -1,0 +1,17 @@
+//! Two structures in sliding contact: the pair of the beams paper, and random ones.
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+
+mod common;
+
+#[path = "main/beams.rs"]
+mod beams;
+#[path = "main/frozen.rs"]
+mod frozen;
+#[path = "main/locus.rs"]
+mod locus;
+#[path = "main/marches.rs"]
+mod marches;
+#[path = "main/random_pairs.rs"]
+mod random_pairs;
+#[path = "main/recorder.rs"]
+mod recorder;

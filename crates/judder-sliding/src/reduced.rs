@@ -5,7 +5,6 @@ use crate::body::Body;
 use judder_structure::StructureError;
 use judder_structure::craig_bampton::CraigBampton;
 use judder_structure::modal_form::ModalForm;
-use judder_structure::rigid::rigid_limit;
 
 /// A structure in modal form with the rows of its kept freedoms.
 #[derive(Debug, Clone)]
@@ -18,7 +17,8 @@ pub struct Reduced {
 }
 
 impl Reduced {
-    /// All modes of a reduced structure with Rayleigh damping α, β; `inertia_load` is that of a unit acceleration of its frame on the
+    /// All modes of a reduced structure with Rayleigh damping α, β. Those up to `rigid`, in 1/s², are rigid motions: what rounding in the
+    /// matrices of the full structure makes of zero ([`judder_structure::rigid::rigid_limit`] of them). `inertia_load` is that of a unit acceleration of its frame on the
     /// freedoms of the full structure, in kg.
     ///
     /// # Errors
@@ -26,11 +26,11 @@ impl Reduced {
     pub fn new(
         reduced: &CraigBampton,
         (alpha, beta): (f64, f64),
+        rigid: f64,
         inertia_load: &[f64],
     ) -> Result<Self, StructureError> {
         let form = reduced.modal_form()?;
-        let limit = rigid_limit(form.eigenvalues.len(), form.eigenvalues.last().copied().unwrap_or(0.0));
-        let clean = |value: &f64| if *value <= limit { 0.0 } else { *value };
+        let clean = |value: &f64| if *value <= rigid { 0.0 } else { *value };
         let body = Body { eigenvalues: form.eigenvalues.iter().map(clean).collect(), alpha, beta };
         let basis = &reduced.basis;
         let on = |column: usize| {

@@ -13,6 +13,7 @@ use judder_structure::craig_bampton::{CraigBampton, CutOff};
 use judder_structure::freedom::{Direction, Numbering, Supports};
 use judder_structure::material::{Elastic, Section};
 use judder_structure::mesh::Mesh;
+use judder_structure::rigid::{largest_ratio, rigid_limit};
 use std::collections::BTreeMap;
 
 /// The friction coefficient of Table 2.
@@ -108,7 +109,8 @@ fn reduce(
     let reduced =
         CraigBampton::new(&assembled.stiffness, &assembled.mass, &kept, CutOff::Count(modes)).unwrap();
     let load = inertia_load(mesh, &materials, &numbering, [1.0, 0.0, 0.0]).unwrap();
-    Reduced::new(&reduced, damping, &load).unwrap()
+    let rigid = rigid_limit(assembled.mass.nrows(), largest_ratio(&assembled.stiffness, &assembled.mass));
+    Reduced::new(&reduced, damping, rigid, &load).unwrap()
 }
 
 /// The same pair without damping.

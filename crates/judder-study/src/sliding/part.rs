@@ -9,6 +9,7 @@ use judder_sliding::plane::Vector;
 use judder_sliding::reduced::Reduced;
 use judder_structure::assembly::{Sparse, inertia_load};
 use judder_structure::craig_bampton::{CraigBampton, CutOff};
+use judder_structure::rigid::{largest_ratio, rigid_limit};
 use judder_structure::statics::product;
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -70,7 +71,8 @@ impl Part {
             None => Vec::new(),
         };
         let fixed_modes = reduced.fixed_interface.len();
-        let reduced = Reduced::new(&reduced, damping, &load).map_err(|error| refuse(&error))?;
+        let rigid = rigid_limit(mass.nrows(), largest_ratio(&stiffness, &mass));
+        let reduced = Reduced::new(&reduced, damping, rigid, &load).map_err(|error| refuse(&error))?;
         let structure = Arc::clone(structure);
         Ok(Self { structure, kept: kept.to_vec(), fixed_modes, reduced, direction, warnings })
     }

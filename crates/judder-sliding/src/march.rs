@@ -261,8 +261,12 @@ impl<'a> March<'a> {
         let damping = damping(pair, &motion, drive.initial_damping);
         let bodies = [pair.slider().body.modes(), pair.modes()];
         let eigenvalues = pair.eigenvalues();
-        let recurrences: Vec<Recurrence> =
-            eigenvalues.iter().zip(&damping).map(|(v, d)| scheme.recurrence(step, *v, *d)).collect();
+        let recurrences: Vec<Recurrence> = eigenvalues
+            .iter()
+            .zip(pair.damping())
+            .zip(&damping)
+            .map(|((v, own), d)| scheme.while_damped(step, *v, own, *d))
+            .collect();
         let moving = |from: usize, to: usize| {
             let count = eigenvalues[from..to].iter().filter(|value| scheme.moves(**value)).count();
             &recurrences[from..from + count]
@@ -280,7 +284,7 @@ impl<'a> March<'a> {
         let push_factors =
             (0..slider.modes()).map(|mode| slider.recurrence(mode).on_steady_force()).collect();
         let factors: Vec<f64> =
-            eigenvalues.iter().zip(&damping).map(|(v, d)| scheme.at_once(step, *v, *d)).collect();
+            eigenvalues.iter().zip(pair.damping()).map(|(v, own)| scheme.at_once(step, *v, own)).collect();
         let compliance = Compliance::new(pair, &factors);
         let static_path = if method == (Method::Subs { static_slope: true }) {
             let sliding = Sliding::at(pair.friction(), motion.velocity);

@@ -367,7 +367,7 @@ fn samples_that_cannot_carry_a_signal() {
         ("4 MHz", "samples at 4000000 Hz are more than one a step of 3e-7 s"),
     ] {
         let signals = format!("{{ sample_rate = \"{rate}\" }}");
-        let text = format!("kind = \"march\"\nmethod = \"ensubs\"\nsignals = {signals}");
+        let text = format!("kind = \"march\"\nmethod = \"ensubs\"\nstep = \"3e-7 s\"\nsignals = {signals}");
         analysis(&text, reason, &signals, help);
     }
 }

@@ -183,11 +183,11 @@ fn counts_and_defaults_are_swept_too() {
 }
 
 #[test]
-fn a_march_takes_the_whole_path_and_the_paper_step() {
+fn a_march_takes_the_whole_path_and_chooses_its_step() {
     let SlidingAnalysis::March(march) = analysis("kind = \"march\"\nmethod = \"ensubs\"") else {
         panic!("a march")
     };
-    assert_eq!((march.from, march.to, march.step), (0.01, 0.0985, Some(3e-7)));
+    assert_eq!((march.from, march.to, march.step), (0.01, 0.0985, None));
     assert!((march.signals.sample_rate - 400e3).abs() < 1e-6);
     assert!((march.signals.pass_band / TAU - 50e3).abs() < 1e-6);
     let vertical = Signal::Point { point: 0, axis: Axis::Y, quantity: PointQuantity::Acceleration };
@@ -202,14 +202,16 @@ fn what_belongs_to_a_method_is_read_with_it() {
         _ => panic!("a march or a growth"),
     };
     let found = method("kind = \"march\"\nmethod = \"subs\"\nslope = \"static\"");
-    assert_eq!(found, (MarchMethod::Subs { static_slope: true }, Some(3e-7)));
+    assert_eq!(found, (MarchMethod::Subs { static_slope: true }, None));
     let (found, step) = method("kind = \"march\"\nmethod = \"residual-flexibility\"\ncut_off = \"100 kHz\"");
     assert!(
         matches!(found, MarchMethod::ResidualFlexibility { cut_off } if (cut_off / TAU - 1e5).abs() < 1e-6)
     );
     assert_eq!(step, None);
-    let found = method("kind = \"growth\"\nmethod = \"film\"\nposition = \"82 mm\"\nfrequency = \"3.5 kHz\"");
-    assert_eq!(found, (MarchMethod::Film, Some(3e-7)));
+    let found = method(
+        "kind = \"growth\"\nmethod = \"film\"\nposition = \"82 mm\"\nfrequency = \"3.5 kHz\"\nstep = \"2e-7 s\"",
+    );
+    assert_eq!(found, (MarchMethod::Film, Some(2e-7)));
 }
 
 #[test]

@@ -38,6 +38,18 @@ impl Scheme {
         }
     }
 
+    /// The recurrence of a mode while it is damped otherwise than by its `own` damping.
+    ///
+    /// What a force does at once stays that under its own damping, from which it differs by a share h d: the compliance of the
+    /// contact, which must agree with it, need not be computed anew. What it does in all stays right.
+    pub(super) fn while_damped(self, step: f64, eigenvalue: f64, own: f64, damping: f64) -> Recurrence {
+        let mut recurrence = self.recurrence(step, eigenvalue, damping);
+        let at_once = self.recurrence(step, eigenvalue, own).at_once;
+        recurrence.later[0] += recurrence.at_once - at_once;
+        recurrence.at_once = at_once;
+        recurrence
+    }
+
     /// What a unit force does to a mode at once: by its recurrence, or by its flexibility.
     pub(super) fn at_once(self, step: f64, eigenvalue: f64, damping: f64) -> f64 {
         if self.moves(eigenvalue) {

@@ -4,9 +4,7 @@ use super::compliance::{Block, Compliance, times};
 use super::oscillators::ROWS;
 use super::reaction::{Approach, Locked, Reaction, projected, sliding};
 use super::view::{View, vectors};
-use super::{
-    Checkpoint, March, Method, Predictor, Reached, Sample, Scheme, Sink, Start, damping, damping_of,
-};
+use super::{Checkpoint, March, Method, Predictor, Reached, Sample, Scheme, Sink, Start, damping_of};
 use crate::SlidingError;
 use crate::edge::{RunOff, STENCIL, Touch, combined};
 use crate::motion::Drive;
@@ -14,7 +12,7 @@ use crate::pair::Side;
 use crate::plane::{Vector, dot, minus, plus, turned};
 
 /// How much of the initial damping may go before the exact recurrences are tuned anew.
-const STAIR: f64 = 0.02;
+const STAIR: f64 = 0.002;
 /// Times that the exact scheme finds geometry and force, each from the other, in a step.
 const PASSES: usize = 3;
 
@@ -252,20 +250,13 @@ impl March<'_> {
             for (mode, value) in body.eigenvalues.iter().enumerate() {
                 if self.scheme.moves(*value) {
                     let damping = damping_of(share, &self.settings.motion, body, mode);
-                    oscillators.set_recurrence(mode, self.scheme.recurrence(step, *value, damping));
+                    let recurrence = self.scheme.while_damped(step, *value, body.damping(mode), damping);
+                    oscillators.set_recurrence(mode, recurrence);
                 }
             }
         }
         for (mode, factor) in self.push_factors.iter_mut().enumerate() {
             *factor = self.slider.recurrence(mode).on_steady_force();
-        }
-        if self.scheme != Scheme::CentralDifferences {
-            let (eigenvalues, damping) =
-                (self.pair.eigenvalues(), damping(self.pair, &self.settings.motion, share));
-            let at_once = |(v, d): (&f64, &f64)| self.scheme.at_once(step, *v, *d);
-            let factors: Vec<f64> = eigenvalues.iter().zip(&damping).map(at_once).collect();
-            self.compliance = Compliance::new(self.pair, &factors);
-            self.view.compliance = self.compliance.stencil(self.view.first, self.view.count);
         }
         self.tuned = share;
     }

@@ -1,4 +1,4 @@
-//! The papers, recomputed: the beams paper in [`beams`]; here the oscillator paper: Figs. 3–14 and what its text claims about them, with both readings of the friction, both velocity axes of
+//! The papers, recomputed: the beams paper in `beams`; here the oscillator paper: Figs. 3–14 and what its text claims about them, with both readings of the friction, both velocity axes of
 //! the fitted law, and the law computed anew; section 5 with both of its speeds.
 
 mod beams;

@@ -64,7 +64,8 @@ const SWEEPS: usize = 100;
 /// Forward increment Lagrange multipliers: a stick trial, then Gauss–Seidel sweeps that project the force onto Coulomb's cone.
 ///
 /// N. J. Carpenter, R. L. Taylor, M. G. Katona, *Lagrange constraints for transient finite element surface contact*, Int. J. Numer.
-/// Meth. Engng 32 (1991). Once two sweeps agree on stick or on the direction of slip, the two equations of that state are solved.
+/// Meth. Engng 32 (1991). Slip against the force of the stick trial is tried before the sweeps. Once two of these agree on the direction
+/// of slip, the equations of that state are solved.
 #[inline]
 pub(super) fn projected(approach: &Approach) -> Result<Reaction, Locked> {
     if approach.gap >= 0.0 {
@@ -81,6 +82,14 @@ pub(super) fn projected(approach: &Approach) -> Result<Reaction, Locked> {
     };
     if trial.normal >= 0.0 && trial.tangential.abs() <= friction * trial.normal {
         return Ok(trial);
+    }
+    // most often it slides against the force that stick would need; where slip is indeed that way, this is the projection
+    let side = trial.tangential.signum();
+    if let Ok(guess) = sliding(approach, -side)
+        && guess.normal > 0.0
+        && (slip + tn * guess.normal + tt * guess.tangential) * side < 0.0
+    {
+        return Ok(guess);
     }
     let (mut normal, mut tangential) = (-gap / nn, 0.0);
     let mut before = f64::NAN;

@@ -2,7 +2,7 @@
 
 use crate::SlidingError;
 use crate::coupling::{Coupling, Sliding};
-use crate::march::{March, MarchSettings, Method, Predictor, Sample, Start};
+use crate::march::{March, MarchSettings, Method, Predictor, Reached, Sample, Start};
 use crate::motion::{Motion, Noise, Ramps};
 use crate::pair::Pair;
 use crate::shape::mode_shape;
@@ -87,13 +87,21 @@ const FOLDS: f64 = 2.0;
 /// factor e^{s Δ} alone, whatever its shape; a Blackman–Harris window keeps other modes out.
 ///
 /// # Errors
-/// As of [`March::held`] and [`March::advance`].
+/// As of [`March::held`] and [`March::advance`]; [`SlidingError::InvalidNumber`] for an eigenvalue that does not swing,
+/// [`SlidingError::OffTrack`] where the contact leaves the track.
 pub fn frozen_growth(
     pair: &Pair,
     settings: &GrowthSettings,
     held: &Held,
     eigenvalue: Complex64,
 ) -> Result<Growth, SlidingError> {
+    if !(eigenvalue.is_finite() && eigenvalue.im > 0.0) {
+        return Err(SlidingError::InvalidNumber {
+            name: "the imaginary part of the eigenvalue".to_owned(),
+            value: eigenvalue.im,
+            requirement: "finite and above zero: growth is measured on a mode that swings",
+        });
+    }
     let shape = mode_shape(&held.coupling, (&pair.eigenvalues(), &pair.damping()), eigenvalue);
     let size = AMPLITUDE * held.normal_force;
     let at = |time: f64| -> Vec<f64> {
@@ -139,7 +147,9 @@ pub fn frozen_growth(
         }
         count += 1;
     };
-    march.advance(4 * quarter, &mut take)?;
+    if march.advance(4 * quarter, &mut take)? == Reached::RunOff {
+        return Err(SlidingError::OffTrack { position: settings.position, length: pair.length() });
+    }
     let apart = quarter as f64 * settings.step;
     let rate = |from: usize, to: usize| (windows[to] / windows[from]).ln() / ((to - from) as f64 * apart);
     let measured = rate(0, 2) + Complex64::new(0.0, eigenvalue.im);

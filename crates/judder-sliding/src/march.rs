@@ -214,8 +214,14 @@ impl<'a> March<'a> {
     /// A march with the contact held at the start of its motion, from a given state; friction is that of its speed.
     ///
     /// # Errors
-    /// As of [`March::new`].
+    /// As of [`March::new`]; [`SlidingError::Length`] for a state of other modes.
     pub fn held(pair: &'a Pair, settings: MarchSettings, start: &Start) -> Result<Self, SlidingError> {
+        for (name, state) in [("the state now", &start.now), ("the state before", &start.before)] {
+            if state.len() != pair.modes() {
+                let (name, found) = (name.to_owned(), state.len());
+                return Err(SlidingError::Length { name, found, expected: pair.modes() });
+            }
+        }
         let motion = settings.motion.held(settings.motion.start);
         let mut march = Self::beyond_limit(pair, MarchSettings { motion, ..settings })?;
         if settings.step > march.step_limit {

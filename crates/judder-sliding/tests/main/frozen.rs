@@ -63,3 +63,22 @@ fn residual_flexibility_grows_as_the_deformed_eigenvalue() {
     let method = Method::ResidualFlexibility { cut_off: 150e3 };
     growth_agrees(&common::pair(), method, Configuration::Deformed, 1.2e-6);
 }
+
+/// A mode that does not swing, and a state of another pair, are refused; neither hangs nor panics.
+#[test]
+fn growth_of_nothing_is_refused() {
+    use judder_sliding::SlidingError;
+    use judder_sliding::march::{March, MarchSettings, Predictor, Start};
+    let pair = common::pair();
+    let method = Method::EnSubs;
+    let settings =
+        GrowthSettings { method, step: 3e-7, position: 0.074, velocity: common::SPEED, load: common::LOAD };
+    let held = Held::new(&pair, &settings).unwrap();
+    let still = frozen_growth(&pair, &settings, &held, num_complex::Complex64::new(-3.0, 0.0));
+    assert!(matches!(still, Err(SlidingError::InvalidNumber { .. })), "{still:?}");
+    let short = Start { now: vec![0.0], before: vec![0.0], forces: [[0.0; 2]; 2] };
+    let settings =
+        MarchSettings { method, predictor: Predictor::default(), step: 3e-7, motion: common::motion() };
+    let refused = March::held(&pair, settings, &short).err();
+    assert!(matches!(refused, Some(SlidingError::Length { .. })), "{refused:?}");
+}

@@ -5,11 +5,15 @@
 #[path = "../tests/common/mod.rs"]
 mod common;
 
-use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use criterion::measurement::WallTime;
+use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, Par};
+use judder_numerics::signal::decimate::Decimation;
 use judder_sliding::march::{March, MarchSettings, Method, Predictor, Sample};
 use judder_sliding::motion::{Motion, Ramps};
+use judder_sliding::pair::Pair;
+use judder_sliding::recorder::{Channel, Recorder};
 use std::hint::black_box;
 
 const STEPS: u64 = 10_000;
@@ -48,6 +52,7 @@ fn steps(criterion: &mut Criterion) {
             });
         });
     }
+    recorded(&mut group, &pair, motion);
     let size = pair.modes();
     let stiffness = Mat::from_fn(size, size, |i, j| 1.0 / (1 + i + j) as f64);
     let (mut now, mut before) = (Mat::from_fn(size, 1, |i, _| 1e-9 * i as f64), Mat::<f64>::zeros(size, 1));
@@ -68,6 +73,32 @@ fn steps(criterion: &mut Criterion) {
         });
     });
     group.finish();
+}
+
+/// EnSubs with what a study keeps of it, low-passed at 50 kHz and decimated to 400 kHz.
+fn recorded(group: &mut BenchmarkGroup<'_, WallTime>, pair: &Pair, motion: Motion) {
+    let settings =
+        MarchSettings { method: Method::EnSubs, predictor: Predictor::WithForce, step: 3e-7, motion };
+    let channels = [
+        Channel::Acceleration(0),
+        Channel::Velocity(0),
+        Channel::NormalForce,
+        Channel::TangentialForce,
+        Channel::SlidingVelocity,
+    ];
+    let decimation = Decimation::new(1.0 / settings.step, 50e3, 8);
+    let (start, empty) =
+        (March::new(pair, settings).unwrap(), Recorder::new(pair, &motion, &channels, &decimation).unwrap());
+    let (mut march, mut recorder) = (start.clone(), empty.clone());
+    group.bench_function("ensubs, five signals recorded", |bencher| {
+        bencher.iter(|| {
+            if march.steps() + STEPS > march.all_steps() {
+                (march, recorder) = (start.clone(), empty.clone());
+            }
+            march.advance(STEPS, &mut recorder).unwrap();
+            recorder.clear();
+        });
+    });
 }
 
 criterion_group!(benches, steps);

@@ -56,9 +56,11 @@ pub struct Recorder {
     delay: u64,
     direction: f64,
     channels: Vec<Channel>,
+    /// The channels' values in this step.
+    values: Vec<f64>,
     /// What the motion of the slider's frame adds to each observed displacement.
     rigid: Vec<f64>,
-    filters: Vec<Decimator>,
+    filter: Decimator,
     /// Time, position, then a column a channel.
     columns: Vec<Vec<f64>>,
     steps: u64,
@@ -73,7 +75,7 @@ pub struct Recorder {
 /// What a [`Recorder`] remembers beside the samples that were taken from it, for a checkpoint.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RecorderState {
-    filters: Vec<DecimatorState>,
+    filter: DecimatorState,
     steps: u64,
     outputs: u64,
     contact: [f64; 3],
@@ -97,11 +99,9 @@ impl Recorder {
             Channel::SlidingVelocity => start[2],
             _ => 0.0,
         };
-        let filters = channels
-            .iter()
-            .map(|channel| Decimator::new(decimation, level(channel)))
-            .collect::<Result<Vec<_>, _>>()?;
-        let delay = filters.first().map_or(0, Decimator::delay_in_samples) as u64;
+        let levels: Vec<f64> = channels.iter().map(level).collect();
+        let filter = Decimator::new(decimation, &levels)?;
+        let delay = filter.delay_in_samples() as u64;
         Ok(Self {
             motion: *motion,
             step: 1.0 / decimation.sample_rate,
@@ -110,7 +110,8 @@ impl Recorder {
             direction: motion.velocity.signum(),
             channels: channels.to_vec(),
             rigid: pair.observed().iter().map(|point| point.rigid).collect(),
-            filters,
+            filter,
+            values: levels,
             columns: vec![Vec::new(); 2 + channels.len()],
             steps: 0,
             outputs: 0,
@@ -144,7 +145,7 @@ impl Recorder {
 
     /// Lets the rest out of the filters, as if the signals stayed at their last values; the march has ended.
     pub fn flush(&mut self) {
-        let tails: Vec<Vec<f64>> = self.filters.iter().map(|filter| filter.clone().finish()).collect();
+        let tails = self.filter.clone().finish();
         for k in 0..tails.first().map_or(0, Vec::len) {
             if self.begin_sample() {
                 for (column, tail) in self.columns[2..].iter_mut().zip(&tails) {
@@ -164,7 +165,7 @@ impl Recorder {
     #[must_use]
     pub fn state(&self) -> RecorderState {
         RecorderState {
-            filters: self.filters.iter().map(Decimator::state).collect(),
+            filter: self.filter.state(),
             steps: self.steps,
             outputs: self.outputs,
             contact: self.contact,
@@ -178,17 +179,12 @@ impl Recorder {
     /// # Errors
     /// [`SlidingError::ForeignCheckpoint`].
     pub fn resume(&mut self, decimation: &Decimation, state: &RecorderState) -> Result<(), SlidingError> {
-        let foreign = |_| SlidingError::ForeignCheckpoint;
-        let filters = state
-            .filters
-            .iter()
-            .map(|kept| Decimator::resumed(decimation, kept))
-            .collect::<Result<Vec<_>, _>>()
-            .map_err(foreign)?;
-        if filters.len() != self.channels.len() || state.past.len() != self.past.len() {
+        let filter =
+            Decimator::resumed(decimation, &state.filter).map_err(|_| SlidingError::ForeignCheckpoint)?;
+        if filter.signals() != self.channels.len() || state.past.len() != self.past.len() {
             return Err(SlidingError::ForeignCheckpoint);
         }
-        (self.filters, self.steps, self.outputs) = (filters, state.steps, state.outputs);
+        (self.filter, self.steps, self.outputs) = (filter, state.steps, state.outputs);
         (self.contact, self.tally) = (state.contact, state.tally);
         self.past.clone_from(&state.past);
         Ok(())
@@ -243,11 +239,13 @@ impl Sink for Recorder {
         self.steps += 1;
         let is_kept = (self.steps - 1).is_multiple_of(self.factor) && self.begin_sample();
         for k in 0..self.channels.len() {
-            let value = self.value(self.channels[k], accelerations);
-            if let Some(passed) = self.filters[k].push(value)
-                && is_kept
-            {
-                self.columns[2 + k].push(passed);
+            self.values[k] = self.value(self.channels[k], accelerations);
+        }
+        if let Some(passed) = self.filter.push(&self.values)
+            && is_kept
+        {
+            for (column, value) in self.columns[2..].iter_mut().zip(passed) {
+                column.push(*value);
             }
         }
         for (past, moved) in self.past.iter_mut().zip(&self.moved) {

@@ -2,6 +2,7 @@
 
 use super::bits;
 use super::error::{SignalError, positive, within};
+use super::line::{Frame, LANES};
 use super::plan;
 use super::stage::{Stage, StageState};
 use serde::{Deserialize, Serialize};
@@ -63,48 +64,63 @@ impl Decimation {
     }
 }
 
-/// A streaming filter from one rate to a lower one, of linear phase.
+/// A streaming filter of some signals from one rate to a lower one, of linear phase.
 ///
-/// A row of filters, each at the rate that is left before it, the cheapest row that does what was asked. The k-th output, counted from 0,
-/// comes with the input k·factor; it is the signal [`delay`](Self::delay) before that input, so the first outputs lie before the first
-/// input and show the level from which the filter started.
+/// A row of filters, each at the rate that is left before it, the cheapest row that does what was asked. The signals pass side by side,
+/// eight in a vector; each comes out to the bit as it would alone. The k-th output, counted from 0, comes with the input k·factor; it is
+/// the signal [`delay`](Self::delay) before that input, so the first outputs lie before the first input and show the level from which
+/// the filter started.
 ///
 /// ```
 /// use judder_numerics::signal::decimate::{Decimation, Decimator};
-/// let mut filter = Decimator::new(&Decimation::new(1.0 / 3e-7, 50e3, 8), 0.0)?;
-/// let outputs = (0..8000).filter_map(|step| filter.push(f64::from(step % 5)));
-/// assert_eq!(outputs.count(), 1000);
+/// let mut filter = Decimator::new(&Decimation::new(1.0 / 3e-7, 50e3, 8), &[0.0, 1.0])?;
+/// let mut outputs = 0;
+/// for step in 0..8000 {
+///     let signals = [f64::from(step % 5), 1.0];
+///     outputs += filter.push(&signals).map_or(0, |passed| passed.len());
+/// }
+/// assert_eq!(outputs, 2 * 1000);
 /// # Ok::<(), judder_numerics::signal::SignalError>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct Decimator {
     asked: Decimation,
-    stages: Vec<Stage>,
-    last: f64,
+    rows: Vec<Row>,
+    signals: usize,
+    /// Last inputs and last outputs, a frame a row.
+    last: Vec<Frame>,
+    passed: Vec<Frame>,
     is_started: bool,
 }
+
+/// The filters that eight signals pass one after the other.
+type Row = Vec<Stage>;
 
 /// What a [`Decimator`] remembers, for a checkpoint: kept by the bits of its numbers, so that a filter which takes it up goes on as if
 /// it had never stopped.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DecimatorState {
     asked: Decimation,
-    stages: Vec<StageState>,
-    #[serde(with = "bits")]
-    last: f64,
+    rows: Vec<Vec<StageState>>,
+    #[serde(with = "bits::many")]
+    last: Vec<f64>,
     is_started: bool,
 }
 
 impl Decimator {
-    /// A filter whose past is a constant: 0, or the level from which the signal starts.
+    /// A filter of as many signals as there are levels, whose past is that level: 0, or whence the signal starts.
     ///
     /// # Errors
     /// Settings outside their ranges, band edges that fold onto the pass band, bands too close together.
-    pub fn new(asked: &Decimation, level: f64) -> Result<Self, SignalError> {
+    pub fn new(asked: &Decimation, levels: &[f64]) -> Result<Self, SignalError> {
         asked.check()?;
-        let stages =
-            plan::cheapest(asked).iter().map(|plan| Stage::new(plan, level)).collect::<Result<_, _>>()?;
-        Ok(Self { asked: *asked, stages, last: level, is_started: false })
+        let plans = plan::cheapest(asked);
+        let rows = levels
+            .chunks(LANES)
+            .map(|levels| plans.iter().map(|plan| Stage::new(plan, frame(levels))).collect())
+            .collect::<Result<_, _>>()?;
+        let last: Vec<Frame> = levels.chunks(LANES).map(frame).collect();
+        Ok(Self { asked: *asked, rows, signals: levels.len(), passed: last.clone(), last, is_started: false })
     }
 
     /// A filter that goes on from a kept state.
@@ -112,39 +128,59 @@ impl Decimator {
     /// # Errors
     /// [`SignalError::ForeignState`] where the state is that of a filter with other settings, or damaged.
     pub fn resumed(asked: &Decimation, state: &DecimatorState) -> Result<Self, SignalError> {
-        let mut filter = Self::new(asked, 0.0)?;
+        let mut filter = Self::new(asked, &state.last)?;
         if state.asked != *asked {
             return Err(SignalError::ForeignState { what: "it was made with other settings" });
         }
-        if state.stages.len() != filter.stages.len() {
+        let lengths = |row: &Vec<StageState>| row.len();
+        if !state.rows.iter().map(lengths).eq(filter.rows.iter().map(Vec::len)) {
             return Err(SignalError::ForeignState { what: "it has another number of filters" });
         }
-        for (stage, kept) in filter.stages.iter_mut().zip(&state.stages) {
+        for (stage, kept) in filter.rows.iter_mut().flatten().zip(state.rows.iter().flatten()) {
             stage.restore(kept)?;
         }
-        (filter.last, filter.is_started) = (state.last, state.is_started);
+        filter.is_started = state.is_started;
         Ok(filter)
     }
 
-    /// Takes a sample in; gives one out at the first and then at every `factor`-th. Allocates nothing. A sample that is not finite comes
-    /// out as such, in all outputs that it reaches.
-    #[inline]
-    pub fn push(&mut self, value: f64) -> Option<f64> {
-        self.last = value;
-        self.is_started = true;
-        let mut passed = value;
-        for stage in &mut self.stages {
-            passed = stage.push(passed)?;
-        }
-        Some(passed)
+    /// How many signals pass.
+    #[must_use]
+    pub fn signals(&self) -> usize {
+        self.signals
     }
 
-    /// The outputs up to the last input's time, as if the signal stayed at its last value; nothing where there was no input.
+    /// Takes a sample of each signal in, as many as there are signals (more are ignored); gives one of each out at the first and then at every `factor`-th.
+    /// Allocates nothing. A sample that is not finite comes out as such, in all outputs of its signal that it reaches.
+    #[inline]
+    pub fn push(&mut self, samples: &[f64]) -> Option<&[f64]> {
+        self.is_started = true;
+        let mut is_due = false;
+        let ends = self.last.iter_mut().zip(&mut self.passed);
+        for ((row, (last, passed)), samples) in self.rows.iter_mut().zip(ends).zip(samples.chunks(LANES)) {
+            *last = frame(samples);
+            if let Some(frame) = through(row, *last) {
+                *passed = frame;
+                is_due = true;
+            }
+        }
+        is_due.then(|| &self.passed.as_flattened()[..self.signals])
+    }
+
+    /// The outputs of each signal up to the last input's time, as if the signals stayed at their last values; nothing where there was no
+    /// input.
     #[must_use]
-    pub fn finish(mut self) -> Vec<f64> {
+    pub fn finish(mut self) -> Vec<Vec<f64>> {
+        let mut tails = vec![Vec::new(); self.signals()];
         let missing = if self.is_started { self.delay_in_samples() } else { 0 };
-        let held = self.last;
-        (0..missing).filter_map(|_| self.push(held)).collect()
+        let held = self.last.as_flattened()[..self.signals].to_vec();
+        for _ in 0..missing {
+            if let Some(passed) = self.push(&held) {
+                for (tail, value) in tails.iter_mut().zip(passed) {
+                    tail.push(*value);
+                }
+            }
+        }
+        tails
     }
 
     /// How far the output lags behind the input (s), at every frequency.
@@ -158,7 +194,7 @@ impl Decimator {
     pub fn delay_in_samples(&self) -> usize {
         let mut inputs = 1;
         let mut delay = 0;
-        for stage in &self.stages {
+        for stage in self.stages() {
             delay += stage.delay() * inputs;
             inputs *= stage.factor();
         }
@@ -171,12 +207,12 @@ impl Decimator {
         self.asked.sample_rate / self.asked.factor as f64
     }
 
-    /// Multiply-adds a sample of the input, on average.
+    /// Multiply-adds a sample of one input, on average.
     #[must_use]
     pub fn cost(&self) -> f64 {
         let mut inputs = 1;
         let mut cost = 0.0;
-        for stage in &self.stages {
+        for stage in self.stages() {
             inputs *= stage.factor();
             cost += stage.length() as f64 / inputs as f64;
         }
@@ -186,7 +222,33 @@ impl Decimator {
     /// What it remembers.
     #[must_use]
     pub fn state(&self) -> DecimatorState {
-        let stages = self.stages.iter().map(Stage::state).collect();
-        DecimatorState { asked: self.asked, stages, last: self.last, is_started: self.is_started }
+        let rows = self.rows.iter().map(|row| row.iter().map(Stage::state).collect()).collect();
+        DecimatorState {
+            asked: self.asked,
+            rows,
+            last: self.last.as_flattened()[..self.signals].to_vec(),
+            is_started: self.is_started,
+        }
     }
+
+    /// The filters of one row: all rows have the same.
+    fn stages(&self) -> &[Stage] {
+        self.rows.first().map_or(&[], Vec::as_slice)
+    }
+}
+
+/// The frame of up to eight samples.
+#[inline]
+fn frame(samples: &[f64]) -> Frame {
+    let mut frame = [0.0; LANES];
+    for (lane, sample) in frame.iter_mut().zip(samples) {
+        *lane = *sample;
+    }
+    frame
+}
+
+/// What comes out at the end of a row of filters.
+#[inline]
+fn through(row: &mut [Stage], frame: Frame) -> Option<Frame> {
+    row.iter_mut().try_fold(frame, |passed, stage| stage.push(passed))
 }

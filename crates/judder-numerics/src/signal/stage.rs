@@ -1,19 +1,19 @@
-//! One filter of a row, with the samples that it remembers.
+//! One filter of a row, with the frames that it remembers.
 
 use super::bits;
 use super::error::SignalError;
-use super::line::{DelayLine, padded, weighted_sum};
+use super::line::{DelayLine, Frame, LANES, padded, weighted_sum};
 use super::plan::StagePlan;
 use serde::{Deserialize, Serialize};
 
-/// A filter that computes only the outputs that are kept.
+/// A filter of a few signals side by side that computes only the outputs that are kept.
 #[derive(Debug, Clone)]
 pub(crate) struct Stage {
     weights: Vec<f64>,
-    /// A line for each of the samples that a spread filter takes in turn.
+    /// A line for each of the frames that a spread filter takes in turn.
     lines: Vec<DelayLine>,
     next_line: usize,
-    /// Samples to be taken in before the next output.
+    /// Frames to be taken in before the next output.
     until_output: usize,
     factor: usize,
     /// Half the length of the response, in samples of the input.
@@ -37,7 +37,7 @@ struct Window {
 
 impl Stage {
     /// The filter that was planned, after a past of one level.
-    pub(crate) fn new(plan: &StagePlan, level: f64) -> Result<Self, SignalError> {
+    pub(crate) fn new(plan: &StagePlan, level: Frame) -> Result<Self, SignalError> {
         let taps = plan.low_pass.taps()?;
         let delay = taps.len() / 2 * plan.spread;
         let weights = padded(taps);
@@ -45,11 +45,11 @@ impl Stage {
         Ok(Self { weights, lines, next_line: 0, until_output: 0, factor: plan.factor, delay })
     }
 
-    /// Takes a sample in; gives one at the first and then at every `factor`-th.
+    /// Takes a frame in; gives one at the first and then at every `factor`-th.
     #[inline]
-    pub(crate) fn push(&mut self, value: f64) -> Option<f64> {
+    pub(crate) fn push(&mut self, frame: Frame) -> Option<Frame> {
         let line = &mut self.lines[self.next_line];
-        line.push(value);
+        line.push(frame);
         let is_due = self.until_output == 0;
         let output = is_due.then(|| weighted_sum(&self.weights, line.window()));
         self.next_line = if self.next_line + 1 == self.lines.len() { 0 } else { self.next_line + 1 };
@@ -73,20 +73,21 @@ impl Stage {
     }
 
     pub(crate) fn state(&self) -> StageState {
-        let lines = self.lines.iter().map(|line| Window { values: line.window().to_vec() }).collect();
+        let lines =
+            self.lines.iter().map(|line| Window { values: line.window().as_flattened().to_vec() }).collect();
         StageState { lines, next_line: self.next_line, until_output: self.until_output }
     }
 
     /// Takes up what the same filter remembered.
     pub(crate) fn restore(&mut self, state: &StageState) -> Result<(), SignalError> {
         let fits = state.lines.len() == self.lines.len()
-            && state.lines.iter().all(|line| line.values.len() == self.weights.len())
+            && state.lines.iter().all(|line| line.values.len() == LANES * self.weights.len())
             && state.next_line < self.lines.len()
             && state.until_output < self.factor;
         if !fits {
             return Err(SignalError::ForeignState { what: "its filters have other lengths" });
         }
-        self.lines = state.lines.iter().map(|line| DelayLine::holding(&line.values)).collect();
+        self.lines = state.lines.iter().map(|line| DelayLine::holding(line.values.as_chunks().0)).collect();
         self.next_line = state.next_line;
         self.until_output = state.until_output;
         Ok(())

@@ -34,7 +34,7 @@ fn march(pair: &Pair, method: Method, step: f64, motion: Motion) -> Kept {
     let mut march =
         March::new(pair, MarchSettings { method, predictor: Predictor::WithForce, step, motion }).unwrap();
     let factor = Decimation::factor_to(1.0 / step, 400e3);
-    let mut filter = Decimator::new(&Decimation::new(1.0 / step, 50e3, factor), 0.0).unwrap();
+    let mut filter = Decimator::new(&Decimation::new(1.0 / step, 50e3, factor), &[0.0]).unwrap();
     let settled = motion.settled() + filter.delay();
     let mut kept = Kept {
         acceleration: Vec::new(),
@@ -44,9 +44,9 @@ fn march(pair: &Pair, method: Method, step: f64, motion: Motion) -> Kept {
         least_velocity: f64::INFINITY,
     };
     let mut take = |sample: &Sample, accelerations: &[f64]| {
-        let filtered = filter.push(accelerations[0]);
+        let filtered = filter.push(&accelerations[..1]);
         if sample.time > settled {
-            kept.acceleration.extend(filtered);
+            kept.acceleration.extend(filtered.into_iter().flatten());
             kept.stick += usize::from(sample.state == ContactState::Stick);
             kept.open += usize::from(sample.state == ContactState::Open);
             kept.least_force = kept.least_force.min(sample.normal_force);

@@ -214,7 +214,9 @@ impl<'a> March<'a> {
     /// A march with the contact held at the start of its motion, from a given state; friction is that of its speed.
     ///
     /// # Errors
-    /// As of [`March::new`]; [`SlidingError::Length`] for a state of other modes.
+    /// [`SlidingError::StepOverLimit`], [`SlidingError::InvalidNumber`], [`SlidingError::OffTrack`], and what
+    /// [`crate::statics::Equilibrium::new`] says, as of [`March::new`]; [`SlidingError::Length`] for a state of other modes. The gap is
+    /// that of the state: a track that is curved without load may lie away from C.
     pub fn held(pair: &'a Pair, settings: MarchSettings, start: &Start) -> Result<Self, SlidingError> {
         for (name, state) in [("the state now", &start.now), ("the state before", &start.before)] {
             if state.len() != pair.modes() {
@@ -223,7 +225,7 @@ impl<'a> March<'a> {
             }
         }
         let motion = settings.motion.held(settings.motion.start);
-        let mut march = Self::beyond_limit(pair, MarchSettings { motion, ..settings })?;
+        let mut march = Self::of_any_step(pair, MarchSettings { motion, ..settings })?;
         if settings.step > march.step_limit {
             return Err(SlidingError::StepOverLimit { step: settings.step, limit: march.step_limit });
         }
@@ -242,6 +244,17 @@ impl<'a> March<'a> {
     /// # Errors
     /// As of [`March::new`], but for the limit.
     pub fn beyond_limit(pair: &'a Pair, settings: MarchSettings) -> Result<Self, SlidingError> {
+        let motion = settings.motion;
+        let touch = pair.undeformed(motion.start)?;
+        let gap = touch.gap + motion.initial_gap;
+        if motion.ramps.gap == 0.0 && gap.abs() > GAP_ROUNDING * touch.stretch {
+            return Err(SlidingError::OpenAtStart { gap, position: motion.start });
+        }
+        Self::of_any_step(pair, settings)
+    }
+
+    /// From rest, whatever the step and the gap.
+    fn of_any_step(pair: &'a Pair, settings: MarchSettings) -> Result<Self, SlidingError> {
         let MarchSettings { method, step, motion, .. } = settings;
         if !(step.is_finite() && step > 0.0) {
             let (name, requirement) = ("the step".to_owned(), "finite and positive");
@@ -250,9 +263,6 @@ impl<'a> March<'a> {
         pair.edge_point(motion.end)?;
         let touch = pair.undeformed(motion.start)?;
         let first_gap = touch.gap + motion.initial_gap;
-        if motion.ramps.gap == 0.0 && first_gap.abs() > GAP_ROUNDING * touch.stretch {
-            return Err(SlidingError::OpenAtStart { gap: first_gap, position: motion.start });
-        }
         let scheme = method.scheme();
         let initial = motion.initial_damping.map(|damping| (damping.alpha, damping.beta));
         let step_limit = scheme::step_limit(pair, scheme, initial, [motion.start, motion.end]);

@@ -53,6 +53,16 @@ pub enum SlidingError {
         /// Length of the track, m.
         length: f64,
     },
+    /// A contact that is held so near to an end of the track that it swings beyond it.
+    #[error(
+        "held at {position:.6e} m the contact runs off the end of the track, which is {length:.6e} m long: hold it farther from the end"
+    )]
+    RunsOff {
+        /// Distance of the contact point from the first node, m.
+        position: f64,
+        /// Length of the track, m.
+        length: f64,
+    },
     /// The normal force that closes the contact has no bound: the slider locks.
     #[error(
         "sprag-slip at {position:.6e} m: c·M⁻¹e is {mobility:.3e} 1/kg, friction pushes the slider into the track harder than the contact can push it out; a smaller friction coefficient than {friction:.4} slides"

@@ -1,12 +1,15 @@
 //! Growth with the contact held, measured in marches, against eigenvalues.
 use crate::common;
+use judder_sliding::SlidingError;
+use judder_sliding::coupling::Sliding;
 use judder_sliding::edge::Interpolation;
 use judder_sliding::friction::Friction;
 use judder_sliding::growth::{GrowthSettings, Held, frozen_growth};
 use judder_sliding::locus::{Conditions, Configuration, Settings, locus, spectrum};
-use judder_sliding::march::Method;
+use judder_sliding::march::{March, MarchSettings, Method, Predictor, Start};
 use judder_sliding::pair::Pair;
 use judder_sliding::spectrum::Wanted;
+use judder_sliding::statics::Equilibrium;
 use judder_sliding::zones::Zone;
 use std::f64::consts::TAU;
 
@@ -88,8 +91,6 @@ fn growth_agrees_on_a_smooth_edge() {
 /// A mode that does not swing, and a state of another pair, are refused; neither hangs nor panics.
 #[test]
 fn growth_of_nothing_is_refused() {
-    use judder_sliding::SlidingError;
-    use judder_sliding::march::{March, MarchSettings, Predictor, Start};
     let pair = common::pair();
     let method = Method::EnSubs;
     let settings =
@@ -102,4 +103,34 @@ fn growth_of_nothing_is_refused() {
         MarchSettings { method, predictor: Predictor::default(), step: 3e-7, motion: common::motion() };
     let refused = March::held(&pair, settings, &short).err();
     assert!(matches!(refused, Some(SlidingError::Length { .. })), "{refused:?}");
+}
+
+/// A contact ten nanometres from the end of the track: the mode that swings along the track carries it beyond, and that is said with its
+/// place; one that starts beyond is off the track.
+#[test]
+fn a_contact_that_swings_off_the_track_is_named() {
+    let pair = common::pair();
+    let sliding = Sliding::at(pair.friction(), common::SPEED);
+    let nodes = pair.node_positions();
+    let reached = |position: f64| {
+        let at = Equilibrium::new(&pair, position, common::LOAD, sliding).unwrap().touch.at;
+        nodes[at.segment] + at.fraction * (nodes[at.segment + 1] - nodes[at.segment])
+    };
+    let position = (0..6).fold(0.0999, |position, _| position + pair.length() - 1e-8 - reached(position));
+    let (method, step) = (Method::EnSubs, 3e-7);
+    let settings = GrowthSettings { method, step, position, velocity: common::SPEED, load: common::LOAD };
+    let held = Held::new(&pair, &settings).unwrap();
+    let conditions = conditions(Configuration::Deformed);
+    let all = spectrum(&pair, &conditions, position, Wanted::Lowest(6)).unwrap().eigenvalues;
+    let errors: Vec<SlidingError> = all
+        .into_iter()
+        .filter(|s| s.im > 1e3)
+        .filter_map(|s| frozen_growth(&pair, &settings, &held, s).err())
+        .collect();
+    let runs_off = SlidingError::RunsOff { position, length: pair.length() };
+    assert!(errors.contains(&runs_off), "{errors:?}");
+    assert!(runs_off.to_string().contains("held at 9.997958e-2 m"), "{runs_off}");
+    let beyond = GrowthSettings { position: pair.length() + 1e-3, ..settings };
+    let refused = Held::new(&pair, &beyond).err();
+    assert!(matches!(refused, Some(SlidingError::OffTrack { .. })), "{refused:?}");
 }

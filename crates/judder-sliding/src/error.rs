@@ -75,6 +75,18 @@ pub enum SlidingError {
         /// The friction coefficient.
         friction: f64,
     },
+    /// A contact that would open by c·M⁻¹e, but locks in what yields at once in a march with residual flexibility.
+    #[error(
+        "at {position:.6e} m the slider locks in the modes above the cut-off: a unit normal force with its friction opens {compliance:.3e} m/N at once, and the modes below would be late; a smaller friction coefficient than {friction:.4} or a higher cut-off slides"
+    )]
+    LocksAtOnce {
+        /// Distance of the contact point from the first node, m.
+        position: f64,
+        /// What a unit normal force with its friction opens at once, m/N.
+        compliance: f64,
+        /// The friction coefficient.
+        friction: f64,
+    },
     /// There is no state of rest under the load.
     #[error("nothing holds the pair at rest at {position:.6e} m: {reason}")]
     NoEquilibrium {

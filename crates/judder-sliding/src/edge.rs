@@ -92,6 +92,11 @@ impl Edge {
         }
     }
 
+    /// Whether its normal may jump at a node.
+    pub(crate) fn has_corners(&self) -> bool {
+        self.interpolation == Interpolation::Linear
+    }
+
     /// The first node of a segment's stencil.
     #[inline]
     #[must_use]
@@ -203,7 +208,7 @@ impl Edge {
 
     /// ξ of the place of a segment, continued beyond its ends, that is nearest to `point`.
     #[inline]
-    fn nearest(&self, point: Vector, from: EdgePoint, places: &[Vector; STENCIL]) -> f64 {
+    pub(crate) fn nearest(&self, point: Vector, from: EdgePoint, places: &[Vector; STENCIL]) -> f64 {
         match self.interpolation {
             Interpolation::Linear => {
                 let along = minus(places[1], places[0]);

@@ -53,6 +53,16 @@ pub enum SlidingError {
         /// Length of the track, m.
         length: f64,
     },
+    /// A contact that is held so near to an end of the track that it swings beyond it.
+    #[error(
+        "held at {position:.6e} m the contact runs off the end of the track, which is {length:.6e} m long: hold it farther from the end"
+    )]
+    RunsOff {
+        /// Distance of the contact point from the first node, m.
+        position: f64,
+        /// Length of the track, m.
+        length: f64,
+    },
     /// The normal force that closes the contact has no bound: the slider locks.
     #[error(
         "sprag-slip at {position:.6e} m: c·M⁻¹e is {mobility:.3e} 1/kg, friction pushes the slider into the track harder than the contact can push it out; a smaller friction coefficient than {friction:.4} slides"
@@ -62,6 +72,18 @@ pub enum SlidingError {
         position: f64,
         /// c·M⁻¹e, 1/kg.
         mobility: f64,
+        /// The friction coefficient.
+        friction: f64,
+    },
+    /// A contact that would open by c·M⁻¹e, but locks in what yields at once in a march with residual flexibility.
+    #[error(
+        "at {position:.6e} m the slider locks in the modes above the cut-off: a unit normal force with its friction opens {compliance:.3e} m/N at once, and the modes below would be late; a smaller friction coefficient than {friction:.4} or a higher cut-off slides"
+    )]
+    LocksAtOnce {
+        /// Distance of the contact point from the first node, m.
+        position: f64,
+        /// What a unit normal force with its friction opens at once, m/N.
+        compliance: f64,
         /// The friction coefficient.
         friction: f64,
     },

@@ -88,7 +88,7 @@ const FOLDS: f64 = 2.0;
 ///
 /// # Errors
 /// As of [`March::held`] and [`March::advance`]; [`SlidingError::InvalidNumber`] for an eigenvalue that does not swing,
-/// [`SlidingError::OffTrack`] where the contact leaves the track.
+/// [`SlidingError::OffTrack`] where the contact starts beside the track, [`SlidingError::RunsOff`] where it leaves it.
 pub fn frozen_growth(
     pair: &Pair,
     settings: &GrowthSettings,
@@ -148,7 +148,7 @@ pub fn frozen_growth(
         count += 1;
     };
     if march.advance(4 * quarter, &mut take)? == Reached::RunOff {
-        return Err(SlidingError::OffTrack { position: settings.position, length: pair.length() });
+        return Err(SlidingError::RunsOff { position: settings.position, length: pair.length() });
     }
     let apart = quarter as f64 * settings.step;
     let rate = |from: usize, to: usize| (windows[to] / windows[from]).ln() / ((to - from) as f64 * apart);

@@ -3,6 +3,7 @@
 //! The four methods differ in the geometry and the force of the contact only, and in how a mode goes from step to step; structures,
 //! interpolation and outputs are the same.
 
+mod checkpoint;
 mod compliance;
 mod oscillators;
 mod reaction;
@@ -13,16 +14,17 @@ mod view;
 
 use crate::SlidingError;
 use crate::body::Body;
-use crate::coupling::Sliding;
-use crate::edge::EdgePoint;
+use crate::coupling::{Coupling, Sliding};
+use crate::edge::{EdgePoint, Touch};
 use crate::motion::{Drive, Motion};
 use crate::pair::{Pair, Side};
 use crate::plane::Vector;
+pub use checkpoint::Checkpoint;
 use compliance::Compliance;
 use oscillators::{Oscillators, ROWS, Recurrence};
 pub use reaction::ContactState;
+use reaction::Locked;
 use scheme::Scheme;
-use serde::{Deserialize, Serialize};
 use statically::StaticPath;
 use std::f64::consts::TAU;
 use view::View;
@@ -168,22 +170,6 @@ pub struct March<'a> {
     push_factors: Vec<f64>,
 }
 
-/// Where a march is, to the bit: what it goes on from after an interruption.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Checkpoint {
-    steps: u64,
-    at: EdgePoint,
-    segment: usize,
-    slider: [Vec<f64>; 3],
-    track: [Vec<f64>; 3],
-    contact: Vector,
-    nodes: [Vector; crate::edge::STENCIL],
-    observed: Vec<[f64; 2]>,
-    velocity: f64,
-    forces: [Vector; 2],
-    tuned: f64,
-}
-
 /// A state from which a march starts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Start {
@@ -214,7 +200,9 @@ impl<'a> March<'a> {
     /// A march with the contact held at the start of its motion, from a given state; friction is that of its speed.
     ///
     /// # Errors
-    /// As of [`March::new`]; [`SlidingError::Length`] for a state of other modes.
+    /// [`SlidingError::StepOverLimit`], [`SlidingError::InvalidNumber`], [`SlidingError::OffTrack`], and what
+    /// [`crate::statics::Equilibrium::new`] says, as of [`March::new`]; [`SlidingError::Length`] for a state of other modes. The gap is
+    /// that of the state: a track that is curved without load may lie away from C.
     pub fn held(pair: &'a Pair, settings: MarchSettings, start: &Start) -> Result<Self, SlidingError> {
         for (name, state) in [("the state now", &start.now), ("the state before", &start.before)] {
             if state.len() != pair.modes() {
@@ -223,7 +211,7 @@ impl<'a> March<'a> {
             }
         }
         let motion = settings.motion.held(settings.motion.start);
-        let mut march = Self::beyond_limit(pair, MarchSettings { motion, ..settings })?;
+        let mut march = Self::of_any_step(pair, MarchSettings { motion, ..settings })?;
         if settings.step > march.step_limit {
             return Err(SlidingError::StepOverLimit { step: settings.step, limit: march.step_limit });
         }
@@ -242,6 +230,17 @@ impl<'a> March<'a> {
     /// # Errors
     /// As of [`March::new`], but for the limit.
     pub fn beyond_limit(pair: &'a Pair, settings: MarchSettings) -> Result<Self, SlidingError> {
+        let motion = settings.motion;
+        let touch = pair.undeformed(motion.start)?;
+        let gap = touch.gap + motion.initial_gap;
+        if motion.ramps.gap == 0.0 && gap.abs() > GAP_ROUNDING * touch.stretch {
+            return Err(SlidingError::OpenAtStart { gap, position: motion.start });
+        }
+        Self::of_any_step(pair, settings)
+    }
+
+    /// From rest, whatever the step and the gap.
+    fn of_any_step(pair: &'a Pair, settings: MarchSettings) -> Result<Self, SlidingError> {
         let MarchSettings { method, step, motion, .. } = settings;
         if !(step.is_finite() && step > 0.0) {
             let (name, requirement) = ("the step".to_owned(), "finite and positive");
@@ -250,12 +249,9 @@ impl<'a> March<'a> {
         pair.edge_point(motion.end)?;
         let touch = pair.undeformed(motion.start)?;
         let first_gap = touch.gap + motion.initial_gap;
-        if motion.ramps.gap == 0.0 && first_gap.abs() > GAP_ROUNDING * touch.stretch {
-            return Err(SlidingError::OpenAtStart { gap: first_gap, position: motion.start });
-        }
         let scheme = method.scheme();
         let initial = motion.initial_damping.map(|damping| (damping.alpha, damping.beta));
-        let step_limit = scheme::step_limit(pair, scheme, initial, [motion.start, motion.end]);
+        let step_limit = scheme::step_limit(pair, scheme, initial, [motion.start, motion.end])?;
         let sides = [Side::Slider, Side::Track];
         let observed = sides.map(|side| pair.observed().iter().filter(|point| point.side == side).count());
         let own_rows = [2, 2 * pair.edge().stencil_nodes()];
@@ -361,22 +357,48 @@ fn yielding(pair: &Pair, scheme: Scheme) -> [Vector; 2] {
     [of(&slider.load, 1.0), of(&slider.inertia, -1.0)]
 }
 
-/// Whether forces that change their sign from step to step die out at every place of a path: with these factors of all modes,
+/// Where forces that change their sign from step to step do not die out on a path, if anywhere: with these factors of all modes,
 /// n·G(n ∓ μ t) must be positive.
-fn stays_closed(pair: &Pair, [start, end]: [f64; 2], factors: &[f64]) -> bool {
+fn first_lock(pair: &Pair, [start, end]: [f64; 2], factors: &[f64]) -> Option<Lock> {
     let compliance = Compliance::new(pair, factors);
     let friction = pair.friction().largest();
     let place = |position: f64| pair.edge_point(position).map_or(0, |at| at.segment);
-    let (first, last) = (place(start.min(end)), place(start.max(end)));
-    (first..=last).all(|segment| {
-        let (first, count) = (pair.edge().first_node(segment), pair.edge().stencil_nodes());
+    let (from, to) = (start.min(end), start.max(end));
+    let places = (place(from)..=place(to))
+        .flat_map(|segment| [0.0, 0.5, 1.0].map(|fraction| EdgePoint { segment, fraction }));
+    let mut locks = places.filter_map(|at| {
+        let (first, count) = (pair.edge().first_node(at.segment), pair.edge().stencil_nodes());
         let stencil = compliance.stencil(first, count);
-        let places = pair.stencil(segment, |_| [0.0; 2]);
-        [0.0, 0.5, 1.0].into_iter().all(|fraction| {
-            let touch = pair.edge().touch_at([0.0; 2], EdgePoint { segment, fraction }, &places);
-            let between = compliance.between(&stencil, &touch.weights.value);
-            let [nn, nt, ..] = step::in_frame(&between, &touch);
-            nn - friction * nt.abs() > 0.0
-        })
-    })
+        let touch = pair.edge().touch_at([0.0; 2], at, &pair.stencil(at.segment, |_| [0.0; 2]));
+        let between = compliance.between(&stencil, &touch.weights.value);
+        let [nn, nt, ..] = step::in_frame(&between, &touch);
+        let opened = nn - friction * nt.abs();
+        let ends = &pair.node_positions()[at.segment..at.segment + 2];
+        let position = ends[0] + at.fraction * (ends[1] - ends[0]);
+        let locked = Locked { compliance: opened, direction: nt.signum() };
+        // a number that is none locks as well
+        if opened > 0.0 { None } else { Some(Lock { touch, position, friction, locked }) }
+    });
+    locks.next()
+}
+
+/// A place where the slider locks.
+struct Lock {
+    touch: Touch,
+    position: f64,
+    friction: f64,
+    locked: Locked,
+}
+
+impl Lock {
+    /// Why: because of c·M⁻¹e, or only because of the modes that yield at once.
+    #[cold]
+    fn error(&self, pair: &Pair) -> SlidingError {
+        let Self { ref touch, position, friction, locked: Locked { compliance, direction } } = *self;
+        let coupling = Coupling::new(pair, touch, Sliding { friction, slope: 0.0, direction });
+        match coupling.check(position, friction) {
+            Err(sprag_slip) => sprag_slip,
+            Ok(()) => SlidingError::LocksAtOnce { position, compliance, friction },
+        }
+    }
 }

@@ -16,7 +16,7 @@ use std::f64::consts::TAU;
 /// Which eigenvalues are wanted; of a conjugate pair only the upper one is listed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Wanted {
-    /// So many of the lowest by imaginary part, real ones first; a few more are given as well.
+    /// So many of the lowest by the larger of imaginary and absolute real part; a few more are given as well.
     Lowest(usize),
     /// All with an imaginary part from zero up to this, rad/s.
     Below(f64),
@@ -177,19 +177,22 @@ fn mirror(zeros: &mut [Iterate]) {
     }
 }
 
-/// Where the region ends: in the widest gap between the zeros above those wanted.
+/// Where the region ends: in the widest gap between the zeros above those wanted, by how large a region each wants.
+///
+/// By the imaginary part alone a large real zero, as friction near sprag-slip has, would count among the lowest and yet lie outside.
 fn border(zeros: &[Iterate], wanted: Wanted, scale: f64) -> f64 {
-    let height = |k: usize| zeros[k].value.im;
+    let mut reaches: Vec<f64> = zeros.iter().map(|zero| zero.value.im.max(zero.value.re.abs())).collect();
+    reaches.sort_by(f64::total_cmp);
     let (first, at_least) = match wanted {
         Wanted::Lowest(count) => (count, 0.0),
-        Wanted::Below(limit) => (zeros.partition_point(|zero| zero.value.im <= limit), limit),
+        Wanted::Below(limit) => (reaches.partition_point(|reach| *reach <= limit), limit),
     };
-    if first >= zeros.len() {
-        return 1.5 * scale.max(zeros.last().map_or(0.0, |zero| zero.value.norm()));
+    if first >= reaches.len() {
+        return 1.5 * scale.max(zeros.iter().map(|zero| zero.value.norm()).fold(0.0, f64::max));
     }
-    let below = |k: usize| if k == 0 { at_least } else { height(k - 1).max(at_least) };
-    let gap = |k: &usize| height(*k) - below(*k);
-    let last = (first + GUARD).min(zeros.len());
+    let below = |k: usize| if k == 0 { at_least } else { reaches[k - 1].max(at_least) };
+    let gap = |k: &usize| reaches[*k] - below(*k);
+    let last = (first + GUARD).min(reaches.len());
     let widest = (first..last).max_by(|a, b| gap(a).total_cmp(&gap(b))).unwrap_or(first);
-    0.5 * (below(widest) + height(widest))
+    0.5 * (below(widest) + reaches[widest])
 }

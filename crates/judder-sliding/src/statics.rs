@@ -1,10 +1,12 @@
 //! The state of rest in steady sliding: the deformed configuration.
 
+mod corner;
+
 use crate::SlidingError;
 use crate::coupling::{Coupling, Sliding, product};
-use crate::edge::{EdgePoint, Touch};
+use crate::edge::Touch;
 use crate::pair::Pair;
-use crate::plane::{length, minus, plus};
+use crate::plane::{length, minus};
 
 /// Both structures at rest under the load, sliding steadily.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,13 +19,10 @@ pub struct Equilibrium {
     pub touch: Touch,
 }
 
-/// How the contact point may still move in the last iteration, m.
-const TOLERANCE: f64 = 1e-15;
-/// What rounding may leave of that, as a share of a segment; asked only of an iteration that has had its time.
-const ROUNDING: f64 = 1e-9;
+/// How far the contact may still move in the last iteration, as a share of the track's length: some roundings of the places from which
+/// its own is the difference.
+const TOLERANCE: f64 = 1e-14;
 const ITERATIONS: usize = 100;
-/// After so many iterations a contact that still goes to and fro between two segments rests on the node between them.
-const HESITATION: usize = 20;
 
 impl Equilibrium {
     /// The linear coupling there, with all that follows the motion: the geometry, and a friction coefficient that falls.
@@ -37,30 +36,29 @@ impl Equilibrium {
     /// The equilibrium at a position under a load in N: K q = F φ_A + e N with the gap closed, e and c those of the deformed
     /// contact.
     ///
-    /// Where the normal jumps at a node, a contact that would leave either segment for the other rests on the node, with the normal of the
-    /// segment before it.
+    /// Where the normal jumps at a node, a contact that would leave either segment for the other rests on the node, with the normal of
+    /// the cone between both segments' that leaves no distance along the edge either: a force along it is also what two contacts, one
+    /// on each segment, make together.
     ///
     /// # Errors
     /// [`SlidingError::OffTrack`]; [`SlidingError::NoEquilibrium`] where a rigid motion is not held, or the load lifts the slider off;
-    /// [`SlidingError::NoConvergence`].
+    /// [`SlidingError::NoConvergence`] where after a hundred iterations the contact still moves by more than 1e-14 of the track's length.
     pub fn new(pair: &Pair, position: f64, load: f64, sliding: Sliding) -> Result<Self, SlidingError> {
+        let loaded = Loaded { pair, position, load, sliding };
+        let tolerance = loaded.tolerance();
         let mut touch = pair.undeformed(position)?;
-        let mut moved = f64::INFINITY;
-        let mut held = None;
-        for iteration in 0..ITERATIONS {
-            let coupling = Coupling::new(pair, &touch, sliding);
-            let (state, normal_force) = Self::at_touch(pair, (position, load), &touch, &coupling)?;
-            let next = match held {
-                Some(at) => held_touch(pair, position, at, &state),
-                None => pair.deformed(position, &state)?,
-            };
-            let (before, after) = (touch.at.segment, next.at.segment);
-            if iteration >= HESITATION && before.abs_diff(after) == 1 {
-                held = Some(EdgePoint { segment: before.min(after), fraction: 1.0 });
+        let (mut before, mut moved) = (touch.at.segment, f64::INFINITY);
+        for _ in 0..ITERATIONS {
+            let (state, normal_force) = loaded.at(&touch)?;
+            let next = pair.deformed(position, &state)?;
+            let (here, there) = (touch.at.segment, next.at.segment);
+            if here != there && there == before && pair.edge().has_corners() {
+                return corner::about(&loaded, here.min(there));
             }
+            before = here;
             moved = place_change(&touch, &next);
             touch = next;
-            if moved <= TOLERANCE || (iteration >= HESITATION && moved <= ROUNDING * touch.stretch) {
+            if moved <= tolerance {
                 return Ok(Self { state, normal_force, touch });
             }
         }
@@ -73,19 +71,31 @@ impl Equilibrium {
     /// As of [`Equilibrium::new`], but that nothing iterates.
     pub fn undeformed(pair: &Pair, position: f64, load: f64, sliding: Sliding) -> Result<Self, SlidingError> {
         let touch = pair.undeformed(position)?;
-        let coupling = Coupling::new(pair, &touch, sliding);
-        let (state, normal_force) = Self::at_touch(pair, (position, load), &touch, &coupling)?;
+        let (state, normal_force) = Loaded { pair, position, load, sliding }.at(&touch)?;
         Ok(Self { state, normal_force, touch })
     }
+}
 
-    /// The state for a given geometry: linear but for the one rigid motion that the contact may hold.
-    fn at_touch(
-        pair: &Pair,
-        (position, load): (f64, f64),
-        touch: &Touch,
-        coupling: &Coupling,
-    ) -> Result<(Vec<f64>, f64), SlidingError> {
+/// A pair at a position, under a load, sliding.
+#[derive(Clone, Copy)]
+struct Loaded<'a> {
+    pair: &'a Pair,
+    position: f64,
+    load: f64,
+    sliding: Sliding,
+}
+
+impl Loaded<'_> {
+    /// How far the contact may still move in the last iteration, m.
+    fn tolerance(&self) -> f64 {
+        TOLERANCE * self.pair.length()
+    }
+
+    /// Modal coordinates and normal force for a given geometry: linear but for the one rigid motion that the contact may hold.
+    fn at(&self, touch: &Touch) -> Result<(Vec<f64>, f64), SlidingError> {
+        let Self { pair, position, load, sliding } = *self;
         let refuse = |reason| Err(SlidingError::NoEquilibrium { position, reason });
+        let coupling = Coupling::new(pair, touch, sliding);
         let eigenvalues = pair.eigenvalues();
         let (c, e) = (&coupling.compatibility, &coupling.equilibrium);
         let loads: Vec<f64> = {
@@ -124,14 +134,6 @@ impl Equilibrium {
         }
         Ok((state, force))
     }
-}
-
-/// How the contact point touches the deformed edge at a given place of it.
-fn held_touch(pair: &Pair, position: f64, at: EdgePoint, state: &[f64]) -> Touch {
-    let (of_slider, of_track) = state.split_at(pair.slider().body.modes());
-    let point = plus(pair.rigid_place(position), 1.0, pair.slider().contact.displacement(of_slider));
-    let places = pair.stencil(at.segment, |node| pair.track().nodes[node].displacement(of_track));
-    pair.edge().touch_at(point, at, &places)
 }
 
 /// How far the contact point has moved on the edge, with the normal's turn over a segment, m.

@@ -5,6 +5,8 @@ mod common;
 
 #[path = "main/beams.rs"]
 mod beams;
+#[path = "main/equilibria.rs"]
+mod equilibria;
 #[path = "main/frozen.rs"]
 mod frozen;
 #[path = "main/locus.rs"]

@@ -155,17 +155,18 @@ impl Oscillators {
         [&self.state, &self.predicted, &self.force].map(|chunks| chunks.as_flattened()[..self.modes].to_vec())
     }
 
-    /// Takes up what [`Self::memory`] gave; `false` where it is of other modes.
-    pub(super) fn recall(&mut self, memory: &[Vec<f64>; 3]) -> bool {
-        if memory.iter().any(|values| values.len() != self.modes) {
-            return false;
-        }
+    /// Whether a memory is of as many modes.
+    pub(super) fn fits(&self, memory: &[Vec<f64>; 3]) -> bool {
+        memory.iter().all(|values| values.len() == self.modes)
+    }
+
+    /// Takes up what [`Self::memory`] gave, of a memory that fits.
+    pub(super) fn recall(&mut self, memory: &[Vec<f64>; 3]) {
         for (chunks, values) in
             [&mut self.state, &mut self.predicted, &mut self.force].into_iter().zip(memory)
         {
             chunks.as_flattened_mut()[..self.modes].copy_from_slice(values);
         }
-        true
     }
 
     /// What the rows see of the coordinates now, and of their prediction: the same bits as [`Self::advance`] tells.
@@ -365,9 +366,9 @@ mod tests {
         let forces = [0.1; ROWS];
         first.advance(&forces);
         let mut second = oscillators(5);
-        assert!(second.recall(&first.memory()));
+        second.recall(&first.memory());
         assert_eq!(first.advance(&forces), second.advance(&forces));
         assert_eq!(first, second);
-        assert!(!second.recall(&[vec![0.0], vec![0.0], vec![0.0]]));
+        assert!(!second.fits(&[vec![0.0], vec![0.0], vec![0.0]]));
     }
 }

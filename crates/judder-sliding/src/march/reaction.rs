@@ -35,11 +35,13 @@ pub(super) struct Reaction {
 
 const OPEN: Reaction = Reaction { normal: 0.0, tangential: 0.0, state: ContactState::Open };
 
-/// The slider locks: c·e is not positive.
+/// The slider locks: what a unit normal force with its friction opens at once is not positive.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Locked {
-    /// c·e in the measure of the compliance, m/N.
+    /// Of that, m/N.
     pub(super) compliance: f64,
+    /// σ, in which it would slide.
+    pub(super) direction: f64,
 }
 
 /// Steady sliding in a direction σ that is known: N = −gap/(c·e), T = −σ μ N; equation (15). A contact does not pull.
@@ -48,7 +50,7 @@ pub(super) fn sliding(approach: &Approach, direction: f64) -> Result<Reaction, L
     let [nn, nt, _, _] = approach.compliance;
     let compliance = nn - direction * approach.friction * nt;
     if compliance <= 0.0 || compliance.is_nan() {
-        return Err(Locked { compliance });
+        return Err(Locked { compliance, direction });
     }
     let normal = -approach.gap / compliance;
     if normal < 0.0 {
@@ -155,6 +157,6 @@ mod tests {
     #[test]
     fn a_contact_that_cannot_open_is_locked() {
         let approach = Approach { gap: -1.0, slip: 1.0, compliance: [1.0, 0.5, 0.5, 1.0], friction: 3.0 };
-        assert_eq!(sliding(&approach, 1.0), Err(Locked { compliance: -0.5 }));
+        assert_eq!(sliding(&approach, 1.0), Err(Locked { compliance: -0.5, direction: 1.0 }));
     }
 }

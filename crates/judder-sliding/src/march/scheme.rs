@@ -1,6 +1,7 @@
 //! How one mode goes from step to step, and the step that keeps all of them stable.
 
 use super::oscillators::Recurrence;
+use crate::SlidingError;
 use crate::pair::Pair;
 use std::f64::consts::TAU;
 
@@ -74,7 +75,15 @@ impl Scheme {
 ///
 /// Of central differences h ω ≤ 2 (√(1 + ζ²) − ζ) for every mode, with the larger of its own and the initial damping; of the exact
 /// scheme the step up to which the residual flexibility holds the contact against what the moving modes do between steps.
-pub(super) fn step_limit(pair: &Pair, scheme: Scheme, initial: Option<(f64, f64)>, path: [f64; 2]) -> f64 {
+///
+/// # Errors
+/// [`SlidingError::SpragSlip`] and [`SlidingError::LocksAtOnce`] where no step does that.
+pub(super) fn step_limit(
+    pair: &Pair,
+    scheme: Scheme,
+    initial: Option<(f64, f64)>,
+    path: [f64; 2],
+) -> Result<f64, SlidingError> {
     let eigenvalues = pair.eigenvalues();
     let damping: Vec<f64> = eigenvalues
         .iter()
@@ -88,29 +97,32 @@ pub(super) fn step_limit(pair: &Pair, scheme: Scheme, initial: Option<(f64, f64)
                 let ratio = 0.5 * damping / omega;
                 2.0 * ((1.0 + ratio * ratio).sqrt() - ratio) / omega
             };
-            eigenvalues
-                .iter()
-                .zip(&damping)
-                .filter(|(value, _)| **value > 0.0)
-                .map(limit)
-                .fold(f64::INFINITY, f64::min)
+            let moving = eigenvalues.iter().zip(&damping).filter(|(value, _)| **value > 0.0);
+            Ok(moving.map(limit).fold(f64::INFINITY, f64::min))
         }
-        Scheme::Exact { .. } => {
-            // the fastest mode that moves turns by half a circle, at most
-            let fastest =
-                eigenvalues.iter().copied().filter(|value| scheme.moves(*value)).fold(0.0, f64::max);
-            let (mut good, mut bad) = (0.0, 0.5 * TAU / fastest.sqrt());
-            for _ in 0..40 {
-                let step = 0.5 * (good + bad);
-                let factors: Vec<f64> = eigenvalues
-                    .iter()
-                    .zip(pair.damping())
-                    .map(|(v, d)| scheme.alternating(step, *v, d))
-                    .collect();
-                if super::stays_closed(pair, path, &factors) { good = step } else { bad = step }
-            }
-            good
+        Scheme::Exact { .. } => exact_limit(pair, scheme, path),
+    }
+}
+
+/// The limit of the exact scheme, by bisection.
+fn exact_limit(pair: &Pair, scheme: Scheme, path: [f64; 2]) -> Result<f64, SlidingError> {
+    let eigenvalues = pair.eigenvalues();
+    // the fastest mode that moves turns by half a circle, at most
+    let fastest = eigenvalues.iter().copied().filter(|value| scheme.moves(*value)).fold(0.0, f64::max);
+    let (mut good, mut bad) = (0.0, 0.5 * TAU / fastest.sqrt());
+    let mut first = None;
+    for _ in 0..40 {
+        let step = 0.5 * (good + bad);
+        let modes = eigenvalues.iter().zip(pair.damping());
+        let factors: Vec<f64> = modes.map(|(value, d)| scheme.alternating(step, *value, d)).collect();
+        match super::first_lock(pair, path, &factors) {
+            None => good = step,
+            lock => (bad, first) = (step, lock),
         }
+    }
+    match first {
+        Some(lock) if good == 0.0 => Err(lock.error(pair)),
+        _ => Ok(good),
     }
 }
 

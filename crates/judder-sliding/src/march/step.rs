@@ -2,9 +2,9 @@
 
 use super::compliance::{Block, Compliance, times};
 use super::oscillators::ROWS;
-use super::reaction::{Approach, Locked, Reaction, projected, sliding};
+use super::reaction::{Approach, Reaction, projected, sliding};
 use super::view::{View, vectors};
-use super::{Checkpoint, March, Method, Predictor, Reached, Sample, Scheme, Sink, Start, damping_of};
+use super::{Lock, March, Method, Predictor, Reached, Sample, Scheme, Sink, Start, damping_of};
 use crate::SlidingError;
 use crate::edge::{RunOff, STENCIL, Touch, combined};
 use crate::motion::Drive;
@@ -172,10 +172,10 @@ impl March<'_> {
             Method::Film => projected(&approach),
             _ => sliding(&approach, self.direction),
         };
-        reaction.map(|reaction| Ok((touch, approach, reaction))).map_err(|Locked { compliance }| {
-            let mobility = compliance / (self.settings.step * self.settings.step);
-            SlidingError::SpragSlip { position: drive.position, mobility, friction }
-        })
+        match reaction {
+            Ok(reaction) => Ok(Ok((touch, approach, reaction))),
+            Err(locked) => Err(Lock { touch, position: drive.position, friction, locked }.error(self.pair)),
+        }
     }
 
     /// The touch on the geometry that the method sees.
@@ -242,7 +242,7 @@ impl March<'_> {
         }
     }
 
-    fn set_recurrences(&mut self, share: f64) {
+    pub(super) fn set_recurrences(&mut self, share: f64) {
         let step = self.settings.step;
         let bodies =
             [(&self.pair.slider().body, &mut self.slider), (&self.pair.track().body, &mut self.track)];
@@ -262,7 +262,7 @@ impl March<'_> {
     }
 
     /// What load and inertia do to each mode from step to step; both change slowly against a step.
-    fn set_push(&mut self, drive: &Drive) {
+    pub(super) fn set_push(&mut self, drive: &Drive) {
         let (slider, factors) = (self.pair.slider(), &self.push_factors);
         let of = |mode: usize| {
             factors[mode] * (drive.load * slider.load[mode] - drive.acceleration * slider.inertia[mode])
@@ -289,13 +289,13 @@ impl March<'_> {
 
     /// The displacement of C by the rows of its moving modes, with what load and inertia do to the others; both change slowly.
     #[inline]
-    fn with_yielding(&self, seen: &[f64; ROWS]) -> Vector {
+    pub(super) fn with_yielding(&self, seen: &[f64; ROWS]) -> Vector {
         let [by_load, by_acceleration] = self.yielding;
         plus(plus([seen[0], seen[1]], self.drive.load, by_load), self.drive.acceleration, by_acceleration)
     }
 
     #[inline]
-    fn predict_observed(&mut self, of_slider: &[f64; ROWS], of_track: &[f64; ROWS]) {
+    pub(super) fn predict_observed(&mut self, of_slider: &[f64; ROWS], of_track: &[f64; ROWS]) {
         let mut places = [2, 2 * self.view.count];
         for (own, point) in self.observed.iter_mut().zip(self.pair.observed()) {
             let (seen, k) = if point.side == Side::Slider { (of_slider, 0) } else { (of_track, 1) };
@@ -324,55 +324,6 @@ impl March<'_> {
         }
         self.predict_observed(&next, &track_next);
         [self.force, self.force_before] = start.forces;
-    }
-
-    /// Where the march is.
-    #[must_use]
-    pub fn checkpoint(&self) -> Checkpoint {
-        Checkpoint {
-            steps: self.steps,
-            at: self.at,
-            segment: self.view.segment,
-            slider: self.slider.memory(),
-            track: self.track.memory(),
-            contact: self.contact[0],
-            nodes: self.view.now,
-            observed: self.observed.iter().map(|own| [own[0], own[1]]).collect(),
-            velocity: self.velocity,
-            forces: [self.force, self.force_before],
-            tuned: self.tuned,
-        }
-    }
-
-    /// Goes back or on to where a march of the same pair and settings was, to the bit.
-    ///
-    /// # Errors
-    /// [`SlidingError::ForeignCheckpoint`].
-    pub fn resume(&mut self, checkpoint: &Checkpoint) -> Result<(), SlidingError> {
-        let fits = checkpoint.observed.len() == self.observed.len()
-            && checkpoint.segment + 1 < self.pair.track().nodes.len()
-            && self.slider.recall(&checkpoint.slider)
-            && self.track.recall(&checkpoint.track);
-        if !fits {
-            return Err(SlidingError::ForeignCheckpoint);
-        }
-        self.set_recurrences(checkpoint.tuned);
-        self.steps = checkpoint.steps;
-        self.at = checkpoint.at;
-        self.drive = self.settings.motion.at(checkpoint.steps as f64 * self.settings.step);
-        self.set_push(&self.drive.clone());
-        self.view = View::new(self.pair, &mut self.track, &self.compliance, checkpoint.segment);
-        self.view.now = checkpoint.nodes;
-        let [_, of_slider] = self.slider.seen();
-        let [_, of_track] = self.track.seen();
-        self.contact = [checkpoint.contact, self.with_yielding(&of_slider)];
-        self.predict_observed(&of_slider, &of_track);
-        for (own, kept) in self.observed.iter_mut().zip(&checkpoint.observed) {
-            own[..2].copy_from_slice(kept);
-        }
-        self.velocity = checkpoint.velocity;
-        [self.force, self.force_before] = checkpoint.forces;
-        Ok(())
     }
 }
 

@@ -113,6 +113,17 @@ fn reduce(
     Reduced::new(&reduced, damping, rigid, &load).unwrap()
 }
 
+/// The same pair on a curved edge that bulges by so much in the middle, m; both ends stay.
+pub(crate) fn bulging(pair: &Pair, height: f64) -> Pair {
+    let mut track = pair.track().clone();
+    for (node, position) in track.nodes.iter_mut().zip(pair.node_positions()) {
+        let share = position / pair.length();
+        node.place[1] += 4.0 * height * share * (1.0 - share);
+    }
+    let edge = (pair.edge().interpolation, true);
+    Pair::new(pair.slider().clone(), track, edge, pair.friction().clone(), pair.observed().to_vec()).unwrap()
+}
+
 /// The same pair without damping.
 pub(crate) fn without_damping(pair: &Pair) -> Pair {
     let (mut slider, mut track) = (pair.slider().clone(), pair.track().clone());

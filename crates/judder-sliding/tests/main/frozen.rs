@@ -1,10 +1,15 @@
 //! Growth with the contact held, measured in marches, against eigenvalues.
 use crate::common;
+use judder_sliding::SlidingError;
+use judder_sliding::coupling::Sliding;
+use judder_sliding::edge::Interpolation;
+use judder_sliding::friction::Friction;
 use judder_sliding::growth::{GrowthSettings, Held, frozen_growth};
 use judder_sliding::locus::{Conditions, Configuration, Settings, locus, spectrum};
-use judder_sliding::march::Method;
+use judder_sliding::march::{March, MarchSettings, Method, Predictor, Start};
 use judder_sliding::pair::Pair;
 use judder_sliding::spectrum::Wanted;
+use judder_sliding::statics::Equilibrium;
 use judder_sliding::zones::Zone;
 use std::f64::consts::TAU;
 
@@ -25,7 +30,11 @@ fn zones(pair: &Pair, configuration: Configuration) -> Vec<Zone> {
 fn growth_agrees(pair: &Pair, method: Method, configuration: Configuration, step: f64) {
     let zones = zones(pair, configuration);
     assert!(zones.len() >= 4, "{zones:?}");
-    for zone in zones.iter().take(5) {
+    growth_agrees_in(&zones[..zones.len().min(5)], pair, method, configuration, step);
+}
+
+fn growth_agrees_in(zones: &[Zone], pair: &Pair, method: Method, configuration: Configuration, step: f64) {
+    for zone in zones {
         let settings =
             GrowthSettings { method, step, position: zone.peak, velocity: common::SPEED, load: common::LOAD };
         let held = Held::new(pair, &settings).unwrap();
@@ -64,11 +73,24 @@ fn residual_flexibility_grows_as_the_deformed_eigenvalue() {
     growth_agrees(&common::pair(), method, Configuration::Deformed, 1.2e-6);
 }
 
+/// So it does on a smooth edge, straight and curved: the bulge of 0.1 mm lies in C's way before the load deforms anything.
+#[test]
+fn growth_agrees_on_a_smooth_edge() {
+    let friction = Friction::constant(common::FRICTION).unwrap();
+    let straight = common::pair_with(Interpolation::Hermite, friction, 20);
+    let curved = common::bulging(&straight, 1e-4);
+    assert!(curved.undeformed(0.074).unwrap().gap < -5e-5);
+    for pair in [straight, curved] {
+        let configuration = Configuration::Deformed;
+        let zones = zones(&pair, configuration);
+        assert!(zones.len() >= 3, "{zones:?}");
+        growth_agrees_in(&zones[..3], &pair, Method::EnSubs, configuration, 3e-7);
+    }
+}
+
 /// A mode that does not swing, and a state of another pair, are refused; neither hangs nor panics.
 #[test]
 fn growth_of_nothing_is_refused() {
-    use judder_sliding::SlidingError;
-    use judder_sliding::march::{March, MarchSettings, Predictor, Start};
     let pair = common::pair();
     let method = Method::EnSubs;
     let settings =
@@ -81,4 +103,34 @@ fn growth_of_nothing_is_refused() {
         MarchSettings { method, predictor: Predictor::default(), step: 3e-7, motion: common::motion() };
     let refused = March::held(&pair, settings, &short).err();
     assert!(matches!(refused, Some(SlidingError::Length { .. })), "{refused:?}");
+}
+
+/// A contact ten nanometres from the end of the track: the mode that swings along the track carries it beyond, and that is said with its
+/// place; one that starts beyond is off the track.
+#[test]
+fn a_contact_that_swings_off_the_track_is_named() {
+    let pair = common::pair();
+    let sliding = Sliding::at(pair.friction(), common::SPEED);
+    let nodes = pair.node_positions();
+    let reached = |position: f64| {
+        let at = Equilibrium::new(&pair, position, common::LOAD, sliding).unwrap().touch.at;
+        nodes[at.segment] + at.fraction * (nodes[at.segment + 1] - nodes[at.segment])
+    };
+    let position = (0..6).fold(0.0999, |position, _| position + pair.length() - 1e-8 - reached(position));
+    let (method, step) = (Method::EnSubs, 3e-7);
+    let settings = GrowthSettings { method, step, position, velocity: common::SPEED, load: common::LOAD };
+    let held = Held::new(&pair, &settings).unwrap();
+    let conditions = conditions(Configuration::Deformed);
+    let all = spectrum(&pair, &conditions, position, Wanted::Lowest(6)).unwrap().eigenvalues;
+    let errors: Vec<SlidingError> = all
+        .into_iter()
+        .filter(|s| s.im > 1e3)
+        .filter_map(|s| frozen_growth(&pair, &settings, &held, s).err())
+        .collect();
+    let runs_off = SlidingError::RunsOff { position, length: pair.length() };
+    assert!(errors.contains(&runs_off), "{errors:?}");
+    assert!(runs_off.to_string().contains("held at 9.997958e-2 m"), "{runs_off}");
+    let beyond = GrowthSettings { position: pair.length() + 1e-3, ..settings };
+    let refused = Held::new(&pair, &beyond).err();
+    assert!(matches!(refused, Some(SlidingError::OffTrack { .. })), "{refused:?}");
 }

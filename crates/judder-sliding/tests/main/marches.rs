@@ -1,6 +1,7 @@
 //! The marches on the pair of the beams paper.
 use crate::common;
 use judder_numerics::signal::decimate::{Decimation, Decimator};
+use judder_sliding::coupling::{Coupling, Sliding};
 use judder_sliding::edge::Interpolation;
 use judder_sliding::friction::Friction;
 use judder_sliding::march::{ContactState, March, MarchSettings, Method, Predictor, Reached, Sample, Start};
@@ -135,7 +136,7 @@ fn shadow_energy(steps: u64) {
     let damped = common::pair_with(Interpolation::Linear, frictionless, 20);
     let pair = common::without_damping(&damped);
     let position = 0.0405;
-    let sliding = judder_sliding::coupling::Sliding::at(pair.friction(), common::SPEED);
+    let sliding = Sliding::at(pair.friction(), common::SPEED);
     let rest = Equilibrium::undeformed(&pair, position, common::LOAD, sliding).unwrap();
     // a disturbance of every mode that keeps the contact closed: the structures' weightless state
     let start = Start {
@@ -218,6 +219,75 @@ fn a_continued_march_is_the_same_to_the_bit() {
         }
         assert!(samples == continued, "{method:?}");
     }
+}
+
+/// A checkpoint whose slider fits and whose track does not leaves the march as it was: it ends in the bits of one that saw none.
+#[test]
+fn a_foreign_checkpoint_changes_nothing() {
+    let pair = common::pair();
+    let other = {
+        let slow = |values: &[f64]| values[..values.len() - 1].to_vec();
+        let mut track = pair.track().clone();
+        track.body.eigenvalues = slow(&track.body.eigenvalues);
+        for row in track.nodes.iter_mut().flat_map(|node| &mut node.rows) {
+            *row = slow(row);
+        }
+        let mut observed = pair.observed().to_vec();
+        observed[0].row = slow(&observed[0].row);
+        let edge = (Interpolation::Linear, true);
+        Pair::new(pair.slider().clone(), track, edge, pair.friction().clone(), observed).unwrap()
+    };
+    let settings = MarchSettings {
+        method: Method::EnSubs,
+        predictor: Predictor::WithForce,
+        step: STEP,
+        motion: common::motion(),
+    };
+    let mut nothing = |_: &Sample, _: &[f64]| ();
+    let mut foreign = March::new(&other, settings).unwrap();
+    foreign.advance(5_000, &mut nothing).unwrap();
+    let [mut untouched, mut asked] = [0, 1].map(|_| March::new(&pair, settings).unwrap());
+    for march in [&mut untouched, &mut asked] {
+        march.advance(1_000, &mut nothing).unwrap();
+    }
+    assert_eq!(asked.resume(&foreign.checkpoint()), Err(SlidingError::ForeignCheckpoint));
+    for march in [&mut untouched, &mut asked] {
+        march.advance(1_000, &mut nothing).unwrap();
+    }
+    assert_eq!(asked.checkpoint(), untouched.checkpoint());
+}
+
+/// Every method names the same c·M⁻¹e where the slider locks, that of the coupling there, whatever its step. With residual flexibility it
+/// may lock where c·M⁻¹e is positive, and says so.
+#[test]
+fn locking_is_the_same_quantity_in_every_march() {
+    let friction = 30.0;
+    let locked = |friction: f64, method, step| {
+        let pair = common::pair_with(Interpolation::Linear, Friction::constant(friction).unwrap(), 20);
+        let ramps = Ramps { friction: 0.0, ..common::motion().ramps };
+        let motion = Motion { start: 0.0505, ramps, ..common::motion() };
+        let settings = MarchSettings { method, predictor: Predictor::WithForce, step, motion };
+        let mut nothing = |_: &Sample, _: &[f64]| ();
+        March::new(&pair, settings).and_then(|mut march| march.advance(10_000, &mut nothing)).unwrap_err()
+    };
+    let pair = common::pair();
+    let expected = |position: f64| {
+        let touch = pair.undeformed(position).unwrap();
+        Coupling::new(&pair, &touch, Sliding { friction, slope: 0.0, direction: 1.0 }).mobility()
+    };
+    let subs = Method::Subs { static_slope: false };
+    let residual = Method::ResidualFlexibility { cut_off: 60e3 };
+    for (method, step) in [(subs, STEP), (subs, 0.3 * STEP), (Method::EnSubs, STEP), (residual, 2.4e-6)] {
+        let error = locked(friction, method, step);
+        let SlidingError::SpragSlip { position, mobility, .. } = error else { panic!("{method:?}: {error}") };
+        assert!((position - 0.0505).abs() < 1e-3, "{method:?}: {position}");
+        // the march with residual flexibility looks at the ends and the middle of each segment
+        let expected = expected(position);
+        assert!((mobility / expected - 1.0).abs() < 1e-3, "{method:?}: {mobility} {expected}");
+    }
+    let error = locked(2.0, residual, 2.4e-6);
+    assert!(matches!(error, SlidingError::LocksAtOnce { compliance, .. } if compliance <= 0.0), "{error}");
+    assert!(error.to_string().contains("higher cut-off"), "{error}");
 }
 
 /// FiLM sticks where the speed stays below what friction holds, slides on, and lifts off where the load is taken away: nothing of it

@@ -25,6 +25,8 @@ pub(crate) fn placed(
             (own(key), problem)
         }
         SlidingError::SpragSlip { .. } => ("contact.friction_coefficient".to_owned(), reason()),
+        SlidingError::LocksAtOnce { .. } => (own("cut_off"), reason()),
+        SlidingError::RunsOff { .. } => (own("position"), reason()),
         SlidingError::NoEquilibrium { .. } => ("motion.load".to_owned(), reason()),
         SlidingError::OpenAtStart { .. } => ("contact.initial_gap".to_owned(), reason()),
         SlidingError::InvalidNumber { name, .. } if name.starts_with("the count") => (own("count"), reason()),

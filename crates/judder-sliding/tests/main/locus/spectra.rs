@@ -75,6 +75,41 @@ fn primal_dual_and_characteristic_function_agree() {
     }
 }
 
+/// So large a friction that real eigenvalues come near and go far: complete, as the full matrices have it, or locked with its position.
+#[test]
+fn spectra_under_large_friction_are_complete() {
+    let (mut large, mut locked) = (0, 0);
+    for friction in [3.0, 5.0, 10.0] {
+        let pair = pair(friction);
+        for (position, is_deformed) in
+            [(0.0740, false), (0.0740, true), (0.0505, false), (0.0200, true), (0.0823, false)]
+        {
+            let coupling = coupling(&pair, position, is_deformed);
+            if let Err(error) = coupling.check(position, friction) {
+                assert!(error.to_string().contains(&format!("{position:.6e} m")), "{error}");
+                locked += 1;
+                continue;
+            }
+            let (eigenvalues, damping) = (pair.eigenvalues(), pair.damping());
+            let function = Characteristic::new(&coupling, &eigenvalues, &damping).unwrap();
+            let fields = ThreeField::new(&coupling, &eigenvalues, &damping).unwrap();
+            let dense = fields.primal_spectrum(SHIFT).unwrap();
+            large += dense.iter().filter(|s| s.im == 0.0 && s.re.abs() > LIMIT).count();
+            for wanted in [Wanted::Lowest(1), Wanted::Lowest(8), Wanted::Lowest(20), Wanted::Below(LIMIT)] {
+                let found = Spectrum::new(&function, position, wanted).unwrap();
+                assert!(!matches!(wanted, Wanted::Lowest(count) if found.eigenvalues.len() < count));
+                let within =
+                    |s: &&Complex64| s.im >= -1e-6 && s.im <= found.limit && s.re.abs() <= found.limit;
+                let dense: Vec<Complex64> = dense.iter().filter(within).copied().collect();
+                let worst = distance(&found.eigenvalues, &dense);
+                assert!(worst < 1e-6, "{friction} {position} {is_deformed} {wanted:?}: {worst:e}");
+            }
+        }
+    }
+    // the test would say nothing without either
+    assert!(large > 0 && locked > 0, "{large} {locked}");
+}
+
 /// Without friction and damping all frequencies are real, and the primal form is symmetric: L_E = L_C, and what follows the deformation is
 /// the stiffness of a potential. With friction it is not.
 #[test]

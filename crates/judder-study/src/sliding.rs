@@ -16,7 +16,7 @@ mod step;
 
 pub(crate) use blame::placed;
 pub(crate) use part::Part;
-pub(crate) use step::{Step, method, step};
+pub(crate) use step::{Step, method, predictor, step};
 
 use crate::error::StudyError;
 use crate::structure::{self, Structure};

@@ -51,7 +51,8 @@ holds the contact `at = \"74 mm\"` and takes `sweep = { key = \"contact.friction
 `from`, `to` and the entries of `values = [ … ]` in place of them are plain numbers, or quantities with units. Each value is a case of its own. Where a value has no pair, because the slider locks or nothing holds it, the result says so and the others are computed all the same; then the exit code is 1.
 
 The `method` of a `march` or a `growth` is `\"subs\"` (couplings of the rigid motion; with `slope = \"static\"` a march puts the static slope of the deformed track in), `\"ensubs\"` (couplings of the deformed structures), `\"film\"` (forward increment Lagrange multipliers) or `\"residual-flexibility\"` \
-(exact between contacts, modes above `cut_off` replaced by their flexibility). In a `growth`, `\"subs\"` means the undeformed configuration, the others the deformed one.
+(exact between contacts, modes above `cut_off` replaced by their flexibility). In a `growth`, `\"subs\"` means the undeformed configuration, the others the deformed one. A march by `\"ensubs\"` or `\"film\"` takes the geometry of the contact from displacements predicted for the next step: with `predictor = \"printed\"` without the contact's force, \
+as equation (16) of the beams paper has them; with `\"with-force\"` (the default) under the force of the last step.
 
 A `march` goes `from` one position `to` another, the whole path where left out; the ramps run at its start. `signals = { pass_band, sample_rate }` says how signals are low-passed and decimated: 1/step ≥ sample_rate > 2 pass_band. `signal` is the one whose peak and bursts are told: `\"T.y\"`, the acceleration of the point T along y, \
 `\"T.y.velocity\"`, `\"T.y.displacement\"`, `\"normal-force\"`, `\"tangential-force\"`, `\"sliding-velocity\"`; the first point's acceleration along y where left out. `sound = false` leaves no WAV. Every `checkpoint_steps` steps (500000 where left out) an interrupted march can go on from.

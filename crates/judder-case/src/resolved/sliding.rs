@@ -165,6 +165,9 @@ fn march(case: &SlidingCase, march: &March) -> Json {
         "signal": march.signal.name(&case.points), "sound": march.sound,
         "checkpoint_steps": march.checkpoint_steps,
     });
+    if let Some(predictor) = march.predictor {
+        json["predictor"] = json!(predictor.name());
+    }
     add_method(&mut json, march.method, march.step);
     json
 }

@@ -7,7 +7,7 @@ use super::{analyses, choice, names, object, reference, table};
 use crate::sliding::analysis::KINDS;
 use crate::sliding::contact::Interpolation;
 use crate::sliding::locus::{Configuration, POSITIONS, POSITIONS_LIMIT};
-use crate::sliding::march::{CHECKPOINT_RANGE, CHECKPOINT_STEPS, MarchMethod};
+use crate::sliding::march::{CHECKPOINT_RANGE, CHECKPOINT_STEPS, MarchMethod, Predictor};
 use crate::sliding::motion::{Axis, SEED};
 use crate::sliding::spectrogram::Window;
 use crate::sliding_keys::{SLIDING_KEYS, SlidingKey};
@@ -173,6 +173,11 @@ fn setting(_: &str, key: &str) -> Json {
             ["none", "static"],
             "none",
             "of `subs`: whether the static slope of the deformed track is put in",
+        ),
+        "predictor" => choice(
+            Predictor::ALL.map(|(name, _)| name),
+            "with-force",
+            "of `ensubs` and `film`: the displacements that the geometry of the contact is taken from",
         ),
         "sound" => switch(true, "leave the observed points as WAV"),
         "checkpoint_steps" => whole(

@@ -46,11 +46,33 @@ impl MarchMethod {
     }
 }
 
+/// Which displacements of the next step the geometry of the contact is taken from, by EnSubs and FiLM.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Predictor {
+    /// Those without the contact's force, as equation (16) of the beams paper has them.
+    Printed,
+    /// Those under the force of the last step.
+    #[default]
+    WithForce,
+}
+
+impl Predictor {
+    /// The predictors with their names in a case file.
+    pub const ALL: [(&'static str, Self); 2] = [("printed", Self::Printed), ("with-force", Self::WithForce)];
+
+    /// The name in a case file.
+    pub fn name(self) -> &'static str {
+        Self::ALL[self as usize].0
+    }
+}
+
 /// A march along the path, or along a part of it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct March {
     /// How it integrates.
     pub method: MarchMethod,
+    /// Where the geometry of the contact comes from; `None` for methods that take it from elsewhere.
+    pub predictor: Option<Predictor>,
     /// h, s; `None` where the method shall choose.
     pub step: Option<f64>,
     /// s at its start, m; the ramps run from here.
@@ -100,8 +122,19 @@ pub const STEPS: f64 = 1e12;
 const ROUNDING: f64 = 1e-9;
 
 /// The keys of a march.
-pub(super) const MARCH_KEYS: &[&str] =
-    &["method", "step", "from", "to", "signals", "signal", "cut_off", "slope", "sound", "checkpoint_steps"];
+pub(super) const MARCH_KEYS: &[&str] = &[
+    "method",
+    "step",
+    "from",
+    "to",
+    "signals",
+    "signal",
+    "cut_off",
+    "slope",
+    "predictor",
+    "sound",
+    "checkpoint_steps",
+];
 /// The keys of a growth.
 pub(super) const GROWTH_KEYS: &[&str] = &["method", "position", "frequency", "step", "cut_off"];
 
@@ -120,6 +153,7 @@ pub(super) fn read_march(case: &SlidingCase, section: &Section<'_>) -> Result<Ma
     let [fewest, most] = CHECKPOINT_RANGE;
     Ok(March {
         method,
+        predictor: read_predictor(section, method)?,
         step,
         from,
         to,
@@ -154,13 +188,8 @@ fn read_method(section: &Section<'_>) -> Result<MarchMethod, Fault> {
     section.required("method", &format!("method = \"…\", one of {}", MarchMethod::NAMES.join(", ")))?;
     let choices: [(&'static str, Word); 4] = std::array::from_fn(|k| (MarchMethod::NAMES[k], WORDS[k]));
     let word = section.choice("method", "method", &choices)?.unwrap_or(Word::Ensubs);
-    let refuse = |key: &'static str, own: Word| match section.get(key) {
-        Some(node) if word != own => {
-            let with = format!("method = \"{}\"", MarchMethod::NAMES[word as usize]);
-            Err(Cause::Contact { problem: ContactProblem::Meaningless { key, with } }.at(node.place))
-        }
-        _ => Ok(()),
-    };
+    let name = MarchMethod::NAMES[word as usize];
+    let refuse = |key, own: Word| if word == own { Ok(()) } else { refuse_with(section, key, name) };
     refuse("slope", Word::Subs)?;
     refuse("cut_off", Word::ResidualFlexibility)?;
     Ok(match word {
@@ -175,6 +204,26 @@ fn read_method(section: &Section<'_>) -> Result<MarchMethod, Fault> {
             MarchMethod::ResidualFlexibility { cut_off: number(section, SlidingKey::CutOff.entry())? }
         }
     })
+}
+
+/// Refuses a key that means nothing to a method.
+fn refuse_with(section: &Section<'_>, key: &'static str, method: &str) -> Result<(), Fault> {
+    let Some(node) = section.get(key) else { return Ok(()) };
+    let with = format!("method = \"{method}\"");
+    Err(Cause::Contact { problem: ContactProblem::Meaningless { key, with } }.at(node.place))
+}
+
+/// Subs knows the geometry beforehand; the march with residual flexibility comes to the force of the step itself.
+fn read_predictor(section: &Section<'_>, method: MarchMethod) -> Result<Option<Predictor>, Fault> {
+    match method {
+        MarchMethod::Subs { .. } | MarchMethod::ResidualFlexibility { .. } => {
+            refuse_with(section, "predictor", method.name()).map(|()| None)
+        }
+        MarchMethod::Ensubs | MarchMethod::Film => {
+            let predictor = section.choice("predictor", "predictor", &Predictor::ALL)?;
+            Ok(Some(predictor.unwrap_or_default()))
+        }
+    }
 }
 
 fn read_step(section: &Section<'_>) -> Result<Option<f64>, Fault> {

@@ -338,6 +338,20 @@ fn a_march_that_cannot_be() {
         "\"100 kHz\"",
         "leave `cut_off` out",
     );
+    for method in ["subs", "residual-flexibility"] {
+        analysis(
+            &march(method, "predictor = \"printed\""),
+            &format!("`predictor` has no meaning with method = \"{method}\""),
+            "\"printed\"",
+            "leave `predictor` out",
+        );
+    }
+    analysis(
+        &march("film", "predictor = \"as-printed\""),
+        "unknown predictor `as-printed`",
+        "as-printed",
+        "did you mean `printed`? known: printed, with-force",
+    );
     analysis(&march("film", "step = \"0 s\""), "`step` must be positive, but is 0.0", "\"0 s\"", "");
     analysis(
         &march("film", "from = \"5 mm\""),

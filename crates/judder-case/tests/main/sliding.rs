@@ -3,7 +3,7 @@
 use crate::parse;
 use judder_case::sliding::contact::{Friction, Interpolation};
 use judder_case::sliding::locus::{Along, Configuration};
-use judder_case::sliding::march::MarchMethod;
+use judder_case::sliding::march::{MarchMethod, Predictor};
 use judder_case::sliding::motion::Axis;
 use judder_case::sliding::observe::{PointQuantity, Signal};
 use judder_case::sliding::spectrogram::Window;
@@ -212,6 +212,22 @@ fn what_belongs_to_a_method_is_read_with_it() {
         "kind = \"growth\"\nmethod = \"film\"\nposition = \"82 mm\"\nfrequency = \"3.5 kHz\"\nstep = \"2e-7 s\"",
     );
     assert_eq!(found, (MarchMethod::Film, Some(2e-7)));
+}
+
+#[test]
+fn the_predictor_is_that_under_the_last_force_where_nothing_is_said() {
+    for (settings, expected) in [
+        ("method = \"ensubs\"", Some(Predictor::WithForce)),
+        ("method = \"film\"\npredictor = \"with-force\"", Some(Predictor::WithForce)),
+        ("method = \"film\"\npredictor = \"printed\"", Some(Predictor::Printed)),
+        ("method = \"subs\"", None),
+        ("method = \"residual-flexibility\"", None),
+    ] {
+        let SlidingAnalysis::March(march) = analysis(&format!("kind = \"march\"\n{settings}")) else {
+            panic!("a march")
+        };
+        assert_eq!(march.predictor, expected, "{settings}");
+    }
 }
 
 #[test]

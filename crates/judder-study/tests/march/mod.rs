@@ -155,6 +155,24 @@ fn samples_follow_the_motion() {
     }
 }
 
+/// The force of the last step is left out of the geometry: another march, by an error of second order in the step.
+#[test]
+fn the_printed_predictor_is_asked_for() {
+    let step = "step = \"3e-7 s\"";
+    let analyses: String = [("printed", "ensubs"), ("with-force", "ensubs"), ("printed", "film")]
+        .map(|(predictor, method)| {
+            let settings = format!("method = \"{method}\"\npredictor = \"{predictor}\"\n{step}");
+            march(&format!("{method}-{predictor}"), &settings)
+        })
+        .concat();
+    let (_folder, report) = studied(&analyses);
+    let peak = |name: &str| report.summary.results[name]["peak_acceleration"].as_f64().unwrap();
+    let (printed, own) = (peak("ensubs-printed"), peak("ensubs-with-force"));
+    assert!(printed != own && (printed / own - 1.0).abs() < 0.1, "{printed} {own}");
+    assert!((peak("film-printed") / printed - 1.0).abs() < 1e-3, "{} {printed}", peak("film-printed"));
+    assert_eq!(report.summary.results["film-printed"]["predictor"], "printed");
+}
+
 #[test]
 fn an_interrupted_march_goes_on_to_the_bit() {
     let analyses = march("film", "method = \"film\"");

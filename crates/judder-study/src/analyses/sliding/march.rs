@@ -16,9 +16,10 @@ use crate::error::StudyError;
 use crate::kept::Kept;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
-use crate::sliding::{method, step};
+use crate::sliding::{method, predictor, step};
 use blocks::Marching;
-use judder_sliding::march::{March, MarchSettings, Predictor};
+use judder_case::sliding::signals::Sound;
+use judder_sliding::march::{March, MarchSettings};
 use judder_sliding::recorder::Recorder;
 use loudness::loudness;
 use samples::{Finished, Samples};
@@ -32,8 +33,8 @@ pub(crate) fn run(of: &Marched<'_>, kept: Kept<'_>, progress: &dyn Progress) -> 
     let decimation = settings::decimation(&asked.signals, chosen.step);
     let signals = signals::recorded(points, asked.signal);
     let channels: Vec<_> = signals.iter().map(|signal| signals::channel(*signal)).collect();
-    let march_settings =
-        MarchSettings { method, step: chosen.step, motion: of.motion, predictor: Predictor::default() };
+    let predictor = predictor(asked.predictor);
+    let march_settings = MarchSettings { method, step: chosen.step, motion: of.motion, predictor };
     let mut marching = Marching {
         march: March::new(of.pair, march_settings)?,
         recorder: Recorder::new(of.pair, &of.motion, &channels, &decimation)?,

@@ -44,6 +44,9 @@ impl Told<'_> {
             "stick_steps": stick_steps, "open_steps": open_steps, "reversed_steps": reversed_steps,
         });
         scalars[peak_key(asked.signal)] = json!(peak);
+        if let Some(predictor) = asked.predictor {
+            scalars["predictor"] = json!(predictor.name());
+        }
         if let Ok(zones) = self.zones {
             scalars["zones"] = zones.iter().map(expected::told).collect();
         }

@@ -185,6 +185,26 @@ fn what_cannot_slide_is_shown_in_the_case() {
     }
 }
 
+/// `modes` shows what the reduction of each structure costs; it only stiffens.
+#[test]
+fn modes_stand_beside_those_of_the_reduction() {
+    let desk = Desk::with_case(PAIR);
+    let said = desk.succeed(&["run", "case.toml", "--only", "modes"]);
+    said.says("reduced less full");
+    let told = &desk.read_json("out/case/summary.json")["results"]["modes"];
+    let list = |key: &str| -> Vec<f64> {
+        told[key].as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect()
+    };
+    let (full, reduced, errors) = (list("frequencies_hz"), list("reduced_hz"), list("reduction_errors"));
+    assert_eq!((reduced.len(), errors.len()), (5, 5));
+    for ((full, reduced), error) in full.iter().zip(&reduced).zip(&errors) {
+        assert!(*reduced >= full * (1.0 - 1e-9) && *reduced < full * 1.05, "{full} {reduced}");
+        assert!((error - (reduced - full) / reduced).abs() < 1e-12);
+        said.says(&format!("{reduced:.7}"));
+    }
+    assert!(errors[4] > errors[0], "{errors:?}");
+}
+
 /// The coarse pair with these analyses alone, and ramps of milliseconds.
 fn short(analyses: &str) -> String {
     let (pair, _) = PAIR.split_once("[[analysis]]").unwrap();

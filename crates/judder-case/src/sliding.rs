@@ -4,7 +4,7 @@
 //! - [`contact`]: `[contact]`, who slides on what, and friction.
 //! - [`motion`]: `[motion]`, path, velocity, load, and how they begin.
 //! - [`observe`]: `[observe]`, points and signals.
-//! - [`analysis`], [`locus`], [`march`], [`spectrogram`]: what is computed.
+//! - [`analysis`], [`locus`], [`march`], [`signals`], [`spectrogram`]: what is computed, and what is kept of it.
 //! - [`sweep`]: any number of the case over a range.
 //! - [`problem`]: what can be wrong with all of it, beyond types, units and ranges.
 
@@ -15,6 +15,7 @@ pub mod march;
 pub mod motion;
 pub mod observe;
 pub mod problem;
+pub mod signals;
 pub mod spectrogram;
 pub mod structure;
 pub mod sweep;
@@ -120,7 +121,7 @@ pub(crate) fn read(node: &Node, folder: &Path) -> Result<SlidingCase, Fault> {
     let root = Section::open(node, "", "a sliding case", &KEYS)?;
     case.analyses = read_analyses(&root, &case, &KINDS)?;
     if let Some(Node { data: Data::List(nodes), .. }) = root.get("analysis") {
-        spectrogram::check_references(&case.analyses, nodes)?;
+        spectrogram::check_references(&case.analyses, &case.points, nodes)?;
     }
     Ok(case)
 }

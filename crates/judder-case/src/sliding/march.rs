@@ -2,15 +2,15 @@
 
 use super::SlidingCase;
 use super::motion::check_course;
-use super::observe::{Signal, read_signal};
+use super::observe::{PointQuantity, Signal, read_signal};
 use super::problem::SlidingProblem;
+use super::signals::{Sampling, Sound, read_signals, read_sound};
 use crate::cause::Cause;
 use crate::contact_problem::ContactProblem;
 use crate::error::Fault;
 use crate::section::Section;
 use crate::sliding_keys::SlidingKey;
 use crate::structure::lists::number;
-use std::f64::consts::TAU;
 
 /// How the coupled structures are integrated.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -83,19 +83,12 @@ pub struct March {
     pub signals: Sampling,
     /// The signal whose peak and bursts are told.
     pub signal: Signal,
-    /// Whether the motions of the observed points are left as sound.
-    pub sound: bool,
+    /// What is kept of the motion of every observed point.
+    pub quantities: Vec<PointQuantity>,
+    /// Which signals are left as sound.
+    pub sound: Sound,
     /// Steps between two states that an interrupted march can go on from.
     pub checkpoint_steps: usize,
-}
-
-/// How signals are sampled on line: low-passed, then decimated.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sampling {
-    /// Up to which frequency they are kept as they are, rad/s.
-    pub pass_band: f64,
-    /// Samples a second, at least; more than twice the pass band in Hz.
-    pub sample_rate: f64,
 }
 
 /// A march with the contact held, against the eigenvalue there.
@@ -117,9 +110,6 @@ pub const CHECKPOINT_STEPS: usize = 500_000;
 pub const CHECKPOINT_RANGE: [usize; 2] = [1000, 1_000_000_000];
 /// The most steps of a march: weeks.
 pub const STEPS: f64 = 1e12;
-
-/// A rate of exactly twice the pass band is none above it, however the factor 2π rounds.
-const ROUNDING: f64 = 1e-9;
 
 /// The keys of a march.
 pub(super) const MARCH_KEYS: &[&str] = &[
@@ -150,6 +140,7 @@ pub(super) fn read_march(case: &SlidingCase, section: &Section<'_>) -> Result<Ma
             return Err(SlidingProblem::TooManySteps { steps, limit: STEPS }.at(place));
         }
     }
+    let (signals, quantities) = read_signals(section, step)?;
     let [fewest, most] = CHECKPOINT_RANGE;
     Ok(March {
         method,
@@ -157,9 +148,10 @@ pub(super) fn read_march(case: &SlidingCase, section: &Section<'_>) -> Result<Ma
         step,
         from,
         to,
-        signals: read_sampling(section, step)?,
+        signals,
         signal: read_signal(section, "signal", &case.points)?,
-        sound: section.boolean("sound")?.unwrap_or(true),
+        quantities,
+        sound: read_sound(case, section)?,
         checkpoint_steps: section.whole("checkpoint_steps", fewest, most)?.unwrap_or(CHECKPOINT_STEPS),
     })
 }
@@ -247,25 +239,4 @@ fn read_path(case: &SlidingCase, section: &Section<'_>) -> Result<[f64; 2], Faul
     let place = section.get("to").or(section.get("from")).map_or(section.place, |node| node.place);
     check_course([from, to], case.motion.velocity).map_err(|problem| problem.at(place))?;
     Ok([from, to])
-}
-
-fn read_sampling(section: &Section<'_>, step: Option<f64>) -> Result<Sampling, Fault> {
-    let table =
-        section.get("signals").map(|node| section.table("signals", node, &["pass_band", "sample_rate"]));
-    let table = table.transpose()?;
-    let value = |key: SlidingKey| match &table {
-        Some(table) => number(table, key.entry()),
-        None => Ok(key.entry().default.map_or(0.0, |(_, value)| value.number)),
-    };
-    let pass_band = value(SlidingKey::PassBand)?;
-    let sample_rate = value(SlidingKey::SampleRate)? / TAU;
-    let place = table.as_ref().map_or(section.place, |table| table.place);
-    let refuse = |reason: String| Err(SlidingProblem::SampleRate { sample_rate, reason }.at(place));
-    if sample_rate <= 2.0 * pass_band / TAU * (1.0 + ROUNDING) {
-        return refuse(format!("cannot carry frequencies up to {:.0} Hz", pass_band / TAU));
-    }
-    match step {
-        Some(step) if sample_rate * step > 1.0 => refuse(format!("are more than one a step of {step:e} s")),
-        _ => Ok(Sampling { pass_band, sample_rate }),
-    }
 }

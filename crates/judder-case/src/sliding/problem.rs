@@ -109,6 +109,16 @@ pub enum SlidingProblem {
         /// The name as written.
         name: String,
     },
+    /// A signal that a march does not keep.
+    #[error("the march `{march}` does not keep the signal `{signal}`")]
+    NotKept {
+        /// The name of the march.
+        march: String,
+        /// The name of the signal.
+        signal: String,
+        /// What of the motion of a point it is.
+        quantity: &'static str,
+    },
     /// Samples too few for the band that they shall carry, or more than there are steps.
     #[error("samples at {sample_rate:.0} Hz {reason}")]
     SampleRate {
@@ -187,6 +197,7 @@ impl SlidingProblem {
             Self::UnsortedSpeeds { .. } => "not ascending",
             Self::FrictionTable { .. } => "of another length",
             Self::NothingAbove { .. } => "unknown name",
+            Self::NotKept { .. } => "not kept",
             Self::SampleRate { .. } => "this rate",
             Self::TooManySteps { .. } => "too long",
             Self::StepLimit { .. } => "too large",
@@ -222,6 +233,11 @@ impl SlidingProblem {
                 "as in { velocity = [\"0 mm/s\", \"10 mm/s\"], coefficient = [0.4, 0.3] }, two entries at least"
             }
             Self::NothingAbove { what, .. } => return format!("let the {what} stand before what shows it"),
+            Self::NotKept { march, quantity, .. } => {
+                return format!(
+                    "let the march `{march}` keep it: signals = {{ quantities = [\"{quantity}\"] }}"
+                );
+            }
             Self::SampleRate { .. } => {
                 "1/step ≥ sample_rate > 2 pass_band; at 3e-7 s, 400 kHz carry 50 kHz with room for the filter"
             }

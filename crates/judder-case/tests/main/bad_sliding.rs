@@ -387,6 +387,35 @@ fn samples_that_cannot_carry_a_signal() {
 }
 
 #[test]
+fn signals_that_there_are_not() {
+    let march = |settings: &str| format!("kind = \"march\"\nmethod = \"ensubs\"\n{settings}");
+    analysis(
+        &march("signals = { quantities = [\"velocty\"] }"),
+        "unknown quantity `velocty`",
+        "\"velocty\"",
+        "did you mean `velocity`? known: acceleration, velocity, displacement",
+    );
+    analysis(
+        &march("sound = [\"T.y\", \"T.z\"]"),
+        "unknown signal `T.z`",
+        "\"T.z\"",
+        "did you mean `T.x`? known: T.x, T.y, normal-force, tangential-force, sliding-velocity",
+    );
+    analysis(
+        &march("sound = \"T.y\""),
+        "`sound` is a string, but must be true, false or a list of signals",
+        "\"T.y\"",
+        "",
+    );
+    analysis(
+        &march("[[analysis]]\nkind = \"spectrogram\"\nof = \"march\"\nsignal = \"T.y.velocity\""),
+        "the march `march` does not keep the signal `T.y.velocity`",
+        "\"T.y.velocity\"",
+        "let the march `march` keep it: signals = { quantities = [\"velocity\"] }",
+    );
+}
+
+#[test]
 fn a_growth_of_nothing() {
     analysis(
         "kind = \"growth\"\nmethod = \"ensubs\"\nposition = \"74 mm\"",

@@ -25,6 +25,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::analysis::{Analysis, read_analyses};
+use crate::cause::Cause;
 use crate::document::{Data, Node};
 use crate::error::Fault;
 use crate::file_reference::FileReference;
@@ -95,7 +96,7 @@ impl SlidingCase {
     /// The case with a swept key at `value`, in SI units, without analyses: read anew, so that every key can be swept.
     ///
     /// # Errors
-    /// [`SlidingProblem::SweptValue`] where there is no such case.
+    /// [`SlidingProblem::SweptKey`] where the case has no such key, [`SlidingProblem::SweptValue`] where there is no such case.
     pub fn at(&self, sweep: &KeySweep, value: f64) -> Result<Self, SlidingProblem> {
         let Origin { root, folder } = &*self.origin;
         let mut root = root.clone();
@@ -107,7 +108,11 @@ impl SlidingCase {
             let cause = fault.into_cause();
             let (key, value) = (sweep.path.clone(), sweep.text(value));
             let advice = cause.help().unwrap_or_else(|| "sweep values that the key can take".to_owned());
-            SlidingProblem::SweptValue { key, value, reason: cause.to_string(), advice }
+            let reason = cause.to_string();
+            match cause {
+                Cause::UnknownKey { .. } => SlidingProblem::SweptKey { key, reason, advice },
+                _ => SlidingProblem::SweptValue { key, value, reason, advice },
+            }
         })
     }
 }

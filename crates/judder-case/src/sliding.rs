@@ -4,7 +4,7 @@
 //! - [`contact`]: `[contact]`, who slides on what, and friction.
 //! - [`motion`]: `[motion]`, path, velocity, load, and how they begin.
 //! - [`observe`]: `[observe]`, points and signals.
-//! - [`analysis`], [`locus`], [`march`], [`spectrogram`]: what is computed.
+//! - [`analysis`], [`locus`], [`march`], [`signals`], [`spectrogram`]: what is computed, and what is kept of it.
 //! - [`sweep`]: any number of the case over a range.
 //! - [`problem`]: what can be wrong with all of it, beyond types, units and ranges.
 
@@ -15,6 +15,7 @@ pub mod march;
 pub mod motion;
 pub mod observe;
 pub mod problem;
+pub mod signals;
 pub mod spectrogram;
 pub mod structure;
 pub mod sweep;
@@ -24,6 +25,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::analysis::{Analysis, read_analyses};
+use crate::cause::Cause;
 use crate::document::{Data, Node};
 use crate::error::Fault;
 use crate::file_reference::FileReference;
@@ -94,7 +96,7 @@ impl SlidingCase {
     /// The case with a swept key at `value`, in SI units, without analyses: read anew, so that every key can be swept.
     ///
     /// # Errors
-    /// [`SlidingProblem::SweptValue`] where there is no such case.
+    /// [`SlidingProblem::SweptKey`] where the case has no such key, [`SlidingProblem::SweptValue`] where there is no such case.
     pub fn at(&self, sweep: &KeySweep, value: f64) -> Result<Self, SlidingProblem> {
         let Origin { root, folder } = &*self.origin;
         let mut root = root.clone();
@@ -106,7 +108,11 @@ impl SlidingCase {
             let cause = fault.into_cause();
             let (key, value) = (sweep.path.clone(), sweep.text(value));
             let advice = cause.help().unwrap_or_else(|| "sweep values that the key can take".to_owned());
-            SlidingProblem::SweptValue { key, value, reason: cause.to_string(), advice }
+            let reason = cause.to_string();
+            match cause {
+                Cause::UnknownKey { .. } => SlidingProblem::SweptKey { key, reason, advice },
+                _ => SlidingProblem::SweptValue { key, value, reason, advice },
+            }
         })
     }
 }
@@ -120,7 +126,7 @@ pub(crate) fn read(node: &Node, folder: &Path) -> Result<SlidingCase, Fault> {
     let root = Section::open(node, "", "a sliding case", &KEYS)?;
     case.analyses = read_analyses(&root, &case, &KINDS)?;
     if let Some(Node { data: Data::List(nodes), .. }) = root.get("analysis") {
-        spectrogram::check_references(&case.analyses, nodes)?;
+        spectrogram::check_references(&case.analyses, &case.points, nodes)?;
     }
     Ok(case)
 }

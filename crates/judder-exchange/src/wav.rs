@@ -254,7 +254,29 @@ fn encoded(
         hound::Error::IoError(source) => ExchangeError::from(source),
         other => io::Error::other(other).into(),
     })?;
-    Ok(file.into_inner())
+    let mut bytes = file.into_inner();
+    if format == WavFormat::Integer24 {
+        shorten_head(&mut bytes);
+    }
+    Ok(bytes)
+}
+
+/// Makes the extensible head of a file of whole numbers the plain one, which older readers know too: of one channel or two it says as much.
+fn shorten_head(bytes: &mut Vec<u8>) {
+    /// A `fmt ` chunk of 40 bytes, format 0xfffe.
+    const EXTENSIBLE: [u8; 10] = *b"fmt \x28\0\0\0\xfe\xff";
+    /// One of 16 bytes, format 1, whole numbers.
+    const PLAIN: [u8; 10] = *b"fmt \x10\0\0\0\x01\0";
+    const EXTENSION: std::ops::Range<usize> = 36..60;
+    let Some(size) = bytes.get(4..8).and_then(|size| size.try_into().ok()).map(u32::from_le_bytes) else {
+        return;
+    };
+    if bytes.get(12..22) != Some(&EXTENSIBLE[..]) || bytes.len() < EXTENSION.end {
+        return;
+    }
+    bytes[12..22].copy_from_slice(&PLAIN);
+    bytes[4..8].copy_from_slice(&(size - EXTENSION.len() as u32).to_le_bytes());
+    bytes.drain(EXTENSION);
 }
 
 #[cfg(test)]
@@ -321,6 +343,9 @@ mod tests {
         assert_eq!(gain, 0.5);
         assert_eq!((&bytes[..4], &bytes[8..12]), (&b"RIFF"[..], &b"WAVE"[..]));
         assert_eq!(u32::from_le_bytes(bytes[4..8].try_into().unwrap()) as usize, bytes.len() - 8);
+        // 16 bytes: whole numbers, mono, 48 kHz, 144000 bytes a second, 3 bytes a sample, 24 bits
+        let head = [16, 0, 0, 0, 1, 0, 1, 0, 0x80, 0xbb, 0, 0, 0x80, 0x32, 2, 0, 3, 0, 24, 0];
+        assert_eq!((&bytes[12..16], &bytes[16..36]), (&b"fmt "[..], &head[..]));
         let data = bytes.len() - 12;
         // 8388607, −8388607, 4194304 (half, rounded away from zero), 0
         assert_eq!(bytes[data..], [0xff, 0xff, 0x7f, 1, 0, 0x80, 0, 0, 0x40, 0, 0, 0]);

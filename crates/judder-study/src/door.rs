@@ -124,8 +124,8 @@ fn beyond(columns: usize, rows: usize, needed: u64, limit: u64) -> Refusal {
 
 /// What a run found wrong with an analysis, at its place in the case file where it has one.
 pub(crate) fn placed(error: StudyError, file: &CaseFile, index: usize) -> StudyError {
-    if let (StudyError::Sliding(own), Case::Sliding(case)) = (&error, &file.case) {
-        return sliding::placed(own, (file, case), index).map_or(error, StudyError::from);
+    if let Case::Sliding(case) = &file.case {
+        return sliding::placed(&error, (file, case), index).map_or(error, StudyError::from);
     }
     match blame(&error, &file.case, index) {
         Some((keys, problem)) => file.analysis_error(index, keys, problem).into(),

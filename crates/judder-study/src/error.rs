@@ -83,6 +83,16 @@ pub enum StudyError {
         /// Which takes it.
         by: String,
     },
+    /// No mode swings near a frequency.
+    #[error("no mode of the coupled pair swings near {asked_hz:.1} Hz at {position} m: {known}")]
+    NoMode {
+        /// The frequency that was asked for, Hz.
+        asked_hz: f64,
+        /// Distance of the contact point from the first node, m.
+        position: f64,
+        /// What modes there are.
+        known: String,
+    },
     /// A march has not kept a signal.
     #[error(
         "the march `{march}` keeps accelerations, contact forces and the sliding velocity, but not `{signal}`: give it signal = \"{signal}\""
@@ -189,6 +199,7 @@ impl StudyError {
             | Self::Unsupported(_)
             | Self::Signal(_)
             | Self::NotRecorded { .. }
+            | Self::NoMode { .. }
             | Self::NoResults { .. }
             | Self::Periodic(_) => true,
             Self::Store(error) => matches!(

@@ -11,7 +11,7 @@
 //! - [`outcome`]: what an analysis leaves: scalars, arrays, a table, checks, warnings.
 //! - [`analyses`]: one module a kind of analysis.
 //! - [`checks`]: every number doubted by another number.
-//! - [`run`]: the analyses of a case into a study folder; what is done already is not done again.
+//! - [`run`]: the analyses of a case into a study folder; what is done already is not done again. `told`: what it shows on the terminal.
 //! - [`pictures`]: figures from stored arrays.
 //! - [`report`]: figures and page of a study folder, rebuilt from what is stored.
 //! - [`resolve`]: what `judder check` shows.
@@ -41,6 +41,7 @@ mod sliding;
 mod spectrum_source;
 mod structure;
 mod text;
+mod told;
 
 pub use error::StudyError;
 pub use progress::{Progress, Silent};

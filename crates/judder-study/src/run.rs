@@ -8,6 +8,7 @@ use crate::kept::{Kept, Place};
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use crate::report;
+use crate::told;
 use judder_case::{Case, CaseFile, LawName, OscillatorCase};
 use judder_store::{AnalysisRecord, Scratch, Status, StudyFolder, Summary, content_hash};
 use serde::{Deserialize, Serialize};
@@ -41,6 +42,8 @@ pub struct RunReport {
     pub skipped: Vec<String>,
     /// Whether every requested result is there.
     pub complete: bool,
+    /// Results that are worth a table on the terminal.
+    pub tables: Vec<String>,
     /// Warnings and failed checks, one line each; not why an analysis was refused.
     pub messages: Vec<String>,
     /// Analyses without a result because the input is wrong.
@@ -154,8 +157,9 @@ pub fn run(
     let wanted: Vec<String> = names.into_iter().filter(|name| is_wanted(name)).collect();
     let complete = study.is_complete(&wanted);
     let messages = messages(&study.summary, &study.kept, &refused);
+    let tables = told::tables(&study.summary, &wanted);
     let (folder, summary) = (folder.to_owned(), study.summary);
-    Ok(RunReport { folder, summary, report, skipped, complete, messages, refused })
+    Ok(RunReport { folder, summary, report, skipped, complete, tables, messages, refused })
 }
 
 /// Where the solved contacts of the law are kept that the analyses of an oscillator case share.

@@ -1,6 +1,6 @@
 //! From the keys of a sliding case to a slider on its track.
 //!
-//! - `blame`: which key is to blame for what an analysis found.
+//! - `blame`: which key is to blame for what an analysis found, and what is refused before it runs.
 //! - `part`: a structure reduced to the freedoms that contact, load and observed points need.
 //! - `nodes`: which nodes and freedoms those are.
 //! - `damping`: α and β of a structure.
@@ -14,9 +14,9 @@ mod nodes;
 mod part;
 mod step;
 
-pub(crate) use blame::placed;
+pub(crate) use blame::{admit, placed};
 pub(crate) use part::Part;
-pub(crate) use step::{Step, method, step};
+pub(crate) use step::{Step, method, predictor, step};
 
 use crate::error::StudyError;
 use crate::structure::{self, Structure};
@@ -68,9 +68,9 @@ impl Uncoupled {
         Self::Pair { path: path.into(), problem }
     }
 
-    /// With a reason in words.
-    fn because(path: impl Into<String>, reason: impl ToString) -> Self {
-        Self::new(path, SlidingProblem::Unbuilt { reason: reason.to_string() })
+    /// With a reason in words, and what would be right.
+    fn because(path: impl Into<String>, reason: impl ToString, advice: &'static str) -> Self {
+        Self::new(path, SlidingProblem::Unbuilt { reason: reason.to_string(), advice })
     }
 
     /// As an error at its place in the case file.
@@ -219,8 +219,17 @@ fn friction(case: &SlidingCase) -> Result<Friction, Uncoupled> {
             Friction::table(velocity.clone(), coefficient.clone())
         }
     };
-    friction.map_err(|error| Uncoupled::because("contact.friction_coefficient", error))
+    friction.map_err(|error| {
+        Uncoupled::because(
+            "contact.friction_coefficient",
+            error,
+            "give friction coefficients of zero or more",
+        )
+    })
 }
+
+/// What is right of a pair.
+const PAIR: &str = "let C be a free node of the slider, and the track an edge of the other structure whose nodes follow each other";
 
 fn refused(case: &SlidingCase, error: &SlidingError) -> Uncoupled {
     match error {
@@ -231,7 +240,7 @@ fn refused(case: &SlidingCase, error: &SlidingError) -> Uncoupled {
                 SlidingProblem::Track { name, reason: format!("is no edge: {error}") },
             )
         }
-        _ => Uncoupled::because("contact", error),
+        _ => Uncoupled::because("contact", error, PAIR),
     }
 }
 

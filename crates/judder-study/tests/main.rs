@@ -8,6 +8,7 @@ mod global_margin;
 mod march;
 mod motion;
 mod sliding;
+mod sliding_cases;
 mod structure;
 
 use judder_case::CaseFile;

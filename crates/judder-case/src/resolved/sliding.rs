@@ -12,6 +12,7 @@ use crate::sliding::locus::{Along, Locus};
 use crate::sliding::march::{Growth, March, MarchMethod};
 use crate::sliding::motion::SlidingMotion;
 use crate::sliding::observe::ObservedPoint;
+use crate::sliding::signals::Sound;
 use crate::sliding::spectrogram::Spectrogram;
 use crate::sliding::structure::SlidingStructure;
 use crate::structure::StructureSource;
@@ -156,15 +157,24 @@ fn add_method(json: &mut Json, method: MarchMethod, step: Option<f64>) {
 
 fn march(case: &SlidingCase, march: &March) -> Json {
     let frequency = |angular: f64| si(angular, Dimension::ANGULAR_FREQUENCY);
+    let sound = match &march.sound {
+        Sound::Nothing => json!(false),
+        Sound::Accelerations => json!(true),
+        Sound::Signals(heard) => heard.iter().map(|signal| signal.name(&case.points)).collect(),
+    };
     let mut json = json!({
         "kind": "march", "from": si(march.from, Dimension::LENGTH), "to": si(march.to, Dimension::LENGTH),
         "signals": {
             "pass_band": frequency(march.signals.pass_band),
             "sample_rate": frequency(march.signals.sample_rate * std::f64::consts::TAU),
+            "quantities": march.quantities.iter().map(|quantity| quantity.name()).collect::<Vec<_>>(),
         },
-        "signal": march.signal.name(&case.points), "sound": march.sound,
+        "signal": march.signal.name(&case.points), "sound": sound,
         "checkpoint_steps": march.checkpoint_steps,
     });
+    if let Some(predictor) = march.predictor {
+        json["predictor"] = json!(predictor.name());
+    }
     add_method(&mut json, march.method, march.step);
     json
 }

@@ -7,8 +7,9 @@ use super::{analyses, choice, names, object, reference, table};
 use crate::sliding::analysis::KINDS;
 use crate::sliding::contact::Interpolation;
 use crate::sliding::locus::{Configuration, POSITIONS, POSITIONS_LIMIT};
-use crate::sliding::march::{CHECKPOINT_RANGE, CHECKPOINT_STEPS, MarchMethod};
+use crate::sliding::march::{CHECKPOINT_RANGE, CHECKPOINT_STEPS, MarchMethod, Predictor};
 use crate::sliding::motion::{Axis, SEED};
+use crate::sliding::observe::PointQuantity;
 use crate::sliding::spectrogram::Window;
 use crate::sliding_keys::{SLIDING_KEYS, SlidingKey};
 use crate::structure::analysis::{MODES, MODES_LIMIT};
@@ -165,7 +166,7 @@ fn setting(_: &str, key: &str) -> Json {
         }
         "sweep" => sweep(),
         "method" => names(MarchMethod::NAMES, "how the coupled structures are integrated"),
-        "signals" => table("how signals are sampled", numbers("analysis.signals"), &[]),
+        "signals" => signals(),
         "signal" => text(
             "POINT.x, POINT.y (acceleration), POINT.y.velocity, POINT.y.displacement, normal-force, tangential-force or sliding-velocity; the first point's along y by default",
         ),
@@ -174,7 +175,15 @@ fn setting(_: &str, key: &str) -> Json {
             "none",
             "of `subs`: whether the static slope of the deformed track is put in",
         ),
-        "sound" => switch(true, "leave the observed points as WAV"),
+        "predictor" => choice(
+            Predictor::ALL.map(|(name, _)| name),
+            "with-force",
+            "of `ensubs` and `film`: the displacements that the geometry of the contact is taken from",
+        ),
+        "sound" => json!({
+            "anyOf": [{ "type": "boolean" }, { "type": "array", "items": { "type": "string" } }], "default": true,
+            "description": "leave the accelerations that are kept as WAV, or these signals",
+        }),
         "checkpoint_steps" => whole(
             CHECKPOINT_RANGE,
             Some(CHECKPOINT_STEPS),
@@ -191,6 +200,19 @@ fn setting(_: &str, key: &str) -> Json {
         "locus" => text("the name of a locus over positions that stands above"),
         _ => reference(&definition(&format!("analysis.{key}"))),
     }
+}
+
+fn signals() -> Json {
+    let quantity = json!({ "enum": PointQuantity::ALL.map(|(name, _)| name) });
+    let mut properties = numbers("analysis.signals");
+    properties.insert(
+        "quantities".to_owned(),
+        json!({
+            "type": "array", "items": quantity, "default": ["acceleration"],
+            "description": "what is kept of the motion of every observed point",
+        }),
+    );
+    table("how signals are sampled, and what is kept of the observed points", properties, &[])
 }
 
 fn sweep() -> Json {

@@ -93,6 +93,14 @@ pub(super) fn read_contact(
         let (key, expected) = (section.path("track"), "two nodes at least");
         return Err(StructureProblem::Length { key, expected, found: nodes.len() }.at(node.place));
     }
+    if let KeptNodes::Numbers(nodes) = &track.nodes
+        && let Some(twice) =
+            nodes.iter().enumerate().find_map(|(k, own)| nodes[..k].contains(own).then_some(own))
+    {
+        let name = nodes.iter().map(usize::to_string).collect::<Vec<_>>().join(", ");
+        let place = node.entry("nodes").map_or(node.place, |nodes| nodes.place);
+        return Err(SlidingProblem::Track { name, reason: format!("names node {twice} twice") }.at(place));
+    }
     let choice = section.choice("interpolation", "interpolation", &Interpolation::ALL)?;
     Ok(SlidingContact {
         slider,

@@ -2,15 +2,15 @@
 
 use super::SlidingCase;
 use super::motion::check_course;
-use super::observe::{Signal, read_signal};
+use super::observe::{PointQuantity, Signal, read_signal};
 use super::problem::SlidingProblem;
+use super::signals::{Sampling, Sound, read_signals, read_sound};
 use crate::cause::Cause;
 use crate::contact_problem::ContactProblem;
 use crate::error::Fault;
 use crate::section::Section;
 use crate::sliding_keys::SlidingKey;
 use crate::structure::lists::number;
-use std::f64::consts::TAU;
 
 /// How the coupled structures are integrated.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,11 +46,33 @@ impl MarchMethod {
     }
 }
 
+/// Which displacements of the next step the geometry of the contact is taken from, by EnSubs and FiLM.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Predictor {
+    /// Those without the contact's force, as equation (16) of the beams paper has them.
+    Printed,
+    /// Those under the force of the last step.
+    #[default]
+    WithForce,
+}
+
+impl Predictor {
+    /// The predictors with their names in a case file.
+    pub const ALL: [(&'static str, Self); 2] = [("printed", Self::Printed), ("with-force", Self::WithForce)];
+
+    /// The name in a case file.
+    pub fn name(self) -> &'static str {
+        Self::ALL[self as usize].0
+    }
+}
+
 /// A march along the path, or along a part of it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct March {
     /// How it integrates.
     pub method: MarchMethod,
+    /// Where the geometry of the contact comes from; `None` for methods that take it from elsewhere.
+    pub predictor: Option<Predictor>,
     /// h, s; `None` where the method shall choose.
     pub step: Option<f64>,
     /// s at its start, m; the ramps run from here.
@@ -61,19 +83,12 @@ pub struct March {
     pub signals: Sampling,
     /// The signal whose peak and bursts are told.
     pub signal: Signal,
-    /// Whether the motions of the observed points are left as sound.
-    pub sound: bool,
+    /// What is kept of the motion of every observed point.
+    pub quantities: Vec<PointQuantity>,
+    /// Which signals are left as sound.
+    pub sound: Sound,
     /// Steps between two states that an interrupted march can go on from.
     pub checkpoint_steps: usize,
-}
-
-/// How signals are sampled on line: low-passed, then decimated.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sampling {
-    /// Up to which frequency they are kept as they are, rad/s.
-    pub pass_band: f64,
-    /// Samples a second, at least; more than twice the pass band in Hz.
-    pub sample_rate: f64,
 }
 
 /// A march with the contact held, against the eigenvalue there.
@@ -96,12 +111,20 @@ pub const CHECKPOINT_RANGE: [usize; 2] = [1000, 1_000_000_000];
 /// The most steps of a march: weeks.
 pub const STEPS: f64 = 1e12;
 
-/// A rate of exactly twice the pass band is none above it, however the factor 2π rounds.
-const ROUNDING: f64 = 1e-9;
-
 /// The keys of a march.
-pub(super) const MARCH_KEYS: &[&str] =
-    &["method", "step", "from", "to", "signals", "signal", "cut_off", "slope", "sound", "checkpoint_steps"];
+pub(super) const MARCH_KEYS: &[&str] = &[
+    "method",
+    "step",
+    "from",
+    "to",
+    "signals",
+    "signal",
+    "cut_off",
+    "slope",
+    "predictor",
+    "sound",
+    "checkpoint_steps",
+];
 /// The keys of a growth.
 pub(super) const GROWTH_KEYS: &[&str] = &["method", "position", "frequency", "step", "cut_off"];
 
@@ -117,15 +140,18 @@ pub(super) fn read_march(case: &SlidingCase, section: &Section<'_>) -> Result<Ma
             return Err(SlidingProblem::TooManySteps { steps, limit: STEPS }.at(place));
         }
     }
+    let (signals, quantities) = read_signals(section, step)?;
     let [fewest, most] = CHECKPOINT_RANGE;
     Ok(March {
         method,
+        predictor: read_predictor(section, method)?,
         step,
         from,
         to,
-        signals: read_sampling(section, step)?,
+        signals,
         signal: read_signal(section, "signal", &case.points)?,
-        sound: section.boolean("sound")?.unwrap_or(true),
+        quantities,
+        sound: read_sound(case, section)?,
         checkpoint_steps: section.whole("checkpoint_steps", fewest, most)?.unwrap_or(CHECKPOINT_STEPS),
     })
 }
@@ -154,13 +180,8 @@ fn read_method(section: &Section<'_>) -> Result<MarchMethod, Fault> {
     section.required("method", &format!("method = \"…\", one of {}", MarchMethod::NAMES.join(", ")))?;
     let choices: [(&'static str, Word); 4] = std::array::from_fn(|k| (MarchMethod::NAMES[k], WORDS[k]));
     let word = section.choice("method", "method", &choices)?.unwrap_or(Word::Ensubs);
-    let refuse = |key: &'static str, own: Word| match section.get(key) {
-        Some(node) if word != own => {
-            let with = format!("method = \"{}\"", MarchMethod::NAMES[word as usize]);
-            Err(Cause::Contact { problem: ContactProblem::Meaningless { key, with } }.at(node.place))
-        }
-        _ => Ok(()),
-    };
+    let name = MarchMethod::NAMES[word as usize];
+    let refuse = |key, own: Word| if word == own { Ok(()) } else { refuse_with(section, key, name) };
     refuse("slope", Word::Subs)?;
     refuse("cut_off", Word::ResidualFlexibility)?;
     Ok(match word {
@@ -175,6 +196,26 @@ fn read_method(section: &Section<'_>) -> Result<MarchMethod, Fault> {
             MarchMethod::ResidualFlexibility { cut_off: number(section, SlidingKey::CutOff.entry())? }
         }
     })
+}
+
+/// Refuses a key that means nothing to a method.
+fn refuse_with(section: &Section<'_>, key: &'static str, method: &str) -> Result<(), Fault> {
+    let Some(node) = section.get(key) else { return Ok(()) };
+    let with = format!("method = \"{method}\"");
+    Err(Cause::Contact { problem: ContactProblem::Meaningless { key, with } }.at(node.place))
+}
+
+/// Subs knows the geometry beforehand; the march with residual flexibility comes to the force of the step itself.
+fn read_predictor(section: &Section<'_>, method: MarchMethod) -> Result<Option<Predictor>, Fault> {
+    match method {
+        MarchMethod::Subs { .. } | MarchMethod::ResidualFlexibility { .. } => {
+            refuse_with(section, "predictor", method.name()).map(|()| None)
+        }
+        MarchMethod::Ensubs | MarchMethod::Film => {
+            let predictor = section.choice("predictor", "predictor", &Predictor::ALL)?;
+            Ok(Some(predictor.unwrap_or_default()))
+        }
+    }
 }
 
 fn read_step(section: &Section<'_>) -> Result<Option<f64>, Fault> {
@@ -198,25 +239,4 @@ fn read_path(case: &SlidingCase, section: &Section<'_>) -> Result<[f64; 2], Faul
     let place = section.get("to").or(section.get("from")).map_or(section.place, |node| node.place);
     check_course([from, to], case.motion.velocity).map_err(|problem| problem.at(place))?;
     Ok([from, to])
-}
-
-fn read_sampling(section: &Section<'_>, step: Option<f64>) -> Result<Sampling, Fault> {
-    let table =
-        section.get("signals").map(|node| section.table("signals", node, &["pass_band", "sample_rate"]));
-    let table = table.transpose()?;
-    let value = |key: SlidingKey| match &table {
-        Some(table) => number(table, key.entry()),
-        None => Ok(key.entry().default.map_or(0.0, |(_, value)| value.number)),
-    };
-    let pass_band = value(SlidingKey::PassBand)?;
-    let sample_rate = value(SlidingKey::SampleRate)? / TAU;
-    let place = table.as_ref().map_or(section.place, |table| table.place);
-    let refuse = |reason: String| Err(SlidingProblem::SampleRate { sample_rate, reason }.at(place));
-    if sample_rate <= 2.0 * pass_band / TAU * (1.0 + ROUNDING) {
-        return refuse(format!("cannot carry frequencies up to {:.0} Hz", pass_band / TAU));
-    }
-    match step {
-        Some(step) if sample_rate * step > 1.0 => refuse(format!("are more than one a step of {step:e} s")),
-        _ => Ok(Sampling { pass_band, sample_rate }),
-    }
 }

@@ -87,6 +87,14 @@ impl Signal {
         }
     }
 
+    /// What of the motion of a point it is; empty for a signal of the contact.
+    pub(super) fn quantity(self) -> &'static str {
+        match self {
+            Self::Point { quantity, .. } => quantity.name(),
+            _ => "",
+        }
+    }
+
     /// Its dimension.
     pub fn dimension(self) -> Dimension {
         match self {
@@ -156,7 +164,12 @@ pub(super) fn read_signal(
         let first = Signal::Point { point: 0, axis: Axis::Y, quantity: PointQuantity::Acceleration };
         return Ok(if points.is_empty() { Signal::NormalForce } else { first });
     };
-    let name = text(&section.path(key), node)?;
+    find_signal(&section.path(key), node, points)
+}
+
+/// The signal that an entry of the key `key` names.
+pub(super) fn find_signal(key: &str, node: &Node, points: &[ObservedPoint]) -> Result<Signal, Fault> {
+    let name = text(key, node)?;
     Signal::find(name, points).ok_or_else(|| {
         let of_point = |point: &ObservedPoint| Axis::ALL.map(|(axis, _)| format!("{}.{axis}", point.name));
         let own = points.iter().flat_map(of_point);

@@ -109,6 +109,16 @@ pub enum SlidingProblem {
         /// The name as written.
         name: String,
     },
+    /// A signal that a march does not keep.
+    #[error("the march `{march}` does not keep the signal `{signal}`")]
+    NotKept {
+        /// The name of the march.
+        march: String,
+        /// The name of the signal.
+        signal: String,
+        /// What of the motion of a point it is.
+        quantity: &'static str,
+    },
     /// Samples too few for the band that they shall carry, or more than there are steps.
     #[error("samples at {sample_rate:.0} Hz {reason}")]
     SampleRate {
@@ -126,7 +136,7 @@ pub enum SlidingProblem {
         limit: f64,
     },
     /// A step beyond the limit of stability.
-    #[error("the step {step:e} s is above the limit of stability, {limit:e} s")]
+    #[error("the step {step:e} s is above the limit of stability, {limit:.4e} s")]
     StepLimit {
         /// h, s.
         step: f64,
@@ -159,13 +169,28 @@ pub enum SlidingProblem {
         /// What would be right.
         advice: String,
     },
+    /// Something else than a key of the case that a sweep should vary.
+    #[error("`{key}` cannot be swept: {reason}")]
+    SweptKey {
+        /// The key as written.
+        key: String,
+        /// What is wrong with it.
+        reason: String,
+        /// What would be right.
+        advice: String,
+    },
     /// Structures, contact or motion that do not go together.
     #[error("{reason}")]
     Unbuilt {
         /// What is wrong.
         reason: String,
+        /// What would be right.
+        advice: &'static str,
     },
 }
+
+/// Share of the limit of a step that is recommended; two digits of it stay below the limit.
+const SHARE: f64 = 0.9;
 
 impl SlidingProblem {
     pub(crate) fn at(self, place: Place) -> Fault {
@@ -187,11 +212,12 @@ impl SlidingProblem {
             Self::UnsortedSpeeds { .. } => "not ascending",
             Self::FrictionTable { .. } => "of another length",
             Self::NothingAbove { .. } => "unknown name",
+            Self::NotKept { .. } => "not kept",
             Self::SampleRate { .. } => "this rate",
             Self::TooManySteps { .. } => "too long",
             Self::StepLimit { .. } => "too large",
             Self::NotQuantity { .. } => "no quantity",
-            Self::NotSwept { .. } => "not to be swept",
+            Self::NotSwept { .. } | Self::SweptKey { .. } => "not to be swept",
             Self::SweptValue { .. } => "a value of this sweep",
             Self::Unbuilt { .. } => "here",
         }
@@ -222,18 +248,28 @@ impl SlidingProblem {
                 "as in { velocity = [\"0 mm/s\", \"10 mm/s\"], coefficient = [0.4, 0.3] }, two entries at least"
             }
             Self::NothingAbove { what, .. } => return format!("let the {what} stand before what shows it"),
+            Self::NotKept { march, quantity, .. } => {
+                return format!(
+                    "let the march `{march}` keep it: signals = {{ quantities = [\"{quantity}\"] }}"
+                );
+            }
             Self::SampleRate { .. } => {
                 "1/step ≥ sample_rate > 2 pass_band; at 3e-7 s, 400 kHz carry 50 kHz with room for the filter"
             }
             Self::TooManySteps { .. } => "take a shorter path, a larger step or a higher velocity",
-            Self::StepLimit { .. } => "take a step below the limit",
+            Self::StepLimit { limit, .. } => {
+                return format!(
+                    "take a step below the limit, such as \"{:.1e} s\", or leave `step` out: the march then chooses one",
+                    SHARE * limit
+                );
+            }
             Self::NotQuantity { .. } => "write a plain number, or a number with a unit in quotes: \"10 mm\"",
             Self::NotSwept { .. } => {
                 "sweep a number of a structure, the contact, the motion or the parameters: structure.NAME.beam.angle, \
                  contact.friction_coefficient, motion.load.force, parameters.NAME"
             }
-            Self::SweptValue { advice, .. } => advice,
-            Self::Unbuilt { .. } => "mend what the message names",
+            Self::SweptValue { advice, .. } | Self::SweptKey { advice, .. } => advice,
+            Self::Unbuilt { advice, .. } => advice,
         };
         help.to_owned()
     }

@@ -3,7 +3,8 @@
 use super::SlidingCase;
 use super::analysis::SlidingAnalysis;
 use super::locus::{Along, Locus};
-use super::observe::{Signal, read_signal};
+use super::observe::{ObservedPoint, Signal, read_signal};
+use super::problem::SlidingProblem;
 use crate::analysis::Analysis;
 use crate::cause::Cause;
 use crate::document::Node;
@@ -102,12 +103,17 @@ fn read_range(section: &Section<'_>) -> Result<Option<[f64; 2]>, Fault> {
 }
 
 /// Refuses a spectrogram of what does not stand above it; `nodes` are the analyses as the case has them.
-pub(super) fn check_references(analyses: &[Analysis<SlidingAnalysis>], nodes: &[Node]) -> Result<(), Fault> {
+pub(super) fn check_references(
+    analyses: &[Analysis<SlidingAnalysis>],
+    points: &[ObservedPoint],
+    nodes: &[Node],
+) -> Result<(), Fault> {
     for (index, (analysis, node)) in analyses.iter().zip(nodes).enumerate() {
         let SlidingAnalysis::Spectrogram(spectrogram) = &analysis.kind else { continue };
         let above = &analyses[..index];
         let is_march = |kind: &SlidingAnalysis| matches!(kind, SlidingAnalysis::March(_));
         check_name(above, is_march, ("march", "of"), &spectrogram.of, node)?;
+        check_signal(above, spectrogram, points, node)?;
         if let Some(name) = &spectrogram.locus {
             let is_locus = |kind: &SlidingAnalysis| {
                 matches!(kind, SlidingAnalysis::Locus(Locus { along: Along::Positions(_), .. }))
@@ -116,6 +122,26 @@ pub(super) fn check_references(analyses: &[Analysis<SlidingAnalysis>], nodes: &[
         }
     }
     Ok(())
+}
+
+/// Refuses a signal that the march does not keep.
+fn check_signal(
+    above: &[Analysis<SlidingAnalysis>],
+    spectrogram: &Spectrogram,
+    points: &[ObservedPoint],
+    node: &Node,
+) -> Result<(), Fault> {
+    let kept = above.iter().find(|other| other.name == spectrogram.of).and_then(|other| match &other.kind {
+        SlidingAnalysis::March(march) => Some(march.kept(points.len())),
+        _ => None,
+    });
+    if kept.is_none_or(|kept| kept.contains(&spectrogram.signal)) {
+        return Ok(());
+    }
+    let place = node.entry("signal").map_or(node.place, |value| value.place);
+    let (march, signal) = (spectrogram.of.clone(), spectrogram.signal.name(points));
+    let quantity = spectrogram.signal.quantity();
+    Err(SlidingProblem::NotKept { march, signal, quantity }.at(place))
 }
 
 fn check_name(
@@ -132,7 +158,7 @@ fn check_name(
     }
     let place = node.entry(key).map_or(node.place, |value| value.place);
     Err(if known.is_empty() {
-        super::problem::SlidingProblem::NothingAbove { what, name: name.to_owned() }.at(place)
+        SlidingProblem::NothingAbove { what, name: name.to_owned() }.at(place)
     } else {
         Cause::UnknownName { what, name: name.to_owned(), known }.at(place)
     })

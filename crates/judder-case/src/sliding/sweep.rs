@@ -70,7 +70,10 @@ pub(super) fn read_key_sweep(case: &SlidingCase, node: &Node) -> Result<KeySweep
         None => read_range(path, &table)?,
     };
     for value in sweep.values.first().into_iter().chain(sweep.values.last()) {
-        case.at(&sweep, *value).map_err(|problem| problem.at(node.place))?;
+        case.at(&sweep, *value).map_err(|problem| {
+            let is_of_key = matches!(problem, SlidingProblem::SweptKey { .. });
+            problem.at(if is_of_key { key.place } else { node.place })
+        })?;
     }
     Ok(sweep)
 }

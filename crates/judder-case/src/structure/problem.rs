@@ -251,7 +251,7 @@ impl StructureProblem {
             Self::NoMaterial { name } => format!("give material = {{ … }} or materials = {{ {name} = {{ … }} }}"),
             Self::UnknownNode { .. } => "name nodes that the table has".to_owned(),
             Self::KeptFreedoms { .. } => "name free freedoms, each once".to_owned(),
-            Self::File { .. } => "a file is read as its ending says".to_owned(),
+            Self::File { .. } => "mend the file, or name another; it is read as its ending says".to_owned(),
             Self::Unbuilt { .. } => "mend what the message names".to_owned(),
             Self::Kept { problem: KeptProblem::NoSets, .. } => "as in nodes = [1, 17]".to_owned(),
             Self::Kept { problem: KeptProblem::NoNodes, .. } => "as in set = \"end\"".to_owned(),

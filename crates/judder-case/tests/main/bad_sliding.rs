@@ -238,15 +238,21 @@ fn swept_keys_that_cannot_be() {
     let settings = "key = \"contact.frictoin_coefficient\", from = 0, to = 1, points = 3";
     sweep(
         settings,
-        "with `contact.frictoin_coefficient` = 0: unknown key `frictoin_coefficient` in `contact`",
-        &format!("{{ {settings} }}"),
+        "`contact.frictoin_coefficient` cannot be swept: unknown key `frictoin_coefficient` in `contact`",
+        "\"contact.frictoin_coefficient\"",
+        "did you mean `friction_coefficient`? keys here: slider, track, friction_coefficient, interpolation, initial_gap",
+    );
+    sweep(
+        "key = \"contact.friction\", from = 0, to = 1, points = 3",
+        "`contact.friction` cannot be swept: unknown key `friction` in `contact`",
+        "\"contact.friction\"",
         "did you mean `friction_coefficient`? keys here: slider, track, friction_coefficient, interpolation, initial_gap",
     );
     let settings = "key = \"structure.oblque.width\", from = \"1 mm\", to = \"2 mm\", points = 3";
     sweep(
         settings,
-        "with `structure.oblque.width` = 0.001 m: unknown key `oblque` in `structure`",
-        &format!("{{ {settings} }}"),
+        "`structure.oblque.width` cannot be swept: unknown key `oblque` in `structure`",
+        "\"structure.oblque.width\"",
         "did you mean `oblique`? keys here: oblique, horizontal",
     );
     let settings = "key = \"contact.interpolation\", from = 0, to = 1, points = 3";
@@ -338,6 +344,20 @@ fn a_march_that_cannot_be() {
         "\"100 kHz\"",
         "leave `cut_off` out",
     );
+    for method in ["subs", "residual-flexibility"] {
+        analysis(
+            &march(method, "predictor = \"printed\""),
+            &format!("`predictor` has no meaning with method = \"{method}\""),
+            "\"printed\"",
+            "leave `predictor` out",
+        );
+    }
+    analysis(
+        &march("film", "predictor = \"as-printed\""),
+        "unknown predictor `as-printed`",
+        "as-printed",
+        "did you mean `printed`? known: printed, with-force",
+    );
     analysis(&march("film", "step = \"0 s\""), "`step` must be positive, but is 0.0", "\"0 s\"", "");
     analysis(
         &march("film", "from = \"5 mm\""),
@@ -370,6 +390,35 @@ fn samples_that_cannot_carry_a_signal() {
         let text = format!("kind = \"march\"\nmethod = \"ensubs\"\nstep = \"3e-7 s\"\nsignals = {signals}");
         analysis(&text, reason, &signals, help);
     }
+}
+
+#[test]
+fn signals_that_there_are_not() {
+    let march = |settings: &str| format!("kind = \"march\"\nmethod = \"ensubs\"\n{settings}");
+    analysis(
+        &march("signals = { quantities = [\"velocty\"] }"),
+        "unknown quantity `velocty`",
+        "\"velocty\"",
+        "did you mean `velocity`? known: acceleration, velocity, displacement",
+    );
+    analysis(
+        &march("sound = [\"T.y\", \"T.z\"]"),
+        "unknown signal `T.z`",
+        "\"T.z\"",
+        "did you mean `T.x`? known: T.x, T.y, normal-force, tangential-force, sliding-velocity",
+    );
+    analysis(
+        &march("sound = \"T.y\""),
+        "`sound` is a string, but must be true, false or a list of signals",
+        "\"T.y\"",
+        "",
+    );
+    analysis(
+        &march("[[analysis]]\nkind = \"spectrogram\"\nof = \"march\"\nsignal = \"T.y.velocity\""),
+        "the march `march` does not keep the signal `T.y.velocity`",
+        "\"T.y.velocity\"",
+        "let the march `march` keep it: signals = { quantities = [\"velocity\"] }",
+    );
 }
 
 #[test]
@@ -437,7 +486,10 @@ fn problems_of_a_run_have_their_place() {
     );
     let error =
         file.sliding_error("analysis.m.step", SlidingProblem::StepLimit { step: 4e-7, limit: 3.6e-7 });
-    assert_eq!(error.to_string(), "the step 4e-7 s is above the limit of stability, 3.6e-7 s");
+    assert_eq!(error.to_string(), "the step 4e-7 s is above the limit of stability, 3.6000e-7 s");
+    let help =
+        "take a step below the limit, such as \"3.2e-7 s\", or leave `step` out: the march then chooses one";
+    assert_eq!(help_of(&error), help);
     assert_eq!(error.place(), "\"4e-7 s\"");
     let unknown = StructureProblem::UnknownSet { name: "x".to_owned(), known: Vec::new() };
     let error = file.structure_error("structure.horizontal.beam.length", unknown);
@@ -474,6 +526,7 @@ fn structures_of_matrices() {
         "nodes = [3]",
         "`contact.track` has 1 entries, but must have two nodes at least",
     );
+    fails("nodes = [3, 4, 5]", "nodes = [3, 4, 3]", "the track `3, 4, 3` names node 3 twice");
     fails(
         "nodes = [3, 4, 5]",
         "set = \"edge\"",

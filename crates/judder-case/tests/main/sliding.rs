@@ -3,7 +3,7 @@
 use crate::parse;
 use judder_case::sliding::contact::{Friction, Interpolation};
 use judder_case::sliding::locus::{Along, Configuration};
-use judder_case::sliding::march::MarchMethod;
+use judder_case::sliding::march::{MarchMethod, Predictor};
 use judder_case::sliding::motion::Axis;
 use judder_case::sliding::observe::{PointQuantity, Signal};
 use judder_case::sliding::spectrogram::Window;
@@ -215,6 +215,52 @@ fn what_belongs_to_a_method_is_read_with_it() {
 }
 
 #[test]
+fn the_predictor_is_that_under_the_last_force_where_nothing_is_said() {
+    for (settings, expected) in [
+        ("method = \"ensubs\"", Some(Predictor::WithForce)),
+        ("method = \"film\"\npredictor = \"with-force\"", Some(Predictor::WithForce)),
+        ("method = \"film\"\npredictor = \"printed\"", Some(Predictor::Printed)),
+        ("method = \"subs\"", None),
+        ("method = \"residual-flexibility\"", None),
+    ] {
+        let SlidingAnalysis::March(march) = analysis(&format!("kind = \"march\"\n{settings}")) else {
+            panic!("a march")
+        };
+        assert_eq!(march.predictor, expected, "{settings}");
+    }
+}
+
+#[test]
+fn velocities_displacements_and_sounds_are_kept_on_request() {
+    let kept = |settings: &str| {
+        let case = sliding(
+            &with_analyses(&format!("[[analysis]]\nkind = \"march\"\nmethod = \"ensubs\"\n{settings}\n")),
+            &[],
+        );
+        let SlidingAnalysis::March(march) = &case.analyses[0].kind else { panic!("a march") };
+        let names = |signals: Vec<Signal>| {
+            signals.iter().map(|signal| signal.name(&case.points)).collect::<Vec<_>>().join(" ")
+        };
+        (names(march.kept(case.points.len())), names(march.heard(case.points.len())))
+    };
+    let told = |kept: &str, heard: &str| (kept.to_owned(), heard.to_owned());
+    let contact = "normal-force tangential-force sliding-velocity";
+    assert_eq!(kept(""), told(&format!("T.x T.y {contact}"), "T.x T.y"));
+    assert_eq!(
+        kept("signals = { quantities = [\"velocity\", \"acceleration\"] }\nsound = false"),
+        told(&format!("T.x T.y T.x.velocity T.y.velocity {contact}"), "")
+    );
+    assert_eq!(
+        kept("signals = { quantities = [] }\nsignal = \"T.x.displacement\""),
+        told(&format!("{contact} T.x.displacement"), "T.x.displacement")
+    );
+    assert_eq!(
+        kept("sound = [\"T.y.velocity\", \"normal-force\", \"T.y.velocity\"]"),
+        told(&format!("T.x T.y {contact} T.y.velocity"), "T.y.velocity normal-force")
+    );
+}
+
+#[test]
 fn a_path_may_run_back() {
     let text = with_analyses(
         "[[analysis]]\nkind = \"march\"\nmethod = \"ensubs\"\nto = \"50 mm\"\n[[analysis]]\nkind = \"locus\"\n",
@@ -230,6 +276,10 @@ fn a_path_may_run_back() {
 #[test]
 fn a_spectrogram_has_the_unit_of_its_signal() {
     let march = "[[analysis]]\nkind = \"march\"\nmethod = \"ensubs\"\n[[analysis]]\nkind = \"spectrogram\"\nof = \"march\"\n";
+    let march = march.replace(
+        "[[analysis]]\nkind = \"spec",
+        "signals = { quantities = [\"acceleration\", \"velocity\"] }\n[[analysis]]\nkind = \"spec",
+    );
     for (settings, reference) in [
         ("signal = \"T.y\"\nreference = \"2 m/s^2\"", 2.0),
         ("signal = \"T.x.velocity\"\nreference = \"3 mm/s\"", 3e-3),

@@ -62,6 +62,9 @@ fn tell(report: RunReport, case: &Path, console: Console) -> Exit {
     if !report.skipped.is_empty() {
         console.note(format_args!("done before: {}", report.skipped.join(", ")));
     }
+    for table in &report.tables {
+        console.note(table);
+    }
     for message in &report.messages {
         console.warn(message);
     }

@@ -21,7 +21,7 @@ fn a_swept_key_that_is_not_there_is_shown_in_the_case() {
     let desk = Desk::new();
     let template = desk.succeed(&["new", "beams-paper"]).stdout;
     desk.write("case.toml", template.replace("key = \"contact.friction", "key = \"contact.frction"));
-    let message = "with `contact.frction_coefficient` = 0: unknown key";
+    let message = "`contact.frction_coefficient` cannot be swept: unknown key";
     desk.refused(&["check", "case.toml"], message, "did you mean `friction_coefficient`?");
 }
 
@@ -172,17 +172,98 @@ fn what_cannot_slide_is_shown_in_the_case() {
             "the track `end-upper` is no edge",
             "nodes of one edge",
         ),
-        ("step = \"2e-7 s\"", "step = \"1e-4 s\"", "above the limit of stability", "below the limit"),
+        ("step = \"2e-7 s\"", "step = \"1e-4 s\"", "above the limit of stability", "leave `step` out"),
         ("position = \"52 mm\"", "position = \"520 mm\"", "`position` is 0.52 m", "first and the last"),
     ];
     for (right, wrong, message, help) in wrong {
         let desk = Desk::with_case(&PAIR.replacen(right, wrong, 1));
-        let said = desk.judder(&["run", "case.toml", "--only", "growth"]);
-        assert_eq!(said.code, 2, "{wrong}: {}", said.stderr);
-        said.says(message);
-        said.says(help);
-        said.says("case.toml:");
+        for command in [&["run", "case.toml", "--only", "growth"][..], &["check", "case.toml"]] {
+            refused(&desk, command, (wrong, message, help));
+        }
     }
+}
+
+/// The exit code, what is wrong, where, and what would be right.
+fn refused(desk: &Desk, command: &[&str], (wrong, message, help): (&str, &str, &str)) {
+    let said = desk.judder(command);
+    assert_eq!(said.code, 2, "{wrong}: {}", said.stderr);
+    said.says(message);
+    said.says(help);
+    said.says("case.toml:");
+}
+
+/// What only a run finds: no mode near a frequency, a load that pulls the slider off, friction that locks it.
+#[test]
+fn what_only_a_run_finds_is_shown_in_the_case() {
+    let wrong = [
+        (
+            "frequency = \"400 Hz\"",
+            "frequency = \"400 MHz\"",
+            "no mode of the coupled pair swings near",
+            "a locus shows",
+        ),
+        ("frequency = \"400 Hz\"", "frequency = \"4 Hz\"", "there is none up to 6.0 Hz", "a locus shows"),
+        (
+            "load = { set = \"start\" }",
+            "load = { set = \"start\", force = \"1 N\" }",
+            "pulls the slider off",
+            "mind the sign",
+        ),
+        (
+            "[contact]",
+            "[contact]\nfriction_coefficient = 9",
+            "sprag-slip at 5.2",
+            "a smaller friction coefficient",
+        ),
+    ];
+    for (right, wrong, message, help) in wrong {
+        let desk = Desk::with_case(&PAIR.replacen(right, wrong, 1));
+        refused(&desk, &["run", "case.toml", "--only", "growth"], (wrong, message, help));
+    }
+}
+
+/// A gap without a ramp is refused before a march starts, a load that lifts off is said with what was computed.
+#[test]
+fn a_march_that_cannot_touch_says_so() {
+    let march = short("[[analysis]]\nname = \"film\"\nkind = \"march\"\nmethod = \"film\"\n");
+    for gap in ["1 um", "-1 um"] {
+        let text = march.replace("[contact]", &format!("[contact]\ninitial_gap = \"{gap}\""));
+        let desk = Desk::with_case(&text.replace(", gap = \"4 ms\"", ", gap = \"0 s\""));
+        for command in ["run", "check"] {
+            refused(
+                &desk,
+                &[command, "case.toml"],
+                (gap, "closed in one step it would be a kick", "give motion.ramps.gap a time"),
+            );
+        }
+    }
+    let desk = Desk::with_case(
+        &march.replace("load = { set = \"start\" }", "load = { set = \"start\", force = \"1 N\" }"),
+    );
+    let said = desk.succeed(&["run", "case.toml"]);
+    said.says("the load pulls the slider off the track: the contact opens");
+    let told = &desk.read_json("out/case/summary.json")["results"]["film"];
+    assert!(told["open_steps"].as_u64().unwrap() > 0 && told["normal_force"]["max"] == 0.0, "{told}");
+}
+
+/// `modes` shows what the reduction of each structure costs; it only stiffens.
+#[test]
+fn modes_stand_beside_those_of_the_reduction() {
+    let desk = Desk::with_case(PAIR);
+    let said = desk.succeed(&["run", "case.toml", "--only", "modes"]);
+    said.says("reduced less full");
+    let told = &desk.read_json("out/case/summary.json")["results"]["modes"];
+    let list = |key: &str| -> Vec<f64> {
+        told[key].as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect()
+    };
+    let (full, reduced, errors) = (list("frequencies_hz"), list("reduced_hz"), list("reduction_errors"));
+    assert_eq!((reduced.len(), errors.len()), (5, 5));
+    for ((full, reduced), error) in full.iter().zip(&reduced).zip(&errors) {
+        assert!(*reduced >= full * (1.0 - 1e-9) && *reduced < full * 1.05, "{full} {reduced}");
+        assert!((error - (reduced - full) / reduced).abs() < 1e-12);
+        said.says(&format!("{reduced:.7}"));
+    }
+    assert!(errors[4] > errors[0], "{errors:?}");
 }
 
 /// The coarse pair with these analyses alone, and ramps of milliseconds.

@@ -53,8 +53,10 @@ pub(super) fn run(
     }
     let mut outcome = match &analysis.kind {
         SlidingAnalysis::Modes { structure, wanted } => {
-            let own = &system.parts[*structure].structure;
-            let outcome = super::structure::modes((&alone(case, *structure), own), &analysis.name, *wanted)?;
+            let part = &system.parts[*structure];
+            let own = (&alone(case, *structure), &*part.structure);
+            let reduced = Some(&part.reduced.body.eigenvalues[..]);
+            let outcome = super::structure::modes(own, &analysis.name, *wanted, reduced)?;
             progress.advance();
             outcome
         }

@@ -36,7 +36,7 @@ pub(super) fn run(
         return Err(StudyError::Interrupted);
     }
     let mut outcome = match &analysis.kind {
-        StructureAnalysis::Modes { wanted } => modes::run((case, structure), &analysis.name, *wanted),
+        StructureAnalysis::Modes { wanted } => modes::run((case, structure), &analysis.name, *wanted, None),
         StructureAnalysis::Reduction { count } => reduction::run((case, structure), &analysis.name, *count),
         StructureAnalysis::Eigen { region } => eigen::run((case, structure), &analysis.name, region),
         StructureAnalysis::EigenSweep(settings) => eigen_sweep::run((case, structure), settings, progress),

@@ -4,8 +4,9 @@ mod estimate;
 mod pair;
 
 use super::{Estimate, Resolved, estimate_json, estimate_text, title};
+use crate::door;
 use crate::error::StudyError;
-use crate::sliding::SlidingSystem;
+use crate::sliding::{self, SlidingSystem};
 use crate::text::{columns, number};
 use judder_case::{CaseFile, SlidingCase};
 use serde_json::{Map, Value, json};
@@ -16,9 +17,12 @@ const SHOWN: usize = 8;
 /// The keys of a sliding case with their values, and what is known of its pair.
 ///
 /// # Errors
-/// Structures that cannot be, or cannot slide on each other, at their places in the case.
+/// Structures that cannot be, or cannot slide on each other, and analyses that would be refused, at their places in the case.
 pub(super) fn resolve(file: &CaseFile, case: &SlidingCase) -> Result<Resolved, StudyError> {
     let system = SlidingSystem::new(case).map_err(|uncoupled| uncoupled.placed(file))?;
+    for (index, analysis) in case.analyses.iter().enumerate() {
+        sliding::admit(&analysis.kind, &system).map_err(|error| door::placed(error.into(), file, index))?;
+    }
     let resolved = file.case.resolved();
     let mut text = format!("{}\n\n", title(&case.title));
     let mut rows = Vec::new();

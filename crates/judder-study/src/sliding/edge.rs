@@ -117,6 +117,7 @@ fn is_left(
         _ => Err(Uncoupled::because(
             "contact.track",
             "nothing tells on which side of the track the slider lies: the middles of both lie on the edge",
+            "let the slider stand beside the edge, on the side that it touches",
         )),
     }
 }

@@ -38,6 +38,7 @@ impl Nodes {
             return Err(Uncoupled::because(
                 "contact.slider",
                 "C is held along x and y: it can neither be pressed on the track nor leave it",
+                "name a node of the slider that is free",
             ));
         }
         let mut freedoms = [vec![], vec![]];
@@ -94,17 +95,16 @@ fn loaded(case: &SlidingCase, slider: &Structure) -> Result<usize, Uncoupled> {
         [freedom] => Ok(freedom),
         [] => Err(Uncoupled::because(
             "motion.load",
-            format!(
-                "`{name}` is held along {along}: a load there moves nothing; free it, or load another set"
-            ),
+            format!("`{name}` is held along {along}: a load there moves nothing"),
+            "free it, or load another set",
         )),
         _ => Err(Uncoupled::because(
             "motion.load",
             format!(
-                "the {} nodes of `{name}` move along {along} each on its own, but one load acts on one freedom: tie them along \
-                 {along}, as start = \"guided\" of a beam does, or name a set of one node",
+                "the {} nodes of `{name}` move along {along} each on its own, but one load acts on one freedom",
                 freedoms.len()
             ),
+            "tie them along the load, as start = \"guided\" of a beam does, or name a set of one node",
         )),
     }
 }

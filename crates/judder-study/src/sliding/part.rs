@@ -29,6 +29,8 @@ pub(crate) struct Part {
     warnings: Vec<String>,
 }
 
+/// What is right of a structure that is to be reduced.
+const REDUCIBLE: &str = "a structure has a symmetric mass with positive masses only, a symmetric stiffness, and a damping of α M + β K";
 /// Departure from symmetry that is rounding.
 const ROUNDING: f64 = 1e-12;
 
@@ -43,7 +45,7 @@ impl Part {
     ) -> Result<Self, Uncoupled> {
         let own = &case.structures[index];
         let path = format!("structure.{}", own.name);
-        let refuse = |error: &dyn std::fmt::Display| Uncoupled::because(path.clone(), error);
+        let refuse = |error: &dyn std::fmt::Display| Uncoupled::because(path.clone(), error, REDUCIBLE);
         let problem = structure.at(&alone(case, index), &case.values()).map_err(|error| refuse(&error))?;
         let symmetric = |name: &str, matrix: &Sparse| {
             let (part, departure) = symmetric_part(matrix).map_err(|error| refuse(&error))?;
@@ -82,7 +84,7 @@ impl Part {
         let place = self.kept.iter().position(|kept| *kept == freedom);
         self.reduced
             .row(place.or(Some(self.kept.len())))
-            .map_err(|error| Uncoupled::because("contact", error))
+            .map_err(|error| Uncoupled::because("contact", error, REDUCIBLE))
     }
 
     /// The rows of Φ of a point along x and y; zeros where it is held.

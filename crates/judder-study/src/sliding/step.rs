@@ -1,6 +1,6 @@
 //! Methods and steps of marches.
 
-use judder_case::sliding::march::MarchMethod;
+use judder_case::sliding::march::{self, MarchMethod};
 use judder_sliding::SlidingError;
 use judder_sliding::march::{March, MarchSettings, Method, Predictor};
 use judder_sliding::motion::Motion;
@@ -32,6 +32,14 @@ pub(crate) fn method(own: MarchMethod) -> Method {
         MarchMethod::ResidualFlexibility { cut_off } => {
             Method::ResidualFlexibility { cut_off: cut_off / TAU }
         }
+    }
+}
+
+/// The predictor of a case as the march has it; methods without one take any.
+pub(crate) fn predictor(own: Option<march::Predictor>) -> Predictor {
+    match own {
+        Some(march::Predictor::Printed) => Predictor::Printed,
+        Some(march::Predictor::WithForce) | None => Predictor::WithForce,
     }
 }
 

@@ -6,7 +6,6 @@ use crate::progress::Progress;
 use crate::sliding::{SlidingSystem, Step, method, step};
 use judder_case::SlidingCase;
 use judder_case::sliding::march::Growth;
-use judder_sliding::SlidingError;
 use judder_sliding::characteristic::Characteristic;
 use judder_sliding::growth::{GrowthSettings, Held, frozen_growth};
 use judder_sliding::pair::Pair;
@@ -24,6 +23,10 @@ const FREQUENCY_LIMIT: f64 = 1e-3;
 const NEAR: f64 = 1e-2;
 /// Up to which multiple of the asked frequency eigenvalues are sought.
 const SOUGHT: f64 = 1.5;
+/// An eigenvalue farther from the asked frequency, as a share of it, is not the one that is meant.
+const FAR: f64 = 0.2;
+/// One farther than this is meant, but worth a word.
+const OFF: f64 = 0.03;
 
 pub(super) fn run(
     (case, system): (&SlidingCase, &SlidingSystem),
@@ -44,6 +47,13 @@ pub(super) fn run(
     }
     let growth = frozen_growth(pair, &asked, &held, eigenvalue)?;
     progress.advance();
+    let off = growth.predicted.im / settings.frequency - 1.0;
+    let word = format!(
+        "the mode nearest to the frequency asked for swings at {:.1} Hz, {:.1} % off",
+        growth.predicted.im / TAU,
+        100.0 * off
+    );
+    let warnings = if off.abs() > OFF { vec![word] } else { Vec::new() };
     let [measured, predicted] = [growth.measured, growth.predicted];
     let scalars = Map::from_iter([
         ("measured".to_owned(), number(measured.re)),
@@ -80,11 +90,19 @@ pub(super) fn run(
             limit: FREQUENCY_LIMIT,
         },
     ];
-    Ok(Outcome { scalars, dataset, checks, ..Outcome::default() })
+    Ok(Outcome { scalars, dataset, checks, warnings, ..Outcome::default() })
 }
 
 /// The eigenvalue that is meant by a frequency in rad/s: of those near it the one that grows fastest, else the nearest.
-fn meant(pair: &Pair, held: &Held, position: f64, frequency: f64) -> Result<Complex64, SlidingError> {
+///
+/// # Errors
+/// [`StudyError::NoMode`] where the nearest is far off.
+fn meant(pair: &Pair, held: &Held, position: f64, frequency: f64) -> Result<Complex64, StudyError> {
+    let refuse = |known| Err(StudyError::NoMode { asked_hz: frequency / TAU, position, known });
+    let highest = pair.eigenvalues().iter().fold(0.0_f64, |m, own| m.max(*own)).sqrt();
+    if frequency > (1.0 + FAR) * highest {
+        return refuse(format!("its structures have none above {:.1} Hz", highest / TAU));
+    }
     let function = Characteristic::new(&held.coupling, &pair.eigenvalues(), &pair.damping())?;
     let all = Spectrum::new(&function, position, Wanted::Below(SOUGHT * frequency))?.eigenvalues;
     let swinging: Vec<Complex64> = all.into_iter().filter(|s| s.im > 0.0).collect();
@@ -92,9 +110,9 @@ fn meant(pair: &Pair, held: &Held, position: f64, frequency: f64) -> Result<Comp
     let near = swinging.iter().filter(|s| away(s) <= NEAR * frequency);
     let fastest = near.max_by(|a, b| a.re.total_cmp(&b.re));
     let nearest = swinging.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
-    fastest.or(nearest).copied().ok_or(SlidingError::InvalidNumber {
-        name: "the frequency of the mode that is meant, in Hz,".to_owned(),
-        value: frequency / TAU,
-        requirement: "near that of a mode of the coupled pair",
-    })
+    match fastest.or(nearest) {
+        Some(found) if away(found) <= FAR * frequency => Ok(*found),
+        Some(found) => refuse(format!("the nearest swings at {:.1} Hz", found.im / TAU)),
+        None => refuse(format!("there is none up to {:.1} Hz", SOUGHT * frequency / TAU)),
+    }
 }

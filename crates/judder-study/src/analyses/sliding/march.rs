@@ -16,9 +16,10 @@ use crate::error::StudyError;
 use crate::kept::Kept;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
-use crate::sliding::{method, step};
+use crate::sliding::{method, predictor, step};
 use blocks::Marching;
-use judder_sliding::march::{March, MarchSettings, Predictor};
+use judder_case::sliding::signals::Sound;
+use judder_sliding::march::{March, MarchSettings};
 use judder_sliding::recorder::Recorder;
 use loudness::loudness;
 use samples::{Finished, Samples};
@@ -30,10 +31,10 @@ pub(crate) fn run(of: &Marched<'_>, kept: Kept<'_>, progress: &dyn Progress) -> 
     let method = method(asked.method);
     let chosen = step(of.pair, method, asked.step, of.motion)?;
     let decimation = settings::decimation(&asked.signals, chosen.step);
-    let signals = signals::recorded(points, asked.signal);
+    let signals = asked.kept(points.len());
     let channels: Vec<_> = signals.iter().map(|signal| signals::channel(*signal)).collect();
-    let march_settings =
-        MarchSettings { method, step: chosen.step, motion: of.motion, predictor: Predictor::default() };
+    let predictor = predictor(asked.predictor);
+    let march_settings = MarchSettings { method, step: chosen.step, motion: of.motion, predictor };
     let mut marching = Marching {
         march: March::new(of.pair, march_settings)?,
         recorder: Recorder::new(of.pair, &of.motion, &channels, &decimation)?,
@@ -64,8 +65,8 @@ pub(crate) fn run(of: &Marched<'_>, kept: Kept<'_>, progress: &dyn Progress) -> 
         missing: usize::from(way.ended.is_some()),
         ..Outcome::default()
     };
-    if asked.sound {
-        let sounds = sound::sounds(of.name, &samples, (&signals, asked.signal), points, sample_rate)?;
+    if asked.sound != Sound::Nothing {
+        let sounds = sound::sounds(of.name, &samples, &asked.heard(points.len()), points, sample_rate)?;
         outcome.scalars.insert("sound".to_owned(), sounds.iter().map(|sound| sound.told.clone()).collect());
         outcome.files = sounds.into_iter().map(|sound| (sound.name, sound.bytes)).collect();
     }

@@ -49,10 +49,12 @@ impl Undamped {
     }
 }
 
+/// The modes; beside them those of a reduction of the structure, where its eigenvalues ω², 1/s², are given.
 pub(in crate::analyses) fn run(
     (case, structure): (&StructureCase, &Structure),
     name: &str,
     wanted: WantedModes,
+    reduced: Option<&[f64]>,
 ) -> Result<Outcome, StudyError> {
     let problem = structure.at(case, &case.values())?;
     let Undamped { mass, stiffness, warnings } = Undamped::new(&problem)?;
@@ -65,6 +67,7 @@ pub(in crate::analyses) fn run(
         frequencies: found.modes.iter().map(Mode::frequency_hz).collect(),
         residuals: found.modes.iter().map(|mode| mode.residual).collect(),
         ratios: damping_ratios(&problem, &found),
+        reduced: reduced.map(|eigenvalues| Reduced::new(&found, eigenvalues)),
     };
     let rigid = found.rigid_modes();
     let mut scalars = Map::from_iter([
@@ -76,6 +79,11 @@ pub(in crate::analyses) fn run(
     ]);
     if let Some(ratios) = &table.ratios {
         scalars.insert("damping_ratios".to_owned(), ratios.iter().map(|ratio| number(*ratio)).collect());
+    }
+    if let Some(reduced) = &table.reduced {
+        let numbers = |values: &[f64]| values.iter().map(|value| number(*value)).collect();
+        scalars.insert("reduced_hz".to_owned(), numbers(&reduced.frequencies));
+        scalars.insert("reduction_errors".to_owned(), numbers(&reduced.errors));
     }
     let mut warnings = warnings;
     let mut dataset = table.dataset(&found.modes)?;
@@ -114,6 +122,40 @@ struct ModeTable {
     residuals: Vec<f64>,
     /// Damping ratios, where there is damping.
     ratios: Option<Vec<f64>>,
+    /// The same modes of the reduced structure, where there is one.
+    reduced: Option<Reduced>,
+}
+
+/// Modes of a reduction, each beside that of the full structure: the n-th beside the n-th, since a reduction lies above it.
+struct Reduced {
+    /// Hz; NaN where the reduction has no such mode.
+    frequencies: Vec<f64>,
+    /// Reduced less full, over reduced; NaN for rigid motions too.
+    errors: Vec<f64>,
+}
+
+impl Reduced {
+    fn new(found: &Modes, eigenvalues: &[f64]) -> Self {
+        let first = found.counted_from.1;
+        let frequency =
+            |k: usize| eigenvalues.get(first + k).map_or(f64::NAN, |own| own.max(0.0).sqrt() / TAU);
+        let frequencies: Vec<f64> = (0..found.modes.len()).map(frequency).collect();
+        let rigid = found.rigid_modes();
+        let error = |(k, mode): (usize, &Mode)| {
+            let reduced = frequencies[k];
+            if k < rigid { f64::NAN } else { (reduced - mode.frequency_hz()) / reduced }
+        };
+        let errors = found.modes.iter().enumerate().map(error).collect();
+        Self { frequencies, errors }
+    }
+
+    /// Name, unit, meaning and values of what is told of them.
+    fn columns(&self) -> [(&'static str, &'static str, &'static str, &[f64]); 2] {
+        [
+            ("reduced_frequency", "Hz", "natural frequency of the reduced structure", &self.frequencies),
+            ("reduction_error", "1", "reduced less full frequency, over the reduced one", &self.errors),
+        ]
+    }
 }
 
 impl ModeTable {
@@ -131,24 +173,29 @@ impl ModeTable {
             .with(modal("frequency", &self.frequencies).units("Hz").long_name("natural frequency"))?
             .with(modal("residual", &self.residuals).units("1").long_name("normalised backward error"))?
             .with(mac.units("1").long_name("modal assurance criterion of two shapes"))?;
-        match &self.ratios {
-            None => Ok(dataset),
-            Some(ratios) => {
-                let ratios = modal("damping_ratio", ratios).units("1").long_name("modal damping ratio ζ");
-                Ok(dataset.with(ratios)?)
-            }
+        let mut dataset = dataset;
+        if let Some(ratios) = &self.ratios {
+            let ratios = modal("damping_ratio", ratios).units("1").long_name("modal damping ratio ζ");
+            dataset = dataset.with(ratios)?;
         }
+        for (name, unit, long_name, values) in self.reduced.iter().flat_map(Reduced::columns) {
+            dataset = dataset.with(modal(name, values).units(unit).long_name(long_name))?;
+        }
+        Ok(dataset)
     }
 
     fn columns(&self) -> Result<Table, StudyError> {
-        let table = Table::new()
+        let mut table = Table::new()
             .column("mode", "1", self.numbers())?
             .column("frequency", "Hz", self.frequencies.clone())?
             .column("residual", "1", self.residuals.clone())?;
-        match &self.ratios {
-            None => Ok(table),
-            Some(ratios) => Ok(table.column("damping_ratio", "1", ratios.clone())?),
+        if let Some(ratios) = &self.ratios {
+            table = table.column("damping_ratio", "1", ratios.clone())?;
         }
+        for (name, unit, _, values) in self.reduced.iter().flat_map(Reduced::columns) {
+            table = table.column(name, unit, values.to_vec())?;
+        }
+        Ok(table)
     }
 }
 

@@ -67,7 +67,8 @@ fn of_march(system: &SlidingSystem, march: &March, modes: f64) -> (usize, f64, f
     let motion = Motion { start: march.from, end: march.to, ..system.motion };
     let step = step_of(system, march.method, march.step, motion);
     let steps = motion.duration() / step;
-    let signals = 4.0 + system.pair.observed().len() as f64;
+    // two observed displacements a point; time and position beside the signals
+    let signals = 2.0 + march.kept(system.pair.observed().len() / 2).len() as f64;
     let numbers = signals * steps.min(march.checkpoint_steps as f64) * step * march.signals.sample_rate;
     (steps as usize, steps * modes * per::STEP_AND_MODE, numbers)
 }

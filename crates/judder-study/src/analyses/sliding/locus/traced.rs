@@ -3,6 +3,7 @@
 use crate::analyses::axis::Axis;
 use crate::error::StudyError;
 use crate::progress::Progress;
+use crate::text::number;
 use judder_sliding::SlidingError;
 use judder_sliding::characteristic::Characteristic;
 use judder_sliding::coupling::Sliding;
@@ -98,14 +99,18 @@ impl Traced {
             let rows = axis.values.iter().zip(&self.rows);
             rows.filter_map(|(value, row)| Some((value, row.failure.as_ref()?)))
         };
-        let told =
-            |(value, reason): (&f64, &String)| format!("nothing at {} = {value}: {reason}", axis.name());
+        let unit = if axis.quantity.unit == "1" { "" } else { &axis.quantity.unit };
+        let shown = |value: f64| format!("{} {unit}", number(value)).trim_end().to_owned();
+        let told = |(value, reason): (&f64, &String)| {
+            format!("nothing at {} = {}: {reason}", axis.name(), shown(*value))
+        };
         let mut warnings: Vec<String> = failed().take(SHOWN).map(told).collect();
         let more = failed().count().saturating_sub(SHOWN);
         if more > 0 {
             warnings.push(format!("nothing at {more} more values"));
         }
         warnings.extend(self.untraced.iter().map(|([from, to], reason)| {
+            let (from, to) = (shown(*from), shown(*to));
             format!("from {from} to {to} branches are not followed and zones not located: {reason}")
         }));
         warnings

@@ -1,22 +1,9 @@
 //! The signals of a march: what is recorded, and what it is called in the study.
 
 use crate::sliding::SlidingSystem;
-use judder_case::sliding::motion::Axis;
-use judder_case::sliding::observe::{CONTACT_SIGNALS, ObservedPoint, PointQuantity, Signal};
+use judder_case::sliding::observe::{ObservedPoint, PointQuantity, Signal};
 use judder_sliding::recorder::Channel;
 use judder_store::Variable;
-
-/// The signals that a march keeps: accelerations of all observed points, forces, sliding velocity, and the one that it is asked for.
-pub(super) fn recorded(points: &[ObservedPoint], asked: Signal) -> Vec<Signal> {
-    let quantity = PointQuantity::Acceleration;
-    let of_point = |point: usize| Axis::ALL.map(|(_, axis)| Signal::Point { point, axis, quantity });
-    let mut signals: Vec<Signal> = (0..points.len()).flat_map(of_point).collect();
-    signals.extend(CONTACT_SIGNALS.map(|(_, signal)| signal));
-    if !signals.contains(&asked) {
-        signals.push(asked);
-    }
-    signals
-}
 
 /// The channel of a signal.
 pub(super) fn channel(signal: Signal) -> Channel {

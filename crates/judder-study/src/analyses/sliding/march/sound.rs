@@ -3,7 +3,7 @@
 use super::samples::Samples;
 use super::signals::{unit, variable_name};
 use crate::error::StudyError;
-use judder_case::sliding::observe::{ObservedPoint, PointQuantity, Signal};
+use judder_case::sliding::observe::{ObservedPoint, Signal};
 use judder_exchange::wav::{Loudness, WavFormat, wav_bytes};
 use judder_numerics::signal::resample::resampled;
 use serde_json::{Value, json};
@@ -19,22 +19,15 @@ pub(super) struct Sound {
     pub(super) told: Value,
 }
 
-/// Sounds of all accelerations among the signals, or of the one asked for where there is none; each as loud as it can be.
+/// Sounds of the signals that are to be heard, each as loud as it can be.
 pub(super) fn sounds(
     analysis: &str,
     samples: &Samples<'_>,
-    (signals, asked): (&[Signal], Signal),
+    heard: &[Signal],
     points: &[ObservedPoint],
     sample_rate: f64,
 ) -> Result<Vec<Sound>, StudyError> {
-    let is_heard = |signal: &&Signal| {
-        **signal == asked || matches!(signal, Signal::Point { quantity: PointQuantity::Acceleration, .. })
-    };
-    signals
-        .iter()
-        .filter(is_heard)
-        .map(|signal| sound(analysis, samples, (*signal, points), sample_rate))
-        .collect()
+    heard.iter().map(|signal| sound(analysis, samples, (*signal, points), sample_rate)).collect()
 }
 
 fn sound(

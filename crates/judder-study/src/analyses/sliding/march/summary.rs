@@ -12,7 +12,9 @@ use judder_case::sliding::observe::{PointQuantity, Signal};
 use judder_numerics::signal::extremes::Extremes;
 use judder_sliding::SlidingError;
 use judder_sliding::amplification::Amplification;
+use judder_sliding::coupling::Sliding;
 use judder_sliding::recorder::Tally;
+use judder_sliding::statics::Equilibrium;
 use judder_store::{Dataset, Table, Variable};
 use serde_json::{Map, Value, json};
 use std::f64::consts::TAU;
@@ -44,6 +46,9 @@ impl Told<'_> {
             "stick_steps": stick_steps, "open_steps": open_steps, "reversed_steps": reversed_steps,
         });
         scalars[peak_key(asked.signal)] = json!(peak);
+        if let Some(predictor) = asked.predictor {
+            scalars["predictor"] = json!(predictor.name());
+        }
         if let Ok(zones) = self.zones {
             scalars["zones"] = zones.iter().map(expected::told).collect();
         }
@@ -135,6 +140,12 @@ impl Told<'_> {
         }
         if let Err(error) = self.zones {
             warnings.push(format!("no expected amplification beside the bursts: {error}"));
+        }
+        let motion = &self.of.motion;
+        let sliding = Sliding::at(self.of.pair.friction(), motion.velocity);
+        let at_rest = Equilibrium::new(self.of.pair, motion.end, motion.load, sliding);
+        if let (Ok(_), Err(error @ SlidingError::NoEquilibrium { .. })) = (self.zones, at_rest) {
+            warnings.push(format!("{error}: the contact opens"));
         }
         let knows_sliding_alone = asked.method != MarchMethod::Film;
         let Tally { reversed_steps, open_steps, .. } = self.tally;

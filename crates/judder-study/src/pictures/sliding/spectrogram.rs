@@ -13,7 +13,14 @@ const CELLS: [usize; 2] = [420, 260];
 const SHOWN: f64 = 80.0;
 /// Spectra of a waterfall, and how many of their distances the shown levels span.
 const SPECTRA: usize = 30;
-const HEIGHT: f64 = 5.0;
+const HEIGHT: f64 = 4.0;
+/// Frequencies that are shown beside zones, over the highest of theirs.
+const ABOVE_ZONES: f64 = 1.5;
+/// Half the height of the frame about a zone, as a share of the frequencies that are shown.
+const FRAME: f64 = 0.02;
+/// Widths of that frame, and of the bar of a zone among spectra, points.
+const OUTLINE: f64 = 1.0;
+const BAR: f64 = 2.4;
 
 /// Levels with the zones laid over, and the waterfall.
 pub(in crate::pictures) fn spectrogram(dataset: &Dataset) -> Option<Vec<Panel>> {
@@ -30,14 +37,28 @@ struct Levels {
     /// dB, a row a time.
     values: Vec<f64>,
     range: (f64, f64),
+    zones: Vec<Zone>,
+}
+
+/// An unstable zone: positions in m, ascending, frequency in kHz.
+struct Zone {
+    from: f64,
+    to: f64,
+    frequency: f64,
 }
 
 impl Levels {
+    /// All frequencies, or where zones are laid over, those up to some multiple of the highest of them.
     fn of(dataset: &Dataset) -> Option<Self> {
         let (times, frequencies) = (reals(dataset, "time")?, reals(dataset, "frequency")?);
         let (levels, positions) = (reals(dataset, "level")?, reals(dataset, "position")?);
-        let values = coarser(levels, frequencies.len(), CELLS);
-        let highest = levels.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let zones = zones(dataset);
+        let highest_zone = zones.iter().map(|zone| 1e3 * zone.frequency).fold(0.0, f64::max);
+        let end = if highest_zone > 0.0 { ABOVE_ZONES * highest_zone } else { f64::INFINITY };
+        let shown = frequencies.partition_point(|frequency| *frequency <= end).max(1);
+        let kept: Vec<f64> =
+            levels.chunks(frequencies.len()).flat_map(|row| row[..shown].iter().copied()).collect();
+        let highest = kept.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let stated = dataset
             .attributes()
             .get("range_db")
@@ -45,9 +66,10 @@ impl Levels {
         Some(Self {
             times: middles(times, CELLS[0]),
             positions: middles(positions, CELLS[0]),
-            frequencies: middles(frequencies, CELLS[1]).iter().map(|frequency| 1e-3 * frequency).collect(),
-            values,
+            frequencies: middles(&frequencies[..shown], CELLS[1]).iter().map(|f| 1e-3 * f).collect(),
+            values: coarser(&kept, shown, CELLS),
             range: stated.unwrap_or((highest - SHOWN, highest)),
+            zones,
         })
     }
 
@@ -65,45 +87,32 @@ impl Levels {
             colours: ColourMap::Sequential,
         };
         let mut layers = vec![Layer::Values(map)];
-        layers.extend(self.zones(dataset));
+        if !self.zones.is_empty() {
+            let (x, y) = self.zones.iter().filter_map(|zone| self.frame(zone)).flatten().unzip();
+            layers.push(Layer::line("", x, y, Role::Series(1).solid().with_width(OUTLINE)));
+            layers.push(Layer::key(zones_label(dataset), Role::Series(1).solid()));
+        }
         let across = axis(dataset.variable("time")?);
         let panel = Panel::new(across, Axis::linear("Frequency (kHz)"), layers).with_legend(Legend::Below);
+        let panel = panel.with_title(format!("levels of {}", signal(dataset)?));
         Some(match positions(reals(dataset, "time")?, reals(dataset, "position")?) {
             Some(second) => panel.with_second_axis(second),
             None => panel,
         })
     }
 
-    /// The unstable zones of the locus within the map, as bars from start to end, each marked at its middle.
-    fn zones(&self, dataset: &Dataset) -> Vec<Layer> {
-        let zone = |name: &str| reals(dataset, name).unwrap_or_default();
-        let (from, to, at) = (zone("zone_from"), zone("zone_to"), zone("zone_frequency"));
-        let highest = self.frequencies.last().copied().unwrap_or(0.0);
-        let (mut bars, mut middles) = ((Vec::new(), Vec::new()), (Vec::new(), Vec::new()));
-        for k in (0..from.len()).filter(|k| 1e-3 * at[*k] <= highest) {
-            let middle = self.time_at(0.5 * (from[k] + to[k]));
-            let (Some(middle), frequency) = (middle, 1e-3 * at[k]) else { continue };
-            let end = |position: f64| self.time_at(position).unwrap_or(middle);
-            bars.0.extend([end(from[k]), end(to[k]), f64::NAN]);
-            bars.1.extend([frequency, frequency, f64::NAN]);
-            middles.0.push(middle);
-            middles.1.push(frequency);
+    /// The frame about a zone, by time and kHz, what grows in it left in sight; `None` where the contact never is in it.
+    fn frame(&self, zone: &Zone) -> Option<[(f64, f64); 6]> {
+        let ends = [self.positions.first()?, self.positions.last()?];
+        let (low, high) = (ends[0].min(*ends[1]), ends[0].max(*ends[1]));
+        if zone.to < low || zone.from > high {
+            return None;
         }
-        if middles.0.is_empty() {
-            return Vec::new();
-        }
-        let locus = dataset.attributes().get("locus").and_then(serde_json::Value::as_str);
-        let label = match locus {
-            Some(locus) => format!("unstable zones of `{locus}`"),
-            None => "unstable zones of the locus".to_owned(),
-        };
-        let style = Role::Series(1).solid();
-        // what begins there stays in sight
-        let sizes = vec![0.6; middles.0.len()];
-        vec![
-            Layer::line("", bars.0, bars.1, style.with_width(2.0)),
-            Layer::bubbles(label, middles, sizes, Role::Series(1)),
-        ]
+        let [from, to] = [zone.from, zone.to].map(|at| self.time_at(at.clamp(low, high)));
+        let half = FRAME * (self.frequencies.last()? - self.frequencies.first()?);
+        let (below, above) = (zone.frequency - half, zone.frequency + half);
+        let (from, to) = (from?, to?);
+        Some([(from, below), (from, above), (to, above), (to, below), (from, below), (f64::NAN, f64::NAN)])
     }
 
     /// When the contact is at a position; none where it never is.
@@ -114,26 +123,69 @@ impl Levels {
         Some(self.times[k] + share * (self.times[k + 1] - self.times[k]))
     }
 
-    /// Spectra one after the other, each standing on its position.
+    /// Spectra one behind the other, each standing on its position, the front ones hiding what is behind; zones where they are.
     fn waterfall(&self, dataset: &Dataset) -> Option<Panel> {
         let lines = self.frequencies.len();
         let spectra = coarser(&self.values, lines, [SPECTRA, lines]);
-        let places = middles(&self.positions, SPECTRA);
-        let (first, last) = (1e3 * places.first()?, 1e3 * places.last()?);
+        let places: Vec<f64> = middles(&self.positions, SPECTRA).iter().map(|place| 1e3 * place).collect();
+        let (first, last) = (*places.first()?, *places.last()?);
         let distance = (last - first).abs() / (places.len().max(2) - 1) as f64;
         let (low, high) = self.range;
         let rise = |level: f64| (level.clamp(low, high) - low) / (high - low) * HEIGHT * distance;
-        let spectrum = |(k, (place, levels)): (usize, (&f64, &[f64]))| {
-            let heights = levels.iter().map(|level| 1e3 * place + rise(*level)).collect();
+        let mut order: Vec<usize> = (0..places.len()).collect();
+        order.sort_by(|a, b| places[*a].total_cmp(&places[*b]));
+        let mut skyline = vec![f64::NEG_INFINITY; lines];
+        let mut layers = Vec::new();
+        for k in order {
+            let levels = &spectra[k * lines..(k + 1) * lines];
+            let heights: Vec<f64> = levels.iter().map(|level| places[k] + rise(*level)).collect();
+            let seen =
+                heights.iter().zip(&skyline).map(|(own, front)| if own >= front { *own } else { f64::NAN });
             let role = Role::Graded { index: k, count: places.len() };
-            Layer::line("", self.frequencies.clone(), heights, role.solid().with_width(0.6))
-        };
-        let layers = places.iter().zip(spectra.chunks(lines)).enumerate().map(spectrum).collect();
-        let signal = dataset.attributes().get("signal")?.as_str()?;
-        let title = format!("{signal}: {:.0} dB are {:.1} mm high", high - low, HEIGHT * distance);
-        let up = Axis::linear("Position $s$ (mm)");
+            layers.push(Layer::line(
+                "",
+                self.frequencies.clone(),
+                seen.collect(),
+                role.solid().with_width(0.6),
+            ));
+            for (front, own) in skyline.iter_mut().zip(heights) {
+                *front = front.max(own);
+            }
+        }
+        for zone in &self.zones {
+            let (x, y) = (vec![zone.frequency; 2], vec![1e3 * zone.from, 1e3 * zone.to]);
+            layers.push(Layer::line("", x, y, Role::Series(1).solid().with_width(BAR)));
+        }
+        let title =
+            format!("{}: {:.0} dB are {:.1} mm high", signal(dataset)?, high - low, HEIGHT * distance);
+        let (least, most) = (first.min(last), first.max(last));
+        let top = skyline.iter().copied().fold(most, f64::max);
+        let up = Axis::linear("Position $s$ (mm)").with_range(least, top + 0.5 * distance);
         Some(Panel::new(Axis::linear("Frequency (kHz)"), up, layers).with_title(title))
     }
+}
+
+fn signal(dataset: &Dataset) -> Option<&str> {
+    dataset.attributes().get("signal")?.as_str()
+}
+
+fn zones_label(dataset: &Dataset) -> String {
+    match dataset.attributes().get("locus").and_then(serde_json::Value::as_str) {
+        Some(locus) => format!("unstable zones of `{locus}`"),
+        None => "unstable zones of the locus".to_owned(),
+    }
+}
+
+/// The unstable zones that a spectrogram holds, by m and kHz.
+fn zones(dataset: &Dataset) -> Vec<Zone> {
+    let of = |name: &str| reals(dataset, name).unwrap_or_default();
+    let (from, to, frequency) = (of("zone_from"), of("zone_to"), of("zone_frequency"));
+    let zone = |((from, to), frequency): ((&f64, &f64), &f64)| Zone {
+        from: from.min(*to),
+        to: from.max(*to),
+        frequency: 1e-3 * frequency,
+    };
+    from.iter().zip(to).zip(frequency).map(zone).collect()
 }
 
 /// Groups of as many neighbours as leave at most `most` of them.

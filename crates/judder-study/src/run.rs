@@ -1,6 +1,6 @@
 //! The analyses of a case into a study folder.
 
-use crate::analyses;
+use crate::analyses::{self, Prepared};
 use crate::door;
 use crate::error::StudyError;
 use crate::input_file;
@@ -93,7 +93,7 @@ pub fn run(
     options: &RunOptions,
     progress: &dyn Progress,
 ) -> Result<RunReport, StudyError> {
-    let Computed { store, summary, skipped, complete, messages, refused } =
+    let Computed { store, summary, skipped, complete, messages, refused, .. } =
         compute(file, folder, options, progress)?;
     let report = report::write(&store, &summary)?;
     Ok(RunReport { folder: folder.to_owned(), summary, report, skipped, complete, messages, refused })
@@ -105,6 +105,8 @@ pub(crate) struct Computed {
     pub(crate) store: StudyFolder,
     /// The content of its `summary.json`.
     pub(crate) summary: Summary,
+    /// What its analyses share.
+    pub(crate) prepared: Prepared,
     skipped: Vec<String>,
     /// Whether every requested result is there.
     pub(crate) complete: bool,
@@ -183,7 +185,7 @@ pub(crate) fn compute(
     let complete = study.is_complete(&wanted);
     let messages = messages(&study.summary, &study.kept, &refused);
     let summary = study.summary;
-    Ok(Computed { store, summary, skipped, complete, messages, refused })
+    Ok(Computed { store, summary, prepared, skipped, complete, messages, refused })
 }
 
 /// Where the solved contacts of the law are kept that the analyses of an oscillator case share.

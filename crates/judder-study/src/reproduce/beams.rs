@@ -34,7 +34,7 @@ pub fn beams_paper(folder: &Path, quick: bool, progress: &dyn Progress) -> Resul
     let file = case(quick)?;
     let Computed { store, mut summary, prepared, complete, .. } =
         run::compute(&file, folder, &RunOptions::default(), progress)?;
-    held::keep((&file, &prepared), (&store, &summary), progress)?;
+    held::keep((&file, &prepared), (&store, &mut summary), progress)?;
     let scoreboard = claims::lines(&Found::stored(&store, &summary)?);
     summary.extra.insert(KEY.to_owned(), json!({ "paper": PAPER, "quick": quick, "scoreboard": scoreboard }));
     store.write_summary(&summary)?;

@@ -23,8 +23,6 @@ const SHOWN_ABOVE: f64 = 1.1;
 const ALIKE: f64 = 0.02;
 /// Width of a branch, points.
 const THIN: f64 = 0.8;
-/// What tells zones of different frequencies apart.
-const OF_ZONES: [Role; 4] = [Role::Series(1), Role::Series(2), Role::Series(3), Role::Series(5)];
 /// The diameter of the largest marker of a zone over the usual one, and the share of it that the smallest has.
 const BUBBLES: (f64, f64) = (2.5, 0.4);
 
@@ -226,10 +224,10 @@ impl<'a> Locus<'a> {
             .with_legend(Legend::Below)
     }
 
-    /// Growth rates of the unstable zones alone, on an even axis, a line for the zones of about one frequency.
+    /// Growth rates of the unstable zones alone, on an even axis, from dark to light with their frequency.
     fn zones_alone(&self) -> Panel {
         let mut layers = Vec::new();
-        for (k, frequency) in self.frequencies_of_zones().into_iter().enumerate() {
+        for frequency in self.frequencies_of_zones() {
             let (mut x, mut y) = (Vec::new(), Vec::new());
             let of_it = |zone: &&Zone| (zone.frequency / frequency - 1.0).abs() <= ALIKE;
             for zone in self.zones.iter().filter(of_it) {
@@ -242,12 +240,19 @@ impl<'a> Locus<'a> {
                 format!("about {:.2} kHz", 1e-3 * frequency),
                 x,
                 y,
-                OF_ZONES[k % OF_ZONES.len()].solid(),
+                self.of_frequency(frequency).solid(),
             ));
         }
         let fastest = self.zones.iter().map(|zone| zone.growth).fold(0.0, f64::max);
         let up = Axis::linear("Growth rate Re $λ$ (1/s)").with_range(0.0, SHOWN_ABOVE * fastest);
         Panel::new(self.across(), up, layers).with_title("unstable zones").with_legend(Legend::Below)
+    }
+
+    /// The shade of a frequency, the same in all loci that reach as high: a step a kilohertz.
+    fn of_frequency(&self, frequency: f64) -> Role {
+        let highest = self.eigenvalues.iter().map(|s| s.im / TAU).fold(0.0, f64::max);
+        let kilohertz = |frequency: f64| (1e-3 * frequency).round() as usize;
+        Role::Graded { index: kilohertz(frequency), count: kilohertz(highest) + 1 }
     }
 
     /// One frequency for all zones that lie about it, ascending.

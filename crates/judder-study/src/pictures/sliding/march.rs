@@ -62,13 +62,18 @@ pub(crate) fn panel(dataset: &Dataset, name: &str, mut layers: Vec<Layer>) -> Op
     })
 }
 
-/// The same panel with a logarithmic axis of amplitudes.
+/// The same panel with a logarithmic axis of amplitudes, up to what comes after the ramps.
 pub(crate) fn logarithmic(panel: Panel) -> Panel {
-    let lines = panel.layers.iter().filter_map(|layer| match layer {
-        Layer::Line(line) => Some(&line.y),
+    let settled = panel.layers.iter().find_map(|layer| match layer {
+        Layer::Rule(rule) => Some(rule.value),
         _ => None,
     });
-    let largest = lines.flatten().copied().filter(|y| y.is_finite()).fold(0.0, f64::max);
+    let lines = panel.layers.iter().filter_map(|layer| match layer {
+        Layer::Line(line) => Some(line.x.iter().zip(&line.y)),
+        _ => None,
+    });
+    let after = |(x, y): &(&f64, &f64)| y.is_finite() && settled.is_none_or(|settled| **x > settled);
+    let largest = lines.flatten().filter(after).map(|(_, y)| *y).fold(0.0, f64::max);
     let up = Axis::log(panel.y.label.clone());
     let up = if largest > 0.0 { up.with_range(DECADES * largest, ROOM * largest) } else { up };
     Panel { y: up, ..panel }
@@ -138,6 +143,16 @@ mod tests {
         let (x, y) = envelope(&time, &values);
         assert!(x.len() <= 2 * COLUMNS && x.is_sorted());
         assert!(y.contains(&9.0) && y.contains(&-8.0));
+    }
+
+    /// What happens within the ramps does not set the axis.
+    #[test]
+    fn the_logarithmic_axis_is_that_of_what_comes_after_the_ramps() {
+        let line = Layer::line("", vec![0.0, 1.0, 2.0], vec![1e3, 5.0, 2.0], Role::Series(0));
+        let panel = |layers| Panel::new(Axis::linear(""), Axis::linear(""), layers);
+        let range = |layers| logarithmic(panel(layers)).y.range.unwrap();
+        assert_eq!(range(vec![line.clone()]).1, ROOM * 1e3);
+        assert_eq!(range(vec![line, Layer::vertical_rule(0.5, "")]), (DECADES * 5.0, ROOM * 5.0));
     }
 
     /// A sine about a mean has its amplitude in every column of whole periods.

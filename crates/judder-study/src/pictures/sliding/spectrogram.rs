@@ -21,6 +21,8 @@ const FRAME: f64 = 0.02;
 /// Widths of that frame, and of the bar of a zone among spectra, points.
 const OUTLINE: f64 = 1.0;
 const BAR: f64 = 2.4;
+/// The diameter of the marker there, over the usual one.
+const MARKER: f64 = 0.8;
 
 /// Levels with the zones laid over, and the waterfall.
 pub(in crate::pictures) fn spectrogram(dataset: &Dataset) -> Option<Vec<Panel>> {
@@ -152,16 +154,29 @@ impl Levels {
                 *front = front.max(own);
             }
         }
-        for zone in &self.zones {
-            let (x, y) = (vec![zone.frequency; 2], vec![1e3 * zone.from, 1e3 * zone.to]);
-            layers.push(Layer::line("", x, y, Role::Series(1).solid().with_width(BAR)));
-        }
+        layers.extend(self.bars(&zones_label(dataset)));
         let title =
             format!("{}: {:.0} dB are {:.1} mm high", signal(dataset)?, high - low, HEIGHT * distance);
         let (least, most) = (first.min(last), first.max(last));
         let top = skyline.iter().copied().fold(most, f64::max);
         let up = Axis::linear("Position $s$ (mm)").with_range(least, top + 0.5 * distance);
-        Some(Panel::new(Axis::linear("Frequency (kHz)"), up, layers).with_title(title))
+        let across =
+            Axis::linear("Frequency (kHz)").with_range(*self.frequencies.first()?, *self.frequencies.last()?);
+        Some(Panel::new(across, up, layers).with_title(title).with_legend(Legend::Below))
+    }
+
+    /// The zones among spectra: a bar from start to end, and a marker in its middle, since most are short.
+    fn bars(&self, label: &str) -> Vec<Layer> {
+        let mut layers = Vec::new();
+        for zone in &self.zones {
+            let (x, y) = (vec![zone.frequency; 2], vec![1e3 * zone.from, 1e3 * zone.to]);
+            layers.push(Layer::line("", x, y, Role::Series(1).solid().with_width(BAR)));
+        }
+        let middles = self.zones.iter().map(|zone| (zone.frequency, 500.0 * (zone.from + zone.to))).unzip();
+        if !self.zones.is_empty() {
+            layers.push(Layer::bubbles(label, middles, vec![MARKER; self.zones.len()], Role::Series(1)));
+        }
+        layers
     }
 }
 
@@ -171,7 +186,7 @@ fn signal(dataset: &Dataset) -> Option<&str> {
 
 fn zones_label(dataset: &Dataset) -> String {
     match dataset.attributes().get("locus").and_then(serde_json::Value::as_str) {
-        Some(locus) => format!("unstable zones of `{locus}`"),
+        Some(locus) => format!("unstable zones of {locus}"),
         None => "unstable zones of the locus".to_owned(),
     }
 }
@@ -226,5 +241,25 @@ mod tests {
         assert_eq!(coarser(&levels, 4, [2, 2]), [4.0, 9.0, 6.0, 7.0]);
         assert_eq!(coarser(&levels, 4, [3, 4]), levels);
         assert_eq!(middles(&[0.0, 1.0, 2.0], 2), [0.5, 2.0]);
+    }
+
+    #[test]
+    fn a_frame_reaches_from_start_to_end_of_what_is_passed_of_a_zone() {
+        let levels = Levels {
+            times: vec![0.0, 1.0, 2.0],
+            positions: vec![0.01, 0.02, 0.03],
+            frequencies: vec![0.0, 10.0],
+            values: Vec::new(),
+            range: (0.0, 1.0),
+            zones: Vec::new(),
+        };
+        let frame = |from, to| levels.frame(&Zone { from, to, frequency: 5.0 });
+        let near = |(x, y): (f64, f64), to: (f64, f64)| (x - to.0).abs() + (y - to.1).abs() < 1e-12;
+        let inside = frame(0.015, 0.02).unwrap();
+        assert!(near(inside[0], (0.5, 4.8)) && near(inside[2], (1.0, 5.2)), "{inside:?}");
+        // what begins before the march or ends after it is cut, what it never meets is left out
+        let cut = frame(0.025, 0.05).unwrap();
+        assert!(near(cut[0], (1.5, 4.8)) && near(cut[2], (2.0, 5.2)), "{cut:?}");
+        assert!(frame(0.031, 0.05).is_none() && frame(0.0, 0.009).is_none());
     }
 }

@@ -214,7 +214,7 @@ fn growth(found: &Found, method: &str) -> Measured {
     let growths = found.growths(method);
     let worst = growths.iter().map(|(m, p)| (m / p - 1.0).abs()).fold(0.0, f64::max);
     let holds = growths.len() >= 4 && worst <= 0.01;
-    measured(format!("{} places, at most {:.1e} apart", growths.len(), worst), holds)
+    measured(format!("{} places, at most {} apart", growths.len(), short(worst)), holds)
 }
 
 const SUBS_DYNAMICS: Claim<Found> = statement(
@@ -292,7 +292,7 @@ const CHEAPER: Claim<Found> = statement(
         );
         measured(ours, (0.2..0.4).contains(&saved))
     },
-    "Equations are counted, because times differ from run to run; those are kept in the summary, as `seconds` of each march. The saving depends on the \
+    "Equations are counted, because times differ from run to run; those are kept in the summary, as seconds of each march. The saving depends on the \
      implementation: ours shares the pass over the modes, and after its stick trial FiLM tries slip against the stick force, which settles a \
      sliding contact without any of the sweeps that the paper's FiLM needs.",
 );

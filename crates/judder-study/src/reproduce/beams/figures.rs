@@ -1,6 +1,5 @@
 //! The figures of the beams paper, put together from several marches where the paper compares them.
 
-use super::held;
 use super::passage::Passage;
 use crate::pictures;
 use crate::pictures::reals;
@@ -12,7 +11,7 @@ use serde_json::Value;
 /// The signal of Figs. 3 to 5: the vertical acceleration of the free end T.
 pub(super) const SIGNAL: &str = "T.y";
 /// How a method is drawn, in every picture.
-const SUBS: Role = Role::Series(3);
+const SUBS: Role = Role::Series(4);
 const ENSUBS: Role = Role::Series(0);
 const FILM: Role = Role::Series(2);
 const RESIDUAL: Role = Role::Series(6);
@@ -33,8 +32,8 @@ pub(super) fn subs_and_film(subs: &Dataset, film: &Dataset) -> Option<Figure> {
     )?);
     let mut panels = vec![own(subs, "Subs", SUBS)?, own(film, "FiLM", FILM)?];
     panels.push(both.with_title("amplitude: √2 rms of a column"));
-    let caption = "Vertical acceleration of T. Above the frames, where the contact is. On the logarithmic axis both have the same clicks at the nodes of the \
-                   track; bursts has FiLM alone.";
+    let caption = "Each on an axis of its own, then both on a logarithmic one. What both have in common are clicks at the nodes of the track, every millimetre; \
+                   bursts has FiLM alone.";
     Some(Figure::new("fig-3", "Vertical acceleration of T: Subs and FiLM", panels).with_caption(caption))
 }
 
@@ -88,7 +87,7 @@ pub(super) fn forces(ensubs: &Dataset) -> Option<Figure> {
         let own = history(ensubs, name, ENSUBS.solid())?;
         panels.push(settled(own, ensubs, name)?.with_title("after the ramps"));
     }
-    let caption = "EnSubs. Both stay above zero from the first motion on: the contact slides and never opens. The extremes of every step stand in the scoreboard.";
+    let caption = "EnSubs. Above, with zero on the axis; below, what is left of that after the ramps. Both stay far from zero: the contact slides ahead and never opens. The extremes of every step stand in the scoreboard.";
     Some(Figure::new("fig-6", "Sliding velocity and normal force", panels).with_caption(caption))
 }
 
@@ -97,8 +96,9 @@ pub(super) fn zones(passages: &[Passage]) -> Option<Figure> {
     let quantity = "Amplitude of $ü_{y}$ of T (m/s^{2})";
     let panels: Vec<Panel> = passages.iter().map(|passage| passage.panel(quantity)).collect();
     let caption = "Every zone that promises one neper or more: the acceleration of T within 200 Hz of the zone's frequency, by a Hann window of 10 ms, and \
-                   what ∫ σ dt of the locus promises from the start of the zone on. The level of the whole signal before a burst is higher: clicks and all other \
-                   modes are in it, so that a burst seems to grow by less.";
+                   what ∫ σ dt of the locus promises from the start of the zone on. Steps at whole millimetres are clicks at the nodes of the track; a click \
+                   inside a weak zone outdoes it. The whole signal holds the clicks of all modes, so that before a burst it is louder than the mode that \
+                   grows, and the burst seems to grow by less than its zone promises.";
     (!panels.is_empty()).then(|| {
         Figure::new("zones", "What the unstable zones promise, and the mode in the march", panels)
             .with_caption(caption)
@@ -113,11 +113,6 @@ pub(super) fn growths(method: &str, name: &str, histories: &[Dataset]) -> Option
         caption: histories.first().map(pictures::caption).unwrap_or_default().to_owned(),
         ..Figure::new(name, title, panels)
     })
-}
-
-/// The name under which the history of a growth analysis is kept.
-pub(super) fn history_name(analysis: &str) -> String {
-    held::name(analysis)
 }
 
 /// Why Subs is quiet: with the static slope it is as loud as EnSubs.

@@ -14,24 +14,23 @@ use judder_sliding::march::{March, MarchSettings, Method, Predictor, Sample, Sta
 use judder_sliding::motion::{Motion, Noise, Ramps};
 use judder_sliding::pair::Pair;
 use judder_sliding::shape::mode_shape;
-use judder_store::{Dataset, StudyFolder, Summary, Variable};
+use judder_store::{AnalysisRecord, Dataset, Status, StudyFolder, Summary, Variable};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
+use std::time::Instant;
 
 /// Share of the normal force by which the mode swings at first.
 const AMPLITUDE: f64 = 1e-5;
 /// How far a history reaches, over the length of the measurement.
 const REACH: f64 = 1.25;
 
-/// The name under which the history of a growth analysis is kept.
-pub(super) fn name(analysis: &str) -> String {
-    format!("{analysis}-history")
-}
+/// What is added to the name of a growth analysis to name its history.
+pub(super) const HISTORY: &str = "-history";
 
-/// Keeps the history of every growth analysis that is done, unless it is there.
+/// Keeps the history of every growth analysis that is done.
 pub(super) fn keep(
     (file, prepared): (&CaseFile, &Prepared),
-    (store, summary): (&StudyFolder, &Summary),
+    (store, summary): (&StudyFolder, &mut Summary),
     progress: &dyn Progress,
 ) -> Result<(), StudyError> {
     let (Case::Sliding(case), Prepared::Sliding(system)) = (&file.case, prepared) else { return Ok(()) };
@@ -46,10 +45,8 @@ pub(super) fn keep(
         else {
             continue;
         };
-        let name = name(&analysis.name);
-        if store.is_done(&name, &record.hash)? {
-            continue;
-        }
+        let hash = record.hash.clone();
+        let began = Instant::now();
         let known = store.read_dataset(&analysis.name)?;
         let number = |key: &str| result.get(key).and_then(serde_json::Value::as_f64);
         let pair_of = |key: &str| complexes(&known, key).and_then(|values| values.first().copied());
@@ -67,7 +64,11 @@ pub(super) fn keep(
         };
         let history = History::marched(&system.pair, &settings, predicted, steps as u64)?;
         let dataset = history.dataset(asked.method.name(), &settings, [measured, predicted])?;
-        store.write_dataset(&name, &record.hash, &dataset)?;
+        let name = format!("{}{HISTORY}", analysis.name);
+        store.write_dataset(&name, &hash, &dataset)?;
+        let wall_time_s = began.elapsed().as_secs_f64();
+        let record = AnalysisRecord { hash, status: Status::Done, wall_time_s, warnings: Vec::new() };
+        summary.analyses.insert(name, record);
     }
     progress.end();
     Ok(())

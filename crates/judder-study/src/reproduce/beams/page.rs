@@ -2,6 +2,7 @@
 
 use super::figures::{self, SIGNAL};
 use super::found::Found;
+use super::held::HISTORY;
 use super::passage::passages;
 use crate::error::StudyError;
 use crate::pictures;
@@ -22,7 +23,7 @@ pub(super) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, S
         .get(KEY)
         .and_then(|own| serde_json::from_value(own.get("scoreboard")?.clone()).ok())
         .unwrap_or_default();
-    let board = Block::Scoreboard(scoreboard::block(&lines, &[(0, "ours")]));
+    let board = Block::Scoreboard(scoreboard::block(&lines, &[(0, "We find")]));
     let mut sections = vec![Section::new("Scoreboard", vec![Block::text(about_quick(summary)), board])];
     for (heading, figures) in drawn(&Stored { store, summary })? {
         let blocks: Result<Vec<Block>, StudyError> =
@@ -66,12 +67,10 @@ impl Stored<'_> {
     /// The histories of the growth analyses of a method.
     fn histories(&self, method: &str) -> Result<Vec<Dataset>, StudyError> {
         let prefix = format!("growth-{method}-");
+        let names = self.summary.analyses.keys().filter(|name| name.starts_with(&prefix));
         let mut histories = Vec::new();
-        for (name, record) in self.summary.analyses.iter().filter(|(name, _)| name.starts_with(&prefix)) {
-            let history = figures::history_name(name);
-            if self.store.is_done(&history, &record.hash)? {
-                histories.push(self.store.read_dataset(&history)?);
-            }
+        for name in names.filter(|name| name.ends_with(HISTORY)) {
+            histories.extend(self.dataset(name)?);
         }
         Ok(histories)
     }

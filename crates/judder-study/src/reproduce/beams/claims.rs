@@ -101,7 +101,9 @@ const ONLY_THERE: Claim<Found> = statement(
         };
         let (undeformed, deformed) = (others("locus"), others("locus-deformed"));
         let ours = format!("undeformed {}; deformed {}", told(&undeformed), told(&deformed));
-        measured(ours, undeformed.is_empty() && deformed.is_empty())
+        let is_known = |locus: &&str| found.number(locus, &["degrees_of_freedom"]).is_finite();
+        let are_known = ["locus", "locus-deformed"].iter().all(is_known);
+        measured(ours, are_known && undeformed.is_empty() && deformed.is_empty())
     },
     "True of the undeformed pair that Fig. 2 shows. Where the load has bent the track, zones about 3.5 kHz come up, and grow fastest of \
      all: the static slope decides what is loud.",
@@ -342,3 +344,39 @@ const CLAIMS: [Claim<Found>; 16] = [
     CHEAPER,
     OURS,
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::{Value, json};
+
+    fn found(results: Value) -> Found {
+        Found::of_results(serde_json::from_value(results).unwrap())
+    }
+
+    /// The line about costs counts equations: FiLM solves three where it slides and two where it sticks, and no time changes it.
+    #[test]
+    fn costs_are_counted_in_equations() {
+        let with = |stick: u64, seconds: f64| {
+            let marched = json!({
+                "steps": 1100, "settled_s": 1e-4, "step_s": 1e-6, "stick_steps": stick, "open_steps": 0, "seconds": seconds,
+            });
+            let results =
+                json!({ "locus": { "degrees_of_freedom": 243 }, "film": marched, "ensubs": marched });
+            line(&CHEAPER, &found(results))
+        };
+        let sliding = with(0, 1.0);
+        assert_eq!(sliding, with(0, 2.0));
+        assert!(sliding.ours[0].contains("against 3.00, beside 243"), "{:?}", sliding.ours);
+        assert!(with(500, 1.0).ours[0].contains("against 2.50"));
+        assert_eq!(sliding.verdict, "open");
+    }
+
+    /// Without results no claim agrees.
+    #[test]
+    fn nothing_agrees_without_results() {
+        let agreeing: Vec<ClaimLine> =
+            lines(&found(json!({}))).into_iter().filter(|line| line.verdict != "open").collect();
+        assert_eq!(agreeing, []);
+    }
+}

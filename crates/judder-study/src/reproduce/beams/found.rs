@@ -56,6 +56,12 @@ impl Found {
         })
     }
 
+    /// Results alone, without any signal.
+    #[cfg(test)]
+    pub(super) fn of_results(results: BTreeMap<String, Map<String, Value>>) -> Self {
+        Self { results, ensubs: None, film: None, residual: None, locus: None }
+    }
+
     /// A value of an analysis, by a path of keys; null where there is none.
     fn value(&self, analysis: &str, path: &[&str]) -> &Value {
         let own = self.results.get(analysis).and_then(|own| own.get(*path.first()?));

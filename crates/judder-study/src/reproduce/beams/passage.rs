@@ -120,17 +120,19 @@ mod tests {
     use judder_store::Variable;
     use std::f64::consts::TAU;
 
-    /// A sine that grows by a known rate in a zone has grown by that rate, under clicks ten times as high as itself.
+    /// A sine that grows in a zone by a known number of nepers has grown by that, under clicks ten times as high as itself.
     #[test]
     fn growth_is_measured_under_clicks() {
-        let (interval, speed, rate) = (5e-6, 0.03, 90.0);
-        let zone = Zone { from: 3.6e-3, to: 5.1e-3, frequency: 3.5e3, growth: rate, nepers: 4.5 };
+        let (interval, speed) = (5e-6, 0.03);
+        let zone = Zone { from: 3.6e-3, to: 5.1e-3, frequency: 3.5e3, growth: 141.0, nepers: 4.5 };
         let times: Vec<f64> = (0..50_000).map(|k| f64::from(k) * interval).collect();
         let position: Vec<f64> = times.iter().map(|t| speed * t).collect();
         let value = |(k, t): (usize, &f64)| {
-            let inside = (speed * t).clamp(zone.from, zone.to) - zone.from;
+            let share = ((speed * t - zone.from) / (zone.to - zone.from)).clamp(0.0, 1.0);
+            // the growth rate is half a sine along the zone
+            let nepers = 0.5 * zone.nepers * (1.0 - (0.5 * TAU * share).cos());
             let click = if k % 6667 == 0 { 0.01 } else { 0.0 };
-            1e-3 * (rate * inside / speed).exp() * (TAU * zone.frequency * t).cos() + click
+            1e-3 * nepers.exp() * (TAU * zone.frequency * t).cos() + click
         };
         let values: Vec<f64> = times.iter().enumerate().map(value).collect();
         let along = |name: &str, values: Vec<f64>| Variable::new(name, &["time"], &[values.len()], values);

@@ -8,7 +8,7 @@ mod laws;
 mod map;
 mod modulus;
 pub(crate) mod motion;
-mod sliding;
+pub(crate) mod sliding;
 mod structure;
 mod transient;
 
@@ -46,6 +46,7 @@ pub fn panels(dataset: &Dataset) -> Vec<Panel> {
         "eigen" => structure::eigen(dataset),
         "eigen-sweep" => structure::eigen_sweep(dataset),
         "locus" => sliding::locus(dataset),
+        "growth" => sliding::growth(dataset),
         "march" => sliding::march(dataset),
         "spectrogram" => sliding::spectrogram(dataset),
         _ => None,
@@ -58,7 +59,7 @@ fn kind(dataset: &Dataset) -> &str {
 }
 
 /// What stands under the figure of a kind.
-fn caption(dataset: &Dataset) -> &'static str {
+pub(crate) fn caption(dataset: &Dataset) -> &'static str {
     match kind(dataset) {
         "equivalent-damping" => {
             "Equivalent damping $ξ_{eq} = c_{11}/2$, eq. (23). The vertical axis is logarithmic on both sides of zero. \
@@ -122,8 +123,9 @@ fn caption(dataset: &Dataset) -> &'static str {
              its limit it says that every frequency is within 10^{−4}, the dotted level."
         }
         "locus" => {
-            "Complex eigenvalues of the coupled pair, dark to light along the axis; axes of growth rates are logarithmic on both sides of zero. Zones \
-             are located by the roots of the growth rate itself, however narrow; the markers stand where they grow fastest."
+            "Complex eigenvalues of the coupled pair, dark to light along the axis: all of them with growth rates logarithmic on both sides of zero, and \
+             their unstable side on even axes. Zones are located by the roots of the growth rate itself, however narrow; the markers stand where they \
+             grow fastest. The last but one panel has the growth rates of the zones alone."
         }
         "eigen-sweep" => {
             "Every branch is followed through the points where eigenvalues meet: where two frequencies lock in, growth rates part. Squares are \
@@ -134,11 +136,19 @@ fn caption(dataset: &Dataset) -> &'static str {
             "All eigenvalues found in the region; the axis of growth rates is logarithmic on both sides of zero. Damping ratios $ζ = −$Re $λ/|λ|$: a \
              bubble's area is their magnitude. Shapes of the fastest growing modes, which swing on the page, and how alike any two shapes are."
         }
+        "growth" => {
+            "The contact held, the pair started in one mode of 10^{−5} of the normal force: the largest deviation of the normal force in each period, and \
+             how the eigenvalue says that it grows, from the same start. Nothing is fitted to the line; the shaded interval is where the march's own rate is \
+             measured."
+        }
         "march" => {
-            "Each line fills the space between the smallest and the largest sample of a column; samples are low-passed before they are thinned. Above              the frame, where the contact is. Extremes of every step stand in the table."
+            "Each line fills the space between the smallest and the largest sample of a column; samples are low-passed before they are thinned. Above \
+             the frame, where the contact is. Extremes of every step stand in the table."
         }
         "spectrogram" => {
-            "Left, the highest level in each cell of the drawing, with the unstable zones of a locus laid over: a bar from start to end, a marker in its              middle. Right, the highest level in each of successive stretches, every spectrum standing on its position."
+            "First, the highest level in each cell of the drawing, with the unstable zones of a locus as frames from start to end. Then the highest level in \
+             each of successive stretches: every spectrum stands on its position and hides what is behind it; bars are the zones. Frequencies \
+             beyond one and a half times the highest of a zone are stored, not drawn."
         }
         _ => "",
     }
@@ -151,7 +161,7 @@ pub(crate) fn reals<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [f64]> {
     }
 }
 
-fn complexes<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [Complex64]> {
+pub(crate) fn complexes<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [Complex64]> {
     match &dataset.variable(name)?.data {
         Data::Complex(values) => Some(values),
         _ => None,

@@ -19,7 +19,7 @@ use crate::error::StudyError;
 use crate::kept::Kept;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
-use crate::run::{Study, analysis_hash};
+use crate::run::{Keepsakes, Study, analysis_hash};
 use claims::motion::Motions;
 use evidence::Evidence;
 use exhibits::{CONTACT_CASES, EXHIBITS, LAW_FILE, Source};
@@ -268,6 +268,23 @@ fn computed_for(summary: &Summary) -> &'static str {
     } else {
         "a sphere"
     }
+}
+
+/// How many claims and checks of a reproduction came out how, in a sentence each.
+fn tally(lines: &[ClaimLine], kept: &Keepsakes) -> String {
+    let count = |verdict: &str| lines.iter().filter(|line| line.verdict == verdict).count();
+    let misprints = match count("misprint") {
+        0 => String::new(),
+        count => format!(" {count} are misprints whose right value is known,"),
+    };
+    let checks = kept.checks.values().flatten().count();
+    let passed = kept.checks.values().flatten().filter(|check| check.passed()).count();
+    format!(
+        "Of {} claims {} agree,{misprints} {} are open. {passed} of {checks} checks are within their limits.",
+        lines.len(),
+        count("agrees"),
+        count("open")
+    )
 }
 
 /// Whether an analysis of a summary has its result.

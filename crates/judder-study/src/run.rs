@@ -1,6 +1,6 @@
 //! The analyses of a case into a study folder.
 
-use crate::analyses;
+use crate::analyses::{self, Prepared};
 use crate::door;
 use crate::error::StudyError;
 use crate::input_file;
@@ -96,6 +96,38 @@ pub fn run(
     options: &RunOptions,
     progress: &dyn Progress,
 ) -> Result<RunReport, StudyError> {
+    let Computed { store, summary, skipped, complete, tables, messages, refused, .. } =
+        compute(file, folder, options, progress)?;
+    let report = report::write(&store, &summary)?;
+    Ok(RunReport { folder: folder.to_owned(), summary, report, skipped, complete, tables, messages, refused })
+}
+
+/// What the analyses of a case left, before anything is drawn.
+pub(crate) struct Computed {
+    /// The study folder.
+    pub(crate) store: StudyFolder,
+    /// The content of its `summary.json`.
+    pub(crate) summary: Summary,
+    /// What its analyses share.
+    pub(crate) prepared: Prepared,
+    skipped: Vec<String>,
+    /// Whether every requested result is there.
+    pub(crate) complete: bool,
+    tables: Vec<String>,
+    messages: Vec<String>,
+    refused: Vec<RefusedAnalysis>,
+}
+
+/// Runs the analyses of a case that are not done yet.
+///
+/// # Errors
+/// As of [`run`].
+pub(crate) fn compute(
+    file: &CaseFile,
+    folder: &Path,
+    options: &RunOptions,
+    progress: &dyn Progress,
+) -> Result<Computed, StudyError> {
     let start = Instant::now();
     let names = analyses::names(&file.case);
     if let Some(name) = options.only.iter().find(|name| !names.contains(name)) {
@@ -153,13 +185,12 @@ pub fn run(
     }
     study.summary.wall_time_s = start.elapsed().as_secs_f64();
     store.write_summary(&study.summary)?;
-    let report = report::write(&store, &study.summary)?;
     let wanted: Vec<String> = names.into_iter().filter(|name| is_wanted(name)).collect();
     let complete = study.is_complete(&wanted);
     let messages = messages(&study.summary, &study.kept, &refused);
-    let tables = told::tables(&study.summary, &wanted);
-    let (folder, summary) = (folder.to_owned(), study.summary);
-    Ok(RunReport { folder, summary, report, skipped, complete, tables, messages, refused })
+    let summary = study.summary;
+    let tables = told::tables(&summary, &wanted);
+    Ok(Computed { store, summary, prepared, skipped, complete, tables, messages, refused })
 }
 
 /// Where the solved contacts of the law are kept that the analyses of an oscillator case share.

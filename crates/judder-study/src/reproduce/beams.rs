@@ -1,13 +1,17 @@
 //! The beams paper: Figs. 2–6 and what its text claims, from one run of its case.
 
+mod band;
 mod claims;
+mod figures;
 mod found;
+mod held;
 mod page;
+mod passage;
 
 use super::{KEY, Reproduction};
 use crate::error::StudyError;
 use crate::progress::Progress;
-use crate::run::{self, RunOptions, RunReport};
+use crate::run::{self, Computed, RunOptions};
 use found::Found;
 use judder_case::{CaseFile, template};
 use judder_store::{StudyFolder, Summary};
@@ -28,9 +32,9 @@ const QUICK_START: &str = "76 mm";
 /// A folder that cannot be written, or [`StudyError::Interrupted`]; what was done until then is kept.
 pub fn beams_paper(folder: &Path, quick: bool, progress: &dyn Progress) -> Result<Reproduction, StudyError> {
     let file = case(quick)?;
-    let RunReport { complete, .. } = run::run(&file, folder, &RunOptions::default(), progress)?;
-    let store = StudyFolder::open(folder)?;
-    let mut summary = store.read_summary()?.unwrap_or_default();
+    let Computed { store, mut summary, prepared, complete, .. } =
+        run::compute(&file, folder, &RunOptions::default(), progress)?;
+    held::keep((&file, &prepared), (&store, &mut summary), progress)?;
     let scoreboard = claims::lines(&Found::stored(&store, &summary)?);
     summary.extra.insert(KEY.to_owned(), json!({ "paper": PAPER, "quick": quick, "scoreboard": scoreboard }));
     store.write_summary(&summary)?;

@@ -6,7 +6,7 @@ use super::exhibits::{CONTACT_CASES, EXHIBITS, Exhibit};
 use super::motion_exhibits::{MOTION_CASES, WAYS};
 use super::readings::READINGS;
 use super::scoreboard::{self, ClaimLine};
-use super::{KEY, analysis_name, by_law, computed_for, contact_figures, is_done, motion_figures};
+use super::{KEY, analysis_name, by_law, computed_for, contact_figures, is_done, motion_figures, tally};
 use crate::error::StudyError;
 use crate::pictures;
 use crate::report::{check_rows, facts, warnings, write_figure, write_page};
@@ -50,7 +50,11 @@ pub(super) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, S
     sections.push(Section::new("Cases", cases()));
     let page = Page {
         title: "The oscillator paper, recomputed".to_owned(),
-        lead: lead(&lines, &kept),
+        lead: format!(
+            "Papangelo, Putignano and Hoffmann, Critical thresholds for mode-coupling instability in viscoelastic sliding contacts, Nonlinear \
+             Dynamics (2021): Figs. 3 to 14. {}",
+            tally(&lines, &kept)
+        ),
         facts: facts(summary),
         sections,
     };
@@ -88,21 +92,6 @@ fn boards(lines: &[ClaimLine], computed_for: &str) -> Vec<Block> {
         ),
         Block::Scoreboard(scoreboard::block(contact, &BY_LAW)),
     ]
-}
-
-fn lead(lines: &[ClaimLine], kept: &Keepsakes) -> String {
-    let count = |verdict: &str| lines.iter().filter(|line| line.verdict == verdict).count();
-    let checks = kept.checks.values().flatten().count();
-    let passed = kept.checks.values().flatten().filter(|check| check.passed()).count();
-    format!(
-        "Papangelo, Putignano and Hoffmann, Critical thresholds for mode-coupling instability in viscoelastic sliding contacts, Nonlinear \
-         Dynamics (2021): Figs. 3 to 14. Of {} claims {} agree, {} are misprints whose right value is known, {} are open. {passed} of {checks} \
-         checks are within their limits.",
-        lines.len(),
-        count("agrees"),
-        count("misprint"),
-        count("open")
-    )
 }
 
 /// The figure with the printed law, and the one with the corrected axis.

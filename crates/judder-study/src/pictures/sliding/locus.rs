@@ -3,7 +3,7 @@
 use crate::pictures::structure::{frequency_axis, significant};
 use crate::pictures::{axis, complexes, reals, text};
 use judder_report::figure::Region;
-use judder_report::{Axis, Layer, Panel, Role};
+use judder_report::{Axis, Layer, Legend, Panel, Role};
 use judder_store::{Dataset, Variable};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -16,6 +16,13 @@ const SHADES: usize = 8;
 const EVEN: f64 = 0.1;
 /// Where a logarithmic axis ends, over the largest value.
 const ROOM: f64 = 2.0;
+/// What the even axes show below zero and up to, over the fastest growth.
+const SHOWN_BELOW: f64 = 0.25;
+const SHOWN_ABOVE: f64 = 1.1;
+/// Zones of one mode differ less in frequency.
+const ALIKE: f64 = 0.02;
+/// Width of a branch, points.
+const THIN: f64 = 0.8;
 /// The diameter of the largest marker of a zone over the usual one, and the share of it that the smallest has.
 const BUBBLES: (f64, f64) = (2.5, 0.4);
 
@@ -41,18 +48,31 @@ struct Zone {
     frequency: f64,
 }
 
-/// The complex plane, frequencies and growth rates, the normal force at rest.
+/// The complex plane, as a whole and about its unstable side; frequencies; growth rates, of all branches and of the unstable zones; the
+/// normal force at rest.
 pub(in crate::pictures) fn locus(dataset: &Dataset) -> Option<Vec<Panel>> {
     let locus = Locus::new(dataset)?;
     let force = reals(dataset, "normal_force")?.to_vec();
     let along = locus.values.iter().map(|value| value * locus.scale).collect();
     let force = Layer::line("", along, force, Role::Series(0).solid());
-    Some(vec![
-        locus.plane(),
-        locus.frequencies(),
-        locus.growth_rates(),
-        Panel::new(locus.across(), Axis::linear("Normal force $N$ (N)"), vec![force]).with_title("at rest"),
-    ])
+    let mut panels = vec![locus.plane("locus", locus.growth_axis())];
+    if !locus.zones.is_empty() {
+        panels.push(locus.plane("locus, its unstable side", locus.unstable_side()));
+    }
+    panels.extend([locus.frequencies(), locus.growth_rates()]);
+    if !locus.zones.is_empty() {
+        panels.push(locus.zones_alone());
+    }
+    let at_rest = Panel::new(locus.across(), Axis::linear("Normal force $N$ (N)"), vec![force]);
+    panels.push(at_rest.with_title("at rest"));
+    Some(panels)
+}
+
+/// Positions and growth rates along each unstable zone, from its start to its end where they vanish; in m for a locus over position.
+pub(crate) fn zone_profiles(dataset: &Dataset) -> Vec<Vec<(f64, f64)>> {
+    let Some(locus) = Locus::new(dataset) else { return Vec::new() };
+    let unscaled = |(at, growth)| (at / locus.scale, growth);
+    locus.zones.iter().map(|zone| locus.profile(zone).into_iter().map(unscaled).collect()).collect()
 }
 
 impl<'a> Locus<'a> {
@@ -92,21 +112,34 @@ impl<'a> Locus<'a> {
 
     /// The axis of positions in mm, or of the swept key.
     fn across(&self) -> Axis {
-        if self.scale == 1.0 { axis(self.coordinate) } else { Axis::linear("Contact position $s$ (mm)") }
+        let own =
+            if self.scale == 1.0 { axis(self.coordinate) } else { Axis::linear("Contact position $s$ (mm)") };
+        let ends = [self.values[0], self.values[self.values.len() - 1]].map(|value| value * self.scale);
+        if ends[0] == ends[1] { own } else { own.with_range(ends[0].min(ends[1]), ends[0].max(ends[1])) }
     }
 
     fn at(&self, row: usize, branch: usize) -> Complex64 {
         self.eigenvalues[row * self.count + branch]
     }
 
-    /// Every branch as a thin line.
+    /// Every branch as a thin line; those that are unstable somewhere stand out.
     fn lines(&self, pick: impl Fn(Complex64) -> f64) -> Vec<Layer> {
         let along: Vec<f64> = self.shown.iter().map(|row| self.values[*row] * self.scale).collect();
-        let line = |branch: usize| {
+        let rows = self.values.len();
+        let is_unstable = |branch: usize| (0..rows).any(|row| self.at(row, branch).re > 0.0);
+        let line = |branch: usize, unstable: bool| {
             let up = self.shown.iter().map(|row| pick(self.at(*row, branch))).collect();
-            Layer::line("", along.clone(), up, Role::Mode(branch))
+            let (label, role) = if unstable {
+                ("branch that becomes unstable", Role::Series(0))
+            } else {
+                ("", Role::Reference)
+            };
+            Layer::line(label, along.clone(), up, role.solid().with_width(THIN))
         };
-        (0..self.count).map(line).collect()
+        let (unstable, stable): (Vec<usize>, Vec<usize>) =
+            (0..self.count).partition(|branch| is_unstable(*branch));
+        let quiet = stable.into_iter().map(|branch| line(branch, false));
+        quiet.chain(unstable.into_iter().map(|branch| line(branch, true))).collect()
     }
 
     fn growth_axis(&self) -> Axis {
@@ -122,8 +155,14 @@ impl<'a> Locus<'a> {
         Axis::symmetric_log(label, even).with_range((ROOM * low).min(-even), (ROOM * high).max(even))
     }
 
+    /// An even axis from somewhat below zero to beyond the fastest growth.
+    fn unstable_side(&self) -> Axis {
+        let fastest = self.zones.iter().map(|zone| zone.growth).fold(0.0, f64::max);
+        Axis::linear("Growth rate Re $λ$ (1/s)").with_range(-SHOWN_BELOW * fastest, SHOWN_ABOVE * fastest)
+    }
+
     /// Fig. 2 of the beams paper: growth rate and frequency, from dark to light along the axis.
-    fn plane(&self) -> Panel {
+    fn plane(&self, title: &str, growth: Axis) -> Panel {
         let symbol = text(self.coordinate, "symbol").unwrap_or(&self.coordinate.name);
         let unit = match (self.scale == 1.0, self.coordinate.units.as_str()) {
             (false, _) => " mm".to_owned(),
@@ -143,9 +182,9 @@ impl<'a> Locus<'a> {
         }
         let (x, y) = self.zones.iter().map(|zone| (zone.growth, zone.frequency)).unzip();
         layers.push(Layer::points("fastest growth of a zone", x, y, Role::Series(1)));
-        Panel::new(self.growth_axis(), frequency_axis(self.eigenvalues), layers)
-            .with_title("locus")
-            .with_legend(judder_report::Legend::Below)
+        Panel::new(growth, frequency_axis(self.eigenvalues), layers)
+            .with_title(title)
+            .with_legend(Legend::Below)
     }
 
     /// Frequencies, with every unstable zone, by whose marker its growth rate is seen.
@@ -165,7 +204,7 @@ impl<'a> Locus<'a> {
         }
         Panel::new(self.across(), frequency_axis(self.eigenvalues), layers)
             .with_title("frequencies")
-            .with_legend(judder_report::Legend::Below)
+            .with_legend(Legend::Below)
     }
 
     /// Growth rates, the zones shaded.
@@ -182,6 +221,62 @@ impl<'a> Locus<'a> {
         layers.push(Layer::points("fastest growth of a zone", x, y, Role::Series(1)));
         Panel::new(self.across(), self.growth_axis(), layers)
             .with_title("growth rates")
-            .with_legend(judder_report::Legend::Below)
+            .with_legend(Legend::Below)
+    }
+
+    /// Growth rates of the unstable zones alone, on an even axis, from dark to light with their frequency.
+    fn zones_alone(&self) -> Panel {
+        let mut layers = Vec::new();
+        for frequency in self.frequencies_of_zones() {
+            let (mut x, mut y) = (Vec::new(), Vec::new());
+            let of_it = |zone: &&Zone| (zone.frequency / frequency - 1.0).abs() <= ALIKE;
+            for zone in self.zones.iter().filter(of_it) {
+                let gap = (f64::NAN, f64::NAN);
+                let (along, up): (Vec<f64>, Vec<f64>) = self.profile(zone).into_iter().chain([gap]).unzip();
+                x.extend(along);
+                y.extend(up);
+            }
+            layers.push(Layer::line(
+                format!("about {:.2} kHz", 1e-3 * frequency),
+                x,
+                y,
+                self.of_frequency(frequency).solid(),
+            ));
+        }
+        let fastest = self.zones.iter().map(|zone| zone.growth).fold(0.0, f64::max);
+        let up = Axis::linear("Growth rate Re $λ$ (1/s)").with_range(0.0, SHOWN_ABOVE * fastest);
+        Panel::new(self.across(), up, layers).with_title("unstable zones").with_legend(Legend::Below)
+    }
+
+    /// The shade of a frequency, the same in all loci that reach as high: a step a kilohertz.
+    fn of_frequency(&self, frequency: f64) -> Role {
+        let highest = self.eigenvalues.iter().map(|s| s.im / TAU).fold(0.0, f64::max);
+        let kilohertz = |frequency: f64| (1e-3 * frequency).round() as usize;
+        Role::Graded { index: kilohertz(frequency), count: kilohertz(highest) + 1 }
+    }
+
+    /// One frequency for all zones that lie about it, ascending.
+    fn frequencies_of_zones(&self) -> Vec<f64> {
+        let mut all: Vec<f64> = self.zones.iter().map(|zone| zone.frequency).collect();
+        all.sort_by(f64::total_cmp);
+        all.dedup_by(|next, kept| *next / *kept - 1.0 <= ALIKE);
+        all
+    }
+
+    /// Positions and growth rates of a zone from its start over the values and its peak to its end.
+    fn profile(&self, zone: &Zone) -> Vec<(f64, f64)> {
+        let fastest = |row: usize| {
+            let near = (0..self.count).map(|branch| self.at(row, branch));
+            near.filter(|s| (s.im / TAU / zone.frequency - 1.0).abs() <= ALIKE)
+                .map(|s| s.re)
+                .fold(0.0, f64::max)
+        };
+        let (low, high) = (zone.from.min(zone.to), zone.from.max(zone.to));
+        let inside = (0..self.values.len()).map(|row| (self.values[row] * self.scale, row));
+        let inside = inside.filter(|(at, _)| *at > low && *at < high).map(|(at, row)| (at, fastest(row)));
+        let located = [(zone.from, 0.0), (zone.peak, zone.growth), (zone.to, 0.0)];
+        let mut profile: Vec<(f64, f64)> = located.into_iter().chain(inside).collect();
+        profile.sort_by(|a, b| a.0.total_cmp(&b.0));
+        profile
     }
 }

@@ -1,6 +1,7 @@
 //! The numbers and claims of the beams paper, each with the way it is measured.
 
 use super::found::{Found, Zone};
+use super::passage::Passage;
 use crate::reproduce::claims::{Claim, Kind, measured, short, statement};
 use crate::reproduce::scoreboard::{ClaimLine, Measured};
 
@@ -100,7 +101,9 @@ const ONLY_THERE: Claim<Found> = statement(
         };
         let (undeformed, deformed) = (others("locus"), others("locus-deformed"));
         let ours = format!("undeformed {}; deformed {}", told(&undeformed), told(&deformed));
-        measured(ours, undeformed.is_empty() && deformed.is_empty())
+        let is_known = |locus: &&str| found.number(locus, &["degrees_of_freedom"]).is_finite();
+        let are_known = ["locus", "locus-deformed"].iter().all(is_known);
+        measured(ours, are_known && undeformed.is_empty() && deformed.is_empty())
     },
     "True of the undeformed pair that Fig. 2 shows. Where the load has bent the track, zones about 3.5 kHz come up, and grow fastest of \
      all: the static slope decides what is loud.",
@@ -113,7 +116,7 @@ const SUBS_QUIET: Claim<Found> = statement(
     "§2.3, Figs. 3, 4",
     "Subs does not show the bursts",
     |found| {
-        let [subs, ensubs] = ["subs", "ensubs"].map(|march| found.number(march, &["peak_acceleration"]));
+        let [subs, ensubs] = ["subs", "ensubs"].map(|march| found.peak(march));
         let ours = format!("peak {} m/s², EnSubs {} m/s²", short(subs), short(ensubs));
         measured(ours, subs < QUIET * ensubs)
     },
@@ -133,7 +136,7 @@ const FILM_BURSTS: Claim<Found> = statement(
                     && burst.position < zone.to + AFTER
             })
         };
-        let loudest = bursts.iter().max_by(|a, b| a.peak.total_cmp(&b.peak));
+        let loudest = found.loudest("film");
         let matched = bursts.iter().filter(within).count();
         let ours = match loudest {
             None => "no burst".to_owned(),
@@ -145,7 +148,7 @@ const FILM_BURSTS: Claim<Found> = statement(
                 burst.frequency * 1e-3
             ),
         };
-        measured(ours, loudest.as_ref().is_some_and(within))
+        measured(ours, loudest.as_ref().is_some_and(|burst| within(&burst)))
     },
     "A burst belongs to a zone of the deformed locus with its frequency (2 %) that it has passed by 1 mm at most.",
 );
@@ -153,20 +156,59 @@ const FILM_BURSTS: Claim<Found> = statement(
 /// How far behind the end of its zone a burst may peak, m.
 const AFTER: f64 = 1e-3;
 
+/// What measured and promised growth through a zone may differ by, over the promise.
+const GROWN: f64 = 0.1;
+
 const EXPONENTIAL: Claim<Found> = statement(
     "§2.3",
     "In an instability region the amplitude grows exponentially",
     |found| {
-        let bursts = found.bursts("film");
-        let loudest = bursts.iter().max_by(|a, b| a.peak.total_cmp(&b.peak));
-        let (grown, promised) =
-            loudest.map_or((f64::NAN, f64::NAN), |burst| (burst.measured, burst.expected));
-        let ours = format!("the loudest burst by e^{{{grown:.2}}}, its zone promises e^{{{promised:.2}}}");
-        // the level before holds more than the mode that grows
-        measured(ours, grown > 0.5 * promised && grown < 1.1 * promised)
+        let passages = found.passages();
+        let told: Vec<String> = passages
+            .iter()
+            .map(|own| {
+                let Zone { from, to, nepers, .. } = own.zone;
+                format!(
+                    "e^{{{:.2}}} at {:.0} mm, promised e^{{{nepers:.2}}}",
+                    own.measured,
+                    500.0 * (from + to)
+                )
+            })
+            .collect();
+        let is_near = |own: &Passage| (own.measured / own.zone.nepers - 1.0).abs() <= GROWN;
+        let strong = passages.iter().filter(|own| own.zone.nepers >= STRONG);
+        let holds = strong.clone().count() > 0 && strong.clone().all(is_near);
+        let ours = if told.is_empty() { "no zone was passed whole".to_owned() } else { told.join("; ") };
+        measured(ours, holds)
     },
-    "ln of peak over level before the zone, against ∫ σ dt through the zone; the level before holds all modes, the promise is for one. With \
-     the contact held the growth rate itself is measured, below.",
+    "The mode of the zone alone, within 200 Hz of its frequency, from the start of the zone to its end, against ∫ σ dt of the locus; agreement asks for a \
+     tenth of the exponent where that is two or more. Below, the clicks at the nodes count. The whole signal seems to grow by less: its level \
+     before a burst holds the clicks and all other modes.",
+);
+
+/// Nepers of a zone whose growth is judged.
+const STRONG: f64 = 2.0;
+/// What of the largest amplitude is left behind a zone that has extinguished.
+const LEFT: f64 = 0.5;
+
+const EXTINGUISHED: Claim<Found> = statement(
+    "§2.3",
+    "… and extinguishes when the region is overcome",
+    |found| {
+        let passages = found.passages();
+        let worst = passages.iter().max_by(|a, b| a.left_behind().total_cmp(&b.left_behind()));
+        let ours = worst.map_or_else(
+            || "no zone was passed whole".to_owned(),
+            |own| {
+                let (left, beyond) = (100.0 * own.left_behind(), 1e3 * own.beyond());
+                format!(
+                    "{left:.0} % of the largest amplitude are left {beyond:.1} mm behind the zone, at most"
+                )
+            },
+        );
+        measured(ours, worst.is_some_and(|own| own.left_behind() < LEFT))
+    },
+    "The mode of each zone that promises one neper or more; agreement asks for less than half.",
 );
 
 /// The largest disagreement of growth rates, with both of the one where it is.
@@ -174,7 +216,7 @@ fn growth(found: &Found, method: &str) -> Measured {
     let growths = found.growths(method);
     let worst = growths.iter().map(|(m, p)| (m / p - 1.0).abs()).fold(0.0, f64::max);
     let holds = growths.len() >= 4 && worst <= 0.01;
-    measured(format!("{} places, at most {:.1e} apart", growths.len(), worst), holds)
+    measured(format!("{} places, at most {} apart", growths.len(), short(worst)), holds)
 }
 
 const SUBS_DYNAMICS: Claim<Found> = statement(
@@ -195,8 +237,7 @@ const THE_REASON: Claim<Found> = statement(
     "§2.3",
     "Subs has no bursts because its coupling does not account for the deformation",
     |found| {
-        let [sloped, ensubs] =
-            ["subs-static-slope", "ensubs"].map(|march| found.number(march, &["peak_acceleration"]));
+        let [sloped, ensubs] = ["subs-static-slope", "ensubs"].map(|march| found.peak(march));
         let ours = format!(
             "with the static slope put in: peak {} m/s², EnSubs {} m/s²",
             short(sloped),
@@ -240,28 +281,52 @@ const CHEAPER: Claim<Found> = statement(
     "§3.1",
     "EnSubs takes 30 % less time than FiLM",
     |found| {
-        let of = |march: &str| found.number(march, &["seconds"]) / found.number(march, &["steps"]);
-        let saved = 1.0 - of("ensubs") / of("film");
-        measured(format!("{:.0} % less a step", 100.0 * saved), (0.2..0.4).contains(&saved))
+        let number = |march: &str, key: &str| found.number(march, &[key]);
+        let steps = number("film", "steps") - number("film", "settled_s") / number("film", "step_s");
+        let (stick, open) = (number("film", "stick_steps"), number("film", "open_steps"));
+        let of_film = (STICK * stick + (STICK + SLIP) * (steps - stick - open)) / steps;
+        let modes = number("locus", "degrees_of_freedom");
+        let saved = 1.0 - (modes + SLIP) / (modes + of_film);
+        let ours = format!(
+            "{SLIP:.0} equation of the contact a step against {}, beside {modes} recurrences of modes in both: {:.1} % fewer",
+            short(of_film),
+            100.0 * saved
+        );
+        measured(ours, (0.2..0.4).contains(&saved))
     },
-    "The saving depends on the implementation: here both share the pass over the modes, and FiLM solves two scalar equations more.",
+    "Equations are counted, because times differ from run to run; those are kept in the summary, as seconds of each march. The saving depends on the \
+     implementation: ours shares the pass over the modes, and after its stick trial FiLM tries slip against the stick force, which settles a \
+     sliding contact without any of the sweeps that the paper's FiLM needs.",
 );
+
+/// Equations that a trial of stick and one of slip solve.
+const STICK: f64 = 2.0;
+const SLIP: f64 = 1.0;
+
+/// What peak and envelope of our own march may be off by.
+const OFF: f64 = 0.02;
 
 const OURS: Claim<Found> = statement(
     "beside the paper",
     "The march with residual flexibility has the same burst (ours)",
     |found| {
-        let [ours, ensubs] =
-            ["residual-flexibility", "ensubs"].map(|march| found.number(march, &["peak_acceleration"]));
+        let [ours, ensubs] = ["residual-flexibility", "ensubs"].map(|march| found.peak(march));
         let steps = found.number("ensubs", &["steps"]) / found.number("residual-flexibility", &["steps"]);
-        let off = ours / ensubs - 1.0;
-        measured(format!("peak {:+.1} % in {:.0} times fewer steps", 100.0 * off, steps), off.abs() < 0.02)
+        let frequency = found.loudest("ensubs").map_or(f64::NAN, |burst| burst.frequency);
+        let (off, envelope) = (ours / ensubs - 1.0, found.difference_of_envelopes(frequency));
+        let told = format!(
+            "peak {:+.2} %, envelope {:.2} % at most, in {steps:.0} times fewer steps",
+            100.0 * off,
+            100.0 * envelope
+        );
+        measured(told.replace('-', "−"), off.abs() < OFF && envelope < OFF)
     },
-    "Modes above its cut-off only yield; the others go exactly from step to step.",
+    "Modes above its cut-off only yield; the others go exactly from step to step. The envelope is the amplitude about the frequency of the loudest burst, where it \
+     is a tenth of its largest or more; 2 % asked of both.",
 );
 
 /// All claims, in the order of the paper.
-const CLAIMS: [Claim<Found>; 15] = [
+const CLAIMS: [Claim<Found>; 16] = [
     DEGREES,
     SOME_UNSTABLE,
     SEVEN,
@@ -270,6 +335,7 @@ const CLAIMS: [Claim<Found>; 15] = [
     SUBS_QUIET,
     FILM_BURSTS,
     EXPONENTIAL,
+    EXTINGUISHED,
     SUBS_DYNAMICS,
     THE_REASON,
     ENSUBS_DYNAMICS,
@@ -278,3 +344,39 @@ const CLAIMS: [Claim<Found>; 15] = [
     CHEAPER,
     OURS,
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::{Value, json};
+
+    fn found(results: Value) -> Found {
+        Found::of_results(serde_json::from_value(results).unwrap())
+    }
+
+    /// The line about costs counts equations: FiLM solves three where it slides and two where it sticks, and no time changes it.
+    #[test]
+    fn costs_are_counted_in_equations() {
+        let with = |stick: u64, seconds: f64| {
+            let marched = json!({
+                "steps": 1100, "settled_s": 1e-4, "step_s": 1e-6, "stick_steps": stick, "open_steps": 0, "seconds": seconds,
+            });
+            let results =
+                json!({ "locus": { "degrees_of_freedom": 243 }, "film": marched, "ensubs": marched });
+            line(&CHEAPER, &found(results))
+        };
+        let sliding = with(0, 1.0);
+        assert_eq!(sliding, with(0, 2.0));
+        assert!(sliding.ours[0].contains("against 3.00, beside 243"), "{:?}", sliding.ours);
+        assert!(with(500, 1.0).ours[0].contains("against 2.50"));
+        assert_eq!(sliding.verdict, "open");
+    }
+
+    /// Without results no claim agrees.
+    #[test]
+    fn nothing_agrees_without_results() {
+        let agreeing: Vec<ClaimLine> =
+            lines(&found(json!({}))).into_iter().filter(|line| line.verdict != "open").collect();
+        assert_eq!(agreeing, []);
+    }
+}

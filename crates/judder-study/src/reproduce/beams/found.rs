@@ -1,5 +1,8 @@
 //! What the claims of the beams paper are measured on: summaries and signals of a study folder.
 
+use super::band::Band;
+use super::figures::SIGNAL;
+use super::passage::{Passage, passages};
 use crate::error::StudyError;
 use crate::pictures::reals;
 use crate::reproduce::is_done;
@@ -12,7 +15,14 @@ pub(super) struct Found {
     results: BTreeMap<String, Map<String, Value>>,
     ensubs: Option<Dataset>,
     film: Option<Dataset>,
+    residual: Option<Dataset>,
+    locus: Option<Dataset>,
 }
+
+/// Between two places at which amplitudes are compared, s.
+const BETWEEN: f64 = 1e-3;
+/// Of the largest amplitude, what is worth a comparison.
+const LOUD: f64 = 0.1;
 
 /// An unstable zone of a locus.
 #[derive(Debug, Clone, Copy)]
@@ -21,6 +31,8 @@ pub(super) struct Zone {
     pub(super) to: f64,
     pub(super) frequency: f64,
     pub(super) growth: f64,
+    /// ∫ σ dt of a march through it; NaN where none was computed.
+    pub(super) nepers: f64,
 }
 
 /// A burst of a march.
@@ -29,16 +41,25 @@ pub(super) struct Burst {
     pub(super) position: f64,
     pub(super) frequency: f64,
     pub(super) peak: f64,
-    /// ln(peak/level before), and what the zone promises; NaN where there is none.
-    pub(super) measured: f64,
-    pub(super) expected: f64,
 }
 
 impl Found {
     /// From a study folder.
     pub(super) fn stored(store: &StudyFolder, summary: &Summary) -> Result<Self, StudyError> {
         let read = |name: &str| is_done(summary, name).then(|| store.read_dataset(name)).transpose();
-        Ok(Self { results: summary.results.clone(), ensubs: read("ensubs")?, film: read("film")? })
+        Ok(Self {
+            results: summary.results.clone(),
+            ensubs: read("ensubs")?,
+            film: read("film")?,
+            residual: read("residual-flexibility")?,
+            locus: read("locus-deformed")?,
+        })
+    }
+
+    /// Results alone, without any signal.
+    #[cfg(test)]
+    pub(super) fn of_results(results: BTreeMap<String, Map<String, Value>>) -> Self {
+        Self { results, ensubs: None, film: None, residual: None, locus: None }
     }
 
     /// A value of an analysis, by a path of keys; null where there is none.
@@ -52,8 +73,22 @@ impl Found {
         self.value(analysis, path).as_f64().unwrap_or(f64::NAN)
     }
 
+    /// The largest magnitude of the acceleration of T in a march, m/s².
+    pub(super) fn peak(&self, march: &str) -> f64 {
+        self.number(march, &["peak_acceleration"])
+    }
+
     /// The unstable zones of a locus.
     pub(super) fn zones(&self, locus: &str) -> Vec<Zone> {
+        Self::zones_of(&self.results, locus, "unstable")
+    }
+
+    /// The zones that the result of an analysis lists under a key.
+    pub(super) fn zones_of(
+        results: &BTreeMap<String, Map<String, Value>>,
+        analysis: &str,
+        key: &str,
+    ) -> Vec<Zone> {
         let of = |zone: &Value| {
             let number = |key: &str| zone[key].as_f64().unwrap_or(f64::NAN);
             Zone {
@@ -61,24 +96,53 @@ impl Found {
                 to: number("to_m"),
                 frequency: number("frequency_hz"),
                 growth: number("max_growth_rate"),
+                nepers: number("expected_amplification"),
             }
         };
-        self.value(locus, &["unstable"]).as_array().into_iter().flatten().map(of).collect()
+        let listed = results.get(analysis).and_then(|own| own.get(key)?.as_array());
+        listed.into_iter().flatten().map(of).collect()
+    }
+
+    /// The zones that EnSubs has passed.
+    pub(super) fn passages(&self) -> Vec<Passage> {
+        let zones = Self::zones_of(&self.results, "ensubs", "zones");
+        let of = |ensubs: &Dataset| passages(ensubs, SIGNAL, &zones, self.locus.as_ref());
+        self.ensubs.as_ref().map(of).unwrap_or_default()
     }
 
     /// The bursts of a march.
     pub(super) fn bursts(&self, march: &str) -> Vec<Burst> {
         let of = |burst: &Value| {
             let number = |key: &str| burst[key].as_f64().unwrap_or(f64::NAN);
-            Burst {
-                position: number("position_m"),
-                frequency: number("frequency_hz"),
-                peak: number("peak"),
-                measured: number("measured_amplification"),
-                expected: number("expected_amplification"),
-            }
+            Burst { position: number("position_m"), frequency: number("frequency_hz"), peak: number("peak") }
         };
         self.value(march, &["bursts"]).as_array().into_iter().flatten().map(of).collect()
+    }
+
+    /// The burst of a march with the highest peak.
+    pub(super) fn loudest(&self, march: &str) -> Option<Burst> {
+        self.bursts(march).into_iter().max_by(|a, b| a.peak.total_cmp(&b.peak))
+    }
+
+    /// The largest relative difference of the amplitude in the band of a frequency between the march with residual flexibility and EnSubs,
+    /// where that of EnSubs is a tenth of its largest or more, after the ramps; NaN where one is missing.
+    pub(super) fn difference_of_envelopes(&self, frequency: f64) -> f64 {
+        let settled = self.number("ensubs", &["settled_s"]);
+        let envelope = |march: &Option<Dataset>| -> Option<Vec<f64>> {
+            let march = march.as_ref()?;
+            let (time, values) = (reals(march, "time")?, reals(march, SIGNAL)?);
+            let band = Band::new(frequency, time.get(1)? - time.first()?);
+            let count = ((time.last()? - settled) / BETWEEN) as usize;
+            let at = |k: usize| time.partition_point(|own| *own < settled + k as f64 * BETWEEN);
+            Some((0..count).map(|k| band.amplitude(values, at(k))).collect())
+        };
+        let (Some(ours), Some(theirs)) = (envelope(&self.residual), envelope(&self.ensubs)) else {
+            return f64::NAN;
+        };
+        let largest = theirs.iter().copied().fold(0.0, f64::max);
+        let loud =
+            ours.iter().zip(&theirs).filter(|(own, other)| **other >= LOUD * largest && own.is_finite());
+        loud.map(|(own, other)| (own / other - 1.0).abs()).fold(0.0, f64::max)
     }
 
     /// Growth rates in marches with the contact held: name, measured, predicted.
@@ -93,7 +157,7 @@ impl Found {
         let settled = self.number("ensubs", &["settled_s"]);
         let signal = |dataset: &Option<Dataset>| -> Option<Vec<f64>> {
             let dataset = dataset.as_ref()?;
-            let (time, values) = (reals(dataset, "time")?, reals(dataset, "T.y")?);
+            let (time, values) = (reals(dataset, "time")?, reals(dataset, SIGNAL)?);
             Some(
                 time.iter()
                     .zip(values)

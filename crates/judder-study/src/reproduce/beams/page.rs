@@ -1,55 +1,19 @@
 //! The report of the beams paper.
 
+use super::figures::{self, SIGNAL};
+use super::found::Found;
+use super::held::HISTORY;
+use super::passage::passages;
 use crate::error::StudyError;
 use crate::pictures;
 use crate::report::{case_section, check_rows, facts, warnings, write_figure, write_page};
 use crate::reproduce::scoreboard::{self, ClaimLine};
-use crate::reproduce::{KEY, is_done};
+use crate::reproduce::{KEY, is_done, tally};
 use crate::run::Keepsakes;
-use judder_report::{Block, Page, Section};
-use judder_store::{StudyFolder, Summary};
+use judder_report::{Block, Figure, Page, Section};
+use judder_store::{Dataset, StudyFolder, Summary};
 use serde_json::Value;
 use std::path::PathBuf;
-
-/// A figure of the paper by an analysis: heading, name of the figure, title, analysis.
-struct Exhibit {
-    heading: &'static str,
-    name: &'static str,
-    title: &'static str,
-    analysis: &'static str,
-}
-
-const EXHIBITS: [Exhibit; 9] = [
-    Exhibit {
-        heading: "Fig. 2",
-        name: "fig-2",
-        title: "Locus of the pair as it lies undeformed",
-        analysis: "locus",
-    },
-    Exhibit {
-        heading: "",
-        name: "fig-2-deformed",
-        title: "Locus of the pair in steady sliding, deformed by its load",
-        analysis: "locus-deformed",
-    },
-    Exhibit { heading: "Figs. 3 and 4", name: "fig-3-subs", title: "Subs", analysis: "subs" },
-    Exhibit { heading: "", name: "fig-3-film", title: "FiLM", analysis: "film" },
-    Exhibit { heading: "", name: "fig-4-subs", title: "Spectrogram of Subs", analysis: "spectrogram-subs" },
-    Exhibit { heading: "", name: "fig-4-film", title: "Spectrogram of FiLM", analysis: "spectrogram-film" },
-    Exhibit { heading: "Figs. 5 and 6", name: "fig-5", title: "EnSubs", analysis: "ensubs" },
-    Exhibit {
-        heading: "The reason, and a march of our own",
-        name: "subs-static-slope",
-        title: "Subs with the static slope put in",
-        analysis: "subs-static-slope",
-    },
-    Exhibit {
-        heading: "",
-        name: "residual-flexibility",
-        title: "The march with residual flexibility",
-        analysis: "residual-flexibility",
-    },
-];
 
 /// Draws every figure of the paper and the page.
 pub(super) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, StudyError> {
@@ -59,30 +23,112 @@ pub(super) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, S
         .get(KEY)
         .and_then(|own| serde_json::from_value(own.get("scoreboard")?.clone()).ok())
         .unwrap_or_default();
-    let board = Block::Scoreboard(scoreboard::block(&lines, &[(0, "ours")]));
+    let board = Block::Scoreboard(scoreboard::block(&lines, &[(0, "We find")]));
     let mut sections = vec![Section::new("Scoreboard", vec![Block::text(about_quick(summary)), board])];
-    for exhibit in &EXHIBITS {
-        if !is_done(summary, exhibit.analysis) {
-            continue;
-        }
-        let dataset = store.read_dataset(exhibit.analysis)?;
-        let Some(figure) = pictures::figure(exhibit.name, exhibit.title, &dataset) else { continue };
-        let block = write_figure(store, figure)?;
-        match sections.last_mut() {
-            Some(section) if exhibit.heading.is_empty() => section.blocks.push(block),
-            _ => sections.push(Section::new(exhibit.heading, vec![block])),
-        }
+    for (heading, figures) in drawn(&Stored { store, summary })? {
+        let blocks: Result<Vec<Block>, StudyError> =
+            figures.into_iter().map(|figure| write_figure(store, figure)).collect();
+        sections.push(Section::new(heading, blocks?));
     }
     sections.push(Section::new("Checks", vec![Block::Checks(check_rows(&kept.checks))]));
     sections.push(Section::new("Warnings", vec![Block::Warnings(warnings(summary))]));
     sections.push(case_section(summary, &kept));
     let page = Page {
         title: "The beams paper, recomputed".to_owned(),
-        lead: lead(&lines, &kept),
+        lead: format!(
+            "Brunetti, D'Ambrogio and Fregolent, Dynamic substructuring with time variant coupling conditions for the analysis of friction induced \
+             vibrations (2020): Figs. 2 to 6. {}",
+            tally(&lines, &kept)
+        ),
         facts: facts(summary),
         sections,
     };
     write_page(store, &page)
+}
+
+/// The results that figures are drawn from.
+struct Stored<'a> {
+    store: &'a StudyFolder,
+    summary: &'a Summary,
+}
+
+impl Stored<'_> {
+    /// The arrays of an analysis that is done.
+    fn dataset(&self, name: &str) -> Result<Option<Dataset>, StudyError> {
+        let read = || self.store.read_dataset(name);
+        Ok(is_done(self.summary, name).then(read).transpose()?)
+    }
+
+    /// The figure of one analysis alone.
+    fn figure(&self, analysis: &str, name: &str, title: &str) -> Result<Option<Figure>, StudyError> {
+        Ok(self.dataset(analysis)?.and_then(|dataset| pictures::figure(name, title, &dataset)))
+    }
+
+    /// The histories of the growth analyses of a method.
+    fn histories(&self, method: &str) -> Result<Vec<Dataset>, StudyError> {
+        let prefix = format!("growth-{method}-");
+        let names = self.summary.analyses.keys().filter(|name| name.starts_with(&prefix));
+        let mut histories = Vec::new();
+        for name in names.filter(|name| name.ends_with(HISTORY)) {
+            histories.extend(self.dataset(name)?);
+        }
+        Ok(histories)
+    }
+}
+
+/// The figures under their headings, as far as their results are there.
+fn drawn(stored: &Stored<'_>) -> Result<Vec<(&'static str, Vec<Figure>)>, StudyError> {
+    let undeformed = "Locus of the pair as it lies undeformed";
+    let deformed = "Locus of the pair in steady sliding, deformed by its load";
+    let fig_2 = [
+        stored.figure("locus", "fig-2", undeformed)?,
+        stored.figure("locus-deformed", "fig-2-deformed", deformed)?,
+    ];
+    let [subs, film, ensubs] = [stored.dataset("subs")?, stored.dataset("film")?, stored.dataset("ensubs")?];
+    let fig_3 = subs.as_ref().zip(film.as_ref()).and_then(|(subs, film)| figures::subs_and_film(subs, film));
+    let spectra = stored.dataset("spectrogram-subs")?.zip(stored.dataset("spectrogram-film")?);
+    let fig_4 = spectra.and_then(|(subs, film)| figures::spectrograms(&subs, &film));
+    let fig_5 =
+        ensubs.as_ref().zip(film.as_ref()).and_then(|(own, film)| figures::ensubs_and_film(own, film));
+    drop(film);
+    let fig_6 = ensubs.as_ref().and_then(figures::forces);
+    let growth = [("Subs", "subs"), ("EnSubs", "ensubs")];
+    let mut growths = vec![zones(stored, ensubs.as_ref())?];
+    for (name, method) in growth {
+        growths.push(figures::growths(name, &format!("growth-{method}"), &stored.histories(method)?));
+    }
+    let sloped = stored.dataset("subs-static-slope")?;
+    let reason = match (&subs, &sloped, &ensubs) {
+        (Some(subs), Some(sloped), Some(ensubs)) => figures::reason(subs, sloped, ensubs),
+        _ => None,
+    };
+    drop((subs, sloped));
+    let ours = stored.dataset("residual-flexibility")?;
+    let residual = ours.as_ref().zip(ensubs.as_ref()).and_then(|(ours, own)| figures::residual(ours, own));
+    let sections = [
+        ("Fig. 2", fig_2.to_vec()),
+        ("Fig. 3", vec![fig_3]),
+        ("Fig. 4", vec![fig_4]),
+        ("Fig. 5", vec![fig_5]),
+        ("Fig. 6", vec![fig_6]),
+        ("Growth: zones that are passed, and the contact held", growths),
+        ("The reason, and a march of our own", vec![reason, residual]),
+    ];
+    let present =
+        |(heading, figures): (_, Vec<Option<Figure>>)| (heading, figures.into_iter().flatten().collect());
+    Ok(sections
+        .map(present)
+        .into_iter()
+        .filter(|(_, figures): &(_, Vec<Figure>)| !figures.is_empty())
+        .collect())
+}
+
+/// What the zones promise and what EnSubs makes of it.
+fn zones(stored: &Stored<'_>, ensubs: Option<&Dataset>) -> Result<Option<Figure>, StudyError> {
+    let Some(ensubs) = ensubs else { return Ok(None) };
+    let locus = stored.dataset("locus-deformed")?;
+    let zones = Found::zones_of(&stored.summary.results, "ensubs", "zones");
+    Ok(figures::zones(&passages(ensubs, SIGNAL, &zones, locus.as_ref())))
 }
 
 /// What the marches cover.
@@ -92,17 +138,4 @@ fn about_quick(summary: &Summary) -> &'static str {
     } else {
         "Loci and marches over the whole path."
     }
-}
-
-fn lead(lines: &[ClaimLine], kept: &Keepsakes) -> String {
-    let count = |verdict: &str| lines.iter().filter(|line| line.verdict == verdict).count();
-    let checks = kept.checks.values().flatten().count();
-    let passed = kept.checks.values().flatten().filter(|check| check.passed()).count();
-    format!(
-        "Brunetti, D'Ambrogio and Fregolent, Dynamic substructuring with time variant coupling conditions for the analysis of friction induced \
-         vibrations (2020): Figs. 2 to 6. Of {} claims {} agree, {} are open. {passed} of {checks} checks are within their limits.",
-        lines.len(),
-        count("agrees"),
-        count("open")
-    )
 }

@@ -62,7 +62,9 @@ impl Point {
                 expected: modes,
             });
         }
-        finite(self.place.iter().chain(self.rows.iter().flatten()), name)
+        finite(self.place.iter(), &format!("the place of {name}"))?;
+        let rows = self.rows.iter().zip(["x", "y"]);
+        rows.into_iter().try_for_each(|(row, axis)| finite(row.iter(), &format!("the {axis} row of {name}")))
     }
 
     /// Its displacement where the modal coordinates are `q`, m.
@@ -72,10 +74,10 @@ impl Point {
     }
 }
 
-pub(crate) fn finite<'a>(mut values: impl Iterator<Item = &'a f64>, name: &str) -> Result<(), SlidingError> {
-    match values.find(|value| !value.is_finite()) {
-        Some(value) => Err(SlidingError::InvalidNumber {
-            name: format!("an entry of {name}"),
+pub(crate) fn finite<'a>(values: impl Iterator<Item = &'a f64>, name: &str) -> Result<(), SlidingError> {
+    match values.enumerate().find(|(_, value)| !value.is_finite()) {
+        Some((k, value)) => Err(SlidingError::InvalidNumber {
+            name: format!("entry {} of {name}", k + 1),
             value: *value,
             requirement: "finite",
         }),

@@ -7,6 +7,7 @@ use crate::motion::{Motion, Noise, Ramps};
 use crate::pair::Pair;
 use crate::shape::mode_shape;
 use crate::statics::Equilibrium;
+use judder_numerics::signal::window::Window;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -142,7 +143,7 @@ pub fn frozen_growth(
         for (k, window) in windows.iter_mut().enumerate() {
             let begin = k as u64 * quarter;
             if count >= begin && count < begin + 2 * quarter {
-                *window += turned * blackman_harris((count - begin) as f64 / (2 * quarter) as f64);
+                *window += turned * Window::BlackmanHarris.at((count - begin) as f64 / (2 * quarter) as f64);
             }
         }
         count += 1;
@@ -171,10 +172,4 @@ impl Held {
         };
         Ok(sliding.push(&touch).map(|along| self.normal_force * along))
     }
-}
-
-/// The four-term window of Blackman and Harris, over 0 … 1; side lobes 92 dB below.
-fn blackman_harris(x: f64) -> f64 {
-    let cosine = |k: f64| (k * TAU * x).cos();
-    0.358_75 - 0.488_29 * cosine(1.0) + 0.141_28 * cosine(2.0) - 0.011_68 * cosine(3.0)
 }

@@ -5,6 +5,7 @@
 
 mod checkpoint;
 mod compliance;
+mod lock;
 mod oscillators;
 mod reaction;
 mod scheme;
@@ -14,8 +15,8 @@ mod view;
 
 use crate::SlidingError;
 use crate::body::Body;
-use crate::coupling::{Coupling, Sliding};
-use crate::edge::{EdgePoint, Touch};
+use crate::coupling::Sliding;
+use crate::edge::EdgePoint;
 use crate::motion::{Drive, Motion};
 use crate::pair::{Pair, Side};
 use crate::plane::Vector;
@@ -23,7 +24,6 @@ pub use checkpoint::Checkpoint;
 use compliance::Compliance;
 use oscillators::{Oscillators, ROWS, Recurrence};
 pub use reaction::ContactState;
-use reaction::Locked;
 use scheme::Scheme;
 use statically::StaticPath;
 use std::f64::consts::TAU;
@@ -355,50 +355,4 @@ fn yielding(pair: &Pair, scheme: Scheme) -> [Vector; 2] {
         })
     };
     [of(&slider.load, 1.0), of(&slider.inertia, -1.0)]
-}
-
-/// Where forces that change their sign from step to step do not die out on a path, if anywhere: with these factors of all modes,
-/// n·G(n ∓ μ t) must be positive.
-fn first_lock(pair: &Pair, [start, end]: [f64; 2], factors: &[f64]) -> Option<Lock> {
-    let compliance = Compliance::new(pair, factors);
-    let friction = pair.friction().largest();
-    let place = |position: f64| pair.edge_point(position).map_or(0, |at| at.segment);
-    let (from, to) = (start.min(end), start.max(end));
-    let places = (place(from)..=place(to))
-        .flat_map(|segment| [0.0, 0.5, 1.0].map(|fraction| EdgePoint { segment, fraction }));
-    let mut locks = places.filter_map(|at| {
-        let (first, count) = (pair.edge().first_node(at.segment), pair.edge().stencil_nodes());
-        let stencil = compliance.stencil(first, count);
-        let touch = pair.edge().touch_at([0.0; 2], at, &pair.stencil(at.segment, |_| [0.0; 2]));
-        let between = compliance.between(&stencil, &touch.weights.value);
-        let [nn, nt, ..] = step::in_frame(&between, &touch);
-        let opened = nn - friction * nt.abs();
-        let ends = &pair.node_positions()[at.segment..at.segment + 2];
-        let position = ends[0] + at.fraction * (ends[1] - ends[0]);
-        let locked = Locked { compliance: opened, direction: nt.signum() };
-        // a number that is none locks as well
-        if opened > 0.0 { None } else { Some(Lock { touch, position, friction, locked }) }
-    });
-    locks.next()
-}
-
-/// A place where the slider locks.
-struct Lock {
-    touch: Touch,
-    position: f64,
-    friction: f64,
-    locked: Locked,
-}
-
-impl Lock {
-    /// Why: because of c·M⁻¹e, or only because of the modes that yield at once.
-    #[cold]
-    fn error(&self, pair: &Pair) -> SlidingError {
-        let Self { ref touch, position, friction, locked: Locked { compliance, direction } } = *self;
-        let coupling = Coupling::new(pair, touch, Sliding { friction, slope: 0.0, direction });
-        match coupling.check(position, friction) {
-            Err(sprag_slip) => sprag_slip,
-            Ok(()) => SlidingError::LocksAtOnce { position, compliance, friction },
-        }
-    }
 }

@@ -3,6 +3,8 @@
 
 mod common;
 
+#[path = "main/bad_input.rs"]
+mod bad_input;
 #[path = "main/beams.rs"]
 mod beams;
 #[path = "main/equilibria.rs"]

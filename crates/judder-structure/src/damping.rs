@@ -5,6 +5,9 @@ use crate::assembly::Sparse;
 use crate::statics::sum;
 use std::f64::consts::TAU;
 
+/// By how much a matrix may differ from α M + β K, as a share of its largest entry: digits of a file.
+const FIT: f64 = 1e-8;
+
 /// Rayleigh damping, C = α M + β K.
 ///
 /// Of a mode with ω it takes the share ζ = α/(2ω) + β ω/2 of critical damping: between two frequencies at which ζ is given it is
@@ -51,6 +54,49 @@ impl RayleighDamping {
                 ratios: [at_low, at_high],
                 frequencies: [low, high],
             });
+        }
+        Self::new(alpha, beta)
+    }
+
+    /// The damping whose matrix α M + β K is this one, by least squares over all entries, each matrix over its largest one; none of a
+    /// matrix without entries.
+    ///
+    /// # Errors
+    /// [`StructureError::DifferentSizes`]; [`StructureError::NotProportional`] for a matrix that is no such sum: it couples modes;
+    /// [`StructureError::NegativeDamping`].
+    pub fn fitted(damping: &Sparse, mass: &Sparse, stiffness: &Sparse) -> Result<Self, StructureError> {
+        for other in [mass, stiffness] {
+            let [first, second] = [damping, other].map(|matrix| [matrix.nrows(), matrix.ncols()]);
+            if first != second {
+                return Err(StructureError::DifferentSizes { first, second });
+            }
+        }
+        let [of_damping, of_mass, of_stiffness] = [damping, mass, stiffness].map(largest);
+        if of_damping == 0.0 {
+            return Ok(Self { alpha: 0.0, beta: 0.0 });
+        }
+        let entries: Vec<[f64; 3]> = entries([damping, mass, stiffness])
+            .into_iter()
+            .map(|row| [row[0] / of_damping, row[1] / of_mass, row[2] / of_stiffness])
+            .collect();
+        let product = |i: usize, j: usize| entries.iter().map(|row| row[i] * row[j]).sum::<f64>();
+        let [mm, mk, kk] = [product(1, 1), product(1, 2), product(2, 2)];
+        let [cm, ck] = [product(0, 1), product(0, 2)];
+        let determinant = mm * kk - mk * mk;
+        let (alpha, beta) = ((cm * kk - ck * mk) / determinant, (ck * mm - cm * mk) / determinant);
+        let left = |[c, m, k]: &[f64; 3]| (c - alpha * m - beta * k).abs();
+        let departure = entries
+            .iter()
+            .map(left)
+            .fold(0.0, |most: f64, left| if left > most || left.is_nan() { left } else { most });
+        if departure > FIT || departure.is_nan() {
+            return Err(StructureError::NotProportional { departure, tolerance: FIT });
+        }
+        // what is rounding of a zero is one
+        let clean = |share: f64| if share.abs() <= FIT { 0.0 } else { share };
+        let (alpha, beta) = (clean(alpha) * of_damping / of_mass, clean(beta) * of_damping / of_stiffness);
+        if alpha < 0.0 || beta < 0.0 {
+            return Err(StructureError::NegativeDamping { alpha, beta });
         }
         Self::new(alpha, beta)
     }
@@ -108,6 +154,12 @@ impl StructuralDamping {
         })
     }
 
+    /// β = η/ω_ref in s of C = β K.
+    #[must_use]
+    pub fn beta(&self) -> f64 {
+        self.loss_factor / (TAU * self.reference)
+    }
+
     /// ζ = η ω/(2 ω_ref) of a mode with this frequency in Hz under C; η/2 at the reference.
     #[must_use]
     pub fn ratio(&self, frequency: f64) -> f64 {
@@ -118,9 +170,8 @@ impl StructuralDamping {
     #[must_use]
     pub fn matrix(&self, stiffness: &Sparse) -> Sparse {
         let mut damping = stiffness.clone();
-        let factor = self.loss_factor / (TAU * self.reference);
         for value in damping.val_mut() {
-            *value *= factor;
+            *value *= self.beta();
         }
         damping
     }
@@ -131,6 +182,28 @@ impl StructuralDamping {
     pub fn modal(&self, frequencies: &[f64]) -> Vec<f64> {
         frequencies.iter().map(|frequency| self.loss_factor * TAU * frequency).collect()
     }
+}
+
+/// The largest absolute entry; a number that is none counts as larger than any.
+fn largest(matrix: &Sparse) -> f64 {
+    let larger =
+        |most: f64, value: &f64| if value.abs() > most || value.is_nan() { value.abs() } else { most };
+    matrix.val().iter().fold(0.0, larger)
+}
+
+/// The entries of three matrices at every place where any has one.
+fn entries(matrices: [&Sparse; 3]) -> Vec<[f64; 3]> {
+    let mut all = Vec::new();
+    for column in 0..matrices[0].ncols() {
+        let mut rows = std::collections::BTreeMap::<usize, [f64; 3]>::new();
+        for (k, matrix) in matrices.iter().enumerate() {
+            for (row, value) in matrix.row_idx_of_col(column).zip(matrix.val_of_col(column)) {
+                rows.entry(row).or_default()[k] += value;
+            }
+        }
+        all.extend(rows.into_values());
+    }
+    all
 }
 
 fn not_negative(name: &'static str, value: f64) -> Result<f64, StructureError> {
@@ -196,5 +269,32 @@ mod tests {
         assert!((damping.ratio(440.0) - 0.01).abs() < 1e-17);
         let [at_resonance] = damping.modal(&[440.0])[..] else { panic!() };
         assert!((at_resonance / (2.0 * 0.01 * TAU * 440.0) - 1.0).abs() < 1e-15);
+    }
+
+    fn matrix(entries: &[(usize, usize, f64)]) -> Sparse {
+        let triplets: Vec<_> =
+            entries.iter().map(|(i, j, value)| faer::sparse::Triplet::new(*i, *j, *value)).collect();
+        Sparse::try_new_from_triplets(2, 2, &triplets).unwrap()
+    }
+
+    /// α and β of a sum come back, none of none; a dashpot between the two, a negative share and a number that is none are refused.
+    #[test]
+    fn proportional_damping_is_found_in_its_matrix() {
+        let mass = matrix(&[(0, 0, 2.0), (1, 1, 1.0)]);
+        let stiffness = matrix(&[(0, 0, 3e6), (0, 1, -1e6), (1, 0, -1e6), (1, 1, 1e6)]);
+        let fitted = |damping: &Sparse| RayleighDamping::fitted(damping, &mass, &stiffness);
+        let own = RayleighDamping::new(7.0, 2e-6).unwrap();
+        let found = fitted(&own.matrix(&stiffness, &mass).unwrap()).unwrap();
+        assert!((found.alpha() / 7.0 - 1.0).abs() < 1e-9 && (found.beta() / 2e-6 - 1.0).abs() < 1e-9);
+        let structural = StructuralDamping::new(0.02, 440.0).unwrap();
+        let found = fitted(&structural.matrix(&stiffness)).unwrap();
+        assert!(found.alpha() == 0.0 && (found.beta() / structural.beta() - 1.0).abs() < 1e-9);
+        assert_eq!(fitted(&matrix(&[])), RayleighDamping::new(0.0, 0.0));
+        for dashpot in [5.0, f64::NAN] {
+            let refused = fitted(&matrix(&[(0, 0, dashpot)]));
+            assert!(matches!(refused, Err(StructureError::NotProportional { .. })), "{refused:?}");
+        }
+        let negative = fitted(&matrix(&[(0, 0, -2.0), (1, 1, -1.0)]));
+        assert!(matches!(negative, Err(StructureError::NegativeDamping { .. })), "{negative:?}");
     }
 }

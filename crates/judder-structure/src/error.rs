@@ -123,6 +123,27 @@ pub enum StructureError {
         /// In Hz.
         frequencies: [f64; 2],
     },
+    /// A damping matrix that is no Rayleigh damping.
+    #[error(
+        "the damping matrix is not α M + β K: at best {departure:.1e} of its largest entry is left, and at most {tolerance:.0e} may be; \
+         give such a matrix, or none"
+    )]
+    NotProportional {
+        /// The largest entry that the nearest α M + β K leaves, as a share of the matrix's largest.
+        departure: f64,
+        /// What it may be.
+        tolerance: f64,
+    },
+    /// A damping matrix with a negative share of mass or stiffness.
+    #[error(
+        "the damping matrix is α M + β K with α = {alpha:.3e} 1/s and β = {beta:.3e} s: neither may be negative"
+    )]
+    NegativeDamping {
+        /// 1/s.
+        alpha: f64,
+        /// s.
+        beta: f64,
+    },
     /// A matrix has no factors: a pivot is zero or not finite.
     #[error(
         "a matrix of {rows} rows is singular, or its numbers are not finite: is a shift an eigenvalue, or the structure not held?"

@@ -1,5 +1,6 @@
 //! How one mode goes from step to step, and the step that keeps all of them stable.
 
+use super::lock::first_lock;
 use super::oscillators::Recurrence;
 use crate::SlidingError;
 use crate::pair::Pair;
@@ -115,7 +116,7 @@ fn exact_limit(pair: &Pair, scheme: Scheme, path: [f64; 2]) -> Result<f64, Slidi
         let step = 0.5 * (good + bad);
         let modes = eigenvalues.iter().zip(pair.damping());
         let factors: Vec<f64> = modes.map(|(value, d)| scheme.alternating(step, *value, d)).collect();
-        match super::first_lock(pair, path, &factors) {
+        match first_lock(pair, path, &factors) {
             None => good = step,
             lock => (bad, first) = (step, lock),
         }

@@ -1,10 +1,11 @@
 //! One step of a march after the other.
 
 use super::compliance::{Block, Compliance, times};
+use super::lock::Lock;
 use super::oscillators::ROWS;
 use super::reaction::{Approach, Reaction, projected, sliding};
 use super::view::{View, vectors};
-use super::{Lock, March, Method, Predictor, Reached, Sample, Scheme, Sink, Start, damping_of};
+use super::{March, Method, Predictor, Reached, Sample, Scheme, Sink, Start, damping_of};
 use crate::SlidingError;
 use crate::edge::{RunOff, STENCIL, Touch, combined};
 use crate::motion::Drive;

@@ -58,8 +58,8 @@ impl Part {
         };
         let mass = symmetric("mass", problem.mass())?;
         let stiffness = symmetric("stiffness", problem.stiffness())?;
-        let damping = damping(&own.damping, problem.damping(), [&mass, &stiffness])
-            .map_err(|reason| refuse(&reason))?;
+        let damping =
+            damping(&own.damping, problem.damping(), [&mass, &stiffness]).map_err(|error| refuse(&error))?;
         let cut_off = match own.reduction.modes {
             FixedModes::Count(count) => CutOff::Count(count),
             FixedModes::CutOff(limit) => CutOff::Frequency(limit / TAU),

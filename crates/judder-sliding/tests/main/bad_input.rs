@@ -1,0 +1,172 @@
+//! What is wrong is named with its place: in the track, in a list, along the path.
+
+use crate::common;
+use judder_sliding::SlidingError;
+use judder_sliding::coupling::Sliding;
+use judder_sliding::edge::Interpolation;
+use judder_sliding::friction::Friction;
+use judder_sliding::march::{ContactState, March, MarchSettings, Method, Predictor, Reached, Sample};
+use judder_sliding::motion::{Motion, Ramps};
+use judder_sliding::pair::{Pair, Slider, Track};
+use judder_sliding::statics::Equilibrium;
+
+const STEP: f64 = 3e-7;
+
+fn built(pair: &Pair, change: impl FnOnce(&mut Slider, &mut Track)) -> Result<Pair, SlidingError> {
+    let (mut slider, mut track) = (pair.slider().clone(), pair.track().clone());
+    change(&mut slider, &mut track);
+    let edge = (Interpolation::Linear, true);
+    Pair::new(slider, track, edge, pair.friction().clone(), pair.observed().to_vec())
+}
+
+fn refused(pair: &Pair, change: impl FnOnce(&mut Slider, &mut Track)) -> String {
+    built(pair, change).unwrap_err().to_string()
+}
+
+fn marched(pair: &Pair, method: Method, step: f64, motion: Motion) -> Result<Reached, SlidingError> {
+    let settings = MarchSettings { method, predictor: Predictor::default(), step, motion };
+    March::new(pair, settings)?.advance(20_000, &mut |_: &Sample, _: &[f64]| ())
+}
+
+/// A contact point beside the track, at the start, at the end, at rest: with its position and the track's length.
+#[test]
+fn a_contact_point_beside_the_track_is_told_with_its_position() {
+    let pair = common::pair();
+    let sliding = Sliding::at(pair.friction(), common::SPEED);
+    let motion = common::motion();
+    let errors = [
+        pair.undeformed(-1e-3).map(|_| ()),
+        Equilibrium::new(&pair, -1e-3, common::LOAD, sliding).map(|_| ()),
+        marched(&pair, Method::EnSubs, STEP, Motion { start: -1e-3, ..motion }).map(|_| ()),
+        marched(&pair, Method::Film, STEP, Motion { end: 0.5, ..motion }).map(|_| ()),
+        pair.undeformed(f64::NAN).map(|_| ()),
+    ]
+    .map(|result| result.unwrap_err().to_string());
+    for (error, position) in
+        errors.iter().zip(["-1.000000e-3", "-1.000000e-3", "-1.000000e-3", "5.000000e-1", "NaN"])
+    {
+        assert!(error.contains(&format!("off the track: {position} m")), "{error}");
+        assert!(error.contains("1.000000e-1 m long"), "{error}");
+    }
+}
+
+/// A track whose nodes do not follow each other: with the node, where it lies, and by how much it turns there.
+#[test]
+fn an_unordered_track_is_told_with_its_node() {
+    let pair = common::pair();
+    let swapped = refused(&pair, |_, track| track.nodes.swap(40, 41));
+    assert!(swapped.contains("from node 40 to the next it turns back by 180°"), "{swapped}");
+    assert!(swapped.contains("(4.100000e-2, "), "{swapped}");
+    let twice = refused(&pair, |_, track| track.nodes[7] = track.nodes[6].clone());
+    assert!(twice.contains("from node 6 "), "{twice}");
+    let single = refused(&pair, |_, track| track.nodes.truncate(1));
+    assert!(single.contains("two nodes at least, this one has 1"), "{single}");
+}
+
+/// A number that is none, in any list of either structure: with the list and the entry.
+#[test]
+fn a_number_that_is_none_is_told_with_its_entry() {
+    let pair = common::pair();
+    let errors = [
+        (
+            refused(&pair, |slider, _| slider.body.eigenvalues[3] = f64::NAN),
+            "ω² of mode 4 of the slider is NaN",
+        ),
+        (refused(&pair, |_, track| track.body.beta = f64::INFINITY), "β of the track is inf"),
+        (refused(&pair, |slider, _| slider.load[2] = f64::NAN), "entry 3 of the slider's load is NaN"),
+        (
+            refused(&pair, |slider, _| slider.contact.rows[1][5] = f64::NAN),
+            "entry 6 of the y row of the contact point",
+        ),
+        (
+            refused(&pair, |_, track| track.nodes[9].rows[0][1] = f64::NAN),
+            "entry 2 of the x row of node 9 of the track",
+        ),
+        (
+            refused(&pair, |_, track| track.nodes[9].place[1] = f64::NAN),
+            "entry 2 of the place of node 9 of the track",
+        ),
+    ];
+    for (error, expected) in errors {
+        assert!(error.contains(expected) && error.contains("must be finite"), "{error}");
+    }
+    let short = refused(&pair, |_, track| track.nodes[9].rows[0].truncate(3));
+    assert!(short.contains("a row of node 9 of the track has 3 entries"), "{short}");
+}
+
+/// A step over the limit, with both; a slider that locks and one that the load lifts, each with its position.
+#[test]
+fn a_march_that_cannot_go_on_says_where() {
+    let pair = common::pair();
+    let over = marched(&pair, Method::EnSubs, 1e-6, common::motion()).unwrap_err();
+    assert!(over.to_string().contains("step of 1.000000e-6 s is over its limit of 3.6"), "{over}");
+    let friction = Friction::constant(30.0).unwrap();
+    let locking = common::pair_with(Interpolation::Linear, friction, 20);
+    let at_once = Ramps { friction: 0.0, ..common::motion().ramps };
+    let motion = Motion { start: 0.02, ramps: at_once, ..common::motion() };
+    let locked = marched(&locking, Method::EnSubs, STEP, motion).unwrap_err();
+    assert!(locked.to_string().contains("sprag-slip at 2.000000e-2 m"), "{locked}");
+    let sliding = Sliding::at(pair.friction(), common::SPEED);
+    let lifted = Equilibrium::new(&pair, 0.02, -common::LOAD, sliding).unwrap_err();
+    let expected = "nothing holds the pair at rest at 2.000000e-2 m: the load pulls the slider off the track";
+    assert_eq!(lifted.to_string(), expected);
+}
+
+/// A load that lifts the slider off in the middle of a march is a state, not an error: what was computed stands, nothing pulls.
+#[test]
+fn a_load_that_lifts_off_is_a_state() {
+    let pair = common::pair();
+    for method in [Method::EnSubs, Method::Film] {
+        let motion = Motion { load: -common::LOAD, ..common::motion() };
+        let settings = MarchSettings { method, predictor: Predictor::default(), step: STEP, motion };
+        let mut march = March::new(&pair, settings).unwrap();
+        let (mut open, mut least) = (0_u32, f64::INFINITY);
+        let mut take = |sample: &Sample, _: &[f64]| {
+            open += u32::from(sample.state == ContactState::Open);
+            least = least.min(sample.normal_force);
+        };
+        assert_eq!(march.advance(20_000, &mut take), Ok(Reached::Steps), "{method:?}");
+        assert!(open > 10_000 && least == 0.0, "{method:?}: {open} {least}");
+    }
+}
+
+/// A gap or penetration of a micrometre at the start is closed smoothly over its ramp, on a straight and on a smooth edge: from step to
+/// step the normal force jumps by less than 1e-4 of the load. A ramp so short that the growing load cannot keep the slider down lets it
+/// lift off, a state of its own; up to there the same holds. Without a ramp it is refused, with its place and size.
+#[test]
+fn an_initial_gap_is_never_a_kick() {
+    for interpolation in [Interpolation::Linear, Interpolation::Hermite] {
+        let friction = Friction::constant(common::FRICTION).unwrap();
+        let pair = common::pair_with(interpolation, friction, 20);
+        for (gap, duration) in [(1e-6, 0.1), (-1e-6, 0.1), (1e-6, 3e-3), (-1e-6, 3e-3)] {
+            let ramps = Ramps { gap: duration, ..common::motion().ramps };
+            let motion = Motion { start: 0.05, initial_gap: gap, ramps, ..common::motion() };
+            for method in [Method::EnSubs, Method::Film] {
+                let settings = MarchSettings { method, predictor: Predictor::default(), step: STEP, motion };
+                let mut march = March::new(&pair, settings).unwrap();
+                let (mut before, mut largest, mut is_off) = (0.0, 0.0_f64, false);
+                let is_slow = duration >= common::motion().ramps.load;
+                let mut take = |sample: &Sample, _: &[f64]| {
+                    is_off |= sample.state == ContactState::Open && !is_slow;
+                    if is_off {
+                        return;
+                    }
+                    largest = largest.max((sample.normal_force - before).abs());
+                    before = sample.normal_force;
+                };
+                march.advance(100_000, &mut take).unwrap();
+                let bound = 1e-4 * common::LOAD.abs();
+                assert!(largest < bound, "{interpolation} {gap} {duration} {method:?}: {largest} N");
+            }
+            let at_once = Ramps { gap: 0.0, ..common::motion().ramps };
+            let kick = marched(&pair, Method::EnSubs, STEP, Motion { ramps: at_once, ..motion }).unwrap_err();
+            let size = if gap > 0.0 {
+                "1.000e-6 m from the track (a gap)"
+            } else {
+                "-1.000e-6 m from the track (a penetration)"
+            };
+            assert!(kick.to_string().contains("at the start, 5.000000e-2 m, C is "), "{kick}");
+            assert!(kick.to_string().contains(size), "{kick}");
+        }
+    }
+}

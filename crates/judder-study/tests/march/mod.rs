@@ -249,7 +249,8 @@ fn a_spectrogram_of_what_is_not_there_says_so() {
     assert!(said.contains("`levels` takes the result of `ensubs`, which is not there"), "{said}");
 }
 
-/// A displacement's slope is the velocity, by differences of samples 2.5 µs apart; nothing but what is asked for is kept or heard.
+/// A displacement's slope is the velocity; differences over two samples lose a tenth of it at the end of the pass band. Nothing but what is
+/// asked for is kept or heard.
 #[test]
 fn velocities_and_displacements_are_kept_on_request() {
     let all = "method = \"ensubs\"\nsignals = { quantities = [\"displacement\", \"acceleration\", \"velocity\"] }\n";
@@ -292,7 +293,7 @@ fn velocities_and_displacements_are_kept_on_request() {
     assert!(largest > 0.0);
     for k in 1..time.len() - 1 {
         let slope = (moved[k + 1] - moved[k - 1]) / (time[k + 1] - time[k - 1]);
-        assert!((slope - velocity[k]).abs() < 0.05 * largest, "{k}: {slope} {}", velocity[k]);
+        assert!((slope - velocity[k]).abs() < 0.15 * largest, "{k}: {slope} {}", velocity[k]);
     }
 }
 

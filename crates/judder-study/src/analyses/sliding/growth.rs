@@ -24,7 +24,7 @@ const NEAR: f64 = 1e-2;
 /// Up to which multiple of the asked frequency eigenvalues are sought.
 const SOUGHT: f64 = 1.5;
 /// An eigenvalue farther from the asked frequency, as a share of it, is not the one that is meant.
-const FAR: f64 = 0.2;
+const FAR: f64 = 0.5;
 /// One farther than this is meant, but worth a word.
 const OFF: f64 = 0.03;
 

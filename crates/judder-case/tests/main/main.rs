@@ -9,6 +9,7 @@ mod bad_family;
 mod bad_key;
 mod bad_motion;
 mod bad_sliding;
+mod bad_sliding_analysis;
 mod bad_source;
 mod bad_structure;
 mod bad_sweep;

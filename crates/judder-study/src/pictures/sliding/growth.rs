@@ -10,6 +10,8 @@ use std::f64::consts::TAU;
 
 /// Room below and above the amplitudes, the upper one for the legend.
 const ROOM: (f64, f64) = (0.8, 4.0);
+/// Periods of the march that are marked, at most.
+const MARKS: usize = 25;
 
 /// Amplitudes over time, the eigenvalue's growth, the stretch of the measurement; `None` where no history was kept.
 pub(in crate::pictures) fn growth(dataset: &Dataset) -> Option<Vec<Panel>> {
@@ -28,13 +30,8 @@ pub(in crate::pictures) fn growth(dataset: &Dataset) -> Option<Vec<Panel>> {
     };
     let layers = vec![
         Layer::Region(interval),
-        Layer::points(
-            told("march", measured),
-            milliseconds.clone(),
-            amplitude.to_vec(),
-            Role::Series(0).crowded(),
-        ),
-        Layer::line(told("eigenvalue", predicted), milliseconds, promised, Role::Series(1).solid()),
+        Layer::line(told("eigenvalue", predicted), milliseconds.clone(), promised, Role::Series(1).solid()),
+        Layer::points(told("march", measured), few(&milliseconds), few(amplitude), Role::Series(0)),
     ];
     let (low, high) =
         amplitude.iter().fold((start, start), |(low, high), own| (low.min(*own), high.max(*own)));
@@ -43,6 +40,11 @@ pub(in crate::pictures) fn growth(dataset: &Dataset) -> Option<Vec<Panel>> {
     let method = dataset.attributes().get("method").and_then(Value::as_str).unwrap_or_default();
     let title = format!("{method}, held at {:.3} mm", 1e3 * number("position_m")?);
     Some(vec![Panel::new(across, up, layers).with_title(title).with_legend(Legend::Inside)])
+}
+
+/// At most so many values, evenly apart, that the line shows between their marks.
+fn few(values: &[f64]) -> Vec<f64> {
+    values.iter().step_by(values.len().div_ceil(MARKS).max(1)).copied().collect()
 }
 
 /// A growth rate with its frequency.

@@ -75,9 +75,21 @@ pub enum SlidingError {
         /// The friction coefficient.
         friction: f64,
     },
+    /// A cut-off below which nothing swings, or above which nothing is left to yield.
+    #[error(
+        "a cut-off at {cut_off_hz:.6e} Hz has all modes that swing on one side of it: they go from {lowest_hz:.6e} to {highest_hz:.6e} Hz, give a frequency between"
+    )]
+    CutOff {
+        /// Hz.
+        cut_off_hz: f64,
+        /// The lowest frequency of the two bodies that is not zero, Hz.
+        lowest_hz: f64,
+        /// Their highest, Hz.
+        highest_hz: f64,
+    },
     /// A contact that would open by c·M⁻¹e, but locks in what yields at once in a march with residual flexibility.
     #[error(
-        "at {position:.6e} m the slider locks in the modes above the cut-off: a unit normal force with its friction opens {compliance:.3e} m/N at once, and the modes below would be late; a smaller friction coefficient than {friction:.4} or a higher cut-off slides"
+        "at {position:.6e} m the slider locks in the modes above the cut-off: a unit normal force with its friction opens {compliance:.3e} m/N at once, and the modes below would be late; a smaller friction coefficient than {friction:.4} slides, or another cut-off that leaves more modes on either side"
     )]
     LocksAtOnce {
         /// Distance of the contact point from the first node, m.

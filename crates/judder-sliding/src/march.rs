@@ -18,7 +18,7 @@ use crate::body::Body;
 use crate::coupling::Sliding;
 use crate::edge::EdgePoint;
 use crate::motion::{Drive, Motion};
-use crate::pair::{Pair, Side};
+use crate::pair::{Observed, Pair, Side};
 use crate::plane::Vector;
 pub use checkpoint::Checkpoint;
 use compliance::Compliance;
@@ -165,7 +165,9 @@ pub struct March<'a> {
     /// Share of the initial damping that the recurrences have.
     tuned: f64,
     /// How far C yields in the modes that do not move, per unit of load and of acceleration of the slider's frame.
-    yielding: [Vector; 2],
+    contact_yielding: [[f64; 2]; 2],
+    /// The same of the observed displacements.
+    observed_yielding: Vec<[f64; 2]>,
     /// What a unit of steady modal force does to each of the slider's modes in a step.
     push_factors: Vec<f64>,
 }
@@ -252,13 +254,7 @@ impl<'a> March<'a> {
         let scheme = method.scheme();
         let initial = motion.initial_damping.map(|damping| (damping.alpha, damping.beta));
         let step_limit = scheme::step_limit(pair, scheme, initial, [motion.start, motion.end])?;
-        let sides = [Side::Slider, Side::Track];
-        let observed = sides.map(|side| pair.observed().iter().filter(|point| point.side == side).count());
-        let own_rows = [2, 2 * pair.edge().stencil_nodes()];
-        if let Some(k) = (0..2).find(|k| own_rows[*k] + observed[*k] > ROWS) {
-            let name = "the list of observed displacements".to_owned();
-            return Err(SlidingError::Length { name, found: observed[k], expected: ROWS - own_rows[k] });
-        }
+        let (own_rows, observed) = (own_rows(pair), observed_rows(pair)?);
         let drive = motion.at(0.0);
         let damping = damping(pair, &motion, drive.initial_damping);
         let bodies = [pair.slider().body.modes(), pair.modes()];
@@ -319,7 +315,8 @@ impl<'a> March<'a> {
             force: [0.0; 2],
             force_before: [0.0; 2],
             tuned: drive.initial_damping,
-            yielding: yielding(pair, scheme),
+            contact_yielding: [0, 1].map(|k| yielding(pair, scheme, &pair.slider().contact.rows[k])),
+            observed_yielding: observed_yielding(pair, scheme),
             push_factors,
         };
         let rest = vec![0.0; pair.modes()];
@@ -343,16 +340,41 @@ fn damping(pair: &Pair, motion: &Motion, share: f64) -> Vec<f64> {
     [of(&pair.slider().body), of(&pair.track().body)].concat()
 }
 
-/// How far C yields in the modes that do not move, under a unit load, m/N, and a unit acceleration of the slider's frame, s².
-fn yielding(pair: &Pair, scheme: Scheme) -> [Vector; 2] {
+/// How far a displacement of the slider yields in the modes that do not move, under a unit load, m/N, and a unit acceleration of the
+/// slider's frame, s².
+fn yielding(pair: &Pair, scheme: Scheme, row: &[f64]) -> [f64; 2] {
     let slider = pair.slider();
-    let eigenvalues = slider.body.eigenvalues.iter().enumerate();
-    let still: Vec<(usize, f64)> =
-        eigenvalues.filter(|(_, value)| !scheme.moves(**value)).map(|(mode, value)| (mode, *value)).collect();
     let of = |forces: &[f64], sign: f64| {
-        [0, 1].map(|k| {
-            still.iter().map(|(m, value)| sign * slider.contact.rows[k][*m] * forces[*m] / value).sum()
-        })
+        let modes = slider.body.eigenvalues.iter().zip(row).zip(forces);
+        modes.filter(|((value, _), _)| !scheme.moves(**value)).map(|((v, r), f)| sign * r * f / v).sum()
     };
     [of(&slider.load, 1.0), of(&slider.inertia, -1.0)]
+}
+
+/// The same of every observed displacement; those of the track feel neither load nor inertia.
+fn observed_yielding(pair: &Pair, scheme: Scheme) -> Vec<[f64; 2]> {
+    let of = |point: &Observed| match point.side {
+        Side::Slider => yielding(pair, scheme, &point.row),
+        Side::Track => [0.0; 2],
+    };
+    pair.observed().iter().map(of).collect()
+}
+
+/// Rows through which each body is watched besides those of its observed points.
+fn own_rows(pair: &Pair) -> [usize; 2] {
+    [2, 2 * pair.edge().stencil_nodes()]
+}
+
+/// Observed displacements of slider and track, as many as there is room for.
+fn observed_rows(pair: &Pair) -> Result<[usize; 2], SlidingError> {
+    let sides = [Side::Slider, Side::Track];
+    let observed = sides.map(|side| pair.observed().iter().filter(|point| point.side == side).count());
+    let own = own_rows(pair);
+    match (0..2).find(|k| own[*k] + observed[*k] > ROWS) {
+        Some(k) => {
+            let name = "the list of observed displacements".to_owned();
+            Err(SlidingError::Length { name, found: observed[k], expected: ROWS - own[k] })
+        }
+        None => Ok(observed),
+    }
 }

@@ -19,3 +19,5 @@ mod marches;
 mod random_pairs;
 #[path = "main/recorder.rs"]
 mod recorder;
+#[path = "main/seen.rs"]
+mod seen;

@@ -94,6 +94,15 @@ impl Compliance {
         }
     }
 
+    /// What an observed displacement of the slider gains by a force on C alone; nothing where it is one of the track.
+    #[inline]
+    pub(super) fn of_observed_on_slider(&self, number: usize, force: Vector) -> f64 {
+        match &self.observed[number][..] {
+            [own] => own[0] * force[0] + own[1] * force[1],
+            _ => 0.0,
+        }
+    }
+
     /// What opens between C and the track's point by a unit force between them: a matrix of the plane.
     #[inline]
     pub(super) fn between(&self, stencil: &StencilCompliance, weights: &[f64; STENCIL]) -> Block {

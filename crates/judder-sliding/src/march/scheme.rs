@@ -78,7 +78,7 @@ impl Scheme {
 /// scheme the step up to which the residual flexibility holds the contact against what the moving modes do between steps.
 ///
 /// # Errors
-/// [`SlidingError::SpragSlip`] and [`SlidingError::LocksAtOnce`] where no step does that.
+/// [`SlidingError::CutOff`]; [`SlidingError::SpragSlip`] and [`SlidingError::LocksAtOnce`] where no step does that.
 pub(super) fn step_limit(
     pair: &Pair,
     scheme: Scheme,
@@ -108,6 +108,16 @@ pub(super) fn step_limit(
 /// The limit of the exact scheme, by bisection.
 fn exact_limit(pair: &Pair, scheme: Scheme, path: [f64; 2]) -> Result<f64, SlidingError> {
     let eigenvalues = pair.eigenvalues();
+    let swinging = eigenvalues.iter().copied().filter(|value| *value > 0.0);
+    let (lowest, highest) =
+        swinging.fold((f64::INFINITY, 0.0_f64), |(low, high), value| (low.min(value), high.max(value)));
+    if let Scheme::Exact { cut_off } = scheme
+        && (!scheme.moves(lowest) || scheme.moves(highest))
+    {
+        let [cut_off_hz, lowest_hz, highest_hz] =
+            [cut_off, lowest.sqrt(), highest.sqrt()].map(|omega| omega / TAU);
+        return Err(SlidingError::CutOff { cut_off_hz, lowest_hz, highest_hz });
+    }
     // the fastest mode that moves turns by half a circle, at most
     let fastest = eigenvalues.iter().copied().filter(|value| scheme.moves(*value)).fold(0.0, f64::max);
     let (mut good, mut bad) = (0.0, 0.5 * TAU / fastest.sqrt());

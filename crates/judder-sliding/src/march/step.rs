@@ -113,6 +113,9 @@ impl March<'_> {
         let left = turned(self.pair.direction());
         let disturbance = left.map(|along| along * noise * self.pair.edge().side);
         self.contact[1] = plus(self.contact[1], 1.0, self.compliance.of_contact(disturbance));
+        for (k, own) in self.observed.iter_mut().enumerate() {
+            own[2] += self.compliance.of_observed_on_slider(k, disturbance);
+        }
         disturbance
     }
 
@@ -191,8 +194,10 @@ impl March<'_> {
                 Ok(touch)
             }
             (_, Some(path)) => {
-                let point = plus(rigid, 1.0, path.of_contact(drive.position));
-                let of_node = |node| path.of_node(drive.position, node);
+                // what the full load does, as far as the load is there
+                let share = drive.load / self.settings.motion.load;
+                let point = plus(rigid, share, path.of_contact(drive.position));
+                let of_node = |node| plus([0.0; 2], share, path.of_node(drive.position, node));
                 let touch = edge.touch(point, *at, |segment| pair.stencil(segment, of_node))?;
                 look(view, pair, track, compliance, touch.at.segment);
                 Ok(touch)
@@ -291,16 +296,20 @@ impl March<'_> {
     /// The displacement of C by the rows of its moving modes, with what load and inertia do to the others; both change slowly.
     #[inline]
     pub(super) fn with_yielding(&self, seen: &[f64; ROWS]) -> Vector {
-        let [by_load, by_acceleration] = self.yielding;
-        plus(plus([seen[0], seen[1]], self.drive.load, by_load), self.drive.acceleration, by_acceleration)
+        let Drive { load, acceleration, .. } = self.drive;
+        [0, 1].map(|k| {
+            let [by_load, by_acceleration] = self.contact_yielding[k];
+            seen[k] + load * by_load + acceleration * by_acceleration
+        })
     }
 
     #[inline]
     pub(super) fn predict_observed(&mut self, of_slider: &[f64; ROWS], of_track: &[f64; ROWS]) {
         let mut places = [2, 2 * self.view.count];
-        for (own, point) in self.observed.iter_mut().zip(self.pair.observed()) {
+        let points = self.pair.observed().iter().zip(&self.observed_yielding);
+        for (own, (point, yields)) in self.observed.iter_mut().zip(points) {
             let (seen, k) = if point.side == Side::Slider { (of_slider, 0) } else { (of_track, 1) };
-            own[2] = seen[places[k]];
+            own[2] = seen[places[k]] + self.drive.load * yields[0] + self.drive.acceleration * yields[1];
             places[k] += 1;
         }
     }

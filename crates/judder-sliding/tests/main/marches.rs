@@ -287,7 +287,7 @@ fn locking_is_the_same_quantity_in_every_march() {
     }
     let error = locked(2.0, residual, 2.4e-6);
     assert!(matches!(error, SlidingError::LocksAtOnce { compliance, .. } if compliance <= 0.0), "{error}");
-    assert!(error.to_string().contains("higher cut-off"), "{error}");
+    assert!(error.to_string().contains("another cut-off"), "{error}");
 }
 
 /// FiLM sticks where the speed stays below what friction holds, slides on, and lifts off where the load is taken away: nothing of it

@@ -9,7 +9,8 @@ use judder_sliding::SlidingError;
 use judder_sliding::motion::Motion;
 
 const SPRAG_SLIP: &str = "give a smaller friction coefficient, or incline the slider less";
-const LOCKS: &str = "give a higher cut_off, or a smaller friction coefficient";
+const BETWEEN: &str = "give a frequency above those that matter and below the highest, such as cut_off = \"60 kHz\"";
+const LOCKS: &str = "give another cut_off, or a smaller friction coefficient";
 const INWARDS: &str = "hold the contact farther from the end of the track";
 const PRESSED: &str =
     "let the load press the slider onto the track: mind the sign of motion.load.force and its direction";
@@ -42,6 +43,7 @@ pub(crate) fn placed(
             SlidingError::SpragSlip { .. } => {
                 ("contact.friction_coefficient".to_owned(), unbuilt(SPRAG_SLIP))
             }
+            SlidingError::CutOff { .. } => (own("cut_off"), unbuilt(BETWEEN)),
             SlidingError::LocksAtOnce { .. } => (own("cut_off"), unbuilt(LOCKS)),
             SlidingError::RunsOff { .. } => (own("position"), unbuilt(INWARDS)),
             SlidingError::NoEquilibrium { .. } => ("motion.load".to_owned(), unbuilt(PRESSED)),

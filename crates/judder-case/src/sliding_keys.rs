@@ -68,6 +68,8 @@ pub enum SlidingKey {
     WindowLength,
     /// Share of a window that the next one has too.
     Overlap,
+    /// x, y of an observed point.
+    PointAt,
 }
 
 impl SlidingKey {
@@ -118,7 +120,7 @@ const fn ramp(key: SlidingKey, path: &'static str, doc: &'static str) -> Key<Sli
 
 /// Every number of a sliding case, in the order of the case file. The defaults are those of the beams paper, or the readings of what
 /// it does not print.
-pub static SLIDING_KEYS: [Key<SlidingKey>; 30] = [
+pub static SLIDING_KEYS: [Key<SlidingKey>; 31] = [
     number(
         SlidingKey::FrictionCoefficient,
         "contact.friction_coefficient",
@@ -329,6 +331,17 @@ pub static SLIDING_KEYS: [Key<SlidingKey>; 30] = [
         Range::Fraction,
         ("0.75", 0.75),
         "of a `spectrogram`: share of a window that the next one has too",
+    ),
+    ranged(
+        Range::Any,
+        open(quantity(
+            SlidingKey::PointAt,
+            "observe.points.at",
+            "x, y",
+            LENGTH,
+            ("", 0.0),
+            "of a point: where it lies in the undeformed structure, in a list; the nearest node is taken",
+        )),
     ),
 ];
 

@@ -16,7 +16,7 @@ mod view;
 use crate::SlidingError;
 use crate::body::Body;
 use crate::coupling::Sliding;
-use crate::edge::EdgePoint;
+use crate::edge::{EdgePoint, Interpolation, STENCIL};
 use crate::motion::{Drive, Motion};
 use crate::pair::{Observed, Pair, Side};
 use crate::plane::Vector;
@@ -254,7 +254,8 @@ impl<'a> March<'a> {
         let scheme = method.scheme();
         let initial = motion.initial_damping.map(|damping| (damping.alpha, damping.beta));
         let step_limit = scheme::step_limit(pair, scheme, initial, [motion.start, motion.end])?;
-        let (own_rows, observed) = (own_rows(pair), observed_rows(pair)?);
+        let observed = observed_rows(pair)?;
+        let own_rows = [2, 2 * pair.edge().stencil_nodes()];
         let drive = motion.at(0.0);
         let damping = damping(pair, &motion, drive.initial_damping);
         let bodies = [pair.slider().body.modes(), pair.modes()];
@@ -360,20 +361,27 @@ fn observed_yielding(pair: &Pair, scheme: Scheme) -> Vec<[f64; 2]> {
     pair.observed().iter().map(of).collect()
 }
 
-/// Rows through which each body is watched besides those of its observed points.
-fn own_rows(pair: &Pair) -> [usize; 2] {
-    [2, 2 * pair.edge().stencil_nodes()]
+/// How many displacements of a body a march can watch: the contact takes its part of the rows.
+#[must_use]
+pub fn most_observed(side: Side, interpolation: Interpolation) -> usize {
+    match side {
+        Side::Slider => ROWS - 2,
+        Side::Track => match interpolation {
+            Interpolation::Linear => ROWS - 2 * 2,
+            Interpolation::Hermite => ROWS - 2 * STENCIL,
+        },
+    }
 }
 
 /// Observed displacements of slider and track, as many as there is room for.
 fn observed_rows(pair: &Pair) -> Result<[usize; 2], SlidingError> {
     let sides = [Side::Slider, Side::Track];
     let observed = sides.map(|side| pair.observed().iter().filter(|point| point.side == side).count());
-    let own = own_rows(pair);
-    match (0..2).find(|k| own[*k] + observed[*k] > ROWS) {
+    let most = sides.map(|side| most_observed(side, pair.edge().interpolation));
+    match (0..2).find(|k| observed[*k] > most[*k]) {
         Some(k) => {
             let name = "the list of observed displacements".to_owned();
-            Err(SlidingError::Length { name, found: observed[k], expected: ROWS - own[k] })
+            Err(SlidingError::Length { name, found: observed[k], expected: most[k] })
         }
         None => Ok(observed),
     }

@@ -203,10 +203,7 @@ fn coupled(
     };
     let points = edge.points.iter().map(|at| point(track, *at)).collect::<Result<_, _>>()?;
     let track = Track { body: track.reduced.body.clone(), nodes: points };
-    let interpolation = match case.contact.interpolation {
-        contact::Interpolation::Linear => Interpolation::Linear,
-        contact::Interpolation::Hermite => Interpolation::Hermite,
-    };
+    let interpolation = interpolation(case.contact.interpolation);
     let friction = friction(case)?;
     Pair::new(slider, track, (interpolation, edge.is_left), friction, observed)
         .map_err(|error| refused(case, &error))
@@ -277,5 +274,13 @@ fn motion(case: &SlidingCase) -> Motion {
             release: initial.release,
         }),
         noise: Noise { force: own.noise.force, seed: own.noise.seed },
+    }
+}
+
+/// How the edge runs between its nodes.
+fn interpolation(asked: contact::Interpolation) -> Interpolation {
+    match asked {
+        contact::Interpolation::Linear => Interpolation::Linear,
+        contact::Interpolation::Hermite => Interpolation::Hermite,
     }
 }

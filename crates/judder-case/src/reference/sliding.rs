@@ -33,7 +33,7 @@ const HEAD: &str = "
 | `motion.ramps = { velocity, load, friction, gap }` | times of half a cosine from zero; 0 is at once |
 | `motion.initial_damping = { alpha, beta, hold, release }` | damping of both structures at the start, which then gives way to their own; left out, they have their own from the start on |
 | `motion.noise = { force, seed }` | a random force on C; the same seed (1 where left out) gives the same force |
-| `observe.points = [{ name, structure, set }]` | points whose motion along x and y a march keeps: their acceleration, on request velocity and displacement |
+| `observe.points = [{ name, structure, set }]` | points whose motion along x and y a march keeps: their acceleration, on request velocity and displacement; instead of `set`, `nodes` of matrices, or the place `at = [\"50 mm\", \"1 mm\"]`, whose nearest node is taken; seven points of the slider at most, six of the track (four with `hermite`) |
 
 The path leads from `motion.start` to `motion.end`; where `end` lies before `start`, towards the first node of the track, the velocity is negative. The slider stands where C meets the track at `start`: a `beam.origin` of it has no effect. It lies on that side of the track on which its own middle lies then. Nodes of the track that do not follow each other in their set are taken in their order along the edge, towards +x (or +y), with a warning; `judder check` shows all of it. The damping matrix of imported matrices has to be α M + β K, to 1e-8 of its largest entry.
 

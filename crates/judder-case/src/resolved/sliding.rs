@@ -50,6 +50,7 @@ fn add_nodes(json: &mut Json, nodes: &KeptNodes) {
     match nodes {
         KeptNodes::Set(set) => json["set"] = json!(set),
         KeptNodes::Numbers(nodes) => json["nodes"] = json!(nodes),
+        KeptNodes::Near(place) => json["at"] = json!(place.map(|x| si(x, Dimension::LENGTH))),
     }
 }
 

@@ -118,6 +118,7 @@ pub(super) fn reduction(reduction: &Reduction) -> Json {
     let kept = reduction.kept.iter().map(|kept| match &kept.nodes {
         KeptNodes::Set(set) => json!({ "set": set, "directions": directions(kept.directions) }),
         KeptNodes::Numbers(nodes) => json!({ "nodes": nodes, "directions": directions(kept.directions) }),
+        KeptNodes::Near(place) => json!({ "at": place, "directions": directions(kept.directions) }),
     });
     let mut json = json!({ "kept": kept.collect::<Vec<_>>() });
     match reduction.modes {

@@ -134,6 +134,7 @@ fn observe() -> Json {
     point.extend(object([
         ("name", name("by which signals call this point")),
         ("structure", text("the name of a structure")),
+        ("at", list(number(SlidingKey::PointAt), [2, 2], "x and y of the point, in place of set or nodes")),
     ]));
     let point = table("a point whose motion is kept", point, &["name", "structure"]);
     let points = object([("points", json!({ "type": "array", "items": point }))]);

@@ -27,7 +27,7 @@ pub struct SlidingContact {
 }
 
 /// Nodes of one of the two structures.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct NodesOf {
     /// The index of the structure, 0 or 1.
     pub structure: usize,

@@ -9,10 +9,12 @@ use crate::dimension::Dimension;
 use crate::document::Node;
 use crate::error::Fault;
 use crate::section::{Section, list, text};
-use crate::structure::reduction::read_nodes;
+use crate::sliding_keys::SlidingKey;
+use crate::structure::lists::{length, quantities};
+use crate::structure::reduction::{KeptNodes, read_nodes};
 
 /// A point whose motion is kept.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct ObservedPoint {
     /// Its name, of letters, digits, `_` and `-`.
     pub name: String,
@@ -144,13 +146,30 @@ pub(super) fn read_points(
 }
 
 fn read_point(node: &Node, structures: &[SlidingStructure; 2]) -> Result<ObservedPoint, Fault> {
-    let keys = ["name", "structure", "set", "nodes"];
+    let keys = ["name", "structure", "set", "nodes", "at"];
     let section = Section::open(node, "observe.points", "an observed point", &keys)?;
     let name = read_name(&section, "point")?;
     let structure = find_structure(structures, &section, "structure")?;
-    let nodes = read_nodes(&section, &structures[structure].source)?;
+    let nodes = match section.get("at") {
+        Some(node) => read_place(&section, node)?,
+        None => read_nodes(&section, &structures[structure].source)?,
+    };
     check_one_node(&section, "nodes", node, &nodes)?;
     Ok(ObservedPoint { name, node: NodesOf { structure, nodes } })
+}
+
+/// The place x, y of a point, in place of the name of its node.
+fn read_place(section: &Section<'_>, node: &Node) -> Result<KeptNodes, Fault> {
+    for other in ["set", "nodes"] {
+        if let Some(node) = section.get(other) {
+            let (first, second) = (section.path("at"), section.path(other));
+            return Err(Cause::Conflict { first, second }.at(node.place));
+        }
+    }
+    match quantities(section, SlidingKey::PointAt.entry(), node)?[..] {
+        [x, y] => Ok(KeptNodes::Near([x, y])),
+        _ => Err(length(section, "at", "two lengths, x and y", node)),
+    }
 }
 
 /// The signal that `key` of an analysis names; without the key the first point's acceleration along y, or the normal force where no

@@ -45,6 +45,29 @@ pub enum SlidingProblem {
         /// How many nodes it names.
         found: usize,
     },
+    /// A place where a structure has no node.
+    #[error(
+        "`{key}` is ({:.4e}, {:.4e}) m, but the nearest node of the structure lies at ({:.4e}, {:.4e}) m",
+        place[0], place[1], nearest[0], nearest[1]
+    )]
+    NoNodeThere {
+        /// The key.
+        key: String,
+        /// The place that was given, m.
+        place: [f64; 2],
+        /// Where the nearest node is, m.
+        nearest: [f64; 2],
+    },
+    /// More points than a march can watch.
+    #[error("{found} points of `{structure}` are observed, but a march watches {limit} of it at most")]
+    TooManyPoints {
+        /// The structure.
+        structure: String,
+        /// How many points of it are observed.
+        found: usize,
+        /// How many can be.
+        limit: usize,
+    },
     /// A list of nodes that is not an edge along which something could slide.
     #[error("the track `{name}` {reason}")]
     Track {
@@ -205,6 +228,8 @@ impl SlidingProblem {
             Self::NameTwice { .. } => "given twice",
             Self::SameStructure { .. } => "the same structure",
             Self::NotOneNode { .. } => "not one node",
+            Self::NoNodeThere { .. } => "outside the structure",
+            Self::TooManyPoints { .. } => "too many",
             Self::Track { .. } => "no edge",
             Self::OffTrack { .. } => "off the track",
             Self::NoCourse { .. } => "leads elsewhere",
@@ -234,7 +259,11 @@ impl SlidingProblem {
             }
             Self::NameTwice { what, .. } => return format!("give each {what} a `name` of its own"),
             Self::SameStructure { .. } => "let one structure slide on the other",
-            Self::NotOneNode { .. } => "of a beam, `end-lower` or another corner is a set of one node",
+            Self::NotOneNode { .. } => {
+                "of a beam, `end-lower` or another corner is a set of one node; an observed point can be given by its place: at = [\"50 mm\", \"1 mm\"]"
+            }
+            Self::NoNodeThere { .. } => "give a place on the undeformed structure, as it is drawn",
+            Self::TooManyPoints { .. } => "observe fewer points in one case, others in another",
             Self::Track { .. } => {
                 "name the nodes of one edge in their order, as `upper-corners` of a beam has them"
             }

@@ -19,7 +19,7 @@ pub struct Reduction {
 }
 
 /// Freedoms that are kept.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Kept {
     /// Whose freedoms they are.
     pub nodes: KeptNodes,
@@ -28,12 +28,14 @@ pub struct Kept {
 }
 
 /// Nodes whose freedoms are kept.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum KeptNodes {
     /// A set of the body.
     Set(String),
     /// Nodes of the table of freedoms, by their numbers in it.
     Numbers(Vec<usize>),
+    /// The node nearest to a place x, y of the undeformed structure, m.
+    Near([f64; 2]),
 }
 
 /// How many fixed-interface modes are kept.

@@ -193,6 +193,26 @@ fn points_and_signals() {
     );
 }
 
+#[test]
+fn places_of_points() {
+    let own = "set = \"end-upper\" }]";
+    let both = "set = \"end-upper\", at = [\"1 mm\", \"1 mm\"] }]";
+    changed(
+        own,
+        both,
+        "`observe.points.set` together with `observe.points.at`: both say the same thing",
+        "\"end-upper\"",
+        "keep `observe.points.at` or `observe.points.set`",
+    );
+    changed(
+        own,
+        "at = [\"1 mm\"] }]",
+        "`observe.points.at` has 1 entries, but must have two lengths, x and y",
+        "[\"1 mm\"]",
+        "give two lengths, x and y",
+    );
+}
+
 /// What shows only when structures are built has its place by the names of the case.
 #[test]
 fn problems_of_a_run_have_their_place() {

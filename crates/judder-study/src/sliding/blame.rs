@@ -9,7 +9,8 @@ use judder_sliding::SlidingError;
 use judder_sliding::motion::Motion;
 
 const SPRAG_SLIP: &str = "give a smaller friction coefficient, or incline the slider less";
-const BETWEEN: &str = "give a frequency above those that matter and below the highest, such as cut_off = \"60 kHz\"";
+const BETWEEN: &str =
+    "give a frequency above those that matter and below the highest, such as cut_off = \"60 kHz\"";
 const LOCKS: &str = "give another cut_off, or a smaller friction coefficient";
 const INWARDS: &str = "hold the contact farther from the end of the track";
 const PRESSED: &str =

@@ -1,9 +1,12 @@
 //! The nodes that a sliding case names, and the freedoms that each structure has to keep for them.
 
 use super::Uncoupled;
+use super::interpolation;
 use crate::structure::{Structure, freedoms_of, points_of};
 use judder_case::structure::reduction::KeptNodes;
 use judder_case::{SlidingCase, SlidingProblem};
+use judder_sliding::march::most_observed;
+use judder_sliding::pair::Side;
 
 /// Points of the structures' layouts, and freedoms.
 pub(super) struct Nodes {
@@ -31,9 +34,14 @@ impl Nodes {
         let load = loaded(case, structures[slider])?;
         let observed = case.points.iter().map(|point| {
             let path = format!("observe.points.{}", point.name);
-            one(points_of(&point.node.nodes, structures[point.node.structure], &path)?, &path)
+            let structure = structures[point.node.structure];
+            match &point.node.nodes {
+                KeptNodes::Near(place) => nearest(structure, *place, &path),
+                nodes => one(points_of(nodes, structure, &path)?, &path),
+            }
         });
         let observed = observed.collect::<Result<Vec<usize>, Uncoupled>>()?;
+        check_count(case)?;
         if plane(structures[slider], contact).is_empty() {
             return Err(Uncoupled::because(
                 "contact.slider",
@@ -80,6 +88,39 @@ fn one(points: Vec<usize>, path: &str) -> Result<usize, Uncoupled> {
     }
 }
 
+/// The node nearest to a place in the plane; it may be as far away as a twentieth of the structure's size, which no slip of a unit is.
+fn nearest(structure: &Structure, place: [f64; 2], path: &str) -> Result<usize, Uncoupled> {
+    let points = structure.layout.as_ref().map_or(&[][..], |layout| &layout.points);
+    let apart = |a: &[f64; 3], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
+    let nearest = points.iter().enumerate().min_by(|a, b| apart(a.1, place).total_cmp(&apart(b.1, place)));
+    let Some((number, at)) = nearest else {
+        let (reason, advice) = ("has no places of nodes", "name the node by nodes = [17]");
+        return Err(Uncoupled::because(path, format!("the structure {reason}"), advice));
+    };
+    let nearest = [at[0], at[1]];
+    let size = points.iter().map(|point| apart(point, nearest)).fold(0.0, f64::max);
+    if apart(at, place) <= 0.05 * size {
+        return Ok(number);
+    }
+    let problem = SlidingProblem::NoNodeThere { key: format!("{path}.at"), place, nearest };
+    Err(Uncoupled::new(format!("{path}.at"), problem))
+}
+
+/// Refuses more points than a march watches.
+fn check_count(case: &SlidingCase) -> Result<(), Uncoupled> {
+    let interpolation = interpolation(case.contact.interpolation);
+    for (index, structure) in case.structures.iter().enumerate() {
+        let side = if index == case.contact.slider.structure { Side::Slider } else { Side::Track };
+        let limit = most_observed(side, interpolation) / 2;
+        let found = case.points.iter().filter(|point| point.node.structure == index).count();
+        if found > limit {
+            let problem = SlidingProblem::TooManyPoints { structure: structure.name.clone(), found, limit };
+            return Err(Uncoupled::new("observe.points", problem));
+        }
+    }
+    Ok(())
+}
+
 /// The one freedom that all loaded nodes share.
 fn loaded(case: &SlidingCase, slider: &Structure) -> Result<usize, Uncoupled> {
     let load = &case.motion.load;
@@ -113,6 +154,7 @@ fn loaded(case: &SlidingCase, slider: &Structure) -> Result<usize, Uncoupled> {
 pub(super) fn name(nodes: &KeptNodes) -> String {
     match nodes {
         KeptNodes::Set(set) => set.clone(),
+        KeptNodes::Near([x, y]) => format!("({x:.4e}, {y:.4e}) m"),
         KeptNodes::Numbers(numbers) => numbers.iter().map(usize::to_string).collect::<Vec<_>>().join(", "),
     }
 }

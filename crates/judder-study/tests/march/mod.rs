@@ -308,3 +308,47 @@ fn sounds_tell_their_gain() {
     assert_eq!(&bytes[..4], b"RIFF");
     assert!(sound["gain"].as_f64().unwrap() > 0.0);
 }
+
+/// A case of the pair that observes these points.
+fn observing(points: &str) -> Result<RunReport, StudyError> {
+    let own = "points = [{ name = \"T\", structure = \"horizontal\", set = \"end-upper\" }]";
+    assert!(PAIR.contains(own));
+    let text = format!(
+        "{}\n{}",
+        PAIR.replace(own, &format!("points = [{points}]")),
+        march("m", "method = \"ensubs\"")
+    );
+    let folder = TempDir::new().unwrap();
+    let file = CaseFile::parse("case.toml", &text, &[]).unwrap();
+    run(&file, &folder.path().join("study"), &RunOptions::default(), &Silent)
+}
+
+/// Any node can be observed by its place; the corner by its place is the corner by its name.
+#[test]
+fn points_go_by_their_place_too() {
+    let peak = |points: &str| {
+        let report = observing(points).unwrap();
+        assert!(report.complete, "{:?}", report.messages);
+        report.summary.results["m"]["peak_acceleration"].as_f64().unwrap()
+    };
+    let named = peak("{ name = \"T\", structure = \"horizontal\", set = \"end-upper\" }");
+    let placed = |at: &str| peak(&format!("{{ name = \"T\", structure = \"horizontal\", at = {at} }}"));
+    assert_eq!(placed("[\"100 mm\", \"1 mm\"]"), named);
+    assert_eq!(placed("[\"99 mm\", \"0.8 mm\"]"), named);
+    assert_ne!(placed("[\"50 mm\", \"1 mm\"]"), named);
+}
+
+#[test]
+fn points_that_cannot_be_observed() {
+    let told = |points: &str| observing(points).unwrap_err().to_string();
+    let nowhere = told("{ name = \"T\", structure = \"horizontal\", at = [\"100 m\", \"1 mm\"] }");
+    assert!(
+        nowhere.contains("`observe.points.T.at` is (1.0000e2, 1.0000e-3) m, but the nearest node"),
+        "{nowhere}"
+    );
+    let many: Vec<String> = (0..7)
+        .map(|k| format!("{{ name = \"P{k}\", structure = \"horizontal\", at = [\"{k}0 mm\", \"1 mm\"] }}"))
+        .collect();
+    let many = told(&many.join(", "));
+    assert_eq!(many, "7 points of `horizontal` are observed, but a march watches 6 of it at most");
+}

@@ -158,7 +158,7 @@ pub struct March<'a> {
     observed: Vec<[f64; 3]>,
     accelerations: Vec<f64>,
     velocity: f64,
-    /// Sliding velocity that a held contact has beside its motion, m/s.
+    /// Sliding velocity along the tangent that a held contact has beside its motion, m/s.
     steady: f64,
     force: Vector,
     force_before: Vector,

@@ -91,7 +91,7 @@ impl March<'_> {
         self.move_on(&touch, force, disturbance);
         self.steps += 1;
         self.at = touch.at;
-        self.velocity = self.steady + slip / step;
+        self.velocity = slip / step;
         Ok(Some(Sample {
             time: self.steps as f64 * step,
             position: drive.position,
@@ -161,7 +161,9 @@ impl March<'_> {
         let gap = dot(touch.normal, minus(plus(rigid, 1.0, predicted), nodes))
             + self.settings.motion.initial_gap
             - target;
-        let advance = (drive.position - self.drive.position) * dot(self.pair.direction(), touch.tangent);
+        // a held contact slides on all the same
+        let advance = (drive.position - self.drive.position) * dot(self.pair.direction(), touch.tangent)
+            + self.steady * self.settings.step;
         let of_track = minus(combined(weights, &self.view.predicted), combined(weights, &self.view.now));
         let slip = advance + dot(touch.tangent, minus(minus(predicted, now), of_track));
         // a mode without bound carries C away long before its numbers end

@@ -66,6 +66,14 @@ fn ensubs_grows_as_the_deformed_eigenvalue() {
     growth_agrees(&common::pair(), Method::EnSubs, Configuration::Deformed, 3e-7);
 }
 
+/// So it does by FiLM, whose contact slides while it is held: the friction that turns with the sliding velocity is that of the eigenvalue.
+#[test]
+fn film_grows_as_the_deformed_eigenvalue() {
+    let pair = common::pair();
+    let zones = zones(&pair, Configuration::Deformed);
+    growth_agrees_in(&zones[..3], &pair, Method::Film, Configuration::Deformed, 3e-7);
+}
+
 /// So does the march with residual flexibility, whose step is eight times as long.
 #[test]
 fn residual_flexibility_grows_as_the_deformed_eigenvalue() {

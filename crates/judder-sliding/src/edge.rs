@@ -66,7 +66,21 @@ pub struct Touch {
 
 /// The point has run off an end of the edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct RunOff;
+pub enum RunOff {
+    /// That of its first node.
+    First,
+    /// That of its last node.
+    Last,
+}
+
+impl fmt::Display for RunOff {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Self::First => "run off the track beyond its first node",
+            Self::Last => "run off the track beyond its last node",
+        })
+    }
+}
 
 /// An edge of so many nodes, without their places.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -182,7 +196,7 @@ impl Edge {
                 break;
             }
             if next > last {
-                return Err(RunOff);
+                return Err(if at.fraction < 0.0 { RunOff::First } else { RunOff::Last });
             }
             came_from = at.segment;
             at = EdgePoint { segment: next, fraction: if next > at.segment { 0.0 } else { 1.0 } };
@@ -335,7 +349,7 @@ mod tests {
         let nodes = arc(5);
         let edge = edge(Interpolation::Linear, 5);
         let from = EdgePoint { segment: 2, fraction: 0.0 };
-        assert_eq!(edge.touch([-1.0, 10.0], from, places(edge, &nodes)), Err(RunOff));
-        assert_eq!(edge.touch([6.0, 9.0], from, places(edge, &nodes)), Err(RunOff));
+        assert_eq!(edge.touch([-1.0, 10.0], from, places(edge, &nodes)), Err(RunOff::First));
+        assert_eq!(edge.touch([6.0, 9.0], from, places(edge, &nodes)), Err(RunOff::Last));
     }
 }

@@ -5,6 +5,7 @@
 
 mod checkpoint;
 mod compliance;
+mod departure;
 mod lock;
 mod oscillators;
 mod reaction;
@@ -16,7 +17,7 @@ mod view;
 use crate::SlidingError;
 use crate::body::Body;
 use crate::coupling::Sliding;
-use crate::edge::EdgePoint;
+use crate::edge::{EdgePoint, RunOff};
 use crate::motion::{Drive, Motion};
 use crate::pair::{Pair, Side};
 use crate::plane::Vector;
@@ -126,8 +127,8 @@ pub enum Reached {
     Steps,
     /// The end of the path.
     End,
-    /// The end of the track, before the end of the path.
-    RunOff,
+    /// An end of the track, before the end of the path.
+    RunOff(RunOff),
 }
 
 /// Gap at the start that is rounding, as a share of a segment.

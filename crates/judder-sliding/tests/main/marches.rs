@@ -2,7 +2,7 @@
 use crate::common;
 use judder_numerics::signal::decimate::{Decimation, Decimator};
 use judder_sliding::coupling::{Coupling, Sliding};
-use judder_sliding::edge::Interpolation;
+use judder_sliding::edge::{Interpolation, RunOff};
 use judder_sliding::friction::Friction;
 use judder_sliding::march::{ContactState, March, MarchSettings, Method, Predictor, Reached, Sample, Start};
 use judder_sliding::motion::{Motion, Noise, Ramps};
@@ -359,5 +359,5 @@ fn wrong_marches_are_named() {
     assert!(matches!(locked, Err(SlidingError::SpragSlip { .. })), "{locked:?}");
     let end = Motion { start: 0.0985, end: 0.1, ..common::motion() };
     let end = at(end).unwrap().advance(u64::MAX, &mut nothing);
-    assert_eq!(end, Ok(Reached::RunOff));
+    assert_eq!(end, Ok(Reached::RunOff(RunOff::Last)));
 }

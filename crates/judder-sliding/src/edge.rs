@@ -1,6 +1,7 @@
 //! The contact edge of a track: its interpolation between nodes, and the place where the slider touches it.
 
 use crate::plane::{Vector, dot, length, minus, plus, turned};
+use std::cmp::Ordering;
 use std::fmt;
 
 /// Nodes that an interpolation uses at most.
@@ -32,6 +33,18 @@ pub struct EdgePoint {
     pub segment: usize,
     /// ξ.
     pub fraction: f64,
+}
+
+impl EdgePoint {
+    /// The place of another segment that is nearest to this one: of a neighbour, the node that both share.
+    #[inline]
+    pub(crate) fn seen_from(self, segment: usize) -> Self {
+        match segment.cmp(&self.segment) {
+            Ordering::Equal => self,
+            Ordering::Greater => Self { segment, fraction: 0.0 },
+            Ordering::Less => Self { segment, fraction: 1.0 },
+        }
+    }
 }
 
 /// Weights of the nodes of a stencil: P = Σ w_k x_k, and its derivatives by ξ.

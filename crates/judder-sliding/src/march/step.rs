@@ -204,12 +204,12 @@ impl March<'_> {
             }
             _ => {
                 let point = plus(plus(rigid, 1.0, contact[1]), 1.0, compliance.of_contact(guess));
-                let weights = edge.weights(*at).value;
                 let is_guessed = guess != [0.0; 2];
                 edge.touch(point, *at, |segment| {
                     look(view, pair, track, compliance, segment);
                     let mut by = view.predicted;
                     if is_guessed {
+                        let weights = edge.weights(at.seen_from(segment)).value;
                         let moved = view.compliance.of_nodes(&weights, guess);
                         by = std::array::from_fn(|k| plus(by[k], 1.0, moved[k]));
                     }

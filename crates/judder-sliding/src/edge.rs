@@ -1,6 +1,7 @@
 //! The contact edge of a track: its interpolation between nodes, and the place where the slider touches it.
 
 use crate::plane::{Vector, dot, length, minus, plus, turned};
+use std::cmp::Ordering;
 use std::fmt;
 
 /// Nodes that an interpolation uses at most.
@@ -32,6 +33,18 @@ pub struct EdgePoint {
     pub segment: usize,
     /// ξ.
     pub fraction: f64,
+}
+
+impl EdgePoint {
+    /// The place of another segment that is nearest to this one: of a neighbour, the node that both share.
+    #[inline]
+    pub(crate) fn seen_from(self, segment: usize) -> Self {
+        match segment.cmp(&self.segment) {
+            Ordering::Equal => self,
+            Ordering::Greater => Self { segment, fraction: 0.0 },
+            Ordering::Less => Self { segment, fraction: 1.0 },
+        }
+    }
 }
 
 /// Weights of the nodes of a stencil: P = Σ w_k x_k, and its derivatives by ξ.
@@ -66,7 +79,21 @@ pub struct Touch {
 
 /// The point has run off an end of the edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct RunOff;
+pub enum RunOff {
+    /// That of its first node.
+    First,
+    /// That of its last node.
+    Last,
+}
+
+impl fmt::Display for RunOff {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Self::First => "run off the track beyond its first node",
+            Self::Last => "run off the track beyond its last node",
+        })
+    }
+}
 
 /// An edge of so many nodes, without their places.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -182,7 +209,7 @@ impl Edge {
                 break;
             }
             if next > last {
-                return Err(RunOff);
+                return Err(if at.fraction < 0.0 { RunOff::First } else { RunOff::Last });
             }
             came_from = at.segment;
             at = EdgePoint { segment: next, fraction: if next > at.segment { 0.0 } else { 1.0 } };
@@ -335,7 +362,7 @@ mod tests {
         let nodes = arc(5);
         let edge = edge(Interpolation::Linear, 5);
         let from = EdgePoint { segment: 2, fraction: 0.0 };
-        assert_eq!(edge.touch([-1.0, 10.0], from, places(edge, &nodes)), Err(RunOff));
-        assert_eq!(edge.touch([6.0, 9.0], from, places(edge, &nodes)), Err(RunOff));
+        assert_eq!(edge.touch([-1.0, 10.0], from, places(edge, &nodes)), Err(RunOff::First));
+        assert_eq!(edge.touch([6.0, 9.0], from, places(edge, &nodes)), Err(RunOff::Last));
     }
 }

@@ -1,3 +1,4 @@
+use crate::edge::RunOff;
 use thiserror::Error;
 
 /// Why two structures cannot slide, or a march cannot go on.
@@ -55,13 +56,15 @@ pub enum SlidingError {
     },
     /// A contact that is held so near to an end of the track that it swings beyond it.
     #[error(
-        "held at {position:.6e} m the contact runs off the end of the track, which is {length:.6e} m long: hold it farther from the end"
+        "held at {position:.6e} m the contact has {end}, which is {length:.6e} m long: hold it farther from the end"
     )]
     RunsOff {
         /// Distance of the contact point from the first node, m.
         position: f64,
         /// Length of the track, m.
         length: f64,
+        /// Beyond which end.
+        end: RunOff,
     },
     /// The normal force that closes the contact has no bound: the slider locks.
     #[error(
@@ -143,6 +146,16 @@ pub enum SlidingError {
     /// A checkpoint of another march.
     #[error("the checkpoint is of another march: it has other modes or observed displacements")]
     ForeignCheckpoint,
+    /// A contact that is open and farther from the track than that is long.
+    #[error(
+        "the slider has lifted off at {position:.6e} m and flown away: it is {gap:.3e} m from the track, farther than any contact comes back from; a load that presses it on keeps it there"
+    )]
+    LiftedOff {
+        /// Distance of the contact point from the first node without deformation, m.
+        position: f64,
+        /// n·(x_C − P), m.
+        gap: f64,
+    },
     /// A march has grown beyond all bounds.
     #[error(
         "the march is not finite any more at step {step}, {position:.6e} m: a mode has grown without bound"

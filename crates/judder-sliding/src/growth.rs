@@ -148,8 +148,8 @@ pub fn frozen_growth(
         }
         count += 1;
     };
-    if march.advance(4 * quarter, &mut take)? == Reached::RunOff {
-        return Err(SlidingError::RunsOff { position: settings.position, length: pair.length() });
+    if let Reached::RunOff(end) = march.advance(4 * quarter, &mut take)? {
+        return Err(SlidingError::RunsOff { position: settings.position, length: pair.length(), end });
     }
     let apart = quarter as f64 * settings.step;
     let rate = |from: usize, to: usize| (windows[to] / windows[from]).ln() / ((to - from) as f64 * apart);

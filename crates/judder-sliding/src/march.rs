@@ -5,6 +5,7 @@
 
 mod checkpoint;
 mod compliance;
+mod departure;
 mod lock;
 mod oscillators;
 mod reaction;
@@ -16,7 +17,7 @@ mod view;
 use crate::SlidingError;
 use crate::body::Body;
 use crate::coupling::Sliding;
-use crate::edge::{EdgePoint, Interpolation, STENCIL};
+use crate::edge::{EdgePoint, Interpolation, RunOff, STENCIL};
 use crate::motion::{Drive, Motion};
 use crate::pair::{Observed, Pair, Side};
 use crate::plane::Vector;
@@ -126,8 +127,8 @@ pub enum Reached {
     Steps,
     /// The end of the path.
     End,
-    /// The end of the track, before the end of the path.
-    RunOff,
+    /// An end of the track, before the end of the path.
+    RunOff(RunOff),
 }
 
 /// Gap at the start that is rounding, as a share of a segment.
@@ -158,7 +159,7 @@ pub struct March<'a> {
     observed: Vec<[f64; 3]>,
     accelerations: Vec<f64>,
     velocity: f64,
-    /// Sliding velocity that a held contact has beside its motion, m/s.
+    /// Sliding velocity along the tangent that a held contact has beside its motion, m/s.
     steady: f64,
     force: Vector,
     force_before: Vector,

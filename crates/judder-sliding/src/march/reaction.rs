@@ -49,10 +49,11 @@ pub(super) struct Locked {
 pub(super) fn sliding(approach: &Approach, direction: f64) -> Result<Reaction, Locked> {
     let [nn, nt, _, _] = approach.compliance;
     let compliance = nn - direction * approach.friction * nt;
-    if compliance <= 0.0 || compliance.is_nan() {
+    let normal = -approach.gap / compliance;
+    // a number that is none locks as well
+    if !(compliance > 0.0 && normal.is_finite()) {
         return Err(Locked { compliance, direction });
     }
-    let normal = -approach.gap / compliance;
     if normal < 0.0 {
         return Ok(OPEN);
     }
@@ -60,14 +61,17 @@ pub(super) fn sliding(approach: &Approach, direction: f64) -> Result<Reaction, L
     Ok(Reaction { normal, tangential, state: ContactState::Slip })
 }
 
-/// Sweeps after which the state of the contact must have settled.
-const SWEEPS: usize = 100;
-
-/// Forward increment Lagrange multipliers: a stick trial, then Gauss–Seidel sweeps that project the force onto Coulomb's cone.
+/// Forward increment Lagrange multipliers: the force that obeys Signorini's and Coulomb's laws at the end of the step, where Gauss–Seidel
+/// sweeps onto Coulomb's cone come to rest.
 ///
 /// N. J. Carpenter, R. L. Taylor, M. G. Katona, *Lagrange constraints for transient finite element surface contact*, Int. J. Numer.
-/// Meth. Engng 32 (1991). Slip against the force of the stick trial is tried before the sweeps. Once two of these agree on the direction
-/// of slip, the equations of that state are solved.
+/// Meth. Engng 32 (1991). One contact in the plane needs no sweeps: its three states can be told beforehand. Without penetration it is open.
+/// With it N > 0 closes the gap; under T = τ N with |τ| ≤ μ, N = −gap/(nn + nt τ), and the slip becomes f(τ)/(nn + nt τ) with
+/// f(τ) = (nn slip − tn gap) + (nt slip − tt gap) τ. Where nn > μ |nt|, its derivative −gap (nn tt − nt tn)/(nn + nt τ)² is not negative,
+/// since the compliance is symmetric and not negative either. So just one of these holds: f(−μ) ≥ 0, and it slides on; f(μ) ≤ 0, and it
+/// slides back; f has its root between, and it sticks.
+///
+/// Where sliding one way locks (nn ≤ μ |nt|), a contact that stick holds back from going that way is [`Locked`].
 #[inline]
 pub(super) fn projected(approach: &Approach) -> Result<Reaction, Locked> {
     if approach.gap >= 0.0 {
@@ -75,44 +79,26 @@ pub(super) fn projected(approach: &Approach) -> Result<Reaction, Locked> {
     }
     let [nn, nt, tn, tt] = approach.compliance;
     let Approach { gap, slip, friction, .. } = *approach;
-    // the stick trial: no gap and no slip
-    let determinant = nn * tt - nt * tn;
-    let trial = Reaction {
-        normal: (nt * slip - tt * gap) / determinant,
-        tangential: (tn * gap - nn * slip) / determinant,
-        state: ContactState::Stick,
-    };
-    if trial.normal >= 0.0 && trial.tangential.abs() <= friction * trial.normal {
-        return Ok(trial);
-    }
-    // most often it slides against the force that stick would need; where slip is indeed that way, this is the projection
-    let side = trial.tangential.signum();
-    if let Ok(guess) = sliding(approach, -side)
-        && guess.normal > 0.0
-        && (slip + tn * guess.normal + tt * guess.tangential) * side < 0.0
-    {
-        return Ok(guess);
-    }
-    let (mut normal, mut tangential) = (-gap / nn, 0.0);
-    let mut before = f64::NAN;
-    for _ in 0..SWEEPS {
-        tangential = (-(slip + tn * normal) / tt).clamp(-friction * normal, friction * normal);
-        normal = (-(gap + nt * tangential) / nn).max(0.0);
-        let side = if tangential.abs() < friction * normal { 0.0 } else { tangential.signum() };
-        if side == before && side != 0.0 {
-            break;
+    let (fixed, rising) = (nn * slip - tn * gap, nt * slip - tt * gap);
+    let opened = |share: f64| nn + nt * share;
+    for direction in [1.0, -1.0] {
+        if direction * fixed >= friction * rising && opened(-direction * friction) > 0.0 {
+            return sliding(approach, direction);
         }
-        before = side;
     }
-    if normal == 0.0 {
-        return Ok(OPEN);
+    let share = -fixed / rising;
+    let normal = -gap / opened(share);
+    let is_held = share.abs() <= friction && normal > 0.0 && normal.is_finite();
+    if is_held && opened(friction.copysign(share)) > 0.0 {
+        return Ok(Reaction { normal, tangential: share * normal, state: ContactState::Stick });
     }
-    sliding(approach, -tangential.signum())
+    Err(Locked { compliance: nn - friction * nt.abs(), direction: nt.signum() })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use judder_numerics::counter::uniform;
     use proptest::prelude::*;
 
     fn gap_and_slip(approach: &Approach, reaction: &Reaction) -> (f64, f64) {
@@ -152,6 +138,77 @@ mod tests {
             let approach = Approach { gap, slip: 5.0, compliance: [nn, nt, nt, 1.0], friction };
             prop_assert_eq!(projected(&approach).unwrap(), sliding(&approach, 1.0).unwrap());
         }
+    }
+
+    /// A plain Gauss–Seidel projection: the tangential force onto the cone, the normal force onto what does not pull, until neither changes.
+    fn swept(approach: &Approach) -> (f64, f64) {
+        let [nn, nt, tn, tt] = approach.compliance;
+        let (mut normal, mut tangential) = (0.0, 0.0);
+        for _ in 0..10_000 {
+            let before = (normal, tangential);
+            normal = (-(approach.gap + nt * tangential) / nn).max(0.0);
+            let bound = approach.friction * normal;
+            tangential = (-(approach.slip + tn * normal) / tt).clamp(-bound, bound);
+            if (normal, tangential) == before {
+                break;
+            }
+        }
+        (normal, tangential)
+    }
+
+    /// Random approaches of any state: the cases give the force on which the sweeps come to rest.
+    #[test]
+    fn the_cases_are_the_limit_of_the_sweeps() {
+        let mut counts = [0_u32; 4];
+        for draw in 0..100_000_u64 {
+            let drawn = |k: u64, from: f64, to: f64| from + (to - from) * uniform(17, 8 * draw + k);
+            let (nn, tt) = (drawn(0, 0.5, 2.0), drawn(1, 0.5, 2.0));
+            let nt = drawn(2, -0.9, 0.9) * f64::sqrt(nn * tt);
+            let friction = drawn(3, 0.0, 1.5).min(0.9 * nn / nt.abs());
+            let (gap, slip) = (drawn(4, -1.0, 0.3), drawn(5, -1.5, 1.5));
+            let approach = Approach { gap, slip, compliance: [nn, nt, nt, tt], friction };
+            let Reaction { normal, tangential, state } = projected(&approach).unwrap();
+            let (n, t) = swept(&approach);
+            let difference = (normal - n).abs().max((tangential - t).abs());
+            assert!(difference < 1e-10 * n.max(1.0), "{approach:?}: {normal} {tangential}, {n} {t}");
+            counts[match state {
+                ContactState::Open => 0,
+                ContactState::Stick => 1,
+                ContactState::Slip if tangential <= 0.0 => 2,
+                ContactState::Slip => 3,
+            }] += 1;
+        }
+        assert!(counts.iter().all(|count| *count > 10_000), "{counts:?}");
+    }
+
+    /// Whatever finite numbers come, there is a force within the cone or the slider locks: nothing panics, no force is NaN.
+    #[test]
+    fn no_approach_is_beyond_the_cases() {
+        let values = [0.0, -0.0, 1.0, -1.0, 1e-300, -1e-300, 5e-324, 0.3, -0.3, 1e20];
+        let frictions = [0.0, 5e-324, 0.3, 30.0];
+        let of = |number: usize, place: u32| values[number / values.len().pow(place) % values.len()];
+        for number in 0..values.len().pow(5) {
+            let compliance = [of(number, 0), of(number, 1), of(number, 1), of(number, 2)];
+            for friction in frictions {
+                let approach = Approach { gap: of(number, 3), slip: of(number, 4), compliance, friction };
+                if let Ok(Reaction { normal, tangential, .. }) = projected(&approach) {
+                    let is_within = tangential.abs() <= friction * normal * (1.0 + 1e-14) + f64::MIN_POSITIVE;
+                    assert!(normal >= 0.0 && is_within, "{approach:?}: {normal} {tangential}");
+                }
+            }
+        }
+    }
+
+    /// Where it cannot slide on, it slides back or sticks with a force that pulls it on; held back by stick it is locked.
+    #[test]
+    fn a_contact_that_locks_one_way_slides_the_other() {
+        let of = |slip: f64| {
+            projected(&Approach { gap: -1.0, slip, compliance: [1.0, 0.5, 0.5, 1.0], friction: 3.0 })
+        };
+        let back = of(-2.0).unwrap();
+        assert_eq!((back.state, back.normal, back.tangential), (ContactState::Slip, 0.4, 3.0 * 0.4));
+        assert_eq!(of(-1.0).map(|held| held.state), Ok(ContactState::Stick));
+        assert_eq!(of(1.0), Err(Locked { compliance: -0.5, direction: 1.0 }));
     }
 
     #[test]

@@ -51,8 +51,8 @@ impl March<'_> {
     /// Goes on by so many steps at most.
     ///
     /// # Errors
-    /// [`SlidingError::SpragSlip`] where the slider locks, [`SlidingError::NotFinite`] where a mode has grown without bound. What was
-    /// taken before stands.
+    /// [`SlidingError::SpragSlip`] where the slider locks, [`SlidingError::LiftedOff`] where it is open and farther from the track than
+    /// that is long, [`SlidingError::NotFinite`] where a mode has grown without bound. What was taken before stands.
     pub fn advance(&mut self, steps: u64, sink: &mut impl Sink) -> Result<Reached, SlidingError> {
         let is_path = self.settings.motion.velocity != 0.0;
         let last = if is_path { self.all_steps() } else { u64::MAX };
@@ -61,25 +61,28 @@ impl March<'_> {
                 return Ok(Reached::End);
             }
             match self.step()? {
-                Some(sample) => {
+                Ok(sample) => {
                     for (point, own) in self.observed.iter().enumerate() {
                         sink.displaced(point, own[1], sample.position);
                     }
                     sink.take(&sample, &self.accelerations);
                 }
-                None => return Ok(Reached::RunOff),
+                Err(end) => return Ok(Reached::RunOff(end)),
             }
         }
         Ok(if self.steps >= last { Reached::End } else { Reached::Steps })
     }
 
-    /// One step; `None` where the contact has run off the track.
-    fn step(&mut self) -> Result<Option<Sample>, SlidingError> {
+    /// One step.
+    fn step(&mut self) -> Result<Result<Sample, RunOff>, SlidingError> {
         let step = self.settings.step;
         let drive = self.settings.motion.at((self.steps + 1) as f64 * step);
         let friction = drive.friction * self.pair.friction().at(self.velocity);
         let disturbance = self.disturb(drive.noise);
-        let Ok((touch, approach, reaction)) = self.meet(&drive, friction)? else { return Ok(None) };
+        let (touch, approach, reaction) = match self.meet(&drive, friction)? {
+            Ok(met) => met,
+            Err(end) => return Ok(Err(end)),
+        };
         let Reaction { normal, tangential, state } = reaction;
         let force = plus([touch.normal[0] * normal, touch.normal[1] * normal], tangential, touch.tangent);
         let [nn, nt, tn, tt] = approach.compliance;
@@ -91,8 +94,8 @@ impl March<'_> {
         self.move_on(&touch, force, disturbance);
         self.steps += 1;
         self.at = touch.at;
-        self.velocity = self.steady + slip / step;
-        Ok(Some(Sample {
+        self.velocity = slip / step;
+        Ok(Ok(Sample {
             time: self.steps as f64 * step,
             position: drive.position,
             normal_force: normal,
@@ -154,7 +157,7 @@ impl March<'_> {
         let rigid = self.pair.rigid_place(drive.position);
         let touch = match self.touch(drive, rigid, guess) {
             Ok(touch) => touch,
-            Err(off) => return Ok(Err(off)),
+            Err(end) => return self.beyond(end, drive.position, rigid).map(Err),
         };
         let weights = &touch.weights.value;
         let between = self.compliance.between(&self.view.compliance, weights);
@@ -164,12 +167,14 @@ impl March<'_> {
         let gap = dot(touch.normal, minus(plus(rigid, 1.0, predicted), nodes))
             + self.settings.motion.initial_gap
             - target;
-        let advance = (drive.position - self.drive.position) * dot(self.pair.direction(), touch.tangent);
+        // a held contact slides on all the same
+        let advance = (drive.position - self.drive.position) * dot(self.pair.direction(), touch.tangent)
+            + self.steady * self.settings.step;
         let of_track = minus(combined(weights, &self.view.predicted), combined(weights, &self.view.now));
         let slip = advance + dot(touch.tangent, minus(minus(predicted, now), of_track));
         // a mode without bound carries C away long before its numbers end
-        if slip.is_nan() || gap.is_nan() || gap.abs() > self.pair.length() {
-            return Err(SlidingError::NotFinite { step: self.steps + 1, position: drive.position });
+        if !slip.is_finite() || gap.is_nan() || gap.abs() > self.pair.length() {
+            return Err(self.away(gap, drive.position));
         }
         let approach = Approach { gap, slip, compliance: in_frame(&between, &touch), friction };
         let reaction = match self.settings.method {
@@ -204,12 +209,12 @@ impl March<'_> {
             }
             _ => {
                 let point = plus(plus(rigid, 1.0, contact[1]), 1.0, compliance.of_contact(guess));
-                let weights = edge.weights(*at).value;
                 let is_guessed = guess != [0.0; 2];
                 edge.touch(point, *at, |segment| {
                     look(view, pair, track, compliance, segment);
                     let mut by = view.predicted;
                     if is_guessed {
+                        let weights = edge.weights(at.seen_from(segment)).value;
                         let moved = view.compliance.of_nodes(&weights, guess);
                         by = std::array::from_fn(|k| plus(by[k], 1.0, moved[k]));
                     }

@@ -3,7 +3,7 @@
 use crate::common;
 use judder_sliding::SlidingError;
 use judder_sliding::coupling::Sliding;
-use judder_sliding::edge::Interpolation;
+use judder_sliding::edge::{Interpolation, RunOff};
 use judder_sliding::friction::Friction;
 use judder_sliding::march::{ContactState, March, MarchSettings, Method, Predictor, Reached, Sample};
 use judder_sliding::motion::{Motion, Ramps};
@@ -128,6 +128,51 @@ fn a_load_that_lifts_off_is_a_state() {
         assert_eq!(march.advance(20_000, &mut take), Ok(Reached::Steps), "{method:?}");
         assert!(open > 10_000 && least == 0.0, "{method:?}: {open} {least}");
     }
+}
+
+/// It flies on until it is farther from the track than that is long: then the march ends, and says that the slider has lifted off, where
+/// and how far. So it does where C leaves the track sideways while it rises.
+#[test]
+fn a_slider_that_flies_away_has_lifted_off() {
+    let pair = common::pair();
+    let ramps = Ramps { velocity: 2e-3, load: 2e-3, friction: 2e-3, gap: 0.0 };
+    for (method, start) in [(Method::EnSubs, 0.01), (Method::Film, 0.01), (Method::EnSubs, 0.09)] {
+        let motion = Motion { start, load: -common::LOAD, ramps, ..common::motion() };
+        let settings = MarchSettings { method, predictor: Predictor::default(), step: STEP, motion };
+        let mut march = March::new(&pair, settings).unwrap();
+        let mut last = 0.0;
+        let ended = march.advance(1_000_000, &mut |sample: &Sample, _: &[f64]| last = sample.gap);
+        let Err(SlidingError::LiftedOff { position, gap }) = ended else { panic!("{method:?}: {ended:?}") };
+        assert!((start..start + 3e-3).contains(&position), "{method:?}: {position}");
+        assert!(gap > 0.01 && (gap - last).abs() < 1e-5, "{method:?}: {gap} {last}");
+        let message = ended.unwrap_err().to_string();
+        assert!(message.contains("lifted off") && message.contains(&format!("{gap:.3e} m")), "{message}");
+    }
+}
+
+/// Friction so large that a mode grows without bound throws C beyond an end of the track. That is growth, not the end of the track, while
+/// the frame is far from it, and also near it, where C leaps. A frame that comes to the end runs off there, and which end it was is told.
+#[test]
+fn growth_without_bound_is_not_the_end_of_the_track() {
+    let rough = common::pair_with(Interpolation::Linear, Friction::constant(9.0).unwrap(), 20);
+    let marched = |pair: &Pair, motion: Motion| {
+        let settings =
+            MarchSettings { method: Method::EnSubs, predictor: Predictor::default(), step: STEP, motion };
+        March::new(pair, settings).unwrap().advance(400_000, &mut |_: &Sample, _: &[f64]| ())
+    };
+    // such growth is chaotic: some of the marches lock or fly away before it ends them
+    let mut grown = 0;
+    for start in [0.01, 0.02, 0.03, 0.05, 0.06, 0.07, 0.08, 0.09, 0.095] {
+        match marched(&rough, Motion { start, ..common::motion() }) {
+            Err(SlidingError::NotFinite { .. }) => grown += 1,
+            Err(SlidingError::SpragSlip { .. } | SlidingError::LiftedOff { .. }) => (),
+            other => panic!("{start}: {other:?}"),
+        }
+    }
+    assert!(grown > 1, "{grown}");
+    let end = marched(&common::pair(), Motion { start: 0.0985, end: 0.1, ..common::motion() });
+    assert_eq!(end, Ok(Reached::RunOff(RunOff::Last)));
+    assert_eq!(RunOff::Last.to_string(), "run off the track beyond its last node");
 }
 
 /// A gap or penetration of a micrometre at the start is closed smoothly over its ramp, on a straight and on a smooth edge: from step to

@@ -2,7 +2,7 @@
 use crate::common;
 use judder_sliding::SlidingError;
 use judder_sliding::coupling::Sliding;
-use judder_sliding::edge::Interpolation;
+use judder_sliding::edge::{Interpolation, RunOff};
 use judder_sliding::friction::Friction;
 use judder_sliding::growth::{GrowthSettings, Held, frozen_growth};
 use judder_sliding::locus::{Conditions, Configuration, Settings, locus, spectrum};
@@ -66,6 +66,14 @@ fn ensubs_grows_as_the_deformed_eigenvalue() {
     growth_agrees(&common::pair(), Method::EnSubs, Configuration::Deformed, 3e-7);
 }
 
+/// So it does by FiLM, whose contact slides while it is held: the friction that turns with the sliding velocity is that of the eigenvalue.
+#[test]
+fn film_grows_as_the_deformed_eigenvalue() {
+    let pair = common::pair();
+    let zones = zones(&pair, Configuration::Deformed);
+    growth_agrees_in(&zones[..3], &pair, Method::Film, Configuration::Deformed, 3e-7);
+}
+
 /// So does the march with residual flexibility, whose step is eight times as long.
 #[test]
 fn residual_flexibility_grows_as_the_deformed_eigenvalue() {
@@ -127,9 +135,14 @@ fn a_contact_that_swings_off_the_track_is_named() {
         .filter(|s| s.im > 1e3)
         .filter_map(|s| frozen_growth(&pair, &settings, &held, s).err())
         .collect();
-    let runs_off = SlidingError::RunsOff { position, length: pair.length() };
+    let runs_off = SlidingError::RunsOff { position, length: pair.length(), end: RunOff::Last };
     assert!(errors.contains(&runs_off), "{errors:?}");
-    assert!(runs_off.to_string().contains("held at 9.997958e-2 m"), "{runs_off}");
+    assert!(
+        runs_off
+            .to_string()
+            .contains("held at 9.997958e-2 m the contact has run off the track beyond its last node"),
+        "{runs_off}"
+    );
     let beyond = GrowthSettings { position: pair.length() + 1e-3, ..settings };
     let refused = Held::new(&pair, &beyond).err();
     assert!(matches!(refused, Some(SlidingError::OffTrack { .. })), "{refused:?}");

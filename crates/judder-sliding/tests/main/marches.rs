@@ -2,7 +2,7 @@
 use crate::common;
 use judder_numerics::signal::decimate::{Decimation, Decimator};
 use judder_sliding::coupling::{Coupling, Sliding};
-use judder_sliding::edge::Interpolation;
+use judder_sliding::edge::{Interpolation, RunOff};
 use judder_sliding::friction::Friction;
 use judder_sliding::march::{ContactState, March, MarchSettings, Method, Predictor, Reached, Sample, Start};
 use judder_sliding::motion::{Motion, Noise, Ramps};
@@ -359,5 +359,30 @@ fn wrong_marches_are_named() {
     assert!(matches!(locked, Err(SlidingError::SpragSlip { .. })), "{locked:?}");
     let end = Motion { start: 0.0985, end: 0.1, ..common::motion() };
     let end = at(end).unwrap().advance(u64::MAX, &mut nothing);
-    assert_eq!(end, Ok(Reached::RunOff));
+    assert_eq!(end, Ok(Reached::RunOff(RunOff::Last)));
+}
+
+/// The force of the last step deforms the same nodes when C comes to the next segment: on a smooth edge the normal force goes over a node
+/// as smoothly as without that force in the geometry.
+#[test]
+fn a_smooth_node_is_crossed_without_a_click() {
+    let friction = Friction::constant(common::FRICTION).unwrap();
+    let pair = common::pair_with(Interpolation::Hermite, friction, 20);
+    let ramps = Ramps { velocity: 2e-3, load: 4e-3, friction: 4e-3, gap: 0.0 };
+    let motion = Motion { start: 0.0501, ramps, ..common::motion() };
+    let [printed, with_force] = [Predictor::Printed, Predictor::WithForce].map(|predictor| {
+        let settings = MarchSettings { method: Method::EnSubs, predictor, step: STEP, motion };
+        let mut march = March::new(&pair, settings).unwrap();
+        let (mut last, mut bend) = ([0.0; 2], 0.0_f64);
+        let mut take = |sample: &Sample, _: &[f64]| {
+            // once the ramps' motion has died down: with the node at 51 mm, by what C is deformed
+            if sample.position > 0.0506 {
+                bend = bend.max((sample.normal_force - 2.0 * last[1] + last[0]).abs());
+            }
+            last = [last[1], sample.normal_force];
+        };
+        assert_eq!(march.advance(120_000, &mut take), Ok(Reached::Steps));
+        bend
+    });
+    assert!(with_force < 1.1 * printed, "{with_force:e} {printed:e} N");
 }

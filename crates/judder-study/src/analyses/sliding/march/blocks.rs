@@ -101,7 +101,7 @@ impl Marching<'_, '_> {
                     continue;
                 }
                 Ok(Reached::End) => None,
-                Ok(Reached::RunOff) => Some("the contact point has run off the end of the track".to_owned()),
+                Ok(Reached::RunOff(end)) => Some(format!("the contact point has {end}")),
                 Err(error) => Some(error.to_string()),
             };
             way.is_over = true;

@@ -3,8 +3,10 @@
 //! No zone is left to the luck of a sample. Over each piece of the parameter's range on which the pair is smooth, the eigenvalues at
 //! five even places are followed; of two that may meet between them, the mean m and d = ((s₁ − s₂)/2)² are smooth through the meeting,
 //! however narrow the zone of flutter where s = m ± √d grows. The piece is halved until the samples foretell m and d at the places
-//! between, and wherever the sign of the growth rate is in doubt at an extreme, down to a resolution that the caller gives.
+//! between, and wherever the sign of the growth rate is in doubt at an extreme, down to a resolution that the caller gives. What is not smooth even then, or
+//! leaves the eigenvalues that are counted while it grows, is followed by itself from eigenvalue to eigenvalue to where it turns stable.
 
+mod follow;
 mod meeting;
 mod piece;
 mod strip;
@@ -12,6 +14,7 @@ mod strip;
 use crate::SlidingError;
 use crate::characteristic::Characteristic;
 use crate::tracking::continued;
+use follow::{Path, is_on, onward};
 use num_complex::Complex64;
 use piece::{Search, Searched};
 use rayon::prelude::*;
@@ -36,16 +39,47 @@ impl<F: Fn(f64) -> Result<Characteristic, SlidingError> + Sync> Family for F {
 /// A range of the parameter in which one eigenvalue is unstable.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Zone {
-    /// Where it starts: there the growth rate is zero, or the range of the search begins.
+    /// Where it starts, as `ends` has it.
     pub from: f64,
     /// Where it ends, likewise.
     pub to: f64,
+    /// What start and end are.
+    pub ends: [End; 2],
     /// Where the growth rate is largest.
     pub peak: f64,
     /// The growth rate there, 1/s.
     pub growth_rate: f64,
     /// The frequency there, Hz.
     pub frequency_hz: f64,
+}
+
+/// What the start or end of a zone is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum End {
+    /// The growth rate is zero there.
+    Root,
+    /// The range of the search ends there; the zone may go on beyond.
+    Range,
+    /// The pair is not smooth there, as at a node of an edge: the growth rate jumps.
+    Jump,
+    /// Its eigenvalue meets its mirror image on the real axis: an oscillation that grows turns into two divergences, or these into it.
+    Meeting,
+    /// The eigenvalue could not be followed any farther; the zone goes on beyond.
+    Lost,
+}
+
+impl End {
+    /// As tables have it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Root => "root",
+            Self::Range => "range",
+            Self::Jump => "jump",
+            Self::Meeting => "meeting",
+            Self::Lost => "lost",
+        }
+    }
 }
 
 /// Eigenvalues at one value of the parameter.
@@ -69,7 +103,9 @@ pub struct Zones {
 /// Zones whose eigenvalues differ by less than this share where two pieces meet are one.
 const CONTINUED: f64 = 1e-3;
 
-/// All unstable zones of the `count` lowest eigenvalues by frequency, over pieces that follow each other, each smooth within.
+/// All unstable zones that the `count` lowest eigenvalues by frequency enter, over pieces that follow each other, each smooth within.
+///
+/// A zone is that of a branch: it goes on where the branch is not among the lowest any more, followed by itself to its root.
 ///
 /// Every zone wider than `resolution` is found, narrower ones too wherever eigenvalues are smooth. Where nothing damps, a zone is where two
 /// eigenvalues have merged; growth rates below 10⁻⁶ of the eigenvalue are then rounding. Pieces are searched side by side; the answer does
@@ -95,16 +131,97 @@ pub fn zones(
     }
     let searched: Vec<Result<Searched, SlidingError>> =
         pieces.par_iter().map(|piece| Search::over(family, count, *piece, resolution)).collect();
-    let mut samples = Vec::new();
-    let mut parts = Vec::new();
+    let (mut samples, mut parts, mut seeds) = (Vec::new(), Vec::new(), Vec::new());
     for searched in searched {
         let searched = searched?;
         samples.extend(searched.samples);
         parts.extend(searched.strips);
+        seeds.extend(searched.seeds);
     }
-    let mut zones: Vec<Zone> = joined(parts).par_iter().map(|chain| located(family, chain)).collect();
+    let mut chains = joined(parts);
+    chains.retain(|chain| chain.iter().any(|strip| strip.is_counted));
+    let mut branches: Vec<Branch> =
+        chains.par_iter().map(|chain| Branch::of_chain(family, pieces, chain)).collect();
+    // those that are whole first: a torn one may be a part of them
+    branches.sort_by_key(|branch| branch.ends.iter().filter(|end| **end == End::Lost).count());
+    let mut kept: Vec<Branch> = Vec::new();
+    for branch in branches {
+        if !kept.iter().any(|other| is_on(family, &other.path, branch.origin)) {
+            kept.push(branch);
+        }
+    }
+    for seed in seeds {
+        if !kept.iter().any(|other| is_on(family, &other.path, seed)) {
+            kept.push(Branch::of_seed(family, pieces, seed));
+        }
+    }
+    let mut zones: Vec<Zone> = kept.par_iter().map(Branch::zone).collect();
     zones.sort_by(|a, b| a.from.total_cmp(&b.from).then(a.frequency_hz.total_cmp(&b.frequency_hz)));
     Ok(Zones { zones, samples })
+}
+
+/// An unstable branch from end to end.
+struct Branch {
+    path: Path,
+    ends: [End; 2],
+    /// A place by which it was found.
+    origin: (f64, Complex64),
+    peak: (f64, Complex64),
+}
+
+impl Branch {
+    /// Of strips that continue each other, gone on with where a part ended and not the instability.
+    fn of_chain(family: &impl Family, pieces: &[[f64; 2]], chain: &[Strip]) -> Self {
+        let mut path: Path = chain.iter().flat_map(|strip| strip::path(family, strip)).collect();
+        let best =
+            (1..chain.len()).fold(0, |best, k| if chain[k].peak.1 > chain[best].peak.1 { k } else { best });
+        let origin = path[path.len() / 2];
+        let located = strip::peak(family, &chain[best]).unwrap_or(origin);
+        let cut = [chain[0].from.is_cut, chain[chain.len() - 1].to.is_cut];
+        let ends = extended(family, pieces, &mut path, cut);
+        // beyond the strips it may grow faster
+        let highest = path.iter().fold(f64::NEG_INFINITY, |highest, point| highest.max(point.1.re));
+        let peak = if highest > located.1.re { follow::peak(family, &path) } else { located };
+        Self { path, ends, origin, peak }
+    }
+
+    /// Of one place at which an eigenvalue is unstable.
+    fn of_seed(family: &impl Family, pieces: &[[f64; 2]], seed: (f64, Complex64)) -> Self {
+        let mut path = vec![seed];
+        let ends = extended(family, pieces, &mut path, [true; 2]);
+        let peak = follow::peak(family, &path);
+        Self { path, ends, origin: seed, peak }
+    }
+
+    fn zone(&self) -> Zone {
+        let Self { path, ends, peak, .. } = self;
+        let (growth_rate, frequency_hz) = (peak.1.re, peak.1.im / TAU);
+        Zone {
+            from: path[0].0,
+            to: path[path.len() - 1].0,
+            ends: *ends,
+            peak: peak.0,
+            growth_rate,
+            frequency_hz,
+        }
+    }
+}
+
+/// Goes on with a path at the ends that are cut; what its ends then are.
+fn extended(family: &impl Family, pieces: &[[f64; 2]], path: &mut Path, cut: [bool; 2]) -> [End; 2] {
+    let mut ends = [End::Root; 2];
+    if cut[0] {
+        let (mut before, end) = onward(family, pieces, path[0], -1.0);
+        before.reverse();
+        before.extend(path.drain(1..));
+        (*path, ends[0]) = (before, end);
+    }
+    if cut[1] {
+        let (after, end) = onward(family, pieces, path[path.len() - 1], 1.0);
+        path.extend(&after[1..]);
+        ends[1] = end;
+    }
+    ends
 }
 
 /// Strips that continue each other from part to part, as chains.
@@ -142,18 +259,4 @@ fn joined(parts: Vec<Vec<Strip>>) -> Vec<Vec<Strip>> {
     }
     closed.extend(open);
     closed
-}
-
-/// The zone of a chain, with its peak.
-fn located(family: &impl Family, chain: &[Strip]) -> Zone {
-    let best =
-        (1..chain.len()).fold(0, |best, k| if chain[k].peak.1 > chain[best].peak.1 { k } else { best });
-    let (peak, eigenvalue) = strip::peak(family, &chain[best]);
-    Zone {
-        from: chain[0].from.at,
-        to: chain[chain.len() - 1].to.at,
-        peak,
-        growth_rate: eigenvalue.re,
-        frequency_hz: eigenvalue.im / TAU,
-    }
 }

@@ -167,7 +167,8 @@ fn is_near(found: Complex64, foretold: Complex64) -> bool {
     (found - foretold).norm() <= 1e-3 * foretold.norm()
 }
 
-fn alone(value: Complex64, is_conservative: bool) -> Margin {
+/// What decides on the stability of one eigenvalue.
+pub(super) fn alone(value: Complex64, is_conservative: bool) -> Margin {
     let floor = if is_conservative { ROUNDING * value.norm() } else { 0.0 };
     Margin { value: value.re - floor, doubt: 0.0, eigenvalue: value }
 }

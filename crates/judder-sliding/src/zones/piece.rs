@@ -1,6 +1,6 @@
 //! The search for unstable eigenvalues over a piece of a parameter's range, halved until its samples foretell what lies between them.
 
-use super::meeting::{Group, Margin, SAMPLES, Sheet};
+use super::meeting::{Group, Margin, SAMPLES, Sheet, alone};
 use super::strip::{Bound, Strip, strips};
 use super::{Family, Sample};
 use crate::SlidingError;
@@ -15,6 +15,8 @@ pub(super) struct Searched {
     pub(super) samples: Vec<Sample>,
     /// Of each part of the piece, in order, where an eigenvalue is unstable.
     pub(super) strips: Vec<Vec<Strip>>,
+    /// Unstable eigenvalues of the samples of parts that are not smooth down to the resolution.
+    pub(super) seeds: Vec<(f64, Complex64)>,
 }
 
 /// A search over one piece.
@@ -66,12 +68,24 @@ impl<'a, F: Family> Search<'a, F> {
         let samples: Vec<&Sample> = places.iter().map(|place| &self.done.samples[*place]).collect();
         let ends = [samples[0].at, samples[SAMPLES - 1].at];
         let is_last = ends[1] - ends[0] <= self.resolution * (SAMPLES - 1) as f64;
-        let found = match grouped(&samples, self.count, is_last) {
-            Ok(groups) => self.strips_of(&groups, ends, is_last)?,
+        let found = match grouped(&samples, self.count) {
+            Ok(groups) => self.strips_of(&groups, &samples)?,
             Err(TooCoarse) => None,
         };
         if let Some(found) = found {
             self.done.strips.push(found);
+            return Ok(());
+        }
+        if is_last {
+            let is_conservative = self.family.at(ends[0])?.is_conservative();
+            let counted = |sample: &&Sample| {
+                let (at, last) = (sample.at, self.count.min(sample.eigenvalues.len()));
+                sample.eigenvalues[..last].iter().map(|value| (at, *value)).collect::<Vec<_>>()
+            };
+            let grows = |seed: &(f64, Complex64)| alone(seed.1, is_conservative).value > 0.0;
+            let seeds: Vec<(f64, Complex64)> = samples.iter().flat_map(counted).filter(grows).collect();
+            self.done.seeds.extend(seeds);
+            self.done.strips.push(Vec::new());
             return Ok(());
         }
         let mut halves = Vec::with_capacity(2 * SAMPLES - 1);
@@ -85,24 +99,37 @@ impl<'a, F: Family> Search<'a, F> {
     }
 
     /// `None` where the part is to be halved.
-    fn strips_of(
-        &self,
-        groups: &[Group],
-        ends: [f64; 2],
-        is_last: bool,
-    ) -> Result<Option<Vec<Strip>>, SlidingError> {
+    fn strips_of(&self, groups: &[Group], samples: &[&Sample]) -> Result<Option<Vec<Strip>>, SlidingError> {
+        let ends = [samples[0].at, samples[SAMPLES - 1].at];
         let is_conservative = self.family.at(ends[0])?.is_conservative();
         let mut all = Vec::new();
         for group in groups {
             for sheet in group.sheets() {
                 let branch = Branch { group: *group, sheet: *sheet, ends, is_conservative };
-                match strips(self.family, &branch, is_last) {
+                match strips(self.family, &branch) {
                     Ok(strips) => all.extend(strips),
                     Err(TooCoarse) => return Ok(None),
                 }
             }
         }
+        for strip in &mut all {
+            strip.is_counted = self.is_counted(strip, samples);
+        }
         Ok(Some(all))
+    }
+
+    /// Whether a strip's eigenvalue is among those counted at any sample within it, or at the one nearest to its middle.
+    fn is_counted(&self, strip: &Strip, samples: &[&Sample]) -> bool {
+        let middle = 0.5 * (strip.from.at + strip.to.at);
+        let away = |k: &usize| (samples[*k].at - middle).abs();
+        let nearest = (0..SAMPLES).min_by(|a, b| away(a).total_cmp(&away(b)));
+        let within = |k: &usize| samples[*k].at >= strip.from.at && samples[*k].at <= strip.to.at;
+        (0..SAMPLES).filter(within).chain(nearest).any(|k| {
+            let value = strip.branch.foretold(k as f64 / (SAMPLES - 1) as f64).eigenvalue;
+            let distance = |rank: &usize| (samples[k].eigenvalues[*rank] - value).norm_sqr();
+            let rank = (0..samples[k].eigenvalues.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
+            rank.is_some_and(|rank| rank < self.count)
+        })
     }
 }
 
@@ -140,17 +167,13 @@ impl Branch {
     }
 }
 
-/// Eigenvalues that are alone, and two that may meet; a `last` part has each alone where more than two may meet.
-fn grouped(samples: &[&Sample], count: usize, is_last: bool) -> Result<Vec<Group>, TooCoarse> {
-    let branches = matched(samples, count, is_last)?;
+/// Eigenvalues that are alone, and two that may meet.
+fn grouped(samples: &[&Sample], count: usize) -> Result<Vec<Group>, TooCoarse> {
+    let branches = matched(samples, count)?;
     let mut partner: Vec<Option<usize>> = vec![None; branches.len()];
     for i in 0..branches.len() {
         let mirror = branches[i].values.map(|value| value.conj());
-        if branches[i].is_counted
-            && !is_last
-            && may_meet(&branches[i].values, &mirror)
-            && !branches[i].is_real()
-        {
+        if branches[i].is_counted && may_meet(&branches[i].values, &mirror) && !branches[i].is_real() {
             return Err(TooCoarse);
         }
         for j in i + 1..branches.len() {
@@ -160,7 +183,7 @@ fn grouped(samples: &[&Sample], count: usize, is_last: bool) -> Result<Vec<Group
             }
             if partner[i].is_none() && partner[j].is_none() {
                 (partner[i], partner[j]) = (Some(j), Some(i));
-            } else if !is_last {
+            } else {
                 return Err(TooCoarse);
             }
         }
@@ -171,7 +194,7 @@ fn grouped(samples: &[&Sample], count: usize, is_last: bool) -> Result<Vec<Group
         _ => None,
     };
     let groups: Vec<Group> = branches.iter().enumerate().filter_map(group).collect();
-    if !is_last && groups.iter().any(|group| !group.is_smooth()) {
+    if groups.iter().any(|group| !group.is_smooth()) {
         return Err(TooCoarse);
     }
     Ok(groups)
@@ -191,7 +214,7 @@ impl Matched {
 }
 
 /// Follows the eigenvalues of the first sample to the last.
-fn matched(samples: &[&Sample], count: usize, is_last: bool) -> Result<Vec<Matched>, TooCoarse> {
+fn matched(samples: &[&Sample], count: usize) -> Result<Vec<Matched>, TooCoarse> {
     let mut branches: Vec<Vec<usize>> = (0..samples[0].eigenvalues.len()).map(|rank| vec![rank]).collect();
     for next in 1..SAMPLES {
         let value = |branch: &[usize], back: usize| samples[next - back].eigenvalues[branch[next - back]];
@@ -207,7 +230,7 @@ fn matched(samples: &[&Sample], count: usize, is_last: bool) -> Result<Vec<Match
     }
     let covered = |k: usize| branches.iter().filter(|branch| branch[k] < count).count();
     let least = |k: usize| count.min(samples[k].eigenvalues.len());
-    if !is_last && (0..SAMPLES).any(|k| covered(k) < least(k)) {
+    if (0..SAMPLES).any(|k| covered(k) < least(k)) {
         return Err(TooCoarse);
     }
     let follow = |branch: &Vec<usize>| Matched {

@@ -1,6 +1,7 @@
 //! Where one eigenvalue is unstable within a part of a parameter's range.
 
 use super::Family;
+use super::follow::Path;
 use super::meeting::Margin;
 use super::piece::{Branch, TooCoarse};
 use judder_numerics::root::bracketed_root;
@@ -14,6 +15,8 @@ pub(super) struct Strip {
     /// Where it grows fastest, as a share of the part, and how fast, as the samples foretell it.
     pub(super) peak: (f64, f64),
     pub(super) branch: Branch,
+    /// Whether its eigenvalue is among those counted.
+    pub(super) is_counted: bool,
 }
 
 /// An end of a strip.
@@ -34,15 +37,17 @@ const BOUND: f64 = 1e-9;
 const GOLDEN: f64 = 0.618_033_988_749_894_8;
 /// Golden sections for a peak: the last is below 10⁻⁶ of the first.
 const SECTIONS: usize = 30;
+/// Steps of the path of a strip.
+const POINTS: usize = 8;
 
-/// All ranges of a part in which the branch is unstable; in a `last` part what is foretold is taken as it is.
-pub(super) fn strips(family: &impl Family, branch: &Branch, is_last: bool) -> Result<Vec<Strip>, TooCoarse> {
+/// All ranges of a part in which the branch is unstable.
+pub(super) fn strips(family: &impl Family, branch: &Branch) -> Result<Vec<Strip>, TooCoarse> {
     let share = |k: usize| k as f64 / KNOTS as f64;
     let even: Vec<(f64, Margin)> = (0..=KNOTS).map(|k| (share(k), branch.foretold(share(k)))).collect();
     if is_far_below(&even) {
         return Ok(Vec::new());
     }
-    let knots = with_extremes(branch, &even, is_last)?;
+    let knots = with_extremes(branch, &even)?;
     let mut found = Vec::new();
     let mut from = (knots[0].1.value > 0.0).then_some(0.0);
     for pair in knots.windows(2) {
@@ -50,7 +55,7 @@ pub(super) fn strips(family: &impl Family, branch: &Branch, is_last: bool) -> Re
         if (before.value > 0.0) == (after.value > 0.0) {
             continue;
         }
-        let root = crossing(family, branch, [left, right], is_last)?;
+        let root = crossing(family, branch, [left, right])?;
         match from.take() {
             None => from = Some(root),
             Some(from) => found.push(strip(branch, [from, root], &knots)),
@@ -71,11 +76,7 @@ fn is_far_below(knots: &[(f64, Margin)]) -> bool {
 }
 
 /// What is foretold at even shares, with its extremes between them where a sign may hide.
-fn with_extremes(
-    branch: &Branch,
-    even: &[(f64, Margin)],
-    is_last: bool,
-) -> Result<Vec<(f64, Margin)>, TooCoarse> {
+fn with_extremes(branch: &Branch, even: &[(f64, Margin)]) -> Result<Vec<(f64, Margin)>, TooCoarse> {
     let mut knots = Vec::with_capacity(even.len());
     for (k, (at, margin)) in even.iter().copied().enumerate() {
         let (from, before) = even[k.saturating_sub(1)];
@@ -93,7 +94,7 @@ fn with_extremes(
         let extreme = branch.foretold(at);
         let decided = DECIDED * extreme.eigenvalue.norm();
         let decided = if branch.is_conservative { decided * decided } else { decided };
-        if !is_last && extreme.value.abs() <= extreme.doubt && extreme.doubt > decided {
+        if extreme.value.abs() <= extreme.doubt && extreme.doubt > decided {
             return Err(TooCoarse);
         }
         knots.push((at, extreme));
@@ -103,25 +104,14 @@ fn with_extremes(
 }
 
 /// The share at which stability changes between two, by the eigenvalue itself.
-fn crossing(
-    family: &impl Family,
-    branch: &Branch,
-    [left, right]: [f64; 2],
-    is_last: bool,
-) -> Result<f64, TooCoarse> {
+fn crossing(family: &impl Family, branch: &Branch, [left, right]: [f64; 2]) -> Result<f64, TooCoarse> {
     // at the ends of a part the samples are the eigenvalues
     let itself = |share: f64| {
         let is_sample = share == 0.0 || share == 1.0;
         let margin = if is_sample { Some(branch.foretold(share)) } else { branch.found(family, share) };
         margin.map_or(f64::NAN, |margin| margin.value)
     };
-    match bracketed_root(itself, left, right, BOUND) {
-        Ok(root) => Ok(root),
-        Err(_) if !is_last => Err(TooCoarse),
-        Err(_) => {
-            bracketed_root(|share| branch.foretold(share).value, left, right, BOUND).map_err(|_| TooCoarse)
-        }
-    }
+    bracketed_root(itself, left, right, BOUND).map_err(|_| TooCoarse)
 }
 
 fn strip(branch: &Branch, [from, to]: [f64; 2], knots: &[(f64, Margin)]) -> Strip {
@@ -130,23 +120,39 @@ fn strip(branch: &Branch, [from, to]: [f64; 2], knots: &[(f64, Margin)]) -> Stri
     let best = within.chain([from, to]).max_by(|a, b| growth(*a).total_cmp(&growth(*b))).unwrap_or(from);
     let step = 1.0 / KNOTS as f64;
     let at = highest(growth, [(best - step).max(from), (best + step).min(to)]);
-    Strip { from: branch.bound(from), to: branch.bound(to), peak: (at, growth(at)), branch: *branch }
+    Strip {
+        from: branch.bound(from),
+        to: branch.bound(to),
+        peak: (at, growth(at)),
+        branch: *branch,
+        is_counted: true,
+    }
 }
 
-/// Where the strip's growth rate is highest, by the eigenvalue itself: the parameter and the eigenvalue.
-pub(super) fn peak(family: &impl Family, strip: &Strip) -> (f64, Complex64) {
-    let Strip { from, to, peak, branch } = strip;
+/// Where the strip's growth rate is highest, by the eigenvalue itself: the parameter and the eigenvalue; `None` where it is not found.
+pub(super) fn peak(family: &impl Family, strip: &Strip) -> Option<(f64, Complex64)> {
+    let Strip { from, to, peak, branch, .. } = strip;
     let width = branch.ends[1] - branch.ends[0];
     let share = |at: f64| (at - branch.ends[0]) / width;
     let step = 1.0 / KNOTS as f64;
     let range = [(peak.0 - step).max(share(from.at)), (peak.0 + step).min(share(to.at))];
-    let itself = |share: f64| branch.found(family, share).unwrap_or_else(|| branch.foretold(share));
-    let at = highest(|share| itself(share).eigenvalue.re, range);
-    (branch.place(at), itself(at).eigenvalue)
+    let itself = |share: f64| branch.found(family, share).map(|margin| margin.eigenvalue);
+    let at = highest(|share| itself(share).map_or(f64::NEG_INFINITY, |value| value.re), range);
+    Some((branch.place(at), itself(at)?))
+}
+
+/// Places of a strip from its start to its end, with the eigenvalues there.
+pub(super) fn path(family: &impl Family, strip: &Strip) -> Path {
+    let Strip { from, to, branch, .. } = strip;
+    let width = branch.ends[1] - branch.ends[0];
+    let share = |k: usize| (from.at + (to.at - from.at) * k as f64 / POINTS as f64 - branch.ends[0]) / width;
+    let inner = (1..POINTS)
+        .filter_map(|k| Some((branch.place(share(k)), branch.found(family, share(k))?.eigenvalue)));
+    std::iter::once((from.at, from.eigenvalue)).chain(inner).chain([(to.at, to.eigenvalue)]).collect()
 }
 
 /// The place of the highest value of a function that has one summit between two places; the ends count.
-fn highest(mut function: impl FnMut(f64) -> f64, [from, to]: [f64; 2]) -> f64 {
+pub(super) fn highest(mut function: impl FnMut(f64) -> f64, [from, to]: [f64; 2]) -> f64 {
     let (mut a, mut b) = (from, to);
     let (mut left, mut right) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
     let (mut at_left, mut at_right) = (function(left), function(right));

@@ -36,9 +36,15 @@ pub(crate) fn placed(
                 (own("step"), SlidingProblem::StepLimit { step: *step, limit: *limit })
             }
             SlidingError::OffTrack { position, length } => {
-                let key = position_key(&analysis.kind);
-                let problem =
-                    SlidingProblem::OffTrack { key: key.to_owned(), position: *position, length: *length };
+                let (key, length) = (position_key(&analysis.kind), *length);
+                let problem = match held(&analysis.kind) {
+                    // on the track as drawn: the deformation takes the contact beyond the end
+                    Some(position) if (0.0..=length).contains(&position) => {
+                        let reason = SlidingError::RunsOff { position, length }.to_string();
+                        SlidingProblem::Unbuilt { reason, advice: INWARDS }
+                    }
+                    _ => SlidingProblem::OffTrack { key: key.to_owned(), position: *position, length },
+                };
                 (own(key), problem)
             }
             SlidingError::SpragSlip { .. } => {
@@ -67,6 +73,15 @@ fn position_key(kind: &SlidingAnalysis) -> &'static str {
         SlidingAnalysis::Locus(_) => "positions",
         SlidingAnalysis::Growth(_) => "position",
         _ => "to",
+    }
+}
+
+/// Where an analysis holds the contact, m.
+fn held(kind: &SlidingAnalysis) -> Option<f64> {
+    match kind {
+        SlidingAnalysis::Locus(Locus { along: Along::Key { at, .. }, .. }) => Some(*at),
+        SlidingAnalysis::Growth(growth) => Some(growth.position),
+        _ => None,
     }
 }
 

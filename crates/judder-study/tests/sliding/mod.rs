@@ -97,6 +97,31 @@ fn a_sweep_tells_where_the_slider_locks() {
     assert!(rates[4].as_array().unwrap().iter().all(Value::is_null), "{}", rates[4]);
 }
 
+/// Where a load meets values that lift the slider off, a zone ends at the last that does not: that is said.
+#[test]
+fn zones_beside_values_without_a_pair_are_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let sweep = "analysis.locus-friction.sweep={ key = \"motion.load.force\", from = \"-0.3 N\", to = \"0.1 N\", points = 5 }";
+    let report = run_into(folder.path(), &case(PAPER, &[sweep]), &["locus-friction"]);
+    let result = &report.summary.results["locus-friction"];
+    let zones = result["unstable"].as_array().unwrap();
+    let last = number(&result["missing"][0]["value"]) - 0.1;
+    let cut: Vec<&Value> = zones.iter().filter(|zone| (number(&zone["to"]) - last).abs() < 1e-9).collect();
+    assert!(!cut.is_empty() && cut.iter().all(|zone| zone["ends"][1] == "range"), "{zones:?}");
+    let told = report.messages.iter().filter(|warning| warning.contains("goes on beyond")).count();
+    assert_eq!(told, cut.len(), "{:?}", report.messages);
+}
+
+/// At the very end of the track the deformation takes the contact beyond it: the message has the key's value, not the deformed place.
+#[test]
+fn a_contact_held_at_the_end_is_refused_by_its_own_position() {
+    let folder = tempfile::tempdir().unwrap();
+    let report = run_into(folder.path(), &case(PAPER, &["analysis.growth.position=100 mm"]), &["growth"]);
+    let told =
+        format!("{:?}", report.refused.iter().map(|refused| refused.error.to_string()).collect::<Vec<_>>());
+    assert!(told.contains("held at 1.000000e-1 m") && !told.contains("0.10005"), "{told}");
+}
+
 /// A key of a structure: a longer slider swings more slowly, its lowest frequency by a factor near (75/80)².
 #[test]
 fn a_sweep_of_a_structure_builds_it_anew() {

@@ -7,7 +7,7 @@ use judder_sliding::coupling::{Coupling, Sliding};
 use judder_sliding::locus::{Conditions, Configuration, Locus, Settings, follow, locus, spectrum};
 use judder_sliding::spectrum::Wanted;
 use judder_sliding::statics::Equilibrium;
-use judder_sliding::zones::{Zone, zones};
+use judder_sliding::zones::{End, Zone, zones};
 use num_complex::Complex64;
 use proptest::prelude::*;
 use rayon::prelude::*;
@@ -212,6 +212,68 @@ fn zones_of_the_friction_coefficient_are_found_by_the_same_search() {
         branch(k).zip(branch(k).skip(1)).map(|(a, b)| (a - b).norm() / a.norm()).fold(0.0, f64::max)
     };
     assert!((0..COUNT).all(|k| jumps(k) < 0.05));
+}
+
+/// Along the friction coefficient at 74 mm, as far as the contact slides: however the range is divided the zones are the same, each
+/// end is a root, an end of the range or a meeting on the real axis, and no frequency is negative. At 17.6 kHz a branch grows that others come below.
+#[test]
+fn zones_of_large_friction_do_not_know_how_the_range_is_divided() {
+    let pair = common::pair();
+    for (to, is_deformed) in [(1.8, true), (10.0, true), (10.0, false)] {
+        let family = |friction: f64| {
+            let sliding = Sliding { friction, slope: 0.0, direction: 1.0 };
+            let rest = if is_deformed {
+                Equilibrium::new(&pair, 0.074, common::LOAD, sliding)?
+            } else {
+                Equilibrium::undeformed(&pair, 0.074, common::LOAD, sliding)?
+            };
+            let coupling = rest.coupling(&pair, sliding);
+            coupling.check(0.074, friction)?;
+            Characteristic::new(&coupling, &pair.eigenvalues(), &pair.damping())
+        };
+        // up to where it locks
+        let to = (1..=400)
+            .map(|k| to * f64::from(k) / 400.0)
+            .take_while(|friction| family(*friction).is_ok())
+            .last();
+        let to = to.unwrap();
+        let divided = |parts: usize| {
+            let at = |k: usize| to * k as f64 / parts as f64;
+            let pieces: Vec<[f64; 2]> = (0..parts).map(|k| [at(k), at(k + 1)]).collect();
+            zones(&family, &pieces, COUNT, 1e-5 * to).unwrap().zones
+        };
+        let [ten, sixteen, seven] = [10, 16, 7].map(divided);
+        for other in [&sixteen, &seven] {
+            assert_eq!(ten.len(), other.len(), "{to}: {ten:#?} {other:#?}");
+            for a in &ten {
+                // two real eigenvalues start at one place, in either order
+                let is_same = |b: &&Zone| {
+                    let near = (a.from - b.from).abs() < 1e-6 && (a.to - b.to).abs() < 1e-6;
+                    near && a.ends == b.ends && (a.growth_rate / b.growth_rate - 1.0).abs() < 1e-3
+                };
+                assert_eq!(other.iter().filter(is_same).count(), 1, "{to}: {a:?} {other:#?}");
+            }
+        }
+        let mut lost = 0;
+        for zone in &ten {
+            assert!(zone.frequency_hz >= 0.0 && zone.growth_rate > 0.0, "{zone:?}");
+            for (end, kind) in [zone.from, zone.to].into_iter().zip(zone.ends) {
+                lost += usize::from(kind == End::Lost);
+                assert_eq!(kind == End::Range, end == 0.0 || end == to, "{to}: {zone:?}");
+                if kind == End::Root {
+                    let all = judder_sliding::spectrum::Spectrum::new(
+                        &family(end).unwrap(),
+                        0.074,
+                        Wanted::Lowest(COUNT + 20),
+                    );
+                    let least =
+                        all.unwrap().eigenvalues.iter().map(|s| s.re.abs()).fold(f64::INFINITY, f64::min);
+                    assert!(least < 1e-2, "{end}: {least} {zone:?}");
+                }
+            }
+        }
+        assert_eq!(lost, 0, "{to}: {ten:#?}");
+    }
 }
 
 #[test]

@@ -4,11 +4,25 @@ use super::traced::{Row, Traced};
 use crate::analyses::axis::Axis;
 use crate::error::StudyError;
 use judder_case::sliding::locus::{Along, Locus};
-use judder_sliding::zones::Zone;
+use judder_sliding::zones::{End, Zone};
 use judder_store::{Dataset, Table, Variable, number};
 use num_complex::Complex64;
 use serde_json::{Map, Value, json};
 use std::f64::consts::TAU;
+
+/// What the numbers of [`code`] say.
+const KINDS: &str = "0 growth rate zero, 1 end of the range, 2 jump of the growth rate, 3 met its mirror image, 4 lost: the zone goes on";
+
+/// The end of a zone as a number of an array.
+const fn code(end: End) -> i64 {
+    match end {
+        End::Root => 0,
+        End::Range => 1,
+        End::Jump => 2,
+        End::Meeting => 3,
+        End::Lost => 4,
+    }
+}
 
 pub(super) struct Results<'a> {
     pub(super) settings: &'a Locus,
@@ -58,7 +72,7 @@ impl Results<'_> {
             if self.is_over_positions() { ["from_m", "to_m", "peak_m"] } else { ["from", "to", "peak"] };
         json!({
             from: zone.from, to: zone.to, peak: zone.peak,
-            "frequency_hz": zone.frequency_hz, "max_growth_rate": zone.growth_rate,
+            "ends": zone.ends.map(End::name), "frequency_hz": zone.frequency_hz, "max_growth_rate": zone.growth_rate,
         })
     }
 
@@ -76,6 +90,10 @@ impl Results<'_> {
         let of_zone = |own: &str, unit: &str, words: &str, pick: &dyn Fn(&Zone) -> f64| {
             let values = zones.iter().map(pick).collect::<Vec<f64>>();
             Variable::new(own, &["zone"], &[zones.len()], values).units(unit).long_name(words)
+        };
+        let kind = |own: &str, side: usize| {
+            let values = zones.iter().map(|zone| code(zone.ends[side])).collect::<Vec<i64>>();
+            Variable::new(own, &["zone"], &[zones.len()], values).long_name(KINDS)
         };
         let unit = &axis.quantity.unit;
         Ok(Dataset::new()
@@ -101,6 +119,8 @@ impl Results<'_> {
             )?
             .with(of_zone("zone_from", unit, "start of an unstable zone", &|zone| zone.from))?
             .with(of_zone("zone_to", unit, "end of an unstable zone", &|zone| zone.to))?
+            .with(kind("zone_from_kind", 0))?
+            .with(kind("zone_to_kind", 1))?
             .with(of_zone("zone_peak", unit, "where a zone grows fastest", &|zone| zone.peak))?
             .with(of_zone("zone_growth_rate", "1/s", "largest growth rate of a zone", &|zone| {
                 zone.growth_rate

@@ -11,7 +11,7 @@ use judder_sliding::locus::{Conditions, Configuration, follow};
 use judder_sliding::pair::Pair;
 use judder_sliding::spectrum::{Spectrum, Wanted};
 use judder_sliding::statics::Equilibrium;
-use judder_sliding::zones::Zone;
+use judder_sliding::zones::{End, Zone};
 use num_complex::Complex64;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -113,7 +113,28 @@ impl Traced {
             let (from, to) = (shown(*from), shown(*to));
             format!("from {from} to {to} branches are not followed and zones not located: {reason}")
         }));
+        warnings.extend(self.torn(axis).map(|(zone, side)| {
+            let (at, end) = ([zone.from, zone.to][side], ["starts before", "goes on beyond"][side]);
+            let reason = match zone.ends[side] {
+                End::Lost => "its eigenvalue could not be followed any farther",
+                _ => "at the next value there is nothing",
+            };
+            format!("the unstable zone at {:.1} Hz {end} {}: {reason}", zone.frequency_hz, shown(at))
+        }));
         warnings
+    }
+
+    /// Starts (0) and ends (1) of zones that are none: where a branch was lost, or the range ends at a value beside one that failed.
+    fn torn(&self, axis: &Axis) -> impl Iterator<Item = (&Zone, usize)> {
+        let values = || axis.values.iter().copied();
+        let whole = [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)];
+        let is_torn = move |zone: &Zone, side: usize| match zone.ends[side] {
+            End::Lost => true,
+            End::Range => [zone.from, zone.to][side] != whole[side],
+            End::Root | End::Jump | End::Meeting => false,
+        };
+        let sides = |zone| [(zone, 0), (zone, 1)];
+        self.zones.iter().flat_map(sides).filter(move |(zone, side)| is_torn(zone, *side))
     }
 }
 

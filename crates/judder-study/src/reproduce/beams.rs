@@ -4,7 +4,6 @@ mod band;
 mod claims;
 mod figures;
 mod found;
-mod held;
 mod page;
 mod passage;
 
@@ -32,9 +31,8 @@ const QUICK_START: &str = "76 mm";
 /// A folder that cannot be written, or [`StudyError::Interrupted`]; what was done until then is kept.
 pub fn beams_paper(folder: &Path, quick: bool, progress: &dyn Progress) -> Result<Reproduction, StudyError> {
     let file = case(quick)?;
-    let Computed { store, mut summary, prepared, complete, .. } =
+    let Computed { store, mut summary, complete, .. } =
         run::compute(&file, folder, &RunOptions::default(), progress)?;
-    held::keep((&file, &prepared), (&store, &mut summary), progress)?;
     let scoreboard = claims::lines(&Found::stored(&store, &summary)?);
     summary.extra.insert(KEY.to_owned(), json!({ "paper": PAPER, "quick": quick, "scoreboard": scoreboard }));
     store.write_summary(&summary)?;

@@ -4,6 +4,7 @@ use crate::{case, number, run_into};
 use judder_case::CaseFile;
 use judder_exchange::matrix::Matrix;
 use judder_exchange::matrix_market::write_matrix_market;
+use judder_store::{Data, StudyFolder};
 use judder_structure::assembly::{Assembled, assemble};
 use judder_structure::beam::Beam;
 use judder_structure::freedom::{Direction, Numbering, Supports};
@@ -67,6 +68,22 @@ fn growth_with_the_contact_held() {
     let [measured, predicted] = ["measured", "predicted"].map(|key| number(&growth[key]));
     assert!((measured / predicted - 1.0).abs() < 1e-2, "{measured} {predicted}");
     assert!((number(&growth["frequency_hz"]) - 3520.0).abs() < 40.0, "{growth:?}");
+    // the history that it was measured in, a quarter further, and its picture
+    let dataset = StudyFolder::open(folder.path()).unwrap().read_dataset("growth").unwrap();
+    let values = |name: &str| match &dataset.variable(name).unwrap().data {
+        Data::F64(values) => values.clone(),
+        _ => panic!("{name}"),
+    };
+    let (time, amplitude) = (values("time"), values("amplitude"));
+    let until = number(&dataset.attributes()["measured_until_s"]);
+    let last = time[time.len() - 1];
+    assert!((1.2..1.25).contains(&(last / until)), "{last} {until}");
+    // amplitudes of periods rise by the growth rate, from what the mode was started with
+    let rate = (amplitude[amplitude.len() - 1] / amplitude[0]).ln() / (last - time[0]);
+    assert!((rate / measured - 1.0).abs() < 0.02, "{rate} {measured}");
+    let start = number(&dataset.attributes()["start_amplitude_n"]);
+    assert!((amplitude[0] / start - 1.0).abs() < 0.05, "{} {start}", amplitude[0]);
+    assert!(folder.path().join("figures/growth.svg").is_file());
 }
 
 /// c·M⁻¹e is straight in the friction coefficient: the slider locks beyond one of them, above 3 (our notes). That is said, and what lies

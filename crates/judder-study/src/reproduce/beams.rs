@@ -1,6 +1,5 @@
 //! The beams paper: Figs. 2–6 and what its text claims, from one run of its case.
 
-mod band;
 mod claims;
 mod figures;
 mod found;

@@ -281,27 +281,29 @@ const CHEAPER: Claim<Found> = statement(
     "§3.1",
     "EnSubs takes 30 % less time than FiLM",
     |found| {
-        let number = |march: &str, key: &str| found.number(march, &[key]);
-        let steps = number("film", "steps") - number("film", "settled_s") / number("film", "step_s");
-        let (stick, open) = (number("film", "stick_steps"), number("film", "open_steps"));
-        let of_film = (STICK * stick + (STICK + SLIP) * (steps - stick - open)) / steps;
-        let modes = number("locus", "degrees_of_freedom");
-        let saved = 1.0 - (modes + SLIP) / (modes + of_film);
+        let [ensubs, film] = ["ensubs", "film"].map(|march| {
+            let number = |key: &str| found.number(march, &[key]);
+            1e6 * number("seconds") / number("steps")
+        });
+        let saved = 1.0 - ensubs / film;
+        if !saved.is_finite() {
+            return measured("no times of both", false);
+        }
+        let word = if saved < 0.0 { "more" } else { "less" };
         let ours = format!(
-            "{SLIP:.0} equation of the contact a step against {}, beside {modes} recurrences of modes in both: {:.1} % fewer",
-            short(of_film),
-            100.0 * saved
+            "{:.0} % {word}: {} against {} µs a step, in this run; varies from run to run",
+            100.0 * saved.abs(),
+            short(ensubs),
+            short(film)
         );
-        measured(ours, (0.2..0.4).contains(&saved))
+        measured(ours, (SAVED.0..=SAVED.1).contains(&saved))
     },
-    "Equations are counted, because times differ from run to run; those are kept in the summary, as seconds of each march. The saving depends on the \
-     implementation: ours shares the pass over the modes, and after its stick trial FiLM tries slip against the stick force, which settles a \
-     sliding contact without any of the sweeps that the paper's FiLM needs.",
+    "Wall times of both marches, as summary.json has them; agreement asks for 20 to 40 % less. The saving depends on the implementation: here both \
+     share the pass over the modes, which is nearly all of a step, and a sliding contact costs FiLM little beside it.",
 );
 
-/// Equations that a trial of stick and one of slip solve.
-const STICK: f64 = 2.0;
-const SLIP: f64 = 1.0;
+/// Which shares of the time EnSubs must save to agree.
+const SAVED: (f64, f64) = (0.2, 0.4);
 
 /// What peak and envelope of our own march may be off by.
 const OFF: f64 = 0.02;
@@ -354,22 +356,25 @@ mod tests {
         Found::of_results(serde_json::from_value(results).unwrap())
     }
 
-    /// The line about costs counts equations: FiLM solves three where it slides and two where it sticks, and no time changes it.
+    /// The line about costs is measured: 30 % less agrees, 8 % less, 60 % less and more do not, nor does what was not timed.
     #[test]
-    fn costs_are_counted_in_equations() {
-        let with = |stick: u64, seconds: f64| {
-            let marched = json!({
-                "steps": 1100, "settled_s": 1e-4, "step_s": 1e-6, "stick_steps": stick, "open_steps": 0, "seconds": seconds,
-            });
-            let results =
-                json!({ "locus": { "degrees_of_freedom": 243 }, "film": marched, "ensubs": marched });
-            line(&CHEAPER, &found(results))
+    fn costs_are_those_of_the_run() {
+        let with = |ensubs: f64, film: f64| {
+            let marched = |seconds: f64| json!({ "steps": 1_000_000, "seconds": seconds });
+            line(&CHEAPER, &found(json!({ "ensubs": marched(ensubs), "film": marched(film) })))
         };
-        let sliding = with(0, 1.0);
-        assert_eq!(sliding, with(0, 2.0));
-        assert!(sliding.ours[0].contains("against 3.00, beside 243"), "{:?}", sliding.ours);
-        assert!(with(500, 1.0).ours[0].contains("against 2.50"));
-        assert_eq!(sliding.verdict, "open");
+        for (ensubs, verdict, told) in [
+            (0.7, "agrees", "30 % less"),
+            (0.92, "open", "8 % less"),
+            (0.4, "open", "60 % less"),
+            (1.05, "open", "5 % more"),
+        ] {
+            let own = with(ensubs, 1.0);
+            assert_eq!(own.verdict, verdict, "{:?}", own.ours);
+            assert!(own.ours[0].starts_with(told) && own.ours[0].contains("varies"), "{:?}", own.ours);
+        }
+        let own = line(&CHEAPER, &found(json!({ "ensubs": { "steps": 1000, "seconds": 1.0 } })));
+        assert_eq!((own.verdict.as_str(), own.ours[0].as_str()), ("open", "no times of both"));
     }
 
     /// Without results no claim agrees.

@@ -27,7 +27,7 @@ use judder_case::sliding::sweep::KeySweep;
 use judder_case::{CaseFile, SlidingCase, SlidingProblem, StructureCase};
 use judder_sliding::SlidingError;
 use judder_sliding::body::Point;
-use judder_sliding::edge::Interpolation;
+use judder_sliding::edge::{Interpolation, STENCIL};
 use judder_sliding::friction::Friction;
 use judder_sliding::motion::{InitialDamping, Motion, Noise, Ramps};
 use judder_sliding::pair::{Observed, Pair, Side, Slider, Track};
@@ -205,6 +205,12 @@ fn coupled(
     let track = Track { body: track.reduced.body.clone(), nodes: points };
     let interpolation = match case.contact.interpolation {
         contact::Interpolation::Linear => Interpolation::Linear,
+        contact::Interpolation::Hermite if edge.points.len() < STENCIL => {
+            let nodes = edge.points.len();
+            let reason =
+                format!("`hermite` interpolation takes {STENCIL} nodes of the track, this one has {nodes}");
+            return Err(Uncoupled::because("contact.interpolation", reason, SMOOTH));
+        }
         contact::Interpolation::Hermite => Interpolation::Hermite,
     };
     let friction = friction(case)?;
@@ -228,6 +234,8 @@ fn friction(case: &SlidingCase) -> Result<Friction, Uncoupled> {
     })
 }
 
+/// What is right of an interpolation.
+const SMOOTH: &str = "give the track more nodes, or leave contact.interpolation out for the linear one";
 /// What is right of a pair.
 const PAIR: &str = "let C be a free node of the slider, and the track an edge of the other structure whose nodes follow each other";
 

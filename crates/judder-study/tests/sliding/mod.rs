@@ -9,7 +9,9 @@ use judder_structure::assembly::{Assembled, assemble};
 use judder_structure::beam::Beam;
 use judder_structure::freedom::{Direction, Numbering, Supports};
 use judder_structure::material::{Elastic, Section};
-use judder_study::run::RunReport;
+use judder_study::Silent;
+use judder_study::resolve::resolve;
+use judder_study::run::{RunOptions, RunReport, run};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -159,6 +161,35 @@ fn matrices_make_the_same_track() {
             );
         }
     }
+}
+
+/// What cannot be is said before anything runs, with the key and what to do; `judder check` says the same.
+fn refused(text: &str) -> String {
+    let file = CaseFile::parse("case.toml", text, &[]).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("study");
+    let refused = run(&file, &path, &RunOptions::default(), &Silent).unwrap_err();
+    assert!(!path.exists());
+    let checked = resolve(&file).err().unwrap();
+    assert_eq!(refused.to_string(), checked.to_string());
+    refused.to_string()
+}
+
+/// A smooth edge takes four nodes: three do not make one, and are not taken for a straight one in silence.
+#[test]
+fn a_smooth_edge_of_three_nodes_is_refused() {
+    let positions = "positions = { from = \"20 mm\", to = \"60 mm\", points = 3 }";
+    let smooth = |elements: usize| {
+        text(positions)
+            .replace("elements = [20, 1]", &format!("elements = [{elements}, 1]"))
+            .replace("[contact]", "[contact]\ninterpolation = \"hermite\"")
+            .replace("reduction = { count = 8 }", "reduction = { count = 2 }")
+            .replace("count = 8", "count = 3")
+    };
+    let said = refused(&smooth(2));
+    assert!(said.contains("`hermite` interpolation takes 4 nodes of the track, this one has 3"), "{said}");
+    let file = CaseFile::parse("case.toml", &smooth(3), &[]).unwrap();
+    assert!(resolve(&file).is_ok());
 }
 
 const TRACK: &str = r#"beam = { length = "100 mm", thickness = "2 mm", elements = [20, 1], start = "clamped" }

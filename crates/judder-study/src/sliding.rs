@@ -5,6 +5,7 @@
 //! - `nodes`: which nodes and freedoms those are.
 //! - `damping`: α and β of a structure.
 //! - `edge`: the order of the track's nodes, and on which side of it the slider lies.
+//! - `size`: what marches keep, and what is too much or too short.
 //! - `step`: methods and steps of marches.
 
 mod blame;
@@ -12,10 +13,12 @@ mod damping;
 mod edge;
 mod nodes;
 mod part;
+mod size;
 mod step;
 
 pub(crate) use blame::{admit, placed};
 pub(crate) use part::Part;
+pub(crate) use size::{Size, fits};
 pub(crate) use step::{Step, method, predictor, step};
 
 use crate::error::StudyError;

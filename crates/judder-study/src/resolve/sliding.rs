@@ -22,6 +22,7 @@ pub(super) fn resolve(file: &CaseFile, case: &SlidingCase) -> Result<Resolved, S
     let system = SlidingSystem::new(case).map_err(|uncoupled| uncoupled.placed(file))?;
     for (index, analysis) in case.analyses.iter().enumerate() {
         sliding::admit(&analysis.kind, &system).map_err(|error| door::placed(error.into(), file, index))?;
+        sliding::fits((file, case, &system), index)?;
     }
     let resolved = file.case.resolved();
     let mut text = format!("{}\n\n", title(&case.title));

@@ -192,6 +192,35 @@ fn a_smooth_edge_of_three_nodes_is_refused() {
     assert!(resolve(&file).is_ok());
 }
 
+/// A micrometre a second along a tenth of a metre: a day and more of samples. The estimate of a march counts what is looked at afterwards.
+#[test]
+fn a_march_that_keeps_too_much_is_refused() {
+    let march = "\n[[analysis]]\nname = \"march\"\nkind = \"march\"\nmethod = \"ensubs\"\n";
+    let with = |velocity: &str| {
+        text("at = \"40 mm\"\nsweep = { key = \"contact.friction_coefficient\", from = 0.1, to = 0.3, points = 2 }")
+            .replace("end = \"90 mm\"", &format!("end = \"90 mm\"\nvelocity = \"{velocity}\""))
+            + march
+    };
+    let said = refused(&with("1 um/s"));
+    assert!(said.contains("samples of 5 signals") && said.contains("more than 4.0 GiB"), "{said}");
+    let file = CaseFile::parse("case.toml", &with("0.1 m/s"), &[]).unwrap();
+    let checked = resolve(&file).unwrap().json();
+    let estimate = checked["estimate"].as_array().unwrap().iter().find(|own| own["name"] == "march").unwrap();
+    // 0.9 s and more at 120 kHz or more, five signals and what is copied of them
+    let bytes = number(&estimate["bytes"]);
+    assert!((0.9 * 120e3 * 5.0 * 8.0..4e9).contains(&bytes), "{estimate}");
+}
+
+/// A window longer than the march that it looks at is found before the march has been computed.
+#[test]
+fn a_window_longer_than_its_march_is_refused() {
+    let march = "\n[[analysis]]\nname = \"march\"\nkind = \"march\"\nmethod = \"ensubs\"\n";
+    let levels = "\n[[analysis]]\nname = \"levels\"\nkind = \"spectrogram\"\nof = \"march\"\nsignal = \"normal-force\"\nlength = \"1e9 s\"\n";
+    let positions = "positions = { from = \"20 mm\", to = \"60 mm\", points = 3 }";
+    let said = refused(&(text(positions) + march + levels));
+    assert!(said.contains("a window is 1000000000 s long, but the march `march` takes"), "{said}");
+}
+
 const TRACK: &str = r#"beam = { length = "100 mm", thickness = "2 mm", elements = [20, 1], start = "clamped" }
 width = "20 mm"
 material = { youngs_modulus = "2.38 GPa", poisson_ratio = 0.40, density = "1200 kg/m^3" }

@@ -25,13 +25,19 @@ pub(crate) struct Size {
 }
 
 impl Size {
+    /// Of a march with the step that it would choose; `None` where that is refused.
+    pub(crate) fn of(system: &SlidingSystem, march: &March) -> Option<Self> {
+        let chosen = step(&system.pair, method(march.method), march.step, path(system, march)).ok()?;
+        Some(Self::new(system, march, chosen.step))
+    }
+
     /// Of a march with steps of so many seconds.
     pub(crate) fn new(system: &SlidingSystem, march: &March, step: f64) -> Self {
         let rate = 1.0 / step;
         let factor = Decimation::factor_to(rate, march.signals.sample_rate);
         // two observed displacements a point
         let signals = 2 + march.kept(system.pair.observed().len() / 2).len();
-        Self { samples: path(system, march).duration() * rate / factor as f64, signals }
+        Self { samples: (path(system, march).duration() * rate / factor as f64).ceil(), signals }
     }
 
     /// Bytes in the study folder, before they are packed.
@@ -66,10 +72,7 @@ pub(crate) fn fits(
     match &analysis.kind {
         SlidingAnalysis::March(march) => {
             // a step that is refused is said by the analysis
-            let Ok(chosen) = step(&system.pair, method(march.method), march.step, path(system, march)) else {
-                return Ok(());
-            };
-            let size = Size::new(system, march, chosen.step);
+            let Some(size) = Size::of(system, march) else { return Ok(()) };
             if size.memory() <= LIMIT.bytes as f64 {
                 return Ok(());
             }

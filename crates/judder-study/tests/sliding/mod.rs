@@ -209,6 +209,9 @@ fn a_march_that_keeps_too_much_is_refused() {
     // 0.9 s and more at 120 kHz or more, five signals and what is copied of them
     let bytes = number(&estimate["bytes"]);
     assert!((0.9 * 120e3 * 5.0 * 8.0..4e9).contains(&bytes), "{estimate}");
+    let stored = &checked["samples"]["march"];
+    assert_eq!(number(&stored["bytes"]), 8.0 * number(&stored["samples"]) * number(&stored["signals"]));
+    assert!(bytes > number(&stored["bytes"]), "{stored}");
 }
 
 /// A window longer than the march that it looks at is found before the march has been computed.

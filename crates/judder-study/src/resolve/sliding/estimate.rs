@@ -56,7 +56,15 @@ pub(super) fn estimate(
             (steps as usize, steps * modes * per::STEP_AND_MODE, 0.0)
         }
         SlidingAnalysis::March(march) => of_march(system, march, modes),
-        SlidingAnalysis::Spectrogram(_) => (1, 1.0, 0.0),
+        SlidingAnalysis::Spectrogram(asked) => {
+            // the whole march is read
+            let read =
+                case.analyses.iter().find(|own| own.name == asked.of).and_then(|own| match &own.kind {
+                    SlidingAnalysis::March(march) => Size::of(system, march),
+                    _ => None,
+                });
+            (1, 1.0, read.map_or(0.0, |size| size.stored() / 8.0))
+        }
     };
     let seconds = seconds + cost::FIGURE;
     Estimate { name: name.to_owned(), points, seconds, bytes: (8.0 * numbers) as u128 }

@@ -35,7 +35,7 @@ pub struct Growth {
     pub predicted: Complex64,
     /// By how much the two halves of the measurement differ in growth rate, 1/s.
     pub spread: f64,
-    /// Steps that were marched.
+    /// Steps of the measurement.
     pub steps: u64,
 }
 
@@ -76,11 +76,17 @@ impl Held {
 }
 
 /// Share of the normal force by which the mode swings at first: small against what the geometry does not follow linearly.
-const AMPLITUDE: f64 = 1e-5;
+pub const AMPLITUDE: f64 = 1e-5;
 /// Periods in a measurement, at least.
 const PERIODS: f64 = 60.0;
 /// By how many e-folds the mode may grow or decay in a measurement.
 const FOLDS: f64 = 2.0;
+/// Quarters of a measurement, and by how many a watched march goes on, so that what follows is seen too.
+const QUARTERS: u64 = 4;
+const BEYOND: u64 = 1;
+
+/// Sees every step of a held march: the time in s and the deviation of the normal force from its rest in N.
+pub type Watcher<'a> = dyn FnMut(f64, f64) + 'a;
 
 /// Marches with the contact held, from rest disturbed by the mode of an eigenvalue, and measures its growth in the normal force.
 ///
@@ -95,6 +101,30 @@ pub fn frozen_growth(
     settings: &GrowthSettings,
     held: &Held,
     eigenvalue: Complex64,
+) -> Result<Growth, SlidingError> {
+    measured_growth(pair, settings, held, eigenvalue, None)
+}
+
+/// [`frozen_growth`] whose steps a watcher sees, up to a quarter of the measurement beyond its end.
+///
+/// # Errors
+/// As of [`frozen_growth`].
+pub fn watched_growth(
+    pair: &Pair,
+    settings: &GrowthSettings,
+    held: &Held,
+    eigenvalue: Complex64,
+    watcher: &mut Watcher<'_>,
+) -> Result<Growth, SlidingError> {
+    measured_growth(pair, settings, held, eigenvalue, Some(watcher))
+}
+
+fn measured_growth(
+    pair: &Pair,
+    settings: &GrowthSettings,
+    held: &Held,
+    eigenvalue: Complex64,
+    mut watcher: Option<&mut Watcher<'_>>,
 ) -> Result<Growth, SlidingError> {
     if !(eigenvalue.is_finite() && eigenvalue.im > 0.0) {
         return Err(SlidingError::InvalidNumber {
@@ -133,12 +163,16 @@ pub fn frozen_growth(
     let mut march = March::held(pair, march_settings, &start)?;
     let periods = (PERIODS * TAU / eigenvalue.im.abs())
         .max((FOLDS / eigenvalue.re.abs()).min(10.0 * PERIODS * TAU / eigenvalue.im.abs()));
-    // four quarters, of which two make a window
-    let quarter = (0.25 * periods / settings.step).ceil() as u64;
+    // of the quarters two make a window
+    let quarter = (periods / (QUARTERS as f64 * settings.step)).ceil() as u64;
+    let quarters = QUARTERS + if watcher.is_some() { BEYOND } else { 0 };
     let mut windows = [Complex64::ZERO; 3];
     let mut count = 0_u64;
     let mut take = |sample: &Sample, _: &[f64]| {
         let value = sample.normal_force - held.normal_force;
+        if let Some(watcher) = watcher.as_deref_mut() {
+            watcher(sample.time, value);
+        }
         let turned = value * (Complex64::new(0.0, -eigenvalue.im) * sample.time).exp();
         for (k, window) in windows.iter_mut().enumerate() {
             let begin = k as u64 * quarter;
@@ -148,14 +182,14 @@ pub fn frozen_growth(
         }
         count += 1;
     };
-    if let Reached::RunOff(end) = march.advance(4 * quarter, &mut take)? {
+    if let Reached::RunOff(end) = march.advance(quarters * quarter, &mut take)? {
         return Err(SlidingError::RunsOff { position: settings.position, length: pair.length(), end });
     }
     let apart = quarter as f64 * settings.step;
     let rate = |from: usize, to: usize| (windows[to] / windows[from]).ln() / ((to - from) as f64 * apart);
     let measured = rate(0, 2) + Complex64::new(0.0, eigenvalue.im);
     let spread = (rate(0, 1) - rate(1, 2)).re.abs();
-    Ok(Growth { measured, predicted: eigenvalue, spread, steps: march.steps() })
+    Ok(Growth { measured, predicted: eigenvalue, spread, steps: QUARTERS * quarter })
 }
 
 impl Held {

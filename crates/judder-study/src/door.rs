@@ -18,7 +18,7 @@ use judder_contact::transient::TransientError;
 use judder_contact::unilateral::Loading;
 
 /// Looks at the data of a substrate; reads and assembles a structure, which the analyses share; of a contact case at all files, and at depth and memory of each of its analyses that is
-/// wanted.
+/// wanted; of a sliding case at what its marches keep.
 ///
 /// # Errors
 /// What cannot be read or be, [`StudyError::Case`] with its place for an analysis.
@@ -32,6 +32,9 @@ pub(crate) fn check(file: &CaseFile, is_wanted: impl Fn(&str) -> bool) -> Result
         }
         Case::Sliding(case) => {
             let system = SlidingSystem::new(case).map_err(|uncoupled| uncoupled.placed(file))?;
+            for (index, _) in case.analyses.iter().enumerate().filter(|(_, a)| is_wanted(&a.name)) {
+                sliding::fits((file, case, &system), index)?;
+            }
             return Ok(Prepared::Sliding(Box::new(system)));
         }
         Case::Belt(_) | Case::TwoDegrees(_) => return Ok(Prepared::Nothing),

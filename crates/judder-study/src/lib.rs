@@ -18,6 +18,7 @@
 //! - [`reproduce`]: the oscillator paper, figure by figure, with its scoreboard.
 
 pub mod analyses;
+mod band;
 pub mod bridge;
 pub mod checks;
 mod computed_law;

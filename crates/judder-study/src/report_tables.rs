@@ -32,7 +32,7 @@ fn bursts(listed: &[Value]) -> Table {
         "frequency (Hz)",
         "peak",
         "duration (s)",
-        "ln(peak/level before)",
+        "growth of its mode, ln",
         "∫ $σ$ d$t$ of its zone",
     ];
     let more =

@@ -1,6 +1,6 @@
 //! The analyses of a case into a study folder.
 
-use crate::analyses::{self, Prepared};
+use crate::analyses;
 use crate::door;
 use crate::error::StudyError;
 use crate::input_file;
@@ -108,8 +108,6 @@ pub(crate) struct Computed {
     pub(crate) store: StudyFolder,
     /// The content of its `summary.json`.
     pub(crate) summary: Summary,
-    /// What its analyses share.
-    pub(crate) prepared: Prepared,
     skipped: Vec<String>,
     /// Whether every requested result is there.
     pub(crate) complete: bool,
@@ -190,7 +188,7 @@ pub(crate) fn compute(
     let messages = messages(&study.summary, &study.kept, &refused);
     let summary = study.summary;
     let tables = told::tables(&summary, &wanted);
-    Ok(Computed { store, summary, prepared, skipped, complete, tables, messages, refused })
+    Ok(Computed { store, summary, skipped, complete, tables, messages, refused })
 }
 
 /// Where the solved contacts of the law are kept that the analyses of an oscillator case share.

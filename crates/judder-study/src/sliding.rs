@@ -5,6 +5,7 @@
 //! - `nodes`: which nodes and freedoms those are.
 //! - `damping`: α and β of a structure.
 //! - `edge`: the order of the track's nodes, and on which side of it the slider lies.
+//! - `size`: what marches keep, and what is too much or too short.
 //! - `step`: methods and steps of marches.
 
 mod blame;
@@ -12,10 +13,12 @@ mod damping;
 mod edge;
 mod nodes;
 mod part;
+mod size;
 mod step;
 
 pub(crate) use blame::{admit, placed};
 pub(crate) use part::Part;
+pub(crate) use size::{Size, fits};
 pub(crate) use step::{Step, method, predictor, step};
 
 use crate::error::StudyError;
@@ -27,7 +30,7 @@ use judder_case::sliding::sweep::KeySweep;
 use judder_case::{CaseFile, SlidingCase, SlidingProblem, StructureCase};
 use judder_sliding::SlidingError;
 use judder_sliding::body::Point;
-use judder_sliding::edge::Interpolation;
+use judder_sliding::edge::{Interpolation, STENCIL};
 use judder_sliding::friction::Friction;
 use judder_sliding::motion::{InitialDamping, Motion, Noise, Ramps};
 use judder_sliding::pair::{Observed, Pair, Side, Slider, Track};
@@ -204,6 +207,12 @@ fn coupled(
     let points = edge.points.iter().map(|at| point(track, *at)).collect::<Result<_, _>>()?;
     let track = Track { body: track.reduced.body.clone(), nodes: points };
     let interpolation = interpolation(case.contact.interpolation);
+    if interpolation == Interpolation::Hermite && edge.points.len() < STENCIL {
+        let nodes = edge.points.len();
+        let reason =
+            format!("`hermite` interpolation takes {STENCIL} nodes of the track, this one has {nodes}");
+        return Err(Uncoupled::because("contact.interpolation", reason, SMOOTH));
+    }
     let friction = friction(case)?;
     Pair::new(slider, track, (interpolation, edge.is_left), friction, observed)
         .map_err(|error| refused(case, &error))
@@ -225,6 +234,8 @@ fn friction(case: &SlidingCase) -> Result<Friction, Uncoupled> {
     })
 }
 
+/// What is right of an interpolation.
+const SMOOTH: &str = "give the track more nodes, or leave contact.interpolation out for the linear one";
 /// What is right of a pair.
 const PAIR: &str = "let C be a free node of the slider, and the track an edge of the other structure whose nodes follow each other";
 

@@ -1,10 +1,8 @@
 //! The beams paper: Figs. 2–6 and what its text claims, from one run of its case.
 
-mod band;
 mod claims;
 mod figures;
 mod found;
-mod held;
 mod page;
 mod passage;
 
@@ -32,9 +30,8 @@ const QUICK_START: &str = "76 mm";
 /// A folder that cannot be written, or [`StudyError::Interrupted`]; what was done until then is kept.
 pub fn beams_paper(folder: &Path, quick: bool, progress: &dyn Progress) -> Result<Reproduction, StudyError> {
     let file = case(quick)?;
-    let Computed { store, mut summary, prepared, complete, .. } =
+    let Computed { store, mut summary, complete, .. } =
         run::compute(&file, folder, &RunOptions::default(), progress)?;
-    held::keep((&file, &prepared), (&store, &mut summary), progress)?;
     let scoreboard = claims::lines(&Found::stored(&store, &summary)?);
     summary.extra.insert(KEY.to_owned(), json!({ "paper": PAPER, "quick": quick, "scoreboard": scoreboard }));
     store.write_summary(&summary)?;

@@ -6,9 +6,9 @@ mod pair;
 use super::{Estimate, Resolved, estimate_json, estimate_text, title};
 use crate::door;
 use crate::error::StudyError;
-use crate::sliding::{self, SlidingSystem};
+use crate::sliding::{self, Size, SlidingSystem};
 use crate::text::{columns, number};
-use judder_case::{CaseFile, SlidingCase};
+use judder_case::{CaseFile, Memory, SlidingAnalysis, SlidingCase};
 use serde_json::{Map, Value, json};
 
 /// The most values of a list that are shown one by one.
@@ -22,6 +22,7 @@ pub(super) fn resolve(file: &CaseFile, case: &SlidingCase) -> Result<Resolved, S
     let system = SlidingSystem::new(case).map_err(|uncoupled| uncoupled.placed(file))?;
     for (index, analysis) in case.analyses.iter().enumerate() {
         sliding::admit(&analysis.kind, &system).map_err(|error| door::placed(error.into(), file, index))?;
+        sliding::fits((file, case, &system), index)?;
     }
     let resolved = file.case.resolved();
     let mut text = format!("{}\n\n", title(&case.title));
@@ -35,15 +36,34 @@ pub(super) fn resolve(file: &CaseFile, case: &SlidingCase) -> Result<Resolved, S
     let estimates: Vec<Estimate> =
         case.analyses.iter().map(|a| estimate::estimate(case, &system, &a.name, &a.kind)).collect();
     text.push_str(&estimate_text(&estimates));
+    let (samples, kept) = kept(case, &system);
+    text.push_str(&kept);
     for warning in &known.warnings {
         text.push_str(&format!("\nwarning: {warning}\n"));
     }
-    let mut document =
-        json!({ "case": resolved, "estimate": estimate_json(&estimates), "warnings": known.warnings });
+    let mut document = json!({ "case": resolved, "estimate": estimate_json(&estimates), "samples": samples, "warnings": known.warnings });
     if let (Value::Object(document), Value::Object(pair)) = (&mut document, known.document) {
         document.extend(pair);
     }
     Ok(Resolved { document, text })
+}
+
+/// What marches keep in the study folder.
+fn kept(case: &SlidingCase, system: &SlidingSystem) -> (Value, String) {
+    let mut document = Map::new();
+    let mut rows = Vec::new();
+    for analysis in &case.analyses {
+        let SlidingAnalysis::March(march) = &analysis.kind else { continue };
+        let Some(size) = Size::of(system, march) else { continue };
+        let (samples, bytes) = (size.samples as u64, size.stored() as u64);
+        let words = [format!("{samples} samples"), format!("{} signals", size.signals)];
+        rows.push([vec![analysis.name.clone()], words.to_vec(), vec![Memory { bytes }.to_string()]].concat());
+        let told = json!({ "samples": samples, "signals": size.signals, "bytes": bytes });
+        document.insert(analysis.name.clone(), told);
+    }
+    let text =
+        if rows.is_empty() { String::new() } else { format!("\nwhat marches keep\n{}", columns(&rows)) };
+    (Value::Object(document), text)
 }
 
 /// A row a value, with its dotted path.

@@ -6,6 +6,7 @@ use judder_case::CaseError;
 use judder_case::sliding::locus::{Along, Locus};
 use judder_case::{CaseFile, SlidingAnalysis, SlidingCase, SlidingProblem};
 use judder_sliding::SlidingError;
+use judder_sliding::edge::RunOff;
 use judder_sliding::motion::Motion;
 
 const SPRAG_SLIP: &str = "give a smaller friction coefficient, or incline the slider less";
@@ -40,7 +41,8 @@ pub(crate) fn placed(
                 let problem = match held(&analysis.kind) {
                     // on the track as drawn: the deformation takes the contact beyond the end
                     Some(position) if (0.0..=length).contains(&position) => {
-                        let reason = SlidingError::RunsOff { position, length }.to_string();
+                        let end = if 2.0 * position < length { RunOff::First } else { RunOff::Last };
+                        let reason = SlidingError::RunsOff { position, length, end }.to_string();
                         SlidingProblem::Unbuilt { reason, advice: INWARDS }
                     }
                     _ => SlidingProblem::OffTrack { key: key.to_owned(), position: *position, length },

@@ -4,11 +4,14 @@ use crate::{case, number, run_into};
 use judder_case::CaseFile;
 use judder_exchange::matrix::Matrix;
 use judder_exchange::matrix_market::write_matrix_market;
+use judder_store::{Data, StudyFolder};
 use judder_structure::assembly::{Assembled, assemble};
 use judder_structure::beam::Beam;
 use judder_structure::freedom::{Direction, Numbering, Supports};
 use judder_structure::material::{Elastic, Section};
-use judder_study::run::RunReport;
+use judder_study::Silent;
+use judder_study::resolve::resolve;
+use judder_study::run::{RunOptions, RunReport, run};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -67,6 +70,22 @@ fn growth_with_the_contact_held() {
     let [measured, predicted] = ["measured", "predicted"].map(|key| number(&growth[key]));
     assert!((measured / predicted - 1.0).abs() < 1e-2, "{measured} {predicted}");
     assert!((number(&growth["frequency_hz"]) - 3520.0).abs() < 40.0, "{growth:?}");
+    // the history that it was measured in, a quarter further, and its picture
+    let dataset = StudyFolder::open(folder.path()).unwrap().read_dataset("growth").unwrap();
+    let values = |name: &str| match &dataset.variable(name).unwrap().data {
+        Data::F64(values) => values.clone(),
+        _ => panic!("{name}"),
+    };
+    let (time, amplitude) = (values("time"), values("amplitude"));
+    let until = number(&dataset.attributes()["measured_until_s"]);
+    let last = time[time.len() - 1];
+    assert!((1.2..1.25).contains(&(last / until)), "{last} {until}");
+    // amplitudes of periods rise by the growth rate, from what the mode was started with
+    let rate = (amplitude[amplitude.len() - 1] / amplitude[0]).ln() / (last - time[0]);
+    assert!((rate / measured - 1.0).abs() < 0.02, "{rate} {measured}");
+    let start = number(&dataset.attributes()["start_amplitude_n"]);
+    assert!((amplitude[0] / start - 1.0).abs() < 0.05, "{} {start}", amplitude[0]);
+    assert!(folder.path().join("figures/growth.svg").is_file());
 }
 
 /// c·M⁻¹e is straight in the friction coefficient: the slider locks beyond one of them, above 3 (our notes). That is said, and what lies
@@ -167,6 +186,67 @@ fn matrices_make_the_same_track() {
             );
         }
     }
+}
+
+/// What cannot be is said before anything runs, with the key and what to do; `judder check` says the same.
+fn refused(text: &str) -> String {
+    let file = CaseFile::parse("case.toml", text, &[]).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("study");
+    let refused = run(&file, &path, &RunOptions::default(), &Silent).unwrap_err();
+    assert!(!path.exists());
+    let checked = resolve(&file).err().unwrap();
+    assert_eq!(refused.to_string(), checked.to_string());
+    refused.to_string()
+}
+
+/// A smooth edge takes four nodes: three do not make one, and are not taken for a straight one in silence.
+#[test]
+fn a_smooth_edge_of_three_nodes_is_refused() {
+    let positions = "positions = { from = \"20 mm\", to = \"60 mm\", points = 3 }";
+    let smooth = |elements: usize| {
+        text(positions)
+            .replace("elements = [20, 1]", &format!("elements = [{elements}, 1]"))
+            .replace("[contact]", "[contact]\ninterpolation = \"hermite\"")
+            .replace("reduction = { count = 8 }", "reduction = { count = 2 }")
+            .replace("count = 8", "count = 3")
+    };
+    let said = refused(&smooth(2));
+    assert!(said.contains("`hermite` interpolation takes 4 nodes of the track, this one has 3"), "{said}");
+    let file = CaseFile::parse("case.toml", &smooth(3), &[]).unwrap();
+    assert!(resolve(&file).is_ok());
+}
+
+/// A micrometre a second along a tenth of a metre: a day and more of samples. The estimate of a march counts what is looked at afterwards.
+#[test]
+fn a_march_that_keeps_too_much_is_refused() {
+    let march = "\n[[analysis]]\nname = \"march\"\nkind = \"march\"\nmethod = \"ensubs\"\n";
+    let with = |velocity: &str| {
+        text("at = \"40 mm\"\nsweep = { key = \"contact.friction_coefficient\", from = 0.1, to = 0.3, points = 2 }")
+            .replace("end = \"90 mm\"", &format!("end = \"90 mm\"\nvelocity = \"{velocity}\""))
+            + march
+    };
+    let said = refused(&with("1 um/s"));
+    assert!(said.contains("samples of 5 signals") && said.contains("more than 4.0 GiB"), "{said}");
+    let file = CaseFile::parse("case.toml", &with("0.1 m/s"), &[]).unwrap();
+    let checked = resolve(&file).unwrap().json();
+    let estimate = checked["estimate"].as_array().unwrap().iter().find(|own| own["name"] == "march").unwrap();
+    // 0.9 s and more at 120 kHz or more, five signals and what is copied of them
+    let bytes = number(&estimate["bytes"]);
+    assert!((0.9 * 120e3 * 5.0 * 8.0..4e9).contains(&bytes), "{estimate}");
+    let stored = &checked["samples"]["march"];
+    assert_eq!(number(&stored["bytes"]), 8.0 * number(&stored["samples"]) * number(&stored["signals"]));
+    assert!(bytes > number(&stored["bytes"]), "{stored}");
+}
+
+/// A window longer than the march that it looks at is found before the march has been computed.
+#[test]
+fn a_window_longer_than_its_march_is_refused() {
+    let march = "\n[[analysis]]\nname = \"march\"\nkind = \"march\"\nmethod = \"ensubs\"\n";
+    let levels = "\n[[analysis]]\nname = \"levels\"\nkind = \"spectrogram\"\nof = \"march\"\nsignal = \"normal-force\"\nlength = \"1e9 s\"\n";
+    let positions = "positions = { from = \"20 mm\", to = \"60 mm\", points = 3 }";
+    let said = refused(&(text(positions) + march + levels));
+    assert!(said.contains("a window is 1000000000 s long, but the march `march` takes"), "{said}");
 }
 
 const TRACK: &str = r#"beam = { length = "100 mm", thickness = "2 mm", elements = [20, 1], start = "clamped" }

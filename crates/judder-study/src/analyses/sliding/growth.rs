@@ -1,13 +1,16 @@
 //! `growth`: the growth of a mode in a march with the contact held, against the eigenvalue there.
 
+mod history;
+
 use crate::error::StudyError;
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use crate::sliding::{SlidingSystem, Step, method, step};
+use history::History;
 use judder_case::SlidingCase;
 use judder_case::sliding::march::Growth;
 use judder_sliding::characteristic::Characteristic;
-use judder_sliding::growth::{GrowthSettings, Held, frozen_growth};
+use judder_sliding::growth::{AMPLITUDE, GrowthSettings, Held, watched_growth};
 use judder_sliding::pair::Pair;
 use judder_sliding::spectrum::{Spectrum, Wanted};
 use judder_store::{Dataset, Variable, number};
@@ -45,7 +48,9 @@ pub(super) fn run(
     if progress.interrupted() {
         return Err(StudyError::Interrupted);
     }
-    let growth = frozen_growth(pair, &asked, &held, eigenvalue)?;
+    let mut history = History::of(eigenvalue);
+    let growth =
+        watched_growth(pair, &asked, &held, eigenvalue, &mut |time, swing| history.see(time, swing))?;
     progress.advance();
     let off = growth.predicted.im / settings.frequency - 1.0;
     let word = format!(
@@ -72,8 +77,12 @@ pub(super) fn run(
     let dataset = Dataset::new()
         .attribute("kind", "growth")?
         .attribute("position_m", position)?
+        .attribute("method", settings.method.name())?
+        .attribute("start_amplitude_n", AMPLITUDE * held.normal_force)?
+        .attribute("measured_until_s", growth.steps as f64 * step)?
         .with(scalar("measured", measured).long_name("growth rate and angular frequency in the march"))?
         .with(scalar("predicted", predicted).long_name("eigenvalue with the contact held"))?;
+    let dataset = history.kept(dataset)?;
     let compared =
         format!("{} against {:.6} 1/s at {:.4} Hz", settings.method.name(), predicted.re, predicted.im / TAU);
     let checks = vec![

@@ -1,7 +1,6 @@
 //! The numbers and claims of the beams paper, each with the way it is measured.
 
 use super::found::{Found, Zone};
-use super::passage::Passage;
 use crate::reproduce::claims::{Claim, Kind, measured, short, statement};
 use crate::reproduce::scoreboard::{ClaimLine, Measured};
 
@@ -148,9 +147,10 @@ const FILM_BURSTS: Claim<Found> = statement(
                 burst.frequency * 1e-3
             ),
         };
-        measured(ours, loudest.as_ref().is_some_and(|burst| within(&burst)))
+        measured(ours, loudest.is_some() && matched == bursts.len())
     },
-    "A burst belongs to a zone of the deformed locus with its frequency (2 %) that it has passed by 1 mm at most.",
+    "A burst belongs to a zone of the deformed locus with its frequency (2 %) that it has passed by 1 mm at most; \
+     agreement asks it of every burst.",
 );
 
 /// How far behind the end of its zone a burst may peak, m.
@@ -164,27 +164,26 @@ const EXPONENTIAL: Claim<Found> = statement(
     "In an instability region the amplitude grows exponentially",
     |found| {
         let passages = found.passages();
-        let told: Vec<String> = passages
-            .iter()
-            .map(|own| {
-                let Zone { from, to, nepers, .. } = own.zone;
-                format!(
-                    "e^{{{:.2}}} at {:.0} mm, promised e^{{{nepers:.2}}}",
-                    own.measured,
-                    500.0 * (from + to)
-                )
-            })
-            .collect();
-        let is_near = |own: &Passage| (own.measured / own.zone.nepers - 1.0).abs() <= GROWN;
-        let strong = passages.iter().filter(|own| own.zone.nepers >= STRONG);
-        let holds = strong.clone().count() > 0 && strong.clone().all(is_near);
-        let ours = if told.is_empty() { "no zone was passed whole".to_owned() } else { told.join("; ") };
-        measured(ours, holds)
+        exponents(&passages.iter().map(|own| (own.zone, own.measured)).collect::<Vec<_>>())
     },
-    "The mode of the zone alone, within 200 Hz of its frequency, from the start of the zone to its end, against ∫ σ dt of the locus; agreement asks for a \
-     tenth of the exponent where that is two or more. Below, the clicks at the nodes count. The whole signal seems to grow by less: its level \
-     before a burst holds the clicks and all other modes.",
+    "The mode of each zone that promises two nepers or more, within 200 Hz of its frequency, from the start of the zone to its end, against ∫ σ dt of the locus; \
+     agreement asks for a tenth of every exponent. Zones that promise less are not judged: there the clicks at the nodes count. The whole signal seems to grow by \
+     less: its level before a burst holds the clicks and all other modes.",
 );
+
+/// Measured exponents of zones beside those promised, where they are judged.
+fn exponents(passages: &[(Zone, f64)]) -> Measured {
+    let judged = passages.iter().filter(|(zone, _)| zone.nepers >= STRONG);
+    let told = judged.clone().map(|(Zone { from, to, nepers, .. }, own)| {
+        format!("e^{{{own:.2}}} at {:.0} mm, promised e^{{{nepers:.2}}}", 500.0 * (from + to))
+    });
+    let told: Vec<String> = told.collect();
+    let is_near = |(zone, own): &(Zone, f64)| (own / zone.nepers - 1.0).abs() <= GROWN;
+    if told.is_empty() {
+        return measured("no zone that promises two nepers was passed whole", false);
+    }
+    measured(told.join("; "), judged.clone().all(is_near))
+}
 
 /// Nepers of a zone whose growth is judged.
 const STRONG: f64 = 2.0;
@@ -281,27 +280,29 @@ const CHEAPER: Claim<Found> = statement(
     "§3.1",
     "EnSubs takes 30 % less time than FiLM",
     |found| {
-        let number = |march: &str, key: &str| found.number(march, &[key]);
-        let steps = number("film", "steps") - number("film", "settled_s") / number("film", "step_s");
-        let (stick, open) = (number("film", "stick_steps"), number("film", "open_steps"));
-        let of_film = (STICK * stick + (STICK + SLIP) * (steps - stick - open)) / steps;
-        let modes = number("locus", "degrees_of_freedom");
-        let saved = 1.0 - (modes + SLIP) / (modes + of_film);
+        let [ensubs, film] = ["ensubs", "film"].map(|march| {
+            let number = |key: &str| found.number(march, &[key]);
+            1e6 * number("seconds") / number("steps")
+        });
+        let saved = 1.0 - ensubs / film;
+        if !saved.is_finite() {
+            return measured("no times of both", false);
+        }
+        let word = if saved < 0.0 { "more" } else { "less" };
         let ours = format!(
-            "{SLIP:.0} equation of the contact a step against {}, beside {modes} recurrences of modes in both: {:.1} % fewer",
-            short(of_film),
-            100.0 * saved
+            "{:.0} % {word}: {} against {} µs a step, in this run; varies from run to run",
+            100.0 * saved.abs(),
+            short(ensubs),
+            short(film)
         );
-        measured(ours, (0.2..0.4).contains(&saved))
+        measured(ours, (SAVED.0..=SAVED.1).contains(&saved))
     },
-    "Equations are counted, because times differ from run to run; those are kept in the summary, as seconds of each march. The saving depends on the \
-     implementation: ours shares the pass over the modes, and after its stick trial FiLM tries slip against the stick force, which settles a \
-     sliding contact without any of the sweeps that the paper's FiLM needs.",
+    "Wall times of both marches, as summary.json has them; agreement asks for 20 to 40 % less. The saving depends on the implementation: here both \
+     share the pass over the modes, which is nearly all of a step, and a sliding contact costs FiLM little beside it.",
 );
 
-/// Equations that a trial of stick and one of slip solve.
-const STICK: f64 = 2.0;
-const SLIP: f64 = 1.0;
+/// Which shares of the time EnSubs must save to agree.
+const SAVED: (f64, f64) = (0.2, 0.4);
 
 /// What peak and envelope of our own march may be off by.
 const OFF: f64 = 0.02;
@@ -346,37 +347,4 @@ const CLAIMS: [Claim<Found>; 16] = [
 ];
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use serde_json::{Value, json};
-
-    fn found(results: Value) -> Found {
-        Found::of_results(serde_json::from_value(results).unwrap())
-    }
-
-    /// The line about costs counts equations: FiLM solves three where it slides and two where it sticks, and no time changes it.
-    #[test]
-    fn costs_are_counted_in_equations() {
-        let with = |stick: u64, seconds: f64| {
-            let marched = json!({
-                "steps": 1100, "settled_s": 1e-4, "step_s": 1e-6, "stick_steps": stick, "open_steps": 0, "seconds": seconds,
-            });
-            let results =
-                json!({ "locus": { "degrees_of_freedom": 243 }, "film": marched, "ensubs": marched });
-            line(&CHEAPER, &found(results))
-        };
-        let sliding = with(0, 1.0);
-        assert_eq!(sliding, with(0, 2.0));
-        assert!(sliding.ours[0].contains("against 3.00, beside 243"), "{:?}", sliding.ours);
-        assert!(with(500, 1.0).ours[0].contains("against 2.50"));
-        assert_eq!(sliding.verdict, "open");
-    }
-
-    /// Without results no claim agrees.
-    #[test]
-    fn nothing_agrees_without_results() {
-        let agreeing: Vec<ClaimLine> =
-            lines(&found(json!({}))).into_iter().filter(|line| line.verdict != "open").collect();
-        assert_eq!(agreeing, []);
-    }
-}
+mod tests;

@@ -106,11 +106,11 @@ pub(super) fn zones(passages: &[Passage]) -> Option<Figure> {
 }
 
 /// Growth with the contact held, four places a figure.
-pub(super) fn growths(method: &str, name: &str, histories: &[Dataset]) -> Option<Figure> {
-    let panels: Vec<Panel> = histories.iter().flat_map(pictures::panels).collect();
+pub(super) fn growths(method: &str, name: &str, held: &[Dataset]) -> Option<Figure> {
+    let panels: Vec<Panel> = held.iter().flat_map(pictures::panels).collect();
     let title = format!("Growth with the contact held, by {method}");
     (!panels.is_empty()).then(|| Figure {
-        caption: histories.first().map(pictures::caption).unwrap_or_default().to_owned(),
+        caption: held.first().map(pictures::caption).unwrap_or_default().to_owned(),
         ..Figure::new(name, title, panels)
     })
 }

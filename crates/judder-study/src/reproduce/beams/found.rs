@@ -1,8 +1,8 @@
 //! What the claims of the beams paper are measured on: summaries and signals of a study folder.
 
-use super::band::Band;
 use super::figures::SIGNAL;
 use super::passage::{Passage, passages};
+use crate::band::Band;
 use crate::error::StudyError;
 use crate::pictures::reals;
 use crate::reproduce::is_done;

@@ -2,7 +2,6 @@
 
 use super::figures::{self, SIGNAL};
 use super::found::Found;
-use super::held::HISTORY;
 use super::passage::passages;
 use crate::error::StudyError;
 use crate::pictures;
@@ -64,15 +63,15 @@ impl Stored<'_> {
         Ok(self.dataset(analysis)?.and_then(|dataset| pictures::figure(name, title, &dataset)))
     }
 
-    /// The histories of the growth analyses of a method.
-    fn histories(&self, method: &str) -> Result<Vec<Dataset>, StudyError> {
+    /// The growth analyses of a method.
+    fn growths(&self, method: &str) -> Result<Vec<Dataset>, StudyError> {
         let prefix = format!("growth-{method}-");
         let names = self.summary.analyses.keys().filter(|name| name.starts_with(&prefix));
-        let mut histories = Vec::new();
-        for name in names.filter(|name| name.ends_with(HISTORY)) {
-            histories.extend(self.dataset(name)?);
+        let mut growths = Vec::new();
+        for name in names {
+            growths.extend(self.dataset(name)?);
         }
-        Ok(histories)
+        Ok(growths)
     }
 }
 
@@ -95,7 +94,7 @@ fn drawn(stored: &Stored<'_>) -> Result<Vec<(&'static str, Vec<Figure>)>, StudyE
     let growth = [("Subs", "subs"), ("EnSubs", "ensubs")];
     let mut growths = vec![zones(stored, ensubs.as_ref())?];
     for (name, method) in growth {
-        growths.push(figures::growths(name, &format!("growth-{method}"), &stored.histories(method)?));
+        growths.push(figures::growths(name, &format!("growth-{method}"), &stored.growths(method)?));
     }
     let sloped = stored.dataset("subs-static-slope")?;
     let reason = match (&subs, &sloped, &ensubs) {

@@ -1,7 +1,7 @@
 //! What an unstable zone does to the mode that it concerns, in a march that passes it.
 
-use super::band::{Band, WINDOW};
 use super::found::Zone;
+use crate::band::Sampled;
 use crate::pictures::reals;
 use crate::pictures::sliding::zone_profiles;
 use judder_report::figure::Region;
@@ -42,16 +42,14 @@ pub(super) fn passages(
 fn passage(march: &Dataset, signal: &str, zone: Zone, profiles: &[Vec<(f64, f64)>]) -> Option<Passage> {
     let (time, position, values) = (reals(march, "time")?, reals(march, "position")?, reals(march, signal)?);
     let settled = march.attributes().get("settled_s").and_then(Value::as_f64)?;
-    let sample = |at: f64| position.partition_point(|own| *own < at);
-    if *time.get(sample(zone.from))? < settled + 0.5 * WINDOW || *position.last()? <= zone.to {
-        return None;
-    }
-    let band = Band::new(zone.frequency, time.get(1)? - time.first()?);
-    let amplitude = |at: f64| band.amplitude(values, sample(at));
+    let first = time.partition_point(|own| *own <= settled);
+    let sampled = Sampled { time: &time[first..], position: &position[first..], values: &values[first..] };
+    let [before, after] = sampled.passage(zone.frequency, [zone.from, zone.to])?;
+    let band = sampled.band(zone.frequency)?;
+    let amplitude = |at: f64| band.amplitude(sampled.values, sampled.sample(at));
     let width = zone.to - zone.from;
     let place =
         |k: usize| zone.from + width * ((1.0 + 2.0 * BEYOND) * k as f64 / (PLACES - 1) as f64 - BEYOND);
-    let [before, after] = [zone.from, zone.to].map(amplitude);
     let middle = 0.5 * (zone.from + zone.to);
     let holds = |profile: &&Vec<(f64, f64)>| {
         profile.first().is_some_and(|first| first.0 < middle)

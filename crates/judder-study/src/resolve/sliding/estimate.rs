@@ -1,7 +1,7 @@
 //! What the analyses of a sliding case would take.
 
 use crate::resolve::{Estimate, cost};
-use crate::sliding::{self, SlidingSystem};
+use crate::sliding::{self, Size, SlidingSystem};
 use judder_case::sliding::locus::Along;
 use judder_case::sliding::march::{March, MarchMethod};
 use judder_case::{SlidingAnalysis, SlidingCase};
@@ -56,20 +56,26 @@ pub(super) fn estimate(
             (steps as usize, steps * modes * per::STEP_AND_MODE, 0.0)
         }
         SlidingAnalysis::March(march) => of_march(system, march, modes),
-        SlidingAnalysis::Spectrogram(_) => (1, 1.0, 0.0),
+        SlidingAnalysis::Spectrogram(asked) => {
+            // the whole march is read
+            let read =
+                case.analyses.iter().find(|own| own.name == asked.of).and_then(|own| match &own.kind {
+                    SlidingAnalysis::March(march) => Size::of(system, march),
+                    _ => None,
+                });
+            (1, 1.0, read.map_or(0.0, |size| size.stored() / 8.0))
+        }
     };
     let seconds = seconds + cost::FIGURE;
     Estimate { name: name.to_owned(), points, seconds, bytes: (8.0 * numbers) as u128 }
 }
 
-/// A march holds what is not stored yet: the samples between two checkpoints.
+/// A march holds the samples between two checkpoints; bursts, sound and report look at all of them when it is over.
 fn of_march(system: &SlidingSystem, march: &March, modes: f64) -> (usize, f64, f64) {
     let motion = Motion { start: march.from, end: march.to, ..system.motion };
     let step = step_of(system, march.method, march.step, motion);
     let steps = motion.duration() / step;
-    // two observed displacements a point; time and position beside the signals
-    let signals = 2.0 + march.kept(system.pair.observed().len() / 2).len() as f64;
-    let numbers = signals * steps.min(march.checkpoint_steps as f64) * step * march.signals.sample_rate;
+    let numbers = Size::new(system, march, step).memory() / 8.0;
     (steps as usize, steps * modes * per::STEP_AND_MODE, numbers)
 }
 

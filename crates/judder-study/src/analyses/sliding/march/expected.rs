@@ -1,7 +1,6 @@
 //! The growth that the unstable zones along the path promise, beside the bursts.
 
 use super::super::Marched;
-use super::loudness::PlacedBurst;
 use judder_case::sliding::march::MarchMethod;
 use judder_sliding::SlidingError;
 use judder_sliding::amplification::{Amplification, amplifications};
@@ -34,10 +33,14 @@ pub(super) fn zones(of: &Marched<'_>) -> Result<Vec<Amplification>, SlidingError
     )
 }
 
-/// The zone in which a burst has grown: of its frequency, passed between its start and its peak; of several the one that promises most.
-pub(super) fn zone_of<'a>(zones: &'a [Amplification], own: &PlacedBurst) -> Option<&'a Amplification> {
-    let frequency = own.burst.frequency?;
-    let (first, last) = (own.start.min(own.position), own.start.max(own.position));
+/// The zone in which a burst has grown: of its frequency in Hz, passed between its start and its peak; of several the one that promises most.
+pub(super) fn zone_of(
+    zones: &[Amplification],
+    frequency: Option<f64>,
+    [start, peak]: [f64; 2],
+) -> Option<&Amplification> {
+    let frequency = frequency?;
+    let (first, last) = (start.min(peak), start.max(peak));
     zones
         .iter()
         .filter(|zone| (zone.zone.frequency_hz / frequency - 1.0).abs() < NEAR)

@@ -1,11 +1,14 @@
 //! Where a signal of a march is loud.
 
+use super::expected::zone_of;
 use super::samples::Samples;
 use super::signals::variable_name;
+use crate::band::Sampled;
 use crate::error::StudyError;
 use judder_case::sliding::observe::{ObservedPoint, Signal};
 use judder_numerics::signal::SignalError;
 use judder_numerics::signal::bursts::{Burst, BurstSettings, bursts};
+use judder_sliding::amplification::Amplification;
 
 /// A burst with the place where the contact was at its peak.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -13,10 +16,20 @@ pub(super) struct PlacedBurst {
     pub(super) burst: Burst,
     /// m.
     pub(super) position: f64,
-    /// Where it was when the burst began, m.
-    pub(super) start: f64,
     /// Level before it, in the unit of the signal: √2 times the rms of as long a stretch, or of what there is after the ramps.
     pub(super) level_before: Option<f64>,
+    /// What its mode has done in the zone that it has passed.
+    pub(super) growth: Option<Growth>,
+}
+
+/// Growth of one mode through an unstable zone, in nepers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Growth {
+    /// ∫ max(σ, 0) dt.
+    pub(super) expected: f64,
+    /// ln of the amplitude at the frequency of the zone where the contact has left it, over that where it has entered; none where the
+    /// signal does not reach beyond both.
+    pub(super) measured: Option<f64>,
 }
 
 /// The peak of a signal and its bursts, after the ramps.
@@ -46,6 +59,14 @@ impl History {
         Ok(Self { times: cut(times), positions: cut(positions), values: cut(values) })
     }
 
+    /// What the mode of a zone has done in it.
+    fn growth(&self, Amplification { zone, nepers }: &Amplification) -> Growth {
+        let sampled = Sampled { time: &self.times, position: &self.positions, values: &self.values };
+        let passage = sampled.passage(zone.frequency_hz, [zone.from, zone.to]);
+        let measured = passage.map(|[before, after]| (after / before).ln());
+        Growth { expected: *nepers, measured: measured.filter(|own| own.is_finite()) }
+    }
+
     fn index(&self, time: f64) -> usize {
         self.times.partition_point(|own| *own < time).min(self.times.len().saturating_sub(1))
     }
@@ -63,11 +84,12 @@ impl History {
     }
 }
 
-/// The peak and the bursts of a signal after the ramps; `sample_rate` is that of the samples, Hz.
+/// The peak and the bursts of a signal after the ramps, which zones promise; `sample_rate` is that of the samples, Hz.
 pub(super) fn loudness(
     samples: &Samples<'_>,
     (signal, points): (Signal, &[ObservedPoint]),
     (settled, sample_rate): (f64, f64),
+    zones: &[Amplification],
 ) -> Result<Loudness, StudyError> {
     let history = History::new(samples, &variable_name(signal, points), settled)?;
     let Some(start) = history.times.first() else { return Ok(Loudness::default()) };
@@ -82,11 +104,11 @@ pub(super) fn loudness(
         Err(SignalError::TooShort { .. }) => Vec::new(),
         found => found?,
     };
-    let placed = |burst: Burst| PlacedBurst {
-        burst,
-        position: history.position(burst.peak_time),
-        start: history.position(burst.start),
-        level_before: history.level_before(&burst),
+    let placed = |burst: Burst| {
+        let (position, start) = (history.position(burst.peak_time), history.position(burst.start));
+        let zone = zone_of(zones, burst.frequency, [start, position]);
+        let growth = zone.map(|zone| history.growth(zone));
+        PlacedBurst { burst, position, level_before: history.level_before(&burst), growth }
     };
     Ok(Loudness { peak, bursts: found.into_iter().map(placed).collect() })
 }

@@ -62,18 +62,14 @@ impl Told<'_> {
         }
     }
 
-    fn zones(&self) -> &[Amplification] {
-        self.zones.as_deref().unwrap_or_default()
-    }
-
-    /// Amplifications in nepers: measured over the level before, and what the zone that was passed promises.
+    /// A burst of the whole signal, with the growth in nepers of the mode of the zone that was passed.
     fn burst(&self, own: &PlacedBurst) -> Value {
-        let PlacedBurst { burst, position, level_before, .. } = own;
+        let PlacedBurst { burst, position, level_before, growth } = own;
         json!({
             "position_m": position, "time_s": burst.peak_time, "frequency_hz": burst.frequency, "peak": burst.peak,
-            "duration_s": burst.duration,
-            "measured_amplification": level_before.map(|level| (burst.peak / level).ln()),
-            "expected_amplification": expected::zone_of(self.zones(), own).map(|zone| zone.nepers),
+            "duration_s": burst.duration, "level_before": level_before,
+            "measured_amplification": growth.and_then(|own| own.measured),
+            "expected_amplification": growth.map(|own| own.expected),
         })
     }
 

@@ -4,7 +4,7 @@ use crate::pictures::structure::{frequency_axis, significant};
 use crate::pictures::{axis, complexes, reals, text};
 use judder_report::figure::Region;
 use judder_report::{Axis, Layer, Legend, Panel, Role};
-use judder_store::{Dataset, Variable};
+use judder_store::{Data, Dataset, Variable};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -46,6 +46,8 @@ struct Zone {
     peak: f64,
     growth: f64,
     frequency: f64,
+    /// Whether growth is zero at start and end; it is not where the range ends, or the contact passes a node.
+    is_root: [bool; 2],
 }
 
 /// The complex plane, as a whole and about its unstable side; frequencies; growth rates, of all branches and of the unstable zones; the
@@ -85,12 +87,17 @@ impl<'a> Locus<'a> {
         let of = |name: &str| reals(dataset, name);
         let (from, to, peak) = (of("zone_from")?, of("zone_to")?, of("zone_peak")?);
         let (growth, frequency) = (of("zone_growth_rate")?, of("zone_frequency")?);
+        let is_root = |name: &str, k: usize| match &dataset.variable(name).map(|variable| &variable.data) {
+            Some(Data::I64(kinds)) => kinds.get(k) == Some(&0),
+            _ => true,
+        };
         let zone = |k: usize| Zone {
             from: from[k] * scale,
             to: to[k] * scale,
             peak: peak[k] * scale,
             growth: growth[k],
             frequency: frequency[k],
+            is_root: [is_root("zone_from_kind", k), is_root("zone_to_kind", k)],
         };
         let zones = (0..from.len()).map(zone).collect();
         let step = values.len().div_ceil(SHOWN).max(1);
@@ -274,8 +281,9 @@ impl<'a> Locus<'a> {
         let (low, high) = (zone.from.min(zone.to), zone.from.max(zone.to));
         let inside = (0..self.values.len()).map(|row| (self.values[row] * self.scale, row));
         let inside = inside.filter(|(at, _)| *at > low && *at < high).map(|(at, row)| (at, fastest(row)));
-        let located = [(zone.from, 0.0), (zone.peak, zone.growth), (zone.to, 0.0)];
-        let mut profile: Vec<(f64, f64)> = located.into_iter().chain(inside).collect();
+        let ends = [zone.from, zone.to].into_iter().zip(zone.is_root);
+        let roots = ends.filter(|(_, is_root)| *is_root).map(|(end, _)| (end, 0.0));
+        let mut profile: Vec<(f64, f64)> = roots.chain([(zone.peak, zone.growth)]).chain(inside).collect();
         profile.sort_by(|a, b| a.0.total_cmp(&b.0));
         profile
     }

@@ -125,8 +125,8 @@ pub(super) fn reason(subs: &Dataset, sloped: &Dataset, ensubs: &Dataset) -> Opti
     let amplitudes = logarithmic(panel(ensubs, SIGNAL, layers)?).with_title("amplitude: √2 rms of a column");
     let styles = [(ensubs, "EnSubs", ENSUBS.solid()), (sloped, "Subs with the static slope", SUBS.dashed())];
     let panels = vec![amplitudes, about_loudest(ensubs, &styles)?];
-    let caption = "Of the deformation that Subs leaves out, the static slope of the track alone brings the bursts back. It is that \
-                   of the full load from the first step on, which kicks the pair within the ramps, beyond the axis.";
+    let caption = "Of the deformation that Subs leaves out, the static slope of the track alone brings the bursts back. It \
+                   grows with the load.";
     Some(Figure::new("static-slope", "Why Subs does not burst", panels).with_caption(caption))
 }
 

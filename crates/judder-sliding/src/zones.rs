@@ -60,7 +60,7 @@ pub enum End {
     Root,
     /// The range of the search ends there; the zone may go on beyond.
     Range,
-    /// The pair is not smooth there, as at a node of an edge: the growth rate jumps.
+    /// The pair is not smooth there, as at a node of an edge or of a table of friction: the growth rate jumps.
     Jump,
     /// Its eigenvalue meets its mirror image on the real axis: an oscillation that grows turns into two divergences, or these into it.
     Meeting,

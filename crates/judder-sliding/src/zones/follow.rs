@@ -78,7 +78,7 @@ fn through(family: &impl Family, [from, to]: [f64; 2], sign: f64, path: &mut Pat
         let Some((met, margin)) = found else {
             step = 0.25 * step.min(left);
             if step < SHORTEST * width {
-                return Some(if is_meeting(family, next, value) { End::Meeting } else { End::Lost });
+                return Some(ended(family, next, value));
             }
             continue;
         };
@@ -125,6 +125,17 @@ fn found(family: &impl Family, at: f64, foretold: Complex64) -> Option<(Complex6
     let [found] = polished(&function, [foretold])?;
     let is_near = (found - foretold).norm() <= NEAR * foretold.norm();
     is_near.then(|| (found, alone(found, function.is_conservative()).value))
+}
+
+/// Why a branch is not found again a thousand-millionth of the piece farther on.
+///
+/// So near, even two eigenvalues that meet are where they are foretold: where the pair is there and the eigenvalue is not, it has jumped.
+fn ended(family: &impl Family, next: f64, value: Complex64) -> End {
+    match family.at(next) {
+        Ok(_) if is_meeting(family, next, value) => End::Meeting,
+        Ok(_) => End::Jump,
+        Err(_) => End::Lost,
+    }
 }
 
 /// Whether beyond a place a real eigenvalue goes on as a conjugate pair, or a pair as two real ones.

@@ -23,12 +23,13 @@ impl Band {
         Self { weights: window.into_iter().enumerate().map(turned).collect() }
     }
 
-    /// |2 Σ w_k y_k e^{−iωt_k}|/Σ w_k about a sample: the amplitude of a sine of the frequency; NaN where the signal does not fill the window.
+    /// |2 Σ w_k y_k e^{−iωt_k}|/Σ w_k about a sample: the amplitude of a sine of the frequency; NaN where the signal does not fill
+    /// the window, or no sample lies in it.
     pub(crate) fn amplitude(&self, values: &[f64], middle: usize) -> f64 {
         let first = middle.checked_sub(self.weights.len() / 2);
         let piece = first.and_then(|first| values.get(first..first + self.weights.len()));
         let sum = |piece: &[f64]| piece.iter().zip(&self.weights).map(|(y, w)| y * w).sum::<Complex64>();
-        piece.map_or(f64::NAN, |piece| sum(piece).norm())
+        piece.filter(|piece| !piece.is_empty()).map_or(f64::NAN, |piece| sum(piece).norm())
     }
 }
 
@@ -101,6 +102,7 @@ mod tests {
         let mut click = vec![0.0; 10_000];
         click[5000] = 3.0;
         assert!(band.amplitude(&click, 5000) < 0.01);
+        assert!(Band::new(3.5, 0.1).amplitude(&own, 5000).is_nan(), "no sample in the window");
         assert!(band.amplitude(&own, 100).is_nan() && band.amplitude(&own, 9_999).is_nan());
     }
 }

@@ -149,8 +149,8 @@ impl Decimator {
         self.signals
     }
 
-    /// Takes a sample of each signal in, as many as there are signals (more are ignored); gives one of each out at the first and then at every `factor`-th.
-    /// Allocates nothing. A sample that is not finite comes out as such, in all outputs of its signal that it reaches.
+    /// Takes a sample of each signal in, as many as there are signals (more are ignored); gives one of each out at the first and then at
+    /// every `factor`-th. Allocates nothing. A sample that is not finite comes out as such, in all outputs of its signal that it reaches.
     #[inline]
     pub fn push(&mut self, samples: &[f64]) -> Option<&[f64]> {
         self.is_started = true;

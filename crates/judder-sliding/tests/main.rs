@@ -19,5 +19,7 @@ mod marches;
 mod random_pairs;
 #[path = "main/recorder.rs"]
 mod recorder;
+#[path = "main/residual_flexibility.rs"]
+mod residual_flexibility;
 #[path = "main/seen.rs"]
 mod seen;

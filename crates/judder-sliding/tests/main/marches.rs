@@ -90,17 +90,6 @@ fn the_burst_does_not_depend_on_the_step() {
     assert!((half / whole - 1.0).abs() < 2e-3, "{whole} {half}");
 }
 
-/// The march with residual flexibility has the burst of EnSubs within 2 %, with a step ten times as long.
-#[test]
-fn residual_flexibility_has_the_same_burst() {
-    let pair = common::pair();
-    let method = Method::ResidualFlexibility { cut_off: 60e3 };
-    let ours = march(&pair, method, 2.4e-6, last_part());
-    let peaks = [march(&pair, Method::EnSubs, STEP, last_part()).peak(), ours.peak()];
-    assert!((peaks[1] / peaks[0] - 1.0).abs() < 2e-2, "{peaks:?}");
-    assert_eq!((ours.stick, ours.open), (0, 0));
-}
-
 /// Just below the printed limit a march runs, just above it blows up, and is refused where it is not asked for by name.
 #[test]
 fn the_step_limit_is_the_limit() {

@@ -13,6 +13,8 @@ mod scheme;
 mod statically;
 mod step;
 mod view;
+#[cfg(test)]
+mod widths;
 
 use crate::SlidingError;
 use crate::body::Body;

@@ -41,6 +41,8 @@ pub mod shape;
 pub mod spectrum;
 pub mod statics;
 mod tracking;
+#[cfg(test)]
+mod vectors;
 pub mod zones;
 
 pub use error::SlidingError;

@@ -6,20 +6,9 @@ use crate::edge::Interpolation;
 use crate::friction::Friction;
 use crate::motion::{Motion, Noise, Ramps};
 use crate::pair::{Observed, Pair, Side, Slider, Track};
+use crate::vectors::widths;
 use judder_numerics::counter::uniform;
 use pulp::Arch;
-
-/// One number at a time, and every width beyond that.
-fn widths() -> Vec<Arch> {
-    let mut widths = vec![Arch::Scalar];
-    #[cfg(target_arch = "x86_64")]
-    {
-        widths.extend(pulp::x86::V3::try_new().map(Arch::V3));
-        widths.extend(pulp::x86::V4::try_new().map(Arch::V4));
-    }
-    widths.push(Arch::new());
-    widths
-}
 
 /// Thirteen modes against thirty-seven, neither a multiple of a chunk, with rows that are drawn.
 fn pair(interpolation: Interpolation) -> Pair {

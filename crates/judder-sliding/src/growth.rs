@@ -81,6 +81,8 @@ pub const AMPLITUDE: f64 = 1e-5;
 const PERIODS: f64 = 60.0;
 /// By how many e-folds the mode may grow or decay in a measurement.
 const FOLDS: f64 = 2.0;
+/// By how many times the fewest periods that may prolong a measurement, at most.
+const MOST: f64 = 10.0;
 /// Quarters of a measurement, and by how many a watched march goes on, so that what follows is seen too.
 const QUARTERS: u64 = 4;
 const BEYOND: u64 = 1;
@@ -133,66 +135,105 @@ fn measured_growth(
             requirement: "finite and above zero: growth is measured on a mode that swings",
         });
     }
-    let shape = mode_shape(&held.coupling, (&pair.eigenvalues(), &pair.damping()), eigenvalue);
-    let size = AMPLITUDE * held.normal_force;
-    let at = |time: f64| -> Vec<f64> {
-        let swing = size * (eigenvalue * time).exp();
-        held.state.iter().zip(&shape).map(|(rest, mode)| rest + (swing * mode).re).collect()
-    };
-    let sliding = Sliding::at(pair.friction(), settings.velocity);
-    let rest = held.force_at_rest(pair, settings, sliding)?;
-    let force = |time: f64| rest.map(|along| along * (1.0 + AMPLITUDE * (eigenvalue * time).exp().re));
-    let start =
-        Start { now: at(0.0), before: at(-settings.step), forces: [force(0.0), force(-settings.step)] };
-    let motion = Motion {
-        start: settings.position,
-        end: settings.position,
-        velocity: settings.velocity,
-        load: settings.load,
-        initial_gap: 0.0,
-        noise: Noise::default(),
-        ramps: Ramps::default(),
-        initial_damping: None,
-    };
-    let march_settings = MarchSettings {
-        method: settings.method,
-        predictor: Predictor::default(),
-        step: settings.step,
-        motion,
-    };
-    let mut march = March::held(pair, march_settings, &start)?;
-    let periods = (PERIODS * TAU / eigenvalue.im.abs())
-        .max((FOLDS / eigenvalue.re.abs()).min(10.0 * PERIODS * TAU / eigenvalue.im.abs()));
-    // of the quarters two make a window
-    let quarter = (periods / (QUARTERS as f64 * settings.step)).ceil() as u64;
-    let quarters = QUARTERS + if watcher.is_some() { BEYOND } else { 0 };
-    let mut windows = [Complex64::ZERO; 3];
-    let mut count = 0_u64;
+    let start = held.disturbed(pair, settings, eigenvalue)?;
+    let mut march = March::held(pair, settings.march(), &start)?;
+    let mut windows = Windows::new(eigenvalue, settings.step);
+    let steps = windows.quarter * (QUARTERS + if watcher.is_some() { BEYOND } else { 0 });
     let mut take = |sample: &Sample, _: &[f64]| {
-        let value = sample.normal_force - held.normal_force;
+        let deviation = sample.normal_force - held.normal_force;
         if let Some(watcher) = watcher.as_deref_mut() {
-            watcher(sample.time, value);
+            watcher(sample.time, deviation);
         }
-        let turned = value * (Complex64::new(0.0, -eigenvalue.im) * sample.time).exp();
-        for (k, window) in windows.iter_mut().enumerate() {
-            let begin = k as u64 * quarter;
-            if count >= begin && count < begin + 2 * quarter {
-                *window += turned * Window::BlackmanHarris.at((count - begin) as f64 / (2 * quarter) as f64);
-            }
-        }
-        count += 1;
+        windows.take(sample.time, deviation);
     };
-    if let Reached::RunOff(end) = march.advance(quarters * quarter, &mut take)? {
+    if let Reached::RunOff(end) = march.advance(steps, &mut take)? {
         return Err(SlidingError::RunsOff { position: settings.position, length: pair.length(), end });
     }
-    let apart = quarter as f64 * settings.step;
-    let rate = |from: usize, to: usize| (windows[to] / windows[from]).ln() / ((to - from) as f64 * apart);
-    let measured = rate(0, 2) + Complex64::new(0.0, eigenvalue.im);
-    let spread = (rate(0, 1) - rate(1, 2)).re.abs();
-    Ok(Growth { measured, predicted: eigenvalue, spread, steps: QUARTERS * quarter })
+    Ok(windows.growth(settings.step))
+}
+
+impl GrowthSettings {
+    /// A march that slides on without ramps or noise.
+    fn march(&self) -> MarchSettings {
+        let motion = Motion {
+            start: self.position,
+            end: self.position,
+            velocity: self.velocity,
+            load: self.load,
+            initial_gap: 0.0,
+            noise: Noise::default(),
+            ramps: Ramps::default(),
+            initial_damping: None,
+        };
+        MarchSettings { method: self.method, predictor: Predictor::default(), step: self.step, motion }
+    }
+}
+
+/// Three windows, one after the other by a quarter of the measurement, on what swings with an eigenvalue.
+struct Windows {
+    eigenvalue: Complex64,
+    /// Steps of a quarter; two make a window.
+    quarter: u64,
+    count: u64,
+    sums: [Complex64; 3],
+}
+
+impl Windows {
+    /// Long enough for some periods and, where the mode grows or decays slowly, for what can be told of that.
+    fn new(eigenvalue: Complex64, step: f64) -> Self {
+        let fewest = PERIODS * TAU / eigenvalue.im;
+        let length = fewest.max((FOLDS / eigenvalue.re.abs()).min(MOST * fewest));
+        let quarter = (length / (QUARTERS as f64 * step)).ceil() as u64;
+        Self { eigenvalue, quarter, count: 0, sums: [Complex64::ZERO; 3] }
+    }
+
+    /// Takes in what swings, at the time of the next step.
+    fn take(&mut self, time: f64, deviation: f64) {
+        let turned = deviation * (Complex64::new(0.0, -self.eigenvalue.im) * time).exp();
+        let length = 2 * self.quarter;
+        for (k, sum) in self.sums.iter_mut().enumerate() {
+            let begin = k as u64 * self.quarter;
+            if self.count >= begin && self.count < begin + length {
+                *sum += turned * Window::BlackmanHarris.at((self.count - begin) as f64 / length as f64);
+            }
+        }
+        self.count += 1;
+    }
+
+    /// What the windows say once all steps are taken in.
+    fn growth(&self, step: f64) -> Growth {
+        let apart = self.quarter as f64 * step;
+        let rate =
+            |from: usize, to: usize| (self.sums[to] / self.sums[from]).ln() / ((to - from) as f64 * apart);
+        Growth {
+            measured: rate(0, 2) + Complex64::new(0.0, self.eigenvalue.im),
+            predicted: self.eigenvalue,
+            spread: (rate(0, 1) - rate(1, 2)).re.abs(),
+            steps: QUARTERS * self.quarter,
+        }
+    }
 }
 
 impl Held {
+    /// The state of rest disturbed by the mode of an eigenvalue, with the forces that belong to both.
+    fn disturbed(
+        &self,
+        pair: &Pair,
+        settings: &GrowthSettings,
+        eigenvalue: Complex64,
+    ) -> Result<Start, SlidingError> {
+        let shape = mode_shape(&self.coupling, (&pair.eigenvalues(), &pair.damping()), eigenvalue);
+        let size = AMPLITUDE * self.normal_force;
+        let at = |time: f64| -> Vec<f64> {
+            let swing = size * (eigenvalue * time).exp();
+            self.state.iter().zip(&shape).map(|(rest, mode)| rest + (swing * mode).re).collect()
+        };
+        let rest = self.force_at_rest(pair, settings, Sliding::at(pair.friction(), settings.velocity))?;
+        let force = |time: f64| rest.map(|along| along * (1.0 + AMPLITUDE * (eigenvalue * time).exp().re));
+        let before = -settings.step;
+        Ok(Start { now: at(0.0), before: at(before), forces: [force(0.0), force(before)] })
+    }
+
     /// The contact's force on the slider at rest.
     fn force_at_rest(
         &self,

@@ -3,6 +3,7 @@
 mod claims;
 mod figures;
 mod found;
+mod held;
 mod page;
 mod passage;
 
@@ -20,6 +21,8 @@ use std::path::{Path, PathBuf};
 pub(super) const PAPER: &str = "beams-paper";
 /// What is computed in place of the template's analyses.
 const ANALYSES: &str = include_str!("beams/analyses.toml");
+/// The loci, with the march that sees each of them.
+const LOCI: [(&str, &str); 2] = [("locus", "subs"), ("locus-deformed", "ensubs")];
 /// The marches of the path, and where a quick one starts: the last quarter.
 const MARCHES: [&str; 5] = ["subs", "subs-static-slope", "ensubs", "film", "residual-flexibility"];
 const QUICK_START: &str = "76 mm";
@@ -29,7 +32,13 @@ const QUICK_START: &str = "76 mm";
 /// # Errors
 /// A folder that cannot be written, or [`StudyError::Interrupted`]; what was done until then is kept.
 pub fn beams_paper(folder: &Path, quick: bool, progress: &dyn Progress) -> Result<Reproduction, StudyError> {
-    let file = case(quick)?;
+    // where the contact is held is known once the loci are there
+    let only = LOCI.map(|(locus, _)| locus.to_owned()).to_vec();
+    let loci = run::compute(&case(quick, "")?, folder, &RunOptions { only, fresh: false }, progress)?;
+    let growth_in = |(locus, method): &(&str, &str)| {
+        held::analyses(method, Found::zones_of(&loci.summary.results, locus, "unstable"))
+    };
+    let file = case(quick, &LOCI.iter().map(growth_in).collect::<String>())?;
     let Computed { store, mut summary, complete, .. } =
         run::compute(&file, folder, &RunOptions::default(), progress)?;
     let scoreboard = claims::lines(&Found::stored(&store, &summary)?);
@@ -45,11 +54,11 @@ pub(super) fn write_report(store: &StudyFolder, summary: &Summary) -> Result<Pat
     page::write(store, summary)
 }
 
-/// The template's structures, contact and motion with the analyses of the reproduction.
-fn case(quick: bool) -> Result<CaseFile, StudyError> {
+/// The template's structures, contact and motion with the analyses of the reproduction and of growth with the contact held.
+fn case(quick: bool, growth: &str) -> Result<CaseFile, StudyError> {
     let template = template(PAPER)?;
     let system = template.split_once("[[analysis]]").map_or(template.as_str(), |(system, _)| system);
-    let text = format!("{system}{ANALYSES}");
+    let text = format!("{system}{ANALYSES}{growth}");
     let start = |march: &&str| format!("analysis.{march}.from={QUICK_START}");
     let overrides: Vec<String> = if quick { MARCHES.iter().map(start).collect() } else { Vec::new() };
     Ok(CaseFile::parse(PAPER, &text, &overrides)?)
@@ -61,10 +70,21 @@ mod tests {
 
     #[test]
     fn the_case_of_the_reproduction_is_sound() {
-        let full = case(false).unwrap();
-        let quick = case(true).unwrap();
+        let zone = found::Zone {
+            from: 0.09,
+            to: 0.0916,
+            peak: 0.090_974_268_032_561_92,
+            frequency: 3_523.373_683_165_756_6,
+            growth: 135.4,
+            nepers: f64::NAN,
+        };
+        let growth = held::analyses("ensubs", vec![zone]);
+        let full = case(false, &growth).unwrap();
+        let quick = case(true, &growth).unwrap();
         assert_ne!(full.case.resolved(), quick.case.resolved());
         let names = crate::analyses::names(&full.case);
-        assert!(MARCHES.iter().all(|march| names.iter().any(|name| name == march)));
+        let loci = LOCI.iter().map(|(locus, _)| locus);
+        let all = MARCHES.iter().chain(loci).chain(&["growth-ensubs-1"]);
+        assert!(all.into_iter().all(|wanted| names.iter().any(|name| name == wanted)), "{names:?}");
     }
 }

@@ -29,6 +29,8 @@ const LOUD: f64 = 0.1;
 pub(super) struct Zone {
     pub(super) from: f64,
     pub(super) to: f64,
+    /// Where it grows fastest; NaN where that is not told.
+    pub(super) peak: f64,
     pub(super) frequency: f64,
     pub(super) growth: f64,
     /// ∫ σ dt of a march through it; NaN where none was computed.
@@ -94,6 +96,7 @@ impl Found {
             Zone {
                 from: number("from_m"),
                 to: number("to_m"),
+                peak: number("peak_m"),
                 frequency: number("frequency_hz"),
                 growth: number("max_growth_rate"),
                 nepers: number("expected_amplification"),

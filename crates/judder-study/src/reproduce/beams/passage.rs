@@ -122,7 +122,8 @@ mod tests {
     #[test]
     fn growth_is_measured_under_clicks() {
         let (interval, speed) = (5e-6, 0.03);
-        let zone = Zone { from: 3.6e-3, to: 5.1e-3, frequency: 3.5e3, growth: 141.0, nepers: 4.5 };
+        let zone =
+            Zone { from: 3.6e-3, to: 5.1e-3, peak: 4.35e-3, frequency: 3.5e3, growth: 141.0, nepers: 4.5 };
         let times: Vec<f64> = (0..50_000).map(|k| f64::from(k) * interval).collect();
         let position: Vec<f64> = times.iter().map(|t| speed * t).collect();
         let value = |(k, t): (usize, &f64)| {

@@ -31,7 +31,8 @@ fn costs_are_those_of_the_run() {
 /// Every exponent that is told is judged, and none else is told.
 #[test]
 fn what_is_told_of_exponents_is_judged() {
-    let zone = |nepers: f64| Zone { from: 0.08, to: 0.081, frequency: 3.5e3, growth: 100.0, nepers };
+    let zone =
+        |nepers: f64| Zone { from: 0.08, to: 0.081, peak: 0.0805, frequency: 3.5e3, growth: 100.0, nepers };
     let own = exponents(&[(zone(4.0), 4.1), (zone(1.4), 2.3)]);
     assert!(own.holds && own.ours == "e^{4.10} at 80 mm, promised e^{4.00}", "{}", own.ours);
     assert!(!exponents(&[(zone(4.0), 4.1), (zone(3.0), 2.4)]).holds);

@@ -108,7 +108,8 @@ pub(crate) struct Computed {
     pub(crate) store: StudyFolder,
     /// The content of its `summary.json`.
     pub(crate) summary: Summary,
-    skipped: Vec<String>,
+    /// Analyses that were done before.
+    pub(crate) skipped: Vec<String>,
     /// Whether every requested result is there.
     pub(crate) complete: bool,
     tables: Vec<String>,

@@ -32,13 +32,7 @@ const QUICK_START: &str = "76 mm";
 /// # Errors
 /// A folder that cannot be written, or [`StudyError::Interrupted`]; what was done until then is kept.
 pub fn beams_paper(folder: &Path, quick: bool, progress: &dyn Progress) -> Result<Reproduction, StudyError> {
-    // where the contact is held is known once the loci are there
-    let only = LOCI.map(|(locus, _)| locus.to_owned()).to_vec();
-    let loci = run::compute(&case(quick, "")?, folder, &RunOptions { only, fresh: false }, progress)?;
-    let growth_in = |(locus, method): &(&str, &str)| {
-        held::analyses(method, Found::zones_of(&loci.summary.results, locus, "unstable"))
-    };
-    let file = case(quick, &LOCI.iter().map(growth_in).collect::<String>())?;
+    let file = case(quick, &growth(quick, folder, progress)?)?;
     let Computed { store, mut summary, complete, .. } =
         run::compute(&file, folder, &RunOptions::default(), progress)?;
     let scoreboard = claims::lines(&Found::stored(&store, &summary)?);
@@ -47,6 +41,16 @@ pub fn beams_paper(folder: &Path, quick: bool, progress: &dyn Progress) -> Resul
     let report = page::write(&store, &summary)?;
     let columns = vec!["ours".to_owned()];
     Ok(Reproduction { folder: folder.to_owned(), report, columns, scoreboard, complete })
+}
+
+/// Computes the loci, and says which growth analyses there are in their zones. The folder is free again afterwards.
+fn growth(quick: bool, folder: &Path, progress: &dyn Progress) -> Result<String, StudyError> {
+    let only = LOCI.map(|(locus, _)| locus.to_owned()).to_vec();
+    let loci = run::compute(&case(quick, "")?, folder, &RunOptions { only, fresh: false }, progress)?;
+    let of = |(locus, method): &(&str, &str)| {
+        held::analyses(method, Found::zones_of(&loci.summary.results, locus, "unstable"))
+    };
+    Ok(LOCI.iter().map(of).collect())
 }
 
 /// Rebuilds figures and page from what is stored.
@@ -67,6 +71,7 @@ fn case(quick: bool, growth: &str) -> Result<CaseFile, StudyError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::progress::Silent;
 
     #[test]
     fn the_case_of_the_reproduction_is_sound() {
@@ -86,5 +91,25 @@ mod tests {
         let loci = LOCI.iter().map(|(locus, _)| locus);
         let all = MARCHES.iter().chain(loci).chain(&["growth-ensubs-1"]);
         assert!(all.into_iter().all(|wanted| names.iter().any(|name| name == wanted)), "{names:?}");
+    }
+
+    /// Both runs work in one folder, one after the other, and the second finds the loci done: growth in four zones of each is that of the
+    /// eigenvalue.
+    #[test]
+    fn growth_is_measured_in_the_zones_of_the_loci() {
+        let folder = tempfile::tempdir().unwrap();
+        let growth = growth(true, folder.path(), &Silent).unwrap();
+        let file = case(true, &growth).unwrap();
+        let mut only = crate::analyses::names(&file.case);
+        only.retain(|name| name.starts_with("growth-") || name.starts_with("locus"));
+        let computed =
+            run::compute(&file, folder.path(), &RunOptions { only, fresh: false }, &Silent).unwrap();
+        assert!(computed.complete && computed.skipped == ["locus", "locus-deformed"]);
+        let found = Found::stored(&computed.store, &computed.summary).unwrap();
+        for (_, method) in LOCI {
+            let growths = found.growths(method);
+            assert_eq!(growths.len(), 4, "{method}");
+            assert!(growths.iter().all(|(own, other)| (own / other - 1.0).abs() < 1e-2), "{growths:?}");
+        }
     }
 }

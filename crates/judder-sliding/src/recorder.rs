@@ -26,13 +26,15 @@ pub enum Channel {
     SlidingVelocity,
 }
 
-/// Extremes and counts of all steps after the ramps.
+/// Extremes of all steps after the ramps, and how many of them each state of the contact had: every step counts once.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Tally {
     /// Of N, N; with the steps, counted from 1.
     pub normal_force: Extremes,
     /// Of the sliding velocity, m/s.
     pub sliding_velocity: Extremes,
+    /// Steps in which closed contact slid along with the motion.
+    pub slip_steps: u64,
     /// Steps in which C stuck.
     pub stick_steps: u64,
     /// Steps in which it had lifted off.
@@ -223,7 +225,7 @@ impl Recorder {
             ContactState::Stick => tally.stick_steps += 1,
             ContactState::Open => tally.open_steps += 1,
             ContactState::Slip if sample.sliding_velocity * self.direction < 0.0 => tally.reversed_steps += 1,
-            ContactState::Slip => {}
+            ContactState::Slip => tally.slip_steps += 1,
         }
     }
 }

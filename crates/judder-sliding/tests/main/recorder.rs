@@ -77,13 +77,15 @@ fn extremes_and_states_are_those_after_the_ramps() {
     take(settled + 11, 0.1, -0.01, ContactState::Slip);
     take(settled + 12, 0.3, 0.0, ContactState::Stick);
     take(settled + 13, 0.0, 0.05, ContactState::Open);
+    take(settled + 14, 0.2, 0.02, ContactState::Slip);
     let tally = recorder.tally();
     let values = |extremes: &judder_numerics::signal::extremes::Extremes| {
         [extremes.minimum().unwrap().1, extremes.maximum().unwrap().1]
     };
     assert_eq!(values(&tally.normal_force), [0.0, 0.3]);
     assert_eq!(values(&tally.sliding_velocity), [-0.01, 0.05]);
-    assert_eq!((tally.stick_steps, tally.open_steps, tally.reversed_steps), (1, 1, 1));
+    let counts = [tally.slip_steps, tally.stick_steps, tally.open_steps, tally.reversed_steps];
+    assert_eq!(counts, [2, 1, 1, 1]);
 }
 
 /// A march and its recorder, both taken up again from text, leave the same samples to the bit.

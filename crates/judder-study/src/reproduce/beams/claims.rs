@@ -263,17 +263,20 @@ const SLIDING: Claim<Found> = statement(
     |found| {
         let least = |march: &str, key: &str| found.number(march, &[key, "min"]);
         let (force, velocity) = (least("ensubs", "normal_force"), least("ensubs", "sliding_velocity"));
-        let away = ["stick_steps", "open_steps"].map(|key| found.number("film", &[key]));
+        let count = |key: &str| found.number("film", &[key]);
+        let (slides, away) =
+            (count("slip_steps"), ["stick_steps", "open_steps", "reversed_steps"].map(count));
         let ours = format!(
-            "N ≥ {} N, v ≥ {} mm/s; FiLM sticks in {} steps and opens in {}",
+            "N ≥ {} N, v ≥ {} mm/s; FiLM slides on in {slides} steps, sticks in {}, opens in {}, slides back in {}",
             short(force),
             short(velocity * 1e3),
             away[0],
-            away[1]
+            away[1],
+            away[2]
         );
-        measured(ours, force > 0.0 && velocity > 0.0 && away == [0.0, 0.0])
+        measured(ours, force > 0.0 && velocity > 0.0 && slides > 0.0 && away == [0.0; 3])
     },
-    "Extremes of every step after the ramps.",
+    "Extremes and states of every step after the ramps.",
 );
 
 const CHEAPER: Claim<Found> = statement(

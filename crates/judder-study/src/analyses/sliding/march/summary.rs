@@ -35,7 +35,8 @@ impl Told<'_> {
     /// What `summary.json` shows.
     pub(super) fn scalars(&self) -> Map<String, Value> {
         let asked = self.of.march;
-        let Tally { normal_force, sliding_velocity, stick_steps, open_steps, reversed_steps } = self.tally;
+        let Tally { normal_force, sliding_velocity, slip_steps, stick_steps, open_steps, reversed_steps } =
+            self.tally;
         let (peak, position) = self.loud.peak.unzip();
         let mut scalars = json!({
             "method": asked.method.name(), "steps": self.steps, "step_s": self.chosen.step,
@@ -43,7 +44,7 @@ impl Told<'_> {
             "signal": asked.signal.name(self.of.points), "signal_unit": unit(asked.signal),
             "peak_position_m": position, "bursts": self.loud.bursts.iter().map(|own| self.burst(own)).collect::<Vec<_>>(),
             "normal_force": span(normal_force), "sliding_velocity": span(sliding_velocity),
-            "stick_steps": stick_steps, "open_steps": open_steps, "reversed_steps": reversed_steps,
+            "slip_steps": slip_steps, "stick_steps": stick_steps, "open_steps": open_steps, "reversed_steps": reversed_steps,
         });
         scalars[peak_key(asked.signal)] = json!(peak);
         if let Some(predictor) = asked.predictor {

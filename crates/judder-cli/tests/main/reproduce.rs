@@ -39,3 +39,21 @@ fn the_scoreboard_is_that_of_the_fit(desk: &Desk, document: &Value) {
         assert_eq!(claim["ours"]["computed, F_n μ"], r2, "{quantity}");
     }
 }
+
+#[test]
+#[ignore = "expensive: the last quarter of the path by every march"]
+fn the_beams_paper_is_reproduced() {
+    let desk = Desk::new();
+    let reproduced = || desk.succeed(&["reproduce", "beams-paper", "--quick", "--json"]).json();
+    let document = reproduced();
+    assert_eq!(document["complete"], true);
+    // where its zones are and what EnSubs saves, the book says why
+    let unsettled = ["and nowhere else", "less time than FiLM"];
+    for claim in document["scoreboard"].as_array().unwrap() {
+        let says = claim["says"].as_str().unwrap();
+        assert!(claim["verdict"] == "agrees" || unsettled.iter().any(|end| says.contains(end)), "{claim}");
+    }
+    // what is done is not done again
+    assert_eq!(reproduced()["scoreboard"], document["scoreboard"]);
+    desk.succeed(&["report", "out/reproduce/beams-paper"]);
+}

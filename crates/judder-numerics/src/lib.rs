@@ -8,6 +8,7 @@
 //! - [`dense`]: a small system of linear equations.
 //! - [`counter`]: even random numbers, each computed from its place alone.
 //! - [`piecewise`]: motion whose equations change from mode to mode, with located events.
+//! - [`sampling`]: points that fill a cube evenly: Sobol' sequences, Latin hypercubes.
 //! - [`signal`]: sampled histories: decimation, resampling, spectrograms, bursts.
 //!
 //! What a library does is called, not wrapped; these stand here because no library gives them in this form.
@@ -20,4 +21,5 @@ pub mod piecewise;
 pub mod polynomial;
 pub mod quadrature;
 pub mod root;
+pub mod sampling;
 pub mod signal;

@@ -11,7 +11,7 @@
 pub mod design;
 pub mod problem;
 pub mod quantity_path;
-mod read;
+pub(crate) mod read;
 mod read_axis;
 mod trial;
 

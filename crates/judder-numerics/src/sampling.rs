@@ -18,8 +18,8 @@ use thiserror::Error;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum SamplingError {
-    /// More dimensions, or fewer, than there are direction numbers for.
-    #[error("points of {dimensions} dimensions were asked for; there are direction numbers for 1 to {most}")]
+    /// No dimension, or more than such points have.
+    #[error("points of {dimensions} dimensions were asked for; they have 1 to {most}")]
     Dimensions {
         /// The dimensions that were asked for.
         dimensions: usize,

@@ -1,5 +1,5 @@
 //! The direction numbers of S. Joe and F. Y. Kuo, *Constructing Sobol' sequences with better two-dimensional projections*, SIAM J. Sci.
-//! Comput. 30 (2008) 2635–2654: their file new-joe-kuo-6.21201, the dimensions 2 to 128.
+//! Comput. 30 (2008) 2635–2654: their file new-joe-kuo-6.21201, the dimensions 2 to 128. Their licence: LICENSE-joe-kuo.txt.
 
 /// Of each dimension after the first: the inner coefficients of its primitive polynomial as the bits of a number, highest power
 /// first, and m_1, m_2, …, as many as the polynomial's degree.

@@ -43,8 +43,9 @@ impl SobolSequence {
     /// # Errors
     /// As [`SobolSequence::new`].
     pub fn scrambled(dimensions: usize, seed: u64) -> Result<Self, SamplingError> {
-        let scrambles = (0..dimensions as u64).map(|dimension| Scramble::new(seed, dimension));
-        Ok(Self { scrambles: scrambles.collect(), ..Self::new(dimensions)? })
+        let mut sequence = Self::new(dimensions)?;
+        sequence.scrambles = (0..dimensions as u64).map(|dimension| Scramble::new(seed, dimension)).collect();
+        Ok(sequence)
     }
 
     /// The number of dimensions.
@@ -94,29 +95,96 @@ fn direction_numbers(dimension: usize) -> [u64; BITS] {
 
 /// A permutation of binary fractions that flips each digit by what stands before it, and by nothing else.
 ///
-/// The hash of S. Laine and T. Karras, *Stratified sampling for stochastic transparency* (2011), which B. Burley, *Practical
-/// hash-based Owen scrambling* (J. Comput. Graph. Tech. 9 (2020) 4) applies to mirrored digits: sums, and products with even numbers,
-/// carry from lower bits to higher ones only. Here on 64 bits, with the multipliers drawn from the seed.
+/// The principle of S. Laine and T. Karras, *Stratified sampling for stochastic transparency* (2011), which B. Burley, *Practical
+/// hash-based Owen scrambling* (J. Comput. Graph. Tech. 9 (2020) 4) applies to mirrored digits: sums, products with odd numbers, and
+/// exclusive sums with an even multiple carry from lower bits to higher ones only, and can be undone. Here on 64 bits, with the
+/// multipliers drawn from the seed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Scramble {
-    keys: [u64; 2 * ROUNDS],
+    rounds: [[u64; 2]; ROUNDS],
 }
 
-/// Rounds of the hash, each a sum and a product.
+/// Rounds of the hash; after three of them no correlation of flips shows, one is to spare.
 const ROUNDS: usize = 4;
 
 impl Scramble {
     fn new(seed: u64, dimension: u64) -> Self {
         let stream = counter::bits(seed, dimension);
-        Self { keys: std::array::from_fn(|k| counter::bits(stream, k as u64)) }
+        let key = |k: usize| counter::bits(stream, k as u64);
+        Self { rounds: std::array::from_fn(|round| [key(2 * round), key(2 * round + 1)]) }
     }
 
-    fn permuted(self, digits: u64) -> u64 {
+    fn permuted(&self, digits: u64) -> u64 {
         let mut x = digits.reverse_bits();
-        for round in self.keys.chunks_exact(2) {
-            x = x.wrapping_add(round[0]);
-            x ^= x.wrapping_mul(round[1] & !1);
+        for [addend, factors] in &self.rounds {
+            x = x.wrapping_add(*addend).wrapping_mul(factors | 1);
+            x ^= x.wrapping_mul((factors >> 1) & !1);
         }
         x.reverse_bits()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `scipy.stats.qmc.Sobol(128, scramble=False)` of SciPy 1.17.1: dimensions 0, 1, 2, 63, 100, 127.
+    #[test]
+    fn points_are_those_of_scipy() {
+        let expected = [
+            (1000, [0.2197265625, 0.0966796875, 0.5185546875, 0.4462890625, 0.7685546875, 0.5439453125]),
+            (
+                123_456_789,
+                [
+                    0.9758977368474007,
+                    0.792431928217411,
+                    0.006405912339687347,
+                    0.2532354071736336,
+                    0.5352772399783134,
+                    0.6704075857996941,
+                ],
+            ),
+        ];
+        let sequence = SobolSequence::new(DIMENSIONS_LIMIT).unwrap();
+        for (index, values) in expected {
+            let found = [0, 1, 2, 63, 100, 127].map(|dimension| sequence.coordinate(index, dimension));
+            assert_eq!(found, values);
+        }
+        assert!((0..128).all(|dimension| sequence.coordinate(0, dimension) == 0.0));
+        assert!((0..128).all(|dimension| sequence.coordinate(1, dimension) == 0.5));
+        assert!(sequence.coordinate(1, 128).is_nan());
+    }
+
+    /// Whether a digit is flipped is even, and independent of whether it is under a neighbouring prefix: four standard errors.
+    #[test]
+    fn a_flip_tells_nothing_of_another() {
+        let seeds = 20_000;
+        for digit in [1, 2, 4, 8, 16, 32, 50] {
+            for other in (0..digit).rev().take(4) {
+                let (mut flips, mut alike) = (0, 0);
+                for seed in 0..seeds {
+                    let scramble = Scramble::new(seed, 3);
+                    let prefix = counter::bits(77, seed) & !(u64::MAX >> digit);
+                    let flip = |prefix: u64| (scramble.permuted(prefix) >> (63 - digit)) & 1;
+                    let (first, second) = (flip(prefix), flip(prefix ^ (1 << (63 - other))));
+                    flips += first;
+                    alike += u64::from(first == second);
+                }
+                let error = (seeds as f64 / 4.0).sqrt();
+                for count in [flips, alike] {
+                    let away = (count as f64 - seeds as f64 / 2.0) / error;
+                    assert!(away.abs() < 4.0, "digit {digit} beside {other}: {away}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn there_are_no_dimensions_without_direction_numbers() {
+        for dimensions in [0, DIMENSIONS_LIMIT + 1] {
+            let refused = SamplingError::Dimensions { dimensions, most: 128 };
+            assert_eq!(SobolSequence::new(dimensions), Err(refused));
+            assert_eq!(SobolSequence::scrambled(dimensions, 1), Err(refused));
+        }
     }
 }

@@ -173,10 +173,11 @@ impl CaseFile {
         if values.len() != sweep.axes.len() {
             let (name, expected, found) = (sweep.name.clone(), sweep.axes.len(), values.len());
             let problem = SweepProblem::ValueCount { name, expected, found };
-            return Err(self.error_at(&format!("sweep.{}", sweep.name), Cause::StudySweep { problem }));
+            return Err(self.error_at(["sweep", &sweep.name], Cause::StudySweep { problem }));
         }
         let (tree, case) = study_sweep::at(&self.tree, &sweep.axes, values).map_err(|refusal| {
-            self.error_at(&sweep.path_of(&refusal), Cause::StudySweep { problem: refusal.problem })
+            let steps = sweep.steps_to(&refusal);
+            self.error_at(steps.iter().map(String::as_str), Cause::StudySweep { problem: refusal.problem })
         })?;
         let (name, origin) = (self.name.clone(), self.origin.clone());
         let (text, overrides) = (self.text.clone(), self.overrides.clone());
@@ -199,19 +200,20 @@ impl CaseFile {
     /// The error of a structure that shows only when its files are read: at this dotted path, where an item of a list goes by its
     /// name or number, or at the last part of it that is there.
     pub fn structure_error(&self, path: &str, problem: StructureProblem) -> CaseError {
-        self.error_at(path, Cause::Structure { problem })
+        self.error_at(path.split('.'), Cause::Structure { problem })
     }
 
     /// The error of a sliding case that shows only when its structures are built or coupled: at this dotted path, where an item of a
     /// list goes by its name or number, or at the last part of it that is there.
     pub fn sliding_error(&self, path: &str, problem: SlidingProblem) -> CaseError {
-        self.error_at(path, Cause::Sliding { problem })
+        self.error_at(path.split('.'), Cause::Sliding { problem })
     }
 
-    fn error_at(&self, path: &str, cause: Cause) -> CaseError {
+    /// An error at the end of a path, or at the last step of it that is there.
+    fn error_at<'a>(&self, steps: impl IntoIterator<Item = &'a str>, cause: Cause) -> CaseError {
         match read_tree(&self.origin, &self.text, &self.overrides) {
             Ok(root) => {
-                let place = place_of_path(&root, path);
+                let place = place_of_path(&root, steps);
                 Sources::new(&self.origin, &self.text, &self.overrides).error(cause.at(place))
             }
             Err(_) => CaseError::without_place(cause, &self.origin),
@@ -219,10 +221,10 @@ impl CaseFile {
     }
 }
 
-/// The place of the last part of a dotted path that is there.
-fn place_of_path(root: &Node, path: &str) -> Place {
+/// The place of the last step of a path that is there.
+fn place_of_path<'a>(root: &Node, steps: impl IntoIterator<Item = &'a str>) -> Place {
     let mut node = root;
-    for step in path.split('.') {
+    for step in steps {
         match node.step(step) {
             Some(next) => node = next,
             None => break,

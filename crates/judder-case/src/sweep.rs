@@ -55,7 +55,18 @@ impl<K> Sweep<K> {
 }
 
 /// The value of point `index` of `points` from one end to the other: the ends exact, and a power of ten as exact as `powf` gives it.
-pub(crate) fn spaced([from, to]: [f64; 2], points: u64, scale: Scale, index: u64) -> f64 {
+pub(crate) fn spaced(ends: [f64; 2], points: u64, scale: Scale, index: u64) -> f64 {
+    match scale {
+        Scale::Log if index > 0 && index + 1 < points => {
+            let exponents = ends.map(|end| end.abs().log10());
+            10_f64.powf(evenly(exponents, points, index)).copysign(ends[0])
+        }
+        _ => evenly(ends, points, index),
+    }
+}
+
+/// Point `index` of `points` with equal steps between them, the ends exact.
+pub(crate) fn evenly([from, to]: [f64; 2], points: u64, index: u64) -> f64 {
     let last = points.saturating_sub(1).max(1);
     if index == 0 {
         return from;
@@ -63,16 +74,10 @@ pub(crate) fn spaced([from, to]: [f64; 2], points: u64, scale: Scale, index: u64
     if index >= last {
         return to;
     }
-    let between = |from: f64, to: f64| {
-        // multiplied before divided, so that whole exponents stay whole
-        let step = (to - from) * index as f64 / last as f64;
-        let part = index as f64 / last as f64;
-        if step.is_finite() { from + step } else { from * (1.0 - part) + to * part }
-    };
-    match scale {
-        Scale::Linear => between(from, to),
-        Scale::Log => 10_f64.powf(between(from.abs().log10(), to.abs().log10())).copysign(from),
-    }
+    // multiplied before divided, so that whole exponents stay whole
+    let step = (to - from) * index as f64 / last as f64;
+    let part = index as f64 / last as f64;
+    if step.is_finite() { from + step } else { from * (1.0 - part) + to * part }
 }
 
 impl Sweep<OscillatorKey> {

@@ -1,9 +1,10 @@
 //! Which points a sweep has: each is computed from its index alone.
 
+use judder_numerics::elementary::{exp, ln};
 use judder_numerics::sampling::{LatinHypercube, SobolSequence};
 
 use super::{Design, StudySweep, SweptKey, SweptValues};
-use crate::sweep::{Scale, spaced};
+use crate::sweep::{Scale, evenly};
 
 /// The most points of a sweep.
 pub const POINTS_LIMIT: u64 = 1_000_000_000_000;
@@ -44,7 +45,12 @@ impl SweptKey {
                 usize::try_from(index).ok().and_then(|index| values.get(index)).copied().unwrap_or(f64::NAN)
             }
             SweptValues::Spaced { from, to, points } if index < *points => {
-                spaced([*from, *to], *points, self.scale, index)
+                let is_end = index == 0 || index + 1 == *points;
+                if self.scale == Scale::Linear || is_end {
+                    return evenly([*from, *to], *points, index);
+                }
+                let exponents = [*from, *to].map(|end| libm::log10(end.abs()));
+                power_of_ten(evenly(exponents, *points, index)).copysign(*from)
             }
             _ => f64::NAN,
         }
@@ -54,12 +60,23 @@ impl SweptKey {
     pub fn value_at(&self, coordinate: f64) -> f64 {
         let SweptValues::Between { from, to } = self.values else { return f64::NAN };
         let between = |from: f64, to: f64| from * (1.0 - coordinate) + to * coordinate;
+        let ratio = to / from;
         let value = match self.scale {
             Scale::Linear => between(from, to),
-            Scale::Log => 10_f64.powf(between(from.abs().log10(), to.abs().log10())).copysign(from),
+            // exp and ln have the same bits on every machine, as all points of one sweep must
+            Scale::Log if ratio.is_normal() => from * exp(coordinate * ln(ratio)),
+            // ends too far apart for their ratio
+            Scale::Log => {
+                power_of_ten(between(libm::log10(from.abs()), libm::log10(to.abs()))).copysign(from)
+            }
         };
         value.clamp(from.min(to), from.max(to))
     }
+}
+
+/// 10^x to 15 digits: so decades come out as written, and with the same bits on every machine.
+fn power_of_ten(exponent: f64) -> f64 {
+    format!("{:.14e}", libm::pow(10.0, exponent)).parse().unwrap_or(f64::NAN)
 }
 
 impl StudySweep {
@@ -122,5 +139,42 @@ impl StudySweep {
                 }
             };
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dimension::Dimension;
+
+    fn key(from: f64, to: f64, scale: Scale) -> SweptKey {
+        let (path, dimension) = ("a.b".to_owned(), Dimension::NUMBER);
+        SweptKey { path, dimension, scale, values: SweptValues::Between { from, to } }
+    }
+
+    #[test]
+    fn decades_of_a_grid_come_out_as_written() {
+        for (from, to) in [(-8, 2), (-300, 300), (7, -7)] {
+            let decade = |exponent: i32| -> f64 { format!("1e{exponent}").parse().unwrap() };
+            let points = i32::abs_diff(from, to) + 1;
+            let values = SweptValues::Spaced { from: decade(from), to: decade(to), points: points.into() };
+            let key = SweptKey { values, ..key(0.0, 0.0, Scale::Log) };
+            for (index, step) in (0..u64::from(points)).zip(0..) {
+                let exponent = if to > from { from + step } else { from - step };
+                assert_eq!(key.value(index), decade(exponent));
+            }
+            assert!(key.value(points.into()).is_nan());
+        }
+    }
+
+    #[test]
+    fn coordinates_are_even_on_the_scale() {
+        let close = |found: f64, expected: f64| (found / expected - 1.0).abs() < 1e-13;
+        assert!(close(key(1e-4, 1e2, Scale::Log).value_at(0.25), 10_f64.powf(-2.5)));
+        assert!(close(key(-100.0, -1.0, Scale::Log).value_at(0.5), -10.0));
+        assert!(close(key(1e-200, 1e200, Scale::Log).value_at(0.25), 1e-100));
+        assert!(close(key(3.0, -1.0, Scale::Linear).value_at(0.25), 2.0));
+        assert_eq!(key(-f64::MAX, f64::MAX, Scale::Linear).value_at(0.5), 0.0);
+        assert!(key(0.0, 1.0, Scale::Linear).value_at(f64::NAN).is_nan());
     }
 }

@@ -90,14 +90,12 @@ pub(super) fn try_values(tree: &CaseTree, axes: &[SweptKey]) -> Result<Vec<Case>
 }
 
 impl StudySweep {
-    /// The path of the key of an axis, or of the axis, in the tree of the case.
-    pub(crate) fn path_of(&self, refusal: &Refusal) -> String {
-        let over = format!("sweep.{}.over", self.name);
-        match refusal.axis {
-            Some(axis) if refusal.is_of_key() => format!("{over}.{axis}.key"),
-            Some(axis) => format!("{over}.{axis}"),
-            None => over,
-        }
+    /// The steps to what a refusal concerns in the tree of the case file: an axis, its key, or all axes.
+    pub(crate) fn steps_to(&self, refusal: &Refusal) -> Vec<String> {
+        let mut steps = vec!["sweep".to_owned(), self.name.clone(), "over".to_owned()];
+        steps.extend(refusal.axis.map(|axis| axis.to_string()));
+        steps.extend((refusal.axis.is_some() && refusal.is_of_key()).then(|| "key".to_owned()));
+        steps
     }
 }
 

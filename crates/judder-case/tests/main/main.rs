@@ -14,6 +14,7 @@ mod bad_source;
 mod bad_structure;
 mod bad_study_sweep;
 mod bad_sweep;
+mod bad_swept_keys;
 mod bad_two_degrees;
 mod contact;
 mod editors;

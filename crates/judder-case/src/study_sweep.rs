@@ -44,6 +44,7 @@ pub struct StudySweep {
     /// Setting them in the inputs of the case gives the same operating point as reading the case anew.
     pub oscillator: Option<Vec<(OscillatorKey, Form)>>,
     sampler: Sampler,
+    kept_values: Vec<Vec<f64>>,
     shape: Vec<u64>,
     points: u64,
 }

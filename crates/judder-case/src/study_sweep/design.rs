@@ -28,6 +28,19 @@ impl Sampler {
     }
 }
 
+/// The most values of a key of a grid that are kept rather than computed again at every point.
+const KEPT: u64 = 1 << 16;
+
+/// The values of the keys of a grid, each where they are few enough to be kept.
+pub(super) fn kept_values(method: Design, axes: &[SweptKey]) -> Vec<Vec<f64>> {
+    let is_kept = |count: &u64| method == Design::Grid && *count <= KEPT;
+    let values = |axis: &SweptKey| {
+        let count = axis.count().filter(is_kept).unwrap_or(0);
+        (0..count).map(|index| axis.value(index)).collect()
+    };
+    axes.iter().map(values).collect()
+}
+
 impl SweptKey {
     /// How many values there are; `None` for any between two ends.
     pub fn count(&self) -> Option<u64> {
@@ -130,7 +143,8 @@ impl StudySweep {
                     let count = axis.count().unwrap_or(1);
                     let here = rest % count;
                     rest /= count;
-                    axis.value(here)
+                    let kept = self.kept_values.get(k).and_then(|values| values.get(here as usize));
+                    kept.copied().unwrap_or_else(|| axis.value(here))
                 }
                 Design::LatinHypercube { .. } | Design::Sobol { .. } => {
                     let is_of_second = member == keys as u64 + 1 || member == k as u64 + 1;

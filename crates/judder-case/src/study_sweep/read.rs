@@ -3,7 +3,7 @@
 use judder_numerics::sampling::sobol::DIMENSIONS_LIMIT;
 use judder_numerics::sampling::{LatinHypercube, SobolSequence};
 
-use super::design::{POINTS_LIMIT, Sampler};
+use super::design::{POINTS_LIMIT, Sampler, kept_values};
 use super::problem::SweepProblem;
 use super::quantity_path::QuantityPath;
 use super::read_axis::{read_axes, refuse, refuse_repeated_keys};
@@ -98,6 +98,7 @@ fn read_sweep(
     })?;
     refuse_repeated_keys(tree, case, &axes)?;
     let oscillator = oscillator_keys(case, &keys, &cases);
+    let kept_values = kept_values(method, &keys);
     Ok(StudySweep {
         name,
         method,
@@ -107,6 +108,7 @@ fn read_sweep(
         sensitivity,
         oscillator,
         sampler,
+        kept_values,
         shape,
         points,
     })

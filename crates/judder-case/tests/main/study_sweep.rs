@@ -90,6 +90,22 @@ quantities = ["growth_rate"]"#,
     }
 }
 
+/// Keys with few values and with very many give theirs alike.
+#[test]
+fn the_points_of_a_large_grid_are_those_of_its_keys() {
+    let sweep = sweep(
+        r#"over = [
+  { key = "operation.velocity", from = 1e-4, to = 1e-2, points = 70_001, scale = "log" },
+  { key = "oscillator.damping_x", from = 0.1, to = 0.2, points = 11 },
+]
+quantities = ["growth_rate"]"#,
+    );
+    for index in [0, 10, 11, 345_678, sweep.points() - 1] {
+        let expected = [sweep.axes[0].value(index / 11), sweep.axes[1].value(index % 11)];
+        assert_eq!(sweep.values_of(index), expected);
+    }
+}
+
 #[test]
 fn a_list_takes_values_together() {
     let sweep = sweep(

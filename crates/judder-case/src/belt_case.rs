@@ -171,7 +171,8 @@ pub(crate) const KINDS: [Kind<BeltKeys, MotionAnalysis<BeltKey>>; 4] = [
 
 /// Reads a belt case from the root of its tree.
 pub(crate) fn read(root: &Node) -> Result<BeltCase, Fault> {
-    let known: Vec<_> = ["title", "model"].into_iter().chain(BELT_SECTIONS).chain(["analysis"]).collect();
+    let known: Vec<_> =
+        ["title", "model"].into_iter().chain(BELT_SECTIONS).chain(["analysis", "sweep"]).collect();
     let root = Section::open(root, "", "a belt case", &known)?;
     let title = root.text("title")?.unwrap_or_default().to_owned();
     let mut inputs = BeltInputs::default();

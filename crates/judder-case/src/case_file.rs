@@ -1,9 +1,12 @@
 //! The way in: a path or a text with its `--set` options becomes a validated case.
 
+use std::fmt;
 use std::fs::File;
 use std::io::{ErrorKind, Read};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
+use crate::analysis::Analysis;
 use crate::belt_case::BeltCase;
 use crate::cause::Cause;
 use crate::contact_case::ContactCase;
@@ -16,6 +19,8 @@ use crate::sliding::SlidingCase;
 use crate::sliding::problem::SlidingProblem;
 use crate::structure::StructureCase;
 use crate::structure::problem::StructureProblem;
+use crate::study_sweep::problem::SweepProblem;
+use crate::study_sweep::{self, StudySweep, read_sweeps};
 use crate::two_degrees::TwoDegreesCase;
 use crate::{belt_case, contact_case, oscillator_case, sliding, structure, two_degrees};
 
@@ -32,6 +37,39 @@ pub struct CaseFile {
     pub overrides: Vec<String>,
     /// The case, with the options applied.
     pub case: Case,
+    /// The sweeps of the whole case, in the order of the file.
+    pub sweeps: Vec<StudySweep>,
+    /// What the case was read from, to read it anew at the points of a sweep.
+    tree: Arc<CaseTree>,
+}
+
+/// The values of a case file and its options, without sweeps, and the folder to which its files are relative.
+#[derive(Clone)]
+pub(crate) struct CaseTree {
+    pub(crate) root: Node,
+    folder: PathBuf,
+}
+
+impl fmt::Debug for CaseTree {
+    /// The folder alone: the typed case says what the tree held.
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.debug_struct("CaseTree").field("folder", &self.folder).finish_non_exhaustive()
+    }
+}
+
+impl CaseTree {
+    /// The case that it gives.
+    pub(crate) fn read(&self) -> Result<Case, Fault> {
+        let Self { root, folder } = self;
+        match read_model(root)? {
+            "oscillator" => oscillator_case::read(root, folder).map(Case::Oscillator),
+            "contact" => contact_case::read(root, folder).map(Case::Contact),
+            "belt" => belt_case::read(root).map(Case::Belt),
+            "structure" => structure::read(root, folder).map(Case::Structure),
+            "sliding" => sliding::read(root, folder).map(Case::Sliding),
+            _ => two_degrees::read(root).map(Case::TwoDegrees),
+        }
+    }
 }
 
 /// A validated case of one of the models.
@@ -64,6 +102,21 @@ impl Case {
             Self::TwoDegrees(_) => "two-degrees",
             Self::Structure(_) => "structure",
             Self::Sliding(_) => "sliding",
+        }
+    }
+
+    /// The names of its analyses, in their order.
+    pub fn analysis_names(&self) -> Vec<&str> {
+        fn names<K>(analyses: &[Analysis<K>]) -> Vec<&str> {
+            analyses.iter().map(|analysis| analysis.name.as_str()).collect()
+        }
+        match self {
+            Self::Oscillator(case) => names(&case.analyses),
+            Self::Contact(case) => names(&case.analyses),
+            Self::Belt(case) => names(&case.analyses),
+            Self::TwoDegrees(case) => names(&case.analyses),
+            Self::Structure(case) => names(&case.analyses),
+            Self::Sliding(case) => names(&case.analyses),
         }
     }
 
@@ -104,10 +157,31 @@ impl CaseFile {
     /// [`CaseError`] with the cause, the place in text or option, and what would be right.
     pub fn parse(name: &str, text: &str, overrides: &[String]) -> Result<Self, CaseError> {
         let sources = Sources::new(name, text, overrides);
-        let case = read_case(name, text, overrides).map_err(|fault| sources.error(fault))?;
+        let (case, sweeps, tree) = read_case(name, text, overrides).map_err(|fault| sources.error(fault))?;
         let stem = Path::new(name).file_stem().map_or(name.into(), |stem| stem.to_string_lossy());
         let (name, origin) = (stem.into_owned(), name.to_owned());
-        Ok(Self { name, origin, text: text.to_owned(), overrides: overrides.to_vec(), case })
+        let (text, overrides, tree) = (text.to_owned(), overrides.to_vec(), Arc::new(tree));
+        Ok(Self { name, origin, text, overrides, case, sweeps, tree })
+    }
+
+    /// The case at a point of a sweep of it: read anew with the swept keys at these values, in SI units or plain numbers, one a key in
+    /// the order of the sweep; with its analyses, without sweeps.
+    ///
+    /// # Errors
+    /// [`Cause::StudySweep`] at the swept key where there is no such case, with the keys to blame, the reason, and what would be right.
+    pub fn at(&self, sweep: &StudySweep, values: &[f64]) -> Result<Self, CaseError> {
+        if values.len() != sweep.axes.len() {
+            let (name, expected, found) = (sweep.name.clone(), sweep.axes.len(), values.len());
+            let problem = SweepProblem::ValueCount { name, expected, found };
+            return Err(self.error_at(["sweep", &sweep.name], Cause::StudySweep { problem }));
+        }
+        let (tree, case) = study_sweep::at(&self.tree, &sweep.axes, values).map_err(|refusal| {
+            let steps = sweep.steps_to(&refusal);
+            self.error_at(steps.iter().map(String::as_str), Cause::StudySweep { problem: refusal.problem })
+        })?;
+        let (name, origin) = (self.name.clone(), self.origin.clone());
+        let (text, overrides) = (self.text.clone(), self.overrides.clone());
+        Ok(Self { name, origin, text, overrides, case, sweeps: Vec::new(), tree: Arc::new(tree) })
     }
 
     /// The error of an analysis, by its index, that shows only when its numbers are looked at: at the first of these keys that
@@ -126,19 +200,20 @@ impl CaseFile {
     /// The error of a structure that shows only when its files are read: at this dotted path, where an item of a list goes by its
     /// name or number, or at the last part of it that is there.
     pub fn structure_error(&self, path: &str, problem: StructureProblem) -> CaseError {
-        self.error_at(path, Cause::Structure { problem })
+        self.error_at(path.split('.'), Cause::Structure { problem })
     }
 
     /// The error of a sliding case that shows only when its structures are built or coupled: at this dotted path, where an item of a
     /// list goes by its name or number, or at the last part of it that is there.
     pub fn sliding_error(&self, path: &str, problem: SlidingProblem) -> CaseError {
-        self.error_at(path, Cause::Sliding { problem })
+        self.error_at(path.split('.'), Cause::Sliding { problem })
     }
 
-    fn error_at(&self, path: &str, cause: Cause) -> CaseError {
+    /// An error at the end of a path, or at the last step of it that is there.
+    fn error_at<'a>(&self, steps: impl IntoIterator<Item = &'a str>, cause: Cause) -> CaseError {
         match read_tree(&self.origin, &self.text, &self.overrides) {
             Ok(root) => {
-                let place = place_of_path(&root, path);
+                let place = place_of_path(&root, steps);
                 Sources::new(&self.origin, &self.text, &self.overrides).error(cause.at(place))
             }
             Err(_) => CaseError::without_place(cause, &self.origin),
@@ -146,10 +221,10 @@ impl CaseFile {
     }
 }
 
-/// The place of the last part of a dotted path that is there.
-fn place_of_path(root: &Node, path: &str) -> Place {
+/// The place of the last step of a path that is there.
+fn place_of_path<'a>(root: &Node, steps: impl IntoIterator<Item = &'a str>) -> Place {
     let mut node = root;
-    for step in path.split('.') {
+    for step in steps {
         match node.step(step) {
             Some(next) => node = next,
             None => break,
@@ -195,17 +270,21 @@ fn place(root: &Node, index: usize, keys: &[&str]) -> Option<Place> {
     Some(key.map_or(analysis.place, |entry| entry.node.place))
 }
 
-fn read_case(name: &str, text: &str, overrides: &[String]) -> Result<Case, Fault> {
-    let root = read_tree(name, text, overrides)?;
-    let folder = Path::new(name).parent().unwrap_or(Path::new(""));
-    match read_model(&root)? {
-        "oscillator" => oscillator_case::read(&root, folder).map(Case::Oscillator),
-        "contact" => contact_case::read(&root, folder).map(Case::Contact),
-        "belt" => belt_case::read(&root).map(Case::Belt),
-        "structure" => structure::read(&root, folder).map(Case::Structure),
-        "sliding" => sliding::read(&root, folder).map(Case::Sliding),
-        _ => two_degrees::read(&root).map(Case::TwoDegrees),
-    }
+fn read_case(
+    name: &str,
+    text: &str,
+    overrides: &[String],
+) -> Result<(Case, Vec<StudySweep>, CaseTree), Fault> {
+    let mut root = read_tree(name, text, overrides)?;
+    let sweeps = root.take("sweep");
+    let folder = Path::new(name).parent().unwrap_or(Path::new("")).to_owned();
+    let tree = CaseTree { root, folder };
+    let case = tree.read()?;
+    let sweeps = match sweeps {
+        Some(node) => read_sweeps(&node, &tree, &case)?,
+        None => Vec::new(),
+    };
+    Ok((case, sweeps, tree))
 }
 
 /// The tree of a case with the options grafted onto it.

@@ -13,6 +13,7 @@ use crate::mass::MassProblem;
 use crate::quantity::QuantityError;
 use crate::sliding::problem::SlidingProblem;
 use crate::structure::problem::StructureProblem;
+use crate::study_sweep::problem::SweepProblem;
 
 /// What is wrong with a case. The fields are what a caller needs in order to act.
 #[derive(Debug, Error)]
@@ -362,6 +363,12 @@ pub enum Cause {
     Sliding {
         /// What is wrong with them.
         problem: SlidingProblem,
+    },
+    /// A sweep of the whole case that cannot be.
+    #[error("{problem}")]
+    StudySweep {
+        /// What is wrong with it.
+        problem: SweepProblem,
     },
     /// No template of this name.
     #[error("there is no template `{name}`")]

@@ -54,7 +54,7 @@ impl ContactCase {
 
 /// Reads a contact case from the root of its tree; files are relative to `folder`.
 pub(crate) fn read(root: &Node, folder: &Path) -> Result<ContactCase, Fault> {
-    let known = ["title", "model", MEMORY_LIMIT, "substrate", "indenter", "analysis"];
+    let known = ["title", "model", MEMORY_LIMIT, "substrate", "indenter", "analysis", "sweep"];
     let root = Section::open(root, "", "a contact case", &known)?;
     let mut case = ContactCase {
         title: root.text("title")?.unwrap_or_default().to_owned(),

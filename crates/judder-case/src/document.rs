@@ -78,10 +78,31 @@ impl Node {
         }
     }
 
-    /// Puts `leaf` at the end of a dotted path.
-    pub(crate) fn set(&mut self, path: &str, leaf: Node) -> Result<(), Fault> {
-        let steps: Vec<_> = path.split('.').map(|step| (step, leaf.place)).collect();
+    /// Puts `leaf` at the end of a dotted path, whose steps errors place at `place`.
+    pub(crate) fn set(&mut self, path: &str, place: Place, leaf: Node) -> Result<(), Fault> {
+        let steps: Vec<_> = path.split('.').map(|step| (step, place)).collect();
         graft(self, "the case", &steps, leaf)
+    }
+
+    /// A dotted path with the items of lists by their positions.
+    pub(crate) fn by_position(&self, path: &str) -> String {
+        let mut node = Some(self);
+        let step = |step: &str| {
+            let position = match node.map(|node| &node.data) {
+                Some(Data::List(items)) => item(items, step).map(|index| index.to_string()),
+                _ => None,
+            };
+            node = node.and_then(|node| node.step(step));
+            position.unwrap_or_else(|| step.to_owned())
+        };
+        path.split('.').map(step).collect::<Vec<_>>().join(".")
+    }
+
+    /// Takes the value under `key` out of a table.
+    pub(crate) fn take(&mut self, key: &str) -> Option<Node> {
+        let Data::Table(table) = &mut self.data else { return None };
+        let index = table.entries.iter().position(|entry| entry.key == key)?;
+        Some(table.entries.remove(index).node)
     }
 
     /// The place of `range` of a text value; the whole value where escapes hide the correspondence.

@@ -106,6 +106,11 @@ impl Cause {
 }
 
 impl Fault {
+    /// Where it is.
+    pub(crate) fn place(&self) -> Place {
+        self.place
+    }
+
     /// What is wrong, without its place.
     pub(crate) fn into_cause(self) -> Cause {
         *self.cause

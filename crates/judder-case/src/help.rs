@@ -32,6 +32,7 @@ impl Cause {
             Self::Contact { problem } => problem.label(),
             Self::Structure { problem } => problem.label(),
             Self::Sliding { problem } => problem.label(),
+            Self::StudySweep { problem } => problem.label(),
             _ => "here",
         }
     }
@@ -116,6 +117,7 @@ impl Cause {
             Self::Contact { problem } => problem.help(),
             Self::Structure { problem } => problem.help(),
             Self::Sliding { problem } => problem.help(),
+            Self::StudySweep { problem } => problem.help(),
             _ => return None,
         };
         Some(help)

@@ -1,4 +1,4 @@
-//! Case files of judder: TOML text in, a typed and validated case out. No numerics, no oscillator code.
+//! Case files of judder: TOML text in, a typed and validated case out. No physics, and of numerics the points of sweeps alone.
 //!
 //! The modules in the order in which the data flows:
 //!
@@ -15,6 +15,7 @@
 //! - [`expression`], `matrix`, [`mass`], [`two_degrees`]: the two-degrees case, matrices of expressions.
 //! - [`structure_keys`], [`structure`]: the structure case: bodies of elements, sums of matrices, their analyses.
 //! - [`sliding_keys`], [`sliding`]: the sliding case: two structures, their contact, motion and analyses.
+//! - [`key_sweep`], [`study_sweep`]: any number of a case that varies, and `[[sweep]]`, the whole case at many points.
 //! - [`case_file`]: the way in. `resolved`: the way out, canonical JSON for the hash and the report.
 //! - [`cause`], [`contact_problem`], `help`, `excerpt`, [`error`]: what is wrong, what would be right, where.
 //! - [`mod@schema`], [`mod@template`]: the JSON Schema for editors and the commented cases of `judder new`.
@@ -37,6 +38,7 @@ pub mod expression;
 pub mod file_reference;
 mod help;
 pub mod inputs;
+pub mod key_sweep;
 pub mod keys;
 pub mod mass;
 mod matrix;
@@ -57,6 +59,7 @@ pub mod sliding_keys;
 pub mod span;
 pub mod structure;
 pub mod structure_keys;
+pub mod study_sweep;
 pub mod substrate;
 pub mod sweep;
 mod swept_keys;
@@ -96,6 +99,9 @@ pub use structure::analysis::StructureAnalysis;
 pub use structure::problem::StructureProblem;
 pub use structure::{StructureCase, StructureSource};
 pub use structure_keys::{STRUCTURE_KEYS, StructureKey};
+pub use study_sweep::problem::SweepProblem;
+pub use study_sweep::quantity_path::{QuantityPath, QuantitySource, QuantityStep, Reduction};
+pub use study_sweep::{Design, Sensitivity, StudySweep, SweptKey, SweptValues};
 pub use substrate::{PronyTerm, RelaxationSource, RelaxationTerm, Shift, Substrate, Temperature, TermCount};
 pub use sweep::{Family, MapMethod, ParameterKey, Scale, StabilityMap, Sweep, Within};
 pub use template::{TEMPLATES, template};

@@ -78,7 +78,7 @@ fn other_keys(section: &str) -> &'static [&'static str] {
 
 /// Reads an oscillator case from the root of its tree; files are relative to `folder`.
 pub(crate) fn read(root: &Node, folder: &Path) -> Result<OscillatorCase, Fault> {
-    let known: Vec<_> = ["title", "model"].into_iter().chain(SECTIONS).chain(["analysis"]).collect();
+    let known: Vec<_> = ["title", "model"].into_iter().chain(SECTIONS).chain(["analysis", "sweep"]).collect();
     let root = Section::open(root, "", "an oscillator case", &known)?;
     let mut case = OscillatorCase::default();
     if let Some(title) = root.text("title")? {

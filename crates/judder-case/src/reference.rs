@@ -2,6 +2,7 @@
 
 mod sliding;
 mod structure;
+mod sweep;
 
 use crate::belt_case::{self, BELT_KEYS};
 use crate::contact_analysis;
@@ -56,10 +57,10 @@ pub fn reference() -> String {
     page += &kinds(two_degrees::KINDS.iter().map(|kind| (kind.name, kind.keys, kind.doc)));
     page += &structure::section();
     page += &sliding::section();
-    page += "\nA sweep is `{ key = \"operation.velocity\", from = 1e-8, to = 1e2, points = 21, scale = \"log\" }` (`scale` is `linear` where left out), a \
+    page += "\nA sweep within an analysis is `{ key = \"operation.velocity\", from = 1e-8, to = 1e2, points = 21, scale = \"log\" }` (`scale` is `linear` where left out), a \
              `family` is `{ key = \"…\", values = [ … ] }`, one curve a value, and `within` is `{ from = 1e-6, to = 1e3 }`. `method` is `adaptive` (the \
              default) or `every-point`; `boundaries = false` leaves the curves out.\n";
-    page
+    page + &sweep::section()
 }
 
 /// How the relaxation of a substrate is given.

@@ -3,6 +3,7 @@
 mod motion;
 mod sliding;
 mod structure;
+mod sweep;
 
 use serde_json::{Map, Value as Json, json};
 

@@ -4,6 +4,7 @@ mod contact;
 mod motion;
 mod sliding;
 mod structure;
+mod sweep;
 
 use serde_json::{Map, Value as Json, json};
 
@@ -30,6 +31,7 @@ pub fn schema() -> Json {
         "points": { "type": "integer", "minimum": 2, "description": "number of points, both ends included" },
         "oscillator-key": names(KEYS.iter().map(|entry| entry.path), "dotted path of a numeric key"),
         "scale": choice(Scale::ALL.map(|(name, _)| name), "linear", "spacing of the points"),
+        "sweeps": sweep::sweeps(),
     });
     for entry in &KEYS {
         definitions[entry.path] = key(entry);
@@ -121,6 +123,7 @@ fn oscillator() -> Json {
         ("title", json!({ "type": "string" })),
         ("model", json!({ "const": "oscillator" })),
         ("analysis", analyses(&oscillator_analysis::KINDS, oscillator_setting)),
+        ("sweep", reference("sweeps")),
     ]);
     for section in SECTIONS {
         let entries = KEYS.iter().filter(|entry| entry.section() == section);
@@ -164,6 +167,7 @@ fn two_degrees_case() -> Json {
         ("parameters", json!({ "type": "object", "additionalProperties": { "type": "number" } })),
         ("matrices", table("M, C and K", matrices, &["stiffness"])),
         ("analysis", analyses(&two_degrees::KINDS, two_degrees_setting)),
+        ("sweep", reference("sweeps")),
     ]);
     table("two degrees of freedom with given matrices", properties, &["model", "matrices"])
 }

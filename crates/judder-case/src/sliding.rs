@@ -102,7 +102,7 @@ impl SlidingCase {
         let mut root = root.clone();
         let place = root.place;
         let read = root
-            .set(&sweep.path, Node { place, data: sweep.data(value) })
+            .set(&sweep.path, place, Node { place, data: sweep.data(value) })
             .and_then(|()| read_system(&root, folder));
         read.map_err(|fault| {
             let cause = fault.into_cause();
@@ -117,8 +117,8 @@ impl SlidingCase {
     }
 }
 
-const KEYS: [&str; 8] =
-    ["title", "model", "parameters", "structure", "contact", "motion", "observe", "analysis"];
+const KEYS: [&str; 9] =
+    ["title", "model", "parameters", "structure", "contact", "motion", "observe", "analysis", "sweep"];
 
 /// Reads a sliding case from the root of its tree; files are relative to `folder`.
 pub(crate) fn read(node: &Node, folder: &Path) -> Result<SlidingCase, Fault> {

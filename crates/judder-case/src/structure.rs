@@ -86,7 +86,17 @@ impl StructureSource {
 
 /// Reads a structure case from the root of its tree; files are relative to `folder`.
 pub(crate) fn read(root: &Node, folder: &Path) -> Result<StructureCase, Fault> {
-    let known = ["title", "model", "parameters", "structure", "matrices", "damping", "reduction", "analysis"];
+    let known = [
+        "title",
+        "model",
+        "parameters",
+        "structure",
+        "matrices",
+        "damping",
+        "reduction",
+        "analysis",
+        "sweep",
+    ];
     let root = Section::open(root, "", "a structure case", &known)?;
     let parameters = read_parameters(&root)?;
     let keys = ParameterKeys(parameters.iter().map(|parameter| parameter.name.clone()).collect());

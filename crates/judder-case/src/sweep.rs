@@ -45,32 +45,39 @@ pub struct Sweep<K> {
 impl<K> Sweep<K> {
     /// The value of point `index`, counted from 0: the ends exact, and a power of ten as exact as `powf` gives it.
     pub fn value(&self, index: usize) -> f64 {
-        let last = self.points.saturating_sub(1).max(1);
-        if index == 0 {
-            return self.from;
-        }
-        if index >= last {
-            return self.to;
-        }
-        let between = |from: f64, to: f64| {
-            // multiplied before divided, so that whole exponents stay whole
-            let step = (to - from) * index as f64 / last as f64;
-            let part = index as f64 / last as f64;
-            if step.is_finite() { from + step } else { from * (1.0 - part) + to * part }
-        };
-        match self.scale {
-            Scale::Linear => between(self.from, self.to),
-            Scale::Log => {
-                let exponent = between(self.from.abs().log10(), self.to.abs().log10());
-                10_f64.powf(exponent).copysign(self.from)
-            }
-        }
+        spaced([self.from, self.to], self.points as u64, self.scale, index as u64)
     }
 
     /// All values in order.
     pub fn values(&self) -> Vec<f64> {
         (0..self.points).map(|index| self.value(index)).collect()
     }
+}
+
+/// The value of point `index` of `points` from one end to the other: the ends exact, and a power of ten as exact as `powf` gives it.
+pub(crate) fn spaced(ends: [f64; 2], points: u64, scale: Scale, index: u64) -> f64 {
+    match scale {
+        Scale::Log if index > 0 && index + 1 < points => {
+            let exponents = ends.map(|end| end.abs().log10());
+            10_f64.powf(evenly(exponents, points, index)).copysign(ends[0])
+        }
+        _ => evenly(ends, points, index),
+    }
+}
+
+/// Point `index` of `points` with equal steps between them, the ends exact.
+pub(crate) fn evenly([from, to]: [f64; 2], points: u64, index: u64) -> f64 {
+    let last = points.saturating_sub(1).max(1);
+    if index == 0 {
+        return from;
+    }
+    if index >= last {
+        return to;
+    }
+    // multiplied before divided, so that whole exponents stay whole
+    let step = (to - from) * index as f64 / last as f64;
+    let part = index as f64 / last as f64;
+    if step.is_finite() { from + step } else { from * (1.0 - part) + to * part }
 }
 
 impl Sweep<OscillatorKey> {

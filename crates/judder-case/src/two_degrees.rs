@@ -129,7 +129,7 @@ impl TwoDegreesCase {
 
 /// Reads a two-degrees case from the root of its tree.
 pub(crate) fn read(root: &Node) -> Result<TwoDegreesCase, Fault> {
-    let known = ["title", "model", "parameters", "matrices", "analysis"];
+    let known = ["title", "model", "parameters", "matrices", "analysis", "sweep"];
     let root = Section::open(root, "", "a two-degrees case", &known)?;
     let parameters = read_parameters(&root)?;
     let keys = ParameterKeys(parameters.iter().map(|parameter| parameter.name.clone()).collect());

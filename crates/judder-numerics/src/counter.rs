@@ -10,7 +10,8 @@ pub fn uniform(seed: u64, n: u64) -> f64 {
     (bits(seed, n) >> 11) as f64 / (1_u64 << 53) as f64
 }
 
-fn bits(seed: u64, n: u64) -> u64 {
+/// The 64 bits from which [`uniform`] makes its number.
+pub(crate) fn bits(seed: u64, n: u64) -> u64 {
     const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
     let mut z = seed.wrapping_add(GOLDEN.wrapping_mul(n.wrapping_add(1)));
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

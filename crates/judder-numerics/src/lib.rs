@@ -8,6 +8,8 @@
 //! - [`dense`]: a small system of linear equations.
 //! - [`counter`]: even random numbers, each computed from its place alone.
 //! - [`piecewise`]: motion whose equations change from mode to mode, with located events.
+//! - [`sampling`]: points that fill a cube evenly: Sobol' sequences, Latin hypercubes.
+//! - [`sensitivity`]: Sobol' indices of first order and total, with confidence intervals.
 //! - [`signal`]: sampled histories: decimation, resampling, spectrograms, bursts.
 //!
 //! What a library does is called, not wrapped; these stand here because no library gives them in this form.
@@ -20,4 +22,6 @@ pub mod piecewise;
 pub mod polynomial;
 pub mod quadrature;
 pub mod root;
+pub mod sampling;
+pub mod sensitivity;
 pub mod signal;

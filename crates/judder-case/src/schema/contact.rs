@@ -29,6 +29,7 @@ pub(super) fn case() -> Json {
         ("indenter", table("the rigid body that slides", indenter, &[])),
         (MEMORY_LIMIT, memory()),
         ("analysis", analyses(&KINDS, setting)),
+        ("sweep", reference("sweeps")),
     ]);
     table("a rigid indenter that slides on a viscoelastic substrate", properties, &["model"])
 }

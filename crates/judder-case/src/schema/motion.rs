@@ -102,6 +102,7 @@ pub(super) fn belt_case() -> Json {
         ("title", json!({ "type": "string" })),
         ("model", json!({ "const": "belt" })),
         ("analysis", analyses(&belt_case::KINDS, belt_setting)),
+        ("sweep", reference("sweeps")),
     ]);
     for section in BELT_SECTIONS {
         let entries = BELT_KEYS.iter().filter(|entry| entry.section() == section);

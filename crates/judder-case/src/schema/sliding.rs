@@ -29,6 +29,7 @@ pub(super) fn case() -> Json {
         ("motion", motion()),
         ("observe", observe()),
         ("analysis", analyses(&KINDS, setting)),
+        ("sweep", reference("sweeps")),
     ]);
     let required = ["model", "structure", "contact", "motion"];
     table("one structure slides along another", properties, &required)

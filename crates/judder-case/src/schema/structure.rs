@@ -19,6 +19,7 @@ pub(super) fn case() -> Json {
         ("damping", damping()),
         ("reduction", reduction(&["kept"])),
         ("analysis", analyses(&KINDS, setting)),
+        ("sweep", reference("sweeps")),
     ]);
     properties["parameters"]["description"] = json!("numbers that factors of matrices use and sweeps vary");
     let mut json = table("one linear structure alone", properties, &["model"]);

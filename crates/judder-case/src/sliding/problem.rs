@@ -4,7 +4,6 @@ use thiserror::Error;
 
 use crate::cause::Cause;
 use crate::error::{Fault, Place};
-use crate::quantity::QuantityError;
 
 /// What is wrong, with what a caller needs in order to act.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -166,14 +165,6 @@ pub enum SlidingProblem {
         /// The limit, s.
         limit: f64,
     },
-    /// A text that should be a value of a swept key.
-    #[error("`{key}` is not a quantity: {problem}")]
-    NotQuantity {
-        /// The key.
-        key: String,
-        /// Why it is none.
-        problem: QuantityError,
-    },
     /// A swept key that no structure, contact or motion has.
     #[error("`{key}` cannot be swept")]
     NotSwept {
@@ -241,7 +232,6 @@ impl SlidingProblem {
             Self::SampleRate { .. } => "this rate",
             Self::TooManySteps { .. } => "too long",
             Self::StepLimit { .. } => "too large",
-            Self::NotQuantity { .. } => "no quantity",
             Self::NotSwept { .. } | Self::SweptKey { .. } => "not to be swept",
             Self::SweptValue { .. } => "a value of this sweep",
             Self::Unbuilt { .. } => "here",
@@ -292,7 +282,6 @@ impl SlidingProblem {
                     SHARE * limit
                 );
             }
-            Self::NotQuantity { .. } => "write a plain number, or a number with a unit in quotes: \"10 mm\"",
             Self::NotSwept { .. } => {
                 "sweep a number of a structure, the contact, the motion or the parameters: structure.NAME.beam.angle, \
                  contact.friction_coefficient, motion.load.force, parameters.NAME"

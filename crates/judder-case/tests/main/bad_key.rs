@@ -13,7 +13,7 @@ fn an_unknown_section() {
 damping_x = 0.1"#),
         "unknown key `oscilator` in an oscillator case",
         "oscilator",
-        "did you mean `oscillator`? keys here: title, model, substrate, indenter, contact, oscillator, operation, analysis",
+        "did you mean `oscillator`? keys here: title, model, substrate, indenter, contact, oscillator, operation, analysis, sweep",
     );
 }
 

@@ -52,7 +52,7 @@ velocity = 1"#,
         ),
         "unknown key `operation` in a two-degrees case",
         "operation",
-        "keys here: title, model, parameters, matrices, analysis",
+        "keys here: title, model, parameters, matrices, analysis, sweep",
     );
 }
 

@@ -12,7 +12,9 @@ mod bad_sliding;
 mod bad_sliding_analysis;
 mod bad_source;
 mod bad_structure;
+mod bad_study_sweep;
 mod bad_sweep;
+mod bad_swept_keys;
 mod bad_two_degrees;
 mod contact;
 mod editors;
@@ -20,6 +22,7 @@ mod motion;
 mod oscillator;
 mod sliding;
 mod structure;
+mod study_sweep;
 mod two_degrees;
 
 use judder_case::{Case, CaseError, CaseFile, KEYS};
@@ -44,6 +47,11 @@ fn refused_with(text: &str, overrides: &[&str], message: &str, place: &str, help
 fn help_of(error: &CaseError) -> String {
     let keys = KEYS.map(|entry| entry.path).join(", ");
     error.help().map(|help| help.to_string().replace(&keys, "KEYS")).unwrap_or_default()
+}
+
+/// Reads a case that must be valid.
+fn with_file(text: &str) -> CaseFile {
+    CaseFile::parse("case.toml", text, &[]).unwrap_or_else(|error| panic!("{error}: {}", help_of(&error)))
 }
 
 fn parse(text: &str, overrides: &[&str]) -> Result<Case, CaseError> {

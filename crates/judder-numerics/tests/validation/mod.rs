@@ -1,4 +1,6 @@
 //! Closed forms.
 
 mod piecewise;
+mod sampling;
+mod sensitivity;
 mod signal;

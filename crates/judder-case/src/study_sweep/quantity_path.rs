@@ -1,0 +1,144 @@
+//! What a sweep keeps of every point: quantities of the operating point, or scalars of the results of an analysis.
+
+use std::fmt;
+
+use super::problem::SweepProblem;
+use crate::document::STEPS_LIMIT;
+
+/// The path of a quantity: `growth_rate`, `cycle.rms`, `thresholds.full.min`.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct QuantityPath {
+    /// As the case file has it: unique in its sweep.
+    pub text: String,
+    /// Where the quantity comes from.
+    pub source: QuantitySource,
+}
+
+/// Where a quantity comes from.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub enum QuantitySource {
+    /// The operating point: a name without a dot. Which names a model has is decided where points are computed.
+    Point {
+        /// The name.
+        name: String,
+    },
+    /// The results of an analysis.
+    Analysis {
+        /// The position of the analysis in its case.
+        index: usize,
+        /// Its name.
+        name: String,
+        /// The way from its results to a number; never empty.
+        steps: Vec<QuantityStep>,
+    },
+}
+
+/// A step from results to a number.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub enum QuantityStep {
+    /// Into an object, or into every object of a list; at the end of a path, one of [`Reduction::ALL`] reduces a list.
+    Name(String),
+    /// To an item of a list, counted from 0.
+    Item(usize),
+}
+
+/// What makes one number of a list.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Reduction {
+    /// The smallest.
+    Min,
+    /// The largest.
+    Max,
+    /// The first.
+    First,
+    /// The last.
+    Last,
+    /// How many there are.
+    Count,
+}
+
+impl Reduction {
+    /// The reductions with their names in a path.
+    pub const ALL: [(&'static str, Self); 5] = [
+        ("min", Self::Min),
+        ("max", Self::Max),
+        ("first", Self::First),
+        ("last", Self::Last),
+        ("count", Self::Count),
+    ];
+
+    /// The reduction of this name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.iter().find(|(known, _)| *known == name).map(|(_, reduction)| *reduction)
+    }
+}
+
+impl fmt::Display for QuantityPath {
+    /// As the case file has it.
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.text)
+    }
+}
+
+impl QuantityPath {
+    /// Reads a path in a case with these analyses.
+    pub(super) fn parse(path: &str, analyses: &[&str]) -> Result<Self, SweepProblem> {
+        let malformed = |reason| SweepProblem::QuantityPath { path: path.to_owned(), reason };
+        let steps: Vec<&str> = path.split('.').collect();
+        if steps.contains(&"") {
+            return Err(malformed(if path.is_empty() { "it is empty" } else { "a step of it is empty" }));
+        }
+        if steps.len() > STEPS_LIMIT {
+            return Err(malformed("it has more steps than results are deep"));
+        }
+        let plain = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b'-' | b'.');
+        if !path.bytes().all(plain) {
+            return Err(malformed("its steps are names of A-Z a-z 0-9 _ - and numbers"));
+        }
+        let text = path.to_owned();
+        if steps.len() == 1 {
+            return match analyses.contains(&path) {
+                true => Err(malformed("it names a whole analysis")),
+                false => Ok(Self { source: QuantitySource::Point { name: text.clone() }, text }),
+            };
+        }
+        // a name of an analysis may have dots itself: the longest that fits
+        let rest_of = |name: &str| path.strip_prefix(name).and_then(|rest| rest.strip_prefix('.'));
+        let found = analyses.iter().enumerate().filter_map(|(k, name)| Some((k, *name, rest_of(name)?)));
+        let Some((index, name, rest)) = found.max_by_key(|(_, name, _)| name.len()) else {
+            let known = analyses.iter().map(|name| (*name).to_owned()).collect();
+            return Err(SweepProblem::UnknownAnalysis { name: steps[0].to_owned(), path: text, known });
+        };
+        let step = |step: &str| match step.parse() {
+            Ok(item) => QuantityStep::Item(item),
+            Err(_) => QuantityStep::Name(step.to_owned()),
+        };
+        let steps = rest.split('.').map(step).collect();
+        Ok(Self { text, source: QuantitySource::Analysis { index, name: name.to_owned(), steps } })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_lead_into_the_analysis_with_the_longest_name() {
+        let analyses = ["cycle", "cycle.fine", "other"];
+        let source = |path: &str| QuantityPath::parse(path, &analyses).map(|path| path.source);
+        let name = |text: &str| QuantityStep::Name(text.to_owned());
+        let expected = |index: usize, steps: &[QuantityStep]| {
+            let (name, steps) = (analyses[index].to_owned(), steps.to_vec());
+            Ok(QuantitySource::Analysis { index, name, steps })
+        };
+        assert_eq!(source("cycle.rms"), expected(0, &[name("rms")]));
+        assert_eq!(source("cycle.fine.rms"), expected(1, &[name("rms")]));
+        assert_eq!(
+            source("other.full.3.min"),
+            expected(2, &[name("full"), QuantityStep::Item(3), name("min")])
+        );
+        assert_eq!(source("rms"), Ok(QuantitySource::Point { name: "rms".to_owned() }));
+        assert!(source("other").is_err() && source("a.b").is_err());
+        assert!(Reduction::ALL.iter().all(|(name, kind)| Reduction::from_name(name) == Some(*kind)));
+    }
+}

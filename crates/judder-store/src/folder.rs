@@ -3,7 +3,7 @@
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Component, Path, PathBuf};
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::lock::{self, Lock, Mode};
 use crate::name::check_name;
@@ -99,7 +99,10 @@ impl StudyFolder {
     /// [`StoreError::ForeignSweep`] where the sweep of another case has this name, [`StoreError::OtherLayout`] where it is laid
     /// out otherwise; failures of the file system.
     pub fn sweep(&self, layout: &SweepLayout) -> Result<SweepStore, StoreError> {
-        SweepStore::join(&self.path, &self.lock, layout)
+        let _publishing = self.publishing.lock().unwrap_or_else(PoisonError::into_inner);
+        let store = SweepStore::join(&self.path, &self.lock, layout)?;
+        results::repair(&self.path)?;
+        Ok(store)
     }
 
     /// Makes the metadata of `results.zarr` tell of all its groups, those too that came here by other ways than this crate's.
@@ -107,6 +110,7 @@ impl StudyFolder {
     /// # Errors
     /// [`StoreError::DatasetUnreadable`] for a group with damaged metadata; failures of the file system.
     pub fn consolidate(&self) -> Result<(), StoreError> {
+        let _publishing = self.publishing.lock().unwrap_or_else(PoisonError::into_inner);
         results::consolidate(&self.path)
     }
 

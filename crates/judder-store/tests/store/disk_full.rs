@@ -7,19 +7,24 @@ use std::io::ErrorKind;
 use std::path::Path;
 use std::process::Command;
 
-use judder_store::{Dataset, StoreError, StreamWriter, StudyFolder, Summary, Variable};
+use judder_store::{
+    ClaimAnswer, Dataset, StoreError, StreamWriter, StudyFolder, Summary, SweepStore, Variable,
+};
 
 const CHILD_FOLDER: &str = "JUDDER_TEST_LIMITED_FOLDER";
 
 /// 2 MiB that no compression makes smaller.
-fn large() -> Dataset {
+fn noise() -> Vec<f64> {
     let mut state = 1_u64;
-    let noise: Vec<f64> = (0..262_144)
-        .map(|_| {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            f64::from_bits(state >> 2)
-        })
-        .collect();
+    let mut number = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        f64::from_bits(state >> 2)
+    };
+    (0..262_144).map(|_| number()).collect()
+}
+
+fn large() -> Dataset {
+    let noise = noise();
     Dataset::new().with(Variable::new("noise", &["point"], &[noise.len()], noise)).unwrap()
 }
 

@@ -65,6 +65,9 @@ fn a_sweep_reads_back_as_one_array() {
 }
 
 proptest! {
+    // each makes a study, with all that is forced to the disk
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
     #[test]
     fn any_values_come_back(
         lengths in prop::collection::vec((1_usize..5, 1_usize..6), 1..4),

@@ -18,7 +18,7 @@ pub(crate) enum Mode {
 /// A locked file; unlocked when dropped.
 #[derive(Debug)]
 pub(crate) struct Lock {
-    _file: File,
+    file: File,
     is_real: bool,
 }
 
@@ -26,6 +26,13 @@ impl Lock {
     /// Whether it keeps anybody out: some cluster file systems have no locks, and to refuse them would help nobody.
     pub(crate) fn is_real(&self) -> bool {
         self.is_real
+    }
+}
+
+impl Drop for Lock {
+    fn drop(&mut self) {
+        // To close the file is not enough while a child process that is being started still has it. What fails here ends with the process.
+        let _ = self.file.unlock();
     }
 }
 
@@ -37,7 +44,7 @@ pub(crate) fn try_lock(path: &Path, mode: Mode) -> Result<Option<Lock>, StoreErr
         Mode::Shared => file.try_lock_shared(),
     };
     match locked {
-        Ok(()) => Ok(Some(Lock { _file: file, is_real: true })),
+        Ok(()) => Ok(Some(Lock { file, is_real: true })),
         Err(TryLockError::WouldBlock) => Ok(None),
         Err(TryLockError::Error(source)) => unlocked(path, file, source).map(Some),
     }
@@ -47,7 +54,7 @@ pub(crate) fn try_lock(path: &Path, mode: Mode) -> Result<Option<Lock>, StoreErr
 pub(crate) fn wait_for_shared(path: &Path) -> Result<Lock, StoreError> {
     let file = open(path)?;
     match file.lock_shared() {
-        Ok(()) => Ok(Lock { _file: file, is_real: true }),
+        Ok(()) => Ok(Lock { file, is_real: true }),
         Err(source) => unlocked(path, file, source),
     }
 }
@@ -60,7 +67,7 @@ fn open(path: &Path) -> Result<File, StoreError> {
 
 fn unlocked(path: &Path, file: File, source: io::Error) -> Result<Lock, StoreError> {
     if has_no_locks(&source) {
-        return Ok(Lock { _file: file, is_real: false });
+        return Ok(Lock { file, is_real: false });
     }
     Err(StoreError::FileSystem { action: "lock", path: path.to_owned(), source })
 }
@@ -91,6 +98,17 @@ mod tests {
         assert!(shared.0.is_some() && shared.1.is_some() && lock(Mode::Alone).is_none());
         drop(shared);
         assert!(lock(Mode::Alone).is_some());
+    }
+
+    #[test]
+    fn a_copy_of_the_file_does_not_keep_the_lock() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("lock");
+        let lock = try_lock(&path, Mode::Alone).unwrap().unwrap();
+        let _copy = lock.file.try_clone().unwrap();
+        assert!(try_lock(&path, Mode::Alone).unwrap().is_none());
+        drop(lock);
+        assert!(try_lock(&path, Mode::Alone).unwrap().is_some());
     }
 
     #[test]

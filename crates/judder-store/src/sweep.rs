@@ -3,6 +3,7 @@
 //! In the order in which the data flows:
 //!
 //! - [`SweepLayout`] (`layout.rs`): the points of a sweep, how they are cut into chunks, and which quantities each point has.
+//! - [`ChunkPoints`] (`points.rs`): the points of one chunk.
 //! - `shard.rs`: the values of one chunk as one shard of the Zarr array `values`.
 //! - [`PointFailure`], [`ChunkDamage`] (`record.rs`): the record behind the shard, by which a chunk says whose it is and which of its
 //!   points failed.
@@ -13,12 +14,14 @@
 mod claim;
 mod group;
 mod layout;
+mod points;
 mod record;
 mod shard;
 mod store;
 
 pub(crate) use claim::PREFIX;
 pub use claim::{ChunkClaim, ClaimAnswer};
-pub use layout::{ChunkPoints, SweepDimension, SweepLayout, SweepQuantity};
+pub use layout::{SweepDimension, SweepLayout, SweepQuantity};
+pub use points::ChunkPoints;
 pub use record::{ChunkDamage, PointFailure};
 pub use store::{ChunkState, StoredChunk, SweepFailure, SweepStore};

@@ -1,7 +1,10 @@
 //! The points of a sweep and how they are cut into chunks.
 
+use std::path::PathBuf;
+
 use serde_json::Value;
 
+use super::points::{ChunkPoints, unravelled};
 use super::record::{self, PointFailure};
 use super::shard;
 use crate::name::check_name;
@@ -83,30 +86,6 @@ pub struct SweepLayout {
     quantities: Vec<SweepQuantity>,
     /// All variables; `values` among them has none of its values.
     dataset: Dataset,
-}
-
-/// The points of one chunk: a box.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ChunkPoints {
-    /// Position of its first point along each dimension.
-    pub first: Vec<usize>,
-    /// Points along each dimension.
-    pub shape: Vec<usize>,
-}
-
-impl ChunkPoints {
-    /// How many points it has.
-    #[must_use]
-    pub fn count(&self) -> usize {
-        self.shape.iter().product()
-    }
-
-    /// Position of a point along each dimension, in the whole sweep; `point` counts the points of the chunk, row-major.
-    #[must_use]
-    pub fn position(&self, point: usize) -> Vec<usize> {
-        let within = unravelled(point, self.shape.iter().copied());
-        within.iter().zip(&self.first).map(|(index, first)| index + first).collect()
-    }
 }
 
 impl SweepLayout {
@@ -229,7 +208,11 @@ impl SweepLayout {
             let (sweep, index, points) = (self.name.clone(), outside.index, points.count());
             return Err(StoreError::FailureOutside { sweep, chunk, index, points });
         }
-        let shard = shard::encode(self, &points, values)?;
+        let shard =
+            shard::encode(self, &points, values).map_err(|refusal| StoreError::DatasetUnwritable {
+                path: PathBuf::from(&self.name).join(VALUES),
+                source: refusal.into(),
+            })?;
         Ok(record::appended(shard, self, chunk, points.count(), failures))
     }
 
@@ -283,20 +266,6 @@ impl SweepLayout {
 fn index(digits: &str) -> Option<usize> {
     let plain = digits == "0" || !digits.starts_with(['0', '+']);
     plain.then(|| digits.parse().ok()).flatten()
-}
-
-/// Row-major position along each axis.
-fn unravelled(mut index: usize, shape: impl DoubleEndedIterator<Item = usize>) -> Vec<usize> {
-    let mut position: Vec<usize> = shape
-        .rev()
-        .map(|length| {
-            let along = index % length.max(1);
-            index /= length.max(1);
-            along
-        })
-        .collect();
-    position.reverse();
-    position
 }
 
 /// Refuses a sweep whose values cannot be counted, and one whose chunks fit in no memory.

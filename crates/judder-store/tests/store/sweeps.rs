@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::Path;
+use std::sync::Barrier;
 
 use judder_store::{
     ChunkClaim, ChunkState, ClaimAnswer, Data, PointFailure, SharedStudy, StoreError, StudyFolder,
@@ -221,6 +222,24 @@ fn who_shares_keeps_ordinary_runs_out_and_the_last_to_leave_completes() {
     assert!(!waiting.is_finished());
     drop(alone);
     assert_eq!(waiting.join().unwrap().unwrap(), path);
+}
+
+#[test]
+fn of_those_who_leave_together_one_completes() {
+    let folder = tempfile::tempdir().unwrap();
+    for _ in 0..200 {
+        let together = Barrier::new(3);
+        let leave = || {
+            let study = SharedStudy::join_when_free(folder.path()).unwrap();
+            together.wait();
+            study.leave().unwrap().is_some()
+        };
+        let completed = std::thread::scope(|scope| {
+            let threads: Vec<_> = (0..3).map(|_| scope.spawn(leave)).collect();
+            threads.into_iter().map(|thread| thread.join().unwrap()).filter(|completed| *completed).count()
+        });
+        assert!(completed > 0);
+    }
 }
 
 #[test]

@@ -20,20 +20,24 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for points in [256, 4096, 65_536] {
         let written = WRITTEN * 256 / points.clamp(256, 12_800);
         let layout = layout(&format!("points_{points}"), points, written)?;
-        println!("chunks of {points} points × 5 quantities, {} bytes:", encode(&layout, 0)?.len());
+        let values = values(&layout, 0)?;
+        println!(
+            "chunks of {points} points × 5 quantities, {} bytes:",
+            layout.encode(0, &values, &[])?.len()
+        );
         let store = timed("begin the sweep", 1, || study.sweep(&layout))?;
-        timed("encode a chunk", written, || {
-            (0..written).try_for_each(|chunk| encode(&layout, chunk).map(drop))
-        })?;
-        timed("claim, encode and write a chunk", written, || write(&store))?;
+        let encode = |chunk| layout.encode(chunk, &values, &[]).map(drop);
+        timed("encode a chunk", written, || (0..written).try_for_each(encode))?;
+        timed("claim, encode and write a chunk", written, || write(&store, &values))?;
     }
     println!("{many} chunks of 1 point × 5 quantities:");
     let layout = layout("many", 1, many)?;
     let store = study.sweep(&layout)?;
+    let values = values(&layout, 0)?;
     for chunk in 0..many {
         // not forced to the disk: only the number of files matters here
         let place = Path::new(&path).join(format!("results.zarr/many/values/c.{chunk}.0"));
-        fs::write(place, encode(&layout, chunk)?)?;
+        fs::write(place, layout.encode(chunk, &values, &[])?)?;
     }
     let done = timed("list all chunks", 1, || store.done_chunks())?;
     let failures = timed("read a record", many, || store.failures())?;
@@ -51,17 +55,13 @@ fn layout(name: &str, points: usize, chunks: usize) -> Result<SweepLayout, Store
 
 fn values(layout: &SweepLayout, chunk: usize) -> Result<Vec<f64>, StoreError> {
     let count = layout.points(chunk)?.count() * 5;
-    Ok((0..count).map(|i| ((chunk * count + i) as f64).sin()).collect())
+    Ok((0..count).map(|i| (i as f64).sin()).collect())
 }
 
-fn encode(layout: &SweepLayout, chunk: usize) -> Result<Vec<u8>, StoreError> {
-    layout.encode(chunk, &values(layout, chunk)?, &[])
-}
-
-fn write(store: &SweepStore) -> Result<(), StoreError> {
+fn write(store: &SweepStore, values: &[f64]) -> Result<(), StoreError> {
     for chunk in 0..store.layout().chunk_count() {
         if let ClaimAnswer::Claimed(claim) = store.claim(chunk)? {
-            store.write(claim, &values(store.layout(), chunk)?, &[])?;
+            store.write(claim, values, &[])?;
         }
     }
     Ok(())

@@ -87,13 +87,14 @@ impl Instants {
 
 /// As a clock that jumps would have it.
 fn move_times(folder: &Path, time: SystemTime) {
-    for entry in fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
+    // what another process makes or moves meanwhile may be gone by now
+    let Ok(entries) = fs::read_dir(folder) else { return };
+    for path in entries.filter_map(|entry| Some(entry.ok()?.path())) {
         if path.is_dir() {
             move_times(&path, time);
         } else {
             let times = FileTimes::new().set_modified(time).set_accessed(time);
-            File::open(path).unwrap().set_times(times).unwrap();
+            let _ = File::open(path).and_then(|file| file.set_times(times));
         }
     }
 }

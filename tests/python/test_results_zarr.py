@@ -100,10 +100,70 @@ def test_an_empty_answer_is_an_answer(open_group):
     assert dataset.critical_load.dims == ("velocity", "root")
 
 
+def test_a_sweep_is_one_array_with_its_gaps(open_group):
+    dataset = open_group("robustness").load()
+    values = dataset["values"]
+    assert values.dims == ("operation.velocity", "contact.shear_strength", "quantity")
+    assert values.shape == (23, 10, 2)
+    assert dataset["operation.velocity"].attrs["units"] == "mm/s"
+    assert dataset.attrs["method"] == "grid"
+    along = {"quantity", "quantity_units", "quantity_long_name", "quantity_flag_values", "quantity_flag_meanings"}
+    assert set(dataset.coords) == {"operation.velocity"} | along
+    growth = values.sel(quantity="growth_rate")
+    assert growth.quantity_units.item() == "1/s"
+    velocity, shear_strength = np.indices((23, 10))
+    expected = velocity * 10.0 + shear_strength
+    expected[10:15, 4:8] = np.nan  # the chunk that is missing
+    expected[0, 0] = np.nan  # the point that failed
+    np.testing.assert_array_equal(growth.values, expected)
+    verdict = values.sel(quantity="verdict")
+    assert verdict.quantity_flag_values.item() == "0 1"
+    assert verdict.quantity_flag_meanings.item() == "stable flutter"
+    # 5 × 2 points at the end of the second dimension, 3 × 4 at that of the first
+    np.testing.assert_array_equal(verdict.values[5:10, 8:], np.arange(10).reshape(5, 2) % 2)
+    np.testing.assert_array_equal(verdict.values[20:, :4], np.arange(12).reshape(3, 4) % 2)
+
+
+def test_a_chunk_of_a_sweep_is_one_checked_file(study):
+    folder = study / "results.zarr" / "robustness" / "values"
+    files = sorted(path.name for path in folder.iterdir())
+    chunks = [f"c.{i}.{j}.0" for i in range(5) for j in range(3) if (i, j) != (2, 1)]
+    assert files == sorted([*chunks, "zarr.json"])
+    array = zarr.open_array(folder, mode="r")
+    assert (array.shards, array.chunks) == ((5, 4, 2), (5, 4, 1))
+    assert array.nchunks_initialized == 2 * len(chunks)
+    content = (folder / "c.0.0.0").read_bytes()
+    assert content.endswith(b"judderC1")
+    length = int.from_bytes(content[-16:-8], "little")
+    record = json.loads(content[-48 - length : -48])
+    assert record["failures"] == [{"index": 0, "reason": "no equilibrium"}]
+
+
+def test_a_truncated_chunk_of_a_sweep_is_noticed(study, tmp_path):
+    source = study / "results.zarr" / "robustness" / "values"
+    (tmp_path / "zarr.json").write_bytes((source / "zarr.json").read_bytes())
+    whole = (source / "c.0.1.0").read_bytes()
+    last = int.from_bytes(whole[16:24], "little") + int.from_bytes(whole[24:32], "little")
+    expected = zarr.open_array(source, mode="r")[:5, 4:8]
+    # the record lies behind what Zarr reads
+    (tmp_path / "c.0.1.0").write_bytes(whole[:last])
+    np.testing.assert_array_equal(zarr.open_array(tmp_path, mode="r")[:5, 4:8], expected)
+    # an empty file is a gap to zarr-python; to judder it is a damaged chunk
+    for length in range(1, last):
+        (tmp_path / "c.0.1.0").write_bytes(whole[:length])
+        with pytest.raises(ValueError, match="checksum"):
+            zarr.open_array(tmp_path, mode="r")[:5, 4:8]
+    damaged = bytearray(whole)
+    damaged[last - 5] ^= 1
+    (tmp_path / "c.0.1.0").write_bytes(damaged)
+    with pytest.raises(ValueError, match="checksum"):
+        zarr.open_array(tmp_path, mode="r")[:5, 4:8]
+
+
 @pytest.mark.parametrize("consolidated", [None, True, False])
 def test_the_whole_store_opens_as_a_tree(study, consolidated):
     with xr.open_datatree(study / "results.zarr", engine="zarr", consolidated=consolidated) as tree:
-        assert set(tree.children) == {"map", "spectrum", "thresholds"}
+        assert set(tree.children) == {"map", "spectrum", "thresholds", "robustness"}
         assert tree["map"]["growth_rate"].shape == (POINTS, POINTS)
         assert tree["spectrum"].load()["eigenvalues"].values[2, 3] == complex(-0.1 * 11, 11)
 

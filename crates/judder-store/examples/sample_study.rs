@@ -4,8 +4,8 @@
 use std::time::Instant;
 
 use judder_store::{
-    AnalysisRecord, Complex64, Dataset, Status, StoreError, StudyFolder, Summary, Table, Variable,
-    content_hash, number,
+    AnalysisRecord, ClaimAnswer, Complex64, Dataset, PointFailure, Status, StoreError, StudyFolder, Summary,
+    SweepDimension, SweepLayout, SweepQuantity, Table, Variable, content_hash, number,
 };
 
 const POINTS: usize = 1000;
@@ -21,6 +21,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     eprintln!("map of {POINTS} × {POINTS} classes and growth rates: {seconds:.3} s");
     study.write_dataset("spectrum", &hash, &spectrum()?)?;
     study.write_dataset("thresholds", &hash, &thresholds()?)?;
+    write_sweep(&study, &hash)?;
 
     study.write_table("thresholds", &Table::new().column("load", "N", vec![0.1, 1e-7, f64::NAN])?)?;
     study.write_file("figures/map.svg", b"<svg xmlns='http://www.w3.org/2000/svg'/>")?;
@@ -68,6 +69,38 @@ fn thresholds() -> Result<Dataset, StoreError> {
     Dataset::new()
         .with(Variable::coordinate("velocity", vec![1e-4, 1e-2]).units("1"))?
         .with(Variable::new("critical_load", &["velocity", "root"], &[2, 0], Vec::<f64>::new()).units("1"))
+}
+
+/// A sweep over two keys of which the chunk in the middle, of 5 × 3, is not computed yet, and a point has failed.
+fn write_sweep(study: &StudyFolder, hash: &str) -> Result<(), StoreError> {
+    let dimension = |name: &str, length, chunk| SweepDimension { name: name.to_owned(), length, chunk };
+    let dimensions = vec![dimension("operation.velocity", 23, 5), dimension("contact.shear_strength", 10, 4)];
+    let quantities = vec![
+        SweepQuantity::new("growth_rate", "1/s", "growth rate, Re(λ)"),
+        SweepQuantity::new("verdict", "", "verdict").flags(&[(0, "stable"), (1, "flutter")]),
+    ];
+    let layout = SweepLayout::new("robustness", hash, dimensions, quantities)?
+        .with(
+            Variable::coordinate("operation.velocity", (0..23).map(f64::from).collect::<Vec<_>>())
+                .units("mm/s"),
+        )?
+        .attribute("method", "grid")?;
+    let store = study.sweep(&layout)?;
+    for chunk in (0..layout.chunk_count()).filter(|chunk| *chunk != 7) {
+        let ClaimAnswer::Claimed(claim) = store.claim(chunk)? else { continue };
+        let points = layout.points(chunk)?;
+        let value =
+            |point| points.position(point).iter().fold(0.0, |value, along| value * 10.0 + *along as f64);
+        let mut values: Vec<f64> =
+            (0..points.count()).flat_map(|point| [value(point), (point % 2) as f64]).collect();
+        let mut failures = Vec::new();
+        if chunk == 0 {
+            values[..2].fill(f64::NAN);
+            failures.push(PointFailure { index: 0, reason: "no equilibrium".to_owned() });
+        }
+        store.write(claim, &values, &failures)?;
+    }
+    Ok(())
 }
 
 fn summary(hash: &str) -> Summary {

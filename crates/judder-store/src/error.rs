@@ -4,6 +4,8 @@ use std::error::Error;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
+use crate::ChunkDamage;
+
 /// Why something could not be stored or read back. Every variant names the place and says what would be right.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -221,6 +223,98 @@ pub enum StoreError {
         expected: usize,
         /// New values of this one.
         found: usize,
+    },
+    /// A sweep without points, or without anything to store for them.
+    #[error("the sweep `{sweep}` has no {what}; each of its dimensions needs a point, each point a quantity")]
+    EmptySweep {
+        /// The sweep.
+        sweep: String,
+        /// What is missing: `quantities`.
+        what: String,
+    },
+    /// A sweep that no memory holds.
+    #[error("the sweep `{sweep}` is too large: a chunk may have 1 GiB of values; make its chunks smaller")]
+    SweepTooLarge {
+        /// The sweep.
+        sweep: String,
+    },
+    /// A chunk that the sweep has not.
+    #[error("the sweep `{sweep}` has {count} chunks, counted from 0; there is no chunk {chunk}")]
+    NoSuchChunk {
+        /// The sweep.
+        sweep: String,
+        /// The chunk that was asked for.
+        chunk: usize,
+        /// How many there are.
+        count: usize,
+    },
+    /// Values that do not fill a chunk.
+    #[error(
+        "chunk {chunk} of the sweep `{sweep}` takes {expected} values (quantities × points), not {found}"
+    )]
+    ChunkSize {
+        /// The sweep.
+        sweep: String,
+        /// The chunk.
+        chunk: usize,
+        /// How many values it takes.
+        expected: usize,
+        /// How many there were.
+        found: usize,
+    },
+    /// A failure of a point that the chunk has not.
+    #[error(
+        "chunk {chunk} of the sweep `{sweep}` has {points} points, counted from 0; point {index} cannot fail"
+    )]
+    FailureOutside {
+        /// The sweep.
+        sweep: String,
+        /// The chunk.
+        chunk: usize,
+        /// The point.
+        index: usize,
+        /// How many there are.
+        points: usize,
+    },
+    /// The group of a sweep belongs to another case.
+    #[error("{}: holds a sweep of another case (its hash is {found}, that of this case {expected}); name another folder with -o, or compute anew with `judder run --fresh`", path.display())]
+    ForeignSweep {
+        /// The group.
+        path: PathBuf,
+        /// The hash of this case.
+        expected: String,
+        /// The hash of the group.
+        found: String,
+    },
+    /// The group of a sweep has the right hash and another layout.
+    #[error("{}: holds this sweep with other chunks, coordinates or quantities, as another version of judder lays it out; name another folder with -o, or compute anew with `judder run --fresh`", path.display())]
+    OtherLayout {
+        /// The group.
+        path: PathBuf,
+    },
+    /// A chunk of another case lies among those of this one.
+    #[error("{}: is a chunk of another case (its hash is {found}, that of this case {expected}); remove it, name another folder with -o, or compute anew with `judder run --fresh`", path.display())]
+    ForeignChunk {
+        /// The file of the chunk.
+        path: PathBuf,
+        /// The hash of this case.
+        expected: String,
+        /// The hash of the chunk.
+        found: String,
+    },
+    /// A chunk is not as it was written.
+    #[error("{}: this chunk cannot be used: {damage}; the next run computes it again", path.display())]
+    DamagedChunk {
+        /// The file of the chunk.
+        path: PathBuf,
+        /// What is wrong with it.
+        damage: ChunkDamage,
+    },
+    /// A chunk is not computed yet.
+    #[error("{}: this chunk is not computed yet; `judder run` goes on where it was interrupted", path.display())]
+    MissingChunk {
+        /// Where its file will be.
+        path: PathBuf,
     },
     /// A column that is longer or shorter than the first one.
     #[error("column `{column}` has {found} rows, the columns before have {expected}")]

@@ -1,12 +1,14 @@
 //! The folder of one study.
 
-use std::fs::{self, File, OpenOptions, TryLockError};
+use std::fs;
 use std::io::ErrorKind;
 use std::path::{Component, Path, PathBuf};
-use std::sync::Mutex;
+use std::sync::{Arc, Mutex, PoisonError};
 
+use crate::lock::{self, Lock, Mode};
 use crate::name::check_name;
 use crate::staging::{self, Stage};
+use crate::sweep::{self, SweepLayout, SweepStore};
 use crate::zarr::Elsewhere;
 use crate::{Dataset, Scratch, Status, StoreError, Summary, Table, results, scratch, stream, summary, zarr};
 
@@ -21,8 +23,7 @@ pub struct StudyFolder {
     path: PathBuf,
     /// Taken while the root of `results.zarr` changes, so that two threads do not forget each other's groups.
     publishing: Mutex<()>,
-    /// Holds the lock of the operating system, which ends with the process however it ends.
-    _lock: File,
+    lock: Arc<Lock>,
 }
 
 impl StudyFolder {
@@ -34,13 +35,7 @@ impl StudyFolder {
     /// [`StoreError::NotWritable`], [`StoreError::Locked`] while another process holds the study.
     pub fn create(path: impl AsRef<Path>) -> Result<Self, StoreError> {
         let path = path.as_ref();
-        fs::create_dir_all(path).map_err(|source| match source.kind() {
-            ErrorKind::AlreadyExists | ErrorKind::NotADirectory => {
-                StoreError::NotAFolder { path: path.to_owned() }
-            }
-            _ => StoreError::write(path, 0, source),
-        })?;
-        refuse_foreign(path)?;
+        prepare(path)?;
         Self::take(path)
     }
 
@@ -59,11 +54,16 @@ impl StudyFolder {
         Self::take(path)
     }
 
-    fn take(path: &Path) -> Result<Self, StoreError> {
-        let lock = lock(path)?;
+    /// Takes a folder that is a study already.
+    pub(crate) fn take(path: &Path) -> Result<Self, StoreError> {
+        let lock = lock::try_lock(&path.join(LOCK), Mode::Alone)?;
+        let lock = lock.ok_or_else(|| StoreError::Locked { path: path.to_owned() })?;
         staging::sweep(path, staging::PREFIX)?;
+        if lock.is_real() {
+            staging::sweep(path, sweep::PREFIX)?;
+        }
         results::repair(path)?;
-        Ok(Self { path: path.to_owned(), publishing: Mutex::new(()), _lock: lock })
+        Ok(Self { path: path.to_owned(), publishing: Mutex::new(()), lock: Arc::new(lock) })
     }
 
     /// Where it is.
@@ -87,8 +87,31 @@ impl StudyFolder {
             };
             forget().map_err(|source| StoreError::write(&path, 0, source))?;
         }
-        staging::sweep(&self.path, scratch::PREFIX)?;
-        staging::sweep(&self.path, stream::PREFIX)
+        for prefix in [scratch::PREFIX, stream::PREFIX, sweep::PREFIX] {
+            staging::sweep(&self.path, prefix)?;
+        }
+        Ok(())
+    }
+
+    /// Takes up a sweep, or begins it. The store holds the study, too.
+    ///
+    /// # Errors
+    /// [`StoreError::ForeignSweep`] where the sweep of another case has this name, [`StoreError::OtherLayout`] where it is laid
+    /// out otherwise; failures of the file system.
+    pub fn sweep(&self, layout: &SweepLayout) -> Result<SweepStore, StoreError> {
+        let _publishing = self.publishing.lock().unwrap_or_else(PoisonError::into_inner);
+        let store = SweepStore::join(&self.path, &self.lock, layout)?;
+        results::repair(&self.path)?;
+        Ok(store)
+    }
+
+    /// Makes the metadata of `results.zarr` tell of all its groups, those too that came here by other ways than this crate's.
+    ///
+    /// # Errors
+    /// [`StoreError::DatasetUnreadable`] for a group with damaged metadata; failures of the file system.
+    pub fn consolidate(&self) -> Result<(), StoreError> {
+        let _publishing = self.publishing.lock().unwrap_or_else(PoisonError::into_inner);
+        results::consolidate(&self.path)
     }
 
     /// Writes the arrays of an analysis, in place of those of an earlier run. `hash` names all that they depend on.
@@ -207,14 +230,27 @@ impl StudyFolder {
     }
 }
 
+/// Makes the folder of a study where there is none, and returns the place of its lock.
+pub(crate) fn prepare(path: &Path) -> Result<PathBuf, StoreError> {
+    fs::create_dir_all(path).map_err(|source| match source.kind() {
+        ErrorKind::AlreadyExists | ErrorKind::NotADirectory => {
+            StoreError::NotAFolder { path: path.to_owned() }
+        }
+        _ => StoreError::write(path, 0, source),
+    })?;
+    refuse_foreign(path)?;
+    Ok(path.join(LOCK))
+}
+
 /// Refuses a folder that holds files of someone else.
 fn refuse_foreign(path: &Path) -> Result<(), StoreError> {
-    if path.join(summary::FILE).exists() || path.join(LOCK).exists() {
-        return Ok(());
-    }
     let mut names = Vec::new();
     for entry in fs::read_dir(path).map_err(|source| StoreError::read(path, source))? {
         names.push(entry.map_err(|source| StoreError::read(path, source))?.file_name());
+    }
+    // Asked after the list is made: whoever began this study meanwhile began with its lock.
+    if path.join(summary::FILE).exists() || path.join(LOCK).exists() {
+        return Ok(());
     }
     match names.iter().min() {
         Some(first) => {
@@ -222,22 +258,6 @@ fn refuse_foreign(path: &Path) -> Result<(), StoreError> {
             Err(StoreError::ForeignFolder { path: path.to_owned(), holds })
         }
         None => Ok(()),
-    }
-}
-
-/// Locks a study against other processes.
-fn lock(path: &Path) -> Result<File, StoreError> {
-    let file = path.join(LOCK);
-    let opened = OpenOptions::new().create(true).truncate(false).write(true).open(&file);
-    let lock = opened.map_err(|source| StoreError::write(&file, 0, source))?;
-    match lock.try_lock() {
-        Ok(()) => Ok(lock),
-        Err(TryLockError::WouldBlock) => Err(StoreError::Locked { path: path.to_owned() }),
-        // Some cluster file systems have no locks; to refuse them would help nobody.
-        Err(TryLockError::Error(source)) if source.kind() == ErrorKind::Unsupported => Ok(lock),
-        Err(TryLockError::Error(source)) => {
-            Err(StoreError::FileSystem { action: "lock", path: file, source })
-        }
     }
 }
 

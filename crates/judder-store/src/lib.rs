@@ -10,8 +10,10 @@
 //!   a rerun resumes.
 //! - [`StudyFolder`] (`folder.rs`): the folder of one study: takes it, locks it, sweeps what a killed run left, and is the
 //!   one door through which everything is written and read.
+//! - [`SharedStudy`] (`shared.rs`): the same folder while several processes work on its sweeps; `lock.rs`: the locks of both.
 //! - [`Scratch`] (`scratch.rs`): what an analysis keeps while it runs.
 //! - [`StreamWriter`] (`stream.rs`): a dataset in the making, too long for memory, with the checkpoint from which an interrupted analysis goes on.
+//! - [`SweepLayout`], [`SweepStore`] (`sweep.rs`): many points, computed chunk by chunk by any number of processes.
 //! - `zarr.rs`: one dataset as one group of the Zarr v3 store `results.zarr`; `metadata.rs`: the metadata of its groups,
 //!   consolidated so that one read opens all; `staging.rs`: the atomic write under all of the above.
 //! - [`vtu()`], [`Quads`] (`vtu.rs`): fields on square cells for ParaView.
@@ -22,13 +24,16 @@ mod dataset;
 mod error;
 mod folder;
 mod hash;
+mod lock;
 mod metadata;
 mod name;
 mod results;
 mod scratch;
+mod shared;
 mod staging;
 mod stream;
 mod summary;
+mod sweep;
 mod table;
 mod variable;
 mod vtu;
@@ -40,8 +45,13 @@ pub use folder::StudyFolder;
 pub use hash::content_hash;
 pub use num_complex::Complex64;
 pub use scratch::Scratch;
+pub use shared::SharedStudy;
 pub use stream::StreamWriter;
 pub use summary::{AnalysisRecord, Status, Summary, number};
+pub use sweep::{
+    ChunkClaim, ChunkDamage, ChunkPoints, ChunkState, ClaimAnswer, PointFailure, StoredChunk, SweepDimension,
+    SweepFailure, SweepLayout, SweepQuantity, SweepStore,
+};
 pub use table::{Cells, Table};
 pub use variable::{Data, Variable};
 pub use vtu::{Quads, vtu};

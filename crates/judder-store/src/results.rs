@@ -68,8 +68,39 @@ pub(crate) fn repair(study: &Path) -> Result<(), StoreError> {
     if !results.is_dir() || metadata::read(&results).is_ok_and(consolidated) {
         return Ok(());
     }
-    let root = metadata::root(&groups(&results)?)?;
-    staging::write_file(study, &results.join(metadata::FILE), &metadata::content(&root))
+    consolidate(study)
+}
+
+/// Writes the metadata of the root from those of the groups, where they differ.
+pub(crate) fn consolidate(study: &Path) -> Result<(), StoreError> {
+    let results = study.join(FOLDER);
+    if !results.is_dir() {
+        return Ok(());
+    }
+    let root = metadata::content(&metadata::root(&groups(&results)?)?);
+    let path = results.join(metadata::FILE);
+    if fs::read(&path).is_ok_and(|stands| stands == root) {
+        return Ok(());
+    }
+    staging::write_file(study, &path, &root)
+}
+
+/// Puts a staged group where there is none yet, for several processes that may do so together; whether this one did.
+///
+/// The root of the store forgets its consolidated metadata first, which [`repair`] brings back: two that add groups of their own
+/// cannot write them for both.
+pub(crate) fn add(stage: &Stage, staged: &Path, study: &Path, name: &str) -> io::Result<bool> {
+    let results = study.join(FOLDER);
+    let target = results.join(name);
+    staging::sync_tree(staged)?;
+    fs::create_dir_all(&results)?;
+    let forgetful = stage.file("forgetful", &metadata::content(&metadata::group(Map::new(), None)))?;
+    staging::rename(&forgetful, &results.join(metadata::FILE))?;
+    match staging::rename(staged, &target) {
+        Ok(()) => Ok(true),
+        Err(_) if target.exists() => Ok(false),
+        Err(source) => Err(source),
+    }
 }
 
 /// The sound groups of the store, by name.

@@ -96,7 +96,7 @@ pub(crate) fn sync_tree(folder: &Path) -> io::Result<()> {
 }
 
 /// Forces the entries of a folder to the disk, where the system has a notion of it.
-fn sync_folder(folder: &Path) -> io::Result<()> {
+pub(crate) fn sync_folder(folder: &Path) -> io::Result<()> {
     if cfg!(unix) { File::open(folder)?.sync_all() } else { Ok(()) }
 }
 

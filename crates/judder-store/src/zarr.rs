@@ -27,7 +27,7 @@ const CHUNK_BYTES: u64 = 8 << 20;
 /// No store of ours has chunks beyond this; damaged metadata that says so must not be believed.
 const LARGEST_CHUNK_BYTES: u64 = 1 << 30;
 
-const COMPRESSION_LEVEL: i32 = 3;
+pub(crate) const COMPRESSION_LEVEL: i32 = 3;
 
 /// Files with the values of one-dimensional real variables that are too long for memory, by the names of the variables; each number is eight
 /// bytes, the least significant first.
@@ -78,45 +78,72 @@ pub(crate) fn write_group(
     dataset: &Dataset,
     elsewhere: &Elsewhere,
 ) -> Result<(), WriteFailure> {
+    write_group_by(folder, hash, dataset, |store, variable| match elsewhere.get(&variable.name) {
+        Some(path) => write_from_file(store, variable, path),
+        None => write_variable(store, variable),
+    })
+}
+
+/// The same, where `write` stores a variable and returns the metadata of its array.
+pub(crate) fn write_group_by(
+    folder: &Path,
+    hash: &str,
+    dataset: &Dataset,
+    write: impl Fn(&Arc<FilesystemStore>, &Variable) -> Result<Value, WriteFailure>,
+) -> Result<(), WriteFailure> {
     fs::create_dir(folder)?;
-    let store = FilesystemStore::new(folder).map_err(|refusal| WriteFailure::Refused(refusal.into()))?;
-    let store = Arc::new(store);
-    let mut members = Map::new();
-    for variable in dataset.variables() {
-        let array = match &variable.data {
-            Data::F64(_) if elsewhere.contains_key(&variable.name) => {
-                write_from_file(&store, variable, &elsewhere[&variable.name])
-            }
-            Data::F64(values) => write_array(&store, variable, data_type::float64(), f64::NAN, values),
-            Data::Complex(values) => write_array(
-                &store,
-                variable,
-                data_type::complex128(),
-                Complex64::new(f64::NAN, f64::NAN),
-                values,
-            ),
-            Data::I64(values) => write_array(&store, variable, data_type::int64(), i64::MIN, values),
-            Data::U8(values) => write_array(&store, variable, data_type::uint8(), u8::MAX, values),
-            Data::Text(values) => write_array(&store, variable, data_type::string(), "", values),
-        }?;
-        members.insert(variable.name.clone(), array);
-    }
-    let group = metadata::group(group_attributes(hash, dataset), Some(members));
+    let group = describe_group_by(folder, hash, dataset, write)?;
     let path = folder.join(metadata::FILE);
     fs::write(&path, metadata::content(&group))?;
     File::open(&path)?.sync_all()?;
     Ok(())
 }
 
+/// The metadata of the group of a dataset, where `describe` returns that of the array of a variable in the store in `folder`.
+pub(crate) fn describe_group_by(
+    folder: &Path,
+    hash: &str,
+    dataset: &Dataset,
+    describe: impl Fn(&Arc<FilesystemStore>, &Variable) -> Result<Value, WriteFailure>,
+) -> Result<Map<String, Value>, WriteFailure> {
+    let store = FilesystemStore::new(folder).map_err(|refusal| WriteFailure::Refused(refusal.into()))?;
+    let store = Arc::new(store);
+    let mut members = Map::new();
+    for variable in dataset.variables() {
+        members.insert(variable.name.clone(), describe(&store, variable)?);
+    }
+    Ok(metadata::group(group_attributes(hash, dataset), Some(members)))
+}
+
 /// Writes one variable and returns the metadata of its array.
+pub(crate) fn write_variable(
+    store: &Arc<FilesystemStore>,
+    variable: &Variable,
+) -> Result<Value, WriteFailure> {
+    match &variable.data {
+        Data::F64(values) => write_array(store, variable, values),
+        Data::Complex(values) => write_array(store, variable, values),
+        Data::I64(values) => write_array(store, variable, values),
+        Data::U8(values) => write_array(store, variable, values),
+        Data::Text(values) => write_array(store, variable, values),
+    }
+}
+
+/// The metadata of the array that [`write_variable`] writes; nothing is written.
+pub(crate) fn describe_variable(
+    store: &Arc<FilesystemStore>,
+    variable: &Variable,
+) -> Result<Value, WriteFailure> {
+    array_metadata(&build_array(store, variable)?)
+}
+
+/// Writes the values of one variable and returns the metadata of its array.
 fn write_array<T: Element>(
     store: &Arc<FilesystemStore>,
     variable: &Variable,
-    data_type: DataType,
-    fill_value: impl Into<FillValue>,
     values: &[T],
 ) -> Result<Value, WriteFailure> {
-    let array = create_array(store, variable, data_type, fill_value)?;
+    let array = create_array(store, variable)?;
     if !values.is_empty() {
         array.store_array_subset_opt(&array.subset_all(), values, &with_empty_chunks())?;
     }
@@ -129,7 +156,7 @@ fn write_from_file(
     variable: &Variable,
     path: &Path,
 ) -> Result<Value, WriteFailure> {
-    let array = create_array(store, variable, data_type::float64(), f64::NAN)?;
+    let array = create_array(store, variable)?;
     let length: u64 = array.shape().iter().product();
     let chunk = chunk_shape(array.shape(), size_of::<f64>() as u64).first().copied().unwrap_or(1);
     let mut file = File::open(path)?;
@@ -157,7 +184,12 @@ fn plain_metadata() -> ArrayMetadataOptions {
     ArrayMetadataOptions::default().with_include_zarrs_metadata(false)
 }
 
-fn array_metadata(array: &Array<FilesystemStore>) -> Result<Value, WriteFailure> {
+/// Writes the metadata of an array.
+pub(crate) fn store_metadata(array: &Array<FilesystemStore>) -> Result<(), WriteFailure> {
+    array.store_metadata_opt(&plain_metadata()).map_err(WriteFailure::from)
+}
+
+pub(crate) fn array_metadata(array: &Array<FilesystemStore>) -> Result<Value, WriteFailure> {
     serde_json::to_value(array.metadata_opt(&plain_metadata()))
         .map_err(|refusal| WriteFailure::Refused(refusal.into()))
 }
@@ -166,12 +198,21 @@ fn array_metadata(array: &Array<FilesystemStore>) -> Result<Value, WriteFailure>
 fn create_array(
     store: &Arc<FilesystemStore>,
     variable: &Variable,
-    data_type: DataType,
-    fill_value: impl Into<FillValue>,
+) -> Result<Array<FilesystemStore>, WriteFailure> {
+    let array = build_array(store, variable)?;
+    store_metadata(&array)?;
+    Ok(array)
+}
+
+/// An array of which nothing is written yet.
+fn build_array(
+    store: &Arc<FilesystemStore>,
+    variable: &Variable,
 ) -> Result<Array<FilesystemStore>, WriteFailure> {
     let shape: Vec<u64> = variable.shape.iter().map(|&length| length as u64).collect();
     let chunk_shape = chunk_shape(&shape, variable.data.value_size() as u64);
-    let array = ArrayBuilder::new(shape, chunk_shape, data_type, fill_value.into())
+    let (data_type, fill_value) = kind(&variable.data);
+    ArrayBuilder::new(shape, chunk_shape, data_type, fill_value)
         .bytes_to_bytes_codecs(vec![
             Arc::new(ZstdCodec::new(COMPRESSION_LEVEL, false)),
             Arc::new(Crc32cCodec::new()),
@@ -179,9 +220,18 @@ fn create_array(
         .dimension_names(Some(variable.dimensions.iter().map(String::as_str)))
         .attributes(variable_attributes(variable))
         .build(store.clone(), &format!("/{}", variable.name))
-        .map_err(|refusal| WriteFailure::Refused(refusal.into()))?;
-    array.store_metadata_opt(&plain_metadata())?;
-    Ok(array)
+        .map_err(|refusal| WriteFailure::Refused(refusal.into()))
+}
+
+/// Type and fill value of an array.
+fn kind(data: &Data) -> (DataType, FillValue) {
+    match data {
+        Data::F64(_) => (data_type::float64(), f64::NAN.into()),
+        Data::Complex(_) => (data_type::complex128(), Complex64::new(f64::NAN, f64::NAN).into()),
+        Data::I64(_) => (data_type::int64(), i64::MIN.into()),
+        Data::U8(_) => (data_type::uint8(), u8::MAX.into()),
+        Data::Text(_) => (data_type::string(), "".into()),
+    }
 }
 
 /// Halves the longest axis until a chunk has at most [`CHUNK_BYTES`].

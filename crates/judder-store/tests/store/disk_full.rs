@@ -1,25 +1,29 @@
 //! No room: the error says so, nothing half-written is left, what stood before still stands.
 #![cfg(unix)]
 
+use std::collections::BTreeMap;
 use std::env;
 use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
 use std::process::Command;
 
-use judder_store::{Dataset, StoreError, StreamWriter, StudyFolder, Summary, Variable};
+use judder_store::{ClaimAnswer, Dataset, StoreError, StreamWriter, StudyFolder, Summary, Variable};
 
 const CHILD_FOLDER: &str = "JUDDER_TEST_LIMITED_FOLDER";
 
 /// 2 MiB that no compression makes smaller.
-fn large() -> Dataset {
+fn noise() -> Vec<f64> {
     let mut state = 1_u64;
-    let noise: Vec<f64> = (0..262_144)
-        .map(|_| {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            f64::from_bits(state >> 2)
-        })
-        .collect();
+    let mut number = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        f64::from_bits(state >> 2)
+    };
+    (0..262_144).map(|_| number()).collect()
+}
+
+fn large() -> Dataset {
+    let noise = noise();
     Dataset::new().with(Variable::new("noise", &["point"], &[noise.len()], noise)).unwrap()
 }
 
@@ -67,6 +71,8 @@ fn write_without_room(study: &StudyFolder) {
     check_untouched(study);
     stream_without_room(study);
     check_untouched(study);
+    chunk_without_room(study);
+    check_untouched(study);
 }
 
 /// An append that finds no room takes none, and a smaller one goes on where the last whole one ended.
@@ -81,6 +87,27 @@ fn stream_without_room(study: &StudyFolder) {
     stream.append(b"2", &[&[2.0]]).unwrap();
     assert_eq!(stream.len(), 2);
     fs::remove_dir_all(study.path().join(".stream-march")).unwrap();
+}
+
+/// A chunk that finds no room leaves nothing behind, and can be claimed again.
+fn chunk_without_room(study: &StudyFolder) {
+    let store = study.sweep(&crate::sweep("h", &[("sample", 131_073, 131_072)])).unwrap();
+    let write = |chunk, values: &[f64]| {
+        let ClaimAnswer::Claimed(claim) = store.claim(chunk).unwrap() else { panic!("chunk {chunk}") };
+        store.write(claim, values, &[])
+    };
+    write(1, &[1.0, 2.0]).unwrap();
+    let before = crate::contents(study.path());
+    check_full(write(0, &noise()), "results.zarr/sweep/values/c.0.0", 1 << 20);
+    let claim = BTreeMap::from([(".sweep-sweep/0.claim".to_owned(), Vec::new())]);
+    assert_eq!(crate::contents(study.path()), before.into_iter().chain(claim).collect());
+    write(0, &[1.0; 262_144]).unwrap();
+    assert_eq!(store.done_chunks().unwrap(), [true, true]);
+    for folder in [".sweep-sweep", "results.zarr/sweep"] {
+        fs::remove_dir_all(study.path().join(folder)).unwrap();
+    }
+    study.consolidate().unwrap();
+    assert!(!fs::read_to_string(study.path().join("results.zarr/zarr.json")).unwrap().contains("sweep"));
 }
 
 /// A file may not grow beyond a limit that the shell sets: works without privileges.

@@ -1,0 +1,121 @@
+//! Locks of the operating system, which end with the process however it ends.
+
+use std::fs::{File, OpenOptions, TryLockError};
+use std::io::{self, ErrorKind};
+use std::path::Path;
+
+use crate::StoreError;
+
+/// Whom a lock lets in beside its holder.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Mode {
+    /// Nobody.
+    Alone,
+    /// Everybody who asks for the same.
+    Shared,
+}
+
+/// A locked file; unlocked when dropped.
+#[derive(Debug)]
+pub(crate) struct Lock {
+    file: File,
+    is_real: bool,
+}
+
+impl Lock {
+    /// Whether it keeps anybody out: some cluster file systems have no locks, and to refuse them would help nobody.
+    pub(crate) fn is_real(&self) -> bool {
+        self.is_real
+    }
+}
+
+impl Drop for Lock {
+    fn drop(&mut self) {
+        // To close the file is not enough while a child process that is being started still has it. What fails here ends with the process.
+        let _ = self.file.unlock();
+    }
+}
+
+/// Locks a file, which is made where there is none; `None` while another holds it.
+pub(crate) fn try_lock(path: &Path, mode: Mode) -> Result<Option<Lock>, StoreError> {
+    let file = open(path)?;
+    let locked = match mode {
+        Mode::Alone => file.try_lock(),
+        Mode::Shared => file.try_lock_shared(),
+    };
+    match locked {
+        Ok(()) => Ok(Some(Lock { file, is_real: true })),
+        Err(TryLockError::WouldBlock) => Ok(None),
+        Err(TryLockError::Error(source)) => unlocked(path, file, source).map(Some),
+    }
+}
+
+/// Locks a file together with all who ask for the same, as soon as nobody holds it alone.
+pub(crate) fn wait_for_shared(path: &Path) -> Result<Lock, StoreError> {
+    let file = open(path)?;
+    match file.lock_shared() {
+        Ok(()) => Ok(Lock { file, is_real: true }),
+        Err(source) => unlocked(path, file, source),
+    }
+}
+
+/// Readable and writable, since a network file system may ask for the one or the other by the kind of lock.
+fn open(path: &Path) -> Result<File, StoreError> {
+    let opened = OpenOptions::new().create(true).truncate(false).read(true).write(true).open(path);
+    opened.map_err(|source| StoreError::write(path, 0, source))
+}
+
+fn unlocked(path: &Path, file: File, source: io::Error) -> Result<Lock, StoreError> {
+    if has_no_locks(&source) {
+        return Ok(Lock { file, is_real: false });
+    }
+    Err(StoreError::FileSystem { action: "lock", path: path.to_owned(), source })
+}
+
+/// Whether the file system has no locks: it says that it cannot, or that nobody there keeps them.
+fn has_no_locks(failure: &io::Error) -> bool {
+    #[cfg(any(target_os = "linux", target_vendor = "apple"))]
+    if failure.raw_os_error() == Some(rustix::io::Errno::NOLCK.raw_os_error()) {
+        return true;
+    }
+    failure.kind() == ErrorKind::Unsupported
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_lock_is_held_alone_or_shared() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("lock");
+        let lock = |mode| try_lock(&path, mode).unwrap();
+        let alone = lock(Mode::Alone);
+        assert!(alone.as_ref().is_some_and(Lock::is_real));
+        assert!(lock(Mode::Alone).is_none() && lock(Mode::Shared).is_none());
+        drop(alone);
+        let shared = (lock(Mode::Shared), lock(Mode::Shared));
+        assert!(shared.0.is_some() && shared.1.is_some() && lock(Mode::Alone).is_none());
+        drop(shared);
+        assert!(lock(Mode::Alone).is_some());
+    }
+
+    #[test]
+    fn a_copy_of_the_file_does_not_keep_the_lock() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("lock");
+        let lock = try_lock(&path, Mode::Alone).unwrap().unwrap();
+        let _copy = lock.file.try_clone().unwrap();
+        assert!(try_lock(&path, Mode::Alone).unwrap().is_none());
+        drop(lock);
+        assert!(try_lock(&path, Mode::Alone).unwrap().is_some());
+    }
+
+    #[test]
+    fn a_file_system_without_locks_is_no_failure() {
+        assert!(has_no_locks(&ErrorKind::Unsupported.into()));
+        assert!(!has_no_locks(&ErrorKind::PermissionDenied.into()));
+        #[cfg(target_os = "linux")]
+        assert!(has_no_locks(&io::Error::from_raw_os_error(37)), "ENOLCK");
+    }
+}

@@ -1,0 +1,27 @@
+//! Sweeps: many points, computed chunk by chunk, by any number of processes on one folder, without a coordinator.
+//!
+//! In the order in which the data flows:
+//!
+//! - [`SweepLayout`] (`layout.rs`): the points of a sweep, how they are cut into chunks, and which quantities each point has.
+//! - [`ChunkPoints`] (`points.rs`): the points of one chunk.
+//! - `shard.rs`: the values of one chunk as one shard of the Zarr array `values`.
+//! - [`PointFailure`], [`ChunkDamage`] (`record.rs`): the record behind the shard, by which a chunk says whose it is and which of its
+//!   points failed.
+//! - `group.rs`: the group of a sweep in `results.zarr`, the same bytes whoever begins it.
+//! - [`ChunkClaim`] (`claim.rs`): the right to compute one chunk.
+//! - [`SweepStore`] (`store.rs`): the chunks on the disk: claimed, written, listed, read, verified.
+
+mod claim;
+mod group;
+mod layout;
+mod points;
+mod record;
+mod shard;
+mod store;
+
+pub(crate) use claim::PREFIX;
+pub use claim::{ChunkClaim, ClaimAnswer};
+pub use layout::{SweepDimension, SweepLayout, SweepQuantity};
+pub use points::ChunkPoints;
+pub use record::{ChunkDamage, PointFailure};
+pub use store::{ChunkState, StoredChunk, SweepFailure, SweepStore};

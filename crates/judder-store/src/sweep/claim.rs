@@ -1,0 +1,59 @@
+//! The right to compute one chunk.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::StoreError;
+use crate::lock::{self, Lock, Mode};
+
+/// How the names of the folders begin in which the claims of a sweep lie, and chunks that are being written.
+pub(crate) const PREFIX: &str = ".sweep-";
+
+/// The right to compute one chunk of a sweep, which no other process and no other thread has meanwhile. It ends when dropped, and with the
+/// process however it ends.
+#[derive(Debug)]
+pub struct ChunkClaim {
+    pub(super) chunk: usize,
+    file: PathBuf,
+    lock: Lock,
+}
+
+/// The answer to a claim.
+#[derive(Debug)]
+pub enum ClaimAnswer {
+    /// The chunk is to be computed, by the holder of this.
+    Claimed(ChunkClaim),
+    /// Another is computing it.
+    Busy,
+    /// It is done.
+    Done,
+}
+
+impl ChunkClaim {
+    /// Locks the file of a claim; `None` while another holds it.
+    ///
+    /// The file stays when a claim ends without a chunk: whoever opened it before could else lock a file that is gone, beside one who makes it
+    /// anew.
+    pub(super) fn take(claims: &Path, chunk: usize) -> Result<Option<Self>, StoreError> {
+        let file = claims.join(format!("{chunk}.claim"));
+        let lock = lock::try_lock(&file, Mode::Alone)?;
+        Ok(lock.map(|lock| Self { chunk, file, lock }))
+    }
+
+    /// The chunk.
+    #[must_use]
+    pub fn chunk(&self) -> usize {
+        self.chunk
+    }
+
+    /// Where its holder writes the chunk before it takes its place; `None` where locks keep nobody out, so that another may write there, too.
+    pub(super) fn temporary(&self) -> Option<PathBuf> {
+        self.lock.is_real().then(|| self.file.with_extension("partial"))
+    }
+
+    /// Ends the claim of a chunk that is done.
+    pub(super) fn fulfilled(self) {
+        // A file that stays is removed when the study is taken alone; nothing depends on it.
+        let _ = fs::remove_file(&self.file);
+    }
+}

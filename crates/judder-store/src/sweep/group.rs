@@ -1,0 +1,67 @@
+//! The group of a sweep in `results.zarr`, the same bytes whoever begins it.
+
+use std::path::{Path, PathBuf};
+
+use serde_json::{Map, Value};
+
+use super::layout::{SweepLayout, VALUES};
+use super::shard;
+use crate::metadata::{self, HASH_ATTRIBUTE};
+use crate::staging::Stage;
+use crate::zarr::{self, WriteFailure};
+use crate::{StoreError, results};
+
+/// Begins the group of a sweep where there is none, else compares; returns the folder of its chunks.
+pub(super) fn join(study: &Path, layout: &SweepLayout) -> Result<PathBuf, StoreError> {
+    let group = study.join(results::FOLDER).join(layout.name());
+    let failed = |failure| match failure {
+        WriteFailure::Io(source) => StoreError::write(&group, 0, source),
+        WriteFailure::Refused(source) => StoreError::DatasetUnwritable { path: group.clone(), source },
+    };
+    if !group.exists() && begin(study, layout).map_err(failed)? {
+        return Ok(group.join(VALUES));
+    }
+    let expected = zarr::describe_group_by(&group, layout.hash(), layout.dataset(), |store, variable| {
+        if variable.name == VALUES {
+            zarr::array_metadata(&shard::build_array(store, layout, variable)?)
+        } else {
+            zarr::describe_variable(store, variable)
+        }
+    });
+    compare(&group, layout, &expected.map_err(failed)?)?;
+    Ok(group.join(VALUES))
+}
+
+/// Makes the group; whether no other process was faster.
+fn begin(study: &Path, layout: &SweepLayout) -> Result<bool, WriteFailure> {
+    let stage = Stage::new(study)?;
+    let staged = stage.place("group");
+    zarr::write_group_by(&staged, layout.hash(), layout.dataset(), |store, variable| {
+        if variable.name == VALUES {
+            let array = shard::build_array(store, layout, variable)?;
+            zarr::store_metadata(&array)?;
+            zarr::array_metadata(&array)
+        } else {
+            zarr::write_variable(store, variable)
+        }
+    })?;
+    Ok(results::add(&stage, &staged, study, layout.name())?)
+}
+
+/// Refuses a group of another case, or of another layout.
+fn compare(group: &Path, layout: &SweepLayout, expected: &Map<String, Value>) -> Result<(), StoreError> {
+    let stands = metadata::read(group)?;
+    if stands == *expected {
+        return Ok(());
+    }
+    let path = group.to_owned();
+    let found = stands.get("attributes").and_then(|attributes| attributes.get(HASH_ATTRIBUTE));
+    match found.and_then(Value::as_str) {
+        Some(found) if found == layout.hash() => Err(StoreError::OtherLayout { path }),
+        found => Err(StoreError::ForeignSweep {
+            path,
+            expected: layout.hash().to_owned(),
+            found: found.unwrap_or("none").to_owned(),
+        }),
+    }
+}

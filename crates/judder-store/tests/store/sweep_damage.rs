@@ -1,0 +1,148 @@
+//! Chunks that are not as they were written: found, named, computed again or refused.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use judder_store::{ChunkDamage, ChunkState, ClaimAnswer, SharedStudy, StoreError, SweepStore};
+
+use crate::{chunk_values, contents, sweep};
+
+/// A sweep of three whole chunks, and where the one in the middle lies.
+fn whole(folder: &Path) -> (SweepStore, PathBuf) {
+    let layout = sweep("h", &[("sample", 10, 4)]);
+    let store = SharedStudy::join(folder).unwrap().sweep(&layout).unwrap();
+    for chunk in 0..3 {
+        compute(&store, chunk);
+    }
+    (store, folder.join("results.zarr/sweep/values/c.1.0"))
+}
+
+fn compute(store: &SweepStore, chunk: usize) {
+    let ClaimAnswer::Claimed(claim) = store.claim(chunk).unwrap() else { panic!("chunk {chunk}") };
+    store.write(claim, &chunk_values(store.layout(), chunk), &[]).unwrap();
+}
+
+/// The damage is found in every way of reading, and computing again repairs it.
+fn check_found(store: &SweepStore, is_expected: impl Fn(&ChunkDamage) -> bool, what: &str) {
+    let ChunkState::Damaged(damage) = store.state(1).unwrap() else { panic!("{what}: {:?}", store.state(1)) };
+    assert!(is_expected(&damage), "{what}: {damage}");
+    assert_eq!(store.verify().unwrap(), [(1, ChunkState::Damaged(damage))], "{what}");
+    let refused = store.read(1).unwrap_err();
+    assert!(matches!(refused, StoreError::DamagedChunk { .. }), "{what}: {refused}");
+    assert!(refused.to_string().contains("c.1.0"), "{what}: {refused}");
+}
+
+#[test]
+fn every_cut_is_found_and_repaired() {
+    let folder = tempfile::tempdir().unwrap();
+    let (store, path) = whole(folder.path());
+    let before = contents(&folder.path().join("results.zarr"));
+    let content = fs::read(&path).unwrap();
+    for length in 0..content.len() {
+        fs::write(&path, &content[..length]).unwrap();
+        check_found(&store, |damage| *damage == ChunkDamage::NoRecord, &format!("cut to {length} bytes"));
+        assert!(matches!(store.failures(), Err(StoreError::DamagedChunk { .. })), "cut to {length} bytes");
+    }
+    assert_eq!(store.done_chunks().unwrap(), [true; 3], "a list does not look into files");
+    compute(&store, 1);
+    assert_eq!(contents(&folder.path().join("results.zarr")), before);
+}
+
+#[test]
+fn every_changed_byte_is_found() {
+    let folder = tempfile::tempdir().unwrap();
+    let (store, path) = whole(folder.path());
+    let content = fs::read(&path).unwrap();
+    for place in 0..content.len() {
+        let mut damaged = content.clone();
+        damaged[place] ^= 1;
+        fs::write(&path, &damaged).unwrap();
+        check_found(&store, |_| true, &format!("byte {place}"));
+    }
+    let longer = [&content[..], b"more"].concat();
+    fs::write(&path, longer).unwrap();
+    check_found(&store, |damage| *damage == ChunkDamage::NoRecord, "longer");
+    let shifted = [b"more", &content[..]].concat();
+    fs::write(&path, shifted).unwrap();
+    check_found(&store, |damage| *damage == ChunkDamage::Values, "shifted");
+    assert!(matches!(store.failures(), Err(StoreError::DamagedChunk { .. })));
+}
+
+#[test]
+fn a_chunk_in_the_place_of_another_is_found() {
+    let folder = tempfile::tempdir().unwrap();
+    let (store, path) = whole(folder.path());
+    let before = contents(&folder.path().join("results.zarr"));
+    fs::copy(path.with_file_name("c.0.0"), &path).unwrap();
+    check_found(&store, |damage| *damage == ChunkDamage::OtherChunk { found: 0 }, "chunk 0");
+    let shape = sweep("h", &[("sample", 10, 5)]).encode(1, &[0.0; 10], &[]).unwrap();
+    fs::write(&path, shape).unwrap();
+    check_found(&store, |damage| *damage == ChunkDamage::OtherShape { points: 5, quantities: 2 }, "5 points");
+    compute(&store, 1);
+    assert_eq!(contents(&folder.path().join("results.zarr")), before);
+}
+
+#[test]
+fn a_chunk_of_another_case_is_refused_by_name() {
+    let folder = tempfile::tempdir().unwrap();
+    let (store, path) = whole(folder.path());
+    let foreign = sweep("other", &[("sample", 10, 4)]).encode(1, &[0.0; 8], &[]).unwrap();
+    fs::write(&path, &foreign).unwrap();
+    let state = ChunkState::Foreign { hash: "other".to_owned() };
+    assert_eq!(store.state(1).unwrap(), state);
+    assert_eq!(store.verify().unwrap(), [(1, state)]);
+    let own = store.layout().encode(1, &[0.0; 8], &[]).unwrap();
+    for refused in [
+        store.claim(1).map(drop).unwrap_err(),
+        store.read(1).map(drop).unwrap_err(),
+        store.failures().map(drop).unwrap_err(),
+        store.write_encoded(1, &own).unwrap_err(),
+    ] {
+        assert!(
+            matches!(&refused, StoreError::ForeignChunk { path: named, expected, found }
+                if *named == path && expected == "h" && found == "other"),
+            "{refused}"
+        );
+        assert!(refused.to_string().contains("--fresh"), "{refused}");
+    }
+    assert_eq!(fs::read(&path).unwrap(), foreign, "left as it is");
+    fs::remove_file(&path).unwrap();
+    compute(&store, 1);
+}
+
+#[test]
+fn what_a_killed_writer_left_is_removed_by_the_next() {
+    let folder = tempfile::tempdir().unwrap();
+    let (store, path) = whole(folder.path());
+    fs::remove_file(&path).unwrap();
+    let claims = folder.path().join(".sweep-sweep");
+    fs::write(claims.join("1.claim"), "").unwrap();
+    fs::write(claims.join("1.partial"), "half").unwrap();
+    fs::write(claims.join("2.partial"), "of another").unwrap();
+    let claim = store.claim(1).unwrap();
+    assert_eq!(crate::names(&claims), ["1.claim", "2.partial"]);
+    drop(claim);
+    compute(&store, 1);
+    assert_eq!(crate::names(&claims), ["2.partial"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_folder_that_became_read_only_is_named() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = tempfile::tempdir().unwrap();
+    let (store, path) = whole(folder.path());
+    fs::remove_file(&path).unwrap();
+    let chunks = path.parent().unwrap();
+    let mode = |mode| fs::set_permissions(chunks, fs::Permissions::from_mode(mode)).unwrap();
+    mode(0o555);
+    if fs::write(chunks.join("probe"), "").is_ok() {
+        eprintln!("SKIPPED: this user may write everywhere");
+        return;
+    }
+    let ClaimAnswer::Claimed(claim) = store.claim(1).unwrap() else { panic!() };
+    let refused = store.write(claim, &chunk_values(store.layout(), 1), &[]).unwrap_err();
+    assert!(matches!(&refused, StoreError::NotWritable { path: named, .. } if *named == path), "{refused}");
+    mode(0o755);
+    compute(&store, 1);
+}

@@ -134,7 +134,7 @@ fn law_warning(case: &OscillatorCase, law: &Law) -> Result<Option<String>, Study
     let made_for = match law {
         // the law `bem` is computed for the substrate of the case
         _ if case.law == LawName::Bem => return Ok(None),
-        Law::Hertz(_) => return Ok(None),
+        Law::Hertz(_) | Law::Sampled(_) => return Ok(None),
         Law::Fitted(_) => LawMaterial::one_time(FITTED_CONTRAST)?,
         Law::Collapsed(law) => law.data().origin().material.clone(),
         Law::Tabulated(law) => law.data().origin().material.clone(),

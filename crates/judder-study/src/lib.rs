@@ -8,6 +8,7 @@
 //! - `structure`: the structure of a case: elements assembled, matrices read.
 //! - `sliding`: the pair of a sliding case: both structures reduced, the contact between them.
 //! - [`point`]: everything about one operating point.
+//! - [`key_plane`]: the operating points over two keys of a case.
 //! - [`outcome`]: what an analysis leaves: scalars, arrays, a table, checks, warnings.
 //! - [`analyses`]: one module a kind of analysis.
 //! - [`checks`]: every number doubted by another number.
@@ -27,6 +28,7 @@ mod error;
 mod indenter;
 mod input_file;
 mod kept;
+pub mod key_plane;
 mod labels;
 mod material;
 pub mod outcome;

@@ -1,10 +1,11 @@
 """judder: a workbench for friction-induced vibration.
 
 Whole cases: :func:`run`, :func:`check`, :func:`load_study`. Building blocks on NumPy arrays: :mod:`judder.oscillator`,
-:mod:`judder.contact`. Errors: :class:`JudderError` and its subclasses.
+:mod:`judder.contact`,
+:mod:`judder.sliding`. Errors: :class:`JudderError` and its subclasses.
 """
 
-from judder import contact, errors, oscillator
+from judder import contact, errors, oscillator, sliding
 from judder._judder import VERSION as __version__
 from judder.errors import (
     CaseError,
@@ -46,5 +47,6 @@ __all__ = [
     "load_study",
     "oscillator",
     "run",
+    "sliding",
     "tqdm_progress",
 ]

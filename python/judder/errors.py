@@ -66,7 +66,7 @@ class CaseError(JudderError, ValueError):
     """A case, or a key given as an argument, that is wrong; the traceback shows place and help besides."""
 
     file: str
-    """The file, ``--set`` for a changed key, or the name of a key that was given as an argument."""
+    """The file, ``--set`` for a changed key, or ``argument`` for a key that was given as one."""
     line: int | None
     """The line, from 1; ``None`` where the error has no place."""
     column: int | None
@@ -80,7 +80,7 @@ class CaseError(JudderError, ValueError):
 
     def __init__(self, message: str, cause: str = "", fields: Mapping[str, Any] | None = None) -> None:
         super().__init__(message, cause, fields)
-        if self.fields.get("line") is not None:
+        if self.fields.get("line") is not None and self.file != "argument":
             self.add_note(f"in {self.file}, line {self.line}, column {self.column}: {self.text}")
         if self.fields.get("help"):
             self.add_note(f"help: {self.help}")

@@ -24,7 +24,8 @@ CaseLike: TypeAlias = str | os.PathLike[str] | Mapping[str, Any]
 """A case: the path of its file, its text (a ``str`` with a line break), or its tables as a mapping."""
 
 
-def _source(case: CaseLike) -> tuple[str, str] | str:
+def source(case: CaseLike) -> tuple[str, str] | str:
+    """A case as the compiled part takes it: a name and a text, or a path."""
     if isinstance(case, Mapping):
         return "case.toml", _toml.document(case)
     if isinstance(case, str) and "\n" in case:
@@ -48,7 +49,7 @@ def check(case: CaseLike, *, set: Mapping[str, Any] | None = None) -> dict[str, 
     >>> judder.check({"model": "oscillator"})["groups"]["k_x/(E0* R)"]
     0.00375
     """
-    document: dict[str, Any] = json.loads(_judder.checked_case(_source(case), _toml.overrides(set)))
+    document: dict[str, Any] = json.loads(_judder.checked_case(source(case), _toml.overrides(set)))
     return document
 
 
@@ -88,7 +89,7 @@ def run(
         JudderError: an analysis was refused for another wrong input; the others have run.
     """
     told = _judder.run_case(
-        _source(case),
+        source(case),
         output=None if output is None else os.fspath(output),
         only=list(only),
         overrides=_toml.overrides(set),

@@ -15,7 +15,8 @@ pub enum Given<'a> {
 }
 
 impl OscillatorKey {
-    /// The value of this key, as a case file that says `given` would have it; errors call it by its dotted path.
+    /// The value of this key, as a case file that says `given` would have it; errors call it by its dotted path, and their
+    /// source `argument`.
     ///
     /// # Errors
     /// [`CaseError`] for a unit of another dimension or none, a text that is no quantity, a number that is out of range or not finite.
@@ -29,7 +30,7 @@ impl OscillatorKey {
             Given::Text(text) => (Data::Text(text.to_owned()), format!("\"{text}\"")),
         };
         let node = Node { place: Place { source: 0, start: 0, end: text.len() }, data };
-        let sources = Sources::new(entry.path, &text, &[]);
+        let sources = Sources::new("argument", &text, &[]);
         read_value(entry, entry.path, &node).map_err(|fault| sources.error(fault))
     }
 }
@@ -47,7 +48,7 @@ mod tests {
         assert!(matches!(Radius.read(Given::Number(0.01)).unwrap_err().cause(), Cause::NeedsUnit { .. }));
         let error = Velocity.read(Given::Text("30 N")).unwrap_err();
         assert!(matches!(error.cause(), Cause::WrongDimension { .. }));
-        assert_eq!((error.source_name(), error.line_and_column()), ("operation.velocity", Some((1, 1))));
+        assert_eq!((error.source_name(), error.line_and_column()), ("argument", Some((1, 1))));
         for number in [f64::NAN, -1.0, f64::INFINITY] {
             assert!(
                 Velocity.read(Given::Number(number)).is_err()

@@ -27,7 +27,7 @@ pub(crate) enum Source {
 }
 
 impl Source {
-    fn read(&self, overrides: &[String]) -> PyResult<CaseFile> {
+    pub(crate) fn read(&self, overrides: &[String]) -> PyResult<CaseFile> {
         let file = match self {
             Self::Text(name, text) => CaseFile::parse(name, text, overrides),
             Self::File(path) => CaseFile::read(path, overrides),

@@ -14,6 +14,7 @@ mod contact;
 mod errors;
 mod oscillator;
 mod pool;
+mod sliding;
 mod watched;
 
 use pyo3::prelude::*;
@@ -26,6 +27,8 @@ mod _judder {
     use crate::contact::{PyLaw, contact_solution};
     #[pymodule_export]
     use crate::oscillator::{OscillatorPoint, oscillator_map, point, rebuilt_point, repeated_points};
+    #[pymodule_export]
+    use crate::sliding::{PyPair, sliding_locus, sliding_march};
     #[pymodule_export]
     const VERSION: &str = env!("CARGO_PKG_VERSION");
 }

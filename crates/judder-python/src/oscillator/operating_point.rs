@@ -63,9 +63,9 @@ type Argument<'a, 'py> = Option<&'a Bound<'py, PyAny>>;
 ///
 /// >>> point = judder.oscillator.point(velocity=1e-4, normal_load=1e-6, shear_strength=0.01)
 /// >>> point.verdict, point.eigenvalues.shape
-/// ('stable', (4,))
-/// >>> judder.oscillator.point(velocity="30 mm/s").warnings
-/// []
+/// ('unstable', (4,))
+/// >>> judder.oscillator.point(velocity="30 mm/s").mechanism
+/// 'none'
 #[pyfunction]
 #[pyo3(signature = (*, velocity=None, normal_load=None, shear_strength=None, damping_x=None, damping_y=None,
     frequency_ratio=None, coupling=None, coupling_angle=None, natural_frequency=None, stiffness_x=None, radius=None,

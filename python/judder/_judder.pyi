@@ -8,7 +8,22 @@ from numpy.typing import ArrayLike, NDArray
 from judder.contact import LawResponse
 from judder.sliding import Observed, Slider, Track
 
-__all__: list[str]
+__all__ = [
+    "VERSION",
+    "Law",
+    "OscillatorPoint",
+    "Pair",
+    "checked_case",
+    "command",
+    "contact_solution",
+    "oscillator_map",
+    "point",
+    "rebuilt_point",
+    "repeated_points",
+    "run_case",
+    "sliding_locus",
+    "sliding_march",
+]
 
 VERSION: Final[str]
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 from collections.abc import Callable
 from typing import Any, TypeAlias
 
@@ -20,8 +21,8 @@ def tqdm_progress(**options: Any) -> Progress:
     >>> study = judder.run("case.toml", progress=judder.tqdm_progress())  # doctest: +SKIP
     map: 100%|██████████| 202/202 [00:01<00:00, 180.12it/s]
     """
-    from tqdm.auto import tqdm
-
+    # by its name: it brings no types of its own
+    tqdm: Any = importlib.import_module("tqdm.auto").tqdm
     bars: dict[str, Any] = {}
 
     def progress(name: str, done: int, total: int) -> None:

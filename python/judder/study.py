@@ -46,8 +46,8 @@ def check(case: CaseLike, *, set: Mapping[str, Any] | None = None) -> dict[str, 
     Raises:
         CaseError: the case is wrong; ``error.line``, ``error.key``, ``error.help``.
 
-    >>> judder.check({"model": "oscillator"})["groups"]["k_x/(E0* R)"]
-    0.00375
+    >>> judder.check({"model": "oscillator"})["groups"]["v_d τ/R"]
+    0.0001
     """
     document: dict[str, Any] = json.loads(_judder.checked_case(source(case), _toml.overrides(set)))
     return document

@@ -1,6 +1,7 @@
 //! A law sampled from a function, as finely as a tolerance asks.
 
-use super::{SampledLaw, Samples};
+use super::axis::Axis;
+use super::{AXES, SampledLaw, Samples};
 use crate::law::error::LawError;
 use crate::law::quantities::{KnotValues, PerQuantity};
 
@@ -45,6 +46,9 @@ pub fn sampled<E: From<LawError>>(
     if !(request.tolerance > 0.0 && request.tolerance.is_finite()) {
         let (name, requirement) = ("tolerance", "positive and finite");
         return Err(LawError::InvalidNumber { name, value: request.tolerance, requirement }.into());
+    }
+    for ((from, to), axis) in [(request.velocity, AXES[0]), (request.indentation, AXES[1])] {
+        Axis::new(&[from, to], axis)?;
     }
     let mut known: Option<Samples> = None;
     let mut counts = [FIRST; 2];

@@ -84,6 +84,8 @@ class StabilityMap:
     """Points without an answer."""
     decisions: int
     """Points that were decided; the others follow from their neighbours (``method="adaptive"``)."""
+    seconds: float
+    """What verdicts and growth rates took, without the way there and back."""
     warnings: tuple[str, ...]
     """What makes the law doubtful, a sentence each."""
 
@@ -188,6 +190,7 @@ def stability_map(
         unstable_fraction=told["unstable_fraction"],
         unresolved=told["unresolved"],
         decisions=told["decisions"],
+        seconds=told["seconds"],
         warnings=tuple(told["warnings"]),
     )
 

@@ -1,12 +1,9 @@
-"""What the tests of the installed package share."""
+"""A quick case, and the command that the wheel carries."""
 
-import pathlib
 import subprocess
 import sys
 
 import pytest
-
-ROOT = pathlib.Path(__file__).resolve().parents[3]
 
 MAP = """
 model = "oscillator"
@@ -37,9 +34,3 @@ def command():
         return subprocess.run([sys.executable, "-m", "judder", *map(str, words)], capture_output=True, text=True)
 
     return call
-
-
-def files(folder):
-    """Every file below a folder with its bytes, by its relative path."""
-    paths = (path for path in sorted(folder.rglob("*")) if path.is_file())
-    return {str(path.relative_to(folder)): path.read_bytes() for path in paths}

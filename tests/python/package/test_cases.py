@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import judder
-from conftest import files
+from common import files
 
 
 def test_a_run_leaves_the_bytes_of_the_command(map_case, command, tmp_path):
@@ -58,6 +58,17 @@ def test_a_study_is_a_mapping_of_labelled_datasets(map_case, tmp_path):
     with pytest.raises(KeyError):
         study["none"]
     assert judder.run(map_case, output=tmp_path / "study").summary["analyses"] == study.summary["analyses"]
+
+
+def test_a_plot_labels_itself(map_case, tmp_path, monkeypatch):
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    study = judder.run(map_case, output=tmp_path / "study")
+    for growth in (study["map"].growth_rate, judder.oscillator.stability_map(("velocity", [1e-3, 2e-3], "m/s"), ("coupling", [0.5, 1.0])).to_dataset().growth_rate):
+        mesh = growth.plot()
+        assert "speed" in mesh.axes.get_xlabel().lower() or "velocity" in mesh.axes.get_xlabel().lower()
+        assert "growth rate" in mesh.colorbar.ax.get_ylabel()
+        mesh.figure.clear()
 
 
 def test_what_is_missing_is_told(tmp_path):

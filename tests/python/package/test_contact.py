@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import judder
-from conftest import files
+from common import files
 
 VELOCITY, INDENTATION = (1e-7, 1e3), (1e-7, 1e-1)
 

@@ -4,12 +4,15 @@ import doctest
 import importlib.util
 import inspect
 import pathlib
+import re
 import subprocess
 import sys
+import warnings
 
 import pytest
 
 import judder
+from common import ROOT
 
 MODULES = [judder, judder.contact, judder.errors, judder.oscillator, judder.progress, judder.sliding, judder.study]
 HERE = pathlib.Path(__file__).parent
@@ -43,6 +46,18 @@ def test_every_example_has_its_answer(tmp_path, monkeypatch):
                 seen.add(text)
                 runner.run(parser.get_doctest(text, {"judder": judder}, key, None, None))
     assert len(seen) >= 6 and runner.summarize(verbose=False).failed == 0
+
+
+def test_the_chapter_of_the_book_runs(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    chapter = (ROOT / "docs" / "src" / "python.md").read_text("utf-8")
+    blocks = re.findall(r"^```python\n(.*?)^```", chapter, flags=re.DOTALL | re.MULTILINE)
+    names = {}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", judder.JudderWarning)
+        for block in blocks:
+            exec(compile(block, "python.md", "exec"), names)  # noqa: S102
+    assert len(blocks) >= 8 and (tmp_path / "law.json").is_file()
 
 
 def check(*words):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import judder
-from conftest import ROOT
+from common import ROOT
 from judder.sliding import Observed, Pair, Slider, Track, load_pair, locus, march
 
 MASS, TRACK_MASS, STIFFNESS, LOAD = 0.02, 0.05, 4e4, 3.0

@@ -13,6 +13,7 @@ use judder_study::{Progress, StudyError};
 use numpy::{IntoPyArray, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::time::Instant;
 
 /// Points that are decided between two looks at Ctrl-C.
 const STRETCH: usize = 1 << 22;
@@ -85,13 +86,18 @@ pub(crate) fn oscillator_map<'py>(
     }
     let manner = Manner { progress, threads };
     let contact = asked.contact(py, &manner)?;
-    let done = watched(py, &manner, |watch| decided(&contact.contact, &plane, (method, growth_rate), watch))?;
-    let (map, growth) = done.settled(|error| errors::study(&error))?;
+    let done = watched(py, &manner, |watch| {
+        let start = Instant::now();
+        let made = decided(&contact.contact, &plane, (method, growth_rate), watch)?;
+        Ok((made, start.elapsed().as_secs_f64()))
+    })?;
+    let ((map, growth), seconds) = done.settled(|error: StudyError| errors::study(&error))?;
     let shape = [map.rows, map.columns];
     let result = PyDict::new(py);
     result.set_item("unstable_fraction", map.unstable_fraction())?;
     result.set_item("unresolved", map.count(StabilityClass::Unresolved))?;
     result.set_item("decisions", map.decisions)?;
+    result.set_item("seconds", seconds)?;
     result.set_item("classes", map.classes.into_pyarray(py).reshape(shape)?)?;
     let growth = growth.map(|growth| growth.into_pyarray(py).reshape(shape)).transpose()?;
     result.set_item("growth_rate", growth)?;

@@ -1,11 +1,12 @@
 from collections.abc import Callable, Mapping, Sequence
 from os import PathLike
-from typing import Any, Final, final
+from typing import Any, Final, Literal, final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from judder.contact import LawResponse
+from judder.oscillator import FrictionLoad, LawName
 from judder.sliding import Observed, Slider, Track
 
 __all__ = [
@@ -37,9 +38,9 @@ class OscillatorPoint:
     @property
     def growth_rate(self) -> float: ...
     @property
-    def verdict(self) -> str: ...
+    def verdict(self) -> Literal["stable", "marginal", "unstable", "unresolved"]: ...
     @property
-    def mechanism(self) -> str: ...
+    def mechanism(self) -> Literal["none", "flutter", "negative-damping", "both", "normal-force-coupling"]: ...
     @property
     def damping(self) -> NDArray[np.float64]: ...
     @property
@@ -86,8 +87,8 @@ def point(
     retardation_time: str | None = None,
     relaxation_time: str | None = None,
     poisson_ratio: float | None = None,
-    law: str | Law | None = None,
-    friction_load: str | None = None,
+    law: LawName | Law | None = None,
+    friction_load: FrictionLoad | None = None,
 ) -> OscillatorPoint: ...
 def rebuilt_point(
     values: Sequence[tuple[float, bool]], is_relaxation: bool, law: str | Law, friction_load: str
@@ -99,15 +100,15 @@ def oscillator_map(
     *,
     method: str,
     growth_rate: bool,
-    law: str | Law | None,
-    friction_load: str | None,
+    law: LawName | Law | None,
+    friction_load: FrictionLoad | None,
     threads: int | None,
     progress: _Progress | None,
     keys: dict[str, Any],
 ) -> dict[str, Any]: ...
 @final
 class Law:
-    def __new__(cls, name: str) -> Law: ...
+    def __new__(cls, name: LawName) -> Law: ...
     @staticmethod
     def from_table(
         velocity: ArrayLike,

@@ -3,7 +3,7 @@
 use crate::contact::PyLaw;
 use crate::errors;
 use crate::watched::{Manner, is_ctrl_c, watched};
-use judder_case::{Case, CaseFile, FileReference, LawName};
+use judder_case::{Case, CaseError, CaseFile, FileReference, LawName};
 use judder_contact::law::file::to_json;
 use judder_store::StudyFolder;
 use judder_study::StudyError;
@@ -27,12 +27,16 @@ pub(crate) enum Source {
 }
 
 impl Source {
-    pub(crate) fn read(&self, overrides: &[String]) -> PyResult<CaseFile> {
-        let file = match self {
+    fn parse(&self, overrides: &[String]) -> Result<CaseFile, CaseError> {
+        match self {
             Self::Text(name, text) => CaseFile::parse(name, text, overrides),
             Self::File(path) => CaseFile::read(path, overrides),
-        };
-        file.map_err(|error| errors::case(&error))
+        }
+    }
+
+    /// Reads the case with the changes applied.
+    pub(crate) fn read(&self, overrides: &[String]) -> PyResult<CaseFile> {
+        self.parse(overrides).map_err(|error| errors::case(&error))
     }
 }
 
@@ -53,20 +57,23 @@ pub(crate) fn run_case<'py>(
     case: Source,
     output: Option<PathBuf>,
     only: Vec<String>,
-    mut overrides: Vec<String>,
+    overrides: Vec<String>,
     fresh: bool,
     law: Option<PyRef<'py, PyLaw>>,
     threads: Option<usize>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    overrides.extend(law.is_some().then(|| STAND_IN.to_owned()));
-    let mut file = case.read(&overrides)?;
-    let folder = output.unwrap_or_else(|| Path::new("out").join(&file.name));
-    if let Some(law) = law {
-        put_law(&mut file, &folder, &law)?;
-    }
+    let manner = Manner::new(progress, threads)?;
+    let (file, folder) = match law {
+        None => {
+            let file = case.read(&overrides)?;
+            let folder = folder_of(&file, output);
+            (file, folder)
+        }
+        Some(law) => with_law(&case, overrides, output, &law)?,
+    };
     let options = RunOptions { only, fresh };
-    let done = watched(py, &Manner { progress, threads }, |watch| run(&file, &folder, &options, watch))?;
+    let done = watched(py, &manner, |watch| run(&file, &folder, &options, watch))?;
     if matches!(done.result, Err(StudyError::Interrupted))
         && done.stopped.as_ref().is_none_or(|stop| is_ctrl_c(py, stop))
     {
@@ -75,23 +82,40 @@ pub(crate) fn run_case<'py>(
     told(py, done.settled(|error| errors::study(&error))?)
 }
 
-/// Puts a law in the place of that of the case, as a file of the study folder.
-fn put_law(file: &mut CaseFile, folder: &Path, law: &PyLaw) -> PyResult<()> {
-    let Case::Oscillator(case) = &mut file.case else {
-        return Err(errors::input("law", format!("a case of model `{}` takes no law", file.case.model())));
-    };
+/// Where a run of a case goes.
+fn folder_of(file: &CaseFile, output: Option<PathBuf>) -> PathBuf {
+    output.unwrap_or_else(|| Path::new("out").join(&file.name))
+}
+
+/// A case with a law in the place of its own, as a file of its study folder.
+fn with_law(
+    case: &Source,
+    mut overrides: Vec<String>,
+    output: Option<PathBuf>,
+    law: &PyLaw,
+) -> PyResult<(CaseFile, PathBuf)> {
+    if let Ok(CaseFile { case, .. }) = case.parse(&overrides)
+        && !matches!(case, Case::Oscillator(_))
+    {
+        return Err(errors::input("law", format!("a case of model `{}` takes none", case.model())));
+    }
     let text = to_json(law.law()).map_err(|error| errors::law(&error))?;
     let text = text.ok_or_else(|| {
-        errors::input("law", "a law with a name goes into the case: set={\"contact.law\": name}")
+        errors::input("law", "a law that has a name goes into the case: set={\"contact.law\": name}")
     })?;
-    let store = StudyFolder::create(folder).map_err(|error| errors::store(&error))?;
+    overrides.push(STAND_IN.to_owned());
+    let mut file = case.read(&overrides)?;
+    let folder = folder_of(&file, output);
+    let store = StudyFolder::create(&folder).map_err(|error| errors::store(&error))?;
     let path = store.write_file(LAW_FILE, text.as_bytes()).map_err(|error| errors::store(&error))?;
-    case.law = LawName::File;
-    case.law_file = Some(FileReference { given: LAW_FILE.to_owned(), path });
+    if let Case::Oscillator(case) = &mut file.case {
+        case.law = LawName::File;
+        case.law_file = Some(FileReference { given: LAW_FILE.to_owned(), path });
+    }
     if let Some(stand_in) = file.overrides.last_mut() {
         *stand_in = format!("contact.law={{ file = \"{LAW_FILE}\" }}");
     }
-    Ok(())
+    Ok((file, folder))
 }
 
 fn told(py: Python<'_>, report: RunReport) -> PyResult<Bound<'_, PyDict>> {

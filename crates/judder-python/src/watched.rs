@@ -84,13 +84,28 @@ impl Progress for Watch {
     }
 }
 
+/// More than any machine has; a larger number is a slip.
+const MOST_THREADS: usize = 4096;
+
 /// How a long call is done.
 #[derive(Debug, Default)]
 pub(crate) struct Manner {
     /// `progress(name, done, total)`.
-    pub(crate) progress: Option<Py<PyAny>>,
+    progress: Option<Py<PyAny>>,
     /// How many threads; one a core where none is said.
-    pub(crate) threads: Option<usize>,
+    threads: Option<usize>,
+}
+
+impl Manner {
+    /// With this callback and so many threads.
+    pub(crate) fn new(progress: Option<Py<PyAny>>, threads: Option<usize>) -> PyResult<Self> {
+        match threads {
+            Some(threads) if !(1..=MOST_THREADS).contains(&threads) => {
+                Err(errors::input("threads", format!("{threads} must be from 1 to {MOST_THREADS}")))
+            }
+            _ => Ok(Self { progress, threads }),
+        }
+    }
 }
 
 /// What came of watched work.

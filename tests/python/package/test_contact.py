@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import judder
-from common import files
+from common import ROOT, files
 
 VELOCITY, INDENTATION = (1e-7, 1e3), (1e-7, 1e-1)
 
@@ -105,6 +105,10 @@ def test_tables_and_functions_that_are_none():
     with pytest.warns(judder.JudderWarning, match="too steep"):
         stepped = law.from_function(lambda v, y: (y**1.5, y, (v > 0.1) * 1.0), tolerance=1e-3, **ranges)
     assert stepped.errors["friction"] > 1e-3
+    with pytest.raises(judder.InputError, match="model `contact`"):
+        judder.run(ROOT / "cases" / "contact" / "sliding-sphere.toml", law=stepped)
+    with pytest.raises(judder.InputError, match="contact.law"):
+        judder.run({"model": "oscillator"}, law=law("hertz"))
     with pytest.raises(judder.InputError):
         law("hertz").evaluate(-1.0, 1e-2)
     with pytest.raises(judder.InputError):

@@ -155,3 +155,6 @@ def test_sides_that_are_none():
         judder.oscillator.stability_map(("glassy_modulus", [1e5, 1e7], "Pa"), good)
     with pytest.raises(TypeError):
         judder.oscillator.stability_map(("velocity", [1.0]), good, damping_x=None)
+    for threads in (0, 10**6):
+        with pytest.raises(judder.InputError, match="threads"):
+            judder.oscillator.stability_map(("velocity", [1.0]), good, threads=threads)

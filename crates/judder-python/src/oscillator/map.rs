@@ -6,7 +6,7 @@ use crate::errors;
 use crate::watched::{Manner, watched};
 use judder_case::{Form, Given, OscillatorKey, Quantity};
 use judder_oscillator::Contact;
-use judder_oscillator::map::{Method, Plane, StabilityMap};
+use judder_oscillator::map::{Method, Plane, StabilityMap, TILE_ROWS};
 use judder_oscillator::mechanism::StabilityClass;
 use judder_study::key_plane::{KeyAxis, KeyPlane};
 use judder_study::{Progress, StudyError};
@@ -17,8 +17,6 @@ use std::time::Instant;
 
 /// Points that are decided between two looks at Ctrl-C.
 const STRETCH: usize = 1 << 22;
-/// Rows that the map decides from a fresh start: stretches of so many rows give the same map as all rows together.
-const FRESH_ROWS: usize = 256;
 
 /// A key, its values, and their unit where they have one.
 type Side<'py> = (String, Bound<'py, PyAny>, Option<String>);
@@ -84,7 +82,7 @@ pub(crate) fn oscillator_map<'py>(
     {
         asked.checked(plane.inputs(column, row))?;
     }
-    let manner = Manner { progress, threads };
+    let manner = Manner::new(progress, threads)?;
     let contact = asked.contact(py, &manner)?;
     let done = watched(py, &manner, |watch| {
         let start = Instant::now();
@@ -119,7 +117,7 @@ fn decided(
     progress: &dyn Progress,
 ) -> Result<(StabilityMap, Option<Vec<f64>>), StudyError> {
     let (columns, rows) = (plane.columns(), plane.rows());
-    let band = (STRETCH / columns).next_multiple_of(FRESH_ROWS).max(FRESH_ROWS);
+    let band = (STRETCH / columns).next_multiple_of(TILE_ROWS).max(TILE_ROWS);
     let map = if method == Method::Adaptive || rows <= band {
         plane.decide(contact, method).0
     } else {

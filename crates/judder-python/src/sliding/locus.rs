@@ -46,7 +46,7 @@ pub(crate) fn sliding_locus<'py>(
     };
     let positions = arrays::vector("positions", positions)?;
     let settings = Settings { conditions, count, positions };
-    let manner = Manner { progress: None, threads };
+    let manner = Manner::new(None, threads)?;
     let done = watched(py, &manner, |watch| locus_until(&pair.pair, &settings, &|| watch.interrupted()))?;
     told(py, done.settled(|error| errors::sliding(&error))?, count)
 }

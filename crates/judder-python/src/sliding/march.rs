@@ -134,7 +134,7 @@ pub(crate) fn sliding_march<'py>(
     let pair: &PyPair = &pair;
     let method = self::method(method, cut_off)?;
     let motion = motion.over(pair.motion, pair.pair.length())?;
-    let manner = Manner { progress, threads: Some(1) };
+    let manner = Manner::new(progress, Some(1))?;
     let done = watched(py, &manner, |watch| {
         let step = match step {
             Some(step) => step,

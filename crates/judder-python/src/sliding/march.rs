@@ -118,6 +118,7 @@ fn method(name: &str, cut_off: Option<f64>) -> PyResult<Method> {
 /// Signals of a march, as a dictionary of arrays.
 #[pyfunction]
 #[pyo3(signature = (pair, motion, *, method, cut_off, step, every, progress))]
+#[allow(clippy::too_many_arguments, reason = "the arguments of `judder.sliding.march`")]
 pub(crate) fn sliding_march<'py>(
     py: Python<'py>,
     pair: PyRef<'py, PyPair>,
@@ -180,7 +181,7 @@ fn told(py: Python<'_>, kept: Kept, reached: Reached, step: f64) -> PyResult<Bou
         result.set_item(name, column.into_pyarray(py))?;
     }
     result.set_item("state", kept.states.into_pyarray(py))?;
-    let observed = if count == 0 { 0 } else { kept.accelerations.len() / count };
+    let observed = kept.accelerations.len().checked_div(count).unwrap_or(0);
     result.set_item("accelerations", kept.accelerations.into_pyarray(py).reshape([count, observed])?)?;
     result.set_item("step", step)?;
     result.set_item("ran_off", matches!(reached, Reached::RunOff(_)))?;

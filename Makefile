@@ -32,12 +32,14 @@ demo: ## build judder, reproduce the oscillator paper, say where the report lies
 test: format lint rust-tests doc-tests python-tests docs deny ## everything that must hold before a change is merged
 	@printf '\nEvery check passed.\n'
 
-bench: .venv/installed ## time the stability decision, the sliding contact, a limit cycle, modes, loci and marches, beside NumPy and SciPy peers
+bench: .venv/installed ## time the stability decision, the sliding contact, a limit cycle, modes, loci, marches and calls from Python, beside NumPy and SciPy peers
 	$(CARGO) bench $(LOCKED) -p judder-oscillator
 	$(PYTHON) benches/compare.py
 	$(CARGO) bench $(LOCKED) -p judder-contact --bench contact
 	$(PYTHON) benches/compare_sliding.py
 	$(PYTHON) benches/compare_motion.py
+	$(PYTHON) -m pip install --quiet --disable-pip-version-check .
+	$(PYTHON) benches/compare_python.py
 	$(PYTHON) benches/compare_modes.py
 	$(PYTHON) benches/compare_eigen.py $(JUDDER_DISC_BRAKE)
 	$(CARGO) bench $(LOCKED) -p judder-structure --bench reduction
@@ -77,12 +79,19 @@ doc-tests: ## the examples in the docs and in the book
 	$(CARGO) test $(LOCKED) --workspace --doc
 
 # Built for the whole workspace, as the Rust tests are: a build of one crate would choose other features and start over.
-python-tests: .venv/installed ## study folders in the real xarray, the book's links, the cases
+# The wheel goes into a fresh environment whose PATH has no cargo: what users get.
+python-tests: .venv/installed ## study folders in the real xarray, the book's links, the cases; the Python package from its wheel
 	$(CARGO) build $(LOCKED) --workspace --bins --examples
 	@sample=$$(mktemp -d); trap 'rm -rf "$$sample"' EXIT; \
 		"$(TARGET)/debug/examples/sample_study" "$$sample/study"; \
 		set -x; JUDDER="$(abspath $(TARGET))/debug/judder" JUDDER_SAMPLE_STUDY="$$sample/study" \
-		$(PYTHON) -m pytest -q -p no:cacheprovider tests/python
+		$(PYTHON) -m pytest -q -p no:cacheprovider tests/python --ignore tests/python/package
+	tools/python-environment .venv-package tests/python/package/requirements.txt
+	@wheel=$$(mktemp -d); trap 'rm -rf "$$wheel"' EXIT; set -x; \
+		PATH="$(CURDIR)/.venv/bin:$$PATH" maturin build --profile dev --out "$$wheel"; \
+		.venv-package/bin/python -m pip install --quiet --disable-pip-version-check "$$wheel"/*.whl; \
+		JUDDER_WHEEL="$$wheel" PATH="$(CURDIR)/.venv-package/bin:/usr/bin:/bin" \
+		.venv-package/bin/python -m pytest -q -p no:cacheprovider tests/python/package
 
 docs: ## build the API documentation and the book
 	RUSTDOCFLAGS='-D warnings' $(CARGO) doc $(LOCKED) --workspace --no-deps

@@ -37,6 +37,13 @@ impl CaseError {
         &self.source.name
     }
 
+    /// Line and column at which that part begins, both from 1; `None` where the error has no place.
+    pub fn line_and_column(&self) -> Option<(usize, usize)> {
+        let before = self.source.text.get(..self.span?.offset())?;
+        let line_start = before.rfind('\n').map_or(0, |end| end + 1);
+        Some((before.matches('\n').count() + 1, before[line_start..].chars().count() + 1))
+    }
+
     /// The part of the text that the error concerns; empty where the error has no place.
     pub fn place(&self) -> &str {
         let span = self.span.map_or(0..0, |span| span.offset()..span.offset() + span.len());

@@ -1,4 +1,4 @@
-//! What would be right: the help line of every cause, and the words beside its caret.
+//! What would be right: the help line of every cause, the words beside its caret, the key that is to blame.
 
 use crate::cause::{Cause, gibibytes};
 use crate::dimension::Dimension;
@@ -8,6 +8,26 @@ use crate::quantity::{QuantityError, UNIT_LIST};
 use crate::sweep::MAP_BYTES_PER_POINT;
 
 impl Cause {
+    /// The dotted path of the key that is to blame, where there is one.
+    pub fn key(&self) -> Option<&str> {
+        match self {
+            Self::UnknownKey { key, .. }
+            | Self::MissingKey { key, .. }
+            | Self::WrongType { key, .. }
+            | Self::Quantity { key, .. }
+            | Self::WrongDimension { key, .. }
+            | Self::NeedsUnit { key, .. }
+            | Self::NotFinite { key, .. }
+            | Self::OutOfRange { key, .. }
+            | Self::NotNumeric { key, .. }
+            | Self::KeyTwice { key, .. }
+            | Self::EmptyList { key, .. }
+            | Self::MatrixShape { key, .. } => Some(key),
+            Self::LawTable { key, .. } => Some(key),
+            _ => None,
+        }
+    }
+
     /// What stands beside the caret: a few words.
     pub fn label(&self) -> &'static str {
         match self {

@@ -7,6 +7,7 @@
 //! - [`keys`]: **the one table of keys**, which drives reading, defaults, sweeps, schema and templates.
 //! - `section`: typed reading of one table; unknown keys are refused first.
 //! - [`inputs`]: the value of every numeric key at one operating point.
+//! - [`given`]: a value that no case file has: a number or a text, read as a case file would.
 //! - [`sweep`], [`span`], `swept_keys`, `read_sweep`: what an analysis varies, over which range.
 //! - `analysis`, [`oscillator_analysis`], [`oscillator_case`]: the oscillator case and its analyses.
 //! - [`contact_keys`], [`substrate`], [`shape`], [`contact_analysis`], [`contact_case`]: the contact case and its analyses;
@@ -36,6 +37,7 @@ pub mod error;
 mod excerpt;
 pub mod expression;
 pub mod file_reference;
+pub mod given;
 mod help;
 pub mod inputs;
 pub mod key_sweep;
@@ -80,6 +82,7 @@ pub use dimension::Dimension;
 pub use engines_analysis::EnginesSettings;
 pub use error::CaseError;
 pub use file_reference::FileReference;
+pub use given::Given;
 pub use inputs::{FrictionLoad, LawName, OscillatorInputs, TimeForm};
 pub use keys::{Form, KEYS, Key, OscillatorKey, Range, Value};
 pub use mass::MassProblem;

@@ -1,5 +1,6 @@
 //! What the user sees: results on standard output, everything else on standard error.
 
+use std::ffi::OsString;
 use std::fmt::Display;
 use std::io::{self, ErrorKind, IsTerminal, Write};
 
@@ -26,9 +27,9 @@ impl Console {
     }
 
     /// For arguments that could not be parsed: of these only `--json` matters.
-    pub(crate) fn before_parsing() -> Self {
-        let options = std::env::args_os().skip(1).take_while(|argument| argument != "--");
-        Self::new(options.into_iter().any(|argument| argument == "--json"), false, 0)
+    pub(crate) fn before_parsing(words: &[OsString]) -> Self {
+        let mut options = words.iter().skip(1).take_while(|argument| *argument != "--");
+        Self::new(options.any(|argument| argument == "--json"), false, 0)
     }
 
     /// Whether one JSON document is the result.

@@ -3,7 +3,6 @@
 use std::fmt::{self, Display};
 use std::io;
 use std::path::Path;
-use std::process::ExitCode;
 
 use judder_case::CaseError;
 use judder_study::StudyError;
@@ -22,12 +21,13 @@ pub(crate) enum Exit {
     WrongInput,
 }
 
-impl From<Exit> for ExitCode {
-    fn from(exit: Exit) -> Self {
-        match exit {
-            Exit::Done => Self::SUCCESS,
-            Exit::Incomplete => Self::from(1),
-            Exit::WrongInput => Self::from(2),
+impl Exit {
+    /// The exit code.
+    pub(crate) fn code(self) -> u8 {
+        match self {
+            Self::Done => 0,
+            Self::Incomplete => 1,
+            Self::WrongInput => 2,
         }
     }
 }

@@ -1,49 +1,7 @@
-//! `judder`, the command: arguments in, one call into a lower floor, a result on standard output, an exit code.
-//!
-//! In the order in which the data flows:
-//!
-//! - `arguments`: the command line as types, with the help texts.
-//! - `commands`: one module a command; each makes one call into `judder-study` or `judder-case` and prints what came of it.
-//! - `threads`, `interrupt`, `progress`: the pool of `--threads`, Ctrl-C, bars and times.
-//! - `failure`: every error with its message, place, help and exit code.
-//! - `console`: results to standard output, all else to standard error.
-//! - `scoreboard`, `plain`: the table of `judder reproduce`.
-
-mod arguments;
-mod commands;
-mod console;
-mod failure;
-mod interrupt;
-mod plain;
-mod progress;
-mod scoreboard;
-mod threads;
+//! `judder`, the command; everything of it is in the library beside.
 
 use std::process::ExitCode;
 
-use clap::Parser;
-use clap::error::ErrorKind;
-
-use crate::arguments::Arguments;
-use crate::console::Console;
-
 fn main() -> ExitCode {
-    let (console, outcome) = match Arguments::try_parse() {
-        Ok(arguments) => {
-            let console = arguments.console();
-            let outcome = commands::execute(arguments.command, console);
-            (console, outcome)
-        }
-        Err(help) if matches!(help.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) => {
-            // A reader that has gone, as in `judder --help | head -1`, is no failure.
-            let _ = help.print();
-            return ExitCode::SUCCESS;
-        }
-        Err(error) => (Console::before_parsing(), Err(arguments::refuse(&error))),
-    };
-    let exit = outcome.unwrap_or_else(|failure| {
-        console.failure(&failure);
-        failure.exit
-    });
-    exit.into()
+    ExitCode::from(judder_cli::main_with(std::env::args_os()))
 }

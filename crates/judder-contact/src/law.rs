@@ -6,7 +6,8 @@
 //! - [`data`], [`knots`], [`quantities`]: their axes and values.
 //! - [`sweep`]: both made from a contact solver, knot by knot, as fine as it takes.
 //! - [`boundary_elements`]: the points of a sweep from the contact of steady sliding.
-//! - [`mod@file`]: both in a JSON file.
+//! - [`sampled`]: a law through values that somebody gives.
+//! - [`mod@file`]: all of them in a JSON file.
 
 pub mod boundary_elements;
 pub mod collapsed;
@@ -18,6 +19,7 @@ pub mod limits;
 pub mod material;
 pub mod origin;
 pub mod quantities;
+pub mod sampled;
 mod scaled;
 mod spline;
 pub mod sweep;
@@ -31,6 +33,7 @@ pub use limits::LawIndenter;
 pub use material::{LawMaterial, LawTerm};
 pub use origin::LawOrigin;
 pub use quantities::{KnotValues, LawErrors, PerQuantity};
+pub use sampled::{SampledLaw, Samples};
 pub use table::TabulatedLaw;
 
 use crate::fitted::FittedLaw;
@@ -74,6 +77,17 @@ pub enum ValidityConcern {
         /// How far the law still is from what is known of its way to the limit, relative: more than its own error.
         distance: f64,
     },
+    /// The point is beyond the values that a law was given.
+    BeyondSamples {
+        /// Speed or indentation, with its symbol.
+        name: &'static str,
+        /// Its value at the point.
+        value: f64,
+        /// The first value given.
+        from: f64,
+        /// The last value given.
+        to: f64,
+    },
 }
 
 impl fmt::Display for ValidityConcern {
@@ -94,6 +108,10 @@ impl fmt::Display for ValidityConcern {
                  the way there is assumed",
                 100.0 * distance
             ),
+            Self::BeyondSamples { name, value, from, to } => write!(
+                f,
+                "{name} = {value:.3e} is beyond the values that the law was given, from {from:.3e} to {to:.3e}: how it goes on is assumed"
+            ),
         }
     }
 }
@@ -109,14 +127,16 @@ pub enum Law {
     Collapsed(Arc<CollapsedLaw>),
     /// A computed table.
     Tabulated(Arc<TabulatedLaw>),
+    /// Values that somebody gives.
+    Sampled(Arc<SampledLaw>),
 }
 
 impl Law {
-    /// What a computed law is made of; `None` for a law that is a formula.
+    /// What a computed law is made of; `None` for a law that is a formula or was given.
     #[must_use]
     pub fn data(&self) -> Option<&LawData> {
         match self {
-            Self::Fitted(_) | Self::Hertz(_) => None,
+            Self::Fitted(_) | Self::Hertz(_) | Self::Sampled(_) => None,
             Self::Collapsed(law) => Some(law.data()),
             Self::Tabulated(law) => Some(law.data()),
         }
@@ -131,6 +151,7 @@ impl ContactLaw for Law {
             Self::Hertz(law) => law.evaluate(at),
             Self::Collapsed(law) => law.evaluate(at),
             Self::Tabulated(law) => law.evaluate(at),
+            Self::Sampled(law) => law.evaluate(at),
         }
     }
 
@@ -140,6 +161,7 @@ impl ContactLaw for Law {
             Self::Hertz(law) => law.concern(velocity, indentation),
             Self::Collapsed(law) => law.concern(velocity, indentation),
             Self::Tabulated(law) => law.concern(velocity, indentation),
+            Self::Sampled(law) => law.concern(velocity, indentation),
         }
     }
 }

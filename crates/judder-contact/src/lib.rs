@@ -34,7 +34,7 @@ pub mod unilateral;
 
 pub use fitted::FittedLaw;
 pub use hertz::HertzLaw;
-pub use law::{CollapsedLaw, ContactLaw, Law, LawError, TabulatedLaw, ValidityConcern};
+pub use law::{CollapsedLaw, ContactLaw, Law, LawError, SampledLaw, TabulatedLaw, ValidityConcern};
 pub use response::{ContactPoint, ContactResponse, WithDerivatives};
 
 /// The examples of the book's chapters on contact, which are tests like any other.

@@ -213,6 +213,7 @@ impl Block {
             Law::Hertz(law) => self.decide_with(law, contact, count),
             Law::Collapsed(law) => self.decide_with(law.as_ref(), contact, count),
             Law::Tabulated(law) => self.decide_with(law.as_ref(), contact, count),
+            Law::Sampled(law) => self.decide_with(law.as_ref(), contact, count),
         }
     }
 
@@ -223,6 +224,7 @@ impl Block {
             Law::Hertz(law) => weigh(law, contact.friction_load, self),
             Law::Collapsed(law) => weigh(law.as_ref(), contact.friction_load, self),
             Law::Tabulated(law) => weigh(law.as_ref(), contact.friction_load, self),
+            Law::Sampled(law) => weigh(law.as_ref(), contact.friction_load, self),
         }
         for lane in 0..LANES {
             if self.ln_indentation[lane].is_nan() {

@@ -178,6 +178,9 @@ pub enum SlidingError {
         /// Up to which frequency, Hz.
         limit_hz: f64,
     },
+    /// Somebody asked for the end.
+    #[error("interrupted")]
+    Interrupted,
     /// An eigenproblem with full matrices that did not come out.
     #[error("the eigenvalues of the full matrices were not found: {reason}")]
     DenseFailure {

@@ -88,6 +88,18 @@ const BESIDE: f64 = 0.05;
 /// [`SlidingError::SpragSlip`]; [`SlidingError::Incomplete`]; [`SlidingError::InvalidNumber`] for positions that do not ascend or a count
 /// that the pair does not have.
 pub fn locus(pair: &Pair, settings: &Settings) -> Result<Locus, SlidingError> {
+    locus_until(pair, settings, &|| false)
+}
+
+/// The locus of a pair, unless `interrupted` says to stop: it is asked before each of the many characteristic functions.
+///
+/// # Errors
+/// As of [`locus`]; [`SlidingError::Interrupted`].
+pub fn locus_until(
+    pair: &Pair,
+    settings: &Settings,
+    interrupted: &(dyn Fn() -> bool + Sync),
+) -> Result<Locus, SlidingError> {
     let Settings { conditions, count, positions } = settings;
     check_ascending(positions)?;
     let (Some(first), Some(last)) = (positions.first(), positions.last()) else {
@@ -96,7 +108,10 @@ pub fn locus(pair: &Pair, settings: &Settings) -> Result<Locus, SlidingError> {
     };
     let pieces = smooth_pieces(pair, conditions, [*first, *last])?;
     let segment = pair.node_positions().last().copied().unwrap_or_default() / (pair.edge().nodes - 1) as f64;
-    let family = |position: f64| characteristic(pair, conditions, position);
+    let family = |position: f64| match interrupted() {
+        true => Err(SlidingError::Interrupted),
+        false => characteristic(pair, conditions, position),
+    };
     let followed = follow(&family, positions, &pieces, *count, RESOLUTION * segment)?;
     let forces: Vec<Result<f64, SlidingError>> =
         positions.par_iter().map(|position| Ok(contact(pair, conditions, *position)?.1)).collect();

@@ -1,6 +1,6 @@
 //! From the keys of a case to the oscillator and its contact.
 
-use crate::computed_law::{self, Points};
+use crate::computed_law::{self, NO_POINTS, Points};
 use crate::error::StudyError;
 use crate::input_file;
 use crate::material::Material;
@@ -14,9 +14,31 @@ use judder_oscillator::groups::Scales;
 use judder_oscillator::{Coefficients, Contact, FrictionLoad, Groups};
 
 /// The contact of a case, and what makes its law doubtful there.
-pub(crate) struct CaseContact {
-    pub(crate) contact: Contact,
-    pub(crate) warnings: Vec<String>,
+#[derive(Debug, Clone)]
+pub struct CaseContact {
+    /// The contact.
+    pub contact: Contact,
+    /// What makes its law doubtful there, a sentence each.
+    pub warnings: Vec<String>,
+}
+
+/// The law of this name where it is a formula.
+#[must_use]
+pub fn formula(name: LawName) -> Option<Law> {
+    match name {
+        LawName::OscillatorPaper => Some(Law::Fitted(FittedLaw::oscillator_paper())),
+        LawName::OscillatorPaperCorrected => Some(Law::Fitted(FittedLaw::oscillator_paper_corrected())),
+        LawName::Hertz => Some(Law::Hertz(HertzLaw::default())),
+        LawName::Bem | LawName::File => None,
+    }
+}
+
+/// The contact that a case names. The law `bem` is computed at its first use and remembered while the program runs.
+///
+/// # Errors
+/// A law that cannot be computed or read, [`StudyError::Interrupted`].
+pub fn contact_of(case: &OscillatorCase, progress: &dyn Progress) -> Result<CaseContact, StudyError> {
+    contact(case, NO_POINTS, progress)
 }
 
 /// The contact that a case names. The law `bem` is computed at its first use, from the `points` that are known, and remembered while
@@ -30,25 +52,36 @@ pub(crate) fn contact(
     progress: &dyn Progress,
 ) -> Result<CaseContact, StudyError> {
     let mut missed = None;
-    let law = match case.law {
-        LawName::OscillatorPaper => Law::Fitted(FittedLaw::oscillator_paper()),
-        LawName::OscillatorPaperCorrected => Law::Fitted(FittedLaw::oscillator_paper_corrected()),
-        LawName::Hertz => Law::Hertz(HertzLaw::default()),
-        LawName::Bem => {
+    let law = match (formula(case.law), case.law) {
+        (Some(law), _) => law,
+        (None, LawName::Bem) => {
             let material = Material::new(&case.substrate, &case.inputs)?;
             let computed = computed_law::of_paraboloid(&material, case.law_accuracy, points, progress)?;
             missed = computed.missed(case.law_accuracy);
             computed.law
         }
-        LawName::File => read_law(case)?,
+        (None, _) => read_law(case)?,
     };
-    let friction_load = match case.friction_load {
+    let CaseContact { contact, warnings } = with_law(case, law)?;
+    Ok(CaseContact { contact, warnings: missed.into_iter().chain(warnings).collect() })
+}
+
+/// The contact of a case with this law in place of its own.
+///
+/// # Errors
+/// A substrate that cannot be.
+pub fn with_law(case: &OscillatorCase, law: Law) -> Result<CaseContact, StudyError> {
+    let warnings = shape_warning(case, &law).into_iter().chain(law_warning(case, &law)?).collect();
+    Ok(CaseContact { contact: Contact { law, friction_load: friction_load(case.friction_load) }, warnings })
+}
+
+/// The friction load of a case.
+#[must_use]
+pub fn friction_load(load: CaseLoad) -> FrictionLoad {
+    match load {
         CaseLoad::NormalLoad => FrictionLoad::NormalLoad,
         CaseLoad::ContactForce => FrictionLoad::ContactForce,
-    };
-    let warnings =
-        missed.into_iter().chain(shape_warning(case, &law)).chain(law_warning(case, &law)?).collect();
-    Ok(CaseContact { contact: Contact { law, friction_load }, warnings })
+    }
 }
 
 /// That a law was computed for another indenter than the paraboloid of an oscillator, in words.
@@ -134,7 +167,7 @@ fn law_warning(case: &OscillatorCase, law: &Law) -> Result<Option<String>, Study
     let made_for = match law {
         // the law `bem` is computed for the substrate of the case
         _ if case.law == LawName::Bem => return Ok(None),
-        Law::Hertz(_) => return Ok(None),
+        Law::Hertz(_) | Law::Sampled(_) => return Ok(None),
         Law::Fitted(_) => LawMaterial::one_time(FITTED_CONTRAST)?,
         Law::Collapsed(law) => law.data().origin().material.clone(),
         Law::Tabulated(law) => law.data().origin().material.clone(),

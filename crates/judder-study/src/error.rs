@@ -220,6 +220,7 @@ impl StudyError {
                     | SlidingError::NoConvergence { .. }
                     | SlidingError::NotFinite { .. }
                     | SlidingError::ForeignCheckpoint
+                    | SlidingError::Interrupted
             ),
             // a window that was chosen, not given
             Self::Transient(error) => !matches!(error, TransientError::WindowTooSmall { .. }),

@@ -7,7 +7,9 @@
 //! - `door`: what is refused of a contact case before anything runs.
 //! - `structure`: the structure of a case: elements assembled, matrices read.
 //! - `sliding`: the pair of a sliding case: both structures reduced, the contact between them.
+//! - [`coupled_pair`]: the pair of a sliding case for whoever marches it by himself.
 //! - [`point`]: everything about one operating point.
+//! - [`key_plane`]: the operating points over two keys of a case.
 //! - [`outcome`]: what an analysis leaves: scalars, arrays, a table, checks, warnings.
 //! - [`analyses`]: one module a kind of analysis.
 //! - [`checks`]: every number doubted by another number.
@@ -22,11 +24,13 @@ mod band;
 pub mod bridge;
 pub mod checks;
 mod computed_law;
+pub mod coupled_pair;
 mod door;
 mod error;
 mod indenter;
 mod input_file;
 mod kept;
+pub mod key_plane;
 mod labels;
 mod material;
 pub mod outcome;

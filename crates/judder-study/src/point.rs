@@ -1,7 +1,6 @@
 //! Everything about one operating point: what `judder point` prints.
 
 use crate::bridge::{self, CaseContact};
-use crate::computed_law::NO_POINTS;
 use crate::error::StudyError;
 use crate::progress::Silent;
 use crate::spectrum_source::temperature_warning;
@@ -14,7 +13,7 @@ use judder_oscillator::growth::{GrowthShares, growth_shares, sensitivities};
 use judder_oscillator::linearisation::Linearisation;
 use judder_oscillator::mechanism::StabilityClass;
 use judder_oscillator::spectrum::{eigenvalues, growth_rate, leading, mode};
-use judder_oscillator::{Contact, Groups};
+use judder_oscillator::{Contact, Groups, OscillatorError};
 use num_complex::Complex64;
 use serde_json::{Value, json};
 
@@ -25,9 +24,9 @@ pub const LOADS: Range = Range { from: 1e-14, to: 1e1, scale: Scale::Logarithmic
 /// Samples of those searches: 40 a decade.
 const SAMPLES: usize = 601;
 
-/// One operating point, analysed.
-#[derive(Debug, Clone)]
-pub struct Point {
+/// Steady sliding at one operating point, and what small motions about it do.
+#[derive(Debug, Clone, Copy)]
+pub struct SteadyPoint {
     /// The dimensionless groups.
     pub groups: Groups,
     /// Steady sliding.
@@ -38,6 +37,41 @@ pub struct Point {
     pub eigenvalues: [Complex64; 4],
     /// Verdict and mechanism.
     pub class: StabilityClass,
+}
+
+impl SteadyPoint {
+    /// The steady sliding of an oscillator given by its groups, and its eigenvalues.
+    ///
+    /// # Errors
+    /// A group out of range, no (or more than one) equilibrium.
+    pub fn new(contact: &Contact, groups: Groups) -> Result<Self, OscillatorError> {
+        let coefficients = groups.coefficients()?;
+        let equilibrium = equilibrium(contact, &coefficients)?;
+        let linearisation = Linearisation::new(contact.friction_load, &coefficients, &equilibrium.response);
+        let reduced = linearisation.system().reduced()?;
+        let eigenvalues = eigenvalues(&reduced)?;
+        let class = StabilityClass::of(&reduced);
+        Ok(Self { groups, equilibrium, linearisation, eigenvalues, class })
+    }
+
+    /// The growth rate, in units of ω_nx.
+    #[must_use]
+    pub fn growth_rate(&self) -> f64 {
+        growth_rate(&self.eigenvalues)
+    }
+
+    /// `"stable"`, `"marginal"` or `"unstable"`; `"unresolved"` where there is no verdict.
+    #[must_use]
+    pub fn verdict(&self) -> &'static str {
+        self.class.verdict().map_or("unresolved", judder_oscillator::Verdict::name)
+    }
+}
+
+/// One operating point, analysed.
+#[derive(Debug, Clone)]
+pub struct Point {
+    /// Steady sliding and its eigenvalues.
+    pub steady: SteadyPoint,
     /// What each matrix entry feeds into the growth rate of the leading mode.
     pub shares: GrowthShares,
     /// ∂λ by the entries of C and K, for the leading mode.
@@ -56,9 +90,16 @@ pub struct Point {
 /// A group out of range, no (or more than one) equilibrium.
 pub fn point(case: &OscillatorCase) -> Result<Point, StudyError> {
     let case = &bridge::with_material(case)?;
-    let CaseContact { contact, warnings } = bridge::contact(case, NO_POINTS, &Silent)?;
-    let mut point = analyse(&contact, bridge::groups(&case.inputs))?;
-    point.warnings.extend(warnings);
+    point_with(case, &bridge::contact_of(case, &Silent)?)
+}
+
+/// Analyses the operating point of a case whose contact is known.
+///
+/// # Errors
+/// As [`point`].
+pub fn point_with(case: &OscillatorCase, contact: &CaseContact) -> Result<Point, StudyError> {
+    let mut point = analyse(&contact.contact, bridge::groups(&case.inputs))?;
+    point.warnings.extend_from_slice(&contact.warnings);
     point.warnings.extend(temperature_warning(&case.substrate)?);
     Ok(point)
 }
@@ -68,13 +109,9 @@ pub fn point(case: &OscillatorCase) -> Result<Point, StudyError> {
 /// # Errors
 /// As [`point`].
 pub fn analyse(contact: &Contact, groups: Groups) -> Result<Point, StudyError> {
-    let coefficients = groups.coefficients()?;
-    let equilibrium = equilibrium(contact, &coefficients)?;
-    let linearisation = Linearisation::new(contact.friction_load, &coefficients, &equilibrium.response);
-    let system = linearisation.system();
-    let reduced = system.reduced()?;
-    let eigenvalues = eigenvalues(&reduced)?;
-    let leading_mode = mode(&system, leading(&eigenvalues));
+    let steady = SteadyPoint::new(contact, groups)?;
+    let system = steady.linearisation.system();
+    let leading_mode = mode(&system, leading(&steady.eigenvalues));
     let strengths = thresholds(contact, &SHEAR_STRENGTHS, SAMPLES, |shear_strength| {
         Groups { shear_strength, ..groups }.resolve()
     });
@@ -82,7 +119,7 @@ pub fn analyse(contact: &Contact, groups: Groups) -> Result<Point, StudyError> {
         thresholds(contact, &LOADS, SAMPLES, |normal_load| Groups { normal_load, ..groups }.resolve());
     let mut warnings: Vec<String> = contact
         .law
-        .concern(groups.velocity, equilibrium.indentation)
+        .concern(groups.velocity, steady.equilibrium.indentation)
         .iter()
         .map(ToString::to_string)
         .collect();
@@ -95,11 +132,7 @@ pub fn analyse(contact: &Contact, groups: Groups) -> Result<Point, StudyError> {
         }
     }
     Ok(Point {
-        groups,
-        equilibrium,
-        linearisation,
-        eigenvalues,
-        class: StabilityClass::of(&reduced),
+        steady,
         shares: growth_shares(&system, &leading_mode),
         sensitivities: sensitivities(&system, &leading_mode),
         critical_shear_strength: strengths.conservative,
@@ -114,43 +147,38 @@ fn pair(value: Complex64) -> Value {
 }
 
 impl Point {
-    /// The growth rate, in units of ω_nx.
-    #[must_use]
-    pub fn growth_rate(&self) -> f64 {
-        growth_rate(&self.eigenvalues)
-    }
-
     /// The document of `judder point --json`.
     #[must_use]
     pub fn json(&self) -> Value {
-        let response = &self.equilibrium.response;
+        let steady = &self.steady;
+        let response = &steady.equilibrium.response;
         let sensitivity = |entries: [[Complex64; 2]; 2]| entries.map(|row| row.map(pair));
         json!({
             "groups": {
-                "stiffness": self.groups.stiffness,
-                "retardation_time": self.groups.retardation_time,
-                "radius": self.groups.radius(),
-                "velocity": self.groups.velocity,
-                "normal_load": self.groups.normal_load,
-                "shear_strength": self.groups.shear_strength,
+                "stiffness": steady.groups.stiffness,
+                "retardation_time": steady.groups.retardation_time,
+                "radius": steady.groups.radius(),
+                "velocity": steady.groups.velocity,
+                "normal_load": steady.groups.normal_load,
+                "shear_strength": steady.groups.shear_strength,
             },
             "equilibrium": {
-                "x": self.equilibrium.x,
-                "y": self.equilibrium.y,
-                "indentation": self.equilibrium.indentation,
+                "x": steady.equilibrium.x,
+                "y": steady.equilibrium.y,
+                "indentation": steady.equilibrium.indentation,
             },
             "contact": {
                 "force": response.force.value,
                 "area": response.area.value,
                 "viscoelastic_friction": response.friction.value,
             },
-            "damping": self.linearisation.damping(),
-            "stiffness": self.linearisation.stiffness(),
-            "eigenvalues": self.eigenvalues.map(pair),
-            "growth_rate": self.growth_rate(),
-            "verdict": self.class.verdict().map_or("unresolved", judder_oscillator::Verdict::name),
-            "mechanism": self.class.mechanism().name(),
-            "equivalent_damping": self.linearisation.equivalent_damping(),
+            "damping": steady.linearisation.damping(),
+            "stiffness": steady.linearisation.stiffness(),
+            "eigenvalues": steady.eigenvalues.map(pair),
+            "growth_rate": steady.growth_rate(),
+            "verdict": steady.verdict(),
+            "mechanism": steady.class.mechanism().name(),
+            "equivalent_damping": steady.linearisation.equivalent_damping(),
             "critical_shear_strength": self.critical_shear_strength,
             "critical_load": self.critical_load,
             "growth_shares": { "damping": self.shares.damping, "stiffness": self.shares.stiffness },
@@ -167,15 +195,15 @@ impl Point {
     /// What `judder point` prints on a terminal.
     #[must_use]
     pub fn text(&self) -> String {
-        let verdict = self.class.verdict().map_or("unresolved", judder_oscillator::Verdict::name);
-        let mechanism = match self.class.mechanism() {
+        let verdict = self.steady.verdict();
+        let mechanism = match self.steady.class.mechanism() {
             judder_oscillator::Mechanism::None => String::new(),
             mechanism => format!(", by {}", mechanism.name()),
         };
         let mut text = format!("{verdict}{mechanism}\n\n");
         text.push_str(&columns(&self.state_rows()));
         text.push_str("\neigenvalues λ/ω_nx\n");
-        let eigenvalues = self.eigenvalues.map(|l| vec![number(l.re), format!("{} i", number(l.im))]);
+        let eigenvalues = self.steady.eigenvalues.map(|l| vec![number(l.re), format!("{} i", number(l.im))]);
         text.push_str(&columns(&eigenvalues));
         text.push_str("\ngrowth rate fed by each entry of C and K\n");
         text.push_str(&columns(&self.share_rows()));
@@ -193,19 +221,20 @@ impl Point {
     }
 
     fn state_rows(&self) -> Vec<Vec<String>> {
-        let response = &self.equilibrium.response;
+        let steady = &self.steady;
+        let response = &steady.equilibrium.response;
         [
-            ("speed v τ/R", self.groups.velocity),
-            ("load F_n/(E0* R²)", self.groups.normal_load),
-            ("shear strength τ0/E0*", self.groups.shear_strength),
-            ("indentation y/R", self.equilibrium.indentation),
-            ("displacement x/x0", self.equilibrium.x),
-            ("displacement y/x0", self.equilibrium.y),
+            ("speed v τ/R", steady.groups.velocity),
+            ("load F_n/(E0* R²)", steady.groups.normal_load),
+            ("shear strength τ0/E0*", steady.groups.shear_strength),
+            ("indentation y/R", steady.equilibrium.indentation),
+            ("displacement x/x0", steady.equilibrium.x),
+            ("displacement y/x0", steady.equilibrium.y),
             ("contact force F_k/(E0* R²)", response.force.value),
             ("contact area A/R²", response.area.value),
             ("viscoelastic friction μ_visc", response.friction.value),
-            ("equivalent damping ξ_eq", self.linearisation.equivalent_damping()),
-            ("growth rate", self.growth_rate()),
+            ("equivalent damping ξ_eq", steady.linearisation.equivalent_damping()),
+            ("growth rate", steady.growth_rate()),
         ]
         .into_iter()
         .map(|(name, value)| vec![name.to_owned(), number(value)])

@@ -33,6 +33,6 @@ impl Point {
         };
         let point = point(&case)?;
         console.result(|| point.text(), || point.json())?;
-        Ok(if point.class.verdict().is_some() { Exit::Done } else { Exit::Incomplete })
+        Ok(if point.steady.class.verdict().is_some() { Exit::Done } else { Exit::Incomplete })
     }
 }

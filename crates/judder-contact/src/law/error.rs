@@ -62,6 +62,30 @@ pub enum LawError {
         /// The value.
         value: f64,
     },
+    /// A knot of a sampled law is not positive, finite and above the one before.
+    #[error(
+        "{axis}: knot {index} is {value}; knots must be positive and finite, each above the one before ({before})"
+    )]
+    KnotOrder {
+        /// The axis, with its symbol.
+        axis: &'static str,
+        /// The knot, from 0.
+        index: usize,
+        /// Its value.
+        value: f64,
+        /// The one before; 0 for the first.
+        before: f64,
+    },
+    /// A friction coefficient of a sampled law is not finite.
+    #[error("friction at speed knot {column}, indentation knot {row} is {value}; it must be finite")]
+    InvalidFriction {
+        /// Knot along the speed, from 0.
+        column: usize,
+        /// Knot along the indentation, from 0.
+        row: usize,
+        /// The value.
+        value: f64,
+    },
     /// A number is outside the values for which it makes sense.
     #[error("{name} = {value} must be {requirement}")]
     InvalidNumber {

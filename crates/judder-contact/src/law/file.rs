@@ -1,4 +1,4 @@
-//! A computed law as one JSON file.
+//! A computed or given law as one JSON file.
 //!
 //! Numbers are written with all their digits: what is read is what was written, to the last bit.
 
@@ -10,6 +10,7 @@ use crate::law::limits::LawIndenter;
 use crate::law::material::LawMaterial;
 use crate::law::origin::LawOrigin;
 use crate::law::quantities::{KnotValues, LawErrors};
+use crate::law::sampled;
 use crate::law::scaled::{INDENTATION_AXIS, SPEED_AXIS};
 use crate::law::table::TabulatedLaw;
 use serde::{Deserialize, Serialize};
@@ -107,6 +108,9 @@ impl Limits {
 /// # Errors
 /// JSON that cannot be written, which no law leads to.
 pub fn to_json(law: &Law) -> Result<Option<String>, LawError> {
+    if let Law::Sampled(law) = law {
+        return sampled::file::to_json(law).map(Some);
+    }
     let Some(data) = law.data() else { return Ok(None) };
     let (origin, values) = (data.origin(), data.values());
     let depths = match law {
@@ -137,11 +141,16 @@ pub fn to_json(law: &Law) -> Result<Option<String>, LawError> {
 /// finite; limits or errors that make no sense.
 pub fn from_json(text: &str) -> Result<Law, LawError> {
     let head: Head = serde_json::from_str(text)?;
-    if head.format != FORMAT {
-        return Err(LawError::WrongFormat { found: head.format, expected: FORMAT });
+    let understood = match head.format.as_str() {
+        FORMAT => VERSION,
+        sampled::file::FORMAT => sampled::file::VERSION,
+        _ => return Err(LawError::WrongFormat { found: head.format, expected: FORMAT }),
+    };
+    if head.version != understood {
+        return Err(LawError::WrongVersion { found: head.version, understood });
     }
-    if head.version != VERSION {
-        return Err(LawError::WrongVersion { found: head.version, understood: VERSION });
+    if head.format == sampled::file::FORMAT {
+        return Ok(Law::Sampled(Arc::new(sampled::file::from_json(text)?)));
     }
     let document: Document = serde_json::from_str(text)?;
     let material = document.material.checked()?;

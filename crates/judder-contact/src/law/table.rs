@@ -92,7 +92,7 @@ pub(crate) fn combined(c: &[[f64; 4]; 4], weights: &[f64; 4]) -> [f64; 4] {
 
 /// [`combined`] over the functions of ln z, for each function of ln ŷ.
 #[inline(always)]
-fn along_speed(patch: &Patch, weights: &[f64; 4]) -> [[f64; 4]; 4] {
+pub(crate) fn along_speed(patch: &Patch, weights: &[f64; 4]) -> [[f64; 4]; 4] {
     let [c0, c1, c2, c3] = patch;
     let mut sums = [[0.0; 4]; 4];
     for b in 0..4 {

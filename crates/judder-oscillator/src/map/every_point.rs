@@ -6,8 +6,9 @@ use crate::block::{Block, LANES};
 use crate::mechanism::StabilityClass;
 use rayon::prelude::*;
 
-/// Rows that one task decides: each tile starts afresh, so its size is fixed, whatever the number of threads.
-const TILE_ROWS: usize = 256;
+/// Rows that one task decides: each tile starts afresh, so its size is fixed, whatever the number of threads, and a map may be decided
+/// in stretches of so many rows.
+pub const TILE_ROWS: usize = 256;
 
 /// Decides every point. Tiles are [`LANES`] columns wide; inside a tile the rows before give the starting values.
 #[must_use]
@@ -86,5 +87,40 @@ impl History {
             (true, false) => linear,
             (true, true) => a,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::map::{CoefficientPlane, SweptCoefficient};
+    use crate::{FrictionLoad, Groups};
+    use judder_contact::{FittedLaw, Law};
+
+    #[test]
+    fn stretches_of_tiles_make_the_whole_map() {
+        let contact = Contact {
+            law: Law::Fitted(FittedLaw::oscillator_paper()),
+            friction_load: FrictionLoad::NormalLoad,
+        };
+        let base = Groups::default().resolve();
+        let logarithmic = |from: f64, to: f64, count: usize| -> Vec<f64> {
+            (0..count).map(|k| from * (to / from).powf(k as f64 / (count - 1) as f64)).collect()
+        };
+        let velocities = logarithmic(1e-6, 1.0, 45);
+        let strengths = logarithmic(1e-4, 0.3, 2 * TILE_ROWS + 9);
+        let of = |rows: &[f64]| {
+            let (x, y) = (
+                (SweptCoefficient::Velocity, velocities.clone()),
+                (SweptCoefficient::ShearStrength, rows.to_vec()),
+            );
+            every_point(&contact, &CoefficientPlane { base, x, y }).classes
+        };
+        let stretches: Vec<u8> = strengths.chunks(TILE_ROWS).flat_map(of).collect();
+        assert_eq!(stretches, of(&strengths));
+        assert!(
+            stretches.contains(&(StabilityClass::Stable as u8))
+                && stretches.contains(&(StabilityClass::Flutter as u8))
+        );
     }
 }

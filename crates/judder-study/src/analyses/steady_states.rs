@@ -61,7 +61,9 @@ pub(crate) fn validity_warnings<'a>(
         match contact.law.concern(state.coefficients.velocity, state.equilibrium.indentation) {
             Some(concern @ ValidityConcern::TooDeep { .. }) => deep.push(concern),
             Some(
-                concern @ (ValidityConcern::FrictionTail { .. } | ValidityConcern::SpeedBeyondTable { .. }),
+                concern @ (ValidityConcern::FrictionTail { .. }
+                | ValidityConcern::SpeedBeyondTable { .. }
+                | ValidityConcern::BeyondSamples { .. }),
             ) => tail.push(concern),
             None => (),
         }

@@ -1,0 +1,56 @@
+//! `judder`, the command: arguments in, one call into a lower floor, a result on standard output, an exit code.
+//!
+//! A library besides, so that the Python package carries the same command.
+//!
+//! In the order in which the data flows:
+//!
+//! - `arguments`: the command line as types, with the help texts.
+//! - `commands`: one module a command; each makes one call into `judder-study` or `judder-case` and prints what came of it.
+//! - `threads`, `interrupt`, `progress`: the pool of `--threads`, Ctrl-C, bars and times.
+//! - `failure`: every error with its message, place, help and exit code.
+//! - `console`: results to standard output, all else to standard error.
+//! - `scoreboard`, `plain`: the table of `judder reproduce`.
+
+mod arguments;
+mod commands;
+mod console;
+mod failure;
+mod interrupt;
+mod plain;
+mod progress;
+mod scoreboard;
+mod threads;
+
+use std::ffi::OsString;
+
+use clap::Parser;
+use clap::error::ErrorKind;
+
+use crate::arguments::Arguments;
+use crate::console::Console;
+use crate::failure::Exit;
+
+/// Does what a command line asks for, the name of the program first, and returns the exit code: 0 all done, 1 a result is missing,
+/// 2 the input is wrong. Results go to standard output, all else to standard error.
+#[must_use]
+pub fn main_with(arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    let words: Vec<OsString> = arguments.into_iter().collect();
+    let (console, outcome) = match Arguments::try_parse_from(&words) {
+        Ok(arguments) => {
+            let console = arguments.console();
+            let outcome = commands::execute(arguments.command, console);
+            (console, outcome)
+        }
+        Err(help) if matches!(help.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) => {
+            // A reader that has gone, as in `judder --help | head -1`, is no failure.
+            let _ = help.print();
+            return Exit::Done.code();
+        }
+        Err(error) => (Console::before_parsing(&words), Err(arguments::refuse(&error))),
+    };
+    let exit = outcome.unwrap_or_else(|failure| {
+        console.failure(&failure);
+        failure.exit
+    });
+    exit.code()
+}

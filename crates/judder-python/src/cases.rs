@@ -1,0 +1,140 @@
+//! Whole cases: run, check, the command.
+
+use crate::contact::PyLaw;
+use crate::errors;
+use crate::watched::{Manner, is_ctrl_c, watched};
+use judder_case::{Case, CaseError, CaseFile, FileReference, LawName};
+use judder_contact::law::file::to_json;
+use judder_store::StudyFolder;
+use judder_study::StudyError;
+use judder_study::resolve::resolve;
+use judder_study::run::{RunOptions, RunReport, run};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+
+/// The file in a study folder that holds a law that came from Python.
+const LAW_FILE: &str = "law.json";
+/// A law that asks nothing of the substrate, in the place of the one that is put there.
+const STAND_IN: &str = "contact.law=hertz";
+
+/// A case: its text with a name, or the path of its file.
+#[derive(FromPyObject)]
+pub(crate) enum Source {
+    Text(String, String),
+    File(PathBuf),
+}
+
+impl Source {
+    fn parse(&self, overrides: &[String]) -> Result<CaseFile, CaseError> {
+        match self {
+            Self::Text(name, text) => CaseFile::parse(name, text, overrides),
+            Self::File(path) => CaseFile::read(path, overrides),
+        }
+    }
+
+    /// Reads the case with the changes applied.
+    pub(crate) fn read(&self, overrides: &[String]) -> PyResult<CaseFile> {
+        self.parse(overrides).map_err(|error| errors::case(&error))
+    }
+}
+
+/// What `judder check --json` prints, as a text.
+#[pyfunction]
+pub(crate) fn checked_case(py: Python<'_>, case: Source, overrides: Vec<String>) -> PyResult<String> {
+    let file = case.read(&overrides)?;
+    let done = watched(py, &Manner::default(), |_| resolve(&file))?;
+    Ok(done.settled(|error| errors::study(&error))?.json().to_string())
+}
+
+/// Runs a case into a study folder; says what came of it as a dictionary.
+#[pyfunction]
+#[pyo3(signature = (case, *, output, only, overrides, fresh, law, threads, progress))]
+#[allow(clippy::too_many_arguments, reason = "the arguments of `judder.run`")]
+pub(crate) fn run_case<'py>(
+    py: Python<'py>,
+    case: Source,
+    output: Option<PathBuf>,
+    only: Vec<String>,
+    overrides: Vec<String>,
+    fresh: bool,
+    law: Option<PyRef<'py, PyLaw>>,
+    threads: Option<usize>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let manner = Manner::new(progress, threads)?;
+    let (file, folder) = match law {
+        None => {
+            let file = case.read(&overrides)?;
+            let folder = folder_of(&file, output);
+            (file, folder)
+        }
+        Some(law) => with_law(&case, overrides, output, &law)?,
+    };
+    let options = RunOptions { only, fresh };
+    let done = watched(py, &manner, |watch| run(&file, &folder, &options, watch))?;
+    if matches!(done.result, Err(StudyError::Interrupted))
+        && done.stopped.as_ref().is_none_or(|stop| is_ctrl_c(py, stop))
+    {
+        return Err(errors::interrupted(&StudyError::Interrupted.to_string()));
+    }
+    told(py, done.settled(|error| errors::study(&error))?)
+}
+
+/// Where a run of a case goes.
+fn folder_of(file: &CaseFile, output: Option<PathBuf>) -> PathBuf {
+    output.unwrap_or_else(|| Path::new("out").join(&file.name))
+}
+
+/// A case with a law in the place of its own, as a file of its study folder.
+fn with_law(
+    case: &Source,
+    mut overrides: Vec<String>,
+    output: Option<PathBuf>,
+    law: &PyLaw,
+) -> PyResult<(CaseFile, PathBuf)> {
+    if let Ok(CaseFile { case, .. }) = case.parse(&overrides)
+        && !matches!(case, Case::Oscillator(_))
+    {
+        return Err(errors::input("law", format!("a case of model `{}` takes none", case.model())));
+    }
+    let text = to_json(law.law()).map_err(|error| errors::law(&error))?;
+    let text = text.ok_or_else(|| {
+        errors::input("law", "a law that has a name goes into the case: set={\"contact.law\": name}")
+    })?;
+    overrides.push(STAND_IN.to_owned());
+    let mut file = case.read(&overrides)?;
+    let folder = folder_of(&file, output);
+    let store = StudyFolder::create(&folder).map_err(|error| errors::store(&error))?;
+    let path = store.write_file(LAW_FILE, text.as_bytes()).map_err(|error| errors::store(&error))?;
+    if let Case::Oscillator(case) = &mut file.case {
+        case.law = LawName::File;
+        case.law_file = Some(FileReference { given: LAW_FILE.to_owned(), path });
+    }
+    if let Some(stand_in) = file.overrides.last_mut() {
+        *stand_in = format!("contact.law={{ file = \"{LAW_FILE}\" }}");
+    }
+    Ok((file, folder))
+}
+
+fn told(py: Python<'_>, report: RunReport) -> PyResult<Bound<'_, PyDict>> {
+    let told = PyDict::new(py);
+    told.set_item("folder", report.folder)?;
+    told.set_item("complete", report.complete)?;
+    told.set_item("skipped", report.skipped)?;
+    told.set_item("messages", report.messages)?;
+    let refused: Vec<(String, Py<PyAny>)> = report
+        .refused
+        .into_iter()
+        .map(|refused| (refused.name, errors::study(&refused.error).into_value(py).into_any()))
+        .collect();
+    told.set_item("refused", refused)?;
+    Ok(told)
+}
+
+/// The command `judder`: does what the words say and returns the exit code.
+#[pyfunction]
+pub(crate) fn command(py: Python<'_>, words: Vec<OsString>) -> u8 {
+    py.detach(|| judder_cli::main_with(words))
+}

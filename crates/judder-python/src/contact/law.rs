@@ -1,0 +1,328 @@
+//! Contact laws.
+
+use crate::arrays;
+use crate::errors;
+use crate::oscillator;
+use crate::watched::{Manner, watched};
+use judder_case::{LawName, OscillatorCase};
+use judder_contact::law::file::{from_json, to_json};
+use judder_contact::law::sampled::{SampleRequest, sampled};
+use judder_contact::law::{KnotValues, PerQuantity, SampledLaw, Samples};
+use judder_contact::{ContactLaw, ContactPoint, ContactResponse, Law, LawError};
+use judder_study::bridge;
+use numpy::{IntoPyArray, PyArray1, PyArrayDyn, PyArrayMethods};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::fs;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// A contact law: normal force F_k/(E0* R²), contact area A/R² and viscoelastic friction coefficient μ_visc as functions of the sliding
+/// speed v τ/R and the indentation y/R.
+///
+/// ``Law(name)`` is one of the laws that a case can name: ``"oscillator-paper"``, ``"oscillator-paper-corrected"``, ``"hertz"``, ``"bem"``
+/// (computed for the substrate of the oscillator paper, which takes seconds to minutes). A law works wherever a law does:
+/// ``oscillator.point(law=law)``, ``oscillator.stability_map(..., law=law)``, ``judder.run(..., law=law)``, and saved to a file in a
+/// case, ``law = { file = "law.json" }``. Laws can be compared and pickled.
+///
+/// >>> law = judder.contact.Law("hertz")
+/// >>> round(float(law.evaluate(1.0, 1e-2).force), 9)
+/// 0.001333333
+#[pyclass(frozen, name = "Law", module = "judder.contact")]
+pub(crate) struct PyLaw {
+    law: Law,
+    name: String,
+}
+
+impl PyLaw {
+    pub(crate) fn law(&self) -> &Law {
+        &self.law
+    }
+
+    fn of(law: Law, name: impl Into<String>) -> Self {
+        Self { law, name: name.into() }
+    }
+}
+
+/// Why a function was not sampled: it raised, or its values make no law.
+enum Unsampled {
+    Raised(PyErr),
+    Law(LawError),
+}
+
+impl From<LawError> for Unsampled {
+    fn from(error: LawError) -> Self {
+        Self::Law(error)
+    }
+}
+
+impl Unsampled {
+    fn into_exception(self) -> PyErr {
+        match self {
+            Self::Raised(error) => error,
+            Self::Law(error) => errors::law(&error),
+        }
+    }
+}
+
+#[pymethods]
+impl PyLaw {
+    #[new]
+    fn new(py: Python<'_>, name: &str) -> PyResult<Self> {
+        let of_name = oscillator::named("name", name, &LawName::ALL)?;
+        let case = OscillatorCase { law: of_name, ..OscillatorCase::default() };
+        let done = watched(py, &Manner::default(), |watch| bridge::contact_of(&case, watch))?;
+        let contact = done.settled(|error| errors::study(&error))?;
+        Ok(Self::of(contact.contact.law, name))
+    }
+
+    /// The law through a table: bicubic splines in ln v and ln y of ln(F/y^(3/2)), ln(A/y) and μ.
+    ///
+    /// Beyond the table force and area go on as those of Hertz, and friction goes to a limit; ``concern`` says where.
+    ///
+    /// Args:
+    ///     velocity: v τ/R of the columns, float64[n], positive and ascending, evenly spaced or not, at least two.
+    ///     indentation: y/R of the rows, float64[m], likewise.
+    ///     force: F_k/(E0* R²), float64[m, n], positive.
+    ///     area: A/R², float64[m, n], positive.
+    ///     friction: μ_visc, float64[m, n].
+    ///     source: where the values come from, in words.
+    ///
+    /// Raises:
+    ///     InputError: an array of another shape, or with numbers that are not finite.
+    ///     LawError: knots that do not ascend, a force or an area that is not positive.
+    #[staticmethod]
+    #[pyo3(signature = (velocity, indentation, force, area, friction, *, source="a table"))]
+    fn from_table(
+        velocity: &Bound<'_, PyAny>,
+        indentation: &Bound<'_, PyAny>,
+        force: &Bound<'_, PyAny>,
+        area: &Bound<'_, PyAny>,
+        friction: &Bound<'_, PyAny>,
+        source: &str,
+    ) -> PyResult<Self> {
+        let velocities = arrays::vector("velocity", velocity)?;
+        let indentations = arrays::vector("indentation", indentation)?;
+        let expected = [indentations.len(), velocities.len()];
+        let table = |name: &str, object: &Bound<'_, PyAny>| -> PyResult<Vec<f64>> {
+            let (values, shape) = arrays::matrix(name, object)?;
+            if shape == expected {
+                return Ok(values);
+            }
+            let message = format!("the shape is {shape:?}; (indentations, velocities) is {expected:?}");
+            Err(errors::input(name, message))
+        };
+        let values = PerQuantity {
+            force: table("force", force)?,
+            area: table("area", area)?,
+            friction: table("friction", friction)?,
+        };
+        let samples = Samples { source: source.to_owned(), velocities, indentations, values };
+        let law = SampledLaw::new(samples).map_err(|error| errors::law(&error))?;
+        Ok(Self::of(Law::Sampled(Arc::new(law)), source))
+    }
+
+    /// The law of a function of your own, sampled as finely as the tolerance asks.
+    ///
+    /// The function takes two arrays of one shape, the speeds v τ/R and the indentations y/R of points, and returns the three arrays force,
+    /// area, friction. It is called a few times with many points; :func:`numpy.vectorize` helps where it takes single numbers.
+    ///
+    /// Args:
+    ///     function: the callable.
+    ///     velocity: v τ/R between which it is sampled, (from, to).
+    ///     indentation: y/R between which it is sampled.
+    ///     tolerance: what the interpolation may leave, relative (of the friction to its largest value). Where a jump or a kink of the
+    ///         function keeps it from that, a :class:`judder.JudderWarning` says so; ``errors`` has what was reached.
+    ///     source: what to call it.
+    ///
+    /// Raises:
+    ///     InputError: the function returns no three arrays of finite numbers.
+    ///     LawError: a range that is none, a force or an area that is not positive.
+    ///
+    /// >>> import numpy as np
+    /// >>> def own(v, y):
+    /// ...     return 4 / 3 * y**1.5, np.pi * y, 0.3 * v / (1 + v**2)
+    /// >>> law = judder.contact.Law.from_function(own, velocity=(1e-6, 1e2), indentation=(1e-6, 1e-1))
+    /// >>> max(law.errors.values()) < 1e-4
+    /// True
+    #[staticmethod]
+    #[pyo3(signature = (function, *, velocity, indentation, tolerance=1e-4, source="a function"))]
+    fn from_function(
+        py: Python<'_>,
+        function: &Bound<'_, PyAny>,
+        velocity: (f64, f64),
+        indentation: (f64, f64),
+        tolerance: f64,
+        source: &str,
+    ) -> PyResult<Self> {
+        let request = SampleRequest { source: source.to_owned(), velocity, indentation, tolerance };
+        let found = sampled(&request, |velocities, indentations| {
+            py.check_signals()
+                .and_then(|()| called(function, velocities, indentations))
+                .map_err(Unsampled::Raised)
+        });
+        let found = found.map_err(Unsampled::into_exception)?;
+        if !found.meets_tolerance {
+            let PerQuantity { force, area, friction } = found.law.errors();
+            errors::warn(
+                py,
+                &format!(
+                    "the function is too steep for a tolerance of {tolerance:.0e}: force, area and friction are known to {force:.1e}, \
+                     {area:.1e} and {friction:.1e}"
+                ),
+            )?;
+        }
+        Ok(Self::of(Law::Sampled(Arc::new(found.law)), source))
+    }
+
+    /// The law in the text of its file.
+    #[staticmethod]
+    fn from_json(text: &str) -> PyResult<Self> {
+        let law = from_json(text).map_err(|error| errors::law(&error))?;
+        let name = match &law {
+            Law::Sampled(law) => law.samples().source.clone(),
+            law => law.data().map(|data| data.origin().source.clone()).unwrap_or_default(),
+        };
+        Ok(Self::of(law, name))
+    }
+
+    /// Reads a law that ``save``, or an analysis ``contact-law``, has written.
+    ///
+    /// Raises:
+    ///     OSError: the file cannot be read.
+    ///     LawError: it holds no law.
+    #[staticmethod]
+    fn load(path: PathBuf) -> PyResult<Self> {
+        let text = fs::read_to_string(&path).map_err(|error| errors::file(&path, &error))?;
+        Self::from_json(&text)
+    }
+
+    /// Writes the law to a file, for a case or another day.
+    fn save(&self, path: PathBuf) -> PyResult<()> {
+        let text = self.to_json()?;
+        let text = text.ok_or_else(|| {
+            errors::input("path", "a law that is a formula goes by its name, it has no file")
+        })?;
+        // under another name first: a reader sees all of it or nothing
+        let aside = path.with_extension(format!("{}.tmp", std::process::id()));
+        let written = fs::write(&aside, text).and_then(|()| fs::rename(&aside, &path));
+        written.map_err(|error| {
+            let _ = fs::remove_file(&aside);
+            errors::file(&path, &error)
+        })
+    }
+
+    /// The text of its file; ``None`` for a law that is a formula.
+    fn to_json(&self) -> PyResult<Option<String>> {
+        to_json(&self.law).map_err(|error| errors::law(&error))
+    }
+
+    /// Force, area, friction and their exact first derivatives by speed and indentation, a :class:`LawResponse` of arrays.
+    ///
+    /// Args:
+    ///     velocity: v τ/R, zero or more, of any shape.
+    ///     indentation: y/R, zero or more, of a shape that goes with it (they are broadcast).
+    fn evaluate<'py>(
+        &self,
+        py: Python<'py>,
+        velocity: &Bound<'py, PyAny>,
+        indentation: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let broadcast = py.import("numpy")?.call_method1("broadcast_arrays", (velocity, indentation));
+        let (v, y) = broadcast
+            .map_err(|error| errors::input("indentation", error))?
+            .extract::<(Bound<'_, PyAny>, Bound<'_, PyAny>)>()?;
+        let ((velocities, shape), (indentations, _)) =
+            (arrays::any("velocity", &v)?, arrays::any("indentation", &y)?);
+        for (name, list) in [("velocity", &velocities), ("indentation", &indentations)] {
+            if let Some(value) = list.iter().find(|value| **value < 0.0) {
+                return Err(errors::input(name, format!("{value} is negative; zero or more is needed")));
+            }
+        }
+        let responses: Vec<ContactResponse> = py.detach(|| {
+            let points = velocities.iter().zip(&indentations);
+            points.map(|(v, y)| self.law.evaluate(&ContactPoint::new(*v, *y))).collect()
+        });
+        let result = PyDict::new(py);
+        let put = |name: &str, of: &dyn Fn(&ContactResponse) -> f64| -> PyResult<()> {
+            let values: Vec<f64> = responses.iter().map(of).collect();
+            let values: Bound<'_, PyArrayDyn<f64>> = values.into_pyarray(py).reshape(shape.clone())?;
+            result.set_item(name, values)
+        };
+        put("force", &|r| r.force.value)?;
+        put("force_by_velocity", &|r| r.force.by_velocity)?;
+        put("force_by_indentation", &|r| r.force.by_indentation)?;
+        put("area", &|r| r.area.value)?;
+        put("area_by_velocity", &|r| r.area.by_velocity)?;
+        put("area_by_indentation", &|r| r.area.by_indentation)?;
+        put("friction", &|r| r.friction.value)?;
+        put("friction_by_velocity", &|r| r.friction.by_velocity)?;
+        put("friction_by_indentation", &|r| r.friction.by_indentation)?;
+        py.import("judder.contact")?.getattr("LawResponse")?.call((), Some(&result))
+    }
+
+    /// What makes the law doubtful at a speed and an indentation; ``None`` inside its range of validity.
+    fn concern(&self, velocity: f64, indentation: f64) -> Option<String> {
+        self.law.concern(velocity, indentation).map(|concern| concern.to_string())
+    }
+
+    /// Its name, or where it comes from.
+    #[getter]
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Its estimated relative errors ``{"force", "area", "friction"}``; ``None`` for a law that is a formula.
+    #[getter]
+    fn errors(&self, py: Python<'_>) -> PyResult<Option<Py<PyDict>>> {
+        let errors = match &self.law {
+            Law::Sampled(law) => law.errors(),
+            law => match law.data() {
+                Some(data) => data.errors().total(),
+                None => return Ok(None),
+            },
+        };
+        let dict = PyDict::new(py);
+        for (name, value) in [("force", errors.force), ("area", errors.area), ("friction", errors.friction)] {
+            dict.set_item(name, value)?;
+        }
+        Ok(Some(dict.unbind()))
+    }
+
+    fn __repr__(&self) -> String {
+        format!("Law({:?})", self.name)
+    }
+
+    fn __eq__(&self, other: &Self) -> bool {
+        self.law == other.law
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (String,))> {
+        let class = py.get_type::<Self>();
+        match self.to_json()? {
+            Some(text) => Ok((class.getattr("from_json")?, (text,))),
+            None => Ok((class.into_any(), (self.name.clone(),))),
+        }
+    }
+}
+
+/// The values of a user's function at these points.
+fn called(function: &Bound<'_, PyAny>, velocities: &[f64], indentations: &[f64]) -> PyResult<KnotValues> {
+    let py = function.py();
+    let at = (PyArray1::from_slice(py, velocities), PyArray1::from_slice(py, indentations));
+    let given = function.call1(at)?;
+    let triple = given.extract::<(Bound<'_, PyAny>, Bound<'_, PyAny>, Bound<'_, PyAny>)>();
+    let (force, area, friction) = triple
+        .map_err(|_| errors::input("function", "it must return three arrays: force, area, friction"))?;
+    let numpy = py.import("numpy")?;
+    let list = |name: &str, object: &Bound<'_, PyAny>| -> PyResult<Vec<f64>> {
+        let spread = numpy.call_method1("broadcast_to", (object, (velocities.len(),)));
+        let spread = spread.map_err(|error| errors::input("function", format!("{name}: {error}")))?;
+        arrays::vector(&format!("{name} of the function"), &spread)
+    };
+    Ok(PerQuantity {
+        force: list("force", &force)?,
+        area: list("area", &area)?,
+        friction: list("friction", &friction)?,
+    })
+}

@@ -1,0 +1,146 @@
+//! Errors of the crates below as exceptions of `judder.errors`: the same message, the same fields.
+
+mod fields;
+
+use fields::Fields;
+use judder_case::CaseError;
+use judder_contact::LawError;
+use judder_contact::steady::SteadyError;
+use judder_oscillator::OscillatorError;
+use judder_sliding::SlidingError;
+use judder_store::StoreError;
+use judder_study::StudyError;
+use miette::Diagnostic;
+use pyo3::exceptions::{PyOSError, PyRuntimeError};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::fmt::{Debug, Display};
+use std::io;
+use std::path::Path;
+
+/// The name of an error's variant, as its cause.
+fn variant(error: &impl Debug) -> String {
+    let shown = format!("{error:?}");
+    shown.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect()
+}
+
+/// An exception of `judder.errors`; where that cannot be made, why.
+fn exception(
+    class: &str,
+    message: String,
+    cause: &str,
+    fields: impl FnOnce(&Bound<'_, PyDict>) -> PyResult<()>,
+) -> PyErr {
+    Python::attach(|py| {
+        let made = || -> PyResult<Bound<'_, PyAny>> {
+            let dict = PyDict::new(py);
+            fields(&dict)?;
+            py.import("judder.errors")?.getattr(class)?.call1((message, cause, dict))
+        };
+        made().map_or_else(|error| error, PyErr::from_value)
+    })
+}
+
+/// An exception of this class with the fields that its error tells.
+fn told<E: Display + Debug + Fields>(class: &str, error: &E) -> PyErr {
+    exception(class, error.to_string(), &variant(error), |dict| error.put(dict))
+}
+
+/// An argument that cannot be.
+pub(crate) fn input(argument: &str, message: impl Display) -> PyErr {
+    exception("InputError", format!("{argument}: {message}"), "Input", |dict| {
+        dict.set_item("argument", argument)
+    })
+}
+
+/// The system does not give what a call needs.
+pub(crate) fn system(error: impl Display) -> PyErr {
+    PyOSError::new_err(error.to_string())
+}
+
+/// A file that the system does not read or write: the exception that Python has for it, with the path.
+pub(crate) fn file(path: &Path, error: &io::Error) -> PyErr {
+    match error.raw_os_error() {
+        Some(number) => PyOSError::new_err((number, error.to_string(), path.to_owned())),
+        None => PyOSError::new_err(format!("{}: {error}", path.display())),
+    }
+}
+
+/// What has to be known before a result is trusted.
+pub(crate) fn warn(py: Python<'_>, message: &str) -> PyResult<()> {
+    let category = py.import("judder.errors")?.getattr("JudderWarning")?;
+    py.import("warnings")?.call_method1("warn", (message, category)).map(|_| ())
+}
+
+/// A fault of judder itself.
+pub(crate) fn fault() -> PyErr {
+    PyRuntimeError::new_err(
+        "judder has failed at something that it should have refused: please report what you asked for",
+    )
+}
+
+/// A case that is wrong, with its place.
+pub(crate) fn case(error: &CaseError) -> PyErr {
+    let place = error.line_and_column();
+    exception("CaseError", error.to_string(), &variant(error.cause()), |dict| {
+        dict.set_item("file", error.source_name())?;
+        dict.set_item("line", place.map(|(line, _)| line))?;
+        dict.set_item("column", place.map(|(_, column)| column))?;
+        dict.set_item("text", error.place())?;
+        dict.set_item("key", error.cause().key())?;
+        dict.set_item("help", error.help().map(|help| help.to_string()))
+    })
+}
+
+/// An oscillator without an answer.
+pub(crate) fn oscillator(error: &OscillatorError) -> PyErr {
+    told("OscillatorError", error)
+}
+
+/// A pair of structures without an answer.
+pub(crate) fn sliding(error: &SlidingError) -> PyErr {
+    told("SlidingError", error)
+}
+
+/// A contact without an answer.
+pub(crate) fn contact(error: &SteadyError) -> PyErr {
+    told("ContactError", error)
+}
+
+/// A law that cannot be.
+pub(crate) fn law(error: &LawError) -> PyErr {
+    told("LawError", error)
+}
+
+/// A study folder that cannot be written or read.
+pub(crate) fn store(error: &StoreError) -> PyErr {
+    told("StoreError", error)
+}
+
+/// A study without a result: the error of the crate that it comes from, where there is one.
+pub(crate) fn study(error: &StudyError) -> PyErr {
+    let of = |class: &str| exception(class, error.to_string(), &variant(error), |dict| error.put(dict));
+    match error {
+        StudyError::Case(error) => case(error),
+        StudyError::Oscillator(error) => oscillator(error),
+        StudyError::Sliding(error) => sliding(error),
+        StudyError::Contact(error) => contact(error),
+        StudyError::Law(error) => law(error),
+        StudyError::Store(error) => store(error),
+        StudyError::Interrupted => interrupted(&error.to_string()),
+        StudyError::Structure(_) => of("StructureError"),
+        StudyError::Material(_)
+        | StudyError::Indenter(_)
+        | StudyError::Periodic(_)
+        | StudyError::Transient(_) => of("ContactError"),
+        _ => of("StudyError"),
+    }
+}
+
+/// Ctrl-C, where what was done is kept.
+pub(crate) fn interrupted(message: &str) -> PyErr {
+    Python::attach(|py| {
+        let made = || py.import("judder.errors")?.getattr("Interrupted")?.call1((message,));
+        made().map_or_else(|error| error, PyErr::from_value)
+    })
+}

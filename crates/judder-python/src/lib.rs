@@ -1,0 +1,34 @@
+//! The compiled part of the Python package `judder`; what users call, with its types and docs, is in `python/judder`.
+//!
+//! In the order in which the data flows:
+//!
+//! - `arrays`: arrays from Python, checked.
+//! - `pool`, `watched`: long calls without the interpreter's lock, which Ctrl-C ends and whose progress is told.
+//! - `oscillator`, `contact`, `sliding`: one module a crate of the second floor.
+//! - `cases`: whole cases, and the command.
+//! - `errors`: errors of the crates as exceptions, with their fields.
+
+mod arrays;
+mod cases;
+mod contact;
+mod errors;
+mod oscillator;
+mod pool;
+mod sliding;
+mod watched;
+
+use pyo3::prelude::*;
+
+#[pymodule]
+mod _judder {
+    #[pymodule_export]
+    use crate::cases::{checked_case, command, run_case};
+    #[pymodule_export]
+    use crate::contact::{PyLaw, contact_solution};
+    #[pymodule_export]
+    use crate::oscillator::{OscillatorPoint, oscillator_map, point, rebuilt_point, repeated_points};
+    #[pymodule_export]
+    use crate::sliding::{PyPair, sliding_locus, sliding_march};
+    #[pymodule_export]
+    const VERSION: &str = env!("CARGO_PKG_VERSION");
+}

@@ -1,0 +1,125 @@
+//! Keyword arguments as the keys of an oscillator case: a plain number is a group, a text carries its unit.
+
+use crate::contact::PyLaw;
+use crate::errors;
+use crate::watched::{Manner, watched};
+use judder_case::{FrictionLoad, Given, KEYS, LawName, OscillatorCase, OscillatorInputs, OscillatorKey};
+use judder_oscillator::Contact;
+use judder_study::bridge::{self, CaseContact};
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyFloat, PyString};
+
+/// An oscillator as keyword arguments describe it.
+pub(crate) struct Asked {
+    /// The case: values of all keys, law, friction load.
+    pub(crate) case: OscillatorCase,
+    /// The law where it was given as one.
+    pub(crate) law: Option<Py<PyLaw>>,
+}
+
+/// The value of one key.
+fn value(key: OscillatorKey, given: &Bound<'_, PyAny>) -> PyResult<judder_case::Value> {
+    let read = |given| key.read(given).map_err(|error| errors::case(&error));
+    if let Ok(number) = given.cast_exact::<PyFloat>() {
+        return read(Given::Number(number.extract()?));
+    }
+    if let Ok(text) = given.cast::<PyString>() {
+        return read(Given::Text(&text.to_cow()?));
+    }
+    match given.extract::<f64>() {
+        Ok(number) => read(Given::Number(number)),
+        Err(_) => Err(PyTypeError::new_err(format!(
+            "{}: a number or a text with a unit is needed, not {}",
+            key.entry().name(),
+            given.get_type().name()?
+        ))),
+    }
+}
+
+impl Asked {
+    /// The oscillator paper's values, law and friction load, where nothing else is given.
+    pub(crate) fn new(law: Option<&Bound<'_, PyAny>>, friction_load: Option<&str>) -> PyResult<Self> {
+        let mut asked = Self { case: OscillatorCase::default(), law: None };
+        if let Some(given) = law {
+            match given.cast::<PyLaw>() {
+                Ok(law) => {
+                    asked.case.law = LawName::File;
+                    asked.law = Some(law.clone().unbind());
+                }
+                Err(_) => asked.case.law = named("law", given.extract()?, &LawName::ALL)?,
+            }
+        }
+        if let Some(name) = friction_load {
+            asked.case.friction_load = named("friction_load", name, &FrictionLoad::ALL)?;
+        }
+        Ok(asked)
+    }
+
+    /// Sets keys in the order of the case file, and checks what ties them together.
+    pub(crate) fn set<'a, 'py: 'a>(
+        &mut self,
+        values: impl IntoIterator<Item = (OscillatorKey, Option<&'a Bound<'py, PyAny>>)>,
+    ) -> PyResult<()> {
+        for (key, given) in values {
+            if let Some(given) = given {
+                self.case.inputs.set(key, value(key, given)?);
+            }
+        }
+        self.checked(self.case.inputs)
+    }
+
+    /// Refuses moduli that contradict each other or the law.
+    pub(crate) fn checked(&self, inputs: OscillatorInputs) -> PyResult<()> {
+        inputs.check(self.case.law).map_err(|cause| errors::input("glassy_modulus", cause))
+    }
+
+    /// Sets the keys of a dictionary.
+    pub(crate) fn set_all(&mut self, keys: Option<&Bound<'_, PyDict>>) -> PyResult<()> {
+        let Some(keys) = keys else { return self.set([]) };
+        let mut values = Vec::with_capacity(keys.len());
+        for (name, given) in keys {
+            values.push((key(&name.extract::<String>()?)?, given));
+        }
+        values.sort_by_key(|(key, _)| *key);
+        self.set(values.iter().map(|(key, given)| (*key, Some(given))))
+    }
+
+    /// The contact where it costs nothing to have.
+    pub(crate) fn contact_at_hand(&self) -> Option<Contact> {
+        let law = match &self.law {
+            Some(law) => law.get().law().clone(),
+            None => bridge::formula(self.case.law)?,
+        };
+        Some(Contact { law, friction_load: bridge::friction_load(self.case.friction_load) })
+    }
+
+    /// The contact with its warnings; the law `bem` is computed where it was not before.
+    pub(crate) fn contact(&self, py: Python<'_>, manner: &Manner) -> PyResult<CaseContact> {
+        let study = |error| errors::study(&error);
+        if let Some(law) = &self.law {
+            return bridge::with_law(&self.case, law.get().law().clone()).map_err(study);
+        }
+        if bridge::formula(self.case.law).is_some() {
+            return bridge::contact_of(&self.case, &judder_study::Silent).map_err(study);
+        }
+        watched(py, manner, |watch| bridge::contact_of(&self.case, watch))?.settled(study)
+    }
+}
+
+/// The key of a dotted path or of its last name.
+pub(crate) fn key(name: &str) -> PyResult<OscillatorKey> {
+    let entry = KEYS.iter().find(|entry| entry.path == name || entry.name() == name);
+    entry.map(|entry| entry.key).ok_or_else(|| {
+        let known: Vec<&str> = KEYS.iter().map(judder_case::Key::name).collect();
+        errors::input(name, format!("no key of an oscillator; known are {}", known.join(", ")))
+    })
+}
+
+/// The choice of this name.
+pub(crate) fn named<T: Copy>(argument: &str, name: &str, all: &[(&'static str, T)]) -> PyResult<T> {
+    all.iter().find(|(known, _)| *known == name).map(|(_, choice)| *choice).ok_or_else(|| {
+        let known: Vec<&str> = all.iter().map(|(known, _)| *known).collect();
+        errors::input(argument, format!("`{name}` is not known; known are {}", known.join(", ")))
+    })
+}

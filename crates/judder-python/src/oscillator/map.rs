@@ -1,0 +1,144 @@
+//! A plane of operating points.
+
+use super::keys::{Asked, key, named};
+use crate::arrays;
+use crate::errors;
+use crate::watched::{Manner, watched};
+use judder_case::{Form, Given, OscillatorKey, Quantity};
+use judder_oscillator::Contact;
+use judder_oscillator::map::{Method, Plane, StabilityMap, TILE_ROWS};
+use judder_oscillator::mechanism::StabilityClass;
+use judder_study::key_plane::{KeyAxis, KeyPlane};
+use judder_study::{Progress, StudyError};
+use numpy::{IntoPyArray, PyArrayMethods};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::time::Instant;
+
+/// Points that are decided between two looks at Ctrl-C.
+const STRETCH: usize = 1 << 22;
+
+/// A key, its values, and their unit where they have one.
+type Side<'py> = (String, Bound<'py, PyAny>, Option<String>);
+
+fn axis(argument: &str, (name, values, unit): &Side<'_>) -> PyResult<KeyAxis> {
+    let key = key(name)?;
+    let values = arrays::vector(argument, values)?;
+    let (form, values) = match unit {
+        None => (key.read(Given::Number(values[0])).map_err(|error| errors::case(&error))?.form, values),
+        Some(unit) => (Form::Si, in_si(key, argument, unit, &values)?),
+    };
+    let range = key.entry().range;
+    match values.iter().position(|value| !range.contains(*value)) {
+        Some(index) => {
+            let message =
+                format!("value {index} of {} is {}; it must be {range}", key.entry().path, values[index]);
+            Err(errors::input(argument, message))
+        }
+        None => Ok(KeyAxis { key, form, values }),
+    }
+}
+
+/// Values of this unit in SI units.
+fn in_si(key: OscillatorKey, argument: &str, unit: &str, values: &[f64]) -> PyResult<Vec<f64>> {
+    let expected = key.entry().dimension;
+    let quantity = Quantity::parse(&format!("1 {unit}"));
+    let quantity =
+        quantity.map_err(|(problem, _)| errors::input(argument, format!("{problem}: `{unit}`")))?;
+    if quantity.dimension != expected || expected.is_number() {
+        let message = format!("`{unit}` is no unit of {}, which is {expected}", key.entry().path);
+        return Err(errors::input(argument, message));
+    }
+    Ok(values.iter().map(|value| value * quantity.number).collect())
+}
+
+/// Verdict and growth rate over two keys, as a dictionary of arrays (rows along y) and of what is known of them.
+#[pyfunction]
+#[pyo3(signature = (x, y, *, method, growth_rate, law, friction_load, threads, progress, keys))]
+#[allow(clippy::too_many_arguments, reason = "the arguments of `judder.oscillator.stability_map`")]
+pub(crate) fn oscillator_map<'py>(
+    py: Python<'py>,
+    x: Side<'py>,
+    y: Side<'py>,
+    method: &str,
+    growth_rate: bool,
+    law: Option<&Bound<'py, PyAny>>,
+    friction_load: Option<&str>,
+    threads: Option<usize>,
+    progress: Option<Py<PyAny>>,
+    keys: &Bound<'py, PyDict>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let method =
+        named("method", method, &[("every-point", Method::EveryPoint), ("adaptive", Method::Adaptive)])?;
+    let mut asked = Asked::new(law, friction_load)?;
+    asked.set_all(Some(keys))?;
+    let (x, y) = (axis("x", &x)?, axis("y", &y)?);
+    if x.key == y.key {
+        return Err(errors::input("y", "both sides vary the same key"));
+    }
+    let plane = KeyPlane { inputs: asked.case.inputs, x, y };
+    for (column, row) in
+        [(0, 0), (plane.columns() - 1, 0), (0, plane.rows() - 1), (plane.columns() - 1, plane.rows() - 1)]
+    {
+        asked.checked(plane.inputs(column, row))?;
+    }
+    let manner = Manner::new(progress, threads)?;
+    let contact = asked.contact(py, &manner)?;
+    let done = watched(py, &manner, |watch| {
+        let start = Instant::now();
+        let made = decided(&contact.contact, &plane, (method, growth_rate), watch)?;
+        Ok((made, start.elapsed().as_secs_f64()))
+    })?;
+    let ((map, growth), seconds) = done.settled(|error: StudyError| errors::study(&error))?;
+    let shape = [map.rows, map.columns];
+    let result = PyDict::new(py);
+    result.set_item("unstable_fraction", map.unstable_fraction())?;
+    result.set_item("unresolved", map.count(StabilityClass::Unresolved))?;
+    result.set_item("decisions", map.decisions)?;
+    result.set_item("seconds", seconds)?;
+    result.set_item("classes", map.classes.into_pyarray(py).reshape(shape)?)?;
+    let growth = growth.map(|growth| growth.into_pyarray(py).reshape(shape)).transpose()?;
+    result.set_item("growth_rate", growth)?;
+    result.set_item("warnings", contact.warnings)?;
+    for (name, axis) in [("x", plane.x), ("y", plane.y)] {
+        let entry = axis.key.entry();
+        let unit = if axis.form == Form::Si { entry.dimension.unit() } else { "1".to_owned() };
+        let about = (entry.name(), axis.values.into_pyarray(py), entry.doc, unit);
+        result.set_item(name, about)?;
+    }
+    Ok(result)
+}
+
+/// The map, stretch by stretch where every point is decided, and the growth rates.
+fn decided(
+    contact: &Contact,
+    plane: &KeyPlane,
+    (method, wants_growth): (Method, bool),
+    progress: &dyn Progress,
+) -> Result<(StabilityMap, Option<Vec<f64>>), StudyError> {
+    let (columns, rows) = (plane.columns(), plane.rows());
+    let band = (STRETCH / columns).next_multiple_of(TILE_ROWS).max(TILE_ROWS);
+    let map = if method == Method::Adaptive || rows <= band {
+        plane.decide(contact, method).0
+    } else {
+        progress.begin("verdicts", rows.div_ceil(band));
+        let mut classes = Vec::with_capacity(columns * rows);
+        for values in plane.y.values.chunks(band) {
+            if progress.interrupted() {
+                return Err(StudyError::Interrupted);
+            }
+            let y = KeyAxis { values: values.to_vec(), ..plane.y.clone() };
+            classes.extend(KeyPlane { y, ..plane.clone() }.decide(contact, method).0.classes);
+            progress.advance();
+        }
+        progress.end();
+        StabilityMap { columns, rows, classes, decisions: columns * rows }
+    };
+    if !wants_growth {
+        return Ok((map, None));
+    }
+    progress.begin("growth rates", rows);
+    let growth = plane.growth_rates(contact, progress)?;
+    progress.end();
+    Ok((map, Some(growth)))
+}

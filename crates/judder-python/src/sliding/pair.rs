@@ -1,0 +1,190 @@
+//! A slider on its track.
+
+use crate::arrays;
+use crate::cases::Source;
+use crate::errors;
+use crate::oscillator::named;
+use crate::watched::{Manner, watched};
+use judder_sliding::body::{Body, Point};
+use judder_sliding::edge::Interpolation;
+use judder_sliding::friction::Friction;
+use judder_sliding::motion::Motion;
+use judder_sliding::pair::{Observed, Pair, Side, Slider, Track};
+use judder_study::coupled_pair::{CoupledPair, coupled_pair};
+use numpy::{IntoPyArray, PyArray1};
+use pyo3::prelude::*;
+
+/// Two structures in sliding contact, in their own modes.
+///
+/// ``judder.sliding.load_pair(case)`` builds, reduces and couples the structures of a sliding case; ``Pair(slider, track, friction=0.3)``
+/// takes modal data. A pair does not change.
+///
+/// Args:
+///     slider: a :class:`Slider`.
+///     track: a :class:`Track`.
+///     friction: the coefficient, or speeds in m/s and coefficients, two arrays.
+///     interpolation: how the edge runs between its nodes: ``"linear"``, or ``"hermite"``, C¹.
+///     side: on which side of the edge, seen from its first node to its last, the slider lies: ``"left"`` or ``"right"``.
+///     observed: displacements to watch, :class:`Observed`.
+///
+/// Raises:
+///     InputError: an array of another shape, or with numbers that are not finite.
+///     SlidingError: modes, loads or an edge that cannot be.
+#[pyclass(frozen, name = "Pair", module = "judder.sliding")]
+pub(crate) struct PyPair {
+    pub(super) pair: Pair,
+    /// What its case prescribes.
+    pub(super) motion: Option<Motion>,
+    warnings: Vec<String>,
+}
+
+/// A friction coefficient, or speeds and coefficients.
+#[derive(FromPyObject)]
+enum GivenFriction<'py> {
+    Constant(f64),
+    Table(Bound<'py, PyAny>, Bound<'py, PyAny>),
+}
+
+impl GivenFriction<'_> {
+    fn friction(&self) -> PyResult<Friction> {
+        let friction = match self {
+            Self::Constant(coefficient) => Friction::constant(*coefficient),
+            Self::Table(speeds, coefficients) => Friction::table(
+                arrays::vector("friction", speeds)?,
+                arrays::vector("friction", coefficients)?,
+            ),
+        };
+        friction.map_err(|error| errors::sliding(&error))
+    }
+}
+
+/// An attribute of an argument, as a list of numbers.
+fn list(argument: &str, object: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<f64>> {
+    arrays::vector(&format!("{argument}.{name}"), &object.getattr(name)?)
+}
+
+fn body(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<Body> {
+    Ok(Body {
+        eigenvalues: list(argument, object, "eigenvalues")?,
+        alpha: object.getattr("alpha")?.extract()?,
+        beta: object.getattr("beta")?.extract()?,
+    })
+}
+
+/// The shape of an argument, refused where it is another.
+fn shaped(
+    name: &str,
+    object: &Bound<'_, PyAny>,
+    expected: &[Option<usize>],
+) -> PyResult<(Vec<f64>, Vec<usize>)> {
+    let (values, shape) = arrays::any(name, object)?;
+    let fits = shape.len() == expected.len()
+        && shape
+            .iter()
+            .zip(expected)
+            .all(|(found, expected)| expected.is_none_or(|expected| *found == expected));
+    if fits && !values.is_empty() {
+        return Ok((values, shape));
+    }
+    let sides: Vec<String> =
+        expected.iter().map(|side| side.map_or("any".to_owned(), |side| side.to_string())).collect();
+    Err(errors::input(name, format!("the shape is {shape:?}; ({}) is needed", sides.join(", "))))
+}
+
+/// Rows of Φ along x and y.
+fn rows(values: &[f64]) -> [Vec<f64>; 2] {
+    let (x, y) = values.split_at(values.len() / 2);
+    [x.to_vec(), y.to_vec()]
+}
+
+fn slider(object: &Bound<'_, PyAny>) -> PyResult<Slider> {
+    let body = body("slider", object)?;
+    let (place, _) = shaped("slider.contact", &object.getattr("contact")?, &[Some(2)])?;
+    let modes = body.modes();
+    let (own, _) = shaped("slider.contact_rows", &object.getattr("contact_rows")?, &[Some(2), Some(modes)])?;
+    let contact = Point { place: [place[0], place[1]], rows: rows(&own) };
+    let (load, inertia) = (list("slider", object, "load")?, list("slider", object, "inertia")?);
+    Ok(Slider { body, contact, load, inertia })
+}
+
+fn track(object: &Bound<'_, PyAny>) -> PyResult<Track> {
+    let body = body("track", object)?;
+    let (places, shape) = shaped("track.nodes", &object.getattr("nodes")?, &[None, Some(2)])?;
+    let expected = [Some(shape[0]), Some(2), Some(body.modes())];
+    let (own, _) = shaped("track.node_rows", &object.getattr("node_rows")?, &expected)?;
+    let nodes = places.chunks_exact(2).zip(own.chunks_exact(2 * body.modes()));
+    let nodes = nodes.map(|(place, own)| Point { place: [place[0], place[1]], rows: rows(own) }).collect();
+    Ok(Track { body, nodes })
+}
+
+fn observed(object: &Bound<'_, PyAny>) -> PyResult<Observed> {
+    let side: String = object.getattr("side")?.extract()?;
+    let side = named("observed.side", &side, &[("slider", Side::Slider), ("track", Side::Track)])?;
+    Ok(Observed { side, row: list("observed", object, "row")?, rigid: object.getattr("rigid")?.extract()? })
+}
+
+#[pymethods]
+impl PyPair {
+    #[new]
+    #[pyo3(signature = (slider, track, *, friction, interpolation="linear", side="left", observed=Vec::new()))]
+    fn new(
+        slider: &Bound<'_, PyAny>,
+        track: &Bound<'_, PyAny>,
+        friction: GivenFriction<'_>,
+        interpolation: &str,
+        side: &str,
+        observed: Vec<Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        let interpolations = [("linear", Interpolation::Linear), ("hermite", Interpolation::Hermite)];
+        let interpolation = named("interpolation", interpolation, &interpolations)?;
+        let is_left = named("side", side, &[("left", true), ("right", false)])?;
+        let watched = observed.iter().map(self::observed).collect::<PyResult<_>>()?;
+        let structures = (self::slider(slider)?, self::track(track)?);
+        let pair =
+            Pair::new(structures.0, structures.1, (interpolation, is_left), friction.friction()?, watched);
+        Ok(Self { pair: pair.map_err(|error| errors::sliding(&error))?, motion: None, warnings: Vec::new() })
+    }
+
+    /// The pair of a sliding case; see :func:`judder.sliding.load_pair`.
+    #[staticmethod]
+    fn from_source(py: Python<'_>, case: Source, overrides: Vec<String>) -> PyResult<Self> {
+        let file = case.read(&overrides)?;
+        let done = watched(py, &Manner::default(), |_| coupled_pair(&file))?;
+        let CoupledPair { pair, motion, warnings } = done.settled(|error| errors::study(&error))?;
+        Ok(Self { pair, motion: Some(motion), warnings })
+    }
+
+    /// Modes of both structures.
+    #[getter]
+    fn modes(&self) -> usize {
+        self.pair.modes()
+    }
+
+    /// ω² of all modes in 1/s², those of the slider first, float64[modes].
+    #[getter]
+    fn eigenvalues<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.pair.eigenvalues().into_pyarray(py)
+    }
+
+    /// Distances of the track's nodes from its first along the direction of sliding, m, float64[nodes].
+    #[getter]
+    fn node_positions<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_slice(py, self.pair.node_positions())
+    }
+
+    /// How many displacements are watched.
+    #[getter]
+    fn observed(&self) -> usize {
+        self.pair.observed().len()
+    }
+
+    /// What has to be known of the pair of a case, a sentence each.
+    #[getter]
+    fn warnings(&self) -> Vec<String> {
+        self.warnings.clone()
+    }
+
+    fn __repr__(&self) -> String {
+        format!("Pair({} modes, track of {} nodes)", self.pair.modes(), self.pair.track().nodes.len())
+    }
+}

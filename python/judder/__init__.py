@@ -1,0 +1,52 @@
+"""judder: a workbench for friction-induced vibration.
+
+Whole cases: :func:`run`, :func:`check`, :func:`load_study`. Building blocks on NumPy arrays: :mod:`judder.oscillator`,
+:mod:`judder.contact`,
+:mod:`judder.sliding`. Errors: :class:`JudderError` and its subclasses.
+"""
+
+from judder import contact, errors, oscillator, sliding
+from judder._judder import VERSION as __version__
+from judder.errors import (
+    CaseError,
+    ContactError,
+    InputError,
+    Interrupted,
+    JudderError,
+    JudderWarning,
+    LawError,
+    OscillatorError,
+    SlidingError,
+    StoreError,
+    StructureError,
+    StudyError,
+)
+from judder.progress import Progress, tqdm_progress
+from judder.study import CaseLike, Study, check, load_study, run
+
+__all__ = [
+    "CaseError",
+    "CaseLike",
+    "ContactError",
+    "InputError",
+    "Interrupted",
+    "JudderError",
+    "JudderWarning",
+    "LawError",
+    "OscillatorError",
+    "Progress",
+    "SlidingError",
+    "StoreError",
+    "StructureError",
+    "Study",
+    "StudyError",
+    "__version__",
+    "check",
+    "contact",
+    "errors",
+    "load_study",
+    "oscillator",
+    "run",
+    "sliding",
+    "tqdm_progress",
+]

@@ -1,0 +1,216 @@
+from collections.abc import Callable, Mapping, Sequence
+from os import PathLike
+from typing import Any, Final, Literal, final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from judder.contact import LawResponse
+from judder.oscillator import FrictionLoad, LawName
+from judder.sliding import Observed, Slider, Track
+
+__all__ = [
+    "VERSION",
+    "Law",
+    "OscillatorPoint",
+    "Pair",
+    "checked_case",
+    "command",
+    "contact_solution",
+    "oscillator_map",
+    "point",
+    "rebuilt_point",
+    "repeated_points",
+    "run_case",
+    "sliding_locus",
+    "sliding_march",
+]
+
+VERSION: Final[str]
+
+_Path = str | PathLike[str]
+_Progress = Callable[[str, int, int], object]
+
+@final
+class OscillatorPoint:
+    @property
+    def eigenvalues(self) -> NDArray[np.complex128]: ...
+    @property
+    def growth_rate(self) -> float: ...
+    @property
+    def verdict(self) -> Literal["stable", "marginal", "unstable", "unresolved"]: ...
+    @property
+    def mechanism(self) -> Literal["none", "flutter", "negative-damping", "both", "normal-force-coupling"]: ...
+    @property
+    def damping(self) -> NDArray[np.float64]: ...
+    @property
+    def stiffness(self) -> NDArray[np.float64]: ...
+    @property
+    def equivalent_damping(self) -> float: ...
+    @property
+    def x(self) -> float: ...
+    @property
+    def y(self) -> float: ...
+    @property
+    def indentation(self) -> float: ...
+    @property
+    def force(self) -> float: ...
+    @property
+    def area(self) -> float: ...
+    @property
+    def viscoelastic_friction(self) -> float: ...
+    @property
+    def critical_shear_strength(self) -> NDArray[np.float64]: ...
+    @property
+    def critical_load(self) -> NDArray[np.float64]: ...
+    @property
+    def warnings(self) -> list[str]: ...
+    def to_json(self) -> str: ...
+    def __eq__(self, other: object, /) -> bool: ...
+    def __ne__(self, other: object, /) -> bool: ...
+
+def point(
+    *,
+    velocity: float | str | None = None,
+    normal_load: float | str | None = None,
+    shear_strength: float | str | None = None,
+    damping_x: float | None = None,
+    damping_y: float | None = None,
+    frequency_ratio: float | None = None,
+    coupling: float | None = None,
+    coupling_angle: str | None = None,
+    natural_frequency: str | None = None,
+    stiffness_x: str | None = None,
+    radius: str | None = None,
+    rubbery_modulus: str | None = None,
+    glassy_modulus: str | None = None,
+    retardation_time: str | None = None,
+    relaxation_time: str | None = None,
+    poisson_ratio: float | None = None,
+    law: LawName | Law | None = None,
+    friction_load: FrictionLoad | None = None,
+) -> OscillatorPoint: ...
+def rebuilt_point(
+    values: Sequence[tuple[float, bool]], is_relaxation: bool, law: str | Law, friction_load: str
+) -> OscillatorPoint: ...
+def repeated_points(times: int) -> float: ...
+def oscillator_map(
+    x: tuple[str, ArrayLike, str | None],
+    y: tuple[str, ArrayLike, str | None],
+    *,
+    method: str,
+    growth_rate: bool,
+    law: LawName | Law | None,
+    friction_load: FrictionLoad | None,
+    threads: int | None,
+    progress: _Progress | None,
+    keys: dict[str, Any],
+) -> dict[str, Any]: ...
+@final
+class Law:
+    def __new__(cls, name: LawName) -> Law: ...
+    @staticmethod
+    def from_table(
+        velocity: ArrayLike,
+        indentation: ArrayLike,
+        force: ArrayLike,
+        area: ArrayLike,
+        friction: ArrayLike,
+        *,
+        source: str = "a table",
+    ) -> Law: ...
+    @staticmethod
+    def from_function(
+        function: Callable[[NDArray[np.float64], NDArray[np.float64]], tuple[ArrayLike, ArrayLike, ArrayLike]],
+        *,
+        velocity: tuple[float, float],
+        indentation: tuple[float, float],
+        tolerance: float = 1e-4,
+        source: str = "a function",
+    ) -> Law: ...
+    @staticmethod
+    def from_json(text: str) -> Law: ...
+    @staticmethod
+    def load(path: _Path) -> Law: ...
+    def save(self, path: _Path) -> None: ...
+    def to_json(self) -> str | None: ...
+    def evaluate(self, velocity: ArrayLike, indentation: ArrayLike) -> LawResponse: ...
+    def concern(self, velocity: float, indentation: float) -> str | None: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def errors(self) -> dict[str, float] | None: ...
+    def __eq__(self, other: object, /) -> bool: ...
+    def __ne__(self, other: object, /) -> bool: ...
+
+def contact_solution(
+    velocity: float,
+    *,
+    indentation: float | None,
+    load: float | None,
+    modulus_ratio: float,
+    terms: Sequence[tuple[float, float]],
+    shape: str | tuple[ArrayLike, float],
+    accuracy: float,
+    cells: int | None,
+    memory: int,
+) -> dict[str, Any]: ...
+@final
+class Pair:
+    def __new__(
+        cls,
+        slider: Slider,
+        track: Track,
+        *,
+        friction: float | tuple[ArrayLike, ArrayLike],
+        interpolation: str = "linear",
+        side: str = "left",
+        observed: Sequence[Observed] = ...,
+    ) -> Pair: ...
+    @staticmethod
+    def from_source(case: tuple[str, str] | str, overrides: Sequence[str]) -> Pair: ...
+    @property
+    def modes(self) -> int: ...
+    @property
+    def eigenvalues(self) -> NDArray[np.float64]: ...
+    @property
+    def node_positions(self) -> NDArray[np.float64]: ...
+    @property
+    def observed(self) -> int: ...
+    @property
+    def warnings(self) -> list[str]: ...
+
+def sliding_march(
+    pair: Pair,
+    motion: Mapping[str, float | int | None],
+    *,
+    method: str,
+    cut_off: float | None,
+    step: float | None,
+    every: int,
+    progress: _Progress | None,
+) -> dict[str, Any]: ...
+def sliding_locus(
+    pair: Pair,
+    positions: ArrayLike,
+    *,
+    count: int,
+    velocity: float | None,
+    load: float | None,
+    configuration: str,
+    damped: bool,
+    threads: int | None,
+) -> dict[str, Any]: ...
+def checked_case(case: tuple[str, str] | str, overrides: Sequence[str]) -> str: ...
+def run_case(
+    case: tuple[str, str] | str,
+    *,
+    output: str | None,
+    only: Sequence[str],
+    overrides: Sequence[str],
+    fresh: bool,
+    law: Law | None,
+    threads: int | None,
+    progress: _Progress | None,
+) -> dict[str, Any]: ...
+def command(words: Sequence[str]) -> int: ...

@@ -1,0 +1,42 @@
+"""Values of Python as TOML writes them: for cases and changed keys that come from a program."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from judder.errors import InputError
+
+
+def value(name: str, given: Any) -> str:
+    """``given`` as a TOML value on one line; NumPy scalars and arrays count as numbers and lists."""
+    if hasattr(given, "tolist"):
+        given = given.tolist()
+    match given:
+        case bool():
+            return "true" if given else "false"
+        case str():
+            return json.dumps(given, ensure_ascii=False)
+        case int():
+            return str(given)
+        case float():
+            return repr(given) if math.isfinite(given) else str(given)
+        case Mapping():
+            entries = (f"{json.dumps(str(key), ensure_ascii=False)} = {value(f'{name}.{key}', own)}" for key, own in given.items())
+            return "{ " + ", ".join(entries) + " }"
+        case Iterable():
+            return "[" + ", ".join(value(name, item) for item in given) + "]"
+    message = f"{name}: a case holds texts, numbers, booleans, lists and tables, not {type(given).__name__}"
+    raise InputError(message, "Input", {"argument": name})
+
+
+def document(case: Mapping[str, Any]) -> str:
+    """A case as a TOML document, one line a key."""
+    return "".join(f"{json.dumps(str(key))} = {value(str(key), own)}\n" for key, own in case.items())
+
+
+def overrides(changes: Mapping[str, Any] | None) -> list[str]:
+    """Changed keys as the options ``--set KEY=VALUE`` have them."""
+    return [f"{key}={value(key, given)}" for key, given in (changes or {}).items()]

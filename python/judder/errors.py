@@ -1,0 +1,122 @@
+"""Exceptions and warnings of judder: one class a cause, with the fields that let a caller act."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+__all__ = [
+    "CaseError",
+    "ContactError",
+    "InputError",
+    "Interrupted",
+    "JudderError",
+    "JudderWarning",
+    "LawError",
+    "OscillatorError",
+    "SlidingError",
+    "StoreError",
+    "StructureError",
+    "StudyError",
+]
+
+
+class JudderError(Exception):
+    """Why there is no result.
+
+    The text of the exception says what is wrong and what would be right. The numbers in it are attributes besides, by the names
+    that ``fields`` lists: ``error.indentation``, ``error.limit``.
+
+    >>> import judder
+    >>> try:
+    ...     judder.oscillator.point(velocity=-1.0)
+    ... except judder.JudderError as error:
+    ...     error.cause, error.key
+    ('OutOfRange', 'operation.velocity')
+    """
+
+    cause: str
+    """The kind of error within its class, such as ``"NoEquilibrium"``."""
+    fields: Mapping[str, Any]
+    """What a caller can act on, by name."""
+
+    def __init__(self, message: str, cause: str = "", fields: Mapping[str, Any] | None = None) -> None:
+        super().__init__(message)
+        self.cause = cause
+        self.fields = dict(fields or {})
+
+    def __getattr__(self, name: str) -> Any:
+        fields = self.__dict__.get("fields", {})
+        if name in fields:
+            return fields[name]
+        raise AttributeError(f"{type(self).__name__} has no attribute {name!r}")
+
+    def __reduce__(self) -> tuple[type[JudderError], tuple[str, str, dict[str, Any]]]:
+        return type(self), (str(self), self.cause, dict(self.fields))
+
+
+class InputError(JudderError, ValueError):
+    """An argument that cannot be: its shape, its kind of numbers, its range."""
+
+    argument: str
+    """The name of the argument."""
+
+
+class CaseError(JudderError, ValueError):
+    """A case, or a key given as an argument, that is wrong; the traceback shows place and help besides."""
+
+    file: str
+    """The file, ``--set`` for a changed key, or ``argument`` for a key that was given as one."""
+    line: int | None
+    """The line, from 1; ``None`` where the error has no place."""
+    column: int | None
+    """The column, from 1."""
+    text: str
+    """The words of the case that are to blame."""
+    key: str | None
+    """The dotted path of the key that is to blame, where there is one."""
+    help: str | None
+    """What would be right."""
+
+    def __init__(self, message: str, cause: str = "", fields: Mapping[str, Any] | None = None) -> None:
+        super().__init__(message, cause, fields)
+        if self.fields.get("line") is not None and self.file != "argument":
+            self.add_note(f"in {self.file}, line {self.line}, column {self.column}: {self.text}")
+        if self.fields.get("help"):
+            self.add_note(f"help: {self.help}")
+
+
+class OscillatorError(JudderError):
+    """An oscillator without an answer: a group out of range, no steady sliding, several."""
+
+
+class ContactError(JudderError):
+    """A contact without an answer: too deep, a domain too small, a material that is none."""
+
+
+class LawError(ContactError):
+    """A contact law that cannot be made or read."""
+
+
+class StructureError(JudderError):
+    """A structure without an answer."""
+
+
+class SlidingError(JudderError):
+    """Two structures that cannot slide on each other, or whose march cannot go on."""
+
+
+class StoreError(JudderError):
+    """A study folder that cannot be written or read."""
+
+
+class StudyError(JudderError):
+    """A study without a result."""
+
+
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C; what was done is kept, and the same call goes on from there."""
+
+
+class JudderWarning(UserWarning):
+    """What has to be known before a result is trusted."""

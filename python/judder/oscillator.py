@@ -1,0 +1,196 @@
+"""The two-degree-of-freedom oscillator in sliding contact: is steady sliding stable, and why not.
+
+Everything is dimensionless as in the oscillator paper: speeds v τ/R, loads F/(E0* R²), stresses τ0/E0*, times ω_nx t.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal, TypeAlias, TypedDict, Unpack
+
+from judder import _judder
+from judder._judder import OscillatorPoint, point
+from judder.contact import Law
+from judder.progress import Progress
+
+if TYPE_CHECKING:
+    import numpy as np
+    import xarray
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Axis", "FrictionLoad", "LawName", "Numeric", "OscillatorPoint", "StabilityMap", "point", "stability_map"]
+
+Numeric: TypeAlias = float | str
+"""A dimensionless group, or a text with a unit."""
+LawName: TypeAlias = Literal["oscillator-paper", "oscillator-paper-corrected", "hertz", "bem"]
+"""A contact law that goes by its name."""
+FrictionLoad: TypeAlias = Literal["normal-load", "contact-force"]
+"""The force that the viscoelastic friction coefficient multiplies."""
+
+CLASSES = ("stable", "flutter", "negative-damping", "both", "normal-force-coupling", "marginal", "unresolved")
+"""What the codes of ``StabilityMap.classes`` mean, in their order."""
+
+
+class Keys(TypedDict, total=False):
+    """The keys of an oscillator, see :func:`point`."""
+
+    velocity: Numeric
+    normal_load: Numeric
+    shear_strength: Numeric
+    damping_x: float
+    damping_y: float
+    frequency_ratio: float
+    coupling: float
+    coupling_angle: str
+    natural_frequency: str
+    stiffness_x: str
+    radius: str
+    rubbery_modulus: str
+    glassy_modulus: str
+    retardation_time: str
+    relaxation_time: str
+    poisson_ratio: float
+
+
+@dataclass(frozen=True, eq=False)
+class Axis:
+    """One side of a map."""
+
+    name: str
+    """The key, such as ``"velocity"``."""
+    values: NDArray[np.float64]
+    """Its values, in ``units``."""
+    long_name: str
+    """What it is, in words."""
+    units: str
+    """Its unit, ``"1"`` for a group."""
+
+
+@dataclass(frozen=True, eq=False)
+class StabilityMap:
+    """Verdict, mechanism and growth rate over two keys; arrays are [y, x]."""
+
+    x: Axis
+    """The columns."""
+    y: Axis
+    """The rows."""
+    classes: NDArray[np.uint8]
+    """Codes of verdict and mechanism, uint8[y, x]: the places of their names in :data:`CLASSES`."""
+    growth_rate: NDArray[np.float64] | None
+    """Growth rate in units of ω_nx, float64[y, x]; NaN where there is no steady sliding, ``None`` where it was not asked for."""
+    unstable_fraction: float
+    """Share of the points that is unstable."""
+    unresolved: int
+    """Points without an answer."""
+    decisions: int
+    """Points that were decided; the others follow from their neighbours (``method="adaptive"``)."""
+    seconds: float
+    """What verdicts and growth rates took, without the way there and back."""
+    warnings: tuple[str, ...]
+    """What makes the law doubtful, a sentence each."""
+
+    @property
+    def unstable(self) -> NDArray[np.bool_]:
+        """Where steady sliding is unstable, bool[y, x]."""
+        return (self.classes >= 1) & (self.classes <= 4)
+
+    @property
+    def verdict(self) -> NDArray[np.str_]:
+        """``"stable"``, ``"marginal"``, ``"unstable"`` or ``"unresolved"``, str[y, x]."""
+        import numpy as np
+
+        names = ["unstable" if 1 <= code <= 4 else name for code, name in enumerate(CLASSES)]
+        found: NDArray[np.str_] = np.array(names)[self.classes]
+        return found
+
+    @property
+    def mechanism(self) -> NDArray[np.str_]:
+        """What carries an instability, ``"none"`` where there is none, str[y, x]."""
+        import numpy as np
+
+        names = [name if 1 <= code <= 4 else "none" for code, name in enumerate(CLASSES)]
+        found: NDArray[np.str_] = np.array(names)[self.classes]
+        return found
+
+    def to_dataset(self) -> xarray.Dataset:
+        """The map as the dataset that an analysis ``stability-map`` leaves: ``stability``, ``growth_rate`` and their coordinates."""
+        import numpy as np
+        import xarray
+
+        sides = (self.y.name, self.x.name)
+        codes = {"flag_values": np.arange(len(CLASSES), dtype=np.uint8), "flag_meanings": " ".join(CLASSES)}
+        stability = {"long_name": "stability of steady sliding, by mechanism", **codes}
+        variables: dict[str, tuple[tuple[str, str], NDArray[np.uint8] | NDArray[np.float64], dict[str, object]]] = {
+            "stability": (sides, self.classes, dict(stability))
+        }
+        if self.growth_rate is not None:
+            about: dict[str, object] = {"long_name": "growth rate max Re(λ)/ω_nx", "units": "1"}
+            variables["growth_rate"] = (sides, self.growth_rate, about)
+        coordinates = {
+            axis.name: (axis.name, axis.values, {"long_name": axis.long_name, "units": axis.units}) for axis in (self.x, self.y)
+        }
+        return xarray.Dataset(variables, coordinates)
+
+
+Side: TypeAlias = "tuple[str, ArrayLike] | tuple[str, ArrayLike, str]"
+"""A key, its values, and their unit where they are no groups."""
+
+
+def stability_map(
+    x: Side,
+    y: Side,
+    *,
+    method: Literal["every-point", "adaptive"] = "every-point",
+    growth_rate: bool = True,
+    law: LawName | Law | None = None,
+    friction_load: FrictionLoad | None = None,
+    threads: int | None = None,
+    progress: Progress | None = None,
+    **keys: Unpack[Keys],
+) -> StabilityMap:
+    """Verdict, mechanism and growth rate over two keys.
+
+    Args:
+        x: what the columns vary: the key (``"velocity"`` or ``"operation.velocity"``), its values, float64[n], and their unit where they
+            are no dimensionless groups: ``("velocity", np.linspace(1, 50, 100), "mm/s")``.
+        y: what the rows vary, float64[m].
+        method: ``"every-point"``; ``"adaptive"`` decides a coarse grid and then along its boundaries only, and has no growth rates.
+        growth_rate: whether to compute growth rates too, some twenty times the work of the verdicts.
+        law: a law's name or a :class:`judder.contact.Law`; the oscillator paper's where none is given.
+        friction_load: which load carries the viscoelastic friction, ``"normal-load"`` where none is given.
+        threads: threads to compute with; one a core where none is given. The result does not depend on it.
+        progress: ``progress(name, done, total)``.
+        keys: all other keys, as of :func:`point`.
+
+    Raises:
+        CaseError, InputError: a value out of range, a wrong unit, an array that is empty or not of one dimension.
+
+    >>> import numpy as np
+    >>> found = judder.oscillator.stability_map(
+    ...     ("velocity", np.logspace(-6, 0, 50)), ("shear_strength", np.linspace(0, 0.2, 40)), growth_rate=False)
+    >>> found.classes.shape, found.unresolved
+    ((40, 50), 0)
+    """
+    told = _judder.oscillator_map(
+        (x[0], x[1], x[2] if len(x) == 3 else None),
+        (y[0], y[1], y[2] if len(y) == 3 else None),
+        method=method,
+        growth_rate=growth_rate and method == "every-point",
+        law=law,
+        friction_load=friction_load,
+        threads=threads,
+        progress=progress,
+        keys=dict(keys),
+    )
+    return StabilityMap(
+        x=Axis(*told["x"]),
+        y=Axis(*told["y"]),
+        classes=told["classes"],
+        growth_rate=told["growth_rate"],
+        unstable_fraction=told["unstable_fraction"],
+        unresolved=told["unresolved"],
+        decisions=told["decisions"],
+        seconds=told["seconds"],
+        warnings=tuple(told["warnings"]),
+    )
+

@@ -1,0 +1,222 @@
+"""Whole cases: run, check, and what a run leaves."""
+
+from __future__ import annotations
+
+import html
+import json
+import os
+import warnings
+from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+from judder import _judder, _toml
+from judder.contact import Law
+from judder.errors import JudderWarning, StudyError
+from judder.progress import Progress
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["CaseLike", "Study", "check", "load_study", "run"]
+
+CaseLike: TypeAlias = str | os.PathLike[str] | Mapping[str, Any]
+"""A case: the path of its file, its text (a ``str`` with a line break), or its tables as a mapping."""
+
+
+def source(case: CaseLike) -> tuple[str, str] | str:
+    """A case as the compiled part takes it: a name and a text, or a path."""
+    if isinstance(case, Mapping):
+        return "case.toml", _toml.document(case)
+    if isinstance(case, str) and "\n" in case:
+        return "case.toml", case
+    return os.fspath(case)
+
+
+def check(case: CaseLike, *, set: Mapping[str, Any] | None = None) -> dict[str, Any]:
+    """What a case means, before anything runs: the document of ``judder check --json``.
+
+    Args:
+        case: a path, the text of a case, or its tables as a mapping; files that it names are sought beside it.
+        set: changed keys, such as ``{"operation.velocity": "30 mm/s"}``; as ``--set`` of the command.
+
+    Returns:
+        A dictionary with the resolved case, its stability limits, and the time and memory that a run would take.
+
+    Raises:
+        CaseError: the case is wrong; ``error.line``, ``error.key``, ``error.help``.
+
+    >>> judder.check({"model": "oscillator"})["groups"]["v_d τ/R"]
+    0.0001
+    """
+    document: dict[str, Any] = json.loads(_judder.checked_case(source(case), _toml.overrides(set)))
+    return document
+
+
+def run(
+    case: CaseLike,
+    *,
+    output: str | os.PathLike[str] | None = None,
+    only: Iterable[str] = (),
+    set: Mapping[str, Any] | None = None,
+    fresh: bool = False,
+    law: Law | None = None,
+    threads: int | None = None,
+    progress: Progress | None = None,
+) -> Study:
+    """Runs the analyses of a case that are not done yet, as ``judder run`` does.
+
+    Ctrl-C ends the run and keeps what is done: the same call goes on from there.
+
+    Args:
+        case: a path, the text of a case, or its tables as a mapping; files that it names are sought beside it.
+        output: the study folder; ``out/<name of the case>`` where none is given.
+        only: these analyses and no others.
+        set: changed keys, such as ``{"operation.velocity": 1e-3}``.
+        fresh: forget earlier results first.
+        law: a contact law of your own in place of that of an oscillator case; it is kept in the folder as ``law.json``.
+        threads: threads to compute with; one a core where none is given. Results do not depend on it.
+        progress: ``progress(name, done, total)``, see :func:`judder.tqdm_progress`.
+
+    Returns:
+        The study. Where a result is missing, ``study.complete`` is false and ``study.failures`` says why; all that has to be known
+        besides is a :class:`JudderWarning`.
+
+    Raises:
+        CaseError: the case is wrong, also where only the run could see it.
+        StoreError: the folder cannot be written.
+        Interrupted: Ctrl-C.
+        JudderError: an analysis was refused for another wrong input; the others have run.
+    """
+    told = _judder.run_case(
+        source(case),
+        output=None if output is None else os.fspath(output),
+        only=list(only),
+        overrides=_toml.overrides(set),
+        fresh=fresh,
+        law=law,
+        threads=threads,
+        progress=progress,
+    )
+    for message in told["messages"]:
+        warnings.warn(message, JudderWarning, stacklevel=2)
+    for name, error in told["refused"]:
+        error.add_note(f"analysis `{name}`; what the others left is in {told['folder']}")
+        raise error
+    return Study(told["folder"])
+
+
+def load_study(folder: str | os.PathLike[str]) -> Study:
+    """Opens a study folder that ``judder run`` or :func:`judder.run` has written.
+
+    Raises:
+        StudyError: there is no study here, or its summary cannot be read.
+    """
+    return Study(folder)
+
+
+class Study(Mapping[str, "xarray.Dataset"]):
+    """What a run has left: a mapping from the names of its analyses to their data.
+
+    A dataset is read when it is used. Its variables carry units and long names, so that they label their own plots::
+
+        study["map"].growth_rate.plot()
+
+    In a notebook a study shows its results and figures.
+    """
+
+    folder: Path
+    """The study folder."""
+    summary: dict[str, Any]
+    """The content of ``summary.json``."""
+
+    def __init__(self, folder: str | os.PathLike[str]) -> None:
+        self.folder = Path(folder)
+        path = self.folder / "summary.json"
+        try:
+            self.summary = json.loads(path.read_text(encoding="utf-8"))
+        except (FileNotFoundError, NotADirectoryError):
+            raise _no_study(self.folder, "no study here; `judder.run` makes one") from None
+        except (ValueError, OSError) as error:
+            raise _no_study(self.folder, f"the summary cannot be read ({error})") from error
+
+    @property
+    def analyses(self) -> tuple[str, ...]:
+        """The names of the analyses that have run, in the order of the case, with or without a result."""
+        ran = self.summary["analyses"]
+        order = [analysis["name"] for analysis in self.summary["case"].get("analysis", [])]
+        return tuple(name for name in order if name in ran)
+
+    @property
+    def failures(self) -> dict[str, str]:
+        """Why analyses have no result, by their names."""
+        records = ((name, self.summary["analyses"][name]) for name in self.analyses)
+        return {name: record.get("reason", "") for name, record in records if record["status"] != "done"}
+
+    @property
+    def complete(self) -> bool:
+        """Whether every analysis of the case has run and no result is missing."""
+        missing = self.summary.get("study", {}).get("missing", {})
+        asked = len(self.summary["case"].get("analysis", []))
+        return len(self.analyses) == asked and not self.failures and not any(missing.values())
+
+    @property
+    def results(self) -> dict[str, dict[str, Any]]:
+        """The numbers of each analysis, by names: thresholds, fractions, errors."""
+        found: dict[str, dict[str, Any]] = self.summary["results"]
+        return {name: found[name] for name in self.analyses if name in found}
+
+    @property
+    def warnings(self) -> dict[str, list[str]]:
+        """What has to be known of each analysis before it is trusted."""
+        return {name: list(self.summary["analyses"][name].get("warnings", [])) for name in self.analyses}
+
+    @property
+    def report(self) -> Path:
+        """The report page."""
+        return self.folder / "report.html"
+
+    @property
+    def figures(self) -> dict[str, Path]:
+        """The figures (SVG) by their names."""
+        return {path.stem: path for path in sorted((self.folder / "figures").glob("*.svg"))}
+
+    @property
+    def tables(self) -> dict[str, Path]:
+        """The tables (CSV) by their names."""
+        return {path.stem: path for path in sorted(self.folder.glob("*.csv"))}
+
+    def __getitem__(self, name: str) -> xarray.Dataset:
+        import xarray
+
+        if name not in self.analyses or name in self.failures:
+            raise KeyError(name)
+        return xarray.open_dataset(self.folder / "results.zarr", engine="zarr", group=name, chunks=None)
+
+    def __iter__(self) -> Iterator[str]:
+        return (name for name in self.analyses if name not in self.failures)
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)
+
+    def __repr__(self) -> str:
+        return f"Study({str(self.folder)!r}: {', '.join(self) or 'no results'})"
+
+    def _repr_html_(self) -> str:
+        title = self.summary["case"].get("title") or self.folder.name
+        rows = "".join(
+            f"<tr><th>{html.escape(name)}</th><td>{html.escape(key)}</td><td>{html.escape(f'{number:.6g}')}</td></tr>"
+            for name, numbers in self.results.items()
+            for key, number in numbers.items()
+            if isinstance(number, int | float) and not isinstance(number, bool)
+        )
+        failed = "".join(f"<p><b>{html.escape(name)}</b>: {html.escape(why)}</p>" for name, why in self.failures.items())
+        figures = "".join(
+            f"<details><summary>{html.escape(name)}</summary>{path.read_text(encoding='utf-8')}</details>"
+            for name, path in self.figures.items()
+        )
+        return f"<h4>{html.escape(str(title))}</h4>{failed}<table>{rows}</table>{figures}"
+
+
+def _no_study(folder: Path, reason: str) -> StudyError:
+    return StudyError(f"{folder}: {reason}", "NoStudy", {"folder": str(folder)})

@@ -1,0 +1,58 @@
+"""What a user writes, for the type checkers."""
+
+from pathlib import Path
+
+import numpy as np
+
+import judder
+from judder.sliding import Pair, Slider, Track, locus, march
+
+
+def bell(velocity: np.ndarray, indentation: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    return 4 / 3 * indentation**1.5, np.pi * indentation, 0.3 * velocity / (1 + velocity**2)
+
+
+def points() -> float:
+    point = judder.oscillator.point(velocity="30 mm/s", normal_load=1e-6, law="hertz")
+    eigenvalue: complex = point.eigenvalues[0]
+    print(point.verdict.upper(), eigenvalue.real, point.damping[0, 0])
+    return point.growth_rate
+
+
+def maps() -> None:
+    law = judder.contact.Law.from_function(bell, velocity=(1e-6, 1e2), indentation=(1e-6, 1e-1))
+    found = judder.oscillator.stability_map(
+        ("operation.velocity", np.logspace(-6, 0, 100)),
+        ("radius", [5.0, 10.0], "mm"),
+        law=law,
+        damping_x=0.02,
+        retardation_time="10 ms",
+        progress=judder.tqdm_progress(),
+    )
+    growth = found.growth_rate
+    print(found.unstable.mean(), growth.max() if growth is not None else None, found.to_dataset().sizes)
+
+
+def cases() -> None:
+    study = judder.run(Path("case.toml"), set={"operation.velocity": 1e-3}, only=["map"], threads=2)
+    print(study.results["map"], study["map"].growth_rate.mean(), [name for name in study], study.report.name)
+    try:
+        judder.check({"model": "oscillator"})
+    except judder.CaseError as error:
+        print(error.line, error.key, error.help, error.fields)
+    except judder.JudderError as error:
+        print(error.cause)
+
+
+def contacts() -> float:
+    contact = judder.contact.solve(0.1, indentation=1e-2, substrate=judder.contact.Substrate(10.0, [(1.0, 0.9)]), shape="sphere")
+    print(contact.pressure.max(), contact.converged)
+    return contact.force
+
+
+def pairs() -> None:
+    slider = Slider([0.0], [0.0, 0.0], [[0.0], [1.0]], [-1.0], [0.0])
+    track = Track([1e6], [[0.0, 0.0], [0.1, 0.0]], np.zeros((2, 2, 1)), alpha=1.0)
+    pair = Pair(slider, track, friction=0.3)
+    ended = march(pair, velocity=0.1, load=1.0, method="film")
+    print(ended.normal_force.mean(), locus(pair, [0.01, 0.02], count=1, velocity=0.1, load=1.0).zones)

@@ -1,0 +1,160 @@
+"""Points and maps of the oscillator, against the command and against each other."""
+
+import json
+import pickle
+
+import numpy as np
+import pytest
+
+import judder
+
+OPERATION = ("velocity", "normal_load")
+
+
+def options(keys):
+    section = {"velocity": "operation", "normal_load": "operation", "shear_strength": "contact", "radius": "indenter"}
+    return [f"--set={section.get(key, 'oscillator')}.{key}={value}" for key, value in keys.items()]
+
+
+@pytest.mark.parametrize(
+    "keys",
+    [
+        {},
+        {"velocity": 3e-3, "shear_strength": 0.05, "damping_x": 0.02},
+        {"velocity": "30 mm/s", "normal_load": "0.2 N", "radius": "12 mm"},
+        {"frequency_ratio": 1.3, "coupling": 0.4, "coupling_angle": "-30 deg"},
+    ],
+)
+def test_a_point_is_that_of_the_command_to_the_last_digit(keys, command, tmp_path):
+    case = tmp_path / "case.toml"
+    case.write_text('model = "oscillator"\n')
+    told = json.loads(command("point", case, "--json", *options(keys)).stdout)
+    point = judder.oscillator.point(**keys)
+    assert json.loads(point.to_json()) == told
+    assert [[value.real, value.imag] for value in point.eigenvalues] == told["eigenvalues"]
+    assert point.damping.tolist() == told["damping"] and point.stiffness.tolist() == told["stiffness"]
+    assert (point.growth_rate, point.verdict, point.mechanism) == tuple(told[key] for key in ("growth_rate", "verdict", "mechanism"))
+    assert (point.x, point.y, point.indentation) == tuple(told["equilibrium"][key] for key in ("x", "y", "indentation"))
+    assert (point.force, point.area, point.viscoelastic_friction) == tuple(told["contact"].values())
+    assert point.critical_load.tolist() == told["critical_load"]
+    assert point.critical_shear_strength.tolist() == told["critical_shear_strength"]
+    assert point.warnings == told["warnings"]
+
+
+def test_points_compare_and_pickle():
+    law = judder.contact.Law("oscillator-paper-corrected")
+    for keys in ({}, {"relaxation_time": "2 ms", "radius": "3 mm"}, {"law": law, "friction_load": "contact-force"}):
+        point = judder.oscillator.point(**keys)
+        again = pickle.loads(pickle.dumps(point))
+        assert again == point and again.to_json() == point.to_json()
+    assert judder.oscillator.point() != judder.oscillator.point(velocity=2e-4)
+    with pytest.raises(AttributeError):
+        point.growth_rate = 0.0
+
+
+def test_a_map_is_its_points():
+    velocities, strengths = np.logspace(-6, -1, 13), np.linspace(0.0, 0.2, 7)
+    found = judder.oscillator.stability_map(("operation.velocity", velocities), ("shear_strength", strengths), coupling=0.7)
+    assert found.classes.shape == (7, 13) and found.classes.dtype == np.uint8
+    for row, strength in enumerate(strengths):
+        for column, velocity in enumerate(velocities):
+            point = judder.oscillator.point(velocity=velocity, shear_strength=strength, coupling=0.7)
+            assert found.growth_rate[row, column] == point.growth_rate
+            assert found.verdict[row, column] == point.verdict and found.mechanism[row, column] == point.mechanism
+    np.testing.assert_array_equal(found.unstable, found.growth_rate > 0)
+    adaptive = judder.oscillator.stability_map(
+        ("velocity", velocities), ("shear_strength", strengths), coupling=0.7, method="adaptive"
+    )
+    np.testing.assert_array_equal(adaptive.classes, found.classes)
+    assert adaptive.growth_rate is None
+
+
+def test_a_map_is_that_of_a_study(map_case, tmp_path):
+    study = judder.run(map_case, output=tmp_path / "study", only=["map"])["map"]
+    own = judder.oscillator.stability_map(("velocity", study.velocity), ("shear_strength", study.shear_strength)).to_dataset()
+    for name in ("stability", "growth_rate"):
+        np.testing.assert_array_equal(own[name], study[name])
+        assert own[name].dims == study[name].dims and own[name].attrs["long_name"] == study[name].attrs["long_name"]
+    assert own.stability.attrs["flag_meanings"].split()[1] == study.stability.attrs["flag_meanings"].split()[1]
+
+
+def test_a_tall_map_in_stretches_is_the_map_in_one():
+    columns = np.logspace(-6, 0, 4096)
+    strengths = np.linspace(0.0, 0.2, 2048)
+    both = [
+        judder.oscillator.stability_map(("velocity", columns), ("shear_strength", strengths[part]), growth_rate=False).classes
+        for part in (slice(None), slice(0, 1024))
+    ]
+    np.testing.assert_array_equal(both[0][:1024], both[1])
+
+
+@pytest.mark.parametrize("threads", [1, 3])
+def test_threads_change_nothing(threads):
+    sides = ("velocity", np.logspace(-6, 0, 300)), ("normal_load", np.logspace(-8, -4, 60))
+    assert judder.oscillator.stability_map(*sides, threads=threads).classes.tobytes() == judder.oscillator.stability_map(*sides).classes.tobytes()
+
+
+def test_units_of_a_side():
+    sides = ("velocity", [10, 20], "mm/s"), ("radius", [5.0, 10.0], "mm")
+    found = judder.oscillator.stability_map(*sides)
+    assert found.x.values.tolist() == [0.01, 0.02] and (found.x.units, found.y.units) == ("m/s", "m")
+    assert found.growth_rate[1, 0] == judder.oscillator.point(velocity="10 mm/s", radius="10 mm").growth_rate
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        np.logspace(-6, 0, 40)[::2],
+        np.logspace(-6, 0, 20).astype(np.float32),
+        np.logspace(-6, 0, 20).tolist(),
+        np.asfortranarray(np.logspace(-6, 0, 60).reshape(20, 3))[:, 1],
+        np.arange(1, 21),
+    ],
+    ids=["strided", "float32", "list", "column", "integers"],
+)
+def test_arrays_of_any_kind(values):
+    readonly = np.array(values)
+    readonly.flags.writeable = False
+    plain = np.array(values, dtype=np.float64)
+    y = ("shear_strength", [0.01, 0.1])
+    expected = judder.oscillator.stability_map(("velocity", plain), y).growth_rate
+    for given in (values, readonly):
+        np.testing.assert_array_equal(judder.oscillator.stability_map(("velocity", given), y).growth_rate, expected)
+
+
+@pytest.mark.parametrize(
+    ("values", "words"),
+    [
+        ([], "empty"),
+        ([1e-3, np.nan], "value 1 is NaN"),
+        ([1e-3, np.inf], "value 1 is inf"),
+        ([1e-3, -1.0], "value 1"),
+        ([[1e-3]], "one dimension"),
+        (np.array(1e-3), "one dimension"),
+        ([1 + 2j], "complex"),
+        (["fast"], "real numbers"),
+        ([True], "bool"),
+        (object(), "object"),
+        ([[1.0], [1.0, 2.0]], "not an array"),
+    ],
+)
+def test_arrays_that_are_none(values, words):
+    with pytest.raises(judder.InputError, match=words) as caught:
+        judder.oscillator.stability_map(("velocity", values), ("shear_strength", [0.01]))
+    assert caught.value.argument == "x"
+
+
+def test_sides_that_are_none():
+    good = ("shear_strength", [0.01])
+    for side in (("speed", [1.0]), ("velocity", [1.0], "N"), ("velocity", [1.0], "furlong"), ("shear_strength", [0.1]), ("damping_x", [0.1], "1")):
+        with pytest.raises(judder.InputError):
+            judder.oscillator.stability_map(side, good)
+    with pytest.raises(judder.CaseError, match="unit"):
+        judder.oscillator.stability_map(("radius", [0.01]), good)
+    with pytest.raises(judder.InputError, match="glassy"):
+        judder.oscillator.stability_map(("glassy_modulus", [1e5, 1e7], "Pa"), good)
+    with pytest.raises(TypeError):
+        judder.oscillator.stability_map(("velocity", [1.0]), good, damping_x=None)
+    for threads in (0, 10**6):
+        with pytest.raises(judder.InputError, match="threads"):
+            judder.oscillator.stability_map(("velocity", [1.0]), good, threads=threads)

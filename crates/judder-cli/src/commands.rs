@@ -1,6 +1,7 @@
 //! One module a command.
 
 mod check;
+mod merge;
 mod new;
 mod point;
 mod report;
@@ -24,6 +25,7 @@ pub(crate) enum Command {
     New(new::New),
     Check(check::Check),
     Run(run::Run),
+    Merge(merge::Merge),
     Point(point::Point),
     Report(report::Report),
     Reproduce(reproduce::Reproduce),
@@ -44,6 +46,7 @@ pub(crate) fn execute(command: Option<Command>, console: Console) -> Result<Exit
         Some(Command::New(new)) => new.execute(console),
         Some(Command::Check(check)) => check.execute(console),
         Some(Command::Run(run)) => run.execute(console),
+        Some(Command::Merge(merge)) => merge.execute(console),
         Some(Command::Point(point)) => point.execute(console),
         Some(Command::Report(report)) => report.execute(console),
         Some(Command::Reproduce(reproduce)) => reproduce.execute(console),

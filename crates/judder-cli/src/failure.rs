@@ -167,12 +167,13 @@ impl From<StudyError> for Failure {
             StudyError::Case(error) => return error.into(),
             StudyError::NoResults { folder } => Message::error(format!("{folder}: no results here yet"))
                 .with_help(format!("`judder run CASE.toml -o {folder}` makes some")),
-            StudyError::UnknownAnalysis { name, known } => {
-                Message::error(format!("the case has no analysis `{name}`")).with_help(match known.len() {
-                    0 => "it has none at all".to_owned(),
-                    _ => format!("it has {}", known.join(", ")),
-                })
-            }
+            StudyError::UnknownAnalysis { name, known } => Message::error(format!(
+                "the case has no analysis or sweep `{name}`"
+            ))
+            .with_help(match known.len() {
+                0 => "it has none at all".to_owned(),
+                _ => format!("it has {}", known.join(", ")),
+            }),
             StudyError::WrongModel { command, model } => Message::error(format!(
                 "`judder {command}` takes an oscillator case; this one is of model `{model}`"
             ))

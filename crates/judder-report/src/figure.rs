@@ -130,22 +130,31 @@ pub struct Axis {
     pub scale: Scale,
     /// First and last value, ascending; `None` takes what the data span.
     pub range: Option<(f64, f64)>,
+    /// What stands at these values, ascending, in place of numbers; numbers where there are none.
+    pub names: Vec<(f64, String)>,
 }
 
 impl Axis {
     /// A linear axis over what the data span.
     pub fn linear(label: impl Into<String>) -> Self {
-        Self { label: label.into(), scale: Scale::Linear, range: None }
+        Self { label: label.into(), scale: Scale::Linear, range: None, names: Vec::new() }
     }
 
     /// A logarithmic axis over what the (positive) data span.
     pub fn log(label: impl Into<String>) -> Self {
-        Self { label: label.into(), scale: Scale::Log, range: None }
+        Self { label: label.into(), scale: Scale::Log, range: None, names: Vec::new() }
     }
 
     /// An axis logarithmic to both sides of zero, linear between −`linear` and `linear`.
     pub fn symmetric_log(label: impl Into<String>, linear: f64) -> Self {
-        Self { label: label.into(), scale: Scale::SymmetricLog { linear }, range: None }
+        Self { label: label.into(), scale: Scale::SymmetricLog { linear }, range: None, names: Vec::new() }
+    }
+
+    /// An axis of things without an order: the first at 0, the next at 1, …, with half a place beside the outermost.
+    pub fn named(label: impl Into<String>, names: impl IntoIterator<Item = String>) -> Self {
+        let names: Vec<(f64, String)> = (0..).map(f64::from).zip(names).collect();
+        let end = names.len().max(1) as f64 - 0.5;
+        Self { names, ..Self::linear(label).with_range(-0.5, end) }
     }
 
     /// The same axis from `from` to `to`.

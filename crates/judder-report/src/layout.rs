@@ -7,7 +7,7 @@ use crate::legend::{self, Entry};
 use crate::palette::ColourMap;
 use crate::scale::Placed;
 use crate::second_axis::{self, DrawnSecond};
-use crate::ticks::{Ticks, thin_labels, ticks};
+use crate::ticks::{Ticks, named, thin_labels, ticks};
 use crate::typeface::{SMALL_SIZE, width};
 
 /// Between the frame and its tick labels.
@@ -40,6 +40,8 @@ pub(crate) struct DrawnAxis {
     pub(crate) label: String,
     /// Markup, as it was given.
     pub(crate) source_label: String,
+    /// Whether names stand at the ticks.
+    pub(crate) is_named: bool,
 }
 
 /// A panel with its place.
@@ -176,10 +178,10 @@ fn draw_panel(panel: &Panel, letter: String, width_of_frame: f64, height: f64) -
     };
     let placed_x = Placed::new(&panel.x, panel.layers.iter().flat_map(abscissae), pad_x);
     let placed_y = Placed::new(&panel.y, panel.layers.iter().flat_map(ordinates), pad_y);
-    let mut ticks_x = ticks(&placed_x, (width_of_frame / 30.0) as usize);
+    let mut ticks_x = axis_ticks(&panel.x, &placed_x, (width_of_frame / 30.0) as usize);
     let widest = widest_label(&ticks_x);
     thin_labels(&placed_x, &mut ticks_x, (widest + 5.0) / width_of_frame);
-    let mut ticks_y = ticks(&placed_y, (height / 22.0) as usize);
+    let mut ticks_y = axis_ticks(&panel.y, &placed_y, (height / 22.0) as usize);
     thin_labels(&placed_y, &mut ticks_y, LINE / height);
     let tick_width = widest_label(&ticks_y);
     let room = ((width_of_frame / 30.0) as usize, (widest + 5.0) / width_of_frame);
@@ -195,6 +197,10 @@ fn draw_panel(panel: &Panel, letter: String, width_of_frame: f64, height: f64) -
         tick_width,
         legend: None,
     }
+}
+
+fn axis_ticks(axis: &Axis, placed: &Placed, room: usize) -> Ticks {
+    if axis.names.is_empty() { ticks(placed, room) } else { named(placed, &axis.names) }
 }
 
 fn value_map(layer: &Layer) -> Option<&ValueMap> {
@@ -224,7 +230,8 @@ fn drawn_axis(axis: &Axis, placed: Placed, ticks: Ticks) -> DrawnAxis {
         Some(power) => format!("{} (×10^{{{}}})", axis.label, power.to_string().replace('-', "−")),
         None => axis.label.clone(),
     };
-    DrawnAxis { placed, ticks, label, source_label: axis.label.clone() }
+    let is_named = !axis.names.is_empty();
+    DrawnAxis { placed, ticks, label, source_label: axis.label.clone(), is_named }
 }
 
 fn widest_label(ticks: &Ticks) -> f64 {

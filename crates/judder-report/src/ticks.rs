@@ -20,6 +20,13 @@ pub(crate) struct Ticks {
     pub(crate) exponent: Option<i32>,
 }
 
+/// The ticks of an axis with names: one each.
+pub(crate) fn named(axis: &Placed, names: &[(f64, String)]) -> Ticks {
+    let named = names.iter().map(|(value, label)| Tick { value: *value, label: label.clone() });
+    let major = named.filter(|tick| axis.contains(tick.value)).collect();
+    Ticks { major, minor: Vec::new(), exponent: None }
+}
+
 /// Ticks of an axis that has room for about `room` labels (at least 2).
 pub(crate) fn ticks(axis: &Placed, room: usize) -> Ticks {
     let room = room.max(2);
@@ -218,6 +225,21 @@ mod tests {
         assert_eq!(
             labels(Axis::symmetric_log("", 1e-2), -0.1, 1.0, 9),
             ["−10^{−1}", "−10^{−2}", "0", "10^{−2}", "10^{−1}", "10^{0}"]
+        );
+    }
+
+    #[test]
+    fn names_stand_in_place_of_numbers() {
+        let axis = Axis::named("key", ["velocity".to_owned(), "load".to_owned()]);
+        let placed = Placed::new(&axis, std::iter::empty(), 0.0);
+        assert_eq!((placed.from, placed.to), (-0.5, 1.5));
+        let ticks = named(&placed, &axis.names);
+        let shown: Vec<(f64, &str)> =
+            ticks.major.iter().map(|tick| (tick.value, tick.label.as_str())).collect();
+        assert_eq!(shown, [(0.0, "velocity"), (1.0, "load")]);
+        assert!(
+            Axis::named("", []).range.is_some_and(|(from, to)| from < to),
+            "an axis of nothing can be drawn"
         );
     }
 

@@ -5,6 +5,8 @@ use std::io::ErrorKind;
 use std::path::{Component, Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
+use serde_json::{Map, Value};
+
 use crate::lock::{self, Lock, Mode};
 use crate::name::check_name;
 use crate::staging::{self, Stage};
@@ -105,12 +107,17 @@ impl StudyFolder {
         Ok(store)
     }
 
-    /// Makes the metadata of `results.zarr` tell of all its groups, those too that came here by other ways than this crate's.
+    /// Makes the metadata of `results.zarr` tell of all its groups, those too that came here by other ways than this crate's; claims of
+    /// sweeps go, which nobody can hold beside this.
     ///
     /// # Errors
     /// [`StoreError::DatasetUnreadable`] for a group with damaged metadata; failures of the file system.
     pub fn consolidate(&self) -> Result<(), StoreError> {
         let _publishing = self.publishing.lock().unwrap_or_else(PoisonError::into_inner);
+        // nobody else is here: claims are of no use to anyone
+        if self.lock.is_real() {
+            staging::sweep(&self.path, sweep::PREFIX)?;
+        }
         results::consolidate(&self.path)
     }
 
@@ -146,6 +153,35 @@ impl StudyFolder {
             return Err(StoreError::NoDataset { path: group });
         }
         zarr::read_group(&group)
+    }
+
+    /// The attributes of the arrays of an analysis, such as its `kind`; no array is read.
+    ///
+    /// # Errors
+    /// As [`read_dataset`](Self::read_dataset).
+    pub fn read_attributes(&self, analysis: &str) -> Result<Map<String, Value>, StoreError> {
+        let group = self.group(analysis)?;
+        if !group.exists() {
+            return Err(StoreError::NoDataset { path: group });
+        }
+        zarr::read_attributes(&group)
+    }
+
+    /// Reads a sweep at some of its points, to draw what is too much for memory. `choose` gets names and lengths of its dimensions and gives the
+    /// positions along each of them; those beyond its end are left out. Only the chunks in which chosen points lie are read, one after the other.
+    ///
+    /// # Errors
+    /// As [`read_dataset`](Self::read_dataset); a group that is no sweep.
+    pub fn read_points(
+        &self,
+        name: &str,
+        choose: impl FnOnce(&[(String, usize)]) -> Vec<Vec<usize>>,
+    ) -> Result<Dataset, StoreError> {
+        let group = self.group(name)?;
+        if !group.exists() {
+            return Err(StoreError::NoDataset { path: group });
+        }
+        sweep::read_points(&group, choose)
     }
 
     /// Whether an analysis need not be run again: the summary calls it done under this hash, and its arrays are there,

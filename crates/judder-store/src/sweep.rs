@@ -10,12 +10,14 @@
 //! - `group.rs`: the group of a sweep in `results.zarr`, the same bytes whoever begins it.
 //! - [`ChunkClaim`] (`claim.rs`): the right to compute one chunk.
 //! - [`SweepStore`] (`store.rs`): the chunks on the disk: claimed, written, listed, read, verified.
+//! - `sampled.rs`: some of the points, from the group alone.
 
 mod claim;
 mod group;
 mod layout;
 mod points;
 mod record;
+mod sampled;
 mod shard;
 mod store;
 
@@ -24,4 +26,5 @@ pub use claim::{ChunkClaim, ClaimAnswer};
 pub use layout::{SweepDimension, SweepLayout, SweepQuantity};
 pub use points::ChunkPoints;
 pub use record::{ChunkDamage, PointFailure};
+pub(crate) use sampled::read_points;
 pub use store::{ChunkState, StoredChunk, SweepFailure, SweepStore};

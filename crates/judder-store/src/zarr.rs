@@ -280,8 +280,21 @@ pub(crate) fn stored_hash(folder: &Path) -> Option<String> {
     Some(metadata::take_text(&mut attributes, HASH_ATTRIBUTE))
 }
 
+/// The attributes of the group in `folder`.
+pub(crate) fn read_attributes(folder: &Path) -> Result<Map<String, Value>, StoreError> {
+    Ok(metadata::take_object(&mut metadata::read(folder)?, "attributes").unwrap_or_default())
+}
+
 /// Reads the group in `folder` back.
 pub(crate) fn read_group(folder: &Path) -> Result<Dataset, StoreError> {
+    read_group_by(folder, read_variable)
+}
+
+/// The same, where `read` gives back a variable of the store by its name.
+pub(crate) fn read_group_by(
+    folder: &Path,
+    read: impl Fn(&Arc<FilesystemStore>, &str) -> Result<Variable, ReadFailure>,
+) -> Result<Dataset, StoreError> {
     let mut group = metadata::read(folder)?;
     let members = metadata::take_members(&mut group)
         .ok_or_else(|| StoreError::unreadable(folder, "its metadata do not list its arrays"))?;
@@ -295,7 +308,7 @@ pub(crate) fn read_group(folder: &Path) -> Result<Dataset, StoreError> {
     let damaged = |source| StoreError::unreadable(folder, source);
     let mut dataset = Dataset::new();
     for name in members.keys() {
-        let mut variable = read_variable(&store, name)
+        let mut variable = read(&store, name)
             .map_err(|source| StoreError::DatasetUnreadable { path: folder.join(name), source })?;
         variable.is_coordinate |= coordinates.contains(&name.as_str());
         dataset = dataset.with(variable).map_err(damaged)?;
@@ -306,9 +319,9 @@ pub(crate) fn read_group(folder: &Path) -> Result<Dataset, StoreError> {
     Ok(dataset)
 }
 
-type ReadFailure = Box<dyn Error + Send + Sync>;
+pub(crate) type ReadFailure = Box<dyn Error + Send + Sync>;
 
-fn read_variable(store: &Arc<FilesystemStore>, name: &str) -> Result<Variable, ReadFailure> {
+pub(crate) fn read_variable(store: &Arc<FilesystemStore>, name: &str) -> Result<Variable, ReadFailure> {
     let array = Array::open(store.clone(), &format!("/{name}"))?;
     check_chunks(store, &array)?;
     let shape = array.shape().iter().map(|&length| usize::try_from(length)).collect::<Result<Vec<_>, _>>()?;
@@ -338,14 +351,20 @@ fn values<T: ElementOwned>(array: &Array<FilesystemStore>) -> Result<Vec<T>, Arr
     array.retrieve_array_subset(&array.subset_all())
 }
 
-/// Refuses an array with a chunk missing, which would otherwise read as fill values, or of absurd size.
-fn check_chunks(store: &FilesystemStore, array: &Array<FilesystemStore>) -> Result<(), ReadFailure> {
+/// Refuses an array with chunks of absurd size.
+pub(crate) fn check_chunk_size(array: &Array<FilesystemStore>) -> Result<(), ReadFailure> {
     let origin = vec![0; array.dimensionality()];
     let values =
         array.chunk_shape(&origin)?.iter().try_fold(1_u64, |count, length| count.checked_mul(length.get()));
     if values.is_none_or(|count| count > LARGEST_CHUNK_BYTES / 16) {
         return Err("its metadata ask for chunks of absurd size".into());
     }
+    Ok(())
+}
+
+/// Refuses an array with a chunk missing, which would otherwise read as fill values, or of absurd size.
+fn check_chunks(store: &FilesystemStore, array: &Array<FilesystemStore>) -> Result<(), ReadFailure> {
+    check_chunk_size(array)?;
     if array.shape().contains(&0) {
         return Ok(());
     }

@@ -13,6 +13,7 @@ mod steady_states;
 mod structure;
 mod two_degrees;
 
+pub(crate) use axis::Axis;
 pub(crate) use motion::belt;
 pub(crate) use stability_map::{STARTS_IT, UNKNOWN};
 pub(crate) use steady_states::SteadyState;
@@ -31,6 +32,7 @@ use judder_case::{
 use judder_contact::law::sweep::SolvedPoint;
 use judder_oscillator::Contact;
 use motion::{BeltModel, OscillatorModel};
+use std::sync::Arc;
 
 /// The names of the analyses of a case, in its order.
 #[must_use]
@@ -74,7 +76,16 @@ pub fn steps(case: &Case, index: usize) -> usize {
 /// # Errors
 /// [`StudyError::Interrupted`], or arrays that the store refuses.
 pub fn run(case: &Case, index: usize, progress: &dyn Progress) -> Result<Outcome, StudyError> {
-    run_from((case, &Prepared::new(case)?), index, (Kept::NOTHING, Kept::NOTHING), progress)
+    run_alone((case, &Prepared::new(case)?), index, progress)
+}
+
+/// Runs the analysis at `index` of a case in no study folder: nothing is kept, and nothing is known from before.
+pub(crate) fn run_alone(
+    (case, prepared): (&Case, &Prepared),
+    index: usize,
+    progress: &dyn Progress,
+) -> Result<Outcome, StudyError> {
+    run_from((case, prepared), index, (Kept::NOTHING, Kept::NOTHING), progress)
 }
 
 /// Runs the analysis at `index` of a case; it goes on from what an interrupted run has kept of the law that the analyses of an
@@ -115,7 +126,7 @@ pub(crate) enum Prepared {
     /// Nothing.
     Nothing,
     /// The structure of a structure case.
-    Structure(Box<Structure>),
+    Structure(Arc<Structure>),
     /// The pair of a sliding case.
     Sliding(Box<SlidingSystem>),
 }
@@ -124,7 +135,7 @@ impl Prepared {
     /// What the analyses of a case share.
     fn new(case: &Case) -> Result<Self, StudyError> {
         match case {
-            Case::Structure(case) => Ok(Self::Structure(Box::new(Structure::new(case)?))),
+            Case::Structure(case) => Ok(Self::Structure(Arc::new(Structure::new(case)?))),
             Case::Sliding(case) => Ok(Self::Sliding(Box::new(SlidingSystem::new(case)?))),
             _ => Ok(Self::Nothing),
         }

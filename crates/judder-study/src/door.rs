@@ -8,7 +8,7 @@ use crate::indenter::profile;
 use crate::material::ContactScales;
 use crate::sliding::{self, SlidingSystem};
 use crate::structure::Structure;
-use judder_case::{Case, CaseFile, ContactAnalysis, ContactCase, ContactProblem, Memory, Shape};
+use judder_case::{Case, CaseFile, ContactAnalysis, ContactCase, ContactProblem, Memory, Shape, SlidingCase};
 use judder_contact::kernel::check::KernelError;
 use judder_contact::kernel::sliding::SlidingOperator;
 use judder_contact::periodic_contact::PeriodicContactError;
@@ -16,6 +16,7 @@ use judder_contact::steady::profile::Profile;
 use judder_contact::steady::{GridChoice, SteadyError};
 use judder_contact::transient::TransientError;
 use judder_contact::unilateral::Loading;
+use std::sync::Arc;
 
 /// Looks at the data of a substrate; reads and assembles a structure, which the analyses share; of a contact case at all files, and at depth and memory of each of its analyses that is
 /// wanted; of a sliding case at what its marches keep.
@@ -28,14 +29,11 @@ pub(crate) fn check(file: &CaseFile, is_wanted: impl Fn(&str) -> bool) -> Result
         Case::Oscillator(case) => return bridge::with_material(case).map(|_| Prepared::Nothing),
         Case::Structure(case) => {
             let structure = Structure::new(case).map_err(|unbuilt| unbuilt.placed(file))?;
-            return Ok(Prepared::Structure(Box::new(structure)));
+            return Ok(Prepared::Structure(Arc::new(structure)));
         }
         Case::Sliding(case) => {
             let system = SlidingSystem::new(case).map_err(|uncoupled| uncoupled.placed(file))?;
-            for (index, _) in case.analyses.iter().enumerate().filter(|(_, a)| is_wanted(&a.name)) {
-                sliding::fits((file, case, &system), index)?;
-            }
-            return Ok(Prepared::Sliding(Box::new(system)));
+            return fitting((file, case), system, is_wanted);
         }
         Case::Belt(_) | Case::TwoDegrees(_) => return Ok(Prepared::Nothing),
     };
@@ -47,6 +45,42 @@ pub(crate) fn check(file: &CaseFile, is_wanted: impl Fn(&str) -> bool) -> Result
         memory(case, &analysis.kind, &scales, &*profile)?.map_err(refuse)?;
     }
     Ok(Prepared::Nothing)
+}
+
+/// The same for a case that differs from that of which `known` is prepared by the values of these swept keys alone: what they do not
+/// concern is not made again.
+///
+/// # Errors
+/// As of [`check`].
+pub(crate) fn check_at(
+    file: &CaseFile,
+    is_wanted: impl Fn(&str) -> bool,
+    (known, keys): (&Prepared, &[&str]),
+) -> Result<Prepared, StudyError> {
+    match (&file.case, known) {
+        (Case::Sliding(case), Prepared::Sliding(system)) => {
+            let system = system.swept(case, keys).map_err(|uncoupled| uncoupled.placed(file))?;
+            fitting((file, case), system, is_wanted)
+        }
+        (Case::Structure(_), Prepared::Structure(structure))
+            if keys.iter().all(|key| key.starts_with("analysis.")) =>
+        {
+            Ok(Prepared::Structure(Arc::clone(structure)))
+        }
+        _ => check(file, is_wanted),
+    }
+}
+
+/// The pair of a sliding case, where what its wanted marches keep fits.
+fn fitting(
+    (file, case): (&CaseFile, &SlidingCase),
+    system: SlidingSystem,
+    is_wanted: impl Fn(&str) -> bool,
+) -> Result<Prepared, StudyError> {
+    for (index, _) in case.analyses.iter().enumerate().filter(|(_, a)| is_wanted(&a.name)) {
+        sliding::fits((file, case, &system), index)?;
+    }
+    Ok(Prepared::Sliding(Box::new(system)))
 }
 
 /// The keys that are to blame, the first that the analysis has, and why.

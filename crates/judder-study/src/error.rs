@@ -33,8 +33,8 @@ pub enum StudyError {
     /// A figure or the page could not be drawn.
     #[error(transparent)]
     Report(#[from] ReportError),
-    /// An analysis was asked for that the case does not have.
-    #[error("the case has no analysis `{name}`; it has {}", known.join(", "))]
+    /// An analysis or a sweep was asked for that the case does not have.
+    #[error("the case has no analysis or sweep `{name}`; it has {}", known.join(", "))]
     UnknownAnalysis {
         /// The name that was asked for.
         name: String,
@@ -206,6 +206,9 @@ impl StudyError {
                 error,
                 StoreError::NotAFolder { .. }
                     | StoreError::ForeignFolder { .. }
+                    | StoreError::ForeignSweep { .. }
+                    | StoreError::OtherLayout { .. }
+                    | StoreError::ForeignChunk { .. }
                     | StoreError::NoStudy { .. }
                     | StoreError::SummaryUnreadable { .. }
             ),

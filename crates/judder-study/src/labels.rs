@@ -1,6 +1,6 @@
 //! How keys are called on axes and in tables, in the markup of the figures.
 
-use judder_case::{BeltKey, Form, OscillatorKey};
+use judder_case::{BeltKey, Dimension, Form, OscillatorKey};
 
 /// A swept quantity: its name, its symbol and its unit.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -76,6 +76,43 @@ pub(crate) fn parameter(name: &str) -> Quantity {
         symbol: name.to_owned(),
         unit: "1".to_owned(),
     }
+}
+
+/// How any number of a case is called, by its dotted path.
+pub(crate) fn any_key(path: &str, dimension: Dimension) -> Quantity {
+    let unit = if dimension.is_number() { "1".to_owned() } else { dimension.unit() };
+    let shown = if unit == "1" { "−" } else { &unit };
+    Quantity {
+        name: path.to_owned(),
+        label: format!("{path} ({shown})"),
+        symbol: path.rsplit('.').next().unwrap_or(path).to_owned(),
+        unit,
+    }
+}
+
+/// How a quantity of an operating point is called, by its name in a sweep.
+pub(crate) fn point_quantity(name: &str) -> Option<&'static str> {
+    Some(match name {
+        "growth_rate" => "Growth rate Re $λ$/$ω_{nx}$ (−)",
+        "frequency" => "Frequency Im $λ$/$ω_{nx}$ (−)",
+        "equivalent_damping" => "Equivalent damping $ξ_{eq}$ (−)",
+        "equilibrium_x" => "Displacement $x_{e}$/$x_{0}$ (−)",
+        "equilibrium_y" => "Displacement $y_{e}$/$x_{0}$ (−)",
+        "indentation" => "Indentation $y_{e}$/$R$ (−)",
+        "contact_force" => "Contact force $F_{k}$/($E_{0}^{*}$ $R^{2}$) (−)",
+        "contact_area" => "Contact area $A$/$R^{2}$ (−)",
+        "viscoelastic_friction" => "Friction $μ_{visc}$ (−)",
+        "critical_shear_strength" => "Critical $τ̃_{0,crit}$, undamped (−)",
+        "critical_load" => "Critical $F̃_{n,crit}$, undamped (−)",
+        "threshold_shear_strength" => "Threshold $τ̃_{0,crit}$ (−)",
+        "threshold_load" => "Threshold $F̃_{n,crit}$ (−)",
+        _ => return None,
+    })
+}
+
+/// A label without the markup of figures.
+pub(crate) fn plain(label: &str) -> String {
+    label.chars().filter(|c| !"${}_".contains(*c)).collect()
 }
 
 /// A number for a legend: powers of ten as such, others short.

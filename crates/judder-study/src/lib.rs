@@ -13,7 +13,9 @@
 //! - [`outcome`]: what an analysis leaves: scalars, arrays, a table, checks, warnings.
 //! - [`analyses`]: one module a kind of analysis.
 //! - [`checks`]: every number doubted by another number.
-//! - [`run`]: the analyses of a case into a study folder; what is done already is not done again. `told`: what it shows on the terminal.
+//! - [`sweep`]: the case at many points, in chunks that any number of processes share.
+//! - [`run`]: the analyses and sweeps of a case into a study folder; what is done already is not done again. `ledger`: what the folder says of
+//!   them. `told`: what is shown on the terminal.
 //! - [`pictures`]: figures from stored arrays.
 //! - [`report`]: figures and page of a study folder, rebuilt from what is stored.
 //! - [`resolve`]: what `judder check` shows.
@@ -32,6 +34,7 @@ mod input_file;
 mod kept;
 pub mod key_plane;
 mod labels;
+mod ledger;
 mod material;
 pub mod outcome;
 pub mod pictures;
@@ -45,6 +48,7 @@ pub mod run;
 mod sliding;
 mod spectrum_source;
 mod structure;
+pub mod sweep;
 mod text;
 mod told;
 

@@ -10,6 +10,7 @@ mod modulus;
 pub(crate) mod motion;
 pub(crate) mod sliding;
 mod structure;
+pub(crate) mod sweep;
 mod transient;
 
 use judder_report::{Axis, Figure, Panel, Role};

@@ -22,7 +22,7 @@ pub const SHEAR_STRENGTHS: Range = Range { from: 1e-8, to: 1e3, scale: Scale::Lo
 /// Where the critical load is sought, as F_n/(E0* R²).
 pub const LOADS: Range = Range { from: 1e-14, to: 1e1, scale: Scale::Logarithmic };
 /// Samples of those searches: 40 a decade.
-const SAMPLES: usize = 601;
+pub(crate) const SAMPLES: usize = 601;
 
 /// Steady sliding at one operating point, and what small motions about it do.
 #[derive(Debug, Clone, Copy)]

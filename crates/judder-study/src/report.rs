@@ -1,10 +1,10 @@
 //! Figures and page of a study folder, from what is stored in it.
 
 use crate::error::StudyError;
+use crate::ledger::Keepsakes;
 use crate::outcome::CheckRecord;
 use crate::pictures;
 use crate::report_tables;
-use crate::run::Keepsakes;
 use judder_report::page::{Check, Code, Details, Table};
 use judder_report::{Block, Figure, Page, Section, html, png, svg};
 use judder_store::{Status, StoreError, StudyFolder, Summary};
@@ -39,8 +39,7 @@ pub(crate) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, S
         match &record.status {
             Status::Failed { reason } => blocks.push(Block::text(format!("No result: {reason}"))),
             Status::Done => {
-                let dataset = store.read_dataset(name)?;
-                if let Some(figure) = pictures::figure(name, name, &dataset) {
+                for figure in figures(store, summary, name)? {
                     blocks.push(write_figure(store, figure)?);
                 }
                 blocks.extend(summary.results.get(name).and_then(scalar_table).map(Block::Table));
@@ -58,13 +57,23 @@ pub(crate) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, S
     write_page(store, &page)
 }
 
-/// The analyses in the order of the case.
+/// The figures of an analysis or a sweep. Of a sweep only what is drawn is read: the whole may not fit into memory.
+fn figures(store: &StudyFolder, summary: &Summary, name: &str) -> Result<Vec<Figure>, StudyError> {
+    let attributes = store.read_attributes(name)?;
+    if pictures::sweep::is_sweep(&attributes) {
+        let choose = |dimensions: &[_]| pictures::sweep::drawn_points(&attributes, dimensions);
+        let dataset = store.read_points(name, choose)?;
+        let results = summary.results.get(name).cloned().unwrap_or_default();
+        return Ok(pictures::sweep::figures(name, &dataset, &results));
+    }
+    Ok(pictures::figure(name, name, &store.read_dataset(name)?).into_iter().collect())
+}
+
+/// The analyses in the order of the case, then its sweeps.
 pub(crate) fn in_order(summary: &Summary) -> Vec<(&String, &judder_store::AnalysisRecord)> {
-    let listed: Vec<&str> = summary
-        .case
-        .get("analysis")
-        .and_then(Value::as_array)
-        .into_iter()
+    let listed: Vec<&str> = ["analysis", "sweep"]
+        .iter()
+        .filter_map(|list| summary.case.get(list)?.as_array())
         .flatten()
         .filter_map(|analysis| analysis.get("name")?.as_str())
         .collect();
@@ -79,9 +88,11 @@ fn lead(summary: &Summary, kept: &Keepsakes) -> String {
     let checks = kept.checks.values().flatten().count();
     let passed = kept.checks.values().flatten().filter(|check| check.passed()).count();
     let warnings = warnings(summary).len();
+    let has_sweeps = summary.case.get("sweep").is_some();
     format!(
-        "{done} of {} analyses done, {passed} of {checks} checks within their limits, {warnings} warnings.",
-        summary.analyses.len()
+        "{done} of {} {} done, {passed} of {checks} checks within their limits, {warnings} warnings.",
+        summary.analyses.len(),
+        if has_sweeps { "analyses and sweeps" } else { "analyses" },
     )
 }
 

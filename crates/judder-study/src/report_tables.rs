@@ -1,4 +1,8 @@
-//! Tables of the report beside the scalars: eigenvalues, why modes grow, bursts.
+//! Tables of the report beside the scalars: eigenvalues, why modes grow, bursts, what a sweep says.
+
+mod sweep;
+
+pub(crate) use sweep::{interval, short_index};
 
 use judder_report::Block;
 use judder_report::page::Table;
@@ -7,11 +11,12 @@ use serde_json::{Map, Value};
 /// Rows that a table shows; all are in the CSV file.
 const ROWS: usize = 40;
 
-/// The tables of an analysis that has complex modes or bursts.
+/// The tables of an analysis that has complex modes or bursts, and of a sweep.
 pub(crate) fn tables(results: &Map<String, Value>) -> Vec<Block> {
     let mut blocks = complex_modes(results);
     let listed = results.get("bursts").and_then(Value::as_array).filter(|listed| !listed.is_empty());
     blocks.extend(listed.map(|listed| Block::Table(bursts(listed))));
+    blocks.extend(sweep::tables(results));
     blocks
 }
 

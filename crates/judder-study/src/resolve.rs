@@ -4,6 +4,7 @@ mod contact;
 mod motion;
 mod sliding;
 mod structure;
+mod sweeps;
 
 use crate::bridge;
 use crate::error::StudyError;
@@ -73,8 +74,12 @@ struct Estimate {
 /// Resolves a case and looks at its operating point; runs no analysis.
 ///
 /// # Errors
-/// Matrices that are not finite at the case's own parameters.
+/// Matrices that are not finite at the case's own parameters, a sweep that a run would refuse.
 pub fn resolve(file: &CaseFile) -> Result<Resolved, StudyError> {
+    sweeps::added(case(file)?, file)
+}
+
+fn case(file: &CaseFile) -> Result<Resolved, StudyError> {
     match &file.case {
         Case::Oscillator(case) => oscillator(file, &bridge::with_material(case)?),
         Case::Contact(case) => contact::resolve(file, case),

@@ -26,7 +26,6 @@ use crate::structure::{self, Structure};
 use edge::Edge;
 use judder_case::sliding::contact;
 use judder_case::sliding::motion::Axis;
-use judder_case::sliding::sweep::KeySweep;
 use judder_case::{CaseFile, SlidingCase, SlidingProblem, StructureCase};
 use judder_sliding::SlidingError;
 use judder_sliding::body::Point;
@@ -106,15 +105,16 @@ impl SlidingSystem {
         Self::with(case, [None, None])
     }
 
-    /// The system of a case that differs from this one's by the value of a swept key alone: structures that it does not concern are
+    /// The system of a case that differs from this one's by the values of these swept keys alone: structures that they do not concern are
     /// not made again.
-    pub(crate) fn swept(&self, case: &SlidingCase, sweep: &KeySweep) -> Result<Self, Uncoupled> {
+    pub(crate) fn swept(&self, case: &SlidingCase, keys: &[&str]) -> Result<Self, Uncoupled> {
         let known = |index: usize| {
-            let own = format!("structure.{}.", case.structures[index].name);
-            let concerned = sweep.path.starts_with(&own)
-                || sweep.path.starts_with("parameters.")
-                || sweep.path.starts_with(&format!("structure.{index}."));
-            (!concerned).then(|| Arc::clone(&self.parts[index]))
+            let (own, numbered) =
+                (format!("structure.{}.", case.structures[index].name), format!("structure.{index}."));
+            let concerns = |key: &&str| {
+                key.starts_with(&own) || key.starts_with(&numbered) || key.starts_with("parameters.")
+            };
+            (!keys.iter().any(concerns)).then(|| Arc::clone(&self.parts[index]))
         };
         Self::with(case, [known(0), known(1)])
     }

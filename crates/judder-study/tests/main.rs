@@ -10,6 +10,7 @@ mod motion;
 mod sliding;
 mod sliding_cases;
 mod structure;
+mod sweep;
 
 use judder_case::CaseFile;
 use judder_study::Silent;
@@ -24,7 +25,11 @@ fn case(name: &str, overrides: &[&str]) -> CaseFile {
 }
 
 fn run_into(folder: &Path, file: &CaseFile, only: &[&str]) -> RunReport {
-    let options = RunOptions { only: only.iter().map(|o| (*o).to_owned()).collect(), fresh: false };
+    let options = RunOptions {
+        only: only.iter().map(|o| (*o).to_owned()).collect(),
+        fresh: false,
+        ..RunOptions::default()
+    };
     run(file, folder, &options, &Silent).unwrap()
 }
 
@@ -67,7 +72,7 @@ fn results_of_another_case_do_not_stand_under_this_one() {
     let other =
         run_into(folder.path(), &case("benchmarks/damped-hopf.toml", &["parameters.c1=0.05"]), &["critical"]);
     assert_eq!(other.summary.results.keys().collect::<Vec<_>>(), ["critical"]);
-    let page = std::fs::read_to_string(&other.report).unwrap();
+    let page = std::fs::read_to_string(other.report.as_ref().unwrap()).unwrap();
     assert!(!page.contains("figures/map.svg"));
 }
 

@@ -137,6 +137,14 @@ pub enum SweepProblem {
         /// The analyses that there are.
         known: Vec<String>,
     },
+    /// A name that no quantity of an operating point of this model has.
+    #[error("no operating point of this model has a quantity `{name}`")]
+    UnknownQuantity {
+        /// The name as written.
+        name: String,
+        /// The quantities that there are.
+        known: Vec<String>,
+    },
     /// Values that are not one a swept key.
     #[error("a point of the sweep `{name}` has {expected} values, but {found} are given")]
     ValueCount {
@@ -169,7 +177,7 @@ impl SweepProblem {
             Self::Lengths { .. } => "of another length",
             Self::TooManyKeys { .. } | Self::TooManyPoints { .. } => "too many",
             Self::QuantityPath { .. } => "no path",
-            Self::UnknownAnalysis { .. } => "unknown name",
+            Self::UnknownAnalysis { .. } | Self::UnknownQuantity { .. } => "unknown name",
             Self::ValueCount { .. } => "this sweep",
         }
     }
@@ -205,6 +213,12 @@ impl SweepProblem {
                 "write a name such as growth_rate, or ANALYSIS.PATH: cycle.rms, thresholds.full.min, modes.frequencies_hz.0"
             }
             Self::QuantityTwice { .. } => "ask for each quantity once",
+            Self::UnknownQuantity { name, known } if !known.is_empty() => {
+                return did_you_mean(name, known, "quantities");
+            }
+            Self::UnknownQuantity { .. } => {
+                "this model has results of analyses alone: ANALYSIS.PATH, such as modes.frequencies_hz.0"
+            }
             Self::UnknownAnalysis { name, known, .. } if !known.is_empty() => {
                 return did_you_mean(name, known, "analyses");
             }

@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use judder_study::run::{RunOptions, RunReport, run};
-use serde_json::json;
+use judder_study::run::{RunOptions, RunReport, SweepWork, dry_run, run};
+use judder_study::sweep::{Shard, SweepEstimate};
+use serde_json::{Value, json};
 
 use super::CaseArguments;
 use crate::console::Console;
@@ -18,6 +19,12 @@ Examples:
   judder run case.toml -o out/fast --set operation.velocity=1e-2
   judder run case.toml --only map --only thresholds --threads 8
   judder run case.toml --json | jq .results.map.unstable_fraction
+  judder run case.toml --dry-run
+  judder run case.toml --shard 3/16
+
+A sweep ([[sweep]]) is computed in chunks, each written whole or not at all. Any number of processes may work on one \
+study folder: what one computes the others leave alone. --shard k/N takes every N-th chunk and nothing else, for job arrays; \
+judder merge writes summary and report when all parts are done.
 
 The folder then holds summary.json, results.zarr, tables as CSV, figures and report.html. A second run goes on \
 where the first one ended: an analysis runs again only where something that it depends on has changed.
@@ -41,29 +48,59 @@ pub(crate) struct Run {
     #[command(flatten)]
     threads: Threads,
     /// Forget earlier results first
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["skip_completed", "shard"])]
     fresh: bool,
+    /// Compute nothing that is there already; this is the default
+    #[arg(long)]
+    skip_completed: bool,
+    /// Compute the k-th of N parts of the chunks of every sweep, and nothing else
+    #[arg(long, value_name = "k/N")]
+    shard: Option<Shard>,
+    /// Say what the sweeps would take, from a few of their points; write nothing
+    #[arg(long)]
+    dry_run: bool,
 }
 
 impl Run {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
         let file = self.case.read()?;
         let folder = self.output.clone().unwrap_or_else(|| Path::new("out").join(&file.name));
-        let options = RunOptions { only: self.only.clone(), fresh: self.fresh };
+        let sweeps = self.shard.map_or(SweepWork::All, SweepWork::Part);
+        let options = RunOptions { only: self.only.clone(), fresh: self.fresh, sweeps };
         let bars = Bars::new(console)?;
+        if self.dry_run {
+            let estimates = self.threads.install(|| dry_run(&file, &folder, &options, &bars))??;
+            console.result(|| told(&estimates), || json!({ "sweeps": documents(&estimates) }))?;
+            return Ok(Exit::Done);
+        }
         let report = self.threads.install(|| run(&file, &folder, &options, &bars))??;
         console.document(|| json!(report.summary))?;
         Ok(tell(report, &self.case.case, console))
     }
 }
 
+/// What the sweeps would take, one below the other.
+fn told(estimates: &[SweepEstimate]) -> String {
+    match estimates.is_empty() {
+        true => "the case has no sweep; `judder check` estimates its analyses\n".to_owned(),
+        false => estimates.iter().map(SweepEstimate::text).collect::<Vec<_>>().join("\n"),
+    }
+}
+
+fn documents(estimates: &[SweepEstimate]) -> Vec<Value> {
+    estimates.iter().map(SweepEstimate::json).collect()
+}
+
 /// Says what came of a run. Failed checks are among the warnings: only a missing result changes the exit code.
-fn tell(report: RunReport, case: &Path, console: Console) -> Exit {
+pub(super) fn tell(report: RunReport, case: &Path, console: Console) -> Exit {
     if !report.skipped.is_empty() {
         console.note(format_args!("done before: {}", report.skipped.join(", ")));
     }
     for table in &report.tables {
         console.note(table);
+    }
+    for note in &report.notes {
+        console.note(note);
     }
     for message in &report.messages {
         console.warn(message);
@@ -71,7 +108,9 @@ fn tell(report: RunReport, case: &Path, console: Console) -> Exit {
     console.detail(2, format_args!("folder: {}", report.folder.display()));
     console.detail(2, format_args!("case: {}", report.summary.case_hash));
     console.detail(1, format_args!("wall time: {:.2} s", report.summary.wall_time_s));
-    console.note(format_args!("report: {}", report.report.display()));
+    if let Some(page) = &report.report {
+        console.note(format_args!("report: {}", page.display()));
+    }
     if report.complete {
         return Exit::Done;
     }
@@ -81,6 +120,10 @@ fn tell(report: RunReport, case: &Path, console: Console) -> Exit {
         }
         return Exit::WrongInput;
     }
-    console.incomplete("a requested result is missing", "the report says which and where");
+    let where_told = match report.report {
+        Some(_) => "the report says which and where",
+        None => "`judder run` computes what is missing",
+    };
+    console.incomplete("a requested result is missing", where_told);
     Exit::Incomplete
 }

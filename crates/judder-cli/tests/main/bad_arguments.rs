@@ -13,7 +13,7 @@ fn an_unknown_command_is_told_its_neighbour() {
     refused(
         &["explode"],
         "there is no command `explode`",
-        "commands: new, check, run, point, report, reproduce, schema",
+        "commands: new, check, run, merge, point, report, reproduce, schema",
     );
 }
 
@@ -48,12 +48,12 @@ fn numbers_of_threads() {
 fn an_analysis_that_the_case_does_not_have() {
     refused(
         &["run", "case.toml", "--only", "mapp"],
-        "no analysis `mapp`",
+        "no analysis or sweep `mapp`",
         "it has map, loci, damping, strengths, loads",
     );
     Desk::with_case("model = \"oscillator\"").refused(
         &["run", "case.toml", "--only", "map"],
-        "no analysis `map`",
+        "no analysis or sweep `map`",
         "none at all",
     );
 }

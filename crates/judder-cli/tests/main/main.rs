@@ -15,3 +15,4 @@ mod run;
 mod sliding;
 mod speaking;
 mod structure;
+mod sweep;

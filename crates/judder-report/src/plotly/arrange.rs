@@ -55,7 +55,11 @@ pub(super) fn layout(figure: &Figure, drawn: &[DrawnPanel], columns: usize, smal
     for (index, (panel, drawn)) in figure.panels.iter().zip(drawn).enumerate() {
         let place = place((index, columns), (height, row_gap), plot_height, drawn.bar.is_some());
         let name = suffix(index);
-        let x_ticks = if small { ticks(&drawn.x.placed, SMALL_ROOM) } else { drawn.x.ticks.clone() };
+        let x_ticks = if small && !drawn.x.is_named {
+            ticks(&drawn.x.placed, SMALL_ROOM)
+        } else {
+            drawn.x.ticks.clone()
+        };
         layout[format!("xaxis{name}")] = axis(&drawn.x, &x_ticks, place.across, &format!("y{name}"));
         layout[format!("yaxis{name}")] = axis(&drawn.y, &drawn.y.ticks, place.up, &format!("x{name}"));
         if let Some(second) = &drawn.second {
@@ -148,7 +152,12 @@ fn axis(drawn: &DrawnAxis, ticks: &Ticks, domain: (f64, f64), anchor: &str) -> V
         "automargin": true,
     });
     match scale {
-        Scale::Linear => axis["type"] = json!("linear"),
+        Scale::Linear => {
+            axis["type"] = json!("linear");
+            if drawn.is_named {
+                fix_ticks(&mut axis, ticks, |value| value);
+            }
+        }
         Scale::Log => {
             axis["type"] = json!("log");
             fix_ticks(&mut axis, ticks, |value| value);

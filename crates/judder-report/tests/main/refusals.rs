@@ -49,7 +49,7 @@ fn ranges_that_cannot_be_drawn() {
         let text = refusal(&Figure::new("f", "", vec![panel]));
         assert!(text.contains("panel 0") && text.contains("of the x axis"), "{text}");
     }
-    let y = Axis { label: String::new(), scale: Scale::SymmetricLog { linear: 0.0 }, range: None };
+    let y = Axis { scale: Scale::SymmetricLog { linear: 0.0 }, ..Axis::linear("") };
     let text = refusal(&Figure::new("f", "", vec![Panel::new(Axis::log("x"), y, vec![])]));
     assert!(text.contains("linear part 0 of the y axis"), "{text}");
 }

@@ -48,7 +48,7 @@ pub(crate) fn every_layer(text: &str) -> Figure {
 
 /// One panel with one line on axes of this scale.
 pub(crate) fn one_line(scale: Scale, x: Vec<f64>, y: Vec<f64>) -> Figure {
-    let axis = || Axis { label: "$x$".to_owned(), scale, range: None };
+    let axis = || Axis { scale, ..Axis::linear("$x$") };
     Figure::new(
         "line",
         "A line",

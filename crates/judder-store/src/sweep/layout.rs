@@ -12,7 +12,7 @@ use crate::{Dataset, StoreError, Variable};
 
 /// The name of the array that holds all quantities, and of its last dimension.
 pub(crate) const VALUES: &str = "values";
-const QUANTITY: &str = "quantity";
+pub(crate) const QUANTITY: &str = "quantity";
 
 /// No chunk is larger; a chunk is in memory as a whole.
 const LARGEST_CHUNK_BYTES: usize = 1 << 30;

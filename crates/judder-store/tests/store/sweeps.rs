@@ -38,6 +38,9 @@ fn a_sweep_reads_back_as_one_array() {
     let store = study.sweep(&layout).unwrap();
     assert_eq!(store.done_chunks().unwrap(), [false; 9]);
     assert!(matches!(study.read_dataset("sweep"), Err(StoreError::DatasetUnreadable { .. })), "not done");
+    let chosen = study.read_points("sweep", |_| vec![vec![0], vec![0], vec![0]]);
+    assert!(matches!(chosen, Err(StoreError::DatasetUnreadable { .. })), "not done");
+    assert!(matches!(study.read_points("none", |_| Vec::new()), Err(StoreError::NoDataset { .. })));
     write_all(&store);
     assert_eq!(store.done_chunks().unwrap(), [true; 9]);
     assert_eq!(store.verify().unwrap(), []);
@@ -58,6 +61,23 @@ fn a_sweep_reads_back_as_one_array() {
         other => panic!("{other:?}"),
     };
     assert_eq!(texts("quantity"), ["growth_rate", "verdict"]);
+
+    let chosen = study.read_points("sweep", |dimensions| {
+        assert_eq!(dimensions, [("a".to_owned(), 5), ("b".to_owned(), 4), ("c".to_owned(), 7)]);
+        vec![vec![4, 0, 5], vec![2], vec![0, 3, 6]]
+    });
+    let chosen = chosen.unwrap();
+    assert_eq!(
+        chosen.variable("a").unwrap().data,
+        Data::F64(vec![1.0, 0.0]),
+        "in the order that was asked for"
+    );
+    let expected: Vec<f64> = [40_200.0, 40_203.0, 40_206.0, 200.0, 203.0, 206.0]
+        .iter()
+        .flat_map(|place: &f64| [place.sin(), *place])
+        .collect();
+    assert_eq!(chosen.variable("values").unwrap().data, Data::F64(expected));
+    assert_eq!(chosen.attributes(), dataset.attributes());
     assert_eq!(texts("quantity_units"), ["1/s", ""]);
     assert_eq!(texts("quantity_flag_values"), ["", "0 2"]);
     assert_eq!(texts("quantity_flag_meanings"), ["", "stable negative_damping"]);

@@ -1,6 +1,6 @@
 //! Swept quantities as axes of arrays.
 
-use crate::labels::{Quantity, belt_key, oscillator_key, parameter};
+use crate::labels::{Quantity, belt_key, oscillator_key, parameter, plain};
 use judder_case::{
     BeltKey, Family, OscillatorCase, OscillatorInputs, OscillatorKey, ParameterKey, Scale, Sweep,
 };
@@ -40,10 +40,9 @@ impl Axis {
 }
 
 fn coordinate(quantity: &Quantity, values: Vec<f64>) -> Variable {
-    let plain: String = quantity.label.chars().filter(|c| !"${}_".contains(*c)).collect();
     Variable::coordinate(&quantity.name, values)
         .units(&quantity.unit)
-        .long_name(&plain)
+        .long_name(&plain(&quantity.label))
         .attribute("label", quantity.label.clone())
         .attribute("symbol", quantity.symbol.clone())
 }

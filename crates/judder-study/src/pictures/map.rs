@@ -80,17 +80,19 @@ fn drawn_classes(codes: &[u8], knock: Option<&[u8]>, neither: &str) -> (Vec<u8>,
 }
 
 /// Points along each side of a drawn map: more than a panel has pixels would only make the page heavy.
-const DRAWN_SIDE: usize = 400;
+pub(super) const DRAWN_SIDE: usize = 400;
 
-/// The class map with ascending axes, whichever way they were swept.
+/// Which of these coordinates are drawn, in ascending order, whichever way they were swept.
+pub(super) fn ascending_order(values: &[f64]) -> Vec<usize> {
+    let mut indices: Vec<usize> = (0..values.len()).collect();
+    indices.sort_by(|a, b| values[*a].total_cmp(&values[*b]));
+    let drawn = indices.len().min(DRAWN_SIDE);
+    (0..drawn).map(|k| indices[k * (indices.len() - 1) / (drawn - 1).max(1)]).collect()
+}
+
+/// The class map with ascending axes.
 fn ascending(columns: &[f64], rows: &[f64], codes: &[u8], classes: Vec<Class>) -> ClassMap {
-    let order = |values: &[f64]| {
-        let mut indices: Vec<usize> = (0..values.len()).collect();
-        indices.sort_by(|a, b| values[*a].total_cmp(&values[*b]));
-        let drawn = indices.len().min(DRAWN_SIDE);
-        (0..drawn).map(|k| indices[k * (indices.len() - 1) / (drawn - 1).max(1)]).collect::<Vec<usize>>()
-    };
-    let (across, up) = (order(columns), order(rows));
+    let (across, up) = (ascending_order(columns), ascending_order(rows));
     let at = |row: &usize, column: &usize| codes[row * columns.len() + column];
     ClassMap {
         x: across.iter().map(|k| columns[*k]).collect(),

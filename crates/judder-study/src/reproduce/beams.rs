@@ -46,7 +46,8 @@ pub fn beams_paper(folder: &Path, quick: bool, progress: &dyn Progress) -> Resul
 /// Computes the loci, and says which growth analyses there are in their zones. The folder is free again afterwards.
 fn growth(quick: bool, folder: &Path, progress: &dyn Progress) -> Result<String, StudyError> {
     let only = LOCI.map(|(locus, _)| locus.to_owned()).to_vec();
-    let loci = run::compute(&case(quick, "")?, folder, &RunOptions { only, fresh: false }, progress)?;
+    let loci =
+        run::compute(&case(quick, "")?, folder, &RunOptions { only, ..RunOptions::default() }, progress)?;
     let of = |(locus, method): &(&str, &str)| {
         held::analyses(method, Found::zones_of(&loci.summary.results, locus, "unstable"))
     };
@@ -103,7 +104,8 @@ mod tests {
         let mut only = crate::analyses::names(&file.case);
         only.retain(|name| name.starts_with("growth-") || name.starts_with("locus"));
         let computed =
-            run::compute(&file, folder.path(), &RunOptions { only, fresh: false }, &Silent).unwrap();
+            run::compute(&file, folder.path(), &RunOptions { only, ..RunOptions::default() }, &Silent)
+                .unwrap();
         assert!(computed.complete && computed.skipped == ["locus", "locus-deformed"]);
         let found = Found::stored(&computed.store, &computed.summary).unwrap();
         for (_, method) in LOCI {

@@ -47,7 +47,7 @@ fn thresholds_carry_their_folds() {
         std::fs::read_to_string(folder.path().join("figures/a.svg")).unwrap().contains("fold of the cycles")
     );
     assert!(
-        std::fs::read_to_string(&report.report)
+        std::fs::read_to_string(report.report.as_ref().unwrap())
             .unwrap()
             .contains("motions from large cycles end at the folds")
     );

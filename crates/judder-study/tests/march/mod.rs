@@ -247,7 +247,7 @@ fn a_spectrogram_of_what_is_not_there_says_so() {
     let analyses = march("ensubs", "method = \"ensubs\"")
         + "[[analysis]]\nname = \"levels\"\nkind = \"spectrogram\"\nof = \"ensubs\"\n";
     let folder = TempDir::new().unwrap();
-    let only = RunOptions { only: vec!["levels".to_owned()], fresh: false };
+    let only = RunOptions { only: vec!["levels".to_owned()], fresh: false, ..RunOptions::default() };
     let report = run(&case(&analyses), &folder.path().join("study"), &only, &Silent).unwrap();
     assert!(!report.complete);
     let said = report.messages.join("\n");

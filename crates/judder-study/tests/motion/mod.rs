@@ -258,7 +258,7 @@ fn small_basin() -> CaseFile {
 fn a_basin_and_a_diagram_go_on_where_they_were_interrupted() {
     let file = small_basin();
     for (name, most) in [("basin", 100), ("diagram", 10)] {
-        let options = RunOptions { only: vec![name.to_owned()], fresh: false };
+        let options = RunOptions { only: vec![name.to_owned()], fresh: false, ..RunOptions::default() };
         let interrupted = tempfile::tempdir().unwrap();
         let impatient = Impatient { done: AtomicUsize::new(0), most };
         let error = run(&file, interrupted.path(), &options, &impatient).unwrap_err();

@@ -309,7 +309,7 @@ fn files_that_do_not_fit_are_refused_with_their_place() {
 fn shapes_swing_on_the_page() {
     let folder = tempfile::tempdir().unwrap();
     let report = run_into(folder.path(), &case("beams-paper/oblique.toml", &[]), &["modes"]);
-    let page = std::fs::read_to_string(&report.report).unwrap();
+    let page = std::fs::read_to_string(report.report.as_ref().unwrap()).unwrap();
     assert!(page.contains("\"swing\""));
     let store = judder_store::StudyFolder::open(folder.path()).unwrap();
     let figure = pictures::figure("modes", "modes", &store.read_dataset("modes").unwrap()).unwrap();

@@ -53,6 +53,7 @@ fn the_same_rate_leaves_a_sine_alone_and_nothing_gives_nothing() {
     assert!(output[100..2300].iter().zip(&signal[100..2300]).all(|(y, x)| (y - x).abs() < 1e-5));
     assert!(resampled(&[], 1000.0, 48e3).unwrap().is_empty());
     assert_eq!(resampled(&[1.0], 1000.0, 48e3).unwrap().len(), 1);
+    assert_eq!(resampled(&[1.0; 1000], 1e9, 1.0).unwrap().len(), 1, "a filter far longer than the signal");
 }
 
 #[test]

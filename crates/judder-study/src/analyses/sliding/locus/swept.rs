@@ -3,9 +3,9 @@
 use super::conditions;
 use super::doubt::doubted;
 use super::traced::{Family, Range, State, Traced, trace};
-use crate::analyses::axis::{Axis, name_of};
+use crate::analyses::axis::Axis;
 use crate::error::StudyError;
-use crate::labels::Quantity;
+use crate::labels::{Quantity, any_key};
 use crate::outcome::CheckRecord;
 use crate::progress::Progress;
 use crate::sliding::{SlidingSystem, Uncoupled};
@@ -36,10 +36,11 @@ impl Values<'_> {
     /// The pair at a value, or why there is none.
     fn pair(&self, value: f64) -> Result<(Pair, Conditions), String> {
         let case = self.case.at(self.sweep, value).map_err(|problem| problem.to_string())?;
-        let system = self.system.swept(&case, self.sweep).map_err(|uncoupled| match uncoupled {
-            Uncoupled::Structure(unbuilt) => unbuilt.problem.to_string(),
-            Uncoupled::Pair { problem, .. } => problem.to_string(),
-        })?;
+        let system =
+            self.system.swept(&case, &[self.sweep.path.as_str()]).map_err(|uncoupled| match uncoupled {
+                Uncoupled::Structure(unbuilt) => unbuilt.problem.to_string(),
+                Uncoupled::Pair { problem, .. } => problem.to_string(),
+            })?;
         Ok((system.pair, conditions(&case, self.settings)))
     }
 
@@ -98,14 +99,7 @@ pub(super) fn run(
     if falls {
         traced.rows.reverse();
     }
-    let unit = if sweep.dimension.is_number() { "1".to_owned() } else { sweep.dimension.unit() };
-    let shown = if unit == "1" { "−" } else { &unit };
-    let quantity = Quantity {
-        name: "value".to_owned(),
-        label: format!("{} ({shown})", sweep.path),
-        symbol: name_of(&sweep.path).to_owned(),
-        unit: unit.clone(),
-    };
+    let quantity = Quantity { name: "value".to_owned(), ..any_key(&sweep.path, sweep.dimension) };
     Ok((Axis { quantity, values: sweep.values.clone(), scale: sweep.scale }, traced, checks))
 }
 

@@ -1,0 +1,164 @@
+//! Sweeps of whole studies: what is told before they run, what is refused, what they would take.
+
+use crate::desk::Desk;
+
+/// A grid, samples with sensitivity, a list.
+const SWEEPS: &str = r#"
+model = "oscillator"
+
+[[analysis]]
+name = "cycle"
+kind = "limit-cycle"
+
+[[sweep]]
+name = "map"
+over = [
+  { key = "operation.velocity", from = "0.1 mm/s", to = "1 m/s", points = 6, scale = "log" },
+  { key = "contact.shear_strength", values = [0.01, 0.02, 0.05] },
+]
+quantities = ["growth_rate", "mechanism"]
+chunk = 3
+
+[[sweep]]
+name = "robust"
+method = "sobol"
+points = 8
+over = [{ key = "operation.velocity", from = 1e-4, to = 1e-2, scale = "log" }, { key = "oscillator.damping_x", from = 0, to = 0.1 }]
+quantities = ["growth_rate"]
+sensitivity = true
+"#;
+
+fn refused(from: &str, to: &str, message: &str, help: &str) {
+    let text = SWEEPS.replacen(from, to, 1);
+    assert_ne!(text, SWEEPS, "{from}");
+    let desk = Desk::with_case(&text);
+    desk.refused(&["run", "case.toml"], message, help);
+    desk.refused(&["check", "case.toml"], message, help);
+}
+
+#[test]
+fn check_lists_them() {
+    let desk = Desk::with_case(SWEEPS);
+    let told = desk.succeed(&["check", "case.toml"]).stdout;
+    for words in [
+        "map     grid",
+        "18 points",
+        "in 6 chunks",
+        "0.0001 m/s to 1 m/s",
+        "6 values, log",
+        "→ mechanism",
+        "robust  sobol",
+        "32 points",
+        "→ sensitivity",
+    ] {
+        assert!(told.contains(words), "{words:?} is not in\n{told}");
+    }
+    let told = desk.succeed(&["check", "case.toml", "--json"]).json();
+    let map = &told["sweeps"][0];
+    assert_eq!((&map["points"], &map["chunks"]), (&18.into(), &6.into()));
+    assert_eq!(map["columns"], serde_json::json!(["growth_rate", "mechanism"]));
+    assert_eq!(map["keys"][0]["key"], "operation.velocity");
+    let columns = serde_json::json!(["operation.velocity", "oscillator.damping_x", "growth_rate"]);
+    assert_eq!(told["sweeps"][1]["columns"], columns);
+    assert_eq!(told["sweeps"][1]["sensitivity"]["resamples"], 1000);
+}
+
+#[test]
+fn what_a_run_would_refuse_is_refused_by_check() {
+    let quantities = "\"growth_rate\", \"mechanism\"";
+    refused(quantities, "\"growthrate\"", "has a quantity `growthrate`", "did you mean `growth_rate`?");
+    refused(quantities, "\"cycles.rms\"", "there is no analysis `cycles`", "did you mean `cycle`?");
+    refused(quantities, "\"cycle\"", "it names a whole analysis", "ANALYSIS.PATH");
+    refused(
+        "operation.velocity",
+        "operation.speed",
+        "`operation.speed` cannot be swept",
+        "keys here: velocity",
+    );
+    refused("from = \"0.1 mm/s\"", "from = \"0.1 kg\"", "must be a mass, but this is a speed", "wrong unit");
+    refused(
+        "points = 6",
+        "points = 0",
+        "`over.points` must be a whole number from 2",
+        "give a number from 2",
+    );
+    refused(
+        "values = [0.01, 0.02, 0.05]",
+        "values = []",
+        "`over.values` is an empty list",
+        "at least one value",
+    );
+    refused("method = \"sobol\"", "method = \"sobel\"", "unknown method `sobel`", "did you mean `sobol`?");
+    refused("points = 8\n", "", "a sweep lacks the key `points`", "give points = 4096");
+    refused("method = \"sobol\"\npoints = 8\n", "", "`sensitivity` has no meaning", "use method = \"sobol\"");
+    refused(
+        "name = \"robust\"",
+        "name = \"cycle\"",
+        "names both this sweep and an analysis",
+        "`name` of its own",
+    );
+    refused("chunk = 3", "chunk = 0", "`chunk` must be a whole number from 1", "give a number from 1");
+    refused("chunk = 3", "chunks = 3", "unknown key `chunks` in a sweep", "did you mean `chunk`?");
+    refused(
+        "from = 1e-4, to = 1e-2",
+        "from = -1e-4, to = 1e-2",
+        "cannot touch or pass zero",
+        "scale = \"linear\"",
+    );
+}
+
+#[test]
+fn a_dry_run_estimates_and_writes_nothing() {
+    let desk = Desk::with_case(SWEEPS);
+    let before = desk.files();
+    let told = desk.succeed(&["run", "case.toml", "--dry-run"]).stdout;
+    for words in ["map\n", "points", "chunks                6 (0 done)", "memory", "on the disk, at most"] {
+        assert!(told.contains(words), "{words:?} is not in\n{told}");
+    }
+    assert_eq!(desk.files(), before);
+    desk.succeed(&["run", "case.toml", "--shard", "1/2"]);
+    let told = desk.succeed(&["run", "case.toml", "--dry-run", "--json", "--only", "map"]).json();
+    let map = &told["sweeps"][0];
+    assert_eq!((&map["chunks"], &map["chunks_done"]), (&6.into(), &3.into()));
+    assert!(map["seconds_per_point"].as_f64().unwrap() > 0.0 && told["sweeps"][1].is_null());
+}
+
+#[test]
+fn parts_and_merge_say_what_is_wrong() {
+    let desk = Desk::with_case(SWEEPS);
+    desk.refused(&["run", "case.toml", "--shard", "4/3"], "part 4 of 3", "parts count from 1");
+    desk.refused(&["run", "case.toml", "--shard", "third"], "k/N", "");
+    desk.refused(&["run", "case.toml", "--shard", "1/2", "--fresh"], "--fresh", "");
+    desk.refused(
+        &["run", "case.toml", "--only", "maps"],
+        "no analysis or sweep `maps`",
+        "cycle, map, robust",
+    );
+    desk.write("plain.toml", "model = \"oscillator\"\n");
+    desk.refused(&["merge", "plain.toml"], "no sweep to merge", "judder run");
+    let told = desk.succeed(&["run", "plain.toml", "--dry-run"]).stdout;
+    assert!(told.contains("no sweep"), "{told}");
+}
+
+#[test]
+fn the_report_has_a_section_and_the_terminal_a_table() {
+    let desk = Desk::with_case(SWEEPS);
+    let said = desk.succeed(&["run", "case.toml", "--only", "map", "--only", "robust"]);
+    said.says("map: 18 points, 0 failed, 0 doubtful");
+    said.says("first order");
+    for figure in ["map", "robust", "robust-sensitivity"] {
+        assert!(desk.path(&format!("out/case/figures/{figure}.svg")).is_file(), "{figure}");
+    }
+    for table in ["map.csv", "robust.csv"] {
+        assert!(desk.path(&format!("out/case/{table}")).is_file(), "{table}");
+    }
+    let page = std::fs::read_to_string(desk.path("out/case/report.html")).unwrap();
+    for words in
+        ["Quantities over all points", "Sensitivity of growth_rate", "2 of 2 analyses and sweeps done"]
+    {
+        assert!(page.contains(words), "{words:?} is not on the page");
+    }
+    let rebuilt = desk.succeed(&["report", "out/case"]);
+    rebuilt.says("report: ");
+    assert_eq!(std::fs::read_to_string(desk.path("out/case/report.html")).unwrap(), page);
+}

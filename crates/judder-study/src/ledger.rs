@@ -1,0 +1,126 @@
+//! What a study folder says of its analyses and sweeps: which are done, what came of them, what the user has to know.
+
+use crate::error::StudyError;
+use crate::outcome::{CheckRecord, Outcome};
+use judder_case::CaseFile;
+use judder_store::{AnalysisRecord, Status, StudyFolder, Summary, content_hash};
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+
+/// The version that studies are stamped with; another version computes everything again.
+pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// What a study keeps in `summary.json` beside results and records.
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+pub(crate) struct Keepsakes {
+    /// The text of the case file, for the report.
+    pub(crate) source: String,
+    /// The `--set` options that were on top of it.
+    pub(crate) overrides: Vec<String>,
+    /// Analysis → its checks.
+    pub(crate) checks: BTreeMap<String, Vec<CheckRecord>>,
+    /// Analysis → how many of its results are missing.
+    pub(crate) missing: BTreeMap<String, usize>,
+}
+
+impl Keepsakes {
+    const KEY: &'static str = "study";
+
+    /// Those of a summary; empty where it has none.
+    pub(crate) fn of(summary: &Summary) -> Self {
+        let kept = summary.extra.get(Self::KEY).cloned().unwrap_or_default();
+        serde_json::from_value(kept).unwrap_or_default()
+    }
+
+    pub(crate) fn put(&self, summary: &mut Summary) {
+        summary.extra.insert(Self::KEY.to_owned(), json!(self));
+    }
+}
+
+/// A study folder in the making.
+pub(crate) struct Study<'a> {
+    store: &'a StudyFolder,
+    pub(crate) summary: Summary,
+    pub(crate) kept: Keepsakes,
+}
+
+impl<'a> Study<'a> {
+    /// Takes up what an earlier run left of these analyses under these hashes, and drops the rest: what another case left
+    /// must not stand under this one's name.
+    pub(crate) fn open<'b>(
+        store: &'a StudyFolder,
+        analyses: impl Iterator<Item = (&'b String, &'b String)>,
+    ) -> Result<Self, StudyError> {
+        let current: BTreeMap<&String, &String> = analyses.collect();
+        let mut summary = store.read_summary()?.unwrap_or_default();
+        let mut kept = Keepsakes::of(&summary);
+        VERSION.clone_into(&mut summary.version);
+        summary.warnings.clear();
+        summary.analyses.retain(|name, record| current.get(name) == Some(&&record.hash));
+        let stays = |name: &String| summary.analyses.contains_key(name);
+        summary.results.retain(|name, _| stays(name));
+        kept.checks.retain(|name, _| stays(name));
+        kept.missing.retain(|name, _| stays(name));
+        kept.put(&mut summary);
+        Ok(Self { store, summary, kept })
+    }
+
+    /// Names the case whose study this is.
+    pub(crate) fn set_case(&mut self, file: &CaseFile, resolved: &Value) {
+        self.kept.source.clone_from(&file.text);
+        self.kept.overrides.clone_from(&file.overrides);
+        self.kept.put(&mut self.summary);
+        self.summary.case_hash = content_hash(resolved.to_string().as_bytes());
+        self.summary.case = resolved.clone();
+    }
+
+    /// Whether these analyses are done and miss nothing.
+    pub(crate) fn is_complete(&self, names: &[String]) -> bool {
+        names.iter().all(|name| {
+            let done = self.summary.analyses.get(name).is_some_and(|record| record.status == Status::Done);
+            done && self.kept.missing.get(name).copied().unwrap_or(0) == 0
+        })
+    }
+
+    /// Stores the outcome of an analysis, or why there is none; gives the error back where the input is to blame. Interruptions
+    /// and failures to write end the run.
+    pub(crate) fn keep(
+        &mut self,
+        name: &str,
+        hash: String,
+        outcome: Result<Outcome, StudyError>,
+        wall_time_s: f64,
+    ) -> Result<Option<StudyError>, StudyError> {
+        let mut refused = None;
+        let (status, warnings) = match outcome {
+            Ok(outcome) => {
+                if !outcome.is_stored {
+                    self.store.write_dataset(name, &hash, &outcome.dataset)?;
+                }
+                if let Some(table) = &outcome.table {
+                    self.store.write_table(name, table)?;
+                }
+                for (path, content) in &outcome.files {
+                    self.store.write_file(path, content)?;
+                }
+                self.summary.results.insert(name.to_owned(), outcome.scalars);
+                self.kept.checks.insert(name.to_owned(), outcome.checks);
+                self.kept.missing.insert(name.to_owned(), outcome.missing);
+                (Status::Done, outcome.warnings)
+            }
+            Err(error @ (StudyError::Interrupted | StudyError::Store(_))) => return Err(error),
+            Err(error) => {
+                self.summary.results.remove(name);
+                let reason = error.to_string();
+                refused = Some(error).filter(StudyError::is_wrong_input);
+                (Status::Failed { reason }, Vec::new())
+            }
+        };
+        let record = AnalysisRecord { hash, status, wall_time_s, warnings };
+        self.summary.analyses.insert(name.to_owned(), record);
+        self.kept.put(&mut self.summary);
+        self.store.write_summary(&self.summary)?;
+        Ok(refused)
+    }
+}

@@ -1,0 +1,73 @@
+//! Which swept key decides what: first-order and total Sobol' indices with their confidence intervals.
+
+use super::{PANELS, Sweep, left_out};
+use judder_report::{Axis, Figure, Layer, Legend, Panel, Role};
+use serde_json::Value;
+
+/// Keys that a panel has room for.
+const KEYS: usize = 16;
+/// How far the two indices of a key stand apart, over the distance of two keys.
+const APART: f64 = 0.14;
+/// Room beside 0 and 1.
+const ROOM: f64 = 0.05;
+
+/// The indices of all quantities that have some.
+pub(super) fn figure(name: &str, sweep: &Sweep<'_>) -> Option<Figure> {
+    let all = sweep.sensitivity?;
+    let known: Vec<(&str, &Value)> = sweep
+        .columns
+        .iter()
+        .filter_map(|column| {
+            Some((column.name.as_str(), all.get(&column.name).filter(|own| own.is_object())?))
+        })
+        .collect();
+    let panels: Vec<Panel> = known.iter().take(PANELS).map(|(name, own)| panel(sweep, name, own)).collect();
+    let confidence = known.first().and_then(|(_, own)| own["confidence"].as_f64())?;
+    let caption = format!(
+        "Sobol' indices: the share of the variance that a key explains alone (first order) and with all others (total), with {} % \
+         confidence intervals.{}{}",
+        100.0 * confidence,
+        left_out(panels.len(), known.len(), "quantities"),
+        left_out(KEYS.min(sweep.keys.len()), sweep.keys.len(), "keys, by their largest total index"),
+    );
+    let title = format!("{name}: sensitivity");
+    Some(Figure::new(format!("{name}-sensitivity"), title, panels).with_caption(caption))
+}
+
+fn panel(sweep: &Sweep<'_>, quantity: &str, indices: &Value) -> Panel {
+    let total = |path: &str| indices["total"][path]["value"].as_f64().unwrap_or(f64::NEG_INFINITY);
+    let mut keys: Vec<&super::Key> = sweep.keys.iter().collect();
+    keys.sort_by(|a, b| total(&b.path).total_cmp(&total(&a.path)));
+    keys.truncate(KEYS);
+    // the largest stands above
+    keys.reverse();
+    let mut layers = Vec::new();
+    let (mut low, mut high) = (0.0_f64, 1.0_f64);
+    for (order, label, role, shift) in
+        [("first", "first order", Role::Series(0), APART), ("total", "total", Role::Series(1), -APART)]
+    {
+        let (mut across, mut up, mut bars) = (Vec::new(), Vec::new(), (Vec::new(), Vec::new()));
+        for (place, key) in keys.iter().enumerate() {
+            let own = &indices[order][&key.path];
+            let [value, from, to] =
+                ["value", "from", "to"].map(|part| own[part].as_f64().unwrap_or(f64::NAN));
+            let at = place as f64 + shift;
+            (low, high) = (low.min(from).min(value), high.max(to).max(value));
+            across.push(value);
+            up.push(at);
+            bars.0.extend([from, to, to]);
+            bars.1.extend([at, at, f64::NAN]);
+        }
+        layers.push(Layer::line("", bars.0, bars.1, role.solid()));
+        layers.push(Layer::points(label, across, up, role));
+    }
+    let x = Axis::linear("Share of the variance (−)").with_range(low - ROOM, high + ROOM);
+    let y = Axis::named("", keys.iter().map(|key| without_unit(&key.label)));
+    layers.push(Layer::vertical_rule(0.0, ""));
+    Panel::new(x, y, layers).with_title(quantity).with_legend(Legend::Below)
+}
+
+/// A label without the unit in brackets at its end.
+fn without_unit(label: &str) -> String {
+    label.rsplit_once(" (").map_or(label, |(name, _)| name).to_owned()
+}

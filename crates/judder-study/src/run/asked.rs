@@ -1,0 +1,122 @@
+//! What a run is asked for, and under which hash each result of it stands.
+
+use super::RunOptions;
+use crate::analyses;
+use crate::error::StudyError;
+use crate::input_file;
+use crate::ledger::VERSION;
+use crate::sweep::SweepPlan;
+use judder_case::study_sweep::quantity_path::QuantitySource;
+use judder_case::{Case, CaseFile, StudySweep};
+use judder_store::content_hash;
+use serde_json::{Value, json};
+
+/// A case with the names and hashes of all that it has, and what of it is wanted.
+pub(crate) struct Asked<'a> {
+    pub(super) file: &'a CaseFile,
+    only: &'a [String],
+    /// The case with every default and the content of its files.
+    pub(super) resolved: Value,
+    /// The analyses with their hashes.
+    pub(super) analyses: Vec<(String, String)>,
+    /// The hashes of the sweeps.
+    sweeps: Vec<String>,
+}
+
+impl<'a> Asked<'a> {
+    /// # Errors
+    /// A name in `only` that the case does not have, a file of the case that cannot be read.
+    pub(super) fn new(file: &'a CaseFile, options: &'a RunOptions) -> Result<Self, StudyError> {
+        let names = analyses::names(&file.case);
+        let known = || names.iter().chain(file.sweeps.iter().map(|sweep| &sweep.name));
+        if let Some(name) = options.only.iter().find(|name| !known().any(|own| own == *name)) {
+            return Err(StudyError::UnknownAnalysis {
+                name: name.clone(),
+                known: known().cloned().collect(),
+            });
+        }
+        let resolved = with_files(file.resolved(), &file.case)?;
+        let hashed = |(index, name): (usize, &String)| (name.clone(), analysis_hash(&resolved, index));
+        let analyses = names.iter().enumerate().map(hashed).collect();
+        let sweeps = file.sweeps.iter().map(|sweep| sweep_hash(&resolved, sweep)).collect();
+        Ok(Self { file, only: &options.only, resolved, analyses, sweeps })
+    }
+
+    pub(super) fn is_wanted(&self, name: &str) -> bool {
+        self.only.is_empty() || self.only.iter().any(|only| only == name)
+    }
+
+    /// Names and hashes of all analyses and sweeps.
+    pub(super) fn all(&self) -> impl Iterator<Item = (&String, &String)> {
+        let sweeps = self.file.sweeps.iter().map(|sweep| &sweep.name).zip(&self.sweeps);
+        self.analyses.iter().map(|(name, hash)| (name, hash)).chain(sweeps)
+    }
+
+    /// The names that are wanted, analyses first.
+    pub(super) fn wanted(&self) -> Vec<String> {
+        self.all().map(|(name, _)| name).filter(|name| self.is_wanted(name)).cloned().collect()
+    }
+
+    /// The plans of the wanted sweeps.
+    ///
+    /// # Errors
+    /// As of [`SweepPlan::new`].
+    pub(super) fn plans(&self) -> Result<Vec<SweepPlan>, StudyError> {
+        let sweeps = self.file.sweeps.iter().zip(&self.sweeps);
+        let wanted = sweeps.filter(|(sweep, _)| self.is_wanted(&sweep.name));
+        wanted.map(|(sweep, hash)| SweepPlan::new(self.file, sweep, hash)).collect()
+    }
+}
+
+/// The resolved case with the content of every file that it names, by its hash.
+fn with_files(mut resolved: Value, case: &Case) -> Result<Value, StudyError> {
+    for file in case.files() {
+        resolved["files"][&file.given] = json!(content_hash(&input_file::bytes(&file.path)?));
+    }
+    Ok(resolved)
+}
+
+/// Names all that the result of an analysis depends on: the case without its list of analyses and its title, this analysis, the version.
+pub(crate) fn analysis_hash(resolved: &Value, index: usize) -> String {
+    let model = model(resolved);
+    let mut analysis = resolved.get("analysis").and_then(|list| list.get(index)).cloned();
+    if let Some(object) = analysis.as_mut().and_then(Value::as_object_mut) {
+        // it decides whether there is a result, not which
+        object.remove("memory_limit");
+    }
+    let others = used_by(resolved, analysis.as_ref());
+    if others.is_empty() {
+        return content_hash(json!([VERSION, model, analysis]).to_string().as_bytes());
+    }
+    content_hash(json!([VERSION, model, analysis, others]).to_string().as_bytes())
+}
+
+/// The other analyses whose results an analysis takes, as the case describes them.
+fn used_by<'a>(resolved: &'a Value, analysis: Option<&Value>) -> Vec<&'a Value> {
+    let names: Vec<&str> = ["of", "locus"].iter().filter_map(|key| analysis?.get(key)?.as_str()).collect();
+    let all = resolved.get("analysis").and_then(Value::as_array).into_iter().flatten();
+    all.filter(|other| other["name"].as_str().is_some_and(|name| names.contains(&name))).collect()
+}
+
+/// Names all that the values of a sweep depend on: the case without its lists of analyses and sweeps and its title, the sweep, the analyses
+/// that its quantities take, the version.
+fn sweep_hash(resolved: &Value, sweep: &StudySweep) -> String {
+    let model = model(resolved);
+    let of = |quantity: &judder_case::QuantityPath| match &quantity.source {
+        QuantitySource::Analysis { index, .. } => resolved["analysis"].get(index).cloned(),
+        QuantitySource::Point { .. } => None,
+    };
+    let analyses: Vec<Value> = sweep.quantities.iter().filter_map(of).collect();
+    content_hash(json!([VERSION, model, sweep.resolved(), analyses]).to_string().as_bytes())
+}
+
+/// The case without its title and without what is asked of it.
+fn model(resolved: &Value) -> Value {
+    let mut model = resolved.clone();
+    if let Some(object) = model.as_object_mut() {
+        for key in ["analysis", "sweep", "title"] {
+            object.remove(key);
+        }
+    }
+    model
+}

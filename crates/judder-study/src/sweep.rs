@@ -1,0 +1,32 @@
+//! Sweeps of whole studies: a case at many points, in chunks that any number of processes share.
+//!
+//! In the order in which the data flows:
+//!
+//! - `plan`: what a sweep stores, under which hash, in which chunks.
+//! - `point_quantity`, `scalars`: a number of an operating point, a number out of the results of an analysis.
+//! - `evaluate`: the points of a chunk.
+//! - [`shard`]: which chunks are whose; `chunks`: chunks claimed, computed, written.
+//! - `part`: chunks and points for whoever hands them out to machines of his own.
+//! - `dry_run`: what a sweep would take.
+//! - `statistics`, `indices`: what a finished sweep says: extremes, failures, sensitivity.
+//! - `finish`: a finished sweep as an outcome.
+
+mod chunks;
+mod dry_run;
+mod evaluate;
+mod finish;
+mod indices;
+mod part;
+mod plan;
+mod point_quantity;
+mod scalars;
+pub mod shard;
+mod statistics;
+
+pub(crate) use chunks::work;
+pub use dry_run::SweepEstimate;
+pub use evaluate::{ChunkValues, Evaluator};
+pub(crate) use finish::finish;
+pub use part::{Handed, missing};
+pub use plan::SweepPlan;
+pub use shard::Shard;

@@ -1,0 +1,162 @@
+//! A finished sweep as an outcome: what its summary says, its table, what the user has to know.
+
+use super::evaluate::DOUBTFUL;
+use super::indices::indices;
+use super::plan::{Column, SweepPlan};
+use super::statistics::ColumnStatistics;
+use crate::error::StudyError;
+use crate::outcome::Outcome;
+use judder_store::{StoredChunk, SweepStore, Table};
+use serde_json::{Map, Value, json};
+
+/// Failures that the summary shows one by one.
+const SHOWN: usize = 20;
+/// The most points that become a table.
+const ROWS: usize = 100_000;
+
+/// What a sweep says whose chunks are all there.
+///
+/// # Errors
+/// A chunk that is missing or cannot be read.
+pub(crate) fn finish(plan: &SweepPlan, store: &SweepStore) -> Result<Outcome, StudyError> {
+    let mut read = Reading::new(plan);
+    for chunk in 0..plan.layout().chunk_count() {
+        read.take(chunk, &store.read(chunk)?)?;
+    }
+    read.outcome()
+}
+
+/// The chunks of a sweep as they are read, one after the other.
+struct Reading<'a> {
+    plan: &'a SweepPlan,
+    columns: Vec<ColumnStatistics>,
+    failed: usize,
+    doubtful: usize,
+    shown: Vec<Value>,
+    /// The values of all columns, where sensitivity or a table needs them.
+    kept: Vec<Vec<f64>>,
+    /// The values of the keys, where a table needs them and the columns do not have them.
+    keys: Vec<Vec<f64>>,
+}
+
+impl<'a> Reading<'a> {
+    fn new(plan: &'a SweepPlan) -> Self {
+        let quantities = plan.layout().quantities();
+        let columns = quantities.iter().map(ColumnStatistics::new).collect();
+        let (kept, keys) = (vec![Vec::new(); quantities.len()], vec![Vec::new(); plan.sweep().axes.len()]);
+        Self { plan, columns, failed: 0, doubtful: 0, shown: Vec::new(), kept, keys }
+    }
+
+    fn has_table(&self) -> bool {
+        self.plan.sweep().points() <= ROWS as u64
+    }
+
+    fn take(&mut self, chunk: usize, content: &StoredChunk) -> Result<(), StudyError> {
+        let points = self.plan.layout().points(chunk)?;
+        let keeps = self.has_table() || self.plan.sweep().sensitivity.is_some();
+        for row in content.values.chunks_exact(self.columns.len()) {
+            for ((statistics, kept), value) in self.columns.iter_mut().zip(&mut self.kept).zip(row) {
+                statistics.take(*value);
+                if keeps {
+                    kept.push(*value);
+                }
+            }
+        }
+        if self.has_table() {
+            for index in 0..points.count() {
+                let values = self.plan.values_at(&points.position(index));
+                for (key, value) in self.keys.iter_mut().zip(values) {
+                    key.push(value);
+                }
+            }
+        }
+        for failure in &content.failures {
+            let is_doubtful = failure.reason.starts_with(DOUBTFUL);
+            *(if is_doubtful { &mut self.doubtful } else { &mut self.failed }) += 1;
+            if self.shown.len() < SHOWN {
+                let values = self.plan.values_at(&points.position(failure.index));
+                let axes = &self.plan.sweep().axes;
+                let at: Map<String, Value> =
+                    axes.iter().zip(values).map(|(axis, value)| (axis.path.clone(), json!(value))).collect();
+                self.shown.push(json!({ "at": at, "reason": failure.reason }));
+            }
+        }
+        Ok(())
+    }
+
+    fn outcome(self) -> Result<Outcome, StudyError> {
+        let (layout, sweep) = (self.plan.layout(), self.plan.sweep());
+        let mut warnings = self.warnings();
+        let statistics: Map<String, Value> = layout
+            .quantities()
+            .iter()
+            .zip(&self.columns)
+            .zip(&self.plan.columns)
+            .filter(|(_, column)| !matches!(column, Column::Key(_)))
+            .map(|((quantity, statistics), _)| (quantity.name.clone(), statistics.told(quantity)))
+            .collect();
+        let mut scalars = Map::new();
+        scalars.insert("points".to_owned(), json!(sweep.points()));
+        scalars.insert("chunks".to_owned(), json!(layout.chunk_count()));
+        scalars.insert("failed".to_owned(), json!(self.failed));
+        scalars.insert("doubtful".to_owned(), json!(self.doubtful));
+        scalars.insert("quantities".to_owned(), Value::Object(statistics));
+        if sweep.sensitivity.is_some() {
+            let (told, missed) = self.sensitivity();
+            scalars.insert("sensitivity".to_owned(), Value::Object(told));
+            warnings.extend(missed);
+        }
+        scalars.insert("failures".to_owned(), json!(self.shown));
+        let table = if self.has_table() { Some(self.table()?) } else { None };
+        Ok(Outcome { scalars, is_stored: true, table, warnings, missing: self.failed, ..Outcome::default() })
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        let points = self.plan.sweep().points();
+        let of = |count: usize, what: &str| {
+            (count > 0).then(|| {
+                let first = self.shown.iter().find(|own| {
+                    let reason = own["reason"].as_str().unwrap_or_default();
+                    reason.starts_with(DOUBTFUL) == (what == "are doubtful")
+                });
+                let first = first.map(|own| format!("; the first at {}: {}", own["at"], own["reason"]));
+                format!("{count} of {points} points {what}{}", first.unwrap_or_default())
+            })
+        };
+        [of(self.failed, "failed"), of(self.doubtful, "are doubtful")].into_iter().flatten().collect()
+    }
+
+    /// The indices of every quantity that is a number, and why some have none.
+    fn sensitivity(&self) -> (Map<String, Value>, Vec<String>) {
+        let (mut told, mut missed) = (Map::new(), Vec::new());
+        let columns = self.plan.layout().quantities().iter().zip(&self.plan.columns).zip(&self.kept);
+        for ((quantity, column), values) in columns {
+            // codes have no mean
+            if matches!(column, Column::Key(_)) || !quantity.flags.is_empty() {
+                continue;
+            }
+            let found = indices(self.plan, values).unwrap_or_else(|reason| {
+                missed.push(format!("no sensitivity of {}: {reason}", quantity.name));
+                Value::Null
+            });
+            told.insert(quantity.name.clone(), found);
+        }
+        (told, missed)
+    }
+
+    fn table(&self) -> Result<Table, StudyError> {
+        let mut table = Table::new();
+        for (k, values) in self.keys.iter().enumerate() {
+            let quantity = self.plan.key(k);
+            table = table.column(&quantity.name, &quantity.unit, values.clone())?;
+        }
+        let columns = self.plan.layout().quantities().iter().zip(&self.plan.columns).zip(&self.kept);
+        for ((quantity, column), values) in columns {
+            if !matches!(column, Column::Key(_)) {
+                let unit = if quantity.units.is_empty() { "1" } else { &quantity.units };
+                table = table.column(&quantity.name, unit, values.clone())?;
+            }
+        }
+        Ok(table)
+    }
+}

@@ -1,0 +1,228 @@
+//! What a sweep stores, under which hash, in which chunks.
+
+use super::point_quantity::{PointQuantity, known};
+use crate::analyses::Axis;
+use crate::error::StudyError;
+use crate::labels;
+use crate::ledger::VERSION;
+use judder_case::study_sweep::quantity_path::{QuantityPath, QuantitySource, QuantityStep};
+use judder_case::study_sweep::{Design, StudySweep, SweptValues};
+use judder_case::{CaseError, CaseFile, SweepProblem};
+use judder_store::{SweepDimension, SweepLayout, SweepQuantity, Variable};
+
+/// The most points of a chunk where the case does not say, when only the operating point is asked for: a fraction of a second.
+const POINTS_OF_POINTS: u64 = 1 << 17;
+/// The same where analyses are run at every point.
+const POINTS_OF_ANALYSES: u64 = 64;
+/// Into how many chunks a small sweep is cut, so that there is work for every thread.
+const PARTS: u64 = 16;
+/// Fewer points of their kind are not worth a file.
+const FEWEST: u64 = 1 << 12;
+
+/// What one column of the stored values is.
+#[derive(Debug, Clone)]
+pub(super) enum Column {
+    /// The value of a swept key, by its position.
+    Key(usize),
+    /// A quantity of the operating point.
+    Point(PointQuantity),
+    /// A scalar of an analysis, by the position of the analysis in the case.
+    Scalar { index: usize, name: String, steps: Vec<QuantityStep> },
+}
+
+/// A sweep of a case with the layout of its results.
+#[derive(Debug, Clone)]
+pub struct SweepPlan {
+    pub(super) file: CaseFile,
+    pub(super) sweep: StudySweep,
+    pub(super) columns: Vec<Column>,
+    layout: SweepLayout,
+}
+
+impl SweepPlan {
+    /// The plan of a sweep of a case; `hash` names all that its values depend on.
+    ///
+    /// # Errors
+    /// A quantity that no operating point has, a sweep that cannot be stored.
+    pub(crate) fn new(file: &CaseFile, sweep: &StudySweep, hash: &str) -> Result<Self, StudyError> {
+        // a grid has its keys as dimensions
+        let keys = if sweep.method == Design::Grid { 0 } else { sweep.axes.len() };
+        let mut columns: Vec<Column> = (0..keys).map(Column::Key).collect();
+        for quantity in &sweep.quantities {
+            columns.push(column(file, sweep, quantity)?);
+        }
+        let layout = layout(sweep, &columns, hash)?;
+        Ok(Self { file: file.clone(), sweep: sweep.clone(), columns, layout })
+    }
+
+    /// The case that is swept.
+    #[must_use]
+    pub fn file(&self) -> &CaseFile {
+        &self.file
+    }
+
+    /// The sweep.
+    #[must_use]
+    pub fn sweep(&self) -> &StudySweep {
+        &self.sweep
+    }
+
+    /// How its results are stored.
+    #[must_use]
+    pub fn layout(&self) -> &SweepLayout {
+        &self.layout
+    }
+
+    /// The number of a point in the whole sweep, from its position along each dimension.
+    pub(super) fn number(&self, position: &[usize]) -> u64 {
+        let lengths = self.layout.dimensions().iter().map(|dimension| dimension.length);
+        position.iter().zip(lengths).fold(0, |sum, (at, length)| sum * length as u64 + *at as u64)
+    }
+
+    /// The values of the swept keys at a position.
+    pub(super) fn values_at(&self, position: &[usize]) -> Vec<f64> {
+        self.sweep.values_of(self.number(position))
+    }
+
+    /// How a swept key is called.
+    pub(super) fn key(&self, k: usize) -> labels::Quantity {
+        quantity(&self.sweep, k)
+    }
+}
+
+fn column(file: &CaseFile, sweep: &StudySweep, quantity: &QuantityPath) -> Result<Column, StudyError> {
+    match &quantity.source {
+        QuantitySource::Analysis { steps, .. }
+            if steps.contains(&QuantityStep::Name("seconds".to_owned())) =>
+        {
+            let reason = "it is a wall time, which no two runs share";
+            let problem = SweepProblem::QuantityPath { path: quantity.text.clone(), reason };
+            Err(file.sweep_error(&sweep.name, "quantities", problem).into())
+        }
+        QuantitySource::Analysis { index, name, steps } => {
+            Ok(Column::Scalar { index: *index, name: name.clone(), steps: steps.clone() })
+        }
+        QuantitySource::Point { name } => {
+            let known = known(&file.case);
+            let found = known.iter().find(|own| own.name == *name).copied();
+            found.map(Column::Point).ok_or_else(|| {
+                let known = known.iter().map(|own| own.name.to_owned()).collect();
+                let problem = SweepProblem::UnknownQuantity { name: name.clone(), known };
+                let error: CaseError = file.sweep_error(&sweep.name, "quantities", problem);
+                error.into()
+            })
+        }
+    }
+}
+
+fn layout(sweep: &StudySweep, columns: &[Column], hash: &str) -> Result<SweepLayout, StudyError> {
+    let shape: Vec<usize> = sweep.shape().iter().map(|length| *length as usize).collect();
+    let chunk = chunk_shape(&shape, target(sweep, columns));
+    let named = sweep.dimensions().into_iter().map(str::to_owned);
+    let dimensions = named
+        .zip(shape.iter().zip(&chunk))
+        .map(|(name, (length, chunk))| SweepDimension { name, length: *length, chunk: *chunk })
+        .collect();
+    let asked = sweep.quantities.iter().map(|quantity| quantity.text.as_str());
+    let keys = columns.len() - sweep.quantities.len();
+    let texts = (0..keys).map(|k| sweep.axes[k].path.as_str()).chain(asked);
+    let quantities = columns.iter().zip(texts).map(|(column, text)| described(sweep, column, text)).collect();
+    let mut layout = SweepLayout::new(&sweep.name, hash, dimensions, quantities)?
+        .attribute("kind", "sweep")?
+        .attribute("judder_version", VERSION)?
+        .attribute("method", sweep.method.name())?
+        .attribute("keys", sweep.axes.iter().map(|axis| axis.path.clone()).collect::<Vec<_>>())?
+        .attribute("key_labels", (0..sweep.axes.len()).map(|k| quantity(sweep, k).label).collect::<Vec<_>>())?
+        .attribute("scales", sweep.axes.iter().map(|axis| axis.scale.name()).collect::<Vec<_>>())?;
+    if let Some(seed) = sweep.method.seed() {
+        layout = layout.attribute("seed", seed)?;
+    }
+    if sweep.method == Design::Grid {
+        for k in 0..sweep.axes.len() {
+            layout = layout.with(coordinate(sweep, k))?;
+        }
+    }
+    Ok(layout)
+}
+
+/// The points that a chunk should have: decided by the case alone, so that every process cuts alike.
+fn target(sweep: &StudySweep, columns: &[Column]) -> usize {
+    let runs = columns.iter().any(|column| matches!(column, Column::Scalar { .. }));
+    let part = sweep.points().div_ceil(PARTS);
+    let chosen = match runs {
+        true => part.min(POINTS_OF_ANALYSES),
+        false => part.clamp(FEWEST, POINTS_OF_POINTS),
+    };
+    let points = sweep.chunk.unwrap_or(chosen as usize).max(1);
+    points.next_multiple_of(sweep.row() as usize)
+}
+
+/// The last dimensions whole, as many as go into `target` points, and a part of the one before them.
+fn chunk_shape(shape: &[usize], target: usize) -> Vec<usize> {
+    let mut left = target.max(1);
+    let mut chunk: Vec<usize> = shape
+        .iter()
+        .rev()
+        .map(|length| {
+            let taken = left.min(*length).max(1);
+            left /= taken;
+            taken
+        })
+        .collect();
+    chunk.reverse();
+    chunk
+}
+
+/// A column as the store describes it.
+fn described(sweep: &StudySweep, column: &Column, text: &str) -> SweepQuantity {
+    match column {
+        Column::Key(k) => {
+            let quantity = quantity(sweep, *k);
+            SweepQuantity::new(text, &quantity.unit, &labels::plain(&quantity.label))
+        }
+        Column::Point(own) => {
+            let codes: Vec<(u8, &str)> = (0..).zip(own.flags.iter().copied()).collect();
+            SweepQuantity::new(text, own.units, own.long_name).flags(&codes)
+        }
+        Column::Scalar { name, .. } => {
+            SweepQuantity::new(text, "", &format!("{} of `{name}`", text[name.len() + 1..].replace('_', " ")))
+        }
+    }
+}
+
+/// How a swept key is called.
+fn quantity(sweep: &StudySweep, k: usize) -> labels::Quantity {
+    let axis = &sweep.axes[k];
+    match &sweep.oscillator {
+        Some(keys) => {
+            let (key, form) = keys[k];
+            labels::Quantity { name: axis.path.clone(), ..labels::oscillator_key(key, form) }
+        }
+        None => labels::any_key(&axis.path, axis.dimension),
+    }
+}
+
+/// The coordinate of a dimension of a grid.
+fn coordinate(sweep: &StudySweep, k: usize) -> Variable {
+    let axis = &sweep.axes[k];
+    let count = axis.count().unwrap_or(0);
+    let values: Vec<f64> = (0..count).map(|index| axis.value(index)).collect();
+    let scale = match axis.values {
+        SweptValues::Listed(_) => judder_case::Scale::Linear,
+        _ => axis.scale,
+    };
+    Axis { quantity: quantity(sweep, k), values, scale }.coordinate()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn chunks_take_the_last_dimensions_whole() {
+        assert_eq!(chunk_shape(&[1000, 400], 1 << 17), [327, 400]);
+        assert_eq!(chunk_shape(&[10, 20, 30], 64), [1, 2, 30]);
+        assert_eq!(chunk_shape(&[10, 20, 30], 1), [1, 1, 1]);
+        assert_eq!(chunk_shape(&[5], 64), [5]);
+    }
+}

@@ -1,0 +1,248 @@
+//! Sweeps of whole studies: what a point holds, what fails, what parts and processes make of it.
+
+use crate::{number, run_into};
+use judder_case::{Case, CaseFile, LawName, OscillatorCase};
+use judder_store::{StoreError, StoredChunk};
+use judder_study::run::{RunOptions, SweepWork, plans, run};
+use judder_study::sweep::{Evaluator, SweepPlan};
+use judder_study::{Silent, StudyError, point};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+const HEAD: &str = "model = \"oscillator\"\n[operation]\nvelocity = 1e-3\nnormal_load = 1e-4\n[contact]\nshear_strength = 0.05\n";
+
+fn file(sweeps: &str) -> CaseFile {
+    CaseFile::parse("sweeps.toml", &format!("{HEAD}{sweeps}"), &[]).unwrap()
+}
+
+/// All chunks of the first sweep of a case, computed without a folder.
+fn computed(file: &CaseFile) -> (SweepPlan, Vec<StoredChunk>) {
+    let plan = plans(file, &[]).unwrap().remove(0);
+    let evaluator = Evaluator::new(&plan, &Silent).unwrap();
+    let chunk = |chunk| {
+        let content = evaluator.chunk(chunk, &Silent).unwrap();
+        StoredChunk { values: content.values, failures: content.failures }
+    };
+    let chunks = (0..plan.layout().chunk_count()).map(chunk).collect();
+    drop(evaluator);
+    (plan, chunks)
+}
+
+fn oscillator(file: &CaseFile) -> &OscillatorCase {
+    match &file.case {
+        Case::Oscillator(case) => case,
+        _ => unreachable!(),
+    }
+}
+
+/// Every file of the results, by its path.
+fn stored(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let mut found = BTreeMap::new();
+    let mut folders = vec![folder.join("results.zarr")];
+    while let Some(next) = folders.pop() {
+        for entry in std::fs::read_dir(next).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else {
+                let name = path.strip_prefix(folder).unwrap().display().to_string();
+                found.insert(name, std::fs::read(&path).unwrap());
+            }
+        }
+    }
+    found
+}
+
+const GRID: &str = r#"
+[[sweep]]
+name = "grid"
+over = [
+  { key = "operation.velocity", from = 1e-5, to = 1e-1, points = 4, scale = "log" },
+  { key = "contact.shear_strength", values = [0.01, 0.05, 0.3] },
+]
+quantities = ["growth_rate", "frequency", "verdict", "critical_shear_strength"]
+chunk = 5
+"#;
+
+/// The same numbers as `judder point`, bit by bit: once by setting the inputs, once by reading the case anew.
+#[test]
+fn a_point_of_a_sweep_is_the_point_of_its_case() {
+    let file = file(GRID);
+    let (plan, chunks) = computed(&file);
+    let sweep = plan.sweep();
+    assert_eq!((sweep.points(), chunks.len()), (12, 4), "a chunk takes the last key whole");
+    let rows: Vec<&[f64]> = chunks.iter().flat_map(|chunk| chunk.values.chunks_exact(4)).collect();
+    for (index, row) in rows.iter().enumerate() {
+        let here = file.at(sweep, &sweep.values_of(index as u64)).unwrap();
+        let point = point::point(oscillator(&here)).unwrap();
+        let verdicts = ["stable", "marginal", "unstable"];
+        let verdict = verdicts.iter().position(|own| point.json()["verdict"] == **own).unwrap();
+        let frequency =
+            point.steady.eigenvalues.iter().max_by(|a, b| a.re.total_cmp(&b.re)).unwrap().im.abs();
+        assert_eq!(row[..3], [point.steady.growth_rate(), frequency, verdict as f64], "{index}");
+        let threshold = point.critical_shear_strength.first().copied().unwrap_or(f64::NAN);
+        assert_eq!(row[3].to_bits(), threshold.to_bits(), "{index}");
+    }
+}
+
+/// A law computed for the substrate of the case is another law at another substrate.
+#[test]
+fn a_swept_substrate_is_read_anew() {
+    let sweep = r#"
+[substrate]
+prony = [{ time = "10 ms", compliance = "9e-7 1/Pa" }]
+[[sweep]]
+name = "moduli"
+over = [{ key = "substrate.rubbery_modulus", values = ["0.9 MPa", "1 MPa", "1.05 MPa"] }]
+quantities = ["growth_rate"]
+"#;
+    let file = file(sweep);
+    assert_eq!(oscillator(&file).law, LawName::OscillatorPaper);
+    let (plan, chunks) = computed(&file);
+    for (index, value) in chunks.iter().flat_map(|chunk| &chunk.values[..]).enumerate() {
+        let here = file.at(plan.sweep(), &plan.sweep().values_of(index as u64)).unwrap();
+        assert_eq!(*value, point::point(oscillator(&here)).unwrap().steady.growth_rate(), "{index}");
+    }
+}
+
+const CYCLES: &str = r#"
+[[analysis]]
+name = "cycle"
+kind = "limit-cycle"
+[[sweep]]
+name = "cycles"
+method = "list"
+over = [{ key = "contact.shear_strength", values = [0.05, 0.055] }]
+quantities = ["growth_rate", "cycle.rms", "cycle.floquet_multipliers.count", "cycle.floquet_multipliers.0.0"]
+"#;
+
+/// A scalar of an analysis is what a run of the case at that point says.
+#[test]
+fn a_scalar_of_a_sweep_is_that_of_a_run() {
+    let file = file(CYCLES);
+    let (_, chunks) = computed(&file);
+    let row = &chunks.last().unwrap().values[chunks.last().unwrap().values.len() - 5..];
+    let folder = tempfile::tempdir().unwrap();
+    let overrides = ["contact.shear_strength=0.055".to_owned()];
+    let alone = CaseFile::parse("alone.toml", &file.text, &overrides).unwrap();
+    let report = run_into(folder.path(), &alone, &["cycle"]);
+    let cycle = &report.summary.results["cycle"];
+    assert_eq!(row[0], 0.055);
+    assert_eq!(row[2..], [number(&cycle["rms"]), 4.0, number(&cycle["floquet_multipliers"][0][0])]);
+}
+
+/// A load under which there is no steady sliding: recorded with the reason, and no other point suffers.
+#[test]
+fn a_point_that_fails_is_recorded_and_the_others_are_done() {
+    let sweep = r#"
+[[sweep]]
+name = "loads"
+over = [{ key = "operation.normal_load", values = [1e-4, 1e12, 1e-3] }]
+quantities = ["growth_rate", "verdict"]
+chunk = 2
+"#;
+    let folder = tempfile::tempdir().unwrap();
+    let report = run_into(folder.path(), &file(sweep), &[]);
+    assert!(!report.complete);
+    let told = &report.summary.results["loads"];
+    assert_eq!((&told["failed"], &told["quantities"]["growth_rate"]["count"]), (&1.into(), &2.into()));
+    let failure = &told["failures"][0];
+    assert_eq!(number(&failure["at"]["operation.normal_load"]), 1e12);
+    assert!(failure["reason"].as_str().unwrap().contains("no steady sliding"), "{failure}");
+    assert!(report.messages.iter().any(|message| message.contains("1 of 3 points failed")));
+}
+
+#[test]
+fn parts_in_any_order_make_the_whole() {
+    let (whole, parts) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    let file = file(GRID);
+    let report = run_into(whole.path(), &file, &[]);
+    assert!(report.complete && report.report.is_some(), "{:?}", report.messages);
+    for part in ["3/3", "1/3", "2/3"] {
+        let sweeps = SweepWork::Part(part.parse().unwrap());
+        let options = RunOptions { sweeps, ..RunOptions::default() };
+        let report = run(&file, parts.path(), &options, &Silent).unwrap();
+        assert!(report.complete && report.report.is_none());
+    }
+    let options = RunOptions { sweeps: SweepWork::Merge, ..RunOptions::default() };
+    let merged = run(&file, parts.path(), &options, &Silent).unwrap();
+    assert!(merged.complete && merged.report.is_some(), "{:?}", merged.notes);
+    assert_eq!(stored(whole.path()), stored(parts.path()));
+    assert_eq!(report.summary.results, merged.summary.results);
+}
+
+#[test]
+fn a_merge_before_its_time_says_what_is_missing() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = file(GRID);
+    let options = RunOptions { sweeps: SweepWork::Part("2/4".parse().unwrap()), ..RunOptions::default() };
+    run(&file, folder.path(), &options, &Silent).unwrap();
+    let options = RunOptions { sweeps: SweepWork::Merge, ..RunOptions::default() };
+    let merged = run(&file, folder.path(), &options, &Silent).unwrap();
+    assert!(!merged.complete && merged.report.is_none());
+    assert!(merged.notes.iter().any(|note| note.contains("3 of 4 chunks are missing")), "{:?}", merged.notes);
+}
+
+#[test]
+fn a_second_run_computes_no_chunk_and_a_damaged_one_is_computed_anew() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = file(GRID);
+    run_into(folder.path(), &file, &[]);
+    let before = stored(folder.path());
+    let again = run_into(folder.path(), &file, &[]);
+    assert!(again.complete && again.skipped == ["grid"], "{:?}", again.skipped);
+    let chunk = folder.path().join("results.zarr/grid/values/c.2.0.0");
+    let bytes = std::fs::read(&chunk).unwrap();
+    std::fs::write(&chunk, &bytes[..bytes.len() - 7]).unwrap();
+    let mended = run_into(folder.path(), &file, &[]);
+    assert!(mended.notes.iter().any(|note| note.contains("1 damaged chunk")), "{:?}", mended.notes);
+    assert_eq!(stored(folder.path()), before);
+}
+
+#[test]
+fn a_folder_with_a_sweep_of_another_case_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    run_into(folder.path(), &file(GRID), &[]);
+    let other =
+        CaseFile::parse("sweeps.toml", &format!("{HEAD}{GRID}"), &["oscillator.damping_x=0.02".into()]);
+    let refused = run(&other.unwrap(), folder.path(), &RunOptions::default(), &Silent).unwrap_err();
+    assert!(matches!(refused, StudyError::Store(StoreError::ForeignSweep { .. })), "{refused}");
+    let fresh = RunOptions { fresh: true, ..RunOptions::default() };
+    let other =
+        CaseFile::parse("sweeps.toml", &format!("{HEAD}{GRID}"), &["oscillator.damping_x=0.02".into()]);
+    assert!(run(&other.unwrap(), folder.path(), &fresh, &Silent).unwrap().complete);
+}
+
+/// Growth of the minimal model depends on μ alone when c2 = 0: its index is one, that of the other parameter zero.
+#[test]
+fn sensitivity_finds_the_key_that_decides() {
+    let text = std::fs::read_to_string(
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/benchmarks/minimal-mode-coupling.toml"),
+    );
+    let text = text.unwrap().replace("[parameters]", "[parameters]\nidle = 1.0");
+    let sweep = r#"
+[[sweep]]
+name = "which"
+method = "sobol"
+points = 256
+over = [{ key = "parameters.mu", from = 0.8, to = 1.2 }, { key = "parameters.idle", from = 0.0, to = 1.0 }]
+quantities = ["growth_rate"]
+sensitivity = true
+"#;
+    let file = CaseFile::parse("which.toml", &format!("{text}{sweep}"), &[]).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let report = run_into(folder.path(), &file, &["which"]);
+    let told = &report.summary.results["which"]["sensitivity"]["growth_rate"];
+    for order in ["first", "total"] {
+        assert!((number(&told[order]["parameters.mu"]["value"]) - 1.0).abs() < 0.02, "{told}");
+        assert!(number(&told[order]["parameters.idle"]["value"]).abs() < 1e-12, "{told}");
+    }
+}
+
+#[test]
+fn a_quantity_that_no_point_has_is_refused_with_the_nearest() {
+    let sweep = GRID.replace("\"growth_rate\"", "\"growth_rat\"");
+    let refused = run(&file(&sweep), tempfile::tempdir().unwrap().path(), &RunOptions::default(), &Silent);
+    let told = format!("{:?}", refused.unwrap_err());
+    assert!(told.contains("growth_rat"), "{told}");
+}

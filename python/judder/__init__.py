@@ -2,10 +2,10 @@
 
 Whole cases: :func:`run`, :func:`check`, :func:`load_study`. Building blocks on NumPy arrays: :mod:`judder.oscillator`,
 :mod:`judder.contact`,
-:mod:`judder.sliding`. Errors: :class:`JudderError` and its subclasses.
+:mod:`judder.sliding`. Sweeps of cases: :mod:`judder.sweep`, :mod:`judder.distributed`. Errors: :class:`JudderError` and its subclasses.
 """
 
-from judder import contact, errors, oscillator, sliding
+from judder import contact, distributed, errors, oscillator, sliding, sweep
 from judder._judder import VERSION as __version__
 from judder.errors import (
     CaseError,
@@ -43,10 +43,12 @@ __all__ = [
     "__version__",
     "check",
     "contact",
+    "distributed",
     "errors",
     "load_study",
     "oscillator",
     "run",
     "sliding",
+    "sweep",
     "tqdm_progress",
 ]

@@ -10,12 +10,13 @@ from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from judder import _judder, _toml
+from judder import _judder, _swept, _toml
 from judder.contact import Law
 from judder.errors import JudderWarning, StudyError
 from judder.progress import Progress
 
 if TYPE_CHECKING:
+    import pandas
     import xarray
 
 __all__ = ["CaseLike", "Study", "check", "load_study", "run"]
@@ -64,14 +65,14 @@ def run(
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> Study:
-    """Runs the analyses of a case that are not done yet, as ``judder run`` does.
+    """Runs the analyses and sweeps of a case that are not done yet, as ``judder run`` does.
 
     Ctrl-C ends the run and keeps what is done: the same call goes on from there.
 
     Args:
         case: a path, the text of a case, or its tables as a mapping; files that it names are sought beside it.
         output: the study folder; ``out/<name of the case>`` where none is given.
-        only: these analyses and no others.
+        only: these analyses and sweeps and no others.
         set: changed keys, such as ``{"operation.velocity": 1e-3}``.
         fresh: forget earlier results first.
         law: a contact law of your own in place of that of an oscillator case; it is kept in the folder as ``law.json``.
@@ -98,7 +99,7 @@ def run(
         threads=threads,
         progress=progress,
     )
-    for message in told["messages"]:
+    for message in [*told["messages"], *told["notes"]]:
         warnings.warn(message, JudderWarning, stacklevel=2)
     for name, error in told["refused"]:
         error.add_note(f"analysis `{name}`; what the others left is in {told['folder']}")
@@ -116,9 +117,10 @@ def load_study(folder: str | os.PathLike[str]) -> Study:
 
 
 class Study(Mapping[str, "xarray.Dataset"]):
-    """What a run has left: a mapping from the names of its analyses to their data.
+    """What a run has left: a mapping from the names of its analyses and sweeps to their data.
 
-    A dataset is read when it is used. Its variables carry units and long names, so that they label their own plots::
+    The data of a sweep has a variable for each quantity, and the swept keys as coordinates; its values are read, and with dask computed
+    on, chunk by chunk. A dataset is read when it is used. Its variables carry units and long names, so that they label their own plots::
 
         study["map"].growth_rate.plot()
 
@@ -142,10 +144,15 @@ class Study(Mapping[str, "xarray.Dataset"]):
 
     @property
     def analyses(self) -> tuple[str, ...]:
-        """The names of the analyses that have run, in the order of the case, with or without a result."""
+        """The names of the analyses that have run, then of the sweeps, in the order of the case, with or without a result."""
         ran = self.summary["analyses"]
         order = [analysis["name"] for analysis in self.summary["case"].get("analysis", [])]
-        return tuple(name for name in order if name in ran)
+        return tuple(name for name in [*order, *self.sweeps] if name in ran)
+
+    @property
+    def sweeps(self) -> tuple[str, ...]:
+        """The names of the sweeps of the case, in its order."""
+        return tuple(sweep["name"] for sweep in self.summary["case"].get("sweep", []))
 
     @property
     def failures(self) -> dict[str, str]:
@@ -155,9 +162,9 @@ class Study(Mapping[str, "xarray.Dataset"]):
 
     @property
     def complete(self) -> bool:
-        """Whether every analysis of the case has run and no result is missing."""
+        """Whether every analysis and sweep of the case has run and no result is missing."""
         missing = self.summary.get("study", {}).get("missing", {})
-        asked = len(self.summary["case"].get("analysis", []))
+        asked = len(self.summary["case"].get("analysis", [])) + len(self.sweeps)
         return len(self.analyses) == asked and not self.failures and not any(missing.values())
 
     @property
@@ -191,7 +198,24 @@ class Study(Mapping[str, "xarray.Dataset"]):
 
         if name not in self.analyses or name in self.failures:
             raise KeyError(name)
+        if name in self.sweeps:
+            return _swept.dataset(self.folder, name)
         return xarray.open_dataset(self.folder / "results.zarr", engine="zarr", group=name, chunks=None)
+
+    def failed_points(self, name: str) -> pandas.DataFrame:
+        """The points of a sweep that have no answer, or a doubtful one.
+
+        Returns:
+            A table with a row a point: the values of the swept keys, one column each in the unit of the sweep, and ``reason``. The reason of
+            a point that has values, which a check doubts, begins with ``doubtful``.
+
+        Raises:
+            KeyError: there is no such sweep.
+        """
+        if name not in self.sweeps or name not in self:
+            raise KeyError(name)
+        numbers = self.results[name]
+        return _swept.failed_points(self.folder, name, any_failed=bool(numbers["failed"] or numbers["doubtful"]))
 
     def __iter__(self) -> Iterator[str]:
         return (name for name in self.analyses if name not in self.failures)

@@ -72,7 +72,7 @@ pub(crate) fn run_case<'py>(
         }
         Some(law) => with_law(&case, overrides, output, &law)?,
     };
-    let options = RunOptions { only, fresh };
+    let options = RunOptions { only, fresh, ..RunOptions::default() };
     let done = watched(py, &manner, |watch| run(&file, &folder, &options, watch))?;
     if matches!(done.result, Err(StudyError::Interrupted))
         && done.stopped.as_ref().is_none_or(|stop| is_ctrl_c(py, stop))
@@ -105,6 +105,12 @@ fn with_law(
     })?;
     overrides.push(STAND_IN.to_owned());
     let mut file = case.read(&overrides)?;
+    if !file.sweeps.is_empty() {
+        return Err(errors::input(
+            "law",
+            "the points of a sweep read the law of the case: save it, law.save(\"law.json\"), and say contact.law = { file = \"law.json\" }",
+        ));
+    }
     let folder = folder_of(&file, output);
     let store = StudyFolder::create(&folder).map_err(|error| errors::store(&error))?;
     let path = store.write_file(LAW_FILE, text.as_bytes()).map_err(|error| errors::store(&error))?;
@@ -124,6 +130,7 @@ fn told(py: Python<'_>, report: RunReport) -> PyResult<Bound<'_, PyDict>> {
     told.set_item("complete", report.complete)?;
     told.set_item("skipped", report.skipped)?;
     told.set_item("messages", report.messages)?;
+    told.set_item("notes", report.notes)?;
     let refused: Vec<(String, Py<PyAny>)> = report
         .refused
         .into_iter()

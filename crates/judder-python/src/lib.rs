@@ -6,6 +6,7 @@
 //! - `pool`, `watched`: long calls without the interpreter's lock, which Ctrl-C ends and whose progress is told.
 //! - `oscillator`, `contact`, `sliding`: one module a crate of the second floor.
 //! - `cases`: whole cases, and the command.
+//! - `sweep`: a sweep of a case, chunk by chunk, for whoever hands the chunks out himself.
 //! - `errors`: errors of the crates as exceptions, with their fields.
 
 mod arrays;
@@ -15,6 +16,7 @@ mod errors;
 mod oscillator;
 mod pool;
 mod sliding;
+mod sweep;
 mod watched;
 
 use pyo3::prelude::*;
@@ -29,6 +31,8 @@ mod _judder {
     use crate::oscillator::{OscillatorPoint, oscillator_map, point, rebuilt_point, repeated_points};
     #[pymodule_export]
     use crate::sliding::{PyPair, sliding_locus, sliding_march};
+    #[pymodule_export]
+    use crate::sweep::PySweep;
     #[pymodule_export]
     const VERSION: &str = env!("CARGO_PKG_VERSION");
 }

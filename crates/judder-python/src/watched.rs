@@ -5,6 +5,7 @@ use crate::pool;
 use judder_study::Progress;
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
+use rayon::ThreadPool;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
@@ -91,9 +92,13 @@ const MOST_THREADS: usize = 4096;
 #[derive(Debug, Default)]
 pub(crate) struct Manner {
     /// `progress(name, done, total)`.
-    progress: Option<Py<PyAny>>,
+    pub(crate) progress: Option<Py<PyAny>>,
     /// How many threads; one a core where none is said.
-    threads: Option<usize>,
+    pub(crate) threads: Option<usize>,
+    /// The threads, where they are there already.
+    pub(crate) pool: Option<Arc<ThreadPool>>,
+    /// `stop()`: whether the work is to end.
+    pub(crate) stop: Option<Py<PyAny>>,
 }
 
 impl Manner {
@@ -103,7 +108,7 @@ impl Manner {
             Some(threads) if !(1..=MOST_THREADS).contains(&threads) => {
                 Err(errors::input("threads", format!("{threads} must be from 1 to {MOST_THREADS}")))
             }
-            _ => Ok(Self { progress, threads }),
+            _ => Ok(Self { progress, threads, ..Self::default() }),
         }
     }
 }
@@ -135,9 +140,10 @@ pub(crate) fn watched<T: Send>(
     manner: &Manner,
     work: impl FnOnce(&Watch) -> T + Send,
 ) -> PyResult<Watched<T>> {
-    let pool = match manner.threads {
-        None => pool::shared(),
-        Some(threads) => pool::of(threads).map(Arc::new),
+    let pool = match (&manner.pool, manner.threads) {
+        (Some(pool), _) => Ok(Arc::clone(pool)),
+        (None, None) => pool::shared(),
+        (None, Some(threads)) => pool::of(threads).map(Arc::new),
     };
     let pool = pool.map_err(errors::system)?;
     let watch = Watch::default();
@@ -153,7 +159,12 @@ pub(crate) fn watched<T: Send>(
         while !py.detach(|| watch.ends()) {
             if stopped.is_none() {
                 stopped = py.check_signals().and_then(|()| tell(py, manner, &watch, &mut last)).err();
-                watch.stop.store(stopped.is_some(), Ordering::Relaxed);
+                let ends = stopped.is_none()
+                    && asked_to_stop(py, manner).unwrap_or_else(|error| {
+                        stopped = Some(error);
+                        true
+                    });
+                watch.stop.store(ends || stopped.is_some(), Ordering::Relaxed);
             }
         }
         let result = py.detach(|| worker.join());
@@ -170,6 +181,14 @@ pub(crate) fn watched<T: Send>(
 /// Whether this is Ctrl-C.
 pub(crate) fn is_ctrl_c(py: Python<'_>, error: &PyErr) -> bool {
     error.is_instance_of::<PyKeyboardInterrupt>(py)
+}
+
+/// Whether somebody else wants the work to end.
+fn asked_to_stop(py: Python<'_>, manner: &Manner) -> PyResult<bool> {
+    match &manner.stop {
+        Some(stop) => stop.call0(py)?.is_truthy(py),
+        None => Ok(false),
+    }
 }
 
 /// Tells the callback what has changed.

@@ -1,8 +1,10 @@
 """What a user writes, for the type checkers."""
 
+from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 import numpy as np
+from distributed import Client
 
 import judder
 from judder.sliding import Pair, Slider, Track, locus, march
@@ -42,6 +44,16 @@ def cases() -> None:
         print(error.line, error.key, error.help, error.fields)
     except judder.JudderError as error:
         print(error.cause)
+
+
+def sweeps(client: Client) -> None:
+    sweep = judder.sweep.plan(Path("case.toml"), "robustness", set={"sweep.robustness.points": 64})
+    for chunk in sweep.missing("out"):
+        sweep.write("out", chunk, sweep.compute(chunk))
+    print(sweep.merge("out")["robustness"].growth_rate.mean(), sweep.values(0).shape, sweep.estimate()["seconds"])
+    study = judder.distributed.run("case.toml", client, output="out", progress=lambda name, done, total: None)
+    print(study.failed_points("robustness")["reason"])
+    judder.distributed.run_with("case.toml", lambda: ProcessPoolExecutor(2), output="out", workers=2)
 
 
 def contacts() -> float:

@@ -14,7 +14,17 @@ import pytest
 import judder
 from common import ROOT
 
-MODULES = [judder, judder.contact, judder.errors, judder.oscillator, judder.progress, judder.sliding, judder.study]
+MODULES = [
+    judder,
+    judder.contact,
+    judder.distributed,
+    judder.errors,
+    judder.oscillator,
+    judder.progress,
+    judder.sliding,
+    judder.study,
+    judder.sweep,
+]
 HERE = pathlib.Path(__file__).parent
 
 

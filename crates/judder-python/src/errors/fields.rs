@@ -98,6 +98,15 @@ fields!(StoreError {
     NoDataset { path },
     DatasetUnreadable { path },
     InvalidName { what, name },
+    ForeignSweep { path, expected, found },
+    OtherLayout { path },
+    ForeignChunk { path, expected, found },
+    DamagedChunk { path },
+    MissingChunk { path },
+    NoSuchChunk { sweep, chunk, count },
+    ChunkSize { sweep, chunk, expected, found },
+    FailureOutside { sweep, chunk, index, points },
+    SweepTooLarge { sweep },
 });
 
 fields!(StudyError {

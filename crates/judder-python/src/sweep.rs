@@ -1,0 +1,248 @@
+//! A sweep of a case, chunk by chunk.
+
+mod work;
+
+use crate::cases::Source;
+use crate::errors;
+use crate::pool;
+use crate::watched::Manner;
+use judder_case::CaseFile;
+use judder_store::{PointFailure, SharedStudy};
+use judder_study::StudyError;
+use judder_study::run::{SweepWork, plans};
+use judder_study::sweep::{Evaluator, Shard, SweepEstimate, SweepPlan, missing};
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use rayon::ThreadPool;
+use rayon::prelude::*;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
+
+/// A sweep of a case: what it has, and its chunks.
+#[pyclass(frozen, name = "Sweep", module = "judder._judder")]
+pub(crate) struct PySweep {
+    plan: SweepPlan,
+    /// Threads of its own, so that a worker keeps them from call to call.
+    pool: Option<Arc<ThreadPool>>,
+    evaluator: Mutex<Option<Arc<Evaluator<'static>>>>,
+}
+
+/// The text of a case, what is changed in it, and the files that it names.
+type Package = (String, String, Vec<String>, Vec<(String, PathBuf)>);
+
+#[pymethods]
+impl PySweep {
+    /// The sweeps of a case, in their order.
+    #[staticmethod]
+    #[pyo3(signature = (case, overrides, *, threads = None))]
+    fn all(case: Source, overrides: Vec<String>, threads: Option<usize>) -> PyResult<Vec<Self>> {
+        let file = case.read(&overrides)?;
+        let pool = threads.map(|threads| pool::of(threads).map(Arc::new)).transpose();
+        let pool = pool.map_err(errors::system)?;
+        let plans = plans_of(&file).map_err(|error| errors::study(&error))?;
+        let of = |plan| Self { plan, pool: pool.clone(), evaluator: Mutex::new(None) };
+        Ok(plans.into_iter().map(of).collect())
+    }
+
+    #[getter]
+    fn name(&self) -> &str {
+        self.plan.layout().name()
+    }
+
+    /// What names all that its values depend on.
+    #[getter]
+    fn hash(&self) -> &str {
+        self.plan.layout().hash()
+    }
+
+    #[getter]
+    fn method(&self) -> &str {
+        self.plan.sweep().method.name()
+    }
+
+    #[getter]
+    fn points(&self) -> usize {
+        self.plan.layout().point_count()
+    }
+
+    #[getter]
+    fn chunks(&self) -> usize {
+        self.plan.layout().chunk_count()
+    }
+
+    #[getter]
+    fn shape(&self) -> Vec<usize> {
+        self.plan.layout().dimensions().iter().map(|dimension| dimension.length).collect()
+    }
+
+    #[getter]
+    fn chunk_shape(&self) -> Vec<usize> {
+        self.plan.layout().dimensions().iter().map(|dimension| dimension.chunk).collect()
+    }
+
+    #[getter]
+    fn keys(&self) -> Vec<String> {
+        self.plan.sweep().axes.iter().map(|axis| axis.path.clone()).collect()
+    }
+
+    #[getter]
+    fn quantities(&self) -> Vec<String> {
+        self.plan.sweep().quantities.iter().map(|quantity| quantity.text.clone()).collect()
+    }
+
+    /// All that another machine needs to make this sweep.
+    #[getter]
+    fn package(&self) -> Package {
+        let file = self.plan.file();
+        let files = file.case.files().into_iter().map(|named| (named.given.clone(), named.path.clone()));
+        (format!("{}.toml", file.name), file.text.clone(), file.overrides.clone(), files.collect())
+    }
+
+    /// What is left of it would take, as `judder run --dry-run --json` has it.
+    #[pyo3(signature = (folder = None))]
+    fn estimate(&self, py: Python<'_>, folder: Option<PathBuf>) -> PyResult<String> {
+        let folder = folder.unwrap_or_else(|| Path::new("out").join(&self.plan.file().name));
+        let estimate = self.done(py, None, |watch| SweepEstimate::new(&self.plan, &folder, watch))?;
+        Ok(estimate.json().to_string())
+    }
+
+    /// The chunks that a folder lacks.
+    fn missing<'py>(&self, py: Python<'py>, folder: PathBuf) -> PyResult<Bound<'py, PyArray1<i64>>> {
+        let missing = self.done(py, None, |watch| missing(&self.plan, &folder, watch))?;
+        Ok(missing.into_iter().map(|chunk| chunk as i64).collect::<Vec<_>>().into_pyarray(py))
+    }
+
+    /// Makes what all points share, where it is not there yet.
+    #[pyo3(signature = (*, stop = None))]
+    fn prepare(&self, py: Python<'_>, stop: Option<Py<PyAny>>) -> PyResult<()> {
+        self.evaluator(py, stop).map(|_| ())
+    }
+
+    /// The contents of the files of these chunks, computed one after the other.
+    #[pyo3(signature = (chunks, *, stop = None))]
+    fn compute<'py>(
+        &self,
+        py: Python<'py>,
+        chunks: Vec<usize>,
+        stop: Option<Py<PyAny>>,
+    ) -> PyResult<Vec<Bound<'py, PyBytes>>> {
+        let evaluator = self.evaluator(py, stop.as_ref().map(|stop| stop.clone_ref(py)))?;
+        let contents = self.done(py, stop, |watch| {
+            let content = |chunk: &usize| {
+                let made = evaluator.chunk(*chunk, watch)?;
+                Ok(self.plan.layout().encode(*chunk, &made.values, &made.failures)?)
+            };
+            chunks.iter().map(content).collect::<Result<Vec<_>, _>>()
+        })?;
+        Ok(contents.iter().map(|content| PyBytes::new(py, content)).collect())
+    }
+
+    /// The columns of the points of a chunk, a row a point.
+    fn values<'py>(&self, py: Python<'py>, chunk: usize) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let evaluator = self.evaluator(py, None)?;
+        let made = self.done(py, None, |watch| evaluator.chunk(chunk, watch))?;
+        let rows = made.values.len() / self.plan.layout().quantities().len();
+        made.values.into_pyarray(py).reshape([rows, self.plan.layout().quantities().len()])
+    }
+
+    /// Computes these chunks into a folder that others work on, too; those that are there now, and those that another computes.
+    #[pyo3(signature = (folder, chunks, *, stop = None))]
+    fn compute_into(
+        &self,
+        py: Python<'_>,
+        folder: PathBuf,
+        chunks: Vec<usize>,
+        stop: Option<Py<PyAny>>,
+    ) -> PyResult<(Vec<usize>, Vec<usize>)> {
+        let evaluator = self.evaluator(py, stop.as_ref().map(|stop| stop.clone_ref(py)))?;
+        let handed = self.done(py, stop, |watch| evaluator.chunks_into(&folder, &chunks, watch))?;
+        Ok((handed.done, handed.busy))
+    }
+
+    /// The columns of one point of a chunk, and why something of it is missing.
+    fn point<'py>(
+        &self,
+        py: Python<'py>,
+        chunk: usize,
+        index: usize,
+    ) -> PyResult<(Bound<'py, PyArray1<f64>>, Option<String>)> {
+        self.check_point(chunk, index)?;
+        let evaluator = self.evaluator(py, None)?;
+        let (row, reason) = self.done(py, None, |watch| evaluator.point_of(chunk, index, watch))?;
+        Ok((row.into_pyarray(py), reason))
+    }
+
+    /// The columns of a point that nobody could compute.
+    fn point_without_values<'py>(
+        &self,
+        py: Python<'py>,
+        chunk: usize,
+        index: usize,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        self.check_point(chunk, index)?;
+        let row = self.plan.point_without_values(chunk, index);
+        Ok(row.map_err(|error| errors::study(&error))?.into_pyarray(py))
+    }
+
+    /// Writes chunks that were computed elsewhere into a folder; those that are there stay.
+    fn write(&self, py: Python<'_>, folder: PathBuf, chunks: Vec<(usize, Vec<u8>)>) -> PyResult<()> {
+        self.done(py, None, |_| {
+            let store = SharedStudy::join_when_free(&folder)?.sweep(self.plan.layout())?;
+            // on the disk in any order: each says itself which it is
+            chunks.par_iter().try_for_each(|(chunk, content)| Ok(store.write_encoded(*chunk, content)?))
+        })
+    }
+
+    /// The content of the file of a chunk, from the values and the failures of its points.
+    fn encoded<'py>(
+        &self,
+        py: Python<'py>,
+        chunk: usize,
+        values: Vec<f64>,
+        failures: Vec<(usize, String)>,
+    ) -> PyResult<Bound<'py, PyBytes>> {
+        let failures: Vec<PointFailure> =
+            failures.into_iter().map(|(index, reason)| PointFailure { index, reason }).collect();
+        let content = self.plan.layout().encode(chunk, &values, &failures);
+        Ok(PyBytes::new(py, &content.map_err(|error| errors::store(&error))?))
+    }
+
+    /// How many points a chunk has.
+    fn count(&self, chunk: usize) -> PyResult<usize> {
+        let points = self.plan.layout().points(chunk);
+        points.map(|points| points.count()).map_err(|error| errors::store(&error))
+    }
+
+    /// Computes the missing chunks of a part into a folder, with the threads of this process.
+    #[pyo3(signature = (folder, *, shard, threads, progress))]
+    fn run(
+        &self,
+        py: Python<'_>,
+        folder: PathBuf,
+        shard: Option<&str>,
+        threads: Option<usize>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Vec<String>> {
+        let shard = shard.map_or(Ok(Shard::WHOLE), str::parse);
+        let shard = shard.map_err(|reason| errors::input("shard", reason))?;
+        let manner = Manner::new(progress, threads)?;
+        self.ran(py, &manner, &folder, SweepWork::Part(shard)).map(|(notes, _)| notes)
+    }
+
+    /// Completes summary and report of a folder in which all chunks are; says whether they are.
+    fn merge(&self, py: Python<'_>, folder: PathBuf) -> PyResult<(Vec<String>, bool)> {
+        self.ran(py, &Manner::default(), &folder, SweepWork::Merge)
+    }
+
+    fn __repr__(&self) -> String {
+        format!("Sweep({:?}: {} points in {} chunks)", self.name(), self.points(), self.chunks())
+    }
+}
+
+/// The sweeps of a case; an error where it has none.
+fn plans_of(file: &CaseFile) -> Result<Vec<SweepPlan>, StudyError> {
+    let names: Vec<String> = file.sweeps.iter().map(|sweep| sweep.name.clone()).collect();
+    // no name would be all of them, which a case without sweeps has none of either
+    if names.is_empty() { Ok(Vec::new()) } else { plans(file, &names) }
+}

@@ -1,0 +1,201 @@
+"""Dask and ``concurrent.futures`` behind one door: submit, wait."""
+
+from __future__ import annotations
+
+import itertools
+import os
+import queue
+import secrets
+import time
+import warnings
+from collections.abc import Callable
+from concurrent import futures
+from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
+
+from judder._cluster.package import Package
+from judder._cluster.work import Done, Job, work
+from judder.errors import StudyError
+
+if TYPE_CHECKING:
+    import distributed
+
+_SMALL = 1 << 16
+"""Bytes of a package that may travel with every task."""
+_LOOK = 1.0
+"""Seconds after which a wait looks up, so that Ctrl-C is heard everywhere."""
+_COUNTED = 5.0
+"""Seconds for which the number of threads of a cluster is taken as known."""
+
+
+class Lost(Exception):
+    """A task whose process has ended under it, so often."""
+
+    def __init__(self, deaths: int) -> None:
+        super().__init__(f"{deaths} processes have ended under it")
+        self.deaths = deaths
+
+
+Outcome: TypeAlias = "Done | BaseException"
+
+
+class Executor(Protocol):
+    """Where jobs are done."""
+
+    def slots(self) -> int:
+        """How many jobs are done at a time."""
+        ...
+
+    def submit(self, job: Job) -> None:
+        """Hands a job out."""
+        ...
+
+    def wait(self) -> list[tuple[Job, Outcome]]:
+        """Waits until jobs have ended; what came of each: :class:`Lost` where its process has ended under it."""
+        ...
+
+    def close(self) -> None:
+        """Wants no more of what is handed out."""
+        ...
+
+
+class DaskExecutor:
+    """The workers of a client of Dask."""
+
+    def __init__(self, client: distributed.Client, package: Package, sweep: str) -> None:
+        import distributed
+
+        self._client = client
+        self._name = _prefix(sweep)
+        self._token = secrets.token_hex(4)
+        self._numbers = itertools.count()
+        self._counted = (-_COUNTED, 1)
+        with warnings.catch_warnings():
+            # it is one, and goes once to the scheduler and once to each worker
+            warnings.filterwarnings("ignore", message="Sending large graph")
+            # a task, not scattered data: where all workers that hold it are lost, it is made again
+            key = f"judder-package-{package.digest}"
+            self._package = client.submit(_same, package, key=key, pure=True)
+        self._jobs: dict[Any, Job] = {}
+        self._ended = distributed.as_completed(with_results=True, raise_errors=False)
+
+    def slots(self) -> int:
+        when, count = self._counted
+        if time.monotonic() - when > _COUNTED:
+            count = max(1, sum(self._client.nthreads().values()))
+            self._counted = (time.monotonic(), count)
+        return count
+
+    def submit(self, job: Job) -> None:
+        key = f"{self._name}-{self._token}-{next(self._numbers)}"
+        future = self._client.submit(work, self._package, job, key=key, pure=False)
+        self._jobs[future] = job
+        self._ended.add(future)
+
+    def wait(self) -> list[tuple[Job, Outcome]]:
+        return [(self._jobs.pop(future), self._outcome(future, result)) for future, result in self._ended.next_batch()]
+
+    def _outcome(self, future: distributed.Future, result: Any) -> Outcome:
+        import distributed
+
+        if future.status == "finished":
+            return result  # type: ignore[no-any-return]
+        if self._client.status != "running":
+            return StudyError("the scheduler of Dask is gone; what is done is kept, and the same call goes on from there", "NoScheduler", {})
+        if future.status != "error":
+            return Lost(1)
+        error = future.exception()
+        if isinstance(error, distributed.KilledWorker):
+            return Lost(error.allowed_failures + 1)
+        return error if isinstance(error, BaseException) else RuntimeError(str(error))
+
+    def close(self) -> None:
+        if self._client.status == "running":
+            self._client.cancel([*self._jobs])
+        self._jobs.clear()
+
+
+def _same(package: Package) -> Package:
+    return package
+
+
+def _prefix(sweep: str) -> str:
+    """How the tasks of a sweep are called, so that the dashboard shows them under one name: it stops at a part with other characters."""
+    from dask.utils import key_split
+
+    name = f"judder-{sweep}"
+    return name if key_split(f"{name}-0") == name else name.replace("-", "_")
+
+
+FuturesLike: TypeAlias = "futures.Executor | Callable[[], futures.Executor]"
+
+
+class FuturesExecutor:
+    """An executor of ``concurrent.futures`` or of its kind, or a function that makes one, anew where its processes are lost."""
+
+    def __init__(self, executor: FuturesLike, package: Package, slots: int | None) -> None:
+        self._make = executor if callable(executor) and not hasattr(executor, "submit") else None
+        self._executor: Any = self._make() if self._make is not None else executor
+        self._package = package
+        self._slots = slots
+        self._ended: queue.SimpleQueue[futures.Future[Done]] = queue.SimpleQueue()
+        self._jobs: dict[futures.Future[Done], tuple[Job, Any]] = {}
+        self._is_broken = False
+
+    def slots(self) -> int:
+        own = getattr(self._executor, "_max_workers", None)
+        return max(1, self._slots or own or os.cpu_count() or 1)
+
+    def submit(self, job: Job) -> None:
+        self._hand_out(job, self._package if self._package.size <= _SMALL else self._package.digest)
+
+    def _hand_out(self, job: Job, package: Package | str) -> None:
+        if self._is_broken:
+            self._renew()
+        future = self._executor.submit(work, package, job)
+        self._jobs[future] = job, self._executor
+        future.add_done_callback(lambda ended: self._ended.put(ended))
+
+    def _renew(self) -> None:
+        if self._make is None:
+            message = (
+                "a process of the executor has ended, and with it the executor; what is done is kept. "
+                "Give a function that makes the executor, and it is made anew: `lambda: ProcessPoolExecutor(8)`"
+            )
+            raise StudyError(message, "ExecutorLost", {})
+        self._executor.shutdown(wait=False)
+        self._executor = self._make()
+        self._is_broken = False
+
+    def wait(self) -> list[tuple[Job, Outcome]]:
+        ended: list[tuple[Job, Outcome]] = []
+        while not ended:
+            try:
+                future = self._ended.get(timeout=_LOOK)
+            except queue.Empty:
+                continue
+            if future not in self._jobs:
+                continue
+            job, executor = self._jobs.pop(future)
+            outcome = self._outcome(future)
+            # others of one that was lost tell of it when it is replaced already
+            self._is_broken |= isinstance(outcome, Lost) and executor is self._executor and not future.cancelled()
+            if isinstance(outcome, Done) and outcome.needs_package:
+                self._hand_out(job, self._package)
+            else:
+                ended.append((job, outcome))
+        return ended
+
+    def _outcome(self, future: futures.Future[Done]) -> Outcome:
+        if future.cancelled():
+            return Lost(1)
+        error = future.exception()
+        if isinstance(error, futures.BrokenExecutor):
+            return Lost(1)
+        return future.result() if error is None else error
+
+    def close(self) -> None:
+        for future in self._jobs:
+            future.cancel()
+        self._jobs.clear()
+        if self._make is not None:
+            self._executor.shutdown(wait=False)

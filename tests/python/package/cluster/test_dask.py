@@ -1,0 +1,256 @@
+"""Sweeps on a real cluster of Dask, in processes of their own: the bytes are those of the serial run, whatever happens on the way."""
+
+import logging
+import os
+import signal
+import subprocess
+import sys
+import threading
+
+import dask
+import pytest
+from serial_run import files
+
+import judder
+from judder._cluster.work import Job, work
+
+distributed = pytest.importorskip("distributed")
+
+
+@pytest.fixture
+def cluster():
+    """Starts clusters of this machine: ``cluster(workers, threads)``; gives a client."""
+    made = []
+
+    def start(workers=2, threads=1):
+        local = distributed.LocalCluster(
+            n_workers=workers, threads_per_worker=threads, processes=True, dashboard_address=None, silence_logs=logging.CRITICAL
+        )
+        made.append(local)
+        client = distributed.Client(local)
+        made.append(client)
+        return client
+
+    yield start
+    for own in reversed(made):
+        own.close()
+
+
+def test_the_bytes_are_those_of_the_serial_run(quick, maps, cluster, tmp_path):
+    client = cluster(2, 2)
+    told = []
+    study = judder.distributed.run(quick[0], client, output=tmp_path / "quick", progress=lambda *own: told.append(own))
+    assert files(study.folder / "results.zarr" / "quick_map") == quick[1]
+    assert study.complete and study["quick_map"].growth_rate.shape == (61, 32)
+    assert told[0] == ("quick_map", 0, 61) and told[-1][0] == "quick_map" and ("quick_map", 61, 61) in told
+    # the cluster shows the tasks of a sweep under one name, and that the case went to each worker once
+    prefixes = client.run_on_scheduler(lambda dask_scheduler: {name: prefix.state_counts["memory"] for name, prefix in dask_scheduler.task_prefixes.items()})
+    assert prefixes["judder_quick_map"] >= 2 and prefixes["judder-package"] == 1
+    study = judder.distributed.run(maps[0], client, output=tmp_path / "maps", name="maps")
+    assert files(study.folder / "results.zarr" / "maps") == maps[1]
+    assert list(study.folder.rglob("mark-*")) == []
+
+
+def test_workers_that_do_not_share_the_folder_send_their_chunks(quick, maps, cluster, tmp_path):
+    client = cluster()
+    for (case, expected), sweep in ((quick, "quick_map"), (maps, "maps")):
+        before = client.run(lambda: os.getpid())
+        study = judder.distributed.run(case, client, output=tmp_path / sweep, name=sweep, workers_share_folder=False)
+        assert files(study.folder / "results.zarr" / sweep) == expected
+        assert client.run(lambda: os.getpid()) == before
+
+
+def test_a_worker_that_sees_no_mark_sends_its_chunks(quick, tmp_path):
+    sweep = judder.sweep.plan(quick[0])._compiled
+    package = judder._cluster.package.Package.of(sweep)
+
+    def job(mark):
+        return Job("quick_map", sweep.hash, (0, 5), str(tmp_path / "study"), mark, 1)
+
+    done = work(package, job(str(tmp_path / "not-here")))
+    assert [chunk for chunk, _ in done.contents] == [0, 5] and not (tmp_path / "study").exists()
+    (tmp_path / "here").touch()
+    assert work(package, job(str(tmp_path / "here"))).done == (0, 5)
+    written = files(tmp_path / "study" / "results.zarr" / "quick_map" / "values")
+    assert [written["c.0.0.0"], written["c.5.0.0"]] == [content for _, content in done.contents]
+
+
+def test_a_worker_killed_in_the_middle_loses_nothing(maps, cluster, tmp_path):
+    client = cluster()
+    victims = list(client.run(os.getpid).values())
+    killed = []
+
+    def kill(name, done, total):
+        if not killed and 3 <= done < total:
+            os.kill(victims[0], signal.SIGKILL)
+            killed.append(done)
+
+    study = judder.distributed.run(maps[0], client, output=tmp_path / "study", name="maps", chunks_per_task=1, progress=kill)
+    assert killed and study.results["maps"]["failed"] == 0
+    assert files(study.folder / "results.zarr" / "maps") == maps[1]
+
+
+def test_all_workers_killed_one_after_the_other_lose_nothing(maps, cluster, tmp_path):
+    client = cluster()
+    victims = list(client.run(os.getpid).values())
+    killed = []
+
+    def kill(name, done, total):
+        if len(killed) < len(victims) and done >= 3 * (1 + len(killed)) and done < total:
+            victim = victims[len(killed)]
+            os.kill(victim, signal.SIGKILL)
+            killed.append(victim)
+
+    study = judder.distributed.run(
+        maps[0], client, output=tmp_path / "study", name="maps", chunks_per_task=1, workers_share_folder=False, progress=kill
+    )
+    assert len(killed) == 2
+    assert files(study.folder / "results.zarr" / "maps") == maps[1]
+
+
+@pytest.mark.parametrize("shares", [True, False])
+def test_a_poisoned_point_is_recorded_and_the_study_goes_on(quick, poison, cluster, tmp_path, shares):
+    poison("quick_map", 7, 11)
+    with dask.config.set({"distributed.scheduler.allowed-failures": 0}):
+        client = cluster()
+    with pytest.warns(judder.JudderWarning, match="point 11 of chunk 7 ended its process 2 times: killed by signal 9"):
+        study = judder.distributed.run(
+            quick[0], client, output=tmp_path / "study", retries=1, chunks_per_task=4, workers_share_folder=shares
+        )
+    # no chunk but this one is touched by it
+    own = files(study.folder / "results.zarr" / "quick_map")
+    assert {name for name in own if own[name] != quick[1][name]} == {"values/c.7.0.0"}
+    failed = study.failed_points("quick_map")
+    assert failed["reason"].tolist() == ["it ended the process that computed it, every time"]
+    data = study["quick_map"]
+    reference = judder.load_study(quick[0].parent / "serial")["quick_map"]
+    there = data.growth_rate.notnull()
+    assert int((~there).sum()) == 1 and not bool(there[7, 11])
+    assert bool((data.growth_rate == reference.growth_rate).where(there, True).all())
+    assert failed["operation.velocity"][0] == data["operation.velocity"][7]
+    assert failed["contact.shear_strength"][0] == data["contact.shear_strength"][11]
+    assert not study.complete
+
+
+def test_files_of_a_case_travel_with_it(cluster, tmp_path):
+    law = judder.contact.Law.from_function(
+        lambda v, d: (d**1.5 * (1 + v / (v + 1e-3)), d, 0.1 + 0 * d), velocity=(1e-7, 2.0), indentation=(1e-6, 1.0), tolerance=1e-3
+    )
+    (tmp_path / "laws").mkdir()
+    law.save(tmp_path / "laws" / "own.json")
+    (tmp_path / "cases").mkdir()
+    case = tmp_path / "cases" / "case.toml"
+    case.write_text(
+        'model = "oscillator"\n[contact]\nlaw = { file = "../laws/own.json" }\n'
+        '[[sweep]]\nname = "speeds"\nover = [{ key = "operation.velocity", from = 1e-5, to = 1e-2, points = 40, scale = "log" }]\n'
+        'quantities = ["growth_rate"]\nchunk = 8\n'
+    )
+    here = judder.run(case, output=tmp_path / "here")
+    client = cluster()
+    # workers begin in another folder, so that no path leads them to the files by chance
+    there = judder.distributed.run(case, client, output=tmp_path / "there", workers_share_folder=False)
+    assert files(there.folder / "results.zarr") == files(here.folder / "results.zarr")
+
+
+SCRIPT = """
+import sys, logging, distributed, judder
+if __name__ == "__main__":
+    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None, silence_logs=logging.CRITICAL) as cluster:
+        with distributed.Client(cluster) as client:
+            try:
+                tell = lambda name, done, total: print(name, done, total, flush=True)
+                judder.distributed.run(sys.argv[1], client, output=sys.argv[2], name="maps", chunks_per_task=1, progress=tell)
+            except judder.Interrupted as error:
+                print("ended", error, flush=True)
+"""
+
+
+def test_an_interrupted_study_goes_on_where_it_was(maps, cluster, tmp_path):
+    script = tmp_path / "script.py"
+    script.write_text(SCRIPT)
+    words = [sys.executable, str(script), str(maps[0]), str(tmp_path / "study")]
+    with subprocess.Popen(words, stdout=subprocess.PIPE, text=True, start_new_session=True) as run:
+        for line in run.stdout:
+            if int(line.split()[1]) >= 4:
+                break
+        run.send_signal(signal.SIGINT)
+        rest = run.stdout.read()
+        assert run.wait(60) == 0 and "ended interrupted; what was done is kept" in rest
+    sweep = judder.sweep.plan(maps[0])
+    missing = sweep.missing(tmp_path / "study")
+    assert 0 < len(missing) <= sweep.chunks - 4
+    told = []
+    study = judder.distributed.run(
+        maps[0], cluster(), output=tmp_path / "study", name="maps", progress=lambda *own: told.append(own)
+    )
+    assert told[0] == ("maps", 0, len(missing))
+    assert files(study.folder / "results.zarr" / "maps") == maps[1]
+
+
+def test_two_clients_share_a_folder(maps, cluster, tmp_path):
+    clients = [cluster(1), cluster(1)]
+    failed = []
+
+    def run(client):
+        try:
+            judder.distributed.run(maps[0], client, output=tmp_path / "study", name="maps", chunks_per_task=1)
+        except BaseException as error:
+            failed.append(error)
+
+    both = [threading.Thread(target=run, args=(client,)) for client in clients]
+    for own in both:
+        own.start()
+    for own in both:
+        own.join()
+    assert failed == []
+    assert files(tmp_path / "study" / "results.zarr" / "maps") == maps[1]
+
+
+def test_a_wrong_case_and_a_foreign_folder_are_refused_at_once(quick, cluster, tmp_path):
+    client = cluster(1)
+    with pytest.raises(judder.InputError, match="there is no sweep `other`"):
+        judder.distributed.run(quick[0], client, output=tmp_path / "study", name="other")
+    judder.distributed.run(quick[0], client, output=tmp_path / "study")
+    with pytest.raises(judder.StoreError) as refused:
+        judder.distributed.run(quick[0], client, output=tmp_path / "study", set={"operation.normal_load": 2e-4})
+    assert refused.value.cause == "ForeignSweep"
+
+
+LONG = """
+model = "oscillator"
+[[sweep]]
+name = "long"
+over = [
+  { key = "operation.velocity", from = 1e-6, to = 1, points = 4000, scale = "log" },
+  { key = "contact.shear_strength", from = 1e-3, to = 0.2, points = 4000 },
+]
+quantities = ["growth_rate"]
+chunk = 8000000
+"""
+
+
+def test_workers_stop_where_nobody_wants_their_chunk_any_more(cluster, tmp_path):
+    client = cluster(1)
+    began = []
+
+    def run():
+        with pytest.raises(judder.Interrupted):
+            judder.distributed.run(LONG, client, output=tmp_path / "study", progress=interrupt)
+
+    def interrupt(name, done, total):
+        # both chunks are handed out after this first word
+        began.append(done)
+
+    def busy():
+        return sum(len(keys) for keys in client.processing().values())
+
+    signal.signal(signal.SIGALRM, lambda *_: (_ for _ in ()).throw(KeyboardInterrupt()))
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 3.0)
+        run()
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
+        signal.signal(signal.SIGALRM, signal.SIG_DFL)
+    # a chunk takes minutes; its thread is free again at once
+    assert client.submit(lambda: 7, pure=False).result(timeout=10) == 7 and busy() == 0
+    assert began == [0] and len(judder.sweep.plan(LONG).missing(tmp_path / "study")) == 2

@@ -1,0 +1,104 @@
+"""Sweeps through executors of `concurrent.futures` and of joblib."""
+
+import multiprocessing
+import os
+import signal
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+
+import pytest
+from serial_run import files
+
+import judder
+
+
+def spawned(workers=2):
+    return ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("spawn"))
+
+
+def test_processes_give_the_bytes_of_the_serial_run(quick, maps, tmp_path):
+    with spawned() as executor:
+        study = judder.distributed.run_with(quick[0], executor, output=tmp_path / "quick")
+        assert files(study.folder / "results.zarr" / "quick_map") == quick[1]
+        study = judder.distributed.run_with(maps[0], executor, output=tmp_path / "maps", name="maps", workers_share_folder=False)
+        assert files(study.folder / "results.zarr" / "maps") == maps[1]
+
+
+def test_threads_give_them_too(quick, tmp_path):
+    with ThreadPoolExecutor(2) as executor:
+        study = judder.distributed.run_with(quick[0], executor, output=tmp_path / "study", chunks_per_task=5)
+    assert files(study.folder / "results.zarr" / "quick_map") == quick[1]
+
+
+def test_joblib_gives_them_too(quick, tmp_path):
+    loky = pytest.importorskip("joblib.externals.loky")
+    study = judder.distributed.run_with(quick[0], lambda: loky.get_reusable_executor(max_workers=2), output=tmp_path / "study")
+    assert files(study.folder / "results.zarr" / "quick_map") == quick[1]
+
+
+def kill(pool):
+    os.kill(next(iter(pool._processes)), signal.SIGKILL)
+
+
+def test_a_lost_process_is_made_anew_where_it_can_be(maps, tmp_path):
+    pools = []
+
+    def make():
+        pools.append(spawned())
+        return pools[-1]
+
+    def once(name, done, total):
+        if len(pools) == 1 and done >= 3:
+            kill(pools[0])
+
+    study = judder.distributed.run_with(maps[0], make, output=tmp_path / "study", name="maps", chunks_per_task=1, progress=once)
+    assert len(pools) == 2
+    assert files(study.folder / "results.zarr" / "maps") == maps[1]
+
+
+def test_a_lost_process_ends_the_run_where_it_cannot_be_made_anew(maps, tmp_path):
+    with spawned() as executor:
+        killed = []
+
+        def once(name, done, total):
+            if not killed and done >= 3:
+                killed.append(done)
+                kill(executor)
+
+        with pytest.raises(judder.StudyError, match="function that makes the executor") as lost:
+            judder.distributed.run_with(maps[0], executor, output=tmp_path / "study", name="maps", chunks_per_task=1, progress=once)
+    assert lost.value.cause == "ExecutorLost"
+    # what is done is kept
+    assert len(judder.sweep.plan(maps[0]).missing(tmp_path / "study")) <= 27
+
+
+def test_a_poisoned_point_is_recorded_and_the_study_goes_on(quick, poison, tmp_path):
+    poison("quick_map", 40, 0)
+    with pytest.warns(judder.JudderWarning, match="point 0 of chunk 40 ended its process"):
+        study = judder.distributed.run_with(quick[0], spawned, output=tmp_path / "study", retries=0, chunks_per_task=2)
+    own = files(study.folder / "results.zarr" / "quick_map")
+    assert {name for name in own if own[name] != quick[1][name]} == {"values/c.40.0.0"}
+    assert len(study.failed_points("quick_map")) == 1
+
+
+def test_large_packages_go_once_to_each_process(quick, tmp_path, monkeypatch):
+    monkeypatch.setattr("judder._cluster.executors._SMALL", 0)
+    with spawned() as executor:
+        sent = []
+        submit = executor.submit
+
+        def counted(function, package, job):
+            sent.append(isinstance(package, str))
+            return submit(function, package, job)
+
+        monkeypatch.setattr(executor, "submit", counted)
+        study = judder.distributed.run_with(quick[0], executor, output=tmp_path / "study", chunks_per_task=2)
+    assert files(study.folder / "results.zarr" / "quick_map") == quick[1]
+    # those that were on their way to a process before it had the case
+    assert 1 <= sent.count(False) <= 6 and sent.count(True) >= 31
+
+
+def test_arguments_are_checked(quick, tmp_path):
+    with ThreadPoolExecutor(1) as executor:
+        for wrong in ({"retries": -1}, {"chunks_per_task": 0}, {"threads_per_worker": 0}):
+            with pytest.raises(judder.InputError, match="at least"):
+                judder.distributed.run_with(quick[0], executor, output=tmp_path / "study", **wrong)

@@ -76,7 +76,8 @@ class DaskExecutor:
             key = f"judder-package-{package.digest}"
             self._package = client.submit(_same, package, key=key, pure=True)
         self._jobs: dict[Any, Job] = {}
-        self._ended = distributed.as_completed(with_results=True, raise_errors=False)
+        # of this client: there may be others in this process
+        self._ended = distributed.as_completed(loop=client.loop, with_results=True, raise_errors=False)
 
     def slots(self) -> int:
         when, count = self._counted

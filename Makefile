@@ -19,7 +19,7 @@ MDBOOK := tools/cargo-tool mdbook 0.5.4 --no-default-features --features search
 CARGO_DENY := tools/cargo-tool cargo-deny 0.20.2
 NEXTEST := $(shell $(CARGO) nextest --version >/dev/null 2>&1 && echo yes)
 
-.PHONY: help demo test bench bench-rough validate setup format lint rust-tests doc-tests python-tests docs deny advisories
+.PHONY: help demo test bench bench-cluster bench-rough validate setup format lint rust-tests doc-tests python-tests docs deny advisories
 
 help: ## print this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
@@ -40,10 +40,15 @@ bench: .venv/installed ## time the stability decision, the sliding contact, a li
 	$(PYTHON) benches/compare_motion.py
 	$(PYTHON) -m pip install --quiet --disable-pip-version-check .
 	$(PYTHON) benches/compare_python.py
+	$(PYTHON) benches/compare_sweeps.py
 	$(PYTHON) benches/compare_modes.py
 	$(PYTHON) benches/compare_eigen.py $(JUDDER_DISC_BRAKE)
 	$(CARGO) bench $(LOCKED) -p judder-structure --bench reduction
 	$(CARGO) bench $(LOCKED) -p judder-sliding
+
+bench-cluster: .venv/installed ## what sweeps on a cluster cost beside their points, with a cluster of this machine
+	$(PYTHON) -m pip install --quiet --disable-pip-version-check '.[distributed]'
+	$(PYTHON) benches/scaling.py
 
 # The peers stand apart: ASPHER compiles itself and wants g++ and libeigen3-dev.
 bench-rough: .venv-peers/installed ## time the elastic contact of rough surfaces, beside Tamaas and ASPHER

@@ -102,10 +102,10 @@ def store(sweep, folder: Path) -> tuple[float, float]:
     one = judder._judder.Sweep.all(("case.toml", TINY.format(chunks=len(chunks))), [], threads=1)[0]
     part = len(contents) // 4
     began = time.perf_counter()
-    one.write(folder, contents[:part])
+    one.hold(folder).write(contents[:part])
     told("a chunk on the disk, one thread", 1e3 * (time.perf_counter() - began) / part, "ms")
     began = time.perf_counter()
-    sweep.write(folder, contents[part:])
+    sweep.hold(folder).write(contents[part:])
     seconds = (time.perf_counter() - began) / (len(contents) - part)
     told(f"a chunk on the disk, {os.cpu_count()} threads", 1e3 * seconds, "ms")
     told("  chunks a second", 1 / seconds, "/s")
@@ -159,7 +159,7 @@ def model(point: float, chunk: int, costs: dict[str, float]) -> list[str]:
     """A row of the table: 10^9 points of this kind."""
     chunks = POINTS / chunk
     work = POINTS * point / CORES
-    per_task = max(1.0, point * chunk)
+    per_task = max(1.0, 0.01 * CORES, point * chunk)
     count = POINTS * point / per_task
     return [
         f"{chunk}",

@@ -72,7 +72,7 @@ def failed_points(folder: Path, name: str, *, any_failed: bool) -> pandas.DataFr
     found = dataset(folder, name)
     keys = found.attrs["keys"]
     shape, chunk = _grid(folder, name)
-    rows = _failures(folder / "results.zarr" / name / "values", shape, chunk) if any_failed else []
+    rows = _failures(folder / "results.zarr" / name / "values", found.attrs["judder_hash"], shape, chunk) if any_failed else []
     positions = np.array([position for position, _ in rows], dtype=np.int64).reshape(len(rows), len(shape))
     columns: dict[str, Any] = {}
     for key in keys:
@@ -88,11 +88,11 @@ def _grid(folder: Path, name: str) -> tuple[list[int], list[int]]:
     return metadata["shape"][:-1], metadata["chunk_grid"]["configuration"]["chunk_shape"][:-1]
 
 
-def _failures(chunks: Path, shape: list[int], chunk: list[int]) -> list[tuple[list[int], str]]:
+def _failures(chunks: Path, expected: str, shape: list[int], chunk: list[int]) -> list[tuple[list[int], str]]:
     """Positions and reasons, chunk after chunk."""
     found = []
     for place in np.ndindex(*(-(-length // own) for length, own in zip(shape, chunk, strict=True))):
-        record = _record(chunks / ".".join(["c", *map(str, place), "0"]))
+        record = _record(chunks / ".".join(["c", *map(str, place), "0"]), expected)
         first = [index * own for index, own in zip(place, chunk, strict=True)]
         inner = [min(own, length - begin) for own, length, begin in zip(chunk, shape, first, strict=True)]
         for failure in record["failures"]:
@@ -101,16 +101,24 @@ def _failures(chunks: Path, shape: list[int], chunk: list[int]) -> list[tuple[li
     return found
 
 
-def _record(path: Path) -> dict[str, Any]:
-    """The record of a chunk: JSON before the last 48 bytes, which hold its hash, its length and a mark."""
-    with path.open("rb") as file:
-        end = file.seek(0, 2)
-        file.seek(max(0, end - _TRAILER))
-        trailer = file.read()
-        length = int.from_bytes(trailer[32:40], "little")
-        if not trailer.endswith(_MAGIC) or length + _TRAILER > end:
-            message = f"{path}: this chunk is damaged; `judder run` computes it again"
-            raise StoreError(message, "DamagedChunk", {"path": str(path)})
-        file.seek(end - _TRAILER - length)
-        record: dict[str, Any] = json.loads(file.read(length))
+def _record(path: Path, expected: str) -> dict[str, Any]:
+    """The record of a chunk of the sweep of this hash: JSON before the last 48 bytes, which hold its checksum, its length and a mark."""
+    try:
+        with path.open("rb") as file:
+            end = file.seek(0, 2)
+            file.seek(max(0, end - _TRAILER))
+            trailer = file.read()
+            length = int.from_bytes(trailer[32:40], "little")
+            file.seek(max(0, end - _TRAILER - length))
+            record: dict[str, Any] = json.loads(file.read(length)) if trailer.endswith(_MAGIC) else {}
+    except FileNotFoundError:
+        raise _unreadable(path, "MissingChunk", "is not there") from None
+    except (ValueError, OSError):
+        raise _unreadable(path, "DamagedChunk", "is damaged") from None
+    if record.get("hash") != expected:
+        raise _unreadable(path, "ForeignChunk", "is of another sweep") if record else _unreadable(path, "DamagedChunk", "is damaged")
     return record
+
+
+def _unreadable(path: Path, cause: str, what: str) -> StoreError:
+    return StoreError(f"{path}: this chunk {what}; `judder run` computes it again", cause, {"path": str(path)})

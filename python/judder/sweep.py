@@ -157,7 +157,7 @@ class Sweep:
         Raises:
             StoreError: these bytes are not that chunk of this sweep; the folder cannot be written.
         """
-        self._compiled.write(os.fspath(folder), [(chunk, content)])
+        self._compiled.hold(os.fspath(folder)).write([(chunk, content)])
 
     def run(
         self,

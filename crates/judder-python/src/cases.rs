@@ -2,6 +2,7 @@
 
 use crate::contact::PyLaw;
 use crate::errors;
+use crate::pool;
 use crate::watched::{Manner, is_ctrl_c, watched};
 use judder_case::{Case, CaseError, CaseFile, FileReference, LawName};
 use judder_contact::law::file::to_json;
@@ -13,6 +14,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// The file in a study folder that holds a law that came from Python.
 const LAW_FILE: &str = "law.json";
@@ -63,7 +65,11 @@ pub(crate) fn run_case<'py>(
     threads: Option<usize>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let manner = Manner::new(progress, threads)?;
+    let mut manner = Manner::new(progress, threads)?;
+    if threads.is_none() {
+        // a run may wait for another that holds the study: on threads that both had, each might wait for the other
+        manner.pool = Some(Arc::new(pool::of(0).map_err(errors::system)?));
+    }
     let (file, folder) = match law {
         None => {
             let file = case.read(&overrides)?;

@@ -32,7 +32,7 @@ mod _judder {
     #[pymodule_export]
     use crate::sliding::{PyPair, sliding_locus, sliding_march};
     #[pymodule_export]
-    use crate::sweep::PySweep;
+    use crate::sweep::{HeldSweep, PySweep};
     #[pymodule_export]
     const VERSION: &str = env!("CARGO_PKG_VERSION");
 }

@@ -5,19 +5,21 @@ mod work;
 use crate::cases::Source;
 use crate::errors;
 use crate::pool;
-use crate::watched::Manner;
+use crate::watched::{Manner, watched};
 use judder_case::CaseFile;
-use judder_store::{PointFailure, SharedStudy};
+use judder_store::{PointFailure, SharedStudy, SweepStore};
 use judder_study::StudyError;
 use judder_study::run::{SweepWork, plans};
 use judder_study::sweep::{Evaluator, Shard, SweepEstimate, SweepPlan, missing};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyBytes;
 use rayon::ThreadPool;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// A sweep of a case: what it has, and its chunks.
 #[pyclass(frozen, name = "Sweep", module = "judder._judder")]
@@ -36,11 +38,16 @@ impl PySweep {
     /// The sweeps of a case, in their order.
     #[staticmethod]
     #[pyo3(signature = (case, overrides, *, threads = None))]
-    fn all(case: Source, overrides: Vec<String>, threads: Option<usize>) -> PyResult<Vec<Self>> {
-        let file = case.read(&overrides)?;
+    fn all(
+        py: Python<'_>,
+        case: Source,
+        overrides: Vec<String>,
+        threads: Option<usize>,
+    ) -> PyResult<Vec<Self>> {
         let pool = threads.map(|threads| pool::of(threads).map(Arc::new)).transpose();
         let pool = pool.map_err(errors::system)?;
-        let plans = plans_of(&file).map_err(|error| errors::study(&error))?;
+        // the files that it names are read, which may take a while
+        let plans = py.detach(|| plans_of(&case.read(&overrides)?).map_err(|error| errors::study(&error)))?;
         let of = |plan| Self { plan, pool: pool.clone(), evaluator: Mutex::new(None) };
         Ok(plans.into_iter().map(of).collect())
     }
@@ -185,13 +192,11 @@ impl PySweep {
         Ok(row.map_err(|error| errors::study(&error))?.into_pyarray(py))
     }
 
-    /// Writes chunks that were computed elsewhere into a folder; those that are there stay.
-    fn write(&self, py: Python<'_>, folder: PathBuf, chunks: Vec<(usize, Vec<u8>)>) -> PyResult<()> {
-        self.done(py, None, |_| {
-            let store = SharedStudy::join_when_free(&folder)?.sweep(self.plan.layout())?;
-            // on the disk in any order: each says itself which it is
-            chunks.par_iter().try_for_each(|(chunk, content)| Ok(store.write_encoded(*chunk, content)?))
-        })
+    /// Holds a folder together with others that work on it, so that nobody takes it alone meanwhile; begins the sweep in it.
+    fn hold(&self, py: Python<'_>, folder: PathBuf) -> PyResult<HeldSweep> {
+        let store =
+            self.done(py, None, |_| Ok(SharedStudy::join_when_free(&folder)?.sweep(self.plan.layout())?))?;
+        Ok(HeldSweep { store: Mutex::new(Some(store)), pool: self.pool.clone() })
     }
 
     /// The content of the file of a chunk, from the values and the failures of its points.
@@ -204,7 +209,7 @@ impl PySweep {
     ) -> PyResult<Bound<'py, PyBytes>> {
         let failures: Vec<PointFailure> =
             failures.into_iter().map(|(index, reason)| PointFailure { index, reason }).collect();
-        let content = self.plan.layout().encode(chunk, &values, &failures);
+        let content = py.detach(|| self.plan.layout().encode(chunk, &values, &failures));
         Ok(PyBytes::new(py, &content.map_err(|error| errors::store(&error))?))
     }
 
@@ -240,7 +245,33 @@ impl PySweep {
     }
 }
 
-/// The sweeps of a case; an error where it has none.
+/// A sweep in a study folder that is held.
+#[pyclass(frozen, name = "HeldSweep", module = "judder._judder")]
+pub(crate) struct HeldSweep {
+    store: Mutex<Option<SweepStore>>,
+    pool: Option<Arc<ThreadPool>>,
+}
+
+#[pymethods]
+impl HeldSweep {
+    /// Writes chunks that were computed elsewhere; those that are there stay.
+    fn write(&self, py: Python<'_>, chunks: Vec<(usize, PyBackedBytes)>) -> PyResult<()> {
+        let store = self.store.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        let store = store.ok_or_else(|| PyValueError::new_err("this folder is let go"))?;
+        let manner = Manner { pool: self.pool.clone(), ..Manner::default() };
+        let write =
+            || chunks.par_iter().try_for_each(|(chunk, content)| store.write_encoded(*chunk, content));
+        // on the disk in any order: each says itself which it is
+        watched(py, &manner, |_| write())?.settled(|error| errors::store(&error))
+    }
+
+    /// Lets the folder go.
+    fn release(&self) {
+        self.store.lock().unwrap_or_else(PoisonError::into_inner).take();
+    }
+}
+
+/// The sweeps of a case; none where it has none.
 fn plans_of(file: &CaseFile) -> Result<Vec<SweepPlan>, StudyError> {
     let names: Vec<String> = file.sweeps.iter().map(|sweep| sweep.name.clone()).collect();
     // no name would be all of them, which a case without sweeps has none of either

@@ -9,7 +9,7 @@ import subprocess
 import sys
 import threading
 from collections.abc import Callable, Iterator
-from typing import IO, TYPE_CHECKING, Any
+from typing import IO, TYPE_CHECKING, Any, TypeAlias
 
 from judder.errors import Interrupted, StudyError
 
@@ -24,9 +24,11 @@ READY = "ready"
 _LOOK = 0.1
 """Seconds between two looks whether the chunks are still wanted."""
 
-_Stop = Callable[[], bool]
-Order = tuple["Package", str, str, int | None, tuple[int, ...], int | None]
-"""Package, sweep, hash, threads, chunks; the first point of the only chunk where points are wanted one by one."""
+_Stop: TypeAlias = Callable[[], bool]
+Row: TypeAlias = "tuple[list[float], str | None]"
+"""The columns of a point, and why something of it is missing."""
+Order: TypeAlias = "tuple[Package, str, str, int | None, tuple[int, ...], tuple[int, int] | None]"
+"""Package, sweep, hash, threads, chunks; from where to where the points of the only chunk are wanted one by one."""
 
 
 def computed(
@@ -48,26 +50,40 @@ def computed(
 
 
 def _by_points(package: Package, sweep: _judder.Sweep, chunk: int, deaths: int, stop: _Stop | None) -> tuple[bytes, list[str]]:
-    """The content of a chunk from its points one by one; a point that ends its process so often has failed."""
-    values: list[float] = []
-    failures: list[tuple[int, str]] = []
+    """The content of a chunk from its points one by one."""
+    rows, killed = points(package, sweep, chunk, (0, sweep.count(chunk)), deaths, stop)
+    return assembled(sweep, chunk, rows), killed
+
+
+def points(
+    package: Package, sweep: _judder.Sweep, chunk: int, span: tuple[int, int], deaths: int, stop: _Stop | None
+) -> tuple[list[Row], list[str]]:
+    """The columns of these points of a chunk; a point that ends its process so often has failed."""
+    rows: list[Row] = []
     killed: list[str] = []
-    index, died = 0, 0
-    while index < sweep.count(chunk):
-        before = index
-        with _Child((package, sweep.name, sweep.hash, 1, (chunk,), index), stop) as child:
-            for row, reason in child.messages():
-                values.extend(row)
-                if reason is not None:
-                    failures.append((index, reason))
-                index += 1
-        died = died + 1 if index == before else 1
-        if index < sweep.count(chunk) and died >= deaths:
+    died = 0
+    while len(rows) < span[1] - span[0]:
+        before, first = len(rows), span[0] + len(rows)
+        with _Child((package, sweep.name, sweep.hash, 1, (chunk,), (first, span[1])), stop) as child:
+            rows.extend(child.messages())
+        died = died + 1 if len(rows) == before else 1
+        index = span[0] + len(rows)
+        if index < span[1] and died >= deaths:
             killed.append(f"{sweep.name}: point {index} of chunk {chunk} ended its process {died} times: {child.end}")
-            values.extend(sweep.point_without_values(chunk, index))
-            failures.append((index, KILLED))
-            index, died = index + 1, 0
-    return sweep.encoded(chunk, values, failures), killed
+            rows.append(without_values(sweep, chunk, index))
+            died = 0
+    return rows, killed
+
+
+def without_values(sweep: _judder.Sweep, chunk: int, index: int) -> Row:
+    """The columns of a point that ends its process."""
+    return sweep.point_without_values(chunk, index).tolist(), KILLED
+
+
+def assembled(sweep: _judder.Sweep, chunk: int, rows: list[Row]) -> bytes:
+    """The content of a chunk from the columns of all its points."""
+    values = [value for row, _ in rows for value in row]
+    return sweep.encoded(chunk, values, [(index, reason) for index, (_, reason) in enumerate(rows) if reason is not None])
 
 
 class _Child:
@@ -79,7 +95,7 @@ class _Child:
         surroundings = {**os.environ, "PYTHONPATH": os.pathsep.join(path for path in paths if path)}
         words = [sys.executable, "-m", "judder._cluster.child"]
         self._process = subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=surroundings)
-        self._stop = stop
+        self._stop, self._name = stop, order[1]
         self._said: queue.SimpleQueue[Any] = queue.SimpleQueue()
         try:
             pickle.dump(order, self._pipe(self._process.stdin))
@@ -101,7 +117,10 @@ class _Child:
             while True:
                 self._said.put(pickle.load(self._pipe(self._process.stdout)))
         except (EOFError, pickle.UnpicklingError):
+            # it has ended, perhaps amid a word
             self._said.put(None)
+        except Exception as error:
+            self._said.put(error)
 
     def _next(self) -> Any:
         while True:
@@ -121,7 +140,7 @@ class _Child:
         said = self._next()
         if said is None:
             self._process.wait()
-            message = f"the process of a worker has ended before its first point: {self.end}"
+            message = f"{self._name}: a process has ended before its first point: {self.end}; too little memory for the case?"
             raise StudyError(message, "WorkerLost", {})
         while said is not None:
             if isinstance(said, BaseException):

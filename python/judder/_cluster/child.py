@@ -12,15 +12,15 @@ from judder._cluster.alone import READY, Order
 
 def _serve(order: Order, say: Callable[[object], None]) -> None:
     """Says the contents of chunks, or the points of one."""
-    package, name, expected, threads, chunks, first = order
+    package, name, expected, threads, chunks, points = order
     sweep = package.sweep(name, expected, threads)
     sweep.prepare()
     say(READY)
-    if first is None:
+    if points is None:
         for chunk in chunks:
             say(sweep.compute([chunk])[0])
         return
-    for index in range(first, sweep.count(chunks[0])):
+    for index in range(*points):
         row, reason = sweep.point(chunks[0], index)
         say((row.tolist(), reason))
 

@@ -10,6 +10,7 @@ from collections import Counter, deque
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from judder._cluster.cut import Cut
 from judder._cluster.executors import Executor, Lost, Outcome
 from judder._cluster.pace import Pace
 from judder._cluster.work import Done, Job
@@ -24,14 +25,17 @@ if TYPE_CHECKING:
 _QUEUED = 2
 """Tasks that are handed out for each thread: one that runs, one that is ready."""
 _PAUSE = 0.5
-"""Seconds before a chunk that another process computes is looked at again."""
+"""Seconds before a chunk that another process computes, or that failed for a reason that may pass, is looked at again."""
+_PASSING = ("FileSystem", "Locked", "WorkerLost")
+"""Causes of errors that may be gone next time, or on another worker."""
 
 
 class Dispatch:
     """One sweep on its way through an executor.
 
     A task whose process ends under it is done again, chunk by chunk. A chunk that has lost ``retries`` processes more than one goes to a process
-    of its own on a worker, where it is done point by point if it ends that, too: so no chunk is blamed for what its neighbour did.
+    of its own on a worker, where it is done point by point if it ends that, too: so no chunk is blamed for what its neighbour did. Where
+    that takes the worker with it, the chunk is cut until the point is found.
     """
 
     def __init__(
@@ -58,10 +62,12 @@ class Dispatch:
         self._again: deque[int] = deque()
         self._alone: deque[int] = deque()
         self._later: deque[tuple[float, int]] = deque()
+        self._cuts: dict[int, Cut] = {}
         self._deaths: Counter[int] = Counter()
         self._failures: Counter[int] = Counter()
         self._flying = 0
         self._total = 0
+        self._mark = ""
 
     def run(self) -> None:
         """Computes the chunks that the folder lacks.
@@ -74,25 +80,28 @@ class Dispatch:
         self._total = len(self._left)
         if not self._left:
             return
-        # begins the sweep in the folder, so that it is refused here where it cannot be
-        self._sweep.write(self._folder, [])
+        # refused here where it cannot be begun, and nobody takes the folder alone and forgets what is in it meanwhile
+        held = self._sweep.hold(self._folder)
         mark = Path(self._folder, f".sweep-{self._sweep.name}", f"mark-{secrets.token_hex(8)}")
-        mark.parent.mkdir(exist_ok=True)
         mark.touch()
-        executor = self._make()
+        self._mark = str(mark)
         try:
-            self._drive(executor, str(mark))
+            executor = self._make()
+            try:
+                self._drive(executor, held)
+            finally:
+                executor.close()
         except KeyboardInterrupt:
             raise Interrupted("interrupted; what was done is kept, and the same call goes on from there") from None
         finally:
-            executor.close()
             mark.unlink(missing_ok=True)
+            held.release()
 
-    def _drive(self, executor: Executor, mark: str) -> None:
+    def _drive(self, executor: Executor, held: _judder.HeldSweep) -> None:
         done = 0
         self._progress(done)
         while done < self._total:
-            while self._flying < _QUEUED * executor.slots() and (job := self._next(executor.slots(), mark)):
+            while self._flying < _QUEUED * executor.slots() and (job := self._next(executor.slots())):
                 executor.submit(job)
                 self._flying += 1
             if self._flying == 0:
@@ -100,63 +109,98 @@ class Dispatch:
                 continue
             for job, outcome in executor.wait():
                 self._flying -= 1
-                done += self._take(job, outcome)
+                done += self._take(job, outcome, held)
             self._progress(done)
 
     def _progress(self, done: int) -> None:
         if self._tell is not None:
             self._tell(self._sweep.name, done, self._total)
 
-    def _next(self, slots: int, mark: str) -> Job | None:
+    def _next(self, slots: int) -> Job | None:
         """The next job, where there is one now."""
         while self._later and self._later[0][0] <= time.monotonic():
             self._again.append(self._later.popleft()[1])
         if self._left:
             count = self._pace.chunks(len(self._left), slots)
-            return self._job([self._left.popleft() for _ in range(min(count, len(self._left)))], mark)
+            return self._job([self._left.popleft() for _ in range(min(count, len(self._left)))])
         if self._again:
-            return self._job([self._again.popleft()], mark)
+            return self._job([self._again.popleft()])
         if self._alone:
-            return self._job([self._alone.popleft()], mark, self._retries + 1)
+            return self._job([self._alone.popleft()], self._retries + 1)
+        for cut in self._cuts.values():
+            if span := cut.next():
+                return self._job([cut.chunk], self._retries + 1, span)
         return None
 
-    def _job(self, chunks: list[int], mark: str, deaths: int | None = None) -> Job:
+    def _job(self, chunks: list[int], deaths: int | None = None, points: tuple[int, int] | None = None) -> Job:
         folder = None if self._shares is False else self._folder
-        sweep = self._sweep
-        return Job(sweep.name, sweep.hash, tuple(chunks), folder, None if self._shares else mark, self._threads, deaths)
+        mark = None if self._shares else self._mark
+        return Job(self._sweep.name, self._sweep.hash, tuple(chunks), folder, mark, self._threads, deaths, points)
 
-    def _take(self, job: Job, outcome: Outcome) -> int:
+    def _take(self, job: Job, outcome: Outcome, held: _judder.HeldSweep) -> int:
         """Takes in what came of a job; how many chunks are done by it."""
-        match outcome:
-            case Done():
-                return self._take_done(job, outcome)
-            case Lost():
-                for chunk in job.chunks:
-                    self._deaths[chunk] += outcome.deaths
-                    is_suspect = self._deaths[chunk] > self._retries
-                    (self._alone if is_suspect else self._again).append(chunk)
-                return 0
-            case JudderError() | KeyboardInterrupt():
-                raise outcome
-        # a file system or a network that may be better next time
-        for chunk in job.chunks:
-            self._failures[chunk] += 1
-            if self._failures[chunk] > self._retries:
-                raise outcome
-            self._again.append(chunk)
+        if isinstance(outcome, Lost):
+            self._lost(job, outcome.deaths)
+            return self._cut_done(job.chunks[0], held)
+        if isinstance(outcome, Done):
+            return self._taken(job, outcome, held)
+        # what is wrong stays wrong; a file system or a network may be better next time
+        stays = isinstance(outcome, JudderError) and outcome.cause not in _PASSING
+        self._failures.update(job.chunks)
+        if stays or not isinstance(outcome, Exception) or any(self._failures[chunk] > self._retries for chunk in job.chunks):
+            raise outcome
+        self._put_off(job)
         return 0
 
-    def _take_done(self, job: Job, done: Done) -> int:
+    def _put_off(self, job: Job) -> None:
+        """Does a job again, a while later."""
+        if job.points is not None:
+            self._cuts[job.chunks[0]].again(job.points)
+            return
+        again = time.monotonic() + _PAUSE
+        self._later.extend((again, chunk) for chunk in job.chunks)
+
+    def _lost(self, job: Job, deaths: int) -> None:
+        """Does the chunks of a job again whose process has ended under it, or looks for the point that ends it."""
+        if job.points is not None:
+            told = self._cuts[job.chunks[0]].lost(job.points)
+            if told is not None:
+                warnings.warn(told, JudderWarning, stacklevel=2)
+            return
+        for chunk in job.chunks:
+            self._deaths[chunk] += deaths
+            if self._deaths[chunk] <= self._retries:
+                self._again.append(chunk)
+            elif job.deaths is None:
+                self._alone.append(chunk)
+                # to be lost as often again, for its own fault or for that of another
+                self._deaths[chunk] = 0
+            else:
+                self._cuts[chunk] = Cut(self._sweep, chunk, self._retries)
+
+    def _taken(self, job: Job, done: Done, held: _judder.HeldSweep) -> int:
+        for told in done.killed:
+            warnings.warn(told, JudderWarning, stacklevel=2)
         if done.is_stopped:
-            self._again.extend(job.chunks)
+            self._put_off(job)
             return 0
+        if job.points is not None:
+            self._cuts[job.chunks[0]].take(job.points, done.rows)
+            return self._cut_done(job.chunks[0], held)
         if done.contents:
-            self._sweep.write(self._folder, list(done.contents))
+            held.write(done.contents)
         sent = sum(len(content) for _, content in done.contents)
         if job.deaths is None and not done.busy:
             self._pace.learn(len(job.chunks), done.seconds, sent)
         again = time.monotonic() + _PAUSE
         self._later.extend((again, chunk) for chunk in done.busy)
-        for told in done.killed:
-            warnings.warn(told, JudderWarning, stacklevel=2)
         return len(done.done) + len(done.contents)
+
+    def _cut_done(self, chunk: int, held: _judder.HeldSweep) -> int:
+        """Writes a chunk that was cut, once it has all points."""
+        content = self._cuts[chunk].content() if chunk in self._cuts else None
+        if content is None:
+            return 0
+        held.write([(chunk, content)])
+        del self._cuts[chunk]
+        return 1

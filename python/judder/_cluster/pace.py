@@ -4,10 +4,12 @@ from __future__ import annotations
 
 _SECONDS = 1.0
 """What a task should take at least."""
-_SECONDS_A_SLOT = 0.005
+_SECONDS_A_SLOT = 0.01
 """What it should take for every thread of the cluster: a scheduler needs a millisecond or two for a task, and has them all."""
 _BYTES = 1 << 25
 """What a task may send back."""
+_ALL_BYTES = 1 << 30
+"""What all tasks that are handed out may send back."""
 _GROWTH = 8
 """How many times more chunks a task may have than those that were timed."""
 
@@ -37,6 +39,6 @@ class Pace:
             return 1
         wanted = max(_SECONDS, _SECONDS_A_SLOT * slots) / max(self._seconds, 1e-9)
         if self._bytes > 0.0:
-            wanted = min(wanted, _BYTES / self._bytes)
+            wanted = min(wanted, min(_BYTES, _ALL_BYTES / (2 * slots)) / self._bytes)
         # towards the end small ones, so that all threads end together
         return int(max(1, min(wanted, _GROWTH * self._largest, left / (2 * slots))))

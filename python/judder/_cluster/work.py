@@ -27,6 +27,8 @@ class Job:
     """Threads of the worker."""
     deaths: int | None = None
     """``None`` for the process of the worker, else a process of their own, in which a point may die so often before it counts as failed."""
+    points: tuple[int, int] | None = None
+    """Only these points of the only chunk, from the first to before the second; their columns come back."""
 
 
 @dataclass(frozen=True)
@@ -39,6 +41,8 @@ class Done:
     """Those that another process is computing."""
     contents: tuple[tuple[int, bytes], ...] = ()
     """Those that come back."""
+    rows: tuple[tuple[list[float], str | None], ...] = ()
+    """The columns of points, and why something of them is missing."""
     seconds: float = 0.0
     """How long they took, without what all points share."""
     killed: tuple[str, ...] = ()
@@ -63,11 +67,16 @@ def work(package: Package | str, job: Job) -> Done:
     stop = _stop()
     folder = job.folder if job.folder and (job.mark is None or os.path.exists(job.mark)) else None
     try:
+        if job.deaths is not None and job.points is not None:
+            rows, killed = alone.points(known, sweep, job.chunks[0], job.points, job.deaths, stop)
+            return Done(rows=tuple(rows), killed=tuple(killed))
         if job.deaths is not None:
             contents, killed = alone.computed(known, sweep, job.chunks, job.deaths, stop)
             if folder is None:
                 return Done(contents=contents, killed=killed)
-            sweep.write(folder, list(contents))
+            held = sweep.hold(folder)
+            held.write(contents)
+            held.release()
             return Done(done=job.chunks, killed=killed)
         sweep.prepare(stop=stop)
         began = time.perf_counter()

@@ -2,6 +2,7 @@
 
 use super::PySweep;
 use crate::errors;
+use crate::pool;
 use crate::watched::{Manner, Watch, Watched, is_ctrl_c, watched};
 use judder_study::StudyError;
 use judder_study::run::{RunOptions, SweepWork, run};
@@ -24,7 +25,8 @@ impl PySweep {
         stop: Option<Py<PyAny>>,
         work: impl FnOnce(&Watch) -> Result<T, StudyError> + Send,
     ) -> PyResult<T> {
-        let manner = Manner { pool: self.pool.clone(), stop, ..Manner::default() };
+        let pool = self.pool.clone().map_or_else(|| pool::of(0).map(Arc::new), Ok);
+        let manner = Manner { pool: Some(pool.map_err(errors::system)?), stop, ..Manner::default() };
         settled(py, watched(py, &manner, work)?)
     }
 

@@ -9,6 +9,10 @@ import pytest
 from serial_run import files
 
 import judder
+from judder._cluster.dispatch import Dispatch
+from judder._cluster.executors import Lost
+from judder._cluster.package import Package
+from judder._cluster.work import work
 
 
 def spawned(workers=2):
@@ -78,6 +82,59 @@ def test_a_poisoned_point_is_recorded_and_the_study_goes_on(quick, poison, tmp_p
     own = files(study.folder / "results.zarr" / "quick_map")
     assert {name for name in own if own[name] != quick[1][name]} == {"values/c.40.0.0"}
     assert len(study.failed_points("quick_map")) == 1
+
+
+class Fatal:
+    """An executor that is lost with every job that has one point, in whatever process it is computed: as a container whose memory runs out."""
+
+    def __init__(self, package, chunk, index):
+        self.package, self.chunk, self.index = package, chunk, index
+        self.jobs, self.lost = [], []
+
+    def slots(self):
+        return 1
+
+    def submit(self, job):
+        self.jobs.append(job)
+
+    def wait(self):
+        job = self.jobs.pop()
+        first, end = job.points or (0, 32)
+        if self.chunk in job.chunks and first <= self.index < end:
+            self.lost.append(job.points)
+            return [(job, Lost(1))]
+        return [(job, work(self.package, job))]
+
+    def close(self):
+        pass
+
+
+def test_a_point_that_ends_whole_workers_is_found_by_halves(quick, tmp_path):
+    sweep = judder.sweep.plan(quick[0])._compiled
+    fatal = Fatal(Package.of(sweep), 3, 21)
+    manner = {"retries": 1, "shares": True, "chunks_per_task": 8, "threads": 1, "progress": None}
+    with pytest.warns(judder.JudderWarning, match="point 21 of chunk 3 ended its worker 2 times"):
+        Dispatch(sweep, lambda: fatal, tmp_path / "study", **manner).run()
+    # twice with others or as a whole, twice in a process of its own, then 32, 16, 8, 4, 2 points, and the one point twice
+    assert fatal.lost == [None] * 4 + [(0, 32), (16, 32), (16, 24), (20, 24), (20, 22), (21, 22), (21, 22)]
+    study = judder.sweep.plan(quick[0]).merge(tmp_path / "study")
+    own = files(study.folder / "results.zarr" / "quick_map")
+    assert {name for name in own if own[name] != quick[1][name]} == {"values/c.3.0.0"}
+    assert study.failed_points("quick_map")["contact.shear_strength"].tolist() == [float(study["quick_map"]["contact.shear_strength"][21])]
+
+
+def test_nobody_forgets_a_folder_while_it_is_worked_on(maps, tmp_path):
+    refused = []
+
+    def forget(name, done, total):
+        if done < total and not refused:
+            with pytest.raises(judder.StoreError) as locked:
+                judder.run(maps[0], output=tmp_path / "study", fresh=True)
+            refused.append(locked.value.cause)
+
+    with spawned() as executor:
+        judder.distributed.run_with(maps[0], executor, output=tmp_path / "study", name="maps", workers_share_folder=False, progress=forget)
+    assert refused == ["Locked"]
 
 
 def test_large_packages_go_once_to_each_process(quick, tmp_path, monkeypatch):

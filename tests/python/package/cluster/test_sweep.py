@@ -137,7 +137,7 @@ def test_failed_points_are_a_table(tmp_path):
     assert np.isnan(study["moduli"].growth_rate).values.tolist() == [False, False, True, False]
 
 
-def test_a_finished_sweep_of_a_million_points_opens_at_once(tmp_path):
+def test_a_finished_sweep_of_many_chunks_opens_at_once(tmp_path):
     case = {
         "model": "oscillator",
         "sweep": [

@@ -78,10 +78,6 @@ class StabilityMap:
     """Codes of verdict and mechanism, uint8[y, x]: the places of their names in :data:`CLASSES`."""
     growth_rate: NDArray[np.float64] | None
     """Growth rate in units of ω_nx, float64[y, x]; NaN where there is no steady sliding, ``None`` where it was not asked for."""
-    unstable_fraction: float
-    """Share of the points that is unstable."""
-    unresolved: int
-    """Points without an answer."""
     decisions: int
     """Points that were decided; the others follow from their neighbours (``method="adaptive"``)."""
     seconds: float
@@ -93,6 +89,16 @@ class StabilityMap:
     def unstable(self) -> NDArray[np.bool_]:
         """Where steady sliding is unstable, bool[y, x]."""
         return (self.classes >= 1) & (self.classes <= 4)
+
+    @property
+    def unstable_fraction(self) -> float:
+        """Share of the points that is unstable."""
+        return float(self.unstable.mean())
+
+    @property
+    def unresolved(self) -> int:
+        """How many points have no answer."""
+        return int((self.classes == CLASSES.index("unresolved")).sum())
 
     @property
     def verdict(self) -> NDArray[np.str_]:
@@ -187,8 +193,6 @@ def stability_map(
         y=Axis(*told["y"]),
         classes=told["classes"],
         growth_rate=told["growth_rate"],
-        unstable_fraction=told["unstable_fraction"],
-        unresolved=told["unresolved"],
         decisions=told["decisions"],
         seconds=told["seconds"],
         warnings=tuple(told["warnings"]),

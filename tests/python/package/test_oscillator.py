@@ -62,6 +62,7 @@ def test_a_map_is_its_points():
             assert found.growth_rate[row, column] == point.growth_rate
             assert found.verdict[row, column] == point.verdict and found.mechanism[row, column] == point.mechanism
     np.testing.assert_array_equal(found.unstable, found.growth_rate > 0)
+    assert found.unstable_fraction == np.mean(found.growth_rate > 0) and found.unresolved == 0
     adaptive = judder.oscillator.stability_map(
         ("velocity", velocities), ("shear_strength", strengths), coupling=0.7, method="adaptive"
     )

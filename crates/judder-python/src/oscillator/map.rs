@@ -7,7 +7,6 @@ use crate::watched::{Manner, watched};
 use judder_case::{Form, Given, OscillatorKey, Quantity};
 use judder_oscillator::Contact;
 use judder_oscillator::map::{Method, Plane, StabilityMap, TILE_ROWS};
-use judder_oscillator::mechanism::StabilityClass;
 use judder_study::key_plane::{KeyAxis, KeyPlane};
 use judder_study::{Progress, StudyError};
 use numpy::{IntoPyArray, PyArrayMethods};
@@ -92,8 +91,6 @@ pub(crate) fn oscillator_map<'py>(
     let ((map, growth), seconds) = done.settled(|error: StudyError| errors::study(&error))?;
     let shape = [map.rows, map.columns];
     let result = PyDict::new(py);
-    result.set_item("unstable_fraction", map.unstable_fraction())?;
-    result.set_item("unresolved", map.count(StabilityClass::Unresolved))?;
     result.set_item("decisions", map.decisions)?;
     result.set_item("seconds", seconds)?;
     result.set_item("classes", map.classes.into_pyarray(py).reshape(shape)?)?;

@@ -104,6 +104,9 @@ impl Cause {
             Self::GlassyBelowRubbery { .. } => {
                 "E∞ must be above E0; only the law \"hertz\" takes E∞ = E0".to_owned()
             }
+            Self::OutOfRange { key, .. } if key.ends_with("confidence") => {
+                "give a share of one: 0.95 for 95 %".to_owned()
+            }
             Self::EmptyRange { .. } => "let `from` and `to` differ".to_owned(),
             Self::Backwards { .. } => "exchange `from` and `to`".to_owned(),
             Self::NothingMeasured { .. } => "let `transient` be shorter than `duration`".to_owned(),

@@ -161,6 +161,18 @@ name = \"engines\"
 kind = \"engines\"                  # the cycle by events, by time-stepping and with a smoothed sign, for a doubt of your own
 time_step = { from = 1e-3, to = 1e-1, points = 7 }   # ω_nx t, or times
 width = { from = 1e-3, to = 1.0, points = 7 }        # ε of the smoothed sign, over v_d
+
+# The whole study at many points, as many as you like: `judder run` computes them chunk by chunk and goes on where it was stopped.
+# [[sweep]]
+# name = \"robustness\"
+# method = \"sobol\"                # or \"grid\", \"list\", \"latin-hypercube\"
+# points = 1024
+# sensitivity = true                # which key decides: Sobol' indices with intervals
+# over = [
+#   { key = \"operation.velocity\", from = 1e-6, to = 1e-2, scale = \"log\" },
+#   { key = \"oscillator.damping_x\", from = 0.005, to = 0.05 },
+# ]
+# quantities = [\"growth_rate\", \"verdict\"]   # or of an analysis above: \"motion.rms\"
 ";
 
 const BELT_HEAD: &str = "\

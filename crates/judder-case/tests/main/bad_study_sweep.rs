@@ -304,7 +304,7 @@ fn sensitivity_that_cannot_be() {
         "{ confidence = 95 }",
         "`sensitivity.confidence` must be above 0 and at most 0.9999, but is 95.0",
         "95",
-        "",
+        "give a share of one: 0.95 for 95 %",
     );
     sobol(
         "{ resamples = 10 }",

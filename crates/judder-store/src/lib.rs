@@ -49,8 +49,8 @@ pub use shared::SharedStudy;
 pub use stream::StreamWriter;
 pub use summary::{AnalysisRecord, Status, Summary, number};
 pub use sweep::{
-    ChunkClaim, ChunkDamage, ChunkPoints, ChunkState, ClaimAnswer, PointFailure, StoredChunk, SweepDimension,
-    SweepFailure, SweepLayout, SweepQuantity, SweepStore,
+    ChunkClaim, ChunkDamage, ChunkPoints, ChunkState, ClaimAnswer, PointFailure, StoredChunk, SweepChunks,
+    SweepDimension, SweepFailure, SweepLayout, SweepQuantity, SweepStore,
 };
 pub use table::{Cells, Table};
 pub use variable::{Data, Variable};

@@ -9,9 +9,11 @@
 //!   points failed.
 //! - `group.rs`: the group of a sweep in `results.zarr`, the same bytes whoever begins it.
 //! - [`ChunkClaim`] (`claim.rs`): the right to compute one chunk.
-//! - [`SweepStore`] (`store.rs`): the chunks on the disk: claimed, written, listed, read, verified.
+//! - [`SweepChunks`] (`chunks.rs`): the chunks on the disk: listed, read, verified.
+//! - [`SweepStore`] (`store.rs`): the same held: claimed, written.
 //! - `sampled.rs`: some of the points, from the group alone.
 
+mod chunks;
 mod claim;
 mod group;
 mod layout;
@@ -21,10 +23,11 @@ mod sampled;
 mod shard;
 mod store;
 
+pub use chunks::{ChunkState, StoredChunk, SweepChunks, SweepFailure};
 pub(crate) use claim::PREFIX;
 pub use claim::{ChunkClaim, ClaimAnswer};
 pub use layout::{SweepDimension, SweepLayout, SweepQuantity};
 pub use points::ChunkPoints;
 pub use record::{ChunkDamage, PointFailure};
 pub(crate) use sampled::read_points;
-pub use store::{ChunkState, StoredChunk, SweepFailure, SweepStore};
+pub use store::SweepStore;

@@ -13,9 +13,9 @@ pub(crate) const PREFIX: &str = ".sweep-";
 /// process however it ends.
 #[derive(Debug)]
 pub struct ChunkClaim {
-    pub(super) chunk: usize,
+    chunk: usize,
     file: PathBuf,
-    lock: Lock,
+    _lock: Lock,
 }
 
 /// The answer to a claim.
@@ -37,18 +37,13 @@ impl ChunkClaim {
     pub(super) fn take(claims: &Path, chunk: usize) -> Result<Option<Self>, StoreError> {
         let file = claims.join(format!("{chunk}.claim"));
         let lock = lock::try_lock(&file, Mode::Alone)?;
-        Ok(lock.map(|lock| Self { chunk, file, lock }))
+        Ok(lock.map(|lock| Self { chunk, file, _lock: lock }))
     }
 
     /// The chunk.
     #[must_use]
     pub fn chunk(&self) -> usize {
         self.chunk
-    }
-
-    /// Where its holder writes the chunk before it takes its place; `None` where locks keep nobody out, so that another may write there, too.
-    pub(super) fn temporary(&self) -> Option<PathBuf> {
-        self.lock.is_real().then(|| self.file.with_extension("partial"))
     }
 
     /// Ends the claim of a chunk that is done.

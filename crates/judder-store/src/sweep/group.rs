@@ -13,22 +13,40 @@ use crate::{StoreError, results};
 
 /// Begins the group of a sweep where there is none, else compares; returns the folder of its chunks.
 pub(super) fn join(study: &Path, layout: &SweepLayout) -> Result<PathBuf, StoreError> {
-    let group = study.join(results::FOLDER).join(layout.name());
-    let failed = |failure| match failure {
-        WriteFailure::Io(source) => StoreError::write(&group, 0, source),
-        WriteFailure::Refused(source) => StoreError::DatasetUnwritable { path: group.clone(), source },
-    };
-    if !group.exists() && begin(study, layout).map_err(failed)? {
+    let group = place(study, layout);
+    if !group.exists() && begin(study, layout).map_err(|failure| failed(&group, failure))? {
         return Ok(group.join(VALUES));
     }
-    let expected = zarr::describe_group_by(&group, layout.hash(), layout.dataset(), |store, variable| {
+    compared(&group, layout)
+}
+
+/// Compares the group of a sweep, where there is one; returns the folder of its chunks.
+pub(super) fn look(study: &Path, layout: &SweepLayout) -> Result<Option<PathBuf>, StoreError> {
+    let group = place(study, layout);
+    if group.exists() { compared(&group, layout).map(Some) } else { Ok(None) }
+}
+
+fn place(study: &Path, layout: &SweepLayout) -> PathBuf {
+    study.join(results::FOLDER).join(layout.name())
+}
+
+fn failed(group: &Path, failure: WriteFailure) -> StoreError {
+    match failure {
+        WriteFailure::Io(source) => StoreError::write(group, 0, source),
+        WriteFailure::Refused(source) => StoreError::DatasetUnwritable { path: group.to_owned(), source },
+    }
+}
+
+/// The folder of the chunks of a group that is of this sweep.
+fn compared(group: &Path, layout: &SweepLayout) -> Result<PathBuf, StoreError> {
+    let expected = zarr::describe_group_by(group, layout.hash(), layout.dataset(), |store, variable| {
         if variable.name == VALUES {
             zarr::array_metadata(&shard::build_array(store, layout, variable)?)
         } else {
             zarr::describe_variable(store, variable)
         }
     });
-    compare(&group, layout, &expected.map_err(failed)?)?;
+    compare(group, layout, &expected.map_err(|failure| failed(group, failure))?)?;
     Ok(group.join(VALUES))
 }
 

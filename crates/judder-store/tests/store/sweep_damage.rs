@@ -3,14 +3,20 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use judder_store::{ChunkDamage, ChunkState, ClaimAnswer, SharedStudy, StoreError, SweepStore};
+use judder_store::{
+    ChunkDamage, ChunkState, ClaimAnswer, SharedStudy, StoreError, StudyFolder, SweepChunks, SweepLayout,
+    SweepStore,
+};
 
 use crate::{chunk_values, contents, sweep};
 
+fn layout() -> SweepLayout {
+    sweep("h", &[("sample", 10, 4)])
+}
+
 /// A sweep of three whole chunks, and where the one in the middle lies.
 fn whole(folder: &Path) -> (SweepStore, PathBuf) {
-    let layout = sweep("h", &[("sample", 10, 4)]);
-    let store = SharedStudy::join(folder).unwrap().sweep(&layout).unwrap();
+    let store = SharedStudy::join(folder).unwrap().sweep(&layout()).unwrap();
     for chunk in 0..3 {
         compute(&store, chunk);
     }
@@ -111,19 +117,50 @@ fn a_chunk_of_another_case_is_refused_by_name() {
 }
 
 #[test]
-fn what_a_killed_writer_left_is_removed_by_the_next() {
+fn what_a_killed_writer_left_is_in_nobodys_way_and_goes_when_the_study_is_taken_alone() {
     let folder = tempfile::tempdir().unwrap();
     let (store, path) = whole(folder.path());
     fs::remove_file(&path).unwrap();
     let claims = folder.path().join(".sweep-sweep");
     fs::write(claims.join("1.claim"), "").unwrap();
-    fs::write(claims.join("1.partial"), "half").unwrap();
-    fs::write(claims.join("2.partial"), "of another").unwrap();
-    let claim = store.claim(1).unwrap();
-    assert_eq!(crate::names(&claims), ["1.claim", "2.partial"]);
-    drop(claim);
+    fs::write(claims.join("1.killed.partial"), "half").unwrap();
     compute(&store, 1);
-    assert_eq!(crate::names(&claims), ["2.partial"]);
+    assert_eq!(crate::names(&claims), ["1.killed.partial"]);
+    drop(store);
+    StudyFolder::create(folder.path()).unwrap();
+    assert!(!claims.exists());
+}
+
+#[test]
+fn who_believes_to_be_alone_and_clears_the_claims_stops_no_writer() {
+    let folder = tempfile::tempdir().unwrap();
+    let (store, path) = whole(folder.path());
+    fs::remove_file(&path).unwrap();
+    let ClaimAnswer::Claimed(claim) = store.claim(1).unwrap() else { panic!("nobody else is here") };
+    fs::remove_dir_all(folder.path().join(".sweep-sweep")).unwrap();
+    store.write(claim, &chunk_values(store.layout(), 1), &[]).unwrap();
+    assert!(matches!(store.state(1).unwrap(), ChunkState::Done { .. }));
+}
+
+#[test]
+fn a_look_writes_nothing_and_takes_no_lock() {
+    let folder = tempfile::tempdir().unwrap();
+    assert!(SweepChunks::look(folder.path().join("none"), &layout()).unwrap().is_none());
+    let (store, _) = whole(folder.path());
+    let before = crate::names(folder.path());
+    let looked = SweepChunks::look(folder.path(), &layout()).unwrap().unwrap();
+    assert_eq!(looked.done_chunks().unwrap(), [true; 3]);
+    drop(store);
+    let alone = StudyFolder::create(folder.path()).unwrap();
+    assert_eq!(
+        looked.read(0).unwrap(),
+        SweepChunks::look(folder.path(), &layout()).unwrap().unwrap().read(0).unwrap()
+    );
+    drop(alone);
+    assert_eq!(
+        crate::names(folder.path()),
+        before.into_iter().filter(|name| !name.starts_with(".sweep-")).collect::<Vec<_>>()
+    );
 }
 
 #[cfg(unix)]

@@ -9,7 +9,7 @@ mod motion;
 mod sliding;
 mod spectrum;
 mod stability_map;
-mod steady_states;
+pub(crate) mod steady_states;
 mod structure;
 mod two_degrees;
 

@@ -111,6 +111,23 @@ pub enum StudyError {
         /// What is wrong with it.
         reason: String,
     },
+    /// A file that the case names could not be read.
+    #[error("{}: the file cannot be read: {source}", path.display())]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        source: std::io::Error,
+    },
+    /// A file that the case names is another one than when the run began.
+    #[error(
+        "{}: the file has changed while the case was computed; what was computed before is kept under its old content: run again",
+        path.display()
+    )]
+    FileChanged {
+        /// The file.
+        path: PathBuf,
+    },
     /// The substrate cannot be.
     #[error("the substrate: {0}")]
     Material(#[from] MaterialError),
@@ -194,6 +211,8 @@ impl StudyError {
             | Self::WrongModel { .. }
             | Self::NotRunYet { .. }
             | Self::File { .. }
+            | Self::Unreadable { .. }
+            | Self::FileChanged { .. }
             | Self::Material(_)
             | Self::Indenter(_)
             | Self::Unsupported(_)

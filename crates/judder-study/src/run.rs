@@ -202,7 +202,7 @@ fn compute_in(
     }
     bench.discard_law()?;
     for plan in sweeps {
-        skipped.extend(sweeps::finished(&store, &mut study, plan)?);
+        skipped.extend(sweeps::finished(&store, &mut study, plan, progress)?);
     }
     study.summary.wall_time_s = start.elapsed().as_secs_f64();
     store.write_summary(&study.summary)?;

@@ -23,7 +23,7 @@ mod scalars;
 pub mod shard;
 mod statistics;
 
-pub(crate) use chunks::work;
+pub(crate) use chunks::{damaged, mend, work};
 pub use dry_run::SweepEstimate;
 pub use evaluate::{ChunkValues, Evaluator};
 pub(crate) use finish::finish;

@@ -3,7 +3,7 @@
 use super::RunOptions;
 use crate::analyses;
 use crate::error::StudyError;
-use crate::input_file;
+use crate::input_file::KnownFile;
 use crate::ledger::VERSION;
 use crate::sweep::SweepPlan;
 use judder_case::study_sweep::quantity_path::QuantitySource;
@@ -21,6 +21,8 @@ pub(crate) struct Asked<'a> {
     pub(super) analyses: Vec<(String, String)>,
     /// The hashes of the sweeps.
     sweeps: Vec<String>,
+    /// The files of the case, as they are in the hashes.
+    files: Vec<KnownFile>,
 }
 
 impl<'a> Asked<'a> {
@@ -35,11 +37,11 @@ impl<'a> Asked<'a> {
                 known: known().cloned().collect(),
             });
         }
-        let resolved = with_files(file.resolved(), &file.case)?;
+        let (resolved, files) = with_files(file.resolved(), &file.case)?;
         let hashed = |(index, name): (usize, &String)| (name.clone(), analysis_hash(&resolved, index));
         let analyses = names.iter().enumerate().map(hashed).collect();
         let sweeps = file.sweeps.iter().map(|sweep| sweep_hash(&resolved, sweep)).collect();
-        Ok(Self { file, only: &options.only, resolved, analyses, sweeps })
+        Ok(Self { file, only: &options.only, resolved, analyses, sweeps, files })
     }
 
     pub(super) fn is_wanted(&self, name: &str) -> bool {
@@ -64,16 +66,19 @@ impl<'a> Asked<'a> {
     pub(super) fn plans(&self) -> Result<Vec<SweepPlan>, StudyError> {
         let sweeps = self.file.sweeps.iter().zip(&self.sweeps);
         let wanted = sweeps.filter(|(sweep, _)| self.is_wanted(&sweep.name));
-        wanted.map(|(sweep, hash)| SweepPlan::new(self.file, sweep, hash)).collect()
+        wanted.map(|(sweep, hash)| SweepPlan::new(self.file, sweep, (hash, &self.files))).collect()
     }
 }
 
-/// The resolved case with the content of every file that it names, by its hash.
-fn with_files(mut resolved: Value, case: &Case) -> Result<Value, StudyError> {
+/// The resolved case with the content of every file that it names, by its hash, and the files.
+fn with_files(mut resolved: Value, case: &Case) -> Result<(Value, Vec<KnownFile>), StudyError> {
+    let mut files = Vec::new();
     for file in case.files() {
-        resolved["files"][&file.given] = json!(content_hash(&input_file::bytes(&file.path)?));
+        let known = KnownFile::new(&file.path)?;
+        resolved["files"][&file.given] = json!(known.hash);
+        files.push(known);
     }
-    Ok(resolved)
+    Ok((resolved, files))
 }
 
 /// Names all that the result of an analysis depends on: the case without its list of analyses and its title, this analysis, the version.

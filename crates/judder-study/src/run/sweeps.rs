@@ -6,8 +6,8 @@ use crate::analyses::Prepared;
 use crate::error::StudyError;
 use crate::ledger::Study;
 use crate::progress::Progress;
-use crate::sweep::{Shard, SweepPlan, finish, work};
-use judder_store::{SharedStudy, StoreError, StudyFolder, Summary};
+use crate::sweep::{Shard, SweepPlan, damaged, finish, mend, work};
+use judder_store::{SharedStudy, StoreError, StudyFolder, Summary, SweepChunks, SweepStore};
 use std::path::Path;
 use std::thread;
 use std::time::{Duration, Instant};
@@ -19,6 +19,12 @@ pub(super) fn run(
     options: &RunOptions,
     progress: &dyn Progress,
 ) -> Result<RunReport, StudyError> {
+    if !options.fresh {
+        // nothing is rewritten for a case whose sweeps are refused
+        for plan in plans {
+            SweepChunks::look(folder, plan.layout())?;
+        }
+    }
     let mut done_before = None;
     match taken(folder, options.fresh) {
         Ok(store) if options.sweeps == SweepWork::All => {
@@ -39,6 +45,13 @@ pub(super) fn run(
     let mut left = shared.leave()?;
     if is_whole && left.is_none() && !matches!(options.sweeps, SweepWork::Part(_)) {
         left = alone(folder, progress)?;
+    }
+    if let (Some(store), true) = (&left, is_whole) {
+        for plan in plans {
+            let (note, whole) = looked_through(store, plan, options.sweeps, progress)?;
+            notes.extend(note);
+            is_whole &= whole;
+        }
     }
     match (left, options.sweeps) {
         (Some(store), SweepWork::All | SweepWork::Merge) if is_whole => {
@@ -126,10 +139,10 @@ fn worked(
         SweepWork::Merge => None,
     };
     if let Some(shard) = shard {
-        let worked = work((plan, &store), shard, progress)?;
-        if worked.damaged > 0 {
-            notes.push(format!("{name}: {} damaged chunks were computed anew", worked.damaged));
-        }
+        work((plan, &store), shard, progress)?;
+    }
+    if let SweepWork::Part(shard) = how {
+        notes.extend(mended((plan, &store), shard, progress)?);
     }
     let there = store.done_chunks()?.into_iter().filter(|done| *done).count();
     let all = plan.layout().chunk_count();
@@ -148,18 +161,52 @@ fn worked(
     Ok((notes, there == all))
 }
 
+/// Reads all chunks of a sweep in a study that is held alone; computes damaged ones anew, where anything is to be computed. Says what was found,
+/// and whether all are whole now.
+fn looked_through(
+    study: &StudyFolder,
+    plan: &SweepPlan,
+    how: SweepWork,
+    progress: &dyn Progress,
+) -> Result<(Option<String>, bool), StudyError> {
+    let store = study.sweep(plan.layout())?;
+    match how {
+        SweepWork::Part(_) => Ok((None, true)),
+        SweepWork::All => Ok((mended((plan, &store), Shard::WHOLE, progress)?, true)),
+        SweepWork::Merge => {
+            let count = damaged(&store, Shard::WHOLE, progress)?.len();
+            let name = plan.layout().name();
+            let note = (count > 0)
+                .then(|| format!("{name}: {count} chunks are damaged; `judder run` computes them anew"));
+            Ok((note, count == 0))
+        }
+    }
+}
+
+/// Computes the damaged chunks of a part anew; says how many they were.
+fn mended(
+    (plan, store): (&SweepPlan, &SweepStore),
+    shard: Shard,
+    progress: &dyn Progress,
+) -> Result<Option<String>, StudyError> {
+    let count = mend((plan, store), shard, progress)?;
+    let name = plan.layout().name();
+    Ok((count > 0).then(|| format!("{name}: {count} damaged chunks were computed anew")))
+}
+
 /// Keeps what a sweep says whose chunks are all there; gives its name back where that was kept before.
 pub(super) fn finished(
     store: &StudyFolder,
     study: &mut Study<'_>,
     plan: &SweepPlan,
+    progress: &dyn Progress,
 ) -> Result<Option<String>, StudyError> {
     let layout = plan.layout();
     if store.is_done(layout.name(), layout.hash())? {
         return Ok(Some(layout.name().to_owned()));
     }
     let began = Instant::now();
-    let outcome = finish(plan, &store.sweep(layout)?);
+    let outcome = finish(plan, &store.sweep(layout)?, progress);
     study.keep(layout.name(), layout.hash().to_owned(), outcome, began.elapsed().as_secs_f64())?;
     store.consolidate()?;
     Ok(None)

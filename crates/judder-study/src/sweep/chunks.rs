@@ -5,23 +5,16 @@ use super::plan::SweepPlan;
 use super::shard::Shard;
 use crate::error::StudyError;
 use crate::progress::Progress;
-use judder_store::{ChunkState, ClaimAnswer, SweepStore};
+use judder_store::{ClaimAnswer, StoreError, SweepChunks, SweepStore};
 use rayon::prelude::*;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::process;
 use std::thread;
 use std::time::Duration;
 
 /// How long to wait before looking again whether another process has written its chunks.
 const PAUSE: Duration = Duration::from_millis(50);
-
-/// What became of a part of the chunks.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(crate) struct Worked {
-    /// Chunks that this process has computed.
-    pub(crate) computed: usize,
-    /// Chunks that were damaged and are computed anew.
-    pub(crate) damaged: usize,
-}
+/// Takes process numbers that follow each other far apart.
+const SPREAD: usize = 0x9E37_79B1;
 
 /// Computes the chunks of a part that are not there yet, and waits for those that other processes compute meanwhile.
 ///
@@ -31,39 +24,59 @@ pub(crate) fn work(
     (plan, store): (&SweepPlan, &SweepStore),
     shard: Shard,
     progress: &dyn Progress,
-) -> Result<Worked, StudyError> {
+) -> Result<(), StudyError> {
+    let done = store.done_chunks()?;
+    let mut missing: Vec<usize> =
+        (0..done.len()).filter(|chunk| shard.takes(*chunk) && !done[*chunk]).collect();
+    // processes that begin together do not all ask for the same chunks
+    let first = process::id() as usize * SPREAD % missing.len().max(1);
+    missing.rotate_left(first);
+    compute((plan, store), (missing, true), progress)
+}
+
+/// Computes the chunks of a part anew that are there and cannot be read; gives back how many they are. All chunks of the part are read.
+///
+/// # Errors
+/// As of [`work`].
+pub(crate) fn mend(
+    (plan, store): (&SweepPlan, &SweepStore),
+    shard: Shard,
+    progress: &dyn Progress,
+) -> Result<usize, StudyError> {
     let damaged = damaged(store, shard, progress)?;
-    let missing = |done: &[bool]| -> Vec<usize> {
-        let is_missing = |chunk: &usize| shard.takes(*chunk) && (!done[*chunk] || damaged.contains(chunk));
-        (0..done.len()).filter(is_missing).collect()
-    };
-    let mut left = missing(&store.done_chunks()?);
-    let computed = AtomicUsize::new(0);
-    if !left.is_empty() {
-        let evaluator = Evaluator::new(plan, progress)?;
-        progress.begin(plan.layout().name(), left.len());
-        let worked = loop {
-            let busy = match round(&evaluator, store, (&left, &computed), progress) {
-                Ok(busy) => busy,
-                Err(error) => break Err(error),
-            };
-            if busy.is_empty() {
-                break Ok(());
-            }
-            left = busy;
-            thread::sleep(PAUSE);
-        };
-        progress.end();
-        worked?;
+    let count = damaged.len();
+    compute((plan, store), (damaged, false), progress)?;
+    Ok(count)
+}
+
+/// Computes these chunks, but for those that others have done meanwhile; where none of them was there, a chunk that is there now is not opened.
+fn compute(
+    (plan, store): (&SweepPlan, &SweepStore),
+    (mut left, were_missing): (Vec<usize>, bool),
+    progress: &dyn Progress,
+) -> Result<(), StudyError> {
+    if left.is_empty() {
+        return Ok(());
     }
-    Ok(Worked { computed: computed.into_inner(), damaged: damaged.len() })
+    let evaluator = Evaluator::new(plan, progress)?;
+    progress.begin(plan.layout().name(), left.len());
+    let worked = loop {
+        match round(&evaluator, store, (&left, were_missing), progress) {
+            Ok(busy) if busy.is_empty() => break Ok(()),
+            Ok(busy) => left = busy,
+            Err(error) => break Err(error),
+        }
+        thread::sleep(PAUSE);
+    };
+    progress.end();
+    worked
 }
 
 /// Goes over these chunks once; gives back those that others are computing.
 fn round(
     evaluator: &Evaluator<'_>,
     store: &SweepStore,
-    (chunks, computed): (&[usize], &AtomicUsize),
+    (chunks, were_missing): (&[usize], bool),
     progress: &dyn Progress,
 ) -> Result<Vec<usize>, StudyError> {
     let busy: Result<Vec<Option<usize>>, StudyError> = chunks
@@ -73,13 +86,17 @@ fn round(
             if progress.interrupted() {
                 return Err(StudyError::Interrupted);
             }
+            // many others may have been here since the list was made
+            if were_missing && store.has(*chunk)? {
+                progress.advance();
+                return Ok(None);
+            }
             match store.claim(*chunk)? {
                 ClaimAnswer::Busy => return Ok(Some(*chunk)),
                 ClaimAnswer::Done => {}
                 ClaimAnswer::Claimed(claim) => {
                     let content = evaluator.chunk(*chunk, progress)?;
                     store.write(claim, &content.values, &content.failures)?;
-                    computed.fetch_add(1, Ordering::Relaxed);
                 }
             }
             progress.advance();
@@ -89,9 +106,12 @@ fn round(
     Ok(busy?.into_iter().flatten().collect())
 }
 
-/// The chunks of a part that are there and cannot be read; a claim grants them again.
-pub(super) fn damaged(
-    store: &SweepStore,
+/// The chunks of a part that are there and cannot be read.
+///
+/// # Errors
+/// A chunk of another case, failures of the file system, [`StudyError::Interrupted`].
+pub(crate) fn damaged(
+    store: &SweepChunks,
     shard: Shard,
     progress: &dyn Progress,
 ) -> Result<Vec<usize>, StudyError> {
@@ -103,7 +123,11 @@ pub(super) fn damaged(
             if progress.interrupted() {
                 return Err(StudyError::Interrupted);
             }
-            Ok(matches!(store.state(*chunk)?, ChunkState::Damaged(_)).then_some(*chunk))
+            match store.read(*chunk) {
+                Ok(_) | Err(StoreError::MissingChunk { .. }) => Ok(None),
+                Err(StoreError::DamagedChunk { .. }) => Ok(Some(*chunk)),
+                Err(error) => Err(error.into()),
+            }
         })
         .collect();
     Ok(looked?.into_iter().flatten().collect())

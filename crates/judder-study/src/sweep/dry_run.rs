@@ -5,7 +5,7 @@ use super::plan::SweepPlan;
 use crate::error::StudyError;
 use crate::progress::Progress;
 use crate::text::{columns, number};
-use judder_store::SharedStudy;
+use judder_store::SweepChunks;
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -43,12 +43,8 @@ impl SweepEstimate {
         let threads = rayon::current_num_threads();
         // values, their columns apart, and the compressed file
         let memory = 3 * chunk * row * threads as u64;
-        let done = match folder.join("results.zarr").join(layout.name()).exists() {
-            true => {
-                SharedStudy::join(folder)?.sweep(layout)?.done_chunks()?.into_iter().filter(|d| *d).count()
-            }
-            false => 0,
-        };
+        let there = SweepChunks::look(folder, layout)?.map(|chunks| chunks.done_chunks()).transpose()?;
+        let done = there.unwrap_or_default().into_iter().filter(|done| *done).count();
         Ok(Self {
             name: layout.name().to_owned(),
             points: plan.sweep().points(),

@@ -1,10 +1,11 @@
 //! The points of a chunk.
 
-use super::plan::{Column, SweepPlan};
+use super::plan::{Column, SweepPlan, law_stays};
 use super::point_quantity::{PointQuantity, PointState, linear_values};
 use super::scalars::number_at;
+use crate::analyses::steady_states::{SteadyState, validity_warnings};
 use crate::analyses::{self, Prepared};
-use crate::bridge;
+use crate::bridge::{self, CaseContact};
 use crate::computed_law::NO_POINTS;
 use crate::door;
 use crate::error::StudyError;
@@ -15,7 +16,6 @@ use judder_oscillator::Contact;
 use judder_store::PointFailure;
 use std::any::Any;
 use std::borrow::Cow;
-use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
@@ -47,20 +47,21 @@ enum Way {
 
 /// The inputs of the case, the keys that are set in them, and the contact of all points.
 struct SetInputs {
-    inputs: OscillatorInputs,
+    case: OscillatorCase,
     keys: Vec<(OscillatorKey, Form)>,
-    law: LawName,
     contact: Contact,
+    /// How a law that was computed for all points is doubtful.
+    computed: Vec<String>,
 }
 
 impl SetInputs {
     /// The inputs with these values.
     fn at(&self, values: &[f64]) -> Result<OscillatorInputs, StudyError> {
-        let mut inputs = self.inputs;
+        let mut inputs = self.case.inputs;
         for ((key, form), value) in self.keys.iter().zip(values) {
             inputs.set(*key, Value { number: *value, form: *form });
         }
-        inputs.check(self.law).map_err(|cause| StudyError::Unsupported(cause.to_string()))?;
+        inputs.check(self.case.law).map_err(|cause| StudyError::Unsupported(cause.to_string()))?;
         Ok(inputs)
     }
 }
@@ -85,7 +86,7 @@ impl<'a> Evaluator<'a> {
     /// Computes all points of a chunk.
     ///
     /// # Errors
-    /// [`StudyError::Interrupted`], a chunk that is not there.
+    /// [`StudyError::Interrupted`], a chunk that is not there, a file of the case that cannot be read or is another one than before.
     pub fn chunk(&self, chunk: usize, progress: &dyn Progress) -> Result<ChunkValues, StudyError> {
         let points = self.plan.layout().points(chunk)?;
         let (count, width) = (points.count(), self.plan.columns.len());
@@ -99,6 +100,9 @@ impl<'a> Evaluator<'a> {
             if let Some(reason) = self.point(&points.position(index), row, progress)? {
                 failures.push(PointFailure { index, reason });
             }
+        }
+        if let Way::Anew(_) = self.way {
+            self.plan.check_files()?;
         }
         Ok(ChunkValues { values, failures })
     }
@@ -126,6 +130,30 @@ impl<'a> Evaluator<'a> {
         Ok(began.elapsed().as_secs_f64() / done as f64)
     }
 
+    /// How the law is doubtful at some points, evenly over the sweep; where the case is read anew, the points say it themselves.
+    pub(super) fn law_warnings(&self) -> Vec<String> {
+        /// As many as are looked at.
+        const LOOKED: u64 = 512;
+        let Way::Inputs(set) = &self.way else { return Vec::new() };
+        let points = self.plan.sweep.points();
+        let looked = points.min(LOOKED);
+        let (mut states, mut substrates) = (Vec::new(), Vec::new());
+        for k in 0..looked {
+            let number = u128::from(k) * u128::from(points) / u128::from(looked);
+            let Ok(inputs) = set.at(&self.plan.sweep.values_of(number as u64)) else { continue };
+            states.extend(SteadyState::new(&set.contact, &inputs));
+            let here = OscillatorCase { inputs, ..set.case.clone() };
+            let contact = bridge::with_law(&here, set.contact.law.clone());
+            substrates.extend(contact.into_iter().flat_map(|contact| contact.warnings));
+        }
+        let of_substrates = substrates.first().map(|first| match substrates.len() as u64 {
+            count if count == looked => first.clone(),
+            count => format!("at {count} of {looked} points looked at, for one: {first}"),
+        });
+        let of_points = of_substrates.into_iter().chain(validity_warnings(&set.contact, states.iter()));
+        set.computed.iter().cloned().chain(of_points).collect()
+    }
+
     /// Computes the point at a position into the columns of its row; gives back why something of it is missing or doubtful.
     ///
     /// # Errors
@@ -146,28 +174,18 @@ impl<'a> Evaluator<'a> {
         let computed = catch_unwind(AssertUnwindSafe(|| match &self.way {
             Way::Inputs(set) => {
                 let inputs = set.at(&at)?;
-                self.operating_point(&set.contact, &inputs, row).map(|()| Told::default())
+                let state = PointState::new(&set.contact, &inputs)?;
+                self.fill_points(row, |quantity| state.value(quantity));
+                Ok(Told::default())
             }
             Way::Anew(prepared) => self.anew(prepared, &at, row, progress),
         }));
         match computed {
             Ok(Ok(told)) => Ok(told.reason()),
-            // not of the point: another time it may be computed
-            Ok(Err(error @ (StudyError::Interrupted | StudyError::Store(_)))) => Err(error),
+            Ok(Err(error)) if is_passing(&error) => Err(error),
             Ok(Err(error)) => Ok(Some(failed(&self.plan.columns, row, &told(&error)))),
             Err(panic) => Ok(Some(failed(&self.plan.columns, row, &panicked(&*panic)))),
         }
-    }
-
-    fn operating_point(
-        &self,
-        contact: &Contact,
-        inputs: &OscillatorInputs,
-        row: &mut [f64],
-    ) -> Result<(), StudyError> {
-        let state = PointState::new(contact, inputs)?;
-        self.fill_points(row, |quantity| state.value(quantity));
-        Ok(())
     }
 
     fn fill_points(&self, row: &mut [f64], of: impl Fn(&PointQuantity) -> f64) {
@@ -187,51 +205,68 @@ impl<'a> Evaluator<'a> {
         progress: &dyn Progress,
     ) -> Result<Told, StudyError> {
         let file = self.plan.file.at(&self.plan.sweep, at)?;
-        if self.plan.columns.iter().any(|column| matches!(column, Column::Point(_))) {
-            self.point_of_case(&file.case, row, progress)?;
-        }
-        let mut outcomes: BTreeMap<usize, Outcome> = BTreeMap::new();
-        let wanted = self.plan.analyses();
-        if !wanted.is_empty() {
-            let names: Vec<&str> = wanted.iter().map(|(_, name)| *name).collect();
-            let paths: Vec<&str> = self.plan.sweep.axes.iter().map(|axis| axis.path.as_str()).collect();
-            let prepared = door::check_at(&file, |name| names.contains(&name), (prepared, &paths))?;
-            for (index, _) in wanted {
-                let outcome = analyses::run_alone((&file.case, &prepared), index, &Within(progress))
-                    .map_err(|error| door::placed(error, &file, index))?;
-                outcomes.insert(index, outcome);
-            }
-        }
         let mut told = Told::default();
-        for (column, value) in self.plan.columns.iter().zip(row) {
-            let Column::Scalar { index, name, steps } = column else { continue };
-            match outcomes.get(index).map(|outcome| number_at(&outcome.scalars, steps)) {
-                Some(Ok(number)) => *value = number,
-                Some(Err(reason)) => told.missing.push(format!("{name}: {reason}")),
-                None => {}
-            }
+        if self.plan.columns.iter().any(|column| matches!(column, Column::Point(_))) {
+            told.doubts = self.point_of_case(&file.case, row, progress)?;
         }
-        for (name, outcome) in self.plan.analyses().iter().map(|(_, name)| name).zip(outcomes.values()) {
-            told.take(name, outcome);
+        let wanted = self.plan.analyses();
+        if wanted.is_empty() {
+            return Ok(told);
+        }
+        let names: Vec<&str> = wanted.iter().map(|(_, name)| *name).collect();
+        let paths: Vec<&str> = self.plan.sweep.axes.iter().map(|axis| axis.path.as_str()).collect();
+        let prepared = door::check_at(&file, |name| names.contains(&name), (prepared, &paths))?;
+        for (index, name) in wanted {
+            match analyses::run_alone((&file.case, &prepared), index, &Within(progress)) {
+                Ok(outcome) => self.fill_scalars((index, name), &outcome, row, &mut told),
+                Err(error) if is_passing(&error) => return Err(error),
+                // the quantities of the others stand
+                Err(error) => {
+                    told.missing.push(format!("{name}: {}", self::told(&door::placed(error, &file, index))));
+                }
+            }
         }
         Ok(told)
     }
 
-    /// The quantities of the operating point of a case that was read anew.
-    fn point_of_case(&self, case: &Case, row: &mut [f64], progress: &dyn Progress) -> Result<(), StudyError> {
+    /// Takes the numbers out of the results of an analysis, and what is to be said of them.
+    fn fill_scalars(&self, (own, name): (usize, &str), outcome: &Outcome, row: &mut [f64], told: &mut Told) {
+        for (column, value) in self.plan.columns.iter().zip(row) {
+            let Column::Scalar { index, steps, .. } = column else { continue };
+            if *index == own {
+                match number_at(&outcome.scalars, steps) {
+                    Ok(number) => *value = number,
+                    Err(reason) => told.missing.push(format!("{name}: {reason}")),
+                }
+            }
+        }
+        told.take(name, outcome);
+    }
+
+    /// The quantities of the operating point of a case that was read anew; gives back why its law is doubtful there.
+    fn point_of_case(
+        &self,
+        case: &Case,
+        row: &mut [f64],
+        progress: &dyn Progress,
+    ) -> Result<Vec<String>, StudyError> {
         match case {
             Case::Oscillator(case) => {
                 let case = bridge::with_material(case)?;
-                let contact = bridge::contact(&case, NO_POINTS, &Within(progress))?.contact;
-                self.operating_point(&contact, &case.inputs, row)
+                let CaseContact { contact, mut warnings } =
+                    bridge::contact(&case, NO_POINTS, &Within(progress))?;
+                let state = PointState::new(&contact, &case.inputs)?;
+                self.fill_points(row, |quantity| state.value(quantity));
+                warnings.extend(state.concern().map(|concern| format!("outside the law's range: {concern}")));
+                Ok(warnings)
             }
             Case::TwoDegrees(case) => {
                 let values = linear_values(case)?;
                 self.fill_points(row, |quantity| values.of(quantity));
-                Ok(())
+                Ok(Vec::new())
             }
             // no quantity of other models gets through the plan
-            _ => Ok(()),
+            _ => Ok(Vec::new()),
         }
     }
 }
@@ -287,21 +322,27 @@ impl Told {
 fn way(plan: &SweepPlan, progress: &dyn Progress) -> Result<Way, StudyError> {
     let only_points = plan.analyses().is_empty();
     if let (Case::Oscillator(case), Some(keys), true) = (&plan.file.case, &plan.sweep.oscillator, only_points)
-        && stays(case, keys)
+        && law_stays(case, keys)
     {
-        let contact = bridge::contact(case, NO_POINTS, &Within(progress))?.contact;
-        let set = SetInputs { inputs: case.inputs, keys: keys.clone(), law: case.law, contact };
+        let CaseContact { contact, warnings } = bridge::contact(case, NO_POINTS, &Within(progress))?;
+        // the others depend on the point
+        let computed = if case.law == LawName::Bem { warnings } else { Vec::new() };
+        let set = SetInputs { case: case.clone(), keys: keys.clone(), contact, computed };
         return Ok(Way::Inputs(Box::new(set)));
     }
     let names: Vec<&str> = plan.analyses().iter().map(|(_, name)| *name).collect();
     Ok(Way::Anew(door::check(&plan.file, |name| names.contains(&name))?))
 }
 
-/// Whether law and material are the same at every point.
-fn stays(case: &OscillatorCase, keys: &[(OscillatorKey, Form)]) -> bool {
-    let of_substrate = |key: OscillatorKey| key.entry().section() == "substrate";
-    let moves = keys.iter().any(|(key, _)| of_substrate(*key));
-    case.substrate.decided_by().is_none() && !(moves && case.law == LawName::Bem)
+/// Whether an error is not of the point: another time it may be computed.
+fn is_passing(error: &StudyError) -> bool {
+    matches!(
+        error,
+        StudyError::Interrupted
+            | StudyError::Store(_)
+            | StudyError::Unreadable { .. }
+            | StudyError::FileChanged { .. }
+    )
 }
 
 /// The reason of a point without values; what was computed of it goes too.
@@ -314,8 +355,12 @@ fn failed(columns: &[Column], row: &mut [f64], reason: &str) -> String {
     reason.to_owned()
 }
 
-/// An error in one line: where the file is to blame, what is wrong without the excerpt.
+/// An error in one line: where the file is to blame, what is wrong without the excerpt. Where a file lies is no matter of the point, and
+/// may differ from worker to worker.
 fn told(error: &StudyError) -> String {
+    if let StudyError::File { path, reason } = error {
+        return format!("{}: {reason}", path.file_name().unwrap_or_default().to_string_lossy());
+    }
     error.to_string().lines().next().unwrap_or_default().to_owned()
 }
 

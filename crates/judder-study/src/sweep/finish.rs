@@ -1,11 +1,12 @@
 //! A finished sweep as an outcome: what its summary says, its table, what the user has to know.
 
-use super::evaluate::DOUBTFUL;
+use super::evaluate::{DOUBTFUL, Evaluator};
 use super::indices::indices;
 use super::plan::{Column, SweepPlan};
 use super::statistics::ColumnStatistics;
 use crate::error::StudyError;
 use crate::outcome::Outcome;
+use crate::progress::Progress;
 use judder_store::{StoredChunk, SweepStore, Table};
 use serde_json::{Map, Value, json};
 
@@ -17,13 +18,29 @@ const ROWS: usize = 100_000;
 /// What a sweep says whose chunks are all there.
 ///
 /// # Errors
-/// A chunk that is missing or cannot be read.
-pub(crate) fn finish(plan: &SweepPlan, store: &SweepStore) -> Result<Outcome, StudyError> {
+/// A chunk that is missing or cannot be read, [`StudyError::Interrupted`].
+pub(crate) fn finish(
+    plan: &SweepPlan,
+    store: &SweepStore,
+    progress: &dyn Progress,
+) -> Result<Outcome, StudyError> {
+    let law = Evaluator::new(plan, progress)?.law_warnings();
     let mut read = Reading::new(plan);
-    for chunk in 0..plan.layout().chunk_count() {
+    let chunks = plan.layout().chunk_count();
+    progress.begin(&format!("{}, summary", plan.layout().name()), chunks);
+    let taken = (0..chunks).try_for_each(|chunk| {
+        if progress.interrupted() {
+            return Err(StudyError::Interrupted);
+        }
         read.take(chunk, &store.read(chunk)?)?;
-    }
-    read.outcome()
+        progress.advance();
+        Ok(())
+    });
+    progress.end();
+    taken?;
+    let mut outcome = read.outcome(progress)?;
+    outcome.warnings.extend(law);
+    Ok(outcome)
 }
 
 /// The chunks of a sweep as they are read, one after the other.
@@ -84,7 +101,7 @@ impl<'a> Reading<'a> {
         Ok(())
     }
 
-    fn outcome(self) -> Result<Outcome, StudyError> {
+    fn outcome(self, progress: &dyn Progress) -> Result<Outcome, StudyError> {
         let (layout, sweep) = (self.plan.layout(), self.plan.sweep());
         let mut warnings = self.warnings();
         let statistics: Map<String, Value> = layout
@@ -102,7 +119,7 @@ impl<'a> Reading<'a> {
         scalars.insert("doubtful".to_owned(), json!(self.doubtful));
         scalars.insert("quantities".to_owned(), Value::Object(statistics));
         if sweep.sensitivity.is_some() {
-            let (told, missed) = self.sensitivity();
+            let (told, missed) = self.sensitivity(progress)?;
             scalars.insert("sensitivity".to_owned(), Value::Object(told));
             warnings.extend(missed);
         }
@@ -127,7 +144,7 @@ impl<'a> Reading<'a> {
     }
 
     /// The indices of every quantity that is a number, and why some have none.
-    fn sensitivity(&self) -> (Map<String, Value>, Vec<String>) {
+    fn sensitivity(&self, progress: &dyn Progress) -> Result<(Map<String, Value>, Vec<String>), StudyError> {
         let (mut told, mut missed) = (Map::new(), Vec::new());
         let columns = self.plan.layout().quantities().iter().zip(&self.plan.columns).zip(&self.kept);
         for ((quantity, column), values) in columns {
@@ -135,13 +152,16 @@ impl<'a> Reading<'a> {
             if matches!(column, Column::Key(_)) || !quantity.flags.is_empty() {
                 continue;
             }
+            if progress.interrupted() {
+                return Err(StudyError::Interrupted);
+            }
             let found = indices(self.plan, values).unwrap_or_else(|reason| {
                 missed.push(format!("no sensitivity of {}: {reason}", quantity.name));
                 Value::Null
             });
             told.insert(quantity.name.clone(), found);
         }
-        (told, missed)
+        Ok((told, missed))
     }
 
     fn table(&self) -> Result<Table, StudyError> {

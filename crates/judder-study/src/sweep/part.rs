@@ -6,7 +6,7 @@ use super::plan::{Column, SweepPlan};
 use super::shard::Shard;
 use crate::error::StudyError;
 use crate::progress::Progress;
-use judder_store::{ClaimAnswer, SharedStudy};
+use judder_store::{ClaimAnswer, SharedStudy, SweepChunks};
 use std::path::Path;
 
 /// What became of chunks that were handed out.
@@ -18,19 +18,18 @@ pub struct Handed {
     pub busy: Vec<usize>,
 }
 
-/// The chunks of a sweep that a study folder lacks, and those in it that cannot be read; makes no folder. All that is there is read and
-/// compared with its checksums.
+/// The chunks of a sweep that a study folder lacks, and those in it that cannot be read; writes nothing. All that is there is read and compared
+/// with its checksums.
 ///
 /// # Errors
 /// A sweep or a chunk of another case, failures of the file system, [`StudyError::Interrupted`].
 pub fn missing(plan: &SweepPlan, folder: &Path, progress: &dyn Progress) -> Result<Vec<usize>, StudyError> {
     let layout = plan.layout();
-    if !folder.join("results.zarr").join(layout.name()).exists() {
+    let Some(chunks) = SweepChunks::look(folder, layout)? else {
         return Ok((0..layout.chunk_count()).collect());
-    }
-    let store = SharedStudy::join_when_free(folder)?.sweep(layout)?;
-    let damaged = damaged(&store, Shard::WHOLE, progress)?;
-    let done = store.done_chunks()?;
+    };
+    let damaged = damaged(&chunks, Shard::WHOLE, progress)?;
+    let done = chunks.done_chunks()?;
     Ok((0..done.len()).filter(|chunk| !done[*chunk] || damaged.binary_search(chunk).is_ok()).collect())
 }
 

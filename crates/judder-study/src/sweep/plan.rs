@@ -3,15 +3,18 @@
 use super::point_quantity::{PointQuantity, known};
 use crate::analyses::Axis;
 use crate::error::StudyError;
+use crate::input_file::KnownFile;
 use crate::labels;
 use crate::ledger::VERSION;
 use judder_case::study_sweep::quantity_path::{QuantityPath, QuantitySource, QuantityStep};
 use judder_case::study_sweep::{Design, StudySweep, SweptValues};
-use judder_case::{CaseError, CaseFile, SweepProblem};
+use judder_case::{Case, CaseError, CaseFile, Form, LawName, OscillatorCase, OscillatorKey, SweepProblem};
 use judder_store::{SweepDimension, SweepLayout, SweepQuantity, Variable};
 
 /// The most points of a chunk where the case does not say, when only the operating point is asked for: a fraction of a second.
 const POINTS_OF_POINTS: u64 = 1 << 17;
+/// The same where thresholds are sought, or the case is read anew, at every point.
+const POINTS_OF_SEARCHES: u64 = 1 << 12;
 /// The same where analyses are run at every point.
 const POINTS_OF_ANALYSES: u64 = 64;
 /// Into how many chunks a small sweep is cut, so that there is work for every thread.
@@ -37,22 +40,28 @@ pub struct SweepPlan {
     pub(super) sweep: StudySweep,
     pub(super) columns: Vec<Column>,
     layout: SweepLayout,
+    /// The files of the case, as they are in the hash.
+    files: Vec<KnownFile>,
 }
 
 impl SweepPlan {
-    /// The plan of a sweep of a case; `hash` names all that its values depend on.
+    /// The plan of a sweep of a case; `hash` names all that its values depend on, `files` is what of it is read again.
     ///
     /// # Errors
     /// A quantity that no operating point has, a sweep that cannot be stored.
-    pub(crate) fn new(file: &CaseFile, sweep: &StudySweep, hash: &str) -> Result<Self, StudyError> {
+    pub(crate) fn new(
+        file: &CaseFile,
+        sweep: &StudySweep,
+        (hash, files): (&str, &[KnownFile]),
+    ) -> Result<Self, StudyError> {
         // a grid has its keys as dimensions
         let keys = if sweep.method == Design::Grid { 0 } else { sweep.axes.len() };
         let mut columns: Vec<Column> = (0..keys).map(Column::Key).collect();
         for quantity in &sweep.quantities {
             columns.push(column(file, sweep, quantity)?);
         }
-        let layout = layout(sweep, &columns, hash)?;
-        Ok(Self { file: file.clone(), sweep: sweep.clone(), columns, layout })
+        let layout = layout((file, sweep), &columns, hash)?;
+        Ok(Self { file: file.clone(), sweep: sweep.clone(), columns, layout, files: files.to_vec() })
     }
 
     /// The case that is swept.
@@ -71,6 +80,14 @@ impl SweepPlan {
     #[must_use]
     pub fn layout(&self) -> &SweepLayout {
         &self.layout
+    }
+
+    /// Refuses to go on where a file of the case is not what it was: the hash would tell of another one.
+    ///
+    /// # Errors
+    /// [`StudyError::FileChanged`], [`StudyError::Unreadable`].
+    pub(super) fn check_files(&self) -> Result<(), StudyError> {
+        self.files.iter().try_for_each(KnownFile::check)
     }
 
     /// The number of a point in the whole sweep, from its position along each dimension.
@@ -115,9 +132,13 @@ fn column(file: &CaseFile, sweep: &StudySweep, quantity: &QuantityPath) -> Resul
     }
 }
 
-fn layout(sweep: &StudySweep, columns: &[Column], hash: &str) -> Result<SweepLayout, StudyError> {
+fn layout(
+    (file, sweep): (&CaseFile, &StudySweep),
+    columns: &[Column],
+    hash: &str,
+) -> Result<SweepLayout, StudyError> {
     let shape: Vec<usize> = sweep.shape().iter().map(|length| *length as usize).collect();
-    let chunk = chunk_shape(&shape, target(sweep, columns));
+    let chunk = chunk_shape(&shape, target(file, sweep, columns));
     let named = sweep.dimensions().into_iter().map(str::to_owned);
     let dimensions = named
         .zip(shape.iter().zip(&chunk))
@@ -146,15 +167,38 @@ fn layout(sweep: &StudySweep, columns: &[Column], hash: &str) -> Result<SweepLay
 }
 
 /// The points that a chunk should have: decided by the case alone, so that every process cuts alike.
-fn target(sweep: &StudySweep, columns: &[Column]) -> usize {
-    let runs = columns.iter().any(|column| matches!(column, Column::Scalar { .. }));
+fn target(file: &CaseFile, sweep: &StudySweep, columns: &[Column]) -> usize {
     let part = sweep.points().div_ceil(PARTS);
-    let chosen = match runs {
-        true => part.min(POINTS_OF_ANALYSES),
-        false => part.clamp(FEWEST, POINTS_OF_POINTS),
-    };
-    let points = sweep.chunk.unwrap_or(chosen as usize).max(1);
+    let most = most(file, sweep, columns);
+    let points = sweep.chunk.unwrap_or(part.clamp(FEWEST.min(most), most) as usize).max(1);
     points.next_multiple_of(sweep.row() as usize)
+}
+
+/// The most points that a chunk should have, by what a point takes.
+fn most(file: &CaseFile, sweep: &StudySweep, columns: &[Column]) -> u64 {
+    if columns.iter().any(|column| matches!(column, Column::Scalar { .. })) {
+        return POINTS_OF_ANALYSES;
+    }
+    let is_sought = |column: &Column| matches!(column, Column::Point(quantity) if quantity.is_sought());
+    match &file.case {
+        Case::Oscillator(case) => {
+            let stays = sweep.oscillator.as_ref().is_some_and(|keys| law_stays(case, keys));
+            match (stays, case.law == LawName::Bem) {
+                // a contact law is computed at every point
+                (false, true) => 1,
+                (true, _) if !columns.iter().any(is_sought) => POINTS_OF_POINTS,
+                _ => POINTS_OF_SEARCHES,
+            }
+        }
+        _ => POINTS_OF_SEARCHES,
+    }
+}
+
+/// Whether law and material are the same at every point.
+pub(super) fn law_stays(case: &OscillatorCase, keys: &[(OscillatorKey, Form)]) -> bool {
+    let of_substrate = |key: OscillatorKey| key.entry().section() == "substrate";
+    let moves = keys.iter().any(|(key, _)| of_substrate(*key));
+    case.substrate.decided_by().is_none() && !(moves && case.law == LawName::Bem)
 }
 
 /// The last dimensions whole, as many as go into `target` points, and a part of the one before them.

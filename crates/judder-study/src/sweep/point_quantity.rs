@@ -4,6 +4,7 @@ use crate::bridge;
 use crate::error::StudyError;
 use crate::point::{LOADS, SAMPLES, SHEAR_STRENGTHS, SteadyPoint};
 use judder_case::{Case, OscillatorInputs, TwoDegreesCase};
+use judder_contact::{ContactLaw, ValidityConcern};
 use judder_oscillator::critical::{Thresholds, thresholds};
 use judder_oscillator::equilibrium::Equilibrium;
 use judder_oscillator::linear_system::ReducedSystem;
@@ -24,6 +25,13 @@ pub(super) struct PointQuantity {
     /// What each code means, where it is a code.
     pub(super) flags: &'static [&'static str],
     value: fn(&PointState<'_>) -> f64,
+}
+
+impl PointQuantity {
+    /// Whether it is a root that has to be sought.
+    pub(super) fn is_sought(&self) -> bool {
+        self.name.starts_with("critical_") || self.name.starts_with("threshold_")
+    }
 }
 
 /// The codes of `verdict`: its order.
@@ -144,6 +152,12 @@ impl<'a> PointState<'a> {
 
     pub(super) fn value(&self, quantity: &PointQuantity) -> f64 {
         (quantity.value)(self)
+    }
+
+    /// How the point lies outside the range of its law, where it does.
+    pub(super) fn concern(&self) -> Option<ValidityConcern> {
+        let velocity = self.steady.groups.coefficients().ok()?.velocity;
+        self.contact.law.concern(velocity, self.steady.equilibrium.indentation)
     }
 
     fn equilibrium(&self) -> &Equilibrium {

@@ -152,6 +152,102 @@ chunk = 2
     assert!(report.messages.iter().any(|message| message.contains("1 of 3 points failed")));
 }
 
+/// A speed at which steady sliding is stable has no cycle, and a growth rate all the same.
+#[test]
+fn an_analysis_that_fails_leaves_the_other_quantities() {
+    let sweep = r#"
+[[analysis]]
+name = "cycle"
+kind = "limit-cycle"
+[[sweep]]
+name = "cycles"
+method = "list"
+over = [{ key = "operation.velocity", values = [1e2, 1e-3] }]
+quantities = ["growth_rate", "cycle.rms"]
+"#;
+    let (_, chunks) = computed(&file(sweep));
+    let rows: Vec<&[f64]> = chunks[0].values.chunks_exact(3).collect();
+    let failures: Vec<(usize, &str)> =
+        chunks[0].failures.iter().map(|failure| (failure.index, failure.reason.as_str())).collect();
+    assert!(rows[0][1] < 0.0 && rows[0][2].is_nan(), "stable, and without a cycle: {rows:?}");
+    assert!(matches!(failures[..], [(0, reason)] if reason.starts_with("cycle: ")), "{failures:?}");
+    assert!(rows[1][1] > 0.0 && rows[1][2] > 0.0, "{rows:?}");
+}
+
+/// Deeper than the paper's law was computed for: told once, with how many of the points looked at.
+#[test]
+fn points_beyond_the_range_of_the_law_are_told() {
+    let sweep = r#"
+[[sweep]]
+name = "loads"
+over = [{ key = "operation.normal_load", from = 1e-6, to = 1.0, points = 7, scale = "log" }]
+quantities = ["growth_rate"]
+"#;
+    let folder = tempfile::tempdir().unwrap();
+    let report = run_into(folder.path(), &file(sweep), &[]);
+    let told =
+        |message: &String| message.contains("outside the law's range at") && message.contains("of 7 points");
+    assert!(report.messages.iter().any(told), "{:?}", report.messages);
+}
+
+/// The paper's law was fitted for E∞/E0 = 10.
+#[test]
+fn a_swept_substrate_that_departs_from_that_of_the_law_is_told() {
+    let sweep = r#"
+[[sweep]]
+name = "moduli"
+over = [{ key = "substrate.glassy_modulus", values = ["10 MPa", "12 MPa", "13 MPa"] }]
+quantities = ["growth_rate"]
+"#;
+    let folder = tempfile::tempdir().unwrap();
+    let report = run_into(folder.path(), &file(sweep), &[]);
+    let told = |message: &String| {
+        message.contains("at 2 of 3 points looked at, for one: the law `oscillator-paper` was fitted for E∞/E0 = 10, this substrate has E∞/E0 = 12")
+    };
+    assert!(report.messages.iter().any(told), "{:?}", report.messages);
+}
+
+/// Hertz's contact on a grid of knots, and the same with a slightly larger force.
+fn law_files() -> [String; 2] {
+    let velocities = [1e-6, 1e-3, 1.0];
+    let indentations: Vec<f64> = (0..20).map(|k| 1e-5 * 2f64.powi(k)).collect();
+    let knots = |of: &dyn Fn(f64) -> f64| -> Vec<f64> {
+        indentations.iter().flat_map(|depth| [of(*depth); 3]).collect()
+    };
+    [1.0, 1.01].map(|factor| {
+        let values = serde_json::json!({
+            "force": knots(&|depth| factor * 4.0 / 3.0 * depth.powf(1.5)),
+            "area": knots(&|depth| std::f64::consts::PI * depth),
+            "friction": knots(&|_| 0.0),
+        });
+        serde_json::json!({
+            "format": "judder-sampled-law", "version": 1, "source": "Hertz",
+            "velocities": velocities, "indentations": indentations, "values": values,
+        })
+        .to_string()
+    })
+}
+
+/// What a chunk holds stands under the content of the files as it was when the sweep was planned.
+#[test]
+fn a_file_that_changes_while_it_is_swept_stops_the_sweep() {
+    let folder = tempfile::tempdir().unwrap();
+    let law = folder.path().join("law.json");
+    let [data, changed] = law_files();
+    std::fs::write(&law, data).unwrap();
+    let text = format!("{}law = {{ file = {:?} }}\n{CYCLES}", HEAD, law.to_str().unwrap());
+    let file = CaseFile::parse("law.toml", &text, &[]).unwrap();
+    let plan = plans(&file, &[]).unwrap().remove(0);
+    let evaluator = Evaluator::new(&plan, &Silent).unwrap();
+    evaluator.chunk(0, &Silent).unwrap();
+    std::fs::write(&law, changed).unwrap();
+    let refused = evaluator.chunk(0, &Silent).unwrap_err();
+    assert!(matches!(&refused, StudyError::FileChanged { path } if *path == law), "{refused}");
+    std::fs::remove_file(&law).unwrap();
+    let refused = evaluator.chunk(0, &Silent).unwrap_err();
+    assert!(matches!(&refused, StudyError::Unreadable { .. }), "of the run, not of the point: {refused}");
+}
+
 #[test]
 fn parts_in_any_order_make_the_whole() {
     let (whole, parts) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
@@ -200,13 +296,35 @@ fn a_second_run_computes_no_chunk_and_a_damaged_one_is_computed_anew() {
 }
 
 #[test]
+fn a_merge_and_a_part_find_a_damaged_chunk() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = file(GRID);
+    run_into(folder.path(), &file, &[]);
+    let before = stored(folder.path());
+    let chunk = folder.path().join("results.zarr/grid/values/c.2.0.0");
+    std::fs::write(&chunk, "").unwrap();
+    let options = RunOptions { sweeps: SweepWork::Merge, ..RunOptions::default() };
+    let merged = run(&file, folder.path(), &options, &Silent).unwrap();
+    assert!(!merged.complete && merged.report.is_none());
+    assert!(merged.notes.iter().any(|note| note.contains("1 chunks are damaged")), "{:?}", merged.notes);
+    let part =
+        |part: &str| RunOptions { sweeps: SweepWork::Part(part.parse().unwrap()), ..RunOptions::default() };
+    run(&file, folder.path(), &part("1/4"), &Silent).unwrap();
+    assert_eq!(std::fs::read(&chunk).unwrap(), b"", "not of this part");
+    run(&file, folder.path(), &part("3/4"), &Silent).unwrap();
+    assert_eq!(stored(folder.path()), before);
+}
+
+#[test]
 fn a_folder_with_a_sweep_of_another_case_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     run_into(folder.path(), &file(GRID), &[]);
+    let summary = std::fs::read(folder.path().join("summary.json")).unwrap();
     let other =
         CaseFile::parse("sweeps.toml", &format!("{HEAD}{GRID}"), &["oscillator.damping_x=0.02".into()]);
     let refused = run(&other.unwrap(), folder.path(), &RunOptions::default(), &Silent).unwrap_err();
     assert!(matches!(refused, StudyError::Store(StoreError::ForeignSweep { .. })), "{refused}");
+    assert_eq!(std::fs::read(folder.path().join("summary.json")).unwrap(), summary, "left as it is");
     let fresh = RunOptions { fresh: true, ..RunOptions::default() };
     let other =
         CaseFile::parse("sweeps.toml", &format!("{HEAD}{GRID}"), &["oscillator.damping_x=0.02".into()]);

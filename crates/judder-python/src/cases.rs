@@ -2,7 +2,6 @@
 
 use crate::contact::PyLaw;
 use crate::errors;
-use crate::pool;
 use crate::watched::{Manner, is_ctrl_c, watched};
 use judder_case::{Case, CaseError, CaseFile, FileReference, LawName};
 use judder_contact::law::file::to_json;
@@ -14,7 +13,6 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 /// The file in a study folder that holds a law that came from Python.
 const LAW_FILE: &str = "law.json";
@@ -65,11 +63,7 @@ pub(crate) fn run_case<'py>(
     threads: Option<usize>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let mut manner = Manner::new(progress, threads)?;
-    if threads.is_none() {
-        // a run may wait for another that holds the study: on threads that both had, each might wait for the other
-        manner.pool = Some(Arc::new(pool::of(0).map_err(errors::system)?));
-    }
+    let manner = Manner::on_threads_of_its_own(progress, threads)?;
     let (file, folder) = match law {
         None => {
             let file = case.read(&overrides)?;
@@ -78,7 +72,7 @@ pub(crate) fn run_case<'py>(
         }
         Some(law) => with_law(&case, overrides, output, &law)?,
     };
-    let options = RunOptions { only, fresh, ..RunOptions::default() };
+    let options = RunOptions { only, fresh, waits: true, ..RunOptions::default() };
     let done = watched(py, &manner, |watch| run(&file, &folder, &options, watch))?;
     if matches!(done.result, Err(StudyError::Interrupted))
         && done.stopped.as_ref().is_none_or(|stop| is_ctrl_c(py, stop))

@@ -7,10 +7,10 @@ use crate::errors;
 use crate::pool;
 use crate::watched::{Manner, watched};
 use judder_case::CaseFile;
-use judder_store::{PointFailure, SharedStudy, SweepStore};
+use judder_store::{PointFailure, SweepStore};
 use judder_study::StudyError;
 use judder_study::run::{SweepWork, plans};
-use judder_study::sweep::{Evaluator, Shard, SweepEstimate, SweepPlan, missing};
+use judder_study::sweep::{Evaluator, Shard, SweepEstimate, SweepPlan, joined, missing};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -194,8 +194,7 @@ impl PySweep {
 
     /// Holds a folder together with others that work on it, so that nobody takes it alone meanwhile; begins the sweep in it.
     fn hold(&self, py: Python<'_>, folder: PathBuf) -> PyResult<HeldSweep> {
-        let store =
-            self.done(py, None, |_| Ok(SharedStudy::join_when_free(&folder)?.sweep(self.plan.layout())?))?;
+        let store = self.done(py, None, |watch| Ok(joined(&folder, watch)?.sweep(self.plan.layout())?))?;
         Ok(HeldSweep { store: Mutex::new(Some(store)), pool: self.pool.clone() })
     }
 
@@ -231,13 +230,14 @@ impl PySweep {
     ) -> PyResult<Vec<String>> {
         let shard = shard.map_or(Ok(Shard::WHOLE), str::parse);
         let shard = shard.map_err(|reason| errors::input("shard", reason))?;
-        let manner = Manner::new(progress, threads)?;
+        let manner = Manner::on_threads_of_its_own(progress, threads)?;
         self.ran(py, &manner, &folder, SweepWork::Part(shard)).map(|(notes, _)| notes)
     }
 
     /// Completes summary and report of a folder in which all chunks are; says whether they are.
     fn merge(&self, py: Python<'_>, folder: PathBuf) -> PyResult<(Vec<String>, bool)> {
-        self.ran(py, &Manner::default(), &folder, SweepWork::Merge)
+        let manner = Manner::on_threads_of_its_own(None, None)?;
+        self.ran(py, &manner, &folder, SweepWork::Merge)
     }
 
     fn __repr__(&self) -> String {

@@ -113,6 +113,19 @@ impl Manner {
     }
 }
 
+impl Manner {
+    /// The same for work that may wait for another that holds a study or a chunk: a thread that both had could take up the one amid the other, and
+    /// wait for ever for what lies beneath it.
+    pub(crate) fn on_threads_of_its_own(
+        progress: Option<Py<PyAny>>,
+        threads: Option<usize>,
+    ) -> PyResult<Self> {
+        let manner = Self::new(progress, threads)?;
+        let pool = pool::of(threads.unwrap_or(0)).map_err(errors::system)?;
+        Ok(Self { pool: Some(Arc::new(pool)), ..manner })
+    }
+}
+
 /// What came of watched work.
 pub(crate) struct Watched<T> {
     /// What it returned.

@@ -50,15 +50,6 @@ pub(crate) fn try_lock(path: &Path, mode: Mode) -> Result<Option<Lock>, StoreErr
     }
 }
 
-/// Locks a file together with all who ask for the same, as soon as nobody holds it alone.
-pub(crate) fn wait_for_shared(path: &Path) -> Result<Lock, StoreError> {
-    let file = open(path)?;
-    match file.lock_shared() {
-        Ok(()) => Ok(Lock { file, is_real: true }),
-        Err(source) => unlocked(path, file, source),
-    }
-}
-
 /// Readable and writable, since a network file system may ask for the one or the other by the kind of lock.
 fn open(path: &Path) -> Result<File, StoreError> {
     let opened = OpenOptions::new().create(true).truncate(false).read(true).write(true).open(path);

@@ -41,16 +41,6 @@ impl SharedStudy {
         Ok(Self { path: path.to_owned(), lock: Arc::new(lock) })
     }
 
-    /// The same, as soon as nobody holds the study alone.
-    ///
-    /// # Errors
-    /// As [`StudyFolder::create`], without [`StoreError::Locked`]; a signal that interrupts the wait.
-    pub fn join_when_free(path: impl AsRef<Path>) -> Result<Self, StoreError> {
-        let path = path.as_ref();
-        let lock = Arc::new(lock::wait_for_shared(&folder::prepare(path)?)?);
-        Ok(Self { path: path.to_owned(), lock })
-    }
-
     /// Where it is.
     #[must_use]
     pub fn path(&self) -> &Path {

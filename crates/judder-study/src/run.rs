@@ -34,6 +34,8 @@ pub struct RunOptions {
     pub fresh: bool,
     /// What is done of the sweeps.
     pub sweeps: SweepWork,
+    /// Once all chunks are there, wait for others who hold the study as long as they do. Otherwise after some seconds the completion is left to them.
+    pub waits: bool,
 }
 
 /// What is done of the sweeps of a case.

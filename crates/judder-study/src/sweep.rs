@@ -27,6 +27,6 @@ pub(crate) use chunks::{damaged, mend, work};
 pub use dry_run::SweepEstimate;
 pub use evaluate::{ChunkValues, Evaluator};
 pub(crate) use finish::finish;
-pub use part::{Handed, missing};
+pub use part::{Handed, joined, missing};
 pub use plan::SweepPlan;
 pub use shard::Shard;

@@ -46,7 +46,7 @@ impl Merge {
                 "`judder run` runs its analyses",
             ));
         }
-        let options = RunOptions { only, fresh: false, sweeps: SweepWork::Merge };
+        let options = RunOptions { only, sweeps: SweepWork::Merge, ..RunOptions::default() };
         let bars = Bars::new(console)?;
         let report = run(&file, &folder, &options, &bars)?;
         console.document(|| json!(report.summary))?;

@@ -66,7 +66,8 @@ impl Run {
         let file = self.case.read()?;
         let folder = self.output.clone().unwrap_or_else(|| Path::new("out").join(&file.name));
         let sweeps = self.shard.map_or(SweepWork::All, SweepWork::Part);
-        let options = RunOptions { only: self.only.clone(), fresh: self.fresh, sweeps };
+        let options =
+            RunOptions { only: self.only.clone(), fresh: self.fresh, sweeps, ..RunOptions::default() };
         let bars = Bars::new(console)?;
         if self.dry_run {
             let estimates = self.threads.install(|| dry_run(&file, &folder, &options, &bars))??;

@@ -38,7 +38,7 @@ impl PySweep {
         folder: &Path,
         sweeps: SweepWork,
     ) -> PyResult<(Vec<String>, bool)> {
-        let options = RunOptions { only: vec![self.name().to_owned()], fresh: false, sweeps };
+        let options = RunOptions { only: vec![self.name().to_owned()], sweeps, ..RunOptions::default() };
         let report =
             settled(py, watched(py, manner, |watch| run(self.plan.file(), folder, &options, watch))?)?;
         Ok((report.notes, report.report.is_some()))

@@ -16,12 +16,24 @@ mod sweeps;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
+use std::thread;
+use std::time::Duration;
 
-use judder_store::{Dataset, SweepDimension, SweepLayout, SweepQuantity, Variable};
+use judder_store::{Dataset, SharedStudy, StoreError, SweepDimension, SweepLayout, SweepQuantity, Variable};
 
 /// A dataset of one variable that holds `value` everywhere.
 fn constant(value: f64, points: usize) -> Dataset {
     Dataset::new().with(Variable::new("value", &["point"], &[points], vec![value; points])).unwrap()
+}
+
+/// A study shared with others, as soon as nobody holds it alone.
+fn joined(folder: &Path) -> SharedStudy {
+    loop {
+        match SharedStudy::join(folder) {
+            Err(StoreError::Locked { .. }) => thread::sleep(Duration::from_millis(1)),
+            joined => return joined.unwrap(),
+        }
+    }
 }
 
 /// The names in a folder, sorted.

@@ -9,9 +9,9 @@ use std::process::{self, Child, Command, Stdio};
 use std::thread;
 use std::time::{Duration, SystemTime};
 
-use judder_store::{ClaimAnswer, PointFailure, SharedStudy, SweepLayout};
+use judder_store::{ClaimAnswer, PointFailure, SweepLayout};
 
-use crate::{chunk_values, contents, sweep};
+use crate::{chunk_values, contents, joined, sweep};
 
 const CHILD_FOLDER: &str = "JUDDER_TEST_SWEEP_FOLDER";
 /// 400 chunks, of 20 or 19 points.
@@ -23,7 +23,7 @@ fn layout() -> SweepLayout {
 fn work(folder: &Path) {
     let layout = layout();
     let mut log = OpenOptions::new().create(true).append(true).open(folder.join("log")).unwrap();
-    let study = SharedStudy::join_when_free(folder.join("study")).unwrap();
+    let study = joined(&folder.join("study"));
     let store = study.sweep(&layout).unwrap();
     for (chunk, _) in store.done_chunks().unwrap().iter().enumerate().filter(|(_, done)| !**done) {
         let ClaimAnswer::Claimed(claim) = store.claim(chunk).unwrap() else { continue };

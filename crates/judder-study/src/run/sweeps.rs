@@ -6,7 +6,7 @@ use crate::analyses::Prepared;
 use crate::error::StudyError;
 use crate::ledger::Study;
 use crate::progress::Progress;
-use crate::sweep::{Shard, SweepPlan, damaged, finish, mend, work};
+use crate::sweep::{Shard, SweepPlan, damaged, finish, joined, mend, work};
 use judder_store::{SharedStudy, StoreError, StudyFolder, Summary, SweepChunks, SweepStore};
 use std::path::Path;
 use std::thread;
@@ -44,7 +44,7 @@ pub(super) fn run(
     }
     let mut left = shared.leave()?;
     if is_whole && left.is_none() && !matches!(options.sweeps, SweepWork::Part(_)) {
-        left = alone(folder, progress)?;
+        left = alone(folder, options.waits, progress)?;
     }
     if let (Some(store), true) = (&left, is_whole) {
         for plan in plans {
@@ -85,20 +85,11 @@ const PAUSE: Duration = Duration::from_millis(50);
 /// How often to ask for a study that others share, when all chunks are there: for some seconds, since they are about to see it too.
 const ASKED: usize = 200;
 
-/// The study shared with others, as soon as nobody holds it alone.
-fn joined(folder: &Path, progress: &dyn Progress) -> Result<SharedStudy, StudyError> {
-    loop {
-        match SharedStudy::join(folder) {
-            Err(StoreError::Locked { .. }) if progress.interrupted() => return Err(StudyError::Interrupted),
-            Err(StoreError::Locked { .. }) => thread::sleep(PAUSE),
-            joined => return Ok(joined?),
-        }
-    }
-}
-
-/// The study held alone, if the others leave it soon.
-fn alone(folder: &Path, progress: &dyn Progress) -> Result<Option<StudyFolder>, StudyError> {
-    for _ in 0..ASKED {
+/// The study held alone, if the others leave it soon; however late where that is wanted.
+fn alone(folder: &Path, waits: bool, progress: &dyn Progress) -> Result<Option<StudyFolder>, StudyError> {
+    let mut asked = 0;
+    while waits || asked < ASKED {
+        asked += 1;
         match StudyFolder::create(folder) {
             Err(StoreError::Locked { .. }) if progress.interrupted() => return Err(StudyError::Interrupted),
             Err(StoreError::Locked { .. }) => thread::sleep(PAUSE),

@@ -6,8 +6,13 @@ use super::plan::{Column, SweepPlan};
 use super::shard::Shard;
 use crate::error::StudyError;
 use crate::progress::Progress;
-use judder_store::{ClaimAnswer, SharedStudy, SweepChunks};
+use judder_store::{ClaimAnswer, SharedStudy, StoreError, SweepChunks};
 use std::path::Path;
+use std::thread;
+use std::time::Duration;
+
+/// How long to wait before asking again for a study that another holds alone.
+const PAUSE: Duration = Duration::from_millis(50);
 
 /// What became of chunks that were handed out.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -16,6 +21,21 @@ pub struct Handed {
     pub done: Vec<usize>,
     /// Those that another process is computing.
     pub busy: Vec<usize>,
+}
+
+/// The study of a folder, shared with others, as soon as nobody holds it alone. Asked for again and again: a wait in the file system would not hear
+/// that it is to end.
+///
+/// # Errors
+/// Failures of the file system, [`StudyError::Interrupted`].
+pub fn joined(folder: &Path, progress: &dyn Progress) -> Result<SharedStudy, StudyError> {
+    loop {
+        match SharedStudy::join(folder) {
+            Err(StoreError::Locked { .. }) if progress.interrupted() => return Err(StudyError::Interrupted),
+            Err(StoreError::Locked { .. }) => thread::sleep(PAUSE),
+            joined => return Ok(joined?),
+        }
+    }
 }
 
 /// The chunks of a sweep that a study folder lacks, and those in it that cannot be read; writes nothing. All that is there is read and compared
@@ -44,7 +64,7 @@ impl Evaluator<'_> {
         chunks: &[usize],
         progress: &dyn Progress,
     ) -> Result<Handed, StudyError> {
-        let store = SharedStudy::join_when_free(folder)?.sweep(self.plan.layout())?;
+        let store = joined(folder, progress)?.sweep(self.plan.layout())?;
         let mut handed = Handed::default();
         for chunk in chunks {
             match store.claim(*chunk)? {

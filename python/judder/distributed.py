@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 from concurrent import futures
+from contextlib import ExitStack
 from typing import TYPE_CHECKING, Any
 
 from judder import _judder
@@ -131,18 +132,22 @@ def _run(
         if number is not None and number < least:
             raise InputError(f"{argument}: at least {least} is needed", "Input", {"argument": argument})
     sweeps = plans(case, set)
-    for sweep in sweeps if name is None else [chosen(sweeps, name)]:
-        compiled: _judder.Sweep = sweep._compiled
-        package = Package.of(compiled)
-        dispatch = Dispatch(
-            compiled,
-            lambda package=package, name=sweep.name: executor(package, name),  # type: ignore[misc]
-            output,
-            retries=retries,
-            shares=shares,
-            chunks_per_task=chunks_per_task,
-            threads=threads,
-            progress=progress,
-        )
-        dispatch.run()
+    # until all chunks are there nobody takes the folder alone and forgets what is in it
+    with ExitStack() as holding:
+        for sweep in sweeps if name is None else [chosen(sweeps, name)]:
+            compiled: _judder.Sweep = sweep._compiled
+            package = Package.of(compiled)
+            dispatch = Dispatch(
+                compiled,
+                lambda package=package, name=sweep.name: executor(package, name),  # type: ignore[misc]
+                output,
+                retries=retries,
+                shares=shares,
+                chunks_per_task=chunks_per_task,
+                threads=threads,
+                progress=progress,
+            )
+            held = compiled.hold(os.fspath(output))
+            holding.callback(held.release)
+            dispatch.run(held)
     return run_here(case, output=output, only=() if name is None else (name,), set=set, progress=progress)

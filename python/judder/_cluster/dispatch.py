@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import heapq
 import os
 import secrets
 import time
 import warnings
 from collections import Counter, deque
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,10 +16,10 @@ from judder._cluster.cut import Cut
 from judder._cluster.executors import Executor, Lost, Outcome
 from judder._cluster.pace import Pace
 from judder._cluster.work import Done, Job
-from judder.errors import Interrupted, JudderError, JudderWarning
+from judder.errors import Interrupted, JudderError, JudderWarning, StudyError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
 
     from judder import _judder
     from judder.progress import Progress
@@ -25,9 +27,11 @@ if TYPE_CHECKING:
 _QUEUED = 2
 """Tasks that are handed out for each thread: one that runs, one that is ready."""
 _PAUSE = 0.5
-"""Seconds before a chunk that another process computes, or that failed for a reason that may pass, is looked at again."""
+"""Seconds before a chunk that another process computes, or that failed for a reason that may pass, is looked at again; twice as many each time it fails."""
 _PASSING = ("FileSystem", "Locked", "WorkerLost")
 """Causes of errors that may be gone next time, or on another worker."""
+_HOPE = 8
+"""Tasks that may be lost, beside those that one bad point takes with it, before the workers are to blame where none has done anything."""
 
 
 class Dispatch:
@@ -61,16 +65,20 @@ class Dispatch:
         self._left: deque[int] = deque()
         self._again: deque[int] = deque()
         self._alone: deque[int] = deque()
-        self._later: deque[tuple[float, int]] = deque()
+        self._later: list[tuple[float, int]] = []
         self._cuts: dict[int, Cut] = {}
         self._deaths: Counter[int] = Counter()
         self._failures: Counter[int] = Counter()
         self._flying = 0
         self._total = 0
+        self._slots = 1
+        self._losses = 0
+        self._has_lived = False
+        self._is_cutting = False
         self._mark = ""
 
-    def run(self) -> None:
-        """Computes the chunks that the folder lacks.
+    def run(self, held: _judder.HeldSweep) -> None:
+        """Computes the chunks that the folder lacks, which is held meanwhile.
 
         Raises:
             JudderError: what no repetition changes.
@@ -80,56 +88,68 @@ class Dispatch:
         self._total = len(self._left)
         if not self._left:
             return
-        # refused here where it cannot be begun, and nobody takes the folder alone and forgets what is in it meanwhile
-        held = self._sweep.hold(self._folder)
+        try:
+            with self._marked():
+                executor = self._make()
+                try:
+                    self._drive(executor, held)
+                finally:
+                    executor.close()
+        except KeyboardInterrupt:
+            raise Interrupted("interrupted; what was done is kept, and the same call goes on from there") from None
+
+    @contextmanager
+    def _marked(self) -> Iterator[None]:
+        """Puts a file into the folder by which workers know whether they share it."""
         mark = Path(self._folder, f".sweep-{self._sweep.name}", f"mark-{secrets.token_hex(8)}")
         mark.touch()
         self._mark = str(mark)
         try:
-            executor = self._make()
-            try:
-                self._drive(executor, held)
-            finally:
-                executor.close()
-        except KeyboardInterrupt:
-            raise Interrupted("interrupted; what was done is kept, and the same call goes on from there") from None
+            yield
         finally:
             mark.unlink(missing_ok=True)
-            held.release()
 
     def _drive(self, executor: Executor, held: _judder.HeldSweep) -> None:
         done = 0
         self._progress(done)
         while done < self._total:
-            while self._flying < _QUEUED * executor.slots() and (job := self._next(executor.slots())):
+            self._slots = executor.slots()
+            while self._flying < _QUEUED * self._slots and (job := self._next()):
                 executor.submit(job)
                 self._flying += 1
+                self._is_cutting = job.points is not None
             if self._flying == 0:
                 time.sleep(_PAUSE)
                 continue
+            before = done
             for job, outcome in executor.wait():
                 self._flying -= 1
                 done += self._take(job, outcome, held)
-            self._progress(done)
+            if done > before:
+                self._progress(done)
 
     def _progress(self, done: int) -> None:
         if self._tell is not None:
             self._tell(self._sweep.name, done, self._total)
 
-    def _next(self, slots: int) -> Job | None:
+    def _next(self) -> Job | None:
         """The next job, where there is one now."""
+        # a span that is cut flies alone: it may take others with it, which would be blamed for that
+        if self._is_cutting and self._flying:
+            return None
         while self._later and self._later[0][0] <= time.monotonic():
-            self._again.append(self._later.popleft()[1])
+            self._again.append(heapq.heappop(self._later)[1])
         if self._left:
-            count = self._pace.chunks(len(self._left), slots)
+            count = self._pace.chunks(len(self._left), self._slots)
             return self._job([self._left.popleft() for _ in range(min(count, len(self._left)))])
         if self._again:
             return self._job([self._again.popleft()])
         if self._alone:
             return self._job([self._alone.popleft()], self._retries + 1)
-        for cut in self._cuts.values():
-            if span := cut.next():
-                return self._job([cut.chunk], self._retries + 1, span)
+        if self._flying == 0:
+            for cut in self._cuts.values():
+                if span := cut.next():
+                    return self._job([cut.chunk], self._retries + 1, span)
         return None
 
     def _job(self, chunks: list[int], deaths: int | None = None, points: tuple[int, int] | None = None) -> Job:
@@ -143,6 +163,7 @@ class Dispatch:
             self._lost(job, outcome.deaths)
             return self._cut_done(job.chunks[0], held)
         if isinstance(outcome, Done):
+            self._has_lived = True
             return self._taken(job, outcome, held)
         # what is wrong stays wrong; a file system or a network may be better next time
         stays = isinstance(outcome, JudderError) and outcome.cause not in _PASSING
@@ -157,26 +178,49 @@ class Dispatch:
         if job.points is not None:
             self._cuts[job.chunks[0]].again(job.points)
             return
-        again = time.monotonic() + _PAUSE
-        self._later.extend((again, chunk) for chunk in job.chunks)
+        for chunk in job.chunks:
+            self._postpone(chunk, _PAUSE * 2 ** self._failures[chunk])
+
+    def _postpone(self, chunk: int, seconds: float) -> None:
+        heapq.heappush(self._later, (time.monotonic() + seconds, chunk))
 
     def _lost(self, job: Job, deaths: int) -> None:
         """Does the chunks of a job again whose process has ended under it, or looks for the point that ends it."""
+        self._losses += 1
+        if not self._has_lived and self._losses > 4 * (self._retries + 1 + self._slots) + _HOPE:
+            raise self._no_workers()
         if job.points is not None:
-            told = self._cuts[job.chunks[0]].lost(job.points)
-            if told is not None:
-                warnings.warn(told, JudderWarning, stacklevel=2)
+            self._blame(self._cuts[job.chunks[0]].lost(job.points))
             return
         for chunk in job.chunks:
             self._deaths[chunk] += deaths
             if self._deaths[chunk] <= self._retries:
-                self._again.append(chunk)
+                (self._again if job.deaths is None else self._alone).append(chunk)
             elif job.deaths is None:
                 self._alone.append(chunk)
                 # to be lost as often again, for its own fault or for that of another
                 self._deaths[chunk] = 0
             else:
                 self._cuts[chunk] = Cut(self._sweep, chunk, self._retries)
+
+    def _blame(self, told: str | None) -> None:
+        """Says which point ends workers, if one does.
+
+        Raises:
+            StudyError: no worker has ended a task yet, so that no point is to blame.
+        """
+        if told is None:
+            return
+        if not self._has_lived:
+            raise self._no_workers()
+        warnings.warn(told, JudderWarning, stacklevel=2)
+
+    def _no_workers(self) -> StudyError:
+        message = (
+            f"{self._sweep.name}: every process that was given a task has ended under it, and none has done one: do workers start, is judder there, "
+            "do they have the memory? A script that starts processes needs `if __name__ == \"__main__\":`"
+        )
+        return StudyError(message, "NoWorkers", {"name": self._sweep.name})
 
     def _taken(self, job: Job, done: Done, held: _judder.HeldSweep) -> int:
         for told in done.killed:
@@ -192,8 +236,8 @@ class Dispatch:
         sent = sum(len(content) for _, content in done.contents)
         if job.deaths is None and not done.busy:
             self._pace.learn(len(job.chunks), done.seconds, sent)
-        again = time.monotonic() + _PAUSE
-        self._later.extend((again, chunk) for chunk in done.busy)
+        for chunk in done.busy:
+            self._postpone(chunk, _PAUSE)
         return len(done.done) + len(done.contents)
 
     def _cut_done(self, chunk: int, held: _judder.HeldSweep) -> int:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import itertools
 import os
 import queue
@@ -50,7 +51,7 @@ class Executor(Protocol):
         ...
 
     def wait(self) -> list[tuple[Job, Outcome]]:
-        """Waits until jobs have ended; what came of each: :class:`Lost` where its process has ended under it."""
+        """Waits a while until jobs have ended; what came of each: :class:`Lost` where its process has ended under it."""
         ...
 
     def close(self) -> None:
@@ -62,8 +63,6 @@ class DaskExecutor:
     """The workers of a client of Dask."""
 
     def __init__(self, client: distributed.Client, package: Package, sweep: str) -> None:
-        import distributed
-
         self._client = client
         self._name = _prefix(sweep)
         self._token = secrets.token_hex(4)
@@ -75,9 +74,9 @@ class DaskExecutor:
             # a task, not scattered data: where all workers that hold it are lost, it is made again
             key = f"judder-package-{package.digest}"
             self._package = client.submit(_same, package, key=key, pure=True)
-        self._jobs: dict[Any, Job] = {}
-        # of this client: there may be others in this process
-        self._ended = distributed.as_completed(loop=client.loop, with_results=True, raise_errors=False)
+        self._jobs: dict[distributed.Future, Job] = {}
+        # no results: they stay on the workers until they are taken in, so that the client holds few
+        self._ended: queue.SimpleQueue[distributed.Future] = queue.SimpleQueue()
 
     def slots(self) -> int:
         when, count = self._counted
@@ -90,24 +89,35 @@ class DaskExecutor:
         key = f"{self._name}-{self._token}-{next(self._numbers)}"
         future = self._client.submit(work, self._package, job, key=key, pure=False)
         self._jobs[future] = job
-        self._ended.add(future)
+        future.add_done_callback(lambda ended: self._ended.put(ended))
 
     def wait(self) -> list[tuple[Job, Outcome]]:
-        return [(self._jobs.pop(future), self._outcome(future, result)) for future, result in self._ended.next_batch()]
+        try:
+            future = self._ended.get(timeout=_LOOK)
+        except queue.Empty:
+            if self._client.status != "running":
+                raise self._gone() from None
+            return []
+        return [(self._jobs.pop(future), self._outcome(future))]
 
-    def _outcome(self, future: distributed.Future, result: Any) -> Outcome:
+    def _outcome(self, future: distributed.Future) -> Outcome:
         import distributed
 
-        if future.status == "finished":
-            return result  # type: ignore[no-any-return]
-        if self._client.status != "running":
-            return StudyError("the scheduler of Dask is gone; what is done is kept, and the same call goes on from there", "NoScheduler", {})
-        if future.status != "error":
-            return Lost(1)
-        error = future.exception()
-        if isinstance(error, distributed.KilledWorker):
+        try:
+            return future.result()  # type: ignore[no-any-return]
+        except distributed.KilledWorker as error:
             return Lost(error.allowed_failures + 1)
-        return error if isinstance(error, BaseException) else RuntimeError(str(error))
+        except (futures.CancelledError, asyncio.CancelledError) as error:
+            outcome: BaseException = error
+        except Exception as error:
+            outcome = error
+        if self._client.status != "running":
+            return self._gone()
+        return Lost(1) if future.cancelled() else outcome
+
+    @staticmethod
+    def _gone() -> StudyError:
+        return StudyError("the scheduler of Dask is gone; what is done is kept, and the same call goes on from there", "NoScheduler", {})
 
     def close(self) -> None:
         if self._client.status == "running":
@@ -152,7 +162,12 @@ class FuturesExecutor:
     def _hand_out(self, job: Job, package: Package | str) -> None:
         if self._is_broken:
             self._renew()
-        future = self._executor.submit(work, package, job)
+        try:
+            future = self._executor.submit(work, package, job)
+        except futures.BrokenExecutor:
+            # nobody has told of it yet
+            self._renew()
+            future = self._executor.submit(work, package, job)
         self._jobs[future] = job, self._executor
         future.add_done_callback(lambda ended: self._ended.put(ended))
 
@@ -168,23 +183,18 @@ class FuturesExecutor:
         self._is_broken = False
 
     def wait(self) -> list[tuple[Job, Outcome]]:
-        ended: list[tuple[Job, Outcome]] = []
-        while not ended:
-            try:
-                future = self._ended.get(timeout=_LOOK)
-            except queue.Empty:
-                continue
-            if future not in self._jobs:
-                continue
-            job, executor = self._jobs.pop(future)
-            outcome = self._outcome(future)
-            # others of one that was lost tell of it when it is replaced already
-            self._is_broken |= isinstance(outcome, Lost) and executor is self._executor and not future.cancelled()
-            if isinstance(outcome, Done) and outcome.needs_package:
-                self._hand_out(job, self._package)
-            else:
-                ended.append((job, outcome))
-        return ended
+        try:
+            future = self._ended.get(timeout=_LOOK)
+        except queue.Empty:
+            return []
+        job, executor = self._jobs.pop(future)
+        outcome = self._outcome(future)
+        # others of one that was lost tell of it when it is replaced already
+        self._is_broken |= isinstance(outcome, Lost) and executor is self._executor and not future.cancelled()
+        if isinstance(outcome, Done) and outcome.needs_package:
+            self._hand_out(job, self._package)
+            return []
+        return [(job, outcome)]
 
     def _outcome(self, future: futures.Future[Done]) -> Outcome:
         if future.cancelled():

@@ -114,7 +114,9 @@ def test_a_point_that_ends_whole_workers_is_found_by_halves(quick, tmp_path):
     fatal = Fatal(Package.of(sweep), 3, 21)
     manner = {"retries": 1, "shares": True, "chunks_per_task": 8, "threads": 1, "progress": None}
     with pytest.warns(judder.JudderWarning, match="point 21 of chunk 3 ended its worker 2 times"):
-        Dispatch(sweep, lambda: fatal, tmp_path / "study", **manner).run()
+        held = sweep.hold(str(tmp_path / "study"))
+        Dispatch(sweep, lambda: fatal, tmp_path / "study", **manner).run(held)
+        held.release()
     # twice with others or as a whole, twice in a process of its own, then 32, 16, 8, 4, 2 points, and the one point twice
     assert fatal.lost == [None] * 4 + [(0, 32), (16, 32), (16, 24), (20, 24), (20, 22), (21, 22), (21, 22)]
     study = judder.sweep.plan(quick[0]).merge(tmp_path / "study")

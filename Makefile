@@ -96,7 +96,7 @@ python-tests: .venv/installed ## study folders in the real xarray, the book's li
 		PATH="$(CURDIR)/.venv/bin:$$PATH" maturin build --profile dev --out "$$wheel"; \
 		.venv-package/bin/python -m pip install --quiet --disable-pip-version-check "$$wheel"/*.whl; \
 		JUDDER_WHEEL="$$wheel" PATH="$(CURDIR)/.venv-package/bin:/usr/bin:/bin" \
-		.venv-package/bin/python -m pytest -q -p no:cacheprovider tests/python/package --ignore tests/python/package/cluster
+		.venv-package/bin/python -m pytest -q -p no:cacheprovider tests/python/package
 
 docs: ## build the API documentation and the book
 	RUSTDOCFLAGS='-D warnings' $(CARGO) doc $(LOCKED) --workspace --no-deps

@@ -1,8 +1,10 @@
 """What the tests of sweeps in many processes share."""
 
+import logging
 import os
 import pathlib
 
+import distributed
 import pytest
 from serial_run import serial
 
@@ -65,6 +67,25 @@ def quick(tmp_path_factory):
 def maps(tmp_path_factory):
     """A case whose chunks take a noticeable while, and the files that a serial run leaves of its sweep."""
     return _reference(tmp_path_factory, MAPS, "maps")
+
+
+@pytest.fixture
+def cluster():
+    """Starts clusters of this machine: ``cluster(workers, threads)``; gives a client."""
+    made = []
+
+    def start(workers=2, threads=1):
+        local = distributed.LocalCluster(
+            n_workers=workers, threads_per_worker=threads, processes=True, dashboard_address=None, silence_logs=logging.CRITICAL
+        )
+        made.append(local)
+        client = distributed.Client(local)
+        made.append(client)
+        return client
+
+    yield start
+    for own in reversed(made):
+        own.close()
 
 
 @pytest.fixture

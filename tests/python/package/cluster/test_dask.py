@@ -1,39 +1,20 @@
 """Sweeps on a real cluster of Dask, in processes of their own: the bytes are those of the serial run, whatever happens on the way."""
 
-import logging
 import os
 import signal
 import subprocess
 import sys
 import threading
+import time
 
 import dask
+import distributed
 import pytest
 from serial_run import files
 
 import judder
+from judder._cluster.executors import DaskExecutor
 from judder._cluster.work import Job, work
-
-distributed = pytest.importorskip("distributed")
-
-
-@pytest.fixture
-def cluster():
-    """Starts clusters of this machine: ``cluster(workers, threads)``; gives a client."""
-    made = []
-
-    def start(workers=2, threads=1):
-        local = distributed.LocalCluster(
-            n_workers=workers, threads_per_worker=threads, processes=True, dashboard_address=None, silence_logs=logging.CRITICAL
-        )
-        made.append(local)
-        client = distributed.Client(local)
-        made.append(client)
-        return client
-
-    yield start
-    for own in reversed(made):
-        own.close()
 
 
 def test_the_bytes_are_those_of_the_serial_run(quick, maps, cluster, tmp_path):
@@ -49,6 +30,77 @@ def test_the_bytes_are_those_of_the_serial_run(quick, maps, cluster, tmp_path):
     study = judder.distributed.run(maps[0], client, output=tmp_path / "maps", name="maps")
     assert files(study.folder / "results.zarr" / "maps") == maps[1]
     assert list(study.folder.rglob("mark-*")) == []
+
+
+def test_no_more_tasks_are_handed_out_than_keep_all_threads_busy(quick, cluster, tmp_path, monkeypatch):
+    client = cluster(2, 2)
+    handed, known = [], []
+    submit = DaskExecutor.submit
+
+    def counted(self, job):
+        submit(self, job)
+        handed.append(len(self._jobs))
+
+    def tasks(dask_scheduler):
+        return sum(name.startswith("judder_quick_map") for name in map(str, dask_scheduler.tasks))
+
+    monkeypatch.setattr(DaskExecutor, "submit", counted)
+    progress = lambda *_: known.append(client.run_on_scheduler(tasks))  # noqa: E731
+    judder.distributed.run(quick[0], client, output=tmp_path / "study", chunks_per_task=1, progress=progress)
+    # two for each of four threads, of 61; those that are taken in go from the scheduler, too
+    assert len(handed) == 61 and max(handed) == 8 and 4 <= max(known) < 30
+
+
+# what all points share takes a second or more, a point next to nothing
+SHARED = """
+model = "oscillator"
+[contact]
+law = "bem"
+[[sweep]]
+name = "own_law"
+over = [{ key = "operation.velocity", from = 1e-4, to = 1e-2, points = 64, scale = "log" }]
+quantities = ["growth_rate"]
+chunk = 2
+"""
+
+
+def timed_preparations():
+    """From now on this process writes down how long each call takes that asks for what all points share."""
+    from judder._cluster import package
+
+    package.preparations = []
+    own = package.Package.sweep
+
+    class Timed:
+        def __init__(self, sweep):
+            self._sweep = sweep
+
+        def __getattr__(self, name):
+            return getattr(self._sweep, name)
+
+        def prepare(self, **options):
+            began = time.perf_counter()
+            self._sweep.prepare(**options)
+            package.preparations.append(time.perf_counter() - began)
+
+    package.Package.sweep = lambda self, *named: Timed(own(self, *named))
+
+
+def preparations():
+    from judder._cluster import package
+
+    return package.preparations
+
+
+def test_what_all_points_share_is_made_once_in_each_worker(cluster, tmp_path):
+    client = cluster(2, 1)
+    client.run(timed_preparations)
+    judder.distributed.run(SHARED, client, output=tmp_path / "study", chunks_per_task=2)
+    told = client.run(preparations).values()
+    # sixteen tasks, and each worker has had some
+    assert len(told) == 2 and sum(map(len, told)) == 16 and min(map(len, told)) >= 2
+    for first, *others in told:
+        assert first > 0.1 and sum(others) < first / 4
 
 
 def test_workers_that_do_not_share_the_folder_send_their_chunks(quick, maps, cluster, tmp_path):
@@ -203,6 +255,46 @@ def test_two_clients_share_a_folder(maps, cluster, tmp_path):
     for own in both:
         own.join()
     assert failed == []
+    assert files(tmp_path / "study" / "results.zarr" / "maps") == maps[1]
+
+
+def test_a_client_waits_for_others_who_hold_the_study(quick, cluster, tmp_path):
+    sweep = judder.sweep.plan(quick[0])
+    sweep.run(tmp_path / "study")
+    held = sweep._compiled.hold(str(tmp_path / "study"))
+    ended = []
+    run = threading.Thread(target=lambda: ended.append(judder.distributed.run(quick[0], cluster(1), output=tmp_path / "study")))
+    run.start()
+    # longer than a command waits
+    run.join(12)
+    assert run.is_alive()
+    held.release()
+    run.join(30)
+    assert ended[0].complete and files(tmp_path / "study" / "results.zarr" / "quick_map") == quick[1]
+
+
+SCHEDULER = """
+import asyncio, distributed, sys
+async def serve():
+    async with distributed.Scheduler(port=0, dashboard_address=None) as scheduler:
+        async with distributed.Worker(scheduler.address, nthreads=1, dashboard_address=None):
+            print(scheduler.address, flush=True)
+            await scheduler.finished()
+asyncio.run(serve())
+"""
+
+
+def test_a_lost_scheduler_is_named_and_what_is_done_is_kept(maps, cluster, tmp_path):
+    with subprocess.Popen([sys.executable, "-c", SCHEDULER], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as scheduler:
+        with dask.config.set({"distributed.comm.timeouts.connect": "2s"}):
+            client = distributed.Client(scheduler.stdout.readline().strip())
+            kill = lambda name, done, total: done >= 3 and scheduler.kill()  # noqa: E731
+            with pytest.raises(judder.StudyError, match="scheduler of Dask is gone") as gone:
+                judder.distributed.run(maps[0], client, output=tmp_path / "study", name="maps", chunks_per_task=1, progress=kill)
+            client.close()
+    assert gone.value.cause == "NoScheduler"
+    assert len(judder.sweep.plan(maps[0]).missing(tmp_path / "study")) <= 27
+    judder.distributed.run(maps[0], cluster(), output=tmp_path / "study", name="maps")
     assert files(tmp_path / "study" / "results.zarr" / "maps") == maps[1]
 
 

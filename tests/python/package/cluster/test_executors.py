@@ -3,9 +3,11 @@
 import multiprocessing
 import os
 import signal
-from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+import time
+from concurrent.futures import BrokenExecutor, ProcessPoolExecutor, ThreadPoolExecutor
 
 import pytest
+from joblib.externals import loky
 from serial_run import files
 
 import judder
@@ -34,7 +36,6 @@ def test_threads_give_them_too(quick, tmp_path):
 
 
 def test_joblib_gives_them_too(quick, tmp_path):
-    loky = pytest.importorskip("joblib.externals.loky")
     study = judder.distributed.run_with(quick[0], lambda: loky.get_reusable_executor(max_workers=2), output=tmp_path / "study")
     assert files(study.folder / "results.zarr" / "quick_map") == quick[1]
 
@@ -44,19 +45,49 @@ def kill(pool):
 
 
 def test_a_lost_process_is_made_anew_where_it_can_be(maps, tmp_path):
-    pools = []
+    pools, killed = [], []
 
     def make():
         pools.append(spawned())
         return pools[-1]
 
     def once(name, done, total):
-        if len(pools) == 1 and done >= 3:
+        if not killed and done >= 3:
+            killed.append(done)
             kill(pools[0])
 
     study = judder.distributed.run_with(maps[0], make, output=tmp_path / "study", name="maps", chunks_per_task=1, progress=once)
     assert len(pools) == 2
     assert files(study.folder / "results.zarr" / "maps") == maps[1]
+
+
+def test_a_pool_that_broke_unseen_is_made_anew(quick, tmp_path):
+    """As a pool does of which a process ends while nothing is handed out."""
+    pools = []
+
+    class Breaking(ThreadPoolExecutor):
+        left = 5
+
+        def submit(self, *work):
+            self.left -= 1
+            if len(pools) == 1 and self.left < 0:
+                raise BrokenExecutor("a process has ended")
+            return super().submit(*work)
+
+    def make():
+        pools.append(Breaking(2))
+        return pools[-1]
+
+    study = judder.distributed.run_with(quick[0], make, output=tmp_path / "study", chunks_per_task=2)
+    assert len(pools) == 2 and files(study.folder / "results.zarr" / "quick_map") == quick[1]
+
+
+def test_processes_that_never_do_anything_are_to_blame_not_the_points(quick, tmp_path):
+    stillborn = lambda: ProcessPoolExecutor(2, initializer=os._exit, initargs=(1,))  # noqa: E731
+    with pytest.raises(judder.StudyError, match="none has done one") as lost:
+        judder.distributed.run_with(quick[0], stillborn, output=tmp_path / "study", retries=0)
+    assert lost.value.cause == "NoWorkers"
+    assert len(judder.sweep.plan(quick[0]).missing(tmp_path / "study")) == 61
 
 
 def test_a_lost_process_ends_the_run_where_it_cannot_be_made_anew(maps, tmp_path):
@@ -82,6 +113,49 @@ def test_a_poisoned_point_is_recorded_and_the_study_goes_on(quick, poison, tmp_p
     own = files(study.folder / "results.zarr" / "quick_map")
     assert {name for name in own if own[name] != quick[1][name]} == {"values/c.40.0.0"}
     assert len(study.failed_points("quick_map")) == 1
+
+
+class Stumbling:
+    """An executor whose jobs with a chunk end with an error of the file system, so often."""
+
+    def __init__(self, package, chunk, failures):
+        self.package, self.chunk, self.failures = package, chunk, failures
+        self.jobs, self.tried = [], []
+
+    def slots(self):
+        return 1
+
+    def submit(self, job):
+        self.jobs.append(job)
+
+    def wait(self):
+        job = self.jobs.pop(0)
+        if self.chunk in job.chunks:
+            self.tried.append(time.monotonic())
+            if len(self.tried) <= self.failures:
+                return [(job, judder.StoreError("stale file handle", "FileSystem", {}))]
+        return [(job, work(self.package, job))]
+
+    def close(self):
+        pass
+
+
+@pytest.mark.parametrize("failures", [2, 3])
+def test_a_file_system_that_fails_is_tried_again_a_while_later(quick, tmp_path, failures, monkeypatch):
+    monkeypatch.setattr("judder._cluster.dispatch._PAUSE", 0.05)
+    sweep = judder.sweep.plan(quick[0])._compiled
+    stumbling = Stumbling(Package.of(sweep), 6, failures)
+    held = sweep.hold(str(tmp_path / "study"))
+    run = Dispatch(sweep, lambda: stumbling, tmp_path / "study", retries=2, shares=True, chunks_per_task=4, threads=1, progress=None).run
+    if failures > 2:
+        with pytest.raises(judder.StoreError, match="stale file handle"):
+            run(held)
+    else:
+        run(held)
+        assert len(sweep.missing(str(tmp_path / "study"))) == 0
+    held.release()
+    first, second, third = stumbling.tried
+    assert second - first > 0.1 and third - second > 0.2
 
 
 class Fatal:
@@ -137,6 +211,35 @@ def test_nobody_forgets_a_folder_while_it_is_worked_on(maps, tmp_path):
     with spawned() as executor:
         judder.distributed.run_with(maps[0], executor, output=tmp_path / "study", name="maps", workers_share_folder=False, progress=forget)
     assert refused == ["Locked"]
+
+
+TWO = """
+model = "oscillator"
+[[sweep]]
+name = "one"
+over = [{ key = "operation.velocity", from = 1e-5, to = 1e-2, points = 20 }]
+quantities = ["growth_rate"]
+chunk = 10
+[[sweep]]
+name = "other"
+over = [{ key = "operation.velocity", from = 1e-5, to = 1e-2, points = 30 }]
+quantities = ["growth_rate"]
+chunk = 10
+"""
+
+
+def test_nobody_forgets_one_sweep_while_another_is_worked_on(tmp_path):
+    refused = []
+
+    def forget(name, done, total):
+        if (name, done) == ("other", 0):
+            with pytest.raises(judder.StoreError) as locked:
+                judder.run(TWO, output=tmp_path / "study", fresh=True)
+            refused.append(locked.value.cause)
+
+    with ThreadPoolExecutor(2) as executor:
+        study = judder.distributed.run_with(TWO, executor, output=tmp_path / "study", progress=forget)
+    assert refused == ["Locked"] and study.complete
 
 
 def test_large_packages_go_once_to_each_process(quick, tmp_path, monkeypatch):

@@ -1,7 +1,9 @@
 """A sweep chunk by chunk, and what it leaves as a dataset."""
 
+import threading
 import time
 
+import dask.array
 import numpy as np
 import pytest
 import xarray
@@ -42,6 +44,25 @@ def test_chunks_by_hand_give_the_bytes_of_the_serial_run(quick, tmp_path):
     sweep.run(study, shard="1/2", threads=1)
     merged = sweep.merge(study)
     assert merged.complete and files(study / "results.zarr" / "quick_map") == quick[1]
+
+
+def test_threads_of_one_process_share_a_folder(maps, tmp_path):
+    failed = []
+
+    def run():
+        try:
+            judder.sweep.plan(maps[0]).run(tmp_path)
+        except BaseException as error:
+            failed.append(error)
+
+    together = [threading.Thread(target=run) for _ in range(4)]
+    for own in together:
+        own.start()
+    for own in together:
+        own.join()
+    assert failed == []
+    judder.sweep.plan(maps[0]).merge(tmp_path)
+    assert files(tmp_path / "results.zarr" / "maps") == maps[1]
 
 
 def test_a_damaged_chunk_is_missing_and_wrong_bytes_are_refused(quick, tmp_path):
@@ -104,9 +125,8 @@ def test_a_sweep_is_a_dataset(quick, maps, tmp_path):
 
 
 def test_values_are_read_when_they_are_used_and_dask_takes_whole_chunks(quick):
-    dask = pytest.importorskip("dask.array")
     data = judder.load_study(quick[0].parent / "serial")["quick_map"]
-    assert isinstance(data.growth_rate.data, dask.Array)
+    assert isinstance(data.growth_rate.data, dask.array.Array)
     # small chunks are taken together
     assert data.growth_rate.data.npartitions == 1
     assert float(data.growth_rate.mean().compute()) == pytest.approx(float(data.growth_rate.values.mean()))

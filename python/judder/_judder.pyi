@@ -217,7 +217,9 @@ def run_case(
 @final
 class Sweep:
     @staticmethod
-    def all(case: tuple[str, str] | str, overrides: Sequence[str], *, threads: int | None = None) -> list[Sweep]: ...
+    def all(
+        case: tuple[str, str] | str, overrides: Sequence[str], *, threads: int | None = None, law: tuple[Law, str] | None = None
+    ) -> list[Sweep]: ...
     @property
     def name(self) -> str: ...
     @property

@@ -12,6 +12,7 @@ from judder import _judder
 from judder._cluster.dispatch import Dispatch
 from judder._cluster.executors import DaskExecutor, Executor, FuturesExecutor
 from judder._cluster.package import Package
+from judder.contact import Law
 from judder.errors import InputError
 from judder.progress import Progress
 from judder.study import CaseLike, Study
@@ -31,6 +32,7 @@ def run(
     output: str | os.PathLike[str],
     name: str | None = None,
     set: Mapping[str, Any] | None = None,
+    law: Law | None = None,
     retries: int = 2,
     workers_share_folder: bool | None = None,
     chunks_per_task: int | None = None,
@@ -48,6 +50,7 @@ def run(
         output: the study folder, on this machine.
         name: only this sweep. Without a name all sweeps, then, here, the analyses of the case, as ``judder run`` does.
         set: changed keys, such as ``{"operation.velocity": "30 mm/s"}``.
+        law: a contact law of your own in place of that of an oscillator case; it travels with the case, and is kept in the folder as ``law.json``.
         retries: how often a chunk, and at last a point of it, may lose its process again before the point is recorded as failed and the study goes
             on. Dask itself tries again first, as often as ``distributed.scheduler.allowed-failures`` says.
         workers_share_folder: whether the workers write into ``output`` themselves. Where not said each looks whether it sees the folder,
@@ -72,7 +75,7 @@ def run(
     def executor(package: Package, sweep: str) -> Executor:
         return DaskExecutor(client, package, sweep)
 
-    return _run(case, executor, output, name, set, (retries, workers_share_folder, chunks_per_task, None), progress)
+    return _run((case, set, law), executor, output, name, (retries, workers_share_folder, chunks_per_task, None), progress)
 
 
 def run_with(
@@ -82,6 +85,7 @@ def run_with(
     output: str | os.PathLike[str],
     name: str | None = None,
     set: Mapping[str, Any] | None = None,
+    law: Law | None = None,
     workers: int | None = None,
     threads_per_worker: int = 1,
     retries: int = 2,
@@ -115,15 +119,14 @@ def run_with(
         return FuturesExecutor(executor, package, workers)
 
     manner = (retries, workers_share_folder, chunks_per_task, threads_per_worker)
-    return _run(case, of_futures, output, name, set, manner, progress)
+    return _run((case, set, law), of_futures, output, name, manner, progress)
 
 
 def _run(
-    case: CaseLike,
+    asked: tuple[CaseLike, Mapping[str, Any] | None, Law | None],
     executor: Callable[[Package, str], Executor],
     output: str | os.PathLike[str],
     name: str | None,
-    set: Mapping[str, Any] | None,
     manner: tuple[int, bool | None, int | None, int | None],
     progress: Progress | None,
 ) -> Study:
@@ -131,7 +134,8 @@ def _run(
     for argument, number, least in (("retries", retries, 0), ("chunks_per_task", chunks_per_task, 1)):
         if number is not None and number < least:
             raise InputError(f"{argument}: at least {least} is needed", "Input", {"argument": argument})
-    sweeps = plans(case, set)
+    case, set, law = asked
+    sweeps = plans(case, set, law)
     # until all chunks are there nobody takes the folder alone and forgets what is in it
     with ExitStack() as holding:
         for sweep in sweeps if name is None else [chosen(sweeps, name)]:
@@ -150,4 +154,4 @@ def _run(
             held = compiled.hold(os.fspath(output))
             holding.callback(held.release)
             dispatch.run(held)
-    return run_here(case, output=output, only=() if name is None else (name,), set=set, progress=progress)
+    return run_here(case, output=output, only=() if name is None else (name,), set=set, law=law, progress=progress)

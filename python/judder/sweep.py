@@ -8,11 +8,13 @@ from __future__ import annotations
 
 import json
 import os
+import tempfile
 import warnings
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from judder import _judder, _toml
+from judder.contact import Law
 from judder.errors import InputError, JudderWarning, StudyError
 from judder.progress import Progress
 from judder.study import CaseLike, Study, source
@@ -23,18 +25,22 @@ if TYPE_CHECKING:
 
 __all__ = ["Sweep", "plan"]
 
+_folders: list[tempfile.TemporaryDirectory[str]] = []
+"""Where laws are that came from Python: points may read them until the end."""
 
-def plan(case: CaseLike, name: str | None = None, *, set: Mapping[str, Any] | None = None) -> Sweep:
+
+def plan(case: CaseLike, name: str | None = None, *, set: Mapping[str, Any] | None = None, law: Law | None = None) -> Sweep:
     """The plan of a sweep of a case; nothing is computed and nothing written.
 
     Args:
         case: a path, the text of a case, or its tables as a mapping.
         name: which sweep; where there is one only, that.
         set: changed keys, such as ``{"operation.velocity": "30 mm/s"}``.
+        law: a contact law of your own in place of that of an oscillator case.
 
     Raises:
         CaseError: the case is wrong.
-        InputError: the case has no such sweep.
+        InputError: the case has no such sweep, or takes no law.
 
     >>> sweep = judder.sweep.plan({
     ...     "model": "oscillator",
@@ -50,12 +56,19 @@ def plan(case: CaseLike, name: str | None = None, *, set: Mapping[str, Any] | No
     >>> sweep.keys, sweep.shape
     (('operation.velocity',), (600,))
     """
-    return chosen(plans(case, set), name)
+    return chosen(plans(case, set, law), name)
 
 
-def plans(case: CaseLike, set: Mapping[str, Any] | None = None) -> list[Sweep]:
+def plans(case: CaseLike, set: Mapping[str, Any] | None = None, law: Law | None = None) -> list[Sweep]:
     """The plans of all sweeps of a case, in their order."""
-    return [Sweep(compiled) for compiled in _judder.Sweep.all(source(case), _toml.overrides(set))]
+    kept = None if law is None else (law, _folder())
+    return [Sweep(compiled) for compiled in _judder.Sweep.all(source(case), _toml.overrides(set), law=kept)]
+
+
+def _folder() -> str:
+    """A folder that is there as long as this process."""
+    _folders.append(tempfile.TemporaryDirectory(prefix="judder-"))
+    return _folders[-1].name
 
 
 def chosen(sweeps: list[Sweep], name: str | None) -> Sweep:

@@ -3,17 +3,22 @@
 use crate::contact::PyLaw;
 use crate::errors;
 use crate::watched::{Manner, is_ctrl_c, watched};
-use judder_case::{Case, CaseError, CaseFile, FileReference, LawName};
+use judder_case::{Case, CaseError, CaseFile, OscillatorCase};
 use judder_contact::law::file::to_json;
-use judder_store::StudyFolder;
+use judder_store::{StoreError, StudyFolder};
 use judder_study::StudyError;
 use judder_study::resolve::resolve;
 use judder_study::run::{RunOptions, RunReport, run};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::ffi::OsString;
+use std::fs;
 use std::path::{Path, PathBuf};
+use std::thread;
+use std::time::Duration;
 
+/// How long to wait before asking again for a study that another holds.
+const PAUSE: Duration = Duration::from_millis(50);
 /// The file in a study folder that holds a law that came from Python.
 const LAW_FILE: &str = "law.json";
 /// A law that asks nothing of the substrate, in the place of the one that is put there.
@@ -70,7 +75,7 @@ pub(crate) fn run_case<'py>(
             let folder = folder_of(&file, output);
             (file, folder)
         }
-        Some(law) => with_law(&case, overrides, output, &law)?,
+        Some(law) => with_law(py, &case, overrides, output, &law)?,
     };
     let options = RunOptions { only, fresh, waits: true, ..RunOptions::default() };
     let done = watched(py, &manner, |watch| run(&file, &folder, &options, watch))?;
@@ -89,12 +94,52 @@ fn folder_of(file: &CaseFile, output: Option<PathBuf>) -> PathBuf {
 
 /// A case with a law in the place of its own, as a file of its study folder.
 fn with_law(
+    py: Python<'_>,
     case: &Source,
-    mut overrides: Vec<String>,
+    overrides: Vec<String>,
     output: Option<PathBuf>,
     law: &PyLaw,
 ) -> PyResult<(CaseFile, PathBuf)> {
-    if let Ok(CaseFile { case, .. }) = case.parse(&overrides)
+    let (text, file) = lawful(case, &overrides, law)?;
+    let folder = folder_of(&file, output);
+    let path = folder.join(LAW_FILE);
+    // where it is there already, others may be at work with it
+    if !fs::read(&path).is_ok_and(|there| there == text.as_bytes()) {
+        let store = held_alone(py, &folder)?;
+        store.write_file(LAW_FILE, text.as_bytes()).map_err(|error| errors::store(&error))?;
+    }
+    Ok((with_law_file(case, overrides, &path)?, folder))
+}
+
+/// A study, as soon as nobody else holds it.
+fn held_alone(py: Python<'_>, folder: &Path) -> PyResult<StudyFolder> {
+    loop {
+        match StudyFolder::create(folder) {
+            Err(StoreError::Locked { .. }) => {
+                py.check_signals()?;
+                py.detach(|| thread::sleep(PAUSE));
+            }
+            store => return store.map_err(|error| errors::store(&error)),
+        }
+    }
+}
+
+/// A case with a law in the place of its own, as a file of a folder that is no study.
+pub(crate) fn with_law_in(
+    folder: &Path,
+    case: &Source,
+    overrides: Vec<String>,
+    law: &PyLaw,
+) -> PyResult<CaseFile> {
+    let path = folder.join(LAW_FILE);
+    let (text, _) = lawful(case, &overrides, law)?;
+    fs::write(&path, text).map_err(|error| errors::file(&path, &error))?;
+    with_law_file(case, overrides, &path)
+}
+
+/// The file of a law, and a case that can take it, with another law.
+fn lawful(case: &Source, overrides: &[String], law: &PyLaw) -> PyResult<(String, CaseFile)> {
+    if let Ok(CaseFile { case, .. }) = case.parse(overrides)
         && !matches!(case, Case::Oscillator(_))
     {
         return Err(errors::input("law", format!("a case of model `{}` takes none", case.model())));
@@ -103,25 +148,23 @@ fn with_law(
     let text = text.ok_or_else(|| {
         errors::input("law", "a law that has a name goes into the case: set={\"contact.law\": name}")
     })?;
-    overrides.push(STAND_IN.to_owned());
+    let overrides = [overrides, &[STAND_IN.to_owned()]].concat();
+    Ok((text, case.read(&overrides)?))
+}
+
+/// A case with the law in a file; wherever that lies, the case calls it by the same name.
+fn with_law_file(case: &Source, mut overrides: Vec<String>, path: &Path) -> PyResult<CaseFile> {
+    let of_file = |path: &str| format!("contact.law={{ file = {} }}", serde_json::Value::from(path));
+    let path = std::path::absolute(path).map_err(errors::system)?;
+    overrides.push(of_file(&path.to_string_lossy()));
     let mut file = case.read(&overrides)?;
-    if !file.sweeps.is_empty() {
-        return Err(errors::input(
-            "law",
-            "the points of a sweep read the law of the case: save it, law.save(\"law.json\"), and say contact.law = { file = \"law.json\" }",
-        ));
+    if let Case::Oscillator(OscillatorCase { law_file: Some(law), .. }) = &mut file.case {
+        LAW_FILE.clone_into(&mut law.given);
     }
-    let folder = folder_of(&file, output);
-    let store = StudyFolder::create(&folder).map_err(|error| errors::store(&error))?;
-    let path = store.write_file(LAW_FILE, text.as_bytes()).map_err(|error| errors::store(&error))?;
-    if let Case::Oscillator(case) = &mut file.case {
-        case.law = LawName::File;
-        case.law_file = Some(FileReference { given: LAW_FILE.to_owned(), path });
+    if let Some(last) = file.overrides.last_mut() {
+        *last = of_file(LAW_FILE);
     }
-    if let Some(stand_in) = file.overrides.last_mut() {
-        *stand_in = format!("contact.law={{ file = \"{LAW_FILE}\" }}");
-    }
-    Ok((file, folder))
+    Ok(file)
 }
 
 fn told(py: Python<'_>, report: RunReport) -> PyResult<Bound<'_, PyDict>> {

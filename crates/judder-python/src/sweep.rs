@@ -2,7 +2,8 @@
 
 mod work;
 
-use crate::cases::Source;
+use crate::cases::{Source, with_law_in};
+use crate::contact::PyLaw;
 use crate::errors;
 use crate::pool;
 use crate::watched::{Manner, watched};
@@ -35,19 +36,26 @@ type Package = (String, String, Vec<String>, Vec<(String, PathBuf)>);
 
 #[pymethods]
 impl PySweep {
-    /// The sweeps of a case, in their order.
+    /// The sweeps of a case, in their order; with a law in place of that of the case, whose file goes into a folder.
     #[staticmethod]
-    #[pyo3(signature = (case, overrides, *, threads = None))]
+    #[pyo3(signature = (case, overrides, *, threads = None, law = None))]
     fn all(
         py: Python<'_>,
         case: Source,
         overrides: Vec<String>,
         threads: Option<usize>,
+        law: Option<(Py<PyLaw>, PathBuf)>,
     ) -> PyResult<Vec<Self>> {
         let pool = threads.map(|threads| pool::of(threads).map(Arc::new)).transpose();
         let pool = pool.map_err(errors::system)?;
         // the files that it names are read, which may take a while
-        let plans = py.detach(|| plans_of(&case.read(&overrides)?).map_err(|error| errors::study(&error)))?;
+        let plans = py.detach(|| {
+            let file = match &law {
+                Some((law, folder)) => with_law_in(folder, &case, overrides, law.get())?,
+                None => case.read(&overrides)?,
+            };
+            plans_of(&file).map_err(|error| errors::study(&error))
+        })?;
         let of = |plan| Self { plan, pool: pool.clone(), evaluator: Mutex::new(None) };
         Ok(plans.into_iter().map(of).collect())
     }

@@ -23,7 +23,7 @@ def test_the_bytes_are_those_of_the_serial_run(quick, maps, cluster, tmp_path):
     study = judder.distributed.run(quick[0], client, output=tmp_path / "quick", progress=lambda *own: told.append(own))
     assert files(study.folder / "results.zarr" / "quick_map") == quick[1]
     assert study.complete and study["quick_map"].growth_rate.shape == (61, 32)
-    assert told[0] == ("quick_map", 0, 61) and told[-1][0] == "quick_map" and ("quick_map", 61, 61) in told
+    assert told[0] == ("quick_map", 0, 61) and ("quick_map", 61, 61) in told and told[-1] == ("quick_map, summary", 61, 61)
     # the cluster shows the tasks of a sweep under one name, and that the case went to each worker once
     prefixes = client.run_on_scheduler(lambda dask_scheduler: {name: prefix.state_counts["memory"] for name, prefix in dask_scheduler.task_prefixes.items()})
     assert prefixes["judder_quick_map"] >= 2 and prefixes["judder-package"] == 1

@@ -3,6 +3,7 @@
 import multiprocessing
 from concurrent.futures import ProcessPoolExecutor
 
+import numpy as np
 import pytest
 from joblib.externals.loky import get_reusable_executor
 from serial_run import files
@@ -90,3 +91,58 @@ def test_the_same_bytes_by_every_way(case, expected, command, cluster, tmp_path,
     assert {"friction/zarr.json", "locus/zarr.json", "zarr.json"} <= set(expected) and len(expected) > 20
     way(case, tmp_path / "study", command, cluster)
     assert files(tmp_path / "study" / "results.zarr") == expected
+
+
+LAWFUL = """
+model = "oscillator"
+[operation]
+velocity = 1e-3
+normal_load = 1e-4
+[[analysis]]
+name = "cycle"
+kind = "limit-cycle"
+[[sweep]]
+name = "points"
+over = [{ key = "contact.shear_strength", from = 0.01, to = 0.06, points = 6 }]
+quantities = ["growth_rate"]
+chunk = 2
+[[sweep]]
+name = "cycles"
+method = "list"
+over = [{ key = "contact.shear_strength", values = [0.05, 0.055] }]
+quantities = ["growth_rate", "cycle.rms"]
+chunk = 1
+"""
+
+
+def stiffer(velocity, indentation):
+    """Hertz with three times the modulus, and a friction that falls with speed."""
+    depth = np.sqrt(indentation)
+    return 4.0 * indentation * depth, np.pi * indentation, 0.3 / (1.0 + 1e3 * velocity)
+
+
+def test_a_law_of_ones_own_by_every_way(tmp_path):
+    law = judder.contact.Law.from_function(stiffer, velocity=(1e-7, 1e1), indentation=(1e-8, 1e-1), tolerance=1e-4)
+    law.save(tmp_path / "law.json")
+    (tmp_path / "case.toml").write_text(LAWFUL + '[contact]\nlaw = { file = "law.json" }\n', encoding="utf-8")
+    study = judder.run(tmp_path / "case.toml", output=tmp_path / "file")
+    expected = files(study.folder / "results.zarr")
+    growth = study["points"].growth_rate.values
+    here = [judder.oscillator.point(velocity=1e-3, normal_load=1e-4, shear_strength=s, law=law).growth_rate for s in np.linspace(0.01, 0.06, 6)]
+    np.testing.assert_allclose(growth, here, rtol=1e-12)
+    np.testing.assert_allclose(study["cycles"].growth_rate.values, growth[[4]].tolist() + study["cycles"].growth_rate.values[1:].tolist())
+    hertz = judder.run(LAWFUL, output=tmp_path / "paper")
+    assert np.abs(growth / hertz["points"].growth_rate.values - 1).min() > 1e-3, "the law of the case is another one"
+
+    judder.run(LAWFUL, output=tmp_path / "run", law=law)
+    assert files(tmp_path / "run" / "results.zarr") == expected
+    for sweep in (judder.sweep.plan(LAWFUL, name, law=law) for name in ("points", "cycles")):
+        for chunk in range(sweep.chunks):
+            sweep.write(tmp_path / "hand", chunk, sweep.compute(chunk))
+    judder.run(LAWFUL, output=tmp_path / "hand", law=law)
+    assert files(tmp_path / "hand" / "results.zarr") == expected
+    spawn = multiprocessing.get_context("spawn")
+    judder.distributed.run_with(
+        LAWFUL, lambda: ProcessPoolExecutor(2, mp_context=spawn), output=tmp_path / "processes", law=law, workers_share_folder=False
+    )
+    assert files(tmp_path / "processes" / "results.zarr") == expected

@@ -64,8 +64,8 @@ class Dispatch:
         self._pace = Pace(chunks_per_task)
         self._left: deque[int] = deque()
         self._again: deque[int] = deque()
-        self._alone: deque[int] = deque()
         self._later: list[tuple[float, int]] = []
+        self._alone: set[int] = set()
         self._cuts: dict[int, Cut] = {}
         self._deaths: Counter[int] = Counter()
         self._failures: Counter[int] = Counter()
@@ -143,9 +143,8 @@ class Dispatch:
             count = self._pace.chunks(len(self._left), self._slots)
             return self._job([self._left.popleft() for _ in range(min(count, len(self._left)))])
         if self._again:
-            return self._job([self._again.popleft()])
-        if self._alone:
-            return self._job([self._alone.popleft()], self._retries + 1)
+            chunk = self._again.popleft()
+            return self._job([chunk], self._retries + 1 if chunk in self._alone else None)
         if self._flying == 0:
             for cut in self._cuts.values():
                 if span := cut.next():
@@ -194,14 +193,14 @@ class Dispatch:
             return
         for chunk in job.chunks:
             self._deaths[chunk] += deaths
-            if self._deaths[chunk] <= self._retries:
-                (self._again if job.deaths is None else self._alone).append(chunk)
-            elif job.deaths is None:
-                self._alone.append(chunk)
-                # to be lost as often again, for its own fault or for that of another
-                self._deaths[chunk] = 0
-            else:
+            if self._deaths[chunk] > self._retries and chunk in self._alone:
                 self._cuts[chunk] = Cut(self._sweep, chunk, self._retries)
+                continue
+            if self._deaths[chunk] > self._retries:
+                # to be lost as often again, for its own fault or for that of another
+                self._alone.add(chunk)
+                self._deaths[chunk] = 0
+            self._again.append(chunk)
 
     def _blame(self, told: str | None) -> None:
         """Says which point ends workers, if one does.

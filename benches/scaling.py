@@ -90,6 +90,13 @@ def tasks(client, sweep) -> float:
     return seconds
 
 
+def alone(client) -> None:
+    """The same of Dask itself, which has all tasks at once."""
+    used = cpu()
+    client.gather(client.map(abs, range(TASKS), pure=False))
+    told("  of Dask alone, all tasks at once", 1e3 * (cpu() - used) / TASKS, "ms")
+
+
 def store(sweep, folder: Path) -> tuple[float, float]:
     """Seconds of a chunk in the store, and of one in a list."""
     chunks = list(range(sweep.chunks))
@@ -206,6 +213,7 @@ def main() -> int:
         )
         with local, distributed.Client(local) as client:
             costs["task"] = tasks(client, compiled)
+            alone(client)
             whole(client, case, folder / "cluster")
     table(costs)
     return 0

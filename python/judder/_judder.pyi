@@ -11,6 +11,7 @@ from judder.sliding import Observed, Slider, Track
 
 __all__ = [
     "VERSION",
+    "HeldSweep",
     "Law",
     "OscillatorPoint",
     "Pair",

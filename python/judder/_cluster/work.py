@@ -68,8 +68,8 @@ def work(package: Package | str, job: Job) -> Done:
     folder = job.folder if job.folder and (job.mark is None or os.path.exists(job.mark)) else None
     try:
         if job.deaths is not None and job.points is not None:
-            rows, killed = alone.points(known, sweep, job.chunks[0], job.points, job.deaths, stop)
-            return Done(rows=tuple(rows), killed=tuple(killed))
+            rows, ended = alone.points(known, sweep, job.chunks[0], job.points, job.deaths, stop)
+            return Done(rows=tuple(rows), killed=tuple(ended))
         if job.deaths is not None:
             contents, killed = alone.computed(known, sweep, job.chunks, job.deaths, stop)
             if folder is None:

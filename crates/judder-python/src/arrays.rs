@@ -1,4 +1,5 @@
-//! Arrays from Python: real, finite, of the shape that is needed, whatever their strides and their kind of number.
+//! Arrays from Python: real, finite, of the shape that is needed, whatever their strides and their kind of number. Each is copied once: the work
+//! runs without the interpreter's lock, and meanwhile another thread may change what it was given.
 
 use crate::errors;
 use numpy::{PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
@@ -14,7 +15,7 @@ fn numbers<'py>(name: &str, object: &Bound<'py, PyAny>) -> PyResult<PyReadonlyAr
         let dtype = array.getattr("dtype")?;
         return Err(errors::input(name, format!("real numbers are needed, this is an array of {dtype}")));
     }
-    let array = array.call_method1("astype", ("float64",))?;
+    let array = numpy.call_method1("asarray", (array, "float64"))?;
     let array = array.cast_into::<PyArrayDyn<f64>>().map_err(PyErr::from)?;
     let array = array.try_readonly().map_err(|error| errors::input(name, error))?;
     let bad = array.as_array().iter().enumerate().find(|(_, value)| !value.is_finite()).map(|(k, v)| (k, *v));

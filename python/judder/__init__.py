@@ -16,13 +16,14 @@ from judder.errors import (
     JudderWarning,
     LawError,
     OscillatorError,
+    PackageError,
     SlidingError,
     StoreError,
     StructureError,
     StudyError,
 )
 from judder.progress import Progress, tqdm_progress
-from judder.study import CaseLike, Study, check, load_study, run
+from judder.study import CaseLike, RemotePath, Study, check, load_study, run
 
 __all__ = [
     "CaseError",
@@ -34,7 +35,9 @@ __all__ = [
     "JudderWarning",
     "LawError",
     "OscillatorError",
+    "PackageError",
     "Progress",
+    "RemotePath",
     "SlidingError",
     "StoreError",
     "StructureError",

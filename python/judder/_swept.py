@@ -5,34 +5,48 @@ from __future__ import annotations
 import importlib.util
 import json
 import math
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from judder import _places
 from judder.errors import StoreError
 
 if TYPE_CHECKING:
     import pandas
     import xarray
 
+    from judder._places import RemotePath
+
 _DASK_POINTS = 1 << 20
 """About how many points a chunk of dask has: many small ones would cost more than what is computed on them."""
+_AT_ONCE = 256
+"""Chunks whose records are fetched together."""
+_TAIL = 4096
+"""Bytes that hold the record of a chunk with few failures."""
 _TRAILER = 48
 _MAGIC = b"judderC1"
 
 
-def dataset(folder: Path, name: str) -> xarray.Dataset:
-    """The quantities of a sweep as variables, read when they are used, with the swept keys as coordinates."""
+def dataset(folder: Path | RemotePath, name: str, *, dask: bool | None = None) -> xarray.Dataset:
+    """The quantities of a sweep as variables, read when they are used, with the swept keys as coordinates.
+
+    Arrays of dask where that is installed; `dask` says otherwise.
+    """
     import xarray
 
-    stored = xarray.open_dataset(folder / "results.zarr", engine="zarr", group=name, chunks=None)
+    stored = _places.group(folder, name)
     names = stored["quantity"].values.tolist()
     keys = stored.attrs["keys"]
     variables = {quantity: stored["values"].variable[..., index] for index, quantity in enumerate(names)}
     for index, variable in enumerate(variables.values()):
         variable.attrs = _attributes(stored, index)
-    if importlib.util.find_spec("dask") is not None:
+    if importlib.util.find_spec("dask") is not None if dask is None else dask:
         variables = {quantity: variable.chunk(_dask_chunks(stored)) for quantity, variable in variables.items()}
     coordinates = {key: stored[key].variable for key in keys if key in stored.variables}
     coordinates |= {key: variables.pop(key) for key in keys if key in variables}
@@ -65,60 +79,92 @@ def _dask_chunks(stored: xarray.Dataset) -> dict[Any, int]:
     return own
 
 
-def failed_points(folder: Path, name: str, *, any_failed: bool) -> pandas.DataFrame:
+def failed_points(folder: Path | RemotePath, name: str, *, any_failed: bool) -> pandas.DataFrame:
     """The failures of all chunks, with the values of the swept keys there."""
     import pandas
 
-    found = dataset(folder, name)
-    keys = found.attrs["keys"]
+    found = joined(failures(folder, name) if any_failed else (), _places.group(folder, name).attrs["keys"])
+    return pandas.DataFrame({**found.values, "reason": found.reasons})
+
+
+@dataclass(frozen=True)
+class Failures:
+    """Points of some chunks without an answer, or with a doubtful one."""
+
+    points: NDArray[np.int64]
+    """Their numbers in the sweep, from 0, the last dimension fastest."""
+    values: dict[str, NDArray[np.float64]]
+    """The swept keys there."""
+    reasons: list[str]
+    """Why."""
+
+
+def joined(some: Iterable[Failures], keys: list[str]) -> Failures:
+    """Those of several chunks."""
+    every = list(some)
+    return Failures(
+        np.concatenate([np.empty(0, dtype=np.int64), *(one.points for one in every)]),
+        {key: np.concatenate([np.empty(0), *(one.values[key] for one in every)]) for key in keys},
+        [reason for one in every for reason in one.reasons],
+    )
+
+
+def failures(folder: Path | RemotePath, name: str) -> Iterator[Failures]:
+    """The failures, chunk after chunk that has any; looks at every chunk.
+
+    Raises:
+        StoreError: a chunk is not there, damaged, or of another sweep.
+    """
+    found = dataset(folder, name, dask=False)
     shape, chunk = _grid(folder, name)
-    rows = _failures(folder / "results.zarr" / name / "values", found.attrs["judder_hash"], shape, chunk) if any_failed else []
-    positions = np.array([position for position, _ in rows], dtype=np.int64).reshape(len(rows), len(shape))
-    columns: dict[str, Any] = {}
-    for key in keys:
-        along = list(found.sizes).index(found[key].dims[0])
-        columns[key] = np.asarray(found[key].values)[positions[:, along]]
-    columns["reason"] = [reason for _, reason in rows]
-    return pandas.DataFrame(columns)
+    for first, record in _records(folder / "results.zarr" / name / "values", found.attrs["judder_hash"], shape, chunk):
+        if not record["failures"]:
+            continue
+        inner = [min(own, length - begin) for own, length, begin in zip(chunk, shape, first, strict=True)]
+        within = np.unravel_index([failure["index"] for failure in record["failures"]], inner)
+        here = found.isel({dimension: slice(begin, begin + own) for dimension, begin, own in zip(found.sizes, first, inner, strict=True)})
+        along = dict(zip(found.sizes, within, strict=True))
+        yield Failures(
+            np.asarray(np.ravel_multi_index([begin + steps for begin, steps in zip(first, within, strict=True)], shape), dtype=np.int64),
+            {key: np.asarray(here[key].values)[along[here[key].dims[0]]] for key in found.attrs["keys"]},
+            [failure["reason"] for failure in record["failures"]],
+        )
 
 
-def _grid(folder: Path, name: str) -> tuple[list[int], list[int]]:
+def _grid(folder: Path | RemotePath, name: str) -> tuple[list[int], list[int]]:
     """Points, and points of a chunk, along each dimension."""
     metadata = json.loads((folder / "results.zarr" / name / "values" / "zarr.json").read_text(encoding="utf-8"))
     return metadata["shape"][:-1], metadata["chunk_grid"]["configuration"]["chunk_shape"][:-1]
 
 
-def _failures(chunks: Path, expected: str, shape: list[int], chunk: list[int]) -> list[tuple[list[int], str]]:
-    """Positions and reasons, chunk after chunk."""
-    found = []
-    for place in np.ndindex(*(-(-length // own) for length, own in zip(shape, chunk, strict=True))):
-        record = _record(chunks / ".".join(["c", *map(str, place), "0"]), expected)
-        first = [index * own for index, own in zip(place, chunk, strict=True)]
-        inner = [min(own, length - begin) for own, length, begin in zip(chunk, shape, first, strict=True)]
-        for failure in record["failures"]:
-            within = np.unravel_index(failure["index"], inner)
-            found.append(([begin + int(step) for begin, step in zip(first, within, strict=True)], failure["reason"]))
-    return found
+def _records(folder: Path | RemotePath, expected: str, shape: list[int], chunk: list[int]) -> Iterator[tuple[list[int], dict[str, Any]]]:
+    """The first point of each chunk along each dimension, and the record of the chunk."""
+    places = np.ndindex(*(-(-length // own) for length, own in zip(shape, chunk, strict=True)))
+    while some := list(islice(places, _AT_ONCE)):
+        names = [".".join(["c", *map(str, place), "0"]) for place in some]
+        for place, name, tail in zip(some, names, _places.tails(folder, names, _TAIL), strict=True):
+            yield [index * own for index, own in zip(place, chunk, strict=True)], _record(folder, name, tail, expected)
 
 
-def _record(path: Path, expected: str) -> dict[str, Any]:
+def _record(folder: Path | RemotePath, name: str, tail: bytes | None, expected: str) -> dict[str, Any]:
     """The record of a chunk of the sweep of this hash: JSON before the last 48 bytes, which hold its checksum, its length and a mark."""
+    path = str(folder / name)
+    if tail is None:
+        raise _unreadable(path, "MissingChunk", "is not there")
+    if not tail.endswith(_MAGIC) or len(tail) < _TRAILER:
+        raise _unreadable(path, "DamagedChunk", "is damaged")
+    length = int.from_bytes(tail[-16:-8], "little")
+    if length + _TRAILER > len(tail):
+        (longer,) = _places.tails(folder, [name], length + _TRAILER)
+        tail = longer or b""
     try:
-        with path.open("rb") as file:
-            end = file.seek(0, 2)
-            file.seek(max(0, end - _TRAILER))
-            trailer = file.read()
-            length = int.from_bytes(trailer[32:40], "little")
-            file.seek(max(0, end - _TRAILER - length))
-            record: dict[str, Any] = json.loads(file.read(length)) if trailer.endswith(_MAGIC) else {}
-    except FileNotFoundError:
-        raise _unreadable(path, "MissingChunk", "is not there") from None
-    except (ValueError, OSError):
+        record: dict[str, Any] = json.loads(tail[-length - _TRAILER : -_TRAILER])
+    except ValueError:
         raise _unreadable(path, "DamagedChunk", "is damaged") from None
     if record.get("hash") != expected:
-        raise _unreadable(path, "ForeignChunk", "is of another sweep") if record else _unreadable(path, "DamagedChunk", "is damaged")
+        raise _unreadable(path, "ForeignChunk", "is of another sweep")
     return record
 
 
-def _unreadable(path: Path, cause: str, what: str) -> StoreError:
-    return StoreError(f"{path}: this chunk {what}; `judder run` computes it again", cause, {"path": str(path)})
+def _unreadable(path: str, cause: str, what: str) -> StoreError:
+    return StoreError(f"{path}: this chunk {what}; `judder run` computes it again", cause, {"path": path})

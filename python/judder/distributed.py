@@ -8,7 +8,7 @@ from concurrent import futures
 from contextlib import ExitStack
 from typing import TYPE_CHECKING, Any
 
-from judder import _judder
+from judder import _judder, _places
 from judder._cluster.dispatch import Dispatch
 from judder._cluster.executors import DaskExecutor, Executor, FuturesExecutor
 from judder._cluster.package import Package
@@ -131,6 +131,7 @@ def _run(
     progress: Progress | None,
 ) -> Study:
     retries, shares, chunks_per_task, threads = manner
+    output = _places.writable(output)
     for argument, number, least in (("retries", retries, 0), ("chunks_per_task", chunks_per_task, 1)):
         if number is not None and number < least:
             raise InputError(f"{argument}: at least {least} is needed", "Input", {"argument": argument})

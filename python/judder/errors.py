@@ -14,6 +14,7 @@ __all__ = [
     "JudderWarning",
     "LawError",
     "OscillatorError",
+    "PackageError",
     "SlidingError",
     "StoreError",
     "StructureError",
@@ -112,6 +113,15 @@ class StoreError(JudderError):
 
 class StudyError(JudderError):
     """A study without a result."""
+
+
+class PackageError(JudderError, ImportError):
+    """A Python package that this needs and that is not here; the message says what to install."""
+
+    package: str
+    """Its name."""
+    extra: str
+    """The extra of judder that brings it, ``judder[extra]``; empty where none does."""
 
 
 class Interrupted(KeyboardInterrupt):

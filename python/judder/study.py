@@ -10,16 +10,17 @@ from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from judder import _judder, _swept, _toml
+from judder import _interchange, _judder, _places, _swept, _toml
+from judder._places import RemotePath
 from judder.contact import Law
-from judder.errors import JudderWarning, StudyError
+from judder.errors import JudderWarning, StoreError, StudyError
 from judder.progress import Progress
 
 if TYPE_CHECKING:
     import pandas
     import xarray
 
-__all__ = ["CaseLike", "Study", "check", "load_study", "run"]
+__all__ = ["CaseLike", "RemotePath", "Study", "check", "load_study", "run"]
 
 CaseLike: TypeAlias = str | os.PathLike[str] | Mapping[str, Any]
 """A case: the path of its file, its text (a ``str`` with a line break), or its tables as a mapping."""
@@ -91,7 +92,7 @@ def run(
     """
     told = _judder.run_case(
         source(case),
-        output=None if output is None else os.fspath(output),
+        output=None if output is None else _places.writable(output),
         only=list(only),
         overrides=_toml.overrides(set),
         fresh=fresh,
@@ -107,13 +108,21 @@ def run(
     return Study(told["folder"])
 
 
-def load_study(folder: str | os.PathLike[str]) -> Study:
-    """Opens a study folder that ``judder run`` or :func:`judder.run` has written.
+def load_study(folder: str | os.PathLike[str], *, storage_options: Mapping[str, Any] | None = None) -> Study:
+    """Opens a study that ``judder run`` or :func:`judder.run` has written.
+
+    Args:
+        folder: its folder; or the address of a copy in an object store or archive that fsspec knows, such as ``"s3://bucket/study"`` or
+            ``"zip::s3://bucket/study.zip"`` (``pip install 'judder[remote]'``, and s3fs for ``s3://``). Such a study is read and never
+            written, and nothing is fetched before it is used.
+        storage_options: what fsspec is to know of the store, such as ``{"anon": True}``.
 
     Raises:
         StudyError: there is no study here, or its summary cannot be read.
+        InputError: no store has such an address.
+        PackageError: the package for this store is not installed.
     """
-    return Study(folder)
+    return Study(folder, storage_options)
 
 
 class Study(Mapping[str, "xarray.Dataset"]):
@@ -127,19 +136,19 @@ class Study(Mapping[str, "xarray.Dataset"]):
     In a notebook a study shows its results and figures.
     """
 
-    folder: Path
+    folder: Path | RemotePath
     """The study folder."""
     summary: dict[str, Any]
     """The content of ``summary.json``."""
 
-    def __init__(self, folder: str | os.PathLike[str]) -> None:
-        self.folder = Path(folder)
+    def __init__(self, folder: str | os.PathLike[str], storage_options: Mapping[str, Any] | None = None) -> None:
+        self.folder = _places.place(folder, storage_options)
         path = self.folder / "summary.json"
         try:
             self.summary = json.loads(path.read_text(encoding="utf-8"))
         except (FileNotFoundError, NotADirectoryError):
             raise _no_study(self.folder, "no study here; `judder.run` makes one") from None
-        except (ValueError, OSError) as error:
+        except (ValueError, OSError, StoreError) as error:
             raise _no_study(self.folder, f"the summary cannot be read ({error})") from error
 
     @property
@@ -179,28 +188,26 @@ class Study(Mapping[str, "xarray.Dataset"]):
         return {name: list(self.summary["analyses"][name].get("warnings", [])) for name in self.analyses}
 
     @property
-    def report(self) -> Path:
+    def report(self) -> Path | RemotePath:
         """The report page."""
         return self.folder / "report.html"
 
     @property
-    def figures(self) -> dict[str, Path]:
+    def figures(self) -> dict[str, Path | RemotePath]:
         """The figures (SVG) by their names."""
-        return {path.stem: path for path in sorted((self.folder / "figures").glob("*.svg"))}
+        return _places.listed(self.folder, "figures", ".svg")
 
     @property
-    def tables(self) -> dict[str, Path]:
+    def tables(self) -> dict[str, Path | RemotePath]:
         """The tables (CSV) by their names."""
-        return {path.stem: path for path in sorted(self.folder.glob("*.csv"))}
+        return _places.listed(self.folder, "", ".csv")
 
     def __getitem__(self, name: str) -> xarray.Dataset:
-        import xarray
-
         if name not in self.analyses or name in self.failures:
             raise KeyError(name)
         if name in self.sweeps:
             return _swept.dataset(self.folder, name)
-        return xarray.open_dataset(self.folder / "results.zarr", engine="zarr", group=name, chunks=None)
+        return _places.group(self.folder, name)
 
     def failed_points(self, name: str) -> pandas.DataFrame:
         """The points of a sweep that have no answer, or a doubtful one.
@@ -216,6 +223,77 @@ class Study(Mapping[str, "xarray.Dataset"]):
             raise KeyError(name)
         numbers = self.results[name]
         return _swept.failed_points(self.folder, name, any_failed=bool(numbers["failed"] or numbers["doubtful"]))
+
+    def to_parquet(self, folder: str | os.PathLike[str], *, only: Iterable[str] = (), progress: Progress | None = None) -> list[Path]:
+        """Writes results as tables of Apache Parquet, for pandas, Polars, DuckDB, R, Spark (``pip install 'judder[parquet]'``).
+
+        A row is a point; a column is a coordinate or a variable, a complex variable two, ``<name>_real`` and ``<name>_imag``. Variables of
+        other dimensions have tables of their own, ``<result>.<dimensions>.parquet``. ``<result>.results.parquet`` has the numbers of
+        ``summary.json``; of a sweep ``<result>.failures.parquet`` has the points without an answer. Units, long names and the codes of
+        classes are in the metadata of the columns. NaN becomes null. No more than some 10⁵ rows are in memory at a time.
+
+        The files are there whole, or not at all; those of the same names are replaced.
+
+        Args:
+            folder: where they go; it is made where there is none.
+            only: these analyses and sweeps and no others.
+            progress: ``progress(name, done, total)``, in values.
+
+        Returns:
+            The files.
+
+        Raises:
+            PackageError: pyarrow is not installed.
+            StoreError: they cannot be written; a chunk of a sweep is missing or damaged.
+            InputError: there is no such result.
+        """
+        return _interchange.to_parquet(self, self._beside(folder), only, progress)
+
+    def to_csv(self, folder: str | os.PathLike[str], *, only: Iterable[str] = (), progress: Progress | None = None) -> list[Path]:
+        """Writes the same tables as comma-separated values: units in the heads, empty cells for NaN, numbers to the last bit.
+
+        ``<result>.columns.csv`` says what the columns are: unit, long name, codes of classes. No package is needed. Arguments, return
+        value and errors are those of :meth:`to_parquet`.
+        """
+        return _interchange.to_csv(self, self._beside(folder), only, progress)
+
+    def to_netcdf(self, path: str | os.PathLike[str], *, only: Iterable[str] = (), progress: Progress | None = None) -> Path:
+        """Writes results into one NetCDF-4 file, a group each, for xarray, MATLAB, Julia (``pip install 'judder[netcdf]'``).
+
+        A complex variable becomes two, ``<name>_real`` and ``<name>_imag``; the points of a sweep without an answer are in a group
+        ``failures`` of its group. ``xarray.open_dataset(path, group="map")`` reads one back. Sweeps are written block by block.
+
+        Arguments and errors are those of :meth:`to_parquet`.
+
+        Returns:
+            The file.
+        """
+        return _interchange.to_netcdf(self, Path(_places.writable(path)), only, progress)
+
+    def to_matlab(self, path: str | os.PathLike[str], *, only: Iterable[str] = (), progress: Progress | None = None) -> Path:
+        """Writes results into one ``.mat`` file, a structure each, for MATLAB, Octave, SciPy (``pip install 'judder[matlab]'``).
+
+        What MATLAB takes for no name is changed: ``operation.velocity`` becomes ``operation_velocity``. The fields ``units``,
+        ``long_name``, ``flag_values``, ``flag_meanings``, ``dimensions`` and ``names`` of a structure say what its variables are;
+        ``results`` has its numbers, ``failures`` the points of a sweep without an answer, with their ``index`` in its variables.
+
+        Arguments and errors are those of :meth:`to_parquet`; besides:
+
+        Raises:
+            StoreError: a result has more than such a file holds, 2 GiB.
+
+        Returns:
+            The file.
+        """
+        return _interchange.to_matlab(self, Path(_places.writable(path)), only, progress)
+
+    def _beside(self, folder: str | os.PathLike[str]) -> Path:
+        """A folder for tables, other than the study folder, whose tables have the same names."""
+        found = Path(_places.writable(folder))
+        if isinstance(self.folder, Path) and found.resolve() == self.folder.resolve():
+            message = f"{found}: the study folder has tables of these names; name another folder, such as {found / 'tables'}"
+            raise StoreError(message, "Write", {"path": str(found)})
+        return found
 
     def __iter__(self) -> Iterator[str]:
         return (name for name in self.analyses if name not in self.failures)
@@ -242,5 +320,5 @@ class Study(Mapping[str, "xarray.Dataset"]):
         return f"<h4>{html.escape(str(title))}</h4>{failed}<table>{rows}</table>{figures}"
 
 
-def _no_study(folder: Path, reason: str) -> StudyError:
+def _no_study(folder: Path | RemotePath, reason: str) -> StudyError:
     return StudyError(f"{folder}: {reason}", "NoStudy", {"folder": str(folder)})

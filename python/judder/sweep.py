@@ -13,7 +13,7 @@ import warnings
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from judder import _judder, _toml
+from judder import _judder, _places, _toml
 from judder.contact import Law
 from judder.errors import InputError, JudderWarning, StudyError
 from judder.progress import Progress
@@ -131,7 +131,7 @@ class Sweep:
             ``points``, ``chunks``, ``chunks_done``, ``seconds_per_point`` (on one thread), ``threads``, ``seconds``, ``memory_bytes``,
             ``stored_bytes``.
         """
-        document: dict[str, Any] = json.loads(self._compiled.estimate(None if folder is None else os.fspath(folder)))
+        document: dict[str, Any] = json.loads(self._compiled.estimate(None if folder is None else _places.writable(folder)))
         return document
 
     def missing(self, folder: str | os.PathLike[str]) -> NDArray[np.int64]:
@@ -142,7 +142,7 @@ class Sweep:
         Raises:
             StoreError: the folder holds this sweep of another case.
         """
-        return self._compiled.missing(os.fspath(folder))
+        return self._compiled.missing(_places.writable(folder))
 
     def compute(self, chunk: int) -> bytes:
         """Computes the points of a chunk, on one thread, and returns the content of its file.
@@ -170,7 +170,7 @@ class Sweep:
         Raises:
             StoreError: these bytes are not that chunk of this sweep; the folder cannot be written.
         """
-        self._compiled.hold(os.fspath(folder)).write([(chunk, content)])
+        self._compiled.hold(_places.writable(folder)).write([(chunk, content)])
 
     def run(
         self,
@@ -192,7 +192,7 @@ class Sweep:
             StoreError: the folder cannot be written, or holds this sweep of another case.
             Interrupted: Ctrl-C; the same call goes on from there.
         """
-        self._compiled.run(os.fspath(folder), shard=shard, threads=threads, progress=progress)
+        self._compiled.run(_places.writable(folder), shard=shard, threads=threads, progress=progress)
 
     def merge(self, folder: str | os.PathLike[str]) -> Study:
         """Completes a study folder in which all chunks are: summary, report, metadata.
@@ -200,13 +200,14 @@ class Sweep:
         Raises:
             StudyError: chunks are missing; ``error.missing`` of them.
         """
-        notes, complete = self._compiled.merge(os.fspath(folder))
+        path = _places.writable(folder)
+        notes, complete = self._compiled.merge(path)
         if not complete:
-            message = "; ".join(notes) or f"{os.fspath(folder)}: other processes are at work on this study"
-            raise StudyError(message, "MissingChunks", {"folder": os.fspath(folder), "missing": len(self.missing(folder))})
+            message = "; ".join(notes) or f"{path}: other processes are at work on this study"
+            raise StudyError(message, "MissingChunks", {"folder": path, "missing": len(self.missing(path))})
         for note in notes:
             warnings.warn(note, JudderWarning, stacklevel=2)
-        return Study(folder)
+        return Study(path)
 
     def __repr__(self) -> str:
         return f"Sweep({self.name!r}: {self.points} points in {self.chunks} chunks)"

@@ -46,6 +46,19 @@ def cases() -> None:
         print(error.cause)
 
 
+def exports() -> None:
+    study = judder.load_study("s3://bucket/study", storage_options={"anon": True})
+    print(study.report.name, study.report.read_text()[:10], [path.stem for path in study.figures.values()], open(study.tables["map"]).readline())
+    tables = study.to_parquet(Path("tables"), only=["map"], progress=judder.tqdm_progress())
+    print(tables[0].name, study.to_csv("tables")[0].name, study.to_netcdf("study.nc").suffix, study.to_matlab("study.mat", only="map").suffix)
+    try:
+        judder.run("case.toml", output="s3://bucket/study")
+    except judder.StoreError as error:
+        print(error.cause)
+    except judder.PackageError as error:
+        print(error.package, error.extra)
+
+
 def sweeps(client: Client) -> None:
     sweep = judder.sweep.plan(Path("case.toml"), "robustness", set={"sweep.robustness.points": 64})
     for chunk in sweep.missing("out"):

@@ -20,6 +20,7 @@ MODULES = [
     judder.distributed,
     judder.errors,
     judder.oscillator,
+    judder.plot,
     judder.progress,
     judder.sliding,
     judder.study,

@@ -1,0 +1,107 @@
+"""Pictures with matplotlib in judder's own colours, in which a meaning has one colour everywhere.
+
+Needs ``pip install 'judder[plot]'``. Everything else draws itself: datasets through xarray, studies in a notebook.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from judder.oscillator import StabilityMap
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.axes import Axes
+
+__all__ = ["COLOURS", "SERIES", "stability"]
+
+COLOURS: Final = {
+    "stable": "#f3f3ef",
+    "flutter": "#5b90c4",
+    "negative-damping": "#eeab55",
+    "both": "#6a4682",
+    "normal-force-coupling": "#efdc8f",
+    "marginal": "#6b6b6b",
+    "unresolved": "#8c8c8c",
+    "full-boundary": "#000000",
+    "conservative-boundary": "#000000",
+    "decoupled-boundary": "#c8102e",
+    "reference": "#6b6b6b",
+}
+"""The colours of areas and boundaries of a stability map; areas are apart in grey too."""
+SERIES: Final = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000")
+"""The colours of curves that have no order."""
+
+_BOUNDARIES = {"full": ("boundary, full system", "-"), "conservative": ("boundary without damping", "--"), "decoupled": ("boundary for η = 0", "-")}
+
+
+def stability(found: StabilityMap | xarray.Dataset, *, ax: Axes | None = None, legend: bool = True) -> Axes:
+    """Draws a stability map: its mechanisms as areas and, where they were followed, its boundaries as lines.
+
+    Args:
+        found: a map of :func:`judder.oscillator.stability_map`, or the dataset of an analysis ``stability-map`` of an oscillator.
+        ax: where to draw; the current axes where none are given.
+        legend: whether to name areas and lines, those that occur.
+
+    Returns:
+        The axes, with labels and, where values have equal ratios, logarithmic scales.
+
+    >>> import matplotlib; matplotlib.use("agg")
+    >>> found = judder.oscillator.stability_map(("velocity", [1e-6, 1e-4, 1e-2]), ("shear_strength", [0.01, 0.1]))
+    >>> judder.plot.stability(found).get_xscale()
+    'log'
+    """
+    import matplotlib.pyplot as pyplot
+    import numpy as np
+    from matplotlib.colors import ListedColormap
+
+    axes = pyplot.gca() if ax is None else ax
+    data = found.to_dataset() if isinstance(found, StabilityMap) else found
+    classes = data["stability"]
+    y, x = (data[name] for name in classes.dims)
+    names = str(classes.attrs["flag_meanings"]).split()
+    colours = ListedColormap([COLOURS[name] for name in names])
+    axes.pcolormesh(x.values, y.values, classes.values, cmap=colours, vmin=-0.5, vmax=len(names) - 0.5, shading="nearest", rasterized=True)
+    _boundaries(data, str(x.name), str(y.name), axes)
+    axes.set(xlabel=_label(x), ylabel=_label(y), xscale=_scale(x), yscale=_scale(y))
+    axes.set(xlim=(x.values.min(), x.values.max()), ylim=(y.values.min(), y.values.max()))
+    if legend:
+        _legend(axes, [names[code] for code in np.unique(classes.values)])
+    return axes
+
+
+def _boundaries(data: xarray.Dataset, x: str, y: str, axes: Axes) -> None:
+    """The boundaries that the dataset has, each with a light rim that keeps it apart from the areas."""
+    from matplotlib.patheffects import Normal, Stroke
+
+    for name, (label, dash) in _BOUNDARIES.items():
+        if f"{name}_boundary_{x}" in data:
+            along = [data[f"{name}_boundary_{side}"].values for side in (x, y)]
+            (line,) = axes.plot(*along, dash, color=COLOURS[f"{name}-boundary"], linewidth=1.3, label=label)
+            line.set_path_effects([Stroke(linewidth=2.8, foreground="white"), Normal()])
+
+
+def _label(side: xarray.DataArray) -> str:
+    """Name and unit of a side of a map."""
+    unit = "–" if side.attrs["units"] == "1" else side.attrs["units"]
+    return str(side.attrs.get("label", f"{side.attrs['long_name']} ({unit})"))
+
+
+def _scale(side: xarray.DataArray) -> str:
+    """Logarithmic where the values have equal ratios."""
+    import numpy as np
+
+    values = side.values
+    even = len(values) > 2 and bool(np.all(values > 0)) and np.allclose(np.diff(np.log(values), 2), 0, atol=1e-6)
+    return "log" if even else "linear"
+
+
+def _legend(axes: Axes, names: list[str]) -> None:
+    """Areas, then lines, below the axes."""
+    from matplotlib.patches import Patch
+
+    words = {name: name.replace("-", " ") for name in names} | {"normal-force-coupling": "normal-force coupling"}
+    rim = COLOURS["reference"]
+    areas = [Patch(facecolor=COLOURS[name], edgecolor=rim, linewidth=0.5, label=words[name]) for name in names]
+    lines, _ = axes.get_legend_handles_labels()
+    axes.legend(handles=[*areas, *lines], loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=3, frameon=False, fontsize="small")

@@ -1,0 +1,61 @@
+"""Pictures: the colours of the program's own, areas and boundaries where the numbers have them."""
+
+import re
+
+import matplotlib
+import numpy as np
+import pytest
+
+matplotlib.use("agg")
+
+import matplotlib.pyplot as pyplot
+
+import judder
+from common import ROOT
+
+PALETTE = ROOT / "crates" / "judder-report" / "src" / "palette.rs"
+
+
+
+def test_the_colours_are_those_of_the_program():
+    text = PALETTE.read_text("utf-8")
+    roles = dict(re.findall(r"Self::(\w+) => Colour\((0x.*?)\)", text))
+    series = re.search(r"QUALITATIVE.*?= \[(.*?)\];", text, flags=re.DOTALL).group(1)
+
+    def hexadecimal(channels):
+        return "#" + "".join(re.findall(r"0x(\w\w)", channels))
+
+    assert [hexadecimal(one) for one in re.findall(r"Colour\((.*?)\)", series)] == list(judder.plot.SERIES)
+    for name in ("stable", "flutter", "negative-damping", "both", "normal-force-coupling", "unresolved", "decoupled-boundary"):
+        role = "".join(word.capitalize() for word in name.split("-"))
+        assert hexadecimal(roles[role]) == judder.plot.COLOURS[name], name
+
+
+@pytest.fixture
+def axes():
+    figure, made = pyplot.subplots()
+    yield made
+    pyplot.close(figure)
+
+
+def names(axes):
+    return [text.get_text() for text in axes.get_legend().get_texts()]
+
+
+def test_a_map_is_drawn_with_the_classes_that_occur(axes):
+    found = judder.oscillator.stability_map(("velocity", np.logspace(-6, 0, 20), "m/s"), ("shear_strength", np.linspace(0, 0.2, 10)))
+    assert judder.plot.stability(found, ax=axes) is axes
+    assert (axes.get_xscale(), axes.get_yscale()) == ("log", "linear")
+    assert "m/s" in axes.get_xlabel() and axes.get_xlim() == (1e-6, 1.0)
+    assert names(axes)[0] == "stable" and "unresolved" not in names(axes) and not axes.lines
+    drawn = axes.collections[0]
+    assert (drawn.get_array().reshape(found.classes.shape) == found.classes).all()
+    seen = {matplotlib.colors.to_hex(drawn.to_rgba(code)) for code in np.unique(found.classes)}
+    assert seen == {judder.plot.COLOURS[judder.oscillator.CLASSES[code]] for code in np.unique(found.classes)}
+
+
+def test_the_map_of_a_case_has_its_boundaries(axes, map_case, tmp_path):
+    study = judder.run(map_case, output=tmp_path, only=["map"])
+    judder.plot.stability(study["map"], ax=axes, legend=False)
+    assert axes.get_legend() is None and len(axes.lines) == 3
+    judder.plot.stability(study["map"].drop_vars([name for name in study["map"] if "boundary" in name]))

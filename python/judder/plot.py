@@ -63,6 +63,7 @@ def stability(found: StabilityMap | xarray.Dataset, *, ax: Axes | None = None, l
     colours = ListedColormap([COLOURS[name] for name in names])
     axes.pcolormesh(x.values, y.values, classes.values, cmap=colours, vmin=-0.5, vmax=len(names) - 0.5, shading="nearest", rasterized=True)
     _boundaries(data, str(x.name), str(y.name), axes)
+    axes.grid(visible=False)
     axes.set(xlabel=_label(x), ylabel=_label(y), xscale=_scale(x), yscale=_scale(y))
     axes.set(xlim=(x.values.min(), x.values.max()), ylim=(y.values.min(), y.values.max()))
     if legend:

@@ -31,11 +31,13 @@ def maps() -> None:
         retardation_time="10 ms",
         progress=judder.tqdm_progress(),
     )
+    judder.plot.stability(found).set_title(judder.plot.COLOURS["flutter"])
     growth = found.growth_rate
     print(found.unstable.mean(), growth.max() if growth is not None else None, found.to_dataset().sizes)
 
 
 def cases() -> None:
+    judder.plot.stability(judder.load_study("out")["map"], legend=False)
     study = judder.run(Path("case.toml"), set={"operation.velocity": 1e-3}, only=["map"], threads=2)
     print(study.results["map"], study["map"].growth_rate.mean(), [name for name in study], study.report.name)
     try:

@@ -32,7 +32,11 @@ COLOURS: Final = {
 SERIES: Final = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000")
 """The colours of curves that have no order."""
 
-_BOUNDARIES = {"full": ("boundary, full system", "-"), "conservative": ("boundary without damping", "--"), "decoupled": ("boundary for η = 0", "-")}
+_BOUNDARIES = {
+    "full": ("boundary, full system", "-"),
+    "conservative": ("boundary without damping", "--"),
+    "decoupled": ("boundary for η = 0", "-"),
+}
 
 
 def stability(found: StabilityMap | xarray.Dataset, *, ax: Axes | None = None, legend: bool = True) -> Axes:

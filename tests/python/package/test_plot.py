@@ -58,4 +58,3 @@ def test_the_map_of_a_case_has_its_boundaries(axes, map_case, tmp_path):
     study = judder.run(map_case, output=tmp_path, only=["map"])
     judder.plot.stability(study["map"], ax=axes, legend=False)
     assert axes.get_legend() is None and len(axes.lines) == 3
-    judder.plot.stability(study["map"].drop_vars([name for name in study["map"] if "boundary" in name]))

@@ -215,7 +215,8 @@ def main() -> int:
             costs["task"] = tasks(client, compiled)
             alone(client)
             whole(client, case, folder / "cluster")
-    table(costs)
+        table(costs)
+        print("\nremoving the chunks, which may take as long again", flush=True)
     return 0
 
 

@@ -23,6 +23,9 @@ def local(tmp_path_factory):
 def memory(local):
     """The study in the memory file system of fsspec, under bucket/study."""
     store = fsspec.filesystem("memory")
+    # there is one for the whole process, and the examples of the book use it, too
+    if store.exists("/bucket"):
+        store.rm("/bucket", recursive=True)
     store.put(str(local.folder), "/bucket/study", recursive=True)
     yield store
     store.rm("/bucket", recursive=True)

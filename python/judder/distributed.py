@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 
 __all__ = ["run", "run_with"]
 
+_MOST_THREADS = 4096
+
 
 def run(
     case: CaseLike,
@@ -112,8 +114,9 @@ def run_with(
     >>> from joblib.externals.loky import get_reusable_executor  # doctest: +SKIP
     >>> study = judder.distributed.run_with("case.toml", lambda: get_reusable_executor(8), output="out/case")  # doctest: +SKIP
     """
-    if threads_per_worker < 1:
-        raise InputError("threads_per_worker: at least 1 is needed", "Input", {"argument": "threads_per_worker"})
+    if not 1 <= threads_per_worker <= _MOST_THREADS:
+        message = f"threads_per_worker: from 1 to {_MOST_THREADS}, not {threads_per_worker}"
+        raise InputError(message, "Input", {"argument": "threads_per_worker"})
 
     def of_futures(package: Package, sweep: str) -> Executor:
         return FuturesExecutor(executor, package, workers)

@@ -5,7 +5,6 @@ use crate::errors;
 use crate::watched::{Manner, is_ctrl_c, watched};
 use judder_case::{Case, CaseError, CaseFile, OscillatorCase};
 use judder_contact::law::file::to_json;
-use judder_store::{StoreError, StudyFolder};
 use judder_study::StudyError;
 use judder_study::resolve::resolve;
 use judder_study::run::{RunOptions, RunReport, run};
@@ -14,11 +13,7 @@ use pyo3::types::PyDict;
 use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::thread;
-use std::time::Duration;
 
-/// How long to wait before asking again for a study that another holds.
-const PAUSE: Duration = Duration::from_millis(50);
 /// The file in a study folder that holds a law that came from Python.
 const LAW_FILE: &str = "law.json";
 /// A law that asks nothing of the substrate, in the place of the one that is put there.
@@ -69,15 +64,18 @@ pub(crate) fn run_case<'py>(
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let manner = Manner::on_threads_of_its_own(progress, threads)?;
-    let (file, folder) = match law {
-        None => {
-            let file = case.read(&overrides)?;
-            let folder = folder_of(&file, output);
-            (file, folder)
+    // the law lies beside the case until the study, held alone, keeps it
+    let beside = tempfile::tempdir().map_err(errors::system)?;
+    let (file, files) = match law {
+        None => (case.read(&overrides)?, Vec::new()),
+        Some(law) => {
+            let file = with_law_in(beside.path(), &case, overrides, &law)?;
+            let content = fs::read(beside.path().join(LAW_FILE)).map_err(errors::system)?;
+            (file, vec![(LAW_FILE.to_owned(), content)])
         }
-        Some(law) => with_law(py, &case, overrides, output, &law)?,
     };
-    let options = RunOptions { only, fresh, waits: true, ..RunOptions::default() };
+    let folder = folder_of(&file, output);
+    let options = RunOptions { only, fresh, files, ..RunOptions::default() };
     let done = watched(py, &manner, |watch| run(&file, &folder, &options, watch))?;
     if matches!(done.result, Err(StudyError::Interrupted))
         && done.stopped.as_ref().is_none_or(|stop| is_ctrl_c(py, stop))
@@ -92,38 +90,6 @@ fn folder_of(file: &CaseFile, output: Option<PathBuf>) -> PathBuf {
     output.unwrap_or_else(|| Path::new("out").join(&file.name))
 }
 
-/// A case with a law in the place of its own, as a file of its study folder.
-fn with_law(
-    py: Python<'_>,
-    case: &Source,
-    overrides: Vec<String>,
-    output: Option<PathBuf>,
-    law: &PyLaw,
-) -> PyResult<(CaseFile, PathBuf)> {
-    let (text, file) = lawful(case, &overrides, law)?;
-    let folder = folder_of(&file, output);
-    let path = folder.join(LAW_FILE);
-    // where it is there already, others may be at work with it
-    if !fs::read(&path).is_ok_and(|there| there == text.as_bytes()) {
-        let store = held_alone(py, &folder)?;
-        store.write_file(LAW_FILE, text.as_bytes()).map_err(|error| errors::store(&error))?;
-    }
-    Ok((with_law_file(case, overrides, &path)?, folder))
-}
-
-/// A study, as soon as nobody else holds it.
-fn held_alone(py: Python<'_>, folder: &Path) -> PyResult<StudyFolder> {
-    loop {
-        match StudyFolder::create(folder) {
-            Err(StoreError::Locked { .. }) => {
-                py.check_signals()?;
-                py.detach(|| thread::sleep(PAUSE));
-            }
-            store => return store.map_err(|error| errors::store(&error)),
-        }
-    }
-}
-
 /// A case with a law in the place of its own, as a file of a folder that is no study.
 pub(crate) fn with_law_in(
     folder: &Path,
@@ -132,24 +98,28 @@ pub(crate) fn with_law_in(
     law: &PyLaw,
 ) -> PyResult<CaseFile> {
     let path = folder.join(LAW_FILE);
-    let (text, _) = lawful(case, &overrides, law)?;
+    let text = lawful(case, &overrides, law)?;
     fs::write(&path, text).map_err(|error| errors::file(&path, &error))?;
     with_law_file(case, overrides, &path)
 }
 
-/// The file of a law, and a case that can take it, with another law.
-fn lawful(case: &Source, overrides: &[String], law: &PyLaw) -> PyResult<(String, CaseFile)> {
-    if let Ok(CaseFile { case, .. }) = case.parse(overrides)
-        && !matches!(case, Case::Oscillator(_))
-    {
-        return Err(errors::input("law", format!("a case of model `{}` takes none", case.model())));
+/// The file of a law that a case can take.
+fn lawful(case: &Source, overrides: &[String], law: &PyLaw) -> PyResult<String> {
+    match case.parse(overrides) {
+        Ok(CaseFile { case: Case::Oscillator(_), .. }) => {}
+        Ok(CaseFile { case, .. }) => {
+            return Err(errors::input("law", format!("a case of model `{}` takes none", case.model())));
+        }
+        // it may lack nothing but a law
+        Err(error) => {
+            let overrides = [overrides, &[STAND_IN.to_owned()]].concat();
+            case.parse(&overrides).map_err(|_| errors::case(&error))?;
+        }
     }
     let text = to_json(law.law()).map_err(|error| errors::law(&error))?;
-    let text = text.ok_or_else(|| {
+    text.ok_or_else(|| {
         errors::input("law", "a law that has a name goes into the case: set={\"contact.law\": name}")
-    })?;
-    let overrides = [overrides, &[STAND_IN.to_owned()]].concat();
-    Ok((text, case.read(&overrides)?))
+    })
 }
 
 /// A case with the law in a file; wherever that lies, the case calls it by the same name.

@@ -46,6 +46,8 @@ impl PySweep {
         threads: Option<usize>,
         law: Option<(Py<PyLaw>, PathBuf)>,
     ) -> PyResult<Vec<Self>> {
+        // refuses a number of threads that no machine has
+        Manner::new(None, threads)?;
         let pool = threads.map(|threads| pool::of(threads).map(Arc::new)).transpose();
         let pool = pool.map_err(errors::system)?;
         // the files that it names are read, which may take a while

@@ -41,6 +41,12 @@ pub enum StudyError {
         /// The names that there are.
         known: Vec<String>,
     },
+    /// A part was asked for where there is nothing to part.
+    #[error("only sweeps have parts, and none is asked for; the case has {}", sweeps(known))]
+    NoParts {
+        /// The sweeps that there are.
+        known: Vec<String>,
+    },
     /// The command is for oscillator cases.
     #[error("`judder {command}` takes an oscillator case; this one is of model `{model}`")]
     WrongModel {
@@ -208,6 +214,7 @@ impl StudyError {
         match self {
             Self::Case(_)
             | Self::UnknownAnalysis { .. }
+            | Self::NoParts { .. }
             | Self::WrongModel { .. }
             | Self::NotRunYet { .. }
             | Self::File { .. }
@@ -221,16 +228,7 @@ impl StudyError {
             | Self::NoMode { .. }
             | Self::NoResults { .. }
             | Self::Periodic(_) => true,
-            Self::Store(error) => matches!(
-                error,
-                StoreError::NotAFolder { .. }
-                    | StoreError::ForeignFolder { .. }
-                    | StoreError::ForeignSweep { .. }
-                    | StoreError::OtherLayout { .. }
-                    | StoreError::ForeignChunk { .. }
-                    | StoreError::NoStudy { .. }
-                    | StoreError::SummaryUnreadable { .. }
-            ),
+            Self::Store(error) => is_wrong_folder(error),
             // a square that was chosen, not given
             Self::Contact(error) => {
                 !matches!(error, SteadyError::DomainTooSmall { .. } | SteadyError::NoCells)
@@ -267,4 +265,22 @@ impl StudyError {
             | Self::Interrupted => false,
         }
     }
+}
+
+/// Whether the folder that was named is to blame.
+fn is_wrong_folder(error: &StoreError) -> bool {
+    matches!(
+        error,
+        StoreError::NotAFolder { .. }
+            | StoreError::ForeignFolder { .. }
+            | StoreError::ForeignSweep { .. }
+            | StoreError::OtherLayout { .. }
+            | StoreError::ForeignChunk { .. }
+            | StoreError::NoStudy { .. }
+            | StoreError::SummaryUnreadable { .. }
+    )
+}
+
+fn sweeps(known: &[String]) -> String {
+    if known.is_empty() { "no sweep".to_owned() } else { format!("the sweeps {}", known.join(", ")) }
 }

@@ -34,8 +34,8 @@ pub struct RunOptions {
     pub fresh: bool,
     /// What is done of the sweeps.
     pub sweeps: SweepWork,
-    /// Once all chunks are there, wait for others who hold the study as long as they do. Otherwise after some seconds the completion is left to them.
-    pub waits: bool,
+    /// What the study keeps beside its results, by name: files of the case that no other place has.
+    pub files: Vec<(String, Vec<u8>)>,
 }
 
 /// What is done of the sweeps of a case.
@@ -95,6 +95,10 @@ pub fn run(
     let asked = Asked::new(file, options)?;
     let prepared = door::check(file, |name| asked.is_wanted(name))?;
     let plans = asked.plans()?;
+    if plans.is_empty() && matches!(options.sweeps, SweepWork::Part(_)) {
+        let known = file.sweeps.iter().map(|sweep| sweep.name.clone()).collect();
+        return Err(StudyError::NoParts { known });
+    }
     if !plans.is_empty() {
         return sweeps::run((&asked, &prepared, &plans), folder, options, progress);
     }
@@ -183,6 +187,7 @@ fn compute_in(
     progress: &dyn Progress,
 ) -> Result<Computed, StudyError> {
     let start = Instant::now();
+    asked.keep_files(&store)?;
     let mut study = Study::open(&store, asked.all())?;
     study.set_case(asked.file, &asked.resolved);
     let (mut skipped, mut refused) = (Vec::new(), Vec::new());
@@ -197,6 +202,7 @@ fn compute_in(
         }
         let began = Instant::now();
         let (outcome, scratch) = bench.run(index, progress)?;
+        asked.check_files()?;
         if let Some(error) = study.keep(name, hash.clone(), outcome, began.elapsed().as_secs_f64())? {
             refused.push(RefusedAnalysis { name: name.clone(), error });
         }

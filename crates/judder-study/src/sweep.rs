@@ -9,6 +9,7 @@
 //! - `part`: chunks and points for whoever hands them out to machines of his own.
 //! - `dry_run`: what a sweep would take.
 //! - `statistics`, `indices`: what a finished sweep says: extremes, failures, sensitivity.
+//! - `law_warnings`: what it says of its contact law.
 //! - `finish`: a finished sweep as an outcome.
 
 mod chunks;
@@ -16,6 +17,7 @@ mod dry_run;
 mod evaluate;
 mod finish;
 mod indices;
+mod law_warnings;
 mod part;
 mod plan;
 mod point_quantity;
@@ -27,6 +29,7 @@ pub(crate) use chunks::{damaged, mend, work};
 pub use dry_run::SweepEstimate;
 pub use evaluate::{ChunkValues, Evaluator};
 pub(crate) use finish::finish;
+pub(crate) use part::when_free;
 pub use part::{Handed, joined, missing};
 pub use plan::SweepPlan;
 pub use shard::Shard;

@@ -17,8 +17,8 @@ Examples:
   judder merge case.toml
   judder merge case.toml -o /scratch/study
 
-The parts of `judder run --shard k/N` leave chunks in one study folder. This computes none and copies none: it looks whether all are \
-there and whole, and writes the metadata, summary.json and the report.";
+The parts of `judder run --shard k/N` leave chunks in one study folder. This computes none and copies none: it reads all, says \
+which sweep lacks how many or has damaged ones, and writes the metadata, summary.json and the report where none does.";
 
 /// Write summary and report of sweeps whose parts are all computed
 #[derive(Debug, Args)]

@@ -100,7 +100,8 @@ pub(super) fn tell(report: RunReport, case: &Path, console: Console) -> Exit {
     for table in &report.tables {
         console.note(table);
     }
-    for note in &report.notes {
+    let is_unfinished = !report.complete && report.report.is_none();
+    for note in report.notes.iter().filter(|_| !is_unfinished) {
         console.note(note);
     }
     for message in &report.messages {
@@ -121,10 +122,11 @@ pub(super) fn tell(report: RunReport, case: &Path, console: Console) -> Exit {
         }
         return Exit::WrongInput;
     }
-    let where_told = match report.report {
-        Some(_) => "the report says which and where",
-        None => "`judder run` computes what is missing",
-    };
-    console.incomplete("a requested result is missing", where_told);
+    if is_unfinished {
+        let text = format!("a requested result is missing: {}", report.notes.join("; "));
+        console.incomplete(&text, "`judder run` computes what is missing");
+    } else {
+        console.incomplete("a requested result is missing", "the report says which and where");
+    }
     Exit::Incomplete
 }

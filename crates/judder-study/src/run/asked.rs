@@ -8,13 +8,15 @@ use crate::ledger::VERSION;
 use crate::sweep::SweepPlan;
 use judder_case::study_sweep::quantity_path::QuantitySource;
 use judder_case::{Case, CaseFile, StudySweep};
-use judder_store::content_hash;
+use judder_store::{StudyFolder, content_hash};
 use serde_json::{Value, json};
 
 /// A case with the names and hashes of all that it has, and what of it is wanted.
 pub(crate) struct Asked<'a> {
     pub(super) file: &'a CaseFile,
     only: &'a [String],
+    /// What the study keeps beside its results.
+    kept: &'a [(String, Vec<u8>)],
     /// The case with every default and the content of its files.
     pub(super) resolved: Value,
     /// The analyses with their hashes.
@@ -41,7 +43,28 @@ impl<'a> Asked<'a> {
         let hashed = |(index, name): (usize, &String)| (name.clone(), analysis_hash(&resolved, index));
         let analyses = names.iter().enumerate().map(hashed).collect();
         let sweeps = file.sweeps.iter().map(|sweep| sweep_hash(&resolved, sweep)).collect();
-        Ok(Self { file, only: &options.only, resolved, analyses, sweeps, files })
+        Ok(Self { file, only: &options.only, kept: &options.files, resolved, analyses, sweeps, files })
+    }
+
+    /// Refuses to go on where a file of the case is not what it was when it went into the hashes.
+    ///
+    /// # Errors
+    /// [`StudyError::FileChanged`], [`StudyError::Unreadable`].
+    pub(super) fn check_files(&self) -> Result<(), StudyError> {
+        self.files.iter().try_for_each(KnownFile::check)
+    }
+
+    /// Writes what the study keeps beside its results, where it is not there already.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub(super) fn keep_files(&self, store: &StudyFolder) -> Result<(), StudyError> {
+        for (name, content) in self.kept {
+            if !std::fs::read(store.path().join(name)).is_ok_and(|there| there == *content) {
+                store.write_file(name, content)?;
+            }
+        }
+        Ok(())
     }
 
     pub(super) fn is_wanted(&self, name: &str) -> bool {

@@ -6,11 +6,10 @@ use crate::analyses::Prepared;
 use crate::error::StudyError;
 use crate::ledger::Study;
 use crate::progress::Progress;
-use crate::sweep::{Shard, SweepPlan, damaged, finish, joined, mend, work};
+use crate::sweep::{Shard, SweepPlan, damaged, finish, joined, mend, when_free, work};
 use judder_store::{SharedStudy, StoreError, StudyFolder, Summary, SweepChunks, SweepStore};
 use std::path::Path;
-use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// Runs analyses and sweeps. Analyses are run by whoever holds the study alone: at first where nobody else is there, else at the end.
 pub(super) fn run(
@@ -19,21 +18,7 @@ pub(super) fn run(
     options: &RunOptions,
     progress: &dyn Progress,
 ) -> Result<RunReport, StudyError> {
-    if !options.fresh {
-        // nothing is rewritten for a case whose sweeps are refused
-        for plan in plans {
-            SweepChunks::look(folder, plan.layout())?;
-        }
-    }
-    let mut done_before = None;
-    match taken(folder, options.fresh) {
-        Ok(store) if options.sweeps == SweepWork::All => {
-            done_before = Some(compute_in(store, (asked, prepared), (&[], true), progress)?.skipped);
-        }
-        Ok(_) => {}
-        Err(StudyError::Store(StoreError::Locked { .. })) if !options.fresh => {}
-        Err(error) => return Err(error),
-    }
+    let done_before = begun((asked, prepared, plans), folder, options, progress)?;
     let shared = joined(folder, progress)?;
     let mut notes = Vec::new();
     let mut is_whole = true;
@@ -42,61 +27,81 @@ pub(super) fn run(
         notes.extend(note);
         is_whole &= whole;
     }
-    let mut left = shared.leave()?;
-    if is_whole && left.is_none() && !matches!(options.sweeps, SweepWork::Part(_)) {
-        left = alone(folder, options.waits, progress)?;
-    }
-    if let (Some(store), true) = (&left, is_whole) {
+    let is_part = matches!(options.sweeps, SweepWork::Part(_));
+    let (store, waited) = match shared.leave()? {
+        Some(store) => (store, false),
+        // whose chunks are all there others may be completing
+        None if is_whole && !is_part => (alone(folder, progress)?, true),
+        None => return Ok(unfinished(folder, Summary::default(), (is_part, notes))),
+    };
+    let is_completed = waited && is_done(&store, plans)?;
+    if is_whole && !is_part && !is_completed {
         for plan in plans {
-            let (note, whole) = looked_through(store, plan, options.sweeps, progress)?;
+            let (note, whole) = looked_through(&store, plan, options.sweeps, progress)?;
             notes.extend(note);
             is_whole &= whole;
         }
     }
-    match (left, options.sweeps) {
-        (Some(store), SweepWork::All | SweepWork::Merge) if is_whole => {
-            let analyses = options.sweeps == SweepWork::All;
-            let mut computed = compute_in(store, (asked, prepared), (plans, analyses), progress)?;
-            // what this run did before it shared the study was not done before it
-            if let Some(mut names) = done_before {
-                let of_sweeps = |name: &String| plans.iter().any(|plan| plan.layout().name() == name);
-                names.extend(computed.skipped.into_iter().filter(of_sweeps));
-                computed.skipped = names;
-            }
-            computed.reported(notes)
+    if is_part || !is_whole {
+        let summary = store.read_summary()?.unwrap_or_default();
+        return Ok(unfinished(folder, summary, (is_part, notes)));
+    }
+    let analyses = options.sweeps == SweepWork::All;
+    let mut computed = compute_in(store, (asked, prepared), (plans, analyses), progress)?;
+    // what this run did before it shared the study was not done before it
+    if let Some(mut names) = done_before {
+        let of_sweeps = |name: &String| plans.iter().any(|plan| plan.layout().name() == name);
+        names.extend(computed.skipped.into_iter().filter(of_sweeps));
+        computed.skipped = names;
+    }
+    computed.reported(notes)
+}
+
+/// Runs the analyses where nobody else is at work; gives back which were done before.
+fn begun(
+    (asked, prepared, plans): (&Asked<'_>, &Prepared, &[SweepPlan]),
+    folder: &Path,
+    options: &RunOptions,
+    progress: &dyn Progress,
+) -> Result<Option<Vec<String>>, StudyError> {
+    if !options.fresh {
+        // nothing is rewritten for a case whose sweeps are refused
+        for plan in plans {
+            SweepChunks::look(folder, plan.layout())?;
         }
-        (left, how) => {
-            let is_part = matches!(how, SweepWork::Part(_));
-            if left.is_none() && !is_part {
-                notes.push(
-                    "other processes hold this study: `judder merge` writes summary and report when they have ended"
-                        .to_owned(),
-                );
-            }
-            let summary =
-                left.as_ref().map(StudyFolder::read_summary).transpose()?.flatten().unwrap_or_default();
-            Ok(unfinished(folder, summary, (is_part, notes)))
+    }
+    if options.sweeps == SweepWork::Merge {
+        return match StudyFolder::open(folder) {
+            Ok(_) | Err(StoreError::Locked { .. }) => Ok(None),
+            Err(error) => Err(error.into()),
+        };
+    }
+    match taken(folder, options.fresh) {
+        Ok(store) if options.sweeps == SweepWork::All => {
+            Ok(Some(compute_in(store, (asked, prepared), (&[], true), progress)?.skipped))
         }
+        Ok(_) => Ok(None),
+        Err(StudyError::Store(StoreError::Locked { .. })) if !options.fresh => Ok(None),
+        Err(error) => Err(error),
     }
 }
 
-/// How long to wait before asking again for a study that others hold.
-const PAUSE: Duration = Duration::from_millis(50);
-/// How often to ask for a study that others share, when all chunks are there: for some seconds, since they are about to see it too.
-const ASKED: usize = 200;
+/// The study held alone, as soon as the others have left it.
+fn alone(folder: &Path, progress: &dyn Progress) -> Result<StudyFolder, StudyError> {
+    progress.begin("waiting for other processes", 1);
+    let taken = when_free(progress, || StudyFolder::create(folder));
+    progress.end();
+    taken
+}
 
-/// The study held alone, if the others leave it soon; however late where that is wanted.
-fn alone(folder: &Path, waits: bool, progress: &dyn Progress) -> Result<Option<StudyFolder>, StudyError> {
-    let mut asked = 0;
-    while waits || asked < ASKED {
-        asked += 1;
-        match StudyFolder::create(folder) {
-            Err(StoreError::Locked { .. }) if progress.interrupted() => return Err(StudyError::Interrupted),
-            Err(StoreError::Locked { .. }) => thread::sleep(PAUSE),
-            taken => return Ok(Some(taken?)),
+/// Whether somebody has completed all these sweeps.
+fn is_done(store: &StudyFolder, plans: &[SweepPlan]) -> Result<bool, StudyError> {
+    for plan in plans {
+        if !store.is_done(plan.layout().name(), plan.layout().hash())? {
+            return Ok(false);
         }
     }
-    Ok(None)
+    Ok(true)
 }
 
 /// A report of a run that leaves the study to others.
@@ -160,17 +165,18 @@ fn looked_through(
     how: SweepWork,
     progress: &dyn Progress,
 ) -> Result<(Option<String>, bool), StudyError> {
-    let store = study.sweep(plan.layout())?;
-    match how {
-        SweepWork::Part(_) => Ok((None, true)),
-        SweepWork::All => Ok((mended((plan, &store), Shard::WHOLE, progress)?, true)),
-        SweepWork::Merge => {
-            let count = damaged(&store, Shard::WHOLE, progress)?.len();
-            let name = plan.layout().name();
-            let note = (count > 0)
-                .then(|| format!("{name}: {count} chunks are damaged; `judder run` computes them anew"));
-            Ok((note, count == 0))
+    let Some(chunks) = SweepChunks::look(study.path(), plan.layout())? else { return Ok((None, true)) };
+    let count = damaged(&chunks, Shard::WHOLE, progress)?.len();
+    let name = plan.layout().name();
+    match (count, how) {
+        (0, _) | (_, SweepWork::Part(_)) => Ok((None, true)),
+        (_, SweepWork::All) => {
+            Ok((mended((plan, &study.sweep(plan.layout())?), Shard::WHOLE, progress)?, true))
         }
+        (_, SweepWork::Merge) => Ok((
+            Some(format!("{name}: {} damaged; `judder run` computes them anew", of_chunks(count))),
+            false,
+        )),
     }
 }
 
@@ -183,6 +189,10 @@ fn mended(
     let count = mend((plan, store), shard, progress)?;
     let name = plan.layout().name();
     Ok((count > 0).then(|| format!("{name}: {count} damaged chunks were computed anew")))
+}
+
+fn of_chunks(count: usize) -> String {
+    if count == 1 { "1 chunk is".to_owned() } else { format!("{count} chunks are") }
 }
 
 /// Keeps what a sweep says whose chunks are all there; gives its name back where that was kept before.

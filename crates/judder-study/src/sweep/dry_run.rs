@@ -1,6 +1,6 @@
 //! What a sweep would take, from a few of its points.
 
-use super::evaluate::Evaluator;
+use super::evaluate::{Evaluator, Tried};
 use super::plan::SweepPlan;
 use crate::error::StudyError;
 use crate::progress::Progress;
@@ -22,6 +22,12 @@ pub struct SweepEstimate {
     pub done: usize,
     /// Seconds of one point on one thread, measured.
     pub seconds_per_point: f64,
+    /// How many points were tried for that.
+    pub tried: usize,
+    /// How many of them failed.
+    pub failed: usize,
+    /// Why the first of them did.
+    pub first_failure: Option<String>,
     /// Threads that work on chunks.
     pub threads: usize,
     /// Bytes of a chunk in memory, times the threads, in the making.
@@ -37,7 +43,7 @@ impl SweepEstimate {
     /// A case that cannot be prepared, a folder with a sweep of another case, [`StudyError::Interrupted`].
     pub fn new(plan: &SweepPlan, folder: &Path, progress: &dyn Progress) -> Result<Self, StudyError> {
         let layout = plan.layout();
-        let seconds_per_point = Evaluator::new(plan, progress)?.seconds_of_a_point(progress)?;
+        let Tried { seconds, points, reasons } = Evaluator::new(plan, progress)?.tried(progress)?;
         let chunk = layout.dimensions().iter().map(|dimension| dimension.chunk as u64).product::<u64>();
         let row = 8 * layout.quantities().len() as u64;
         let threads = rayon::current_num_threads();
@@ -50,7 +56,10 @@ impl SweepEstimate {
             points: plan.sweep().points(),
             chunks: layout.chunk_count(),
             done,
-            seconds_per_point,
+            seconds_per_point: seconds,
+            tried: points,
+            failed: reasons.len(),
+            first_failure: reasons.into_iter().next(),
             threads,
             memory,
             stored: plan.sweep().points() * row,
@@ -69,7 +78,8 @@ impl SweepEstimate {
     pub fn json(&self) -> Value {
         json!({
             "name": self.name, "points": self.points, "chunks": self.chunks, "chunks_done": self.done,
-            "seconds_per_point": self.seconds_per_point, "threads": self.threads, "seconds": self.seconds(),
+            "seconds_per_point": self.seconds_per_point, "points_tried": self.tried,
+            "points_failed": self.failed, "first_failure": self.first_failure, "threads": self.threads, "seconds": self.seconds(),
             "memory_bytes": self.memory, "stored_bytes": self.stored,
         })
     }
@@ -85,7 +95,11 @@ impl SweepEstimate {
             ("memory", bytes(self.memory)),
             ("on the disk, at most", bytes(self.stored)),
         ];
-        let rows: Vec<Vec<String>> = rows.map(|(name, value)| vec![name.to_owned(), value]).to_vec();
+        let mut rows: Vec<Vec<String>> = rows.map(|(name, value)| vec![name.to_owned(), value]).to_vec();
+        if let Some(reason) = &self.first_failure {
+            let failed = format!("{} of {} points; the first: {reason}", self.failed, self.tried);
+            rows.push(vec!["failed when tried".to_owned(), failed]);
+        }
         format!("{}\n{}", self.name, columns(&rows))
     }
 }

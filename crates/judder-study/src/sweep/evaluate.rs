@@ -3,7 +3,6 @@
 use super::plan::{Column, SweepPlan, law_stays};
 use super::point_quantity::{PointQuantity, PointState, linear_values};
 use super::scalars::number_at;
-use crate::analyses::steady_states::{SteadyState, validity_warnings};
 use crate::analyses::{self, Prepared};
 use crate::bridge::{self, CaseContact};
 use crate::computed_law::NO_POINTS;
@@ -31,6 +30,16 @@ pub struct ChunkValues {
     pub failures: Vec<PointFailure>,
 }
 
+/// What came of some points.
+pub(super) struct Tried {
+    /// Of one of them, s.
+    pub(super) seconds: f64,
+    /// How many they are.
+    pub(super) points: usize,
+    /// Of those that failed, why.
+    pub(super) reasons: Vec<String>,
+}
+
 /// A plan, ready to compute points.
 pub struct Evaluator<'a> {
     pub(super) plan: Cow<'a, SweepPlan>,
@@ -46,17 +55,17 @@ enum Way {
 }
 
 /// The inputs of the case, the keys that are set in them, and the contact of all points.
-struct SetInputs {
-    case: OscillatorCase,
+pub(super) struct SetInputs {
+    pub(super) case: OscillatorCase,
     keys: Vec<(OscillatorKey, Form)>,
-    contact: Contact,
+    pub(super) contact: Contact,
     /// How a law that was computed for all points is doubtful.
-    computed: Vec<String>,
+    pub(super) computed: Vec<String>,
 }
 
 impl SetInputs {
     /// The inputs with these values.
-    fn at(&self, values: &[f64]) -> Result<OscillatorInputs, StudyError> {
+    pub(super) fn at(&self, values: &[f64]) -> Result<OscillatorInputs, StudyError> {
         let mut inputs = self.case.inputs;
         for ((key, form), value) in self.keys.iter().zip(values) {
             inputs.set(*key, Value { number: *value, form: *form });
@@ -70,9 +79,9 @@ impl<'a> Evaluator<'a> {
     /// Makes what all points share.
     ///
     /// # Errors
-    /// A case that cannot be prepared, [`StudyError::Interrupted`].
+    /// A case that cannot be prepared, a file of it that has changed, [`StudyError::Interrupted`].
     pub fn new(plan: &'a SweepPlan, progress: &dyn Progress) -> Result<Self, StudyError> {
-        Ok(Self { way: way(plan, progress)?, plan: Cow::Borrowed(plan) })
+        Self::made(Cow::Borrowed(plan), progress)
     }
 
     /// The same with a plan of its own.
@@ -80,7 +89,14 @@ impl<'a> Evaluator<'a> {
     /// # Errors
     /// As of [`new`](Self::new).
     pub fn owned(plan: SweepPlan, progress: &dyn Progress) -> Result<Evaluator<'static>, StudyError> {
-        Ok(Evaluator { way: way(&plan, progress)?, plan: Cow::Owned(plan) })
+        Evaluator::made(Cow::Owned(plan), progress)
+    }
+
+    fn made(plan: Cow<'a, SweepPlan>, progress: &dyn Progress) -> Result<Self, StudyError> {
+        let way = way(&plan, progress)?;
+        // what was read just now is what the hash tells of
+        plan.check_files()?;
+        Ok(Self { plan, way })
     }
 
     /// Computes all points of a chunk.
@@ -107,51 +123,36 @@ impl<'a> Evaluator<'a> {
         Ok(ChunkValues { values, failures })
     }
 
-    /// Computes points evenly over the sweep, as many as fit into a while, and gives the seconds of one.
+    /// Computes points evenly over the sweep, as many as fit into a while.
     ///
     /// # Errors
     /// [`StudyError::Interrupted`].
-    pub(super) fn seconds_of_a_point(&self, progress: &dyn Progress) -> Result<f64, StudyError> {
+    pub(super) fn tried(&self, progress: &dyn Progress) -> Result<Tried, StudyError> {
         /// As many as are tried, and how long (s).
         const TRIED: usize = 1000;
         const WHILE: f64 = 0.5;
         let lengths = self.plan.layout().dimensions();
         let began = Instant::now();
         let mut row = vec![f64::NAN; self.plan.columns.len()];
-        let mut done = 0;
+        let (mut done, mut reasons) = (0, Vec::new());
         while done < TRIED && (done == 0 || began.elapsed().as_secs_f64() < WHILE) {
             // along the diagonal of the grid
             let part = (done as f64 * 0.618_033_988_749_895).fract();
             let position: Vec<usize> =
                 lengths.iter().map(|dimension| (part * dimension.length as f64) as usize).collect();
-            self.point(&position, &mut row, progress)?;
+            let reason = self.point(&position, &mut row, progress)?;
+            reasons.extend(reason.filter(|reason| !reason.starts_with(DOUBTFUL)));
             done += 1;
         }
-        Ok(began.elapsed().as_secs_f64() / done as f64)
+        Ok(Tried { seconds: began.elapsed().as_secs_f64() / done as f64, points: done, reasons })
     }
 
-    /// How the law is doubtful at some points, evenly over the sweep; where the case is read anew, the points say it themselves.
-    pub(super) fn law_warnings(&self) -> Vec<String> {
-        /// As many as are looked at.
-        const LOOKED: u64 = 512;
-        let Way::Inputs(set) = &self.way else { return Vec::new() };
-        let points = self.plan.sweep.points();
-        let looked = points.min(LOOKED);
-        let (mut states, mut substrates) = (Vec::new(), Vec::new());
-        for k in 0..looked {
-            let number = u128::from(k) * u128::from(points) / u128::from(looked);
-            let Ok(inputs) = set.at(&self.plan.sweep.values_of(number as u64)) else { continue };
-            states.extend(SteadyState::new(&set.contact, &inputs));
-            let here = OscillatorCase { inputs, ..set.case.clone() };
-            let contact = bridge::with_law(&here, set.contact.law.clone());
-            substrates.extend(contact.into_iter().flat_map(|contact| contact.warnings));
+    /// What all points share, where the law is the same at all of them.
+    pub(super) fn of_one_law(&self) -> Option<&SetInputs> {
+        match &self.way {
+            Way::Inputs(set) => Some(set),
+            Way::Anew(_) => None,
         }
-        let of_substrates = substrates.first().map(|first| match substrates.len() as u64 {
-            count if count == looked => first.clone(),
-            count => format!("at {count} of {looked} points looked at, for one: {first}"),
-        });
-        let of_points = of_substrates.into_iter().chain(validity_warnings(&set.contact, states.iter()));
-        set.computed.iter().cloned().chain(of_points).collect()
     }
 
     /// Computes the point at a position into the columns of its row; gives back why something of it is missing or doubtful.
@@ -319,15 +320,22 @@ impl Told {
     }
 }
 
+/// The case and the swept keys of a sweep whose law is the same at every point, and that asks for the operating point alone.
+pub(super) fn of_one_law(plan: &SweepPlan) -> Option<(&OscillatorCase, &[(OscillatorKey, Form)])> {
+    match (&plan.file.case, &plan.sweep.oscillator) {
+        (Case::Oscillator(case), Some(keys)) if plan.analyses().is_empty() && law_stays(case, keys) => {
+            Some((case, keys))
+        }
+        _ => None,
+    }
+}
+
 fn way(plan: &SweepPlan, progress: &dyn Progress) -> Result<Way, StudyError> {
-    let only_points = plan.analyses().is_empty();
-    if let (Case::Oscillator(case), Some(keys), true) = (&plan.file.case, &plan.sweep.oscillator, only_points)
-        && law_stays(case, keys)
-    {
+    if let Some((case, keys)) = of_one_law(plan) {
         let CaseContact { contact, warnings } = bridge::contact(case, NO_POINTS, &Within(progress))?;
         // the others depend on the point
         let computed = if case.law == LawName::Bem { warnings } else { Vec::new() };
-        let set = SetInputs { case: case.clone(), keys: keys.clone(), contact, computed };
+        let set = SetInputs { case: case.clone(), keys: keys.to_vec(), contact, computed };
         return Ok(Way::Inputs(Box::new(set)));
     }
     let names: Vec<&str> = plan.analyses().iter().map(|(_, name)| *name).collect();

@@ -1,7 +1,8 @@
 //! A finished sweep as an outcome: what its summary says, its table, what the user has to know.
 
-use super::evaluate::{DOUBTFUL, Evaluator};
+use super::evaluate::DOUBTFUL;
 use super::indices::indices;
+use super::law_warnings::law_warnings;
 use super::plan::{Column, SweepPlan};
 use super::statistics::ColumnStatistics;
 use crate::error::StudyError;
@@ -24,7 +25,7 @@ pub(crate) fn finish(
     store: &SweepStore,
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
-    let law = Evaluator::new(plan, progress)?.law_warnings();
+    let law = law_warnings(plan, progress)?;
     let mut read = Reading::new(plan);
     let chunks = plan.layout().chunk_count();
     progress.begin(&format!("{}, summary", plan.layout().name()), chunks);

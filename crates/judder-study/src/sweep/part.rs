@@ -23,17 +23,27 @@ pub struct Handed {
     pub busy: Vec<usize>,
 }
 
-/// The study of a folder, shared with others, as soon as nobody holds it alone. Asked for again and again: a wait in the file system would not hear
-/// that it is to end.
+/// The study of a folder, shared with others, as soon as nobody holds it alone.
 ///
 /// # Errors
 /// Failures of the file system, [`StudyError::Interrupted`].
 pub fn joined(folder: &Path, progress: &dyn Progress) -> Result<SharedStudy, StudyError> {
+    when_free(progress, || SharedStudy::join(folder))
+}
+
+/// A study as soon as nobody keeps it. Asked for again and again: a wait in the file system would not hear that it is to end.
+///
+/// # Errors
+/// Failures of the file system, [`StudyError::Interrupted`].
+pub(crate) fn when_free<T>(
+    progress: &dyn Progress,
+    take: impl Fn() -> Result<T, StoreError>,
+) -> Result<T, StudyError> {
     loop {
-        match SharedStudy::join(folder) {
+        match take() {
             Err(StoreError::Locked { .. }) if progress.interrupted() => return Err(StudyError::Interrupted),
             Err(StoreError::Locked { .. }) => thread::sleep(PAUSE),
-            joined => return Ok(joined?),
+            taken => return Ok(taken?),
         }
     }
 }

@@ -19,8 +19,9 @@ const POINTS_OF_SEARCHES: u64 = 1 << 12;
 const POINTS_OF_ANALYSES: u64 = 64;
 /// Into how many chunks a small sweep is cut, so that there is work for every thread.
 const PARTS: u64 = 16;
-/// Fewer points of their kind are not worth a file.
+/// Fewer operating points than this are not worth a file, fewer searches than a part of it.
 const FEWEST: u64 = 1 << 12;
+const FEWEST_SEARCHES: u64 = 1 << 8;
 
 /// What one column of the stored values is.
 #[derive(Debug, Clone)]
@@ -169,28 +170,29 @@ fn layout(
 /// The points that a chunk should have: decided by the case alone, so that every process cuts alike.
 fn target(file: &CaseFile, sweep: &StudySweep, columns: &[Column]) -> usize {
     let part = sweep.points().div_ceil(PARTS);
-    let most = most(file, sweep, columns);
-    let points = sweep.chunk.unwrap_or(part.clamp(FEWEST.min(most), most) as usize).max(1);
+    let [fewest, most] = points_of_a_chunk(file, sweep, columns);
+    let points = sweep.chunk.unwrap_or(part.clamp(fewest, most) as usize).max(1);
     points.next_multiple_of(sweep.row() as usize)
 }
 
-/// The most points that a chunk should have, by what a point takes.
-fn most(file: &CaseFile, sweep: &StudySweep, columns: &[Column]) -> u64 {
+/// The fewest and the most points that a chunk should have, by what a point takes.
+fn points_of_a_chunk(file: &CaseFile, sweep: &StudySweep, columns: &[Column]) -> [u64; 2] {
     if columns.iter().any(|column| matches!(column, Column::Scalar { .. })) {
-        return POINTS_OF_ANALYSES;
+        return [1, POINTS_OF_ANALYSES];
     }
     let is_sought = |column: &Column| matches!(column, Column::Point(quantity) if quantity.is_sought());
+    let searches = [FEWEST_SEARCHES, POINTS_OF_SEARCHES];
     match &file.case {
         Case::Oscillator(case) => {
             let stays = sweep.oscillator.as_ref().is_some_and(|keys| law_stays(case, keys));
             match (stays, case.law == LawName::Bem) {
                 // a contact law is computed at every point
-                (false, true) => 1,
-                (true, _) if !columns.iter().any(is_sought) => POINTS_OF_POINTS,
-                _ => POINTS_OF_SEARCHES,
+                (false, true) => [1, 1],
+                (true, _) if !columns.iter().any(is_sought) => [FEWEST, POINTS_OF_POINTS],
+                _ => searches,
             }
         }
-        _ => POINTS_OF_SEARCHES,
+        _ => searches,
     }
 }
 

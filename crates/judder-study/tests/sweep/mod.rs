@@ -164,6 +164,7 @@ name = "cycles"
 method = "list"
 over = [{ key = "operation.velocity", values = [1e2, 1e-3] }]
 quantities = ["growth_rate", "cycle.rms"]
+chunk = 2
 "#;
     let (_, chunks) = computed(&file(sweep));
     let rows: Vec<&[f64]> = chunks[0].values.chunks_exact(3).collect();
@@ -248,6 +249,62 @@ fn a_file_that_changes_while_it_is_swept_stops_the_sweep() {
     assert!(matches!(&refused, StudyError::Unreadable { .. }), "of the run, not of the point: {refused}");
 }
 
+/// The same where the law is read once for all points: it is that of the hash, or none.
+#[test]
+fn a_law_that_changes_before_it_is_read_stops_the_sweep() {
+    let folder = tempfile::tempdir().unwrap();
+    let law = folder.path().join("law.json");
+    let [data, changed] = law_files();
+    std::fs::write(&law, data).unwrap();
+    let text = format!("{HEAD}law = {{ file = {:?} }}\n{GRID}", law.to_str().unwrap());
+    let file = CaseFile::parse("law.toml", &text, &[]).unwrap();
+    let plan = plans(&file, &[]).unwrap().remove(0);
+    std::fs::write(&law, changed).unwrap();
+    let refused = Evaluator::new(&plan, &Silent).map(drop).unwrap_err();
+    assert!(matches!(&refused, StudyError::FileChanged { path } if *path == law), "{refused}");
+}
+
+/// Points that take long are cut small enough for many threads.
+#[test]
+fn a_few_long_points_are_many_chunks() {
+    let chunks = |count: usize, quantity: &str| {
+        let sweep = format!(
+            "[[analysis]]\nname = \"cycle\"\nkind = \"limit-cycle\"\n[[sweep]]\nname = \"s\"\nover = [{{ key = \"contact.shear_strength\", from = 0.01, to = 0.1, points = {count} }}]\nquantities = [\"{quantity}\"]\n"
+        );
+        plans(&file(&sweep), &[]).unwrap()[0].layout().chunk_count()
+    };
+    assert_eq!((chunks(100, "cycle.rms"), chunks(10_000, "cycle.rms")), (15, 157));
+    assert_eq!((chunks(1024, "threshold_load"), chunks(100_000, "threshold_load")), (4, 25));
+    assert_eq!((chunks(100, "growth_rate"), chunks(1_000_000, "growth_rate")), (1, 16));
+}
+
+#[test]
+fn a_part_of_no_sweep_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let options = |part: &str, only: &[&str]| RunOptions {
+        sweeps: SweepWork::Part(part.parse().unwrap()),
+        only: only.iter().map(|name| (*name).to_owned()).collect(),
+        ..RunOptions::default()
+    };
+    let refused = run(&file(CYCLES), folder.path(), &options("1/2", &["cycle"]), &Silent).unwrap_err();
+    assert!(
+        refused.is_wrong_input() && refused.to_string().ends_with("the case has the sweeps cycles"),
+        "{refused}"
+    );
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0, "nothing is begun");
+}
+
+/// A dry run says what would fail.
+#[test]
+fn a_dry_run_tells_of_points_that_fail() {
+    let sweep = "[[sweep]]\nname = \"loads\"\nover = [{ key = \"operation.normal_load\", values = [1e12, 2e12] }]\nquantities = [\"growth_rate\"]\n";
+    let folder = tempfile::tempdir().unwrap();
+    let told =
+        judder_study::run::dry_run(&file(sweep), folder.path(), &RunOptions::default(), &Silent).unwrap();
+    let text = told[0].text();
+    assert!(told[0].failed == told[0].tried && text.contains("no steady sliding"), "{text}");
+}
+
 #[test]
 fn parts_in_any_order_make_the_whole() {
     let (whole, parts) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
@@ -290,6 +347,7 @@ fn a_second_run_computes_no_chunk_and_a_damaged_one_is_computed_anew() {
     let chunk = folder.path().join("results.zarr/grid/values/c.2.0.0");
     let bytes = std::fs::read(&chunk).unwrap();
     std::fs::write(&chunk, &bytes[..bytes.len() - 7]).unwrap();
+    assert!(!folder.path().join(".sweep-grid").exists(), "a study that is done stays as it is");
     let mended = run_into(folder.path(), &file, &[]);
     assert!(mended.notes.iter().any(|note| note.contains("1 damaged chunk")), "{:?}", mended.notes);
     assert_eq!(stored(folder.path()), before);
@@ -299,6 +357,13 @@ fn a_second_run_computes_no_chunk_and_a_damaged_one_is_computed_anew() {
 fn a_merge_and_a_part_find_a_damaged_chunk() {
     let folder = tempfile::tempdir().unwrap();
     let file = file(GRID);
+    let options = RunOptions { sweeps: SweepWork::Merge, ..RunOptions::default() };
+    let nowhere = folder.path().join("nowhere");
+    let refused = run(&file, &nowhere, &options, &Silent).unwrap_err();
+    assert!(
+        matches!(refused, StudyError::Store(StoreError::NoStudy { .. })) && !nowhere.exists(),
+        "{refused}"
+    );
     run_into(folder.path(), &file, &[]);
     let before = stored(folder.path());
     let chunk = folder.path().join("results.zarr/grid/values/c.2.0.0");
@@ -306,7 +371,7 @@ fn a_merge_and_a_part_find_a_damaged_chunk() {
     let options = RunOptions { sweeps: SweepWork::Merge, ..RunOptions::default() };
     let merged = run(&file, folder.path(), &options, &Silent).unwrap();
     assert!(!merged.complete && merged.report.is_none());
-    assert!(merged.notes.iter().any(|note| note.contains("1 chunks are damaged")), "{:?}", merged.notes);
+    assert!(merged.notes.iter().any(|note| note.contains("1 chunk is damaged")), "{:?}", merged.notes);
     let part =
         |part: &str| RunOptions { sweeps: SweepWork::Part(part.parse().unwrap()), ..RunOptions::default() };
     run(&file, folder.path(), &part("1/4"), &Silent).unwrap();

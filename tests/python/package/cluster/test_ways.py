@@ -146,3 +146,15 @@ def test_a_law_of_ones_own_by_every_way(tmp_path):
         LAWFUL, lambda: ProcessPoolExecutor(2, mp_context=spawn), output=tmp_path / "processes", law=law, workers_share_folder=False
     )
     assert files(tmp_path / "processes" / "results.zarr") == expected
+
+    # a law that is refused changes nothing, nor does a name that the case does not have
+    kept = (tmp_path / "run" / "law.json").read_bytes()
+    other = judder.contact.Law.from_function(stiffer, velocity=(1e-7, 1e1), indentation=(1e-8, 1e-1), tolerance=1e-2)
+    with pytest.raises(judder.StoreError) as refused:
+        judder.run(LAWFUL, output=tmp_path / "run", law=other)
+    assert refused.value.cause == "ForeignSweep" and (tmp_path / "run" / "law.json").read_bytes() == kept
+    with pytest.raises(judder.StudyError):
+        judder.run(LAWFUL, output=tmp_path / "none", law=law, only=["nope"])
+    assert not (tmp_path / "none").exists()
+    with pytest.raises(judder.InputError, match="threads"):
+        judder.distributed.run_with(LAWFUL, lambda: ProcessPoolExecutor(1), output=tmp_path / "none", threads_per_worker=10**9)

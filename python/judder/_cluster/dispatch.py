@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from judder._cluster.cut import Cut
-from judder._cluster.executors import Executor, Lost, Outcome
+from judder._cluster.executors import Cancelled, Executor, Lost, Outcome
 from judder._cluster.pace import Pace
 from judder._cluster.work import Done, Job
 from judder.errors import Interrupted, JudderError, JudderWarning, StudyError
@@ -30,6 +30,8 @@ _PAUSE = 0.5
 """Seconds before a chunk that another process computes, or that failed for a reason that may pass, is looked at again; twice as many each time it fails."""
 _PASSING = ("FileSystem", "Locked", "WorkerLost")
 """Causes of errors that may be gone next time, or on another worker."""
+_CANCELS = 10
+"""How often in a row a chunk may be cancelled while nothing at all is done."""
 _HOPE = 8
 """Tasks that may be lost, beside those that one bad point takes with it, before the workers are to blame where none has done anything."""
 
@@ -39,7 +41,8 @@ class Dispatch:
 
     A task whose process ends under it is done again, chunk by chunk. A chunk that has lost ``retries`` processes more than one goes to a process
     of its own on a worker, where it is done point by point if it ends that, too: so no chunk is blamed for what its neighbour did. Where
-    that takes the worker with it, the chunk is cut until the point is found.
+    that takes the worker with it, the chunk is cut until the point is found. A task that somebody cancels, as a restart of the workers does,
+    is done again and blames nobody.
     """
 
     def __init__(
@@ -69,6 +72,7 @@ class Dispatch:
         self._cuts: dict[int, Cut] = {}
         self._deaths: Counter[int] = Counter()
         self._failures: Counter[int] = Counter()
+        self._cancels: Counter[int] = Counter()
         self._flying = 0
         self._total = 0
         self._slots = 1
@@ -161,8 +165,13 @@ class Dispatch:
         if isinstance(outcome, Lost):
             self._lost(job, outcome.deaths)
             return self._cut_done(job.chunks[0], held)
+        if isinstance(outcome, Cancelled):
+            self._cancelled(job)
+            return 0
         if isinstance(outcome, Done):
             self._has_lived = True
+            if not outcome.is_stopped:
+                self._cancels.clear()
             return self._taken(job, outcome, held)
         # what is wrong stays wrong; a file system or a network may be better next time
         stays = isinstance(outcome, JudderError) and outcome.cause not in _PASSING
@@ -179,6 +188,26 @@ class Dispatch:
             return
         for chunk in job.chunks:
             self._postpone(chunk, _PAUSE * 2 ** self._failures[chunk])
+
+    def _cancelled(self, job: Job) -> None:
+        """Does a job again that somebody took back, a while later.
+
+        Raises:
+            StudyError: it is taken back again and again, and nothing is done meanwhile.
+        """
+        self._cancels.update(job.chunks)
+        if max(self._cancels[chunk] for chunk in job.chunks) >= _CANCELS:
+            message = (
+                f"{self._sweep.name}: somebody cancels its tasks or restarts the workers: {_CANCELS} times in a row, and nothing was done between; "
+                "what is done is kept, and the same call goes on from there"
+            )
+            raise StudyError(message, "Cancelled", {"name": self._sweep.name})
+        if job.points is not None:
+            # it flies alone, so that nothing else waits for this
+            time.sleep(_PAUSE)
+            self._cuts[job.chunks[0]].again(job.points)
+        for chunk in job.chunks if job.points is None else ():
+            self._postpone(chunk, _PAUSE)
 
     def _postpone(self, chunk: int, seconds: float) -> None:
         heapq.heappush(self._later, (time.monotonic() + seconds, chunk))

@@ -24,6 +24,8 @@ _SMALL = 1 << 16
 """Bytes of a package that may travel with every task."""
 _LOOK = 1.0
 """Seconds after which a wait looks up, so that Ctrl-C is heard everywhere."""
+_GONE = ("cancelled", "error", "lost")
+"""States of a future of Dask that is never done any more."""
 _COUNTED = 5.0
 """Seconds for which the number of threads of a cluster is taken as known."""
 
@@ -34,6 +36,10 @@ class Lost(Exception):
     def __init__(self, deaths: int) -> None:
         super().__init__(f"{deaths} processes have ended under it")
         self.deaths = deaths
+
+
+class Cancelled(Exception):
+    """A task that somebody took back: its process is not to blame."""
 
 
 Outcome: TypeAlias = "Done | BaseException"
@@ -51,7 +57,8 @@ class Executor(Protocol):
         ...
 
     def wait(self) -> list[tuple[Job, Outcome]]:
-        """Waits a while until jobs have ended; what came of each: :class:`Lost` where its process has ended under it."""
+        """Waits a while until jobs have ended; what came of each: :class:`Lost` where its process has ended under it, :class:`Cancelled` where
+        somebody took it back."""
         ...
 
     def close(self) -> None:
@@ -64,16 +71,12 @@ class DaskExecutor:
 
     def __init__(self, client: distributed.Client, package: Package, sweep: str) -> None:
         self._client = client
+        self._content = package
         self._name = _prefix(sweep)
         self._token = secrets.token_hex(4)
         self._numbers = itertools.count()
         self._counted = (-_COUNTED, 1)
-        with warnings.catch_warnings():
-            # it is one, and goes once to the scheduler and once to each worker
-            warnings.filterwarnings("ignore", message="Sending large graph")
-            # a task, not scattered data: where all workers that hold it are lost, it is made again
-            key = f"judder-package-{package.digest}"
-            self._package = client.submit(_same, package, key=key, pure=True)
+        self._package = self._sent(f"judder-package-{package.digest}")
         self._jobs: dict[distributed.Future, Job] = {}
         # no results: they stay on the workers until they are taken in, so that the client holds few
         self._ended: queue.SimpleQueue[distributed.Future] = queue.SimpleQueue()
@@ -85,7 +88,17 @@ class DaskExecutor:
             self._counted = (time.monotonic(), count)
         return count
 
+    def _sent(self, key: str) -> distributed.Future:
+        with warnings.catch_warnings():
+            # it is one, and goes once to the scheduler and once to each worker
+            warnings.filterwarnings("ignore", message="Sending large graph")
+            # a task, not scattered data: where all workers that hold it are lost, it is made again
+            return self._client.submit(_same, self._content, key=key, pure=True)
+
     def submit(self, job: Job) -> None:
+        if self._package.status in _GONE:
+            # a key of its own: the scheduler may not have forgotten the other yet
+            self._package = self._sent(f"judder-package-{self._content.digest}-{secrets.token_hex(4)}")
         key = f"{self._name}-{self._token}-{next(self._numbers)}"
         future = self._client.submit(work, self._package, job, key=key, pure=False)
         self._jobs[future] = job
@@ -106,14 +119,14 @@ class DaskExecutor:
         try:
             return future.result()  # type: ignore[no-any-return]
         except distributed.KilledWorker as error:
-            return Lost(error.allowed_failures + 1)
+            return Lost(error.allowed_failures + 1) if error.task == future.key else Cancelled()
         except (futures.CancelledError, asyncio.CancelledError) as error:
             outcome: BaseException = error
         except Exception as error:
             outcome = error
         if self._client.status != "running":
             return self._gone()
-        return Lost(1) if future.cancelled() else outcome
+        return Cancelled() if future.status in ("cancelled", "lost") else outcome
 
     @staticmethod
     def _gone() -> StudyError:
@@ -164,8 +177,8 @@ class FuturesExecutor:
             self._renew()
         try:
             future = self._executor.submit(work, package, job)
-        except futures.BrokenExecutor:
-            # nobody has told of it yet
+        except RuntimeError:
+            # it is broken, and nobody has told of it yet; or somebody has shut it down
             self._renew()
             future = self._executor.submit(work, package, job)
         self._jobs[future] = job, self._executor
@@ -174,7 +187,7 @@ class FuturesExecutor:
     def _renew(self) -> None:
         if self._make is None:
             message = (
-                "a process of the executor has ended, and with it the executor; what is done is kept. "
+                "a process of the executor has ended, and with it the executor, or it was shut down; what is done is kept. "
                 "Give a function that makes the executor, and it is made anew: `lambda: ProcessPoolExecutor(8)`"
             )
             raise StudyError(message, "ExecutorLost", {})
@@ -190,7 +203,7 @@ class FuturesExecutor:
         job, executor = self._jobs.pop(future)
         outcome = self._outcome(future)
         # others of one that was lost tell of it when it is replaced already
-        self._is_broken |= isinstance(outcome, Lost) and executor is self._executor and not future.cancelled()
+        self._is_broken |= isinstance(outcome, Lost) and executor is self._executor
         if isinstance(outcome, Done) and outcome.needs_package:
             self._hand_out(job, self._package)
             return []
@@ -198,7 +211,7 @@ class FuturesExecutor:
 
     def _outcome(self, future: futures.Future[Done]) -> Outcome:
         if future.cancelled():
-            return Lost(1)
+            return Cancelled()
         error = future.exception()
         if isinstance(error, futures.BrokenExecutor):
             return Lost(1)

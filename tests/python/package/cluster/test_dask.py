@@ -160,6 +160,30 @@ def test_all_workers_killed_one_after_the_other_lose_nothing(maps, cluster, tmp_
     assert files(study.folder / "results.zarr" / "maps") == maps[1]
 
 
+def restart_another(client):
+    with distributed.Client(client.scheduler.address) as another:
+        another.restart()
+
+
+def cancel_all(client):
+    client.cancel([distributed.Future(key, client) for key in [*client.futures]])
+
+
+@pytest.mark.parametrize("way", [distributed.Client.restart, restart_another, cancel_all])
+def test_cancelled_tasks_are_done_again_and_blame_no_point(maps, cluster, tmp_path, way):
+    client = cluster()
+    did = []
+
+    def disturb(name, done, total):
+        if len(did) < 2 and done >= 3 * (1 + 4 * len(did)) and done < total:
+            did.append(done)
+            way(client)
+
+    study = judder.distributed.run(maps[0], client, output=tmp_path / "study", name="maps", chunks_per_task=1, retries=0, progress=disturb)
+    assert len(did) == 2 and study.results["maps"]["failed"] == 0
+    assert files(study.folder / "results.zarr" / "maps") == maps[1]
+
+
 @pytest.mark.parametrize("shares", [True, False])
 def test_a_poisoned_point_is_recorded_and_the_study_goes_on(quick, poison, cluster, tmp_path, shares):
     poison("quick_map", 7, 11)

@@ -4,7 +4,7 @@ import multiprocessing
 import os
 import signal
 import time
-from concurrent.futures import BrokenExecutor, ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures import BrokenExecutor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 
 import pytest
 from joblib.externals import loky
@@ -88,6 +88,55 @@ def test_processes_that_never_do_anything_are_to_blame_not_the_points(quick, tmp
         judder.distributed.run_with(quick[0], stillborn, output=tmp_path / "study", retries=0)
     assert lost.value.cause == "NoWorkers"
     assert len(judder.sweep.plan(quick[0]).missing(tmp_path / "study")) == 61
+
+
+class Cancelling(ThreadPoolExecutor):
+    """Threads that do so many jobs, and cancel all after those."""
+
+    def __init__(self, jobs):
+        super().__init__(1)
+        self.jobs, self.cancelled = jobs, 0
+
+    def submit(self, *job):
+        if self.jobs:
+            self.jobs -= 1
+            return super().submit(*job)
+        taken_back = Future()
+        taken_back.cancel()
+        taken_back.set_running_or_notify_cancel()
+        self.cancelled += 1
+        return taken_back
+
+
+def test_a_run_whose_tasks_are_cancelled_for_ever_says_so(quick, tmp_path, monkeypatch):
+    monkeypatch.setattr("judder._cluster.dispatch._PAUSE", 0.01)
+    with Cancelling(5) as executor, pytest.raises(judder.StudyError, match="10 times in a row, and nothing was done between") as cancelled:
+        judder.distributed.run_with(quick[0], executor, output=tmp_path / "study", chunks_per_task=1, retries=0)
+    assert cancelled.value.cause == "Cancelled" and executor.cancelled >= 10
+    assert len(judder.sweep.plan(quick[0]).missing(tmp_path / "study")) == 56
+    # nothing is blamed for it
+    with ThreadPoolExecutor(2) as executor:
+        study = judder.distributed.run_with(quick[0], executor, output=tmp_path / "study")
+    assert files(study.folder / "results.zarr" / "quick_map") == quick[1]
+
+
+def test_a_pool_that_somebody_shut_down_is_made_anew_where_it_can_be(quick, tmp_path):
+    pools = []
+
+    def made():
+        pools.append(ThreadPoolExecutor(1))
+        return pools[-1]
+
+    def shut(name, done, total):
+        if len(pools) == 1 and done:
+            pools[0].shutdown(cancel_futures=True)
+
+    study = judder.distributed.run_with(quick[0], made, output=tmp_path / "study", chunks_per_task=1, retries=0, progress=shut)
+    assert len(pools) == 2 and files(study.folder / "results.zarr" / "quick_map") == quick[1]
+    with ThreadPoolExecutor(1) as own:
+        own.shutdown()
+        with pytest.raises(judder.StudyError, match="shut down"):
+            judder.distributed.run_with(quick[0], own, output=tmp_path / "other")
 
 
 def test_a_lost_process_ends_the_run_where_it_cannot_be_made_anew(maps, tmp_path):

@@ -244,10 +244,10 @@ class Study(Mapping[str, "xarray.Dataset"]):
 
         Raises:
             PackageError: pyarrow is not installed.
-            StoreError: they cannot be written; a chunk of a sweep is missing or damaged.
+            StoreError: they cannot be written, or would go into a study folder; a chunk of a sweep is missing or damaged.
             InputError: there is no such result.
         """
-        return _interchange.to_parquet(self, self._beside(folder), only, progress)
+        return _interchange.to_parquet(self, self._outside(folder, is_folder=True), only, progress)
 
     def to_csv(self, folder: str | os.PathLike[str], *, only: Iterable[str] = (), progress: Progress | None = None) -> list[Path]:
         """Writes the same tables as comma-separated values: units in the heads, empty cells for NaN, numbers to the last bit.
@@ -255,7 +255,7 @@ class Study(Mapping[str, "xarray.Dataset"]):
         ``<result>.columns.csv`` says what the columns are: unit, long name, codes of classes. No package is needed. Arguments, return
         value and errors are those of :meth:`to_parquet`.
         """
-        return _interchange.to_csv(self, self._beside(folder), only, progress)
+        return _interchange.to_csv(self, self._outside(folder, is_folder=True), only, progress)
 
     def to_netcdf(self, path: str | os.PathLike[str], *, only: Iterable[str] = (), progress: Progress | None = None) -> Path:
         """Writes results into one NetCDF-4 file, a group each, for xarray, MATLAB, Julia (``pip install 'judder[netcdf]'``).
@@ -268,7 +268,7 @@ class Study(Mapping[str, "xarray.Dataset"]):
         Returns:
             The file.
         """
-        return _interchange.to_netcdf(self, Path(_places.writable(path)), only, progress)
+        return _interchange.to_netcdf(self, self._outside(path, is_folder=False), only, progress)
 
     def to_matlab(self, path: str | os.PathLike[str], *, only: Iterable[str] = (), progress: Progress | None = None) -> Path:
         """Writes results into one ``.mat`` file, a structure each, for MATLAB, Octave, SciPy (``pip install 'judder[matlab]'``).
@@ -285,14 +285,17 @@ class Study(Mapping[str, "xarray.Dataset"]):
         Returns:
             The file.
         """
-        return _interchange.to_matlab(self, Path(_places.writable(path)), only, progress)
+        return _interchange.to_matlab(self, self._outside(path, is_folder=False), only, progress)
 
-    def _beside(self, folder: str | os.PathLike[str]) -> Path:
-        """A folder for tables, other than the study folder, whose tables have the same names."""
-        found = Path(_places.writable(folder))
-        if isinstance(self.folder, Path) and found.resolve() == self.folder.resolve():
-            message = f"{found}: the study folder has tables of these names; name another folder, such as {found / 'tables'}"
-            raise StoreError(message, "Write", {"path": str(found)})
+    def _outside(self, path: str | os.PathLike[str], *, is_folder: bool) -> Path:
+        """The path of a folder or file to write that lies in no study folder, where it could replace what belongs to the study."""
+        found = Path(_places.writable(path))
+        goes_into = Path(os.path.realpath(found if is_folder else found.parent))
+        own = Path(os.path.realpath(self.folder)) if isinstance(self.folder, Path) else None
+        for folder in (goes_into, *goes_into.parents):
+            if folder == own or os.path.exists(folder / "results.zarr" / "zarr.json"):
+                message = f"{found}: {folder} is a study folder, and nothing is exported into one; name a place beside it"
+                raise StoreError(message, "StudyFolder", {"path": str(found), "folder": str(folder)})
         return found
 
     def __iter__(self) -> Iterator[str]:

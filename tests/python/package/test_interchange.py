@@ -15,6 +15,7 @@ from pyarrow import parquet
 from scipy.io import loadmat
 
 import judder
+from common import files
 from exported import SMALL, WORDS, bits, study_of
 from judder._interchange import matlab, results
 
@@ -291,12 +292,26 @@ def test_places_that_cannot_be_written_are_named(small, writer, tmp_path):
     assert caught.value.cause == "Write" and (tmp_path / "file").read_text() == "mine"
     with pytest.raises(judder.StoreError, match="memory://x: studies in an object store are read and never written"):
         getattr(small, writer)("memory://x")
-    if WRITERS[writer] == "folder":
-        with pytest.raises(judder.StoreError, match="the study folder has tables of these names; name another folder"):
-            getattr(small, writer)(small.folder)
-    else:
+    if WRITERS[writer] != "folder":
         with pytest.raises(judder.StoreError, match="a folder has this name; name a file"):
             getattr(small, writer)(tmp_path)
+
+
+@pytest.mark.parametrize("writer", WRITERS)
+def test_nothing_is_exported_into_a_study_folder(small, writer, tmp_path):
+    study = judder.load_study(shutil.copytree(small.folder, tmp_path / "study"))
+    (tmp_path / "link").symlink_to(study.folder)
+    before = files(study.folder)
+    inside = ["summary.json", "report.html", "figures/map.svg", "new", "results.zarr/grid", "results.zarr/grid/values/c.0.0.0", "../link/summary.json"]
+    for source in (study, small):
+        for name in [*inside, *([""] if WRITERS[writer] == "folder" else [])]:
+            with pytest.raises(judder.StoreError, match="is a study folder, and nothing is exported into one") as caught:
+                getattr(source, writer)(study.folder / name)
+            assert caught.value.cause == "StudyFolder"
+    assert files(study.folder) == before
+    # beside it, and a second time
+    for _ in range(2):
+        getattr(study, writer)(tmp_path / "study-exported", only="grid")
 
 
 @pytest.mark.parametrize("writer", WRITERS)

@@ -5,9 +5,10 @@ from __future__ import annotations
 import importlib.util
 import json
 import math
+import os
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from itertools import islice
+from itertools import islice, product
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -131,6 +132,47 @@ def failures(folder: Path | RemotePath, name: str) -> Iterator[Failures]:
         )
 
 
+def whole(folder: Path | RemotePath, name: str) -> None:
+    """Looks whether all chunks of a sweep are there, by one list of their names; opens none, and tells nothing of a store that lists nothing.
+
+    Raises:
+        StoreError: one is not there.
+    """
+    values = folder / "results.zarr" / name / "values"
+    try:
+        there = {*os.listdir(values)} if isinstance(values, Path) else {path.name for path in values.iterdir()}
+    except (FileNotFoundError, NotADirectoryError):
+        there = set()
+    if not there and not isinstance(values, Path):
+        return
+    shape, chunk = _grid(folder, name)
+    for place in product(*(range(-(-length // own)) for length, own in zip(shape, chunk, strict=True))):
+        own_name = _named(place)
+        # a list may end early
+        if own_name not in there and not (values / own_name).exists():
+            raise _unreadable(str(values / own_name), "MissingChunk", "is not there")
+
+
+def damaged(folder: Path | RemotePath, name: str, block: tuple[slice, ...]) -> StoreError | None:
+    """Names the first chunk in a block that does not have the values it was written with, where that is why they cannot be read."""
+    shape, chunk = _grid(folder, name)
+    stored = _places.group(folder, name)
+    steps = block if len(block) == len(shape) else tuple(slice(0, length) for length in shape)
+    for place in product(*(range(step.start // own, -(-step.stop // own)) for step, own in zip(steps, chunk, strict=True))):
+        own_name = _named(place)
+        values = folder / "results.zarr" / name / "values"
+        within = tuple(slice(index * own, (index + 1) * own) for index, own in zip(place, chunk, strict=True))
+        try:
+            _record(values, own_name, _places.tails(values, [own_name], _TAIL)[0], stored.attrs["judder_hash"])
+            np.asarray(stored["values"].variable[within].values)
+        except StoreError as error:
+            return error
+        # what codecs raise for a checksum, a length, a stream that is none
+        except (ValueError, RuntimeError):
+            return _unreadable(str(values / own_name), "DamagedChunk", "is damaged")
+    return None
+
+
 def _grid(folder: Path | RemotePath, name: str) -> tuple[list[int], list[int]]:
     """Points, and points of a chunk, along each dimension."""
     metadata = json.loads((folder / "results.zarr" / name / "values" / "zarr.json").read_text(encoding="utf-8"))
@@ -141,7 +183,7 @@ def _records(folder: Path | RemotePath, expected: str, shape: list[int], chunk: 
     """The first point of each chunk along each dimension, and the record of the chunk."""
     places = np.ndindex(*(-(-length // own) for length, own in zip(shape, chunk, strict=True)))
     while some := list(islice(places, _AT_ONCE)):
-        names = [".".join(["c", *map(str, place), "0"]) for place in some]
+        names = [_named(place) for place in some]
         for place, name, tail in zip(some, names, _places.tails(folder, names, _TAIL), strict=True):
             yield [index * own for index, own in zip(place, chunk, strict=True)], _record(folder, name, tail, expected)
 
@@ -164,6 +206,11 @@ def _record(folder: Path | RemotePath, name: str, tail: bytes | None, expected: 
     if record.get("hash") != expected:
         raise _unreadable(path, "ForeignChunk", "is of another sweep")
     return record
+
+
+def _named(place: tuple[int, ...]) -> str:
+    """The file of a chunk."""
+    return ".".join(["c", *map(str, place), "0"])
 
 
 def _unreadable(path: str, cause: str, what: str) -> StoreError:

@@ -129,7 +129,7 @@ class Study(Mapping[str, "xarray.Dataset"]):
     """What a run has left: a mapping from the names of its analyses and sweeps to their data.
 
     The data of a sweep has a variable for each quantity, and the swept keys as coordinates; its values are read, and with dask computed
-    on, chunk by chunk. A dataset is read when it is used. Its variables carry units and long names, so that they label their own plots::
+    on, chunk by chunk. A dataset is read when it is used; a chunk that is gone is a :class:`StoreError` before that. Its variables carry units and long names, so that they label their own plots::
 
         study["map"].growth_rate.plot()
 
@@ -206,6 +206,7 @@ class Study(Mapping[str, "xarray.Dataset"]):
         if name not in self.analyses or name in self.failures:
             raise KeyError(name)
         if name in self.sweeps:
+            _swept.whole(self.folder, name)
             return _swept.dataset(self.folder, name)
         return _places.group(self.folder, name)
 
@@ -218,9 +219,11 @@ class Study(Mapping[str, "xarray.Dataset"]):
 
         Raises:
             KeyError: there is no such sweep.
+            StoreError: a chunk is not there, damaged, or of another sweep.
         """
         if name not in self.sweeps or name not in self:
             raise KeyError(name)
+        _swept.whole(self.folder, name)
         numbers = self.results[name]
         return _swept.failed_points(self.folder, name, any_failed=bool(numbers["failed"] or numbers["doubtful"]))
 

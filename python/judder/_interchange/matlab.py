@@ -61,7 +61,7 @@ def _check_size(result: Result) -> None:
 def _structure(result: Result) -> dict[str, Any]:
     """The variables by names that MATLAB takes, and what there is to say of them."""
     dataset = result.dataset
-    variables = [Variable(str(name), dataset[name].variable, "") for name in [*dataset.coords, *dataset.data_vars]]
+    variables = [Variable(str(name), dataset[name].variable, "", result.sweep) for name in [*dataset.coords, *dataset.data_vars]]
     names = identifiers([variable.name for variable in variables], taken=_SAID)
     content: dict[str, Any] = {}
     for variable in variables:

@@ -16,8 +16,11 @@ from judder import _places, _swept
 from judder.errors import InputError, JudderError, StoreError
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     import xarray
 
+    from judder._places import RemotePath
     from judder.progress import Progress
     from judder.study import Study
 
@@ -37,6 +40,8 @@ class Variable:
     stored: xarray.Variable
     part: str
     """``real`` or ``imag`` of a complex variable, else empty."""
+    sweep: tuple[Path | RemotePath, str] | None = None
+    """The study folder and the name of the sweep whose chunks it is read from."""
 
     @property
     def dimensions(self) -> tuple[str, ...]:
@@ -74,6 +79,8 @@ class Variable:
             values = np.asarray(self.stored[block].values)
         # stores and codecs have exceptions of their own, of any class
         except Exception as error:
+            if self.sweep is not None and (damaged := _swept.damaged(*self.sweep, block)):
+                raise damaged from error
             message = f"`{self.name}` cannot be read ({type(error).__name__}: {error})"
             raise StoreError(message, "Unreadable", {"variable": self.name}) from error
         return getattr(values, self.part) if self.part else values.astype(object) if self.is_text else values
@@ -100,7 +107,8 @@ class Result:
         Raises:
             StoreError: the parts of a complex variable would have the name of another.
         """
-        found = [one for name in [*self._coordinates, *self.dataset.data_vars] for one in real(str(name), self.dataset[name].variable)]
+        own = [*self._coordinates, *self.dataset.data_vars]
+        found = [one for name in own for one in real(str(name), self.dataset[name].variable, self.sweep)]
         names = [*map(str, self.dataset.sizes), *(variable.name for variable in found)]
         for name in {*names}:
             if names.count(name) > 1:
@@ -136,6 +144,11 @@ class Result:
     def is_sweep(self) -> bool:
         """Whether it is a sweep, whose points may have failed."""
         return self.name in self.study.sweeps
+
+    @property
+    def sweep(self) -> tuple[Path | RemotePath, str] | None:
+        """The study folder and the name, where it is a sweep."""
+        return (self.study.folder, self.name) if self.is_sweep else None
 
     @property
     def keys(self) -> list[str]:
@@ -203,11 +216,11 @@ def _result(study: Study, name: str, progress: Progress | None) -> Result:
     return Result(study, name, dataset, progress)
 
 
-def real(name: str, variable: xarray.Variable) -> list[Variable]:
+def real(name: str, variable: xarray.Variable, sweep: tuple[Path | RemotePath, str] | None = None) -> list[Variable]:
     """A variable, or the two parts of a complex one."""
     if variable.dtype.kind == "c":
-        return [Variable(f"{name}_{part}", variable, part) for part in ("real", "imag")]
-    return [Variable(name, variable, "")]
+        return [Variable(f"{name}_{part}", variable, part, sweep) for part in ("real", "imag")]
+    return [Variable(name, variable, "", sweep)]
 
 
 def blocks(shape: tuple[int, ...], chunk: tuple[int, ...], rows: int) -> Iterator[Block]:

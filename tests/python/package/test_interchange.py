@@ -356,10 +356,32 @@ def test_a_chunk_that_is_gone_is_no_column_of_nan(small, writer, tmp_path):
     with pytest.raises(judder.StoreError, match=r"c\.1\.1\.0: this chunk is not there") as caught:
         write(study, writer, tmp_path / "out", only="grid")
     assert caught.value.cause == "MissingChunk" and not (tmp_path / "out").exists()
-    chunks[3].write_bytes(content[:-20])
-    with pytest.raises(judder.StoreError, match="this chunk is damaged|cannot be read"):
-        write(study, writer, tmp_path / "out", only="grid")
-    assert not (tmp_path / "out").exists()
+    flipped = bytes([content[0] ^ 1, *content[1:]])
+    for damaged in (content[:-20], content[20:], flipped, b""):
+        chunks[3].write_bytes(damaged)
+        with pytest.raises(judder.StoreError, match=r"c\.1\.1\.0: this chunk is damaged; `judder run` computes it again") as caught:
+            write(study, writer, tmp_path / "out", only="grid")
+        assert caught.value.cause == "DamagedChunk" and not (tmp_path / "out").exists()
+
+
+def test_a_chunk_that_is_gone_is_named_before_a_sweep_is_opened(small, tmp_path):
+    study = judder.load_study(shutil.copytree(small.folder, tmp_path / "study"))
+    chunks = sorted((study.folder / "results.zarr" / "grid" / "values").glob("c.*"))
+    gone = chunks[-1].read_bytes()
+    chunks[-1].unlink()
+    # neither one in its place nor anything else that lies there hides that
+    (chunks[-1].parent / "c.other").touch()
+    for look in (lambda: study["grid"], lambda: study.failed_points("grid")):
+        with pytest.raises(judder.StoreError, match=rf"{chunks[-1].name}: this chunk is not there; `judder run` computes it again") as caught:
+            look()
+        assert caught.value.cause == "MissingChunk" and caught.value.path == str(chunks[-1])
+    assert study["samples"].sizes and len(study.failed_points("samples")) >= 0
+    chunks[-1].write_bytes(gone)
+    assert study["grid"].identical(small["grid"])
+    # values that are read by zarr are checked, too
+    chunks[0].write_bytes(bytes([chunks[0].read_bytes()[0] ^ 1, *chunks[0].read_bytes()[1:]]))
+    with pytest.raises(ValueError, match="checksum do not match"):
+        study["grid"].load()
 
 
 def test_the_permissions_are_those_of_any_file(small, tmp_path):

@@ -13,7 +13,7 @@ from typing import IO, TYPE_CHECKING, Any, NoReturn
 from urllib.parse import unquote
 
 from judder._packages import needed
-from judder.errors import InputError, PackageError, StoreError, StudyError
+from judder.errors import InputError, JudderError, PackageError, StoreError, StudyError
 
 if TYPE_CHECKING:
     import xarray
@@ -206,14 +206,32 @@ def writable(folder: str | os.PathLike[str]) -> str:
     """The path of a file or folder of this machine, to write to.
 
     Raises:
-        StoreError: it is in an object store.
+        StoreError: it is in an object store, or no path at all.
     """
     if isinstance(folder, RemotePath) or (hasattr(folder, "fs") and not isinstance(folder, Path)):
         raise _read_only(str(folder))
     text = os.fspath(folder)
     if _is_remote(text):
         raise _read_only(text)
+    if "\0" in text:
+        raise StoreError(f"{text!r}: no path has a NUL in it", "Write", {"path": text})
     return str(_local(text))
+
+
+@contextmanager
+def reading(folder: Path | RemotePath, name: str) -> Iterator[None]:
+    """Names the result that cannot be read: stores and codecs have exceptions of their own, of any class.
+
+    Raises:
+        StoreError: it cannot.
+    """
+    try:
+        yield
+    except JudderError:
+        raise
+    except Exception as error:
+        message = f"{folder}: `{name}` cannot be read ({type(error).__name__}: {error})"
+        raise StoreError(message, "Unreadable", {"path": str(folder)}) from error
 
 
 def group(folder: Path | RemotePath, name: str) -> xarray.Dataset:
@@ -283,6 +301,8 @@ def _local(text: str) -> Path:
 
 
 def _opened(address: str, storage_options: Mapping[str, Any]) -> RemotePath:
+    if not isinstance(storage_options, Mapping):
+        raise InputError(f"storage_options: a mapping is needed, not {storage_options!r}", "Input", {"argument": "storage_options"})
     core = needed("fsspec.core", "remote", f"{address}: an address")
     try:
         files, root = core.url_to_fs(address, **storage_options)

@@ -65,7 +65,7 @@ def run(
 
     Raises:
         CaseError: the case is wrong.
-        InputError: the case has no such sweep.
+        InputError: the case has no such sweep; an argument cannot be.
         StoreError: the folder cannot be written, or holds another case.
         StudyError: the workers have another version of judder; the scheduler is gone.
         Interrupted: Ctrl-C; what is done is kept.
@@ -73,6 +73,9 @@ def run(
     >>> from distributed import Client  # doctest: +SKIP
     >>> study = judder.distributed.run("case.toml", Client("tcp://scheduler:8786"), output="out/case")  # doctest: +SKIP
     """
+
+    if not all(hasattr(client, what) for what in ("submit", "scheduler", "nthreads")):
+        raise _wrong("client", f"a client of dask.distributed is needed, not {client!r}")
 
     def executor(package: Package, sweep: str) -> Executor:
         return DaskExecutor(client, package, sweep)
@@ -99,7 +102,7 @@ def run_with(
     ``MPIPoolExecutor`` of mpi4py.
 
     Args:
-        executor: an executor, which stays open; or a function that makes one, which is made anew where a process of it is lost, and closed at the
+        executor: an executor, which stays open; or a function or class that makes one, which is made anew where a process of it is lost, and closed at the
             end.
         workers: how many tasks it does at a time; where not said, what it says itself.
         threads_per_worker: threads that each of its processes may use.
@@ -114,9 +117,10 @@ def run_with(
     >>> from joblib.externals.loky import get_reusable_executor  # doctest: +SKIP
     >>> study = judder.distributed.run_with("case.toml", lambda: get_reusable_executor(8), output="out/case")  # doctest: +SKIP
     """
-    if not 1 <= threads_per_worker <= _MOST_THREADS:
-        message = f"threads_per_worker: from 1 to {_MOST_THREADS}, not {threads_per_worker}"
-        raise InputError(message, "Input", {"argument": "threads_per_worker"})
+    _check("threads_per_worker", threads_per_worker, 1, _MOST_THREADS)
+    _check("workers", workers, 1)
+    if not callable(executor) and not hasattr(executor, "submit"):
+        raise _wrong("executor", f"an executor with `submit` is needed, or a function that makes one, not {executor!r}")
 
     def of_futures(package: Package, sweep: str) -> Executor:
         return FuturesExecutor(executor, package, workers)
@@ -135,9 +139,10 @@ def _run(
 ) -> Study:
     retries, shares, chunks_per_task, threads = manner
     output = _places.writable(output)
-    for argument, number, least in (("retries", retries, 0), ("chunks_per_task", chunks_per_task, 1)):
-        if number is not None and number < least:
-            raise InputError(f"{argument}: at least {least} is needed", "Input", {"argument": argument})
+    _check("retries", retries, 0)
+    _check("chunks_per_task", chunks_per_task, 1)
+    if progress is not None and not callable(progress):
+        raise _wrong("progress", f"a function is needed, not {progress!r}")
     case, set, law = asked
     sweeps = plans(case, set, law)
     # until all chunks are there nobody takes the folder alone and forgets what is in it
@@ -159,3 +164,17 @@ def _run(
             holding.callback(held.release)
             dispatch.run(held)
     return run_here(case, output=output, only=() if name is None else (name,), set=set, law=law, progress=progress)
+
+
+def _check(argument: str, number: int | None, least: int, most: int | None = None) -> None:
+    """Refuses what is no whole number from `least` to `most`."""
+    if number is None:
+        return
+    if isinstance(number, bool) or not hasattr(number, "__index__"):
+        raise _wrong(argument, f"a whole number is needed, not {number!r}")
+    if number < least or most is not None and number > most:
+        raise _wrong(argument, f"at least {least} is needed" + (f", and at most {most}" if most is not None else ""))
+
+
+def _wrong(argument: str, why: str) -> InputError:
+    return InputError(f"{argument}: {why}", "Input", {"argument": argument})

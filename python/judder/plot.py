@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
+from judder.errors import InputError
 from judder.oscillator import StabilityMap
 
 if TYPE_CHECKING:
@@ -21,6 +22,7 @@ COLOURS: Final = {
     "negative-damping": "#eeab55",
     "both": "#6a4682",
     "normal-force-coupling": "#efdc8f",
+    "destabilised-by-damping": "#efdc8f",
     "marginal": "#6b6b6b",
     "unresolved": "#8c8c8c",
     "full-boundary": "#000000",
@@ -43,12 +45,15 @@ def stability(found: StabilityMap | xarray.Dataset, *, ax: Axes | None = None, l
     """Draws a stability map: its mechanisms as areas and, where they were followed, its boundaries as lines.
 
     Args:
-        found: a map of :func:`judder.oscillator.stability_map`, or the dataset of an analysis ``stability-map`` of an oscillator.
+        found: a map of :func:`judder.oscillator.stability_map`, or the dataset of an analysis ``stability-map``.
         ax: where to draw; the current axes where none are given.
         legend: whether to name areas and lines, those that occur.
 
     Returns:
         The axes, with labels and, where values have equal ratios, logarithmic scales.
+
+    Raises:
+        InputError: it is no stability map.
 
     >>> import matplotlib; matplotlib.use("agg")
     >>> found = judder.oscillator.stability_map(("velocity", [1e-6, 1e-4, 1e-2]), ("shear_strength", [0.01, 0.1]))
@@ -57,8 +62,12 @@ def stability(found: StabilityMap | xarray.Dataset, *, ax: Axes | None = None, l
     """
     import matplotlib.pyplot as pyplot
     import numpy as np
+    import xarray
     from matplotlib.colors import ListedColormap
 
+    if not isinstance(found, StabilityMap) and not (isinstance(found, xarray.Dataset) and "stability" in found):
+        has = f"a dataset of {', '.join(f'`{name}`' for name in found)}" if isinstance(found, xarray.Dataset) else repr(found)
+        raise InputError(f"found: a stability map is needed, not {has}", "Input", {"argument": "found"})
     axes = pyplot.gca() if ax is None else ax
     data = found.to_dataset() if isinstance(found, StabilityMap) else found
     classes = data["stability"]
@@ -88,8 +97,8 @@ def _boundaries(data: xarray.Dataset, x: str, y: str, axes: Axes) -> None:
 
 def _label(side: xarray.DataArray) -> str:
     """Name and unit of a side of a map."""
-    unit = "–" if side.attrs["units"] == "1" else side.attrs["units"]
-    return str(side.attrs.get("label", f"{side.attrs['long_name']} ({unit})"))
+    units = side.attrs.get("units", "1")
+    return str(side.attrs.get("label", f"{side.attrs.get('long_name', side.name)} ({'–' if units == '1' else units})"))
 
 
 def _scale(side: xarray.DataArray) -> str:

@@ -150,6 +150,8 @@ class Study(Mapping[str, "xarray.Dataset"]):
             raise _no_study(self.folder, "no study here; `judder.run` makes one") from None
         except (ValueError, OSError, StoreError) as error:
             raise _no_study(self.folder, f"the summary cannot be read ({error})") from error
+        if not _is_summary(self.summary):
+            raise _no_study(self.folder, "summary.json is none of judder's")
 
     @property
     def analyses(self) -> tuple[str, ...]:
@@ -205,10 +207,11 @@ class Study(Mapping[str, "xarray.Dataset"]):
     def __getitem__(self, name: str) -> xarray.Dataset:
         if name not in self.analyses or name in self.failures:
             raise KeyError(name)
-        if name in self.sweeps:
+        with _places.reading(self.folder, name):
+            if name not in self.sweeps:
+                return _places.group(self.folder, name)
             _swept.whole(self.folder, name)
             return _swept.dataset(self.folder, name)
-        return _places.group(self.folder, name)
 
     def failed_points(self, name: str) -> pandas.DataFrame:
         """The points of a sweep that have no answer, or a doubtful one.
@@ -223,9 +226,10 @@ class Study(Mapping[str, "xarray.Dataset"]):
         """
         if name not in self.sweeps or name not in self:
             raise KeyError(name)
-        _swept.whole(self.folder, name)
-        numbers = self.results[name]
-        return _swept.failed_points(self.folder, name, any_failed=bool(numbers["failed"] or numbers["doubtful"]))
+        with _places.reading(self.folder, name):
+            _swept.whole(self.folder, name)
+            numbers = self.results[name]
+            return _swept.failed_points(self.folder, name, any_failed=bool(numbers["failed"] or numbers["doubtful"]))
 
     def to_parquet(self, folder: str | os.PathLike[str], *, only: Iterable[str] = (), progress: Progress | None = None) -> list[Path]:
         """Writes results as tables of Apache Parquet, for pandas, Polars, DuckDB, R, Spark (``pip install 'judder[parquet]'``).
@@ -324,6 +328,15 @@ class Study(Mapping[str, "xarray.Dataset"]):
             for name, path in self.figures.items()
         )
         return f"<h4>{html.escape(str(title))}</h4>{failed}<table>{rows}</table>{figures}"
+
+
+def _is_summary(found: Any) -> bool:
+    """Whether a document has what every summary has."""
+    if not isinstance(found, dict) or not all(isinstance(found.get(key), dict) for key in ("case", "analyses", "results")):
+        return False
+    asked = [found["case"].get(kind, []) for kind in ("analysis", "sweep")]
+    named = all(isinstance(some, list) and all(isinstance(one, dict) and isinstance(one.get("name"), str) for one in some) for some in asked)
+    return named and all(isinstance(record, dict) and "status" in record for record in found["analyses"].values())
 
 
 def _no_study(folder: Path | RemotePath, reason: str) -> StudyError:

@@ -11,11 +11,11 @@ import time
 import warnings
 from collections.abc import Callable
 from concurrent import futures
-from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
+from typing import TYPE_CHECKING, Any, Protocol, TypeAlias, cast
 
 from judder._cluster.package import Package
 from judder._cluster.work import Done, Job, work
-from judder.errors import StudyError
+from judder.errors import InputError, StudyError
 
 if TYPE_CHECKING:
     import distributed
@@ -157,8 +157,10 @@ class FuturesExecutor:
     """An executor of ``concurrent.futures`` or of its kind, or a function that makes one, anew where its processes are lost."""
 
     def __init__(self, executor: FuturesLike, package: Package, slots: int | None) -> None:
-        self._make = executor if callable(executor) and not hasattr(executor, "submit") else None
-        self._executor: Any = self._make() if self._make is not None else executor
+        # a class has the `submit` of what it makes
+        is_maker = callable(executor) and (isinstance(executor, type) or not hasattr(executor, "submit"))
+        self._make = cast("Callable[[], futures.Executor]", executor) if is_maker else None
+        self._executor: Any = self._made() if self._make is not None else executor
         self._package = package
         self._slots = slots
         self._ended: queue.SimpleQueue[futures.Future[Done]] = queue.SimpleQueue()
@@ -184,6 +186,12 @@ class FuturesExecutor:
         self._jobs[future] = job, self._executor
         future.add_done_callback(lambda ended: self._ended.put(ended))
 
+    def _made(self) -> Any:
+        made = self._make() if self._make is not None else None
+        if not hasattr(made, "submit"):
+            raise InputError(f"executor: {self._make!r} made {made!r}, which has no `submit`", "Input", {"argument": "executor"})
+        return made
+
     def _renew(self) -> None:
         if self._make is None:
             message = (
@@ -192,7 +200,7 @@ class FuturesExecutor:
             )
             raise StudyError(message, "ExecutorLost", {})
         self._executor.shutdown(wait=False)
-        self._executor = self._make()
+        self._executor = self._made()
         self._is_broken = False
 
     def wait(self) -> list[tuple[Job, Outcome]]:

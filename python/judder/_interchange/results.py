@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from judder import _places, _swept
-from judder.errors import InputError, JudderError, StoreError
+from judder.errors import InputError, StoreError
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -206,13 +206,8 @@ def chosen(study: Study, only: Iterable[str], progress: Progress | None) -> list
 
 def _result(study: Study, name: str, progress: Progress | None) -> Result:
     is_sweep = name in study.sweeps
-    try:
+    with _places.reading(study.folder, name):
         dataset = _swept.dataset(study.folder, name, dask=False) if is_sweep else _places.group(study.folder, name)
-    except JudderError:
-        raise
-    except Exception as error:
-        message = f"{study.folder}: `{name}` cannot be read ({type(error).__name__}: {error})"
-        raise StoreError(message, "Unreadable", {"path": str(study.folder)}) from error
     return Result(study, name, dataset, progress)
 
 

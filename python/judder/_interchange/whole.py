@@ -68,7 +68,7 @@ def files(folder: Path) -> Iterator[Files]:
     Raises:
         StoreError: they cannot be written.
     """
-    made = [path for path in (folder, *folder.parents) if not path.exists()]
+    made = [path for path in (folder, *folder.parents) if not os.path.exists(path)]
     written = Files(folder)
     try:
         folder.mkdir(parents=True, exist_ok=True)

@@ -104,3 +104,24 @@ def test_the_command_is_that_of_the_wheel(command):
     assert command("rnu").returncode == 2 and "did you mean `run`" in command("rnu").stderr
     done = command("point", "none.toml", "--json")
     assert done.returncode == 2 and "none.toml" in json.loads(done.stdout)["error"]["message"]
+
+
+NO_SUMMARY = ["[]", "null", "3", "{}", '{"case": 3}', '{"case": {}, "analyses": [], "results": {}}', '{"case": {}, "analyses": {"a": 3}, "results": {}}']
+NO_SUMMARY += ['{"case": {"analysis": [3]}, "analyses": {}, "results": {}}', '{"case": {"sweep": {}}, "analyses": {}, "results": {}}']
+
+
+@pytest.mark.parametrize("text", NO_SUMMARY)
+def test_a_summary_of_something_else_is_no_study(text, tmp_path):
+    (tmp_path / "summary.json").write_text(text)
+    with pytest.raises(judder.StudyError, match=r"summary\.json is none of judder's") as caught:
+        judder.load_study(tmp_path)
+    assert caught.value.cause == "NoStudy"
+
+
+@pytest.mark.parametrize("kind", ["analysis", "sweep"])
+def test_a_result_whose_arrays_are_gone_is_named(kind, tmp_path):
+    case = {kind: [{"name": "a"}]}
+    (tmp_path / "summary.json").write_text(json.dumps({"case": case, "analyses": {"a": {"status": "done"}}, "results": {"a": {}}}))
+    with pytest.raises(judder.StoreError, match="`a` cannot be read") as caught:
+        judder.load_study(tmp_path)["a"]
+    assert caught.value.cause == "Unreadable"

@@ -292,6 +292,10 @@ def test_places_that_cannot_be_written_are_named(small, writer, tmp_path):
     assert caught.value.cause == "Write" and (tmp_path / "file").read_text() == "mine"
     with pytest.raises(judder.StoreError, match="memory://x: studies in an object store are read and never written"):
         getattr(small, writer)("memory://x")
+    for name in ("x" * 300, "nul\0"):
+        with pytest.raises(judder.StoreError, match="File name too long|no path has a NUL") as caught:
+            getattr(small, writer)(tmp_path / name)
+        assert caught.value.cause == "Write"
     if WRITERS[writer] != "folder":
         with pytest.raises(judder.StoreError, match="a folder has this name; name a file"):
             getattr(small, writer)(tmp_path)

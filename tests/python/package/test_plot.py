@@ -58,3 +58,20 @@ def test_the_map_of_a_case_has_its_boundaries(axes, map_case, tmp_path):
     study = judder.run(map_case, output=tmp_path, only=["map"])
     judder.plot.stability(study["map"], ax=axes, legend=False)
     assert axes.get_legend() is None and len(axes.lines) == 3
+
+
+def test_the_map_of_a_general_system_is_drawn_in_the_same_colours(axes, tmp_path):
+    study = judder.run(ROOT / "cases" / "benchmarks" / "damped-hopf.toml", output=tmp_path, only=["map"])
+    data = study["map"]
+    assert "destabilised-by-damping" in data.stability.attrs["flag_meanings"]
+    judder.plot.stability(data, ax=axes)
+    assert "mu" in axes.get_xlabel() and axes.get_yscale() == "log"
+    classes = data.stability.attrs["flag_meanings"].split()
+    assert names(axes)[: len(np.unique(data.stability))] == [classes[code].replace("-", " ") for code in np.unique(data.stability)]
+
+
+def test_what_is_no_map_is_named():
+    found = judder.oscillator.stability_map(("velocity", [1e-6, 1e-4]), ("shear_strength", [0.01, 0.1])).to_dataset().drop_vars("stability")
+    for wrong, has in ((found, "a dataset of"), (3, "3")):
+        with pytest.raises(judder.InputError, match=f"found: a stability map is needed, not {has}"):
+            judder.plot.stability(wrong)

@@ -308,8 +308,34 @@ def test_large_packages_go_once_to_each_process(quick, tmp_path, monkeypatch):
     assert 1 <= sent.count(False) <= 6 and sent.count(True) >= 31
 
 
-def test_arguments_are_checked(quick, tmp_path):
-    with ThreadPoolExecutor(1) as executor:
-        for wrong in ({"retries": -1}, {"chunks_per_task": 0}, {"threads_per_worker": 0}):
-            with pytest.raises(judder.InputError, match="at least"):
-                judder.distributed.run_with(quick[0], executor, output=tmp_path / "study", **wrong)
+def test_a_class_makes_an_executor(quick, tmp_path):
+    study = judder.distributed.run_with(quick[0], ThreadPoolExecutor, output=tmp_path / "study")
+    assert files(study.folder / "results.zarr" / "quick_map") == quick[1]
+
+
+WRONG = {
+    "retries": (-1, "2", True),
+    "chunks_per_task": (0, 2.5, "3"),
+    "threads_per_worker": (0, 1.5, 10**9),
+    "workers": (0, -1, "2"),
+    "progress": (3,),
+    "executor": (None, 3),
+}
+
+
+@pytest.mark.parametrize("argument", WRONG)
+def test_arguments_are_checked_before_anything_is_made(quick, tmp_path, argument):
+    for wrong in WRONG[argument]:
+        given = {"executor": lambda: ThreadPoolExecutor(1), argument: wrong}
+        with pytest.raises(judder.InputError, match=f"^{argument}: .* needed") as caught:
+            judder.distributed.run_with(quick[0], output=tmp_path / "study", **given)
+        assert caught.value.argument == argument
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_what_is_no_executor_and_no_client_is_named(quick, tmp_path):
+    with pytest.raises(judder.InputError, match="executor: .* made 3, which has no `submit`"):
+        judder.distributed.run_with(quick[0], lambda: 3, output=tmp_path / "study")
+    with pytest.raises(judder.InputError, match="client: a client of dask.distributed is needed, not None"):
+        judder.distributed.run(quick[0], None, output=tmp_path / "other")
+    assert not (tmp_path / "other").exists()

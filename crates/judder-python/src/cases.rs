@@ -64,15 +64,14 @@ pub(crate) fn run_case<'py>(
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let manner = Manner::on_threads_of_its_own(progress, threads)?;
-    // the law lies beside the case until the study, held alone, keeps it
-    let beside = tempfile::tempdir().map_err(errors::system)?;
-    let (file, files) = match law {
-        None => (case.read(&overrides)?, Vec::new()),
-        Some(law) => {
-            let file = with_law_in(beside.path(), &case, overrides, &law)?;
-            let content = fs::read(beside.path().join(LAW_FILE)).map_err(errors::system)?;
-            (file, vec![(LAW_FILE.to_owned(), content)])
+    // a law lies beside the case until the study, held alone, keeps it
+    let beside = law.as_ref().map(|_| tempfile::tempdir()).transpose().map_err(errors::system)?;
+    let (file, files) = match (&law, &beside) {
+        (Some(law), Some(beside)) => {
+            let (file, content) = with_law_in(beside.path(), &case, overrides, law)?;
+            (file, vec![(LAW_FILE.to_owned(), content.into_bytes())])
         }
+        _ => (case.read(&overrides)?, Vec::new()),
     };
     let folder = folder_of(&file, output);
     let options = RunOptions { only, fresh, files, ..RunOptions::default() };
@@ -90,17 +89,17 @@ fn folder_of(file: &CaseFile, output: Option<PathBuf>) -> PathBuf {
     output.unwrap_or_else(|| Path::new("out").join(&file.name))
 }
 
-/// A case with a law in the place of its own, as a file of a folder that is no study.
+/// A case with a law in the place of its own, as a file of a folder that is no study; gives back the content of the file, too.
 pub(crate) fn with_law_in(
     folder: &Path,
     case: &Source,
     overrides: Vec<String>,
     law: &PyLaw,
-) -> PyResult<CaseFile> {
+) -> PyResult<(CaseFile, String)> {
     let path = folder.join(LAW_FILE);
     let text = lawful(case, &overrides, law)?;
-    fs::write(&path, text).map_err(|error| errors::file(&path, &error))?;
-    with_law_file(case, overrides, &path)
+    fs::write(&path, &text).map_err(|error| errors::file(&path, &error))?;
+    Ok((with_law_file(case, overrides, &path)?, text))
 }
 
 /// The file of a law that a case can take.

@@ -53,7 +53,7 @@ impl PySweep {
         // the files that it names are read, which may take a while
         let plans = py.detach(|| {
             let file = match &law {
-                Some((law, folder)) => with_law_in(folder, &case, overrides, law.get())?,
+                Some((law, folder)) => with_law_in(folder, &case, overrides, law.get())?.0,
                 None => case.read(&overrides)?,
             };
             plans_of(&file).map_err(|error| errors::study(&error))

@@ -14,7 +14,7 @@ use std::time::Duration;
 /// How long to wait before looking again whether another process has written its chunks.
 const PAUSE: Duration = Duration::from_millis(50);
 /// Takes process numbers that follow each other far apart.
-const SPREAD: usize = 0x9E37_79B1;
+const SPREAD: u64 = 0x9E37_79B1;
 
 /// Computes the chunks of a part that are not there yet, and waits for those that other processes compute meanwhile.
 ///
@@ -29,8 +29,8 @@ pub(crate) fn work(
     let mut missing: Vec<usize> =
         (0..done.len()).filter(|chunk| shard.takes(*chunk) && !done[*chunk]).collect();
     // processes that begin together do not all ask for the same chunks
-    let first = process::id() as usize * SPREAD % missing.len().max(1);
-    missing.rotate_left(first);
+    let first = u64::from(process::id()) * SPREAD % missing.len().max(1) as u64;
+    missing.rotate_left(first as usize);
     compute((plan, store), (missing, true), progress)
 }
 

@@ -1,7 +1,7 @@
 //! Sweeps of whole studies: what a point holds, what fails, what parts and processes make of it.
 
 use crate::{number, run_into};
-use judder_case::{Case, CaseFile, LawName, OscillatorCase};
+use judder_case::{Case, CaseFile, OscillatorCase};
 use judder_store::{StoreError, StoredChunk};
 use judder_study::run::{RunOptions, SweepWork, plans, run};
 use judder_study::sweep::{Evaluator, SweepPlan};
@@ -85,24 +85,39 @@ fn a_point_of_a_sweep_is_the_point_of_its_case() {
     }
 }
 
-/// A law computed for the substrate of the case is another law at another substrate.
+/// A temperature moves the times of the substrate: nothing of it stays as it was in the case of the file.
 #[test]
 fn a_swept_substrate_is_read_anew() {
-    let sweep = r#"
+    let text = r#"
+model = "oscillator"
+[operation]
+velocity = "1 mm/s"
+normal_load = 1e-4
+[contact]
+shear_strength = 0.05
 [substrate]
-prony = [{ time = "10 ms", compliance = "9e-7 1/Pa" }]
+prony = [{ time = "10 ms", compliance = "8e-7 1/Pa" }]
+temperature = "30 degC"
+shift = { wlf = { c1 = 8.86, c2 = "101.6 K", reference_temperature = "20 degC" } }
 [[sweep]]
-name = "moduli"
-over = [{ key = "substrate.rubbery_modulus", values = ["0.9 MPa", "1 MPa", "1.05 MPa"] }]
+name = "warmth"
+over = [{ key = "substrate.temperature", values = ["10 degC", "30 degC", "50 degC"] }]
 quantities = ["growth_rate"]
 "#;
-    let file = file(sweep);
-    assert_eq!(oscillator(&file).law, LawName::OscillatorPaper);
+    let file = CaseFile::parse("warmth.toml", text, &[]).unwrap();
     let (plan, chunks) = computed(&file);
-    for (index, value) in chunks.iter().flat_map(|chunk| &chunk.values[..]).enumerate() {
+    let growth: Vec<f64> = chunks.iter().flat_map(|chunk| chunk.values.clone()).collect();
+    for (index, value) in growth.iter().enumerate() {
         let here = file.at(plan.sweep(), &plan.sweep().values_of(index as u64)).unwrap();
         assert_eq!(*value, point::point(oscillator(&here)).unwrap().steady.growth_rate(), "{index}");
     }
+    assert!(growth[0] < growth[2] && growth[2] < growth[1], "{growth:?}");
+    let told: Vec<&str> =
+        chunks.iter().flat_map(|chunk| &chunk.failures).map(|own| own.reason.as_str()).collect();
+    assert!(
+        told.len() == 3 && told.iter().all(|own| own.starts_with("doubtful: ") && own.contains("E∞/E0 = 5")),
+        "{told:?}"
+    );
 }
 
 const CYCLES: &str = r#"

@@ -7,7 +7,7 @@ use crate::Contact;
 use crate::groups::Coefficients;
 use crate::mechanism::StabilityClass;
 
-pub use adaptive::{AdaptiveMap, adaptive};
+pub use adaptive::{AdaptiveMap, CoarseMap, CoarselyDecided, adaptive};
 pub use every_point::{TILE_ROWS, every_point};
 
 /// A rectangular grid of operating points: columns along the first swept quantity, rows along the second.

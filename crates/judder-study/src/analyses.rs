@@ -15,6 +15,7 @@ mod two_degrees;
 
 pub(crate) use axis::Axis;
 pub(crate) use motion::belt;
+pub use stability_map::{BoundaryCurves, BoundaryKind, boundary_curves};
 pub(crate) use stability_map::{STARTS_IT, UNKNOWN};
 pub(crate) use steady_states::SteadyState;
 

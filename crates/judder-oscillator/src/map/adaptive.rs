@@ -8,9 +8,10 @@
 
 mod canvas;
 
-use super::{Plane, StabilityMap, every_point};
+use super::{Plane, StabilityMap};
 use crate::Contact;
 use canvas::Canvas;
+use std::convert::Infallible;
 
 /// Intervals of the coarse grid along each side: what is narrower than the map's side over this can escape.
 const COARSE_INTERVALS: usize = 40;
@@ -23,35 +24,89 @@ pub fn adaptive(contact: &Contact, plane: &impl Plane) -> StabilityMap {
 
 /// A map whose memory is laid out, so that all that is left to do is to decide it.
 pub struct AdaptiveMap<'a, P> {
-    contact: &'a Contact,
-    plane: &'a P,
     canvas: Canvas<'a, P>,
 }
+
+/// A map whose coarse grid is decided: a first picture, from which the whole map follows.
+pub struct CoarselyDecided<'a, P> {
+    canvas: Canvas<'a, P>,
+    across: Vec<usize>,
+    up: Vec<usize>,
+}
+
+/// The classes on the coarse grid of a map.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct CoarseMap {
+    /// The columns of the map that the coarse grid has, ascending, the first and the last among them.
+    pub columns: Vec<usize>,
+    /// The rows of the map that the coarse grid has, ascending, the first and the last among them.
+    pub rows: Vec<usize>,
+    /// Codes of [`StabilityClass`](crate::mechanism::StabilityClass), row by row: index `row · columns.len() + column`.
+    pub classes: Vec<u8>,
+}
+
+/// The map was given up before it was whole.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct GivenUp;
 
 impl<'a, P: Plane> AdaptiveMap<'a, P> {
     /// Lays out the memory: about five bytes a grid point.
     #[must_use]
     pub fn new(contact: &'a Contact, plane: &'a P) -> Self {
-        Self { contact, plane, canvas: Canvas::new(contact, plane) }
+        Self { canvas: Canvas::new(contact, plane) }
     }
 
     /// Decides the map.
     #[must_use]
     pub fn decide(self) -> StabilityMap {
-        let Self { contact, plane, mut canvas } = self;
-        if plane.columns() == 0 || plane.rows() == 0 {
-            return every_point(contact, plane);
-        }
-        let (across, up) = (coarse_lines(plane.columns()), coarse_lines(plane.rows()));
+        let Ok(map) = self.decide_coarse().refine(&|| Ok::<(), Infallible>(()));
+        map
+    }
+
+    /// Decides the points of the coarse grid alone: some 41 × 41, for a map of any size.
+    #[must_use]
+    pub fn decide_coarse(self) -> CoarselyDecided<'a, P> {
+        let Self { mut canvas } = self;
+        let (across, up) = (coarse_lines(canvas.columns()), coarse_lines(canvas.rows()));
         canvas.decide_grid(&across, &up);
+        CoarselyDecided { canvas, across, up }
+    }
+}
+
+impl<P: Plane> CoarselyDecided<'_, P> {
+    /// What the coarse grid shows.
+    #[must_use]
+    pub fn coarse_map(&self) -> CoarseMap {
+        let Self { canvas, across, up } = self;
+        let at = |row: usize| across.iter().map(move |column| canvas.class(*column, row));
+        CoarseMap {
+            columns: across.clone(),
+            rows: up.clone(),
+            classes: up.iter().flat_map(|row| at(*row)).collect(),
+        }
+    }
+
+    /// Decides the rest, and asks before each batch of decisions whether to stop; `None` where it was stopped. The map is that of
+    /// [`AdaptiveMap::decide`] to the bit.
+    #[must_use]
+    pub fn decide_rest(self, interrupted: &dyn Fn() -> bool) -> Option<StabilityMap> {
+        self.refine(&|| if interrupted() { Err(GivenUp) } else { Ok(()) }).ok()
+    }
+
+    /// Follows the boundaries that the coarse grid shows, as long as it is let go on.
+    fn refine<E>(self, go_on: &dyn Fn() -> Result<(), E>) -> Result<StabilityMap, E> {
+        let Self { mut canvas, across, up } = self;
+        if across.is_empty() || up.is_empty() {
+            return Ok(canvas.into_map());
+        }
         let pairs = neighbours_on(&canvas, &across, &up);
-        let mut fresh = bisect(&mut canvas, pairs);
+        let mut fresh = bisect(&mut canvas, pairs, go_on)?;
         loop {
-            follow(&mut canvas, fresh);
+            follow(&mut canvas, fresh, go_on)?;
             canvas.fill();
             fresh = canvas.decide_filled_points_that_differ();
             if fresh.is_empty() {
-                return canvas.into_map();
+                return Ok(canvas.into_map());
             }
         }
     }
@@ -90,9 +145,14 @@ fn neighbours_on<P: Plane>(canvas: &Canvas<'_, P>, across: &[usize], up: &[usize
 }
 
 /// Halves the pairs that differ until they are neighbours on the map; returns one point of each.
-fn bisect<P: Plane>(canvas: &mut Canvas<'_, P>, mut pairs: Vec<Pair>) -> Vec<usize> {
+fn bisect<P: Plane, E>(
+    canvas: &mut Canvas<'_, P>,
+    mut pairs: Vec<Pair>,
+    go_on: &dyn Fn() -> Result<(), E>,
+) -> Result<Vec<usize>, E> {
     let mut ends = Vec::new();
     while !pairs.is_empty() {
+        go_on()?;
         let mut halves = Vec::new();
         for Pair { points: [a, b], step } in pairs {
             if !canvas.differ(a, b) {
@@ -109,14 +169,19 @@ fn bisect<P: Plane>(canvas: &mut Canvas<'_, P>, mut pairs: Vec<Pair>) -> Vec<usi
         canvas.decide();
         pairs = halves;
     }
-    ends
+    Ok(ends)
 }
 
 /// Decides what lies beside pairs of neighbours that differ, as long as that shows further pairs. `fresh` are decided
 /// points whose neighbours were not looked at yet.
-fn follow<P: Plane>(canvas: &mut Canvas<'_, P>, mut fresh: Vec<usize>) {
+fn follow<P: Plane, E>(
+    canvas: &mut Canvas<'_, P>,
+    mut fresh: Vec<usize>,
+    go_on: &dyn Fn() -> Result<(), E>,
+) -> Result<(), E> {
     let stride = canvas.stride();
     while !fresh.is_empty() {
+        go_on()?;
         for point in fresh {
             for (neighbour, aside) in
                 [(point - 1, stride), (point + 1, stride), (point - stride, 1), (point + stride, 1)]
@@ -136,4 +201,5 @@ fn follow<P: Plane>(canvas: &mut Canvas<'_, P>, mut fresh: Vec<usize>) {
         }
         fresh = canvas.decide();
     }
+    Ok(())
 }

@@ -1,8 +1,9 @@
 //! A map does not depend on how it was made: threads, method.
 
 use crate::panels::{Panel, panels};
-use judder_oscillator::map::{CoefficientPlane, Method, StabilityMap, stability_map};
+use judder_oscillator::map::{AdaptiveMap, CoefficientPlane, Method, StabilityMap, stability_map};
 use judder_oscillator::mechanism::StabilityClass;
+use std::cell::Cell;
 
 fn with_threads(threads: usize, panel: &Panel, method: Method) -> StabilityMap {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
@@ -54,5 +55,42 @@ fn an_empty_plane_has_an_empty_map() {
     for method in [Method::EveryPoint, Method::Adaptive] {
         let map = stability_map(&panel.contact, &panel.plane, method);
         assert_eq!((map.columns, map.rows, map.decisions, map.classes.len()), (0, 10, 0, 0));
+    }
+}
+
+#[test]
+fn a_map_in_stages_shows_its_coarse_grid_and_ends_as_the_whole_one() {
+    for panel in panels(301) {
+        let whole = stability_map(&panel.contact, &panel.plane, Method::Adaptive);
+        let decided = AdaptiveMap::new(&panel.contact, &panel.plane).decide_coarse();
+        let coarse = decided.coarse_map();
+        assert_eq!((coarse.columns.first(), coarse.columns.last()), (Some(&0), Some(&300)));
+        assert!(coarse.columns.len() < 50 && coarse.rows.len() < 50);
+        let of_row = |row: &usize| -> Vec<u8> {
+            coarse.columns.iter().map(|column| whole.class(*column, *row) as u8).collect()
+        };
+        let of_whole = coarse.rows.iter().flat_map(of_row);
+        assert!(of_whole.eq(coarse.classes.iter().copied()), "{}", panel.figure);
+        assert!(decided.decide_rest(&|| false) == Some(whole), "{} {}", panel.figure, panel.load_name());
+    }
+}
+
+#[test]
+fn a_map_is_given_up_at_any_batch_of_decisions() {
+    let panel = panels(301).swap_remove(0);
+    let batches = Cell::new(0);
+    let stopped_at = |last: usize| {
+        batches.set(0);
+        let interrupted = || {
+            batches.set(batches.get() + 1);
+            batches.get() > last
+        };
+        AdaptiveMap::new(&panel.contact, &panel.plane).decide_coarse().decide_rest(&interrupted)
+    };
+    let whole = stopped_at(usize::MAX).unwrap();
+    let all = batches.get();
+    assert!(all > 10 && whole == stability_map(&panel.contact, &panel.plane, Method::Adaptive));
+    for last in [0, 1, all / 2, all - 1] {
+        assert_eq!((stopped_at(last), batches.get()), (None, last + 1));
     }
 }

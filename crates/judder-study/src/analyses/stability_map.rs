@@ -20,6 +20,7 @@ use serde_json::{Map, Value, json};
 pub(super) use arrays::{DAMPING, MapArrays};
 use arrays::{NORMAL_FORCE, class_fractions};
 pub(crate) use knock::{STARTS_IT, UNKNOWN};
+pub use overlays::{BoundaryCurves, BoundaryKind, boundary_curves};
 pub(super) use overlays::{Overlay, incomplete};
 
 /// Points along each side of the grid on which checks are made and the law's range of validity is looked at.

@@ -48,6 +48,19 @@ impl<'a, P: Plane> Canvas<'a, P> {
         canvas
     }
 
+    pub(super) fn columns(&self) -> usize {
+        self.plane.columns()
+    }
+
+    pub(super) fn rows(&self) -> usize {
+        self.plane.rows()
+    }
+
+    /// The code at a decided grid point.
+    pub(super) fn class(&self, column: usize, row: usize) -> u8 {
+        self.classes[self.index(column, row)]
+    }
+
     /// What leads from a point to the one above it.
     pub(super) fn stride(&self) -> usize {
         self.plane.columns() + 2

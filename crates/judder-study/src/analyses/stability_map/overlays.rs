@@ -14,6 +14,132 @@ use judder_oscillator::{Coefficients, Contact};
 use judder_store::{Dataset, Variable};
 use serde_json::{Value, json};
 
+/// A boundary that is laid over a stability map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BoundaryKind {
+    /// Of the full, damped system.
+    Full,
+    /// Without damping, eqs. (27), (28).
+    Conservative,
+    /// Of the full system with η = 0.
+    Decoupled,
+}
+
+impl BoundaryKind {
+    /// All of them, in the order in which a map has them.
+    pub const ALL: [Self; 3] = [Self::Full, Self::Conservative, Self::Decoupled];
+
+    /// `"full"`, `"conservative"` or `"decoupled"`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Full => "full",
+            Self::Conservative => "conservative",
+            Self::Decoupled => "decoupled",
+        }
+    }
+
+    /// The name in arrays and summaries.
+    fn array_name(self) -> &'static str {
+        match self {
+            Self::Full => "full_boundary",
+            Self::Conservative => "conservative_boundary",
+            Self::Decoupled => "decoupled_boundary",
+        }
+    }
+
+    fn what(self) -> &'static str {
+        match self {
+            Self::Full => "stability boundary of the full system",
+            Self::Conservative => "boundary without damping, eqs. (27), (28)",
+            Self::Decoupled => "stability boundary of the full system with η = 0",
+        }
+    }
+
+    fn condition(self) -> Condition {
+        match self {
+            Self::Full | Self::Decoupled => Condition::Full,
+            Self::Conservative => Condition::Conservative,
+        }
+    }
+
+    /// Whether it makes sense over these keys: where the coupling is swept, none is without it.
+    fn is_over(self, settings: &MapSettings<OscillatorKey>) -> bool {
+        self != Self::Decoupled || ![settings.x.key, settings.y.key].contains(&OscillatorKey::Coupling)
+    }
+}
+
+/// The pieces of one boundary, one behind the other, with NaN after each.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct BoundaryCurves {
+    /// Values of the first swept quantity, in its form.
+    pub x: Vec<f64>,
+    /// Values of the second swept quantity, in its form.
+    pub y: Vec<f64>,
+    /// The frequency of the oscillation that is born there, ω/ω_nx.
+    pub frequency: Vec<f64>,
+    /// The indentation ŷ_e there.
+    pub indentation: Vec<f64>,
+}
+
+impl BoundaryCurves {
+    fn new(curves: &[Boundary]) -> Self {
+        let mut columns = Self::default();
+        for curve in curves {
+            for point in &curve.points {
+                columns.push([point.x, point.y, point.frequency, point.indentation]);
+            }
+            columns.push([f64::NAN; 4]);
+        }
+        columns
+    }
+
+    fn push(&mut self, [x, y, frequency, indentation]: [f64; 4]) {
+        self.x.push(x);
+        self.y.push(y);
+        self.frequency.push(frequency);
+        self.indentation.push(indentation);
+    }
+}
+
+/// One boundary of the plane of a stability map, as its overlay has it; `None` for [`BoundaryKind::Decoupled`] where the coupling is
+/// itself swept.
+#[must_use]
+pub fn boundary_curves(
+    kind: BoundaryKind,
+    (case, contact): (&OscillatorCase, &Contact),
+    settings: &MapSettings<OscillatorKey>,
+) -> Option<BoundaryCurves> {
+    let curves = || followed(kind, contact, settings, &coefficients(kind, case, settings));
+    kind.is_over(settings).then(|| BoundaryCurves::new(&curves()))
+}
+
+/// The oscillator of a kind of boundary over the plane of a map.
+fn coefficients<'a>(
+    kind: BoundaryKind,
+    case: &'a OscillatorCase,
+    settings: &'a MapSettings<OscillatorKey>,
+) -> impl Fn(f64, f64) -> Coefficients + Sync + 'a {
+    move |x, y| {
+        let mut inputs = case.inputs;
+        settings.x.set(&mut inputs, x);
+        settings.y.set(&mut inputs, y);
+        if kind == BoundaryKind::Decoupled {
+            inputs.set(OscillatorKey::Coupling, CaseValue::group(0.0));
+        }
+        bridge::coefficients(&inputs)
+    }
+}
+
+fn followed(
+    kind: BoundaryKind,
+    contact: &Contact,
+    settings: &MapSettings<OscillatorKey>,
+    at: &(dyn Fn(f64, f64) -> Coefficients + Sync),
+) -> Vec<Boundary> {
+    boundaries(contact, kind.condition(), (&range(&settings.x), &range(&settings.y)), at)
+}
+
 /// One kind of boundary over the map, all its pieces.
 pub(crate) struct Overlay {
     /// Name in arrays and summaries.
@@ -31,33 +157,15 @@ pub(super) fn trace(
     settings: &MapSettings<OscillatorKey>,
     progress: &dyn Progress,
 ) -> Result<Vec<Overlay>, StudyError> {
-    let at = |coupled: bool| {
-        move |x: f64, y: f64| -> Coefficients {
-            let mut inputs = case.inputs;
-            settings.x.set(&mut inputs, x);
-            settings.y.set(&mut inputs, y);
-            if !coupled {
-                inputs.set(OscillatorKey::Coupling, CaseValue::group(0.0));
-            }
-            bridge::coefficients(&inputs)
-        }
-    };
-    let ranges = (&range(&settings.x), &range(&settings.y));
-    let sweeps_coupling = [settings.x.key, settings.y.key].contains(&OscillatorKey::Coupling);
-    let wanted = [
-        ("full_boundary", "stability boundary of the full system", Condition::Full, true),
-        ("conservative_boundary", "boundary without damping, eqs. (27), (28)", Condition::Conservative, true),
-        ("decoupled_boundary", "stability boundary of the full system with η = 0", Condition::Full, false),
-    ];
     let mut overlays = Vec::new();
-    for (name, what, condition, coupled) in wanted.into_iter().filter(|w| w.3 || !sweeps_coupling) {
+    for kind in BoundaryKind::ALL.into_iter().filter(|kind| kind.is_over(settings)) {
         if progress.interrupted() {
             return Err(StudyError::Interrupted);
         }
-        let coefficients = at(coupled);
-        let curves = boundaries(contact, condition, ranges, &coefficients);
-        let growth = (condition == Condition::Full).then(|| growth_along(contact, &curves, &coefficients));
-        overlays.push(Overlay { name, what, curves, growth });
+        let at = coefficients(kind, case, settings);
+        let curves = followed(kind, contact, settings, &at);
+        let growth = (kind.condition() == Condition::Full).then(|| growth_along(contact, &curves, &at));
+        overlays.push(Overlay { name: kind.array_name(), what: kind.what(), curves, growth });
     }
     Ok(overlays)
 }
@@ -141,24 +249,11 @@ impl Overlay {
 
     /// Adds the points of all pieces: the two swept quantities, the frequency, and whether the curve turns back there.
     pub(super) fn add_to(&self, dataset: Dataset, x: &Axis, y: &Axis) -> Result<Dataset, StudyError> {
-        let mut columns: [Vec<f64>; 4] = Default::default();
-        let mut folds = Vec::new();
-        for curve in &self.curves {
-            for (index, point) in curve.points.iter().enumerate() {
-                for (column, value) in
-                    columns.iter_mut().zip([point.x, point.y, point.frequency, point.indentation])
-                {
-                    column.push(value);
-                }
-                let turned = |fold: Fold| u8::from(curve.folds.contains(&(index, fold)));
-                folds.push(turned(Fold::InX) + 2 * turned(Fold::InY));
-            }
-            columns.iter_mut().for_each(|column| column.push(f64::NAN));
-            folds.push(0);
-        }
+        let BoundaryCurves { x: along_x, y: along_y, frequency, indentation } =
+            BoundaryCurves::new(&self.curves);
+        let folds = self.fold_codes();
         let length = folds.len();
         let dimension = format!("{}_point", self.name);
-        let [along_x, along_y, frequency, indentation] = columns;
         let names = [
             (x.name(), along_x, x.quantity.unit.as_str(), "first swept quantity"),
             (y.name(), along_y, y.quantity.unit.as_str(), "second swept quantity"),
@@ -176,5 +271,17 @@ impl Overlay {
         let folds =
             Variable::classes(&format!("{}_fold", self.name), &[&dimension], &[length], folds, &meanings);
         Ok(dataset.with(folds.long_name(&format!("{}: where it turns back", self.what)))?)
+    }
+
+    /// At each point of [`BoundaryCurves`], whether the curve turns back there: 1 in x, 2 in y.
+    fn fold_codes(&self) -> Vec<u8> {
+        let code = |curve: &Boundary, index: usize| {
+            let turned = |fold: Fold| u8::from(curve.folds.contains(&(index, fold)));
+            turned(Fold::InX) + 2 * turned(Fold::InY)
+        };
+        let of = |curve: &Boundary| -> Vec<u8> {
+            (0..curve.points.len()).map(|index| code(curve, index)).chain([0]).collect()
+        };
+        self.curves.iter().flat_map(of).collect()
     }
 }

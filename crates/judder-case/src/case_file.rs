@@ -280,7 +280,10 @@ fn read_case(
     text: &str,
     overrides: &[String],
 ) -> Result<(Case, Vec<StudySweep>, CaseTree), Fault> {
-    let mut root = read_tree(name, text, overrides)?;
+    read_case_of(name, read_tree(name, text, overrides)?)
+}
+
+fn read_case_of(name: &str, mut root: Node) -> Result<(Case, Vec<StudySweep>, CaseTree), Fault> {
     let sweeps = root.take("sweep");
     let folder = Path::new(name).parent().unwrap_or(Path::new("")).to_owned();
     let tree = CaseTree { root, folder };
@@ -292,8 +295,23 @@ fn read_case(
     Ok((case, sweeps, tree))
 }
 
+/// What is wrong with a text and its options, without these parts of the case; `None` where nothing is.
+pub(crate) fn given_error(
+    (name, text, overrides): (&str, &str, &[String]),
+    without: &[&str],
+) -> Option<CaseError> {
+    let read = || {
+        let mut root = read_tree(name, text, overrides)?;
+        for part in without {
+            root.take(part);
+        }
+        read_case_of(name, root)
+    };
+    read().err().map(|fault| Sources::new(name, text, overrides).error(fault))
+}
+
 /// The tree of a case with the options grafted onto it.
-fn read_tree(name: &str, text: &str, overrides: &[String]) -> Result<Node, Fault> {
+pub(crate) fn read_tree(name: &str, text: &str, overrides: &[String]) -> Result<Node, Fault> {
     let mut root = parse(text)?;
     if matches!(&root.data, Data::Table(table) if table.entries.is_empty()) {
         return Err(Cause::Empty { name: name.to_owned() }.at(root.place));

@@ -137,16 +137,31 @@ pub(crate) fn parse(text: &str) -> Result<Node, Fault> {
 ///
 /// The value is read as TOML and, where it is none, as a bare string: `velocity=30 mm/s` needs no inner quotes.
 pub(crate) fn apply_override(root: &mut Node, number: usize, option: &str) -> Result<(), Fault> {
+    let SetOption { steps, value } = read_option(number, option)?;
+    let place = Place { source: number, start: value.start, end: value.end };
+    let value = &option[value];
+    let data = match DeValue::parse(value) {
+        Ok(parsed) => Converter { source: number, offset: place.start }.value(parsed).data,
+        Err(_) => Data::Text(value.to_owned()),
+    };
+    graft(root, "the case", &steps, Node { place, data })
+}
+
+/// What an option `key=value` says.
+pub(crate) struct SetOption<'a> {
+    /// The dotted path, step by step.
+    pub(crate) steps: Vec<(&'a str, Place)>,
+    /// Where the value stands.
+    pub(crate) value: std::ops::Range<usize>,
+}
+
+/// Takes the `number`-th option `key=value` apart.
+pub(crate) fn read_option(number: usize, option: &str) -> Result<SetOption<'_>, Fault> {
     let whole = Place { source: number, start: 0, end: option.len() };
     let malformed = || Cause::OverrideForm { option: option.to_owned() }.at(whole);
     let (path, value) = option.split_once('=').ok_or_else(malformed)?;
     let offset = option.len() - value.trim_start().len();
-    let value = value.trim();
-    let value_place = Place { source: number, start: offset, end: offset + value.len() };
-    let data = match DeValue::parse(value) {
-        Ok(parsed) => Converter { source: number, offset }.value(parsed).data,
-        Err(_) => Data::Text(value.to_owned()),
-    };
+    let value = offset..offset + value.trim().len();
     if path.matches('.').count() > STEPS_LIMIT {
         return Err(malformed());
     }
@@ -160,7 +175,7 @@ pub(crate) fn apply_override(root: &mut Node, number: usize, option: &str) -> Re
         }
         steps.push((step.trim(), place));
     }
-    graft(root, "the case", &steps, Node { place: value_place, data })
+    Ok(SetOption { steps, value })
 }
 
 /// The most steps of a dotted path after the first: no key of a case lies deeper, and grafting recurses.
@@ -174,8 +189,17 @@ fn name_of(node: &Node) -> Option<&str> {
 
 /// The index of the item of a list that `step` means: the one of this name, or the one of this number, counted from 0.
 fn item(items: &[Node], step: &str) -> Option<usize> {
-    let named = items.iter().position(|node| name_of(node) == Some(step));
-    named.or_else(|| step.parse().ok().filter(|index| *index < items.len()))
+    item_index(items.iter().map(name_of), step)
+}
+
+/// As of [`item`], of a list whose items have these names.
+pub(crate) fn item_index<'a>(
+    mut names: impl ExactSizeIterator<Item = Option<&'a str>>,
+    step: &str,
+) -> Option<usize> {
+    let count = names.len();
+    let named = names.position(|name| name == Some(step));
+    named.or_else(|| step.parse().ok().filter(|index| *index < count))
 }
 
 /// Walks down `steps`, making tables where there are none, and puts `leaf` at the end.

@@ -16,6 +16,7 @@ mod bad_study_sweep;
 mod bad_sweep;
 mod bad_swept_keys;
 mod bad_two_degrees;
+mod compose;
 mod contact;
 mod editors;
 mod motion;

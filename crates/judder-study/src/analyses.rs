@@ -14,6 +14,7 @@ mod structure;
 mod two_degrees;
 
 pub(crate) use axis::Axis;
+pub use motion::MotionBlock;
 pub(crate) use motion::belt;
 pub use stability_map::{BoundaryCurves, BoundaryKind, boundary_curves};
 pub(crate) use stability_map::{STARTS_IT, UNKNOWN};
@@ -98,16 +99,9 @@ pub(crate) fn run_from(
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
     match case {
-        Case::Oscillator(case) => {
-            let case = &bridge::with_material(case)?;
-            let points = law.known();
-            let keep = |point: &SolvedPoint| law.add(point);
-            let CaseContact { contact, warnings } = bridge::contact(case, (&points, &keep), progress)?;
-            let mut outcome = oscillator((case, &contact), &case.analyses[index].kind, own, progress)?;
-            outcome.warnings.extend(warnings);
-            outcome.warnings.extend(temperature_warning(&case.substrate)?);
-            Ok(outcome)
-        }
+        Case::Oscillator(case) => in_contact(case, law, progress, |case, contact| {
+            oscillator((case, contact), &case.analyses[index].kind, own, progress)
+        }),
         Case::Contact(case) => contact::run(case, &case.analyses[index], own, progress),
         Case::Belt(case) => motion::run(&BeltModel::new(case), &case.analyses[index].kind, own, progress),
         Case::TwoDegrees(case) => two_degrees::run(case, &case.analyses[index].kind, progress),
@@ -120,6 +114,52 @@ pub(crate) fn run_from(
             _ => structure::run((case, &Structure::new(case)?), &case.analyses[index], progress),
         },
     }
+}
+
+/// Runs the analysis at `index` of a case as [`run`] does; one of kind `motion` hands its samples to `watch` while it is computed.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_watched(
+    case: &Case,
+    index: usize,
+    progress: &dyn Progress,
+    watch: &mut dyn FnMut(MotionBlock),
+) -> Result<Outcome, StudyError> {
+    match case {
+        Case::Oscillator(case) => {
+            in_contact(case, Kept::NOTHING, progress, |case, contact| match &case.analyses[index].kind {
+                OscillatorAnalysis::Motion(kind) => motion::run_watched(
+                    &OscillatorModel { inputs: &case.inputs, contact },
+                    kind,
+                    progress,
+                    watch,
+                ),
+                kind => oscillator((case, contact), kind, Kept::NOTHING, progress),
+            })
+        }
+        Case::Belt(case) => {
+            motion::run_watched(&BeltModel::new(case), &case.analyses[index].kind, progress, watch)
+        }
+        _ => run(case, index, progress),
+    }
+}
+
+/// Runs an analysis of an oscillator case in its contact, whose law goes on from the points that are kept.
+fn in_contact(
+    case: &OscillatorCase,
+    law: Kept<'_>,
+    progress: &dyn Progress,
+    analysis: impl FnOnce(&OscillatorCase, &Contact) -> Result<Outcome, StudyError>,
+) -> Result<Outcome, StudyError> {
+    let case = &bridge::with_material(case)?;
+    let points = law.known();
+    let keep = |point: &SolvedPoint| law.add(point);
+    let CaseContact { contact, warnings } = bridge::contact(case, (&points, &keep), progress)?;
+    let mut outcome = analysis(case, &contact)?;
+    outcome.warnings.extend(warnings);
+    outcome.warnings.extend(temperature_warning(&case.substrate)?);
+    Ok(outcome)
 }
 
 /// What all analyses of a case share that takes time to make.

@@ -114,6 +114,15 @@ pub struct LostMotion {
     pub state: Vec<f64>,
 }
 
+/// What a step of a motion brought that the history keeps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct News<'a, const N: usize> {
+    /// The points of the grid of time that it passed.
+    pub samples: &'a [Sample<N>],
+    /// The change of the contact state at its end, if there is one.
+    pub events: &'a [Crossing<ContactState, N>],
+}
+
 /// Follows a motion over a time.
 ///
 /// # Errors
@@ -125,8 +134,25 @@ pub fn follow<const N: usize>(
     window: &Window,
     interrupted: Interrupted<'_>,
 ) -> Result<History<N>, LostMotion> {
+    follow_watched(system, start, settings, window, interrupted, |_| ())
+}
+
+/// Follows a motion over a time, and hands each step's [`News`] to `watch` while it goes on: together they are the samples and the
+/// events of the history, which is that of [`follow`] to the bit.
+///
+/// # Errors
+/// As [`follow`].
+pub fn follow_watched<const N: usize>(
+    system: &impl SlidingSystem<N>,
+    start: [f64; N],
+    settings: Settings<N>,
+    window: &Window,
+    interrupted: Interrupted<'_>,
+    mut watch: impl FnMut(News<'_, N>),
+) -> Result<History<N>, LostMotion> {
     let mut march = begin(system, start, settings)?;
     let mut recorder = Recorder::new(system, window, settings.relative);
+    let mut told = (0, 0);
     for until in [window.transient, window.duration] {
         recorder.begin(&march);
         while march.time() < until {
@@ -134,9 +160,25 @@ pub fn follow<const N: usize>(
                 return Err(lost(&march, MarchError::Interrupted { time: march.time() }));
             }
             recorder.add(&advance(&mut march, until)?);
+            told = tell(&recorder.history, told, &mut watch);
         }
     }
-    Ok(recorder.finish(&march))
+    let history = recorder.finish(&march);
+    tell(&history, told, &mut watch);
+    Ok(history)
+}
+
+/// Hands on what has come to a history since `told` samples and events; gives how many there are now.
+fn tell<const N: usize>(
+    history: &History<N>,
+    told: (usize, usize),
+    watch: &mut impl FnMut(News<'_, N>),
+) -> (usize, usize) {
+    let (samples, events) = (&history.samples[told.0..], &history.events[told.1..]);
+    if !samples.is_empty() || !events.is_empty() {
+        watch(News { samples, events });
+    }
+    (history.samples.len(), history.events.len())
 }
 
 /// Follows a cycle once around: from `start`, moved onto the section, for so many returns, which take `period`.
@@ -342,6 +384,24 @@ mod tests {
         assert!(
             (before.period - last.period).abs() < 1e-6 && (before.amplitude - last.amplitude).abs() < 1e-6
         );
+    }
+
+    #[test]
+    fn who_watches_sees_it_all_and_changes_nothing() {
+        for transient in [0.0, 40.0] {
+            let window = Window { duration: 100.0, transient, points: 1001 };
+            let (system, start) = (belt(0.05, 1.0), [1.0, 1.0]);
+            let alone = follow(&system, start, settings(1_000_000), &window, &|| false).unwrap();
+            let (mut samples, mut events, mut times) = (Vec::new(), Vec::new(), 0);
+            let watched = follow_watched(&system, start, settings(1_000_000), &window, &|| false, |news| {
+                samples.extend_from_slice(news.samples);
+                events.extend_from_slice(news.events);
+                times += 1;
+            });
+            assert_eq!(watched.unwrap(), alone);
+            assert_eq!((samples, events), (alone.samples, alone.events));
+            assert!(times > 100, "{times}");
+        }
     }
 
     #[test]

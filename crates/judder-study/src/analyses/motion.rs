@@ -9,9 +9,11 @@ pub(super) mod engines;
 mod history;
 mod limit_cycle;
 mod model;
+mod watched;
 
 pub(crate) use model::belt;
 pub(super) use model::{BeltModel, OscillatorModel};
+pub use watched::MotionBlock;
 
 use crate::error::StudyError;
 use crate::kept::Kept;
@@ -37,7 +39,7 @@ pub(super) fn run<M: Model<N>, const N: usize>(
 ) -> Result<Outcome, StudyError> {
     match kind {
         MotionAnalysis::History { start, following, transient, points } => {
-            history::run(model, start, following, (*transient, *points), progress)
+            history::run(model, start, following, (*transient, *points), (progress, None))
         }
         MotionAnalysis::LimitCycle { start, following } => {
             limit_cycle::run(model, start, following, progress)
@@ -51,5 +53,20 @@ pub(super) fn run<M: Model<N>, const N: usize>(
             let draw = basin::Draw { within, samples: *samples, seed: *seed };
             basin::run(model, &draw, following, kept, progress)
         }
+    }
+}
+
+/// As [`run`], of nothing that is known before; a history hands its samples to `watch` while it is computed.
+pub(super) fn run_watched<M: Model<N>, const N: usize>(
+    model: &M,
+    kind: &MotionAnalysis<M::Key>,
+    progress: &dyn Progress,
+    watch: &mut dyn FnMut(MotionBlock),
+) -> Result<Outcome, StudyError> {
+    match kind {
+        MotionAnalysis::History { start, following, transient, points } => {
+            history::run(model, start, following, (*transient, *points), (progress, Some(watch)))
+        }
+        kind => run(model, kind, Kept::NOTHING, progress),
     }
 }

@@ -2,12 +2,13 @@
 
 use super::amplitude_spectrum::amplitude_spectrum;
 use super::model::{Coordinate, Memory, Model, Operating};
+use super::watched::{Blocks, MotionBlock};
 use crate::error::StudyError;
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use judder_case::{Following, MotionStart, Value as CaseValue};
 use judder_oscillator::motion::attractor::{distance, repetition};
-use judder_oscillator::motion::history::{History, Oscillation, Sample, Window, follow};
+use judder_oscillator::motion::history::{History, Oscillation, Sample, Window, follow, follow_watched};
 use judder_oscillator::motion::{ContactState, SlidingSystem};
 use judder_store::{Dataset, Table, Variable, number};
 use serde_json::{Map, Value, json};
@@ -26,13 +27,24 @@ pub(super) fn run<M: Model<N>, const N: usize>(
     start: &MotionStart,
     following: &Following,
     (transient, points): (CaseValue, usize),
-    progress: &dyn Progress,
+    (progress, watch): (&dyn Progress, Option<&mut dyn FnMut(MotionBlock)>),
 ) -> Result<Outcome, StudyError> {
     let operating = model.operating(None)?;
     let window =
         Window { duration: operating.time(following.duration), transient: operating.time(transient), points };
     let (start, settings) = (operating.start(start), operating.settings(following));
-    let history = follow(&operating.system, start, settings, &window, &|| progress.interrupted())?;
+    let (system, interrupted) = (&operating.system, || progress.interrupted());
+    let history = match watch {
+        None => follow(system, start, settings, &window, &interrupted)?,
+        Some(watch) => {
+            let mut blocks = Blocks::<M, N>::new(watch);
+            let history = follow_watched(system, start, settings, &window, &interrupted, |news| {
+                blocks.add(news.samples)
+            })?;
+            blocks.show();
+            history
+        }
+    };
     progress.advance();
     let mut scalars = scalars::<M, N>(&operating, &history);
     scalars.insert("duration".to_owned(), number(window.duration));

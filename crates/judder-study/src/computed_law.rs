@@ -12,7 +12,8 @@ use judder_contact::law::sweep::{
 use judder_contact::law::{LawErrors, LawIndenter, LawOrigin};
 use judder_contact::steady::MEMORY;
 use judder_contact::{Law, LawError};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, TryLockError};
+use std::time::Duration;
 
 /// How much further than the force area and friction may be off.
 const SECONDARY: f64 = 5.0;
@@ -76,8 +77,13 @@ pub(crate) const NO_POINTS: Points<'static> = (&[], &|_| ());
 /// The points that are known already, and who is handed each new one.
 pub(crate) type Points<'a> = (&'a [SolvedPoint], &'a (dyn Fn(&SolvedPoint) + Sync));
 
-/// Computes a law, or gives the one that was computed before while the program runs; `known` points are not solved again, and every
-/// new one is handed to `kept`.
+/// The laws that are remembered while the program runs: more than a case has, fewer than a slider passes in an hour.
+const REMEMBERED: usize = 32;
+/// Between two looks whether another thread is done with its law.
+const PAUSE: Duration = Duration::from_millis(5);
+
+/// Computes a law, or gives the one that was computed before: the last [`REMEMBERED`] are kept while the program runs. `known` points are not
+/// solved again, and every new one is handed to `kept`.
 ///
 /// # Errors
 /// [`StudyError::Interrupted`], [`StudyError::Law`].
@@ -92,13 +98,28 @@ pub(crate) fn compute(
     let ranges = (*method == LawMethod::Sweep).then_some((velocity, indentation));
     let key = format!("{:?} {indenter:?} {method:?} {ranges:?} {accuracy} {memory}", material.of_law());
     // held while computing: two threads shall not compute the same law
-    let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+    let mut known = taken(&KNOWN, progress)?;
     if let Some((_, law)) = known.iter().find(|(other, _)| *other == key) {
         return Ok(law.clone());
     }
     let law = compute_anew(task, points, progress)?;
+    if known.len() == REMEMBERED {
+        known.remove(0);
+    }
     known.push((key, law.clone()));
     Ok(law)
+}
+
+/// What another thread may hold for long, unless interrupted before it is free.
+fn taken<'a, T>(mutex: &'a Mutex<T>, progress: &dyn Progress) -> Result<MutexGuard<'a, T>, StudyError> {
+    loop {
+        match mutex.try_lock() {
+            Ok(guard) => return Ok(guard),
+            Err(TryLockError::Poisoned(poisoned)) => return Ok(poisoned.into_inner()),
+            Err(TryLockError::WouldBlock) if progress.interrupted() => return Err(StudyError::Interrupted),
+            Err(TryLockError::WouldBlock) => std::thread::sleep(PAUSE),
+        }
+    }
 }
 
 fn compute_anew(

@@ -10,6 +10,7 @@
 //! - [`coupled_pair`]: the pair of a sliding case for whoever marches it by himself.
 //! - [`point`]: everything about one operating point.
 //! - [`key_plane`]: the operating points over two keys of a case.
+//! - [`law_cache`]: material and law of a case whose numbers move; a law over speeds and depths.
 //! - [`outcome`]: what an analysis leaves: scalars, arrays, a table, checks, warnings.
 //! - [`analyses`]: one module a kind of analysis.
 //! - [`checks`]: every number doubted by another number.
@@ -34,6 +35,7 @@ mod input_file;
 mod kept;
 pub mod key_plane;
 mod labels;
+pub mod law_cache;
 mod ledger;
 mod material;
 pub mod outcome;

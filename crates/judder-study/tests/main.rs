@@ -5,6 +5,7 @@
 mod computed_law;
 mod contact;
 mod global_margin;
+mod live;
 mod march;
 mod motion;
 mod sliding;

@@ -326,7 +326,7 @@ pub enum StoreError {
         /// Rows of this column.
         found: usize,
     },
-    /// A file to be written that is not a plain place inside the study folder.
+    /// A file that is not a plain place inside the study folder.
     #[error("{}: give a relative path that stays inside the study folder and is none of the store's own files", path.display())]
     OutsideFolder {
         /// The path that was asked for.

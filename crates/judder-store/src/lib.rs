@@ -11,6 +11,7 @@
 //! - [`StudyFolder`] (`folder.rs`): the folder of one study: takes it, locks it, sweeps what a killed run left, and is the
 //!   one door through which everything is written and read.
 //! - [`SharedStudy`] (`shared.rs`): the same folder while several processes work on its sweeps; `lock.rs`: the locks of both.
+//! - [`StudyReader`] (`reader.rs`): the same folder, looked at while others may work on it; part by part, and nothing outside.
 //! - [`Scratch`] (`scratch.rs`): what an analysis keeps while it runs.
 //! - [`StreamWriter`] (`stream.rs`): a dataset in the making, too long for memory, with the checkpoint from which an interrupted analysis goes on.
 //! - [`SweepLayout`], [`SweepStore`] (`sweep.rs`): many points, computed chunk by chunk by any number of processes.
@@ -27,6 +28,7 @@ mod hash;
 mod lock;
 mod metadata;
 mod name;
+mod reader;
 mod results;
 mod scratch;
 mod shared;
@@ -44,6 +46,7 @@ pub use error::StoreError;
 pub use folder::StudyFolder;
 pub use hash::content_hash;
 pub use num_complex::Complex64;
+pub use reader::{DatasetHead, StudyReader};
 pub use scratch::Scratch;
 pub use shared::SharedStudy;
 pub use stream::StreamWriter;

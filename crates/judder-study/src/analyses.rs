@@ -16,6 +16,7 @@ mod two_degrees;
 pub(crate) use axis::Axis;
 pub use motion::MotionBlock;
 pub(crate) use motion::belt;
+pub(crate) use sliding::locus_conditions;
 pub use stability_map::{BoundaryCurves, BoundaryKind, boundary_curves};
 pub(crate) use stability_map::{STARTS_IT, UNKNOWN};
 pub(crate) use steady_states::SteadyState;

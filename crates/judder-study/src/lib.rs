@@ -8,6 +8,7 @@
 //! - `structure`: the structure of a case: elements assembled, matrices read.
 //! - `sliding`: the pair of a sliding case: both structures reduced, the contact between them.
 //! - [`coupled_pair`]: the pair of a sliding case for whoever marches it by himself.
+//! - [`sliding_shapes`]: the shapes in which a pair swings at any position, on all points of both structures.
 //! - [`point`]: everything about one operating point.
 //! - [`key_plane`]: the operating points over two keys of a case.
 //! - [`law_cache`]: material and law of a case whose numbers move; a law over speeds and depths.
@@ -19,6 +20,7 @@
 //!   them. `told`: what is shown on the terminal.
 //! - [`pictures`]: figures from stored arrays.
 //! - [`report`]: figures and page of a study folder, rebuilt from what is stored.
+//! - [`study_view`]: a study folder for a page, not held: what it holds, parts of its arrays.
 //! - [`resolve`]: what `judder check` shows.
 //! - [`reproduce`]: the oscillator paper, figure by figure, with its scoreboard.
 
@@ -48,8 +50,10 @@ pub mod reproduce;
 pub mod resolve;
 pub mod run;
 mod sliding;
+pub mod sliding_shapes;
 mod spectrum_source;
 mod structure;
+pub mod study_view;
 pub mod sweep;
 mod text;
 mod told;

@@ -8,6 +8,7 @@ mod global_margin;
 mod live;
 mod march;
 mod motion;
+mod shown;
 mod sliding;
 mod sliding_cases;
 mod structure;

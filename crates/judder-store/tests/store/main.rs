@@ -6,6 +6,7 @@
 mod datasets;
 mod disk_full;
 mod folders;
+mod readers;
 mod replacement;
 mod streams;
 mod summaries_and_tables;

@@ -5,6 +5,8 @@ mod locus;
 mod march;
 mod spectrogram;
 
+pub(crate) use locus::conditions as locus_conditions;
+
 use crate::error::StudyError;
 use crate::kept::Kept;
 use crate::outcome::Outcome;

@@ -3,6 +3,7 @@
 use super::damping::damping;
 use super::{Uncoupled, alone};
 use crate::structure::{Structure, symmetric_part};
+use faer::Mat;
 use judder_case::SlidingCase;
 use judder_case::structure::reduction::FixedModes;
 use judder_sliding::plane::Vector;
@@ -34,18 +35,29 @@ const REDUCIBLE: &str = "a structure has a symmetric mass with positive masses o
 /// Departure from symmetry that is rounding.
 const ROUNDING: f64 = 1e-12;
 
-impl Part {
-    /// Reduces a structure to kept freedoms, with the inertia load along `direction` where it moves.
-    pub(super) fn new(
+/// That a structure cannot be reduced, and why.
+fn refused(case: &SlidingCase, index: usize, error: &dyn std::fmt::Display) -> Uncoupled {
+    Uncoupled::because(format!("structure.{}", case.structures[index].name), error, REDUCIBLE)
+}
+
+/// A structure on its kept freedoms and fixed-interface modes, and what it was reduced from.
+struct Reduction {
+    stiffness: Sparse,
+    mass: Sparse,
+    /// α and β.
+    damping: (f64, f64),
+    reduced: CraigBampton,
+}
+
+impl Reduction {
+    fn new(
         case: &SlidingCase,
         index: usize,
-        structure: &Arc<Structure>,
+        structure: &Structure,
         kept: &[usize],
-        direction: Option<Vector>,
     ) -> Result<Self, Uncoupled> {
         let own = &case.structures[index];
-        let path = format!("structure.{}", own.name);
-        let refuse = |error: &dyn std::fmt::Display| Uncoupled::because(path.clone(), error, REDUCIBLE);
+        let refuse = |error: &dyn std::fmt::Display| refused(case, index, error);
         let problem = structure.at(&alone(case, index), &case.values()).map_err(|error| refuse(&error))?;
         let symmetric = |name: &str, matrix: &Sparse| {
             let (part, departure) = symmetric_part(matrix).map_err(|error| refuse(&error))?;
@@ -65,18 +77,42 @@ impl Part {
             FixedModes::CutOff(limit) => CutOff::Frequency(limit / TAU),
         };
         let reduced = CraigBampton::new(&stiffness, &mass, kept, cut_off).map_err(|error| refuse(&error))?;
+        Ok(Self { stiffness, mass, damping, reduced })
+    }
+}
+
+impl Part {
+    /// Reduces a structure to kept freedoms, with the inertia load along `direction` where it moves.
+    pub(super) fn new(
+        case: &SlidingCase,
+        index: usize,
+        structure: &Arc<Structure>,
+        kept: &[usize],
+        direction: Option<Vector>,
+    ) -> Result<Self, Uncoupled> {
+        let refuse = |error: &dyn std::fmt::Display| refused(case, index, error);
+        let reduction = Reduction::new(case, index, structure, kept)?;
+        let Reduction { stiffness, mass, damping, reduced } = &reduction;
         let mut warnings = Vec::new();
         let load = match direction {
             Some(direction) => {
-                inertia(structure, &mass, direction, &mut warnings).map_err(|error| refuse(&error))?
+                inertia(structure, mass, direction, &mut warnings).map_err(|error| refuse(&error))?
             }
             None => Vec::new(),
         };
         let fixed_modes = reduced.fixed_interface.len();
-        let rigid = rigid_limit(mass.nrows(), largest_ratio(&stiffness, &mass));
-        let reduced = Reduced::new(&reduced, damping, rigid, &load).map_err(|error| refuse(&error))?;
+        let rigid = rigid_limit(mass.nrows(), largest_ratio(stiffness, mass));
+        let reduced = Reduced::new(reduced, *damping, rigid, &load).map_err(|error| refuse(&error))?;
         let structure = Arc::clone(structure);
         Ok(Self { structure, kept: kept.to_vec(), fixed_modes, reduced, direction, warnings })
+    }
+
+    /// Φ on all freedoms of the structure, by the modes of its modal form: 1/√kg. The structure is reduced anew, for its basis is too large
+    /// to keep where nobody looks at shapes.
+    pub(crate) fn shapes(&self, case: &SlidingCase, index: usize) -> Result<Mat<f64>, Uncoupled> {
+        let Reduction { reduced, .. } = Reduction::new(case, index, &self.structure, &self.kept)?;
+        let form = reduced.modal_form().map_err(|error| refused(case, index, &error))?;
+        Ok(&reduced.basis * &form.shapes)
     }
 
     /// The row of Φ of a freedom that is kept.

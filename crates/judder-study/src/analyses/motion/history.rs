@@ -39,7 +39,7 @@ pub(super) fn run<M: Model<N>, const N: usize>(
         Some(watch) => {
             let mut blocks = Blocks::<M, N>::new(watch);
             let history = follow_watched(system, start, settings, &window, &interrupted, |news| {
-                blocks.add(news.samples)
+                blocks.add(news.samples);
             })?;
             blocks.show();
             history

@@ -45,7 +45,7 @@ pub(super) fn run(
 }
 
 /// Under what the pair of a case slides.
-fn conditions(case: &SlidingCase, settings: &Locus) -> Conditions {
+pub(crate) fn conditions(case: &SlidingCase, settings: &Locus) -> Conditions {
     Conditions {
         configuration: match settings.configuration {
             locus::Configuration::Undeformed => Configuration::Undeformed,

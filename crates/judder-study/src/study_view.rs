@@ -1,0 +1,229 @@
+//! A study folder for a page: what it holds, and parts of its arrays. The folder is not held, and nothing outside of it is read.
+
+mod extremes;
+
+use crate::error::StudyError;
+use crate::ledger::Keepsakes;
+use crate::report;
+use extremes::Extremes;
+use judder_case::CaseFile;
+use judder_store::{Status, StudyReader, Summary, Variable};
+use serde_json::{Map, Value};
+use std::path::Path;
+
+/// Values of a variable that are read at once at most; of more, extremes are.
+pub const MOST_VALUES: usize = 1 << 24;
+
+/// Entries that an array among the scalars has at most: longer ones are in the datasets.
+const LISTED: usize = 64;
+
+/// A study folder that is looked at while others may work on it.
+#[derive(Debug, Clone)]
+pub struct StudyView {
+    reader: StudyReader,
+    name: String,
+}
+
+/// What a study holds.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StudyListing {
+    /// The name of the folder.
+    pub name: String,
+    /// The title of the case; empty where it has none.
+    pub title: String,
+    /// The model of the case; empty where it was not kept.
+    pub model: String,
+    /// The version of judder that ran last.
+    pub version: String,
+    /// The analyses in the order of the case, then its sweeps.
+    pub analyses: Vec<AnalysisListing>,
+    /// The sounds in the folder: path and bytes.
+    pub sounds: Vec<(String, u64)>,
+    /// Warnings that concern the case as a whole.
+    pub warnings: Vec<String>,
+}
+
+/// What a study holds of an analysis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AnalysisListing {
+    /// Its name.
+    pub name: String,
+    /// Its kind, as the case has it; `sweep` for a sweep.
+    pub kind: String,
+    /// How it ended.
+    pub status: Status,
+    /// Its wall time, s.
+    pub seconds: f64,
+    /// Its scalars and short tables.
+    pub scalars: Map<String, Value>,
+    /// Its warnings.
+    pub warnings: Vec<String>,
+    /// The attributes of its dataset.
+    pub attributes: Map<String, Value>,
+    /// Its variables with their shapes, without values.
+    pub variables: Vec<Variable>,
+}
+
+/// Which rows of variables are wanted, by their index along the first dimension.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct RowWindow {
+    /// The first; from the beginning where none is given.
+    pub from: Option<usize>,
+    /// The one after the last; to the end where none is given.
+    pub to: Option<usize>,
+    /// Where there are more, as many bins as fit, and of each the smallest, then the largest value of every column: at most so many rows,
+    /// at least two.
+    pub most: Option<usize>,
+}
+
+impl StudyView {
+    /// Looks into the folder of a study.
+    ///
+    /// # Errors
+    /// A folder without a study.
+    pub fn open(folder: &Path) -> Result<Self, StudyError> {
+        let reader = StudyReader::open(folder)?;
+        let name = reader.path().file_name().map(|name| name.to_string_lossy().into_owned());
+        Ok(Self { reader, name: name.unwrap_or_default() })
+    }
+
+    /// What is there now.
+    ///
+    /// # Errors
+    /// A summary or datasets that are damaged.
+    pub fn listing(&self) -> Result<StudyListing, StudyError> {
+        let summary = self.summary()?;
+        let stored = self.reader.names()?;
+        let text = |key: &str| summary.case.get(key).and_then(Value::as_str).unwrap_or_default().to_owned();
+        let analyses = report::in_order(&summary).into_iter().map(|(name, record)| {
+            let head = match stored.contains(name) && record.status == Status::Done {
+                true => Some(self.reader.head(name)?),
+                false => None,
+            };
+            let (attributes, variables) =
+                head.map_or_else(Default::default, |head| (head.attributes, head.variables));
+            Ok(AnalysisListing {
+                name: name.clone(),
+                kind: kind(&summary, name),
+                status: record.status.clone(),
+                seconds: record.wall_time_s,
+                scalars: summary.results.get(name).map(short).unwrap_or_default(),
+                warnings: record.warnings.clone(),
+                attributes,
+                variables,
+            })
+        });
+        Ok(StudyListing {
+            name: self.name.clone(),
+            title: text("title"),
+            model: text("model"),
+            version: summary.version.clone(),
+            analyses: analyses.collect::<Result<_, StudyError>>()?,
+            sounds: self.reader.files("wav")?,
+            warnings: summary.warnings.clone(),
+        })
+    }
+
+    /// Chosen variables of an analysis. The window is one along the first dimension of the first of them; variables without this dimension
+    /// come whole.
+    ///
+    /// # Errors
+    /// [`StudyError::UnknownAnalysis`]; a variable that is not there or damaged; more than [`MOST_VALUES`] values of one variable.
+    pub fn arrays(
+        &self,
+        analysis: &str,
+        variables: &[String],
+        window: &RowWindow,
+    ) -> Result<Vec<Variable>, StudyError> {
+        let summary = self.summary()?;
+        if !summary.analyses.contains_key(analysis) {
+            let known = summary.analyses.keys().cloned().collect();
+            return Err(StudyError::UnknownAnalysis { name: analysis.to_owned(), known });
+        }
+        let head = self.reader.head(analysis)?;
+        let of = |name: &String| head.variables.iter().find(|variable| variable.name == *name);
+        let along = variables.first().and_then(of).and_then(|variable| variable.dimensions.first());
+        let read = |name: &String| match of(name) {
+            Some(variable) if variable.dimensions.first() == along => self.window(analysis, variable, window),
+            Some(variable) => self.window(analysis, variable, &RowWindow::default()),
+            // what is not there is told as the store does
+            None => Ok(self.reader.read_rows(analysis, name, 0..0)?),
+        };
+        variables.iter().map(read).collect()
+    }
+
+    /// The bytes of a sound of the listing.
+    ///
+    /// # Errors
+    /// A path that the listing does not have.
+    pub fn sound(&self, path: &str) -> Result<Vec<u8>, StudyError> {
+        Ok(self.reader.read_file(path, "wav")?)
+    }
+
+    /// The case of the study, read from what the study kept of it. Files that it names are sought in the study folder: a case of other
+    /// files than those that a run has kept there cannot be read.
+    ///
+    /// # Errors
+    /// [`StudyError::NoResults`] where none was kept; what is wrong with the case.
+    pub fn case_file(&self) -> Result<CaseFile, StudyError> {
+        let kept = Keepsakes::of(&self.summary()?);
+        if kept.source.is_empty() {
+            return Err(StudyError::NoResults { folder: self.name.clone() });
+        }
+        let name = self.reader.path().join(&self.name).with_extension("toml");
+        Ok(CaseFile::parse(&name.to_string_lossy(), &kept.source, &kept.overrides)?)
+    }
+
+    fn summary(&self) -> Result<Summary, StudyError> {
+        let summary = self.reader.read_summary()?;
+        summary.ok_or_else(|| StudyError::NoResults { folder: self.name.clone() })
+    }
+
+    fn window(&self, analysis: &str, head: &Variable, window: &RowWindow) -> Result<Variable, StudyError> {
+        let rows = head.shape.first().copied().unwrap_or(1);
+        let to = window.to.unwrap_or(rows).min(rows);
+        let range = window.from.unwrap_or(0).min(to)..to;
+        let width: usize = head.shape.iter().skip(1).product();
+        let shown = window.most.map_or(range.len(), |most| most.max(2).min(range.len()));
+        if shown.saturating_mul(width) > MOST_VALUES {
+            return Err(StudyError::Unsupported(format!(
+                "`{}` has {shown} rows of {width} values there, more than {MOST_VALUES} values: ask for fewer rows, or for their extremes",
+                head.name
+            )));
+        }
+        if shown == range.len() {
+            return Ok(self.reader.read_rows(analysis, &head.name, range)?);
+        }
+        let mut extremes = Extremes::new(range.clone(), shown / 2, width);
+        let step = self.reader.rows_of_a_file(analysis, &head.name)?.max(1);
+        let mut start = range.start;
+        while start < range.end {
+            // each file is opened once
+            let end = ((start / step + 1) * step).min(range.end);
+            extremes.add(start, self.reader.read_rows(analysis, &head.name, start..end)?.data);
+            start = end;
+        }
+        let mut shape = head.shape.clone();
+        if let Some(first) = shape.first_mut() {
+            *first = 2 * (shown / 2);
+        }
+        Ok(Variable { data: extremes.finish(), shape, ..head.clone() })
+    }
+}
+
+/// The kind of an analysis, as the case has it.
+fn kind(summary: &Summary, name: &str) -> String {
+    let of_list = |list: &str| summary.case.get(list).and_then(Value::as_array);
+    let named = |entry: &&Value| entry.get("name").and_then(Value::as_str) == Some(name);
+    if of_list("sweep").is_some_and(|sweeps| sweeps.iter().any(|sweep| named(&sweep))) {
+        return "sweep".to_owned();
+    }
+    let analysis = of_list("analysis").and_then(|analyses| analyses.iter().find(named));
+    analysis.and_then(|analysis| analysis.get("kind")?.as_str()).unwrap_or_default().to_owned()
+}
+
+/// Scalars without long arrays.
+fn short(scalars: &Map<String, Value>) -> Map<String, Value> {
+    let is_short = |value: &Value| value.as_array().is_none_or(|list| list.len() <= LISTED);
+    scalars.iter().filter(|(_, value)| is_short(value)).map(|(k, v)| (k.clone(), v.clone())).collect()
+}

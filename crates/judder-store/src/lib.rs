@@ -15,12 +15,13 @@
 //! - [`Scratch`] (`scratch.rs`): what an analysis keeps while it runs.
 //! - [`StreamWriter`] (`stream.rs`): a dataset in the making, too long for memory, with the checkpoint from which an interrupted analysis goes on.
 //! - [`SweepLayout`], [`SweepStore`] (`sweep.rs`): many points, computed chunk by chunk by any number of processes.
-//! - `zarr.rs`: one dataset as one group of the Zarr v3 store `results.zarr`; `metadata.rs`: the metadata of its groups,
+//! - `zarr.rs`, `array.rs`: one dataset as one group of the Zarr v3 store `results.zarr`, and its arrays; `metadata.rs`: the metadata of its groups,
 //!   consolidated so that one read opens all; `staging.rs`: the atomic write under all of the above.
 //! - [`vtu()`], [`Quads`] (`vtu.rs`): fields on square cells for ParaView.
 //! - [`content_hash`] (`hash.rs`) names a case or an analysis by its content.
 //! - [`StoreError`] (`error.rs`): what can go wrong, and what to do about it.
 
+mod array;
 mod dataset;
 mod error;
 mod folder;

@@ -91,13 +91,13 @@ impl StudyReader {
     /// # Errors
     /// [`StoreError::InvalidName`], [`StoreError::NoDataset`], [`StoreError::DatasetUnreadable`], [`StoreError::OutsideFolder`].
     pub fn head(&self, name: &str) -> Result<DatasetHead, StoreError> {
-        let (group, members, mut attributes) = self.group(name)?;
+        let Group { path: group, members, mut attributes } = self.group(name)?;
         attributes.remove(HASH_ATTRIBUTE);
         let coordinates = metadata::take_text(&mut attributes, "coordinates");
         let variables = members.iter().map(|member| {
             let array = self.array(&group, member)?;
-            let mut variable = zarr::read_data(&array, None)
-                .and_then(|data| zarr::with_data(member, &array, data))
+            let mut variable = crate::array::read_data(&array, None)
+                .and_then(|data| crate::array::with_data(member, &array, data))
                 .map_err(|source| StoreError::unreadable(&group.join(member), source))?;
             variable.is_coordinate |= coordinates.split_whitespace().any(|coordinate| coordinate == member);
             Ok(variable)
@@ -111,7 +111,7 @@ impl StudyReader {
     /// # Errors
     /// As [`head`](Self::head); a part that is missing or damaged.
     pub fn read_rows(&self, name: &str, variable: &str, rows: Range<usize>) -> Result<Variable, StoreError> {
-        let (group, members, _) = self.group(name)?;
+        let Group { path: group, members, .. } = self.group(name)?;
         let path = group.join(variable);
         if !members.iter().any(|member| member == variable) {
             return Err(StoreError::NoDataset { path });
@@ -128,7 +128,7 @@ impl StudyReader {
     /// # Errors
     /// As [`read_rows`](Self::read_rows).
     pub fn rows_of_a_file(&self, name: &str, variable: &str) -> Result<usize, StoreError> {
-        let (group, _, _) = self.group(name)?;
+        let group = self.group(name)?.path;
         let array = self.array(&group, variable)?;
         let chunk = array
             .chunk_shape(&vec![0; array.dimensionality()])
@@ -175,8 +175,7 @@ impl StudyReader {
         fs::read(&path).map_err(|source| StoreError::read(&path, source))
     }
 
-    /// The group of a name, the names of its arrays, its attributes.
-    fn group(&self, name: &str) -> Result<(PathBuf, Vec<String>, Map<String, Value>), StoreError> {
+    fn group(&self, name: &str) -> Result<Group, StoreError> {
         check_name("an analysis", name)?;
         let path = self.root.join(results::FOLDER).join(name);
         if !path.join(metadata::FILE).exists() {
@@ -190,7 +189,7 @@ impl StudyReader {
         let attributes = metadata::take_object(&mut content, "attributes").unwrap_or_default();
         let members: Vec<String> = members.into_iter().map(|(member, _)| member).collect();
         members.iter().try_for_each(|member| check_name("a variable", member))?;
-        Ok((group, members, attributes))
+        Ok(Group { path: group, members, attributes })
     }
 
     fn array(&self, group: &Path, variable: &str) -> Result<Array<FilesystemStore>, StoreError> {
@@ -222,8 +221,8 @@ impl StudyReader {
         if !part.shape().contains(&0) {
             self.check_files(group, array, &part)?;
         }
-        let data = zarr::read_data(array, Some(&part))?;
-        let mut variable = zarr::with_data(name, array, data)?;
+        let data = crate::array::read_data(array, Some(&part))?;
+        let mut variable = crate::array::with_data(name, array, data)?;
         variable.shape = part.shape().iter().map(|length| *length as usize).collect();
         Ok(variable)
     }
@@ -257,6 +256,14 @@ impl StudyReader {
             Err(StoreError::OutsideFolder { path: path.to_owned() })
         }
     }
+}
+
+/// A group of the store, inside the folder.
+struct Group {
+    path: PathBuf,
+    /// The names of its arrays.
+    members: Vec<String>,
+    attributes: Map<String, Value>,
 }
 
 /// Why rows cannot be read.

@@ -13,11 +13,12 @@ use serde_json::{Map, Value};
 use zarrs::array::codec::{Crc32cCodec, ZstdCodec};
 use zarrs::array::{
     Array, ArrayBuilder, ArrayError, ArrayMetadataOptions, ArraySubset, CodecError, CodecOptions, DataType,
-    Element, ElementOwned, FillValue, data_type,
+    Element, FillValue, data_type,
 };
 use zarrs::filesystem::FilesystemStore;
 use zarrs::storage::StorageError;
 
+use crate::array;
 use crate::metadata::{self, HASH_ATTRIBUTE};
 use crate::{Data, Dataset, StoreError, Variable};
 
@@ -324,51 +325,8 @@ pub(crate) type ReadFailure = Box<dyn Error + Send + Sync>;
 pub(crate) fn read_variable(store: &Arc<FilesystemStore>, name: &str) -> Result<Variable, ReadFailure> {
     let array = Array::open(store.clone(), &format!("/{name}"))?;
     check_chunks(store, &array)?;
-    let data = read_data(&array, Some(&array.subset_all()))?;
-    with_data(name, &array, data)
-}
-
-/// The variable of an array with these data, some or all of its own; its shape is the array's.
-pub(crate) fn with_data(
-    name: &str,
-    array: &Array<FilesystemStore>,
-    data: Data,
-) -> Result<Variable, ReadFailure> {
-    let shape = array.shape().iter().map(|&length| usize::try_from(length)).collect::<Result<Vec<_>, _>>()?;
-    let dimensions = array.dimension_names().clone().ok_or("its dimensions have no names")?;
-    let dimensions =
-        dimensions.into_iter().collect::<Option<Vec<_>>>().ok_or("one of its dimensions has no name")?;
-    let dimensions: Vec<&str> = dimensions.iter().map(String::as_str).collect();
-    let mut variable = Variable::new(name, &dimensions, &shape, data);
-    variable.attributes = array.attributes().clone();
-    variable.units = metadata::take_text(&mut variable.attributes, "units");
-    variable.long_name = metadata::take_text(&mut variable.attributes, "long_name");
-    Ok(variable)
-}
-
-/// A part of the values of an array; `None` for none of them.
-pub(crate) fn read_data(
-    array: &Array<FilesystemStore>,
-    part: Option<&ArraySubset>,
-) -> Result<Data, ReadFailure> {
-    Ok(match array.data_type() {
-        kind if *kind == data_type::float64() => Data::F64(values(array, part)?),
-        kind if *kind == data_type::complex128() => Data::Complex(values(array, part)?),
-        kind if *kind == data_type::int64() => Data::I64(values(array, part)?),
-        kind if *kind == data_type::uint8() => Data::U8(values(array, part)?),
-        kind if *kind == data_type::string() => Data::Text(values(array, part)?),
-        other => return Err(format!("values of type {other:?} are none that judder writes").into()),
-    })
-}
-
-fn values<T: ElementOwned>(
-    array: &Array<FilesystemStore>,
-    part: Option<&ArraySubset>,
-) -> Result<Vec<T>, ArrayError> {
-    match part.filter(|part| !part.shape().contains(&0)) {
-        Some(part) => array.retrieve_array_subset(part),
-        None => Ok(Vec::new()),
-    }
+    let data = array::read_data(&array, Some(&array.subset_all()))?;
+    array::with_data(name, &array, data)
 }
 
 /// Refuses an array with chunks of absurd size.

@@ -1,5 +1,7 @@
 //! Results for whoever moves a slider: analyses in no folder, in stages, watched, given up; laws that stay.
 
+#![allow(clippy::panic, reason = "a test fails by panicking")]
+
 use crate::contact::run_text;
 use judder_case::{Case, CaseFile, OscillatorAnalysis, OscillatorCase};
 use judder_store::{Data, Dataset};

@@ -1,0 +1,50 @@
+//! What a stored array says of itself, and its values, all or a part.
+
+use zarrs::array::{Array, ArrayError, ArraySubset, ElementOwned, data_type};
+use zarrs::filesystem::FilesystemStore;
+
+use crate::zarr::ReadFailure;
+use crate::{Data, Variable, metadata};
+
+/// The variable of an array with these data, some or all of its own; its shape is the array's.
+pub(crate) fn with_data(
+    name: &str,
+    array: &Array<FilesystemStore>,
+    data: Data,
+) -> Result<Variable, ReadFailure> {
+    let shape = array.shape().iter().map(|&length| usize::try_from(length)).collect::<Result<Vec<_>, _>>()?;
+    let dimensions = array.dimension_names().clone().ok_or("its dimensions have no names")?;
+    let dimensions =
+        dimensions.into_iter().collect::<Option<Vec<_>>>().ok_or("one of its dimensions has no name")?;
+    let dimensions: Vec<&str> = dimensions.iter().map(String::as_str).collect();
+    let mut variable = Variable::new(name, &dimensions, &shape, data);
+    variable.attributes = array.attributes().clone();
+    variable.units = metadata::take_text(&mut variable.attributes, "units");
+    variable.long_name = metadata::take_text(&mut variable.attributes, "long_name");
+    Ok(variable)
+}
+
+/// A part of the values of an array; `None` for none of them.
+pub(crate) fn read_data(
+    array: &Array<FilesystemStore>,
+    part: Option<&ArraySubset>,
+) -> Result<Data, ReadFailure> {
+    Ok(match array.data_type() {
+        kind if *kind == data_type::float64() => Data::F64(values(array, part)?),
+        kind if *kind == data_type::complex128() => Data::Complex(values(array, part)?),
+        kind if *kind == data_type::int64() => Data::I64(values(array, part)?),
+        kind if *kind == data_type::uint8() => Data::U8(values(array, part)?),
+        kind if *kind == data_type::string() => Data::Text(values(array, part)?),
+        other => return Err(format!("values of type {other:?} are none that judder writes").into()),
+    })
+}
+
+fn values<T: ElementOwned>(
+    array: &Array<FilesystemStore>,
+    part: Option<&ArraySubset>,
+) -> Result<Vec<T>, ArrayError> {
+    match part.filter(|part| !part.shape().contains(&0)) {
+        Some(part) => array.retrieve_array_subset(part),
+        None => Ok(Vec::new()),
+    }
+}

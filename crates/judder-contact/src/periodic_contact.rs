@@ -13,6 +13,7 @@ use crate::kernel::check::KernelError;
 use crate::kernel::sliding::SlidingOperator;
 use crate::kernel::substrate::SlidingSubstrate;
 use crate::steady::refinement::{Estimate, LevelSummary, Refinement};
+use crate::surface::stoppable::Interrupted;
 use crate::unilateral::active_set::Start;
 use crate::unilateral::{UnilateralError, UnilateralLimits};
 use level::{PeriodicLevel, start_from_coarser};
@@ -97,6 +98,9 @@ pub enum PeriodicContactError {
         /// The mean height.
         limit: f64,
     },
+    /// It was told to stop.
+    #[error("interrupted")]
+    Interrupted,
     /// The kernel refuses the grid or the speed.
     #[error(transparent)]
     Kernel(#[from] KernelError),
@@ -115,13 +119,24 @@ pub enum PeriodicContactError {
 /// [`PeriodicContactError`]. A solution that did not converge, or an accuracy that the finest grid allowed does not meet, is no
 /// error: `converged` is false.
 pub fn solve(question: &PeriodicQuestion<'_>) -> Result<PeriodicContact, PeriodicContactError> {
+    solve_until(question, &|| false)
+}
+
+/// Solves a periodic contact as [`solve`] does, unless `interrupted` says to stop: it is asked before each product with the kernel.
+///
+/// # Errors
+/// As of [`solve`]; [`PeriodicContactError::Interrupted`].
+pub fn solve_until(
+    question: &PeriodicQuestion<'_>,
+    interrupted: Interrupted<'_>,
+) -> Result<PeriodicContact, PeriodicContactError> {
     check(question)?;
-    let (mut pressure, mut indentation) = start_from_coarser(question)?;
+    let (mut pressure, mut indentation) = start_from_coarser(question, interrupted)?;
     let mut summaries: Vec<LevelSummary> = Vec::new();
     let mut factor = 1;
     loop {
         let start = Start { pressure: &pressure, indentation };
-        let level = PeriodicLevel::solve(question, factor, start)?;
+        let level = PeriodicLevel::solve(question, factor, start, interrupted)?;
         summaries.push(level.summary());
         let refinement = refinement(question, &summaries);
         let met = question.accuracy.is_none_or(|accuracy| refinement.meets(accuracy));

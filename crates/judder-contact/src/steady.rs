@@ -19,6 +19,7 @@ pub mod refinement;
 
 use crate::kernel::substrate::SlidingSubstrate;
 use crate::surface::grid::SurfaceGrid;
+use crate::surface::stoppable::Interrupted;
 use crate::unilateral::{Loading, UnilateralLimits};
 use domain::Domain;
 pub use error::SteadyError;
@@ -130,26 +131,37 @@ impl SteadyContact {
 /// [`SteadyError`] where the question is ill posed, the given domain is too small or a product overflows. An answer
 /// that misses its accuracy is no error: `converged` is false and the errors say by how much.
 pub fn solve(question: &SteadyQuestion<'_>) -> Result<SteadyContact, SteadyError> {
+    solve_until(question, &|| false)
+}
+
+/// Solves a steady-sliding problem as [`solve`] does, unless `interrupted` says to stop: it is asked before each product with the kernel.
+///
+/// # Errors
+/// As of [`solve`]; [`SteadyError::Interrupted`].
+pub fn solve_until(
+    question: &SteadyQuestion<'_>,
+    interrupted: Interrupted<'_>,
+) -> Result<SteadyContact, SteadyError> {
     check(question)?;
     let (domain, sides, mut start) = match question.grid {
         GridChoice::Fixed { cells, half_width, centre } => {
             (Domain { centre, half_width }, nested(cells), LevelStart::none(question))
         }
         GridChoice::Cells(cells) => {
-            let (domain, start) = fitted_domain(question)?;
+            let (domain, start) = fitted_domain(question, interrupted)?;
             (domain, nested(cells), start)
         }
         GridChoice::Automatic => {
-            let (domain, start) = fitted_domain(question)?;
+            let (domain, start) = fitted_domain(question, interrupted)?;
             (domain, nested(question.finest()), start)
         }
     };
     let finest = sides.last().copied();
     let mut summaries: Vec<LevelSummary> = Vec::new();
     for side in sides {
-        let level = Level::solve(question, &question.cells(&domain, side), &start)?;
+        let level = Level::solve_until(question, &question.cells(&domain, side), &start, interrupted)?;
         if level.touches_edge() {
-            return Err(too_small(question, &domain));
+            return Err(too_small(question, &domain, interrupted));
         }
         summaries.push(LevelSummary::of(&level));
         start = LevelStart::from(&level);
@@ -167,8 +179,8 @@ pub fn solve(question: &SteadyQuestion<'_>) -> Result<SteadyContact, SteadyError
 }
 
 /// The error that names the half width which would do, found where the domain is free.
-fn too_small(question: &SteadyQuestion<'_>, domain: &Domain) -> SteadyError {
-    match fitted_domain(question) {
+fn too_small(question: &SteadyQuestion<'_>, domain: &Domain, interrupted: Interrupted<'_>) -> SteadyError {
+    match fitted_domain(question, interrupted) {
         Ok((fitted, _)) => SteadyError::DomainTooSmall {
             half_width: domain.half_width,
             centre_x: domain.centre[0],
@@ -215,11 +227,14 @@ fn nested(finest: usize) -> Vec<usize> {
 }
 
 /// The domain that the contact fills, found on a coarse grid, with a pressure to start from.
-fn fitted_domain(question: &SteadyQuestion<'_>) -> Result<(Domain, LevelStart), SteadyError> {
+fn fitted_domain(
+    question: &SteadyQuestion<'_>,
+    interrupted: Interrupted<'_>,
+) -> Result<(Domain, LevelStart), SteadyError> {
     let mut domain = Domain::overlap(question.profile, question.loading);
     let mut start = LevelStart::none(question);
     for _ in 0..FITS {
-        let level = Level::solve(question, &question.cells(&domain, SCOUT), &start)?;
+        let level = Level::solve_until(question, &question.cells(&domain, SCOUT), &start, interrupted)?;
         start = LevelStart::from(&level);
         match domain.fitted(&level) {
             Some(better) => domain = better,

@@ -3,3 +3,4 @@
 pub mod convolution;
 pub mod grid;
 pub mod operator;
+pub(crate) mod stoppable;

@@ -8,6 +8,7 @@ use crate::steady::contact_area::periodic_contact_area;
 use crate::steady::refinement::LevelSummary;
 use crate::surface::grid::SurfaceGrid;
 use crate::surface::operator::SurfaceOperator;
+use crate::surface::stoppable::{Interrupted, Stoppable};
 use crate::unilateral::active_set::{self, Start};
 use crate::unilateral::{Loading, UnilateralLimits, UnilateralProblem, UnilateralSolution, symmetric};
 
@@ -45,12 +46,13 @@ impl PeriodicLevel {
         question: &PeriodicQuestion<'_>,
         factor: usize,
         start: Start<'_>,
+        interrupted: Interrupted<'_>,
     ) -> Result<Self, PeriodicContactError> {
         let grid = refined(&question.surface.grid(), factor);
         let mut operator = SlidingOperator::periodic(grid, question.substrate, question.memory)?;
         let collocation_shift = operator.collocation_shift();
         let heights = interpolated(question.surface, factor, collocation_shift / grid.cell);
-        let solution = solve_on(question, &mut operator, &heights, start, question.limits)?;
+        let solution = solve_on((question, interrupted), &mut operator, &heights, start, question.limits)?;
         Ok(measured(question, (factor, grid), (collocation_shift, heights), solution))
     }
 
@@ -93,6 +95,7 @@ fn refined(lattice: &SurfaceGrid, factor: usize) -> SurfaceGrid {
 /// A pressure and a depth to start from, by coarser and coarser grids with the means of four heights.
 pub(super) fn start_from_coarser(
     question: &PeriodicQuestion<'_>,
+    interrupted: Interrupted<'_>,
 ) -> Result<(Vec<f64>, f64), PeriodicContactError> {
     let (grid, heights) = (question.surface.grid(), question.surface.heights());
     let mut coarser: Vec<(SurfaceGrid, Vec<f64>)> = Vec::new();
@@ -113,7 +116,7 @@ pub(super) fn start_from_coarser(
     for (grid, heights) in coarser.iter().rev() {
         let mut operator = SlidingOperator::periodic(*grid, question.substrate, question.memory)?;
         let start = Start { pressure: &pressure, indentation };
-        let solution = solve_on(question, &mut operator, heights, start, limits)?;
+        let solution = solve_on((question, interrupted), &mut operator, heights, start, limits)?;
         (pressure, indentation) = (doubled(grid, &solution.pressure), solution.indentation);
     }
     Ok((pressure, indentation))
@@ -145,7 +148,7 @@ fn doubled(coarse: &SurfaceGrid, pressure: &[f64]) -> Vec<f64> {
 
 /// An elastic substrate takes conjugate gradients, one with a wake the active set.
 fn solve_on(
-    question: &PeriodicQuestion<'_>,
+    (question, interrupted): (&PeriodicQuestion<'_>, Interrupted<'_>),
     operator: &mut SlidingOperator,
     heights: &[f64],
     start: Start<'_>,
@@ -157,11 +160,13 @@ fn solve_on(
         PeriodicLoading::Indentation(depth) => Loading::Indentation(depth),
     };
     let problem = UnilateralProblem { heights, loading };
-    Ok(if operator.is_symmetric() {
-        symmetric::solve(operator, &problem, start, limits)?
+    let mut operator = Stoppable::new(operator, interrupted);
+    let solved = if operator.is_symmetric() {
+        symmetric::solve(&mut operator, &problem, start, limits)
     } else {
-        active_set::solve(operator, &problem, start, limits)?
-    })
+        active_set::solve(&mut operator, &problem, start, limits)
+    };
+    if operator.is_stopped() { Err(PeriodicContactError::Interrupted) } else { Ok(solved?) }
 }
 
 fn measured(

@@ -67,6 +67,9 @@ pub enum SteadyError {
         /// The depth at which the indenter ends.
         limit: f64,
     },
+    /// It was told to stop.
+    #[error("interrupted")]
+    Interrupted,
     /// There is no kernel for the grid or the substrate.
     #[error(transparent)]
     Kernel(#[from] KernelError),

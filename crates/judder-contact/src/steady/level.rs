@@ -8,6 +8,7 @@ use super::profile::{OUT_OF_REACH, Profile};
 use crate::kernel::sliding::SlidingOperator;
 use crate::surface::grid::SurfaceGrid;
 use crate::surface::operator::SurfaceOperator;
+use crate::surface::stoppable::{Interrupted, Stoppable};
 use crate::unilateral::active_set::{self, Start};
 use crate::unilateral::symmetric;
 use crate::unilateral::{Loading, UnilateralProblem, UnilateralSolution};
@@ -115,6 +116,16 @@ impl Level {
         grid: &SurfaceGrid,
         start: &LevelStart,
     ) -> Result<Self, SteadyError> {
+        Self::solve_until(question, grid, start, &|| false)
+    }
+
+    /// As [`solve`](Self::solve), unless `interrupted` says to stop.
+    pub(super) fn solve_until(
+        question: &SteadyQuestion<'_>,
+        grid: &SurfaceGrid,
+        start: &LevelStart,
+        interrupted: Interrupted<'_>,
+    ) -> Result<Self, SteadyError> {
         let is_line = question.profile.is_line();
         let posed = if is_line {
             line::pose(question, grid, start)?
@@ -128,11 +139,16 @@ impl Level {
         let problem = UnilateralProblem { heights: &heights, loading };
         let pressure = start.on(grid);
         let start = Start { pressure: &pressure, indentation };
-        let mut solution = if operator.is_symmetric() {
-            symmetric::solve(&mut operator, &problem, start, question.limits)?
+        let mut operator = Stoppable::new(&mut operator, interrupted);
+        let solved = if operator.is_symmetric() {
+            symmetric::solve(&mut operator, &problem, start, question.limits)
         } else {
-            active_set::solve(&mut operator, &problem, start, question.limits)?
+            active_set::solve(&mut operator, &problem, start, question.limits)
         };
+        if operator.is_stopped() {
+            return Err(SteadyError::Interrupted);
+        }
+        let mut solution = solved?;
         solution.indentation -= datum;
         if let Some(cell) = beside_the_edge(grid, &heights, &solution.pressure) {
             return Err(SteadyError::BeyondIndenter {

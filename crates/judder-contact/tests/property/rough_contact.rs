@@ -4,10 +4,13 @@ use judder_contact::indenter::{HeightMap, RoughSurface, Roughness};
 use judder_contact::kernel::sliding::SlidingOperator;
 use judder_contact::kernel::substrate::SlidingSubstrate;
 use judder_contact::periodic_contact::level::PeriodicLevel;
-use judder_contact::periodic_contact::{PeriodicContactError, PeriodicLoading, PeriodicQuestion, solve};
+use judder_contact::periodic_contact::{
+    PeriodicContactError, PeriodicLoading, PeriodicQuestion, solve, solve_until,
+};
 use judder_contact::steady::MEMORY;
 use judder_contact::unilateral::active_set::{self, Start};
 use judder_contact::unilateral::{Loading, UnilateralLimits, UnilateralProblem};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 const TOLERANCE: f64 = 1e-8;
 
@@ -126,4 +129,23 @@ fn an_accuracy_out_of_reach_is_missed_honestly() {
     assert!(contact.finest.solution.converged && !contact.converged);
     let too_deep = solve(&asked(&surface, &substrate, PeriodicLoading::Indentation(1.0), None));
     assert!(matches!(too_deep, Err(PeriodicContactError::TooDeep { .. })));
+}
+
+#[test]
+fn a_period_is_given_up_before_any_product() {
+    let surface = rough(64);
+    for substrate in [SlidingSubstrate::elastic(), SlidingSubstrate::single(10.0, 0.01)] {
+        let question = asked(&surface, &substrate, PeriodicLoading::MeanPressure(0.01), None);
+        let count = AtomicUsize::new(0);
+        let until = |last: usize| {
+            count.store(0, Ordering::Relaxed);
+            solve_until(&question, &|| count.fetch_add(1, Ordering::Relaxed) >= last)
+        };
+        assert_eq!(until(usize::MAX), solve(&question));
+        let all = count.load(Ordering::Relaxed);
+        for last in [0, all / 2, all - 1] {
+            assert_eq!(until(last), Err(PeriodicContactError::Interrupted), "{last} of {all}");
+            assert_eq!(count.load(Ordering::Relaxed), last + 1);
+        }
+    }
 }

@@ -5,11 +5,12 @@ use judder_contact::indenter::{HeightMap, Shape};
 use judder_contact::kernel::sliding::SlidingOperator;
 use judder_contact::kernel::substrate::SlidingSubstrate;
 use judder_contact::steady::profile::{Paraboloid, Profile, Sphere};
-use judder_contact::steady::{GridChoice, MEMORY, SteadyError, SteadyQuestion, solve};
+use judder_contact::steady::{GridChoice, MEMORY, SteadyError, SteadyQuestion, solve, solve_until};
 use judder_contact::surface::grid::SurfaceGrid;
 use judder_contact::surface::operator::SurfaceOperator;
 use judder_contact::unilateral::active_set::{self, Start};
 use judder_contact::unilateral::{Loading, UnilateralLimits, UnilateralProblem};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// For a paraboloid and one retardation time all depends on z = v τ/√(R δ).
 #[test]
@@ -254,5 +255,33 @@ fn a_sphere_below_its_equator_is_refused() {
             memory: MEMORY,
         };
         assert!(matches!(solve(&question), Err(SteadyError::TooDeep { .. })));
+    }
+}
+
+/// Told to stop before any of its products, a solver makes no further one; not told, it ends in the same contact.
+#[test]
+fn a_contact_is_given_up_before_any_product() {
+    for substrate in [SlidingSubstrate::elastic(), SlidingSubstrate::single(10.0, 0.1)] {
+        let question = SteadyQuestion {
+            substrate: &substrate,
+            profile: &Paraboloid,
+            loading: Loading::Indentation(1e-2),
+            accuracy: 1e-2,
+            grid: GridChoice::Automatic,
+            limits: UnilateralLimits::default(),
+            memory: MEMORY,
+        };
+        let asked = AtomicUsize::new(0);
+        let until = |last: usize| {
+            asked.store(0, Ordering::Relaxed);
+            solve_until(&question, &|| asked.fetch_add(1, Ordering::Relaxed) >= last)
+        };
+        assert_eq!(until(usize::MAX), solve(&question));
+        let all = asked.load(Ordering::Relaxed);
+        assert!(all > 50, "{all}");
+        for last in [0, 1, 7, all / 2, all - 1] {
+            assert_eq!(until(last), Err(SteadyError::Interrupted), "{last} of {all}");
+            assert_eq!(asked.load(Ordering::Relaxed), last + 1);
+        }
     }
 }

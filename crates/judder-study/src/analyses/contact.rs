@@ -58,7 +58,7 @@ pub(super) fn run(
     let points: Points<'_> = (&known, &keep);
     let mut outcome = match &analysis.kind {
         ContactAnalysis::Contact(settings) if case.shape.is_periodic() => {
-            periodic::run(case, &analysis.name, settings)
+            periodic::run(case, &analysis.name, settings, progress)
         }
         ContactAnalysis::Contact(settings) => single::run(case, &analysis.name, settings, progress),
         ContactAnalysis::ContactLaw(settings) => law::run(case, &analysis.name, settings, points, progress),

@@ -198,14 +198,18 @@ fn long_analyses_end_when_they_are_given_up() {
         "kind = \"engines\"\ntime_step = { from = 1e-7, to = 1e-1, points = 50 }\nwidth = { from = 1e-9, to = 1.0, points = 50 }",
     ];
     let of_contact = [
+        "kind = \"contact\"\nvelocity = 1e-1\nindentation = 1e-2\naccuracy = 1e-6\ncells = 2048",
         "kind = \"contact-law\"\nvelocity = { from = 1e-3, to = 1e3, points = 200 }\nindentation = { from = 1e-4, to = 1e-1, points = 200 }\naccuracy = 1e-3",
         "kind = \"fit\"\nvelocity = { from = 1e-4, to = 1e4, points = 40 }\nindentation = { from = 1e-4, to = 1e-1, points = 40 }\naccuracy = 1e-3",
         "kind = \"transient\"\nmotion = \"start\"\nvelocity = 0.1\nindentation = 1e-2\nduration = 4000\ncells = 64",
     ];
+    let rough = "model = \"contact\"\nsubstrate = { retardation_time = \"1 ms\" }\nindenter = { radius = \"1 mm\", shape = { rough = { period = \"1 mm\", cells = 256, hurst = 0.8, roll_off = \"0.5 mm\", rms_height = \"5 um\", seed = 1 } } }";
+    let rough = (rough, "kind = \"contact\"\nvelocity = \"10 mm/s\"\nload = \"20 mN\"\naccuracy = 1e-6", 3);
     let law = "model = \"oscillator\"\ncontact = { law = { computed = true, accuracy = 1e-4 } }";
     let all = endless.map(|kind| (OSCILLATOR, kind, 50)).into_iter();
-    let all =
-        all.chain(of_contact.map(|kind| (CONTACT, kind, 3))).chain([(law, "kind = \"limit-cycle\"", 3)]);
+    let all = all
+        .chain(of_contact.map(|kind| (CONTACT, kind, 3)))
+        .chain([rough, (law, "kind = \"limit-cycle\"", 3)]);
     for (head, kind, patience) in all {
         let file = with_analysis(head, kind);
         let impatient = Impatient::after(patience);

@@ -7,12 +7,20 @@ use crate::error::StudyError;
 use crate::indenter::height_map;
 use crate::material::ContactScales;
 use crate::outcome::{CheckRecord, Outcome};
+use crate::progress::Progress;
 use judder_case::{ContactCase, ContactSettings};
-use judder_contact::periodic_contact::{PeriodicContact, PeriodicLoading, PeriodicQuestion, solve};
+use judder_contact::periodic_contact::{
+    PeriodicContact, PeriodicContactError, PeriodicLoading, PeriodicQuestion, solve_until,
+};
 use judder_contact::unilateral::{Loading, UnilateralLimits};
 use judder_store::number;
 
-pub(super) fn run(case: &ContactCase, name: &str, settings: &ContactSettings) -> Result<Outcome, StudyError> {
+pub(super) fn run(
+    case: &ContactCase,
+    name: &str,
+    settings: &ContactSettings,
+    progress: &dyn Progress,
+) -> Result<Outcome, StudyError> {
     let scales = ContactScales::new(case)?;
     let surface = height_map(&case.shape, scales.scales.radius)?;
     let velocity = scales.velocity(settings.velocity);
@@ -30,7 +38,11 @@ pub(super) fn run(case: &ContactCase, name: &str, settings: &ContactSettings) ->
         limits: UnilateralLimits::default(),
         memory: settings.memory.bytes,
     };
-    let contact = solve(&question)?;
+    let contact = solve_until(&question, &|| progress.interrupted()).map_err(|error| match error {
+        PeriodicContactError::Interrupted => StudyError::Interrupted,
+        error => error.into(),
+    })?;
+    progress.advance();
     let refined = Refined {
         refinement: &contact.refinement,
         friction_from_dissipation: contact.finest.friction_from_dissipation,

@@ -8,7 +8,7 @@ use crate::material::ContactScales;
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use judder_case::{ContactCase, ContactSettings, Loading as CaseLoading, Shape};
-use judder_contact::steady::{GridChoice, SteadyContact, SteadyQuestion, solve};
+use judder_contact::steady::{GridChoice, SteadyContact, SteadyError, SteadyQuestion, solve_until};
 use judder_contact::unilateral::{Loading, UnilateralLimits};
 
 /// Cells a side where a domain is given and cells are not.
@@ -66,10 +66,10 @@ pub(super) fn run(
         limits: UnilateralLimits::default(),
         memory: settings.memory.bytes,
     };
-    if progress.interrupted() {
-        return Err(StudyError::Interrupted);
-    }
-    let contact = solve(&question)?;
+    let contact = solve_until(&question, &|| progress.interrupted()).map_err(|error| match error {
+        SteadyError::Interrupted => StudyError::Interrupted,
+        error => error.into(),
+    })?;
     progress.advance();
     let fields = Fields::new(&contact.finest, &*profile);
     let refined = Refined {

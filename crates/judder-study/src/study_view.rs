@@ -170,7 +170,7 @@ impl StudyView {
         if kept.source.is_empty() {
             return Err(StudyError::NoResults { folder: self.name.clone() });
         }
-        let name = self.reader.path().join(&self.name).with_extension("toml");
+        let name = self.reader.path().join(format!("{}.toml", self.name));
         Ok(CaseFile::parse(&name.to_string_lossy(), &kept.source, &kept.overrides)?)
     }
 

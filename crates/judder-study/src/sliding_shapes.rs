@@ -4,6 +4,7 @@ use crate::analyses::locus_conditions;
 use crate::error::StudyError;
 use crate::sliding::SlidingSystem;
 use faer::Mat;
+use judder_case::sliding::locus::Along;
 use judder_case::{Case, CaseFile, SlidingAnalysis, SlidingCase};
 use judder_sliding::locus::{Conditions, Configuration, contact, spectrum};
 use judder_sliding::shape::{gap_residual, mode_shape};
@@ -74,7 +75,7 @@ impl ShapedPair {
     /// conditions; beside any other, the pair is damped and deformed by its load.
     ///
     /// # Errors
-    /// [`StudyError::UnknownAnalysis`]; a position off the track, no state of rest there, eigenvalues that are not found.
+    /// [`StudyError::UnknownAnalysis`]; a locus over a key, a position off the track, no state of rest there, eigenvalues that are not found.
     pub fn at(
         &self,
         analysis: &str,
@@ -107,6 +108,11 @@ impl ShapedPair {
     fn conditions(&self, analysis: &str) -> Result<(Conditions, usize), StudyError> {
         let found = self.case.analyses.iter().find(|own| own.name == analysis);
         match found.map(|own| &own.kind) {
+            Some(SlidingAnalysis::Locus(settings)) if matches!(settings.along, Along::Key { .. }) => {
+                Err(StudyError::Unsupported(format!(
+                    "the locus `{analysis}` is over a key, and shapes are drawn at positions; ask for those of a locus over positions"
+                )))
+            }
             Some(SlidingAnalysis::Locus(settings)) => {
                 Ok((locus_conditions(&self.case, settings), settings.count))
             }

@@ -87,6 +87,12 @@ impl StudyView {
         Ok(Self { reader, name: name.unwrap_or_default() })
     }
 
+    /// The name of the folder.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
     /// What is there now.
     ///
     /// # Errors

@@ -1,0 +1,25 @@
+//! One module a kind of answer.
+
+pub(crate) mod analysis;
+pub(crate) mod case;
+pub(crate) mod export;
+pub(crate) mod law;
+pub(crate) mod map;
+pub(crate) mod motion;
+pub(crate) mod point;
+pub(crate) mod session;
+pub(crate) mod study;
+
+use crate::refusal::Refusal;
+use judder_case::{Case, CaseFile, OscillatorCase};
+
+/// The oscillator of a case.
+pub(crate) fn oscillator(file: &CaseFile) -> Result<&OscillatorCase, Refusal> {
+    match &file.case {
+        Case::Oscillator(case) => Ok(case),
+        other => Err(Refusal::wrong(format!(
+            "this needs an oscillator case, the one explored is of model `{}`; `judder explore` without a case takes the paper's oscillator",
+            other.model()
+        ))),
+    }
+}

@@ -1,0 +1,53 @@
+//! Any analysis of a case, as `judder run` computes it, and every array that it leaves.
+
+use crate::frame::Frame;
+use crate::refusal::Refusal;
+use crate::reporter::Reporter;
+use crate::routes::{Asked, SharedSite};
+use crate::size::check_answer;
+use crate::view::View;
+use axum::extract::State;
+use axum::response::Response;
+use judder_study::outcome::{CheckRecord, Outcome};
+use judder_study::{Progress, analyses};
+use serde_json::{Value, json};
+use std::sync::Arc;
+
+/// Answers `/api/analysis`.
+pub(crate) async fn answer(State(site): SharedSite, Asked(view): Asked<View>) -> Result<Response, Refusal> {
+    view.check()?;
+    if view.analysis.is_none() {
+        return Err(Refusal::wrong("no analysis is asked for; give one, a table as `[[analysis]]` takes it"));
+    }
+    let subject = Arc::clone(&site.subject);
+    site.desk.stream(
+        view.slot.clone(),
+        Box::new(move |reporter| {
+            let file = view.case(&subject)?;
+            reporter.begin("", analyses::steps(&file.case, 0));
+            let outcome = analyses::run(&file.case, 0, reporter).map_err(|error| reporter.refusal(error))?;
+            tell(reporter, &file.case.analysis_names().join(""), &outcome)
+        }),
+    )
+}
+
+/// Tells what an analysis leaves.
+pub(crate) fn tell(reporter: &Reporter, name: &str, outcome: &Outcome) -> Result<(), Refusal> {
+    let variables = outcome.dataset.variables();
+    check_answer(variables)?;
+    let frame = Frame::new("outcome")
+        .with("name", name)
+        .with("scalars", Value::Object(outcome.scalars.clone()))
+        .with("checks", outcome.checks.iter().map(check).collect::<Vec<_>>())
+        .with("warnings", json!(outcome.warnings))
+        .with("missing", outcome.missing)
+        .with("attributes", Value::Object(outcome.dataset.attributes().clone()));
+    reporter.tell(variables.iter().fold(frame, Frame::array));
+    Ok(())
+}
+
+fn check(check: &CheckRecord) -> Value {
+    json!({
+        "name": check.name, "compared": check.compared, "figure": check.figure, "limit": check.limit, "passed": check.passed(),
+    })
+}

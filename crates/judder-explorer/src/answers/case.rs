@@ -1,0 +1,65 @@
+//! The value of every key, with and without units.
+
+use super::oscillator;
+use crate::attention::attended;
+use crate::refusal::Refusal;
+use crate::routes::{Asked, SharedSite};
+use crate::view::View;
+use axum::Json;
+use axum::extract::State;
+use judder_case::{Form, KEYS, OscillatorInputs, OscillatorKey};
+use judder_oscillator::Groups;
+use judder_oscillator::groups::{Dimensional, Scales};
+use judder_study::bridge;
+use serde_json::{Value, json};
+
+/// Answers `/api/case`.
+pub(crate) async fn answer(
+    State(site): SharedSite,
+    Asked(view): Asked<View>,
+) -> Result<Json<Value>, Refusal> {
+    view.check()?;
+    attended(&site, move |subject, _| {
+        let file = subject.with(&view.set)?;
+        let case = bridge::with_material(oscillator(&file)?)?;
+        Ok(Json(document(&case.inputs)))
+    })
+    .await
+}
+
+/// The values of all keys, and the scales between their two forms.
+pub(crate) fn document(inputs: &OscillatorInputs) -> Value {
+    let (groups, scales) = (bridge::groups(inputs), bridge::scales(inputs));
+    let dimensional = groups.dimensional(&scales);
+    let values: Vec<Value> =
+        KEYS.iter().map(|entry| value(entry.key, inputs, &groups, &dimensional)).collect();
+    json!({ "values": values, "scales": scale_document(&scales, &groups) })
+}
+
+/// Both forms of a key: of the three that have a group, the one that was not given follows.
+fn value(key: OscillatorKey, inputs: &OscillatorInputs, groups: &Groups, dimensional: &Dimensional) -> Value {
+    let given = inputs.get(key);
+    let (group, si) = match (key, given.form) {
+        (OscillatorKey::Velocity, _) => (Some(groups.velocity), Some(dimensional.velocity)),
+        (OscillatorKey::NormalLoad, _) => (Some(groups.normal_load), Some(dimensional.normal_load)),
+        (OscillatorKey::ShearStrength, _) => (Some(groups.shear_strength), Some(dimensional.shear_strength)),
+        (_, Form::Group) => (Some(given.number), None),
+        (_, Form::Si) => (None, Some(given.number)),
+    };
+    let form = match given.form {
+        Form::Group => "group",
+        Form::Si => "si",
+    };
+    json!({ "path": key.entry().path, "form": form, "number": given.number, "group": group, "si": si })
+}
+
+/// E0*, R and ω_nx; x0 = F_n/k_x and τ.
+fn scale_document(scales: &Scales, groups: &Groups) -> Value {
+    json!({
+        "reduced_modulus": scales.reduced_modulus,
+        "radius": scales.radius,
+        "natural_frequency": scales.natural_frequency,
+        "length": scales.radius / groups.radius(),
+        "time": groups.retardation_time / scales.natural_frequency,
+    })
+}

@@ -1,0 +1,15 @@
+//! The case file of a view.
+
+use crate::attention::attended;
+use crate::refusal::Refusal;
+use crate::routes::{Asked, SharedSite};
+use crate::view::View;
+use axum::extract::State;
+use axum::http::header::CONTENT_TYPE;
+use axum::response::{IntoResponse, Response};
+
+/// Answers `/api/export`.
+pub(crate) async fn answer(State(site): SharedSite, Asked(view): Asked<View>) -> Result<Response, Refusal> {
+    let text = attended(&site, move |subject, _| Ok(view.case(subject)?.text)).await?;
+    Ok(([(CONTENT_TYPE, "text/plain; charset=utf-8")], text).into_response())
+}

@@ -1,0 +1,92 @@
+//! The contact law of a case over speed and depth.
+
+use super::oscillator;
+use crate::frame::Frame;
+use crate::refusal::Refusal;
+use crate::reporter::Reporter;
+use crate::routes::{Asked, SharedSite};
+use crate::subject::Subject;
+use crate::view::View;
+use axum::extract::State;
+use axum::response::Response;
+use judder_store::Variable;
+use judder_study::law_cache::{LawSurface, law_surface};
+use serde::Deserialize;
+use std::sync::Arc;
+
+/// Points along each side of a surface, at most.
+const SIDE: usize = 500;
+
+/// A view, and the ranges over which its law is wanted.
+#[derive(Debug, Deserialize)]
+pub(crate) struct Wanted {
+    #[serde(flatten)]
+    view: View,
+    /// v τ/R.
+    velocity: Range,
+    /// y/R.
+    indentation: Range,
+}
+
+/// Logarithmically spaced values.
+#[derive(Debug, Clone, Copy, Deserialize)]
+struct Range {
+    from: f64,
+    to: f64,
+    points: usize,
+}
+
+impl Range {
+    fn values(self, name: &str) -> Result<Vec<f64>, Refusal> {
+        let Self { from, to, points } = self;
+        let is_range = from > 0.0 && to > from && to.is_finite() && (2..=SIDE).contains(&points);
+        if !is_range {
+            return Err(Refusal::wrong(format!(
+                "`{name}` from {from} to {to} in {points} points is no range; `from` is above zero, `to` above it, with 2 to {SIDE} points"
+            )));
+        }
+        let ratio = (to / from).ln() / (points - 1) as f64;
+        Ok((0..points).map(|k| if k + 1 == points { to } else { from * (ratio * k as f64).exp() }).collect())
+    }
+}
+
+/// Answers `/api/law`.
+pub(crate) async fn answer(
+    State(site): SharedSite,
+    Asked(wanted): Asked<Wanted>,
+) -> Result<Response, Refusal> {
+    wanted.view.check()?;
+    let (velocities, indentations) =
+        (wanted.velocity.values("velocity")?, wanted.indentation.values("indentation")?);
+    let subject = Arc::clone(&site.subject);
+    let slot = wanted.view.slot.clone();
+    let work = move |reporter: &Reporter| draw(&subject, &wanted.view, velocities, indentations, reporter);
+    site.desk.stream(slot, Box::new(work))
+}
+
+fn draw(
+    subject: &Subject,
+    view: &View,
+    velocities: Vec<f64>,
+    indentations: Vec<f64>,
+    reporter: &Reporter,
+) -> Result<(), Refusal> {
+    let file = view.case(subject)?;
+    let ready = subject.laws.ready(oscillator(&file)?, reporter).map_err(|error| reporter.refusal(error))?;
+    let LawSurface { force, area, friction } =
+        law_surface(&ready.contact.contact, &velocities, &indentations);
+    let shape = [indentations.len(), velocities.len()];
+    let surface = |name: &str, long_name: &str, values: Vec<f64>| {
+        Variable::new(name, &["indentation", "velocity"], &shape, values).units("1").long_name(long_name)
+    };
+    let frame = Frame::new("law")
+        .with("law", ready.case.law.name())
+        .with("warnings", serde_json::json!(ready.contact.warnings))
+        .array(&Variable::coordinate("velocity", velocities).units("1").long_name("speed v τ/R"))
+        .array(&Variable::coordinate("indentation", indentations).units("1").long_name("indentation y/R"))
+        .array(&surface("force", "normal force F_k/(E0* R²)", force))
+        .array(&surface("area", "contact area A/R²", area))
+        .array(&surface("friction", "viscoelastic friction coefficient μ_visc", friction));
+    reporter.tell(frame);
+    Ok(())
+}

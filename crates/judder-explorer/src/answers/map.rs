@@ -1,0 +1,138 @@
+//! A stability map: coarse at once, exact after, then its boundaries.
+
+use super::oscillator;
+use crate::frame::Frame;
+use crate::refusal::Refusal;
+use crate::reporter::Reporter;
+use crate::routes::{Asked, SharedSite};
+use crate::subject::Subject;
+use crate::view::View;
+use axum::extract::State;
+use axum::response::Response;
+use judder_case::{OscillatorAnalysis, OscillatorKey, StabilityMap as Settings, Sweep};
+use judder_oscillator::map::{CoarseMap, StabilityMap};
+use judder_oscillator::mechanism::StabilityClass;
+use judder_store::Variable;
+use judder_study::analyses::{BoundaryKind, boundary_curves};
+use judder_study::key_plane::{KeyAxis, KeyPlane};
+use judder_study::{Progress, StudyError};
+use serde::Deserialize;
+use std::sync::Arc;
+
+/// A view whose analysis is a stability map, and the boundaries that are wanted over it.
+#[derive(Debug, Deserialize)]
+pub(crate) struct Wanted {
+    #[serde(flatten)]
+    view: View,
+    #[serde(default)]
+    boundaries: Vec<String>,
+}
+
+/// Answers `/api/map`.
+pub(crate) async fn answer(
+    State(site): SharedSite,
+    Asked(wanted): Asked<Wanted>,
+) -> Result<Response, Refusal> {
+    wanted.view.check()?;
+    let kinds = wanted.boundaries.iter().map(|name| kind(name)).collect::<Result<Vec<_>, _>>()?;
+    let subject = Arc::clone(&site.subject);
+    let slot = wanted.view.slot.clone();
+    site.desk.stream(slot, Box::new(move |reporter| draw(&subject, &wanted.view, &kinds, reporter)))
+}
+
+fn kind(name: &str) -> Result<BoundaryKind, Refusal> {
+    BoundaryKind::ALL.into_iter().find(|kind| kind.name() == name).ok_or_else(|| {
+        let known = BoundaryKind::ALL.map(BoundaryKind::name).join(", ");
+        Refusal::wrong(format!("there is no boundary `{name}`; there are {known}"))
+    })
+}
+
+fn draw(subject: &Subject, view: &View, kinds: &[BoundaryKind], reporter: &Reporter) -> Result<(), Refusal> {
+    let file = view.case(subject)?;
+    let case = oscillator(&file)?;
+    let Some(OscillatorAnalysis::StabilityMap(settings)) =
+        case.analyses.first().map(|analysis| &analysis.kind)
+    else {
+        return Err(Refusal::wrong("the analysis of a map is another; its `kind` is \"stability-map\""));
+    };
+    let ready = subject.laws.ready(case, reporter).map_err(|error| reporter.refusal(error))?;
+    let contact = &ready.contact.contact;
+    let plane = KeyPlane { inputs: ready.case.inputs, x: side(&settings.x), y: side(&settings.y) };
+    let mut show =
+        |coarse: CoarseMap| reporter.tell(coarse_frame(&plane, settings, coarse, reporter.seconds()));
+    let interrupted = || reporter.interrupted();
+    let Some(map) = plane.decide_in_stages(contact, &mut show, &interrupted) else {
+        return Err(reporter.refusal(StudyError::Interrupted));
+    };
+    reporter.tell(exact_frame(&plane, settings, map, reporter.seconds()));
+    for kind in kinds {
+        if reporter.interrupted() {
+            return Err(reporter.refusal(StudyError::Interrupted));
+        }
+        if let Some(curves) = boundary_curves(*kind, (&ready.case, contact), settings) {
+            let along =
+                |name: &str, values: Vec<f64>| Variable::new(name, &["point"], &[values.len()], values);
+            let frame = Frame::new("boundary").with("name", kind.name());
+            reporter.tell(
+                frame
+                    .array(&along("x", curves.x))
+                    .array(&along("y", curves.y))
+                    .array(&along("frequency", curves.frequency).units("1").long_name("frequency ω/ω_nx")),
+            );
+        }
+    }
+    Ok(())
+}
+
+fn side(sweep: &Sweep<OscillatorKey>) -> KeyAxis {
+    KeyAxis { key: sweep.key, form: sweep.form, values: sweep.values() }
+}
+
+fn coarse_frame(
+    plane: &KeyPlane,
+    settings: &Settings<OscillatorKey>,
+    coarse: CoarseMap,
+    seconds: f64,
+) -> Frame {
+    let at = |values: &[f64], lines: &[usize]| lines.iter().map(|line| values[*line]).collect();
+    let (x, y) = (at(&plane.x.values, &coarse.columns), at(&plane.y.values, &coarse.rows));
+    with_map(
+        Frame::new("map").with("stage", "coarse").with("seconds", seconds),
+        settings,
+        (x, y),
+        coarse.classes,
+    )
+}
+
+fn exact_frame(
+    plane: &KeyPlane,
+    settings: &Settings<OscillatorKey>,
+    map: StabilityMap,
+    seconds: f64,
+) -> Frame {
+    let frame = Frame::new("map")
+        .with("stage", "exact")
+        .with("seconds", seconds)
+        .with("decisions", map.decisions)
+        .with("unstable_fraction", map.unstable_fraction())
+        .with("unresolved", map.count(StabilityClass::Unresolved));
+    with_map(frame, settings, (plane.x.values.clone(), plane.y.values.clone()), map.classes)
+}
+
+fn with_map(
+    frame: Frame,
+    settings: &Settings<OscillatorKey>,
+    (x, y): (Vec<f64>, Vec<f64>),
+    classes: Vec<u8>,
+) -> Frame {
+    let shape = [y.len(), x.len()];
+    let axis = |name: &str, sweep: &Sweep<OscillatorKey>, values: Vec<f64>| {
+        Variable::coordinate(name, values).long_name(&sweep.key.entry().label(sweep.form))
+    };
+    frame.array(&axis("x", &settings.x, x)).array(&axis("y", &settings.y, y)).array(&Variable::new(
+        "classes",
+        &["y", "x"],
+        &shape,
+        classes,
+    ))
+}

@@ -1,0 +1,68 @@
+//! One operating point: the document of `judder point --json`, the shapes of its modes, the same with units.
+
+use super::oscillator;
+use crate::attention::attended;
+use crate::refusal::Refusal;
+use crate::routes::{Asked, SharedSite};
+use crate::view::View;
+use axum::Json;
+use axum::extract::State;
+use judder_oscillator::groups::Scales;
+use judder_oscillator::spectrum::mode;
+use judder_study::bridge;
+use judder_study::point::{Point, SteadyPoint};
+use serde_json::{Value, json};
+
+/// Answers `/api/point`.
+pub(crate) async fn answer(
+    State(site): SharedSite,
+    Asked(view): Asked<View>,
+) -> Result<Json<Value>, Refusal> {
+    view.check()?;
+    attended(&site, move |subject, attention| {
+        let file = subject.with(&view.set)?;
+        let ready =
+            subject.laws.ready(oscillator(&file)?, attention).map_err(|error| attention.refusal(error))?;
+        Ok(Json(document(&ready.point()?, &bridge::scales(&ready.case.inputs))))
+    })
+    .await
+}
+
+fn document(point: &Point, scales: &Scales) -> Value {
+    json!({
+        "point": point.json(),
+        "modes": modes(&point.steady),
+        "dimensional": dimensional(&point.steady, scales),
+    })
+}
+
+/// The right vector of every eigenvalue, of unit length.
+fn modes(steady: &SteadyPoint) -> Vec<Value> {
+    let system = steady.linearisation.system();
+    let of = |eigenvalue| {
+        let shape = mode(&system, eigenvalue).right.map(|entry| [entry.re, entry.im]);
+        json!({ "eigenvalue": [eigenvalue.re, eigenvalue.im], "shape": shape })
+    };
+    steady.eigenvalues.into_iter().map(of).collect()
+}
+
+/// Lengths of displacement are x0 = F_n/k_x, forces E0* R², areas R².
+fn dimensional(steady: &SteadyPoint, scales: &Scales) -> Value {
+    let Scales { reduced_modulus, radius, natural_frequency } = *scales;
+    let length = radius / steady.groups.radius();
+    let quantities = steady.groups.dimensional(scales);
+    let response = &steady.equilibrium.response;
+    let leading = judder_oscillator::spectrum::leading(&steady.eigenvalues);
+    json!({
+        "growth_rate_per_s": steady.growth_rate() * natural_frequency,
+        "frequency_hz": leading.im.abs() * natural_frequency / std::f64::consts::TAU,
+        "indentation_m": steady.equilibrium.indentation * radius,
+        "x_m": steady.equilibrium.x * length,
+        "y_m": steady.equilibrium.y * length,
+        "force_n": response.force.value * reduced_modulus * radius * radius,
+        "area_m2": response.area.value * radius * radius,
+        "velocity_m_per_s": quantities.velocity,
+        "normal_load_n": quantities.normal_load,
+        "shear_strength_pa": quantities.shear_strength,
+    })
+}

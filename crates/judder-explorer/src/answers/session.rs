@@ -1,0 +1,128 @@
+//! What the page needs to know of the case before anything is computed.
+
+use super::case;
+use crate::routes::SharedSite;
+use axum::Json;
+use axum::extract::State;
+use judder_case::sweep::Sweep;
+use judder_case::{
+    Case, CaseFile, Cause, Form, KEYS, Key, LawName, OscillatorAnalysis, OscillatorKey, Range, TimeForm,
+};
+use judder_study::bridge;
+use serde_json::{Value, json};
+
+/// Answers `/api/session`.
+pub(crate) async fn answer(State(site): SharedSite) -> Json<Value> {
+    let base = site.subject.base();
+    let resolved = base.map(|base| base.case.resolved()).unwrap_or_default();
+    let (values, map) = match base.map(|base| &base.case) {
+        Some(Case::Oscillator(oscillator)) => {
+            let inputs = bridge::with_material(oscillator).map_or(oscillator.inputs, |case| case.inputs);
+            let axes = oscillator.analyses.iter().find_map(|analysis| axes(&analysis.kind));
+            (case::document(&inputs), axes.unwrap_or_else(usual_axes))
+        }
+        _ => (Value::Null, usual_axes()),
+    };
+    Json(json!({
+        "version": env!("CARGO_PKG_VERSION"),
+        "title": resolved["title"],
+        "case": base.map(|base| json!({ "name": base.name, "model": base.case.model(), "text": base.text })),
+        "keys": KEYS.iter().map(|entry| key(entry, base.is_some_and(|base| takes(base, entry)))).collect::<Vec<_>>(),
+        "values": values,
+        "laws": LawName::ALL.map(|(name, _)| name),
+        "law": base.and_then(law),
+        "map": map,
+        "analyses": analyses(&resolved),
+        "study": site.subject.study.as_ref().map(|study| json!({ "name": study.view.name() })),
+    }))
+}
+
+/// The analyses of the case, with their kinds.
+fn analyses(resolved: &Value) -> Vec<Value> {
+    let listed = resolved["analysis"].as_array().into_iter().flatten();
+    listed.map(|analysis| json!({ "name": analysis["name"], "kind": analysis["kind"] })).collect()
+}
+
+/// Whether the case takes a value of this key: of two keys that say the same only the one that it has, and none that its data decide.
+fn takes(base: &CaseFile, entry: &Key) -> bool {
+    let Case::Oscillator(oscillator) = &base.case else { return false };
+    let says_relaxation = oscillator.time_form() == TimeForm::Relaxation;
+    if entry.key == OscillatorKey::RelaxationTime && !says_relaxation {
+        return false;
+    }
+    let value = entry.default.map_or_else(|| entry.example(), |(text, _)| text.to_owned());
+    let options = [&base.overrides[..], &[format!("{}={value}", entry.path)]].concat();
+    // a value that does not fit the others is still one that can be set
+    let refused = CaseFile::parse(&base.origin, &base.text, &options).err();
+    !refused.is_some_and(|error| matches!(error.cause(), Cause::Conflict { .. }))
+}
+
+fn law(base: &CaseFile) -> Option<&'static str> {
+    match &base.case {
+        Case::Oscillator(case) => Some(case.law.name()),
+        _ => None,
+    }
+}
+
+/// A key with its words, its range and its slider.
+fn key(entry: &Key, is_settable: bool) -> Value {
+    let (from, to, scale) = slider(entry.key);
+    let range = match entry.range {
+        Range::Positive => "positive",
+        Range::NonNegative => "non-negative",
+        Range::Fraction => "fraction",
+        Range::Any => "any",
+        Range::Interval { .. } => "interval",
+    };
+    json!({
+        "path": entry.path, "section": entry.section(), "symbol": entry.symbol, "group": entry.group,
+        "unit": entry.dimension.unit(), "doc": entry.doc, "range": range, "settable": is_settable,
+        "slider": { "from": from, "to": to, "scale": scale },
+        "label": entry.label(Form::Group), "label_si": entry.label(Form::Si),
+    })
+}
+
+/// What the slider of a key runs over, as a group where there is one, else in SI units: what rubbers, indenters and laboratories have.
+fn slider(key: OscillatorKey) -> (f64, f64, &'static str) {
+    let (log, linear) = ("log", "linear");
+    match key {
+        OscillatorKey::RubberyModulus => (1e4, 1e8, log),
+        OscillatorKey::GlassyModulus => (1e5, 1e10, log),
+        OscillatorKey::RetardationTime | OscillatorKey::RelaxationTime => (1e-6, 10.0, log),
+        OscillatorKey::PoissonRatio => (0.0, 0.5, linear),
+        OscillatorKey::Radius => (1e-5, 1.0, log),
+        OscillatorKey::ShearStrength => (1e-4, 1.0, log),
+        OscillatorKey::DampingX | OscillatorKey::DampingY => (0.0, 0.2, linear),
+        OscillatorKey::FrequencyRatio => (0.1, 10.0, log),
+        OscillatorKey::Coupling => (0.0, 2.0, linear),
+        OscillatorKey::CouplingAngle => (0.0, std::f64::consts::FRAC_PI_2, linear),
+        OscillatorKey::NaturalFrequency => (1.0, 1e5, log),
+        OscillatorKey::StiffnessX => (1e-1, 1e7, log),
+        OscillatorKey::Velocity => (1e-8, 1e2, log),
+        OscillatorKey::NormalLoad => (1e-9, 1e-2, log),
+    }
+}
+
+/// The axes of the first stability map of the case.
+fn axes(analysis: &OscillatorAnalysis) -> Option<Value> {
+    let OscillatorAnalysis::StabilityMap(map) = analysis else { return None };
+    Some(json!({ "x": axis(&map.x), "y": axis(&map.y) }))
+}
+
+fn axis(sweep: &Sweep<OscillatorKey>) -> Value {
+    let unit = sweep.key.entry().dimension.unit();
+    let end = |value: f64| match sweep.form {
+        Form::Group => json!(value),
+        Form::Si => json!(format!("{value:e} {unit}")),
+    };
+    json!({ "key": sweep.path, "from": end(sweep.from), "to": end(sweep.to), "scale": sweep.scale.name() })
+}
+
+/// Those of Fig. 9 of the oscillator paper.
+fn usual_axes() -> Value {
+    let axis = |key: OscillatorKey| {
+        let (from, to, scale) = slider(key);
+        json!({ "key": key.entry().path, "from": from, "to": to, "scale": scale })
+    };
+    json!({ "x": axis(OscillatorKey::Velocity), "y": axis(OscillatorKey::ShearStrength) })
+}

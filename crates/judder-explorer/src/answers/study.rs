@@ -1,0 +1,157 @@
+//! The study folder: what it holds, arrays, sounds, shapes of its coupled modes.
+
+use crate::attention::attended;
+use crate::frame::Frame;
+use crate::refusal::Refusal;
+use crate::routes::{Asked, SharedSite};
+use crate::size::check_answer;
+use crate::subject::{Studied, Subject};
+use axum::Json;
+use axum::extract::{Path, State};
+use axum::http::header::{CACHE_CONTROL, CONTENT_TYPE};
+use axum::response::{IntoResponse, Response};
+use judder_store::{Complex64, Status, Variable};
+use judder_study::sliding_shapes::SlidingShapes;
+use judder_study::study_view::{AnalysisListing, RowWindow};
+use serde::Deserialize;
+use serde_json::{Value, json};
+use std::sync::Arc;
+
+/// Variables that one request may ask for, at most.
+const VARIABLES: usize = 32;
+/// Modes whose shapes are sent, at most.
+const MODES: usize = 64;
+
+fn studied(subject: &Subject) -> Result<&Studied, Refusal> {
+    let help = "no study folder is looked at; `judder run CASE.toml` makes one, `judder explore CASE.toml --study DIR` shows it";
+    subject.study.as_ref().ok_or_else(|| Refusal::missing(help))
+}
+
+/// Answers `/api/study`.
+pub(crate) async fn answer(State(site): SharedSite) -> Result<Json<Value>, Refusal> {
+    attended(&site, |subject, _| {
+        let listing = studied(subject)?.view.listing()?;
+        let sounds = listing.sounds.iter().map(|(path, bytes)| json!({ "path": path, "bytes": bytes }));
+        Ok(Json(json!({
+            "name": listing.name, "title": listing.title, "model": listing.model, "version": listing.version,
+            "analyses": listing.analyses.iter().map(analysis).collect::<Vec<_>>(),
+            "sounds": sounds.collect::<Vec<_>>(),
+            "warnings": listing.warnings,
+        })))
+    })
+    .await
+}
+
+fn analysis(listing: &AnalysisListing) -> Value {
+    let (status, reason) = match &listing.status {
+        Status::Done => ("done", Value::Null),
+        Status::Failed { reason } => ("failed", json!(reason)),
+    };
+    json!({
+        "name": listing.name, "kind": listing.kind, "status": status, "reason": reason, "seconds": listing.seconds,
+        "scalars": listing.scalars, "warnings": listing.warnings, "attributes": listing.attributes,
+        "variables": listing.variables.iter().map(variable).collect::<Vec<_>>(),
+    })
+}
+
+fn variable(variable: &Variable) -> Value {
+    json!({
+        "name": variable.name, "dimensions": variable.dimensions, "shape": variable.shape, "units": variable.units,
+        "long_name": variable.long_name, "attributes": variable.attributes,
+    })
+}
+
+/// Which arrays are wanted.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Wanted {
+    analysis: String,
+    variables: Vec<String>,
+    #[serde(default)]
+    from: Option<usize>,
+    #[serde(default)]
+    to: Option<usize>,
+    #[serde(default)]
+    most: Option<usize>,
+    #[serde(default)]
+    slot: Option<String>,
+}
+
+/// Answers `/api/study/arrays`.
+pub(crate) async fn arrays(
+    State(site): SharedSite,
+    Asked(wanted): Asked<Wanted>,
+) -> Result<Response, Refusal> {
+    studied(&site.subject)?;
+    if wanted.variables.len() > VARIABLES {
+        return Err(Refusal::too_large(format!(
+            "{} variables are asked for; at most {VARIABLES} at once",
+            wanted.variables.len()
+        )));
+    }
+    let subject = Arc::clone(&site.subject);
+    site.desk.stream(
+        wanted.slot.clone(),
+        Box::new(move |reporter| {
+            let window = RowWindow { from: wanted.from, to: wanted.to, most: wanted.most };
+            let found = studied(&subject)?.view.arrays(&wanted.analysis, &wanted.variables, &window)?;
+            check_answer(&found)?;
+            reporter.tell(found.iter().fold(Frame::new("arrays"), Frame::array));
+            Ok(())
+        }),
+    )
+}
+
+/// Answers `/api/study/sound/…`: a name of the listing, or nothing.
+pub(crate) async fn sound(State(site): SharedSite, Path(path): Path<String>) -> Result<Response, Refusal> {
+    attended(&site, move |subject, _| {
+        let missing = |_| Refusal::missing("the study has no such sound; `/api/study` lists them");
+        let bytes = studied(subject)?.view.sound(&path).map_err(missing)?;
+        Ok(([(CONTENT_TYPE, "audio/wav"), (CACHE_CONTROL, "no-store")], bytes).into_response())
+    })
+    .await
+}
+
+/// Which shapes are wanted.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Shaped {
+    analysis: String,
+    at: f64,
+    #[serde(default)]
+    count: Option<usize>,
+    #[serde(default)]
+    slot: Option<String>,
+}
+
+/// Answers `/api/study/shapes`.
+pub(crate) async fn shapes(
+    State(site): SharedSite,
+    Asked(wanted): Asked<Shaped>,
+) -> Result<Response, Refusal> {
+    studied(&site.subject)?;
+    let subject = Arc::clone(&site.subject);
+    site.desk.stream(
+        wanted.slot.clone(),
+        Box::new(move |reporter| {
+            let count = wanted.count.unwrap_or(MODES).min(MODES);
+            let shapes = studied(&subject)?.shapes(&wanted.analysis, wanted.at, count)?;
+            reporter.tell(frame(shapes));
+            Ok(())
+        }),
+    )
+}
+
+fn frame(shapes: SlidingShapes) -> Frame {
+    let SlidingShapes { points, slider_points, lines, eigenvalues, shapes, .. } = shapes;
+    let (count, modes) = (points.len(), eigenvalues.len());
+    let flat = |points: &[[f64; 3]]| points.iter().flatten().copied().collect::<Vec<f64>>();
+    let moved: Vec<Complex64> = shapes.into_iter().flatten().flatten().collect();
+    let ends: Vec<i64> = lines.iter().flatten().map(|point| *point as i64).collect();
+    Frame::new("shapes")
+        .with("slider_points", slider_points)
+        .with("eigenvalues", eigenvalues.iter().map(|value| json!([value.re, value.im])).collect::<Vec<_>>())
+        .array(&Variable::new("points", &["point", "direction"], &[count, 3], flat(&points)).units("m"))
+        .array(&Variable::new("lines", &["line", "end"], &[lines.len(), 2], ends))
+        .array(&Variable::new("shapes", &["mode", "point", "direction"], &[modes, count, 3], moved))
+}

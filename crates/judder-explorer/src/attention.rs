@@ -1,0 +1,76 @@
+//! A short computation, and whether its reader is still there: an answer in one piece, while the desk gives streams.
+
+use crate::refusal::Refusal;
+use crate::routes::Site;
+use crate::subject::Subject;
+use axum::http::StatusCode;
+use judder_study::{Progress, StudyError};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+/// The longest that it may take: a law that is computed takes so long, a point does not.
+const LONGEST: Duration = Duration::from_secs(300);
+
+/// Whether somebody waits for the answer, and has not waited too long.
+#[derive(Debug)]
+pub(crate) struct Attention {
+    left: Arc<AtomicBool>,
+    closing: Arc<AtomicBool>,
+    start: Instant,
+}
+
+impl Attention {
+    /// The error of a computation: of an interrupted one, the reason.
+    pub(crate) fn refusal(&self, error: StudyError) -> Refusal {
+        if !self.interrupted() {
+            return error.into();
+        }
+        let seconds = LONGEST.as_secs();
+        let words = "this takes longer than";
+        Refusal::interrupted(format!(
+            "{words} the {seconds} s that a page waits; `judder point` takes its time: export the case"
+        ))
+    }
+}
+
+impl Progress for Attention {
+    fn begin(&self, _name: &str, _steps: usize) {}
+    fn expect(&self, _steps: usize) {}
+    fn advance(&self) {}
+    fn end(&self) {}
+
+    fn interrupted(&self) -> bool {
+        self.left.load(Ordering::Relaxed)
+            || self.closing.load(Ordering::Relaxed)
+            || self.start.elapsed() > LONGEST
+    }
+}
+
+/// Tells that the reader has gone, wherever the waiting for the answer ends.
+struct Leaving(Arc<AtomicBool>);
+
+impl Drop for Leaving {
+    fn drop(&mut self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+}
+
+/// Computes an answer beside the network's threads, a few at a time.
+pub(crate) async fn attended<T: Send + 'static>(
+    site: &Site,
+    work: impl FnOnce(&Subject, &Attention) -> Result<T, Refusal> + Send + 'static,
+) -> Result<T, Refusal> {
+    let leaving = Leaving(Arc::default());
+    let (left, closing) = (Arc::clone(&leaving.0), site.desk.closing());
+    // never closed: the permit comes
+    let stool = site.desk.stool().await;
+    let subject = Arc::clone(&site.subject);
+    let working = tokio::task::spawn_blocking(move || {
+        let _held = stool;
+        work(&subject, &Attention { left, closing, start: Instant::now() })
+    });
+    let broken =
+        "the computation broke off; this is a fault of judder, please report it with the address of the page";
+    working.await.map_err(|_| Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, broken))?
+}

@@ -1,0 +1,87 @@
+//! Errors as documents: what is wrong, where, what would be right.
+
+use axum::Json;
+use axum::http::StatusCode;
+use axum::response::{IntoResponse, Response};
+use judder_case::CaseError;
+use judder_study::StudyError;
+use serde_json::{Value, json};
+
+/// A request without an answer.
+#[derive(Debug)]
+pub(crate) struct Refusal {
+    status: StatusCode,
+    message: String,
+    help: Option<String>,
+    place: Option<Box<Value>>,
+}
+
+impl Refusal {
+    /// What is wrong; what stands behind the last semicolon is what would be right, as errors of judder have it.
+    pub(crate) fn new(status: StatusCode, sentence: impl Into<String>) -> Self {
+        let sentence = sentence.into();
+        let (message, help) = match sentence.rsplit_once("; ") {
+            Some((wrong, right)) => (wrong.to_owned(), Some(right.to_owned())),
+            None => (sentence, None),
+        };
+        Self { status, message, help, place: None }
+    }
+
+    /// The request is wrong.
+    pub(crate) fn wrong(sentence: impl Into<String>) -> Self {
+        Self::new(StatusCode::BAD_REQUEST, sentence)
+    }
+
+    /// There is no such thing.
+    pub(crate) fn missing(sentence: impl Into<String>) -> Self {
+        Self::new(StatusCode::NOT_FOUND, sentence)
+    }
+
+    /// It is too large.
+    pub(crate) fn too_large(sentence: impl Into<String>) -> Self {
+        Self::new(StatusCode::PAYLOAD_TOO_LARGE, sentence)
+    }
+
+    /// More requests wait already than are let wait.
+    pub(crate) fn busy(waiting: usize) -> Self {
+        let sentence = format!("{waiting} requests wait already; wait until one is done, or cancel one");
+        Self::new(StatusCode::SERVICE_UNAVAILABLE, sentence)
+    }
+
+    /// The work was given up.
+    pub(crate) fn interrupted(reason: String) -> Self {
+        Self::new(StatusCode::CONFLICT, reason)
+    }
+
+    /// The document `{"message", "place", "help"}`.
+    pub(crate) fn document(&self) -> Value {
+        json!({ "message": self.message, "place": self.place, "help": self.help })
+    }
+}
+
+impl From<CaseError> for Refusal {
+    fn from(error: CaseError) -> Self {
+        let place = error.line_and_column().map(|(line, column)| {
+            Box::new(json!({
+                "source": error.source_name(), "line": line, "column": column, "text": error.place(),
+            }))
+        });
+        let help = error.cause().help();
+        Self { status: StatusCode::UNPROCESSABLE_ENTITY, message: error.to_string(), help, place }
+    }
+}
+
+impl From<StudyError> for Refusal {
+    fn from(error: StudyError) -> Self {
+        match error {
+            StudyError::Case(error) => error.into(),
+            error => Self::new(StatusCode::UNPROCESSABLE_ENTITY, error.to_string()),
+        }
+    }
+}
+
+impl IntoResponse for Refusal {
+    fn into_response(self) -> Response {
+        (self.status, Json(json!({ "error": self.document() }))).into_response()
+    }
+}

@@ -1,0 +1,152 @@
+//! A request at work: its frames, its progress, its end.
+
+use crate::frame::Frame;
+use crate::refusal::Refusal;
+use axum::body::Bytes;
+use judder_study::Progress;
+use std::convert::Infallible;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+use tokio::sync::{mpsc, watch};
+
+/// The longest that a request may work.
+const LONGEST: Duration = Duration::from_secs(600);
+/// How often progress is told.
+const TELLING: Duration = Duration::from_millis(100);
+
+/// Why a request has no use any more.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Ended {
+    /// A newer one came to its slot.
+    Superseded,
+    /// Nobody listens any more.
+    Deserted,
+    /// It took too long.
+    TooLong,
+    /// The server ends.
+    Closing,
+}
+
+impl Ended {
+    fn reason(self) -> String {
+        match self {
+            Self::Superseded => "a newer request has taken its place".to_owned(),
+            Self::TooLong => format!(
+                "this takes longer than the {} s that a page waits; `judder run` takes its time: export the case",
+                LONGEST.as_secs()
+            ),
+            Self::Closing => "the program is ending".to_owned(),
+            Self::Deserted => "nobody waits for it any more".to_owned(),
+        }
+    }
+}
+
+/// Tells the frames of a request, and knows whether anybody still wants them.
+#[derive(Debug)]
+pub(crate) struct Reporter {
+    sender: mpsc::Sender<Result<Bytes, Infallible>>,
+    superseded: watch::Receiver<bool>,
+    closing: Arc<AtomicBool>,
+    start: Instant,
+    done: AtomicUsize,
+    expected: AtomicUsize,
+    told: Mutex<Option<Instant>>,
+}
+
+impl Reporter {
+    pub(crate) fn new(
+        sender: mpsc::Sender<Result<Bytes, Infallible>>,
+        superseded: watch::Receiver<bool>,
+        closing: Arc<AtomicBool>,
+    ) -> Self {
+        let (done, expected) = (AtomicUsize::new(0), AtomicUsize::new(0));
+        Self { sender, superseded, closing, start: Instant::now(), done, expected, told: Mutex::new(None) }
+    }
+
+    /// Waits until nobody wants the answer.
+    pub(crate) async fn given_up(&mut self) {
+        let superseded = &mut self.superseded;
+        let newer = async {
+            if superseded.wait_for(|superseded| *superseded).await.is_err() {
+                // no slot, nobody to supersede it
+                std::future::pending::<()>().await;
+            }
+        };
+        tokio::select! {
+            () = self.sender.closed() => {}
+            () = newer => {}
+        }
+    }
+
+    /// Sends a frame; to nobody where nobody listens.
+    pub(crate) fn tell(&self, frame: Frame) {
+        let _ = self.sender.blocking_send(Ok(Bytes::from(frame.bytes())));
+    }
+
+    /// Seconds since the request came.
+    pub(crate) fn seconds(&self) -> f64 {
+        self.start.elapsed().as_secs_f64()
+    }
+
+    /// Why the answer has no use any more; `None` while it has.
+    pub(crate) fn ended(&self) -> Option<Ended> {
+        match () {
+            () if *self.superseded.borrow() => Some(Ended::Superseded),
+            () if self.sender.is_closed() => Some(Ended::Deserted),
+            () if self.closing.load(Ordering::Relaxed) => Some(Ended::Closing),
+            () if self.start.elapsed() > LONGEST => Some(Ended::TooLong),
+            () => None,
+        }
+    }
+
+    /// What ends a stream that was told to its end.
+    pub(crate) fn last_frame(&self) -> Frame {
+        Frame::new("end").with("seconds", self.seconds())
+    }
+
+    /// The error of a computation; of one that was given up, the reason: a solver may have its own words for it.
+    pub(crate) fn refusal(&self, error: impl Into<Refusal>) -> Refusal {
+        match self.ended() {
+            Some(ended) => Refusal::interrupted(ended.reason()),
+            None => error.into(),
+        }
+    }
+
+    /// Whether progress shall be told now.
+    fn is_time(&self) -> bool {
+        let mut told = self.told.lock().unwrap_or_else(PoisonError::into_inner);
+        let now = Instant::now();
+        let due = told.is_none_or(|before| now.duration_since(before) >= TELLING);
+        if due {
+            *told = Some(now);
+        }
+        due
+    }
+}
+
+impl Progress for Reporter {
+    fn begin(&self, _name: &str, steps: usize) {
+        self.expected.store(steps, Ordering::Relaxed);
+    }
+
+    fn expect(&self, steps: usize) {
+        self.expected.fetch_add(steps, Ordering::Relaxed);
+    }
+
+    fn advance(&self) {
+        let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
+        if self.is_time() {
+            let frame =
+                Frame::new("progress").with("done", done).with("of", self.expected.load(Ordering::Relaxed));
+            // what does not fit now is told later: no work waits for it
+            let _ = self.sender.try_send(Ok(Bytes::from(frame.bytes())));
+        }
+    }
+
+    fn end(&self) {}
+
+    fn interrupted(&self) -> bool {
+        self.ended().is_some()
+    }
+}

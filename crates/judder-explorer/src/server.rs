@@ -1,0 +1,119 @@
+//! The listener on the loopback interface, its limits on connections, its end.
+
+use crate::desk::Desk;
+use crate::error::ExplorerError;
+use crate::gate::Gate;
+use crate::routes::{Site, router};
+use crate::subject::Subject;
+use hyper_util::rt::{TokioIo, TokioTimer};
+use hyper_util::service::TowerToHyperService;
+use std::io;
+use std::net::{Ipv4Addr, SocketAddr};
+use std::sync::Arc;
+use std::time::Duration;
+use tokio::net::{TcpListener, TcpStream};
+use tokio::sync::Semaphore;
+use tokio::time::{sleep, timeout};
+
+/// Connections at a time: a browser opens six.
+const CONNECTIONS: usize = 128;
+/// The longest that the head of a request may take to come; an idle connection is closed after it, too.
+const HEAD: Duration = Duration::from_secs(15);
+/// Bytes of the head of a request, at most.
+const HEAD_BYTES: usize = 16 << 10;
+/// How often the wish to end is looked at.
+const LOOK: Duration = Duration::from_millis(50);
+/// What answers that are being sent are given at the end.
+const FAREWELL: Duration = Duration::from_millis(500);
+/// Threads of the network; the work has its own.
+const THREADS: usize = 2;
+
+/// The page, ready to be served: the port is taken, nobody is answered yet.
+#[derive(Debug)]
+pub struct Explorer {
+    listener: std::net::TcpListener,
+    site: Arc<Site>,
+}
+
+impl Explorer {
+    /// Takes a port of the loopback interface: this one, or any that is free.
+    ///
+    /// # Errors
+    /// [`ExplorerError::Bind`], [`ExplorerError::NoRandomness`].
+    pub fn new(subject: Subject, port: Option<u16>) -> Result<Self, ExplorerError> {
+        let address = SocketAddr::from((Ipv4Addr::LOCALHOST, port.unwrap_or(0)));
+        let failed = |source| ExplorerError::Bind { address, source };
+        let listener = std::net::TcpListener::bind(address).map_err(failed)?;
+        listener.set_nonblocking(true).map_err(failed)?;
+        let port = listener.local_addr().map_err(failed)?.port();
+        let site = Site { subject: Arc::new(subject), gate: Gate::new(port)?, desk: Arc::new(Desk::new()) };
+        Ok(Self { listener, site: Arc::new(site) })
+    }
+
+    /// The address to open: it holds the token that lets a browser in.
+    #[must_use]
+    pub fn address(&self) -> String {
+        self.site.gate.address()
+    }
+
+    /// Serves the page until `stopped` says so; whatever works then is cancelled.
+    ///
+    /// # Errors
+    /// [`ExplorerError::Start`].
+    pub fn serve(self, stopped: &dyn Fn() -> bool) -> Result<(), ExplorerError> {
+        let runtime = tokio::runtime::Builder::new_multi_thread()
+            .worker_threads(THREADS)
+            .enable_all()
+            .build()
+            .map_err(ExplorerError::Start)?;
+        let served = runtime.block_on(self.accept(stopped));
+        // a solver amid an iteration is not waited for
+        runtime.shutdown_timeout(FAREWELL);
+        served
+    }
+
+    async fn accept(self, stopped: &dyn Fn() -> bool) -> Result<(), ExplorerError> {
+        let Self { listener, site } = self;
+        let listener = TcpListener::from_std(listener).map_err(ExplorerError::Start)?;
+        let connections = Arc::new(Semaphore::new(CONNECTIONS));
+        while !stopped() {
+            let Ok(room) = timeout(LOOK, Arc::clone(&connections).acquire_owned()).await else { continue };
+            match timeout(LOOK, listener.accept()).await {
+                Ok(Ok((stream, _))) => {
+                    let site = Arc::clone(&site);
+                    tokio::spawn(async move {
+                        answer(stream, site).await;
+                        drop(room);
+                    });
+                }
+                Ok(Err(error)) => pause(&error).await,
+                Err(_) => {}
+            }
+        }
+        drop(listener);
+        site.desk.close();
+        let _ = timeout(FAREWELL, connections.acquire_many(CONNECTIONS as u32)).await;
+        Ok(())
+    }
+}
+
+/// Waits after an error that comes again at once, such as too many open files.
+async fn pause(error: &io::Error) {
+    let of_this_connection =
+        matches!(error.kind(), io::ErrorKind::ConnectionAborted | io::ErrorKind::ConnectionReset);
+    if !of_this_connection {
+        sleep(LOOK).await;
+    }
+}
+
+/// Answers the requests of a connection.
+async fn answer(stream: TcpStream, site: Arc<Site>) {
+    let service = TowerToHyperService::new(router(site));
+    let connection = hyper::server::conn::http1::Builder::new()
+        .timer(TokioTimer::new())
+        .header_read_timeout(HEAD)
+        .max_buf_size(HEAD_BYTES)
+        .serve_connection(TokioIo::new(stream), service);
+    // a client that breaks off is no news
+    let _ = connection.await;
+}

@@ -1,0 +1,110 @@
+//! How much a page may ask for, and be sent.
+
+use crate::refusal::Refusal;
+use judder_store::{Data, Variable};
+use serde_json::{Map, Value};
+
+/// Grid points of a map, at most.
+pub(crate) const MAP_POINTS: u64 = 4_000_000;
+/// Points, samples, modes of any other analysis, at most.
+const COUNT: u64 = 1_000_000;
+/// Bytes of an answer, at most.
+const ANSWER_BYTES: usize = 256 << 20;
+/// Keys of an analysis that count something.
+const COUNTED: [&str; 4] = ["points", "samples", "count", "steps"];
+/// Steps of one motion, at most.
+const STEPS: u64 = 50_000_000;
+
+/// Refuses an analysis that is larger than a page needs, before memory is laid out for it.
+///
+/// # Errors
+/// What is too large, and what would not be.
+pub(crate) fn check_analysis(analysis: &Map<String, Value>) -> Result<(), Refusal> {
+    let side = |axis: &str| analysis.get(axis)?.get("points")?.as_u64();
+    if let (Some(columns), Some(rows)) = (side("x"), side("y"))
+        && columns.checked_mul(rows).is_none_or(|points| points > MAP_POINTS)
+    {
+        return Err(Refusal::too_large(format!(
+            "a map of {columns} × {rows} points is more than a page shows; ask for {MAP_POINTS} points at most, or export the case for `judder run`"
+        )));
+    }
+    if analysis.contains_key("memory") {
+        return Err(Refusal::wrong("`memory` cannot be set from the page; export the case and set it there"));
+    }
+    check_counts(analysis)
+}
+
+fn check_counts(table: &Map<String, Value>) -> Result<(), Refusal> {
+    for (key, value) in table {
+        let most = if key == "steps" { STEPS } else { COUNT };
+        match value {
+            Value::Number(number)
+                if COUNTED.contains(&key.as_str()) && number.as_f64().is_none_or(|n| n > most as f64) =>
+            {
+                return Err(Refusal::too_large(format!(
+                    "`{key} = {number}` is more than a page asks for; give {most} at most"
+                )));
+            }
+            Value::Object(table) => check_counts(table)?,
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+/// Refuses arrays that are too large to send.
+///
+/// # Errors
+/// Their size.
+pub(crate) fn check_answer(variables: &[Variable]) -> Result<(), Refusal> {
+    let bytes: usize = variables.iter().map(|variable| width(&variable.data) * variable.data.len()).sum();
+    if bytes <= ANSWER_BYTES {
+        return Ok(());
+    }
+    Err(Refusal::too_large(format!(
+        "the answer has {} MiB; a page is sent {} MiB at most: export the case, `judder run` stores it",
+        bytes >> 20,
+        ANSWER_BYTES >> 20
+    )))
+}
+
+/// Bytes of a value; of a text, a guess.
+fn width(data: &Data) -> usize {
+    match data {
+        Data::U8(_) => 1,
+        Data::F64(_) | Data::I64(_) => 8,
+        Data::Complex(_) | Data::Text(_) => 16,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    fn check(analysis: Value) -> Result<(), Refusal> {
+        check_analysis(analysis.as_object().unwrap())
+    }
+
+    #[test]
+    fn what_a_page_shows_is_let_through() {
+        assert!(check(json!({ "x": { "points": 2000 }, "y": { "points": 2000 } })).is_ok());
+        assert!(check(json!({ "kind": "motion", "points": 20001, "steps": 1_000_000 })).is_ok());
+    }
+
+    #[test]
+    fn what_would_take_all_memory_is_not() {
+        for analysis in [
+            json!({ "x": { "points": 31623 }, "y": { "points": 31623 } }),
+            json!({ "x": { "points": u64::MAX }, "y": { "points": 2 } }),
+            json!({ "x": { "points": 1e9 }, "y": { "points": 1 } }),
+            json!({ "points": 1_000_000_000 }),
+            json!({ "points": 1e300 }),
+            json!({ "sweep": { "points": 10_000_000 } }),
+            json!({ "steps": 1_000_000_000_000_u64 }),
+            json!({ "memory": "100 GB" }),
+        ] {
+            assert!(check(analysis.clone()).is_err(), "{analysis}");
+        }
+    }
+}

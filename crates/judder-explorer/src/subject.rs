@@ -1,0 +1,117 @@
+//! What is explored: the base case with the laws of its views, and the study folder with the pair that slides in it.
+
+use crate::error::ExplorerError;
+use crate::refusal::Refusal;
+use judder_case::{Case, CaseFile, TEMPLATES, template};
+use judder_study::StudyError;
+use judder_study::law_cache::LawCache;
+use judder_study::sliding_shapes::{ShapedPair, SlidingShapes};
+use judder_study::study_view::StudyView;
+use std::fmt;
+use std::path::Path;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// The base case, which views change, and what was run before.
+#[derive(Debug)]
+pub struct Subject {
+    /// The case; a study whose case cannot be read any more is looked at without one.
+    base: Option<CaseFile>,
+    /// The laws of the views that were looked at last.
+    pub(crate) laws: LawCache,
+    /// The study folder.
+    pub(crate) study: Option<Studied>,
+}
+
+/// A study folder, and the pair of its case, made when its shapes are first asked for.
+pub(crate) struct Studied {
+    pub(crate) view: StudyView,
+    case: Option<CaseFile>,
+    pair: Mutex<Option<Arc<ShapedPair>>>,
+}
+
+impl fmt::Debug for Studied {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.debug_struct("Studied").field("view", &self.view).finish_non_exhaustive()
+    }
+}
+
+impl Subject {
+    /// Reads the case and looks into the study folder. Without a case, that of the study is explored; without either, the template of an
+    /// oscillator.
+    ///
+    /// # Errors
+    /// A case that is wrong, a folder without a study.
+    pub fn open(case: Option<&Path>, study: Option<&Path>) -> Result<Self, ExplorerError> {
+        let given = case.map(|path| CaseFile::read(path, &[])).transpose()?;
+        let study = study.map(|folder| Studied::open(folder, given.as_ref())).transpose()?;
+        let base = match (given, &study) {
+            (Some(given), _) => Some(given),
+            (None, Some(study)) => study.case.clone(),
+            (None, None) => Some(CaseFile::parse("oscillator.toml", &template(TEMPLATES[0])?, &[])?),
+        };
+        Ok(Self { base, laws: LawCache::new(), study })
+    }
+
+    /// The base case, where there is one.
+    pub(crate) fn base(&self) -> Option<&CaseFile> {
+        self.base.as_ref()
+    }
+
+    /// The base case with these options.
+    ///
+    /// # Errors
+    /// What is wrong with them, or no case to set them on.
+    pub(crate) fn with(&self, options: &[String]) -> Result<CaseFile, Refusal> {
+        let base = self.needed()?;
+        Ok(CaseFile::parse(&base.origin, &base.text, &[&base.overrides, options].concat())?)
+    }
+
+    /// The base case.
+    ///
+    /// # Errors
+    /// There is none.
+    pub(crate) fn needed(&self) -> Result<&CaseFile, Refusal> {
+        let none = "the study that is looked at has no case that can be read; give its case file to `judder explore`, with `--study`";
+        self.base().ok_or_else(|| Refusal::missing(none))
+    }
+}
+
+impl Studied {
+    fn open(folder: &Path, given: Option<&CaseFile>) -> Result<Self, ExplorerError> {
+        let view = StudyView::open(folder)?;
+        view.listing()?;
+        // files that the case names may lie elsewhere by now: then the case that was given speaks for it
+        let case = view.case_file().ok().or_else(|| given.cloned());
+        Ok(Self { view, case, pair: Mutex::default() })
+    }
+
+    /// The shapes in which the pair of the study swings at a position.
+    ///
+    /// # Errors
+    /// A study of no pair, a position off the track, eigenvalues that are not found.
+    pub(crate) fn shapes(
+        &self,
+        analysis: &str,
+        position: f64,
+        count: usize,
+    ) -> Result<SlidingShapes, Refusal> {
+        let case = self.case.as_ref().filter(|case| matches!(case.case, Case::Sliding(_)));
+        let Some(case) = case else {
+            return Err(Refusal::wrong(
+                "coupled shapes are those of a sliding case; this study has none that can be read",
+            ));
+        };
+        Ok(self.pair(case)?.at(analysis, position, Some(count))?)
+    }
+
+    /// The pair, reduced once.
+    fn pair(&self, case: &CaseFile) -> Result<Arc<ShapedPair>, StudyError> {
+        let mut pair = self.pair.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(pair) = &*pair {
+            return Ok(Arc::clone(pair));
+        }
+        let made = Arc::new(ShapedPair::new(case)?);
+        *pair = Some(Arc::clone(&made));
+        Ok(made)
+    }
+}

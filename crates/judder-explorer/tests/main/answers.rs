@@ -1,0 +1,189 @@
+//! What the page is told.
+
+use crate::client::Served;
+use judder_case::{CaseFile, template};
+use judder_study::Silent;
+use judder_study::analyses;
+use serde_json::{Value, json};
+
+const OPTIONS: [&str; 2] = ["operation.velocity=1e-3", "contact.shear_strength=20 kPa"];
+
+fn base() -> String {
+    template("oscillator").unwrap()
+}
+
+fn axis(key: &str, from: f64, to: f64, points: usize) -> Value {
+    json!({ "key": key, "from": from, "to": to, "points": points, "scale": "log" })
+}
+
+fn map() -> Value {
+    json!({
+        "name": "map", "kind": "stability-map", "boundaries": false,
+        "x": axis("operation.velocity", 1e-8, 1e2, 61), "y": axis("contact.shear_strength", 1e-4, 1.0, 51),
+    })
+}
+
+#[test]
+fn the_session_has_the_case_and_its_keys() {
+    let served = Served::new();
+    let session = served.get("/api/session").json();
+    assert_eq!(session["case"]["model"], "oscillator");
+    assert_eq!(session["case"]["text"], base());
+    assert_eq!(session["keys"].as_array().unwrap().len(), 16);
+    assert_eq!(session["map"]["x"]["key"], "operation.velocity");
+    for key in session["keys"].as_array().unwrap() {
+        assert!(key["slider"]["from"].as_f64() < key["slider"]["to"].as_f64(), "{key}");
+        let says_twice = key["path"] == "substrate.relaxation_time";
+        assert_eq!(key["settable"], !says_twice, "{key}");
+    }
+}
+
+#[test]
+fn a_point_is_that_of_the_command() {
+    let served = Served::new();
+    let answer = served.post("/api/point", &json!({ "set": OPTIONS })).json();
+    let file = CaseFile::parse("oscillator.toml", &base(), &OPTIONS.map(String::from)).unwrap();
+    let judder_case::Case::Oscillator(case) = &file.case else { panic!() };
+    let point = judder_study::point::point(case).unwrap();
+    assert_eq!(answer["point"], point.json());
+    let growth = point.steady.growth_rate() * 40.0;
+    assert!((answer["dimensional"]["growth_rate_per_s"].as_f64().unwrap() - growth).abs() < 1e-12);
+    let stress = answer["dimensional"]["shear_strength_pa"].as_f64().unwrap();
+    assert!((stress - 2e4).abs() < 1e-9, "{stress}");
+    for (mode, value) in answer["modes"].as_array().unwrap().iter().zip(point.steady.eigenvalues) {
+        assert_eq!(mode["eigenvalue"], json!([value.re, value.im]));
+    }
+}
+
+#[test]
+fn keys_have_both_forms() {
+    let served = Served::new();
+    let answer = served.post("/api/case", &json!({ "set": OPTIONS })).json();
+    let value = |path: &str| {
+        let values = answer["values"].as_array().unwrap();
+        values.iter().find(|value| value["path"] == path).unwrap().clone()
+    };
+    assert_eq!(value("operation.velocity")["group"], 1e-3);
+    assert!((value("operation.velocity")["si"].as_f64().unwrap() - 1e-3).abs() < 1e-15, "R/τ is 1 m/s");
+    assert_eq!(value("contact.shear_strength")["form"], "si");
+    assert!((value("contact.shear_strength")["group"].as_f64().unwrap() - 0.015).abs() < 1e-15);
+    assert_eq!(value("oscillator.damping_x")["si"], Value::Null);
+}
+
+#[test]
+fn a_map_comes_coarse_then_exact_then_with_its_boundaries() {
+    let served = Served::new();
+    let answer = served
+        .post("/api/map", &json!({ "set": [], "analysis": map(), "boundaries": ["conservative", "full"] }));
+    let frames = answer.frames();
+    let kinds: Vec<&str> = frames.iter().map(crate::client::Frame::kind).collect();
+    assert_eq!(kinds, ["map", "map", "boundary", "boundary", "end"]);
+    assert_eq!((&frames[0].header["stage"], &frames[1].header["stage"]), (&json!("coarse"), &json!("exact")));
+    let (x, y, classes) = (frames[1].reals("x"), frames[1].reals("y"), frames[1].codes("classes"));
+    assert_eq!((x.len(), y.len(), classes.len()), (61, 51, 61 * 51));
+    let coarse = (frames[0].reals("x"), frames[0].reals("y"), frames[0].codes("classes"));
+    for (row, value) in coarse.1.iter().enumerate() {
+        let exact_row = y.iter().position(|y| y == value).unwrap();
+        for (column, value) in coarse.0.iter().enumerate() {
+            let exact_column = x.iter().position(|x| x == value).unwrap();
+            assert_eq!(coarse.2[row * coarse.0.len() + column], classes[exact_row * 61 + exact_column]);
+        }
+    }
+    assert_eq!(frames[2].header["name"], "conservative");
+    assert!(frames[3].reals("frequency").iter().any(|frequency| *frequency > 0.5));
+}
+
+#[test]
+fn the_exported_case_gives_the_same_map_to_the_command() {
+    let served = Served::new();
+    let view = json!({ "set": OPTIONS, "analysis": map() });
+    let text = served.post("/api/export", &view).text();
+    assert!(text.contains("# A case of judder"), "comments are kept");
+    let file = CaseFile::parse("exported.toml", &text, &[]).unwrap();
+    assert_eq!(file.case.analysis_names(), ["map"]);
+    let outcome = analyses::run(&file.case, 0, &Silent).unwrap();
+    let judder_store::Data::U8(codes) = &outcome.dataset.variable("stability").unwrap().data else {
+        panic!()
+    };
+    let frames = served.post("/api/map", &view).frames();
+    assert_eq!(codes, &frames[1].codes("classes"));
+    assert_eq!(outcome.scalars["unstable_fraction"], frames[1].header["unstable_fraction"]);
+}
+
+#[test]
+fn an_analysis_is_that_of_a_run() {
+    let served = Served::new();
+    let analysis =
+        json!({ "name": "loci", "kind": "spectrum", "sweep": axis("contact.shear_strength", 1e-3, 0.3, 31) });
+    let view = json!({ "set": OPTIONS, "analysis": analysis });
+    let frames = served.post("/api/analysis", &view).frames();
+    let outcome = frames.iter().find(|frame| frame.kind() == "outcome").unwrap();
+    let text = served.post("/api/export", &view).text();
+    let run = analyses::run(&CaseFile::parse("x.toml", &text, &[]).unwrap().case, 0, &Silent).unwrap();
+    assert_eq!(outcome.header["scalars"], Value::Object(run.scalars));
+    let names: Vec<&str> = run.dataset.variables().iter().map(|variable| variable.name.as_str()).collect();
+    let told = outcome.header["arrays"].as_array().unwrap();
+    assert_eq!(told.iter().map(|array| array["name"].as_str().unwrap()).collect::<Vec<_>>(), names);
+}
+
+#[test]
+fn a_motion_is_shown_while_it_is_computed() {
+    let served = Served::new();
+    let analysis = json!({ "name": "motion", "kind": "motion", "duration": 3000.0, "points": 30_001 });
+    let view = json!({ "set": ["contact.shear_strength=0.1"], "analysis": analysis });
+    let frames = served.post("/api/motion", &view).frames();
+    let blocks: Vec<_> = frames.iter().filter(|frame| frame.kind() == "block").collect();
+    assert!(blocks.len() > 3, "{}", blocks.len());
+    let outcome = frames.iter().find(|frame| frame.kind() == "outcome").unwrap();
+    for name in ["time", "x", "y", "velocity_x"] {
+        let shown: Vec<f64> = blocks.iter().flat_map(|block| block.reals(name)).collect();
+        assert_eq!(shown, outcome.reals(name), "{name}");
+    }
+    let states: Vec<u8> = blocks.iter().flat_map(|block| block.codes("contact_state")).collect();
+    assert_eq!(states, outcome.codes("contact_state"));
+}
+
+#[test]
+fn the_contact_of_an_oscillator_is_a_contact_case() {
+    let served = Served::new();
+    let analysis = json!({ "name": "modulus", "kind": "modulus" });
+    let view =
+        json!({ "model": "contact", "set": ["substrate.glassy_modulus=20 MPa"], "analysis": analysis });
+    let frames = served.post("/api/analysis", &view).frames();
+    assert_eq!(frames.last().unwrap().kind(), "end", "{:?}", frames.last());
+    let text = served.post("/api/export", &view).text();
+    assert!(text.contains("model = \"contact\"") && text.contains("20 MPa"), "{text}");
+}
+
+#[test]
+fn a_law_is_a_surface() {
+    let served = Served::new();
+    let range = |from: f64, to: f64, points: usize| json!({ "from": from, "to": to, "points": points });
+    let body = json!({ "velocity": range(1e-4, 1.0, 5), "indentation": range(1e-3, 1e-1, 3) });
+    let frames = served.post("/api/law", &body).frames();
+    let law = &frames[0];
+    assert_eq!((law.reals("velocity").len(), law.reals("force").len()), (5, 15));
+    assert!(law.reals("force").windows(6).all(|forces| forces[5] > forces[0]), "deeper is harder");
+    assert_eq!(
+        served
+            .post("/api/law", &json!({ "velocity": range(0.0, 1.0, 5), "indentation": range(1.0, 2.0, 3) }))
+            .status,
+        400
+    );
+}
+
+#[test]
+fn what_is_wrong_is_told_with_its_place() {
+    let served = Served::new();
+    let answer = served.post("/api/point", &json!({ "set": ["operation.velocity=1 N"] }));
+    assert_eq!(answer.status, 422);
+    let error = &answer.json()["error"];
+    assert_eq!(error["message"], "`operation.velocity` must be a speed, but this is a force");
+    assert_eq!(error["place"]["text"], "1 N");
+    assert!(error["help"].as_str().unwrap().contains("30 mm/s"));
+    let mut analysis = map();
+    analysis["x"]["key"] = json!("operation.sped");
+    let frames = served.post("/api/map", &json!({ "analysis": analysis })).frames();
+    assert_eq!(frames[0].kind(), "error");
+    assert!(frames[0].header["error"]["message"].as_str().unwrap().contains("operation.sped"));
+}

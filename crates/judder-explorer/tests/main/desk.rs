@@ -1,0 +1,120 @@
+//! Many requests, large requests, requests that nobody wants any more.
+
+use crate::client::{Answer, Served};
+use serde_json::{Value, json};
+use std::io::{Read, Write};
+
+/// A map whose every point is decided: the longest map that a page may ask for.
+fn map(points: u64, slot: Option<&str>) -> Value {
+    json!({
+        "analysis": {
+            "name": "map", "kind": "stability-map",
+            "x": { "key": "operation.velocity", "from": 1e-8, "to": 1e2, "points": points, "scale": "log" },
+            "y": { "key": "contact.shear_strength", "from": 1e-4, "to": 1.0, "points": points, "scale": "log" },
+        },
+        "boundaries": ["full", "conservative", "decoupled"],
+        "slot": slot,
+    })
+}
+
+/// A motion that takes minutes.
+fn long_motion(slot: Option<&str>) -> Value {
+    json!({
+        "set": ["contact.shear_strength=0.1"],
+        "analysis": { "name": "motion", "kind": "motion", "duration": 1e7, "steps": 50_000_000, "points": 1_000_000 },
+        "slot": slot,
+    })
+}
+
+#[test]
+fn a_map_of_a_thousand_million_points_is_refused() {
+    let served = Served::new();
+    let answer = served.post("/api/map", &map(31_623, None));
+    assert_eq!(answer.status, 413);
+    assert!(
+        answer.error().contains("31623 × 31623 points") && answer.error().contains("judder run"),
+        "{}",
+        answer.error()
+    );
+    for analysis in [
+        json!({ "name": "m", "kind": "motion", "points": 1_000_000_000 }),
+        json!({ "name": "s", "kind": "spectrum", "sweep": { "key": "operation.velocity", "from": 1, "to": 2, "points": 1e12 } }),
+    ] {
+        assert_eq!(served.post("/api/analysis", &json!({ "analysis": analysis })).status, 413);
+    }
+}
+
+#[test]
+fn a_hundred_heavy_requests_leave_the_page_alive() {
+    let served = Served::new();
+    let request = served.request("/api/motion", &long_motion(None).to_string());
+    let connections: Vec<_> = (0..100)
+        .map(|_| {
+            let mut stream = served.connect();
+            stream.write_all(request.as_bytes()).unwrap();
+            stream
+        })
+        .collect();
+    // the page, a point and a map are answered while those are at work or wait
+    assert_eq!(served.get("/api/session").status, 200);
+    assert_eq!(served.get("/").status, 200);
+    assert_eq!(served.post("/api/point", &json!({})).status, 200);
+    let (mut refused, mut streams) = (0, Vec::new());
+    for mut stream in connections {
+        let mut start = [0; 12];
+        stream.read_exact(&mut start).unwrap();
+        match &start[9..] {
+            b"503" => refused += 1,
+            b"200" => streams.push(stream),
+            other => panic!("{other:?}"),
+        }
+    }
+    assert_eq!((refused, streams.len()), (84, 16), "four work, twelve wait, the others are told so");
+    drop(streams);
+    // who goes makes room
+    let answer = served.post("/api/map", &map(40, None));
+    assert_eq!(answer.frames().last().unwrap().kind(), "end");
+}
+
+#[test]
+fn a_newer_request_cancels_the_older_at_once() {
+    let served = Served::new();
+    let mut older = served.connect();
+    older
+        .write_all(served.request("/api/motion", &long_motion(Some("tab/motion")).to_string()).as_bytes())
+        .unwrap();
+    let mut start = [0; 2048];
+    assert!(older.read(&mut start).unwrap() > 0, "it works");
+    // another slot does not touch it
+    let other = served.post("/api/map", &map(40, Some("tab/map")));
+    assert_eq!(other.frames().last().unwrap().kind(), "end");
+    let short =
+        json!({ "analysis": { "name": "motion", "kind": "motion", "duration": 1.0 }, "slot": "tab/motion" });
+    let newer = served.post("/api/motion", &short);
+    assert_eq!(newer.frames().last().unwrap().kind(), "end", "{:?}", newer.frames().last());
+    let mut rest = Vec::new();
+    older.read_to_end(&mut rest).unwrap();
+    let rest = String::from_utf8_lossy(&rest);
+    assert!(rest.contains("a newer request has taken its place"), "the older stream ends, and says why");
+}
+
+#[test]
+fn a_superseded_request_that_waits_never_works() {
+    let served = Served::new();
+    let send = |slot: String| {
+        let mut stream = served.connect();
+        stream
+            .write_all(served.request("/api/motion", &long_motion(Some(&slot)).to_string()).as_bytes())
+            .unwrap();
+        let mut start = [0; 12];
+        stream.read_exact(&mut start).unwrap();
+        stream
+    };
+    let _working: Vec<_> = (0..4).map(|number| send(format!("working/{number}"))).collect();
+    // twelve places, and one drag that asks forty times: each takes the place of the one before
+    let waiting: Vec<_> = (0..40).map(|_| send("drag".to_owned())).collect();
+    for mut stream in waiting.into_iter().take(39) {
+        let answer = Answer::read(&mut stream);
+        assert!(answer.body.len() < 400, "nothing was computed: {} bytes", answer.body.len());
+    }
+}

@@ -1,0 +1,9 @@
+//! The page's server from outside: what it answers, and what it withstands.
+
+#![allow(clippy::expect_used, clippy::panic, clippy::unwrap_used)]
+
+mod answers;
+mod attacks;
+mod client;
+mod desk;
+mod study;

@@ -1,0 +1,128 @@
+//! The study folder: what lies in it is shown, what lies beside it is not.
+
+use crate::client::Served;
+use judder_case::CaseFile;
+use judder_study::Silent;
+use judder_study::run::{RunOptions, run};
+use serde_json::{Value, json};
+use std::fs;
+use std::path::{Path, PathBuf};
+use tempfile::TempDir;
+
+const CASE: &str = r#"
+title = "A small study"
+model = "oscillator"
+
+[contact]
+shear_strength = 0.05
+
+[[analysis]]
+name = "damping"
+kind = "equivalent-damping"
+sweep = { key = "operation.velocity", from = 1e-5, to = 1e-2, points = 7, scale = "log" }
+"#;
+
+/// A folder with a study in it, and a secret beside the study.
+fn desk() -> (TempDir, PathBuf) {
+    let desk = tempfile::tempdir().unwrap();
+    let folder = desk.path().join("study");
+    let file = CaseFile::parse("small.toml", CASE, &[]).unwrap();
+    run(&file, &folder, &RunOptions::default(), &Silent).unwrap();
+    fs::write(folder.join("tone.wav"), b"RIFF of a tone").unwrap();
+    fs::write(desk.path().join("secret.wav"), b"RIFF of a secret").unwrap();
+    (desk, folder)
+}
+
+fn served(folder: &Path) -> Served {
+    Served::of(None, Some(folder))
+}
+
+#[test]
+fn a_study_is_listed_and_its_case_explored() {
+    let (_desk, folder) = desk();
+    let served = served(&folder);
+    let session = served.get("/api/session").json();
+    assert_eq!((&session["title"], &session["study"]["name"]), (&json!("A small study"), &json!("study")));
+    let study = served.get("/api/study").json();
+    assert_eq!(study["analyses"][0]["kind"], "equivalent-damping");
+    assert_eq!(study["sounds"], json!([{ "path": "tone.wav", "bytes": 14 }]));
+    let point = served.post("/api/point", &json!({})).json();
+    assert_eq!(point["point"]["groups"]["shear_strength"], 0.05);
+}
+
+#[test]
+fn arrays_are_those_of_the_folder() {
+    let (_desk, folder) = desk();
+    let served = served(&folder);
+    let wanted = |analysis: &str, variables: Value| json!({ "analysis": analysis, "variables": variables });
+    let frames = served.post("/api/study/arrays", &wanted("damping", json!(["equivalent_damping"]))).frames();
+    assert_eq!(frames[0].reals("equivalent_damping").len(), 7);
+    for (analysis, variable) in [
+        ("damping", "nothing"),
+        ("nothing", "x"),
+        ("../study/damping", "equivalent_damping"),
+        ("damping", "../damping/equivalent_damping"),
+        ("damping", "/etc/passwd"),
+        ("", ""),
+        (".", "damping"),
+        ("..", "secret.wav"),
+        ("damping\u{0}", "x"),
+    ] {
+        let frames = served.post("/api/study/arrays", &wanted(analysis, json!([variable]))).frames();
+        assert_eq!(frames[0].kind(), "error", "{analysis} {variable}");
+    }
+    assert_eq!(served.post("/api/study/arrays", &wanted("damping", json!(vec!["x"; 33]))).status, 413);
+}
+
+#[test]
+fn sounds_come_from_the_folder_alone() {
+    let (desk, folder) = desk();
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink(desk.path().join("secret.wav"), folder.join("link.wav")).unwrap();
+        std::os::unix::fs::symlink(desk.path(), folder.join("up")).unwrap();
+    }
+    let served = served(&folder);
+    let tone = served.get("/api/study/sound/tone.wav");
+    assert_eq!((tone.status, tone.header("content-type")), (200, Some("audio/wav")));
+    assert_eq!(tone.text(), "RIFF of a tone");
+    let secret = desk.path().join("secret.wav").display().to_string();
+    for path in [
+        "../secret.wav".to_owned(),
+        "..%2fsecret.wav".to_owned(),
+        "%2e%2e/secret.wav".to_owned(),
+        "..%5csecret.wav".to_owned(),
+        "....//secret.wav".to_owned(),
+        "link.wav".to_owned(),
+        "up/secret.wav".to_owned(),
+        "./../study/../secret.wav".to_owned(),
+        secret.clone(),
+        format!("%2f{}", &secret[1..]),
+        "summary.json".to_owned(),
+        "tone.wav%00".to_owned(),
+        "tone.wav/".to_owned(),
+    ] {
+        let answer = served.get(&format!("/api/study/sound/{path}"));
+        assert!([400, 404].contains(&answer.status), "{path}: {}", answer.status);
+        assert!(
+            !answer.text().contains("a secret") && !answer.text().contains(&secret),
+            "{path}: {}",
+            answer.text()
+        );
+    }
+    let listed = served.get("/api/study").json();
+    assert_eq!(listed["sounds"].as_array().unwrap().len(), 1, "{listed}");
+}
+
+#[test]
+fn without_a_study_there_is_none() {
+    let served = Served::new();
+    let answer = served.get("/api/study");
+    assert_eq!(answer.status, 404);
+    assert!(answer.error().contains("judder run"), "{}", answer.error());
+    let shapes = json!({ "analysis": "locus", "at": 0.05 });
+    assert_eq!(served.post("/api/study/shapes", &shapes).status, 404);
+    let (_desk, folder) = desk();
+    let frames = self::served(&folder).post("/api/study/shapes", &shapes).frames();
+    assert!(frames[0].header["error"]["message"].as_str().unwrap().contains("sliding case"), "{frames:?}");
+}

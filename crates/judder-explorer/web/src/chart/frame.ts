@@ -1,0 +1,98 @@
+/** The geometry of a chart: where the plot lies, and from values to pixels. */
+
+import { legendRows, type Entry, ROW } from "./legend";
+import { widthOf } from "./markup";
+import { type Window, fraction, rangeOf, stretch, shrink, valueAt } from "./scale";
+import { type ChartSpec, type Layer, isRaster } from "./spec";
+import { LABEL_SIZE, SMALL_SIZE } from "./text";
+import { type Ticks, ticks } from "./ticks";
+
+export interface Size {
+  readonly width: number;
+  readonly height: number;
+}
+
+export interface Frame {
+  readonly left: number;
+  readonly top: number;
+  readonly width: number;
+  readonly height: number;
+  readonly window: Window;
+  readonly xTicks: Ticks;
+  readonly yTicks: Ticks;
+  /** Pixels of a value; NaN where it has no place. */
+  readonly px: (value: number) => number;
+  readonly py: (value: number) => number;
+}
+
+/** What a chart shows at first. */
+export function homeWindow(spec: ChartSpec): Window {
+  const lists = (across: "x" | "y") => spec.layers.flatMap((layer) => extent(layer, across));
+  const padding = spec.layers.some(isRaster) ? 0 : 0.04;
+  return {
+    x: spec.x.range ?? rangeOf(spec.x.scale, lists("x"), spec.layers.some((layer) => layer.kind === "points") ? padding : 0),
+    y: spec.y.range ?? rangeOf(spec.y.scale, lists("y"), padding),
+  };
+}
+
+function extent(layer: Layer, across: "x" | "y"): ArrayLike<number>[] {
+  switch (layer.kind) {
+    case "rule":
+      return layer.across === across ? [[layer.at]] : [];
+    case "bands":
+      return (layer.across ?? "x") === across ? [layer.from, layer.to] : [];
+    case "area":
+      return across === "x" ? [layer.x] : [layer.lower, layer.upper];
+    default:
+      return [layer[across]];
+  }
+}
+
+/** Room for labels: one for about so many pixels. */
+const [ACROSS, UP] = [76, 44];
+const BAR_ROOM = 86;
+
+export function frameOf(spec: ChartSpec, window: Window, size: Size, entries: readonly Entry[]): Frame {
+  const top = 14 + ROW * legendRows(entries, size.width).length;
+  const bottom = 26 + LABEL_SIZE + 8;
+  const right = spec.layers.some((layer) => layer.kind === "values") ? BAR_ROOM : 22;
+  const height = Math.max(size.height - top - bottom, 1);
+  const guess = ticks(spec.y.scale, window.y, height / UP);
+  const widest = Math.max(0, ...guess.major.map((tick) => widthOf(tick.label) * SMALL_SIZE));
+  const left = Math.min(Math.ceil(widest) + LABEL_SIZE + 22, Math.max(size.width / 3, 30));
+  const width = Math.max(size.width - left - right, 1);
+  const shown = spec.equal ? equalised(spec, window, width / height) : window;
+  return {
+    left,
+    top,
+    width,
+    height,
+    window: shown,
+    xTicks: ticks(spec.x.scale, shown.x, width / ACROSS),
+    yTicks: ticks(spec.y.scale, shown.y, height / UP),
+    px: (value) => left + width * fraction(spec.x.scale, shown.x, value),
+    py: (value) => top + height * (1 - fraction(spec.y.scale, shown.y, value)),
+  };
+}
+
+/** The window made wider or higher, so that units are equally long on both axes. */
+function equalised(spec: ChartSpec, window: Window, ratio: number): Window {
+  const grown = (scale: Window["x"], name: typeof spec.x.scale, wanted: number): Window["x"] => {
+    const [from, to] = [stretch(name, scale[0]), stretch(name, scale[1])];
+    const more = (wanted - (to - from)) / 2;
+    return more <= 0 ? scale : [shrink(name, from - more), shrink(name, to + more)];
+  };
+  const lengths = {
+    x: stretch(spec.x.scale, window.x[1]) - stretch(spec.x.scale, window.x[0]),
+    y: stretch(spec.y.scale, window.y[1]) - stretch(spec.y.scale, window.y[0]),
+  };
+  return { x: grown(window.x, spec.x.scale, lengths.y * ratio), y: grown(window.y, spec.y.scale, lengths.x / ratio) };
+}
+
+/** The values at a place of the picture. */
+export function valuesAt(spec: ChartSpec, frame: Frame, x: number, y: number): { x: number; y: number } {
+  return {
+    x: valueAt(spec.x.scale, frame.window.x, (x - frame.left) / frame.width),
+    y: valueAt(spec.y.scale, frame.window.y, 1 - (y - frame.top) / frame.height),
+  };
+}

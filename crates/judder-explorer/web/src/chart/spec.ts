@@ -1,0 +1,116 @@
+/** What a chart shows: axes and layers, in the values of the data. */
+
+import type { ScaleName } from "../wire/api";
+import type { AreaStyle, ColourMap, LineRole } from "./palette";
+import type { Range } from "./scale";
+
+export interface Axis {
+  /** Markup, with the unit in brackets: `"Growth rate Re $λ$ (s^{−1})"`. */
+  readonly label: string;
+  readonly scale: ScaleName;
+  /** What is shown at first; left out, what the layers need. */
+  readonly range?: Range;
+  /** The header of exported columns; left out, the label as plain text. */
+  readonly name?: string;
+}
+
+interface Common {
+  /** In the legend; an empty label leaves the layer out of it. */
+  readonly label: string;
+}
+
+export interface LineLayer extends Common {
+  readonly kind: "line";
+  readonly x: ArrayLike<number>;
+  /** NaN interrupts the line. */
+  readonly y: ArrayLike<number>;
+  readonly role: LineRole;
+  /** Markers at the points too. */
+  readonly marked?: boolean;
+  readonly dash?: "solid" | "dashed" | "dash-dotted" | "dotted";
+}
+
+export interface PointsLayer extends Common {
+  readonly kind: "points";
+  readonly x: ArrayLike<number>;
+  readonly y: ArrayLike<number>;
+  readonly role: LineRole;
+  /** Diameter in pixels; 8 where left out. */
+  readonly size?: number;
+  /** Only outlines: thresholds of another system, a state before. */
+  readonly hollow?: boolean;
+}
+
+/** Stretches of the x axis (or of the y axis), such as contact states. */
+export interface BandsLayer extends Common {
+  readonly kind: "bands";
+  readonly across?: "x" | "y";
+  readonly from: ArrayLike<number>;
+  readonly to: ArrayLike<number>;
+  readonly style: AreaStyle;
+}
+
+/** What lies between two curves. */
+export interface AreaLayer extends Common {
+  readonly kind: "area";
+  readonly x: ArrayLike<number>;
+  readonly lower: ArrayLike<number>;
+  readonly upper: ArrayLike<number>;
+  readonly style: AreaStyle;
+}
+
+/** A straight line at one value. */
+export interface RuleLayer extends Common {
+  readonly kind: "rule";
+  readonly across: "x" | "y";
+  readonly at: number;
+  readonly role: LineRole;
+}
+
+export interface AreaClass extends AreaStyle {
+  readonly name: string;
+  /** What the legend says; the name where left out. */
+  readonly legend?: string;
+}
+
+/** A map of classes; `codes` is row-major with y as rows; x and y are centres of cells, ascending. */
+export interface ClassesLayer extends Common {
+  readonly kind: "classes";
+  readonly x: ArrayLike<number>;
+  readonly y: ArrayLike<number>;
+  readonly codes: Uint8Array;
+  readonly classes: readonly AreaClass[];
+  readonly hatched?: boolean;
+  readonly letters?: boolean;
+}
+
+/** A map of values over x and y, with a bar. */
+export interface ValuesLayer extends Common {
+  readonly kind: "values";
+  readonly x: ArrayLike<number>;
+  readonly y: ArrayLike<number>;
+  /** Row-major, y as rows; NaN stays ground. */
+  readonly values: ArrayLike<number>;
+  readonly colours: ColourMap;
+  readonly scale: ScaleName;
+  /** Left out: that of the values. */
+  readonly range?: Range;
+}
+
+export type Layer = LineLayer | PointsLayer | BandsLayer | AreaLayer | RuleLayer | ClassesLayer | ValuesLayer;
+export type RasterLayer = ClassesLayer | ValuesLayer;
+
+export interface ChartSpec {
+  /** What the chart is, in words: its accessible name and the name of exported files. */
+  readonly title: string;
+  readonly x: Axis;
+  readonly y: Axis;
+  /** Drawn in this order; rasters lie below all others. */
+  readonly layers: readonly Layer[];
+  /** One unit is as long across as up (complex planes of equal units, shapes). */
+  readonly equal?: boolean;
+}
+
+export function isRaster(layer: Layer): layer is RasterLayer {
+  return layer.kind === "classes" || layer.kind === "values";
+}

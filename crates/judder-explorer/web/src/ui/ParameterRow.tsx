@@ -1,0 +1,134 @@
+/** One key of the case: slider, text with a unit, the other form of its value, reset. */
+
+import { useEffect, useRef, useState } from "preact/hooks";
+import { useView } from "../state/store";
+import { withOption } from "../state/view";
+import type { CaseValue, Key } from "../wire/api";
+import type { RequestError } from "../wire/request";
+import { useApp } from "./app";
+import { ErrorNote } from "./ErrorNote";
+import { Label } from "./Label";
+import { power, readable } from "./readable";
+import { SLIDER_STEPS, isPure, numberIn, otherForm, plainText, plainValue, significant, sliderPlace, sliderRange, sliderValue, symbolMarkup, valueText } from "./numbers";
+
+interface RowProps {
+  readonly parameter: Key;
+  readonly value: CaseValue | undefined;
+  readonly base: CaseValue | undefined;
+  readonly error: RequestError | null;
+}
+
+export function ParameterRow({ parameter, value, base, error }: RowProps) {
+  const { store } = useApp();
+  const view = useView(store);
+  const { path } = parameter;
+  const set = view.set[path];
+  const id = `key-${path.replace(/[^\w]/g, "-")}`;
+  const name = (path.split(".").at(-1) ?? path).replaceAll("_", " ");
+  const differs = set !== undefined && (value === undefined || base === undefined || plainValue(parameter, value) !== plainValue(parameter, base));
+  const text = set ?? (value ? shortText(parameter, value) : "");
+  const change = (next: string | undefined, keep: "push" | "drag") => store.update((view) => withOption(view, path, next), keep);
+  return (
+    <div class={`parameter${differs ? " parameter-differs" : ""}`} role="group" aria-labelledby={id} data-parameter={path}>
+      <div class="parameter-head">
+        <span class="parameter-name" id={id} title={parameter.doc}>
+          {name} <Label text={symbolMarkup(parameter.symbol)} />
+          {differs && <span class="parameter-mark" title="differs from the case">{"\u25CF"}<span class="visually-hidden"> differs from the case</span></span>}
+        </span>
+        <button type="button" class="parameter-reset" disabled={set === undefined} onClick={() => change(undefined, "push")} aria-label={`Reset ${name} to the case's value`} title="Back to the case's value">
+          Reset
+        </button>
+      </div>
+      {value && <Slider parameter={parameter} now={numberIn(parameter, text) ?? plainValue(parameter, value)} name={name} onChange={change} />}
+      <div class="parameter-values">
+        <TextField id={`${id}-text`} name={name} text={text} invalid={error !== null} onChange={(next) => change(next === "" ? undefined : next, "push")} />
+        <output class="parameter-other" data-parameter-other={path}>
+          {value ? otherForm(parameter, value) : ""}
+        </output>
+      </div>
+      {error && <ErrorNote error={error} />}
+    </div>
+  );
+}
+
+/** The case's own value, short enough for its field: in a unit of its own size where that is exact. */
+function shortText(parameter: Key, value: CaseValue): string {
+  const text = valueText(parameter, value);
+  const asked = value.form === "si" && value.si !== null && !isPure(parameter) ? value.si : null;
+  const scaled = asked === null ? null : readable(asked, parameter.unit);
+  if (asked !== null && scaled && Number(scaled.text) * power(scaled.unit, parameter.unit) === asked) return `${scaled.text} ${scaled.unit}`;
+  return text.length <= 14 ? text : text.replace(/^[-+\d.e]+/, (number) => String(significant(Number(number), 6)));
+}
+
+interface SliderProps {
+  readonly parameter: Key;
+  /** The value that the view asks for: keys may be pressed again before the server has answered. */
+  readonly now: number;
+  readonly name: string;
+  readonly onChange: (text: string, keep: "push" | "drag") => void;
+}
+
+function Slider({ parameter, now, name, onChange }: SliderProps) {
+  // while a drag lasts the thumb stays under the pointer, whatever answers come meanwhile
+  const [held, setHeld] = useState<number | null>(null);
+  const range = useRef(sliderRange(parameter, now));
+  if (held === null) range.current = sliderRange(parameter, now);
+  const place = held ?? sliderPlace(parameter, now);
+  const read = (event: Event) => Number((event.currentTarget as HTMLInputElement).value);
+  const textAt = (place: number) => plainText(parameter, sliderValue(parameter, range.current, place));
+  return (
+    <input
+      type="range"
+      min={0}
+      max={SLIDER_STEPS}
+      step={1}
+      value={place}
+      aria-label={name}
+      aria-valuetext={`${significant(held === null ? now : sliderValue(parameter, range.current, held))}`}
+      onInput={(event) => {
+        setHeld(read(event));
+        onChange(textAt(read(event)), "drag");
+      }}
+      onChange={(event) => {
+        onChange(textAt(read(event)), "push");
+        setHeld(null);
+      }}
+    />
+  );
+}
+
+interface TextFieldProps {
+  readonly id: string;
+  readonly name: string;
+  readonly text: string;
+  readonly invalid: boolean;
+  readonly onChange: (text: string) => void;
+}
+
+/** A field that keeps what is being typed until it is entered. */
+export function TextField({ id, name, text, invalid, onChange }: TextFieldProps) {
+  const [typed, setTyped] = useState<string | null>(null);
+  useEffect(() => setTyped(null), [text]);
+  const enter = () => {
+    if (typed !== null && typed.trim() !== text) onChange(typed.trim());
+    else setTyped(null);
+  };
+  return (
+    <input
+      id={id}
+      type="text"
+      class="parameter-text"
+      value={typed ?? text}
+      spellcheck={false}
+      autocomplete="off"
+      aria-label={`${name}, a number or a text with a unit`}
+      aria-invalid={invalid}
+      onInput={(event) => setTyped(event.currentTarget.value)}
+      onBlur={enter}
+      onKeyDown={(event) => {
+        if (event.key === "Enter") enter();
+        if (event.key === "Escape") setTyped(null);
+      }}
+    />
+  );
+}

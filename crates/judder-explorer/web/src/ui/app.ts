@@ -1,0 +1,59 @@
+/** What every page gets: the session, the store of the view, and the values of the case. */
+
+import { createContext } from "preact";
+import { useContext, useEffect, useRef, useState } from "preact/hooks";
+import { type ViewStore, useView } from "../state/store";
+import { options } from "../state/view";
+import { type CaseValues, type Key, type Session, fetchCase } from "../wire/api";
+import { Latest } from "../wire/latest";
+import { type RequestError, asRequestError, isAbort } from "../wire/request";
+
+export interface App {
+  readonly session: Session;
+  readonly store: ViewStore;
+  readonly keys: ReadonlyMap<string, Key>;
+  /** Values of the view's case; those of the last good one while they are asked for or refused. */
+  readonly values: CaseValues | null;
+  /** Values of the case as it was opened. */
+  readonly base: CaseValues | null;
+  /** Why the view's options are refused. */
+  readonly error: RequestError | null;
+}
+
+export const AppContext = createContext<App | null>(null);
+
+export function useApp(): App {
+  const app = useContext(AppContext);
+  if (!app) throw new Error("a page outside of the application");
+  return app;
+}
+
+/** Only oscillator cases have keys that sliders move. */
+export function hasValues(session: Session): boolean {
+  return session.case?.model === "oscillator";
+}
+
+/** The values of the case of the view, asked for as it changes. */
+export function useCaseValues(session: Session, store: ViewStore): Pick<App, "values" | "base" | "error"> {
+  const view = useView(store);
+  const [values, setValues] = useState<CaseValues | null>(session.values ?? null);
+  const [base, setBase] = useState<CaseValues | null>(session.values ?? null);
+  const [error, setError] = useState<RequestError | null>(null);
+  const latest = useRef(new Latest());
+  const set = JSON.stringify(options(view));
+  useEffect(() => {
+    if (hasValues(session) && !session.values) fetchCase([]).then(setBase, (failure) => setError(asRequestError(failure)));
+  }, [session]);
+  useEffect(() => {
+    if (!hasValues(session)) return;
+    latest.current.submit(async (signal) => {
+      try {
+        setValues(await fetchCase(JSON.parse(set) as string[], signal));
+        setError(null);
+      } catch (failure) {
+        if (!isAbort(failure)) setError(asRequestError(failure));
+      }
+    });
+  }, [session, set]);
+  return { values, base, error };
+}

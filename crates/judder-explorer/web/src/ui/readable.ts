@@ -1,0 +1,37 @@
+/** Numbers as people read them: six digits, and a unit of their own size. */
+
+/** Digits that are shown. */
+const DIGITS = 6;
+
+/** Prefixes by their power of ten, in steps of three. */
+const PREFIXES: Readonly<Record<number, string>> = {
+  [-12]: "p", [-9]: "n", [-6]: "µ", [-3]: "m", 0: "", 3: "k", 6: "M", 9: "G",
+};
+/** Units that take prefixes; a square takes the square of one. */
+const PREFIXED: Readonly<Record<string, number>> = { m: 1, "m/s": 1, N: 1, Pa: 1, s: 1, Hz: 1, W: 1, J: 1, "m²": 2 };
+
+export interface Readable {
+  readonly text: string;
+  readonly unit: string;
+}
+
+/** The number with six digits, in a unit in which it stands between 1 and 1000 where there is one. */
+export function readable(value: number, unit = "1"): Readable {
+  const power = PREFIXED[unit];
+  if (power === undefined || value === 0 || !Number.isFinite(value)) return { text: rounded(value), unit };
+  // the squares of prefixes are six powers of ten apart
+  const step = Math.floor(Math.log10(Math.abs(value)) / (3 * power)) * 3;
+  const exponent = Math.min(9, Math.max(-12, step));
+  return { text: rounded(value / 10 ** (exponent * power)), unit: `${PREFIXES[exponent] ?? ""}${unit}` };
+}
+
+/** Rounded to the digits that are shown. */
+export function rounded(value: number): string {
+  return String(Number(value.toPrecision(DIGITS)));
+}
+
+/** What a unit with a prefix is, in the unit without. */
+export function power(prefixed: string, unit: string): number {
+  const found = Object.entries(PREFIXES).find(([, prefix]) => `${prefix}${unit}` === prefixed);
+  return 10 ** (Number(found?.[0] ?? 0) * (PREFIXED[unit] ?? 1));
+}

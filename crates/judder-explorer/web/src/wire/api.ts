@@ -1,0 +1,94 @@
+/** What the server sends and takes; the words are those of case files. */
+
+import { getJson, postJson, postText } from "./request";
+
+export type ScaleName = "log" | "linear";
+
+/** A range over a key, as a case file takes it: a plain number is the group, a text may carry a unit. */
+export interface KeyAxis {
+  readonly key: string;
+  readonly from: number | string;
+  readonly to: number | string;
+  readonly scale: ScaleName;
+}
+
+export interface Key {
+  readonly path: string;
+  readonly section: string;
+  readonly symbol: string;
+  /** The dimensionless group that a plain number means; null where a plain number is in `unit`. */
+  readonly group: string | null;
+  readonly unit: string;
+  readonly doc: string;
+  readonly range: "positive" | "non-negative" | "fraction" | "any" | "interval";
+  /** Whether the case takes it: of two keys that say the same only the one that it has. */
+  readonly settable?: boolean;
+  readonly slider: { readonly from: number; readonly to: number; readonly scale: ScaleName };
+  readonly label: string;
+  readonly label_si: string;
+}
+
+export interface Session {
+  readonly version: string;
+  readonly title: string;
+  readonly case: { readonly name: string; readonly model: string; readonly text: string } | null;
+  readonly keys: readonly Key[];
+  readonly laws: readonly string[];
+  /** Values of the case as it was opened; null where it has no keys to move. */
+  readonly values?: CaseValues | null;
+  /** The law of the case. */
+  readonly law?: string | null;
+  readonly map: { readonly x: KeyAxis; readonly y: KeyAxis } | null;
+  readonly analyses: readonly { readonly name: string; readonly kind: string }[];
+  readonly study: { readonly name: string } | null;
+}
+
+export interface CaseValue {
+  readonly path: string;
+  readonly form: "group" | "si";
+  readonly number: number;
+  readonly si: number | null;
+  readonly group: number | null;
+}
+
+export interface CaseValues {
+  readonly values: readonly CaseValue[];
+  readonly scales: Readonly<Record<string, number>>;
+}
+
+export type Pair = readonly [number, number];
+
+/** The document of `judder point --json`. */
+export interface PointDocument {
+  readonly groups: Readonly<Record<string, number>>;
+  readonly equilibrium: Readonly<Record<string, number>>;
+  readonly contact: Readonly<Record<string, number>>;
+  readonly eigenvalues: readonly Pair[];
+  readonly growth_rate: number;
+  readonly verdict: string;
+  readonly mechanism: string | null;
+  readonly equivalent_damping: number | null;
+  readonly critical_shear_strength: readonly number[];
+  readonly critical_load: readonly number[];
+  readonly growth_shares: Readonly<Record<"damping" | "stiffness", readonly Pair[]>> | null;
+  readonly warnings: readonly string[];
+}
+
+export interface Point {
+  readonly point: PointDocument;
+  readonly modes: readonly { readonly eigenvalue: Pair; readonly shape: readonly Pair[] }[];
+  readonly dimensional: Readonly<Record<string, number | null>>;
+}
+
+/** A table of `[[analysis]]`. */
+export type Analysis = Readonly<Record<string, unknown>> & { readonly name: string; readonly kind: string };
+
+export const fetchSession = (signal?: AbortSignal) => getJson<Session>("/api/session", signal);
+export const fetchCase = (set: readonly string[], signal?: AbortSignal) =>
+  postJson<CaseValues>("/api/case", { set }, signal);
+export const fetchPoint = (set: readonly string[], signal?: AbortSignal) =>
+  postJson<Point>("/api/point", { set }, signal);
+
+/** The text of the case file of a view. */
+export const fetchCaseFile = (set: readonly string[], analysis: Analysis | null, model?: string) =>
+  postText("/api/export", { set, analysis, ...(model ? { model } : {}) });

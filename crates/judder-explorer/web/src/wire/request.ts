@@ -1,0 +1,92 @@
+/** Requests to the server: JSON, texts, and streams of frames, with errors that say what, where and what would be right. */
+
+import { type Frame, FrameError, frames } from "./frames";
+
+/** The place in the case text that an error speaks of. */
+export interface Place {
+  readonly source: string;
+  readonly line: number;
+  readonly column: number;
+  readonly text: string;
+}
+
+export class RequestError extends Error {
+  override readonly name = "RequestError";
+  constructor(
+    message: string,
+    readonly status: number,
+    readonly place: Place | null,
+    readonly help: string | null,
+  ) {
+    super(message);
+  }
+}
+
+/** Whether a request was given up by us: nothing to tell. */
+export function isAbort(error: unknown): boolean {
+  return error instanceof DOMException && error.name === "AbortError";
+}
+
+/** Any error as one that can be shown. */
+export function asRequestError(error: unknown): RequestError {
+  if (error instanceof RequestError) return error;
+  if (error instanceof FrameError) return new RequestError(error.message, 0, null, "Reload the page.");
+  if (error instanceof TypeError) {
+    return new RequestError("the explorer does not answer", 0, null, "Is `judder explore` still running?");
+  }
+  return new RequestError(error instanceof Error ? error.message : String(error), 0, null, null);
+}
+
+function errorFrom(body: unknown, status: number): RequestError {
+  const error = (body as { error?: Partial<RequestError> } | null)?.error;
+  const message = error?.message ?? `the explorer answered with status ${status}`;
+  const lost = status === 401 || status === 403 ? "Open the address that `judder explore` printed." : null;
+  return new RequestError(message, status, error?.place ?? null, error?.help ?? lost);
+}
+
+async function respond(path: string, body: unknown, signal?: AbortSignal): Promise<Response> {
+  const options: RequestInit = {
+    credentials: "same-origin",
+    ...(signal ? { signal } : {}),
+    ...(body === undefined
+      ? {}
+      : { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(body) }),
+  };
+  const response = await fetch(path, options);
+  if (response.ok) return response;
+  throw errorFrom(await response.json().catch(() => null), response.status);
+}
+
+export async function getJson<T>(path: string, signal?: AbortSignal): Promise<T> {
+  return (await respond(path, undefined, signal)).json() as Promise<T>;
+}
+
+export async function postJson<T>(path: string, body: object, signal?: AbortSignal): Promise<T> {
+  return (await respond(path, body, signal)).json() as Promise<T>;
+}
+
+export async function postText(path: string, body: object, signal?: AbortSignal): Promise<string> {
+  return (await respond(path, body, signal)).text();
+}
+
+/** The frames of an answer until its end; an error frame is thrown, and so is a stream that breaks off. */
+export async function* postFrames(path: string, body: object, signal?: AbortSignal): AsyncGenerator<Frame, void, void> {
+  const response = await respond(path, body, signal);
+  if (!response.body) throw new FrameError("an answer without a body");
+  // single frames (`/api/law`) come without an end frame
+  let complete = false;
+  for await (const frame of frames(response.body)) {
+    if (frame.kind === "error") throw errorFrom(frame.header, 200);
+    complete = frame.kind !== "progress" && frame.kind !== "block";
+    if (frame.kind === "end") return;
+    yield frame;
+  }
+  if (!complete) throw new FrameError("the answer broke off");
+}
+
+const tab = Array.from(crypto.getRandomValues(new Uint8Array(8)), (byte) => byte.toString(16).padStart(2, "0")).join("");
+
+/** The name under which a newer request of this tab and purpose cancels the older one on the server. */
+export function slot(purpose: string): string {
+  return `${tab}/${purpose}`;
+}

@@ -1,0 +1,174 @@
+import { describe, expect, it } from "vitest";
+import { chartCsv } from "../src/chart/csv";
+import { decimate } from "../src/chart/decimate";
+import { chartSvg } from "../src/chart/export";
+import { homeWindow } from "../src/chart/frame";
+import { CONTACT_STATES, STABILITY, colourAt, hex, lineStyle, rgb } from "../src/chart/palette";
+import { cellsOf, letterPlaces, pixelsOf, valueRange } from "../src/chart/raster";
+import { readings } from "../src/chart/readout";
+import type { ChartSpec, ClassesLayer, ValuesLayer } from "../src/chart/spec";
+
+const axis = (label: string, scale: "log" | "linear" = "linear") => ({ label, scale });
+const count = 20_000;
+const ramp = Float64Array.from({ length: count }, (_, i) => i / 25);
+
+describe("decimation", () => {
+  it("keeps every extreme of every pixel column", () => {
+    const y = Float64Array.from(ramp, (_, i) => Math.sin(i / 7) + (i === 12_345 ? 1e3 : 0));
+    const kept = decimate(ramp, y, 800);
+    expect(kept.x.length).toBeLessThanOrEqual(4 * 801);
+    const extremes = (x: Float64Array, y: Float64Array) => {
+      const found = new Map<number, [number, number]>();
+      x.forEach((value, i) => {
+        const [low, high] = found.get(Math.floor(value)) ?? [Infinity, -Infinity];
+        found.set(Math.floor(value), [Math.min(low, y[i] as number), Math.max(high, y[i] as number)]);
+      });
+      return found;
+    };
+    expect(extremes(kept.x, kept.y)).toEqual(extremes(ramp, y));
+  });
+
+  it("keeps gaps, closed curves and short lines", () => {
+    const y = Float64Array.from(ramp, (_, i) => (i > 9_000 && i < 11_000 ? Number.NaN : i));
+    expect(decimate(ramp, y, 800).y.filter(Number.isNaN).length).toBe(1);
+    const circle = (turn: (angle: number) => number) => Float64Array.from(ramp, (_, i) => 100 * turn(i / 500));
+    const closed = decimate(circle(Math.cos), circle(Math.sin), 300);
+    expect(closed.x.length).toBeGreaterThan(500);
+    expect(closed.x.at(-1)).toBe(100 * Math.cos((count - 1) / 500));
+    expect(decimate([1, 2], [3, Number.NaN], 1).x.length).toBe(2);
+    expect(decimate([], [], 0).x.length).toBe(0);
+  });
+});
+
+const map: ClassesLayer = {
+  kind: "classes",
+  label: "mechanism",
+  x: [1e-2, 1e-1, 1],
+  y: [0, 1],
+  codes: Uint8Array.from([0, 1, 2, 3, 4, 6]),
+  classes: STABILITY,
+};
+const scales = { x: "log", y: "linear" } as const;
+
+describe("maps", () => {
+  it("show in every pixel the nearest cell on the axis' own measure", () => {
+    expect([...cellsOf([1e-2, 1e-1, 1], "log", [1e-2, 1], 4)]).toEqual([0, 1, 1, 2]);
+    expect([...cellsOf([0, 1], "linear", [-1, 2], 6)]).toEqual([-1, -1, 0, 1, -1, -1]);
+    expect([...cellsOf([], "linear", [0, 1], 2)]).toEqual([-1, -1]);
+    expect([...cellsOf([5], "linear", [4, 6], 1)]).toEqual([0]);
+  });
+
+  it("have their first row at the bottom, and nothing outside of the data", () => {
+    const pixels = pixelsOf(map, scales, { x: [1e-2, 1], y: [0, 1] }, 3, 2);
+    const at = (column: number, row: number) => hex([...pixels.slice(4 * (row * 3 + column), 4 * (row * 3 + column) + 3)] as never);
+    expect([at(0, 1), at(1, 1), at(2, 1), at(0, 0), at(1, 0)]).toEqual([0, 1, 2, 3, 4].map((code) => STABILITY[code]?.colour));
+    const beyond = pixelsOf(map, scales, { x: [1e3, 1e4], y: [0, 1] }, 2, 2);
+    expect([...beyond].every((channel) => channel === 0)).toBe(true);
+    expect(pixelsOf(map, scales, { x: [1e-2, 1], y: [0, 1] }, 1, 1).length).toBe(4);
+  });
+
+  it("can be read without colour", () => {
+    const window = { x: [1e-2, 1], y: [0, 1] } as const;
+    const flutter = { ...map, codes: new Uint8Array(6).fill(1), hatched: true };
+    const pixels = new Uint32Array(pixelsOf(flutter, scales, window, 60, 60).buffer);
+    expect(new Set(pixels).size).toBe(2);
+    const [place] = letterPlaces(flutter, scales, window);
+    expect(place?.code).toBe(1);
+    expect(Math.abs((place?.y ?? 0) - 0.5)).toBeLessThan(0.05);
+  });
+
+  it("of values leave NaN out, and are symmetric where colours diverge", () => {
+    const values: ValuesLayer = { kind: "values", label: "E", x: [0, 1], y: [0], values: [Number.NaN, -3], colours: "diverging", scale: "linear" };
+    expect(valueRange({ ...values, values: [1, -3] })).toEqual([-3, 3]);
+    const pixels = pixelsOf({ ...values, range: [-3, 3] }, { x: "linear", y: "linear" }, { x: [0, 1], y: [0, 0.1] }, 2, 1);
+    expect([...pixels]).toEqual([0, 0, 0, 0, ...colourAt("diverging", 0), 255]);
+  });
+});
+
+describe("colours", () => {
+  /** CIE lightness L* of an sRGB colour. */
+  const lightness = (colour: string) => {
+    const linear = rgb(colour).map((c) => (c / 255 <= 0.04045 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4));
+    return 116 * Math.cbrt(0.2126 * (linear[0] ?? 0) + 0.7152 * (linear[1] ?? 0) + 0.0722 * (linear[2] ?? 0)) - 16;
+  };
+
+  it("of areas are apart in grey", () => {
+    const order = [0, 4, 2, 1, 3].map((code) => lightness(STABILITY[code]?.colour ?? ""));
+    const states = [100, ...[3, 0, 2].map((code) => lightness(CONTACT_STATES[code]?.colour ?? ""))];
+    for (const list of [order, states]) list.slice(1).forEach((next, i) => expect((list[i] as number) - next).toBeGreaterThan(7));
+  });
+
+  it("of lines are never invisible", () => {
+    for (let series = 0; series < 7; series += 1) {
+      expect(lightness(lineStyle({ series }, "light").colour)).toBeLessThan(75);
+      expect(lightness(lineStyle({ series }, "dark").colour)).toBeGreaterThan(55);
+    }
+  });
+});
+
+const curves: ChartSpec = {
+  title: "Motion <of> a “point” & more",
+  x: axis("Time $t$ (s)"),
+  y: axis("Velocity $v$ (m/s)"),
+  layers: [
+    { kind: "line", label: "speed, x", x: [0, 0.1, 0.2], y: [1e-7, Number.NaN, 0.1 + 0.2], role: { series: 0 } },
+    { kind: "line", label: "y", x: [0, 0.1, 0.2], y: [1, 2, 3], role: { series: 1 }, marked: true },
+  ],
+};
+
+describe("exports", () => {
+  it("of curves over the same values are a column each, with units and all digits", () => {
+    expect(chartCsv(curves)).toBe(
+      'Time t (s),"speed, x (m/s)",y (m/s)\n0,1e-7,1\n0.1,,2\n0.2,0.30000000000000004,3\n',
+    );
+  });
+
+  it("of anything else are one row a point", () => {
+    const spec: ChartSpec = { ...curves, layers: [map, { kind: "rule", label: "now", across: "x", at: 0.5, role: "reference" }] };
+    const lines = chartCsv(spec).trimEnd().split("\n");
+    expect(lines[0]).toBe("layer,Time t (s),Velocity v (m/s),class");
+    expect(lines).toHaveLength(1 + 6 + 1);
+    expect(lines[3]).toBe("mechanism,1,0,negative damping");
+    expect(lines[7]).toBe("now,0.5,");
+  });
+
+  it("are SVG that stands alone", async () => {
+    const spec: ChartSpec = { ...curves, layers: [{ ...map, letters: true, hatched: true }, ...curves.layers] };
+    const encode = async (pixels: Uint8ClampedArray, width: number, height: number) => {
+      expect(pixels.length).toBe(4 * width * height);
+      return "data:image/png;base64,AAAA";
+    };
+    const svg = await chartSvg(spec, homeWindow(spec), { width: 600, height: 400 }, encode);
+    expect(svg).toContain('href="data:image/png;base64,AAAA"');
+    expect(svg).toContain("<title>Motion &lt;of&gt; a “point” &amp; more</title>");
+    expect(svg).not.toMatch(/NaN|Infinity|undefined|\sstyle=|<script/);
+    const opened = (svg.match(/<[a-zA-Z][^>]*[^/]>/g) ?? []).length;
+    expect(opened).toBe((svg.match(/<\/[a-zA-Z]+>/g) ?? []).length);
+  });
+
+  it("are made of charts of one pixel and of nothing", async () => {
+    const empty: ChartSpec = { title: "", x: axis("x", "log"), y: axis("y"), layers: [{ kind: "line", label: "", x: [], y: [], role: "reference" }] };
+    for (const size of [{ width: 1, height: 1 }, { width: 30, height: 2000 }]) {
+      for (const spec of [curves, empty, { ...curves, layers: [] }, { ...curves, equal: true }]) {
+        const svg = await chartSvg(spec, homeWindow(spec), size, async () => "");
+        expect(svg).not.toMatch(/NaN|Infinity|undefined/);
+      }
+    }
+    expect(chartCsv(empty)).toBe("x,y\n");
+  });
+
+  it("of twenty thousand points are small", async () => {
+    const long: ChartSpec = { ...curves, layers: [{ kind: "line", label: "", x: ramp, y: ramp.map((t) => Math.sin(t)), role: { series: 0 } }] };
+    const start = performance.now();
+    const svg = await chartSvg(long, homeWindow(long), { width: 800, height: 400 });
+    expect(svg.length).toBeLessThan(80_000);
+    expect(performance.now() - start).toBeLessThan(500);
+  });
+});
+
+describe("the cursor", () => {
+  it("reads the nearest point of every curve", () => {
+    const texts = readings(curves, { x: 0.11, y: 5 }).map(({ label, value }) => `${label}: ${value}`);
+    expect(texts).toEqual(["Time $t$ (s): 0.11", "Velocity $v$ (m/s): 5", "speed, x: —", "y: 2"]);
+  });
+});

@@ -1,0 +1,82 @@
+// @vitest-environment happy-dom
+import { render } from "preact";
+import { act } from "preact/test-utils";
+import { beforeEach, describe, expect, it, vi } from "vitest";
+import { Chart } from "../src/chart/Chart";
+import { exportable } from "../src/chart/exports";
+import type { ChartSpec } from "../src/chart/spec";
+import { PointValues } from "../src/ui/PointValues";
+import { Value } from "../src/ui/Value";
+import type { Point } from "../src/wire/api";
+
+const spec: ChartSpec = {
+  title: "Growth",
+  x: { label: "Time $t$ (s)", scale: "log", range: [1, 100] },
+  y: { label: "Growth", scale: "linear", range: [0, 1] },
+  layers: [{ kind: "line", label: "mode 1", x: [1, 10, 100], y: [0, 0.5, 1], role: { mode: 0 } }],
+};
+
+let host: HTMLElement;
+beforeEach(() => {
+  host = document.createElement("div");
+  document.body.replaceChildren(host);
+});
+
+const picture = () => host.querySelector(".chart-over") as SVGSVGElement;
+const press = (key: string, shiftKey = false) =>
+  act(() => void picture().dispatchEvent(new KeyboardEvent("keydown", { key, shiftKey, bubbles: true, cancelable: true })));
+
+describe("a chart", () => {
+  it("has a name, can be reached by Tab and is in the export menu while it is shown", () => {
+    act(() => render(<Chart spec={spec} />, host));
+    expect(picture().getAttribute("tabindex")).toBe("0");
+    expect(picture().getAttribute("aria-label")).toBe("Growth");
+    expect(document.getElementById(picture().getAttribute("aria-describedby") ?? "")?.textContent).toContain("Arrow keys");
+    expect(host.innerHTML).not.toMatch(/NaN|undefined/);
+    expect(exportable().map((chart) => chart.title)).toEqual(["Growth"]);
+    act(() => render(null, host));
+    expect(exportable()).toEqual([]);
+  });
+
+  it("is read, zoomed and reset with keys", () => {
+    const onPick = vi.fn();
+    act(() => render(<Chart spec={spec} onPick={onPick} />, host));
+    press("ArrowRight");
+    press("ArrowRight", true);
+    const readings = () => host.querySelector(".chart-readings")?.textContent;
+    expect(readings()).toContain("mode 1");
+    press("Enter");
+    expect(onPick).toHaveBeenCalledOnce();
+    const [picked] = onPick.mock.calls[0] as [{ x: number; y: number }];
+    expect(picked.x).toBeCloseTo(100 ** 0.61, 9);
+    expect(picked.y).toBeCloseTo(0.5, 12);
+    const before = picture().innerHTML;
+    press("+");
+    expect(picture().innerHTML).not.toBe(before);
+    press("0");
+    expect(picture().innerHTML).toBe(before);
+  });
+});
+
+describe("a value", () => {
+  it("shows six of its digits, and keeps them all under its key", () => {
+    act(() => render(<Value name="growth rate" dataKey="growth_rate" value={0.1 + 0.2} unit="1/s" />, host));
+    const shown = host.querySelector<HTMLElement>('[data-key="growth_rate"]');
+    expect([shown?.textContent, shown?.dataset["value"]]).toEqual(["0.3", "0.30000000000000004"]);
+    act(() => render(<Value name="growth rate" dataKey="growth_rate" value={null} />, host));
+    expect(host.querySelector('[data-key="growth_rate"]')?.textContent).toBe("—");
+  });
+});
+
+describe("the values of a point", () => {
+  const shares = [[0.1, 0.2], [0.3, 0.4]];
+  const document = { groups: {}, equilibrium: {}, contact: {}, eigenvalues: [[1, 2]], growth_shares: { damping: shares, stiffness: shares }, warnings: [] };
+  const point = { point: document, modes: [], dimensional: {} } as unknown as Point;
+
+  it("leave the shares of the growth rate to a page that shows them itself", () => {
+    act(() => render(<PointValues point={point} />, host));
+    expect(host.querySelector('[data-key="growth_shares.damping.1.0"]')?.textContent).toBe("0.3");
+    act(() => render(<PointValues point={point} shares={false} />, host));
+    expect(host.querySelector('[data-key="growth_shares.damping.1.0"]')).toBeNull();
+  });
+});

@@ -1,0 +1,100 @@
+import { afterEach, describe, expect, it, vi } from "vitest";
+import { Latest } from "../src/wire/latest";
+import { RequestError, asRequestError, postFrames, postJson, slot } from "../src/wire/request";
+import { encode } from "./encode";
+
+afterEach(() => vi.unstubAllGlobals());
+
+function answerWith(response: Response): ReturnType<typeof vi.fn> {
+  const fetch = vi.fn(async () => response);
+  vi.stubGlobal("fetch", fetch);
+  return fetch;
+}
+
+const place = { source: "case.toml", line: 3, column: 1, text: "velocity = -1" };
+
+describe("requests", () => {
+  it("throw what the server says, with place and help", async () => {
+    answerWith(Response.json({ error: { message: "speeds are positive", place, help: "1 mm/s" } }, { status: 422 }));
+    const error = await postJson("/api/point", { set: [] }).catch((error: unknown) => error);
+    expect(error).toBeInstanceOf(RequestError);
+    expect(error).toMatchObject({ message: "speeds are positive", status: 422, place, help: "1 mm/s" });
+  });
+
+  it("say what to do when the server is gone or has no error to tell", async () => {
+    answerWith(new Response("<html>", { status: 403 }));
+    await expect(postJson("/api/point", {})).rejects.toMatchObject({ status: 403, help: /judder explore/ });
+    expect(asRequestError(new TypeError("Failed to fetch")).message).toBe("the explorer does not answer");
+  });
+
+  it("give frames until the end, throw error frames, and tell a stream that breaks off", async () => {
+    const map = encode({ kind: "map" });
+    const kinds = async (...frames: Uint8Array<ArrayBuffer>[]) => {
+      answerWith(new Response(new Blob(frames)));
+      const found: string[] = [];
+      for await (const frame of postFrames("/api/map", {})) found.push(frame.kind);
+      return found;
+    };
+    expect(await kinds(map, encode({ kind: "end" }))).toEqual(["map"]);
+    await expect(kinds(map, encode({ kind: "error", error: { message: "stopped" } }))).rejects.toThrow("stopped");
+    await expect(kinds(map, encode({ kind: "progress" }))).rejects.toThrow("broke off");
+    await expect(kinds(map, map.slice(0, 9))).rejects.toThrow("ended within a frame");
+  });
+
+  it("share a tab's id between purposes", () => {
+    expect(slot("map").split("/")[0]).toBe(slot("point").split("/")[0]);
+    expect(slot("map")).toMatch(/^[0-9a-f]{16}\/map$/);
+  });
+});
+
+describe("the newest work", () => {
+  const rest = () => new Promise((resolve) => setTimeout(resolve, 0));
+
+  it("waits alone, while the one in flight shows something first", async () => {
+    const latest = new Latest();
+    const ran: string[] = [];
+    const release: (() => void)[] = [];
+    const work = (name: string) => (signal: AbortSignal, shown: () => void) =>
+      new Promise<void>((resolve) => {
+        ran.push(name);
+        release.push(shown);
+        signal.addEventListener("abort", () => {
+          ran.push(`${name} aborted`);
+          resolve();
+        });
+      });
+    latest.submit(work("a"));
+    latest.submit(work("b"));
+    latest.submit(work("c"));
+    await rest();
+    expect(ran).toEqual(["a"]);
+    release[0]?.();
+    await rest();
+    expect(ran).toEqual(["a", "a aborted", "c"]);
+    release[1]?.();
+    latest.submit(work("d"));
+    await rest();
+    expect(ran.slice(3)).toEqual(["c aborted", "d"]);
+    latest.stop();
+    await rest();
+    expect(ran.at(-1)).toBe("d aborted");
+  });
+
+  it("does not wait longer than its patience", async () => {
+    const latest = new Latest(5);
+    const aborted = new Promise<void>((resolve) =>
+      latest.submit((signal) => new Promise((done) => signal.addEventListener("abort", () => (resolve(), done())))),
+    );
+    const next = new Promise<void>((resolve) => latest.submit(async () => resolve()));
+    await aborted;
+    await next;
+  });
+
+  it("goes on after an error", async () => {
+    const latest = new Latest();
+    latest.submit(async () => {
+      throw new Error("broken");
+    });
+    await new Promise<void>((resolve) => latest.submit(async () => resolve()));
+  });
+});

@@ -1,0 +1,73 @@
+import { describe, expect, it } from "vitest";
+import { PAGE_FIELDS, numberOrText, parseAxis, parsePair, parseWords, writeAxis } from "../src/state/fields";
+import { type View, keepKnownKeys, options, parseView, withFields, withOption, writeView } from "../src/state/view";
+
+const parse = (address: string) => {
+  const url = new URL(address, "http://localhost");
+  return parseView(url.pathname, url.search, PAGE_FIELDS);
+};
+
+describe("addresses", () => {
+  it("come back as they were written", () => {
+    const view: View = {
+      page: "map",
+      set: { "operation.velocity": "30 mm/s", "contact.law": "bem", "masses[left arm].mass": "1 & 2 = 50 % + #ü" },
+      fields: { x: "operation.velocity~1e-8~1 µm/s~log", cursor: "1e-7,0.25", show: "" },
+    };
+    const address = writeView(view);
+    expect(parse(address)).toEqual({ view, told: [] });
+    expect(writeView(parse(address).view)).toBe(address);
+    expect(writeView({ page: "point", set: { "operation.velocity": "1e-3" }, fields: {} })).toBe("/point?set=operation.velocity=1e-3");
+  });
+
+  it("lose their bad parts, which are told", () => {
+    const { view, told } = parse("/map?set=operation.velocity&set==1&set=a..b=1&set=ok.key=2&x=1&cursor=1,NaN&fish=1&show=full,fish");
+    expect(view).toEqual({ page: "map", set: { "ok.key": "2" }, fields: {} });
+    expect(told).toHaveLength(7);
+    expect(told.join()).toContain("fish");
+  });
+
+  it("of no page are those of the first one", () => {
+    expect(parseView("/", "", PAGE_FIELDS, "contact")).toEqual({ view: { page: "contact", set: {}, fields: {} }, told: [] });
+    expect(parse("/constructor?__proto__=1&toString=2")).toMatchObject({ view: { page: "map", set: {}, fields: {} } });
+    expect(parse("/constructor").told).toEqual(["There is no page “constructor”."]);
+  });
+
+  it("keep the last of options that are given twice", () => {
+    expect(options(parse("/point?set=a.b=1&set=a.b=2").view)).toEqual(["a.b=2"]);
+  });
+
+  it("drop keys that the case does not have", () => {
+    const { view, told } = keepKnownKeys(parse("/map?set=a.b=1&set=c.d=2").view, new Set(["c.d"]));
+    expect(options(view)).toEqual(["c.d=2"]);
+    expect(told).toEqual(["The case has no key “a.b”."]);
+  });
+
+  it("change without changing the view before", () => {
+    const before = parse("/map?set=a.b=1&cursor=1,2").view;
+    expect(withOption(before, "a.b", undefined).set).toEqual({});
+    expect(withFields(before, { cursor: undefined, show: "full" }).fields).toEqual({ show: "full" });
+    expect(before).toMatchObject({ set: { "a.b": "1" }, fields: { cursor: "1,2" } });
+  });
+});
+
+describe("fields", () => {
+  it("read pairs of finite numbers only", () => {
+    expect(parsePair("1e-3,-2")).toEqual([1e-3, -2]);
+    for (const text of [undefined, "", "1", "1,", "1,2,3", "1,Infinity", "a,b"]) expect(parsePair(text)).toBeUndefined();
+  });
+
+  it("read axes with numbers and with units", () => {
+    const axis = { key: "operation.velocity", from: "1 µm/s", to: 100, scale: "log" } as const;
+    expect(parseAxis(writeAxis(axis))).toEqual(axis);
+    for (const text of ["a~1~2", "a~1~2~cubic", "~1~2~log", "a~~2~log", "a~1~2~log~3"]) expect(parseAxis(text)).toBeUndefined();
+    expect(numberOrText(" 1e-3 ")).toBe(1e-3);
+    expect(numberOrText("Infinity")).toBe("Infinity");
+  });
+
+  it("read words of their list", () => {
+    expect(parseWords("a,b,a", ["a", "b"])).toEqual(["a", "b"]);
+    expect(parseWords("", ["a"])).toEqual([]);
+    expect(parseWords("c", ["a"])).toBeUndefined();
+  });
+});

@@ -1,0 +1,80 @@
+/** The key, range and scale of one axis of the map. */
+
+import { useEffect, useState } from "preact/hooks";
+import { numberOrText } from "../../state/fields";
+import type { Key, KeyAxis, ScaleName } from "../../wire/api";
+import { keyName } from "./spec";
+
+interface AxisPickerProps {
+  readonly name: "x" | "y";
+  readonly axis: KeyAxis;
+  readonly keys: readonly Key[];
+  /** The key of the other axis, which cannot be taken. */
+  readonly taken: string;
+  readonly onKey: (key: Key) => void;
+  readonly onAxis: (axis: KeyAxis) => void;
+}
+
+export function AxisPicker({ name, axis, keys, taken, onKey, onAxis }: AxisPickerProps) {
+  const pick = (event: Event) => {
+    const key = keys.find((key) => key.path === (event.currentTarget as HTMLSelectElement).value);
+    if (key) onKey(key);
+  };
+  const scale = (event: Event) => {
+    onAxis({ ...axis, scale: (event.currentTarget as HTMLSelectElement).value as ScaleName });
+  };
+  return (
+    <fieldset class="axis-picker">
+      <legend class="visually-hidden">{name} axis</legend>
+      <b aria-hidden="true">{name}</b>
+      <select aria-label={`Key of the ${name} axis`} value={axis.key} onChange={pick}>
+        {keys.map((key) => (
+          <option key={key.path} value={key.path} disabled={key.path === taken}>
+            {keyName(key)} {key.symbol}
+          </option>
+        ))}
+      </select>
+      <span class="axis-ends">
+        <End label={`From, ${name} axis`} value={axis.from} onChange={(from) => onAxis({ ...axis, from })} />
+        <span aria-hidden="true">…</span>
+        <End label={`To, ${name} axis`} value={axis.to} onChange={(to) => onAxis({ ...axis, to })} />
+      </span>
+      <select aria-label={`Scale of the ${name} axis`} value={axis.scale} onChange={scale}>
+        <option value="log">log</option>
+        <option value="linear">linear</option>
+      </select>
+    </fieldset>
+  );
+}
+
+interface EndProps {
+  readonly label: string;
+  readonly value: number | string;
+  readonly onChange: (value: number | string) => void;
+}
+
+function End({ label, value, onChange }: EndProps) {
+  const [typed, setTyped] = useState<string | null>(null);
+  useEffect(() => setTyped(null), [value]);
+  const enter = () => {
+    // the address separates the parts of an axis by tildes
+    if (typed !== null && typed.trim() !== "" && !typed.includes("~")) onChange(numberOrText(typed));
+    setTyped(null);
+  };
+  return (
+    <input
+      type="text"
+      class="axis-end"
+      aria-label={label}
+      value={typed ?? String(value)}
+      spellcheck={false}
+      autocomplete="off"
+      onInput={(event) => setTyped(event.currentTarget.value)}
+      onBlur={enter}
+      onKeyDown={(event) => {
+        if (event.key === "Enter") enter();
+        if (event.key === "Escape") setTyped(null);
+      }}
+    />
+  );
+}

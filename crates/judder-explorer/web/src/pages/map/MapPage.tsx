@@ -1,0 +1,143 @@
+/** The map page: stability over two keys, live. */
+
+import { useCallback, useEffect, useMemo, useRef } from "preact/hooks";
+import { Chart } from "../../chart/Chart";
+import type { Cursor, Phase } from "../../chart/interaction";
+import { type Window, rangeOf } from "../../chart/scale";
+import { useView } from "../../state/store";
+import { options, withFields } from "../../state/view";
+import { useApp } from "../../ui/app";
+import { ErrorNote, unlessSaid } from "../../ui/ErrorNote";
+import { useCaseFile } from "../../ui/files";
+import { Page } from "../../ui/Page";
+import { leading } from "../../ui/PointValues";
+import { usePoint } from "../../ui/usePoint";
+import type { Key, KeyAxis } from "../../wire/api";
+import { AxisPicker } from "./AxisPicker";
+import { CursorPanel } from "./CursorPanel";
+import { MapSwitches } from "./MapSwitches";
+import { BOUNDARIES, type MapPicture, mapAnalysis, planeOf } from "./picture";
+import { mapSpec } from "./spec";
+import { axisOver, homeAxis, optionsAt, rangeOfAxis, readMap, rounded, withAxes, withPlace } from "./state";
+import { criticalAnalysis, useCritical } from "./useCritical";
+import { type LiveMap, useMap } from "./useMap";
+import "./map.css";
+
+export function MapPage() {
+  const { session, store, keys, error: refused } = useApp();
+  const view = useView(store);
+  const state = useMemo(() => readMap(view, session, keys), [view, session, keys]);
+  const [x, y] = [keys.get(state.x.key) as Key, keys.get(state.y.key) as Key];
+  const set = options(view);
+  const boundaries = BOUNDARIES.filter((name) => state.show.includes(name));
+  const live = useMap({ set, x: state.x, y: state.y, boundaries });
+  const picture = live.picture?.plane === planeOf(state) ? live.picture : null;
+  const analysis = criticalAnalysis(state.x, state.y);
+  const { critical, error: criticalError } = useCritical(set, state.show.includes("critical") ? analysis : null);
+
+  const window = useWindow(state.x, state.y, x, y, picture);
+  const spec = useMemo(
+    () => mapSpec({ state, x, y, window, picture, critical }),
+    [picture, critical, x, y, window, state.x, state.y, state.show.join(), state.marks.join()],
+  );
+
+  const shown = state.pin ?? state.cursor;
+  const at = shown ? optionsAt(view, state, keys, shown) : null;
+  const point = usePoint(at ? options({ ...view, set: at }) : null);
+  const place = (cursor: Cursor) => rounded(cursor, window ?? { x: [cursor.x, 2 * cursor.x], y: [cursor.y, 2 * cursor.y] });
+
+  const onWindow = (next: Window | null, phase: Phase) => {
+    // before the first map, ends with units of their own are not known here
+    if (next && !window) return;
+    const axes = next
+      ? { x: axisOver(state.x, x, next.x), y: axisOver(state.y, y, next.y) }
+      : { x: homeAxis(x, session), y: homeAxis(y, session) };
+    store.update((view) => withAxes(view, axes), phase);
+  };
+  const onCursor = (cursor: Cursor | null) =>
+    store.update((view) => withPlace(view, "cursor", cursor && place(cursor)), "quiet");
+  const onPick = (cursor: Cursor) => store.update((view) => withPlace(view, "pin", place(cursor)));
+  const onKey = (name: "x" | "y") => (key: Key) =>
+    // places in another plane mean nothing
+    store.update((view) => withFields(withAxes(view, { [name]: homeAxis(key, session) }), { cursor: undefined, pin: undefined }));
+  const onAxis = (name: "x" | "y") => (axis: KeyAxis) => store.update((view) => withAxes(view, { [name]: axis }));
+
+  useMapCaseFile();
+  const all = session.keys;
+  return (
+    <Page title="Stability map" hiddenKeys={[x.path, y.path]}>
+      <div class="map-layout">
+        <div class="map-main">
+          <div class="map-tools">
+            <AxisPicker name="x" axis={state.x} keys={all} taken={y.path} onKey={onKey("x")} onAxis={onAxis("x")} />
+            <AxisPicker name="y" axis={state.y} keys={all} taken={x.path} onKey={onKey("y")} onAxis={onAxis("y")} />
+            <MapSwitches
+              state={state}
+              hasCritical={analysis !== null}
+              onShow={(show) => store.update((view) => withFields(view, { show: show.join() }))}
+              onMarks={(marks) => store.update((view) => withFields(view, { marks: marks.length > 0 ? marks.join() : undefined }))}
+            />
+          </div>
+          <ErrorNote error={unlessSaid(live.error ?? criticalError, refused)} />
+          <div class="map-chart" data-stage={picture?.stage ?? "none"} data-busy={live.busy}>
+            <Chart
+              spec={spec}
+              window={window}
+              onWindow={onWindow}
+              cursor={state.cursor}
+              onCursor={onCursor}
+              onPick={onPick}
+              pin={state.pin}
+              quiet
+              spoken={point.point ? spokenPoint(point.point.point) : ""}
+            />
+          </div>
+          <p class="map-status" role="status">
+            {status(picture, live)}
+          </p>
+        </div>
+        <CursorPanel state={state} place={shown} x={x} y={y} live={point} set={at} />
+      </div>
+    </Page>
+  );
+}
+
+function status(picture: MapPicture | null, { busy, progress }: LiveMap): string {
+  if (busy && progress) return `Computing the contact law: ${progress.done} of ${progress.of}.`;
+  if (!picture) return busy ? "Computing…" : "";
+  const unresolved = picture.unresolved > 0 ? ` ${picture.unresolved} points are unresolved.` : "";
+  return (picture.stage === "coarse" ? "Coarse map." : `${picture.x.length} × ${picture.y.length} points.`) + unresolved;
+}
+
+function spokenPoint(point: Parameters<typeof leading>[0]): string {
+  const growth = Number(point.growth_rate.toPrecision(3));
+  return `${point.verdict}, ${point.mechanism ?? ""}, growth rate ${growth}, frequency ${Number(Math.abs(leading(point)[1]).toPrecision(3))}`;
+}
+
+/** The window that the axes ask for; where their ends have units that only the server reads, that of the last map. */
+function useWindow(xAxis: KeyAxis, yAxis: KeyAxis, x: Key, y: Key, picture: MapPicture | null): Window | null {
+  return useMemo(() => {
+    const xRange = rangeOfAxis(xAxis, x) ?? (picture ? rangeOf(xAxis.scale, [picture.x]) : null);
+    const yRange = rangeOfAxis(yAxis, y) ?? (picture ? rangeOf(yAxis.scale, [picture.y]) : null);
+    return xRange && yRange ? { x: xRange, y: yRange } : null;
+  }, [xAxis.key, xAxis.from, xAxis.to, xAxis.scale, yAxis.key, yAxis.from, yAxis.to, yAxis.scale, x, y, picture?.x, picture?.y]);
+}
+
+/** The exported case holds the point that is shown, and the map about it. */
+function useMapCaseFile(): void {
+  const app = useApp();
+  const newest = useRef(app);
+  useEffect(() => {
+    newest.current = app;
+  });
+  const make = useCallback(() => {
+    const { session, store, keys } = newest.current;
+    const view = store.view;
+    const state = readMap(view, session, keys);
+    const place = state.pin ?? state.cursor;
+    const set = place ? optionsAt(view, state, keys, place) : view.set;
+    const boundaries = BOUNDARIES.some((name) => state.show.includes(name));
+    return { set: options({ ...view, set }), analysis: mapAnalysis(state, boundaries) };
+  }, []);
+  useCaseFile(make);
+}

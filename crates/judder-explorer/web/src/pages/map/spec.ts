@@ -1,0 +1,76 @@
+/** The chart of a map. */
+
+import { STABILITY } from "../../chart/palette";
+import type { Window } from "../../chart/scale";
+import type { Axis, ChartSpec, Layer } from "../../chart/spec";
+import { signOf } from "../../ui/numbers";
+import type { Key, KeyAxis } from "../../wire/api";
+import { BOUNDARIES, type BoundaryName, type MapPicture, shares } from "./picture";
+import { type MapState, isDimensional } from "./state";
+import type { Critical } from "./useCritical";
+
+const NAMES: Record<BoundaryName, string> = {
+  full: "boundary, full system",
+  conservative: "boundary without damping",
+  decoupled: "boundary for $η = 0$",
+};
+const ROLES = { full: "full-boundary", conservative: "conservative-boundary", decoupled: "decoupled-boundary" } as const;
+
+/** What a key is called in a sentence. */
+export function keyName(key: Key): string {
+  return (key.path.split(".").at(-1) ?? key.path).replaceAll("_", " ");
+}
+
+function axisOf(axis: KeyAxis, key: Key, range: Window["x"] | undefined): Axis {
+  const name = keyName(key);
+  const dimensional = isDimensional(axis);
+  const label = `${name.charAt(0).toUpperCase()}${name.slice(1)}  ${signOf(key, dimensional)}`;
+  const unit = dimensional || key.group === null ? key.unit : key.group;
+  return { label, name: `${key.path} (${unit})`, scale: axis.scale, ...(range ? { range } : {}) };
+}
+
+export function shareText(share: number): string {
+  return share > 0 && share < 0.0005 ? "< 0.1 %" : `${(100 * share).toFixed(1)} %`;
+}
+
+interface Parts {
+  readonly state: MapState;
+  readonly x: Key;
+  readonly y: Key;
+  readonly window: Window | null;
+  readonly picture: MapPicture | null;
+  readonly critical: Critical | null;
+}
+
+export function mapSpec({ state, x, y, window, picture, critical }: Parts): ChartSpec {
+  const layers: Layer[] = [];
+  if (picture) {
+    const share = shares(picture.classes, STABILITY.length);
+    const classes = STABILITY.map((area, code) => ({ ...area, legend: `${area.name} ${shareText(share[code] ?? 0)}` }));
+    layers.push({
+      kind: "classes",
+      label: "mechanism",
+      x: picture.x,
+      y: picture.y,
+      codes: picture.classes,
+      classes,
+      hatched: state.marks.includes("hatch"),
+      letters: state.marks.includes("letters"),
+    });
+    for (const name of BOUNDARIES) {
+      const curve = picture.boundaries[name];
+      if (curve && state.show.includes(name)) layers.push({ kind: "line", label: NAMES[name], ...curve, role: ROLES[name] });
+    }
+  }
+  if (critical) {
+    const common = { kind: "points", size: 6 } as const;
+    layers.push({ ...common, label: `critical ${keyName(y)}`, ...critical.full, role: { series: 1 } });
+    layers.push({ ...common, label: `critical ${keyName(y)} without damping`, ...critical.conservative, role: { series: 0 }, hollow: true });
+  }
+  return {
+    title: `Stability over ${keyName(x)} and ${keyName(y)}`,
+    x: axisOf(state.x, x, window?.x),
+    y: axisOf(state.y, y, window?.y),
+    layers,
+  };
+}

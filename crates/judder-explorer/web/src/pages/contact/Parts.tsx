@@ -1,0 +1,160 @@
+/** What the parts of the contact page share. */
+
+import type { ComponentChildren } from "preact";
+import { withFields } from "../../state/view";
+import type { QUANTITIES } from "../../state/fields";
+import { useApp } from "../../ui/app";
+import { unlessSaid } from "../../ui/ErrorNote";
+import { Label } from "../../ui/Label";
+import type { RequestError } from "../../wire/request";
+import type { Outcome } from "./outcome";
+import type { Computation } from "./useComputation";
+import { QUANTITY_NAMES, shortNumber } from "./words";
+
+interface RunProps {
+  readonly computation: Computation;
+  /** What is computed, in a sentence. */
+  readonly what: string;
+  /** Whether it waits to be started. */
+  readonly live: boolean;
+}
+
+/** A mistake that the parameters tell already is told again only where there is nothing else to see. */
+export function shownError({ frame, error }: Computation, refused: RequestError | null): RequestError | null {
+  return frame ? unlessSaid(error, refused) : error;
+}
+
+/** Whether asking once more may help: what is asked for is not itself wrong. */
+function isPassing({ status }: RequestError): boolean {
+  return status === 0 || status === 429 || status >= 500;
+}
+
+/** Progress of what takes long, with a way to stop it and to start it again. */
+export function Run({ computation, what, live }: RunProps) {
+  const { busy, progress, stopped, current, error, start, stop } = computation;
+  const starts = live && !stopped && !(error && isPassing(error));
+  const waits = !busy && !current && !starts;
+  return (
+    <div class={`contact-run${busy ? " contact-busy" : ""}`}>
+      <p role="status">{busy ? `Computing ${what}…${progress ? ` ${progress.done} of ${progress.of}` : ""}` : stopped ? "Stopped." : ""}</p>
+      {busy && <progress aria-label={`Computing ${what}`} {...(progress ? { value: progress.done, max: progress.of } : {})} />}
+      {busy && (
+        <button type="button" onClick={stop}>
+          Cancel
+        </button>
+      )}
+      {waits && (
+        <button type="button" onClick={start}>
+          Compute {what}
+        </button>
+      )}
+    </div>
+  );
+}
+
+interface ResultsProps {
+  readonly computation: Computation;
+  readonly children: ComponentChildren;
+}
+
+/** What was computed; paler where it belongs to parameters before. */
+export function Results({ computation: { current, busy }, children }: ResultsProps) {
+  return (
+    <div class={current ? "" : "contact-stale"} aria-busy={busy} data-current={current}>
+      {!current && !busy && <p class="contact-note">These are results of parameters before.</p>}
+      {children}
+    </div>
+  );
+}
+
+interface ChoiceProps<T extends string> {
+  readonly name: string;
+  readonly field: string;
+  readonly value: T;
+  readonly options: readonly (readonly [value: T, name: string])[];
+}
+
+/** A choice that the address keeps. */
+export function Choice<T extends string>({ name, field, value, options }: ChoiceProps<T>) {
+  const { store } = useApp();
+  const choose = (event: Event) => {
+    const next = (event.currentTarget as HTMLSelectElement).value;
+    store.update((view) => withFields(view, { [field]: next === "" ? undefined : next }));
+  };
+  return (
+    <label class="contact-choice">
+      {name}
+      <select value={value} onChange={choose}>
+        {options.map(([option, text]) => (
+          <option key={option} value={option}>
+            {text}
+          </option>
+        ))}
+      </select>
+    </label>
+  );
+}
+
+/** Force, area or friction: the same choice for the law and for the fit. */
+export function QuantityChoice({ value }: { readonly value: (typeof QUANTITIES)[number] }) {
+  const options = (["friction", "force", "area"] as const).map((quantity) => [quantity, QUANTITY_NAMES[quantity]] as const);
+  return <Choice name="quantity" field="quantity" value={value} options={options} />;
+}
+
+export function Warnings({ warnings }: { readonly warnings: readonly string[] }) {
+  if (warnings.length === 0) return null;
+  return (
+    <div class="contact-warnings" role="status">
+      <ul aria-label="Warnings">
+        {warnings.map((warning) => (
+          <li key={warning}>{warning}</li>
+        ))}
+      </ul>
+    </div>
+  );
+}
+
+/** What the computation says of its own trustworthiness. */
+export function Checks({ checks }: Pick<Outcome, "checks">) {
+  if (checks.length === 0) return null;
+  return (
+    <Scroll name="Checks">
+      <table class="contact-table">
+        <caption>Checks</caption>
+        <thead>
+          <tr>
+            <th scope="col">check</th>
+            <th scope="col">figure</th>
+            <th scope="col">limit</th>
+            <th scope="col">passed</th>
+          </tr>
+        </thead>
+        <tbody>
+          {checks.map(({ name, compared, figure, limit, passed }) => (
+            <tr key={name} class={passed ? "" : "contact-failed"}>
+              <th scope="row" title={compared}>
+                {name}
+              </th>
+              <td>
+                <Label text={shortNumber(figure)} />
+              </td>
+              <td>
+                <Label text={shortNumber(limit)} />
+              </td>
+              <td>{passed ? "✓ yes" : "✗ no"}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </Scroll>
+  );
+}
+
+/** A table that may be wider than its place, and is reached by keys. */
+export function Scroll({ name, children }: { readonly name: string; readonly children: ComponentChildren }) {
+  return (
+    <div class="contact-scroll" role="region" aria-label={name} tabIndex={0}>
+      {children}
+    </div>
+  );
+}

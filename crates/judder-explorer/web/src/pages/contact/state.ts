@@ -1,0 +1,135 @@
+/** What the contact page shows, read from the view and written to it. */
+
+import { type Range, type Window, usable } from "../../chart/scale";
+import {
+  CONTACT_ACCURACIES,
+  CONTACT_PARTS,
+  FIT_ACCURACIES,
+  LAW_NAMES,
+  QUANTITIES,
+  VELOCITY_SCALES,
+  numberOrText,
+  parsePair,
+} from "../../state/fields";
+import { type View, withFields } from "../../state/view";
+import type { Analysis } from "../../wire/api";
+
+export type Part = (typeof CONTACT_PARTS)[number];
+export type Quantity = (typeof QUANTITIES)[number];
+export type LawName = (typeof LAW_NAMES)[number];
+
+/** A speed v τ/R and a depth δ/R. */
+export interface Place {
+  readonly velocity: number;
+  readonly indentation: number;
+}
+
+/** What presses the indenter down in the one solution that is shown. */
+export type Loading = { readonly key: "indentation" | "load"; readonly value: string };
+
+export interface ContactState {
+  readonly part: Part;
+  readonly quantity: Quantity;
+  readonly speeds: Range;
+  readonly depths: Range;
+  /** Null where the address names none. */
+  readonly cursor: Place | null;
+  readonly compare: LawName | null;
+  readonly fitAccuracy: string;
+  readonly velocityScale: string;
+  /** Of the one solution; null is the operating point's. */
+  readonly velocity: string | null;
+  readonly loading: Loading | null;
+  readonly accuracy: string;
+}
+
+export const HOME_SPEEDS: Range = [1e-6, 1e4];
+export const HOME_DEPTHS: Range = [1e-6, 1e-1];
+
+export function readContact(view: View): ContactState {
+  const { fields } = view;
+  const word = <T extends string>(field: string, allowed: readonly T[], home: T) =>
+    allowed.find((one) => one === fields[field]) ?? home;
+  const cursor = parsePair(fields["cursor"]);
+  const loads = (["load", "indentation"] as const).filter((key) => fields[key]?.trim());
+  const key = loads[0];
+  return {
+    part: word("part", CONTACT_PARTS, "material"),
+    quantity: word("quantity", QUANTITIES, "friction"),
+    speeds: readRange(fields["speeds"], HOME_SPEEDS),
+    depths: readRange(fields["depths"], HOME_DEPTHS),
+    cursor: cursor && cursor.every((value) => value > 0) ? { velocity: cursor[0], indentation: cursor[1] } : null,
+    compare: LAW_NAMES.find((law) => law === fields["compare"]) ?? null,
+    fitAccuracy: word("fit_accuracy", FIT_ACCURACIES, "1e-2"),
+    velocityScale: word("velocity_scale", VELOCITY_SCALES, "0.01"),
+    velocity: fields["velocity"]?.trim() || null,
+    loading: key ? { key, value: (fields[key] as string).trim() } : null,
+    accuracy: word("accuracy", CONTACT_ACCURACIES, "1e-2"),
+  };
+}
+
+function readRange(text: string | undefined, home: Range): Range {
+  const pair = parsePair(text);
+  return pair && usable("log", pair) ? pair : home;
+}
+
+export function withWindow(view: View, window: Window | null): View {
+  const text = (range: Range) => range.map((end) => Number(end.toPrecision(4))).join();
+  return withFields(view, { speeds: window ? text(window.x) : undefined, depths: window ? text(window.y) : undefined });
+}
+
+export function withCursor(view: View, cursor: Place | null): View {
+  const text = cursor && [cursor.velocity, cursor.indentation].map((value) => Number(value.toPrecision(4))).join();
+  return withFields(view, { cursor: text ?? undefined });
+}
+
+/** Only one of the two can be given. */
+export function withLoading(view: View, loading: Loading | null): View {
+  return withFields(view, {
+    load: loading?.key === "load" ? loading.value : undefined,
+    indentation: loading?.key === "indentation" ? loading.value : undefined,
+  });
+}
+
+export const MODULUS: Analysis = { name: "modulus", kind: "modulus" };
+
+/** Points of the law's plane: along speed, along depth. */
+export const LAW_POINTS = { velocity: 121, indentation: 81 };
+
+const span = ([from, to]: Range, points: number) => ({ from, to, points });
+
+export function lawSpans(state: ContactState) {
+  return {
+    velocity: span(state.speeds, LAW_POINTS.velocity),
+    indentation: span(state.depths, LAW_POINTS.indentation),
+  };
+}
+
+/** The law computed for the substrate itself. */
+export function lawAnalysis(state: ContactState): Analysis {
+  return { name: "law", kind: "contact-law", ...lawSpans(state) };
+}
+
+/** Over the speeds and depths of the oscillator paper's fits (its Fig. 14). */
+export function fitAnalysis(state: ContactState): Analysis {
+  return {
+    name: "fit",
+    kind: "fit",
+    velocity: span([1e-4, 1e4], 41),
+    indentation: span([1e-4, 1e-1], 13),
+    accuracy: Number(state.fitAccuracy),
+    velocity_scale: Number(state.velocityScale),
+  };
+}
+
+/** The contact at the place that the address names, otherwise at `home`. */
+export function solutionAnalysis(state: ContactState, home: Place): Analysis {
+  const loading = state.loading ?? { key: "indentation", value: String(home.indentation) };
+  return {
+    name: "contact",
+    kind: "contact",
+    velocity: state.velocity === null ? home.velocity : numberOrText(state.velocity),
+    [loading.key]: numberOrText(loading.value),
+    accuracy: Number(state.accuracy),
+  };
+}

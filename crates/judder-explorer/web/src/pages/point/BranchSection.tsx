@@ -1,0 +1,68 @@
+/** The branch of limit cycles along a key. */
+
+import { useMemo } from "preact/hooks";
+import type { Cursor } from "../../chart/interaction";
+import { useView } from "../../state/store";
+import { withFields, withOption } from "../../state/view";
+import { writeAxis } from "../../state/fields";
+import { useApp } from "../../ui/app";
+import { plainValue, significant } from "../../ui/numbers";
+import type { Key } from "../../wire/api";
+import { AxisPicker } from "../map/AxisPicker";
+import { valueOnAxis } from "../map/state";
+import { type Branch, branchSpec, rangeOfBranch } from "./branch";
+import { keyAxisLabel, valueOnAxisOf } from "./keys";
+import { RunBar } from "./RunBar";
+import { Summary } from "./Summary";
+import { type PointState, branchAnalyses, branchAxis } from "./state";
+import { StillChart } from "./StillChart";
+import { TextField, isCount } from "./TextField";
+import type { Run } from "./useRun";
+
+export function BranchSection({ state, run }: { readonly state: PointState; readonly run: Run<Branch> }) {
+  const { session, store, keys, values } = useApp();
+  useView(store);
+  const { branch: axis } = state;
+  const key = keys.get(axis.key) as Key;
+  const result = run.result?.key === axis.key ? run.result : null;
+  const now = valueOnAxisOf(key, axis, values);
+  const spec = useMemo(
+    () => (result ? branchSpec(result, { label: keyAxisLabel(key, axis), scale: axis.scale, range: rangeOfBranch(result, axis.scale) }, now) : null),
+    [result, key, axis.scale, typeof axis.from, now],
+  );
+  const onKey = (key: Key) => {
+    const value = values?.values.find((value) => value.path === key.path);
+    const next = branchAxis(key, session, value ? plainValue(key, value) : null);
+    store.update((view) => withFields(view, { branch: writeAxis(next) }));
+  };
+  const pick = (cursor: Cursor) => store.update((view) => withOption(view, key.path, valueOnAxis(axis, key, significant(cursor.x))));
+  const analyses = branchAnalyses(state);
+  return (
+    <section class="card card-wide" aria-labelledby="branch-title">
+      <h2 id="branch-title">Branch of limit cycles</h2>
+      <AxisPicker name="x" axis={axis} keys={[...keys.values()]} taken="" onKey={onKey} onAxis={(axis) => store.update((view) => withFields(view, { branch: writeAxis(axis) }))} />
+      <RunBar kind="branch" name="Follow the branch" run={run} analysis={analyses.at(-1) ?? { name: "branch", kind: "bifurcation" }} keep={{ branch: writeAxis(axis) }}>
+        <TextField name="points" value={state.steps} accepts={isCount} onChange={(steps) => store.update((view) => withFields(view, { steps }))} />
+        <label title="without the branches, which may take minutes">
+          <input
+            type="checkbox"
+            checked={state.simulated}
+            onChange={(event) => {
+              const text = event.currentTarget.checked ? "on" : undefined;
+              store.update((view) => withFields(view, { simulated: text }));
+            }}
+          />{" "}
+          simulated points only
+        </label>
+      </RunBar>
+      {!spec && <p class="note">Simulated upwards and downwards, then followed through its folds, stable and unstable. Branches may take minutes where cycles stick and lift off.</p>}
+      {spec && result && (
+        <div class={run.isStale ? "stale-result" : ""}>
+          <StillChart spec={spec} height={360} onPick={pick} />
+          <p class="note">A click or Enter sets the key to the cursor's value.{spec.x.range && now !== null && (now < spec.x.range[0] || now > spec.x.range[1]) && " The present value lies outside."}</p>
+          <Summary outcome={result.outcome} prefix="branch" entries={[]} />
+        </div>
+      )}
+    </section>
+  );
+}

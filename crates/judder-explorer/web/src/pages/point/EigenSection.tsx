@@ -1,0 +1,111 @@
+/** Eigenvalues in the complex plane, their trail, and their path along a key. */
+
+import { useEffect, useMemo, useState } from "preact/hooks";
+import type { Cursor } from "../../chart/interaction";
+import { useView } from "../../state/store";
+import { options, withFields, withOption } from "../../state/view";
+import { useApp } from "../../ui/app";
+import { ErrorNote, unlessSaid } from "../../ui/ErrorNote";
+import { significant } from "../../ui/numbers";
+import type { Key, Pair } from "../../wire/api";
+import { homeAxis, isDimensional, valueOnAxis } from "../map/state";
+import { keyName } from "../map/spec";
+import { type Mode, eigenSpec, growthSpec } from "./eigen";
+import { keyAxisLabel, valueOnAxisOf } from "./keys";
+import { type PointState, pathAnalysis } from "./state";
+import { StillChart } from "./StillChart";
+import { usePath } from "./usePath";
+
+/** Sets of eigenvalues that a trail keeps. */
+const TRAIL = 60;
+
+interface EigenSectionProps {
+  readonly state: PointState;
+  readonly eigenvalues: readonly Pair[] | null;
+  readonly modes: readonly Mode[];
+}
+
+export function EigenSection({ state, eigenvalues, modes }: EigenSectionProps) {
+  const { session, store, keys, values, error: refused } = useApp();
+  const view = useView(store);
+  const [trail, clear] = useTrail(eigenvalues, state.hasTrail);
+  const { along } = state;
+  const analysis = useMemo(() => (along ? pathAnalysis(along, session) : null), [along, session]);
+  const { path, error } = usePath(options(view), along?.path ?? "", analysis);
+  const spec = useMemo(
+    () => eigenSpec({ modes, trail, path, pathName: along ? `path along ${keyName(along)}` : "" }),
+    [modes, trail, path, along],
+  );
+  const axis = along ? homeAxis(along, session) : null;
+  const now = along && axis ? valueOnAxisOf(along, axis, values) : null;
+  const growth = useMemo(
+    () => (path && along && axis ? growthSpec(path, { label: keyAxisLabel(along, axis), scale: axis.scale }, now) : null),
+    [path, along, now, axis?.scale],
+  );
+  const pick = (cursor: Cursor) => {
+    if (along && axis) store.update((view) => withOption(view, along.path, valueOnAxis(axis, along, significant(cursor.x))));
+  };
+  return (
+    <section class="card eigen" aria-labelledby="eigen-title">
+      <h2 id="eigen-title">Eigenvalues</h2>
+      <div class="run-bar">
+        <AlongChoice keys={[...keys.values()]} along={along} />
+        <label>
+          <input
+            type="checkbox"
+            checked={state.hasTrail}
+            onChange={(event) => {
+              const text = event.currentTarget.checked ? undefined : "off";
+              store.update((view) => withFields(view, { trail: text }));
+            }}
+          />{" "}
+          trail
+        </label>
+        <button type="button" onClick={clear} disabled={trail.length === 0}>
+          Clear trail
+        </button>
+      </div>
+      <ErrorNote error={unlessSaid(error, refused)} />
+      <StillChart spec={spec} height={350} />
+      {growth && along && axis && (
+        <>
+          <StillChart spec={growth} height={210} onPick={pick} />
+          <p class="note">A click or Enter sets {keyName(along)} to the cursor's value{isDimensional(axis) ? ` in ${along.unit}` : ""}.</p>
+        </>
+      )}
+    </section>
+  );
+}
+
+function AlongChoice({ keys, along }: { readonly keys: readonly Key[]; readonly along: Key | null }) {
+  const { store } = useApp();
+  const choose = (event: Event) => {
+    const path = (event.currentTarget as HTMLSelectElement).value;
+    store.update((view) => withFields(view, { along: path === "" ? undefined : path }));
+  };
+  return (
+    <label class="choice">
+      path along{" "}
+      <select value={along?.path ?? ""} onChange={choose}>
+        <option value="">no key</option>
+        {keys.map((key) => (
+          <option key={key.path} value={key.path}>
+            {keyName(key)} {key.symbol}
+          </option>
+        ))}
+      </select>
+    </label>
+  );
+}
+
+/** Where the eigenvalues were, from the oldest; without what is there now. */
+function useTrail(eigenvalues: readonly Pair[] | null, on: boolean): readonly [readonly (readonly Pair[])[], () => void] {
+  const [kept, setKept] = useState<readonly (readonly Pair[])[]>([]);
+  useEffect(() => {
+    if (!eigenvalues || !on) return setKept([]);
+    const text = JSON.stringify(eigenvalues);
+    setKept((kept) => (JSON.stringify(kept.at(-1)) === text ? kept : [...kept.slice(-TRAIL), eigenvalues]));
+  }, [eigenvalues, on]);
+  const before = useMemo(() => kept.slice(0, -1), [kept]);
+  return [before, () => setKept((kept) => kept.slice(-1))];
+}

@@ -1,0 +1,57 @@
+/** What an outcome tells of itself: its numbers, its checks and its warnings. */
+
+import { Value } from "../../ui/Value";
+import type { Frame } from "../../wire/frames";
+
+/** A number in the summary, by its path in it. */
+export interface Entry {
+  readonly path: string;
+  readonly name: string;
+  readonly unit?: string;
+}
+
+interface Check {
+  readonly name: string;
+  readonly compared: string;
+  readonly figure: number;
+  readonly limit: number;
+  readonly passed: boolean;
+}
+
+/** The entry of a summary at a dotted path. */
+export function entryAt(frame: Frame, path: string): unknown {
+  const scalars: unknown = frame.header["scalars"];
+  const parts = Object.hasOwn((scalars ?? {}) as object, path) ? [path] : path.split("/");
+  return parts.reduce<unknown>((value, part) => (value as Record<string, unknown> | null | undefined)?.[part], scalars);
+}
+
+export function Summary({ outcome, prefix, entries }: { readonly outcome: Frame; readonly prefix: string; readonly entries: readonly Entry[] }) {
+  const checks = (outcome.header["checks"] ?? []) as readonly Check[];
+  const warnings = (outcome.header["warnings"] ?? []) as readonly string[];
+  return (
+    <>
+      <dl class="values summary">
+        {entries.map(({ path, name, unit }) => (
+          <Value key={path} name={name} dataKey={`${prefix}.${path.replaceAll("/", ".")}`} value={textOf(entryAt(outcome, path))} {...(unit ? { unit } : {})} />
+        ))}
+      </dl>
+      {checks.map((check) => (
+        <p key={check.name} class={check.passed ? "check" : "point-warning"} title={check.compared}>
+          {check.passed ? "✓" : "✗"} {check.name}: {typeof check.figure === "number" ? Number(check.figure.toPrecision(3)) : "no number"}, limit {String(check.limit)}
+        </p>
+      ))}
+      {warnings.map((warning) => (
+        <p key={warning} class="point-warning">
+          {warning}
+        </p>
+      ))}
+    </>
+  );
+}
+
+function textOf(value: unknown): string | number | null {
+  if (value === null || value === undefined) return null;
+  if (typeof value === "boolean") return value ? "yes" : "no";
+  if (Array.isArray(value)) return value.map(String).join(", ");
+  return typeof value === "number" ? value : String(value);
+}

@@ -1,0 +1,117 @@
+/** What the point page keeps, read from the view, and the analyses that it asks for. */
+
+import { RUNS, numberOrText, parseAxis, parseWords } from "../../state/fields";
+import { type View, withFields } from "../../state/view";
+import type { Analysis, Key, KeyAxis, Session } from "../../wire/api";
+import { homeAxis } from "../map/state";
+
+export type RunKind = (typeof RUNS)[number];
+
+export interface PointState {
+  /** The key along which the path of the eigenvalues is shown. */
+  readonly along: Key | null;
+  readonly hasTrail: boolean;
+  /** Whether mode shapes stand still. */
+  readonly still: boolean;
+  /** What is computed without being asked again. */
+  readonly run: readonly RunKind[];
+  /** Whether a motion follows the parameters. */
+  readonly live: boolean;
+  /** ω_nx t as a number, or a time with its unit. */
+  readonly duration: number | string;
+  /** The share of its magnitude by which x is moved off steady sliding. */
+  readonly start: number;
+  readonly points: number;
+  readonly branch: KeyAxis;
+  /** Points of the swept key. */
+  readonly steps: number;
+  /** Whether the diagram is only simulated, without following branches. */
+  readonly simulated: boolean;
+  /** What is heard: `motion`, `cycle`, or `mode-1` and so on. */
+  readonly sound: string;
+  /** How many times faster than real; left out, what makes it audible. */
+  readonly factor: number | null;
+  readonly volume: number;
+}
+
+export const HOME = { duration: 500, start: 0.2, points: 4096, steps: 21, volume: 0.5 } as const;
+const FIRST_BRANCH_KEY = "contact.shear_strength";
+
+function positive(text: string | undefined, otherwise: number): number {
+  const number = Number(text);
+  return text !== undefined && number > 0 ? number : otherwise;
+}
+
+/** `value` is a plain number of each key, where it is known: the branch starts about it. */
+export function readPoint(view: View, session: Session, keys: ReadonlyMap<string, Key>, valueOf: (key: Key) => number | null): PointState {
+  const { fields } = view;
+  const axis = parseAxis(fields["branch"]);
+  const first = keys.get(FIRST_BRANCH_KEY) ?? [...keys.values()][0];
+  const volume = Number(fields["volume"] ?? HOME.volume);
+  return {
+    along: keys.get(fields["along"] ?? "") ?? null,
+    hasTrail: fields["trail"] !== "off",
+    still: fields["still"] === "on",
+    run: parseWords(fields["run"], RUNS) ?? [],
+    live: fields["live"] === "on",
+    duration: numberOrText(fields["duration"] ?? String(HOME.duration)),
+    start: fields["start"] === undefined ? HOME.start : Number(fields["start"]),
+    points: Math.round(positive(fields["points"], HOME.points)),
+    branch: axis && keys.has(axis.key) ? axis : branchAxis(first as Key, session, valueOf(first as Key)),
+    steps: Math.round(positive(fields["steps"], HOME.steps)),
+    simulated: fields["simulated"] === "on",
+    sound: fields["sound"] ?? "motion",
+    factor: fields["factor"] === undefined || Number(fields["factor"]) <= 0 ? null : Number(fields["factor"]),
+    volume: Math.min(Math.max(volume, 0), 1),
+  };
+}
+
+/** The half to the double of the value that a key has, within its slider; all of the slider where it has none. */
+export function branchAxis(key: Key, session: Session, value: number | null): KeyAxis {
+  const home = homeAxis(key, session);
+  const { from, to } = key.slider;
+  if (value === null || !(value > 0)) return home;
+  const [low, high] = [Math.max(Number((value / 2).toPrecision(3)), from), Math.min(Number((2 * value).toPrecision(3)), to)];
+  if (!(low < high)) return home;
+  const end = (value: number) => (typeof home.from === "string" ? `${value} ${key.unit}` : value);
+  return { key: key.path, from: end(low), to: end(high), scale: home.scale };
+}
+
+export function motionAnalysis(state: PointState): Analysis {
+  const { duration, points, start } = state;
+  return { name: "motion", kind: "motion", duration, points, start: { disturbance: start } };
+}
+
+export function cycleAnalysis(state: PointState): Analysis {
+  return { name: "cycle", kind: "limit-cycle", start: { disturbance: state.start } };
+}
+
+/** Of a diagram the simulated points come first: branches may take minutes. */
+export function branchAnalyses(state: PointState): readonly Analysis[] {
+  const sweep = { ...state.branch, points: state.steps };
+  const simulated = { name: "branch", kind: "bifurcation", sweep, start: { disturbance: state.start } };
+  return state.simulated ? [simulated] : [simulated, { ...simulated, branches: true }];
+}
+
+/** The path of the eigenvalues over the range of a key's slider. */
+export function pathAnalysis(key: Key, session: Session): Analysis {
+  return { name: "path", kind: "spectrum", sweep: { ...homeAxis(key, session), points: PATH_POINTS } };
+}
+
+const PATH_POINTS = 801;
+
+/** The view with one thing more, or one less, that is computed without being asked again. */
+export function withRun(view: View, kind: RunKind, on: boolean): View {
+  const now = parseWords(view.fields["run"], RUNS) ?? [];
+  const next = on ? [...new Set([...now, kind])] : now.filter((other) => other !== kind);
+  return withFields(view, { run: next.length > 0 ? next.join() : undefined });
+}
+
+/** What the exported case file asks for: the analysis that was last switched on, or the path of the eigenvalues. */
+export function caseAnalysis(state: PointState, session: Session): Analysis | null {
+  const last = state.run.at(-1);
+  if (last === "motion") return motionAnalysis(state);
+  if (last === "cycle") return cycleAnalysis(state);
+  if (last === "branch") return branchAnalyses(state).at(-1) ?? null;
+  return state.along ? pathAnalysis(state.along, session) : null;
+}

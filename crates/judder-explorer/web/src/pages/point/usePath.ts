@@ -1,0 +1,41 @@
+/** The path of the eigenvalues along a key, asked for as the other keys change. */
+
+import { useEffect, useRef, useState } from "preact/hooks";
+import type { Analysis } from "../../wire/api";
+import { reals } from "../../wire/frames";
+import { Latest } from "../../wire/latest";
+import { type RequestError, asRequestError, isAbort, postFrames, slot } from "../../wire/request";
+import { type Path, joined } from "./eigen";
+
+export interface LivePath {
+  readonly path: Path | null;
+  readonly error: RequestError | null;
+}
+
+/** `key` is the swept one: its own value does not matter. */
+export function usePath(set: readonly string[], key: string, analysis: Analysis | null): LivePath {
+  const [live, setLive] = useState<LivePath & { readonly key: string }>({ path: null, error: null, key: "" });
+  const latest = useRef(new Latest());
+  const others = set.filter((option) => !option.startsWith(`${key}=`));
+  const text = analysis ? JSON.stringify({ set: others, analysis }) : "";
+  useEffect(() => {
+    if (text === "") return latest.current.stop();
+    latest.current.submit(async (signal, shown) => {
+      try {
+        const body = { ...(JSON.parse(text) as object), slot: slot("path") };
+        for await (const frame of postFrames("/api/analysis", body, signal)) {
+          const array = frame.arrays.get("eigenvalues");
+          if (frame.kind !== "outcome" || !array) continue;
+          const along = reals(frame, array.dimensions[0] ?? "");
+          setLive({ path: joined(along, reals(frame, "eigenvalues"), array.shape[1] ?? 0), error: null, key });
+          shown();
+        }
+      } catch (failure) {
+        if (!isAbort(failure)) setLive((last) => ({ ...last, error: asRequestError(failure) }));
+      }
+    });
+  }, [text]);
+  useEffect(() => () => latest.current.stop(), []);
+  if (text === "") return { path: null, error: null };
+  return live.key === key ? live : { path: null, error: live.error };
+}

@@ -13,6 +13,7 @@ Examples:
   judder check case.toml            what it means, before anything runs
   judder run case.toml              out/case/report.html and everything else
   judder point case.toml --set operation.velocity=1e-3
+  judder explore case.toml          a page in the browser, computed live
   judder reproduce --quick          the oscillator paper, figure by figure
 
 Exit codes:

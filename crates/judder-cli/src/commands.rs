@@ -1,6 +1,7 @@
 //! One module a command.
 
 mod check;
+mod explore;
 mod merge;
 mod new;
 mod point;
@@ -9,7 +10,6 @@ mod reproduce;
 mod run;
 mod schema;
 
-use std::ffi::OsString;
 use std::path::PathBuf;
 
 use clap::{Args, CommandFactory, Subcommand};
@@ -30,11 +30,7 @@ pub(crate) enum Command {
     Report(report::Report),
     Reproduce(reproduce::Reproduce),
     Schema(schema::Schema),
-    #[command(hide = true, disable_help_flag = true)]
-    Explore {
-        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
-        rest: Vec<OsString>,
-    },
+    Explore(explore::Explore),
 }
 
 /// Does what was asked for.
@@ -51,10 +47,7 @@ pub(crate) fn execute(command: Option<Command>, console: Console) -> Result<Exit
         Some(Command::Report(report)) => report.execute(console),
         Some(Command::Reproduce(reproduce)) => reproduce.execute(console),
         Some(Command::Schema(schema)) => schema.execute(console),
-        Some(Command::Explore { .. }) => Err(Failure::later(
-            "`judder explore`",
-            "`judder run CASE.toml` writes report.html, a page to zoom and hover in",
-        )),
+        Some(Command::Explore(explore)) => explore.execute(console),
         None if console.json() => {
             Err(Failure::wrong_input("no command was given", "`judder --help` lists the commands"))
         }

@@ -5,6 +5,7 @@ use std::io;
 use std::path::Path;
 
 use judder_case::CaseError;
+use judder_explorer::ExplorerError;
 use judder_study::StudyError;
 use judder_study::run::RefusedAnalysis;
 use miette::{Diagnostic, Severity};
@@ -95,11 +96,6 @@ impl Failure {
         Self { exit: Exit::WrongInput, diagnostic: Box::new(Message::error(text).with_help(help)) }
     }
 
-    /// Something that this version does not have yet, and what it has.
-    pub(crate) fn later(what: &str, help: &str) -> Self {
-        Self::wrong_input(format!("{what} comes with a later version"), help)
-    }
-
     /// The result could not be computed or kept.
     pub(crate) fn missing(message: Message) -> Self {
         Self { exit: Exit::Incomplete, diagnostic: Box::new(message) }
@@ -157,6 +153,19 @@ impl Failure {
 impl From<CaseError> for Failure {
     fn from(error: CaseError) -> Self {
         Self { exit: Exit::WrongInput, diagnostic: Box::new(error) }
+    }
+}
+
+impl From<ExplorerError> for Failure {
+    fn from(error: ExplorerError) -> Self {
+        match error {
+            ExplorerError::Case(error) => error.into(),
+            ExplorerError::Study(error) => error.into(),
+            error @ ExplorerError::Bind { .. } => {
+                Self { exit: Exit::WrongInput, diagnostic: Box::new(Message::from_sentence(&error)) }
+            }
+            error => Self::missing(Message::from_sentence(&error)),
+        }
     }
 }
 

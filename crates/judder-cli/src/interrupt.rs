@@ -12,18 +12,18 @@ use crate::failure::{Failure, Message};
 pub(crate) struct Interrupt(Arc<AtomicBool>);
 
 impl Interrupt {
-    /// Watches for Ctrl-C from now on.
+    /// Watches for Ctrl-C from now on; `ending` is said at the first.
     ///
     /// # Errors
     /// The system does not let this process watch.
-    pub(crate) fn watch(console: Console) -> Result<Self, Failure> {
+    pub(crate) fn watch(console: Console, ending: &'static str) -> Result<Self, Failure> {
         let interrupt = Self::default();
         let asked = Arc::clone(&interrupt.0);
         let handler = move || {
             if asked.swap(true, Ordering::Relaxed) {
                 process::exit(1);
             }
-            console.note("\nending, and keeping what is done; Ctrl-C once more ends at once");
+            console.note(format_args!("\n{ending}; Ctrl-C once more ends at once"));
         };
         match ctrlc::set_handler(handler) {
             Ok(()) => Ok(interrupt),

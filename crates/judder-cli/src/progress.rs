@@ -27,7 +27,7 @@ impl Bars {
     /// # Errors
     /// As [`Interrupt::watch`].
     pub(crate) fn new(console: Console) -> Result<Self, Failure> {
-        let interrupt = Interrupt::watch(console)?;
+        let interrupt = Interrupt::watch(console, "ending, and keeping what is done")?;
         Ok(Self { console, interrupt, bar: Mutex::new(ProgressBar::hidden()) })
     }
 

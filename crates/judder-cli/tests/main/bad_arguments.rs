@@ -11,19 +11,9 @@ fn an_unknown_command_is_told_its_neighbour() {
     refused(&["rnu"], "there is no command `rnu`", "did you mean `run`?");
     refused(&["reprodcue"], "there is no command `reprodcue`", "did you mean `reproduce`?");
     refused(
-        &["explode"],
-        "there is no command `explode`",
-        "commands: new, check, run, merge, point, report, reproduce, schema",
-    );
-}
-
-#[test]
-fn commands_of_later_versions() {
-    refused(&["explore"], "`judder explore` comes with a later version", "report.html");
-    refused(
-        &["explore", "case.toml", "--port", "80"],
-        "`judder explore` comes with a later version",
-        "report.html",
+        &["sing"],
+        "there is no command `sing`",
+        "commands: new, check, run, merge, point, report, reproduce, schema, explore",
     );
 }
 
@@ -72,7 +62,9 @@ fn point_is_for_oscillators() {
 #[test]
 fn errors_are_documents_too() {
     let desk = Desk::new();
-    for arguments in [&["--json"][..], &["rnu", "--json"], &["run", "--json"], &["explore", "--json"]] {
+    for arguments in
+        [&["--json"][..], &["rnu", "--json"], &["run", "--json"], &["explore", "no.toml", "--json"]]
+    {
         let said = desk.judder(arguments);
         assert_eq!(said.code, 2, "{arguments:?}");
         let error = said.json()["error"].clone();

@@ -8,6 +8,7 @@ mod bad_contact;
 mod bad_folder;
 mod desk;
 mod editors;
+mod explore;
 mod interrupt;
 mod point;
 mod reproduce;

@@ -1,5 +1,5 @@
 # What to type; `make` alone prints the list. Every target does its own set-up, in folders of the project:
-# .tools (Cargo tools), .venv (Python), target or $CARGO_TARGET_DIR (what Cargo builds), out (what judder writes).
+# .tools (Cargo tools), .venv (Python), node_modules (the page), target or $CARGO_TARGET_DIR (what Cargo builds), out (what judder writes).
 
 SHELL := bash
 .SHELLFLAGS := -euo pipefail -c
@@ -17,9 +17,12 @@ PYTHON := .venv/bin/python
 # Only the search of the book: no server, no file watcher.
 MDBOOK := tools/cargo-tool mdbook 0.5.4 --no-default-features --features search
 CARGO_DENY := tools/cargo-tool cargo-deny 0.20.2
+# The sources of the page of `judder explore`, and its tests in a browser.
+PAGE := crates/judder-explorer/web
+BROWSER_TESTS := crates/judder-explorer/tests/browser
 NEXTEST := $(shell $(CARGO) nextest --version >/dev/null 2>&1 && echo yes)
 
-.PHONY: help demo test bench bench-cluster bench-rough validate setup format lint rust-tests doc-tests python-tests docs deny advisories
+.PHONY: help demo test bench bench-cluster bench-explorer bench-rough validate setup format lint rust-tests doc-tests python-tests page page-tests docs deny advisories
 
 help: ## print this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
@@ -29,7 +32,7 @@ demo: ## build judder, reproduce the oscillator paper, say where the report lies
 	"$(JUDDER)" reproduce oscillator-paper --quick
 	@printf '\nThe report lies here: %s\n' "$(CURDIR)/out/reproduce/oscillator-paper/report.html"
 
-test: format lint rust-tests doc-tests python-tests docs deny ## everything that must hold before a change is merged
+test: format lint rust-tests doc-tests python-tests page-tests docs deny ## everything that must hold before a change is merged
 	@printf '\nEvery check passed.\n'
 
 bench: .venv/installed ## time the stability decision, the sliding contact, a limit cycle, modes, loci, marches and calls from Python, beside NumPy and SciPy peers
@@ -98,6 +101,25 @@ python-tests: .venv/installed ## study folders in the real xarray, the book's li
 		JUDDER_WHEEL="$$wheel" PATH="$(CURDIR)/.venv-package/bin:/usr/bin:/bin" \
 		.venv-package/bin/python -m pytest -q -p no:cacheprovider tests/python/package
 
+page: $(PAGE)/node_modules/installed ## build the page of `judder explore` anew, into the sources that the program embeds
+	cd $(PAGE) && npm run --silent build
+
+# The page that stands in the sources must be the one that its own sources build.
+page-tests: $(PAGE)/node_modules/installed $(BROWSER_TESTS)/node_modules/installed ## the page of `judder explore`: its types, its parts, its build, itself in a browser
+	cd $(PAGE) && npm run --silent check && npm run --silent test
+	@built=$$(mktemp -d); trap 'rm -rf "$$built"' EXIT; \
+		(cd $(PAGE) && npm run --silent build -- --outDir "$$built" --emptyOutDir --logLevel warn); \
+		diff -r "$$built" $(PAGE)/../page || { \
+		echo 'The page that is embedded is not the one that its sources build: `make page`, and commit what it changes.'; exit 1; }
+	$(CARGO) build $(LOCKED) --workspace --bins --examples
+	chromium=$$(tools/chromium); cd $(BROWSER_TESTS) && \
+		CHROMIUM="$$chromium" JUDDER="$(abspath $(TARGET))/debug/judder" npm run --silent test
+
+bench-explorer: $(BROWSER_TESTS)/node_modules/installed ## time the page of `judder explore` in a browser: its start, the map after a slider has moved, frames of a drag
+	$(CARGO) build --release $(LOCKED) -p judder-cli
+	chromium=$$(tools/chromium); cd $(BROWSER_TESTS) && \
+		CHROMIUM="$$chromium" JUDDER="$(abspath $(JUDDER))" npm run --silent bench
+
 docs: ## build the API documentation and the book
 	RUSTDOCFLAGS='-D warnings' $(CARGO) doc $(LOCKED) --workspace --no-deps
 	mdbook=$$($(MDBOOK)); "$$mdbook" build docs
@@ -117,4 +139,9 @@ advisories: ## known vulnerabilities of the dependencies
 
 .venv/installed: tools/python-environment $(REQUIREMENTS)
 	tools/python-environment .venv $(REQUIREMENTS)
+	@touch $@
+
+# What the lock file says, nothing else; the browser is the system's.
+%/node_modules/installed: %/package-lock.json
+	cd $* && PLAYWRIGHT_SKIP_BROWSER_DOWNLOAD=1 npm ci --no-audit --no-fund --loglevel=error
 	@touch $@

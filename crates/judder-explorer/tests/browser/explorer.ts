@@ -1,0 +1,90 @@
+/** A server of its own for each test, and a page that is held to its promises: no error on the console, no request to elsewhere. */
+
+import { type Page, expect, test as base } from "@playwright/test";
+import { type ChildProcess, execFileSync, spawn } from "node:child_process";
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+
+/** The program that is tested. */
+export const JUDDER = process.env["JUDDER"] ?? resolve("../../../../target/debug/judder");
+/** The root of the project. */
+export const ROOT = resolve("../../../..");
+
+export interface Explorer {
+  readonly page: Page;
+  readonly origin: string;
+  /** A folder of the test's own. */
+  readonly folder: string;
+  /** Opens a view and waits until it has something to show. */
+  open(view: string): Promise<void>;
+}
+
+interface Fixtures {
+  /** What is explored: arguments of `judder explore`. */
+  subject: string[];
+  explorer: Explorer;
+}
+
+export const test = base.extend<Fixtures>({
+  subject: [[], { option: true }],
+  explorer: async ({ page, subject }, use) => {
+    const folder = mkdtempSync(join(tmpdir(), "judder-page-"));
+    const server = spawn(JUDDER, ["explore", "--json", "--no-browser", ...subject], { cwd: folder, stdio: ["ignore", "pipe", "inherit"] });
+    const address = await addressOf(server);
+    const origin = new URL(address).origin;
+    const faults: string[] = [];
+    page.on("console", (message) => {
+      if (["error", "warning"].includes(message.type()) && !isOfTheBrowser(message.text())) faults.push(message.text());
+    });
+    page.on("pageerror", (error) => faults.push(`${error.message}\n${error.stack ?? ""}`));
+    page.on("request", (request) => {
+      if (!request.url().startsWith(`${origin}/`) && !/^(blob|data):/.test(request.url())) faults.push(`a request to ${request.url()}`);
+    });
+    await page.goto(address);
+    await page.waitForURL((url) => url.pathname !== "/enter");
+    const open = async (view: string) => {
+      await page.goto(origin + view);
+      await expect(page.locator("main.content")).toBeVisible();
+    };
+    await use({ page, origin, folder, open });
+    await page.close();
+    server.kill("SIGINT");
+    const code = await new Promise((ended) => server.once("exit", ended));
+    rmSync(folder, { recursive: true });
+    expect(faults, "nothing on the console, nothing from elsewhere").toEqual([]);
+    expect(code, "Ctrl-C ends it well").toBe(0);
+  },
+});
+
+/** The browser notes refused requests, which the page shows to its user, and what its software renderer does slowly. */
+function isOfTheBrowser(text: string): boolean {
+  return /the server responded with a status of 4\d\d|GPU stall due to ReadPixels/.test(text);
+}
+
+async function addressOf(server: ChildProcess): Promise<string> {
+  let text = "";
+  for await (const part of server.stdout as NodeJS.ReadableStream) {
+    text += String(part);
+    if (text.includes("}")) break;
+  }
+  return (JSON.parse(text) as { address: string }).address;
+}
+
+/** What a command of judder prints as a document. */
+export function judder(folder: string, ...args: string[]): Record<string, unknown> {
+  return JSON.parse(execFileSync(JUDDER, [...args, "--json", "-q"], { cwd: folder, encoding: "utf8", maxBuffer: 1 << 28 })) as Record<string, unknown>;
+}
+
+/** The value at a path of a document, such as `dimensional.frequency_hz`. */
+export function at(document: unknown, path: string): unknown {
+  return path.split(".").reduce((value, step) => (value as Record<string, unknown> | undefined)?.[step], document);
+}
+
+/** A downloaded file's text. */
+export async function downloaded(page: Page, click: () => Promise<void>): Promise<{ name: string; path: string }> {
+  const [download] = await Promise.all([page.waitForEvent("download"), click()]);
+  return { name: download.suggestedFilename(), path: await download.path() };
+}
+
+export { expect };

@@ -1,0 +1,68 @@
+/** The point page: motion, cycle and branch are those of `judder run` with the case of each. */
+
+import { copyFileSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { type Explorer, ROOT, at, downloaded, expect, judder, test } from "./explorer";
+
+test.use({ subject: [join(ROOT, "cases/oscillator-paper/fig-12.toml")] });
+
+/** The card of a heading. */
+const card = (explorer: Explorer, heading: string) => explorer.page.locator("section").filter({ has: explorer.page.getByRole("heading", { name: heading, exact: true }) });
+
+async function compared(explorer: Explorer, heading: string, prefix: string, names: readonly string[]): Promise<void> {
+  const section = card(explorer, heading);
+  const file = await downloaded(explorer.page, () => section.getByRole("button", { name: "Case file" }).click());
+  copyFileSync(file.path, join(explorer.folder, "run.toml"));
+  const results = Object.values(judder(explorer.folder, "run", "run.toml")["results"] as object)[0];
+  for (const name of names) {
+    const shown = section.locator(`[data-key="${prefix}.${name}"]`);
+    await expect(shown, name).toHaveAttribute("data-value", String(at(results, name)));
+  }
+}
+
+test("a motion is drawn while it runs, and its numbers are those of a run", async ({ explorer }) => {
+  await explorer.open("/point?run=motion&duration=200&set=operation.velocity=1e-3");
+  await expect(card(explorer, "Motion from here").locator("[data-key='motion.rms']")).toBeVisible();
+  await compared(explorer, "Motion from here", "motion", ["rms", "stick_fraction", "steps"]);
+});
+
+test("a limit cycle is that of a run, and can be heard", async ({ explorer }) => {
+  const { page } = explorer;
+  await explorer.open("/point?run=cycle&set=operation.velocity=1e-3");
+  await expect(card(explorer, "Limit cycle").locator("[data-key='cycle.period']")).toBeVisible();
+  await compared(explorer, "Limit cycle", "cycle", ["period", "rms", "stick_fraction"]);
+  const sound = card(explorer, "Sound");
+  await expect(sound).toContainText(/faster than real|slower than real/);
+  await sound.getByRole("button", { name: "Play" }).click();
+  await expect(sound.getByRole("button", { name: "Stop" })).toBeEnabled();
+  await sound.getByRole("button", { name: "Stop" }).click();
+  const wav = readFileSync((await downloaded(page, () => sound.getByRole("button", { name: "WAV" }).click())).path);
+  expect(wav.subarray(0, 4).toString() + wav.subarray(8, 12).toString()).toBe("RIFFWAVE");
+  const samples = new Int16Array(wav.buffer.slice(wav.byteOffset + 44, wav.byteOffset + 44 + 2 * Math.floor((wav.length - 44) / 2)));
+  expect(Math.max(...samples.subarray(0, 20_000).map(Math.abs)), "it can be heard").toBeGreaterThan(3000);
+});
+
+test("eigenvalues leave a trail, and have a path along a key", async ({ explorer }) => {
+  const { page } = explorer;
+  await explorer.open("/point?along=contact.shear_strength");
+  const eigen = card(explorer, "Eigenvalues");
+  await expect(eigen).toContainText("path along shear strength");
+  const slider = page.getByRole("slider", { name: "damping x" });
+  await slider.focus();
+  for (let step = 0; step < 12; step += 1) {
+    await slider.press("ArrowRight");
+    await page.waitForTimeout(120);
+  }
+  await expect(eigen).toContainText(/trail/);
+  await expect(page).toHaveURL(/set=oscillator\.damping_x/);
+});
+
+test("a long motion is cancelled, and the page goes on", async ({ explorer }) => {
+  const { page } = explorer;
+  await explorer.open("/point?run=motion&duration=1000000&points=4096&set=operation.velocity=1e-3");
+  const motion = card(explorer, "Motion from here");
+  await motion.getByRole("button", { name: "Cancel" }).click();
+  await expect(motion.getByRole("button", { name: "Cancel" })).toBeDisabled();
+  await page.getByRole("link", { name: "Map", exact: true }).click();
+  await expect(page.locator(".map-chart")).toHaveAttribute("data-stage", "exact");
+});

@@ -1,0 +1,65 @@
+/** The structures page: what a study folder holds, for a sliding case and for a structure. */
+
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { JUDDER, ROOT, at, expect, test as base } from "./explorer";
+
+interface Study {
+  readonly folder: string;
+  readonly results: unknown;
+}
+
+function run(name: string): Study {
+  const folder = join(mkdtempSync(join(tmpdir(), "judder-study-")), name);
+  execFileSync(JUDDER, ["run", join(ROOT, `cases/${name}.toml`), "-o", folder, "-q"]);
+  return { folder, results: (JSON.parse(readFileSync(join(folder, "summary.json"), "utf8")) as { results: unknown }).results };
+}
+
+const test = base.extend<object, { sliding: Study; block: Study }>({
+  sliding: [async ({}, use) => use(run("sliding/falling-friction")), { scope: "worker", timeout: 240_000 }],
+  block: [async ({}, use) => use(run("benchmarks/block")), { scope: "worker", timeout: 240_000 }],
+});
+
+test.describe("a sliding case", () => {
+  test.use({ subject: async ({ sliding }, use) => use([sliding.folder]) });
+
+  test("shows its locus, its zones and its shapes", async ({ explorer, sliding }) => {
+    const { page } = explorer;
+    await explorer.open("/structures?analysis=locus&at=0.05");
+    const zones = at(sliding.results, "locus.unstable") as Record<string, number>[];
+    const first = page.locator("[data-key='locus.zone_frequency.0']");
+    if (zones[0]) await expect(first).toHaveAttribute("data-value", String(zones[0]["frequency_hz"]));
+    else await expect(page.locator("main")).toContainText(/no unstable zone/i);
+    // the shapes of the coupled pair at this position
+    await expect(page.locator("main")).toContainText("Eigenvalues at 0.05");
+    await expect(page.locator("[data-key='shape.largest']")).toBeVisible();
+    await page.getByRole("slider").first().press("ArrowRight");
+    await expect(page).not.toHaveURL(/at=0\.05(&|$)/);
+  });
+
+  test("shows and plays its march", async ({ explorer, sliding }) => {
+    const { page } = explorer;
+    await explorer.open("/structures?analysis=film");
+    await expect(page.locator("main")).toContainText(String(at(sliding.results, "film.slip_steps")));
+    await page.getByRole("button", { name: "Play", exact: true }).click();
+    await expect(page.getByRole("button", { name: "Stop" })).toBeVisible();
+  });
+});
+
+test.describe("a structure", () => {
+  test.use({ subject: async ({ block }, use) => use([block.folder]) });
+
+  test("shows its modes in three dimensions", async ({ explorer, block }) => {
+    const { page } = explorer;
+    await explorer.open("/structures?analysis=modes");
+    const frequencies = at(block.results, "modes.frequencies_hz") as number[];
+    for (const index of [0, 5]) {
+      await expect(page.locator(`[data-key$='frequency.${index}']`).first()).toHaveAttribute("data-value", String(frequencies[index]));
+    }
+    await expect(page.locator("canvas").first()).toBeVisible();
+    await page.getByRole("button", { name: "Top" }).click();
+    await expect(page).toHaveURL(/look=/);
+  });
+});

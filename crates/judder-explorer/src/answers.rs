@@ -11,7 +11,24 @@ pub(crate) mod session;
 pub(crate) mod study;
 
 use crate::refusal::Refusal;
-use judder_case::{Case, CaseFile, OscillatorCase};
+use judder_case::{Case, CaseFile, OscillatorCase, OscillatorInputs};
+use judder_study::bridge;
+
+/// The numeric keys of a case that has them, with what its material says: an oscillator, or a contact's substrate and indenter.
+pub(crate) fn inputs(file: &CaseFile) -> Result<OscillatorInputs, Refusal> {
+    let told = match &file.case {
+        Case::Contact(case) => {
+            let substrate = case.substrate.clone();
+            bridge::with_material(&OscillatorCase {
+                inputs: case.inputs,
+                substrate,
+                ..OscillatorCase::default()
+            })
+        }
+        _ => bridge::with_material(oscillator(file)?),
+    };
+    Ok(told?.inputs)
+}
 
 /// The oscillator of a case.
 pub(crate) fn oscillator(file: &CaseFile) -> Result<&OscillatorCase, Refusal> {

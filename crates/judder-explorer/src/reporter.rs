@@ -150,3 +150,45 @@ impl Progress for Reporter {
         self.ended().is_some()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn reporter() -> (Reporter, mpsc::Receiver<Result<Bytes, Infallible>>, watch::Sender<bool>) {
+        let ((sender, receiver), (newer, superseded)) = (mpsc::channel(4), watch::channel(false));
+        (Reporter::new(sender, superseded, Arc::default()), receiver, newer)
+    }
+
+    #[test]
+    fn work_ends_when_it_has_taken_too_long() {
+        let (mut reporter, _receiver, _newer) = reporter();
+        assert_eq!((reporter.ended(), reporter.interrupted()), (None, false));
+        reporter.start = Instant::now().checked_sub(LONGEST + Duration::from_secs(1)).unwrap();
+        assert_eq!((reporter.ended(), reporter.interrupted()), (Some(Ended::TooLong), true));
+        let words = reporter.refusal(judder_study::StudyError::Interrupted).document();
+        assert!(words["help"].as_str().unwrap().contains("judder run"), "{words}");
+    }
+
+    #[test]
+    fn work_ends_when_nobody_wants_it() {
+        let (deserted, receiver, _newer) = reporter();
+        drop(receiver);
+        assert_eq!(deserted.ended(), Some(Ended::Deserted));
+        let (superseded, _receiver, newer) = reporter();
+        newer.send_replace(true);
+        assert_eq!(superseded.ended(), Some(Ended::Superseded));
+        let (closing, _receiver, _newer) = reporter();
+        closing.closing.store(true, Ordering::Relaxed);
+        assert_eq!(closing.ended(), Some(Ended::Closing));
+    }
+
+    #[test]
+    fn progress_that_nobody_reads_holds_up_nothing() {
+        let (reporter, mut receiver, _newer) = reporter();
+        reporter.begin("", 10_000);
+        (0..10_000).for_each(|_| reporter.advance());
+        assert!(receiver.try_recv().is_ok(), "some of it was told");
+        assert_eq!(reporter.done.load(Ordering::Relaxed), 10_000);
+    }
+}

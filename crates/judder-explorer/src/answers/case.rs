@@ -1,6 +1,6 @@
 //! The value of every key, with and without units.
 
-use super::oscillator;
+use super::inputs;
 use crate::attention::attended;
 use crate::refusal::Refusal;
 use crate::routes::{Asked, SharedSite};
@@ -21,8 +21,7 @@ pub(crate) async fn answer(
     view.check()?;
     attended(&site, move |subject, _| {
         let file = subject.with(&view.set)?;
-        let case = bridge::with_material(oscillator(&file)?)?;
-        Ok(Json(document(&case.inputs)))
+        Ok(Json(document(&inputs(&file)?)))
     })
     .await
 }

@@ -1,6 +1,6 @@
 //! What the page needs to know of the case before anything is computed.
 
-use super::case;
+use super::{case, inputs};
 use crate::routes::SharedSite;
 use axum::Json;
 use axum::extract::State;
@@ -8,21 +8,17 @@ use judder_case::sweep::Sweep;
 use judder_case::{
     Case, CaseFile, Cause, Form, KEYS, Key, LawName, OscillatorAnalysis, OscillatorKey, Range, TimeForm,
 };
-use judder_study::bridge;
 use serde_json::{Value, json};
 
 /// Answers `/api/session`.
 pub(crate) async fn answer(State(site): SharedSite) -> Json<Value> {
     let base = site.subject.base();
     let resolved = base.map(|base| base.case.resolved()).unwrap_or_default();
-    let (values, map) = match base.map(|base| &base.case) {
-        Some(Case::Oscillator(oscillator)) => {
-            let inputs = bridge::with_material(oscillator).map_or(oscillator.inputs, |case| case.inputs);
-            let axes = oscillator.analyses.iter().find_map(|analysis| axes(&analysis.kind));
-            (case::document(&inputs), axes.unwrap_or_else(usual_axes))
-        }
-        _ => (Value::Null, usual_axes()),
-    };
+    let values = base.and_then(|base| Some(case::document(&inputs(base).ok()?)));
+    let map = base.and_then(|base| match &base.case {
+        Case::Oscillator(oscillator) => oscillator.analyses.iter().find_map(|analysis| axes(&analysis.kind)),
+        _ => None,
+    });
     Json(json!({
         "version": env!("CARGO_PKG_VERSION"),
         "title": resolved["title"],
@@ -31,7 +27,7 @@ pub(crate) async fn answer(State(site): SharedSite) -> Json<Value> {
         "values": values,
         "laws": LawName::ALL.map(|(name, _)| name),
         "law": base.and_then(law),
-        "map": map,
+        "map": map.unwrap_or_else(usual_axes),
         "analyses": analyses(&resolved),
         "study": site.subject.study.as_ref().map(|study| json!({ "name": study.view.name() })),
     }))
@@ -45,9 +41,17 @@ fn analyses(resolved: &Value) -> Vec<Value> {
 
 /// Whether the case takes a value of this key: of two keys that say the same only the one that it has, and none that its data decide.
 fn takes(base: &CaseFile, entry: &Key) -> bool {
-    let Case::Oscillator(oscillator) = &base.case else { return false };
-    let says_relaxation = oscillator.time_form() == TimeForm::Relaxation;
-    if entry.key == OscillatorKey::RelaxationTime && !says_relaxation {
+    let (inputs, sections): (_, &[_]) = match &base.case {
+        Case::Oscillator(case) => {
+            (&case.inputs, &["substrate", "indenter", "contact", "oscillator", "operation"])
+        }
+        Case::Contact(case) => (&case.inputs, &["substrate", "indenter"]),
+        _ => return false,
+    };
+    let says_relaxation = inputs.time_form() == TimeForm::Relaxation;
+    if !sections.contains(&entry.section())
+        || (entry.key == OscillatorKey::RelaxationTime && !says_relaxation)
+    {
         return false;
     }
     let value = entry.default.map_or_else(|| entry.example(), |(text, _)| text.to_owned());

@@ -187,3 +187,23 @@ fn what_is_wrong_is_told_with_its_place() {
     assert_eq!(frames[0].kind(), "error");
     assert!(frames[0].header["error"]["message"].as_str().unwrap().contains("operation.sped"));
 }
+
+#[test]
+fn a_contact_case_has_its_substrate_and_its_indenter() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("contact.toml");
+    std::fs::write(&path, "model = \"contact\"\n[substrate]\nretardation_time = \"20 ms\"\n").unwrap();
+    let served = Served::of(Some(&path), None);
+    let session = served.get("/api/session").json();
+    let settable = session["keys"].as_array().unwrap().iter().filter(|key| key["settable"] == true);
+    let settable: Vec<&str> = settable.map(|key| key["path"].as_str().unwrap()).collect();
+    let substrate = ["rubbery_modulus", "glassy_modulus", "retardation_time", "poisson_ratio"]
+        .map(|key| format!("substrate.{key}"));
+    assert_eq!(settable[..4], substrate);
+    assert_eq!(settable[4..], ["indenter.radius"]);
+    let answer = served.post("/api/case", &json!({ "set": ["indenter.radius=3 mm"] })).json();
+    let radius =
+        answer["values"].as_array().unwrap().iter().find(|value| value["path"] == "indenter.radius").unwrap();
+    assert_eq!(radius["si"], 0.003);
+    assert_eq!(served.post("/api/point", &json!({})).status, 400);
+}

@@ -28,9 +28,9 @@ export function useApp(): App {
   return app;
 }
 
-/** Only oscillator cases have keys that sliders move. */
+/** Whether the case has keys that sliders move: an oscillator, or the substrate and the indenter of a contact. */
 export function hasValues(session: Session): boolean {
-  return session.case?.model === "oscillator";
+  return session.case?.model === "oscillator" || session.case?.model === "contact";
 }
 
 /** The values of the case of the view, asked for as it changes. */

@@ -3,7 +3,7 @@
 import { useMemo } from "preact/hooks";
 import { useView } from "../../state/store";
 import { options } from "../../state/view";
-import { hasValues, useApp } from "../../ui/app";
+import { useApp } from "../../ui/app";
 import { type LivePoint, usePoint } from "../../ui/usePoint";
 import type { CaseValues } from "../../wire/api";
 import { type ContactState, type Place, readContact } from "./state";
@@ -25,7 +25,7 @@ export const CONTACT_HOME: Place = { velocity: 0.1, indentation: 0.01 };
 export function useContact(): Contact {
   const { session, store, values } = useApp();
   const view = useView(store);
-  const derived = hasValues(session);
+  const derived = session.case?.model === "oscillator";
   const state = useMemo(() => readContact(view), [view]);
   const set = options(view);
   // a fit has no operating point, and computed laws take seconds to find one

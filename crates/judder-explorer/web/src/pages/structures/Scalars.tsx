@@ -1,5 +1,7 @@
-/** The scalars of an analysis, every number with all its digits. */
+/** The scalars of an analysis. */
 
+import { Digits } from "../../ui/Digits";
+import { rounded } from "../../ui/readable";
 import type { StudyAnalysis } from "./study";
 
 type Cell = string | number | boolean | null;
@@ -7,7 +9,7 @@ type Cell = string | number | boolean | null;
 /** Names with their dots, and values; lists of tables are numbered from 0, as in the document. */
 export function flat(value: unknown, path = ""): readonly (readonly [string, Cell])[] {
   if (Array.isArray(value)) {
-    if (value.every(isCell)) return [[path, value.map(String).join(", ")]];
+    if (value.every(isCell)) return [[path, value.map((cell) => (typeof cell === "number" ? rounded(cell) : String(cell))).join(", ")]];
     return value.flatMap((item, index) => flat(item, `${path}.${index}`));
   }
   if (typeof value === "object" && value !== null) {
@@ -48,7 +50,7 @@ export function Scalars({ analysis, without = [], open = false }: ScalarsProps) 
           {rows.slice(0, SHOWN).map(([name, value]) => (
             <tr key={name}>
               <th scope="row">{name}</th>
-              <td data-key={`${analysis.name}.${name}`}>{value === null ? "—" : String(value)}</td>
+              <td>{typeof value === "number" || value === null ? <Digits dataKey={`${analysis.name}.${name}`} value={value} /> : String(value)}</td>
             </tr>
           ))}
         </tbody>

@@ -8,9 +8,13 @@ use judder_study::{Progress, StudyError};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
+use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 
 /// The longest that it may take: a law that is computed takes so long, a point does not.
 const LONGEST: Duration = Duration::from_secs(300);
+
+/// Short computations that wait, at most.
+const WAITING: usize = 64;
 
 /// Whether somebody waits for the answer, and has not waited too long.
 #[derive(Debug)]
@@ -56,15 +60,35 @@ impl Drop for Leaving {
     }
 }
 
-/// Computes an answer beside the network's threads, a few at a time.
+/// Where short computations are done: a few at a time, with a waiting room.
+#[derive(Debug)]
+pub(crate) struct Stools {
+    stools: Arc<Semaphore>,
+    /// Stools and waiting room together.
+    places: Arc<Semaphore>,
+}
+
+impl Stools {
+    pub(crate) fn new(stools: usize) -> Self {
+        Self { stools: Arc::new(Semaphore::new(stools)), places: Arc::new(Semaphore::new(stools + WAITING)) }
+    }
+
+    async fn take(&self) -> Result<(OwnedSemaphorePermit, Option<OwnedSemaphorePermit>), Refusal> {
+        let place = Arc::clone(&self.places).try_acquire_owned().map_err(|_| Refusal::busy(WAITING))?;
+        // never closed: the permit comes
+        Ok((place, Arc::clone(&self.stools).acquire_owned().await.ok()))
+    }
+}
+
+/// Computes an answer beside the network's threads, when one of the stools is free.
 pub(crate) async fn attended<T: Send + 'static>(
     site: &Site,
+    stools: &Stools,
     work: impl FnOnce(&Subject, &Attention) -> Result<T, Refusal> + Send + 'static,
 ) -> Result<T, Refusal> {
     let leaving = Leaving(Arc::default());
     let (left, closing) = (Arc::clone(&leaving.0), site.desk.closing());
-    // never closed: the permit comes
-    let stool = site.desk.stool().await;
+    let stool = stools.take().await?;
     let subject = Arc::clone(&site.subject);
     let working = tokio::task::spawn_blocking(move || {
         let _held = stool;

@@ -1,26 +1,31 @@
 //! How many requests work at once, how many wait, and which a newer one cancels.
 //!
 //! Work that takes time is done at a few seats, so that a hundred requests leave the page alive; who finds even the waiting room full is
-//! told so. A request may name a slot, such as the map of one tab: there is one at a time in a slot, the newest.
+//! told so. What a page waits for, such as its map, has seats and threads of its own: long analyses do not keep it. A request may name a
+//! slot, such as the map of one tab: there is one at a time in a slot, the newest.
 
+use crate::error::ExplorerError;
 use crate::frame::Frame;
 use crate::refusal::Refusal;
 use crate::reporter::Reporter;
 use axum::body::{Body, Bytes};
 use axum::http::header::{CACHE_CONTROL, CONTENT_TYPE};
 use axum::response::Response;
+use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, mpsc, watch};
+use tokio::time::timeout;
 use tokio_stream::wrappers::ReceiverStream;
 
-/// Requests that work at once: a long one does not keep the page from drawing its map.
-const SEATS: usize = 4;
-/// Requests that wait for a seat, at most.
+/// Requests of a pace that work at once.
+const SEATS: usize = 3;
+/// Requests of a pace that wait for a seat, at most.
 const WAITING: usize = 12;
-/// Answers in one piece that are computed at once: points under a cursor.
-const STOOLS: usize = 8;
+/// How long the place of a request that was just cancelled is waited for.
+const HANDOVER: Duration = Duration::from_secs(5);
 /// Frames between the worker and the network: who reads slowly slows the work, not the memory.
 const FRAMES: usize = 4;
 /// What a stream of frames is called.
@@ -29,28 +34,63 @@ const STREAM: &str = "application/x-judder-frames";
 /// What a request computes: it tells its frames to the reporter.
 pub(crate) type Work = Box<dyn FnOnce(&Reporter) -> Result<(), Refusal> + Send>;
 
-/// The seats, the waiting room, the slots.
+/// How long a request may be expected to take.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Pace {
+    /// A page waits for it: a map, a law, a part of a study.
+    Quick,
+    /// Whoever asks for it knows that it takes its time: a motion, any other analysis.
+    Slow,
+}
+
+/// The seats of a pace, and its waiting room.
 #[derive(Debug)]
-pub(crate) struct Desk {
+struct Lane {
     seats: Arc<Semaphore>,
     /// Seats and waiting room together.
     places: Arc<Semaphore>,
-    stools: Arc<Semaphore>,
+}
+
+impl Lane {
+    fn new() -> Self {
+        Self { seats: Arc::new(Semaphore::new(SEATS)), places: Arc::new(Semaphore::new(SEATS + WAITING)) }
+    }
+}
+
+/// A request in its slot.
+struct Entry {
+    /// Whether a newer one has come.
+    superseded: watch::Receiver<bool>,
+    /// What gives the slot back.
+    ticket: Option<(String, u64)>,
+    /// Whether another one has been cancelled for it.
+    has_cancelled: bool,
+}
+
+/// The seats, the waiting rooms, the slots.
+#[derive(Debug)]
+pub(crate) struct Desk {
+    quick: Lane,
+    slow: Lane,
+    /// Threads of quick work: the other threads may all be amid something long.
+    threads: Arc<ThreadPool>,
     slots: Mutex<HashMap<String, (u64, watch::Sender<bool>)>>,
     next: AtomicU64,
     closing: Arc<AtomicBool>,
 }
 
 impl Desk {
-    pub(crate) fn new() -> Self {
-        Self {
-            seats: Arc::new(Semaphore::new(SEATS)),
-            places: Arc::new(Semaphore::new(SEATS + WAITING)),
-            stools: Arc::new(Semaphore::new(STOOLS)),
+    pub(crate) fn new() -> Result<Self, ExplorerError> {
+        let threads =
+            ThreadPoolBuilder::new().build().map_err(std::io::Error::other).map_err(ExplorerError::Start)?;
+        Ok(Self {
+            quick: Lane::new(),
+            slow: Lane::new(),
+            threads: Arc::new(threads),
             slots: Mutex::default(),
             next: AtomicU64::new(0),
             closing: Arc::default(),
-        }
+        })
     }
 
     /// Whether the server ends.
@@ -58,47 +98,68 @@ impl Desk {
         Arc::clone(&self.closing)
     }
 
-    /// A place for a short computation, when one is free.
-    pub(crate) async fn stool(&self) -> Option<OwnedSemaphorePermit> {
-        Arc::clone(&self.stools).acquire_owned().await.ok()
-    }
-
     /// Ends all work.
     pub(crate) fn close(&self) {
         self.closing.store(true, Ordering::Relaxed);
     }
 
-    /// A stream of what `work` will tell; what worked in this slot before is cancelled at once.
+    /// A stream of what `work` will tell; what worked in this slot before is cancelled at once, and leaves its place.
     ///
     /// # Errors
     /// [`Refusal::busy`] where the waiting room is full.
-    pub(crate) fn stream(self: &Arc<Self>, slot: Option<String>, work: Work) -> Result<Response, Refusal> {
-        let (superseded, ticket) = self.enter(slot);
-        let place = Arc::clone(&self.places).try_acquire_owned().map_err(|_| Refusal::busy(WAITING))?;
+    pub(crate) async fn stream(
+        self: &Arc<Self>,
+        pace: Pace,
+        slot: Option<String>,
+        work: Work,
+    ) -> Result<Response, Refusal> {
+        let Entry { superseded, ticket, has_cancelled } = self.enter(slot);
+        let places = Arc::clone(&self.lane(pace).places);
+        let place = match places.clone().try_acquire_owned() {
+            Err(_) if has_cancelled => {
+                timeout(HANDOVER, places.acquire_owned()).await.ok().and_then(Result::ok)
+            }
+            place => place.ok(),
+        };
+        let Some(place) = place else {
+            self.leave(ticket);
+            return Err(Refusal::busy(WAITING));
+        };
         let (sender, receiver) = mpsc::channel::<Result<Bytes, std::convert::Infallible>>(FRAMES);
         let reporter = Reporter::new(sender, superseded, Arc::clone(&self.closing));
         let desk = Arc::clone(self);
         tokio::spawn(async move {
-            desk.work(reporter, work, place).await;
+            desk.work(pace, reporter, work, place).await;
             desk.leave(ticket);
         });
-        let headers = [(CONTENT_TYPE, STREAM), (CACHE_CONTROL, "no-store")];
         let mut response = Response::new(Body::from_stream(ReceiverStream::new(receiver)));
-        for (name, value) in headers {
+        for (name, value) in [(CONTENT_TYPE, STREAM), (CACHE_CONTROL, "no-store")] {
             response.headers_mut().insert(name, axum::http::HeaderValue::from_static(value));
         }
         Ok(response)
     }
 
+    fn lane(&self, pace: Pace) -> &Lane {
+        match pace {
+            Pace::Quick => &self.quick,
+            Pace::Slow => &self.slow,
+        }
+    }
+
     /// Waits for a seat and works; a request that is cancelled while it waits never sits down.
-    async fn work(&self, mut reporter: Reporter, work: Work, place: OwnedSemaphorePermit) {
+    async fn work(&self, pace: Pace, mut reporter: Reporter, work: Work, place: OwnedSemaphorePermit) {
         let seat = tokio::select! {
-            seat = Arc::clone(&self.seats).acquire_owned() => seat,
+            seat = Arc::clone(&self.lane(pace).seats).acquire_owned() => seat,
             () = reporter.given_up() => return,
         };
+        let threads = (pace == Pace::Quick).then(|| Arc::clone(&self.threads));
         let worked = tokio::task::spawn_blocking(move || {
             let _held = (seat, place);
-            let ending = match work(&reporter) {
+            let done = match threads {
+                Some(threads) => threads.install(|| work(&reporter)),
+                None => work(&reporter),
+            };
+            let ending = match done {
                 Ok(()) => reporter.last_frame(),
                 Err(refusal) => Frame::new("error").with("error", refusal.document()),
             };
@@ -109,18 +170,16 @@ impl Desk {
     }
 
     /// Takes a slot from whoever has it.
-    fn enter(&self, slot: Option<String>) -> (watch::Receiver<bool>, Option<(String, u64)>) {
-        let (sender, receiver) = watch::channel(false);
+    fn enter(&self, slot: Option<String>) -> Entry {
+        let (sender, superseded) = watch::channel(false);
         let Some(slot) = slot else {
             // nobody cancels it: the sender may go, the value stays
-            return (receiver, None);
+            return Entry { superseded, ticket: None, has_cancelled: false };
         };
         let number = self.next.fetch_add(1, Ordering::Relaxed);
         let before = self.slots().insert(slot.clone(), (number, sender));
-        if let Some((_, before)) = before {
-            before.send_replace(true);
-        }
-        (receiver, Some((slot, number)))
+        let has_cancelled = before.is_some_and(|(_, before)| !before.send_replace(true));
+        Entry { superseded, ticket: Some((slot, number)), has_cancelled }
     }
 
     /// Gives a slot back, unless a newer request has it.

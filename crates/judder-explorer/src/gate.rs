@@ -73,6 +73,12 @@ impl Gate {
                 None => refused(StatusCode::FORBIDDEN, "the address is not the one that judder printed"),
             };
         }
+        if !is_step_of_its_own(headers) {
+            return refused(
+                StatusCode::FORBIDDEN,
+                "another site's page leads here; open this address by itself",
+            );
+        }
         match self.knows_session(headers) {
             true => Admission::Admitted,
             false => refused(
@@ -116,4 +122,11 @@ impl Gate {
             pairs.flat_map(|cookies| cookies.split(';')).filter_map(|pair| pair.trim().split_once('='));
         pairs.any(|(key, word)| key == name && self.session.is(word))
     }
+}
+
+/// Whether a request is a step of this server's own page or of the user, as far as the browser says: the cookie goes to every port of this
+/// machine, so that another server on it may have seen it.
+fn is_step_of_its_own(headers: &HeaderMap) -> bool {
+    let mut sites = headers.get_all("sec-fetch-site").iter();
+    sites.all(|site| site == "same-origin" || site == "none")
 }

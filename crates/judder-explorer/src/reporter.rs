@@ -8,10 +8,13 @@ use std::convert::Infallible;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
+use tokio::sync::mpsc::error::TrySendError;
 use tokio::sync::{mpsc, watch};
 
 /// The longest that a request may work.
 const LONGEST: Duration = Duration::from_secs(600);
+/// How often it is looked whether the one that reads has room again.
+const ROOM: Duration = Duration::from_millis(2);
 /// How often progress is told.
 const TELLING: Duration = Duration::from_millis(100);
 
@@ -79,9 +82,16 @@ impl Reporter {
         }
     }
 
-    /// Sends a frame; to nobody where nobody listens.
+    /// Sends a frame, as soon as the one that reads has room for it; what nobody wants any more is dropped.
     pub(crate) fn tell(&self, frame: Frame) {
-        let _ = self.sender.blocking_send(Ok(Bytes::from(frame.bytes())));
+        let mut message = Ok(Bytes::from(frame.bytes()));
+        while let Err(TrySendError::Full(unsent)) = self.sender.try_send(message) {
+            if self.ended().is_some() {
+                return;
+            }
+            message = unsent;
+            std::thread::sleep(ROOM);
+        }
     }
 
     /// Seconds since the request came.

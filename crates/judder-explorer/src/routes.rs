@@ -1,6 +1,7 @@
 //! Which request is answered by what; limits on bodies.
 
 use crate::answers;
+use crate::attention::Stools;
 use crate::desk::Desk;
 use crate::gate::{Admission, Gate};
 use crate::page;
@@ -9,7 +10,9 @@ use crate::subject::Subject;
 use axum::Router;
 use axum::body::to_bytes;
 use axum::extract::{FromRequest, Request, State};
-use axum::http::header::{CACHE_CONTROL, CONTENT_LENGTH, CONTENT_TYPE, SET_COOKIE};
+use axum::http::header::{
+    ACCEPT, CACHE_CONTROL, CONNECTION, CONTENT_LENGTH, CONTENT_TYPE, HeaderMap, SET_COOKIE,
+};
 use axum::http::{HeaderValue, Method, StatusCode, Uri};
 use axum::middleware::{Next, from_fn_with_state};
 use axum::response::{Html, IntoResponse, Response};
@@ -30,6 +33,10 @@ pub(crate) struct Site {
     pub(crate) subject: Arc<Subject>,
     pub(crate) gate: Gate,
     pub(crate) desk: Arc<Desk>,
+    /// For what is computed at once: points under a cursor.
+    pub(crate) stools: Stools,
+    /// For the points of a case whose law has to be computed first: one computes it, the others wait.
+    pub(crate) law_stool: Stools,
 }
 
 /// The site as answers get it.
@@ -61,9 +68,16 @@ async fn pass(State(site): SharedSite, request: Request, next: Next) -> Response
     let mut response = match site.gate.admit(request.method(), request.uri(), request.headers()) {
         Admission::Admitted => next.run(request).await,
         Admission::Welcomed { cookie } => welcome(&cookie),
-        Admission::Refused { status, reason } => Refusal::new(status, reason).into_response(),
+        Admission::Refused { status, reason } => turned_away(status, reason),
     };
     page::bind(response.headers_mut());
+    response
+}
+
+/// A stranger gets one answer a connection.
+fn turned_away(status: StatusCode, reason: &'static str) -> Response {
+    let mut response = Refusal::new(status, reason).into_response();
+    response.headers_mut().insert(CONNECTION, HeaderValue::from_static("close"));
     response
 }
 
@@ -90,8 +104,15 @@ async fn index() -> Response {
     })
 }
 
-/// A file of the page.
-async fn asset(method: Method, uri: Uri) -> Response {
+/// A file of the page. A reader who has mistyped an address gets the page, which tells him.
+async fn asset(method: Method, uri: Uri, headers: HeaderMap) -> Response {
+    let is_reader = headers
+        .get(ACCEPT)
+        .and_then(|kinds| kinds.to_str().ok())
+        .is_some_and(|kinds| kinds.contains("text/html"));
+    if method == Method::GET && is_reader && !uri.path().starts_with("/api/") && !uri.path().contains('.') {
+        return index().await;
+    }
     let found = (method == Method::GET).then(|| page::file(uri.path().trim_start_matches('/'))).flatten();
     found.unwrap_or_else(|| {
         Refusal::missing("there is nothing at this address; `/` is the page").into_response()

@@ -1,5 +1,6 @@
 //! The listener on the loopback interface, its limits on connections, its end.
 
+use crate::attention::Stools;
 use crate::desk::Desk;
 use crate::error::ExplorerError;
 use crate::gate::Gate;
@@ -14,17 +15,22 @@ use std::time::Duration;
 use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::Semaphore;
 use tokio::time::{sleep, timeout};
+use tokio_io_timeout::TimeoutStream;
 
 /// Connections at a time: a browser opens six.
 const CONNECTIONS: usize = 128;
 /// The longest that the head of a request may take to come; an idle connection is closed after it, too.
 const HEAD: Duration = Duration::from_secs(15);
-/// Bytes of the head of a request, at most.
-const HEAD_BYTES: usize = 16 << 10;
+/// Bytes of the head of a request, at most: an address may be long.
+const HEAD_BYTES: usize = 64 << 10;
+/// The longest that a client may leave unread what was sent to it.
+const UNREAD: Duration = Duration::from_secs(15);
 /// How often the wish to end is looked at.
 const LOOK: Duration = Duration::from_millis(50);
 /// What answers that are being sent are given at the end.
 const FAREWELL: Duration = Duration::from_millis(500);
+/// Answers in one piece that are computed at once.
+const STOOLS: usize = 8;
 /// Threads of the network; the work has its own.
 const THREADS: usize = 2;
 
@@ -46,7 +52,13 @@ impl Explorer {
         let listener = std::net::TcpListener::bind(address).map_err(failed)?;
         listener.set_nonblocking(true).map_err(failed)?;
         let port = listener.local_addr().map_err(failed)?.port();
-        let site = Site { subject: Arc::new(subject), gate: Gate::new(port)?, desk: Arc::new(Desk::new()) };
+        let site = Site {
+            subject: Arc::new(subject),
+            gate: Gate::new(port)?,
+            desk: Arc::new(Desk::new()?),
+            stools: Stools::new(STOOLS),
+            law_stool: Stools::new(1),
+        };
         Ok(Self { listener, site: Arc::new(site) })
     }
 
@@ -109,11 +121,13 @@ async fn pause(error: &io::Error) {
 /// Answers the requests of a connection.
 async fn answer(stream: TcpStream, site: Arc<Site>) {
     let service = TowerToHyperService::new(router(site));
+    let mut stream = TimeoutStream::new(stream);
+    stream.set_write_timeout(Some(UNREAD));
     let connection = hyper::server::conn::http1::Builder::new()
         .timer(TokioTimer::new())
         .header_read_timeout(HEAD)
         .max_buf_size(HEAD_BYTES)
-        .serve_connection(TokioIo::new(stream), service);
+        .serve_connection(TokioIo::new(Box::pin(stream)), service);
     // a client that breaks off is no news
     let _ = connection.await;
 }

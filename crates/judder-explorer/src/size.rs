@@ -11,9 +11,11 @@ const COUNT: u64 = 1_000_000;
 /// Bytes of an answer, at most.
 const ANSWER_BYTES: usize = 256 << 20;
 /// Keys of an analysis that count something.
-const COUNTED: [&str; 4] = ["points", "samples", "count", "steps"];
+const COUNTED: [&str; 5] = ["points", "samples", "count", "steps", "cells"];
 /// Steps of one motion, at most.
 const STEPS: u64 = 50_000_000;
+/// Cells along a side of a contact, at most: the memory goes with their square.
+const CELLS: u64 = 1024;
 
 /// Refuses an analysis that is larger than a page needs, before memory is laid out for it.
 ///
@@ -36,7 +38,11 @@ pub(crate) fn check_analysis(analysis: &Map<String, Value>) -> Result<(), Refusa
 
 fn check_counts(table: &Map<String, Value>) -> Result<(), Refusal> {
     for (key, value) in table {
-        let most = if key == "steps" { STEPS } else { COUNT };
+        let most = match key.as_str() {
+            "steps" => STEPS,
+            "cells" => CELLS,
+            _ => COUNT,
+        };
         match value {
             Value::Number(number)
                 if COUNTED.contains(&key.as_str()) && number.as_f64().is_none_or(|n| n > most as f64) =>
@@ -103,6 +109,7 @@ mod tests {
             json!({ "sweep": { "points": 10_000_000 } }),
             json!({ "steps": 1_000_000_000_000_u64 }),
             json!({ "memory": "100 GB" }),
+            json!({ "kind": "contact", "cells": 4096 }),
         ] {
             assert!(check(analysis.clone()).is_err(), "{analysis}");
         }

@@ -2,7 +2,7 @@
 
 use crate::error::ExplorerError;
 use crate::refusal::Refusal;
-use judder_case::{Case, CaseFile, TEMPLATES, template};
+use judder_case::{Case, CaseFile, FileReference, TEMPLATES, template};
 use judder_study::StudyError;
 use judder_study::law_cache::LawCache;
 use judder_study::sliding_shapes::{ShapedPair, SlidingShapes};
@@ -80,8 +80,10 @@ impl Studied {
     fn open(folder: &Path, given: Option<&CaseFile>) -> Result<Self, ExplorerError> {
         let view = StudyView::open(folder)?;
         view.listing()?;
-        // files that the case names may lie elsewhere by now: then the case that was given speaks for it
-        let case = view.case_file().ok().or_else(|| given.cloned());
+        // a folder may come from anybody: its case reads what lies in it, and no other file; else the case that was given speaks for it
+        let is_within = |file: &FileReference| is_within(folder, &file.path);
+        let kept = view.case_file().ok().filter(|case| case.case.files().into_iter().all(is_within));
+        let case = kept.or_else(|| given.cloned());
         Ok(Self { view, case, pair: Mutex::default() })
     }
 
@@ -114,4 +116,10 @@ impl Studied {
         *pair = Some(Arc::clone(&made));
         Ok(made)
     }
+}
+
+/// Whether a file lies in a folder, wherever links lead.
+fn is_within(folder: &Path, file: &Path) -> bool {
+    let real = |path: &Path| path.canonicalize().ok();
+    real(folder).zip(real(file)).is_some_and(|(folder, file)| file.starts_with(folder))
 }

@@ -81,6 +81,12 @@ impl LawCache {
         Ok(entry.of(case))
     }
 
+    /// Whether the law of a case was found before, so that [`LawCache::ready`] has it at once.
+    #[must_use]
+    pub fn knows(&self, case: &OscillatorCase) -> bool {
+        self.find(&key(case)).is_some()
+    }
+
     fn find(&self, key: &str) -> Option<Entry> {
         let mut entries = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let place = entries.iter().position(|entry| entry.key == key)?;

@@ -1,5 +1,6 @@
 //! Any analysis of a case, as `judder run` computes it, and every array that it leaves.
 
+use crate::desk::Pace;
 use crate::frame::Frame;
 use crate::refusal::Refusal;
 use crate::reporter::Reporter;
@@ -20,15 +21,19 @@ pub(crate) async fn answer(State(site): SharedSite, Asked(view): Asked<View>) ->
         return Err(Refusal::wrong("no analysis is asked for; give one, a table as `[[analysis]]` takes it"));
     }
     let subject = Arc::clone(&site.subject);
-    site.desk.stream(
-        view.slot.clone(),
-        Box::new(move |reporter| {
-            let file = view.case(&subject)?;
-            reporter.begin("", analyses::steps(&file.case, 0));
-            let outcome = analyses::run(&file.case, 0, reporter).map_err(|error| reporter.refusal(error))?;
-            tell(reporter, &file.case.analysis_names().join(""), &outcome)
-        }),
-    )
+    site.desk
+        .stream(
+            Pace::Slow,
+            view.slot.clone(),
+            Box::new(move |reporter| {
+                let file = view.case(&subject)?;
+                reporter.begin("", analyses::steps(&file.case, 0));
+                let outcome =
+                    analyses::run(&file.case, 0, reporter).map_err(|error| reporter.refusal(error))?;
+                tell(reporter, &file.case.analysis_names().join(""), &outcome)
+            }),
+        )
+        .await
 }
 
 /// Tells what an analysis leaves.

@@ -19,7 +19,7 @@ pub(crate) async fn answer(
     Asked(view): Asked<View>,
 ) -> Result<Json<Value>, Refusal> {
     view.check()?;
-    attended(&site, move |subject, _| {
+    attended(&site, &site.stools, move |subject, _| {
         let file = subject.with(&view.set)?;
         Ok(Json(document(&inputs(&file)?)))
     })

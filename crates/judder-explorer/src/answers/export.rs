@@ -10,6 +10,6 @@ use axum::response::{IntoResponse, Response};
 
 /// Answers `/api/export`.
 pub(crate) async fn answer(State(site): SharedSite, Asked(view): Asked<View>) -> Result<Response, Refusal> {
-    let text = attended(&site, move |subject, _| Ok(view.case(subject)?.text)).await?;
+    let text = attended(&site, &site.stools, move |subject, _| Ok(view.case(subject)?.text)).await?;
     Ok(([(CONTENT_TYPE, "text/plain; charset=utf-8")], text).into_response())
 }

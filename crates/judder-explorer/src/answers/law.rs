@@ -1,6 +1,7 @@
 //! The contact law of a case over speed and depth.
 
 use super::oscillator;
+use crate::desk::Pace;
 use crate::frame::Frame;
 use crate::refusal::Refusal;
 use crate::reporter::Reporter;
@@ -61,7 +62,7 @@ pub(crate) async fn answer(
     let subject = Arc::clone(&site.subject);
     let slot = wanted.view.slot.clone();
     let work = move |reporter: &Reporter| draw(&subject, &wanted.view, velocities, indentations, reporter);
-    site.desk.stream(slot, Box::new(work))
+    site.desk.stream(Pace::Quick, slot, Box::new(work)).await
 }
 
 fn draw(

@@ -1,6 +1,7 @@
 //! A stability map: coarse at once, exact after, then its boundaries.
 
 use super::oscillator;
+use crate::desk::Pace;
 use crate::frame::Frame;
 use crate::refusal::Refusal;
 use crate::reporter::Reporter;
@@ -37,7 +38,9 @@ pub(crate) async fn answer(
     let kinds = wanted.boundaries.iter().map(|name| kind(name)).collect::<Result<Vec<_>, _>>()?;
     let subject = Arc::clone(&site.subject);
     let slot = wanted.view.slot.clone();
-    site.desk.stream(slot, Box::new(move |reporter| draw(&subject, &wanted.view, &kinds, reporter)))
+    site.desk
+        .stream(Pace::Quick, slot, Box::new(move |reporter| draw(&subject, &wanted.view, &kinds, reporter)))
+        .await
 }
 
 fn kind(name: &str) -> Result<BoundaryKind, Refusal> {

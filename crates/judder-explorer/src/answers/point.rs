@@ -1,12 +1,14 @@
 //! One operating point: the document of `judder point --json`, the shapes of its modes, the same with units.
 
 use super::oscillator;
-use crate::attention::attended;
+use crate::attention::{Attention, attended};
 use crate::refusal::Refusal;
 use crate::routes::{Asked, SharedSite};
+use crate::subject::Subject;
 use crate::view::View;
 use axum::Json;
 use axum::extract::State;
+use judder_case::{CaseFile, LawName};
 use judder_oscillator::groups::Scales;
 use judder_oscillator::spectrum::mode;
 use judder_study::bridge;
@@ -19,13 +21,25 @@ pub(crate) async fn answer(
     Asked(view): Asked<View>,
 ) -> Result<Json<Value>, Refusal> {
     view.check()?;
-    attended(&site, move |subject, attention| {
-        let file = subject.with(&view.set)?;
-        let ready =
-            subject.laws.ready(oscillator(&file)?, attention).map_err(|error| attention.refusal(error))?;
-        Ok(Json(document(&ready.point()?, &bridge::scales(&ready.case.inputs))))
+    let options = view.set.clone();
+    let at_once = attended(&site, &site.stools, move |subject, attention| {
+        let file = subject.with(&options)?;
+        let case = oscillator(&file)?;
+        let is_known = case.law != LawName::Bem || subject.laws.knows(case);
+        if is_known { compute(subject, &file, attention).map(Some) } else { Ok(None) }
+    });
+    if let Some(document) = at_once.await? {
+        return Ok(document);
+    }
+    attended(&site, &site.law_stool, move |subject, attention| {
+        compute(subject, &subject.with(&view.set)?, attention)
     })
     .await
+}
+
+fn compute(subject: &Subject, file: &CaseFile, attention: &Attention) -> Result<Json<Value>, Refusal> {
+    let ready = subject.laws.ready(oscillator(file)?, attention).map_err(|error| attention.refusal(error))?;
+    Ok(Json(document(&ready.point()?, &bridge::scales(&ready.case.inputs))))
 }
 
 fn document(point: &Point, scales: &Scales) -> Value {

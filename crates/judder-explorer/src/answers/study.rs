@@ -1,6 +1,7 @@
 //! The study folder: what it holds, arrays, sounds, shapes of its coupled modes.
 
 use crate::attention::attended;
+use crate::desk::Pace;
 use crate::frame::Frame;
 use crate::refusal::Refusal;
 use crate::routes::{Asked, SharedSite};
@@ -29,7 +30,7 @@ fn studied(subject: &Subject) -> Result<&Studied, Refusal> {
 
 /// Answers `/api/study`.
 pub(crate) async fn answer(State(site): SharedSite) -> Result<Json<Value>, Refusal> {
-    attended(&site, |subject, _| {
+    attended(&site, &site.stools, |subject, _| {
         let listing = studied(subject)?.view.listing()?;
         let sounds = listing.sounds.iter().map(|(path, bytes)| json!({ "path": path, "bytes": bytes }));
         Ok(Json(json!({
@@ -90,21 +91,24 @@ pub(crate) async fn arrays(
         )));
     }
     let subject = Arc::clone(&site.subject);
-    site.desk.stream(
-        wanted.slot.clone(),
-        Box::new(move |reporter| {
-            let window = RowWindow { from: wanted.from, to: wanted.to, most: wanted.most };
-            let found = studied(&subject)?.view.arrays(&wanted.analysis, &wanted.variables, &window)?;
-            check_answer(&found)?;
-            reporter.tell(found.iter().fold(Frame::new("arrays"), Frame::array));
-            Ok(())
-        }),
-    )
+    site.desk
+        .stream(
+            Pace::Quick,
+            wanted.slot.clone(),
+            Box::new(move |reporter| {
+                let window = RowWindow { from: wanted.from, to: wanted.to, most: wanted.most };
+                let found = studied(&subject)?.view.arrays(&wanted.analysis, &wanted.variables, &window)?;
+                check_answer(&found)?;
+                reporter.tell(found.iter().fold(Frame::new("arrays"), Frame::array));
+                Ok(())
+            }),
+        )
+        .await
 }
 
 /// Answers `/api/study/sound/…`: a name of the listing, or nothing.
 pub(crate) async fn sound(State(site): SharedSite, Path(path): Path<String>) -> Result<Response, Refusal> {
-    attended(&site, move |subject, _| {
+    attended(&site, &site.stools, move |subject, _| {
         let missing = |_| Refusal::missing("the study has no such sound; `/api/study` lists them");
         let bytes = studied(subject)?.view.sound(&path).map_err(missing)?;
         Ok(([(CONTENT_TYPE, "audio/wav"), (CACHE_CONTROL, "no-store")], bytes).into_response())
@@ -131,15 +135,18 @@ pub(crate) async fn shapes(
 ) -> Result<Response, Refusal> {
     studied(&site.subject)?;
     let subject = Arc::clone(&site.subject);
-    site.desk.stream(
-        wanted.slot.clone(),
-        Box::new(move |reporter| {
-            let count = wanted.count.unwrap_or(MODES).min(MODES);
-            let shapes = studied(&subject)?.shapes(&wanted.analysis, wanted.at, count)?;
-            reporter.tell(frame(shapes));
-            Ok(())
-        }),
-    )
+    site.desk
+        .stream(
+            Pace::Quick,
+            wanted.slot.clone(),
+            Box::new(move |reporter| {
+                let count = wanted.count.unwrap_or(MODES).min(MODES);
+                let shapes = studied(&subject)?.shapes(&wanted.analysis, wanted.at, count)?;
+                reporter.tell(frame(shapes));
+                Ok(())
+            }),
+        )
+        .await
 }
 
 fn frame(shapes: SlidingShapes) -> Frame {

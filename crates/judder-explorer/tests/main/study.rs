@@ -126,3 +126,22 @@ fn without_a_study_there_is_none() {
     let frames = self::served(&folder).post("/api/study/shapes", &shapes).frames();
     assert!(frames[0].header["error"]["message"].as_str().unwrap().contains("sliding case"), "{frames:?}");
 }
+
+#[test]
+fn the_case_of_a_folder_reads_no_file_outside_of_it() {
+    let (desk, folder) = desk();
+    let law = desk.path().join("law.json");
+    fs::write(&law, "{ \"a\": \"secret\" }").unwrap();
+    let summary = folder.join("summary.json");
+    let told: Value = serde_json::from_slice(&fs::read(&summary).unwrap()).unwrap();
+    let outside = format!("[contact]\nlaw = {{ file = \"{}\" }}", law.display());
+    let source = told.to_string().replace("[contact]", &outside.replace('\n', "\\n").replace('"', "\\\""));
+    assert!(source.contains("law.json"), "the folder's case names it: {source}");
+    fs::write(&summary, source).unwrap();
+    let served = served(&folder);
+    let session = served.get("/api/session").json();
+    assert_eq!((&session["case"], &session["study"]["name"]), (&Value::Null, &json!("study")), "{session}");
+    let point = served.post("/api/point", &json!({}));
+    assert_eq!(point.status, 404);
+    assert!(!point.text().contains("secret"));
+}

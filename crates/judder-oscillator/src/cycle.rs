@@ -2,6 +2,7 @@
 //!
 //! - [`mod@return_map`]: once around, from the section x' = 0 back to it, with the exact derivative through all events.
 //! - [`shooting`]: Newton's method on the return map; Floquet multipliers.
+//! - `least_period`: the shortest cycle that a longer one walks.
 //! - [`birth`]: the small cycles beside a Hopf point.
 //! - [`continuation`]: branches of cycles along any parameter, through folds and changes of the pattern.
 //! - [`margin`]: from a subcritical threshold back to the fold: how far a knock reaches.
@@ -9,6 +10,7 @@
 pub mod birth;
 pub mod continuation;
 mod error;
+mod least_period;
 pub mod margin;
 pub mod return_map;
 pub mod shooting;

@@ -144,8 +144,8 @@ pub fn continue_branch<S: SlidingSystem<N>, const N: usize>(
     options: &Continuation<N>,
 ) -> Result<Branch<N>, CycleError> {
     let system = system_at(parameter)?;
-    let walk = Walk { system_at, options, oscillations: cycle.1, scales: system.scales() };
     let first = shoot(&system, cycle.0, cycle.1, &options.shooting)?;
+    let walk = Walk { system_at, options, oscillations: first.oscillations, scales: system.scales() };
     let mut place = walk.first_place(&first, parameter, direction)?;
     let mut outing = Outing::from(place.clone());
     let first = BranchPoint { parameter, cycle: first, slope: place.tangent[N] };

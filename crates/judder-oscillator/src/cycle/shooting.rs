@@ -1,6 +1,7 @@
 //! Newton's method on the return map, and the Floquet multipliers of what it finds.
 
 use super::CycleError;
+use super::least_period::shortest;
 use super::return_map::{Return, return_map};
 use crate::motion::attractor::{Patience, Settled, distance, settle};
 use crate::motion::{ContactState, Interrupted, SlidingSystem};
@@ -28,7 +29,7 @@ pub struct Shooting<const N: usize> {
 pub struct Cycle<const N: usize> {
     /// The state at the start, on the section.
     pub start: [f64; N],
-    /// Oscillations in a period.
+    /// Oscillations in a period, the least one.
     pub oscillations: usize,
     /// The flight around it.
     pub around: Return<N>,
@@ -38,7 +39,7 @@ pub struct Cycle<const N: usize> {
     pub trivial_error: f64,
     /// Distance of the return from the start, in scales.
     pub residual: f64,
-    /// Newton's iterations.
+    /// Newton's iterations, all together.
     pub iterations: usize,
 }
 
@@ -95,7 +96,8 @@ pub fn from_simulation<const N: usize>(
     }
 }
 
-/// The cycle near a state on the section, by Newton's method.
+/// The cycle near a state on the section, by Newton's method: of so many oscillations, or of the fewest that divide them if what is
+/// found is a shorter cycle walked several times.
 ///
 /// # Errors
 /// The motion cannot be followed, the derivative is singular, or the iteration does not settle.
@@ -105,13 +107,36 @@ pub fn shoot<const N: usize>(
     oscillations: usize,
     shooting: &Shooting<N>,
 ) -> Result<Cycle<N>, CycleError> {
+    let found = converge(system, start, oscillations, shooting)?;
+    match shortest(system, &found, shooting) {
+        Some(shorter) => {
+            finished(system, shorter.oscillations, shorter.guess, found.iterations + shorter.iterations)
+        }
+        None => finished(system, oscillations, found.guess, found.iterations),
+    }
+}
+
+/// What Newton's method came to.
+pub(super) struct Converged<const N: usize> {
+    pub(super) guess: Guess<N>,
+    pub(super) oscillations: usize,
+    pub(super) iterations: usize,
+}
+
+/// Newton's method until a motion of so many oscillations returns to its start.
+pub(super) fn converge<const N: usize>(
+    system: &impl SlidingSystem<N>,
+    start: [f64; N],
+    oscillations: usize,
+    shooting: &Shooting<N>,
+) -> Result<Converged<N>, CycleError> {
     let scales = system.scales();
     let around = return_map(system, start, oscillations, shooting.settings, shooting.longest)?;
     let residual = distance(&around.state, &start, &scales);
     let mut guess = Guess { start, around, residual };
-    for iteration in 0..=shooting.iterations {
+    for iterations in 0..=shooting.iterations {
         if guess.residual <= shooting.tolerance {
-            return finished(system, oscillations, guess, iteration);
+            return Ok(Converged { guess, oscillations, iterations });
         }
         let step = newton_step(&guess, &scales)?;
         guess = damped(system, &guess, &step, oscillations, shooting)?;
@@ -128,7 +153,10 @@ pub(super) struct Guess<const N: usize> {
 }
 
 /// (∂P/∂u − I)⁻¹ (u − P(u)), computed in scaled components.
-fn newton_step<const N: usize>(guess: &Guess<N>, scales: &[f64; N]) -> Result<[f64; N], CycleError> {
+pub(super) fn newton_step<const N: usize>(
+    guess: &Guess<N>,
+    scales: &[f64; N],
+) -> Result<[f64; N], CycleError> {
     let derivative = scaled(&guess.around.derivative, scales);
     let matrix = (0..N * N).map(|k| derivative[k / N][k % N] - f64::from(u8::from(k / N == k % N))).collect();
     let triangles = Triangles::new(N, matrix).ok_or(CycleError::Singular)?;

@@ -105,7 +105,12 @@ pub fn settle<const N: usize>(
             returns.push_front((march.time(), state));
             returns.truncate(REMEMBERED * patience.oscillations);
             let allowed = patience.closeness * distance(&state, &rest, &scales);
-            if let Some(oscillations) = repetition(&returns, &scales, allowed, patience.oscillations) {
+            // half of the time is left to come as near after a part of the oscillations, or to keep away
+            let is_settled = |oscillations: &usize| {
+                repeats(&returns, &scales, allowed, *oscillations) || march.time() > 0.5 * patience.time
+            };
+            let oscillations = repetition(&returns, &scales, allowed, patience.oscillations);
+            if let Some(oscillations) = oscillations.filter(is_settled) {
                 let returns = returns.iter().take(oscillations).map(|(_, state)| *state).collect();
                 return one_period(system, march, settings, returns);
             }
@@ -160,8 +165,32 @@ fn recurrences<const N: usize>(
     (1..=most).filter_map(nearest).collect()
 }
 
+/// Distances between returns (time and state, the latest first) so many oscillations apart, over two such spans: a slow passage is
+/// not to be taken for a cycle. Fewer where there are not as many returns.
+fn misses<const N: usize>(
+    returns: &VecDeque<(f64, [f64; N])>,
+    scales: &[f64; N],
+    oscillations: usize,
+) -> impl Iterator<Item = f64> {
+    let pairs = returns.iter().zip(returns.iter().skip(oscillations)).take(2 * oscillations);
+    pairs.map(|(later, earlier)| distance(&later.1, &earlier.1, scales))
+}
+
+/// Whether returns so many oscillations apart come `allowed` near to each other, twice in a row.
+fn repeats<const N: usize>(
+    returns: &VecDeque<(f64, [f64; N])>,
+    scales: &[f64; N],
+    allowed: f64,
+    oscillations: usize,
+) -> bool {
+    returns.len() >= 3 * oscillations && misses(returns, scales, oscillations).all(|miss| miss < allowed)
+}
+
 /// The fewest oscillations, `most` at most, after which the returns (time and state, the latest first) come `allowed` near to
 /// each other in units of the scales, twice in a row; `None` where there are none.
+///
+/// Of these it is the least part after which they miss each other by little more: a motion that comes to its cycle on alternating
+/// sides is near to itself after two oscillations sooner than after one, though it has the period of one.
 #[must_use]
 pub fn repetition<const N: usize>(
     returns: &VecDeque<(f64, [f64; N])>,
@@ -169,14 +198,12 @@ pub fn repetition<const N: usize>(
     allowed: f64,
     most: usize,
 ) -> Option<usize> {
-    (1..=most).find(|period| {
-        let repeats = |k: usize| match (returns.get(k), returns.get(k + period)) {
-            (Some(a), Some(b)) => distance(&a.1, &b.1, scales) < allowed,
-            _ => false,
-        };
-        // a full period twice, so that a slow passage is not taken for a cycle
-        (0..2 * period).all(repeats)
-    })
+    /// Times as much: 1/(1 + μ) with a multiplier μ near −1. A doubled period makes it ever more while the motion settles.
+    const LITTLE_MORE: f64 = 30.0;
+    let whole = (1..=most).find(|count| repeats(returns, scales, allowed, *count))?;
+    let near = LITTLE_MORE * misses(returns, scales, whole).fold(0.0, f64::max);
+    let parts = (1..whole).filter(|count| whole.is_multiple_of(*count));
+    parts.filter(|count| repeats(returns, scales, near, *count)).min().or(Some(whole))
 }
 
 /// One more period, measured.

@@ -236,3 +236,51 @@ fn one_period<S: SlidingSystem<N>, const N: usize>(
         recurrences: Vec::new(),
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Returns at positions `at(k)` along a line, k oscillations ago.
+    fn returns(at: impl Fn(i32) -> f64) -> VecDeque<(f64, [f64; 2])> {
+        (0..24).map(|ago| (-f64::from(ago), [at(ago), 0.0])).collect()
+    }
+
+    fn found(at: impl Fn(i32) -> f64) -> Option<usize> {
+        repetition(&returns(at), &[1.0; 2], 1e-4, 8)
+    }
+
+    #[test]
+    fn returns_on_alternating_sides_repeat_after_one_oscillation() {
+        // u_k = (−0.77)^k: near after two before after one; after three with a third of a turn
+        let alternating = |ago: i32| 1e-4 * (-0.77_f64).powi(-ago);
+        let returns_now = returns(alternating);
+        assert!(repeats(&returns_now, &[1.0; 2], 2e-4, 2) && !repeats(&returns_now, &[1.0; 2], 2e-4, 1));
+        assert_eq!(repetition(&returns_now, &[1.0; 2], 2e-4, 8), Some(1));
+        let turning =
+            |ago: i32| 2e-5 * 0.95_f64.powi(-ago) * (f64::from(ago) * std::f64::consts::TAU / 3.0).cos();
+        let returns_now = returns(turning);
+        assert!(repeats(&returns_now, &[1.0; 2], 2e-5, 3) && !repeats(&returns_now, &[1.0; 2], 2e-5, 1));
+        assert_eq!(repetition(&returns_now, &[1.0; 2], 2e-5, 8), Some(1));
+    }
+
+    #[test]
+    fn a_doubled_period_is_two_oscillations_however_near_they_are() {
+        let doubled = |apart: f64, transient: f64| {
+            move |ago: i32| f64::from(ago % 2) * apart + transient * 0.9_f64.powi(-ago)
+        };
+        for (apart, transient) in [(1.0, 0.0), (1e-2, 1e-5), (1e-3, 1e-6), (2e-4, 1e-8)] {
+            assert_eq!(found(doubled(apart, transient)), Some(2), "{apart:e} {transient:e}");
+        }
+        assert_eq!(found(doubled(1e-5, 0.0)), Some(1));
+    }
+
+    #[test]
+    fn parts_count_where_they_divide_and_nothing_repeats_that_drifts() {
+        // of four oscillations two, not one
+        assert_eq!(found(|ago| f64::from(ago % 2) + 6e-5 * (-1.1_f64).powi(ago / 2)), Some(2));
+        assert_eq!(found(|ago| f64::from(ago % 3)), Some(3));
+        assert_eq!(found(|ago| 1e-3 * f64::from(ago)), None);
+        assert_eq!(repetition(&VecDeque::<(f64, [f64; 2])>::new(), &[1.0; 2], 1.0, 8), None);
+    }
+}

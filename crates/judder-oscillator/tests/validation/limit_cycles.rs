@@ -21,7 +21,7 @@ pub(crate) fn settings<const N: usize>(system: &impl SlidingSystem<N>, tolerance
     Settings { relative: tolerance, absolute, longest_step: 1.0, steps: 10_000_000 }
 }
 
-fn shooting<const N: usize>(system: &impl SlidingSystem<N>, tolerance: f64) -> Shooting<N> {
+pub(crate) fn shooting<const N: usize>(system: &impl SlidingSystem<N>, tolerance: f64) -> Shooting<N> {
     Shooting {
         settings: settings(system, tolerance),
         tolerance: 100.0 * tolerance,
@@ -30,7 +30,7 @@ fn shooting<const N: usize>(system: &impl SlidingSystem<N>, tolerance: f64) -> S
     }
 }
 
-fn disturbed(system: &StickSlip) -> [f64; 4] {
+pub(crate) fn disturbed(system: &StickSlip) -> [f64; 4] {
     let mut start = system.steady_sliding();
     start[0] += 0.2 * start[0].abs();
     start

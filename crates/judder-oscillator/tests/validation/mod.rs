@@ -4,6 +4,7 @@
 
 mod belt;
 mod equivalent_damping;
+mod least_period;
 mod limit_cycles;
 mod motion;
 mod on_the_edge;

@@ -31,8 +31,8 @@ fn uncertainty<const N: usize>(guess: &Guess<N>, scales: &[f64; N], shooting: &S
     /// Over the next step of Newton's method, which is the first order of the distance.
     const BEYOND: f64 = 2.0;
     let next = newton_step(guess, scales).map_or(0.0, |step| distance(&step, &[0.0; N], scales));
-    // the return is no better known than its tolerance
-    shooting.tolerance + BEYOND * next
+    // the return is no better known than its tolerance; beyond the root of it a first order says nothing, as beside a fold
+    shooting.tolerance + (BEYOND * next).min(shooting.tolerance.sqrt())
 }
 
 /// The cycle of so many oscillations within `allowed` of the start.

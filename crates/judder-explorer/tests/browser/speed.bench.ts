@@ -4,8 +4,8 @@ import { type Explorer, expect, test } from "./explorer";
 
 declare global {
   interface Window {
-    /** When a map was put on its canvas. */
-    painted: number[];
+    /** The maps that were put on their canvas: when, of which stage, and of which options. */
+    painted: { readonly time: number; readonly stage: string; readonly set: string }[];
   }
 }
 
@@ -20,7 +20,8 @@ async function watched(explorer: Explorer): Promise<void> {
     window.painted = [];
     const put = CanvasRenderingContext2D.prototype.putImageData;
     CanvasRenderingContext2D.prototype.putImageData = function (this: CanvasRenderingContext2D, ...what: unknown[]) {
-      window.painted.push(performance.now());
+      const { stage = "", set = "" } = this.canvas.closest<HTMLElement>(".map-chart")?.dataset ?? {};
+      window.painted.push({ time: performance.now(), stage, set });
       return (put as (...what: unknown[]) => void).apply(this, what);
     } as typeof put;
   });
@@ -34,7 +35,7 @@ test("start", async ({ explorer }) => {
     await expect(explorer.page.locator(".map-chart")).toHaveAttribute("data-stage", "exact");
     const [loaded, first] = await explorer.page.evaluate(() => {
       const entry = performance.getEntriesByType("navigation")[0] as PerformanceNavigationTiming;
-      return [entry.loadEventEnd, window.painted[0] ?? Number.NaN] as const;
+      return [entry.loadEventEnd, window.painted[0]?.time ?? Number.NaN] as const;
     });
     load.push(loaded);
     picture.push(first);
@@ -59,7 +60,7 @@ test("a slider moves", async ({ explorer }) => {
       slider.dispatchEvent(new InputEvent("input", { bubbles: true }));
       slider.dispatchEvent(new Event("change", { bubbles: true }));
       while (window.painted.length < 2 && performance.now() - start < 3000) await new Promise(requestAnimationFrame);
-      return window.painted.map((time) => time - start);
+      return window.painted.map(({ time }) => time - start);
     }, 100 + 7 * turn);
     coarse.push(times[0] ?? Number.NaN);
     exact.push(times[1] ?? Number.NaN);
@@ -72,9 +73,9 @@ test("a slider is dragged", async ({ explorer }) => {
   await watched(explorer);
   await explorer.open("/map");
   await expect(explorer.page.locator(".map-chart")).toHaveAttribute("data-stage", "exact");
-  const rates: number[] = [];
+  const [coarse, exact]: [number[], number[]] = [[], []];
   for (const name of ["damping x", "coupling", "radius"]) {
-    const frames = await explorer.page.evaluate(async (name) => {
+    const drawn = await explorer.page.evaluate(async (name) => {
       const slider = document.querySelector<HTMLInputElement>(`input[type=range][aria-label='${name}']`);
       if (!slider) throw new Error("no slider");
       window.painted = [];
@@ -84,9 +85,20 @@ test("a slider is dragged", async ({ explorer }) => {
         slider.dispatchEvent(new InputEvent("input", { bubbles: true }));
         await new Promise(requestAnimationFrame);
       }
-      return window.painted.length / ((performance.now() - start) / 1000);
+      const seconds = (performance.now() - start) / 1000;
+      const pictures = window.painted.map(({ stage, set }) => ({ stage, set }));
+      slider.dispatchEvent(new Event("change", { bubbles: true }));
+      return { seconds, pictures };
     }, name);
-    rates.push(frames);
+    // a picture of the value that is shown already is no new one
+    const rate = (stage: string) => {
+      const sets = drawn.pictures.filter((picture) => picture.stage === stage).map(({ set }) => set);
+      return sets.filter((set, index) => set !== sets[index - 1]).length / drawn.seconds;
+    };
+    coarse.push(rate("coarse"));
+    exact.push(rate("exact"));
+    await explorer.page.waitForTimeout(1000);
   }
-  say("a slider is dragged: maps drawn", rates, "a second");
+  say("a slider is dragged: coarse maps of different values", coarse, "a second");
+  say("a slider is dragged: exact maps of different values", exact, "a second");
 });

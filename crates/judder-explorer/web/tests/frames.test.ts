@@ -52,28 +52,28 @@ describe("frames", () => {
   it("are viewed in place where they lie aligned, and copied where not", () => {
     const aligned = new Uint8Array(new ArrayBuffer(MAP.length));
     aligned.set(MAP);
-    const [there] = new FrameDecoder().push(aligned);
+    const [there] = [...new FrameDecoder().push(aligned)];
     expect(reals(there!, "x").buffer).toBe(aligned.buffer);
     const odd = new Uint8Array(new ArrayBuffer(MAP.length + 3), 3);
     odd.set(MAP);
-    const [copied] = new FrameDecoder().push(odd);
+    const [copied] = [...new FrameDecoder().push(odd)];
     expect(reals(copied!, "x").buffer).not.toBe(odd.buffer);
     expect(reals(copied!, "x")[3]).toBe(0.1 + 0.2);
   });
 
   it("that are broken are refused", () => {
     const decoder = new FrameDecoder();
-    decoder.push(MAP.subarray(0, MAP.length - 1));
+    void [...decoder.push(MAP.subarray(0, MAP.length - 1))];
     expect(() => decoder.finish()).toThrow(FrameError);
     const unpadded = Uint8Array.from(MAP);
     new DataView(unpadded.buffer).setUint32(0, 13, true);
-    expect(() => new FrameDecoder().push(unpadded)).toThrow(FrameError);
+    expect(() => [...new FrameDecoder().push(unpadded)]).toThrow(FrameError);
     const beyond = encode({ kind: "map", arrays: [{ name: "x", type: "f64", shape: [9], offset: 0 }] }, PAYLOAD);
-    expect(() => new FrameDecoder().push(beyond)).toThrow(/beyond its frame/);
+    expect(() => [...new FrameDecoder().push(beyond)]).toThrow(/beyond its frame/);
     const unknown = encode({ kind: "map", arrays: [{ name: "x", type: "f16", shape: [1], offset: 0 }] }, PAYLOAD);
-    expect(() => new FrameDecoder().push(unknown)).toThrow(/f16/);
+    expect(() => [...new FrameDecoder().push(unknown)]).toThrow(/f16/);
     const html = new TextEncoder().encode("<!doctype html><title>Not found</title>");
-    expect(() => new FrameDecoder().push(html)).toThrow(FrameError);
+    expect(() => [...new FrameDecoder().push(html)]).toThrow(FrameError);
   });
 
   it("close the stream when nobody wants more", async () => {

@@ -72,7 +72,8 @@ export function Chart(props: ChartProps) {
     <div class="chart">
       <div class="chart-picture" ref={host} style={props.height ? { height: `${props.height}px` } : {}}>
         <svg class="chart-under" width={size.width} height={size.height} aria-hidden="true">
-          <SceneView shapes={[...scene.definitions, ...scene.under]} />
+          <SceneView shapes={scene.definitions} />
+          <SceneView shapes={scene.under} />
         </svg>
         {spec.layers.some(isRaster) && <RasterView spec={spec} frame={frame} />}
         <svg

@@ -1,10 +1,12 @@
 /** A tree of SVG elements on the page. */
 
 import { type JSX, h } from "preact";
+import { useMemo } from "preact/hooks";
 import type { Shape } from "./scene";
 
 export function SceneView({ shapes }: { readonly shapes: readonly (Shape | string)[] }) {
-  return <>{shapes.map((node, index) => (typeof node === "string" ? node : element(node, index)))}</>;
+  // the same elements are not compared again
+  return useMemo(() => <>{shapes.map((node, index) => (typeof node === "string" ? node : element(node, index)))}</>, [shapes]);
 }
 
 function element(node: Shape, key: number): JSX.Element {

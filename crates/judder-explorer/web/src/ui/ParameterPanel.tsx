@@ -59,6 +59,7 @@ export function ParameterPanel({ hidden = [] }: PanelProps) {
                   value={values?.values.find((value) => value.path === key.path)}
                   base={base?.values.find((value) => value.path === key.path)}
                   error={blamed === key ? error : null}
+                  set={view.set[key.path]}
                 />
               ))}
           </details>

@@ -1,7 +1,6 @@
 /** One key of the case: slider, text with a unit, the other form of its value, reset. */
 
-import { useEffect, useRef, useState } from "preact/hooks";
-import { useView } from "../state/store";
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { withOption } from "../state/view";
 import type { CaseValue, Key } from "../wire/api";
 import type { RequestError } from "../wire/request";
@@ -16,13 +15,18 @@ interface RowProps {
   readonly value: CaseValue | undefined;
   readonly base: CaseValue | undefined;
   readonly error: RequestError | null;
+  /** What the view sets the key to. */
+  readonly set: string | undefined;
 }
 
-export function ParameterRow({ parameter, value, base, error }: RowProps) {
+/** A drag moves one row: the others are left as they are. */
+export function ParameterRow(row: RowProps) {
+  return useMemo(() => <Row {...row} />, [row.parameter, row.value, row.base, row.error, row.set]);
+}
+
+function Row({ parameter, value, base, error, set }: RowProps) {
   const { store } = useApp();
-  const view = useView(store);
   const { path } = parameter;
-  const set = view.set[path];
   const id = `key-${path.replace(/[^\w]/g, "-")}`;
   const name = (path.split(".").at(-1) ?? path).replaceAll("_", " ");
   const differs = set !== undefined && (value === undefined || base === undefined || plainValue(parameter, value) !== plainValue(parameter, base));

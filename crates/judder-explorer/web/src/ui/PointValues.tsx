@@ -1,5 +1,6 @@
 /** One operating point in numbers: groups and units. */
 
+import { useMemo } from "preact/hooks";
 import type { Pair, Point, PointDocument } from "../wire/api";
 import { Value } from "./Value";
 
@@ -17,7 +18,12 @@ interface PointValuesProps {
   readonly shares?: boolean;
 }
 
-export function PointValues({ point: { point, dimensional }, shares = true }: PointValuesProps) {
+/** Drawn once a point, however often what is around it moves. */
+export function PointValues({ point, shares = true }: PointValuesProps) {
+  return useMemo(() => <Numbers point={point} shares={shares} />, [point, shares]);
+}
+
+function Numbers({ point: { point, dimensional }, shares }: Required<PointValuesProps>) {
   const { equilibrium, contact } = point;
   return (
     <div class="point-values">

@@ -33,6 +33,9 @@ export function hasValues(session: Session): boolean {
   return session.case?.model === "oscillator" || session.case?.model === "contact";
 }
 
+/** While a slider is dragged the values of the case are asked for at most so often, in milliseconds. */
+const VALUES_EVERY = 250;
+
 /** The values of the case of the view, asked for as it changes. */
 export function useCaseValues(session: Session, store: ViewStore): Pick<App, "values" | "base" | "error"> {
   const view = useView(store);
@@ -40,20 +43,26 @@ export function useCaseValues(session: Session, store: ViewStore): Pick<App, "va
   const [base, setBase] = useState<CaseValues | null>(session.values ?? null);
   const [error, setError] = useState<RequestError | null>(null);
   const latest = useRef(new Latest());
+  const asked = useRef(Number.NEGATIVE_INFINITY);
   const set = JSON.stringify(options(view));
   useEffect(() => {
     if (hasValues(session) && !session.values) fetchCase([]).then(setBase, (failure) => setError(asRequestError(failure)));
   }, [session]);
   useEffect(() => {
     if (!hasValues(session)) return;
-    latest.current.submit(async (signal) => {
-      try {
-        setValues(await fetchCase(JSON.parse(set) as string[], signal));
-        setError(null);
-      } catch (failure) {
-        if (!isAbort(failure)) setError(asRequestError(failure));
-      }
-    });
+    const ask = () => {
+      asked.current = performance.now();
+      latest.current.submit(async (signal) => {
+        try {
+          setValues(await fetchCase(JSON.parse(set) as string[], signal));
+          setError(null);
+        } catch (failure) {
+          if (!isAbort(failure)) setError(asRequestError(failure));
+        }
+      });
+    };
+    const timer = setTimeout(ask, asked.current + VALUES_EVERY - performance.now());
+    return () => clearTimeout(timer);
   }, [session, set]);
   return { values, base, error };
 }

@@ -32,20 +32,19 @@ export class FrameError extends Error {
 const LARGEST_FRAME = 2 ** 30;
 const PREFIX = 8;
 
-/** Takes chunks as they come and gives the frames that are complete. */
+/** Takes chunks as they come and gives the frames that are complete, each decoded when it is asked for. */
 export class FrameDecoder {
   /** The frame that is being filled; before its lengths are known only the prefix. */
   private filling: Uint8Array = new Uint8Array(PREFIX);
   private filled = 0;
 
-  push(chunk: Uint8Array): Frame[] {
-    const frames: Frame[] = [];
+  *push(chunk: Uint8Array): Generator<Frame, void, void> {
     let from = 0;
     while (from < chunk.length) {
       const whole = this.filled === 0 ? wholeFrame(chunk, from) : undefined;
       if (whole) {
-        frames.push(decodeFrame(whole));
         from += whole.length;
+        yield decodeFrame(whole);
         continue;
       }
       const count = Math.min(this.filling.length - this.filled, chunk.length - from);
@@ -54,12 +53,12 @@ export class FrameDecoder {
       from += count;
       if (this.filled === PREFIX && this.filling.length === PREFIX) this.grow();
       if (this.filled === this.filling.length && this.filled > PREFIX) {
-        frames.push(decodeFrame(this.filling));
+        const frame = this.filling;
         this.filling = new Uint8Array(PREFIX);
         this.filled = 0;
+        yield decodeFrame(frame);
       }
     }
-    return frames;
   }
 
   /** Tells whether the stream may end here. */

@@ -2,12 +2,12 @@
  * At most one piece of work at a time, and the newest waiting.
  *
  * A drag asks faster than answers come. Aborting at each step would show nothing until it ends, so the work in flight may
- * go on until it has shown something (`shown`), or until its patience is over.
+ * go on until it has shown something (`shown`), or until its patience is over. What is aborted tells nothing more.
  */
 export type Work = (signal: AbortSignal, shown: () => void) => Promise<void>;
 
 export class Latest {
-  private running: { abort: AbortController; hasShown: boolean } | undefined;
+  private running: { readonly abort: AbortController; hasShown: boolean } | undefined;
   private waiting: Work | undefined;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
@@ -15,16 +15,25 @@ export class Latest {
 
   /** Starts the work, or lets it wait in place of what waited. */
   submit(work: Work): void {
-    if (!this.running) return void this.run(work);
     this.waiting = work;
-    if (this.running.hasShown) this.running.abort.abort();
-    else this.timer ??= setTimeout(() => this.running?.abort.abort(), this.patience);
+    if (!this.running || this.running.hasShown) this.next();
+    else this.timer ??= setTimeout(() => this.next(), this.patience);
   }
 
   /** Gives up what runs and what waits. */
   stop(): void {
     this.waiting = undefined;
-    this.running?.abort.abort();
+    this.next();
+  }
+
+  /** Gives up what runs and starts what waits at once: the older may still unwind. */
+  private next(): void {
+    clearTimeout(this.timer);
+    this.timer = undefined;
+    const [old, work] = [this.running, this.waiting];
+    this.running = this.waiting = undefined;
+    old?.abort.abort();
+    if (work) void this.run(work);
   }
 
   private async run(work: Work): Promise<void> {
@@ -32,18 +41,10 @@ export class Latest {
     this.running = running;
     const shown = () => {
       running.hasShown = true;
-      if (this.waiting) running.abort.abort();
+      if (this.running === running && this.waiting) this.next();
     };
-    try {
-      // work tells its own errors; what it leaves over is an abort
-      await work(running.abort.signal, shown).catch(() => undefined);
-    } finally {
-      clearTimeout(this.timer);
-      this.timer = undefined;
-      this.running = undefined;
-      const next = this.waiting;
-      this.waiting = undefined;
-      if (next) void this.run(next);
-    }
+    // work tells its own errors; what it leaves over is an abort
+    await work(running.abort.signal, shown).catch(() => undefined);
+    if (this.running === running) this.next();
   }
 }

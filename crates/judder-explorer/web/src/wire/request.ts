@@ -62,7 +62,9 @@ export async function getJson<T>(path: string, signal?: AbortSignal): Promise<T>
 }
 
 export async function postJson<T>(path: string, body: object, signal?: AbortSignal): Promise<T> {
-  return (await respond(path, body, signal)).json() as Promise<T>;
+  const answer = (await (await respond(path, body, signal)).json()) as T;
+  signal?.throwIfAborted();
+  return answer;
 }
 
 export async function postText(path: string, body: object, signal?: AbortSignal): Promise<string> {
@@ -76,6 +78,8 @@ export async function* postFrames(path: string, body: object, signal?: AbortSign
   // single frames (`/api/law`) come without an end frame
   let complete = false;
   for await (const frame of frames(response.body)) {
+    // frames that came in one piece with one that was enough are told to nobody
+    signal?.throwIfAborted();
     if (frame.kind === "error") throw errorFrom(frame.header, 200);
     complete = frame.kind !== "progress" && frame.kind !== "block";
     if (frame.kind === "end") return;

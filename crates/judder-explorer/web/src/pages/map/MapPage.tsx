@@ -79,7 +79,7 @@ export function MapPage() {
             />
           </div>
           <ErrorNote error={unlessSaid(live.error ?? criticalError, refused)} />
-          <div class="map-chart" data-stage={picture?.stage ?? "none"} data-busy={live.busy}>
+          <div class="map-chart" data-stage={picture?.stage ?? "none"} data-set={picture?.options} data-busy={live.busy}>
             <Chart
               spec={spec}
               window={window}

@@ -13,6 +13,8 @@ export interface Critical {
 }
 
 const POINTS = 81;
+/** The curves take far longer than a map: they wait until a slider rests, in milliseconds. */
+const REST = 150;
 const KINDS: Readonly<Record<string, string>> = {
   "contact.shear_strength": "critical-shear-strength",
   "operation.normal_load": "critical-load",
@@ -51,7 +53,7 @@ export function useCritical(set: readonly string[], analysis: Analysis | null) {
   const [of, setOf] = useState("");
   useEffect(() => {
     if (text === "") return latest.current.stop();
-    latest.current.submit(async (signal) => {
+    const ask = async (signal: AbortSignal) => {
       try {
         const body = { ...(JSON.parse(text) as object), slot: slot("critical") };
         for await (const frame of postFrames("/api/analysis", body, signal)) {
@@ -63,7 +65,10 @@ export function useCritical(set: readonly string[], analysis: Analysis | null) {
       } catch (failure) {
         if (!isAbort(failure)) setError(asRequestError(failure));
       }
-    });
+    };
+    latest.current.stop();
+    const timer = setTimeout(() => latest.current.submit(ask), REST);
+    return () => clearTimeout(timer);
   }, [text]);
   useEffect(() => () => latest.current.stop(), []);
   return { critical: of === text && text !== "" ? critical : null, error: text === "" ? null : error };

@@ -59,7 +59,11 @@ export function useRun<T>(request: RunRequest<T>): Run<T> {
     started.current = request.wanted;
   }, [text, request.wanted, request.live]);
   useEffect(() => () => latest.current.stop(), []);
-  return { ...shown, isStale: shown.result !== null && shown.of !== text, start, cancel: () => latest.current.stop() };
+  const cancel = () => {
+    latest.current.stop();
+    setShown((last) => ({ ...last, busy: false }));
+  };
+  return { ...shown, isStale: shown.result !== null && shown.of !== text, start, cancel };
 }
 
 /** Sends the requests of a run and shows what comes. */
@@ -90,12 +94,12 @@ async function follow<T>(
         timer ??= setTimeout(show, EVERY);
       }
     }
-    fresh = { ...fresh, complete: true };
+    change({ ...fresh, complete: true, busy: false });
   } catch (failure) {
-    if (!isAbort(failure)) fresh = { ...fresh, error: asRequestError(failure) };
+    // what follows an abort says itself whether something runs
+    if (!isAbort(failure)) change({ ...fresh, busy: false, error: asRequestError(failure) });
   } finally {
     clearTimeout(timer);
-    change({ ...fresh, busy: false });
   }
 }
 

@@ -78,6 +78,12 @@ describe("the map's picture", () => {
     expect(withFrame(first, mapFrame, { ...request, x: { ...home.x, scale: "linear" } })?.boundaries.full).toBeUndefined();
   });
 
+  it("of a sketch is never the exact one", () => {
+    const exact = { ...mapFrame, header: { ...mapFrame.header, stage: "exact" } };
+    expect(withFrame(null, exact, request)?.stage).toBe("exact");
+    expect(withFrame(null, exact, request, true)?.stage).toBe("coarse");
+  });
+
   it("has shares that add up", () => {
     expect(shares(Uint8Array.from([0, 0, 1, 3]), 4)).toEqual([0.5, 0.25, 0, 0.25]);
     expect(shares(new Uint8Array(0), 2)).toEqual([0, 0]);

@@ -5,6 +5,8 @@ import { type Frame, codes, reals } from "../../wire/frames";
 
 /** Points of each axis of the exact map. */
 export const POINTS = 400;
+/** Points of each axis of a sketch: the map of a value that a slider passes. */
+export const SKETCH = 41;
 
 export type BoundaryName = "full" | "conservative" | "decoupled";
 export const BOUNDARIES: readonly BoundaryName[] = ["full", "conservative", "decoupled"];
@@ -34,8 +36,8 @@ export interface MapRequest {
   readonly boundaries: readonly BoundaryName[];
 }
 
-export function mapAnalysis({ x, y }: Pick<MapRequest, "x" | "y">, boundaries: boolean): Analysis {
-  const axis = (axis: KeyAxis) => ({ key: axis.key, from: axis.from, to: axis.to, points: POINTS, scale: axis.scale });
+export function mapAnalysis({ x, y }: Pick<MapRequest, "x" | "y">, boundaries: boolean, points = POINTS): Analysis {
+  const axis = (axis: KeyAxis) => ({ key: axis.key, from: axis.from, to: axis.to, points, scale: axis.scale });
   return { name: "map", kind: "stability-map", x: axis(x), y: axis(y), ...(boundaries ? { boundaries } : {}) };
 }
 
@@ -44,8 +46,8 @@ export function planeOf({ x, y }: Pick<MapRequest, "x" | "y">): string {
   return `${form(x)} ${form(y)}`;
 }
 
-/** The picture after one more frame. */
-export function withFrame(before: MapPicture | null, frame: Frame, request: MapRequest): MapPicture | null {
+/** The picture after one more frame; every map of a sketch is coarse. */
+export function withFrame(before: MapPicture | null, frame: Frame, request: MapRequest, sketch = false): MapPicture | null {
   const [plane, options] = [planeOf(request), JSON.stringify(request.set)];
   if (frame.kind === "map") {
     // curves of the same case stay true while its window moves; those of another case do not
@@ -53,7 +55,7 @@ export function withFrame(before: MapPicture | null, frame: Frame, request: MapR
     return {
       plane,
       options,
-      stage: frame.header["stage"] === "exact" ? "exact" : "coarse",
+      stage: frame.header["stage"] === "exact" && !sketch ? "exact" : "coarse",
       x: reals(frame, "x"),
       y: reals(frame, "y"),
       classes: codes(frame, "classes"),

@@ -8,7 +8,7 @@ import { growthClasses, homePlace, modesAt, planeSpec, readLocus, valueNear } fr
 import { partOf, rangeWithin, shownSignals, traceOf } from "../src/pages/structures/march";
 import { passed, positionAt, timeAt } from "../src/pages/structures/motion";
 import { flat } from "../src/pages/structures/Scalars";
-import { slowness } from "../src/pages/structures/ShapeView";
+import { leftOut, slowness } from "../src/pages/structures/ShapeView";
 import { highestOf, outlines, readLevels } from "../src/pages/structures/spectrogram";
 import { pickedAnalysis, placed, readLook, withAnalysis, withLook, withRange, withWindow } from "../src/pages/structures/state";
 import type { Study, StudyAnalysis, StudyVariable } from "../src/pages/structures/study";
@@ -203,6 +203,9 @@ describe("bodies", () => {
     expect(slowness(3525)).toContain("Slowed down 7050 times");
     expect(slowness(0.1)).toContain("Sped up 5 times");
     expect(slowness(0)).not.toContain("times");
+    expect(leftOut(41.8)).toBe("Its growth, 41.8 1/s, is left out of the animation.");
+    expect(leftOut(-3)).toContain("decay, 3 1/s");
+    expect(leftOut(null)).toContain("neither");
   });
 });
 

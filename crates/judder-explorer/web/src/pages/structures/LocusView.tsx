@@ -94,7 +94,7 @@ function ModesHere({ analysis, locus, at }: DrawnProps) {
   const view = useView(store);
   // a place is a position of the contact: of other keys the server knows no shapes
   const hasShapes = analysis.kind === "locus" && isOverPosition(analysis);
-  const { shapes, error, busy, cancel } = useShapes(analysis.name, hasShapes ? at : null);
+  const { shapes, error, busy, cancel } = useShapes(analysis.name, hasShapes ? at : null, locus.branches);
   const here = shapes?.at === at ? shapes : null;
   const modes = here
     ? here.eigenvalues.map(([growth, omega]) => ({ growth, frequency: omega / (2 * Math.PI), verdict: undefined }))
@@ -128,7 +128,7 @@ function ModesHere({ analysis, locus, at }: DrawnProps) {
         )}
         {shapes && swing && (
           <div class={here ? "" : "stale"}>
-            <ShapeView title={`Mode ${mode + 1} of ${analysis.name}`} body={shapes.body} swing={swing} frequency={modes[mode]?.frequency ?? null} unit="" />
+            <ShapeView title={`Mode ${mode + 1} of ${analysis.name}`} body={shapes.body} swing={swing} frequency={modes[mode]?.frequency ?? null} growth={modes[mode]?.growth ?? null} unit="" />
           </div>
         )}
       </div>

@@ -62,7 +62,7 @@ export function ModesView({ analysis }: { readonly analysis: StudyAnalysis }) {
         />
         <div class="shape-side">
           {hasShapes ? (
-            <StoredShape analysis={analysis} mode={mode} frequency={modes[mode]?.frequency ?? null} />
+            <StoredShape analysis={analysis} mode={mode} frequency={modes[mode]?.frequency ?? null} growth={modes[mode]?.growth ?? null} />
           ) : (
             <p>No shapes are stored: the study does not say where its freedoms lie.</p>
           )}
@@ -93,7 +93,7 @@ function planeOf(name: string, modes: readonly ModeNumbers[]): ChartSpec | null 
 }
 
 /** One mode of those that are stored: the others stay where they are. */
-function StoredShape({ analysis, mode, frequency }: { readonly analysis: StudyAnalysis; readonly mode: number; readonly frequency: number | null }) {
+function StoredShape({ analysis, mode, ...rates }: { readonly analysis: StudyAnalysis; readonly mode: number; readonly frequency: number | null; readonly growth: number | null }) {
   const places = useArrays(analysis.name, ["place", "line"], {}, "places");
   const stored = variable(analysis, "shape");
   const kept = stored?.shape[0] ?? 0;
@@ -108,7 +108,7 @@ function StoredShape({ analysis, mode, frequency }: { readonly analysis: StudyAn
     <>
       <ErrorNote error={places.error ?? shape.error} />
       {body && swing ? (
-        <ShapeView title={`Mode ${mode + 1} of ${analysis.name}`} body={body} swing={swing} frequency={frequency} unit={stored?.units ?? ""} />
+        <ShapeView title={`Mode ${mode + 1} of ${analysis.name}`} body={body} swing={swing} {...rates} unit={stored?.units ?? ""} />
       ) : (
         <p role="status">Reading the shape…</p>
       )}

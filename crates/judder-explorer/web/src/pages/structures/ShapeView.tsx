@@ -23,6 +23,8 @@ interface ShapeViewProps {
   readonly swing: Swing;
   /** Hz; null where it is not known. */
   readonly frequency: number | null;
+  /** 1/s; null where there is no damping. */
+  readonly growth: number | null;
   /** The unit of the shape's numbers. */
   readonly unit: string;
 }
@@ -37,7 +39,7 @@ const SIZE = { width: 760, height: 480 };
 const STEP = 5;
 const [NEAREST, FURTHEST] = [20, 0.2];
 
-export function ShapeView({ title, body, swing, frequency, unit }: ShapeViewProps) {
+export function ShapeView({ title, body, swing, frequency, growth, unit }: ShapeViewProps) {
   const { store } = useApp();
   const view = useView(store);
   const theme = useTheme();
@@ -125,7 +127,7 @@ export function ShapeView({ title, body, swing, frequency, unit }: ShapeViewProp
         onLook={turn}
       />
       <p class="shape-words">
-        {slowness(frequency)} The largest displacement is drawn as {short(100 * DISPLACEMENT * scale)} % of the body&apos;s diagonal. The motion neither grows nor decays here.
+        {slowness(frequency)} The largest displacement is drawn as {short(100 * DISPLACEMENT * scale)} % of the body&apos;s diagonal. {leftOut(growth)}
       </p>
     </section>
   );
@@ -146,6 +148,12 @@ export function slowness(frequency: number | null): string {
   if (frequency === null || !(frequency * PERIOD > 0)) return `One swing takes ${PERIOD} s here.`;
   const slower = frequency * PERIOD;
   return slower >= 1 ? `Slowed down ${short(slower)} times: one swing takes ${PERIOD} s here.` : `Sped up ${short(1 / slower)} times: one swing takes ${PERIOD} s here.`;
+}
+
+/** What the picture leaves out of the motion. */
+export function leftOut(growth: number | null): string {
+  if (growth === null || growth === 0 || !Number.isFinite(growth)) return "The motion neither grows nor decays here.";
+  return `Its ${growth > 0 ? "growth" : "decay"}, ${short(Math.abs(growth))} 1/s, is left out of the animation.`;
 }
 
 /** Pointer, wheel and keys that turn the picture. */

@@ -43,14 +43,18 @@ export function useArrays(analysis: string, variables: readonly string[], part: 
           if (frame.kind === "arrays") setLive({ arrays: frame.arrays, part, error: null, busy: false, of: analysis });
         }
       } catch (failure) {
-        const error = isAbort(failure) ? null : asRequestError(failure);
-        setLive((before) => ({ ...before, error: error ?? before.error, busy: false }));
+        // what follows an abort says itself whether something runs
+        if (!isAbort(failure)) setLive((before) => ({ ...before, error: asRequestError(failure), busy: false }));
       }
     });
   }, [text]);
   useEffect(() => () => latest.current.stop(), []);
   const { of, ...rest } = live;
-  return { ...(of === analysis ? rest : { ...NOTHING, busy: text !== "" }), cancel: () => latest.current.stop() };
+  const cancel = () => {
+    latest.current.stop();
+    setLive((before) => ({ ...before, busy: false }));
+  };
+  return { ...(of === analysis ? rest : { ...NOTHING, busy: text !== "" }), cancel };
 }
 
 /** The numbers of an array; empty where there is none of this name. */

@@ -29,7 +29,8 @@ export function shapeOf(shapes: Shapes, mode: number): Float64Array {
   return shapes.shapes.subarray(mode * length, (mode + 1) * length);
 }
 
-export function useShapes(analysis: string, at: number | null) {
+/** Shapes of so many modes; null asks for nothing. */
+export function useShapes(analysis: string, at: number | null, count: number) {
   const [shapes, setShapes] = useState<{ of: string; value: Shapes } | null>(null);
   const [error, setError] = useState<RequestError | null>(null);
   const [busy, setBusy] = useState(false);
@@ -40,20 +41,26 @@ export function useShapes(analysis: string, at: number | null) {
       latest.current.submit(async (signal, shown) => {
         setBusy(true);
         try {
-          for await (const frame of postFrames("/api/study/shapes", { analysis, at, slot: slot("study/shapes") }, signal)) {
+          for await (const frame of postFrames("/api/study/shapes", { analysis, at, count, slot: slot("study/shapes") }, signal)) {
             if (frame.kind !== "shapes") continue;
             setShapes({ of: analysis, value: shapesOf(frame, at) });
             setError(null);
             shown();
           }
         } catch (failure) {
-          if (!isAbort(failure)) setError(asRequestError(failure));
+          // what follows an abort says itself whether something runs
+          if (isAbort(failure)) return;
+          setError(asRequestError(failure));
         }
         setBusy(false);
       });
     const timer = setTimeout(ask, REST);
     return () => clearTimeout(timer);
-  }, [analysis, at]);
+  }, [analysis, at, count]);
   useEffect(() => () => latest.current.stop(), []);
-  return { shapes: shapes?.of === analysis ? shapes.value : null, error, busy, cancel: () => latest.current.stop() };
+  const cancel = () => {
+    latest.current.stop();
+    setBusy(false);
+  };
+  return { shapes: shapes?.of === analysis ? shapes.value : null, error, busy, cancel };
 }

@@ -118,8 +118,14 @@ test("keeps the last good picture beside an error", async ({ explorer }) => {
   const told = page.locator(".content").getByText("must be a length").or(page.locator(".parameter").getByText("must be a length"));
   await expect(told.first()).toBeVisible();
   await exact(explorer);
+  const [chart, status] = [page.locator(".map-chart"), page.locator(".map-status")];
+  await expect(chart).toHaveAttribute("data-refused", "true");
+  await expect(chart.locator(".chart-picture")).toHaveCSS("opacity", "0.45");
+  await expect(status).toHaveText("Of the values before: the present ones are refused.");
   await page.getByRole("button", { name: "Undo" }).click();
   await expect(told).toHaveCount(0);
+  await expect(chart).toHaveAttribute("data-refused", "false");
+  await expect(status).toContainText("400 × 400 points");
 });
 
 test("an address is the view", async ({ explorer }) => {

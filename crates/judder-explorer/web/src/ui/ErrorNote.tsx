@@ -10,6 +10,9 @@ export function unlessSaid(error: RequestError | null, said: RequestError | null
   return error && said && error.message === said.message ? null : error;
 }
 
+/** What is said of results that stay beside an error. */
+export const OF_BEFORE = "Of the values before: the present ones are refused.";
+
 export function ErrorNote({ error }: { readonly error: RequestError | null }) {
   return (
     <div role="alert" class={error ? "error-note" : "visually-hidden"}>

@@ -4,7 +4,7 @@ import type { ComponentChildren } from "preact";
 import { withFields } from "../../state/view";
 import type { QUANTITIES } from "../../state/fields";
 import { useApp } from "../../ui/app";
-import { unlessSaid } from "../../ui/ErrorNote";
+import { OF_BEFORE, unlessSaid } from "../../ui/ErrorNote";
 import { Label } from "../../ui/Label";
 import type { RequestError } from "../../wire/request";
 import type { Outcome } from "./outcome";
@@ -58,10 +58,10 @@ interface ResultsProps {
 }
 
 /** What was computed; paler where it belongs to parameters before. */
-export function Results({ computation: { current, busy }, children }: ResultsProps) {
+export function Results({ computation: { current, busy, error }, children }: ResultsProps) {
   return (
     <div class={current ? "" : "contact-stale"} aria-busy={busy} data-current={current}>
-      {!current && !busy && <p class="contact-note">These are results of parameters before.</p>}
+      {!current && !busy && <p class="contact-note">{error ? OF_BEFORE : "These are results of parameters before."}</p>}
       {children}
     </div>
   );

@@ -7,7 +7,7 @@ import { type Window, rangeOf } from "../../chart/scale";
 import { useView } from "../../state/store";
 import { options, withFields } from "../../state/view";
 import { useApp } from "../../ui/app";
-import { ErrorNote, unlessSaid } from "../../ui/ErrorNote";
+import { ErrorNote, OF_BEFORE, unlessSaid } from "../../ui/ErrorNote";
 import { useCaseFile } from "../../ui/files";
 import { Page } from "../../ui/Page";
 import { leading } from "../../ui/PointValues";
@@ -62,6 +62,8 @@ export function MapPage() {
     store.update((view) => withFields(withAxes(view, { [name]: homeAxis(key, session) }), { cursor: undefined, pin: undefined }));
   const onAxis = (name: "x" | "y") => (axis: KeyAxis) => store.update((view) => withAxes(view, { [name]: axis }));
 
+  const isRefused = picture !== null && (live.error ?? refused) !== null;
+
   useMapCaseFile();
   const all = session.keys;
   return (
@@ -79,7 +81,7 @@ export function MapPage() {
             />
           </div>
           <ErrorNote error={unlessSaid(live.error ?? criticalError, refused)} />
-          <div class="map-chart" data-stage={picture?.stage ?? "none"} data-set={picture?.options} data-busy={live.busy}>
+          <div class="map-chart" data-stage={picture?.stage ?? "none"} data-set={picture?.options} data-busy={live.busy} data-refused={isRefused}>
             <Chart
               spec={spec}
               window={window}
@@ -93,7 +95,7 @@ export function MapPage() {
             />
           </div>
           <p class="map-status" role="status">
-            {status(picture, live)}
+            {isRefused ? OF_BEFORE : status(picture, live)}
           </p>
         </div>
         <CursorPanel state={state} place={shown} x={x} y={y} live={point} set={at} />

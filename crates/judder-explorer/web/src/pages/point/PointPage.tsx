@@ -4,7 +4,7 @@ import { useCallback, useEffect, useMemo, useRef } from "preact/hooks";
 import { useView } from "../../state/store";
 import { options } from "../../state/view";
 import { useApp } from "../../ui/app";
-import { ErrorNote, unlessSaid } from "../../ui/ErrorNote";
+import { ErrorNote, OF_BEFORE, unlessSaid } from "../../ui/ErrorNote";
 import { useCaseFile } from "../../ui/files";
 import { plainValue } from "../../ui/numbers";
 import { Page } from "../../ui/Page";
@@ -46,15 +46,18 @@ export function PointPage() {
   const loop = useMemo(() => (cycle.result && !cycle.isStale ? loopOf(cycle.result) : null), [cycle.result, cycle.isStale]);
   const sources = useSources(motion, cycle, modes, frequency, scale);
   usePointCaseFile(state);
+  const isStale = live.set !== JSON.stringify(set);
+  const isRefused = point !== null && isStale && (live.error ?? refused) !== null;
   return (
     <Page title="Operating point">
       <ErrorNote error={unlessSaid(live.error, refused)} />
-      <div class="point-cards">
+      {isRefused && <p role="status">{OF_BEFORE}</p>}
+      <div class={isRefused ? "point-cards stale-result" : "point-cards"}>
         <div class="point-column">
           <EigenSection state={state} eigenvalues={point?.point.eigenvalues ?? null} modes={modes} />
           {point && frequency !== null && <ShapesSection state={state} point={point} modes={modes} frequency={frequency} />}
         </div>
-        {point && <Numbers point={point} stale={live.set !== JSON.stringify(set)} />}
+        {point && <Numbers point={point} stale={isStale} busy={isStale && !isRefused} />}
         <MotionSection state={state} run={motion} cycle={loop} modes={modes} belt={belt} steady={point?.point.equilibrium["x"] ?? null} />
         <CycleSection state={state} run={cycle} frequency={frequency} />
         <SoundSection state={state} sources={sources} />
@@ -72,11 +75,11 @@ function plainOf(values: CaseValues | null): (key: Key) => number | null {
   };
 }
 
-function Numbers({ point, stale }: { readonly point: Point; readonly stale: boolean }) {
+function Numbers({ point, stale, busy }: { readonly point: Point; readonly stale: boolean; readonly busy: boolean }) {
   const thresholds = (name: "critical_shear_strength" | "critical_load", title: string) =>
     point.point[name].map((value, index) => <Value key={`${name}${index}`} name={title} dataKey={`${name}.${index}`} value={value} />);
   return (
-    <section class={`card numbers${stale ? " stale" : ""}`} aria-label="Numbers of the operating point" aria-busy={stale}>
+    <section class={`card numbers${stale ? " stale" : ""}`} aria-label="Numbers of the operating point" aria-busy={busy}>
       <h2>Operating point</h2>
       <GrowthShares shares={point.point.growth_shares} />
       <h3>Thresholds</h3>

@@ -1,9 +1,9 @@
 /** An error where it belongs: what is wrong, where, and what would be right. */
 
+import { useContext } from "preact/hooks";
 import type { RequestError } from "../wire/request";
-
-/** The source of an option: it stands in its own field, and its line tells nothing. */
-const OPTION = "--set";
+import { AppContext } from "./app";
+import { meant } from "./meant";
 
 /** The error, unless the parameters already say the same: one mistake is told once. */
 export function unlessSaid(error: RequestError | null, said: RequestError | null): RequestError | null {
@@ -19,14 +19,22 @@ export function ErrorNote({ error }: { readonly error: RequestError | null }) {
       {error && (
         <>
           <p>{error.message}</p>
-          {error.place && error.place.source !== OPTION && (
-            <p class="error-place">
-              {error.place.source}, line {error.place.line}: <code>{error.place.text}</code>
-            </p>
-          )}
+          <ErrorPlace error={error} />
           {error.help && <p class="error-help">{error.help}</p>}
         </>
       )}
     </div>
+  );
+}
+
+function ErrorPlace({ error }: { readonly error: RequestError }) {
+  const app = useContext(AppContext);
+  // before there is a session, errors are of the case file as it was given
+  const place = meant(error, app ? (app.session.case?.text ?? "") : null);
+  if (!place) return null;
+  return (
+    <p class="error-place">
+      {"line" in place ? `${place.source}, line ${place.line}` : place.field}: <code>{place.text}</code>
+    </p>
   );
 }

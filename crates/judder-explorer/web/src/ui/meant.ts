@@ -1,0 +1,32 @@
+/** What an error speaks of, in words of the page. */
+
+import type { RequestError } from "../wire/request";
+
+/** The source of an option: it stands in its own field, and its line tells nothing. */
+const OPTION = "--set";
+
+/** Fields of pages that have other names than the keys of the case file that they become. */
+const FIELDS: Readonly<Record<string, string>> = {
+  "x.from": "From, x axis",
+  "x.to": "To, x axis",
+  "y.from": "From, y axis",
+  "y.to": "To, y axis",
+  velocity: "speed",
+  indentation: "depth",
+};
+
+/** Where an error lies: a line of the user's own case file, or the field or key that is meant. */
+export type Meant = { readonly line: number; readonly source: string; readonly text: string } | { readonly field: string; readonly text: string };
+
+/**
+ * The server reads a case that the page has composed, whose lines nobody has seen. A line is named only where the user's text has the
+ * same at that place; elsewhere the key that the message names first.
+ */
+export function meant({ message, place }: RequestError, caseText: string | null): Meant | null {
+  if (!place || place.source === OPTION) return null;
+  const own = caseText?.split("\n")[place.line - 1];
+  const isOwn = place.text !== "" && own?.slice(place.column - 1).startsWith(place.text);
+  if (caseText === null || isOwn) return place;
+  const key = /`([^`]+)`/.exec(message)?.[1];
+  return key === undefined ? null : { field: FIELDS[key] ?? key, text: place.text };
+}

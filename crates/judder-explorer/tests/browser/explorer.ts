@@ -2,7 +2,7 @@
 
 import { type Page, expect, test as base } from "@playwright/test";
 import { type ChildProcess, execFileSync, spawn } from "node:child_process";
-import { mkdtempSync, rmSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 
@@ -55,6 +55,25 @@ export const test = base.extend<Fixtures>({
     expect(faults, "nothing on the console, nothing from elsewhere").toEqual([]);
     expect(code, "Ctrl-C ends it well").toBe(0);
   },
+});
+
+/** A study folder that `judder run` has made, and the results of its summary. */
+export interface Study {
+  readonly folder: string;
+  readonly results: unknown;
+}
+
+function run(name: string): Study {
+  const folder = join(mkdtempSync(join(tmpdir(), "judder-study-")), name);
+  execFileSync(JUDDER, ["run", join(ROOT, `cases/${name}.toml`), "-o", folder, "-q"]);
+  return { folder, results: (JSON.parse(readFileSync(join(folder, "summary.json"), "utf8")) as { results: unknown }).results };
+}
+
+/** Tests of studies: two sliding cases, of which one has a spectrogram, and a structure; each is run once a worker. */
+export const studies = test.extend<object, { sliding: Study; edge: Study; block: Study }>({
+  sliding: [async ({}, use) => use(run("sliding/falling-friction")), { scope: "worker", timeout: 240_000 }],
+  edge: [async ({}, use) => use(run("sliding/curved-edge")), { scope: "worker", timeout: 240_000 }],
+  block: [async ({}, use) => use(run("benchmarks/block")), { scope: "worker", timeout: 240_000 }],
 });
 
 /** The browser notes refused requests, which the page shows to its user, and what its software renderer does slowly. */

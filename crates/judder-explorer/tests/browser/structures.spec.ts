@@ -1,26 +1,6 @@
 /** The structures page: what a study folder holds, for a sliding case and for a structure. */
 
-import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync } from "node:fs";
-import { tmpdir } from "node:os";
-import { join } from "node:path";
-import { JUDDER, ROOT, at, expect, test as base } from "./explorer";
-
-interface Study {
-  readonly folder: string;
-  readonly results: unknown;
-}
-
-function run(name: string): Study {
-  const folder = join(mkdtempSync(join(tmpdir(), "judder-study-")), name);
-  execFileSync(JUDDER, ["run", join(ROOT, `cases/${name}.toml`), "-o", folder, "-q"]);
-  return { folder, results: (JSON.parse(readFileSync(join(folder, "summary.json"), "utf8")) as { results: unknown }).results };
-}
-
-const test = base.extend<object, { sliding: Study; block: Study }>({
-  sliding: [async ({}, use) => use(run("sliding/falling-friction")), { scope: "worker", timeout: 240_000 }],
-  block: [async ({}, use) => use(run("benchmarks/block")), { scope: "worker", timeout: 240_000 }],
-});
+import { at, expect, studies as test } from "./explorer";
 
 test.describe("a sliding case", () => {
   test.use({ subject: async ({ sliding }, use) => use([sliding.folder]) });

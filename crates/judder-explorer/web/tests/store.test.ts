@@ -47,6 +47,27 @@ beforeEach(() => void vi.useFakeTimers());
 afterEach(() => void vi.useRealTimers());
 
 describe("the store", () => {
+  it("makes one entry of steps of one option within a second", () => {
+    const window = browser();
+    const store = open(window);
+    for (const text of ["1", "2", "3"]) {
+      store.update(velocity(text), "drag");
+      store.update(velocity(text), "step");
+      vi.advanceTimersByTime(600);
+    }
+    expect(window.addresses()).toEqual(["/map", "/map?set=operation.velocity=3"]);
+    store.update((view) => withOption(view, "contact.shear_strength", "5"), "step");
+    vi.advanceTimersByTime(1100);
+    store.update((view) => withOption(view, "contact.shear_strength", "6"), "step");
+    expect(window.addresses()).toHaveLength(4);
+    store.undo();
+    store.undo();
+    store.undo();
+    expect(writeView(store.view)).toBe("/map");
+    store.redo();
+    expect(writeView(store.view)).toBe("/map?set=operation.velocity=3");
+  });
+
   it("makes one entry of a drag, and undo goes to where it started", () => {
     const window = browser();
     const store = open(window);

@@ -5,9 +5,10 @@ import { type PageFields, type View, parseView, writeView } from "./view";
 
 /**
  * How a change is kept: `push` makes an entry of the history; `drag` shows it without one, until a `push` ends the drag
- * (one entry for all of it); `quiet` changes the entry in place (a cursor).
+ * (one entry for all of it); `step` is a push that becomes part of the entry of the step before where it changes the same within a
+ * second (presses of keys on a slider); `quiet` changes the entry in place (a cursor).
  */
-export type Keep = "push" | "drag" | "quiet";
+export type Keep = "push" | "drag" | "step" | "quiet";
 
 /** What the store needs of a window; tests give their own. */
 export interface Browser {
@@ -20,6 +21,15 @@ export interface Browser {
 const TOP = "judder-history-top";
 /** Browsers refuse hundreds of changes of the address within some seconds. */
 const ADDRESS_EVERY = 200;
+/** Steps that follow one another within this time, in milliseconds, are one. */
+const STEPS_WITHIN = 1000;
+
+/** The options and fields in which two views differ. */
+function difference(a: View, b: View): string {
+  const texts = (view: View): Record<string, string> => ({ ...view.set, ...Object.fromEntries(Object.entries(view.fields).map(([field, text]) => [`/${field}`, text])) });
+  const [before, after] = [texts(a), texts(b)];
+  return Object.keys({ ...before, ...after }).filter((name) => before[name] !== after[name]).sort().join();
+}
 
 export class ViewStore {
   private current: View;
@@ -29,6 +39,8 @@ export class ViewStore {
   private top: number;
   private readonly listeners = new Set<() => void>();
   private timer: ReturnType<typeof setTimeout> | undefined;
+  /** The newest step: when it was, and what it changed. */
+  private step: { readonly time: number; readonly what: string } | undefined;
   /** What was dropped from the address. */
   told: readonly string[];
 
@@ -63,7 +75,8 @@ export class ViewStore {
   update(change: (view: View) => View, keep: Keep = "push"): void {
     const next = change(this.current);
     const address = writeView(next);
-    if (keep === "push") this.push(next, address);
+    if (keep === "step") this.goOn(next, address);
+    else if (keep === "push") this.push(next, address);
     else if (address !== writeView(this.current)) {
       this.current = next;
       // a cursor that moves during a drag must not make the drag's steps part of the entry
@@ -86,7 +99,17 @@ export class ViewStore {
     return () => void this.listeners.delete(listener);
   }
 
+  private goOn(next: View, address: string): void {
+    const [what, time, last] = [difference(this.entry, next), Date.now(), this.step];
+    if (last?.what === what && time - last.time < STEPS_WITHIN) {
+      this.current = this.entry = next;
+      this.timer ??= setTimeout(() => this.writeEntry(this.current), ADDRESS_EVERY);
+    } else this.push(next, address);
+    this.step = { time, what };
+  }
+
   private push(next: View, address: string): void {
+    this.step = undefined;
     // a drag may have left its steps in the entry: it gets back the view from which the drag started
     this.writeEntry(this.entry);
     const moved = address !== writeView(this.entry);
@@ -111,6 +134,7 @@ export class ViewStore {
     const { location, history } = this.browser;
     const parsed = parseView(location.pathname, location.search, this.known, start);
     this.current = this.entry = parsed.view;
+    this.step = undefined;
     this.told = parsed.told;
     const index = (history.state as { index?: unknown } | null)?.index;
     this.index = typeof index === "number" ? index : 0;

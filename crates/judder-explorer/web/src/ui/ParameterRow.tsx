@@ -1,11 +1,13 @@
 /** One key of the case: slider, text with a unit, the other form of its value, reset. */
 
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
+import type { Keep } from "../state/store";
 import { withOption } from "../state/view";
 import type { CaseValue, Key } from "../wire/api";
 import type { RequestError } from "../wire/request";
 import { useApp } from "./app";
 import { ErrorNote } from "./ErrorNote";
+import { useHand } from "./hand";
 import { Label } from "./Label";
 import { power, readable } from "./readable";
 import { SLIDER_STEPS, isPure, numberIn, otherForm, plainText, plainValue, significant, sliderPlace, sliderRange, sliderValue, symbolMarkup, valueText } from "./numbers";
@@ -31,7 +33,7 @@ function Row({ parameter, value, base, error, set }: RowProps) {
   const name = (path.split(".").at(-1) ?? path).replaceAll("_", " ");
   const differs = set !== undefined && (value === undefined || base === undefined || plainValue(parameter, value) !== plainValue(parameter, base));
   const text = set ?? (value ? shortText(parameter, value) : "");
-  const change = (next: string | undefined, keep: "push" | "drag") => store.update((view) => withOption(view, path, next), keep);
+  const change = (next: string | undefined, keep: Keep) => store.update((view) => withOption(view, path, next), keep);
   return (
     <div class={`parameter${differs ? " parameter-differs" : ""}`} role="group" aria-labelledby={id} data-parameter={path}>
       <div class="parameter-head">
@@ -69,10 +71,11 @@ interface SliderProps {
   /** The value that the view asks for: keys may be pressed again before the server has answered. */
   readonly now: number;
   readonly name: string;
-  readonly onChange: (text: string, keep: "push" | "drag") => void;
+  readonly onChange: (text: string, keep: Keep) => void;
 }
 
 function Slider({ parameter, now, name, onChange }: SliderProps) {
+  const hand = useHand();
   // while a drag lasts the thumb stays under the pointer, whatever answers come meanwhile
   const [held, setHeld] = useState<number | null>(null);
   const range = useRef(sliderRange(parameter, now));
@@ -94,9 +97,10 @@ function Slider({ parameter, now, name, onChange }: SliderProps) {
         onChange(textAt(read(event)), "drag");
       }}
       onChange={(event) => {
-        onChange(textAt(read(event)), "push");
+        onChange(textAt(read(event)), hand.keep());
         setHeld(null);
       }}
+      {...hand.on}
     />
   );
 }

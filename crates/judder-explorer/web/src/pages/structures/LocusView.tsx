@@ -2,7 +2,7 @@
 
 import { useMemo } from "preact/hooks";
 import type { Cursor } from "../../chart/interaction";
-import { useView } from "../../state/store";
+import { type Keep, useView } from "../../state/store";
 import { withFields } from "../../state/view";
 import { useApp } from "../../ui/app";
 import { ErrorNote } from "../../ui/ErrorNote";
@@ -47,7 +47,7 @@ function Drawn({ analysis, locus, at }: DrawnProps) {
   const plane = useMemo(() => planeSpec(locus, name, locus.along[row] as number), [locus, name, row]);
   const [first, last] = [locus.along[0] as number, locus.along.at(-1) as number];
   const range = [Math.min(first, last), Math.max(first, last)] as const;
-  const move = (value: number, keep: "push" | "drag" = "push") => {
+  const move = (value: number, keep: Keep = "push") => {
     const within = Math.min(Math.max(value, range[0]), range[1]);
     store.update((view) => withFields(view, { at: String(within), mode: undefined }), keep);
   };

@@ -2,6 +2,8 @@
 
 import { useEffect, useState } from "preact/hooks";
 import type { Axis } from "../../chart/spec";
+import type { Keep } from "../../state/store";
+import { useHand } from "../../ui/hand";
 import { Label } from "../../ui/Label";
 
 interface PlaceProps {
@@ -10,10 +12,11 @@ interface PlaceProps {
   readonly at: number;
   readonly range: readonly [number, number];
   readonly step: number;
-  readonly onMove: (value: number, keep?: "drag" | "push") => void;
+  readonly onMove: (value: number, keep?: Keep) => void;
 }
 
 export function Place({ axis, unit, at, range, step, onMove }: PlaceProps) {
+  const hand = useHand();
   const [text, setText] = useState(String(at));
   useEffect(() => setText(String(at)), [at]);
   const wrong = text.trim() === "" || !Number.isFinite(Number(text));
@@ -35,7 +38,8 @@ export function Place({ axis, unit, at, range, step, onMove }: PlaceProps) {
         step={step}
         value={at}
         onInput={(event) => onMove(number(event), "drag")}
-        onChange={(event) => onMove(number(event), "push")}
+        onChange={(event) => onMove(number(event), hand.keep())}
+        {...hand.on}
       />
       <input
         type="text"

@@ -4,7 +4,7 @@ import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { Chart } from "../../chart/Chart";
 import { homeWindow } from "../../chart/frame";
 import { registerExport } from "../../chart/exports";
-import { useView } from "../../state/store";
+import { type Keep, useView } from "../../state/store";
 import { withFields } from "../../state/view";
 import { useApp } from "../../ui/app";
 import { download, fileName } from "../../ui/files";
@@ -61,7 +61,7 @@ export function ShapeView({ title, body, swing, frequency, growth, unit }: Shape
     [title, state],
   );
 
-  const turn = (next: Look, keep: "push" | "drag") => store.update((view) => withLook(view, next), keep);
+  const turn = (next: Look, keep: Keep) => store.update((view) => withLook(view, next), keep);
   const keepPhase = (next: number | undefined) =>
     store.update((view) => withFields(view, { phase: next === undefined ? undefined : String(Math.round((next * 180) / Math.PI) % 360) }), "quiet");
   const play = (on: boolean) => {
@@ -157,7 +157,7 @@ export function leftOut(growth: number | null): string {
 }
 
 /** Pointer, wheel and keys that turn the picture. */
-function useOrbit(look: Look, turn: (look: Look, keep: "push" | "drag") => void, zoom: (by: number) => void, home: () => void) {
+function useOrbit(look: Look, turn: (look: Look, keep: Keep) => void, zoom: (by: number) => void, home: () => void) {
   const press = useRef<{ id: number; x: number; y: number; look: Look } | null>(null);
   const dragged = (event: PointerEvent) => {
     const held = press.current;
@@ -193,7 +193,7 @@ function useOrbit(look: Look, turn: (look: Look, keep: "push" | "drag") => void,
     const step = event.shiftKey ? 3 * STEP : STEP;
     const by: Record<string, readonly [number, number]> = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] };
     const arrow = by[event.key];
-    if (arrow) turn({ azimuth: look.azimuth + arrow[0], elevation: look.elevation + arrow[1] }, "push");
+    if (arrow) turn({ azimuth: look.azimuth + arrow[0], elevation: look.elevation + arrow[1] }, "step");
     else if (event.key === "+" || event.key === "=") zoom(1.25);
     else if (event.key === "-") zoom(0.8);
     else if (event.key === "0") home();

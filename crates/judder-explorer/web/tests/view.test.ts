@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { keepKnownAxes } from "../src/state/axes";
 import { PAGE_FIELDS, numberOrText, parseAxis, parsePair, parseWords, writeAxis } from "../src/state/fields";
 import { type View, keepKnownKeys, options, parseView, withFields, withOption, writeView } from "../src/state/view";
 
@@ -41,6 +42,20 @@ describe("addresses", () => {
     const { view, told } = keepKnownKeys(parse("/map?set=a.b=1&set=c.d=2").view, new Set(["c.d"]));
     expect(options(view)).toEqual(["c.d=2"]);
     expect(told).toEqual(["The case has no key “a.b”."]);
+  });
+
+  it("drop axes of a map that cannot be, and say so", () => {
+    const x = "operation.velocity~1~2~log";
+    expect(parse("/map?x=operation.velocity~2~1~log&y=operation.normal_load~2 N~1 N~log").told).toHaveLength(2);
+    expect(parse("/map?x=operation.velocity~2 m~1 km~log").told).toEqual([]);
+    const keys = { keys: new Set(["operation.velocity", "operation.normal_load"]), x: "operation.velocity" };
+    for (const address of [`/map?x=${x}&y=${x}`, `/map?y=${x}`]) {
+      const { view, told } = keepKnownAxes(parse(address).view, keys);
+      expect(view.fields["y"]).toBeUndefined();
+      expect(told.join()).toContain("both axes");
+    }
+    expect(keepKnownAxes(parse("/map?x=a.b~1~2~log").view, keys).told).toEqual(["The case has no key “a.b” for its x axis."]);
+    expect(keepKnownAxes(parse(`/map?x=${x}&y=operation.normal_load~1~2~log`).view, keys).told).toEqual([]);
   });
 
   it("change without changing the view before", () => {

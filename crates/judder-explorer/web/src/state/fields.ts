@@ -18,6 +18,13 @@ export function parseAxis(text: string | undefined): KeyAxis | undefined {
   return { key, from: numberOrText(from), to: numberOrText(to), scale: scale satisfies ScaleName };
 }
 
+/** Ends of different units cannot be compared here. */
+function isReversed({ from, to }: KeyAxis): boolean {
+  const parts = (end: number | string) => /^([-+\d.eE]*)\s*(.*)$/.exec(String(end)) ?? ["", "", ""];
+  const [[, low, unit], [, high, other]] = [parts(from), parts(to)];
+  return unit === other && Number(low) >= Number(high);
+}
+
 export function writeAxis(axis: KeyAxis): string {
   return [axis.key, axis.from, axis.to, axis.scale].join("~");
 }
@@ -38,7 +45,11 @@ export function parseWords<T extends string>(text: string | undefined, allowed: 
 export const anyText: Accepts = (text) => text.length <= 200;
 export const anyNumber: Accepts = (text) => text.trim() !== "" && Number.isFinite(Number(text));
 export const anyPair: Accepts = (text) => parsePair(text) !== undefined;
-export const anyAxis: Accepts = (text) => parseAxis(text) !== undefined;
+/** An axis from a smaller to a larger value, as far as that can be seen without the server. */
+export const anyAxis: Accepts = (text) => {
+  const axis = parseAxis(text);
+  return axis !== undefined && !isReversed(axis);
+};
 export const words = (allowed: readonly string[]): Accepts => (text) => parseWords(text, allowed) !== undefined;
 
 /** One word of a given list. */

@@ -2,6 +2,7 @@
 
 import { useEffect, useMemo, useState } from "preact/hooks";
 import { pageOf } from "../pages";
+import { keepKnownAxes } from "../state/axes";
 import { PAGE_FIELDS } from "../state/fields";
 import { ViewStore, useView } from "../state/store";
 import { keepKnownKeys } from "../state/view";
@@ -64,8 +65,10 @@ function openStore(session: Session): ViewStore {
     store.update((view) => ({ page: first, set: view.set, fields: {} }), "quiet");
   }
   const kept = keepKnownKeys(store.view, known);
-  store.told = [...store.told, ...kept.told];
-  if (kept.told.length > 0) store.update(() => kept.view, "quiet");
+  const axes = keepKnownAxes(kept.view, { keys: new Set(session.keys.map((key) => key.path)), x: session.map?.x.key });
+  const told = [...kept.told, ...axes.told];
+  store.told = [...store.told, ...told];
+  if (told.length > 0) store.update(() => axes.view, "quiet");
   return store;
 }
 

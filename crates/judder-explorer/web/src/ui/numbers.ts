@@ -13,6 +13,21 @@ export function symbolMarkup(symbol: string): string {
   return `$${symbol.replace(/_([A-Za-z0-9]+)/g, "_{$1}").replace(/(\p{L})([0∞])/gu, "$1_{$2}")}$`;
 }
 
+const LOWERED = { from: "0123456789aehijklmnoprstuvx", to: "₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ" } as const;
+
+/** A symbol where there is no markup, with lowered letters where there are such; nothing where one of them has none. */
+export function symbolText(symbol: string): string {
+  let whole = true;
+  const lower = (letters: string) =>
+    [...letters].map((letter) => {
+      const at = LOWERED.from.indexOf(letter);
+      whole &&= at >= 0;
+      return LOWERED.to[at] ?? "";
+    }).join("");
+  const text = symbol.replace(/_([A-Za-z0-9]+)/g, (_, letters: string) => lower(letters)).replace(/(\p{L})0/gu, "$1₀");
+  return whole ? text : "";
+}
+
 /** What stands at an axis of a key: its group, or its symbol with the unit. */
 export function signOf(key: Key, dimensional: boolean): string {
   if (key.group !== null && !dimensional) return symbolMarkup(key.group);

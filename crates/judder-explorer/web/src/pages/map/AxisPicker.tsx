@@ -2,6 +2,7 @@
 
 import { useEffect, useState } from "preact/hooks";
 import { numberOrText } from "../../state/fields";
+import { symbolText } from "../../ui/numbers";
 import type { Key, KeyAxis, ScaleName } from "../../wire/api";
 import { keyName } from "./spec";
 
@@ -30,7 +31,7 @@ export function AxisPicker({ name, axis, keys, taken, onKey, onAxis }: AxisPicke
       <select aria-label={`Key of the ${name} axis`} value={axis.key} onChange={pick}>
         {keys.map((key) => (
           <option key={key.path} value={key.path} disabled={key.path === taken}>
-            {keyName(key)} {key.symbol}
+            {`${keyName(key)} ${symbolText(key.symbol)}`.trim()}
           </option>
         ))}
       </select>

@@ -6,7 +6,7 @@ import { useView } from "../../state/store";
 import { options, withFields, withOption } from "../../state/view";
 import { useApp } from "../../ui/app";
 import { ErrorNote, unlessSaid } from "../../ui/ErrorNote";
-import { significant } from "../../ui/numbers";
+import { significant, symbolText } from "../../ui/numbers";
 import type { Key, Pair } from "../../wire/api";
 import { homeAxis, isDimensional, valueOnAxis } from "../map/state";
 import { keyName } from "../map/spec";
@@ -90,7 +90,7 @@ function AlongChoice({ keys, along }: { readonly keys: readonly Key[]; readonly 
         <option value="">no key</option>
         {keys.map((key) => (
           <option key={key.path} value={key.path}>
-            {keyName(key)} {key.symbol}
+            {`${keyName(key)} ${symbolText(key.symbol)}`.trim()}
           </option>
         ))}
       </select>

@@ -53,12 +53,15 @@ export function attribute(analysis: StudyAnalysis, name: string): string | undef
 /** Longer names do not fit along an axis. */
 const LONGEST = 34;
 
+/** Names that are said by their first letters. */
+const ABBREVIATED: ReadonlyMap<string, string> = new Map([["mac", "MAC"]]);
+
 /** The label of a variable at an axis: its own, or its name in words with the unit. */
 export function axisLabel(variable: StudyVariable): string {
   const label = variable.attributes["label"];
   if (typeof label === "string" && label !== "") return label;
   const long = variable.long_name ?? "";
-  const name = sentence(long !== "" && long.length <= LONGEST ? long : variable.name.replaceAll("_", " "));
+  const name = ABBREVIATED.get(variable.name) ?? sentence(long !== "" && long.length <= LONGEST ? long : variable.name.replaceAll("_", " "));
   return variable.units && variable.units !== "1" ? `${name} (${unitMarkup(variable.units)})` : name;
 }
 

@@ -1,6 +1,6 @@
 /** One key of the case: slider, text with a unit, the other form of its value, reset. */
 
-import { useEffect, useMemo, useRef, useState } from "preact/hooks";
+import { useMemo, useRef, useState } from "preact/hooks";
 import type { Keep } from "../state/store";
 import { withOption } from "../state/view";
 import type { CaseValue, Key } from "../wire/api";
@@ -10,6 +10,7 @@ import { ErrorNote } from "./ErrorNote";
 import { useHand } from "./hand";
 import { Label } from "./Label";
 import { power, readable } from "./readable";
+import { TextField } from "./TextField";
 import { SLIDER_STEPS, isPure, numberIn, otherForm, plainText, plainValue, significant, sliderPlace, sliderRange, sliderValue, symbolMarkup, valueText } from "./numbers";
 
 interface RowProps {
@@ -47,7 +48,7 @@ function Row({ parameter, value, base, error, set }: RowProps) {
       </div>
       {value && <Slider parameter={parameter} now={numberIn(parameter, text) ?? plainValue(parameter, value)} name={name} onChange={change} />}
       <div class="parameter-values">
-        <TextField id={`${id}-text`} name={name} text={text} invalid={error !== null} onChange={(next) => change(next === "" ? undefined : next, "push")} />
+        <TextField id={`${id}-text`} class="parameter-text" spoken={`${name}, a number or a text with a unit`} value={text} invalid={error !== null} onChange={(next) => change(next === "" ? undefined : next, "push")} />
         <output class="parameter-other" data-parameter-other={path}>
           {value ? otherForm(parameter, value) : ""}
         </output>
@@ -101,42 +102,6 @@ function Slider({ parameter, now, name, onChange }: SliderProps) {
         setHeld(null);
       }}
       {...hand.on}
-    />
-  );
-}
-
-interface TextFieldProps {
-  readonly id: string;
-  readonly name: string;
-  readonly text: string;
-  readonly invalid: boolean;
-  readonly onChange: (text: string) => void;
-}
-
-/** A field that keeps what is being typed until it is entered. */
-export function TextField({ id, name, text, invalid, onChange }: TextFieldProps) {
-  const [typed, setTyped] = useState<string | null>(null);
-  useEffect(() => setTyped(null), [text]);
-  const enter = () => {
-    if (typed !== null && typed.trim() !== text) onChange(typed.trim());
-    else setTyped(null);
-  };
-  return (
-    <input
-      id={id}
-      type="text"
-      class="parameter-text"
-      value={typed ?? text}
-      spellcheck={false}
-      autocomplete="off"
-      aria-label={`${name}, a number or a text with a unit`}
-      aria-invalid={invalid}
-      onInput={(event) => setTyped(event.currentTarget.value)}
-      onBlur={enter}
-      onKeyDown={(event) => {
-        if (event.key === "Enter") enter();
-        if (event.key === "Escape") setTyped(null);
-      }}
     />
   );
 }

@@ -6,7 +6,7 @@ import { CONTACT_ACCURACIES } from "../../state/fields";
 import { withFields } from "../../state/view";
 import { useApp } from "../../ui/app";
 import { ErrorNote } from "../../ui/ErrorNote";
-import { TextField } from "../../ui/ParameterRow";
+import { TextField } from "../../ui/TextField";
 import { Value } from "../../ui/Value";
 import type { Analysis } from "../../wire/api";
 import { type Outcome, outcomeOf, scalarAt } from "./outcome";
@@ -92,14 +92,14 @@ function SolutionTools({ contact, analysis, isLine }: ToolsProps) {
     <div class="contact-tools">
       <label class="contact-choice">
         speed v τ/R
-        <TextField id="contact-velocity" name="speed" text={shown("velocity")} invalid={false} onChange={(text) => store.update((view) => withFields(view, { velocity: text === "" ? undefined : text }))} />
+        <TextField id="contact-velocity" class="parameter-text" spoken="speed, a number or a text with a unit" value={shown("velocity")} onChange={(text) => store.update((view) => withFields(view, { velocity: text === "" ? undefined : text }))} />
       </label>
       <span class="contact-choice">
         <select aria-label="What presses the indenter down" value={key} onChange={changeKey}>
           <option value="indentation">depth δ/R</option>
           <option value="load">load {isLine ? "F/(E0* R)" : "F/(E0* R²)"}</option>
         </select>
-        <TextField id="contact-loading" name={key === "load" ? "load" : "depth"} text={shown(key)} invalid={false} onChange={(text) => press(text === "" ? null : { key, value: text })} />
+        <TextField id="contact-loading" class="parameter-text" spoken={`${key === "load" ? "load" : "depth"}, a number or a text with a unit`} value={shown(key)} onChange={(text) => press(text === "" ? null : { key, value: text })} />
       </span>
       <Choice name="accuracy" field="accuracy" value={state.accuracy} options={CONTACT_ACCURACIES.map((accuracy) => [accuracy, accuracy])} />
       <button type="button" disabled={isHome(contact)} onClick={() => store.update((view) => withFields(withLoading(view, null), { velocity: undefined }))}>

@@ -1,8 +1,8 @@
 /** The key, range and scale of one axis of the map. */
 
-import { useEffect, useState } from "preact/hooks";
 import { numberOrText } from "../../state/fields";
 import { symbolText } from "../../ui/numbers";
+import { TextField, isFilled } from "../../ui/TextField";
 import type { Key, KeyAxis, ScaleName } from "../../wire/api";
 import { keyName } from "./spec";
 
@@ -54,28 +54,9 @@ interface EndProps {
   readonly onChange: (value: number | string) => void;
 }
 
+/** The address separates the parts of an axis by tildes. */
+const fitsAddress = (text: string) => isFilled(text) && !text.includes("~");
+
 function End({ label, value, onChange }: EndProps) {
-  const [typed, setTyped] = useState<string | null>(null);
-  useEffect(() => setTyped(null), [value]);
-  const enter = () => {
-    // the address separates the parts of an axis by tildes
-    if (typed !== null && typed.trim() !== "" && !typed.includes("~")) onChange(numberOrText(typed));
-    setTyped(null);
-  };
-  return (
-    <input
-      type="text"
-      class="axis-end"
-      aria-label={label}
-      value={typed ?? String(value)}
-      spellcheck={false}
-      autocomplete="off"
-      onInput={(event) => setTyped(event.currentTarget.value)}
-      onBlur={enter}
-      onKeyDown={(event) => {
-        if (event.key === "Enter") enter();
-        if (event.key === "Escape") setTyped(null);
-      }}
-    />
-  );
+  return <TextField class="axis-end" spoken={label} value={value} accepts={fitsAddress} onChange={(text) => onChange(numberOrText(text))} />;
 }

@@ -7,6 +7,7 @@ import { withFields, withOption } from "../../state/view";
 import { writeAxis } from "../../state/fields";
 import { useApp } from "../../ui/app";
 import { plainValue, significant } from "../../ui/numbers";
+import { TextField, isCount } from "../../ui/TextField";
 import type { Key } from "../../wire/api";
 import { AxisPicker } from "../map/AxisPicker";
 import { valueOnAxis } from "../map/state";
@@ -16,7 +17,6 @@ import { RunBar } from "./RunBar";
 import { Summary } from "./Summary";
 import { type PointState, branchAnalyses, branchAxis } from "./state";
 import { StillChart } from "./StillChart";
-import { TextField, isCount } from "./TextField";
 import type { Run } from "./useRun";
 
 export function BranchSection({ state, run }: { readonly state: PointState; readonly run: Run<Branch> }) {

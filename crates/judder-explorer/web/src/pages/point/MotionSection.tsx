@@ -4,6 +4,7 @@ import { useMemo, useRef } from "preact/hooks";
 import { useView } from "../../state/store";
 import { withFields } from "../../state/view";
 import { useApp } from "../../ui/app";
+import { TextField, isCount, isFilled, isNumber } from "../../ui/TextField";
 import { LinkedCharts } from "./LinkedCharts";
 import type { Mode } from "./eigen";
 import { type Loop, type Motion, historySpecs, portraitSpec, spectrumSpec } from "./motion";
@@ -11,7 +12,6 @@ import { RunBar } from "./RunBar";
 import { type Entry, Summary } from "./Summary";
 import { type PointState, motionAnalysis } from "./state";
 import { StillChart } from "./StillChart";
-import { TextField, isCount, isNumber } from "./TextField";
 import type { Run } from "./useRun";
 
 const ENTRIES: readonly Entry[] = [
@@ -88,7 +88,7 @@ function MotionControls({ state }: { readonly state: PointState }) {
   const keep = (field: string) => (text: string) => store.update((view) => withFields(view, { [field]: text }));
   return (
     <>
-      <TextField name="duration" title="ω_nx t as a number, or a time such as 5 s" value={state.duration} onChange={keep("duration")} />
+      <TextField name="duration" title="ω_nx t as a number, or a time such as 5 s" value={state.duration} accepts={isFilled} onChange={keep("duration")} />
       <TextField name="disturbance" title="the share of its magnitude by which x is moved off steady sliding" value={state.start} accepts={isNumber} onChange={keep("start")} />
       <TextField name="points" title="points of the uniform grid of time that is kept" value={state.points} accepts={isCount} onChange={keep("points")} />
       <label title="run again as the parameters move">

@@ -6,10 +6,10 @@ import type { Keep } from "../../state/store";
 import { withFields } from "../../state/view";
 import { useApp } from "../../ui/app";
 import { download, fileName } from "../../ui/files";
+import { TextField, isPositive } from "../../ui/TextField";
 import { Player } from "./player";
 import { LONGEST, RATE, type Sound, type Track, faded, octaveFactor, render, wav } from "./sound";
 import { HOME, type PointState } from "./state";
-import { TextField, isPositive } from "./TextField";
 
 /** Seconds below which there is little to hear. */
 const SHORT = 0.3;

@@ -1,14 +1,10 @@
 /** What the server computes for a part of the page: live, or on demand where it takes long; with progress and a way to stop it. */
 
 import { useCallback, useEffect, useRef, useState } from "preact/hooks";
+import { type Progress, follow } from "../../wire/follow";
 import type { Frame } from "../../wire/frames";
 import { Latest } from "../../wire/latest";
-import { type RequestError, asRequestError, isAbort, postFrames, slot } from "../../wire/request";
-
-export interface Progress {
-  readonly done: number;
-  readonly of: number;
-}
+import { type RequestError, slot } from "../../wire/request";
 
 export interface Computation {
   /** The last good answer. */
@@ -34,8 +30,6 @@ interface State {
 }
 
 const NOTHING: State = { frame: null, of: "", busy: false, progress: null, stopped: false, error: null };
-/** Progress is drawn at most so often, in milliseconds. */
-const DRAWN_EVERY = 60;
 
 /** `request` is the body without its slot; null asks for nothing. Unless `live`, it waits for `start`. */
 export function useComputation(path: string, request: object | null, purpose: string, live = true): Computation {
@@ -44,18 +38,14 @@ export function useComputation(path: string, request: object | null, purpose: st
   const text = request ? JSON.stringify(request) : "";
   const run = useCallback(
     (text: string) =>
-      latest.current.submit(async (signal, shown) => {
-        setState((state) => ({ ...state, busy: true, progress: null, stopped: false }));
-        try {
-          await follow(path, text, purpose, signal, (change) => {
-            if (change.frame) shown();
-            setState((state) => ({ ...state, ...change }));
-          });
-          setState((state) => ({ ...state, busy: false }));
-        } catch (failure) {
-          // what follows an abort says itself whether something runs
-          if (!isAbort(failure)) setState((state) => ({ ...state, busy: false, error: asRequestError(failure) }));
-        }
+      latest.current.submit((signal, shown) => {
+        const tell = (change: Partial<State>) => {
+          setState((state) => ({ ...state, ...change }));
+          if (change.frame) shown();
+        };
+        tell({ busy: true, progress: null, stopped: false });
+        const body = { ...(JSON.parse(text) as object), slot: slot(purpose) };
+        return follow<State>([{ path, body }], signal, { take: (frame) => (frame.kind === "progress" ? null : { frame, of: text, error: null }), tell });
       }),
     [path, purpose],
   );
@@ -71,17 +61,4 @@ export function useComputation(path: string, request: object | null, purpose: st
   };
   const { of, ...rest } = state;
   return { ...rest, current: text !== "" && of === text, start: () => run(text), stop };
-}
-
-/** Tells what the frames of one request bring. */
-async function follow(path: string, text: string, purpose: string, signal: AbortSignal, tell: (change: Partial<State>) => void): Promise<void> {
-  let drawn = 0;
-  for await (const frame of postFrames(path, { ...(JSON.parse(text) as object), slot: slot(purpose) }, signal)) {
-    if (frame.kind !== "progress") {
-      tell({ frame, of: text, error: null });
-    } else if (performance.now() - drawn > DRAWN_EVERY) {
-      drawn = performance.now();
-      tell({ progress: { done: Number(frame.header["done"]), of: Number(frame.header["of"]) } });
-    }
-  }
 }

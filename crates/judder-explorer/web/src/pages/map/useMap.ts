@@ -1,14 +1,10 @@
 /** The map of the view, asked for as it changes. */
 
 import { useEffect, useRef, useState } from "preact/hooks";
+import { type Progress, progressOf } from "../../wire/follow";
 import { Latest, type Work } from "../../wire/latest";
 import { type RequestError, asRequestError, isAbort, postFrames, slot } from "../../wire/request";
 import { type MapPicture, type MapRequest, SKETCH, mapAnalysis, withFrame } from "./picture";
-
-export interface Progress {
-  readonly done: number;
-  readonly of: number;
-}
 
 export interface LiveMap {
   readonly picture: MapPicture | null;
@@ -62,7 +58,7 @@ async function follow(
   try {
     for await (const frame of postFrames("/api/map", body, signal)) {
       if (frame.kind === "progress") {
-        change({ progress: { done: Number(frame.header["done"]), of: Number(frame.header["of"]) } });
+        change({ progress: progressOf(frame) });
         continue;
       }
       // the server's first idea of a sketch is too rough to be of use

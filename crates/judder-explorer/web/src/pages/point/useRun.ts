@@ -2,9 +2,10 @@
 
 import { useEffect, useRef, useState } from "preact/hooks";
 import type { Analysis } from "../../wire/api";
+import { type Progress, follow } from "../../wire/follow";
 import type { Frame } from "../../wire/frames";
 import { Latest } from "../../wire/latest";
-import { type RequestError, asRequestError, isAbort, postFrames, slot } from "../../wire/request";
+import { type RequestError, slot } from "../../wire/request";
 
 export interface Run<T> {
   /** The newest result; while it is computed as far as it has come. */
@@ -14,7 +15,7 @@ export interface Run<T> {
   readonly busy: boolean;
   /** Whether the result is whole. */
   readonly complete: boolean;
-  readonly progress: { readonly done: number; readonly of: number } | null;
+  readonly progress: Progress | null;
   readonly error: RequestError | null;
   readonly start: () => void;
   readonly cancel: () => void;
@@ -37,9 +38,6 @@ export interface RunRequest<T> {
   readonly live: boolean;
 }
 
-/** Pictures are drawn 20 times a second at most. */
-const EVERY = 50;
-
 type Shown<T> = Omit<Run<T>, "isStale" | "start" | "cancel"> & { readonly of: string };
 
 export function useRun<T>(request: RunRequest<T>): Run<T> {
@@ -50,8 +48,20 @@ export function useRun<T>(request: RunRequest<T>): Run<T> {
   newest.current = request;
   const start = () => {
     const request = newest.current;
-    const change = (part: Partial<Shown<T>>) => setShown((last) => ({ ...last, ...part }));
-    latest.current.submit((signal, drawn) => follow(request, text, signal, drawn, change));
+    const asked = request.analyses.map((analysis) => ({ path: request.address, body: { set: request.set, analysis, slot: slot(request.purpose) } }));
+    const collect = request.collect();
+    const take = (frame: Frame) => {
+      const result = collect(frame);
+      return result === null ? null : { result, of: text };
+    };
+    latest.current.submit((signal, drawn) => {
+      const tell = (part: Partial<Shown<T>>) => {
+        setShown((last) => ({ ...last, ...part }));
+        if (part.result) drawn();
+      };
+      tell({ busy: true, complete: false, progress: null, error: null });
+      return follow<Shown<T>>(asked, signal, { take, tell, end: { complete: true } as Partial<Shown<T>> });
+    });
   };
   const started = useRef(false);
   useEffect(() => {
@@ -64,45 +74,4 @@ export function useRun<T>(request: RunRequest<T>): Run<T> {
     setShown((last) => ({ ...last, busy: false }));
   };
   return { ...shown, isStale: shown.result !== null && shown.of !== text, start, cancel };
-}
-
-/** Sends the requests of a run and shows what comes. */
-async function follow<T>(
-  request: RunRequest<T>,
-  of: string,
-  signal: AbortSignal,
-  drawn: () => void,
-  change: (part: Partial<Shown<T>>) => void,
-): Promise<void> {
-  const take = request.collect();
-  let fresh: Partial<Shown<T>> = {};
-  let timer: ReturnType<typeof setTimeout> | undefined;
-  const show = () => {
-    timer = undefined;
-    change(fresh);
-    if (fresh.result) drawn();
-    fresh = {};
-  };
-  change({ busy: true, complete: false, progress: null, error: null });
-  try {
-    for (const analysis of request.analyses) {
-      const body = { set: request.set, analysis, slot: slot(request.purpose) };
-      for await (const frame of postFrames(request.address, body, signal)) {
-        if (frame.kind === "progress") fresh = { ...fresh, progress: progressOf(frame) };
-        const result = take(frame);
-        if (result !== null) fresh = { ...fresh, result, of };
-        timer ??= setTimeout(show, EVERY);
-      }
-    }
-    change({ ...fresh, complete: true, busy: false });
-  } catch (failure) {
-    // what follows an abort says itself whether something runs
-    if (!isAbort(failure)) change({ ...fresh, busy: false, error: asRequestError(failure) });
-  } finally {
-    clearTimeout(timer);
-  }
-}
-
-function progressOf(frame: Frame): { done: number; of: number } {
-  return { done: Number(frame.header["done"] ?? 0), of: Number(frame.header["of"] ?? 0) };
 }

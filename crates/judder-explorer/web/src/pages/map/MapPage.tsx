@@ -2,10 +2,9 @@
 
 import { useCallback, useEffect, useMemo, useRef } from "preact/hooks";
 import { Chart } from "../../chart/Chart";
-import type { Cursor, Phase } from "../../chart/interaction";
 import { type Window, rangeOf } from "../../chart/scale";
 import { useView } from "../../state/store";
-import { options, withFields } from "../../state/view";
+import { options } from "../../state/view";
 import { useApp } from "../../ui/app";
 import { ErrorNote, OF_BEFORE, unlessSaid } from "../../ui/ErrorNote";
 import { useCaseFile } from "../../ui/files";
@@ -16,9 +15,10 @@ import type { Key, KeyAxis } from "../../wire/api";
 import { AxisPicker } from "./AxisPicker";
 import { CursorPanel } from "./CursorPanel";
 import { MapSwitches } from "./MapSwitches";
+import { moves } from "./moves";
 import { BOUNDARIES, type MapPicture, mapAnalysis, planeOf } from "./picture";
 import { mapSpec } from "./spec";
-import { axisOver, homeAxis, optionsAt, rangeOfAxis, readMap, rounded, withAxes, withPlace } from "./state";
+import { optionsAt, rangeOfAxis, readMap } from "./state";
 import { criticalAnalysis, useCritical } from "./useCritical";
 import { type LiveMap, useMap } from "./useMap";
 import "./map.css";
@@ -44,24 +44,7 @@ export function MapPage() {
   const shown = state.pin ?? state.cursor;
   const at = shown ? optionsAt(view, state, keys, shown) : null;
   const point = usePoint(at ? options({ ...view, set: at }) : null);
-  const place = (cursor: Cursor) => rounded(cursor, window ?? { x: [cursor.x, 2 * cursor.x], y: [cursor.y, 2 * cursor.y] });
-
-  const onWindow = (next: Window | null, phase: Phase) => {
-    // before the first map, ends with units of their own are not known here
-    if (next && !window) return;
-    const axes = next
-      ? { x: axisOver(state.x, x, next.x), y: axisOver(state.y, y, next.y) }
-      : { x: homeAxis(x, session), y: homeAxis(y, session) };
-    store.update((view) => withAxes(view, axes), phase);
-  };
-  const onCursor = (cursor: Cursor | null) =>
-    store.update((view) => withPlace(view, "cursor", cursor && place(cursor)), "quiet");
-  const onPick = (cursor: Cursor) => store.update((view) => withPlace(view, "pin", place(cursor)));
-  const onKey = (name: "x" | "y") => (key: Key) =>
-    // places in another plane mean nothing
-    store.update((view) => withFields(withAxes(view, { [name]: homeAxis(key, session) }), { cursor: undefined, pin: undefined }));
-  const onAxis = (name: "x" | "y") => (axis: KeyAxis) => store.update((view) => withAxes(view, { [name]: axis }));
-
+  const move = moves({ store, session, state, x, y, window });
   const isRefused = picture !== null && (live.error ?? refused) !== null;
 
   useMapCaseFile();
@@ -71,24 +54,19 @@ export function MapPage() {
       <div class="map-layout">
         <div class="map-main">
           <div class="map-tools">
-            <AxisPicker name="x" axis={state.x} keys={all} taken={y.path} onKey={onKey("x")} onAxis={onAxis("x")} />
-            <AxisPicker name="y" axis={state.y} keys={all} taken={x.path} onKey={onKey("y")} onAxis={onAxis("y")} />
-            <MapSwitches
-              state={state}
-              hasCritical={analysis !== null}
-              onShow={(show) => store.update((view) => withFields(view, { show: show.join() }))}
-              onMarks={(marks) => store.update((view) => withFields(view, { marks: marks.length > 0 ? marks.join() : undefined }))}
-            />
+            <AxisPicker name="x" axis={state.x} keys={all} taken={y.path} onKey={move.onKey("x")} onAxis={move.onAxis("x")} />
+            <AxisPicker name="y" axis={state.y} keys={all} taken={x.path} onKey={move.onKey("y")} onAxis={move.onAxis("y")} />
+            <MapSwitches state={state} hasCritical={analysis !== null} onShow={move.onShow} onMarks={move.onMarks} />
           </div>
           <ErrorNote error={unlessSaid(live.error ?? criticalError, refused)} />
           <div class="map-chart" data-stage={picture?.stage ?? "none"} data-set={picture?.options} data-busy={live.busy} data-refused={isRefused}>
             <Chart
               spec={spec}
               window={window}
-              onWindow={onWindow}
+              onWindow={move.onWindow}
               cursor={state.cursor}
-              onCursor={onCursor}
-              onPick={onPick}
+              onCursor={move.onCursor}
+              onPick={move.onPick}
               pin={state.pin}
               quiet
               spoken={point.point ? spokenPoint(point.point.point) : ""}

@@ -13,8 +13,10 @@ import { type Body, DISPLACEMENT, type Swing, bodySpec, drawnFactor } from "./bo
 import { DisplacementBar } from "./DisplacementBar";
 import { short } from "./locus";
 import { ScaleAndPhase } from "./ScaleAndPhase";
-import { FREE, type Look, numberField, readLook, readScale, withLook } from "./state";
+import { FREE, type Look, readLook, readScale, withLook } from "./state";
 import { PERIOD, useBodyScene } from "./useBodyScene";
+import { useOrbit } from "./useOrbit";
+import { usePlayback } from "./usePlayback";
 
 interface ShapeViewProps {
   /** What is shown: the name of exported files. */
@@ -36,7 +38,6 @@ const VIEWS: readonly (readonly [string, Look])[] = [
   ["Free", FREE],
 ];
 const SIZE = { width: 760, height: 480 };
-const STEP = 5;
 const [NEAREST, FURTHEST] = [20, 0.2];
 
 export function ShapeView({ title, body, swing, frequency, growth, unit }: ShapeViewProps) {
@@ -46,11 +47,9 @@ export function ShapeView({ title, body, swing, frequency, growth, unit }: Shape
   const look = readLook(view, body.planar);
   const scale = readScale(view);
   const [zoom, setZoom] = useState(1);
-  const [phase, setPhase] = useState(((numberField(view, "phase") ?? 0) * Math.PI) / 180);
-  // what moves by itself must not where less motion is wished for, nor where the address asks for one moment
-  const [playing, setPlaying] = useState(() => !globalThis.matchMedia?.("(prefers-reduced-motion: reduce)").matches && numberField(view, "phase") === undefined);
+  const { phase, onPhase, playing, play, hold } = usePlayback(store, view);
   const factor = drawnFactor(body, swing, scale);
-  const { canvas, state, picture } = useBodyScene({ body, swing, theme, still: { look, zoom, phase, factor }, playing, onPhase: setPhase });
+  const { canvas, state, picture } = useBodyScene({ body, swing, theme, still: { look, zoom, phase, factor }, playing, onPhase });
 
   const spec = useMemo(() => bodySpec(title, body, swing, look, phase, factor), [title, body, swing, look.azimuth, look.elevation, phase, factor]);
   const shown = useRef(spec);
@@ -62,17 +61,6 @@ export function ShapeView({ title, body, swing, frequency, growth, unit }: Shape
   );
 
   const turn = (next: Look, keep: Keep) => store.update((view) => withLook(view, next), keep);
-  const keepPhase = (next: number | undefined) =>
-    store.update((view) => withFields(view, { phase: next === undefined ? undefined : String(Math.round((next * 180) / Math.PI) % 360) }), "quiet");
-  const play = (on: boolean) => {
-    setPlaying(on);
-    keepPhase(on ? undefined : phase);
-  };
-  const still = (next: number) => {
-    setPlaying(false);
-    setPhase(next);
-    keepPhase(next);
-  };
   const savePng = () => {
     const address = picture();
     if (address) download(`${fileName(title)}-3d.png`, pngOf(address), "image/png");
@@ -81,21 +69,7 @@ export function ShapeView({ title, body, swing, frequency, growth, unit }: Shape
 
   return (
     <section class="shape" aria-label={`Shape: ${title}`}>
-      <div class="shape-tools">
-        <button type="button" onClick={() => play(!playing)} aria-pressed={playing}>
-          {playing ? "Pause" : "Play"}
-        </button>
-        <div role="group" aria-label="Views">
-          {VIEWS.map(([name, one]) => (
-            <button type="button" key={name} aria-pressed={same(look, one)} onClick={() => turn(one, "push")}>
-              {name}
-            </button>
-          ))}
-        </div>
-        <button type="button" onClick={savePng} disabled={state !== "drawn"} title="The picture as it is; the export menu has its lines as SVG">
-          PNG
-        </button>
-      </div>
+      <ShapeTools playing={playing} onPlay={play} look={look} onLook={(one) => turn(one, "push")} {...(state === "drawn" ? { onPng: savePng } : {})} />
       {state === "missing" && <p role="status">This browser has no WebGL: the projected lines are shown instead.</p>}
       <div class="shape-picture" data-state={state}>
         {state === "missing" ? (
@@ -121,7 +95,7 @@ export function ShapeView({ title, body, swing, frequency, growth, unit }: Shape
         scale={scale}
         onScale={(scale, keep) => store.update((view) => withFields(view, { scale: scale === 1 ? undefined : String(scale) }), keep)}
         phase={phase}
-        onPhase={still}
+        onPhase={hold}
         playing={playing}
         look={look}
         onLook={turn}
@@ -130,6 +104,35 @@ export function ShapeView({ title, body, swing, frequency, growth, unit }: Shape
         {slowness(frequency)} The largest displacement is drawn as {short(100 * DISPLACEMENT * scale)} % of the body&apos;s diagonal. {leftOut(growth)}
       </p>
     </section>
+  );
+}
+
+interface ToolsProps {
+  readonly playing: boolean;
+  readonly onPlay: (on: boolean) => void;
+  readonly look: Look;
+  readonly onLook: (look: Look) => void;
+  /** Left out while there is no picture. */
+  readonly onPng?: () => void;
+}
+
+function ShapeTools({ playing, onPlay, look, onLook, onPng }: ToolsProps) {
+  return (
+    <div class="shape-tools">
+      <button type="button" onClick={() => onPlay(!playing)} aria-pressed={playing}>
+        {playing ? "Pause" : "Play"}
+      </button>
+      <div role="group" aria-label="Views">
+        {VIEWS.map(([name, one]) => (
+          <button type="button" key={name} aria-pressed={same(look, one)} onClick={() => onLook(one)}>
+            {name}
+          </button>
+        ))}
+      </div>
+      <button type="button" onClick={() => onPng?.()} disabled={!onPng} title="The picture as it is; the export menu has its lines as SVG">
+        PNG
+      </button>
+    </div>
   );
 }
 
@@ -154,51 +157,4 @@ export function slowness(frequency: number | null): string {
 export function leftOut(growth: number | null): string {
   if (growth === null || growth === 0 || !Number.isFinite(growth)) return "The motion neither grows nor decays here.";
   return `Its ${growth > 0 ? "growth" : "decay"}, ${short(Math.abs(growth))} 1/s, is left out of the animation.`;
-}
-
-/** Pointer, wheel and keys that turn the picture. */
-function useOrbit(look: Look, turn: (look: Look, keep: Keep) => void, zoom: (by: number) => void, home: () => void) {
-  const press = useRef<{ id: number; x: number; y: number; look: Look } | null>(null);
-  const dragged = (event: PointerEvent) => {
-    const held = press.current;
-    if (!held || held.id !== event.pointerId) return undefined;
-    return { azimuth: held.look.azimuth - (event.clientX - held.x) * 0.5, elevation: held.look.elevation + (event.clientY - held.y) * 0.5 };
-  };
-  const onPointerDown = (event: PointerEvent) => {
-    if (event.button !== 0) return;
-    (event.currentTarget as HTMLElement).setPointerCapture(event.pointerId);
-    press.current = { id: event.pointerId, x: event.clientX, y: event.clientY, look };
-  };
-  const onPointerMove = (event: PointerEvent) => {
-    const next = dragged(event);
-    if (next) turn(next, "drag");
-  };
-  const onPointerUp = (event: PointerEvent) => {
-    const next = dragged(event);
-    const moved = press.current && Math.hypot(event.clientX - press.current.x, event.clientY - press.current.y) > 2;
-    press.current = null;
-    if (next && moved) turn(next, "push");
-  };
-  const onPointerCancel = () => {
-    press.current = null;
-  };
-  const onWheel = (event: WheelEvent) => {
-    // a plain wheel scrolls the page
-    if (!event.ctrlKey) return;
-    event.preventDefault();
-    zoom(Math.exp(-Math.min(Math.max(event.deltaY, -240), 240) * 0.002));
-  };
-  const onKeyDown = (event: KeyboardEvent) => {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const step = event.shiftKey ? 3 * STEP : STEP;
-    const by: Record<string, readonly [number, number]> = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] };
-    const arrow = by[event.key];
-    if (arrow) turn({ azimuth: look.azimuth + arrow[0], elevation: look.elevation + arrow[1] }, "step");
-    else if (event.key === "+" || event.key === "=") zoom(1.25);
-    else if (event.key === "-") zoom(0.8);
-    else if (event.key === "0") home();
-    else return;
-    event.preventDefault();
-  };
-  return { onPointerDown, onPointerMove, onPointerUp, onPointerCancel, onWheel, onKeyDown };
 }

@@ -44,23 +44,16 @@ export function Chart(props: ChartProps) {
   const theme = useTheme();
   const prefix = `c${useId().replace(/[^\w]/g, "")}`;
   const [host, size] = useSize(props.height);
-  const [ownWindow, setOwnWindow] = useState<Window | null>(null);
-  const [ownCursor, setOwnCursor] = useState<Cursor | null>(null);
-  const window = (props.onWindow ? props.window : ownWindow) ?? homeWindow(spec);
-  const cursor = props.onCursor ? (props.cursor ?? null) : ownCursor;
-  const setWindow = props.onWindow ?? ((next: Window | null) => setOwnWindow(next));
-  const setCursor = props.onCursor ?? ((next: Cursor | null) => setOwnCursor(next));
-
+  const { window, cursor, setWindow, setCursor } = useKept(props);
   const scene = useMemo(
     () => draw(spec, window, size, theme, prefix),
     [spec, window.x[0], window.x[1], window.y[0], window.y[1], size, theme, prefix],
   );
   const { frame } = scene;
-  const pick = props.onPick;
   const { element, box, on } = useInteraction(spec, frame, cursor, {
     onWindow: setWindow,
     onCursor: setCursor,
-    onPick: pick,
+    onPick: props.onPick,
   });
   const shown = useRef({ spec, window, size });
   shown.current = { spec, window, size };
@@ -95,26 +88,42 @@ export function Chart(props: ChartProps) {
         </svg>
       </div>
       <div class={props.quiet ? "chart-foot" : "chart-foot chart-foot-readings"}>
-        {!props.quiet && (
-          <dl class="chart-readings">
-            {texts.map(({ label, value }) => (
-              <div key={label}>
-                <dt>
-                  <Label text={label} />
-                </dt>
-                <dd>{value}</dd>
-              </div>
-            ))}
-          </dl>
-        )}
+        {!props.quiet && <Readings texts={texts} />}
         <Buttons title={spec.title} zoom={(factor) => setWindow(factor === null ? null : zoomBy(spec, frame.window, factor), "push")} />
       </div>
       <p id={hint} class="visually-hidden">
         Arrow keys move the cursor, with Shift in larger steps. Plus and minus zoom, 0 shows everything
-        {pick ? ", Enter pins the point" : ""}.
+        {props.onPick ? ", Enter pins the point" : ""}.
       </p>
       <Spoken text={[...texts.map(({ label, value }) => `${plainText(label)}: ${value}`), props.spoken ?? ""].filter(Boolean).join("; ")} />
     </div>
+  );
+}
+
+/** What is shown and the cursor: as the page keeps them, or the chart itself. */
+function useKept(props: ChartProps) {
+  const [ownWindow, setOwnWindow] = useState<Window | null>(null);
+  const [ownCursor, setOwnCursor] = useState<Cursor | null>(null);
+  return {
+    window: (props.onWindow ? props.window : ownWindow) ?? homeWindow(props.spec),
+    cursor: props.onCursor ? (props.cursor ?? null) : ownCursor,
+    setWindow: props.onWindow ?? ((next: Window | null) => setOwnWindow(next)),
+    setCursor: props.onCursor ?? ((next: Cursor | null) => setOwnCursor(next)),
+  };
+}
+
+function Readings({ texts }: { readonly texts: ReturnType<typeof readings> }) {
+  return (
+    <dl class="chart-readings">
+      {texts.map(({ label, value }) => (
+        <div key={label}>
+          <dt>
+            <Label text={label} />
+          </dt>
+          <dd>{value}</dd>
+        </div>
+      ))}
+    </dl>
   );
 }
 

@@ -71,27 +71,47 @@ interface Press {
   moved: boolean;
 }
 
-/** Everything that the element of a chart needs; `current` gives the newest picture to handlers that outlive one. */
-export function useInteraction(
-  spec: ChartSpec,
-  frame: Frame,
-  cursor: Cursor | null,
-  handlers: Handlers,
-) {
-  const element = useRef<SVGSVGElement>(null);
-  const current = useRef({ spec, frame, cursor, handlers });
-  current.current = { spec, frame, cursor, handlers };
-  const press = useRef<Press | null>(null);
-  const picking = useRef<ReturnType<typeof setTimeout> | undefined>(undefined);
-  const [box, setBox] = useState<Box | null>(null);
-  useWheel(element, current);
+/** What handlers that outlive a picture read. */
+interface Current {
+  readonly spec: ChartSpec;
+  readonly frame: Frame;
+  readonly cursor: Cursor | null;
+  readonly handlers: Handlers;
+}
 
+/** Everything that the element of a chart needs. */
+export function useInteraction(spec: ChartSpec, frame: Frame, cursor: Cursor | null, handlers: Handlers) {
+  const element = useRef<SVGSVGElement>(null);
+  const current = useRef<Current>({ spec, frame, cursor, handlers });
+  current.current = { spec, frame, cursor, handlers };
+  const picking = useRef<ReturnType<typeof setTimeout> | undefined>(undefined);
+  useWheel(element, current);
+  const { box, on } = usePointer(element, current.current, (point) => {
+    clearTimeout(picking.current);
+    picking.current = setTimeout(() => current.current.handlers.onPick?.(point), DOUBLE_CLICK);
+  });
+  const onKeyDown = (event: KeyboardEvent) => {
+    if (!event.ctrlKey && !event.metaKey && !event.altKey && pressed(current.current, event.key, event.shiftKey)) event.preventDefault();
+  };
+  const onDblClick = () => {
+    clearTimeout(picking.current);
+    handlers.onWindow(null, "push");
+  };
+  return { element, box, on: { ...on, onKeyDown, onDblClick } };
+}
+
+/** Hovering, clicks, drags and boxes. */
+function usePointer(element: { current: SVGSVGElement | null }, { spec, frame, handlers }: Current, onClick: (point: Cursor) => void) {
+  const press = useRef<Press | null>(null);
+  const [box, setBox] = useState<Box | null>(null);
   const place = (event: PointerEvent) => {
     const bounds = element.current?.getBoundingClientRect();
     return { x: event.clientX - (bounds?.left ?? 0), y: event.clientY - (bounds?.top ?? 0) };
   };
   const inside = ({ x, y }: { x: number; y: number }) =>
     x >= frame.left && x <= frame.left + frame.width && y >= frame.top && y <= frame.top + frame.height;
+  const dragged = (held: Press, at: { x: number; y: number }) =>
+    moveBy(spec, held.window, (held.x - at.x) / frame.width, (at.y - held.y) / frame.height);
 
   const onPointerDown = (event: PointerEvent) => {
     const at = place(event);
@@ -107,7 +127,7 @@ export function useInteraction(
     held.moved ||= Math.hypot(at.x - held.x, at.y - held.y) > CLICK;
     if (!held.moved) return;
     if (held.boxing) setBox(boxOf(held, at));
-    else handlers.onWindow(moveBy(spec, held.window, (held.x - at.x) / frame.width, (at.y - held.y) / frame.height), "drag");
+    else handlers.onWindow(dragged(held, at), "drag");
   };
   const onPointerUp = (event: PointerEvent) => {
     const held = press.current;
@@ -115,12 +135,8 @@ export function useInteraction(
     press.current = null;
     setBox(null);
     const at = place(event);
-    if (!held.moved) {
-      clearTimeout(picking.current);
-      const point = valuesAt(spec, frame, at.x, at.y);
-      picking.current = setTimeout(() => current.current.handlers.onPick?.(point), DOUBLE_CLICK);
-    } else if (held.boxing) handlers.onWindow(windowOfBox(spec, frame, boxOf(held, at)), "push");
-    else handlers.onWindow(moveBy(spec, held.window, (held.x - at.x) / frame.width, (at.y - held.y) / frame.height), "push");
+    if (!held.moved) onClick(valuesAt(spec, frame, at.x, at.y));
+    else handlers.onWindow(held.boxing ? windowOfBox(spec, frame, boxOf(held, at)) : dragged(held, at), "push");
   };
   const onPointerCancel = () => {
     const held = press.current;
@@ -128,23 +144,20 @@ export function useInteraction(
     setBox(null);
     if (held?.moved && !held.boxing) handlers.onWindow(held.window, "push");
   };
-  const onKeyDown = (event: KeyboardEvent) => {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const arrow = ARROWS[event.key];
-    const share = event.shiftKey ? 0.1 : 0.01;
-    if (arrow) handlers.onCursor(stepped(spec, frame, cursor, arrow[0] * share, arrow[1] * share), "keyboard");
-    else if (event.key === "+" || event.key === "=") handlers.onWindow(zoomAtCursor(spec, frame, cursor, 1 / ZOOM_STEP), "push");
-    else if (event.key === "-") handlers.onWindow(zoomAtCursor(spec, frame, cursor, ZOOM_STEP), "push");
-    else if (event.key === "0") handlers.onWindow(null, "push");
-    else if (event.key === "Enter" && cursor && handlers.onPick) handlers.onPick(cursor);
-    else return;
-    event.preventDefault();
-  };
-  const onDblClick = () => {
-    clearTimeout(picking.current);
-    handlers.onWindow(null, "push");
-  };
-  return { element, box, on: { onPointerDown, onPointerMove, onPointerUp, onPointerCancel, onKeyDown, onDblClick } };
+  return { box, on: { onPointerDown, onPointerMove, onPointerUp, onPointerCancel } };
+}
+
+/** What a key does; whether it does anything. */
+function pressed({ spec, frame, cursor, handlers }: Current, key: string, large: boolean): boolean {
+  const arrow = ARROWS[key];
+  const share = large ? 0.1 : 0.01;
+  if (arrow) handlers.onCursor(stepped(spec, frame, cursor, arrow[0] * share, arrow[1] * share), "keyboard");
+  else if (key === "+" || key === "=") handlers.onWindow(zoomAtCursor(spec, frame, cursor, 1 / ZOOM_STEP), "push");
+  else if (key === "-") handlers.onWindow(zoomAtCursor(spec, frame, cursor, ZOOM_STEP), "push");
+  else if (key === "0") handlers.onWindow(null, "push");
+  else if (key === "Enter" && cursor && handlers.onPick) handlers.onPick(cursor);
+  else return false;
+  return true;
 }
 
 function zoomAtCursor(spec: ChartSpec, frame: Frame, cursor: Cursor | null, factor: number): Window {
@@ -174,10 +187,7 @@ function windowOfBox(spec: ChartSpec, frame: Frame, box: Box): Window {
 }
 
 /** Wheels are listened to by hand: only a listener that is not passive can keep the page from scrolling. */
-function useWheel(
-  element: { current: SVGSVGElement | null },
-  current: { current: { spec: ChartSpec; frame: Frame; handlers: Handlers } },
-): void {
+function useWheel(element: { current: SVGSVGElement | null }, current: { readonly current: Current }): void {
   useEffect(() => {
     const node = element.current;
     if (!node) return;

@@ -4,6 +4,7 @@ import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { Chart } from "../../chart/Chart";
 import { homeWindow } from "../../chart/frame";
 import { registerExport } from "../../chart/exports";
+import type { ChartSpec } from "../../chart/spec";
 import { type Keep, useView } from "../../state/store";
 import { withFields } from "../../state/view";
 import { useApp } from "../../ui/app";
@@ -52,13 +53,7 @@ export function ShapeView({ title, body, swing, frequency, growth, unit }: Shape
   const { canvas, state, picture } = useBodyScene({ body, swing, theme, still: { look, zoom, phase, factor }, playing, onPhase });
 
   const spec = useMemo(() => bodySpec(title, body, swing, look, phase, factor), [title, body, swing, look.azimuth, look.elevation, phase, factor]);
-  const shown = useRef(spec);
-  shown.current = spec;
-  // the chart that stands in for the picture registers itself
-  useEffect(
-    () => (state === "missing" ? undefined : registerExport(title, () => ({ spec: shown.current, window: homeWindow(shown.current), size: SIZE }))),
-    [title, state],
-  );
+  useExported(title, spec, state !== "missing");
 
   const turn = (next: Look, keep: Keep) => store.update((view) => withLook(view, next), keep);
   const savePng = () => {
@@ -104,6 +99,16 @@ export function ShapeView({ title, body, swing, frequency, growth, unit }: Shape
         {slowness(frequency)} The largest displacement is drawn as {short(100 * DISPLACEMENT * scale)} % of the body&apos;s diagonal. {leftOut(growth)}
       </p>
     </section>
+  );
+}
+
+/** The lines of the picture in the export menu, unless a chart that stands in for it registers itself. */
+function useExported(title: string, spec: ChartSpec, isOwn: boolean): void {
+  const shown = useRef(spec);
+  shown.current = spec;
+  useEffect(
+    () => (isOwn ? registerExport(title, () => ({ spec: shown.current, window: homeWindow(shown.current), size: SIZE })) : undefined),
+    [title, isOwn],
   );
 }
 

@@ -60,49 +60,53 @@ async function fetchSound(file: string, signal: AbortSignal): Promise<Blob> {
 /** How often the moment that is heard is shown, in milliseconds. */
 const EVERY = 50;
 
-export function SoundPlayer({ study, sounds, start, cursor, onHeard }: SoundPlayerProps) {
-  const there = sounds.filter((sound) => study.sounds.some(({ path }) => path === sound.file));
-  const [file, setFile] = useState(there[0]?.file);
-  const [volume, setVolume] = useState(0.5);
-  const [playing, setPlaying] = useState(false);
-  const [length, setLength] = useState<number | null>(null);
-  const [error, setError] = useState<RequestError | null>(null);
+/** The element that plays: its volume, its moment, its start and end. */
+function usePlayer(volume: number, onHeard: (time: number | null) => void, onError: (error: RequestError | null) => void) {
   const audio = useRef<HTMLAudioElement>(null);
-  const sound = there.find((one) => one.file === file) ?? there[0];
-
+  const [playing, setPlaying] = useState(false);
+  const heard = useRef(onHeard);
+  heard.current = onHeard;
   useEffect(() => {
     if (audio.current) audio.current.volume = volume;
-  }, [volume, sound]);
+  });
   useEffect(() => {
-    if (!playing) return onHeard(null);
-    const timer = setInterval(() => audio.current && onHeard(start + audio.current.currentTime), EVERY);
+    if (!playing) return heard.current(null);
+    const timer = setInterval(() => audio.current && heard.current(audio.current.currentTime), EVERY);
     return () => clearInterval(timer);
-  }, [playing, start]);
+  }, [playing]);
   useEffect(() => () => audio.current?.pause(), []);
-  const address = useSound(sound?.file, setError);
-  if (!sound) return null;
-
   const play = (from: number) => {
     const node = audio.current;
     if (!node) return;
-    setError(null);
+    onError(null);
     node.currentTime = Math.max(from, 0);
     node.play().catch((failure: unknown) => {
       // a stop before the start is no error
       if (failure instanceof DOMException && failure.name === "AbortError") return;
-      setError(new RequestError("the sound cannot be played", 0, null, failure instanceof Error ? failure.message : null));
+      onError(new RequestError("the sound cannot be played", 0, null, failure instanceof Error ? failure.message : null));
     });
   };
-  const stop = () => audio.current?.pause();
+  const end = () => setPlaying(false);
+  return { audio, playing, play, stop: () => audio.current?.pause(), on: { onPlay: () => setPlaying(true), onPause: end, onEnded: end } };
+}
+
+export function SoundPlayer({ study, sounds, start, cursor, onHeard }: SoundPlayerProps) {
+  const there = sounds.filter((sound) => study.sounds.some(({ path }) => path === sound.file));
+  const [file, setFile] = useState(there[0]?.file);
+  const [volume, setVolume] = useState(0.5);
+  const [length, setLength] = useState<number | null>(null);
+  const [error, setError] = useState<RequestError | null>(null);
+  const sound = there.find((one) => one.file === file) ?? there[0];
+  const address = useSound(sound?.file, setError);
+  const { audio, playing, play, stop, on } = usePlayer(volume, (time) => onHeard(time === null ? null : start + time), setError);
+  if (!sound) return null;
   return (
     <section class="sound" aria-label="Sound">
       <audio
         ref={audio}
         {...(address ? { src: address } : {})}
         onLoadedMetadata={(event) => setLength(event.currentTarget.duration)}
-        onPlay={() => setPlaying(true)}
-        onPause={() => setPlaying(false)}
-        onEnded={() => setPlaying(false)}
+        {...on}
         onError={() => setError(new RequestError(`${sound.file} cannot be played`, 0, null, null))}
       />
       <label>

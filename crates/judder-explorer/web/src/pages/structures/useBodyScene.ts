@@ -32,12 +32,42 @@ export interface LiveScene {
 
 export function useBodyScene(asked: Asked): LiveScene {
   const canvas = useRef<HTMLCanvasElement>(null);
-  const scene = useRef<BodyScene | null>(null);
   const newest = useRef(asked);
   newest.current = asked;
   const phase = useRef(asked.still.phase);
-  const [state, setState] = useState<SceneState>("loading");
+  const { scene, state } = useScene(canvas);
+  const draw = () => scene.current?.draw({ ...newest.current.still, phase: phase.current });
+  useFit(canvas, state, (width, height) => {
+    scene.current?.resize(width, height);
+    draw();
+  });
 
+  useEffect(() => {
+    scene.current?.show(asked.body, asked.swing, asked.theme);
+    draw();
+  }, [state, asked.body, asked.swing, asked.theme]);
+
+  const { look, zoom, factor } = asked.still;
+  useEffect(() => {
+    if (!asked.playing) phase.current = asked.still.phase;
+    draw();
+  }, [look.azimuth, look.elevation, zoom, factor, asked.still.phase, asked.playing]);
+
+  useClock(asked.playing, phase, draw, (phase) => newest.current.onPhase(phase));
+  const picture = () => {
+    const node = canvas.current;
+    if (!node) return null;
+    // the picture is kept only until the browser has shown it
+    draw();
+    return node.toDataURL("image/png");
+  };
+  return { canvas, state, picture };
+}
+
+/** The scene on the canvas, from when three has come until the canvas goes. */
+function useScene(canvas: { readonly current: HTMLCanvasElement | null }) {
+  const scene = useRef<BodyScene | null>(null);
+  const [state, setState] = useState<SceneState>("loading");
   useEffect(() => {
     let wanted = true;
     import("./scene3d").then(
@@ -58,36 +88,29 @@ export function useBodyScene(asked: Asked): LiveScene {
       scene.current = null;
     };
   }, []);
+  return { scene, state };
+}
 
-  const draw = () => scene.current?.draw({ ...newest.current.still, phase: phase.current });
+/** Tells the size of the canvas as it changes. */
+function useFit(canvas: { readonly current: HTMLCanvasElement | null }, state: SceneState, onSize: (width: number, height: number) => void): void {
   useLayoutEffect(() => {
     const node = canvas.current;
     if (state !== "drawn" || !node) return;
     const fit = () => {
       const { clientWidth, clientHeight } = node;
-      if (clientWidth < 2 || clientHeight < 2) return;
-      scene.current?.resize(clientWidth, clientHeight);
-      draw();
+      if (clientWidth >= 2 && clientHeight >= 2) onSize(clientWidth, clientHeight);
     };
     const observer = new ResizeObserver(fit);
     observer.observe(node);
     fit();
     return () => observer.disconnect();
   }, [state]);
+}
 
+/** Moves the phase on while it plays, draws it, and tells it now and then. */
+function useClock(playing: boolean, phase: { current: number }, draw: () => void, onPhase: (phase: number) => void): void {
   useEffect(() => {
-    scene.current?.show(asked.body, asked.swing, asked.theme);
-    draw();
-  }, [state, asked.body, asked.swing, asked.theme]);
-
-  const { look, zoom, factor } = asked.still;
-  useEffect(() => {
-    if (!asked.playing) phase.current = asked.still.phase;
-    draw();
-  }, [look.azimuth, look.elevation, zoom, factor, asked.still.phase, asked.playing]);
-
-  useEffect(() => {
-    if (!asked.playing) return;
+    if (!playing) return;
     let [frame, last, told] = [0, performance.now(), 0];
     const step = (now: number) => {
       frame = requestAnimationFrame(step);
@@ -97,17 +120,9 @@ export function useBodyScene(asked: Asked): LiveScene {
       draw();
       if (now - told < TOLD) return;
       told = now;
-      newest.current.onPhase(phase.current);
+      onPhase(phase.current);
     };
     frame = requestAnimationFrame(step);
     return () => cancelAnimationFrame(frame);
-  }, [asked.playing]);
-  const picture = () => {
-    const node = canvas.current;
-    if (!node) return null;
-    // the picture is kept only until the browser has shown it
-    draw();
-    return node.toDataURL("image/png");
-  };
-  return { canvas, state, picture };
+  }, [playing]);
 }

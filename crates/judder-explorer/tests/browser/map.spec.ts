@@ -7,6 +7,9 @@ import { type Explorer, JUDDER, ROOT, at, downloaded, expect, judder, test } fro
 
 const exact = (explorer: Explorer) => expect(explorer.page.locator(".map-chart")).toHaveAttribute("data-stage", "exact");
 const settled = async (explorer: Explorer) => {
+  // a drag, or keys on a slider, reach the address a moment later
+  const options = () => JSON.stringify(new URL(explorer.page.url()).searchParams.getAll("set"));
+  await expect.poll(async () => (await explorer.page.locator(".map-chart").getAttribute("data-set")) === options()).toBe(true);
   await exact(explorer);
   await expect(explorer.page.locator(".map-chart")).toHaveAttribute("data-busy", "false");
   await expect(explorer.page.locator(".cursor-panel[aria-busy=true]")).toHaveCount(0);

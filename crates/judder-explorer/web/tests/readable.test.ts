@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { symbolText } from "../src/ui/numbers";
 import { power, readable, rounded } from "../src/ui/readable";
 
 describe("numbers as people read them", () => {
@@ -25,5 +26,12 @@ describe("numbers as people read them", () => {
 
   it("knows what a prefix is", () => {
     expect([power("MPa", "Pa"), power("mm", "m"), power("mm²", "m²"), power("Pa", "Pa")]).toEqual([1e6, 1e-3, 1e-6, 1]);
+  });
+});
+
+describe("a symbol without markup", () => {
+  it("has lowered letters where there are such, and is left out elsewhere", () => {
+    expect(["E0", "F_n", "ω_nx", "τ_r", "E∞", "η"].map(symbolText)).toEqual(["E₀", "Fₙ", "ωₙₓ", "τᵣ", "E∞", "η"]);
+    expect(["v_d", "ξ_y"].map(symbolText)).toEqual(["", ""]);
   });
 });

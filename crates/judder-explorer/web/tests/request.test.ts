@@ -41,6 +41,20 @@ describe("requests", () => {
     await expect(kinds(map, map.slice(0, 9))).rejects.toThrow("ended within a frame");
   });
 
+  it("tell no frame after an abort, though it has come already", async () => {
+    answerWith(new Response(new Blob([encode({ kind: "map", stage: "coarse" }), encode({ kind: "map", stage: "exact" }), encode({ kind: "end" })])));
+    const abort = new AbortController();
+    const found: unknown[] = [];
+    const read = async () => {
+      for await (const frame of postFrames("/api/map", {}, abort.signal)) {
+        found.push(frame.header["stage"]);
+        abort.abort();
+      }
+    };
+    await expect(read()).rejects.toThrow(expect.objectContaining({ name: "AbortError" }));
+    expect(found).toEqual(["coarse"]);
+  });
+
   it("share a tab's id between purposes", () => {
     expect(slot("map").split("/")[0]).toBe(slot("point").split("/")[0]);
     expect(slot("map")).toMatch(/^[0-9a-f]{16}\/map$/);
@@ -88,6 +102,23 @@ describe("the newest work", () => {
     const next = new Promise<void>((resolve) => latest.submit(async () => resolve()));
     await aborted;
     await next;
+  });
+
+  it("is not kept from running by an older one that ends late", async () => {
+    const latest = new Latest();
+    let end: () => void = () => undefined;
+    const ran: string[] = [];
+    latest.submit((_, shown) => {
+      shown();
+      return new Promise((resolve) => (end = resolve));
+    });
+    latest.submit((signal) => new Promise((resolve) => (ran.push("b"), signal.addEventListener("abort", () => (ran.push("b aborted"), resolve())))));
+    expect(ran).toEqual(["b"]);
+    end();
+    await rest();
+    expect(ran, "the end of the older is not that of the newer").toEqual(["b"]);
+    latest.stop();
+    expect(ran).toEqual(["b", "b aborted"]);
   });
 
   it("goes on after an error", async () => {

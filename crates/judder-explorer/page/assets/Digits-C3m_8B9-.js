@@ -1,1 +1,0 @@
-import{G as e,u as t}from"./index-C-gm2ZsG.js";function n({dataKey:n,value:r}){let i=r!=null;return e(`span`,{"data-key":n,"data-value":i?r:``,title:i?String(r):void 0,children:i?t(r):`—`})}export{n as t};

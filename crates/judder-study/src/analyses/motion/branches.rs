@@ -93,7 +93,7 @@ impl<const N: usize> DiagramBranch<N> {
     }
 
     /// Whether a simulated cycle lies on it, and if so whether a cycle there is stable: rms and period are those of two neighbours at
-    /// its value, or between them.
+    /// its value, or between them. A motion that has only settled may come about nearest after several rounds of a stable cycle.
     fn passes(&self, cycle: &SimulatedCycle<N>) -> Option<bool> {
         let near = self.points.windows(2).filter(|pair| {
             let [a, b] = [&pair[0], &pair[1]];
@@ -105,10 +105,13 @@ impl<const N: usize> DiagramBranch<N> {
                 turn.chain(ends).fold((f64::INFINITY, f64::NEG_INFINITY), |(from, to), value| {
                     (from.min(value), to.max(value))
                 });
+            let rounds = cycle.oscillations / a.cycle.oscillations;
+            let is_stable = a.cycle.is_stable() && b.cycle.is_stable();
             (from..=to).contains(&cycle.value)
-                && a.cycle.oscillations == cycle.oscillations
+                && rounds * a.cycle.oscillations == cycle.oscillations
+                && (rounds == 1 || is_stable)
                 && is_between(a.cycle.around.measures.rms(), b.cycle.around.measures.rms(), cycle.rms)
-                && is_between(a.cycle.period(), b.cycle.period(), cycle.period)
+                && is_between(a.cycle.period(), b.cycle.period(), cycle.period / rounds as f64)
         });
         let stable = near.map(|pair| pair.iter().any(|point| point.cycle.is_stable()));
         stable.reduce(|any, is_stable| any || is_stable)

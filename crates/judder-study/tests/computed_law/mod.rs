@@ -4,6 +4,7 @@ use crate::contact::run_text;
 use judder_case::{Case, CaseFile};
 use judder_study::run::{RunOptions, run};
 use judder_study::{Progress, StudyError};
+use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// At low speed the critical shear strength hangs on the slope of the contact area; it does not depend on how finely the law was
@@ -92,9 +93,8 @@ fn a_computed_law_is_taken_up_and_shared() {
     assert!([9, 17, 33].contains(&(steps + kept)), "{steps} {kept}");
 }
 
-#[test]
-fn a_law_says_what_it_was_made_for_and_what_it_misses() {
-    let folder = tempfile::tempdir().unwrap();
+/// A law in a file, computed for few points.
+pub(crate) fn law_in(folder: &Path) {
     let law = r#"
         model = "contact"
         indenter = { shape = "sphere" }
@@ -105,8 +105,14 @@ fn a_law_says_what_it_was_made_for_and_what_it_misses() {
         indentation = { from = 5e-2, to = 1e-1, points = 3 }
         accuracy = 0.2
     "#;
-    run_text(folder.path(), law);
-    std::fs::copy(folder.path().join("out/law.json"), folder.path().join("law.json")).unwrap();
+    run_text(folder, law);
+    std::fs::copy(folder.join("out/law.json"), folder.join("law.json")).unwrap();
+}
+
+#[test]
+fn a_law_says_what_it_was_made_for_and_what_it_misses() {
+    let folder = tempfile::tempdir().unwrap();
+    law_in(folder.path());
     let text = r#"
         model = "oscillator"
         substrate = { glassy_modulus = "5 MPa" }

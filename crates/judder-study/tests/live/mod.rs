@@ -2,13 +2,12 @@
 
 #![allow(clippy::panic, reason = "a test fails by panicking")]
 
-use crate::contact::run_text;
+use crate::computed_law::law_in;
 use judder_case::{Case, CaseFile, OscillatorAnalysis, OscillatorCase};
 use judder_store::{Data, Dataset};
 use judder_study::analyses::{self, BoundaryKind, MotionBlock, boundary_curves, run_watched};
 use judder_study::law_cache::{LawCache, law_surface};
 use judder_study::{Progress, Silent, StudyError, bridge, point};
-use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::SystemTime;
 
@@ -233,22 +232,6 @@ fn a_limit_cycle_is_given_up_at_once() {
     let file = parsed(STICK_SLIP);
     let ended = run_watched(&file.case, 0, &Impatient::after(50), &mut |_| shown += 1);
     assert!(matches!(ended, Err(StudyError::Interrupted)) && shown == 0);
-}
-
-/// A law in a file, computed for few points.
-fn law_in(folder: &Path) {
-    let law = r#"
-        model = "contact"
-        indenter = { shape = "sphere" }
-        [[analysis]]
-        name = "law"
-        kind = "contact-law"
-        velocity = { from = 1e-2, to = 1e-1, points = 3 }
-        indentation = { from = 5e-2, to = 1e-1, points = 3 }
-        accuracy = 0.2
-    "#;
-    run_text(folder, law);
-    std::fs::copy(folder.join("out/law.json"), folder.join("law.json")).unwrap();
 }
 
 #[test]

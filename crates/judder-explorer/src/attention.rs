@@ -30,10 +30,12 @@ impl Attention {
         if !self.interrupted() {
             return error.into();
         }
+        if self.closing.load(Ordering::Relaxed) {
+            return Refusal::interrupted("`judder explore` is ending; start it again".to_owned());
+        }
         let seconds = LONGEST.as_secs();
-        let words = "this takes longer than";
         Refusal::interrupted(format!(
-            "{words} the {seconds} s that a page waits; `judder point` takes its time: export the case"
+            "this takes longer than {seconds} s; export the case, for `judder point` waits as long as it takes"
         ))
     }
 }
@@ -97,4 +99,22 @@ pub(crate) async fn attended<T: Send + 'static>(
     let broken =
         "the computation broke off; this is a fault of judder, please report it with the address of the page";
     working.await.map_err(|_| Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, broken))?
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn told(closing: bool, start: Instant) -> String {
+        let attention =
+            Attention { left: Arc::default(), closing: Arc::new(AtomicBool::new(closing)), start };
+        attention.refusal(StudyError::Interrupted).document()["message"].to_string()
+    }
+
+    #[test]
+    fn who_is_interrupted_is_told_why() {
+        let now = Instant::now();
+        assert!(told(true, now).contains("is ending"));
+        assert!(now.checked_sub(2 * LONGEST).is_none_or(|long_ago| told(false, long_ago).contains("300 s")));
+    }
 }

@@ -4,18 +4,28 @@ use crate::desk::Pace;
 use crate::frame::Frame;
 use crate::refusal::Refusal;
 use crate::reporter::Reporter;
-use crate::routes::{Asked, SharedSite};
+use crate::routes::{Asked, SharedSite, Site};
 use crate::size::check_answer;
 use crate::view::View;
 use axum::extract::State;
 use axum::response::Response;
+use judder_study::Progress;
+use judder_study::analyses::{self, MotionBlock};
 use judder_study::outcome::{CheckRecord, Outcome};
-use judder_study::{Progress, analyses};
 use serde_json::{Value, json};
 use std::sync::Arc;
 
 /// Answers `/api/analysis`.
 pub(crate) async fn answer(State(site): SharedSite, Asked(view): Asked<View>) -> Result<Response, Refusal> {
+    stream(&site, view, |_, _| ()).await
+}
+
+/// Runs the analysis of a view, and tells what it leaves; `watch` tells the samples of a motion while it is computed.
+pub(crate) async fn stream(
+    site: &Site,
+    view: View,
+    watch: impl Fn(&Reporter, MotionBlock) + Send + 'static,
+) -> Result<Response, Refusal> {
     view.check()?;
     if view.analysis.is_none() {
         return Err(Refusal::wrong("no analysis is asked for; give one, a table as `[[analysis]]` takes it"));
@@ -29,15 +39,16 @@ pub(crate) async fn answer(State(site): SharedSite, Asked(view): Asked<View>) ->
                 let file = view.case(&subject)?;
                 reporter.begin("", analyses::steps(&file.case, 0));
                 let outcome =
-                    analyses::run(&file.case, 0, reporter).map_err(|error| reporter.refusal(error))?;
-                tell(reporter, &file.case.analysis_names().join(""), &outcome)
+                    analyses::run_watched(&file.case, 0, reporter, &mut |block| watch(reporter, block));
+                let name = file.case.analysis_names().join("");
+                tell(reporter, &name, &outcome.map_err(|error| reporter.refusal(error))?)
             }),
         )
         .await
 }
 
 /// Tells what an analysis leaves.
-pub(crate) fn tell(reporter: &Reporter, name: &str, outcome: &Outcome) -> Result<(), Refusal> {
+fn tell(reporter: &Reporter, name: &str, outcome: &Outcome) -> Result<(), Refusal> {
     let variables = outcome.dataset.variables();
     check_answer(variables)?;
     let frame = Frame::new("outcome")

@@ -10,6 +10,7 @@ use crate::subject::Subject;
 use crate::view::View;
 use axum::extract::State;
 use axum::response::Response;
+use judder_case::{Form, Span};
 use judder_store::Variable;
 use judder_study::law_cache::{LawSurface, law_surface};
 use serde::Deserialize;
@@ -46,8 +47,7 @@ impl Range {
                 "`{name}` from {from} to {to} in {points} points is no range; `from` is above zero, `to` above it, with 2 to {SIDE} points"
             )));
         }
-        let ratio = (to / from).ln() / (points - 1) as f64;
-        Ok((0..points).map(|k| if k + 1 == points { to } else { from * (ratio * k as f64).exp() }).collect())
+        Ok(Span { from, to, points, form: Form::Group }.values())
     }
 }
 

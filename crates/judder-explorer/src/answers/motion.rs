@@ -1,7 +1,6 @@
 //! A motion, shown while it is computed.
 
-use super::analysis::tell;
-use crate::desk::Pace;
+use super::analysis;
 use crate::frame::Frame;
 use crate::refusal::Refusal;
 use crate::routes::{Asked, SharedSite};
@@ -9,28 +8,11 @@ use crate::view::View;
 use axum::extract::State;
 use axum::response::Response;
 use judder_store::Variable;
-use judder_study::analyses::{self, MotionBlock};
-use std::sync::Arc;
+use judder_study::analyses::MotionBlock;
 
 /// Answers `/api/motion`.
 pub(crate) async fn answer(State(site): SharedSite, Asked(view): Asked<View>) -> Result<Response, Refusal> {
-    view.check()?;
-    let subject = Arc::clone(&site.subject);
-    site.desk
-        .stream(
-            Pace::Slow,
-            view.slot.clone(),
-            Box::new(move |reporter| {
-                let file = view.case(&subject)?;
-                if file.case.analysis_names().is_empty() {
-                    return Err(Refusal::wrong("no motion is asked for; give an analysis of kind `motion`"));
-                }
-                let mut show = |block: MotionBlock| reporter.tell(frame(block));
-                let outcome = analyses::run_watched(&file.case, 0, reporter, &mut show);
-                tell(reporter, "motion", &outcome.map_err(|error| reporter.refusal(error))?)
-            }),
-        )
-        .await
+    analysis::stream(&site, view, |reporter, block| reporter.tell(frame(block))).await
 }
 
 fn frame(block: MotionBlock) -> Frame {

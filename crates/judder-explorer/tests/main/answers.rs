@@ -139,6 +139,10 @@ fn a_motion_is_shown_while_it_is_computed() {
         let shown: Vec<f64> = blocks.iter().flat_map(|block| block.reals(name)).collect();
         assert_eq!(shown, outcome.reals(name), "{name}");
     }
+    for path in ["/api/motion", "/api/analysis"] {
+        let refused = served.post(path, &json!({}));
+        assert_eq!((refused.status, refused.error().contains("no analysis is asked for")), (400, true));
+    }
     let states: Vec<u8> = blocks.iter().flat_map(|block| block.codes("contact_state")).collect();
     assert_eq!(states, outcome.codes("contact_state"));
 }

@@ -120,6 +120,14 @@ impl Case {
         }
     }
 
+    /// The names of the analyses whose results an analysis takes up.
+    pub(crate) fn made_of(&self, name: &str) -> Vec<&str> {
+        match self {
+            Self::Sliding(case) => case.made_of(name),
+            _ => Vec::new(),
+        }
+    }
+
     /// The files that the case names: results depend on what they hold.
     pub fn files(&self) -> Vec<&FileReference> {
         match self {

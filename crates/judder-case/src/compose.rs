@@ -61,6 +61,30 @@ pub fn contact_case_of(name: &str, text: &str, set: &[String]) -> Result<CaseFil
     })
 }
 
+/// The case of `file` with its options written into it, and of its analyses and sweeps only `name` and what `name` is made of: a
+/// spectrogram of its march and its locus, a sweep of every analysis.
+///
+/// # Errors
+/// [`Cause::UnknownName`] where the case has neither an analysis nor a sweep of this name.
+pub fn alone(file: &CaseFile, name: &str) -> Result<CaseFile, CaseError> {
+    let analyses = file.case.analysis_names();
+    let sweeps: Vec<&str> = file.sweeps.iter().map(|sweep| sweep.name.as_str()).collect();
+    let is_sweep = sweeps.contains(&name);
+    if !is_sweep && !analyses.contains(&name) {
+        let known = analyses.iter().chain(&sweeps).map(|name| (*name).to_owned()).collect();
+        let cause = Cause::UnknownName { what: "analysis or sweep", name: name.to_owned(), known };
+        return Err(CaseError::without_place(cause, &file.origin));
+    }
+    let needed = [vec![name], file.case.made_of(name)].concat();
+    let only = |names: &[&str]| names.iter().map(|name| needed.contains(name)).collect::<Vec<_>>();
+    let mut document = with_options(&file.origin, &file.text, &file.overrides)?;
+    edited::keep(document.as_table_mut(), "sweep", &only(&sweeps));
+    if !is_sweep {
+        edited::keep(document.as_table_mut(), "analysis", &only(&analyses));
+    }
+    CaseFile::parse(&file.origin, &document.to_string(), &[])
+}
+
 /// The text with the options written into it.
 fn with_options(name: &str, text: &str, set: &[String]) -> Result<DocumentMut, CaseError> {
     let sources = Sources::new(name, text, set);

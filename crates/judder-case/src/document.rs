@@ -181,9 +181,11 @@ pub(crate) fn read_option(number: usize, option: &str) -> Result<SetOption<'_>, 
 /// The most steps of a dotted path after the first: no key of a case lies deeper, and grafting recurses.
 pub(crate) const STEPS_LIMIT: usize = 8;
 
-/// The name of an item of a list: its `name`, else its `kind`.
+/// The keys that name an item of a list: the first that it has.
+pub(crate) const NAMING: [&str; 2] = ["name", "kind"];
+
 fn name_of(node: &Node) -> Option<&str> {
-    let name = node.entry("name").or_else(|| node.entry("kind"))?;
+    let name = NAMING.iter().find_map(|key| node.entry(key))?;
     if let Data::Text(name) = &name.data { Some(name) } else { None }
 }
 

@@ -5,7 +5,7 @@ use toml::de::DeValue;
 use toml_edit::{Array, InlineTable, Item, Table, TableLike, Value};
 
 use crate::cause::Cause;
-use crate::document::{item_index, read_option};
+use crate::document::{NAMING, item_index, read_option};
 use crate::error::{Fault, Place};
 
 /// The keys that stand first in a table made from JSON, which has no order.
@@ -62,9 +62,8 @@ fn names<'a>(names: &'a [Option<&'a str>]) -> impl ExactSizeIterator<Item = Opti
     names.iter().copied()
 }
 
-/// The name of an item of a list: its `name`, else its `kind`.
 fn name_of(table: &dyn TableLike) -> Option<&str> {
-    table.get("name").or_else(|| table.get("kind"))?.as_str()
+    NAMING.iter().find_map(|key| table.get(key))?.as_str()
 }
 
 fn set_in_table(table: &mut Table, steps: &[&str], leaf: Value) -> Option<()> {
@@ -106,6 +105,27 @@ fn set_below(table: &mut dyn TableLike, step: &str, rest: &[&str], leaf: Value) 
         table.insert(step, Item::Table(fresh));
     }
     set(table.get_mut(step)?, rest, leaf)
+}
+
+/// Keeps the items of a list whose flag is set; a list that has none left goes.
+pub(crate) fn keep(root: &mut Table, list: &str, kept: &[bool]) {
+    let flags = || kept.iter().copied();
+    let left = match root.get_mut(list) {
+        Some(Item::ArrayOfTables(tables)) => {
+            let mut flags = flags();
+            tables.retain(|_| flags.next().unwrap_or(false));
+            tables.len()
+        }
+        Some(Item::Value(Value::Array(values))) => {
+            let mut flags = flags();
+            values.retain(|_| flags.next().unwrap_or(false));
+            values.len()
+        }
+        _ => return,
+    };
+    if left == 0 {
+        root.remove(list);
+    }
 }
 
 /// Replaces a value, and keeps the comment behind it.

@@ -18,7 +18,7 @@
 //! - [`sliding_keys`], [`sliding`]: the sliding case: two structures, their contact, motion and analyses.
 //! - [`key_sweep`], [`study_sweep`]: any number of a case that varies, and `[[sweep]]`, the whole case at many points.
 //! - [`case_file`]: the way in. `resolved`: the way out, canonical JSON for the hash and the report.
-//! - [`mod@compose`]: options, and one analysis, written into the text of a case. `edited`: the text that is edited.
+//! - [`mod@compose`]: options, and one analysis, written into the text of a case; one of its analyses alone. `edited`: the text that is edited.
 //! - [`cause`], [`contact_problem`], `help`, `excerpt`, [`error`]: what is wrong, what would be right, where.
 //! - [`mod@schema`], [`mod@template`]: the JSON Schema for editors and the commented cases of `judder new`.
 
@@ -76,7 +76,7 @@ pub use analysis::Analysis;
 pub use belt_case::{BELT_KEYS, BeltCase, BeltInputs, BeltKey};
 pub use case_file::{Case, CaseFile};
 pub use cause::Cause;
-pub use compose::{compose, contact_case_of};
+pub use compose::{alone, compose, contact_case_of};
 pub use contact_analysis::{ContactAnalysis, ContactSettings, LawMethod, LawSettings, Loading};
 pub use contact_case::ContactCase;
 pub use contact_keys::{CONTACT_KEYS, ContactKey};

@@ -93,6 +93,13 @@ impl SlidingCase {
         self.structures.iter().flat_map(|structure| structure.source.files()).collect()
     }
 
+    /// The names of the analyses whose results an analysis takes up: those of a spectrogram.
+    pub(crate) fn made_of(&self, name: &str) -> Vec<&str> {
+        let found = self.analyses.iter().find(|analysis| analysis.name == name).map(|found| &found.kind);
+        let Some(SlidingAnalysis::Spectrogram(spectrogram)) = found else { return Vec::new() };
+        [Some(spectrogram.of.as_str()), spectrogram.locus.as_deref()].into_iter().flatten().collect()
+    }
+
     /// The case with a swept key at `value`, in SI units, without analyses: read anew, so that every key can be swept.
     ///
     /// # Errors

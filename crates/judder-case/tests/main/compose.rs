@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use judder_case::{Case, CaseError, CaseFile, compose, contact_case_of};
+use judder_case::{Case, CaseError, CaseFile, alone, compose, contact_case_of};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 
@@ -248,4 +248,68 @@ fn the_contact_of_an_oscillator_case_is_a_contact_case() {
     assert_eq!(composed.case.analysis_names(), ["modulus"]);
     let error = contact_case_of("case.toml", &contact.text, &[]).unwrap_err();
     assert_eq!(error.to_string(), "unknown model `contact`");
+}
+
+/// The items of a list of the resolved case, by name.
+fn named(case: &Value, list: &str) -> Vec<(String, Value)> {
+    let items = case[list].as_array().map_or(&[][..], Vec::as_slice);
+    items.iter().map(|item| (item["name"].as_str().unwrap().to_owned(), item.clone())).collect()
+}
+
+#[test]
+fn an_analysis_alone_is_the_one_of_the_case() {
+    let mut compared = 0;
+    for (path, text) in case_files() {
+        let Ok(whole) = CaseFile::parse(path.to_str().unwrap(), &text, &[]) else { continue };
+        let resolved = whole.resolved();
+        let (analyses, sweeps) = (named(&resolved, "analysis"), named(&resolved, "sweep"));
+        assert_eq!(analyses.len(), whole.case.analysis_names().len(), "{}", path.display());
+        for (name, given) in &analyses {
+            let one = alone(&whole, name).unwrap().resolved();
+            let kept = named(&one, "analysis");
+            assert_eq!(kept.last(), Some(&(name.clone(), given.clone())), "{}", path.display());
+            // what it takes up stands before it, and is as it was
+            let taken = &kept[..kept.len() - 1];
+            let texts =
+                |key: &str| given[key].as_str().is_some_and(|of| taken.iter().any(|(name, _)| name == of));
+            let takes = ["of", "locus"].into_iter().filter(|key| texts(key)).count();
+            assert_eq!(taken.len(), takes, "{} {name}", path.display());
+            assert!(taken.iter().all(|other| analyses.contains(other)), "{} {name}", path.display());
+            assert!(named(&one, "sweep").is_empty());
+            compared += 1;
+        }
+        for (name, given) in &sweeps {
+            let one = alone(&whole, name).unwrap().resolved();
+            assert_eq!(named(&one, "sweep"), [(name.clone(), given.clone())], "{}", path.display());
+            assert_eq!(named(&one, "analysis"), analyses, "{}", path.display());
+            compared += 1;
+        }
+    }
+    assert!(compared > 60, "{compared}");
+}
+
+#[test]
+fn a_spectrogram_alone_has_its_march_and_its_locus() {
+    let paths = case_files();
+    let (path, text) = paths.iter().find(|(path, _)| path.ends_with("sliding/curved-edge.toml")).unwrap();
+    let set = strings(&["contact.shear_strength=1"]);
+    assert!(CaseFile::parse(path.to_str().unwrap(), text, &set).is_err());
+    let whole =
+        CaseFile::parse(path.to_str().unwrap(), text, &strings(&["motion.velocity=1.5 m/s"])).unwrap();
+    let names = |name: &str| alone(&whole, name).unwrap().case.analysis_names().join(" ");
+    assert_eq!(names("spectrogram"), "locus ensubs spectrogram");
+    assert_eq!((names("locus"), names("ensubs")), ("locus".to_owned(), "ensubs".to_owned()));
+    let locus = alone(&whole, "locus").unwrap();
+    assert!(locus.overrides.is_empty() && locus.text.contains("velocity = \"1.5 m/s\""), "{}", locus.text);
+}
+
+#[test]
+fn analyses_of_one_line_are_kept_and_dropped_too() {
+    let text = "model = \"oscillator\"\nanalysis = [{ kind = \"spectrum\", sweep = { key = \"operation.velocity\", from = 1e-6, to = 1.0, points = 5 } }, { name = \"from\", kind = \"motion\" }]\n";
+    let whole = CaseFile::parse("case.toml", text, &[]).unwrap();
+    assert_eq!(alone(&whole, "from").unwrap().case.analysis_names(), ["from"]);
+    assert_eq!(alone(&whole, "spectrum").unwrap().case.analysis_names(), ["spectrum"]);
+    let error = alone(&whole, "spectrun").unwrap_err();
+    assert_eq!(error.to_string(), "unknown analysis or sweep `spectrun`");
+    assert_eq!(error.cause().help().unwrap(), "did you mean `spectrum`? known: spectrum, from");
 }

@@ -87,6 +87,16 @@ impl Studied {
         Ok(Self { view, case, pair: Mutex::default() })
     }
 
+    /// The case that the folder keeps, or, where that cannot be read, the one that was given.
+    ///
+    /// # Errors
+    /// There is neither.
+    pub(crate) fn case(&self) -> Result<&CaseFile, Refusal> {
+        self.case.as_ref().ok_or_else(|| {
+            Refusal::missing("the study keeps no case that can be read; give its case file to `judder explore`, with `--study`")
+        })
+    }
+
     /// The shapes in which the pair of the study swings at a position.
     ///
     /// # Errors
@@ -97,12 +107,13 @@ impl Studied {
         position: f64,
         count: usize,
     ) -> Result<SlidingShapes, Refusal> {
-        let case = self.case.as_ref().filter(|case| matches!(case.case, Case::Sliding(_)));
-        let Some(case) = case else {
-            return Err(Refusal::wrong(
-                "coupled shapes are those of a sliding case; this study has none that can be read",
-            ));
-        };
+        let case = self.case()?;
+        if !matches!(case.case, Case::Sliding(_)) {
+            let model = case.case.model();
+            return Err(Refusal::wrong(format!(
+                "coupled shapes are those of a sliding case; the case of this study is of model `{model}`"
+            )));
+        }
         Ok(self.pair(case)?.at(analysis, position, Some(count))?)
     }
 

@@ -4,13 +4,15 @@ use crate::attention::attended;
 use crate::desk::Pace;
 use crate::frame::Frame;
 use crate::refusal::Refusal;
-use crate::routes::{Asked, SharedSite};
+use crate::reporter::Reporter;
+use crate::routes::{Asked, SharedSite, Site};
 use crate::size::check_answer;
 use crate::subject::{Studied, Subject};
 use axum::Json;
 use axum::extract::{Path, State};
 use axum::http::header::{CACHE_CONTROL, CONTENT_TYPE};
 use axum::response::{IntoResponse, Response};
+use judder_case::alone;
 use judder_store::{Complex64, Status, Variable};
 use judder_study::sliding_shapes::SlidingShapes;
 use judder_study::study_view::{AnalysisListing, RowWindow};
@@ -62,6 +64,21 @@ fn variable(variable: &Variable) -> Value {
     })
 }
 
+/// Tells a frame of the study, made beside the network's threads.
+async fn stream(
+    site: &Site,
+    slot: Option<String>,
+    make: impl FnOnce(&Studied) -> Result<Frame, Refusal> + Send + 'static,
+) -> Result<Response, Refusal> {
+    studied(&site.subject)?;
+    let subject = Arc::clone(&site.subject);
+    let work = move |reporter: &Reporter| {
+        reporter.tell(make(studied(&subject)?)?);
+        Ok(())
+    };
+    site.desk.stream(Pace::Quick, slot, Box::new(work)).await
+}
+
 /// Which arrays are wanted.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -83,27 +100,34 @@ pub(crate) async fn arrays(
     State(site): SharedSite,
     Asked(wanted): Asked<Wanted>,
 ) -> Result<Response, Refusal> {
-    studied(&site.subject)?;
     if wanted.variables.len() > VARIABLES {
         return Err(Refusal::too_large(format!(
             "{} variables are asked for; at most {VARIABLES} at once",
             wanted.variables.len()
         )));
     }
-    let subject = Arc::clone(&site.subject);
-    site.desk
-        .stream(
-            Pace::Quick,
-            wanted.slot.clone(),
-            Box::new(move |reporter| {
-                let window = RowWindow { from: wanted.from, to: wanted.to, most: wanted.most };
-                let found = studied(&subject)?.view.arrays(&wanted.analysis, &wanted.variables, &window)?;
-                check_answer(&found)?;
-                reporter.tell(found.iter().fold(Frame::new("arrays"), Frame::array));
-                Ok(())
-            }),
-        )
-        .await
+    stream(&site, wanted.slot.clone(), move |study| {
+        let window = RowWindow { from: wanted.from, to: wanted.to, most: wanted.most };
+        let found = study.view.arrays(&wanted.analysis, &wanted.variables, &window)?;
+        check_answer(&found)?;
+        Ok(found.iter().fold(Frame::new("arrays"), Frame::array))
+    })
+    .await
+}
+
+/// Whose case is wanted.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Named {
+    analysis: String,
+}
+
+/// Answers `/api/study/case`: the case file of one analysis of the study.
+pub(crate) async fn case(State(site): SharedSite, Asked(named): Asked<Named>) -> Result<Response, Refusal> {
+    let text = attended(&site, &site.stools, move |subject, _| {
+        Ok(alone(studied(subject)?.case()?, &named.analysis)?.text)
+    });
+    Ok(([(CONTENT_TYPE, "text/plain; charset=utf-8")], text.await?).into_response())
 }
 
 /// Answers `/api/study/sound/…`: a name of the listing, or nothing.
@@ -133,20 +157,11 @@ pub(crate) async fn shapes(
     State(site): SharedSite,
     Asked(wanted): Asked<Shaped>,
 ) -> Result<Response, Refusal> {
-    studied(&site.subject)?;
-    let subject = Arc::clone(&site.subject);
-    site.desk
-        .stream(
-            Pace::Quick,
-            wanted.slot.clone(),
-            Box::new(move |reporter| {
-                let count = wanted.count.unwrap_or(MODES).min(MODES);
-                let shapes = studied(&subject)?.shapes(&wanted.analysis, wanted.at, count)?;
-                reporter.tell(frame(shapes));
-                Ok(())
-            }),
-        )
-        .await
+    stream(&site, wanted.slot.clone(), move |study| {
+        let count = wanted.count.unwrap_or(MODES).min(MODES);
+        Ok(frame(study.shapes(&wanted.analysis, wanted.at, count)?))
+    })
+    .await
 }
 
 fn frame(shapes: SlidingShapes) -> Frame {

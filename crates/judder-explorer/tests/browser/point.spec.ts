@@ -57,6 +57,23 @@ test("eigenvalues leave a trail, and have a path along a key", async ({ explorer
   await expect(page).toHaveURL(/set=oscillator\.damping_x/);
 });
 
+test("a moving mode is saved as picture and as numbers", async ({ explorer }) => {
+  const { page } = explorer;
+  await explorer.open("/point");
+  await page.getByText("Export", { exact: true }).click();
+  const saved = async (kind: string) => readFileSync((await downloaded(page, () => page.getByRole("button", { name: new RegExp(`^${kind} of Orbit of`) }).first().click())).path);
+  const svg = (await saved("SVG")).toString();
+  const drawn = /viewBox="0 0 (\d+) (\d+)"/.exec(svg);
+  const png = await saved("PNG");
+  // twice the size of the SVG, four times that of what it is drawn in
+  expect([png.readUInt32BE(16), png.readUInt32BE(20)]).toEqual([4 * Number(drawn?.[1]), 4 * Number(drawn?.[2])]);
+  const rows = (await saved("CSV")).toString().trim().split("\n").slice(1).map((row) => row.split(",").map(Number));
+  const distances = rows.map(([, x, y]) => Math.hypot(x ?? 0, y ?? 0));
+  expect(rows.length).toBeGreaterThan(50);
+  expect(Math.max(...distances)).toBeGreaterThan(0.99);
+  expect(Math.max(...distances)).toBeLessThan(1.001);
+});
+
 test("a long motion is cancelled, and the page goes on", async ({ explorer }) => {
   const { page } = explorer;
   await explorer.open("/point?run=motion&duration=1000000&points=4096&set=operation.velocity=1e-3");

@@ -1,6 +1,8 @@
 /** The structures page: what a study folder holds, for a sliding case and for a structure. */
 
-import { at, expect, studies as test } from "./explorer";
+import { copyFileSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { at, downloaded, expect, judder, studies as test } from "./explorer";
 
 test.describe("a sliding case", () => {
   test.use({ subject: async ({ sliding }, use) => use([sliding.folder]) });
@@ -17,6 +19,19 @@ test.describe("a sliding case", () => {
     await expect(page.locator("[data-key='shape.largest']")).toBeVisible();
     await page.getByRole("slider").first().press("ArrowRight");
     await expect(page).not.toHaveURL(/at=0\.05(&|$)/);
+  });
+
+  test("gives the case of one analysis, which runs to the same numbers", async ({ explorer, sliding }) => {
+    const { page } = explorer;
+    await explorer.open("/structures?analysis=velocity");
+    await expect(page.getByRole("heading", { name: /^velocity/ })).toBeVisible();
+    await page.getByText("Export", { exact: true }).click();
+    const file = await downloaded(page, () => page.getByRole("button", { name: "Case file" }).click());
+    expect(file.name).toMatch(/-velocity\.toml$/);
+    expect(readFileSync(file.path, "utf8").match(/^\[\[analysis\]\]/gm)).toHaveLength(1);
+    copyFileSync(file.path, join(explorer.folder, "velocity.toml"));
+    const results = judder(explorer.folder, "run", "velocity.toml")["results"] as Record<string, unknown>;
+    expect(results).toEqual({ velocity: at(sliding.results, "velocity") });
   });
 
   test("shows and plays its march", async ({ explorer, sliding }) => {

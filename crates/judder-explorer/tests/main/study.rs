@@ -51,6 +51,19 @@ fn a_study_is_listed_and_its_case_explored() {
 }
 
 #[test]
+fn the_case_of_an_analysis_is_that_of_the_folder() {
+    let (_desk, folder) = desk();
+    let served = served(&folder);
+    let answer = served.post("/api/study/case", &json!({ "analysis": "damping" }));
+    let case = CaseFile::parse("exported.toml", &answer.text(), &[]).unwrap();
+    assert_eq!(case.resolved(), CaseFile::parse("small.toml", CASE, &[]).unwrap().resolved());
+    let missing = served.post("/api/study/case", &json!({ "analysis": "dampin" }));
+    assert_eq!((missing.status, missing.error().contains("did you mean `damping`?")), (422, true));
+    assert_eq!(served.post("/api/study/case", &json!({ "analysis": "damping", "set": [] })).status, 400);
+    assert_eq!(Served::new().post("/api/study/case", &json!({ "analysis": "damping" })).status, 404);
+}
+
+#[test]
 fn arrays_are_those_of_the_folder() {
     let (_desk, folder) = desk();
     let served = served(&folder);
@@ -141,6 +154,8 @@ fn the_case_of_a_folder_reads_no_file_outside_of_it() {
     let served = served(&folder);
     let session = served.get("/api/session").json();
     assert_eq!((&session["case"], &session["study"]["name"]), (&Value::Null, &json!("study")), "{session}");
+    let exported = served.post("/api/study/case", &json!({ "analysis": "damping" }));
+    assert_eq!((exported.status, exported.text().contains("secret")), (404, false));
     let point = served.post("/api/point", &json!({}));
     assert_eq!(point.status, 404);
     assert!(!point.text().contains("secret"));

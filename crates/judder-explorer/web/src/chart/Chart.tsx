@@ -4,6 +4,7 @@ import { useEffect, useId, useLayoutEffect, useMemo, useRef, useState } from "pr
 import { Label } from "../ui/Label";
 import { useTheme } from "../ui/theme";
 import { draw } from "./draw";
+import { chartFigure } from "./export";
 import { registerExport } from "./exports";
 import { type Frame, type Size, homeWindow } from "./frame";
 import { type Cursor, type Phase, useInteraction, zoomBy } from "./interaction";
@@ -55,9 +56,9 @@ export function Chart(props: ChartProps) {
     onCursor: setCursor,
     onPick: props.onPick,
   });
-  const shown = useRef({ spec, window, size });
-  shown.current = { spec, window, size };
-  useEffect(() => registerExport(spec.title, () => shown.current), [spec.title]);
+  const figure = useRef(() => chartFigure(spec, window, size));
+  figure.current = () => chartFigure(spec, window, size);
+  useEffect(() => registerExport(spec.title, () => figure.current()), [spec.title]);
 
   const texts = cursor && isShown(spec, frame.window, cursor) ? readings(spec, cursor) : [];
   const hint = `${prefix}-keys`;

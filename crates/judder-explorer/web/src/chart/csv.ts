@@ -81,7 +81,7 @@ function sameNumbers(a: ArrayLike<number>, b: ArrayLike<number>): boolean {
 }
 
 /** RFC 4180 with line feeds; a number is the shortest text that reads back to it, NaN an empty cell. */
-function table(headings: readonly string[], rows: readonly (readonly Cell[])[]): string {
+export function table(headings: readonly string[], rows: readonly (readonly Cell[])[]): string {
   const cell = (value: Cell) => {
     const text = typeof value === "number" ? (Number.isNaN(value) ? "" : String(value)) : value;
     return /[",\n\r]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;

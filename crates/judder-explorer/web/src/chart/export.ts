@@ -1,6 +1,8 @@
 /** Exports of charts: SVG, PNG and CSV, always in light colours. */
 
+import { chartCsv } from "./csv";
 import { draw } from "./draw";
+import type { Figure } from "./exports";
 import type { Size } from "./frame";
 import { INK } from "./palette";
 import { pixelsOf } from "./raster";
@@ -9,6 +11,11 @@ import { markupOf, round, shape } from "./scene";
 import { type ChartSpec, isRaster } from "./spec";
 
 const RASTER_DETAIL = 2;
+
+/** A chart as the export menu takes it. */
+export function chartFigure(spec: ChartSpec, window: Window, size: Size): Figure {
+  return { size, svg: () => chartSvg(spec, window, size), csv: () => chartCsv(spec) };
+}
 
 /** The picture as a file of its own; rasters are embedded PNG images (`encode` makes them, tests give their own). */
 export async function chartSvg(spec: ChartSpec, window: Window, size: Size, encode = encodePng): Promise<string> {
@@ -57,8 +64,8 @@ async function encodePng(pixels: Uint8ClampedArray<ArrayBuffer>, width: number, 
 }
 
 /** The picture in twice as many pixels. */
-export async function chartPng(spec: ChartSpec, window: Window, size: Size): Promise<Blob> {
-  const address = URL.createObjectURL(new Blob([await chartSvg(spec, window, size)], { type: "image/svg+xml" }));
+export async function pngOf({ svg, size }: Figure): Promise<Blob> {
+  const address = URL.createObjectURL(new Blob([await svg()], { type: "image/svg+xml" }));
   try {
     const image = new Image();
     image.src = address;

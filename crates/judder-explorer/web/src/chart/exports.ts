@@ -1,41 +1,39 @@
-/** The charts of the view that is shown, for the export menu. */
+/** The pictures of the view that is shown, for the export menu. */
 
 import type { Size } from "./frame";
-import type { Window } from "./scale";
-import type { ChartSpec } from "./spec";
 
-export interface Shown {
-  readonly spec: ChartSpec;
-  readonly window: Window;
+/** A picture as it is now, and its data. */
+export interface Figure {
   readonly size: Size;
+  readonly svg: () => Promise<string>;
+  readonly csv: () => string;
 }
 
-/** A chart as it is now. */
 export interface Exportable {
   readonly title: string;
-  readonly shown: () => Shown;
+  readonly now: () => Figure;
 }
 
-const charts = new Set<Exportable>();
+const figures = new Set<Exportable>();
 const listeners = new Set<() => void>();
 
 function tell(): void {
   for (const listener of listeners) listener();
 }
 
-/** Adds a chart to the export menu; the result takes it out. */
-export function registerExport(title: string, shown: () => Shown): () => void {
-  const entry = { title, shown };
-  charts.add(entry);
+/** Adds a picture to the export menu; the result takes it out. */
+export function registerExport(title: string, now: () => Figure): () => void {
+  const entry = { title, now };
+  figures.add(entry);
   tell();
   return () => {
-    charts.delete(entry);
+    figures.delete(entry);
     tell();
   };
 }
 
 export function exportable(): readonly Exportable[] {
-  return [...charts];
+  return [...figures];
 }
 
 export function onExportable(listener: () => void): () => void {

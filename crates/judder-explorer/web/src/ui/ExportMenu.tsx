@@ -1,8 +1,7 @@
-/** What can be taken along: every chart as SVG, PNG and CSV, and the case file of the view. */
+/** What can be taken along: every picture as SVG, PNG and CSV, and the case file of the view. */
 
 import { useEffect, useRef, useState } from "preact/hooks";
-import { chartCsv } from "../chart/csv";
-import { chartPng, chartSvg } from "../chart/export";
+import { pngOf } from "../chart/export";
 import { type Exportable, exportable, onExportable } from "../chart/exports";
 import { options } from "../state/view";
 import { fetchCaseFile } from "../wire/api";
@@ -11,22 +10,22 @@ import { useApp } from "./app";
 import { ErrorNote } from "./ErrorNote";
 import { currentCaseFile, download, fileName } from "./files";
 
-async function save(chart: Exportable, kind: "svg" | "png" | "csv"): Promise<void> {
-  const { spec, window, size } = chart.shown();
-  const name = `${fileName(chart.title)}.${kind}`;
-  if (kind === "svg") download(name, await chartSvg(spec, window, size), "image/svg+xml");
-  else if (kind === "png") download(name, await chartPng(spec, window, size), "image/png");
-  else download(name, chartCsv(spec), "text/csv;charset=utf-8");
+async function save({ title, now }: Exportable, kind: "svg" | "png" | "csv"): Promise<void> {
+  const figure = now();
+  const name = `${fileName(title)}.${kind}`;
+  if (kind === "svg") download(name, await figure.svg(), "image/svg+xml");
+  else if (kind === "png") download(name, await pngOf(figure), "image/png");
+  else download(name, figure.csv(), "text/csv;charset=utf-8");
 }
 
 export function ExportMenu() {
   const { session, store } = useApp();
-  const [charts, setCharts] = useState(exportable());
+  const [figures, setFigures] = useState(exportable());
   const [error, setError] = useState<RequestError | null>(null);
   const menu = useRef<HTMLDetailsElement>(null);
   useEffect(() => {
-    setCharts(exportable());
-    return onExportable(() => setCharts(exportable()));
+    setFigures(exportable());
+    return onExportable(() => setFigures(exportable()));
   }, []);
   useClosing(menu);
 
@@ -35,19 +34,18 @@ export function ExportMenu() {
     work().catch((failure) => setError(asRequestError(failure)));
   };
   const saveCase = async () => {
-    const file = currentCaseFile() ?? { set: options(store.view), analysis: null };
-    const text = await fetchCaseFile(file.set, file.analysis, file.model);
-    download(`${fileName(session.case?.name ?? "case")}.toml`, text, "application/toml");
+    const { of = "", text } = currentCaseFile() ?? { text: fetchCaseFile(options(store.view), null) };
+    download(`${fileName(`${session.case?.name ?? "case"} ${of}`)}.toml`, await text, "application/toml");
   };
   return (
     <details class="menu" ref={menu}>
       <summary>Export</summary>
       <div class="menu-body">
-        {charts.map((chart) => (
-          <div key={chart.title} role="group" aria-label={chart.title}>
-            <span>{chart.title}</span>
+        {figures.map((figure) => (
+          <div key={figure.title} role="group" aria-label={figure.title}>
+            <span>{figure.title}</span>
             {(["svg", "png", "csv"] as const).map((kind) => (
-              <button type="button" key={kind} onClick={attempt(() => save(chart, kind))} aria-label={`${kind.toUpperCase()} of ${chart.title}`}>
+              <button type="button" key={kind} onClick={attempt(() => save(figure, kind))} aria-label={`${kind.toUpperCase()} of ${figure.title}`}>
                 {kind.toUpperCase()}
               </button>
             ))}

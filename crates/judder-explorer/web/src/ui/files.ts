@@ -1,13 +1,12 @@
 /** Files that the page hands out, and the case file of the view. */
 
 import { useEffect } from "preact/hooks";
-import type { Analysis } from "../wire/api";
 
-/** What the case file of a view holds. */
+/** The case file of a view. */
 export interface CaseFile {
-  readonly set: readonly string[];
-  readonly analysis: Analysis | null;
-  readonly model?: string;
+  /** What its name adds to that of the case. */
+  readonly of?: string;
+  readonly text: Promise<string>;
 }
 
 let caseFile: (() => CaseFile) | undefined;

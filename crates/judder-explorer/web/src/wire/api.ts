@@ -90,5 +90,5 @@ export const fetchPoint = (set: readonly string[], signal?: AbortSignal) =>
   postJson<Point>("/api/point", { set }, signal);
 
 /** The text of the case file of a view. */
-export const fetchCaseFile = (set: readonly string[], analysis: Analysis | null, model?: string) =>
+export const fetchCaseFile = (set: readonly string[], analysis: Analysis | null, model?: string | undefined) =>
   postText("/api/export", { set, analysis, ...(model ? { model } : {}) });

@@ -5,10 +5,10 @@ import { useView } from "../../state/store";
 import { withFields } from "../../state/view";
 import { useApp } from "../../ui/app";
 import { ErrorNote, unlessSaid } from "../../ui/ErrorNote";
-import { type CaseFile, useCaseFile } from "../../ui/files";
+import { useCaseFile } from "../../ui/files";
 import { Link } from "../../ui/Link";
 import { Page } from "../../ui/Page";
-import type { Analysis } from "../../wire/api";
+import { type Analysis, fetchCaseFile } from "../../wire/api";
 import { FitPart } from "./FitPart";
 import { LawPart } from "./LawPart";
 import { MaterialPart } from "./MaterialPart";
@@ -68,10 +68,10 @@ function useContactCaseFile(contact: Contact): void {
   useEffect(() => {
     newest.current = contact;
   });
-  const make = useCallback((): CaseFile => {
+  const make = useCallback(() => {
     const { set, derived } = newest.current;
     const analysis = shownAnalysis(newest.current, store.view.set["contact.law"] ?? session.law);
-    return { set, analysis, ...(derived && analysis ? { model: "contact" } : {}) };
+    return { text: fetchCaseFile(set, analysis, derived && analysis ? "contact" : undefined) };
   }, [session, store]);
   useCaseFile(make);
 }

@@ -11,7 +11,7 @@ import { useCaseFile } from "../../ui/files";
 import { Page } from "../../ui/Page";
 import { leading } from "../../ui/PointValues";
 import { usePoint } from "../../ui/usePoint";
-import type { Key, KeyAxis } from "../../wire/api";
+import { type Key, type KeyAxis, fetchCaseFile } from "../../wire/api";
 import { AxisPicker } from "./AxisPicker";
 import { CursorPanel } from "./CursorPanel";
 import { MapSwitches } from "./MapSwitches";
@@ -117,7 +117,7 @@ function useMapCaseFile(): void {
     const place = state.pin ?? state.cursor;
     const set = place ? optionsAt(view, state, keys, place) : view.set;
     const boundaries = BOUNDARIES.some((name) => state.show.includes(name));
-    return { set: options({ ...view, set }), analysis: mapAnalysis(state, boundaries) };
+    return { text: fetchCaseFile(options({ ...view, set }), mapAnalysis(state, boundaries)) };
   }, []);
   useCaseFile(make);
 }

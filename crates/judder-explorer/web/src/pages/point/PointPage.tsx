@@ -11,7 +11,7 @@ import { Page } from "../../ui/Page";
 import { PointValues } from "../../ui/PointValues";
 import { usePoint } from "../../ui/usePoint";
 import { Value } from "../../ui/Value";
-import type { CaseValues, Key, Point } from "../../wire/api";
+import { type CaseValues, type Key, type Point, fetchCaseFile } from "../../wire/api";
 import { type Branch, collectBranch } from "./branch";
 import { BranchSection } from "./BranchSection";
 import { collectCycle, loopOf } from "./cycle";
@@ -148,6 +148,6 @@ function usePointCaseFile(state: PointState): void {
   useEffect(() => {
     newest.current = state;
   });
-  const make = useCallback(() => ({ set: options(store.view), analysis: caseAnalysis(newest.current, session) }), [session, store]);
+  const make = useCallback(() => ({ text: fetchCaseFile(options(store.view), caseAnalysis(newest.current, session)) }), [session, store]);
   useCaseFile(make);
 }

@@ -48,7 +48,7 @@ export function RunBar({ kind, name, run, analysis, share, keep = {}, children }
       setUnsaved(asRequestError(failure));
     }
   };
-  const done = share ?? (run.progress && run.progress.of > 0 ? run.progress.done / run.progress.of : null);
+  const done = share ?? (run.progress && run.progress.of > 1 ? run.progress.done / run.progress.of : null);
   return (
     <>
       <div class="run-bar">

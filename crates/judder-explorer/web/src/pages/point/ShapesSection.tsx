@@ -1,17 +1,17 @@
 /** Mode shapes as orbits of a sphere, in motion. */
 
 import { useEffect, useMemo, useRef } from "preact/hooks";
+import { registerExport } from "../../chart/exports";
 import { INK } from "../../chart/palette";
 import { SceneView } from "../../chart/SceneView";
 import { markupOf, shape } from "../../chart/scene";
 import { withFields } from "../../state/view";
 import { useApp } from "../../ui/app";
-import { download, fileName } from "../../ui/files";
 import { useTheme } from "../../ui/theme";
 import { brief } from "../../chart/readout";
 import type { Pair, Point } from "../../wire/api";
 import { type Mode } from "./eigen";
-import { type ModeShape, type Slowed, PICTURE, ground, normalised, offset, orbitAt, slowed, sphere } from "./orbit";
+import { type ModeShape, type Slowed, PICTURE, ground, normalised, offset, orbitAt, orbitCsv, slowed, sphere } from "./orbit";
 import type { PointState } from "./state";
 
 const calm = globalThis.matchMedia?.("(prefers-reduced-motion: reduce)");
@@ -67,7 +67,7 @@ function ModePicture({ mode, index, shape: given, frequency, still }: ModePictur
   const motion = useMemo(() => slowed([re * frequency, im * frequency]), [re, im, frequency]);
   const moving = useMovement(orbit, motion, still);
   const title = `Orbit of ${mode.name}`;
-  const save = () => download(`${fileName(title)}.svg`, pictureFile(title, orbit, mode, index), "image/svg+xml");
+  useExported(title, orbit, mode, index);
   return (
     <figure class="shape">
       <svg viewBox={`0 0 ${PICTURE.width} ${PICTURE.height}`} role="img" aria-label={`${title}: ${inWords(mode)}`}>
@@ -81,10 +81,6 @@ function ModePicture({ mode, index, shape: given, frequency, still }: ModePictur
         <br />
         {mode.oscillates && `${brief((im * frequency) / (2 * Math.PI))} Hz, `}
         {brief(re * frequency)} 1/s; {motion.factor >= 1 ? `slowed ${brief(motion.factor)} times` : `sped up ${brief(1 / motion.factor)} times`}
-        <br />
-        <button type="button" onClick={save} aria-label={`SVG of ${title}`}>
-          SVG
-        </button>
       </figcaption>
     </figure>
   );
@@ -94,10 +90,20 @@ function inWords({ value: [re], oscillates }: Mode): string {
   return `${oscillates ? "oscillates and" : "moves along a line and"} ${re > 0 ? "grows" : "decays"}`;
 }
 
+/** The picture at the orbit's beginning, in the export menu. */
+function useExported(title: string, orbit: ModeShape, mode: Mode, index: number): void {
+  const figure = () => ({ size: SAVED, svg: async () => pictureFile(title, orbit, mode, index), csv: () => orbitCsv(orbit) });
+  const newest = useRef(figure);
+  newest.current = figure;
+  useEffect(() => registerExport(title, () => newest.current()), [title]);
+}
+
+const SAVED = { width: 2 * PICTURE.width, height: 2 * PICTURE.height };
+
 function pictureFile(title: string, orbit: ModeShape, mode: Mode, index: number): string {
   const { width, height } = PICTURE;
   const backdrop = shape("rect", { width, height, fill: INK.light.ground });
-  const attributes = { xmlns: "http://www.w3.org/2000/svg", width: 2 * width, height: 2 * height, viewBox: `0 0 ${width} ${height}` };
+  const attributes = { xmlns: "http://www.w3.org/2000/svg", ...SAVED, viewBox: `0 0 ${width} ${height}` };
   const { dx, dy } = offset(orbitAt(orbit, 0));
   const moved = shape("g", { transform: `translate(${dx} ${dy})` }, ...sphere("light"));
   const picture = shape("svg", attributes, shape("title", {}, title), backdrop, ...ground(orbit, mode.oscillates, index, "light"), moved);

@@ -1,5 +1,6 @@
 /** The motion of a mode: ellipses in (x, y), and the picture of a sphere on its substrate. */
 
+import { table } from "../../chart/csv";
 import { INK, type Theme, lineStyle } from "../../chart/palette";
 import { type Shape, round, shape } from "../../chart/scene";
 import { label } from "../../chart/text";
@@ -20,6 +21,16 @@ export function normalised(shape: readonly Pair[]): ModeShape {
 export function orbitAt([x, y]: ModeShape, phase: number): readonly [number, number] {
   const [c, s] = [Math.cos(phase), Math.sin(phase)];
   return [x[0] * c - x[1] * s, y[0] * c - y[1] * s];
+}
+
+/** Points that an orbit is drawn through: both ends are the same place. */
+const DRAWN = 73;
+const phaseAt = (index: number) => (2 * Math.PI * index) / (DRAWN - 1);
+
+/** The orbit as it is drawn, over one turn without growth. */
+export function orbitCsv(mode: ModeShape): string {
+  const rows = Array.from({ length: DRAWN }, (_, i) => [phaseAt(i), ...orbitAt(mode, phaseAt(i))]);
+  return table(["phase (rad)", "x over the largest distance", "y over the largest distance"], rows);
 }
 
 /** Time is slowed so that a mode turns at this rate, or grows e-fold in this time. */
@@ -69,7 +80,7 @@ export function ground(mode: ModeShape, oscillates: boolean, colour: number, the
   const { ink, quiet } = INK[theme];
   const style = lineStyle({ mode: colour }, theme);
   const level = MIDDLE.y + RADIUS - 5;
-  const points = Array.from({ length: 73 }, (_, i) => offset(orbitAt(mode, (i * Math.PI) / 36)));
+  const points = Array.from({ length: DRAWN }, (_, i) => offset(orbitAt(mode, phaseAt(i))));
   const path = points.map(({ dx, dy }, i) => `${i === 0 ? "M" : "L"}${round(MIDDLE.x + dx)} ${round(MIDDLE.y + dy)}`).join("");
   const axes = `M${MIDDLE.x - REACH - 12} ${MIDDLE.y}h${2 * REACH + 24}M${MIDDLE.x} ${MIDDLE.y - REACH - 12}v${2 * REACH + 24}`;
   return [

@@ -2,8 +2,9 @@
 
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { Chart } from "../../chart/Chart";
-import { homeWindow } from "../../chart/frame";
+import { chartFigure } from "../../chart/export";
 import { registerExport } from "../../chart/exports";
+import { homeWindow } from "../../chart/frame";
 import type { ChartSpec } from "../../chart/spec";
 import { type Keep, useView } from "../../state/store";
 import { withFields } from "../../state/view";
@@ -107,7 +108,7 @@ function useExported(title: string, spec: ChartSpec, isOwn: boolean): void {
   const shown = useRef(spec);
   shown.current = spec;
   useEffect(
-    () => (isOwn ? registerExport(title, () => ({ spec: shown.current, window: homeWindow(shown.current), size: SIZE })) : undefined),
+    () => (isOwn ? registerExport(title, () => chartFigure(shown.current, homeWindow(shown.current), SIZE)) : undefined),
     [title, isOwn],
   );
 }

@@ -1,9 +1,10 @@
 /** The structures page: the analyses of a study folder. */
 
-import { useEffect, useState } from "preact/hooks";
+import { useCallback, useEffect, useState } from "preact/hooks";
 import { useView } from "../../state/store";
 import { useApp } from "../../ui/app";
 import { ErrorNote } from "../../ui/ErrorNote";
+import { useCaseFile } from "../../ui/files";
 import { Page } from "../../ui/Page";
 import { RequestError, asRequestError, isAbort } from "../../wire/request";
 import { AnalysisList, Warnings } from "./AnalysisList";
@@ -16,7 +17,7 @@ import { SpectrogramView } from "./SpectrogramView";
 import { signalsOf } from "./march";
 import { SPECTROGRAM } from "./spectrogram";
 import { pickedAnalysis } from "./state";
-import { type Study, type StudyAnalysis, fetchStudy, hasVariables, variable } from "./study";
+import { type Study, type StudyAnalysis, fetchStudy, fetchStudyCase, hasVariables, variable } from "./study";
 import "./structures.css";
 
 export function StructuresPage() {
@@ -65,6 +66,8 @@ interface AnalysisProps {
 }
 
 function Analysis({ study, analysis }: AnalysisProps) {
+  const { name } = analysis;
+  useCaseFile(useCallback(() => ({ of: name, text: fetchStudyCase(name) }), [name]));
   const took = analysis.seconds === null ? "" : `, took ${Number(analysis.seconds.toPrecision(3))} s`;
   return (
     <section aria-label={analysis.name} data-analysis={analysis.name} data-kind={analysis.kind}>

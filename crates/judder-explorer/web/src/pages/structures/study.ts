@@ -1,6 +1,6 @@
 /** What a study folder holds, as the server tells it. */
 
-import { getJson } from "../../wire/request";
+import { getJson, postText } from "../../wire/request";
 
 export interface StudyVariable {
   readonly name: string;
@@ -35,6 +35,9 @@ export interface Study {
 }
 
 export const fetchStudy = (signal?: AbortSignal) => getJson<Study>("/api/study", signal);
+
+/** The text of the case file of one analysis, with what it is made of. */
+export const fetchStudyCase = (analysis: string) => postText("/api/study/case", { analysis });
 
 export function variable(analysis: StudyAnalysis, name: string): StudyVariable | undefined {
   return analysis.variables.find((variable) => variable.name === name);

@@ -22,7 +22,7 @@ pub(crate) async fn answer(State(site): SharedSite) -> Json<Value> {
     Json(json!({
         "version": env!("CARGO_PKG_VERSION"),
         "title": resolved["title"],
-        "case": base.map(|base| json!({ "name": base.name, "model": base.case.model(), "text": base.text })),
+        "case": base.map(|base| json!({ "name": base.name, "file": base.origin, "model": base.case.model(), "text": base.text })),
         "keys": KEYS.iter().map(|entry| key(entry, base.is_some_and(|base| takes(base, entry)))).collect::<Vec<_>>(),
         "values": values,
         "laws": LawName::ALL.map(|(name, _)| name),

@@ -2,7 +2,7 @@
 
 import { copyFileSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import { at, downloaded, expect, judder, studies as test } from "./explorer";
+import { ROOT, at, downloaded, expect, judder, studies as test } from "./explorer";
 
 test.describe("a sliding case", () => {
   test.use({ subject: async ({ sliding }, use) => use([sliding.folder]) });
@@ -56,5 +56,16 @@ test.describe("a structure", () => {
     await expect(page.locator("canvas").first()).toBeVisible();
     await page.getByRole("button", { name: "Top" }).click();
     await expect(page).toHaveURL(/look=/);
+  });
+});
+
+test.describe("a case that is only looked at in its results", () => {
+  test.use({ subject: [join(ROOT, "cases/benchmarks/belt.toml")] });
+
+  test("says how to get them", async ({ explorer }) => {
+    await explorer.open("/");
+    const main = explorer.page.locator("main");
+    await expect(main).toContainText("A case of model “belt” is looked at in the results of a run.");
+    await expect(main).toContainText(/judder run \S*belt\.toml, then judder explore out\/belt\./);
   });
 });

@@ -31,7 +31,7 @@ export interface Key {
 export interface Session {
   readonly version: string;
   readonly title: string;
-  readonly case: { readonly name: string; readonly model: string; readonly text: string } | null;
+  readonly case: { readonly name: string; readonly file?: string; readonly model: string; readonly text: string } | null;
   readonly keys: readonly Key[];
   readonly laws: readonly string[];
   /** Values of the case as it was opened; null where it has no keys to move. */

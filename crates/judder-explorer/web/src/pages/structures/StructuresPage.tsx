@@ -6,6 +6,7 @@ import { useApp } from "../../ui/app";
 import { ErrorNote } from "../../ui/ErrorNote";
 import { useCaseFile } from "../../ui/files";
 import { Page } from "../../ui/Page";
+import type { Session } from "../../wire/api";
 import { RequestError, asRequestError, isAbort } from "../../wire/request";
 import { AnalysisList, Warnings } from "./AnalysisList";
 import { GenericView } from "./GenericView";
@@ -29,11 +30,7 @@ export function StructuresPage() {
   return (
     <Page title="Structures" panel={false}>
       <ErrorNote error={error} />
-      {session.study === null && (
-        <p>
-          No study is open. Run <code>judder run CASE.toml</code>, then <code>judder explore FOLDER</code> with the folder that it wrote.
-        </p>
-      )}
+      {session.study === null && <NoStudy of={session.case} />}
       {session.study !== null && !study && !error && <p role="status">Opening the study…</p>}
       {study && (
         <div class="structures">
@@ -45,6 +42,19 @@ export function StructuresPage() {
         </div>
       )}
     </Page>
+  );
+}
+
+/** How to get a study to look at: of which case, where one is open. */
+function NoStudy({ of }: { readonly of: Session["case"] }) {
+  const isLive = of === null || of.model === "oscillator" || of.model === "contact";
+  return (
+    <>
+      <p>No study is open.{!isLive && ` A case of model “${of.model}” is looked at in the results of a run.`}</p>
+      <p>
+        Run <code>judder run {of?.file ?? "CASE.toml"}</code>, then <code>judder explore {of ? `out/${of.name}` : "FOLDER"}</code>.
+      </p>
+    </>
   );
 }
 

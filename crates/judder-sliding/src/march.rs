@@ -257,36 +257,13 @@ impl<'a> March<'a> {
         let scheme = method.scheme();
         let initial = motion.initial_damping.map(|damping| (damping.alpha, damping.beta));
         let step_limit = scheme::step_limit(pair, scheme, initial, [motion.start, motion.end])?;
-        let observed = observed_rows(pair)?;
-        let own_rows = [2, 2 * pair.edge().stencil_nodes()];
         let drive = motion.at(0.0);
         let damping = damping(pair, &motion, drive.initial_damping);
-        let bodies = [pair.slider().body.modes(), pair.modes()];
-        let eigenvalues = pair.eigenvalues();
-        let recurrences: Vec<Recurrence> = eigenvalues
-            .iter()
-            .zip(pair.damping())
-            .zip(&damping)
-            .map(|((v, own), d)| scheme.while_damped(step, *v, own, *d))
-            .collect();
-        let moving = |from: usize, to: usize| {
-            let count = eigenvalues[from..to].iter().filter(|value| scheme.moves(**value)).count();
-            &recurrences[from..from + count]
-        };
-        let mut slider = Oscillators::new(moving(0, bodies[0]), own_rows[0] + observed[0]);
-        let mut track = Oscillators::new(moving(bodies[0], bodies[1]), own_rows[1] + observed[1]);
-        slider.set_row(0, &pair.slider().contact.rows[0]);
-        slider.set_row(1, &pair.slider().contact.rows[1]);
-        let mut places = own_rows;
-        for point in pair.observed() {
-            let (body, k) = if point.side == Side::Slider { (&mut slider, 0) } else { (&mut track, 1) };
-            body.set_row(places[k], &point.row);
-            places[k] += 1;
-        }
+        let [slider, mut track] = oscillators(pair, scheme, step, &damping)?;
         let push_factors =
             (0..slider.modes()).map(|mode| slider.recurrence(mode).on_steady_force()).collect();
-        let factors: Vec<f64> =
-            eigenvalues.iter().zip(pair.damping()).map(|(v, own)| scheme.at_once(step, *v, own)).collect();
+        let modes = pair.eigenvalues().into_iter().zip(pair.damping());
+        let factors: Vec<f64> = modes.map(|(v, own)| scheme.at_once(step, v, own)).collect();
         let compliance = Compliance::new(pair, &factors);
         let static_path = if method == (Method::Subs { static_slope: true }) {
             let sliding = Sliding::at(pair.friction(), motion.velocity);
@@ -342,6 +319,35 @@ fn damping(pair: &Pair, motion: &Motion, share: f64) -> Vec<f64> {
     let of =
         |body: &Body| (0..body.modes()).map(|mode| damping_of(share, motion, body, mode)).collect::<Vec<_>>();
     [of(&pair.slider().body), of(&pair.track().body)].concat()
+}
+
+/// Slider and track as the modes that move, with rows for the contact and behind them those of the observed displacements.
+fn oscillators(
+    pair: &Pair,
+    scheme: Scheme,
+    step: f64,
+    damping: &[f64],
+) -> Result<[Oscillators; 2], SlidingError> {
+    let observed = observed_rows(pair)?;
+    let (eigenvalues, slider_modes) = (pair.eigenvalues(), pair.slider().body.modes());
+    let modes = eigenvalues.iter().zip(pair.damping()).zip(damping);
+    let recurrences: Vec<Recurrence> =
+        modes.map(|((v, own), d)| scheme.while_damped(step, *v, own, *d)).collect();
+    let moving = |from: usize, to: usize| {
+        let count = eigenvalues[from..to].iter().filter(|value| scheme.moves(**value)).count();
+        &recurrences[from..from + count]
+    };
+    let mut places = [2, 2 * pair.edge().stencil_nodes()];
+    let mut slider = Oscillators::new(moving(0, slider_modes), places[0] + observed[0]);
+    let mut track = Oscillators::new(moving(slider_modes, pair.modes()), places[1] + observed[1]);
+    slider.set_row(0, &pair.slider().contact.rows[0]);
+    slider.set_row(1, &pair.slider().contact.rows[1]);
+    for point in pair.observed() {
+        let (body, k) = if point.side == Side::Slider { (&mut slider, 0) } else { (&mut track, 1) };
+        body.set_row(places[k], &point.row);
+        places[k] += 1;
+    }
+    Ok([slider, track])
 }
 
 /// How far a displacement of the slider yields in the modes that do not move, under a unit load, m/N, and a unit acceleration of the

@@ -75,11 +75,13 @@ pub enum FitError {
         function: &'static str,
     },
     /// Levenberg–Marquardt did not settle from any start.
-    #[error("{function}: the fit did not converge: {reason}")]
+    #[error(
+        "{function}: the fit did not converge: {reason}; the samples do not follow this function, take a narrower range of depths and speeds"
+    )]
     NotConverged {
         /// Which of the functions.
         function: &'static str,
-        /// What the method said.
+        /// Why the method gave up.
         reason: String,
     },
 }

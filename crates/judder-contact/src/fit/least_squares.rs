@@ -1,7 +1,7 @@
 //! Weighted non-linear least squares with standard errors and confidence intervals.
 
 use super::FitError;
-use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
+use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
 use nalgebra::storage::Owned;
 use nalgebra::{DMatrix, DVector, Dyn};
 use statrs::distribution::{ContinuousCDF, StudentsT};
@@ -11,6 +11,9 @@ const UPPER_END: f64 = 0.975;
 
 /// Factors of the start values that are tried; the best fit of all is taken.
 const STARTS: [f64; 4] = [1.0, 0.6, 1.6, 0.3];
+
+/// Evaluations of all residuals for each coefficient, and once more, at most.
+const PATIENCE: usize = 400;
 
 /// A value to fit, without its power of ŷ.
 #[derive(Debug, Clone, Copy)]
@@ -148,16 +151,28 @@ pub(super) fn fit_function<const N: usize>(
     for factor in STARTS {
         let coefficients = start.map(|value| factor * value);
         let problem = Problem { data, function, coefficients, per_scale: 1.0 / largest };
-        let (problem, report) = LevenbergMarquardt::new().with_patience(400).minimize(problem);
+        let (problem, report) = LevenbergMarquardt::new().with_patience(PATIENCE).minimize(problem);
         let objective = report.objective_function;
         if !report.termination.was_successful() || !objective.is_finite() {
-            reason = format!("{:?}", report.termination);
+            reason = in_words(&report.termination);
         } else if best.as_ref().is_none_or(|(least, _)| objective < *least) {
             best = Some((objective, problem));
         }
     }
     let (_, problem) = best.ok_or(FitError::NotConverged { function: name, reason })?;
     statistics(name, &problem)
+}
+
+/// Why the method gave up.
+fn in_words(reason: &TerminationReason) -> String {
+    match reason {
+        TerminationReason::LostPatience => {
+            format!("the coefficients still move after {PATIENCE} evaluations for each of them")
+        }
+        TerminationReason::NoImprovementPossible(_) => "no step comes nearer to the samples".to_owned(),
+        TerminationReason::Numerical(what) => format!("{what}: not finite"),
+        other => format!("{other:?}"),
+    }
 }
 
 /// Standard errors from s²(JᵀJ)⁻¹, intervals from Student's t, r².

@@ -156,4 +156,12 @@ fn what_cannot_be_fitted_is_refused() {
     ));
     let same: Vec<FitSample> = good.iter().map(|_| good[0]).collect();
     assert!(matches!(fit(&same), Err(FitError::Undetermined { .. })));
+    // a force that rises evenly with the logarithm of the speed has no transition to place
+    let even = good.iter().map(|s| {
+        let force = (5.0 + s.velocity.log10()) * s.indentation.powf(1.5);
+        FitSample { values: PerQuantity { force, ..s.values }, ..*s }
+    });
+    let error = fit(&even.collect::<Vec<_>>()).unwrap_err();
+    assert!(matches!(error, FitError::NotConverged { .. }), "{error}");
+    assert!(error.to_string().contains("the coefficients still move after"), "{error}");
 }

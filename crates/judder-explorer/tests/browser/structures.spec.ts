@@ -56,6 +56,13 @@ test.describe("a structure", () => {
     await expect(page.locator("canvas").first()).toBeVisible();
     await page.getByRole("button", { name: "Top" }).click();
     await expect(page).toHaveURL(/look=/);
+    // keys that follow one another are undone at once
+    const around = page.getByRole("slider", { name: "Around" });
+    await around.focus();
+    for (let step = 0; step < 3; step += 1) await around.press("ArrowRight");
+    await expect(around).toHaveValue("15");
+    await page.getByRole("button", { name: "Undo" }).click();
+    await expect(around).toHaveValue("0");
   });
 });
 

@@ -1,15 +1,17 @@
 /** How large the shape is drawn, at which moment of its swing, and from where it is seen. */
 
+import type { Keep } from "../../state/store";
+import { useHand } from "../../ui/hand";
 import { LARGEST_SCALE, type Look } from "./state";
 
 interface ScaleAndPhaseProps {
   readonly scale: number;
-  readonly onScale: (scale: number, keep: "drag" | "push") => void;
+  readonly onScale: (scale: number, keep: Keep) => void;
   readonly phase: number;
   readonly onPhase: (phase: number) => void;
   readonly playing: boolean;
   readonly look: Look;
-  readonly onLook: (look: Look, keep: "drag" | "push") => void;
+  readonly onLook: (look: Look, keep: Keep) => void;
 }
 
 const ANGLES = [
@@ -17,45 +19,55 @@ const ANGLES = [
   ["elevation", "Above", 90],
 ] as const;
 
-const number = (event: Event) => Number((event.currentTarget as HTMLInputElement).value);
-
 export function ScaleAndPhase({ scale, onScale, phase, onPhase, playing, look, onLook }: ScaleAndPhaseProps) {
   const degrees = Math.round((phase * 180) / Math.PI) % 360;
   return (
     <div class="shape-sliders">
-      <label>
-        <span>Scale</span>
-        <input
-          type="range"
-          min={0}
-          max={LARGEST_SCALE}
-          step={0.05}
-          value={scale}
-          onInput={(event) => onScale(number(event), "drag")}
-          onChange={(event) => onScale(number(event), "push")}
-        />
-        <output>× {scale}</output>
-      </label>
-      <label>
-        <span>Phase</span>
-        <input type="range" min={0} max={359} step={1} value={degrees} onInput={(event) => onPhase((number(event) * Math.PI) / 180)} aria-label={playing ? "Phase (stops the motion)" : "Phase"} />
-        <output>{degrees}°</output>
-      </label>
-      {ANGLES.map(([name, words, most]) => (
-        <label key={name}>
-          <span>{words}</span>
-          <input
-            type="range"
-            min={-most}
-            max={most}
-            step={5}
-            value={look[name]}
-            onInput={(event) => onLook({ ...look, [name]: number(event) }, "drag")}
-            onChange={(event) => onLook({ ...look, [name]: number(event) }, "push")}
-          />
-          <output>{look[name]}°</output>
-        </label>
+      <Slider name="Scale" range={[0, LARGEST_SCALE, 0.05]} value={scale} shown={`× ${scale}`} onMove={onScale} />
+      <Slider
+        name="Phase"
+        spoken={playing ? "Phase (stops the motion)" : "Phase"}
+        range={[0, 359, 1]}
+        value={degrees}
+        shown={`${degrees}°`}
+        onMove={(degrees) => onPhase((degrees * Math.PI) / 180)}
+      />
+      {ANGLES.map(([angle, name, most]) => (
+        <Slider key={angle} name={name} range={[-most, most, 5]} value={look[angle]} shown={`${look[angle]}°`} onMove={(value, keep) => onLook({ ...look, [angle]: value }, keep)} />
       ))}
     </div>
+  );
+}
+
+interface SliderProps {
+  readonly name: string;
+  /** Its name for a screen reader, where that says more. */
+  readonly spoken?: string;
+  /** From, to, in steps of. */
+  readonly range: readonly [number, number, number];
+  readonly value: number;
+  readonly shown: string;
+  readonly onMove: (value: number, keep: Keep) => void;
+}
+
+function Slider({ name, spoken = name, range: [from, to, step], value, shown, onMove }: SliderProps) {
+  const hand = useHand();
+  const number = (event: Event) => Number((event.currentTarget as HTMLInputElement).value);
+  return (
+    <label>
+      <span>{name}</span>
+      <input
+        type="range"
+        aria-label={spoken}
+        min={from}
+        max={to}
+        step={step}
+        value={value}
+        onInput={(event) => onMove(number(event), "drag")}
+        onChange={(event) => onMove(number(event), hand.keep())}
+        {...hand.on}
+      />
+      <output>{shown}</output>
+    </label>
   );
 }

@@ -13,7 +13,9 @@ pub enum CycleError {
     #[error(transparent)]
     Oscillator(#[from] OscillatorError),
     /// The motion dies out.
-    #[error("the motion comes to steady sliding after a time of {time:.4}: no cycle from this start")]
+    #[error(
+        "the motion comes to steady sliding after a time of {time:.4}; a larger disturbance reaches a cycle if there is one beside it"
+    )]
     ComesToRest {
         /// After which time.
         time: f64,

@@ -20,7 +20,7 @@ describe("numbers as people read them", () => {
   });
 
   it("shows as many digits as stand", () => {
-    expect(rounded(1e-6)).toBe("0.000001");
+    expect([rounded(1e-6), rounded(-4.273272828e-5), rounded(0.001), rounded(0)]).toEqual(["1e-6", "-4.27327e-5", "0.001", "0"]);
     expect(rounded(2.34238255213093e-7)).toBe("2.34238e-7");
   });
 

@@ -1,6 +1,7 @@
 /** Frame, grid, ticks and labels of a chart. */
 
 import type { Frame } from "./frame";
+import { widthOf } from "./markup";
 import { INK, type Theme } from "./palette";
 import { type Shape, round, shape } from "./scene";
 import { type ChartSpec, isRaster } from "./spec";
@@ -43,14 +44,21 @@ export function drawAxes(spec: ChartSpec, frame: Frame, theme: Theme): Shape[] {
     label(tick.label, { x: left - 7, y: frame.py(tick.value) + 4, size: SMALL_SIZE, colour: ink, anchor: "end" }),
   );
   const place = { size: LABEL_SIZE, colour: ink, anchor: "middle" } as const;
+  const [along, up] = [withPower(spec.x.label, frame.xTicks.exponent), withPower(spec.y.label, frame.yTicks.exponent)];
   return [
     shape("rect", { x: left, y: top, width, height, fill: "none", stroke: ink, "stroke-width": 1 }),
     shape("path", { d: marks.join(""), stroke: onAreas, "stroke-width": 1, fill: "none" }),
     ...xLabels,
     ...yLabels,
-    label(withPower(spec.x.label, frame.xTicks.exponent), { ...place, x: left + width / 2, y: bottom + 40 }),
-    label(withPower(spec.y.label, frame.yTicks.exponent), { ...place, x: LABEL_SIZE + 1, y: top + height / 2, turn: -90 }),
+    label(along, { ...place, x: onPaper(along, left + width / 2, frame.paper.width), y: bottom + 40 }),
+    label(up, { ...place, x: LABEL_SIZE + 1, y: onPaper(up, top + height / 2, frame.paper.height), turn: -90 }),
   ];
+}
+
+/** The middle of an axis label: that of its axis, or as near to it as the paper lets a long one come. */
+export function onPaper(text: string, middle: number, paper: number): number {
+  const half = Math.min((widthOf(text) * LABEL_SIZE) / 2, paper / 2);
+  return Math.min(Math.max(middle, half), paper - half);
 }
 
 /** Labels that keep this distance in pixels from the one before. */

@@ -17,6 +17,8 @@ export interface Frame {
   readonly top: number;
   readonly width: number;
   readonly height: number;
+  /** The whole picture. */
+  readonly paper: Size;
   readonly window: Window;
   readonly xTicks: Ticks;
   readonly yTicks: Ticks;
@@ -67,6 +69,7 @@ export function frameOf(spec: ChartSpec, window: Window, size: Size, entries: re
     top,
     width,
     height,
+    paper: size,
     window: shown,
     xTicks: ticks(spec.x.scale, shown.x, width / ACROSS),
     yTicks: ticks(spec.y.scale, shown.y, height / UP),

@@ -9,11 +9,15 @@ export interface Reading {
   readonly value: string;
 }
 
+/** A number as it is written: one that would begin with zeros by its power of ten, as `judder point` prints it. */
+export function written(value: number): string {
+  return value !== 0 && Math.abs(value) < 1e-3 ? value.toExponential() : String(value);
+}
+
 /** A number in a few digits, for reading; exact values stand elsewhere. */
-export function brief(value: number): string {
+export function brief(value: number, digits = 5): string {
   if (!Number.isFinite(value)) return "—";
-  const text = String(Number(value.toPrecision(5)));
-  return text.replace("-", "−").replace("e-", "e−");
+  return written(Number(value.toPrecision(digits))).replaceAll("-", "−");
 }
 
 /** The axes' values at the cursor, and of every curve the point that is nearest along x. */

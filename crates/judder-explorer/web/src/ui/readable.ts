@@ -1,5 +1,7 @@
 /** Numbers as people read them: six digits, and a unit of their own size. */
 
+import { written } from "../chart/readout";
+
 /** Digits that are shown. */
 const DIGITS = 6;
 
@@ -27,7 +29,7 @@ export function readable(value: number, unit = "1"): Readable {
 
 /** Rounded to the digits that are shown. */
 export function rounded(value: number): string {
-  return String(Number(value.toPrecision(DIGITS)));
+  return written(Number(value.toPrecision(DIGITS)));
 }
 
 /** What a unit with a prefix is, in the unit without. */

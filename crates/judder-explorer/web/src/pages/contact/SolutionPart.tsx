@@ -2,6 +2,7 @@
 
 import { useMemo } from "preact/hooks";
 import { Chart } from "../../chart/Chart";
+import { written } from "../../chart/readout";
 import { CONTACT_ACCURACIES } from "../../state/fields";
 import { withFields } from "../../state/view";
 import { useApp } from "../../ui/app";
@@ -80,7 +81,10 @@ function SolutionTools({ contact, analysis, isLine }: ToolsProps) {
   const { store } = useApp();
   const { state, derived } = contact;
   const key: Loading["key"] = state.loading?.key ?? "indentation";
-  const shown = (name: string) => (analysis ? String(analysis[name]) : "");
+  const shown = (name: string) => {
+    const value = analysis?.[name] ?? "";
+    return typeof value === "number" ? written(value) : String(value);
+  };
   const press = (loading: Loading | null) => store.update((view) => withLoading(view, loading));
   const changeKey = (event: Event) => {
     const next = (event.currentTarget as HTMLSelectElement).value === "load" ? "load" : "indentation";

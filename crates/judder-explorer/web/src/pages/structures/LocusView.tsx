@@ -2,6 +2,7 @@
 
 import { useMemo } from "preact/hooks";
 import type { Cursor } from "../../chart/interaction";
+import { brief } from "../../chart/readout";
 import { type Keep, useView } from "../../state/store";
 import { withFields } from "../../state/view";
 import { useApp } from "../../ui/app";
@@ -109,7 +110,7 @@ function ModesHere({ analysis, locus, at }: DrawnProps) {
   return (
     <div class="shape-columns">
       <ModeTable
-        title={`Eigenvalues at ${at}${locus.unit === "1" ? "" : ` ${locus.unit}`}${note}`}
+        title={`Eigenvalues at ${brief(at, 6)}${locus.unit === "1" ? "" : ` ${locus.unit}`}${note}`}
         modes={modes}
         picked={mode}
         onPick={(index) => store.update((view) => withFields(view, { mode: String(index + 1) }))}

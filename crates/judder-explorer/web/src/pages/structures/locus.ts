@@ -1,6 +1,7 @@
 /** Eigenvalues over a position or a key: what they say, and their charts. */
 
 import type { AreaStyle } from "../../chart/palette";
+import { brief } from "../../chart/readout";
 import type { Axis, BandsLayer, ChartSpec, Layer, LineLayer, PointsLayer } from "../../chart/spec";
 import { type Arrays, numbers } from "./useArrays";
 import { type StudyAnalysis, axisLabel, hasVariables, variable } from "./study";
@@ -255,6 +256,7 @@ function ends(values: Float64Array): readonly [number, number] {
   return first < last ? [first, last] : first > last ? [last, first] : [first - 0.5, first + 0.5];
 }
 
+/** A number in three digits. */
 export function short(value: number): string {
-  return String(Number(value.toPrecision(3))).replace("-", "−");
+  return brief(value, 3);
 }

@@ -3,10 +3,13 @@
 use serde_json::{Map, Value};
 use toml_edit::{ArrayOfTables, DocumentMut, Item};
 
+use crate::anywhere::settle;
 use crate::case_file::{CaseFile, given_error, read_tree};
 use crate::cause::Cause;
 use crate::edited::{self, table_of};
 use crate::error::{CaseError, Fault, Place, Sources};
+use crate::study_sweep::StudySweep;
+use crate::study_sweep::quantity_path::{QuantityPath, QuantitySource};
 
 /// The case of `text` with the options `set`, and with `analysis` in the place of all its analyses and sweeps; `None` keeps them.
 ///
@@ -61,32 +64,47 @@ pub fn contact_case_of(name: &str, text: &str, set: &[String]) -> Result<CaseFil
     })
 }
 
-/// The case of `file` with its options written into it, and of its analyses and sweeps only `name` and what `name` is made of: a
-/// spectrogram of its march and its locus, a sweep of every analysis.
+/// The case of `file` with its options written into it, its files by their whole paths, and of its analyses and sweeps only `name` and what `name` is made of: a
+/// spectrogram of its march and its locus, a sweep of the analyses whose results it keeps.
 ///
 /// # Errors
 /// [`Cause::UnknownName`] where the case has neither an analysis nor a sweep of this name.
 pub fn alone(file: &CaseFile, name: &str) -> Result<CaseFile, CaseError> {
     let analyses = file.case.analysis_names();
     let sweeps: Vec<&str> = file.sweeps.iter().map(|sweep| sweep.name.as_str()).collect();
-    let is_sweep = sweeps.contains(&name);
-    if !is_sweep && !analyses.contains(&name) {
+    if !sweeps.contains(&name) && !analyses.contains(&name) {
         let known = analyses.iter().chain(&sweeps).map(|name| (*name).to_owned()).collect();
         let cause = Cause::UnknownName { what: "analysis or sweep", name: name.to_owned(), known };
         return Err(CaseError::without_place(cause, &file.origin));
     }
-    let needed = [vec![name], file.case.made_of(name)].concat();
+    let taken = match file.sweeps.iter().find(|sweep| sweep.name == name) {
+        Some(sweep) => taken_by_sweep(sweep, &analyses),
+        None => vec![name],
+    };
+    let made_of = taken.iter().flat_map(|name| file.case.made_of(name));
+    let needed: Vec<&str> = taken.iter().copied().chain(made_of).chain([name]).collect();
     let only = |names: &[&str]| names.iter().map(|name| needed.contains(name)).collect::<Vec<_>>();
     let mut document = with_options(&file.origin, &file.text, &file.overrides)?;
     edited::keep(document.as_table_mut(), "sweep", &only(&sweeps));
-    if !is_sweep {
-        edited::keep(document.as_table_mut(), "analysis", &only(&analyses));
-    }
+    edited::keep(document.as_table_mut(), "analysis", &only(&analyses));
+    settle(&mut document, file);
     CaseFile::parse(&file.origin, &document.to_string(), &[])
 }
 
+/// The analyses whose results a sweep keeps; all of them where it sweeps a key of an analysis, which may go by its number.
+fn taken_by_sweep<'a>(sweep: &'a StudySweep, analyses: &[&'a str]) -> Vec<&'a str> {
+    if sweep.axes.iter().any(|axis| axis.path.starts_with("analysis.")) {
+        return analyses.to_vec();
+    }
+    let source = |quantity: &'a QuantityPath| match &quantity.source {
+        QuantitySource::Analysis { name, .. } => Some(name.as_str()),
+        QuantitySource::Point { .. } => None,
+    };
+    sweep.quantities.iter().filter_map(source).collect()
+}
+
 /// The text with the options written into it.
-fn with_options(name: &str, text: &str, set: &[String]) -> Result<DocumentMut, CaseError> {
+pub(crate) fn with_options(name: &str, text: &str, set: &[String]) -> Result<DocumentMut, CaseError> {
     let sources = Sources::new(name, text, set);
     // what cannot be set is refused by the tree, in the same words as ever
     read_tree(name, text, set).map_err(|fault| sources.error(fault))?;

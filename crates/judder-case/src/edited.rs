@@ -129,7 +129,7 @@ pub(crate) fn keep(root: &mut Table, list: &str, kept: &[bool]) {
 }
 
 /// Replaces a value, and keeps the comment behind it.
-fn put(item: &mut Item, mut leaf: Value) {
+pub(crate) fn put(item: &mut Item, mut leaf: Value) {
     if let Item::Value(old) = item {
         *leaf.decor_mut() = old.decor().clone();
     }

@@ -18,11 +18,12 @@
 //! - [`sliding_keys`], [`sliding`]: the sliding case: two structures, their contact, motion and analyses.
 //! - [`key_sweep`], [`study_sweep`]: any number of a case that varies, and `[[sweep]]`, the whole case at many points.
 //! - [`case_file`]: the way in. `resolved`: the way out, canonical JSON for the hash and the report.
-//! - [`mod@compose`]: options, and one analysis, written into the text of a case; one of its analyses alone. `edited`: the text that is edited.
+//! - [`mod@compose`]: options, and one analysis, written into the text of a case; one of its analyses alone. [`mod@anywhere`]: its files by whole paths. `edited`: the text that is edited.
 //! - [`cause`], [`contact_problem`], `help`, `excerpt`, [`error`]: what is wrong, what would be right, where.
 //! - [`mod@schema`], [`mod@template`]: the JSON Schema for editors and the commented cases of `judder new`.
 
 pub mod analysis;
+pub mod anywhere;
 pub mod belt_case;
 pub mod case_file;
 pub mod cause;
@@ -73,6 +74,7 @@ pub mod transient_analysis;
 pub mod two_degrees;
 
 pub use analysis::Analysis;
+pub use anywhere::anywhere;
 pub use belt_case::{BELT_KEYS, BeltCase, BeltInputs, BeltKey};
 pub use case_file::{Case, CaseFile};
 pub use cause::Cause;

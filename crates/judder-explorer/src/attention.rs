@@ -1,6 +1,6 @@
 //! A short computation, and whether its reader is still there: an answer in one piece, while the desk gives streams.
 
-use crate::refusal::Refusal;
+use crate::refusal::{ENDING, Refusal};
 use crate::routes::Site;
 use crate::subject::Subject;
 use axum::http::StatusCode;
@@ -31,7 +31,7 @@ impl Attention {
             return error.into();
         }
         if self.closing.load(Ordering::Relaxed) {
-            return Refusal::interrupted("`judder explore` is ending; start it again".to_owned());
+            return Refusal::interrupted(ENDING.to_owned());
         }
         let seconds = LONGEST.as_secs();
         Refusal::interrupted(format!(

@@ -7,6 +7,9 @@ use judder_case::CaseError;
 use judder_study::StudyError;
 use serde_json::{Value, json};
 
+/// Why a computation is given up with the program.
+pub(crate) const ENDING: &str = "`judder explore` is ending; start it again";
+
 /// A request without an answer.
 #[derive(Debug)]
 pub(crate) struct Refusal {

@@ -1,7 +1,7 @@
 //! A request at work: its frames, its progress, its end.
 
 use crate::frame::Frame;
-use crate::refusal::Refusal;
+use crate::refusal::{ENDING, Refusal};
 use axum::body::Bytes;
 use judder_study::Progress;
 use std::convert::Infallible;
@@ -39,7 +39,7 @@ impl Ended {
                 "this takes longer than the {} s that a page waits; `judder run` takes its time: export the case",
                 LONGEST.as_secs()
             ),
-            Self::Closing => "the program is ending".to_owned(),
+            Self::Closing => ENDING.to_owned(),
             Self::Deserted => "nobody waits for it any more".to_owned(),
         }
     }

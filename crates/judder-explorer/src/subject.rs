@@ -80,20 +80,20 @@ impl Studied {
     fn open(folder: &Path, given: Option<&CaseFile>) -> Result<Self, ExplorerError> {
         let view = StudyView::open(folder)?;
         view.listing()?;
-        // a folder may come from anybody: its case reads what lies in it, and no other file; else the case that was given speaks for it
+        // a folder may come from anybody: its case reads what lies in it, or what the case that was given reads, and no other file
         let is_within = |file: &FileReference| is_within(folder, &file.path);
         let kept = view.case_file().ok().filter(|case| case.case.files().into_iter().all(is_within));
-        let case = kept.or_else(|| given.cloned());
+        let case = kept.or_else(|| given.and_then(|given| beside(&view, given)));
         Ok(Self { view, case, pair: Mutex::default() })
     }
 
-    /// The case that the folder keeps, or, where that cannot be read, the one that was given.
+    /// The case that the folder keeps, its files those of the folder, else those of the case that was given.
     ///
     /// # Errors
-    /// There is neither.
+    /// It keeps none that can be read so.
     pub(crate) fn case(&self) -> Result<&CaseFile, Refusal> {
         self.case.as_ref().ok_or_else(|| {
-            Refusal::missing("the study keeps no case that can be read; give its case file to `judder explore`, with `--study`")
+            Refusal::missing("the study keeps no case that can be read; give the case file that it was run from to `judder explore`, with `--study`")
         })
     }
 
@@ -127,6 +127,14 @@ impl Studied {
         *pair = Some(Arc::clone(&made));
         Ok(made)
     }
+}
+
+/// The case that the folder keeps, where the given one lies, of no other files than that one.
+fn beside(view: &StudyView, given: &CaseFile) -> Option<CaseFile> {
+    let real = |file: &FileReference| file.path.canonicalize().ok();
+    let known: Vec<_> = given.case.files().into_iter().filter_map(real).collect();
+    let is_known = |file: &FileReference| real(file).is_some_and(|path| known.contains(&path));
+    view.case_file_at(&given.origin).ok().filter(|case| case.case.files().into_iter().all(is_known))
 }
 
 /// Whether a file lies in a folder, wherever links lead.

@@ -172,12 +172,19 @@ impl StudyView {
     /// # Errors
     /// [`StudyError::NoResults`] where none was kept; what is wrong with the case.
     pub fn case_file(&self) -> Result<CaseFile, StudyError> {
+        self.case_file_at(&self.reader.path().join(format!("{}.toml", self.name)).to_string_lossy())
+    }
+
+    /// As [`StudyView::case_file`], with the files that it names sought beside a case file of this name.
+    ///
+    /// # Errors
+    /// As of [`StudyView::case_file`].
+    pub fn case_file_at(&self, name: &str) -> Result<CaseFile, StudyError> {
         let kept = Keepsakes::of(&self.summary()?);
         if kept.source.is_empty() {
             return Err(StudyError::NoResults { folder: self.name.clone() });
         }
-        let name = self.reader.path().join(format!("{}.toml", self.name));
-        Ok(CaseFile::parse(&name.to_string_lossy(), &kept.source, &kept.overrides)?)
+        Ok(CaseFile::parse(name, &kept.source, &kept.overrides)?)
     }
 
     fn summary(&self) -> Result<Summary, StudyError> {

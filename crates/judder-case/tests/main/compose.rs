@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use judder_case::{Case, CaseError, CaseFile, alone, compose, contact_case_of};
+use judder_case::{Case, CaseError, CaseFile, alone, anywhere, compose, contact_case_of};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 
@@ -281,7 +281,13 @@ fn an_analysis_alone_is_the_one_of_the_case() {
         for (name, given) in &sweeps {
             let one = alone(&whole, name).unwrap().resolved();
             assert_eq!(named(&one, "sweep"), [(name.clone(), given.clone())], "{}", path.display());
-            assert_eq!(named(&one, "analysis"), analyses, "{}", path.display());
+            // every analysis that it names, and no other
+            let names = |given: &Value| given.to_string();
+            let kept = named(&one, "analysis");
+            assert!(kept.iter().all(|one| analyses.contains(one)), "{} {name}", path.display());
+            let mentioned = |name: &str| names(&given["quantities"]).contains(&format!("\"{name}."));
+            let expected = analyses.iter().filter(|(name, _)| mentioned(name)).count();
+            assert_eq!(kept.len(), expected, "{} {name}", path.display());
             compared += 1;
         }
     }
@@ -312,4 +318,45 @@ fn analyses_of_one_line_are_kept_and_dropped_too() {
     let error = alone(&whole, "spectrun").unwrap_err();
     assert_eq!(error.to_string(), "unknown analysis or sweep `spectrun`");
     assert_eq!(error.cause().help().unwrap(), "did you mean `spectrum`? known: spectrum, from");
+}
+
+/// Matrices in a folder, one of them named as a file beside the case is.
+const OF_MATRICES: &str = r#"title = "K.mtx"
+model = "structure"
+matrices = { folder = "arm", mass = [{ file = "M.mtx" }], stiffness = [{ file = "K.mtx" }] } # measured
+"#;
+
+const OF_MODULI: &str = r#"title = "moduli.csv"
+model = "contact"
+substrate = { dma = { file = "moduli.csv" } } # of the file
+"#;
+
+#[test]
+fn a_case_reads_the_same_files_anywhere() {
+    let (home, elsewhere) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    std::fs::create_dir(home.path().join("arm")).unwrap();
+    for name in ["arm/M.mtx", "arm/K.mtx", "K.mtx", "moduli.csv"] {
+        std::fs::write(home.path().join(name), "").unwrap();
+    }
+    let paths = |file: &CaseFile| {
+        let whole = |file: &&judder_case::FileReference| file.path.canonicalize().unwrap();
+        file.case.files().iter().map(whole).collect::<Vec<_>>()
+    };
+    let named = |folder: &tempfile::TempDir| folder.path().join("case.toml").to_str().unwrap().to_owned();
+    let folder = format!("matrices.folder={}", home.path().join("arm").display());
+    for (text, set, count) in [
+        (OF_MATRICES, vec![], 2),
+        (OF_MATRICES, vec![folder], 2),
+        (OF_MODULI, vec!["indenter.radius=2 mm".to_owned()], 1),
+    ] {
+        let case = CaseFile::parse(&named(&home), text, &set).unwrap();
+        let free = anywhere(&case).unwrap();
+        assert!(CaseFile::parse(&named(&elsewhere), text, &[]).is_err());
+        let moved = CaseFile::parse(&named(&elsewhere), &free.text, &[]).unwrap();
+        assert_eq!((paths(&moved), paths(&moved).len()), (paths(&case), count));
+        assert_eq!(moved.text.lines().next(), text.lines().next());
+        assert!(moved.text.contains("} # ") && !moved.text.contains("/./"), "{}", moved.text);
+    }
+    let plain = CaseFile::parse("case.toml", COMMENTED, &[]).unwrap();
+    assert_eq!(anywhere(&plain).unwrap().text, COMMENTED);
 }

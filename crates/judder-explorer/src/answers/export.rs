@@ -7,9 +7,11 @@ use crate::view::View;
 use axum::extract::State;
 use axum::http::header::CONTENT_TYPE;
 use axum::response::{IntoResponse, Response};
+use judder_case::anywhere;
 
 /// Answers `/api/export`.
 pub(crate) async fn answer(State(site): SharedSite, Asked(view): Asked<View>) -> Result<Response, Refusal> {
-    let text = attended(&site, &site.stools, move |subject, _| Ok(view.case(subject)?.text)).await?;
+    let text =
+        attended(&site, &site.stools, move |subject, _| Ok(anywhere(&view.case(subject)?)?.text)).await?;
     Ok(([(CONTENT_TYPE, "text/plain; charset=utf-8")], text).into_response())
 }

@@ -20,13 +20,23 @@ shear_strength = 0.05
 name = "damping"
 kind = "equivalent-damping"
 sweep = { key = "operation.velocity", from = 1e-5, to = 1e-2, points = 7, scale = "log" }
+
+[[analysis]]
+name = "spectrum"
+kind = "spectrum"
+sweep = { key = "operation.velocity", from = 1e-5, to = 1e-2, points = 3, scale = "log" }
 "#;
+
+/// What the study was run with besides.
+fn set() -> [String; 1] {
+    ["oscillator.coupling=0.9".to_owned()]
+}
 
 /// A folder with a study in it, and a secret beside the study.
 fn desk() -> (TempDir, PathBuf) {
     let desk = tempfile::tempdir().unwrap();
     let folder = desk.path().join("study");
-    let file = CaseFile::parse("small.toml", CASE, &[]).unwrap();
+    let file = CaseFile::parse("small.toml", CASE, &set()).unwrap();
     run(&file, &folder, &RunOptions::default(), &Silent).unwrap();
     fs::write(folder.join("tone.wav"), b"RIFF of a tone").unwrap();
     fs::write(desk.path().join("secret.wav"), b"RIFF of a secret").unwrap();
@@ -54,9 +64,16 @@ fn a_study_is_listed_and_its_case_explored() {
 fn the_case_of_an_analysis_is_that_of_the_folder() {
     let (_desk, folder) = desk();
     let served = served(&folder);
-    let answer = served.post("/api/study/case", &json!({ "analysis": "damping" }));
-    let case = CaseFile::parse("exported.toml", &answer.text(), &[]).unwrap();
-    assert_eq!(case.resolved(), CaseFile::parse("small.toml", CASE, &[]).unwrap().resolved());
+    let exported = |name: &str| {
+        let answer = served.post("/api/study/case", &json!({ "analysis": name }));
+        CaseFile::parse("exported.toml", &answer.text(), &[]).unwrap()
+    };
+    let whole = CaseFile::parse("small.toml", CASE, &set()).unwrap();
+    for (index, name) in ["damping", "spectrum"].into_iter().enumerate() {
+        let (case, mut expected) = (exported(name), whole.resolved());
+        expected["analysis"] = json!([expected["analysis"][index]]);
+        assert_eq!(case.resolved(), expected, "{name}");
+    }
     let missing = served.post("/api/study/case", &json!({ "analysis": "dampin" }));
     assert_eq!((missing.status, missing.error().contains("did you mean `damping`?")), (422, true));
     assert_eq!(served.post("/api/study/case", &json!({ "analysis": "damping", "set": [] })).status, 400);
@@ -138,6 +155,38 @@ fn without_a_study_there_is_none() {
     let (_desk, folder) = desk();
     let frames = self::served(&folder).post("/api/study/shapes", &shapes).frames();
     assert!(frames[0].header["error"]["message"].as_str().unwrap().contains("sliding case"), "{frames:?}");
+}
+
+/// A material of measured moduli, which lie beside the case.
+fn measured(points: usize) -> String {
+    format!(
+        "model = \"contact\"\nsubstrate = {{ dma = {{ file = \"moduli.csv\", terms = 3 }} }}\n\
+         [[analysis]]\nkind = \"modulus\"\nfrequency = {{ from = 1.0, to = 1e4, points = {points} }}\n"
+    )
+}
+
+#[test]
+fn a_study_speaks_for_itself_where_the_given_case_reads_the_same_files() {
+    let desk = tempfile::tempdir().unwrap();
+    let moduli = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/tutorials/rubber-dma.csv");
+    fs::copy(&moduli, desk.path().join("moduli.csv")).unwrap();
+    let put = |name: &str, text: &str| {
+        let path = desk.path().join(name);
+        fs::write(&path, text).unwrap();
+        path
+    };
+    let (ran, given) = (put("ran.toml", &measured(5)), put("given.toml", &measured(9)));
+    let folder = desk.path().join("study");
+    run(&CaseFile::read(&ran, &[]).unwrap(), &folder, &RunOptions::default(), &Silent).unwrap();
+    let wanted = json!({ "analysis": "modulus" });
+    assert_eq!(served(&folder).post("/api/study/case", &wanted).status, 404, "its file lies elsewhere");
+    // the case that was given says where the files are, not what was run
+    let text = Served::of(Some(&given), Some(&folder)).post("/api/study/case", &wanted).text();
+    let exported = CaseFile::parse("/nowhere/exported.toml", &text, &[]).unwrap();
+    assert!(text.contains("points = 5") && exported.case.files()[0].path.ends_with("moduli.csv"), "{text}");
+    // one that reads other files says nothing of this study
+    let other = put("other.toml", CASE);
+    assert_eq!(Served::of(Some(&other), Some(&folder)).post("/api/study/case", &wanted).status, 404);
 }
 
 #[test]

@@ -112,7 +112,7 @@ pub(crate) fn point_quantity(name: &str) -> Option<&'static str> {
 
 /// A label without the markup of figures.
 pub(crate) fn plain(label: &str) -> String {
-    label.chars().filter(|c| !"${}_".contains(*c)).collect()
+    label.replace("_{", "").replace(['$', '{', '}'], "")
 }
 
 /// A number for a legend: powers of ten as such, others short.

@@ -76,7 +76,7 @@ pub enum FitError {
     },
     /// Levenberg–Marquardt did not settle from any start.
     #[error(
-        "{function}: the fit did not converge: {reason}; the samples do not follow this function, take a narrower range of depths and speeds"
+        "{function}: the fit did not converge: {reason}; the function may follow a narrower range of depths and speeds"
     )]
     NotConverged {
         /// Which of the functions.

@@ -69,7 +69,7 @@ pub struct FailedPoint {
 
 impl fmt::Display for FailedPoint {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "v τ/R = {:e}, δ/R = {:e}: {}", self.velocity, self.indentation, self.cause)
+        write!(f, "v τ/R = {:.4e}, δ/R = {:.4e}: {}", self.velocity, self.indentation, self.cause)
     }
 }
 

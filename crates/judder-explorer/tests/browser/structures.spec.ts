@@ -27,7 +27,7 @@ test.describe("a sliding case", () => {
     await expect(page.getByRole("heading", { name: /^velocity/ })).toBeVisible();
     await page.getByText("Export", { exact: true }).click();
     const file = await downloaded(page, () => page.getByRole("button", { name: "Case file" }).click());
-    expect(file.name).toMatch(/-velocity\.toml$/);
+    expect(file.name).toMatch(/^falling-friction-velocity\.toml$/);
     expect(readFileSync(file.path, "utf8").match(/^\[\[analysis\]\]/gm)).toHaveLength(1);
     copyFileSync(file.path, join(explorer.folder, "velocity.toml"));
     const results = judder(explorer.folder, "run", "velocity.toml")["results"] as Record<string, unknown>;

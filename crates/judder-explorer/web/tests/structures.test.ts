@@ -13,6 +13,7 @@ import { highestOf, outlines, readLevels } from "../src/pages/structures/spectro
 import { pickedAnalysis, placed, readLook, withAnalysis, withLook, withRange, withWindow } from "../src/pages/structures/state";
 import type { Study, StudyAnalysis, StudyVariable } from "../src/pages/structures/study";
 import { verdictOf, verdictsOf } from "../src/pages/structures/verdicts";
+import { quoted } from "../src/pages/structures/words";
 
 const view: View = { page: "structures", set: {}, fields: {} };
 const variable = (name: string, dimensions: string[], shape: number[], more: Partial<StudyVariable> = {}): StudyVariable => ({
@@ -222,5 +223,11 @@ describe("what has no view of its own", () => {
 
   it("has its scalars told flat", () => {
     expect(flat({ a: 1, b: { c: [1, 2] }, d: [{ e: null }] })).toEqual([["a", 1], ["b.c", "1, 2"], ["d.0.e", null]]);
+  });
+});
+
+describe("a command", () => {
+  it("holds any path", () => {
+    expect([quoted("out/belt"), quoted("my cases/it's.toml")]).toEqual(["out/belt", "'my cases/it'\\''s.toml'"]);
   });
 });

@@ -34,8 +34,8 @@ export function ExportMenu() {
     work().catch((failure) => setError(asRequestError(failure)));
   };
   const saveCase = async () => {
-    const { of = "", text } = currentCaseFile() ?? { text: fetchCaseFile(options(store.view), null) };
-    download(`${fileName(`${session.case?.name ?? "case"} ${of}`)}.toml`, await text, "application/toml");
+    const { name = session.case?.name ?? "case", text } = currentCaseFile() ?? { text: fetchCaseFile(options(store.view), null) };
+    download(`${fileName(name)}.toml`, await text, "application/toml");
   };
   return (
     <details class="menu" ref={menu}>
@@ -51,9 +51,9 @@ export function ExportMenu() {
             ))}
           </div>
         ))}
-        {session.case && (
+        {(session.case || session.study) && (
           <div role="group" aria-label="Case file">
-            <span>This view, for judder run</span>
+            <span>The case of this view</span>
             <button type="button" onClick={attempt(saveCase)}>
               Case file
             </button>

@@ -4,8 +4,8 @@ import { useEffect } from "preact/hooks";
 
 /** The case file of a view. */
 export interface CaseFile {
-  /** What its name adds to that of the case. */
-  readonly of?: string;
+  /** Without its ending; left out, that of the case. */
+  readonly name?: string;
   readonly text: Promise<string>;
 }
 

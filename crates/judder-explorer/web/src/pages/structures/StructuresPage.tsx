@@ -19,6 +19,7 @@ import { signalsOf } from "./march";
 import { SPECTROGRAM } from "./spectrogram";
 import { pickedAnalysis } from "./state";
 import { type Study, type StudyAnalysis, fetchStudy, fetchStudyCase, hasVariables, variable } from "./study";
+import { quoted } from "./words";
 import "./structures.css";
 
 export function StructuresPage() {
@@ -45,14 +46,13 @@ export function StructuresPage() {
   );
 }
 
-/** How to get a study to look at: of which case, where one is open. */
+/** How to get a study to look at; cases with pages of their own do not come here. */
 function NoStudy({ of }: { readonly of: Session["case"] }) {
-  const isLive = of === null || of.model === "oscillator" || of.model === "contact";
   return (
     <>
-      <p>No study is open.{!isLive && ` A case of model “${of.model}” is looked at in the results of a run.`}</p>
+      <p>No study is open.{of && ` A case of model “${of.model}” is looked at in the results of a run.`}</p>
       <p>
-        Run <code>judder run {of?.file ?? "CASE.toml"}</code>, then <code>judder explore {of ? `out/${of.name}` : "FOLDER"}</code>.
+        Run <code>judder run {quoted(of?.file ?? "CASE.toml")}</code>, then <code>judder explore {quoted(of ? `out/${of.name}` : "FOLDER")}</code>.
       </p>
     </>
   );
@@ -77,7 +77,7 @@ interface AnalysisProps {
 
 function Analysis({ study, analysis }: AnalysisProps) {
   const { name } = analysis;
-  useCaseFile(useCallback(() => ({ of: name, text: fetchStudyCase(name) }), [name]));
+  useCaseFile(useCallback(() => ({ name: `${study.name} ${name}`, text: fetchStudyCase(name) }), [study.name, name]));
   const took = analysis.seconds === null ? "" : `, took ${Number(analysis.seconds.toPrecision(3))} s`;
   return (
     <section aria-label={analysis.name} data-analysis={analysis.name} data-kind={analysis.kind}>

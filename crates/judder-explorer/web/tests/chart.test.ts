@@ -4,6 +4,7 @@ import { chartCsv } from "../src/chart/csv";
 import { decimate } from "../src/chart/decimate";
 import { chartSvg } from "../src/chart/export";
 import { homeWindow } from "../src/chart/frame";
+import { drawLegend, legendEntries } from "../src/chart/legend";
 import { CONTACT_STATES, STABILITY, colourAt, hex, lineStyle, rgb } from "../src/chart/palette";
 import { cellsOf, letterPlaces, pixelsOf, valueRange } from "../src/chart/raster";
 import { readings } from "../src/chart/readout";
@@ -162,6 +163,31 @@ describe("exports", () => {
     const long: ChartSpec = { ...curves, layers: [{ kind: "line", label: "", x: ramp, y: ramp.map((t) => Math.sin(t)), role: { series: 0 } }] };
     const svg = await chartSvg(long, homeWindow(long), { width: 800, height: 400 });
     expect(svg.length).toBeLessThan(80_000);
+  });
+});
+
+describe("the legend", () => {
+  const role = "full-boundary";
+  const boundary = { kind: "line", label: "boundary", x: [1e-2, 1], y: [0, 1], role } as const;
+  const now = { kind: "rule", label: "now", across: "x", at: 0.5, role: "decoupled-boundary" } as const;
+  const point = { kind: "points", label: "here", x: [0.5], y: [0.5], role: { series: 1 } } as const;
+  const dark = (layers: ChartSpec["layers"]) => {
+    const spec: ChartSpec = { ...curves, layers };
+    const entries = legendEntries(spec, "dark");
+    return { entries, shapes: drawLegend(entries, 600, "dark", "c") };
+  };
+
+  it("shows lines over a map as they are drawn there, on a light ground", () => {
+    const { entries, shapes } = dark([map, boundary, now, point]);
+    const lines = entries.slice(-3);
+    expect(lines.map(({ line }) => line)).toEqual([lineStyle(role, "light"), lineStyle(now.role, "light"), lineStyle(point.role, "light")]);
+    expect(shapes.filter(({ tag, attributes }) => tag === "rect" && attributes["fill"] === "#ffffff")).toHaveLength(3);
+  });
+
+  it("shows lines over the page's own ground in the theme's colours", () => {
+    const { entries, shapes } = dark([boundary, now, point]);
+    expect(entries.map(({ line }) => line?.colour)).toEqual([boundary, now, point].map(({ role }) => lineStyle(role, "dark").colour));
+    expect(shapes.filter(({ tag }) => tag === "rect")).toEqual([]);
   });
 });
 

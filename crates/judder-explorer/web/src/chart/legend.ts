@@ -4,7 +4,7 @@ import { AREA_OPACITY, DASH_PATTERN, INK, type AreaStyle, type LineStyle, type T
 import { markerShape, patternOver } from "./marks";
 import { widthOf } from "./markup";
 import { type Shape, round, shape } from "./scene";
-import type { ChartSpec } from "./spec";
+import { type ChartSpec, type Layer, isRaster } from "./spec";
 import { SMALL_SIZE, label } from "./text";
 
 export const ROW = 21;
@@ -21,34 +21,40 @@ export interface Entry {
   readonly hasLine?: boolean;
   readonly hasMarker?: boolean;
   readonly hollow?: boolean;
+  /** Whether the line lies over coloured areas, which are light in both themes. */
+  readonly overAreas?: boolean;
 }
 
 /** Entries of a chart, each text once. */
 export function legendEntries(spec: ChartSpec, theme: Theme): readonly Entry[] {
-  const entries = spec.layers.flatMap((layer): Entry[] => {
-    if (layer.kind === "classes") {
-      const present = new Set(layer.codes);
-      return layer.classes.flatMap((area, code) =>
-        present.has(code)
-          ? [{ text: `${layer.letters ? `${area.letter}: ` : ""}${area.legend ?? area.name}`, area, opaque: true, hatched: layer.hatched === true || area.name === "unresolved" }]
-          : [],
-      );
-    }
-    if (layer.label === "" || layer.kind === "values") return [];
-    if (layer.kind === "bands" || layer.kind === "area") return [{ text: layer.label, area: layer.style, hatched: true }];
-    const style = lineStyle(layer.role, theme);
-    const line = layer.kind === "line" && layer.dash ? { ...style, dash: layer.dash } : style;
-    return [
-      {
-        text: layer.label,
-        line,
-        hasLine: layer.kind !== "points",
-        hasMarker: layer.kind === "points" || (layer.kind === "line" && layer.marked === true),
-        hollow: layer.kind === "points" && layer.hollow === true,
-      },
-    ];
-  });
+  const overAreas = spec.layers.some(isRaster);
+  const entries = spec.layers.flatMap((layer) => entriesOf(layer, theme, overAreas));
   return entries.filter((entry, index) => entries.findIndex((other) => other.text === entry.text) === index);
+}
+
+function entriesOf(layer: Layer, theme: Theme, overAreas: boolean): Entry[] {
+  if (layer.kind === "classes") {
+    const present = new Set(layer.codes);
+    return layer.classes.flatMap((area, code) =>
+      present.has(code)
+        ? [{ text: `${layer.letters ? `${area.letter}: ` : ""}${area.legend ?? area.name}`, area, opaque: true, hatched: layer.hatched === true || area.name === "unresolved" }]
+        : [],
+    );
+  }
+  if (layer.label === "" || layer.kind === "values") return [];
+  if (layer.kind === "bands" || layer.kind === "area") return [{ text: layer.label, area: layer.style, hatched: true }];
+  const style = lineStyle(layer.role, overAreas ? "light" : theme);
+  const line = layer.kind === "line" && layer.dash ? { ...style, dash: layer.dash } : style;
+  return [
+    {
+      text: layer.label,
+      line,
+      hasLine: layer.kind !== "points",
+      hasMarker: layer.kind === "points" || (layer.kind === "line" && layer.marked === true),
+      hollow: layer.kind === "points" && layer.hollow === true,
+      overAreas,
+    },
+  ];
 }
 
 const lengthOf = (entry: Entry) => KEY + 6 + widthOf(entry.text) * SMALL_SIZE + GAP;
@@ -85,6 +91,7 @@ export function drawLegend(entries: readonly Entry[], width: number, theme: Them
 function drawKey(entry: Entry, left: number, middle: number, theme: Theme, prefix: string): Shape[] {
   if (entry.area) return drawAreaKey(entry.area, entry, left, middle, theme, prefix);
   const style = entry.line as LineStyle;
+  const ground = shape("rect", { x: left, y: round(middle - 6), width: KEY, height: 12, fill: INK.light.ground });
   const line = shape("line", {
     x1: left,
     x2: left + KEY,
@@ -95,7 +102,7 @@ function drawKey(entry: Entry, left: number, middle: number, theme: Theme, prefi
     "stroke-dasharray": DASH_PATTERN[style.dash].map((length) => round(length * style.width)).join(" "),
   });
   const marker = markerShape(style, left + KEY / 2, middle, 8, entry.hollow === true);
-  return [...(entry.hasLine ? [line] : []), ...(entry.hasMarker ? [marker] : [])];
+  return [...(entry.overAreas && theme === "dark" ? [ground] : []), ...(entry.hasLine ? [line] : []), ...(entry.hasMarker ? [marker] : [])];
 }
 
 function drawAreaKey(area: AreaStyle, entry: Entry, left: number, middle: number, theme: Theme, prefix: string): Shape[] {

@@ -5,7 +5,7 @@ import { decimate } from "../src/chart/decimate";
 import { chartSvg } from "../src/chart/export";
 import { homeWindow } from "../src/chart/frame";
 import { drawLegend, legendEntries } from "../src/chart/legend";
-import { CONTACT_STATES, STABILITY, colourAt, hex, lineStyle, rgb } from "../src/chart/palette";
+import { type AreaStyle, CONTACT_STATES, STABILITY, colourAt, hex, lineStyle, rgb } from "../src/chart/palette";
 import { cellsOf, letterPlaces, pixelsOf, valueRange } from "../src/chart/raster";
 import { readings } from "../src/chart/readout";
 import type { ChartSpec, ClassesLayer, ValuesLayer } from "../src/chart/spec";
@@ -131,7 +131,23 @@ describe("exports", () => {
     expect(lines[0]).toBe("layer,Time t (s),Velocity v (m/s),class");
     expect(lines).toHaveLength(1 + 6 + 1);
     expect(lines[3]).toBe("mechanism,1,0,negative damping");
-    expect(lines[7]).toBe("now,0.5,");
+    expect(lines[7]).toBe("now,0.5,,");
+  });
+
+  it("have a column for ends, and none for classes without a map", () => {
+    const bands = { kind: "bands", label: "stick", from: [1, 4], to: [2, 5], style: STABILITY[1] as AreaStyle } as const;
+    expect(chartCsv({ ...curves, layers: [bands] })).toBe("layer,Time t (s),Velocity v (m/s),end\nstick,1,,2\nstick,4,,5\n");
+    expect(chartCsv({ ...curves, layers: [{ ...bands, across: "y" }] })).toContain("stick,,4,5\n");
+  });
+
+  it("leave out what only helps the eye, and name each line with the key along it", () => {
+    const line = { kind: "line", x: [1, 2], y: [3, 4], role: { series: 0 } } as const;
+    const far = { kind: "bands", label: "stable", from: [-1e200], to: [0], style: STABILITY[0] as AreaStyle, scenery: true } as const;
+    const axisRule = { kind: "rule", label: "", across: "y", at: 0, role: "reference" } as const;
+    const along = { name: "load (N)", values: [10, 20] };
+    const layers = [far, axisRule, { ...line, label: "path", name: "line 1", along }, { ...line, x: [5, 6], label: "", name: "line 2", along }];
+    expect(chartCsv({ ...curves, layers })).toBe("layer,load (N),Time t (s),Velocity v (m/s)\nline 1,10,1,3\nline 1,20,2,4\nline 2,10,5,3\nline 2,20,6,4\n");
+    expect(chartCsv({ ...curves, layers: [axisRule, ...curves.layers] })).toBe(chartCsv(curves));
   });
 
   it("are SVG that stands alone", async () => {

@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { chartCsv } from "../src/chart/csv";
 import { pieces } from "../src/pages/point/branch";
 import { beyond, floquetSpec } from "../src/pages/point/cycle";
 import { eigenSpec, growthAlong, joined, modesOf } from "../src/pages/point/eigen";
@@ -58,7 +59,7 @@ describe("eigenvalues", () => {
       ["mode 2", [0.04, 0], false, 1],
       ["mode 3", [-0.4, 8], true, 3],
     ]);
-    const layer = eigenSpec({ modes: modesOf(four), trail: [], path: null, pathName: "" }).layers.at(-1);
+    const layer = eigenSpec({ modes: modesOf(four), trail: [], path: null, pathName: "", alongName: "" }).layers.at(-1);
     expect(layer).toMatchObject({ label: "mode 3", y: [8, -8] });
   });
 
@@ -73,6 +74,21 @@ describe("eigenvalues", () => {
       for (let i = 1; i < 50; i += 1) expect(Math.hypot((re[i] ?? 0) - (re[i - 1] ?? 0), (im[i] ?? 0) - (im[i - 1] ?? 0))).toBeLessThan(0.06);
     }
     expect(growthAlong(path)[49]).toBeCloseTo(0.49, 12);
+  });
+
+  it("are saved with the name of each line and the value of the key", () => {
+    const path = joined(Float64Array.of(10, 20), Float64Array.of(-0.4, 8, -0.4, -8, -0.3, 7, -0.3, -7), 2);
+    const parts = { modes: modesOf(four), trail: [four], path, pathName: "path along load", alongName: "operation.normal_load (N)" };
+    const [headings, ...rows] = chartCsv(eigenSpec(parts)).trimEnd().split("\n");
+    expect(headings).toBe("layer,operation.normal_load (N),Growth rate Re λ/ωnx,Frequency Im λ/ωnx");
+    expect(rows.slice(0, 4)).toEqual([
+      'path along load: eigenvalue 1,10,-0.4,-8',
+      'path along load: eigenvalue 1,20,-0.3,-7',
+      'path along load: eigenvalue 2,10,-0.4,8',
+      'path along load: eigenvalue 2,20,-0.3,7',
+    ]);
+    expect(rows.filter((row) => row.startsWith("before,"))).toHaveLength(4);
+    expect(rows.filter((row) => row.startsWith(",") || row.includes("e+200"))).toEqual([]);
   });
 });
 

@@ -1,20 +1,26 @@
 /** The data of a chart as CSV: units in the header, numbers with all their digits. */
 
 import { plainText } from "./markup";
-import type { Axis, ChartSpec, Layer, LineLayer, PointsLayer } from "./spec";
+import { type Axis, type ChartSpec, type Layer, type LineLayer, type PointsLayer, type RasterLayer, isRaster } from "./spec";
 
 export function chartCsv(spec: ChartSpec): string {
-  const curves = spec.layers.filter((layer): layer is LineLayer | PointsLayer => layer.kind === "line" || layer.kind === "points");
+  const layers = spec.layers.filter(isData);
+  const curves = layers.filter((layer): layer is LineLayer | PointsLayer => layer.kind === "line" || layer.kind === "points");
   const first = curves[0];
-  const shared = first && curves.length === spec.layers.length && curves.every((curve) => sameNumbers(curve.x, first.x));
-  return shared ? wide(spec, curves) : long(spec);
+  const shared = first && curves.length === layers.length && curves.every((curve) => sameNumbers(curve.x, first.x));
+  return shared ? wide(spec, curves) : long(spec, layers);
+}
+
+/** A rule without a label only guides the eye. */
+function isData(layer: Layer): boolean {
+  return !layer.scenery && (layer.kind !== "rule" || layer.label !== "");
 }
 
 /** Curves over the same values: a column each. */
 function wide(spec: ChartSpec, curves: readonly (LineLayer | PointsLayer)[]): string {
   const unit = unitOf(nameOf(spec.y));
   const headings = curves.map((curve) => {
-    const text = plainText(curve.label);
+    const text = nameOfLayer(curve);
     if (text === "") return nameOf(spec.y);
     return unit === "" ? text : `${text} (${unit})`;
   });
@@ -23,48 +29,63 @@ function wide(spec: ChartSpec, curves: readonly (LineLayer | PointsLayer)[]): st
   return table([nameOf(spec.x), ...headings], rows);
 }
 
+/** One row of a layer: what stands in each column. */
+interface Row {
+  readonly layer: string;
+  readonly x?: Cell;
+  readonly y?: Cell;
+  readonly value?: Cell;
+  readonly end?: Cell;
+  readonly along?: Cell;
+}
+
 /** Everything else: one row a point, with the name of its layer. */
-function long(spec: ChartSpec): string {
-  const rows = spec.layers.flatMap(rowsOf);
-  const map = spec.layers.find((layer) => layer.kind === "classes" || layer.kind === "values");
-  const value = map?.kind === "values" ? plainText(map.label) : "class";
-  const ends = spec.layers.some((layer) => layer.kind === "bands" || layer.kind === "area");
-  const width = ends ? 5 : map ? 4 : 3;
-  const headings = ["layer", nameOf(spec.x), nameOf(spec.y), value, "end"].slice(0, width);
-  return table(headings, rows.map((row) => row.slice(0, width)));
+function long(spec: ChartSpec, layers: readonly Layer[]): string {
+  const map = layers.find(isRaster);
+  const along = layers.flatMap((layer) => (layer.kind === "line" && layer.along ? [layer.along.name] : []))[0];
+  const ends = layers.some((layer) => layer.kind === "bands" || layer.kind === "area");
+  const columns: readonly (readonly [column: keyof Row, heading: string])[] = [
+    ["layer", "layer"],
+    ...(along === undefined ? [] : [["along", along] as const]),
+    ["x", nameOf(spec.x)],
+    ["y", nameOf(spec.y)],
+    ...(map ? [["value", map.kind === "values" ? nameOfLayer(map) : "class"] as const] : []),
+    ...(ends ? [["end", "end"] as const] : []),
+  ];
+  const rows = layers.flatMap(rowsOf).map((row) => columns.map(([column]) => row[column] ?? ""));
+  return table(columns.map(([, heading]) => heading), rows);
 }
 
 type Cell = string | number;
 
-function rowsOf(layer: Layer): Cell[][] {
-  const name = plainText(layer.label);
+function rowsOf(layer: Layer): Row[] {
+  const name = nameOfLayer(layer);
   switch (layer.kind) {
     case "rule":
-      return [layer.across === "x" ? [name, layer.at, ""] : [name, "", layer.at]];
+      return [{ layer: name, [layer.across]: layer.at }];
     case "bands":
-      return Array.from(layer.from, (from, i) => {
-        const place: Cell[] = layer.across === "y" ? ["", from] : [from, ""];
-        return [name, ...place, "", layer.to[i] ?? ""];
-      });
+      return Array.from(layer.from, (from, i) => ({ layer: name, [layer.across ?? "x"]: from, end: layer.to[i] ?? "" }));
     case "area":
-      return Array.from(layer.x, (x, i) => [name, x, layer.lower[i] ?? "", "", layer.upper[i] ?? ""]);
+      return Array.from(layer.x, (x, i) => ({ layer: name, x, y: layer.lower[i] ?? "", end: layer.upper[i] ?? "" }));
     case "line":
+      return Array.from(layer.x, (x, i) => ({ layer: name, x, y: layer.y[i] ?? "", along: layer.along?.values[i] ?? "" }));
     case "points":
-      return Array.from(layer.x, (x, i) => [name, x, layer.y[i] ?? ""]);
+      return Array.from(layer.x, (x, i) => ({ layer: name, x, y: layer.y[i] ?? "" }));
     case "classes":
-      return cells(layer.x, layer.y, (i) => [name, layer.classes[layer.codes[i] as number]?.name ?? ""]);
+      return cells(layer, name, (i) => layer.classes[layer.codes[i] as number]?.name ?? "");
     case "values":
-      return cells(layer.x, layer.y, (i) => [name, layer.values[i] ?? ""]);
+      return cells(layer, name, (i) => layer.values[i] ?? "");
   }
 }
 
-function cells(x: ArrayLike<number>, y: ArrayLike<number>, at: (index: number) => [string, Cell]): Cell[][] {
+function cells({ x, y }: RasterLayer, layer: string, at: (index: number) => Cell): Row[] {
   return Array.from(y, (yValue, row) =>
-    Array.from(x, (xValue, column): Cell[] => {
-      const [name, value] = at(row * x.length + column);
-      return [name, xValue, yValue, value];
-    }),
+    Array.from(x, (xValue, column) => ({ layer, x: xValue, y: yValue, value: at(row * x.length + column) })),
   ).flat();
+}
+
+function nameOfLayer(layer: Layer): string {
+  return layer.name ?? plainText(layer.label);
 }
 
 function nameOf(axis: Axis): string {

@@ -17,6 +17,16 @@ export interface Axis {
 interface Common {
   /** In the legend; an empty label leaves the layer out of it. */
   readonly label: string;
+  /** What it is called in exported data; left out, the label as plain text. */
+  readonly name?: string;
+  /** Only helps the eye: not part of exported data, as rules without a label. */
+  readonly scenery?: boolean;
+}
+
+/** What else is known of each point of a layer: a further column of exported data. */
+export interface Along {
+  readonly name: string;
+  readonly values: ArrayLike<number>;
 }
 
 export interface LineLayer extends Common {
@@ -28,6 +38,7 @@ export interface LineLayer extends Common {
   /** Markers at the points too. */
   readonly marked?: boolean;
   readonly dash?: "solid" | "dashed" | "dash-dotted" | "dotted";
+  readonly along?: Along;
 }
 
 export interface PointsLayer extends Common {

@@ -21,12 +21,16 @@ export function keyName(key: Key): string {
   return (key.path.split(".").at(-1) ?? key.path).replaceAll("_", " ");
 }
 
+/** The header of a column of a key's values. */
+export function keyHeading(axis: KeyAxis, key: Key): string {
+  return `${key.path} (${isDimensional(axis) || key.group === null ? key.unit : key.group})`;
+}
+
 function axisOf(axis: KeyAxis, key: Key, range: Window["x"] | undefined): Axis {
   const name = keyName(key);
   const dimensional = isDimensional(axis);
   const label = `${name.charAt(0).toUpperCase()}${name.slice(1)}  ${signOf(key, dimensional)}`;
-  const unit = dimensional || key.group === null ? key.unit : key.group;
-  return { label, name: `${key.path} (${unit})`, scale: axis.scale, ...(range ? { range } : {}) };
+  return { label, name: keyHeading(axis, key), scale: axis.scale, ...(range ? { range } : {}) };
 }
 
 export function shareText(share: number): string {

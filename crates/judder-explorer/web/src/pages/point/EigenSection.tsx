@@ -9,7 +9,7 @@ import { ErrorNote, unlessSaid } from "../../ui/ErrorNote";
 import { significant, symbolText } from "../../ui/numbers";
 import type { Key, Pair } from "../../wire/api";
 import { homeAxis, isDimensional, valueOnAxis } from "../map/state";
-import { keyName } from "../map/spec";
+import { keyHeading, keyName } from "../map/spec";
 import { type Mode, eigenSpec, growthSpec } from "./eigen";
 import { keyAxisLabel, valueOnAxisOf } from "./keys";
 import { type PointState, pathAnalysis } from "./state";
@@ -32,14 +32,15 @@ export function EigenSection({ state, eigenvalues, modes }: EigenSectionProps) {
   const { along } = state;
   const analysis = useMemo(() => (along ? pathAnalysis(along, session) : null), [along, session]);
   const { path, error } = usePath(options(view), along?.path ?? "", analysis);
-  const spec = useMemo(
-    () => eigenSpec({ modes, trail, path, pathName: along ? `path along ${keyName(along)}` : "" }),
-    [modes, trail, path, along],
-  );
   const axis = along ? homeAxis(along, session) : null;
+  const alongName = along && axis ? keyHeading(axis, along) : "";
+  const spec = useMemo(
+    () => eigenSpec({ modes, trail, path, pathName: along ? `path along ${keyName(along)}` : "", alongName }),
+    [modes, trail, path, along, alongName],
+  );
   const now = along && axis ? valueOnAxisOf(along, axis, values) : null;
   const growth = useMemo(
-    () => (path && along && axis ? growthSpec(path, { label: keyAxisLabel(along, axis), scale: axis.scale }, now) : null),
+    () => (path && along && axis ? growthSpec(path, { label: keyAxisLabel(along, axis), name: alongName, scale: axis.scale }, now) : null),
     [path, along, now, axis?.scale],
   );
   const pick = (cursor: Cursor) => {

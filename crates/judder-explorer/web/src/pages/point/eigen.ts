@@ -2,7 +2,7 @@
 
 import type { AreaStyle } from "../../chart/palette";
 import { type Range, rangeOf } from "../../chart/scale";
-import type { Axis, ChartSpec, Layer, PointsLayer } from "../../chart/spec";
+import type { Axis, ChartSpec, Layer, LineLayer, PointsLayer } from "../../chart/spec";
 import type { Pair } from "../../wire/api";
 
 /** Eigenvalues that belong together: a conjugate pair, or one real value. */
@@ -87,19 +87,21 @@ export interface EigenParts {
   readonly trail: readonly (readonly Pair[])[];
   readonly path: Path | null;
   readonly pathName: string;
+  /** The header of the path's key in exported data. */
+  readonly alongName: string;
 }
 
-export function eigenSpec({ modes, trail, path, pathName }: EigenParts): ChartSpec {
+export function eigenSpec({ modes, trail, path, pathName, alongName }: EigenParts): ChartSpec {
   const both = modes.map((mode): Pair[] => (mode.oscillates ? [mode.value, [mode.value[0], -mode.value[1]]] : [mode.value]));
   const layers: Layer[] = [
-    { kind: "bands", label: "stable half-plane", from: [-FAR], to: [0], style: STABLE },
+    { kind: "bands", label: "stable half-plane", from: [-FAR], to: [0], style: STABLE, scenery: true },
     { kind: "rule", label: "", across: "y", at: 0, role: "reference" },
     { kind: "rule", label: "", across: "x", at: 0, role: "full-boundary" },
   ];
-  path?.lines.forEach(({ re, im }, i) => layers.push({ kind: "line", label: i === 0 ? pathName : "", x: re, y: im, role: { series: 4 }, dash: "solid" }));
   if (path) {
+    layers.push(...pathLayers(path, pathName, alongName));
     const [re, im] = [path.lines.map((line) => line.re[0] as number), path.lines.map((line) => line.im[0] as number)];
-    layers.push({ kind: "points", label: "its start", x: re, y: im, role: { series: 4 }, hollow: true, size: 7 });
+    layers.push({ kind: "points", label: "its start", x: re, y: im, role: { series: 4 }, hollow: true, size: 7, scenery: true });
   }
   layers.push(...trailLayers(trail));
   modes.forEach((mode, i) => {
@@ -114,6 +116,20 @@ export function eigenSpec({ modes, trail, path, pathName }: EigenParts): ChartSp
     y: axis("Frequency Im $λ$/$ω_{nx}$", ranges.y),
     layers,
   };
+}
+
+/** One line in the legend, and a name for each in data. */
+function pathLayers({ along, lines }: Path, label: string, alongName: string): LineLayer[] {
+  return lines.map(({ re, im }, i) => ({
+    kind: "line",
+    label: i === 0 ? label : "",
+    name: `${label}: eigenvalue ${i + 1}`,
+    x: re,
+    y: im,
+    role: { series: 4 },
+    dash: "solid",
+    along: { name: alongName, values: along },
+  }));
 }
 
 const axis = (label: string, range: Range): Axis => ({ label, scale: "linear", range });
@@ -136,7 +152,7 @@ const AGES = 4;
 function trailLayers(trail: readonly (readonly Pair[])[]): PointsLayer[] {
   return Array.from({ length: AGES }, (_, age): PointsLayer => {
     const part = trail.slice(Math.floor((age * trail.length) / AGES), Math.floor(((age + 1) * trail.length) / AGES)).flat();
-    return { kind: "points", label: age === AGES - 1 ? "before" : "", x: part.map(([re]) => re), y: part.map(([, im]) => im), role: "reference", size: 3 + age };
+    return { kind: "points", label: age === AGES - 1 ? "before" : "", name: "before", x: part.map(([re]) => re), y: part.map(([, im]) => im), role: "reference", size: 3 + age };
   }).filter((layer) => layer.x.length > 0);
 }
 

@@ -4,7 +4,7 @@ import { pieces } from "../src/pages/point/branch";
 import { beyond, floquetSpec } from "../src/pages/point/cycle";
 import { eigenSpec, growthAlong, joined, modesOf } from "../src/pages/point/eigen";
 import { collectMotion, merged, spectrumSpec, stretchesOf, strongest } from "../src/pages/point/motion";
-import { normalised, orbitAt, slowed } from "../src/pages/point/orbit";
+import { ground, normalised, orbitAt, orbitCsv, slowed } from "../src/pages/point/orbit";
 import { RATE, type Track, faded, modeTrack, octaveFactor, render, wav } from "../src/pages/point/sound";
 import { branchAnalyses, branchAxis, caseAnalysis, readPoint, withRun } from "../src/pages/point/state";
 import { PAGE_FIELDS } from "../src/state/fields";
@@ -97,6 +97,51 @@ describe("a mode shape", () => {
     const circle = normalised([[3, 0], [0, -3]]);
     expect(orbitAt(circle, 0)[0]).toBeCloseTo(1, 12);
     expect(orbitAt(circle, Math.PI / 2)[1]).toBeCloseTo(1, 12);
+  });
+
+  /** Rows of a mode's file as numbers, and its headings. */
+  const saved = (shape: readonly Pair[], oscillates: boolean) => {
+    const [headings, ...rows] = orbitCsv(normalised(shape), oscillates).trimEnd().split("\n").map((row) => row.split(","));
+    return { headings, rows: rows.map((row) => row.map(Number) as [number, number, number]) };
+  };
+  // x leads y by more than a quarter turn, and is smaller
+  const ellipse: readonly Pair[] = [[0.3, 0.5], [-1.1, 0.4]];
+
+  it("is saved as the real part of its eigenvector at each phase", () => {
+    const { headings, rows } = saved(ellipse, true);
+    expect(headings).toEqual(["phase (rad)", "x over the largest distance", "y into the substrate over the largest distance"]);
+    const real = (i: 0 | 1, phase: number) => (ellipse[i]?.[0] ?? 0) * Math.cos(phase) - (ellipse[i]?.[1] ?? 0) * Math.sin(phase);
+    const turn = Array.from({ length: 3600 }, (_, i) => (i * Math.PI) / 1800);
+    const largest = Math.max(...turn.map((phase) => Math.hypot(real(0, phase), real(1, phase))));
+    for (const [phase, x, y] of rows) {
+      expect(x).toBeCloseTo(real(0, phase) / largest, 4);
+      expect(y).toBeCloseTo(real(1, phase) / largest, 4);
+    }
+    expect([rows[0]?.[0], rows.at(-1)?.[0]]).toEqual([0, 2 * Math.PI]);
+  });
+
+  it("is drawn through the points that are saved, with y downwards", () => {
+    const drawn = ground(normalised(ellipse), true, 0, "light").filter(({ attributes }) => attributes["stroke-width"] === 2);
+    const points = String(drawn[0]?.attributes["d"]).slice(1).split("L").map((pair) => pair.split(" ").map(Number) as [number, number]);
+    const { rows } = saved(ellipse, true);
+    expect(points).toHaveLength(rows.length);
+    points.forEach(([across, down], i) => {
+      expect((across - 120) / 50).toBeCloseTo(rows[i]?.[1] ?? Number.NaN, 3);
+      expect((down - 94) / 50).toBeCloseTo(rows[i]?.[2] ?? Number.NaN, 3);
+    });
+  });
+
+  it("that does not oscillate is saved by the way along its line, not by a phase", () => {
+    for (const line of [[[3, 0], [-4, 0]], [[0, 3], [0, -4]]] as const) {
+      const { headings, rows } = saved(line, false);
+      expect(headings?.[0]).toBe("displacement along the line over the largest");
+      const direction = Math.sign((rows.find(([along]) => along > 0.5) as readonly number[])[1] as number);
+      for (const [along, x, y] of rows) {
+        expect(x).toBeCloseTo(0.6 * direction * along, 10);
+        expect(y).toBeCloseTo(-0.8 * direction * along, 10);
+      }
+      expect(Math.max(...rows.map(([along]) => along))).toBeCloseTo(1, 10);
+    }
   });
 
   it("is slowed by a factor that is the same for growth and frequency", () => {

@@ -92,7 +92,7 @@ function inWords({ value: [re], oscillates }: Mode): string {
 
 /** The picture at the orbit's beginning, in the export menu. */
 function useExported(title: string, orbit: ModeShape, mode: Mode, index: number): void {
-  const figure = () => ({ size: SAVED, svg: async () => pictureFile(title, orbit, mode, index), csv: () => orbitCsv(orbit) });
+  const figure = () => ({ size: SAVED, svg: async () => pictureFile(title, orbit, mode, index), csv: () => orbitCsv(orbit, mode.oscillates) });
   const newest = useRef(figure);
   newest.current = figure;
   useEffect(() => registerExport(title, () => newest.current()), [title]);

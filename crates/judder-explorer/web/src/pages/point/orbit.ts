@@ -27,10 +27,23 @@ export function orbitAt([x, y]: ModeShape, phase: number): readonly [number, num
 const DRAWN = 73;
 const phaseAt = (index: number) => (2 * Math.PI * index) / (DRAWN - 1);
 
-/** The orbit as it is drawn, over one turn without growth. */
-export function orbitCsv(mode: ModeShape): string {
-  const rows = Array.from({ length: DRAWN }, (_, i) => [phaseAt(i), ...orbitAt(mode, phaseAt(i))]);
-  return table(["phase (rad)", "x over the largest distance", "y over the largest distance"], rows);
+/** The orbit as it is drawn, over one turn without growth; of a mode that moves along a line, how far along it instead of the phase. */
+export function orbitCsv(mode: ModeShape, oscillates: boolean): string {
+  const along = alongLine(mode);
+  const rows = Array.from({ length: DRAWN }, (_, i) => {
+    const place = orbitAt(mode, phaseAt(i));
+    return [oscillates ? phaseAt(i) : along(place), ...place];
+  });
+  const first = oscillates ? "phase (rad)" : "displacement along the line over the largest";
+  return table([first, "x over the largest distance", "y into the substrate over the largest distance"], rows);
+}
+
+/** The part of a place in the direction in which the orbit begins or, where it begins at rest, goes. */
+function alongLine(mode: ModeShape): (place: readonly [number, number]) => number {
+  const [begin, quarter] = [orbitAt(mode, 0), orbitAt(mode, Math.PI / 2)];
+  const [x, y] = Math.hypot(...begin) >= Math.hypot(...quarter) ? begin : quarter;
+  const length = Math.max(Math.hypot(x, y), 1e-300);
+  return (place) => (place[0] * x + place[1] * y) / length;
 }
 
 /** Time is slowed so that a mode turns at this rate, or grows e-fold in this time. */

@@ -8,7 +8,7 @@ import { drawLegend, legendEntries } from "../src/chart/legend";
 import { type AreaStyle, CONTACT_STATES, STABILITY, colourAt, hex, lineStyle, rgb } from "../src/chart/palette";
 import { cellsOf, letterPlaces, pixelsOf, valueRange } from "../src/chart/raster";
 import { readings } from "../src/chart/readout";
-import type { ChartSpec, ClassesLayer, ValuesLayer } from "../src/chart/spec";
+import type { ChartSpec, ClassesLayer, Layer, ValuesLayer } from "../src/chart/spec";
 
 const axis = (label: string, scale: "log" | "linear" = "linear") => ({ label, scale });
 const count = 20_000;
@@ -218,8 +218,20 @@ describe("axis labels", () => {
 });
 
 describe("the cursor", () => {
-  it("reads the nearest point of every curve", () => {
-    const texts = readings(curves, { x: 0.11, y: 5 }).map(({ label, value }) => `${label}: ${value}`);
-    expect(texts).toEqual(["Time $t$ (s): 0.11", "Velocity $v$ (m/s): 5", "speed, x: —", "y: 2"]);
+  const at = (spec: ChartSpec, x: number, y: number) => readings(spec, { x, y }).map(({ label, value }) => `${label}: ${value}`);
+
+  it("reads the nearest point of every curve, and says where that is", () => {
+    expect(at(curves, 0.11, 5)).toEqual(["Time $t$ (s): 0.11", "Velocity $v$ (m/s): 5", "values at: 0.1", "speed, x: —", "y: 2"]);
+    const [first] = curves.layers;
+    const other = { kind: "line", label: "z", x: [0, 0.12], y: [7, 8], role: { series: 2 } } as const;
+    expect(at({ ...curves, layers: [first as Layer, other] }, 0.19, 5).slice(2)).toEqual(["speed, x: 0.3 at 0.2", "z: 8 at 0.12"]);
+  });
+
+  it("reads the nearest node of a map in the measure of its axes", () => {
+    const values: ValuesLayer = { kind: "values", label: "E", x: [1, 100], y: [1, 2], values: [1, 2, 3, 4], colours: "sequential", scale: "linear" };
+    const spec: ChartSpec = { title: "", x: axis("x", "log"), y: axis("y"), layers: [values] };
+    expect(at(spec, 20, 1.2)).toEqual(["x: 20", "y: 1.2", "values at: 100, 1", "E: 2"]);
+    expect(at({ ...spec, x: axis("x") }, 20, 1.2).slice(2)).toEqual(["values at: 1, 1", "E: 1"]);
+    expect(at({ ...spec, layers: [{ ...values, x: [] }] }, 20, 1.2)).toHaveLength(2);
   });
 });

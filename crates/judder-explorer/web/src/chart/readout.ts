@@ -1,7 +1,8 @@
 /** What a cursor reads off a chart. */
 
-import { fraction } from "./scale";
-import { type ChartSpec, isRaster } from "./spec";
+import type { ScaleName } from "../wire/api";
+import { fraction, stretch } from "./scale";
+import { type ChartSpec, type Layer, isRaster } from "./spec";
 
 export interface Reading {
   /** Markup. */
@@ -20,37 +21,52 @@ export function brief(value: number, digits = 5): string {
   return written(Number(value.toPrecision(digits))).replaceAll("-", "−");
 }
 
-/** The axes' values at the cursor, and of every curve the point that is nearest along x. */
-export function readings(spec: ChartSpec, cursor: { readonly x: number; readonly y: number }): readonly Reading[] {
+type Point = { readonly x: number; readonly y: number };
+
+/** What a layer says, and the coordinates of its point that says so. */
+interface Told extends Reading {
+  readonly at?: readonly number[];
+}
+
+/** The cursor's place, and what every layer says at its point that is nearest: where that is stands once, if it is the same for all. */
+export function readings(spec: ChartSpec, cursor: Point): readonly Reading[] {
   const axes = [
     { label: spec.x.label, value: brief(cursor.x) },
     { label: spec.y.label, value: brief(cursor.y) },
   ];
-  const layers = spec.layers.flatMap((layer): Reading[] => {
-    if (isRaster(layer)) {
-      const [column, row] = [nearest(layer.x, cursor.x), nearest(layer.y, cursor.y)];
-      if (column < 0 || row < 0) return [];
-      const at = row * layer.x.length + column;
-      if (layer.kind === "values") return [{ label: layer.label, value: brief(layer.values[at] as number) }];
-      return [{ label: layer.label || "class", value: layer.classes[layer.codes[at] as number]?.name ?? "—" }];
-    }
-    if (layer.kind === "bands") {
-      const place = layer.across === "y" ? cursor.y : cursor.x;
-      const within = Array.from(layer.from).some((from, i) => place >= from && place <= (layer.to[i] as number));
-      return within ? [{ label: layer.label, value: "here" }] : [];
-    }
-    if (layer.kind !== "line" || layer.label === "") return [];
-    const at = nearest(layer.x, cursor.x);
-    return at < 0 ? [] : [{ label: layer.label, value: brief(layer.y[at] as number) }];
-  });
-  return [...axes, ...layers];
+  const told = spec.layers.flatMap((layer) => toldBy(layer, spec, cursor));
+  const text = ({ at }: Told) => at?.map((value) => brief(value)).join(", ");
+  const places = new Set(told.filter(({ at }) => at).map(text));
+  const [place] = places;
+  if (place !== undefined && places.size === 1) return [...axes, { label: "values at", value: place }, ...told];
+  return [...axes, ...told.map((one) => (one.at ? { label: one.label, value: `${one.value} at ${text(one)}` } : one))];
 }
 
-/** The index of the value that is nearest, −1 where there is none. */
-export function nearest(values: ArrayLike<number>, wanted: number): number {
+function toldBy(layer: Layer, spec: ChartSpec, cursor: Point): Told[] {
+  if (isRaster(layer)) {
+    const [column, row] = [nearest(layer.x, cursor.x, spec.x.scale), nearest(layer.y, cursor.y, spec.y.scale)];
+    if (column < 0 || row < 0) return [];
+    const index = row * layer.x.length + column;
+    const at = [layer.x[column] as number, layer.y[row] as number];
+    if (layer.kind === "values") return [{ label: layer.label, value: brief(layer.values[index] as number), at }];
+    return [{ label: layer.label || "class", value: layer.classes[layer.codes[index] as number]?.name ?? "—", at }];
+  }
+  if (layer.kind === "bands") {
+    const place = layer.across === "y" ? cursor.y : cursor.x;
+    const within = Array.from(layer.from).some((from, i) => place >= from && place <= (layer.to[i] as number));
+    return within ? [{ label: layer.label, value: "here" }] : [];
+  }
+  if (layer.kind !== "line" || layer.label === "") return [];
+  const index = nearest(layer.x, cursor.x, spec.x.scale);
+  return index < 0 ? [] : [{ label: layer.label, value: brief(layer.y[index] as number), at: [layer.x[index] as number] }];
+}
+
+/** The index of the value that is nearest in the measure of its axis, −1 where there is none. */
+export function nearest(values: ArrayLike<number>, wanted: number, scale: ScaleName = "linear"): number {
+  const place = stretch(scale, wanted);
   let [best, distance] = [-1, Number.POSITIVE_INFINITY];
   for (let i = 0; i < values.length; i += 1) {
-    const away = Math.abs((values[i] as number) - wanted);
+    const away = Math.abs(stretch(scale, values[i] as number) - place);
     if (away < distance) [best, distance] = [i, away];
   }
   return best;

@@ -1,7 +1,7 @@
 /** A contact law over speed and depth, its map and its cuts. */
 
 import { nearest } from "../../chart/readout";
-import { type Range, drawable, rangeOf, stretch } from "../../chart/scale";
+import { type Range, drawable, rangeOf } from "../../chart/scale";
 import type { ChartSpec, Layer } from "../../chart/spec";
 import { type Frame, reals } from "../../wire/frames";
 import type { ContactState, Place, Quantity } from "./state";
@@ -25,8 +25,7 @@ export function lawOf(frame: Frame): Law {
 
 /** The node of the law's grid that is nearest to a place, on logarithmic axes. */
 export function nodeAt(law: Law, place: Place): { row: number; column: number } {
-  const at = (values: Float64Array, value: number) => nearest(values.map((one) => stretch("log", one)), stretch("log", value));
-  return { row: at(law.indentation, place.indentation), column: at(law.velocity, place.velocity) };
+  return { row: nearest(law.indentation, place.indentation, "log"), column: nearest(law.velocity, place.velocity, "log") };
 }
 
 export function rowOf(law: Law, quantity: Quantity, row: number): Float64Array {

@@ -5,9 +5,12 @@ import { beforeEach, describe, expect, it, vi } from "vitest";
 import { Chart } from "../src/chart/Chart";
 import { exportable } from "../src/chart/exports";
 import type { ChartSpec } from "../src/chart/spec";
+import { Results } from "../src/pages/contact/Parts";
+import { ofBefore } from "../src/ui/ErrorNote";
 import { PointValues } from "../src/ui/PointValues";
 import { Value } from "../src/ui/Value";
 import type { Point } from "../src/wire/api";
+import { RequestError, asRequestError } from "../src/wire/request";
 
 const spec: ChartSpec = {
   title: "Growth",
@@ -78,5 +81,26 @@ describe("the values of a point", () => {
     expect(host.querySelector('[data-key="growth_shares.damping.1.0"]')?.textContent).toBe("0.3");
     act(() => render(<PointValues point={point} shares={false} />, host));
     expect(host.querySelector('[data-key="growth_shares.damping.1.0"]')).toBeNull();
+  });
+});
+
+describe("results of values before", () => {
+  const refused = new RequestError("the load is negative", 400, null, null);
+
+  it("say whether the present values are refused or the server is gone", () => {
+    expect(ofBefore(refused)).toContain("refused");
+    expect(ofBefore(asRequestError(new TypeError("fetch failed")))).toBe("Of the values before: the server does not answer.");
+    for (const status of [429, 500, 503]) expect(ofBefore(new RequestError("busy", status, null, null))).not.toMatch(/refused|server/);
+  });
+
+  it("say so beside what a part of a page has computed", () => {
+    const idle = { frame: null, current: false, busy: false, progress: null, stopped: false, start: () => {}, stop: () => {} };
+    const note = (error: RequestError | null) => {
+      act(() => render(<Results computation={{ ...idle, error }}>numbers</Results>, host));
+      return host.querySelector(".contact-note")?.textContent;
+    };
+    expect(note(refused)).toBe(ofBefore(refused));
+    expect(note(asRequestError(new TypeError("fetch failed")))).toContain("does not answer");
+    expect(note(null)).toBe("These are results of parameters before.");
   });
 });

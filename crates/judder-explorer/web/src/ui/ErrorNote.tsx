@@ -1,7 +1,7 @@
 /** An error where it belongs: what is wrong, where, and what would be right. */
 
 import { useContext } from "preact/hooks";
-import type { RequestError } from "../wire/request";
+import { type RequestError, isPassing } from "../wire/request";
 import { AppContext } from "./app";
 import { meant } from "./meant";
 
@@ -11,7 +11,11 @@ export function unlessSaid(error: RequestError | null, said: RequestError | null
 }
 
 /** What is said of results that stay beside an error. */
-export const OF_BEFORE = "Of the values before: the present ones are refused.";
+export function ofBefore(error: RequestError): string {
+  if (error.status === 0) return "Of the values before: the server does not answer.";
+  if (isPassing(error)) return "Of the values before: there is no answer for the present ones.";
+  return "Of the values before: the present ones are refused.";
+}
 
 export function ErrorNote({ error }: { readonly error: RequestError | null }) {
   return (

@@ -27,6 +27,11 @@ export function isAbort(error: unknown): boolean {
   return error instanceof DOMException && error.name === "AbortError";
 }
 
+/** Whether what was asked for is not itself wrong: asking once more may help. */
+export function isPassing({ status }: RequestError): boolean {
+  return status === 0 || status === 429 || status >= 500;
+}
+
 /** Any error as one that can be shown. */
 export function asRequestError(error: unknown): RequestError {
   if (error instanceof RequestError) return error;

@@ -4,9 +4,9 @@ import type { ComponentChildren } from "preact";
 import { withFields } from "../../state/view";
 import type { QUANTITIES } from "../../state/fields";
 import { useApp } from "../../ui/app";
-import { OF_BEFORE, unlessSaid } from "../../ui/ErrorNote";
+import { ofBefore, unlessSaid } from "../../ui/ErrorNote";
 import { Label } from "../../ui/Label";
-import type { RequestError } from "../../wire/request";
+import { type RequestError, isPassing } from "../../wire/request";
 import type { Outcome } from "./outcome";
 import type { Computation } from "./useComputation";
 import { QUANTITY_NAMES, shortNumber } from "./words";
@@ -22,11 +22,6 @@ interface RunProps {
 /** A mistake that the parameters tell already is told again only where there is nothing else to see. */
 export function shownError({ frame, error }: Computation, refused: RequestError | null): RequestError | null {
   return frame ? unlessSaid(error, refused) : error;
-}
-
-/** Whether asking once more may help: what is asked for is not itself wrong. */
-function isPassing({ status }: RequestError): boolean {
-  return status === 0 || status === 429 || status >= 500;
 }
 
 /** Progress of what takes long, with a way to stop it and to start it again. */
@@ -61,7 +56,7 @@ interface ResultsProps {
 export function Results({ computation: { current, busy, error }, children }: ResultsProps) {
   return (
     <div class={current ? "" : "contact-stale"} aria-busy={busy} data-current={current}>
-      {!current && !busy && <p class="contact-note">{error ? OF_BEFORE : "These are results of parameters before."}</p>}
+      {!current && !busy && <p class="contact-note">{error ? ofBefore(error) : "These are results of parameters before."}</p>}
       {children}
     </div>
   );

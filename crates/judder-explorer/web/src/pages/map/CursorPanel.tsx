@@ -5,7 +5,7 @@ import type { View } from "../../state/view";
 import type { Key } from "../../wire/api";
 import { useApp } from "../../ui/app";
 import { symbolMarkup } from "../../ui/numbers";
-import { ErrorNote, OF_BEFORE, unlessSaid } from "../../ui/ErrorNote";
+import { ErrorNote, ofBefore, unlessSaid } from "../../ui/ErrorNote";
 import { Link } from "../../ui/Link";
 import { PointValues } from "../../ui/PointValues";
 import type { LivePoint } from "../../ui/usePoint";
@@ -37,9 +37,9 @@ export function CursorPanel({ state, place, x, y, live, set }: CursorPanelProps)
       </section>
     );
   }
-  const isRefused = waiting && (live.error ?? refused) !== null;
+  const failure = waiting ? (live.error ?? refused) : null;
   return (
-    <section class="cursor-panel" aria-label="Point" aria-busy={waiting && !isRefused}>
+    <section class="cursor-panel" aria-label="Point" aria-busy={waiting && !failure}>
       <h2>{state.pin ? "Pinned point" : "Point under the cursor"}</h2>
       <p class="cursor-actions">
         <Link to={{ page: "point", set, fields: {} }}>Open this point</Link>
@@ -60,7 +60,7 @@ export function CursorPanel({ state, place, x, y, live, set }: CursorPanelProps)
       <ErrorNote error={unlessSaid(live.error, refused)} />
       {live.point && (
         <div class={waiting ? "stale" : ""} data-set={live.set}>
-          {isRefused && <p role="status">{OF_BEFORE}</p>}
+          {failure && <p role="status">{ofBefore(failure)}</p>}
           <PointValues point={live.point} />
         </div>
       )}

@@ -6,7 +6,7 @@ import { type Window, rangeOf } from "../../chart/scale";
 import { useView } from "../../state/store";
 import { options } from "../../state/view";
 import { useApp } from "../../ui/app";
-import { ErrorNote, OF_BEFORE, unlessSaid } from "../../ui/ErrorNote";
+import { ErrorNote, ofBefore, unlessSaid } from "../../ui/ErrorNote";
 import { useCaseFile } from "../../ui/files";
 import { Page } from "../../ui/Page";
 import { leading } from "../../ui/PointValues";
@@ -45,7 +45,7 @@ export function MapPage() {
   const at = shown ? optionsAt(view, state, keys, shown) : null;
   const point = usePoint(at ? options({ ...view, set: at }) : null);
   const move = moves({ store, session, state, x, y, window });
-  const isRefused = picture !== null && (live.error ?? refused) !== null;
+  const failure = picture && (live.error ?? refused);
 
   useMapCaseFile();
   const all = session.keys;
@@ -59,7 +59,7 @@ export function MapPage() {
             <MapSwitches state={state} hasCritical={analysis !== null} onShow={move.onShow} onMarks={move.onMarks} />
           </div>
           <ErrorNote error={unlessSaid(live.error ?? criticalError, refused)} />
-          <div class="map-chart" data-stage={picture?.stage ?? "none"} data-set={picture?.options} data-busy={live.busy} data-refused={isRefused}>
+          <div class="map-chart" data-stage={picture?.stage ?? "none"} data-set={picture?.options} data-busy={live.busy} data-refused={failure !== null}>
             <Chart
               spec={spec}
               window={window}
@@ -73,7 +73,7 @@ export function MapPage() {
             />
           </div>
           <p class="map-status" role="status">
-            {isRefused ? OF_BEFORE : status(picture, live)}
+            {failure ? ofBefore(failure) : status(picture, live)}
           </p>
         </div>
         <CursorPanel state={state} place={shown} x={x} y={y} live={point} set={at} />

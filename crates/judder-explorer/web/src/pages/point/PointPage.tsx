@@ -4,7 +4,7 @@ import { useCallback, useEffect, useMemo, useRef } from "preact/hooks";
 import { useView } from "../../state/store";
 import { options } from "../../state/view";
 import { useApp } from "../../ui/app";
-import { ErrorNote, OF_BEFORE, unlessSaid } from "../../ui/ErrorNote";
+import { ErrorNote, ofBefore, unlessSaid } from "../../ui/ErrorNote";
 import { useCaseFile } from "../../ui/files";
 import { plainValue } from "../../ui/numbers";
 import { Page } from "../../ui/Page";
@@ -47,17 +47,17 @@ export function PointPage() {
   const sources = useSources(motion, cycle, modes, frequency, scale);
   usePointCaseFile(state);
   const isStale = live.set !== JSON.stringify(set);
-  const isRefused = point !== null && isStale && (live.error ?? refused) !== null;
+  const failure = point && isStale ? (live.error ?? refused) : null;
   return (
     <Page title="Operating point">
       <ErrorNote error={unlessSaid(live.error, refused)} />
-      {isRefused && <p role="status">{OF_BEFORE}</p>}
-      <div class={isRefused ? "point-cards stale-result" : "point-cards"}>
+      {failure && <p role="status">{ofBefore(failure)}</p>}
+      <div class={failure ? "point-cards stale-result" : "point-cards"}>
         <div class="point-column">
           <EigenSection state={state} eigenvalues={point?.point.eigenvalues ?? null} modes={modes} />
           {point && frequency !== null && <ShapesSection state={state} point={point} modes={modes} frequency={frequency} />}
         </div>
-        {point && <Numbers point={point} stale={isStale} busy={isStale && !isRefused} />}
+        {point && <Numbers point={point} stale={isStale} busy={isStale && !failure} />}
         <MotionSection state={state} run={motion} cycle={loop} modes={modes} belt={belt} steady={point?.point.equilibrium["x"] ?? null} />
         <CycleSection state={state} run={cycle} frequency={frequency} />
         <SoundSection state={state} sources={sources} />

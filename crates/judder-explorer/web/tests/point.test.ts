@@ -26,8 +26,12 @@ const read = (query: string) => readPoint(view(query), session, keys, () => 0.05
 describe("the state of the point page", () => {
   it("has a home, and drops what cannot be", () => {
     expect(read("")).toMatchObject({ along: null, run: [], duration: 500, start: 0.2, points: 4096, factor: null, volume: 0.5 });
-    expect(read("along=fish&points=-3&factor=-1&volume=7")).toMatchObject({ along: null, points: 4096, factor: null, volume: 1 });
-    expect(parseView("/point", "run=fish", PAGE_FIELDS).told).toHaveLength(1);
+    expect(read("along=fish&points=-3&factor=-1&volume=7")).toMatchObject({ along: null, points: 4096, factor: null, volume: 0.5 });
+    const wrong = ["run=fish", "sound=fish", "sound=mode-9", "factor=-1", "factor=0", "factor=Infinity", "volume=9", "volume=-0.1", "points=1.5", "steps=1"];
+    for (const field of wrong) expect(parseView("/point", field, PAGE_FIELDS).told, field).toHaveLength(1);
+    const right = "sound=mode-2&factor=0.25&volume=1&points=512&steps=2";
+    expect(parseView("/point", right, PAGE_FIELDS).told).toEqual([]);
+    expect(read(right)).toMatchObject({ sound: "mode-2", factor: 0.25, volume: 1, points: 512, steps: 2 });
     expect(read("duration=5 s&along=contact.shear_strength")).toMatchObject({ duration: "5 s", along: strength });
   });
 

@@ -58,6 +58,15 @@ describe("addresses", () => {
     expect(keepKnownAxes(parse(`/map?x=${x}&y=operation.normal_load~1~2~log`).view, keys).told).toEqual([]);
   });
 
+  it("drop keys along which the point page has nothing to show, and say so", () => {
+    const keys = { keys: new Set(["operation.velocity"]), x: undefined };
+    const { view, told } = keepKnownAxes(parse("/point?along=foo&branch=a.b~1~2~log&volume=1").view, keys);
+    expect(view.fields).toEqual({ volume: "1" });
+    expect(told).toEqual(["The case has no key “foo” for the path of the eigenvalues.", "The case has no key “a.b” for the branch."]);
+    const good = parse("/point?along=operation.velocity&branch=operation.velocity~1~2~log").view;
+    expect(keepKnownAxes(good, keys)).toEqual({ view: good, told: [] });
+  });
+
   it("change without changing the view before", () => {
     const before = parse("/map?set=a.b=1&cursor=1,2").view;
     expect(withOption(before, "a.b", undefined).set).toEqual({});

@@ -1,4 +1,4 @@
-/** The axes of a map in an address, against the keys of the case. */
+/** The keys in the fields of an address, against those of the case. */
 
 import { parseAxis } from "./fields";
 import { type Parsed, type View, withFields } from "./view";
@@ -9,9 +9,28 @@ interface Known {
   readonly x: string | undefined;
 }
 
-/** Drops axes over keys that the case does not have, and a y axis over the key of the x axis. */
-export function keepKnownAxes(view: View, { keys, x: home }: Known): Parsed {
-  if (view.page !== "map") return { view, told: [] };
+/** Drops fields over keys that the case does not have. */
+export function keepKnownAxes(view: View, known: Known): Parsed {
+  if (view.page === "map") return keepMapAxes(view, known);
+  if (view.page === "point") return keepPointKeys(view, known);
+  return { view, told: [] };
+}
+
+/** The key of the eigenvalues' path, and that of the branch. */
+function keepPointKeys(view: View, { keys }: Known): Parsed {
+  const wanted = [
+    { field: "along", key: view.fields["along"], use: "the path of the eigenvalues" },
+    { field: "branch", key: parseAxis(view.fields["branch"])?.key, use: "the branch" },
+  ];
+  const unknown = wanted.filter(({ key }) => key !== undefined && !keys.has(key));
+  return {
+    view: withFields(view, Object.fromEntries(unknown.map(({ field }) => [field, undefined]))),
+    told: unknown.map(({ key, use }) => `The case has no key “${key}” for ${use}.`),
+  };
+}
+
+/** Drops a y axis over the key of the x axis, too. */
+function keepMapAxes(view: View, { keys, x: home }: Known): Parsed {
   const told: string[] = [];
   const dropped: Record<string, undefined> = {};
   const keyOf = (name: "x" | "y") => {

@@ -44,6 +44,11 @@ export function parseWords<T extends string>(text: string | undefined, allowed: 
 
 export const anyText: Accepts = (text) => text.length <= 200;
 export const anyNumber: Accepts = (text) => text.trim() !== "" && Number.isFinite(Number(text));
+/** A number above zero. */
+export const anyPositive: Accepts = (text) => anyNumber(text) && Number(text) > 0;
+/** As many points as span a range. */
+export const anyCount: Accepts = (text) => Number.isInteger(Number(text)) && Number(text) > 1;
+export const anyShare: Accepts = (text) => anyNumber(text) && Number(text) >= 0 && Number(text) <= 1;
 export const anyPair: Accepts = (text) => parsePair(text) !== undefined;
 /** An axis from a smaller to a larger value, as far as that can be seen without the server. */
 export const anyAxis: Accepts = (text) => {
@@ -84,6 +89,9 @@ export const VELOCITY_SCALES = ["0.01", "1"] as const;
 /** What the point page computes when it is asked to. */
 export const RUNS = ["motion", "cycle", "branch"] as const;
 
+/** What can be heard: of the modes there are as many as an oscillator has eigenvalues. */
+const SOUNDS = ["motion", "cycle", "mode-1", "mode-2", "mode-3", "mode-4"] as const;
+
 /** Every page's fields: a page that keeps more adds them here. */
 export const PAGE_FIELDS: PageFields = {
   map: {
@@ -102,13 +110,13 @@ export const PAGE_FIELDS: PageFields = {
     live: words(["on"]),
     duration: anyText,
     start: anyNumber,
-    points: anyNumber,
+    points: anyCount,
     branch: anyAxis,
-    steps: anyNumber,
+    steps: anyCount,
     simulated: words(["on"]),
-    sound: anyText,
-    factor: anyNumber,
-    volume: anyNumber,
+    sound: oneOf(SOUNDS),
+    factor: anyPositive,
+    volume: anyShare,
   },
   contact: {
     part: oneOf(CONTACT_PARTS),

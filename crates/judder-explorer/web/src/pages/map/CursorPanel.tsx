@@ -21,9 +21,11 @@ interface CursorPanelProps {
   readonly live: LivePoint;
   /** The options of the place. */
   readonly set: View["set"] | null;
+  /** Whether the map as it is shown does not reach to the place. */
+  readonly isOutside: boolean;
 }
 
-export function CursorPanel({ state, place, x, y, live, set }: CursorPanelProps) {
+export function CursorPanel({ state, place, x, y, live, set, isOutside }: CursorPanelProps) {
   const { store, error: refused } = useApp();
   const view = useView(store);
   const unit = (axis: MapState["x"], key: Key) => (isDimensional(axis) ? key.unit : "");
@@ -57,6 +59,7 @@ export function CursorPanel({ state, place, x, y, live, set }: CursorPanelProps)
         <Value name={`${keyName(x)} ${nameOf(state.x, x)}`} dataKey="cursor.x" value={place.x} unit={unit(state.x, x)} />
         <Value name={`${keyName(y)} ${nameOf(state.y, y)}`} dataKey="cursor.y" value={place.y} unit={unit(state.y, y)} />
       </dl>
+      {isOutside && <p>The map that is shown does not reach to this point.</p>}
       <ErrorNote error={unlessSaid(live.error, refused)} />
       {live.point && (
         <div class={waiting ? "stale" : ""} data-set={live.set}>

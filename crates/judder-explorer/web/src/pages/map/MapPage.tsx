@@ -2,6 +2,7 @@
 
 import { useCallback, useEffect, useMemo, useRef } from "preact/hooks";
 import { Chart } from "../../chart/Chart";
+import { isShown } from "../../chart/readout";
 import { type Window, rangeOf } from "../../chart/scale";
 import { useView } from "../../state/store";
 import { options } from "../../state/view";
@@ -42,6 +43,7 @@ export function MapPage() {
   );
 
   const shown = state.pin ?? state.cursor;
+  const isOutside = shown !== null && window !== null && !isShown(spec, window, shown);
   const at = shown ? optionsAt(view, state, keys, shown) : null;
   const point = usePoint(at ? options({ ...view, set: at }) : null);
   const move = moves({ store, session, state, x, y, window });
@@ -76,7 +78,7 @@ export function MapPage() {
             {failure ? ofBefore(failure) : status(picture, live)}
           </p>
         </div>
-        <CursorPanel state={state} place={shown} x={x} y={y} live={point} set={at} />
+        <CursorPanel state={state} place={shown} x={x} y={y} live={point} set={at} isOutside={isOutside} />
       </div>
     </Page>
   );

@@ -37,17 +37,11 @@ export interface PointState {
 export const HOME = { duration: 500, start: 0.2, points: 4096, steps: 21, volume: 0.5 } as const;
 const FIRST_BRANCH_KEY = "contact.shear_strength";
 
-function positive(text: string | undefined, otherwise: number): number {
-  const number = Number(text);
-  return text !== undefined && number > 0 ? number : otherwise;
-}
-
 /** `value` is a plain number of each key, where it is known: the branch starts about it. */
 export function readPoint(view: View, session: Session, keys: ReadonlyMap<string, Key>, valueOf: (key: Key) => number | null): PointState {
   const { fields } = view;
   const axis = parseAxis(fields["branch"]);
   const first = keys.get(FIRST_BRANCH_KEY) ?? [...keys.values()][0];
-  const volume = Number(fields["volume"] ?? HOME.volume);
   return {
     along: keys.get(fields["along"] ?? "") ?? null,
     hasTrail: fields["trail"] !== "off",
@@ -56,13 +50,13 @@ export function readPoint(view: View, session: Session, keys: ReadonlyMap<string
     live: fields["live"] === "on",
     duration: numberOrText(fields["duration"] ?? String(HOME.duration)),
     start: fields["start"] === undefined ? HOME.start : Number(fields["start"]),
-    points: Math.round(positive(fields["points"], HOME.points)),
+    points: Number(fields["points"] ?? HOME.points),
     branch: axis && keys.has(axis.key) ? axis : branchAxis(first as Key, session, valueOf(first as Key)),
-    steps: Math.round(positive(fields["steps"], HOME.steps)),
+    steps: Number(fields["steps"] ?? HOME.steps),
     simulated: fields["simulated"] === "on",
     sound: fields["sound"] ?? "motion",
-    factor: fields["factor"] === undefined || Number(fields["factor"]) <= 0 ? null : Number(fields["factor"]),
-    volume: Math.min(Math.max(volume, 0), 1),
+    factor: fields["factor"] === undefined ? null : Number(fields["factor"]),
+    volume: Number(fields["volume"] ?? HOME.volume),
   };
 }
 

@@ -2,12 +2,17 @@ import { describe, expect, it } from "vitest";
 import { onPaper } from "../src/chart/axes";
 import { chartCsv } from "../src/chart/csv";
 import { decimate } from "../src/chart/decimate";
+import { draw } from "../src/chart/draw";
 import { chartSvg } from "../src/chart/export";
 import { homeWindow } from "../src/chart/frame";
 import { drawLegend, legendEntries } from "../src/chart/legend";
 import { type AreaStyle, CONTACT_STATES, STABILITY, colourAt, hex, lineStyle, rgb } from "../src/chart/palette";
 import { cellsOf, letterPlaces, pixelsOf, valueRange } from "../src/chart/raster";
+import { widthOf } from "../src/chart/markup";
 import { readings } from "../src/chart/readout";
+import type { Window } from "../src/chart/scale";
+import type { Shape } from "../src/chart/scene";
+import { SMALL_SIZE } from "../src/chart/text";
 import type { ChartSpec, ClassesLayer, Layer, ValuesLayer } from "../src/chart/spec";
 
 const axis = (label: string, scale: "log" | "linear" = "linear") => ({ label, scale });
@@ -214,6 +219,40 @@ describe("axis labels", () => {
     expect(onPaper(long, 94, 300)).toBeGreaterThan(94);
     expect(onPaper(long, 280, 300)).toBeLessThan(200);
     expect(onPaper(long, 94, 100)).toBe(50);
+  });
+});
+
+describe("tick labels", () => {
+  /** Texts below the plot, with the pixels that they take. */
+  const below = (window: Window, size: { width: number; height: number }) => {
+    const { frame, over } = draw(curves, window, size, "light", "c");
+    const bottom = frame.top + frame.height + 18;
+    const texts = over.filter(({ tag, attributes }) => tag === "text" && Math.abs(Number(attributes["y"]) - bottom) < 1);
+    return texts.map(({ attributes, children }) => {
+      const half = (widthOf(children.map((span) => (span as Shape).children.join("")).join("")) * SMALL_SIZE) / 2;
+      return { from: Number(attributes["x"]) - half, to: Number(attributes["x"]) + half };
+    });
+  };
+
+  it("of a deep zoom stay on the paper, and apart", () => {
+    for (const depth of [1, 1e-3, 1e-6, 1e-8, 1e-11]) {
+      for (const width of [300, 620, 1100]) {
+        const places = below({ x: [1 - depth, 1], y: [0, 3] }, { width, height: 400 });
+        expect(places.length, `${depth} ${width}`).toBeGreaterThan(0);
+        places.forEach(({ from, to }, i) => {
+          expect(from).toBeGreaterThan(i === 0 ? 0 : (places[i - 1]?.to ?? 0));
+          expect(to).toBeLessThanOrEqual(width);
+        });
+      }
+    }
+  });
+
+  it("of a colour bar leave out the power of ten that its title names, as those of axes do", () => {
+    const values: ValuesLayer = { kind: "values", label: "Residual (−)", x: [0, 1], y: [0, 1], values: [0, 1e-3, 2e-3, 4e-3], colours: "sequential", scale: "linear" };
+    const spec: ChartSpec = { ...curves, layers: [values] };
+    const { over } = draw(spec, homeWindow(spec), { width: 600, height: 400 }, "light", "c");
+    const text = (shape: Shape): string => shape.children.map((child) => (typeof child === "string" ? child : text(child))).join("");
+    expect(over.filter(({ tag }) => tag === "text").map(text)).toContain("Residual (10−3)");
   });
 });
 

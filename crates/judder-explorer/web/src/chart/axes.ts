@@ -37,10 +37,10 @@ export function drawAxes(spec: ChartSpec, frame: Frame, theme: Theme): Shape[] {
     ...values(frame.yTicks.major).map(y(7)),
     ...frame.yTicks.minor.map(y(3.5)),
   ];
-  const xLabels = thinned(frame.xTicks.major, frame.px, 34).map((tick) =>
+  const xLabels = thinned(frame.xTicks.major, frame.px, (tick) => Math.max(widthOf(tick.label) * SMALL_SIZE + 8, 34)).map((tick) =>
     label(tick.label, { x: frame.px(tick.value), y: bottom + 18, size: SMALL_SIZE, colour: ink, anchor: "middle" }),
   );
-  const yLabels = thinned(frame.yTicks.major, frame.py, 15).map((tick) =>
+  const yLabels = thinned(frame.yTicks.major, frame.py, () => 15).map((tick) =>
     label(tick.label, { x: left - 7, y: frame.py(tick.value) + 4, size: SMALL_SIZE, colour: ink, anchor: "end" }),
   );
   const place = { size: LABEL_SIZE, colour: ink, anchor: "middle" } as const;
@@ -62,11 +62,11 @@ export function onPaper(text: string, middle: number, paper: number): number {
 }
 
 /** Labels that keep this distance in pixels from the one before. */
-function thinned(list: readonly Tick[], at: (value: number) => number, distance: number): Tick[] {
+function thinned(list: readonly Tick[], at: (value: number) => number, distance: (tick: Tick) => number): Tick[] {
   let taken = Number.NEGATIVE_INFINITY;
   return list.filter((tick) => {
     const place = at(tick.value);
-    if (tick.label === "" || Math.abs(place - taken) < distance) return false;
+    if (tick.label === "" || Math.abs(place - taken) < distance(tick)) return false;
     taken = place;
     return true;
   });

@@ -1,6 +1,6 @@
 /** A whole chart as a tree of SVG elements. */
 
-import { drawAxes, drawGround } from "./axes";
+import { drawAxes, drawGround, onPaper, withPower } from "./axes";
 import { type Frame, type Size, frameOf } from "./frame";
 import { drawLayer, drawLetters } from "./layers";
 import { drawLegend, legendEntries } from "./legend";
@@ -79,7 +79,7 @@ function drawBar(layer: ValuesLayer, frame: Frame, ink: string): Shape[] {
   const labels = scaled.major.map((tick) =>
     label(tick.label, { x: left + width + 4, y: at(tick.value) + 4, size: SMALL_SIZE, colour: ink }),
   );
-  const power = scaled.exponent === null ? "" : ` ×10^{${String(scaled.exponent).replace("-", "−")}}`;
-  const place = { x: left + width + 52, y: frame.top + frame.height / 2, size: LABEL_SIZE, colour: ink, anchor: "middle", turn: -90 } as const;
-  return [...steps, ...labels, label(layer.label + power, place)];
+  const title = withPower(layer.label, scaled.exponent);
+  const place = { x: left + width + 52, y: onPaper(title, frame.top + frame.height / 2, frame.paper.height), size: LABEL_SIZE, colour: ink, anchor: "middle", turn: -90 } as const;
+  return [...steps, ...labels, label(title, place)];
 }

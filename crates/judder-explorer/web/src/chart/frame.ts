@@ -57,11 +57,12 @@ const BAR_ROOM = 86;
 export function frameOf(spec: ChartSpec, window: Window, size: Size, entries: readonly Entry[]): Frame {
   const top = 14 + ROW * legendRows(entries, size.width).length;
   const bottom = 26 + LABEL_SIZE + 8;
-  const right = spec.layers.some((layer) => layer.kind === "values") ? BAR_ROOM : 22;
   const height = Math.max(size.height - top - bottom, 1);
-  const guess = ticks(spec.y.scale, window.y, height / UP);
-  const widest = Math.max(0, ...guess.major.map((tick) => widthOf(tick.label) * SMALL_SIZE));
-  const left = Math.min(Math.ceil(widest) + LABEL_SIZE + 22, Math.max(size.width / 3, 30));
+  const widest = widestLabel(ticks(spec.y.scale, window.y, height / UP));
+  const left = Math.min(widest + LABEL_SIZE + 22, Math.max(size.width / 3, 30));
+  // a label at the end of the axis reaches beyond it by its half
+  const half = widestLabel(ticks(spec.x.scale, window.x, (size.width - left) / ACROSS)) / 2;
+  const right = spec.layers.some((layer) => layer.kind === "values") ? BAR_ROOM : Math.max(22, Math.ceil(half) + 2);
   const width = Math.max(size.width - left - right, 1);
   const shown = spec.equal ? equalised(spec, window, width / height) : window;
   return {
@@ -76,6 +77,10 @@ export function frameOf(spec: ChartSpec, window: Window, size: Size, entries: re
     px: (value) => left + width * fraction(spec.x.scale, shown.x, value),
     py: (value) => top + height * (1 - fraction(spec.y.scale, shown.y, value)),
   };
+}
+
+function widestLabel({ major }: Ticks): number {
+  return Math.ceil(Math.max(0, ...major.map((tick) => widthOf(tick.label) * SMALL_SIZE)));
 }
 
 /** The window made wider or higher, so that units are equally long on both axes. */

@@ -50,6 +50,15 @@ describe("the contact page's state", () => {
     expect(asked["indentation"]).toBeUndefined();
     expect(fitAnalysis(read("velocity_scale=1"))).toMatchObject({ kind: "fit", velocity_scale: 1 });
   });
+
+  it("fits over the paper's speeds and depths, or over those of the address", () => {
+    expect(fitAnalysis(read(""))).toMatchObject({ velocity: { from: 1e-4, to: 1e4, points: 41 }, indentation: { from: 1e-4, to: 1e-1, points: 13 } });
+    expect(read("").hasRanges).toBe(false);
+    const narrow = read("speeds=1e-3,10&depths=1e-3,0.05");
+    expect(fitAnalysis(narrow)).toMatchObject({ velocity: { from: 1e-3, to: 10, points: 41 }, indentation: { from: 1e-3, to: 0.05, points: 13 } });
+    expect(narrow.hasRanges).toBe(true);
+    for (const text of ["speeds=10,1", "depths=0,1", "speeds=-1,1", "depths=1"]) expect(parseView("/contact", text, PAGE_FIELDS).told, text).toHaveLength(1);
+  });
 });
 
 const axes = [

@@ -50,6 +50,11 @@ export const anyPositive: Accepts = (text) => anyNumber(text) && Number(text) > 
 export const anyCount: Accepts = (text) => Number.isInteger(Number(text)) && Number(text) > 1;
 export const anyShare: Accepts = (text) => anyNumber(text) && Number(text) >= 0 && Number(text) <= 1;
 export const anyPair: Accepts = (text) => parsePair(text) !== undefined;
+/** Two numbers above zero, the smaller first: a range of a logarithmic axis. */
+export const anyLogRange: Accepts = (text) => {
+  const [from, to] = parsePair(text) ?? [0, 0];
+  return from > 0 && from < to;
+};
 /** An axis from a smaller to a larger value, as far as that can be seen without the server. */
 export const anyAxis: Accepts = (text) => {
   const axis = parseAxis(text);
@@ -121,8 +126,8 @@ export const PAGE_FIELDS: PageFields = {
   contact: {
     part: oneOf(CONTACT_PARTS),
     quantity: oneOf(QUANTITIES),
-    speeds: anyPair,
-    depths: anyPair,
+    speeds: anyLogRange,
+    depths: anyLogRange,
     cursor: anyPair,
     compare: oneOf(LAW_NAMES),
     fit_accuracy: oneOf(FIT_ACCURACIES),

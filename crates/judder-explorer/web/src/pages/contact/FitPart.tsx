@@ -3,14 +3,18 @@
 import { Digits } from "../../ui/Digits";
 import { useMemo } from "preact/hooks";
 import { Chart } from "../../chart/Chart";
-import { FIT_ACCURACIES, QUANTITIES, VELOCITY_SCALES } from "../../state/fields";
+import { written } from "../../chart/readout";
+import type { Range } from "../../chart/scale";
+import { FIT_ACCURACIES, QUANTITIES, VELOCITY_SCALES, anyLogRange } from "../../state/fields";
+import { withFields } from "../../state/view";
 import { useApp } from "../../ui/app";
 import { ErrorNote } from "../../ui/ErrorNote";
 import { Label } from "../../ui/Label";
+import { TextField } from "../../ui/TextField";
 import { type Coefficient, coefficientsOf, curvesSpec, fitOf, residualSpec } from "./fit";
 import { type Outcome, outcomeOf, scalarAt } from "./outcome";
 import { Checks, Choice, QuantityChoice, Results, Run, Scroll, Warnings, shownError } from "./Parts";
-import { type Quantity, fitAnalysis } from "./state";
+import { type ContactState, type Quantity, fitAnalysis } from "./state";
 import { useComputation } from "./useComputation";
 import { type Contact, contactBody } from "./useContact";
 import { QUANTITY_NAMES } from "./words";
@@ -34,6 +38,7 @@ export function FitPart({ contact }: { readonly contact: Contact }) {
         <Choice name="speed of the functions" field="velocity_scale" value={state.velocityScale} options={VELOCITY_SCALES.map((scale) => [scale, SCALE_NAMES[scale]])} />
         <Choice name="accuracy of the points" field="fit_accuracy" value={state.fitAccuracy} options={FIT_ACCURACIES.map((accuracy) => [accuracy, accuracy])} />
       </div>
+      <Ranges state={state} />
       <Run computation={computation} what="the fit" live={derived} />
       <ErrorNote error={shownError(computation, refused)} />
       {outcome && (
@@ -55,6 +60,39 @@ export function FitPart({ contact }: { readonly contact: Contact }) {
         </p>
       )}
     </>
+  );
+}
+
+/** What the contacts are computed over; the address keeps it for the law, too. */
+function Ranges({ state }: { readonly state: ContactState }) {
+  const { store } = useApp();
+  const keep = (change: Readonly<Record<string, string | undefined>>) => store.update((view) => withFields(view, change));
+  return (
+    <div class="contact-tools">
+      <RangeField name="speeds v τ/R" range={state.fitSpeeds} onChange={(speeds) => keep({ speeds })} />
+      <RangeField name="depths δ/R" range={state.fitDepths} onChange={(depths) => keep({ depths })} />
+      <button type="button" disabled={!state.hasRanges} onClick={() => keep({ speeds: undefined, depths: undefined })}>
+        The paper's ranges
+      </button>
+    </div>
+  );
+}
+
+interface RangeFieldProps {
+  readonly name: string;
+  readonly range: Range;
+  readonly onChange: (text: string) => void;
+}
+
+function RangeField({ name, range: [from, to], onChange }: RangeFieldProps) {
+  return (
+    <fieldset class="contact-choice contact-range">
+      <legend class="visually-hidden">{name}</legend>
+      <span aria-hidden="true">{name}</span>
+      <TextField spoken={`from, ${name}`} value={written(from)} accepts={(text) => anyLogRange(`${text},${to}`)} onChange={(text) => onChange(`${text},${to}`)} />
+      <span aria-hidden="true">…</span>
+      <TextField spoken={`to, ${name}`} value={written(to)} accepts={(text) => anyLogRange(`${from},${text}`)} onChange={(text) => onChange(`${from},${text}`)} />
+    </fieldset>
   );
 }
 

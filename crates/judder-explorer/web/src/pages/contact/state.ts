@@ -34,6 +34,10 @@ export interface ContactState {
   readonly depths: Range;
   /** Null where the address names none. */
   readonly cursor: Place | null;
+  /** What the fit is made over: the same ranges where the address names them. */
+  readonly fitSpeeds: Range;
+  readonly fitDepths: Range;
+  readonly hasRanges: boolean;
   readonly compare: LawName | null;
   readonly fitAccuracy: string;
   readonly velocityScale: string;
@@ -45,6 +49,8 @@ export interface ContactState {
 
 export const HOME_SPEEDS: Range = [1e-6, 1e4];
 export const HOME_DEPTHS: Range = [1e-6, 1e-1];
+/** The speeds and depths of the oscillator paper's fits (its Fig. 14). */
+const [FIT_SPEEDS, FIT_DEPTHS]: readonly [Range, Range] = [[1e-4, 1e4], [1e-4, 1e-1]];
 
 export function readContact(view: View): ContactState {
   const { fields } = view;
@@ -58,6 +64,9 @@ export function readContact(view: View): ContactState {
     quantity: word("quantity", QUANTITIES, "friction"),
     speeds: readRange(fields["speeds"], HOME_SPEEDS),
     depths: readRange(fields["depths"], HOME_DEPTHS),
+    fitSpeeds: readRange(fields["speeds"], FIT_SPEEDS),
+    fitDepths: readRange(fields["depths"], FIT_DEPTHS),
+    hasRanges: fields["speeds"] !== undefined || fields["depths"] !== undefined,
     cursor: cursor && cursor.every((value) => value > 0) ? { velocity: cursor[0], indentation: cursor[1] } : null,
     compare: LAW_NAMES.find((law) => law === fields["compare"]) ?? null,
     fitAccuracy: word("fit_accuracy", FIT_ACCURACIES, "1e-2"),
@@ -110,13 +119,12 @@ export function lawAnalysis(state: ContactState): Analysis {
   return { name: "law", kind: "contact-law", ...lawSpans(state) };
 }
 
-/** Over the speeds and depths of the oscillator paper's fits (its Fig. 14). */
 export function fitAnalysis(state: ContactState): Analysis {
   return {
     name: "fit",
     kind: "fit",
-    velocity: span([1e-4, 1e4], 41),
-    indentation: span([1e-4, 1e-1], 13),
+    velocity: span(state.fitSpeeds, 41),
+    indentation: span(state.fitDepths, 13),
     accuracy: Number(state.fitAccuracy),
     velocity_scale: Number(state.velocityScale),
   };

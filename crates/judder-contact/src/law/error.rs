@@ -140,11 +140,7 @@ pub enum LawError {
         finished: usize,
     },
     /// Points that could not be solved; a law has no holes, so there is none.
-    #[error(
-        "{} of {attempted} points could not be solved, the first at {}; a narrower range of depths and speeds leaves them out",
-        failures.len(),
-        first_failure(failures)
-    )]
+    #[error("{} of {attempted} points could not be solved, the first at {}", failures.len(), first_failure(failures))]
     FailedPoints {
         /// Points of the refinement level in which it happened.
         attempted: usize,

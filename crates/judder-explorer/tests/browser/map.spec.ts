@@ -44,7 +44,7 @@ test("shows the map, and the numbers under the cursor to their last digit", asyn
     const value = at(point, key);
     if (value === undefined) continue;
     expect(whole, key).toBe(String(value));
-    expect(text, key).toBe(typeof value === "number" ? String(Number(value.toPrecision(6))) : value);
+    expect(typeof value === "number" ? Number(text) : text, key).toBe(typeof value === "number" ? Number(value.toPrecision(6)) : value);
     compared += 1;
   }
   expect(compared, "most of the panel is of the document").toBeGreaterThan(8);

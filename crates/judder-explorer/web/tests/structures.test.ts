@@ -1,7 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { parseRanges } from "../src/state/fields";
 import type { View } from "../src/state/view";
-import type { FrameArray } from "../src/wire/frames";
 import { basis, bodyOf, bodySpec, drawnFactor, placesAt, projected, swingOf } from "../src/pages/structures/body";
 import { drawable, genericSpecs } from "../src/pages/structures/generic";
 import { growthClasses, homePlace, modesAt, planeSpec, readLocus, valueNear } from "../src/pages/structures/locus";
@@ -11,20 +10,12 @@ import { flat } from "../src/pages/structures/Scalars";
 import { leftOut, slowness } from "../src/pages/structures/ShapeView";
 import { highestOf, outlines, readLevels } from "../src/pages/structures/spectrogram";
 import { pickedAnalysis, placed, readLook, withAnalysis, withLook, withRange, withWindow } from "../src/pages/structures/state";
-import type { Study, StudyAnalysis, StudyVariable } from "../src/pages/structures/study";
+import type { Study, StudyVariable } from "../src/pages/structures/study";
 import { verdictOf, verdictsOf } from "../src/pages/structures/verdicts";
 import { quoted } from "../src/pages/structures/words";
+import { analysis, array, variable } from "./study";
 
 const view: View = { page: "structures", set: {}, fields: {} };
-const variable = (name: string, dimensions: string[], shape: number[], more: Partial<StudyVariable> = {}): StudyVariable => ({
-  name, dimensions, shape, units: "1", long_name: name, attributes: {}, ...more,
-});
-const analysis = (name: string, kind: string, variables: StudyVariable[], more: Partial<StudyAnalysis> = {}): StudyAnalysis => ({
-  name, kind, status: "done", seconds: 1, scalars: {}, warnings: [], attributes: {}, variables, ...more,
-});
-const array = (name: string, dimensions: string[], shape: number[], data: number[], more: Partial<FrameArray> = {}): [string, FrameArray] => [
-  name, { name, type: "f64", shape, dimensions, units: "1", longName: "", attributes: {}, data: Float64Array.from(data), texts: [], ...more },
-];
 
 describe("the address of a study's view", () => {
   it("keeps ranges of named axes, and tells charts apart", () => {

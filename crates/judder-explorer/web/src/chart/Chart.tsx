@@ -4,7 +4,7 @@ import { useEffect, useId, useLayoutEffect, useMemo, useRef, useState } from "pr
 import { Label } from "../ui/Label";
 import { useTheme } from "../ui/theme";
 import { draw } from "./draw";
-import { chartFigure } from "./export";
+import { type DataOf, chartFigure } from "./export";
 import { registerExport } from "./exports";
 import { type Frame, type Size, homeWindow } from "./frame";
 import { type Cursor, type Phase, useInteraction, zoomBy } from "./interaction";
@@ -33,6 +33,8 @@ export interface ChartProps {
   readonly spoken?: string;
   /** In pixels; left out, the chart fills its parent. */
   readonly height?: number;
+  /** The data of the CSV; left out, what is drawn. */
+  readonly dataOf?: DataOf;
   /** Hides the line of readings, where the page shows its own. */
   readonly quiet?: boolean;
 }
@@ -56,8 +58,8 @@ export function Chart(props: ChartProps) {
     onCursor: setCursor,
     onPick: props.onPick,
   });
-  const figure = useRef(() => chartFigure(spec, window, size));
-  figure.current = () => chartFigure(spec, window, size);
+  const figure = useRef(() => chartFigure(spec, window, size, props.dataOf));
+  figure.current = () => chartFigure(spec, window, size, props.dataOf);
   useEffect(() => registerExport(spec.title, () => figure.current()), [spec.title]);
 
   const texts = cursor && isShown(spec, frame.window, cursor) ? readings(spec, cursor) : [];

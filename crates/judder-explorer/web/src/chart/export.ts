@@ -12,9 +12,12 @@ import { type ChartSpec, isRaster } from "./spec";
 
 const RASTER_DETAIL = 2;
 
+/** The data of a chart within a window, where it is not what is drawn. */
+export type DataOf = (window: Window) => string | Promise<string>;
+
 /** A chart as the export menu takes it. */
-export function chartFigure(spec: ChartSpec, window: Window, size: Size): Figure {
-  return { size, svg: () => chartSvg(spec, window, size), csv: () => chartCsv(spec) };
+export function chartFigure(spec: ChartSpec, window: Window, size: Size, dataOf: DataOf = () => chartCsv(spec)): Figure {
+  return { size, svg: () => chartSvg(spec, window, size), csv: () => dataOf(window) };
 }
 
 /** The picture as a file of its own; rasters are embedded PNG images (`encode` makes them, tests give their own). */

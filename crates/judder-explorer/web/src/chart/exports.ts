@@ -6,7 +6,8 @@ import type { Size } from "./frame";
 export interface Figure {
   readonly size: Size;
   readonly svg: () => Promise<string>;
-  readonly csv: () => string;
+  /** Fetched first where what is drawn is less than the data. */
+  readonly csv: () => string | Promise<string>;
 }
 
 export interface Exportable {

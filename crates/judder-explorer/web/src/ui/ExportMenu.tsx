@@ -15,7 +15,7 @@ async function save({ title, now }: Exportable, kind: "svg" | "png" | "csv"): Pr
   const name = `${fileName(title)}.${kind}`;
   if (kind === "svg") download(name, await figure.svg(), "image/svg+xml");
   else if (kind === "png") download(name, await pngOf(figure), "image/png");
-  else download(name, figure.csv(), "text/csv;charset=utf-8");
+  else download(name, await figure.csv(), "text/csv;charset=utf-8");
 }
 
 export function ExportMenu() {

@@ -1,7 +1,7 @@
 /** The signals of a march over time, its bursts and its sounds. */
 
 import { useMemo, useState } from "preact/hooks";
-import type { Range } from "../../chart/scale";
+import type { Range, Window } from "../../chart/scale";
 import { parseRanges } from "../../state/fields";
 import { useView } from "../../state/store";
 import { withFields } from "../../state/view";
@@ -10,13 +10,13 @@ import { ErrorNote } from "../../ui/ErrorNote";
 import { Label } from "../../ui/Label";
 import { Busy } from "./Busy";
 import { BurstTable } from "./BurstTable";
-import { type Burst, MOST, type MarchZone, partOf, shownSignals, signalSpec, signalsOf, tablesOf, traceOf, zoneTimes } from "./march";
+import { type Burst, MOST, type MarchZone, partOf, shownSignals, signalCsv, signalSpec, signalsOf, tablesOf, toldOfSignals, traceOf, zoneTimes } from "./march";
 import { type Motion, positionAt, timeAt } from "./motion";
 import { type SoundFile, SoundPlayer } from "./SoundPlayer";
 import { StudyChart } from "./StudyChart";
 import { numberField, placed } from "./state";
 import { type Study, type StudyAnalysis, axisLabel, variable } from "./study";
-import { type Arrays, numbers, useArrays } from "./useArrays";
+import { type Arrays, type LiveArrays, numbers, useArrays } from "./useArrays";
 
 interface MarchViewProps {
   readonly study: Study;
@@ -53,7 +53,7 @@ export function MarchView({ study, analysis }: MarchViewProps) {
         ))}
       </fieldset>
       {coarse.arrays ? (
-        <Signals study={study} analysis={analysis} shown={shown} coarse={coarse.arrays} fine={isPart ? fine.arrays : null} whole={whole} window={window} />
+        <Signals study={study} analysis={analysis} shown={shown} coarse={coarse.arrays} fine={isPart && fine.arrays ? fine : null} whole={whole} window={window} />
       ) : (
         <Busy live={coarse} words="Reading the signals…" />
       )}
@@ -68,21 +68,19 @@ export function MarchView({ study, analysis }: MarchViewProps) {
 interface SignalsProps extends MarchViewProps {
   readonly shown: readonly string[];
   readonly coarse: Arrays;
-  readonly fine: Arrays | null;
+  /** Finer values of the window, once they are there. */
+  readonly fine: LiveArrays | null;
   readonly whole: Range;
   readonly window: Range | undefined;
 }
 
-function Signals({ study, analysis, shown, coarse, fine, whole, window }: SignalsProps) {
+function Signals(signals: SignalsProps) {
+  const { study, analysis, shown, coarse, fine, whole } = signals;
   const { store } = useApp();
   const view = useView(store);
   const [heard, setHeard] = useState<number | null>(null);
   const motion: Motion = useMemo(() => ({ time: numbers(coarse, "time"), position: numbers(coarse, "position") }), [coarse]);
-  const bands = useMemo(() => zoneTimes(tablesOf<MarchZone>(analysis, "zones"), motion), [analysis, motion]);
-  const specs = useMemo(
-    () => shown.filter((name) => coarse.has(name)).map((name) => ({ name, spec: signalSpec({ analysis, name, trace: traceOf(name, coarse, fine), whole, bands, window }) })),
-    [analysis, coarse, fine, bands, shown.join(), whole[0], whole[1], window?.[0], window?.[1]],
-  );
+  const charts = useCharts(signals, motion);
   const at = numberField(view, "at");
   const known = motion.position.length > 0;
   const mark = at === undefined ? null : known ? timeAt(motion, at) : at;
@@ -113,11 +111,34 @@ function Signals({ study, analysis, shown, coarse, fine, whole, window }: Signal
       </p>
       <SoundPlayer study={study} sounds={told} start={whole[0]} cursor={cursor} onHeard={setHeard} />
       {shown.length === 0 && <p>No signal is chosen.</p>}
-      {specs.map(({ name, spec }) => (
-        <StudyChart key={name} spec={spec} names={{ x: "time" }} height={specs.length > 1 ? 250 : 380} mark={heard ?? cursor} onPick={({ x }) => toTime(x)} />
+      {charts.map(({ name, spec, dataOf }) => (
+        <StudyChart
+          key={name}
+          spec={spec}
+          names={{ x: "time" }}
+          height={charts.length > 1 ? 250 : 380}
+          mark={heard ?? cursor}
+          onPick={({ x }) => toTime(x)}
+          dataOf={dataOf}
+          note={toldOfSignals(analysis, fine?.part ?? null)}
+        />
       ))}
       <BurstTable analysis={analysis.name} bursts={tablesOf<Burst>(analysis, "bursts")} unit={String(analysis.scalars["signal_unit"] ?? "")} at={at} onMove={toPosition} />
     </>
+  );
+}
+
+/** The charts of the signals with the zones that the contact passes, and where the samples behind them come from. */
+function useCharts({ analysis, shown, coarse, fine, whole, window }: SignalsProps, motion: Motion) {
+  const bands = useMemo(() => zoneTimes(tablesOf<MarchZone>(analysis, "zones"), motion), [analysis, motion]);
+  const finer = fine?.arrays ?? null;
+  return useMemo(
+    () =>
+      shown.filter((name) => coarse.has(name)).map((name) => {
+        const parts = { analysis, name, trace: traceOf(name, coarse, finer), whole, bands, window };
+        return { name, spec: signalSpec(parts), dataOf: (window: Window) => signalCsv(parts, coarse, window) };
+      }),
+    [analysis, coarse, finer, bands, shown.join(), whole[0], whole[1], window?.[0], window?.[1]],
   );
 }
 

@@ -2,6 +2,7 @@
 
 import type { ComponentChildren } from "preact";
 import { Chart } from "../../chart/Chart";
+import type { DataOf } from "../../chart/export";
 import type { Cursor } from "../../chart/interaction";
 import type { ChartSpec } from "../../chart/spec";
 import { useView } from "../../state/store";
@@ -14,11 +15,15 @@ interface StudyChartProps {
   readonly height: number;
   readonly mark?: number | null;
   readonly onPick?: (cursor: Cursor) => void;
+  /** The data of the CSV, where it is not what is drawn. */
+  readonly dataOf?: DataOf | undefined;
+  /** What the picture leaves out, or how it is read. */
+  readonly note?: string | undefined;
   /** Buttons beside the title. */
   readonly tools?: ComponentChildren;
 }
 
-export function StudyChart({ spec, names, height, mark, onPick, tools }: StudyChartProps) {
+export function StudyChart({ spec, names, height, mark, onPick, dataOf, note, tools }: StudyChartProps) {
   const { store } = useApp();
   const view = useView(store);
   return (
@@ -34,7 +39,9 @@ export function StudyChart({ spec, names, height, mark, onPick, tools }: StudyCh
         height={height}
         mark={mark ?? null}
         {...(onPick ? { onPick } : {})}
+        {...(dataOf ? { dataOf } : {})}
       />
+      {note && <p class="study-note">{note}</p>}
     </figure>
   );
 }

@@ -1,9 +1,11 @@
 /** The signals of a march, and their charts. */
 
-import { type Range, rangeOf } from "../../chart/scale";
+import { chartCsv } from "../../chart/csv";
+import { type Range, type Window, rangeOf } from "../../chart/scale";
 import type { BandsLayer, ChartSpec } from "../../chart/spec";
 import { type Motion, passed } from "./motion";
 import { type StudyAnalysis, type StudyVariable, attribute, axisLabel, variable } from "./study";
+import { checkExported, fetchRows, inSight, rowsWithin, thinningOf, toldOf } from "./thinning";
 import { type Arrays, type Part, numbers } from "./useArrays";
 
 /** Values of a signal that are asked for at once: some for every pixel. */
@@ -84,7 +86,7 @@ export function zoneTimes(zones: readonly MarchZone[], motion: Motion): BandsLay
   return [{ kind: "bands", label: "in an unstable zone", from: times.map(([from]) => from), to: times.map(([, to]) => to), style }];
 }
 
-interface Parts {
+export interface SignalParts {
   readonly analysis: StudyAnalysis;
   readonly name: string;
   readonly trace: Trace;
@@ -100,7 +102,24 @@ export function rangeWithin({ x, y }: Trace, window: Range): Range | undefined {
   return kept.length < 2 ? undefined : rangeOf("linear", [kept.map((i) => y[i] as number)], 0.06);
 }
 
-export function signalSpec({ analysis, name, trace, whole, bands, window }: Parts): ChartSpec {
+/** The samples themselves within a window of the chart of a signal. */
+export async function signalCsv(parts: SignalParts, coarse: Arrays, window: Window): Promise<string> {
+  const { analysis, name } = parts;
+  const thinning = thinningOf({ most: MOST }, variable(analysis, "time")?.shape[0] ?? 0);
+  if (!thinning) return chartCsv(inSight(signalSpec(parts), window));
+  const rows = rowsWithin(thinning, numbers(coarse, "time"), window.x);
+  checkExported(rows.to - rows.from, 1);
+  const arrays = await fetchRows(analysis.name, ["time", name], rows);
+  return chartCsv(inSight(signalSpec({ ...parts, trace: traceOf(name, arrays, null) }), window));
+}
+
+/** What is said of the curves: of which samples they are the extremes; nothing where they are the samples themselves. */
+export function toldOfSignals(analysis: StudyAnalysis, fine: Part | null): string | undefined {
+  const thinning = thinningOf(fine ?? { most: MOST }, variable(analysis, "time")?.shape[0] ?? 0);
+  return thinning ? toldOf(thinning) : undefined;
+}
+
+export function signalSpec({ analysis, name, trace, whole, bands, window }: SignalParts): ChartSpec {
   const own = variable(analysis, name);
   const time = variable(analysis, "time");
   const bursts = name === attribute(analysis, "signal") ? tablesOf<Burst>(analysis, "bursts") : [];

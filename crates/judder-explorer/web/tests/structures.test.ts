@@ -8,7 +8,7 @@ import { partOf, rangeWithin, shownSignals, traceOf } from "../src/pages/structu
 import { passed, positionAt, timeAt } from "../src/pages/structures/motion";
 import { flat } from "../src/pages/structures/Scalars";
 import { leftOut, slowness } from "../src/pages/structures/ShapeView";
-import { highestOf, outlines, readLevels } from "../src/pages/structures/spectrogram";
+import { highestOf, levelsCsv, outlines, readLevels, spectrogramSpec, toldOfLevels } from "../src/pages/structures/spectrogram";
 import { pickedAnalysis, placed, readLook, withAnalysis, withLook, withRange, withWindow } from "../src/pages/structures/state";
 import type { Study, StudyVariable } from "../src/pages/structures/study";
 import { verdictOf, verdictsOf } from "../src/pages/structures/verdicts";
@@ -132,6 +132,18 @@ describe("spectrograms", () => {
   it("keep the highest level of each cell, frequencies as rows", () => {
     // three times of two lines, two times a column
     expect([...highestOf(Float64Array.of(0, 1, 4, 0, 5, 9), 3, 2, 2)]).toEqual([4, 5, 1, 9]);
+  });
+
+  it("are exported time by time, not as the columns of the map", () => {
+    const times = Array.from({ length: 1601 }, (_, t) => t / 100);
+    const level = times.flatMap((_, t) => [-t, -2 * t]);
+    const own = analysis("s", "spectrogram", [variable("time", ["time"], [1601], { units: "s" }), variable("frequency", ["frequency"], [2], { units: "Hz" })]);
+    const arrays = new Map([array("time", ["time"], [1601], times), array("frequency", ["frequency"], [2], [50, 100]), array("level", ["time", "frequency"], [1601, 2], level)]);
+    const levels = readLevels(own, arrays);
+    if (!levels) throw new Error("no levels");
+    expect(toldOfLevels(levels)).toContain("Of each 3 times the highest");
+    const csv = levelsCsv(spectrogramSpec(own, levels, "time"), levels, "time", { x: [0.065, 0.085], y: [60, 200] });
+    expect(csv.trim().split("\n").slice(1).map((line) => line.split(",").slice(-3))).toEqual([["0.07", "100", "-14"], ["0.08", "100", "-16"]]);
   });
 
   it("frame zones where the contact passes them", () => {

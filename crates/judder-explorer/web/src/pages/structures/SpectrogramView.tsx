@@ -7,7 +7,7 @@ import { useApp } from "../../ui/app";
 import { Value } from "../../ui/Value";
 import { Busy } from "./Busy";
 import { positionAt, timeAt } from "./motion";
-import { type Over, readLevels, spectrogramSpec, spectrogramVariables } from "./spectrogram";
+import { type Over, levelsCsv, readLevels, spectrogramSpec, spectrogramVariables, toldOfLevels } from "./spectrogram";
 import { StudyChart } from "./StudyChart";
 import { numberField, placed } from "./state";
 import { type StudyAnalysis, variable } from "./study";
@@ -48,7 +48,15 @@ export function SpectrogramView({ analysis }: { readonly analysis: StudyAnalysis
           ))}
         </div>
       )}
-      <StudyChart spec={spec} names={{ x: over === "time" ? "time" : "along", y: "frequency" }} height={520} mark={mark} onPick={onPick} />
+      <StudyChart
+        spec={spec}
+        names={{ x: over === "time" ? "time" : "along", y: "frequency" }}
+        height={520}
+        mark={mark}
+        onPick={onPick}
+        dataOf={(window) => levelsCsv(spec, levels, over, window)}
+        note={toldOfLevels(levels)}
+      />
       <dl class="values study-values">
         {PEAK.filter(([name]) => typeof analysis.scalars[name] === "number").map(([name, words, unit]) => (
           <Value key={name} name={words} dataKey={`${analysis.name}.${name}`} value={analysis.scalars[name] as number} unit={unit} />

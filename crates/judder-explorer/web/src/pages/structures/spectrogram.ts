@@ -1,9 +1,11 @@
 /** Levels over time and frequency, with the zones of the locus over them. */
 
-import type { Range } from "../../chart/scale";
+import { chartCsv } from "../../chart/csv";
+import type { Range, Window } from "../../chart/scale";
 import type { ChartSpec, Layer } from "../../chart/spec";
 import { type Motion, passed } from "./motion";
 import { type StudyAnalysis, attribute, axisLabel, variable } from "./study";
+import { checkExported } from "./thinning";
 import { type Arrays, numbers } from "./useArrays";
 
 export type Over = "time" | "position";
@@ -30,8 +32,11 @@ export interface Levels {
   /** Columns of the map: times or positions. */
   readonly time: Float64Array;
   readonly position: Float64Array;
-  /** dB, a row a frequency. */
+  /** dB, a row a frequency; the highest of `group` times in each column. */
   readonly values: Float64Array;
+  readonly group: number;
+  /** dB, a row a time, as stored. */
+  readonly stored: Float64Array;
   readonly range: Range;
   readonly zones: readonly { readonly from: number; readonly to: number; readonly frequency: number }[];
 }
@@ -50,7 +55,7 @@ export function readLevels(analysis: StudyAnalysis, arrays: Arrays): Levels | nu
     Float64Array.from({ length: values.length === 0 ? 0 : columns }, (_, k) => ((values[k * group] as number) + (values[Math.min((k + 1) * group, values.length) - 1] as number)) / 2);
   const [from, to, at] = [numbers(arrays, "zone_from"), numbers(arrays, "zone_to"), numbers(arrays, "zone_frequency")];
   const zones = Array.from(from, (start, i) => ({ from: Math.min(start, to[i] as number), to: Math.max(start, to[i] as number), frequency: at[i] as number }));
-  return { motion: { time, position }, frequency, time: middle(time), position: middle(position), values, range, zones };
+  return { motion: { time, position }, frequency, time: middle(time), position: middle(position), values, group, stored: level, range, zones };
 }
 
 /** The highest level of every column at every frequency, frequencies as rows. */
@@ -79,6 +84,26 @@ export function outlines(levels: Levels, over: Over, half: number): { x: number[
     y.push(below, above, above, below, below, Number.NaN);
   }
   return { x, y };
+}
+
+/** What is said of the map; nothing where every time has a column. */
+export function toldOfLevels({ group }: Levels): string | undefined {
+  return group > 1 ? `Of each ${group} times the highest level is drawn; the CSV has every time that is in sight.` : undefined;
+}
+
+/** The levels as stored, of the times and frequencies within a window. */
+export function levelsCsv(spec: ChartSpec, levels: Levels, over: Over, window: Window): string {
+  const within = (values: Float64Array, [low, high]: Range) => Array.from(values.keys()).filter((i) => (values[i] as number) >= low && (values[i] as number) <= high);
+  const along = levels.motion[over];
+  const [columns, rows] = [within(along, window.x), within(levels.frequency, window.y)];
+  checkExported(columns.length, rows.length);
+  const count = levels.frequency.length;
+  const seen = {
+    x: columns.map((t) => along[t] as number),
+    y: rows.map((f) => levels.frequency[f] as number),
+    values: rows.flatMap((f) => columns.map((t) => levels.stored[t * count + f] as number)),
+  };
+  return chartCsv({ ...spec, layers: spec.layers.map((layer) => (layer.kind === "values" ? { ...layer, ...seen } : layer)) });
 }
 
 export function spectrogramSpec(analysis: StudyAnalysis, levels: Levels, over: Over): ChartSpec {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { parseRanges } from "../src/state/fields";
 import type { View } from "../src/state/view";
-import { basis, bodyOf, bodySpec, drawnFactor, placesAt, projected, swingOf } from "../src/pages/structures/body";
+import { basis, bodyCsv, bodyOf, bodySpec, drawnFactor, placesAt, projected, swingOf } from "../src/pages/structures/body";
 import { drawable, genericSpecs } from "../src/pages/structures/generic";
 import { growthClasses, homePlace, modesAt, planeSpec, readLocus, valueNear } from "../src/pages/structures/locus";
 import { partOf, rangeWithin, shownSignals, traceOf } from "../src/pages/structures/march";
@@ -201,6 +201,17 @@ describe("bodies", () => {
     const spec = bodySpec("body", flatBody, swing, { azimuth: 0, elevation: 0 }, 0, 0.1);
     const drawn = spec.layers.filter((layer) => layer.kind === "line" && layer.label !== "at rest");
     expect(drawn.map((layer) => (layer.kind === "line" ? layer.x.length / 3 : 0))).toEqual([1, 0, 1, 0, 0]);
+  });
+
+  it("are exported as what they are: every point at rest and its complex displacement", () => {
+    const places = Float64Array.of(0, 0.5, 1, 2, 3, 4);
+    const body = bodyOf(places, [0, 1], Float64Array.of(11, 42));
+    const shape = Float64Array.of(1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 0.1, 0);
+    const lines = bodyCsv(body, swingOf(body, shape, true), "1/√kg").trim().split("\n");
+    expect(lines[0]).toBe("node,x (m),y (m),z (m),Re u_x (1/√kg),Im u_x (1/√kg),Re u_y (1/√kg),Im u_y (1/√kg),Re u_z (1/√kg),Im u_z (1/√kg)");
+    expect(lines.slice(1)).toEqual(["11,0,0.5,1,1,-1,2,-2,3,-3", "42,2,3,4,4,-4,5,-5,0.1,0"]);
+    const flat = bodyCsv(flatBody, swingOf(flatBody, Float64Array.of(0, 0, 0, 0, 7, 0, 0, 0, 0), false), "");
+    expect(flat.split("\n").slice(0, 3)).toEqual(["point,x (m),y (m),z (m),Re u_x,Im u_x,Re u_y,Im u_y,Re u_z,Im u_z", "1,0,0,0,0,0,0,0,0,0", "2,3,0,0,0,0,7,0,0,0"]);
   });
 
   it("say by how much they are slowed down", () => {

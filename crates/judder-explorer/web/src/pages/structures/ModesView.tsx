@@ -94,11 +94,12 @@ function planeOf(name: string, modes: readonly ModeNumbers[]): ChartSpec | null 
 
 /** One mode of those that are stored: the others stay where they are. */
 function StoredShape({ analysis, mode, ...rates }: { readonly analysis: StudyAnalysis; readonly mode: number; readonly frequency: number | null; readonly growth: number | null }) {
-  const places = useArrays(analysis.name, ["place", "line"], {}, "places");
+  const nodes = variable(analysis, "point") ? ["point"] : [];
+  const places = useArrays(analysis.name, ["place", "line", ...nodes], {}, "places");
   const stored = variable(analysis, "shape");
   const kept = stored?.shape[0] ?? 0;
   const shape = useArrays(analysis.name, mode < kept ? ["shape"] : [], { from: mode, to: mode + 1 }, "shape");
-  const body = useMemo(() => (places.arrays ? bodyOf(numbers(places.arrays, "place"), numbers(places.arrays, "line")) : null), [places.arrays]);
+  const body = useMemo(() => (places.arrays ? bodyOf(numbers(places.arrays, "place"), numbers(places.arrays, "line"), numbers(places.arrays, "point")) : null), [places.arrays]);
   const swing = useMemo(() => {
     const array = shape.arrays?.get("shape");
     return body && array ? swingOf(body, numbers(shape.arrays, "shape"), array.type === "complex") : null;

@@ -3,15 +3,14 @@
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { Chart } from "../../chart/Chart";
 import { chartFigure } from "../../chart/export";
-import { registerExport } from "../../chart/exports";
+import { type Figure, registerExport } from "../../chart/exports";
 import { homeWindow } from "../../chart/frame";
-import type { ChartSpec } from "../../chart/spec";
 import { type Keep, useView } from "../../state/store";
 import { withFields } from "../../state/view";
 import { useApp } from "../../ui/app";
 import { download, fileName } from "../../ui/files";
 import { useTheme } from "../../ui/theme";
-import { type Body, DISPLACEMENT, type Swing, bodySpec, drawnFactor } from "./body";
+import { type Body, DISPLACEMENT, type Swing, bodyCsv, bodySpec, drawnFactor } from "./body";
 import { DisplacementBar } from "./DisplacementBar";
 import { short } from "./locus";
 import { ScaleAndPhase } from "./ScaleAndPhase";
@@ -54,7 +53,8 @@ export function ShapeView({ title, body, swing, frequency, growth, unit }: Shape
   const { canvas, state, picture } = useBodyScene({ body, swing, theme, still: { look, zoom, phase, factor }, playing, onPhase });
 
   const spec = useMemo(() => bodySpec(title, body, swing, look, phase, factor), [title, body, swing, look.azimuth, look.elevation, phase, factor]);
-  useExported(title, spec, state !== "missing");
+  const dataOf = () => bodyCsv(body, swing, unit);
+  useExported(title, () => chartFigure(spec, homeWindow(spec), SIZE, dataOf), state !== "missing");
 
   const turn = (next: Look, keep: Keep) => store.update((view) => withLook(view, next), keep);
   const savePng = () => {
@@ -69,7 +69,7 @@ export function ShapeView({ title, body, swing, frequency, growth, unit }: Shape
       {state === "missing" && <p role="status">This browser has no WebGL: the projected lines are shown instead.</p>}
       <div class="shape-picture" data-state={state}>
         {state === "missing" ? (
-          <Chart spec={spec} height={360} quiet />
+          <Chart spec={spec} height={360} dataOf={dataOf} quiet />
         ) : (
           <canvas
             ref={canvas}
@@ -103,14 +103,11 @@ export function ShapeView({ title, body, swing, frequency, growth, unit }: Shape
   );
 }
 
-/** The lines of the picture in the export menu, unless a chart that stands in for it registers itself. */
-function useExported(title: string, spec: ChartSpec, isOwn: boolean): void {
-  const shown = useRef(spec);
-  shown.current = spec;
-  useEffect(
-    () => (isOwn ? registerExport(title, () => chartFigure(shown.current, homeWindow(shown.current), SIZE)) : undefined),
-    [title, isOwn],
-  );
+/** The lines of the picture and the shape in the export menu, unless a chart that stands in for it registers itself. */
+function useExported(title: string, now: () => Figure, isOwn: boolean): void {
+  const newest = useRef(now);
+  newest.current = now;
+  useEffect(() => (isOwn ? registerExport(title, () => newest.current()) : undefined), [title, isOwn]);
 }
 
 interface ToolsProps {

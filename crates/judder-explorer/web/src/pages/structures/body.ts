@@ -1,11 +1,15 @@
 /** A body of points and lines that swings in a complex shape, and how it lies on the paper. */
 
+import { table } from "../../chart/csv";
+import { plainText } from "../../chart/markup";
 import type { ChartSpec, Layer } from "../../chart/spec";
 import type { Look } from "./state";
 
 export interface Body {
   /** Places at rest, m, three numbers a point: x to the right, y upwards, z towards who looks. */
   readonly points: Float64Array;
+  /** The numbers of the nodes; counted from 1 where the study does not say. */
+  readonly nodes: Float64Array | null;
   /** Pairs of points. */
   readonly lines: Uint32Array;
   /** Whether all points lie in one plane, which is looked at from the front. */
@@ -29,7 +33,7 @@ export interface Swing {
 export const DISPLACEMENT = 0.08;
 
 /** A body of the study's axes: in a plane y is upwards, in space z. */
-export function bodyOf(places: Float64Array, lines: ArrayLike<number>): Body {
+export function bodyOf(places: Float64Array, lines: ArrayLike<number>, nodes: Float64Array | null = null): Body {
   const count = places.length / 3;
   let planar = true;
   for (let i = 0; i < count && planar; i += 1) planar = places[3 * i + 2] === places[2];
@@ -39,7 +43,7 @@ export function bodyOf(places: Float64Array, lines: ArrayLike<number>): Body {
   const centre = [0, 1, 2].map((axis) => ((low[axis] as number) + (high[axis] as number)) / 2) as [number, number, number];
   const diagonal = Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
   const inside = Array.from(lines).every((end) => end >= 0 && end < count);
-  return { points, lines: inside ? Uint32Array.from(lines) : new Uint32Array(0), planar, diagonal, centre };
+  return { points, nodes: nodes?.length === count ? nodes : null, lines: inside ? Uint32Array.from(lines) : new Uint32Array(0), planar, diagonal, centre };
 }
 
 /** Vectors of the study's axes in those of the body. */
@@ -52,6 +56,23 @@ function turned(vectors: Float64Array, planar: boolean): Float64Array {
     out[i + 2] = -(vectors[i + 1] as number);
   }
   return out;
+}
+
+/** Vectors of the body's axes in those of the study. */
+function turnedBack([x, y, z]: Vector, planar: boolean): Vector {
+  return planar ? [x, y, z] : [x, -z, y];
+}
+
+/** The shape itself, in the axes of the study: every point at rest, and its complex displacement. */
+export function bodyCsv(body: Body, { real, imaginary }: Swing, unit: string): string {
+  const inUnit = unit === "" || unit === "1" ? "" : ` (${plainText(unit)})`;
+  const displacements = ["x", "y", "z"].flatMap((axis) => [`Re u_${axis}${inUnit}`, `Im u_${axis}${inUnit}`]);
+  const vectorAt = (values: Float64Array, i: number) => turnedBack([values[3 * i] as number, values[3 * i + 1] as number, values[3 * i + 2] as number], body.planar);
+  const rows = Array.from({ length: body.points.length / 3 }, (_, i) => {
+    const [re, im] = [vectorAt(real, i), vectorAt(imaginary, i)];
+    return [body.nodes?.[i] ?? i + 1, ...vectorAt(body.points, i), re[0], im[0], re[1], im[1], re[2], im[2]];
+  });
+  return table([body.nodes ? "node" : "point", "x (m)", "y (m)", "z (m)", ...displacements], rows);
 }
 
 function extreme(points: Float64Array, axis: number, pick: (a: number, b: number) => number): number {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { onPaper } from "../src/chart/axes";
 import { chartCsv } from "../src/chart/csv";
-import { decimate } from "../src/chart/decimate";
+import { decimate, visible } from "../src/chart/decimate";
 import { draw } from "../src/chart/draw";
 import { chartSvg } from "../src/chart/export";
 import { homeWindow } from "../src/chart/frame";
@@ -44,6 +44,15 @@ describe("decimation", () => {
     expect(closed.x.at(-1)).toBe(100 * Math.cos((count - 1) / 500));
     expect(decimate([1, 2], [3, Number.NaN], 1).x.length).toBe(2);
     expect(decimate([], [], 0).x.length).toBe(0);
+  });
+
+  it("leaves out points that others hide, and none of a few", () => {
+    const x = Array.from({ length: 3000 }, (_, i) => Math.floor(i / 10));
+    const y = Array.from({ length: 3000 }, (_, i) => (i % 2 === 0 ? 7 : 100));
+    expect(visible(x, y)).toHaveLength(300);
+    expect(visible(x, y).slice(0, 3)).toEqual([0, 1, 20]);
+    expect(visible([1, 1], [2, 2])).toEqual([0, 1]);
+    expect(visible(x, x.map(() => Number.NaN))).toHaveLength(0);
   });
 });
 

@@ -18,6 +18,24 @@ export function decimate(x: ArrayLike<number>, y: ArrayLike<number>, width: numb
   return ascends(x, count) ? byColumn(x, y, count) : byDistance(x, y, count);
 }
 
+/** Up to this many points nothing is left out. */
+const FEW_POINTS = 2000;
+/** Points that are closer than this cannot be told apart, in pixels. */
+const CELL = 2;
+
+/** The indices of points, given in pixels, that no earlier one hides. */
+export function visible(x: ArrayLike<number>, y: ArrayLike<number>): readonly number[] {
+  const indices = Array.from({ length: Math.min(x.length, y.length) }, (_, i) => i);
+  if (indices.length <= FEW_POINTS) return indices;
+  const taken = new Set<number>();
+  return indices.filter((i) => {
+    const cell = Math.floor((x[i] as number) / CELL) * 2 ** 20 + Math.floor((y[i] as number) / CELL);
+    if (Number.isNaN(cell) || taken.has(cell)) return false;
+    taken.add(cell);
+    return true;
+  });
+}
+
 function ascends(x: ArrayLike<number>, count: number): boolean {
   let before = Number.NEGATIVE_INFINITY;
   for (let i = 0; i < count; i += 1) {

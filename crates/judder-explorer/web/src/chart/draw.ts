@@ -1,6 +1,7 @@
 /** A whole chart as a tree of SVG elements. */
 
 import { drawAxes, drawGround, onPaper, withPower } from "./axes";
+import { visible } from "./decimate";
 import { type Frame, type Size, frameOf } from "./frame";
 import { drawLayer, drawLetters } from "./layers";
 import { drawLegend, legendEntries } from "./legend";
@@ -9,7 +10,7 @@ import { INK, type Theme, colourAt, hex } from "./palette";
 import { valueRange } from "./raster";
 import type { Window } from "./scale";
 import { type Shape, round, shape } from "./scene";
-import { type ChartSpec, type ValuesLayer, isRaster } from "./spec";
+import { type ChartSpec, type Layer, type ValuesLayer, isRaster } from "./spec";
 import { SMALL_SIZE, LABEL_SIZE, label } from "./text";
 import { ticks } from "./ticks";
 
@@ -32,7 +33,7 @@ export function draw(spec: ChartSpec, window: Window, size: Size, theme: Theme, 
   const below = (kind: string) => kind === "bands" || kind === "area";
   const clipped = (shapes: readonly Shape[]) => shape("g", { "clip-path": `url(#${clip})` }, ...shapes);
   const layers = (under: boolean) =>
-    spec.layers.filter((layer) => below(layer.kind) === under).flatMap((layer) => drawLayer(layer, drawing));
+    spec.layers.filter((layer) => below(layer.kind) === under).flatMap((layer) => drawLayer(sparse(layer, frame), drawing));
   const bars = spec.layers.filter((layer) => layer.kind === "values").slice(0, 1);
   const letters = spec.layers.flatMap((layer) => (layer.kind === "classes" && layer.letters ? drawLetters(layer, drawing) : []));
   return {
@@ -53,6 +54,14 @@ export function draw(spec: ChartSpec, window: Window, size: Size, theme: Theme, 
       ...bars.flatMap((layer) => drawBar(layer, frame, ink)),
     ],
   };
+}
+
+/** A layer without the points that others hide. */
+function sparse(layer: Layer, frame: Frame): Layer {
+  if (layer.kind !== "points") return layer;
+  const kept = visible(Array.from(layer.x, frame.px), Array.from(layer.y, frame.py));
+  if (kept.length === layer.x.length) return layer;
+  return { ...layer, x: kept.map((i) => layer.x[i] as number), y: kept.map((i) => layer.y[i] as number) };
 }
 
 const BAR_STEPS = 64;

@@ -2,7 +2,6 @@ import { describe, expect, it } from "vitest";
 import { parseRanges } from "../src/state/fields";
 import type { View } from "../src/state/view";
 import { basis, bodyCsv, bodyOf, bodySpec, drawnFactor, placesAt, projected, swingOf } from "../src/pages/structures/body";
-import { drawable, genericSpecs } from "../src/pages/structures/generic";
 import { growthClasses, homePlace, modesAt, planeSpec, readLocus, valueNear } from "../src/pages/structures/locus";
 import { partOf, rangeWithin, shownSignals, traceOf } from "../src/pages/structures/march";
 import { passed, positionAt, timeAt } from "../src/pages/structures/motion";
@@ -10,7 +9,7 @@ import { flat } from "../src/pages/structures/Scalars";
 import { leftOut, slowness } from "../src/pages/structures/ShapeView";
 import { highestOf, levelsCsv, outlines, readLevels, spectrogramSpec, toldOfLevels } from "../src/pages/structures/spectrogram";
 import { pickedAnalysis, placed, readLook, withAnalysis, withLook, withRange, withWindow } from "../src/pages/structures/state";
-import type { Study, StudyVariable } from "../src/pages/structures/study";
+import type { Study } from "../src/pages/structures/study";
 import { verdictOf, verdictsOf } from "../src/pages/structures/verdicts";
 import { quoted } from "../src/pages/structures/words";
 import { analysis, array, variable } from "./study";
@@ -224,18 +223,8 @@ describe("bodies", () => {
   });
 });
 
-describe("what has no view of its own", () => {
-  it("is drawn over its coordinates, complex numbers in two charts", () => {
-    const own = analysis("g", "growth", [
-      variable("time", ["time"], [3]), variable("amplitude", ["time"], [3]), variable("scalar", [], []), variable("cube", ["a", "b", "c"], [2, 2, 2]),
-    ]);
-    expect(drawable(own, []).map((one) => one.name)).toEqual(["amplitude"]);
-    const arrays = new Map([array("time", ["time"], [3], [0, 0.5, 1]), array("amplitude", ["time"], [3], [1, 2, 3, 4, 5, 6], { type: "complex" })]);
-    const specs = genericSpecs(own, own.variables[1] as StudyVariable, arrays);
-    expect(specs.map((spec) => (spec.layers[0]?.kind === "line" ? [...(spec.layers[0].y as Float64Array)] : []))).toEqual([[1, 3, 5], [2, 4, 6]]);
-  });
-
-  it("has its scalars told flat", () => {
+describe("scalars", () => {
+  it("are told flat", () => {
     expect(flat({ a: 1, b: { c: [1, 2] }, d: [{ e: null }] })).toEqual([["a", 1], ["b.c", "1, 2"], ["d.0.e", null]]);
   });
 });

@@ -2,7 +2,8 @@
 
 import { useMemo } from "preact/hooks";
 import { Busy } from "./Busy";
-import { MOST, coordinates, drawable, genericSpecs } from "./generic";
+import { type ArraysRequest, drawable, requestsOf, undrawn } from "./generic";
+import { genericCharts } from "./genericCharts";
 import { Scalars } from "./Scalars";
 import { StudyChart } from "./StudyChart";
 import type { StudyAnalysis } from "./study";
@@ -24,19 +25,33 @@ interface GenericChartsProps {
 }
 
 export function GenericCharts({ analysis, without }: GenericChartsProps) {
-  const drawn = drawable(analysis, without);
-  const wanted = [...new Set([...drawn.map((one) => one.name), ...coordinates(analysis, drawn)])];
-  const live = useArrays(analysis.name, drawn.length > 0 ? wanted : [], { most: MOST }, "generic");
-  const specs = useMemo(
-    () => (live.arrays ? drawn.flatMap((one) => genericSpecs(analysis, one, live.arrays ?? new Map()).map((spec) => ({ one, spec }))) : []),
-    [live.arrays, analysis],
+  const left = undrawn(analysis, without);
+  return (
+    <>
+      {requestsOf(analysis, drawable(analysis, without)).map((request) => (
+        <Requested key={request.names.join()} analysis={analysis} request={request} />
+      ))}
+      {left.length > 0 && <p class="study-note">Not drawn: {left.map(([name, reason]) => `${name} (${reason})`).join(", ")}. The study folder has the values.</p>}
+    </>
   );
-  if (drawn.length === 0) return null;
+}
+
+interface RequestedProps {
+  readonly analysis: StudyAnalysis;
+  readonly request: ArraysRequest;
+}
+
+function Requested({ analysis, request }: RequestedProps) {
+  const live = useArrays(analysis.name, request.names, request.part, `generic/${request.names[0]}`);
+  const charts = useMemo(() => {
+    const { arrays } = live;
+    return arrays ? request.drawn.flatMap((one) => genericCharts(analysis, one, arrays, request.part)) : [];
+  }, [live.arrays, analysis]);
   if (!live.arrays) return <Busy live={live} words="Reading the arrays…" />;
   return (
     <div class="study-grid">
-      {specs.map(({ one, spec }, index) => (
-        <StudyChart key={spec.title} spec={spec} names={{ x: `${one.dimensions[0] ?? "x"}${spec.equal ? "-map" : ""}`, y: `${one.name}-${index}` }} height={300} />
+      {charts.map(({ spec, names, height, note, dataOf }) => (
+        <StudyChart key={spec.title} spec={spec} names={names} height={height} note={note} dataOf={dataOf} />
       ))}
     </div>
   );

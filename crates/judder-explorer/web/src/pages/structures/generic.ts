@@ -1,109 +1,103 @@
-/** Charts of any variables: what has no view of its own is drawn over its coordinates. */
+/** Which variables have a chart without a view of their own, and what is asked of the server for it. */
 
-import type { ChartSpec, LineLayer, PointsLayer } from "../../chart/spec";
-import { type StudyAnalysis, type StudyVariable, axisLabel, sentence, variable } from "./study";
-import { type Arrays, numbers } from "./useArrays";
+import { type StudyAnalysis, type StudyVariable, variable } from "./study";
+import type { Part } from "./useArrays";
 
 /** More curves in one chart tell nothing. */
-const CURVES = 40;
-/** Fewer points than this are marked. */
-const MARKED = 200;
-/** Values of an axis that are asked for at most. */
+export const CURVES = 40;
+/** More charts of one variable tell nothing. */
+const SLICES = 12;
+/** Values of a variable that are asked for whole; the chart itself leaves out what no pixel shows. */
+const WHOLE = 300_000;
+/** Values that come whole where there is no other way. */
+const LARGEST = 1_000_000;
+/** Rows that are asked for of a longer variable. */
 export const MOST = 4000;
 
-/** Variables of one or two dimensions that can be drawn; coordinates are axes, not curves. */
-export function drawable(analysis: StudyAnalysis, without: readonly string[]): readonly StudyVariable[] {
+/** Whether every entry along a dimension has a name and a unit of its own, such as the quantities of a sweep. */
+export function isOfQuantities(analysis: StudyAnalysis, dimension: string): boolean {
+  return variable(analysis, `${dimension}_units`) !== undefined;
+}
+
+/** The dimensions that a chart has to show, by their place: those of one entry say nothing, and quantities have charts of their own. */
+function shownDimensions(analysis: StudyAnalysis, one: StudyVariable): readonly number[] {
+  return Array.from(one.shape.keys()).filter((k) => (one.shape[k] as number) > 1 && !isOfQuantities(analysis, one.dimensions[k] as string));
+}
+
+function count(one: StudyVariable): number {
+  return one.shape.reduce((product, length) => product * length, 1);
+}
+
+/** Values of one row. */
+export function widthOf(one: StudyVariable): number {
+  return one.shape.slice(1).reduce((product, length) => product * length, 1);
+}
+
+/** Whether a variable is so long that extremes of its rows have to do. */
+function isLong(analysis: StudyAnalysis, one: StudyVariable): boolean {
+  const shown = shownDimensions(analysis, one);
+  return count(one) > WHOLE && shown[0] === 0 && shown.length <= 2 && widthOf(one) <= CURVES;
+}
+
+/** Variables that a chart could be made of: coordinates are axes, what is said of quantities is words, and one value is no picture. */
+function candidates(analysis: StudyAnalysis, without: readonly string[]): readonly StudyVariable[] {
   return analysis.variables.filter((one) => {
-    const [first, second] = one.shape;
     const isCoordinate = one.dimensions.length === 1 && one.dimensions[0] === one.name;
-    const fits = one.shape.length === 1 ? (first as number) > 1 : one.shape.length === 2 && (first as number) > 1 && (second as number) <= 2 * CURVES;
-    return !isCoordinate && fits && !without.includes(one.name);
+    return !isCoordinate && !without.includes(one.name) && count(one) > 0 && shownDimensions(analysis, one).length > 0;
   });
 }
 
-/** Coordinates that those variables lie over. */
+/** Why a variable has no chart; undefined where it has one. */
+function whyNot(analysis: StudyAnalysis, one: StudyVariable): string | undefined {
+  const shown = shownDimensions(analysis, one);
+  if (shown.length > 3) return `it has ${shown.length} dimensions`;
+  const [first] = shown;
+  const slices = one.shape[first as number] as number;
+  if (shown.length === 3 && slices > SLICES) return `${slices} slices along ${(one.dimensions[first as number] as string).replaceAll("_", " ")} are too many`;
+  if (count(one) > LARGEST && !isLong(analysis, one)) return `${count(one)} values are too many`;
+  return undefined;
+}
+
+/** Variables that are drawn. */
+export function drawable(analysis: StudyAnalysis, without: readonly string[]): readonly StudyVariable[] {
+  return candidates(analysis, without).filter((one) => whyNot(analysis, one) === undefined);
+}
+
+/** Variables that are not drawn, with the reason. */
+export function undrawn(analysis: StudyAnalysis, without: readonly string[]): readonly (readonly [string, string])[] {
+  return candidates(analysis, without).flatMap((one) => {
+    const reason = whyNot(analysis, one);
+    return reason === undefined ? [] : [[one.name, reason] as const];
+  });
+}
+
+/** What is said of every entry of a dimension of quantities. */
+const SAID = ["", "_units", "_flag_values", "_flag_meanings"];
+
+/** What those variables lie over: their coordinates, and what is said of quantities. */
 export function coordinates(analysis: StudyAnalysis, drawn: readonly StudyVariable[]): readonly string[] {
-  const names = new Set(drawn.flatMap((one) => one.dimensions));
-  return [...names].filter((name) => {
-    const found = variable(analysis, name);
-    return found !== undefined && found.dimensions.length === 1;
-  });
+  const names = new Set(drawn.flatMap((one) => one.dimensions).flatMap((name) => SAID.map((end) => name + end)));
+  return [...names].filter((name) => variable(analysis, name)?.dimensions.length === 1);
 }
 
-/** The values of a dimension: its coordinate, or numbers from 1. */
-function valuesOf(arrays: Arrays, name: string, count: number): Float64Array {
-  const own = numbers(arrays, name);
-  return own.length === count ? own : Float64Array.from({ length: count }, (_, i) => i + 1);
+/** Variables that are asked for at once. */
+export interface ArraysRequest {
+  readonly drawn: readonly StudyVariable[];
+  readonly names: readonly string[];
+  readonly part: Part;
 }
 
-function labelOf(analysis: StudyAnalysis, name: string): string {
-  const own = variable(analysis, name);
-  const words = name.replaceAll("_", " ");
-  return own ? axisLabel(own) : `Number of the ${words}`;
-}
-
-/** The charts of one variable: two of a complex one. */
-export function genericSpecs(analysis: StudyAnalysis, one: StudyVariable, arrays: Arrays): readonly ChartSpec[] {
-  const array = arrays.get(one.name);
-  if (!array || array.data.length === 0) return [];
-  const data = numbers(arrays, one.name);
-  const parts: readonly (readonly [string, Float64Array])[] =
-    array.type === "complex" ? [["real part of ", everyOther(data, 0)], ["imaginary part of ", everyOther(data, 1)]] : [["", data]];
-  return parts.flatMap(([part, values]) => {
-    const title = `${analysis.name}: ${part}${one.long_name || one.name.replaceAll("_", " ")}`;
-    const axis = axisLabel(one);
-    const named = { title, label: part ? sentence(`${part}${axis}`) : axis };
-    const [rows, columns] = array.shape as [number, number | undefined];
-    if (columns !== undefined && columns === rows && rows > 2) return [square(analysis, one, named, values, arrays, rows)];
-    return [curves(analysis, one, named, values, arrays, rows, columns ?? 1)];
-  });
-}
-
-interface Named {
-  readonly title: string;
-  readonly label: string;
-}
-
-/** A table of as many rows as columns, such as one of modes against modes, as a map. */
-function square(analysis: StudyAnalysis, one: StudyVariable, named: Named, values: Float64Array, arrays: Arrays, count: number): ChartSpec {
-  const [first, second] = one.dimensions as [string, string];
-  return {
-    title: named.title,
-    x: { label: labelOf(analysis, second), scale: "linear", range: [0.5, count + 0.5] },
-    y: { label: labelOf(analysis, first), scale: "linear", range: [0.5, count + 0.5] },
-    layers: [{ kind: "values", label: named.label, x: edged(valuesOf(arrays, second, count)), y: edged(valuesOf(arrays, first, count)), values: repeated(values, count), colours: "sequential", scale: "linear" }],
-    equal: true,
+/** One request for what comes whole, and one for long variables over each dimension: a part is one of the first dimension. */
+export function requestsOf(analysis: StudyAnalysis, drawn: readonly StudyVariable[]): readonly ArraysRequest[] {
+  const request = (some: readonly StudyVariable[], part: Part) => {
+    const own = some.map((one) => one.name);
+    return { drawn: some, names: [...own, ...coordinates(analysis, some).filter((name) => !own.includes(name))], part };
   };
-}
-
-/** Cells that reach half a step beyond the first and the last number: a map ends at the centres of its outer cells. */
-function edged(values: Float64Array): Float64Array {
-  const [first, last] = [values[0] as number, values.at(-1) as number];
-  return Float64Array.from([first - 0.5, first, ...values.subarray(1, -1), last, last + 0.5]);
-}
-
-/** The values with their first and last rows and columns once more, for the outer halves of cells. */
-function repeated(values: Float64Array, count: number): Float64Array {
-  const index = (k: number) => Math.min(Math.max(k - 1, 0), count - 1);
-  const side = count + 2;
-  return Float64Array.from({ length: side * side }, (_, k) => values[index(Math.floor(k / side)) * count + index(k % side)] as number);
-}
-
-function curves(analysis: StudyAnalysis, one: StudyVariable, named: Named, values: Float64Array, arrays: Arrays, rows: number, columns: number): ChartSpec {
-  const first = one.dimensions[0] ?? "";
-  const x = valuesOf(arrays, first, rows);
-  const shown = Math.min(columns, CURVES);
-  const counted = rows <= MARKED && x.every((value, i) => value === (x[0] as number) + i);
-  const layers = Array.from({ length: shown }, (_, column): LineLayer | PointsLayer => {
-    const label = columns > 1 && columns <= 8 ? `${(one.dimensions[1] ?? "").replaceAll("_", " ")} ${column + 1}` : "";
-    const y = Float64Array.from({ length: rows }, (_, row) => values[row * columns + column] as number);
-    // nothing lies between things that are only counted
-    if (counted) return { kind: "points", label, x, y, role: { series: column } };
-    return { kind: "line", label, x, y, role: { series: column }, marked: rows <= MARKED };
-  });
-  return { title: named.title, x: { label: labelOf(analysis, first), scale: "linear" }, y: { label: named.label, scale: "linear" }, layers };
-}
-
-function everyOther(values: Float64Array, offset: number): Float64Array {
-  return Float64Array.from({ length: values.length / 2 }, (_, k) => values[2 * k + offset] as number);
+  const whole = drawn.filter((one) => !isLong(analysis, one));
+  const long = drawn.filter((one) => isLong(analysis, one));
+  const along = [...new Set(long.map((one) => one.dimensions[0]))];
+  return [
+    ...(whole.length > 0 ? [request(whole, {})] : []),
+    ...along.map((name) => request(long.filter((one) => one.dimensions[0] === name), { most: MOST })),
+  ];
 }

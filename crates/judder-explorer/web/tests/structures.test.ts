@@ -9,7 +9,7 @@ import { flat } from "../src/pages/structures/Scalars";
 import { leftOut, slowness } from "../src/pages/structures/ShapeView";
 import { highestOf, levelsCsv, outlines, readLevels, spectrogramSpec, toldOfLevels } from "../src/pages/structures/spectrogram";
 import { pickedAnalysis, placed, readLook, withAnalysis, withLook, withRange, withWindow } from "../src/pages/structures/state";
-import type { Study } from "../src/pages/structures/study";
+import { type Study, axisLabel, keyWords } from "../src/pages/structures/study";
 import { verdictOf, verdictsOf } from "../src/pages/structures/verdicts";
 import { quoted } from "../src/pages/structures/words";
 import { analysis, array, variable } from "./study";
@@ -232,5 +232,14 @@ describe("scalars", () => {
 describe("a command", () => {
   it("holds any path", () => {
     expect([quoted("out/belt"), quoted("my cases/it's.toml")]).toEqual(["out/belt", "'my cases/it'\\''s.toml'"]);
+  });
+});
+
+describe("labels", () => {
+  it("say keys in words", () => {
+    expect(keyWords("motion.velocity (m/s)")).toBe("Velocity (m/s)");
+    expect(keyWords("structure.oblique.beam.angle (rad)")).toBe("Angle of structure.oblique.beam (rad)");
+    expect(keyWords("Level (dB re 1 m/s^{2})")).toBe("Level (dB re 1 m/s^{2})");
+    expect(axisLabel(variable("value", ["value"], [3], { attributes: { label: "contact.friction_coefficient (−)" } }))).toBe("Friction coefficient (−)");
   });
 });

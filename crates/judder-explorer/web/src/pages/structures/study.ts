@@ -62,10 +62,23 @@ const ABBREVIATED: ReadonlyMap<string, string> = new Map([["mac", "MAC"]]);
 /** The label of a variable at an axis: its own, or its name in words with the unit. */
 export function axisLabel(variable: StudyVariable): string {
   const label = variable.attributes["label"];
-  if (typeof label === "string" && label !== "") return label;
+  if (typeof label === "string" && label !== "") return keyWords(label);
   const long = variable.long_name ?? "";
   const name = ABBREVIATED.get(variable.name) ?? sentence(long !== "" && long.length <= LONGEST ? long : variable.name.replaceAll("_", " "));
   return variable.units && variable.units !== "1" ? `${name} (${unitMarkup(variable.units)})` : name;
+}
+
+/** The path of a key with its unit. */
+const KEY = /^(\w[\w-]*(?:\.[\w-]+)+)( \(.*\))?$/;
+
+/** A label in words where it is the path of a key: its last part, and of what where the table's name does not say it. */
+export function keyWords(label: string): string {
+  const [, path, unit = ""] = KEY.exec(label) ?? [];
+  const parts = path?.split(".") ?? [];
+  const name = parts.pop();
+  if (name === undefined) return label;
+  const owner = parts.length > 1 ? ` of ${parts.join(".")}` : "";
+  return `${sentence(name.replaceAll("_", " "))}${owner}${unit}`;
 }
 
 /** With a capital at the start. */

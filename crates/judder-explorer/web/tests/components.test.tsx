@@ -41,6 +41,17 @@ describe("a chart", () => {
     expect(exportable()).toEqual([]);
   });
 
+  it("is exported as its data, of the window that is shown, where that is not what is drawn", async () => {
+    const dataOf = vi.fn(async () => "time,value\n");
+    const window = { x: [2, 5], y: [0, 1] } as const;
+    act(() => render(<Chart spec={spec} window={window} onWindow={() => undefined} dataOf={dataOf} />, host));
+    expect(await exportable()[0]?.now().csv()).toBe("time,value\n");
+    expect(dataOf).toHaveBeenCalledWith(window);
+    act(() => render(<Chart spec={spec} />, host));
+    expect(await exportable()[0]?.now().csv()).toBe("Time t (s),mode 1\n1,0\n10,0.5\n100,1\n");
+    act(() => render(null, host));
+  });
+
   it("is read, zoomed and reset with keys", () => {
     const onPick = vi.fn();
     act(() => render(<Chart spec={spec} onPick={onPick} />, host));

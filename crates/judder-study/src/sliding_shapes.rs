@@ -71,7 +71,8 @@ impl ShapedPair {
         self.system.pair.length()
     }
 
-    /// The `count` lowest modes at a position, as many as a locus counts where none is given. An analysis of kind `locus` says under which
+    /// The `count` lowest modes at a position, as many as a locus counts where none is given, and one more where it swings with the last of
+    /// them: of two that lock in one may grow. An analysis of kind `locus` says under which
     /// conditions; beside any other, the pair is damped and deformed by its load.
     ///
     /// # Errors
@@ -84,9 +85,10 @@ impl ShapedPair {
     ) -> Result<SlidingShapes, StudyError> {
         let pair = &self.system.pair;
         let (conditions, own) = self.conditions(analysis)?;
-        let count = count.unwrap_or(own).clamp(1, pair.modes().saturating_sub(1).max(1));
-        let found = spectrum(pair, &conditions, position, Wanted::Lowest(count))?.eigenvalues;
-        let eigenvalues: Vec<Complex64> = found.into_iter().take(count).collect();
+        let most = pair.modes().saturating_sub(1).max(1);
+        let count = count.unwrap_or(own).clamp(1, most);
+        let found = spectrum(pair, &conditions, position, Wanted::Lowest((count + 1).min(most)))?.eigenvalues;
+        let eigenvalues = lowest(found, count);
         let (coupling, _) = contact(pair, &conditions, position)?;
         let damping = if conditions.is_damped { pair.damping() } else { vec![0.0; pair.modes()] };
         let own = pair.eigenvalues();
@@ -165,6 +167,8 @@ impl ShapedPair {
 
 /// Modes that are looked at where no locus says how many.
 const COUNT: usize = 20;
+/// Two modes swing together whose frequencies differ by less, as a share.
+const TOGETHER: f64 = 1e-2;
 
 /// The structures of slider and track by their places in the case.
 fn bodies(case: &SlidingCase) -> [usize; 2] {
@@ -192,4 +196,12 @@ pub fn sliding_shapes(
     count: Option<usize>,
 ) -> Result<SlidingShapes, StudyError> {
     ShapedPair::new(file)?.at(analysis, position, count)
+}
+
+/// The first `count` in the order of their frequencies, and the next one where its frequency is that of the last.
+fn lowest(mut found: Vec<Complex64>, count: usize) -> Vec<Complex64> {
+    let pair = found.get(count - 1).zip(found.get(count));
+    let together = pair.is_some_and(|(last, next)| next.im - last.im < TOGETHER * next.im);
+    found.truncate(if together { count + 1 } else { count });
+    found
 }

@@ -169,6 +169,21 @@ fn the_contact_stays_closed_in_the_picture() {
     }
 }
 
+/// Where two modes lock in, the one that grows is not left out because the other has a frequency that is a little lower.
+#[test]
+fn modes_that_lock_in_are_shown_together() {
+    let pair = ShapedPair::new(&case(PAPER, &[])).unwrap();
+    let found = |position: f64, count| pair.at("locus", position, Some(count)).unwrap().eigenvalues;
+    // the first zone of the locus, at 6908 Hz
+    let locked = found(0.016_467_4, 12);
+    assert!(locked.len() == 13 && locked[11..].iter().any(|s| s.re > 0.0), "{:?}", &locked[11..]);
+    assert_eq!(found(0.016_467_4, 11).len(), 11);
+    assert_eq!(found(0.016_467_4, 13).len(), 13);
+    assert_eq!(found(0.022, 12).len(), 12);
+    // all that there are
+    assert!(found(0.022, usize::MAX).len() > 200);
+}
+
 /// The shapes of a position belong to the eigenvalues that the locus has stored there; the folder alone says how to find them.
 #[test]
 fn shapes_come_from_the_study_folder_alone() {

@@ -1,9 +1,13 @@
 """A quick case, and the command that the wheel carries."""
 
+import signal
 import subprocess
 import sys
 
 import pytest
+
+# jobs in the background of a script ignore Ctrl-C, and so would the programs that tests interrupt
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 MAP = """
 model = "oscillator"

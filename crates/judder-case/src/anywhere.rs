@@ -45,7 +45,7 @@ struct Home<'a> {
 
 impl Home<'_> {
     fn settle(&self, table: &mut dyn TableLike) {
-        let is_of_files = |path: &Path| self.files.iter().any(|file| is_below(&file.path, path));
+        let is_of_files = |path: &Path| self.files.iter().any(|file| file.lies_in(path));
         if let Some(item) = table.get_mut(FOLDER) {
             return self.replace(item, is_of_files);
         }
@@ -76,10 +76,4 @@ impl Home<'_> {
             put(item, whole.into());
         }
     }
-}
-
-/// Whether a file is the one at `path`, or lies below it.
-fn is_below(file: &Path, path: &Path) -> bool {
-    let whole = |path: &Path| path.canonicalize().ok();
-    whole(file).zip(whole(path)).is_some_and(|(file, path)| file.starts_with(path))
 }

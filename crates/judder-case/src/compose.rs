@@ -64,8 +64,8 @@ pub fn contact_case_of(name: &str, text: &str, set: &[String]) -> Result<CaseFil
     })
 }
 
-/// The case of `file` with its options written into it, its files by their whole paths, and of its analyses and sweeps only `name` and what `name` is made of: a
-/// spectrogram of its march and its locus, a sweep of the analyses whose results it keeps.
+/// The case of `file` with its options written into it and its files by their whole paths, and of its analyses and sweeps only `name` and
+/// what `name` is made of: a spectrogram of its march and its locus, a sweep of the analyses whose results it keeps.
 ///
 /// # Errors
 /// [`Cause::UnknownName`] where the case has neither an analysis nor a sweep of this name.

@@ -109,16 +109,15 @@ fn set_below(table: &mut dyn TableLike, step: &str, rest: &[&str], leaf: Value) 
 
 /// Keeps the items of a list whose flag is set; a list that has none left goes.
 pub(crate) fn keep(root: &mut Table, list: &str, kept: &[bool]) {
-    let flags = || kept.iter().copied();
+    let mut flags = kept.iter().copied();
+    let mut stays = || flags.next().unwrap_or(false);
     let left = match root.get_mut(list) {
         Some(Item::ArrayOfTables(tables)) => {
-            let mut flags = flags();
-            tables.retain(|_| flags.next().unwrap_or(false));
+            tables.retain(|_| stays());
             tables.len()
         }
         Some(Item::Value(Value::Array(values))) => {
-            let mut flags = flags();
-            values.retain(|_| flags.next().unwrap_or(false));
+            values.retain(|_| stays());
             values.len()
         }
         _ => return,

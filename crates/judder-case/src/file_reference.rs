@@ -17,6 +17,15 @@ pub struct FileReference {
     pub path: PathBuf,
 }
 
+impl FileReference {
+    /// Whether the file is the one at `path`, or lies below it, wherever links lead.
+    #[must_use]
+    pub fn lies_in(&self, path: &Path) -> bool {
+        let real = |path: &Path| path.canonicalize().ok();
+        real(&self.path).zip(real(path)).is_some_and(|(file, path)| file.starts_with(path))
+    }
+}
+
 /// Reads the path under `key` of `section`, relative to `folder`.
 pub(crate) fn read_file_reference(
     section: &Section<'_>,

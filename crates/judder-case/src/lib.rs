@@ -18,7 +18,8 @@
 //! - [`sliding_keys`], [`sliding`]: the sliding case: two structures, their contact, motion and analyses.
 //! - [`key_sweep`], [`study_sweep`]: any number of a case that varies, and `[[sweep]]`, the whole case at many points.
 //! - [`case_file`]: the way in. `resolved`: the way out, canonical JSON for the hash and the report.
-//! - [`mod@compose`]: options, and one analysis, written into the text of a case; one of its analyses alone. [`mod@anywhere`]: its files by whole paths. `edited`: the text that is edited.
+//! - [`mod@compose`]: options, and one analysis, written into the text of a case; one of its analyses alone.
+//!   [`mod@anywhere`]: its files by whole paths. `edited`: the text that is edited.
 //! - [`cause`], [`contact_problem`], `help`, `excerpt`, [`error`]: what is wrong, what would be right, where.
 //! - [`mod@schema`], [`mod@template`]: the JSON Schema for editors and the commented cases of `judder new`.
 

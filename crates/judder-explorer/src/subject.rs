@@ -81,8 +81,8 @@ impl Studied {
         let view = StudyView::open(folder)?;
         view.listing()?;
         // a folder may come from anybody: its case reads what lies in it, or what the case that was given reads, and no other file
-        let is_within = |file: &FileReference| is_within(folder, &file.path);
-        let kept = view.case_file().ok().filter(|case| case.case.files().into_iter().all(is_within));
+        let is_own = |case: &CaseFile| case.case.files().iter().all(|file| file.lies_in(folder));
+        let kept = view.case_file().ok().filter(is_own);
         let case = kept.or_else(|| given.and_then(|given| beside(&view, given)));
         Ok(Self { view, case, pair: Mutex::default() })
     }
@@ -131,14 +131,7 @@ impl Studied {
 
 /// The case that the folder keeps, where the given one lies, of no other files than that one.
 fn beside(view: &StudyView, given: &CaseFile) -> Option<CaseFile> {
-    let real = |file: &FileReference| file.path.canonicalize().ok();
-    let known: Vec<_> = given.case.files().into_iter().filter_map(real).collect();
-    let is_known = |file: &FileReference| real(file).is_some_and(|path| known.contains(&path));
-    view.case_file_at(&given.origin).ok().filter(|case| case.case.files().into_iter().all(is_known))
-}
-
-/// Whether a file lies in a folder, wherever links lead.
-fn is_within(folder: &Path, file: &Path) -> bool {
-    let real = |path: &Path| path.canonicalize().ok();
-    real(folder).zip(real(file)).is_some_and(|(folder, file)| file.starts_with(folder))
+    let known = given.case.files();
+    let is_known = |file: &&FileReference| known.iter().any(|known| file.lies_in(&known.path));
+    view.case_file_at(&given.origin).ok().filter(|case| case.case.files().iter().all(is_known))
 }

@@ -282,10 +282,10 @@ fn an_analysis_alone_is_the_one_of_the_case() {
             let one = alone(&whole, name).unwrap().resolved();
             assert_eq!(named(&one, "sweep"), [(name.clone(), given.clone())], "{}", path.display());
             // every analysis that it names, and no other
-            let names = |given: &Value| given.to_string();
             let kept = named(&one, "analysis");
             assert!(kept.iter().all(|one| analyses.contains(one)), "{} {name}", path.display());
-            let mentioned = |name: &str| names(&given["quantities"]).contains(&format!("\"{name}."));
+            let quantities = given["quantities"].to_string();
+            let mentioned = |name: &str| quantities.contains(&format!("\"{name}."));
             let expected = analyses.iter().filter(|(name, _)| mentioned(name)).count();
             assert_eq!(kept.len(), expected, "{} {name}", path.display());
             compared += 1;

@@ -2,7 +2,7 @@
 
 use crate::analyses::SteadyState;
 use crate::bridge;
-use crate::outcome::CheckRecord;
+use crate::outcome::{CheckRecord, Disagreement};
 use judder_case::OscillatorInputs;
 use judder_oscillator::characteristic::{Characteristic, MARGINAL_BAND};
 use judder_oscillator::conservative::discriminant_share;
@@ -28,32 +28,33 @@ pub(crate) fn steady_sliding(contact: &Contact, states: &[SteadyState]) -> Vec<C
         return Vec::new();
     }
     let count = sample.len();
-    let largest = |figure: &dyn Fn(&SteadyState) -> f64| sample.iter().map(|s| figure(s)).fold(0.0, f64::max);
+    let largest = |figure: &dyn Fn(&SteadyState) -> f64| sample.iter().map(|s| figure(s)).collect();
+    let decided = sample.iter().filter_map(|s| disagrees(&s.linearisation.system()));
     vec![
-        CheckRecord {
-            name: "steady sliding satisfies the equations of motion".to_owned(),
-            compared: format!("both rows of (12) at rest, over the normal load, at {count} points"),
-            figure: largest(&|s| imbalance(contact, s)),
-            limit: 1e-10,
-        },
-        CheckRecord {
-            name: "C and K are the Jacobian of the equations of motion".to_owned(),
-            compared: format!("central differences of (12) against (20), at {count} points"),
-            figure: largest(&|s| jacobian_error(contact, s)),
-            limit: 1e-6,
-        },
-        CheckRecord {
-            name: "the eigenvalues are those of the matrices".to_owned(),
-            compared: format!("det(λ² M + λ C + K) over its terms, four eigenvalues at {count} points"),
-            figure: largest(&|s| determinant_residual(&s.linearisation.system())),
-            limit: 1e-12,
-        },
-        CheckRecord {
-            name: "Hurwitz decides as the eigenvalues do".to_owned(),
-            compared: format!("number of disagreements beyond |Re λ| = 1e-7 |λ|, at {count} points"),
-            figure: sample.iter().filter(|s| disagrees(&s.linearisation.system())).count() as f64,
-            limit: 0.0,
-        },
+        CheckRecord::new(
+            "steady sliding satisfies the equations of motion",
+            format!("both rows of (12) at rest, over the normal load, at {count} points"),
+            largest(&|s| imbalance(contact, s)),
+            1e-10,
+        ),
+        CheckRecord::new(
+            "C and K are the Jacobian of the equations of motion",
+            format!("central differences of (12) against (20), at {count} points"),
+            largest(&|s| jacobian_error(contact, s)),
+            1e-6,
+        ),
+        CheckRecord::new(
+            "the eigenvalues are those of the matrices",
+            format!("det(λ² M + λ C + K) over its terms, four eigenvalues at {count} points"),
+            largest(&|s| determinant_residual(&s.linearisation.system())),
+            1e-12,
+        ),
+        CheckRecord::new(
+            "Hurwitz decides as the eigenvalues do",
+            format!("number of disagreements beyond |Re λ| = 1e-7 |λ|, at {count} points"),
+            Disagreement::exceptions(decided),
+            0.0,
+        ),
     ]
 }
 
@@ -106,15 +107,15 @@ fn jacobian_error(contact: &Contact, state: &SteadyState) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Whether the Hurwitz conditions and the eigenvalues differ on a system outside both marginal bands.
-fn disagrees(system: &LinearSystem) -> bool {
-    let Ok(reduced) = system.reduced() else { return false };
-    let Ok(values) = eigenvalues(&reduced) else { return true };
+/// Whether the Hurwitz conditions and the eigenvalues differ on a system; `None` within a marginal band, where neither decides.
+fn disagrees(system: &LinearSystem) -> Option<bool> {
+    let reduced = system.reduced().ok()?;
+    let Ok(values) = eigenvalues(&reduced) else { return Some(true) };
     let growth = growth_rate(&values);
     let size = values.iter().map(|l| l.norm()).fold(0.0, f64::max);
     let margin = Characteristic::new(&reduced).margin();
     let clear = growth.abs() > EIGENVALUE_BAND * size && margin.abs() > MARGINAL_BAND;
-    clear && (growth > 0.0) != (margin < 0.0)
+    clear.then_some((growth > 0.0) != (margin < 0.0))
 }
 
 /// The eigenvalues of a system against its matrices, which the characteristic polynomial no longer sees: the largest
@@ -140,22 +141,17 @@ fn determinant_residual(system: &LinearSystem) -> f64 {
 
 /// Whether each system is unstable, as a map says, against its eigenvalues.
 pub(crate) fn unstable_as_eigenvalues_say(systems: &[(LinearSystem, bool)]) -> CheckRecord {
-    let wrong = systems.iter().filter(|(system, unstable)| {
-        let Some(values) = system.reduced().ok().and_then(|reduced| eigenvalues(&reduced).ok()) else {
-            return false;
-        };
+    let decided = systems.iter().filter_map(|(system, unstable)| {
+        let values = eigenvalues(&system.reduced().ok()?).ok()?;
         let (growth, size) = (growth_rate(&values), values.iter().map(|l| l.norm()).fold(0.0, f64::max));
-        growth.abs() > EIGENVALUE_BAND * size && (growth > 0.0) != *unstable
+        (growth.abs() > EIGENVALUE_BAND * size).then_some((growth > 0.0) != *unstable)
     });
-    CheckRecord {
-        name: "the map agrees with the eigenvalues".to_owned(),
-        compared: format!(
-            "number of points whose verdict differs beyond |Re λ| = 1e-7 |λ|, of {}",
-            systems.len()
-        ),
-        figure: wrong.count() as f64,
-        limit: 0.0,
-    }
+    CheckRecord::new(
+        "the map agrees with the eigenvalues",
+        format!("number of points whose verdict differs beyond |Re λ| = 1e-7 |λ|, of {}", systems.len()),
+        Disagreement::exceptions(decided),
+        0.0,
+    )
 }
 
 /// A map, made by the vector path, against points solved alone by the bracketed scalar path.
@@ -163,52 +159,49 @@ pub(crate) fn map_against_points(
     states: &[(SteadyState, (usize, usize))],
     map: &StabilityMap,
 ) -> CheckRecord {
-    let wrong = states.iter().filter(|(state, (column, row))| {
-        let Ok(reduced) = state.linearisation.system().reduced() else { return true };
+    let decided = states.iter().filter_map(|(state, (column, row))| {
+        let Ok(reduced) = state.linearisation.system().reduced() else { return Some(true) };
         let clear = Characteristic::new(&reduced).margin().abs() > 1e-9
             && discriminant_share(&reduced.stiffness).abs() > 1e-9;
-        clear && StabilityClass::of(&reduced) != map.class(*column, *row)
+        clear.then(|| StabilityClass::of(&reduced) != map.class(*column, *row))
     });
-    CheckRecord {
-        name: "the map agrees with points solved alone".to_owned(),
-        compared: format!("number of points whose class differs, of {} over the whole map", states.len()),
-        figure: wrong.count() as f64,
-        limit: 0.0,
-    }
+    CheckRecord::new(
+        "the map agrees with points solved alone",
+        format!("number of points whose class differs, of {} over the whole map", states.len()),
+        Disagreement::exceptions(decided),
+        0.0,
+    )
 }
 
 /// Growth rates that should vanish: the largest found, over the largest |λ|, and what it may be.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct VanishingGrowth {
-    /// The largest |max Re λ| over max |λ|; infinite where a system had no eigenvalues.
-    pub(crate) figure: f64,
+    /// The largest |max Re λ| over max |λ|, infinite where a system had no eigenvalues, and of how many.
+    pub(crate) found: Disagreement,
     /// 1e-8; 1e-6 once a system without damping was among them: there two eigenvalues coincide, and their parting is as the root
     /// of rounding.
     pub(crate) limit: f64,
-    /// How many were looked at.
-    pub(crate) count: usize,
 }
 
 impl Default for VanishingGrowth {
     fn default() -> Self {
-        Self { figure: 0.0, limit: 1e-8, count: 0 }
+        Self { found: Disagreement::default(), limit: 1e-8 }
     }
 }
 
 impl VanishingGrowth {
     /// Looks at one more system; `None` stands for a point without steady sliding.
     pub(crate) fn add(&mut self, system: Option<ReducedSystem>) {
-        self.count += 1;
         let Some((system, values)) = system.and_then(|system| Some((system, eigenvalues(&system).ok()?)))
         else {
-            self.figure = f64::INFINITY;
+            self.found.add(f64::INFINITY);
             return;
         };
         if system.damping.iter().flatten().all(|entry| *entry == 0.0) {
             self.limit = 1e-6;
         }
         let size = values.iter().map(|l| l.norm()).fold(0.0, f64::max);
-        self.figure = self.figure.max(growth_rate(&values).abs() / size);
+        self.found.add(growth_rate(&values).abs() / size);
     }
 }
 
@@ -223,7 +216,7 @@ pub(crate) fn thresholds(
         let state = equilibrium(contact, &c).ok()?;
         Linearisation::new(contact.friction_load, &c, &state.response).system().reduced().ok()
     };
-    let (mut growth, mut merging, mut conservative_count) = (VanishingGrowth::default(), 0.0_f64, 0);
+    let (mut growth, mut merging) = (VanishingGrowth::default(), Disagreement::default());
     for (inputs, roots) in found {
         for root in &roots.full {
             growth.add(system_at(inputs, *root));
@@ -231,31 +224,21 @@ pub(crate) fn thresholds(
         for root in &roots.conservative {
             let share =
                 system_at(inputs, *root).map_or(f64::INFINITY, |s| discriminant_share(&s.stiffness).abs());
-            merging = merging.max(share);
-            conservative_count += 1;
+            merging.add(share);
         }
     }
-    let record = |name: &str, compared: String, figure: f64, limit: f64| CheckRecord {
-        name: name.to_owned(),
-        compared,
-        figure,
-        limit,
-    };
-    let full = record(
+    let full = CheckRecord::new(
         "growth rate vanishes at the thresholds of the full system",
-        format!("|max Re λ| over max |λ| from the eigenvalues, at {} thresholds", growth.count),
-        growth.figure,
+        format!("|max Re λ| over max |λ| from the eigenvalues, at {} thresholds", growth.found.numbers()),
+        growth.found,
         growth.limit,
     );
-    let conservative = record(
+    let conservative = CheckRecord::new(
         "the undamped modes merge at the conservative thresholds",
-        format!("discriminant of (24), (25) over its terms, at {conservative_count} thresholds"),
+        format!("discriminant of (24), (25) over its terms, at {} thresholds", merging.numbers()),
         merging,
         1e-9,
     );
-    [(full, growth.count), (conservative, conservative_count)]
-        .into_iter()
-        .filter(|(_, count)| *count > 0)
-        .map(|(record, _)| record)
-        .collect()
+    // where there is no threshold, there is nothing to check
+    [full, conservative].into_iter().filter(|check| !check.compared_nothing()).collect()
 }

@@ -26,6 +26,8 @@ pub struct Outcome {
 }
 
 /// A number doubted by another number.
+///
+/// How many were compared follows from what was compared: nobody can state it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CheckRecord {
     /// What is checked.
@@ -37,13 +39,101 @@ pub struct CheckRecord {
     pub figure: f64,
     /// What it may be at most.
     pub limit: f64,
+    /// How many numbers were compared; `None` of a study that was stored before they were counted.
+    #[serde(default)]
+    numbers: Option<usize>,
+}
+
+/// How far some numbers are from what they are compared with.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Disagreement {
+    figure: f64,
+    numbers: usize,
 }
 
 impl CheckRecord {
-    /// Whether the disagreement is within its limit.
+    /// What is checked, what was compared with what, how far it was off and what that may be at most.
+    pub(crate) fn new(
+        name: impl Into<String>,
+        compared: impl Into<String>,
+        found: Disagreement,
+        limit: f64,
+    ) -> Self {
+        let Disagreement { figure, numbers } = found;
+        Self { name: name.into(), compared: compared.into(), figure, limit, numbers: Some(numbers) }
+    }
+
+    /// Whether numbers were compared, and the disagreement is within its limit.
     #[must_use]
     pub fn passed(&self) -> bool {
-        self.figure <= self.limit
+        !self.compared_nothing() && self.figure <= self.limit
+    }
+
+    /// Whether there was nothing to compare.
+    #[must_use]
+    pub fn compared_nothing(&self) -> bool {
+        self.numbers == Some(0)
+    }
+
+    /// How many numbers were compared; `None` of a study that was stored before they were counted.
+    #[must_use]
+    pub fn numbers(&self) -> Option<usize> {
+        self.numbers
+    }
+
+    /// Why it has not passed, in words; `None` where it has.
+    #[must_use]
+    pub fn failure(&self) -> Option<String> {
+        let Self { name, figure, limit, .. } = self;
+        match (self.passed(), self.compared_nothing()) {
+            (true, _) => None,
+            (false, true) => Some(format!("check compared nothing: {name}")),
+            (false, false) => Some(format!("check failed: {name}: {figure:.1e}, at most {limit:.0e}")),
+        }
+    }
+}
+
+impl Disagreement {
+    /// Takes one more number into account; a disagreement that is no number is infinite, one below zero is none.
+    pub(crate) fn add(&mut self, disagreement: f64) {
+        self.figure = if disagreement.is_nan() { f64::INFINITY } else { self.figure.max(disagreement) };
+        self.numbers += 1;
+    }
+
+    /// How many numbers were compared.
+    pub(crate) fn numbers(&self) -> usize {
+        self.numbers
+    }
+
+    /// The number of exceptions.
+    pub(crate) fn exceptions(is_wrong: impl IntoIterator<Item = bool>) -> Self {
+        let of = |so_far: Self, wrong: bool| Self {
+            figure: so_far.figure + f64::from(u8::from(wrong)),
+            numbers: so_far.numbers + 1,
+        };
+        is_wrong.into_iter().fold(Self::default(), of)
+    }
+
+    /// The share of exceptions.
+    pub(crate) fn share(is_wrong: impl IntoIterator<Item = bool>) -> Self {
+        let Self { figure, numbers } = Self::exceptions(is_wrong);
+        Self { figure: figure / numbers.max(1) as f64, numbers }
+    }
+}
+
+/// The largest of some disagreements, each that of one number.
+impl FromIterator<f64> for Disagreement {
+    fn from_iter<I: IntoIterator<Item = f64>>(disagreements: I) -> Self {
+        let mut found = Self::default();
+        disagreements.into_iter().for_each(|disagreement| found.add(disagreement));
+        found
+    }
+}
+
+/// That of one number.
+impl From<f64> for Disagreement {
+    fn from(disagreement: f64) -> Self {
+        [disagreement].into_iter().collect()
     }
 }
 
@@ -58,10 +148,42 @@ mod tests {
 
     #[test]
     fn a_check_without_a_number_stays_a_failed_check() {
-        let check =
-            CheckRecord { name: String::new(), compared: String::new(), figure: f64::INFINITY, limit: 1.0 };
+        let check = CheckRecord::new("", "", f64::NAN.into(), 1.0);
+        assert_eq!(check.figure, f64::INFINITY);
         let text = serde_json::to_string(&check).unwrap();
         let kept: CheckRecord = serde_json::from_str(&text).unwrap();
         assert!(kept == check && !kept.passed());
+    }
+
+    /// The largest of none is zero, which is within every limit.
+    #[test]
+    fn a_check_that_compared_nothing_has_not_passed() {
+        let nothing: [Disagreement; 3] = [
+            std::iter::empty::<f64>().collect(),
+            Disagreement::exceptions(std::iter::empty()),
+            Disagreement::share(std::iter::empty()),
+        ];
+        for found in nothing {
+            let check = CheckRecord::new("rows agree", "", found, 1.0);
+            assert!(check.compared_nothing() && !check.passed());
+            assert_eq!(check.failure().as_deref(), Some("check compared nothing: rows agree"));
+        }
+    }
+
+    #[test]
+    fn numbers_are_counted_and_none_is_dropped() {
+        let largest: Disagreement = [0.5, -3.0, f64::NAN, 0.25].into_iter().collect();
+        assert_eq!((largest.figure, largest.numbers), (f64::INFINITY, 4));
+        let exceptions = [true, false, false, true];
+        assert_eq!(Disagreement::exceptions(exceptions), Disagreement { figure: 2.0, numbers: 4 });
+        assert_eq!(Disagreement::share(exceptions), Disagreement { figure: 0.5, numbers: 4 });
+    }
+
+    /// How many numbers a study compared that was stored before they were counted is not known.
+    #[test]
+    fn a_check_stored_without_its_count_is_still_read() {
+        let kept: CheckRecord =
+            serde_json::from_str(r#"{"name": "a", "compared": "b", "figure": 0.5, "limit": 1.0}"#).unwrap();
+        assert!(kept.passed() && kept.numbers().is_none());
     }
 }

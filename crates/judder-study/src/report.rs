@@ -119,7 +119,7 @@ pub(crate) fn check_rows<'a>(
     rows.map(|(name, check)| Check {
         name: format!("{name}: {}", check.name),
         compared: check.compared.clone(),
-        figure: figure(check.figure),
+        figure: if check.compared_nothing() { "compared nothing".to_owned() } else { figure(check.figure) },
         limit: format!("≤ {}", figure(check.limit)),
         passed: check.passed(),
     })

@@ -14,6 +14,7 @@ use crate::analyses::Prepared;
 use crate::door;
 use crate::error::StudyError;
 use crate::ledger::{Keepsakes, Study};
+use crate::outcome::CheckRecord;
 use crate::progress::Progress;
 use crate::report;
 use crate::sweep::{Shard, SweepEstimate, SweepPlan};
@@ -231,12 +232,8 @@ fn messages(summary: &Summary, kept: &Keepsakes, refused: &[RefusedAnalysis]) ->
             messages.push(format!("{name}: {reason}"));
         }
         messages.extend(record.warnings.iter().map(|warning| format!("{name}: {warning}")));
-        for check in kept.checks.get(name).into_iter().flatten().filter(|check| !check.passed()) {
-            messages.push(format!(
-                "{name}: check failed: {}: {:.1e}, at most {:.0e}",
-                check.name, check.figure, check.limit
-            ));
-        }
+        let failures = kept.checks.get(name).into_iter().flatten().filter_map(CheckRecord::failure);
+        messages.extend(failures.map(|failure| format!("{name}: {failure}")));
     }
     messages
 }

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod checks;
 mod computed_law;
 mod contact;
 mod global_margin;
@@ -32,7 +33,10 @@ fn run_into(folder: &Path, file: &CaseFile, only: &[&str]) -> RunReport {
         fresh: false,
         ..RunOptions::default()
     };
-    run(file, folder, &options, &Silent).unwrap()
+    let report = run(file, folder, &options, &Silent).unwrap();
+    let empty = checks::without_numbers(&report.summary);
+    assert!(empty.is_empty(), "checks that compared nothing: {empty:?}");
+    report
 }
 
 fn number(value: &Value) -> f64 {

@@ -65,5 +65,6 @@ fn tell(reporter: &Reporter, name: &str, outcome: &Outcome) -> Result<(), Refusa
 fn check(check: &CheckRecord) -> Value {
     json!({
         "name": check.name, "compared": check.compared, "figure": check.figure, "limit": check.limit, "passed": check.passed(),
+        "numbers": check.numbers(),
     })
 }

@@ -80,12 +80,10 @@ fn tell_discretisation(outcome: &mut Outcome, found: &Discretisation) {
     let terms = found.spectrum.terms().len();
     outcome.scalars.insert("spectrum_terms".to_owned(), json!(terms));
     outcome.scalars.insert("spectrum_error".to_owned(), number(found.error));
-    outcome.checks.push(CheckRecord {
-        name: "the terms stand for the continuous spectrum".to_owned(),
-        compared: format!(
-            "E(ω) of {terms} retardation times against that of the spectrum, the largest relative error"
-        ),
-        figure: found.error,
-        limit: SPECTRUM_LIMIT,
-    });
+    outcome.checks.push(CheckRecord::new(
+        "the terms stand for the continuous spectrum",
+        format!("E(ω) of {terms} retardation times against that of the spectrum, the largest relative error"),
+        found.error.into(),
+        SPECTRUM_LIMIT,
+    ));
 }

@@ -1,7 +1,7 @@
 //! What grows from a threshold of the oscillator, and how far beside it a knock starts a motion.
 
 use crate::bridge;
-use crate::outcome::CheckRecord;
+use crate::outcome::{CheckRecord, Disagreement};
 use crate::progress::Progress;
 use judder_case::{Form, OscillatorInputs, OscillatorKey, Value};
 use judder_numerics::piecewise::Settings;
@@ -304,18 +304,16 @@ pub(super) fn fold_check(
         })
         .collect();
     let count = motions.len();
-    let is_wrong = |[within, beyond]: &&[Fate; 2]| {
+    let is_wrong = |[within, beyond]: &[Fate; 2]| {
         matches!(within, Fate::Lost | Fate::AtRest) || *beyond == Fate::Lost || within.is_like(*beyond)
     };
-    let wrong = motions.iter().filter(is_wrong).count();
     let others = motions.iter().filter(|[_, beyond]| matches!(beyond, Fate::Moving { .. })).count();
-    let check = (count > 0).then(|| CheckRecord {
-        name: "motions from large cycles end at the folds".to_owned(),
-        compared: format!(
-            "number of {count} folds where a motion 1 % inside dies out, or one 1 % outside stays on the cycle"
-        ),
-        figure: wrong as f64,
-        limit: 0.0,
+    let compared = format!(
+        "number of {count} folds where a motion 1 % inside dies out, or one 1 % outside stays on the cycle"
+    );
+    let check = (count > 0).then(|| {
+        let wrong = Disagreement::exceptions(motions.iter().map(is_wrong));
+        CheckRecord::new("motions from large cycles end at the folds", compared, wrong, 0.0)
     });
     let warning = (others > 0).then(|| {
         format!(

@@ -7,7 +7,7 @@ use super::stability_map::{
 };
 use crate::checks;
 use crate::error::StudyError;
-use crate::outcome::{CheckRecord, Outcome};
+use crate::outcome::{CheckRecord, Disagreement, Outcome};
 use crate::progress::Progress;
 use judder_case::{ParameterKey, StabilityMap as MapSettings, Sweep, TwoDegreesAnalysis, TwoDegreesCase};
 use judder_numerics::root::all_roots;
@@ -124,17 +124,17 @@ fn critical(
     };
     let born: Vec<Option<(f64, f64)>> = search.roots.iter().map(at_root).collect();
     let frequency: Vec<f64> = born.iter().map(|b| b.map_or(f64::NAN, |b| b.0)).collect();
-    let growth = born.iter().flatten().map(|b| b.1.abs()).fold(0.0, f64::max);
+    let growth: Disagreement = born.iter().map(|b| b.map_or(f64::NAN, |b| b.1.abs())).collect();
     let values: Vec<f64> = search.roots.iter().map(|position| range.value(*position)).collect();
     let axis = Axis::of_parameter(sweep);
     let count = values.len();
-    let check = CheckRecord {
-        name: "growth rate vanishes at the critical values".to_owned(),
-        compared: format!("largest real part of the eigenvalues, at {count} values"),
-        figure: growth,
+    let check = CheckRecord::new(
+        "growth rate vanishes at the critical values",
+        format!("largest real part of the eigenvalues, at {count} values"),
+        growth,
         // a root of multiplicity two carries half the digits
-        limit: 1e-6,
-    };
+        1e-6,
+    );
     let roots =
         Variable::coordinate("critical", values.clone()).long_name(&format!("critical {}", axis.name()));
     let frequencies = Variable::new("frequency", &["critical"], &[count], frequency.clone())

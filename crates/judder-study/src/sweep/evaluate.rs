@@ -8,7 +8,7 @@ use crate::bridge::{self, CaseContact};
 use crate::computed_law::NO_POINTS;
 use crate::door;
 use crate::error::StudyError;
-use crate::outcome::Outcome;
+use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use judder_case::{Case, Form, LawName, OscillatorCase, OscillatorInputs, OscillatorKey, Value};
 use judder_oscillator::Contact;
@@ -304,9 +304,8 @@ impl Told {
         if outcome.missing > 0 {
             self.missing.push(format!("{name}: {} of its results are missing", outcome.missing));
         }
-        self.doubts.extend(outcome.checks.iter().filter(|check| !check.passed()).map(|check| {
-            format!("{name}: check failed: {}: {:.1e}, at most {:.0e}", check.name, check.figure, check.limit)
-        }));
+        let failures = outcome.checks.iter().filter_map(CheckRecord::failure);
+        self.doubts.extend(failures.map(|failure| format!("{name}: {failure}")));
         self.doubts.extend(outcome.warnings.iter().map(|warning| format!("{name}: {warning}")));
     }
 

@@ -114,13 +114,12 @@ fn table(beside: &[CoefficientComparison]) -> Result<Table, StudyError> {
 fn returns(plane: &Plane, fit: &LawFit) -> Result<CheckRecord, FitError> {
     let law = fit.law();
     let again = plane.fit(&Law::Fitted(law), fit.log10_velocity_scale)?;
-    let figure = again.beside(&law).iter().map(|line| line.relative_deviation().abs()).fold(0.0, f64::max);
-    Ok(CheckRecord {
-        name: "the fit finds the coefficients of functions of its own form".to_owned(),
-        compared: "fourteen coefficients, fitted to the values of the fitted functions, relative".to_owned(),
-        figure,
-        limit: RETURN_LIMIT,
-    })
+    Ok(CheckRecord::new(
+        "the fit finds the coefficients of functions of its own form",
+        "fourteen coefficients, fitted to the values of the fitted functions, relative",
+        again.beside(&law).iter().map(|line| line.relative_deviation().abs()).collect(),
+        RETURN_LIMIT,
+    ))
 }
 
 /// What the functions do not describe.

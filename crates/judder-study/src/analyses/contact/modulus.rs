@@ -2,7 +2,7 @@
 
 use crate::error::StudyError;
 use crate::material::{ContactScales, Material};
-use crate::outcome::{CheckRecord, Outcome};
+use crate::outcome::{CheckRecord, Disagreement, Outcome};
 use judder_case::{ContactCase, Form, Span, contact_analysis::FREQUENCIES};
 use judder_contact::material::{DmaData, PronyFit};
 use judder_store::{Dataset, Table, Variable, number};
@@ -189,20 +189,20 @@ fn checks(material: &Material, frequencies: &[f64]) -> Result<Vec<CheckRecord>, 
     let moduli: Vec<_> = frequencies.iter().map(|omega| spectrum.complex_modulus(*omega)).collect();
     // rounding may let a plateau fall by its last digit
     let falls = |pair: &[num_complex::Complex64]| pair[1].re < pair[0].re * (1.0 - 1e-12);
-    let falling = moduli.windows(2).filter(|pair| falls(pair)).count();
-    let negative = moduli.iter().filter(|modulus| modulus.im < 0.0).count();
+    let falling = moduli.windows(2).map(falls);
+    let negative = moduli.iter().map(|modulus| modulus.im < 0.0);
     Ok(vec![
-        CheckRecord {
-            name: "creep and relaxation form are one material".to_owned(),
-            compared: format!("E(ω) of both forms at {} frequencies, relative", frequencies.len()),
-            figure: frequencies.iter().map(difference).fold(0.0, f64::max),
-            limit: FORMS_LIMIT,
-        },
-        CheckRecord {
-            name: "the storage modulus rises and the loss modulus is positive".to_owned(),
-            compared: format!("number of exceptions at {} frequencies", frequencies.len()),
-            figure: (falling + negative) as f64,
-            limit: 0.0,
-        },
+        CheckRecord::new(
+            "creep and relaxation form are one material",
+            format!("E(ω) of both forms at {} frequencies, relative", frequencies.len()),
+            frequencies.iter().map(difference).collect(),
+            FORMS_LIMIT,
+        ),
+        CheckRecord::new(
+            "the storage modulus rises and the loss modulus is positive",
+            format!("number of exceptions at {} frequencies", frequencies.len()),
+            Disagreement::exceptions(falling.chain(negative)),
+            0.0,
+        ),
     ])
 }

@@ -71,31 +71,25 @@ pub(super) fn run(
 
 fn checks(contact: &PeriodicContact, question: &PeriodicQuestion<'_>) -> Vec<CheckRecord> {
     let level = &contact.finest;
-    let record = |name: &str, compared: &str, figure: f64, limit: f64| CheckRecord {
-        name: name.to_owned(),
-        compared: compared.to_owned(),
-        figure,
-        limit,
-    };
-    let mut checks = vec![record(
+    let mut checks = vec![CheckRecord::new(
         "the conditions of contact hold",
         "largest of complementarity, tension, penetration, load, computed anew",
-        level.solution.errors.worst(),
+        level.solution.errors.worst().into(),
         RESIDUAL_LIMIT,
     )];
     if let PeriodicLoading::MeanPressure(imposed) = question.loading {
-        checks.push(record(
+        checks.push(CheckRecord::new(
             "the load is carried",
             "the sum of the pressures against the imposed force, relative",
-            (level.mean_pressure / imposed - 1.0).abs(),
+            (level.mean_pressure / imposed - 1.0).abs().into(),
             RESIDUAL_LIMIT,
         ));
     }
     if level.friction_from_dissipation > 0.0 {
-        checks.push(record(
+        checks.push(CheckRecord::new(
             "friction at the surface is the energy dissipated in the bulk",
             "⟨p ∂h/∂x⟩ against the loss of every wave of the period, relative",
-            contact.friction_difference(),
+            contact.friction_difference().into(),
             DISSIPATION_LIMIT,
         ));
     }

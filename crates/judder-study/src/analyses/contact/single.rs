@@ -100,35 +100,29 @@ fn checks(
     let errors = &contact.finest.solution.errors;
     let grid = contact.finest.grid;
     let size = format!("{} × {} cells", grid.columns, grid.rows);
-    let record = |name: &str, compared: String, figure: f64, limit: f64| CheckRecord {
-        name: name.to_owned(),
-        compared,
-        figure,
-        limit,
-    };
     let mut checks = vec![
-        record(
+        CheckRecord::new(
             "pressure and gap exclude each other",
             format!("the smaller of p/p_max and |g|/δ, computed anew on {size}"),
-            errors.complementarity,
+            errors.complementarity.into(),
             RESIDUAL_LIMIT,
         ),
-        record(
+        CheckRecord::new(
             "nothing pulls and nothing penetrates",
             format!("most negative pressure over the largest, penetration over the depth, {size}"),
-            errors.largest_penetration.max(-errors.smallest_pressure),
+            [errors.largest_penetration, -errors.smallest_pressure].into_iter().collect(),
             RESIDUAL_LIMIT,
         ),
     ];
     if errors.load > 0.0 || matches!(question.loading, Loading::Load(_)) {
-        let compared = "the sum of the pressures against the imposed force".to_owned();
-        checks.push(record("the load is carried", compared, errors.load, RESIDUAL_LIMIT));
+        let compared = "the sum of the pressures against the imposed force";
+        checks.push(CheckRecord::new("the load is carried", compared, errors.load.into(), RESIDUAL_LIMIT));
     }
     if !question.substrate.terms.is_empty() && velocity > 0.0 {
-        checks.push(record(
+        checks.push(CheckRecord::new(
             "friction at the surface is the energy dissipated in the bulk",
-            "∫ p ∂h/∂x against the loss in Fourier space, relative".to_owned(),
-            contact.friction_difference(),
+            "∫ p ∂h/∂x against the loss in Fourier space, relative",
+            contact.friction_difference().into(),
             DISSIPATION_LIMIT,
         ));
     }
@@ -151,23 +145,23 @@ fn limits(
     let rubbery = 4.0 / 3.0 * r.indentation.value.powf(1.5);
     let glassy = contrast * rubbery;
     let outside = (rubbery / r.force.value).max(r.force.value / glassy) - 1.0;
-    checks.push(CheckRecord {
-        name: "the force lies between Hertz with E0 and with E∞".to_owned(),
-        compared: "how far beyond the nearer of 4/3 δ^{3/2} and 4/3 (E∞/E0) δ^{3/2}, relative".to_owned(),
-        figure: outside.max(0.0),
-        limit: question.accuracy,
-    });
+    checks.push(CheckRecord::new(
+        "the force lies between Hertz with E0 and with E∞",
+        "how far beyond the nearer of 4/3 δ^{3/2} and 4/3 (E∞/E0) δ^{3/2}, relative",
+        outside.into(),
+        question.accuracy,
+    ));
     let slow = velocity / r.indentation.value.sqrt();
     let moment: f64 = question.substrate.terms.iter().map(|term| term.compliance * term.length).sum();
     let longest = question.substrate.terms.iter().map(|term| term.length).fold(0.0, f64::max);
     if moment > 0.0 && slow.max(longest / r.indentation.value.sqrt()) < SLOW {
-        checks.push(CheckRecord {
-            name: "slow sliding has the friction of the closed form".to_owned(),
-            compared: "μ against Σ C_k E0 v τ_k/R, relative".to_owned(),
-            figure: (r.friction.value / moment - 1.0).abs(),
+        checks.push(CheckRecord::new(
+            "slow sliding has the friction of the closed form",
+            "μ against Σ C_k E0 v τ_k/R, relative",
+            (r.friction.value / moment - 1.0).abs().into(),
             // friction may be five times as far off as the force
-            limit: (5.0 * question.accuracy).max(1e-2),
-        });
+            (5.0 * question.accuracy).max(1e-2),
+        ));
     }
     checks
 }

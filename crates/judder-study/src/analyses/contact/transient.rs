@@ -216,13 +216,12 @@ impl Steady {
         };
         let force = mean(|sample| sample.force);
         let friction = mean(|sample| sample.friction_force) / force;
-        CheckRecord {
-            name: "the end of the start is steady sliding".to_owned(),
-            compared: "mean force (relative) and friction of the last tenth against the steady contact"
-                .to_owned(),
-            figure: (force / self.force - 1.0).abs().max((friction - self.friction).abs()),
-            limit: STEADY_LIMIT,
-        }
+        CheckRecord::new(
+            "the end of the start is steady sliding",
+            "mean force (relative) and friction of the last tenth against the steady contact",
+            [(force / self.force - 1.0).abs(), (friction - self.friction).abs()].into_iter().collect(),
+            STEADY_LIMIT,
+        )
     }
 }
 
@@ -277,27 +276,22 @@ fn checks(
     last: &TransientSample,
     question: &TransientQuestion<'_>,
 ) -> Vec<CheckRecord> {
-    let residual = history.samples.iter().map(|sample| sample.residual).fold(0.0, f64::max);
-    let mut checks = vec![CheckRecord {
-        name: "the conditions of contact hold at every step".to_owned(),
-        compared: format!(
-            "largest error of {} contacts, displacement over the largest depth",
-            history.samples.len()
-        ),
-        figure: residual,
-        limit: RESIDUAL_LIMIT.max(question.limits.tolerance),
-    }];
+    let mut checks = vec![CheckRecord::new(
+        "the conditions of contact hold at every step",
+        format!("largest error of {} contacts, displacement over the largest depth", history.samples.len()),
+        history.samples.iter().map(|sample| sample.residual).collect(),
+        RESIDUAL_LIMIT.max(question.limits.tolerance),
+    )];
     let first = history.samples.first().and_then(|sample| sample.energy);
     if let (Some(first), Some(energy)) = (first, last.energy) {
         let stored = energy.stored - first.stored;
         let scale = energy.dissipated.abs().max(energy.stored).max(last.work().abs());
-        checks.push(CheckRecord {
-            name: "the work is stored or dissipated".to_owned(),
-            compared: "work at the indenter against the energies in the substrate, over the largest of them"
-                .to_owned(),
-            figure: (last.work() - stored - energy.dissipated).abs() / scale,
-            limit: ENERGY_LIMIT,
-        });
+        checks.push(CheckRecord::new(
+            "the work is stored or dissipated",
+            "work at the indenter against the energies in the substrate, over the largest of them",
+            ((last.work() - stored - energy.dissipated).abs() / scale).into(),
+            ENERGY_LIMIT,
+        ));
     }
     checks
 }

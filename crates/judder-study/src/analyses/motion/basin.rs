@@ -3,7 +3,7 @@
 use super::model::{Model, Operating};
 use crate::error::StudyError;
 use crate::kept::Kept;
-use crate::outcome::{CheckRecord, Outcome};
+use crate::outcome::{CheckRecord, Disagreement, Outcome};
 use crate::progress::Progress;
 use judder_case::Following;
 use judder_numerics::counter::uniform;
@@ -156,16 +156,12 @@ fn repeated<S: SlidingSystem<N>, const N: usize>(
             Ok(again.fate != sample.fate)
         })
         .collect::<Result<_, StudyError>>()?;
-    let count = changed.iter().filter(|changed| **changed).count();
-    Ok(CheckRecord {
-        name: "the fates stay when the motions are followed more exactly".to_owned(),
-        compared: format!(
-            "share of {} samples whose fate changes at a hundredth of the tolerance",
-            some.len()
-        ),
-        figure: count as f64 / some.len() as f64,
-        limit: CHANGED_LIMIT,
-    })
+    Ok(CheckRecord::new(
+        "the fates stay when the motions are followed more exactly",
+        format!("share of {} samples whose fate changes at a hundredth of the tolerance", some.len()),
+        Disagreement::share(changed),
+        CHANGED_LIMIT,
+    ))
 }
 
 /// The 95 % interval of a share after E. B. Wilson (1927).

@@ -224,10 +224,10 @@ fn repeated<M: Model<N>, const N: usize>(
             Ok(again.map_or(f64::INFINITY, |again| (again.rms / settling.rms - 1.0).abs()))
         })
         .collect::<Result<_, StudyError>>()?;
-    Ok(Some(CheckRecord {
-        name: "the cycles stay when they are followed more exactly".to_owned(),
-        compared: format!("rms of {} cycles at a hundredth of the tolerance, relative", figures.len()),
-        figure: figures.into_iter().fold(0.0, f64::max),
-        limit: RMS_LIMIT,
-    }))
+    Ok(Some(CheckRecord::new(
+        "the cycles stay when they are followed more exactly",
+        format!("rms of {} cycles at a hundredth of the tolerance, relative", figures.len()),
+        figures.into_iter().collect(),
+        RMS_LIMIT,
+    )))
 }

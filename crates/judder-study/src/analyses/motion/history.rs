@@ -54,7 +54,7 @@ pub(super) fn run<M: Model<N>, const N: usize>(
         scalars,
         dataset: arrays.with_spectrum(arrays.dataset()?, &window)?.attribute("kind", "motion")?,
         table: Some(arrays.table()?),
-        checks: vec![energy_check(&history)],
+        checks: energy_check(&history).into_iter().collect(),
         ..Outcome::default()
     })
 }
@@ -117,14 +117,18 @@ fn energy<const N: usize>(history: &History<N>) -> Value {
     })
 }
 
-pub(super) fn energy_check<const N: usize>(history: &History<N>) -> CheckRecord {
-    CheckRecord {
-        name: "the work is stored or dissipated".to_owned(),
-        compared: "works of friction, normal force and dampers against the change of energy, beyond what the steps resolve, over the largest of them"
-            .to_owned(),
-        figure: history.energy_residual(),
-        limit: ENERGY_LIMIT,
-    }
+/// That of the work; `None` where so little moved that the steps do not resolve it.
+pub(super) fn energy_check<const N: usize>(history: &History<N>) -> Option<CheckRecord> {
+    let work = &history.measures.work;
+    let parts = [work.friction, work.normal, work.damping, history.energy_change];
+    parts.iter().any(|part| part.abs() > history.energy_resolution).then(|| {
+        CheckRecord::new(
+            "the work is stored or dissipated",
+            "works of friction, normal force and dampers against the change of energy, beyond what the steps resolve, over the largest of them",
+            history.energy_residual().into(),
+            ENERGY_LIMIT,
+        )
+    })
 }
 
 fn condition<const N: usize>(memory: &Memory, oscillation: &Oscillation<N>) -> f64 {

@@ -49,20 +49,17 @@ pub(super) fn run<M: Model<N>, const N: usize>(
     let multipliers = Variable::new("floquet_multipliers", &["multiplier"], &[N], cycle.multipliers.clone())
         .units("1")
         .long_name("Floquet multipliers, the trivial one among them");
+    let monodromy = CheckRecord::new(
+        "the monodromy carries the cycle's own velocity into itself",
+        "the velocity after a period, through all saltation matrices, against that before, relative",
+        cycle.trivial_error.into(),
+        TRIVIAL_LIMIT,
+    );
     Ok(Outcome {
         scalars,
         dataset: arrays.dataset()?.with(multipliers)?.attribute("kind", "limit-cycle")?,
         table: Some(arrays.table()?),
-        checks: vec![
-            energy_check(&history),
-            CheckRecord {
-                name: "the monodromy carries the cycle's own velocity into itself".to_owned(),
-                compared: "the velocity after a period, through all saltation matrices, against that before, relative"
-                    .to_owned(),
-                figure: cycle.trivial_error,
-                limit: TRIVIAL_LIMIT,
-            },
-        ],
+        checks: energy_check(&history).into_iter().chain([monodromy]).collect(),
         ..Outcome::default()
     })
 }

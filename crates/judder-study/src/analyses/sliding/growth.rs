@@ -92,18 +92,18 @@ fn far_off(frequency: f64, asked: f64) -> Option<String> {
 fn checks(method: &str, measured: Complex64, predicted: Complex64) -> Vec<CheckRecord> {
     let compared = format!("{method} against {:.6} 1/s at {:.4} Hz", predicted.re, predicted.im / TAU);
     vec![
-        CheckRecord {
-            name: "the march grows as the eigenvalue says".to_owned(),
-            compared: format!("relative difference of growth rates, {compared}"),
-            figure: ((measured.re - predicted.re) / predicted.re).abs(),
-            limit: GROWTH_LIMIT,
-        },
-        CheckRecord {
-            name: "the march swings as the eigenvalue says".to_owned(),
-            compared: format!("relative difference of frequencies, {compared}"),
-            figure: ((measured.im - predicted.im) / predicted.im).abs(),
-            limit: FREQUENCY_LIMIT,
-        },
+        CheckRecord::new(
+            "the march grows as the eigenvalue says",
+            format!("relative difference of growth rates, {compared}"),
+            ((measured.re - predicted.re) / predicted.re).abs().into(),
+            GROWTH_LIMIT,
+        ),
+        CheckRecord::new(
+            "the march swings as the eigenvalue says",
+            format!("relative difference of frequencies, {compared}"),
+            ((measured.im - predicted.im) / predicted.im).abs().into(),
+            FREQUENCY_LIMIT,
+        ),
     ]
 }
 

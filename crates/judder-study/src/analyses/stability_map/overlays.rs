@@ -210,16 +210,20 @@ pub(crate) fn incomplete(overlays: &[Overlay]) -> Vec<String> {
 pub(super) fn check(overlays: &[Overlay]) -> Vec<CheckRecord> {
     let checked = overlays.iter().filter_map(|overlay| Some((overlay.what, overlay.growth?)));
     checked
-        .filter(|(_, growth)| growth.count > 0)
-        .map(|(what, growth)| CheckRecord {
-            name: format!("growth rate vanishes on the {what}"),
-            compared: format!(
+        .map(|(what, growth)| {
+            let compared = format!(
                 "|max Re λ| over max |λ| from the eigenvalues, at {} points of the followed curve",
-                growth.count
-            ),
-            figure: growth.figure,
-            limit: growth.limit,
+                growth.found.numbers()
+            );
+            CheckRecord::new(
+                format!("growth rate vanishes on the {what}"),
+                compared,
+                growth.found,
+                growth.limit,
+            )
         })
+        // a map may have no such curve
+        .filter(|check| !check.compared_nothing())
         .collect()
 }
 

@@ -2,7 +2,7 @@
 
 use super::modes::Undamped;
 use crate::error::StudyError;
-use crate::outcome::CheckRecord;
+use crate::outcome::{CheckRecord, Disagreement};
 use crate::structure::{Structure, factors};
 use judder_case::StructureCase;
 use judder_case::structure::analysis::EigenRegion;
@@ -61,12 +61,12 @@ pub(super) fn of_growing(
             Vec::new()
         }
     };
-    let (mut entries, mut balance) = (Vec::new(), 0.0_f64);
+    let (mut entries, mut balance) = (Vec::new(), Disagreement::default());
     for (number, mode) in &growing {
         let told = diagnosis(&structure.family, &at, mode)?;
         let value = mode.eigenvalue.value;
         let sum: f64 = told.influences.iter().map(|influence| influence.growth).sum();
-        balance = balance.max((sum - value.re).abs() / value.norm());
+        balance.add((sum - value.re).abs() / value.norm());
         let paradoxes = told.influences.iter().filter(|influence| influence.is_paradox());
         warnings.extend(paradoxes.map(|influence| {
             format!(
@@ -84,12 +84,12 @@ pub(super) fn of_growing(
         entry["parameters"] = by_parameters(case, &told, &at)?;
         entries.push(entry);
     }
-    let check = CheckRecord {
-        name: "the work of all matrices is the growth rate".to_owned(),
-        compared: format!("sum of their growths against Re λ, over |λ|, of {} unstable modes", growing.len()),
-        figure: balance,
-        limit: BALANCE_LIMIT,
-    };
+    let check = CheckRecord::new(
+        "the work of all matrices is the growth rate",
+        format!("sum of their growths against Re λ, over |λ|, of {} unstable modes", growing.len()),
+        balance,
+        BALANCE_LIMIT,
+    );
     Ok(Some(Told { scalars: Value::from(entries), warnings, check }))
 }
 

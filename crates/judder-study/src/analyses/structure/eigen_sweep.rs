@@ -4,7 +4,7 @@ use super::eigen::{VERDICTS, code, entry, gap_warnings, in_order, region};
 use crate::analyses::axis::{Axis, Curves, name_of};
 use crate::error::StudyError;
 use crate::labels::{Quantity, parameter};
-use crate::outcome::{CheckRecord, Outcome};
+use crate::outcome::{CheckRecord, Disagreement, Outcome};
 use crate::progress::Progress;
 use crate::structure::{Structure, factors};
 use judder_case::StructureCase;
@@ -53,12 +53,12 @@ pub(super) fn run(
         points.iter().flatten().zip(sweeps.iter().flat_map(|sweep| &sweep.points)).unzip();
     (1..all_points.len()).for_each(|_| progress.advance());
     let incomplete = all_points.iter().filter(|point| !point.gaps.is_empty()).count();
-    let mut checks = vec![CheckRecord {
-        name: "no eigenvalue is missing".to_owned(),
-        compared: format!("values at which a check did not close, of {}", all_points.len()),
-        figure: incomplete as f64,
-        limit: 0.0,
-    }];
+    let mut checks = vec![CheckRecord::new(
+        "no eigenvalue is missing",
+        format!("values at which a check did not close, of {}", all_points.len()),
+        Disagreement::exceptions(all_points.iter().map(|point| !point.gaps.is_empty())),
+        0.0,
+    )];
     checks.extend(against_full(structure, settings, &all_factors, &all_points)?);
     let quantity = Quantity { name: "value".to_owned(), ..parameter(name_of(&settings.sweep.path)) };
     let axis = Axis { quantity, values: settings.sweep.values.clone(), scale: settings.sweep.scale };
@@ -100,35 +100,36 @@ fn against_full(
     }
     let step = projected.len().div_ceil(CHECKED);
     let chosen: Vec<usize> = projected.iter().skip(step / 2).step_by(step).copied().collect();
-    let mut figure = 0.0_f64;
+    let mut found = Disagreement::default();
     for point in &chosen {
         let problem = structure.family.at(factors[*point])?;
         let full = complex_modes(&problem, &region(&settings.region), &Settings::default())?;
         let projected = points[*point].eigenvalues.iter().map(|tracked| tracked.eigenvalue).collect();
         let full = full.modes.iter().map(|mode| mode.eigenvalue).collect();
-        figure = figure.max(largest_share(projected, full));
+        compare(projected, full, &mut found);
     }
-    Ok(Some(CheckRecord {
-        name: "the projected eigenvalues are those of the full matrices".to_owned(),
-        compared: format!("distance over the error that is shown, at {} values", chosen.len()),
-        figure,
-        limit: 1.0,
-    }))
+    let check = CheckRecord::new(
+        "the projected eigenvalues are those of the full matrices",
+        format!("distance over the error that is shown, at {} values", chosen.len()),
+        found,
+        1.0,
+    );
+    // where neither has an eigenvalue, there is nothing to compare
+    Ok((!check.compared_nothing()).then_some(check))
 }
 
 /// How far the eigenvalues of two lists lie apart, pair by pair, over both errors; infinite where the lists differ in length.
-fn largest_share(ours: Vec<Eigenvalue>, mut theirs: Vec<Eigenvalue>) -> f64 {
+fn compare(ours: Vec<Eigenvalue>, mut theirs: Vec<Eigenvalue>, found: &mut Disagreement) {
     if ours.len() != theirs.len() {
-        return f64::INFINITY;
+        found.add(f64::INFINITY);
+        return;
     }
-    let mut largest = 0.0_f64;
     for one in ours {
         let distance = |k: &usize| (theirs[*k].value - one.value).norm();
         let nearest = (0..theirs.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
         let Some(other) = nearest.map(|k| theirs.swap_remove(k)) else { continue };
-        largest = largest.max((other.value - one.value).norm() / (other.error + one.error));
+        found.add((other.value - one.value).norm() / (other.error + one.error));
     }
-    largest
 }
 
 /// The scalars of one curve.

@@ -3,7 +3,7 @@
 use super::fields::{self, ModeKind, Shape};
 use super::shapes;
 use crate::error::StudyError;
-use crate::outcome::{CheckRecord, Outcome};
+use crate::outcome::{CheckRecord, Disagreement, Outcome};
 use crate::structure::{Structure, symmetric_part};
 use judder_case::StructureCase;
 use judder_case::structure::analysis::WantedModes;
@@ -224,42 +224,43 @@ fn damping_ratios(problem: &Quadratic, found: &Modes) -> Option<Vec<f64>> {
 
 fn checks(mass: &Sparse, found: &Modes, wanted: Wanted) -> Vec<CheckRecord> {
     let modes = &found.modes;
-    let residual = modes.iter().map(|mode| mode.residual).fold(0.0, f64::max);
     let counted = found.counted.1 - found.counted_from.1.min(found.counted.1);
     let expected = match wanted {
         Wanted::Lowest(count) => counted.min(count),
         Wanted::Band(..) => counted,
     };
-    vec![
-        CheckRecord {
-            name: "modes satisfy K φ = ω² M φ".to_owned(),
-            compared: format!("normalised backward error of {} modes", modes.len()),
-            figure: residual,
-            limit: RESIDUAL_LIMIT,
-        },
-        CheckRecord {
-            name: "no mode is missing".to_owned(),
-            compared: format!("modes found against {counted} that factorisations count"),
-            figure: expected.abs_diff(modes.len()) as f64,
-            limit: 0.0,
-        },
-        CheckRecord {
-            name: "shapes are orthogonal".to_owned(),
-            compared: "largest entry of Φᵀ M Φ − I".to_owned(),
-            figure: departure_from_orthogonality(mass, modes),
-            limit: ORTHOGONALITY_LIMIT,
-        },
-    ]
+    let mut checks = vec![CheckRecord::new(
+        "no mode is missing",
+        format!("modes found against {counted} that factorisations count"),
+        (expected.abs_diff(modes.len()) as f64).into(),
+        0.0,
+    )];
+    // a band may have no modes
+    if !modes.is_empty() {
+        checks.push(CheckRecord::new(
+            "modes satisfy K φ = ω² M φ",
+            format!("normalised backward error of {} modes", modes.len()),
+            modes.iter().map(|mode| mode.residual).collect(),
+            RESIDUAL_LIMIT,
+        ));
+        checks.push(CheckRecord::new(
+            "shapes are orthogonal",
+            "largest entry of Φᵀ M Φ − I",
+            departure_from_orthogonality(mass, modes),
+            ORTHOGONALITY_LIMIT,
+        ));
+    }
+    checks
 }
 
-fn departure_from_orthogonality(mass: &Sparse, modes: &[Mode]) -> f64 {
-    let mut largest = 0.0_f64;
+fn departure_from_orthogonality(mass: &Sparse, modes: &[Mode]) -> Disagreement {
+    let mut departure = Disagreement::default();
     for (i, mode) in modes.iter().enumerate() {
         let image = product(mass, &mode.shape);
         for (j, other) in modes.iter().enumerate().take(i + 1) {
             let entry: f64 = image.iter().zip(&other.shape).map(|(a, b)| a * b).sum();
-            largest = largest.max((entry - f64::from(u8::from(i == j))).abs());
+            departure.add((entry - f64::from(u8::from(i == j))).abs());
         }
     }
-    largest
+    departure
 }

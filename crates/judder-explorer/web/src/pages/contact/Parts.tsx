@@ -125,13 +125,13 @@ export function Checks({ checks }: Pick<Outcome, "checks">) {
           </tr>
         </thead>
         <tbody>
-          {checks.map(({ name, compared, figure, limit, passed }) => (
+          {checks.map(({ name, compared, figure, limit, passed, numbers }) => (
             <tr key={name} class={passed ? "" : "contact-failed"}>
               <th scope="row" title={compared}>
                 {name}
               </th>
               <td>
-                <Label text={shortNumber(figure)} />
+                <Label text={numbers === 0 ? "compared nothing" : shortNumber(figure)} />
               </td>
               <td>
                 <Label text={shortNumber(limit)} />

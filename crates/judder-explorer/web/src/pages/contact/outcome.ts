@@ -8,6 +8,7 @@ export interface Check {
   readonly figure: number;
   readonly limit: number;
   readonly passed: boolean;
+  readonly numbers: number | null;
 }
 
 export interface Outcome {

@@ -16,6 +16,7 @@ interface Check {
   readonly figure: number;
   readonly limit: number;
   readonly passed: boolean;
+  readonly numbers: number | null;
 }
 
 /** The entry of a summary at a dotted path. */
@@ -37,7 +38,7 @@ export function Summary({ outcome, prefix, entries }: { readonly outcome: Frame;
       </dl>
       {checks.map((check) => (
         <p key={check.name} class={check.passed ? "check" : "point-warning"} title={check.compared}>
-          {check.passed ? "✓" : "✗"} {check.name}: {typeof check.figure === "number" ? Number(check.figure.toPrecision(3)) : "no number"}, limit {String(check.limit)}
+          {check.passed ? "✓" : "✗"} {check.name}: {cameOut(check)}, limit {String(check.limit)}
         </p>
       ))}
       {warnings.map((warning) => (
@@ -47,6 +48,12 @@ export function Summary({ outcome, prefix, entries }: { readonly outcome: Frame;
       ))}
     </>
   );
+}
+
+/** What came out of a check; one that compared nothing has no figure. */
+function cameOut({ figure, numbers }: Check): string | number {
+  if (numbers === 0) return "compared nothing";
+  return typeof figure === "number" ? Number(figure.toPrecision(3)) : "no number";
 }
 
 function textOf(value: unknown): string | number | null {

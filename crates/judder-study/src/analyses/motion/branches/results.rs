@@ -2,7 +2,7 @@
 
 use super::{Branches, DiagramBranch};
 use crate::error::StudyError;
-use crate::outcome::CheckRecord;
+use crate::outcome::{CheckRecord, Disagreement};
 use judder_oscillator::motion::ContactState;
 use judder_store::{Dataset, Variable, number};
 use serde_json::{Map, Value, json};
@@ -159,14 +159,17 @@ impl<const N: usize> Branches<N> {
     /// That what simulation finds is stable by its Floquet multipliers; `None` where no simulated cycle lies on a branch.
     pub(in crate::analyses::motion) fn check(&self) -> Option<CheckRecord> {
         let known: Vec<bool> = self.simulated.iter().flatten().copied().collect();
-        (!known.is_empty()).then(|| CheckRecord {
-            name: "simulated cycles are stable on their branches".to_owned(),
-            compared: format!(
-                "number of {} simulated cycles that lie on a branch (rms and period to 3 %) where its multipliers say unstable",
-                known.len()
-            ),
-            figure: known.iter().filter(|stable| !**stable).count() as f64,
-            limit: 0.0,
+        let compared = format!(
+            "number of {} simulated cycles that lie on a branch (rms and period to 3 %) where its multipliers say unstable",
+            known.len()
+        );
+        (!known.is_empty()).then(|| {
+            CheckRecord::new(
+                "simulated cycles are stable on their branches",
+                compared,
+                Disagreement::exceptions(known.iter().map(|stable| !*stable)),
+                0.0,
+            )
         })
     }
 

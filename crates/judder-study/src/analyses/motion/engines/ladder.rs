@@ -161,21 +161,21 @@ impl Ladder {
         let (words, [varied, ..]) = (self.engine.words(), self.engine.varied());
         let varied = varied.replace('_', " ");
         vec![
-            CheckRecord {
-                name: format!("{words} comes to the motion by events"),
-                compared: format!(
+            CheckRecord::new(
+                format!("{words} comes to the motion by events"),
+                format!(
                     "rms of the cycle, extrapolated from the two finest of {}, relative",
                     self.values.len()
                 ),
-                figure: extrapolated.abs(),
-                limit: EXTRAPOLATED_LIMIT,
-            },
-            CheckRecord {
-                name: format!("the error of {words} falls with its {varied}"),
-                compared: format!("slope of its logarithm against 1, over the {FINEST} finest points"),
-                figure: (order - 1.0).abs(),
-                limit: ORDER_LIMIT,
-            },
+                extrapolated.abs().into(),
+                EXTRAPOLATED_LIMIT,
+            ),
+            CheckRecord::new(
+                format!("the error of {words} falls with its {varied}"),
+                format!("slope of its logarithm against 1, over the {FINEST} finest points"),
+                (order - 1.0).abs().into(),
+                ORDER_LIMIT,
+            ),
         ]
     }
 

@@ -1,7 +1,7 @@
 //! A few values of a locus against eigenproblems with full matrices.
 
 use super::traced::Traced;
-use crate::outcome::CheckRecord;
+use crate::outcome::{CheckRecord, Disagreement};
 use judder_case::sliding::locus::Locus;
 use judder_sliding::SlidingError;
 use judder_sliding::characteristic::Characteristic;
@@ -36,36 +36,36 @@ pub(super) fn doubted(
     let compared: Vec<Result<Compared, SlidingError>> =
         chosen.par_iter().map(|value| Compared::new(contact, settings, *value)).collect();
     let compared = compared.into_iter().collect::<Result<Vec<Compared>, SlidingError>>()?;
-    let largest = |pick: &dyn Fn(&Compared) -> f64| compared.iter().map(pick).fold(0.0, f64::max);
+    let all =
+        |pick: &dyn Fn(&Compared) -> Vec<f64>| -> Disagreement { compared.iter().flat_map(pick).collect() };
     let at = format!("at {} values, one of them where growth is fastest", chosen.len());
     Ok(vec![
-        CheckRecord {
-            name: "the spectrum is that of the primal form".to_owned(),
-            compared: format!("largest relative distance of eigenvalues of full matrices, {at}"),
-            figure: largest(&|c| c.primal),
-            limit: LIMIT,
-        },
-        CheckRecord {
-            name: "the spectrum is that of the dual form".to_owned(),
-            compared: format!("largest relative distance of eigenvalues of full matrices, {at}"),
-            figure: largest(&|c| c.dual),
-            limit: LIMIT,
-        },
-        CheckRecord {
-            name: "no eigenvalue is missing".to_owned(),
-            compared: format!(
-                "eigenvalues found against those of full matrices up to the same frequency, {at}"
-            ),
-            figure: largest(&|c| c.missing as f64),
-            limit: 0.0,
-        },
+        CheckRecord::new(
+            "the spectrum is that of the primal form",
+            format!("largest relative distance of eigenvalues of full matrices, {at}"),
+            all(&|c| c.primal.clone()),
+            LIMIT,
+        ),
+        CheckRecord::new(
+            "the spectrum is that of the dual form",
+            format!("largest relative distance of eigenvalues of full matrices, {at}"),
+            all(&|c| c.dual.clone()),
+            LIMIT,
+        ),
+        CheckRecord::new(
+            "no eigenvalue is missing",
+            format!("eigenvalues found against those of full matrices up to the same frequency, {at}"),
+            all(&|c| vec![c.missing as f64]),
+            0.0,
+        ),
     ])
 }
 
 /// One value.
 struct Compared {
-    primal: f64,
-    dual: f64,
+    /// Distances of the eigenvalues from those of this form.
+    primal: Vec<f64>,
+    dual: Vec<f64>,
     missing: usize,
 }
 
@@ -81,23 +81,23 @@ impl Compared {
         let inside = |s: &&Complex64| s.im >= -REAL * limit && s.im <= limit && s.re.abs() <= limit;
         let count = primal.iter().filter(inside).count();
         Ok(Self {
-            primal: distance(&found, &primal),
-            dual: distance(&found, &dual),
+            primal: distances(&found, primal),
+            dual: distances(&found, dual),
             missing: count.abs_diff(found.len()),
         })
     }
 }
 
 /// How far eigenvalues are from the nearest of others that no other one has taken, relative to their size.
-fn distance(found: &[Complex64], others: &[Complex64]) -> f64 {
-    let mut left = others.to_vec();
-    let mut worst = 0.0_f64;
-    for value in found {
-        let nearest = |k: &usize| (left[*k] - value).norm();
-        match (0..left.len()).min_by(|a, b| nearest(a).total_cmp(&nearest(b))) {
-            Some(k) => worst = worst.max((left.swap_remove(k) - value).norm() / value.norm()),
-            None => worst = f64::INFINITY,
-        }
-    }
-    worst
+fn distances(found: &[Complex64], mut others: Vec<Complex64>) -> Vec<f64> {
+    let distance = |value: &Complex64| {
+        let nearest = |k: &usize| (others[*k] - value).norm();
+        let nearest = (0..others.len()).min_by(|a, b| nearest(a).total_cmp(&nearest(b)));
+        nearest.map_or(f64::INFINITY, |k| match (others.swap_remove(k) - value).norm() {
+            // a rigid motion has no size of its own
+            0.0 => 0.0,
+            distance => distance / value.norm(),
+        })
+    };
+    found.iter().map(distance).collect()
 }

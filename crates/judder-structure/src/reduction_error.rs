@@ -63,13 +63,33 @@ impl ReductionError {
         SHARES.iter().map(|share| share * first_order + rounding).find(|bound| self.is_within(mode, *bound))
     }
 
-    /// The frequency in Hz below which every reduced frequency is above that of the full structure by no more than this share of
-    /// itself, and none is missing; infinite where no mode was left out.
+    /// The frequency in Hz below which every frequency, of the full structure as of the reduced one, has its counterpart within this share
+    /// of the reduced one, and none is missing; infinite where no mode was left out.
+    ///
+    /// The first mode that is not known to be as exact ends the range: not where the reduction has it, but below where the full structure may
+    /// have it, which by that very error is lower. Up to there the full structure has no more eigenvalues than the modes before.
     #[must_use]
     pub fn limit_hz(&self, tolerance: f64) -> f64 {
         let first_without = (0..self.eigenvalues.len()).find(|mode| !self.is_within(*mode, tolerance));
-        let beyond = first_without.map_or(self.left_out_from, |mode| self.eigenvalues[mode]);
+        let beyond = first_without.map_or(self.left_out_from, |mode| self.full_from(mode, tolerance));
         beyond.min(self.left_out_from).max(0.0).sqrt() / TAU
+    }
+
+    /// A value in 1/s² below which the full structure has no eigenvalue but those of the modes before this one, which are within the error.
+    fn full_from(&self, mode: usize, error: f64) -> f64 {
+        /// Halvings of the range between two modes.
+        const HALVINGS: usize = 30;
+        let below = mode.checked_sub(1).map_or(0.0, |before| self.eigenvalues[before].max(0.0));
+        let (mut known, mut open) = (below * (1.0 - error).powi(2), self.eigenvalues[mode]);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (known + open);
+            if self.full_at_most(middle).is_some_and(|count| count <= mode) {
+                known = middle;
+            } else {
+                open = middle;
+            }
+        }
+        known
     }
 
     /// Whether the full structure has no more eigenvalues than there are reduced ones before a mode, below the mode's less an error.

@@ -34,7 +34,7 @@ pub struct ComparedFrequency {
 pub struct ReductionReport {
     /// The lowest frequencies.
     pub frequencies: Vec<ComparedFrequency>,
-    /// Below it the reduction itself says that every frequency is within [`TOLERANCE`], in Hz.
+    /// Below it the reduction itself says that every frequency of both structures is within [`TOLERANCE`] of its counterpart, in Hz.
     pub limit_hz: f64,
     /// ‖C_reduced − C_full‖/‖C_full‖ of the displacements of the kept freedoms by loads at them that rest (Frobenius norm); `None`
     /// where the structure can move without force.

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 mod convergence;
+mod property;
 mod validation;
 
 use judder_structure::assembly::{Assembled, assemble};

@@ -1,0 +1,3 @@
+//! What holds of every structure, on random ones.
+
+mod reduction;

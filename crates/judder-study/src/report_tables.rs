@@ -95,14 +95,15 @@ fn diagnosis(told: &Value) -> Table {
         let name = format!("{} ({})", word(&own["name"]), word(&own["part"]));
         row(name, short(&own["growth"]), short(&own["sensitivity"][0]));
     }
-    row("sum: the growth rate".to_owned(), short(&told["sum"]), String::new());
+    row(energy_words(told), short(&told["sum"]), String::new());
     for own in told["parameters"].as_array().into_iter().flatten() {
         row(format!("parameter {}", word(&own["name"])), String::new(), short(&own["sensitivity"][0]));
     }
     for own in told["component_modes"].as_array().into_iter().flatten() {
         let name = format!(
-            "undamped mode {} at {} Hz: share of the kinetic energy",
+            "undamped mode {}{} at {} Hz: share of the kinetic energy",
             own["mode"],
+            modes_of(told["component_modes_of"].as_str()),
             short(&own["frequency_hz"])
         );
         row(name, short(&own["share"]), String::new());
@@ -112,6 +113,36 @@ fn diagnosis(told: &Value) -> Table {
         caption: format!("Why mode {} at {} Hz grows", told["mode"], short(&told["frequency_hz"])),
         head: head.map(String::from).to_vec(),
         rows,
+    }
+}
+
+/// Of what undamped modes are, where they are not those of the matrices as they are.
+pub(crate) fn modes_of(name: Option<&str>) -> &'static str {
+    match name {
+        Some("frictionless") => " without friction",
+        Some("symmetric-part") => " of the symmetric part",
+        _ => "",
+    }
+}
+
+/// What the growths sum to, and what the energy by which they are divided makes of them.
+fn energy_words(told: &Value) -> String {
+    let energy = &told["energy"];
+    let share = || short(&energy["share"]);
+    match energy["sign"].as_str() {
+        Some("none") => {
+            format!("no sum: the energy is zero, {} of its parts: the mode grows without work", share())
+        }
+        Some("negative") => format!(
+            "sum: the growth rate; the energy is negative, {} of its parts: what takes energy out lets the mode grow; relative error of the growths {}",
+            share(),
+            short(&energy["growth_error"])
+        ),
+        Some(_) => {
+            format!("sum: the growth rate; relative error of the growths {}", short(&energy["growth_error"]))
+        }
+        // stored before energies were
+        None => "sum: the growth rate".to_owned(),
     }
 }
 

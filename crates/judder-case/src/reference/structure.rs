@@ -51,7 +51,7 @@ degree of freedom.
 ";
 
 const SETTINGS: &str = "
-`modes` takes `count` (20 where left out) or `band = [\"1 kHz\", \"10 kHz\"]`; of matrices whose stiffness is not symmetric the modes are those of its symmetric part, with a warning. `reduction` compares `count` frequencies \
+`modes` takes `count` (20 where left out) or `band = [\"1 kHz\", \"10 kHz\"]`; of matrices that are not symmetric the modes are those without friction where the sums tell it, as matrices that are not symmetric and whose factors parameters set, else those of the symmetric part, which has half of the friction in it; a warning says which. `reduction` compares `count` frequencies \
 (12 where left out). `region = { re = [-50.0, 1000.0], im = [0.0, 20000.0] }` is a rectangle of λ = re + i im in 1/s and rad/s. The `sweep` of an `eigen-sweep` is `{ key = \"parameters.speed\", from = 1.0, to = 100.0, points = 100 }` or \
 `{ key = \"parameters.speed\", values = [1.0, 2.0, 5.0] }`, with a `family` `{ key = \"parameters.load\", values = [ … ] }` there is one curve a value of another parameter; `method` is `\"full\"` (the default) or `\"projected\"`, which takes `tolerance`.
 ";

@@ -2,10 +2,11 @@
 
 use faer::c64;
 use faer::sparse::Triplet;
+use judder_numerics::counter::uniform;
 use judder_structure::affine::{Factors, Family, Term};
 use judder_structure::assembly::Sparse;
 use judder_structure::complex_modes::{ComplexMode, Region, Settings, complex_modes};
-use judder_structure::diagnosis::{Part, diagnosis, participations};
+use judder_structure::diagnosis::{EnergySign, Part, diagnosis, participations};
 use judder_structure::modes::{Wanted, modes};
 
 fn term(name: &str, entries: &[(usize, usize, f64)]) -> Term {
@@ -49,14 +50,14 @@ fn the_works_of_the_matrices_sum_to_the_growth_rate() {
     assert_eq!(modes.len(), 3);
     for mode in &modes {
         let diagnosis = diagnosis(&family(), &factors(), mode).unwrap();
-        let sum: f64 = diagnosis.influences.iter().map(|influence| influence.growth).sum();
+        let sum: f64 = diagnosis.influences.iter().map(|influence| influence.growth.unwrap()).sum();
         assert!((sum - mode.eigenvalue.value.re).abs() < 1e-12, "{sum} {}", mode.eigenvalue.value);
-        assert!(diagnosis.positive_energy);
+        assert!(diagnosis.energy.sign() == EnergySign::Positive && diagnosis.balance < 1e-14);
         for influence in &diagnosis.influences {
-            let name = influence.name.as_str();
+            let (name, growth) = (influence.name.as_str(), influence.growth.unwrap());
             match name {
-                "first damper" | "second damper" => assert!(influence.growth < 0.0, "{name}"),
-                "rotation" | "springs" | "mass" => assert!(influence.growth.abs() < 1e-14, "{name}"),
+                "first damper" | "second damper" => assert!(growth < 0.0, "{name}"),
+                "rotation" | "springs" | "mass" => assert!(growth.abs() < 1e-14, "{name}"),
                 _ => assert_eq!(name, "friction"),
             }
         }
@@ -134,4 +135,114 @@ fn the_shares_of_all_undamped_modes_sum_to_one() {
         let shares = participations(problem.mass(), &components, mode);
         assert!((shares[k].share - 1.0).abs() < 1e-12 && (shares[k].assurance - 1.0).abs() < 1e-12);
     }
+}
+
+/// A square matrix of random entries between −1 and 1, with a part of it and of its transpose.
+fn random(seed: u64, size: usize, mirrored: f64) -> Vec<(usize, usize, f64)> {
+    let entry = |i: usize, j: usize| 2.0 * uniform(seed, (i * size + j) as u64) - 1.0;
+    let places = (0..size).flat_map(|i| (0..size).map(move |j| (i, j)));
+    places.map(|(i, j)| (i, j, 0.5 * (entry(i, j) + mirrored * entry(j, i)))).collect()
+}
+
+fn named(name: &str, size: usize, entries: &[(usize, usize, f64)]) -> Term {
+    let triplets: Vec<_> = entries.iter().map(|(i, j, v)| Triplet::new(*i, *j, *v)).collect();
+    Term { name: name.to_owned(), matrix: Sparse::try_new_from_triplets(size, size, &triplets).unwrap() }
+}
+
+/// Random masses on springs that push as well as pull, with rotation, dampers and friction; its modes that grow.
+fn growing(seed: u64, factors: &Factors) -> (Family, Vec<ComplexMode>) {
+    let size = 2 + (seed % 5) as usize;
+    let masses: Vec<_> = (0..size).map(|i| (i, i, 0.5 + uniform(seed + 1, i as u64))).collect();
+    let dampers: Vec<_> = (0..size).map(|i| (i, i, 0.2 + uniform(seed + 2, i as u64))).collect();
+    let family = Family::new(
+        vec![named("mass", size, &masses)],
+        vec![named("rotation", size, &random(seed + 3, size, -1.0)), named("dampers", size, &dampers)],
+        vec![
+            named("springs", size, &random(seed + 4, size, 1.0)),
+            named("friction", size, &random(seed + 5, size, -1.0)),
+        ],
+    )
+    .unwrap();
+    let region = Region { re: [1e-2, 8.0], im: [-1e-3, 8.0] };
+    let found = complex_modes(&family.at(factors).unwrap(), &region, &Settings::default()).unwrap();
+    (family, found.modes)
+}
+
+/// What grows where nothing does work has no energy (σ E is the power of all matrices), and its growth is no matrix's: random
+/// conservative systems with rotation, whose growth is divergence or gyroscopic flutter, and real growth under friction without damping.
+#[test]
+fn what_grows_without_work_has_no_energy_to_divide_by() {
+    let (mut conservative, mut divergent) = (0, 0);
+    for seed in 0..60 {
+        for (rotation, friction) in [(3.0, 0.0), (0.0, 0.0), (0.0, 1.5)] {
+            let at =
+                Factors { mass: vec![1.0], damping: vec![rotation, 0.0], stiffness: vec![1.0, friction] };
+            let (family, modes) = growing(100 * seed, &at);
+            for mode in &modes {
+                let value = mode.eigenvalue.value;
+                let told = diagnosis(&family, &at, mode).unwrap();
+                assert!(told.balance < 1e-13, "{seed} {value}: {}", told.balance);
+                let (sign, is_real) = (told.energy.sign(), value.im.abs() < 1e-9);
+                if friction > 0.0 && !is_real {
+                    assert!(sign != EnergySign::None, "{seed} {value}: {:?}", told.energy);
+                    continue;
+                }
+                conservative += usize::from(friction == 0.0);
+                divergent += usize::from(friction > 0.0);
+                assert!(sign == EnergySign::None, "{seed} {friction} {value}: {:?}", told.energy);
+                assert!(told.energy.growth_error().is_none() && told.energy.share.abs() < 1e-11);
+                assert!(told.influences.iter().all(|own| own.growth.is_none() && !own.is_paradox()));
+            }
+        }
+    }
+    // the test would say nothing without either
+    assert!(conservative > 100 && divergent > 20, "{conservative} {divergent}");
+}
+
+/// Dampers that fade: the energy fades with them, and the growths keep to the error that is told until they are not told at all.
+#[test]
+fn growths_over_a_small_energy_are_as_good_as_is_told() {
+    let (mut told_growths, mut none) = (0, 0);
+    for seed in 0..20 {
+        for damping in [1e-1, 1e-4, 1e-7, 1e-10, 1e-13] {
+            let at = Factors { mass: vec![1.0], damping: vec![2.0, damping], stiffness: vec![1.0, 0.0] };
+            let (family, modes) = growing(100 * seed, &at);
+            for mode in &modes {
+                let told = diagnosis(&family, &at, mode).unwrap();
+                let Some(error) = told.energy.growth_error() else {
+                    none += 1;
+                    continue;
+                };
+                told_growths += 1;
+                let growth: f64 = told.influences.iter().filter_map(|own| own.growth).sum();
+                let value = mode.eigenvalue.value;
+                assert!(
+                    (growth - value.re).abs() <= error * value.norm(),
+                    "{seed} {damping}: {growth} {value}"
+                );
+                // dampers take energy out: what grows has a negative one
+                assert!(told.energy.sign() == EnergySign::Negative, "{seed} {damping}: {:?}", told.energy);
+                assert!(damping < 1e-3 || error < 1e-6, "{error}");
+            }
+        }
+    }
+    assert!(told_growths > 50 && none > 20, "{told_growths} {none}");
+}
+
+/// Freedoms without mass that a negative damper drives: no kinetic energy, of which nothing can be a share.
+#[test]
+fn no_mode_takes_part_in_one_without_kinetic_energy() {
+    let family = Family::new(
+        vec![named("mass", 2, &[(0, 0, 1.0)])],
+        vec![named("damper", 2, &[(0, 0, 0.1), (1, 1, -1.0)])],
+        vec![named("springs", 2, &[(0, 0, 4.0), (1, 1, 3.0)])],
+    )
+    .unwrap();
+    let at = Factors { mass: vec![1.0], damping: vec![1.0], stiffness: vec![1.0] };
+    let problem = family.at(&at).unwrap();
+    let region = Region { re: [1.0, 5.0], im: [-0.1, 3.0] };
+    let found = complex_modes(&problem, &region, &Settings::default()).unwrap().modes;
+    assert!(found.len() == 1 && (found[0].eigenvalue.value - 3.0).norm() < 1e-12);
+    let components = modes(problem.stiffness(), problem.mass(), Wanted::Lowest(1)).unwrap().modes;
+    assert!(participations(problem.mass(), &components, &found[0]).is_empty());
 }

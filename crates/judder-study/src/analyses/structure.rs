@@ -8,6 +8,7 @@ mod modes;
 mod reduced_files;
 mod reduction;
 mod shapes;
+mod undamped;
 
 pub(super) use modes::run as modes;
 

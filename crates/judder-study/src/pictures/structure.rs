@@ -8,6 +8,7 @@ pub(super) use eigen::{eigen, frequency_axis};
 pub(super) use sweep::eigen_sweep;
 
 use super::{codes, complexes, contact::FRAME, reals};
+use crate::report_tables::modes_of;
 use judder_report::figure::ValueMap;
 use judder_report::palette::ColourMap;
 use judder_report::{Axis, Layer, Panel, Role};
@@ -23,7 +24,8 @@ pub(super) fn modes(dataset: &Dataset) -> Option<Vec<Panel>> {
     let frequencies = reals(dataset, "frequency")?;
     let largest = frequencies.last().copied().unwrap_or(0.0);
     let elastic = (0..frequencies.len()).filter(|k| frequencies[*k] > RIGID * largest);
-    let title = |k: usize| format!("mode {}: {} Hz", k + 1, significant(frequencies[k]));
+    let of = modes_of(dataset.attributes().get("modes_of").and_then(serde_json::Value::as_str));
+    let title = |k: usize| format!("mode {}{of}: {} Hz", k + 1, significant(frequencies[k]));
     let mut panels = shapes::panels(dataset, elastic.take(SHOWN), &title);
     panels.extend(mac(dataset));
     Some(panels)
@@ -68,7 +70,9 @@ pub(super) fn reduction(dataset: &Dataset) -> Option<Vec<Panel>> {
         layers.push(Layer::horizontal_rule(1e-4, ""));
     }
     let vertical = Axis::log("Relative error (−)");
-    Some(vec![Panel::new(Axis::linear("Frequency of the full structure (Hz)"), vertical, layers)])
+    let of = modes_of(dataset.attributes().get("reduction_of").and_then(serde_json::Value::as_str));
+    let across = Axis::linear(format!("Frequency of the full structure{of} (Hz)"));
+    Some(vec![Panel::new(across, vertical, layers)])
 }
 
 /// A number to four digits.

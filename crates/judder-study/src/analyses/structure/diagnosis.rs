@@ -1,6 +1,6 @@
 //! Why modes grow: what feeds them, which undamped modes take part, what would change them.
 
-use super::modes::Undamped;
+use super::undamped::Undamped;
 use crate::error::StudyError;
 use crate::outcome::{CheckRecord, Disagreement};
 use crate::structure::{Structure, factors};
@@ -11,7 +11,7 @@ use judder_structure::StructureError;
 use judder_structure::affine::Factors;
 use judder_structure::assembly::Sparse;
 use judder_structure::complex_modes::{ComplexMode, Region, Settings, Verdict, complex_modes};
-use judder_structure::diagnosis::{Diagnosis, Influence, Part, diagnosis, participations};
+use judder_structure::diagnosis::{Diagnosis, EnergySign, Influence, Part, diagnosis, participations};
 use judder_structure::modes::{Mode, Wanted, modes};
 use judder_structure::quadratic::Quadratic;
 use judder_structure::statics::product;
@@ -26,8 +26,10 @@ const COMPONENTS: usize = 5;
 const REACH: f64 = 1.5;
 /// Relative step of the derivatives of factors.
 const STEP: f64 = 1e-6;
-/// What the growths of all matrices may leave of the growth rate, over |λ|.
+/// What the powers of all matrices may leave of the growth rate times the energy, over |λ| and the parts of the energy.
 const BALANCE_LIMIT: f64 = 1e-9;
+/// A relative error of growths that is told.
+const INEXACT: f64 = 1e-6;
 
 /// What is told of the modes that grow.
 pub(super) struct Told {
@@ -40,7 +42,7 @@ pub(super) struct Told {
 pub(super) fn of_growing(
     case: &StructureCase,
     structure: &Structure,
-    (problem, sought): (&Quadratic, &EigenRegion),
+    sought: &EigenRegion,
     found: &[ComplexMode],
 ) -> Result<Option<Told>, StudyError> {
     let mut growing: Vec<(usize, &ComplexMode)> =
@@ -51,7 +53,7 @@ pub(super) fn of_growing(
     growing.sort_by(|a, b| b.1.eigenvalue.value.re.total_cmp(&a.1.eigenvalue.value.re));
     growing.truncate(MODES);
     let at = factors(case, &case.values())?;
-    let undamped = Undamped::new(problem)?;
+    let undamped = Undamped::new(case, structure)?;
     let highest = sought.im[1].abs().max(sought.im[0].abs()) * REACH;
     let mut warnings = Vec::new();
     let components = match components(&undamped, highest) {
@@ -61,12 +63,13 @@ pub(super) fn of_growing(
             Vec::new()
         }
     };
+    warnings.extend(undamped.of.warning("the component modes are those"));
     let (mut entries, mut balance) = (Vec::new(), Disagreement::default());
     for (number, mode) in &growing {
         let told = diagnosis(&structure.family, &at, mode)?;
         let value = mode.eigenvalue.value;
-        let sum: f64 = told.influences.iter().map(|influence| influence.growth).sum();
-        balance.add((sum - value.re).abs() / value.norm());
+        balance.add(told.balance);
+        warnings.extend(of_energy(number + 1, mode, &told));
         let paradoxes = told.influences.iter().filter(|influence| influence.is_paradox());
         warnings.extend(paradoxes.map(|influence| {
             format!(
@@ -76,21 +79,41 @@ pub(super) fn of_growing(
                 influence.name
             )
         }));
-        let mut entry = entry(&told, sum);
+        let mut entry = entry(&told);
         entry["mode"] = json!(number + 1);
         entry["growth_rate"] = json!(value.re);
         entry["frequency_hz"] = json!(mode.eigenvalue.frequency_hz());
         entry["component_modes"] = taking_part(&undamped, &components, mode);
+        entry["component_modes_of"] = json!(undamped.of.name());
         entry["parameters"] = by_parameters(case, &told, &at)?;
         entries.push(entry);
     }
     let check = CheckRecord::new(
         "the work of all matrices is the growth rate",
-        format!("sum of their growths against Re λ, over |λ|, of {} unstable modes", growing.len()),
+        format!(
+            "their power against Re λ times the energy, over |λ| and the parts of the energy, of {} unstable modes",
+            growing.len()
+        ),
         balance,
         BALANCE_LIMIT,
     );
     Ok(Some(Told { scalars: Value::from(entries), warnings, check }))
+}
+
+/// What has to be said of the energy of a mode, by which its growths are divided.
+fn of_energy(number: usize, mode: &ComplexMode, told: &Diagnosis) -> Option<String> {
+    let hertz = format!("{:.1}", mode.eigenvalue.frequency_hz().abs());
+    let share = told.energy.share.abs();
+    match (told.energy.sign(), told.energy.growth_error()) {
+        (EnergySign::None, _) => Some(format!(
+            "mode {number} at {hertz} Hz grows without work: its energy is zero but for {share:.0e} of its parts, no matrix feeds it, and sensitivities alone say what \
+             would change it; so grows what is conservative (divergence, gyroscopic flutter without damping)"
+        )),
+        (_, Some(error)) if error > INEXACT => Some(format!(
+            "mode {number} at {hertz} Hz has almost no energy, {share:.0e} of its parts: what each matrix adds to its growth is known to a relative {error:.0e} alone"
+        )),
+        _ => None,
+    }
 }
 
 /// The undamped modes up to an angular frequency. Where a stiffness that is no more than symmetric lets the search for real modes
@@ -126,16 +149,21 @@ fn real(mass: &Sparse, mode: &ComplexMode) -> Mode {
 }
 
 /// The influences of all matrices.
-fn entry(told: &Diagnosis, sum: f64) -> Value {
+fn entry(told: &Diagnosis) -> Value {
+    let sum: Option<f64> = told.influences.iter().map(|influence| influence.growth).sum();
     let influence = |own: &Influence| {
         json!({
-            "part": own.part.name(), "name": own.name, "factor": own.factor, "growth": number(own.growth),
+            "part": own.part.name(), "name": own.name, "factor": own.factor, "growth": own.growth.map(number),
             "sensitivity": [number(own.sensitivity.re), number(own.sensitivity.im)],
         })
     };
     json!({
-        "matrices": told.influences.iter().map(influence).collect::<Vec<_>>(), "sum": number(sum),
-        "positive_energy": told.positive_energy,
+        "matrices": told.influences.iter().map(influence).collect::<Vec<_>>(), "sum": sum.map(number),
+        "positive_energy": told.energy.sign() == EnergySign::Positive,
+        "energy": {
+            "sign": told.energy.sign().name(), "share": number(told.energy.share), "error": number(told.energy.error),
+            "growth_error": told.energy.growth_error().map(number),
+        },
     })
 }
 

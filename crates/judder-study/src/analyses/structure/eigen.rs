@@ -55,7 +55,7 @@ pub(super) fn run(
     ]);
     let mut warnings = gap_warnings(&found.gaps);
     let mut checks = checks(&found);
-    if let Some(told) = diagnosis::of_growing(case, structure, (&problem, sought), &found.modes)? {
+    if let Some(told) = diagnosis::of_growing(case, structure, sought, &found.modes)? {
         scalars.insert("diagnosis".to_owned(), told.scalars);
         warnings.extend(told.warnings);
         checks.push(told.check);

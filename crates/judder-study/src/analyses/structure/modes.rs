@@ -2,9 +2,10 @@
 
 use super::fields::{self, ModeKind, Shape};
 use super::shapes;
+use super::undamped::Undamped;
 use crate::error::StudyError;
 use crate::outcome::{CheckRecord, Disagreement, Outcome};
-use crate::structure::{Structure, symmetric_part};
+use crate::structure::Structure;
 use judder_case::StructureCase;
 use judder_case::structure::analysis::WantedModes;
 use judder_store::{Dataset, Table, Variable, number};
@@ -20,35 +21,6 @@ use std::f64::consts::TAU;
 const RESIDUAL_LIMIT: f64 = 1e-11;
 /// What shapes may leave of each other in the inner product of the mass.
 const ORTHOGONALITY_LIMIT: f64 = 1e-8;
-/// Departure from symmetry that is rounding.
-const ROUNDING: f64 = 1e-12;
-
-/// M and K of which modes are those of an undamped structure, and what has to be said of them.
-pub(super) struct Undamped {
-    pub(super) mass: Sparse,
-    pub(super) stiffness: Sparse,
-    pub(super) warnings: Vec<String>,
-}
-
-impl Undamped {
-    /// The symmetric parts at the case's own parameters.
-    pub(super) fn new(problem: &Quadratic) -> Result<Self, StudyError> {
-        let mut warnings = Vec::new();
-        let mut part = |name: &str, matrix: &Sparse| {
-            let (part, departure) = symmetric_part(matrix)?;
-            if departure > ROUNDING {
-                warnings.push(format!(
-                    "the {name} is not symmetric ({departure:.1e} of its largest entry): the modes are those of its symmetric part"
-                ));
-            }
-            Ok::<_, StudyError>(part)
-        };
-        let mass = part("mass", problem.mass())?;
-        let stiffness = part("stiffness", problem.stiffness())?;
-        Ok(Self { mass, stiffness, warnings })
-    }
-}
-
 /// The modes; beside them those of a reduction of the structure, where its eigenvalues ω², 1/s², are given.
 pub(in crate::analyses) fn run(
     (case, structure): (&StructureCase, &Structure),
@@ -57,7 +29,7 @@ pub(in crate::analyses) fn run(
     reduced: Option<&[f64]>,
 ) -> Result<Outcome, StudyError> {
     let problem = structure.at(case, &case.values())?;
-    let Undamped { mass, stiffness, warnings } = Undamped::new(&problem)?;
+    let Undamped { mass, stiffness, of } = Undamped::new(case, structure)?;
     let wanted = match wanted {
         WantedModes::Count(count) => Wanted::Lowest(count),
         WantedModes::Band(from, to) => Wanted::Band(from / TAU, to / TAU),
@@ -76,6 +48,7 @@ pub(in crate::analyses) fn run(
         ("rigid_modes".to_owned(), json!(rigid)),
         ("counted".to_owned(), counted(&found)),
         ("degrees_of_freedom".to_owned(), json!(problem.size())),
+        ("modes_of".to_owned(), json!(of.name())),
     ]);
     if let Some(ratios) = &table.ratios {
         scalars.insert("damping_ratios".to_owned(), ratios.iter().map(|ratio| number(*ratio)).collect());
@@ -85,8 +58,8 @@ pub(in crate::analyses) fn run(
         scalars.insert("reduced_hz".to_owned(), numbers(&reduced.frequencies));
         scalars.insert("reduction_errors".to_owned(), numbers(&reduced.errors));
     }
-    let mut warnings = warnings;
-    let mut dataset = table.dataset(&found.modes)?;
+    let mut warnings: Vec<String> = of.warning("the modes are those").into_iter().collect();
+    let mut dataset = table.dataset(&found.modes)?.attribute("modes_of", of.name())?;
     if let Some(layout) = &structure.layout {
         let vectors: Vec<&[f64]> = found.modes.iter().map(|mode| &mode.shape[..]).collect();
         dataset = shapes::with_layout(dataset, layout)?;

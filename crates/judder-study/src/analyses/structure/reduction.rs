@@ -1,7 +1,7 @@
 //! `reduction`: the reduced structure against the full one.
 
-use super::modes::Undamped;
 use super::reduced_files;
+use super::undamped::Undamped;
 use crate::error::StudyError;
 use crate::outcome::{CheckRecord, Outcome};
 use crate::structure::Structure;
@@ -24,7 +24,8 @@ pub(super) fn run(
     count: usize,
 ) -> Result<Outcome, StudyError> {
     let problem = structure.at(case, &case.values())?;
-    let Undamped { mass, stiffness, mut warnings } = Undamped::new(&problem)?;
+    let Undamped { mass, stiffness, of: modes_of } = Undamped::new(case, structure)?;
+    let mut warnings: Vec<String> = modes_of.warning("the reduction is that").into_iter().collect();
     let kept = &structure.kept;
     let reduced = CraigBampton::new(&stiffness, &mass, kept, cut_off(case))?;
     let limit = reduced.error()?.limit_hz(TOLERANCE);
@@ -40,6 +41,7 @@ pub(super) fn run(
     let dataset = Dataset::new()
         .attribute("kind", "reduction")?
         .attribute("limit_hz", number(limit))?
+        .attribute("reduction_of", modes_of.name())?
         .with(Variable::coordinate("mode", numbers.clone()).long_name("number of the mode"))?
         .with(modal("full", &full).units("Hz").long_name("frequency of the full structure"))?
         .with(modal("reduced", &reduced_hz).units("Hz").long_name("frequency of the reduced structure"))?
@@ -67,6 +69,7 @@ pub(super) fn run(
         ("fixed_interface_modes".to_owned(), json!(fixed)),
         ("reduced_freedoms".to_owned(), json!(kept.len() + fixed)),
         ("degrees_of_freedom".to_owned(), json!(problem.size())),
+        ("reduction_of".to_owned(), json!(modes_of.name())),
     ]);
     let checks = checks(&report);
     let files = reduced_files::files(name, structure, &reduced, limit, &mut warnings)?;
@@ -91,7 +94,8 @@ fn checks(report: &ReductionReport) -> Vec<CheckRecord> {
     let rows: Vec<&ComparedFrequency> =
         report.frequencies.iter().filter(|row| row.bound != Some(0.0)).collect();
     let count = rows.len();
-    let within = rows.iter().filter(|row| row.reduced_hz < report.limit_hz);
+    // the full structure has the lower one of both
+    let within = rows.iter().filter(|row| row.full_hz < report.limit_hz);
     let mut checks = vec![
         CheckRecord::new(
             "reduced frequencies lie above the full ones",
@@ -107,7 +111,10 @@ fn checks(report: &ReductionReport) -> Vec<CheckRecord> {
         ),
         CheckRecord::new(
             "below its limit the reduction is as exact as it says",
-            format!("largest relative error below {:.6} Hz", report.limit_hz),
+            format!(
+                "largest relative error of frequencies of the full structure below {:.6} Hz",
+                report.limit_hz
+            ),
             within.map(|row| row.relative_error.abs()).collect(),
             TOLERANCE,
         ),

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use thiserror::Error;
 
 use crate::memory::Memory;
+use judder_numerics::words::plain;
 
 /// What is wrong, with what a caller needs in order to act.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -143,7 +144,7 @@ pub enum ContactProblem {
         limit: f64,
     },
     /// A load that presses the indenter in to where it has ended.
-    #[error("this load presses the indenter in by {indentation:.3e} R at least, and it ends at {limit} R")]
+    #[error("this load presses the indenter in by {} R at least, and it ends at {limit} R", plain(*indentation))]
     LoadTooLarge {
         /// δ/R on the glassy substrate.
         indentation: f64,
@@ -151,7 +152,7 @@ pub enum ContactProblem {
         limit: f64,
     },
     /// A contact that would go on beyond the heights of a file.
-    #[error("the contact reaches the edge of the heights at x = {x:.4e} R, y = {y:.4e} R")]
+    #[error("the contact reaches the edge of the heights at x = {} R, y = {} R", plain(*x), plain(*y))]
     BeyondHeights {
         /// x/R of a cell in contact beside the edge.
         x: f64,
@@ -178,7 +179,7 @@ pub enum ContactProblem {
         allowed: usize,
     },
     /// A computed square that the contact does not fit into.
-    #[error("the contact touches the edge of the computed square, whose side is {side:.4e} R")]
+    #[error("the contact touches the edge of the computed square, whose side is {} R", plain(*side))]
     DomainTooSmall {
         /// Its side over R.
         side: f64,

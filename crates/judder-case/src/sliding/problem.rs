@@ -1,5 +1,6 @@
 //! What can be wrong with a sliding case, beyond types, units and ranges.
 
+use judder_numerics::words::plain;
 use thiserror::Error;
 
 use crate::cause::Cause;
@@ -46,8 +47,8 @@ pub enum SlidingProblem {
     },
     /// A place where a structure has no node.
     #[error(
-        "`{key}` is ({:.4e}, {:.4e}) m, but the nearest node of the structure lies at ({:.4e}, {:.4e}) m",
-        place[0], place[1], nearest[0], nearest[1]
+        "`{key}` is ({}, {}) m, but the nearest node of the structure lies at ({}, {}) m",
+        plain(place[0]), plain(place[1]), plain(nearest[0]), plain(nearest[1])
     )]
     NoNodeThere {
         /// The key.
@@ -158,7 +159,7 @@ pub enum SlidingProblem {
         limit: f64,
     },
     /// A step beyond the limit of stability.
-    #[error("the step {step:e} s is above the limit of stability, {limit:.4e} s")]
+    #[error("the step {} s is above the limit of stability, {} s", plain(*step), plain(*limit))]
     StepLimit {
         /// h, s.
         step: f64,

@@ -184,7 +184,7 @@ fn a_square_that_the_contact_does_not_fit_into() {
     let desk = Desk::with_case(&text);
     let said = desk.judder(&["run", "case.toml", "--json"]);
     assert_eq!(said.code, 2, "{}", said.stderr);
-    said.says("the contact touches the edge of the computed square, whose side is 1.0000e-1 R");
+    said.says("the contact touches the edge of the computed square, whose side is 0.1 R");
     said.says("[case.toml:9:10]");
     let needed = said.stderr.split("give `domain` = ").nth(1).unwrap().split(' ').next().unwrap();
     // the rest of the case is there

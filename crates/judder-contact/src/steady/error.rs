@@ -2,6 +2,7 @@
 
 use crate::kernel::check::KernelError;
 use crate::unilateral::UnilateralError;
+use judder_numerics::words::plain;
 use thiserror::Error;
 
 /// Why a steady-sliding problem has no answer.
@@ -35,8 +36,8 @@ pub enum SteadyError {
     NoCells,
     /// The contact reaches the edge of the domain.
     #[error(
-        "the contact touches the edge of the domain, a square of side {:.4e} R about x = {centre_x:.4e} R; a side of at least \
-         {:.4e} R is needed", 2.0 * half_width, 2.0 * needed
+        "the contact touches the edge of the domain, a square of side {} R about x = {} R; a side of at least \
+         {} R is needed", plain(2.0 * half_width), plain(*centre_x), plain(2.0 * needed)
     )]
     DomainTooSmall {
         /// Half the side of the domain, in R.
@@ -48,7 +49,8 @@ pub enum SteadyError {
     },
     /// The indenter ends before the contact does.
     #[error(
-        "the contact reaches the edge of the indenter at x = {x:.4e} R, y = {y:.4e} R; press less, or give a larger height map"
+        "the contact reaches the edge of the indenter at x = {} R, y = {} R; press less, or give a larger height map",
+        plain(*x), plain(*y)
     )]
     BeyondIndenter {
         /// x of a cell in contact beside the edge, in R.

@@ -3,6 +3,7 @@
 use super::nodes::Nodes;
 use super::{Uncoupled, part};
 use crate::structure::Structure;
+use judder_numerics::words::plain;
 use judder_sliding::plane::Vector;
 
 /// A track's edge.
@@ -32,7 +33,9 @@ impl Edge {
                 let [x, y] = part::place(track, *first);
                 warnings.push(format!(
                     "the nodes of the track do not follow each other in their set: they are taken in the order along the edge, and \
-                     positions count from ({x:.6e}, {y:.6e}) m"
+                     positions count from ({}, {}) m",
+                    plain(x),
+                    plain(y)
                 ));
             } else {
                 points.clone_from(&nodes.track);

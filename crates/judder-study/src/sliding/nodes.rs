@@ -5,6 +5,7 @@ use super::interpolation;
 use crate::structure::{Structure, freedoms_of, points_of};
 use judder_case::structure::reduction::KeptNodes;
 use judder_case::{SlidingCase, SlidingProblem};
+use judder_numerics::words::plain;
 use judder_sliding::march::most_observed;
 use judder_sliding::pair::Side;
 
@@ -154,7 +155,7 @@ fn loaded(case: &SlidingCase, slider: &Structure) -> Result<usize, Uncoupled> {
 pub(super) fn name(nodes: &KeptNodes) -> String {
     match nodes {
         KeptNodes::Set(set) => set.clone(),
-        KeptNodes::Near([x, y]) => format!("({x:.4e}, {y:.4e}) m"),
+        KeptNodes::Near([x, y]) => format!("({}, {}) m", plain(*x), plain(*y)),
         KeptNodes::Numbers(numbers) => numbers.iter().map(usize::to_string).collect::<Vec<_>>().join(", "),
     }
 }

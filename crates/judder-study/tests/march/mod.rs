@@ -347,10 +347,7 @@ fn points_go_by_their_place_too() {
 fn points_that_cannot_be_observed() {
     let told = |points: &str| observing(points).unwrap_err().to_string();
     let nowhere = told("{ name = \"T\", structure = \"horizontal\", at = [\"100 m\", \"1 mm\"] }");
-    assert!(
-        nowhere.contains("`observe.points.T.at` is (1.0000e2, 1.0000e-3) m, but the nearest node"),
-        "{nowhere}"
-    );
+    assert!(nowhere.contains("`observe.points.T.at` is (100, 0.001) m, but the nearest node"), "{nowhere}");
     let many: Vec<String> = (0..7)
         .map(|k| format!("{{ name = \"P{k}\", structure = \"horizontal\", at = [\"{k}0 mm\", \"1 mm\"] }}"))
         .collect();

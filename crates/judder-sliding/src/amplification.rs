@@ -1,27 +1,28 @@
 //! What a zone of growth does to a vibration that passes through it.
 
 use crate::SlidingError;
-use crate::locus::{Conditions, Settings, locus, spectrum};
+use crate::locus::{Conditions, Settings, characteristic, locus};
 use crate::pair::Pair;
-use crate::spectrum::Wanted;
 use crate::zones::Zone;
 use rayon::prelude::*;
 use std::f64::consts::PI;
 
 /// An unstable zone, and how far a vibration grows in it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Amplification {
     /// The zone, by positions in m.
     pub zone: Zone,
     /// ∫ max(σ, 0) dt while the contact passes the zone, nepers: ln of how much larger a vibration leaves it than it came.
     pub nepers: f64,
+    /// How far that may be off, nepers: the error of the growth rate at its peak, all the way.
+    pub error: f64,
 }
 
 /// Points in a zone at which the growth rate is taken.
 const POINTS: usize = 24;
 
 /// The unstable zones of the `count` lowest branches between two positions in m, with the growth of a vibration that passes them at the
-/// speed of the conditions: ∫ max(σ, 0) ds/|v|, as if the pair were frozen at every position.
+/// speed of the conditions: ∫ max(σ, 0) ds/|v| of the zone's own eigenvalue, as if the pair were frozen at every position.
 ///
 /// The growth rate vanishes at both ends of a zone, undamped as a root: the points lie as cosines, which both take.
 ///
@@ -35,34 +36,21 @@ pub fn amplifications(
 ) -> Result<Vec<Amplification>, SlidingError> {
     let positions = vec![path[0].min(path[1]), path[0].max(path[1])];
     let found = locus(pair, &Settings { conditions: *conditions, count, positions })?;
-    let of = |zone: &Zone| -> Result<Amplification, SlidingError> {
+    let family = |position: f64| characteristic(pair, conditions, position);
+    let of = |zone: Zone| {
         let width = zone.to - zone.from;
         let step = PI / POINTS as f64;
-        let terms = (0..POINTS).map(|k| {
+        let term = |k: usize| {
             let angle = (k as f64 + 0.5) * step;
             let position = zone.from + 0.5 * width * (1.0 - angle.cos());
-            Ok(growth_rate(pair, conditions, position, (zone, count))?.max(0.0)
-                * 0.5
-                * width
-                * angle.sin()
-                * step)
-        });
-        let sum = terms.sum::<Result<f64, SlidingError>>()?;
-        Ok(Amplification { zone: *zone, nepers: sum / conditions.velocity.abs() })
+            // the width of its part of the zone: together they are the zone
+            let part = width * angle.sin() * (0.5 * step).sin();
+            zone.eigenvalue_at(&family, position).re.max(0.0) * part
+        };
+        let speed = conditions.velocity.abs();
+        let nepers = (0..POINTS).map(term).sum::<f64>() / speed;
+        let error = zone.error * width / speed;
+        Amplification { zone, nepers, error }
     };
-    found.followed.zones.par_iter().map(of).collect()
-}
-
-/// The largest growth rate at a position of an eigenvalue near the frequency of a zone.
-fn growth_rate(
-    pair: &Pair,
-    conditions: &Conditions,
-    position: f64,
-    (zone, count): (&Zone, usize),
-) -> Result<f64, SlidingError> {
-    const NEAR: f64 = 0.05;
-    let spectrum = spectrum(pair, conditions, position, Wanted::Lowest(count))?;
-    let frequency = 2.0 * PI * zone.frequency_hz;
-    let near = spectrum.eigenvalues.iter().filter(|value| (value.im - frequency).abs() <= NEAR * frequency);
-    Ok(near.map(|value| value.re).fold(0.0, f64::max))
+    Ok(found.followed.zones.into_par_iter().map(of).collect())
 }

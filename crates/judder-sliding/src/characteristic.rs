@@ -4,8 +4,12 @@
 //! leave 1 + m homogeneous equations in N and y. Their determinant D(s) is the function. It has poles at the roots of the p_i, and each
 //! value costs O(n), where a dense eigenproblem costs O(n³).
 
+mod accuracy;
+mod uncoupled;
+
 use crate::SlidingError;
 use crate::coupling::Coupling;
+pub(crate) use accuracy::PRECISION;
 use num_complex::Complex64;
 use pulp::{Arch, Simd, WithSimd};
 

@@ -1,4 +1,5 @@
 use crate::edge::RunOff;
+use judder_numerics::words::plain;
 use thiserror::Error;
 
 /// Why two structures cannot slide, or a march cannot go on.
@@ -32,7 +33,8 @@ pub enum SlidingError {
     },
     /// Nodes of a track that do not follow each other.
     #[error(
-        "the track is not ordered: from node {node} to the next it turns back by {angle_deg:.0}° at ({x:.6e}, {y:.6e}) m; its nodes must follow each other along the edge"
+        "the track is not ordered: from node {node} to the next it turns back by {angle_deg:.0}° at ({}, {}) m; its nodes must follow each other along the edge",
+        plain(*x), plain(*y)
     )]
     Unordered {
         /// The node, from 0.
@@ -46,7 +48,8 @@ pub enum SlidingError {
     },
     /// A contact point beside the track.
     #[error(
-        "the contact point is off the track: {position:.6e} m from its first node, the track is {length:.6e} m long"
+        "the contact point is off the track: {} m from its first node, the track is {} m long",
+        plain(*position), plain(*length)
     )]
     OffTrack {
         /// Distance from the first node along the track, m.
@@ -56,7 +59,8 @@ pub enum SlidingError {
     },
     /// A contact that is held so near to an end of the track that it swings beyond it.
     #[error(
-        "held at {position:.6e} m the contact has {end}, which is {length:.6e} m long: hold it farther from the end"
+        "held at {} m the contact has {end}, which is {} m long: hold it farther from the end",
+        plain(*position), plain(*length)
     )]
     RunsOff {
         /// Distance of the contact point from the first node, m.
@@ -68,7 +72,8 @@ pub enum SlidingError {
     },
     /// The normal force that closes the contact has no bound: the slider locks.
     #[error(
-        "sprag-slip at {position:.6e} m: c·M⁻¹e is {mobility:.3e} 1/kg, friction pushes the slider into the track harder than the contact can push it out; a smaller friction coefficient than {friction:.4} slides"
+        "sprag-slip at {} m: c·M⁻¹e is {} 1/kg, friction pushes the slider into the track harder than the contact can push it out; a smaller friction coefficient than {friction:.4} slides",
+        plain(*position), plain(*mobility)
     )]
     SpragSlip {
         /// Distance of the contact point from the first node, m.
@@ -80,7 +85,8 @@ pub enum SlidingError {
     },
     /// A cut-off below which nothing swings, or above which nothing is left to yield.
     #[error(
-        "a cut-off at {cut_off_hz:.6e} Hz has all modes that swing on one side of it: they go from {lowest_hz:.6e} to {highest_hz:.6e} Hz, give a frequency between"
+        "a cut-off at {} Hz has all modes that swing on one side of it: they go from {} to {} Hz, give a frequency between",
+        plain(*cut_off_hz), plain(*lowest_hz), plain(*highest_hz)
     )]
     CutOff {
         /// Hz.
@@ -92,7 +98,8 @@ pub enum SlidingError {
     },
     /// A contact that would open by c·M⁻¹e, but locks in what yields at once in a march with residual flexibility.
     #[error(
-        "at {position:.6e} m the slider locks in the modes above the cut-off: a unit normal force with its friction opens {compliance:.3e} m/N at once, and the modes below would be late; a smaller friction coefficient than {friction:.4} slides, or another cut-off that leaves more modes on either side"
+        "at {} m the slider locks in the modes above the cut-off: a unit normal force with its friction opens {} m/N at once, and the modes below would be late; a smaller friction coefficient than {friction:.4} slides, or another cut-off that leaves more modes on either side",
+        plain(*position), plain(*compliance)
     )]
     LocksAtOnce {
         /// Distance of the contact point from the first node, m.
@@ -103,7 +110,10 @@ pub enum SlidingError {
         friction: f64,
     },
     /// There is no state of rest under the load.
-    #[error("nothing holds the pair at rest at {position:.6e} m: {reason}")]
+    #[error(
+        "nothing holds the pair at rest at {} m: {reason}",
+        plain(*position)
+    )]
     NoEquilibrium {
         /// Distance of the contact point from the first node, m.
         position: f64,
@@ -112,7 +122,8 @@ pub enum SlidingError {
     },
     /// The iteration for the deformed state has not ended.
     #[error(
-        "the deformed state at {position:.6e} m was not found: after {iterations} iterations the contact still moves by {residual:.1e} m"
+        "the deformed state at {} m was not found: after {iterations} iterations the contact still moves by {} m",
+        plain(*position), plain(*residual)
     )]
     NoConvergence {
         /// Distance of the contact point from the first node, m.
@@ -124,7 +135,8 @@ pub enum SlidingError {
     },
     /// A step beyond what is stable.
     #[error(
-        "the step of {step:.6e} s is over its limit of {limit:.6e} s: the fastest mode would grow without bound"
+        "the step of {} s is over its limit of {} s: the fastest mode would grow without bound",
+        plain(*step), plain(*limit)
     )]
     StepOverLimit {
         /// The step, s.
@@ -134,8 +146,8 @@ pub enum SlidingError {
     },
     /// A gap or penetration at the start that nothing closes smoothly.
     #[error(
-        "at the start, {position:.6e} m, C is {gap:.3e} m from the track ({}): closed in one step it would be a kick; give the gap a ramp or put C on the track",
-        if *gap > 0.0 { "a gap" } else { "a penetration" }
+        "at the start, {} m, C is {} m from the track ({}): closed in one step it would be a kick; give the gap a ramp or put C on the track",
+        plain(*position), plain(*gap), if *gap > 0.0 { "a gap" } else { "a penetration" }
     )]
     OpenAtStart {
         /// n·(x_C − P), m.
@@ -148,7 +160,8 @@ pub enum SlidingError {
     ForeignCheckpoint,
     /// A contact that is open and farther from the track than that is long.
     #[error(
-        "the slider has lifted off at {position:.6e} m and flown away: it is {gap:.3e} m from the track, farther than any contact comes back from; a load that presses it on keeps it there"
+        "the slider has lifted off at {} m and flown away: it is {} m from the track, farther than any contact comes back from; a load that presses it on keeps it there",
+        plain(*position), plain(*gap)
     )]
     LiftedOff {
         /// Distance of the contact point from the first node without deformation, m.
@@ -158,7 +171,8 @@ pub enum SlidingError {
     },
     /// A march has grown beyond all bounds.
     #[error(
-        "the march is not finite any more at step {step}, {position:.6e} m: a mode has grown without bound"
+        "the march is not finite any more at step {step}, {} m: a mode has grown without bound",
+        plain(*position)
     )]
     NotFinite {
         /// The step.
@@ -167,7 +181,10 @@ pub enum SlidingError {
         position: f64,
     },
     /// Eigenvalues that were not found.
-    #[error("at {position:.6e} m {found} of {expected} eigenvalues were found up to {limit_hz:.6e} Hz")]
+    #[error(
+        "at {} m {found} of {expected} eigenvalues were found up to {} Hz",
+        plain(*position), plain(*limit_hz)
+    )]
     Incomplete {
         /// Distance of the contact point from the first node, m.
         position: f64,

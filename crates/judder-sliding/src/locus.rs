@@ -59,6 +59,8 @@ pub struct Followed {
     /// defined by the pair; here it is what this rule gives. Branches that leave the `count` lowest end, and those that enter
     /// continue them.
     pub eigenvalues: Vec<Vec<Complex64>>,
+    /// How far each of them may be off, 1/s.
+    pub errors: Vec<Vec<f64>>,
     /// Unstable zones of the `count` lowest eigenvalues, from the first value to the last.
     pub zones: Vec<Zone>,
 }
@@ -185,18 +187,20 @@ pub fn follow(
     resolution: f64,
 ) -> Result<Followed, SlidingError> {
     check_ascending(parameters)?;
-    let shown: Vec<Result<Vec<Complex64>, SlidingError>> = parameters
-        .par_iter()
-        .map(|at| Ok(Spectrum::new(&family.at(*at)?, *at, Wanted::Lowest(count))?.eigenvalues))
-        .collect();
+    let shown: Vec<Result<Spectrum, SlidingError>> =
+        parameters.par_iter().map(|at| Spectrum::new(&family.at(*at)?, *at, Wanted::Lowest(count))).collect();
     let found = zones(family, pieces, count, resolution)?;
     let mut samples: Vec<(Sample, Option<usize>)> =
         found.samples.into_iter().map(|sample| (sample, None)).collect();
-    for (k, eigenvalues) in shown.into_iter().enumerate() {
-        samples.push((Sample { at: parameters[k], eigenvalues: eigenvalues? }, Some(k)));
+    let mut known = Vec::with_capacity(parameters.len());
+    for (k, spectrum) in shown.into_iter().enumerate() {
+        let Spectrum { eigenvalues, errors, .. } = spectrum?;
+        samples.push((Sample { at: parameters[k], eigenvalues }, Some(k)));
+        known.push(errors);
     }
     samples.sort_by(|a, b| a.0.at.total_cmp(&b.0.at).then(a.1.cmp(&b.1)));
     let mut eigenvalues = vec![Vec::new(); parameters.len()];
+    let mut errors = vec![Vec::new(); parameters.len()];
     let mut tracker: Option<Tracker> = None;
     for (sample, place) in samples {
         let lowest = &sample.eigenvalues[..count.min(sample.eigenvalues.len())];
@@ -204,9 +208,12 @@ pub fn follow(
             tracker.get_or_insert_with(|| Tracker::new(sample.at, lowest.to_vec())).step(sample.at, lowest);
         if let Some(place) = place {
             eigenvalues[place] = tracked.to_vec();
+            let own = |value: &Complex64| lowest.iter().position(|other| other == value);
+            let error = |value: &Complex64| own(value).map_or(f64::NAN, |k| known[place][k]);
+            errors[place] = tracked.iter().map(error).collect();
         }
     }
-    Ok(Followed { eigenvalues, zones: found.zones })
+    Ok(Followed { eigenvalues, errors, zones: found.zones })
 }
 
 /// The pieces of a range of positions on which the contact is smooth: between those at which it passes a node.

@@ -8,7 +8,7 @@ mod count;
 mod simultaneous;
 
 use crate::SlidingError;
-use crate::characteristic::Characteristic;
+use crate::characteristic::{Characteristic, PRECISION};
 use num_complex::Complex64;
 use simultaneous::{Iterate, Regular};
 use std::f64::consts::TAU;
@@ -27,6 +27,8 @@ pub enum Wanted {
 pub struct Spectrum {
     /// All with 0 ≤ Im s ≤ `limit` and |Re s| ≤ `limit`, by imaginary, then real part; real ones have Im s = 0.
     pub eigenvalues: Vec<Complex64>,
+    /// How far each may be from the exact one, 1/s: a growth rate below it is neither stable nor unstable.
+    pub errors: Vec<f64>,
     /// Up to where the list is complete, rad/s.
     pub limit: f64,
 }
@@ -47,6 +49,54 @@ impl Spectrum {
     /// [`SlidingError::Incomplete`] where the count along the border does not agree with what was found;
     /// [`SlidingError::InvalidNumber`] for a limit that is not positive, or more eigenvalues than there are.
     pub fn new(function: &Characteristic, position: f64, wanted: Wanted) -> Result<Self, SlidingError> {
+        // what is wanted of all modes is refused before some are left out
+        last_pole(&pole_heights(function), wanted)?;
+        match function.without_uncoupled() {
+            None => Self::of_coupled(function, position, wanted),
+            Some((coupled, free)) => Self::with_uncoupled(&coupled, free, position, wanted),
+        }
+    }
+
+    /// The spectrum of a function beside which some eigenvalues are known.
+    fn with_uncoupled(
+        coupled: &Characteristic,
+        mut known: Vec<Complex64>,
+        position: f64,
+        wanted: Wanted,
+    ) -> Result<Self, SlidingError> {
+        let most = coupled.modes().saturating_sub(1);
+        let of_coupled = match wanted {
+            _ if most == 0 => None,
+            Wanted::Lowest(count) => {
+                Some(Self::of_coupled(coupled, position, Wanted::Lowest(count.min(most)))?)
+            }
+            Wanted::Below(_) => Some(Self::of_coupled(coupled, position, wanted)?),
+        };
+        let highest = known.iter().map(|s| s.norm()).fold(0.0, f64::max);
+        let below = |limit: f64| known.iter().filter(|s| s.im <= limit && s.re.abs() <= limit).count();
+        let whole = highest.max(of_coupled.as_ref().map_or(0.0, |own| own.limit));
+        let limit = match (wanted, &of_coupled) {
+            (Wanted::Below(limit), _) => limit,
+            (Wanted::Lowest(count), Some(own)) if count <= own.eigenvalues.len() + below(own.limit) => {
+                own.limit
+            }
+            // all that there are
+            (Wanted::Lowest(_), _) => 1.5 * whole,
+        };
+        let mut errors: Vec<f64> = known.iter().map(|s| PRECISION * s.norm()).collect();
+        if let Some(own) = of_coupled {
+            known.extend(own.eigenvalues);
+            errors.extend(own.errors);
+        }
+        let mut both: Vec<(Complex64, f64)> = known.into_iter().zip(errors).collect();
+        both.retain(|(s, _)| s.im <= limit && s.re.abs() <= limit);
+        both.sort_by(|(a, _), (b, _)| a.im.total_cmp(&b.im).then(a.re.total_cmp(&b.re)));
+        let (eigenvalues, errors) = both.into_iter().unzip();
+        Ok(Self { eigenvalues, errors, limit })
+    }
+
+    /// The spectrum of modes that are all coupled.
+    fn of_coupled(function: &Characteristic, position: f64, wanted: Wanted) -> Result<Self, SlidingError> {
         let heights = pole_heights(function);
         let last = last_pole(&heights, wanted)?;
         let scale = match wanted {
@@ -65,7 +115,7 @@ impl Spectrum {
             let inside = known.iter().filter(|s| s.im <= limit && s.re.abs() <= limit).count();
             let enough = !matches!(wanted, Wanted::Lowest(count) if inside < count);
             match count::missing(&mut regular, &known, limit) {
-                Some(0) if enough => return Ok(Self::below(known, limit, wanted)),
+                Some(0) if enough => return Ok(Self::below(function, known, limit, wanted)),
                 Some(missing) if missing < 0 => zeros.clear(),
                 missing => failure = Some((inside, missing.unwrap_or(0), limit)),
             }
@@ -78,13 +128,15 @@ impl Spectrum {
     }
 
     /// Those known in the region, of which no more than wanted where a limit is.
-    fn below(mut known: Vec<Complex64>, border: f64, wanted: Wanted) -> Self {
+    fn below(function: &Characteristic, mut known: Vec<Complex64>, border: f64, wanted: Wanted) -> Self {
+        let mut evaluator = function.evaluator();
         let limit = match wanted {
             Wanted::Below(limit) => limit,
             Wanted::Lowest(_) => border,
         };
         known.retain(|s| s.im <= limit && s.re.abs() <= limit);
-        Self { eigenvalues: known, limit }
+        let errors = (0..known.len()).map(|k| moved(evaluator.error(known[k]), nearest(&known, k))).collect();
+        Self { eigenvalues: known, errors, limit }
     }
 }
 
@@ -98,6 +150,18 @@ pub(crate) fn polished<const COUNT: usize>(
     simultaneous::iterate(&mut Regular::new(function, scale), &mut zeros);
     settle(function, &mut zeros, scale);
     zeros.iter().all(|zero| zero.is_done).then(|| zeros.map(|zero| zero.value))
+}
+
+/// How far an eigenvalue is from the nearest other one.
+fn nearest(values: &[Complex64], own: usize) -> f64 {
+    let away = |k: usize| (values[k] - values[own]).norm();
+    (0..values.len()).filter(|k| *k != own).map(away).fold(f64::INFINITY, f64::min)
+}
+
+/// How far an eigenvalue moves that a first order moves by δ, beside another at a distance g: two that meet part as ±√(g²/4 ± δ g).
+fn moved(first_order: f64, gap: f64) -> f64 {
+    let product = first_order * gap;
+    if first_order <= 0.25 * gap || product.is_nan() { first_order } else { 2.0 * product.sqrt() }
 }
 
 /// Imaginary parts of the upper poles, ascending.

@@ -37,7 +37,7 @@ impl<F: Fn(f64) -> Result<Characteristic, SlidingError> + Sync> Family for F {
 }
 
 /// A range of the parameter in which one eigenvalue is unstable.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Zone {
     /// Where it starts, as `ends` has it.
     pub from: f64,
@@ -51,6 +51,10 @@ pub struct Zone {
     pub growth_rate: f64,
     /// The frequency there, Hz.
     pub frequency_hz: f64,
+    /// How far the growth rate there may be off, 1/s; below it there is no zone.
+    pub error: f64,
+    /// The eigenvalue at places from its start to its end, the peak among them, in the order of the parameter.
+    pub path: Vec<(f64, Complex64)>,
 }
 
 /// What the start or end of a zone is.
@@ -100,6 +104,28 @@ pub struct Zones {
     pub samples: Vec<Sample>,
 }
 
+impl Zone {
+    /// Whether it is another by no more than rounding.
+    fn is_same(&self, other: &Self) -> bool {
+        let near = |a: f64, b: f64| (a - b).abs() <= ROUNDING * b.abs();
+        near(self.from, other.from)
+            && near(self.to, other.to)
+            && near(self.frequency_hz, other.frequency_hz)
+            && (self.growth_rate - other.growth_rate).abs() <= self.error + other.error
+    }
+
+    /// Its own eigenvalue at a value of the parameter, polished from where its path has it; as the path has it where it is not found so near.
+    #[must_use]
+    pub fn eigenvalue_at(&self, family: &impl Family, at: f64) -> Complex64 {
+        let within = at.clamp(self.from, self.to);
+        follow::on_path(family, &self.path, within)
+            .or_else(|| follow::foretold(&self.path, within))
+            .unwrap_or(Complex64::new(self.growth_rate, TAU * self.frequency_hz))
+    }
+}
+
+/// Zones whose ends and frequencies differ by no more than this share are one.
+const ROUNDING: f64 = 1e-9;
 /// Zones whose eigenvalues differ by less than this share where two pieces meet are one.
 const CONTINUED: f64 = 1e-3;
 
@@ -108,7 +134,8 @@ const CONTINUED: f64 = 1e-3;
 /// A zone is that of a branch: it goes on where the branch is not among the lowest any more, followed by itself to its root.
 ///
 /// Every zone wider than `resolution` is found, narrower ones too wherever eigenvalues are smooth. Where nothing damps, a zone is where two
-/// eigenvalues have merged; growth rates below 10⁻⁶ of the eigenvalue are then rounding. Pieces are searched side by side; the answer does
+/// eigenvalues have merged; growth rates below 10⁻⁶ of the eigenvalue are then rounding. What grows no faster than its own error is
+/// marginal, and no zone. Pieces are searched side by side; the answer does
 /// not depend on the number of threads.
 ///
 /// # Errors
@@ -155,8 +182,13 @@ pub fn zones(
             kept.push(Branch::of_seed(family, pieces, seed));
         }
     }
-    let mut zones: Vec<Zone> = kept.par_iter().map(Branch::zone).collect();
+    let zones: Vec<Result<Zone, SlidingError>> =
+        kept.into_par_iter().map(|branch| branch.zone(family)).collect();
+    let mut zones = zones.into_iter().collect::<Result<Vec<Zone>, SlidingError>>()?;
+    zones.retain(|zone| zone.growth_rate > zone.error);
     zones.sort_by(|a, b| a.from.total_cmp(&b.from).then(a.frequency_hz.total_cmp(&b.frequency_hz)));
+    // beside an eigenvalue that is nearly the same a branch may have been found by both
+    zones.dedup_by(|next, kept| next.is_same(kept));
     Ok(Zones { zones, samples })
 }
 
@@ -193,17 +225,22 @@ impl Branch {
         Self { path, ends, origin: seed, peak }
     }
 
-    fn zone(&self) -> Zone {
-        let Self { path, ends, peak, .. } = self;
-        let (growth_rate, frequency_hz) = (peak.1.re, peak.1.im / TAU);
-        Zone {
+    fn zone(self, family: &impl Family) -> Result<Zone, SlidingError> {
+        let Self { mut path, ends, peak, .. } = self;
+        let error = family.at(peak.0)?.evaluator().error(peak.1);
+        if let Err(place) = path.binary_search_by(|point| point.0.total_cmp(&peak.0)) {
+            path.insert(place, peak);
+        }
+        Ok(Zone {
             from: path[0].0,
             to: path[path.len() - 1].0,
-            ends: *ends,
+            ends,
             peak: peak.0,
-            growth_rate,
-            frequency_hz,
-        }
+            growth_rate: peak.1.re,
+            frequency_hz: peak.1.im / TAU,
+            error,
+            path,
+        })
     }
 }
 

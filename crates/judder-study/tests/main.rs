@@ -6,6 +6,7 @@ mod checks;
 mod computed_law;
 mod contact;
 mod global_margin;
+mod growing;
 mod live;
 mod march;
 mod motion;
@@ -14,6 +15,7 @@ mod sliding;
 mod sliding_cases;
 mod structure;
 mod sweep;
+mod zones;
 
 use judder_case::CaseFile;
 use judder_study::Silent;

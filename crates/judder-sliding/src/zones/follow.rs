@@ -149,15 +149,24 @@ fn is_meeting(family: &impl Family, next: f64, value: Complex64) -> bool {
 
 /// Whether an eigenvalue at a place is that of a branch there.
 pub(super) fn is_on(family: &impl Family, path: &Path, (at, value): (f64, Complex64)) -> bool {
+    on_path(family, path, at).is_some_and(|found| (found - value).norm() <= SAME * value.norm())
+}
+
+/// The eigenvalue of a branch at a place on its path.
+pub(super) fn on_path(family: &impl Family, path: &[(f64, Complex64)], at: f64) -> Option<Complex64> {
+    found(family, at, foretold(path, at)?).map(|(found, _)| found)
+}
+
+/// The same as the places beside it have it.
+pub(super) fn foretold(path: &[(f64, Complex64)], at: f64) -> Option<Complex64> {
     let next = path.partition_point(|point| point.0 < at);
-    let Some(right) = path.get(next) else { return false };
+    let right = path.get(next)?;
     let left = path[next.saturating_sub(1)];
     if left.0 > at {
-        return false;
+        return None;
     }
     let share = if right.0 > left.0 { (at - left.0) / (right.0 - left.0) } else { 1.0 };
-    let foretold = left.1 + (right.1 - left.1) * share;
-    found(family, at, foretold).is_some_and(|(found, _)| (found - value).norm() <= SAME * value.norm())
+    Some(left.1 + (right.1 - left.1) * share)
 }
 
 /// Where a branch grows fastest, by the eigenvalue itself.

@@ -2,7 +2,7 @@
 //!
 //! Of two eigenvalues that meet, the mean m and d = ((s₁ − s₂)/2)² are smooth through the meeting, s = m ± √d are not.
 
-use crate::characteristic::Characteristic;
+use crate::characteristic::{Characteristic, PRECISION};
 use crate::spectrum::polished;
 use num_complex::Complex64;
 
@@ -167,10 +167,10 @@ fn is_near(found: Complex64, foretold: Complex64) -> bool {
     (found - foretold).norm() <= 1e-3 * foretold.norm()
 }
 
-/// What decides on the stability of one eigenvalue.
+/// What decides on the stability of one eigenvalue: a growth rate below the precision of its numbers is none.
 pub(super) fn alone(value: Complex64, is_conservative: bool) -> Margin {
-    let floor = if is_conservative { ROUNDING * value.norm() } else { 0.0 };
-    Margin { value: value.re - floor, doubt: 0.0, eigenvalue: value }
+    let floor = if is_conservative { ROUNDING } else { PRECISION };
+    Margin { value: value.re - floor * value.norm(), doubt: 0.0, eigenvalue: value }
 }
 
 /// Where nothing damps, d itself decides: it passes through zero, while the growth rate √d starts there.
@@ -182,7 +182,7 @@ fn two(mean: Complex64, difference: Complex64, sheet: Sheet, is_conservative: bo
         Sheet::Less => mean - more,
     };
     let value = match (is_conservative, sheet) {
-        (false, _) => eigenvalue.re,
+        (false, _) => alone(eigenvalue, false).value,
         (true, Sheet::More) => difference.re - ROUNDING * ROUNDING * mean.norm_sqr(),
         (true, Sheet::Less) => -mean.norm_sqr(),
     };

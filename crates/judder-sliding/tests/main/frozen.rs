@@ -141,7 +141,7 @@ fn a_contact_that_swings_off_the_track_is_named() {
     assert!(
         runs_off
             .to_string()
-            .contains("held at 9.997958e-2 m the contact has run off the track beyond its last node"),
+            .contains("held at 0.0999796 m the contact has run off the track beyond its last node"),
         "{runs_off}"
     );
     let beyond = GrowthSettings { position: pair.length() + 1e-3, ..settings };

@@ -1,4 +1,6 @@
 //! Eigenvalues of the pair of the beams paper against contact position.
+#[path = "locus/lossless.rs"]
+mod lossless;
 #[path = "locus/random.rs"]
 mod random;
 #[path = "locus/spectra.rs"]

@@ -49,7 +49,7 @@ fn conservative_growth_has_no_energy_and_says_so() {
         assert!(told["sum"].is_null() && told["positive_energy"] == false);
         assert!(told["matrices"].as_array().unwrap().iter().all(|own| own["growth"].is_null()));
         let said = report.messages.iter().filter(|message| message.contains("grows without work")).count();
-        assert_eq!((said, report.messages.len()), (1, 1), "{:?}", report.messages);
+        assert_eq!(said, 1, "{:?}", report.messages);
         let checks = report.summary.extra["study"]["checks"]["e"].as_array().unwrap();
         let balance = checks.iter().find(|check| check["name"].as_str().unwrap().contains("work")).unwrap();
         assert_eq!(balance["numbers"], 1);
@@ -98,7 +98,7 @@ fn frequencies(list: &Value, key: Option<&str>) -> Vec<f64> {
 fn component_modes_are_the_frictionless_pair() {
     let springs = ("K", [[2.0, 1.0], [1.0, 2.0]]);
     let friction = ("friction", [[0.0, -4.0 / 3.0], [0.0, 0.0]]);
-    let sum = r#"[{ file = "K.mtx" }, { file = "friction.mtx", factor = "mu" }]"#;
+    let sum = r#"[{ file = "K.mtx" }, { file = "friction.mtx", factor = "mu", triangle = "as-stored" }]"#;
     let (report, page) = coupled(sum, &[springs, friction]);
     let (modes, e) = (&report.summary.results["modes"], &report.summary.results["e"]);
     for found in [

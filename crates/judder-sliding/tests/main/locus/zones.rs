@@ -63,7 +63,7 @@ fn a_narrow_zone_is_found_wherever_it_lies() {
         let residues = [0.25 * STEEP * width, -0.25 * STEEP * width];
         let family = |at: f64| three_modes(at, centre, residues);
         let found = zones(&family, &[[0.0, 0.1]], 2, 1e-6).unwrap();
-        let [zone] = found.zones[..] else { panic!("{width}: {found:?}") };
+        let [zone] = &found.zones[..] else { panic!("{width}: {found:?}") };
         for (found, expected) in [zone.from, zone.to].into_iter().zip(merged(centre, residues)) {
             assert!((found - expected).abs() < 2e-3 * width, "{width}: {found} {expected}");
         }
@@ -88,7 +88,7 @@ proptest! {
         let family = |at: f64| three_modes(at, centre, residues);
         let found = zones(&family, &[[0.0, 0.04], [0.04, 0.1]], 2, 1e-6).unwrap().zones;
         prop_assert_eq!(found.len(), usize::from(is_opposite), "{:?}", found);
-        if let [zone] = found[..] {
+        if let [zone] = &found[..] {
             for (found, expected) in [zone.from, zone.to].into_iter().zip(merged(centre, residues)) {
                 let expected = expected.clamp(0.0, 0.1);
                 prop_assert!((found - expected).abs() < 1e-8, "{} {}", found, expected);

@@ -103,14 +103,14 @@ pub(super) fn of_growing(
 /// What has to be said of the energy of a mode, by which its growths are divided.
 fn of_energy(number: usize, mode: &ComplexMode, told: &Diagnosis) -> Option<String> {
     let hertz = format!("{:.1}", mode.eigenvalue.frequency_hz().abs());
-    let share = told.energy.share.abs();
+    let (share, error) = (told.energy.share.abs(), told.energy.error);
     match (told.energy.sign(), told.energy.growth_error()) {
         (EnergySign::None, _) => Some(format!(
-            "mode {number} at {hertz} Hz grows without work: its energy is zero but for {share:.0e} of its parts, no matrix feeds it, and sensitivities alone say what \
+            "mode {number} at {hertz} Hz grows without work: its energy is zero within {error:.0e} of its parts, no matrix feeds it, and sensitivities alone say what \
              would change it; so grows what is conservative (divergence, gyroscopic flutter without damping)"
         )),
-        (_, Some(error)) if error > INEXACT => Some(format!(
-            "mode {number} at {hertz} Hz has almost no energy, {share:.0e} of its parts: what each matrix adds to its growth is known to a relative {error:.0e} alone"
+        (_, Some(relative)) if relative > INEXACT => Some(format!(
+            "mode {number} at {hertz} Hz has almost no energy, {share:.0e} of its parts: what each matrix adds to its growth is known to a relative {relative:.0e} alone"
         )),
         _ => None,
     }

@@ -35,11 +35,12 @@ struct Locus<'a> {
     shown: Vec<usize>,
     values: &'a [f64],
     eigenvalues: &'a [Complex64],
+    /// How far each may be off; none in a study that was stored before errors were.
+    errors: &'a [f64],
     count: usize,
     zones: Vec<Zone>,
 }
 
-#[derive(Clone, Copy)]
 struct Zone {
     from: f64,
     to: f64,
@@ -48,6 +49,8 @@ struct Zone {
     frequency: f64,
     /// Whether growth is zero at start and end; it is not where the range ends, or the contact passes a node.
     is_root: [bool; 2],
+    /// Its own growth rate from place to place; empty in a study that was stored before paths were.
+    path: Vec<(f64, f64)>,
 }
 
 /// The complex plane, as a whole and about its unstable side; frequencies; growth rates, of all branches and of the unstable zones; the
@@ -77,6 +80,24 @@ pub(crate) fn zone_profiles(dataset: &Dataset) -> Vec<Vec<(f64, f64)>> {
     locus.zones.iter().map(|zone| locus.profile(zone).into_iter().map(unscaled).collect()).collect()
 }
 
+/// The places and growth rates that are stored of each zone, by its number from 0.
+fn paths(dataset: &Dataset, scale: f64) -> impl Fn(usize) -> Vec<(f64, f64)> {
+    let numbers = match dataset.variable("zone_path").map(|variable| &variable.data) {
+        Some(Data::I64(numbers)) => &numbers[..],
+        _ => &[],
+    };
+    let at = reals(dataset, "zone_path_at").unwrap_or_default();
+    let values = complexes(dataset, "zone_path_eigenvalue").unwrap_or_default();
+    move |zone| {
+        let points = numbers.iter().zip(at.iter().zip(values));
+        points
+            .filter(|(number, _)| **number == zone as i64 + 1)
+            // at an end that is a root rounding may leave less than nothing
+            .map(|(_, (at, value))| (at * scale, value.re.max(0.0)))
+            .collect()
+    }
+}
+
 impl<'a> Locus<'a> {
     fn new(dataset: &'a Dataset) -> Option<Self> {
         let variable = dataset.variable("eigenvalue")?;
@@ -91,7 +112,9 @@ impl<'a> Locus<'a> {
             Some(Data::I64(kinds)) => kinds.get(k) == Some(&0),
             _ => true,
         };
+        let path = paths(dataset, scale);
         let zone = |k: usize| Zone {
+            path: path(k),
             from: from[k] * scale,
             to: to[k] * scale,
             peak: peak[k] * scale,
@@ -112,6 +135,7 @@ impl<'a> Locus<'a> {
             shown,
             values,
             eigenvalues: complexes(dataset, "eigenvalue")?,
+            errors: of("eigenvalue_error").unwrap_or_default(),
             count,
             zones,
         })
@@ -133,7 +157,9 @@ impl<'a> Locus<'a> {
     fn lines(&self, pick: impl Fn(Complex64) -> f64) -> Vec<Layer> {
         let along: Vec<f64> = self.shown.iter().map(|row| self.values[*row] * self.scale).collect();
         let rows = self.values.len();
-        let is_unstable = |branch: usize| (0..rows).any(|row| self.at(row, branch).re > 0.0);
+        let error = |place: usize| self.errors.get(place).copied().unwrap_or(0.0);
+        let grows = |place: usize| self.eigenvalues[place].re > error(place);
+        let is_unstable = |branch: usize| (0..rows).any(|row| grows(row * self.count + branch));
         let line = |branch: usize, unstable: bool| {
             let up = self.shown.iter().map(|row| pick(self.at(*row, branch))).collect();
             let (label, role) = if unstable {
@@ -270,13 +296,17 @@ impl<'a> Locus<'a> {
         all
     }
 
-    /// Positions and growth rates of a zone from its start over the values and its peak to its end.
+    /// Positions and growth rates of a zone from its start over its peak to its end: of its own eigenvalue, whose frequency may change.
     fn profile(&self, zone: &Zone) -> Vec<(f64, f64)> {
+        if !zone.path.is_empty() {
+            return zone.path.clone();
+        }
+        // without a path that of the fastest branch beside its frequency, and a gap where there is none
         let fastest = |row: usize| {
             let near = (0..self.count).map(|branch| self.at(row, branch));
             near.filter(|s| (s.im / TAU / zone.frequency - 1.0).abs() <= ALIKE)
                 .map(|s| s.re)
-                .fold(0.0, f64::max)
+                .fold(f64::NAN, f64::max)
         };
         let (low, high) = (zone.from.min(zone.to), zone.from.max(zone.to));
         let inside = (0..self.values.len()).map(|row| (self.values[row] * self.scale, row));

@@ -25,6 +25,7 @@ export function ZoneTable({ analysis, zones, unit, at, onMove }: ZoneTableProps)
             <th scope="col">To</th>
             <th scope="col">Frequency (Hz)</th>
             <th scope="col">Growth rate (1/s)</th>
+            <th scope="col">Its error (1/s)</th>
           </tr>
         </thead>
         <tbody>
@@ -46,6 +47,9 @@ export function ZoneTable({ analysis, zones, unit, at, onMove }: ZoneTableProps)
               </td>
               <td>
                 <Digits dataKey={`${analysis}.zone_growth_rate.${index}`} value={zone.growth} />
+              </td>
+              <td>
+                <Digits dataKey={`${analysis}.zone_error.${index}`} value={zone.error} />
               </td>
             </tr>
           ))}

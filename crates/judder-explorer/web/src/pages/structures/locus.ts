@@ -14,6 +14,8 @@ export interface Zone {
   readonly peak: number;
   readonly frequency: number;
   readonly growth: number;
+  /** How far the growth rate may be off; null where the study does not say. */
+  readonly error: number | null;
 }
 
 export interface Locus {
@@ -36,7 +38,7 @@ const ZONE_ARRAYS = ["zone_from", "zone_to", "zone_peak", "zone_frequency", "zon
 /** What has to be asked for. */
 export function locusVariables(analysis: StudyAnalysis): readonly string[] {
   const along = variable(analysis, "eigenvalue")?.dimensions[0] ?? "";
-  return ["eigenvalue", along, ...(variable(analysis, "verdict") ? ["verdict"] : []), ...(hasVariables(analysis, ...ZONE_ARRAYS) ? ZONE_ARRAYS : [])];
+  return ["eigenvalue", along, ...(variable(analysis, "verdict") ? ["verdict"] : []), ...(hasVariables(analysis, ...ZONE_ARRAYS) ? ZONE_ARRAYS : []), ...(variable(analysis, "zone_error") ? ["zone_error"] : [])];
 }
 
 export function readLocus(analysis: StudyAnalysis, arrays: Arrays): Locus | null {
@@ -49,12 +51,14 @@ export function readLocus(analysis: StudyAnalysis, arrays: Arrays): Locus | null
   const growth = Float64Array.from({ length: count }, (_, i) => pairs[2 * i] as number);
   const frequency = Float64Array.from({ length: count }, (_, i) => (pairs[2 * i + 1] as number) / (2 * Math.PI));
   const [from, to, peak, at, rate] = ZONE_ARRAYS.map((name) => numbers(arrays, name)) as [Float64Array, Float64Array, Float64Array, Float64Array, Float64Array];
+  const error = numbers(arrays, "zone_error");
   const zones = Array.from(from, (start, i) => ({
     from: start,
     to: to[i] as number,
     peak: peak[i] as number,
     frequency: at[i] as number,
     growth: rate[i] as number,
+    error: error[i] ?? null,
   }));
   return {
     axis: { label: axisLabel(coordinate), scale: arrays.get(name)?.attributes["scale"] === "log" ? "log" : "linear" },

@@ -74,7 +74,7 @@ impl Compared {
         let (coupling, eigenvalues, damping) = contact(value)?;
         let damping = if settings.damping { damping } else { vec![0.0; eigenvalues.len()] };
         let function = Characteristic::new(&coupling, &eigenvalues, &damping)?;
-        let Spectrum { eigenvalues: found, limit } =
+        let Spectrum { eigenvalues: found, limit, .. } =
             Spectrum::new(&function, value, Wanted::Lowest(settings.count))?;
         let fields = ThreeField::new(&coupling, &eigenvalues, &damping)?;
         let [primal, dual] = [fields.primal_spectrum(SHIFT)?, fields.dual_spectrum(SHIFT)?];

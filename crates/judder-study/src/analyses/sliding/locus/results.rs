@@ -13,6 +13,19 @@ use std::f64::consts::TAU;
 /// What the numbers of [`code`] say.
 const KINDS: &str = "0 growth rate zero, 1 end of the range, 2 jump of the growth rate, 3 met its mirror image, 4 lost: the zone goes on";
 
+/// What the codes of verdicts mean.
+const VERDICTS: [(u8, &str); 4] = [(0, "stable"), (1, "marginal"), (2, "unstable"), (3, "no eigenvalue")];
+
+/// The verdict on an eigenvalue as a code: a growth rate below its error has no sign.
+fn verdict(eigenvalue: Complex64, error: f64) -> u8 {
+    match eigenvalue.re {
+        growth if growth.is_nan() => 3,
+        growth if growth > error => 2,
+        growth if growth < -error => 0,
+        _ => 1,
+    }
+}
+
 /// The end of a zone as a number of an array.
 const fn code(end: End) -> i64 {
     match end {
@@ -52,6 +65,14 @@ impl Results<'_> {
             (key.to_owned(), json!(axis.values)),
             ("frequencies_hz".to_owned(), table(&|s| s.im / TAU)),
             ("growth_rates".to_owned(), table(&|s| s.re)),
+            (
+                "growth_rate_errors".to_owned(),
+                traced
+                    .rows
+                    .iter()
+                    .map(|row| row.errors.iter().map(|own| number(*own)).collect::<Value>())
+                    .collect(),
+            ),
             ("unstable".to_owned(), traced.zones.iter().map(|zone| self.zone(zone)).collect()),
             ("normal_force".to_owned(), column(&|row| row.state.normal_force)),
             ("slope".to_owned(), column(&|row| row.state.slope)),
@@ -72,7 +93,7 @@ impl Results<'_> {
             if self.is_over_positions() { ["from_m", "to_m", "peak_m"] } else { ["from", "to", "peak"] };
         json!({
             from: zone.from, to: zone.to, peak: zone.peak,
-            "ends": zone.ends.map(End::name), "frequency_hz": zone.frequency_hz, "max_growth_rate": zone.growth_rate,
+            "ends": zone.ends.map(End::name), "frequency_hz": zone.frequency_hz, "max_growth_rate": zone.growth_rate, "error": number(zone.error),
         })
     }
 
@@ -81,6 +102,8 @@ impl Results<'_> {
         let (name, rows) = (axis.name(), traced.rows.len());
         let eigenvalues: Vec<Complex64> =
             traced.rows.iter().flat_map(|row| row.eigenvalues.clone()).collect();
+        let errors: Vec<f64> = traced.rows.iter().flat_map(|row| row.errors.clone()).collect();
+        let verdicts = eigenvalues.iter().zip(&errors).map(|(s, error)| verdict(*s, *error)).collect();
         let count = settings.count;
         let branches: Vec<i64> = (1..=count as i64).collect();
         let along = |own: &str, pick: &dyn Fn(&Row) -> f64| {
@@ -96,6 +119,15 @@ impl Results<'_> {
             Variable::new(own, &["zone"], &[zones.len()], values).long_name(KINDS)
         };
         let unit = &axis.quantity.unit;
+        let points: Vec<(usize, (f64, Complex64))> = zones
+            .iter()
+            .enumerate()
+            .flat_map(|(k, zone)| zone.path.iter().map(move |point| (k, *point)))
+            .collect();
+        let of_point =
+            |own: &str, values: Vec<f64>| Variable::new(own, &["zone_point"], &[points.len()], values);
+        let numbers: Vec<i64> = points.iter().map(|(zone, _)| *zone as i64 + 1).collect();
+        let values: Vec<Complex64> = points.iter().map(|(_, (_, value))| *value).collect();
         Ok(Dataset::new()
             .attribute("kind", "locus")?
             .attribute("configuration", settings.configuration.name())?
@@ -106,6 +138,15 @@ impl Results<'_> {
                 Variable::new("eigenvalue", &[name, "branch"], &[rows, count], eigenvalues)
                     .units("1/s")
                     .long_name("eigenvalue λ of a branch, NaN where there is none"),
+            )?
+            .with(
+                Variable::new("eigenvalue_error", &[name, "branch"], &[rows, count], errors)
+                    .units("1/s")
+                    .long_name("how far an eigenvalue may be off"),
+            )?
+            .with(
+                Variable::classes("verdict", &[name, "branch"], &[rows, count], verdicts, &VERDICTS)
+                    .long_name("verdict"),
             )?
             .with(
                 along("normal_force", &|row| row.state.normal_force)
@@ -127,7 +168,24 @@ impl Results<'_> {
             }))?
             .with(of_zone("zone_frequency", "Hz", "frequency where a zone grows fastest", &|zone| {
                 zone.frequency_hz
-            }))?)
+            }))?
+            .with(of_zone("zone_error", "1/s", "how far the largest growth rate may be off", &|zone| {
+                zone.error
+            }))?
+            .with(
+                Variable::new("zone_path", &["zone_point"], &[points.len()], numbers)
+                    .long_name("number of the zone that a point lies on"),
+            )?
+            .with(
+                of_point("zone_path_at", points.iter().map(|(_, (at, _))| *at).collect())
+                    .units(unit)
+                    .long_name("place of the point"),
+            )?
+            .with(
+                Variable::new("zone_path_eigenvalue", &["zone_point"], &[points.len()], values)
+                    .units("1/s")
+                    .long_name("eigenvalue of the zone there"),
+            )?)
     }
 
     pub(super) fn table(&self) -> Result<Table, StudyError> {
@@ -136,7 +194,7 @@ impl Results<'_> {
             let branches = row.eigenvalues.iter().enumerate();
             branches
                 .filter(|(_, s)| s.re.is_finite())
-                .map(move |(branch, s)| (*value, branch as i64 + 1, *s, row.state))
+                .map(move |(branch, s)| (*value, branch as i64 + 1, *s, row.state, row.errors[branch]))
         });
         let rows: Vec<_> = rows.collect();
         let numbers = |pick: &dyn Fn(usize) -> f64| (0..rows.len()).map(pick).collect::<Vec<f64>>();
@@ -145,6 +203,7 @@ impl Results<'_> {
             .column("branch", "1", rows.iter().map(|row| row.1).collect::<Vec<i64>>())?
             .column("frequency", "Hz", numbers(&|k| rows[k].2.im / TAU))?
             .column("growth_rate", "1/s", numbers(&|k| rows[k].2.re))?
+            .column("error", "1/s", numbers(&|k| rows[k].4))?
             .column("normal_force", "N", numbers(&|k| rows[k].3.normal_force))?
             .column("slope", "1", numbers(&|k| rows[k].3.slope))?)
     }

@@ -3,11 +3,11 @@
 use crate::analyses::axis::Axis;
 use crate::error::StudyError;
 use crate::progress::Progress;
-use crate::text::number;
+use judder_numerics::words::plain;
 use judder_sliding::SlidingError;
 use judder_sliding::characteristic::Characteristic;
 use judder_sliding::coupling::Sliding;
-use judder_sliding::locus::{Conditions, Configuration, follow};
+use judder_sliding::locus::{Conditions, Configuration, Followed, follow};
 use judder_sliding::pair::Pair;
 use judder_sliding::spectrum::{Spectrum, Wanted};
 use judder_sliding::statics::Equilibrium;
@@ -67,6 +67,8 @@ pub(super) struct Range<'a> {
 pub(super) struct Row {
     /// One a branch; NaN where there is none.
     pub(super) eigenvalues: Vec<Complex64>,
+    /// How far each may be off, 1/s.
+    pub(super) errors: Vec<f64>,
     pub(super) state: State,
     /// Why there is nothing.
     pub(super) failure: Option<String>,
@@ -100,7 +102,7 @@ impl Traced {
             rows.filter_map(|(value, row)| Some((value, row.failure.as_ref()?)))
         };
         let unit = if axis.quantity.unit == "1" { "" } else { &axis.quantity.unit };
-        let shown = |value: f64| format!("{} {unit}", number(value)).trim_end().to_owned();
+        let shown = |value: f64| format!("{} {unit}", plain(value)).trim_end().to_owned();
         let told = |(value, reason): (&f64, &String)| {
             format!("nothing at {} = {}: {reason}", axis.name(), shown(*value))
         };
@@ -157,6 +159,7 @@ pub(super) fn trace(
         .into_iter()
         .map(|state| Row {
             eigenvalues: vec![NONE; count],
+            errors: vec![f64::NAN; count],
             state: state.unwrap_or(State { normal_force: f64::NAN, slope: f64::NAN }),
             failure: None,
         })
@@ -165,9 +168,9 @@ pub(super) fn trace(
     let whole = followed(family, range, (0, range.values.len()), count, Some(progress));
     stop(progress)?;
     match whole {
-        Ok((eigenvalues, zones)) => {
-            place(&mut rows, eigenvalues);
-            traced.zones = zones;
+        Ok(found) => {
+            place(&mut rows, found.eigenvalues, found.errors);
+            traced.zones = found.zones;
         }
         Err(error) => piecewise(family, range, count, (&mut rows, &mut traced), progress, error)?,
     }
@@ -179,7 +182,7 @@ pub(super) fn trace(
 fn told(error: &SlidingError) -> String {
     match error {
         SlidingError::Incomplete { found, expected, limit_hz, .. } => {
-            format!("{found} of {expected} eigenvalues were found up to {limit_hz:.6e} Hz")
+            format!("{found} of {expected} eigenvalues were found up to {} Hz", plain(*limit_hz))
         }
         _ => error.to_string(),
     }
@@ -189,15 +192,14 @@ fn stop(progress: &dyn Progress) -> Result<(), StudyError> {
     if progress.interrupted() { Err(StudyError::Interrupted) } else { Ok(()) }
 }
 
-fn place(rows: &mut [Row], eigenvalues: Vec<Vec<Complex64>>) {
-    for (row, found) in rows.iter_mut().zip(eigenvalues) {
-        for (place, value) in row.eigenvalues.iter_mut().zip(found) {
-            *place = value;
+fn place(rows: &mut [Row], eigenvalues: Vec<Vec<Complex64>>, errors: Vec<Vec<f64>>) {
+    for (row, (found, errors)) in rows.iter_mut().zip(eigenvalues.into_iter().zip(errors)) {
+        let places = row.eigenvalues.iter_mut().zip(&mut row.errors);
+        for ((place, place_of_error), (value, error)) in places.zip(found.into_iter().zip(errors)) {
+            (*place, *place_of_error) = (value, error);
         }
     }
 }
-
-type Found = (Vec<Vec<Complex64>>, Vec<Zone>);
 
 /// Branches and zones from one value to another, by their numbers; each value advances the progress, and the user may stop.
 fn followed(
@@ -206,7 +208,7 @@ fn followed(
     (first, end): (usize, usize),
     count: usize,
     progress: Option<&dyn Progress>,
-) -> Result<Found, SlidingError> {
+) -> Result<Followed, SlidingError> {
     let values = &range.values[first..end];
     let is_told: Vec<AtomicBool> = values.iter().map(|_| AtomicBool::new(false)).collect();
     let at = |value: f64| {
@@ -231,8 +233,7 @@ fn followed(
         [first, .., last] => (range.pieces)([*first, *last])?,
         _ => Vec::new(),
     };
-    let found = follow(&at, values, &pieces, count, range.resolution)?;
-    Ok((found.eigenvalues, found.zones))
+    follow(&at, values, &pieces, count, range.resolution)
 }
 
 /// Every value by itself, then each run of values that succeed.
@@ -244,13 +245,10 @@ fn piecewise(
     progress: &dyn Progress,
     error: SlidingError,
 ) -> Result<(), StudyError> {
-    let alone: Vec<Result<Vec<Complex64>, SlidingError>> = range
+    let alone: Vec<Result<Spectrum, SlidingError>> = range
         .values
         .par_iter()
-        .map(|value| {
-            let spectrum = Spectrum::new(&family.at(*value)?, *value, Wanted::Lowest(count))?;
-            Ok(spectrum.eigenvalues.into_iter().take(count).collect())
-        })
+        .map(|value| Spectrum::new(&family.at(*value)?, *value, Wanted::Lowest(count)))
         .collect();
     if alone.iter().all(Result::is_err) {
         return Err(error.into());
@@ -258,7 +256,9 @@ fn piecewise(
     stop(progress)?;
     for ((row, found), value) in rows.iter_mut().zip(&alone).zip(range.values) {
         match found {
-            Ok(found) => place(std::slice::from_mut(row), vec![found.clone()]),
+            Ok(Spectrum { eigenvalues, errors, .. }) => {
+                place(std::slice::from_mut(row), vec![eigenvalues.clone()], vec![errors.clone()]);
+            }
             Err(error) => row.failure = Some(family.reason(*value).unwrap_or_else(|| told(error))),
         }
     }
@@ -267,9 +267,9 @@ fn piecewise(
         let end = (first..alone.len()).find(|k| alone[*k].is_err()).unwrap_or(alone.len());
         if end > first + 1 {
             match followed(family, range, (first, end), count, None) {
-                Ok((eigenvalues, zones)) => {
-                    place(&mut rows[first..end], eigenvalues);
-                    traced.zones.extend(zones);
+                Ok(found) => {
+                    place(&mut rows[first..end], found.eigenvalues, found.errors);
+                    traced.zones.extend(found.zones);
                 }
                 Err(error) => {
                     let ends = [range.values[first], range.values[end - 1]];

@@ -5,6 +5,7 @@ use judder_case::sliding::march::MarchMethod;
 use judder_sliding::SlidingError;
 use judder_sliding::amplification::{Amplification, amplifications};
 use judder_sliding::locus::{Conditions, Configuration};
+use judder_store::number;
 use serde_json::{Value, json};
 
 /// Branches whose zones are sought.
@@ -53,5 +54,6 @@ pub(super) fn told(own: &Amplification) -> Value {
     json!({
         "from_m": own.zone.from, "to_m": own.zone.to, "frequency_hz": own.zone.frequency_hz,
         "max_growth_rate": own.zone.growth_rate, "expected_amplification": own.nepers,
+        "error": number(own.error),
     })
 }

@@ -60,7 +60,7 @@ impl History {
     }
 
     /// What the mode of a zone has done in it.
-    fn growth(&self, Amplification { zone, nepers }: &Amplification) -> Growth {
+    fn growth(&self, Amplification { zone, nepers, .. }: &Amplification) -> Growth {
         let sampled = Sampled { time: &self.times, position: &self.positions, values: &self.values };
         let passage = sampled.passage(zone.frequency_hz, [zone.from, zone.to]);
         let measured = passage.map(|[before, after]| (after / before).ln());

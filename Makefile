@@ -22,7 +22,7 @@ PAGE := crates/judder-explorer/web
 BROWSER_TESTS := crates/judder-explorer/tests/browser
 NEXTEST := $(shell $(CARGO) nextest --version >/dev/null 2>&1 && echo yes)
 
-.PHONY: help demo test bench bench-cluster bench-explorer bench-rough validate setup format lint rust-tests doc-tests python-tests page page-tests docs deny advisories
+.PHONY: help demo test bench bench-cluster bench-explorer bench-rough validate sdist-tests setup format lint rust-tests doc-tests python-tests page page-tests docs deny advisories
 
 help: ## print this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
@@ -57,12 +57,22 @@ bench-cluster: .venv/installed ## what sweeps on a cluster cost beside their poi
 bench-rough: .venv-peers/installed ## time the elastic contact of rough surfaces, beside Tamaas and ASPHER
 	.venv-peers/bin/python benches/compare_rough.py
 
-validate: ## the expensive validation: the tests that `make test` leaves out
+validate: sdist-tests ## the expensive validation: the tests that `make test` leaves out
 ifeq ($(NEXTEST),yes)
 	$(CARGO) nextest run $(LOCKED) --workspace --run-ignored only --no-tests pass
 else
 	$(CARGO) test $(LOCKED) --workspace --lib --bins --tests --examples -- --ignored
 endif
+
+# With a target folder of its own: in a shared one Cargo takes a crate for built whose files outside of it lie elsewhere.
+sdist-tests: .venv/installed ## a wheel from the source distribution alone, compiled and called
+	@sdist=$$(mktemp -d); trap 'rm -rf "$$sdist"' EXIT; set -x; \
+		PATH="$(CURDIR)/.venv/bin:$$PATH"; maturin sdist --out "$$sdist"; \
+		CARGO_TARGET_DIR="$$sdist/target" MATURIN_PEP517_ARGS="--profile dev" python -m pip wheel --quiet --disable-pip-version-check \
+		--no-build-isolation --no-deps --wheel-dir "$$sdist" "$$sdist"/judder-*.tar.gz; \
+		python -m venv "$$sdist/fresh"; \
+		"$$sdist/fresh/bin/python" -m pip install --quiet --disable-pip-version-check "$$sdist"/judder-*.whl; \
+		cd "$$sdist"; fresh/bin/python -c 'import judder; print(judder.oscillator.point(velocity="30 mm/s").verdict)'
 
 setup: .venv/installed ## fetch and build what the other targets need
 	$(CARGO) fetch $(LOCKED)
@@ -97,8 +107,9 @@ python-tests: .venv/installed ## study folders in the real xarray, the book's li
 	tools/python-environment .venv-package tests/python/package/requirements.txt
 	@wheel=$$(mktemp -d); trap 'rm -rf "$$wheel"' EXIT; set -x; \
 		PATH="$(CURDIR)/.venv/bin:$$PATH" maturin build --profile dev --out "$$wheel"; \
+		PATH="$(CURDIR)/.venv/bin:$$PATH" maturin sdist --out "$$wheel"; \
 		.venv-package/bin/python -m pip install --quiet --disable-pip-version-check "$$wheel"/*.whl; \
-		JUDDER_WHEEL="$$wheel" PATH="$(CURDIR)/.venv-package/bin:/usr/bin:/bin" \
+		JUDDER_WHEEL="$$wheel" JUDDER_SOURCES="$(abspath $(TARGET))/debug/lib_judder.d" PATH="$(CURDIR)/.venv-package/bin:/usr/bin:/bin" \
 		.venv-package/bin/python -m pytest -q -p no:cacheprovider tests/python/package
 
 page: $(PAGE)/node_modules/installed ## build the page of `judder explore` anew, into the sources that the program embeds

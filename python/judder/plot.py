@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
+from judder._packages import needed
 from judder.errors import InputError
 from judder.oscillator import StabilityMap
 
@@ -54,12 +55,14 @@ def stability(found: StabilityMap | xarray.Dataset, *, ax: Axes | None = None, l
 
     Raises:
         InputError: it is no stability map.
+        PackageError: matplotlib is not installed.
 
     >>> import matplotlib; matplotlib.use("agg")
     >>> found = judder.oscillator.stability_map(("velocity", [1e-6, 1e-4, 1e-2]), ("shear_strength", [0.01, 0.1]))
     >>> judder.plot.stability(found).get_xscale()
     'log'
     """
+    needed("matplotlib", "plot", "judder.plot")
     import matplotlib.pyplot as pyplot
     import numpy as np
     import xarray

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-import importlib
 from collections.abc import Callable
 from typing import Any, TypeAlias
+
+from judder._packages import needed
 
 __all__ = ["Progress", "tqdm_progress"]
 
@@ -14,15 +15,17 @@ ends the call."""
 
 
 def tqdm_progress(**options: Any) -> Progress:
-    """A progress callback that draws a bar of `tqdm <https://tqdm.github.io>`_, which must be installed, for each stretch of work.
+    """A progress callback that draws a bar of `tqdm <https://tqdm.github.io>`_ for each stretch of work (``pip install 'judder[progress]'``).
 
     ``options`` go to ``tqdm``.
+
+    Raises:
+        PackageError: tqdm is not installed.
 
     >>> study = judder.run("case.toml", progress=judder.tqdm_progress())  # doctest: +SKIP
     map: 100%|██████████| 202/202 [00:01<00:00, 180.12it/s]
     """
-    # by its name: it brings no types of its own
-    tqdm: Any = importlib.import_module("tqdm.auto").tqdm
+    tqdm = needed("tqdm.auto", "progress", "tqdm_progress").tqdm
     bars: dict[str, Any] = {}
 
     def progress(name: str, done: int, total: int) -> None:

@@ -7,10 +7,10 @@ import pathlib
 import re
 import subprocess
 import sys
-import warnings
 
 import pytest
 
+import fresh
 import judder
 from common import ROOT
 
@@ -59,17 +59,49 @@ def test_every_example_has_its_answer(tmp_path, monkeypatch):
     assert len(seen) >= 6 and runner.summarize(verbose=False).failed == 0
 
 
-@pytest.mark.parametrize(("chapter", "least", "left"), [("python.md", 8, "law.json"), ("interchange.md", 4, "study.nc")])
-def test_the_chapter_of_the_book_runs(chapter, least, left, tmp_path, monkeypatch):
+def blocks(text, language):
+    """The blocks of a page in a language."""
+    return re.findall(rf"^```{language}\n(.*?)^```", text, flags=re.DOTALL | re.MULTILINE)
+
+
+PAGES = [("README.md", 1, "map.png"), ("docs/src/python.md", 8, "law.json"), ("docs/src/interchange.md", 4, "study.nc")]
+
+
+@pytest.mark.parametrize(("page", "least", "left"), PAGES)
+def test_a_page_runs_as_typed_after_its_own_install_lines(page, least, left, tmp_path):
+    text = (ROOT / page).read_text("utf-8")
+    code = blocks(text, "python")
+    for case in blocks(text, "toml"):
+        (tmp_path / "case.toml").write_text(case, "utf-8")
+    script = tmp_path / "page.py"
+    script.write_text("\n".join(code), "utf-8")
+    done = fresh.python(fresh.environment(tmp_path / "packages", fresh.extras(text)), script, tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert len(code) >= least and (tmp_path / left).is_file()
+
+
+def test_an_install_line_leaves_what_it_names_and_nothing_else(tmp_path):
+    packages = fresh.environment(tmp_path / "packages", {"plot"})
+    script = tmp_path / "script.py"
+    script.write_text("import judder, matplotlib\nprint(judder.__file__)\njudder.tqdm_progress()\n")
+    done = fresh.python(packages, script, tmp_path)
+    assert done.stdout.startswith(str(packages)), done.stderr
+    assert "PackageError: tqdm_progress needs the package tqdm" in done.stderr and "pip install 'judder[progress]'" in done.stderr
+
+
+def test_the_commands_of_the_readme_run(command, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    text = (ROOT / "docs" / "src" / chapter).read_text("utf-8")
-    blocks = re.findall(r"^```python\n(.*?)^```", text, flags=re.DOTALL | re.MULTILINE)
-    names = {}
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", judder.JudderWarning)
-        for block in blocks:
-            exec(compile(block, chapter, "exec"), names)  # noqa: S102
-    assert len(blocks) >= least and (tmp_path / left).is_file()
+    text = (ROOT / "README.md").read_text("utf-8")
+    (case,) = blocks(text, "toml")
+    (tmp_path / "case.toml").write_text(case, "utf-8")
+    lines = [line.partition("#")[0].split() for block in blocks(text, "sh") for line in block.splitlines()]
+    calls = [words[1:] for words in lines if words[:1] == ["judder"]]
+    assert {"check", "point", "run"} <= {words[0] for words in calls}
+    # a page in a browser, which waits
+    for words in (words for words in calls if words[0] != "explore"):
+        done = command(*words)
+        assert done.returncode == 0, done.stderr
+    assert (tmp_path / "out" / "case" / "report.html").is_file()
 
 
 def check(*words):

@@ -234,16 +234,27 @@ def reading(folder: Path | RemotePath, name: str) -> Iterator[None]:
         raise StoreError(message, "Unreadable", {"path": str(folder)}) from error
 
 
-def group(folder: Path | RemotePath, name: str) -> xarray.Dataset:
-    """The dataset of an analysis or a sweep as it is stored, read when it is used."""
+def group(folder: Path | RemotePath, name: str, expected: str | None = None) -> xarray.Dataset:
+    """The dataset of an analysis or a sweep as it is stored, read when it is used.
+
+    Raises:
+        RewrittenError: it has another hash than the expected one; also later, when its values are read.
+    """
     import xarray
+
+    from judder._guarded import GuardedStore
 
     store: Any = folder / "results.zarr"
     if isinstance(store, RemotePath):
         from zarr.storage import FsspecStore
 
         store = FsspecStore.from_mapper(store.mapper(), read_only=True)
-    return xarray.open_dataset(store, engine="zarr", group=name, chunks=None, zarr_format=3)
+    else:
+        from zarr.storage import LocalStore
+
+        store = LocalStore(store, read_only=True)
+    guarded = GuardedStore(store, str(folder), name, expected)
+    return xarray.open_dataset(guarded, engine="zarr", group=name, chunks=None, zarr_format=3)  # type: ignore[arg-type]
 
 
 def tails(folder: Path | RemotePath, names: Sequence[str], length: int) -> list[bytes | None]:

@@ -34,14 +34,17 @@ _TRAILER = 48
 _MAGIC = b"judderC1"
 
 
-def dataset(folder: Path | RemotePath, name: str, *, dask: bool | None = None) -> xarray.Dataset:
+def dataset(folder: Path | RemotePath, name: str, expected: str | None = None, *, dask: bool | None = None) -> xarray.Dataset:
     """The quantities of a sweep as variables, read when they are used, with the swept keys as coordinates.
 
     Arrays of dask where that is installed; `dask` says otherwise.
+
+    Raises:
+        RewrittenError: it has another hash than the expected one; also later, when its values are read.
     """
     import xarray
 
-    stored = _places.group(folder, name)
+    stored = _places.group(folder, name, expected)
     names = stored["quantity"].values.tolist()
     keys = stored.attrs["keys"]
     variables = {quantity: stored["values"].variable[..., index] for index, quantity in enumerate(names)}
@@ -80,11 +83,12 @@ def _dask_chunks(stored: xarray.Dataset) -> dict[Any, int]:
     return own
 
 
-def failed_points(folder: Path | RemotePath, name: str, *, any_failed: bool) -> pandas.DataFrame:
+def failed_points(folder: Path | RemotePath, name: str, expected: str | None, *, any_failed: bool) -> pandas.DataFrame:
     """The failures of all chunks, with the values of the swept keys there."""
     import pandas
 
-    found = joined(failures(folder, name) if any_failed else (), _places.group(folder, name).attrs["keys"])
+    keys = _places.group(folder, name, expected).attrs["keys"]
+    found = joined(failures(folder, name, expected) if any_failed else (), keys)
     return pandas.DataFrame({**found.values, "reason": found.reasons})
 
 
@@ -110,13 +114,14 @@ def joined(some: Iterable[Failures], keys: list[str]) -> Failures:
     )
 
 
-def failures(folder: Path | RemotePath, name: str) -> Iterator[Failures]:
+def failures(folder: Path | RemotePath, name: str, expected: str | None) -> Iterator[Failures]:
     """The failures, chunk after chunk that has any; looks at every chunk.
 
     Raises:
+        RewrittenError: the sweep has another hash than the expected one.
         StoreError: a chunk is not there, damaged, or of another sweep.
     """
-    found = dataset(folder, name, dask=False)
+    found = dataset(folder, name, expected, dask=False)
     shape, chunk = _grid(folder, name)
     for first, record in _records(folder / "results.zarr" / name / "values", found.attrs["judder_hash"], shape, chunk):
         if not record["failures"]:

@@ -15,6 +15,7 @@ __all__ = [
     "LawError",
     "OscillatorError",
     "PackageError",
+    "RewrittenError",
     "SlidingError",
     "StoreError",
     "StructureError",
@@ -109,6 +110,33 @@ class SlidingError(JudderError):
 
 class StoreError(JudderError):
     """A study folder that cannot be written or read."""
+
+
+class RewrittenError(StoreError):
+    """A study that was opened before another run replaced it in its folder: what is there now is not what the study has told."""
+
+    path: str
+    """The study folder."""
+    name: str
+    """The analysis or sweep."""
+    expected: str
+    """The hash of all that its results depend on, as the study has it."""
+    found: str | None
+    """The hash of what is there now; ``None`` where nothing is."""
+
+    def __init__(self, message: str, cause: str = "Rewritten", fields: Mapping[str, Any] | None = None) -> None:
+        super().__init__(message, cause, fields)
+
+
+def rewritten(folder: str, name: str, expected: str, found: str | None) -> RewrittenError:
+    """The error of a study whose result another run has replaced."""
+    now = "is gone" if found is None else f"is that of another run (its hash is {found}"
+    own = f"; that of this study was {expected}" if found is None else f", that of this study {expected})"
+    message = (
+        f"{folder}: `{name}` {now}{own}: the folder was rewritten after this study was opened; "
+        "judder.load_study opens what is there now, and a run with an output of its own leaves it alone"
+    )
+    return RewrittenError(message, fields={"path": folder, "name": name, "expected": expected, "found": found})
 
 
 class StudyError(JudderError):

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from judder import _interchange, _judder, _places, _swept, _toml
 from judder._places import RemotePath
 from judder.contact import Law
-from judder.errors import JudderWarning, StoreError, StudyError
+from judder.errors import JudderWarning, RewrittenError, StoreError, StudyError, rewritten
 from judder.progress import Progress
 
 if TYPE_CHECKING:
@@ -72,7 +72,8 @@ def run(
 
     Args:
         case: a path, the text of a case, or its tables as a mapping; files that it names are sought beside it.
-        output: the study folder; ``out/<name of the case>`` where none is given.
+        output: the study folder. Where none is given, ``out/<name>`` for a case file as it is, as of the command; for any other case, a text, tables, a file with
+            changes or a law, ``out/<title>-<hash>``: the same case has the same folder, another case another, so that a loop over cases keeps all its results.
         only: these analyses and sweeps and no others.
         set: changed keys, such as ``{"operation.velocity": 1e-3}``.
         fresh: forget earlier results first.
@@ -87,6 +88,7 @@ def run(
     Raises:
         CaseError: the case is wrong, also where only the run could see it.
         StoreError: the folder cannot be written.
+        StudyError: ``out/<name>`` holds the study of another case file of this name; ``error.owner``.
         Interrupted: Ctrl-C.
         JudderError: an analysis was refused for another wrong input; the others have run.
     """
@@ -129,7 +131,8 @@ class Study(Mapping[str, "xarray.Dataset"]):
     """What a run has left: a mapping from the names of its analyses and sweeps to their data.
 
     The data of a sweep has a variable for each quantity, and the swept keys as coordinates; its values are read, and with dask computed
-    on, chunk by chunk. A dataset is read when it is used; a chunk that is gone is a :class:`StoreError` before that. Its variables carry units and long names, so that they label their own plots::
+    on, chunk by chunk. A dataset is read when it is used; a chunk that is gone is a :class:`StoreError` before that, and where another run has replaced
+    the results in the folder meanwhile, reading them is a :class:`RewrittenError`. Its variables carry units and long names, so that they label their own plots::
 
         study["map"].growth_rate.plot()
 
@@ -143,15 +146,7 @@ class Study(Mapping[str, "xarray.Dataset"]):
 
     def __init__(self, folder: str | os.PathLike[str], storage_options: Mapping[str, Any] | None = None) -> None:
         self.folder = _places.place(folder, storage_options)
-        path = self.folder / "summary.json"
-        try:
-            self.summary = json.loads(path.read_text(encoding="utf-8"))
-        except (FileNotFoundError, NotADirectoryError):
-            raise _no_study(self.folder, "no study here; `judder.run` makes one") from None
-        except (ValueError, OSError, StoreError) as error:
-            raise _no_study(self.folder, f"the summary cannot be read ({error})") from error
-        if not _is_summary(self.summary):
-            raise _no_study(self.folder, "summary.json is none of judder's")
+        self.summary = _summary(self.folder)
 
     @property
     def analyses(self) -> tuple[str, ...]:
@@ -190,28 +185,50 @@ class Study(Mapping[str, "xarray.Dataset"]):
         return {name: list(self.summary["analyses"][name].get("warnings", [])) for name in self.analyses}
 
     @property
+    def hashes(self) -> dict[str, str]:
+        """The hash of all that each result depends on, by the names of analyses and sweeps."""
+        ran = self.summary["analyses"]
+        return {name: ran[name]["hash"] for name in self.analyses if "hash" in ran[name]}
+
+    @property
     def report(self) -> Path | RemotePath:
         """The report page."""
+        self._check()
         return self.folder / "report.html"
 
     @property
     def figures(self) -> dict[str, Path | RemotePath]:
         """The figures (SVG) by their names."""
+        self._check()
         return _places.listed(self.folder, "figures", ".svg")
 
     @property
     def tables(self) -> dict[str, Path | RemotePath]:
         """The tables (CSV) by their names."""
+        self._check()
         return _places.listed(self.folder, "", ".csv")
+
+    def _check(self) -> None:
+        """Refuses to hand out files of a folder in which another run has replaced results of this study.
+
+        Raises:
+            RewrittenError: one has.
+        """
+        there = _summary(self.folder)["analyses"]
+        for name, expected in self.hashes.items():
+            found = there.get(name, {}).get("hash")
+            if found != expected:
+                raise rewritten(str(self.folder), name, expected, found)
 
     def __getitem__(self, name: str) -> xarray.Dataset:
         if name not in self.analyses or name in self.failures:
             raise KeyError(name)
+        place = self.folder, name, self.hashes.get(name)
         with _places.reading(self.folder, name):
             if name not in self.sweeps:
-                return _places.group(self.folder, name)
+                return _places.group(*place)
             _swept.whole(self.folder, name)
-            return _swept.dataset(self.folder, name)
+            return _swept.dataset(*place)
 
     def failed_points(self, name: str) -> pandas.DataFrame:
         """The points of a sweep that have no answer, or a doubtful one.
@@ -222,6 +239,7 @@ class Study(Mapping[str, "xarray.Dataset"]):
 
         Raises:
             KeyError: there is no such sweep.
+            RewrittenError: another run has replaced the sweep.
             StoreError: a chunk is not there, damaged, or of another sweep.
         """
         if name not in self.sweeps or name not in self:
@@ -229,7 +247,8 @@ class Study(Mapping[str, "xarray.Dataset"]):
         with _places.reading(self.folder, name):
             _swept.whole(self.folder, name)
             numbers = self.results[name]
-            return _swept.failed_points(self.folder, name, any_failed=bool(numbers["failed"] or numbers["doubtful"]))
+            any_failed = bool(numbers["failed"] or numbers["doubtful"])
+            return _swept.failed_points(self.folder, name, self.hashes.get(name), any_failed=any_failed)
 
     def to_parquet(self, folder: str | os.PathLike[str], *, only: Iterable[str] = (), progress: Progress | None = None) -> list[Path]:
         """Writes results as tables of Apache Parquet, for pandas, Polars, DuckDB, R, Spark (``pip install 'judder[parquet]'``).
@@ -323,11 +342,31 @@ class Study(Mapping[str, "xarray.Dataset"]):
             if isinstance(number, int | float) and not isinstance(number, bool)
         )
         failed = "".join(f"<p><b>{html.escape(name)}</b>: {html.escape(why)}</p>" for name, why in self.failures.items())
-        figures = "".join(
-            f"<details><summary>{html.escape(name)}</summary>{path.read_text(encoding='utf-8')}</details>"
-            for name, path in self.figures.items()
-        )
+        try:
+            figures = "".join(
+                f"<details><summary>{html.escape(name)}</summary>{path.read_text(encoding='utf-8')}</details>"
+                for name, path in self.figures.items()
+            )
+        except RewrittenError as error:
+            figures = f"<p>{html.escape(str(error))}</p>"
         return f"<h4>{html.escape(str(title))}</h4>{failed}<table>{rows}</table>{figures}"
+
+
+def _summary(folder: Path | RemotePath) -> dict[str, Any]:
+    """The content of the summary in a study folder.
+
+    Raises:
+        StudyError: there is none, or it cannot be read.
+    """
+    try:
+        found: dict[str, Any] = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+    except (FileNotFoundError, NotADirectoryError):
+        raise _no_study(folder, "no study here; `judder.run` makes one") from None
+    except (ValueError, OSError, StoreError) as error:
+        raise _no_study(folder, f"the summary cannot be read ({error})") from error
+    if not _is_summary(found):
+        raise _no_study(folder, "summary.json is none of judder's")
+    return found
 
 
 def _is_summary(found: Any) -> bool:

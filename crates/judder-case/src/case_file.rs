@@ -27,8 +27,10 @@ use crate::{belt_case, contact_case, oscillator_case, sliding, structure, two_de
 /// A case file that was read and found valid.
 #[derive(Debug, Clone)]
 pub struct CaseFile {
-    /// The name without folder and extension: `out/<name>` is where a run goes by default.
+    /// The name without folder and extension.
     pub name: String,
+    /// The file that it was read from; none of a text.
+    pub path: Option<PathBuf>,
     /// What errors call the file: the path as given.
     pub origin: String,
     /// The text as read, without the `--set` options.
@@ -156,7 +158,7 @@ impl CaseFile {
             let offset = error.utf8_error().valid_up_to();
             CaseError::without_place(Cause::Binary { name: name.clone(), offset }, &name)
         })?;
-        Self::parse(&name, &text, overrides)
+        Ok(Self { path: Some(path.to_owned()), ..Self::parse(&name, &text, overrides)? })
     }
 
     /// Validates the text of a case file; `name`, a path or any word, is what errors call it.
@@ -169,7 +171,7 @@ impl CaseFile {
         let stem = Path::new(name).file_stem().map_or(name.into(), |stem| stem.to_string_lossy());
         let (name, origin) = (stem.into_owned(), name.to_owned());
         let (text, overrides, tree) = (text.to_owned(), overrides.to_vec(), Arc::new(tree));
-        Ok(Self { name, origin, text, overrides, case, sweeps, tree })
+        Ok(Self { name, path: None, origin, text, overrides, case, sweeps, tree })
     }
 
     /// The case at a point of a sweep of it: read anew with the swept keys at these values, in SI units or plain numbers, one a key in
@@ -187,9 +189,9 @@ impl CaseFile {
             let steps = sweep.steps_to(&refusal);
             self.error_at(steps.iter().map(String::as_str), Cause::StudySweep { problem: refusal.problem })
         })?;
-        let (name, origin) = (self.name.clone(), self.origin.clone());
+        let (name, path, origin) = (self.name.clone(), self.path.clone(), self.origin.clone());
         let (text, overrides) = (self.text.clone(), self.overrides.clone());
-        Ok(Self { name, origin, text, overrides, case, sweeps: Vec::new(), tree: Arc::new(tree) })
+        Ok(Self { name, path, origin, text, overrides, case, sweeps: Vec::new(), tree: Arc::new(tree) })
     }
 
     /// The error of an analysis, by its index, that shows only when its numbers are looked at: at the first of these keys that

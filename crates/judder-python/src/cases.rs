@@ -5,9 +5,9 @@ use crate::errors;
 use crate::watched::{Manner, is_ctrl_c, watched};
 use judder_case::{Case, CaseError, CaseFile, OscillatorCase};
 use judder_contact::law::file::to_json;
-use judder_study::StudyError;
 use judder_study::resolve::resolve;
 use judder_study::run::{RunOptions, RunReport, run};
+use judder_study::{StudyError, home};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::ffi::OsString;
@@ -73,9 +73,9 @@ pub(crate) fn run_case<'py>(
         }
         _ => (case.read(&overrides)?, Vec::new()),
     };
-    let folder = folder_of(&file, output);
     let options = RunOptions { only, fresh, files, ..RunOptions::default() };
-    let done = watched(py, &manner, |watch| run(&file, &folder, &options, watch))?;
+    // files that the case names may be large
+    let done = watched(py, &manner, |watch| run(&file, &folder_of(&file, output, fresh)?, &options, watch))?;
     if matches!(done.result, Err(StudyError::Interrupted))
         && done.stopped.as_ref().is_none_or(|stop| is_ctrl_c(py, stop))
     {
@@ -84,9 +84,18 @@ pub(crate) fn run_case<'py>(
     told(py, done.settled(|error| errors::study(&error))?)
 }
 
-/// Where a run of a case goes.
-fn folder_of(file: &CaseFile, output: Option<PathBuf>) -> PathBuf {
-    output.unwrap_or_else(|| Path::new("out").join(&file.name))
+/// Where a run of a case goes: where it is told to; else a case file as it is to its own folder, and any other case, of which a program may have many, to
+/// one that no other case has.
+pub(crate) fn folder_of(
+    file: &CaseFile,
+    output: Option<PathBuf>,
+    fresh: bool,
+) -> Result<PathBuf, StudyError> {
+    match output {
+        Some(output) => Ok(output),
+        None if file.path.is_some() && file.overrides.is_empty() => home::of_file(file, fresh),
+        None => home::of_content(file),
+    }
 }
 
 /// A case with a law in the place of its own, as a file of a folder that is no study; gives back the content of the file, too.

@@ -2,7 +2,7 @@
 
 mod work;
 
-use crate::cases::{Source, with_law_in};
+use crate::cases::{Source, folder_of, with_law_in};
 use crate::contact::PyLaw;
 use crate::errors;
 use crate::pool;
@@ -19,7 +19,7 @@ use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyBytes;
 use rayon::ThreadPool;
 use rayon::prelude::*;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// A sweep of a case: what it has, and its chunks.
@@ -119,8 +119,8 @@ impl PySweep {
     /// What is left of it would take, as `judder run --dry-run --json` has it.
     #[pyo3(signature = (folder = None))]
     fn estimate(&self, py: Python<'_>, folder: Option<PathBuf>) -> PyResult<String> {
-        let folder = folder.unwrap_or_else(|| Path::new("out").join(&self.plan.file().name));
-        let estimate = self.done(py, None, |watch| SweepEstimate::new(&self.plan, &folder, watch))?;
+        let folder = || folder_of(self.plan.file(), folder, false);
+        let estimate = self.done(py, None, |watch| SweepEstimate::new(&self.plan, &folder()?, watch))?;
         Ok(estimate.json().to_string())
     }
 

@@ -47,6 +47,17 @@ pub enum StudyError {
         /// The sweeps that there are.
         known: Vec<String>,
     },
+    /// The folder to which a case file goes holds the study of another.
+    #[error(
+        "{}: holds the study of {}, another case file of this name; name another folder with -o, or replace that study with --fresh",
+        folder.display(), owner.display()
+    )]
+    OtherCase {
+        /// The folder.
+        folder: PathBuf,
+        /// The case file whose study it holds.
+        owner: PathBuf,
+    },
     /// The command is for oscillator cases.
     #[error("`judder {command}` takes an oscillator case; this one is of model `{model}`")]
     WrongModel {
@@ -215,6 +226,7 @@ impl StudyError {
             Self::Case(_)
             | Self::UnknownAnalysis { .. }
             | Self::NoParts { .. }
+            | Self::OtherCase { .. }
             | Self::WrongModel { .. }
             | Self::NotRunYet { .. }
             | Self::File { .. }

@@ -1,9 +1,10 @@
 //! What a study folder says of its analyses and sweeps: which are done, what came of them, what the user has to know.
 
 use crate::error::StudyError;
+use crate::home;
 use crate::outcome::{CheckRecord, Outcome};
 use judder_case::CaseFile;
-use judder_store::{AnalysisRecord, Status, StudyFolder, Summary, content_hash};
+use judder_store::{AnalysisRecord, Status, StudyFolder, Summary};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -16,6 +17,8 @@ pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
 pub(crate) struct Keepsakes {
     /// The text of the case file, for the report.
     pub(crate) source: String,
+    /// The way to that file from the study folder; none where the case came as a text.
+    pub(crate) file: Option<String>,
     /// The `--set` options that were on top of it.
     pub(crate) overrides: Vec<String>,
     /// Analysis → its checks.
@@ -43,6 +46,8 @@ pub(crate) struct Study<'a> {
     store: &'a StudyFolder,
     pub(crate) summary: Summary,
     pub(crate) kept: Keepsakes,
+    /// The names of results that were there, and are dropped.
+    pub(crate) forgotten: Vec<String>,
 }
 
 impl<'a> Study<'a> {
@@ -57,21 +62,26 @@ impl<'a> Study<'a> {
         let mut kept = Keepsakes::of(&summary);
         VERSION.clone_into(&mut summary.version);
         summary.warnings.clear();
-        summary.analyses.retain(|name, record| current.get(name) == Some(&&record.hash));
+        let is_current = |name: &String, record: &AnalysisRecord| current.get(name) == Some(&&record.hash);
+        let all = summary.analyses.iter();
+        let forgotten =
+            all.filter(|(name, record)| !is_current(name, record)).map(|(name, _)| name.clone()).collect();
+        summary.analyses.retain(|name, record| is_current(name, record));
         let stays = |name: &String| summary.analyses.contains_key(name);
         summary.results.retain(|name, _| stays(name));
         kept.checks.retain(|name, _| stays(name));
         kept.missing.retain(|name, _| stays(name));
         kept.put(&mut summary);
-        Ok(Self { store, summary, kept })
+        Ok(Self { store, summary, kept, forgotten })
     }
 
     /// Names the case whose study this is.
     pub(crate) fn set_case(&mut self, file: &CaseFile, resolved: &Value) {
         self.kept.source.clone_from(&file.text);
+        self.kept.file = file.path.as_deref().and_then(|path| home::way(self.store.path(), path));
         self.kept.overrides.clone_from(&file.overrides);
         self.kept.put(&mut self.summary);
-        self.summary.case_hash = content_hash(resolved.to_string().as_bytes());
+        self.summary.case_hash = home::case_hash(resolved);
         self.summary.case = resolved.clone();
     }
 

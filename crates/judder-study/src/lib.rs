@@ -17,7 +17,7 @@
 //! - [`checks`]: every number doubted by another number.
 //! - [`sweep`]: the case at many points, in chunks that any number of processes share.
 //! - [`run`]: the analyses and sweeps of a case into a study folder; what is done already is not done again. `ledger`: what the folder says of
-//!   them. `told`: what is shown on the terminal.
+//!   them. `told`: what is shown on the terminal. [`home`]: which folder, where nobody names one.
 //! - [`pictures`]: figures from stored arrays.
 //! - [`report`]: figures and page of a study folder, rebuilt from what is stored.
 //! - [`study_view`]: a study folder for a page, not held: what it holds, parts of its arrays.
@@ -32,6 +32,7 @@ mod computed_law;
 pub mod coupled_pair;
 mod door;
 mod error;
+pub mod home;
 mod indenter;
 mod input_file;
 mod kept;

@@ -8,7 +8,7 @@ mod asked;
 mod bench;
 mod sweeps;
 
-pub(crate) use asked::analysis_hash;
+pub(crate) use asked::{analysis_hash, resolved_with_files};
 
 use crate::analyses::Prepared;
 use crate::door;
@@ -62,6 +62,8 @@ pub struct RunReport {
     pub report: Option<PathBuf>,
     /// Analyses that were done before.
     pub skipped: Vec<String>,
+    /// Results that were there and are dropped, since what they depend on has changed.
+    pub forgotten: Vec<String>,
     /// Whether every requested result is there.
     pub complete: bool,
     /// Results that are worth a table on the terminal.
@@ -139,6 +141,8 @@ pub(crate) struct Computed {
     pub(crate) summary: Summary,
     /// Analyses that were done before.
     pub(crate) skipped: Vec<String>,
+    /// Results that were there and are dropped.
+    forgotten: Vec<String>,
     /// Whether every requested result is there.
     pub(crate) complete: bool,
     tables: Vec<String>,
@@ -149,10 +153,21 @@ pub(crate) struct Computed {
 impl Computed {
     /// Draws figures and page.
     fn reported(self, notes: Vec<String>) -> Result<RunReport, StudyError> {
-        let Self { store, summary, skipped, complete, tables, messages, refused } = self;
+        let Self { store, summary, skipped, forgotten, complete, tables, messages, refused } = self;
         let report = Some(report::write(&store, &summary)?);
         let folder = store.path().to_owned();
-        Ok(RunReport { folder, summary, report, skipped, complete, tables, notes, messages, refused })
+        Ok(RunReport {
+            folder,
+            summary,
+            report,
+            skipped,
+            forgotten,
+            complete,
+            tables,
+            notes,
+            messages,
+            refused,
+        })
     }
 }
 
@@ -218,9 +233,9 @@ fn compute_in(
     let wanted = asked.wanted();
     let complete = study.is_complete(&wanted);
     let messages = messages(&study.summary, &study.kept, &refused);
-    let summary = study.summary;
+    let (summary, forgotten) = (study.summary, study.forgotten);
     let tables = told::tables(&summary, &wanted);
-    Ok(Computed { store, summary, skipped, complete, tables, messages, refused })
+    Ok(Computed { store, summary, skipped, forgotten, complete, tables, messages, refused })
 }
 
 /// Everything that the user should read, in the order of the case: failures, warnings, checks beyond their limits.

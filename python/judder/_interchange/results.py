@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from judder import _places, _swept
-from judder.errors import InputError, StoreError
+from judder.errors import InputError, RewrittenError, StoreError
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -73,10 +73,13 @@ class Variable:
         """Its values in a block.
 
         Raises:
+            RewrittenError: another run has replaced them.
             StoreError: they cannot be read.
         """
         try:
             values = np.asarray(self.stored[block].values)
+        except RewrittenError:
+            raise
         # stores and codecs have exceptions of their own, of any class
         except Exception as error:
             if self.sweep is not None and (damaged := _swept.damaged(*self.sweep, block)):
@@ -163,7 +166,7 @@ class Result:
         """
         some: list[_swept.Failures] = []
         count = 0
-        for found in _swept.failures(self.study.folder, self.name):
+        for found in _swept.failures(self.study.folder, self.name, self.study.hashes.get(self.name)):
             some.append(found)
             count += len(found.reasons)
             if count >= _FAILURES:
@@ -207,7 +210,8 @@ def chosen(study: Study, only: Iterable[str], progress: Progress | None) -> list
 def _result(study: Study, name: str, progress: Progress | None) -> Result:
     is_sweep = name in study.sweeps
     with _places.reading(study.folder, name):
-        dataset = _swept.dataset(study.folder, name, dask=False) if is_sweep else _places.group(study.folder, name)
+        place = study.folder, name, study.hashes.get(name)
+        dataset = _swept.dataset(*place, dask=False) if is_sweep else _places.group(*place)
     return Result(study, name, dataset, progress)
 
 

@@ -2,10 +2,11 @@
 
 use std::fs;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 use judder_explorer::{Explorer, Subject};
+use judder_study::home;
 use serde_json::json;
 use tempfile::NamedTempFile;
 
@@ -78,15 +79,9 @@ impl Explore {
             }
             path => (path.as_deref(), self.study.clone()),
         };
-        let study = study.or_else(|| case.and_then(usual_study));
+        let study = study.or_else(|| case.and_then(home::usual));
         Ok(Subject::open(case, study.as_deref())?)
     }
-}
-
-/// Where `judder run` leaves the study of a case, where it has left one.
-fn usual_study(case: &Path) -> Option<PathBuf> {
-    let folder = Path::new("out").join(case.file_stem()?);
-    folder.join("summary.json").is_file().then_some(folder)
 }
 
 /// A file, readable by its owner alone, that leads a browser to the address: on a command line every user of the machine could read it.

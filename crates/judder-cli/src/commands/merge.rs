@@ -1,8 +1,9 @@
 //! `judder merge`: summary and report of sweeps that others have computed.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
+use judder_study::home;
 use judder_study::run::{RunOptions, SweepWork, run};
 use serde_json::json;
 
@@ -36,7 +37,7 @@ pub(crate) struct Merge {
 impl Merge {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
         let file = self.case.read()?;
-        let folder = self.output.clone().unwrap_or_else(|| Path::new("out").join(&file.name));
+        let folder = self.output.clone().map_or_else(|| home::of_file(&file, false), Ok)?;
         // without a name given, the sweeps alone: the analyses are none of its business
         let sweeps = || file.sweeps.iter().map(|sweep| sweep.name.clone()).collect();
         let only: Vec<String> = if self.only.is_empty() { sweeps() } else { self.only.clone() };

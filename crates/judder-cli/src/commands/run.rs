@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use judder_study::home;
 use judder_study::run::{RunOptions, RunReport, SweepWork, dry_run, run};
 use judder_study::sweep::{Shard, SweepEstimate};
 use serde_json::{Value, json};
@@ -64,7 +65,7 @@ pub(crate) struct Run {
 impl Run {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
         let file = self.case.read()?;
-        let folder = self.output.clone().unwrap_or_else(|| Path::new("out").join(&file.name));
+        let folder = self.output.clone().map_or_else(|| home::of_file(&file, self.fresh), Ok)?;
         let sweeps = self.shard.map_or(SweepWork::All, SweepWork::Part);
         let options =
             RunOptions { only: self.only.clone(), fresh: self.fresh, sweeps, ..RunOptions::default() };
@@ -94,6 +95,10 @@ fn documents(estimates: &[SweepEstimate]) -> Vec<Value> {
 
 /// Says what came of a run. Failed checks are among the warnings: only a missing result changes the exit code.
 pub(super) fn tell(report: RunReport, case: &Path, console: Console) -> Exit {
+    if !report.forgotten.is_empty() {
+        let names = report.forgotten.join(", ");
+        console.note(format_args!("forgotten, since what they depend on has changed: {names}"));
+    }
     if !report.skipped.is_empty() {
         console.note(format_args!("done before: {}", report.skipped.join(", ")));
     }

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::desk::{CASE, Desk};
+use crate::desk::{CASE, Desk, Said};
 
 #[test]
 fn an_output_folder_that_is_a_file() {
@@ -69,7 +69,7 @@ fn a_full_disk() {
         eprintln!("SKIPPED: a_full_disk needs `unshare` and leave to mount: {output:?}");
         return;
     }
-    let said = crate::desk::Said::of(output.unwrap());
+    let said = Said::of(output.unwrap());
     assert_eq!(said.code, 1, "{}", said.stderr);
     said.says("no room for ");
     said.says("what is done is kept");
@@ -78,4 +78,52 @@ fn a_full_disk() {
     let summary = desk.read_json("summary.json");
     assert_eq!(summary["analyses"]["small"]["status"], "done");
     assert!(summary["results"]["large"].is_null());
+}
+
+/// Two case files of one name in different folders, both of which would go to `out/case`.
+#[test]
+fn a_folder_with_the_study_of_another_case_file() {
+    let desk = Desk::new();
+    for (place, load) in [("a", "1 mN"), ("b", "2 mN")] {
+        fs::create_dir(desk.path(place)).unwrap();
+        desk.write(&format!("{place}/case.toml"), quick(place, load));
+    }
+    desk.succeed(&["run", "a/case.toml"]);
+    let message = "out/case: holds the study of a/case.toml, another case file of this name";
+    desk.refused(&["run", "b/case.toml"], message, "name another folder with -o");
+    desk.refused(&["run", "b/case.toml"], message, "--fresh");
+    // a folder of its own, and the first one goes on where it was, from wherever it is called
+    desk.succeed(&["run", "b/case.toml", "-o", "out/b"]);
+    desk.succeed(&["run", "./b/../a/case.toml"]).says("done before: damping\n");
+    let title = |desk: &Desk| desk.read_json("out/case/summary.json")["case"]["title"].clone();
+    assert_eq!(title(&desk), "a");
+    desk.succeed(&["run", "b/case.toml", "--fresh"]);
+    assert_eq!(title(&desk), "b");
+    desk.refused(&["run", "a/case.toml"], "holds the study of b/case.toml", "");
+    // whose file is gone is nobody's any more, and what is lost is named
+    fs::remove_file(desk.path("b/case.toml")).unwrap();
+    desk.succeed(&["run", "a/case.toml"]).says("forgotten, since what they depend on has changed: damping\n");
+}
+
+#[test]
+fn a_study_may_be_moved_with_its_case_file() {
+    let desk = Desk::new();
+    fs::create_dir_all(desk.path("here")).unwrap();
+    desk.write("here/case.toml", quick("here", "1 mN"));
+    let run = |place: &str| {
+        Said::of(desk.command(&["run", "case.toml"]).current_dir(desk.path(place)).output().unwrap())
+    };
+    assert_eq!(run("here").code, 0);
+    assert_eq!(desk.read_json("here/out/case/summary.json")["study"]["file"], "../../case.toml");
+    fs::rename(desk.path("here"), desk.path("there")).unwrap();
+    run("there").says("done before: damping\n");
+}
+
+/// A case with one quick analysis.
+fn quick(title: &str, load: &str) -> String {
+    format!(
+        "title = \"{title}\"\nmodel = \"oscillator\"\noperation.normal_load = \"{load}\"\n\
+         [[analysis]]\nname = \"damping\"\nkind = \"equivalent-damping\"\n\
+         sweep = {{ key = \"operation.velocity\", from = 1e-5, to = 1e-2, points = 5 }}\n"
+    )
 }

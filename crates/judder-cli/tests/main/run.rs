@@ -94,10 +94,12 @@ fn a_rerun_does_only_what_has_changed() {
     desk.write("case.toml", CASE.replace("points = 11", "points = 12"));
     let said = desk.succeed(&["run", "case.toml", "-v"]);
     said.says("loci: 12 of 12 steps");
+    said.says("forgotten, since what they depend on has changed: loci\n");
     said.says("done before: map, damping, strengths, loads\n");
 
     // another load concerns all
     let said = desk.succeed(&["run", "case.toml", "-v", "--set", "operation.normal_load=2e-6"]);
+    said.says("forgotten, since what they depend on has changed: damping, loads, loci, map, strengths\n");
     assert!(!said.stderr.contains("done before"), "{}", said.stderr);
     assert_eq!(
         desk.read_json("out/case/summary.json")["study"]["overrides"][0],

@@ -111,6 +111,7 @@ fields!(StoreError {
 
 fields!(StudyError {
     UnknownAnalysis { name, known },
+    OtherCase { folder, owner },
     WrongModel { command, model },
     NotRunYet { kind },
     NotDone { analysis, by },

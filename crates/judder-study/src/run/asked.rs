@@ -7,7 +7,7 @@ use crate::input_file::KnownFile;
 use crate::ledger::VERSION;
 use crate::sweep::SweepPlan;
 use judder_case::study_sweep::quantity_path::QuantitySource;
-use judder_case::{Case, CaseFile, StudySweep};
+use judder_case::{CaseFile, StudySweep};
 use judder_store::{StudyFolder, content_hash};
 use serde_json::{Value, json};
 
@@ -39,7 +39,7 @@ impl<'a> Asked<'a> {
                 known: known().cloned().collect(),
             });
         }
-        let (resolved, files) = with_files(file.resolved(), &file.case)?;
+        let (resolved, files) = resolved_with_files(file)?;
         let hashed = |(index, name): (usize, &String)| (name.clone(), analysis_hash(&resolved, index));
         let analyses = names.iter().enumerate().map(hashed).collect();
         let sweeps = file.sweeps.iter().map(|sweep| sweep_hash(&resolved, sweep)).collect();
@@ -94,9 +94,12 @@ impl<'a> Asked<'a> {
 }
 
 /// The resolved case with the content of every file that it names, by its hash, and the files.
-fn with_files(mut resolved: Value, case: &Case) -> Result<(Value, Vec<KnownFile>), StudyError> {
-    let mut files = Vec::new();
-    for file in case.files() {
+///
+/// # Errors
+/// A file that cannot be read.
+pub(crate) fn resolved_with_files(case: &CaseFile) -> Result<(Value, Vec<KnownFile>), StudyError> {
+    let (mut resolved, mut files) = (case.resolved(), Vec::new());
+    for file in case.case.files() {
         let known = KnownFile::new(&file.path)?;
         resolved["files"][&file.given] = json!(known.hash);
         files.push(known);

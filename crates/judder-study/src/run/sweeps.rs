@@ -11,6 +11,12 @@ use judder_store::{SharedStudy, StoreError, StudyFolder, Summary, SweepChunks, S
 use std::path::Path;
 use std::time::Instant;
 
+/// What became of results that were there before a run.
+struct Earlier {
+    done: Vec<String>,
+    forgotten: Vec<String>,
+}
+
 /// Runs analyses and sweeps. Analyses are run by whoever holds the study alone: at first where nobody else is there, else at the end.
 pub(super) fn run(
     (asked, prepared, plans): (&Asked<'_>, &Prepared, &[SweepPlan]),
@@ -18,7 +24,7 @@ pub(super) fn run(
     options: &RunOptions,
     progress: &dyn Progress,
 ) -> Result<RunReport, StudyError> {
-    let done_before = begun((asked, prepared, plans), folder, options, progress)?;
+    let earlier = begun((asked, prepared, plans), folder, options, progress)?;
     let shared = joined(folder, progress)?;
     let mut notes = Vec::new();
     let mut is_whole = true;
@@ -48,22 +54,23 @@ pub(super) fn run(
     }
     let analyses = options.sweeps == SweepWork::All;
     let mut computed = compute_in(store, (asked, prepared), (plans, analyses), progress)?;
-    // what this run did before it shared the study was not done before it
-    if let Some(mut names) = done_before {
+    // what this run did before it shared the study was not done before it, and what it forgot is gone
+    if let Some(Earlier { done: mut names, forgotten }) = earlier {
         let of_sweeps = |name: &String| plans.iter().any(|plan| plan.layout().name() == name);
         names.extend(computed.skipped.into_iter().filter(of_sweeps));
         computed.skipped = names;
+        computed.forgotten.extend(forgotten);
     }
     computed.reported(notes)
 }
 
-/// Runs the analyses where nobody else is at work; gives back which were done before.
+/// Runs the analyses where nobody else is at work; gives back what became of earlier results.
 fn begun(
     (asked, prepared, plans): (&Asked<'_>, &Prepared, &[SweepPlan]),
     folder: &Path,
     options: &RunOptions,
     progress: &dyn Progress,
-) -> Result<Option<Vec<String>>, StudyError> {
+) -> Result<Option<Earlier>, StudyError> {
     if !options.fresh {
         // nothing is rewritten for a case whose sweeps are refused
         for plan in plans {
@@ -78,7 +85,8 @@ fn begun(
     }
     match taken(folder, options.fresh) {
         Ok(store) if options.sweeps == SweepWork::All => {
-            Ok(Some(compute_in(store, (asked, prepared), (&[], true), progress)?.skipped))
+            let computed = compute_in(store, (asked, prepared), (&[], true), progress)?;
+            Ok(Some(Earlier { done: computed.skipped, forgotten: computed.forgotten }))
         }
         Ok(_) => Ok(None),
         Err(StudyError::Store(StoreError::Locked { .. })) if !options.fresh => Ok(None),
@@ -111,6 +119,7 @@ fn unfinished(folder: &Path, summary: Summary, (complete, notes): (bool, Vec<Str
         summary,
         report: None,
         skipped: Vec::new(),
+        forgotten: Vec::new(),
         complete,
         tables: Vec::new(),
         notes,

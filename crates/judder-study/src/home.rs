@@ -1,0 +1,125 @@
+//! Where the study of a case lies where nobody names a folder: that of a case file under the name of the file, any other under a name of its content.
+
+use crate::error::StudyError;
+use crate::ledger::Keepsakes;
+use crate::run::resolved_with_files;
+use judder_case::CaseFile;
+use judder_store::{StudyReader, content_hash};
+use serde_json::Value;
+use std::io;
+use std::path::{Component, Path, PathBuf};
+
+/// The folder of the studies that nobody has put elsewhere.
+const OUT: &str = "out";
+/// Digits of the hash of a case that tell its folder from others: of ten thousand cases two share one with a chance of 2e-7.
+const DIGITS: usize = 12;
+/// Letters of a title that go into the name of a folder.
+const LETTERS: usize = 40;
+
+/// `out/<name>`, for the case file of this name as it is.
+///
+/// # Errors
+/// [`StudyError::OtherCase`] where the study of another case file of this name lies there, unless it is to be forgotten.
+pub fn of_file(file: &CaseFile, fresh: bool) -> Result<PathBuf, StudyError> {
+    let folder = Path::new(OUT).join(&file.name);
+    let owner = file.path.as_deref().filter(|_| !fresh).and_then(|path| other_owner(&folder, path));
+    match owner {
+        Some(owner) => Err(StudyError::OtherCase { folder, owner }),
+        None => Ok(folder),
+    }
+}
+
+/// `out/<title>-<hash>`, for a case that no file holds as it is: the same case has the same folder, another case another. Without a title the model names
+/// it, and a case file with changes is called by the file.
+///
+/// # Errors
+/// A file of the case that cannot be read.
+pub fn of_content(file: &CaseFile) -> Result<PathBuf, StudyError> {
+    let (resolved, _) = resolved_with_files(file)?;
+    let title = plain(resolved.get("title").and_then(Value::as_str).unwrap_or_default());
+    let name = match (&file.path, title.is_empty()) {
+        (Some(_), _) => &file.name,
+        (None, false) => &title,
+        (None, true) => file.case.model(),
+    };
+    let hash = case_hash(&resolved);
+    Ok(Path::new(OUT).join(format!("{name}-{}", &hash[..DIGITS])))
+}
+
+/// The study of this case file, where `judder run` has left one.
+#[must_use]
+pub fn usual(case: &Path) -> Option<PathBuf> {
+    let folder = Path::new(OUT).join(case.file_stem()?);
+    (StudyReader::open(&folder).is_ok() && other_owner(&folder, case).is_none()).then_some(folder)
+}
+
+/// Names a case, by its resolved form with the hashes of its files.
+pub(crate) fn case_hash(resolved: &Value) -> String {
+    content_hash(resolved.to_string().as_bytes())
+}
+
+/// The way from a study folder to a case file, so that both may be moved together.
+pub(crate) fn way(folder: &Path, file: &Path) -> Option<String> {
+    let (folder, file) = (whole(folder).ok()?, whole(file).ok()?);
+    let shared = folder.components().zip(file.components()).take_while(|(own, other)| own == other).count();
+    let up = folder.components().skip(shared).map(|_| Component::ParentDir);
+    let way: PathBuf = up.chain(file.components().skip(shared)).collect();
+    way.to_str().map(|text| text.replace('\\', "/"))
+}
+
+/// The case file whose study lies in a folder, where that is another one and still there.
+fn other_owner(folder: &Path, own: &Path) -> Option<PathBuf> {
+    let summary = StudyReader::open(folder).ok()?.read_summary().ok()??;
+    let owner = without_turns(&folder.join(Keepsakes::of(&summary).file?));
+    let (there, here) = (owner.canonicalize().ok()?, own.canonicalize().ok()?);
+    (there != here).then_some(owner)
+}
+
+/// An absolute path without `.` and `..`; links are not followed.
+fn whole(path: &Path) -> io::Result<PathBuf> {
+    Ok(without_turns(&std::path::absolute(path)?))
+}
+
+fn without_turns(path: &Path) -> PathBuf {
+    let mut plain = PathBuf::new();
+    for component in path.components() {
+        match component {
+            Component::CurDir => (),
+            Component::ParentDir if matches!(plain.components().next_back(), Some(Component::Normal(_))) => {
+                plain.pop();
+            }
+            other => plain.push(other),
+        }
+    }
+    plain
+}
+
+/// A title as the name of a folder: letters and digits of ASCII, in lower case, with hyphens for what lies between.
+fn plain(title: &str) -> String {
+    let words = title.split(|letter: char| !letter.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+    let mut name = words.collect::<Vec<_>>().join("-").to_ascii_lowercase();
+    name.truncate(LETTERS);
+    name.trim_end_matches('-').to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn titles_become_names() {
+        assert_eq!(plain("A first map"), "a-first-map");
+        assert_eq!(plain("µ = 0.3 (../../etc)"), "0-3-etc");
+        assert_eq!(plain("Größe"), "gr-e");
+        assert_eq!(plain("…"), "");
+        assert_eq!(plain(&"abc ".repeat(40)), "abc-".repeat(10).trim_end_matches('-'));
+    }
+
+    #[test]
+    fn the_way_leads_from_the_folder_to_the_file() {
+        assert_eq!(way(Path::new("out/case"), Path::new("case.toml")).unwrap(), "../../case.toml");
+        assert_eq!(way(Path::new("out/./x/../case"), Path::new("a/case.toml")).unwrap(), "../../a/case.toml");
+        assert_eq!(without_turns(Path::new("out/case/../../a/case.toml")), Path::new("a/case.toml"));
+        assert_eq!(without_turns(Path::new("../case.toml")), Path::new("../case.toml"));
+    }
+}

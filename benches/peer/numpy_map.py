@@ -52,6 +52,7 @@ FIGURES = {
 }
 
 STABLE, FLUTTER, NEGATIVE_DAMPING, BOTH, NORMAL_FORCE_COUPLING = range(5)
+DESTABILISED_BY_DAMPING = 7
 
 
 @dataclass
@@ -181,6 +182,8 @@ def classify(at: Operation, ln_y: Array, unstable_by) -> NDArray[np.uint8]:
     c11, c21, k12, k22 = linearise(at, ln_y)
     flutter = 4.0 * K12 * k12 + (K11 - k22) ** 2 < 0
     mechanism = flutter * FLUTTER + (c11 < 0) * NEGATIVE_DAMPING
+    without = unstable_by(c11, np.zeros_like(c21), k12, k22)
+    mechanism[(mechanism == 0) & without] = DESTABILISED_BY_DAMPING
     mechanism[mechanism == 0] = NORMAL_FORCE_COUPLING
     return np.where(unstable_by(c11, c21, k12, k22), mechanism, STABLE).astype(np.uint8)
 
@@ -242,7 +245,7 @@ def main() -> int:
             return 1
         result[form] = {
             "differing": differing,
-            "class_counts": np.bincount(classes, minlength=7).tolist(),
+            "class_counts": np.bincount(classes, minlength=8).tolist(),
             "seconds": median_seconds(lambda: stability_map(figure, load, form), repeats[form]),
         }
     print(json.dumps(result))

@@ -27,8 +27,19 @@ LawName: TypeAlias = Literal["oscillator-paper", "oscillator-paper-corrected", "
 FrictionLoad: TypeAlias = Literal["normal-load", "contact-force"]
 """The force that the viscoelastic friction coefficient multiplies."""
 
-CLASSES = ("stable", "flutter", "negative-damping", "both", "normal-force-coupling", "marginal", "unresolved")
+CLASSES = (
+    "stable",
+    "flutter",
+    "negative-damping",
+    "both",
+    "normal-force-coupling",
+    "marginal",
+    "unresolved",
+    "destabilised-by-damping",
+)
 """What the codes of ``StabilityMap.classes`` mean, in their order."""
+_OTHER_CLASSES = ("stable", "marginal", "unresolved")
+"""Those that are no mechanism."""
 
 
 class Keys(TypedDict, total=False):
@@ -88,7 +99,7 @@ class StabilityMap:
     @property
     def unstable(self) -> NDArray[np.bool_]:
         """Where steady sliding is unstable, bool[y, x]."""
-        return (self.classes >= 1) & (self.classes <= 4)
+        return self.verdict == "unstable"
 
     @property
     def unstable_fraction(self) -> float:
@@ -105,7 +116,7 @@ class StabilityMap:
         """``"stable"``, ``"marginal"``, ``"unstable"`` or ``"unresolved"``, str[y, x]."""
         import numpy as np
 
-        names = ["unstable" if 1 <= code <= 4 else name for code, name in enumerate(CLASSES)]
+        names = [name if name in _OTHER_CLASSES else "unstable" for name in CLASSES]
         found: NDArray[np.str_] = np.array(names)[self.classes]
         return found
 
@@ -114,7 +125,7 @@ class StabilityMap:
         """What carries an instability, ``"none"`` where there is none, str[y, x]."""
         import numpy as np
 
-        names = [name if 1 <= code <= 4 else "none" for code, name in enumerate(CLASSES)]
+        names = ["none" if name in _OTHER_CLASSES else name for name in CLASSES]
         found: NDArray[np.str_] = np.array(names)[self.classes]
         return found
 

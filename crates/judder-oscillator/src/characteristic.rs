@@ -100,6 +100,14 @@ impl Characteristic {
         smaller(share(self.p0, self.size[0]), if self.is_damped() { damped } else { undamped })
     }
 
+    /// Whether p1 < 0 or H3 < 0: all that can make a system unstable that is not so without damping and has no negative dampers.
+    #[inline(always)]
+    #[must_use]
+    pub fn is_destabilised(&self) -> bool {
+        let below = |value: f64, size: f64| value < -MARGINAL_BAND * size;
+        below(self.p1, self.size[1]) | below(self.third_determinant(), self.third_determinant_size())
+    }
+
     /// 1 where the system is stable, −1 where it is unstable, 0 where it is marginal: by Routh and Hurwitz, and without
     /// any damping by the roots of λ⁴ + p2 λ² + p0. The sign of [`Characteristic::margin`] with its band, without dividing.
     #[inline(always)]
@@ -116,7 +124,7 @@ impl Characteristic {
             & above(self.p1, size_1)
             & above(self.p3, size_3)
             & above(h3, size_h3);
-        let damped_unstable = below(self.p1, size_1) | below(self.p3, size_3) | below(h3, size_h3);
+        let damped_unstable = below(self.p3, size_3) | self.is_destabilised();
         let undamped_unstable =
             below(self.p2, self.p2.abs()) | below(square - 4.0 * self.p0, square + 4.0 * self.p0.abs());
         let unstable = below(self.p0, size_0) | (damped & damped_unstable) | (!damped & undamped_unstable);

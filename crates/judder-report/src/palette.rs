@@ -1,6 +1,6 @@
 //! Colours by meaning: one role is the same colour, dash and marker in every picture.
 //!
-//! Area colours are apart in lightness as well as in hue (CIE L* about 96, 88, 75, 58, 36), so that they survive
+//! Area colours are apart in lightness as well as in hue (CIE L* about 96, 88, 75, 67, 58, 36), so that they survive
 //! grey printing and the common colour deficiencies; line colours are those of Okabe and Ito, and differ in dash and
 //! marker too. Sequential colours are viridis, diverging ones Paul Tol's "BuRd".
 
@@ -47,6 +47,8 @@ pub enum Role {
     Both,
     /// Area: instability by a velocity-dependent normal force.
     NormalForceCoupling,
+    /// Area: instability by unequal damping.
+    DestabilisedByDamping,
     /// Area without an answer; hatched.
     Unresolved,
     /// Area: no instability, but a knock starts a motion; hatched the other way.
@@ -102,6 +104,7 @@ impl Role {
             Self::Stable => Colour(0xf3, 0xf3, 0xef),
             Self::NormalForceCoupling => Colour(0xef, 0xdc, 0x8f),
             Self::NegativeDamping => Colour(0xee, 0xab, 0x55),
+            Self::DestabilisedByDamping => Colour(0x6f, 0xb0, 0x9a),
             Self::Flutter => Colour(0x5b, 0x90, 0xc4),
             Self::Both => Colour(0x6a, 0x46, 0x82),
             Self::LiftOff => Colour(0xdd, 0xe9, 0xf7),
@@ -352,8 +355,14 @@ mod tests {
 
     #[test]
     fn area_colours_are_apart_in_grey() {
-        let areas =
-            [Role::Stable, Role::NormalForceCoupling, Role::NegativeDamping, Role::Flutter, Role::Both];
+        let areas = [
+            Role::Stable,
+            Role::NormalForceCoupling,
+            Role::NegativeDamping,
+            Role::DestabilisedByDamping,
+            Role::Flutter,
+            Role::Both,
+        ];
         for pair in areas.windows(2) {
             let step = lightness(pair[0].colour()) - lightness(pair[1].colour());
             assert!(step > 7.0, "{pair:?} are only {step:.1} apart");

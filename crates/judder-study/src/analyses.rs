@@ -18,7 +18,7 @@ pub use motion::MotionBlock;
 pub(crate) use motion::belt;
 pub(crate) use sliding::locus_conditions;
 pub use stability_map::{BoundaryCurves, BoundaryKind, boundary_curves};
-pub(crate) use stability_map::{STARTS_IT, UNKNOWN};
+pub(crate) use stability_map::{ONE_WAY, STARTS_IT, UNKNOWN, class_name};
 pub(crate) use steady_states::SteadyState;
 
 use crate::bridge::{self, CaseContact};

@@ -161,8 +161,7 @@ pub(crate) fn map_against_points(
 ) -> CheckRecord {
     let decided = states.iter().filter_map(|(state, (column, row))| {
         let Ok(reduced) = state.linearisation.system().reduced() else { return Some(true) };
-        let clear = Characteristic::new(&reduced).margin().abs() > 1e-9
-            && discriminant_share(&reduced.stiffness).abs() > 1e-9;
+        let clear = StabilityClass::clearance(&reduced) > 1e-9;
         clear.then(|| StabilityClass::of(&reduced) != map.class(*column, *row))
     });
     CheckRecord::new(

@@ -6,6 +6,7 @@ mod sliding;
 mod structure;
 mod sweeps;
 
+use crate::analyses::{ONE_WAY, class_name};
 use crate::bridge;
 use crate::error::StudyError;
 use crate::point;
@@ -296,16 +297,16 @@ fn analysed(case: &TwoDegreesCase) -> Result<(Value, String), String> {
     };
     let reduced = system.reduced().map_err(|error| error.to_string())?;
     let values = judder_oscillator::spectrum::eigenvalues(&reduced).map_err(|error| error.to_string())?;
-    let class = StabilityClass::of(&reduced);
+    let class = StabilityClass::of_system(&system).map_err(|error| error.to_string())?;
     let rows: Vec<Vec<String>> =
         values.iter().map(|l| vec![number(l.re), format!("{} i", number(l.im))]).collect();
-    let text = format!("\nat these parameters: {}; eigenvalues\n{}", class.name(), columns(&rows));
+    let text = format!("\nat these parameters: {}; eigenvalues\n{}", class_name(class, ONE_WAY), columns(&rows));
     let verdict = class.verdict().map_or("unresolved", judder_oscillator::Verdict::name);
     let document = json!({
         "eigenvalues": values.map(|l| [l.re, l.im]),
         "growth_rate": judder_oscillator::spectrum::growth_rate(&values),
         "verdict": verdict,
-        "mechanism": class.mechanism().name(),
+        "mechanism": if class.is_unstable() { class_name(class, ONE_WAY) } else { "none" },
     });
     Ok((document, text))
 }

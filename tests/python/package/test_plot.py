@@ -26,7 +26,7 @@ def test_the_colours_are_those_of_the_program():
         return "#" + "".join(re.findall(r"0x(\w\w)", channels))
 
     assert [hexadecimal(one) for one in re.findall(r"Colour\((.*?)\)", series)] == list(judder.plot.SERIES)
-    for name in ("stable", "flutter", "negative-damping", "both", "normal-force-coupling", "unresolved", "decoupled-boundary"):
+    for name in ("stable", "flutter", "negative-damping", "both", "normal-force-coupling", "destabilised-by-damping", "unresolved", "decoupled-boundary"):
         role = "".join(word.capitalize() for word in name.split("-"))
         assert hexadecimal(roles[role]) == judder.plot.COLOURS[name], name
 

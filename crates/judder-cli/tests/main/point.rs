@@ -59,7 +59,8 @@ fn the_document_has_its_form() {
         assert!(point[key].is_f64(), "{key}");
     }
     assert_eq!(point["verdict"], "unstable");
-    let mechanisms = ["none", "flutter", "negative-damping", "both", "normal-force-coupling"];
+    let mechanisms =
+        ["none", "flutter", "negative-damping", "both", "normal-force-coupling", "destabilised-by-damping"];
     assert!(mechanisms.contains(&point["mechanism"].as_str().unwrap()));
     for key in ["critical_shear_strength", "critical_load"] {
         let roots = numbers(&point[key]);
@@ -154,4 +155,19 @@ fn a_point_without_contact_has_no_answer() {
         "`operation.normal_load` must be positive, but is 0.0",
         "out of range",
     );
+}
+
+/// Elastic contact: c21 = 0 and c11 = 2ξ_x, so nothing but the inequality of the dampers can destabilise.
+#[test]
+fn unequal_dampers_are_a_mechanism_of_their_own() {
+    let of = |damping_x: &str, damping_y: &str| {
+        let keys = [damping_x, damping_y, "contact.law=\"hertz\"", "contact.shear_strength=0.003"];
+        let point = point(&keys);
+        assert_eq!(matrix(&point["damping"])[1][0], 0.0);
+        [point["verdict"].clone(), point["mechanism"].clone()]
+    };
+    let unequal = of("oscillator.damping_x=0.05", "oscillator.damping_y=0.0005");
+    assert_eq!(unequal, ["unstable", "destabilised-by-damping"]);
+    let equal = of("oscillator.damping_x=0.025", "oscillator.damping_y=0.025");
+    assert_eq!(equal, ["stable", "none"]);
 }

@@ -7,3 +7,4 @@ mod growth;
 mod hurwitz;
 mod jacobian;
 mod maps;
+mod mechanism;

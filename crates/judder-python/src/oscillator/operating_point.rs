@@ -207,7 +207,7 @@ impl OscillatorPoint {
         self.steady.verdict()
     }
 
-    /// What carries an instability: ``"flutter"``, ``"negative-damping"``, ``"both"``, ``"normal-force-coupling"``, or ``"none"``.
+    /// What carries an instability: ``"flutter"``, ``"negative-damping"``, ``"both"``, ``"normal-force-coupling"``, ``"destabilised-by-damping"``, or ``"none"``.
     #[getter]
     fn mechanism(&self) -> &'static str {
         self.steady.class.mechanism().name()

@@ -56,6 +56,7 @@ fn map_panel(load: f64) -> Panel {
         Class::new("negative damping", Role::NegativeDamping),
         Class::new("both", Role::Both),
         Class::new("normal-force coupling", Role::NormalForceCoupling),
+        Class::new("destabilised by damping", Role::DestabilisedByDamping),
         Class::new("unresolved", Role::Unresolved),
     ];
     let curve = |f: &dyn Fn(f64) -> f64| velocity.iter().map(|v| f(*v)).collect::<Vec<f64>>();

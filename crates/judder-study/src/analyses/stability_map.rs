@@ -17,8 +17,9 @@ use judder_oscillator::map::{Method, Plane, StabilityMap};
 use judder_oscillator::mechanism::StabilityClass;
 use serde_json::{Map, Value, json};
 
-pub(super) use arrays::{DAMPING, MapArrays};
+pub(super) use arrays::MapArrays;
 use arrays::{NORMAL_FORCE, class_fractions};
+pub(crate) use arrays::{ONE_WAY, class_name};
 pub(crate) use knock::{STARTS_IT, UNKNOWN};
 pub use overlays::{BoundaryCurves, BoundaryKind, boundary_curves};
 pub(super) use overlays::{Overlay, incomplete};
@@ -57,7 +58,7 @@ pub(super) fn run(
     let states = checked_states(contact, &plane);
     let mut outcome = Outcome {
         scalars: map_scalars(&map, NORMAL_FORCE, seconds, &overlays),
-        dataset: MapArrays { x: &x, y: &y, map: &map, growth, overlays: &overlays, neither: NORMAL_FORCE }
+        dataset: MapArrays { x: &x, y: &y, map: &map, growth, overlays: &overlays, one_way: NORMAL_FORCE }
             .dataset()?,
         warnings: validity_warnings(contact, states.iter().map(|(state, _)| state)),
         checks: checks::steady_sliding(contact, &states.iter().map(|(state, _)| *state).collect::<Vec<_>>()),
@@ -102,11 +103,11 @@ fn checked_states(contact: &Contact, plane: &KeyPlane) -> Vec<(SteadyState, (usi
 /// What the summary says of a map and its boundaries.
 pub(super) fn map_scalars(
     map: &StabilityMap,
-    neither: &'static str,
+    one_way: &'static str,
     seconds: f64,
     overlays: &[Overlay],
 ) -> Map<String, Value> {
-    let mut scalars = class_fractions(map, neither);
+    let mut scalars = class_fractions(map, one_way);
     scalars.insert("seconds".to_owned(), json!(seconds));
     let boundaries: Map<String, Value> =
         overlays.iter().map(|overlay| (overlay.name.to_owned(), overlay.summary())).collect();

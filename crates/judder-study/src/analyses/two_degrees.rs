@@ -3,7 +3,7 @@
 use super::axis::{Axis, Curves, range};
 use super::spectrum::{self, Spectra};
 use super::stability_map::{
-    DAMPING, MapArrays, Overlay, checked_points, incomplete, map_scalars, unresolved_warning,
+    MapArrays, ONE_WAY, Overlay, checked_points, incomplete, map_scalars, unresolved_warning,
 };
 use crate::checks;
 use crate::error::StudyError;
@@ -64,8 +64,8 @@ fn map(case: &TwoDegreesCase, settings: &MapSettings<ParameterKey>) -> Result<Ou
         .into_par_iter()
         .map(|index| {
             let set = [(&settings.x, x.values[index % columns]), (&settings.y, y.values[index / columns])];
-            let reduced = system(case, &set).and_then(|system| system.reduced().ok());
-            reduced.map_or(StabilityClass::Unresolved, |reduced| StabilityClass::of(&reduced)) as u8
+            let class = system(case, &set).and_then(|system| StabilityClass::of_system(&system).ok());
+            class.unwrap_or(StabilityClass::Unresolved) as u8
         })
         .collect();
     let seconds = start.elapsed().as_secs_f64();
@@ -76,10 +76,10 @@ fn map(case: &TwoDegreesCase, settings: &MapSettings<ParameterKey>) -> Result<Ou
         overlays
             .push(Overlay::of_system(boundaries_of_system((&range(&settings.x), &range(&settings.y)), &at)));
     }
-    let scalars = map_scalars(&map, DAMPING, seconds, &overlays);
+    let scalars = map_scalars(&map, ONE_WAY, seconds, &overlays);
     Ok(Outcome {
         scalars,
-        dataset: MapArrays { x: &x, y: &y, map: &map, growth: None, overlays: &overlays, neither: DAMPING }
+        dataset: MapArrays { x: &x, y: &y, map: &map, growth: None, overlays: &overlays, one_way: ONE_WAY }
             .dataset()?,
         missing: map.count(StabilityClass::Unresolved),
         warnings: unresolved_warning(&map).into_iter().chain(incomplete(&overlays)).collect(),

@@ -1,20 +1,21 @@
 //! Stability maps.
 
 use super::{axis, reals};
-use crate::analyses::{STARTS_IT, UNKNOWN};
+use crate::analyses::{ONE_WAY, STARTS_IT, UNKNOWN};
 use judder_oscillator::mechanism::StabilityClass;
 use judder_report::figure::{Class, ClassMap};
 use judder_report::{Layer, Panel, Role};
 use judder_store::{Data, Dataset};
 
-/// Colour and legend of a class; `neither` names what is neither flutter nor negative damping.
-fn class(class: StabilityClass, neither: &str) -> Class {
+/// Colour and legend of a class; `one_way` names the coupling of the directions by speed.
+fn class(class: StabilityClass, one_way: &str) -> Class {
     let (label, role) = match class {
         StabilityClass::Stable => ("stable", Role::Stable),
         StabilityClass::Flutter => ("flutter", Role::Flutter),
         StabilityClass::NegativeDamping => ("negative damping", Role::NegativeDamping),
         StabilityClass::Both => ("both", Role::Both),
-        StabilityClass::NormalForceCoupling => (neither, Role::NormalForceCoupling),
+        StabilityClass::NormalForceCoupling => (one_way, Role::NormalForceCoupling),
+        StabilityClass::DestabilisedByDamping => ("destabilised by damping", Role::DestabilisedByDamping),
         StabilityClass::Marginal => ("marginal", Role::Reference),
         StabilityClass::Unresolved => ("unresolved", Role::Unresolved),
     };
@@ -28,11 +29,11 @@ pub(super) fn stability_map(dataset: &Dataset) -> Option<Panel> {
     let Data::U8(codes) = &map.data else { return None };
     let (x, y) = (dataset.variable(x_name)?, dataset.variable(y_name)?);
     let (columns, rows) = (reals(dataset, x_name)?, reals(dataset, y_name)?);
-    let neither = match dataset.attributes().get("neither").and_then(|name| name.as_str()) {
-        Some("destabilised-by-damping") => "destabilised by damping",
+    let one_way = match dataset.attributes().get("one_way").and_then(|name| name.as_str()) {
+        Some(ONE_WAY) => "one-way coupling by speed",
         _ => "normal-force coupling",
     };
-    let (codes, classes) = drawn_classes(codes, super::codes(dataset, "knock"), neither);
+    let (codes, classes) = drawn_classes(codes, super::codes(dataset, "knock"), one_way);
     let mut layers = vec![Layer::Classes(ascending(columns, rows, &codes, classes))];
     for (name, label, role) in [
         ("decoupled_boundary", "boundary for $η = 0$", Role::DecoupledBoundary),
@@ -61,7 +62,7 @@ pub(super) fn stability_map(dataset: &Dataset) -> Option<Panel> {
 }
 
 /// The classes that occur, and every point's place among them: the stable ones told apart by what a knock does there.
-fn drawn_classes(codes: &[u8], knock: Option<&[u8]>, neither: &str) -> (Vec<u8>, Vec<Class>) {
+fn drawn_classes(codes: &[u8], knock: Option<&[u8]>, one_way: &str) -> (Vec<u8>, Vec<Class>) {
     let third = [
         (STARTS_IT, "stable, but a knock starts it", Role::Knock),
         (UNKNOWN, "stable, a knock not followed to its end", Role::KnockUnknown),
@@ -69,7 +70,7 @@ fn drawn_classes(codes: &[u8], knock: Option<&[u8]>, neither: &str) -> (Vec<u8>,
     let knock_at = |k: usize| knock.map_or(0, |knock| knock[k]);
     let mut classes: Vec<((u8, u8), Class)> = StabilityClass::ALL
         .into_iter()
-        .map(|stability| ((stability as u8, 0), class(stability, neither)))
+        .map(|stability| ((stability as u8, 0), class(stability, one_way)))
         .collect();
     let stable = StabilityClass::Stable as u8;
     classes.splice(1..1, third.map(|(code, label, role)| ((stable, code), Class::new(label, role))));

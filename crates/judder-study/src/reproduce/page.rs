@@ -132,7 +132,8 @@ fn exhibit_blocks(
 
 /// The shares of every mechanism in every map.
 fn areas(summary: &Summary) -> Table {
-    const CLASSES: [&str; 5] = ["stable", "flutter", "negative-damping", "both", "normal-force-coupling"];
+    const CLASSES: [&str; 6] =
+        ["stable", "flutter", "negative-damping", "both", "normal-force-coupling", "destabilised-by-damping"];
     let mut rows = Vec::new();
     for source in EXHIBITS.iter().flat_map(|exhibit| exhibit.sources) {
         for reading in &READINGS {
@@ -146,7 +147,8 @@ fn areas(summary: &Summary) -> Table {
             let mut row = vec![source.name.replace("fig-", "Fig. "), reading.label.to_owned()];
             row.extend(CLASSES.map(|class| format!("{:.1}", 100.0 * share(class))));
             let unstable: f64 = CLASSES[1..].iter().map(|class| share(class)).sum();
-            row.push(format!("{:.1}", 100.0 * share("normal-force-coupling") / unstable));
+            let neither: f64 = CLASSES[4..].iter().map(|class| share(class)).sum();
+            row.push(format!("{:.1}", 100.0 * neither / unstable));
             rows.push(row);
         }
     }

@@ -1,5 +1,6 @@
 //! What can be asked of one operating point of an oscillator, a number each.
 
+use crate::analyses::ONE_WAY;
 use crate::bridge;
 use crate::error::StudyError;
 use crate::point::{LOADS, SAMPLES, SHEAR_STRENGTHS, SteadyPoint};
@@ -7,7 +8,6 @@ use judder_case::{Case, OscillatorInputs, TwoDegreesCase};
 use judder_contact::{ContactLaw, ValidityConcern};
 use judder_oscillator::critical::{Thresholds, thresholds};
 use judder_oscillator::equilibrium::Equilibrium;
-use judder_oscillator::linear_system::ReducedSystem;
 use judder_oscillator::mechanism::{StabilityClass, Verdict};
 use judder_oscillator::spectrum::{eigenvalues, growth_rate, leading};
 use judder_oscillator::{Contact, Groups, LinearSystem, OscillatorError};
@@ -37,7 +37,14 @@ impl PointQuantity {
 /// The codes of `verdict`: its order.
 const VERDICTS: [&str; 3] = ["stable", "marginal", "unstable"];
 /// The codes of `mechanism`: its order.
-const MECHANISMS: [&str; 5] = ["none", "flutter", "negative-damping", "both", "normal-force-coupling"];
+const MECHANISMS: [&str; 6] =
+    ["none", "flutter", "negative-damping", "both", "normal-force-coupling", "destabilised-by-damping"];
+/// The same of a system that has no normal force.
+const MECHANISMS_OF_LINEAR_SYSTEMS: [&str; 6] = {
+    let mut names = MECHANISMS;
+    names[4] = ONE_WAY;
+    names
+};
 
 const fn number(
     name: &'static str,
@@ -57,6 +64,11 @@ const fn code(
 
 /// How many of [`POINT_QUANTITIES`] any linear system has: the first.
 const OF_LINEAR_SYSTEMS: usize = 4;
+/// Those.
+const LINEAR_QUANTITIES: [PointQuantity; OF_LINEAR_SYSTEMS] = {
+    let [growth_rate, frequency, verdict, mechanism, ..] = POINT_QUANTITIES;
+    [growth_rate, frequency, verdict, PointQuantity { flags: &MECHANISMS_OF_LINEAR_SYSTEMS, ..mechanism }]
+};
 
 /// Those of an oscillator.
 const POINT_QUANTITIES: [PointQuantity; 15] = [
@@ -101,7 +113,7 @@ const POINT_QUANTITIES: [PointQuantity; 15] = [
 pub(super) fn known(case: &Case) -> &'static [PointQuantity] {
     match case {
         Case::Oscillator(_) => &POINT_QUANTITIES,
-        Case::TwoDegrees(_) => &POINT_QUANTITIES[..OF_LINEAR_SYSTEMS],
+        Case::TwoDegrees(_) => &LINEAR_QUANTITIES,
         _ => &[],
     }
 }
@@ -115,8 +127,8 @@ impl LinearValues {
         place.and_then(|place| self.0.get(place)).copied().unwrap_or(f64::NAN)
     }
 
-    fn new(system: &ReducedSystem) -> Result<Self, OscillatorError> {
-        let (eigenvalues, class) = (eigenvalues(system)?, StabilityClass::of(system));
+    fn new(system: &LinearSystem) -> Result<Self, OscillatorError> {
+        let (eigenvalues, class) = (eigenvalues(&system.reduced()?)?, StabilityClass::of_system(system)?);
         let verdict = position(&VERDICTS, class.verdict().map(Verdict::name));
         let mechanism = position(&MECHANISMS, Some(class.mechanism().name()));
         Ok(Self([growth_rate(&eigenvalues), leading(&eigenvalues).im, verdict, mechanism]))
@@ -131,7 +143,7 @@ pub(super) fn linear_values(case: &TwoDegreesCase) -> Result<LinearValues, Study
     let matrices =
         case.matrices(&case.values()).map_err(|cause| StudyError::Unsupported(cause.to_string()))?;
     let (mass, damping, stiffness) = (matrices.mass, matrices.damping, matrices.stiffness);
-    Ok(LinearValues::new(&LinearSystem { mass, damping, stiffness }.reduced()?)?)
+    Ok(LinearValues::new(&LinearSystem { mass, damping, stiffness })?)
 }
 
 /// Steady sliding at one point with what is asked of it; thresholds are sought when the first quantity asks.

@@ -34,6 +34,7 @@ const STROKES: Record<Exclude<Pattern, "none">, string> = {
   dots: "M3 4H5",
   level: "M0 4H8",
   upright: "M4 0V8",
+  grid: "M0 4H8M4 0V8",
 };
 
 /** The ink of a pattern: that of the theme over areas that the ground shines through, otherwise one that the area's colour bears. */

@@ -7,7 +7,7 @@ export type Theme = "light" | "dark";
 export type Dash = "solid" | "dashed" | "dash-dotted" | "dotted";
 export type Marker = "circle" | "square" | "diamond" | "triangle" | "cross";
 /** Strokes over an area, for reading without colour. */
-export type Pattern = "none" | "rising" | "falling" | "crossed" | "dots" | "level" | "upright";
+export type Pattern = "none" | "rising" | "falling" | "crossed" | "dots" | "level" | "upright" | "grid";
 
 export interface LineStyle {
   readonly colour: string;
@@ -98,6 +98,7 @@ export const STABILITY: readonly StabilityClass[] = [
   { name: "normal-force coupling", colour: "#efdc8f", pattern: "dots", letter: "C" },
   { name: "marginal", colour: "#6b6b6b", pattern: "level", letter: "M" },
   { name: "unresolved", colour: "#8c8c8c", pattern: "upright", letter: "?" },
+  { name: "destabilised by damping", colour: "#6fb09a", pattern: "grid", letter: "D" },
 ];
 
 /** Contact states of a motion, by their codes; slip is the plain ground. */

@@ -49,6 +49,8 @@ export function strokes(pattern: Pattern, x: number, y: number, size: number): b
       return every(y, 6, 1.3);
     case "upright":
       return every(x, 5, 1.3);
+    case "grid":
+      return every(x, 9, 1.3) || every(y, 9, 1.3);
   }
 }
 

@@ -15,14 +15,14 @@ pub(crate) struct MapArrays<'a> {
     pub(crate) map: &'a StabilityMap,
     pub(crate) growth: Option<Vec<f64>>,
     pub(crate) overlays: &'a [Overlay],
-    /// What an instability is called that is neither flutter nor negative damping.
-    pub(crate) neither: &'static str,
+    /// What an instability by one-way coupling of the directions by speed is called.
+    pub(crate) one_way: &'static str,
 }
 
-/// In the oscillator it is the velocity-dependent normal force that is left.
+/// In the oscillator it is the normal force that follows the speed.
 pub(crate) const NORMAL_FORCE: &str = "normal-force-coupling";
-/// In a general system it is anything that damping does beside a negative diagonal.
-pub(crate) const DAMPING: &str = "destabilised-by-damping";
+/// A general system has no normal force.
+pub(crate) const ONE_WAY: &str = "one-way-coupling";
 
 impl MapArrays<'_> {
     /// `stability` (codes by row and column), `growth_rate` where every point was decided, and for each overlay its points with NaN
@@ -32,7 +32,7 @@ impl MapArrays<'_> {
         let shape = [self.map.rows, self.map.columns];
         let meanings: Vec<(u8, &str)> = StabilityClass::ALL
             .iter()
-            .map(|class| (*class as u8, class_name(*class, self.neither)))
+            .map(|class| (*class as u8, class_name(*class, self.one_way)))
             .collect();
         let classes =
             Variable::classes("stability", &dimensions, &shape, self.map.classes.clone(), &meanings)
@@ -48,21 +48,21 @@ impl MapArrays<'_> {
         for overlay in self.overlays {
             dataset = overlay.add_to(dataset, self.x, self.y)?;
         }
-        Ok(dataset.attribute("kind", "stability-map")?.attribute("neither", self.neither)?)
+        Ok(dataset.attribute("kind", "stability-map")?.attribute("one_way", self.one_way)?)
     }
 }
 
-/// The name of a class where what is neither flutter nor negative damping is called `neither`.
-fn class_name(class: StabilityClass, neither: &'static str) -> &'static str {
-    if class == StabilityClass::NormalForceCoupling { neither } else { class.name() }
+/// The name of a class where one-way coupling by speed is called `one_way`.
+pub(crate) fn class_name(class: StabilityClass, one_way: &'static str) -> &'static str {
+    if class == StabilityClass::NormalForceCoupling { one_way } else { class.name() }
 }
 
 /// Decisions made, unstable share, and the share of every class.
-pub(crate) fn class_fractions(map: &StabilityMap, neither: &'static str) -> Map<String, Value> {
+pub(crate) fn class_fractions(map: &StabilityMap, one_way: &'static str) -> Map<String, Value> {
     let total = map.classes.len() as f64;
     let fractions: Map<String, Value> = StabilityClass::ALL
         .iter()
-        .map(|class| (class_name(*class, neither).to_owned(), json!(map.count(*class) as f64 / total)))
+        .map(|class| (class_name(*class, one_way).to_owned(), json!(map.count(*class) as f64 / total)))
         .collect();
     Map::from_iter([
         ("points".to_owned(), json!(map.decisions)),

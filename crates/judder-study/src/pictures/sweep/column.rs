@@ -97,6 +97,8 @@ fn class(meaning: &str) -> Class {
         "negative-damping" => ("negative damping", Role::NegativeDamping),
         "both" => ("both", Role::Both),
         "normal-force-coupling" => ("normal-force coupling", Role::NormalForceCoupling),
+        "one-way-coupling" => ("one-way coupling by speed", Role::NormalForceCoupling),
+        "destabilised-by-damping" => ("destabilised by damping", Role::DestabilisedByDamping),
         other => (other, Role::Unresolved),
     };
     Class::new(label, role)

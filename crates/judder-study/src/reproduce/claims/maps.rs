@@ -6,7 +6,7 @@ use judder_oscillator::Contact;
 use judder_oscillator::conservative::discriminant;
 use judder_oscillator::equilibrium::equilibrium;
 use judder_oscillator::linearisation::Linearisation;
-use judder_oscillator::map::{Plane, every_point};
+use judder_oscillator::map::{Plane, StabilityMap, every_point};
 use judder_oscillator::mechanism::StabilityClass;
 
 /// Share of the grid points of a panel that satisfy a condition on (full system unstable, undamped system unstable).
@@ -22,6 +22,11 @@ fn share(contact: &Contact, panel: Panel, condition: impl Fn(bool, bool) -> bool
         condition(map.class(column, row).is_unstable(), flutters)
     });
     holds.count() as f64 / (SIDE * SIDE) as f64
+}
+
+/// How many points are unstable and neither flutter nor of ξ_eq < 0.
+fn neither(map: &StabilityMap) -> usize {
+    map.count(StabilityClass::NormalForceCoupling) + map.count(StabilityClass::DestabilisedByDamping)
 }
 
 fn per_cent(share: f64) -> String {
@@ -130,15 +135,14 @@ pub(super) const PREVAILING: Claim = statement(
         });
         let third = [Panel::NineA, Panel::NineB, Panel::TenA, Panel::TenB].map(|panel| {
             let map = panel.map(contact);
-            map.count(StabilityClass::NormalForceCoupling) as f64
-                / (map.unstable_fraction() * (SIDE * SIDE) as f64)
+            neither(&map) as f64 / (map.unstable_fraction() * (SIDE * SIDE) as f64)
         });
         let shown =
             format!("{}; neither: {}", shares.map(per_cent).join(", "), third.map(per_cent).join(", "));
         measured(shown, shares.iter().all(|s| *s > 0.5))
     },
     "Share of the unstable area with $ξ_{eq}$ < 0, Figs. 9a, 9b, 10a, 10b; and the share that is neither that nor flutter: a velocity-dependent normal \
-     force, which the paper does not name.",
+     force or unequal damping, which the paper does not name.",
 );
 
 pub(super) const DECOUPLED: Claim = misprint(
@@ -147,7 +151,7 @@ pub(super) const DECOUPLED: Claim = misprint(
     |contact| {
         let shares = [Panel::NineA, Panel::NineB].map(|panel| {
             let map = every_point(contact, &panel.plane(SIDE, 0.0));
-            let without = map.count(StabilityClass::NormalForceCoupling);
+            let without = neither(&map);
             (map.unstable_fraction(), without as f64 / (map.unstable_fraction() * (SIDE * SIDE) as f64))
         });
         let shown = shares.map(|(unstable, without): (f64, f64)| {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { chartCsv } from "../src/chart/csv";
-import { pieces } from "../src/pages/point/branch";
+import { through } from "../src/chart/runs";
 import { beyond, floquetSpec } from "../src/pages/point/cycle";
 import { eigenSpec, growthAlong, joined, modesOf } from "../src/pages/point/eigen";
 import { collectMotion, merged, spectrumSpec, stretchesOf, strongest } from "../src/pages/point/motion";
@@ -216,9 +216,11 @@ describe("a cycle and its branch", () => {
   it("goes on from stable to unstable without a hole, and not from branch to branch", () => {
     const line = { x: Float64Array.of(0, 1, 2, 3, 4), y: Float64Array.of(5, 6, 7, 8, 9) };
     const stable = [true, true, false, false, true];
-    const numbers = Float64Array.of(0, 0, 0, 0, 1);
-    expect([...pieces(line, numbers, (i) => stable[i] === true).x]).toEqual([0, 1, 2, Number.NaN, 4]);
-    expect([...pieces(line, numbers, (i) => stable[i] === false).x]).toEqual([2, 3]);
+    const numbers = [0, 0, 0, 0, 1];
+    const isSame = (row: number) => numbers[row] === numbers[row + 1];
+    const areStable = (row: number) => stable[row] === true && stable[row + 1] === true;
+    expect([...through(line, (row) => isSame(row) && areStable(row)).x]).toEqual([0, 1, Number.NaN]);
+    expect([...through(line, (row) => isSame(row) && !areStable(row)).x]).toEqual([1, 2, 3, Number.NaN]);
   });
 });
 

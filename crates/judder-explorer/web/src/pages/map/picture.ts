@@ -1,5 +1,6 @@
 /** The picture of a map as frames bring it. */
 
+import type { Curve } from "../../chart/runs";
 import type { Analysis, KeyAxis } from "../../wire/api";
 import { type Frame, codes, reals } from "../../wire/frames";
 
@@ -10,11 +11,6 @@ export const SKETCH = 41;
 
 export type BoundaryName = "full" | "conservative" | "decoupled";
 export const BOUNDARIES: readonly BoundaryName[] = ["full", "conservative", "decoupled"];
-
-export interface Curve {
-  readonly x: Float64Array;
-  readonly y: Float64Array;
-}
 
 export interface MapPicture {
   /** The two keys and their scales: a picture of others is never shown. */

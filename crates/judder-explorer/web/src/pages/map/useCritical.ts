@@ -1,11 +1,11 @@
 /** Critical curves over the map: thresholds of the y key along the x key. */
 
 import { useEffect, useRef, useState } from "preact/hooks";
+import type { Curve } from "../../chart/runs";
 import type { Analysis, KeyAxis } from "../../wire/api";
 import { type Frame, reals } from "../../wire/frames";
 import { Latest } from "../../wire/latest";
 import { type RequestError, asRequestError, isAbort, postFrames, slot } from "../../wire/request";
-import type { Curve } from "./picture";
 
 export interface Critical {
   readonly full: Curve;

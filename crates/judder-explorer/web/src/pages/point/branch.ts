@@ -1,10 +1,10 @@
 /** The branch of cycles along a key: what is simulated, what is followed, folds and thresholds. */
 
+import { type Curve, through } from "../../chart/runs";
 import { type Range, rangeOf } from "../../chart/scale";
 import type { Axis, ChartSpec, Layer, LineLayer } from "../../chart/spec";
 import type { ScaleName } from "../../wire/api";
 import { type Frame, codes, reals } from "../../wire/frames";
-import type { Curve } from "../map/picture";
 import type { Collector } from "./useRun";
 
 export interface Branch {
@@ -13,7 +13,7 @@ export interface Branch {
   readonly outcome: Frame;
   readonly forward: Curve;
   readonly backward: Curve;
-  /** Lines by their stability, interrupted by NaN. */
+  /** Lines by their stability: stable between neighbours that both are, unstable between others of the same branch. */
   readonly stable: Curve;
   readonly unstable: Curve;
   readonly steadyStable: Curve;
@@ -39,44 +39,23 @@ function branchOf(frame: Frame): Branch {
   const steady = reals(frame, "steady_value");
   const growth = reals(frame, "growth_rate");
   const sliding = { x: steady, y: new Float64Array(steady.length) };
-  const one = new Float64Array(steady.length);
+  const isSame = (row: number) => numbers[row] === numbers[row + 1];
+  const isStable = (row: number) => stable[row] === 1 && stable[row + 1] === 1;
+  // where there is no steady sliding its growth rate is NaN
+  const slides = (row: number) => Number.isFinite(growth[row]) && Number.isFinite(growth[row + 1]);
+  const rests = (row: number) => (growth[row] as number) < 0 && (growth[row + 1] as number) < 0;
   return {
     key: String((frame.header["scalars"] as { key?: unknown } | undefined)?.key ?? ""),
     outcome: frame,
     forward: row("forward"),
     backward: row("backward"),
-    stable: pieces(branch, numbers, (i) => stable[i] === 1),
-    unstable: pieces(branch, numbers, (i) => stable[i] === 0),
-    steadyStable: pieces(sliding, one, (i) => (growth[i] as number) <= 0),
-    steadyUnstable: pieces(sliding, one, (i) => (growth[i] as number) > 0),
+    stable: through(branch, (row) => isSame(row) && isStable(row)),
+    unstable: through(branch, (row) => isSame(row) && !isStable(row)),
+    steadyStable: through(sliding, (row) => slides(row) && rests(row)),
+    steadyUnstable: through(sliding, (row) => slides(row) && !rests(row)),
     folds: { x: reals(frame, "fold_value"), y: reals(frame, "fold_rms") },
     hopf: reals(frame, "hopf_value"),
   };
-}
-
-/** The parts of a line that are meant; a part reaches to the neighbour of the other kind, so that the line has no holes. */
-export function pieces(line: Curve, numbers: Float64Array, meant: (index: number) => boolean): Curve {
-  const [x, y]: [number[], number[]] = [[], []];
-  const add = (i: number) => {
-    x.push(line.x[i] as number);
-    y.push(line.y[i] as number);
-  };
-  const gap = () => {
-    if (x.length === 0 || Number.isNaN(x.at(-1))) return;
-    x.push(Number.NaN);
-    y.push(Number.NaN);
-  };
-  for (let i = 0; i < line.x.length; i += 1) {
-    if (!meant(i)) continue;
-    const follows = i > 0 && numbers[i] === numbers[i - 1];
-    if (!follows) gap();
-    add(i);
-    const goesOn = i + 1 < line.x.length && numbers[i] === numbers[i + 1];
-    if (!goesOn || meant(i + 1)) continue;
-    add(i + 1);
-    gap();
-  }
-  return { x: Float64Array.from(x), y: Float64Array.from(y) };
 }
 
 /** The swept range: the present value may lie far away. */

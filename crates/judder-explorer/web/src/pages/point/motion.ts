@@ -1,10 +1,10 @@
 /** A motion as frames bring it: histories, contact states, phase portrait, spectrum. */
 
 import { CONTACT_STATES } from "../../chart/palette";
+import type { Curve } from "../../chart/runs";
 import { rangeOf } from "../../chart/scale";
 import type { BandsLayer, ChartSpec, Layer } from "../../chart/spec";
 import { type Frame, codes, reals } from "../../wire/frames";
-import type { Curve } from "../map/picture";
 import type { Collector } from "./useRun";
 import type { Mode } from "./eigen";
 

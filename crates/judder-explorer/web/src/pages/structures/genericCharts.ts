@@ -114,18 +114,27 @@ function indices(count: number, padded: boolean): readonly number[] {
 }
 
 function curvesSpec(table: Table): ChartSpec {
-  const { title, label, sides, values, codes } = turned(table);
+  const { title, label, sides, values, codes, isJoined } = turned(table);
   const [along, other] = sides as readonly [Side, Side | undefined];
   const [rows, columns] = [along.values.length, other?.values.length ?? 1];
   // nothing lies between things that are only counted, nor between codes
-  const isApart = along.isCounted || codes !== "";
+  const isApart = along.isCounted || codes !== "" || !isJoined;
+  const order = inOrder(along.values);
   const layers = Array.from({ length: columns }, (_, column): LineLayer | PointsLayer => {
-    const curve = { label: other && namedCurves(table) > 0 ? entryOf(other, column) : "", x: along.values, role: { series: column } };
-    const y = Float64Array.from({ length: rows }, (_, row) => values[row * columns + column] as number);
+    const curve = { label: other && namedCurves(table) > 0 ? entryOf(other, column) : "", x: Float64Array.from(order, (row) => along.values[row] as number), role: { series: column } };
+    const y = Float64Array.from(order, (row) => values[row * columns + column] as number);
     if (isApart) return { kind: "points", ...curve, y, ...(rows > MARKED ? MANY : {}) };
     return { kind: "line", ...curve, y, marked: rows <= MARKED };
   });
   return { title, x: { label: along.label, scale: along.scale }, y: { label, scale: "linear" }, layers };
+}
+
+/** The rows as they follow one another along their axis: as they stand, or by their values where those go to and fro. */
+function inOrder(along: Float64Array): readonly number[] {
+  const rows = Array.from(along.keys());
+  const at = (row: number) => along[row] as number;
+  const goes = (way: 1 | -1) => rows.every((row) => row === 0 || way * (at(row) - at(row - 1)) >= 0);
+  return goes(1) || goes(-1) || along.some(Number.isNaN) ? rows : rows.sort((a, b) => at(a) - at(b));
 }
 
 /** How many curves of a table have names. */

@@ -2,6 +2,7 @@
 
 import type { AreaStyle } from "../../chart/palette";
 import { brief } from "../../chart/readout";
+import { apart } from "../../chart/runs";
 import type { Axis, BandsLayer, ChartSpec, Layer, LineLayer, PointsLayer } from "../../chart/spec";
 import { type Arrays, numbers } from "./useArrays";
 import { type StudyAnalysis, axisLabel, hasVariables, variable } from "./study";
@@ -120,26 +121,21 @@ function zoneBands(zones: readonly Zone[]): BandsLayer[] {
 /** A frame about every zone at its frequency. */
 function zoneFrames(zones: readonly Zone[], half: number): LineLayer[] {
   if (zones.length === 0) return [];
-  const x = zones.flatMap(({ from, to }) => [from, from, to, to, from, Number.NaN]);
-  const y = zones.flatMap(({ frequency: at }) => [at - half, at + half, at + half, at - half, at - half, Number.NaN]);
-  return [{ kind: "line", label: "its frequency", x, y, role: { series: 1 }, dash: "solid" }];
+  const frames = zones.map(({ from, to, frequency: at }) => ({ x: [from, from, to, to, from], y: [at - half, at + half, at + half, at - half, at - half] }));
+  return [{ kind: "line", label: "its frequency", ...apart(frames), role: { series: 1 }, dash: "solid" }];
 }
 
-/** The branches as one line with gaps. */
+/** One line a branch over the rows from the first to before the last, as one line with gaps. */
+function branchLines(locus: Locus, [first, last]: readonly [number, number], across: (row: number, index: number) => number, up: Float64Array) {
+  const rows = Array.from({ length: last - first }, (_, k) => first + k);
+  const branches = Array.from({ length: locus.branches }, (_, branch) => rows.map((row) => [row, row * locus.branches + branch] as const));
+  return apart(branches.map((places) => ({ x: places.map(([row, index]) => across(row, index)), y: places.map(([, index]) => up[index] as number) })));
+}
+
+/** The branches over the values. */
 function branchLine(locus: Locus, values: Float64Array, label: string): LineLayer {
-  const [x, y]: [number[], number[]] = [[], []];
-  const gap = () => {
-    x.push(Number.NaN);
-    y.push(Number.NaN);
-  };
-  for (let branch = 0; branch < locus.branches; branch += 1) {
-    for (let i = 0; i < locus.along.length; i += 1) {
-      x.push(locus.along[i] as number);
-      y.push(values[i * locus.branches + branch] as number);
-    }
-    gap();
-  }
-  return { kind: "line", label, x, y, role: { series: 0 } };
+  const lines = branchLines(locus, [0, locus.along.length], (row) => locus.along[row] as number, values);
+  return { kind: "line", label, ...lines, role: { series: 0 } };
 }
 
 /** Upper ends of classes of growth rates, 1/s: 1, 3, 10, 30 … that split the largest one well. */
@@ -216,17 +212,9 @@ export function planeSpec(locus: Locus, name: string, at: number): ChartSpec {
   const shades = Math.min(SHADES, Math.max(rows - 1, 1));
   const paths = Array.from({ length: shades }, (_, shade): LineLayer => {
     const [first, last] = [Math.round((shade * (rows - 1)) / shades), Math.round(((shade + 1) * (rows - 1)) / shades)];
-    const [x, y]: [number[], number[]] = [[], []];
-    for (let branch = 0; branch < locus.branches; branch += 1) {
-      for (let row = first; row <= last; row += 1) {
-        x.push(locus.growth[row * locus.branches + branch] as number);
-        y.push(locus.frequency[row * locus.branches + branch] as number);
-      }
-      x.push(Number.NaN);
-      y.push(Number.NaN);
-    }
     const label = `${short(locus.along[first] as number)} … ${short(locus.along[last] as number)}${locus.unit === "1" ? "" : ` ${locus.unit}`}`;
-    return { kind: "line", label, x, y, role: { graded: shade, of: shades } };
+    const lines = branchLines(locus, [first, last + 1], (_, index) => locus.growth[index] as number, locus.frequency);
+    return { kind: "line", label, ...lines, role: { graded: shade, of: shades } };
   });
   const start = modesAt(locus, locus.along[0] ?? 0);
   const here = modesAt(locus, at);

@@ -40,6 +40,8 @@ export interface Table {
   readonly codes: string;
   /** Whether it is one of the quantities of a sweep, whose first key goes along. */
   readonly isSwept: boolean;
+  /** Whether neighbours in a column are of one curve: not where a row is a list, whose n-th entry is not the n-th of the next one. */
+  readonly isJoined: boolean;
 }
 
 /** Which rows the arrays have. */
@@ -59,7 +61,7 @@ export function tablesOf(analysis: StudyAnalysis, one: StudyVariable, arrays: Ar
   return parts.flatMap(([part, values]) => {
     const title = `${analysis.name}: ${part}${wordsFor(analysis, one)}`;
     const axis = axisLabel(one);
-    return split({ title, label: part ? sentence(`${part}${axis}`) : axis, sides, values, codes: codesOf(one), isSwept: false }, `${analysis.name}: ${part}`);
+    return split({ title, label: part ? sentence(`${part}${axis}`) : axis, sides, values, codes: codesOf(one), isSwept: false, isJoined: one.attributes["neighbours"] !== "apart" }, `${analysis.name}: ${part}`);
   });
 }
 

@@ -131,6 +131,44 @@ test("keeps the last good picture beside an error", async ({ explorer }) => {
   await expect(status).toContainText("400 × 400 points");
 });
 
+test("says in the plot what is refused where there is no map before, and marks the control", async ({ explorer }) => {
+  const { page } = explorer;
+  for (const viewport of [{ width: 1440, height: 900 }, { width: 420, height: 800 }]) {
+    await page.setViewportSize(viewport);
+    await explorer.open("/map?set=indenter.radius=3 N");
+    const message = page.locator(".map-chart .chart-standing");
+    await expect(message).toContainText("indenter.radius must be a length");
+    await page.locator(".map-chart").scrollIntoViewIfNeeded();
+    await expect(message).toBeInViewport();
+    const [plot, words] = [await page.locator(".map-chart .chart-picture").boundingBox(), await message.boundingBox()];
+    expect((words?.y ?? 0) - (plot?.y ?? 0), "within the picture").toBeGreaterThan(0);
+    await expect(page.locator(".panel-head .panel-refused")).toHaveText("radius is refused");
+    await expect(page.locator("[data-parameter='indenter.radius']")).toHaveClass(/parameter-refused/);
+  }
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await explorer.open("/map?x=operation.velocity~3 N~1~log");
+  await expect(page.getByRole("textbox", { name: "From, x axis" })).toHaveAttribute("aria-invalid", "true");
+  await expect(page.locator(".map-chart .chart-standing")).toContainText("must be a speed");
+});
+
+test("a map of values before stands pale, with words over it, until the new one comes", async ({ explorer }) => {
+  const { page } = explorer;
+  // the law is chosen beside the shear strength, which must be no axis
+  await explorer.open("/map?y=operation.normal_load~1e-8~1e-4~log");
+  await settled(explorer);
+  const chart = page.locator(".map-chart .chart");
+  await expect(chart).not.toHaveAttribute("data-standing");
+  const law = page.getByRole("combobox", { name: /contact law/ });
+  await law.selectOption("bem");
+  await expect(chart).toHaveAttribute("data-standing", "computing");
+  await expect(chart.locator(".chart-picture")).toHaveCSS("opacity", "0.45");
+  await expect(chart.locator(".chart-standing")).toContainText("What is shown is of the values before.");
+  await law.selectOption("hertz");
+  await settled(explorer);
+  await expect(chart).not.toHaveAttribute("data-standing");
+  await expect(chart.locator(".chart-picture")).toHaveCSS("opacity", "1");
+});
+
 test("an address is the view", async ({ explorer }) => {
   const { page } = explorer;
   const address = "/map?set=oscillator.coupling=0.5&cursor=0.0001,0.03&show=conservative&x=operation.velocity~1e-6~1~log&y=operation.normal_load~1e-8~1e-4~log";

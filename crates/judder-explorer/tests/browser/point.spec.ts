@@ -83,3 +83,29 @@ test("a long motion is cancelled, and the page goes on", async ({ explorer }) =>
   await page.getByRole("link", { name: "Map", exact: true }).click();
   await expect(page.locator(".map-chart")).toHaveAttribute("data-stage", "exact");
 });
+
+test("a point of values before stands pale, with words over it, and says why it is refused", async ({ explorer }) => {
+  const { page } = explorer;
+  await explorer.open("/point?along=operation.velocity&run=motion&duration=200");
+  await expect(card(explorer, "Motion from here").locator("[data-key='motion.rms']")).toBeVisible();
+  const charts = (heading: string) => card(explorer, heading).locator(".chart");
+  for (const heading of ["Eigenvalues", "Motion from here"]) await expect(charts(heading).first()).not.toHaveAttribute("data-standing");
+  await page.getByRole("combobox", { name: /contact law/ }).selectOption("bem");
+  for (const chart of await charts("Eigenvalues").all()) await expect(chart).toHaveAttribute("data-standing", "computing");
+  for (const chart of await charts("Motion from here").all()) {
+    await expect(chart).toHaveAttribute("data-standing", "before");
+    await expect(chart.locator(".chart-standing")).toContainText("Of the values before");
+  }
+  const radius = page.getByRole("textbox", { name: /^radius/ });
+  await radius.fill("3 N");
+  await radius.press("Enter");
+  await expect(charts("Eigenvalues").first().locator(".chart-standing")).toContainText("indenter.radius must be a length");
+  await expect(page.locator("[data-parameter='indenter.radius']")).toHaveClass(/parameter-refused/);
+});
+
+test("a duration that is none is marked, and said where the motion would be", async ({ explorer }) => {
+  await explorer.open("/point?run=motion&duration=5 m");
+  const motion = card(explorer, "Motion from here");
+  await expect(motion).toContainText("must be a time");
+  await expect(motion.getByRole("textbox", { name: "duration" })).toHaveAttribute("aria-invalid", "true");
+});

@@ -8,6 +8,7 @@ import type { ChartSpec } from "../src/chart/spec";
 import { Results } from "../src/pages/contact/Parts";
 import { ofBefore } from "../src/ui/ErrorNote";
 import { PointValues } from "../src/ui/PointValues";
+import { type Facts, StandingContext, standingOf, useStanding } from "../src/ui/standing";
 import { Value } from "../src/ui/Value";
 import type { Point } from "../src/wire/api";
 import { RequestError, asRequestError } from "../src/wire/request";
@@ -113,5 +114,54 @@ describe("results of values before", () => {
     expect(note(refused)).toBe(ofBefore(refused));
     expect(note(asRequestError(new TypeError("fetch failed")))).toContain("does not answer");
     expect(note(null)).toBe("These are results of parameters before.");
+  });
+});
+
+describe("how results stand", () => {
+  const refused = new RequestError("`indenter.radius` must be a length, but this is a force", 422, null, "write a length");
+  const facts: Facts = { has: true, isCurrent: false, busy: false };
+
+  it("is said of old ones alone, the reason first", () => {
+    expect(standingOf({ ...facts, isCurrent: true, busy: true, error: refused })).toBeNull();
+    expect(standingOf({ ...facts, has: false })).toBeNull();
+    expect(standingOf(facts)).toMatchObject({ kind: "before" });
+    expect(standingOf({ ...facts, busy: true, what: "the contact law", progress: { done: 3, of: 9 }, error: refused })).toEqual({
+      kind: "computing", words: "Computing the contact law… 3 of 9. What is shown is of the values before.",
+    });
+    expect(standingOf({ ...facts, error: refused })?.words).toBe("indenter.radius must be a length, but this is a force. Write a length. Of the values before: the present ones are refused.");
+    // where there is nothing before, the message stands in the empty plot
+    expect(standingOf({ ...facts, has: false, error: refused })?.words).toBe("indenter.radius must be a length, but this is a force. Write a length.");
+  });
+
+  it("is drawn over the plot, which is paler", () => {
+    act(() => render(<StandingContext.Provider value={standingOf({ ...facts, error: refused })}><Chart spec={spec} /></StandingContext.Provider>, host));
+    expect(host.querySelector<HTMLElement>(".chart")?.dataset["standing"]).toBe("refused");
+    expect(host.querySelector(".chart-standing")?.textContent).toContain("must be a length");
+    act(() => render(<Chart spec={spec} />, host));
+    expect(host.querySelector(".chart-standing")).toBeNull();
+    expect(host.querySelector<HTMLElement>(".chart")?.dataset["standing"]).toBeUndefined();
+  });
+
+  it("waits a moment with what only takes its time, and starts anew with every newer picture", () => {
+    vi.useFakeTimers();
+    let told: string | undefined;
+    const Probe = ({ given, result }: { readonly given: Facts; readonly result: number }) => {
+      told = useStanding(given, result)?.kind;
+      return null;
+    };
+    const show = (given: Facts, result: number) => act(() => render(<Probe given={given} result={result} />, host));
+    const wait = (time: number) => act(() => void vi.advanceTimersByTime(time));
+    show({ ...facts, busy: true }, 1);
+    wait(300);
+    show({ ...facts, busy: true }, 2);
+    wait(300);
+    expect(told).toBeUndefined();
+    wait(200);
+    expect(told).toBe("computing");
+    show({ ...facts, isCurrent: true }, 3);
+    expect(told).toBeUndefined();
+    show({ ...facts, error: refused }, 3);
+    expect(told).toBe("refused");
+    vi.useRealTimers();
   });
 });

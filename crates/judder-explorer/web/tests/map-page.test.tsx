@@ -6,7 +6,9 @@ import { MapPage } from "../src/pages/map/MapPage";
 import { PAGE_FIELDS } from "../src/state/fields";
 import { ViewStore } from "../src/state/store";
 import { type App, AppContext } from "../src/ui/app";
+import { withOption } from "../src/state/view";
 import type { Key, Session } from "../src/wire/api";
+import { encode } from "./encode";
 
 const key = (path: string): Key => ({
   path, section: "", symbol: path, group: path, unit: "1", doc: "", range: "positive", slider: { from: 0.01, to: 1, scale: "log" }, label: "", label_si: "",
@@ -36,5 +38,68 @@ describe("the place on the map", () => {
     expect(await panel("/map?pin=-1,0.1")).toContain(outside);
     expect(await panel("/map?pin=0.1,0.1")).toContain("Pinned point");
     expect(await panel("/map?pin=0.1,0.1")).not.toContain(outside);
+  });
+});
+
+/** A server that answers maps when it is told to; everything else it takes its time for. */
+function maps(): ((...frames: readonly Uint8Array[]) => void)[] {
+  const asked: ((...frames: readonly Uint8Array[]) => void)[] = [];
+  vi.stubGlobal("fetch", (path: string) => {
+    if (path !== "/api/map") return new Promise(() => {});
+    let stream: ReadableStreamDefaultController<Uint8Array>;
+    const body = new ReadableStream<Uint8Array>({ start: (controller) => void (stream = controller) });
+    asked.push((...frames) => frames.forEach((frame) => stream.enqueue(frame)));
+    return Promise.resolve({ ok: true, body });
+  });
+  return asked;
+}
+
+const exact = () => {
+  const payload = new Uint8Array(40);
+  payload.set(new Uint8Array(Float64Array.of(0.01, 1, 0.01, 1).buffer));
+  const side = (name: string, offset: number) => ({ name, dimensions: [name], shape: [2], offset, type: "f64" });
+  return encode({ kind: "map", stage: "exact", unresolved: 0, arrays: [side("x", 0), side("y", 16), { name: "classes", dimensions: ["y", "x"], shape: [2, 2], offset: 32, type: "u8" }] }, payload);
+};
+const rest = (time: number) => act(() => new Promise<void>((resolve) => setTimeout(resolve, time)));
+
+describe("a map of other values", () => {
+  const shown = async (work: (store: ViewStore, host: HTMLElement, asked: ReturnType<typeof maps>) => Promise<void>) => {
+    history.replaceState(null, "", "/map");
+    const asked = maps();
+    const store = new ViewStore(window, PAGE_FIELDS, "map");
+    const app: App = { session, store, keys, values: null, base: null, error: null };
+    const host = document.createElement("div");
+    await act(() => render(<AppContext.Provider value={app}><MapPage /></AppContext.Provider>, host));
+    await work(store, host, asked);
+    await act(() => render(null, host));
+  };
+  const standing = (host: HTMLElement) => host.querySelector<HTMLElement>(".map-chart .chart")?.dataset["standing"];
+  const words = (host: HTMLElement) => host.querySelector(".map-chart .chart-standing")?.textContent ?? "";
+
+  it("says so while the law of the present ones is computed, and why they are refused", async () => {
+    await shown(async (store, host, asked) => {
+      asked[0]?.(exact(), encode({ kind: "end" }));
+      await rest(50);
+      expect(standing(host)).toBeUndefined();
+      await act(() => store.update((view) => withOption(view, "contact.shear_strength", "0.5")));
+      await rest(650);
+      expect(standing(host)).toBe("computing");
+      asked.at(-1)?.(encode({ kind: "progress", done: 3, of: 9 }));
+      await rest(50);
+      expect(words(host)).toBe("Computing the contact law… 3 of 9. What is shown is of the values before.");
+      asked.at(-1)?.(encode({ kind: "error", error: { message: "the law is not known there", place: null, help: null } }));
+      await rest(50);
+      expect([standing(host), words(host)]).toEqual(["refused", "The law is not known there. Of the values before: the present ones are refused."]);
+    });
+  });
+
+  it("is no blank area: where there is none, the message stands in the plot", async () => {
+    await shown(async (_, host, asked) => {
+      asked[0]?.(encode({ kind: "error", error: { message: "`x.from` must be a speed", place: null, help: null } }));
+      await rest(50);
+      expect(words(host)).toBe("x.from must be a speed.");
+      expect(host.querySelector('[aria-label="From, x axis"]')?.getAttribute("aria-invalid")).toBe("true");
+      expect(host.querySelector('[aria-label="To, x axis"]')?.getAttribute("aria-invalid")).toBe("false");
+    });
   });
 });

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { meant } from "../src/ui/meant";
+import { blamedKey, blames, meant } from "../src/ui/meant";
 import { RequestError } from "../src/wire/request";
 
 const TEXT = 'model = "oscillator"\nvelocity = "3 K"\n';
@@ -21,5 +21,22 @@ describe("the place of an error", () => {
 
   it("is not said of an option, which stands in its own field", () => {
     expect(meant(error("`indenter.radius` must be a length", "--set", 1, 17, "3 N"), TEXT)).toBeNull();
+  });
+});
+
+describe("the control that was refused", () => {
+  const keys = ["substrate.rubbery_modulus", "substrate.glassy_modulus", "indenter.radius"];
+
+  it("is the one whose key is named, or at whose text the error points", () => {
+    expect(blamedKey(error("`indenter.radius` must be a length", "--set", 1, 17, "3 N"), keys, { "indenter.radius": "3 N" })).toBe("indenter.radius");
+    const below = error("the glassy modulus 1e3 Pa is not above the rubbery modulus 1e6 Pa", "--set", 1, 26, "1 kPa");
+    expect(blamedKey(below, keys, { "indenter.radius": "1 kPa", "substrate.glassy_modulus": "1 kPa" })).toBe("substrate.glassy_modulus");
+    expect(blamedKey(below, keys, {})).toBeUndefined();
+  });
+
+  it("is a field of the page by its name in the analysis, and none where the server is only gone", () => {
+    const from = error("`x.from` must be a speed", "case.toml", 40, 46, '"3 N"');
+    expect([blames(from, "x.from"), blames(from, "y.from"), blames(null, "x.from")]).toEqual([true, false, false]);
+    expect(blames(new RequestError("`x.from` is late", 503, null, null), "x.from")).toBe(false);
   });
 });

@@ -1,7 +1,8 @@
 /** The one chart of all pages: SVG axes and curves over rasters, with zoom, cursor, keys and exports. */
 
-import { useEffect, useId, useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
+import { useContext, useEffect, useId, useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
 import { Label } from "../ui/Label";
+import { StandingContext } from "../ui/standing";
 import { useTheme } from "../ui/theme";
 import { draw } from "./draw";
 import { type DataOf, chartFigure } from "./export";
@@ -45,6 +46,7 @@ const UNMEASURED: Size = { width: 640, height: 420 };
 export function Chart(props: ChartProps) {
   const { spec } = props;
   const theme = useTheme();
+  const standing = useContext(StandingContext);
   const prefix = `c${useId().replace(/[^\w]/g, "")}`;
   const [host, size] = useSize(props.height);
   const { window, cursor, setWindow, setCursor } = useKept(props);
@@ -65,7 +67,7 @@ export function Chart(props: ChartProps) {
   const texts = cursor && isShown(spec, frame.window, cursor) ? readings(spec, cursor) : [];
   const hint = `${prefix}-keys`;
   return (
-    <div class="chart">
+    <div class="chart" data-standing={standing?.kind}>
       <div class="chart-picture" ref={host} style={props.height ? { height: `${props.height}px` } : {}}>
         <svg class="chart-under" width={size.width} height={size.height} aria-hidden="true">
           <SceneView shapes={scene.definitions} />
@@ -90,6 +92,12 @@ export function Chart(props: ChartProps) {
           {box && <rect class="chart-box" {...box} />}
         </svg>
       </div>
+      {standing && (
+        // the page says it to readers of screens once, not every chart
+        <p class="chart-standing" aria-hidden="true" style={{ left: `${frame.left + 8}px`, top: `${frame.top + 8}px`, maxWidth: `${Math.max(frame.width - 16, 120)}px` }}>
+          {standing.words}
+        </p>
+      )}
       <div class={props.quiet ? "chart-foot" : "chart-foot chart-foot-readings"}>
         {!props.quiet && <Readings texts={texts} />}
         <Buttons title={spec.title} zoom={(factor) => setWindow(factor === null ? null : zoomBy(spec, frame.window, factor), "push")} />

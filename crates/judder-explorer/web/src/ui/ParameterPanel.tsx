@@ -4,9 +4,9 @@ import { useEffect, useState } from "preact/hooks";
 import { useView } from "../state/store";
 import { withOption } from "../state/view";
 import type { Key } from "../wire/api";
-import type { RequestError } from "../wire/request";
 import { useApp } from "./app";
 import { ErrorNote } from "./ErrorNote";
+import { blamedKey } from "./meant";
 import { ParameterRow } from "./ParameterRow";
 
 /** Windows with room for the panel beside the content. */
@@ -28,7 +28,8 @@ export function ParameterPanel({ hidden = [] }: PanelProps) {
   }, []);
   const keys = session.keys.filter((key) => key.settable !== false && !hidden.includes(key.path));
   const sections = [...new Set(keys.map((key) => key.section))];
-  const blamed = error ? keyOf(error, keys) : undefined;
+  const told = error ? blamedKey(error, [...keys.map((key) => key.path), LAW], view.set) : undefined;
+  const blamed = keys.find((key) => key.path === told);
   const count = Object.keys(view.set).length;
   return (
     <aside class={`panel${open ? "" : " panel-closed"}`} aria-label="Parameters">
@@ -38,6 +39,7 @@ export function ParameterPanel({ hidden = [] }: PanelProps) {
             Parameters
           </button>
         </h2>
+        {error && <span class="panel-refused">{blamed ? `${nameOf(blamed)} is refused` : "refused"}</span>}
         {open && (
           <button type="button" disabled={count === 0} onClick={() => store.update((view) => ({ ...view, set: {} }))}>
             Reset all
@@ -48,8 +50,11 @@ export function ParameterPanel({ hidden = [] }: PanelProps) {
         {error && !blamed && <ErrorNote error={error} />}
         {sections.map((section) => (
           <details key={section} open class="panel-section">
-            <summary>{section}</summary>
-            {section === "contact" && session.laws.length > 1 && <LawChoice laws={session.laws} />}
+            <summary>
+              {section}
+              {blamed?.section === section && <span class="panel-refused"> refused</span>}
+            </summary>
+            {section === "contact" && session.laws.length > 1 && <LawChoice laws={session.laws} invalid={told === LAW} />}
             {keys
               .filter((key) => key.section === section)
               .map((key) => (
@@ -69,16 +74,14 @@ export function ParameterPanel({ hidden = [] }: PanelProps) {
   );
 }
 
-/** The key that an error speaks of. */
-function keyOf(error: RequestError, keys: readonly Key[]): Key | undefined {
-  const said = [error.message, error.place?.text ?? "", error.place?.source ?? ""].join(" ");
-  return keys.find((key) => said.includes(key.path));
+function nameOf(key: Key): string {
+  return (key.path.split(".").at(-1) ?? key.path).replaceAll("_", " ");
 }
 
 const LAW = "contact.law";
 
 /** The law of the case, as its key is set. */
-export function LawChoice({ laws }: { readonly laws: readonly string[] }) {
+export function LawChoice({ laws, invalid = false }: { readonly laws: readonly string[]; readonly invalid?: boolean }) {
   const { session, store } = useApp();
   const view = useView(store);
   const choose = (event: Event) => {
@@ -88,7 +91,7 @@ export function LawChoice({ laws }: { readonly laws: readonly string[] }) {
   return (
     <label class="panel-choice">
       contact law
-      <select value={view.set[LAW] ?? ""} onChange={choose}>
+      <select value={view.set[LAW] ?? ""} aria-invalid={invalid} onChange={choose}>
         <option value="">{session.law ? `the case's: ${session.law}` : "the case's"}</option>
         {laws.map((law) => (
           <option key={law} value={law}>

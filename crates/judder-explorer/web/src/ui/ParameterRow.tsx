@@ -36,7 +36,7 @@ function Row({ parameter, value, base, error, set }: RowProps) {
   const text = set ?? (value ? shortText(parameter, value) : "");
   const change = (next: string | undefined, keep: Keep) => store.update((view) => withOption(view, path, next), keep);
   return (
-    <div class={`parameter${differs ? " parameter-differs" : ""}`} role="group" aria-labelledby={id} data-parameter={path}>
+    <div class={`parameter${error ? " parameter-refused" : differs ? " parameter-differs" : ""}`} role="group" aria-labelledby={id} data-parameter={path}>
       <div class="parameter-head">
         <span class="parameter-name" id={id} title={parameter.doc}>
           {name} <Label text={symbolMarkup(parameter.symbol)} />

@@ -1,6 +1,6 @@
 /** What an error speaks of, in words of the page. */
 
-import type { RequestError } from "../wire/request";
+import { type RequestError, isPassing } from "../wire/request";
 
 /** The source of an option: it stands in its own field, and its line tells nothing. */
 const OPTION = "--set";
@@ -18,6 +18,23 @@ const FIELDS: Readonly<Record<string, string>> = {
 /** Where an error lies: a line of the user's own case file, or the field or key that is meant. */
 export type Meant = { readonly line: number; readonly source: string; readonly text: string } | { readonly field: string; readonly text: string };
 
+/** The key that a message names first. */
+function keyIn(message: string): string | undefined {
+  return /`([^`]+)`/.exec(message)?.[1];
+}
+
+/** Whether an error speaks of the field of this name. */
+export function blames(error: RequestError | null, field: string): boolean {
+  return error !== null && !isPassing(error) && keyIn(error.message) === field;
+}
+
+/** The key of the case that an error speaks of: named in it, or set by the option at whose text it points. */
+export function blamedKey({ message, place }: RequestError, keys: readonly string[], set: Readonly<Record<string, string>>): string | undefined {
+  const said = [message, place?.text ?? "", place?.source ?? ""].join(" ");
+  const isAt = (key: string) => place?.source === OPTION && place.text === set[key] && place.column === key.length + 2;
+  return keys.find((key) => said.includes(key)) ?? keys.find(isAt);
+}
+
 /**
  * The server reads a case that the page has composed, whose lines nobody has seen. A line is named only where the user's text has the
  * same at that place; elsewhere the key that the message names first.
@@ -27,6 +44,6 @@ export function meant({ message, place }: RequestError, caseText: string | null)
   const own = caseText?.split("\n")[place.line - 1];
   const isOwn = place.text !== "" && own?.slice(place.column - 1).startsWith(place.text);
   if (caseText === null || isOwn) return place;
-  const key = /`([^`]+)`/.exec(message)?.[1];
+  const key = keyIn(message);
   return key === undefined ? null : { field: FIELDS[key] ?? key, text: place.text };
 }

@@ -8,6 +8,7 @@ import { LAW_NAMES } from "../../state/fields";
 import { useApp } from "../../ui/app";
 import { ErrorNote } from "../../ui/ErrorNote";
 import { Label } from "../../ui/Label";
+import { blames } from "../../ui/meant";
 import { LawChoice } from "../../ui/ParameterPanel";
 import { Value } from "../../ui/Value";
 import type { Frame } from "../../wire/frames";
@@ -29,8 +30,8 @@ export function LawPart({ contact }: { readonly contact: Contact }) {
   const contrast = contrastOf(contact, computation.frame);
   const map = useMemo(() => mapSpec(law, state, operating), [law, state, operating]);
   const point = useOperating(contact);
-  const parts = { law, state, cursor, beside, contrast, operating: point };
-  const dependencies = [law, state, cursor.velocity, cursor.indentation, beside, contrast, point];
+  const parts = { law, state, cursor, beside: beside.law, contrast, operating: point };
+  const dependencies = [law, state, cursor.velocity, cursor.indentation, beside.law, contrast, point];
   const overSpeed = useMemo(() => speedCutSpec(parts), dependencies);
   const overDepth = useMemo(() => depthCutSpec(parts), dependencies);
   const onCursor = ({ x, y }: Cursor, keep: "push" | "quiet") =>
@@ -41,7 +42,7 @@ export function LawPart({ contact }: { readonly contact: Contact }) {
     <>
       <div class="contact-tools">
         <QuantityChoice value={state.quantity} />
-        {derived && <LawChoice laws={session.laws} />}
+        {derived && <LawChoice laws={session.laws} invalid={blames(refused, "contact.law")} />}
         {derived && (
           <Choice name="compare with" field="compare" value={state.compare ?? ""} options={[["", "nothing"], ...LAW_NAMES.map((law) => [law, law] as const)]} />
         )}
@@ -50,7 +51,7 @@ export function LawPart({ contact }: { readonly contact: Contact }) {
       <Run computation={computation} what="the law" live={derived} />
       <ErrorNote error={shownError(computation, refused)} />
       {law && (
-        <Results computation={computation}>
+        <Results computation={computation} isWhole={beside.isCurrent && isPointCurrent(contact)}>
           <Warnings warnings={warnings} />
           <div class="contact-law">
             <div class="contact-law-map">
@@ -101,8 +102,14 @@ function useLaw(contact: Contact) {
 function useBeside({ set, state, derived }: Contact) {
   const { compare } = state;
   const asked = derived && compare ? { set: [...set.filter((option) => !option.startsWith("contact.law=")), `contact.law=${compare}`], ...lawSpans(state) } : null;
-  const { frame } = useComputation("/api/law", asked, "contact-law-beside");
-  return useMemo(() => (asked && frame && compare ? { law: lawOf(frame), name: String(frame.header["law"] ?? compare) } : null), [frame, asked === null]);
+  const { frame, current } = useComputation("/api/law", asked, "contact-law-beside");
+  const law = useMemo(() => (asked && frame && compare ? { law: lawOf(frame), name: String(frame.header["law"] ?? compare) } : null), [frame, asked === null]);
+  return { law, isCurrent: law === null || current };
+}
+
+/** Whether the operating point that is marked is that of the present values. */
+function isPointCurrent({ live, set }: Contact): boolean {
+  return live.point === null || live.error !== null || live.set === JSON.stringify(set);
 }
 
 function useOperating({ live, operating }: Contact): Operating | null {

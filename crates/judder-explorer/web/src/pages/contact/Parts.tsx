@@ -6,6 +6,7 @@ import type { QUANTITIES } from "../../state/fields";
 import { useApp } from "../../ui/app";
 import { ofBefore, unlessSaid } from "../../ui/ErrorNote";
 import { Label } from "../../ui/Label";
+import { StandingContext, useStanding } from "../../ui/standing";
 import { type RequestError, isPassing } from "../../wire/request";
 import type { Outcome } from "./outcome";
 import type { Computation } from "./useComputation";
@@ -49,15 +50,19 @@ export function Run({ computation, what, live }: RunProps) {
 
 interface ResultsProps {
   readonly computation: Computation;
+  /** Whether what is shown beside it is of the present parameters, too. */
+  readonly isWhole?: boolean;
   readonly children: ComponentChildren;
 }
 
-/** What was computed; paler where it belongs to parameters before. */
-export function Results({ computation: { current, busy, error }, children }: ResultsProps) {
+/** What was computed; paler where it belongs to parameters before, which is said over every chart. */
+export function Results({ computation: { frame, current, busy, progress, error }, isWhole = true, children }: ResultsProps) {
+  const isCurrent = current && isWhole;
+  const standing = useStanding({ has: true, isCurrent, busy: busy || (current && !isWhole), progress, error }, frame);
   return (
-    <div class={current ? "" : "contact-stale"} aria-busy={busy} data-current={current}>
+    <div class={standing ? "stale" : ""} aria-busy={busy} data-current={current}>
       {!current && !busy && <p class="contact-note">{error ? ofBefore(error) : "These are results of parameters before."}</p>}
-      {children}
+      <StandingContext.Provider value={standing}>{children}</StandingContext.Provider>
     </div>
   );
 }

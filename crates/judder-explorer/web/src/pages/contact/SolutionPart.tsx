@@ -7,9 +7,11 @@ import { CONTACT_ACCURACIES } from "../../state/fields";
 import { withFields } from "../../state/view";
 import { useApp } from "../../ui/app";
 import { ErrorNote } from "../../ui/ErrorNote";
+import { blames } from "../../ui/meant";
 import { TextField } from "../../ui/TextField";
 import { Value } from "../../ui/Value";
 import type { Analysis } from "../../wire/api";
+import type { RequestError } from "../../wire/request";
 import { type Outcome, outcomeOf, scalarAt } from "./outcome";
 import { Checks, Choice, Results, Run, Warnings, shownError } from "./Parts";
 import { fieldSpec, pressureCutSpec, solutionOf, surfaceCutSpec } from "./solution";
@@ -43,7 +45,7 @@ export function SolutionPart({ contact }: { readonly contact: Contact }) {
   const isLine = solution !== null && solution.pressure.y.length < 2;
   return (
     <>
-      <SolutionTools contact={contact} analysis={analysis} isLine={isLine} />
+      <SolutionTools contact={contact} analysis={analysis} isLine={isLine} error={computation.error} />
       <Run computation={computation} what="the contact" live={analysis !== null} />
       {contact.derived && !analysis && <ErrorNote error={contact.live.error} />}
       <ErrorNote error={shownError(computation, refused)} />
@@ -75,9 +77,10 @@ interface ToolsProps {
   readonly contact: Contact;
   readonly analysis: Analysis | null;
   readonly isLine: boolean;
+  readonly error: RequestError | null;
 }
 
-function SolutionTools({ contact, analysis, isLine }: ToolsProps) {
+function SolutionTools({ contact, analysis, isLine, error }: ToolsProps) {
   const { store } = useApp();
   const { state, derived } = contact;
   const key: Loading["key"] = state.loading?.key ?? "indentation";
@@ -96,14 +99,14 @@ function SolutionTools({ contact, analysis, isLine }: ToolsProps) {
     <div class="contact-tools">
       <label class="contact-choice">
         speed v τ/R
-        <TextField id="contact-velocity" class="parameter-text" spoken="speed, a number or a text with a unit" value={shown("velocity")} onChange={(text) => store.update((view) => withFields(view, { velocity: text === "" ? undefined : text }))} />
+        <TextField id="contact-velocity" class="parameter-text" spoken="speed, a number or a text with a unit" value={shown("velocity")} invalid={blames(error, "velocity")} onChange={(text) => store.update((view) => withFields(view, { velocity: text === "" ? undefined : text }))} />
       </label>
       <span class="contact-choice">
         <select aria-label="What presses the indenter down" value={key} onChange={changeKey}>
           <option value="indentation">depth δ/R</option>
           <option value="load">load {isLine ? "F/(E0* R)" : "F/(E0* R²)"}</option>
         </select>
-        <TextField id="contact-loading" class="parameter-text" spoken={`${key === "load" ? "load" : "depth"}, a number or a text with a unit`} value={shown(key)} onChange={(text) => press(text === "" ? null : { key, value: text })} />
+        <TextField id="contact-loading" class="parameter-text" spoken={`${key === "load" ? "load" : "depth"}, a number or a text with a unit`} value={shown(key)} invalid={blames(error, key)} onChange={(text) => press(text === "" ? null : { key, value: text })} />
       </span>
       <Choice name="accuracy" field="accuracy" value={state.accuracy} options={CONTACT_ACCURACIES.map((accuracy) => [accuracy, accuracy])} />
       <button type="button" disabled={isHome(contact)} onClick={() => store.update((view) => withFields(withLoading(view, null), { velocity: undefined }))}>

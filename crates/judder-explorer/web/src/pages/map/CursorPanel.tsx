@@ -5,9 +5,11 @@ import type { View } from "../../state/view";
 import type { Key } from "../../wire/api";
 import { useApp } from "../../ui/app";
 import { symbolMarkup } from "../../ui/numbers";
-import { ErrorNote, ofBefore, unlessSaid } from "../../ui/ErrorNote";
+import { ErrorNote, unlessSaid } from "../../ui/ErrorNote";
 import { Link } from "../../ui/Link";
 import { PointValues } from "../../ui/PointValues";
+import { StandingNote } from "../../ui/StandingNote";
+import { useStanding } from "../../ui/standing";
 import type { LivePoint } from "../../ui/usePoint";
 import { Value } from "../../ui/Value";
 import { keyName } from "./spec";
@@ -31,6 +33,9 @@ export function CursorPanel({ state, place, x, y, live, set, isOutside }: Cursor
   const unit = (axis: MapState["x"], key: Key) => (isDimensional(axis) ? key.unit : "");
   const nameOf = (axis: MapState["x"], key: Key) => symbolMarkup(isDimensional(axis) ? key.symbol : (key.group ?? key.symbol));
   const waiting = live.set !== JSON.stringify(set && Object.entries(set).map(([key, text]) => `${key}=${text}`));
+  const failure = waiting ? (live.error ?? refused) : null;
+  const isAsked = place !== null && set !== null;
+  const standing = useStanding({ has: live.point !== null, isCurrent: !waiting, busy: isAsked && !failure, what: "this point", error: isAsked ? failure : null }, live.point);
   if (!place || !set) {
     return (
       <section class="cursor-panel" aria-label="Point">
@@ -39,7 +44,6 @@ export function CursorPanel({ state, place, x, y, live, set, isOutside }: Cursor
       </section>
     );
   }
-  const failure = waiting ? (live.error ?? refused) : null;
   return (
     <section class="cursor-panel" aria-label="Point" aria-busy={waiting && !failure}>
       <h2>{state.pin ? "Pinned point" : "Point under the cursor"}</h2>
@@ -61,9 +65,9 @@ export function CursorPanel({ state, place, x, y, live, set, isOutside }: Cursor
       </dl>
       {isOutside && <p>The map that is shown does not reach to this point.</p>}
       <ErrorNote error={unlessSaid(live.error, refused)} />
+      <StandingNote standing={standing} spoken />
       {live.point && (
         <div class={waiting ? "stale" : ""} data-set={live.set}>
-          {failure && <p role="status">{ofBefore(failure)}</p>}
           <PointValues point={live.point} />
         </div>
       )}

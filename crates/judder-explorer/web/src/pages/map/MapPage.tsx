@@ -11,8 +11,10 @@ import { ErrorNote, ofBefore, unlessSaid } from "../../ui/ErrorNote";
 import { useCaseFile } from "../../ui/files";
 import { Page } from "../../ui/Page";
 import { leading } from "../../ui/PointValues";
+import { type Facts, type Standing, StandingContext, useStanding } from "../../ui/standing";
 import { usePoint } from "../../ui/usePoint";
 import { type Key, type KeyAxis, fetchCaseFile } from "../../wire/api";
+import type { RequestError } from "../../wire/request";
 import { AxisPicker } from "./AxisPicker";
 import { CursorPanel } from "./CursorPanel";
 import { MapSwitches } from "./MapSwitches";
@@ -47,7 +49,7 @@ export function MapPage() {
   const at = shown ? optionsAt(view, state, keys, shown) : null;
   const point = usePoint(at ? options({ ...view, set: at }) : null);
   const move = moves({ store, session, state, x, y, window });
-  const failure = picture && (live.error ?? refused);
+  const standing = useStanding(factsOf(picture, live, set, refused), picture);
 
   useMapCaseFile();
   const all = session.keys;
@@ -56,26 +58,28 @@ export function MapPage() {
       <div class="map-layout">
         <div class="map-main">
           <div class="map-tools">
-            <AxisPicker name="x" axis={state.x} keys={all} taken={y.path} onKey={move.onKey("x")} onAxis={move.onAxis("x")} />
-            <AxisPicker name="y" axis={state.y} keys={all} taken={x.path} onKey={move.onKey("y")} onAxis={move.onAxis("y")} />
+            <AxisPicker name="x" error={live.error} axis={state.x} keys={all} taken={y.path} onKey={move.onKey("x")} onAxis={move.onAxis("x")} />
+            <AxisPicker name="y" error={live.error} axis={state.y} keys={all} taken={x.path} onKey={move.onKey("y")} onAxis={move.onAxis("y")} />
             <MapSwitches state={state} hasCritical={analysis !== null} onShow={move.onShow} onMarks={move.onMarks} />
           </div>
           <ErrorNote error={unlessSaid(live.error ?? criticalError, refused)} />
-          <div class="map-chart" data-stage={picture?.stage ?? "none"} data-set={picture?.options} data-busy={live.busy} data-refused={failure !== null}>
-            <Chart
-              spec={spec}
-              window={window}
-              onWindow={move.onWindow}
-              cursor={state.cursor}
-              onCursor={move.onCursor}
-              onPick={move.onPick}
-              pin={state.pin}
-              quiet
-              spoken={point.point ? spokenPoint(point.point.point) : ""}
-            />
+          <div class="map-chart" data-stage={picture?.stage ?? "none"} data-set={picture?.options} data-busy={live.busy} data-refused={standing?.kind === "refused"}>
+            <StandingContext.Provider value={standing}>
+              <Chart
+                spec={spec}
+                window={window}
+                onWindow={move.onWindow}
+                cursor={state.cursor}
+                onCursor={move.onCursor}
+                onPick={move.onPick}
+                pin={state.pin}
+                quiet
+                spoken={point.point ? spokenPoint(point.point.point) : ""}
+              />
+            </StandingContext.Provider>
           </div>
           <p class="map-status" role="status">
-            {failure ? ofBefore(failure) : status(picture, live)}
+            {status(picture, live, standing)}
           </p>
         </div>
         <CursorPanel state={state} place={shown} x={x} y={y} live={point} set={at} isOutside={isOutside} />
@@ -84,8 +88,17 @@ export function MapPage() {
   );
 }
 
-function status(picture: MapPicture | null, { busy, progress }: LiveMap): string {
-  if (busy && progress) return `Computing the contact law: ${progress.done} of ${progress.of}.`;
+/** The picture belongs to the present values, or says that it does not. */
+function factsOf(picture: MapPicture | null, { busy, progress, error }: LiveMap, set: readonly string[], refused: RequestError | null): Facts {
+  const isCurrent = picture?.options === JSON.stringify(set);
+  // values that are refused are refused for every map, also while the newest answer is on its way
+  const wrong = error ?? refused;
+  return { has: picture !== null, isCurrent: isCurrent && !wrong, busy: busy && !refused, what: progress ? "the contact law" : "the map", progress, error: wrong };
+}
+
+function status(picture: MapPicture | null, { busy, error }: LiveMap, standing: Standing | null): string {
+  if (standing?.kind === "refused" && picture && error) return ofBefore(error);
+  if (standing) return standing.words;
   if (!picture) return busy ? "Computing…" : "";
   const unresolved = picture.unresolved > 0 ? ` ${picture.unresolved} points are unresolved.` : "";
   return (picture.stage === "coarse" ? "Coarse map." : `${picture.x.length} × ${picture.y.length} points.`) + unresolved;

@@ -6,9 +6,11 @@ import { useView } from "../../state/store";
 import { withFields, withOption } from "../../state/view";
 import { writeAxis } from "../../state/fields";
 import { useApp } from "../../ui/app";
+import { StandingContext } from "../../ui/standing";
 import { plainValue, significant } from "../../ui/numbers";
 import { TextField, isCount } from "../../ui/TextField";
 import type { Key } from "../../wire/api";
+import { RequestError } from "../../wire/request";
 import { AxisPicker } from "../map/AxisPicker";
 import { valueOnAxis } from "../map/state";
 import { type Branch, branchSpec, rangeOfBranch } from "./branch";
@@ -17,7 +19,7 @@ import { RunBar } from "./RunBar";
 import { Summary } from "./Summary";
 import { type PointState, branchAnalyses, branchAxis } from "./state";
 import { StillChart } from "./StillChart";
-import type { Run } from "./useRun";
+import { type Run, useRunStanding } from "./useRun";
 
 export function BranchSection({ state, run }: { readonly state: PointState; readonly run: Run<Branch> }) {
   const { session, store, keys, values } = useApp();
@@ -25,6 +27,7 @@ export function BranchSection({ state, run }: { readonly state: PointState; read
   const { branch: axis } = state;
   const key = keys.get(axis.key) as Key;
   const result = run.result?.key === axis.key ? run.result : null;
+  const standing = useRunStanding(run);
   const now = valueOnAxisOf(key, axis, values);
   const spec = useMemo(
     () => (result ? branchSpec(result, { label: keyAxisLabel(key, axis), scale: axis.scale, range: rangeOfBranch(result, axis.scale) }, now) : null),
@@ -40,7 +43,7 @@ export function BranchSection({ state, run }: { readonly state: PointState; read
   return (
     <section class="card card-wide" aria-labelledby="branch-title">
       <h2 id="branch-title">Branch of limit cycles</h2>
-      <AxisPicker name="x" axis={axis} keys={[...keys.values()]} taken="" onKey={onKey} onAxis={(axis) => store.update((view) => withFields(view, { branch: writeAxis(axis) }))} />
+      <AxisPicker name="x" error={fieldError(run.error)} axis={axis} keys={[...keys.values()]} taken="" onKey={onKey} onAxis={(axis) => store.update((view) => withFields(view, { branch: writeAxis(axis) }))} />
       <RunBar kind="branch" name="Follow the branch" run={run} analysis={analyses.at(-1) ?? { name: "branch", kind: "bifurcation" }} keep={{ branch: writeAxis(axis) }}>
         <TextField name="points" value={state.steps} accepts={isCount} onChange={(steps) => store.update((view) => withFields(view, { steps }))} />
         <label title="without the branches, which may take minutes">
@@ -57,12 +60,19 @@ export function BranchSection({ state, run }: { readonly state: PointState; read
       </RunBar>
       {!spec && <p class="note">Simulated upwards and downwards, then followed through its folds, stable and unstable. Branches may take minutes where cycles stick and lift off.</p>}
       {spec && result && (
-        <div class={run.isStale ? "stale-result" : ""}>
-          <StillChart spec={spec} height={360} onPick={pick} />
+        <div class={standing ? "stale" : ""}>
+          <StandingContext.Provider value={standing}>
+            <StillChart spec={spec} height={360} onPick={pick} />
+          </StandingContext.Provider>
           <p class="note">A click or Enter sets the key to the cursor's value.{spec.x.range && now !== null && (now < spec.x.range[0] || now > spec.x.range[1]) && " The present value lies outside."}</p>
           <Summary outcome={result.outcome} prefix="branch" entries={[]} />
         </div>
       )}
     </section>
   );
+}
+
+/** The analysis of a branch calls its axis a sweep. */
+function fieldError(error: RequestError | null): RequestError | null {
+  return error && new RequestError(error.message.replace("`sweep.", "`x."), error.status, error.place, error.help);
 }

@@ -2,6 +2,7 @@
 
 import { Digits } from "../../ui/Digits";
 import { useMemo } from "preact/hooks";
+import { StandingContext } from "../../ui/standing";
 import { brief } from "../../chart/readout";
 import { beyond, floquetSpec, multipliers } from "./cycle";
 import type { Motion } from "./motion";
@@ -9,7 +10,7 @@ import { RunBar } from "./RunBar";
 import { type Entry, Summary } from "./Summary";
 import { type PointState, cycleAnalysis } from "./state";
 import { StillChart } from "./StillChart";
-import type { Run } from "./useRun";
+import { type Run, useRunStanding } from "./useRun";
 
 const ENTRIES: readonly Entry[] = [
   { path: "stable", name: "stable" },
@@ -37,6 +38,7 @@ export function CycleSection({ state, run, frequency }: CycleSectionProps) {
   const list = useMemo(() => (outcome ? multipliers(outcome) : []), [outcome]);
   const spec = useMemo(() => floquetSpec(list), [list]);
   const far = beyond(list);
+  const standing = useRunStanding(run);
   const period = Number((outcome?.header["scalars"] as { period?: number } | undefined)?.period ?? Number.NaN);
   return (
     <section class="card" aria-labelledby="cycle-title">
@@ -44,9 +46,11 @@ export function CycleSection({ state, run, frequency }: CycleSectionProps) {
       <RunBar kind="cycle" name="Find the cycle" run={run} analysis={cycleAnalysis(state)} />
       {!outcome && <p class="note">Followed from the disturbance above until it repeats, then closed by Newton's method. It is drawn in the phase portrait.</p>}
       {outcome && (
-        <div class={`two-columns${run.isStale ? " stale-result" : ""}`}>
+        <div class={`two-columns${standing ? " stale" : ""}`}>
           <div>
-            <StillChart spec={spec} height={300} />
+            <StandingContext.Provider value={standing}>
+              <StillChart spec={spec} height={300} />
+            </StandingContext.Provider>
             {far > 0 && <p class="note">{far} of them lie farther out: zoom out to see them.</p>}
           </div>
           <div>

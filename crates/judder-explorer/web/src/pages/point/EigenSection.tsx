@@ -1,12 +1,13 @@
 /** Eigenvalues in the complex plane, their trail, and their path along a key. */
 
-import { useEffect, useMemo, useState } from "preact/hooks";
+import { useContext, useEffect, useMemo, useState } from "preact/hooks";
 import type { Cursor } from "../../chart/interaction";
 import { useView } from "../../state/store";
 import { options, withFields, withOption } from "../../state/view";
 import { useApp } from "../../ui/app";
 import { ErrorNote, unlessSaid } from "../../ui/ErrorNote";
 import { significant, symbolText } from "../../ui/numbers";
+import { StandingContext, useStanding } from "../../ui/standing";
 import type { Key, Pair } from "../../wire/api";
 import { homeAxis, isDimensional, valueOnAxis } from "../map/state";
 import { keyHeading, keyName } from "../map/spec";
@@ -31,7 +32,7 @@ export function EigenSection({ state, eigenvalues, modes }: EigenSectionProps) {
   const [trail, clear] = useTrail(eigenvalues, state.hasTrail);
   const { along } = state;
   const analysis = useMemo(() => (along ? pathAnalysis(along, session) : null), [along, session]);
-  const { path, error } = usePath(options(view), along?.path ?? "", analysis);
+  const { path, isCurrent, error } = usePath(options(view), along?.path ?? "", analysis);
   const axis = along ? homeAxis(along, session) : null;
   const alongName = along && axis ? keyHeading(axis, along) : "";
   const spec = useMemo(
@@ -43,6 +44,9 @@ export function EigenSection({ state, eigenvalues, modes }: EigenSectionProps) {
     () => (path && along && axis ? growthSpec(path, { label: keyAxisLabel(along, axis), name: alongName, scale: axis.scale }, now) : null),
     [path, along, now, axis?.scale],
   );
+  const ofPath = useStanding({ has: path !== null, isCurrent, busy: !error, what: "the path", error }, path);
+  // the eigenvalues themselves come first
+  const standing = useContext(StandingContext) ?? ofPath;
   const pick = (cursor: Cursor) => {
     if (along && axis) store.update((view) => withOption(view, along.path, valueOnAxis(axis, along, significant(cursor.x))));
   };
@@ -67,12 +71,12 @@ export function EigenSection({ state, eigenvalues, modes }: EigenSectionProps) {
         </button>
       </div>
       <ErrorNote error={unlessSaid(error, refused)} />
-      <StillChart spec={spec} height={350} />
+      <StandingContext.Provider value={standing}>
+        <StillChart spec={spec} height={350} />
+        {growth && <StillChart spec={growth} height={210} onPick={pick} />}
+      </StandingContext.Provider>
       {growth && along && axis && (
-        <>
-          <StillChart spec={growth} height={210} onPick={pick} />
-          <p class="note">A click or Enter sets {keyName(along)} to the cursor's value{isDimensional(axis) ? ` in ${along.unit}` : ""}.</p>
-        </>
+        <p class="note">A click or Enter sets {keyName(along)} to the cursor's value{isDimensional(axis) ? ` in ${along.unit}` : ""}.</p>
       )}
     </section>
   );

@@ -4,7 +4,10 @@ import { useMemo, useRef } from "preact/hooks";
 import { useView } from "../../state/store";
 import { withFields } from "../../state/view";
 import { useApp } from "../../ui/app";
+import { StandingContext } from "../../ui/standing";
+import { blames } from "../../ui/meant";
 import { TextField, isCount, isFilled, isNumber } from "../../ui/TextField";
+import type { RequestError } from "../../wire/request";
 import { LinkedCharts } from "./LinkedCharts";
 import type { Mode } from "./eigen";
 import { type Loop, type Motion, historySpecs, portraitSpec, spectrumSpec } from "./motion";
@@ -12,7 +15,7 @@ import { RunBar } from "./RunBar";
 import { type Entry, Summary } from "./Summary";
 import { type PointState, motionAnalysis } from "./state";
 import { StillChart } from "./StillChart";
-import type { Run } from "./useRun";
+import { type Run, useRunStanding } from "./useRun";
 
 const ENTRIES: readonly Entry[] = [
   { path: "rms", name: "rms of $x$/$x_{0}$" },
@@ -48,6 +51,7 @@ interface MotionSectionProps {
 export function MotionSection({ state, run, cycle, modes, belt, steady }: MotionSectionProps) {
   const motion = run.result;
   // the marks of the values that the motion belongs to: those of newer values wait for a newer motion
+  const standing = useRunStanding(run);
   const marks = useRef({ belt, steady, modes });
   if (!run.isStale) marks.current = { belt, steady, modes };
   const { belt: line, steady: middle, modes: marked } = marks.current;
@@ -59,19 +63,21 @@ export function MotionSection({ state, run, cycle, modes, belt, steady }: Motion
     <section class="card card-wide" aria-labelledby="motion-title">
       <h2 id="motion-title">Motion from here</h2>
       <RunBar kind="motion" name="Run the motion" run={run} analysis={motionAnalysis(state)} share={shareOf(run, state)}>
-        <MotionControls state={state} />
+        <MotionControls state={state} error={run.error} />
       </RunBar>
       {!motion && !cycle && <p class="note">Event by event through stick, slip and lift-off, from steady sliding with x moved by a share of itself. Drawn while it is computed.</p>}
       {(motion || cycle) && (
-        <div class={`motion-charts${run.isStale && !state.live ? " stale-result" : ""}`}>
-          <div>{motion && <LinkedCharts specs={histories} height={200} of={`${state.duration}`} />}</div>
-          <div>
-            <StillChart spec={portrait} height={310} />
-            {spectrum && <StillChart spec={spectrum} height={250} />}
+        <StandingContext.Provider value={motion ? standing : null}>
+          <div class="motion-charts">
+            <div>{motion && <LinkedCharts specs={histories} height={200} of={`${state.duration}`} />}</div>
+            <div>
+              <StillChart spec={portrait} height={310} />
+              {spectrum && <StillChart spec={spectrum} height={250} />}
+            </div>
           </div>
-        </div>
+        </StandingContext.Provider>
       )}
-      {motion?.outcome && <Summary outcome={motion.outcome} prefix="motion" entries={ENTRIES} />}
+      <div class={standing ? "stale" : ""}>{motion?.outcome && <Summary outcome={motion.outcome} prefix="motion" entries={ENTRIES} />}</div>
     </section>
   );
 }
@@ -82,15 +88,15 @@ function shareOf(run: Run<Motion>, state: PointState): number | null {
   return run.busy && now !== undefined && typeof state.duration === "number" && state.duration > 0 ? now / state.duration : null;
 }
 
-function MotionControls({ state }: { readonly state: PointState }) {
+function MotionControls({ state, error }: { readonly state: PointState; readonly error: RequestError | null }) {
   const { store } = useApp();
   useView(store);
   const keep = (field: string) => (text: string) => store.update((view) => withFields(view, { [field]: text }));
   return (
     <>
-      <TextField name="duration" title="ω_nx t as a number, or a time such as 5 s" value={state.duration} accepts={isFilled} onChange={keep("duration")} />
-      <TextField name="disturbance" title="the share of its magnitude by which x is moved off steady sliding" value={state.start} accepts={isNumber} onChange={keep("start")} />
-      <TextField name="points" title="points of the uniform grid of time that is kept" value={state.points} accepts={isCount} onChange={keep("points")} />
+      <TextField name="duration" title="ω_nx t as a number, or a time such as 5 s" value={state.duration} invalid={blames(error, "duration")} accepts={isFilled} onChange={keep("duration")} />
+      <TextField name="disturbance" title="the share of its magnitude by which x is moved off steady sliding" value={state.start} invalid={blames(error, "start")} accepts={isNumber} onChange={keep("start")} />
+      <TextField name="points" title="points of the uniform grid of time that is kept" value={state.points} invalid={blames(error, "points")} accepts={isCount} onChange={keep("points")} />
       <label title="run again as the parameters move">
         <input
           type="checkbox"

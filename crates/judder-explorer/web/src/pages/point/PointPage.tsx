@@ -4,11 +4,13 @@ import { useCallback, useEffect, useMemo, useRef } from "preact/hooks";
 import { useView } from "../../state/store";
 import { options } from "../../state/view";
 import { useApp } from "../../ui/app";
-import { ErrorNote, ofBefore, unlessSaid } from "../../ui/ErrorNote";
+import { ErrorNote, unlessSaid } from "../../ui/ErrorNote";
 import { useCaseFile } from "../../ui/files";
 import { plainValue } from "../../ui/numbers";
 import { Page } from "../../ui/Page";
 import { PointValues } from "../../ui/PointValues";
+import { StandingNote } from "../../ui/StandingNote";
+import { type Standing, StandingContext, useStanding } from "../../ui/standing";
 import { usePoint } from "../../ui/usePoint";
 import { Value } from "../../ui/Value";
 import { type CaseValues, type Key, type Point, fetchCaseFile } from "../../wire/api";
@@ -47,17 +49,20 @@ export function PointPage() {
   const sources = useSources(motion, cycle, modes, frequency, scale);
   usePointCaseFile(state);
   const isStale = live.set !== JSON.stringify(set);
-  const failure = point && isStale ? (live.error ?? refused) : null;
+  const failure = isStale ? (live.error ?? refused) : null;
+  const standing = useStanding({ has: point !== null, isCurrent: !isStale, busy: !failure, what: "the operating point", error: failure }, point);
   return (
     <Page title="Operating point">
       <ErrorNote error={unlessSaid(live.error, refused)} />
-      {failure && <p role="status">{ofBefore(failure)}</p>}
-      <div class={failure ? "point-cards stale-result" : "point-cards"}>
-        <div class="point-column">
-          <EigenSection state={state} eigenvalues={point?.point.eigenvalues ?? null} modes={modes} />
-          {point && frequency !== null && <ShapesSection state={state} point={point} modes={modes} frequency={frequency} />}
-        </div>
-        {point && <Numbers point={point} stale={isStale} busy={isStale && !failure} />}
+      <StandingNote standing={standing} spoken />
+      <div class="point-cards">
+        <StandingContext.Provider value={standing}>
+          <div class={`point-column${standing ? " stale" : ""}`}>
+            <EigenSection state={state} eigenvalues={point?.point.eigenvalues ?? null} modes={modes} />
+            {point && frequency !== null && <ShapesSection state={state} point={point} modes={modes} frequency={frequency} />}
+          </div>
+          {point && <Numbers point={point} standing={standing} stale={isStale} busy={isStale && !failure} />}
+        </StandingContext.Provider>
         <MotionSection state={state} run={motion} cycle={loop} modes={modes} belt={belt} steady={point?.point.equilibrium["x"] ?? null} />
         <CycleSection state={state} run={cycle} frequency={frequency} />
         <SoundSection state={state} sources={sources} />
@@ -75,12 +80,20 @@ function plainOf(values: CaseValues | null): (key: Key) => number | null {
   };
 }
 
-function Numbers({ point, stale, busy }: { readonly point: Point; readonly stale: boolean; readonly busy: boolean }) {
+interface NumbersProps {
+  readonly point: Point;
+  readonly standing: Standing | null;
+  readonly stale: boolean;
+  readonly busy: boolean;
+}
+
+function Numbers({ point, standing, stale, busy }: NumbersProps) {
   const thresholds = (name: "critical_shear_strength" | "critical_load", title: string) =>
     point.point[name].map((value, index) => <Value key={`${name}${index}`} name={title} dataKey={`${name}.${index}`} value={value} />);
   return (
     <section class={`card numbers${stale ? " stale" : ""}`} aria-label="Numbers of the operating point" aria-busy={busy}>
       <h2>Operating point</h2>
+      <StandingNote standing={standing} />
       <GrowthShares shares={point.point.growth_shares} />
       <h3>Thresholds</h3>
       <dl class="values">

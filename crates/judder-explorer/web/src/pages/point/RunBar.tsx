@@ -67,7 +67,7 @@ export function RunBar({ kind, name, run, analysis, share, keep = {}, children }
           {stateText(run, done)}
         </span>
       </div>
-      <ErrorNote error={unlessSaid(run.error ?? unsaved, error)} />
+      <ErrorNote error={run.result ? unlessSaid(run.error ?? unsaved, error) : (run.error ?? unsaved)} />
     </>
   );
 }

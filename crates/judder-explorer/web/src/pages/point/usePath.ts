@@ -9,12 +9,14 @@ import { type Path, joined } from "./eigen";
 
 export interface LivePath {
   readonly path: Path | null;
+  /** Whether the path is of the present values. */
+  readonly isCurrent: boolean;
   readonly error: RequestError | null;
 }
 
 /** `key` is the swept one: its own value does not matter. */
 export function usePath(set: readonly string[], key: string, analysis: Analysis | null): LivePath {
-  const [live, setLive] = useState<LivePath & { readonly key: string }>({ path: null, error: null, key: "" });
+  const [live, setLive] = useState<Omit<LivePath, "isCurrent"> & { readonly key: string; readonly of: string }>({ path: null, error: null, key: "", of: "" });
   const latest = useRef(new Latest());
   const others = set.filter((option) => !option.startsWith(`${key}=`));
   const text = analysis ? JSON.stringify({ set: others, analysis }) : "";
@@ -27,7 +29,7 @@ export function usePath(set: readonly string[], key: string, analysis: Analysis 
           const array = frame.arrays.get("eigenvalues");
           if (frame.kind !== "outcome" || !array) continue;
           const along = reals(frame, array.dimensions[0] ?? "");
-          setLive({ path: joined(along, reals(frame, "eigenvalues"), array.shape[1] ?? 0), error: null, key });
+          setLive({ path: joined(along, reals(frame, "eigenvalues"), array.shape[1] ?? 0), error: null, key, of: text });
           shown();
         }
       } catch (failure) {
@@ -36,6 +38,7 @@ export function usePath(set: readonly string[], key: string, analysis: Analysis 
     });
   }, [text]);
   useEffect(() => () => latest.current.stop(), []);
-  if (text === "") return { path: null, error: null };
-  return live.key === key ? live : { path: null, error: live.error };
+  if (text === "") return { path: null, isCurrent: true, error: null };
+  const { path, error, of } = live;
+  return { path: live.key === key ? path : null, isCurrent: of === text, error };
 }

@@ -1,6 +1,7 @@
 /** Computations that take their time: started, drawn as they come, followed or given up. */
 
 import { useEffect, useRef, useState } from "preact/hooks";
+import { type Standing, useStanding } from "../../ui/standing";
 import type { Analysis } from "../../wire/api";
 import { type Progress, follow } from "../../wire/follow";
 import type { Frame } from "../../wire/frames";
@@ -13,12 +14,19 @@ export interface Run<T> {
   /** Whether the result belongs to other values than those of the view. */
   readonly isStale: boolean;
   readonly busy: boolean;
+  /** Whether what is computed, or was last asked for, is of the present values. */
+  readonly isForNow: boolean;
   /** Whether the result is whole. */
   readonly complete: boolean;
   readonly progress: Progress | null;
   readonly error: RequestError | null;
   readonly start: () => void;
   readonly cancel: () => void;
+}
+
+/** How the charts of a run stand: with other values beside them, or computed anew for these. */
+export function useRunStanding({ result, isStale, busy, isForNow, progress, error }: Run<unknown>): Standing | null {
+  return useStanding({ has: result !== null, isCurrent: !isStale, busy: busy && isForNow, progress, error: isForNow ? error : null }, result);
 }
 
 /** Takes the frames of a run in their order; the result is what there is to show, null where nothing new is. */
@@ -38,10 +46,10 @@ export interface RunRequest<T> {
   readonly live: boolean;
 }
 
-type Shown<T> = Omit<Run<T>, "isStale" | "start" | "cancel"> & { readonly of: string };
+type Shown<T> = Omit<Run<T>, "isStale" | "isForNow" | "start" | "cancel"> & { readonly of: string; readonly asked: string };
 
 export function useRun<T>(request: RunRequest<T>): Run<T> {
-  const [shown, setShown] = useState<Shown<T>>({ result: null, of: "", busy: false, complete: false, progress: null, error: null });
+  const [shown, setShown] = useState<Shown<T>>({ result: null, of: "", asked: "", busy: false, complete: false, progress: null, error: null });
   const latest = useRef(new Latest());
   const text = JSON.stringify({ set: request.set, analyses: request.analyses });
   const newest = useRef(request);
@@ -59,7 +67,7 @@ export function useRun<T>(request: RunRequest<T>): Run<T> {
         setShown((last) => ({ ...last, ...part }));
         if (part.result) drawn();
       };
-      tell({ busy: true, complete: false, progress: null, error: null });
+      tell({ busy: true, asked: text, complete: false, progress: null, error: null } as Partial<Shown<T>>);
       return follow<Shown<T>>(asked, signal, { take, tell, end: { complete: true } as Partial<Shown<T>> });
     });
   };
@@ -73,5 +81,5 @@ export function useRun<T>(request: RunRequest<T>): Run<T> {
     latest.current.stop();
     setShown((last) => ({ ...last, busy: false }));
   };
-  return { ...shown, isStale: shown.result !== null && shown.of !== text, start, cancel };
+  return { ...shown, isForNow: shown.asked === text, isStale: shown.result !== null && shown.of !== text, start, cancel };
 }

@@ -44,7 +44,7 @@ export function EigenSection({ state, eigenvalues, modes }: EigenSectionProps) {
     () => (path && along && axis ? growthSpec(path, { label: keyAxisLabel(along, axis), name: alongName, scale: axis.scale }, now) : null),
     [path, along, now, axis?.scale],
   );
-  const ofPath = useStanding({ has: path !== null, isCurrent, busy: !error, what: "the path", error }, path);
+  const ofPath = useStanding({ has: path !== null, isCurrent, busy: !isCurrent && !error, what: "the path", error }, path);
   // the eigenvalues themselves come first
   const standing = useContext(StandingContext) ?? ofPath;
   const pick = (cursor: Cursor) => {

@@ -30,6 +30,15 @@ pub(crate) fn inputs(file: &CaseFile) -> Result<OscillatorInputs, Refusal> {
     Ok(told?.inputs)
 }
 
+/// The sections of numeric keys that a case has; none where its model has other keys.
+pub(crate) fn sections(case: &Case) -> &'static [&'static str] {
+    match case {
+        Case::Oscillator(_) => &["substrate", "indenter", "contact", "oscillator", "operation"],
+        Case::Contact(_) => &["substrate", "indenter"],
+        _ => &[],
+    }
+}
+
 /// The oscillator of a case.
 pub(crate) fn oscillator(file: &CaseFile) -> Result<&OscillatorCase, Refusal> {
     match &file.case {

@@ -1,6 +1,6 @@
 //! The value of every key, with and without units.
 
-use super::inputs;
+use super::{inputs, sections};
 use crate::attention::attended;
 use crate::refusal::Refusal;
 use crate::routes::{Asked, SharedSite};
@@ -9,7 +9,7 @@ use axum::Json;
 use axum::extract::State;
 use judder_case::{Form, KEYS, OscillatorInputs, OscillatorKey};
 use judder_oscillator::Groups;
-use judder_oscillator::groups::{Dimensional, Scales};
+use judder_oscillator::groups::Dimensional;
 use judder_study::bridge;
 use serde_json::{Value, json};
 
@@ -21,18 +21,28 @@ pub(crate) async fn answer(
     view.check()?;
     attended(&site, &site.stools, move |subject, _| {
         let file = subject.with(&view.set)?;
-        Ok(Json(document(&inputs(&file)?)))
+        Ok(Json(document(&inputs(&file)?, sections(&file.case))))
     })
     .await
 }
 
-/// The values of all keys, and the scales between their two forms.
-pub(crate) fn document(inputs: &OscillatorInputs) -> Value {
+/// The values of all keys of the case's sections, and the scales between their two forms.
+pub(crate) fn document(inputs: &OscillatorInputs, sections: &[&str]) -> Value {
     let (groups, scales) = (bridge::groups(inputs), bridge::scales(inputs));
     let dimensional = groups.dimensional(&scales);
-    let values: Vec<Value> =
-        KEYS.iter().map(|entry| value(entry.key, inputs, &groups, &dimensional)).collect();
-    json!({ "values": values, "scales": scale_document(&scales, &groups) })
+    let own = KEYS.iter().filter(|entry| sections.contains(&entry.section()));
+    let values: Vec<Value> = own.map(|entry| value(entry.key, inputs, &groups, &dimensional)).collect();
+    let mut told = json!({
+        "reduced_modulus": scales.reduced_modulus,
+        "radius": scales.radius,
+        "time": inputs.number(OscillatorKey::RetardationTime),
+    });
+    if sections.contains(&"oscillator") {
+        told["natural_frequency"] = json!(scales.natural_frequency);
+        told["length"] = json!(scales.radius / groups.radius());
+    }
+    // E0*, R, τ; with an oscillator ω_nx and x0 = F_n/k_x
+    json!({ "values": values, "scales": told })
 }
 
 /// Both forms of a key: of the three that have a group, the one that was not given follows.
@@ -50,15 +60,4 @@ fn value(key: OscillatorKey, inputs: &OscillatorInputs, groups: &Groups, dimensi
         Form::Si => "si",
     };
     json!({ "path": key.entry().path, "form": form, "number": given.number, "group": group, "si": si })
-}
-
-/// E0*, R and ω_nx; x0 = F_n/k_x and τ.
-fn scale_document(scales: &Scales, groups: &Groups) -> Value {
-    json!({
-        "reduced_modulus": scales.reduced_modulus,
-        "radius": scales.radius,
-        "natural_frequency": scales.natural_frequency,
-        "length": scales.radius / groups.radius(),
-        "time": groups.retardation_time / scales.natural_frequency,
-    })
 }

@@ -1,6 +1,6 @@
 //! What the page needs to know of the case before anything is computed.
 
-use super::{case, inputs};
+use super::{case, inputs, oscillator, sections};
 use crate::routes::SharedSite;
 use axum::Json;
 use axum::extract::State;
@@ -14,20 +14,24 @@ use serde_json::{Value, json};
 pub(crate) async fn answer(State(site): SharedSite) -> Json<Value> {
     let base = site.subject.base();
     let resolved = base.map(|base| base.case.resolved()).unwrap_or_default();
-    let values = base.and_then(|base| Some(case::document(&inputs(base).ok()?)));
-    let map = base.and_then(|base| match &base.case {
-        Case::Oscillator(oscillator) => oscillator.analyses.iter().find_map(|analysis| axes(&analysis.kind)),
-        _ => None,
+    let own = base.map_or(&[][..], |base| sections(&base.case));
+    let values = base.and_then(|base| Some(case::document(&inputs(base).ok()?, own)));
+    // what slides steadily without an oscillator, or is none, has no stability to map and no law to choose
+    let oscillator = base.and_then(|base| oscillator(base).ok());
+    let map = oscillator.map(|oscillator| {
+        oscillator.analyses.iter().find_map(|analysis| axes(&analysis.kind)).unwrap_or_else(usual_axes)
     });
+    let laws = LawName::ALL.map(|(name, _)| name);
+    let keys = KEYS.iter().filter(|entry| own.contains(&entry.section()));
     Json(json!({
         "version": env!("CARGO_PKG_VERSION"),
         "title": resolved["title"],
         "case": base.map(|base| json!({ "name": base.name, "file": base.origin, "model": base.case.model(), "text": base.text })),
-        "keys": KEYS.iter().map(|entry| key(entry, base.is_some_and(|base| takes(base, entry)))).collect::<Vec<_>>(),
+        "keys": keys.map(|entry| key(entry, base.is_some_and(|base| takes(base, entry)))).collect::<Vec<_>>(),
         "values": values,
-        "laws": LawName::ALL.map(|(name, _)| name),
-        "law": base.and_then(law),
-        "map": map.unwrap_or_else(usual_axes),
+        "laws": if oscillator.is_some() { &laws[..] } else { &[] },
+        "law": oscillator.map(|oscillator| oscillator.law.name()),
+        "map": map,
         "analyses": analyses(&resolved),
         "study": site.subject.study.as_ref().map(|study| json!({ "name": study.view.name() })),
     }))
@@ -39,19 +43,15 @@ fn analyses(resolved: &Value) -> Vec<Value> {
     listed.map(|analysis| json!({ "name": analysis["name"], "kind": analysis["kind"] })).collect()
 }
 
-/// Whether the case takes a value of this key: of two keys that say the same only the one that it has, and none that its data decide.
+/// Whether the case takes a value of this key, which it has: of two keys that say the same only the one that it has, and none that its data decide.
 fn takes(base: &CaseFile, entry: &Key) -> bool {
-    let (inputs, sections): (_, &[_]) = match &base.case {
-        Case::Oscillator(case) => {
-            (&case.inputs, &["substrate", "indenter", "contact", "oscillator", "operation"])
-        }
-        Case::Contact(case) => (&case.inputs, &["substrate", "indenter"]),
+    let inputs = match &base.case {
+        Case::Oscillator(case) => &case.inputs,
+        Case::Contact(case) => &case.inputs,
         _ => return false,
     };
     let says_relaxation = inputs.time_form() == TimeForm::Relaxation;
-    if !sections.contains(&entry.section())
-        || (entry.key == OscillatorKey::RelaxationTime && !says_relaxation)
-    {
+    if entry.key == OscillatorKey::RelaxationTime && !says_relaxation {
         return false;
     }
     let value = entry.default.map_or_else(|| entry.example(), |(text, _)| text.to_owned());
@@ -59,13 +59,6 @@ fn takes(base: &CaseFile, entry: &Key) -> bool {
     // a value that does not fit the others is still one that can be set
     let refused = CaseFile::parse(&base.origin, &base.text, &options).err();
     !refused.is_some_and(|error| matches!(error.cause(), Cause::Conflict { .. }))
-}
-
-fn law(base: &CaseFile) -> Option<&'static str> {
-    match &base.case {
-        Case::Oscillator(case) => Some(case.law.name()),
-        _ => None,
-    }
 }
 
 /// A key with its words, its range and its slider.

@@ -2,7 +2,7 @@
 
 import { copyFileSync } from "node:fs";
 import { join } from "node:path";
-import { type Explorer, at, downloaded, expect, judder, test } from "./explorer";
+import { type Explorer, ROOT, at, downloaded, expect, judder, test } from "./explorer";
 
 const numbers = (explorer: Explorer) =>
   explorer.page.locator("[data-key^='scalars.']").evaluateAll((found) =>
@@ -51,4 +51,39 @@ test("a fit is cancelled", async ({ explorer }) => {
   // the server is free for others
   await explorer.open("/map");
   await expect(page.locator(".map-chart")).toHaveAttribute("data-stage", "exact");
+});
+
+test("a contact of parameters before stands pale, with words over it", async ({ explorer }) => {
+  const { page } = explorer;
+  for (const part of ["material", "law", "solution"]) {
+    await explorer.open(`/contact?part=${part}`);
+    await expect(page.locator("[data-current=true]").first()).toBeVisible();
+    await expect(page.locator(".chart-standing")).toHaveCount(0);
+    const radius = page.getByRole("textbox", { name: /^radius/ });
+    await radius.fill("3 N");
+    await radius.press("Enter");
+    const charts = await page.locator("main .chart").all();
+    expect(charts.length).toBeGreaterThan(0);
+    for (const chart of charts) await expect(chart.locator(".chart-standing")).toContainText("indenter.radius must be a length");
+  }
+});
+
+test.describe("a contact case", () => {
+  test.use({ subject: [join(ROOT, "cases/contact/sliding-sphere.toml")] });
+
+  test("shows no oscillator", async ({ explorer }) => {
+    const { page } = explorer;
+    for (const part of ["material", "law", "fit", "solution"]) {
+      await explorer.open(`/contact?part=${part}`);
+      if (part === "material" || part === "solution") await expect(page.locator("[data-current=true]").first()).toBeVisible();
+      const parameters = await page.locator("[data-parameter]").evaluateAll((rows) => rows.map((row) => (row as HTMLElement).dataset["parameter"] ?? ""));
+      expect(parameters.length).toBeGreaterThan(3);
+      expect(parameters.filter((path) => !/^(substrate|indenter)\./.test(path))).toEqual([]);
+      const drawn = (await page.locator("main svg").allTextContents()).join(" ");
+      expect(drawn).not.toMatch(/oscillator|40 rad/);
+      await expect(page.getByRole("combobox", { name: /contact law/ })).toHaveCount(0);
+    }
+    await explorer.open("/contact?set=oscillator.natural_frequency=40 rad/s");
+    await expect(page.locator(".told")).toContainText("oscillator.natural_frequency");
+  });
 });

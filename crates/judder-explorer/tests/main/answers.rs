@@ -211,3 +211,32 @@ fn a_contact_case_has_its_substrate_and_its_indenter() {
     assert_eq!(radius["si"], 0.003);
     assert_eq!(served.post("/api/point", &json!({})).status, 400);
 }
+
+/// What a case does not have is not told of it: neither an oscillator, nor its map, nor its laws.
+#[test]
+fn nothing_is_told_of_an_oscillator_that_is_not_there() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in judder_case::TEMPLATES.into_iter().filter(|name| *name != "oscillator") {
+        let path = folder.path().join(format!("{name}.toml"));
+        std::fs::write(&path, template(name).unwrap()).unwrap();
+        let served = Served::of(Some(&path), None);
+        let session = served.get("/api/session").json();
+        let own = if name == "contact" { &["substrate", "indenter"][..] } else { &[] };
+        let section_of =
+            |entry: &Value| entry["path"].as_str().unwrap().split('.').next().unwrap().to_owned();
+        let is_own = |list: &Value| {
+            list.as_array().into_iter().flatten().all(|entry| own.contains(&&*section_of(entry)))
+        };
+        assert!(is_own(&session["keys"]) && is_own(&session["values"]["values"]), "{name}: {session}");
+        assert_eq!(session["keys"].as_array().unwrap().is_empty(), own.is_empty(), "{name}");
+        assert!(session["map"].is_null() && session["laws"].as_array().unwrap().is_empty(), "{name}");
+        if name == "contact" {
+            let scales = served
+                .post("/api/case", &json!({ "set": ["substrate.retardation_time=20 ms"] }))
+                .json()["scales"]
+                .clone();
+            assert!(scales["natural_frequency"].is_null() && scales["length"].is_null(), "{scales}");
+            assert_eq!(scales["time"], 0.02);
+        }
+    }
+}

@@ -3,6 +3,7 @@
 //! This crate knows no physics: it gets labels, arrays and colour roles. In the order in which the data flows:
 //!
 //! - [`figure`]: a figure as data: panels, axes, layers.
+//! - [`runs`]: lines through rows of tables, broken wherever the next row does not go on from the one before.
 //! - [`palette`]: colours, dashes and markers by meaning, the same in every picture.
 //! - `validate`: whether arrays and ranges fit together; what is wrong is a [`ReportError`].
 //! - `markup`, `typeface`: labels with sub- and superscripts and symbols; how wide they are.
@@ -25,6 +26,7 @@ pub mod palette;
 mod plotly;
 mod png;
 mod raster;
+pub mod runs;
 mod scale;
 mod second_axis;
 mod svg;

@@ -166,4 +166,11 @@ impl Variable {
         self.attributes.insert(name.to_owned(), value.into());
         self
     }
+
+    /// Says that neighbours along a coordinate need not be of one curve, so that no line may join them: a row is a list, whose n-th entry is not
+    /// the n-th of the next row, or every value was found by itself. Pages draw points.
+    #[must_use]
+    pub fn apart(self) -> Self {
+        self.attribute("neighbours", "apart")
+    }
 }

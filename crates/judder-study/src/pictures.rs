@@ -2,7 +2,7 @@
 
 mod branches;
 mod contact;
-mod curves;
+pub(crate) mod curves;
 mod engines;
 mod laws;
 mod map;
@@ -24,35 +24,46 @@ pub fn figure(name: &str, title: &str, dataset: &Dataset) -> Option<Figure> {
     (!panels.is_empty()).then(|| Figure::new(name, title, panels).with_caption(caption(dataset)))
 }
 
+/// How the figure of a kind is drawn; `None` where arrays are missing.
+type Draw = fn(&Dataset) -> Option<Vec<Panel>>;
+
+/// Every kind of analysis that has a figure.
+const FIGURES: [(&str, Draw); 23] = [
+    ("equivalent-damping", |dataset| curves::equivalent_damping(dataset).map(|panel| vec![panel])),
+    ("spectrum", curves::spectrum),
+    ("critical-shear-strength", |dataset| curves::critical(dataset).map(|panel| vec![panel])),
+    ("critical-load", |dataset| curves::critical(dataset).map(|panel| vec![panel])),
+    ("stability-map", |dataset| map::stability_map(dataset).map(|panel| vec![panel])),
+    ("contact", contact::contact),
+    ("contact-law", laws::contact_law),
+    ("fit", laws::fit),
+    ("modulus", modulus::modulus),
+    ("transient", transient::transient),
+    ("motion", motion::motion),
+    ("limit-cycle", motion::limit_cycle),
+    ("bifurcation", motion::bifurcation),
+    ("basin", motion::basin),
+    ("engines", engines::engines),
+    ("modes", structure::modes),
+    ("reduction", structure::reduction),
+    ("eigen", structure::eigen),
+    ("eigen-sweep", structure::eigen_sweep),
+    ("locus", sliding::locus),
+    ("growth", sliding::growth),
+    ("march", sliding::march),
+    ("spectrogram", sliding::spectrogram),
+];
+
+/// The kinds of analyses that have a figure.
+pub fn kinds() -> impl Iterator<Item = &'static str> {
+    FIGURES.iter().map(|(name, _)| *name)
+}
+
 /// The panels of an analysis, to be put together with those of others.
 #[must_use]
 pub fn panels(dataset: &Dataset) -> Vec<Panel> {
-    let panels = match kind(dataset) {
-        "equivalent-damping" => curves::equivalent_damping(dataset).map(|panel| vec![panel]),
-        "spectrum" => curves::spectrum(dataset),
-        "critical-shear-strength" | "critical-load" => curves::critical(dataset).map(|panel| vec![panel]),
-        "stability-map" => map::stability_map(dataset).map(|panel| vec![panel]),
-        "contact" => contact::contact(dataset),
-        "contact-law" => laws::contact_law(dataset),
-        "fit" => laws::fit(dataset),
-        "modulus" => modulus::modulus(dataset),
-        "transient" => transient::transient(dataset),
-        "motion" => motion::motion(dataset),
-        "limit-cycle" => motion::limit_cycle(dataset),
-        "bifurcation" => motion::bifurcation(dataset),
-        "basin" => motion::basin(dataset),
-        "engines" => engines::engines(dataset),
-        "modes" => structure::modes(dataset),
-        "reduction" => structure::reduction(dataset),
-        "eigen" => structure::eigen(dataset),
-        "eigen-sweep" => structure::eigen_sweep(dataset),
-        "locus" => sliding::locus(dataset),
-        "growth" => sliding::growth(dataset),
-        "march" => sliding::march(dataset),
-        "spectrogram" => sliding::spectrogram(dataset),
-        _ => None,
-    };
-    panels.unwrap_or_default()
+    let own = FIGURES.iter().find(|(name, _)| *name == kind(dataset));
+    own.and_then(|(_, draw)| draw(dataset)).unwrap_or_default()
 }
 
 fn kind(dataset: &Dataset) -> &str {
@@ -108,7 +119,8 @@ pub(crate) fn caption(dataset: &Dataset) -> &'static str {
         "bifurcation" => {
             "What motions settle to as the key goes up and down, each from the end of the one before: rms of $x$ about its mean, its largest values, the \
              shares of the time in stick and off the substrate. A motion that is neither at rest nor periodic within its time counts as irregular. \
-             Where branches were followed, lines are cycles and steady sliding, stable (solid) or not (dashed), and points are simulated."
+             Points are simulated, and no line joins them: neighbours may have settled to different motions. Where branches were followed, lines are cycles \
+             and steady sliding, stable (solid) or not (dashed)."
         }
         "basin" => "Starts, drawn evenly, and what becomes of them.",
         "engines" => {

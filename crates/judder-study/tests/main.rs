@@ -10,6 +10,7 @@ mod growing;
 mod live;
 mod march;
 mod motion;
+mod pictures;
 mod shown;
 mod sliding;
 mod sliding_cases;

@@ -216,7 +216,8 @@ fn roots(
         let variable = Variable::new(name, &dimensions, &shape, padded.collect::<Vec<f64>>())
             .units(unit)
             .long_name(&format!("thresholds {what}, ascending, NaN where there are fewer"))
-            .attribute("label", label);
+            .attribute("label", label)
+            .apart();
         dataset = dataset.with(variable)?;
     }
     Ok(dataset)

@@ -71,11 +71,13 @@ pub(super) fn outcome(
     let flat = |pick: fn(&Spectra) -> [Complex64; 4]| spectra.iter().flat_map(pick).collect::<Vec<_>>();
     let full = Variable::new("eigenvalues", &dimensions, &shape, flat(|s| s.full))
         .units("1")
-        .long_name("eigenvalues λ/ω_nx of the full system, eq. (21)");
+        .long_name("eigenvalues λ/ω_nx of the full system, eq. (21)")
+        .apart();
     let conservative =
         Variable::new("conservative_eigenvalues", &dimensions, &shape, flat(|s| s.conservative))
             .units("1")
-            .long_name("eigenvalues λ/ω_nx without damping, eqs. (24), (25)");
+            .long_name("eigenvalues λ/ω_nx without damping, eqs. (24), (25)")
+            .apart();
     let mut dataset = Dataset::new().with(axis.coordinate())?;
     if let Some(coordinate) = curves.coordinate() {
         dataset = dataset.with(coordinate)?;

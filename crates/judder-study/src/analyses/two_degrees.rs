@@ -139,7 +139,8 @@ fn critical(
         Variable::coordinate("critical", values.clone()).long_name(&format!("critical {}", axis.name()));
     let frequencies = Variable::new("frequency", &["critical"], &[count], frequency.clone())
         .units("1")
-        .long_name("frequency of the oscillation born there");
+        .long_name("frequency of the oscillation born there")
+        .apart();
     Ok(Outcome {
         scalars: Map::from_iter([
             ("key".to_owned(), json!(sweep.path)),

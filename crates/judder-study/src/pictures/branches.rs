@@ -2,6 +2,7 @@
 
 use super::{codes, reals};
 use judder_report::palette::Style;
+use judder_report::runs::through;
 use judder_report::{Layer, Role};
 use judder_store::{Data, Dataset};
 
@@ -25,10 +26,10 @@ pub(super) fn layers(dataset: &Dataset) -> Option<Vec<Layer>> {
             (!x.is_empty()).then(|| Layer::line(label, x, y, Style { width: 1.0, ..style(role) }))
         };
         let sliding_runs =
-            runs(steady_value, &at_rest, |k| has_state(k) && (rests[k] && rests[k + 1]) == is_stable);
+            through(steady_value, &at_rest, |k| has_state(k) && (rests[k] && rests[k + 1]) == is_stable);
         layers.extend(line(sliding, Role::Reference, sliding_runs));
         let cycle_runs =
-            runs(value, rms, |k| number[k] == number[k + 1] && (stable[k] && stable[k + 1]) == is_stable);
+            through(value, rms, |k| number[k] == number[k + 1] && (stable[k] && stable[k + 1]) == is_stable);
         layers.extend(line(cycles, Role::FullBoundary, cycle_runs));
     }
     let hopf = along("hopf_value")?;
@@ -36,24 +37,4 @@ pub(super) fn layers(dataset: &Dataset) -> Option<Vec<Layer>> {
     layers.push(Layer::points("Hopf points", hopf, at_rest, Role::Series(3)));
     layers.push(Layer::points("folds", along("fold_value")?, along("fold_rms")?, Role::Series(2)));
     Some(layers)
-}
-
-/// The segments from one point to the next that are wanted, with gaps between their runs.
-fn runs(x: &[f64], y: &[f64], is_wanted: impl Fn(usize) -> bool) -> (Vec<f64>, Vec<f64>) {
-    let (mut across, mut up) = (Vec::new(), Vec::new());
-    let mut is_open = false;
-    for k in 0..x.len().saturating_sub(1) {
-        if !is_wanted(k) {
-            is_open = false;
-            continue;
-        }
-        if !is_open {
-            across.extend([f64::NAN, x[k]]);
-            up.extend([f64::NAN, y[k]]);
-        }
-        across.push(x[k + 1]);
-        up.push(y[k + 1]);
-        is_open = true;
-    }
-    (across, up)
 }

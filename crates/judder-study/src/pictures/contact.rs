@@ -126,19 +126,16 @@ fn history(dataset: &Dataset) -> Option<Panel> {
     for (index, name) in ["force", "area", "friction"].into_iter().enumerate() {
         let values = reals(dataset, &format!("level_{name}"))?;
         let best = dataset.attributes().get(name)?.as_f64()?;
-        // The grid that gave the value itself has no place on a logarithmic axis.
-        let (at, distance): (Vec<f64>, Vec<f64>) = cells
-            .iter()
-            .zip(values)
-            .map(|(cell, value)| (*cell, (value / best - 1.0).abs()))
-            .filter(|(_, distance)| *distance > 1e-15 && distance.is_finite())
-            .unzip();
-        if at.is_empty() {
+        // the grid that gave the value itself has no place on a logarithmic axis: a gap
+        let distance = values.iter().map(|value| (value / best - 1.0).abs());
+        let distance: Vec<f64> =
+            distance.map(|distance| if distance > 1e-15 { distance } else { f64::NAN }).collect();
+        if !distance.iter().any(|distance| distance.is_finite()) {
             continue;
         }
         let role = Role::Series(index);
-        layers.push(Layer::line(name, at.clone(), distance.clone(), role));
-        layers.push(Layer::points(name, at, distance, role));
+        layers.push(Layer::line(name, cells.to_vec(), distance.clone(), role));
+        layers.push(Layer::points(name, cells.to_vec(), distance, role));
     }
     let vertical = Axis::log("Distance from the result (−)");
     Some(Panel::new(Axis::log("Cell $h$/$R$ (−)"), vertical, layers).with_title("grids"))

@@ -1,8 +1,10 @@
 //! Curves over one swept quantity.
 
 use super::{Swept, axis, codes, complexes, reals, text};
+use judder_report::runs::{Curve, alone, apart};
 use judder_report::{Axis, Layer, Panel, Role};
 use judder_store::Dataset;
+use num_complex::Complex64;
 
 /// ξ_eq over the swept quantity, on an axis that shows both signs over many decades.
 pub(super) fn equivalent_damping(dataset: &Dataset) -> Option<Panel> {
@@ -33,8 +35,9 @@ pub(super) fn spectrum(dataset: &Dataset) -> Option<Vec<Panel>> {
     for (system, values) in [("without damping", conservative), ("full system", full)] {
         let is_full = system == "full system";
         for (curve, spectra) in values.chunks(4 * points).enumerate() {
+            let spectra = followed(spectra);
             for mode in 0..4 {
-                let part = |pick: fn(&num_complex::Complex64) -> f64| -> Vec<f64> {
+                let part = |pick: fn(&Complex64) -> f64| -> Vec<f64> {
                     spectra.iter().skip(mode).step_by(4).map(pick).collect()
                 };
                 let role = if swept.family.is_some() { swept.role(curve) } else { Role::Mode(mode % 2) };
@@ -53,6 +56,36 @@ pub(super) fn spectrum(dataset: &Dataset) -> Option<Vec<Panel>> {
         Panel::new(axis(swept.axis), Axis::linear("Growth rate Re $λ$/$ω_{nx}$ (−)"), growth),
         Panel::new(axis(swept.axis), Axis::linear("Frequency Im $λ$/$ω_{nx}$ (−)"), frequency),
     ])
+}
+
+/// Spectra of four eigenvalues, which are stored in the order of their frequencies, in that of the modes: each row as near in all to the one before as
+/// can be, so that modes whose frequencies cross stay apart.
+fn followed(spectra: &[Complex64]) -> Vec<Complex64> {
+    let orders = orders(4);
+    let mut all: Vec<Complex64> = Vec::with_capacity(spectra.len());
+    for row in spectra.chunks(4) {
+        let before = &all[all.len().saturating_sub(4)..];
+        let away = |order: &Vec<usize>| -> f64 {
+            order.iter().zip(before).map(|(k, last)| (row[*k] - last).norm()).sum()
+        };
+        // beside a missing row nothing is nearest, and the first order is that of the frequencies
+        let order = orders.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
+        all.extend(order.into_iter().flatten().filter_map(|k| row.get(*k)));
+    }
+    all
+}
+
+/// All orders of so many things, first the one in which they stand.
+fn orders(count: usize) -> Vec<Vec<usize>> {
+    if count == 0 {
+        return vec![Vec::new()];
+    }
+    let insert = |last: usize| {
+        move |order: Vec<usize>| {
+            (0..=order.len()).rev().map(move |at| [&order[..at], &[last], &order[at..]].concat())
+        }
+    };
+    orders(count - 1).into_iter().flat_map(insert(count - 1)).collect()
 }
 
 /// Thresholds over the swept quantity, with what grows from them and the folds of the cycles that do.
@@ -76,7 +109,11 @@ pub(super) fn critical(dataset: &Dataset) -> Option<Panel> {
                 (false, true) => "full system".to_owned(),
                 (false, false) => "without damping".to_owned(),
             };
+            let (alone_x, alone_y) = alone(&(x.clone(), y.clone()));
             layers.push(Layer::line(shown, x, y, style));
+            if !alone_x.is_empty() {
+                layers.push(Layer::points("", alone_x, alone_y, role.crowded()));
+            }
         }
     }
     if swept.family.is_some() {
@@ -119,38 +156,41 @@ fn folds(dataset: &Dataset, swept: &Swept<'_>) -> Vec<Layer> {
     layers
 }
 
-/// A curve of roots in the making.
-type Chain = (Vec<f64>, Vec<f64>);
+/// The roots along the sweep as curves, with a gap after each, in the order in which they end. A curve shows the `shown` that belong to its roots.
+fn branches(values: &[f64], roots: &[f64], shown: &[f64], most: usize) -> Curve {
+    let on = curves_of(roots, most);
+    let of_curve = |curve: usize| (0..roots.len()).filter(|k| on[*k] == Some(curve)).collect::<Vec<usize>>();
+    let mut curves: Vec<Vec<usize>> =
+        (0..on.iter().flatten().max().map_or(0, |last| last + 1)).map(of_curve).collect();
+    curves.sort_by_key(|places| places.last().map(|k| k / most));
+    apart(curves.into_iter().map(|places| places.into_iter().map(|k| (values[k / most], shown[k])).unzip()))
+}
 
-/// The roots along the sweep as curves, with a gap after each: neighbours are joined in order, and where their numbers differ,
-/// the nearest ones; what is left over begins or ends there. A curve shows the `shown` that belong to its roots.
-fn branches(values: &[f64], roots: &[f64], shown: &[f64], most: usize) -> Chain {
-    let finite = |roots: &[f64]| roots.iter().copied().filter(|root| root.is_finite()).collect();
-    let lists: Vec<Vec<f64>> = roots.chunks(most).map(finite).collect();
-    let (mut done, mut open): (Vec<Chain>, Vec<Chain>) = (Vec::new(), Vec::new());
-    for (k, (value, list)) in values.iter().zip(&lists).enumerate() {
-        let before: &[f64] = if k > 0 { &lists[k - 1] } else { &[] };
-        let joined = pairs(before, list);
-        let mut next: Vec<Chain> = vec![Chain::default(); list.len()];
-        for (from, chain) in open.into_iter().enumerate() {
-            match joined.iter().find(|(left, _)| *left == from) {
-                Some((_, to)) => next[*to] = chain,
-                None => done.push(chain),
-            }
+/// Roots of neighbouring values that differ by a larger factor are not of one curve, or of one that the sweep does not resolve.
+const FAR: f64 = 10.0;
+
+/// On which curve each root lies, `None` where there is none; a row of `most` roots a value of the sweep. Neighbours are joined in order, and where
+/// their numbers differ, the nearest ones; what is left over begins or ends there, and so does what is [`FAR`].
+pub(crate) fn curves_of(roots: &[f64], most: usize) -> Vec<Option<usize>> {
+    let mut on = vec![None; roots.len()];
+    let mut count = 0;
+    let mut before: Vec<usize> = Vec::new();
+    for row in 0..roots.len() / most.max(1) {
+        let here: Vec<usize> = (row * most..(row + 1) * most).filter(|k| roots[*k].is_finite()).collect();
+        let of = |places: &[usize]| places.iter().map(|k| roots[*k]).collect::<Vec<f64>>();
+        let joined = pairs(&of(&before), &of(&here));
+        for (place, k) in here.iter().enumerate() {
+            let from = joined.iter().find(|(_, to)| *to == place).map(|(from, _)| before[*from]);
+            let is_near = |from: &usize| (roots[*from] / roots[*k]).ln().abs() <= FAR.ln();
+            let last = from.filter(is_near).and_then(|from| on[from]);
+            on[*k] = last.or_else(|| {
+                count += 1;
+                Some(count - 1)
+            });
         }
-        // roots stand first in their row
-        for ((x, y), shown) in next.iter_mut().zip(&shown[k * most..]) {
-            x.push(*value);
-            y.push(*shown);
-        }
-        open = next;
+        before = here;
     }
-    let mut all = Chain::default();
-    for (x, y) in done.into_iter().chain(open) {
-        all.0.extend(x.iter().copied().chain(x.last().copied()));
-        all.1.extend(y.into_iter().chain([f64::NAN]));
-    }
-    all
+    on
 }
 
 /// Joins two ascending lists of roots, by index, without crossing, leaving out of the longer one what would make the joints

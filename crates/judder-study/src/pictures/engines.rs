@@ -21,9 +21,11 @@ fn errors(dataset: &Dataset, varied: &str, engine: &str) -> Option<Panel> {
         let errors = reals(dataset, &format!("{engine}_{quantity}_error"))?;
         let sizes: Vec<f64> = errors.iter().map(|error| error.abs()).collect();
         if quantity == "rms" {
-            let first = (*values.first()?, *sizes.first()?);
-            let rising = values.iter().map(|value| (first.1 * value / first.0).min(1.0)).collect();
-            layers.push(Layer::line("first order", values.to_vec(), rising, Role::Reference));
+            let first = values.iter().zip(&sizes).find(|(_, size)| size.is_finite());
+            layers.extend(first.map(|(at, size)| {
+                let rising = values.iter().map(|value| (size * value / at).min(1.0)).collect();
+                Layer::line("first order", values.to_vec(), rising, Role::Reference)
+            }));
         }
         layers.push(Layer::line("", values.to_vec(), sizes.clone(), Role::Series(series)));
         layers.push(Layer::points(quantity, values.to_vec(), sizes, Role::Series(series)));

@@ -187,7 +187,8 @@ fn spectrum(dataset: &Dataset) -> Option<Panel> {
     if largest <= 0.0 {
         return None;
     }
-    let shown = amplitude.iter().map(|a| a.max(DECADES * largest)).collect();
+    let shown =
+        amplitude.iter().map(|a| if *a < DECADES * largest { DECADES * largest } else { *a }).collect();
     let layer = Layer::line("", frequency.to_vec(), shown, Role::Series(0).solid());
     let up = Axis::log("Amplitude of $x$ (−)");
     Some(Panel::new(Axis::linear("Frequency $ω$/$ω_{nx}$ (−)"), up, vec![layer]))
@@ -234,10 +235,8 @@ pub(super) fn bifurcation(dataset: &Dataset) -> Option<Vec<Panel>> {
         let of = |name: &str| -> Option<Vec<f64>> {
             Some(reals(dataset, name)?.get(k * values.len()..(k + 1) * values.len())?.to_vec())
         };
-        amplitude.push(match has_branches {
-            true => Layer::points(direction, values.to_vec(), of("rms")?, Role::Series(k)),
-            false => Layer::line(direction, values.to_vec(), of("rms")?, Role::Series(k)),
-        });
+        // neighbours may have settled to different motions: nothing is known between them
+        amplitude.push(Layer::points(direction, values.to_vec(), of("rms")?, Role::Series(k)));
         let becomes = codes(dataset, "becomes")?.get(k * values.len()..(k + 1) * values.len())?;
         let irregular: Vec<f64> = of("rms")?
             .into_iter()
@@ -246,12 +245,11 @@ pub(super) fn bifurcation(dataset: &Dataset) -> Option<Vec<Panel>> {
             .collect();
         if irregular.iter().any(|rms| rms.is_finite()) {
             let label = format!("{direction}, irregular");
-            let role = if has_branches { Role::Series(4 + k) } else { Role::Series(k) };
-            amplitude.push(Layer::points(label, values.to_vec(), irregular, role));
+            amplitude.push(Layer::points(label, values.to_vec(), irregular, Role::Series(4 + k)));
         }
         for (name, label, series) in [("stick_fraction", "stick", 0), ("lift_off_fraction", "lift-off", 2)] {
             let label = format!("{label}, {direction}");
-            shares.push(Layer::line(label, values.to_vec(), of(name)?, Role::Series(series + k)));
+            shares.push(Layer::points(label, values.to_vec(), of(name)?, Role::Series(series + k)));
         }
     }
     let mut panels = vec![

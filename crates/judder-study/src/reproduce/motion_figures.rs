@@ -86,12 +86,12 @@ impl Diagram {
         Some((swept.to_vec(), reals(&self.dataset, name)?.get(part)?.to_vec()))
     }
 
-    /// Upwards as a line, downwards as points.
+    /// Upwards and downwards as points, the latter small: what lies between motions that have settled is not known.
     fn layers(&self, name: &str) -> Option<Vec<Layer>> {
         let (x, up) = self.along(name, 0)?;
         let (_, down) = self.along(name, 1)?;
-        let line = Layer::line(self.way.label, x.clone(), up, self.role);
-        Some(vec![line, Layer::points("", x, down, self.role.crowded())])
+        let upwards = Layer::points(self.way.label, x.clone(), up, self.role);
+        Some(vec![upwards, Layer::points("", x, down, self.role.crowded())])
     }
 }
 
@@ -122,7 +122,7 @@ fn figure_11(store: &StudyFolder, summary: &Summary) -> Result<Option<Figure>, S
     let figure =
         Figure::new("fig-11", "Vibration amplitude over shear strength, the paper's Fig. 11", panels);
     Ok(Some(figure.with_caption(format!(
-        "Motions at $F̃_{{n}}$ = {LOAD:e}, each from the end of the one before: $τ̃_{{0}}$ upwards (lines) and downwards (points); steady sliding, with no amplitude, is a \
+        "Motions at $F̃_{{n}}$ = {LOAD:e}, each from the end of the one before: $τ̃_{{0}}$ upwards (large) and downwards (small points); steady sliding, with no amplitude, is a \
          gap on the logarithmic axis. The captions' $ṽ_{{d}}$ = 5 × 10^{{−3}} is $v̂_{{d}}$ = 4 × 10^{{−4}}."
     ))))
 }

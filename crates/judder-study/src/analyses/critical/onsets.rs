@@ -125,7 +125,8 @@ pub(super) fn add_arrays(
         let values: Vec<f64> = onsets().map(|onset| onset.and_then(entry.of).unwrap_or(f64::NAN)).collect();
         let variable = Variable::new(entry.name, &dimensions, &shape, values)
             .units(&entry.unit.text(unit))
-            .long_name(entry.long_name);
+            .long_name(entry.long_name)
+            .apart();
         dataset = dataset.with(variable)?;
     }
     Ok(dataset)

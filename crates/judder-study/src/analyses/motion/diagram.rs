@@ -88,7 +88,7 @@ impl Diagram<'_> {
         let shape = [self.directions.len(), self.axis.values.len()];
         let dimensions = ["direction", self.axis.name()];
         let over = |name: &str, long_name: &str, values: Vec<f64>| {
-            Variable::new(name, &dimensions, &shape, values).units("1").long_name(long_name)
+            Variable::new(name, &dimensions, &shape, values).units("1").long_name(long_name).apart()
         };
         let names: Vec<String> = self.directions.iter().map(|d| d.name().to_owned()).collect();
         let becomes: Vec<u8> = self.becomes().collect();

@@ -3,6 +3,7 @@
 use crate::pictures::structure::{frequency_axis, significant};
 use crate::pictures::{axis, complexes, reals, text};
 use judder_report::figure::Region;
+use judder_report::runs::thinned;
 use judder_report::{Axis, Layer, Legend, Panel, Role};
 use judder_store::{Data, Dataset, Variable};
 use num_complex::Complex64;
@@ -155,19 +156,20 @@ impl<'a> Locus<'a> {
 
     /// Every branch as a thin line; those that are unstable somewhere stand out.
     fn lines(&self, pick: impl Fn(Complex64) -> f64) -> Vec<Layer> {
-        let along: Vec<f64> = self.shown.iter().map(|row| self.values[*row] * self.scale).collect();
+        let along: Vec<f64> = self.values.iter().map(|value| value * self.scale).collect();
         let rows = self.values.len();
         let error = |place: usize| self.errors.get(place).copied().unwrap_or(0.0);
         let grows = |place: usize| self.eigenvalues[place].re > error(place);
         let is_unstable = |branch: usize| (0..rows).any(|row| grows(row * self.count + branch));
         let line = |branch: usize, unstable: bool| {
-            let up = self.shown.iter().map(|row| pick(self.at(*row, branch))).collect();
+            let up: Vec<f64> = (0..rows).map(|row| pick(self.at(row, branch))).collect();
+            let (x, y) = thinned(&along, &up, &self.shown);
             let (label, role) = if unstable {
                 ("branch that becomes unstable", Role::Series(0))
             } else {
                 ("", Role::Reference)
             };
-            Layer::line(label, along.clone(), up, role.solid().with_width(THIN))
+            Layer::line(label, x, y, role.solid().with_width(THIN))
         };
         let (unstable, stable): (Vec<usize>, Vec<usize>) =
             (0..self.count).partition(|branch| is_unstable(*branch));

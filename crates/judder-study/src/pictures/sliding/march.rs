@@ -109,7 +109,9 @@ fn envelope(time: &[f64], values: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let at = |k: usize| (times[k], values[k]);
         let least = |a: usize, b: usize| if values[b] < values[a] { b } else { a };
         let largest = |a: usize, b: usize| if values[b] > values[a] { b } else { a };
-        let (low, high) = ((0..values.len()).fold(0, least), (0..values.len()).fold(0, largest));
+        // what is none begins a gap
+        let first = values.iter().position(|value| value.is_nan()).unwrap_or(0);
+        let (low, high) = ((0..values.len()).fold(first, least), (0..values.len()).fold(first, largest));
         for (time, value) in [at(low.min(high)), at(low.max(high))] {
             x.push(time);
             y.push(value);

@@ -219,7 +219,8 @@ fn coarser(levels: &[f64], lines: usize, [times, frequencies]: [usize; 2]) -> Ve
     let (rows, columns) = (group(levels.len() / lines.max(1), times), group(lines, frequencies));
     let mut cells = Vec::new();
     for spectra in levels.chunks(rows * lines) {
-        let mut highest = vec![f64::NEG_INFINITY; lines.div_ceil(columns)];
+        // the larger of a number and none is the number
+        let mut highest = vec![f64::NAN; lines.div_ceil(columns)];
         for spectrum in spectra.chunks(lines) {
             for (k, level) in spectrum.iter().enumerate() {
                 highest[k / columns] = highest[k / columns].max(*level);

@@ -3,10 +3,12 @@
 use super::{LAWS, LOADS, friction, sources, stored};
 use crate::error::StudyError;
 use crate::labels::short_number;
+use crate::pictures::curves::curves_of;
 use crate::pictures::{axis, reals};
 use crate::reproduce::claims::short;
 use judder_report::page::Table;
-use judder_report::{Axis, Figure, Layer, Legend, Panel};
+use judder_report::runs::through;
+use judder_report::{Axis, Figure, Layer, Legend, Panel, Style};
 use judder_store::{Dataset, StudyFolder, Summary};
 
 /// A figure of thresholds over speed.
@@ -23,7 +25,7 @@ struct Kind {
     vertical: &'static str,
     /// Which of the thresholds at one speed it is about: the paper knows one, the full system up to three.
     which: &'static str,
-    pick: fn(&[f64]) -> Option<f64>,
+    pick: fn(&[f64]) -> Option<usize>,
 }
 
 const KINDS: [Kind; 2] = [
@@ -35,7 +37,7 @@ const KINDS: [Kind; 2] = [
         family: ("normal_load", "$F̃_{n}$"),
         vertical: "Lowest threshold $τ̃_{0,crit}$ (−)",
         which: "lowest",
-        pick: |roots| roots.iter().copied().find(|root| root.is_finite()),
+        pick: |roots| roots.iter().position(|root| root.is_finite()),
     },
     Kind {
         source: "fig-8",
@@ -45,19 +47,38 @@ const KINDS: [Kind; 2] = [
         family: ("shear_strength", "$τ̃_{0}$"),
         vertical: "Highest threshold $F̃_{n,crit}$ (−)",
         which: "highest",
-        pick: |roots| roots.iter().copied().rfind(|root| root.is_finite()),
+        pick: |roots| roots.iter().rposition(|root| root.is_finite()),
     },
 ];
 
-/// One figure with one friction load: `[law][curve][speed]`, NaN where there is no threshold.
+/// The threshold that a figure is about along the speeds, NaN where there is none, and on which of the curves of all thresholds it lies.
+struct Picked {
+    values: Vec<f64>,
+    on: Vec<Option<usize>>,
+}
+
+impl Picked {
+    /// Neighbours on one curve as a line, and those that have none as points.
+    fn layers(&self, speeds: &[f64], (label, style): (&str, Style)) -> Vec<Layer> {
+        let Self { values, on } = self;
+        let goes_on = |k: usize| on[k].is_some() && on.get(k + 1) == Some(&on[k]);
+        let (x, y) = through(speeds, values, goes_on);
+        let is_alone = |k: &usize| on[*k].is_some() && !goes_on(*k) && (*k == 0 || !goes_on(k - 1));
+        let (across, up) = (0..on.len()).filter(is_alone).map(|k| (speeds[k], values[k])).unzip();
+        let points = Layer::points("", across, up, Style { crowded: true, ..style });
+        vec![Layer::line(label, x, y, style), points]
+    }
+}
+
+/// One figure with one friction load: `[law][curve]`.
 pub(super) struct Moved {
     kind: &'static Kind,
     load: &'static str,
     speed: Axis,
     speeds: Vec<f64>,
     family: Vec<f64>,
-    full: Vec<Vec<Vec<f64>>>,
-    conservative: Vec<Vec<Vec<f64>>>,
+    full: Vec<Vec<Picked>>,
+    conservative: Vec<Vec<Picked>>,
 }
 
 /// What is stored of both figures with both friction loads.
@@ -107,11 +128,8 @@ impl Moved {
         let panel = |(curve, value): (usize, &f64)| {
             let mut layers = Vec::new();
             for (law, (_, name, role)) in LAWS.into_iter().enumerate() {
-                let line = |label: &str, lists: &[Vec<Vec<f64>>], style| {
-                    Layer::line(label, self.speeds.clone(), lists[law][curve].clone(), style)
-                };
-                layers.push(line(name, &self.full, role.solid()));
-                layers.push(line("", &self.conservative, role.dashed()));
+                layers.extend(self.full[law][curve].layers(&self.speeds, (name, role.solid())));
+                layers.extend(self.conservative[law][curve].layers(&self.speeds, ("", role.dashed())));
             }
             Panel::new(self.speed.clone(), Axis::log(self.kind.vertical), layers)
                 .with_title(format!("{} = {}", self.kind.family.1, short_number(*value)))
@@ -133,7 +151,7 @@ impl Moved {
             let value = format!("{} = {}", self.kind.family.1, short_number(*value));
             let mut row = vec![self.kind.label.to_owned(), friction(self.load).to_owned(), value];
             for [a, b] in [[0, 2], [1, 2]] {
-                let distance = Distance::between(&self.full[a][curve], &self.full[b][curve]);
+                let distance = Distance::between(&self.full[a][curve].values, &self.full[b][curve].values);
                 row.push(short(distance.median));
                 row.push(short(distance.largest));
                 row.push(format!("{:.0}", 100.0 * distance.unpaired));
@@ -145,10 +163,18 @@ impl Moved {
 }
 
 /// The threshold that a figure is about, of every curve and speed.
-fn picked(dataset: &Dataset, name: &str, kind: &Kind) -> Option<Vec<Vec<f64>>> {
+fn picked(dataset: &Dataset, name: &str, kind: &Kind) -> Option<Vec<Picked>> {
     let speeds = reals(dataset, "velocity")?.len();
     let most = (*dataset.variable(name)?.shape.last()?).max(1);
-    let curve = |roots: &[f64]| roots.chunks(most).map(|at| (kind.pick)(at).unwrap_or(f64::NAN)).collect();
+    let curve = |roots: &[f64]| {
+        let on = curves_of(roots, most);
+        let picks = roots.chunks(most).zip(on.chunks(most)).map(|(at, on)| {
+            let place = (kind.pick)(at);
+            (place.map_or(f64::NAN, |place| at[place]), place.and_then(|place| on[place]))
+        });
+        let (values, on) = picks.unzip();
+        Picked { values, on }
+    };
     Some(reals(dataset, name)?.chunks(most * speeds).map(curve).collect())
 }
 
@@ -210,7 +236,7 @@ mod tests {
         let none = f64::NAN;
         let distance = Distance::between(&[1.0, 2.0, 8.0, none, none], &[2.0, 2.0, 1.0, 3.0, none]);
         assert_eq!((distance.median, distance.largest, distance.unpaired), (2.0, 8.0, 0.2));
-        assert_eq!((KINDS[0].pick)(&[0.1, 0.3, none]), Some(0.1));
-        assert_eq!((KINDS[1].pick)(&[0.1, 0.3, none]), Some(0.3));
+        assert_eq!((KINDS[0].pick)(&[0.1, 0.3, none]), Some(0));
+        assert_eq!((KINDS[1].pick)(&[0.1, 0.3, none]), Some(1));
     }
 }

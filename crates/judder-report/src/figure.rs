@@ -5,6 +5,7 @@
 //! `"Shear strength $τ̃_{0,crit}$"`, `"10^{−3}"`, `"Speed (m s^{−1})"`.
 
 use crate::palette::{ColourMap, Role, Style};
+use crate::validate::check_axis;
 
 /// A figure of one or more panels on a grid, all frames of the same size.
 #[derive(Debug, Clone, PartialEq)]
@@ -145,9 +146,12 @@ impl Axis {
         Self { label: label.into(), scale: Scale::Log, range: None, names: Vec::new() }
     }
 
-    /// An axis logarithmic to both sides of zero, linear between −`linear` and `linear`.
+    /// An axis logarithmic to both sides of zero, linear between −`linear` and `linear`; linear throughout where no axis can be drawn with that,
+    /// as of values of which there are none.
     pub fn symmetric_log(label: impl Into<String>, linear: f64) -> Self {
-        Self { label: label.into(), scale: Scale::SymmetricLog { linear }, range: None, names: Vec::new() }
+        let even = Self::linear(label);
+        let axis = Self { scale: Scale::SymmetricLog { linear }, ..even.clone() };
+        if check_axis(&axis, "").is_ok() { axis } else { even }
     }
 
     /// An axis of things without an order: the first at 0, the next at 1, …, with half a place beside the outermost.
@@ -161,6 +165,14 @@ impl Axis {
     #[must_use]
     pub fn with_range(self, from: f64, to: f64) -> Self {
         Self { range: Some((from, to)), ..self }
+    }
+
+    /// The same axis over what computed values span; over what the data span where no axis can be drawn between these ends, as of values of
+    /// which there are none or that are all equal.
+    #[must_use]
+    pub fn over(self, from: f64, to: f64) -> Self {
+        let ranged = self.clone().with_range(from, to);
+        if check_axis(&ranged, "").is_ok() { ranged } else { self }
     }
 }
 

@@ -92,7 +92,7 @@ fn check_sizes(layer: usize, line: &Line) -> Result<(), PanelError> {
     }
 }
 
-fn check_axis(axis: &Axis, name: &'static str) -> Result<(), PanelError> {
+pub(crate) fn check_axis(axis: &Axis, name: &'static str) -> Result<(), PanelError> {
     if let Scale::SymmetricLog { linear } = axis.scale
         && !drawable(Scale::Log, linear)
     {

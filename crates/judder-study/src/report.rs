@@ -40,7 +40,7 @@ pub(crate) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, S
             Status::Failed { reason } => blocks.push(Block::text(format!("No result: {reason}"))),
             Status::Done => {
                 for figure in figures(store, summary, name)? {
-                    blocks.push(write_figure(store, figure)?);
+                    blocks.push(figure_or_reason(store, figure)?);
                 }
                 blocks.extend(summary.results.get(name).and_then(scalar_table).map(Block::Table));
                 blocks.extend(summary.results.get(name).map(report_tables::tables).unwrap_or_default());
@@ -188,6 +188,14 @@ pub(crate) fn case_section(summary: &Summary, kept: &Keepsakes) -> Section {
         blocks: vec![Block::Code(Code { caption: "Resolved case".to_owned(), text: resolved })],
     }));
     Section::new("Case", blocks)
+}
+
+/// A figure as [`write_figure`] gives it; a picture that cannot be drawn says why, and takes nothing else of the page with it.
+fn figure_or_reason(store: &StudyFolder, figure: Figure) -> Result<Block, StudyError> {
+    match write_figure(store, figure) {
+        Err(StudyError::Report(reason)) => Ok(Block::text(format!("No figure: {reason}"))),
+        written => written,
+    }
 }
 
 /// Writes a figure as SVG and PNG, and gives it as a block of the page.

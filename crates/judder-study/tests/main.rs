@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod bare_figures;
 mod checks;
 mod computed_law;
 mod contact;

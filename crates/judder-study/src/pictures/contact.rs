@@ -18,21 +18,23 @@ pub(super) fn contact(dataset: &Dataset) -> Option<Vec<Panel>> {
         panels.push(pressure_map(x, y, pressure)?);
     }
     let middle = y.iter().enumerate().min_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?.0;
-    let row = |values: &[f64]| values[middle * x.len()..(middle + 1) * x.len()].to_vec();
+    let row = |values: &[f64], width: usize| -> Option<Vec<f64>> {
+        Some(values.get(middle * width..(middle + 1) * width)?.to_vec())
+    };
     let along = || Axis::linear("Position $x$/$R$ (−)");
-    let section = Layer::line("", x.to_vec(), row(pressure), Role::Series(0));
+    let section = Layer::line("", x.to_vec(), row(pressure, x.len())?, Role::Series(0));
     panels.push(
         Panel::new(along(), Axis::linear("Pressure $p$/$E_{0}^{*}$ (−)"), vec![section])
             .with_title("pressure along $y$ = 0"),
     );
-    if let (Some(at), Some(displacement), Some(height)) =
-        (reals(dataset, "x_surface"), reals(dataset, "displacement"), reals(dataset, "height"))
+    if let Some(at) = reals(dataset, "x_surface")
+        && let Some(displacement) = row(reals(dataset, "displacement")?, at.len())
+        && let Some(height) = row(reals(dataset, "height")?, at.len())
         && let Some(depth) = dataset.attributes().get("indentation").and_then(serde_json::Value::as_f64)
     {
-        let surface: Vec<f64> = row(displacement).iter().map(|u| -u).collect();
+        let surface: Vec<f64> = displacement.iter().map(|u| -u).collect();
         // what stands far above the contact would flatten the picture
-        let height = row(height);
-        let touching = height.iter().zip(row(pressure)).filter(|(_, pressure)| *pressure > 0.0);
+        let touching = height.iter().zip(row(pressure, x.len())?).filter(|(_, pressure)| *pressure > 0.0);
         let highest = 4.0 * touching.map(|(height, _)| *height).fold(0.0, f64::max);
         let indenter: Vec<f64> =
             height.iter().map(|h| if *h < highest { h - depth } else { f64::NAN }).collect();
@@ -62,7 +64,7 @@ fn pressure_map(x: &[f64], y: &[f64], pressure: &[f64]) -> Option<Panel> {
     let (boundary_x, boundary_y) = boundary(x, y, pressure);
     let layers =
         vec![Layer::Values(map), Layer::line("", boundary_x, boundary_y, Role::FullBoundary.solid())];
-    let across = Axis::linear("Position $x$/$R$ (−)").with_range(centre - half, centre + half);
+    let across = Axis::linear("Position $x$/$R$ (−)").over(centre - half, centre + half);
     Some(
         Panel::new(across, Axis::linear("Position $y$/$R$ (−)"), layers)
             .with_title("pressure, contact boundary"),

@@ -13,7 +13,7 @@ pub(super) fn equivalent_damping(dataset: &Dataset) -> Option<Panel> {
     let swept = Swept::of(dataset, "equivalent_damping")?;
     let damping = reals(dataset, "equivalent_damping")?;
     let mut layers = vec![Layer::horizontal_rule(0.0, "")];
-    for (curve, values) in damping.chunks(swept.values.len()).enumerate() {
+    for (curve, values) in damping.chunks(swept.values.len().max(1)).enumerate() {
         layers.push(Layer::line(
             swept.label(curve, ""),
             swept.values.to_vec(),
@@ -34,7 +34,7 @@ pub(super) fn spectrum(dataset: &Dataset) -> Option<Vec<Panel>> {
     let points = swept.values.len();
     for (system, values) in [("without damping", conservative), ("full system", full)] {
         let is_full = system == "full system";
-        for (curve, spectra) in values.chunks(4 * points).enumerate() {
+        for (curve, spectra) in values.chunks(4 * points.max(1)).enumerate() {
             let spectra = followed(spectra);
             for mode in 0..4 {
                 let part = |pick: fn(&Complex64) -> f64| -> Vec<f64> {
@@ -96,7 +96,7 @@ pub(super) fn critical(dataset: &Dataset) -> Option<Panel> {
     for (name, is_full) in [("conservative", false), ("full", true)] {
         let roots = reals(dataset, name)?;
         let most = *dataset.variable(name)?.shape.last()?;
-        if most == 0 {
+        if most == 0 || swept.values.is_empty() {
             continue;
         }
         for (curve, roots) in roots.chunks(most * swept.values.len()).enumerate() {
@@ -132,7 +132,9 @@ fn folds(dataset: &Dataset, swept: &Swept<'_>) -> Vec<Layer> {
         let numbers = (reals(dataset, "full")?, reals(dataset, "fold")?, reals(dataset, "reaches")?);
         Some((numbers, codes(dataset, "criticality")?, *dataset.variable("full")?.shape.last()?))
     };
-    let Some(((roots, folds, reaches), criticality, most)) = known().filter(|known| known.2 > 0) else {
+    let Some(((roots, folds, reaches), criticality, most)) =
+        known().filter(|known| known.2 * swept.values.len() > 0)
+    else {
         return Vec::new();
     };
     let mut layers = Vec::new();

@@ -71,8 +71,8 @@ pub(super) fn limit_cycle(dataset: &Dataset) -> Option<Vec<Panel>> {
     ];
     let half = multipliers.iter().fold(1.1, |half: f64, m| half.max(1.1 * m.norm()));
     panels.push(Panel::new(
-        Axis::linear("Real part (−)").with_range(-half * FRAME, half * FRAME),
-        Axis::linear("Imaginary part (−)").with_range(-half, half),
+        Axis::linear("Real part (−)").over(-half * FRAME, half * FRAME),
+        Axis::linear("Imaginary part (−)").over(-half, half),
         layers,
     ));
     Some(panels)
@@ -128,7 +128,7 @@ impl<'a> Shown<'a> {
         let line = Layer::line("", self.values("time")?, self.values(name)?, Role::FullBoundary.solid());
         let mut layers = self.grounds()?;
         layers.push(line);
-        let across = along_time(self.dataset)?.with_range(self.span.0, self.span.1);
+        let across = along_time(self.dataset)?.over(self.span.0, self.span.1);
         let up = axis(self.dataset.variable(name)?);
         Some(Panel::new(across, up, layers).with_legend(Legend::Below))
     }
@@ -227,7 +227,7 @@ pub(super) fn bifurcation(dataset: &Dataset) -> Option<Vec<Panel>> {
     let values = reals(dataset, &swept.name)?;
     let directions = words(dataset, "direction")?;
     let (first, last) = (*values.first()?, *values.last()?);
-    let along = || axis(swept).with_range(first.min(last), first.max(last));
+    let along = || axis(swept).over(first.min(last), first.max(last));
     let branches = branches::layers(dataset);
     let has_branches = branches.is_some();
     let (mut amplitude, mut shares) = (branches.unwrap_or_default(), Vec::new());

@@ -36,14 +36,14 @@ fn mac(dataset: &Dataset) -> Option<Panel> {
     let values = reals(dataset, "mac")?;
     let count = *dataset.variable("mac")?.shape.first()?;
     // one shape is like itself
-    if count < 2 {
+    if count < 2 || values.len() != count * count {
         return None;
     }
     let numbers: Vec<f64> = (1..=count).map(|k| k as f64).collect();
     let bar = Axis::linear("MAC (−)").with_range(0.0, 1.0);
     let map =
         ValueMap { x: numbers.clone(), y: numbers, z: values.to_vec(), bar, colours: ColourMap::Sequential };
-    let axis = || Axis::linear("Mode").with_range(0.5, count as f64 + 0.5);
+    let axis = || Axis::linear("Mode").over(0.5, count as f64 + 0.5);
     Some(Panel::new(axis(), axis(), vec![Layer::Values(map)]).with_title("shapes against each other"))
 }
 

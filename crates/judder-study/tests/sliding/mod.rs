@@ -293,7 +293,7 @@ count = 8
     )
 }
 
-fn small(locus: &str) -> CaseFile {
+pub(crate) fn small(locus: &str) -> CaseFile {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("case.toml");
     std::fs::write(&path, text(locus)).unwrap();

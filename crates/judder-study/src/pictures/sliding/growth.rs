@@ -35,8 +35,8 @@ pub(in crate::pictures) fn growth(dataset: &Dataset) -> Option<Vec<Panel>> {
     ];
     let (low, high) =
         amplitude.iter().fold((start, start), |(low, high), own| (low.min(*own), high.max(*own)));
-    let up = Axis::log("Amplitude of $N$ (N)").with_range(ROOM.0 * low, ROOM.1 * high);
-    let across = Axis::linear("Time $t$ (ms)").with_range(0.0, 1e3 * time.last()?);
+    let up = Axis::log("Amplitude of $N$ (N)").over(ROOM.0 * low, ROOM.1 * high);
+    let across = Axis::linear("Time $t$ (ms)").over(0.0, 1e3 * time.last()?);
     let method = dataset.attributes().get("method").and_then(Value::as_str).unwrap_or_default();
     let title = format!("{method}, held at {:.3} mm", 1e3 * number("position_m")?);
     Some(vec![Panel::new(across, up, layers).with_title(title).with_legend(Legend::Inside)])

@@ -147,7 +147,7 @@ impl<'a> Locus<'a> {
         let own =
             if self.scale == 1.0 { axis(self.coordinate) } else { Axis::linear("Contact position $s$ (mm)") };
         let ends = [self.values[0], self.values[self.values.len() - 1]].map(|value| value * self.scale);
-        if ends[0] == ends[1] { own } else { own.with_range(ends[0].min(ends[1]), ends[0].max(ends[1])) }
+        if ends[0] == ends[1] { own } else { own.over(ends[0].min(ends[1]), ends[0].max(ends[1])) }
     }
 
     fn at(&self, row: usize, branch: usize) -> Complex64 {
@@ -187,13 +187,13 @@ impl<'a> Locus<'a> {
             return Axis::linear(label).with_range(-1.0, 1.0);
         }
         let high = rates().fold(fastest, f64::max);
-        Axis::symmetric_log(label, even).with_range((ROOM * low).min(-even), (ROOM * high).max(even))
+        Axis::symmetric_log(label, even).over((ROOM * low).min(-even), (ROOM * high).max(even))
     }
 
     /// An even axis from somewhat below zero to beyond the fastest growth.
     fn unstable_side(&self) -> Axis {
         let fastest = self.zones.iter().map(|zone| zone.growth).fold(0.0, f64::max);
-        Axis::linear("Growth rate Re $λ$ (1/s)").with_range(-SHOWN_BELOW * fastest, SHOWN_ABOVE * fastest)
+        Axis::linear("Growth rate Re $λ$ (1/s)").over(-SHOWN_BELOW * fastest, SHOWN_ABOVE * fastest)
     }
 
     /// Fig. 2 of the beams paper: growth rate and frequency, from dark to light along the axis.
@@ -279,7 +279,7 @@ impl<'a> Locus<'a> {
             ));
         }
         let fastest = self.zones.iter().map(|zone| zone.growth).fold(0.0, f64::max);
-        let up = Axis::linear("Growth rate Re $λ$ (1/s)").with_range(0.0, SHOWN_ABOVE * fastest);
+        let up = Axis::linear("Growth rate Re $λ$ (1/s)").over(0.0, SHOWN_ABOVE * fastest);
         Panel::new(self.across(), up, layers).with_title("unstable zones").with_legend(Legend::Below)
     }
 

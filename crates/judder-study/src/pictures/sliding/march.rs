@@ -54,7 +54,7 @@ pub(crate) fn panel(dataset: &Dataset, name: &str, mut layers: Vec<Layer>) -> Op
         layers.push(Layer::key("end of the ramps", Role::Reference.dotted()));
     }
     let across = Axis::linear("Time $t$ (s)");
-    let across = if last > first { across.with_range(first, last) } else { across };
+    let across = if last > first { across.over(first, last) } else { across };
     let panel = Panel::new(across, axis(dataset.variable(name)?), layers).with_legend(Legend::Below);
     Some(match positions(time, reals(dataset, "position")?) {
         Some(second) => panel.with_second_axis(second),
@@ -75,7 +75,7 @@ pub(crate) fn logarithmic(panel: Panel) -> Panel {
     let after = |(x, y): &(&f64, &f64)| y.is_finite() && settled.is_none_or(|settled| **x > settled);
     let largest = lines.flatten().filter(after).map(|(_, y)| *y).fold(0.0, f64::max);
     let up = Axis::log(panel.y.label.clone());
-    let up = if largest > 0.0 { up.with_range(DECADES * largest, ROOM * largest) } else { up };
+    let up = if largest > 0.0 { up.over(DECADES * largest, ROOM * largest) } else { up };
     Panel { y: up, ..panel }
 }
 

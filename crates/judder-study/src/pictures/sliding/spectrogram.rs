@@ -85,7 +85,7 @@ impl Levels {
             x: self.times.clone(),
             y: self.frequencies.clone(),
             z: turned.collect(),
-            bar: Axis::linear(label).with_range(self.range.0, self.range.1),
+            bar: Axis::linear(label).over(self.range.0, self.range.1),
             colours: ColourMap::Sequential,
         };
         let mut layers = vec![Layer::Values(map)];
@@ -159,9 +159,9 @@ impl Levels {
             format!("{}: {:.0} dB are {:.1} mm high", signal(dataset)?, high - low, HEIGHT * distance);
         let (least, most) = (first.min(last), first.max(last));
         let top = skyline.iter().copied().fold(most, f64::max);
-        let up = Axis::linear("Position $s$ (mm)").with_range(least, top + 0.5 * distance);
+        let up = Axis::linear("Position $s$ (mm)").over(least, top + 0.5 * distance);
         let across =
-            Axis::linear("Frequency (kHz)").with_range(*self.frequencies.first()?, *self.frequencies.last()?);
+            Axis::linear("Frequency (kHz)").over(*self.frequencies.first()?, *self.frequencies.last()?);
         Some(Panel::new(across, up, layers).with_title(title).with_legend(Legend::Below))
     }
 

@@ -39,7 +39,7 @@ pub(super) fn growth_axis(values: &[Complex64]) -> Axis {
     let largest = finite.fold(0.0, f64::max);
     let label = "Growth rate Re $λ$ (1/s)";
     match largest > 0.0 {
-        true => Axis::symmetric_log(label, EVEN * largest).with_range(-ROOM * largest, ROOM * largest),
+        true => Axis::symmetric_log(label, EVEN * largest).over(-ROOM * largest, ROOM * largest),
         false => Axis::linear(label),
     }
 }
@@ -52,7 +52,7 @@ pub(in crate::pictures) fn frequency_axis(values: &[Complex64]) -> Axis {
     let (low, high) = hertz.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), f| (l.min(f), h.max(f)));
     let room = (BESIDE[0] * (high - low)).max(BESIDE[1] * high.abs());
     let axis = Axis::linear("Frequency Im $λ$/2π (Hz)");
-    if room > 0.0 && room.is_finite() { axis.with_range(low - room, high + room) } else { axis }
+    if room > 0.0 && room.is_finite() { axis.over(low - room, high + room) } else { axis }
 }
 
 /// The eigenvalues of each verdict as points.
@@ -85,8 +85,8 @@ fn bubbles(values: &[Complex64], verdicts: &[u8]) -> Panel {
     let mut layers = vec![Layer::horizontal_rule(0.0, "")];
     let size = |k: usize| LARGEST * bubble(ratio(k), largest);
     layers.extend(by_verdict(verdicts, &|k| (values[k].im / TAU, ratio(k)), Some(&size)));
-    let vertical = Axis::symmetric_log("Damping ratio $ζ$ (−)", EVEN * largest)
-        .with_range(-ROOM * largest, ROOM * largest);
+    let vertical =
+        Axis::symmetric_log("Damping ratio $ζ$ (−)", EVEN * largest).over(-ROOM * largest, ROOM * largest);
     Panel::new(frequency_axis(values), vertical, layers).with_title("damping ratios")
 }
 

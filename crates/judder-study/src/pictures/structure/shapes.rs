@@ -58,7 +58,9 @@ impl Picture {
         });
         let moved = moved.collect();
         let Data::I64(ends) = &dataset.variable("line")?.data else { return None };
-        let lines = ends.chunks_exact(2).map(|ends| [ends[0] as usize, ends[1] as usize]).collect();
+        let is_point = |end: &i64| usize::try_from(*end).is_ok_and(|end| end < places.len());
+        let lines = ends.chunks_exact(2).filter(|ends| ends.iter().all(is_point));
+        let lines = lines.map(|ends| [ends[0] as usize, ends[1] as usize]).collect();
         Some(Self { rest, moved, lines, in_plane })
     }
 
@@ -113,7 +115,7 @@ impl Picture {
         let (x, y) = (range(across, size), range(up, size / FRAME));
         let names =
             if self.in_plane { ["Position $x$ (m)", "Position $y$ (m)"] } else { ["Across (m)", "Up (m)"] };
-        [Axis::linear(names[0]).with_range(x.0, x.1), Axis::linear(names[1]).with_range(y.0, y.1)]
+        [Axis::linear(names[0]).over(x.0, x.1), Axis::linear(names[1]).over(y.0, y.1)]
     }
 }
 

@@ -61,7 +61,7 @@ fn panel(sweep: &Sweep<'_>, quantity: &str, indices: &Value) -> Panel {
         layers.push(Layer::line("", bars.0, bars.1, role.solid()));
         layers.push(Layer::points(label, across, up, role));
     }
-    let x = Axis::linear("Share of the variance (−)").with_range(low - ROOM, high + ROOM);
+    let x = Axis::linear("Share of the variance (−)").over(low - ROOM, high + ROOM);
     let y = Axis::named("", keys.iter().map(|key| without_unit(&key.label)));
     layers.push(Layer::vertical_rule(0.0, ""));
     Panel::new(x, y, layers).with_title(quantity).with_legend(Legend::Below)

@@ -16,6 +16,7 @@
 //! - [`map`]: stability maps, at every point or only where something changes (Figs. 9, 10).
 //! - [`boundary`]: the curve that bounds a map, followed by continuation.
 //! - [`motion`]: the equations of motion (12), (13) with stick, slip and lift-off, and where a motion settles.
+//! - [`quasi_steady`]: the condition (3) of steady-sliding laws in motion.
 //! - [`hopf`]: what grows from a threshold: the first Lyapunov coefficient.
 //! - [`cycle`]: limit cycles, stable or not, and their branches along a parameter.
 //!
@@ -39,6 +40,7 @@ pub mod linearisation;
 pub mod map;
 pub mod mechanism;
 pub mod motion;
+pub mod quasi_steady;
 pub mod spectrum;
 
 pub use error::OscillatorError;

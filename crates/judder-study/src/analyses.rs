@@ -26,6 +26,7 @@ use crate::error::StudyError;
 use crate::kept::Kept;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
+use crate::quasi_steady::{Condition, of_motions};
 use crate::sliding::SlidingSystem;
 use crate::spectrum_source::temperature_warning;
 use crate::structure::Structure;
@@ -100,7 +101,7 @@ pub(crate) fn run_from(
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
     match case {
-        Case::Oscillator(case) => in_contact(case, law, progress, |case, contact| {
+        Case::Oscillator(case) => in_contact(case, index, (law, progress), |case, contact| {
             oscillator((case, contact), &case.analyses[index].kind, own, progress)
         }),
         Case::Contact(case) => contact::run(case, &case.analyses[index], own, progress),
@@ -128,8 +129,8 @@ pub fn run_watched(
     watch: &mut dyn FnMut(MotionBlock),
 ) -> Result<Outcome, StudyError> {
     match case {
-        Case::Oscillator(case) => {
-            in_contact(case, Kept::NOTHING, progress, |case, contact| match &case.analyses[index].kind {
+        Case::Oscillator(case) => in_contact(case, index, (Kept::NOTHING, progress), |case, contact| {
+            match &case.analyses[index].kind {
                 OscillatorAnalysis::Motion(kind) => motion::run_watched(
                     &OscillatorModel { inputs: &case.inputs, contact },
                     kind,
@@ -137,8 +138,8 @@ pub fn run_watched(
                     watch,
                 ),
                 kind => oscillator((case, contact), kind, Kept::NOTHING, progress),
-            })
-        }
+            }
+        }),
         Case::Belt(case) => {
             motion::run_watched(&BeltModel::new(case), &case.analyses[index].kind, progress, watch)
         }
@@ -146,11 +147,11 @@ pub fn run_watched(
     }
 }
 
-/// Runs an analysis of an oscillator case in its contact, whose law goes on from the points that are kept.
+/// Runs the analysis at `index` of an oscillator case in its contact, whose law goes on from the points that are kept.
 fn in_contact(
     case: &OscillatorCase,
-    law: Kept<'_>,
-    progress: &dyn Progress,
+    index: usize,
+    (law, progress): (Kept<'_>, &dyn Progress),
     analysis: impl FnOnce(&OscillatorCase, &Contact) -> Result<Outcome, StudyError>,
 ) -> Result<Outcome, StudyError> {
     let case = &bridge::with_material(case)?;
@@ -160,6 +161,10 @@ fn in_contact(
     let mut outcome = analysis(case, &contact)?;
     outcome.warnings.extend(warnings);
     outcome.warnings.extend(temperature_warning(&case.substrate)?);
+    if let Some(condition) = Condition::of_analysis(case, &contact, &case.analyses[index].kind)? {
+        outcome.warnings.extend(condition.warning(of_motions(&outcome.scalars)));
+        outcome.scalars.extend(condition.scalars());
+    }
     Ok(outcome)
 }
 

@@ -8,6 +8,7 @@ use crate::point::{self, Point};
 use crate::progress::Progress;
 use crate::spectrum_source::temperature_warning;
 use judder_case::{OscillatorCase, OscillatorKey};
+use judder_contact::law::material::LawTerm;
 use judder_contact::{ContactLaw, ContactPoint};
 use judder_oscillator::Contact;
 use rayon::prelude::*;
@@ -23,6 +24,8 @@ pub struct ReadyCase {
     pub case: OscillatorCase,
     /// Its contact.
     pub contact: CaseContact,
+    /// The terms of its substrate.
+    pub(crate) terms: Vec<LawTerm>,
     /// What is to be said of the temperature of its substrate.
     pub temperature_warning: Option<String>,
 }
@@ -33,10 +36,9 @@ impl ReadyCase {
     /// # Errors
     /// A group out of range, no (or more than one) equilibrium.
     pub fn point(&self) -> Result<Point, StudyError> {
-        let mut point = point::analyse(&self.contact.contact, bridge::groups(&self.case.inputs))?;
-        point.warnings.extend_from_slice(&self.contact.warnings);
-        point.warnings.extend(self.temperature_warning.clone());
-        Ok(point)
+        let point = point::analyse(&self.contact.contact, bridge::groups(&self.case.inputs))?;
+        let contact = (&self.contact, self.terms.as_slice());
+        Ok(point.in_contact(&self.case.inputs, contact, self.temperature_warning.clone()))
     }
 }
 
@@ -52,6 +54,7 @@ struct Entry {
     /// `None` where the numeric keys of the case say all.
     material: Option<Material>,
     contact: CaseContact,
+    terms: Vec<LawTerm>,
     temperature_warning: Option<String>,
 }
 
@@ -110,17 +113,18 @@ impl Entry {
         // looked at before they are read: a change in between is seen next time
         let files =
             case.files().into_iter().map(|file| KnownFile::new(&file.path)).collect::<Result<_, _>>()?;
-        let decided = case.substrate.decided_by().is_some();
-        let material = decided.then(|| Material::new(&case.substrate, &case.inputs)).transpose()?;
+        let found = Material::new(&case.substrate, &case.inputs)?;
+        let terms = found.of_law().terms;
+        let material = case.substrate.decided_by().map(|_| found);
         let told = told(case, material.as_ref());
         let contact = bridge::contact_of(&told, progress)?;
         let temperature_warning = temperature_warning(&case.substrate)?;
-        Ok(Self { key, files, material, contact, temperature_warning })
+        Ok(Self { key, files, material, contact, terms, temperature_warning })
     }
 
     fn of(self, case: &OscillatorCase) -> ReadyCase {
-        let Self { material, contact, temperature_warning, .. } = self;
-        ReadyCase { case: told(case, material.as_ref()), contact, temperature_warning }
+        let Self { material, contact, terms, temperature_warning, .. } = self;
+        ReadyCase { case: told(case, material.as_ref()), contact, terms, temperature_warning }
     }
 }
 

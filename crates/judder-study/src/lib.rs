@@ -9,6 +9,7 @@
 //! - `sliding`: the pair of a sliding case: both structures reduced, the contact between them.
 //! - [`coupled_pair`]: the pair of a sliding case for whoever marches it by himself.
 //! - [`sliding_shapes`]: the shapes in which a pair swings at any position, on all points of both structures.
+//! - [`quasi_steady`]: eq. (3), on which laws of steady sliding stand in motion, and what is told of it.
 //! - [`point`]: everything about one operating point.
 //! - [`key_plane`]: the operating points over two keys of a case.
 //! - [`law_cache`]: material and law of a case whose numbers move; a law over speeds and depths.
@@ -45,6 +46,7 @@ pub mod outcome;
 pub mod pictures;
 pub mod point;
 mod progress;
+pub mod quasi_steady;
 pub mod report;
 mod report_tables;
 pub mod reproduce;

@@ -3,10 +3,12 @@
 use crate::bridge::{self, CaseContact};
 use crate::error::StudyError;
 use crate::progress::Silent;
+use crate::quasi_steady::{self, Condition};
 use crate::spectrum_source::temperature_warning;
 use crate::text::{columns, list, number};
-use judder_case::OscillatorCase;
+use judder_case::{OscillatorCase, OscillatorInputs};
 use judder_contact::ContactLaw;
+use judder_contact::law::material::LawTerm;
 use judder_oscillator::critical::{Range, Scale, thresholds};
 use judder_oscillator::equilibrium::{Equilibrium, equilibrium};
 use judder_oscillator::growth::{GrowthShares, growth_shares, sensitivities};
@@ -80,6 +82,8 @@ pub struct Point {
     pub critical_shear_strength: Vec<f64>,
     /// All conservative thresholds of the load at this speed and shear strength, ascending.
     pub critical_load: Vec<f64>,
+    /// Eq. (3); `None` for an elastic substrate, and where only groups are given.
+    pub quasi_steady: Option<Condition>,
     /// What makes the law doubtful here.
     pub warnings: Vec<String>,
 }
@@ -98,10 +102,24 @@ pub fn point(case: &OscillatorCase) -> Result<Point, StudyError> {
 /// # Errors
 /// As [`point`].
 pub fn point_with(case: &OscillatorCase, contact: &CaseContact) -> Result<Point, StudyError> {
-    let mut point = analyse(&contact.contact, bridge::groups(&case.inputs))?;
-    point.warnings.extend_from_slice(&contact.warnings);
-    point.warnings.extend(temperature_warning(&case.substrate)?);
-    Ok(point)
+    let terms = quasi_steady::terms(case)?;
+    let point = analyse(&contact.contact, bridge::groups(&case.inputs))?;
+    Ok(point.in_contact(&case.inputs, (contact, &terms), temperature_warning(&case.substrate)?))
+}
+
+impl Point {
+    /// The point with what is to be said of its contact and of the terms of its substrate.
+    pub(crate) fn in_contact(
+        mut self,
+        inputs: &OscillatorInputs,
+        (contact, terms): (&CaseContact, &[LawTerm]),
+        of_temperature: Option<String>,
+    ) -> Self {
+        self.quasi_steady = Condition::at(inputs, Some(&contact.contact), terms);
+        let broken = self.quasi_steady.and_then(|condition| condition.warning(None));
+        self.warnings.extend(contact.warnings.iter().cloned().chain(of_temperature).chain(broken));
+        self
+    }
 }
 
 /// Analyses an oscillator given by its groups.
@@ -137,6 +155,7 @@ pub fn analyse(contact: &Contact, groups: Groups) -> Result<Point, StudyError> {
         sensitivities: sensitivities(&system, &leading_mode),
         critical_shear_strength: strengths.conservative,
         critical_load: loads.conservative,
+        quasi_steady: None,
         warnings,
     })
 }
@@ -186,6 +205,7 @@ impl Point {
                 "damping": sensitivity(self.sensitivities.damping),
                 "stiffness": sensitivity(self.sensitivities.stiffness),
             },
+            "quasi_steady": self.quasi_steady.as_ref().map(Condition::json),
             "warnings": self.warnings,
         })
     }
@@ -212,6 +232,10 @@ impl Point {
             vec!["critical shear strength τ0/E0*".to_owned(), list(&self.critical_shear_strength)],
             vec!["critical load F_n/(E0* R²)".to_owned(), list(&self.critical_load)],
         ]));
+        if let Some(condition) = &self.quasi_steady {
+            text.push_str("\nthe law of steady sliding in motion\n");
+            text.push_str(&columns(&condition.rows()));
+        }
         for warning in &self.warnings {
             text.push_str("\nwarning: ");
             text.push_str(warning);

@@ -10,6 +10,7 @@ use crate::analyses::{ONE_WAY, class_name};
 use crate::bridge;
 use crate::error::StudyError;
 use crate::point;
+use crate::quasi_steady::{self, Condition};
 use crate::text::{columns, list, number};
 use judder_case::sweep::MAP_BYTES_PER_POINT;
 use judder_case::{
@@ -117,6 +118,11 @@ fn oscillator(file: &CaseFile, case: &OscillatorCase) -> Result<Resolved, StudyE
             .map(|(name, group, unit)| vec![(*name).to_owned(), number(*group), unit.clone()])
             .collect::<Vec<_>>(),
     ));
+    // without a law nothing is known of steady sliding, but of the frequency and the substrate
+    let condition = match &limits {
+        Ok(point) => point.quasi_steady,
+        Err(_) => Condition::at(&case.inputs, None, &quasi_steady::terms(case)?),
+    };
     text.push_str("\nat the operating point\n");
     let document_limits = match &limits {
         Ok(point) => {
@@ -134,10 +140,13 @@ fn oscillator(file: &CaseFile, case: &OscillatorCase) -> Result<Resolved, StudyE
             Value::Null
         }
     };
+    if let Some(condition) = &condition {
+        text.push_str(&columns(&condition.rows()));
+    }
     text.push_str(&estimate_text(&estimates));
     let warnings: Vec<String> = limits
         .map(|point| point.warnings)
-        .unwrap_or_default()
+        .unwrap_or_else(|_| condition.and_then(|condition| condition.warning(None)).into_iter().collect())
         .into_iter()
         .collect::<std::collections::BTreeSet<_>>()
         .into_iter()
@@ -149,6 +158,7 @@ fn oscillator(file: &CaseFile, case: &OscillatorCase) -> Result<Resolved, StudyE
         "case": file.case.resolved(),
         "groups": rows.iter().map(|(name, group, _)| ((*name).to_owned(), json!(group))).collect::<serde_json::Map<_, _>>(),
         "point": document_limits,
+        "quasi_steady": condition.as_ref().map(Condition::json),
         "estimate": estimate_json(&estimates),
         "warnings": warnings,
     });
@@ -300,7 +310,8 @@ fn analysed(case: &TwoDegreesCase) -> Result<(Value, String), String> {
     let class = StabilityClass::of_system(&system).map_err(|error| error.to_string())?;
     let rows: Vec<Vec<String>> =
         values.iter().map(|l| vec![number(l.re), format!("{} i", number(l.im))]).collect();
-    let text = format!("\nat these parameters: {}; eigenvalues\n{}", class_name(class, ONE_WAY), columns(&rows));
+    let text =
+        format!("\nat these parameters: {}; eigenvalues\n{}", class_name(class, ONE_WAY), columns(&rows));
     let verdict = class.verdict().map_or("unresolved", judder_oscillator::Verdict::name);
     let document = json!({
         "eigenvalues": values.map(|l| [l.re, l.im]),

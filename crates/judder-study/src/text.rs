@@ -28,6 +28,13 @@ pub(crate) fn number(value: f64) -> String {
     if (1e-3..1e5).contains(&value.abs()) { format!("{value:.7}") } else { format!("{value:.6e}") }
 }
 
+/// A number to four digits, for sentences.
+pub(crate) fn short(value: f64) -> String {
+    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
+    let plain = rounded == 0.0 || (1e-3..1e5).contains(&rounded.abs());
+    if plain { format!("{rounded}") } else { format!("{rounded:e}") }
+}
+
 /// Numbers in a row, or a word where there are none.
 pub(crate) fn list(values: &[f64]) -> String {
     if values.is_empty() {

@@ -4,6 +4,7 @@ mod recorder;
 
 use super::measures::Measures;
 use super::{ContactState, Interrupted, SlidingSystem};
+use crate::quasi_steady;
 use judder_numerics::piecewise::{Advance, Crossing, March, MarchError, Settings};
 use recorder::Recorder;
 use std::collections::VecDeque;
@@ -53,18 +54,8 @@ impl<const N: usize> Oscillation<N> {
     /// With ω = 2π over the period and A_x the amplitude, in the units of the oscillator: ṽ_d and τ̃.
     #[must_use]
     pub fn quasi_steady_condition(&self, belt_velocity: f64, retardation_time: f64) -> f64 {
-        quasi_steady_condition((self.period, self.amplitude), belt_velocity, retardation_time)
+        quasi_steady::in_motion((self.period, self.amplitude), belt_velocity, retardation_time)
     }
-}
-
-/// Eq. (3) of the oscillator paper for oscillations of a period and an amplitude.
-#[must_use]
-pub fn quasi_steady_condition(
-    (period, amplitude): (f64, f64),
-    belt_velocity: f64,
-    retardation_time: f64,
-) -> f64 {
-    (std::f64::consts::TAU / period - belt_velocity / amplitude) * retardation_time
 }
 
 /// A motion that was followed to the end of its time.

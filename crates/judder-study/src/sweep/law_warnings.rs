@@ -1,4 +1,4 @@
-//! What a finished sweep has to say of its contact law.
+//! What a finished sweep has to say of its contact law, and of eq. (3).
 
 use super::evaluate::{Evaluator, of_one_law};
 use super::plan::SweepPlan;
@@ -6,7 +6,8 @@ use crate::analyses::steady_states::{SteadyState, validity_warnings};
 use crate::bridge;
 use crate::error::StudyError;
 use crate::progress::Progress;
-use judder_case::OscillatorCase;
+use crate::quasi_steady::{self, Condition};
+use judder_case::{Case, OscillatorCase};
 
 /// How the law is doubtful at some points, evenly over the sweep; where the case is read anew, the points say it themselves.
 ///
@@ -16,16 +17,17 @@ pub(super) fn law_warnings(plan: &SweepPlan, progress: &dyn Progress) -> Result<
     /// As many as are looked at.
     const LOOKED: u64 = 512;
     if of_one_law(plan).is_none() {
-        return Ok(Vec::new());
+        return Ok(read_anew(plan).into_iter().collect());
     }
     let evaluator = Evaluator::new(plan, progress)?;
     let Some(set) = evaluator.of_one_law() else { return Ok(Vec::new()) };
-    let points = plan.sweep.points();
-    let looked = points.min(LOOKED);
-    let (mut states, mut substrates) = (Vec::new(), Vec::new());
+    let looked = plan.sweep.points().min(LOOKED);
+    let (mut points, mut states, mut substrates) = (Vec::new(), Vec::new(), Vec::new());
+    let count = plan.sweep.points();
     for k in 0..looked {
-        let number = u128::from(k) * u128::from(points) / u128::from(looked);
+        let number = u128::from(k) * u128::from(count) / u128::from(looked);
         let Ok(inputs) = set.at(&plan.sweep.values_of(number as u64)) else { continue };
+        points.push(inputs);
         states.extend(SteadyState::new(&set.contact, &inputs));
         let here = OscillatorCase { inputs, ..set.case.clone() };
         let contact = bridge::with_law(&here, set.contact.law.clone());
@@ -36,5 +38,27 @@ pub(super) fn law_warnings(plan: &SweepPlan, progress: &dyn Progress) -> Result<
         count => format!("at {count} of {looked} points looked at, for one: {first}"),
     });
     let of_points = of_substrates.into_iter().chain(validity_warnings(&set.contact, states.iter()));
-    Ok(set.computed.iter().cloned().chain(of_points).collect())
+    let terms = quasi_steady::terms(&set.case)?;
+    let broken = Condition::worst(points.into_iter(), Some(&set.contact), &terms)
+        .and_then(|condition| condition.warning(None));
+    Ok(set.computed.iter().cloned().chain(of_points).chain(broken).collect())
+}
+
+/// That eq. (3) is broken at some of the points, evenly over the sweep, of a case that is read anew at each.
+fn read_anew(plan: &SweepPlan) -> Option<String> {
+    /// As many as are looked at: each reads the case, and a substrate that moves.
+    const LOOKED: u64 = 16;
+    let points = plan.sweep.points();
+    let looked = points.min(LOOKED);
+    let at = |k: u64| {
+        let number =
+            if looked > 1 { u128::from(k) * u128::from(points - 1) / u128::from(looked - 1) } else { 0 };
+        let file = plan.file.at(&plan.sweep, &plan.sweep.values_of(number as u64)).ok()?;
+        let Case::Oscillator(case) = &file.case else { return None };
+        let case = bridge::with_material(case).ok()?;
+        Condition::at(&case.inputs, None, &quasi_steady::terms(&case).ok()?)
+    };
+    let conditions = (0..looked).filter_map(at);
+    let worst = conditions.max_by(|a, b| a.figures.figure.total_cmp(&b.figures.figure))?;
+    worst.warning(None)
 }

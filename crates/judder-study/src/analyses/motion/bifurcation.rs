@@ -11,7 +11,7 @@ use judder_case::{Following, MotionStart, Sweep, SweepDirection, Value as CaseVa
 use judder_numerics::piecewise::MarchError;
 use judder_oscillator::motion::ContactState;
 use judder_oscillator::motion::attractor::{Attractor, Patience, Settled, settle};
-use judder_oscillator::motion::history::quasi_steady_condition;
+use judder_oscillator::quasi_steady;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -75,7 +75,7 @@ impl Settling {
             lift_off_fraction: measured(measures.fraction(ContactState::LiftOff)),
             quasi_steady_condition: memory.filter(|_| moves).map(|memory| {
                 let oscillation = (attractor.period / oscillations as f64, measures.amplitude());
-                quasi_steady_condition(oscillation, memory.belt_velocity, memory.retardation_time)
+                quasi_steady::in_motion(oscillation, memory.belt_velocity, memory.retardation_time)
             }),
             returns: attractor.returns.iter().map(|state| state.to_vec()).collect(),
             state: attractor.state.to_vec(),

@@ -62,7 +62,7 @@ fn oscillator(case: &OscillatorCase) -> Json {
         json["contact"]["law"] = json!({ "computed": true, "accuracy": case.law_accuracy });
     }
     add_substrate(&mut json["substrate"], &case.substrate);
-    for entry in KEYS.iter().filter(|entry| case.substrate.has(entry.key)) {
+    for entry in KEYS.iter().filter(|entry| case.substrate.takes(entry.key)) {
         let value = case.inputs.get(entry.key);
         json[entry.section()][entry.name()] = number(value.number, value.form, entry.dimension);
     }
@@ -78,7 +78,7 @@ fn contact(case: &ContactCase) -> Json {
         "analysis": case.analyses.iter().map(|analysis| named(analysis, contact_analysis)).collect::<Vec<_>>(),
     });
     add_substrate(&mut json["substrate"], &case.substrate);
-    let keys = ContactCase::KEYS.into_iter().filter(|key| case.substrate.has(*key));
+    let keys = ContactCase::KEYS.into_iter().filter(|key| case.substrate.takes(*key));
     for entry in keys.map(OscillatorKey::entry) {
         let value = case.inputs.get(entry.key);
         json[entry.section()][entry.name()] = number(value.number, value.form, entry.dimension);

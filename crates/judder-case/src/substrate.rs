@@ -29,6 +29,24 @@ impl Substrate {
         key != OscillatorKey::RelaxationTime || self.source == RelaxationSource::OneTime
     }
 
+    /// Whether the value of a numeric key is the one that is taken: not where data or a continuous spectrum decide in its place.
+    pub(crate) fn takes(&self, key: OscillatorKey) -> bool {
+        let decided = match &self.source {
+            RelaxationSource::Dma { rubbery_modulus, .. } => match key {
+                OscillatorKey::RubberyModulus => rubbery_modulus.is_none(),
+                OscillatorKey::GlassyModulus | OscillatorKey::RetardationTime => true,
+                _ => false,
+            },
+            RelaxationSource::Continuous(source) => match key {
+                OscillatorKey::GlassyModulus => matches!(source.density, Density::Samples(_)),
+                OscillatorKey::RetardationTime => true,
+                _ => false,
+            },
+            RelaxationSource::OneTime | RelaxationSource::Prony(_) | RelaxationSource::Relaxation(_) => false,
+        };
+        self.has(key) && !decided
+    }
+
     /// The file that the substrate names, where it does.
     pub fn file(&self) -> Option<&FileReference> {
         match &self.source {

@@ -75,14 +75,14 @@ impl<'a> Study<'a> {
         Ok(Self { store, summary, kept, forgotten })
     }
 
-    /// Names the case whose study this is.
-    pub(crate) fn set_case(&mut self, file: &CaseFile, resolved: &Value) {
+    /// Names the case whose study this is, by what it resolves to, and shows it with what is used.
+    pub(crate) fn set_case(&mut self, file: &CaseFile, resolved: &Value, shown: Value) {
         self.kept.source.clone_from(&file.text);
         self.kept.file = file.path.as_deref().and_then(|path| home::way(self.store.path(), path));
         self.kept.overrides.clone_from(&file.overrides);
         self.kept.put(&mut self.summary);
         self.summary.case_hash = home::case_hash(resolved);
-        self.summary.case = resolved.clone();
+        self.summary.case = shown;
     }
 
     /// Whether these analyses are done and miss nothing.

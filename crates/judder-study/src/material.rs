@@ -2,13 +2,16 @@
 
 use crate::bridge;
 use crate::error::StudyError;
+use crate::input_file;
 use crate::spectrum_source::{FoundSpectrum, shift};
-use judder_case::{ContactCase, Form, OscillatorInputs, OscillatorKey, Span, Substrate, Value};
+use judder_case::{Case, ContactCase, Form, OscillatorInputs, OscillatorKey, Span, Substrate, Value};
 use judder_contact::kernel::substrate::SlidingSubstrate;
 use judder_contact::law::material::{LawMaterial, LawTerm};
-use judder_contact::material::{CreepSpectrum, Discretisation, DmaData, PronyFit};
+use judder_contact::material::{CreepSpectrum, CreepTerm, Discretisation, DmaData, PronyFit};
 use judder_contact::transient::CreepingSubstrate;
 use judder_oscillator::groups::Scales;
+use judder_store::content_hash;
+use serde_json::{Value as Json, json};
 
 /// The substrate of a case.
 #[derive(Debug, Clone, PartialEq)]
@@ -64,6 +67,27 @@ impl Material {
         LawMaterial { modulus_ratio: self.spectrum.contrast(), terms: terms.into_iter().map(term).collect() }
     }
 
+    /// What computations take of the substrate of a case, where a series, data or a temperature decide it: moduli, times at the temperature,
+    /// terms, and the file they come from.
+    fn used(&self, substrate: &Substrate) -> Result<Json, StudyError> {
+        let si = |value: f64, unit: &str| json!({ "value": value, "unit": unit });
+        let term = |term: &CreepTerm| json!({ "time": si(term.retardation_time, "s"), "compliance": si(term.compliance, "1/Pa") });
+        let mut used = json!({
+            "rubbery_modulus": si(self.spectrum.rubbery_modulus(), "Pa"),
+            "glassy_modulus": si(self.spectrum.glassy_modulus(), "Pa"),
+            "retardation_time": self.mean_time().map(|time| si(time, "s")),
+            "terms": self.spectrum.terms().iter().map(term).collect::<Vec<_>>(),
+        });
+        if substrate.temperature.is_some() {
+            used["time_factor"] = json!(self.time_factor);
+        }
+        if let Some(file) = substrate.file() {
+            used["file"] =
+                json!({ "name": file.given, "hash": content_hash(&input_file::bytes(&file.path)?) });
+        }
+        Ok(used)
+    }
+
     /// Inputs that say of the substrate what the material is: moduli and mean time.
     pub(crate) fn told_to(&self, inputs: &OscillatorInputs) -> OscillatorInputs {
         let mut told = *inputs;
@@ -74,6 +98,25 @@ impl Material {
         }
         told
     }
+}
+
+/// A resolved case with what is used in place of its numeric keys, where a series, data or a temperature decide the substrate.
+///
+/// It is no part of any hash: two fits to the same data on different machines differ by rounding.
+///
+/// # Errors
+/// Data that cannot be read or fitted.
+pub(crate) fn with_used(case: &Case, mut resolved: Json) -> Result<Json, StudyError> {
+    let (substrate, inputs) = match case {
+        Case::Oscillator(case) => (&case.substrate, &case.inputs),
+        Case::Contact(case) => (&case.substrate, &case.inputs),
+        _ => return Ok(resolved),
+    };
+    if substrate.decided_by().is_some() {
+        resolved["substrate"]["used"] = Material::new(substrate, inputs)?.used(substrate)?;
+        resolved.sort_all_objects();
+    }
+    Ok(resolved)
 }
 
 /// A contact case with the scales of its groups.

@@ -9,6 +9,7 @@ mod sweeps;
 use crate::analyses::{ONE_WAY, class_name};
 use crate::bridge;
 use crate::error::StudyError;
+use crate::material;
 use crate::point;
 use crate::quasi_steady::{self, Condition};
 use crate::text::{columns, list, number};
@@ -155,7 +156,7 @@ fn oscillator(file: &CaseFile, case: &OscillatorCase) -> Result<Resolved, StudyE
         text.push_str(&format!("\nwarning: {warning}\n"));
     }
     let document = json!({
-        "case": file.case.resolved(),
+        "case": material::with_used(&file.case, file.case.resolved())?,
         "groups": rows.iter().map(|(name, group, _)| ((*name).to_owned(), json!(group))).collect::<serde_json::Map<_, _>>(),
         "point": document_limits,
         "quasi_steady": condition.as_ref().map(Condition::json),

@@ -14,6 +14,7 @@ use crate::analyses::Prepared;
 use crate::door;
 use crate::error::StudyError;
 use crate::ledger::{Keepsakes, Study};
+use crate::material;
 use crate::outcome::CheckRecord;
 use crate::progress::Progress;
 use crate::report;
@@ -205,7 +206,11 @@ fn compute_in(
     let start = Instant::now();
     asked.keep_files(&store)?;
     let mut study = Study::open(&store, asked.all())?;
-    study.set_case(asked.file, &asked.resolved);
+    study.set_case(
+        asked.file,
+        &asked.resolved,
+        material::with_used(&asked.file.case, asked.resolved.clone())?,
+    );
     let (mut skipped, mut refused) = (Vec::new(), Vec::new());
     let law = shared_law(&asked.file.case, &asked.resolved);
     let all = &asked.analyses;

@@ -11,6 +11,7 @@ use judder_contact::material::{
     PronyFit, RelaxationSpectrum, RelaxationTerm, TemperatureShift, TermCount as FitTerms,
 };
 use std::path::Path;
+use std::sync::{Mutex, PoisonError};
 
 /// The deviation at every point that a fit with `terms = "auto"` aims at.
 const AUTO_DEVIATION: f64 = 0.02;
@@ -95,7 +96,16 @@ impl FoundSpectrum {
             }
             error => unusable(&file.path, &error),
         };
-        let data = one_curve(read_table(&file.path)?, substrate).map_err(unusable_curve)?;
+        let table = read_table(&file.path)?;
+        // one sweep at one temperature is moved as a whole: so is its fit, which the rule of the shift then does not decide
+        let as_measured = match (&table, &substrate.temperature) {
+            (DmaTable::Sweeps(sweeps), Some(at)) => match sweeps.sweeps.as_slice() {
+                [(measured, data)] => Some((data.clone(), shift(&at.shift).factor(*measured))),
+                _ => None,
+            },
+            _ => None,
+        };
+        let data = one_curve(table, substrate).map_err(unusable_curve)?;
         let terms = match terms {
             TermCount::Given(count) => FitTerms::Exactly(count),
             TermCount::Auto => FitTerms::Within {
@@ -103,9 +113,51 @@ impl FoundSpectrum {
                 most: judder_contact::material::prony_fit::MOST_TERMS,
             },
         };
-        let fit = PronyFit::new(&data, terms, rubbery_modulus).map_err(unusable_curve)?;
+        let fit = match as_measured {
+            Some((data, factor)) => {
+                remembered_fit(&data, terms, rubbery_modulus).and_then(|fit| fit.moved_by(factor?))
+            }
+            None => remembered_fit(&data, terms, rubbery_modulus),
+        }
+        .map_err(unusable_curve)?;
         Ok(Self { spectrum: fit.creep.clone(), fit: Some((data, fit)), discretisation: None })
     }
+}
+
+/// What a fit depends on, and the fit.
+struct Fitted {
+    data: DmaData,
+    terms: FitTerms,
+    rubbery_modulus: Option<f64>,
+    fit: PronyFit,
+}
+
+/// The fits that were made last: a fit takes half a second, and what a sweep moves is seldom its data.
+static FITS: Mutex<Vec<Fitted>> = Mutex::new(Vec::new());
+
+/// The series fitted to data, made once for the same data.
+fn remembered_fit(
+    data: &DmaData,
+    terms: FitTerms,
+    rubbery_modulus: Option<f64>,
+) -> Result<PronyFit, MaterialError> {
+    /// As many as cases have substrates, and a few more.
+    const KEPT: usize = 8;
+    let known = || FITS.lock().unwrap_or_else(PoisonError::into_inner);
+    let is_same =
+        |own: &Fitted| own.data == *data && own.terms == terms && own.rubbery_modulus == rubbery_modulus;
+    if let Some(own) = known().iter().find(|own| is_same(own)) {
+        return Ok(own.fit.clone());
+    }
+    let fit = PronyFit::new(data, terms, rubbery_modulus)?;
+    let mut fits = known();
+    if !fits.iter().any(is_same) {
+        if fits.len() == KEPT {
+            fits.remove(0);
+        }
+        fits.push(Fitted { data: data.clone(), terms, rubbery_modulus, fit: fit.clone() });
+    }
+    Ok(fit)
 }
 
 /// The temperature of measured data that nothing of the case moves, in words.
@@ -176,5 +228,57 @@ mod tests {
         for (moved, plain) in moved.points().iter().zip(plain.points()) {
             assert!((moved.angular_frequency / plain.angular_frequency / 10.0 - 1.0).abs() < 1e-12);
         }
+    }
+
+    /// A sweep of moduli over four decades, at a temperature.
+    fn dma(temperature: f64) -> String {
+        let line = |k: i32| {
+            let frequency = 10_f64.powf(f64::from(k) / 4.0);
+            let slow = CreepTerm { retardation_time: 1e-1, compliance: 5e-7 };
+            let fast = CreepTerm { retardation_time: 1e-3, compliance: 3e-7 };
+            let modulus = CreepSpectrum::new(1e7, vec![slow, fast])
+                .unwrap()
+                .complex_modulus(std::f64::consts::TAU * frequency);
+            format!("{frequency:e},{temperature},{:e},{:e}\n", modulus.re, modulus.im)
+        };
+        format!("f [Hz],T [K],E' [Pa],E'' [Pa]\n{}", (-8..=16).map(line).collect::<String>())
+    }
+
+    /// The fit of moved data is the moved fit, whatever the rule moves them by.
+    #[test]
+    fn a_shifted_fit_is_a_fit_to_shifted_data() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("dma.csv");
+        std::fs::write(&path, dma(295.0)).unwrap();
+        let file = FileReference { given: "dma.csv".to_owned(), path };
+        let source = RelaxationSource::Dma { file, terms: TermCount::Auto, rubbery_modulus: None };
+        for second in [55.0, 80.0, 200.0] {
+            let shift = Shift::Wlf { first: 10.0, second, reference: 300.0 };
+            let temperature = Some(judder_case::Temperature { temperature: 310.0, shift });
+            let substrate = Substrate { source: source.clone(), temperature };
+            let moved = FoundSpectrum::of(&substrate, &OscillatorInputs::default()).unwrap();
+            let data = one_curve(DmaTable::parse(&dma(295.0)).unwrap(), &substrate).unwrap();
+            let most = judder_contact::material::prony_fit::MOST_TERMS;
+            let anew =
+                PronyFit::new(&data, FitTerms::Within { deviation: AUTO_DEVIATION, most }, None).unwrap();
+            assert_eq!(moved.fit.unwrap().0, data);
+            assert_eq!(moved.spectrum.terms().len(), anew.creep.terms().len());
+            for (moved, anew) in moved.spectrum.terms().iter().zip(anew.creep.terms()) {
+                assert!((moved.retardation_time / anew.retardation_time - 1.0).abs() < 1e-9);
+                assert!((moved.compliance / anew.compliance - 1.0).abs() < 1e-9);
+            }
+        }
+    }
+
+    /// What is remembered is told apart by all that a fit depends on.
+    #[test]
+    fn another_fit_is_not_taken_for_one_that_was_made() {
+        let data = |temperature: f64| DmaTable::parse(&dma(temperature)).unwrap().single().unwrap();
+        let terms = |count: usize| FitTerms::Exactly(count);
+        let first = remembered_fit(&data(295.0), terms(3), None).unwrap();
+        assert_eq!(first, PronyFit::new(&data(295.0), terms(3), None).unwrap());
+        assert_eq!(remembered_fit(&data(295.0), terms(3), None).unwrap(), first);
+        assert_ne!(remembered_fit(&data(295.0), terms(4), None).unwrap(), first);
+        assert_ne!(remembered_fit(&data(295.0), terms(3), Some(9e5)).unwrap(), first);
     }
 }

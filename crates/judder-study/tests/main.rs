@@ -16,6 +16,7 @@ mod shown;
 mod sliding;
 mod sliding_cases;
 mod structure;
+mod substrates;
 mod sweep;
 mod zones;
 

@@ -113,6 +113,23 @@ impl PronyFit {
         self.storage_deviation.max(self.loss_deviation)
     }
 
+    /// The fit to the same data measured at frequencies `factor` times as high: all times are shorter by as much, the moduli stay.
+    ///
+    /// # Errors
+    /// [`MaterialError::NotPositive`] for the factor, [`MaterialError::Term`] for a time that leaves the numbers.
+    pub fn moved_by(mut self, factor: f64) -> Result<Self, MaterialError> {
+        super::error::positive("the shift factor a_T", factor)?;
+        self.creep = self.creep.with_times_multiplied(1.0 / factor)?;
+        let term = |term: &RelaxationTerm| RelaxationTerm {
+            relaxation_time: term.relaxation_time / factor,
+            modulus: term.modulus,
+        };
+        let terms = self.relaxation.terms().iter().map(term).collect();
+        self.relaxation = RelaxationSpectrum::new(self.relaxation.rubbery_modulus(), terms)?;
+        self.residuals.iter_mut().for_each(|residual| residual.angular_frequency *= factor);
+        Ok(self)
+    }
+
     fn measured(
         points: &[DmaPoint],
         relaxation: RelaxationSpectrum,

@@ -4,7 +4,7 @@ use super::{Resolved, columns, number, title};
 use crate::analyses::contact::{Asked, cells_of_law, lattice, loading, usual_contacts};
 use crate::door;
 use crate::error::StudyError;
-use crate::material::ContactScales;
+use crate::material::{self, ContactScales};
 use crate::spectrum_source::temperature_warning;
 use judder_case::{
     Analysis, CaseFile, ContactAnalysis, ContactCase, ContactSettings, Form, LawSettings, Memory,
@@ -74,7 +74,7 @@ pub(super) fn resolve(file: &CaseFile, case: &ContactCase) -> Result<Resolved, S
         text.push_str(&format!("\nwarning: {warning}\n"));
     }
     let document = json!({
-        "case": file.case.resolved(),
+        "case": material::with_used(&file.case, file.case.resolved())?,
         "groups": {
             "contrast": spectrum.contrast(),
             "terms": spectrum.terms().len(),

@@ -331,10 +331,11 @@ pub(super) fn of_one_law(plan: &SweepPlan) -> Option<(&OscillatorCase, &[(Oscill
 
 fn way(plan: &SweepPlan, progress: &dyn Progress) -> Result<Way, StudyError> {
     if let Some((case, keys)) = of_one_law(plan) {
-        let CaseContact { contact, warnings } = bridge::contact(case, NO_POINTS, &Within(progress))?;
+        let case = bridge::with_material(case)?;
+        let CaseContact { contact, warnings } = bridge::contact(&case, NO_POINTS, &Within(progress))?;
         // the others depend on the point
         let computed = if case.law == LawName::Bem { warnings } else { Vec::new() };
-        let set = SetInputs { case: case.clone(), keys: keys.to_vec(), contact, computed };
+        let set = SetInputs { case, keys: keys.to_vec(), contact, computed };
         return Ok(Way::Inputs(Box::new(set)));
     }
     let names: Vec<&str> = plan.analyses().iter().map(|(_, name)| *name).collect();

@@ -200,7 +200,7 @@ fn points_of_a_chunk(file: &CaseFile, sweep: &StudySweep, columns: &[Column]) ->
 pub(super) fn law_stays(case: &OscillatorCase, keys: &[(OscillatorKey, Form)]) -> bool {
     let of_substrate = |key: OscillatorKey| key.entry().section() == "substrate";
     let moves = keys.iter().any(|(key, _)| of_substrate(*key));
-    case.substrate.decided_by().is_none() && !(moves && case.law == LawName::Bem)
+    !(moves && (case.law == LawName::Bem || case.substrate.decided_by().is_some()))
 }
 
 /// The last dimensions whole, as many as go into `target` points, and a part of the one before them.

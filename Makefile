@@ -57,7 +57,7 @@ bench-cluster: .venv/installed ## what sweeps on a cluster cost beside their poi
 bench-rough: .venv-peers/installed ## time the elastic contact of rough surfaces, beside Tamaas and ASPHER
 	.venv-peers/bin/python benches/compare_rough.py
 
-validate: sdist-tests ## the expensive validation: the tests that `make test` leaves out
+validate: ## the expensive validation: the tests that `make test` leaves out
 ifeq ($(NEXTEST),yes)
 	$(CARGO) nextest run $(LOCKED) --workspace --run-ignored only --no-tests pass
 else

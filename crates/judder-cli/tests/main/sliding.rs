@@ -212,7 +212,7 @@ fn what_only_a_run_finds_is_shown_in_the_case() {
         (
             "[contact]",
             "[contact]\nfriction_coefficient = 9",
-            "sprag-slip at 5.2",
+            "sprag-slip at 0.052 m",
             "a smaller friction coefficient",
         ),
     ];

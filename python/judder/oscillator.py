@@ -99,7 +99,8 @@ class StabilityMap:
     @property
     def unstable(self) -> NDArray[np.bool_]:
         """Where steady sliding is unstable, bool[y, x]."""
-        return self.verdict == "unstable"
+        found: NDArray[np.bool_] = self.verdict == "unstable"
+        return found
 
     @property
     def unstable_fraction(self) -> float:

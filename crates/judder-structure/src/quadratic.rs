@@ -83,6 +83,19 @@ impl Quadratic {
         (self.norms[0] * size + self.norms[1]) * size + self.norms[2]
     }
 
+    /// |z|ᵀ (|λ|² |M| + |λ| |C| + |K|) |x|.
+    pub(crate) fn scale_by_entries(&self, value: c64, z: &[c64], x: &[c64]) -> f64 {
+        let size = value.norm();
+        let of = |matrix: &Sparse| -> f64 {
+            let column = |k: usize| {
+                let entries = matrix.row_idx_of_col(k).zip(matrix.val_of_col(k));
+                x[k].norm() * entries.map(|(row, entry)| z[row].norm() * entry.abs()).sum::<f64>()
+            };
+            (0..matrix.ncols()).map(column).sum()
+        };
+        (of(&self.mass) * size + of(&self.damping)) * size + of(&self.stiffness)
+    }
+
     /// √(‖M‖₁ ‖M‖∞).
     pub(crate) fn mass_norm(&self) -> f64 {
         self.norms[0]

@@ -1,42 +1,73 @@
 //! How far an eigenvalue may be from the true one.
 
+use super::disc::Triple;
 use super::refine::Refined;
 use super::vectors::assurance;
 use super::{Eigenvalue, Settings};
 use crate::quadratic::Quadratic;
+use faer::c64;
 
-/// An eigenvalue with its residuals, condition and error; the others that are known near it tell whether it may be defective.
-///
-/// First order: δ = (o + ε N(λ))/|d|, with what the method leaves open o, the precision ε of the matrices, N(λ) = |λ|² ‖M‖ + |λ| ‖C‖ +
-/// ‖K‖ and d = yᴴ Q′(λ) x of vectors of length one. Two eigenvalues with one vector, a distance g apart, move as
-/// ±√(g²/4 ± δ g) instead; |d| is then no more than g ‖M‖, which bounds δ g from below where g is lost in rounding.
-pub(crate) fn accuracy(
-    problem: &Quadratic,
-    refined: &Refined,
-    others: &[&Refined],
-    left_open: f64,
-    settings: &Settings,
-) -> Eigenvalue {
-    /// Vectors are parallel above it.
-    const PARALLEL: f64 = 0.9;
-    let value = refined.triple.value;
-    let (scale, slope) = (problem.scale(value), refined.slope.norm());
-    let disturbance = left_open + (f64::EPSILON + settings.data_precision) * scale;
-    let partner = others
-        .iter()
-        .filter(|other| assurance(&other.triple.right, &refined.triple.right) > PARALLEL)
-        .map(|other| (other.triple.value - value).norm())
-        .min_by(f64::total_cmp);
-    let least = disturbance / problem.mass_norm();
-    let error = partner.map_or(disturbance / slope, |gap| moved(disturbance / slope, gap, least));
-    Eigenvalue {
-        value,
-        residual: refined.residual,
-        left_residual: refined.left_residual,
-        condition: scale / (value.norm() * slope),
-        error,
-        defective: partner.is_some_and(|gap| error >= 0.5 * gap),
+/// What is known of an eigenvalue beside others.
+pub(crate) struct Accuracy<'a> {
+    problem: &'a Quadratic,
+    refined: &'a Refined,
+    /// How far the nearest eigenvalue with the same vector is: the two may be one that is defective.
+    partner: Option<f64>,
+}
+
+impl<'a> Accuracy<'a> {
+    pub(crate) fn beside(problem: &'a Quadratic, refined: &'a Refined, others: &[&Refined]) -> Self {
+        /// Vectors are parallel above it.
+        const PARALLEL: f64 = 0.9;
+        let partner = others
+            .iter()
+            .filter(|other| assurance(&other.triple.right, &refined.triple.right) > PARALLEL)
+            .map(|other| (other.triple.value - refined.triple.value).norm())
+            .min_by(f64::total_cmp);
+        Self { problem, refined, partner }
     }
+
+    /// The eigenvalue with its residuals, condition and error.
+    ///
+    /// First order: δ = (o + ε N(λ))/|d|, with what the method leaves open o, the precision ε of the matrices, N(λ) = |λ|² ‖M‖ +
+    /// |λ| ‖C‖ + ‖K‖ and d = yᴴ Q′(λ) x of vectors of length one.
+    pub(crate) fn eigenvalue(&self, left_open: f64, settings: &Settings) -> Eigenvalue {
+        let value = self.refined.triple.value;
+        let (scale, slope) = (self.problem.scale(value), self.refined.slope.norm());
+        let error = self.moved_by(left_open + (f64::EPSILON + settings.data_precision) * scale);
+        Eigenvalue {
+            value,
+            residual: self.refined.residual,
+            left_residual: self.refined.left_residual,
+            condition: scale / (value.norm() * slope),
+            error,
+            defective: self.partner.is_some_and(|gap| error >= 0.5 * gap),
+        }
+    }
+
+    /// How far the eigenvalue may be by rounding alone, ε = n 2⁻⁵², where every entry keeps its own digits (D. J. Higham and N. J. Higham,
+    /// 1998): δ = (o + ε |y|ᵀ (|λ|² |M| + |λ| |C| + |K|) |x|)/|d|. What is small beside the rest of a matrix keeps its place.
+    pub(crate) fn rounding(&self, left_open: f64) -> f64 {
+        let Triple { value, right, left } = &self.refined.triple;
+        let open = left_open.min(along(left, &self.refined.rest) + along(right, &self.refined.left_rest));
+        let precision = f64::EPSILON * self.problem.size() as f64;
+        self.moved_by(open + precision * self.problem.scale_by_entries(*value, left, right))
+    }
+
+    /// How far the eigenvalue moves where something disturbs d times it.
+    ///
+    /// Two eigenvalues with one vector, a distance g apart, move as ±√(g²/4 ± δ g) instead of by δ; |d| is then no more than g ‖M‖,
+    /// which bounds δ g from below where g is lost in rounding.
+    fn moved_by(&self, disturbance: f64) -> f64 {
+        let first_order = disturbance / self.refined.slope.norm();
+        self.partner
+            .map_or(first_order, |gap| moved(first_order, gap, disturbance / self.problem.mass_norm()))
+    }
+}
+
+/// |a|ᵀ |b|.
+fn along(a: &[c64], b: &[c64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a.norm() * b.norm()).sum()
 }
 
 /// η N(λ): what normalised residuals η leave open of d times the eigenvalue.

@@ -30,12 +30,19 @@ pub enum Gap {
         /// Where it ended.
         to: c64,
     },
+    /// A determinant is not that of the eigenvalues found: some are missing, or there too often.
+    Unproved {
+        /// How many were found in the region.
+        found: usize,
+        /// Where the determinant was taken.
+        place: c64,
+    },
     /// A branch of a sweep begins or ends inside the region, beside a point that was solved in a basis.
     Torn {
         /// Where.
         value: c64,
     },
-    /// No disc covers a part of the region.
+    /// No disc covers a part of the region, or more eigenvalues stand in one place than a search can count.
     Uncovered {
         /// Which part.
         part: Region,
@@ -54,6 +61,11 @@ impl fmt::Display for Gap {
             Self::Strayed { from, to } => {
                 write!(f, "what was found at {from:.6} 1/s went to {to:.6} 1/s when it was refined")
             }
+            Self::Unproved { found, place } => write!(
+                f,
+                "the determinant of λ²M + λC + K at {place:.6} 1/s is not that of the {found} eigenvalues found: \
+                 some may be missing, or too ill-conditioned to count"
+            ),
             Self::Torn { value } => write!(
                 f,
                 "the branch at {value:.6} 1/s begins or ends inside the region: the basis may lack an eigenvalue here"
@@ -77,26 +89,29 @@ pub(super) struct Cover {
 
 /// A disc asks for so much more than its part needs: the overlap with its neighbours.
 const MARGIN: f64 = 1.2;
-/// How often a part is halved before it stays uncovered.
-const HALVINGS: usize = 8;
+/// How often a part is halved before it stays uncovered: as often as numbers can tell its ends apart.
+const HALVINGS: usize = 48;
+/// How many discs are searched before the parts that are left stay uncovered.
+const SEARCHES: usize = 1000;
 /// Within this share of a disc's radius it must know what others found.
 const WELL_INSIDE: f64 = 0.97;
 
 /// Covers a region by discs: by two, and where a search does not reach far enough by as many as it takes.
 pub(super) fn cover(problem: &Quadratic, region: &Region) -> Result<Cover, StructureError> {
-    let (mut discs, mut gaps) = (Vec::new(), Vec::new());
+    let (mut discs, mut gaps, mut searches) = (Vec::new(), Vec::new(), 0);
     let mut parts = region.halves().to_vec();
     for halving in 0..=HALVINGS {
         let searched: Vec<Disc> = parts
             .par_iter()
             .map(|part| Disc::search(problem, part.centre(), MARGIN * part.radius()))
             .collect::<Result<_, _>>()?;
+        searches += parts.len();
         let mut smaller = Vec::new();
         for (part, disc) in parts.iter().zip(searched) {
             let aside = (disc.factor.shift() - part.centre()).norm();
-            if disc.radius >= part.radius() + aside {
+            if disc.radius >= part.radius() + aside && !disc.crowded {
                 discs.push(disc);
-            } else if halving < HALVINGS {
+            } else if halving < HALVINGS && searches < SEARCHES {
                 smaller.extend(part.halves());
             } else {
                 gaps.push(Gap::Uncovered { part: *part });

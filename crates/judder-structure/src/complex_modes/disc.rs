@@ -1,12 +1,13 @@
 //! The eigenvalues of a disc around a shift, with right and left vectors that belong together.
 
 use super::krylov::{Found, search};
+use super::linearised::Linearised;
 use super::matching::one_to_one;
 use super::shift::ShiftedFactor;
 use super::vectors::{bilinear, column};
 use crate::StructureError;
+use crate::dense::general::solve;
 use crate::quadratic::{Quadratic, Side};
-use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};
 
 /// An eigenvalue with its vectors, each of length one.
@@ -29,6 +30,8 @@ pub(super) struct Disc {
     /// As far as was asked and found.
     pub(super) reach: f64,
     pub(super) triples: Vec<Triple>,
+    /// Eigenvalues are too many in one place: there may be more of them.
+    pub(super) crowded: bool,
     /// Eigenvalues within the radius that only one side has found.
     pub(super) lonely: Vec<c64>,
 }
@@ -45,16 +48,16 @@ impl Disc {
     pub(super) fn search(problem: &Quadratic, centre: c64, asked: f64) -> Result<Self, StructureError> {
         const SEEDS: (u64, u64) = (101, 202);
         let factor = ShiftedFactor::near(problem, centre, asked)?;
-        let (right, left) = rayon::join(
-            || search(problem, &factor, Side::Right, asked, SEEDS.0),
-            || search(problem, &factor, Side::Left, asked, SEEDS.1),
-        );
+        let of = |side| Linearised { problem, factor: &factor, side, reach: asked };
+        let (right, left) =
+            rayon::join(|| search(&of(Side::Right), SEEDS.0), || search(&of(Side::Left), SEEDS.1));
         let (right, left) = (right?, left?);
         let radius = right.radius.min(left.radius);
         let reach = asked.min(radius);
         let (mut triples, lonely) = pair(factor.shift(), &right, &left, reach);
         biorthogonalise(problem, &mut triples, CLUSTER * reach);
-        Ok(Self { factor, radius, reach, triples, lonely })
+        let crowded = right.crowded || left.crowded;
+        Ok(Self { factor, radius, reach, triples, crowded, lonely })
     }
 }
 
@@ -81,7 +84,7 @@ fn pair(centre: c64, right: &Found, left: &Found, radius: f64) -> (Vec<Triple>, 
 /// Makes the left vectors of a multiple eigenvalue orthogonal to the right vectors of its others: zᵢᵀ ((λᵢ+λⱼ) M + C) xⱼ = 0.
 ///
 /// Left as they are where the eigenvalue is defective: no such vectors exist.
-fn biorthogonalise(problem: &Quadratic, triples: &mut [Triple], distance: f64) {
+pub(super) fn biorthogonalise(problem: &Quadratic, triples: &mut [Triple], distance: f64) {
     /// A smaller share of the vectors' products than this is rounding.
     const DEFECTIVE: f64 = 1e-6;
     let mut taken = vec![false; triples.len()];
@@ -98,7 +101,10 @@ fn biorthogonalise(problem: &Quadratic, triples: &mut [Triple], distance: f64) {
             bilinear(&triples[i].left, image.col(0))
         };
         let products = Mat::from_fn(cluster.len(), cluster.len(), |i, j| slope(cluster[i], cluster[j]));
-        let inverse = products.partial_piv_lu().solve(Mat::<c64>::identity(cluster.len(), cluster.len()));
+        let mut inverse = Mat::<c64>::identity(cluster.len(), cluster.len());
+        if solve(products.clone(), &mut inverse).is_none() {
+            continue;
+        }
         let (norm, of_inverse) = (products.norm_l2(), inverse.norm_l2());
         // of a defective eigenvalue the products are singular
         let condition = norm * of_inverse;
@@ -130,7 +136,7 @@ mod tests {
 
     fn found(values: &[f64]) -> Found {
         let pair = |value: &f64| Pair { value: c64::new(*value, 0.0), vector: vec![c64::new(1.0, 0.0)] };
-        Found { pairs: values.iter().map(pair).collect(), radius: 10.0 }
+        Found { pairs: values.iter().map(pair).collect(), radius: 10.0, crowded: false }
     }
 
     #[test]

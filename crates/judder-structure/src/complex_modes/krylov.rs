@@ -1,12 +1,11 @@
-//! Block Arnoldi on the quadratic problem shifted and inverted: the eigenvalues nearest to a shift.
+//! Block Arnoldi on the problem shifted and inverted: the eigenvalues nearest to a shift.
 //!
-//! With λ = σ + ρ/θ the problem reads θ² Q(σ) x + θ ρ Q′(σ) x + ρ² M x = 0, so θ (x, u) = (−Q(σ)⁻¹ (ρ Q′(σ) x + ρ² M u), x) with
-//! u = x/θ. Eigenvalues within ρ of σ have |θ| ≥ 1, and infinite ones θ = 0.
+//! A space grown from b random vectors holds at most b copies of an eigenvalue, however large it grows, and from either side alike. So
+//! it is grown from more than the largest crowd of eigenvalues in it: as long as a crowd is not outnumbered, random vectors are added.
 
-use super::shift::ShiftedFactor;
+use super::linearised::Linearised;
 use crate::StructureError;
 use crate::dense::general::complex_eigen;
-use crate::quadratic::{Quadratic, Side};
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, MatRef, Par, c64};
 use judder_numerics::counter::uniform;
@@ -17,6 +16,13 @@ const WIDTH: usize = 4;
 const STRIDE: usize = 4;
 /// Vectors before a search gives up on more than it has.
 const LARGEST: usize = 160;
+/// Random vectors before a search gives up on a crowd.
+const MOST_STARTS: usize = 64;
+/// So many more for each random one after the first.
+const STEPS_OF_A_START: usize = 12;
+/// Eigenvalues nearer to the next than this share of the reach are a crowd: equal ones, and the cube roots to which rounding scatters a
+/// defective one, which a space resolves late or never.
+const CROWD: f64 = 1e-3;
 /// θ counts as converged where its residual over |θ| is below it.
 const TOLERANCE: f64 = 1e-11;
 /// A new vector shorter than this share of what it was made of lies in the basis.
@@ -36,40 +42,44 @@ pub(super) struct Found {
     pub(super) pairs: Vec<Pair>,
     /// Every eigenvalue nearer to the shift has converged.
     pub(super) radius: f64,
+    /// Some are too many in one place: there may be more of them.
+    pub(super) crowded: bool,
 }
 
-/// All eigenvalues within the asked distance of the factor's shift, or as far out as the largest basis reaches.
-pub(super) fn search(
-    problem: &Quadratic,
-    factor: &ShiftedFactor,
-    side: Side,
-    asked: f64,
-    seed: u64,
-) -> Result<Found, StructureError> {
-    let mut basis = Basis::start(problem, factor, side, asked, seed)?;
+/// All eigenvalues within the operator's reach of its shift, or as far out as the largest basis holds.
+pub(super) fn search(operator: &Linearised<'_>, seed: u64) -> Result<Found, StructureError> {
+    let asked = operator.reach;
+    let mut basis = Basis::start(operator, seed)?;
     let mut seen = None;
     loop {
-        let mut open = true;
         for _ in 0..STRIDE {
-            open = open && basis.grow()?;
+            basis.grow()?;
         }
-        let ritz = basis.ritz(asked)?;
-        let done = !open || basis.filled + WIDTH > LARGEST;
+        let ritz = basis.ritz()?;
+        if basis.whole {
+            return Ok(basis.found(&ritz, f64::INFINITY));
+        }
+        let crowd = ritz.largest_crowd(ritz.radius.min(asked));
+        let outnumbered = crowd >= basis.starts;
         // a value that comes late shows within one more look
         let settled = ritz.radius >= asked && seen == Some(ritz.inside(asked));
-        if done || settled {
-            return Ok(basis.found(&ritz, if open { ritz.radius } else { f64::INFINITY }));
+        if (settled && !outnumbered) || basis.is_full() || crowd >= MOST_STARTS {
+            return Ok(Found { crowded: outnumbered, ..basis.found(&ritz, ritz.radius) });
         }
         seen = (ritz.radius >= asked).then(|| ritz.inside(asked));
+        if outnumbered {
+            seen = None;
+            basis.start_anew(WIDTH.max(crowd + 1 - basis.starts))?;
+        }
     }
 }
 
 /// An orthonormal basis and the operator on it.
 struct Basis<'a> {
-    problem: &'a Quadratic,
-    factor: &'a ShiftedFactor,
-    side: Side,
-    reach: f64,
+    operator: &'a Linearised<'a>,
+    seed: u64,
+    /// Random vectors that it was grown from.
+    starts: usize,
     /// Columns (x, u), 2n long; those beyond `filled` are room.
     vectors: Mat<c64>,
     filled: usize,
@@ -77,6 +87,8 @@ struct Basis<'a> {
     fresh: usize,
     /// The operator between the vectors: a column for each that has been through.
     projected: Mat<c64>,
+    /// Nothing lies outside of it that the operator does not take to zero.
+    whole: bool,
 }
 
 /// Eigenvalues of the operator on the basis by falling |θ|, and how many of the first have converged.
@@ -91,54 +103,52 @@ struct Ritz {
 }
 
 impl<'a> Basis<'a> {
-    fn start(
-        problem: &'a Quadratic,
-        factor: &'a ShiftedFactor,
-        side: Side,
-        reach: f64,
-        seed: u64,
-    ) -> Result<Self, StructureError> {
-        let rows = 2 * problem.size();
-        let room = LARGEST.min(rows) + WIDTH;
+    fn start(operator: &'a Linearised<'a>, seed: u64) -> Result<Self, StructureError> {
         let mut basis = Self {
-            problem,
-            factor,
-            side,
-            reach,
-            vectors: Mat::zeros(rows, room),
+            operator,
+            seed,
+            starts: 0,
+            vectors: Mat::zeros(operator.rows(), LARGEST + WIDTH),
             filled: 0,
             fresh: 0,
-            projected: Mat::zeros(room, room),
+            projected: Mat::zeros(LARGEST + WIDTH, LARGEST + WIDTH),
+            whole: false,
         };
-        let random = |row: usize, column: usize| {
-            let at = (2 * (column * rows + row)) as u64;
-            c64::new(uniform(seed, at) - 0.5, uniform(seed, at + 1) - 0.5)
-        };
-        // once through the operator: nothing is left that has no mass
-        let block = basis.through(Mat::from_fn(rows, WIDTH.min(rows), random).as_ref())?;
-        basis.take_in(block);
+        basis.start_anew(WIDTH)?;
         Ok(basis)
     }
 
-    /// The operator on a block of vectors.
-    fn through(&self, block: MatRef<'_, c64>) -> Result<Mat<c64>, StructureError> {
-        let (size, width) = (self.problem.size(), block.ncols());
-        let (x, u) = (block.subrows(0, size), block.subrows(size, size));
-        let mut image = self.problem.slope(self.side, self.factor.shift(), x);
-        self.problem.add_mass(self.side, c64::new(self.reach, 0.0), u, &mut image);
-        self.factor.solve(self.side, &mut image)?;
-        Ok(Mat::from_fn(2 * size, width, |row, column| {
-            if row < size { image[(row, column)] * -self.reach } else { x[(row - size, column)] }
-        }))
+    /// Takes in random vectors that the basis was not grown from.
+    fn start_anew(&mut self, count: usize) -> Result<(), StructureError> {
+        let rows = self.operator.rows();
+        let random = |row: usize, column: usize| {
+            let at = (2 * ((self.starts + column) * rows + row)) as u64;
+            c64::new(uniform(self.seed, at) - 0.5, uniform(self.seed, at + 1) - 0.5)
+        };
+        // once through the operator: nothing is left that has no mass
+        let block = self.operator.through(Mat::from_fn(rows, count, random).as_ref())?;
+        self.starts += count;
+        self.take_in(block);
+        Ok(())
     }
 
-    /// One more block; false where the space is invariant.
-    fn grow(&mut self) -> Result<bool, StructureError> {
+    /// Whether it holds as many vectors as it is worth.
+    fn is_full(&self) -> bool {
+        self.filled + WIDTH > LARGEST + STEPS_OF_A_START * (self.starts - WIDTH)
+    }
+
+    /// One more block, random where the space is invariant without it.
+    fn grow(&mut self) -> Result<(), StructureError> {
+        if self.whole || self.is_full() {
+            return Ok(());
+        }
         let (from, width) = (self.fresh, self.filled - self.fresh);
         if width == 0 {
-            return Ok(false);
+            self.start_anew(WIDTH)?;
+            self.whole = self.filled == from;
+            return Ok(());
         }
-        let image = self.through(self.vectors.subcols(from, width))?;
+        let image = self.operator.through(self.vectors.subcols(from, width))?;
         self.fresh = self.filled;
         let shares = self.take_in(image);
         for (k, shares) in shares.iter().enumerate() {
@@ -146,13 +156,16 @@ impl<'a> Basis<'a> {
                 self.projected[(row, from + k)] = *share;
             }
         }
-        Ok(self.filled > self.fresh)
+        Ok(())
     }
 
     /// Makes a block orthonormal and a part of the basis; gives the coordinates of each of its vectors.
     fn take_in(&mut self, mut block: Mat<c64>) -> Vec<Vec<c64>> {
         let lengths: Vec<f64> = (0..block.ncols()).map(|k| block.col(k).norm_l2()).collect();
-        let before = self.filled;
+        let (before, rows) = (self.filled, block.nrows());
+        let room = (before + block.ncols()).max(self.projected.nrows());
+        self.vectors.resize_with(rows, room, |_, _| c64::new(0.0, 0.0));
+        self.projected.resize_with(room, room, |_, _| c64::new(0.0, 0.0));
         let mut shares = Mat::zeros(before, block.ncols());
         // twice is enough (W. Kahan, B. N. Parlett)
         for _ in 0..2 {
@@ -161,16 +174,16 @@ impl<'a> Basis<'a> {
         let mut coordinates = Vec::new();
         for (k, length) in lengths.iter().enumerate() {
             let mut column: Vec<c64> = (0..before).map(|row| shares[(row, k)]).collect();
-            let mut vector = Mat::from_fn(block.nrows(), 1, |row, _| block[(row, k)]);
+            let mut vector = Mat::from_fn(rows, 1, |row, _| block[(row, k)]);
             let mut within = Mat::zeros(self.filled - before, 1);
             for _ in 0..2 {
                 within += project_out(self.vectors.subcols(before, self.filled - before), &mut vector);
             }
             column.extend((0..self.filled - before).map(|row| within[(row, 0)]));
             let left = vector.norm_l2();
-            if left > INVARIANT * length {
+            if left > INVARIANT * length && self.filled < rows {
                 column.push(c64::new(left, 0.0));
-                for row in 0..block.nrows() {
+                for row in 0..rows {
                     self.vectors[(row, self.filled)] = vector[(row, 0)] / left;
                 }
                 self.filled += 1;
@@ -180,7 +193,8 @@ impl<'a> Basis<'a> {
         coordinates
     }
 
-    fn ritz(&self, asked: f64) -> Result<Ritz, StructureError> {
+    fn ritz(&self) -> Result<Ritz, StructureError> {
+        let reach = self.operator.reach;
         let done = self.fresh;
         let (values, vectors) = complex_eigen(self.projected.submatrix(0, 0, done, done))
             .ok_or(StructureError::NoDenseEigenvalues { rows: done })?;
@@ -192,29 +206,29 @@ impl<'a> Basis<'a> {
         let residual = |k: usize| rests.col(k).norm_l2() / vectors.col(k).norm_l2();
         let has_converged = |k: &&usize| residual(**k) <= TOLERANCE * values[**k].norm();
         let converged = order.iter().take_while(has_converged).count();
-        let distance = |k: usize| self.reach / values[k].norm();
+        let distance = |k: usize| reach / values[k].norm();
         let radius = match (order.get(converged), converged) {
             // what has not converged may lie as much nearer as it is far
             (Some(k), _) => 0.9 * distance(*k),
             (None, 0) => 0.0,
-            (None, _) => asked,
+            (None, _) => reach,
         };
-        Ok(Ritz { values, vectors, order, converged, radius, reach: self.reach })
+        Ok(Ritz { values, vectors, order, converged, radius, reach })
     }
 
     fn found(&self, ritz: &Ritz, radius: f64) -> Found {
-        let (size, done) = (self.problem.size(), self.fresh);
+        let (size, done) = (self.operator.problem.size(), self.fresh);
         let pairs = ritz.finite().map(|k| {
             let mut vector = Mat::zeros(size, 1);
             let (basis, shares) = (self.vectors.submatrix(0, 0, size, done), ritz.vectors.subcols(k, 1));
             matmul(vector.as_mut(), Accum::Replace, basis, shares, c64::new(1.0, 0.0), Par::Seq);
             let length = vector.norm_l2();
             Pair {
-                value: self.factor.shift() + self.reach / ritz.values[k],
+                value: self.operator.value(ritz.values[k]),
                 vector: (0..size).map(|row| vector[(row, 0)] / length).collect(),
             }
         });
-        Found { pairs: pairs.collect(), radius }
+        Found { pairs: pairs.collect(), radius, crowded: false }
     }
 }
 
@@ -227,7 +241,29 @@ impl Ritz {
 
     /// How many lie within a distance of the shift.
     fn inside(&self, distance: f64) -> usize {
-        self.finite().filter(|k| self.reach / self.values[*k].norm() <= distance).count()
+        self.within(distance).len()
+    }
+
+    /// λ − σ of those within a distance of the shift.
+    fn within(&self, distance: f64) -> Vec<c64> {
+        let apart = self.finite().map(|k| self.reach / self.values[k]);
+        apart.filter(|apart| apart.norm() <= distance).collect()
+    }
+
+    /// The most eigenvalues within a distance of the shift of which each has a next that is near.
+    fn largest_crowd(&self, distance: f64) -> usize {
+        let mut left = self.within(distance);
+        let mut largest = 0;
+        while let Some(first) = left.pop() {
+            let (mut crowd, mut seen) = (vec![first], 0);
+            while let Some(member) = crowd.get(seen).copied() {
+                let near = |other: &mut c64| (*other - member).norm() <= CROWD * self.reach;
+                crowd.extend(left.extract_if(.., near));
+                seen += 1;
+            }
+            largest = largest.max(crowd.len());
+        }
+        largest
     }
 }
 

@@ -5,6 +5,7 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::evd::{ComputeEigenvectors, EvdParams, evd_cplx, evd_real, evd_scratch};
 use faer::linalg::lu::partial_pivoting::factor::{PartialPivLuParams, lu_in_place, lu_in_place_scratch};
 use faer::linalg::lu::partial_pivoting::solve::{solve_in_place_scratch, solve_in_place_with_conj};
+use faer::traits::ComplexField;
 use faer::{Conj, Mat, MatRef, Par, Spec, c64};
 
 /// A v = λ v for a complex matrix: the values, and vectors as columns. `None` where the iteration does not end.
@@ -24,19 +25,31 @@ pub(crate) fn complex_eigen(matrix: MatRef<'_, c64>) -> Option<(Vec<c64>, Mat<c6
 }
 
 /// X with A X = B, in place of B; `None` where A is singular.
-pub(crate) fn solve(mut matrix: Mat<f64>, right: &mut Mat<f64>) -> Option<()> {
+pub(crate) fn solve<T: ComplexField>(mut matrix: Mat<T>, right: &mut Mat<T>) -> Option<()> {
     let size = matrix.nrows();
     let (mut forward, mut inverse) = (vec![0_usize; size], vec![0; size]);
-    let parameters = Spec::<PartialPivLuParams, f64>::default();
-    let needed = lu_in_place_scratch::<usize, f64>(size, size, Par::Seq, parameters)
-        .or(solve_in_place_scratch::<usize, f64>(size, right.ncols(), Par::Seq));
+    let parameters = Spec::<PartialPivLuParams, T>::default();
+    let needed = lu_in_place_scratch::<usize, T>(size, size, Par::Seq, parameters)
+        .or(solve_in_place_scratch::<usize, T>(size, right.ncols(), Par::Seq));
     let mut memory = MemBuffer::try_new(needed).ok()?;
     let stack = MemStack::new(&mut memory);
     let (_, rows) = lu_in_place(matrix.as_mut(), &mut forward, &mut inverse, Par::Seq, stack, parameters);
     let (factors, stack) = (matrix.as_ref(), MemStack::new(&mut memory));
     solve_in_place_with_conj(factors, factors, rows, Conj::No, right.as_mut(), Par::Seq, stack);
-    let finite = (0..right.ncols()).all(|j| (0..size).all(|i| right[(i, j)].is_finite()));
-    finite.then_some(())
+    right.is_all_finite().then_some(())
+}
+
+/// The pivots of P A = L U, in place of A, and whether P is an odd number of exchanges; `None` where there is no memory.
+pub(crate) fn pivots(matrix: &mut Mat<c64>) -> Option<(Vec<c64>, bool)> {
+    let size = matrix.nrows();
+    let (mut forward, mut inverse) = (vec![0_usize; size], vec![0; size]);
+    let parameters = Spec::<PartialPivLuParams, c64>::default();
+    let needed = lu_in_place_scratch::<usize, c64>(size, size, Par::Seq, parameters);
+    let mut memory = MemBuffer::try_new(needed).ok()?;
+    let stack = MemStack::new(&mut memory);
+    let (done, _) = lu_in_place(matrix.as_mut(), &mut forward, &mut inverse, Par::Seq, stack, parameters);
+    let odd = done.transposition_count % 2 == 1;
+    Some(((0..size).map(|k| matrix[(k, k)]).collect(), odd))
 }
 
 /// A v = λ v and wᴴ A = λ wᴴ for a real matrix, those of its eigenvalues that a test picks; vectors are columns, of length one.

@@ -1,3 +1,4 @@
 //! What holds of every structure, on random ones.
 
+mod planted;
 mod reduction;

@@ -8,17 +8,17 @@ use judder_structure::assembly::Sparse;
 use judder_structure::complex_modes::{ComplexModes, Region, Settings, Verdict, complex_modes};
 use judder_structure::quadratic::Quadratic;
 
-fn sparse(size: usize, entries: impl IntoIterator<Item = (usize, usize, f64)>) -> Sparse {
+pub(super) fn sparse(size: usize, entries: impl IntoIterator<Item = (usize, usize, f64)>) -> Sparse {
     let triplets: Vec<_> = entries.into_iter().map(|(i, j, v)| Triplet::new(i, j, v)).collect();
     Sparse::try_new_from_triplets(size, size, &triplets).unwrap()
 }
 
-fn diagonal(values: &[f64]) -> Sparse {
+pub(super) fn diagonal(values: &[f64]) -> Sparse {
     sparse(values.len(), values.iter().enumerate().map(|(k, v)| (k, k, *v)))
 }
 
 /// L diag R with triangles L and R of their own seeds: the eigenvalues of the diagonal, vectors that are not orthogonal.
-fn disguised(diagonals: &Sparse) -> Sparse {
+pub(super) fn disguised(diagonals: &Sparse) -> Sparse {
     const SIDES: [u64; 2] = [11, 12];
     let size = diagonals.nrows();
     let triangle = |seed: u64, lower: bool| {
@@ -46,7 +46,7 @@ fn oscillators(pairs: &[(f64, f64)], masses: Option<&[f64]>) -> Quadratic {
     .unwrap()
 }
 
-fn root(frequency: f64, ratio: f64) -> c64 {
+pub(super) fn root(frequency: f64, ratio: f64) -> c64 {
     c64::new(-ratio * frequency, frequency * (1.0 - ratio * ratio).sqrt())
 }
 

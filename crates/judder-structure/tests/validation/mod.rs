@@ -1,6 +1,7 @@
 mod bending;
 mod complex_modes;
 mod craig_bampton;
+mod crowds;
 mod damping;
 mod diagnosis;
 mod eigen_sweep;

@@ -1,0 +1,126 @@
+//! Complex modes that stand in one place, many at a time, or decades apart: spectra that are known beforehand.
+
+use super::complex_modes::{diagonal, disguised, root, sparse};
+use faer::c64;
+use judder_structure::assembly::Sparse;
+use judder_structure::complex_modes::{ComplexModes, Region, Settings, complex_modes};
+use judder_structure::quadratic::Quadratic;
+
+fn modes(problem: &Quadratic, region: &Region) -> ComplexModes {
+    complex_modes(problem, region, &Settings::default()).unwrap()
+}
+
+/// Oscillators with two degrees of freedom that friction couples (N. Hoffmann and others, 2002), side by side: the first of them equal, or
+/// each stiffer by a share than the one before; the rest clearly stiffer.
+fn pads(count: usize, equal: usize, apart: f64) -> Quadratic {
+    let freedoms = || (0..2 * count).map(|k| (k, k));
+    let stiffness = (0..count).flat_map(|pad| {
+        let stiffer = 0.01 * pad.saturating_sub(equal - 1) as f64;
+        let (first, factor) = (2 * pad, 1.0 + apart * pad as f64 + stiffer);
+        [(0, 0, 2.0), (0, 1, -0.7), (1, 0, 0.4), (1, 1, 1.0)]
+            .map(|(i, j, entry)| (first + i, first + j, factor * entry))
+    });
+    Quadratic::new(
+        sparse(2 * count, freedoms().map(|(i, j)| (i, j, 1.0))),
+        sparse(2 * count, freedoms().map(|(i, j)| (i, j, 0.05))),
+        sparse(2 * count, stiffness),
+    )
+    .unwrap()
+}
+
+const PADS: Region = Region { re: [-2.0, 2.0], im: [0.1, 4.0] };
+const APART: [f64; 5] = [0.0, 1e-14, 1e-12, 1e-8, 1e-5];
+
+/// Every pad has two eigenvalues in the region.
+#[test]
+fn equal_pads_have_as_many_modes_as_there_are_pads() {
+    for (count, equal) in [(1, 1), (4, 4), (5, 5), (8, 8), (12, 12), (40, 40)] {
+        for apart in APART {
+            let modes = modes(&pads(count, equal, apart), &PADS);
+            assert!(modes.complete(), "{count} pads, {equal} equal but for {apart}: {:?}", modes.gaps);
+            assert_eq!(modes.modes.len(), 2 * count, "{count} pads, {equal} equal but for {apart}");
+        }
+    }
+}
+
+/// Too many to be solved whole: what a search finds is all, or it says that it may not be.
+#[test]
+fn a_search_among_equal_pads_is_complete_only_with_all() {
+    for (count, equal) in [(101, 3), (101, 5), (105, 12)] {
+        for apart in APART {
+            let modes = modes(&pads(count, equal, apart), &PADS);
+            assert!(
+                !modes.complete() || modes.modes.len() == 2 * count,
+                "{count} pads, {equal} equal but for {apart}: {}",
+                modes.modes.len()
+            );
+        }
+    }
+}
+
+/// λ² + 0.02 λ + ω² eight times and seven others, in a full matrix; once more with a hundred others.
+#[test]
+fn an_eigenvalue_may_fill_more_than_half_of_the_freedoms() {
+    for beside in [7, 100] {
+        let frequencies: Vec<f64> =
+            std::iter::repeat_n(2.0, 8).chain((0..beside).map(|k| 3.0 + 0.05 * f64::from(k))).collect();
+        let of = |f: &dyn Fn(f64) -> f64| -> Sparse {
+            disguised(&diagonal(&frequencies.iter().map(|w| f(*w)).collect::<Vec<f64>>()))
+        };
+        let problem = Quadratic::new(of(&|_| 1.0), of(&|_| 0.02), of(&|w| w * w)).unwrap();
+        let modes = modes(&problem, &Region { re: [-1.0, 1.0], im: [0.5, 2.5] });
+        assert!(modes.complete(), "{:?}", modes.gaps);
+        assert_eq!(modes.modes.len(), 8);
+        for mode in &modes.modes {
+            let distance = (mode.eigenvalue.value - root(2.0, 0.005)).norm();
+            assert!(distance <= mode.eigenvalue.error && !mode.eigenvalue.defective, "{:?}", mode.eigenvalue);
+        }
+    }
+}
+
+/// A crowd that no search can count is told, and is not called complete.
+#[test]
+fn a_crowd_beyond_counting_is_told() {
+    let frequencies = vec![2.0; 210];
+    let of = |f: &dyn Fn(f64) -> f64| diagonal(&frequencies.iter().map(|w| f(*w)).collect::<Vec<f64>>());
+    let problem = Quadratic::new(of(&|_| 1.0), of(&|_| 0.02), of(&|w| w * w)).unwrap();
+    let modes = modes(&problem, &Region { re: [-1.0, 1.0], im: [0.5, 2.5] });
+    assert!(modes.complete() == (modes.modes.len() == 210), "{}", modes.modes.len());
+}
+
+/// Frequencies over five decades in one region: it is halved until its discs hold what is in them.
+#[test]
+fn a_wide_region_is_covered_to_its_crowded_end() {
+    for count in [100, 250] {
+        let pairs: Vec<f64> =
+            (0..count).map(|k| 10_f64.powf(5.0 * f64::from(k) / f64::from(count))).collect();
+        let of =
+            |f: &dyn Fn(f64) -> f64| disguised(&diagonal(&pairs.iter().map(|w| f(*w)).collect::<Vec<f64>>()));
+        let problem = Quadratic::new(of(&|_| 1.0), of(&|w| 0.02 * w), of(&|w| w * w)).unwrap();
+        let modes = modes(&problem, &Region { re: [-2e4, 2e4], im: [0.5, 2e5] });
+        assert!(modes.complete(), "{count}: {:?}", modes.gaps);
+        assert_eq!(modes.modes.len(), pairs.len());
+        for (mode, frequency) in modes.modes.iter().zip(&pairs) {
+            let distance = (mode.eigenvalue.value - root(*frequency, 0.01)).norm();
+            assert!(distance <= mode.eigenvalue.error, "{frequency}: {distance:e} {:?}", mode.eigenvalue);
+        }
+    }
+}
+
+/// Of a diagonal every eigenvalue is known to its own entries, however much larger others are: those outside do not count as inside.
+#[test]
+fn what_is_small_beside_the_rest_of_a_matrix_keeps_its_place() {
+    let scales: Vec<f64> = (0..18).map(|k| 10_f64.powi(k - 9)).collect();
+    let frequencies: Vec<f64> = (0..18).map(|k| 1.0 + 0.5 * f64::from(k)).collect();
+    let of = |f: &dyn Fn(f64) -> f64| {
+        diagonal(&scales.iter().zip(&frequencies).map(|(s, w)| s * f(*w)).collect::<Vec<f64>>())
+    };
+    let problem = Quadratic::new(of(&|_| 1.0), of(&|w| 0.1 * w), of(&|w| w * w)).unwrap();
+    let modes = modes(&problem, &Region { re: [-2.0, 2.0], im: [0.1, 6.75] });
+    assert!(modes.complete(), "{:?}", modes.gaps);
+    let found: Vec<c64> = modes.modes.iter().map(|mode| mode.eigenvalue.value).collect();
+    assert_eq!(found.len(), 12, "{found:?}");
+    for (value, frequency) in found.iter().zip(&frequencies) {
+        assert!((value - root(*frequency, 0.05)).norm() < 1e-12 * frequency, "{value}");
+    }
+}

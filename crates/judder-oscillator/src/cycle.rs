@@ -2,12 +2,14 @@
 //!
 //! - [`mod@return_map`]: once around, from the section x' = 0 back to it, with the exact derivative through all events.
 //! - [`shooting`]: Newton's method on the return map; Floquet multipliers.
+//! - [`confirmed`]: what a motion settles to, told where a finer tolerance tells the same.
 //! - `least_period`: the shortest cycle that a longer one walks.
 //! - [`birth`]: the small cycles beside a Hopf point.
 //! - [`continuation`]: branches of cycles along any parameter, through folds and changes of the pattern.
 //! - [`margin`]: from a subcritical threshold back to the fold: how far a knock reaches.
 
 pub mod birth;
+pub mod confirmed;
 pub mod continuation;
 mod error;
 mod least_period;
@@ -16,6 +18,7 @@ pub mod return_map;
 pub mod shooting;
 
 pub use birth::small_cycle;
+pub use confirmed::{Confirmed, settle_confirmed};
 pub use continuation::{Branch, BranchEnd, BranchPoint, Continuation, Fold, continue_branch};
 pub use error::CycleError;
 pub use margin::{GlobalMargin, global_margin};

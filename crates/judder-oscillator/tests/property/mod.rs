@@ -1,6 +1,7 @@
 //! What holds at every point of the parameter space.
 
 mod computed_laws;
+mod confirmed_kinds;
 mod equilibrium;
 mod groups;
 mod growth;

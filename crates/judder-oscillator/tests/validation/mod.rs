@@ -5,7 +5,7 @@
 mod belt;
 mod equivalent_damping;
 mod least_period;
-mod limit_cycles;
+pub(crate) mod limit_cycles;
 mod motion;
 mod on_the_edge;
 mod stability_maps;

@@ -238,14 +238,14 @@ pub(super) fn bifurcation(dataset: &Dataset) -> Option<Vec<Panel>> {
         // neighbours may have settled to different motions: nothing is known between them
         amplitude.push(Layer::points(direction, values.to_vec(), of("rms")?, Role::Series(k)));
         let becomes = codes(dataset, "becomes")?.get(k * values.len()..(k + 1) * values.len())?;
-        let irregular: Vec<f64> = of("rms")?
-            .into_iter()
-            .zip(becomes)
-            .map(|(rms, becomes)| if *becomes == 2 { rms } else { f64::NAN })
-            .collect();
-        if irregular.iter().any(|rms| rms.is_finite()) {
-            let label = format!("{direction}, irregular");
-            amplitude.push(Layer::points(label, values.to_vec(), irregular, Role::Series(4 + k)));
+        for (code, word, series) in [(2, "irregular", 4), (4, "unconfirmed", 6)] {
+            let of_kind = of("rms")?.into_iter().zip(becomes);
+            let marked: Vec<f64> =
+                of_kind.map(|(rms, becomes)| if *becomes == code { rms } else { f64::NAN }).collect();
+            if marked.iter().any(|rms| rms.is_finite()) {
+                let label = format!("{direction}, {word}");
+                amplitude.push(Layer::points(label, values.to_vec(), marked, Role::Series(series + k)));
+            }
         }
         for (name, label, series) in [("stick_fraction", "stick", 0), ("lift_off_fraction", "lift-off", 2)] {
             let label = format!("{label}, {direction}");
@@ -315,7 +315,7 @@ pub(super) fn basin(dataset: &Dataset) -> Option<Vec<Panel>> {
     let first = *drawn.first()?;
     let second = drawn.get(1).copied().unwrap_or("settling_time");
     let (x, y, fate) = (reals(dataset, first)?, reals(dataset, second)?, codes(dataset, "fate")?);
-    let fates = ["steady sliding", "cycle", "irregular", "lost"];
+    let fates = ["steady sliding", "cycle", "irregular", "lost", "unconfirmed"];
     let layers = fates.iter().enumerate().filter(|(code, _)| fate.iter().any(|f| usize::from(*f) == *code));
     let layers = layers.map(|(code, label)| {
         let of = || (0..fate.len().min(MOST_STARTS)).filter(|i| usize::from(fate[*i]) == code);

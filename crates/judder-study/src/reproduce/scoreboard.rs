@@ -156,7 +156,7 @@ mod tests {
             ("§5", "agrees", &[true, true]),
             ("§5, Fig. 11", "agrees", &[false, true]),
             ("§5, Fig. 11", "agrees", &[true, true]),
-            ("Fig. 11", "agrees", &[false, true]),
+            ("Fig. 11", "agrees", &[true, true]),
             ("§5, Fig. 11", "agrees", &[true, true]),
             ("§5, Fig. 12", "agrees", &[false, true]),
             ("§5, Fig. 12", "agrees", &[false, true]),

@@ -298,3 +298,56 @@ fn ensembles_do_not_depend_on_the_number_of_threads() {
     };
     assert_eq!(tables(1), tables(3));
 }
+
+/// Weakly damped steady sliding at v̂ = 1e-2, F̃_n = 1e-4, where steps of 1e-6 leave a noise that repeats itself. The eigenvalues of the
+/// linear motion, and motions at 1e-11, decay.
+#[test]
+fn the_noise_of_loose_steps_is_no_cycle() {
+    let text = "model = \"oscillator\"\n[contact]\nfriction_load = \"contact-force\"\n[operation]\nvelocity = 1e-2\n\
+                normal_load = 1e-4\n[[analysis]]\nname = \"diagram\"\nkind = \"bifurcation\"\n\
+                sweep = { key = \"contact.shear_strength\", from = 6e-3, to = 6.8e-3, points = 5 }";
+    let folder = tempfile::tempdir().unwrap();
+    let report = run_into(folder.path(), &parsed(text), &[]);
+    assert!(report.complete && report.messages.is_empty(), "{:?}", report.messages);
+    let diagram = &report.summary.results["diagram"];
+    assert_eq!(words(&diagram["becomes"]), ["steady sliding"; 10]);
+}
+
+/// A wiper lip with short sticks: cycles of one oscillation of period 5.09 and 5.08, which steps of 1e-6 show as irregular and as one of
+/// three oscillations. What the default tolerance tells must be what one of 1e-10 tells.
+#[test]
+fn the_kinds_of_a_wipers_motion_do_not_depend_on_the_tolerance() {
+    let folder = tempfile::tempdir().unwrap();
+    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/motion/wiper/dma.csv");
+    std::fs::copy(data, folder.path().join("dma.csv")).unwrap();
+    let substrate = "[substrate]\ndma = { file = \"dma.csv\" }\npoisson_ratio = 0.49\ntemperature = \"25 degC\"\n\
+                     shift = { wlf = { c1 = 12.0, c2 = \"120 K\", reference_temperature = \"25 degC\" } }\n\
+                     [indenter]\nradius = \"0.3 mm\"\n";
+    let law = "[[analysis]]\nname = \"law\"\nkind = \"contact-law\"\naccuracy = 3e-2\n\
+               velocity = { from = \"1e-9 m/s\", to = \"1000 m/s\", points = 61 }\n\
+               indentation = { from = \"0.1 um\", to = \"30 um\", points = 7 }\n";
+    let speeds = "[contact]\nlaw = { file = \"law/law.json\" }\nfriction_load = \"contact-force\"\nshear_strength = \"200 kPa\"\n\
+                  [oscillator]\nnatural_frequency = \"60 Hz\"\nstiffness_x = \"200 N/m\"\ndamping_x = 0.02\ndamping_y = 0.02\n\
+                  [operation]\nvelocity = \"3 mm/s\"\nnormal_load = \"10 mN\"\n\
+                  [[analysis]]\nname = \"speeds\"\nkind = \"bifurcation\"\n\
+                  sweep = { key = \"operation.velocity\", from = \"0.5 mm/s\", to = \"50 mm/s\", points = 15, scale = \"log\" }\n";
+    let run_case = |name: &str, text: String| {
+        let path = folder.path().join(format!("{name}.toml"));
+        std::fs::write(&path, text).unwrap();
+        run_into(&folder.path().join(name), &CaseFile::read(path, &[]).unwrap(), &[]).summary
+    };
+    run_case("law", format!("model = \"contact\"\n{substrate}{law}"));
+    let [loose, fine] = ["", "tolerance = 1e-10\n"].map(|tolerance| {
+        let name = if tolerance.is_empty() { "loose" } else { "fine" };
+        let summary = run_case(name, format!("model = \"oscillator\"\n{substrate}{speeds}{tolerance}"));
+        summary.results["speeds"].clone()
+    });
+    assert_eq!(words(&loose["becomes"]), words(&fine["becomes"]));
+    let (periods, exact) = (numbers(&loose["period"]), numbers(&fine["period"]));
+    for (k, (period, exact)) in periods.iter().zip(&exact).enumerate() {
+        let is_same = (period - exact).abs() <= 1e-3 * exact;
+        assert!(is_same || (period.is_nan() && exact.is_nan()), "{k}: {period} {exact}");
+    }
+    assert_eq!(words(&loose["becomes"])[4], "cycle");
+    assert!((periods[4] - 5.0933).abs() < 1e-3 && (periods[5] - 5.0806).abs() < 1e-3, "{periods:?}");
+}

@@ -8,8 +8,9 @@ use crate::progress::Progress;
 use judder_case::Following;
 use judder_numerics::counter::uniform;
 use judder_numerics::piecewise::MarchError;
+use judder_oscillator::cycle::{Confirmed, settle_confirmed};
 use judder_oscillator::motion::SlidingSystem;
-use judder_oscillator::motion::attractor::{Attractor, Patience, Settled, settle};
+use judder_oscillator::motion::attractor::{Patience, Settled};
 use judder_store::{Dataset, Table, Variable, number};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -37,8 +38,10 @@ impl Draw<'_> {
 }
 
 /// What becomes of a start; the place is the number in stored results.
-const FATES: [(u8, &str); 4] = [(0, "steady sliding"), (1, "cycle"), (2, "irregular"), (3, "lost")];
+const FATES: [(u8, &str); 5] =
+    [(0, "steady sliding"), (1, "cycle"), (2, "irregular"), (LOST, "lost"), (UNCONFIRMED, "unconfirmed")];
 const LOST: u8 = 3;
+const UNCONFIRMED: u8 = 4;
 /// Two-sided 95 % of a normal distribution.
 const QUANTILE: f64 = 1.959_963_984_540_054;
 /// Samples that are followed again, more exactly.
@@ -110,11 +113,12 @@ fn settled<S: SlidingSystem<N>, const N: usize>(
     following: &Following,
     sample: usize,
     progress: &dyn Progress,
-) -> Result<Attractor<N>, MarchError> {
+) -> Result<Confirmed<N>, MarchError> {
     let time = operating.time(following.duration);
     let patience = Patience { time, transient: 0.5 * time, ..Patience::default() };
     let start = draw.start(sample, operating.system.steady_sliding());
-    settle(&operating.system, start, operating.settings(following), &patience, &|| progress.interrupted())
+    let settings = operating.settings(following);
+    settle_confirmed(&operating.system, start, settings, &patience, &|| progress.interrupted())
 }
 
 fn follow<S: SlidingSystem<N>, const N: usize>(
@@ -127,13 +131,13 @@ fn follow<S: SlidingSystem<N>, const N: usize>(
     let (fate, time, rms) = match settled(operating, draw, following, sample, progress) {
         Err(MarchError::Interrupted { .. }) => return Err(StudyError::Interrupted),
         Err(_) => (LOST, None, None),
-        Ok(attractor) => {
-            let (fate, rms) = match attractor.settled {
+        Ok(Confirmed { attractor, is_confirmed, .. }) => {
+            let (kind, rms) = match attractor.settled {
                 Settled::SteadySliding => (0, 0.0),
                 Settled::Cycle { .. } => (1, attractor.measures.rms()),
                 Settled::Irregular => (2, attractor.measures.rms()),
             };
-            (fate, Some(attractor.time), Some(rms))
+            (if is_confirmed { kind } else { UNCONFIRMED }, Some(attractor.time), Some(rms))
         }
     };
     Ok(Sample { sample, fate, time, rms })

@@ -9,8 +9,9 @@ use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use judder_case::{Following, MotionStart, Sweep, SweepDirection, Value as CaseValue};
 use judder_numerics::piecewise::MarchError;
+use judder_oscillator::cycle::{Confirmed, settle_confirmed};
 use judder_oscillator::motion::ContactState;
-use judder_oscillator::motion::attractor::{Attractor, Patience, Settled, settle};
+use judder_oscillator::motion::attractor::{Patience, Settled};
 use judder_oscillator::quasi_steady;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -27,10 +28,11 @@ pub(super) struct Settings<'a, K> {
 }
 
 /// What a motion has become; the place is the number in stored results.
-pub(super) const BECOMES: [(u8, &str); 4] =
-    [(0, "steady sliding"), (1, "cycle"), (2, "irregular"), (3, "lost")];
+pub(super) const BECOMES: [(u8, &str); 5] =
+    [(0, "steady sliding"), (1, "cycle"), (2, "irregular"), (3, "lost"), (UNCONFIRMED, "unconfirmed")];
 pub(super) const CYCLE: u8 = 1;
 pub(super) const LOST: u8 = 3;
+pub(super) const UNCONFIRMED: u8 = 4;
 /// Motions of a sweep that are followed again, more exactly.
 const REPEATED: usize = 8;
 /// By how much more exactly.
@@ -58,12 +60,14 @@ pub(super) struct Settling {
 }
 
 impl Settling {
-    fn of<const N: usize>(attractor: &Attractor<N>, memory: Option<&Memory>) -> Self {
-        let (becomes, oscillations) = match attractor.settled {
+    fn of<const N: usize>(confirmed: &Confirmed<N>, memory: Option<&Memory>) -> Self {
+        let attractor = &confirmed.attractor;
+        let (kind, oscillations) = match attractor.settled {
             Settled::SteadySliding => (0, 0),
             Settled::Cycle { oscillations } => (CYCLE, oscillations),
             Settled::Irregular => (2, 1),
         };
+        let becomes = if confirmed.is_confirmed { kind } else { UNCONFIRMED };
         let moves = oscillations > 0;
         let measures = &attractor.measures;
         let measured = |value: f64| if moves { value } else { 0.0 };
@@ -114,7 +118,7 @@ pub(super) fn run<M: Model<N>, const N: usize>(
         dataset: diagram.dataset(&M::COORDINATES)?.attribute("kind", "bifurcation")?,
         table: Some(diagram.table()?),
         checks: repeated(model, settings, &sweeps, progress)?.into_iter().collect(),
-        warnings: diagram.warning().into_iter().collect(),
+        warnings: diagram.warnings(),
         missing: lost,
         ..Outcome::default()
     };
@@ -188,10 +192,10 @@ fn settled<M: Model<N>, const N: usize>(
         ..Patience::default()
     };
     let stepping = operating.settings(settings.following);
-    match settle(system, start, stepping, &patience, &|| progress.interrupted()) {
+    match settle_confirmed(system, start, stepping, &patience, &|| progress.interrupted()) {
         Err(MarchError::Interrupted { .. }) => Err(StudyError::Interrupted),
         settled => Ok(settled
-            .map(|attractor| Settling::of(&attractor, M::memory(system).as_ref()))
+            .map(|confirmed| Settling::of(&confirmed, M::memory(system).as_ref()))
             .map_err(|error| error.to_string())),
     }
 }

@@ -1,6 +1,6 @@
 //! The bifurcation diagram as scalars, arrays and a table.
 
-use super::bifurcation::{BECOMES, CYCLE, LOST, Point, Settling};
+use super::bifurcation::{BECOMES, CYCLE, LOST, Point, Settling, UNCONFIRMED};
 use super::branches::SimulatedCycle;
 use super::model::Coordinate;
 use crate::analyses::axis::Axis;
@@ -160,8 +160,27 @@ impl Diagram<'_> {
             .column("lift_off_fraction", "1", self.values(|s| s.lift_off_fraction))?)
     }
 
+    /// How many motions could not be followed or confirmed.
+    pub(super) fn warnings(&self) -> Vec<String> {
+        self.lost().into_iter().chain(self.unconfirmed()).collect()
+    }
+
+    /// How many kinds are not confirmed, and where the first.
+    fn unconfirmed(&self) -> Option<String> {
+        let (values, directions) = self.places();
+        let mut open =
+            self.becomes().zip(values.iter().zip(directions)).filter(|(code, _)| *code == UNCONFIRMED);
+        let (_, (value, direction)) = open.next()?;
+        Some(format!(
+            "what {} of {} motions settle to is not confirmed: finer tolerances tell something else each time, the first at {value:e}, \
+             {direction}; a longer `duration` or a smaller `tolerance` may settle it",
+            open.count() + 1,
+            values.len()
+        ))
+    }
+
     /// How many motions could not be followed, and why the first.
-    pub(super) fn warning(&self) -> Option<String> {
+    fn lost(&self) -> Option<String> {
         let (values, directions) = self.places();
         let mut lost = self
             .points()

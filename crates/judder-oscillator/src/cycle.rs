@@ -6,12 +6,14 @@
 //! - `least_period`: the shortest cycle that a longer one walks.
 //! - [`birth`]: the small cycles beside a Hopf point.
 //! - [`continuation`]: branches of cycles along any parameter, through folds and changes of the pattern.
-//! - [`margin`]: from a subcritical threshold back to the fold: how far a knock reaches.
+//! - [`margin`]: from a subcritical threshold back to the fold of its branch.
+//! - [`exploration`]: motions beside stable steady sliding on no known branch: how far a knock reaches.
 
 pub mod birth;
 pub mod confirmed;
 pub mod continuation;
 mod error;
+pub mod exploration;
 mod least_period;
 pub mod margin;
 pub mod return_map;
@@ -21,6 +23,7 @@ pub use birth::small_cycle;
 pub use confirmed::{Confirmed, settle_confirmed};
 pub use continuation::{Branch, BranchEnd, BranchPoint, Continuation, Fold, continue_branch};
 pub use error::CycleError;
+pub use exploration::{Exploration, Look, explore};
 pub use margin::{GlobalMargin, global_margin};
 pub use return_map::{Return, return_map, returned_state};
 pub use shooting::{Cycle, Shooting, shoot};

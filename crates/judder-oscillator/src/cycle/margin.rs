@@ -1,4 +1,4 @@
-//! How far a knock reaches: from a subcritical Hopf point back to the fold.
+//! From a subcritical Hopf point back to the fold of its branch.
 //!
 //! Beside a subcritical threshold an unstable cycle bounds the disturbances that stable steady sliding survives. Its branch
 //! leads away from the threshold, on the stable side, to a turn: beyond it no cycle of the branch is left, before it a large

@@ -4,6 +4,7 @@
 
 mod belt;
 mod equivalent_damping;
+mod exploration;
 mod least_period;
 pub(crate) mod limit_cycles;
 mod motion;

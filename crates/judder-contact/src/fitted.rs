@@ -122,6 +122,10 @@ impl ContactLaw for FittedLaw {
         }
     }
 
+    fn doubt(&self, _at: &ContactPoint) -> Option<ContactResponse> {
+        Some(ContactResponse::default())
+    }
+
     /// The paper prints no range for its fits. Two things are known: beyond ŷ = 0.1 the half-space and the shallow-contact
     /// assumptions fail (contact radius above 0.3 R), and 3 widths from its centre the bell of (38) is at 1 % of its peak,
     /// where the true friction still falls only as v and 1/v.

@@ -35,6 +35,10 @@ impl ContactLaw for HertzLaw {
         }
     }
 
+    fn doubt(&self, _at: &ContactPoint) -> Option<ContactResponse> {
+        Some(ContactResponse::default())
+    }
+
     /// Small slopes: beyond ŷ = 0.1 a sphere is no longer a paraboloid on a half-space (force 1 % off, area 3 %).
     fn concern(&self, _velocity: f64, indentation: f64) -> Option<ValidityConcern> {
         const DEEPEST: f64 = 0.1;

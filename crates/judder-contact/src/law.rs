@@ -4,6 +4,7 @@
 //! - [`table`]: a law on a plane of speed and depth.
 //! - [`limits`], [`material`], [`origin`]: what is known exactly about both, and what they were computed for.
 //! - [`data`], [`knots`], [`quantities`]: their axes and values.
+//! - `scatter`, `slow`: how far values and slopes may be off, and slow sliding, where theory knows more than contacts.
 //! - [`sweep`]: both made from a contact solver, knot by knot, as fine as it takes.
 //! - [`boundary_elements`]: the points of a sweep from the contact of steady sliding.
 //! - [`sampled`]: a law through values that somebody gives.
@@ -21,6 +22,8 @@ pub mod origin;
 pub mod quantities;
 pub mod sampled;
 mod scaled;
+mod scatter;
+mod slow;
 mod spline;
 pub mod sweep;
 pub mod table;
@@ -46,6 +49,10 @@ use std::sync::Arc;
 pub trait ContactLaw: Sync {
     /// F̃_k, Ã, μ_visc and their derivatives at a point; finite for every finite point, limits at v̂ → 0 and ŷ → 0.
     fn evaluate(&self, at: &ContactPoint) -> ContactResponse;
+
+    /// How far each number of [`evaluate`](Self::evaluate) may be from the contact that the law stands for, absolute: an estimate. Nothing for a formula,
+    /// which is its own law; `None` where it is not known.
+    fn doubt(&self, at: &ContactPoint) -> Option<ContactResponse>;
 
     /// What makes the law doubtful at v̂, ŷ; `None` inside its range of validity.
     fn concern(&self, velocity: f64, indentation: f64) -> Option<ValidityConcern>;
@@ -132,6 +139,12 @@ pub enum Law {
 }
 
 impl Law {
+    /// Whether it is a formula, which is its own law: nothing in it is an error.
+    #[must_use]
+    pub fn is_formula(&self) -> bool {
+        matches!(self, Self::Fitted(_) | Self::Hertz(_))
+    }
+
     /// What a computed law is made of; `None` for a law that is a formula or was given.
     #[must_use]
     pub fn data(&self) -> Option<&LawData> {
@@ -152,6 +165,16 @@ impl ContactLaw for Law {
             Self::Collapsed(law) => law.evaluate(at),
             Self::Tabulated(law) => law.evaluate(at),
             Self::Sampled(law) => law.evaluate(at),
+        }
+    }
+
+    fn doubt(&self, at: &ContactPoint) -> Option<ContactResponse> {
+        match self {
+            Self::Fitted(law) => law.doubt(at),
+            Self::Hertz(law) => law.doubt(at),
+            Self::Collapsed(law) => law.doubt(at),
+            Self::Tabulated(law) => law.doubt(at),
+            Self::Sampled(law) => law.doubt(at),
         }
     }
 

@@ -8,8 +8,10 @@ use crate::law::material::LawMaterial;
 use crate::law::origin::LawOrigin;
 use crate::law::quantities::{KnotValues, LawErrors, PerQuantity};
 use crate::law::scaled::{FrictionReference, SPEED_RATES, ScaledLogarithm, ln_speed, logarithms};
+use crate::law::scatter::{self, Doubt, Tabulated};
+use crate::law::slow::put_theory;
 use crate::law::spline::{left_out, pieces};
-use crate::law::table::{check_values, combined, speed_tails, tail_concern};
+use crate::law::table::{check_values, combined, in_tails, speed_tails, tail_concern};
 use crate::law::{ContactLaw, ValidityConcern};
 use crate::response::{ContactPoint, ContactResponse};
 
@@ -27,6 +29,8 @@ pub struct CollapsedLaw {
     reference: FrictionReference,
     /// `[a][quantity]`: sums over the functions of ln z (a), as in a table's patch.
     pieces: Vec<[[f64; 4]; 4]>,
+    /// A piece each.
+    doubts: Option<Vec<Doubt>>,
 }
 
 impl CollapsedLaw {
@@ -45,7 +49,8 @@ impl CollapsedLaw {
         check_values(&speeds, 1, &values)?;
         let reference = FrictionReference::new(&material);
         let limits = LawIndenter::Paraboloid.logarithms(1.0, &material)?;
-        let scaled = logarithms(&reference, &speeds, 1, &values);
+        let mut scaled = logarithms(&reference, &speeds, 1, &values);
+        let slow = put_theory(&mut scaled, &speeds, &[limits], &material);
         let tails = speed_tails(limits, &speeds, &material);
         let splines = scaled.as_ref().zip(tails).map(|(list, (low, high))| pieces(list, &speeds, low, high));
         let interpolation = scaled
@@ -57,9 +62,12 @@ impl CollapsedLaw {
             [0, 1, 2, 3].map(|a| [force[a], area[a], friction[a], 0.0])
         };
         let pieces = (0..speeds.pieces()).map(piece).collect();
+        let places: Vec<f64> = speeds.iter().collect();
+        let doubts =
+            Tabulated { speeds: &places, depths: &[], values: &scaled, stated: solver, slow: &slow }.doubts();
         let origin = LawOrigin { material, indenter: LawIndenter::Paraboloid, source };
         let errors = LawErrors { interpolation, solver };
-        Ok(Self { data: LawData { origin, speeds, values, errors }, reference, pieces })
+        Ok(Self { data: LawData { origin, speeds, values, errors }, reference, pieces, doubts })
     }
 
     /// What it is made of: origin, knots, values, errors.
@@ -79,6 +87,13 @@ impl ContactLaw for CollapsedLaw {
             |k: usize| ScaledLogarithm { value: value[k], by_ln_speed: slope[k], by_ln_indentation: 0.0 };
         let scaled = PerQuantity { force: scaled(0), area: scaled(1), friction: scaled(2) };
         self.reference.response(at, scaled)
+    }
+
+    fn doubt(&self, at: &ContactPoint) -> Option<ContactResponse> {
+        let place = self.data.speeds.place(ln_speed(at), SPEED_RATES);
+        let doubt = self.doubts.as_ref()?[place.piece];
+        let doubt = in_tails(doubt, &place, self.data.speeds.count(), &self.pieces[place.piece]);
+        Some(scatter::of_logarithms(at, &self.evaluate(at), doubt))
     }
 
     fn concern(&self, velocity: f64, indentation: f64) -> Option<ValidityConcern> {

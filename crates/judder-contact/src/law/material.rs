@@ -74,7 +74,12 @@ impl LawMaterial {
     /// paraboloid grows by 1/R a length. With one retardation time: (1 − E0/E∞) v τ/R.
     #[must_use]
     pub fn slow_friction(&self) -> f64 {
-        self.terms.iter().map(|term| term.compliance * term.retardation_time).sum()
+        self.moment(1)
+    }
+
+    /// Σ C_k E0 (τ_k/τ)ⁿ.
+    pub(crate) fn moment(&self, power: i32) -> f64 {
+        self.terms.iter().map(|term| term.compliance * term.retardation_time.powi(power)).sum()
     }
 
     /// The coefficient of the friction of fast sliding: μ_visc → 0.8 (E∞/E0) Σ C_k E0/(τ_k/τ) · ŷ/v̂ for a paraboloid.
@@ -107,12 +112,7 @@ impl LawMaterial {
     #[must_use]
     pub fn slow_friction_slope(&self) -> f64 {
         let slow = self.slow_friction();
-        let square: f64 = self
-            .terms
-            .iter()
-            .map(|term| term.compliance * term.retardation_time * term.retardation_time)
-            .sum();
-        2.0 / PI * (slow - 2.0 * square / slow)
+        2.0 / PI * (slow - 2.0 * self.moment(2) / slow)
     }
 
     /// The shortest and the longest τ_k/τ; `None` without terms.

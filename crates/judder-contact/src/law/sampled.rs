@@ -8,6 +8,9 @@ pub use adaptive::{SampleRequest, Sampled, sampled};
 
 use crate::law::error::LawError;
 use crate::law::quantities::{KnotValues, NAMES, PerQuantity};
+use crate::law::scaled::ScaledLogarithm;
+use crate::law::scatter::{Doubt, Tabulated};
+use crate::law::slow::SlowErrors;
 use crate::law::table::{along_speed, combined};
 use crate::law::{ContactLaw, ValidityConcern};
 use crate::response::{ContactPoint, ContactResponse, WithDerivatives};
@@ -44,6 +47,8 @@ pub struct SampledLaw {
     speeds: Axis,
     depths: Axis,
     patches: Vec<Patch>,
+    /// A patch each.
+    doubts: Option<Vec<Doubt>>,
 }
 
 impl SampledLaw {
@@ -59,7 +64,11 @@ impl SampledLaw {
         let scaled = scaled(&samples);
         let patches = patches(&speeds, &depths, &scaled);
         let errors = left_out(&speeds, &depths, &scaled);
-        Ok(Self { samples, errors, speeds, depths, patches })
+        // whoever gave the values states no errors: what their scatter shows is all that is known
+        let (stated, slow) = (PerQuantity::uniform(0.0), SlowErrors::default());
+        let (along, up) = (speeds.logarithms(), depths.logarithms());
+        let doubts = Tabulated { speeds: along, depths: up, values: &scaled, stated, slow: &slow }.doubts();
+        Ok(Self { samples, errors, speeds, depths, patches, doubts })
     }
 
     /// What it is made of.
@@ -112,6 +121,34 @@ impl ContactLaw for SampledLaw {
                 by_indentation: by_depth[2] * per_y,
             },
         }
+    }
+
+    /// Unknown beyond the values that the law was given.
+    fn doubt(&self, at: &ContactPoint) -> Option<ContactResponse> {
+        if self.concern(at.velocity, at.indentation).is_some() {
+            return None;
+        }
+        let (speed, depth) = (self.speeds.place(at.ln_velocity), self.depths.place(at.ln_indentation));
+        let doubt = self.doubts.as_ref()?[depth.piece * self.speeds.pieces() + speed.piece];
+        let here = self.evaluate(at);
+        let absolute = |doubt: ScaledLogarithm, size: f64| WithDerivatives {
+            value: size * doubt.value,
+            by_velocity: size * doubt.by_ln_speed / at.velocity,
+            by_indentation: size * doubt.by_ln_indentation / at.indentation,
+        };
+        let of_logarithm = |q: WithDerivatives, doubt: ScaledLogarithm| {
+            let own = absolute(doubt, q.value);
+            WithDerivatives {
+                by_velocity: own.by_velocity + q.by_velocity.abs() * doubt.value,
+                by_indentation: own.by_indentation + q.by_indentation.abs() * doubt.value,
+                ..own
+            }
+        };
+        Some(ContactResponse {
+            force: of_logarithm(here.force, doubt.force),
+            area: of_logarithm(here.area, doubt.area),
+            friction: absolute(doubt.friction, 1.0),
+        })
     }
 
     fn concern(&self, velocity: f64, indentation: f64) -> Option<ValidityConcern> {

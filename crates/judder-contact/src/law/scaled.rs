@@ -20,7 +20,7 @@ const HERTZ_FORCE: f64 = 4.0 / 3.0;
 pub(crate) const SPEED_RATES: (f64, f64) = (2.0, -1.0);
 
 /// A logarithm with its derivatives by ln z (at constant ŷ) and ln ŷ (at constant z).
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct ScaledLogarithm {
     pub(crate) value: f64,
     pub(crate) by_ln_speed: f64,

@@ -8,6 +8,8 @@ use crate::law::material::LawMaterial;
 use crate::law::origin::LawOrigin;
 use crate::law::quantities::{KnotValues, LawErrors, NAMES, PerQuantity};
 use crate::law::scaled::{FrictionReference, SPEED_RATES, ScaledLogarithm, ln_speed, logarithms};
+use crate::law::scatter::{self, Doubt, Tabulated};
+use crate::law::slow::put_theory;
 use crate::law::spline::{Tail, left_out, pieces};
 use crate::law::{ContactLaw, ValidityConcern};
 use crate::response::{ContactPoint, ContactResponse};
@@ -120,6 +122,10 @@ pub struct TabulatedLaw {
     indentations: Knots,
     reference: FrictionReference,
     patches: Vec<Patch>,
+    /// A patch each.
+    doubts: Option<Vec<Doubt>>,
+    /// The largest deviations at left-out knots, along the speed and along the depth.
+    errors_by_axis: [PerQuantity<f64>; 2],
 }
 
 impl TabulatedLaw {
@@ -139,13 +145,22 @@ impl TabulatedLaw {
         let origin = LawOrigin { material: origin.material.checked()?, ..origin };
         check_values(&speeds, indentations.count(), &values)?;
         let reference = FrictionReference::new(&origin.material);
-        let tails = row_tails(&origin, &speeds, &indentations)?;
-        let scaled = logarithms(&reference, &speeds, indentations.count(), &values);
+        let limits = row_limits(&origin, &indentations)?;
+        let mut scaled = logarithms(&reference, &speeds, indentations.count(), &values);
+        let slow = put_theory(&mut scaled, &speeds, &limits, &origin.material);
+        let tails: Vec<RowTails> =
+            limits.iter().map(|limits| speed_tails(*limits, &speeds, &origin.material)).collect();
         let patches = patches(&speeds, &indentations, &scaled, &tails);
-        let [along_speed, along_depth] = left_out_by_axis(&speeds, &indentations, &scaled, &tails);
+        let errors_by_axis = left_out_by_axis(&speeds, &indentations, &scaled, &tails);
+        let [along_speed, along_depth] = errors_by_axis;
         let interpolation = along_speed.zip(along_depth).map(|(a, b)| f64::max(a, b));
         let errors = LawErrors { interpolation, solver };
-        Ok(Self { data: LawData { origin, speeds, values, errors }, indentations, reference, patches })
+        let [places, depths]: [Vec<f64>; 2] = [speeds.iter().collect(), indentations.iter().collect()];
+        let doubts =
+            Tabulated { speeds: &places, depths: &depths, values: &scaled, stated: solver, slow: &slow }
+                .doubts();
+        let data = LawData { origin, speeds, values, errors };
+        Ok(Self { data, indentations, reference, patches, doubts, errors_by_axis })
     }
 
     /// What it is made of: origin, knots along the speed, values, errors.
@@ -161,14 +176,8 @@ impl TabulatedLaw {
     }
 
     /// The largest interpolation error along the speed and along the depth, from the knots left out along each.
-    ///
-    /// # Errors
-    /// None that [`new`](Self::new) has not found.
-    pub(crate) fn errors_by_axis(&self) -> Result<[PerQuantity<f64>; 2], LawError> {
-        let LawData { origin, speeds, values, .. } = &self.data;
-        let tails = row_tails(origin, speeds, &self.indentations)?;
-        let scaled = logarithms(&self.reference, speeds, self.indentations.count(), values);
-        Ok(left_out_by_axis(speeds, &self.indentations, &scaled, &tails))
+    pub(crate) fn errors_by_axis(&self) -> [PerQuantity<f64>; 2] {
+        self.errors_by_axis
     }
 
     #[inline(always)]
@@ -197,6 +206,18 @@ impl ContactLaw for TabulatedLaw {
         self.reference.response(at, scaled)
     }
 
+    /// Unknown below the deepest knot, where the law levels off by assumption.
+    fn doubt(&self, at: &ContactPoint) -> Option<ContactResponse> {
+        if at.ln_indentation > self.indentations.last() {
+            return None;
+        }
+        let (speed, depth, patch) = self.places(at);
+        let doubt = self.doubts.as_ref()?[depth.piece * self.data.speeds.pieces() + speed.piece];
+        let along = patch.map(|functions| combined(&functions, &depth.basis));
+        let doubt = in_tails(doubt, &speed, self.data.speeds.count(), &along);
+        Some(scatter::of_logarithms(at, &self.evaluate(at), doubt))
+    }
+
     fn concern(&self, velocity: f64, indentation: f64) -> Option<ValidityConcern> {
         let at = ContactPoint::new(velocity, indentation);
         let (speed, depth, patch) = self.places(&at);
@@ -212,14 +233,25 @@ impl ContactLaw for TabulatedLaw {
     }
 }
 
-/// The tails of every row along the speed.
-fn row_tails(origin: &LawOrigin, speeds: &Knots, indentations: &Knots) -> Result<Vec<RowTails>, LawError> {
-    let material = &origin.material;
-    let of_row = |ln_indentation: f64| {
-        let limits = origin.indenter.logarithms(ln_indentation.exp(), material)?;
-        Ok(speed_tails(limits, speeds, material))
+/// The limits of every row along the speed.
+fn row_limits(origin: &LawOrigin, indentations: &Knots) -> Result<Vec<PerQuantity<SpeedLimits>>, LawError> {
+    indentations
+        .iter()
+        .map(|ln_indentation| origin.indenter.logarithms(ln_indentation.exp(), &origin.material))
+        .collect()
+}
+
+/// The doubt at a place along the speed, where `piece` is summed over: that of the piece, and in a tail what the tail makes of it.
+pub(crate) fn in_tails(doubt: Doubt, place: &Place, count: usize, piece: &[[f64; 4]; 4]) -> Doubt {
+    let rate = match place.piece {
+        0 => SPEED_RATES.0,
+        last if last == count => SPEED_RATES.1,
+        _ => return doubt,
     };
-    indentations.iter().map(of_row).collect()
+    // the term whose factor is known is no assumption
+    let assumed = |quantity: usize| [piece[1][quantity], piece[2][quantity]];
+    let assumed = PerQuantity { force: assumed(0), area: assumed(1), friction: assumed(2) };
+    scatter::in_tail(doubt, place, rate, assumed)
 }
 
 /// The bicubic pieces: splines along ln z in every row, then splines along ln ŷ through each of their coefficients.

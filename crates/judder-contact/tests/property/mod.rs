@@ -1,6 +1,7 @@
 //! What must hold at every point.
 
 mod kernel_check;
+mod law_doubt;
 mod law_file;
 mod law_smoothness;
 mod law_sweep;

@@ -27,6 +27,11 @@ impl Axis {
         Ok(Self { logarithms: knots.iter().map(|knot| knot.ln()).collect() })
     }
 
+    /// Of the knots, ascending.
+    pub(super) fn logarithms(&self) -> &[f64] {
+        &self.logarithms
+    }
+
     pub(super) fn count(&self) -> usize {
         self.logarithms.len()
     }

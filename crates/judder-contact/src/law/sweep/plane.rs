@@ -121,7 +121,7 @@ where
         solving.solve(&points)?;
         let (values, solver) = solving.values();
         let law = TabulatedLaw::new(request.origin.clone(), speeds, depths, values, solver)?;
-        let errors = law.errors_by_axis()?;
+        let errors = law.errors_by_axis();
         let [along_speed, along_indentation] = errors;
         levels.push(SweepLevel {
             columns: speeds.count(),

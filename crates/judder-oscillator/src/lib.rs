@@ -11,6 +11,7 @@
 //! - [`conservative`]: the eigenvalues without damping (24), (25), their coalescence (26), thresholds in closed form (27), (28).
 //! - [`spectrum`]: eigenvalues and eigenvectors.
 //! - [`mechanism`]: verdict and mechanism, and [`growth`]: which force feeds the growth.
+//! - [`within_law`]: what the errors of the contact law leave of all that, and [`undecided`]: what of thresholds.
 //! - [`block`]: the stability decision for many points at once, in vector arithmetic.
 //! - [`critical`]: thresholds, all of them, over a range (Figs. 7, 8).
 //! - [`map`]: stability maps, at every point or only where something changes (Figs. 9, 10).
@@ -42,6 +43,8 @@ pub mod mechanism;
 pub mod motion;
 pub mod quasi_steady;
 pub mod spectrum;
+pub mod undecided;
+pub mod within_law;
 
 pub use error::OscillatorError;
 pub use friction::FrictionLoad;

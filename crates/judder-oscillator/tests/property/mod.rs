@@ -9,3 +9,4 @@ mod hurwitz;
 mod jacobian;
 mod maps;
 mod mechanism;
+mod within_law;

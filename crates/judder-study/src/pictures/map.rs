@@ -73,6 +73,10 @@ fn drawn_classes(codes: &[u8], knock: Option<&[u8]>, one_way: &str) -> (Vec<u8>,
         .map(|stability| ((stability as u8, 0), class(stability, one_way)))
         .collect();
     let stable = StabilityClass::Stable as u8;
+    if knock.is_some() {
+        // the branch of each threshold was followed, and no other
+        classes[0].1 = Class::new("stable, other cycles not sought", Role::Stable);
+    }
     classes.splice(1..1, third.map(|(code, label, role)| ((stable, code), Class::new(label, role))));
     classes.retain(|(key, _)| (0..codes.len()).any(|k| (codes[k], knock_at(k)) == *key));
     let place = |key: (u8, u8)| classes.iter().position(|class| class.0 == key).unwrap_or(0) as u8;

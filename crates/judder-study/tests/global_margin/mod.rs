@@ -113,6 +113,7 @@ fn a_map_has_a_third_region() {
     assert_eq!((number(&map["knock_fraction"]) * 93.0).round() as usize, expected);
     let figure = std::fs::read_to_string(folder.path().join("figures/a.svg")).unwrap();
     assert!(figure.contains("stable, but a knock starts it") && figure.contains("a-knock"));
+    assert!(figure.contains("stable, other cycles not sought"));
 }
 
 /// Along a key that is neither the shear strength nor the load, on a linear axis.

@@ -32,7 +32,7 @@ pub enum Gap {
     },
     /// A determinant is not that of the eigenvalues found: some are missing, or there too often.
     Unproved {
-        /// How many were found in the region.
+        /// How many were found inside the edge around the region.
         found: usize,
         /// Where the determinant was taken.
         place: c64,

@@ -63,7 +63,8 @@ pub(super) fn search(operator: &Linearised<'_>, seed: u64) -> Result<Found, Stru
         let outnumbered = crowd >= basis.starts;
         // a value that comes late shows within one more look
         let settled = ritz.radius >= asked && seen == Some(ritz.inside(asked));
-        if (settled && !outnumbered) || basis.is_full() || crowd >= MOST_STARTS {
+        let beyond_counting = outnumbered && crowd >= MOST_STARTS;
+        if (settled && !outnumbered) || basis.is_full() || beyond_counting {
             return Ok(Found { crowded: outnumbered, ..basis.found(&ritz, ritz.radius) });
         }
         seen = (ritz.radius >= asked).then(|| ritz.inside(asked));

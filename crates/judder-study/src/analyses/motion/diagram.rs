@@ -6,6 +6,7 @@ use super::model::Coordinate;
 use crate::analyses::axis::Axis;
 use crate::error::StudyError;
 use judder_case::SweepDirection;
+use judder_numerics::words::plain;
 use judder_store::{Dataset, Table, Variable, number};
 use serde_json::{Map, json};
 
@@ -172,10 +173,11 @@ impl Diagram<'_> {
             self.becomes().zip(values.iter().zip(directions)).filter(|(code, _)| *code == UNCONFIRMED);
         let (_, (value, direction)) = open.next()?;
         Some(format!(
-            "what {} of {} motions settle to is not confirmed: finer tolerances tell something else each time, the first at {value:e}, \
+            "what {} of {} motions settle to is not confirmed: finer tolerances tell something else each time, the first at {}, \
              {direction}; a longer `duration` or a smaller `tolerance` may settle it",
             open.count() + 1,
-            values.len()
+            values.len(),
+            plain(*value)
         ))
     }
 
@@ -188,9 +190,10 @@ impl Diagram<'_> {
             .filter_map(|(point, place)| Some((point.as_ref().err()?, place)));
         let (reason, (value, direction)) = lost.next()?;
         Some(format!(
-            "{} of {} motions cannot be followed, the first at {value:e}, {direction}: {reason}",
+            "{} of {} motions cannot be followed, the first at {}, {direction}: {reason}",
             lost.count() + 1,
-            values.len()
+            values.len(),
+            plain(*value)
         ))
     }
 }

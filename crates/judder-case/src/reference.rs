@@ -90,9 +90,9 @@ only. `temperature = \"40 degC\"` with `shift = { wlf = { c1 = 17.4, c2 = \"51.6
 const MARGIN: &str = "
 ### The global margin
 
-`global_margin` follows the cycles beside every subcritical threshold back to [their fold](theory/motion.md#the-global-margin): `true` by default in \
-`critical-shear-strength` and `critical-load`, where it takes some tenths of a second a threshold; `false` by default in a `stability-map` of an oscillator, \
-where it tells the points at which a knock starts a cycle apart from the other stable ones. The map is followed along `contact.shear_strength` or \
+`global_margin` follows the cycles beside every subcritical threshold back to [their fold](theory/motion.md#the-global-margin), and seeks motions beyond: `true` by default in \
+`critical-shear-strength` and `critical-load`, where it takes some seconds a threshold; `false` by default in a `stability-map` of an oscillator, \
+where it tells the points at which a knock may start a motion apart from those at which none is known to. The map is followed along `contact.shear_strength` or \
 `operation.normal_load` where one of them is an axis (`y` before `x`), otherwise along `y`; on 60 lines at most.
 ";
 

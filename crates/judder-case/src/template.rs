@@ -134,7 +134,7 @@ name = \"thresholds\"
 kind = \"critical-shear-strength\"  # all roots along one key; likewise \"critical-load\"
 sweep = { key = \"operation.velocity\", from = 1e-8, to = 1e2, points = 21, scale = \"log\" }
 within = { from = 1e-6, to = 1e3 } # where roots are sought
-global_margin = true              # follow the cycles beside each threshold back to their fold
+global_margin = false             # true: how far beside each threshold a knock starts a motion, some seconds each
 
 [[analysis]]
 name = \"motion\"

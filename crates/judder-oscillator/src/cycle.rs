@@ -23,7 +23,7 @@ pub use birth::small_cycle;
 pub use confirmed::{Confirmed, settle_confirmed};
 pub use continuation::{Branch, BranchEnd, BranchPoint, Continuation, Fold, continue_branch};
 pub use error::CycleError;
-pub use exploration::{Exploration, Look, explore};
+pub use exploration::{Exploration, Look, SearchEnd, explore};
 pub use margin::{GlobalMargin, global_margin};
 pub use return_map::{Return, return_map, returned_state};
 pub use shooting::{Cycle, Shooting, shoot};

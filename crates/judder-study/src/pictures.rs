@@ -84,13 +84,14 @@ pub(crate) fn caption(dataset: &Dataset) -> &'static str {
         "critical-shear-strength" | "critical-load" => {
             "All thresholds in the searched range. Dashed: without damping, eqs. (27), (28) made self-consistent. Solid: where the \
              full, damped system gains or loses stability. Where branches were followed: circles and squares tell super- from subcritical \
-             thresholds, and the dash-dotted curve is the fold of the cycles beside a subcritical one; between it and the threshold steady \
-             sliding is stable, but a knock starts a cycle."
+             thresholds, and the dash-dotted curve is the least fold over all motions that are known beside one; between it and the threshold \
+             steady sliding is stable, but a knock may start one. Beyond it a search found none, which proves nothing of those that it \
+             missed."
         }
         "stability-map" => {
             "Stability of steady sliding, coloured by what carries the instability. Curves are followed by continuation: \
              full system (solid black), without damping (dashed), full system with $η = 0$ (red). Where it is hatched, steady sliding is \
-             stable, but a cycle lives beside it, which a knock can start."
+             stable, but a motion lives beside it, which a knock can start; where it is dotted, what a knock does is not known."
         }
         "contact" => {
             "The indenter slides to the right. Sections along $y$ = 0; the surface of the substrate is compared with the indenter. The grids: \

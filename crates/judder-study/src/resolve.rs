@@ -28,8 +28,8 @@ mod cost {
     pub(super) const EIGENVALUES: f64 = 5e-6;
     /// The search for thresholds at one point.
     pub(super) const THRESHOLDS: f64 = 2e-4;
-    /// Following the cycles beside a threshold back to their fold.
-    pub(super) const MARGIN: f64 = 0.3;
+    /// Following the cycles beside a threshold back to their fold, and seeking others beyond.
+    pub(super) const MARGIN: f64 = 5.0;
     /// Lines of a map along which they are followed, at most.
     pub(super) const MARGIN_LINES: usize = 60;
     /// Following the branches of an oscillator through a diagram: seconds to a minute.

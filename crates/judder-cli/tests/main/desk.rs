@@ -33,11 +33,13 @@ sweep = { key = "operation.velocity", from = 1e-5, to = 1e-2, points = 7, scale 
 name = "strengths"
 kind = "critical-shear-strength"
 sweep = { key = "operation.velocity", from = 1e-5, to = 1e-2, points = 5, scale = "log" }
+global_margin = false
 
 [[analysis]]
 name = "loads"
 kind = "critical-load"
 sweep = { key = "operation.velocity", from = 1e-5, to = 1e-2, points = 5, scale = "log" }
+global_margin = false
 "#;
 
 /// The folder, removed at the end.

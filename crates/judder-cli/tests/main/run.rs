@@ -51,7 +51,9 @@ fn the_summary_has_its_keys() {
 
 #[test]
 fn thresholds_carry_what_grows_from_them() {
-    let desk = Desk::with_case(CASE);
+    let speeds = ("from = 1e-5, to = 1e-2, points = 5", "from = 1e-3, to = 1e-2, points = 2");
+    let followed = CASE.replace("global_margin = false", "").replace(speeds.0, speeds.1);
+    let desk = Desk::with_case(&followed);
     let summary = desk.succeed(&["run", "case.toml", "--json", "--only", "strengths"]).json();
     let strengths = &summary["results"]["strengths"];
     let lengths = |name: &str| -> Vec<usize> {
@@ -63,8 +65,13 @@ fn thresholds_carry_what_grows_from_them() {
         "amplitude_factor",
         "lyapunov_coefficient",
         "fold",
+        "branch_fold",
         "reaches",
+        "moving_share",
         "branch_end",
+        "told",
+        "search",
+        "basin",
     ] {
         assert_eq!(lengths(name), lengths("full"), "{name}");
     }

@@ -15,12 +15,13 @@ use judder_numerics::piecewise::Settings;
 use judder_numerics::sampling::SobolSequence;
 use rayon::prelude::*;
 use std::array::from_fn;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// How far beyond the known motions others are sought, in scales of the parameter: on a logarithmic one at 0.95, 0.7, 0.5 and 0.3 of it.
 const BEYOND: [f64; 4] = [0.05, 0.36, 0.69, 1.2];
 /// How far before their end the basin is looked at.
 const BEFORE: f64 = 0.05;
-/// Starts at a place beside those on known cycles.
+/// Starts at a place beside those on known cycles; those of its places differ.
 const STARTS: usize = 48;
 const SEED: u64 = 1;
 /// Times that a new motion may move the limit.
@@ -30,8 +31,11 @@ const SMALLEST: f64 = 0.3;
 const LARGEST: f64 = 10.0;
 /// Local error of a step while motions are sought, relative: what is found is confirmed more exactly.
 const TOLERANCE: f64 = 1e-6;
-/// Steps of the parameter by which a motion that is no branch is carried on, the first and the last.
+/// A motion may take so many times the steps of one flight around a cycle.
+const FLIGHTS: usize = 100;
+/// Steps of the parameter by which a motion is carried on, the first and the last, and the most cycles between there and its turn.
 const CARRIED: (f64, f64) = (0.05, 0.005);
+const POINTS: usize = 60;
 
 /// What became of the starts at one value of the parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,28 +52,38 @@ pub struct Look {
 
 /// The motions that are known beside a threshold.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Exploration<const N: usize> {
+pub struct Exploration {
     /// The parameter farthest from the threshold at which a motion beside steady sliding is known.
     pub farthest: f64,
     /// Up to where from the threshold on one is known everywhere.
     pub without_a_gap: f64,
-    /// The branches that were found, each from the place of its search away from the threshold.
-    pub branches: Vec<Branch<N>>,
     /// How often the limit was moved.
     pub moves: usize,
     /// The basin a little before the farthest; `None` where steady sliding is not stable there.
     pub before: Option<Look>,
     /// Places beyond the farthest, where no start moved; fewer than sought where the range ends or steady sliding is not stable.
     pub beyond: Vec<Look>,
-    /// Whether the search ended because no start moved, and not for want of rounds.
-    pub is_closed: bool,
+    /// Why no place further beyond was looked at.
+    pub end: SearchEnd,
 }
 
-/// A motion that was found, and what is known of it away from the threshold and back.
+/// Why a search beyond the farthest known motion ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SearchEnd {
+    /// No start moved at any of its places.
+    NoneMoved,
+    /// The range of the parameter ends before the next place.
+    Range,
+    /// Steady sliding is not stable at the next place.
+    Unstable,
+    /// Every round of it found a new motion.
+    Rounds,
+}
+
+/// A motion that was found: where it is known, and its state at the end away from the threshold.
 struct Known<const N: usize> {
     from: f64,
     to: f64,
-    branch: Option<Branch<N>>,
     state: [f64; N],
 }
 
@@ -91,33 +105,29 @@ pub fn explore<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError> + Sync, 
     stable_side: f64,
     options: &Continuation<N>,
     interrupted: Interrupted<'_>,
-) -> Result<Exploration<N>, CycleError> {
+) -> Result<Exploration, CycleError> {
     let explorer = Explorer { system_at, side: stable_side, options, interrupted };
     let mut warm = cycles;
     let mut found = Exploration {
         farthest,
         without_a_gap: farthest,
-        branches: Vec::new(),
         moves: 0,
         before: None,
         beyond: Vec::new(),
-        is_closed: false,
+        end: SearchEnd::Rounds,
     };
-    while found.moves < ROUNDS && !found.is_closed {
-        found.beyond.clear();
-        found.is_closed = true;
-        for distance in BEYOND {
-            let place = found.farthest + explorer.side * distance * options.parameter_scale;
-            match explorer.look(place, &warm)? {
-                Sought::Nowhere => break,
-                Sought::Rest(look) => found.beyond.push(look),
-                Sought::Motion(attractor) => {
-                    let known = explorer.follow(place, &attractor, found.without_a_gap)?;
-                    warm.push(known.state);
-                    found.add(known, explorer.side, BEYOND[0] * options.parameter_scale);
-                    found.is_closed = false;
-                    break;
-                }
+    while found.moves < ROUNDS {
+        let (beyond, ended) = explorer.look_beyond(found.farthest, &warm)?;
+        found.beyond = beyond;
+        match ended {
+            Ended::Quiet(end) => {
+                found.end = end;
+                break;
+            }
+            Ended::Motion(place, attractor) => {
+                let known = explorer.follow(place, &attractor, found.without_a_gap)?;
+                warm.push(known.state);
+                found.add(&known, explorer.side, BEYOND[0] * options.parameter_scale);
             }
         }
     }
@@ -126,40 +136,54 @@ pub fn explore<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError> + Sync, 
     Ok(found)
 }
 
-impl<const N: usize> Exploration<N> {
-    fn add(&mut self, known: Known<N>, side: f64, gap: f64) {
+impl Exploration {
+    /// The place farthest from the threshold up to which no start moved, and what became of all of them is known; `None` where there is
+    /// none, or the search ended for want of rounds.
+    #[must_use]
+    pub fn quiet_to(&self) -> Option<f64> {
+        let quiet = self.beyond.iter().take_while(|look| look.undecided == 0);
+        quiet.last().map(|look| look.parameter).filter(|_| self.end != SearchEnd::Rounds)
+    }
+
+    fn add<const N: usize>(&mut self, known: &Known<N>, side: f64, gap: f64) {
         self.moves += 1;
         self.farthest = known.to;
         // followed back to the known ones, but for what the steps of the search leave
         if (known.from - self.without_a_gap) * side < 0.5 * gap {
             self.without_a_gap = known.to;
         }
-        self.branches.extend(known.branch);
     }
 }
 
 enum Sought<const N: usize> {
-    /// The range ends before, or steady sliding is not stable there.
-    Nowhere,
+    Nowhere(SearchEnd),
     Rest(Look),
     Motion(Box<Attractor<N>>),
 }
 
+/// How looking at all places beyond a limit ended.
+enum Ended<const N: usize> {
+    Quiet(SearchEnd),
+    /// At the place where it was found.
+    Motion(f64, Box<Attractor<N>>),
+}
+
 impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError> + Sync, const N: usize> Explorer<'_, F, N> {
-    /// The oscillator at a place of the range with its starts; `None` outside, and where steady sliding is not stable.
-    fn stable(&self, place: f64) -> Result<Option<(S, Patience)>, CycleError> {
+    /// The oscillator at a place, and how long motions are followed there; why it is not looked at outside of the range, and where
+    /// steady sliding is not stable.
+    fn stable(&self, place: f64) -> Result<Result<(S, Patience), SearchEnd>, CycleError> {
         /// Decay times until rest, and the bounds of what is waited.
         const DECAYS: f64 = 40.0;
         const TIME: (f64, f64) = (2e3, 2e4);
         let (from, to) = self.options.range;
         if !(from..=to).contains(&place) {
-            return Ok(None);
+            return Ok(Err(SearchEnd::Range));
         }
         let system = (self.system_at)(place)?;
         let growth = growth_rate(&system)?;
         let time = (DECAYS / growth.abs()).clamp(TIME.0, TIME.1);
         let patience = Patience { time, transient: 0.5 * time, ..Patience::default() };
-        Ok((growth < 0.0).then_some((system, patience)))
+        Ok(if growth < 0.0 { Ok((system, patience)) } else { Err(SearchEnd::Unstable) })
     }
 
     /// How starts are followed: no more exactly than branches are.
@@ -167,45 +191,69 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError> + Sync, const N: u
         let settings = self.options.shooting.settings;
         let relative = settings.relative.max(TOLERANCE);
         let ratio = relative / settings.relative;
-        Settings { relative, absolute: settings.absolute.map(|absolute| ratio * absolute), ..settings }
+        let absolute = settings.absolute.map(|absolute| ratio * absolute);
+        Settings { relative, absolute, steps: FLIGHTS * settings.steps, ..settings }
     }
 
-    /// States on known cycles, then steady sliding disturbed in every coordinate, by sizes spread evenly over their logarithm.
-    fn starts(system: &S, warm: &[[f64; N]]) -> Vec<[f64; N]> {
+    /// States on known cycles, then steady sliding disturbed in every coordinate, by sizes spread evenly over their logarithm, others at
+    /// `which` place.
+    fn starts(system: &S, which: usize, warm: &[[f64; N]]) -> Vec<[f64; N]> {
         let rest = system.steady_sliding();
         let ratio = LARGEST.max(system.belt_velocity()) / SMALLEST;
         let Ok(sequence) = SobolSequence::scrambled(N + 1, SEED) else { return warm.to_vec() };
-        let disturbed = (0..STARTS as u64).map(|index| {
+        let disturbed = ((which * STARTS) as u64..).take(STARTS).map(|index| {
             let size = SMALLEST * ratio.powf(sequence.coordinate(index, N));
             from_fn(|i| rest[i] + size * (2.0 * sequence.coordinate(index, i) - 1.0))
         });
         warm.iter().copied().chain(disturbed).collect()
     }
 
-    /// The first start at a place that does not come to rest.
-    fn look(&self, place: f64, warm: &[[f64; N]]) -> Result<Sought<N>, CycleError> {
-        let Some((system, patience)) = self.stable(place)? else { return Ok(Sought::Nowhere) };
-        let starts = Self::starts(&system, warm);
-        let settings = self.settings();
-        let fate = |start: &[f64; N]| {
-            settle_confirmed(&system, *start, settings, &patience, self.interrupted)
-                .ok()
-                .filter(|told| told.is_confirmed)
-                .map(|told| told.attractor)
-        };
-        let rests = |attractor: &Attractor<N>| attractor.settled == Settled::SteadySliding;
-        let moving = starts.par_iter().find_map_first(|start| fate(start).filter(|found| !rests(found)));
-        if let Some(attractor) = moving {
-            return Ok(Sought::Motion(Box::new(attractor)));
+    /// What became of the starts at the places beyond a limit, up to the first that does not come to rest.
+    fn look_beyond(&self, limit: f64, warm: &[[f64; N]]) -> Result<(Vec<Look>, Ended<N>), CycleError> {
+        let mut looks = Vec::new();
+        for (which, distance) in BEYOND.into_iter().enumerate() {
+            let place = limit + self.side * distance * self.options.parameter_scale;
+            match self.look(place, which, warm)? {
+                Sought::Nowhere(why) => return Ok((looks, Ended::Quiet(why))),
+                Sought::Rest(look) => looks.push(look),
+                Sought::Motion(attractor) => return Ok((looks, Ended::Motion(place, attractor))),
+            }
         }
-        let undecided = starts.par_iter().filter(|start| fate(start).is_none()).count();
-        Ok(Sought::Rest(Look { parameter: place, starts: starts.len(), moved: 0, undecided }))
+        Ok((looks, Ended::Quiet(SearchEnd::NoneMoved)))
+    }
+
+    /// The first start at a place that does not come to rest.
+    fn look(&self, place: f64, which: usize, warm: &[[f64; N]]) -> Result<Sought<N>, CycleError> {
+        let (system, patience) = match self.stable(place)? {
+            Ok(stable) => stable,
+            Err(why) => return Ok(Sought::Nowhere(why)),
+        };
+        let starts = Self::starts(&system, which, warm);
+        let settings = self.settings();
+        let undecided = AtomicUsize::new(0);
+        let moving = starts.par_iter().find_map_first(|start| {
+            match settle_confirmed(&system, *start, settings, &patience, self.interrupted) {
+                Ok(told) if told.is_confirmed => {
+                    Some(told.attractor).filter(|found| found.settled != Settled::SteadySliding)
+                }
+                _ => {
+                    undecided.fetch_add(1, Ordering::Relaxed);
+                    None
+                }
+            }
+        });
+        // where none moves every start was followed, so that their number does not depend on the threads
+        let undecided = undecided.into_inner();
+        Ok(match moving {
+            Some(attractor) => Sought::Motion(Box::new(attractor)),
+            None => Sought::Rest(Look { parameter: place, starts: starts.len(), moved: 0, undecided }),
+        })
     }
 
     /// What becomes of all starts at a place.
     fn count(&self, place: f64, warm: &[[f64; N]]) -> Result<Option<Look>, CycleError> {
-        let Some((system, patience)) = self.stable(place)? else { return Ok(None) };
-        let starts = Self::starts(&system, warm);
+        let Ok((system, patience)) = self.stable(place)? else { return Ok(None) };
+        let starts = Self::starts(&system, BEYOND.len(), warm);
         let settings = self.settings();
         let fates: Vec<Option<bool>> = starts
             .par_iter()
@@ -223,82 +271,71 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError> + Sync, const N: u
         }))
     }
 
-    /// The motion away from the threshold to its end, as a branch where it is a cycle; back as far as to `known`.
+    /// The motion away from the threshold to its end, and back as far as to `known`.
     fn follow(&self, place: f64, attractor: &Attractor<N>, known: f64) -> Result<Known<N>, CycleError> {
-        let system = (self.system_at)(place)?;
-        if let Settled::Cycle { oscillations } = attractor.settled
-            && let Ok(cycle) = shoot(&system, attractor.state, oscillations, &self.options.shooting)
-            && cycle.is_stable()
-        {
-            let (start, count) = (cycle.start, cycle.oscillations);
-            let along = |direction: f64, range: (f64, f64)| {
-                let options = Continuation { range, ..*self.options };
-                continue_branch(self.system_at, place, (start, count), direction, &options)
-            };
-            let back = along(-self.side, (place.min(known), place.max(known)));
-            let from = back.ok().map_or(place, |branch| stable_to(&branch, -self.side).0);
-            if let Ok(branch) = along(self.side, self.options.range) {
-                let (to, state) = stable_to(&branch, self.side);
-                if to != place {
-                    return Ok(Known { from, to: self.within(to), branch: Some(branch), state });
-                }
-            }
-        }
-        let (from, _) = self.carry(place, attractor.state, -self.side, known)?;
+        let (from, _) = self.carry(place, attractor, -self.side, known)?;
         let (from_end, to_end) = self.options.range;
         let end = if self.side > 0.0 { to_end } else { from_end };
-        let (to, state) = self.carry(place, attractor.state, self.side, end)?;
-        Ok(Known { from, to, branch: None, state })
+        let (last, carried) = self.carry(place, attractor, self.side, end)?;
+        // the last step may be one that steady sliding does not stay stable over
+        let (to, state) = match (end - last).abs() < CARRIED.1 * self.options.parameter_scale {
+            true => (end, carried.state),
+            false => self.turn(last, &carried)?.unwrap_or((last, carried.state)),
+        };
+        Ok(Known { from, to: to.clamp(from_end, to_end), state })
     }
 
-    fn within(&self, place: f64) -> f64 {
-        place.clamp(self.options.range.0, self.options.range.1)
-    }
-
-    /// A motion carried on step by step, up to `end` at most: the last place at which it moves, and its state there.
+    /// A motion carried on step by step, up to `end` at most: the last place at which it moves, and what it is there.
     fn carry(
         &self,
         from: f64,
-        state: [f64; N],
+        attractor: &Attractor<N>,
         direction: f64,
         end: f64,
-    ) -> Result<(f64, [f64; N]), CycleError> {
-        let (mut place, mut state) = (from, state);
+    ) -> Result<(f64, Attractor<N>), CycleError> {
+        let (mut place, mut carried) = (from, attractor.clone());
         let scale = self.options.parameter_scale;
         let mut step = CARRIED.0;
         while step >= CARRIED.1 && !(self.interrupted)() && (end - place) * direction > 0.0 {
-            let next = place + direction * step * scale;
+            let beyond = place + direction * step * scale;
+            let next = if (end - beyond) * direction > 0.0 { beyond } else { end };
             let moved = match self.stable(next)? {
-                None => None,
-                Some((system, patience)) => {
-                    settle(&system, state, self.settings(), &patience, self.interrupted)
+                Err(_) => None,
+                Ok((system, patience)) => {
+                    settle_confirmed(&system, carried.state, self.settings(), &patience, self.interrupted)
                         .ok()
-                        .filter(|attractor| attractor.settled != Settled::SteadySliding)
+                        .filter(|told| told.attractor.settled != Settled::SteadySliding)
                 }
             };
             match moved {
-                Some(attractor) => (place, state) = (next, attractor.state),
+                Some(told) => (place, carried) = (next, told.attractor),
                 None => step *= 0.5,
             }
         }
-        Ok((place, state))
+        Ok((place, carried))
+    }
+
+    /// Where the branch of a stable cycle turns, a little beyond the last place to which it was carried, with a cycle before that; `None`
+    /// where the motion is no stable cycle, or its turn is not found.
+    fn turn(&self, place: f64, attractor: &Attractor<N>) -> Result<Option<(f64, [f64; N])>, CycleError> {
+        let Settled::Cycle { oscillations } = attractor.settled else { return Ok(None) };
+        let system = (self.system_at)(place)?;
+        let Ok(cycle) = shoot(&system, attractor.state, oscillations, &self.options.shooting) else {
+            return Ok(None);
+        };
+        let end = place + self.side * CARRIED.0 * self.options.parameter_scale;
+        let options =
+            Continuation { range: (place.min(end), place.max(end)), points: POINTS, ..*self.options };
+        let start = (cycle.start, cycle.oscillations);
+        let branch = continue_branch(self.system_at, place, start, self.side, &options);
+        Ok(branch.ok().filter(|_| cycle.is_stable()).and_then(|branch| first_turn(&branch)))
     }
 }
 
-/// How far along a direction the first cycles of a branch stay stable, to its first fold at most; with a cycle there.
-fn stable_to<const N: usize>(branch: &Branch<N>, direction: f64) -> (f64, [f64; N]) {
-    let fold = branch.folds.first();
-    let last = fold.map_or(branch.points.len(), |fold| fold.after + 1);
-    let stable = branch.points[..last].iter().take_while(|point| point.cycle.is_stable());
-    let (mut place, mut state, mut count) = (f64::NAN, [f64::NAN; N], 0);
-    for point in stable {
-        count += 1;
-        if place.is_nan() || (point.parameter - place) * direction > 0.0 {
-            (place, state) = (point.parameter, point.cycle.start);
-        }
-    }
-    match fold {
-        Some(fold) if count == last => (fold.parameter, state),
-        _ => (place, state),
-    }
+/// The first turn of a branch with the cycle before it, if all cycles up to there are stable.
+fn first_turn<const N: usize>(branch: &Branch<N>) -> Option<(f64, [f64; N])> {
+    let fold = branch.folds.first()?;
+    let before = branch.points.get(..=fold.after)?;
+    let last = before.last().filter(|_| before.iter().all(|point| point.cycle.is_stable()))?;
+    Some((fold.parameter, last.cycle.start))
 }

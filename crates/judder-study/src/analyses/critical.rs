@@ -142,7 +142,7 @@ fn at_point(
     let at = |value: f64| bridge::coefficients(&crossing.inputs_at(value));
     let thresholds = thresholds(contact, &crossing.range, samples, at);
     let onset = |threshold: &f64| match settings.global_margin {
-        true => crossing.onset_with_margin(*threshold, progress),
+        true => crossing.onset_with_margin(*threshold, &thresholds.full, progress),
         false => crossing.onset(*threshold),
     };
     let onsets = thresholds.full.iter().map(onset).collect();

@@ -20,7 +20,7 @@ use serde_json::{Map, Value, json};
 pub(super) use arrays::MapArrays;
 use arrays::{NORMAL_FORCE, class_fractions};
 pub(crate) use arrays::{ONE_WAY, class_name};
-pub(crate) use knock::{STARTS_IT, UNKNOWN};
+pub(crate) use knock::{NONE_MOVED, STARTS_IT, UNKNOWN};
 pub use overlays::{BoundaryCurves, BoundaryKind, boundary_curves};
 pub(super) use overlays::{Overlay, incomplete};
 

@@ -1,6 +1,7 @@
 //! Curves over one swept quantity.
 
 use super::{Swept, axis, codes, complexes, reals, text};
+use crate::analyses::NOT_KNOWN;
 use judder_report::runs::{Curve, alone, apart};
 use judder_report::{Axis, Layer, Panel, Role};
 use judder_store::Dataset;
@@ -141,7 +142,7 @@ fn folds(dataset: &Dataset, swept: &Swept<'_>) -> Vec<Layer> {
     let length = most * swept.values.len();
     for (curve, (roots, folds)) in roots.chunks(length).zip(folds.chunks(length)).enumerate() {
         let (x, y) = branches(swept.values, roots, folds, most);
-        let label = if curve == 0 { "fold of the cycles" } else { "" };
+        let label = if curve == 0 { "least known fold" } else { "" };
         layers.push(Layer::line(label, x, y, swept.role(curve).dash_dotted()));
     }
     let points = |label: &str, of: &dyn Fn(usize) -> f64, series: usize| {
@@ -153,7 +154,16 @@ fn folds(dataset: &Dataset, swept: &Swept<'_>) -> Vec<Layer> {
     layers.push(points("subcritical", &|k| is(k, SUBCRITICAL, roots[k]), 1));
     let lost = |k: usize| if folds[k].is_nan() { reaches[k] } else { f64::NAN };
     if (0..roots.len()).any(|k| lost(k).is_finite()) {
-        layers.push(points("no fold: cycles up to here", &lost, 4));
+        layers.push(points("no fold: motions up to here", &lost, 4));
+    }
+    let open = |k: usize| match codes(dataset, "told").map(|told| told[k]) {
+        Some(NOT_KNOWN) if folds[k].is_finite() => folds[k],
+        Some(NOT_KNOWN) if reaches[k].is_finite() => reaches[k],
+        Some(NOT_KNOWN) => roots[k],
+        _ => f64::NAN,
+    };
+    if (0..roots.len()).any(|k| open(k).is_finite()) {
+        layers.push(points("not known beyond", &open, 5));
     }
     layers
 }

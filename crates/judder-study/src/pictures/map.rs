@@ -1,7 +1,7 @@
 //! Stability maps.
 
 use super::{axis, reals};
-use crate::analyses::{ONE_WAY, STARTS_IT, UNKNOWN};
+use crate::analyses::{NONE_MOVED, ONE_WAY, STARTS_IT, UNKNOWN};
 use judder_oscillator::mechanism::StabilityClass;
 use judder_report::figure::{Class, ClassMap};
 use judder_report::{Layer, Panel, Role};
@@ -51,12 +51,7 @@ pub(super) fn stability_map(dataset: &Dataset) -> Option<Panel> {
         (reals(dataset, &format!("fold_{x_name}")), reals(dataset, &format!("fold_{y_name}")))
         && !x.is_empty()
     {
-        layers.push(Layer::points(
-            "folds of cycles that were followed",
-            x.to_vec(),
-            y.to_vec(),
-            Role::FullBoundary,
-        ));
+        layers.push(Layer::points("least known fold", x.to_vec(), y.to_vec(), Role::FullBoundary));
     }
     Some(Panel::new(axis(x), axis(y), layers))
 }
@@ -65,7 +60,8 @@ pub(super) fn stability_map(dataset: &Dataset) -> Option<Panel> {
 fn drawn_classes(codes: &[u8], knock: Option<&[u8]>, one_way: &str) -> (Vec<u8>, Vec<Class>) {
     let third = [
         (STARTS_IT, "stable, but a knock starts it", Role::Knock),
-        (UNKNOWN, "stable, a knock not followed to its end", Role::KnockUnknown),
+        (UNKNOWN, "stable, effect of a knock unknown", Role::KnockUnknown),
+        (NONE_MOVED, "stable, no start of a search moved", Role::Stable),
     ];
     let knock_at = |k: usize| knock.map_or(0, |knock| knock[k]);
     let mut classes: Vec<((u8, u8), Class)> = StabilityClass::ALL
@@ -73,10 +69,6 @@ fn drawn_classes(codes: &[u8], knock: Option<&[u8]>, one_way: &str) -> (Vec<u8>,
         .map(|stability| ((stability as u8, 0), class(stability, one_way)))
         .collect();
     let stable = StabilityClass::Stable as u8;
-    if knock.is_some() {
-        // the branch of each threshold was followed, and no other
-        classes[0].1 = Class::new("stable, other cycles not sought", Role::Stable);
-    }
     classes.splice(1..1, third.map(|(code, label, role)| ((stable, code), Class::new(label, role))));
     classes.retain(|(key, _)| (0..codes.len()).any(|k| (codes[k], knock_at(k)) == *key));
     let place = |key: (u8, u8)| classes.iter().position(|class| class.0 == key).unwrap_or(0) as u8;

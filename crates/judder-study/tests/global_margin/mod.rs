@@ -2,7 +2,9 @@
 
 use crate::{number, run_into};
 use judder_case::CaseFile;
+use judder_store::{Data, StudyFolder};
 use serde_json::{Map, Value};
+use std::path::Path;
 
 /// F̃_n = 1e-6: most Hopf points are subcritical.
 const HEAD: &str = "model = \"oscillator\"\n[contact]\nfriction_load = \"contact-force\"\n[operation]\nnormal_load = 1e-6\n[[analysis]]\nname = \"a\"\n";
@@ -21,7 +23,8 @@ fn entry<'a>(result: &'a Map<String, Value>, name: &str, value: usize) -> &'a Va
     &list[0]
 }
 
-/// Our notes on the paper: 0.0549 with a fold at 0.0126, and 0.1040 with a fold at 0.0604; simulations change there.
+/// Our notes on the paper: 0.0549 and 0.1040, with turns of their own branches at 0.0126 and 0.0604; simulations change there. Below both
+/// other motions live: at v̂ = 1e-3 a bounce down to the end of the range, at 1e-2 cycles of two oscillations.
 #[test]
 fn thresholds_carry_their_folds() {
     let folder = tempfile::tempdir().unwrap();
@@ -31,20 +34,32 @@ fn thresholds_carry_their_folds() {
     let result = &report.summary.results["a"];
     for (k, (threshold, fold)) in [(0.0549, 0.0126), (0.1040, 0.0604)].into_iter().enumerate() {
         assert!((number(entry(result, "full", k)) - threshold).abs() < 1e-4);
-        assert!((number(entry(result, "fold", k)) - fold).abs() < 1e-4);
+        assert!((number(entry(result, "branch_fold", k)) - fold).abs() < 1e-4);
         assert_eq!(entry(result, "criticality", k), "subcritical");
         assert_eq!(entry(result, "stable_side", k), "below");
         assert_eq!(entry(result, "branch_end", k), "fold");
         assert!(number(entry(result, "lyapunov_coefficient", k)) > 0.0);
         // the cycles live below
         assert!(number(entry(result, "amplitude_factor", k)) < 0.0);
-        assert!(number(entry(result, "reaches", k)) <= number(entry(result, "fold", k)));
+        assert!(number(entry(result, "reaches", k)) < fold);
+        let basin = entry(result, "basin", k);
+        assert!(basin["moving"].as_u64() > Some(0) && basin["undecided"] == 0, "{basin}");
+        let share = number(entry(result, "moving_share", k));
+        assert!((share * number(&basin["starts"]) - number(&basin["moving"])).abs() < 1e-9);
     }
+    assert_eq!(entry(result, "fold", 0), &Value::Null);
+    assert_eq!(number(entry(result, "reaches", 0)), 1e-3);
+    assert_eq!(entry(result, "told", 0), "the range ends beyond");
+    let fold = number(entry(result, "fold", 1));
+    assert!((fold - 0.018_57).abs() < 5e-5, "{fold}");
+    assert_eq!(entry(result, "told", 1), "no start moved beyond");
+    let search = entry(result, "search", 1);
+    assert_eq!((search["places"].as_array().unwrap().len(), &search["undecided"]), (4, &0.into()));
     let table = std::fs::read_to_string(folder.path().join("a.csv")).unwrap();
-    let head = "velocity,system,threshold,criticality,stable_side,lyapunov_coefficient,amplitude_factor,fold,reaches,branch_end";
+    let head = "velocity,system,threshold,criticality,stable_side,lyapunov_coefficient,amplitude_factor,fold,branch_fold,reaches,moving_share,branch_end,told";
     assert_eq!(table.lines().next().unwrap(), head);
     assert!(
-        std::fs::read_to_string(folder.path().join("figures/a.svg")).unwrap().contains("fold of the cycles")
+        std::fs::read_to_string(folder.path().join("figures/a.svg")).unwrap().contains("least known fold")
     );
     assert!(
         std::fs::read_to_string(report.report.as_ref().unwrap())
@@ -89,6 +104,13 @@ fn loads_have_margins_on_both_sides() {
     assert!(full[0] < fold[0] && fold[1] < full[1], "{full:?} {fold:?}");
 }
 
+/// The codes of an array of an analysis.
+fn codes(folder: &Path, name: &str) -> Vec<u8> {
+    let dataset = StudyFolder::open(folder).unwrap().read_dataset("a").unwrap();
+    let Data::U8(codes) = &dataset.variable(name).unwrap().data else { panic!("{name} has no codes") };
+    codes.clone()
+}
+
 /// Points above, between and below threshold and fold at v̂ = 1e-2, on a map whose lines are all followed.
 #[test]
 fn a_map_has_a_third_region() {
@@ -101,19 +123,32 @@ fn a_map_has_a_third_region() {
     let map = &report.summary.results["a"];
     assert_eq!(map["global_margin"]["along"], "contact.shear_strength");
     assert_eq!(map["global_margin"]["lines_followed"], 3);
-    assert_eq!((&map["global_margin"]["branches"], number(&map["knock_unknown_fraction"])), (&3.into(), 0.0));
-    // on each line so many of the 31 levels 10^(−3 + k/10) lie between fold and threshold: 0.0126..0.0549, 0.0524..0.0922, 0.0604..0.1040
-    let levels = |from: f64, to: f64| {
-        (0..31)
-            .map(|k| 10_f64.powf(-3.0 + 0.1 * f64::from(k)))
-            .filter(|level| (from..to).contains(level))
-            .count()
-    };
-    let expected = levels(0.012_62, 0.054_90) + levels(0.052_44, 0.092_20) + levels(0.060_40, 0.103_99);
-    assert_eq!((number(&map["knock_fraction"]) * 93.0).round() as usize, expected);
+    let margin = &map["global_margin"];
+    assert_eq!(
+        (&margin["branches"], &margin["searches"], &margin["searches_not_closed"]),
+        (&3.into(), &3.into(), &0.into())
+    );
+    let knock = codes(folder.path(), "knock");
+    let at = |line: usize, level: f64| knock[(10.0 * (level.log10() + 3.0)).round() as usize * 3 + line];
+    // unstable, between fold and threshold, and at v̂ = 1e-2 beyond the fold at 0.01897 down to 0.3 of it
+    let unstable = 10_f64.powf(-0.5);
+    assert_eq!([at(0, unstable), at(2, unstable)], [0, 0]);
+    for (line, level, code) in
+        [(0, 0.02, 1), (2, 0.08, 1), (2, 0.02, 1), (2, 0.0158, 3), (2, 0.0063, 3), (2, 0.001, 2)]
+    {
+        assert_eq!(at(line, level), code, "{line} {level}");
+    }
+    // a bounce is known at v̂ = 1e-3 below a gap in which none is
+    assert_eq!(at(0, 0.008), 2);
+    let share = |code: u8| knock.iter().filter(|knock| **knock == code).count() as f64 / 93.0;
+    assert_eq!(
+        [number(&map["knock_fraction"]), number(&map["knock_unknown_fraction"])],
+        [share(1), share(2)]
+    );
     let figure = std::fs::read_to_string(folder.path().join("figures/a.svg")).unwrap();
-    assert!(figure.contains("stable, but a knock starts it") && figure.contains("a-knock"));
-    assert!(figure.contains("stable, other cycles not sought"));
+    for said in ["stable, but a knock starts it", "a-knock", "no start of a search moved"] {
+        assert!(figure.contains(said), "{said}");
+    }
 }
 
 /// Along a key that is neither the shear strength nor the load, on a linear axis.

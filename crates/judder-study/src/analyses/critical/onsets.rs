@@ -2,7 +2,7 @@
 
 use super::Found;
 use crate::analyses::axis::{Axis, Curves};
-use crate::analyses::margins::{Margin, Onset};
+use crate::analyses::margins::{self, Margin, Onset, TOLD};
 use crate::error::StudyError;
 use judder_store::{Dataset, Table, Variable, number};
 use serde_json::{Map, Value, json};
@@ -48,19 +48,32 @@ const OF_HOPF_POINT: [Number; 2] = [
     },
 ];
 
-/// What the branches tell.
-const OF_BRANCH: [Number; 2] = [
+/// What the branches and the search beyond them tell.
+const OF_MARGIN: [Number; 4] = [
     Number {
         name: "fold",
-        long_name: "first turn of the branch of cycles from each threshold: up to there a knock starts a cycle beside stable steady sliding",
+        long_name: "least fold over the known branches of motions beside each threshold: up to there a knock may start one beside stable \
+                    steady sliding",
         unit: Unit::Threshold,
-        of: |onset| onset.margin.as_ref()?.fold,
+        of: |onset| onset.margin.as_ref()?.fold(),
+    },
+    Number {
+        name: "branch_fold",
+        long_name: "first turn of the branch of cycles that begins at each threshold",
+        unit: Unit::Threshold,
+        of: |onset| onset.margin.as_ref()?.branch_fold(),
     },
     Number {
         name: "reaches",
-        long_name: "value farthest from each threshold at which a cycle of its branch is known",
+        long_name: "value farthest from each threshold at which a motion beside steady sliding is known",
         unit: Unit::Threshold,
-        of: |onset| onset.margin.as_ref()?.reaches,
+        of: |onset| onset.margin.as_ref()?.reaches(onset.stable_side),
+    },
+    Number {
+        name: "moving_share",
+        long_name: "share of starts that keep moving a twentieth before the known motions end",
+        unit: Unit::One,
+        of: |onset| onset.margin.as_ref()?.search.moving_share(),
     },
 ];
 
@@ -76,7 +89,16 @@ fn stable_side(onset: &Onset) -> u8 {
 }
 
 fn numbers(global_margin: bool) -> impl Iterator<Item = &'static Number> {
-    OF_HOPF_POINT.iter().chain(OF_BRANCH.iter().filter(move |_| global_margin))
+    OF_HOPF_POINT.iter().chain(OF_MARGIN.iter().filter(move |_| global_margin))
+}
+
+fn told(onset: &Onset) -> u8 {
+    onset.margin.as_ref().map_or(0, |margin| margin.search.told as u8)
+}
+
+/// Where the threshold's own branch ends, in words; nothing beside a supercritical one.
+fn branch_end(onset: &Onset) -> Option<&str> {
+    Some(&onset.margin.as_ref()?.own.as_ref()?.end)
 }
 
 /// Adds to the scalars of a curve, an entry for each threshold of the full system, nested like those.
@@ -92,7 +114,12 @@ pub(super) fn add_scalars(scalars: &mut Map<String, Value>, curve: &[Found], glo
         add(entry.name, &|onset| (entry.of)(onset).map_or(Value::Null, number));
     }
     if global_margin {
-        add("branch_end", &|onset| onset.margin.as_ref().map_or(Value::Null, |margin| json!(margin.end)));
+        let of =
+            |of: fn(&Margin) -> Value| move |onset: &Onset| onset.margin.as_ref().map_or(Value::Null, of);
+        add("branch_end", &|onset| json!(branch_end(onset)));
+        add("told", &of(|margin| json!(margin.search.told.words())));
+        add("search", &of(|margin| margin.search.summary()));
+        add("basin", &of(|margin| margin.search.basin()));
     }
 }
 
@@ -108,15 +135,24 @@ pub(super) fn add_arrays(
     let (dimensions, shape) = curves.dimensions(axis, &[("full_root", most)]);
     let onsets =
         || found.iter().flat_map(move |f| (0..most).map(move |k| f.onsets.get(k).and_then(Option::as_ref)));
-    for (name, long_name, meanings, of) in [
-        ("criticality", "what grows from each threshold", &CRITICALITY, criticality as fn(&Onset) -> u8),
+    let mut classes: Vec<(&str, &str, &[(u8, &str)], fn(&Onset) -> u8)> = vec![
+        ("criticality", "what grows from each threshold", &CRITICALITY, criticality),
         (
             "stable_side",
             "on which side of each threshold steady sliding is stable",
             &STABLE_SIDE,
             stable_side,
         ),
-    ] {
+    ];
+    if global_margin {
+        classes.push((
+            "told",
+            "what a search tells of the stable points beyond all known motions",
+            &TOLD,
+            told,
+        ));
+    }
+    for (name, long_name, meanings, of) in classes {
         let codes = onsets().map(|onset| onset.map_or(0, of)).collect();
         let variable = Variable::classes(name, &dimensions, &shape, codes, meanings).long_name(long_name);
         dataset = dataset.with(variable)?;
@@ -151,34 +187,27 @@ pub(super) fn add_columns(
         table = table.column(entry.name, &entry.unit.text(unit), values)?;
     }
     if global_margin {
-        let end = |onset: &Onset| onset.margin.as_ref().map_or(String::new(), |margin| margin.end.clone());
-        table = table.column("branch_end", "", words(&end))?;
+        let end = |onset: &Onset| branch_end(onset).unwrap_or_default().to_owned();
+        let told = |onset: &Onset| TOLD[usize::from(told(onset))].1.to_owned();
+        table = table.column("branch_end", "", words(&end))?.column("told", "", words(&told))?;
     }
     Ok(table)
 }
 
-/// How many thresholds have no mode, and how many branches no fold, with the first reason.
+/// How many thresholds have no mode, how many branches no fold and how many searches no end, with the first reason.
 pub(super) fn warnings(found: &[Found]) -> Vec<String> {
     let all = found.iter().flat_map(|f| &f.onsets);
     let unknown = all.clone().filter(|onset| onset.is_none()).count();
     let margins: Vec<&Margin> = all.clone().flatten().filter_map(|onset| onset.margin.as_ref()).collect();
-    let open: Vec<&&Margin> = margins.iter().filter(|margin| margin.is_open).collect();
     let beyond = all.flatten().filter(|onset| goes_beyond(onset)).count();
     let mut warnings = Vec::new();
     if unknown > 0 {
         warnings.push(format!("what grows from {unknown} thresholds could not be had"));
     }
-    if let Some(first) = open.first() {
-        warnings.push(format!(
-            "{} of {} branches of cycles have no fold, for one: {}; `reaches` says how far they are known",
-            open.len(),
-            margins.len(),
-            first.end
-        ));
-    }
+    warnings.extend(margins::open(&margins, "`reaches` says how far they are known"));
     if beyond > 0 {
         warnings.push(format!(
-            "{beyond} of {} branches come back beyond their first fold: there cycles live next to stable steady sliding as well; `reaches` \
+            "{beyond} of {} branches come back beyond the least fold: there cycles live next to stable steady sliding as well; `reaches` \
              says how far",
             margins.len()
         ));
@@ -186,10 +215,9 @@ pub(super) fn warnings(found: &[Found]) -> Vec<String> {
     warnings
 }
 
-/// Whether a later turn of a branch lies beyond its first fold.
+/// Whether a later turn of a branch lies beyond the least fold.
 fn goes_beyond(onset: &Onset) -> bool {
-    let Some((fold, reaches)) = onset.margin.as_ref().and_then(|m| Some((m.fold?, m.reaches?))) else {
-        return false;
-    };
+    let of = |margin: &Margin| Some((margin.fold()?, margin.reaches(onset.stable_side)?));
+    let Some((fold, reaches)) = onset.margin.as_ref().and_then(of) else { return false };
     (reaches - fold) * onset.stable_side > 1e-3 * fold.abs()
 }

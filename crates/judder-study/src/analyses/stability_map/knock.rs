@@ -1,7 +1,7 @@
 //! The third region of a map: steady sliding is stable, but a knock starts a cycle.
 
 use super::super::axis::{Axis, range};
-use super::super::margins::{Crossing, Onset, fold_check};
+use super::super::margins::{self, Crossing, Margin, Onset, Search, fold_check};
 use crate::bridge;
 use crate::error::StudyError;
 use crate::outcome::Outcome;
@@ -24,13 +24,15 @@ const SAMPLES: usize = 400;
 const BEYOND: f64 = 10.0;
 
 /// What a knock does at a stable point; the number is that in stored results.
-const KNOCK: [(u8, &str); 3] = [
-    (0, "no cycle of a followed branch, or point not stable"),
-    (STARTS_IT, "starts a cycle"),
+const KNOCK: [(u8, &str); 4] = [
+    (0, "point not stable"),
+    (STARTS_IT, "may start a motion that is known"),
     (UNKNOWN, "unknown"),
+    (NONE_MOVED, "no start of a search moved"),
 ];
 pub(crate) const STARTS_IT: u8 = 1;
 pub(crate) const UNKNOWN: u8 = 2;
+pub(crate) const NONE_MOVED: u8 = 3;
 
 /// The lines of a map along which thresholds are crossed.
 struct Lines<'a> {
@@ -52,14 +54,57 @@ struct Line {
 }
 
 /// The stable points on one side of a threshold.
+#[derive(Clone, Copy)]
 struct Reach {
     threshold: f64,
     /// +1 above, −1 below.
     side: f64,
-    /// Up to here a knock starts a cycle.
+    /// Up to here a knock starts a motion.
     known_to: f64,
-    /// From there up to here it is not known what a knock does.
-    open_to: f64,
+    /// From there up to here motions are known at some values.
+    gap_to: f64,
+    /// From there up to here no start of a search moved.
+    quiet_to: f64,
+}
+
+impl Reach {
+    /// Nothing is known beside a threshold.
+    fn open(onset: &Onset) -> Self {
+        let (threshold, side) = (onset.threshold, onset.stable_side);
+        Self { threshold, side, known_to: threshold, gap_to: threshold, quiet_to: threshold }
+    }
+
+    /// What a threshold's own margin tells.
+    fn own(onset: &Onset) -> Self {
+        let Some(margin) = &onset.margin else { return Self::open(onset) };
+        let (threshold, side) = (onset.threshold, onset.stable_side);
+        let Search { known_to, farthest, quiet_to, .. } = margin.search;
+        let gap_to = margin.reaches(side).unwrap_or(farthest);
+        Self { threshold, side, known_to, gap_to, quiet_to: quiet_to.unwrap_or(gap_to) }
+    }
+
+    /// What a knock does at a value; `None` on the other side of the threshold.
+    fn code(&self, value: f64) -> Option<(u8, Weight)> {
+        let is_beyond = |place: f64| (value - place) * self.side > 0.0;
+        if !is_beyond(self.threshold) {
+            return None;
+        }
+        Some(match (is_beyond(self.known_to), is_beyond(self.gap_to), is_beyond(self.quiet_to)) {
+            (false, ..) => (STARTS_IT, Weight::Known),
+            (true, false, _) => (UNKNOWN, Weight::Gap),
+            (true, true, false) => (NONE_MOVED, Weight::Sought),
+            _ => (UNKNOWN, Weight::NotSought),
+        })
+    }
+}
+
+/// Of two thresholds that a point lies beside, the one that tells more of it counts.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Weight {
+    NotSought,
+    Sought,
+    Gap,
+    Known,
 }
 
 /// Between two lines whose margins differ by more than this, as a logarithm or a share of the axis, one may have a branch that the
@@ -110,7 +155,7 @@ impl<'a> Lines<'a> {
         let at = |value: f64| bridge::coefficients(&crossing.inputs_at(value));
         let roots = thresholds(self.contact, &self.range, samples, at).full;
         let onset = |threshold: &f64| match is_followed {
-            true => crossing.onset_with_margin(*threshold, progress),
+            true => crossing.onset_with_margin(*threshold, &roots, progress),
             false => crossing.onset(*threshold),
         };
         Line { onsets: roots.iter().map(onset).collect(), is_followed }
@@ -135,12 +180,6 @@ impl<'a> Lines<'a> {
     /// What is known beside the thresholds of a line: its own margins, or those between its followed neighbours.
     fn reaches(&self, lines: &[Line], index: usize) -> Vec<Reach> {
         let line = &lines[index];
-        let open = |threshold: f64, side: f64| Reach {
-            threshold,
-            side,
-            known_to: threshold,
-            open_to: side * f64::INFINITY,
-        };
         let neighbours = || {
             let before = (0..=index).rev().find(|k| lines[*k].is_followed)?;
             let behind = (index..lines.len()).find(|k| lines[*k].is_followed)?;
@@ -148,29 +187,19 @@ impl<'a> Lines<'a> {
         };
         let known = line.onsets.iter().enumerate().filter_map(|(k, onset)| Some((k, onset.as_ref()?)));
         known
-            .filter(|(_, onset)| onset.hopf.is_subcritical())
             .map(|(k, onset)| {
-                let own = || open(onset.threshold, onset.stable_side);
                 if line.is_followed {
-                    return self.own_reach(onset).unwrap_or_else(own);
+                    return Reach::own(onset);
                 }
-                let Some((before, behind)) = neighbours() else { return own() };
+                let Some((before, behind)) = neighbours() else { return Reach::open(onset) };
                 let share = (index - before) as f64 / (behind - before).max(1) as f64;
-                self.between(&lines[before], &lines[behind], (k, line, share)).unwrap_or_else(own)
+                self.between(&lines[before], &lines[behind], (k, line, share))
+                    .unwrap_or_else(|| Reach::open(onset))
             })
             .collect()
     }
 
-    fn own_reach(&self, onset: &Onset) -> Option<Reach> {
-        let margin = onset.margin.as_ref()?;
-        let known_to = margin.fold.or(margin.reaches)?;
-        let (threshold, side) = (onset.threshold, onset.stable_side);
-        let open_to = if margin.is_open { side * f64::INFINITY } else { known_to };
-        Some(Reach { threshold, side, known_to, open_to })
-    }
-
-    /// The margin of a threshold between two followed lines; `None` where these do not agree in what grows from theirs, or one has
-    /// no fold.
+    /// The margin of a threshold between two followed lines; `None` where these do not agree in what grows from theirs.
     fn between(&self, before: &Line, behind: &Line, (k, line, share): (usize, &Line, f64)) -> Option<Reach> {
         let kinds = |line: &Line| {
             let kind = |onset: &Onset| (onset.hopf.is_subcritical(), onset.stable_side > 0.0);
@@ -179,35 +208,32 @@ impl<'a> Lines<'a> {
         if kinds(before) != kinds(line) || kinds(behind) != kinds(line) {
             return None;
         }
-        let crossing = self.crossing(0);
-        let place = |line: &Line| {
-            let onset = line.onsets[k].as_ref()?;
-            Some(crossing.place(onset.threshold, onset.margin.as_ref()?.fold?))
-        };
-        let (from, to) = (place(before)?, place(behind)?);
+        let (from, to) = (Reach::own(before.onsets[k].as_ref()?), Reach::own(behind.onsets[k].as_ref()?));
         let onset = line.onsets[k].as_ref()?;
-        let (threshold, side) = (onset.threshold, onset.stable_side);
-        let value = |s: f64| crossing.value(threshold, s);
-        if (from - to).abs() > JUMP {
-            let (near, far) = if from.abs() < to.abs() { (from, to) } else { (to, from) };
-            return Some(Reach { threshold, side, known_to: value(near), open_to: value(far) });
-        }
-        let known_to = value(from + (to - from) * share);
-        Some(Reach { threshold, side, known_to, open_to: known_to })
+        let crossing = self.crossing(0);
+        let places =
+            |of: fn(&Reach) -> f64| [&from, &to].map(|reach| crossing.place(reach.threshold, of(reach)));
+        let value = |s: f64| crossing.value(onset.threshold, s);
+        let nearer = |[a, b]: [f64; 2]| if a.abs() < b.abs() { a } else { b };
+        let farther = |[a, b]: [f64; 2]| if a.abs() < b.abs() { b } else { a };
+        let [known, gap, quiet] =
+            [|r: &Reach| r.known_to, |r: &Reach| r.gap_to, |r: &Reach| r.quiet_to].map(places);
+        let is_near = |[a, b]: [f64; 2]| (a - b).abs() <= JUMP;
+        let along = |[a, b]: [f64; 2]| a + (b - a) * share;
+        let is_smooth = is_near(known) && is_near(gap);
+        Some(Reach {
+            threshold: onset.threshold,
+            side: onset.stable_side,
+            known_to: value(if is_smooth { along(known) } else { nearer(known) }),
+            gap_to: value(if is_smooth { along(gap) } else { farther(gap) }),
+            quiet_to: value(nearer(quiet)),
+        })
     }
 
     /// What a knock does at a value along a line, where steady sliding is stable.
     fn code(&self, reaches: &[Reach], value: f64) -> u8 {
-        let of = |reach: &Reach| {
-            let is_beyond = |place: f64| (value - place) * reach.side > 0.0;
-            match (is_beyond(reach.threshold), is_beyond(reach.known_to), is_beyond(reach.open_to)) {
-                (true, false, _) => STARTS_IT,
-                (true, true, false) => UNKNOWN,
-                _ => 0,
-            }
-        };
-        let codes: Vec<u8> = reaches.iter().map(of).collect();
-        if codes.contains(&STARTS_IT) { STARTS_IT } else { codes.into_iter().max().unwrap_or(0) }
+        let codes = reaches.iter().filter_map(|reach| reach.code(value));
+        codes.max_by_key(|(_, weight)| *weight).map_or(UNKNOWN, |(code, _)| code)
     }
 
     /// The code of every point of the map, row by row.
@@ -254,8 +280,8 @@ pub(super) fn add(
         .filter(|(_, line)| line.is_followed)
         .flat_map(|(index, line)| line.onsets.iter().flatten().map(move |onset| (index, onset)))
         .collect();
-    let margins: Vec<_> = onsets.iter().filter_map(|(_, onset)| onset.margin.as_ref()).collect();
-    let open: Vec<_> = margins.iter().filter(|margin| margin.is_open).collect();
+    let margins: Vec<&Margin> = onsets.iter().filter_map(|(_, onset)| onset.margin.as_ref()).collect();
+    let branches = margins.iter().filter_map(|margin| margin.own.as_ref());
     outcome.scalars.insert("knock_fraction".to_owned(), json!(share(STARTS_IT)));
     outcome.scalars.insert("knock_unknown_fraction".to_owned(), json!(share(UNKNOWN)));
     let summary = json!({
@@ -263,18 +289,13 @@ pub(super) fn add(
         "lines": lines.count(),
         "lines_followed": lines.followed().len(),
         "thresholds_sought": [lines.range.from, lines.range.to],
-        "branches": margins.len(),
-        "branches_without_a_fold": open.len(),
+        "branches": branches.clone().count(),
+        "branches_without_a_fold": branches.filter(|own| own.is_open).count(),
+        "searches": margins.len(),
+        "searches_not_closed": margins.iter().filter(|margin| margin.search.why_open().is_some()).count(),
     });
     outcome.scalars.insert("global_margin".to_owned(), summary);
-    if let Some(first) = open.first() {
-        outcome.warnings.push(format!(
-            "{} of {} branches of cycles have no fold, for one: {}; what a knock does beyond is marked as unknown",
-            open.len(),
-            margins.len(),
-            first.end
-        ));
-    }
+    outcome.warnings.extend(margins::open(&margins, "what a knock does beyond is marked as unknown"));
     let folds = folds(&lines, &onsets);
     let dataset = std::mem::take(&mut outcome.dataset);
     let dataset = dataset.with(
@@ -284,7 +305,7 @@ pub(super) fn add(
     let over = |axis: &Axis, values: Vec<f64>| {
         Variable::new(&format!("fold_{}", axis.name()), &["fold"], &[values.len()], values)
             .units(&axis.quantity.unit)
-            .long_name("folds of cycles that were followed")
+            .long_name("least folds over the motions that are known")
     };
     outcome.dataset = dataset
         .with(over(x, folds.iter().map(|fold| fold.0).collect()))?
@@ -299,7 +320,7 @@ pub(super) fn add(
 /// The folds that were found, as points of the map.
 fn folds(lines: &Lines<'_>, onsets: &[(usize, &Onset)]) -> Vec<(f64, f64)> {
     let fold = |(index, onset): &(usize, &Onset)| {
-        let (line, along) = (lines.across.1[*index], onset.margin.as_ref()?.fold?);
+        let (line, along) = (lines.across.1[*index], onset.margin.as_ref()?.fold()?);
         Some(if lines.follows_y { (line, along) } else { (along, line) })
     };
     onsets.iter().filter_map(fold).collect()

@@ -21,7 +21,7 @@ pub enum ContactProblem {
         what: &'static str,
     },
     /// Times of a series that do not ascend.
-    #[error("the times of `{key}` must ascend, but {time:e} s follows {before:e} s")]
+    #[error("the times of `{key}` must ascend, but {time} s follows {before} s", time = plain(*.time), before = plain(*.before))]
     UnsortedTimes {
         /// The key of the list.
         key: &'static str,
@@ -102,7 +102,8 @@ pub enum ContactProblem {
     },
     /// Wave lengths of a rough surface that do not descend.
     #[error(
-        "the wave lengths of `indenter.shape.rough` must descend: {longer} {from:e} m, {shorter} {to:e} m"
+        "the wave lengths of `indenter.shape.rough` must descend: {longer} {from} m, {shorter} {to} m",
+        from = plain(*.from), to = plain(*.to),
     )]
     WaveLengths {
         /// The name of the one that must be longer.
@@ -161,8 +162,9 @@ pub enum ContactProblem {
     },
     /// A periodic substrate that has not forgotten a period when the next one comes.
     #[error(
-        "at this speed the substrate still remembers {memory:.1e} of its deformation after one period, and {allowed:e} is \
-         allowed at most"
+        "at this speed the substrate still remembers {memory} of its deformation after one period, and {allowed} is \
+         allowed at most",
+        memory = plain(*.memory), allowed = plain(*.allowed),
     )]
     LongWake {
         /// The part of the deformation that is left.

@@ -3,6 +3,7 @@
 //! Reading, defaults, unit errors, `--set`, sweeps, the schema and the templates are all driven by [`KEYS`]; the numbers that
 //! contact cases have besides stand in [`CONTACT_KEYS`](crate::contact_keys::CONTACT_KEYS).
 
+use judder_numerics::words::plain;
 use std::fmt;
 
 use crate::dimension::Dimension;
@@ -78,7 +79,9 @@ impl fmt::Display for Range {
             Self::NonNegative => formatter.write_str("zero or positive"),
             Self::Fraction => formatter.write_str("zero or positive, and below one"),
             Self::Any => formatter.write_str("finite"),
-            Self::Interval { above, up_to } => write!(formatter, "above {above} and at most {up_to}"),
+            Self::Interval { above, up_to } => {
+                write!(formatter, "above {} and at most {}", plain(*above), plain(*up_to))
+            }
         }
     }
 }

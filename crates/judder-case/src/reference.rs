@@ -93,7 +93,7 @@ const MARGIN: &str = "
 `global_margin` follows the cycles beside every subcritical threshold back to [their fold](theory/motion.md#the-global-margin), and seeks motions beyond: `true` by default in \
 `critical-shear-strength` and `critical-load`, where it takes some seconds a threshold; `false` by default in a `stability-map` of an oscillator, \
 where it tells the points at which a knock may start a motion apart from those at which none is known to. The map is followed along `contact.shear_strength` or \
-`operation.normal_load` where one of them is an axis (`y` before `x`), otherwise along `y`; on 60 lines at most.
+`operation.normal_load` where one of them is an axis (`y` before `x`), otherwise along `y`; on 30 lines at most.
 ";
 
 /// The settings of the analyses of motion.

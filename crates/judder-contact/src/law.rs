@@ -31,6 +31,7 @@ pub mod table;
 pub use collapsed::CollapsedLaw;
 pub use data::LawData;
 pub use error::LawError;
+use judder_numerics::words::plain;
 pub use knots::Knots;
 pub use limits::LawIndenter;
 pub use material::{LawMaterial, LawTerm};
@@ -102,22 +103,28 @@ impl fmt::Display for ValidityConcern {
         match self {
             Self::TooDeep { indentation, limit } => write!(
                 f,
-                "indentation y/R = {indentation:.3e} is beyond {limit}, where the contact is no longer shallow"
+                "indentation y/R = {} is beyond {limit}, where the contact is no longer shallow",
+                plain(*indentation)
             ),
             Self::FrictionTail { velocity, widths, limit } => write!(
                 f,
-                "speed v τ/R = {velocity:.3e} is {widths:.1} widths from the peak of the fitted friction (trusted to {limit}): \
-                 the Gaussian tail is far below the true friction, which falls only as v and 1/v"
+                "speed v τ/R = {} is {widths:.1} widths from the peak of the fitted friction (trusted to {limit}): \
+                 the Gaussian tail is far below the true friction, which falls only as v and 1/v",
+                plain(*velocity)
             ),
             Self::SpeedBeyondTable { velocity, distance } => write!(
                 f,
-                "speed v τ/R = {velocity:.3e} is beyond the computed table, still {:.2} % from what is known exactly: \
+                "speed v τ/R = {} is beyond the computed table, still {:.2} % from what is known exactly: \
                  the way there is assumed",
+                plain(*velocity),
                 100.0 * distance
             ),
             Self::BeyondSamples { name, value, from, to } => write!(
                 f,
-                "{name} = {value:.3e} is beyond the values that the law was given, from {from:.3e} to {to:.3e}: how it goes on is assumed"
+                "{name} = {} is beyond the values that the law was given, from {} to {}: how it goes on is assumed",
+                plain(*value),
+                plain(*from),
+                plain(*to)
             ),
         }
     }

@@ -1,5 +1,6 @@
 //! All roots of a small real polynomial.
 
+use crate::words::plain;
 use num_complex::Complex64;
 use thiserror::Error;
 
@@ -16,7 +17,7 @@ pub enum PolynomialError {
     #[error("the leading coefficient is zero")]
     DegenerateDegree,
     /// The simultaneous iteration did not settle.
-    #[error("no convergence after {iterations} iterations, largest relative change {change:e}")]
+    #[error("no convergence after {iterations} iterations, largest relative change {change}", change = plain(*.change))]
     NotConverged {
         /// Iterations made.
         iterations: usize,

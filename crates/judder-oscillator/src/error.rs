@@ -1,4 +1,5 @@
 use judder_numerics::polynomial::PolynomialError;
+use judder_numerics::words::plain;
 use thiserror::Error;
 
 /// Why an oscillator has no answer.
@@ -16,7 +17,8 @@ pub enum OscillatorError {
     },
     /// No steady sliding with contact in the range that was searched.
     #[error(
-        "no steady sliding with contact for indentations y/R between {searched_from:e} and {searched_to:e}"
+        "no steady sliding with contact for indentations y/R between {searched_from} and {searched_to}",
+        searched_from = plain(*.searched_from), searched_to = plain(*.searched_to),
     )]
     NoEquilibrium {
         /// Smallest ŷ that was looked at.
@@ -32,7 +34,8 @@ pub enum OscillatorError {
     },
     /// The equilibrium iteration did not settle.
     #[error(
-        "equilibrium not converged after {iterations} iterations: y/R = {indentation:e}, residual {residual:e} of the load"
+        "equilibrium not converged after {iterations} iterations: y/R = {indentation}, residual {residual} of the load",
+        indentation = plain(*.indentation), residual = plain(*.residual),
     )]
     EquilibriumNotConverged {
         /// Iterations made.
@@ -61,7 +64,7 @@ pub enum OscillatorError {
         mass: [[f64; 2]; 2],
     },
     /// The eigenvalues are beyond the range of numbers.
-    #[error("the eigenvalues are not finite: entries as large as {largest:e} overflow on the way")]
+    #[error("the eigenvalues are not finite: entries as large as {largest} overflow on the way", largest = plain(*.largest))]
     Overflow {
         /// The largest magnitude among the entries of C and K.
         largest: f64,

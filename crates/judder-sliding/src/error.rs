@@ -59,7 +59,8 @@ pub enum SlidingError {
     },
     /// A contact that is held so near to an end of the track that it swings beyond it.
     #[error(
-        "held at {} m the contact has {end}, which is {} m long: hold it farther from the end",
+        "held at {} m the contact has {end}, on a track of {} m: hold it farther from the end; where that does not help, the mode that it \
+         starts with hardly presses on the contact, and swings it that far",
         plain(*position), plain(*length)
     )]
     RunsOff {

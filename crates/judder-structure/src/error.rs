@@ -1,5 +1,6 @@
 use crate::element::ElementKind;
 use crate::freedom::Direction;
+use judder_numerics::words::plain;
 use thiserror::Error;
 
 /// Why there is no structure.
@@ -17,7 +18,8 @@ pub enum StructureError {
     },
     /// An element is folded or flat.
     #[error(
-        "element {element} ({kind}) is folded or flat: its Jacobian determinant is {determinant:e} at {place:?}; are its nodes in order?"
+        "element {element} ({kind}) is folded or flat: its Jacobian determinant is {determinant} at {place:?}; are its nodes in order?",
+        determinant = plain(*.determinant),
     )]
     Folded {
         /// Its number from 0, in the order of the mesh.
@@ -125,8 +127,9 @@ pub enum StructureError {
     },
     /// A damping matrix that is no Rayleigh damping.
     #[error(
-        "the damping matrix is not α M + β K: at best {departure:.1e} of its largest entry is left, and at most {tolerance:.0e} may be; \
-         give such a matrix, or none"
+        "the damping matrix is not α M + β K: at best {departure} of its largest entry is left, and at most {tolerance} may be; \
+         give such a matrix, or none",
+        departure = plain(*.departure), tolerance = plain(*.tolerance),
     )]
     NotProportional {
         /// The largest entry that the nearest α M + β K leaves, as a share of the matrix's largest.
@@ -136,7 +139,8 @@ pub enum StructureError {
     },
     /// A damping matrix with a negative share of mass or stiffness.
     #[error(
-        "the damping matrix is α M + β K with α = {alpha:.3e} 1/s and β = {beta:.3e} s: neither may be negative"
+        "the damping matrix is α M + β K with α = {alpha} 1/s and β = {beta} s: neither may be negative",
+        alpha = plain(*.alpha), beta = plain(*.beta),
     )]
     NegativeDamping {
         /// 1/s.

@@ -119,7 +119,7 @@ pub(crate) fn caption(dataset: &Dataset) -> &'static str {
         }
         "bifurcation" => {
             "What motions settle to as the key goes up and down, each from the end of the one before: rms of $x$ about its mean, its largest values, the \
-             shares of the time in stick and off the substrate. A motion that is neither at rest nor periodic within its time counts as irregular. \
+             shares of the time in stick and off the substrate. What a motion settles to is told where a finer tolerance tells the same, and unconfirmed otherwise. \
              Points are simulated, and no line joins them: neighbours may have settled to different motions. Where branches were followed, lines are cycles \
              and steady sliding, stable (solid) or not (dashed)."
         }

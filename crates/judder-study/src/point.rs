@@ -5,7 +5,7 @@ use crate::error::StudyError;
 use crate::progress::Silent;
 use crate::quasi_steady::{self, Condition};
 use crate::spectrum_source::temperature_warning;
-use crate::text::{columns, list, number};
+use crate::text::{columns, list, number, short};
 use judder_case::{OscillatorCase, OscillatorInputs};
 use judder_contact::ContactLaw;
 use judder_contact::law::material::LawTerm;
@@ -144,8 +144,10 @@ pub fn analyse(contact: &Contact, groups: Groups) -> Result<Point, StudyError> {
     for (what, found) in [("shear strengths", &strengths), ("loads", &loads)] {
         if let (Some(first), Some(last)) = (found.failures.first(), found.failures.last()) {
             warnings.push(format!(
-                "no single steady sliding state at {} of {SAMPLES} {what} searched, between {first:.3e} and {last:.3e}: thresholds there are missing",
-                found.failures.len()
+                "no single steady sliding state at {} of {SAMPLES} {what} searched, between {} and {}: thresholds there are missing",
+                found.failures.len(),
+                short(*first),
+                short(*last)
             ));
         }
     }

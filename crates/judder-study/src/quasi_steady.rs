@@ -112,11 +112,18 @@ impl Condition {
         rows
     }
 
-    /// That eq. (3) is broken, in words, with its largest figure over the `motions` that were found; `None` where it is not.
+    /// That eq. (3) is broken, in words, with its largest figure over the `motions` that were found; `None` where neither the figures
+    /// nor the motions break it.
     pub(crate) fn warning(&self, motions: Option<f64>) -> Option<String> {
         let QuasiSteady { figure, longest, memory } = self.figures;
         if Standing::of(figure) < Standing::Broken {
-            return None;
+            let broken = motions.filter(|motions| Standing::of(*motions) == Standing::Broken)?;
+            return Some(format!(
+                "eq. (3), the condition of steady-sliding laws in motion, is broken by the motions: |(ω − v_d/A_x) τ| is up to {} where ≪ 1 is \
+                 asked, although ω_nx τ = {}: while it is, the contact is not in step with them, and they are those of the law alone",
+                short(broken),
+                short(figure)
+            ));
         }
         let time = |figure: f64| format!("{} s", short(figure / self.natural_frequency));
         let mut words = format!(
@@ -202,7 +209,10 @@ mod tests {
 
     #[test]
     fn what_is_broken_is_told_with_the_times_that_make_it() {
-        assert_eq!(condition(0.4, 0.4, 0.4).warning(Some(3.0)), None);
+        assert_eq!(condition(0.4, 0.4, 0.4).warning(Some(0.9)), None);
+        assert_eq!(condition(0.4, 0.4, 0.4).warning(None), None);
+        let told = condition(0.4, 0.4, 0.4).warning(Some(157.0)).unwrap();
+        assert!(told.contains("is up to 157") && told.contains("ω_nx τ = 0.4"), "{told}");
         let told = condition(164.0, 2125.0, 0.02).warning(None).unwrap();
         for part in
             ["ω_nx τ = 164", "τ = 1.64 s", "2125 with the longest, 21.25 s", "ω_nx T = 0.02, which is small"]

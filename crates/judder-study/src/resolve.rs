@@ -31,7 +31,7 @@ mod cost {
     /// Following the cycles beside a threshold back to their fold, and seeking others beyond.
     pub(super) const MARGIN: f64 = 5.0;
     /// Lines of a map along which they are followed, at most.
-    pub(super) const MARGIN_LINES: usize = 60;
+    pub(super) const MARGIN_LINES: usize = 30;
     /// Following the branches of an oscillator through a diagram: seconds to a minute.
     pub(super) const BRANCHES: f64 = 10.0;
     /// Following the three boundaries of a map.

@@ -1,5 +1,6 @@
 //! Why an indenter cannot be had.
 
+use judder_numerics::words::plain;
 use thiserror::Error;
 
 /// Why an indenter cannot be had.
@@ -157,7 +158,8 @@ pub enum IndenterError {
     },
     /// The file's coordinates contradict the spacing that is given.
     #[error(
-        "the coordinates of the file have steps of {in_file:e} m, `spacing` is {given:e} m; leave `spacing` out, or mend `unit`"
+        "the coordinates of the file have steps of {in_file} m, `spacing` is {given} m; leave `spacing` out, or mend `unit`",
+        in_file = plain(*.in_file), given = plain(*.given),
     )]
     SpacingDisagrees {
         /// From the file \[m\].

@@ -3,6 +3,7 @@
 use super::sliding::SlidingOperator;
 use super::substrate::SlidingSubstrate;
 use crate::surface::grid::SurfaceGrid;
+use judder_numerics::words::plain;
 use thiserror::Error;
 
 /// Why there is no operator for a grid and a substrate.
@@ -76,8 +77,8 @@ pub enum KernelError {
     },
     /// Wakes reach from one period into the next.
     #[error(
-        "after one period the substrate still remembers {memory:.1e} of its deformation, and at most {allowed:e} is allowed: the \
-         longest wake v τ is {:.2} of the period; slide slower, or take a longer period", length / period
+        "after one period the substrate still remembers {memory} of its deformation, and at most {allowed} is allowed: the \
+         longest wake v τ is {:.2} of the period; slide slower, or take a longer period", length / period, memory = plain(*.memory), allowed = plain(*.allowed),
     )]
     LongWake {
         /// L, period along x.

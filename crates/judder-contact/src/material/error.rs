@@ -1,5 +1,6 @@
 //! What a material refuses.
 
+use judder_numerics::words::plain;
 use std::f64::consts::TAU;
 use thiserror::Error;
 
@@ -26,7 +27,8 @@ pub enum MaterialError {
     },
     /// The rubbery modulus is not below the glassy one.
     #[error(
-        "the rubbery modulus E0 = {rubbery:e} Pa is not below the glassy modulus E∞ = {glassy:e} Pa; give a larger glassy modulus"
+        "the rubbery modulus E0 = {rubbery} Pa is not below the glassy modulus E∞ = {glassy} Pa; give a larger glassy modulus",
+        rubbery = plain(*.rubbery), glassy = plain(*.glassy),
     )]
     RubberyNotBelowGlassy {
         /// E0 \[Pa\].
@@ -70,7 +72,8 @@ pub enum MaterialError {
     },
     /// A continuous spectrum is negative or not a number somewhere, or nothing everywhere.
     #[error(
-        "the continuous spectrum is {value} at the retardation time {time:e} s; it must be positive, or zero in places"
+        "the continuous spectrum is {value} at the retardation time {time} s; it must be positive, or zero in places",
+        time = plain(*.time),
     )]
     Density {
         /// τ \[s\].
@@ -86,7 +89,8 @@ pub enum MaterialError {
     },
     /// The range of a continuous spectrum is empty, or samples of it do not ascend.
     #[error(
-        "the retardation time {after:e} s of the continuous spectrum comes after {before:e} s; times must ascend"
+        "the retardation time {after} s of the continuous spectrum comes after {before} s; times must ascend",
+        after = plain(*.after), before = plain(*.before),
     )]
     Range {
         /// The earlier time \[s\].
@@ -104,7 +108,8 @@ pub enum MaterialError {
     },
     /// A tolerance that no series meets.
     #[error(
-        "{terms} terms come within {error:.1e} of the spectrum, not within {tolerance:.1e}; allow a larger error"
+        "{terms} terms come within {error} of the spectrum, not within {tolerance}; allow a larger error",
+        error = plain(*.error), tolerance = plain(*.tolerance),
     )]
     ToleranceNotMet {
         /// Terms tried last.
@@ -116,8 +121,8 @@ pub enum MaterialError {
     },
     /// The measured band ends before the rubbery plateau, and no modulus at rest was given.
     #[error(
-        "the data, down to {lowest:.4e} rad/s ({:.4e} Hz), do not show a modulus at rest (the best fit has E0 = 0); give the \
-         rubbery modulus", lowest / TAU
+        "the data, down to {lowest} rad/s ({:.4e} Hz), do not show a modulus at rest (the best fit has E0 = 0); give the \
+         rubbery modulus", lowest / TAU, lowest = plain(*.lowest),
     )]
     NoPlateau {
         /// Lowest ω [rad/s].
@@ -125,7 +130,8 @@ pub enum MaterialError {
     },
     /// The given rubbery modulus is not below the measured ones.
     #[error(
-        "the rubbery modulus {rubbery:e} Pa is not below the lowest measured storage modulus, {lowest:e} Pa; give a smaller one, or none"
+        "the rubbery modulus {rubbery} Pa is not below the lowest measured storage modulus, {lowest} Pa; give a smaller one, or none",
+        rubbery = plain(*.rubbery), lowest = plain(*.lowest),
     )]
     RubberyAboveData {
         /// E0 \[Pa\].

@@ -1,3 +1,4 @@
+use crate::words::plain;
 use thiserror::Error;
 
 /// Why a motion cannot go on.
@@ -5,7 +6,8 @@ use thiserror::Error;
 pub enum MarchError {
     /// The budget of steps is spent.
     #[error(
-        "the motion has used its {steps} steps at time {time}, in steps of {step:e}: give it more, or a shorter time"
+        "the motion has used its {steps} steps at time {time}, in steps of {step}: give it more, or a shorter time",
+        step = plain(*.step), time = plain(*.time),
     )]
     StepsSpent {
         /// The budget.
@@ -17,7 +19,8 @@ pub enum MarchError {
     },
     /// No step is short enough for the tolerance.
     #[error(
-        "no step from time {time} is short enough for the tolerance, down to {step:e}: the field is not smooth or not finite there"
+        "no step from time {time} is short enough for the tolerance, down to {step}: the field is not smooth or not finite there",
+        step = plain(*.step), time = plain(*.time),
     )]
     StepTooShort {
         /// Where the motion stands.
@@ -26,7 +29,7 @@ pub enum MarchError {
         step: f64,
     },
     /// Changes of mode pile up.
-    #[error("changes of mode accumulate: {changes} of them within {interval:e} before time {time}")]
+    #[error("changes of mode accumulate: {changes} of them within {interval} before time {time}", interval = plain(*.interval), time = plain(*.time))]
     Accumulation {
         /// How many.
         changes: usize,
@@ -36,7 +39,7 @@ pub enum MarchError {
         time: f64,
     },
     /// The caller wants it to stop.
-    #[error("the motion was interrupted at time {time}")]
+    #[error("the motion was interrupted at time {time}", time = plain(*.time))]
     Interrupted {
         /// Where the motion stands.
         time: f64,

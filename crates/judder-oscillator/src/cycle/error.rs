@@ -1,6 +1,7 @@
 use crate::OscillatorError;
 use judder_numerics::piecewise::MarchError;
 use judder_numerics::polynomial::PolynomialError;
+use judder_numerics::words::plain;
 use thiserror::Error;
 
 /// Why there is no cycle.
@@ -36,7 +37,8 @@ pub enum CycleError {
     },
     /// Newton's method does not settle.
     #[error(
-        "Newton's method does not settle: after {iterations} iterations the return misses its start by {residual:e} of the scale"
+        "Newton's method does not settle: after {iterations} iterations the return misses its start by {residual} of the scale",
+        residual = plain(*.residual),
     )]
     NotConverged {
         /// Iterations made.

@@ -3,6 +3,7 @@
 use crate::bridge;
 use crate::error::StudyError;
 use crate::progress::Progress;
+use crate::text::short;
 use judder_case::{OscillatorInputs, OscillatorKey, Sweep};
 use judder_contact::{ContactLaw, ValidityConcern};
 use judder_oscillator::equilibrium::{Equilibrium, equilibrium};
@@ -89,8 +90,9 @@ pub(crate) fn failure_warning(
         states.iter().zip(values).filter_map(|(state, value)| Some((state.as_ref().err()?, value)));
     let (error, value) = failures.next()?;
     Some(format!(
-        "no result at {} of {} points, the first at {value:e}: {error}",
+        "no result at {} of {} points, the first at {}: {error}",
         failures.count() + 1,
-        values.len()
+        values.len(),
+        short(*value)
     ))
 }

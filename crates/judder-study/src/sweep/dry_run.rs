@@ -4,7 +4,7 @@ use super::evaluate::{Evaluator, Tried};
 use super::plan::SweepPlan;
 use crate::error::StudyError;
 use crate::progress::Progress;
-use crate::text::{columns, number};
+use crate::text::{columns, short};
 use judder_store::SweepChunks;
 use serde_json::{Value, json};
 use std::path::Path;
@@ -90,7 +90,7 @@ impl SweepEstimate {
         let rows = [
             ("points", self.points.to_string()),
             ("chunks", format!("{} ({} done)", self.chunks, self.done)),
-            ("time of a point", format!("{} s", number(self.seconds_per_point))),
+            ("time of a point", format!("{} s", short(self.seconds_per_point))),
             ("time left", format!("{} on {} threads", duration(self.seconds()), self.threads)),
             ("memory", bytes(self.memory)),
             ("on the disk, at most", bytes(self.stored)),

@@ -8,6 +8,7 @@ use super::statistics::ColumnStatistics;
 use crate::error::StudyError;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
+use judder_numerics::words::plain;
 use judder_store::{StoredChunk, SweepStore, Table};
 use serde_json::{Map, Value, json};
 
@@ -137,7 +138,13 @@ impl<'a> Reading<'a> {
                     let reason = own["reason"].as_str().unwrap_or_default();
                     reason.starts_with(DOUBTFUL) == (what == "are doubtful")
                 });
-                let first = first.map(|own| format!("; the first at {}: {}", own["at"], own["reason"]));
+                let first = first.map(|own| {
+                    format!(
+                        "; the first at {}: {}",
+                        place(&own["at"]),
+                        own["reason"].as_str().unwrap_or_default()
+                    )
+                });
                 format!("{count} of {points} points {what}{}", first.unwrap_or_default())
             })
         };
@@ -180,4 +187,13 @@ impl<'a> Reading<'a> {
         }
         Ok(table)
     }
+}
+
+/// The values of the swept keys at a point, in words.
+fn place(at: &Value) -> String {
+    let values = at.as_object().into_iter().flatten();
+    let words: Vec<String> = values
+        .map(|(key, value)| format!("{key} = {}", value.as_f64().map_or_else(|| value.to_string(), plain)))
+        .collect();
+    words.join(", ")
 }

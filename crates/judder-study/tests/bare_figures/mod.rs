@@ -206,6 +206,8 @@ fn an_empty_region_has_its_figure_and_its_report() {
     let report = run_into(&folder.path().join("out"), &CaseFile::read(&path, &[]).unwrap(), &["eigen"]);
     assert_eq!(report.summary.results["eigen"]["eigenvalues"], serde_json::json!([]));
     let page = std::fs::read_to_string(report.report.unwrap()).unwrap();
-    assert!(page.contains("All eigenvalues found in the region"));
+    assert!(
+        page.contains("All eigenvalues found in the region") && page.contains("the region has no eigenvalue")
+    );
     assert!(folder.path().join("out/figures/eigen.svg").is_file());
 }

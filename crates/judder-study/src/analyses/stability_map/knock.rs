@@ -16,7 +16,7 @@ use rayon::prelude::*;
 use serde_json::json;
 
 /// Lines of a map along which branches are followed, at most; between them the margin is interpolated.
-const FOLLOWED: usize = 60;
+const FOLLOWED: usize = 30;
 /// Samples of the search for thresholds, a decade and a linear range.
 const SAMPLES_PER_DECADE: f64 = 40.0;
 const SAMPLES: usize = 400;

@@ -6,6 +6,7 @@ use crate::checks::VanishingGrowth;
 use crate::error::StudyError;
 use crate::outcome::CheckRecord;
 use crate::progress::Progress;
+use crate::text::short;
 use judder_case::{OscillatorCase, OscillatorKey, StabilityMap as MapSettings, Value as CaseValue};
 use judder_oscillator::boundary::{Boundary, Condition, End, Fold, boundaries};
 use judder_oscillator::equilibrium::equilibrium;
@@ -194,13 +195,13 @@ pub(crate) fn incomplete(overlays: &[Overlay]) -> Vec<String> {
             let stalled: Vec<&Boundary> = overlay.curves.iter().filter(|curve| curve.end == End::Stalled).collect();
             let last = stalled.first()?.points.last()?;
             Some(format!(
-                "{}: {} of {} curves end inside the map, for one at ({:.4e}, {:.4e}): a corner, where other curves go on, or a place too \
+                "{}: {} of {} curves end inside the map, for one at ({}, {}): a corner, where other curves go on, or a place too \
                  narrow to follow",
                 overlay.what,
                 stalled.len(),
                 overlay.curves.len(),
-                last.x,
-                last.y
+                short(last.x),
+                short(last.y)
             ))
         })
         .collect()

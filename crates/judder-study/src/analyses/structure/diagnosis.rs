@@ -4,6 +4,7 @@ use super::undamped::Undamped;
 use crate::error::StudyError;
 use crate::outcome::{CheckRecord, Disagreement};
 use crate::structure::{Structure, factors};
+use crate::text::short;
 use judder_case::StructureCase;
 use judder_case::structure::analysis::EigenRegion;
 use judder_store::number;
@@ -73,9 +74,9 @@ pub(super) fn of_growing(
         let paradoxes = told.influences.iter().filter(|influence| influence.is_paradox());
         warnings.extend(paradoxes.map(|influence| {
             format!(
-                "mode {} at {:.1} Hz: the damping {} takes energy out of it, but more of it lets it grow faster (damping paradox)",
+                "mode {} at {} Hz: the damping {} takes energy out of it, but more of it lets it grow faster (damping paradox)",
                 number + 1,
-                mode.eigenvalue.frequency_hz(),
+                short(mode.eigenvalue.frequency_hz()),
                 influence.name
             )
         }));
@@ -102,7 +103,7 @@ pub(super) fn of_growing(
 
 /// What has to be said of the energy of a mode, by which its growths are divided.
 fn of_energy(number: usize, mode: &ComplexMode, told: &Diagnosis) -> Option<String> {
-    let hertz = format!("{:.1}", mode.eigenvalue.frequency_hz().abs());
+    let hertz = short(mode.eigenvalue.frequency_hz().abs());
     let (share, error) = (told.energy.share.abs(), told.energy.error);
     match (told.energy.sign(), told.energy.growth_error()) {
         (EnergySign::None, _) => Some(format!(

@@ -54,6 +54,9 @@ pub(super) fn run(
         ("shifts".to_owned(), json!(found.shifts.len())),
     ]);
     let mut warnings = gap_warnings(&found.gaps);
+    if values.is_empty() && found.complete() {
+        warnings.push("the region has no eigenvalue".to_owned());
+    }
     let mut checks = checks(&found);
     if let Some(told) = diagnosis::of_growing(case, structure, sought, &found.modes)? {
         scalars.insert("diagnosis".to_owned(), told.scalars);
@@ -187,7 +190,10 @@ fn checks(found: &ComplexModes) -> Vec<CheckRecord> {
         found.modes.iter().flat_map(|mode| [mode.eigenvalue.residual, mode.eigenvalue.left_residual]);
     let mut checks = vec![CheckRecord::new(
         "no eigenvalue is missing",
-        format!("places where the overlaps of {} discs did not close", found.shifts.len()),
+        format!(
+            "parts of the region where nothing proves that all were found, after {} factorisations",
+            found.shifts.len()
+        ),
         (found.gaps.len() as f64).into(),
         0.0,
     )];

@@ -2,6 +2,7 @@
 
 use crate::error::StudyError;
 use crate::structure::{Structure, factors, symmetric_part};
+use crate::text::short;
 use judder_case::structure::matrices::MatrixTerm;
 use judder_case::{StructureCase, StructureSource};
 use judder_structure::StructureError;
@@ -93,7 +94,7 @@ impl Undamped {
             .into_iter()
             .filter(|(_, departure)| *departure > ROUNDING)
             .map(|(name, departure)| {
-                format!("{name} is not symmetric ({departure:.1e} of its largest entry)")
+                format!("{name} is not symmetric ({} of its largest entry)", short(departure))
             })
             .collect();
         Self { mass, stiffness, of: ModesOf::SymmetricPart { departures } }

@@ -1,0 +1,182 @@
+//! Rows of figures of structures, loci and marches.
+
+use super::*;
+
+pub(super) fn modes(seed: u64) -> Vec<Planted> {
+    let mut random = Random(seed);
+    let places: Vec<f64> = (0..6).flat_map(|_| [random.next(), random.next(), 0.0]).collect();
+    let shape: Vec<f64> = (0..36).map(|_| random.next()).collect();
+    let lines = [[0_i64, 1], [1, 2], [4, 5]];
+    let at = |point: i64| (places[3 * point as usize], places[3 * point as usize + 1]);
+    let runs = lines.iter().map(|[a, b]| vec![at(*a), at(*b)]).collect();
+    let variables = vec![
+        along("frequency", "mode", vec![1.0, 2.0]),
+        over("place", &["point", "axis"], &[6, 3], places),
+        over("shape", &["mode", "point", "axis"], &[2, 6, 3], shape),
+        over("line", &["edge", "end"], &[3, 2], lines.concat()),
+    ];
+    alone(dataset(variables, &[]), runs)
+}
+
+pub(super) fn reduction(seed: u64) -> Vec<Planted> {
+    let mut random = Random(seed);
+    let full = steps(9);
+    let column = |random: &mut Random| -> Vec<f64> {
+        (0..9).map(|_| if random.is(0.2) { 1e-15 } else { 0.1 + random.next() }).collect()
+    };
+    let (error, bound) = (column(&mut random), column(&mut random));
+    let shown = |values: &[f64]| values.iter().map(|v| if *v > 1e-12 { *v } else { NAN }).collect::<Vec<_>>();
+    let runs = vec![run(&full, &shown(&error)), run(&full, &shown(&bound))];
+    let variables =
+        vec![along("full", "mode", full), along("error", "mode", error), along("bound", "mode", bound)];
+    alone(dataset(variables, &[]), runs)
+}
+
+/// Complex numbers of a table, one in six none.
+fn eigenvalues(random: &mut Random, count: usize) -> Vec<Complex64> {
+    let value = |random: &mut Random| match random.is(0.17) {
+        true => Complex64::new(NAN, NAN),
+        false => Complex64::new(random.next() - 0.5, 10.0 * random.next()),
+    };
+    (0..count).map(|_| value(random)).collect()
+}
+
+pub(super) fn eigen(seed: u64) -> Vec<Planted> {
+    let values: Vec<Complex64> =
+        eigenvalues(&mut Random(seed), 9).into_iter().filter(|value| value.re.is_finite()).collect();
+    let verdicts: Vec<u8> = values.iter().map(|value| if value.re > 0.0 { 2 } else { 0 }).collect();
+    let variables = vec![along("eigenvalue", "mode", values), along("verdict", "mode", verdicts)];
+    alone(dataset(variables, &[]), Vec::new())
+}
+
+pub(super) fn eigen_sweep(seed: u64) -> Vec<Planted> {
+    let (friction, values) = (steps(15), eigenvalues(&mut Random(seed), 45));
+    let mut runs = Vec::new();
+    for branch in 0..3 {
+        let own: Vec<Complex64> = values.iter().skip(branch).step_by(3).copied().collect();
+        let (growth, hertz): (Vec<f64>, Vec<f64>) =
+            own.iter().map(|value| (value.re, value.im / TAU)).unzip();
+        runs.extend([run(&friction, &hertz), run(&friction, &growth), run(&growth, &hertz)]);
+    }
+    let variables = vec![
+        Variable::coordinate("friction", friction),
+        over("eigenvalue", &["friction", "branch"], &[15, 3], values),
+        over("verdict", &["friction", "branch"], &[15, 3], vec![0_u8; 45]),
+    ];
+    alone(dataset(variables, &[]), runs)
+}
+
+/// More positions than are drawn, and holes that may lie between two that are.
+pub(super) fn locus(seed: u64) -> Vec<Planted> {
+    const COUNT: usize = 1000;
+    const STEP: usize = 3;
+    let mut random = Random(seed);
+    let position = steps(COUNT);
+    let values: Vec<Complex64> = (0..2 * COUNT)
+        .map(|_| match random.is(0.02) {
+            true => Complex64::new(NAN, NAN),
+            false => Complex64::new(-random.next(), 10.0 + random.next()),
+        })
+        .collect();
+    let shown: Vec<usize> = (0..COUNT).step_by(STEP).collect();
+    let mut runs = Vec::new();
+    for branch in 0..2 {
+        for part in [|value: Complex64| value.re, |value: Complex64| value.im / TAU] {
+            let own: Vec<f64> = values.iter().skip(branch).step_by(2).map(|value| part(*value)).collect();
+            let mut line = Vec::new();
+            for (k, row) in shown.iter().enumerate() {
+                if k > 0 && own[shown[k - 1]..=*row].iter().any(|value| value.is_nan()) {
+                    line.push((NAN, NAN));
+                }
+                line.push((1e3 * position[*row], own[*row]));
+            }
+            runs.push(line);
+        }
+    }
+    let force = random.gappy(COUNT, 50.0);
+    let along_mm: Vec<f64> = position.iter().map(|at| 1e3 * at).collect();
+    runs.push(run(&along_mm, &force));
+    let none = |name: &str| along(name, "zone", Vec::<f64>::new());
+    let mut variables = vec![
+        Variable::coordinate("position", position),
+        over("eigenvalue", &["position", "branch"], &[COUNT, 2], values),
+        along("normal_force", "position", force),
+    ];
+    variables.extend(["zone_from", "zone_to", "zone_peak", "zone_growth_rate", "zone_frequency"].map(none));
+    alone(dataset(variables, &[]), runs)
+}
+
+pub(super) fn growth(seed: u64) -> Vec<Planted> {
+    let (time, amplitude) = (steps(20), Random(seed).gappy(20, 1.0));
+    let promised = time.iter().map(|time| (1e3 * time, 2.0 * (0.1 * time).exp())).collect();
+    let variables = vec![
+        along("time", "time", time),
+        along("amplitude", "time", amplitude),
+        along("measured", "rate", vec![Complex64::new(0.1, 5.0)]),
+        along("predicted", "rate", vec![Complex64::new(0.1, 5.0)]),
+    ];
+    let attributes =
+        [("start_amplitude_n", json!(2.0)), ("measured_until_s", json!(9.0)), ("position_m", json!(0.1))];
+    alone(dataset(variables, &attributes), vec![promised])
+}
+
+/// A signal of more samples than are drawn: columns with the smallest and the largest, and where one sample is none a gap.
+pub(super) fn march(seed: u64) -> Vec<Planted> {
+    const COUNT: usize = 1500;
+    const WIDTH: usize = 3;
+    let mut random = Random(seed);
+    let time = steps(COUNT);
+    let (mut runs, mut variables) = (Vec::new(), vec![Variable::coordinate("time", time.clone())]);
+    for (base, name) in ["normal_force", "sliding_velocity"].into_iter().enumerate() {
+        let value = |_| if random.is(0.01) { NAN } else { base as f64 + random.next() };
+        let values: Vec<f64> = (0..COUNT).map(value).collect();
+        let (mut envelope, mut amplitude) = (Vec::new(), Vec::new());
+        for (times, values) in time.chunks(WIDTH).zip(values.chunks(WIDTH)) {
+            let middle = 0.5 * (times[0] + times[WIDTH - 1]);
+            if values.iter().any(|value| value.is_nan()) {
+                envelope.push((NAN, NAN));
+                amplitude.push((NAN, NAN));
+                continue;
+            }
+            let by = |a: &usize, b: &usize| values[*a].total_cmp(&values[*b]);
+            let (low, high) = ((0..WIDTH).min_by(by).unwrap(), (0..WIDTH).max_by(by).unwrap());
+            envelope.extend([low.min(high), low.max(high)].map(|k| (times[k], values[k])));
+            let mean = values.iter().sum::<f64>() / WIDTH as f64;
+            let square = values.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / WIDTH as f64;
+            amplitude.push((middle, (2.0 * square).sqrt()));
+        }
+        runs.push(envelope);
+        if name == "normal_force" {
+            runs.push(amplitude);
+        }
+        variables.push(along(name, "time", values));
+    }
+    variables.push(along("position", "time", time));
+    alone(dataset(variables, &[("signal", json!("normal_force"))]), runs)
+}
+
+/// Two spectra one behind the other, with levels so low that nothing is hidden; frames about two zones.
+pub(super) fn spectrogram(seed: u64) -> Vec<Planted> {
+    let mut random = Random(seed);
+    let frequency: Vec<f64> = steps(9).iter().map(|step| 1e3 * step).collect();
+    let level: Vec<f64> =
+        random.gappy(18, 0.0).iter().map(|level| if level.is_nan() { NAN } else { 1e-3 * level }).collect();
+    // 4 times the distance of two spectra for the whole range
+    let rise = |level: f64| 4.0 * 1e3 * level / 100.0;
+    let spectrum = |k: usize| -> Vec<Point> {
+        let own = &level[9 * k..9 * (k + 1)];
+        steps(9)
+            .iter()
+            .zip(own)
+            .map(|(kilohertz, level)| (*kilohertz, 1e3 * (1 + k) as f64 + rise(*level)))
+            .collect()
+    };
+    let runs = vec![spectrum(0), spectrum(1)];
+    let variables = vec![
+        Variable::coordinate("time", vec![0.0, 1.0]),
+        Variable::coordinate("frequency", frequency),
+        over("level", &["time", "frequency"], &[2, 9], level),
+        along("position", "time", vec![1.0, 2.0]),
+    ];
+    alone(dataset(variables, &[("signal", json!("y")), ("range_db", json!([0.0, 100.0]))]), runs)
+}

@@ -3,25 +3,28 @@ import { chartCsv } from "../src/chart/csv";
 import { through } from "../src/chart/runs";
 import { beyond, floquetSpec } from "../src/pages/point/cycle";
 import { eigenSpec, growthAlong, joined, modesOf } from "../src/pages/point/eigen";
+import { valueOnAxisOf } from "../src/pages/point/keys";
 import { collectMotion, merged, spectrumSpec, stretchesOf, strongest } from "../src/pages/point/motion";
 import { ground, normalised, orbitAt, orbitCsv, slowed } from "../src/pages/point/orbit";
 import { RATE, type Track, faded, modeTrack, octaveFactor, render, wav } from "../src/pages/point/sound";
 import { branchAnalyses, branchAxis, caseAnalysis, readPoint, withRun } from "../src/pages/point/state";
 import { PAGE_FIELDS } from "../src/state/fields";
 import { parseView } from "../src/state/view";
-import type { Key, Pair, Session } from "../src/wire/api";
+import type { CaseValue, Key, Pair, Session } from "../src/wire/api";
 import { decodeFrame } from "../src/wire/frames";
 import { encode } from "./encode";
 
-const key = (path: string, group: string | null, from: number, to: number): Key => ({
-  path, section: "", symbol: path, group, unit: group === null ? "Pa" : "1", doc: "", range: "positive", slider: { from, to, scale: "log" }, label: "", label_si: "",
+const key = (path: string, group: string | null, from: number, to: number, unit = group === null ? "Pa" : "1"): Key => ({
+  path, section: "", symbol: path, group, unit, doc: "", range: "positive", slider: { from, to, scale: "log" }, label: "", label_si: "",
 });
 const strength = key("contact.shear_strength", "τ0/E0*", 1e-4, 1);
 const modulus = key("substrate.rubbery_modulus", null, 1e4, 1e8);
 const keys = new Map([strength, modulus].map((key) => [key.path, key]));
 const session = { map: null } as unknown as Session;
 const view = (query: string) => parseView("/point", query, PAGE_FIELDS).view;
-const read = (query: string) => readPoint(view(query), session, keys, () => 0.05);
+const group = (number: number): CaseValue => ({ path: strength.path, form: "group", number, si: null, group: number });
+const withUnit = (key: Key, si: number, group: number | null): CaseValue => ({ path: key.path, form: "si", number: si, si, group });
+const read = (query: string) => readPoint(view(query), session, keys, () => group(0.05));
 
 describe("the state of the point page", () => {
   it("has a home, and drops what cannot be", () => {
@@ -37,9 +40,27 @@ describe("the state of the point page", () => {
 
   it("starts a branch about the present value, within the slider", () => {
     expect(read("").branch).toEqual({ key: strength.path, from: 0.025, to: 0.1, scale: "log" });
-    expect(branchAxis(strength, session, 0.9)).toMatchObject({ from: 0.45, to: 1 });
-    expect(branchAxis(strength, session, 0)).toMatchObject({ from: 1e-4, to: 1 });
-    expect(branchAxis(modulus, session, 1e6)).toMatchObject({ from: "500000 Pa", to: "2000000 Pa" });
+    expect(branchAxis(strength, session, group(0.9))).toMatchObject({ from: 0.45, to: 1 });
+    expect(branchAxis(strength, session, group(0))).toMatchObject({ from: 1e-4, to: 1 });
+    expect(branchAxis(strength, session, undefined)).toMatchObject({ from: 1e-4, to: 1 });
+    expect(branchAxis(modulus, session, withUnit(modulus, 1e6, null))).toMatchObject({ from: "500000 Pa", to: "2000000 Pa" });
+  });
+
+  it("writes a unit behind numbers of that unit alone, whatever form the value was given in", () => {
+    const axis = { key: strength.path, from: "1e3 Pa", to: "1e6 Pa", scale: "log" } as const;
+    const mapped = { map: { x: axis, y: axis } } as unknown as Session;
+    const pascal = key(strength.path, strength.group, 1e-4, 1, "Pa");
+    const e0 = 2e4 / 0.0135;
+    expect(branchAxis(pascal, mapped, withUnit(pascal, 2e4, 0.0135))).toEqual({ ...axis, from: "10000 Pa", to: "40000 Pa" });
+    expect(branchAxis(pascal, mapped, { ...withUnit(pascal, 2e4, 0.0135), form: "group", number: 0.0135 })).toEqual({ ...axis, from: "10000 Pa", to: "40000 Pa" });
+    // the slider, which has groups, ends at E0*
+    expect(branchAxis(pascal, mapped, withUnit(pascal, 0.9 * e0, 0.9)).to).toBe(`${Number(e0.toPrecision(3))} Pa`);
+    // the value in Pa of a group is not known: no number of the one form stands on an axis of the other
+    expect(branchAxis(pascal, mapped, group(0.0135))).toEqual(axis);
+    const values = (value: CaseValue) => ({ values: [value], scales: {} });
+    expect(valueOnAxisOf(pascal, axis, values(group(0.0135)))).toBeNull();
+    expect(valueOnAxisOf(pascal, axis, values(withUnit(pascal, 2e4, 0.0135)))).toBe(2e4);
+    expect(valueOnAxisOf(pascal, { ...axis, from: 1e-4, to: 1 }, values(withUnit(pascal, 2e4, 0.0135)))).toBe(0.0135);
   });
 
   it("asks for branches after the simulated points, and exports what was started last", () => {

@@ -3,8 +3,8 @@
 import { type Range, type Window, usable } from "../../chart/scale";
 import { OVERLAYS, numberOrText, parseAxis, parsePair, parseWords, writeAxis } from "../../state/fields";
 import { type View, withFields } from "../../state/view";
-import type { Key, KeyAxis, Session } from "../../wire/api";
-import { isPure } from "../../ui/numbers";
+import type { CaseValue, Key, KeyAxis, Session } from "../../wire/api";
+import { isPure, plainValue } from "../../ui/numbers";
 
 export type Overlay = (typeof OVERLAYS)[number];
 export type Mark = "hatch" | "letters";
@@ -87,6 +87,11 @@ export function axisOver(axis: KeyAxis, key: Key, range: Range): KeyAxis {
   const digits = digitsFor(range);
   const end = (value: number) => valueOnAxis(axis, key, Number(value.toPrecision(digits)));
   return { ...axis, from: numberOrText(end(range[0])), to: numberOrText(end(range[1])) };
+}
+
+/** The number of a value in the form of an axis, where the value has that form. */
+export function numberOnAxis(axis: KeyAxis, key: Key, value: CaseValue): number | null {
+  return isDimensional(axis) ? value.si : plainValue(key, value);
 }
 
 /** The text that sets the key of an axis to one of its values. */

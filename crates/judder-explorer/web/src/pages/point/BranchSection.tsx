@@ -7,14 +7,14 @@ import { withFields, withOption } from "../../state/view";
 import { writeAxis } from "../../state/fields";
 import { useApp } from "../../ui/app";
 import { StandingContext } from "../../ui/standing";
-import { plainValue, significant } from "../../ui/numbers";
+import { significant } from "../../ui/numbers";
 import { TextField, isCount } from "../../ui/TextField";
 import type { Key } from "../../wire/api";
 import { RequestError } from "../../wire/request";
 import { AxisPicker } from "../map/AxisPicker";
 import { valueOnAxis } from "../map/state";
 import { type Branch, branchSpec, rangeOfBranch } from "./branch";
-import { keyAxisLabel, valueOnAxisOf } from "./keys";
+import { keyAxisLabel, valueOf, valueOnAxisOf } from "./keys";
 import { RunBar } from "./RunBar";
 import { Summary } from "./Summary";
 import { type PointState, branchAnalyses, branchAxis } from "./state";
@@ -34,8 +34,7 @@ export function BranchSection({ state, run }: { readonly state: PointState; read
     [result, key, axis.scale, typeof axis.from, now],
   );
   const onKey = (key: Key) => {
-    const value = values?.values.find((value) => value.path === key.path);
-    const next = branchAxis(key, session, value ? plainValue(key, value) : null);
+    const next = branchAxis(key, session, valueOf(key, values));
     store.update((view) => withFields(view, { branch: writeAxis(next) }));
   };
   const pick = (cursor: Cursor) => store.update((view) => withOption(view, key.path, valueOnAxis(axis, key, significant(cursor.x))));

@@ -6,14 +6,13 @@ import { options } from "../../state/view";
 import { useApp } from "../../ui/app";
 import { ErrorNote, unlessSaid } from "../../ui/ErrorNote";
 import { useCaseFile } from "../../ui/files";
-import { plainValue } from "../../ui/numbers";
 import { Page } from "../../ui/Page";
 import { PointValues } from "../../ui/PointValues";
 import { StandingNote } from "../../ui/StandingNote";
 import { type Standing, StandingContext, useStanding } from "../../ui/standing";
 import { usePoint } from "../../ui/usePoint";
 import { Value } from "../../ui/Value";
-import { type CaseValues, type Key, type Point, fetchCaseFile } from "../../wire/api";
+import { type Point, fetchCaseFile } from "../../wire/api";
 import { type Branch, collectBranch } from "./branch";
 import { BranchSection } from "./BranchSection";
 import { collectCycle, loopOf } from "./cycle";
@@ -21,6 +20,7 @@ import { CycleSection } from "./CycleSection";
 import { EigenSection } from "./EigenSection";
 import { type Mode, modesOf } from "./eigen";
 import { GrowthShares } from "./GrowthShares";
+import { valueOf } from "./keys";
 import { type Motion, collectMotion, strongest } from "./motion";
 import { MotionSection } from "./MotionSection";
 import { ShapesSection } from "./ShapesSection";
@@ -35,7 +35,7 @@ import "./point.css";
 export function PointPage() {
   const { session, store, keys, values, error: refused } = useApp();
   const view = useView(store);
-  const state = useMemo(() => readPoint(view, session, keys, plainOf(values)), [view, session, keys, values]);
+  const state = useMemo(() => readPoint(view, session, keys, (key) => valueOf(key, values)), [view, session, keys, values]);
   const set = options(view);
   const live = usePoint(set);
   const { point } = live;
@@ -70,14 +70,6 @@ export function PointPage() {
       </div>
     </Page>
   );
-}
-
-/** The plain number of a key, where the values are known. */
-function plainOf(values: CaseValues | null): (key: Key) => number | null {
-  return (key) => {
-    const value = values?.values.find((value) => value.path === key.path);
-    return value ? plainValue(key, value) : null;
-  };
 }
 
 interface NumbersProps {

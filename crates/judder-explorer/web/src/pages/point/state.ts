@@ -2,8 +2,9 @@
 
 import { RUNS, numberOrText, parseAxis, parseWords } from "../../state/fields";
 import { type View, withFields } from "../../state/view";
-import type { Analysis, Key, KeyAxis, Session } from "../../wire/api";
-import { homeAxis } from "../map/state";
+import { plainValue } from "../../ui/numbers";
+import type { Analysis, CaseValue, Key, KeyAxis, Session } from "../../wire/api";
+import { homeAxis, numberOnAxis, valueOnAxis } from "../map/state";
 
 export type RunKind = (typeof RUNS)[number];
 
@@ -37,8 +38,8 @@ export interface PointState {
 export const HOME = { duration: 500, start: 0.2, points: 4096, steps: 21, volume: 0.5 } as const;
 const FIRST_BRANCH_KEY = "contact.shear_strength";
 
-/** `value` is a plain number of each key, where it is known: the branch starts about it. */
-export function readPoint(view: View, session: Session, keys: ReadonlyMap<string, Key>, valueOf: (key: Key) => number | null): PointState {
+/** `valueOf` gives the value of each key, where it is known: the branch starts about it. */
+export function readPoint(view: View, session: Session, keys: ReadonlyMap<string, Key>, valueOf: (key: Key) => CaseValue | undefined): PointState {
   const { fields } = view;
   const axis = parseAxis(fields["branch"]);
   const first = keys.get(FIRST_BRANCH_KEY) ?? [...keys.values()][0];
@@ -60,15 +61,17 @@ export function readPoint(view: View, session: Session, keys: ReadonlyMap<string
   };
 }
 
-/** The half to the double of the value that a key has, within its slider; all of the slider where it has none. */
-export function branchAxis(key: Key, session: Session, value: number | null): KeyAxis {
+/** The half to the double of the value that a key has, within its slider and in the form of its axis; all of the slider where it has none. */
+export function branchAxis(key: Key, session: Session, value: CaseValue | undefined): KeyAxis {
   const home = homeAxis(key, session);
-  const { from, to } = key.slider;
-  if (value === null || !(value > 0)) return home;
-  const [low, high] = [Math.max(Number((value / 2).toPrecision(3)), from), Math.min(Number((2 * value).toPrecision(3)), to)];
+  const middle = value ? numberOnAxis(home, key, value) : null;
+  if (!value || middle === null || !(middle > 0)) return home;
+  // sliders run over plain numbers
+  const each = middle / plainValue(key, value);
+  const [low, high] = [Math.max(middle / 2, each * key.slider.from), Math.min(2 * middle, each * key.slider.to)];
   if (!(low < high)) return home;
-  const end = (value: number) => (typeof home.from === "string" ? `${value} ${key.unit}` : value);
-  return { key: key.path, from: end(low), to: end(high), scale: home.scale };
+  const end = (value: number) => numberOrText(valueOnAxis(home, key, Number(value.toPrecision(3))));
+  return { ...home, from: end(low), to: end(high) };
 }
 
 export function motionAnalysis(state: PointState): Analysis {

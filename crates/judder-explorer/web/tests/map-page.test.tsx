@@ -109,3 +109,60 @@ describe("a map of other values", () => {
     });
   });
 });
+
+/** A server that answers every map at once, and every analysis as `reply` says; what analyses were asked for. */
+function analyses(reply: () => Uint8Array): { readonly asked: { readonly set: readonly string[]; readonly analysis: unknown }[] } {
+  const asked: { set: readonly string[]; analysis: unknown }[] = [];
+  const answer = (...frames: readonly Uint8Array[]) =>
+    Promise.resolve({ ok: true, body: new ReadableStream({ start: (stream) => (frames.forEach((frame) => stream.enqueue(frame)), stream.close()) }) });
+  vi.stubGlobal("fetch", (path: string, options: { body: string }) => {
+    if (path === "/api/map") return answer(exact(), encode({ kind: "end" }));
+    if (path !== "/api/analysis") return new Promise(() => {});
+    asked.push(JSON.parse(options.body) as (typeof asked)[number]);
+    return answer(reply(), encode({ kind: "end" }));
+  });
+  return { asked };
+}
+
+describe("what a map warns of", () => {
+  const shown = async (reply: () => Uint8Array, work: (store: ViewStore, note: () => HTMLElement | null, asked: ReturnType<typeof analyses>["asked"]) => Promise<void>) => {
+    history.replaceState(null, "", "/map");
+    const { asked } = analyses(reply);
+    const store = new ViewStore(window, PAGE_FIELDS, "map");
+    const host = document.createElement("div");
+    const app: App = { session, store, keys, values: null, base: null, error: null };
+    await act(() => render(<AppContext.Provider value={app}><MapPage /></AppContext.Provider>, host));
+    await work(store, () => host.querySelector<HTMLElement>(".map-warnings"), asked);
+    await act(() => render(null, host));
+  };
+
+  it("stands over it, in the words of its analysis: that of the whole map, at every change", async () => {
+    const warnings = ["eq. (3), the condition of steady-sliding laws in motion, is broken", "outside the law's range"];
+    await shown(
+      () => encode({ kind: "outcome", warnings, arrays: [] }),
+      async (store, note, asked) => {
+        await until(() => note()?.textContent !== "");
+        expect([...(note()?.querySelectorAll("p") ?? [])].map((line) => line.textContent)).toEqual(warnings);
+        const isPale = () => note()?.querySelector(".stale") !== null;
+        expect(isPale()).toBe(false);
+        const axis = { from: 0.01, to: 1, points: 400, scale: "log" };
+        const [x, y] = [{ ...axis, key: "operation.velocity" }, { ...axis, key: "contact.shear_strength" }];
+        expect(asked.at(-1)).toMatchObject({ set: [], analysis: { kind: "stability-map", x, y, boundaries: false } });
+        await act(() => store.update((view) => withOption(view, "contact.shear_strength", "0.5")));
+        expect(isPale(), "of the values before").toBe(true);
+        await until(() => !isPale());
+        expect(asked.at(-1)?.set).toEqual(["contact.shear_strength=0.5"]);
+      },
+    );
+  });
+
+  it("is said to be unknown where it cannot be computed", async () => {
+    await shown(
+      () => encode({ kind: "error", error: { message: "the explorer is busy", place: null, help: null } }),
+      async (_, note) => {
+        await until(() => note()?.textContent !== "");
+        expect(note()?.textContent).toBe("It is not known what there is to warn of: the explorer is busy.");
+      },
+    );
+  });
+});

@@ -3,6 +3,7 @@
 import { useMemo } from "preact/hooks";
 import type { Pair, Point, PointDocument } from "../wire/api";
 import { Value } from "./Value";
+import { Warnings } from "./Warnings";
 
 /** The eigenvalue that grows fastest. */
 export function leading(point: PointDocument): Pair {
@@ -59,11 +60,7 @@ function Numbers({ point: { point, dimensional }, shares }: Required<PointValues
           <Value key={withUnit} name={group.replace("_", " ")} dataKey={`dimensional.${withUnit}`} value={dimensional[withUnit]} unit={unit} />,
         ])}
       </dl>
-      {point.warnings.map((warning) => (
-        <p key={warning} class="point-warning">
-          {warning}
-        </p>
-      ))}
+      <Warnings warnings={point.warnings} />
     </div>
   );
 }

@@ -18,6 +18,7 @@ import type { RequestError } from "../../wire/request";
 import { AxisPicker } from "./AxisPicker";
 import { CursorPanel } from "./CursorPanel";
 import { MapSwitches } from "./MapSwitches";
+import { MapWarnings, useMapWarnings } from "./MapWarnings";
 import { moves } from "./moves";
 import { BOUNDARIES, type MapPicture, mapAnalysis, planeOf } from "./picture";
 import { mapSpec } from "./spec";
@@ -49,7 +50,9 @@ export function MapPage() {
   const at = shown ? optionsAt(view, state, keys, shown) : null;
   const point = usePoint(at ? options({ ...view, set: at }) : null);
   const move = moves({ store, session, state, x, y, window });
-  const standing = useStanding(factsOf(picture, live, set, refused), picture);
+  const facts = factsOf(picture, live, set, refused);
+  const standing = useStanding(facts, picture);
+  const told = useMapWarnings(set, state, facts.isCurrent && picture?.stage === "exact");
 
   useMapCaseFile();
   const all = session.keys;
@@ -63,6 +66,7 @@ export function MapPage() {
             <MapSwitches state={state} hasCritical={analysis !== null} onShow={move.onShow} onMarks={move.onMarks} />
           </div>
           <ErrorNote error={unlessSaid(live.error ?? criticalError, refused)} />
+          <MapWarnings told={told} />
           <div class="map-chart" data-stage={picture?.stage ?? "none"} data-set={picture?.options} data-busy={live.busy} data-refused={standing?.kind === "refused"}>
             <StandingContext.Provider value={standing}>
               <Chart

@@ -1,11 +1,10 @@
 /** Critical curves over the map: thresholds of the y key along the x key. */
 
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import type { Curve } from "../../chart/runs";
 import type { Analysis, KeyAxis } from "../../wire/api";
 import { type Frame, reals } from "../../wire/frames";
-import { Latest } from "../../wire/latest";
-import { type RequestError, asRequestError, isAbort, postFrames, slot } from "../../wire/request";
+import { useOutcome } from "./useOutcome";
 
 export interface Critical {
   readonly full: Curve;
@@ -13,8 +12,6 @@ export interface Critical {
 }
 
 const POINTS = 81;
-/** The curves take far longer than a map: they wait until a slider rests, in milliseconds. */
-const REST = 150;
 const KINDS: Readonly<Record<string, string>> = {
   "contact.shear_strength": "critical-shear-strength",
   "operation.normal_load": "critical-load",
@@ -45,31 +42,8 @@ export function roots(frame: Frame, name: string): Curve {
 }
 
 export function useCritical(set: readonly string[], analysis: Analysis | null) {
-  const [critical, setCritical] = useState<Critical | null>(null);
-  const [error, setError] = useState<RequestError | null>(null);
-  const latest = useRef(new Latest());
-  const text = analysis ? JSON.stringify({ set, analysis }) : "";
+  const { outcome, isCurrent, error } = useOutcome("critical", set, analysis);
+  const critical = useMemo((): Critical | null => outcome && { full: roots(outcome, "full"), conservative: roots(outcome, "conservative") }, [outcome]);
   // thresholds of another plane or case are wrong, not old
-  const [of, setOf] = useState("");
-  useEffect(() => {
-    if (text === "") return latest.current.stop();
-    const ask = async (signal: AbortSignal) => {
-      try {
-        const body = { ...(JSON.parse(text) as object), slot: slot("critical") };
-        for await (const frame of postFrames("/api/analysis", body, signal)) {
-          if (frame.kind !== "outcome") continue;
-          setCritical({ full: roots(frame, "full"), conservative: roots(frame, "conservative") });
-          setOf(text);
-          setError(null);
-        }
-      } catch (failure) {
-        if (!isAbort(failure)) setError(asRequestError(failure));
-      }
-    };
-    latest.current.stop();
-    const timer = setTimeout(() => latest.current.submit(ask), REST);
-    return () => clearTimeout(timer);
-  }, [text]);
-  useEffect(() => () => latest.current.stop(), []);
-  return { critical: of === text && text !== "" ? critical : null, error: text === "" ? null : error };
+  return { critical: isCurrent ? critical : null, error };
 }

@@ -1,6 +1,7 @@
 /** What an outcome tells of itself: its numbers, its checks and its warnings. */
 
 import { Value } from "../../ui/Value";
+import { Warnings, warningsOf } from "../../ui/Warnings";
 import type { Frame } from "../../wire/frames";
 
 /** A number in the summary, by its path in it. */
@@ -28,7 +29,6 @@ export function entryAt(frame: Frame, path: string): unknown {
 
 export function Summary({ outcome, prefix, entries }: { readonly outcome: Frame; readonly prefix: string; readonly entries: readonly Entry[] }) {
   const checks = (outcome.header["checks"] ?? []) as readonly Check[];
-  const warnings = (outcome.header["warnings"] ?? []) as readonly string[];
   return (
     <>
       <dl class="values summary">
@@ -41,11 +41,7 @@ export function Summary({ outcome, prefix, entries }: { readonly outcome: Frame;
           {check.passed ? "✓" : "✗"} {check.name}: {cameOut(check)}, limit {String(check.limit)}
         </p>
       ))}
-      {warnings.map((warning) => (
-        <p key={warning} class="point-warning">
-          {warning}
-        </p>
-      ))}
+      <Warnings warnings={warningsOf(outcome)} />
     </>
   );
 }

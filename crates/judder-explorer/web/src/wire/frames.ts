@@ -161,3 +161,11 @@ export function codes(frame: Frame, name: string): Uint8Array {
   const data = frame.arrays.get(name)?.data;
   return data instanceof Uint8Array ? data : new Uint8Array(0);
 }
+
+/** What the codes of an array mean, an entry a code: the words that it brings. */
+export function meanings(array: FrameArray): readonly string[] {
+  const { flag_values: values, flag_meanings: told } = array.attributes;
+  const words = typeof told === "string" ? told.split(" ").map((word) => word.replaceAll("_", " ")) : [];
+  const codes = Array.isArray(values) ? values.map(Number) : words.map((_, code) => code);
+  return Array.from(array.data, (code) => words[codes.indexOf(code)] ?? "");
+}

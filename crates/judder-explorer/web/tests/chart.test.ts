@@ -196,6 +196,51 @@ describe("exports", () => {
   });
 });
 
+describe("a plot", () => {
+  const size = { width: 900, height: 420 };
+  const outlines = (shapes: readonly Shape[]) => shapes.filter(({ tag }) => tag === "path").map(({ attributes }) => String(attributes["d"]));
+
+  it("shows markers at the ends of its axes whole, and none of what lies beyond", () => {
+    const ends = { label: "ends", x: [0, 0, 1, 1, 0.5], y: [0, 1, 0, 1, 0.5], role: { series: 0 } } as const;
+    const layers: readonly Layer[] = [{ kind: "points", ...ends }, { kind: "line", ...ends, marked: true }];
+    for (const layer of layers) {
+      const beyond = { ...layer, x: [...ends.x, 1.001, -0.001], y: [...ends.y, 0.5, 0.5] } as Layer;
+      const spec: ChartSpec = { title: "", x: { ...axis("x"), range: [0, 1] }, y: { ...axis("y"), range: [0, 1] }, layers: [beyond] };
+      const { frame, over } = draw(spec, homeWindow(spec), size, "light", "p");
+      // what is clipped by the plot lies in a group
+      const circles = outlines(over).map((path) => [...path.matchAll(/M([\d.]+)[ ,]/g)].map((found) => Number(found[1])));
+      const drawn = circles.find((starts) => starts.length > 1) ?? [];
+      // an outline of a circle begins at its right-hand end
+      const radius = (drawn.at(-1) ?? 0) - frame.left - frame.width / 2;
+      expect(drawn.map((x) => Math.round(x - radius - frame.left)), layer.kind).toEqual(ends.x.map((x) => Math.round(x * frame.width)));
+    }
+  });
+
+  const matrix = (side: number): ChartSpec => {
+    const at = Float64Array.from({ length: side }, (_, i) => i + 1);
+    const layer: ValuesLayer = { kind: "values", label: "MAC", x: at, y: at, values: new Float64Array(side * side), colours: "sequential", scale: "linear" };
+    return { title: "", x: axis("mode"), y: axis("mode"), equal: true, layers: [layer] };
+  };
+
+  it("of a map of equal units has the shape of the map: no numbers of cells that are none", () => {
+    for (const wide of [size, { width: 300, height: 700 }]) {
+      const spec = matrix(11);
+      const { frame } = draw(spec, homeWindow(spec), wide, "light", "p");
+      expect(frame.window).toEqual(homeWindow(spec));
+      for (const tick of [...frame.xTicks.major, ...frame.yTicks.major]) expect(Math.abs(tick.value - 6)).toBeLessThanOrEqual(5);
+      expect(frame.width).toBeCloseTo(frame.height, 6);
+    }
+  });
+
+  it("of a narrow strip of a map is no line: it shows more of the ground, in equal units", () => {
+    const spec = matrix(11);
+    const { frame } = draw(spec, { x: [1, 11], y: [5, 5.1] }, size, "light", "p");
+    expect(frame.height).toBeGreaterThan(80);
+    const unit = [frame.width / (frame.window.x[1] - frame.window.x[0]), frame.height / (frame.window.y[1] - frame.window.y[0])];
+    expect(unit[0]).toBeCloseTo(unit[1] ?? 0, 6);
+  });
+});
+
 describe("the legend", () => {
   const role = "full-boundary";
   const boundary = { kind: "line", label: "boundary", x: [1e-2, 1], y: [0, 1], role } as const;

@@ -10,7 +10,7 @@ import { INK, type Theme, colourAt, hex } from "./palette";
 import { valueRange } from "./raster";
 import type { Window } from "./scale";
 import { type Shape, round, shape } from "./scene";
-import { type ChartSpec, type Layer, type ValuesLayer, isRaster } from "./spec";
+import { type ChartSpec, type Layer, type PointsLayer, type ValuesLayer, isRaster } from "./spec";
 import { SMALL_SIZE, LABEL_SIZE, label } from "./text";
 import { ticks } from "./ticks";
 
@@ -33,7 +33,10 @@ export function draw(spec: ChartSpec, window: Window, size: Size, theme: Theme, 
   const below = (kind: string) => kind === "bands" || kind === "area";
   const clipped = (shapes: readonly Shape[]) => shape("g", { "clip-path": `url(#${clip})` }, ...shapes);
   const layers = (under: boolean) =>
-    spec.layers.filter((layer) => below(layer.kind) === under).flatMap((layer) => drawLayer(sparse(layer, frame), drawing));
+    spec.layers
+      .filter((layer) => below(layer.kind) === under)
+      .flatMap(withMarkers)
+      .flatMap((layer) => (layer.kind === "points" ? drawLayer(sparse(layer, frame), drawing) : [clipped(drawLayer(layer, drawing))]));
   const bars = spec.layers.filter((layer) => layer.kind === "values").slice(0, 1);
   const letters = spec.layers.flatMap((layer) => (layer.kind === "classes" && layer.letters ? drawLetters(layer, drawing) : []));
   return {
@@ -46,9 +49,10 @@ export function draw(spec: ChartSpec, window: Window, size: Size, theme: Theme, 
         ...patternShapes(prefix),
       ),
     ],
-    under: [clipped(layers(true)), ...drawGround(spec, frame, theme)],
+    under: [...layers(true), ...drawGround(spec, frame, theme)],
     over: [
-      clipped([...layers(false), ...letters]),
+      ...layers(false),
+      clipped(letters),
       ...drawAxes(spec, frame, theme),
       ...drawLegend(entries, size.width, theme, prefix),
       ...bars.flatMap((layer) => drawBar(layer, frame, ink)),
@@ -56,9 +60,14 @@ export function draw(spec: ChartSpec, window: Window, size: Size, theme: Theme, 
   };
 }
 
+/** A line, and the points that it marks: markers at the ends of an axis reach over the frame, lines do not. */
+function withMarkers(layer: Layer): Layer[] {
+  if (layer.kind !== "line" || !layer.marked) return [layer];
+  return [layer, { kind: "points", label: "", x: layer.x, y: layer.y, role: layer.role, size: 6 }];
+}
+
 /** A layer without the points that others hide. */
-function sparse(layer: Layer, frame: Frame): Layer {
-  if (layer.kind !== "points") return layer;
+function sparse(layer: PointsLayer, frame: Frame): PointsLayer {
   const kept = visible(Array.from(layer.x, frame.px), Array.from(layer.y, frame.py));
   if (kept.length === layer.x.length) return layer;
   return { ...layer, x: kept.map((i) => layer.x[i] as number), y: kept.map((i) => layer.y[i] as number) };

@@ -57,13 +57,14 @@ const BAR_ROOM = 86;
 export function frameOf(spec: ChartSpec, window: Window, size: Size, entries: readonly Entry[]): Frame {
   const top = 14 + ROW * legendRows(entries, size.width).length;
   const bottom = 26 + LABEL_SIZE + 8;
-  const height = Math.max(size.height - top - bottom, 1);
-  const widest = widestLabel(ticks(spec.y.scale, window.y, height / UP));
+  const tallest = Math.max(size.height - top - bottom, 1);
+  const widest = widestLabel(ticks(spec.y.scale, window.y, tallest / UP));
   const left = Math.min(widest + LABEL_SIZE + 22, Math.max(size.width / 3, 30));
   // a label at the end of the axis reaches beyond it by its half
   const half = widestLabel(ticks(spec.x.scale, window.x, (size.width - left) / ACROSS)) / 2;
   const right = spec.layers.some((layer) => layer.kind === "values") ? BAR_ROOM : Math.max(22, Math.ceil(half) + 2);
-  const width = Math.max(size.width - left - right, 1);
+  const room = { width: Math.max(size.width - left - right, 1), height: tallest };
+  const { width, height } = spec.equal && spec.layers.some(isRaster) ? fitted(spec, window, room) : room;
   const shown = spec.equal ? equalised(spec, window, width / height) : window;
   return {
     left,
@@ -83,6 +84,22 @@ function widestLabel({ major }: Ticks): number {
   return Math.ceil(Math.max(0, ...major.map((tick) => widthOf(tick.label) * SMALL_SIZE)));
 }
 
+/** How much narrower or lower than its room a plot may become. */
+const LEAST = 0.25;
+
+/** The part of the room that has the shape of what is shown: beyond a map there is nothing to show, not even numbers of its cells. */
+function fitted(spec: ChartSpec, window: Window, { width, height }: Size): Size {
+  const lengths = lengthsOf(spec, window);
+  const ratio = lengths.x / lengths.y;
+  return { width: Math.max(Math.min(width, height * ratio), LEAST * width), height: Math.max(Math.min(height, width / ratio), LEAST * height) };
+}
+
+/** How long the axes are in their own measures. */
+function lengthsOf(spec: ChartSpec, window: Window): { readonly x: number; readonly y: number } {
+  const length = (across: "x" | "y") => stretch(spec[across].scale, window[across][1]) - stretch(spec[across].scale, window[across][0]);
+  return { x: length("x"), y: length("y") };
+}
+
 /** The window made wider or higher, so that units are equally long on both axes. */
 function equalised(spec: ChartSpec, window: Window, ratio: number): Window {
   const grown = (scale: Window["x"], name: typeof spec.x.scale, wanted: number): Window["x"] => {
@@ -90,10 +107,7 @@ function equalised(spec: ChartSpec, window: Window, ratio: number): Window {
     const more = (wanted - (to - from)) / 2;
     return more <= 0 ? scale : [shrink(name, from - more), shrink(name, to + more)];
   };
-  const lengths = {
-    x: stretch(spec.x.scale, window.x[1]) - stretch(spec.x.scale, window.x[0]),
-    y: stretch(spec.y.scale, window.y[1]) - stretch(spec.y.scale, window.y[0]),
-  };
+  const lengths = lengthsOf(spec, window);
   return { x: grown(window.x, spec.x.scale, lengths.y * ratio), y: grown(window.y, spec.y.scale, lengths.x / ratio) };
 }
 

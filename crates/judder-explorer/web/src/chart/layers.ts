@@ -70,11 +70,10 @@ function drawLine(layer: LineLayer, drawing: Drawing): Shape[] {
   return [
     ...(drawing.overAreas ? [shape("path", rim)] : []),
     shape("path", { d: path, ...stroke(style, layer.dash) }),
-    ...(layer.marked ? drawPoints({ kind: "points", label: "", x: layer.x, y: layer.y, role: layer.role, size: 6 }, drawing) : []),
   ];
 }
 
-/** All points of a layer are one path: thousands of elements would be slow. */
+/** Points within the plot, each whole; all of them are one path: thousands of elements would be slow. */
 function drawPoints(layer: PointsLayer, drawing: Drawing): Shape[] {
   const { frame } = drawing;
   const style = styleOf(layer, drawing);
@@ -82,8 +81,7 @@ function drawPoints(layer: PointsLayer, drawing: Drawing): Shape[] {
   const parts: string[] = [];
   for (let i = 0; i < Math.min(layer.x.length, layer.y.length); i += 1) {
     const [x, y] = [frame.px(layer.x[i] as number), frame.py(layer.y[i] as number)];
-    const inside = x >= frame.left - 9 && x <= frame.left + frame.width + 9 && y >= frame.top - 9 && y <= frame.top + frame.height + 9;
-    if (inside) parts.push(marker(x, y));
+    if (isOnPlot(frame, x, y)) parts.push(marker(x, y));
   }
   if (parts.length === 0) return [];
   const rim = drawing.overAreas ? "#ffffff" : INK[drawing.theme].ground;
@@ -91,6 +89,12 @@ function drawPoints(layer: PointsLayer, drawing: Drawing): Shape[] {
     ? { fill: "none", stroke: style.colour, "stroke-width": 1.5 }
     : { fill: style.colour, stroke: rim, "stroke-width": 0.8 };
   return [shape("path", { d: parts.join(""), ...paint })];
+}
+
+/** Whether a place lies on the plot; ends of axes do, however they are rounded. */
+function isOnPlot({ left, top, width, height }: Frame, x: number, y: number): boolean {
+  const [across, up] = [(x - left) / width, (y - top) / height];
+  return across >= -1e-9 && across <= 1 + 1e-9 && up >= -1e-9 && up <= 1 + 1e-9;
 }
 
 /** A path about the origin, moved to a place; commands in small letters are relative and stay. */

@@ -133,6 +133,16 @@ describe("how results stand", () => {
     expect(standingOf({ ...facts, has: false, error: refused })?.words).toBe("indenter.radius must be a length, but this is a force. Write a length.");
   });
 
+  it("begins with a large letter where it begins with a word: names of files and symbols stay as they are", () => {
+    const said = (message: string) => standingOf({ ...facts, has: false, error: new RequestError(message, 422, null, null) })?.words;
+    expect(said("rubber-dma.csv: line 3 has two columns")).toBe("rubber-dma.csv: line 3 has two columns.");
+    const kept = ["data/rubber.csv has no lines", "law.json: missing field", "τ must be a time", "k_x is negative", "v is no speed", "ω_nx τ = 40 is large"];
+    for (const message of kept) expect(said(message)).toBe(`${message}.`);
+    expect(["the load is negative", "a sweep has 2 points", "glass, rubber", "steady-sliding laws hold"].map(said)).toEqual([
+      "The load is negative.", "A sweep has 2 points.", "Glass, rubber.", "Steady-sliding laws hold.",
+    ]);
+  });
+
   it("is drawn over the plot, which is paler", () => {
     act(() => render(<StandingContext.Provider value={standingOf({ ...facts, error: refused })}><Chart spec={spec} /></StandingContext.Provider>, host));
     expect(host.querySelector<HTMLElement>(".chart")?.dataset["standing"]).toBe("refused");

@@ -31,6 +31,18 @@ async function panel(address: string): Promise<string> {
 afterEach(() => vi.unstubAllGlobals());
 
 describe("the place on the map", () => {
+  it("lies between ends that are written as a person does", async () => {
+    vi.stubGlobal("fetch", () => new Promise(() => {}));
+    const store = new ViewStore(window, PAGE_FIELDS, "map");
+    const host = document.createElement("div");
+    const axis = { key: "operation.velocity", from: "1e-6 m/s", to: "1e0 m/s", scale: "log" } as const;
+    const app: App = { session: { ...session, map: { x: axis, y: { key: "contact.shear_strength", from: 0.001, to: 1e-8, scale: "log" } } }, store, keys, values: null, base: null, error: null };
+    await act(() => render(<AppContext.Provider value={app}><MapPage /></AppContext.Provider>, host));
+    const ends = [...host.querySelectorAll<HTMLInputElement>(".axis-end")].map(({ value }) => value);
+    expect(ends).toEqual(["1 µm/s", "1 m/s", "0.001", "1e-8"]);
+    await act(() => render(null, host));
+  });
+
   it("is said to be outside where the map does not reach to it", async () => {
     vi.stubGlobal("fetch", () => new Promise(() => {}));
     const outside = "does not reach to this point";
@@ -104,6 +116,9 @@ describe("a map of other values", () => {
       asked[0]?.(encode({ kind: "error", error: { message: "`x.from` must be a speed", place: null, help: null } }));
       await until(() => words(host) !== "");
       expect(words(host)).toBe("x.from must be a speed.");
+      const status = host.querySelector(".map-status");
+      expect(status?.textContent, "read aloud").toBe("x.from must be a speed.");
+      expect(status?.querySelector(".visually-hidden")?.textContent, "and not shown twice").toBe("x.from must be a speed.");
       expect(host.querySelector('[aria-label="From, x axis"]')?.getAttribute("aria-invalid")).toBe("true");
       expect(host.querySelector('[aria-label="To, x axis"]')?.getAttribute("aria-invalid")).toBe("false");
     });

@@ -9,7 +9,7 @@ import { useApp } from "./app";
 import { ErrorNote } from "./ErrorNote";
 import { useHand } from "./hand";
 import { Label } from "./Label";
-import { power, readable } from "./readable";
+import { asWritten, readable, withUnit } from "./readable";
 import { TextField } from "./TextField";
 import { SLIDER_STEPS, isPure, numberIn, otherForm, plainText, plainValue, significant, sliderPlace, sliderRange, sliderValue, symbolMarkup, valueText } from "./numbers";
 
@@ -50,7 +50,7 @@ function Row({ parameter, value, base, error, set }: RowProps) {
       <div class="parameter-values">
         <TextField id={`${id}-text`} class="parameter-text" spoken={`${name}, a number or a text with a unit`} value={text} invalid={error !== null} onChange={(next) => change(next === "" ? undefined : next, "push")} />
         <output class="parameter-other" data-parameter-other={path}>
-          {value ? otherForm(parameter, value) : ""}
+          <Label text={value ? otherForm(parameter, value) : ""} />
         </output>
       </div>
       {error && <ErrorNote error={error} />}
@@ -58,13 +58,11 @@ function Row({ parameter, value, base, error, set }: RowProps) {
   );
 }
 
-/** The case's own value, short enough for its field: in a unit of its own size where that is exact. */
+/** The case's own value in a unit of its own size, short enough for its field. */
 function shortText(parameter: Key, value: CaseValue): string {
-  const text = valueText(parameter, value);
-  const asked = value.form === "si" && value.si !== null && !isPure(parameter) ? value.si : null;
-  const scaled = asked === null ? null : readable(asked, parameter.unit);
-  if (asked !== null && scaled && Number(scaled.text) * power(scaled.unit, parameter.unit) === asked) return `${scaled.text} ${scaled.unit}`;
-  return text.length <= 14 ? text : text.replace(/^[-+\d.e]+/, (number) => String(significant(Number(number), 6)));
+  const text = asWritten(valueText(parameter, value));
+  if (text.length <= 14) return text;
+  return value.form === "si" && value.si !== null && !isPure(parameter) ? withUnit(readable(value.si, parameter.unit)) : String(significant(value.number, 6));
 }
 
 interface SliderProps {

@@ -1,7 +1,9 @@
 /** Numbers of parameters: what a slider gives, and how values are written. */
 
+import { written } from "../chart/readout";
 import { shrink, stretch } from "../chart/scale";
 import type { CaseValue, Key } from "../wire/api";
+import { readable, withUnit } from "./readable";
 
 /** A number of so many significant digits: the address and the exported case hold exactly what is shown. */
 export function significant(value: number, digits = 4): number {
@@ -61,10 +63,10 @@ export function valueText(key: Key, value: CaseValue): string {
   return value.form === "si" && value.si !== null && !isPure(key) ? `${value.si} ${key.unit}` : String(value.number);
 }
 
-/** The other form of a value: with its unit beside a group, the group beside a value with a unit. */
+/** The other form of a value, as markup: with its unit beside a group, the group beside a value with a unit. */
 export function otherForm(key: Key, value: CaseValue): string {
-  const si = value.si === null || isPure(key) ? "" : `${significant(value.si)} ${key.unit}`;
-  const group = value.group === null ? "" : `${key.group} = ${significant(value.group)}`;
+  const si = value.si === null || isPure(key) ? "" : withUnit(readable(significant(value.si), key.unit));
+  const group = value.group === null || key.group === null ? "" : `${symbolMarkup(key.group)} = ${written(significant(value.group))}`;
   return value.form === "si" ? group : si;
 }
 

@@ -27,6 +27,22 @@ export function readable(value: number, unit = "1"): Readable {
   return { text: rounded(value / 10 ** (exponent * power)), unit: `${PREFIXES[exponent] ?? ""}${unit}` };
 }
 
+export function withUnit({ text, unit }: Readable): string {
+  return `${text} ${unit}`;
+}
+
+/** The number with its unit in a unit of its own size, where that says it exactly; undefined where it does not. */
+export function exactly(value: number, unit: string): string | undefined {
+  const scaled = readable(value, unit);
+  return Number(scaled.text) * power(scaled.unit, unit) === value ? withUnit(scaled) : undefined;
+}
+
+/** A quantity as a person writes it: `1e-6 m/s` as 1 µm/s; any other text as it is. */
+export function asWritten(text: string): string {
+  const parts = /^([-+]?[\d.]+(?:e[-+]?\d+)?) (\S+)$/i.exec(text);
+  return (parts && exactly(Number(parts[1]), parts[2] as string)) ?? text;
+}
+
 /** Rounded to the digits that are shown. */
 export function rounded(value: number): string {
   return written(Number(value.toPrecision(DIGITS)));

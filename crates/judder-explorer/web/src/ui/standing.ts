@@ -36,10 +36,13 @@ export function standingOf({ has, isCurrent, busy, what = "", progress, error }:
   return has ? { kind: "before", words: "Of the values before." } : null;
 }
 
-/** Messages of programs begin small, or with a key in backticks, and end without a stop. */
+/** A word with which a sentence may begin large: names of files and keys, and symbols, are what they are. */
+const WORD = /^(a|\p{Script=Latin}{2,}([-’'][\p{Script=Latin}]+)*)[.,:;]?$/u;
+
+/** Messages of programs begin small, or with a name or a key in backticks, and end without a stop. */
 function sentence(message: string): string {
   const text = message.replaceAll("`", "").replace(/\.$/, "");
-  return message.startsWith("`") ? text : text.charAt(0).toUpperCase() + text.slice(1);
+  return WORD.test(message.split(/\s/)[0] ?? "") ? text.charAt(0).toUpperCase() + text.slice(1) : text;
 }
 
 /** So long nothing is said of results that are only on their way, in milliseconds: what follows a drag shall not flicker. */

@@ -104,7 +104,7 @@ function SolutionTools({ contact, analysis, isLine, error }: ToolsProps) {
       <span class="contact-choice">
         <select aria-label="What presses the indenter down" value={key} onChange={changeKey}>
           <option value="indentation">depth δ/R</option>
-          <option value="load">load {isLine ? "F/(E0* R)" : "F/(E0* R²)"}</option>
+          <option value="load">load {isLine ? "F/(E₀* R)" : "F/(E₀* R²)"}</option>
         </select>
         <TextField id="contact-loading" class="parameter-text" spoken={`${key === "load" ? "load" : "depth"}, a number or a text with a unit`} value={shown(key)} invalid={blames(error, key)} onChange={(text) => press(text === "" ? null : { key, value: text })} />
       </span>

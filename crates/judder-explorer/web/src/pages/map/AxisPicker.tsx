@@ -3,6 +3,7 @@
 import { numberOrText } from "../../state/fields";
 import { blames } from "../../ui/meant";
 import { symbolText } from "../../ui/numbers";
+import { asWritten } from "../../ui/readable";
 import { TextField, isFilled } from "../../ui/TextField";
 import type { Key, KeyAxis, ScaleName } from "../../wire/api";
 import type { RequestError } from "../../wire/request";
@@ -64,5 +65,5 @@ interface EndProps {
 const fitsAddress = (text: string) => isFilled(text) && !text.includes("~");
 
 function End({ label, value, invalid, onChange }: EndProps) {
-  return <TextField class="axis-end" spoken={label} value={value} invalid={invalid} accepts={fitsAddress} onChange={(text) => onChange(numberOrText(text))} />;
+  return <TextField class="axis-end" spoken={label} value={asWritten(String(value))} invalid={invalid} accepts={fitsAddress} onChange={(text) => onChange(numberOrText(text))} />;
 }

@@ -83,7 +83,8 @@ export function MapPage() {
             </StandingContext.Provider>
           </div>
           <p class="map-status" role="status">
-            {status(picture, live, standing)}
+            {/* what stands over the map is read aloud here, and not shown twice */}
+            <span class={standing ? "visually-hidden" : ""}>{status(picture, live, standing)}</span>
           </p>
         </div>
         <CursorPanel state={state} place={shown} x={x} y={y} live={point} set={at} isOutside={isOutside} />

@@ -65,7 +65,7 @@ export function PointPage() {
         </StandingContext.Provider>
         <MotionSection state={state} run={motion} cycle={loop} modes={modes} belt={belt} steady={point?.point.equilibrium["x"] ?? null} />
         <CycleSection state={state} run={cycle} frequency={frequency} />
-        <SoundSection state={state} sources={sources} />
+        <SoundSection state={state} sources={sources} hasModes={point !== null && frequency !== null} />
         <BranchSection state={state} run={branch} />
       </div>
     </Page>

@@ -25,7 +25,14 @@ export interface Source {
   readonly isStale: boolean;
 }
 
-export function SoundSection({ state, sources }: { readonly state: PointState; readonly sources: readonly Source[] }) {
+interface SoundProps {
+  readonly state: PointState;
+  readonly sources: readonly Source[];
+  /** Whether the modes are known: without a source, none of them oscillates. */
+  readonly hasModes: boolean;
+}
+
+export function SoundSection({ state, sources, hasModes }: SoundProps) {
   const { store } = useApp();
   const source = sources.find((source) => source.id === state.sound) ?? sources[0];
   const factor = state.factor ?? octaveFactor(source?.track.frequency ?? 0);
@@ -35,7 +42,7 @@ export function SoundSection({ state, sources }: { readonly state: PointState; r
   return (
     <section class="card" aria-labelledby="sound-title">
       <h2 id="sound-title">Sound</h2>
-      {!source && <p class="note">Run the motion or find the cycle: their velocity can then be heard. Here no mode oscillates.</p>}
+      {!source && <p class="note">Run the motion or find the cycle: their velocity can then be heard.{hasModes && " Here no mode oscillates."}</p>}
       {source && sound && (
         <>
           <div class="run-bar">

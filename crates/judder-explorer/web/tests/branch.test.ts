@@ -37,9 +37,12 @@ describe("the simulated motions of a branch", () => {
   it("have the roles of the report's diagram, and marks that are told apart without colour", () => {
     // `judder-study`, pictures/motion.rs: the direction, irregular, unconfirmed
     expect(layers.filter(({ role }) => role !== "reference").map(({ role }) => role)).toEqual([0, 4, 6, 1, 5, 7].map((series) => ({ series })));
-    for (const way of ["upwards", "downwards"]) {
-      const marks = legendEntries(spec, "light").filter(({ text }) => text.endsWith(way) && !text.startsWith("steady")).map(({ line }) => line?.marker);
-      expect(new Set(marks).size).toBe(3);
+    for (const [way, shape] of [["upwards", "circle"], ["downwards", "square"]]) {
+      const entries = legendEntries(spec, "light").filter(({ text }) => text.endsWith(way as string));
+      // steady sliding, on the line of no amplitude, has the shape of its direction as cycles have
+      expect(entries.map(({ line }) => line?.marker).slice(0, 2)).toEqual([shape, shape]);
+      expect(new Set(entries.map(({ line }) => line?.marker)).size).toBe(3);
+      expect(new Set(entries.map(({ line }) => line?.colour)).size).toBe(4);
     }
   });
 

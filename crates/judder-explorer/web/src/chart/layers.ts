@@ -77,7 +77,7 @@ function drawLine(layer: LineLayer, drawing: Drawing): Shape[] {
 function drawPoints(layer: PointsLayer, drawing: Drawing): Shape[] {
   const { frame } = drawing;
   const style = styleOf(layer, drawing);
-  const marker = relative(markerPath(style.marker, layer.size ?? 8));
+  const marker = relative(markerPath(layer.marker ?? style.marker, layer.size ?? 8));
   const parts: string[] = [];
   for (let i = 0; i < Math.min(layer.x.length, layer.y.length); i += 1) {
     const [x, y] = [frame.px(layer.x[i] as number), frame.py(layer.y[i] as number)];

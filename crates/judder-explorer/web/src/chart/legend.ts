@@ -44,7 +44,7 @@ function entriesOf(layer: Layer, theme: Theme, overAreas: boolean): Entry[] {
   if (layer.label === "" || layer.kind === "values") return [];
   if (layer.kind === "bands" || layer.kind === "area") return [{ text: layer.label, area: layer.style, hatched: true }];
   const style = lineStyle(layer.role, overAreas ? "light" : theme);
-  const line = layer.kind === "line" && layer.dash ? { ...style, dash: layer.dash } : style;
+  const line = { ...style, ...(layer.kind === "line" && layer.dash ? { dash: layer.dash } : {}), ...(layer.kind === "points" && layer.marker ? { marker: layer.marker } : {}) };
   return [
     {
       text: layer.label,

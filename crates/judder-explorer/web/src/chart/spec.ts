@@ -1,7 +1,7 @@
 /** What a chart shows: axes and layers, in the values of the data. */
 
 import type { ScaleName } from "../wire/api";
-import type { AreaStyle, ColourMap, LineRole } from "./palette";
+import type { AreaStyle, ColourMap, LineRole, Marker } from "./palette";
 import type { Range } from "./scale";
 
 export interface Axis {
@@ -50,6 +50,8 @@ export interface PointsLayer extends Common {
   readonly size?: number;
   /** Only outlines: thresholds of another system, a state before. */
   readonly hollow?: boolean;
+  /** Left out, that of the role. */
+  readonly marker?: Marker;
 }
 
 /** Stretches of the x axis (or of the y axis), such as contact states. */

@@ -1,5 +1,6 @@
 /** The branch of cycles along a key: what is simulated, what is followed, folds and thresholds. */
 
+import { lineStyle } from "../../chart/palette";
 import { type Curve, through } from "../../chart/runs";
 import { type Range, rangeOf } from "../../chart/scale";
 import type { Axis, ChartSpec, Layer, LineLayer } from "../../chart/spec";
@@ -90,19 +91,23 @@ export function rangeOfBranch({ along, steadyStable, steadyUnstable }: Branch, s
 }
 
 /** Roles of the kinds as in the report's diagram: the series of the first direction, whose next one is that of the second. */
-const KINDS: Readonly<Record<string, number>> = { cycle: 0, irregular: 4, unconfirmed: 6 };
+const KINDS: Readonly<Record<string, number>> = { "steady sliding": 0, cycle: 0, irregular: 4, unconfirmed: 6 };
+/** What the page has no name for is not known either. */
+const UNKNOWN = 6;
 
 /** Markers of one direction stand in those of the other: both can be seen where the motions are the same. */
 function simulatedLayer({ direction, kind, points }: Simulated): Layer {
-  const series = KINDS[kind] ?? (KINDS["unconfirmed"] as number);
-  const isKnown = kind in KINDS ? kind !== "unconfirmed" : kind === "steady sliding";
-  const word = isKnown ? kind : `not known (${kind || "not told"})`;
+  const first = KINDS[kind] ?? UNKNOWN;
+  const series = { series: first + direction };
+  const word = first === UNKNOWN ? `not known (${kind || "not told"})` : kind;
   const inner = direction === 0;
   return {
     kind: "points",
     label: `${word}, simulated ${DIRECTIONS[direction]?.[1] ?? ""}`,
     ...points,
-    role: kind === "steady sliding" ? "reference" : { series: series + direction },
+    // steady sliding has the colour of the line on which it lies
+    role: kind === "steady sliding" ? "reference" : series,
+    marker: lineStyle(series, "light").marker,
     size: inner ? 7 : 12,
     hollow: !inner,
   };

@@ -93,6 +93,22 @@ test("exports a case that the command runs to the same map", async ({ explorer }
   expect(legend, "the shares of the legend are those of the run").toContain(`${stable.toFixed(1)} %`);
 });
 
+test("says over the map what a run of it warns of", async ({ explorer }) => {
+  const { page, folder } = explorer;
+  await explorer.open("/map?set=substrate.retardation_time=1 s");
+  await settled(explorer);
+  const note = page.getByRole("note", { name: "Warnings of the map" });
+  await expect(note).toContainText("eq. (3)");
+  await expect(note).toBeInViewport();
+  await page.locator("summary", { hasText: "Export" }).click();
+  const file = await downloaded(page, () => page.getByRole("button", { name: "Case file" }).click());
+  copyFileSync(file.path, join(folder, "exported.toml"));
+  const warnings = at(judder(folder, "run", "exported.toml"), "analyses.map.warnings") as string[];
+  const shown = await note.locator("p").allTextContents();
+  // the run follows boundaries too
+  expect(warnings.filter((warning) => !/^[a-z ]*boundary/.test(warning))).toEqual(shown);
+});
+
 test("exports pictures and numbers", async ({ explorer }) => {
   const { page } = explorer;
   await explorer.open("/map");

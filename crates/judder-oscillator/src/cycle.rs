@@ -2,7 +2,8 @@
 //!
 //! - [`mod@return_map`]: once around, from the section x' = 0 back to it, with the exact derivative through all events.
 //! - [`shooting`]: Newton's method on the return map; Floquet multipliers.
-//! - [`confirmed`]: what a motion settles to, told where a finer tolerance tells the same.
+//! - [`confirmed`]: what a motion settles to, told where a finer tolerance tells the same and another algorithm closes it.
+//! - `wandering`: whether a motion without a period is irregular, or only has not settled.
 //! - `least_period`: the shortest cycle that a longer one walks.
 //! - [`birth`]: the small cycles beside a Hopf point.
 //! - [`continuation`]: branches of cycles along any parameter, through folds and changes of the pattern.
@@ -18,6 +19,7 @@ mod least_period;
 pub mod margin;
 pub mod return_map;
 pub mod shooting;
+mod wandering;
 
 pub use birth::small_cycle;
 pub use confirmed::{Confirmed, settle_confirmed};

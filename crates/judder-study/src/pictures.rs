@@ -119,8 +119,9 @@ pub(crate) fn caption(dataset: &Dataset) -> &'static str {
         }
         "bifurcation" => {
             "What motions settle to as the key goes up and down, each from the end of the one before: rms of $x$ about its mean, its largest values, the \
-             shares of the time in stick and off the substrate. What a motion settles to is told where a finer tolerance tells the same, and unconfirmed otherwise. \
-             Points are simulated, and no line joins them: neighbours may have settled to different motions. Where branches were followed, lines are cycles \
+             shares of the time in stick and off the substrate. Irregular is a motion without a period from which nearby ones part; \
+             unconfirmed is what has not settled within its time, or changes its kind with the tolerance. Points are simulated, and no line joins them: neighbours may have \
+             settled to different motions. Where branches were followed, lines are cycles \
              and steady sliding, stable (solid) or not (dashed)."
         }
         "basin" => "Starts, drawn evenly, and what becomes of them.",

@@ -22,7 +22,7 @@ pub struct Patience {
 
 impl Default for Patience {
     fn default() -> Self {
-        Self { time: 2e4, transient: 1e4, closeness: 1e-6, rest: 1e-6, oscillations: 8 }
+        Self { time: 2e4, transient: 1e4, closeness: 1e-6, rest: 1e-6, oscillations: 21 }
     }
 }
 
@@ -36,7 +36,7 @@ pub enum Settled {
         /// Returns to the section in a period.
         oscillations: usize,
     },
-    /// Neither, within its time.
+    /// Neither, within its time: irregular, or not settled yet; [`crate::cycle::settle_confirmed`] tells which.
     Irregular,
 }
 
@@ -66,8 +66,8 @@ pub fn distance<const N: usize>(a: &[f64; N], b: &[f64; N], scales: &[f64; N]) -
     (0..N).fold(0.0, |largest: f64, i| largest.max((a[i] - b[i]).abs() / scales[i]))
 }
 
-/// Returns kept, over the most oscillations of a period.
-const REMEMBERED: usize = 8;
+/// Returns kept, over the most oscillations of a period: a period is seen where it comes back twice.
+const REMEMBERED: usize = 3;
 
 /// Follows a motion until it has settled.
 ///

@@ -5,7 +5,7 @@ use judder_oscillator::cycle::shooting::Shooting;
 use judder_oscillator::cycle::{Continuation, global_margin};
 use judder_oscillator::motion::{BeltOscillator, ContactState, FallingFriction, SlidingSystem};
 
-fn belt(velocity: f64) -> BeltOscillator {
+pub(crate) fn belt(velocity: f64) -> BeltOscillator {
     BeltOscillator::new(
         0.05,
         1.0,

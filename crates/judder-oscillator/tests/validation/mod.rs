@@ -2,7 +2,7 @@
 //!
 //! "The text" is Papangelo, Putignano and Hoffmann, Nonlinear Dynamics (2021). Numbers of ours are pinned beside the printed ones.
 
-mod belt;
+pub(crate) mod belt;
 mod equivalent_damping;
 mod exploration;
 mod least_period;

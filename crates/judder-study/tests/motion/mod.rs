@@ -55,6 +55,8 @@ fn the_belts_diagram_has_its_jumps_at_the_fold_and_at_the_hopf_point() {
         };
         assert_eq!(becomes[k] != "steady sliding", cycle, "{} {}", directions[k], values[k]);
         assert_eq!(rms[k] > 0.0, cycle);
+        // in a plane no motion is irregular: near the threshold it has only not settled
+        assert!(becomes[k] != "irregular", "{} {}", directions[k], values[k]);
     }
     assert!(report.complete && folder.path().join("figures/diagram.svg").exists());
 }

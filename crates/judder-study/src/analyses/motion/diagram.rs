@@ -173,8 +173,8 @@ impl Diagram<'_> {
             self.becomes().zip(values.iter().zip(directions)).filter(|(code, _)| *code == UNCONFIRMED);
         let (_, (value, direction)) = open.next()?;
         Some(format!(
-            "what {} of {} motions settle to is not confirmed: finer tolerances tell something else each time, the first at {}, \
-             {direction}; a longer `duration` or a smaller `tolerance` may settle it",
+            "what {} of {} motions settle to is not confirmed, the first at {}, {direction}: within `duration` they have not settled, or finer \
+             tolerances tell something else each time; a longer `duration` or a smaller `tolerance` may settle it",
             open.count() + 1,
             values.len(),
             plain(*value)

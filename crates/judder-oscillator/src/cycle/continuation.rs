@@ -3,6 +3,7 @@
 //! Pseudo-arclength continuation (H. B. Keller, 1977) on the return map. Where a cycle begins to touch a guard, the return
 //! map has a kink: the next point lies on a smooth piece with a derivative of its own, which Newton's method uses.
 
+mod doubled;
 mod place;
 mod touching;
 
@@ -10,6 +11,7 @@ use super::CycleError;
 use super::return_map::{Return, return_map, returned_state};
 use super::shooting::{Cycle, Guess, Shooting, finished, scaled, shoot};
 use crate::motion::{ContactState, SlidingSystem};
+use doubled::Halves;
 use judder_numerics::dense::Triangles;
 use place::{Outing, Place, neighbour};
 use std::array::from_fn;
@@ -52,6 +54,8 @@ pub enum BranchEnd {
     SteadySliding,
     /// It came back to its first cycle.
     Closed,
+    /// Its two halves became one: the cycles from which its period has doubled.
+    Halves,
     /// Its cycles come to touch a guard beyond which the return map jumps: no neighbour on the other side is a cycle.
     Grazing {
         /// The contact states of the motions beyond.
@@ -70,6 +74,7 @@ impl fmt::Display for BranchEnd {
             Self::Points => formatter.write_str("goes on: as many cycles as were asked for"),
             Self::SteadySliding => formatter.write_str("shrinks to steady sliding"),
             Self::Closed => formatter.write_str("comes back to where it began"),
+            Self::Halves => formatter.write_str("comes to cycles of half as many oscillations"),
             Self::Grazing { pattern, .. } => {
                 let words: Vec<String> = pattern.iter().map(ToString::to_string).collect();
                 let beyond = words.join(", ");
@@ -149,6 +154,7 @@ pub fn continue_branch<S: SlidingSystem<N>, const N: usize>(
     let mut place = walk.first_place(&first, parameter, direction)?;
     let mut outing = Outing::from(place.clone());
     let first = BranchPoint { parameter, cycle: first, slope: place.tangent[N] };
+    let mut halves = Halves::of(&walk, &first);
     let mut branch =
         Branch { points: vec![first], folds: vec![], pattern_changes: vec![], end: BranchEnd::Points };
     let (mut step, mut short_steps) = (options.steps.0, 0);
@@ -185,7 +191,8 @@ pub fn continue_branch<S: SlidingSystem<N>, const N: usize>(
         short_steps = if step < SHORT { short_steps + 1 } else { 0 };
         let crawls = short_steps >= SHORT_STEPS;
         let grazing = if crawls { walk.grazing(&place, &branch) } else { None };
-        if let Some(end) = grazing.or_else(|| walk.end_of(&branch)).or_else(|| outing.end(&place, &branch)) {
+        let end = grazing.or_else(|| walk.end_of(&branch)).or_else(|| outing.end(&place, &branch));
+        if let Some(end) = end.or_else(|| halves.end(&walk, &mut branch)) {
             branch.end = end;
             break;
         }

@@ -353,3 +353,46 @@ fn the_kinds_of_a_wipers_motion_do_not_depend_on_the_tolerance() {
     assert_eq!(words(&loose["becomes"])[4], "cycle");
     assert!((periods[4] - 5.0933).abs() < 1e-3 && (periods[5] - 5.0806).abs() < 1e-3, "{periods:?}");
 }
+
+/// A slow spiral is near to itself after seven oscillations, and beside it a period has doubled: each cycle is on one branch, once. Walked
+/// twice or seven times it has the same rms and the same time an oscillation.
+#[test]
+fn every_cycle_is_on_one_branch() {
+    let text = "model = \"oscillator\"\n[operation]\nvelocity = 1e-4\nnormal_load = 1e-6\n[[analysis]]\nname = \"diagram\"\n\
+                kind = \"bifurcation\"\nbranches = true\n\
+                sweep = { key = \"contact.shear_strength\", from = 0.01414213562373095, to = 0.02, points = 6, scale = \"log\" }";
+    let folder = tempfile::tempdir().unwrap();
+    let diagram = run_into(folder.path(), &parsed(text), &[]).summary.results["diagram"].clone();
+    assert!((numbers(&diagram["period"])[1] - 4.531_578).abs() < 1e-4, "{}", diagram["period"]);
+    let branches: Vec<[Vec<f64>; 3]> =
+        diagram["branches"].as_array().unwrap().iter().map(of_one_oscillation).collect();
+    let most = |wanted: &Value| {
+        diagram["branches"].as_array().unwrap().iter().filter(|b| b["oscillations"] == *wanted).count()
+    };
+    assert!(most(&1.into()) >= 1 && most(&2.into()) == 1, "{}", branches.len());
+    for (k, branch) in branches.iter().enumerate() {
+        for (other, others) in branches.iter().enumerate().filter(|(other, _)| *other != k) {
+            let shared =
+                (0..branch[0].len()).filter(|i| passes(others, branch.each_ref().map(|of| of[*i]))).count();
+            assert_eq!(shared, 0, "{k} {other} of {}", branch[0].len());
+        }
+    }
+}
+
+/// Value, rms and the time of an oscillation of every cycle of a branch.
+fn of_one_oscillation(branch: &Value) -> [Vec<f64>; 3] {
+    let oscillations = branch["oscillations"].as_f64().unwrap();
+    let times = numbers(&branch["period"]).iter().map(|period| period / oscillations).collect();
+    [numbers(&branch["value"]), numbers(&branch["rms"]), times]
+}
+
+/// Whether a branch has a cycle like this one between two of its own.
+fn passes(branch: &[Vec<f64>; 3], [value, rms, time]: [f64; 3]) -> bool {
+    (1..branch[0].len()).any(|i| {
+        let share = (value - branch[0][i - 1]) / (branch[0][i] - branch[0][i - 1]);
+        let at = |of: &[f64]| of[i - 1] + share * (of[i] - of[i - 1]);
+        (0.0..=1.0).contains(&share)
+            && (at(&branch[1]) / rms - 1.0).abs() < 1e-4
+            && (at(&branch[2]) / time - 1.0).abs() < 1e-4
+    })
+}

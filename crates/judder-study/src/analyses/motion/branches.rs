@@ -7,6 +7,7 @@ use crate::error::StudyError;
 use crate::progress::Progress;
 use judder_case::{Following, Scale, Sweep};
 use judder_numerics::root::all_roots_from_values;
+use judder_numerics::words::plain;
 use judder_oscillator::cycle::shooting::Shooting;
 use judder_oscillator::cycle::{
     Branch, BranchEnd, BranchPoint, Continuation, CycleError, Fold, continue_branch, small_cycle,
@@ -92,8 +93,8 @@ impl<const N: usize> DiagramBranch<N> {
         Self { from, hopf, points, folds, shrinks, end }
     }
 
-    /// Whether a simulated cycle lies on it, and if so whether a cycle there is stable: rms and period are those of two neighbours at
-    /// its value, or between them. A motion that has only settled may come about nearest after several rounds of a stable cycle.
+    /// Whether a simulated cycle lies on it, and if so whether a cycle there is stable: it has as many oscillations, and rms and period
+    /// of two neighbours at its value, or between them.
     fn passes(&self, cycle: &SimulatedCycle<N>) -> Option<bool> {
         let near = self.points.windows(2).filter(|pair| {
             let [a, b] = [&pair[0], &pair[1]];
@@ -105,21 +106,17 @@ impl<const N: usize> DiagramBranch<N> {
                 turn.chain(ends).fold((f64::INFINITY, f64::NEG_INFINITY), |(from, to), value| {
                     (from.min(value), to.max(value))
                 });
-            let rounds = cycle.oscillations / a.cycle.oscillations;
-            let is_stable = a.cycle.is_stable() && b.cycle.is_stable();
             (from..=to).contains(&cycle.value)
-                && rounds * a.cycle.oscillations == cycle.oscillations
-                && (rounds == 1 || is_stable)
+                && a.cycle.oscillations == cycle.oscillations
                 && is_between(a.cycle.around.measures.rms(), b.cycle.around.measures.rms(), cycle.rms)
-                && is_between(a.cycle.period(), b.cycle.period(), cycle.period / rounds as f64)
+                && is_between(a.cycle.period(), b.cycle.period(), cycle.period)
         });
         let stable = near.map(|pair| pair.iter().any(|point| point.cycle.is_stable()));
         stable.reduce(|any, is_stable| any || is_stable)
     }
 }
 
-/// Whether a value lies between two others, but for what a straight line between neighbours, and a motion that has only settled,
-/// may be off.
+/// Whether a value lies between two others, but for what a straight line between neighbours may be off.
 fn is_between(a: f64, b: f64, value: f64) -> bool {
     const SLACK: f64 = 0.03;
     let slack = SLACK * value.abs();
@@ -180,7 +177,7 @@ impl<M: Model<N>, const N: usize> Line<'_, M, N> {
         })?;
         let value = |place| self.value(place);
         let origin = Some((value(place), TAU / hopf.frequency));
-        let from = format!("Hopf point at {:.6e}", value(place));
+        let from = format!("Hopf point at {}", plain(value(place)));
         let end = (branch.end.to_string(), branch.end == BranchEnd::SteadySliding);
         Ok(DiagramBranch::new((from, origin), (branch.points, branch.folds), end, value))
     }
@@ -196,7 +193,7 @@ impl<M: Model<N>, const N: usize> Line<'_, M, N> {
         let other = follow(1.0)?;
         // a closed branch has been followed all around
         let one = if other.end == BranchEnd::Closed { None } else { Some(follow(-1.0)?) };
-        let from = format!("simulated cycle at {:.6e}", cycle.value);
+        let from = format!("simulated cycle at {}", plain(cycle.value));
         let end = one.as_ref().map_or(other.end.to_string(), |one| {
             format!("one way it {}; the other way it {}", one.end, other.end)
         });
@@ -286,7 +283,7 @@ pub(super) fn follow<M: Model<N>, const N: usize>(
         if tried < FROM_SIMULATION && found.stability_of(cycle).is_none() {
             tried += 1;
             let branch = line.branch_through(cycle);
-            found.keep(branch, || format!("simulated cycle at {:.6e}", cycle.value));
+            found.keep(branch, || format!("simulated cycle at {}", plain(cycle.value)));
             interrupted(progress)?;
         }
     }
@@ -315,7 +312,7 @@ impl<const N: usize> Branches<N> {
     /// Notes a Hopf point and follows its branch, unless another one has ended there.
     fn begin_at<M: Model<N>>(&mut self, line: &Line<'_, M, N>, place: f64) {
         let value = line.value(place);
-        let start = || format!("change of stability at {value:.6e}");
+        let start = || format!("change of stability at {}", plain(value));
         let hopf = match line.system(place).and_then(|system| hopf_point(&system)) {
             Ok(hopf) => hopf,
             Err(error) => return self.keep(Err(error), start),

@@ -16,7 +16,7 @@ mod two_degrees;
 pub(crate) use axis::Axis;
 pub(crate) use margins::NOT_KNOWN;
 pub use motion::MotionBlock;
-pub(crate) use motion::belt;
+pub(crate) use motion::{becomes, belt};
 pub(crate) use sliding::locus_conditions;
 pub use stability_map::{BoundaryCurves, BoundaryKind, boundary_curves};
 pub(crate) use stability_map::{NONE_MOVED, ONE_WAY, STARTS_IT, UNKNOWN, class_name};

@@ -2,6 +2,7 @@
 
 mod amplitude_spectrum;
 mod basin;
+pub(crate) mod becomes;
 mod bifurcation;
 mod branches;
 mod diagram;

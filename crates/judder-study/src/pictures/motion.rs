@@ -3,6 +3,7 @@
 use super::branches;
 use super::contact::FRAME;
 use super::{axis, codes, complexes, reals, text, words};
+use crate::analyses::becomes::{BECOMES, CYCLE, IRREGULAR, UNCONFIRMED};
 use judder_report::figure::Region;
 use judder_report::palette::Style;
 use judder_report::{Axis, Layer, Legend, Panel, Role};
@@ -238,7 +239,8 @@ pub(super) fn bifurcation(dataset: &Dataset) -> Option<Vec<Panel>> {
         // neighbours may have settled to different motions: nothing is known between them
         amplitude.push(Layer::points(direction, values.to_vec(), of("rms")?, Role::Series(k)));
         let becomes = codes(dataset, "becomes")?.get(k * values.len()..(k + 1) * values.len())?;
-        for (code, word, series) in [(2, "irregular", 4), (4, "unconfirmed", 6)] {
+        for (code, series) in [(IRREGULAR, 4), (UNCONFIRMED, 6)] {
+            let word = BECOMES[usize::from(code)].1;
             let of_kind = of("rms")?.into_iter().zip(becomes);
             let marked: Vec<f64> =
                 of_kind.map(|(rms, becomes)| if *becomes == code { rms } else { f64::NAN }).collect();
@@ -263,7 +265,8 @@ pub(super) fn bifurcation(dataset: &Dataset) -> Option<Vec<Panel>> {
 /// The rms of every cycle, or where there is none of every motion: that of a motion that has not settled can be as small as it likes.
 fn settled_rms(dataset: &Dataset) -> Option<Vec<f64>> {
     let (rms, becomes) = (reals(dataset, "rms")?, codes(dataset, "becomes")?);
-    let cycles: Vec<f64> = rms.iter().zip(becomes).filter(|(_, b)| **b == 1).map(|(rms, _)| *rms).collect();
+    let cycles: Vec<f64> =
+        rms.iter().zip(becomes).filter(|(_, b)| **b == CYCLE).map(|(rms, _)| *rms).collect();
     Some(if cycles.is_empty() { rms.to_vec() } else { cycles })
 }
 
@@ -315,11 +318,9 @@ pub(super) fn basin(dataset: &Dataset) -> Option<Vec<Panel>> {
     let first = *drawn.first()?;
     let second = drawn.get(1).copied().unwrap_or("settling_time");
     let (x, y, fate) = (reals(dataset, first)?, reals(dataset, second)?, codes(dataset, "fate")?);
-    let fates = ["steady sliding", "cycle", "irregular", "lost", "unconfirmed"];
-    let layers = fates.iter().enumerate().filter(|(code, _)| fate.iter().any(|f| usize::from(*f) == *code));
-    let layers = layers.map(|(code, label)| {
-        let of = || (0..fate.len().min(MOST_STARTS)).filter(|i| usize::from(fate[*i]) == code);
-        let style = markers(Role::Series(code), fate.len());
+    let layers = BECOMES.iter().filter(|(code, _)| fate.contains(code)).map(|(code, label)| {
+        let of = || (0..fate.len().min(MOST_STARTS)).filter(|i| fate[*i] == *code);
+        let style = markers(Role::Series(usize::from(*code)), fate.len());
         Layer::points(*label, of().map(|i| x[i]).collect(), of().map(|i| y[i]).collect(), style)
     });
     let along = |name: &str| dataset.variable(name).map(axis);

@@ -1,5 +1,6 @@
 //! `basin`: from which share of the starts steady sliding is reached.
 
+use super::becomes::{BECOMES, LOST, STEADY_SLIDING, UNCONFIRMED, becomes};
 use super::model::{Model, Operating};
 use crate::error::StudyError;
 use crate::kept::Kept;
@@ -37,11 +38,6 @@ impl Draw<'_> {
     }
 }
 
-/// What becomes of a start; the place is the number in stored results.
-const FATES: [(u8, &str); 5] =
-    [(0, "steady sliding"), (1, "cycle"), (2, "irregular"), (LOST, "lost"), (UNCONFIRMED, "unconfirmed")];
-const LOST: u8 = 3;
-const UNCONFIRMED: u8 = 4;
 /// Two-sided 95 % of a normal distribution.
 const QUANTILE: f64 = 1.959_963_984_540_054;
 /// Samples that are followed again, more exactly.
@@ -55,7 +51,7 @@ const CHANGED_LIMIT: f64 = 0.02;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 struct Sample {
     sample: usize,
-    /// Its place in [`FATES`].
+    /// Its place in [`BECOMES`].
     fate: u8,
     /// When that was clear; `None` where the motion is lost.
     time: Option<f64>,
@@ -95,12 +91,20 @@ pub(super) fn run<M: Model<N>, const N: usize>(
         let why = why.map_or_else(String::new, |error| format!("; the first: {error}"));
         format!("{lost} of {} motions cannot be followed{why}", draw.samples)
     });
+    let open = basin.count(UNCONFIRMED);
+    let unconfirmed = (open > 0).then(|| {
+        format!(
+            "what becomes of {open} of {} starts is not confirmed: within `duration` the motions have not settled, or finer tolerances tell \
+             something else each time",
+            draw.samples
+        )
+    });
     Ok(Outcome {
         scalars: basin.scalars::<M, N>(),
         dataset: basin.dataset::<M, N>()?,
         table: Some(basin.table::<M, N>()?),
         checks: vec![repeated(&operating, draw, following, &samples, progress)?],
-        warnings: warning.into_iter().collect(),
+        warnings: warning.into_iter().chain(unconfirmed).collect(),
         missing: lost,
         ..Outcome::default()
     })
@@ -131,13 +135,11 @@ fn follow<S: SlidingSystem<N>, const N: usize>(
     let (fate, time, rms) = match settled(operating, draw, following, sample, progress) {
         Err(MarchError::Interrupted { .. }) => return Err(StudyError::Interrupted),
         Err(_) => (LOST, None, None),
-        Ok(Confirmed { attractor, is_confirmed, .. }) => {
-            let (kind, rms) = match attractor.settled {
-                Settled::SteadySliding => (0, 0.0),
-                Settled::Cycle { .. } => (1, attractor.measures.rms()),
-                Settled::Irregular => (2, attractor.measures.rms()),
-            };
-            (if is_confirmed { kind } else { UNCONFIRMED }, Some(attractor.time), Some(rms))
+        Ok(confirmed) => {
+            let attractor = &confirmed.attractor;
+            let is_at_rest = attractor.settled == Settled::SteadySliding;
+            let rms = if is_at_rest { 0.0 } else { attractor.measures.rms() };
+            (becomes(&confirmed), Some(attractor.time), Some(rms))
         }
     };
     Ok(Sample { sample, fate, time, rms })
@@ -195,7 +197,7 @@ impl<S> Basin<'_, S> {
 
     fn scalars<M: Model<N, System = S>, const N: usize>(&self) -> Map<String, Value> {
         let decided = self.samples.len() - self.count(LOST);
-        let returned = self.count(0);
+        let returned = self.count(STEADY_SLIDING);
         let (lower, upper) = wilson(returned, decided);
         let within: Map<String, Value> = M::COORDINATES
             .iter()
@@ -204,7 +206,7 @@ impl<S> Basin<'_, S> {
                 range.map(|(from, to)| (coordinate.name.to_owned(), json!([from, to])))
             })
             .collect();
-        let fates: Map<String, Value> = FATES
+        let fates: Map<String, Value> = BECOMES
             .iter()
             .map(|(code, word)| (word.replace([' ', '-'], "_"), json!(self.count(*code))))
             .collect();
@@ -246,7 +248,7 @@ impl<S> Basin<'_, S> {
         };
         let mut dataset = Dataset::new()
             .with(
-                Variable::classes("fate", &["sample"], &[count], fates, &FATES)
+                Variable::classes("fate", &["sample"], &[count], fates, &BECOMES)
                     .long_name("what becomes of the start"),
             )?
             .with(over("settling_time", value(|s| s.time)).long_name("time θ after which that was clear"))?
@@ -275,7 +277,7 @@ impl<S> Basin<'_, S> {
             table = table.column(coordinate.name, "1", values)?;
         }
         let words: Vec<String> =
-            self.samples.iter().map(|sample| FATES[usize::from(sample.fate)].1.to_owned()).collect();
+            self.samples.iter().map(|sample| BECOMES[usize::from(sample.fate)].1.to_owned()).collect();
         let value = |value: fn(&Sample) -> Option<f64>| {
             self.samples.iter().map(|sample| value(sample).unwrap_or(f64::NAN)).collect::<Vec<_>>()
         };

@@ -1,5 +1,6 @@
 //! `bifurcation`: what motions settle to along one key, up and down.
 
+use super::becomes::{CYCLE, becomes};
 use super::branches;
 use super::diagram::Diagram;
 use super::model::{Memory, Model};
@@ -27,12 +28,6 @@ pub(super) struct Settings<'a, K> {
     pub(super) branches: bool,
 }
 
-/// What a motion has become; the place is the number in stored results.
-pub(super) const BECOMES: [(u8, &str); 5] =
-    [(0, "steady sliding"), (1, "cycle"), (2, "irregular"), (3, "lost"), (UNCONFIRMED, "unconfirmed")];
-pub(super) const CYCLE: u8 = 1;
-pub(super) const LOST: u8 = 3;
-pub(super) const UNCONFIRMED: u8 = 4;
 /// Motions of a sweep that are followed again, more exactly.
 const REPEATED: usize = 8;
 /// By how much more exactly.
@@ -43,7 +38,7 @@ const RMS_LIMIT: f64 = 1e-3;
 /// What the motion at a point of the diagram settles to.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Settling {
-    /// Its place in [`BECOMES`].
+    /// Its place in [`super::becomes::BECOMES`].
     pub(super) becomes: u8,
     /// Of x about its mean.
     pub(super) rms: f64,
@@ -62,17 +57,16 @@ pub(super) struct Settling {
 impl Settling {
     fn of<const N: usize>(confirmed: &Confirmed<N>, memory: Option<&Memory>) -> Self {
         let attractor = &confirmed.attractor;
-        let (kind, oscillations) = match attractor.settled {
-            Settled::SteadySliding => (0, 0),
-            Settled::Cycle { oscillations } => (CYCLE, oscillations),
-            Settled::Irregular => (2, 1),
+        let oscillations = match attractor.settled {
+            Settled::SteadySliding => 0,
+            Settled::Cycle { oscillations } => oscillations,
+            Settled::Irregular => 1,
         };
-        let becomes = if confirmed.is_confirmed { kind } else { UNCONFIRMED };
         let moves = oscillations > 0;
         let measures = &attractor.measures;
         let measured = |value: f64| if moves { value } else { 0.0 };
         Self {
-            becomes,
+            becomes: becomes(confirmed),
             rms: measured(measures.rms()),
             period: moves.then_some(attractor.period),
             stick_fraction: measured(measures.fraction(ContactState::Stick)),

@@ -1,6 +1,7 @@
 //! The bifurcation diagram as scalars, arrays and a table.
 
-use super::bifurcation::{BECOMES, CYCLE, LOST, Point, Settling, UNCONFIRMED};
+use super::becomes::{BECOMES, CYCLE, LOST, UNCONFIRMED};
+use super::bifurcation::{Point, Settling};
 use super::branches::SimulatedCycle;
 use super::model::Coordinate;
 use crate::analyses::axis::Axis;

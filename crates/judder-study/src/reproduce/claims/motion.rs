@@ -1,6 +1,7 @@
 //! Motion after the instability (section 5, Figs. 11, 12), from what is stored of it.
 
 use super::{Claim, measured, short, statement};
+use crate::analyses::becomes::{CYCLE, STEADY_SLIDING};
 use crate::error::StudyError;
 use crate::pictures::{codes, reals};
 use crate::reproduce::is_done;
@@ -68,7 +69,7 @@ impl Motions {
             .map(|k| DiagramPoint {
                 shear_strength: values[k],
                 rms: pair(k).map(|i| rms[i]),
-                is_regular: pair(k).iter().all(|i| becomes[*i] < IRREGULAR),
+                is_regular: pair(k).iter().all(|i| [STEADY_SLIDING, CYCLE].contains(&becomes[*i])),
             })
             .collect()
     }
@@ -90,9 +91,6 @@ struct DiagramPoint {
     rms: [f64; 2],
     is_regular: bool,
 }
-
-/// From this number on a motion of a diagram is not regular.
-const IRREGULAR: u8 = 2;
 
 /// Below this share of the largest amplitude it is “about 0”, and what varies by less is constant.
 const ABOUT_ZERO: f64 = 0.01;

@@ -152,6 +152,17 @@ impl Law {
         matches!(self, Self::Fitted(_) | Self::Hertz(_))
     }
 
+    /// Whether anything is known of its errors: not of one with fewer than three knots along an axis.
+    #[must_use]
+    pub fn knows_its_errors(&self) -> bool {
+        match self {
+            Self::Fitted(_) | Self::Hertz(_) => true,
+            Self::Collapsed(law) => law.knows_its_errors(),
+            Self::Tabulated(law) => law.knows_its_errors(),
+            Self::Sampled(law) => law.knows_its_errors(),
+        }
+    }
+
     /// What a computed law is made of; `None` for a law that is a formula or was given.
     #[must_use]
     pub fn data(&self) -> Option<&LawData> {

@@ -5,6 +5,7 @@ use crate::error::StudyError;
 use crate::input_file;
 use crate::material::Material;
 use crate::progress::Progress;
+use crate::within_law::unknown_errors;
 use judder_case::{Form, FrictionLoad as CaseLoad, LawName, OscillatorCase, OscillatorInputs, OscillatorKey};
 use judder_contact::law::LawIndenter;
 use judder_contact::law::file::from_json;
@@ -71,7 +72,8 @@ pub(crate) fn contact(
 /// # Errors
 /// A substrate that cannot be.
 pub fn with_law(case: &OscillatorCase, law: Law) -> Result<CaseContact, StudyError> {
-    let warnings = shape_warning(case, &law).into_iter().chain(law_warning(case, &law)?).collect();
+    let of_origin = shape_warning(case, &law).into_iter().chain(law_warning(case, &law)?);
+    let warnings = of_origin.chain(unknown_errors(&law)).collect();
     Ok(CaseContact { contact: Contact { law, friction_load: friction_load(case.friction_load) }, warnings })
 }
 

@@ -10,6 +10,7 @@
 //! - [`coupled_pair`]: the pair of a sliding case for whoever marches it by himself.
 //! - [`sliding_shapes`]: the shapes in which a pair swings at any position, on all points of both structures.
 //! - [`quasi_steady`]: eq. (3), on which laws of steady sliding stand in motion, and what is told of it.
+//! - `within_law`: what the errors of a contact law leave of results, in words.
 //! - [`point`]: everything about one operating point.
 //! - [`key_plane`]: the operating points over two keys of a case.
 //! - [`law_cache`]: material and law of a case whose numbers move; a law over speeds and depths.
@@ -60,6 +61,7 @@ pub mod study_view;
 pub mod sweep;
 mod text;
 mod told;
+mod within_law;
 
 pub use error::StudyError;
 pub use progress::{Progress, Silent};

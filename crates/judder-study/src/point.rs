@@ -6,16 +6,19 @@ use crate::progress::Silent;
 use crate::quasi_steady::{self, Condition};
 use crate::spectrum_source::temperature_warning;
 use crate::text::{columns, list, number, short};
+use crate::within_law::{MARGINAL, ranges_text, told_marginal};
 use judder_case::{OscillatorCase, OscillatorInputs};
 use judder_contact::ContactLaw;
 use judder_contact::law::material::LawTerm;
-use judder_oscillator::critical::{Range, Scale, thresholds};
+use judder_oscillator::critical::{Range, Scale, Thresholds, thresholds};
 use judder_oscillator::equilibrium::{Equilibrium, equilibrium};
 use judder_oscillator::growth::{GrowthShares, growth_shares, sensitivities};
 use judder_oscillator::linearisation::Linearisation;
 use judder_oscillator::mechanism::StabilityClass;
 use judder_oscillator::spectrum::{eigenvalues, growth_rate, leading, mode};
-use judder_oscillator::{Contact, Groups, OscillatorError};
+use judder_oscillator::undecided::{Ranges, undecided};
+use judder_oscillator::within_law::WithinLaw;
+use judder_oscillator::{Coefficients, Contact, Groups, OscillatorError};
 use num_complex::Complex64;
 use serde_json::{Value, json};
 
@@ -39,6 +42,8 @@ pub struct SteadyPoint {
     pub eigenvalues: [Complex64; 4],
     /// Verdict and mechanism.
     pub class: StabilityClass,
+    /// What the errors of the law leave of them; `None` where that is not known.
+    pub within_law: Option<WithinLaw>,
 }
 
 impl SteadyPoint {
@@ -53,7 +58,8 @@ impl SteadyPoint {
         let reduced = linearisation.system().reduced()?;
         let eigenvalues = eigenvalues(&reduced)?;
         let class = StabilityClass::of(&reduced);
-        Ok(Self { groups, equilibrium, linearisation, eigenvalues, class })
+        let within_law = WithinLaw::new(contact, &coefficients, &equilibrium);
+        Ok(Self { groups, equilibrium, linearisation, eigenvalues, class, within_law })
     }
 
     /// The growth rate, in units of ω_nx.
@@ -66,6 +72,47 @@ impl SteadyPoint {
     #[must_use]
     pub fn verdict(&self) -> &'static str {
         self.class.verdict().map_or("unresolved", judder_oscillator::Verdict::name)
+    }
+
+    /// How far ξ_eq may be off by the errors of the law; `None` where that is not known.
+    #[must_use]
+    pub fn equivalent_damping_error(&self) -> Option<f64> {
+        self.within_law.map(|within| within.equivalent_damping_error())
+    }
+
+    /// The smallest and the largest growth rate that the law has with its errors, in units of ω_nx; `None` where that is not known.
+    #[must_use]
+    pub fn growth_rate_within_law(&self) -> Option<[f64; 2]> {
+        self.within_law?.growth_rates().ok().map(|(least, most)| [least, most])
+    }
+
+    /// How far the growth rate may be off by the errors of the law: the larger distance of the ends of
+    /// [`growth_rate_within_law`](Self::growth_rate_within_law).
+    #[must_use]
+    pub fn growth_rate_error(&self) -> Option<f64> {
+        let ([least, most], own) = (self.growth_rate_within_law()?, self.growth_rate());
+        Some((most - own).max(own - least))
+    }
+
+    /// Whether the law with its errors has other verdicts too; `None` where that is not known.
+    #[must_use]
+    pub fn marginal_within_law(&self) -> Option<bool> {
+        self.within_law.map(|within| !within.is_decided())
+    }
+
+    /// Verdict and mechanism in words: where the errors of the law decide, that comes first and the nominal verdict after it.
+    #[must_use]
+    pub fn verdict_in_words(&self) -> String {
+        let by = match self.class.mechanism() {
+            judder_oscillator::Mechanism::None => String::new(),
+            mechanism => format!(", by {}", mechanism.name()),
+        };
+        let nominal = format!("{}{by}", self.verdict());
+        match self.marginal_within_law() {
+            Some(false) => nominal,
+            Some(true) => format!("{MARGINAL}; nominally {nominal}"),
+            None => format!("{nominal}; the errors of the law are not known here"),
+        }
     }
 }
 
@@ -80,8 +127,12 @@ pub struct Point {
     pub sensitivities: judder_oscillator::growth::Sensitivities,
     /// All conservative thresholds of the shear strength at this speed and load, ascending.
     pub critical_shear_strength: Vec<f64>,
+    /// The ranges of the shear strength in which the errors of the law leave these thresholds; `None` where the errors are not known.
+    pub critical_shear_strength_within_law: Option<Ranges>,
     /// All conservative thresholds of the load at this speed and shear strength, ascending.
     pub critical_load: Vec<f64>,
+    /// The same ranges of the load.
+    pub critical_load_within_law: Option<Ranges>,
     /// Eq. (3); `None` for an elastic substrate, and where only groups are given.
     pub quasi_steady: Option<Condition>,
     /// What makes the law doubtful here.
@@ -130,17 +181,22 @@ pub fn analyse(contact: &Contact, groups: Groups) -> Result<Point, StudyError> {
     let steady = SteadyPoint::new(contact, groups)?;
     let system = steady.linearisation.system();
     let leading_mode = mode(&system, leading(&steady.eigenvalues));
-    let strengths = thresholds(contact, &SHEAR_STRENGTHS, SAMPLES, |shear_strength| {
-        Groups { shear_strength, ..groups }.resolve()
-    });
-    let loads =
-        thresholds(contact, &LOADS, SAMPLES, |normal_load| Groups { normal_load, ..groups }.resolve());
+    let at_strength = |shear_strength: f64| Groups { shear_strength, ..groups }.resolve();
+    let at_load = |normal_load: f64| Groups { normal_load, ..groups }.resolve();
+    let strengths = thresholds(contact, &SHEAR_STRENGTHS, SAMPLES, at_strength);
+    let loads = thresholds(contact, &LOADS, SAMPLES, at_load);
+    let is_known = contact.law.knows_its_errors();
+    let open = |range: &Range, roots: &Thresholds, at: &dyn Fn(f64) -> Coefficients| {
+        let roots = [roots.full.as_slice(), roots.conservative.as_slice()];
+        is_known.then(|| undecided(contact, (range, SAMPLES), roots, at).conservative)
+    };
     let mut warnings: Vec<String> = contact
         .law
         .concern(groups.velocity, steady.equilibrium.indentation)
         .iter()
         .map(ToString::to_string)
         .collect();
+    warnings.extend(told_marginal(&steady));
     for (what, found) in [("shear strengths", &strengths), ("loads", &loads)] {
         if let (Some(first), Some(last)) = (found.failures.first(), found.failures.last()) {
             warnings.push(format!(
@@ -155,7 +211,9 @@ pub fn analyse(contact: &Contact, groups: Groups) -> Result<Point, StudyError> {
         steady,
         shares: growth_shares(&system, &leading_mode),
         sensitivities: sensitivities(&system, &leading_mode),
+        critical_shear_strength_within_law: open(&SHEAR_STRENGTHS, &strengths, &at_strength),
         critical_shear_strength: strengths.conservative,
+        critical_load_within_law: open(&LOADS, &loads, &at_load),
         critical_load: loads.conservative,
         quasi_steady: None,
         warnings,
@@ -197,11 +255,17 @@ impl Point {
             "stiffness": steady.linearisation.stiffness(),
             "eigenvalues": steady.eigenvalues.map(pair),
             "growth_rate": steady.growth_rate(),
+            "growth_rate_error": steady.growth_rate_error(),
+            "growth_rate_within_law": steady.growth_rate_within_law(),
             "verdict": steady.verdict(),
             "mechanism": steady.class.mechanism().name(),
+            "marginal_within_law": steady.marginal_within_law(),
             "equivalent_damping": steady.linearisation.equivalent_damping(),
+            "equivalent_damping_error": steady.equivalent_damping_error(),
             "critical_shear_strength": self.critical_shear_strength,
+            "critical_shear_strength_within_law": self.critical_shear_strength_within_law,
             "critical_load": self.critical_load,
+            "critical_load_within_law": self.critical_load_within_law,
             "growth_shares": { "damping": self.shares.damping, "stiffness": self.shares.stiffness },
             "sensitivities": {
                 "damping": sensitivity(self.sensitivities.damping),
@@ -217,12 +281,7 @@ impl Point {
     /// What `judder point` prints on a terminal.
     #[must_use]
     pub fn text(&self) -> String {
-        let verdict = self.steady.verdict();
-        let mechanism = match self.steady.class.mechanism() {
-            judder_oscillator::Mechanism::None => String::new(),
-            mechanism => format!(", by {}", mechanism.name()),
-        };
-        let mut text = format!("{verdict}{mechanism}\n\n");
+        let mut text = format!("{}\n\n", self.steady.verdict_in_words());
         text.push_str(&columns(&self.state_rows()));
         text.push_str("\neigenvalues λ/ω_nx\n");
         let eigenvalues = self.steady.eigenvalues.map(|l| vec![number(l.re), format!("{} i", number(l.im))]);
@@ -230,10 +289,7 @@ impl Point {
         text.push_str("\ngrowth rate fed by each entry of C and K\n");
         text.push_str(&columns(&self.share_rows()));
         text.push_str("\nthresholds without damping (eqs. 27, 28)\n");
-        text.push_str(&columns(&[
-            vec!["critical shear strength τ0/E0*".to_owned(), list(&self.critical_shear_strength)],
-            vec!["critical load F_n/(E0* R²)".to_owned(), list(&self.critical_load)],
-        ]));
+        text.push_str(&columns(&self.threshold_rows()));
         if let Some(condition) = &self.quasi_steady {
             text.push_str("\nthe law of steady sliding in motion\n");
             text.push_str(&columns(&condition.rows()));
@@ -249,22 +305,47 @@ impl Point {
     fn state_rows(&self) -> Vec<Vec<String>> {
         let steady = &self.steady;
         let response = &steady.equilibrium.response;
+        let damping_error = match steady.equivalent_damping_error() {
+            None => "± unknown".to_owned(),
+            Some(0.0) => String::new(),
+            Some(error) => format!("± {}", short(error)),
+        };
+        let growth_rates = match steady.growth_rate_within_law() {
+            None => "within the law: unknown".to_owned(),
+            Some([least, most]) if least == most => String::new(),
+            Some([least, most]) => format!("within the law: {} to {}", short(least), short(most)),
+        };
+        let certain = String::new;
         [
-            ("speed v τ/R", steady.groups.velocity),
-            ("load F_n/(E0* R²)", steady.groups.normal_load),
-            ("shear strength τ0/E0*", steady.groups.shear_strength),
-            ("indentation y/R", steady.equilibrium.indentation),
-            ("displacement x/x0", steady.equilibrium.x),
-            ("displacement y/x0", steady.equilibrium.y),
-            ("contact force F_k/(E0* R²)", response.force.value),
-            ("contact area A/R²", response.area.value),
-            ("viscoelastic friction μ_visc", response.friction.value),
-            ("equivalent damping ξ_eq", steady.linearisation.equivalent_damping()),
-            ("growth rate", steady.growth_rate()),
+            ("speed v τ/R", steady.groups.velocity, certain()),
+            ("load F_n/(E0* R²)", steady.groups.normal_load, certain()),
+            ("shear strength τ0/E0*", steady.groups.shear_strength, certain()),
+            ("indentation y/R", steady.equilibrium.indentation, certain()),
+            ("displacement x/x0", steady.equilibrium.x, certain()),
+            ("displacement y/x0", steady.equilibrium.y, certain()),
+            ("contact force F_k/(E0* R²)", response.force.value, certain()),
+            ("contact area A/R²", response.area.value, certain()),
+            ("viscoelastic friction μ_visc", response.friction.value, certain()),
+            ("equivalent damping ξ_eq", steady.linearisation.equivalent_damping(), damping_error),
+            ("growth rate", steady.growth_rate(), growth_rates),
         ]
         .into_iter()
-        .map(|(name, value)| vec![name.to_owned(), number(value)])
+        .map(|(name, value, error)| vec![name.to_owned(), number(value), error])
         .collect()
+    }
+
+    /// The thresholds without damping, and where the errors of the law leave them.
+    pub(crate) fn threshold_rows(&self) -> Vec<Vec<String>> {
+        let rows = |name: &str, found: &[f64], open: &Option<Ranges>| {
+            let own = vec![name.to_owned(), list(found)];
+            let open = ranges_text(open).map(|open| vec!["  within the law".to_owned(), open]);
+            [Some(own), open].into_iter().flatten()
+        };
+        let strengths = (&self.critical_shear_strength, &self.critical_shear_strength_within_law);
+        let loads = (&self.critical_load, &self.critical_load_within_law);
+        rows("critical shear strength τ0/E0*", strengths.0, strengths.1)
+            .chain(rows("critical load F_n/(E0* R²)", loads.0, loads.1))
+            .collect()
     }
 
     fn share_rows(&self) -> Vec<Vec<String>> {

@@ -127,9 +127,8 @@ fn oscillator(file: &CaseFile, case: &OscillatorCase) -> Result<Resolved, StudyE
     text.push_str("\nat the operating point\n");
     let document_limits = match &limits {
         Ok(point) => {
-            let verdict = point.steady.class.name().to_owned();
             text.push_str(&columns(&[
-                vec!["steady sliding".to_owned(), verdict],
+                vec!["steady sliding".to_owned(), point.steady.verdict_in_words()],
                 vec!["growth rate".to_owned(), number(point.steady.growth_rate())],
                 vec!["critical shear strength (undamped)".to_owned(), list(&point.critical_shear_strength)],
                 vec!["critical load (undamped)".to_owned(), list(&point.critical_load)],

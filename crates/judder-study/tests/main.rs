@@ -18,6 +18,7 @@ mod sliding_cases;
 mod structure;
 mod substrates;
 mod sweep;
+mod within_law;
 mod zones;
 
 use judder_case::CaseFile;

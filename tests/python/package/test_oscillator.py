@@ -34,6 +34,8 @@ def test_a_point_is_that_of_the_command_to_the_last_digit(keys, command, tmp_pat
     assert [[value.real, value.imag] for value in point.eigenvalues] == told["eigenvalues"]
     assert point.damping.tolist() == told["damping"] and point.stiffness.tolist() == told["stiffness"]
     assert (point.growth_rate, point.verdict, point.mechanism) == tuple(told[key] for key in ("growth_rate", "verdict", "mechanism"))
+    errors = ("equivalent_damping_error", "growth_rate_error", "marginal_within_law")
+    assert [getattr(point, key) for key in errors] == [told[key] for key in errors] == [0.0, 0.0, False]
     assert (point.x, point.y, point.indentation) == tuple(told["equilibrium"][key] for key in ("x", "y", "indentation"))
     assert (point.force, point.area, point.viscoelastic_friction) == tuple(told["contact"].values())
     assert point.critical_load.tolist() == told["critical_load"]

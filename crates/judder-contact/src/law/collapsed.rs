@@ -70,6 +70,11 @@ impl CollapsedLaw {
         Ok(Self { data: LawData { origin, speeds, values, errors }, reference, pieces, doubts })
     }
 
+    /// Whether there are knots enough to tell its errors.
+    pub(super) fn knows_its_errors(&self) -> bool {
+        self.doubts.is_some()
+    }
+
     /// What it is made of: origin, knots, values, errors.
     #[must_use]
     pub fn data(&self) -> &LawData {

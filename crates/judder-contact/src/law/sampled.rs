@@ -71,6 +71,11 @@ impl SampledLaw {
         Ok(Self { samples, errors, speeds, depths, patches, doubts })
     }
 
+    /// Whether there are knots enough to tell its errors.
+    pub(super) fn knows_its_errors(&self) -> bool {
+        self.doubts.is_some()
+    }
+
     /// What it is made of.
     #[must_use]
     pub fn samples(&self) -> &Samples {

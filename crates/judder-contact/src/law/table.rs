@@ -163,6 +163,11 @@ impl TabulatedLaw {
         Ok(Self { data, indentations, reference, patches, doubts, errors_by_axis })
     }
 
+    /// Whether there are knots enough to tell its errors.
+    pub(super) fn knows_its_errors(&self) -> bool {
+        self.doubts.is_some()
+    }
+
     /// What it is made of: origin, knots along the speed, values, errors.
     #[must_use]
     pub fn data(&self) -> &LawData {

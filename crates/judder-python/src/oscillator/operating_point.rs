@@ -207,6 +207,18 @@ impl OscillatorPoint {
         self.steady.verdict()
     }
 
+    /// How far the growth rate may be off by the errors of the contact law; 0 for a formula, ``None`` where they are not known.
+    #[getter]
+    fn growth_rate_error(&self) -> Option<f64> {
+        self.steady.growth_rate_error()
+    }
+
+    /// Whether the contact law with its errors has other verdicts too; ``None`` where its errors are not known.
+    #[getter]
+    fn marginal_within_law(&self) -> Option<bool> {
+        self.steady.marginal_within_law()
+    }
+
     /// What carries an instability: ``"flutter"``, ``"negative-damping"``, ``"both"``, ``"normal-force-coupling"``, ``"destabilised-by-damping"``, or ``"none"``.
     #[getter]
     fn mechanism(&self) -> &'static str {
@@ -229,6 +241,12 @@ impl OscillatorPoint {
     #[getter]
     fn equivalent_damping(&self) -> f64 {
         self.steady.linearisation.equivalent_damping()
+    }
+
+    /// How far ξ_eq may be off by the errors of the contact law; 0 for a formula, ``None`` where they are not known.
+    #[getter]
+    fn equivalent_damping_error(&self) -> Option<f64> {
+        self.steady.equivalent_damping_error()
     }
 
     /// The displacement x/x0 of steady sliding, with x0 = F_n/k_x.
@@ -293,10 +311,14 @@ impl OscillatorPoint {
 
     fn __repr__(&self) -> String {
         let (verdict, rate) = (self.steady.verdict(), self.steady.growth_rate());
+        let within = match self.steady.marginal_within_law() {
+            Some(true) => ", marginal within the law",
+            _ => "",
+        };
         match self.steady.class.mechanism() {
-            Mechanism::None => format!("OscillatorPoint({verdict}, growth rate {rate:.6e})"),
+            Mechanism::None => format!("OscillatorPoint({verdict}{within}, growth rate {rate:.6e})"),
             mechanism => {
-                format!("OscillatorPoint({verdict} by {}, growth rate {rate:.6e})", mechanism.name())
+                format!("OscillatorPoint({verdict} by {}{within}, growth rate {rate:.6e})", mechanism.name())
             }
         }
     }

@@ -1,0 +1,175 @@
+//! Verdicts with the errors of the law in them: laws through values that are off, as those of contacts that are solved one by one.
+
+use judder_case::{Case, CaseFile, OscillatorInputs};
+use judder_contact::law::file::to_json;
+use judder_contact::law::{PerQuantity, SampledLaw, Samples};
+use judder_contact::{ContactLaw, ContactPoint, ContactResponse, FittedLaw, Law};
+use judder_oscillator::{Contact, Groups};
+use judder_study::point::{Point, SteadyPoint, point};
+use judder_study::{Silent, bridge};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// What the values of two laws of one rubber may be off: the factor 5 of laws of accuracies 1e-2 and 5e-2.
+const ERRORS: [f64; 2] = [4e-3, 2e-2];
+
+/// An error between −1 and 1 for each place.
+fn noise(place: usize) -> f64 {
+    let bits = (place as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    let bits = (bits ^ (bits >> 32)).wrapping_mul(0xD6E8_FEB8_6659_FD93);
+    (bits >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+}
+
+/// A law file through values of the paper's law at so many speeds and depths, each off by up to `error` on its own.
+fn law_file(folder: &Path, error: f64, [speeds, depths]: [usize; 2]) -> PathBuf {
+    let between = |from: f64, to: f64, count: usize| -> Vec<f64> {
+        (0..count).map(|k| from * (to / from).powf(k as f64 / (count - 1) as f64)).collect()
+    };
+    let (velocities, indentations) = (between(1e-9, 1e3, speeds), between(1e-9, 1e-1, depths));
+    let law = FittedLaw::oscillator_paper();
+    let responses: Vec<ContactResponse> = indentations
+        .iter()
+        .flat_map(|y| velocities.iter().map(|v| law.evaluate(&ContactPoint::new(*v, *y))))
+        .collect();
+    let of = |quantity: usize, value: fn(&ContactResponse) -> f64| {
+        let off = |(k, r): (usize, &ContactResponse)| value(r) * (1.0 + error * noise(3 * k + quantity));
+        responses.iter().enumerate().map(off).collect()
+    };
+    let values = PerQuantity {
+        force: of(0, |r| r.force.value),
+        area: of(1, |r| r.area.value),
+        friction: of(2, |r| r.friction.value),
+    };
+    let samples = Samples { source: "test".to_owned(), velocities, indentations, values };
+    let law = Law::Sampled(Arc::new(SampledLaw::new(samples).unwrap()));
+    let path = folder.join(format!("law-{error}-{speeds}.json"));
+    std::fs::write(&path, to_json(&law).unwrap().unwrap()).unwrap();
+    path
+}
+
+fn case(law: &str, rest: &str) -> CaseFile {
+    let text =
+        format!("model = \"oscillator\"\n[contact]\nlaw = {law}\nfriction_load = \"contact-force\"\n{rest}");
+    CaseFile::parse("case.toml", &text, &[]).unwrap()
+}
+
+fn from_file(path: &Path) -> String {
+    format!("{{ file = {:?} }}", path.display().to_string())
+}
+
+fn point_of(law: &str, velocity: f64, shear_strength: f64) -> Point {
+    let rest = format!("shear_strength = {shear_strength}\n[operation]\nvelocity = {velocity}\n");
+    let Case::Oscillator(case) = case(law, &rest).case else { panic!() };
+    point(&case).unwrap()
+}
+
+/// The class of the wiper's flipped verdict: of two laws of one rubber one says stable, the other unstable.
+#[test]
+fn of_two_verdicts_that_contradict_each_other_one_is_marginal() {
+    let folder = tempfile::tempdir().unwrap();
+    let cases = ERRORS.map(|error| case(&from_file(&law_file(folder.path(), error, [61, 33])), ""));
+    let contacts = cases.each_ref().map(|file| {
+        let Case::Oscillator(case) = &file.case else { panic!() };
+        (bridge::contact_of(case, &Silent).unwrap().contact, case.inputs)
+    });
+    let (mut all, mut flipped, mut decided) = (0, 0, 0);
+    for shear_strength in [1e-3, 3e-2, 0.3] {
+        for k in 0..120 {
+            let velocity = 10_f64.powf(-7.0 + f64::from(k) / 16.0);
+            let at = |(contact, inputs): &(Contact, OscillatorInputs)| {
+                let groups = Groups { velocity, shear_strength, ..bridge::groups(inputs) };
+                SteadyPoint::new(contact, groups).unwrap()
+            };
+            let [fine, coarse] = contacts.each_ref().map(at);
+            let marginal = [&fine, &coarse].map(|point| point.marginal_within_law().unwrap());
+            all += 1;
+            decided += usize::from(!marginal[0]);
+            if fine.verdict() != coarse.verdict() {
+                flipped += 1;
+                assert!(marginal.contains(&true), "{velocity} {shear_strength}");
+            }
+        }
+    }
+    let told = format!("{all} points: {flipped} flipped, {decided} decided by the finer law");
+    println!("{told}");
+    assert!(flipped > 4, "nothing to tell: {told}");
+    assert!(2 * decided > all, "what is never decided is never wrong: {told}");
+}
+
+#[test]
+fn a_point_says_what_the_law_leaves_of_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let law = from_file(&law_file(folder.path(), ERRORS[1], [61, 33]));
+    let mut kinds = [0; 2];
+    for velocity in [1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2] {
+        let point = point_of(&law, velocity, 1e-3);
+        let document = point.json();
+        assert!(document["equivalent_damping_error"].as_f64().unwrap() > 0.0);
+        let rate = document["growth_rate"].as_f64().unwrap();
+        let [least, most] = point.steady.growth_rate_within_law().unwrap();
+        assert!(least <= rate && rate <= most && least < most);
+        assert_eq!(document["growth_rate_error"].as_f64().unwrap(), (most - rate).max(rate - least));
+        let is_marginal = document["marginal_within_law"].as_bool().unwrap();
+        kinds[usize::from(is_marginal)] += 1;
+        let told = point.text().starts_with("marginal within the law; nominally ");
+        let warned = point.warnings.iter().any(|warning| warning.contains("errors of the law decide"));
+        assert!(told == is_marginal && warned == is_marginal, "{}", point.text());
+        // the nominal verdict stands beside it
+        assert!(document["verdict"] == "stable" || document["verdict"] == "unstable");
+    }
+    assert!(kinds[0] > 0 && kinds[1] > 0, "{kinds:?}");
+}
+
+/// The thresholds of the law that is not off lie where a law through its values leaves them.
+#[test]
+fn thresholds_of_a_point_have_the_ranges_of_the_law() {
+    let folder = tempfile::tempdir().unwrap();
+    let law = from_file(&law_file(folder.path(), ERRORS[1], [61, 33]));
+    let mut found = 0;
+    for velocity in [1e-4, 1e-3, 1e-2] {
+        let (own, right) = (point_of(&law, velocity, 0.03), point_of("\"oscillator-paper\"", velocity, 0.03));
+        for (roots, ranges) in [
+            (&right.critical_shear_strength, &own.critical_shear_strength_within_law),
+            (&right.critical_load, &own.critical_load_within_law),
+        ] {
+            let ranges = ranges.as_ref().unwrap();
+            for root in roots {
+                found += 1;
+                assert!(ranges.iter().any(|[from, to]| from <= root && root <= to), "{root} {ranges:?}");
+            }
+        }
+        assert!(own.text().contains("  within the law"));
+    }
+    assert!(found > 3, "{found}");
+}
+
+#[test]
+fn a_formula_has_no_errors() {
+    let document = point_of("\"oscillator-paper\"", 1e-3, 0.03).json();
+    assert_eq!(document["equivalent_damping_error"], 0.0);
+    assert_eq!(document["growth_rate_error"], 0.0);
+    assert_eq!(document["marginal_within_law"], false);
+    assert_eq!(document["critical_shear_strength_within_law"].as_array().unwrap().len(), 0);
+}
+
+/// Two speeds say nothing of what lies between them.
+#[test]
+fn errors_that_are_not_known_are_not_zero() {
+    let folder = tempfile::tempdir().unwrap();
+    let point = point_of(&from_file(&law_file(folder.path(), 0.0, [2, 33])), 1e-3, 0.03);
+    let document = point.json();
+    for key in
+        ["equivalent_damping_error", "growth_rate_error", "growth_rate_within_law", "marginal_within_law"]
+    {
+        assert!(document[key].is_null(), "{key}");
+    }
+    for key in ["critical_shear_strength_within_law", "critical_load_within_law"] {
+        assert!(document[key].is_null(), "{key}");
+    }
+    assert!(
+        point.warnings.iter().any(|warning| warning.contains("to tell its errors")),
+        "{:?}",
+        point.warnings
+    );
+    assert!(point.text().contains("the errors of the law are not known here"), "{}", point.text());
+}

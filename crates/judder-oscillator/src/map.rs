@@ -2,6 +2,7 @@
 
 mod adaptive;
 mod every_point;
+mod within_law;
 
 use crate::Contact;
 use crate::groups::Coefficients;
@@ -9,6 +10,10 @@ use crate::mechanism::StabilityClass;
 
 pub use adaptive::{AdaptiveMap, CoarseMap, CoarselyDecided, adaptive};
 pub use every_point::{TILE_ROWS, every_point};
+pub use within_law::{LawStanding, within_law};
+
+/// Intervals of the coarse grid along each side: what is narrower than the map's side over this can escape.
+const COARSE_INTERVALS: usize = 40;
 
 /// A rectangular grid of operating points: columns along the first swept quantity, rows along the second.
 pub trait Plane: Sync {
@@ -123,4 +128,13 @@ pub fn stability_map(contact: &Contact, plane: &impl Plane, method: Method) -> S
         Method::Adaptive => adaptive(contact, plane),
         Method::EveryPoint => every_point(contact, plane),
     }
+}
+
+/// The lines of the coarse grid, the first and the last of the map among them.
+fn coarse_lines(count: usize) -> Vec<usize> {
+    let mut lines: Vec<usize> = (0..count).step_by((count / COARSE_INTERVALS).max(1)).collect();
+    if lines.last().is_some_and(|last| last + 1 < count) {
+        lines.push(count - 1);
+    }
+    lines
 }

@@ -55,6 +55,8 @@ pub enum Role {
     Knock,
     /// Area: no instability, and not known what a knock does; dotted.
     KnockUnknown,
+    /// Area: the errors of the contact law decide, and there is no verdict; cross-hatched.
+    WithinLaw,
     /// Area: the indenter moves with the substrate.
     Stick,
     /// Area: it slides ahead of the substrate.
@@ -113,6 +115,7 @@ impl Role {
             Self::Unresolved => Colour(0x8c, 0x8c, 0x8c),
             Self::Knock => Colour(0xfb, 0xdc, 0xd4),
             Self::KnockUnknown => Colour(0xf7, 0xec, 0xe9),
+            Self::WithinLaw => Colour(0xdf, 0xdf, 0xe6),
             Self::FullBoundary | Self::ConservativeBoundary => Colour(0, 0, 0),
             Self::DecoupledBoundary => Colour(0xc8, 0x10, 0x2e),
             Self::Mode(index) | Self::Series(index) => QUALITATIVE[index % QUALITATIVE.len()],
@@ -159,6 +162,7 @@ impl Role {
         match self {
             Self::Knock => Some(("M0 0H0.9V4H0z", -45.0)),
             Self::KnockUnknown => Some(("M1 1h1.1v1.1h-1.1z", 45.0)),
+            Self::WithinLaw => Some(("M0 0H0.7V4H0z M0 0V0.7H4V0z", 45.0)),
             _ => None,
         }
     }

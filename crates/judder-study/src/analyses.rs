@@ -19,7 +19,7 @@ pub use motion::MotionBlock;
 pub(crate) use motion::{becomes, belt};
 pub(crate) use sliding::locus_conditions;
 pub use stability_map::{BoundaryCurves, BoundaryKind, boundary_curves};
-pub(crate) use stability_map::{NONE_MOVED, ONE_WAY, STARTS_IT, UNKNOWN, class_name};
+pub(crate) use stability_map::{NONE_MOVED, ONE_WAY, STARTS_IT, UNKNOWN, WITHIN_LAW, class_name};
 pub(crate) use steady_states::SteadyState;
 
 use crate::bridge::{self, CaseContact};

@@ -7,6 +7,7 @@ use crate::progress::Progress;
 use judder_case::{Form, OscillatorInputs, OscillatorKey, Value};
 use judder_oscillator::map::{
     AdaptiveMap, CoarseMap, CoefficientPlane, Method, Plane, StabilityMap, SweptCoefficient, every_point,
+    within_law,
 };
 use judder_oscillator::spectrum::{eigenvalues, growth_rate};
 use judder_oscillator::{Coefficients, Contact};
@@ -107,6 +108,18 @@ impl KeyPlane {
         }
         let base = bridge::coefficients(&self.inputs(0, 0));
         Some(CoefficientPlane { base, x: (x, self.x.values.clone()), y: (y, self.y.values.clone()) })
+    }
+
+    /// What the errors of the law leave of the verdicts of a map of this plane: codes of [`LawStanding`](judder_oscillator::map::LawStanding), row by row.
+    /// `None` where `interrupted` said so.
+    #[must_use]
+    pub fn within_law(
+        &self,
+        contact: &Contact,
+        (map, method): (&StabilityMap, Method),
+        interrupted: &(dyn Fn() -> bool + Sync),
+    ) -> Option<Vec<u8>> {
+        within_law(contact, self, map, method, interrupted)
     }
 
     /// The growth rate at every point in units of ω_nx, row by row; NaN where there is no equilibrium.

@@ -111,7 +111,7 @@ impl SteadyPoint {
         match self.marginal_within_law() {
             Some(false) => nominal,
             Some(true) => format!("{MARGINAL}; nominally {nominal}"),
-            None => format!("{nominal}; the errors of the law are not known here"),
+            None => format!("{nominal}; what the errors of the law leave of it is not known here"),
         }
     }
 }

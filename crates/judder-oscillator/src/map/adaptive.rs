@@ -8,13 +8,10 @@
 
 mod canvas;
 
-use super::{Plane, StabilityMap};
+use super::{Plane, StabilityMap, coarse_lines};
 use crate::Contact;
 use canvas::Canvas;
 use std::convert::Infallible;
-
-/// Intervals of the coarse grid along each side: what is narrower than the map's side over this can escape.
-const COARSE_INTERVALS: usize = 40;
 
 /// Decides the map on a coarse grid, then along its boundaries.
 #[must_use]
@@ -110,15 +107,6 @@ impl<P: Plane> CoarselyDecided<'_, P> {
             }
         }
     }
-}
-
-/// The lines of the coarse grid, the first and the last of the map among them.
-fn coarse_lines(count: usize) -> Vec<usize> {
-    let mut lines: Vec<usize> = (0..count).step_by((count / COARSE_INTERVALS).max(1)).collect();
-    if lines.last().is_some_and(|last| last + 1 < count) {
-        lines.push(count - 1);
-    }
-    lines
 }
 
 /// Two points of one row or one column, and the step that leads from point to point between them.

@@ -34,7 +34,7 @@ impl Document {
              patternTransform=\"rotate(45)\"><rect width=\"4\" height=\"4\" fill=\"{UNRESOLVED_GROUND}\"/>\
              <rect width=\"1.2\" height=\"4\" fill=\"{hatch}\"/></pattern></defs>"
         ));
-        for role in [Role::Knock, Role::KnockUnknown] {
+        for role in [Role::Knock, Role::KnockUnknown, Role::WithinLaw] {
             if uses(figure, role) {
                 document.define_pattern(role);
             }
@@ -55,7 +55,12 @@ impl Document {
     }
 
     fn pattern_name(&self, role: Role) -> String {
-        format!("{}-{}", self.name, if role == Role::Knock { "knock" } else { "knock-unknown" })
+        let pattern = match role {
+            Role::Knock => "knock",
+            Role::WithinLaw => "within-law",
+            _ => "knock-unknown",
+        };
+        format!("{}-{pattern}", self.name)
     }
 
     /// Adds an element and a line end.
@@ -85,7 +90,9 @@ impl Document {
     pub(super) fn area_fill(&self, role: Role) -> String {
         match role {
             Role::Unresolved => format!("url(#{}-hatch)", self.name),
-            Role::Knock | Role::KnockUnknown => format!("url(#{})", self.pattern_name(role)),
+            Role::Knock | Role::KnockUnknown | Role::WithinLaw => {
+                format!("url(#{})", self.pattern_name(role))
+            }
             _ => role.colour().to_string(),
         }
     }

@@ -3,6 +3,7 @@
 mod arrays;
 mod knock;
 mod overlays;
+mod within_law;
 
 use super::axis::Axis;
 use super::steady_states::{SteadyState, validity_warnings};
@@ -23,6 +24,7 @@ pub(crate) use arrays::{ONE_WAY, class_name};
 pub(crate) use knock::{NONE_MOVED, STARTS_IT, UNKNOWN};
 pub use overlays::{BoundaryCurves, BoundaryKind, boundary_curves};
 pub(super) use overlays::{Overlay, incomplete};
+pub(crate) use within_law::WITHIN_LAW;
 
 /// Points along each side of the grid on which checks are made and the law's range of validity is looked at.
 const CHECKED_SIDE: usize = 24;
@@ -69,6 +71,10 @@ pub(super) fn run(
     outcome.checks.extend(overlays::check(&overlays));
     outcome.warnings.extend(incomplete(&overlays));
     outcome.warnings.extend(unresolved_warning(&map));
+    if !contact.law.is_formula() {
+        let codes = plane.within_law(contact, (&map, method), &|| progress.interrupted());
+        within_law::add(&mut outcome, (&x, &y, &map), codes.ok_or(StudyError::Interrupted)?)?;
+    }
     if settings.global_margin {
         knock::add(&mut outcome, (case, contact), settings, (&x, &y, &map), progress)?;
     }

@@ -1,7 +1,8 @@
 //! Stability maps.
 
 use super::{axis, reals};
-use crate::analyses::{NONE_MOVED, ONE_WAY, STARTS_IT, UNKNOWN};
+use crate::analyses::{NONE_MOVED, ONE_WAY, STARTS_IT, UNKNOWN, WITHIN_LAW};
+use judder_oscillator::map::LawStanding;
 use judder_oscillator::mechanism::StabilityClass;
 use judder_report::figure::{Class, ClassMap};
 use judder_report::{Layer, Panel, Role};
@@ -33,7 +34,11 @@ pub(super) fn stability_map(dataset: &Dataset) -> Option<Panel> {
         Some(ONE_WAY) => "one-way coupling by speed",
         _ => "normal-force coupling",
     };
-    let (codes, classes) = drawn_classes(codes, super::codes(dataset, "knock"), one_way);
+    let (codes, mut classes) = drawn_classes(codes, super::codes(dataset, "knock"), one_way);
+    let codes = match super::codes(dataset, WITHIN_LAW) {
+        Some(standing) => without_verdict(codes, &mut classes, standing),
+        None => codes,
+    };
     let mut layers = vec![Layer::Classes(ascending(columns, rows, &codes, classes))];
     for (name, label, role) in [
         ("decoupled_boundary", "boundary for $η = 0$", Role::DecoupledBoundary),
@@ -74,6 +79,21 @@ fn drawn_classes(codes: &[u8], knock: Option<&[u8]>, one_way: &str) -> (Vec<u8>,
     let place = |key: (u8, u8)| classes.iter().position(|class| class.0 == key).unwrap_or(0) as u8;
     let places = (0..codes.len()).map(|k| place((codes[k], knock_at(k)))).collect();
     (places, classes.into_iter().map(|(_, class)| class).collect())
+}
+
+/// The places with one more class, for points whose verdict the errors of the law decide: none of theirs is drawn. The classes that still occur stay.
+fn without_verdict(mut places: Vec<u8>, classes: &mut Vec<Class>, standing: &[u8]) -> Vec<u8> {
+    let marginal = classes.len() as u8;
+    for (place, standing) in places.iter_mut().zip(standing) {
+        if *standing == LawStanding::Marginal as u8 {
+            *place = marginal;
+        }
+    }
+    classes.push(Class::new("marginal within the law", Role::WithinLaw));
+    let kept: Vec<u8> = (0..=marginal).filter(|place| places.contains(place)).collect();
+    *classes = kept.iter().filter_map(|place| classes.get(usize::from(*place)).cloned()).collect();
+    let place = |old: &u8| kept.iter().position(|kept| kept == old).unwrap_or(0) as u8;
+    places.iter().map(place).collect()
 }
 
 /// Points along each side of a drawn map: more than a panel has pixels would only make the page heavy.

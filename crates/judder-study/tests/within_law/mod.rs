@@ -1,10 +1,13 @@
 //! Verdicts with the errors of the law in them: laws through values that are off, as those of contacts that are solved one by one.
 
+use crate::{number, run_into};
 use judder_case::{Case, CaseFile, OscillatorInputs};
 use judder_contact::law::file::to_json;
 use judder_contact::law::{PerQuantity, SampledLaw, Samples};
 use judder_contact::{ContactLaw, ContactPoint, ContactResponse, FittedLaw, Law};
+use judder_oscillator::mechanism::StabilityClass;
 use judder_oscillator::{Contact, Groups};
+use judder_store::{Data, StudyFolder};
 use judder_study::point::{Point, SteadyPoint, point};
 use judder_study::{Silent, bridge};
 use std::path::{Path, PathBuf};
@@ -171,5 +174,75 @@ fn errors_that_are_not_known_are_not_zero() {
         "{:?}",
         point.warnings
     );
-    assert!(point.text().contains("the errors of the law are not known here"), "{}", point.text());
+    assert!(point.text().contains("of the law leave of it is not known here"), "{}", point.text());
+}
+
+const MAP: &str = "[[analysis]]\nname = \"map\"\nkind = \"stability-map\"\nboundaries = false\n\
+    x = { key = \"operation.velocity\", from = 1e-7, to = 1e-1, points = 121, scale = \"log\" }\n\
+    y = { key = \"contact.shear_strength\", from = 1e-4, to = 1, points = 101, scale = \"log\" }\n";
+
+/// Of two maps of one rubber every point whose verdicts differ is marginal within the law in one of them.
+#[test]
+fn of_two_maps_that_contradict_each_other_one_is_marginal() {
+    let folder = tempfile::tempdir().unwrap();
+    let [fine, coarse] = ERRORS.map(|error| {
+        let file = case(&from_file(&law_file(folder.path(), error, [61, 33])), MAP);
+        let study = folder.path().join(format!("study-{error}"));
+        let report = run_into(&study, &file, &[]);
+        let svg = std::fs::read_to_string(study.join("figures/map.svg")).unwrap();
+        assert!(svg.contains("marginal within the law") && svg.contains("-within-law"), "not hatched");
+        let result = report.summary.results["map"].clone();
+        let said = format!("{:?}", report.messages);
+        assert!(said.contains("the verdict is marginal within the law"), "{said}");
+        (result, codes(&study, "stability"), codes(&study, "within_law"))
+    });
+    let unstable = |code: u8| StabilityClass::from_code(code).is_unstable();
+    let (mut differ, mut contradicted) = (0, 0);
+    for k in 0..fine.1.len() {
+        if unstable(fine.1[k]) != unstable(coarse.1[k]) {
+            differ += 1;
+            contradicted += usize::from(fine.2[k] == 0 && coarse.2[k] == 0);
+        }
+    }
+    assert!(differ > 50 && contradicted == 0, "{contradicted} of {differ}");
+    for (result, _, standing) in [&fine, &coarse] {
+        let marginal = standing.iter().filter(|code| **code == 1).count();
+        assert_eq!(number(&result["marginal_within_law_fraction"]), marginal as f64 / standing.len() as f64);
+        assert_eq!(number(&result["unknown_within_law_fraction"]), 0.0);
+    }
+    let marginal =
+        |result: &serde_json::Map<String, serde_json::Value>| number(&result["marginal_within_law_fraction"]);
+    assert!(marginal(&fine.0) < 0.5 * marginal(&coarse.0), "a finer law decides more");
+}
+
+/// What is looked at cell by cell is what is looked at point by point, but for islands inside a cell of 6 by 5 points.
+#[test]
+fn cells_hide_next_to_nothing_of_a_map() {
+    let folder = tempfile::tempdir().unwrap();
+    let law = from_file(&law_file(folder.path(), ERRORS[0], [61, 33]));
+    let map = MAP.replace("121", "241").replace("101", "201");
+    let [adaptive, whole] = ["", "method = \"every-point\"\n"].map(|method| {
+        let study = folder.path().join(format!("study{}", method.len()));
+        run_into(&study, &case(&law, &format!("{map}{method}")), &[]);
+        codes(&study, "within_law")
+    });
+    let away = adaptive.iter().zip(&whole).filter(|(a, b)| a != b).count();
+    let marginal = whole.iter().filter(|code| **code == 1).count();
+    println!("{away} of {marginal}");
+    assert!(marginal > 1000 && 200 * away < marginal, "{away} of {marginal}");
+}
+
+/// A formula decides everywhere, and its maps have no such array.
+#[test]
+fn a_map_of_a_formula_is_as_it_was() {
+    let folder = tempfile::tempdir().unwrap();
+    let report = run_into(folder.path(), &case("\"oscillator-paper\"", MAP), &[]);
+    assert!(report.summary.results["map"].get("marginal_within_law_fraction").is_none());
+    assert!(!folder.path().join("results.zarr/map/within_law").exists());
+}
+
+fn codes(study: &Path, name: &str) -> Vec<u8> {
+    let dataset = StudyFolder::open(study).unwrap().read_dataset("map").unwrap();
+    let Data::U8(codes) = &dataset.variable(name).unwrap().data else { panic!("{name}") };
+    codes.clone()
 }

@@ -1,6 +1,7 @@
 //! `critical-shear-strength`, `critical-load`: thresholds along one key (Figs. 7, 8).
 
 mod onsets;
+mod within_law;
 
 use super::axis::{Axis, Curves};
 use super::margins::{Crossing, Onset, fold_check};
@@ -12,6 +13,7 @@ use crate::progress::Progress;
 use judder_case::{Family, Form, OscillatorCase, OscillatorInputs, OscillatorKey, Sweep, Value, Within};
 use judder_oscillator::Contact;
 use judder_oscillator::critical::{Range, Scale, Thresholds, thresholds};
+use judder_oscillator::undecided::{Undecided, undecided};
 use judder_store::{Dataset, Table, Variable};
 use rayon::prelude::*;
 use serde_json::{Map, json};
@@ -69,6 +71,8 @@ struct Found {
     thresholds: Thresholds,
     /// One for each threshold of the full system.
     onsets: Vec<Option<Onset>>,
+    /// Where the errors of the law leave the thresholds; `None` where they are not known.
+    within_law: Option<Undecided>,
 }
 
 pub(super) fn run(
@@ -99,6 +103,9 @@ pub(super) fn run(
         })
         .collect::<Result<_, _>>()?;
     let mut outcome = assemble(sought, settings, (&axis, &curves), &found)?;
+    if !contact.law.is_formula() {
+        within_law::add(&mut outcome, (&axis, &curves), &found, sought.label(settings.within.form).1)?;
+    }
     let roots: Vec<(OscillatorInputs, &Thresholds)> =
         found.iter().map(|found| (found.inputs, &found.thresholds)).collect();
     outcome.checks = checks::thresholds(contact, &roots, |inputs, value| {
@@ -146,7 +153,10 @@ fn at_point(
         false => crossing.onset(*threshold),
     };
     let onsets = thresholds.full.iter().map(onset).collect();
-    Found { inputs, thresholds, onsets }
+    let roots = [thresholds.full.as_slice(), thresholds.conservative.as_slice()];
+    let is_known = contact.law.knows_its_errors();
+    let within_law = is_known.then(|| undecided(contact, (&crossing.range, samples), roots, at));
+    Found { inputs, thresholds, onsets, within_law }
 }
 
 fn assemble(

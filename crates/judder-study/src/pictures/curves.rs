@@ -122,7 +122,22 @@ pub(super) fn critical(dataset: &Dataset) -> Option<Panel> {
         layers.push(Layer::key("without damping", Role::ConservativeBoundary));
     }
     layers.extend(folds(dataset, &swept));
+    layers.extend(within_law(dataset, &swept));
     Some(Panel::new(axis(swept.axis), Axis::log(label), layers))
+}
+
+/// The ranges in which the errors of the law leave the thresholds of the full system, a stroke each.
+fn within_law(dataset: &Dataset, swept: &Swept<'_>) -> Option<Layer> {
+    let (from, to) = (reals(dataset, "full_within_law_from")?, reals(dataset, "full_within_law_to")?);
+    let most = *dataset.variable("full_within_law_from")?.shape.last()?;
+    let points = swept.values.len();
+    let is_range = |k: &usize| from[*k].is_finite() && to[*k].is_finite();
+    let strokes = (0..from.len()).filter(is_range).map(|k| {
+        let value = swept.values[k / most % points];
+        (vec![value; 2], vec![from[k], to[k]])
+    });
+    let (x, y) = apart(strokes);
+    (!x.is_empty()).then(|| Layer::line("full system, within the law", x, y, Role::Reference.solid()))
 }
 
 /// The folds beside the thresholds, how far lost branches are known, and which thresholds are sub- or supercritical; nothing

@@ -246,3 +246,55 @@ fn codes(study: &Path, name: &str) -> Vec<u8> {
     let Data::U8(codes) = &dataset.variable(name).unwrap().data else { panic!("{name}") };
     codes.clone()
 }
+
+/// The thresholds of the law that is not off lie in the ranges of laws that are, which hold their own thresholds as well.
+#[test]
+fn thresholds_have_the_ranges_of_the_law() {
+    let analysis = "[[analysis]]\nname = \"a\"\nkind = \"critical-shear-strength\"\nglobal_margin = false\n\
+        sweep = { key = \"operation.velocity\", from = 1e-5, to = 1e-2, points = 7, scale = \"log\" }\n\
+        within = { from = 1e-4, to = 10 }\n";
+    let folder = tempfile::tempdir().unwrap();
+    let study = |name: &str, law: &str| {
+        let report = run_into(&folder.path().join(name), &case(law, analysis), &[]);
+        report.summary.results["a"].clone()
+    };
+    let lists =
+        |result: &serde_json::Map<String, serde_json::Value>, key: &str| -> Vec<Vec<serde_json::Value>> {
+            result[key].as_array().unwrap().iter().map(|list| list.as_array().unwrap().clone()).collect()
+        };
+    let right = study("right", "\"oscillator-paper\"");
+    assert!(right.get("full_within_law").is_none());
+    let own = study("own", &from_file(&law_file(folder.path(), ERRORS[1], [61, 33])));
+    let (mut found, mut width) = (0, 0.0_f64);
+    for system in ["full", "conservative"] {
+        let ranges = lists(&own, &format!("{system}_within_law"));
+        for result in [&right, &own] {
+            for (roots, ranges) in lists(result, system).iter().zip(&ranges) {
+                for root in roots.iter().map(number) {
+                    let range = ranges.iter().find(|r| number(&r[0]) <= root && root <= number(&r[1]));
+                    let range = range.unwrap_or_else(|| panic!("{system} {root} {ranges:?}"));
+                    width = width.max(number(&range[1]) / number(&range[0]));
+                    found += 1;
+                }
+            }
+        }
+    }
+    assert!(found > 20 && width > 1.01 && width < 1e3, "{found} {width}");
+    let table = std::fs::read_to_string(folder.path().join("own/a.csv")).unwrap();
+    assert!(table.lines().next().unwrap().ends_with(",within_law_from,within_law_to"), "{table}");
+    let figure = std::fs::read_to_string(folder.path().join("own/figures/a.svg")).unwrap();
+    assert!(figure.contains("within the law"));
+}
+
+#[test]
+fn thresholds_of_a_law_whose_errors_are_not_known_say_so() {
+    let analysis = "[[analysis]]\nname = \"a\"\nkind = \"critical-shear-strength\"\nglobal_margin = false\n\
+        sweep = { key = \"operation.velocity\", from = 1e-4, to = 1e-2, points = 3, scale = \"log\" }\n\
+        within = { from = 1e-3, to = 10 }\n";
+    let folder = tempfile::tempdir().unwrap();
+    let law = from_file(&law_file(folder.path(), 0.0, [2, 33]));
+    let report = run_into(&folder.path().join("study"), &case(&law, analysis), &[]);
+    let ranges = report.summary.results["a"]["full_within_law"].as_array().unwrap();
+    assert!(ranges.len() == 3 && ranges.iter().all(serde_json::Value::is_null), "{ranges:?}");
+    assert!(format!("{:?}", report.messages).contains("to tell its errors"), "{:?}", report.messages);
+}

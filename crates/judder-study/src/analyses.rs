@@ -25,11 +25,11 @@ pub(crate) use steady_states::SteadyState;
 use crate::bridge::{self, CaseContact};
 use crate::error::StudyError;
 use crate::kept::Kept;
+use crate::known_substrate::KnownSubstrate;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
-use crate::quasi_steady::{Condition, of_motions};
+use crate::quasi_steady::{Condition, corners, of_motions};
 use crate::sliding::SlidingSystem;
-use crate::spectrum_source::temperature_warning;
 use crate::structure::Structure;
 use judder_case::{
     Case, Family, MapMethod, OscillatorAnalysis, OscillatorCase, OscillatorKey, Sweep, Within,
@@ -161,8 +161,10 @@ fn in_contact(
     let CaseContact { contact, warnings } = bridge::contact(case, (&points, &keep), progress)?;
     let mut outcome = analysis(case, &contact)?;
     outcome.warnings.extend(warnings);
-    outcome.warnings.extend(temperature_warning(&case.substrate)?);
-    if let Some(condition) = Condition::of_analysis(case, &contact, &case.analyses[index].kind)? {
+    let (kind, substrate) = (&case.analyses[index].kind, KnownSubstrate::of(case)?);
+    outcome.warnings.extend(substrate.band_warning(&contact, corners(&case.inputs, kind)));
+    outcome.warnings.extend(substrate.temperature_warning);
+    if let Some(condition) = Condition::of_analysis((case, &substrate.terms), &contact, kind) {
         outcome.warnings.extend(condition.warning(of_motions(&outcome.scalars)));
         outcome.scalars.extend(condition.scalars());
     }

@@ -3,12 +3,11 @@
 use crate::bridge::{self, CaseContact};
 use crate::error::StudyError;
 use crate::input_file::KnownFile;
+use crate::known_substrate::KnownSubstrate;
 use crate::material::Material;
 use crate::point::{self, Point};
 use crate::progress::Progress;
-use crate::spectrum_source::temperature_warning;
 use judder_case::{OscillatorCase, OscillatorKey};
-use judder_contact::law::material::LawTerm;
 use judder_contact::{ContactLaw, ContactPoint};
 use judder_oscillator::Contact;
 use rayon::prelude::*;
@@ -24,10 +23,8 @@ pub struct ReadyCase {
     pub case: OscillatorCase,
     /// Its contact.
     pub contact: CaseContact,
-    /// The terms of its substrate.
-    pub(crate) terms: Vec<LawTerm>,
-    /// What is to be said of the temperature of its substrate.
-    pub temperature_warning: Option<String>,
+    /// What is to be said of its substrate.
+    pub(crate) substrate: KnownSubstrate,
 }
 
 impl ReadyCase {
@@ -37,8 +34,7 @@ impl ReadyCase {
     /// A group out of range, no (or more than one) equilibrium.
     pub fn point(&self) -> Result<Point, StudyError> {
         let point = point::analyse(&self.contact.contact, bridge::groups(&self.case.inputs))?;
-        let contact = (&self.contact, self.terms.as_slice());
-        Ok(point.in_contact(&self.case.inputs, contact, self.temperature_warning.clone()))
+        Ok(point.in_contact(&self.case.inputs, (&self.contact, &self.substrate)))
     }
 }
 
@@ -54,8 +50,7 @@ struct Entry {
     /// `None` where the numeric keys of the case say all.
     material: Option<Material>,
     contact: CaseContact,
-    terms: Vec<LawTerm>,
-    temperature_warning: Option<String>,
+    substrate: KnownSubstrate,
 }
 
 impl LawCache {
@@ -114,17 +109,16 @@ impl Entry {
         let files =
             case.files().into_iter().map(|file| KnownFile::new(&file.path)).collect::<Result<_, _>>()?;
         let found = Material::new(&case.substrate, &case.inputs)?;
-        let terms = found.of_law().terms;
+        let substrate = KnownSubstrate::with_material(case, &found)?;
         let material = case.substrate.decided_by().map(|_| found);
         let told = told(case, material.as_ref());
         let contact = bridge::contact_of(&told, progress)?;
-        let temperature_warning = temperature_warning(&case.substrate)?;
-        Ok(Self { key, files, material, contact, terms, temperature_warning })
+        Ok(Self { key, files, material, contact, substrate })
     }
 
     fn of(self, case: &OscillatorCase) -> ReadyCase {
-        let Self { material, contact, terms, temperature_warning, .. } = self;
-        ReadyCase { case: told(case, material.as_ref()), contact, terms, temperature_warning }
+        let Self { material, contact, substrate, .. } = self;
+        ReadyCase { case: told(case, material.as_ref()), contact, substrate }
     }
 }
 

@@ -4,6 +4,8 @@
 //!
 //! - [`bridge`]: from the keys of a case to the oscillator and its contact.
 //! - `input_file`, `spectrum_source`, `material`, `indenter`: the files that a case names, the substrate, the surface that presses.
+//! - `measured_band`: the frequencies that sliding excites, against those of measured moduli.
+//! - `known_substrate`: what is to be said of the substrate of an oscillator case.
 //! - `door`: what is refused of a contact case before anything runs.
 //! - `structure`: the structure of a case: elements assembled, matrices read.
 //! - `sliding`: the pair of a sliding case: both structures reduced, the contact between them.
@@ -39,10 +41,12 @@ mod indenter;
 mod input_file;
 mod kept;
 pub mod key_plane;
+mod known_substrate;
 mod labels;
 pub mod law_cache;
 mod ledger;
 mod material;
+mod measured_band;
 pub mod outcome;
 pub mod pictures;
 pub mod point;

@@ -2,14 +2,13 @@
 
 use crate::bridge::{self, CaseContact};
 use crate::error::StudyError;
+use crate::known_substrate::KnownSubstrate;
 use crate::progress::Silent;
-use crate::quasi_steady::{self, Condition};
-use crate::spectrum_source::temperature_warning;
+use crate::quasi_steady::Condition;
 use crate::text::{columns, list, number, short};
 use crate::within_law::{MARGINAL, ranges_text, told_marginal};
 use judder_case::{OscillatorCase, OscillatorInputs};
 use judder_contact::ContactLaw;
-use judder_contact::law::material::LawTerm;
 use judder_oscillator::critical::{Range, Scale, Thresholds, thresholds};
 use judder_oscillator::equilibrium::{Equilibrium, equilibrium};
 use judder_oscillator::growth::{GrowthShares, growth_shares, sensitivities};
@@ -153,22 +152,24 @@ pub fn point(case: &OscillatorCase) -> Result<Point, StudyError> {
 /// # Errors
 /// As [`point`].
 pub fn point_with(case: &OscillatorCase, contact: &CaseContact) -> Result<Point, StudyError> {
-    let terms = quasi_steady::terms(case)?;
+    let substrate = KnownSubstrate::of(case)?;
     let point = analyse(&contact.contact, bridge::groups(&case.inputs))?;
-    Ok(point.in_contact(&case.inputs, (contact, &terms), temperature_warning(&case.substrate)?))
+    Ok(point.in_contact(&case.inputs, (contact, &substrate)))
 }
 
 impl Point {
-    /// The point with what is to be said of its contact and of the terms of its substrate.
+    /// The point with what is to be said of its contact and of its substrate.
     pub(crate) fn in_contact(
         mut self,
         inputs: &OscillatorInputs,
-        (contact, terms): (&CaseContact, &[LawTerm]),
-        of_temperature: Option<String>,
+        (contact, substrate): (&CaseContact, &KnownSubstrate),
     ) -> Self {
-        self.quasi_steady = Condition::at(inputs, Some(&contact.contact), terms);
+        self.quasi_steady = Condition::at(inputs, Some(&contact.contact), &substrate.terms);
         let broken = self.quasi_steady.and_then(|condition| condition.warning(None));
-        self.warnings.extend(contact.warnings.iter().cloned().chain(of_temperature).chain(broken));
+        let of_band = substrate.band_warning(&contact.contact, [*inputs]);
+        let of_temperature = substrate.temperature_warning.clone();
+        self.warnings
+            .extend(contact.warnings.iter().cloned().chain(of_temperature).chain(of_band).chain(broken));
         self
     }
 }

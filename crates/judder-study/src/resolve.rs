@@ -9,15 +9,19 @@ mod sweeps;
 use crate::analyses::{ONE_WAY, class_name};
 use crate::bridge;
 use crate::error::StudyError;
+use crate::known_substrate::KnownSubstrate;
 use crate::material;
+use crate::measured_band::excited_at;
 use crate::point;
-use crate::quasi_steady::{self, Condition};
+use crate::quasi_steady::Condition;
 use crate::text::{columns, list, number};
 use judder_case::sweep::MAP_BYTES_PER_POINT;
 use judder_case::{
     Case, CaseFile, Form, KEYS, LawName, MapMethod, OscillatorAnalysis, OscillatorCase, TwoDegreesAnalysis,
     TwoDegreesCase,
 };
+use judder_contact::{HertzLaw, Law};
+use judder_oscillator::Contact;
 use judder_oscillator::groups::Dimensional;
 use serde_json::{Value, json};
 
@@ -120,9 +124,21 @@ fn oscillator(file: &CaseFile, case: &OscillatorCase) -> Result<Resolved, StudyE
             .collect::<Vec<_>>(),
     ));
     // without a law nothing is known of steady sliding, but of the frequency and the substrate
-    let condition = match &limits {
-        Ok(point) => point.quasi_steady,
-        Err(_) => Condition::at(&case.inputs, None, &quasi_steady::terms(case)?),
+    let (condition, of_band) = match &limits {
+        Ok(point) => (point.quasi_steady, None),
+        Err(_) => {
+            let substrate = KnownSubstrate::of(case)?;
+            // how large the contact is an elastic one tells near enough
+            let hertz = Contact {
+                law: Law::Hertz(HertzLaw::default()),
+                friction_load: bridge::friction_load(case.friction_load),
+            };
+            let excited = excited_at(&hertz, &case.inputs).filter(|_| case.law == LawName::Bem);
+            (
+                Condition::at(&case.inputs, None, &substrate.terms),
+                substrate.band.and_then(|band| band.warning(excited)),
+            )
+        }
     };
     text.push_str("\nat the operating point\n");
     let document_limits = match &limits {
@@ -146,7 +162,9 @@ fn oscillator(file: &CaseFile, case: &OscillatorCase) -> Result<Resolved, StudyE
     text.push_str(&estimate_text(&estimates));
     let warnings: Vec<String> = limits
         .map(|point| point.warnings)
-        .unwrap_or_else(|_| condition.and_then(|condition| condition.warning(None)).into_iter().collect())
+        .unwrap_or_else(|_| {
+            condition.and_then(|condition| condition.warning(None)).into_iter().chain(of_band).collect()
+        })
         .into_iter()
         .collect::<std::collections::BTreeSet<_>>()
         .into_iter()

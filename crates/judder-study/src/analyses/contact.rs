@@ -1,5 +1,6 @@
 //! The analyses of a contact case: a rigid indenter on a viscoelastic substrate.
 
+mod excited;
 mod fields;
 mod fit;
 mod law;
@@ -10,6 +11,7 @@ mod single;
 mod size;
 mod transient;
 
+pub(crate) use excited::band_warning;
 pub(crate) use law::Plane;
 pub(crate) use single::{grid, loading};
 pub(crate) use size::{cells_of_law, lattice};
@@ -69,7 +71,9 @@ pub(super) fn run(
         ContactAnalysis::Transient(settings) => transient::run(case, settings, progress),
     }?;
     outcome.warnings.extend(temperature_warning(&case.substrate)?);
-    if let Some(found) = ContactScales::new(case)?.material.discretisation {
+    let scales = ContactScales::new(case)?;
+    outcome.warnings.extend(band_warning(case, &analysis.kind, &scales)?);
+    if let Some(found) = scales.material.discretisation {
         tell_discretisation(&mut outcome, &found);
     }
     Ok(outcome)

@@ -1,7 +1,7 @@
 //! What `judder check` shows of a contact case.
 
 use super::{Resolved, columns, number, title};
-use crate::analyses::contact::{Asked, cells_of_law, lattice, loading, usual_contacts};
+use crate::analyses::contact::{Asked, band_warning, cells_of_law, lattice, loading, usual_contacts};
 use crate::door;
 use crate::error::StudyError;
 use crate::material::{self, ContactScales};
@@ -47,7 +47,11 @@ pub(super) fn resolve(file: &CaseFile, case: &ContactCase) -> Result<Resolved, S
         .iter()
         .map(|analysis| estimate(case, analysis, &scales))
         .collect::<Result<Vec<Estimate>, StudyError>>()?;
-    let warnings: Vec<String> = temperature_warning(&case.substrate)?.into_iter().collect();
+    let mut warnings: Vec<String> = temperature_warning(&case.substrate)?.into_iter().collect();
+    for analysis in &case.analyses {
+        let told = band_warning(case, &analysis.kind, &scales)?;
+        warnings.extend(told.map(|told| format!("{}: {told}", analysis.name)));
+    }
     let mut text = format!("{}\n\nindenter: {}\n\n", title(&case.title), case.shape.name());
     text.push_str(&columns(&key_rows(case, &scales)));
     text.push_str("\nthe substrate\n");

@@ -5,6 +5,7 @@ use super::plan::SweepPlan;
 use crate::analyses::steady_states::{SteadyState, validity_warnings};
 use crate::bridge;
 use crate::error::StudyError;
+use crate::known_substrate::KnownSubstrate;
 use crate::progress::Progress;
 use crate::quasi_steady::{self, Condition};
 use judder_case::{Case, OscillatorCase};
@@ -38,10 +39,11 @@ pub(super) fn law_warnings(plan: &SweepPlan, progress: &dyn Progress) -> Result<
         count => format!("at {count} of {looked} points looked at, for one: {first}"),
     });
     let of_points = of_substrates.into_iter().chain(validity_warnings(&set.contact, states.iter()));
-    let terms = quasi_steady::terms(&set.case)?;
-    let broken = Condition::worst(points.into_iter(), Some(&set.contact), &terms)
+    let substrate = KnownSubstrate::of(&set.case)?;
+    let of_band = substrate.band_warning(&set.contact, points.iter().copied());
+    let broken = Condition::worst(points.into_iter(), Some(&set.contact), &substrate.terms)
         .and_then(|condition| condition.warning(None));
-    Ok(set.computed.iter().cloned().chain(of_points).chain(broken).collect())
+    Ok(set.computed.iter().cloned().chain(of_points).chain(of_band).chain(broken).collect())
 }
 
 /// That eq. (3) is broken at some of the points, evenly over the sweep, of a case that is read anew at each.

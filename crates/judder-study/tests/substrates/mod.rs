@@ -2,9 +2,12 @@
 
 use crate::contact::run_text;
 use crate::number;
+use crate::within_law::{from_file, law_file};
 use judder_case::{Case, CaseFile, OscillatorKey};
+use judder_study::Silent;
 use judder_study::bridge::with_material;
 use judder_study::resolve::resolve;
+use judder_study::run::{RunOptions, run};
 use serde_json::Value;
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -179,4 +182,66 @@ fn a_contact_that_is_not_in_step_is_told_everywhere() {
     std::fs::write(folder.path().join("case.toml"), "model = \"oscillator\"\n").unwrap();
     let checked = resolve(&read()).unwrap();
     assert!(checked.text().contains("0.4, borderline") && !checked.text().contains("eq. (3), the condition"));
+}
+
+/// What `judder check` and a run say of the measured band.
+fn of_band(folder: &Path, text: &str) -> [Vec<String>; 2] {
+    let path = folder.join("case.toml");
+    std::fs::write(&path, text).unwrap();
+    let file = CaseFile::read(&path, &[]).unwrap();
+    let checked = resolve(&file).unwrap().json();
+    let warnings = checked["warnings"].as_array().unwrap().iter();
+    let checked = warnings.map(|warning| warning.as_str().unwrap().to_owned()).collect();
+    let study = folder.join("study");
+    let messages =
+        run(&file, &study, &RunOptions { fresh: true, ..RunOptions::default() }, &Silent).unwrap().messages;
+    [checked, messages].map(|told: Vec<String>| {
+        told.into_iter().filter(|told| told.contains("sliding excites the substrate")).collect()
+    })
+}
+
+/// f = v/(2π √(R δ)) against 0.01 to 10⁴ Hz: 5·10⁻⁴ Hz is 1.3 decades below, 5 Hz within, and at −20 °C, where a_T = 10^7.2, 3.9 above.
+#[test]
+fn a_contact_outside_the_measured_band_says_by_how_many_decades() {
+    let folder = tempfile::tempdir().unwrap();
+    write_dma(folder.path());
+    let cold = TEMPERATURE.replace("30 degC", "-20 degC");
+    for (velocity, temperature, expected) in [
+        ("1 um/s", "", Some("1.3 decades below")),
+        ("10 mm/s", "", None),
+        ("10 mm/s", cold.as_str(), Some("3.9 decades above")),
+    ] {
+        let text = format!(
+            "model = \"contact\"\n[substrate]\ndma = {{ file = \"dma.csv\" }}\n{temperature}[indenter]\nradius = \"10 mm\"\n\
+             [[analysis]]\nname = \"c\"\nkind = \"contact\"\nvelocity = \"{velocity}\"\nindentation = \"10 um\"\naccuracy = 0.1\n"
+        );
+        for told in of_band(folder.path(), &text) {
+            match expected {
+                Some(expected) => {
+                    assert!(told.len() == 1 && told[0].contains(expected), "{velocity}: {told:?}")
+                }
+                None => assert!(told.is_empty(), "{velocity}: {told:?}"),
+            }
+        }
+    }
+}
+
+/// Through a law the oscillator stands on the same moduli; a formula was not made from them.
+#[test]
+fn an_oscillator_outside_the_measured_band_says_so() {
+    let folder = tempfile::tempdir().unwrap();
+    write_dma(folder.path());
+    let law = from_file(&law_file(folder.path(), 0.0, [61, 33]));
+    for (law, velocity, is_told) in
+        [(law.as_str(), "0.1 um/s", true), (law.as_str(), "1 mm/s", false), ("\"hertz\"", "0.1 um/s", false)]
+    {
+        let text = format!(
+            "model = \"oscillator\"\n[substrate]\ndma = {{ file = \"dma.csv\" }}\n[contact]\nlaw = {law}\n[operation]\nvelocity = \"{velocity}\"\n\
+             [[analysis]]\nname = \"m\"\nkind = \"motion\"\nduration = 20\npoints = 64\n"
+        );
+        for told in of_band(folder.path(), &text) {
+            assert_eq!(told.len(), usize::from(is_told), "{law} {velocity}: {told:?}");
+            assert!(told.iter().all(|told| told.contains("decades below")), "{told:?}");
+        }
+    }
 }

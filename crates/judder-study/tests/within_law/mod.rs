@@ -24,7 +24,7 @@ fn noise(place: usize) -> f64 {
 }
 
 /// A law file through values of the paper's law at so many speeds and depths, each off by up to `error` on its own.
-fn law_file(folder: &Path, error: f64, [speeds, depths]: [usize; 2]) -> PathBuf {
+pub(crate) fn law_file(folder: &Path, error: f64, [speeds, depths]: [usize; 2]) -> PathBuf {
     let between = |from: f64, to: f64, count: usize| -> Vec<f64> {
         (0..count).map(|k| from * (to / from).powf(k as f64 / (count - 1) as f64)).collect()
     };
@@ -56,7 +56,7 @@ fn case(law: &str, rest: &str) -> CaseFile {
     CaseFile::parse("case.toml", &text, &[]).unwrap()
 }
 
-fn from_file(path: &Path) -> String {
+pub(crate) fn from_file(path: &Path) -> String {
     format!("{{ file = {:?} }}", path.display().to_string())
 }
 

@@ -108,6 +108,17 @@ impl Asked {
         }
     }
 
+    /// What presses the indenter down, in groups.
+    pub(crate) fn loading(&self) -> Loading {
+        self.loading
+    }
+
+    /// ω τ of the largest speed over a half length of the contact, and of what swings.
+    pub(crate) fn frequencies(&self, half_length: f64) -> Vec<f64> {
+        let swing = self.period.map(|period| TAU / period);
+        [Some(self.path.position.largest_rate() / half_length), swing].into_iter().flatten().collect()
+    }
+
     /// What is asked, in groups, in words.
     pub(crate) fn words(&self, settings: &TransientSettings) -> String {
         format!("{}, t/τ = {}", settings.motion.name(), crate::text::number(self.duration))

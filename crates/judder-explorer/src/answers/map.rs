@@ -1,4 +1,4 @@
-//! A stability map: coarse at once, exact after, then its boundaries.
+//! A stability map: coarse at once, exact after, then what the errors of the law leave of it, then its boundaries.
 
 use super::oscillator;
 use crate::desk::Pace;
@@ -11,7 +11,7 @@ use crate::view::View;
 use axum::extract::State;
 use axum::response::Response;
 use judder_case::{OscillatorAnalysis, OscillatorKey, StabilityMap as Settings, Sweep};
-use judder_oscillator::map::{CoarseMap, StabilityMap};
+use judder_oscillator::map::{CoarseMap, Method, StabilityMap};
 use judder_oscillator::mechanism::StabilityClass;
 use judder_store::Variable;
 use judder_study::analyses::{BoundaryKind, boundary_curves};
@@ -67,7 +67,14 @@ fn draw(subject: &Subject, view: &View, kinds: &[BoundaryKind], reporter: &Repor
     let Some(map) = plane.decide_in_stages(contact, &mut show, &interrupted) else {
         return Err(reporter.refusal(StudyError::Interrupted));
     };
-    reporter.tell(exact_frame(&plane, settings, map, reporter.seconds()));
+    reporter.tell(exact_frame(&plane, settings, map.clone(), reporter.seconds()));
+    if !contact.law.is_formula() {
+        let Some(codes) = plane.within_law(contact, (&map, Method::Adaptive), &interrupted) else {
+            return Err(reporter.refusal(StudyError::Interrupted));
+        };
+        let codes = Variable::new("within_law", &["y", "x"], &[map.rows, map.columns], codes);
+        reporter.tell(Frame::new("within-law").with("seconds", reporter.seconds()).array(&codes));
+    }
     for kind in kinds {
         if reporter.interrupted() {
             return Err(reporter.refusal(StudyError::Interrupted));

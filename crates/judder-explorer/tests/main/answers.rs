@@ -93,6 +93,28 @@ fn a_map_comes_coarse_then_exact_then_with_its_boundaries() {
     assert!(frames[3].reals("frequency").iter().any(|frequency| *frequency > 0.5));
 }
 
+/// A computed law has errors: what they leave of the map comes after it, as a run has it.
+#[test]
+fn a_map_of_a_computed_law_says_where_its_errors_decide() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("case.toml");
+    std::fs::write(&path, "model = \"oscillator\"\n[contact]\nlaw = { computed = true, accuracy = 0.05 }\n")
+        .unwrap();
+    let served = Served::of(Some(&path), None);
+    let view = json!({ "set": [], "analysis": map() });
+    let frames = served.post("/api/map", &view).frames();
+    let frames: Vec<_> = frames.iter().filter(|frame| frame.kind() != "progress").collect();
+    let kinds: Vec<&str> = frames.iter().map(|frame| frame.kind()).collect();
+    assert_eq!(kinds, ["map", "map", "within-law", "end"]);
+    let codes = frames[2].codes("within_law");
+    let file = CaseFile::parse("x.toml", &served.post("/api/export", &view).text(), &[]).unwrap();
+    let run = analyses::run(&file.case, 0, &Silent).unwrap();
+    let judder_store::Data::U8(expected) = &run.dataset.variable("within_law").unwrap().data else {
+        panic!()
+    };
+    assert!(codes == *expected && codes.contains(&1));
+}
+
 #[test]
 fn the_exported_case_gives_the_same_map_to_the_command() {
     let served = Served::new();

@@ -88,6 +88,19 @@ describe("the values of a point", () => {
   const document = { groups: {}, equilibrium: {}, contact: {}, eigenvalues: [[1, 2]], growth_shares: { damping: shares, stiffness: shares }, warnings: [] };
   const point = { point: document, modes: [], dimensional: {} } as unknown as Point;
 
+  it("say what the errors of the law leave of the verdict, and nothing of it for a formula", () => {
+    const within = (marginal: boolean | null, error: number | null) => {
+      const told = { ...document, verdict: "unstable", marginal_within_law: marginal, equivalent_damping_error: error, growth_rate_within_law: [-1, 2] };
+      act(() => render(<PointValues point={{ ...point, point: told } as unknown as Point} />, host));
+      const text = (key: string) => host.querySelector(`[data-key="${key}"]`)?.textContent;
+      return [text("verdict"), text("marginal_within_law"), text("growth_rate_within_law.0")];
+    };
+    expect(within(true, 0.5)).toEqual(["unstable", "marginal: its errors decide", "-1"]);
+    expect(within(false, 0.5)?.[1]).toBe("the same");
+    expect(within(null, null)?.[1]).toBe("not known");
+    expect(within(false, 0)).toEqual(["unstable", undefined, undefined]);
+  });
+
   it("leave the shares of the growth rate to a page that shows them itself", () => {
     act(() => render(<PointValues point={point} />, host));
     expect(host.querySelector('[data-key="growth_shares.damping.1.0"]')?.textContent).toBe("0.3");

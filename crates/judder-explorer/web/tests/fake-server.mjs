@@ -100,6 +100,8 @@ function point(body) {
       contact: { force: 5.194504735792959e-7, area: 0.00007977973698240479, viscoelastic_friction: 0.002860285088426742 },
       eigenvalues: [[growth, 1.4188220067193695], [growth, -1.4188220067193695], [-0.2, 2.3], [-0.2, -2.3]], growth_rate: growth,
       verdict: growth > 0 ? "unstable" : "stable", mechanism: growth > 0 ? "flutter" : null, equivalent_damping: -0.07,
+      equivalent_damping_error: 0, growth_rate_within_law: [growth, growth], marginal_within_law: false,
+      critical_shear_strength_within_law: [], critical_load_within_law: [],
       critical_shear_strength: [0.0159], critical_load: [], growth_shares: { damping: pairs, stiffness: pairs }, warnings: [],
     },
     modes: [], dimensional: { growth_rate_per_s: 40 * growth, frequency_hz: 9.03, indentation_m: 4.2e-7, x_m: 1e-6, y_m: 4e-7, force_n: 1e-4, area_m2: 8e-9 },

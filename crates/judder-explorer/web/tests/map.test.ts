@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { shares, withFrame } from "../src/pages/map/picture";
+import { drawnClasses, shares, withFrame } from "../src/pages/map/picture";
 import { axisOver, digitsFor, optionsAt, rangeOfAxis, readMap, rounded, valueOnAxis } from "../src/pages/map/state";
 import { criticalAnalysis, roots } from "../src/pages/map/useCritical";
 import { parseView } from "../src/state/view";
@@ -82,6 +82,20 @@ describe("the map's picture", () => {
     const exact = { ...mapFrame, header: { ...mapFrame.header, stage: "exact" } };
     expect(withFrame(null, exact, request)?.stage).toBe("exact");
     expect(withFrame(null, exact, request, true)?.stage).toBe("coarse");
+  });
+
+  it("has no verdict where the errors of the law decide, until another map comes", () => {
+    const bytes = (kind: string, name: string, codes: readonly number[]) => {
+      const arrays = [{ name, type: "u8", shape: [2, 2], offset: 0, dimensions: ["y", "x"] }];
+      return decodeFrame(encode({ kind, stage: "exact", arrays }, Uint8Array.from([...codes, 0, 0, 0, 0])));
+    };
+    const map = bytes("map", "classes", [0, 1, 0, 4]);
+    const nominal = withFrame(null, map, request);
+    expect(nominal && [...drawnClasses(nominal, 8)]).toEqual([0, 1, 0, 4]);
+    const within = withFrame(nominal, bytes("within-law", "within_law", [0, 1, 1, 2]), request);
+    expect(within && [...drawnClasses(within, 8)]).toEqual([0, 8, 8, 4]);
+    expect(within && [...within.classes]).toEqual([0, 1, 0, 4]);
+    expect(withFrame(within, map, request)?.withinLaw).toBeNull();
   });
 
   it("has shares that add up", () => {

@@ -37,7 +37,7 @@ function entriesOf(layer: Layer, theme: Theme, overAreas: boolean): Entry[] {
     const present = new Set(layer.codes);
     return layer.classes.flatMap((area, code) =>
       present.has(code)
-        ? [{ text: `${layer.letters ? `${area.letter}: ` : ""}${area.legend ?? area.name}`, area, opaque: true, hatched: layer.hatched === true || area.name === "unresolved" }]
+        ? [{ text: `${layer.letters ? `${area.letter}: ` : ""}${area.legend ?? area.name}`, area, opaque: true, hatched: layer.hatched === true || area.always === true }]
         : [],
     );
   }

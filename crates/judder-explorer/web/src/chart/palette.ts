@@ -88,6 +88,8 @@ export const DASH_PATTERN: Record<Dash, readonly number[]> = {
 /** Classes of a stability map, by their codes. */
 export interface StabilityClass extends AreaStyle {
   readonly name: string;
+  /** Whether the pattern is drawn even where none is asked for: an area without a verdict is never plain. */
+  readonly always?: boolean;
 }
 
 export const STABILITY: readonly StabilityClass[] = [
@@ -97,9 +99,12 @@ export const STABILITY: readonly StabilityClass[] = [
   { name: "both", colour: "#6a4682", pattern: "crossed", letter: "B" },
   { name: "normal-force coupling", colour: "#efdc8f", pattern: "dots", letter: "C" },
   { name: "marginal", colour: "#6b6b6b", pattern: "level", letter: "M" },
-  { name: "unresolved", colour: "#8c8c8c", pattern: "upright", letter: "?" },
+  { name: "unresolved", colour: "#8c8c8c", pattern: "upright", letter: "?", always: true },
   { name: "destabilised by damping", colour: "#6fb09a", pattern: "grid", letter: "D" },
 ];
+
+/** Where the errors of the contact law decide, in the place of a class. */
+export const WITHIN_LAW: StabilityClass = { name: "marginal within the law", colour: "#dfdfe6", pattern: "crossed", letter: "L", always: true };
 
 /** Contact states of a motion, by their codes; slip is the plain ground. */
 export const CONTACT_STATES: readonly StabilityClass[] = [

@@ -94,8 +94,7 @@ function copyRow(pixels: Uint32Array, at: number, width: number): number {
 function paintClasses(layer: ClassesLayer, pixels: Uint32Array, columns: Int32Array, rows: Int32Array, size: number): void {
   const colours = layer.classes.map((area) => (area.colour === "none" ? 0 : pack(rgb(area.colour))));
   const inks = layer.classes.map((area) => (area.colour === "none" ? 0 : pack(strokeColour(rgb(area.colour)))));
-  // an area without an answer is never plain
-  const patterns = layer.classes.map((area) => (layer.hatched || area.name === "unresolved" ? area.pattern : "none"));
+  const patterns = layer.classes.map((area) => (layer.hatched || area.always ? area.pattern : "none"));
   const plain = patterns.every((pattern) => pattern === "none" || pattern === "upright");
   const stride = layer.x.length;
   for (let row = 0, at = 0; row < rows.length; row += 1) {

@@ -84,6 +84,8 @@ export interface AreaClass extends AreaStyle {
   readonly name: string;
   /** What the legend says; the name where left out. */
   readonly legend?: string;
+  /** Whether the pattern is drawn even where the layer is not hatched. */
+  readonly always?: boolean;
 }
 
 /** A map of classes; `codes` is row-major with y as rows; x and y are centres of cells, ascending. */

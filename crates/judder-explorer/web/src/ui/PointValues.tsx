@@ -13,6 +13,24 @@ export function leading(point: PointDocument): Pair {
   ] as Pair);
 }
 
+/** What the errors of the law leave of the verdict, in words; the verdict beside it is the nominal one. */
+export function withinLaw({ marginal_within_law }: Pick<PointDocument, "marginal_within_law">): string {
+  if (marginal_within_law === null) return "not known";
+  return marginal_within_law ? "marginal: its errors decide" : "the same";
+}
+
+/** How far the errors of the law leave the numbers of stability. */
+function LawErrors({ point }: { readonly point: PointDocument }) {
+  const rates = point.growth_rate_within_law;
+  return (
+    <>
+      <Value name="equivalent damping, ±" dataKey="equivalent_damping_error" value={point.equivalent_damping_error} />
+      <Value name="growth rate, at least" dataKey="growth_rate_within_law.0" value={rates?.[0]} />
+      <Value name="growth rate, at most" dataKey="growth_rate_within_law.1" value={rates?.[1]} />
+    </>
+  );
+}
+
 interface PointValuesProps {
   readonly point: Point;
   /** Whether the shares of the growth rate are listed: not where a page shows them its own way. */
@@ -31,12 +49,14 @@ function Numbers({ point: { point, dimensional }, shares }: Required<PointValues
       <h3>Stability</h3>
       <dl class="values">
         <Value name="verdict" dataKey="verdict" value={point.verdict} />
+        {point.equivalent_damping_error !== 0 && <Value name="within the law" dataKey="marginal_within_law" value={withinLaw(point)} />}
         <Value name="mechanism" dataKey="mechanism" value={point.mechanism} />
         <Value name="growth rate max Re $λ$/$ω_{nx}$" dataKey="growth_rate" value={point.growth_rate} />
         <Value name="growth rate" dataKey="dimensional.growth_rate_per_s" value={dimensional["growth_rate_per_s"]} unit="1/s" />
         <Value name="frequency $ω$/$ω_{nx}$" dataKey="frequency" value={Math.abs(leading(point)[1])} />
         <Value name="frequency" dataKey="dimensional.frequency_hz" value={dimensional["frequency_hz"]} unit="Hz" />
         <Value name="equivalent damping" dataKey="equivalent_damping" value={point.equivalent_damping} />
+        {point.equivalent_damping_error !== 0 && <LawErrors point={point} />}
       </dl>
       {shares && point.growth_shares && <Shares shares={point.growth_shares} />}
       <h3>Equilibrium</h3>

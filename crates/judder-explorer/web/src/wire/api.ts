@@ -65,11 +65,20 @@ export interface PointDocument {
   readonly contact: Readonly<Record<string, number>>;
   readonly eigenvalues: readonly Pair[];
   readonly growth_rate: number;
+  /** The least and the greatest that the law has with its errors; null where these are not known. */
+  readonly growth_rate_within_law: Pair | null;
   readonly verdict: string;
+  /** Whether the law with its errors has other verdicts too; null where that is not known. */
+  readonly marginal_within_law: boolean | null;
   readonly mechanism: string | null;
   readonly equivalent_damping: number | null;
+  /** 0 for a formula, null where it is not known. */
+  readonly equivalent_damping_error: number | null;
   readonly critical_shear_strength: readonly number[];
+  /** The ranges in which the errors of the law leave the thresholds; null where these are not known. */
+  readonly critical_shear_strength_within_law: readonly Pair[] | null;
   readonly critical_load: readonly number[];
+  readonly critical_load_within_law: readonly Pair[] | null;
   readonly growth_shares: Readonly<Record<"damping" | "stiffness", readonly Pair[]>> | null;
   readonly warnings: readonly string[];
 }

@@ -21,6 +21,8 @@ export interface MapPicture {
   readonly x: Float64Array;
   readonly y: Float64Array;
   readonly classes: Uint8Array;
+  /** What the errors of the contact law leave of the verdicts: `MARGINAL` where they decide; null before it is known, and for a formula. */
+  readonly withinLaw: Uint8Array | null;
   readonly unresolved: number;
   readonly boundaries: Readonly<Partial<Record<BoundaryName, Curve>>>;
 }
@@ -55,14 +57,24 @@ export function withFrame(before: MapPicture | null, frame: Frame, request: MapR
       x: reals(frame, "x"),
       y: reals(frame, "y"),
       classes: codes(frame, "classes"),
+      withinLaw: null,
       unresolved: Number(frame.header["unresolved"] ?? 0),
       boundaries: same ? before.boundaries : {},
     };
   }
+  if (frame.kind === "within-law" && before) return { ...before, withinLaw: codes(frame, "within_law") };
   const name = BOUNDARIES.find((name) => name === frame.header["name"]);
   if (frame.kind !== "boundary" || !name || !before) return before;
   const curve = { x: reals(frame, "x"), y: reals(frame, "y") };
   return { ...before, boundaries: { ...before.boundaries, [name]: curve } };
+}
+
+/** The code of `withinLaw` where the errors of the law decide. */
+export const MARGINAL = 1;
+
+/** The classes with `marginal` in the place of verdicts that the errors of the law decide. */
+export function drawnClasses({ classes, withinLaw }: Pick<MapPicture, "classes" | "withinLaw">, marginal: number): Uint8Array {
+  return withinLaw ? classes.map((code, k) => (withinLaw[k] === MARGINAL ? marginal : code)) : classes;
 }
 
 /** The share of every class, by code. */

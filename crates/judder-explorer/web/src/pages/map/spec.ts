@@ -1,11 +1,11 @@
 /** The chart of a map. */
 
-import { STABILITY } from "../../chart/palette";
+import { STABILITY, WITHIN_LAW } from "../../chart/palette";
 import type { Window } from "../../chart/scale";
 import type { Axis, ChartSpec, Layer } from "../../chart/spec";
 import { signOf } from "../../ui/numbers";
 import type { Key, KeyAxis } from "../../wire/api";
-import { BOUNDARIES, type BoundaryName, type MapPicture, shares } from "./picture";
+import { BOUNDARIES, type BoundaryName, type MapPicture, drawnClasses, shares } from "./picture";
 import { type MapState, isDimensional } from "./state";
 import type { Critical } from "./useCritical";
 
@@ -49,14 +49,16 @@ interface Parts {
 export function mapSpec({ state, x, y, window, picture, critical }: Parts): ChartSpec {
   const layers: Layer[] = [];
   if (picture) {
-    const share = shares(picture.classes, STABILITY.length);
-    const classes = STABILITY.map((area, code) => ({ ...area, legend: `${area.name} ${shareText(share[code] ?? 0)}` }));
+    const areas = [...STABILITY, WITHIN_LAW];
+    const drawn = drawnClasses(picture, STABILITY.length);
+    const share = shares(drawn, areas.length);
+    const classes = areas.map((area, code) => ({ ...area, legend: `${area.name} ${shareText(share[code] ?? 0)}` }));
     layers.push({
       kind: "classes",
       label: "mechanism",
       x: picture.x,
       y: picture.y,
-      codes: picture.classes,
+      codes: drawn,
       classes,
       hatched: state.marks.includes("hatch"),
       letters: state.marks.includes("letters"),

@@ -82,6 +82,12 @@ interface NumbersProps {
 function Numbers({ point, standing, stale, busy }: NumbersProps) {
   const thresholds = (name: "critical_shear_strength" | "critical_load", title: string) =>
     point.point[name].map((value, index) => <Value key={`${name}${index}`} name={title} dataKey={`${name}.${index}`} value={value} />);
+  const ranges = (name: "critical_shear_strength_within_law" | "critical_load_within_law", title: string) =>
+    (point.point[name] ?? []).flatMap((range, index) =>
+      (["from", "to"] as const).map((end, side) => (
+        <Value key={`${name}${index}${end}`} name={`${title}, within the law ${end}`} dataKey={`${name}.${index}.${side}`} value={range[side]} />
+      )),
+    );
   return (
     <section class={`card numbers${stale ? " stale" : ""}`} aria-label="Numbers of the operating point" aria-busy={busy}>
       <h2>Operating point</h2>
@@ -90,7 +96,9 @@ function Numbers({ point, standing, stale, busy }: NumbersProps) {
       <h3>Thresholds</h3>
       <dl class="values">
         {thresholds("critical_shear_strength", "critical shear strength $τ_{0}$/$E_{0}$*")}
+        {ranges("critical_shear_strength_within_law", "$τ_{0}$/$E_{0}$*")}
         {thresholds("critical_load", "critical load $F_{n}$/($E_{0}$* $R$²)")}
+        {ranges("critical_load_within_law", "$F_{n}$/($E_{0}$* $R$²)")}
       </dl>
       {point.point.critical_shear_strength.length + point.point.critical_load.length === 0 && <p class="note">There is none in the range that is searched.</p>}
       <PointValues point={point} shares={false} />

@@ -38,6 +38,8 @@ CLASSES = (
     "destabilised-by-damping",
 )
 """What the codes of ``StabilityMap.classes`` mean, in their order."""
+LAW_STANDINGS = ("decided", "marginal_within_the_law", "unknown")
+"""What the codes of ``StabilityMap.within_law`` mean, in their order."""
 _OTHER_CLASSES = ("stable", "marginal", "unresolved")
 """Those that are no mechanism."""
 
@@ -89,6 +91,9 @@ class StabilityMap:
     """Codes of verdict and mechanism, uint8[y, x]: the places of their names in :data:`CLASSES`."""
     growth_rate: NDArray[np.float64] | None
     """Growth rate in units of ω_nx, float64[y, x]; NaN where there is no steady sliding, ``None`` where it was not asked for."""
+    within_law: NDArray[np.uint8] | None
+    """What the errors of the contact law leave of the verdicts, uint8[y, x]: the places of :data:`LAW_STANDINGS`. Found on a coarse grid and from
+    there on along its edges. ``None`` for a formula, which has no errors."""
     decisions: int
     """Points that were decided; the others follow from their neighbours (``method="adaptive"``)."""
     seconds: float
@@ -131,7 +136,7 @@ class StabilityMap:
         return found
 
     def to_dataset(self) -> xarray.Dataset:
-        """The map as the dataset that an analysis ``stability-map`` leaves: ``stability``, ``growth_rate`` and their coordinates."""
+        """The map as the dataset that an analysis ``stability-map`` leaves: ``stability``, ``growth_rate``, ``within_law`` and their coordinates."""
         import numpy as np
         import xarray
 
@@ -144,6 +149,10 @@ class StabilityMap:
         if self.growth_rate is not None:
             about: dict[str, object] = {"long_name": "growth rate max Re(λ)/ω_nx", "units": "1"}
             variables["growth_rate"] = (sides, self.growth_rate, about)
+        if self.within_law is not None:
+            codes = {"flag_values": np.arange(len(LAW_STANDINGS), dtype=np.uint8), "flag_meanings": " ".join(LAW_STANDINGS)}
+            about = {"long_name": "what the errors of the contact law leave of the verdict", **codes}
+            variables["within_law"] = (sides, self.within_law, about)
         coordinates = {
             axis.name: (axis.name, axis.values, {"long_name": axis.long_name, "units": axis.units}) for axis in (self.x, self.y)
         }
@@ -205,6 +214,7 @@ def stability_map(
         y=Axis(*told["y"]),
         classes=told["classes"],
         growth_rate=told["growth_rate"],
+        within_law=told["within_law"],
         decisions=told["decisions"],
         seconds=told["seconds"],
         warnings=tuple(told["warnings"]),

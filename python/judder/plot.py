@@ -9,11 +9,13 @@ from typing import TYPE_CHECKING, Final
 
 from judder._packages import needed
 from judder.errors import InputError
-from judder.oscillator import StabilityMap
+from judder.oscillator import LAW_STANDINGS, StabilityMap
 
 if TYPE_CHECKING:
+    import numpy as np
     import xarray
     from matplotlib.axes import Axes
+    from numpy.typing import NDArray
 
 __all__ = ["COLOURS", "SERIES", "stability"]
 
@@ -27,6 +29,7 @@ COLOURS: Final = {
     "destabilised-by-damping": "#6fb09a",
     "marginal": "#6b6b6b",
     "unresolved": "#8c8c8c",
+    "marginal-within-the-law": "#dfdfe6",
     "full-boundary": "#000000",
     "conservative-boundary": "#000000",
     "decoupled-boundary": "#c8102e",
@@ -79,13 +82,27 @@ def stability(found: StabilityMap | xarray.Dataset, *, ax: Axes | None = None, l
     names = str(classes.attrs["flag_meanings"]).split()
     colours = ListedColormap([COLOURS[name] for name in names])
     axes.pcolormesh(x.values, y.values, classes.values, cmap=colours, vmin=-0.5, vmax=len(names) - 0.5, shading="nearest", rasterized=True)
+    is_open = np.zeros(classes.shape, bool)
+    if "within_law" in data and min(classes.shape) > 1:
+        is_open = data["within_law"].values == LAW_STANDINGS.index("marginal_within_the_law")
+        _hatched(axes, x.values, y.values, is_open)
     _boundaries(data, str(x.name), str(y.name), axes)
     axes.grid(visible=False)
     axes.set(xlabel=_label(x), ylabel=_label(y), xscale=_scale(x), yscale=_scale(y))
     axes.set(xlim=(x.values.min(), x.values.max()), ylim=(y.values.min(), y.values.max()))
     if legend:
-        _legend(axes, [names[code] for code in np.unique(classes.values)])
+        _legend(axes, [names[code] for code in np.unique(classes.values[~is_open])], with_open=bool(is_open.any()))
     return axes
+
+
+def _hatched(axes: Axes, x: NDArray[np.float64], y: NDArray[np.float64], is_open: NDArray[np.bool_]) -> None:
+    """Crosses out the points whose verdict the errors of the law decide."""
+    import numpy as np
+
+    if is_open.any():
+        colours = [COLOURS["marginal-within-the-law"]]
+        areas = axes.contourf(x, y, is_open.astype(np.float64), levels=[0.5, 1.5], colors=colours, hatches=["xxx"])
+        areas.set_edgecolor(COLOURS["reference"])
 
 
 def _boundaries(data: xarray.Dataset, x: str, y: str, axes: Axes) -> None:
@@ -114,12 +131,15 @@ def _scale(side: xarray.DataArray) -> str:
     return "log" if even else "linear"
 
 
-def _legend(axes: Axes, names: list[str]) -> None:
+def _legend(axes: Axes, names: list[str], *, with_open: bool) -> None:
     """Areas, then lines, below the axes."""
     from matplotlib.patches import Patch
 
     words = {name: name.replace("-", " ") for name in names} | {"normal-force-coupling": "normal-force coupling"}
     rim = COLOURS["reference"]
     areas = [Patch(facecolor=COLOURS[name], edgecolor=rim, linewidth=0.5, label=words[name]) for name in names]
+    if with_open:
+        colour = COLOURS["marginal-within-the-law"]
+        areas.append(Patch(facecolor=colour, edgecolor=rim, linewidth=0.5, hatch="xxx", label="marginal within the law"))
     lines, _ = axes.get_legend_handles_labels()
     axes.legend(handles=[*areas, *lines], loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=3, frameon=False, fontsize="small")

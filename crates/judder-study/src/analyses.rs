@@ -4,6 +4,7 @@ mod axis;
 pub(crate) mod contact;
 mod critical;
 mod equivalent_damping;
+mod law_errors;
 mod margins;
 mod motion;
 mod sliding;

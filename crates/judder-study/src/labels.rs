@@ -96,6 +96,8 @@ pub(crate) fn point_quantity(name: &str) -> Option<&'static str> {
         "growth_rate" => "Growth rate Re $λ$/$ω_{nx}$ (−)",
         "frequency" => "Frequency Im $λ$/$ω_{nx}$ (−)",
         "equivalent_damping" => "Equivalent damping $ξ_{eq}$ (−)",
+        "equivalent_damping_error" => "Error of the equivalent damping $ξ_{eq}$ (−)",
+        "growth_rate_error" => "Error of the growth rate Re $λ$/$ω_{nx}$ (−)",
         "equilibrium_x" => "Displacement $x_{e}$/$x_{0}$ (−)",
         "equilibrium_y" => "Displacement $y_{e}$/$x_{0}$ (−)",
         "indentation" => "Indentation $y_{e}$/$R$ (−)",

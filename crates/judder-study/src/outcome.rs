@@ -25,6 +25,23 @@ pub struct Outcome {
     pub missing: usize,
 }
 
+impl Outcome {
+    /// Adds to the scalars of each curve what its part of the results makes: with a family there is an object a curve.
+    pub(crate) fn add_to_curves<'a, T: 'a>(
+        &mut self,
+        parts: impl Iterator<Item = &'a [T]>,
+        add: impl Fn(&mut Map<String, Value>, &[T]),
+    ) {
+        match self.scalars.get_mut("curves").and_then(Value::as_array_mut) {
+            Some(curves) => {
+                let objects = curves.iter_mut().filter_map(Value::as_object_mut);
+                objects.zip(parts).for_each(|(scalars, part)| add(scalars, part));
+            }
+            None => parts.for_each(|part| add(&mut self.scalars, part)),
+        }
+    }
+}
+
 /// A number doubted by another number.
 ///
 /// How many were compared follows from what was compared: nobody can state it.

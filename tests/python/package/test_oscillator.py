@@ -161,3 +161,23 @@ def test_sides_that_are_none():
     for threads in (0, 10**6):
         with pytest.raises(judder.InputError, match="threads"):
             judder.oscillator.stability_map(("velocity", [1.0]), good, threads=threads)
+
+
+def test_maps_and_points_of_a_law_with_errors_say_what_it_does_not_decide():
+    law, rng = judder.contact.Law("oscillator-paper"), np.random.default_rng(1)
+    speeds, depths = np.logspace(-9, 3, 61), np.logspace(-9, -1, 33)
+    exact = law.evaluate(speeds[None, :], depths[:, None])
+    off = [values * (1 + 0.02 * rng.uniform(-1, 1, values.shape)) for values in (exact.force, exact.area, exact.friction)]
+    loose = judder.contact.Law.from_table(speeds, depths, *off)
+    sides = ("velocity", np.logspace(-7, -1, 60)), ("shear_strength", np.logspace(-4, 0, 50))
+    found = judder.oscillator.stability_map(*sides, law=loose, growth_rate=False)
+    assert found.within_law.shape == found.classes.shape and set(np.unique(found.within_law)) == {0, 1}
+    data = found.to_dataset()["within_law"]
+    assert data.attrs["flag_meanings"].split()[1] == "marginal_within_the_law"
+    for row, column in ((0, 0), (20, 10), (49, 59), *np.argwhere(found.within_law == 1)[:3]):
+        keys = {"velocity": sides[0][1][column], "shear_strength": sides[1][1][row]}
+        point = judder.oscillator.point(**keys, law=loose)
+        assert point.marginal_within_law == bool(found.within_law[row, column])
+        assert point.equivalent_damping_error > 0 and ("marginal within the law" in repr(point)) == point.marginal_within_law
+    exact = judder.oscillator.stability_map(*sides, law=law, growth_rate=False)
+    assert exact.within_law is None and "within_law" not in exact.to_dataset()

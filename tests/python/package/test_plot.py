@@ -1,5 +1,6 @@
 """Pictures: the colours of the program's own, areas and boundaries where the numbers have them."""
 
+import dataclasses
 import re
 
 import matplotlib
@@ -52,6 +53,18 @@ def test_a_map_is_drawn_with_the_classes_that_occur(axes):
     assert (drawn.get_array().reshape(found.classes.shape) == found.classes).all()
     seen = {matplotlib.colors.to_hex(drawn.to_rgba(code)) for code in np.unique(found.classes)}
     assert seen == {judder.plot.COLOURS[judder.oscillator.CLASSES[code]] for code in np.unique(found.classes)}
+
+
+def test_what_the_law_does_not_decide_is_crossed_out(axes):
+    found = judder.oscillator.stability_map(("velocity", np.logspace(-6, 0, 20)), ("shear_strength", np.linspace(0, 0.2, 10)))
+    judder.plot.stability(found, ax=axes)
+    assert "marginal within the law" not in names(axes)
+    axes.clear()
+    is_open = np.zeros(found.classes.shape, np.uint8)
+    is_open[2:5, 3:9] = 1
+    judder.plot.stability(dataclasses.replace(found, within_law=is_open), ax=axes)
+    assert "marginal within the law" in names(axes)
+    assert any("x" in hatch for hatch in axes.collections[1].hatches)
 
 
 def test_the_map_of_a_case_has_its_boundaries(axes, map_case, tmp_path):

@@ -88,7 +88,8 @@ pub(crate) fn oscillator_map<'py>(
         let made = decided(&contact.contact, &plane, (method, growth_rate), watch)?;
         Ok((made, start.elapsed().as_secs_f64()))
     })?;
-    let ((map, growth), seconds) = done.settled(|error: StudyError| errors::study(&error))?;
+    let (Decided { map, growth, within_law }, seconds) =
+        done.settled(|error: StudyError| errors::study(&error))?;
     let shape = [map.rows, map.columns];
     let result = PyDict::new(py);
     result.set_item("decisions", map.decisions)?;
@@ -96,6 +97,8 @@ pub(crate) fn oscillator_map<'py>(
     result.set_item("classes", map.classes.into_pyarray(py).reshape(shape)?)?;
     let growth = growth.map(|growth| growth.into_pyarray(py).reshape(shape)).transpose()?;
     result.set_item("growth_rate", growth)?;
+    let within_law = within_law.map(|codes| codes.into_pyarray(py).reshape(shape)).transpose()?;
+    result.set_item("within_law", within_law)?;
     result.set_item("warnings", contact.warnings)?;
     for (name, axis) in [("x", plane.x), ("y", plane.y)] {
         let entry = axis.key.entry();
@@ -106,13 +109,21 @@ pub(crate) fn oscillator_map<'py>(
     Ok(result)
 }
 
-/// The map, stretch by stretch where every point is decided, and the growth rates.
+/// A map with what was asked for besides.
+struct Decided {
+    map: StabilityMap,
+    growth: Option<Vec<f64>>,
+    /// `None` for a formula.
+    within_law: Option<Vec<u8>>,
+}
+
+/// The map, stretch by stretch where every point is decided, what the errors of the law leave of it, and the growth rates.
 fn decided(
     contact: &Contact,
     plane: &KeyPlane,
     (method, wants_growth): (Method, bool),
     progress: &dyn Progress,
-) -> Result<(StabilityMap, Option<Vec<f64>>), StudyError> {
+) -> Result<Decided, StudyError> {
     let (columns, rows) = (plane.columns(), plane.rows());
     let band = (STRETCH / columns).next_multiple_of(TILE_ROWS).max(TILE_ROWS);
     let map = if method == Method::Adaptive || rows <= band {
@@ -131,11 +142,17 @@ fn decided(
         progress.end();
         StabilityMap { columns, rows, classes, decisions: columns * rows }
     };
+    let within_law = if contact.law.is_formula() {
+        None
+    } else {
+        let codes = plane.within_law(contact, (&map, Method::Adaptive), &|| progress.interrupted());
+        Some(codes.ok_or(StudyError::Interrupted)?)
+    };
     if !wants_growth {
-        return Ok((map, None));
+        return Ok(Decided { map, growth: None, within_law });
     }
     progress.begin("growth rates", rows);
     let growth = plane.growth_rates(contact, progress)?;
     progress.end();
-    Ok((map, Some(growth)))
+    Ok(Decided { map, growth: Some(growth), within_law })
 }

@@ -1,7 +1,8 @@
 //! `equivalent-damping`: ξ_eq (23) along one key (Fig. 4).
 
 use super::axis::{Axis, Curves};
-use super::steady_states::{along, failure_warning, validity_warnings};
+use super::law_errors::{self, Erring};
+use super::steady_states::{SteadyState, along, failure_warning, validity_warnings};
 use crate::checks;
 use crate::error::StudyError;
 use crate::outcome::Outcome;
@@ -10,6 +11,12 @@ use judder_case::{Family, OscillatorCase, OscillatorKey, Sweep};
 use judder_oscillator::Contact;
 use judder_store::{Dataset, Table, Variable};
 use serde_json::{Map, json};
+
+const EQUIVALENT_DAMPING: Erring = Erring {
+    name: "equivalent_damping_error",
+    long_name: "how far ξ_eq may be off by the errors of the contact law",
+    of: |_, within| Some(within.equivalent_damping_error()),
+};
 
 pub(super) fn run(
     (case, contact): (&OscillatorCase, &Contact),
@@ -33,10 +40,11 @@ pub(super) fn run(
         curve.insert("equivalent_damping".to_owned(), json!(values));
         scalars.push(curve);
         damping.extend(values);
-        states.extend(line.into_iter().flatten());
+        states.extend(line.into_iter().map(Result::ok));
     }
-    outcome.warnings.extend(validity_warnings(contact, states.iter()));
-    outcome.checks = checks::steady_sliding(contact, &states);
+    let known: Vec<SteadyState> = states.iter().flatten().copied().collect();
+    outcome.warnings.extend(validity_warnings(contact, known.iter()));
+    outcome.checks = checks::steady_sliding(contact, &known);
     outcome.scalars = curves.scalars(scalars);
     let rows = vec![axis.values.len(); curves.inputs.len()];
     let mut table = Table::new();
@@ -55,5 +63,6 @@ pub(super) fn run(
         dataset = dataset.with(coordinate)?;
     }
     outcome.dataset = dataset.with(variable)?.attribute("kind", "equivalent-damping")?;
+    law_errors::add(&mut outcome, (&axis, &curves), (contact, &states), &EQUIVALENT_DAMPING)?;
     Ok(outcome)
 }

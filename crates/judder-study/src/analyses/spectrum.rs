@@ -1,7 +1,8 @@
 //! `spectrum`: the eigenvalues along one key (Figs. 5, 6), of the full system and without damping.
 
 use super::axis::{Axis, Curves};
-use super::steady_states::{along, failure_warning, validity_warnings};
+use super::law_errors::{self, Erring};
+use super::steady_states::{SteadyState, along, failure_warning, validity_warnings};
 use crate::checks;
 use crate::error::StudyError;
 use crate::outcome::Outcome;
@@ -35,6 +36,17 @@ impl Spectra {
     };
 }
 
+/// The errors of the growth rate: the larger distance of its ends in the box of the law from it.
+const GROWTH_RATE: Erring = Erring {
+    name: "growth_rate_error",
+    long_name: "how far the growth rate may be off by the errors of the contact law",
+    of: |state, within| {
+        let own = growth_rate(&eigenvalues(&state.linearisation.system().reduced().ok()?).ok()?);
+        let (least, most) = within.growth_rates().ok()?;
+        Some((most - own).max(own - least))
+    },
+};
+
 pub(super) fn run(
     (case, contact): (&OscillatorCase, &Contact),
     sweep: &Sweep<OscillatorKey>,
@@ -49,12 +61,14 @@ pub(super) fn run(
         spectra.extend(
             line.iter().map(|s| s.as_ref().ok().and_then(|s| Spectra::new(&s.linearisation.system()))),
         );
-        states.extend(line.into_iter().flatten());
+        states.extend(line.into_iter().map(Result::ok));
     }
-    warnings.extend(validity_warnings(contact, states.iter()));
+    let known: Vec<SteadyState> = states.iter().flatten().copied().collect();
+    warnings.extend(validity_warnings(contact, known.iter()));
     let mut outcome = outcome(&axis, &curves, spectra)?;
     outcome.warnings = warnings;
-    outcome.checks = checks::steady_sliding(contact, &states);
+    outcome.checks = checks::steady_sliding(contact, &known);
+    law_errors::add(&mut outcome, (&axis, &curves), (contact, &states), &GROWTH_RATE)?;
     Ok(outcome)
 }
 

@@ -13,6 +13,8 @@ pub(super) fn equivalent_damping(dataset: &Dataset) -> Option<Panel> {
     const LINEAR: f64 = 0.01;
     let swept = Swept::of(dataset, "equivalent_damping")?;
     let damping = reals(dataset, "equivalent_damping")?;
+    let errors = reals(dataset, "equivalent_damping_error");
+    let errors_of = |curve: usize| errors?.chunks(swept.values.len().max(1)).nth(curve);
     let mut layers = vec![Layer::horizontal_rule(0.0, "")];
     for (curve, values) in damping.chunks(swept.values.len().max(1)).enumerate() {
         layers.push(Layer::line(
@@ -21,6 +23,12 @@ pub(super) fn equivalent_damping(dataset: &Dataset) -> Option<Panel> {
             values.to_vec(),
             swept.role(curve).solid(),
         ));
+        for (side, label) in [(-1.0, "within the law"), (1.0, "")] {
+            let Some(errors) = errors_of(curve) else { continue };
+            let edge = values.iter().zip(errors).map(|(value, error)| value + side * error).collect();
+            let label = if curve == 0 { label } else { "" };
+            layers.push(Layer::line(label, swept.values.to_vec(), edge, swept.role(curve).dotted()));
+        }
     }
     let vertical = Axis::symmetric_log("Equivalent damping $ξ_{eq}$ (−)", LINEAR);
     Some(Panel::new(axis(swept.axis), vertical, layers))

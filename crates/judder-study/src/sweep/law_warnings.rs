@@ -8,7 +8,9 @@ use crate::error::StudyError;
 use crate::known_substrate::KnownSubstrate;
 use crate::progress::Progress;
 use crate::quasi_steady::{self, Condition};
+use crate::within_law::MARGINAL;
 use judder_case::{Case, OscillatorCase};
+use judder_oscillator::within_law::WithinLaw;
 
 /// How the law is doubtful at some points, evenly over the sweep; where the case is read anew, the points say it themselves.
 ///
@@ -39,11 +41,21 @@ pub(super) fn law_warnings(plan: &SweepPlan, progress: &dyn Progress) -> Result<
         count => format!("at {count} of {looked} points looked at, for one: {first}"),
     });
     let of_points = of_substrates.into_iter().chain(validity_warnings(&set.contact, states.iter()));
+    let is_marginal = |state: &&SteadyState| {
+        WithinLaw::new(&set.contact, &state.coefficients, &state.equilibrium)
+            .is_some_and(|within| !within.is_decided())
+    };
+    let marginal = states.iter().filter(is_marginal).count();
+    let undecided = (marginal > 0).then(|| {
+        format!(
+            "at {marginal} of {looked} points looked at the verdict is {MARGINAL}: its errors decide there"
+        )
+    });
     let substrate = KnownSubstrate::of(&set.case)?;
     let of_band = substrate.band_warning(&set.contact, points.iter().copied());
     let broken = Condition::worst(points.into_iter(), Some(&set.contact), &substrate.terms)
         .and_then(|condition| condition.warning(None));
-    Ok(set.computed.iter().cloned().chain(of_points).chain(of_band).chain(broken).collect())
+    Ok(set.computed.iter().cloned().chain(of_points).chain(undecided).chain(of_band).chain(broken).collect())
 }
 
 /// That eq. (3) is broken at some of the points, evenly over the sweep, of a case that is read anew at each.

@@ -36,6 +36,8 @@ impl PointQuantity {
 
 /// The codes of `verdict`: its order.
 const VERDICTS: [&str; 3] = ["stable", "marginal", "unstable"];
+/// The codes of `marginal_within_law`: its order.
+const MARGINAL: [&str; 2] = ["decided", "marginal"];
 /// The codes of `mechanism`: its order.
 const MECHANISMS: [&str; 6] =
     ["none", "flutter", "negative-damping", "both", "normal-force-coupling", "destabilised-by-damping"];
@@ -71,7 +73,7 @@ const LINEAR_QUANTITIES: [PointQuantity; OF_LINEAR_SYSTEMS] = {
 };
 
 /// Those of an oscillator.
-const POINT_QUANTITIES: [PointQuantity; 15] = [
+const POINT_QUANTITIES: [PointQuantity; 18] = [
     number("growth_rate", "growth rate, Re λ/ω_nx", |p| p.steady.growth_rate()),
     number("frequency", "frequency of the fastest growing mode, Im λ/ω_nx", |p| {
         leading(&p.steady.eigenvalues).im
@@ -84,6 +86,15 @@ const POINT_QUANTITIES: [PointQuantity; 15] = [
     }),
     number("equivalent_damping", "equivalent damping ξ_eq, eq. (23)", |p| {
         p.steady.linearisation.equivalent_damping()
+    }),
+    number("equivalent_damping_error", "error of ξ_eq by those of the contact law", |p| {
+        p.steady.equivalent_damping_error().unwrap_or(f64::NAN)
+    }),
+    number("growth_rate_error", "error of the growth rate by those of the contact law, Re λ/ω_nx", |p| {
+        p.steady.growth_rate_error().unwrap_or(f64::NAN)
+    }),
+    code("marginal_within_law", ("whether the law with its errors has other verdicts", &MARGINAL), |p| {
+        p.steady.marginal_within_law().map_or(f64::NAN, |marginal| f64::from(u8::from(marginal)))
     }),
     number("equilibrium_x", "displacement x_e/x_0", |p| p.equilibrium().x),
     number("equilibrium_y", "displacement y_e/x_0", |p| p.equilibrium().y),

@@ -218,7 +218,7 @@ fn a_contact_outside_the_measured_band_says_by_how_many_decades() {
         for told in of_band(folder.path(), &text) {
             match expected {
                 Some(expected) => {
-                    assert!(told.len() == 1 && told[0].contains(expected), "{velocity}: {told:?}")
+                    assert!(told.len() == 1 && told[0].contains(expected), "{velocity}: {told:?}");
                 }
                 None => assert!(told.is_empty(), "{velocity}: {told:?}"),
             }

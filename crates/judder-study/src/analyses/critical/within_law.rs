@@ -9,8 +9,10 @@ use judder_oscillator::undecided::{Ranges, Undecided};
 use judder_store::{Dataset, Table, Variable};
 use serde_json::{Map, Value, json};
 
-/// The two systems of a threshold: its name in results, its ranges.
-const SYSTEMS: [(&str, fn(&Undecided) -> &Ranges); 2] =
+/// A system of thresholds: its name in results, its ranges.
+type System = (&'static str, fn(&Undecided) -> &Ranges);
+
+const SYSTEMS: [System; 2] =
     [("full", |undecided| &undecided.full), ("conservative", |undecided| &undecided.conservative)];
 
 /// Adds the ranges of all curves to the outcome of an analysis with a law that is no formula.
@@ -20,15 +22,7 @@ pub(super) fn add(
     found: &[Found],
     unit: &str,
 ) -> Result<(), StudyError> {
-    let of_curves = found.chunks(axis.values.len());
-    // with a family there is an object a curve
-    match outcome.scalars.get_mut("curves").and_then(Value::as_array_mut) {
-        Some(all) => {
-            let objects = all.iter_mut().filter_map(Value::as_object_mut);
-            objects.zip(of_curves).for_each(|(scalars, curve)| add_scalars(scalars, curve));
-        }
-        None => of_curves.for_each(|curve| add_scalars(&mut outcome.scalars, curve)),
-    }
+    outcome.add_to_curves(found.chunks(axis.values.len()), add_scalars);
     outcome.dataset = add_arrays(std::mem::take(&mut outcome.dataset), (axis, curves), found, unit)?;
     outcome.table = outcome.table.take().map(|table| add_columns(table, found, unit)).transpose()?;
     outcome.warnings.extend(warning(found));

@@ -10,9 +10,9 @@ use serde_json::json;
 
 /// The name of the array.
 pub(crate) const WITHIN_LAW: &str = "within_law";
-/// What its codes mean.
+/// What its codes mean; where there is no steady sliding nothing is open.
 const MEANINGS: [(u8, &str); 3] = [
-    (LawStanding::Decided as u8, "decided, or no steady sliding"),
+    (LawStanding::Decided as u8, "decided"),
     (LawStanding::Marginal as u8, MARGINAL),
     (LawStanding::Unknown as u8, "unknown"),
 ];

@@ -1,6 +1,5 @@
 //! Every way in which a case can be wrong, one variant a cause, with what would be right.
 
-use judder_numerics::words::plain;
 use std::path::PathBuf;
 
 use thiserror::Error;
@@ -198,7 +197,7 @@ pub enum Cause {
         law: LawName,
     },
     /// Prony compliances that leave no positive glassy modulus: 1/E∞ = 1/E0 − compliance.
-    #[error("the prony compliance {compliance} 1/Pa is not below 1/E0 = {limit} 1/Pa", compliance = plain(*.compliance), limit = plain(*.limit))]
+    #[error("the prony compliance {compliance:e} 1/Pa is not below 1/E0 = {limit:e} 1/Pa")]
     PronyCompliance {
         /// The sum of the compliances, 1/Pa.
         compliance: f64,
@@ -206,7 +205,7 @@ pub enum Cause {
         limit: f64,
     },
     /// E∞ < E0, or E∞ = E0 with a law that needs relaxation.
-    #[error("the glassy modulus {glassy} Pa is not above the rubbery modulus {rubbery} Pa", glassy = plain(*.glassy), rubbery = plain(*.rubbery))]
+    #[error("the glassy modulus {glassy:e} Pa is not above the rubbery modulus {rubbery:e} Pa")]
     GlassyBelowRubbery {
         /// E0, Pa.
         rubbery: f64,

@@ -108,7 +108,7 @@ impl Cause {
                 "give a share of one: 0.95 for 95 %".to_owned()
             }
             Self::EmptyRange { .. } => "let `from` and `to` differ".to_owned(),
-            Self::Backwards { .. } => "give the smaller end first".to_owned(),
+            Self::Backwards { .. } => "exchange its two ends".to_owned(),
             Self::NothingMeasured { .. } => "let `transient` be shorter than `duration`".to_owned(),
             Self::TooFewPoints { .. } => "count both ends".to_owned(),
             Self::KeyTwice { .. } => "take two different quantities".to_owned(),

@@ -17,7 +17,7 @@ fn a_locus_that_cannot_be() {
         "kind = \"locus\"\npositions = { from = \"50 mm\", to = \"20 mm\" }",
         "the range runs backwards: from 0.05 to 0.02",
         "{ from = \"50 mm\", to = \"20 mm\" }",
-        "exchange `from` and `to`",
+        "exchange its two ends",
     );
     analysis(
         "kind = \"locus\"\nsweep = { key = \"contact.friction_coefficient\", from = 0, to = 1, points = 3 }",

@@ -231,7 +231,7 @@ fn a_band_that_runs_backwards() {
         &analysis("kind = \"modes\"\nband = [\"2 rad/s\", \"1 rad/s\"]"),
         "the range runs backwards: from 2.0 to 1.0",
         "[\"2 rad/s\", \"1 rad/s\"]",
-        "exchange `from` and `to`",
+        "exchange its two ends",
     );
 }
 

@@ -255,7 +255,7 @@ fn a_root_range_backwards() {
         &beside_sweep("critical-shear-strength", "within = { from = 1, to = 1e-3 }"),
         "the range runs backwards: from 1.0 to 0.001",
         "{ from = 1, to = 1e-3 }",
-        "exchange `from` and `to`",
+        "exchange its two ends",
     );
 }
 

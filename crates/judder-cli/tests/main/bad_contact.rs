@@ -108,7 +108,7 @@ fn netcdf_files_that_are_ambiguous() {
     refused("two_units.nc", "the heights are in \"nm\"", "bring them to one unit");
     refused("write.py", "the file cannot be read as NetCDF", "if it is such a file, `nccopy -k classic");
     let case = pressed("heights = \"heights.nc\", spacing = \"1 um\"");
-    let message = "the coordinates of the file have steps of 5e-1 m, `spacing` is 1e-6 m";
+    let message = "the coordinates of the file have steps of 0.5 m, `spacing` is 1e-6 m";
     let help = "leave `spacing` out, or mend `unit`";
     refused_file(&case, "heights.nc", height_map("classic.nc"), message, help);
 }
@@ -312,7 +312,7 @@ fn continuous_spectra_that_cannot_be() {
     refused("terms = 3", "`substrate.continuous` lacks the key `samples`", "give log_normal = {");
     let two = "log_normal = { median = \"1 ms\", width = 1 }, terms = 3, accuracy = 1e-2";
     refused(two, "cannot both be given", "keep `substrate.continuous.terms`");
-    let message = "the times of `substrate.continuous.samples` must ascend, but 1e-3 s follows 2e-3 s";
+    let message = "the times of `substrate.continuous.samples` must ascend, but 0.001 s follows 0.002 s";
     refused(&sample("1 ms", "1e-5"), message, "list the terms from the shortest time to the longest");
     let message = "`substrate.continuous.samples.density` must be zero or positive, but is -1e-5";
     refused(&sample("3 ms", "-1e-5"), message, "out of range");

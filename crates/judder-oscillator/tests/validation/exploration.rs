@@ -108,8 +108,7 @@ fn time_stepping_bounces_where_the_search_does() {
 #[ignore = "eleven searches, about a minute"]
 fn the_fold_does_not_jump_between_neighbouring_speeds() {
     let speeds = (0..11).map(|k| 2e-3 * 50_f64.powf(f64::from(k) / 10.0));
-    let both: Vec<[f64; 2]> =
-        speeds.map(|velocity| margins(velocity)).map(|m| [m.branch_fold, m.fold]).collect();
+    let both: Vec<[f64; 2]> = speeds.map(margins).map(|m| [m.branch_fold, m.fold]).collect();
     let steps = |of: usize| both.windows(2).map(move |pair| (pair[1][of] / pair[0][of]).ln().abs());
     assert!(steps(0).fold(0.0, f64::max) > 1.0, "{both:?}");
     assert!(steps(1).fold(0.0, f64::max) < 0.1, "{both:?}");

@@ -34,7 +34,12 @@ pub(super) fn layers(dataset: &Dataset) -> Option<Vec<Layer>> {
     }
     let hopf = along("hopf_value")?;
     let at_rest = vec![0.0; hopf.len()];
-    layers.push(Layer::points("Hopf points", hopf, at_rest, Role::Series(3)));
-    layers.push(Layer::points("folds", along("fold_value")?, along("fold_rms")?, Role::Series(2)));
+    for (label, across, up, series) in
+        [("Hopf points", hopf, at_rest, 3), ("folds", along("fold_value")?, along("fold_rms")?, 2)]
+    {
+        if !across.is_empty() {
+            layers.push(Layer::points(label, across, up, Role::Series(series)));
+        }
+    }
     Some(layers)
 }

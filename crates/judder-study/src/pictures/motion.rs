@@ -6,7 +6,7 @@ use super::{axis, codes, complexes, reals, text, words};
 use crate::analyses::becomes::{BECOMES, CYCLE, IRREGULAR, UNCONFIRMED};
 use judder_report::figure::Region;
 use judder_report::palette::Style;
-use judder_report::{Axis, Layer, Legend, Panel, Role};
+use judder_report::{Axis, Layer, Legend, Panel, Role, Scale};
 use judder_store::Dataset;
 use std::f64::consts::TAU;
 
@@ -77,6 +77,18 @@ pub(super) fn limit_cycle(dataset: &Dataset) -> Option<Vec<Panel>> {
         layers,
     ));
     Some(panels)
+}
+
+/// The axis over values that have markers at both ends.
+fn with_room(axis: Axis, (from, to): (f64, f64)) -> Axis {
+    const ROOM: f64 = 0.02;
+    match axis.scale {
+        Scale::Log => {
+            let room = (to / from).powf(ROOM);
+            axis.over(from / room, to * room)
+        }
+        _ => axis.over(from - ROOM * (to - from), to + ROOM * (to - from)),
+    }
 }
 
 fn along_time(dataset: &Dataset) -> Option<Axis> {
@@ -228,7 +240,7 @@ pub(super) fn bifurcation(dataset: &Dataset) -> Option<Vec<Panel>> {
     let values = reals(dataset, &swept.name)?;
     let directions = words(dataset, "direction")?;
     let (first, last) = (*values.first()?, *values.last()?);
-    let along = || axis(swept).over(first.min(last), first.max(last));
+    let along = || with_room(axis(swept), (first.min(last), first.max(last)));
     let branches = branches::layers(dataset);
     let has_branches = branches.is_some();
     let (mut amplitude, mut shares) = (branches.unwrap_or_default(), Vec::new());

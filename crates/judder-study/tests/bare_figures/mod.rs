@@ -111,7 +111,7 @@ kind = "spectrum"
 sweep = { key = "contact.shear_strength", from = 1e-3, to = 1e-1, points = 4 }
 [[analysis]]
 kind = "critical-shear-strength"
-sweep = { key = "operation.velocity", from = 1e-6, to = 1e-2, points = 3, scale = "log" }
+sweep = { key = "operation.velocity", from = 1e-3, to = 1e-2, points = 2, scale = "log" }
 within = { from = 1e-4, to = 1.0 }
 [[analysis]]
 kind = "stability-map"

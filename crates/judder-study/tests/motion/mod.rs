@@ -108,7 +108,9 @@ fn the_oscillators_branch_is_what_simulation_finds() {
                 sweep = { key = \"contact.shear_strength\", from = 1.95e-3, to = 2.05e-3, points = 5 }";
     let folder = tempfile::tempdir().unwrap();
     let report = run_into(folder.path(), &parsed(text), &[]);
-    assert!(report.complete && report.messages.is_empty(), "{:?}", report.messages);
+    // the paper's own speeds: its contact is not in step with the motion, and that is all there is to say
+    let others = report.messages.iter().filter(|message| !message.contains("eq. (3)")).count();
+    assert!(report.complete && others == 0, "{:?}", report.messages);
     let diagram = &report.summary.results["diagram"];
     assert_eq!(diagram["hopf_points"][0]["criticality"], "supercritical");
     assert!((number(&diagram["hopf_points"][0]["value"]) - 1.983_134_6e-3).abs() < 1e-9);

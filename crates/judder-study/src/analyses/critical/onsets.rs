@@ -77,6 +77,9 @@ const OF_MARGIN: [Number; 4] = [
     },
 ];
 
+/// A class of thresholds: its name in results, what it is, its words, and which one a threshold has.
+type Class = (&'static str, &'static str, &'static [(u8, &'static str)], fn(&Onset) -> u8);
+
 const CRITICALITY: [(u8, &str); 3] = [(0, "none"), (1, "supercritical"), (2, "subcritical")];
 const STABLE_SIDE: [(u8, &str); 3] = [(0, "none"), (1, "below"), (2, "above")];
 
@@ -135,7 +138,7 @@ pub(super) fn add_arrays(
     let (dimensions, shape) = curves.dimensions(axis, &[("full_root", most)]);
     let onsets =
         || found.iter().flat_map(move |f| (0..most).map(move |k| f.onsets.get(k).and_then(Option::as_ref)));
-    let mut classes: Vec<(&str, &str, &[(u8, &str)], fn(&Onset) -> u8)> = vec![
+    let mut classes: Vec<Class> = vec![
         ("criticality", "what grows from each threshold", &CRITICALITY, criticality),
         (
             "stable_side",

@@ -244,7 +244,8 @@ pub(super) fn bifurcation(dataset: &Dataset) -> Option<Vec<Panel>> {
     let branches = branches::layers(dataset);
     let has_branches = branches.is_some();
     let (mut amplitude, mut shares) = (branches.unwrap_or_default(), Vec::new());
-    for (k, direction) in directions.iter().enumerate() {
+    // the way up on top of the way down: a circle leaves the corners of a square
+    for (k, direction) in directions.iter().enumerate().rev() {
         let of = |name: &str| -> Option<Vec<f64>> {
             Some(reals(dataset, name)?.get(k * values.len()..(k + 1) * values.len())?.to_vec())
         };
@@ -305,7 +306,7 @@ fn amplitude_axis(rms: &[f64], has_branches: bool) -> Axis {
 fn largest(dataset: &Dataset, directions: &[String], along: Axis) -> Option<Panel> {
     let (values, x) = (reals(dataset, "section_value")?, reals(dataset, "section_x")?);
     let of = words(dataset, "section_direction")?;
-    let layers = directions.iter().enumerate().map(|(k, direction)| {
+    let layers = directions.iter().enumerate().rev().map(|(k, direction)| {
         let points = || (0..x.len()).filter(|i| of[*i] == *direction);
         let across: Vec<f64> = points().map(|i| values[i]).collect();
         let style = markers(Role::Series(k), across.len());

@@ -213,6 +213,11 @@ fn markers(role: Role, points: usize) -> Style {
     if points > CROWD { role.crowded() } else { role.into() }
 }
 
+/// Markers of a direction: small ones on the way up, which the way down would hide.
+fn of_direction(role: Role, direction: usize) -> Style {
+    if direction == 0 { role.crowded() } else { role.into() }
+}
+
 /// The states where x is largest: y over x, or for a model without y the next x over x.
 fn section(dataset: &Dataset) -> Option<Panel> {
     let x = reals(dataset, "section_x")?;
@@ -244,13 +249,18 @@ pub(super) fn bifurcation(dataset: &Dataset) -> Option<Vec<Panel>> {
     let branches = branches::layers(dataset);
     let has_branches = branches.is_some();
     let (mut amplitude, mut shares) = (branches.unwrap_or_default(), Vec::new());
-    // the way up on top of the way down: a circle leaves the corners of a square
+    // the way up on top of the way down, and smaller: both are seen where they agree
     for (k, direction) in directions.iter().enumerate().rev() {
         let of = |name: &str| -> Option<Vec<f64>> {
             Some(reals(dataset, name)?.get(k * values.len()..(k + 1) * values.len())?.to_vec())
         };
         // neighbours may have settled to different motions: nothing is known between them
-        amplitude.push(Layer::points(direction, values.to_vec(), of("rms")?, Role::Series(k)));
+        amplitude.push(Layer::points(
+            direction,
+            values.to_vec(),
+            of("rms")?,
+            of_direction(Role::Series(k), k),
+        ));
         let becomes = codes(dataset, "becomes")?.get(k * values.len()..(k + 1) * values.len())?;
         for (code, series) in [(IRREGULAR, 4), (UNCONFIRMED, 6)] {
             let word = BECOMES[usize::from(code)].1;
@@ -259,12 +269,14 @@ pub(super) fn bifurcation(dataset: &Dataset) -> Option<Vec<Panel>> {
                 of_kind.map(|(rms, becomes)| if *becomes == code { rms } else { f64::NAN }).collect();
             if marked.iter().any(|rms| rms.is_finite()) {
                 let label = format!("{direction}, {word}");
-                amplitude.push(Layer::points(label, values.to_vec(), marked, Role::Series(series + k)));
+                let style = of_direction(Role::Series(series + k), k);
+                amplitude.push(Layer::points(label, values.to_vec(), marked, style));
             }
         }
         for (name, label, series) in [("stick_fraction", "stick", 0), ("lift_off_fraction", "lift-off", 2)] {
             let label = format!("{label}, {direction}");
-            shares.push(Layer::points(label, values.to_vec(), of(name)?, Role::Series(series + k)));
+            let style = of_direction(Role::Series(series + k), k);
+            shares.push(Layer::points(label, values.to_vec(), of(name)?, style));
         }
     }
     let mut panels = vec![
@@ -309,7 +321,8 @@ fn largest(dataset: &Dataset, directions: &[String], along: Axis) -> Option<Pane
     let layers = directions.iter().enumerate().rev().map(|(k, direction)| {
         let points = || (0..x.len()).filter(|i| of[*i] == *direction);
         let across: Vec<f64> = points().map(|i| values[i]).collect();
-        let style = markers(Role::Series(k), across.len());
+        let crowd = markers(Role::Series(k), across.len());
+        let style = if k == 0 { Role::Series(k).crowded() } else { crowd };
         Layer::points(direction, across, points().map(|i| x[i]).collect(), style)
     });
     let label =

@@ -50,6 +50,14 @@ pub struct Look {
     pub undecided: usize,
 }
 
+impl Look {
+    /// Whether all starts came to rest, and there were some.
+    #[must_use]
+    pub fn is_quiet(&self) -> bool {
+        self.starts > 0 && self.moved + self.undecided == 0
+    }
+}
+
 /// The motions that are known beside a threshold.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Exploration {
@@ -141,7 +149,7 @@ impl Exploration {
     /// none, or the search ended for want of rounds.
     #[must_use]
     pub fn quiet_to(&self) -> Option<f64> {
-        let quiet = self.beyond.iter().take_while(|look| look.undecided == 0);
+        let quiet = self.beyond.iter().take_while(|look| look.is_quiet());
         quiet.last().map(|look| look.parameter).filter(|_| self.end != SearchEnd::Rounds)
     }
 

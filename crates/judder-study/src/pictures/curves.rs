@@ -179,7 +179,7 @@ fn folds(dataset: &Dataset, swept: &Swept<'_>) -> Vec<Layer> {
     if (0..roots.len()).any(|k| lost(k).is_finite()) {
         layers.push(points("no fold: motions up to here", &lost, 4));
     }
-    let open = |k: usize| match codes(dataset, "told").map(|told| told[k]) {
+    let open = |k: usize| match codes(dataset, "told").and_then(|told| told.get(k).copied()) {
         Some(NOT_KNOWN) if folds[k].is_finite() => folds[k],
         Some(NOT_KNOWN) if reaches[k].is_finite() => reaches[k],
         Some(NOT_KNOWN) => roots[k],

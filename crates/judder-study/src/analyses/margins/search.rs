@@ -106,10 +106,10 @@ impl Search {
 
 impl Told {
     fn of(found: &Exploration, meets_threshold: bool) -> Self {
-        let is_decided = found.beyond.iter().all(|look| look.undecided == 0);
+        let is_quiet = found.beyond.iter().all(Look::is_quiet);
         match found.end {
             SearchEnd::Rounds => Self::Open,
-            _ if !is_decided => Self::Open,
+            _ if !is_quiet => Self::Open,
             _ if !found.beyond.is_empty() => Self::NoneMoved,
             SearchEnd::Range if !meets_threshold => Self::RangeEnds,
             _ => Self::NotStable,

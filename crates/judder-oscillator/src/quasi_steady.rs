@@ -66,8 +66,6 @@ pub struct QuasiSteady {
 
 impl QuasiSteady {
     /// Eq. (3) at τ̃ = ω_nx τ and v̂ = v τ/R, in a contact of this area over R², on a substrate of these terms; `None` for one without.
-    ///
-    /// Half the length of the contact is a = √(A/π).
     #[must_use]
     pub fn new(retardation_time: f64, velocity: f64, area: f64, terms: &[LawTerm]) -> Option<Self> {
         /// Of the compliance: a term with less is no part of what creeps.
@@ -78,9 +76,15 @@ impl QuasiSteady {
         Some(Self {
             figure: retardation_time,
             longest: retardation_time * longest,
-            memory: retardation_time * memory_time(velocity / (area / PI).sqrt(), terms),
+            memory: retardation_time * memory_time(excited(velocity, area), terms),
         })
     }
+}
+
+/// ω τ at which sliding excites its substrate: v τ/a, for v τ/R and A/R² with half the length of the contact a = √(A/π).
+#[must_use]
+pub fn excited(velocity: f64, area: f64) -> f64 {
+    velocity / (area / PI).sqrt()
 }
 
 /// T/τ at v τ/a.

@@ -6,8 +6,8 @@ use crate::analyses::SteadyState;
 use crate::material::Material;
 use crate::text::short;
 use judder_case::OscillatorInputs;
-use judder_oscillator::Contact;
-use std::f64::consts::{PI, TAU};
+use judder_oscillator::{Contact, quasi_steady};
+use std::f64::consts::TAU;
 
 /// What lies outside by less is not told: v/a is a scale, good to a factor of two.
 const BLURRED: f64 = 2.0;
@@ -67,14 +67,9 @@ impl MeasuredBand {
     }
 }
 
-/// ω τ of steady sliding at v τ/R with an area over R².
-fn of_contact(velocity: f64, area: f64) -> f64 {
-    velocity / (area / PI).sqrt()
-}
-
 /// ω τ at a state of steady sliding.
 pub(crate) fn excited(state: &SteadyState) -> f64 {
-    of_contact(state.coefficients.velocity, state.equilibrium.response.area.value)
+    quasi_steady::excited(state.coefficients.velocity, state.equilibrium.response.area.value)
 }
 
 /// The same at an operating point; `None` where there is no steady sliding.

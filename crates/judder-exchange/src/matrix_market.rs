@@ -116,10 +116,10 @@ fn sizes<const N: usize>(
 /// What the lines hold, one a line, as many as are said.
 fn each_line<T>(
     lines: &mut Lines<'_>,
-    (line_of_sizes, said): (usize, usize),
+    (what, line_of_sizes, said): (&'static str, usize, usize),
     read: impl Fn(&str) -> Result<T, Cause>,
 ) -> Result<Vec<T>, ExchangeError> {
-    let wrong = |found| Cause::WrongCount { what: "entries", said, found };
+    let wrong = |found| Cause::WrongCount { what, said, found };
     let mut entries = Vec::with_capacity(said);
     for (line, text) in lines {
         let entry = read(text).map_err(|cause| ExchangeError::at_line(line, cause))?;
@@ -145,7 +145,7 @@ fn coordinates(
     let [rows, columns, said] = sizes(text, "rows, columns and entries", names).map_err(here)?;
     // the shortest line is `1 1 1` with its end
     check_room(said, 5, bytes + 1, "entries").map_err(here)?;
-    let entries = each_line(lines, (line, said), |text| entry(text, rows, columns))?;
+    let entries = each_line(lines, ("entries", line, said), |text| entry(text, rows, columns))?;
     Matrix::from_stored(rows, columns, entries, header.symmetry)
 }
 
@@ -179,7 +179,12 @@ fn array(
         Symmetry::Symmetric => column,
         Symmetry::SkewSymmetric => column + 1,
     };
-    let values = each_line(lines, (line, said), |text| number(text, "an entry of the matrix"))?;
+    let what = match header.symmetry {
+        Symmetry::General => "entries",
+        Symmetry::Symmetric => "entries from the diagonal down",
+        Symmetry::SkewSymmetric => "entries below the diagonal",
+    };
+    let values = each_line(lines, (what, line, said), |text| number(text, "an entry of the matrix"))?;
     let places = (0..columns).flat_map(|column| (first(column)..rows).map(move |row| (row, column)));
     let entries = places.zip(values).filter(|(_, value)| *value != 0.0);
     let entries = entries.map(|((row, column), value)| (row, column, value)).collect();

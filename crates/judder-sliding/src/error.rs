@@ -6,7 +6,7 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum SlidingError {
     /// A number is out of its range.
-    #[error("{name} is {value}: it must be {requirement}")]
+    #[error("{name} is {value}: it must be {requirement}", value = plain(*.value))]
     InvalidNumber {
         /// Which.
         name: String,

@@ -130,10 +130,10 @@ impl Eigenvalue {
         -self.value.re / self.value.norm()
     }
 
-    /// Im λ/2π in Hz.
+    /// Im λ/2π in Hz; zero where Im λ is no more than its error, as of a mode that grows or decays without oscillating.
     #[must_use]
     pub fn frequency_hz(&self) -> f64 {
-        self.value.im / std::f64::consts::TAU
+        if self.value.im.abs() <= self.error { 0.0 } else { self.value.im / std::f64::consts::TAU }
     }
 }
 

@@ -1,13 +1,13 @@
 use crate::element::ElementKind;
 use crate::freedom::Direction;
-use judder_numerics::words::plain;
+use judder_numerics::words::{plain, plain_complex};
 use thiserror::Error;
 
 /// Why there is no structure.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum StructureError {
     /// A number is out of its range.
-    #[error("{name} is {value}: it must be {requirement}")]
+    #[error("{name} is {value}: it must be {requirement}", value = plain(*.value))]
     InvalidNumber {
         /// Which.
         name: &'static str,
@@ -226,7 +226,10 @@ pub enum StructureError {
         name: String,
     },
     /// A range of the complex plane that is empty.
-    #[error("the region's range `{name}` goes from {from} to {to}: it must rise, between finite numbers")]
+    #[error(
+        "the region's range `{name}` goes from {from} to {to}: it must rise, between finite numbers",
+        from = plain(*.from), to = plain(*.to),
+    )]
     EmptyRegion {
         /// `re` or `im`.
         name: &'static str,
@@ -237,7 +240,8 @@ pub enum StructureError {
     },
     /// λ² M + λ C + K has no factors wherever it is tried.
     #[error(
-        "λ²M + λC + K is singular at {value} and beside it: every number is an eigenvalue, or the matrices have an empty row or column"
+        "λ²M + λC + K is singular at {value} and beside it: every number is an eigenvalue, or the matrices have an empty row or column",
+        value = plain_complex(*.value),
     )]
     SingularEverywhere {
         /// The last place that was tried.

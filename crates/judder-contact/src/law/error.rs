@@ -108,9 +108,11 @@ pub enum LawError {
     #[error("law file: {0}")]
     Json(#[from] serde_json::Error),
     /// A JSON file of something else.
-    #[error("law file: format is {found:?}, expected {expected:?}")]
+    #[error(
+        "law file: `format` is {found:?}, not {expected:?}: this is no file that a contact-law analysis has left"
+    )]
     WrongFormat {
-        /// What the file says.
+        /// What the file says; empty where it says nothing.
         found: String,
         /// What a law file says.
         expected: &'static str,

@@ -28,7 +28,9 @@ const LIMIT_TOLERANCE: f64 = 1e-9;
 /// The first thing that is read of a file, so that a wrong one is named before its fields are.
 #[derive(Deserialize)]
 struct Head {
+    #[serde(default)]
     format: String,
+    #[serde(default)]
     version: u32,
 }
 

@@ -5,6 +5,7 @@ use super::matching::one_to_one;
 use crate::StructureError;
 use crate::quadratic::{Quadratic, Region};
 use faer::c64;
+use judder_numerics::words::{plain, plain_complex};
 use rayon::prelude::*;
 use std::fmt;
 
@@ -53,27 +54,34 @@ impl fmt::Display for Gap {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::OneSided { value } => {
-                write!(f, "{value:.6} 1/s was found by its right or its left vector only")
+                write!(f, "{} 1/s was found by its right or its left vector only", plain_complex(*value))
             }
             Self::Overlap { value, shift } => {
-                write!(f, "{value:.6} 1/s was not found from the shift {shift:.6} 1/s, whose disc holds it")
+                let (value, shift) = (plain_complex(*value), plain_complex(*shift));
+                write!(f, "{value} 1/s was not found from the shift {shift} 1/s, whose disc holds it")
             }
             Self::Strayed { from, to } => {
-                write!(f, "what was found at {from:.6} 1/s went to {to:.6} 1/s when it was refined")
+                let (from, to) = (plain_complex(*from), plain_complex(*to));
+                write!(f, "what was found at {from} 1/s went to {to} 1/s when it was refined")
             }
             Self::Unproved { found, place } => write!(
                 f,
-                "the determinant of λ²M + λC + K at {place:.6} 1/s is not that of the {found} eigenvalues found: \
-                 some may be missing, or too ill-conditioned to count"
+                "the determinant of λ²M + λC + K at {} 1/s is not that of the {found} eigenvalues found: \
+                 some may be missing, or too ill-conditioned to count",
+                plain_complex(*place)
             ),
             Self::Torn { value } => write!(
                 f,
-                "the branch at {value:.6} 1/s begins or ends inside the region: the basis may lack an eigenvalue here"
+                "the branch at {} 1/s begins or ends inside the region: the basis may lack an eigenvalue here",
+                plain_complex(*value)
             ),
             Self::Uncovered { part } => write!(
                 f,
                 "no disc covers the part {} to {}, {} to {} of the region",
-                part.re[0], part.re[1], part.im[0], part.im[1]
+                plain(part.re[0]),
+                plain(part.re[1]),
+                plain(part.im[0]),
+                plain(part.im[1])
             ),
         }
     }

@@ -65,12 +65,15 @@ pub(super) fn of_growing(
         }
     };
     warnings.extend(undamped.of.warning("the component modes are those"));
-    let (mut entries, mut balance) = (Vec::new(), Disagreement::default());
+    let (mut entries, mut balance, mut idle) = (Vec::new(), Disagreement::default(), Vec::new());
     for (number, mode) in &growing {
         let told = diagnosis(&structure.family, &at, mode)?;
         let value = mode.eigenvalue.value;
         balance.add(told.balance);
-        warnings.extend(of_energy(number + 1, mode, &told));
+        match told.energy.sign() {
+            EnergySign::None => idle.push((number + 1, *mode, told.energy.error)),
+            _ => warnings.extend(of_little_energy(number + 1, mode, &told)),
+        }
         let paradoxes = told.influences.iter().filter(|influence| influence.is_paradox());
         warnings.extend(paradoxes.map(|influence| {
             format!(
@@ -89,6 +92,7 @@ pub(super) fn of_growing(
         entry["parameters"] = by_parameters(case, &told, &at)?;
         entries.push(entry);
     }
+    warnings.extend(of_no_energy(&idle));
     let check = CheckRecord::new(
         "the work of all matrices is the growth rate",
         format!(
@@ -101,20 +105,31 @@ pub(super) fn of_growing(
     Ok(Some(Told { scalars: Value::from(entries), warnings, check }))
 }
 
-/// What has to be said of the energy of a mode, by which its growths are divided.
-fn of_energy(number: usize, mode: &ComplexMode, told: &Diagnosis) -> Option<String> {
-    let hertz = short(mode.eigenvalue.frequency_hz().abs());
-    let (share, error) = (told.energy.share.abs(), told.energy.error);
-    match (told.energy.sign(), told.energy.growth_error()) {
-        (EnergySign::None, _) => Some(format!(
-            "mode {number} at {hertz} Hz grows without work: its energy is zero within {error:.0e} of its parts, no matrix feeds it, and sensitivities alone say what \
-             would change it; so grows what is conservative (divergence, gyroscopic flutter without damping)"
-        )),
-        (_, Some(relative)) if relative > INEXACT => Some(format!(
-            "mode {number} at {hertz} Hz has almost no energy, {share:.0e} of its parts: what each matrix adds to its growth is known to a relative {relative:.0e} alone"
-        )),
-        _ => None,
-    }
+/// What has to be said of a mode that has almost no energy, by which its growths are divided.
+fn of_little_energy(number: usize, mode: &ComplexMode, told: &Diagnosis) -> Option<String> {
+    let relative = told.energy.growth_error().filter(|relative| *relative > INEXACT)?;
+    let (hertz, share) = (short(mode.eigenvalue.frequency_hz().abs()), told.energy.share.abs());
+    Some(format!(
+        "mode {number} at {hertz} Hz has almost no energy, {share:.0e} of its parts: what each matrix adds to its growth is known to a relative {relative:.0e} alone"
+    ))
+}
+
+/// What has to be said of modes whose energies are zero within their errors.
+fn of_no_energy(modes: &[(usize, &ComplexMode, f64)]) -> Option<String> {
+    let error = modes.iter().map(|(_, _, error)| *error).fold(0.0, f64::max);
+    let named = |(number, mode, _): &(usize, &ComplexMode, f64)| {
+        format!("{number} at {} Hz", short(mode.eigenvalue.frequency_hz().abs()))
+    };
+    let named = modes.iter().map(named).collect::<Vec<String>>().join(", ");
+    let (mode, grows, its, it) = match modes.len() {
+        0 => return None,
+        1 => ("mode", "grows", "its energy is", "it"),
+        _ => ("modes", "grow", "their energies are", "them"),
+    };
+    Some(format!(
+        "{mode} {named} {grows} without work: {its} zero within {error:.0e} of the parts, no matrix feeds {it}, and sensitivities alone say \
+         what would change {it}; so grows what is conservative (divergence, gyroscopic flutter without damping)"
+    ))
 }
 
 /// The undamped modes up to an angular frequency. Where a stiffness that is no more than symmetric lets the search for real modes

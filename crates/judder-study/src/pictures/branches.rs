@@ -1,7 +1,7 @@
 //! The branches of a bifurcation diagram: cycles and steady sliding, stable solid, unstable dashed.
 
 use super::{codes, reals};
-use judder_report::palette::Style;
+use judder_report::palette::{Marker, Style};
 use judder_report::runs::through;
 use judder_report::{Layer, Role};
 use judder_store::{Data, Dataset};
@@ -34,11 +34,18 @@ pub(super) fn layers(dataset: &Dataset) -> Option<Vec<Layer>> {
     }
     let hopf = along("hopf_value")?;
     let at_rest = vec![0.0; hopf.len()];
-    for (label, across, up, series) in
-        [("Hopf points", hopf, at_rest, 3), ("folds", along("fold_value")?, along("fold_rms")?, 2)]
-    {
+    // of the branch's own colour: no kind of motion, no direction has it
+    for (label, across, up, marker) in [
+        ("Hopf points", hopf, at_rest, Marker::Diamond),
+        ("folds", along("fold_value")?, along("fold_rms")?, Marker::Triangle),
+    ] {
         if !across.is_empty() {
-            layers.push(Layer::points(label, across, up, Role::Series(series)));
+            layers.push(Layer::points(
+                label,
+                across,
+                up,
+                Style { marker, ..Style::from(Role::FullBoundary) },
+            ));
         }
     }
     Some(layers)

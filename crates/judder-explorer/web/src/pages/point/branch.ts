@@ -1,6 +1,6 @@
 /** The branch of cycles along a key: what is simulated, what is followed, folds and thresholds. */
 
-import { lineStyle } from "../../chart/palette";
+import { type Marker, lineStyle } from "../../chart/palette";
 import { type Curve, through } from "../../chart/runs";
 import { type Range, rangeOf } from "../../chart/scale";
 import type { Axis, ChartSpec, Layer, LineLayer } from "../../chart/spec";
@@ -116,8 +116,9 @@ function simulatedLayer({ direction, kind, points }: Simulated): Layer {
 export function branchSpec(branch: Branch, axis: Axis, now: number | null): ChartSpec {
   const line = (label: string, curve: Curve, role: LineLayer["role"], dash: "solid" | "dashed"): Layer[] =>
     curve.x.length === 0 ? [] : [{ kind: "line", label, ...curve, role, dash }];
-  const points = (label: string, curve: Curve, series: number, size: number): Layer[] =>
-    curve.x.length === 0 ? [] : [{ kind: "points", label, ...curve, role: { series }, size }];
+  // of the branch's own colour: no kind of motion, no direction has it
+  const points = (label: string, curve: Curve, marker: Marker, size: number): Layer[] =>
+    curve.x.length === 0 ? [] : [{ kind: "points", label, ...curve, role: "full-boundary", marker, size }];
   const cycles = (isStable: boolean) => through(branch.rows, drawnOnce(branch.rows, axis.scale, (row) => branch.joins(row, isStable)));
   return {
     title: "Branch of limit cycles",
@@ -128,8 +129,8 @@ export function branchSpec(branch: Branch, axis: Axis, now: number | null): Char
       ...line("steady sliding, unstable", branch.steadyUnstable, "reference", "dashed"),
       ...line("cycles, stable", cycles(true), "full-boundary", "solid"),
       ...line("cycles, unstable", cycles(false), "full-boundary", "dashed"),
-      ...points("fold", branch.folds, 2, 12),
-      ...points("threshold", { x: branch.hopf, y: new Float64Array(branch.hopf.length) }, 3, 10),
+      ...points("fold", branch.folds, "triangle", 12),
+      ...points("threshold", { x: branch.hopf, y: new Float64Array(branch.hopf.length) }, "diamond", 10),
       ...branch.simulated.map(simulatedLayer),
       ...(now === null ? [] : [{ kind: "rule", label: "present value", across: "x", at: now, role: "decoupled-boundary" } as const]),
     ],

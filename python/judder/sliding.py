@@ -226,7 +226,7 @@ class Locus:
     positions: NDArray[np.float64]
     """Distances of the contact point from the track's first node, m, float64[n]."""
     eigenvalues: NDArray[np.complex128]
-    """s in 1/s by position and branch, complex128[n, count]; NaN where a position has fewer."""
+    """s in 1/s by position and branch, complex128[n, branches]; NaN where a branch is not among the ``count`` lowest. Where one leaves them and another enters, there are more branches than ``count``: none goes on as another."""
     normal_force: NDArray[np.float64]
     """Normal force of the state of rest, N, float64[n]."""
     zones: tuple[Zone, ...]
@@ -263,7 +263,7 @@ def locus(
 
     Args:
         positions: distances of the contact point from the track's first node, ascending, m, float64[n].
-        count: how many branches, the lowest by frequency.
+        count: how many eigenvalues at each position, the lowest by frequency.
         velocity: sliding speed, m/s; that of the case where none is given.
         load: in N; that of the case where none is given.
         configuration: ``"undeformed"``, or ``"deformed"`` by the load.

@@ -57,6 +57,8 @@ pub enum Role {
     KnockUnknown,
     /// Area: the errors of the contact law decide, and there is no verdict; cross-hatched.
     WithinLaw,
+    /// Area: where along a parameter a pair is unstable, by whatever mechanism.
+    UnstableZone,
     /// Area: the indenter moves with the substrate.
     Stick,
     /// Area: it slides ahead of the substrate.
@@ -110,6 +112,7 @@ impl Role {
             Self::Flutter => Colour(0x5b, 0x90, 0xc4),
             Self::Both => Colour(0x6a, 0x46, 0x82),
             Self::LiftOff => Colour(0xdd, 0xe9, 0xf7),
+            Self::UnstableZone => Colour(0xf7, 0xdc, 0xcb),
             Self::Stick => Colour(0xb9, 0xd9, 0xb2),
             Self::SlipAhead => Colour(0xd8, 0x9f, 0xc1),
             Self::Unresolved => Colour(0x8c, 0x8c, 0x8c),

@@ -3,6 +3,8 @@
 //! J. Brunetti, W. D'Ambrogio, A. Fregolent (2020), figure 2; there undeformed. In the deformed configuration contact row, column and
 //! normal are those of the state of rest under the load, and what follows the motion feeds back.
 
+mod branches;
+
 use crate::SlidingError;
 use crate::characteristic::Characteristic;
 use crate::coupling::{Coupling, Sliding};
@@ -10,8 +12,8 @@ use crate::edge::EdgePoint;
 use crate::pair::Pair;
 use crate::spectrum::{Spectrum, Wanted};
 use crate::statics::Equilibrium;
-use crate::tracking::Tracker;
-use crate::zones::{Family, Sample, Zone, zones};
+use crate::zones::{Family, Zone, Zones, zones};
+use branches::Branches;
 use num_complex::Complex64;
 use rayon::prelude::*;
 
@@ -43,7 +45,7 @@ pub struct Conditions {
 pub struct Settings {
     /// Under what the pair slides.
     pub conditions: Conditions,
-    /// How many branches, the lowest by frequency.
+    /// How many eigenvalues at each position, the lowest by frequency.
     pub count: usize,
     /// Distances of the contact point, undeformed, from the track's first node, ascending, m.
     pub positions: Vec<f64>,
@@ -52,12 +54,12 @@ pub struct Settings {
 /// Eigenvalues against a parameter, and where the pair is unstable.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Followed {
-    /// For each value of the parameter the `count` lowest eigenvalues s in 1/s, in the order of the branches.
+    /// For each value of the parameter the `count` lowest eigenvalues s in 1/s, one a branch; NaN where a branch is not among them.
     ///
     /// A branch goes on to the eigenvalue that is nearest to where it would be if it went straight, followed over all samples of the search
     /// for zones and not only those shown. Where two meet (an exceptional point) and part again, which of them goes on as which is not
-    /// defined by the pair; here it is what this rule gives. Branches that leave the `count` lowest end, and those that enter
-    /// continue them.
+    /// defined by the pair; here it is what this rule gives. Where one leaves the lowest and another enters, there is a branch more: none
+    /// goes on as another.
     pub eigenvalues: Vec<Vec<Complex64>>,
     /// How far each of them may be off, 1/s.
     pub errors: Vec<Vec<f64>>,
@@ -188,32 +190,12 @@ pub fn follow(
 ) -> Result<Followed, SlidingError> {
     check_ascending(parameters)?;
     let shown: Vec<Result<Spectrum, SlidingError>> =
-        parameters.par_iter().map(|at| Spectrum::new(&family.at(*at)?, *at, Wanted::Lowest(count))).collect();
-    let found = zones(family, pieces, count, resolution)?;
-    let mut samples: Vec<(Sample, Option<usize>)> =
-        found.samples.into_iter().map(|sample| (sample, None)).collect();
-    let mut known = Vec::with_capacity(parameters.len());
-    for (k, spectrum) in shown.into_iter().enumerate() {
-        let Spectrum { eigenvalues, errors, .. } = spectrum?;
-        samples.push((Sample { at: parameters[k], eigenvalues }, Some(k)));
-        known.push(errors);
-    }
-    samples.sort_by(|a, b| a.0.at.total_cmp(&b.0.at).then(a.1.cmp(&b.1)));
-    let mut eigenvalues = vec![Vec::new(); parameters.len()];
-    let mut errors = vec![Vec::new(); parameters.len()];
-    let mut tracker: Option<Tracker> = None;
-    for (sample, place) in samples {
-        let lowest = &sample.eigenvalues[..count.min(sample.eigenvalues.len())];
-        let tracked =
-            tracker.get_or_insert_with(|| Tracker::new(sample.at, lowest.to_vec())).step(sample.at, lowest);
-        if let Some(place) = place {
-            eigenvalues[place] = tracked.to_vec();
-            let own = |value: &Complex64| lowest.iter().position(|other| other == value);
-            let error = |value: &Complex64| own(value).map_or(f64::NAN, |k| known[place][k]);
-            errors[place] = tracked.iter().map(error).collect();
-        }
-    }
-    Ok(Followed { eigenvalues, errors, zones: found.zones })
+        parameters.par_iter().map(|at| Spectrum::with_more(&family.at(*at)?, *at, count)).collect();
+    let Zones { zones, samples } = zones(family, pieces, count, resolution)?;
+    let shown = parameters.iter().zip(shown).map(|(at, spectrum)| Ok((*at, spectrum?)));
+    let shown = shown.collect::<Result<Vec<_>, SlidingError>>()?;
+    let Branches { eigenvalues, errors } = Branches::new(shown, samples, pieces, count);
+    Ok(Followed { eigenvalues, errors, zones })
 }
 
 /// The pieces of a range of positions on which the contact is smooth: between those at which it passes a node.

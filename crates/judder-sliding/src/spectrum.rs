@@ -9,6 +9,7 @@ mod simultaneous;
 
 use crate::SlidingError;
 use crate::characteristic::{Characteristic, PRECISION};
+use crate::tracking::reach;
 use num_complex::Complex64;
 use simultaneous::{Iterate, Regular};
 use std::f64::consts::TAU;
@@ -35,6 +36,8 @@ pub struct Spectrum {
 
 /// Zeros beyond those wanted that are sought as well: among them the border is laid.
 pub(crate) const GUARD: usize = 3;
+/// Eigenvalues beyond those counted that are known as well where branches are followed.
+const BEYOND: usize = 2;
 /// An imaginary part so small, as a share of the limit, is none.
 const REAL: f64 = 1e-10;
 /// Two eigenvalues of a conservative pair so near, as a share of their size, are mirror images.
@@ -55,6 +58,29 @@ impl Spectrum {
             None => Self::of_coupled(function, position, wanted),
             Some((coupled, free)) => Self::with_uncoupled(&coupled, free, position, wanted),
         }
+    }
+
+    /// The `count` lowest, and so many more that a branch among them is not at the border of what is known.
+    ///
+    /// # Errors
+    /// As of [`Spectrum::new`].
+    pub(crate) fn with_more(
+        function: &Characteristic,
+        position: f64,
+        count: usize,
+    ) -> Result<Self, SlidingError> {
+        last_pole(&pole_heights(function), Wanted::Lowest(count))?;
+        Self::new(function, position, Wanted::Lowest((count + BEYOND).min(function.modes() - 1)))
+    }
+
+    /// The `count` lowest by the larger of imaginary and absolute real part, with how far each may be off, in their order.
+    #[must_use]
+    pub fn lowest(&self, count: usize) -> (Vec<Complex64>, Vec<f64>) {
+        let mut ranks: Vec<usize> = (0..self.eigenvalues.len()).collect();
+        ranks.sort_by(|a, b| reach(self.eigenvalues[*a]).total_cmp(&reach(self.eigenvalues[*b])));
+        ranks.truncate(count);
+        ranks.sort_unstable();
+        ranks.into_iter().map(|rank| (self.eigenvalues[rank], self.errors[rank])).unzip()
     }
 
     /// The spectrum of a function beside which some eigenvalues are known.
@@ -245,7 +271,7 @@ fn mirror(zeros: &mut [Iterate]) {
 ///
 /// By the imaginary part alone a large real zero, as friction near sprag-slip has, would count among the lowest and yet lie outside.
 fn border(zeros: &[Iterate], wanted: Wanted, scale: f64) -> f64 {
-    let mut reaches: Vec<f64> = zeros.iter().map(|zero| zero.value.im.max(zero.value.re.abs())).collect();
+    let mut reaches: Vec<f64> = zeros.iter().map(|zero| reach(zero.value)).collect();
     reaches.sort_by(f64::total_cmp);
     let (first, at_least) = match wanted {
         Wanted::Lowest(count) => (count, 0.0),

@@ -91,8 +91,10 @@ impl End {
 pub struct Sample {
     /// The parameter.
     pub at: f64,
-    /// The lowest eigenvalues, by imaginary, then real part, 1/s; a few more than were counted.
+    /// The lowest eigenvalues, 1/s, by the larger of imaginary and absolute real part; a few more than were counted.
     pub eigenvalues: Vec<Complex64>,
+    /// Up to where of that size they are all, 1/s.
+    pub limit: f64,
 }
 
 /// Zones, with the samples by which they were found.

@@ -18,7 +18,7 @@ pub struct Locus {
     pub configuration: Configuration,
     /// Whether the structures are damped.
     pub damping: bool,
-    /// How many branches, from the lowest frequency on.
+    /// How many eigenvalues at each value, from the lowest frequency on.
     pub count: usize,
     /// What varies.
     pub along: Along,

@@ -7,7 +7,6 @@ use crate::oscillator::named;
 use crate::watched::{Manner, watched};
 use judder_sliding::locus::{Conditions, Configuration, Locus, Settings, locus_until};
 use judder_study::Progress;
-use num_complex::Complex64;
 use numpy::{IntoPyArray, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -48,17 +47,16 @@ pub(crate) fn sliding_locus<'py>(
     let settings = Settings { conditions, count, positions };
     let manner = Manner::new(None, threads)?;
     let done = watched(py, &manner, |watch| locus_until(&pair.pair, &settings, &|| watch.interrupted()))?;
-    told(py, done.settled(|error| errors::sliding(&error))?, count)
+    told(py, done.settled(|error| errors::sliding(&error))?)
 }
 
-fn told(py: Python<'_>, locus: Locus, count: usize) -> PyResult<Bound<'_, PyDict>> {
+fn told(py: Python<'_>, locus: Locus) -> PyResult<Bound<'_, PyDict>> {
     let result = PyDict::new(py);
     let rows = locus.positions.len();
-    let none = Complex64::new(f64::NAN, f64::NAN);
-    let branches = locus.followed.eigenvalues.into_iter();
-    let padded = branches.flat_map(|row| row.into_iter().chain(std::iter::repeat(none)).take(count));
+    let branches = locus.followed.eigenvalues.first().map_or(0, Vec::len);
+    let eigenvalues = locus.followed.eigenvalues.concat();
     result.set_item("positions", locus.positions.into_pyarray(py))?;
-    result.set_item("eigenvalues", padded.collect::<Vec<_>>().into_pyarray(py).reshape([rows, count])?)?;
+    result.set_item("eigenvalues", eigenvalues.into_pyarray(py).reshape([rows, branches])?)?;
     result.set_item("normal_force", locus.normal_forces.into_pyarray(py))?;
     let zones: Vec<_> = locus
         .followed

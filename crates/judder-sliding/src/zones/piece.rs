@@ -4,8 +4,8 @@ use super::meeting::{Group, Margin, SAMPLES, Sheet, alone};
 use super::strip::{Bound, Strip, strips};
 use super::{Family, Sample};
 use crate::SlidingError;
-use crate::spectrum::{Spectrum, Wanted};
-use crate::tracking::continued;
+use crate::spectrum::Spectrum;
+use crate::tracking::{continued, reach};
 use num_complex::Complex64;
 
 /// What a search over a piece leaves.
@@ -30,8 +30,6 @@ pub(super) struct Search<'a, F> {
 
 /// Two eigenvalues may meet where they come nearer than this share of what their distance changes from sample to sample.
 const MEETING: f64 = 1.2;
-/// Eigenvalues beyond those counted that are known as well.
-const BEYOND: usize = 2;
 
 /// The samples do not foretell what lies between them.
 pub(super) struct TooCoarse;
@@ -57,9 +55,9 @@ impl<'a, F: Family> Search<'a, F> {
     /// The place of a new sample in the list.
     fn sample(&mut self, at: f64) -> Result<usize, SlidingError> {
         let function = self.family.at(at)?;
-        let wanted = Wanted::Lowest((self.count + BEYOND).min(function.modes() - 1));
-        let eigenvalues = Spectrum::new(&function, at, wanted)?.eigenvalues;
-        self.done.samples.push(Sample { at, eigenvalues });
+        let Spectrum { mut eigenvalues, limit, .. } = Spectrum::with_more(&function, at, self.count)?;
+        eigenvalues.sort_by(|a, b| reach(*a).total_cmp(&reach(*b)));
+        self.done.samples.push(Sample { at, eigenvalues, limit });
         Ok(self.done.samples.len() - 1)
     }
 

@@ -1,4 +1,6 @@
 //! Eigenvalues of the pair of the beams paper against contact position.
+#[path = "locus/branches.rs"]
+mod branches;
 #[path = "locus/lossless.rs"]
 mod lossless;
 #[path = "locus/random.rs"]

@@ -3,7 +3,8 @@
 use crate::pictures::structure::{frequency_axis, significant};
 use crate::pictures::{axis, complexes, reals, text};
 use judder_report::figure::Region;
-use judder_report::runs::thinned;
+use judder_report::palette::{Dash, Style};
+use judder_report::runs::{alone, apart, thinned};
 use judder_report::{Axis, Layer, Legend, Panel, Role};
 use judder_store::{Data, Dataset, Variable};
 use num_complex::Complex64;
@@ -161,20 +162,23 @@ impl<'a> Locus<'a> {
         let error = |place: usize| self.errors.get(place).copied().unwrap_or(0.0);
         let grows = |place: usize| self.eigenvalues[place].re > error(place);
         let is_unstable = |branch: usize| (0..rows).any(|row| grows(row * self.count + branch));
-        let line = |branch: usize, unstable: bool| {
-            let up: Vec<f64> = (0..rows).map(|row| pick(self.at(row, branch))).collect();
-            let (x, y) = thinned(&along, &up, &self.shown);
-            let (label, role) = if unstable {
-                ("branch that becomes unstable", Role::Series(0))
-            } else {
-                ("", Role::Reference)
+        let layers = |unstable: bool| {
+            let (label, role) = match unstable {
+                true => ("branch that becomes unstable", Role::Series(0)),
+                false => ("", Role::Reference),
             };
-            Layer::line(label, x, y, role.solid().with_width(THIN))
+            let own = (0..self.count).filter(|branch| is_unstable(*branch) == unstable);
+            let curve = apart(own.map(|branch| {
+                let up: Vec<f64> = (0..rows).map(|row| pick(self.at(row, branch))).collect();
+                thinned(&along, &up, &self.shown)
+            }));
+            let (x, y) = alone(&curve);
+            let points = (!x.is_empty()).then(|| Layer::points("", x, y, role.crowded()));
+            let is_drawn = curve.1.iter().any(|up| up.is_finite());
+            let line = Layer::line(label, curve.0, curve.1, role.solid().with_width(THIN));
+            [is_drawn.then_some(line), points]
         };
-        let (unstable, stable): (Vec<usize>, Vec<usize>) =
-            (0..self.count).partition(|branch| is_unstable(*branch));
-        let quiet = stable.into_iter().map(|branch| line(branch, false));
-        quiet.chain(unstable.into_iter().map(|branch| line(branch, true))).collect()
+        [layers(false), layers(true)].into_iter().flatten().flatten().collect()
     }
 
     fn growth_axis(&self) -> Axis {
@@ -247,7 +251,7 @@ impl<'a> Locus<'a> {
         let shade = |(k, zone): (usize, &Zone)| {
             let label = if k == 0 { "unstable zone" } else { "" };
             let x = Some((zone.from, zone.to));
-            Layer::Region(Region { label: label.to_owned(), x, y: None, role: Role::Flutter })
+            Layer::Region(Region { label: label.to_owned(), x, y: None, role: Role::UnstableZone })
         };
         let mut layers: Vec<Layer> = self.zones.iter().enumerate().map(shade).collect();
         layers.push(Layer::horizontal_rule(0.0, ""));
@@ -275,7 +279,7 @@ impl<'a> Locus<'a> {
                 format!("about {:.2} kHz", 1e-3 * frequency),
                 x,
                 y,
-                self.of_frequency(frequency).solid(),
+                self.of_frequency(frequency),
             ));
         }
         let fastest = self.zones.iter().map(|zone| zone.growth).fold(0.0, f64::max);
@@ -283,11 +287,15 @@ impl<'a> Locus<'a> {
         Panel::new(self.across(), up, layers).with_title("unstable zones").with_legend(Legend::Below)
     }
 
-    /// The shade of a frequency, the same in all loci that reach as high: a step a kilohertz.
-    fn of_frequency(&self, frequency: f64) -> Role {
+    /// The shade of a frequency, the same in all loci that reach as high: a step a kilohertz, within which dashes tell zones apart.
+    fn of_frequency(&self, frequency: f64) -> Style {
+        const DASHES: [Dash; 4] = [Dash::Solid, Dash::Dashed, Dash::DashDotted, Dash::Dotted];
         let highest = self.eigenvalues.iter().map(|s| s.im / TAU).fold(0.0, f64::max);
         let kilohertz = |frequency: f64| (1e-3 * frequency).round() as usize;
-        Role::Graded { index: kilohertz(frequency), count: kilohertz(highest) + 1 }
+        let alike = |other: &f64| *other < frequency && kilohertz(*other) == kilohertz(frequency);
+        let before = self.frequencies_of_zones().into_iter().filter(alike).count();
+        let role = Role::Graded { index: kilohertz(frequency), count: kilohertz(highest) + 1 };
+        role.solid().with_dash(DASHES[before % DASHES.len()])
     }
 
     /// One frequency for all zones that lie about it, ascending.

@@ -98,7 +98,7 @@ impl Passage {
             label: "unstable zone".to_owned(),
             x: Some((1e3 * from, 1e3 * to)),
             y: None,
-            role: Role::LiftOff,
+            role: Role::UnstableZone,
         };
         let layers = vec![
             Layer::Region(zone),

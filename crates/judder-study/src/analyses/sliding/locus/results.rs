@@ -104,7 +104,7 @@ impl Results<'_> {
             traced.rows.iter().flat_map(|row| row.eigenvalues.clone()).collect();
         let errors: Vec<f64> = traced.rows.iter().flat_map(|row| row.errors.clone()).collect();
         let verdicts = eigenvalues.iter().zip(&errors).map(|(s, error)| verdict(*s, *error)).collect();
-        let count = settings.count;
+        let count = traced.rows.first().map_or(0, |row| row.eigenvalues.len());
         let branches: Vec<i64> = (1..=count as i64).collect();
         let along = |own: &str, pick: &dyn Fn(&Row) -> f64| {
             Variable::new(own, &[name], &[rows], traced.rows.iter().map(pick).collect::<Vec<f64>>())
@@ -137,7 +137,7 @@ impl Results<'_> {
             .with(
                 Variable::new("eigenvalue", &[name, "branch"], &[rows, count], eigenvalues)
                     .units("1/s")
-                    .long_name("eigenvalue λ of a branch, NaN where there is none"),
+                    .long_name("eigenvalue λ of a branch, NaN where it is not among the lowest"),
             )?
             .with(
                 Variable::new("eigenvalue_error", &[name, "branch"], &[rows, count], errors)

@@ -65,7 +65,7 @@ pub(super) struct Range<'a> {
 /// What a family has at one value.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Row {
-    /// One a branch; NaN where there is none.
+    /// One a branch; NaN where it is not among the lowest.
     pub(super) eigenvalues: Vec<Complex64>,
     /// How far each may be off, 1/s.
     pub(super) errors: Vec<f64>,
@@ -158,8 +158,8 @@ pub(super) fn trace(
     let mut rows: Vec<Row> = states
         .into_iter()
         .map(|state| Row {
-            eigenvalues: vec![NONE; count],
-            errors: vec![f64::NAN; count],
+            eigenvalues: Vec::new(),
+            errors: Vec::new(),
             state: state.unwrap_or(State { normal_force: f64::NAN, slope: f64::NAN }),
             failure: None,
         })
@@ -169,10 +169,15 @@ pub(super) fn trace(
     stop(progress)?;
     match whole {
         Ok(found) => {
-            place(&mut rows, found.eigenvalues, found.errors);
-            traced.zones = found.zones;
+            traced.zones = found.zones.clone();
+            place(&mut rows, 0, found);
         }
         Err(error) => piecewise(family, range, count, (&mut rows, &mut traced), progress, error)?,
+    }
+    let branches = rows.iter().map(|row| row.eigenvalues.len()).max().unwrap_or(0);
+    for row in &mut rows {
+        row.eigenvalues.resize(branches, NONE);
+        row.errors.resize(branches, f64::NAN);
     }
     traced.rows = rows;
     Ok(traced)
@@ -192,13 +197,23 @@ fn stop(progress: &dyn Progress) -> Result<(), StudyError> {
     if progress.interrupted() { Err(StudyError::Interrupted) } else { Ok(()) }
 }
 
-fn place(rows: &mut [Row], eigenvalues: Vec<Vec<Complex64>>, errors: Vec<Vec<f64>>) {
-    for (row, (found, errors)) in rows.iter_mut().zip(eigenvalues.into_iter().zip(errors)) {
-        let places = row.eigenvalues.iter_mut().zip(&mut row.errors);
-        for ((place, place_of_error), (value, error)) in places.zip(found.into_iter().zip(errors)) {
-            (*place, *place_of_error) = (value, error);
-        }
+/// Gives rows the branches found for them, beside the `begun` ones that are other rows'; how many there then are.
+fn place(rows: &mut [Row], begun: usize, found: Followed) -> usize {
+    let mut width = begun;
+    for (row, (values, errors)) in rows.iter_mut().zip(found.eigenvalues.into_iter().zip(found.errors)) {
+        row.eigenvalues.resize(begun, NONE);
+        row.errors.resize(begun, f64::NAN);
+        row.eigenvalues.extend(values);
+        row.errors.extend(errors);
+        width = row.eigenvalues.len();
     }
+    width
+}
+
+/// The lowest eigenvalues of one value.
+fn alone(spectrum: &Spectrum, count: usize) -> Followed {
+    let (eigenvalues, errors) = spectrum.lowest(count);
+    Followed { eigenvalues: vec![eigenvalues], errors: vec![errors], zones: Vec::new() }
 }
 
 /// Branches and zones from one value to another, by their numbers; each value advances the progress, and the user may stop.
@@ -245,38 +260,38 @@ fn piecewise(
     progress: &dyn Progress,
     error: SlidingError,
 ) -> Result<(), StudyError> {
-    let alone: Vec<Result<Spectrum, SlidingError>> = range
+    let spectra: Vec<Result<Spectrum, SlidingError>> = range
         .values
         .par_iter()
         .map(|value| Spectrum::new(&family.at(*value)?, *value, Wanted::Lowest(count)))
         .collect();
-    if alone.iter().all(Result::is_err) {
+    if spectra.iter().all(Result::is_err) {
         return Err(error.into());
     }
     stop(progress)?;
-    for ((row, found), value) in rows.iter_mut().zip(&alone).zip(range.values) {
-        match found {
-            Ok(Spectrum { eigenvalues, errors, .. }) => {
-                place(std::slice::from_mut(row), vec![eigenvalues.clone()], vec![errors.clone()]);
-            }
-            Err(error) => row.failure = Some(family.reason(*value).unwrap_or_else(|| told(error))),
+    for ((row, found), value) in rows.iter_mut().zip(&spectra).zip(range.values) {
+        if let Err(error) = found {
+            row.failure = Some(family.reason(*value).unwrap_or_else(|| told(error)));
         }
     }
-    let mut first = 0;
-    while first < alone.len() {
-        let end = (first..alone.len()).find(|k| alone[*k].is_err()).unwrap_or(alone.len());
-        if end > first + 1 {
-            match followed(family, range, (first, end), count, None) {
-                Ok(found) => {
-                    place(&mut rows[first..end], found.eigenvalues, found.errors);
-                    traced.zones.extend(found.zones);
-                }
-                Err(error) => {
-                    let ends = [range.values[first], range.values[end - 1]];
-                    traced.untraced.push((ends, told(&error)));
-                }
+    let (mut first, mut begun) = (0, 0);
+    while first < spectra.len() {
+        let end = (first..spectra.len()).find(|k| spectra[*k].is_err()).unwrap_or(spectra.len());
+        let run = (end > first + 1).then(|| followed(family, range, (first, end), count, None));
+        stop(progress)?;
+        if let Some(Ok(found)) = run {
+            traced.zones.extend(found.zones.clone());
+            begun = place(&mut rows[first..end], begun, found);
+        } else {
+            if let Some(Err(error)) = run {
+                traced.untraced.push(([range.values[first], range.values[end - 1]], told(&error)));
             }
-            stop(progress)?;
+            // neighbours stand in branches apart: none is known to go on as another
+            let apart = spectra[first..end].iter().flatten().enumerate().map(|(k, spectrum)| {
+                let row = std::slice::from_mut(&mut rows[first + k]);
+                place(row, begun + k % 2 * count, alone(spectrum, count))
+            });
+            begun = apart.max().unwrap_or(begun);
         }
         first = end + 1;
     }

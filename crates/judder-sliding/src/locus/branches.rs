@@ -1,0 +1,76 @@
+//! Which of the lowest eigenvalues at one value of a parameter goes on as which at the next.
+
+use crate::spectrum::Spectrum;
+use crate::tracking::{Tracker, reach};
+use crate::zones::Sample;
+use num_complex::Complex64;
+
+/// Eigenvalues by branch, with how far each may be off.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct Branches {
+    /// For each spectrum one a branch, NaN where the branch is not among the lowest.
+    pub(super) eigenvalues: Vec<Vec<Complex64>>,
+    pub(super) errors: Vec<Vec<f64>>,
+}
+
+impl Branches {
+    /// Those of the `count` lowest eigenvalues of each spectrum, in the order in which they are first among them, then by frequency.
+    ///
+    /// They are tracked over the samples between the spectra as well; `pieces` are those on which the family is smooth.
+    pub(super) fn new(
+        shown: Vec<(f64, Spectrum)>,
+        samples: Vec<Sample>,
+        pieces: &[[f64; 2]],
+        count: usize,
+    ) -> Self {
+        let mut all: Vec<(Sample, Option<Vec<f64>>)> =
+            samples.into_iter().map(|sample| (sample, None)).collect();
+        all.extend(shown.into_iter().map(|(at, spectrum)| sample_of(at, spectrum)));
+        all.sort_by(|a, b| a.0.at.total_cmp(&b.0.at).then(a.1.is_some().cmp(&b.1.is_some())));
+        let piece = |at: f64| pieces.partition_point(|[_, to]| *to < at);
+        let mut tracker = Tracker::default();
+        let mut last = f64::NEG_INFINITY;
+        let mut columns: Vec<usize> = Vec::new();
+        let mut rows = Vec::new();
+        for (Sample { at, eigenvalues, limit }, errors) in all {
+            let numbers = tracker.step(at, &eigenvalues, limit, piece(last) == piece(at));
+            last = at;
+            let Some(errors) = errors else { continue };
+            let mut lowest: Vec<usize> = (0..count.min(numbers.len())).collect();
+            lowest.sort_by(|a, b| eigenvalues[*a].im.total_cmp(&eigenvalues[*b].im));
+            let mut row = Vec::with_capacity(lowest.len());
+            for rank in lowest {
+                let column = columns.iter().position(|own| *own == numbers[rank]).unwrap_or_else(|| {
+                    columns.push(numbers[rank]);
+                    columns.len() - 1
+                });
+                row.push((column, eigenvalues[rank], errors[rank]));
+            }
+            rows.push(row);
+        }
+        Self::of_rows(&rows, columns.len())
+    }
+
+    fn of_rows(rows: &[Vec<(usize, Complex64, f64)>], columns: usize) -> Self {
+        let mut branches = Self::default();
+        for row in rows {
+            let none = Complex64::new(f64::NAN, f64::NAN);
+            let (mut values, mut errors) = (vec![none; columns], vec![f64::NAN; columns]);
+            for (column, value, error) in row {
+                (values[*column], errors[*column]) = (*value, *error);
+            }
+            branches.eigenvalues.push(values);
+            branches.errors.push(errors);
+        }
+        branches
+    }
+}
+
+/// A spectrum as a sample, the lowest first, with how far each eigenvalue may be off.
+fn sample_of(at: f64, spectrum: Spectrum) -> (Sample, Option<Vec<f64>>) {
+    let Spectrum { eigenvalues, errors, limit } = spectrum;
+    let mut both: Vec<(Complex64, f64)> = eigenvalues.into_iter().zip(errors).collect();
+    both.sort_by(|a, b| reach(a.0).total_cmp(&reach(b.0)));
+    let (eigenvalues, errors) = both.into_iter().unzip();
+    (Sample { at, eigenvalues, limit }, Some(errors))
+}

@@ -13,6 +13,7 @@ pub(crate) use asked::{analysis_hash, resolved_with_files};
 use crate::analyses::Prepared;
 use crate::door;
 use crate::error::StudyError;
+use crate::home;
 use crate::ledger::{Keepsakes, Study};
 use crate::material;
 use crate::outcome::CheckRecord;
@@ -24,6 +25,7 @@ use asked::Asked;
 use bench::{Bench, shared_law};
 use judder_case::CaseFile;
 use judder_store::{Status, StudyFolder, Summary};
+use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -109,6 +111,28 @@ pub fn run(
     let store = taken(folder, options.fresh)?;
     let analyses = options.sweeps == SweepWork::All;
     compute_in(store, (&asked, &prepared), (&[], analyses), progress)?.reported(Vec::new())
+}
+
+/// By what a study knows a case and what was computed of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Identity {
+    /// The case with every default, and its files by the hashes of what they hold.
+    pub resolved: Value,
+    /// The hash of that.
+    pub case_hash: String,
+    /// Analyses, then sweeps: the name of each and the hash of all that its results depend on.
+    pub results: Vec<(String, String)>,
+}
+
+/// By what a study of this case is known; computes nothing.
+///
+/// # Errors
+/// A file of the case that cannot be read.
+pub fn identity(file: &CaseFile) -> Result<Identity, StudyError> {
+    let options = RunOptions::default();
+    let asked = Asked::new(file, &options)?;
+    let results = asked.all().map(|(name, hash)| (name.clone(), hash.clone())).collect();
+    Ok(Identity { case_hash: home::case_hash(&asked.resolved), results, resolved: asked.resolved })
 }
 
 /// The plans of these sweeps of a case, of all where none is named.

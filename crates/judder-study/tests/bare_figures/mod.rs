@@ -97,80 +97,9 @@ fn failures(folder: &Path, kinds: &mut BTreeSet<String>) -> Vec<String> {
     failures
 }
 
-const OSCILLATOR: &str = r#"
-model = "oscillator"
-[contact]
-shear_strength = 0.05
-[oscillator]
-damping_x = 0.01
-[[analysis]]
-kind = "equivalent-damping"
-sweep = { key = "operation.velocity", from = 1e-6, to = 1e-2, points = 4, scale = "log" }
-[[analysis]]
-kind = "spectrum"
-sweep = { key = "contact.shear_strength", from = 1e-3, to = 1e-1, points = 4 }
-[[analysis]]
-kind = "critical-shear-strength"
-sweep = { key = "operation.velocity", from = 1e-3, to = 1e-2, points = 2, scale = "log" }
-within = { from = 1e-4, to = 1.0 }
-[[analysis]]
-kind = "stability-map"
-x = { key = "operation.velocity", from = 1e-6, to = 1e-2, points = 5, scale = "log" }
-y = { key = "contact.shear_strength", from = 1e-3, to = 1e-1, points = 4, scale = "log" }
-[[analysis]]
-kind = "motion"
-duration = 300
-points = 301
-[[analysis]]
-kind = "bifurcation"
-sweep = { key = "contact.shear_strength", from = 0.04, to = 0.06, points = 2 }
-[[analysis]]
-kind = "limit-cycle"
-[[analysis]]
-kind = "basin"
-samples = 4
-within = { x = [0.0, 1.0], y = [0.0, 1.0] }
-"#;
-
-const CONTACT: &str = r#"
-model = "contact"
-[[analysis]]
-kind = "contact"
-velocity = 1e-3
-indentation = 1e-2
-accuracy = 5e-2
-[[analysis]]
-kind = "modulus"
-[[analysis]]
-kind = "transient"
-motion = "start"
-velocity = 0.1
-indentation = 1e-2
-duration = 0.1
-cells = 16
-"#;
-
-const BEAM: &str = r#"
-model = "structure"
-[structure]
-beam = { length = "100 mm", thickness = "2 mm", elements = [10, 1], start = "clamped" }
-width = "20 mm"
-material = { youngs_modulus = "2.38 GPa", poisson_ratio = 0.40, density = "1200 kg/m^3" }
-[damping]
-rayleigh = { alpha = "40 1/s", beta = "4e-8 s" }
-[reduction]
-kept = [{ set = "upper-corners" }]
-count = 5
-[[analysis]]
-kind = "modes"
-count = 4
-[[analysis]]
-kind = "reduction"
-count = 4
-[[analysis]]
-kind = "eigen"
-region = { re = [-500.0, 0.0], im = [0.0, 10000.0] }
-"#;
+const OSCILLATOR: &str = include_str!("../small/oscillator.toml");
+const CONTACT: &str = include_str!("../small/contact.toml");
+const BEAM: &str = include_str!("../small/beam.toml");
 
 #[test]
 fn no_figure_fails_on_results_that_are_nearly_nothing() {

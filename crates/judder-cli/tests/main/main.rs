@@ -9,6 +9,7 @@ mod bad_folder;
 mod desk;
 mod editors;
 mod explore;
+mod golden;
 mod interrupt;
 mod point;
 mod reproduce;

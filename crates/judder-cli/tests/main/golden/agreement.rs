@@ -89,8 +89,7 @@ impl Comparison {
     fn list(&mut self, expected: &[Value], found: &[Value], largest: f64) {
         let largest = expected.iter().map(magnitude).fold(largest, f64::max);
         for (index, (own, other)) in expected.iter().zip(found).enumerate() {
-            let name = own.get("name").and_then(Value::as_str);
-            self.place.push(name.map_or_else(|| index.to_string(), str::to_owned));
+            self.place.push(title(own).unwrap_or_else(|| index.to_string()));
             self.value(own, other, largest);
             self.place.pop();
         }
@@ -149,6 +148,12 @@ impl Comparison {
     }
 }
 
+/// What an item of a list is called: by its name, or by the arguments with which the command was called.
+fn title(item: &Value) -> Option<String> {
+    let arguments = || Some(format!("judder {}", item.get("arguments")?));
+    item.get("name").and_then(Value::as_str).map(str::to_owned).or_else(arguments)
+}
+
 /// The first letters of a value.
 fn shortened(value: &Value) -> String {
     const LETTERS: usize = 160;
@@ -159,7 +164,7 @@ fn shortened(value: &Value) -> String {
     }
 }
 
-/// Whether a value stands for a floating-point number; those that JSON does not know are words.
+/// Whether a value is a floating-point number; those that JSON does not know are words.
 fn is_float(value: &Value) -> bool {
     value.is_f64()
 }

@@ -1,4 +1,4 @@
-//! What cases resolve to, and the hashes under which their results are known.
+//! What cases resolve to, and the hashes under which their results are known. The version is part of the latter: a new one has others.
 
 use super::agreement::Numbers;
 use super::generated::{COUNT, GeneratedCase, generated};

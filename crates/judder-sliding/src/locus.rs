@@ -194,7 +194,7 @@ pub fn follow(
     let Zones { zones, samples } = zones(family, pieces, count, resolution)?;
     let shown = parameters.iter().zip(shown).map(|(at, spectrum)| Ok((*at, spectrum?)));
     let shown = shown.collect::<Result<Vec<_>, SlidingError>>()?;
-    let Branches { eigenvalues, errors } = Branches::new(shown, samples, pieces, count);
+    let Branches { eigenvalues, errors } = Branches::new(shown, samples, count);
     Ok(Followed { eigenvalues, errors, zones })
 }
 

@@ -8,18 +8,23 @@ use num_complex::Complex64;
 /// At an exceptional point, where two eigenvalues meet, either may continue either: their mean and the square of their difference are
 /// smooth there, they themselves are not.
 pub(crate) fn continued(foretold: &[Complex64], found: &[Complex64]) -> Vec<Option<usize>> {
-    let mut distances: Vec<(f64, usize, usize)> = Vec::with_capacity(foretold.len() * found.len());
-    for (i, value) in foretold.iter().enumerate() {
-        distances.extend(found.iter().enumerate().map(|(j, other)| ((value - other).norm_sqr(), i, j)));
+    matched(foretold.len(), found.len(), |i, j| (foretold[i] - found[j]).norm_sqr())
+}
+
+/// For each of `own` the one of `others` that is its match: nearest first, each once.
+fn matched(own: usize, others: usize, distance: impl Fn(usize, usize) -> f64) -> Vec<Option<usize>> {
+    let mut distances: Vec<(f64, usize, usize)> = Vec::with_capacity(own * others);
+    for i in 0..own {
+        distances.extend((0..others).map(|j| (distance(i, j), i, j)));
     }
     distances.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
-    let (mut continued, mut is_taken) = (vec![None; foretold.len()], vec![false; found.len()]);
+    let (mut matched, mut is_taken) = (vec![None; own], vec![false; others]);
     for (_, i, j) in distances {
-        if continued[i].is_none() && !is_taken[j] {
-            (continued[i], is_taken[j]) = (Some(j), true);
+        if matched[i].is_none() && !is_taken[j] {
+            (matched[i], is_taken[j]) = (Some(j), true);
         }
     }
-    continued
+    matched
 }
 
 /// How large a region about zero has to be to hold an eigenvalue: the larger of its imaginary and absolute real part.
@@ -48,30 +53,42 @@ pub(crate) struct Tracker {
     begun: usize,
 }
 
+impl Branch {
+    /// Where it may be so much farther on: straight on, or, where it has jumped and has no slope, where it was.
+    fn foretold(&self, ahead: f64) -> [Complex64; 2] {
+        [self.value + self.slope * ahead, self.value]
+    }
+
+    /// How far an eigenvalue is from where it may be, and what region holds both.
+    fn apart(&self, ahead: f64, found: Complex64) -> (f64, f64) {
+        let [straight, still] =
+            self.foretold(ahead).map(|value| ((value - found).norm(), reach(value).max(reach(found))));
+        if straight.0 <= still.0 { straight } else { still }
+    }
+}
+
 impl Tracker {
-    /// Of each eigenvalue at the next value of the parameter the number of its branch. Where the way there is not smooth, slopes stay what
-    /// they were before it.
-    pub(crate) fn step(&mut self, at: f64, found: &[Complex64], limit: f64, is_smooth: bool) -> Vec<usize> {
+    /// Of each eigenvalue at the next value of the parameter the number of its branch.
+    pub(crate) fn step(&mut self, at: f64, found: &[Complex64], limit: f64) -> Vec<usize> {
         let ahead = at - self.at;
-        let foretold: Vec<Complex64> =
-            self.branches.iter().map(|branch| branch.value + branch.slope * ahead).collect();
         let known = self.limit.min(limit);
-        // where what is not known may be nearer, the one may have left and the other entered
-        let is_same = |i: usize, j: usize| {
-            reach(foretold[i]).max(reach(found[j])) + (foretold[i] - found[j]).norm() <= known
-        };
+        let apart = |i: usize, j: usize| self.branches[i].apart(ahead, found[j]);
         let mut before: Vec<Option<Branch>> = vec![None; found.len()];
-        for (i, next) in continued(&foretold, found).into_iter().enumerate() {
-            if let Some(j) = next.filter(|j| is_same(i, *j)) {
+        let all = matched(self.branches.len(), found.len(), |i, j| apart(i, j).0);
+        for (i, j) in all.into_iter().enumerate().filter_map(|(i, next)| Some((i, next?))) {
+            let (distance, region) = apart(i, j);
+            // where what is not known may be nearer, the one may have left and the other entered
+            if region + distance <= known {
                 before[j] = Some(self.branches[i]);
             }
         }
-        let rises = is_smooth && ahead > 0.0;
         let mut begun = self.begun;
         let mut next = |(before, value): (Option<Branch>, Complex64)| match before {
-            Some(own) => {
-                Branch { slope: if rises { (value - own.value) / ahead } else { own.slope }, value, ..own }
-            }
+            Some(own) => Branch {
+                slope: if ahead > 0.0 { (value - own.value) / ahead } else { own.slope },
+                value,
+                ..own
+            },
             None => {
                 begun += 1;
                 Branch { number: begun - 1, value, slope: Complex64::ZERO }
@@ -93,12 +110,12 @@ mod tests {
     fn branches_go_straight_through_a_crossing() {
         let lines = |x: f64| [Complex64::new(-1.0, x), Complex64::new(-1.1, 3.0 - x)];
         let mut tracker = Tracker::default();
-        let first = tracker.step(0.0, &lines(0.0), 9.0, true);
+        let first = tracker.step(0.0, &lines(0.0), 9.0);
         for k in 1..=30 {
             let x = 0.1 * f64::from(k);
             let mut found = lines(x);
             found.sort_by(|a, b| a.im.total_cmp(&b.im));
-            let numbers = tracker.step(x, &found, 9.0, true);
+            let numbers = tracker.step(x, &found, 9.0);
             let own = found.iter().position(|value| *value == lines(x)[0]).unwrap();
             assert_eq!(numbers[own], first[0], "{x}: {numbers:?}");
         }
@@ -148,7 +165,7 @@ mod tests {
                 found.retain(|(_, value)| reach(*value) <= LIMIT);
                 found.sort_by(|a, b| a.1.im.total_cmp(&b.1.im).then(a.1.re.total_cmp(&b.1.re)));
                 let values: Vec<Complex64> = found.iter().map(|(_, value)| *value).collect();
-                let numbers = tracker.step(x, &values, LIMIT, true);
+                let numbers = tracker.step(x, &values, LIMIT);
                 for (number, (wave, _)) in numbers.iter().zip(&found) {
                     match owner.iter().find(|(known, _)| known == number) {
                         Some((_, known)) => assert_eq!(known, wave, "{seed}, {x}: {number} of {owner:?}"),

@@ -16,25 +16,17 @@ pub(super) struct Branches {
 impl Branches {
     /// Those of the `count` lowest eigenvalues of each spectrum, in the order in which they are first among them, then by frequency.
     ///
-    /// They are tracked over the samples between the spectra as well; `pieces` are those on which the family is smooth.
-    pub(super) fn new(
-        shown: Vec<(f64, Spectrum)>,
-        samples: Vec<Sample>,
-        pieces: &[[f64; 2]],
-        count: usize,
-    ) -> Self {
+    /// They are tracked over the samples between the spectra as well.
+    pub(super) fn new(shown: Vec<(f64, Spectrum)>, samples: Vec<Sample>, count: usize) -> Self {
         let mut all: Vec<(Sample, Option<Vec<f64>>)> =
             samples.into_iter().map(|sample| (sample, None)).collect();
         all.extend(shown.into_iter().map(|(at, spectrum)| sample_of(at, spectrum)));
         all.sort_by(|a, b| a.0.at.total_cmp(&b.0.at).then(a.1.is_some().cmp(&b.1.is_some())));
-        let piece = |at: f64| pieces.partition_point(|[_, to]| *to < at);
         let mut tracker = Tracker::default();
-        let mut last = f64::NEG_INFINITY;
         let mut columns: Vec<usize> = Vec::new();
         let mut rows = Vec::new();
         for (Sample { at, eigenvalues, limit }, errors) in all {
-            let numbers = tracker.step(at, &eigenvalues, limit, piece(last) == piece(at));
-            last = at;
+            let numbers = tracker.step(at, &eigenvalues, limit);
             let Some(errors) = errors else { continue };
             let mut lowest: Vec<usize> = (0..count.min(numbers.len())).collect();
             lowest.sort_by(|a, b| eigenvalues[*a].im.total_cmp(&eigenvalues[*b].im));

@@ -112,7 +112,7 @@ fn a_sweep_tells_where_the_slider_locks() {
         );
     }
     let rates = result["growth_rates"].as_array().unwrap();
-    assert!(rates[0].as_array().unwrap().iter().all(|rate| number(rate) < 0.0), "{}", rates[0]);
+    assert!(lowest(&rates[0]).iter().all(|rate| *rate < 0.0), "{}", rates[0]);
     assert!(rates[4].as_array().unwrap().iter().all(Value::is_null), "{}", rates[4]);
 }
 
@@ -156,6 +156,14 @@ fn a_sweep_of_a_structure_builds_it_anew() {
     assert!(lowest[0] < lowest[1] && lowest[1] < lowest[2], "{lowest:?}");
 }
 
+/// What the branches have at one value, ascending; those that are not among the lowest there have nothing.
+fn lowest(row: &Value) -> Vec<f64> {
+    let there = row.as_array().unwrap().iter().filter(|value| !value.is_null());
+    let mut values: Vec<f64> = there.map(number).collect();
+    values.sort_by(f64::total_cmp);
+    values
+}
+
 /// The track as the matrices of another program, its nodes named in disorder: the same pair, hence the same spectrum.
 #[test]
 fn matrices_make_the_same_track() {
@@ -179,11 +187,10 @@ fn matrices_make_the_same_track() {
     );
     let found = &report.summary.results["locus"]["frequencies_hz"];
     for (found, expected) in found.as_array().unwrap().iter().zip(expected.as_array().unwrap()) {
-        for (found, expected) in found.as_array().unwrap().iter().zip(expected.as_array().unwrap()) {
-            assert!(
-                (number(found) - number(expected)).abs() < 1e-6 * number(expected).max(1.0),
-                "{found} {expected}"
-            );
+        let (found, expected) = (lowest(found), lowest(expected));
+        assert_eq!(found.len(), 8);
+        for (found, expected) in found.iter().zip(&expected) {
+            assert!((found - expected).abs() < 1e-6 * expected.max(1.0), "{found} {expected}");
         }
     }
 }

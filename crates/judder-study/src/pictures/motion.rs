@@ -317,6 +317,10 @@ fn amplitude_axis(rms: &[f64], has_branches: bool) -> Axis {
 /// The largest x of every oscillation along the swept key.
 fn largest(dataset: &Dataset, directions: &[String], along: Axis) -> Option<Panel> {
     let (values, x) = (reals(dataset, "section_value")?, reals(dataset, "section_x")?);
+    // steady sliding alone crosses no section
+    if x.is_empty() {
+        return None;
+    }
     let of = words(dataset, "section_direction")?;
     let layers = directions.iter().enumerate().rev().map(|(k, direction)| {
         let points = || (0..x.len()).filter(|i| of[*i] == *direction);

@@ -79,6 +79,8 @@ class CaseError(JudderError, ValueError):
     """The dotted path of the key that is to blame, where there is one."""
     help: str | None
     """What would be right."""
+    others: list[str]
+    """What else is wrong with the same case, in the order of its text."""
 
     def __init__(self, message: str, cause: str = "", fields: Mapping[str, Any] | None = None) -> None:
         super().__init__(message, cause, fields)
@@ -86,6 +88,8 @@ class CaseError(JudderError, ValueError):
             self.add_note(f"in {self.file}, line {self.line}, column {self.column}: {self.text}")
         if self.fields.get("help"):
             self.add_note(f"help: {self.help}")
+        for other in self.fields.get("others") or ():
+            self.add_note(f"besides: {other}")
 
 
 class OscillatorError(JudderError):

@@ -16,6 +16,7 @@ pub struct CaseError {
     cause: Box<Cause>,
     source: Source,
     span: Option<SourceSpan>,
+    others: Vec<CaseError>,
 }
 
 impl CaseError {
@@ -24,12 +25,25 @@ impl CaseError {
             cause: Box::new(cause),
             source: Source { name: name.to_owned(), text: Arc::from("") },
             span: None,
+            others: Vec::new(),
         }
     }
 
     /// What is wrong, with the values that a caller can act on.
     pub fn cause(&self) -> &Cause {
         &self.cause
+    }
+
+    /// What else is wrong with the same case, in the order of its text.
+    pub fn others(&self) -> &[Self] {
+        &self.others
+    }
+
+    /// The error alone, and all that is wrong besides.
+    #[must_use]
+    pub fn split(mut self) -> (Self, Vec<Self>) {
+        let others = std::mem::take(&mut self.others);
+        (self, others)
     }
 
     /// The name of the text that the error points into: that of the case file, or `--set`.
@@ -104,11 +118,13 @@ impl Place {
 pub(crate) struct Fault {
     cause: Box<Cause>,
     place: Place,
+    /// What else is wrong with the same text.
+    others: Vec<Fault>,
 }
 
 impl Cause {
     pub(crate) fn at(self, place: Place) -> Fault {
-        Fault { cause: Box::new(self), place }
+        Fault { cause: Box::new(self), place, others: Vec::new() }
     }
 }
 
@@ -116,6 +132,14 @@ impl Fault {
     /// Where it is.
     pub(crate) fn place(&self) -> Place {
         self.place
+    }
+
+    /// This one, and another one beside it.
+    pub(crate) fn and(mut self, mut other: Self) -> Self {
+        let beside = std::mem::take(&mut other.others);
+        self.others.push(other);
+        self.others.extend(beside);
+        self
     }
 
     /// What is wrong, without its place.
@@ -133,11 +157,25 @@ impl Sources {
         Self(std::iter::once((name.to_owned(), Arc::from(text))).chain(options).collect())
     }
 
-    /// Attaches the text to a fault.
+    /// Attaches the text to a fault, and to those beside it.
     pub(crate) fn error(&self, fault: Fault) -> CaseError {
+        let mut first = fault;
+        let mut others = std::mem::take(&mut first.others);
+        let at = |fault: &Fault| (fault.place.source, fault.place.start);
+        for other in others.iter_mut() {
+            if at(other) < at(&first) {
+                std::mem::swap(&mut first, other);
+            }
+        }
+        others.sort_by_key(at);
+        let others = others.into_iter().map(|other| self.error_of(other)).collect();
+        CaseError { others, ..self.error_of(first) }
+    }
+
+    fn error_of(&self, fault: Fault) -> CaseError {
         let Place { source, start, end } = fault.place;
         let (name, text) = self.0.get(source).cloned().unwrap_or_default();
         let span = Some(SourceSpan::from((start, end.saturating_sub(start))));
-        CaseError { cause: fault.cause, source: Source { name, text }, span }
+        CaseError { cause: fault.cause, source: Source { name, text }, span, others: Vec::new() }
     }
 }

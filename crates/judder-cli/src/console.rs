@@ -88,7 +88,14 @@ impl Console {
 
     /// Why a part of the result is missing; told also to whoever asked for silence.
     pub(crate) fn refusal(self, failure: &Failure) {
-        write_message(&draw(failure.diagnostic()));
+        self.draw_all(failure);
+    }
+
+    /// Everything that is wrong, one message after the other.
+    fn draw_all(self, failure: &Failure) {
+        for one in std::iter::once(failure).chain(&failure.others) {
+            write_message(&draw(one.diagnostic()));
+        }
     }
 
     /// Why there is no result: for a person on standard error, for a program on standard output.
@@ -97,7 +104,7 @@ impl Console {
             // If standard output cannot be written, the message on standard error is all there is.
             let _ = write_output(&format!("{:#}\n", failure.json()));
         }
-        write_message(&draw(failure.diagnostic()));
+        self.draw_all(failure);
     }
 }
 

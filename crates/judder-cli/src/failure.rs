@@ -88,17 +88,23 @@ pub(crate) struct Failure {
     /// How the command ends.
     pub(crate) exit: Exit,
     diagnostic: Box<dyn Diagnostic>,
+    /// What else is wrong with the same input.
+    pub(crate) others: Vec<Failure>,
 }
 
 impl Failure {
     /// The input is wrong, and how to mend it.
     pub(crate) fn wrong_input(text: impl Into<String>, help: impl Into<String>) -> Self {
-        Self { exit: Exit::WrongInput, diagnostic: Box::new(Message::error(text).with_help(help)) }
+        Self {
+            exit: Exit::WrongInput,
+            diagnostic: Box::new(Message::error(text).with_help(help)),
+            others: Vec::new(),
+        }
     }
 
     /// The result could not be computed or kept.
     pub(crate) fn missing(message: Message) -> Self {
-        Self { exit: Exit::Incomplete, diagnostic: Box::new(message) }
+        Self { exit: Exit::Incomplete, diagnostic: Box::new(message), others: Vec::new() }
     }
 
     /// Standard output could not be written.
@@ -111,8 +117,16 @@ impl Failure {
         &*self.diagnostic
     }
 
-    /// The error as a document: `place` is null where the error has none, `line` and `column` count from 1.
+    /// The error as a document: `place` is null where the error has none, `line` and `column` count from 1; `others` are what else is wrong.
     pub(crate) fn json(&self) -> Value {
+        let mut json = json!({ "error": self.own_json() });
+        if !self.others.is_empty() {
+            json["error"]["others"] = self.others.iter().map(Self::own_json).collect();
+        }
+        json
+    }
+
+    fn own_json(&self) -> Value {
         let error = &self.diagnostic;
         let mut message = error.to_string();
         let mut cause = error.source();
@@ -121,7 +135,7 @@ impl Failure {
             cause = source.source();
         }
         let help = error.help().map(|help| help.to_string());
-        json!({ "error": { "message": message, "place": place(&**error), "help": help } })
+        json!({ "message": message, "place": place(&**error), "help": help })
     }
 }
 
@@ -144,7 +158,11 @@ impl Failure {
             StudyError::Case(error) => error.into(),
             error => {
                 let sentence = format!("{}, analysis `{}`: {error}", case.display(), refused.name);
-                Self { exit: Exit::WrongInput, diagnostic: Box::new(Message::from_sentence(&sentence)) }
+                Self {
+                    exit: Exit::WrongInput,
+                    diagnostic: Box::new(Message::from_sentence(&sentence)),
+                    others: Vec::new(),
+                }
             }
         }
     }
@@ -152,7 +170,9 @@ impl Failure {
 
 impl From<CaseError> for Failure {
     fn from(error: CaseError) -> Self {
-        Self { exit: Exit::WrongInput, diagnostic: Box::new(error) }
+        let (error, others) = error.split();
+        let others = others.into_iter().map(Self::from).collect();
+        Self { exit: Exit::WrongInput, diagnostic: Box::new(error), others }
     }
 }
 
@@ -161,9 +181,11 @@ impl From<ExplorerError> for Failure {
         match error {
             ExplorerError::Case(error) => error.into(),
             ExplorerError::Study(error) => error.into(),
-            error @ ExplorerError::Bind { .. } => {
-                Self { exit: Exit::WrongInput, diagnostic: Box::new(Message::from_sentence(&error)) }
-            }
+            error @ ExplorerError::Bind { .. } => Self {
+                exit: Exit::WrongInput,
+                diagnostic: Box::new(Message::from_sentence(&error)),
+                others: Vec::new(),
+            },
             error => Self::missing(Message::from_sentence(&error)),
         }
     }
@@ -189,6 +211,6 @@ impl From<StudyError> for Failure {
             .with_help("`judder check` and `judder run` take it"),
             error => Message::from_sentence(&error),
         };
-        Self { exit, diagnostic: Box::new(message) }
+        Self { exit, diagnostic: Box::new(message), others: Vec::new() }
     }
 }

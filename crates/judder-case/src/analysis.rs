@@ -1,6 +1,7 @@
 //! Analyses: a name that serves as a file name, and a kind with its settings.
 
 use crate::cause::Cause;
+use crate::declared::Declaration;
 use crate::document::{Data, Node};
 use crate::error::Fault;
 use crate::section::{Section, text, wrong_type};
@@ -18,6 +19,8 @@ pub struct Analysis<Kind> {
 pub(crate) struct Kind<S, T> {
     pub(crate) name: &'static str,
     pub(crate) keys: &'static [&'static str],
+    /// What is said of each key, where the settings are declared.
+    pub(crate) declared: Option<fn() -> Vec<Declaration>>,
     pub(crate) doc: &'static str,
     pub(crate) read: fn(&S, &Section<'_>) -> Result<T, Fault>,
 }
@@ -61,21 +64,41 @@ pub(crate) fn read_analyses<S, T>(
     let Data::List(nodes) = &node.data else {
         return Err(wrong_type("analysis", "a list, each item headed [[analysis]]", node));
     };
+    // what is wrong with one analysis does not hide what is wrong with another
+    let mut fault: Option<Fault> = None;
     for node in nodes {
-        let kind = find_kind(node, kinds)?;
-        let known: Vec<_> = ["name", "kind"].iter().chain(kind.keys).copied().collect();
-        let section = Section::open(node, "", &format!("an analysis of kind `{}`", kind.name), &known)?;
-        let name = section.text("name")?.unwrap_or(kind.name).to_owned();
-        let place = section.get("name").map_or(node.place, |name| name.place);
-        if !is_file_name(&name) {
-            return Err(Cause::BadName { name }.at(place));
+        match read_analysis(node, keys, kinds, &analyses) {
+            Ok(analysis) => analyses.push(analysis),
+            Err(other) => {
+                fault = Some(match fault {
+                    Some(first) => first.and(other),
+                    None => other,
+                });
+            }
         }
-        if analyses.iter().any(|other| other.name.eq_ignore_ascii_case(&name)) {
-            return Err(Cause::DuplicateName { name }.at(place));
-        }
-        analyses.push(Analysis { name, kind: (kind.read)(keys, &section)? });
     }
-    Ok(analyses)
+    fault.map_or(Ok(analyses), Err)
+}
+
+/// Reads one analysis, whose name the ones before must not have.
+fn read_analysis<S, T>(
+    node: &Node,
+    keys: &S,
+    kinds: &[Kind<S, T>],
+    before: &[Analysis<T>],
+) -> Result<Analysis<T>, Fault> {
+    let kind = find_kind(node, kinds)?;
+    let known: Vec<_> = ["name", "kind"].iter().chain(kind.keys).copied().collect();
+    let section = Section::open(node, "", &format!("an analysis of kind `{}`", kind.name), &known)?;
+    let name = section.text("name")?.unwrap_or(kind.name).to_owned();
+    let place = section.get("name").map_or(node.place, |name| name.place);
+    if !is_file_name(&name) {
+        return Err(Cause::BadName { name }.at(place));
+    }
+    if before.iter().any(|other| other.name.eq_ignore_ascii_case(&name)) {
+        return Err(Cause::DuplicateName { name }.at(place));
+    }
+    Ok(Analysis { name, kind: (kind.read)(keys, &section)? })
 }
 
 /// The kind of one analysis; it decides which keys the analysis may have.

@@ -139,18 +139,21 @@ pub(crate) const KINDS: [Kind<ContactScope, ContactAnalysis>; 5] = [
     Kind {
         name: "contact",
         keys: &["velocity", "indentation", "load", "accuracy", "cells", "domain", MEMORY_LIMIT],
+        declared: None,
         doc: "one contact: force, area, friction, fields",
         read: |scope, section| read_contact(scope, section).map(ContactAnalysis::Contact),
     },
     Kind {
         name: "contact-law",
         keys: &["velocity", "indentation", "accuracy", "method", MEMORY_LIMIT],
+        declared: None,
         doc: "force, area and friction over speed and indentation, as a law for an oscillator",
         read: |scope, section| read_law("contact-law", scope, section).map(ContactAnalysis::ContactLaw),
     },
     Kind {
         name: "fit",
         keys: &["velocity", "indentation", "accuracy", "method", "velocity_scale", MEMORY_LIMIT],
+        declared: None,
         doc: "the three functions of the oscillator paper, fitted to a computed law",
         read: |scope, section| {
             let law = read_law("fit", scope, section)?;
@@ -161,6 +164,7 @@ pub(crate) const KINDS: [Kind<ContactScope, ContactAnalysis>; 5] = [
     Kind {
         name: "modulus",
         keys: &["frequency"],
+        declared: None,
         doc: "storage and loss modulus and loss tangent over frequency",
         read: |_, section| {
             let frequency = match section.get("frequency") {
@@ -173,6 +177,7 @@ pub(crate) const KINDS: [Kind<ContactScope, ContactAnalysis>; 5] = [
     Kind {
         name: "transient",
         keys: TRANSIENT_KEYS,
+        declared: None,
         doc: "a contact that is followed in time: histories of force, friction and area, work of a cycle",
         read: |scope, section| read_transient(scope, section).map(ContactAnalysis::Transient),
     },

@@ -5,6 +5,7 @@
 //! - `document`: the TOML text as a tree whose every value knows its place; `--set` options are grafted onto it.
 //! - [`dimension`] and [`quantity`]: `"3.5 kN/m"` becomes a number in SI units with its dimension.
 //! - [`keys`]: **the one table of keys**, which drives reading, defaults, sweeps, schema and templates.
+//! - `declared`: settings declared once, from whose fields reading, canonical form, schema and reference follow.
 //! - `section`: typed reading of one table; unknown keys are refused first.
 //! - [`inputs`]: the value of every numeric key at one operating point.
 //! - [`given`]: a value that no case file has: a number or a text, read as a case file would.
@@ -14,7 +15,7 @@
 //!   [`file_reference`]: the files that a case names; [`memory`]: what they may take; [`continuous`]: a spectrum without lines.
 //! - [`motion_analysis`], [`engines_analysis`], [`belt_case`]: the analyses of motion, and the mass on a belt.
 //! - [`expression`], `matrix`, [`mass`], [`two_degrees`]: the two-degrees case, matrices of expressions.
-//! - [`structure_keys`], [`structure`]: the structure case: bodies of elements, sums of matrices, their analyses.
+//! - [`structure`]: the structure case: bodies of elements, sums of matrices, their analyses.
 //! - [`sliding_keys`], [`sliding`]: the sliding case: two structures, their contact, motion and analyses.
 //! - [`key_sweep`], [`study_sweep`]: any number of a case that varies, and `[[sweep]]`, the whole case at many points.
 //! - [`case_file`]: the way in. `resolved`: the way out, canonical JSON for the hash and the report.
@@ -34,6 +35,7 @@ pub mod contact_case;
 pub mod contact_keys;
 pub mod contact_problem;
 pub mod continuous;
+mod declared;
 pub mod dimension;
 mod document;
 mod edited;
@@ -65,7 +67,6 @@ pub mod sliding;
 pub mod sliding_keys;
 pub mod span;
 pub mod structure;
-pub mod structure_keys;
 pub mod study_sweep;
 pub mod substrate;
 pub mod sweep;
@@ -108,7 +109,6 @@ pub use span::Span;
 pub use structure::analysis::StructureAnalysis;
 pub use structure::problem::StructureProblem;
 pub use structure::{StructureCase, StructureSource};
-pub use structure_keys::{STRUCTURE_KEYS, StructureKey};
 pub use study_sweep::problem::SweepProblem;
 pub use study_sweep::quantity_path::{QuantityPath, QuantitySource, QuantityStep, Reduction};
 pub use study_sweep::{Design, Sensitivity, StudySweep, SweptKey, SweptValues};

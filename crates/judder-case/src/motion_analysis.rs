@@ -179,7 +179,7 @@ pub(crate) struct MotionKind {
 impl MotionKind {
     /// The kind with its reader.
     pub(crate) const fn kind<S, T>(&self, read: fn(&S, &Section<'_>) -> Result<T, Fault>) -> Kind<S, T> {
-        Kind { name: self.name, keys: self.keys, doc: self.doc, read }
+        Kind { name: self.name, keys: self.keys, declared: None, doc: self.doc, read }
     }
 }
 

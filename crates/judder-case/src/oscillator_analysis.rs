@@ -81,6 +81,7 @@ pub(crate) const KINDS: [Kind<OscillatorKeys, OscillatorAnalysis>; 10] = [
     Kind {
         name: "equivalent-damping",
         keys: &["sweep", "family"],
+        declared: None,
         doc: "the equivalent damping ratio along one key",
         read: |keys, section| {
             let (sweep, family) = read_curves(keys, section)?;
@@ -90,6 +91,7 @@ pub(crate) const KINDS: [Kind<OscillatorKeys, OscillatorAnalysis>; 10] = [
     Kind {
         name: "spectrum",
         keys: &["sweep", "family"],
+        declared: None,
         doc: "the eigenvalues along one key",
         read: |keys, section| {
             let (sweep, family) = read_curves(keys, section)?;
@@ -99,6 +101,7 @@ pub(crate) const KINDS: [Kind<OscillatorKeys, OscillatorAnalysis>; 10] = [
     Kind {
         name: "critical-shear-strength",
         keys: &["sweep", "within", "family", "global_margin"],
+        declared: None,
         doc: "the critical shear strengths along one key",
         read: |keys, section| {
             let (sweep, family) = read_threshold(keys, section, OscillatorKey::ShearStrength)?;
@@ -110,6 +113,7 @@ pub(crate) const KINDS: [Kind<OscillatorKeys, OscillatorAnalysis>; 10] = [
     Kind {
         name: "critical-load",
         keys: &["sweep", "within", "family", "global_margin"],
+        declared: None,
         doc: "the critical loads along one key",
         read: |keys, section| {
             let (sweep, family) = read_threshold(keys, section, OscillatorKey::NormalLoad)?;
@@ -121,6 +125,7 @@ pub(crate) const KINDS: [Kind<OscillatorKeys, OscillatorAnalysis>; 10] = [
     Kind {
         name: "stability-map",
         keys: &["x", "y", "method", "boundaries", "global_margin"],
+        declared: None,
         doc: "stable and unstable points over two keys",
         read: |keys, section| {
             let global_margin = read_global_margin(section, MARGIN_OF_MAP)?;

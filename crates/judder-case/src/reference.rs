@@ -4,8 +4,10 @@ mod sliding;
 mod structure;
 mod sweep;
 
+use crate::analysis::Kind;
 use crate::belt_case::{self, BELT_KEYS};
 use crate::contact_analysis;
+use crate::declared::Declaration;
 use crate::oscillator_analysis;
 use crate::two_degrees;
 use crate::{CONTACT_KEYS, FrictionLoad, KEYS, Key, LawName, Range};
@@ -34,7 +36,7 @@ pub fn reference() -> String {
     );
     page += SUBSTRATE;
     page += "\n## Analyses of an oscillator case\n\n";
-    page += &kinds(oscillator_analysis::KINDS.iter().map(|kind| (kind.name, kind.keys, kind.doc)));
+    page += &kinds(&oscillator_analysis::KINDS);
     page += MARGIN;
     page += MOTION;
     page += CONTACT;
@@ -42,19 +44,19 @@ pub fn reference() -> String {
         page += &row(key);
     }
     page += "\n### Analyses of a contact case\n\n";
-    page += &kinds(contact_analysis::KINDS.iter().map(|kind| (kind.name, kind.keys, kind.doc)));
+    page += &kinds(&contact_analysis::KINDS);
     page += CONTACT_RANGES;
     page += BELT;
     for key in &BELT_KEYS {
         page += &row(key);
     }
     page += "\n### Analyses of a belt case\n\n";
-    page += &kinds(belt_case::KINDS.iter().map(|kind| (kind.name, kind.keys, kind.doc)));
+    page += &kinds(&belt_case::KINDS);
     page += "\nThe settings are those of the [analyses of motion](#analyses-of-motion) above, with `x` and `velocity_x` for coordinates.\n";
     page += "\n## Analyses of a two-degrees case\n\n\
              `[parameters]` holds numbers by name; `[matrices]` holds `mass` (identity by default), `damping` (zero by default) and `stiffness` as 2 × 2 \
              arrays of numbers or expressions of the parameters. Swept keys are `parameters.NAME`.\n\n";
-    page += &kinds(two_degrees::KINDS.iter().map(|kind| (kind.name, kind.keys, kind.doc)));
+    page += &kinds(&two_degrees::KINDS);
     page += &structure::section();
     page += &sliding::section();
     page += "\nA sweep within an analysis is `{ key = \"operation.velocity\", from = 1e-8, to = 1e2, points = 21, scale = \"log\" }` (`scale` is `linear` where left out), a \
@@ -177,7 +179,7 @@ fn row<K>(key: &Key<K>) -> String {
     format!("| `{}` | {} | {number} | {string} | {default} | {range} | {doc} |\n", key.path, key.symbol)
 }
 
-fn allowed(range: Range) -> String {
+pub(crate) fn allowed(range: Range) -> String {
     match range {
         Range::Positive => "> 0".to_owned(),
         Range::NonNegative => "≥ 0".to_owned(),
@@ -187,14 +189,22 @@ fn allowed(range: Range) -> String {
     }
 }
 
-fn kinds<'a>(kinds: impl Iterator<Item = (&'a str, &'a [&'a str], &'a str)>) -> String {
+fn kinds<S, T>(kinds: &[Kind<S, T>]) -> String {
     let mut table =
         String::from("| kind | keys beside `name` and `kind` | what it computes |\n| --- | --- | --- |\n");
-    for (name, keys, doc) in kinds {
+    for Kind { name, keys, doc, .. } in kinds {
         let keys: Vec<String> = keys.iter().map(|key| format!("`{key}`")).collect();
         table += &format!("| `{name}` | {} | {doc} |\n", keys.join(", "));
     }
-    table
+    let declared = kinds.iter().filter_map(|kind| Some((kind.name, kind.declared?)));
+    declared.fold(table, |page, (name, declared)| page + &settings(name, &declared()))
+}
+
+/// The keys of declared settings.
+fn settings(name: &str, keys: &[Declaration]) -> String {
+    let head = "| key | symbol | may be | where left out | what it is |\n| --- | --- | --- | --- | --- |\n";
+    let rows: String = keys.iter().map(|key| key.rows("")).collect();
+    format!("\nKeys of `{name}`:\n\n{head}{rows}")
 }
 
 #[cfg(test)]

@@ -13,6 +13,7 @@ use crate::contact_analysis::{ContactAnalysis, LawSettings, Loading};
 use crate::contact_case::ContactCase;
 use crate::contact_keys::ContactKey;
 use crate::continuous::{ContinuousSource, Density, DensitySample, TermChoice};
+use crate::declared::Settings;
 use crate::dimension::Dimension;
 use crate::inputs::LawName;
 use crate::keys::{Form, KEYS, OscillatorKey, Value};
@@ -363,6 +364,13 @@ fn family<K: Dimensioned>(family: &Family<K>) -> Json {
 fn within(within: &Within, sought: OscillatorKey) -> Json {
     let end = |end| number(end, within.form, sought.dimension());
     json!({ "from": end(within.from), "to": end(within.to) })
+}
+
+/// Declared settings of an analysis of this kind.
+fn declared(kind: &str, settings: &impl Settings) -> Json {
+    let mut json = Map::from_iter([("kind".to_owned(), json!(kind))]);
+    settings.write_table(&mut json);
+    Json::Object(json)
 }
 
 fn number(number: f64, form: Form, dimension: Dimension) -> Json {

@@ -11,13 +11,13 @@ use serde_json::{Map, Value as Json, json};
 use crate::analysis::Kind;
 use crate::belt_case::BELT_KEYS;
 use crate::contact_keys::CONTACT_KEYS;
+use crate::declared::Declaration;
 use crate::inputs::{FrictionLoad, LawName};
 use crate::keys::{KEYS, Key, OscillatorKey, Range};
 use crate::motion_analysis::BASIN;
 use crate::oscillator_analysis::{LOAD_WITHIN, MARGIN_OF_MAP, MARGIN_OF_THRESHOLDS, SHEAR_STRENGTH_WITHIN};
 use crate::oscillator_case::SECTIONS;
 use crate::sliding_keys::SLIDING_KEYS;
-use crate::structure_keys::STRUCTURE_KEYS;
 use crate::sweep::{MapMethod, Scale};
 use crate::swept_keys::OscillatorKeys;
 use crate::two_degrees::CRITICAL_POINTS;
@@ -42,9 +42,6 @@ pub fn schema() -> Json {
     definitions["belt-key"] = names(BELT_KEYS.iter().map(|entry| entry.path), "dotted path of a key");
     for entry in &BELT_KEYS {
         definitions[motion::definition(entry.path)] = key(entry);
-    }
-    for entry in &STRUCTURE_KEYS {
-        definitions[entry.path] = key(entry);
     }
     for entry in &SLIDING_KEYS {
         definitions[sliding::definition(entry.path)] = key(entry);
@@ -172,17 +169,41 @@ fn two_degrees_case() -> Json {
     table("two degrees of freedom with given matrices", properties, &["model", "matrices"])
 }
 
+/// The name of an analysis, which is that of its kind where it has none.
+fn name_of(kind: &str) -> Json {
+    json!({ "type": "string", "pattern": "^[A-Za-z0-9_-][A-Za-z0-9._-]{0,99}$", "default": kind })
+}
+
+/// A table of declared settings.
+pub(crate) fn declared_table(description: &str, keys: &[Declaration]) -> Json {
+    with_declared(description, Map::new(), keys, &[])
+}
+
+/// A table of declared settings beside other keys.
+fn with_declared(
+    description: &str,
+    mut properties: Map<String, Json>,
+    keys: &[Declaration],
+    required: &[&str],
+) -> Json {
+    properties.extend(keys.iter().map(|key| (key.name.to_owned(), key.schema())));
+    let own = keys.iter().filter(|key| key.is_required).map(|key| key.name);
+    let required: Vec<&str> = required.iter().copied().chain(own).collect();
+    table(description, properties, &required)
+}
+
 /// The list of analyses: one alternative a kind.
 fn analyses<S, T>(kinds: &[Kind<S, T>], setting: impl Fn(&str, &str) -> Json) -> Json {
     let alternatives = kinds.iter().map(|kind| {
-        let mut properties = object([
-            ("kind", json!({ "const": kind.name })),
-            ("name", json!({ "type": "string", "pattern": "^[A-Za-z0-9_-][A-Za-z0-9._-]{0,99}$", "default": kind.name })),
-        ]);
+        let own = [("kind", json!({ "const": kind.name })), ("name", name_of(kind.name))];
+        if let Some(declared) = kind.declared {
+            return with_declared(kind.doc, object(own), &declared(), &["kind"]);
+        }
+        let mut properties = object(own);
         properties.extend(kind.keys.iter().map(|key| ((*key).to_owned(), setting(kind.name, key))));
         let needed = |key: &&&str| match (kind.name, **key) {
             ("locus", "sweep") => false,
-            ("march" | "growth", "method") | ("growth", "position" | "frequency") => true,
+            ("march", "method") => true,
             (_, "sweep" | "x" | "y" | "structure" | "of") => true,
             (name, key) => key == "within" && name == BASIN.name,
         };

@@ -84,17 +84,7 @@ impl<'a> Section<'a> {
 
     /// A whole number from `from` to `to`.
     pub(crate) fn whole(&self, key: &str, from: usize, to: usize) -> Result<Option<usize>, Fault> {
-        let Some(node) = self.get(key) else { return Ok(None) };
-        let Data::Number { whole: Some(found), .. } = node.data else {
-            return Err(wrong_type(&self.path(key), "an integer", node));
-        };
-        match usize::try_from(found) {
-            Ok(count) if (from..=to).contains(&count) => Ok(Some(count)),
-            _ => {
-                let problem = ContactProblem::Count { key: self.path(key), from, to, found };
-                Err(Cause::Contact { problem }.at(node.place))
-            }
-        }
+        self.get(key).map(|node| whole(&self.path(key), node, (from, to))).transpose()
     }
 
     /// One of a few words, each with its meaning.
@@ -104,14 +94,37 @@ impl<'a> Section<'a> {
         what: &'static str,
         choices: &[(&'static str, T)],
     ) -> Result<Option<T>, Fault> {
-        let Some(node) = self.get(key) else { return Ok(None) };
-        let name = text(&self.path(key), node)?;
-        match choices.iter().find(|(choice, _)| *choice == name) {
-            Some((_, meaning)) => Ok(Some(*meaning)),
-            None => {
-                let known = choices.iter().map(|(choice, _)| (*choice).to_owned()).collect();
-                Err(Cause::UnknownName { what, name: name.to_owned(), known }.at(node.part(0..name.len())))
-            }
+        self.get(key).map(|node| word(&self.path(key), what, node, choices)).transpose()
+    }
+}
+
+/// A whole number from one to another.
+pub(crate) fn whole(key: &str, node: &Node, (from, to): (usize, usize)) -> Result<usize, Fault> {
+    let Data::Number { whole: Some(found), .. } = node.data else {
+        return Err(wrong_type(key, "an integer", node));
+    };
+    match usize::try_from(found) {
+        Ok(count) if (from..=to).contains(&count) => Ok(count),
+        _ => {
+            let problem = ContactProblem::Count { key: key.to_owned(), from, to, found };
+            Err(Cause::Contact { problem }.at(node.place))
+        }
+    }
+}
+
+/// One of a few words, each with its meaning.
+pub(crate) fn word<T: Copy>(
+    key: &str,
+    what: &'static str,
+    node: &Node,
+    choices: &[(&'static str, T)],
+) -> Result<T, Fault> {
+    let name = text(key, node)?;
+    match choices.iter().find(|(choice, _)| *choice == name) {
+        Some((_, meaning)) => Ok(*meaning),
+        None => {
+            let known = choices.iter().map(|(choice, _)| (*choice).to_owned()).collect();
+            Err(Cause::UnknownName { what, name: name.to_owned(), known }.at(node.part(0..name.len())))
         }
     }
 }

@@ -10,6 +10,7 @@
 
 pub mod analysis;
 pub mod contact;
+pub mod growth;
 pub mod locus;
 pub mod march;
 pub mod motion;

@@ -42,8 +42,6 @@ pub enum SlidingKey {
     InitialRelease,
     /// Root mean square of the noise.
     NoiseForce,
-    /// s at which a contact is held.
-    Position,
     /// s at which a key is swept.
     At,
     /// An end of a range of positions.
@@ -56,8 +54,6 @@ pub enum SlidingKey {
     To,
     /// h.
     Step,
-    /// ω of the mode that is meant.
-    Frequency,
     /// ω above which modes are replaced by their flexibility.
     CutOff,
     /// ω up to which signals are kept.
@@ -120,7 +116,7 @@ const fn ramp(key: SlidingKey, path: &'static str, doc: &'static str) -> Key<Sli
 
 /// Every number of a sliding case, in the order of the case file. The defaults are those of the beams paper, or the readings of what
 /// it does not print.
-pub static SLIDING_KEYS: [Key<SlidingKey>; 31] = [
+pub static SLIDING_KEYS: [Key<SlidingKey>; 29] = [
     number(
         SlidingKey::FrictionCoefficient,
         "contact.friction_coefficient",
@@ -255,7 +251,6 @@ pub static SLIDING_KEYS: [Key<SlidingKey>; 31] = [
             "root mean square of a random force on C across the track",
         ),
     ),
-    position(SlidingKey::Position, "analysis.position", "s", "of a `growth`: where the contact is held"),
     position(SlidingKey::At, "analysis.at", "s", "of a `locus`: where the contact is while a key is swept"),
     position(
         SlidingKey::PositionsFrom,
@@ -283,14 +278,6 @@ pub static SLIDING_KEYS: [Key<SlidingKey>; 31] = [
         TIME,
         ("", 0.0),
         "time step; where left out, 3e-7 s or 0.9 of the limit of stability, of `residual-flexibility` 3e-6 s or 0.75 of it, whichever is smaller",
-    )),
-    open(quantity(
-        SlidingKey::Frequency,
-        "analysis.frequency",
-        "ω",
-        FREQUENCY,
-        ("", 0.0),
-        "of a `growth`: near which the mode lies that is meant",
     )),
     quantity(
         SlidingKey::CutOff,

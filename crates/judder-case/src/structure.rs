@@ -20,6 +20,7 @@ use std::path::Path;
 use crate::analysis::{Analysis, read_analyses};
 use crate::cause::Cause;
 use crate::contact_problem::ContactProblem;
+use crate::declared::Settings;
 use crate::document::Node;
 use crate::error::Fault;
 use crate::file_reference::FileReference;
@@ -27,8 +28,8 @@ use crate::section::Section;
 use crate::swept_keys::ParameterKeys;
 use crate::two_degrees::{Parameter, read_parameters};
 use analysis::{KINDS, StructureAnalysis, StructureScope};
-use body::{Body, Geometry, read_body};
-use damping::{Damping, read_damping};
+use body::{Body, BodyKeys, Geometry, read_body};
+use damping::Damping;
 use matrices::{MatrixSums, read_matrices};
 use problem::StructureProblem;
 use reduction::{Reduction, read_reduction};
@@ -103,7 +104,7 @@ pub(crate) fn read(root: &Node, folder: &Path) -> Result<StructureCase, Fault> {
     let source = match (root.get("structure"), root.get("matrices")) {
         (Some(node), None) => {
             refuse(&root, "parameters", "[structure]")?;
-            let section = Section::open(node, "structure", "[structure]", &body::KEYS)?;
+            let section = Section::open(node, "structure", "[structure]", BodyKeys::KEYS)?;
             StructureSource::Body(Box::new(read_body(&section, folder)?))
         }
         (None, Some(node)) => {
@@ -118,8 +119,8 @@ pub(crate) fn read(root: &Node, folder: &Path) -> Result<StructureCase, Fault> {
         }
     };
     let damping = match root.get("damping") {
-        Some(node) => read_damping(&Section::open(node, "damping", "[damping]", &damping::KEYS)?)?,
-        None => Damping::None,
+        Some(node) => Damping::read_table(&Section::open(node, "damping", "[damping]", Damping::KEYS)?)?,
+        None => Damping::default(),
     };
     let reduction = root.get("reduction").map(|node| {
         let section = Section::open(node, "reduction", "[reduction]", &reduction::KEYS)?;

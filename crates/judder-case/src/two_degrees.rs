@@ -79,6 +79,7 @@ pub(crate) const KINDS: [Kind<ParameterKeys, TwoDegreesAnalysis>; 3] = [
     Kind {
         name: "spectrum",
         keys: &["sweep"],
+        declared: None,
         doc: "the eigenvalues along one parameter",
         read: |keys, section| {
             let sweep = read_sweep(keys, section, "sweep", None)?.sweep;
@@ -88,12 +89,14 @@ pub(crate) const KINDS: [Kind<ParameterKeys, TwoDegreesAnalysis>; 3] = [
     Kind {
         name: "stability-map",
         keys: &["x", "y", "method", "boundaries"],
+        declared: None,
         doc: "stable and unstable points over two parameters",
         read: |keys, section| read_map(keys, section).map(TwoDegreesAnalysis::StabilityMap),
     },
     Kind {
         name: "critical",
         keys: &["sweep"],
+        declared: None,
         doc: "the values of a parameter at which stability changes",
         read: |keys, section| {
             let sweep = read_sweep(keys, section, "sweep", Some(CRITICAL_POINTS))?.sweep;

@@ -167,7 +167,7 @@ pub(crate) fn alone(case: &SlidingCase, index: usize) -> StructureCase {
         title: case.title.clone(),
         parameters: case.parameters.clone(),
         source: own.source.clone(),
-        damping: own.damping,
+        damping: own.damping.clone(),
         reduction: None,
         analyses: Vec::new(),
     }

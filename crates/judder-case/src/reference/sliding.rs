@@ -11,7 +11,7 @@ pub(super) fn section() -> String {
         page += &row(key);
     }
     page += "\n### Analyses of a sliding case\n\n";
-    page += &kinds(KINDS.iter().map(|kind| (kind.name, kind.keys, kind.doc)));
+    page += &kinds(&KINDS);
     page + SETTINGS
 }
 

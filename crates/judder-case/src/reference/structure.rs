@@ -1,18 +1,25 @@
 //! What the page says of structure cases.
 
-use super::{kinds, row};
+use super::{kinds, settings};
+use crate::declared::Settings;
 use crate::structure::analysis::KINDS;
-use crate::structure_keys::STRUCTURE_KEYS;
+use crate::structure::body::BodyKeys;
+use crate::structure::damping::Damping;
+use crate::structure::reduction::FixedModeKeys;
 
 /// The section on structure cases.
 pub(super) fn section() -> String {
     let mut page = HEAD.to_owned();
-    for key in &STRUCTURE_KEYS {
-        page += &row(key);
+    for (name, keys) in [
+        ("structure", BodyKeys::declarations()),
+        ("damping", Damping::declarations()),
+        ("reduction", FixedModeKeys::declarations()),
+    ] {
+        page += &settings(&format!("[{name}]"), &keys);
     }
     page += MATRICES;
     page += "\n### Analyses of a structure case\n\n";
-    page += &kinds(KINDS.iter().map(|kind| (kind.name, kind.keys, kind.doc)));
+    page += &kinds(&KINDS);
     page + SETTINGS
 }
 
@@ -38,9 +45,6 @@ or `structural = { loss_factor, reference_frequency }`; left out, there is none.
 
 `[reduction]` keeps freedoms and fixed-interface modes (Craig and Bampton): `kept = [{ set = \"upper-corners\", directions = [\"y\"] }]`, all free directions where none are named, and `count` modes (20 where left out) or all \
 up to `cut_off`. Of matrices with a table of freedoms, `nodes = [1, 17]` stand in place of `set`.
-
-| key | symbol | a plain number is | a string is | default | allowed | what it is |
-| --- | --- | --- | --- | --- | --- | --- |
 ";
 
 const MATRICES: &str = "

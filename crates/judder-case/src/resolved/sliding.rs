@@ -2,14 +2,16 @@
 
 use serde_json::{Value as Json, json};
 
-use super::named;
-use super::structure::{body, damping, matrices, parameters, reduction, si, wanted};
+use super::structure::{body, matrices, parameters, reduction, si};
+use super::{declared, named};
+use crate::declared::Setting;
 use crate::dimension::Dimension;
 use crate::sliding::SlidingCase;
 use crate::sliding::analysis::SlidingAnalysis;
 use crate::sliding::contact::{Friction, NodesOf, SlidingContact};
+use crate::sliding::growth::Growth;
 use crate::sliding::locus::{Along, Locus};
-use crate::sliding::march::{Growth, March, MarchMethod};
+use crate::sliding::march::{March, MarchMethod, MarchWord};
 use crate::sliding::motion::SlidingMotion;
 use crate::sliding::observe::ObservedPoint;
 use crate::sliding::signals::Sound;
@@ -35,7 +37,7 @@ fn structure(structure: &SlidingStructure) -> Json {
     let mut json = match &structure.source {
         StructureSource::Body(source) => {
             let mut json = body(source);
-            json["damping"] = damping(&structure.damping);
+            json["damping"] = Setting::write(&structure.damping, &());
             json
         }
         StructureSource::Matrices(sums) => json!({ "matrices": matrices(sums) }),
@@ -105,8 +107,8 @@ fn observed(case: &SlidingCase, point: &ObservedPoint) -> Json {
 
 fn analysis(case: &SlidingCase, kind: &SlidingAnalysis) -> Json {
     match kind {
-        SlidingAnalysis::Modes { structure, wanted: sought } => {
-            let mut json = wanted(sought);
+        SlidingAnalysis::Modes { structure, modes } => {
+            let mut json = declared("modes", modes);
             json["structure"] = json!(case.structures[*structure].name);
             json
         }
@@ -181,11 +183,10 @@ fn march(case: &SlidingCase, march: &March) -> Json {
 }
 
 fn growth(growth: &Growth) -> Json {
-    let mut json = json!({
-        "kind": "growth", "position": si(growth.position, Dimension::LENGTH),
-        "frequency": si(growth.frequency, Dimension::ANGULAR_FREQUENCY),
-    });
-    add_method(&mut json, growth.method, growth.step);
+    let mut json = declared("growth", growth);
+    if growth.word == MarchWord::Subs {
+        json["slope"] = json!("none");
+    }
     json
 }
 

@@ -2,12 +2,12 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use super::{family, named, number};
+use super::{declared, family, named, number};
+use crate::declared::Setting;
 use crate::dimension::Dimension;
 use crate::keys::Form;
-use crate::structure::analysis::{EigenMethod, EigenRegion, StructureAnalysis, WantedModes};
+use crate::structure::analysis::{EigenMethod, StructureAnalysis};
 use crate::structure::body::{Body, Geometry, Material, PlaneSection};
-use crate::structure::damping::Damping;
 use crate::structure::matrices::{MatrixSums, MatrixTerm};
 use crate::structure::reduction::{FixedModes, KeptNodes, Reduction};
 use crate::structure::{StructureCase, StructureSource};
@@ -22,7 +22,7 @@ pub(super) fn case(case: &StructureCase) -> Json {
     match &case.source {
         StructureSource::Body(source) => {
             json["structure"] = body(source);
-            json["damping"] = damping(&case.damping);
+            json["damping"] = Setting::write(&case.damping, &());
         }
         StructureSource::Matrices(sums) => {
             json["parameters"] = parameters(&case.parameters);
@@ -43,30 +43,19 @@ pub(super) fn si(value: f64, dimension: Dimension) -> Json {
     number(value, Form::Si, dimension)
 }
 
-fn lengths(values: &[f64]) -> Json {
-    values.iter().map(|value| si(*value, Dimension::LENGTH)).collect()
-}
-
 pub(super) fn body(body: &Body) -> Json {
+    let material = |material: &Material| Setting::write(material, &());
     let mut json = json!({
         "material": body.material.as_ref().map(material),
         "materials": body.materials.iter().map(|(name, own)| (name.clone(), material(own))).collect::<Map<_, _>>(),
-        "supports": body.supports.iter().map(|support| json!({
-            "set": support.set, "fixed": directions(support.fixed), "tied": directions(support.tied),
-        })).collect::<Vec<_>>(),
+        "supports": body.supports.iter().map(|support| Setting::write(support, &())).collect::<Vec<_>>(),
     });
     let mut in_space = false;
     match &body.geometry {
-        Geometry::Beam(beam) => {
-            json["beam"] = json!({
-                "length": si(beam.length, Dimension::LENGTH), "thickness": si(beam.thickness, Dimension::LENGTH),
-                "elements": beam.elements, "origin": lengths(&beam.origin), "angle": si(beam.angle, Dimension::ANGLE),
-                "start": beam.ends[0].name(), "end": beam.ends[1].name(),
-            });
-        }
+        Geometry::Beam(beam) => json["beam"] = Setting::write(beam, &()),
         Geometry::Block(block) => {
-            in_space = block.element.dimension() == 3;
-            json["block"] = json!({ "element": block.element.name(), "size": lengths(&block.size), "cells": block.cells });
+            in_space = block.element().dimension() == 3;
+            json["block"] = Setting::write(block, &());
         }
         Geometry::Mesh(file) => json["mesh"] = json!(file.given),
     }
@@ -77,29 +66,8 @@ pub(super) fn body(body: &Body) -> Json {
     json
 }
 
-fn material(material: &Material) -> Json {
-    json!({
-        "youngs_modulus": si(material.youngs_modulus, Dimension::STRESS), "poisson_ratio": material.poisson_ratio,
-        "density": si(material.density, Dimension::DENSITY),
-    })
-}
-
 fn directions(taken: [bool; 3]) -> Vec<&'static str> {
     ["x", "y", "z"].into_iter().zip(taken).filter(|(_, taken)| *taken).map(|(name, _)| name).collect()
-}
-
-pub(super) fn damping(damping: &Damping) -> Json {
-    match damping {
-        Damping::None => json!({}),
-        Damping::Rayleigh { alpha, beta } => json!({
-            "rayleigh": { "alpha": si(*alpha, Dimension::RATE), "beta": si(*beta, Dimension::TIME) },
-        }),
-        Damping::Structural { loss_factor, reference_frequency } => json!({
-            "structural": {
-                "loss_factor": loss_factor, "reference_frequency": si(*reference_frequency, Dimension::ANGULAR_FREQUENCY),
-            },
-        }),
-    }
 }
 
 pub(super) fn matrices(sums: &MatrixSums) -> Json {
@@ -128,29 +96,14 @@ pub(super) fn reduction(reduction: &Reduction) -> Json {
     json
 }
 
-fn region(region: &EigenRegion) -> Json {
-    json!({ "re": region.re, "im": region.im })
-}
-
-/// Undamped modes.
-pub(super) fn wanted(wanted: &WantedModes) -> Json {
-    match wanted {
-        WantedModes::Count(count) => json!({ "kind": "modes", "count": count }),
-        WantedModes::Band(from, to) => {
-            let end = |frequency: &f64| si(*frequency, Dimension::ANGULAR_FREQUENCY);
-            json!({ "kind": "modes", "band": [end(from), end(to)] })
-        }
-    }
-}
-
 fn analysis(kind: &StructureAnalysis) -> Json {
     match kind {
-        StructureAnalysis::Modes { wanted: sought } => wanted(sought),
-        StructureAnalysis::Reduction { count } => json!({ "kind": "reduction", "count": count }),
-        StructureAnalysis::Eigen { region: sought } => json!({ "kind": "eigen", "region": region(sought) }),
+        StructureAnalysis::Modes(settings) => declared("modes", settings),
+        StructureAnalysis::Reduction(settings) => declared("reduction", settings),
+        StructureAnalysis::Eigen(settings) => declared("eigen", settings),
         StructureAnalysis::EigenSweep(sweep) => {
             let mut json = json!({
-                "kind": "eigen-sweep", "region": region(&sweep.region), "method": sweep.method.name(),
+                "kind": "eigen-sweep", "region": Setting::write(&sweep.region, &()), "method": sweep.method.name(),
                 "sweep": { "key": sweep.sweep.path, "values": sweep.sweep.values, "scale": sweep.sweep.scale.name() },
                 "family": sweep.family.as_ref().map(family),
             });

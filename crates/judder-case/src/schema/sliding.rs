@@ -2,18 +2,19 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use super::structure::{body, damping, list, matrices, number as structure_number, reduction, text, whole};
-use super::{analyses, choice, names, object, reference, table};
+use super::structure::{damping, list, matrices, reduction, text, whole};
+use super::{analyses, choice, names, object, reference, table, with_declared};
+use crate::declared::{Declaration, Settings};
 use crate::sliding::analysis::KINDS;
 use crate::sliding::contact::Interpolation;
 use crate::sliding::locus::{Configuration, POSITIONS, POSITIONS_LIMIT};
-use crate::sliding::march::{CHECKPOINT_RANGE, CHECKPOINT_STEPS, MarchMethod, Predictor};
+use crate::sliding::march::{CHECKPOINT_RANGE, CHECKPOINT_STEPS, MarchWord, Predictor};
 use crate::sliding::motion::{Axis, SEED};
 use crate::sliding::observe::PointQuantity;
 use crate::sliding::spectrogram::Window;
 use crate::sliding_keys::{SLIDING_KEYS, SlidingKey};
-use crate::structure::analysis::{MODES, MODES_LIMIT};
-use crate::structure_keys::StructureKey;
+use crate::structure::analysis::{MODES, MODES_LIMIT, Modes};
+use crate::structure::body::BodyKeys;
 
 pub(super) fn case() -> Json {
     let parameters = json!({
@@ -58,14 +59,14 @@ fn name(description: &str) -> Json {
 }
 
 fn structure() -> Json {
-    let mut properties = body();
-    properties.extend(object([
+    let own = object([
         ("name", name("by which keys call this structure")),
         ("matrices", matrices()),
         ("damping", damping()),
         ("reduction", reduction(&[])),
-    ]));
-    table("one of the two structures: a beam, a block, a mesh or matrices", properties, &["name"])
+    ]);
+    let words = "one of the two structures: a beam, a block, a mesh or matrices";
+    with_declared(words, own, &BodyKeys::declarations(), &["name"])
 }
 
 /// Nodes by a set of a body, or by their numbers in a table of freedoms.
@@ -142,16 +143,14 @@ fn observe() -> Json {
     table("points whose motion is kept", points, &["points"])
 }
 
-fn setting(_: &str, key: &str) -> Json {
+fn setting(kind: &str, key: &str) -> Json {
     let switch = |default: bool, description: &str| json!({ "type": "boolean", "default": default, "description": description });
     match key {
         "structure" => text("the name of a structure"),
-        "count" => whole([1, MODES_LIMIT], Some(MODES), "from the lowest frequency on"),
-        "band" => list(
-            structure_number(StructureKey::Band),
-            [2, 2],
-            "all modes between two frequencies, in place of count",
-        ),
+        "count" if kind == "locus" => {
+            whole([1, MODES_LIMIT], Some(MODES), "at each value, from the lowest frequency on")
+        }
+        "count" | "band" => Declaration::find(&Modes::declarations(), key),
         "configuration" => choice(
             Configuration::ALL.map(|(name, _)| name),
             "undeformed",
@@ -167,7 +166,7 @@ fn setting(_: &str, key: &str) -> Json {
             table("positions of the contact; the path of the motion by default", properties, &[])
         }
         "sweep" => sweep(),
-        "method" => names(MarchMethod::NAMES, "how the coupled structures are integrated"),
+        "method" => names(MarchWord::ALL.map(|(word, _)| word), "how the coupled structures are integrated"),
         "signals" => signals(),
         "signal" => text(
             "POINT.x, POINT.y (acceleration), POINT.y.velocity, POINT.y.displacement, normal-force, tangential-force or sliding-velocity; the first point's along y by default",

@@ -1,4 +1,4 @@
-//! `march` and `growth`: explicit time integration of the coupled structures, along the path and with the contact held.
+//! `march`: explicit time integration of the coupled structures along the path.
 
 use super::SlidingCase;
 use super::motion::check_course;
@@ -7,10 +7,12 @@ use super::problem::SlidingProblem;
 use super::signals::{Sampling, Sound, read_signals, read_sound};
 use crate::cause::Cause;
 use crate::contact_problem::ContactProblem;
+use crate::declared::{Called, read_key};
 use crate::error::Fault;
 use crate::section::Section;
 use crate::sliding_keys::SlidingKey;
 use crate::structure::lists::number;
+use judder_keys_derive::Choice;
 
 /// How the coupled structures are integrated.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,18 +33,34 @@ pub enum MarchMethod {
     },
 }
 
+/// The word of a method, before what belongs to it is read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Choice)]
+#[choice(what = "method")]
+pub enum MarchWord {
+    /// Couplings of the rigid, a-priori motion.
+    Subs,
+    /// Couplings of the deformed structures.
+    Ensubs,
+    /// Forward increment Lagrange multipliers.
+    Film,
+    /// Exact between contacts.
+    ResidualFlexibility,
+}
+
 impl MarchMethod {
-    /// The names in a case file.
-    pub const NAMES: [&'static str; 4] = ["subs", "ensubs", "film", "residual-flexibility"];
+    /// The word in a case file.
+    pub fn word(self) -> MarchWord {
+        match self {
+            Self::Subs { .. } => MarchWord::Subs,
+            Self::Ensubs => MarchWord::Ensubs,
+            Self::Film => MarchWord::Film,
+            Self::ResidualFlexibility { .. } => MarchWord::ResidualFlexibility,
+        }
+    }
 
     /// The name in a case file.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Subs { .. } => "subs",
-            Self::Ensubs => "ensubs",
-            Self::Film => "film",
-            Self::ResidualFlexibility { .. } => "residual-flexibility",
-        }
+        self.word().name()
     }
 }
 
@@ -91,19 +109,6 @@ pub struct March {
     pub checkpoint_steps: usize,
 }
 
-/// A march with the contact held, against the eigenvalue there.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Growth {
-    /// How it integrates; `subs` means the undeformed configuration, the others the deformed one.
-    pub method: MarchMethod,
-    /// h, s; `None` where the method shall choose.
-    pub step: Option<f64>,
-    /// s, m.
-    pub position: f64,
-    /// Near which the mode lies that is meant, rad/s.
-    pub frequency: f64,
-}
-
 /// Steps between two checkpoints where the case does not say.
 pub const CHECKPOINT_STEPS: usize = 500_000;
 /// The least and the most of them.
@@ -125,9 +130,6 @@ pub(super) const MARCH_KEYS: &[&str] = &[
     "sound",
     "checkpoint_steps",
 ];
-/// The keys of a growth.
-pub(super) const GROWTH_KEYS: &[&str] = &["method", "position", "frequency", "step", "cut_off"];
-
 pub(super) fn read_march(case: &SlidingCase, section: &Section<'_>) -> Result<March, Fault> {
     let method = read_method(section)?;
     let step = read_step(section)?;
@@ -156,52 +158,29 @@ pub(super) fn read_march(case: &SlidingCase, section: &Section<'_>) -> Result<Ma
     })
 }
 
-pub(super) fn read_growth(_: &SlidingCase, section: &Section<'_>) -> Result<Growth, Fault> {
-    let method = read_method(section)?;
-    Ok(Growth {
-        method,
-        step: read_step(section)?,
-        position: number(section, SlidingKey::Position.entry())?,
-        frequency: number(section, SlidingKey::Frequency.entry())?,
-    })
-}
-
-/// The word of a method, before what belongs to it is read.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Word {
-    Subs,
-    Ensubs,
-    Film,
-    ResidualFlexibility,
-}
-
 fn read_method(section: &Section<'_>) -> Result<MarchMethod, Fault> {
-    const WORDS: [Word; 4] = [Word::Subs, Word::Ensubs, Word::Film, Word::ResidualFlexibility];
-    section.required("method", &format!("method = \"…\", one of {}", MarchMethod::NAMES.join(", ")))?;
-    let choices: [(&'static str, Word); 4] = std::array::from_fn(|k| (MarchMethod::NAMES[k], WORDS[k]));
-    let word = section.choice("method", "method", &choices)?.unwrap_or(Word::Ensubs);
-    let name = MarchMethod::NAMES[word as usize];
-    let refuse = |key, own: Word| if word == own { Ok(()) } else { refuse_with(section, key, name) };
-    refuse("slope", Word::Subs)?;
-    refuse("cut_off", Word::ResidualFlexibility)?;
+    let word: MarchWord = read_key(section, Called { key: "method", doc: "", example: None }, &(), || None)?;
+    let refuse = |key, own: MarchWord| if word == own { Ok(()) } else { refuse_with(section, key, word) };
+    refuse("slope", MarchWord::Subs)?;
+    refuse("cut_off", MarchWord::ResidualFlexibility)?;
     Ok(match word {
-        Word::Subs => {
+        MarchWord::Subs => {
             let choices = [("none", false), ("static", true)];
             let static_slope = section.choice("slope", "slope", &choices)?.unwrap_or(false);
             MarchMethod::Subs { static_slope }
         }
-        Word::Ensubs => MarchMethod::Ensubs,
-        Word::Film => MarchMethod::Film,
-        Word::ResidualFlexibility => {
+        MarchWord::Ensubs => MarchMethod::Ensubs,
+        MarchWord::Film => MarchMethod::Film,
+        MarchWord::ResidualFlexibility => {
             MarchMethod::ResidualFlexibility { cut_off: number(section, SlidingKey::CutOff.entry())? }
         }
     })
 }
 
 /// Refuses a key that means nothing to a method.
-fn refuse_with(section: &Section<'_>, key: &'static str, method: &str) -> Result<(), Fault> {
+pub(super) fn refuse_with(section: &Section<'_>, key: &'static str, method: MarchWord) -> Result<(), Fault> {
     let Some(node) = section.get(key) else { return Ok(()) };
-    let with = format!("method = \"{method}\"");
+    let with = format!("method = \"{}\"", method.name());
     Err(Cause::Contact { problem: ContactProblem::Meaningless { key, with } }.at(node.place))
 }
 
@@ -209,7 +188,7 @@ fn refuse_with(section: &Section<'_>, key: &'static str, method: &str) -> Result
 fn read_predictor(section: &Section<'_>, method: MarchMethod) -> Result<Option<Predictor>, Fault> {
     match method {
         MarchMethod::Subs { .. } | MarchMethod::ResidualFlexibility { .. } => {
-            refuse_with(section, "predictor", method.name()).map(|()| None)
+            refuse_with(section, "predictor", method.word()).map(|()| None)
         }
         MarchMethod::Ensubs | MarchMethod::Film => {
             let predictor = section.choice("predictor", "predictor", &Predictor::ALL)?;

@@ -5,12 +5,13 @@ use std::path::Path;
 use super::problem::SlidingProblem;
 use crate::cause::Cause;
 use crate::contact_problem::ContactProblem;
+use crate::declared::Settings;
 use crate::document::Node;
 use crate::error::Fault;
 use crate::section::{Section, list, text};
 use crate::structure::StructureSource;
-use crate::structure::body::{self, read_body};
-use crate::structure::damping::{self, Damping, read_damping};
+use crate::structure::body::{BodyKeys, read_body};
+use crate::structure::damping::Damping;
 use crate::structure::matrices::{self, read_matrices};
 use crate::structure::reduction::{self, FIXED_MODES, FixedModes, Reduction, read_reduction};
 
@@ -51,7 +52,7 @@ pub(super) fn read_structures(
 }
 
 fn read_structure(node: &Node, parameters: &[String], folder: &Path) -> Result<SlidingStructure, Fault> {
-    let known: Vec<&str> = OWN_KEYS.iter().chain(&body::KEYS).copied().collect();
+    let known: Vec<&str> = OWN_KEYS.iter().chain(BodyKeys::KEYS).copied().collect();
     let section = Section::open(node, "structure", "a structure", &known)?;
     let name = read_name(&section, "structure")?;
     let section =
@@ -69,8 +70,8 @@ fn read_structure(node: &Node, parameters: &[String], folder: &Path) -> Result<S
         None => StructureSource::Body(Box::new(read_body(&section, folder)?)),
     };
     let damping = match section.get("damping") {
-        Some(node) => read_damping(&section.table("damping", node, &damping::KEYS)?)?,
-        None => Damping::None,
+        Some(node) => Damping::read_table(&section.table("damping", node, Damping::KEYS)?)?,
+        None => Damping::default(),
     };
     let reduction = match section.get("reduction") {
         Some(node) => read_reduction(&section.table("reduction", node, &reduction::KEYS)?, &source)?,
@@ -81,7 +82,7 @@ fn read_structure(node: &Node, parameters: &[String], folder: &Path) -> Result<S
 
 /// Matrices have no body and no other damping beside them.
 fn refuse_beside_matrices(section: &Section<'_>) -> Result<(), Fault> {
-    for key in body::KEYS.into_iter().chain(["damping"]) {
+    for key in BodyKeys::KEYS.iter().copied().chain(["damping"]) {
         if let Some(node) = section.get(key) {
             let problem = ContactProblem::Meaningless { key, with: section.path("matrices") };
             return Err(Cause::Contact { problem }.at(node.place));

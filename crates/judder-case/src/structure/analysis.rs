@@ -1,38 +1,43 @@
 //! The analyses of a structure case.
 
-use super::lists::{length, quantities, quantity};
 use super::matrices::MatrixSums;
 use super::problem::StructureProblem;
 use crate::analysis::Kind;
 use crate::cause::Cause;
+use crate::declared::{Called, Number, Pair, Settings, Whole, conflict, read_key};
+use crate::dimension::Dimension;
 use crate::document::Node;
 use crate::error::{Fault, Place};
+use crate::keys::Range;
 use crate::read_sweep::{PlacedFamily, check_size, read_placed_family, read_sweep};
 use crate::section::{Section, finite_number, list, text};
-use crate::structure_keys::StructureKey;
 use crate::sweep::{Family, ParameterKey, Scale};
 use crate::swept_keys::{ParameterKeys, SweptKeys};
+use judder_keys_derive::{Choice, Settings};
 
 /// What an analysis of a structure case computes.
 #[derive(Debug, Clone, PartialEq)]
 pub enum StructureAnalysis {
     /// `modes`: undamped modes.
-    Modes {
-        /// Which.
-        wanted: WantedModes,
-    },
+    Modes(Modes),
     /// `reduction`: the reduced structure against the full one.
-    Reduction {
-        /// How many frequencies are compared.
-        count: usize,
-    },
+    Reduction(Compared),
     /// `eigen`: complex modes.
-    Eigen {
-        /// Where they are sought.
-        region: EigenRegion,
-    },
+    Eigen(Eigen),
     /// `eigen-sweep`: complex modes along a parameter.
     EigenSweep(EigenSweep),
+}
+
+/// Undamped modes.
+#[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(check = Modes::complete)]
+pub struct Modes {
+    /// So many, from the lowest on; 20 where neither is given.
+    #[key(rule = Whole { from: 1, to: MODES_LIMIT }, usual = MODES, omitted)]
+    pub count: Option<usize>,
+    /// All between two frequencies, in place of count.
+    #[key(rule = BAND, symbol = "ω", omitted)]
+    pub band: Option<[f64; 2]>,
 }
 
 /// Which undamped modes are wanted.
@@ -44,13 +49,68 @@ pub enum WantedModes {
     Band(f64, f64),
 }
 
+/// The reduced structure against the full one.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub struct Compared {
+    /// How many frequencies are compared.
+    #[key(rule = Whole { from: 1, to: MODES_LIMIT }, default = COMPARED)]
+    pub count: usize,
+}
+
+/// Complex modes.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub struct Eigen {
+    /// Where they are sought.
+    #[key(example = "{ re = [-50.0, 1000.0], im = [0.0, 20000.0] }, in 1/s and rad/s")]
+    pub region: EigenRegion,
+}
+
 /// A rectangle of the complex plane: λ = re + i im.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
 pub struct EigenRegion {
-    /// Growth rates, 1/s, ascending.
+    /// Growth rates, 1/s.
+    #[key(rule = RANGE, example = "[-50.0, 1000.0], growth rates in 1/s")]
     pub re: [f64; 2],
-    /// Angular frequencies, rad/s, ascending.
+    /// Angular frequencies, rad/s.
+    #[key(rule = RANGE, example = "[0.0, 20000.0], angular frequencies in rad/s")]
     pub im: [f64; 2],
+}
+
+/// Two frequencies.
+const BAND: Pair = Pair {
+    of: Number::non_negative(Dimension::ANGULAR_FREQUENCY),
+    what: "two frequencies, from and to",
+    is_ascending: true,
+};
+/// Two plain numbers.
+const RANGE: Pair =
+    Pair { of: Number::any(Dimension::NUMBER), what: "two numbers, from and to", is_ascending: true };
+
+impl Eigen {
+    /// The region of an analysis that has other keys too.
+    fn region(section: &Section<'_>) -> Result<EigenRegion, Fault> {
+        let example = Some("{ re = [-50.0, 1000.0], im = [0.0, 20000.0] }, in 1/s and rad/s");
+        read_key(section, Called { key: "region", doc: "", example }, &(), || None)
+    }
+}
+
+impl Modes {
+    /// Refuses both keys, and fills in the count where there is neither.
+    fn complete(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        conflict(section, "count", "band")?;
+        if self.band.is_none() {
+            self.count.get_or_insert(MODES);
+        }
+        Ok(())
+    }
+
+    /// Which they are.
+    pub fn wanted(&self) -> WantedModes {
+        match self.band {
+            Some([from, to]) => WantedModes::Band(from, to),
+            None => WantedModes::Count(self.count.unwrap_or(MODES)),
+        }
+    }
 }
 
 /// Complex modes along a parameter.
@@ -91,6 +151,52 @@ pub enum EigenMethod {
     },
 }
 
+/// How the points are solved, as a case says it.
+#[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(check = MethodKeys::has_meaning)]
+pub(crate) struct MethodKeys {
+    /// How each point is solved.
+    #[key(default = MethodWord::Full)]
+    method: MethodWord,
+    /// Relative error that the method `projected` may leave.
+    #[key(rule = TOLERANCE, symbol = "ε", default = 1e-6)]
+    tolerance: f64,
+}
+
+/// The word of a method.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Choice)]
+#[choice(what = "method")]
+enum MethodWord {
+    /// On the full matrices.
+    Full,
+    /// On a basis of the modes of a few points.
+    Projected,
+}
+
+const TOLERANCE: Number =
+    Number { dimension: Dimension::NUMBER, range: Range::Interval { above: 0.0, up_to: 0.1 } };
+
+impl MethodKeys {
+    /// Refuses a tolerance that means nothing to the method.
+    fn has_meaning(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        match section.get("tolerance") {
+            Some(node) if self.method == MethodWord::Full => {
+                let with = "method = \"full\"".to_owned();
+                let problem = crate::contact_problem::ContactProblem::Meaningless { key: "tolerance", with };
+                Err(Cause::Contact { problem }.at(node.place))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn method(&self) -> EigenMethod {
+        match self.method {
+            MethodWord::Full => EigenMethod::Full,
+            MethodWord::Projected => EigenMethod::Projected { tolerance: self.tolerance },
+        }
+    }
+}
+
 impl EigenMethod {
     /// The name in a case file.
     pub fn name(self) -> &'static str {
@@ -124,16 +230,18 @@ pub(crate) struct StructureScope {
 pub(crate) const KINDS: [Kind<StructureScope, StructureAnalysis>; 4] = [
     Kind {
         name: "modes",
-        keys: &["count", "band"],
+        keys: Modes::KEYS,
+        declared: Some(Modes::declarations),
         doc: "undamped modes: frequencies, shapes, residuals, and a count that shows whether one is missing",
         read: |scope, section| {
             check_factors(scope, section)?;
-            Ok(StructureAnalysis::Modes { wanted: read_wanted(section)? })
+            Modes::read_table(section).map(StructureAnalysis::Modes)
         },
     },
     Kind {
         name: "reduction",
-        keys: &["count"],
+        keys: Compared::KEYS,
+        declared: Some(Compared::declarations),
         doc: "frequencies of the reduced structure against those of the full one, and the limit that the reduction tells of itself",
         read: |scope, section| {
             if !scope.has_reduction {
@@ -142,45 +250,27 @@ pub(crate) const KINDS: [Kind<StructureScope, StructureAnalysis>; 4] = [
                 return Err(Cause::MissingKey { key, section: section_name, expected }.at(section.place));
             }
             check_factors(scope, section)?;
-            let count = section.whole("count", 1, MODES_LIMIT)?.unwrap_or(COMPARED);
-            Ok(StructureAnalysis::Reduction { count })
+            Compared::read_table(section).map(StructureAnalysis::Reduction)
         },
     },
     Kind {
         name: "eigen",
-        keys: &["region"],
+        keys: Eigen::KEYS,
+        declared: Some(Eigen::declarations),
         doc: "all complex modes in a region of the plane of growth rate and frequency, each with its error",
         read: |scope, section| {
             check_factors(scope, section)?;
-            Ok(StructureAnalysis::Eigen { region: read_region(section)? })
+            Eigen::read_table(section).map(StructureAnalysis::Eigen)
         },
     },
     Kind {
         name: "eigen-sweep",
         keys: &["sweep", "family", "region", "method", "tolerance"],
+        declared: None,
         doc: "complex modes along a parameter, followed through where they meet",
         read: |scope, section| read_eigen_sweep(scope, section).map(StructureAnalysis::EigenSweep),
     },
 ];
-
-pub(crate) fn read_wanted(section: &Section<'_>) -> Result<WantedModes, Fault> {
-    let count = section.whole("count", 1, MODES_LIMIT)?;
-    match (count, section.get("band")) {
-        (Some(_), Some(node)) => {
-            let (first, second) = ("count".to_owned(), "band".to_owned());
-            Err(Cause::Conflict { first, second }.at(node.place))
-        }
-        (count, None) => Ok(WantedModes::Count(count.unwrap_or(MODES))),
-        (None, Some(node)) => {
-            let band = quantities(section, StructureKey::Band.entry(), node)?;
-            let [from, to] = band[..] else {
-                return Err(length(section, "band", "two frequencies, from and to", node));
-            };
-            ascending(from, to, node)?;
-            Ok(WantedModes::Band(from, to))
-        }
-    }
-}
 
 pub(crate) fn ascending(from: f64, to: f64, node: &Node) -> Result<(), Fault> {
     match from.total_cmp(&to) {
@@ -188,27 +278,6 @@ pub(crate) fn ascending(from: f64, to: f64, node: &Node) -> Result<(), Fault> {
         std::cmp::Ordering::Equal => Err(Cause::EmptyRange { from }.at(node.place)),
         std::cmp::Ordering::Greater => Err(Cause::Backwards { from, to }.at(node.place)),
     }
-}
-
-fn read_region(section: &Section<'_>) -> Result<EigenRegion, Fault> {
-    let example = "region = { re = [-50.0, 1000.0], im = [0.0, 20000.0] }, in 1/s and rad/s";
-    let node = section.required("region", example)?;
-    let region = Section::open(node, "region", "`region`", &["re", "im"])?;
-    let range = |key: &str, example: &str| {
-        let node = region.required(key, example)?;
-        let path = region.path(key);
-        let numbers = list(&path, node)?.iter().map(|item| finite_number(&path, item));
-        let numbers = numbers.collect::<Result<Vec<f64>, Fault>>()?;
-        let [from, to] = numbers[..] else {
-            return Err(length(&region, key, "two numbers, from and to", node));
-        };
-        ascending(from, to, node)?;
-        Ok([from, to])
-    };
-    Ok(EigenRegion {
-        re: range("re", "re = [-50.0, 1000.0], growth rates in 1/s")?,
-        im: range("im", "im = [0.0, 20000.0], angular frequencies in rad/s")?,
-    })
 }
 
 fn read_eigen_sweep(scope: &StructureScope, section: &Section<'_>) -> Result<EigenSweep, Fault> {
@@ -223,20 +292,9 @@ fn read_eigen_sweep(scope: &StructureScope, section: &Section<'_>) -> Result<Eig
         check_size(&[(placed.family.values.len(), placed.whole), (sweep.values.len(), node.place)])?;
     }
     check_values(scope, sums, (&sweep, node.place), family.as_ref())?;
-    let tolerance = quantity(section, StructureKey::Tolerance)?;
-    let method = match section.choice("method", "method", &[("full", false), ("projected", true)])? {
-        Some(true) => EigenMethod::Projected { tolerance },
-        _ => match section.get("tolerance") {
-            None => EigenMethod::Full,
-            Some(node) => {
-                let with = "method = \"full\"".to_owned();
-                let problem = crate::contact_problem::ContactProblem::Meaningless { key: "tolerance", with };
-                return Err(Cause::Contact { problem }.at(node.place));
-            }
-        },
-    };
+    let method = MethodKeys::read_table(section)?.method();
     let family = family.map(|placed| placed.family);
-    Ok(EigenSweep { sweep, family, region: read_region(section)?, method })
+    Ok(EigenSweep { sweep, family, region: Eigen::region(section)?, method })
 }
 
 /// Refuses a parameter that no factor contains.

@@ -2,15 +2,19 @@
 
 use std::path::Path;
 
-use super::lists::{directions, length, quantities, quantity, whole_numbers};
+use super::lists::length;
 use super::problem::StructureProblem;
 use crate::cause::Cause;
 use crate::contact_problem::ContactProblem;
-use crate::document::{Data, Node};
+use crate::declared::{Fixed, Form, Number, Pair, Setting, Settings, Several, Whole};
+use crate::dimension::Dimension;
+use crate::document::{Data, Entry, Node};
 use crate::error::Fault;
 use crate::file_reference::{FileReference, read_file_reference};
-use crate::section::{Section, list, text, wrong_type};
-use crate::structure_keys::StructureKey;
+use crate::keys::Range;
+use crate::section::{Section, wrong_type};
+use judder_keys_derive::{Choice, Settings};
+use serde_json::Value as Json;
 
 /// A body of elements.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,24 +45,34 @@ pub enum Geometry {
 }
 
 /// A straight beam in the plane.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Settings)]
 pub struct Beam {
-    /// l, m.
+    /// From end to end.
+    #[key(rule = LENGTH, symbol = "l")]
     pub length: f64,
-    /// b, in its plane, m.
+    /// In its plane.
+    #[key(rule = LENGTH, symbol = "b")]
     pub thickness: f64,
     /// Elements along and across.
+    #[key(rule = ELEMENTS_TWICE, example = "[100, 2], along and across")]
     pub elements: [usize; 2],
-    /// Where the middle of its start lies, m.
-    pub origin: [f64; 2],
-    /// ϑ, rad.
+    /// From the x-axis to the axis of the beam, counter-clockwise.
+    #[key(rule = Number::any(Dimension::ANGLE), symbol = "ϑ", default = 0.0)]
     pub angle: f64,
-    /// How its start and its end are held.
-    pub ends: [EndCondition; 2],
+    /// Where the middle of its start lies.
+    #[key(rule = PLACE, symbol = "x, y", default = [0.0; 2])]
+    pub origin: [f64; 2],
+    /// How its start is held.
+    #[key(default = EndCondition::Free)]
+    pub start: EndCondition,
+    /// How its end is held.
+    #[key(default = EndCondition::Free)]
+    pub end: EndCondition,
 }
 
 /// How an end of a beam is held.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
+#[choice(what = "end condition")]
 pub enum EndCondition {
     /// Not at all.
     Free,
@@ -68,30 +82,23 @@ pub enum EndCondition {
     Guided,
 }
 
-impl EndCondition {
-    /// The conditions with their names in a case file.
-    pub const ALL: [(&'static str, Self); 3] =
-        [("free", Self::Free), ("clamped", Self::Clamped), ("guided", Self::Guided)];
-
-    /// The name in a case file.
-    pub fn name(self) -> &'static str {
-        Self::ALL[self as usize].0
-    }
-}
-
 /// A rectangle or box of equal cells.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(check = Block::complete)]
 pub struct Block {
-    /// The shape of its elements.
-    pub element: BlockElement,
-    /// Lengths in m, two in the plane, three in space.
+    /// The shape of its elements; `quad8` in the plane and `hexahedron20` in space where left out.
+    pub element: Option<BlockElement>,
+    /// Lengths, two in the plane, three in space.
+    #[key(rule = SIDES, symbol = "l_x, l_y, l_z", example = "[\"1 m\", \"0.1 m\", \"0.1 m\"]")]
     pub size: Vec<f64>,
     /// Cells along each side.
+    #[key(rule = CELLS, example = "[20, 2, 2]")]
     pub cells: Vec<usize>,
 }
 
 /// The shape of a block's elements.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
+#[choice(what = "element")]
 #[allow(missing_docs)]
 pub enum BlockElement {
     Quad4,
@@ -102,22 +109,28 @@ pub enum BlockElement {
     Tetrahedron10,
 }
 
-impl BlockElement {
-    /// The shapes with their names in a case file.
-    pub const ALL: [(&'static str, Self); 6] = [
-        ("quad4", Self::Quad4),
-        ("quad8", Self::Quad8),
-        ("triangle6", Self::Triangle6),
-        ("hexahedron8", Self::Hexahedron8),
-        ("hexahedron20", Self::Hexahedron20),
-        ("tetrahedron10", Self::Tetrahedron10),
-    ];
-
-    /// The name in a case file.
-    pub fn name(self) -> &'static str {
-        Self::ALL[self as usize].0
+impl Block {
+    /// The shape of its elements.
+    pub fn element(&self) -> BlockElement {
+        let usual = if self.size.len() == 2 { BlockElement::Quad8 } else { BlockElement::Hexahedron20 };
+        self.element.unwrap_or(usual)
     }
 
+    /// Fills in the shape that is left out, and refuses lengths and cells of another dimension.
+    fn complete(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        let element = self.element();
+        self.element = Some(element);
+        let expected = if element.dimension() == 2 { "two in the plane" } else { "three in space" };
+        for (key, found) in [("size", self.size.len()), ("cells", self.cells.len())] {
+            if let Some(node) = section.get(key).filter(|_| found != element.dimension()) {
+                return Err(length(section, key, expected, node));
+            }
+        }
+        Ok(())
+    }
+}
+
+impl BlockElement {
     /// 2 in the plane, 3 in space.
     pub fn dimension(self) -> usize {
         if matches!(self, Self::Quad4 | Self::Quad8 | Self::Triangle6) { 2 } else { 3 }
@@ -125,7 +138,8 @@ impl BlockElement {
 }
 
 /// How the third direction of a body of the plane is meant.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
+#[choice(what = "section")]
 pub enum PlaneSection {
     /// A plate that is free to change its thickness.
     PlaneStress,
@@ -133,38 +147,58 @@ pub enum PlaneSection {
     PlaneStrain,
 }
 
-impl PlaneSection {
-    /// The sections with their names in a case file.
-    pub const ALL: [(&'static str, Self); 2] =
-        [("plane-stress", Self::PlaneStress), ("plane-strain", Self::PlaneStrain)];
-
-    /// The name in a case file.
-    pub fn name(self) -> &'static str {
-        Self::ALL[self as usize].0
-    }
-}
-
 /// An isotropic linear elastic material.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
 pub struct Material {
-    /// E, Pa.
+    /// Young's modulus.
+    #[key(rule = Number::positive(Dimension::STRESS), symbol = "E")]
     pub youngs_modulus: f64,
-    /// ν.
+    /// Poisson's ratio.
+    #[key(rule = POISSON_RATIO, symbol = "ν")]
     pub poisson_ratio: f64,
-    /// ρ, kg/m³.
+    /// Density.
+    #[key(rule = Number::positive(Dimension::DENSITY), symbol = "ρ")]
     pub density: f64,
 }
 
 /// What holds the nodes of a set.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Settings)]
+#[settings(check = Support::holds, title = "a support")]
 pub struct Support {
     /// The name of the set of nodes.
+    #[key(example = "\"…\", a set of nodes")]
     pub set: String,
-    /// Whether they are held along x, y, z.
+    /// Directions x, y, z in which they are held.
+    #[key(default = [false; 3])]
     pub fixed: [bool; 3],
-    /// Whether they move as one along x, y, z.
+    /// Directions x, y, z in which they move as one.
+    #[key(default = [false; 3])]
     pub tied: [bool; 3],
 }
+
+impl Support {
+    /// Refuses a support without a direction.
+    fn holds(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        if self.fixed == [false; 3] && self.tied == [false; 3] {
+            return Err(StructureProblem::EmptySupport { set: self.set.clone() }.at(section.place));
+        }
+        Ok(())
+    }
+}
+
+/// A length of a body.
+const LENGTH: Number = Number::positive(Dimension::LENGTH);
+/// Below a half by as much as elements bear.
+const POISSON_RATIO: Number =
+    Number { dimension: Dimension::NUMBER, range: Range::Interval { above: -1.0, up_to: 0.499_999 } };
+/// Elements along a side.
+const ELEMENTS_RANGE: Whole = Whole { from: ELEMENTS.0, to: ELEMENTS.1 };
+const ELEMENTS_TWICE: Fixed<Whole> = Fixed { of: ELEMENTS_RANGE, what: "two numbers, along and across" };
+const PLACE: Pair =
+    Pair { of: Number::any(Dimension::LENGTH), what: "two lengths, x and y", is_ascending: false };
+const SIDES: Several<Number> = Several { of: LENGTH, length: [2, 3] };
+const SUPPORTS: Several<()> = Several { of: (), length: [0, usize::MAX] };
+const CELLS: Several<Whole> = Several { of: ELEMENTS_RANGE, length: [2, 3] };
 
 /// The most elements along a side of a beam or a block.
 pub const ELEMENTS: (usize, usize) = (1, 100_000);
@@ -172,95 +206,94 @@ pub const ELEMENTS: (usize, usize) = (1, 100_000);
 /// The endings of mesh files that are read.
 pub const MESH_ENDINGS: &str = ".msh, .inp";
 
-/// The keys of a body.
-pub(crate) const KEYS: [&str; 8] =
-    ["beam", "block", "mesh", "section", "width", "material", "materials", "supports"];
+/// Elements with materials and supports.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub(crate) struct BodyKeys {
+    /// A straight beam of eight-node quadrilaterals.
+    beam: Option<Beam>,
+    /// A rectangle or box of equal cells.
+    block: Option<Block>,
+    /// A mesh file, .msh or .inp, relative to the case file.
+    mesh: Option<String>,
+    /// How the third direction of the plane is meant; `plane-stress` where neither the case nor a mesh file says.
+    #[key(usual = PlaneSection::PlaneStress)]
+    section: Option<PlaneSection>,
+    /// Width of a body of the plane across its plane; that of a mesh file, else 1 m where left out.
+    #[key(rule = LENGTH, symbol = "a")]
+    width: Option<f64>,
+    /// The material of all elements that have no other.
+    material: Option<Material>,
+    /// Materials by the names of a mesh file.
+    #[key(default = Materials(Vec::new()))]
+    materials: Materials,
+    /// What holds sets of nodes.
+    #[key(rule = SUPPORTS, default = Vec::new())]
+    supports: Vec<Support>,
+}
+
+/// Materials by their names.
+#[derive(Debug, Clone, PartialEq)]
+struct Materials(Vec<(String, Material)>);
+
+impl Setting for Materials {
+    type Rule = ();
+
+    fn form((): &()) -> Form {
+        Form::Named(Box::new(Material::form(&())))
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
+        let path = section.path(key);
+        let Data::Table(table) = &node.data else { return Err(wrong_type(&path, "a table", node)) };
+        let read = |entry: &Entry| {
+            let path = format!("{path}.{}", entry.key);
+            let section = Section::open(&entry.node, &path, &format!("`{path}`"), Material::KEYS)?;
+            Ok((entry.key.clone(), Material::read_table(&section)?))
+        };
+        table.entries.iter().map(read).collect::<Result<_, Fault>>().map(Self)
+    }
+
+    fn write(&self, (): &()) -> Json {
+        let entries = self.0.iter().map(|(name, own)| (name.clone(), Setting::write(own, &())));
+        Json::Object(entries.collect())
+    }
+}
 
 /// Reads the body that `section` describes; a mesh file is relative to `folder`.
 pub(crate) fn read_body(section: &Section<'_>, folder: &Path) -> Result<Body, Fault> {
     let found: Vec<&'static str> =
         ["beam", "block", "mesh"].into_iter().filter(|key| section.get(key).is_some()).collect();
-    let geometry = match found[..] {
-        ["beam"] => Geometry::Beam(read_beam(section)?),
-        ["block"] => Geometry::Block(read_block(section)?),
-        ["mesh"] => Geometry::Mesh(read_mesh(section, folder)?),
-        _ => {
-            let place =
-                found.last().and_then(|key| section.get(key)).map_or(section.place, |node| node.place);
-            let section = section.name().to_owned();
-            return Err(StructureProblem::OneGeometry { section, found }.at(place));
-        }
+    if found.len() != 1 {
+        let place = found.last().and_then(|key| section.get(key)).map_or(section.place, |node| node.place);
+        let section = section.name().to_owned();
+        return Err(StructureProblem::OneGeometry { section, found }.at(place));
+    }
+    let keys = BodyKeys::read_table(section)?;
+    let geometry = match (keys.beam, keys.block) {
+        (Some(beam), _) => Geometry::Beam(beam),
+        (_, Some(block)) => Geometry::Block(block),
+        _ => Geometry::Mesh(read_mesh(section, folder)?),
     };
-    let is_solid = matches!(&geometry, Geometry::Block(block) if block.element.dimension() == 3);
-    for key in ["section", "width"] {
-        if let (true, Some(node)) = (is_solid, section.get(key)) {
-            let problem = ContactProblem::Meaningless { key, with: "elements of space".to_owned() };
+    let is_solid = matches!(&geometry, Geometry::Block(block) if block.element().dimension() == 3);
+    let is_mesh = matches!(geometry, Geometry::Mesh(_));
+    for (key, with, is_refused) in [
+        ("section", "elements of space", is_solid),
+        ("width", "elements of space", is_solid),
+        ("materials", "a body of one material", !is_mesh),
+    ] {
+        if let Some(node) = section.get(key).filter(|_| is_refused) {
+            let problem = ContactProblem::Meaningless { key, with: with.to_owned() };
             return Err(Cause::Contact { problem }.at(node.place));
         }
     }
-    let width = match section.get(StructureKey::Width.entry().name()) {
-        Some(_) => Some(quantity(section, StructureKey::Width)?),
-        None => None,
-    };
-    let plane = section.choice("section", "section", &PlaneSection::ALL)?;
-    let material = section.get("material").map(|node| read_material(&section.path("material"), node));
-    let material = material.transpose()?;
-    let is_mesh = matches!(geometry, Geometry::Mesh(_));
-    if material.is_none() && !is_mesh {
+    if keys.material.is_none() && !is_mesh {
         let example =
             "material = { youngs_modulus = \"210 GPa\", poisson_ratio = 0.3, density = \"7850 kg/m^3\" }";
         let what = if matches!(geometry, Geometry::Beam(_)) { "a beam" } else { "a block" };
         return Err(StructureProblem::Needs { what, key: "material", example }.at(section.place));
     }
-    let materials = read_materials(section, is_mesh)?;
-    let supports = read_supports(section)?;
-    Ok(Body { geometry, section: plane, width, material, materials, supports })
-}
-
-fn read_beam(section: &Section<'_>) -> Result<Beam, Fault> {
-    let node = section.required("beam", "beam = { … }")?;
-    let keys = ["length", "thickness", "elements", "angle", "origin", "start", "end"];
-    let beam = section.table("beam", node, &keys)?;
-    let node = beam.required("elements", "elements = [100, 2], along and across")?;
-    let two = |node| length(&beam, "elements", "two numbers, along and across", node);
-    let elements =
-        whole_numbers(&beam, "elements", node, ELEMENTS)?.try_into().map_err(|_: Vec<usize>| two(node))?;
-    let origin = match beam.get("origin") {
-        Some(node) => quantities(&beam, StructureKey::BeamOrigin.entry(), node)?
-            .try_into()
-            .map_err(|_: Vec<f64>| length(&beam, "origin", "two lengths, x and y", node))?,
-        None => [0.0; 2],
-    };
-    let end = |key: &str| {
-        Ok::<_, Fault>(beam.choice(key, "end condition", &EndCondition::ALL)?.unwrap_or(EndCondition::Free))
-    };
-    Ok(Beam {
-        length: quantity(&beam, StructureKey::BeamLength)?,
-        thickness: quantity(&beam, StructureKey::BeamThickness)?,
-        elements,
-        origin,
-        angle: quantity(&beam, StructureKey::BeamAngle)?,
-        ends: [end("start")?, end("end")?],
-    })
-}
-
-fn read_block(section: &Section<'_>) -> Result<Block, Fault> {
-    let node = section.required("block", "block = { … }")?;
-    let block = section.table("block", node, &["element", "size", "cells"])?;
-    let node = block.required("size", "size = [\"1 m\", \"0.1 m\", \"0.1 m\"]")?;
-    let size = quantities(&block, StructureKey::BlockSize.entry(), node)?;
-    let usual = if size.len() == 2 { BlockElement::Quad8 } else { BlockElement::Hexahedron20 };
-    let element = block.choice("element", "element", &BlockElement::ALL)?.unwrap_or(usual);
-    let expected = if element.dimension() == 2 { "two in the plane" } else { "three in space" };
-    if size.len() != element.dimension() {
-        return Err(length(&block, "size", expected, node));
-    }
-    let node = block.required("cells", "cells = [20, 2, 2]")?;
-    let cells = whole_numbers(&block, "cells", node, ELEMENTS)?;
-    if cells.len() != element.dimension() {
-        return Err(length(&block, "cells", expected, node));
-    }
-    Ok(Block { element, size, cells })
+    let BodyKeys { section, width, material, materials: Materials(materials), supports, .. } = keys;
+    Ok(Body { geometry, section, width, material, materials, supports })
 }
 
 fn read_mesh(section: &Section<'_>, folder: &Path) -> Result<FileReference, Fault> {
@@ -272,47 +305,4 @@ fn read_mesh(section: &Section<'_>, folder: &Path) -> Result<FileReference, Faul
     let place = section.get("mesh").map_or(section.place, |node| node.place);
     let (key, known) = (section.path("mesh"), MESH_ENDINGS);
     Err(StructureProblem::Format { key, path: file.path, known }.at(place))
-}
-
-fn read_material(path: &str, node: &Node) -> Result<Material, Fault> {
-    let keys = ["youngs_modulus", "poisson_ratio", "density"];
-    let material = Section::open(node, path, &format!("`{path}`"), &keys)?;
-    Ok(Material {
-        youngs_modulus: quantity(&material, StructureKey::YoungsModulus)?,
-        poisson_ratio: quantity(&material, StructureKey::PoissonRatio)?,
-        density: quantity(&material, StructureKey::Density)?,
-    })
-}
-
-fn read_materials(section: &Section<'_>, is_mesh: bool) -> Result<Vec<(String, Material)>, Fault> {
-    let Some(node) = section.get("materials") else { return Ok(Vec::new()) };
-    if !is_mesh {
-        let problem =
-            ContactProblem::Meaningless { key: "materials", with: "a body of one material".to_owned() };
-        return Err(Cause::Contact { problem }.at(node.place));
-    }
-    let Data::Table(table) = &node.data else {
-        return Err(wrong_type(&section.path("materials"), "a table", node));
-    };
-    let read = |entry: &crate::document::Entry| {
-        let path = format!("{}.{}", section.path("materials"), entry.key);
-        Ok((entry.key.clone(), read_material(&path, &entry.node)?))
-    };
-    table.entries.iter().map(read).collect()
-}
-
-fn read_supports(section: &Section<'_>) -> Result<Vec<Support>, Fault> {
-    let Some(node) = section.get("supports") else { return Ok(Vec::new()) };
-    let path = section.path("supports");
-    let read = |node: &Node| {
-        let support = Section::open(node, &path, "a support", &["set", "fixed", "tied"])?;
-        let set = text(&support.path("set"), support.required("set", "set = \"…\", a set of nodes")?)?;
-        let fixed = directions(&support, "fixed")?.unwrap_or_default();
-        let tied = directions(&support, "tied")?.unwrap_or_default();
-        if fixed == [false; 3] && tied == [false; 3] {
-            return Err(StructureProblem::EmptySupport { set: set.to_owned() }.at(node.place));
-        }
-        Ok(Support { set: set.to_owned(), fixed, tied })
-    };
-    list(&path, node)?.iter().map(read).collect()
 }

@@ -1,97 +1,99 @@
 //! `[damping]`: the damping of a body.
 
-use super::lists::quantity;
 use super::problem::StructureProblem;
 use crate::cause::Cause;
-use crate::document::Node;
+use crate::declared::{Number, Several, conflict};
+use crate::dimension::Dimension;
 use crate::error::Fault;
-use crate::section::{Section, list};
-use crate::structure_keys::StructureKey;
+use crate::section::Section;
+use judder_keys_derive::Settings;
 
-/// The damping of a body.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Damping {
-    /// C = 0.
-    None,
+/// The damping of a body; none by default.
+#[derive(Debug, Clone, PartialEq, Default, Settings)]
+#[settings(check = Damping::one)]
+pub struct Damping {
     /// C = α M + β K.
-    Rayleigh {
-        /// α, 1/s.
-        alpha: f64,
-        /// β, s.
-        beta: f64,
-    },
+    #[key(omitted)]
+    pub rayleigh: Option<Rayleigh>,
     /// C = η K/ω_r, which meets structural damping K (1 + iη) at one frequency.
-    Structural {
-        /// η.
-        loss_factor: f64,
-        /// ω_r, rad/s.
-        reference_frequency: f64,
-    },
+    #[key(omitted)]
+    pub structural: Option<Structural>,
 }
 
-/// The keys of a damping.
-pub(crate) const KEYS: [&str; 2] = ["rayleigh", "structural"];
+/// C = α M + β K.
+#[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(check = Rayleigh::complete)]
+pub struct Rayleigh {
+    /// Damping in proportion to the mass, C = α M + β K.
+    #[key(rule = Number::non_negative(Dimension::RATE), symbol = "α", default = 0.0)]
+    pub alpha: f64,
+    /// Damping in proportion to the stiffness.
+    #[key(rule = Number::non_negative(Dimension::TIME), symbol = "β", default = 0.0)]
+    pub beta: f64,
+    /// Two damping ratios, in place of alpha and beta, which the canonical form has.
+    #[key(rule = RATIOS, unwritten)]
+    pub ratios: Option<Vec<RatioAt>>,
+}
 
-/// Reads the damping that `section` describes.
-pub(crate) fn read_damping(section: &Section<'_>) -> Result<Damping, Fault> {
-    match (section.get("rayleigh"), section.get("structural")) {
-        (None, None) => Ok(Damping::None),
-        (Some(_), Some(node)) => {
-            let (first, second) = (section.path("rayleigh"), section.path("structural"));
-            Err(Cause::Conflict { first, second }.at(node.place))
-        }
-        (Some(node), None) => read_rayleigh(section, node),
-        (None, Some(node)) => {
-            let table = section.table("structural", node, &["loss_factor", "reference_frequency"])?;
-            Ok(Damping::Structural {
-                loss_factor: quantity(&table, StructureKey::LossFactor)?,
-                reference_frequency: quantity(&table, StructureKey::ReferenceFrequency)?,
-            })
-        }
+/// A frequency and its damping ratio.
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
+#[settings(title = "an entry of `{path}`")]
+pub struct RatioAt {
+    /// Frequency at which a damping ratio is given, in place of α and β.
+    #[key(rule = FREQUENCY, symbol = "ω_k")]
+    pub frequency: f64,
+    /// The damping ratio there, ζ = α/(2ω) + βω/2.
+    #[key(rule = Number::non_negative(Dimension::NUMBER), symbol = "ζ_k")]
+    pub ratio: f64,
+}
+
+/// Structural damping, met at one frequency.
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
+pub struct Structural {
+    /// Loss factor of structural damping, met by C = η K/ω_r at one frequency.
+    #[key(rule = Number::non_negative(Dimension::NUMBER), symbol = "η")]
+    pub loss_factor: f64,
+    /// Frequency at which it is met.
+    #[key(rule = FREQUENCY, symbol = "ω_r")]
+    pub reference_frequency: f64,
+}
+
+const FREQUENCY: Number = Number::positive(Dimension::ANGULAR_FREQUENCY);
+const RATIOS: Several<()> = Several { of: (), length: [2, 2] };
+
+impl Damping {
+    /// Refuses both.
+    fn one(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        conflict(section, "rayleigh", "structural")
     }
 }
 
-/// α and β, given or from two damping ratios ζ = α/(2ω) + βω/2.
-fn read_rayleigh(section: &Section<'_>, node: &Node) -> Result<Damping, Fault> {
-    let table = section.table("rayleigh", node, &["alpha", "beta", "ratios"])?;
-    let Some(node) = table.get("ratios") else {
-        return Ok(Damping::Rayleigh {
-            alpha: quantity(&table, StructureKey::MassProportional)?,
-            beta: quantity(&table, StructureKey::StiffnessProportional)?,
-        });
-    };
-    for key in ["alpha", "beta"] {
-        if table.get(key).is_some() {
-            return Err(
-                Cause::Conflict { first: table.path(key), second: table.path("ratios") }.at(node.place)
-            );
+impl Rayleigh {
+    /// α and β from two damping ratios ζ = α/(2ω) + βω/2, where they are given.
+    fn complete(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        let (Some(ratios), Some(node)) = (&self.ratios, section.get("ratios")) else { return Ok(()) };
+        conflict(section, "alpha", "ratios")?;
+        conflict(section, "beta", "ratios")?;
+        let [mut first, mut second] = ratios[..] else {
+            let (key, expected) = (section.path("ratios"), "two pairs of frequency and ratio");
+            return Err(StructureProblem::Length { key, expected, found: ratios.len() }.at(node.place));
+        };
+        if first.frequency > second.frequency {
+            std::mem::swap(&mut first, &mut second);
         }
+        if first.frequency == second.frequency {
+            return Err(Cause::EmptyRange { from: first.frequency }.at(node.place));
+        }
+        let spread = (second.frequency - first.frequency) * (second.frequency + first.frequency);
+        let crossed = first.ratio * second.frequency - second.ratio * first.frequency;
+        self.alpha = 2.0 * first.frequency * second.frequency * crossed / spread;
+        self.beta = 2.0 * (second.ratio * second.frequency - first.ratio * first.frequency) / spread;
+        if self.alpha >= 0.0 && self.beta >= 0.0 {
+            return Ok(());
+        }
+        let (first_frequency, second_frequency) = (first.frequency, second.frequency);
+        let (first, second) = (first.ratio, second.ratio);
+        Err(StructureProblem::NegativeDamping { first, first_frequency, second, second_frequency }
+            .at(node.place))
     }
-    let nodes = list(&table.path("ratios"), node)?;
-    let [first, second] = nodes else {
-        let (key, expected, found) = (table.path("ratios"), "two pairs of frequency and ratio", nodes.len());
-        return Err(StructureProblem::Length { key, expected, found }.at(node.place));
-    };
-    let path = table.path("ratios");
-    let mut pairs = [read_pair(&path, first)?, read_pair(&path, second)?];
-    pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let [(first_frequency, first), (second_frequency, second)] = pairs;
-    if first_frequency == second_frequency {
-        return Err(Cause::EmptyRange { from: first_frequency }.at(node.place));
-    }
-    // from ζ₁ = α/(2ω₁) + βω₁/2 and ζ₂ = α/(2ω₂) + βω₂/2
-    let spread = (second_frequency - first_frequency) * (second_frequency + first_frequency);
-    let alpha =
-        2.0 * first_frequency * second_frequency * (first * second_frequency - second * first_frequency)
-            / spread;
-    let beta = 2.0 * (second * second_frequency - first * first_frequency) / spread;
-    if alpha >= 0.0 && beta >= 0.0 {
-        return Ok(Damping::Rayleigh { alpha, beta });
-    }
-    Err(StructureProblem::NegativeDamping { first, first_frequency, second, second_frequency }.at(node.place))
-}
-
-fn read_pair(path: &str, node: &Node) -> Result<(f64, f64), Fault> {
-    let table = Section::open(node, path, &format!("an entry of `{path}`"), &["frequency", "ratio"])?;
-    Ok((quantity(&table, StructureKey::RatioFrequency)?, quantity(&table, StructureKey::Ratio)?))
 }

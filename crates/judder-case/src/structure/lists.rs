@@ -6,14 +6,8 @@ use crate::contact_problem::ContactProblem;
 use crate::document::{Data, Node};
 use crate::error::Fault;
 use crate::keys::Key;
-use crate::section::{Section, list, text};
-use crate::structure_keys::StructureKey;
+use crate::section::{Section, list};
 use crate::swept_keys::read_value;
-
-/// A number of a structure that may be left out where it has a default, in SI units.
-pub(crate) fn quantity(section: &Section<'_>, key: StructureKey) -> Result<f64, Fault> {
-    number(section, key.entry())
-}
 
 /// A number that may be left out where it has a default, in SI units.
 pub(crate) fn number<K>(section: &Section<'_>, entry: &Key<K>) -> Result<f64, Fault> {
@@ -63,22 +57,4 @@ pub(crate) fn whole_numbers(
         }
     };
     list(&path, node)?.iter().map(read).collect()
-}
-
-/// The directions of a list such as `["x", "y"]`; `None` where the key is left out.
-pub(crate) fn directions(section: &Section<'_>, key: &str) -> Result<Option<[bool; 3]>, Fault> {
-    const NAMES: [&str; 3] = ["x", "y", "z"];
-    let Some(node) = section.get(key) else { return Ok(None) };
-    let path = section.path(key);
-    let mut taken = [false; 3];
-    for item in list(&path, node)? {
-        let name = text(&path, item)?;
-        let Some(axis) = NAMES.iter().position(|known| *known == name) else {
-            let known = NAMES.map(String::from).to_vec();
-            let (what, name) = ("direction", name.to_owned());
-            return Err(Cause::UnknownName { what, known, name }.at(item.place));
-        };
-        taken[axis] = true;
-    }
-    Ok(Some(taken))
 }

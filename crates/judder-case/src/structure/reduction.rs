@@ -1,13 +1,15 @@
 //! `[reduction]`: which freedoms are kept, and how many modes with them held.
 
 use super::StructureSource;
-use super::lists::{directions, quantity, whole_numbers};
+use super::lists::whole_numbers;
 use super::problem::{KeptProblem, StructureProblem};
 use crate::cause::Cause;
+use crate::declared::{Number, Setting, Settings, Whole, conflict};
+use crate::dimension::Dimension;
 use crate::document::Node;
 use crate::error::Fault;
 use crate::section::{Section, list, text};
-use crate::structure_keys::StructureKey;
+use judder_keys_derive::Settings;
 
 /// What a Craig–Bampton reduction keeps.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,6 +49,32 @@ pub enum FixedModes {
     CutOff(f64),
 }
 
+/// How many fixed-interface modes are kept, as a case says it.
+#[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(check = FixedModeKeys::one)]
+pub(crate) struct FixedModeKeys {
+    /// So many, from the lowest on; 20 where neither is given.
+    #[key(rule = Whole { from: 1, to: FIXED_MODES_LIMIT }, usual = FIXED_MODES, omitted)]
+    count: Option<usize>,
+    /// Fixed-interface modes up to this frequency are kept.
+    #[key(rule = Number::positive(Dimension::ANGULAR_FREQUENCY), symbol = "ω_c", omitted)]
+    cut_off: Option<f64>,
+}
+
+impl FixedModeKeys {
+    /// Refuses both keys.
+    fn one(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        conflict(section, "count", "cut_off")
+    }
+
+    fn modes(&self) -> FixedModes {
+        match self.cut_off {
+            Some(limit) => FixedModes::CutOff(limit),
+            None => FixedModes::Count(self.count.unwrap_or(FIXED_MODES)),
+        }
+    }
+}
+
 /// The number of fixed-interface modes where the case does not say: that of the beams paper.
 pub const FIXED_MODES: usize = 20;
 
@@ -60,15 +88,7 @@ pub(crate) const KEYS: [&str; 3] = ["kept", "count", "cut_off"];
 pub(crate) fn read_reduction(section: &Section<'_>, source: &StructureSource) -> Result<Reduction, Fault> {
     let kept = section.get("kept").map(|node| read_list(section, node, source)).transpose()?;
     let kept = kept.unwrap_or_default();
-    let count = section.whole("count", 1, FIXED_MODES_LIMIT)?;
-    let modes = match (count, section.get("cut_off")) {
-        (Some(_), Some(node)) => {
-            let (first, second) = (section.path("count"), section.path("cut_off"));
-            return Err(Cause::Conflict { first, second }.at(node.place));
-        }
-        (None, Some(_)) => FixedModes::CutOff(quantity(section, StructureKey::CutOff)?),
-        (count, None) => FixedModes::Count(count.unwrap_or(FIXED_MODES)),
-    };
+    let modes = FixedModeKeys::read_table(section)?.modes();
     Ok(Reduction { kept, modes })
 }
 
@@ -81,7 +101,9 @@ fn read_list(section: &Section<'_>, node: &Node, source: &StructureSource) -> Re
     let keys = ["set", "nodes", "directions"];
     let read = |node: &Node| {
         let section = Section::open(node, &path, &format!("an entry of `{path}`"), &keys)?;
-        let directions = directions(&section, "directions")?.unwrap_or([true; 3]);
+        let directions =
+            section.get("directions").map(|node| Setting::read(&section, "directions", node, &()));
+        let directions = directions.transpose()?.unwrap_or([true; 3]);
         Ok(Kept { nodes: read_nodes(&section, source)?, directions })
     };
     nodes.iter().map(read).collect()

@@ -168,7 +168,7 @@ fn a_direction_that_is_none() {
             "beam = { length = \"1 m\", thickness = \"1 cm\", elements = [10, 2] }\nsupports = [{ set = \"end\", fixed = [\"w\"] }]",
         ),
         "unknown direction `w`",
-        "\"w\"",
+        "w",
         "did you mean `x`? known: x, y, z",
     );
 }

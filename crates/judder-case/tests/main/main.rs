@@ -18,6 +18,7 @@ mod bad_swept_keys;
 mod bad_two_degrees;
 mod compose;
 mod contact;
+mod declared;
 mod editors;
 mod motion;
 mod oscillator;

@@ -8,7 +8,7 @@ use judder_case::sliding::motion::Axis;
 use judder_case::sliding::observe::{PointQuantity, Signal};
 use judder_case::sliding::spectrogram::Window;
 use judder_case::structure::body::{EndCondition, Geometry};
-use judder_case::structure::damping::Damping;
+use judder_case::structure::damping::Rayleigh;
 use judder_case::structure::reduction::{FixedModes, KeptNodes};
 use judder_case::{Case, SlidingAnalysis, SlidingCase, StructureSource, template};
 use std::f64::consts::TAU;
@@ -45,8 +45,8 @@ fn the_template_is_the_beams_paper() {
         let material = body.material.unwrap();
         assert_eq!((beam.length, beam.thickness, body.width.unwrap()), sizes);
         assert_eq!((material.youngs_modulus, material.poisson_ratio, material.density), elastic);
-        assert_eq!(structure.damping, Damping::Rayleigh { alpha, beta });
-        assert_eq!(beam.ends, [start, EndCondition::Free]);
+        assert_eq!(structure.damping.rayleigh, Some(Rayleigh { alpha, beta, ratios: None }));
+        assert_eq!([beam.start, beam.end], [start, EndCondition::Free]);
         assert_eq!(structure.reduction.modes, FixedModes::Count(20));
     }
     let set = |name: &str| KeptNodes::Set(name.to_owned());
@@ -198,7 +198,7 @@ fn a_march_takes_the_whole_path_and_chooses_its_step() {
 fn what_belongs_to_a_method_is_read_with_it() {
     let method = |text: &str| match analysis(text) {
         SlidingAnalysis::March(march) => (march.method, march.step),
-        SlidingAnalysis::Growth(growth) => (growth.method, growth.step),
+        SlidingAnalysis::Growth(growth) => (growth.method(), growth.step),
         _ => panic!("a march or a growth"),
     };
     let found = method("kind = \"march\"\nmethod = \"subs\"\nslope = \"static\"");

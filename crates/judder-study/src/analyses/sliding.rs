@@ -54,11 +54,11 @@ pub(super) fn run(
         return Err(StudyError::Interrupted);
     }
     let mut outcome = match &analysis.kind {
-        SlidingAnalysis::Modes { structure, wanted } => {
+        SlidingAnalysis::Modes { structure, modes: sought } => {
             let part = &system.parts[*structure];
             let own = (&alone(case, *structure), &*part.structure);
             let reduced = Some(&part.reduced.body.eigenvalues[..]);
-            let outcome = super::structure::modes(own, &analysis.name, *wanted, reduced)?;
+            let outcome = super::structure::modes(own, &analysis.name, sought.wanted(), reduced)?;
             progress.advance();
             outcome
         }

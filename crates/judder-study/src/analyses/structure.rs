@@ -37,9 +37,13 @@ pub(super) fn run(
         return Err(StudyError::Interrupted);
     }
     let mut outcome = match &analysis.kind {
-        StructureAnalysis::Modes { wanted } => modes::run((case, structure), &analysis.name, *wanted, None),
-        StructureAnalysis::Reduction { count } => reduction::run((case, structure), &analysis.name, *count),
-        StructureAnalysis::Eigen { region } => eigen::run((case, structure), &analysis.name, region),
+        StructureAnalysis::Modes(settings) => {
+            modes::run((case, structure), &analysis.name, settings.wanted(), None)
+        }
+        StructureAnalysis::Reduction(settings) => {
+            reduction::run((case, structure), &analysis.name, settings.count)
+        }
+        StructureAnalysis::Eigen(settings) => eigen::run((case, structure), &analysis.name, &settings.region),
         StructureAnalysis::EigenSweep(settings) => eigen_sweep::run((case, structure), settings, progress),
     }?;
     progress.advance();

@@ -4,7 +4,7 @@ use super::{Resolved, title};
 use crate::error::StudyError;
 use crate::structure::Structure;
 use crate::text::columns;
-use judder_case::structure::analysis::{EigenMethod, WantedModes};
+use judder_case::structure::analysis::{Compared, Eigen, EigenMethod, WantedModes};
 use judder_case::{CaseFile, StructureAnalysis, StructureCase};
 use judder_structure::affine::Term;
 use serde_json::{Value, json};
@@ -63,13 +63,17 @@ pub(super) fn resolve(file: &CaseFile, case: &StructureCase) -> Result<Resolved,
 
 fn asked(kind: &StructureAnalysis) -> String {
     match kind {
-        StructureAnalysis::Modes { wanted: WantedModes::Count(count) } => format!("the lowest {count} modes"),
-        StructureAnalysis::Modes { wanted: WantedModes::Band(from, to) } => {
-            let hertz = |angular: &f64| angular / std::f64::consts::TAU;
-            format!("the modes from {} to {} Hz", hertz(from), hertz(to))
+        StructureAnalysis::Modes(settings) => match settings.wanted() {
+            WantedModes::Count(count) => format!("the lowest {count} modes"),
+            WantedModes::Band(from, to) => {
+                let hertz = |angular: f64| angular / std::f64::consts::TAU;
+                format!("the modes from {} to {} Hz", hertz(from), hertz(to))
+            }
+        },
+        StructureAnalysis::Reduction(Compared { count }) => {
+            format!("{count} frequencies, reduced against full")
         }
-        StructureAnalysis::Reduction { count } => format!("{count} frequencies, reduced against full"),
-        StructureAnalysis::Eigen { region } => {
+        StructureAnalysis::Eigen(Eigen { region }) => {
             format!(
                 "complex modes, Re from {} to {}, Im from {} to {}",
                 region.re[0], region.re[1], region.im[0], region.im[1]

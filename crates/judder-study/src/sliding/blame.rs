@@ -109,7 +109,7 @@ pub(crate) fn admit(kind: &SlidingAnalysis, system: &SlidingSystem) -> Result<()
         }
         SlidingAnalysis::Growth(growth) => {
             pair.edge_point(growth.position)?;
-            step(pair, method(growth.method), growth.step, system.motion.held(growth.position))?;
+            step(pair, method(growth.method()), growth.step, system.motion.held(growth.position))?;
         }
         SlidingAnalysis::Modes { .. } | SlidingAnalysis::Spectrogram(_) => {}
     }

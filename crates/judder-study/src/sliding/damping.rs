@@ -15,13 +15,13 @@ pub(super) fn damping(
     imported: &Sparse,
     [mass, stiffness]: [&Sparse; 2],
 ) -> Result<(f64, f64), StructureError> {
-    match *own {
-        Damping::Rayleigh { alpha, beta } => Ok((alpha, beta)),
-        Damping::Structural { loss_factor, reference_frequency } => {
-            let damping = StructuralDamping::new(loss_factor, reference_frequency / TAU)?;
+    match own {
+        Damping { rayleigh: Some(own), .. } => Ok((own.alpha, own.beta)),
+        Damping { structural: Some(own), .. } => {
+            let damping = StructuralDamping::new(own.loss_factor, own.reference_frequency / TAU)?;
             Ok((0.0, damping.beta()))
         }
-        Damping::None => {
+        _ => {
             let damping = RayleighDamping::fitted(imported, mass, stiffness)?;
             Ok((damping.alpha(), damping.beta()))
         }

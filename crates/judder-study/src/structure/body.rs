@@ -50,11 +50,11 @@ pub(super) fn assembled(
         assemble(&mesh, &materials, &numbering).map_err(|error| Unbuilt::because("structure", &error))?;
     let term = |name: &str, matrix: &_| Term { name: name.to_owned(), matrix: Clone::clone(matrix) };
     let damping = match damping {
-        Damping::None => Vec::new(),
-        Damping::Rayleigh { .. } => {
+        Damping { rayleigh: Some(_), .. } => {
             vec![term("mass-proportional damping", &mass), term("stiffness-proportional damping", &stiffness)]
         }
-        Damping::Structural { .. } => vec![term("structural damping", &stiffness)],
+        Damping { structural: Some(_), .. } => vec![term("structural damping", &stiffness)],
+        _ => Vec::new(),
     };
     let family = Family::new(vec![term("mass", &mass)], damping, vec![term("stiffness", &stiffness)])
         .map_err(|error| Unbuilt::because("structure", &error))?;
@@ -65,10 +65,10 @@ pub(super) fn assembled(
 
 /// The factors of the terms of a body: α and β, or η/ω_r.
 pub(super) fn factors(damping: &Damping) -> Factors {
-    let damping = match *damping {
-        Damping::None => Vec::new(),
-        Damping::Rayleigh { alpha, beta } => vec![alpha, beta],
-        Damping::Structural { loss_factor, reference_frequency } => vec![loss_factor / reference_frequency],
+    let damping = match damping {
+        Damping { rayleigh: Some(own), .. } => vec![own.alpha, own.beta],
+        Damping { structural: Some(own), .. } => vec![own.loss_factor / own.reference_frequency],
+        _ => Vec::new(),
     };
     Factors { mass: vec![1.0], damping, stiffness: vec![1.0] }
 }
@@ -95,12 +95,12 @@ pub(super) fn elastic(material: &Material) -> Result<Elastic, Unbuilt> {
 
 /// The mesh of a beam and what holds its ends.
 fn beam_mesh(beam: &Beam) -> Result<(Mesh, Supports), Unbuilt> {
-    let Beam { length, thickness, elements, origin, angle, ends } = *beam;
+    let Beam { length, thickness, elements, origin, angle, start, end } = *beam;
     let mesh = beam::Beam { length, thickness, elements, origin, angle }
         .mesh(OWN)
         .map_err(|error| Unbuilt::because("structure.beam", &error))?;
     let mut supports = Supports::default();
-    for (set, condition) in ["start", "end"].into_iter().zip(ends) {
+    for (set, condition) in [("start", start), ("end", end)] {
         let nodes = mesh.node_sets.get(set).cloned().unwrap_or_default();
         let (fixed, tied) = match condition {
             EndCondition::Free => ([false; 3], [false; 3]),
@@ -113,7 +113,7 @@ fn beam_mesh(beam: &Beam) -> Result<(Mesh, Supports), Unbuilt> {
 }
 
 fn block_mesh(block: &Block) -> Result<Mesh, Unbuilt> {
-    let kind = match block.element {
+    let kind = match block.element() {
         BlockElement::Quad4 => ElementKind::Quad4,
         BlockElement::Quad8 => ElementKind::Quad8,
         BlockElement::Triangle6 => ElementKind::Triangle6,

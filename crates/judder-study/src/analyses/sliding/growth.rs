@@ -8,7 +8,7 @@ use crate::progress::Progress;
 use crate::sliding::{SlidingSystem, Step, method, step};
 use history::History;
 use judder_case::SlidingCase;
-use judder_case::sliding::march::Growth;
+use judder_case::sliding::growth::Growth;
 use judder_sliding::characteristic::Characteristic;
 use judder_sliding::growth::{AMPLITUDE, GrowthSettings, Held, watched_growth};
 use judder_sliding::pair::Pair;
@@ -37,7 +37,7 @@ pub(super) fn run(
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
     let (pair, position) = (&system.pair, settings.position);
-    let method = method(settings.method);
+    let method = method(settings.method());
     pair.edge_point(position)?;
     let Step { step, limit } = step(pair, method, settings.step, system.motion.held(position))?;
     let (velocity, load) = (case.motion.velocity, case.motion.load.force);
@@ -59,7 +59,7 @@ pub(super) fn run(
         ("frequency_hz".to_owned(), number(predicted.im / TAU)),
         ("measured_frequency_hz".to_owned(), number(measured.im / TAU)),
         ("spread".to_owned(), number(growth.spread)),
-        ("method".to_owned(), json!(settings.method.name())),
+        ("method".to_owned(), json!(settings.word.name())),
         ("position_m".to_owned(), json!(position)),
         ("normal_force".to_owned(), number(held.normal_force)),
         ("steps".to_owned(), json!(growth.steps)),
@@ -70,13 +70,13 @@ pub(super) fn run(
     let dataset = Dataset::new()
         .attribute("kind", "growth")?
         .attribute("position_m", position)?
-        .attribute("method", settings.method.name())?
+        .attribute("method", settings.word.name())?
         .attribute("start_amplitude_n", AMPLITUDE * held.normal_force)?
         .attribute("measured_until_s", growth.steps as f64 * step)?
         .with(scalar("measured", measured).long_name("growth rate and angular frequency in the march"))?
         .with(scalar("predicted", predicted).long_name("eigenvalue with the contact held"))?;
     let dataset = history.kept(dataset)?;
-    let checks = checks(settings.method.name(), measured, predicted);
+    let checks = checks(settings.word.name(), measured, predicted);
     let warnings = far_off(predicted.im, settings.frequency).into_iter().collect();
     Ok(Outcome { scalars, dataset, checks, warnings, ..Outcome::default() })
 }

@@ -50,7 +50,7 @@ pub(super) fn estimate(
         }
         SlidingAnalysis::Growth(growth) => {
             let motion = system.motion.held(growth.position);
-            let step = step_of(system, growth.method, growth.step, motion);
+            let step = step_of(system, growth.method(), growth.step, motion);
             let time = per::PERIODS * std::f64::consts::TAU / growth.frequency;
             let steps = time / step;
             (steps as usize, steps * modes * per::STEP_AND_MODE, 0.0)

@@ -1,0 +1,99 @@
+//! Settings that are declared once: a struct whose fields are the keys of a table.
+//!
+//! What is read with its places in errors, the canonical form, the schema and the reference follow from the fields; each says by its doc
+//! comment what the key is, and by its type and rule what it may be. [`judder_keys_derive`] derives it.
+
+mod form;
+mod values;
+
+use crate::document::Node;
+use crate::error::Fault;
+use crate::section::Section;
+use serde_json::{Map, Value as Json};
+
+pub(crate) use form::{Declaration, Form};
+pub(crate) use values::{Fixed, Number, Pair, Several, Whole, conflict};
+
+/// A table of settings.
+pub(crate) trait Settings: Sized {
+    /// How messages call the table; by its path where this is `None`.
+    const TITLE: Option<&'static str>;
+    /// What it is.
+    const DOC: &'static str;
+    /// Its keys, in the order of the fields.
+    const KEYS: &'static [&'static str];
+
+    /// What is said of each.
+    fn declarations() -> Vec<Declaration>;
+
+    /// Reads all of them; what is wrong with one does not hide what is wrong with another.
+    fn read_table(section: &Section<'_>) -> Result<Self, Fault>;
+
+    /// Puts them into a canonical form, defaults filled in.
+    fn write_table(&self, json: &mut Map<String, Json>);
+}
+
+/// The value of a key.
+pub(crate) trait Setting: Sized {
+    /// What reading needs to know besides the type: unit, range, length.
+    type Rule: 'static;
+    /// Whether it may be left out without a default.
+    const IS_OPTIONAL: bool = false;
+
+    /// What it is where the key is left out; `None` where it must be given.
+    fn absent() -> Option<Self> {
+        None
+    }
+
+    /// What a case file may say.
+    fn form(rule: &Self::Rule) -> Form;
+
+    /// Reads the value under a key of a section.
+    fn read(section: &Section<'_>, key: &str, node: &Node, rule: &Self::Rule) -> Result<Self, Fault>;
+
+    /// The canonical form.
+    fn write(&self, rule: &Self::Rule) -> Json;
+}
+
+/// How messages speak of a key that lacks.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Called {
+    pub(crate) key: &'static str,
+    pub(crate) doc: &'static str,
+    /// What would be right, in place of what the form says.
+    pub(crate) example: Option<&'static str>,
+}
+
+/// Reads a key, or takes what it is where it is left out.
+pub(crate) fn read_key<T: Setting>(
+    section: &Section<'_>,
+    called: Called,
+    rule: &T::Rule,
+    absent: impl FnOnce() -> Option<T>,
+) -> Result<T, Fault> {
+    let Called { key, doc, example } = called;
+    match section.get(key) {
+        Some(node) => T::read(section, key, node, rule),
+        None => absent().ok_or_else(|| {
+            let expected =
+                example.map_or_else(|| T::form(rule).example(key, doc), |own| format!("{key} = {own}"));
+            section.missing(key, &expected)
+        }),
+    }
+}
+
+/// Both of two, or all that is wrong with either.
+pub(crate) fn both<A, B>(one: Result<A, Fault>, other: Result<B, Fault>) -> Result<(A, B), Fault> {
+    match (one, other) {
+        (Ok(one), Ok(other)) => Ok((one, other)),
+        (Err(one), Err(other)) => Err(one.and(other)),
+        (Err(fault), Ok(_)) | (Ok(_), Err(fault)) => Err(fault),
+    }
+}
+
+/// Puts a key into a canonical form; one that is left out is `null` there, or nothing.
+pub(crate) fn write_key(json: &mut Map<String, Json>, (key, is_omitted): (&str, bool), value: Json) {
+    if !(is_omitted && value.is_null()) {
+        json.insert(key.to_owned(), value);
+    }
+}

@@ -1,0 +1,285 @@
+//! The types that a declared key may have, and the rules by which they are read.
+
+use super::{Form, Setting, Settings};
+use crate::cause::Cause;
+use crate::dimension::Dimension;
+use crate::document::{Data, Node};
+use crate::error::Fault;
+use crate::keys::Range;
+use crate::section::{Section, list, text, whole, word, wrong_type};
+use crate::structure::analysis::ascending;
+use crate::structure::problem::StructureProblem;
+use crate::swept_keys::read_value;
+use serde_json::{Map, Value as Json, json};
+
+/// A number: its dimension and its range, in SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Number {
+    pub(crate) dimension: Dimension,
+    pub(crate) range: Range,
+}
+
+/// A whole number from one to another.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Whole {
+    pub(crate) from: usize,
+    pub(crate) to: usize,
+}
+
+/// Two numbers, what they are, and whether the second must be larger.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Pair {
+    pub(crate) of: Number,
+    pub(crate) what: &'static str,
+    pub(crate) is_ascending: bool,
+}
+
+/// A list as long as its type, and what stands in it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Fixed<R> {
+    pub(crate) of: R,
+    pub(crate) what: &'static str,
+}
+
+/// A list, and how long it may be: that is told, and the settings check it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Several<R> {
+    pub(crate) of: R,
+    pub(crate) length: [usize; 2],
+}
+
+impl Setting for f64 {
+    type Rule = Number;
+
+    fn form(rule: &Number) -> Form {
+        Form::Number(*rule)
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, rule: &Number) -> Result<Self, Fault> {
+        Ok(read_value(&rule.entry(), &section.path(key), node)?.number)
+    }
+
+    fn write(&self, rule: &Number) -> Json {
+        match rule.dimension.is_number() {
+            true => json!(self),
+            false => json!({ "value": self, "unit": rule.dimension.unit() }),
+        }
+    }
+}
+
+impl Setting for usize {
+    type Rule = Whole;
+
+    fn form(rule: &Whole) -> Form {
+        Form::Whole(*rule)
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, rule: &Whole) -> Result<Self, Fault> {
+        whole(&section.path(key), node, (rule.from, rule.to))
+    }
+
+    fn write(&self, _: &Whole) -> Json {
+        json!(self)
+    }
+}
+
+impl Setting for bool {
+    type Rule = ();
+
+    fn form((): &()) -> Form {
+        Form::Flag
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
+        match node.data {
+            Data::Boolean(value) => Ok(value),
+            _ => Err(wrong_type(&section.path(key), "true or false", node)),
+        }
+    }
+
+    fn write(&self, (): &()) -> Json {
+        json!(self)
+    }
+}
+
+impl Setting for String {
+    type Rule = ();
+
+    fn form((): &()) -> Form {
+        Form::Text
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
+        text(&section.path(key), node).map(str::to_owned)
+    }
+
+    fn write(&self, (): &()) -> Json {
+        json!(self)
+    }
+}
+
+impl Setting for [f64; 2] {
+    type Rule = Pair;
+
+    fn form(rule: &Pair) -> Form {
+        Form::List { of: Box::new(Form::Number(rule.of)), length: [2, 2] }
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, rule: &Pair) -> Result<Self, Fault> {
+        let [from, to] = exactly(section, (key, rule.what), node, items(section, key, node, &rule.of)?)?;
+        if rule.is_ascending {
+            ascending(from, to, node)?;
+        }
+        Ok([from, to])
+    }
+
+    fn write(&self, rule: &Pair) -> Json {
+        self.iter().map(|value| value.write(&rule.of)).collect()
+    }
+}
+
+impl Setting for [usize; 2] {
+    type Rule = Fixed<Whole>;
+
+    fn form(rule: &Fixed<Whole>) -> Form {
+        Form::List { of: Box::new(Form::Whole(rule.of)), length: [2, 2] }
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, rule: &Fixed<Whole>) -> Result<Self, Fault> {
+        exactly(section, (key, rule.what), node, items(section, key, node, &rule.of)?)
+    }
+
+    fn write(&self, _: &Fixed<Whole>) -> Json {
+        json!(self)
+    }
+}
+
+/// Directions x, y, z by their names.
+impl Setting for [bool; 3] {
+    type Rule = ();
+
+    fn form((): &()) -> Form {
+        Form::List {
+            of: Box::new(Form::Choice { words: &[("x", ""), ("y", ""), ("z", "")] }),
+            length: [0, 3],
+        }
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
+        let path = section.path(key);
+        let mut taken = [false; 3];
+        for item in list(&path, node)? {
+            taken[word(&path, "direction", item, &AXES)?] = true;
+        }
+        Ok(taken)
+    }
+
+    fn write(&self, (): &()) -> Json {
+        AXES.iter().filter(|(_, axis)| self[*axis]).map(|(name, _)| json!(name)).collect()
+    }
+}
+
+impl<T: Setting> Setting for Vec<T> {
+    type Rule = Several<T::Rule>;
+
+    fn form(rule: &Several<T::Rule>) -> Form {
+        Form::List { of: Box::new(T::form(&rule.of)), length: rule.length }
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, rule: &Several<T::Rule>) -> Result<Self, Fault> {
+        items(section, key, node, &rule.of)
+    }
+
+    fn write(&self, rule: &Several<T::Rule>) -> Json {
+        self.iter().map(|value| value.write(&rule.of)).collect()
+    }
+}
+
+/// The directions by their names.
+const AXES: [(&str, usize); 3] = [("x", 0), ("y", 1), ("z", 2)];
+
+/// The items of a list.
+fn items<T: Setting>(section: &Section<'_>, key: &str, node: &Node, rule: &T::Rule) -> Result<Vec<T>, Fault> {
+    list(&section.path(key), node)?.iter().map(|item| T::read(section, key, item, rule)).collect()
+}
+
+/// The items of a list that must be so many.
+fn exactly<T, const N: usize>(
+    section: &Section<'_>,
+    (key, expected): (&str, &'static str),
+    node: &Node,
+    items: Vec<T>,
+) -> Result<[T; N], Fault> {
+    items.try_into().map_err(|items: Vec<T>| {
+        StructureProblem::Length { key: section.path(key), expected, found: items.len() }.at(node.place)
+    })
+}
+
+impl<T: Setting> Setting for Option<T> {
+    type Rule = T::Rule;
+    const IS_OPTIONAL: bool = true;
+
+    fn absent() -> Option<Self> {
+        Some(None)
+    }
+
+    fn form(rule: &T::Rule) -> Form {
+        T::form(rule)
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, rule: &T::Rule) -> Result<Self, Fault> {
+        T::read(section, key, node, rule).map(Some)
+    }
+
+    fn write(&self, rule: &T::Rule) -> Json {
+        self.as_ref().map_or(Json::Null, |value| value.write(rule))
+    }
+}
+
+impl<T: Settings> Setting for T {
+    type Rule = ();
+
+    fn form((): &()) -> Form {
+        Form::Table { doc: T::DOC, keys: T::declarations() }
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
+        let path = section.path(key);
+        let name = T::TITLE.unwrap_or("`{path}`").replace("{path}", &path);
+        T::read_table(&Section::open(node, &path, &name, T::KEYS)?)
+    }
+
+    fn write(&self, (): &()) -> Json {
+        let mut json = Map::new();
+        self.write_table(&mut json);
+        Json::Object(json)
+    }
+}
+
+impl Number {
+    /// Above zero.
+    pub(crate) const fn positive(dimension: Dimension) -> Self {
+        Self { dimension, range: Range::Positive }
+    }
+
+    /// Zero or above.
+    pub(crate) const fn non_negative(dimension: Dimension) -> Self {
+        Self { dimension, range: Range::NonNegative }
+    }
+
+    /// Any finite number.
+    pub(crate) const fn any(dimension: Dimension) -> Self {
+        Self { dimension, range: Range::Any }
+    }
+}
+
+/// The refusal of a key that means nothing beside another.
+pub(crate) fn conflict(section: &Section<'_>, first: &str, second: &str) -> Result<(), Fault> {
+    match (section.get(first), section.get(second)) {
+        (Some(_), Some(node)) => {
+            let (first, second) = (section.path(first), section.path(second));
+            Err(Cause::Conflict { first, second }.at(node.place))
+        }
+        _ => Ok(()),
+    }
+}

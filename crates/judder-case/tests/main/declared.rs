@@ -1,0 +1,79 @@
+//! Declared settings: everything that is wrong is told at once, and the schema says what reading asks for.
+
+use crate::parse;
+use judder_case::{CaseError, schema};
+use serde_json::{Value, json};
+
+const WRONG: &str = r#"
+model = "structure"
+[structure]
+beam = { length = "1 s", thickness = 2, elements = [10, 2], start = "clampd" }
+material = { youngs_modulus = "210 GPa", poisson_ratio = 0.7 }
+"#;
+
+/// The messages of all that is wrong.
+fn told(error: CaseError) -> Vec<String> {
+    let (first, others) = error.split();
+    std::iter::once(first).chain(others).map(|error| error.to_string()).collect()
+}
+
+/// In the order of the text, each with its place.
+#[test]
+fn all_that_is_wrong_is_told() {
+    let error = parse(WRONG, &[]).unwrap_err();
+    assert_eq!(error.others().iter().map(CaseError::place).collect::<Vec<&str>>()[..2], ["2", "clampd"]);
+    assert_eq!(
+        told(error),
+        [
+            "`structure.beam.length` must be a length, but this is a time",
+            "`structure.beam.thickness` needs a unit: it has no dimensionless form",
+            "unknown end condition `clampd`",
+            "`structure.material` lacks the key `density`",
+            "`structure.material.poisson_ratio` must be above -1 and at most 0.499999, but is 0.7",
+        ]
+    );
+}
+
+/// Two analyses, each with what is wrong with it.
+#[test]
+fn one_analysis_does_not_hide_another() {
+    let body =
+        WRONG.replace("\"1 s\"", "\"1 m\"").replace("= 2,", "= \"1 cm\",").replace("clampd", "clamped");
+    let body = body.replace("0.7", "0.3, density = \"7850 kg/m^3\"");
+    let text = format!(
+        "{body}[[analysis]]\nkind = \"modes\"\ncount = 0\n[[analysis]]\nkind = \"eigen\"\nregion = {{ re = [1.0, 0.0] }}\n"
+    );
+    let messages = told(parse(&text, &[]).unwrap_err());
+    assert_eq!(messages.len(), 3, "{messages:?}");
+    for part in ["`count` ", "backwards", "lacks the key `im`"] {
+        assert!(messages.iter().any(|message| message.contains(part)), "{part}: {messages:?}");
+    }
+}
+
+/// What a case must give is required, and what it may leave out has the default that it then gets.
+#[test]
+fn the_schema_asks_for_what_reading_asks_for() {
+    let schema = schema();
+    let structure = table_of(&schema, "one linear structure alone");
+    let beam = &structure["properties"]["structure"]["properties"]["beam"];
+    assert_eq!(beam["required"], json!(["length", "thickness", "elements"]));
+    assert_eq!(beam["properties"]["angle"]["default"], "0 rad");
+    assert_eq!(beam["properties"]["start"]["enum"], json!(["free", "clamped", "guided"]));
+    let supports = &structure["properties"]["structure"]["properties"]["supports"];
+    assert_eq!(supports["items"]["required"], json!(["set"]));
+}
+
+/// The table of the schema with this description.
+fn table_of<'a>(json: &'a Value, description: &str) -> &'a Value {
+    fn find<'a>(json: &'a Value, description: &str) -> Option<&'a Value> {
+        if json["description"] == description && json["type"] == "object" {
+            return Some(json);
+        }
+        match json {
+            Value::Object(own) => own.values().find_map(|value| find(value, description)),
+            Value::Array(own) => own.iter().find_map(|value| find(value, description)),
+            _ => None,
+        }
+    }
+    find(json, description).unwrap()
+}

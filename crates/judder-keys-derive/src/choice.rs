@@ -1,0 +1,81 @@
+//! An enum of words.
+
+use crate::field::doc;
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::{Data, DeriveInput, Error, Fields, LitStr, Result, Variant};
+
+pub(crate) fn derive(input: &DeriveInput) -> Result<TokenStream> {
+    let Data::Enum(data) = &input.data else {
+        return Err(Error::new(input.ident.span(), "a choice is an enum"));
+    };
+    let mut what: Option<LitStr> = None;
+    for attribute in input.attrs.iter().filter(|attribute| attribute.path().is_ident("choice")) {
+        attribute.parse_nested_meta(|meta| {
+            if meta.path.is_ident("what") {
+                what = Some(meta.value()?.parse()?);
+                return Ok(());
+            }
+            Err(meta.error("a choice takes what"))
+        })?;
+    }
+    let Some(what) = what else {
+        return Err(Error::new(
+            input.ident.span(),
+            "a choice says what its words are: #[choice(what = \"…\")]",
+        ));
+    };
+    if let Some(variant) = data.variants.iter().find(|variant| !matches!(variant.fields, Fields::Unit)) {
+        return Err(Error::new(variant.ident.span(), "a word of a choice has no fields"));
+    }
+    let (name, count) = (&input.ident, data.variants.len());
+    let variants: Vec<_> = data.variants.iter().map(|variant| &variant.ident).collect();
+    let words: Vec<_> = data.variants.iter().map(word).collect();
+    let docs = data.variants.iter().map(|variant| doc(&variant.attrs));
+    Ok(quote! {
+        impl #name {
+            /// Every word in the order of the declaration, with what it means.
+            pub const ALL: [(&'static str, Self); #count] = [#((#words, Self::#variants)),*];
+
+            /// The word in a case file.
+            pub fn name(self) -> &'static str {
+                match self {
+                    #(Self::#variants => #words),*
+                }
+            }
+        }
+
+        impl crate::declared::Setting for #name {
+            type Rule = ();
+
+            fn form((): &()) -> crate::declared::Form {
+                crate::declared::Form::Choice { words: &[#((#words, #docs)),*] }
+            }
+
+            fn read(
+                section: &crate::section::Section<'_>,
+                key: &str,
+                node: &crate::document::Node,
+                (): &(),
+            ) -> ::std::result::Result<Self, crate::error::Fault> {
+                crate::section::word(&section.path(key), #what, node, &Self::ALL)
+            }
+
+            fn write(&self, (): &()) -> ::serde_json::Value {
+                ::serde_json::Value::from(self.name())
+            }
+        }
+    })
+}
+
+/// `ResidualFlexibility` as `residual-flexibility`.
+fn word(variant: &Variant) -> String {
+    let mut word = String::new();
+    for letter in variant.ident.to_string().chars() {
+        if letter.is_uppercase() && !word.is_empty() {
+            word.push('-');
+        }
+        word.extend(letter.to_lowercase());
+    }
+    word
+}

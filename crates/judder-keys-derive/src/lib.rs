@@ -1,0 +1,43 @@
+//! Derives what is declared of settings: a struct becomes a table of keys, an enum a choice of words.
+//!
+//! ```text
+//! #[derive(Settings)]
+//! #[settings(path = "analysis")]
+//! struct Growth {
+//!     /// where the contact is held
+//!     #[key(rule = LENGTH, symbol = "s")]
+//!     position: f64,
+//! }
+//! ```
+//!
+//! The doc comment of a field says what the key is. Its attribute takes
+//!
+//! - `rule`: what the type of the field needs to read it, as a unit, a range, a length of a list;
+//! - `default`: the value where the key is left out; `usual`: that of an optional key, which other keys may decide otherwise;
+//! - `symbol` and `example`, for the reference and for messages; `name`, where the key is not called as the field is;
+//! - `omitted`: an absent one is left out of the canonical form and not `null` in it; `unwritten`: the form never has it.
+//!
+//! A struct takes `#[settings(check = …, title = "…")]`: what is checked and filled in when all keys are read, how messages call the table.
+
+mod choice;
+mod field;
+mod settings;
+
+use proc_macro::TokenStream;
+use syn::{DeriveInput, parse_macro_input};
+
+/// A struct of settings.
+#[proc_macro_derive(Settings, attributes(settings, key))]
+pub fn derive_settings(input: TokenStream) -> TokenStream {
+    settings::derive(&parse_macro_input!(input as DeriveInput))
+        .unwrap_or_else(syn::Error::into_compile_error)
+        .into()
+}
+
+/// An enum of words, each the name of a variant in lower case with dashes.
+#[proc_macro_derive(Choice, attributes(choice))]
+pub fn derive_choice(input: TokenStream) -> TokenStream {
+    choice::derive(&parse_macro_input!(input as DeriveInput))
+        .unwrap_or_else(syn::Error::into_compile_error)
+        .into()
+}

@@ -263,7 +263,7 @@ def locus(
 
     Args:
         positions: distances of the contact point from the track's first node, ascending, m, float64[n].
-        count: how many eigenvalues at each position, the lowest by frequency.
+        count: how many eigenvalues at each position, the lowest by the larger of imaginary and absolute real part.
         velocity: sliding speed, m/s; that of the case where none is given.
         load: in N; that of the case where none is given.
         configuration: ``"undeformed"``, or ``"deformed"`` by the load.

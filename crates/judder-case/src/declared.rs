@@ -64,6 +64,12 @@ pub(crate) struct Called {
     pub(crate) example: Option<&'static str>,
 }
 
+/// Reads a table by the name that messages give it; keys that it does not have are told beside what is wrong with those that it has.
+pub(crate) fn read_settings<T: Settings>(node: &Node, path: &str, name: &str) -> Result<T, Fault> {
+    let section = Section::of_table(node, path, name)?;
+    both(section.refuse_others(T::KEYS), T::read_table(&section)).map(|((), settings)| settings)
+}
+
 /// Reads a key, or takes what it is where it is left out.
 pub(crate) fn read_key<T: Setting>(
     section: &Section<'_>,
@@ -89,6 +95,17 @@ pub(crate) fn both<A, B>(one: Result<A, Fault>, other: Result<B, Fault>) -> Resu
         (Err(one), Err(other)) => Err(one.and(other)),
         (Err(fault), Ok(_)) | (Ok(_), Err(fault)) => Err(fault),
     }
+}
+
+/// All of many, or all that is wrong with any.
+pub(crate) fn all<T>(many: impl IntoIterator<Item = Result<T, Fault>>) -> Result<Vec<T>, Fault> {
+    let nothing = Ok(Vec::new());
+    many.into_iter().fold(nothing, |before, own| {
+        both(before, own).map(|(mut before, own)| {
+            before.push(own);
+            before
+        })
+    })
 }
 
 /// Puts a key into a canonical form; one that is left out is `null` there, or nothing.

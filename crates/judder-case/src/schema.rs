@@ -203,7 +203,7 @@ fn analyses<S, T>(kinds: &[Kind<S, T>], setting: impl Fn(&str, &str) -> Json) ->
         properties.extend(kind.keys.iter().map(|key| ((*key).to_owned(), setting(kind.name, key))));
         let needed = |key: &&&str| match (kind.name, **key) {
             ("locus", "sweep") => false,
-            ("march", "method") => true,
+            ("march", "method") | ("eigen-sweep", "region") => true,
             (_, "sweep" | "x" | "y" | "structure" | "of") => true,
             (name, key) => key == "within" && name == BASIN.name,
         };

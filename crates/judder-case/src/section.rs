@@ -18,20 +18,28 @@ pub(crate) struct Section<'a> {
 impl<'a> Section<'a> {
     /// Opens `node`, which must be a table with no other keys than `known`.
     pub(crate) fn open(node: &'a Node, path: &str, name: &str, known: &[&str]) -> Result<Self, Fault> {
+        let section = Self::of_table(node, path, name)?;
+        section.refuse_others(known).map(|()| section)
+    }
+
+    /// Opens `node`, which must be a table, whatever its keys are.
+    pub(crate) fn of_table(node: &'a Node, path: &str, name: &str) -> Result<Self, Fault> {
         let Data::Table(table) = &node.data else {
             return Err(wrong_type(path, "a table", node));
         };
         let prefix = if path.is_empty() { String::new() } else { format!("{path}.") };
-        let section = Self { prefix, name: name.to_owned(), table, place: node.place };
-        match table.entries.iter().find(|entry| !known.contains(&entry.key.as_str())) {
-            Some(unknown) => Err(Cause::UnknownKey {
-                key: unknown.key.clone(),
-                section: section.name,
-                known: known.iter().map(|key| (*key).to_owned()).collect(),
-            }
-            .at(unknown.place)),
-            None => Ok(section),
-        }
+        Ok(Self { prefix, name: name.to_owned(), table, place: node.place })
+    }
+
+    /// Refuses all keys but those that are known.
+    pub(crate) fn refuse_others(&self, known: &[&str]) -> Result<(), Fault> {
+        let unknown = self.table.entries.iter().filter(|entry| !known.contains(&entry.key.as_str()));
+        let faults = unknown.map(|entry| {
+            let (key, section) = (entry.key.clone(), self.name.clone());
+            let known = known.iter().map(|key| (*key).to_owned()).collect();
+            Cause::UnknownKey { key, section, known }.at(entry.place)
+        });
+        faults.reduce(Fault::and).map_or(Ok(()), Err)
     }
 
     /// The dotted path of the section itself.

@@ -20,7 +20,7 @@ use std::path::Path;
 use crate::analysis::{Analysis, read_analyses};
 use crate::cause::Cause;
 use crate::contact_problem::ContactProblem;
-use crate::declared::Settings;
+use crate::declared::{Settings, both, read_settings};
 use crate::document::Node;
 use crate::error::Fault;
 use crate::file_reference::FileReference;
@@ -101,42 +101,45 @@ pub(crate) fn read(root: &Node, folder: &Path) -> Result<StructureCase, Fault> {
     let root = Section::open(root, "", "a structure case", &known)?;
     let parameters = read_parameters(&root)?;
     let keys = ParameterKeys(parameters.iter().map(|parameter| parameter.name.clone()).collect());
-    let source = match (root.get("structure"), root.get("matrices")) {
-        (Some(node), None) => {
-            refuse(&root, "parameters", "[structure]")?;
-            let section = Section::open(node, "structure", "[structure]", BodyKeys::KEYS)?;
-            StructureSource::Body(Box::new(read_body(&section, folder)?))
-        }
-        (None, Some(node)) => {
-            refuse(&root, "damping", "[matrices]")?;
-            let section = Section::open(node, "matrices", "[matrices]", &matrices::KEYS)?;
-            StructureSource::Matrices(Box::new(read_matrices(&section, &keys.0, folder)?))
-        }
-        (None, None) => return Err(StructureProblem::NoStructure.at(root.place)),
-        (Some(_), Some(node)) => {
-            let (first, second) = ("structure".to_owned(), "matrices".to_owned());
-            return Err(Cause::Conflict { first, second }.at(node.place));
-        }
-    };
-    let damping = match root.get("damping") {
-        Some(node) => Damping::read_table(&Section::open(node, "damping", "[damping]", Damping::KEYS)?)?,
-        None => Damping::default(),
-    };
+    let damping = root.get("damping").map(|node| read_settings(node, "damping", "[damping]"));
+    let damping = damping.unwrap_or_else(|| Ok(Damping::default()));
+    let (source, damping) = both(read_source(&root, &keys, folder), damping)?;
     let reduction = root.get("reduction").map(|node| {
         let section = Section::open(node, "reduction", "[reduction]", &reduction::KEYS)?;
         section.required("kept", "kept = [{ set = \"end\" }], the freedoms that are kept")?;
         read_reduction(&section, &source)
     });
-    let reduction = reduction.transpose()?;
     let values: Vec<f64> = parameters.iter().map(|parameter| parameter.value).collect();
     let sums = match &source {
         StructureSource::Matrices(sums) => Some((**sums).clone()),
         StructureSource::Body(_) => None,
     };
     let scope = StructureScope { keys, sums, values, has_reduction: reduction.is_some() };
-    let analyses = read_analyses(&root, &scope, &KINDS)?;
+    let (reduction, analyses) = both(reduction.transpose(), read_analyses(&root, &scope, &KINDS))?;
     let title = root.text("title")?.unwrap_or_default().to_owned();
     Ok(StructureCase { title, parameters, source, damping, reduction, analyses })
+}
+
+/// Reads `[structure]` or `[matrices]`.
+fn read_source(root: &Section<'_>, keys: &ParameterKeys, folder: &Path) -> Result<StructureSource, Fault> {
+    match (root.get("structure"), root.get("matrices")) {
+        (Some(node), None) => {
+            refuse(root, "parameters", "[structure]")?;
+            let section = Section::of_table(node, "structure", "[structure]")?;
+            let body = both(section.refuse_others(BodyKeys::KEYS), read_body(&section, folder));
+            body.map(|((), body)| StructureSource::Body(Box::new(body)))
+        }
+        (None, Some(node)) => {
+            refuse(root, "damping", "[matrices]")?;
+            let section = Section::open(node, "matrices", "[matrices]", &matrices::KEYS)?;
+            Ok(StructureSource::Matrices(Box::new(read_matrices(&section, &keys.0, folder)?)))
+        }
+        (None, None) => Err(StructureProblem::NoStructure.at(root.place)),
+        (Some(_), Some(node)) => {
+            let (first, second) = ("structure".to_owned(), "matrices".to_owned());
+            Err(Cause::Conflict { first, second }.at(node.place))
+        }
+    }
 }
 
 /// Refuses a section that has no meaning beside another.

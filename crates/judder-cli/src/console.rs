@@ -91,10 +91,16 @@ impl Console {
         self.draw_all(failure);
     }
 
-    /// Everything that is wrong, one message after the other.
+    /// What is wrong, one message after the other; of very many the first.
     fn draw_all(self, failure: &Failure) {
-        for one in std::iter::once(failure).chain(&failure.others) {
+        /// A screen or two.
+        const MOST: usize = 20;
+        for one in std::iter::once(failure).chain(&failure.others).take(MOST) {
             write_message(&draw(one.diagnostic()));
+        }
+        let more = (failure.others.len() + 1).saturating_sub(MOST);
+        if more > 0 {
+            write_message(&draw(&Message::error(format!("{more} more things are wrong with it"))));
         }
     }
 

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! #[derive(Settings)]
-//! #[settings(path = "analysis")]
+//! #[settings(title = "a growth")]
 //! struct Growth {
 //!     /// where the contact is held
 //!     #[key(rule = LENGTH, symbol = "s")]

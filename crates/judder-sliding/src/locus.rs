@@ -45,7 +45,7 @@ pub struct Conditions {
 pub struct Settings {
     /// Under what the pair slides.
     pub conditions: Conditions,
-    /// How many eigenvalues at each position, the lowest by frequency.
+    /// How many eigenvalues at each position, the lowest by the larger of imaginary and absolute real part.
     pub count: usize,
     /// Distances of the contact point, undeformed, from the track's first node, ascending, m.
     pub positions: Vec<f64>,

@@ -42,8 +42,8 @@ struct Branch {
 
 /// Branches of eigenvalues from one value of a parameter to the next; at each, all eigenvalues up to a limit of their [`reach`] are known.
 ///
-/// A branch ends where it leaves what is known, or merges with its mirror image on the real axis; what enters, or parts there, begins
-/// another.
+/// A branch ends where it leaves what is known, and what enters begins another. Where an oscillation becomes two decays on the real axis the
+/// nearer one goes on and the other begins; where two become one oscillation again one of them ends.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Tracker {
     at: f64,

@@ -1,6 +1,6 @@
 //! The types that a declared key may have, and the rules by which they are read.
 
-use super::{Form, Setting, Settings};
+use super::{Form, Setting, Settings, all, read_settings};
 use crate::cause::Cause;
 use crate::dimension::Dimension;
 use crate::document::{Data, Node};
@@ -200,7 +200,7 @@ const AXES: [(&str, usize); 3] = [("x", 0), ("y", 1), ("z", 2)];
 
 /// The items of a list.
 fn items<T: Setting>(section: &Section<'_>, key: &str, node: &Node, rule: &T::Rule) -> Result<Vec<T>, Fault> {
-    list(&section.path(key), node)?.iter().map(|item| T::read(section, key, item, rule)).collect()
+    all(list(&section.path(key), node)?.iter().map(|item| T::read(section, key, item, rule)))
 }
 
 /// The items of a list that must be so many.
@@ -246,7 +246,7 @@ impl<T: Settings> Setting for T {
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
         let path = section.path(key);
         let name = T::TITLE.unwrap_or("`{path}`").replace("{path}", &path);
-        T::read_table(&Section::open(node, &path, &name, T::KEYS)?)
+        read_settings(node, &path, &name)
     }
 
     fn write(&self, (): &()) -> Json {

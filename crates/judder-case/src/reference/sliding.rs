@@ -46,7 +46,7 @@ An item of a list goes by its name in `--set` and in swept keys: `structure.obli
 const SETTINGS: &str = "
 `modes` takes the `structure`, and `count` or `band` as above.
 
-A `locus` follows the `count` eigenvalues (20 where left out) of lowest frequency at each value, in the `configuration` `\"undeformed\"` (the default) or `\"deformed\"`, with `damping = false` without damping. It runs over `positions = { from, to, points }` (the path of the motion and 1000 points where left out), or \
+A `locus` follows the `count` lowest eigenvalues (20 where left out) at each value, by the larger of imaginary and absolute real part, in the `configuration` `\"undeformed\"` (the default) or `\"deformed\"`, with `damping = false` without damping. It runs over `positions = { from, to, points }` (the path of the motion and 1000 points where left out), or \
 holds the contact `at = \"74 mm\"` and takes `sweep = { key = \"contact.friction_coefficient\", from = 0.0, to = 1.0, points = 101 }` of any number of `structure`, `contact`, `motion` or `parameters`; \
 `from`, `to` and the entries of `values = [ … ]` in place of them are plain numbers, or quantities with units. Each value is a case of its own. Where a value has no pair, because the slider locks or nothing holds it, the result says so and the others are computed all the same; then the exit code is 1.
 

@@ -2,7 +2,7 @@
 
 use super::{kinds, settings};
 use crate::declared::Settings;
-use crate::structure::analysis::KINDS;
+use crate::structure::analysis::{Eigen, KINDS, MethodKeys};
 use crate::structure::body::BodyKeys;
 use crate::structure::damping::Damping;
 use crate::structure::reduction::FixedModeKeys;
@@ -11,15 +11,17 @@ use crate::structure::reduction::FixedModeKeys;
 pub(super) fn section() -> String {
     let mut page = HEAD.to_owned();
     for (name, keys) in [
-        ("structure", BodyKeys::declarations()),
-        ("damping", Damping::declarations()),
-        ("reduction", FixedModeKeys::declarations()),
+        ("[structure]", BodyKeys::declarations()),
+        ("[damping]", Damping::declarations()),
+        ("[reduction]` beside `kept", FixedModeKeys::declarations()),
     ] {
-        page += &settings(&format!("[{name}]"), &keys);
+        page += &settings(name, &keys);
     }
     page += MATRICES;
     page += "\n### Analyses of a structure case\n\n";
     page += &kinds(&KINDS);
+    let of_sweep = [Eigen::declarations(), MethodKeys::declarations()].concat();
+    page += &settings("eigen-sweep` beside `sweep` and `family", &of_sweep);
     page + SETTINGS
 }
 
@@ -38,13 +40,10 @@ const HEAD: &str = "
 `hexahedron8`, `hexahedron20` (the default in space), `tetrahedron10` | `x-min`, `x-max`, `y-min`, … |
 | `mesh = \"part.msh\"` | a mesh file, Gmsh 4.1 (`.msh`) or Abaqus and CalculiX (`.inp`), lengths in m | those of the file |
 
-and beside it `section` (`\"plane-stress\"`, the default, or `\"plane-strain\"`) and `width` (1 m where left out) for bodies of the plane, `material` (of all elements that have no other) and, for a mesh, \
-`materials = { steel = { … } }` by the names that the file has for them, and `supports`, a list of `{ set = \"…\", fixed = [\"x\", \"y\"], tied = [\"y\"] }`: the nodes of a set are held in the directions \
-`fixed` and move as one in the directions `tied`. `[damping]` takes `rayleigh = { alpha, beta }`, or `rayleigh = { ratios = [{ frequency = \"100 Hz\", ratio = 0.01 }, { frequency = \"5 kHz\", ratio = 0.02 }] }`, \
-or `structural = { loss_factor, reference_frequency }`; left out, there is none.
+and beside it what the table below has. `[damping]` takes `rayleigh` or `structural`; left out, there is none.
 
-`[reduction]` keeps freedoms and fixed-interface modes (Craig and Bampton): `kept = [{ set = \"upper-corners\", directions = [\"y\"] }]`, all free directions where none are named, and `count` modes (20 where left out) or all \
-up to `cut_off`. Of matrices with a table of freedoms, `nodes = [1, 17]` stand in place of `set`.
+`[reduction]` keeps freedoms and fixed-interface modes (Craig and Bampton): `kept = [{ set = \"upper-corners\", directions = [\"y\"] }]` with all free directions where none are named, \
+and `count` modes or all up to `cut_off`. Of matrices with a table of freedoms, `nodes = [1, 17]` stand in place of `set`.
 ";
 
 const MATRICES: &str = "
@@ -55,7 +54,6 @@ degree of freedom.
 ";
 
 const SETTINGS: &str = "
-`modes` takes `count` (20 where left out) or `band = [\"1 kHz\", \"10 kHz\"]`; of matrices that are not symmetric the modes are those without friction where the sums tell it, as matrices that are not symmetric and whose factors parameters set, else those of the symmetric part, which has half of the friction in it; a warning says which. `reduction` compares `count` frequencies \
-(12 where left out). `region = { re = [-50.0, 1000.0], im = [0.0, 20000.0] }` is a rectangle of λ = re + i im in 1/s and rad/s. The `sweep` of an `eigen-sweep` is `{ key = \"parameters.speed\", from = 1.0, to = 100.0, points = 100 }` or \
+`modes`: of matrices that are not symmetric the modes are those without friction where the sums tell it, as matrices that are not symmetric and whose factors parameters set, else those of the symmetric part, which has half of the friction in it; a warning says which. `region = { re = [-50.0, 1000.0], im = [0.0, 20000.0] }` is a rectangle of λ = re + i im in 1/s and rad/s. The `sweep` of an `eigen-sweep` is `{ key = \"parameters.speed\", from = 1.0, to = 100.0, points = 100 }` or \
 `{ key = \"parameters.speed\", values = [1.0, 2.0, 5.0] }`, with a `family` `{ key = \"parameters.load\", values = [ … ] }` there is one curve a value of another parameter; `method` is `\"full\"` (the default) or `\"projected\"`, which takes `tolerance`.
 ";

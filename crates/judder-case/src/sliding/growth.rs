@@ -21,10 +21,10 @@ pub struct Growth {
     /// Where the contact is held.
     #[key(rule = Number::non_negative(Dimension::LENGTH), symbol = "s")]
     pub position: f64,
-    /// Near which the mode lies that is meant.
+    /// Frequency near which the mode lies that is meant.
     #[key(rule = Number::positive(Dimension::ANGULAR_FREQUENCY), symbol = "ω")]
     pub frequency: f64,
-    /// Time step; where left out, what the method chooses.
+    /// Time step; where left out, 3e-7 s or 0.9 of the limit of stability, of `residual-flexibility` 3e-6 s or 0.75 of it, whichever is smaller.
     #[key(rule = Number::positive(Dimension::TIME), symbol = "h")]
     pub step: Option<f64>,
     /// Of `residual-flexibility`: modes above are replaced by their flexibility; 60 kHz where left out.

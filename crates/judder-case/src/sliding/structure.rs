@@ -5,7 +5,7 @@ use std::path::Path;
 use super::problem::SlidingProblem;
 use crate::cause::Cause;
 use crate::contact_problem::ContactProblem;
-use crate::declared::Settings;
+use crate::declared::{Setting, Settings, both};
 use crate::document::Node;
 use crate::error::Fault;
 use crate::section::{Section, list, text};
@@ -43,7 +43,8 @@ pub(super) fn read_structures(
         return Err(SlidingProblem::StructureCount { found: nodes.len() }.at(node.place));
     };
     let read = |node: &Node| read_structure(node, parameters, folder);
-    let structures = [read(first)?, read(second)?];
+    let (first_structure, second_structure) = both(read(first), read(second))?;
+    let structures = [first_structure, second_structure];
     if structures[0].name == structures[1].name {
         let (what, name) = ("structure", structures[1].name.clone());
         return Err(SlidingProblem::NameTwice { what, name }.at(second.place));
@@ -57,27 +58,33 @@ fn read_structure(node: &Node, parameters: &[String], folder: &Path) -> Result<S
     let name = read_name(&section, "structure")?;
     let section =
         Section::open(node, &format!("structure.{name}"), &format!("the structure `{name}`"), &known)?;
-    let source = match section.get("matrices") {
-        Some(node) => {
-            refuse_beside_matrices(&section)?;
-            let sums = section.table("matrices", node, &matrices::KEYS)?;
-            StructureSource::Matrices(Box::new(read_matrices(&sums, parameters, folder)?))
-        }
-        None if ["beam", "block", "mesh"].iter().all(|key| section.get(key).is_none()) => {
-            let expected = "beam = { … }, block = { … }, mesh = \"file.msh\" or matrices = { … }";
-            return Err(section.missing("beam", expected));
-        }
-        None => StructureSource::Body(Box::new(read_body(&section, folder)?)),
-    };
-    let damping = match section.get("damping") {
-        Some(node) => Damping::read_table(&section.table("damping", node, Damping::KEYS)?)?,
-        None => Damping::default(),
-    };
+    let damping = section.get("damping").map(|node| Setting::read(&section, "damping", node, &()));
+    let damping = damping.unwrap_or_else(|| Ok(Damping::default()));
+    let (source, damping) = both(read_source(&section, parameters, folder), damping)?;
     let reduction = match section.get("reduction") {
         Some(node) => read_reduction(&section.table("reduction", node, &reduction::KEYS)?, &source)?,
         None => Reduction { kept: Vec::new(), modes: FixedModes::Count(FIXED_MODES) },
     };
     Ok(SlidingStructure { name, source, damping, reduction })
+}
+
+fn read_source(
+    section: &Section<'_>,
+    parameters: &[String],
+    folder: &Path,
+) -> Result<StructureSource, Fault> {
+    match section.get("matrices") {
+        Some(node) => {
+            refuse_beside_matrices(section)?;
+            let sums = section.table("matrices", node, &matrices::KEYS)?;
+            Ok(StructureSource::Matrices(Box::new(read_matrices(&sums, parameters, folder)?)))
+        }
+        None if ["beam", "block", "mesh"].iter().all(|key| section.get(key).is_none()) => {
+            let expected = "beam = { … }, block = { … }, mesh = \"file.msh\" or matrices = { … }";
+            Err(section.missing("beam", expected))
+        }
+        None => Ok(StructureSource::Body(Box::new(read_body(section, folder)?))),
+    }
 }
 
 /// Matrices have no body and no other damping beside them.

@@ -4,7 +4,7 @@ use super::matrices::MatrixSums;
 use super::problem::StructureProblem;
 use crate::analysis::Kind;
 use crate::cause::Cause;
-use crate::declared::{Called, Number, Pair, Settings, Whole, conflict, read_key};
+use crate::declared::{Number, Pair, Settings, Whole, conflict};
 use crate::dimension::Dimension;
 use crate::document::Node;
 use crate::error::{Fault, Place};
@@ -32,10 +32,10 @@ pub enum StructureAnalysis {
 #[derive(Debug, Clone, PartialEq, Settings)]
 #[settings(check = Modes::complete)]
 pub struct Modes {
-    /// So many, from the lowest on; 20 where neither is given.
+    /// So many modes, from the lowest on, where no band is given.
     #[key(rule = Whole { from: 1, to: MODES_LIMIT }, usual = MODES, omitted)]
     pub count: Option<usize>,
-    /// All between two frequencies, in place of count.
+    /// All modes between two frequencies, in place of count.
     #[key(rule = BAND, symbol = "ω", omitted)]
     pub band: Option<[f64; 2]>,
 }
@@ -60,7 +60,7 @@ pub struct Compared {
 /// Complex modes.
 #[derive(Debug, Clone, PartialEq, Settings)]
 pub struct Eigen {
-    /// Where they are sought.
+    /// The rectangle of λ = re + i im in which eigenvalues are sought.
     #[key(example = "{ re = [-50.0, 1000.0], im = [0.0, 20000.0] }, in 1/s and rad/s")]
     pub region: EigenRegion,
 }
@@ -68,10 +68,10 @@ pub struct Eigen {
 /// A rectangle of the complex plane: λ = re + i im.
 #[derive(Debug, Clone, Copy, PartialEq, Settings)]
 pub struct EigenRegion {
-    /// Growth rates, 1/s.
+    /// Growth rates from and to, 1/s.
     #[key(rule = RANGE, example = "[-50.0, 1000.0], growth rates in 1/s")]
     pub re: [f64; 2],
-    /// Angular frequencies, rad/s.
+    /// Angular frequencies from and to, rad/s.
     #[key(rule = RANGE, example = "[0.0, 20000.0], angular frequencies in rad/s")]
     pub im: [f64; 2],
 }
@@ -89,8 +89,7 @@ const RANGE: Pair =
 impl Eigen {
     /// The region of an analysis that has other keys too.
     fn region(section: &Section<'_>) -> Result<EigenRegion, Fault> {
-        let example = Some("{ re = [-50.0, 1000.0], im = [0.0, 20000.0] }, in 1/s and rad/s");
-        read_key(section, Called { key: "region", doc: "", example }, &(), || None)
+        Ok(Self::read_table(section)?.region)
     }
 }
 

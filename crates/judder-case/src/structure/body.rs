@@ -6,7 +6,7 @@ use super::lists::length;
 use super::problem::StructureProblem;
 use crate::cause::Cause;
 use crate::contact_problem::ContactProblem;
-use crate::declared::{Fixed, Form, Number, Pair, Setting, Settings, Several, Whole};
+use crate::declared::{Fixed, Form, Number, Pair, Setting, Settings, Several, Whole, all};
 use crate::dimension::Dimension;
 use crate::document::{Data, Entry, Node};
 use crate::error::Fault;
@@ -47,25 +47,25 @@ pub enum Geometry {
 /// A straight beam in the plane.
 #[derive(Debug, Clone, PartialEq, Settings)]
 pub struct Beam {
-    /// From end to end.
+    /// Length of a beam.
     #[key(rule = LENGTH, symbol = "l")]
     pub length: f64,
-    /// In its plane.
+    /// Thickness of a beam in its plane.
     #[key(rule = LENGTH, symbol = "b")]
     pub thickness: f64,
-    /// Elements along and across.
+    /// Elements of a beam along and across.
     #[key(rule = ELEMENTS_TWICE, example = "[100, 2], along and across")]
     pub elements: [usize; 2],
     /// From the x-axis to the axis of the beam, counter-clockwise.
     #[key(rule = Number::any(Dimension::ANGLE), symbol = "ϑ", default = 0.0)]
     pub angle: f64,
-    /// Where the middle of its start lies.
+    /// Where the middle of a beam's start lies.
     #[key(rule = PLACE, symbol = "x, y", default = [0.0; 2])]
     pub origin: [f64; 2],
-    /// How its start is held.
+    /// How the start of a beam is held.
     #[key(default = EndCondition::Free)]
     pub start: EndCondition,
-    /// How its end is held.
+    /// How the end of a beam is held.
     #[key(default = EndCondition::Free)]
     pub end: EndCondition,
 }
@@ -86,12 +86,12 @@ pub enum EndCondition {
 #[derive(Debug, Clone, PartialEq, Settings)]
 #[settings(check = Block::complete)]
 pub struct Block {
-    /// The shape of its elements; `quad8` in the plane and `hexahedron20` in space where left out.
+    /// The shape of a block's elements; `quad8` in the plane and `hexahedron20` in space where left out.
     pub element: Option<BlockElement>,
-    /// Lengths, two in the plane, three in space.
+    /// Lengths of a block, two in the plane, three in space.
     #[key(rule = SIDES, symbol = "l_x, l_y, l_z", example = "[\"1 m\", \"0.1 m\", \"0.1 m\"]")]
     pub size: Vec<f64>,
-    /// Cells along each side.
+    /// Cells along each side of a block.
     #[key(rule = CELLS, example = "[20, 2, 2]")]
     pub cells: Vec<usize>,
 }
@@ -168,10 +168,10 @@ pub struct Support {
     /// The name of the set of nodes.
     #[key(example = "\"…\", a set of nodes")]
     pub set: String,
-    /// Directions x, y, z in which they are held.
+    /// Directions in which the nodes are held.
     #[key(default = [false; 3])]
     pub fixed: [bool; 3],
-    /// Directions x, y, z in which they move as one.
+    /// Directions in which the nodes move as one.
     #[key(default = [false; 3])]
     pub tied: [bool; 3],
 }
@@ -215,13 +215,13 @@ pub(crate) struct BodyKeys {
     block: Option<Block>,
     /// A mesh file, .msh or .inp, relative to the case file.
     mesh: Option<String>,
-    /// How the third direction of the plane is meant; `plane-stress` where neither the case nor a mesh file says.
+    /// How the third direction of a body of the plane is meant; a mesh file may say it.
     #[key(usual = PlaneSection::PlaneStress)]
     section: Option<PlaneSection>,
     /// Width of a body of the plane across its plane; that of a mesh file, else 1 m where left out.
     #[key(rule = LENGTH, symbol = "a")]
     width: Option<f64>,
-    /// The material of all elements that have no other.
+    /// The material of all elements that have no other; a beam and a block must have one.
     material: Option<Material>,
     /// Materials by the names of a mesh file.
     #[key(default = Materials(Vec::new()))]
@@ -250,7 +250,7 @@ impl Setting for Materials {
             let section = Section::open(&entry.node, &path, &format!("`{path}`"), Material::KEYS)?;
             Ok((entry.key.clone(), Material::read_table(&section)?))
         };
-        table.entries.iter().map(read).collect::<Result<_, Fault>>().map(Self)
+        all(table.entries.iter().map(read)).map(Self)
     }
 
     fn write(&self, (): &()) -> Json {

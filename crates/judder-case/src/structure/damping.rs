@@ -30,7 +30,7 @@ pub struct Rayleigh {
     /// Damping in proportion to the stiffness.
     #[key(rule = Number::non_negative(Dimension::TIME), symbol = "β", default = 0.0)]
     pub beta: f64,
-    /// Two damping ratios, in place of alpha and beta, which the canonical form has.
+    /// Two damping ratios, in place of alpha and beta, which follow from them.
     #[key(rule = RATIOS, unwritten)]
     pub ratios: Option<Vec<RatioAt>>,
 }
@@ -53,7 +53,7 @@ pub struct Structural {
     /// Loss factor of structural damping, met by C = η K/ω_r at one frequency.
     #[key(rule = Number::non_negative(Dimension::NUMBER), symbol = "η")]
     pub loss_factor: f64,
-    /// Frequency at which it is met.
+    /// Frequency at which structural damping is met.
     #[key(rule = FREQUENCY, symbol = "ω_r")]
     pub reference_frequency: f64,
 }

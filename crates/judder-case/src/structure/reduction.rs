@@ -53,7 +53,7 @@ pub enum FixedModes {
 #[derive(Debug, Clone, PartialEq, Settings)]
 #[settings(check = FixedModeKeys::one)]
 pub(crate) struct FixedModeKeys {
-    /// So many, from the lowest on; 20 where neither is given.
+    /// So many fixed-interface modes are kept, from the lowest on, where no cut-off is given.
     #[key(rule = Whole { from: 1, to: FIXED_MODES_LIMIT }, usual = FIXED_MODES, omitted)]
     count: Option<usize>,
     /// Fixed-interface modes up to this frequency are kept.

@@ -24,6 +24,28 @@ fn an_unknown_key() {
     refused("[operation]\nvelocty = 1e-4", "case.toml:3:1", "velocty = 1e-4");
 }
 
+/// What is wrong with different keys, tables and analyses is told together, in the order of the text; of very many the first twenty.
+#[test]
+fn everything_that_is_wrong() {
+    let head = "model = \"structure\"\n[structure]\nbeam = { length = \"1 s\", tickness = \"1 cm\", elements = [10, 2] }\n\
+                [damping]\nrayleigh = { alpha = \"-1 1/s\" }\n";
+    let desk = Desk::with_case(head);
+    let messages = [
+        "`structure.beam.length` must be a length",
+        "unknown key `tickness`",
+        "`structure.beam` lacks the key `thickness`",
+        "`damping.rayleigh.alpha` must be zero or positive",
+    ];
+    for message in messages {
+        desk.refused(&["check", "case.toml"], message, "");
+    }
+    let analysis = "[[analysis]]\nkind = \"modes\"\ncount = 0\n".repeat(30);
+    let body = "model = \"structure\"\n[structure]\nbeam = { length = \"1 m\", thickness = \"1 cm\", elements = [10, 2] }\n\
+                material = { youngs_modulus = \"1 GPa\", poisson_ratio = 0.3, density = \"1000 kg/m^3\" }\n";
+    let desk = Desk::with_case(&format!("{body}{analysis}"));
+    desk.refused(&["check", "case.toml"], "10 more things are wrong with it", "");
+}
+
 #[test]
 fn a_margin_or_branches_that_are_no_yes_or_no() {
     let map = map("key = \"operation.velocity\", from = 1e-4, to = 1, points = 3");

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { parseRanges } from "../src/state/fields";
 import type { View } from "../src/state/view";
 import { basis, bodyCsv, bodyOf, bodySpec, drawnFactor, placesAt, projected, swingOf } from "../src/pages/structures/body";
-import { growthClasses, homePlace, modesAt, planeSpec, readLocus, valueNear } from "../src/pages/structures/locus";
+import { growthClasses, growthSpec, homePlace, modesAt, planeSpec, readLocus, valueNear } from "../src/pages/structures/locus";
 import { partOf, rangeWithin, shownSignals, traceOf } from "../src/pages/structures/march";
 import { passed, positionAt, timeAt } from "../src/pages/structures/motion";
 import { flat } from "../src/pages/structures/Scalars";
@@ -69,6 +69,11 @@ describe("loci", () => {
     expect(homePlace(locus)).toBe(0.3);
     expect(valueNear(locus, 5, 9, 10, 20)).toBe(0.1);
     expect(planeSpec(locus, "l", 0.2).layers.filter((layer) => layer.kind === "line")).toHaveLength(2);
+  });
+
+  it("mark where a branch is at one value alone, which no line shows", () => {
+    const alone = growthSpec(locusOf(), "l").layers.filter((layer) => layer.label === "branches at one value alone");
+    expect(alone).toMatchObject([{ kind: "points", x: [0.1, 0.3], y: [5, 9] }]);
   });
 
   it("say what the study says of an eigenvalue, not the sign of its growth rate", () => {

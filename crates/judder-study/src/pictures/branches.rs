@@ -37,7 +37,7 @@ pub(super) fn layers(dataset: &Dataset) -> Option<Vec<Layer>> {
     // of the branch's own colour: no kind of motion, no direction has it
     for (label, across, up, marker) in [
         ("Hopf points", hopf, at_rest, Marker::Diamond),
-        ("folds", along("fold_value")?, along("fold_rms")?, Marker::Triangle),
+        ("folds", along("fold_value")?, along("fold_rms")?, Marker::Cross),
     ] {
         if !across.is_empty() {
             layers.push(Layer::points(

@@ -3,7 +3,7 @@
 use super::{Resolved, title};
 use crate::error::StudyError;
 use crate::structure::Structure;
-use crate::text::columns;
+use crate::text::{columns, short};
 use judder_case::structure::analysis::{Compared, Eigen, EigenMethod, WantedModes};
 use judder_case::{CaseFile, StructureAnalysis, StructureCase};
 use judder_structure::affine::Term;
@@ -66,7 +66,7 @@ fn asked(kind: &StructureAnalysis) -> String {
         StructureAnalysis::Modes(settings) => match settings.wanted() {
             WantedModes::Count(count) => format!("the lowest {count} modes"),
             WantedModes::Band(from, to) => {
-                let hertz = |angular: f64| angular / std::f64::consts::TAU;
+                let hertz = |angular: f64| short(angular / std::f64::consts::TAU);
                 format!("the modes from {} to {} Hz", hertz(from), hertz(to))
             }
         },

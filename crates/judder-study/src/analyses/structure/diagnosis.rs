@@ -65,14 +65,18 @@ pub(super) fn of_growing(
         }
     };
     warnings.extend(undamped.of.warning("the component modes are those"));
-    let (mut entries, mut balance, mut idle) = (Vec::new(), Disagreement::default(), Vec::new());
+    let (mut entries, mut balance) = (Vec::new(), Disagreement::default());
+    let (mut idle, mut faint) = (Vec::new(), Vec::new());
     for (number, mode) in &growing {
         let told = diagnosis(&structure.family, &at, mode)?;
         let value = mode.eigenvalue.value;
         balance.add(told.balance);
-        match told.energy.sign() {
-            EnergySign::None => idle.push((number + 1, *mode, told.energy.error)),
-            _ => warnings.extend(of_little_energy(number + 1, mode, &told)),
+        match (told.energy.sign(), told.energy.growth_error()) {
+            (EnergySign::None, _) => idle.push((named(number + 1, mode), told.energy.error)),
+            (_, Some(relative)) if relative > INEXACT => {
+                faint.push((named(number + 1, mode), told.energy.share.abs(), relative));
+            }
+            _ => (),
         }
         let paradoxes = told.influences.iter().filter(|influence| influence.is_paradox());
         warnings.extend(paradoxes.map(|influence| {
@@ -93,6 +97,7 @@ pub(super) fn of_growing(
         entries.push(entry);
     }
     warnings.extend(of_no_energy(&idle));
+    warnings.extend(of_little_energy(&faint));
     let check = CheckRecord::new(
         "the work of all matrices is the growth rate",
         format!(
@@ -105,30 +110,41 @@ pub(super) fn of_growing(
     Ok(Some(Told { scalars: Value::from(entries), warnings, check }))
 }
 
-/// What has to be said of a mode that has almost no energy, by which its growths are divided.
-fn of_little_energy(number: usize, mode: &ComplexMode, told: &Diagnosis) -> Option<String> {
-    let relative = told.energy.growth_error().filter(|relative| *relative > INEXACT)?;
-    let (hertz, share) = (short(mode.eigenvalue.frequency_hz().abs()), told.energy.share.abs());
-    Some(format!(
-        "mode {number} at {hertz} Hz has almost no energy, {share:.0e} of its parts: what each matrix adds to its growth is known to a relative {relative:.0e} alone"
-    ))
+/// A mode by its number and frequency.
+fn named(number: usize, mode: &ComplexMode) -> String {
+    format!("{number} at {} Hz", short(mode.eigenvalue.frequency_hz().abs()))
 }
 
 /// What has to be said of modes whose energies are zero within their errors.
-fn of_no_energy(modes: &[(usize, &ComplexMode, f64)]) -> Option<String> {
-    let error = modes.iter().map(|(_, _, error)| *error).fold(0.0, f64::max);
-    let named = |(number, mode, _): &(usize, &ComplexMode, f64)| {
-        format!("{number} at {} Hz", short(mode.eigenvalue.frequency_hz().abs()))
-    };
-    let named = modes.iter().map(named).collect::<Vec<String>>().join(", ");
+fn of_no_energy(modes: &[(String, f64)]) -> Option<String> {
+    let error = modes.iter().map(|(_, error)| *error).fold(0.0, f64::max);
+    let names: Vec<&str> = modes.iter().map(|(name, _)| &**name).collect();
     let (mode, grows, its, it) = match modes.len() {
         0 => return None,
         1 => ("mode", "grows", "its energy is", "it"),
         _ => ("modes", "grow", "their energies are", "them"),
     };
     Some(format!(
-        "{mode} {named} {grows} without work: {its} zero within {error:.0e} of the parts, no matrix feeds {it}, and sensitivities alone say \
-         what would change {it}; so grows what is conservative (divergence, gyroscopic flutter without damping)"
+        "{mode} {} {grows} without work: {its} zero within {error:.0e} of the parts, no matrix feeds {it}, and sensitivities alone say \
+         what would change {it}; so grows what is conservative (divergence, gyroscopic flutter without damping)",
+        names.join(", ")
+    ))
+}
+
+/// What has to be said of modes that have almost no energy, by which their growths are divided: the share of it and the relative error.
+fn of_little_energy(modes: &[(String, f64, f64)]) -> Option<String> {
+    let share = modes.iter().map(|(_, share, _)| *share).fold(f64::INFINITY, f64::min);
+    let relative = modes.iter().map(|(_, _, relative)| *relative).fold(0.0, f64::max);
+    let names: Vec<&str> = modes.iter().map(|(name, _, _)| &**name).collect();
+    let (mode, has, its) = match modes.len() {
+        0 => return None,
+        1 => ("mode", "has", "its"),
+        _ => ("modes", "have", "their"),
+    };
+    Some(format!(
+        "{mode} {} {has} almost no energy, down to {share:.0e} of {its} parts: what each matrix adds to {its} growth is known to a relative \
+         {relative:.0e} alone",
+        names.join(", ")
     ))
 }
 

@@ -82,6 +82,11 @@ pub(crate) fn zone_profiles(dataset: &Dataset) -> Vec<Vec<(f64, f64)>> {
     locus.zones.iter().map(|zone| locus.profile(zone).into_iter().map(unscaled).collect()).collect()
 }
 
+/// Whether two frequencies are those of one mode; that of a divergence is zero.
+fn are_alike(one: f64, other: f64) -> bool {
+    (one - other).abs() <= ALIKE * one.max(other)
+}
+
 /// The places and growth rates that are stored of each zone, by its number from 0.
 fn paths(dataset: &Dataset, scale: f64) -> impl Fn(usize) -> Vec<(f64, f64)> {
     let numbers = match dataset.variable("zone_path").map(|variable| &variable.data) {
@@ -268,7 +273,7 @@ impl<'a> Locus<'a> {
         let mut layers = Vec::new();
         for frequency in self.frequencies_of_zones() {
             let (mut x, mut y) = (Vec::new(), Vec::new());
-            let of_it = |zone: &&Zone| (zone.frequency / frequency - 1.0).abs() <= ALIKE;
+            let of_it = |zone: &&Zone| are_alike(zone.frequency, frequency);
             for zone in self.zones.iter().filter(of_it) {
                 let gap = (f64::NAN, f64::NAN);
                 let (along, up): (Vec<f64>, Vec<f64>) = self.profile(zone).into_iter().chain([gap]).unzip();
@@ -302,7 +307,7 @@ impl<'a> Locus<'a> {
     fn frequencies_of_zones(&self) -> Vec<f64> {
         let mut all: Vec<f64> = self.zones.iter().map(|zone| zone.frequency).collect();
         all.sort_by(f64::total_cmp);
-        all.dedup_by(|next, kept| *next / *kept - 1.0 <= ALIKE);
+        all.dedup_by(|next, kept| are_alike(*next, *kept));
         all
     }
 
@@ -314,9 +319,7 @@ impl<'a> Locus<'a> {
         // without a path that of the fastest branch beside its frequency, and a gap where there is none
         let fastest = |row: usize| {
             let near = (0..self.count).map(|branch| self.at(row, branch));
-            near.filter(|s| (s.im / TAU / zone.frequency - 1.0).abs() <= ALIKE)
-                .map(|s| s.re)
-                .fold(f64::NAN, f64::max)
+            near.filter(|s| are_alike(s.im / TAU, zone.frequency)).map(|s| s.re).fold(f64::NAN, f64::max)
         };
         let (low, high) = (zone.from.min(zone.to), zone.from.max(zone.to));
         let inside = (0..self.values.len()).map(|row| (self.values[row] * self.scale, row));

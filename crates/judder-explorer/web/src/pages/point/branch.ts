@@ -129,7 +129,7 @@ export function branchSpec(branch: Branch, axis: Axis, now: number | null): Char
       ...line("steady sliding, unstable", branch.steadyUnstable, "reference", "dashed"),
       ...line("cycles, stable", cycles(true), "full-boundary", "solid"),
       ...line("cycles, unstable", cycles(false), "full-boundary", "dashed"),
-      ...points("fold", branch.folds, "triangle", 12),
+      ...points("fold", branch.folds, "cross", 12),
       ...points("threshold", { x: branch.hopf, y: new Float64Array(branch.hopf.length) }, "diamond", 10),
       ...branch.simulated.map(simulatedLayer),
       ...(now === null ? [] : [{ kind: "rule", label: "present value", across: "x", at: now, role: "decoupled-boundary" } as const]),

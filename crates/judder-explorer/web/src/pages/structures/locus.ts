@@ -138,6 +138,20 @@ function branchLine(locus: Locus, values: Float64Array, label: string): LineLaye
   return { kind: "line", label, ...lines, role: { series: 0 } };
 }
 
+/** Where a branch is at one value alone: its line does not show it. */
+function lonePoints(locus: Locus, values: Float64Array): PointsLayer[] {
+  const isThere = (row: number, branch: number) => row >= 0 && row < locus.along.length && Number.isFinite(values[row * locus.branches + branch]);
+  const [x, y]: [number[], number[]] = [[], []];
+  locus.along.forEach((at, row) => {
+    for (let branch = 0; branch < locus.branches; branch += 1) {
+      if (!isThere(row, branch) || isThere(row - 1, branch) || isThere(row + 1, branch)) continue;
+      x.push(at);
+      y.push(values[row * locus.branches + branch] as number);
+    }
+  });
+  return x.length === 0 ? [] : [{ kind: "points", label: "branches at one value alone", x, y, role: { series: 0 }, size: 4 }];
+}
+
 /** Upper ends of classes of growth rates, 1/s: 1, 3, 10, 30 … that split the largest one well. */
 export function growthClasses(largest: number): readonly number[] {
   if (!(largest > 0)) return [];
@@ -181,6 +195,7 @@ export function frequencySpec(locus: Locus, name: string): ChartSpec {
     layers: [
       ...zoneBands(locus.zones),
       branchLine(locus, locus.frequency, "branches"),
+      ...lonePoints(locus, locus.frequency),
       ...growthPoints(locus),
       ...zoneFrames(locus.zones, HALF * highest(locus.frequency)),
     ],
@@ -197,6 +212,7 @@ export function growthSpec(locus: Locus, name: string): ChartSpec {
       ...zoneBands(locus.zones),
       { kind: "rule", label: "", across: "y", at: 0, role: "reference" },
       branchLine(locus, locus.growth, "branches"),
+      ...lonePoints(locus, locus.growth),
       ...zonePeaks(locus.zones),
     ],
   };

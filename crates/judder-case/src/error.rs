@@ -162,7 +162,7 @@ impl Sources {
         let mut first = fault;
         let mut others = std::mem::take(&mut first.others);
         let at = |fault: &Fault| (fault.place.source, fault.place.start);
-        for other in others.iter_mut() {
+        for other in &mut others {
             if at(other) < at(&first) {
                 std::mem::swap(&mut first, other);
             }

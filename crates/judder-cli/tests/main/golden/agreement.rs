@@ -6,6 +6,8 @@ use serde_json::{Map, Value};
 const RELATIVE: f64 = 1e-9;
 /// How far, relative to the largest number of their array: sums of numbers of that size are rounded there.
 const OF_LARGEST: f64 = 1e-12;
+/// How far a number that stands alone may differ: what should be zero is not, by its rounding.
+const ALONE: f64 = 1e-12;
 /// Names of what a search, a fit or the choice of a step finds only as exactly as its own tolerance, and how far it may differ.
 const SOUGHT: [&str; 3] = ["floquet_multipliers", "fit", "fit.csv"];
 const STEPS: &str = "path_";
@@ -68,6 +70,9 @@ impl Comparison {
     }
 
     fn object(&mut self, expected: &Map<String, Value>, found: &Map<String, Value>, largest: f64) {
+        // both parts of a complex number are rounded as its magnitude is
+        let parts = ["re", "im"].map(|part| expected.get(part).map_or(0.0, magnitude));
+        let largest = parts.into_iter().fold(largest, f64::max);
         for (key, own) in expected {
             if key == FLOAT_HASH && self.numbers == Numbers::Close {
                 continue;
@@ -121,6 +126,7 @@ impl Comparison {
         let is_sought = |step: &str| SOUGHT.contains(&step) || step.starts_with(STEPS);
         let allowed = match self.is_within(is_sought) {
             true => OF_SOUGHT * high.max(largest),
+            false if largest == 0.0 => (RELATIVE * high).max(ALONE),
             false => (RELATIVE * high).max(OF_LARGEST * largest),
         };
         (expected - found).abs() <= allowed
@@ -258,7 +264,10 @@ mod tests {
         assert!(agree(&json!({ "a": [1.0, 1e-3] }), &json!({ "a": [1.0 + 5e-10, 1e-3] })));
         assert!(!agree(&json!({ "a": [1.0, 1e-3] }), &json!({ "a": [1.0, 1.000_001e-3] })));
         assert!(agree(&json!([1.0, 1e-17]), &json!([1.0, -3e-17])));
-        assert!(!agree(&json!(1e-17), &json!(-3e-17)));
+        assert!(agree(&json!(1e-17), &json!(-3e-17)) && !agree(&json!(1e-9), &json!(-3e-9)));
+        let eigenvalue = |re: f64| json!({ "re": re, "im": 1e4, "other": 1.0 });
+        assert!(agree(&eigenvalue(1e-10), &eigenvalue(-1e-10)));
+        assert!(!agree(&eigenvalue(1e-6), &eigenvalue(-1e-6)));
         assert!(agree(&json!({ "residual": 1e-17 }), &json!({ "residual": 3e-17 })));
         assert!(!agree(&json!({ "residual": 1e-3 }), &json!({ "residual": 1.0 })));
         let exact = differences(&json!(1.0), &json!(1.0 + f64::EPSILON), Numbers::Exact);

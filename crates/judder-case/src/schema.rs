@@ -86,18 +86,24 @@ fn reference(definition: &str) -> Json {
     json!({ "$ref": format!("#/$defs/{definition}") })
 }
 
+/// A plain number in a range.
+pub(crate) fn plain_number(range: Range) -> Json {
+    let mut json = match range {
+        Range::Positive => json!({ "exclusiveMinimum": 0.0 }),
+        Range::NonNegative => json!({ "minimum": 0.0 }),
+        Range::Fraction => json!({ "minimum": 0.0, "exclusiveMaximum": 1.0 }),
+        Range::Any => json!({}),
+        Range::Interval { above, up_to } => json!({ "exclusiveMinimum": above, "maximum": up_to }),
+    };
+    json["type"] = json!("number");
+    json
+}
+
 /// What a numeric key takes: a group, a quantity in quotes, or either.
 fn key<K>(entry: &Key<K>) -> Json {
     let mut forms = Vec::new();
     if let Some(group) = entry.group {
-        let mut form = match entry.range {
-            Range::Positive => json!({ "exclusiveMinimum": 0.0 }),
-            Range::NonNegative => json!({ "minimum": 0.0 }),
-            Range::Fraction => json!({ "minimum": 0.0, "exclusiveMaximum": 1.0 }),
-            Range::Any => json!({}),
-            Range::Interval { above, up_to } => json!({ "exclusiveMinimum": above, "maximum": up_to }),
-        };
-        form["type"] = json!("number");
+        let mut form = plain_number(entry.range);
         form["description"] = json!(group);
         forms.push(form);
     }

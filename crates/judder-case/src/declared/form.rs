@@ -1,7 +1,7 @@
 //! What a case file may say under a key: the schema and the reference are written from it.
 
 use super::values::{Number, Whole};
-use crate::keys::{Key, Range};
+use crate::keys::Key;
 use crate::reference::allowed;
 use crate::schema;
 use serde_json::{Value as Json, json};
@@ -115,9 +115,7 @@ impl Declaration {
         }
         json
     }
-}
 
-impl Declaration {
     /// The row of the reference, and below it those of the keys of its table.
     pub(crate) fn rows(&self, prefix: &str) -> String {
         let Self { name, symbol, doc, form, .. } = self;
@@ -201,14 +199,6 @@ impl Number {
             let examples: Vec<&str> = example.split("\" or \"").collect();
             return json!({ "type": "string", "examples": examples });
         }
-        let mut json = match self.range {
-            Range::Positive => json!({ "exclusiveMinimum": 0.0 }),
-            Range::NonNegative => json!({ "minimum": 0.0 }),
-            Range::Fraction => json!({ "minimum": 0.0, "exclusiveMaximum": 1.0 }),
-            Range::Any => json!({}),
-            Range::Interval { above, up_to } => json!({ "exclusiveMinimum": above, "maximum": up_to }),
-        };
-        json["type"] = json!("number");
-        json
+        schema::plain_number(self.range)
     }
 }

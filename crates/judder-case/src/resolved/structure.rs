@@ -9,7 +9,7 @@ use crate::keys::Form;
 use crate::structure::analysis::{EigenMethod, StructureAnalysis};
 use crate::structure::body::{Body, Geometry, Material, PlaneSection};
 use crate::structure::matrices::{MatrixSums, MatrixTerm};
-use crate::structure::reduction::{FixedModes, KeptNodes, Reduction};
+use crate::structure::reduction::{FixedModes, Kept, KeptNodes, Reduction};
 use crate::structure::{StructureCase, StructureSource};
 use crate::two_degrees::Parameter;
 
@@ -66,10 +66,6 @@ pub(super) fn body(body: &Body) -> Json {
     json
 }
 
-fn directions(taken: [bool; 3]) -> Vec<&'static str> {
-    ["x", "y", "z"].into_iter().zip(taken).filter(|(_, taken)| *taken).map(|(name, _)| name).collect()
-}
-
 pub(super) fn matrices(sums: &MatrixSums) -> Json {
     let term = |term: &MatrixTerm| json!({ "file": term.file.given, "factor": term.factor.text, "triangle": term.triangle.name() });
     let mut json: Map<String, Json> = sums
@@ -83,10 +79,11 @@ pub(super) fn matrices(sums: &MatrixSums) -> Json {
 }
 
 pub(super) fn reduction(reduction: &Reduction) -> Json {
+    let directions = |kept: &Kept| Setting::write(&kept.directions, &());
     let kept = reduction.kept.iter().map(|kept| match &kept.nodes {
-        KeptNodes::Set(set) => json!({ "set": set, "directions": directions(kept.directions) }),
-        KeptNodes::Numbers(nodes) => json!({ "nodes": nodes, "directions": directions(kept.directions) }),
-        KeptNodes::Near(place) => json!({ "at": place, "directions": directions(kept.directions) }),
+        KeptNodes::Set(set) => json!({ "set": set, "directions": directions(kept) }),
+        KeptNodes::Numbers(nodes) => json!({ "nodes": nodes, "directions": directions(kept) }),
+        KeptNodes::Near(place) => json!({ "at": place, "directions": directions(kept) }),
     });
     let mut json = json!({ "kept": kept.collect::<Vec<_>>() });
     match reduction.modes {

@@ -111,10 +111,7 @@ fn read_list(section: &Section<'_>, node: &Node, source: &StructureSource) -> Re
 
 /// The nodes that `section` names, by a `set` of a body or by `nodes` of a table of freedoms.
 pub(crate) fn read_nodes(section: &Section<'_>, source: &StructureSource) -> Result<KeptNodes, Fault> {
-    if let (Some(_), Some(node)) = (section.get("set"), section.get("nodes")) {
-        let (first, second) = (section.path("set"), section.path("nodes"));
-        return Err(Cause::Conflict { first, second }.at(node.place));
-    }
+    conflict(section, "set", "nodes")?;
     let key = section.own_path().to_owned();
     let refuse =
         |problem: KeptProblem, node: &Node| Err(StructureProblem::Kept { key, problem }.at(node.place));

@@ -23,17 +23,9 @@ pub enum ContactAnalysis {
     /// `contact-law`: force, area and friction over speed and indentation.
     ContactLaw(LawSettings),
     /// `fit`: the three functions of the oscillator paper through a computed law.
-    Fit {
-        /// What is computed.
-        law: LawSettings,
-        /// The factor of v τ/R at which the functions are read.
-        velocity_scale: f64,
-    },
+    Fit(FitSettings),
     /// `modulus`: storage and loss modulus and loss tangent.
-    Modulus {
-        /// The frequencies, as ω τ or in rad/s; chosen from the spectrum where left out.
-        frequency: Option<Span>,
-    },
+    Modulus(ModulusSettings),
     /// `transient`: a contact that is followed in time.
     Transient(TransientSettings),
 }
@@ -77,6 +69,22 @@ pub struct LawSettings {
     pub method: LawMethod,
     /// What the largest grid of each of its contacts may take.
     pub memory: Memory,
+}
+
+/// The three functions of the oscillator paper through a law.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FitSettings {
+    /// What is computed.
+    pub law: LawSettings,
+    /// The factor of v τ/R at which the functions are read.
+    pub velocity_scale: f64,
+}
+
+/// Moduli over frequency.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ModulusSettings {
+    /// The frequencies, as ω τ or in rad/s; chosen from the spectrum where left out.
+    pub frequency: Option<Span>,
 }
 
 /// How a law covers the plane of speed and indentation.
@@ -158,7 +166,7 @@ pub(crate) const KINDS: [Kind<ContactScope, ContactAnalysis>; 5] = [
         read: |scope, section| {
             let law = read_law("fit", scope, section)?;
             let velocity_scale = read_pure(section, ContactKey::VelocityScale)?;
-            Ok(ContactAnalysis::Fit { law, velocity_scale })
+            Ok(ContactAnalysis::Fit(FitSettings { law, velocity_scale }))
         },
     },
     Kind {
@@ -171,7 +179,7 @@ pub(crate) const KINDS: [Kind<ContactScope, ContactAnalysis>; 5] = [
                 Some(_) => Some(span(section, ContactKey::Frequency, None)?),
                 None => None,
             };
-            Ok(ContactAnalysis::Modulus { frequency })
+            Ok(ContactAnalysis::Modulus(ModulusSettings { frequency }))
         },
     },
     Kind {

@@ -81,7 +81,9 @@ pub use belt_case::{BELT_KEYS, BeltCase, BeltInputs, BeltKey};
 pub use case_file::{Case, CaseFile};
 pub use cause::Cause;
 pub use compose::{alone, compose, contact_case_of};
-pub use contact_analysis::{ContactAnalysis, ContactSettings, LawMethod, LawSettings, Loading};
+pub use contact_analysis::{
+    ContactAnalysis, ContactSettings, FitSettings, LawMethod, LawSettings, Loading, ModulusSettings,
+};
 pub use contact_case::ContactCase;
 pub use contact_keys::{CONTACT_KEYS, ContactKey};
 pub use contact_problem::ContactProblem;
@@ -96,7 +98,9 @@ pub use keys::{Form, KEYS, Key, OscillatorKey, Range, Value};
 pub use mass::MassProblem;
 pub use memory::Memory;
 pub use motion_analysis::{Following, MotionAnalysis, MotionStart, SweepDirection};
-pub use oscillator_analysis::OscillatorAnalysis;
+pub use oscillator_analysis::{
+    CriticalThresholds, DampingCurves, OscillatorAnalysis, Sought, SpectrumCurves,
+};
 pub use oscillator_case::OscillatorCase;
 pub use quantity::{Quantity, QuantityError};
 pub use schema::schema;

@@ -18,47 +18,85 @@ use crate::swept_keys::{OscillatorKeys, SweptKeys};
 #[derive(Debug, Clone, PartialEq)]
 pub enum OscillatorAnalysis {
     /// `equivalent-damping`: ξ_eq along one key.
-    EquivalentDamping {
-        /// The swept key.
-        sweep: Sweep<OscillatorKey>,
-        /// One curve a value, where given.
-        family: Option<Family<OscillatorKey>>,
-    },
+    EquivalentDamping(DampingCurves),
     /// `spectrum`: the eigenvalues along one key.
-    Spectrum {
-        /// The swept key.
-        sweep: Sweep<OscillatorKey>,
-        /// One set of curves a value, where given.
-        family: Option<Family<OscillatorKey>>,
-    },
-    /// `critical-shear-strength`: all roots τ0,crit along one key.
-    CriticalShearStrength {
-        /// The swept key.
-        sweep: Sweep<OscillatorKey>,
-        /// Where roots are sought; τ0/E0* from 1e-6 to 1e3 by default.
-        within: Within,
-        /// One set of roots a value, where given.
-        family: Option<Family<OscillatorKey>>,
-        /// Whether the branch of cycles is followed from each threshold back to its fold.
-        global_margin: bool,
-    },
-    /// `critical-load`: all roots F_n,crit along one key.
-    CriticalLoad {
-        /// The swept key.
-        sweep: Sweep<OscillatorKey>,
-        /// Where roots are sought; F_n/(E0* R²) from 1e-10 to 1 by default.
-        within: Within,
-        /// One set of roots a value, where given.
-        family: Option<Family<OscillatorKey>>,
-        /// Whether the branch of cycles is followed from each threshold back to its fold.
-        global_margin: bool,
-    },
+    Spectrum(SpectrumCurves),
+    /// `critical-shear-strength`, `critical-load`: all thresholds along one key.
+    Critical(CriticalThresholds),
     /// `stability-map`: the verdict over two keys.
     StabilityMap(StabilityMap<OscillatorKey>),
     /// `motion`, `limit-cycle`, `bifurcation`, `basin`: motion with stick, slip and lift-off.
     Motion(MotionAnalysis<OscillatorKey>),
     /// `engines`: one cycle by three engines.
     Engines(EnginesSettings),
+}
+
+/// ξ_eq along one key.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DampingCurves {
+    /// The swept key.
+    pub sweep: Sweep<OscillatorKey>,
+    /// One curve a value, where given.
+    pub family: Option<Family<OscillatorKey>>,
+}
+
+/// The eigenvalues along one key.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpectrumCurves {
+    /// The swept key.
+    pub sweep: Sweep<OscillatorKey>,
+    /// One set of curves a value, where given.
+    pub family: Option<Family<OscillatorKey>>,
+}
+
+/// All thresholds τ0,crit or F_n,crit along one key.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CriticalThresholds {
+    /// Of which quantity.
+    pub sought: Sought,
+    /// The swept key.
+    pub sweep: Sweep<OscillatorKey>,
+    /// Where thresholds are sought; τ0/E0* from 1e-6 to 1e3 by default, F_n/(E0* R²) from 1e-10 to 1.
+    pub within: Within,
+    /// One set of thresholds a value, where given.
+    pub family: Option<Family<OscillatorKey>>,
+    /// Whether the branch of cycles is followed from each threshold back to its fold.
+    pub global_margin: bool,
+}
+
+/// Which quantity's thresholds are sought.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sought {
+    /// τ0,crit.
+    ShearStrength,
+    /// F_n,crit.
+    Load,
+}
+
+impl Sought {
+    /// The key of the quantity.
+    pub fn key(self) -> OscillatorKey {
+        match self {
+            Self::ShearStrength => OscillatorKey::ShearStrength,
+            Self::Load => OscillatorKey::NormalLoad,
+        }
+    }
+
+    /// The kind of analysis that seeks them.
+    pub fn kind(self) -> &'static str {
+        match self {
+            Self::ShearStrength => "critical-shear-strength",
+            Self::Load => "critical-load",
+        }
+    }
+
+    /// Where they are sought where the case does not say, as a group.
+    fn within(self) -> (f64, f64) {
+        match self {
+            Self::ShearStrength => SHEAR_STRENGTH_WITHIN,
+            Self::Load => LOAD_WITHIN,
+        }
+    }
 }
 
 /// The default range of `critical-shear-strength`, τ0/E0*.
@@ -85,7 +123,7 @@ pub(crate) const KINDS: [Kind<OscillatorKeys, OscillatorAnalysis>; 10] = [
         doc: "the equivalent damping ratio along one key",
         read: |keys, section| {
             let (sweep, family) = read_curves(keys, section)?;
-            Ok(OscillatorAnalysis::EquivalentDamping { sweep: sweep.sweep, family })
+            Ok(OscillatorAnalysis::EquivalentDamping(DampingCurves { sweep: sweep.sweep, family }))
         },
     },
     Kind {
@@ -95,7 +133,7 @@ pub(crate) const KINDS: [Kind<OscillatorKeys, OscillatorAnalysis>; 10] = [
         doc: "the eigenvalues along one key",
         read: |keys, section| {
             let (sweep, family) = read_curves(keys, section)?;
-            Ok(OscillatorAnalysis::Spectrum { sweep: sweep.sweep, family })
+            Ok(OscillatorAnalysis::Spectrum(SpectrumCurves { sweep: sweep.sweep, family }))
         },
     },
     Kind {
@@ -103,24 +141,14 @@ pub(crate) const KINDS: [Kind<OscillatorKeys, OscillatorAnalysis>; 10] = [
         keys: &["sweep", "within", "family", "global_margin"],
         declared: None,
         doc: "the critical shear strengths along one key",
-        read: |keys, section| {
-            let (sweep, family) = read_threshold(keys, section, OscillatorKey::ShearStrength)?;
-            let within = read_within(section, OscillatorKey::ShearStrength, SHEAR_STRENGTH_WITHIN)?;
-            let global_margin = read_global_margin(section, MARGIN_OF_THRESHOLDS)?;
-            Ok(OscillatorAnalysis::CriticalShearStrength { sweep, within, family, global_margin })
-        },
+        read: |keys, section| read_critical(keys, section, Sought::ShearStrength),
     },
     Kind {
         name: "critical-load",
         keys: &["sweep", "within", "family", "global_margin"],
         declared: None,
         doc: "the critical loads along one key",
-        read: |keys, section| {
-            let (sweep, family) = read_threshold(keys, section, OscillatorKey::NormalLoad)?;
-            let within = read_within(section, OscillatorKey::NormalLoad, LOAD_WITHIN)?;
-            let global_margin = read_global_margin(section, MARGIN_OF_THRESHOLDS)?;
-            Ok(OscillatorAnalysis::CriticalLoad { sweep, within, family, global_margin })
-        },
+        read: |keys, section| read_critical(keys, section, Sought::Load),
     },
     Kind {
         name: "stability-map",
@@ -175,4 +203,16 @@ fn read_threshold(
         (Some(family), Some(node)) if family.key == sought => Err(twice("family").at(node.place)),
         _ => Ok((placed.sweep, family)),
     }
+}
+
+/// Reads an analysis of thresholds.
+fn read_critical(
+    keys: &OscillatorKeys,
+    section: &Section<'_>,
+    sought: Sought,
+) -> Result<OscillatorAnalysis, Fault> {
+    let (sweep, family) = read_threshold(keys, section, sought.key())?;
+    let within = read_within(section, sought.key(), sought.within())?;
+    let global_margin = read_global_margin(section, MARGIN_OF_THRESHOLDS)?;
+    Ok(OscillatorAnalysis::Critical(CriticalThresholds { sought, sweep, within, family, global_margin }))
 }

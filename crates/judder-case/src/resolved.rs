@@ -17,7 +17,7 @@ use crate::declared::Settings;
 use crate::dimension::Dimension;
 use crate::inputs::LawName;
 use crate::keys::{Form, KEYS, OscillatorKey, Value};
-use crate::oscillator_analysis::OscillatorAnalysis;
+use crate::oscillator_analysis::{DampingCurves, OscillatorAnalysis, SpectrumCurves};
 use crate::oscillator_case::OscillatorCase;
 use crate::shape::{Roughness, Shape};
 use crate::span::Span;
@@ -198,14 +198,14 @@ fn contact_analysis(kind: &ContactAnalysis) -> Json {
             })
         }
         ContactAnalysis::ContactLaw(law) => law_settings("contact-law", law),
-        ContactAnalysis::Fit { law, velocity_scale } => {
-            let mut json = law_settings("fit", law);
-            json["velocity_scale"] = json!(velocity_scale);
+        ContactAnalysis::Fit(fit) => {
+            let mut json = law_settings("fit", &fit.law);
+            json["velocity_scale"] = json!(fit.velocity_scale);
             json
         }
-        ContactAnalysis::Modulus { frequency } => json!({
+        ContactAnalysis::Modulus(modulus) => json!({
             "kind": "modulus",
-            "frequency": frequency.as_ref().map(|range| span(range, ContactKey::Frequency.entry().dimension)),
+            "frequency": modulus.frequency.as_ref().map(|range| span(range, ContactKey::Frequency.entry().dimension)),
         }),
         ContactAnalysis::Transient(settings) => transient(settings),
     }
@@ -282,30 +282,17 @@ fn named<T>(analysis: &Analysis<T>, settings: impl Fn(&T) -> Json) -> Json {
 }
 
 fn oscillator_analysis(kind: &OscillatorAnalysis) -> Json {
-    let strength = OscillatorKey::ShearStrength;
-    let load = OscillatorKey::NormalLoad;
     match kind {
-        OscillatorAnalysis::EquivalentDamping { sweep: axis, family: curves } => json!({
+        OscillatorAnalysis::EquivalentDamping(DampingCurves { sweep: axis, family: curves }) => json!({
             "kind": "equivalent-damping", "sweep": sweep(axis), "family": curves.as_ref().map(family),
         }),
-        OscillatorAnalysis::Spectrum { sweep: axis, family: curves } => json!({
+        OscillatorAnalysis::Spectrum(SpectrumCurves { sweep: axis, family: curves }) => json!({
             "kind": "spectrum", "sweep": sweep(axis), "family": curves.as_ref().map(family),
         }),
-        OscillatorAnalysis::CriticalShearStrength {
-            sweep: axis,
-            within: range,
-            family: curves,
-            global_margin,
-        } => json!({
-            "kind": "critical-shear-strength", "sweep": sweep(axis), "within": within(range, strength),
-            "family": curves.as_ref().map(family), "global_margin": global_margin,
+        OscillatorAnalysis::Critical(asked) => json!({
+            "kind": asked.sought.kind(), "sweep": sweep(&asked.sweep), "within": within(&asked.within, asked.sought.key()),
+            "family": asked.family.as_ref().map(family), "global_margin": asked.global_margin,
         }),
-        OscillatorAnalysis::CriticalLoad { sweep: axis, within: range, family: curves, global_margin } => {
-            json!({
-                "kind": "critical-load", "sweep": sweep(axis), "within": within(range, load),
-                "family": curves.as_ref().map(family), "global_margin": global_margin,
-            })
-        }
         OscillatorAnalysis::StabilityMap(map) => {
             let mut json = stability_map(map);
             json["global_margin"] = json!(map.global_margin);

@@ -1,7 +1,7 @@
 //! Every number doubted by another number: the comparisons that a run makes of itself.
 
-use crate::analyses::SteadyState;
 use crate::bridge;
+use crate::models::oscillator::steady_states::SteadyState;
 use crate::outcome::{CheckRecord, Disagreement};
 use judder_case::OscillatorInputs;
 use judder_oscillator::characteristic::{Characteristic, MARGINAL_BAND};

@@ -5,7 +5,7 @@ use crate::error::StudyError;
 use crate::input_file::KnownFile;
 use crate::known_substrate::KnownSubstrate;
 use crate::material::Material;
-use crate::point::{self, Point};
+use crate::models::oscillator::point::{self, Point};
 use crate::progress::Progress;
 use judder_case::{OscillatorCase, OscillatorKey};
 use judder_contact::{ContactLaw, ContactPoint};

@@ -2,8 +2,8 @@
 //!
 //! A contact of half length a that slides at v excites ω = v/a, f = v/(2π a), as in [eq. (3)](judder_oscillator::quasi_steady); waves of length λ, f = v/λ.
 
-use crate::analyses::SteadyState;
 use crate::material::Material;
+use crate::models::oscillator::steady_states::SteadyState;
 use crate::text::short;
 use judder_case::OscillatorInputs;
 use judder_oscillator::{Contact, quasi_steady};

@@ -14,10 +14,12 @@ mod page;
 mod readings;
 mod scoreboard;
 
-use crate::analyses::{self, Prepared};
+use crate::analyses;
 use crate::error::StudyError;
 use crate::kept::Kept;
 use crate::ledger::{Keepsakes, Study};
+use crate::model::{Prepared, Task};
+use crate::models::model;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::run::analysis_hash;
@@ -120,7 +122,8 @@ fn run_all(
         let known = points().clone();
         let keep = |line: &str| points().push(line.to_owned());
         let kept = Kept { lines: &known, keep: &keep, place: None };
-        let outcome = analyses::run_from((&file.case, &Prepared::Nothing), *analysis, (kept, kept), progress)
+        let outcome = model(&file.case)
+            .run(*analysis, Task { law: kept, own: kept, ..Task::alone(&Prepared::NOTHING, progress) })
             .map(without_lists);
         progress.end();
         study.keep(name, hash.clone(), outcome, began.elapsed().as_secs_f64())?;

@@ -10,12 +10,12 @@ mod sweeps;
 
 pub(crate) use asked::{analysis_hash, resolved_with_files};
 
-use crate::analyses::Prepared;
-use crate::door;
 use crate::error::StudyError;
 use crate::home;
 use crate::ledger::{Keepsakes, Study};
 use crate::material;
+use crate::model::Prepared;
+use crate::models::model;
 use crate::outcome::CheckRecord;
 use crate::progress::Progress;
 use crate::report;
@@ -99,7 +99,7 @@ pub fn run(
     progress: &dyn Progress,
 ) -> Result<RunReport, StudyError> {
     let asked = Asked::new(file, options)?;
-    let prepared = door::check(file, |name| asked.is_wanted(name))?;
+    let prepared = model(&file.case).preflight(file, &|name| asked.is_wanted(name))?;
     let plans = asked.plans()?;
     if plans.is_empty() && matches!(options.sweeps, SweepWork::Part(_)) {
         let known = file.sweeps.iter().map(|sweep| sweep.name.clone()).collect();
@@ -154,7 +154,7 @@ pub fn dry_run(
     progress: &dyn Progress,
 ) -> Result<Vec<SweepEstimate>, StudyError> {
     let asked = Asked::new(file, options)?;
-    door::check(file, |name| asked.is_wanted(name))?;
+    model(&file.case).preflight(file, &|name| asked.is_wanted(name))?;
     asked.plans()?.iter().map(|plan| SweepEstimate::new(plan, folder, progress)).collect()
 }
 
@@ -207,7 +207,7 @@ pub(crate) fn compute(
     progress: &dyn Progress,
 ) -> Result<Computed, StudyError> {
     let asked = Asked::new(file, options)?;
-    let prepared = door::check(file, |name| asked.is_wanted(name))?;
+    let prepared = model(&file.case).preflight(file, &|name| asked.is_wanted(name))?;
     compute_in(taken(folder, options.fresh)?, (&asked, &prepared), (&[], true), progress)
 }
 

@@ -1,6 +1,6 @@
 //! What the errors of a contact law leave of results, in words.
 
-use crate::point::SteadyPoint;
+use crate::models::oscillator::point::SteadyPoint;
 use crate::text::short;
 use judder_contact::Law;
 use judder_oscillator::undecided::Ranges;

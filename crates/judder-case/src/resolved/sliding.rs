@@ -107,9 +107,9 @@ fn observed(case: &SlidingCase, point: &ObservedPoint) -> Json {
 
 fn analysis(case: &SlidingCase, kind: &SlidingAnalysis) -> Json {
     match kind {
-        SlidingAnalysis::Modes { structure, modes } => {
-            let mut json = declared("modes", modes);
-            json["structure"] = json!(case.structures[*structure].name);
+        SlidingAnalysis::Modes(own) => {
+            let mut json = declared("modes", &own.modes);
+            json["structure"] = json!(case.structures[own.structure].name);
             json
         }
         SlidingAnalysis::Locus(settings) => locus(settings),

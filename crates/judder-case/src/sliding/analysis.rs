@@ -14,12 +14,7 @@ use crate::structure::analysis::Modes;
 #[derive(Debug, Clone, PartialEq)]
 pub enum SlidingAnalysis {
     /// `modes`: undamped modes of one structure alone, as it is held, without contact.
-    Modes {
-        /// The index of the structure.
-        structure: usize,
-        /// Which.
-        modes: Modes,
-    },
+    Modes(PartModes),
     /// `locus`: complex eigenvalues against position or against any key.
     Locus(Locus),
     /// `march`: the motion along the path.
@@ -28,6 +23,15 @@ pub enum SlidingAnalysis {
     Growth(Growth),
     /// `spectrogram`: a signal of a march over time and frequency.
     Spectrogram(Spectrogram),
+}
+
+/// Undamped modes of one of the structures.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PartModes {
+    /// The index of the structure.
+    pub structure: usize,
+    /// Which.
+    pub modes: Modes,
 }
 
 /// The kinds of a sliding case.
@@ -39,7 +43,8 @@ pub(crate) const KINDS: [Kind<SlidingCase, SlidingAnalysis>; 5] = [
         doc: "undamped modes of one of the two structures, as it is held, without contact",
         read: |case, section| {
             let structure = find_structure(&case.structures, section, "structure")?;
-            Ok(SlidingAnalysis::Modes { structure, modes: Modes::read_table(section)? })
+            let modes = Modes::read_table(section)?;
+            Ok(SlidingAnalysis::Modes(PartModes { structure, modes }))
         },
     },
     Kind {

@@ -124,9 +124,10 @@ fn a_fit_and_a_modulus() {
         frequency = { from = "1 Hz", to = "1 kHz", points = 7 }
         "#,
     );
-    let ContactAnalysis::Fit { velocity_scale, .. } = case.analyses[0].kind else { panic!() };
-    assert_eq!(velocity_scale, 0.01);
-    let ContactAnalysis::Modulus { frequency: Some(range) } = case.analyses[1].kind else { panic!() };
+    let ContactAnalysis::Fit(fit) = &case.analyses[0].kind else { panic!() };
+    assert_eq!(fit.velocity_scale, 0.01);
+    let ContactAnalysis::Modulus(modulus) = &case.analyses[1].kind else { panic!() };
+    let range = modulus.frequency.as_ref().unwrap();
     assert!((range.from - 2.0 * std::f64::consts::PI).abs() < 1e-15);
     assert_eq!((range.points, range.form), (7, Form::Si));
 }

@@ -5,8 +5,8 @@ use std::f64::consts::{FRAC_PI_4, PI};
 use crate::parse;
 use judder_case::oscillator_analysis::SHEAR_STRENGTH_WITHIN;
 use judder_case::{
-    Case, CaseFile, Form, FrictionLoad, KEYS, LawName, MapMethod, OscillatorAnalysis, OscillatorCase,
-    OscillatorInputs, OscillatorKey, Scale, TimeForm, Value,
+    Case, CaseFile, CriticalThresholds, Form, FrictionLoad, KEYS, LawName, MapMethod, OscillatorAnalysis,
+    OscillatorCase, OscillatorInputs, OscillatorKey, Scale, Sought, TimeForm, Value,
 };
 
 /// The case of the interface, word for word, with the first analysis of its second example.
@@ -71,7 +71,8 @@ fn the_case_of_the_interface_says_the_papers_values() {
     assert_eq!((map.x.key, map.y.key), (OscillatorKey::Velocity, OscillatorKey::ShearStrength));
     assert_eq!((map.x.from, map.x.to, map.x.points, map.x.scale), (1e-8, 1e2, 400, Scale::Log));
     assert_eq!((map.method, map.boundaries, map.y.form), (MapMethod::Adaptive, true, Form::Group));
-    let OscillatorAnalysis::CriticalShearStrength { within, family, .. } = &case.analyses[1].kind else {
+    let OscillatorAnalysis::Critical(CriticalThresholds { within, family, .. }) = &case.analyses[1].kind
+    else {
         panic!("thresholds")
     };
     assert_eq!((within.from, within.to, family.is_none()), (1e-6, 1e3, true));
@@ -159,11 +160,9 @@ fn a_sweep_sets_its_key() {
         family = { key = "substrate.relaxation_time", values = ["1 ms", "2 ms"] }
     "#;
     let case = oscillator(text, &[]);
-    let OscillatorAnalysis::CriticalShearStrength { sweep, within, family, global_margin } =
-        &case.analyses[0].kind
-    else {
-        panic!("thresholds")
-    };
+    let OscillatorAnalysis::Critical(asked) = &case.analyses[0].kind else { panic!("thresholds") };
+    let CriticalThresholds { sought, sweep, within, family, global_margin } = asked;
+    assert_eq!(*sought, Sought::ShearStrength);
     assert_eq!((case.analyses[0].name.as_str(), *global_margin), ("critical-shear-strength", true));
     assert_eq!((within.from, within.to), SHEAR_STRENGTH_WITHIN);
     let mut inputs = case.inputs;

@@ -10,7 +10,6 @@ mod grid;
 mod samples;
 mod sensitivity;
 
-use super::kind;
 use column::{Column, Key};
 use judder_report::{Figure, Panel};
 use judder_store::{Data, Dataset};
@@ -81,7 +80,7 @@ struct Sweep<'a> {
 
 impl<'a> Sweep<'a> {
     fn of(dataset: &'a Dataset, results: &'a Map<String, Value>) -> Option<Self> {
-        if kind(dataset) != "sweep" {
+        if !is_sweep(dataset.attributes()) {
             return None;
         }
         let stored = dataset.variable("values")?;

@@ -88,7 +88,7 @@ mod tests {
         let full = case(false, &growth).unwrap();
         let quick = case(true, &growth).unwrap();
         assert_ne!(full.case.resolved(), quick.case.resolved());
-        let names = crate::analyses::names(&full.case);
+        let names = full.case.analysis_names();
         let loci = LOCI.iter().map(|(locus, _)| locus);
         let all = MARCHES.iter().chain(loci).chain(&["growth-ensubs-1"]);
         assert!(all.into_iter().all(|wanted| names.iter().any(|name| name == wanted)), "{names:?}");
@@ -101,7 +101,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let growth = growth(true, folder.path(), &Silent).unwrap();
         let file = case(true, &growth).unwrap();
-        let mut only = crate::analyses::names(&file.case);
+        let mut only: Vec<String> = file.case.analysis_names().into_iter().map(str::to_owned).collect();
         only.retain(|name| name.starts_with("growth-") || name.starts_with("locus"));
         let computed =
             run::compute(&file, folder.path(), &RunOptions { only, ..RunOptions::default() }, &Silent)

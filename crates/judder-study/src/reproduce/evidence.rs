@@ -1,12 +1,12 @@
 //! What the claims about the contact computation are measured on.
 
 use super::exhibits::{CONTACT_CASES, FIT, LAW_FILE, thin_out};
-use crate::analyses::contact::Plane;
 use crate::computed_law::{self, NO_POINTS};
 use crate::error::StudyError;
 use crate::material::ContactScales;
+use crate::models::contact::law::Plane;
 use crate::progress::Progress;
-use judder_case::{Case, CaseFile, ContactAnalysis, ContactCase, LawSettings};
+use judder_case::{Case, CaseFile, ContactAnalysis, ContactCase, FitSettings, LawSettings};
 use judder_contact::fit::{FitSample, LawFit};
 use judder_contact::law::boundary_elements::sample;
 use judder_contact::law::file::from_json;
@@ -124,7 +124,9 @@ pub(super) fn contact_case(name: &str, quick: bool) -> Result<(ContactCase, LawS
     }
     let Case::Contact(case) = case else { return Err(missing()) };
     match case.analyses.first().map(|analysis| analysis.kind.clone()) {
-        Some(ContactAnalysis::ContactLaw(law) | ContactAnalysis::Fit { law, .. }) => Ok((case, law)),
+        Some(ContactAnalysis::ContactLaw(law) | ContactAnalysis::Fit(FitSettings { law, .. })) => {
+            Ok((case, law))
+        }
         _ => Err(missing()),
     }
 }

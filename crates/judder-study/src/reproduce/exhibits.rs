@@ -1,8 +1,8 @@
 //! The figures of the paper: which case makes which panel.
 
 use judder_case::{
-    Case, ContactAnalysis, ContactCase, EnginesSettings, Following, Form, LawMethod, MotionAnalysis,
-    OscillatorAnalysis, OscillatorCase, Shape, Span, Value,
+    Case, ContactAnalysis, ContactCase, DampingCurves, EnginesSettings, FitSettings, Following, Form,
+    LawMethod, MotionAnalysis, OscillatorAnalysis, OscillatorCase, Shape, Span, SpectrumCurves, Value,
 };
 
 /// A figure of the paper.
@@ -135,7 +135,9 @@ fn thin_out_contact(case: &mut ContactCase) {
     const SPEEDS: usize = 17;
     const DEPTHS: usize = 7;
     for analysis in &mut case.analyses {
-        if let ContactAnalysis::ContactLaw(law) | ContactAnalysis::Fit { law, .. } = &mut analysis.kind {
+        if let ContactAnalysis::ContactLaw(law) | ContactAnalysis::Fit(FitSettings { law, .. }) =
+            &mut analysis.kind
+        {
             case.shape = Shape::Paraboloid;
             law.method = LawMethod::Collapse;
             law.velocity.points = law.velocity.points.min(SPEEDS);
@@ -150,12 +152,13 @@ fn thin_out_oscillator(case: &mut OscillatorCase) {
     const MAP: usize = 400;
     for analysis in &mut case.analyses {
         match &mut analysis.kind {
-            OscillatorAnalysis::EquivalentDamping { sweep, .. }
-            | OscillatorAnalysis::Spectrum { sweep, .. } => {
+            OscillatorAnalysis::EquivalentDamping(DampingCurves { sweep, .. })
+            | OscillatorAnalysis::Spectrum(SpectrumCurves { sweep, .. }) => {
                 sweep.points = sweep.points.min(CURVE);
             }
-            OscillatorAnalysis::CriticalShearStrength { sweep, .. }
-            | OscillatorAnalysis::CriticalLoad { sweep, .. } => sweep.points = sweep.points.min(THRESHOLDS),
+            OscillatorAnalysis::Critical(asked) => {
+                asked.sweep.points = asked.sweep.points.min(THRESHOLDS);
+            }
             OscillatorAnalysis::StabilityMap(map) => {
                 map.x.points = map.x.points.min(MAP);
                 map.y.points = map.y.points.min(MAP);
@@ -217,7 +220,7 @@ mod tests {
             thin_out(&mut case);
             assert_ne!(case.resolved(), full, "a quick result must not pass for a full one");
             let Case::Contact(case) = case else { panic!("{name}") };
-            let (ContactAnalysis::ContactLaw(law) | ContactAnalysis::Fit { law, .. }) =
+            let (ContactAnalysis::ContactLaw(law) | ContactAnalysis::Fit(FitSettings { law, .. })) =
                 case.analyses[0].kind.clone()
             else {
                 panic!("{name}")

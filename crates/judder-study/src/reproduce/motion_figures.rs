@@ -4,7 +4,7 @@ use super::is_done;
 use super::motion_exhibits::{ENGINES, LOAD, OF_CAPTIONS, Part, WAYS, Way};
 use super::scoreboard::ClaimLine;
 use crate::error::StudyError;
-use crate::pictures::motion::ending;
+use crate::models::motion::pictures::ending;
 use crate::pictures::{self, axis, reals};
 use crate::report::write_figure;
 use judder_report::{Axis, Figure, Layer, Legend, Panel, Role, Section};

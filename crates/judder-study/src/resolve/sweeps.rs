@@ -1,9 +1,10 @@
 //! What `judder check` shows of sweeps: their keys, points, chunks and columns.
 
-use super::{Resolved, columns};
+use super::Resolved;
 use crate::error::StudyError;
 use crate::run;
 use crate::sweep::SweepPlan;
+use crate::text::columns;
 use judder_case::{CaseFile, SweptKey};
 use serde_json::{Value, json};
 

@@ -1,7 +1,6 @@
 //! What a run is asked for, and under which hash each result of it stands.
 
 use super::RunOptions;
-use crate::analyses;
 use crate::error::StudyError;
 use crate::input_file::KnownFile;
 use crate::ledger::VERSION;
@@ -31,7 +30,7 @@ impl<'a> Asked<'a> {
     /// # Errors
     /// A name in `only` that the case does not have, a file of the case that cannot be read.
     pub(super) fn new(file: &'a CaseFile, options: &'a RunOptions) -> Result<Self, StudyError> {
-        let names = analyses::names(&file.case);
+        let names: Vec<String> = file.case.analysis_names().into_iter().map(str::to_owned).collect();
         let known = || names.iter().chain(file.sweeps.iter().map(|sweep| &sweep.name));
         if let Some(name) = options.only.iter().find(|name| !known().any(|own| own == *name)) {
             return Err(StudyError::UnknownAnalysis {

@@ -1,15 +1,15 @@
 //! One analysis at a time, from where an interrupted run has left it.
 
-use crate::analyses::{self, Prepared};
-use crate::door;
 use crate::error::StudyError;
 use crate::kept::{Kept, Place};
 use crate::ledger::VERSION;
+use crate::model::{Prepared, Task};
+use crate::models::{model, placed};
 use crate::outcome::Outcome;
 use crate::progress::Progress;
-use judder_case::{Case, CaseFile, LawName, OscillatorCase};
+use judder_case::{Case, CaseFile};
 use judder_store::{Scratch, StudyFolder, content_hash};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// All that the analyses of a case are run with.
 pub(super) struct Bench<'a> {
@@ -31,7 +31,7 @@ impl Bench<'_> {
     ) -> Result<(Result<Outcome, StudyError>, Scratch), StudyError> {
         let Self { file, store, all, .. } = self;
         let (name, hash) = &all[index];
-        progress.begin(name, analyses::steps(&file.case, index));
+        progress.begin(name, model(&file.case).steps(index));
         // under a name that the shared law does not have
         let scratch = store.scratch(&format!("of-{name}"), hash)?;
         // a line that cannot be kept costs a rerun, no result
@@ -46,9 +46,10 @@ impl Bench<'_> {
         let own = Kept { lines: scratch.lines(), keep: &keep, place: Some(place) };
         let lines = shared.as_ref().map_or(&[][..], Scratch::lines);
         let of_law = Kept { lines, keep: &keep_shared, place: None };
-        let outcome = analyses::run_from((&file.case, self.prepared), index, (of_law, own), progress);
+        let task = Task { law: of_law, own, ..Task::alone(self.prepared, progress) };
+        let outcome = model(&file.case).run(index, task);
         progress.end();
-        Ok((outcome.map_err(|error| door::placed(error, file, index)), scratch))
+        Ok((outcome.map_err(|error| placed(error, file, index)), scratch))
     }
 
     /// Forgets the solved contacts of the shared law once no analysis needs them.
@@ -66,9 +67,8 @@ impl Bench<'_> {
 /// Where the solved contacts of the law are kept that the analyses of an oscillator case share.
 const LAW_POINTS: &str = "law";
 
-/// What the law depends on that a case has computed for all its analyses; `None` where it has none.
+/// The hash of what the law depends on that a case has computed for all its analyses; `None` where it has none.
 pub(super) fn shared_law(case: &Case, resolved: &Value) -> Option<String> {
-    let Case::Oscillator(OscillatorCase { law: LawName::Bem, .. }) = case else { return None };
-    let of = json!([VERSION, resolved["substrate"], resolved["files"], resolved["contact"]["law"]]);
+    let of: Value = [VERSION.into()].into_iter().chain(model(case).shared_law(resolved)?).collect();
     Some(content_hash(of.to_string().as_bytes()))
 }

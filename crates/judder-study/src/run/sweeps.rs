@@ -2,9 +2,9 @@
 
 use super::asked::Asked;
 use super::{RunOptions, RunReport, SweepWork, compute_in, taken};
-use crate::analyses::Prepared;
 use crate::error::StudyError;
 use crate::ledger::Study;
+use crate::model::Prepared;
 use crate::progress::Progress;
 use crate::sweep::{Shard, SweepPlan, damaged, finish, joined, mend, when_free, work};
 use judder_store::{SharedStudy, StoreError, StudyFolder, Summary, SweepChunks, SweepStore};

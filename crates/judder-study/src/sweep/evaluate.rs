@@ -3,11 +3,12 @@
 use super::plan::{Column, SweepPlan, law_stays};
 use super::point_quantity::{PointQuantity, PointState, linear_values};
 use super::scalars::number_at;
-use crate::analyses::{self, Prepared};
+use crate::analyses::run_alone;
 use crate::bridge::{self, CaseContact};
 use crate::computed_law::NO_POINTS;
-use crate::door;
 use crate::error::StudyError;
+use crate::model::Prepared;
+use crate::models::{model, placed};
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use judder_case::{Case, Form, LawName, OscillatorCase, OscillatorInputs, OscillatorKey, Value};
@@ -216,14 +217,15 @@ impl<'a> Evaluator<'a> {
         }
         let names: Vec<&str> = wanted.iter().map(|(_, name)| *name).collect();
         let paths: Vec<&str> = self.plan.sweep.axes.iter().map(|axis| axis.path.as_str()).collect();
-        let prepared = door::check_at(&file, |name| names.contains(&name), (prepared, &paths))?;
+        let prepared =
+            model(&file.case).preflight_at(&file, &|name| names.contains(&name), (prepared, &paths))?;
         for (index, name) in wanted {
-            match analyses::run_alone((&file.case, &prepared), index, &Within(progress)) {
+            match run_alone((&file.case, &prepared), index, &Within(progress)) {
                 Ok(outcome) => self.fill_scalars((index, name), &outcome, row, &mut told),
                 Err(error) if is_passing(&error) => return Err(error),
                 // the quantities of the others stand
                 Err(error) => {
-                    told.missing.push(format!("{name}: {}", self::told(&door::placed(error, &file, index))));
+                    told.missing.push(format!("{name}: {}", self::told(&placed(error, &file, index))));
                 }
             }
         }
@@ -339,7 +341,7 @@ fn way(plan: &SweepPlan, progress: &dyn Progress) -> Result<Way, StudyError> {
         return Ok(Way::Inputs(Box::new(set)));
     }
     let names: Vec<&str> = plan.analyses().iter().map(|(_, name)| *name).collect();
-    Ok(Way::Anew(door::check(&plan.file, |name| names.contains(&name))?))
+    Ok(Way::Anew(model(&plan.file.case).preflight(&plan.file, &|name| names.contains(&name))?))
 }
 
 /// Whether an error is not of the point: another time it may be computed.

@@ -2,12 +2,12 @@
 
 use super::evaluate::{Evaluator, of_one_law};
 use super::plan::SweepPlan;
-use crate::analyses::steady_states::{SteadyState, validity_warnings};
 use crate::bridge;
 use crate::error::StudyError;
 use crate::known_substrate::KnownSubstrate;
+use crate::models::oscillator::quasi_steady::{self, Condition};
+use crate::models::oscillator::steady_states::{SteadyState, validity_warnings};
 use crate::progress::Progress;
-use crate::quasi_steady::{self, Condition};
 use crate::within_law::MARGINAL;
 use judder_case::{Case, OscillatorCase};
 use judder_oscillator::within_law::WithinLaw;

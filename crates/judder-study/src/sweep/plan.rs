@@ -1,11 +1,11 @@
 //! What a sweep stores, under which hash, in which chunks.
 
 use super::point_quantity::{PointQuantity, known};
-use crate::analyses::Axis;
 use crate::error::StudyError;
 use crate::input_file::KnownFile;
 use crate::labels;
 use crate::ledger::VERSION;
+use crate::models::Axis;
 use judder_case::study_sweep::quantity_path::{QuantityPath, QuantitySource, QuantityStep};
 use judder_case::study_sweep::{Design, StudySweep, SweptValues};
 use judder_case::{Case, CaseError, CaseFile, Form, LawName, OscillatorCase, OscillatorKey, SweepProblem};

@@ -1,9 +1,9 @@
 //! What can be asked of one operating point of an oscillator, a number each.
 
-use crate::analyses::ONE_WAY;
 use crate::bridge;
 use crate::error::StudyError;
-use crate::point::{LOADS, SAMPLES, SHEAR_STRENGTHS, SteadyPoint};
+use crate::models::oscillator::point::{LOADS, SAMPLES, SHEAR_STRENGTHS, SteadyPoint};
+use crate::models::oscillator::stability_map::ONE_WAY;
 use judder_case::{Case, OscillatorInputs, TwoDegreesCase};
 use judder_contact::{ContactLaw, ValidityConcern};
 use judder_oscillator::critical::{Thresholds, thresholds};

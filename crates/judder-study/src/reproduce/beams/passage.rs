@@ -2,8 +2,8 @@
 
 use super::found::Zone;
 use crate::band::Sampled;
+use crate::models::sliding::locus::figure::zone_profiles;
 use crate::pictures::reals;
-use crate::pictures::sliding::zone_profiles;
 use judder_report::figure::Region;
 use judder_report::{Axis, Layer, Legend, Panel, Role};
 use judder_store::Dataset;

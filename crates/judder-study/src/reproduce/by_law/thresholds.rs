@@ -3,7 +3,7 @@
 use super::{LAWS, LOADS, friction, sources, stored};
 use crate::error::StudyError;
 use crate::labels::short_number;
-use crate::pictures::curves::curves_of;
+use crate::models::oscillator::curves::curves_of;
 use crate::pictures::{axis, reals};
 use crate::reproduce::claims::short;
 use judder_report::page::Table;

@@ -1,8 +1,8 @@
 //! Motion after the instability (section 5, Figs. 11, 12), from what is stored of it.
 
 use super::{Claim, measured, short, statement};
-use crate::analyses::becomes::{CYCLE, STEADY_SLIDING};
 use crate::error::StudyError;
+use crate::models::motion::becomes::{CYCLE, STEADY_SLIDING};
 use crate::pictures::{codes, reals};
 use crate::reproduce::is_done;
 use crate::reproduce::measures::{state, strengths};

@@ -1,0 +1,205 @@
+//! What the engine asks of a model and of an analysis; nothing else of them is known outside of [`crate::models`].
+
+use crate::error::StudyError;
+use crate::kept::Kept;
+use crate::models::MotionBlock;
+use crate::outcome::Outcome;
+use crate::progress::Progress;
+use crate::resolve::Resolved;
+use judder_case::{CaseError, CaseFile, ContactProblem, SlidingProblem};
+use judder_report::Panel;
+use judder_store::Dataset;
+use serde_json::Value;
+use std::any::Any;
+use std::sync::Arc;
+
+/// A case of a model.
+pub(crate) trait Model: Sync {
+    /// What its analyses share that takes time to make.
+    ///
+    /// # Errors
+    /// Files that cannot be read, structures that cannot be.
+    fn prepared(&self) -> Result<Prepared, StudyError> {
+        Ok(Prepared::NOTHING)
+    }
+
+    /// The same, with the place in the case file of what is wrong; and what the wanted analyses are known beforehand to be refused for: too
+    /// much memory, too deep, too long.
+    ///
+    /// # Errors
+    /// As [`Model::prepared`], and the first refusal.
+    fn preflight(&self, file: &CaseFile, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError>;
+
+    /// The same of a case that differs from that of which `known` is prepared by the values of these swept keys alone: what they do not
+    /// concern is not made again.
+    ///
+    /// # Errors
+    /// As [`Model::preflight`].
+    fn preflight_at(
+        &self,
+        file: &CaseFile,
+        is_wanted: &dyn Fn(&str) -> bool,
+        _known: (&Prepared, &[&str]),
+    ) -> Result<Prepared, StudyError> {
+        self.preflight(file, is_wanted)
+    }
+
+    /// How many steps an analysis announces to its progress.
+    fn steps(&self, index: usize) -> usize;
+
+    /// Runs an analysis.
+    ///
+    /// # Errors
+    /// [`StudyError::Interrupted`], and what the analysis is refused for.
+    fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError>;
+
+    /// The place in the case file of what a run found wrong with an analysis; `None` where no key is to blame.
+    fn blamed(&self, _error: &StudyError, _place: Place<'_>) -> Option<CaseError> {
+        None
+    }
+
+    /// What `judder check` shows.
+    ///
+    /// # Errors
+    /// What a run would refuse.
+    fn resolve(&self, file: &CaseFile) -> Result<Resolved, StudyError>;
+
+    /// What of the resolved case the law depends on that all analyses share, where they share one.
+    fn shared_law(&self, _resolved: &Value) -> Option<Vec<Value>> {
+        None
+    }
+}
+
+/// An analysis of a model: what it announces, is refused for, computes and takes.
+pub(crate) trait Analysis<M: Analysed + ?Sized> {
+    /// How many steps it announces to its progress.
+    fn steps(&self) -> usize {
+        1
+    }
+
+    /// Refuses what is known to be too much before anything is computed.
+    ///
+    /// # Errors
+    /// The key to blame, and why.
+    fn fits(&self, _of: &M::Known<'_>) -> Result<Result<(), Refusal>, StudyError> {
+        Ok(Ok(()))
+    }
+
+    /// Refuses what its first step would refuse, for `judder check`, which computes nothing.
+    ///
+    /// # Errors
+    /// As [`Analysis::run`].
+    fn admit(&self, _of: &M::Known<'_>) -> Result<(), StudyError> {
+        Ok(())
+    }
+
+    /// Computes it.
+    ///
+    /// # Errors
+    /// [`StudyError::Interrupted`], or what it is refused for.
+    fn run(&self, of: &M::Subject<'_>, task: Task<'_>) -> Result<Outcome, StudyError>;
+
+    /// Which of its own keys is to blame for what it found; `None` where that does not depend on the kind.
+    fn blame(&self, _error: &StudyError) -> Option<Refusal> {
+        None
+    }
+
+    /// What it would take.
+    ///
+    /// # Errors
+    /// What cannot be read.
+    fn estimate(&self, of: &M::Known<'_>) -> Result<M::Estimate, StudyError>;
+}
+
+/// What the analyses of a model have in common.
+pub(crate) trait Analysed {
+    /// What they are run on.
+    type Subject<'a>;
+    /// What is known of it before anything is computed.
+    type Known<'a>;
+    /// What is told of one before it runs.
+    type Estimate;
+}
+
+/// A kind of analysis that leaves a figure.
+pub(crate) struct Pictured {
+    /// Its name, as the stored arrays say it.
+    pub(crate) kind: &'static str,
+    /// The panels of its figure; `None` where arrays are missing.
+    pub(crate) draw: fn(&Dataset) -> Option<Vec<Panel>>,
+    /// What stands under it.
+    pub(crate) caption: &'static str,
+}
+
+/// How an analysis is run.
+pub(crate) struct Task<'a> {
+    /// What the analyses of the case share.
+    pub(crate) prepared: &'a Prepared,
+    /// What an interrupted run has left of the law that the analyses of the case share.
+    pub(crate) law: Kept<'a>,
+    /// What it has left of this analysis.
+    pub(crate) own: Kept<'a>,
+    /// Who is told how far it is, and may stop it.
+    pub(crate) progress: &'a dyn Progress,
+    /// Who sees the samples of a motion while it is computed.
+    pub(crate) watch: Option<&'a mut dyn FnMut(MotionBlock)>,
+}
+
+impl<'a> Task<'a> {
+    /// Of nothing that is known before and nothing that is kept.
+    pub(crate) fn alone(prepared: &'a Prepared, progress: &'a dyn Progress) -> Self {
+        Self { prepared, law: Kept::NOTHING, own: Kept::NOTHING, progress, watch: None }
+    }
+}
+
+/// What the analyses of a case share.
+#[derive(Clone)]
+pub(crate) struct Prepared(Option<Arc<dyn Any + Send + Sync>>);
+
+impl Prepared {
+    /// Nothing.
+    pub(crate) const NOTHING: Self = Self(None);
+
+    /// This.
+    pub(crate) fn new<T: Any + Send + Sync>(made: Arc<T>) -> Self {
+        Self(Some(made))
+    }
+
+    /// What was made, where it is of this type.
+    pub(crate) fn get<T: Any + Send + Sync>(&self) -> Option<Arc<T>> {
+        Arc::clone(self.0.as_ref()?).downcast().ok()
+    }
+}
+
+/// An analysis in its case file.
+#[derive(Clone, Copy)]
+pub(crate) struct Place<'a> {
+    /// The case file.
+    pub(crate) file: &'a CaseFile,
+    /// The position of the analysis.
+    pub(crate) index: usize,
+    /// Its name.
+    pub(crate) name: &'a str,
+}
+
+/// Where a case is to blame, and why.
+pub(crate) enum Refusal {
+    /// The first of these keys that the analysis has.
+    Keys(&'static [&'static str], ContactProblem),
+    /// A key of the analysis, by its dotted path.
+    Key(&'static str, SlidingProblem),
+    /// Any key of the case, by its dotted path.
+    Path(&'static str, SlidingProblem),
+}
+
+impl Refusal {
+    /// As an error at its place in the case file.
+    pub(crate) fn placed(self, Place { file, index, name }: Place<'_>) -> CaseError {
+        match self {
+            Self::Keys(keys, problem) => file.analysis_error(index, keys, problem),
+            Self::Key("", problem) => file.sliding_error(&format!("analysis.{name}"), problem),
+            Self::Key(key, problem) => file.sliding_error(&format!("analysis.{name}.{key}"), problem),
+            Self::Path(path, problem) => file.sliding_error(path, problem),
+        }
+    }
+}

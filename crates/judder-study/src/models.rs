@@ -1,0 +1,48 @@
+//! The models, a folder each, in it a folder an analysis. Here is the only list of them.
+
+mod axis;
+pub(crate) mod belt;
+pub(crate) mod contact;
+pub(crate) mod motion;
+pub(crate) mod oscillator;
+pub(crate) mod sliding;
+pub(crate) mod structure;
+pub(crate) mod two_degrees;
+
+pub(crate) use axis::Axis;
+pub use motion::MotionBlock;
+
+use crate::error::StudyError;
+use crate::model::{Model, Pictured, Place};
+use judder_case::{Case, CaseFile};
+
+/// The model of a case.
+pub(crate) fn model(case: &Case) -> &dyn Model {
+    match case {
+        Case::Oscillator(case) => case,
+        Case::Contact(case) => case,
+        Case::Belt(case) => case,
+        Case::TwoDegrees(case) => case,
+        Case::Structure(case) => case,
+        Case::Sliding(case) => case,
+    }
+}
+
+/// Every kind of analysis that has a figure.
+pub(crate) fn pictured() -> impl Iterator<Item = &'static Pictured> {
+    let kinds: [&[Pictured]; 5] = [
+        &oscillator::PICTURED,
+        &motion::PICTURED,
+        &contact::PICTURED,
+        &structure::PICTURED,
+        &sliding::PICTURED,
+    ];
+    kinds.into_iter().flatten()
+}
+
+/// What a run found wrong with an analysis, at its place in the case file where a key is to blame.
+pub(crate) fn placed(error: StudyError, file: &CaseFile, index: usize) -> StudyError {
+    let names = file.case.analysis_names();
+    let Some(name) = names.get(index) else { return error };
+    model(&file.case).blamed(&error, Place { file, index, name }).map_or(error, StudyError::from)
+}

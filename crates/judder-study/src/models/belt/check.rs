@@ -1,0 +1,39 @@
+//! What `judder check` shows of a belt case.
+
+use crate::error::StudyError;
+use crate::model::Analysis;
+use crate::models::motion::model::belt;
+use crate::resolve::{Estimate, Resolved, estimate_json, estimate_text, title};
+use crate::text::{columns, number};
+use judder_case::{BELT_KEYS, BeltCase, CaseFile};
+use judder_oscillator::motion::SlidingSystem;
+use serde_json::json;
+
+pub(super) fn resolve(file: &CaseFile, case: &BeltCase) -> Result<Resolved, StudyError> {
+    let system = belt(&case.inputs)?;
+    let estimates = case.analyses.iter().map(|own| own.kind.estimate(&own.name.as_str()));
+    let estimates = estimates.collect::<Result<Vec<Estimate>, StudyError>>()?;
+    let keys = BELT_KEYS.iter().map(|key| vec![key.path.to_owned(), number(case.inputs.number(key.key))]);
+    let mut text = format!("{}\n\n{}", title(&case.title), columns(&keys.collect::<Vec<_>>()));
+    let damping = system.equivalent_damping();
+    let [displacement, _] = system.steady_sliding();
+    let verdict = match damping.total_cmp(&0.0) {
+        std::cmp::Ordering::Less => "unstable",
+        std::cmp::Ordering::Equal => "marginal",
+        std::cmp::Ordering::Greater => "stable",
+    };
+    text.push_str("\nat the operating point\n");
+    text.push_str(&columns(&[
+        vec!["steady sliding".to_owned(), verdict.to_owned()],
+        vec!["displacement".to_owned(), number(displacement)],
+        vec!["equivalent damping".to_owned(), number(damping)],
+    ]));
+    text.push_str(&estimate_text(&estimates));
+    let document = json!({
+        "case": file.case.resolved(),
+        "point": { "verdict": verdict, "displacement": displacement, "equivalent_damping": damping },
+        "estimate": estimate_json(&estimates),
+        "warnings": [],
+    });
+    Ok(Resolved { document, text })
+}

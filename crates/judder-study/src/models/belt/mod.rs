@@ -1,0 +1,49 @@
+//! A mass on a belt.
+
+mod check;
+
+use crate::error::StudyError;
+use crate::model::{Analysed, Analysis, Model, Prepared, Task};
+use crate::models::motion::{self, check::estimate, model::BeltModel};
+use crate::outcome::Outcome;
+use crate::resolve::{Estimate, Resolved, cost};
+use judder_case::{BeltCase, BeltKey, CaseFile, MotionAnalysis};
+
+impl Analysed for BeltCase {
+    type Subject<'a> = BeltModel<'a>;
+    /// The name of the analysis.
+    type Known<'a> = &'a str;
+    type Estimate = Estimate;
+}
+
+impl Analysis<BeltCase> for MotionAnalysis<BeltKey> {
+    fn steps(&self) -> usize {
+        motion::steps(self)
+    }
+
+    fn run(&self, of: &BeltModel<'_>, task: Task<'_>) -> Result<Outcome, StudyError> {
+        motion::run_task(of, self, task)
+    }
+
+    fn estimate(&self, name: &&str) -> Result<Estimate, StudyError> {
+        Ok(estimate(name, self, cost::RADIAN_ON_BELT))
+    }
+}
+
+impl Model for BeltCase {
+    fn preflight(&self, _: &CaseFile, _: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
+        Ok(Prepared::NOTHING)
+    }
+
+    fn steps(&self, index: usize) -> usize {
+        self.analyses[index].kind.steps()
+    }
+
+    fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {
+        self.analyses[index].kind.run(&BeltModel::new(self), task)
+    }
+
+    fn resolve(&self, file: &CaseFile) -> Result<Resolved, StudyError> {
+        check::resolve(file, self)
+    }
+}

@@ -1,0 +1,57 @@
+//! Which key of a contact case is to blame, and what would be right.
+
+use crate::error::StudyError;
+use crate::model::Refusal;
+use judder_case::{ContactProblem, Memory};
+use judder_contact::kernel::check::KernelError;
+use judder_contact::periodic_contact::PeriodicContactError;
+use judder_contact::steady::SteadyError;
+use judder_contact::transient::TransientError;
+
+/// Refuses a depth, over R, at which the indenter has ended.
+pub(super) fn deep(indentation: f64, limit: f64) -> Result<(), Refusal> {
+    if indentation < limit {
+        return Ok(());
+    }
+    Err(Refusal::Keys(&["indentation"], ContactProblem::TooDeep { indentation, limit }))
+}
+
+/// Refuses a grid that takes more memory than allowed.
+pub(super) fn large([columns, rows]: [usize; 2], needed: u64, limit: Memory) -> Result<(), Refusal> {
+    if needed <= limit.bytes { Ok(()) } else { Err(beyond(columns, rows, needed, limit.bytes)) }
+}
+
+fn beyond(columns: usize, rows: usize, needed: u64, limit: u64) -> Refusal {
+    let (needed, limit) = (Memory { bytes: needed }, Memory { bytes: limit });
+    Refusal::Keys(&["cells", "memory_limit"], ContactProblem::Memory { columns, rows, needed, limit })
+}
+
+/// What is to blame whatever the kind of analysis; `None` where no key is.
+pub(super) fn blame(error: &StudyError) -> Option<Refusal> {
+    match error {
+        StudyError::Contact(SteadyError::TooDeep { indentation, limit }) => {
+            let (indentation, limit) = (*indentation, *limit);
+            Some(Refusal::Keys(&["indentation"], ContactProblem::TooDeep { indentation, limit }))
+        }
+        StudyError::Contact(SteadyError::BeyondIndenter { x, y }) => {
+            Some(Refusal::Keys(&["indentation", "load"], ContactProblem::BeyondHeights { x: *x, y: *y }))
+        }
+        StudyError::Periodic(PeriodicContactError::Kernel(KernelError::LongWake {
+            memory, allowed, ..
+        })) => {
+            let (memory, allowed) = (*memory, *allowed);
+            Some(Refusal::Keys(&["velocity"], ContactProblem::LongWake { memory, allowed }))
+        }
+        StudyError::Contact(SteadyError::Kernel(KernelError::Memory { columns, rows, needed, allowed }))
+        | StudyError::Periodic(PeriodicContactError::Kernel(KernelError::Memory {
+            columns,
+            rows,
+            needed,
+            allowed,
+        }))
+        | StudyError::Transient(TransientError::Memory { columns, rows, needed, allowed }) => {
+            Some(beyond(*columns, *rows, *needed, *allowed))
+        }
+        _ => None,
+    }
+}

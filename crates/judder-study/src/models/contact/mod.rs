@@ -1,0 +1,173 @@
+//! A rigid indenter on a viscoelastic substrate.
+//!
+//! - `size`, `fields`: how large grids will be; what lies on them.
+//! - `blame`: which key is to blame for what an analysis found.
+//! - `check`: what `judder check` shows.
+//! - A folder each: `single` (kind `contact`), `law` (`contact-law`), `fit`, `modulus`, `transient`.
+
+mod blame;
+mod check;
+mod fields;
+mod fit;
+pub(crate) mod law;
+mod modulus;
+pub(crate) mod single;
+mod size;
+mod transient;
+
+use crate::error::StudyError;
+use crate::indenter::profile;
+use crate::material::ContactScales;
+use crate::measured_band::MeasuredBand;
+use crate::model::{Analysed, Analysis, Model, Pictured, Place, Prepared, Refusal, Task};
+use crate::outcome::{CheckRecord, Outcome};
+use crate::resolve::Resolved;
+use crate::spectrum_source::temperature_warning;
+use check::ContactEstimate;
+use judder_case::{CaseError, CaseFile, ContactAnalysis, ContactCase, LawMethod};
+use judder_contact::material::Discretisation;
+use judder_contact::steady::profile::Profile;
+use judder_contact::unilateral::Loading;
+use judder_store::number;
+use serde_json::json;
+use std::cell::OnceCell;
+
+/// The kinds of analyses that have a figure.
+pub(super) const PICTURED: [Pictured; 5] =
+    [single::PICTURED, law::PICTURED, fit::PICTURED, modulus::PICTURED, transient::PICTURED];
+
+/// What an analysis computes.
+fn analysis(kind: &ContactAnalysis) -> &dyn Exciting {
+    match kind {
+        ContactAnalysis::Contact(settings) => settings,
+        ContactAnalysis::ContactLaw(settings) => settings,
+        ContactAnalysis::Fit(settings) => settings,
+        ContactAnalysis::Modulus(settings) => settings,
+        ContactAnalysis::Transient(settings) => settings,
+    }
+}
+
+/// An analysis that excites the substrate.
+trait Exciting: Analysis<ContactCase> {
+    /// ω τ = v τ/a of what is asked, with a = √(R δ) of the depth that is asked or that an elastic contact has; of a periodic surface
+    /// 2π v τ/λ of its longest and, where it is known, its shortest wave.
+    ///
+    /// # Errors
+    /// An indenter that cannot be read.
+    fn excited(&self, of: &Subject<'_>) -> Result<Vec<f64>, StudyError>;
+}
+
+/// An indenter on a substrate, and the name of an analysis of them.
+pub(crate) struct Subject<'a> {
+    case: &'a ContactCase,
+    scales: &'a ContactScales,
+    name: &'a str,
+    profile: OnceCell<Box<dyn Profile>>,
+}
+
+impl<'a> Subject<'a> {
+    fn new(case: &'a ContactCase, scales: &'a ContactScales, name: &'a str) -> Self {
+        Self { case, scales, name, profile: OnceCell::new() }
+    }
+
+    /// The surface that presses.
+    fn profile(&self) -> Result<&dyn Profile, StudyError> {
+        if let Some(profile) = self.profile.get() {
+            return Ok(&**profile);
+        }
+        let made = profile(&self.case.shape, self.scales.scales.radius)?;
+        Ok(&**self.profile.get_or_init(|| made))
+    }
+
+    /// Half the length of a contact that is pressed like this, were it elastic, over R.
+    fn half_length(&self, pressed: Loading) -> Result<f64, StudyError> {
+        let depth = match pressed {
+            Loading::Indentation(depth) => depth,
+            Loading::Load(force) => self.profile()?.elastic_depth(force),
+        };
+        Ok(depth.sqrt())
+    }
+
+    /// That an analysis excites what was not measured, in words.
+    fn band_warning(&self, analysis: &dyn Exciting) -> Result<Option<String>, StudyError> {
+        let Some(band) = MeasuredBand::of(&self.scales.material) else { return Ok(None) };
+        Ok(band.warning(analysis.excited(self)?))
+    }
+
+    /// Refuses a depth at which the indenter has ended.
+    fn is_not_too_deep(&self, indentation: f64) -> Result<Result<(), Refusal>, StudyError> {
+        Ok(blame::deep(indentation, self.profile()?.deepest()))
+    }
+}
+
+impl Analysed for ContactCase {
+    type Subject<'a> = Subject<'a>;
+    type Known<'a> = Subject<'a>;
+    type Estimate = ContactEstimate;
+}
+
+impl Model for ContactCase {
+    /// Looks at the files of the case, then at depth and memory of what is wanted.
+    fn preflight(&self, file: &CaseFile, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
+        let scales = ContactScales::new(self)?;
+        let mut subject = Subject::new(self, &scales, "");
+        subject.profile()?;
+        for (index, own) in self.analyses.iter().enumerate().filter(|(_, own)| is_wanted(&own.name)) {
+            subject.name = &own.name;
+            let place = Place { file, index, name: &own.name };
+            analysis(&own.kind).fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
+        }
+        Ok(Prepared::NOTHING)
+    }
+
+    fn steps(&self, index: usize) -> usize {
+        analysis(&self.analyses[index].kind).steps()
+    }
+
+    fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {
+        let own = &self.analyses[index];
+        let scales = ContactScales::new(self)?;
+        let subject = Subject::new(self, &scales, &own.name);
+        let mut outcome = analysis(&own.kind).run(&subject, task)?;
+        outcome.warnings.extend(temperature_warning(&self.substrate)?);
+        outcome.warnings.extend(subject.band_warning(analysis(&own.kind))?);
+        if let Some(found) = &scales.material.discretisation {
+            tell_discretisation(&mut outcome, found);
+        }
+        Ok(outcome)
+    }
+
+    fn blamed(&self, error: &StudyError, place: Place<'_>) -> Option<CaseError> {
+        let own = &self.analyses.get(place.index)?.kind;
+        let refusal = analysis(own).blame(error).or_else(|| blame::blame(error))?;
+        Some(refusal.placed(place))
+    }
+
+    fn resolve(&self, file: &CaseFile) -> Result<Resolved, StudyError> {
+        check::resolve(file, self)
+    }
+}
+
+/// What the terms of a continuous spectrum may leave of its modulus.
+const SPECTRUM_LIMIT: f64 = 1e-2;
+
+/// Contacts that a law usually takes, for an estimate: how many it is depends on where they are needed.
+pub(crate) fn usual_contacts(method: LawMethod) -> usize {
+    match method {
+        LawMethod::Collapse => 65,
+        LawMethod::Sweep => 99,
+    }
+}
+
+/// Says how well the terms stand for a continuous spectrum.
+fn tell_discretisation(outcome: &mut Outcome, found: &Discretisation) {
+    let terms = found.spectrum.terms().len();
+    outcome.scalars.insert("spectrum_terms".to_owned(), json!(terms));
+    outcome.scalars.insert("spectrum_error".to_owned(), number(found.error));
+    outcome.checks.push(CheckRecord::new(
+        "the terms stand for the continuous spectrum",
+        format!("E(ω) of {terms} retardation times against that of the spectrum, the largest relative error"),
+        found.error.into(),
+        SPECTRUM_LIMIT,
+    ));
+}

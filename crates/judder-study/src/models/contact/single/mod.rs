@@ -1,0 +1,111 @@
+//! `contact`: one contact, with its fields.
+
+pub(crate) mod figure;
+mod periodic;
+mod refined;
+pub(crate) mod run;
+
+use super::check::ContactEstimate;
+use super::size::lattice;
+use super::{Exciting, Subject, blame};
+use crate::error::StudyError;
+use crate::indenter::height_map;
+use crate::model::{Analysis, Pictured, Refusal, Task};
+use crate::outcome::Outcome;
+use crate::text::number;
+use judder_case::{ContactCase, ContactProblem, ContactSettings, Shape};
+use judder_contact::kernel::sliding::SlidingOperator;
+use judder_contact::steady::{GridChoice, SteadyError};
+use judder_contact::unilateral::Loading;
+use run::{grid, loading};
+use std::f64::consts::TAU;
+
+/// The figure.
+pub(crate) const PICTURED: Pictured = Pictured {
+    kind: "contact",
+    draw: figure::contact,
+    caption: "The indenter slides to the right. Sections along $y$ = 0; the surface of the substrate is compared with the indenter. The grids: \
+        how far force, area and friction of each are from the extrapolated values.",
+};
+
+/// Refuses a load under which the indenter would sink in deeper than it is high.
+fn is_not_too_deep(settings: &ContactSettings, of: &Subject<'_>) -> Result<Result<(), Refusal>, StudyError> {
+    match loading(&of.case.shape, settings, of.scales) {
+        Loading::Indentation(depth) => of.is_not_too_deep(depth),
+        Loading::Load(force) => {
+            let (profile, contrast) = (of.profile()?, of.scales.material.spectrum.contrast());
+            // the glassy substrate yields least
+            let (indentation, limit) = (profile.elastic_depth(force / contrast), profile.deepest());
+            let is_possible = of.case.shape.is_periodic() || indentation < limit;
+            let problem = ContactProblem::LoadTooLarge { indentation, limit };
+            Ok(if is_possible { Ok(()) } else { Err(Refusal::Keys(&["load"], problem)) })
+        }
+    }
+}
+
+impl Analysis<ContactCase> for ContactSettings {
+    fn fits(&self, of: &Subject<'_>) -> Result<Result<(), Refusal>, StudyError> {
+        if let Err(refusal) = is_not_too_deep(self, of)? {
+            return Ok(Err(refusal));
+        }
+        let chosen = !of.case.shape.is_periodic() && grid(self, of.scales) == GridChoice::Automatic;
+        if chosen && of.case.shape != Shape::Cylinder {
+            return Ok(Ok(()));
+        }
+        let lattice = lattice(of.case, self, of.scales)?;
+        Ok(blame::large(lattice, SlidingOperator::memory_bytes(lattice[0], lattice[1]), self.memory))
+    }
+
+    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, StudyError> {
+        if of.case.shape.is_periodic() {
+            return periodic::run(of.case, of.name, self, task.progress);
+        }
+        run::run(of.case, of.name, self, task.progress)
+    }
+
+    fn blame(&self, error: &StudyError) -> Option<Refusal> {
+        match error {
+            StudyError::Contact(SteadyError::DomainTooSmall { half_width, needed, .. })
+                if self.domain.is_some() =>
+            {
+                let (side, needed) = (2.0 * half_width, 2.0 * needed);
+                Some(Refusal::Keys(&["domain"], ContactProblem::DomainTooSmall { side, needed }))
+            }
+            _ => None,
+        }
+    }
+
+    fn estimate(&self, of: &Subject<'_>) -> Result<ContactEstimate, StudyError> {
+        let velocity = of.scales.velocity(self.velocity);
+        let asked = match loading(&of.case.shape, self, of.scales) {
+            Loading::Indentation(depth) => format!(
+                "v τ/R = {}, δ/R = {}, v τ/√(R δ) = {}",
+                number(velocity),
+                number(depth),
+                number(velocity / depth.sqrt())
+            ),
+            Loading::Load(force) => {
+                let group = if of.case.shape == Shape::Cylinder { "F/(E0* R)" } else { "F/(E0* R²)" };
+                format!("v τ/R = {}, {group} = {}", number(velocity), number(force))
+            }
+        };
+        let lattice = lattice(of.case, self, of.scales)?;
+        Ok(ContactEstimate { name: of.name.to_owned(), asked, contacts: 1, lattice })
+    }
+}
+
+impl Exciting for ContactSettings {
+    fn excited(&self, of: &Subject<'_>) -> Result<Vec<f64>, StudyError> {
+        let (velocity, radius) = (of.scales.velocity(self.velocity), of.scales.scales.radius);
+        Ok(match &of.case.shape {
+            Shape::Rough(rough) => {
+                [rough.roll_off, rough.cut_off].map(|wave| TAU * velocity * radius / wave).to_vec()
+            }
+            shape if shape.is_periodic() => {
+                let grid = height_map(shape, radius)?.grid();
+                vec![TAU * velocity / (grid.columns as f64 * grid.cell)]
+            }
+            shape => vec![velocity / of.half_length(loading(shape, self, of.scales))?],
+        })
+    }
+}

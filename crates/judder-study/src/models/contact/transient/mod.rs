@@ -1,0 +1,56 @@
+//! `transient`: a contact that is followed in time.
+
+mod figure;
+mod run;
+
+use super::check::ContactEstimate;
+use super::{Exciting, Subject, blame};
+use crate::error::StudyError;
+use crate::model::{Analysis, Pictured, Refusal, Task};
+use crate::outcome::Outcome;
+use judder_case::{ContactCase, ContactProblem, TransientSettings};
+use judder_contact::transient::TransientError;
+use run::Asked;
+
+/// The figure.
+pub(crate) const PICTURED: Pictured = Pictured {
+    kind: "transient",
+    draw: figure::transient,
+    caption: "Normal force, friction force and area over time; where the path repeats itself, the loop whose area is the work of a cycle.",
+};
+
+impl Analysis<ContactCase> for TransientSettings {
+    fn fits(&self, of: &Subject<'_>) -> Result<Result<(), Refusal>, StudyError> {
+        let asked = Asked::new(&of.case.shape, self, of.scales);
+        if let Err(refusal) = of.is_not_too_deep(asked.largest_depth())? {
+            return Ok(Err(refusal));
+        }
+        match asked.question(&of.scales.creeping(), of.profile()?, self).needs() {
+            Err(TransientError::TooManySteps { needed, allowed }) => {
+                Ok(Err(Refusal::Keys(&["duration"], ContactProblem::TooManySteps { needed, allowed })))
+            }
+            needs => {
+                let (strip, needed) = needs?;
+                Ok(blame::large(strip, needed, self.memory))
+            }
+        }
+    }
+
+    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, StudyError> {
+        run::run(of.case, self, task.progress)
+    }
+
+    fn estimate(&self, of: &Subject<'_>) -> Result<ContactEstimate, StudyError> {
+        let asked = Asked::new(&of.case.shape, self, of.scales);
+        let contacts = asked.steps(self.cells);
+        let (name, lattice) = (of.name.to_owned(), [self.cells; 2]);
+        Ok(ContactEstimate { name, asked: asked.words(self), contacts, lattice })
+    }
+}
+
+impl Exciting for TransientSettings {
+    fn excited(&self, of: &Subject<'_>) -> Result<Vec<f64>, StudyError> {
+        let asked = Asked::new(&of.case.shape, self, of.scales);
+        Ok(asked.frequencies(of.half_length(asked.loading())?))
+    }
+}

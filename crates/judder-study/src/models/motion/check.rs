@@ -1,0 +1,40 @@
+//! What analyses of motion would take.
+
+use crate::resolve::{Estimate, cost};
+use judder_case::{Form, MotionAnalysis};
+
+/// Time in which a motion usually settles, in radians.
+pub(crate) const USUAL_TIME: f64 = 1000.0;
+
+/// What an analysis of motion would take.
+pub(crate) fn estimate<K>(name: &str, kind: &MotionAnalysis<K>, radian: f64) -> Estimate {
+    let settling = |duration: judder_case::Value| match duration.form {
+        Form::Group => USUAL_TIME.min(duration.number),
+        Form::Si => USUAL_TIME,
+    };
+    let (points, motions, time) = match kind {
+        MotionAnalysis::History { following, points, .. } => match following.duration.form {
+            Form::Group => (*points, 1, following.duration.number),
+            Form::Si => (*points, 1, USUAL_TIME),
+        },
+        MotionAnalysis::LimitCycle { following, .. } => (1, 1, settling(following.duration)),
+        MotionAnalysis::Bifurcation { sweep, direction, following, .. } => {
+            let motions = sweep.points * direction.sweeps().len();
+            (motions, motions, settling(following.duration))
+        }
+        MotionAnalysis::Basin { samples, following, .. } => {
+            (*samples, *samples, settling(following.duration))
+        }
+    };
+    let has_branches = matches!(kind, MotionAnalysis::Bifurcation { branches: true, .. });
+    // what a branch costs is its flights, which take their radians
+    let branches = if has_branches { cost::BRANCHES * radian / cost::RADIAN } else { 0.0 };
+    /// Numbers that are kept of a point.
+    const NUMBERS: u128 = 16;
+    Estimate {
+        name: name.to_owned(),
+        points,
+        seconds: motions as f64 * time * radian + branches + cost::FIGURE,
+        bytes: points as u128 * 8 * NUMBERS,
+    }
+}

@@ -1,0 +1,18 @@
+//! `motion`: the history of one motion.
+
+pub(super) mod run;
+mod watched;
+
+pub(super) use run::run;
+pub use watched::MotionBlock;
+
+use super::pictures;
+use crate::model::Pictured;
+
+/// The figure.
+pub(crate) const PICTURED: Pictured = Pictured {
+    kind: "motion",
+    draw: pictures::motion,
+    caption: "The whole motion; its end with the contact state shaded (white: slip); the phase portrait of that end with the changes of the contact \
+        state; the spectrum and the Poincaré section (where $x$ is largest) after the transient.",
+};

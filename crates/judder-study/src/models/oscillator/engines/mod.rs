@@ -1,0 +1,46 @@
+//! `engines`: one cycle by events, by time-stepping and with a smoothed sign.
+
+mod figure;
+mod ladder;
+mod run;
+
+use super::{Operated, Subject};
+use crate::error::StudyError;
+use crate::model::{Analysis, Pictured, Task};
+use crate::models::motion::check::USUAL_TIME;
+use crate::models::motion::model::OscillatorModel;
+use crate::outcome::Outcome;
+use crate::resolve::{Estimate, cost};
+use judder_case::{EnginesSettings, Form, OscillatorCase};
+
+/// The figure.
+pub(crate) const PICTURED: Pictured = Pictured {
+    kind: "engines",
+    draw: figure::engines,
+    caption: "The cycle by time-stepping and with a smoothed sign against that by events: relative errors of rms and period. Dotted: in proportion to the \
+        step, to the width. A sign that is too wide comes to another motion, or to none.",
+};
+
+impl Analysis<OscillatorCase> for EnginesSettings {
+    fn steps(&self) -> usize {
+        run::steps(self)
+    }
+
+    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, StudyError> {
+        let model = OscillatorModel { inputs: &of.case.inputs, contact: of.contact };
+        run::run(&model, self, task.progress)
+    }
+
+    /// Nearly all of it is the smallest steps of the time-stepping.
+    fn estimate(&self, name: &&str) -> Result<Estimate, StudyError> {
+        let points = self.time_step.points + self.width.points;
+        let steps: f64 = match self.time_step.form {
+            Form::Group => self.time_step.values().iter().map(|step| USUAL_TIME / step).sum(),
+            Form::Si => self.following.steps as f64,
+        };
+        let seconds = steps * cost::TIME_STEP + points as f64 * USUAL_TIME * cost::RADIAN + cost::FIGURE;
+        Ok(Estimate { name: (*name).to_owned(), points, seconds, bytes: 0 })
+    }
+}
+
+impl Operated for EnginesSettings {}

@@ -1,0 +1,38 @@
+//! `equivalent-damping`: ξ_eq along one key.
+
+mod run;
+
+use super::{Operated, Subject, curves, ends_of_curves, points_of_curves};
+use crate::error::StudyError;
+use crate::model::{Analysis, Pictured, Task};
+use crate::outcome::Outcome;
+use crate::resolve::{Estimate, cost};
+use judder_case::{DampingCurves, OscillatorCase, OscillatorInputs};
+
+/// The figure.
+pub(crate) const PICTURED: Pictured = Pictured {
+    kind: "equivalent-damping",
+    draw: curves::equivalent_damping,
+    caption: "Equivalent damping $ξ_{eq} = c_{11}/2$, eq. (23). The vertical axis is logarithmic on both sides of zero. \
+        Below zero, friction that falls with speed feeds the motion.",
+};
+
+impl Analysis<OscillatorCase> for DampingCurves {
+    fn steps(&self) -> usize {
+        points_of_curves(&self.sweep, self.family.as_ref())
+    }
+
+    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, StudyError> {
+        run::run((of.case, of.contact), &self.sweep, self.family.as_ref(), task.progress)
+    }
+
+    fn estimate(&self, name: &&str) -> Result<Estimate, StudyError> {
+        Ok(Estimate::of_points(name, self.steps(), self.steps() as f64 * cost::EIGENVALUES))
+    }
+}
+
+impl Operated for DampingCurves {
+    fn corners(&self, inputs: &OscillatorInputs) -> Vec<OscillatorInputs> {
+        ends_of_curves(inputs, &self.sweep, self.family.as_ref())
+    }
+}

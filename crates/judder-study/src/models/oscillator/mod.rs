@@ -1,0 +1,176 @@
+//! A sphere on a viscoelastic substrate, with two degrees of freedom.
+//!
+//! - [`point`], [`key_plane`]: one operating point; those over two keys.
+//! - [`quasi_steady`]: eq. (3), on which laws of steady sliding stand in motion.
+//! - `steady_states`, `law_errors`, `margins`: what the analyses have in common.
+//! - `curves`: the figures of curves over one key.
+//! - `check`: what `judder check` shows.
+//! - A folder each: `equivalent_damping`, `spectrum`, `critical`, `stability_map`, `engines`; those of motion in `motion`.
+
+mod check;
+pub(crate) mod critical;
+pub(crate) mod curves;
+mod engines;
+mod equivalent_damping;
+pub mod key_plane;
+mod law_errors;
+pub(crate) mod margins;
+pub mod point;
+pub mod quasi_steady;
+pub(crate) mod spectrum;
+pub(crate) mod stability_map;
+pub(crate) mod steady_states;
+
+pub use stability_map::{BoundaryCurves, BoundaryKind, boundary_curves};
+
+use crate::bridge::{self, CaseContact};
+use crate::error::StudyError;
+use crate::known_substrate::KnownSubstrate;
+use crate::model::{Analysed, Analysis, Model, Pictured, Prepared, Task};
+use crate::models::motion::{self, check::estimate, model::OscillatorModel};
+use crate::outcome::Outcome;
+use crate::resolve::{Estimate, Resolved, cost};
+use judder_case::{
+    CaseFile, Family, LawName, MotionAnalysis, OscillatorAnalysis, OscillatorCase, OscillatorInputs,
+    OscillatorKey, Sweep,
+};
+use judder_contact::law::sweep::SolvedPoint;
+use judder_oscillator::Contact;
+use quasi_steady::{Condition, of_motions};
+use serde_json::Value;
+
+/// The kinds of analyses that have a figure, but for those of motion.
+pub(super) const PICTURED: [Pictured; 6] = [
+    equivalent_damping::PICTURED,
+    spectrum::PICTURED,
+    critical::OF_SHEAR_STRENGTH,
+    critical::OF_LOAD,
+    stability_map::PICTURED,
+    engines::PICTURED,
+];
+
+/// What an analysis computes.
+fn analysis(kind: &OscillatorAnalysis) -> &dyn Operated {
+    match kind {
+        OscillatorAnalysis::EquivalentDamping(settings) => settings,
+        OscillatorAnalysis::Spectrum(settings) => settings,
+        OscillatorAnalysis::Critical(settings) => settings,
+        OscillatorAnalysis::StabilityMap(settings) => settings,
+        OscillatorAnalysis::Motion(settings) => settings,
+        OscillatorAnalysis::Engines(settings) => settings,
+    }
+}
+
+/// An analysis of operating points.
+trait Operated: Analysis<OscillatorCase> {
+    /// Those at the ends of all that it varies.
+    fn corners(&self, inputs: &OscillatorInputs) -> Vec<OscillatorInputs> {
+        vec![*inputs]
+    }
+}
+
+/// These operating points at both ends of a swept key.
+fn ends(sweep: &Sweep<OscillatorKey>, points: Vec<OscillatorInputs>) -> Vec<OscillatorInputs> {
+    let at = |inputs: &OscillatorInputs, value: f64| {
+        let mut inputs = *inputs;
+        sweep.set(&mut inputs, value);
+        inputs
+    };
+    points.iter().flat_map(|inputs| [at(inputs, sweep.from), at(inputs, sweep.to)]).collect()
+}
+
+/// The operating points at both ends of a swept key, for each value of a family.
+fn ends_of_curves(
+    inputs: &OscillatorInputs,
+    sweep: &Sweep<OscillatorKey>,
+    family: Option<&Family<OscillatorKey>>,
+) -> Vec<OscillatorInputs> {
+    let members = family.map_or(vec![*inputs], |family| {
+        let member = |value: &f64| {
+            let mut inputs = *inputs;
+            family.set(&mut inputs, *value);
+            inputs
+        };
+        family.values.iter().map(member).collect()
+    });
+    ends(sweep, members)
+}
+
+/// How many points curves over one key have.
+fn points_of_curves(sweep: &Sweep<OscillatorKey>, family: Option<&Family<OscillatorKey>>) -> usize {
+    sweep.points * family.map_or(1, |family| family.values.len())
+}
+
+/// An oscillator in its contact.
+pub(crate) struct Subject<'a> {
+    case: &'a OscillatorCase,
+    contact: &'a Contact,
+}
+
+impl Analysed for OscillatorCase {
+    type Subject<'a> = Subject<'a>;
+    /// The name of the analysis.
+    type Known<'a> = &'a str;
+    type Estimate = Estimate;
+}
+
+impl Model for OscillatorCase {
+    /// Looks at the data of the substrate.
+    fn preflight(&self, _: &CaseFile, _: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
+        bridge::with_material(self).map(|_| Prepared::NOTHING)
+    }
+
+    fn steps(&self, index: usize) -> usize {
+        analysis(&self.analyses[index].kind).steps()
+    }
+
+    fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {
+        let case = &bridge::with_material(self)?;
+        let (law, points) = (task.law, task.law.known());
+        let keep = |point: &SolvedPoint| law.add(point);
+        let CaseContact { contact, warnings } = bridge::contact(case, (&points, &keep), task.progress)?;
+        let own = analysis(&case.analyses[index].kind);
+        let mut outcome = own.run(&Subject { case, contact: &contact }, task)?;
+        outcome.warnings.extend(warnings);
+        let (corners, substrate) = (own.corners(&case.inputs), KnownSubstrate::of(case)?);
+        outcome.warnings.extend(substrate.band_warning(&contact, corners.iter().copied()));
+        outcome.warnings.extend(substrate.temperature_warning);
+        if let Some(condition) = Condition::worst(corners.into_iter(), Some(&contact), &substrate.terms) {
+            outcome.warnings.extend(condition.warning(of_motions(&outcome.scalars)));
+            outcome.scalars.extend(condition.scalars());
+        }
+        Ok(outcome)
+    }
+
+    fn resolve(&self, file: &CaseFile) -> Result<Resolved, StudyError> {
+        check::resolve(file, &bridge::with_material(self)?)
+    }
+
+    fn shared_law(&self, resolved: &Value) -> Option<Vec<Value>> {
+        let parts = [&resolved["substrate"], &resolved["files"], &resolved["contact"]["law"]];
+        (self.law == LawName::Bem).then(|| parts.map(Value::clone).to_vec())
+    }
+}
+
+impl Analysis<OscillatorCase> for MotionAnalysis<OscillatorKey> {
+    fn steps(&self) -> usize {
+        motion::steps(self)
+    }
+
+    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, StudyError> {
+        motion::run_task(&OscillatorModel { inputs: &of.case.inputs, contact: of.contact }, self, task)
+    }
+
+    fn estimate(&self, name: &&str) -> Result<Estimate, StudyError> {
+        Ok(estimate(name, self, cost::RADIAN))
+    }
+}
+
+impl Operated for MotionAnalysis<OscillatorKey> {
+    fn corners(&self, inputs: &OscillatorInputs) -> Vec<OscillatorInputs> {
+        match self {
+            Self::Bifurcation { sweep, .. } => ends(sweep, vec![*inputs]),
+            _ => vec![*inputs],
+        }
+    }
+}

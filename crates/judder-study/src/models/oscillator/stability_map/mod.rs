@@ -1,0 +1,63 @@
+//! `stability-map`: verdict and mechanism over two keys.
+
+mod arrays;
+pub(crate) mod figure;
+mod knock;
+mod overlays;
+mod run;
+mod within_law;
+
+pub(crate) use arrays::{MapArrays, ONE_WAY, class_name};
+pub(crate) use knock::{NONE_MOVED, STARTS_IT, UNKNOWN};
+pub use overlays::{BoundaryCurves, BoundaryKind, boundary_curves};
+pub(crate) use overlays::{Overlay, incomplete};
+pub(crate) use run::{checked_points, map_scalars, unresolved_warning};
+pub(crate) use within_law::WITHIN_LAW;
+
+use super::{Operated, Subject, ends};
+use crate::error::StudyError;
+use crate::model::{Analysis, Pictured, Task};
+use crate::outcome::Outcome;
+use crate::resolve::{Estimate, cost};
+use judder_case::{MapMethod, OscillatorCase, OscillatorInputs, OscillatorKey, StabilityMap};
+
+/// The figure.
+pub(crate) const PICTURED: Pictured = Pictured {
+    kind: "stability-map",
+    draw: figure::stability_map,
+    caption: "Stability of steady sliding, coloured by what carries the instability. Curves are followed by continuation: \
+        full system (solid black), without damping (dashed), full system with $η = 0$ (red). Where it is hatched, steady sliding is \
+        stable, but a motion lives beside it, which a knock can start; where it is dotted, what a knock does is not known.",
+};
+
+impl Analysis<OscillatorCase> for StabilityMap<OscillatorKey> {
+    /// The decisions and the boundaries are a step each, the growth rates one a row.
+    fn steps(&self) -> usize {
+        if self.method == MapMethod::EveryPoint { 2 + self.y.points } else { 2 }
+    }
+
+    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, StudyError> {
+        run::run((of.case, of.contact), self, task.progress)
+    }
+
+    fn estimate(&self, name: &&str) -> Result<Estimate, StudyError> {
+        let points = self.x.points * self.y.points;
+        let decisions = match self.method {
+            MapMethod::EveryPoint => points as f64 * (cost::DECISION + cost::EIGENVALUES),
+            // about two dozen decisions along each unit of the sides
+            MapMethod::Adaptive => {
+                (24 * (self.x.points + self.y.points)).min(2 * points) as f64 * 2.0 * cost::DECISION
+            }
+        };
+        let lines = self.x.points.max(self.y.points).min(cost::MARGIN_LINES);
+        let margins = if self.global_margin { lines as f64 * cost::MARGIN } else { 0.0 };
+        let boundaries = if self.boundaries { cost::BOUNDARIES } else { 0.0 };
+        Ok(Estimate::of_points(name, points, decisions + margins + boundaries))
+    }
+}
+
+impl Operated for StabilityMap<OscillatorKey> {
+    fn corners(&self, inputs: &OscillatorInputs) -> Vec<OscillatorInputs> {
+        ends(&self.y, ends(&self.x, vec![*inputs]))
+    }
+}

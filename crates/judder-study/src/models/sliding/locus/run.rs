@@ -1,0 +1,48 @@
+//! The locus along either of its two families.
+
+use super::results::Results;
+use super::{positions, swept};
+use crate::error::StudyError;
+use crate::models::sliding::system::SlidingSystem;
+use crate::outcome::Outcome;
+use crate::progress::Progress;
+use judder_case::SlidingCase;
+use judder_case::sliding::locus::{self, Along, Locus};
+use judder_sliding::locus::{Conditions, Configuration};
+
+pub(super) fn run(
+    (case, system): (&SlidingCase, &SlidingSystem),
+    settings: &Locus,
+    progress: &dyn Progress,
+) -> Result<Outcome, StudyError> {
+    let (axis, traced, checks) = match &settings.along {
+        Along::Positions(positions) => positions::run((case, system), settings, positions, progress)?,
+        Along::Key { at, sweep } => swept::run((case, system), settings, (*at, sweep), progress)?,
+    };
+    let results = Results { settings, axis: &axis, traced: &traced };
+    let mut scalars = results.scalars();
+    scalars.insert("degrees_of_freedom".to_owned(), system.pair.modes().into());
+    Ok(Outcome {
+        scalars,
+        dataset: results.dataset()?,
+        table: Some(results.table()?),
+        checks,
+        warnings: traced.warnings(&axis),
+        missing: traced.missing(),
+        files: Vec::new(),
+        ..Outcome::default()
+    })
+}
+
+/// Under what the pair of a case slides.
+pub(crate) fn conditions(case: &SlidingCase, settings: &Locus) -> Conditions {
+    Conditions {
+        configuration: match settings.configuration {
+            locus::Configuration::Undeformed => Configuration::Undeformed,
+            locus::Configuration::Deformed => Configuration::Deformed,
+        },
+        is_damped: settings.damping,
+        velocity: case.motion.velocity,
+        load: case.motion.load.force,
+    }
+}

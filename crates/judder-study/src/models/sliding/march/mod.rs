@@ -1,0 +1,82 @@
+//! `march`: the motion along the path.
+
+mod blocks;
+mod expected;
+pub(crate) mod figure;
+mod loudness;
+mod run;
+mod samples;
+mod settings;
+mod signals;
+mod size;
+mod sound;
+mod summary;
+
+pub(super) use signals::variable_name;
+pub(super) use size::Size;
+
+use super::system::{method, step};
+use super::{Subject, blame, cost};
+use crate::error::StudyError;
+use crate::model::{Analysis, Pictured, Refusal, Task};
+use crate::outcome::Outcome;
+use crate::resolve::{Estimate, cost::FIGURE};
+use judder_case::SlidingCase;
+use judder_case::sliding::march::March;
+use judder_case::sliding::observe::ObservedPoint;
+use judder_sliding::motion::Motion;
+use judder_sliding::pair::Pair;
+
+/// The figure.
+pub(crate) const PICTURED: Pictured = Pictured {
+    kind: "march",
+    draw: figure::march,
+    caption: "Each line fills the space between the smallest and the largest sample of a column; samples are low-passed before they are thinned. Above \
+        the frame, where the contact is. Extremes of every step stand in the table.",
+};
+
+/// What marches, and how it is asked to.
+pub(crate) struct Marched<'a> {
+    /// The name of the analysis.
+    pub(crate) name: &'a str,
+    /// What the case asks for.
+    pub(crate) march: &'a March,
+    /// The slider and its track.
+    pub(crate) pair: &'a Pair,
+    /// The points whose motion is kept.
+    pub(crate) points: &'a [ObservedPoint],
+    /// What is prescribed, from the start of the march to its end.
+    pub(crate) motion: Motion,
+}
+
+impl Analysis<SlidingCase> for March {
+    fn fits(&self, of: &Subject<'_>) -> Result<Result<(), Refusal>, StudyError> {
+        // a step that is refused is said by the analysis
+        Ok(Size::of(of.system, self).map_or(Ok(()), Size::fits))
+    }
+
+    fn admit(&self, of: &Subject<'_>) -> Result<(), StudyError> {
+        step(&of.system.pair, method(self.method), self.step, of.system.along(self))?;
+        Ok(())
+    }
+
+    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, StudyError> {
+        let (pair, points) = (&of.system.pair, of.case.points.as_slice());
+        let marched = Marched { name: of.name, march: self, pair, points, motion: of.system.along(self) };
+        run::run(&marched, task.own, task.progress)
+    }
+
+    fn blame(&self, error: &StudyError) -> Option<Refusal> {
+        blame::off_track(error, ("to", None))
+    }
+
+    /// A march holds the samples between two checkpoints; bursts, sound and report look at all of them when it is over.
+    fn estimate(&self, of: &Subject<'_>) -> Result<Estimate, StudyError> {
+        let motion = of.system.along(self);
+        let step = cost::step(of.system, self.method, self.step, motion);
+        let steps = motion.duration() / step;
+        let seconds = steps * of.system.pair.modes() as f64 * cost::STEP_AND_MODE + FIGURE;
+        let bytes = Size::new(of.system, self, step).memory() as u128;
+        Ok(Estimate { name: of.name.to_owned(), points: steps as usize, seconds, bytes })
+    }
+}

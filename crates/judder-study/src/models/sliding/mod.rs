@@ -1,0 +1,121 @@
+//! Two structures in sliding contact.
+//!
+//! - `system`: from the keys of a case to a slider on its track.
+//! - `blame`: which key is to blame for what an analysis found.
+//! - [`coupled_pair`]: the pair for whoever marches it by himself.
+//! - [`shapes`]: the shapes in which the pair swings at any position, on all points of both structures.
+//! - `check`: what `judder check` shows; `cost`: what steps, values and freedoms take.
+//! - A folder each: `modes`, `locus`, `growth`, `march`, `spectrogram`.
+
+mod blame;
+mod check;
+mod cost;
+pub mod coupled_pair;
+mod growth;
+pub(crate) mod locus;
+pub(crate) mod march;
+mod modes;
+pub mod shapes;
+mod spectrogram;
+mod system;
+
+use crate::error::StudyError;
+use crate::model::{Analysed, Analysis, Model, Pictured, Place, Prepared, Task};
+use crate::outcome::Outcome;
+use crate::resolve::{Estimate, Resolved};
+use judder_case::{CaseError, CaseFile, SlidingAnalysis, SlidingCase};
+use std::sync::Arc;
+use system::SlidingSystem;
+
+/// The kinds of analyses that have a figure; that of `modes` is that of a structure.
+pub(super) const PICTURED: [Pictured; 4] =
+    [locus::PICTURED, growth::PICTURED, march::PICTURED, spectrogram::PICTURED];
+
+/// What an analysis computes.
+fn analysis(kind: &SlidingAnalysis) -> &dyn Analysis<SlidingCase> {
+    match kind {
+        SlidingAnalysis::Modes(settings) => settings,
+        SlidingAnalysis::Locus(settings) => settings,
+        SlidingAnalysis::March(settings) => settings,
+        SlidingAnalysis::Growth(settings) => settings,
+        SlidingAnalysis::Spectrogram(settings) => settings,
+    }
+}
+
+/// A pair, and the name of an analysis of it.
+pub(crate) struct Subject<'a> {
+    case: &'a SlidingCase,
+    system: &'a SlidingSystem,
+    name: &'a str,
+}
+
+impl Analysed for SlidingCase {
+    type Subject<'a> = Subject<'a>;
+    type Known<'a> = Subject<'a>;
+    type Estimate = Estimate;
+}
+
+/// The pair, where what the wanted analyses keep fits.
+fn fitting(
+    (case, system): (&SlidingCase, SlidingSystem),
+    file: &CaseFile,
+    is_wanted: &dyn Fn(&str) -> bool,
+) -> Result<Prepared, StudyError> {
+    for (index, own) in case.analyses.iter().enumerate().filter(|(_, own)| is_wanted(&own.name)) {
+        let subject = Subject { case, system: &system, name: &own.name };
+        let place = Place { file, index, name: &own.name };
+        analysis(&own.kind).fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
+    }
+    Ok(Prepared::new(Arc::new(system)))
+}
+
+impl Model for SlidingCase {
+    fn prepared(&self) -> Result<Prepared, StudyError> {
+        Ok(Prepared::new(Arc::new(SlidingSystem::new(self)?)))
+    }
+
+    fn preflight(&self, file: &CaseFile, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
+        let system = SlidingSystem::new(self).map_err(|uncoupled| uncoupled.placed(file))?;
+        fitting((self, system), file, is_wanted)
+    }
+
+    fn preflight_at(
+        &self,
+        file: &CaseFile,
+        is_wanted: &dyn Fn(&str) -> bool,
+        (known, keys): (&Prepared, &[&str]),
+    ) -> Result<Prepared, StudyError> {
+        let Some(known) = known.get::<SlidingSystem>() else { return self.preflight(file, is_wanted) };
+        let system = known.swept(self, keys).map_err(|uncoupled| uncoupled.placed(file))?;
+        fitting((self, system), file, is_wanted)
+    }
+
+    fn steps(&self, index: usize) -> usize {
+        analysis(&self.analyses[index].kind).steps()
+    }
+
+    fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {
+        if task.progress.interrupted() {
+            return Err(StudyError::Interrupted);
+        }
+        let own = &self.analyses[index];
+        let system = match task.prepared.get::<SlidingSystem>() {
+            Some(system) => system,
+            None => Arc::new(SlidingSystem::new(self)?),
+        };
+        let subject = Subject { case: self, system: &system, name: &own.name };
+        let mut outcome = analysis(&own.kind).run(&subject, task)?;
+        outcome.warnings.extend(system.warnings.iter().cloned());
+        Ok(outcome)
+    }
+
+    fn blamed(&self, error: &StudyError, place: Place<'_>) -> Option<CaseError> {
+        let own = &self.analyses.get(place.index)?.kind;
+        let refusal = analysis(own).blame(error).or_else(|| blame::blame(error))?;
+        Some(refusal.placed(place))
+    }
+
+    fn resolve(&self, file: &CaseFile) -> Result<Resolved, StudyError> {
+        check::resolve(file, self)
+    }
+}

@@ -1,0 +1,56 @@
+//! `spectrogram`: a signal of a march over time and frequency, from what the march has stored.
+
+mod figure;
+mod run;
+
+use super::Subject;
+use super::march::Size;
+use crate::error::StudyError;
+use crate::model::{Analysis, Pictured, Refusal, Task};
+use crate::outcome::Outcome;
+use crate::resolve::{Estimate, cost::FIGURE};
+use judder_case::sliding::march::March;
+use judder_case::sliding::spectrogram::Spectrogram;
+use judder_case::{SlidingAnalysis, SlidingCase, SlidingProblem};
+
+const SHORTER: &str = "give a shorter length, or none";
+
+/// The figure.
+pub(crate) const PICTURED: Pictured = Pictured {
+    kind: "spectrogram",
+    draw: figure::spectrogram,
+    caption: "First, the highest level in each cell of the drawing, with the unstable zones of a locus as frames from start to end. Then the highest level in \
+        each of successive stretches: every spectrum stands on its position and hides what is behind it; bars are the zones. Frequencies \
+        beyond one and a half times the highest of a zone are stored, not drawn.",
+};
+
+/// The march whose signal it shows.
+fn march<'a>(asked: &Spectrogram, case: &'a SlidingCase) -> Option<&'a March> {
+    match &case.analyses.iter().find(|own| own.name == asked.of)?.kind {
+        SlidingAnalysis::March(march) => Some(march),
+        _ => None,
+    }
+}
+
+impl Analysis<SlidingCase> for Spectrogram {
+    fn fits(&self, of: &Subject<'_>) -> Result<Result<(), Refusal>, StudyError> {
+        let duration = march(self, of.case).map(|march| of.system.along(march).duration());
+        let Some(duration) = duration.filter(|duration| self.length > *duration) else { return Ok(Ok(())) };
+        let (length, name) = (self.length, &self.of);
+        let reason = format!("a window is {length} s long, but the march `{name}` takes {duration:.6} s");
+        Ok(Err(Refusal::Key("length", SlidingProblem::Unbuilt { reason, advice: SHORTER })))
+    }
+
+    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, StudyError> {
+        let outcome = run::run((of.name, self), &of.case.points, task.own.place)?;
+        task.progress.advance();
+        Ok(outcome)
+    }
+
+    /// The whole march is read.
+    fn estimate(&self, of: &Subject<'_>) -> Result<Estimate, StudyError> {
+        let read = march(self, of.case).and_then(|march| Size::of(of.system, march));
+        let bytes = read.map_or(0, |size| size.stored() as u128);
+        Ok(Estimate { name: of.name.to_owned(), points: 1, seconds: 1.0 + FIGURE, bytes })
+    }
+}

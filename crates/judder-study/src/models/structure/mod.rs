@@ -1,0 +1,100 @@
+//! One linear structure alone.
+//!
+//! - `build`: from the keys of a case to matrices.
+//! - `undamped`: mass and stiffness, without damping and friction.
+//! - `fields`, `shapes`, `shape_panels`: shapes as files, as arrays, as pictures.
+//! - `check`: what `judder check` shows.
+//! - A folder each: `modes`, `reduction`, `eigen`, `eigen_sweep`.
+
+pub(crate) mod build;
+mod check;
+pub(crate) mod eigen;
+mod eigen_sweep;
+mod fields;
+pub(crate) mod modes;
+mod reduction;
+pub(crate) mod shape_panels;
+mod shapes;
+mod undamped;
+
+use crate::error::StudyError;
+use crate::model::{Analysed, Analysis, Model, Pictured, Prepared, Task};
+use crate::outcome::Outcome;
+use crate::resolve::Resolved;
+use build::Structure;
+use judder_case::{CaseFile, StructureAnalysis, StructureCase};
+use std::sync::Arc;
+
+/// The kinds of analyses that have a figure.
+pub(super) const PICTURED: [Pictured; 4] =
+    [modes::PICTURED, reduction::PICTURED, eigen::PICTURED, eigen_sweep::PICTURED];
+
+/// What an analysis computes.
+fn analysis(kind: &StructureAnalysis) -> &dyn Analysis<StructureCase> {
+    match kind {
+        StructureAnalysis::Modes(settings) => settings,
+        StructureAnalysis::Reduction(settings) => settings,
+        StructureAnalysis::Eigen(settings) => settings,
+        StructureAnalysis::EigenSweep(settings) => settings,
+    }
+}
+
+/// A structure, and the name under which an analysis of it leaves files.
+pub(crate) struct Subject<'a> {
+    case: &'a StructureCase,
+    structure: &'a Structure,
+    name: &'a str,
+}
+
+impl Analysed for StructureCase {
+    type Subject<'a> = Subject<'a>;
+    type Known<'a> = Subject<'a>;
+    /// What is asked, in words.
+    type Estimate = String;
+}
+
+impl Model for StructureCase {
+    fn prepared(&self) -> Result<Prepared, StudyError> {
+        Ok(Prepared::new(Arc::new(Structure::new(self)?)))
+    }
+
+    fn preflight(&self, file: &CaseFile, _: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
+        let structure = Structure::new(self).map_err(|unbuilt| unbuilt.placed(file))?;
+        Ok(Prepared::new(Arc::new(structure)))
+    }
+
+    fn preflight_at(
+        &self,
+        file: &CaseFile,
+        is_wanted: &dyn Fn(&str) -> bool,
+        (known, keys): (&Prepared, &[&str]),
+    ) -> Result<Prepared, StudyError> {
+        let is_of_analyses = keys.iter().all(|key| key.starts_with("analysis."));
+        if is_of_analyses { Ok(known.clone()) } else { self.preflight(file, is_wanted) }
+    }
+
+    fn steps(&self, index: usize) -> usize {
+        analysis(&self.analyses[index].kind).steps()
+    }
+
+    fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {
+        if task.progress.interrupted() {
+            return Err(StudyError::Interrupted);
+        }
+        let own = &self.analyses[index];
+        let structure = match task.prepared.get::<Structure>() {
+            Some(structure) => structure,
+            None => Arc::new(Structure::new(self)?),
+        };
+        let subject = Subject { case: self, structure: &structure, name: &own.name };
+        let progress = task.progress;
+        let mut outcome = analysis(&own.kind).run(&subject, task)?;
+        progress.advance();
+        outcome.warnings.extend(structure.warnings.iter().cloned());
+        Ok(outcome)
+    }
+
+    fn resolve(&self, file: &CaseFile) -> Result<Resolved, StudyError> {
+        check::resolve(file, self)
+    }
+}

@@ -1,0 +1,49 @@
+//! Any M, C, K of two degrees of freedom, as expressions of parameters.
+
+mod check;
+mod run;
+
+use crate::error::StudyError;
+use crate::model::{Analysed, Analysis, Model, Prepared, Task};
+use crate::outcome::Outcome;
+use crate::resolve::{Estimate, Resolved, cost};
+use judder_case::{CaseFile, TwoDegreesAnalysis, TwoDegreesCase};
+
+impl Analysed for TwoDegreesCase {
+    type Subject<'a> = &'a TwoDegreesCase;
+    /// The name of the analysis.
+    type Known<'a> = &'a str;
+    type Estimate = Estimate;
+}
+
+impl Analysis<TwoDegreesCase> for TwoDegreesAnalysis {
+    fn run(&self, of: &&TwoDegreesCase, task: Task<'_>) -> Result<Outcome, StudyError> {
+        run::run(of, self, task.progress)
+    }
+
+    fn estimate(&self, name: &&str) -> Result<Estimate, StudyError> {
+        let points = match self {
+            Self::Spectrum { sweep } | Self::Critical { sweep } => sweep.points,
+            Self::StabilityMap(map) => map.x.points * map.y.points,
+        };
+        Ok(Estimate::of_points(name, points, points as f64 * cost::EIGENVALUES))
+    }
+}
+
+impl Model for TwoDegreesCase {
+    fn preflight(&self, _: &CaseFile, _: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
+        Ok(Prepared::NOTHING)
+    }
+
+    fn steps(&self, index: usize) -> usize {
+        self.analyses[index].kind.steps()
+    }
+
+    fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {
+        self.analyses[index].kind.run(&self, task)
+    }
+
+    fn resolve(&self, file: &CaseFile) -> Result<Resolved, StudyError> {
+        check::resolve(file, self)
+    }
+}

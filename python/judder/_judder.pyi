@@ -10,6 +10,7 @@ from judder.oscillator import FrictionLoad, LawName
 from judder.sliding import Observed, Slider, Track
 
 __all__ = [
+    "CONTACT_STATES",
     "VERSION",
     "HeldSweep",
     "Law",
@@ -29,6 +30,7 @@ __all__ = [
 ]
 
 VERSION: Final[str]
+CONTACT_STATES: Final[list[str]]
 
 _Path = str | PathLike[str]
 _Progress = Callable[[str, int, int], object]

@@ -113,7 +113,7 @@ class March:
     friction: NDArray[np.float64]
     """μ."""
     state: NDArray[np.uint8]
-    """0 slip, 1 stick, 2 open."""
+    """The contact states by their numbers in all results: 0 stick, 1 slip, 2 slip against the path, 3 lift-off."""
     accelerations: NDArray[np.float64]
     """Accelerations of the observed displacements, m/s², float64[n, observed]."""
 
@@ -133,7 +133,8 @@ class March:
         variables: dict[str, Any] = {
             name: ("time", getattr(self, name), {"long_name": words, "units": units}) for name, (words, units) in about.items()
         }
-        codes = {"flag_values": np.arange(3, dtype=np.uint8), "flag_meanings": "slip stick open"}
+        names = [name.replace(" ", "_") for name in _judder.CONTACT_STATES]
+        codes = {"flag_values": np.arange(len(names), dtype=np.uint8), "flag_meanings": " ".join(names)}
         variables["state"] = ("time", self.state, {"long_name": "state of the contact", **codes})
         both = {"long_name": "acceleration", "units": "m/s²"}
         variables["accelerations"] = (("time", "observed"), self.accelerations, both)

@@ -6,6 +6,7 @@
 //! - [`quadrature`]: the rule of Gauss and Legendre.
 //! - [`gmres`]: a large, non-symmetric system known only by its products.
 //! - [`dense`]: a small system of linear equations.
+//! - [`contact_state`]: stick, slip, lift-off, and their numbers in results.
 //! - [`counter`]: even random numbers, each computed from its place alone.
 //! - [`piecewise`]: motion whose equations change from mode to mode, with located events.
 //! - [`sampling`]: points that fill a cube evenly: Sobol' sequences, Latin hypercubes.
@@ -15,6 +16,7 @@
 //!
 //! What a library does is called, not wrapped; these stand here because no library gives them in this form.
 
+pub mod contact_state;
 pub mod counter;
 pub mod dense;
 pub mod elementary;

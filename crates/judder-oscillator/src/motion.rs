@@ -1,7 +1,6 @@
 //! Motion: the equations (12), (13), and what comes of them beyond small disturbances.
 //!
 //! - [`equations`]: the forces and accelerations of (12), (13), one formula each.
-//! - [`contact_state`]: stick, slip, lift-off.
 //! - [`sliding_system`]: what the nonsmooth engine and everything built on it ask of an oscillator.
 //! - [`stick_slip`]: the oscillator of the paper as such a system.
 //! - [`belt`]: the mass on a belt, with one degree of freedom, of the literature's benchmarks.
@@ -13,7 +12,6 @@
 
 pub mod attractor;
 pub mod belt;
-pub mod contact_state;
 pub mod equations;
 pub mod history;
 pub mod laps;
@@ -27,8 +25,8 @@ pub mod time_stepping;
 pub type Interrupted<'a> = &'a (dyn Fn() -> bool + Sync);
 
 pub use belt::{BeltOscillator, FallingFriction};
-pub use contact_state::ContactState;
 pub use equations::accelerations;
+pub use judder_numerics::contact_state::ContactState;
 pub use sliding_system::{Powers, SlidingSystem};
 pub use smoothed::Smoothed;
 pub use stick_slip::StickSlip;

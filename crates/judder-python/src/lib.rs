@@ -34,5 +34,10 @@ mod _judder {
     #[pymodule_export]
     use crate::sweep::{HeldSweep, PySweep};
     #[pymodule_export]
+    const CONTACT_STATES: [&str; 4] = {
+        let [stick, slip, slip_ahead, lift_off] = judder_sliding::march::ContactState::CODES;
+        [stick.1, slip.1, slip_ahead.1, lift_off.1]
+    };
+    #[pymodule_export]
     const VERSION: &str = env!("CARGO_PKG_VERSION");
 }

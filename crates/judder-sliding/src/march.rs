@@ -25,8 +25,8 @@ use crate::pair::{Observed, Pair, Side};
 use crate::plane::Vector;
 pub use checkpoint::Checkpoint;
 use compliance::Compliance;
+pub use judder_numerics::contact_state::ContactState;
 use oscillators::{Oscillators, ROWS, Recurrence};
-pub use reaction::ContactState;
 use scheme::Scheme;
 use statically::StaticPath;
 use std::f64::consts::TAU;
@@ -101,7 +101,7 @@ pub struct Sample {
     pub gap: f64,
     /// μ in this step.
     pub friction: f64,
-    /// Stick, slip or open.
+    /// Stick, slip along the path or against it, lift-off.
     pub state: ContactState,
 }
 

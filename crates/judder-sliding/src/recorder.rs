@@ -56,7 +56,6 @@ pub struct Recorder {
     step: f64,
     factor: u64,
     delay: u64,
-    direction: f64,
     channels: Vec<Channel>,
     /// The channels' values in this step.
     values: Vec<f64>,
@@ -109,7 +108,6 @@ impl Recorder {
             step: 1.0 / decimation.sample_rate,
             factor: decimation.factor as u64,
             delay,
-            direction: motion.velocity.signum(),
             channels: channels.to_vec(),
             rigid: pair.observed().iter().map(|point| point.rigid).collect(),
             filter,
@@ -223,9 +221,9 @@ impl Recorder {
         tally.sliding_velocity.update(self.steps, sample.sliding_velocity);
         match sample.state {
             ContactState::Stick => tally.stick_steps += 1,
-            ContactState::Open => tally.open_steps += 1,
-            ContactState::Slip if sample.sliding_velocity * self.direction < 0.0 => tally.reversed_steps += 1,
-            ContactState::Slip => tally.slip_steps += 1,
+            ContactState::LiftOff => tally.open_steps += 1,
+            ContactState::SlipAhead => tally.reversed_steps += 1,
+            ContactState::SlipBehind => tally.slip_steps += 1,
         }
     }
 }

@@ -56,9 +56,10 @@ def test_a_march_settles_at_the_load():
     late = ended.time > 0.12
     np.testing.assert_allclose(ended.normal_force[late], LOAD, rtol=1e-3)
     np.testing.assert_allclose(ended.tangential_force[late], -0.3 * LOAD, rtol=1e-3)
-    assert not ended.ran_off and ended.state.max() == 0 and told[-1][1] == told[-1][2]
+    assert not ended.ran_off and set(ended.state) <= {1, 2} and told[-1][1] == told[-1][2]
     np.testing.assert_allclose(np.diff(ended.time), 10 * ended.step, rtol=1e-6)
     assert ended.accelerations.shape == (ended.time.size, 1)
+    assert ended.to_dataset().state.attrs["flag_meanings"] == "stick slip slip_ahead lift-off"
     assert ended.to_dataset().normal_force.attrs == {"long_name": "normal force", "units": "N"}
 
 

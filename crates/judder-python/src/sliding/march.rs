@@ -5,7 +5,7 @@ use crate::errors;
 use crate::oscillator::named;
 use crate::watched::{Manner, watched};
 use judder_sliding::SlidingError;
-use judder_sliding::march::{ContactState, March, MarchSettings, Method, Predictor, Reached, Sample};
+use judder_sliding::march::{March, MarchSettings, Method, Predictor, Reached, Sample};
 use judder_sliding::motion::{Motion, Noise, Ramps};
 use judder_study::Progress;
 use judder_study::coupled_pair::own_step;
@@ -88,11 +88,7 @@ impl Kept {
         for (column, value) in self.columns.iter_mut().zip(values) {
             column.push(value);
         }
-        self.states.push(match sample.state {
-            ContactState::Slip => 0,
-            ContactState::Stick => 1,
-            ContactState::Open => 2,
-        });
+        self.states.push(sample.state.number());
         self.accelerations.extend_from_slice(accelerations);
     }
 }

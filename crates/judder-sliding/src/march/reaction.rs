@@ -1,5 +1,7 @@
 //! The contact's force in one step, by each method.
 
+use judder_numerics::contact_state::ContactState;
+
 /// What the contact is about to do, along its normal and tangent.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Approach {
@@ -13,11 +15,10 @@ pub(super) struct Approach {
     pub(super) friction: f64,
 }
 
-/// What the contact does in a step.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
-pub enum ContactState {
+/// What the contact does in a step, whichever way it slides.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Grip {
     /// The slider slides along the track.
-    #[default]
     Slip,
     /// It stays where it is.
     Stick,
@@ -25,15 +26,28 @@ pub enum ContactState {
     Open,
 }
 
+impl Grip {
+    /// The state of a contact that slides so fast along the path: against it is ahead.
+    #[inline]
+    pub(super) fn state(self, along: f64) -> ContactState {
+        match self {
+            Self::Stick => ContactState::Stick,
+            Self::Open => ContactState::LiftOff,
+            Self::Slip if along < 0.0 => ContactState::SlipAhead,
+            Self::Slip => ContactState::SlipBehind,
+        }
+    }
+}
+
 /// Force on the slider along normal and tangent, N.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Reaction {
     pub(super) normal: f64,
     pub(super) tangential: f64,
-    pub(super) state: ContactState,
+    pub(super) grip: Grip,
 }
 
-const OPEN: Reaction = Reaction { normal: 0.0, tangential: 0.0, state: ContactState::Open };
+const OPEN: Reaction = Reaction { normal: 0.0, tangential: 0.0, grip: Grip::Open };
 
 /// The slider locks: what a unit normal force with its friction opens at once is not positive.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,7 +72,7 @@ pub(super) fn sliding(approach: &Approach, direction: f64) -> Result<Reaction, L
         return Ok(OPEN);
     }
     let tangential = -direction * approach.friction * normal;
-    Ok(Reaction { normal, tangential, state: ContactState::Slip })
+    Ok(Reaction { normal, tangential, grip: Grip::Slip })
 }
 
 /// Forward increment Lagrange multipliers: the force that obeys Signorini's and Coulomb's laws at the end of the step, where Gauss–Seidel
@@ -90,7 +104,7 @@ pub(super) fn projected(approach: &Approach) -> Result<Reaction, Locked> {
     let normal = -gap / opened(share);
     let is_held = share.abs() <= friction && normal > 0.0 && normal.is_finite();
     if is_held && opened(friction.copysign(share)) > 0.0 {
-        return Ok(Reaction { normal, tangential: share * normal, state: ContactState::Stick });
+        return Ok(Reaction { normal, tangential: share * normal, grip: Grip::Stick });
     }
     Err(Locked { compliance: nn - friction * nt.abs(), direction: nt.signum() })
 }
@@ -125,10 +139,10 @@ mod tests {
             prop_assert!(reaction.normal >= 0.0 && gap >= -1e-14);
             prop_assert!((reaction.normal * gap).abs() < 1e-13);
             prop_assert!(reaction.tangential.abs() <= friction * reaction.normal * (1.0 + 1e-14));
-            match reaction.state {
-                ContactState::Stick => prop_assert!(slip.abs() < 1e-13),
-                ContactState::Slip => prop_assert!(reaction.tangential * slip <= 1e-13),
-                ContactState::Open => prop_assert!(reaction.normal == 0.0),
+            match reaction.grip {
+                Grip::Stick => prop_assert!(slip.abs() < 1e-13),
+                Grip::Slip => prop_assert!(reaction.tangential * slip <= 1e-13),
+                Grip::Open => prop_assert!(reaction.normal == 0.0),
             }
         }
 
@@ -167,15 +181,15 @@ mod tests {
             let friction = drawn(3, 0.0, 1.5).min(0.9 * nn / nt.abs());
             let (gap, slip) = (drawn(4, -1.0, 0.3), drawn(5, -1.5, 1.5));
             let approach = Approach { gap, slip, compliance: [nn, nt, nt, tt], friction };
-            let Reaction { normal, tangential, state } = projected(&approach).unwrap();
+            let Reaction { normal, tangential, grip } = projected(&approach).unwrap();
             let (n, t) = swept(&approach);
             let difference = (normal - n).abs().max((tangential - t).abs());
             assert!(difference < 1e-10 * n.max(1.0), "{approach:?}: {normal} {tangential}, {n} {t}");
-            counts[match state {
-                ContactState::Open => 0,
-                ContactState::Stick => 1,
-                ContactState::Slip if tangential <= 0.0 => 2,
-                ContactState::Slip => 3,
+            counts[match grip {
+                Grip::Open => 0,
+                Grip::Stick => 1,
+                Grip::Slip if tangential <= 0.0 => 2,
+                Grip::Slip => 3,
             }] += 1;
         }
         assert!(counts.iter().all(|count| *count > 10_000), "{counts:?}");
@@ -206,8 +220,8 @@ mod tests {
             projected(&Approach { gap: -1.0, slip, compliance: [1.0, 0.5, 0.5, 1.0], friction: 3.0 })
         };
         let back = of(-2.0).unwrap();
-        assert_eq!((back.state, back.normal, back.tangential), (ContactState::Slip, 0.4, 3.0 * 0.4));
-        assert_eq!(of(-1.0).map(|held| held.state), Ok(ContactState::Stick));
+        assert_eq!((back.grip, back.normal, back.tangential), (Grip::Slip, 0.4, 3.0 * 0.4));
+        assert_eq!(of(-1.0).map(|held| held.grip), Ok(Grip::Stick));
         assert_eq!(of(1.0), Err(Locked { compliance: -0.5, direction: 1.0 }));
     }
 

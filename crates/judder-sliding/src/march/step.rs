@@ -83,7 +83,7 @@ impl March<'_> {
             Ok(met) => met,
             Err(end) => return Ok(Err(end)),
         };
-        let Reaction { normal, tangential, state } = reaction;
+        let Reaction { normal, tangential, grip } = reaction;
         let force = plus([touch.normal[0] * normal, touch.normal[1] * normal], tangential, touch.tangent);
         let [nn, nt, tn, tt] = approach.compliance;
         let gap = approach.gap + nn * normal + nt * tangential;
@@ -103,7 +103,7 @@ impl March<'_> {
             sliding_velocity: self.velocity,
             gap,
             friction,
-            state,
+            state: grip.state(self.velocity * self.settings.motion.velocity.signum()),
         }))
     }
 

@@ -121,7 +121,7 @@ fn a_load_that_lifts_off_is_a_state() {
         let mut march = March::new(&pair, settings).unwrap();
         let (mut open, mut least) = (0_u32, f64::INFINITY);
         let mut take = |sample: &Sample, _: &[f64]| {
-            open += u32::from(sample.state == ContactState::Open);
+            open += u32::from(sample.state == ContactState::LiftOff);
             least = least.min(sample.normal_force);
         };
         assert_eq!(march.advance(20_000, &mut take), Ok(Reached::Steps), "{method:?}");
@@ -194,7 +194,7 @@ fn an_initial_gap_is_never_a_kick() {
                 let (mut before, mut largest, mut is_off) = (0.0, 0.0_f64, false);
                 let is_slow = duration >= common::motion().ramps.load;
                 let mut take = |sample: &Sample, _: &[f64]| {
-                    is_off |= sample.state == ContactState::Open && !is_slow;
+                    is_off |= sample.state == ContactState::LiftOff && !is_slow;
                     if is_off {
                         return;
                     }

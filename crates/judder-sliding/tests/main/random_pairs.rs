@@ -62,8 +62,8 @@ proptest! {
                 && t.abs() <= friction * n + small
                 && match state {
                     ContactState::Stick => v.abs() < 1e-8,
-                    ContactState::Slip => t * v <= small,
-                    ContactState::Open => n == 0.0 && t == 0.0,
+                    ContactState::SlipBehind | ContactState::SlipAhead => t * v <= small,
+                    ContactState::LiftOff => n == 0.0 && t == 0.0,
                 };
             if !holds && broken.is_none() {
                 broken = Some(*sample);

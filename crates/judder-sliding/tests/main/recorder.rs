@@ -23,7 +23,7 @@ fn sample(motion: &Motion, step: u64, force: f64) -> Sample {
         sliding_velocity: 0.03,
         gap: 0.0,
         friction: 0.3,
-        state: ContactState::Slip,
+        state: ContactState::SlipBehind,
     }
 }
 
@@ -72,12 +72,12 @@ fn extremes_and_states_are_those_after_the_ramps() {
         let sample = Sample { sliding_velocity: velocity, state, ..sample(&motion, step, force) };
         recorder.take(&sample, &[0.0]);
     };
-    take(settled - 10, 99.0, -5.0, ContactState::Open);
-    take(settled + 10, 0.2, 0.03, ContactState::Slip);
-    take(settled + 11, 0.1, -0.01, ContactState::Slip);
+    take(settled - 10, 99.0, -5.0, ContactState::LiftOff);
+    take(settled + 10, 0.2, 0.03, ContactState::SlipBehind);
+    take(settled + 11, 0.1, -0.01, ContactState::SlipAhead);
     take(settled + 12, 0.3, 0.0, ContactState::Stick);
-    take(settled + 13, 0.0, 0.05, ContactState::Open);
-    take(settled + 14, 0.2, 0.02, ContactState::Slip);
+    take(settled + 13, 0.0, 0.05, ContactState::LiftOff);
+    take(settled + 14, 0.2, 0.02, ContactState::SlipBehind);
     let tally = recorder.tally();
     let values = |extremes: &judder_numerics::signal::extremes::Extremes| {
         [extremes.minimum().unwrap().1, extremes.maximum().unwrap().1]

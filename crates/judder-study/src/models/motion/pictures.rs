@@ -3,6 +3,7 @@
 use super::becomes::{BECOMES, CYCLE, IRREGULAR, UNCONFIRMED};
 use super::bifurcation::branch_layers as branches;
 use crate::pictures::{FRAME, axis, codes, complexes, reals, text, words};
+use judder_oscillator::motion::ContactState;
 use judder_report::figure::Region;
 use judder_report::palette::Style;
 use judder_report::{Axis, Layer, Legend, Panel, Role, Scale};
@@ -17,11 +18,14 @@ const MOST_CHANGES: usize = 400;
 /// Starts of a basin that are shown at most.
 const MOST_STARTS: usize = 4000;
 
-/// The numbers of the contact states in stored results, with their grounds; slip has none.
-const GROUNDS: [(u8, &str, Role); 3] =
-    [(0, "stick", Role::Stick), (2, "slip ahead", Role::SlipAhead), (3, "lift-off", Role::LiftOff)];
-const STICK: u8 = 0;
-const LIFT_OFF: u8 = 3;
+/// The grounds of contact states; slip has none.
+const GROUNDS: [(ContactState, Role); 3] = [
+    (ContactState::Stick, Role::Stick),
+    (ContactState::SlipAhead, Role::SlipAhead),
+    (ContactState::LiftOff, Role::LiftOff),
+];
+const STICK: u8 = ContactState::Stick.number();
+const LIFT_OFF: u8 = ContactState::LiftOff.number();
 
 /// Whole motion, its end, phase portrait, spectrum, section.
 pub(crate) fn motion(dataset: &Dataset) -> Option<Vec<Panel>> {
@@ -156,8 +160,13 @@ impl<'a> Shown<'a> {
         let ends = times.iter().copied().chain([self.span.1]);
         let states = [before].into_iter().chain(begins.iter().copied());
         let region = |((from, to), state): ((f64, f64), u8)| {
-            let (_, label, role) = GROUNDS.into_iter().find(|(code, _, _)| *code == state)?;
-            Some(Layer::Region(Region { label: label.to_owned(), x: Some((from, to)), y: None, role }))
+            let (ground, role) = GROUNDS.into_iter().find(|(own, _)| own.number() == state)?;
+            Some(Layer::Region(Region {
+                label: ground.name().to_owned(),
+                x: Some((from, to)),
+                y: None,
+                role,
+            }))
         };
         Some(starts.zip(ends).zip(states).filter_map(region).collect())
     }

@@ -153,9 +153,6 @@ pub(crate) struct Arrays<'a, M: Moving<N>, const N: usize> {
     pub(crate) history: &'a History<N>,
 }
 
-/// The contact states with their numbers.
-const CONTACT_STATES: [(u8, &str); 4] = [(0, "stick"), (1, "slip"), (2, "slip ahead"), (3, "lift-off")];
-
 impl<M: Moving<N>, const N: usize> Arrays<'_, M, N> {
     /// Every quantity on the grid of time.
     fn along_time(&self) -> Vec<(Coordinate, Vec<f64>)> {
@@ -188,7 +185,7 @@ impl<M: Moving<N>, const N: usize> Arrays<'_, M, N> {
             )?;
         }
         let states = samples.iter().map(|s| s.contact_state.number()).collect();
-        let states = Variable::classes("contact_state", &["time"], &[count], states, &CONTACT_STATES)
+        let states = Variable::classes("contact_state", &["time"], &[count], states, &ContactState::CODES)
             .long_name("contact state");
         self.with_oscillations(self.with_path(self.with_events(dataset.with(states)?)?)?)
     }
@@ -203,7 +200,7 @@ impl<M: Moving<N>, const N: usize> Arrays<'_, M, N> {
                 .long_name("time θ of a change of the contact state"),
         )?;
         let states = |name: &str, long_name: &str, codes: Vec<u8>| {
-            Variable::classes(name, &["event"], &[count], codes, &CONTACT_STATES).long_name(long_name)
+            Variable::classes(name, &["event"], &[count], codes, &ContactState::CODES).long_name(long_name)
         };
         let (from, to) = (
             events.iter().map(|e| e.from.number()).collect(),

@@ -90,28 +90,6 @@ pub(crate) fn any_key(path: &str, dimension: Dimension) -> Quantity {
     }
 }
 
-/// How a quantity of an operating point is called, by its name in a sweep.
-pub(crate) fn point_quantity(name: &str) -> Option<&'static str> {
-    Some(match name {
-        "growth_rate" => "Growth rate Re $λ$/$ω_{nx}$ (−)",
-        "frequency" => "Frequency Im $λ$/$ω_{nx}$ (−)",
-        "equivalent_damping" => "Equivalent damping $ξ_{eq}$ (−)",
-        "equivalent_damping_error" => "Error of the equivalent damping $ξ_{eq}$ (−)",
-        "growth_rate_error" => "Error of the growth rate Re $λ$/$ω_{nx}$ (−)",
-        "equilibrium_x" => "Displacement $x_{e}$/$x_{0}$ (−)",
-        "equilibrium_y" => "Displacement $y_{e}$/$x_{0}$ (−)",
-        "indentation" => "Indentation $y_{e}$/$R$ (−)",
-        "contact_force" => "Contact force $F_{k}$/($E_{0}^{*}$ $R^{2}$) (−)",
-        "contact_area" => "Contact area $A$/$R^{2}$ (−)",
-        "viscoelastic_friction" => "Friction $μ_{visc}$ (−)",
-        "critical_shear_strength" => "Critical $τ̃_{0,crit}$, undamped (−)",
-        "critical_load" => "Critical $F̃_{n,crit}$, undamped (−)",
-        "threshold_shear_strength" => "Threshold $τ̃_{0,crit}$ (−)",
-        "threshold_load" => "Threshold $F̃_{n,crit}$ (−)",
-        _ => return None,
-    })
-}
-
 /// A label without the markup of figures.
 pub(crate) fn plain(label: &str) -> String {
     label.replace("_{", "").replace(['$', '{', '}'], "")

@@ -6,7 +6,7 @@ use crate::models::MotionBlock;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::resolve::Resolved;
-use judder_case::{CaseError, CaseFile, ContactProblem, SlidingProblem};
+use judder_case::{CaseError, CaseFile, ContactProblem, SlidingProblem, StudySweep};
 use judder_report::Panel;
 use judder_store::Dataset;
 use serde_json::Value;
@@ -63,6 +63,45 @@ pub(crate) trait Model: Sync {
     /// # Errors
     /// What a run would refuse.
     fn resolve(&self, file: &CaseFile) -> Result<Resolved, StudyError>;
+
+    /// The quantities of its operating point that a sweep can ask for; none without an operating point.
+    fn operating_quantities(&self) -> &'static [OperatingQuantity] {
+        &[]
+    }
+
+    /// The operating points of a sweep at which the case need not be read anew; `None` where it must be.
+    ///
+    /// # Errors
+    /// A law or data that cannot be, [`StudyError::Interrupted`].
+    fn operating_points(
+        &self,
+        _sweep: &StudySweep,
+        _progress: &dyn Progress,
+    ) -> Result<Option<Box<dyn OperatingPoints>>, StudyError> {
+        Ok(None)
+    }
+
+    /// These quantities of the operating point of the case itself, and why they are doubtful.
+    ///
+    /// # Errors
+    /// No operating point, [`StudyError::Interrupted`].
+    fn operating_point(
+        &self,
+        _wanted: &[OperatingQuantity],
+        _progress: &dyn Progress,
+    ) -> Result<(Vec<f64>, Vec<String>), StudyError> {
+        Ok((Vec::new(), Vec::new()))
+    }
+
+    /// What an operating point of a sweep takes.
+    fn operating_work(&self, _sweep: &StudySweep, _wanted: &[OperatingQuantity]) -> OperatingWork {
+        OperatingWork::Search
+    }
+
+    /// What a finished sweep has to say of points at which the case was read anew.
+    fn told_of_sweep(&self, _file: &CaseFile, _sweep: &StudySweep) -> Option<String> {
+        None
+    }
 
     /// What of the resolved case the law depends on that all analyses share, where they share one.
     fn shared_law(&self, _resolved: &Value) -> Option<Vec<Value>> {
@@ -129,6 +168,49 @@ pub(crate) struct Pictured {
     pub(crate) draw: fn(&Dataset) -> Option<Vec<Panel>>,
     /// What stands under it.
     pub(crate) caption: &'static str,
+}
+
+/// A quantity of an operating point, as a column of a sweep.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct OperatingQuantity {
+    /// Its name in a case file.
+    pub(crate) name: &'static str,
+    /// Its unit; empty for codes.
+    pub(crate) units: &'static str,
+    /// What it is, with its symbol.
+    pub(crate) long_name: &'static str,
+    /// What stands at an axis; none of a code.
+    pub(crate) label: Option<&'static str>,
+    /// What each code means, where it is a code.
+    pub(crate) flags: &'static [&'static str],
+    /// Whether it is a root that has to be sought.
+    pub(crate) is_sought: bool,
+}
+
+/// Operating points that share what takes time to make.
+pub(crate) trait OperatingPoints: Send + Sync {
+    /// These quantities where the swept keys have these values.
+    ///
+    /// # Errors
+    /// No operating point.
+    fn at(&self, values: &[f64], wanted: &[OperatingQuantity]) -> Result<Vec<f64>, StudyError>;
+
+    /// What a finished sweep has to say of them.
+    ///
+    /// # Errors
+    /// Data that cannot be read.
+    fn told(&self, sweep: &StudySweep) -> Result<Vec<String>, StudyError>;
+}
+
+/// What an operating point takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum OperatingWork {
+    /// A contact law of its own.
+    Law,
+    /// A search, or the case read anew.
+    Search,
+    /// Microseconds.
+    Point,
 }
 
 /// How an analysis is run.

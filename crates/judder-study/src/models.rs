@@ -40,6 +40,11 @@ pub(crate) fn pictured() -> impl Iterator<Item = &'static Pictured> {
     kinds.into_iter().flatten()
 }
 
+/// What stands at an axis of a quantity of operating points, by its name.
+pub(crate) fn operating_label(name: &str) -> Option<&'static str> {
+    oscillator::operating_points::QUANTITIES.iter().find(|own| own.name == name)?.label
+}
+
 /// What a run found wrong with an analysis, at its place in the case file where a key is to blame.
 pub(crate) fn placed(error: StudyError, file: &CaseFile, index: usize) -> StudyError {
     let names = file.case.analysis_names();

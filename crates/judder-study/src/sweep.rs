@@ -3,13 +3,12 @@
 //! In the order in which the data flows:
 //!
 //! - `plan`: what a sweep stores, under which hash, in which chunks.
-//! - `point_quantity`, `scalars`: a number of an operating point, a number out of the results of an analysis.
+//! - `scalars`: a number out of the results of an analysis.
 //! - `evaluate`: the points of a chunk.
 //! - [`shard`]: which chunks are whose; `chunks`: chunks claimed, computed, written.
 //! - `part`: chunks and points for whoever hands them out to machines of his own.
 //! - `dry_run`: what a sweep would take.
 //! - `statistics`, `indices`: what a finished sweep says: extremes, failures, sensitivity.
-//! - `law_warnings`: what it says of its contact law.
 //! - `finish`: a finished sweep as an outcome.
 
 mod chunks;
@@ -17,10 +16,8 @@ mod dry_run;
 mod evaluate;
 mod finish;
 mod indices;
-mod law_warnings;
 mod part;
 mod plan;
-mod point_quantity;
 mod scalars;
 pub mod shard;
 mod statistics;

@@ -1,18 +1,13 @@
 //! The points of a chunk.
 
-use super::plan::{Column, SweepPlan, law_stays};
-use super::point_quantity::{PointQuantity, PointState, linear_values};
+use super::plan::{Column, SweepPlan};
 use super::scalars::number_at;
 use crate::analyses::run_alone;
-use crate::bridge::{self, CaseContact};
-use crate::computed_law::NO_POINTS;
 use crate::error::StudyError;
-use crate::model::Prepared;
+use crate::model::{OperatingPoints, OperatingQuantity, Prepared};
 use crate::models::{model, placed};
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
-use judder_case::{Case, Form, LawName, OscillatorCase, OscillatorInputs, OscillatorKey, Value};
-use judder_oscillator::Contact;
 use judder_store::PointFailure;
 use std::any::Any;
 use std::borrow::Cow;
@@ -45,35 +40,16 @@ pub(super) struct Tried {
 pub struct Evaluator<'a> {
     pub(super) plan: Cow<'a, SweepPlan>,
     way: Way,
+    /// The quantities of the operating point, in the order of their columns.
+    wanted: Vec<OperatingQuantity>,
 }
 
 /// How the operating point comes about.
 enum Way {
-    /// The swept keys are set in the inputs of the case: law and material stay what they are.
-    Inputs(Box<SetInputs>),
+    /// The points share what takes time to make.
+    Shared(Box<dyn OperatingPoints>),
     /// The case is read anew; what it shares with the case of the file is taken from there.
     Anew(Prepared),
-}
-
-/// The inputs of the case, the keys that are set in them, and the contact of all points.
-pub(super) struct SetInputs {
-    pub(super) case: OscillatorCase,
-    keys: Vec<(OscillatorKey, Form)>,
-    pub(super) contact: Contact,
-    /// How a law that was computed for all points is doubtful.
-    pub(super) computed: Vec<String>,
-}
-
-impl SetInputs {
-    /// The inputs with these values.
-    pub(super) fn at(&self, values: &[f64]) -> Result<OscillatorInputs, StudyError> {
-        let mut inputs = self.case.inputs;
-        for ((key, form), value) in self.keys.iter().zip(values) {
-            inputs.set(*key, Value { number: *value, form: *form });
-        }
-        inputs.check(self.case.law).map_err(|cause| StudyError::Unsupported(cause.to_string()))?;
-        Ok(inputs)
-    }
 }
 
 impl<'a> Evaluator<'a> {
@@ -97,7 +73,8 @@ impl<'a> Evaluator<'a> {
         let way = way(&plan, progress)?;
         // what was read just now is what the hash tells of
         plan.check_files()?;
-        Ok(Self { plan, way })
+        let wanted = plan.operating_quantities();
+        Ok(Self { plan, way, wanted })
     }
 
     /// Computes all points of a chunk.
@@ -148,14 +125,6 @@ impl<'a> Evaluator<'a> {
         Ok(Tried { seconds: began.elapsed().as_secs_f64() / done as f64, points: done, reasons })
     }
 
-    /// What all points share, where the law is the same at all of them.
-    pub(super) fn of_one_law(&self) -> Option<&SetInputs> {
-        match &self.way {
-            Way::Inputs(set) => Some(set),
-            Way::Anew(_) => None,
-        }
-    }
-
     /// Computes the point at a position into the columns of its row; gives back why something of it is missing or doubtful.
     ///
     /// # Errors
@@ -174,10 +143,8 @@ impl<'a> Evaluator<'a> {
         }
         // a fault of ours at one point must not take the others with it
         let computed = catch_unwind(AssertUnwindSafe(|| match &self.way {
-            Way::Inputs(set) => {
-                let inputs = set.at(&at)?;
-                let state = PointState::new(&set.contact, &inputs)?;
-                self.fill_points(row, |quantity| state.value(quantity));
+            Way::Shared(points) => {
+                self.fill_points(row, points.at(&at, &self.wanted)?);
                 Ok(Told::default())
             }
             Way::Anew(prepared) => self.anew(prepared, &at, row, progress),
@@ -190,12 +157,10 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    fn fill_points(&self, row: &mut [f64], of: impl Fn(&PointQuantity) -> f64) {
-        for (column, value) in self.plan.columns.iter().zip(row) {
-            if let Column::Point(quantity) = column {
-                *value = of(quantity);
-            }
-        }
+    fn fill_points(&self, row: &mut [f64], values: Vec<f64>) {
+        let columns = self.plan.columns.iter().zip(row);
+        let of_point = columns.filter(|(column, _)| matches!(column, Column::Point(_)));
+        of_point.zip(values).for_each(|((_, place), value)| *place = value);
     }
 
     /// Reads the case anew and runs what the columns ask for; gives back what is missing or doubtful.
@@ -208,8 +173,10 @@ impl<'a> Evaluator<'a> {
     ) -> Result<Told, StudyError> {
         let file = self.plan.file.at(&self.plan.sweep, at)?;
         let mut told = Told::default();
-        if self.plan.columns.iter().any(|column| matches!(column, Column::Point(_))) {
-            told.doubts = self.point_of_case(&file.case, row, progress)?;
+        if !self.wanted.is_empty() {
+            let (values, doubts) = model(&file.case).operating_point(&self.wanted, &Within(progress))?;
+            self.fill_points(row, values);
+            told.doubts = doubts;
         }
         let wanted = self.plan.analyses();
         if wanted.is_empty() {
@@ -244,33 +211,6 @@ impl<'a> Evaluator<'a> {
             }
         }
         told.take(name, outcome);
-    }
-
-    /// The quantities of the operating point of a case that was read anew; gives back why its law is doubtful there.
-    fn point_of_case(
-        &self,
-        case: &Case,
-        row: &mut [f64],
-        progress: &dyn Progress,
-    ) -> Result<Vec<String>, StudyError> {
-        match case {
-            Case::Oscillator(case) => {
-                let case = bridge::with_material(case)?;
-                let CaseContact { contact, mut warnings } =
-                    bridge::contact(&case, NO_POINTS, &Within(progress))?;
-                let state = PointState::new(&contact, &case.inputs)?;
-                self.fill_points(row, |quantity| state.value(quantity));
-                warnings.extend(state.concern().map(|concern| format!("outside the law's range: {concern}")));
-                Ok(warnings)
-            }
-            Case::TwoDegrees(case) => {
-                let values = linear_values(case)?;
-                self.fill_points(row, |quantity| values.of(quantity));
-                Ok(Vec::new())
-            }
-            // no quantity of other models gets through the plan
-            _ => Ok(Vec::new()),
-        }
     }
 }
 
@@ -321,27 +261,15 @@ impl Told {
     }
 }
 
-/// The case and the swept keys of a sweep whose law is the same at every point, and that asks for the operating point alone.
-pub(super) fn of_one_law(plan: &SweepPlan) -> Option<(&OscillatorCase, &[(OscillatorKey, Form)])> {
-    match (&plan.file.case, &plan.sweep.oscillator) {
-        (Case::Oscillator(case), Some(keys)) if plan.analyses().is_empty() && law_stays(case, keys) => {
-            Some((case, keys))
-        }
-        _ => None,
-    }
-}
-
 fn way(plan: &SweepPlan, progress: &dyn Progress) -> Result<Way, StudyError> {
-    if let Some((case, keys)) = of_one_law(plan) {
-        let case = bridge::with_material(case)?;
-        let CaseContact { contact, warnings } = bridge::contact(&case, NO_POINTS, &Within(progress))?;
-        // the others depend on the point
-        let computed = if case.law == LawName::Bem { warnings } else { Vec::new() };
-        let set = SetInputs { case, keys: keys.to_vec(), contact, computed };
-        return Ok(Way::Inputs(Box::new(set)));
+    let model = model(&plan.file.case);
+    if plan.analyses().is_empty()
+        && let Some(points) = model.operating_points(&plan.sweep, &Within(progress))?
+    {
+        return Ok(Way::Shared(points));
     }
     let names: Vec<&str> = plan.analyses().iter().map(|(_, name)| *name).collect();
-    Ok(Way::Anew(model(&plan.file.case).preflight(&plan.file, &|name| names.contains(&name))?))
+    Ok(Way::Anew(model.preflight(&plan.file, &|name| names.contains(&name))?))
 }
 
 /// Whether an error is not of the point: another time it may be computed.

@@ -2,10 +2,10 @@
 
 use super::evaluate::DOUBTFUL;
 use super::indices::indices;
-use super::law_warnings::law_warnings;
 use super::plan::{Column, SweepPlan};
 use super::statistics::ColumnStatistics;
 use crate::error::StudyError;
+use crate::models::model;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use judder_numerics::words::plain;
@@ -26,7 +26,7 @@ pub(crate) fn finish(
     store: &SweepStore,
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
-    let law = law_warnings(plan, progress)?;
+    let law = told_of_law(plan, progress)?;
     let mut read = Reading::new(plan);
     let chunks = plan.layout().chunk_count();
     progress.begin(&format!("{}, summary", plan.layout().name()), chunks);
@@ -196,4 +196,15 @@ fn place(at: &Value) -> String {
         .map(|(key, value)| format!("{key} = {}", value.as_f64().map_or_else(|| value.to_string(), plain)))
         .collect();
     words.join(", ")
+}
+
+/// What a finished sweep has to say of the law of its operating points.
+fn told_of_law(plan: &SweepPlan, progress: &dyn Progress) -> Result<Vec<String>, StudyError> {
+    let model = model(&plan.file.case);
+    if plan.analyses().is_empty()
+        && let Some(points) = model.operating_points(&plan.sweep, progress)?
+    {
+        return points.told(&plan.sweep);
+    }
+    Ok(model.told_of_sweep(&plan.file, &plan.sweep).into_iter().collect())
 }

@@ -1,14 +1,15 @@
 //! What a sweep stores, under which hash, in which chunks.
 
-use super::point_quantity::{PointQuantity, known};
 use crate::error::StudyError;
 use crate::input_file::KnownFile;
 use crate::labels;
 use crate::ledger::VERSION;
+use crate::model::{OperatingQuantity, OperatingWork};
 use crate::models::Axis;
+use crate::models::model;
 use judder_case::study_sweep::quantity_path::{QuantityPath, QuantitySource, QuantityStep};
 use judder_case::study_sweep::{Design, StudySweep, SweptValues};
-use judder_case::{Case, CaseError, CaseFile, Form, LawName, OscillatorCase, OscillatorKey, SweepProblem};
+use judder_case::{CaseError, CaseFile, SweepProblem};
 use judder_store::{SweepDimension, SweepLayout, SweepQuantity, Variable};
 
 /// The most points of a chunk where the case does not say, when only the operating point is asked for: a fraction of a second.
@@ -29,7 +30,7 @@ pub(super) enum Column {
     /// The value of a swept key, by its position.
     Key(usize),
     /// A quantity of the operating point.
-    Point(PointQuantity),
+    Point(OperatingQuantity),
     /// A scalar of an analysis, by the position of the analysis in the case.
     Scalar { index: usize, name: String, steps: Vec<QuantityStep> },
 }
@@ -83,6 +84,11 @@ impl SweepPlan {
         &self.layout
     }
 
+    /// The quantities of the operating point that it asks for.
+    pub(super) fn operating_quantities(&self) -> Vec<OperatingQuantity> {
+        operating_quantities(&self.columns)
+    }
+
     /// Refuses to go on where a file of the case is not what it was: the hash would tell of another one.
     ///
     /// # Errors
@@ -121,7 +127,7 @@ fn column(file: &CaseFile, sweep: &StudySweep, quantity: &QuantityPath) -> Resul
             Ok(Column::Scalar { index: *index, name: name.clone(), steps: steps.clone() })
         }
         QuantitySource::Point { name } => {
-            let known = known(&file.case);
+            let known = model(&file.case).operating_quantities();
             let found = known.iter().find(|own| own.name == *name).copied();
             found.map(Column::Point).ok_or_else(|| {
                 let known = known.iter().map(|own| own.name.to_owned()).collect();
@@ -180,27 +186,20 @@ fn points_of_a_chunk(file: &CaseFile, sweep: &StudySweep, columns: &[Column]) ->
     if columns.iter().any(|column| matches!(column, Column::Scalar { .. })) {
         return [1, POINTS_OF_ANALYSES];
     }
-    let is_sought = |column: &Column| matches!(column, Column::Point(quantity) if quantity.is_sought());
-    let searches = [FEWEST_SEARCHES, POINTS_OF_SEARCHES];
-    match &file.case {
-        Case::Oscillator(case) => {
-            let stays = sweep.oscillator.as_ref().is_some_and(|keys| law_stays(case, keys));
-            match (stays, case.law == LawName::Bem) {
-                // a contact law is computed at every point
-                (false, true) => [1, 1],
-                (true, _) if !columns.iter().any(is_sought) => [FEWEST, POINTS_OF_POINTS],
-                _ => searches,
-            }
-        }
-        _ => searches,
+    match model(&file.case).operating_work(sweep, &operating_quantities(columns)) {
+        OperatingWork::Law => [1, 1],
+        OperatingWork::Search => [FEWEST_SEARCHES, POINTS_OF_SEARCHES],
+        OperatingWork::Point => [FEWEST, POINTS_OF_POINTS],
     }
 }
 
-/// Whether law and material are the same at every point.
-pub(super) fn law_stays(case: &OscillatorCase, keys: &[(OscillatorKey, Form)]) -> bool {
-    let of_substrate = |key: OscillatorKey| key.entry().section() == "substrate";
-    let moves = keys.iter().any(|(key, _)| of_substrate(*key));
-    !(moves && (case.law == LawName::Bem || case.substrate.decided_by().is_some()))
+/// The quantities of the operating point among columns, in their order.
+fn operating_quantities(columns: &[Column]) -> Vec<OperatingQuantity> {
+    let of = |column: &Column| match column {
+        Column::Point(quantity) => Some(*quantity),
+        _ => None,
+    };
+    columns.iter().filter_map(of).collect()
 }
 
 /// The last dimensions whole, as many as go into `target` points, and a part of the one before them.

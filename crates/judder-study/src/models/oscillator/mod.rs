@@ -2,6 +2,7 @@
 //!
 //! - [`point`], [`key_plane`]: one operating point; those over two keys.
 //! - [`quasi_steady`]: eq. (3), on which laws of steady sliding stand in motion.
+//! - `operating_points`: those of a sweep.
 //! - `steady_states`, `law_errors`, `margins`: what the analyses have in common.
 //! - `curves`: the figures of curves over one key.
 //! - `check`: what `judder check` shows.
@@ -15,6 +16,7 @@ mod equivalent_damping;
 pub mod key_plane;
 mod law_errors;
 pub(crate) mod margins;
+pub(crate) mod operating_points;
 pub mod point;
 pub mod quasi_steady;
 pub(crate) mod spectrum;
@@ -26,16 +28,20 @@ pub use stability_map::{BoundaryCurves, BoundaryKind, boundary_curves};
 use crate::bridge::{self, CaseContact};
 use crate::error::StudyError;
 use crate::known_substrate::KnownSubstrate;
-use crate::model::{Analysed, Analysis, Model, Pictured, Prepared, Task};
+use crate::model::{
+    Analysed, Analysis, Model, OperatingPoints, OperatingQuantity, OperatingWork, Pictured, Prepared, Task,
+};
 use crate::models::motion::{self, check::estimate, model::OscillatorModel};
 use crate::outcome::Outcome;
+use crate::progress::Progress;
 use crate::resolve::{Estimate, Resolved, cost};
 use judder_case::{
     CaseFile, Family, LawName, MotionAnalysis, OscillatorAnalysis, OscillatorCase, OscillatorInputs,
-    OscillatorKey, Sweep,
+    OscillatorKey, StudySweep, Sweep,
 };
 use judder_contact::law::sweep::SolvedPoint;
 use judder_oscillator::Contact;
+use operating_points::OfOneLaw;
 use quasi_steady::{Condition, of_motions};
 use serde_json::Value;
 
@@ -144,6 +150,35 @@ impl Model for OscillatorCase {
 
     fn resolve(&self, file: &CaseFile) -> Result<Resolved, StudyError> {
         check::resolve(file, &bridge::with_material(self)?)
+    }
+
+    fn operating_quantities(&self) -> &'static [OperatingQuantity] {
+        &operating_points::QUANTITIES
+    }
+
+    fn operating_points(
+        &self,
+        sweep: &StudySweep,
+        progress: &dyn Progress,
+    ) -> Result<Option<Box<dyn OperatingPoints>>, StudyError> {
+        let points = OfOneLaw::new(self, sweep, progress)?;
+        Ok(points.map(|points| Box::new(points) as Box<dyn OperatingPoints>))
+    }
+
+    fn operating_point(
+        &self,
+        wanted: &[OperatingQuantity],
+        progress: &dyn Progress,
+    ) -> Result<(Vec<f64>, Vec<String>), StudyError> {
+        operating_points::of_case(self, wanted, progress)
+    }
+
+    fn operating_work(&self, sweep: &StudySweep, wanted: &[OperatingQuantity]) -> OperatingWork {
+        operating_points::work(self, sweep, wanted)
+    }
+
+    fn told_of_sweep(&self, file: &CaseFile, sweep: &StudySweep) -> Option<String> {
+        operating_points::read_anew(file, sweep)
     }
 
     fn shared_law(&self, resolved: &Value) -> Option<Vec<Value>> {

@@ -4,10 +4,13 @@ mod check;
 mod run;
 
 use crate::error::StudyError;
-use crate::model::{Analysed, Analysis, Model, Prepared, Task};
+use crate::model::{Analysed, Analysis, Model, OperatingQuantity, Prepared, Task};
+use crate::models::oscillator::operating_points::{LINEAR_QUANTITIES, linear_values};
 use crate::outcome::Outcome;
+use crate::progress::Progress;
 use crate::resolve::{Estimate, Resolved, cost};
 use judder_case::{CaseFile, TwoDegreesAnalysis, TwoDegreesCase};
+use judder_oscillator::LinearSystem;
 
 impl Analysed for TwoDegreesCase {
     type Subject<'a> = &'a TwoDegreesCase;
@@ -41,6 +44,22 @@ impl Model for TwoDegreesCase {
 
     fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {
         self.analyses[index].kind.run(&self, task)
+    }
+
+    fn operating_quantities(&self) -> &'static [OperatingQuantity] {
+        &LINEAR_QUANTITIES
+    }
+
+    fn operating_point(
+        &self,
+        wanted: &[OperatingQuantity],
+        _: &dyn Progress,
+    ) -> Result<(Vec<f64>, Vec<String>), StudyError> {
+        let matrices = self.matrices(&self.values());
+        let matrices = matrices.map_err(|cause| StudyError::Unsupported(cause.to_string()))?;
+        let (mass, damping, stiffness) = (matrices.mass, matrices.damping, matrices.stiffness);
+        let values = linear_values(&LinearSystem { mass, damping, stiffness }, wanted)?;
+        Ok((values, Vec::new()))
     }
 
     fn resolve(&self, file: &CaseFile) -> Result<Resolved, StudyError> {

@@ -1,6 +1,6 @@
 //! A quantity of a sweep with its label, its colours and its values.
 
-use crate::labels;
+use crate::models::operating_label;
 use crate::pictures::words;
 use judder_report::figure::Class;
 use judder_report::{Axis, Role};
@@ -76,7 +76,7 @@ pub(super) fn columns(dataset: &Dataset, values: &[f64]) -> Option<Vec<Column>> 
 }
 
 fn label(name: &str, long_name: &str, units: &str) -> String {
-    if let Some(label) = labels::point_quantity(name) {
+    if let Some(label) = operating_label(name) {
         return label.to_owned();
     }
     match (long_name, units) {

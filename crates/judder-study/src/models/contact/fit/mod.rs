@@ -3,7 +3,7 @@
 mod run;
 
 use super::check::ContactEstimate;
-use super::law::figure::fit as draw;
+use super::law::figure;
 use super::{Exciting, Subject};
 use crate::error::StudyError;
 use crate::model::{Analysis, Pictured, Refusal, Task};
@@ -14,7 +14,7 @@ use judder_contact::law::sweep::SolvedPoint;
 /// The figure.
 pub(crate) const PICTURED: Pictured = Pictured {
     kind: "fit",
-    draw: draw,
+    draw: figure::fit,
     caption: "Computed values (points) and the fitted functions (34), (36), (38) (curves); right, their difference over the largest value at \
         each indentation.",
 };

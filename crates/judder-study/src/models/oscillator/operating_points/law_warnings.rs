@@ -1,35 +1,28 @@
 //! What a finished sweep has to say of its contact law, and of eq. (3).
 
-use super::evaluate::{Evaluator, of_one_law};
-use super::plan::SweepPlan;
+use super::OfOneLaw;
 use crate::bridge;
 use crate::error::StudyError;
 use crate::known_substrate::KnownSubstrate;
 use crate::models::oscillator::quasi_steady::{self, Condition};
 use crate::models::oscillator::steady_states::{SteadyState, validity_warnings};
-use crate::progress::Progress;
 use crate::within_law::MARGINAL;
-use judder_case::{Case, OscillatorCase};
+use judder_case::{Case, CaseFile, OscillatorCase, StudySweep};
 use judder_oscillator::within_law::WithinLaw;
 
-/// How the law is doubtful at some points, evenly over the sweep; where the case is read anew, the points say it themselves.
+/// How the law is doubtful at some points, evenly over the sweep.
 ///
 /// # Errors
-/// As of [`Evaluator::new`].
-pub(super) fn law_warnings(plan: &SweepPlan, progress: &dyn Progress) -> Result<Vec<String>, StudyError> {
+/// Data that cannot be read.
+pub(super) fn law_warnings(set: &OfOneLaw, sweep: &StudySweep) -> Result<Vec<String>, StudyError> {
     /// As many as are looked at.
     const LOOKED: u64 = 512;
-    if of_one_law(plan).is_none() {
-        return Ok(read_anew(plan).into_iter().collect());
-    }
-    let evaluator = Evaluator::new(plan, progress)?;
-    let Some(set) = evaluator.of_one_law() else { return Ok(Vec::new()) };
-    let looked = plan.sweep.points().min(LOOKED);
+    let looked = sweep.points().min(LOOKED);
     let (mut points, mut states, mut substrates) = (Vec::new(), Vec::new(), Vec::new());
-    let count = plan.sweep.points();
+    let count = sweep.points();
     for k in 0..looked {
         let number = u128::from(k) * u128::from(count) / u128::from(looked);
-        let Ok(inputs) = set.at(&plan.sweep.values_of(number as u64)) else { continue };
+        let Ok(inputs) = set.inputs(&sweep.values_of(number as u64)) else { continue };
         points.push(inputs);
         states.extend(SteadyState::new(&set.contact, &inputs));
         let here = OscillatorCase { inputs, ..set.case.clone() };
@@ -59,15 +52,15 @@ pub(super) fn law_warnings(plan: &SweepPlan, progress: &dyn Progress) -> Result<
 }
 
 /// That eq. (3) is broken at some of the points, evenly over the sweep, of a case that is read anew at each.
-fn read_anew(plan: &SweepPlan) -> Option<String> {
+pub(crate) fn read_anew(file: &CaseFile, sweep: &StudySweep) -> Option<String> {
     /// As many as are looked at: each reads the case, and a substrate that moves.
     const LOOKED: u64 = 16;
-    let points = plan.sweep.points();
+    let points = sweep.points();
     let looked = points.min(LOOKED);
     let at = |k: u64| {
         let number =
             if looked > 1 { u128::from(k) * u128::from(points - 1) / u128::from(looked - 1) } else { 0 };
-        let file = plan.file.at(&plan.sweep, &plan.sweep.values_of(number as u64)).ok()?;
+        let file = file.at(sweep, &sweep.values_of(number as u64)).ok()?;
         let Case::Oscillator(case) = &file.case else { return None };
         let case = bridge::with_material(case).ok()?;
         Condition::at(&case.inputs, None, &quasi_steady::terms(&case).ok()?)

@@ -1,0 +1,103 @@
+//! The operating points of an oscillator over a sweep.
+//!
+//! - `quantities`: what can be asked of one.
+//! - `law_warnings`: what a finished sweep says of its law.
+
+mod law_warnings;
+mod quantities;
+
+pub(crate) use law_warnings::read_anew;
+pub(crate) use quantities::{LINEAR_QUANTITIES, QUANTITIES, linear_values};
+
+use crate::bridge::{self, CaseContact};
+use crate::computed_law::NO_POINTS;
+use crate::error::StudyError;
+use crate::model::{OperatingPoints, OperatingQuantity, OperatingWork};
+use crate::progress::Progress;
+use judder_case::{Form, LawName, OscillatorCase, OscillatorInputs, OscillatorKey, StudySweep, Value};
+use judder_oscillator::Contact;
+use quantities::PointState;
+
+/// Points at which law and material are what they are: the swept keys are set in the inputs of the case.
+pub(crate) struct OfOneLaw {
+    case: OscillatorCase,
+    keys: Vec<(OscillatorKey, Form)>,
+    contact: Contact,
+    /// How a law that was computed for all points is doubtful.
+    computed: Vec<String>,
+}
+
+impl OfOneLaw {
+    /// `None` where the case must be read anew at each point.
+    ///
+    /// # Errors
+    /// A law or data that cannot be.
+    pub(crate) fn new(
+        case: &OscillatorCase,
+        sweep: &StudySweep,
+        progress: &dyn Progress,
+    ) -> Result<Option<Self>, StudyError> {
+        let Some(keys) = sweep.oscillator.as_ref().filter(|keys| law_stays(case, keys)) else {
+            return Ok(None);
+        };
+        let case = bridge::with_material(case)?;
+        let CaseContact { contact, warnings } = bridge::contact(&case, NO_POINTS, progress)?;
+        // the others depend on the point
+        let computed = if case.law == LawName::Bem { warnings } else { Vec::new() };
+        Ok(Some(Self { case, keys: keys.clone(), contact, computed }))
+    }
+
+    /// The inputs with these values.
+    fn inputs(&self, values: &[f64]) -> Result<OscillatorInputs, StudyError> {
+        let mut inputs = self.case.inputs;
+        for ((key, form), value) in self.keys.iter().zip(values) {
+            inputs.set(*key, Value { number: *value, form: *form });
+        }
+        inputs.check(self.case.law).map_err(|cause| StudyError::Unsupported(cause.to_string()))?;
+        Ok(inputs)
+    }
+}
+
+impl OperatingPoints for OfOneLaw {
+    fn at(&self, values: &[f64], wanted: &[OperatingQuantity]) -> Result<Vec<f64>, StudyError> {
+        Ok(PointState::new(&self.contact, &self.inputs(values)?)?.values(wanted))
+    }
+
+    fn told(&self, sweep: &StudySweep) -> Result<Vec<String>, StudyError> {
+        law_warnings::law_warnings(self, sweep)
+    }
+}
+
+/// These quantities of the operating point of a case, and why its law is doubtful there.
+///
+/// # Errors
+/// A law that cannot be, no steady sliding.
+pub(crate) fn of_case(
+    case: &OscillatorCase,
+    wanted: &[OperatingQuantity],
+    progress: &dyn Progress,
+) -> Result<(Vec<f64>, Vec<String>), StudyError> {
+    let case = bridge::with_material(case)?;
+    let CaseContact { contact, warnings: mut doubts } = bridge::contact(&case, NO_POINTS, progress)?;
+    let state = PointState::new(&contact, &case.inputs)?;
+    let values = state.values(wanted);
+    doubts.extend(state.concern().map(|concern| format!("outside the law's range: {concern}")));
+    Ok((values, doubts))
+}
+
+/// What a point of a sweep takes.
+pub(crate) fn work(case: &OscillatorCase, sweep: &StudySweep, wanted: &[OperatingQuantity]) -> OperatingWork {
+    let stays = sweep.oscillator.as_ref().is_some_and(|keys| law_stays(case, keys));
+    match (stays, case.law == LawName::Bem) {
+        (false, true) => OperatingWork::Law,
+        (true, _) if !wanted.iter().any(|quantity| quantity.is_sought) => OperatingWork::Point,
+        _ => OperatingWork::Search,
+    }
+}
+
+/// Whether law and material are the same at every point.
+fn law_stays(case: &OscillatorCase, keys: &[(OscillatorKey, Form)]) -> bool {
+    let of_substrate = |key: OscillatorKey| key.entry().section() == "substrate";
+    let moves = keys.iter().any(|(key, _)| of_substrate(*key));
+    !(moves && (case.law == LawName::Bem || case.substrate.decided_by().is_some()))
+}

@@ -19,6 +19,7 @@
 //! - [`complex_modes`]: all eigenvalues of a region of the complex plane, each with its error and verdict.
 //! - [`eigen_sweep`]: complex modes over parameters, followed from point to point.
 //! - [`diagnosis`]: why a mode grows.
+//! - [`receptance`]: the displacement of one degree of freedom under a harmonic force on another.
 //! - [`statics`]: displacements under loads that rest.
 
 pub mod affine;
@@ -40,6 +41,7 @@ pub mod mesh;
 pub mod modal_form;
 pub mod modes;
 pub mod quadratic;
+pub mod receptance;
 pub mod reduction_error;
 pub mod reduction_report;
 pub mod rigid;

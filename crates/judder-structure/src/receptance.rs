@@ -1,0 +1,101 @@
+//! Receptances: the displacement of one degree of freedom under a harmonic force on another.
+
+use crate::StructureError;
+use crate::complex_modes::ShiftedFactor;
+use crate::quadratic::{Quadratic, Side};
+use faer::{Mat, c64};
+use rayon::prelude::*;
+
+/// The receptance at one frequency, found twice.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Receptance {
+    /// α, m/N; not a number where the structure resonates without damping.
+    pub value: c64,
+    /// The same by the transposed matrices: the displacement of the excited freedom when they are loaded at the observed one.
+    pub transposed: c64,
+    /// |Q(iω) u − e| over (‖Q(iω)‖ |u| + 1): the backward error of the displacements.
+    pub residual: f64,
+}
+
+/// α(ω) = eᵀ_observed (K + iω C − ω² M)⁻¹ e_excited at angular frequencies, rad/s, in their order.
+///
+/// The matrices need be neither symmetric nor damped: each frequency is one factorisation of Q(iω), whatever the modes. The second value
+/// of each is by Q(iω)ᵀ, as eᵀ A⁻¹ e' = e'ᵀ A⁻ᵀ e.
+///
+/// # Errors
+/// [`StructureError::OutOfMemory`].
+pub fn receptances(
+    problem: &Quadratic,
+    excited: usize,
+    observed: usize,
+    frequencies: &[f64],
+) -> Result<Vec<Receptance>, StructureError> {
+    frequencies.par_iter().map(|frequency| at(problem, excited, observed, *frequency)).collect()
+}
+
+fn at(
+    problem: &Quadratic,
+    excited: usize,
+    observed: usize,
+    frequency: f64,
+) -> Result<Receptance, StructureError> {
+    let shift = c64::new(0.0, frequency);
+    let Some(factor) = ShiftedFactor::at(problem, shift)? else {
+        let none = c64::new(f64::NAN, f64::NAN);
+        return Ok(Receptance { value: none, transposed: none, residual: f64::INFINITY });
+    };
+    let unit =
+        |row: usize| Mat::from_fn(problem.size(), 1, |k, _| c64::new(f64::from(u8::from(k == row)), 0.0));
+    let (mut moved, mut back) = (unit(excited), unit(observed));
+    factor.solve(Side::Right, &mut moved)?;
+    factor.solve(Side::Left, &mut back)?;
+    let left = problem.image(Side::Right, shift, moved.as_ref()) - unit(excited);
+    let residual = left.norm_max() / (problem.scale(shift) * moved.norm_max() + 1.0);
+    Ok(Receptance { value: moved[(observed, 0)], transposed: back[(excited, 0)], residual })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::assembly::Sparse;
+    use faer::sparse::Triplet;
+
+    fn matrix(rows: [[f64; 2]; 2]) -> Sparse {
+        let places = (0..2).flat_map(|row| (0..2).map(move |column| (row, column)));
+        let entries: Vec<_> =
+            places.map(|(row, column)| Triplet::new(row, column, rows[row][column])).collect();
+        Sparse::try_new_from_triplets(2, 2, &entries).unwrap()
+    }
+
+    /// The inverse of a matrix of two rows is known: [[a, b], [c, d]]⁻¹ = [[d, −b], [−c, a]]/(a d − b c).
+    #[test]
+    fn a_receptance_is_an_entry_of_the_inverse() {
+        let (m, c, k) = ([[2.0, 0.1], [0.1, 1.0]], [[0.3, -0.2], [0.4, 0.1]], [[50.0, -30.0], [10.0, 40.0]]);
+        let problem = Quadratic::new(matrix(m), matrix(c), matrix(k)).unwrap();
+        for frequency in [0.0, 1.0, 5.5, 40.0] {
+            let entry =
+                |i: usize, j: usize| c64::new(k[i][j] - frequency * frequency * m[i][j], frequency * c[i][j]);
+            let determinant = entry(0, 0) * entry(1, 1) - entry(0, 1) * entry(1, 0);
+            for (excited, observed, expected) in
+                [(0, 0, entry(1, 1)), (1, 1, entry(0, 0)), (1, 0, -entry(0, 1)), (0, 1, -entry(1, 0))]
+            {
+                let expected = expected / determinant;
+                let found = receptances(&problem, excited, observed, &[frequency]).unwrap()[0];
+                assert!((found.value - expected).norm() < 1e-14 * expected.norm(), "{frequency} {found:?}");
+                assert!((found.transposed - expected).norm() < 1e-14 * expected.norm(), "{frequency}");
+                assert!(found.residual < 1e-15, "{found:?}");
+            }
+        }
+    }
+
+    /// An oscillator without damping has none at its own frequency.
+    #[test]
+    fn at_a_resonance_without_damping_there_is_none() {
+        let none = matrix([[0.0; 2]; 2]);
+        let problem =
+            Quadratic::new(matrix([[1.0, 0.0], [0.0, 1.0]]), none, matrix([[4.0, 0.0], [0.0, 9.0]])).unwrap();
+        let found = receptances(&problem, 0, 0, &[1.0, 2.0, 3.0]).unwrap();
+        assert!((found[0].value.re - 1.0 / 3.0).abs() < 1e-15);
+        assert!(found[1].value.re.is_nan() && found[2].value.re.is_nan());
+    }
+}

@@ -19,6 +19,8 @@ MDBOOK := tools/cargo-tool mdbook 0.5.4 --no-default-features --features search
 CARGO_DENY := tools/cargo-tool cargo-deny 0.20.2
 # The sources of the page of `judder explore`, and its tests in a browser.
 PAGE := crates/judder-explorer/web
+# The interactive chart of reports, built from the same sources.
+CHART := crates/judder-report/assets/chart
 BROWSER_TESTS := crates/judder-explorer/tests/browser
 NEXTEST := $(shell $(CARGO) nextest --version >/dev/null 2>&1 && echo yes)
 
@@ -112,16 +114,18 @@ python-tests: .venv/installed ## study folders in the real xarray, the book's li
 		JUDDER_WHEEL="$$wheel" JUDDER_SOURCES="$(abspath $(TARGET))/debug/lib_judder.d" PATH="$(CURDIR)/.venv-package/bin:/usr/bin:/bin" \
 		.venv-package/bin/python -m pytest -q -p no:cacheprovider tests/python/package
 
-page: $(PAGE)/node_modules/installed ## build the page of `judder explore` anew, into the sources that the program embeds
+page: $(PAGE)/node_modules/installed ## build the page of `judder explore` and the chart of reports anew, into the sources that the program embeds
 	cd $(PAGE) && npm run --silent build
 
-# The page that stands in the sources must be the one that its own sources build.
-page-tests: $(PAGE)/node_modules/installed $(BROWSER_TESTS)/node_modules/installed ## the page of `judder explore`: its types, its parts, its build, itself in a browser
+# The page and the chart that stand in the sources must be those that their own sources build.
+page-tests: $(PAGE)/node_modules/installed $(BROWSER_TESTS)/node_modules/installed ## the page of `judder explore` and the charts of reports: types, parts, build, themselves in a browser
 	cd $(PAGE) && npm run --silent check && npm run --silent test
 	@built=$$(mktemp -d); trap 'rm -rf "$$built"' EXIT; \
-		(cd $(PAGE) && npm run --silent build -- --outDir "$$built" --emptyOutDir --logLevel warn); \
-		diff -r "$$built" $(PAGE)/../page || { \
-		echo 'The page that is embedded is not the one that its sources build: `make page`, and commit what it changes.'; exit 1; }
+		for part in page:$(PAGE)/../page chart:$(CHART); do \
+			(cd $(PAGE) && npm run --silent "build:$${part%%:*}" -- --outDir "$$built/$${part%%:*}" --emptyOutDir --logLevel warn); \
+			diff -r "$$built/$${part%%:*}" "$${part#*:}" || { \
+			echo 'What is embedded is not what its sources build: `make page`, and commit what it changes.'; exit 1; }; \
+		done
 	$(CARGO) build $(LOCKED) --workspace --bins --examples
 	chromium=$$(tools/chromium); cd $(BROWSER_TESTS) && \
 		CHROMIUM="$$chromium" JUDDER="$(abspath $(TARGET))/debug/judder" npm run --silent test

@@ -28,27 +28,47 @@ function notice(folder: string): string {
   return `${about.name} ${about.version} (${about.license})\n\n${texts.join("\n\n")}`;
 }
 
+/** The notices of all packages that have modules in these chunks. */
+function notices(chunks: readonly { type: string; moduleIds?: readonly string[] }[]): string[] {
+  const folders = new Set<string>();
+  for (const module of chunks.flatMap((chunk) => chunk.moduleIds ?? [])) {
+    const folder = packageFolder(module);
+    if (folder) folders.add(folder);
+  }
+  return [...folders].map(notice).sort();
+}
+
+/** Writes the licences into a comment at the head of each script, which travels alone. */
+export function licencesAtTheHead(): Plugin {
+  return {
+    name: "licences-at-the-head",
+    apply: "build",
+    enforce: "post",
+    generateBundle: {
+      order: "post",
+      handler(_options, bundle) {
+        for (const chunk of Object.values(bundle)) {
+          if (chunk.type !== "chunk") continue;
+          const head = "The interactive chart of judder. It contains the following works of others, under these licences.";
+          chunk.code = `/*!\n${[head, ...notices([chunk])].join("\n\n")}\n*/\n${chunk.code}`;
+        }
+      },
+    },
+  };
+}
+
 export function thirdParty(): Plugin {
   return {
     name: "third-party",
     apply: "build",
     generateBundle(_options, bundle) {
-      const folders = new Set<string>();
-      for (const chunk of Object.values(bundle)) {
-        if (chunk.type !== "chunk") continue;
-        for (const module of chunk.moduleIds) {
-          const folder = packageFolder(module);
-          if (folder) folders.add(folder);
-        }
-      }
-      const notices = [...folders].map(notice).sort();
       const fonts = `Noto Sans, Noto Sans Math (subsets)\n\n${readFileSync(FONT_LICENCE, "utf8").trim()}`;
       const rule = `\n\n${"=".repeat(80)}\n\n`;
       const head = "This page contains the following works of others, under these licences.";
       this.emitFile({
         type: "asset",
         fileName: "THIRD-PARTY.txt",
-        source: `${[head, ...notices, fonts].join(rule)}\n`,
+        source: `${[head, ...notices(Object.values(bundle)), fonts].join(rule)}\n`,
       });
     },
   };

@@ -53,6 +53,14 @@ pub enum ReportError {
         /// What the renderer said.
         reason: String,
     },
+    /// The figure could not be written for the interactive chart.
+    #[error("figure {figure:?} could not be written as JSON: {reason}")]
+    Json {
+        /// The figure.
+        figure: String,
+        /// What the writer said.
+        reason: String,
+    },
     /// The page could not be written.
     #[error("the page {title:?} could not be written: {reason}")]
     Page {

@@ -6,9 +6,10 @@
 
 use crate::palette::{ColourMap, Role, Style};
 use crate::validate::check_axis;
+use serde::Serialize;
 
 /// A figure of one or more panels on a grid, all frames of the same size.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Figure {
     /// File stem (`"fig-9a"` becomes `figures/fig-9a.svg`): letters, digits, `-`, `_` and `.`.
     pub name: String,
@@ -43,9 +44,10 @@ impl Figure {
 }
 
 /// One frame with its axes and what is drawn in it, the first layer at the bottom.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Panel {
     /// Stands above the frame; may be empty.
+    #[serde(skip_serializing_if = "String::is_empty")]
     pub title: String,
     /// The horizontal axis.
     pub x: Axis,
@@ -56,6 +58,7 @@ pub struct Panel {
     /// Where the labels of the layers are explained.
     pub legend: Legend,
     /// What else belongs to the abscissae, along the upper side of the frame.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub second: Option<SecondAxis>,
 }
 
@@ -88,7 +91,7 @@ impl Panel {
 }
 
 /// A second quantity along the horizontal axis, such as the place that belongs to each time: straight between its points.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SecondAxis {
     /// Quantity, symbol and unit.
     pub label: String,
@@ -99,7 +102,8 @@ pub struct SecondAxis {
 }
 
 /// Where the legend of a panel stands.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Legend {
     /// In a corner of the frame where it hides nothing; below, with those of the other panels, where there is none.
     #[default]
@@ -113,8 +117,9 @@ pub enum Legend {
 }
 
 /// A corner of a frame.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[allow(missing_docs)]
+#[serde(rename_all = "kebab-case")]
 pub enum Corner {
     TopLeft,
     TopRight,
@@ -123,7 +128,7 @@ pub enum Corner {
 }
 
 /// An axis: what it shows, how values are spread along it, and from where to where.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Axis {
     /// Quantity, symbol and unit, e.g. `"Load $F̃_{n}$ (−)"`.
     pub label: String,
@@ -132,6 +137,7 @@ pub struct Axis {
     /// First and last value, ascending; `None` takes what the data span.
     pub range: Option<(f64, f64)>,
     /// What stands at these values, ascending, in place of numbers; numbers where there are none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub names: Vec<(f64, String)>,
 }
 
@@ -177,7 +183,8 @@ impl Axis {
 }
 
 /// How values are spread along an axis or over a colour bar.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Scale {
     /// Evenly.
     #[default]
@@ -192,7 +199,8 @@ pub enum Scale {
 }
 
 /// One thing drawn in a panel.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Layer {
     /// Points joined by straight segments.
     Line(Line),
@@ -271,7 +279,7 @@ impl Layer {
 }
 
 /// A curve or a set of points.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Line {
     /// Legend text; empty for none.
     pub label: String,
@@ -282,14 +290,16 @@ pub struct Line {
     /// Colour, dash, marker.
     pub style: Style,
     /// How it moves on the page, where it does.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub swing: Option<Box<Swing>>,
     /// Diameters of the markers over the usual one, one a point; all of the usual one where there are none.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub sizes: Option<Vec<f64>>,
 }
 
 /// A harmonic motion of the points of a line about their rest: at the phase φ they stand at rest + Re((a + i b) e^{iφ}), and the line
 /// as it is drawn is that of φ = 0, rest + a.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Swing {
     /// a and b along x, one a point.
     pub x: [Vec<f64>; 2],
@@ -298,7 +308,7 @@ pub struct Swing {
 }
 
 /// A map whose cells belong to one of a few named classes.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ClassMap {
     /// Centres of the columns, strictly ascending, positive on a log axis.
     pub x: Vec<f64>,
@@ -311,7 +321,7 @@ pub struct ClassMap {
 }
 
 /// A class of a map.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Class {
     /// Legend text.
     pub label: String,
@@ -327,7 +337,7 @@ impl Class {
 }
 
 /// A map of values, with a colour bar to the right of its frame.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ValueMap {
     /// Centres of the columns, strictly ascending, positive on a log axis.
     pub x: Vec<f64>,
@@ -342,15 +352,16 @@ pub struct ValueMap {
 }
 
 /// The direction of a reference line.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[allow(missing_docs)]
+#[serde(rename_all = "kebab-case")]
 pub enum Direction {
     Horizontal,
     Vertical,
 }
 
 /// A reference line across the frame.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Rule {
     /// Which way it runs.
     pub direction: Direction,
@@ -361,7 +372,7 @@ pub struct Rule {
 }
 
 /// A shaded band or rectangle.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Region {
     /// Legend text; empty for none.
     pub label: String,
@@ -374,7 +385,7 @@ pub struct Region {
 }
 
 /// A text at a place of the panel.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Note {
     /// Abscissa of its left end.
     pub x: f64,

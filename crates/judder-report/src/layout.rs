@@ -38,10 +38,6 @@ pub(crate) struct DrawnAxis {
     pub(crate) ticks: Ticks,
     /// Markup, with the power of ten that the tick labels leave out.
     pub(crate) label: String,
-    /// Markup, as it was given.
-    pub(crate) source_label: String,
-    /// Whether names stand at the ticks.
-    pub(crate) is_named: bool,
 }
 
 /// A panel with its place.
@@ -230,8 +226,7 @@ fn drawn_axis(axis: &Axis, placed: Placed, ticks: Ticks) -> DrawnAxis {
         Some(power) => format!("{} (×10^{{{}}})", axis.label, power.to_string().replace('-', "−")),
         None => axis.label.clone(),
     };
-    let is_named = !axis.names.is_empty();
-    DrawnAxis { placed, ticks, label, source_label: axis.label.clone(), is_named }
+    DrawnAxis { placed, ticks, label }
 }
 
 fn widest_label(ticks: &Ticks) -> f64 {

@@ -1,4 +1,4 @@
-//! Pictures and the page: figures as data, drawn three ways, and one self-contained report.
+//! Pictures and the page: figures as data, drawn and described, and one self-contained report.
 //!
 //! This crate knows no physics: it gets labels, arrays and colour roles. In the order in which the data flows:
 //!
@@ -11,7 +11,8 @@
 //! - `second_axis`: a second scale along the upper side of a frame.
 //! - `legend`, `corner`, `layout`: what is explained, where that hides no data, and where everything stands.
 //! - `raster`: maps as little pictures, one pixel a cell.
-//! - [`svg`], [`png`], [`plotly`]: the figure as a drawing, as pixels, and for the browser.
+//! - [`svg`], [`png`]: the figure as a drawing and as pixels.
+//! - [`json`]: the figure for the one interactive chart, which is that of the page of `judder explore`.
 //! - [`page`]: sections of text, figures, tables, scoreboards and checks as one HTML file.
 
 mod corner;
@@ -23,21 +24,23 @@ mod legend;
 mod markup;
 pub mod page;
 pub mod palette;
-mod plotly;
 mod png;
 mod raster;
 pub mod runs;
 mod scale;
 mod second_axis;
+#[cfg(test)]
+mod shared;
 mod svg;
 mod ticks;
 mod typeface;
 mod validate;
+mod wire;
 
 pub use error::{PanelError, ReportError};
 pub use figure::{Axis, Figure, Layer, Legend, Panel, Scale, SecondAxis, Swing};
 pub use page::{Block, Page, Section, html};
 pub use palette::{Role, Style};
-pub use plotly::plotly;
 pub use png::png;
 pub use svg::svg;
+pub use wire::json;

@@ -112,7 +112,7 @@ fn is_symbol_letter(character: char) -> bool {
     character.is_alphabetic() && !('\u{391}'..='\u{3a9}').contains(&character)
 }
 
-/// The label as HTML, for the page and for plotly: `<sub>`, `<sup>`, `<i>`, everything else escaped.
+/// The label as HTML: `<sub>`, `<sup>`, `<i>`, everything else escaped.
 pub(crate) fn html(label: &str) -> String {
     parse(label).into_iter().map(|span| span_html(&span)).collect()
 }

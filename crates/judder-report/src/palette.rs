@@ -4,6 +4,7 @@
 //! grey printing and the common colour deficiencies; line colours are those of Okabe and Ito, and differ in dash and
 //! marker too. Sequential colours are viridis, diverging ones Paul Tol's "BuRd".
 
+use serde::Serialize;
 use std::fmt;
 
 /// An opaque sRGB colour.
@@ -18,7 +19,7 @@ pub struct Colour(
 );
 
 impl fmt::Display for Colour {
-    /// `#rrggbb`, as SVG, CSS and plotly read it.
+    /// `#rrggbb`, as SVG and CSS read it.
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(formatter, "#{:02x}{:02x}{:02x}", self.0, self.1, self.2)
     }
@@ -35,7 +36,8 @@ pub const UNRESOLVED_GROUND: Colour = Colour(0xff, 0xff, 0xff);
 pub(crate) const PATTERN_TILE: f64 = 4.0;
 
 /// What a colour means.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Role {
     /// Area: no instability.
     Stable,
@@ -87,7 +89,7 @@ pub enum Role {
 }
 
 /// Okabe and Ito's colours in the order in which they are handed out.
-const QUALITATIVE: [Colour; 7] = [
+pub(crate) const QUALITATIVE: [Colour; 7] = [
     Colour(0x00, 0x72, 0xb2),
     Colour(0xd5, 0x5e, 0x00),
     Colour(0x00, 0x9e, 0x73),
@@ -97,8 +99,11 @@ const QUALITATIVE: [Colour; 7] = [
     Colour(0x00, 0x00, 0x00),
 ];
 
-const DASH_CYCLE: [Dash; 4] = [Dash::Solid, Dash::Dashed, Dash::DashDotted, Dash::Dotted];
-const MARKER_CYCLE: [Marker; 5] =
+/// Where families of lines end on viridis, whose last fifth is too pale for a line on white.
+pub(crate) const GRADED_END: f64 = 0.82;
+
+pub(crate) const DASH_CYCLE: [Dash; 4] = [Dash::Solid, Dash::Dashed, Dash::DashDotted, Dash::Dotted];
+pub(crate) const MARKER_CYCLE: [Marker; 5] =
     [Marker::Circle, Marker::Square, Marker::Diamond, Marker::Triangle, Marker::Cross];
 
 impl Role {
@@ -122,9 +127,8 @@ impl Role {
             Self::FullBoundary | Self::ConservativeBoundary => Colour(0, 0, 0),
             Self::DecoupledBoundary => Colour(0xc8, 0x10, 0x2e),
             Self::Mode(index) | Self::Series(index) => QUALITATIVE[index % QUALITATIVE.len()],
-            // the last fifth of viridis is too pale for a line on white
             Self::Graded { index, count } => {
-                ColourMap::Sequential.at(0.82 * index as f64 / count.saturating_sub(1).max(1) as f64)
+                ColourMap::Sequential.at(GRADED_END * index as f64 / count.saturating_sub(1).max(1) as f64)
             }
             Self::Reference => QUIET,
         }
@@ -197,7 +201,7 @@ impl Role {
 }
 
 /// How a line or a set of points is drawn.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Style {
     /// What the colour means.
     pub role: Role,
@@ -232,8 +236,9 @@ impl Style {
 }
 
 /// How a line is interrupted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[allow(missing_docs)]
+#[serde(rename_all = "kebab-case")]
 pub enum Dash {
     Solid,
     Dashed,
@@ -251,21 +256,12 @@ impl Dash {
             Self::Dotted => &[1.2, 2.0],
         }
     }
-
-    /// The name that plotly knows.
-    pub(crate) fn plotly(self) -> &'static str {
-        match self {
-            Self::Solid => "solid",
-            Self::Dashed => "dash",
-            Self::DashDotted => "dashdot",
-            Self::Dotted => "dot",
-        }
-    }
 }
 
 /// The shape of a point.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[allow(missing_docs)]
+#[serde(rename_all = "kebab-case")]
 pub enum Marker {
     Circle,
     Square,
@@ -274,21 +270,9 @@ pub enum Marker {
     Cross,
 }
 
-impl Marker {
-    /// The name that plotly knows.
-    pub(crate) fn plotly(self) -> &'static str {
-        match self {
-            Self::Circle => "circle",
-            Self::Square => "square",
-            Self::Diamond => "diamond",
-            Self::Triangle => "triangle-up",
-            Self::Cross => "x-thin-open",
-        }
-    }
-}
-
 /// Colours of a map of values.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum ColourMap {
     /// Dark to light (viridis).
     #[default]

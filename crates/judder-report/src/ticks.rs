@@ -30,14 +30,19 @@ pub(crate) fn named(axis: &Placed, names: &[(f64, String)]) -> Ticks {
 /// Ticks of an axis that has room for about `room` labels (at least 2).
 pub(crate) fn ticks(axis: &Placed, room: usize) -> Ticks {
     let room = room.max(2);
-    let mut ticks = match axis.scale {
+    let shown = |mut ticks: Ticks| {
+        ticks.major.retain(|tick| axis.contains(tick.value));
+        ticks.minor.retain(|value| axis.contains(*value));
+        ticks
+    };
+    let own = shown(match axis.scale {
         Scale::Linear => linear(axis.from, axis.to, room),
         Scale::Log => log(axis.from, axis.to, room),
         Scale::SymmetricLog { linear: part } => symmetric_log(axis.from, axis.to, part, room),
-    };
-    ticks.major.retain(|tick| axis.contains(tick.value));
-    ticks.minor.retain(|value| axis.contains(*value));
-    ticks
+    });
+    // between two decades there may be none
+    let labels = own.major.iter().filter(|tick| !tick.label.is_empty()).count();
+    if labels < 2 { shown(linear(axis.from, axis.to, room)) } else { own }
 }
 
 /// Multiples of 1, 2 or 5 times a power of ten, with fifths or quarters between them.

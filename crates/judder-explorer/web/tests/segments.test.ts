@@ -314,7 +314,9 @@ const sources = readdirSync(SOURCE, { recursive: true, encoding: "utf8" }).filte
 
 describe("no drawn segment joins rows that do not follow one another", () => {
   it("is held against every chart that draws lines", () => {
-    const drawing = sources.filter((name) => !name.includes("/chart/") && /kind: "line"/.test(readFileSync(name, "utf8")));
+    // charts draw what they are given, reports what is described, whose lines have their gaps
+    const given = (name: string) => name.includes("/chart/") || name.includes("/report/");
+    const drawing = sources.filter((name) => !given(name) && /kind: "line"/.test(readFileSync(name, "utf8")));
     const builders = drawing.flatMap((name) =>
       Array.from(readFileSync(name, "utf8").matchAll(/^export function (\w+)\([^\n]*\): (?:readonly )?(?:ChartSpec|GenericChart)\b/gm), ([, builder]) => `${relative(SOURCE, name)} ${builder}`),
     );

@@ -1,25 +1,54 @@
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
 import { describe, expect, it } from "vitest";
 import { plainText, spans, widthOf } from "../src/chart/markup";
-import { moved, part, rangeOf, usable, zoomed } from "../src/chart/scale";
-import { ticks } from "../src/chart/ticks";
+import { type Scale, moved, part, rangeOf, shrink, stretch, usable, zoomed } from "../src/chart/scale";
+import { secondTicks } from "../src/chart/second";
+import { namedTicks, ticks } from "../src/chart/ticks";
 
-const labels = (scale: "log" | "linear", from: number, to: number, room: number) =>
-  ticks(scale, [from, to], room).major.map((tick) => tick.label);
+interface Marked {
+  readonly scale: Scale;
+  readonly range: readonly [number, number];
+  readonly room: number;
+  readonly major: readonly (readonly [number, string])[];
+  readonly minor: readonly number[];
+  readonly exponent: number | null;
+}
 
-// the cases of judder-report, ticks.rs: the same marks in reports and on pages
+/** Written by the tests of `judder-report` from the ticks of drawings. */
+const MARKED = JSON.parse(readFileSync(join(import.meta.dirname, "ticks.json"), "utf8")) as readonly Marked[];
+
 describe("ticks", () => {
-  it("on linear axes are round and have true minus signs", () => {
-    expect(labels("linear", -1, 1, 5)).toEqual(["−1.0", "−0.5", "0.0", "0.5", "1.0"]);
-    expect(labels("linear", 0, 400, 6)).toEqual(["0", "100", "200", "300", "400"]);
-    expect(labels("linear", 0, 3e-6, 4)).toEqual(["0", "1", "2", "3"]);
-    expect(ticks("linear", [0, 3e-6], 4).exponent).toBe(-6);
+  it("are those of drawings, on axes of every kind", () => {
+    expect(MARKED.length).toBeGreaterThan(60);
+    for (const { scale, range, room, major, minor, exponent } of MARKED) {
+      const own = ticks(scale, range, room);
+      const where = `${JSON.stringify(scale)} ${range} ${room}`;
+      expect(own.major.map((tick) => tick.label), where).toEqual(major.map(([, label]) => label));
+      expect(own.exponent, where).toBe(exponent);
+      // powers of ten are rounded otherwise here and there
+      const same = (values: readonly number[], others: readonly number[]) =>
+        values.length === others.length && values.every((value, k) => Math.abs(value - (others[k] as number)) <= 1e-12 * Math.max(Math.abs(value), (range[1] - range[0]) * 1e-3));
+      expect(same(own.major.map((tick) => tick.value), major.map(([value]) => value)), where).toBe(true);
+      expect(same(own.minor, minor), where).toBe(true);
+    }
   });
 
-  it("on log axes are decades, thinned to the room", () => {
-    expect(labels("log", 1e-2, 1e1, 6)).toEqual(["10^{−2}", "10^{−1}", "10^{0}", "10^{1}"]);
-    expect(labels("log", 1e-8, 1e2, 6).filter((label) => label !== "")).toHaveLength(6);
-    expect(labels("log", 2, 6, 4)).toEqual(["2", "5"]);
-    expect(ticks("log", [1e-2, 1e1], 6).minor).toContain(0.03);
+  it("find names in the place of numbers", () => {
+    const names = [[0, "velocity"], [1, "load"], [2, "mass"]] as const;
+    expect(namedTicks(names, "linear", [-0.5, 1.5]).major.map((tick) => tick.label)).toEqual(["velocity", "load"]);
+  });
+
+  it("of a second axis stand where its values are, forwards and backwards", () => {
+    for (const value of [[10, 10, 40], [40, 10, 10]]) {
+      const { major } = secondTicks({ label: "", x: [0, 1, 2], value }, "linear", [0, 2], 5);
+      expect(major.length).toBeGreaterThan(2);
+      for (const tick of major) {
+        const share = (Number(tick.label) - 10) / 30;
+        expect(tick.value).toBeCloseTo(value[0] === 10 ? 1 + share : 1 - share, 12);
+      }
+    }
+    expect(secondTicks({ label: "", x: [0, 2], value: [5, 5] }, "linear", [0, 2], 5).major).toEqual([]);
   });
 
   it("are ascending, inside and few, whatever the range", () => {
@@ -67,6 +96,16 @@ describe("ranges", () => {
       expect(usable(scale, range), `${scale} ${value}`).toBe(true);
       expect(range[0] < value && value < range[1]).toBe(true);
     }
+  });
+
+  it("of both signs go there and back, and are zoomed", () => {
+    const scale: Scale = { "symmetric-log": { linear: 1e-3 } };
+    for (const value of [-1e5, -1e-3, -2e-4, 0, 5e-4, 1e-3, 7]) expect(Math.abs(shrink(scale, stretch(scale, value)) - value)).toBeLessThanOrEqual(1e-12 * Math.abs(value));
+    expect(usable(scale, rangeOf(scale, [[0, 0]]))).toBe(true);
+    let range = [-10, 10] as readonly [number, number];
+    for (let step = 0; step < 300; step += 1) range = zoomed(scale, range, 0.5, 0.7);
+    expect(range[0]).toBeLessThan(range[1]);
+    expect(range[0]).toBeGreaterThan(0);
   });
 
   it("zoom about a place that stays, and never to nothing", () => {

@@ -4,16 +4,17 @@ use super::{Block, Page, Scoreboard, Section, Table, Verdict};
 use crate::error::ReportError;
 use crate::figure::Figure;
 use crate::markup;
-use crate::plotly::plotly;
 use crate::svg::svg;
 use crate::typeface::{BOLD_WEB, ITALIC_WEB, REGULAR_WEB};
+use crate::wire;
 use askama::Template;
 use base64::{Engine, engine::general_purpose::STANDARD};
 use std::collections::BTreeSet;
 
 const STYLE: &str = include_str!("../../assets/page/page.css");
-const SCRIPT: &str = include_str!("../../assets/page/page.js");
-const PLOTLY: &str = include_str!("../../assets/plotly/plotly-cartesian.min.js");
+/// The interactive chart, built from the sources of the page of `judder explore`.
+const CHART: &str = include_str!("../../assets/chart/chart.js");
+const CHART_STYLE: &str = include_str!("../../assets/chart/chart.css");
 
 #[derive(Template)]
 #[template(path = "page.html")]
@@ -24,8 +25,8 @@ struct PageTemplate<'a> {
     regular: String,
     italic: String,
     bold: String,
-    plotly: &'a str,
-    script: &'a str,
+    chart: &'a str,
+    chart_style: &'a str,
     interactive: bool,
 }
 
@@ -75,7 +76,7 @@ impl BlockTemplate<'_> {
 
 /// The page as one HTML file that asks for nothing outside itself; the same bytes for the same page.
 ///
-/// Figures are plotly charts; without scripts, on paper and while loading they are the drawings of [`crate::svg`].
+/// Figures are interactive charts; without scripts, on paper and while loading they are the drawings of [`crate::svg`].
 ///
 /// # Errors
 /// What [`ReportError`] says of a figure, or of two figures of the same name.
@@ -94,8 +95,8 @@ pub fn html(page: &Page) -> Result<String, ReportError> {
         regular: STANDARD.encode(REGULAR_WEB),
         italic: STANDARD.encode(ITALIC_WEB),
         bold: STANDARD.encode(BOLD_WEB),
-        plotly: PLOTLY,
-        script: SCRIPT,
+        chart: CHART,
+        chart_style: CHART_STYLE,
         interactive,
     };
     template.render().map_err(|error| writer.failed(&error))
@@ -128,7 +129,7 @@ impl Writer<'_> {
         if !self.names.insert(figure.name.clone()) {
             return Err(ReportError::SameName { name: figure.name.clone() });
         }
-        let (svg, json) = (svg(figure)?, plotly(figure)?.to_string());
+        let (svg, json) = (svg(figure)?, wire::json(figure)?);
         Ok(DrawnFigure { number: self.names.len(), svg, json: inside_script(&json) })
     }
 
@@ -156,10 +157,9 @@ mod tests {
     #[test]
     fn scripts_cannot_be_ended_from_inside() {
         assert_eq!(inside_script("\"</script>\""), "\"\\u003c/script>\"");
-        for script in [PLOTLY, SCRIPT] {
-            let script = script.to_lowercase();
-            assert!(!script.contains("</script") && !script.contains("<!--"), "cannot stand inside a page");
-        }
+        let script = CHART.to_lowercase();
+        assert!(!script.contains("</script") && !script.contains("<!--"), "cannot stand inside a page");
+        assert!(!CHART_STYLE.to_lowercase().contains("</style"), "cannot stand inside a page");
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Frames, ticks, labels and colour bars.
 
-use super::document::{Document, append, number, rectangle};
+use super::document::{Document, number, rectangle};
+use super::path::strokes;
 use super::text::{Anchor, Text};
 use crate::figure::ValueMap;
 use crate::layout::{BAR_GAP, BAR_WIDTH, DrawnAxis, DrawnPanel, Frame, TICK_GAP};
@@ -16,32 +17,44 @@ const SHORT: f64 = 2.3;
 const HALF_DIGIT: f64 = 0.36 * SMALL_SIZE;
 
 /// Draws the frame of a panel with ticks on all four sides, its labels and its heading.
-pub(super) fn draw(document: &mut Document, panel: &DrawnPanel) {
+pub(super) fn draw(document: &mut Document, panel: &DrawnPanel, index: usize) {
     let frame = panel.frame;
     let (left, right) = (frame.x, frame.x + frame.width);
     let (top, bottom) = (frame.y, frame.y + frame.height);
-    let mut ticks = String::new();
-    for (value, length) in marks(&panel.x) {
-        let x = number(left + panel.x.placed.fraction(value).unwrap_or(0.0) * frame.width);
-        let (up, down) = (number(-length), number(length));
-        append(&mut ticks, format_args!("M{x} {}v{up}", number(bottom)));
-        if panel.second.is_none() {
-            append(&mut ticks, format_args!("M{x} {}v{down}", number(top)));
+    let across = |value: f64| left + panel.x.placed.fraction(value).unwrap_or(0.0) * frame.width;
+    let up = |value: f64| bottom - panel.y.placed.fraction(value).unwrap_or(0.0) * frame.height;
+    let below = strokes(marks(&panel.x).map(|(value, length)| upright(across(value), bottom, -length)));
+    let beside = strokes(marks(&panel.y).map(|(value, length)| level(left, up(value), length)));
+    let mirrored = [
+        panel.second.is_none().then(|| format!("matrix(1 0 0 -1 0 {})", number(top + bottom))),
+        Some(format!("matrix(-1 0 0 1 {} 0)", number(left + right))),
+    ];
+    let thin = format!("fill=\"none\" stroke=\"{INK}\" stroke-width=\"0.5\"");
+    for ((ticks, mirror), axis) in [below, beside].into_iter().zip(mirrored).zip(["x", "y"]) {
+        let id = document.id(&format!("ticks-{index}-{axis}"));
+        document.put(format_args!("<path id=\"{id}\" d=\"{ticks}\" {thin}/>"));
+        if let Some(mirror) = mirror {
+            document.put(format_args!("<use href=\"#{id}\" transform=\"{mirror}\"/>"));
         }
     }
-    for (value, length) in panel.second.iter().flat_map(second_marks) {
-        let x = number(left + panel.x.placed.fraction(value).unwrap_or(0.0) * frame.width);
-        append(&mut ticks, format_args!("M{x} {}v{}", number(top), number(length)));
+    if let Some(second) = &panel.second {
+        let above = strokes(second_marks(second).map(|(value, length)| upright(across(value), top, length)));
+        document.put(format_args!("<path d=\"{above}\" {thin}/>"));
     }
-    for (value, length) in marks(&panel.y) {
-        let y = number(bottom - panel.y.placed.fraction(value).unwrap_or(0.0) * frame.height);
-        let (outward, inward) = (number(-length), number(length));
-        append(&mut ticks, format_args!("M{} {y}h{inward}M{} {y}h{outward}", number(left), number(right)));
-    }
-    document.put(format_args!("<path d=\"{ticks}\" fill=\"none\" stroke=\"{INK}\" stroke-width=\"0.5\"/>"));
     let stroke = format!("fill=\"none\" stroke=\"{INK}\" stroke-width=\"0.7\"");
     document.put(format_args!("{}", rectangle(frame, &stroke)));
     draw_labels(document, panel);
+}
+
+/// Both ends of a stroke.
+type Stroke = ((f64, f64), (f64, f64));
+
+fn upright(x: f64, y: f64, length: f64) -> Stroke {
+    ((x, y), (x, y + length))
+}
+
+fn level(x: f64, y: f64, length: f64) -> Stroke {
+    ((x, y), (x + length, y))
 }
 
 /// Values and lengths of the ticks of an axis.

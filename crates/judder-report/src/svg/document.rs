@@ -5,7 +5,7 @@ use crate::figure::{Figure, Layer};
 use crate::layout::{Frame, Layout};
 use crate::markup::{escape, plain_html};
 use crate::palette::{INK, PATTERN_TILE, QUIET, Role, UNRESOLVED_GROUND};
-use crate::typeface::FAMILIES;
+use crate::typeface::{FAMILIES, SMALL_SIZE};
 use std::fmt::{Arguments, Write};
 
 /// An SVG document up to the last element written.
@@ -23,8 +23,9 @@ impl Document {
         let name = document.name.clone();
         document.put(format_args!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}pt\" height=\"{height}pt\" \
-             viewBox=\"0 0 {width} {height}\" font-family=\"{FAMILIES}\" fill=\"{INK}\" role=\"img\" \
-             aria-labelledby=\"{name}-title {name}-caption\">"
+             viewBox=\"0 0 {width} {height}\" font-family=\"{FAMILIES}\" fill=\"{INK}\" font-size=\"{}\" xml:space=\"preserve\" role=\"img\" \
+             aria-labelledby=\"{name}-title {name}-caption\">",
+            number(SMALL_SIZE)
         ));
         document.put(format_args!("<title id=\"{name}-title\">{}</title>", plain_html(&figure.title)));
         document.put(format_args!("<desc id=\"{name}-caption\">{}</desc>", plain_html(&figure.caption)));
@@ -61,6 +62,11 @@ impl Document {
             _ => "knock-unknown",
         };
         format!("{}-{pattern}", self.name)
+    }
+
+    /// An id of this document.
+    pub(super) fn id(&self, name: &str) -> String {
+        format!("{}-{name}", self.name)
     }
 
     /// Adds an element and a line end.

@@ -117,16 +117,24 @@ pub(super) fn draw_curve(document: &mut Document, layer: &Layer, panel: &DrawnPa
     }
 }
 
-/// Draws the light rim that lifts a curve off a map.
-pub(super) fn draw_rim(document: &mut Document, layer: &Layer, panel: &DrawnPanel) {
+/// Draws the light rim that lifts a curve off a map, and leaves it there under a name for the curve itself.
+pub(super) fn draw_rim(document: &mut Document, layer: &Layer, panel: &DrawnPanel, number: &str) {
     let Layer::Line(line) = layer else { return };
     let data = polyline(places(line, panel), panel.frame);
     if !data.is_empty() {
+        let (id, width) = (document.id(number), super::document::number(line.style.width + 1.3));
         document.put(format_args!(
-            "<path d=\"{data}\" fill=\"none\" stroke=\"#ffffff\" stroke-opacity=\"0.8\" stroke-width=\"{}\" \
-             stroke-linejoin=\"round\"/>",
-            number(line.style.width + 1.3),
+            "<g fill=\"none\" stroke=\"#ffffff\" stroke-opacity=\"0.8\" stroke-width=\"{width}\" \
+             stroke-linejoin=\"round\"><path id=\"{id}\" d=\"{data}\"/></g>"
         ));
+    }
+}
+
+/// Draws a curve that lies on its rim.
+pub(super) fn draw_over_rim(document: &mut Document, line: &Line, panel: &DrawnPanel, number: &str) {
+    if !polyline(places(line, panel), panel.frame).is_empty() {
+        let id = document.id(number);
+        document.put(format_args!("<use href=\"#{id}\" {}/>", line_attributes(&line.style)));
     }
 }
 

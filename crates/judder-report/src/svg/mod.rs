@@ -41,14 +41,18 @@ fn draw_panel(document: &mut Document, panel: &Panel, drawn: &DrawnPanel, index:
         layers::draw_ground(document, layer, drawn);
     }
     // all rims before all curves: no rim cuts a curve
-    for layer in panel.layers.iter().filter(|_| on_map) {
-        layers::draw_rim(document, layer, drawn);
+    let name = |layer: usize| format!("curve-{index}-{layer}");
+    for (number, layer) in panel.layers.iter().enumerate().filter(|_| on_map) {
+        layers::draw_rim(document, layer, drawn, &name(number));
     }
-    for layer in &panel.layers {
-        layers::draw_curve(document, layer, drawn);
+    for (number, layer) in panel.layers.iter().enumerate() {
+        match layer {
+            Layer::Line(line) if on_map => layers::draw_over_rim(document, line, drawn, &name(number)),
+            _ => layers::draw_curve(document, layer, drawn),
+        }
     }
     document.close_group();
-    axes::draw(document, drawn);
+    axes::draw(document, drawn, index);
     if let Some(Layer::Values(map)) = panel.layers.iter().find(|layer| matches!(layer, Layer::Values(_))) {
         axes::draw_bar(document, map, drawn);
     }

@@ -3,7 +3,7 @@
 use super::document::{append, number};
 use crate::markup::{Span, escape, parse};
 use crate::palette::Colour;
-use crate::typeface::{span_rise, span_size};
+use crate::typeface::{SMALL_SIZE, span_rise, span_size};
 
 /// Which part of a label stands at its place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -87,11 +87,11 @@ impl Text {
         } else {
             format!("x=\"{}\" y=\"{}\"", number(x), number(y))
         };
-        format!(
-            "<text {place} font-size=\"{}\"{attributes} xml:space=\"preserve\">{}</text>",
-            number(self.size),
-            self.content()
-        )
+        // most texts are of the size of the document
+        if self.size != SMALL_SIZE {
+            append(&mut attributes, format_args!(" font-size=\"{}\"", number(self.size)));
+        }
+        format!("<text {place}{attributes}>{}</text>", self.content())
     }
 
     fn content(&self) -> String {

@@ -1,11 +1,11 @@
 //! What cannot be drawn is refused with the place, the value and what would be right.
 
 use judder_report::figure::{Class, ClassMap};
-use judder_report::{Axis, Figure, Layer, Panel, Role, Scale, SecondAxis, Swing, plotly, png, svg};
+use judder_report::{Axis, Figure, Layer, Panel, Role, Scale, SecondAxis, Swing, json, png, svg};
 
 fn refusal(figure: &Figure) -> String {
     let error = svg(figure).unwrap_err().to_string();
-    assert_eq!(plotly(figure).unwrap_err().to_string(), error);
+    assert_eq!(json(figure).unwrap_err().to_string(), error);
     assert_eq!(png(figure, 1.0).unwrap_err().to_string(), error);
     error
 }

@@ -5,7 +5,7 @@ use crate::contact::run_text;
 use crate::sliding::small;
 use crate::{case, run_into};
 use judder_case::CaseFile;
-use judder_report::{plotly, svg};
+use judder_report::{json, svg};
 use judder_store::{Complex64, Data, Dataset, StudyFolder, Variable};
 use judder_study::pictures::figure;
 use std::collections::BTreeSet;
@@ -85,7 +85,7 @@ fn failures(folder: &Path, kinds: &mut BTreeSet<String>) -> Vec<String> {
         for (what, dataset) in bare(&dataset) {
             let drawn = catch_unwind(AssertUnwindSafe(|| {
                 let Some(figure) = figure("f", "", &dataset) else { return Ok(()) };
-                svg(&figure).and_then(|_| plotly(&figure)).map(|_| ()).map_err(|error| error.to_string())
+                svg(&figure).and_then(|_| json(&figure)).map(|_| ()).map_err(|error| error.to_string())
             }));
             match drawn {
                 Ok(Ok(())) => (),

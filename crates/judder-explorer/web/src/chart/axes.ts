@@ -36,6 +36,8 @@ export function drawAxes(spec: ChartSpec, frame: Frame, theme: Theme): Shape[] {
     ...frame.xTicks.minor.map(x(3.5)),
     ...values(frame.yTicks.major).map(y(7)),
     ...frame.yTicks.minor.map(y(3.5)),
+    ...(frame.second?.major ?? []).map((tick) => segment(frame.px(tick.value), top, frame.px(tick.value), top + 7)),
+    ...(frame.second?.minor ?? []).map((value) => segment(frame.px(value), top, frame.px(value), top + 3.5)),
   ];
   const xLabels = thinned(frame.xTicks.major, frame.px, (tick) => Math.max(widthOf(tick.label) * SMALL_SIZE + 8, 34)).map((tick) =>
     label(tick.label, { x: frame.px(tick.value), y: bottom + 18, size: SMALL_SIZE, colour: ink, anchor: "middle" }),
@@ -50,9 +52,22 @@ export function drawAxes(spec: ChartSpec, frame: Frame, theme: Theme): Shape[] {
     shape("path", { d: marks.join(""), stroke: onAreas, "stroke-width": 1, fill: "none" }),
     ...xLabels,
     ...yLabels,
+    ...drawSecond(spec, frame, ink),
     label(along, { ...place, x: onPaper(along, left + width / 2, frame.paper.width), y: bottom + 40 }),
     label(up, { ...place, x: LABEL_SIZE + 1, y: onPaper(up, top + height / 2, frame.paper.height), turn: -90 }),
   ];
+}
+
+/** The labels of a second axis, above the plot. */
+function drawSecond(spec: ChartSpec, frame: Frame, ink: string): Shape[] {
+  if (!spec.second || !frame.second) return [];
+  const { left, top, width } = frame;
+  const above = thinned(frame.second.major, frame.px, (tick) => widthOf(tick.label) * SMALL_SIZE + 8).map((tick) =>
+    label(tick.label, { x: frame.px(tick.value), y: top - 7, size: SMALL_SIZE, colour: ink, anchor: "middle" }),
+  );
+  const title = withPower(spec.second.label, frame.second.exponent);
+  const middle = onPaper(title, left + width / 2, frame.paper.width);
+  return [...above, label(title, { x: middle, y: top - 26, size: LABEL_SIZE, colour: ink, anchor: "middle" })];
 }
 
 /** The middle of an axis label: that of its axis, or as near to it as the paper lets a long one come. */

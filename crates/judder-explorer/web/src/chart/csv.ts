@@ -13,7 +13,7 @@ export function chartCsv(spec: ChartSpec): string {
 
 /** A rule without a label only guides the eye. */
 function isData(layer: Layer): boolean {
-  return !layer.scenery && (layer.kind !== "rule" || layer.label !== "");
+  return !layer.scenery && layer.kind !== "note" && (layer.kind !== "rule" || layer.label !== "");
 }
 
 /** Curves over the same values: a column each. */
@@ -63,6 +63,10 @@ function rowsOf(layer: Layer): Row[] {
   switch (layer.kind) {
     case "rule":
       return [{ layer: name, [layer.across]: layer.at }];
+    case "note":
+      return [];
+    case "region":
+      return (["x", "y"] as const).flatMap((across) => (layer[across] ? [{ layer: name, [across]: layer[across][0], end: layer[across][1] }] : []));
     case "bands":
       return Array.from(layer.from, (from, i) => ({ layer: name, [layer.across ?? "x"]: from, end: layer.to[i] ?? "" }));
     case "area":

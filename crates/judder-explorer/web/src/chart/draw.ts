@@ -3,12 +3,12 @@
 import { drawAxes, drawGround, onPaper, withPower } from "./axes";
 import { visible } from "./decimate";
 import { type Frame, type Size, frameOf } from "./frame";
-import { drawLayer, drawLetters } from "./layers";
+import { drawLayer, drawLetters, drawRim, drawWords } from "./layers";
 import { drawLegend, legendEntries } from "./legend";
 import { patternShapes } from "./marks";
 import { INK, type Theme, colourAt, hex } from "./palette";
 import { valueRange } from "./raster";
-import type { Window } from "./scale";
+import { type Window, fraction } from "./scale";
 import { type Shape, round, shape } from "./scene";
 import { type ChartSpec, type Layer, type PointsLayer, type ValuesLayer, isRaster } from "./spec";
 import { SMALL_SIZE, LABEL_SIZE, label } from "./text";
@@ -23,14 +23,14 @@ export interface Scene {
 }
 
 export function draw(spec: ChartSpec, window: Window, size: Size, theme: Theme, prefix: string): Scene {
-  const entries = legendEntries(spec, theme);
+  const entries = spec.explained ? [] : legendEntries(spec, theme);
   const frame = frameOf(spec, window, size, entries);
   const { ink } = INK[theme];
   const overAreas = spec.layers.some(isRaster);
   const clip = `${prefix}-plot`;
   const drawing = { spec, frame, theme, prefix, overAreas };
   const { left, top, width, height } = frame;
-  const below = (kind: string) => kind === "bands" || kind === "area";
+  const below = (kind: string) => kind === "bands" || kind === "area" || kind === "region";
   const clipped = (shapes: readonly Shape[]) => shape("g", { "clip-path": `url(#${clip})` }, ...shapes);
   const layers = (under: boolean) =>
     spec.layers
@@ -51,9 +51,12 @@ export function draw(spec: ChartSpec, window: Window, size: Size, theme: Theme, 
     ],
     under: [...layers(true), ...drawGround(spec, frame, theme)],
     over: [
+      // all rims before all lines: no rim cuts a line
+      clipped(spec.layers.flatMap((layer) => drawRim(layer, drawing))),
       ...layers(false),
       clipped(letters),
       ...drawAxes(spec, frame, theme),
+      ...spec.layers.flatMap((layer) => drawWords(layer, drawing)),
       ...drawLegend(entries, size.width, theme, prefix),
       ...bars.flatMap((layer) => drawBar(layer, frame, ink)),
     ],
@@ -68,6 +71,7 @@ function withMarkers(layer: Layer): Layer[] {
 
 /** A layer without the points that others hide. */
 function sparse(layer: PointsLayer, frame: Frame): PointsLayer {
+  if (layer.sizes) return layer;
   const kept = visible(Array.from(layer.x, frame.px), Array.from(layer.y, frame.py));
   if (kept.length === layer.x.length) return layer;
   return { ...layer, x: kept.map((i) => layer.x[i] as number), y: kept.map((i) => layer.y[i] as number) };
@@ -90,10 +94,7 @@ function drawBar(layer: ValuesLayer, frame: Frame, ink: string): Shape[] {
     }),
   );
   const scaled = ticks(layer.scale, range, frame.height / 44);
-  const at = (value: number) => {
-    const [a, b] = layer.scale === "log" ? [Math.log10(range[0]), Math.log10(range[1])] : range;
-    return frame.top + frame.height * (1 - ((layer.scale === "log" ? Math.log10(value) : value) - a) / (b - a));
-  };
+  const at = (value: number) => frame.top + frame.height * (1 - fraction(layer.scale, range, value));
   const labels = scaled.major.map((tick) =>
     label(tick.label, { x: left + width + 4, y: at(tick.value) + 4, size: SMALL_SIZE, colour: ink }),
   );

@@ -2,10 +2,11 @@
 
 import { legendRows, type Entry, ROW } from "./legend";
 import { widthOf } from "./markup";
-import { type Window, fraction, rangeOf, stretch, shrink, valueAt } from "./scale";
-import { type ChartSpec, type Layer, isRaster } from "./spec";
+import { type Range, type Window, fraction, rangeOf, stretch, shrink, valueAt } from "./scale";
+import { type Axis, type ChartSpec, type Layer, isRaster } from "./spec";
 import { LABEL_SIZE, SMALL_SIZE } from "./text";
-import { type Ticks, ticks } from "./ticks";
+import { type SecondTicks, secondTicks } from "./second";
+import { type Ticks, namedTicks, ticks } from "./ticks";
 
 export interface Size {
   readonly width: number;
@@ -22,6 +23,8 @@ export interface Frame {
   readonly window: Window;
   readonly xTicks: Ticks;
   readonly yTicks: Ticks;
+  /** Those of a second axis, above the plot. */
+  readonly second: SecondTicks | null;
   /** Pixels of a value; NaN where it has no place. */
   readonly px: (value: number) => number;
   readonly py: (value: number) => number;
@@ -43,6 +46,10 @@ function extent(layer: Layer, across: "x" | "y"): ArrayLike<number>[] {
       return layer.across === across ? [[layer.at]] : [];
     case "bands":
       return (layer.across ?? "x") === across ? [layer.from, layer.to] : [];
+    case "region":
+      return [layer[across] ?? []];
+    case "note":
+      return [[layer[across]]];
     case "area":
       return across === "x" ? [layer.x] : [layer.lower, layer.upper];
     default:
@@ -53,15 +60,21 @@ function extent(layer: Layer, across: "x" | "y"): ArrayLike<number>[] {
 /** Room for labels: one for about so many pixels. */
 const [ACROSS, UP] = [76, 44];
 const BAR_ROOM = 86;
+/** For ticks and label of a second axis. */
+const SECOND_ROOM = 40;
+
+function ticksOf(axis: Axis, range: Range, room: number): Ticks {
+  return axis.names ? namedTicks(axis.names, axis.scale, range) : ticks(axis.scale, range, room);
+}
 
 export function frameOf(spec: ChartSpec, window: Window, size: Size, entries: readonly Entry[]): Frame {
-  const top = 14 + ROW * legendRows(entries, size.width).length;
+  const top = 14 + ROW * legendRows(entries, size.width).length + (spec.second ? SECOND_ROOM : 0);
   const bottom = 26 + LABEL_SIZE + 8;
   const tallest = Math.max(size.height - top - bottom, 1);
-  const widest = widestLabel(ticks(spec.y.scale, window.y, tallest / UP));
+  const widest = widestLabel(ticksOf(spec.y, window.y, tallest / UP));
   const left = Math.min(widest + LABEL_SIZE + 22, Math.max(size.width / 3, 30));
   // a label at the end of the axis reaches beyond it by its half
-  const half = widestLabel(ticks(spec.x.scale, window.x, (size.width - left) / ACROSS)) / 2;
+  const half = widestLabel(ticksOf(spec.x, window.x, (size.width - left) / ACROSS)) / 2;
   const right = spec.layers.some((layer) => layer.kind === "values") ? BAR_ROOM : Math.max(22, Math.ceil(half) + 2);
   const room = { width: Math.max(size.width - left - right, 1), height: tallest };
   const { width, height } = spec.equal && spec.layers.some(isRaster) ? fitted(spec, window, room) : room;
@@ -73,8 +86,9 @@ export function frameOf(spec: ChartSpec, window: Window, size: Size, entries: re
     height,
     paper: size,
     window: shown,
-    xTicks: ticks(spec.x.scale, shown.x, width / ACROSS),
-    yTicks: ticks(spec.y.scale, shown.y, height / UP),
+    xTicks: ticksOf(spec.x, shown.x, width / ACROSS),
+    yTicks: ticksOf(spec.y, shown.y, height / UP),
+    second: spec.second ? secondTicks(spec.second, spec.x.scale, shown.x, width / ACROSS) : null,
     px: (value) => left + width * fraction(spec.x.scale, shown.x, value),
     py: (value) => top + height * (1 - fraction(spec.y.scale, shown.y, value)),
   };

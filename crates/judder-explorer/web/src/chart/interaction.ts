@@ -2,7 +2,7 @@
 
 import { useEffect, useRef, useState } from "preact/hooks";
 import { type Frame, valuesAt } from "./frame";
-import { type Window, fraction, moved, part, shrink, stretch, zoomed } from "./scale";
+import { type Range, type Window, fraction, moved, part, shrink, stretch, zoomed } from "./scale";
 import type { ChartSpec } from "./spec";
 
 export interface Cursor {
@@ -17,6 +17,8 @@ export interface Handlers {
   readonly onWindow: (window: Window | null, phase: Phase) => void;
   readonly onCursor: (cursor: Cursor | null, by: "pointer" | "keyboard") => void;
   readonly onPick: ((cursor: Cursor) => void) | undefined;
+  /** Whether the wheel is the page's, and zooms with Ctrl alone. */
+  readonly scrolls: boolean;
 }
 
 export interface Box {
@@ -186,6 +188,12 @@ function windowOfBox(spec: ChartSpec, frame: Frame, box: Box): Window {
   };
 }
 
+/** Whether two windows show the same but for rounding. */
+function isAbout(one: Window, other: Window): boolean {
+  const near = (a: Range, b: Range) => Math.abs(a[0] - b[0]) + Math.abs(a[1] - b[1]) <= 1e-6 * Math.abs(b[1] - b[0]);
+  return near(one.x, other.x) && near(one.y, other.y);
+}
+
 /** Wheels are listened to by hand: only a listener that is not passive can keep the page from scrolling. */
 function useWheel(element: { current: SVGSVGElement | null }, current: { readonly current: Current }): void {
   useEffect(() => {
@@ -195,6 +203,7 @@ function useWheel(element: { current: SVGSVGElement | null }, current: { readonl
     let latest: Window | undefined;
     const onWheel = (event: WheelEvent) => {
       const { spec, frame, handlers } = current.current;
+      if (handlers.scrolls && !event.ctrlKey && !event.metaKey) return;
       const bounds = node.getBoundingClientRect();
       const x = (event.clientX - bounds.left - frame.left) / frame.width;
       const y = 1 - (event.clientY - bounds.top - frame.top) / frame.height;
@@ -207,7 +216,8 @@ function useWheel(element: { current: SVGSVGElement | null }, current: { readonl
       handlers.onWindow(latest, "drag");
       clearTimeout(rest);
       rest = setTimeout(() => {
-        if (latest) current.current.handlers.onWindow(latest, "push");
+        // what has been shown since then, as everything again, stays
+        if (latest && isAbout(current.current.frame.window, latest)) current.current.handlers.onWindow(latest, "push");
         latest = undefined;
       }, WHEEL_REST);
     };

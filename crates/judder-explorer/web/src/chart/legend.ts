@@ -8,7 +8,7 @@ import { type ChartSpec, type Layer, isRaster } from "./spec";
 import { SMALL_SIZE, label } from "./text";
 
 export const ROW = 21;
-const KEY = 24;
+export const KEY = 24;
 const GAP = 16;
 
 export interface Entry {
@@ -25,11 +25,20 @@ export interface Entry {
   readonly overAreas?: boolean;
 }
 
-/** Entries of a chart, each text once. */
-export function legendEntries(spec: ChartSpec, theme: Theme): readonly Entry[] {
-  const overAreas = spec.layers.some(isRaster);
-  const entries = spec.layers.flatMap((layer) => entriesOf(layer, theme, overAreas));
-  return entries.filter((entry, index) => entries.findIndex((other) => other.text === entry.text) === index);
+/** Entries of layers, each text once, with the samples of all that have it. */
+export function legendEntries({ layers }: Pick<ChartSpec, "layers">, theme: Theme): readonly Entry[] {
+  const overAreas = layers.some(isRaster);
+  const merged = new Map<string, Entry>();
+  for (const entry of layers.flatMap((layer) => entriesOf(layer, theme, overAreas))) {
+    const known = merged.get(entry.text);
+    merged.set(entry.text, known ? joined(known, entry) : entry);
+  }
+  return [...merged.values()];
+}
+
+function joined(known: Entry, other: Entry): Entry {
+  const all = { ...other, ...known };
+  return { ...all, hasLine: known.hasLine === true || other.hasLine === true, hasMarker: known.hasMarker === true || other.hasMarker === true };
 }
 
 function entriesOf(layer: Layer, theme: Theme, overAreas: boolean): Entry[] {
@@ -41,10 +50,11 @@ function entriesOf(layer: Layer, theme: Theme, overAreas: boolean): Entry[] {
         : [],
     );
   }
-  if (layer.label === "" || layer.kind === "values") return [];
-  if (layer.kind === "bands" || layer.kind === "area") return [{ text: layer.label, area: layer.style, hatched: true }];
+  if (layer.label === "" || layer.kind === "values" || layer.kind === "note") return [];
+  if (layer.kind === "bands" || layer.kind === "area" || layer.kind === "region") return [{ text: layer.label, area: layer.style, hatched: true }];
   const style = lineStyle(layer.role, overAreas ? "light" : theme);
-  const line = { ...style, ...(layer.kind === "line" && layer.dash ? { dash: layer.dash } : {}), ...(layer.kind === "points" && layer.marker ? { marker: layer.marker } : {}) };
+  const width = layer.kind === "line" && layer.width ? { width: layer.width } : {};
+  const line = { ...style, ...width, ...(layer.kind === "line" && layer.dash ? { dash: layer.dash } : {}), ...(layer.kind === "points" && layer.marker ? { marker: layer.marker } : {}) };
   return [
     {
       text: layer.label,
@@ -88,9 +98,10 @@ export function drawLegend(entries: readonly Entry[], width: number, theme: Them
   });
 }
 
-function drawKey(entry: Entry, left: number, middle: number, theme: Theme, prefix: string): Shape[] {
-  if (entry.area) return drawAreaKey(entry.area, entry, left, middle, theme, prefix);
-  const style = entry.line as LineStyle;
+export function drawKey(entry: Entry, left: number, middle: number, theme: Theme, prefix: string): Shape[] {
+  const area = entry.area ? drawAreaKey(entry.area, entry, left, middle, theme, prefix) : [];
+  const style = entry.line;
+  if (!style) return area;
   const ground = shape("rect", { x: left, y: round(middle - 6), width: KEY, height: 12, fill: INK.light.ground });
   const line = shape("line", {
     x1: left,
@@ -102,7 +113,7 @@ function drawKey(entry: Entry, left: number, middle: number, theme: Theme, prefi
     "stroke-dasharray": DASH_PATTERN[style.dash].map((length) => round(length * style.width)).join(" "),
   });
   const marker = markerShape(style, left + KEY / 2, middle, 8, entry.hollow === true);
-  return [...(entry.overAreas && theme === "dark" ? [ground] : []), ...(entry.hasLine ? [line] : []), ...(entry.hasMarker ? [marker] : [])];
+  return [...area, ...(entry.overAreas && theme === "dark" ? [ground] : []), ...(entry.hasLine ? [line] : []), ...(entry.hasMarker ? [marker] : [])];
 }
 
 function drawAreaKey(area: AreaStyle, entry: Entry, left: number, middle: number, theme: Theme, prefix: string): Shape[] {

@@ -1,17 +1,16 @@
 /** Pixels of maps: every device pixel takes the colour of the cell whose centre is nearest on the axes' own measure. */
 
-import type { ScaleName } from "../wire/api";
-import { type Pattern, type Rgb, colourAt, isDark, rgb } from "./palette";
-import { type Range, type Window, fraction, rangeOf, stretch, valueAt } from "./scale";
+import { type AreaStyle, type Pattern, type Rgb, colourAt, isDark, rgb } from "./palette";
+import { type Range, type Scale, type Window, fraction, rangeOf, stretch, valueAt } from "./scale";
 import type { ClassesLayer, RasterLayer, ValuesLayer } from "./spec";
 
 export interface Scales {
-  readonly x: ScaleName;
-  readonly y: ScaleName;
+  readonly x: Scale;
+  readonly y: Scale;
 }
 
 /** The column (or row) that every pixel of an axis shows, −1 outside of the data. */
-export function cellsOf(centres: ArrayLike<number>, scale: ScaleName, range: Range, pixels: number): Int32Array {
+export function cellsOf(centres: ArrayLike<number>, scale: Scale, range: Range, pixels: number): Int32Array {
   const cells = new Int32Array(pixels).fill(-1);
   const count = centres.length;
   if (count === 0) return cells;
@@ -54,8 +53,10 @@ export function strokes(pattern: Pattern, x: number, y: number, size: number): b
   }
 }
 
-/** Strokes are darker than a light area and lighter than a dark one. */
-function strokeColour(area: Rgb): Rgb {
+/** Strokes are darker than a light area and lighter than a dark one, where they have no colour of their own. */
+function strokeColour({ colour, stroke }: AreaStyle): Rgb {
+  if (stroke) return rgb(stroke);
+  const area = rgb(colour);
   const dark = isDark(area);
   const mix = (channel: number) => Math.round(dark ? channel + 0.55 * (255 - channel) : 0.55 * channel);
   return [mix(area[0]), mix(area[1]), mix(area[2])];
@@ -76,7 +77,7 @@ export function pixelsOf(
   const columns = cellsOf(layer.x, scales.x, window.x, width);
   const rows = cellsOf(layer.y, scales.y, window.y, height).reverse();
   if (layer.kind === "classes") paintClasses(layer, pixels, columns, rows, size);
-  else paintValues(layer, pixels, columns, rows);
+  else paintValues(layer, pixels, columns, rows, size);
   return new Uint8ClampedArray(pixels.buffer);
 }
 
@@ -93,7 +94,7 @@ function copyRow(pixels: Uint32Array, at: number, width: number): number {
 
 function paintClasses(layer: ClassesLayer, pixels: Uint32Array, columns: Int32Array, rows: Int32Array, size: number): void {
   const colours = layer.classes.map((area) => (area.colour === "none" ? 0 : pack(rgb(area.colour))));
-  const inks = layer.classes.map((area) => (area.colour === "none" ? 0 : pack(strokeColour(rgb(area.colour)))));
+  const inks = layer.classes.map((area) => (area.colour === "none" ? 0 : pack(strokeColour(area))));
   const patterns = layer.classes.map((area) => (layer.hatched || area.always ? area.pattern : "none"));
   const plain = patterns.every((pattern) => pattern === "none" || pattern === "upright");
   const stride = layer.x.length;
@@ -116,7 +117,7 @@ function paintClasses(layer: ClassesLayer, pixels: Uint32Array, columns: Int32Ar
 
 const STEPS = 256;
 
-function paintValues(layer: ValuesLayer, pixels: Uint32Array, columns: Int32Array, rows: Int32Array): void {
+function paintValues(layer: ValuesLayer, pixels: Uint32Array, columns: Int32Array, rows: Int32Array, size: number): void {
   const range = valueRange(layer);
   const colours = Uint32Array.from({ length: STEPS }, (_, step) => pack(colourAt(layer.colours, step / (STEPS - 1))));
   const of = (value: number) => {
@@ -124,18 +125,26 @@ function paintValues(layer: ValuesLayer, pixels: Uint32Array, columns: Int32Arra
     return Number.isNaN(share) ? 0 : (colours[Math.round(Math.min(Math.max(share, 0), 1) * (STEPS - 1))] as number);
   };
   const cells = Uint32Array.from({ length: layer.values.length }, (_, index) => of(layer.values[index] as number));
+  // no colour of a value is 0
+  const gaps = layer.gaps && cells.includes(0) ? gapPaint(layer.gaps, size) : undefined;
   const stride = layer.x.length;
   for (let row = 0, at = 0; row < rows.length; row += 1) {
     const from = (rows[row] as number) * stride;
-    if (repeats(rows, row)) {
+    if (!gaps && repeats(rows, row)) {
       at = copyRow(pixels, at, columns.length);
       continue;
     }
     for (let column = 0; column < columns.length; column += 1, at += 1) {
       const cell = columns[column] as number;
-      if (from >= 0 && cell >= 0) pixels[at] = cells[from + cell] ?? 0;
+      if (from >= 0 && cell >= 0) pixels[at] = cells[from + cell] || (gaps?.(column, row) ?? 0);
     }
   }
+}
+
+/** The pixels of cells without a value. */
+function gapPaint(style: AreaStyle, size: number): (column: number, row: number) => number {
+  const [ground, ink] = [pack(rgb(style.colour)), pack(strokeColour(style))];
+  return (column, row) => (strokes(style.pattern, column, row, size) ? ink : ground);
 }
 
 /** The range of a map of values; symmetric about zero for diverging colours. */

@@ -1,11 +1,10 @@
 /** What a cursor reads off a chart. */
 
-import type { ScaleName } from "../wire/api";
-import { fraction, stretch } from "./scale";
+import { type Scale, fraction, stretch } from "./scale";
 import { type ChartSpec, type Layer, isRaster } from "./spec";
 
 export interface Reading {
-  /** Markup. */
+  /** Both are markup. */
   readonly label: string;
   readonly value: string;
 }
@@ -21,7 +20,7 @@ export function brief(value: number, digits = 5): string {
   return written(Number(value.toPrecision(digits))).replaceAll("-", "−");
 }
 
-type Point = { readonly x: number; readonly y: number };
+export type Point = { readonly x: number; readonly y: number };
 
 /** What a layer says, and the coordinates of its point that says so. */
 interface Told extends Reading {
@@ -62,7 +61,7 @@ function toldBy(layer: Layer, spec: ChartSpec, cursor: Point): Told[] {
 }
 
 /** The index of the value that is nearest in the measure of its axis, −1 where there is none. */
-export function nearest(values: ArrayLike<number>, wanted: number, scale: ScaleName = "linear"): number {
+export function nearest(values: ArrayLike<number>, wanted: number, scale: Scale = "linear"): number {
   const place = stretch(scale, wanted);
   let [best, distance] = [-1, Number.POSITIVE_INFINITY];
   for (let i = 0; i < values.length; i += 1) {

@@ -1,17 +1,25 @@
 /** What a chart shows: axes and layers, in the values of the data. */
 
-import type { ScaleName } from "../wire/api";
-import type { AreaStyle, ColourMap, LineRole, Marker } from "./palette";
-import type { Range } from "./scale";
+import type { AreaStyle, ColourMap, Dash, LineRole, Marker } from "./palette";
+import type { Range, Scale } from "./scale";
 
 export interface Axis {
   /** Markup, with the unit in brackets: `"Growth rate Re $λ$ (s^{−1})"`. */
   readonly label: string;
-  readonly scale: ScaleName;
+  readonly scale: Scale;
   /** What is shown at first; left out, what the layers need. */
   readonly range?: Range;
   /** The header of exported columns; left out, the label as plain text. */
   readonly name?: string;
+  /** What stands at these values, ascending, in the place of numbers. */
+  readonly names?: readonly (readonly [value: number, name: string])[];
+}
+
+/** A second quantity along the horizontal axis: the value above each abscissa, straight between them; both run one way. */
+export interface SecondAxis {
+  readonly label: string;
+  readonly x: ArrayLike<number>;
+  readonly value: ArrayLike<number>;
 }
 
 interface Common {
@@ -37,7 +45,9 @@ export interface LineLayer extends Common {
   readonly role: LineRole;
   /** Markers at the points too. */
   readonly marked?: boolean;
-  readonly dash?: "solid" | "dashed" | "dash-dotted" | "dotted";
+  readonly dash?: Dash;
+  /** In pixels; left out, that of the role. */
+  readonly width?: number;
   readonly along?: Along;
 }
 
@@ -52,6 +62,10 @@ export interface PointsLayer extends Common {
   readonly hollow?: boolean;
   /** Left out, that of the role. */
   readonly marker?: Marker;
+  /** Without rims, which would hide each other. */
+  readonly crowded?: boolean;
+  /** Diameters over `size`, one a point. */
+  readonly sizes?: ArrayLike<number>;
 }
 
 /** Stretches of the x axis (or of the y axis), such as contact states. */
@@ -78,6 +92,24 @@ export interface RuleLayer extends Common {
   readonly across: "x" | "y";
   readonly at: number;
   readonly role: LineRole;
+  /** Stands along the line. */
+  readonly caption?: string;
+}
+
+/** A rectangle; without an end, the whole width or height. */
+export interface RegionLayer extends Common {
+  readonly kind: "region";
+  readonly x: Range | null;
+  readonly y: Range | null;
+  readonly style: AreaStyle;
+}
+
+/** A text whose left end stands at a place. */
+export interface NoteLayer extends Common {
+  readonly kind: "note";
+  readonly x: number;
+  readonly y: number;
+  readonly text: string;
 }
 
 export interface AreaClass extends AreaStyle {
@@ -107,12 +139,14 @@ export interface ValuesLayer extends Common {
   /** Row-major, y as rows; NaN stays ground. */
   readonly values: ArrayLike<number>;
   readonly colours: ColourMap;
-  readonly scale: ScaleName;
+  readonly scale: Scale;
   /** Left out: that of the values. */
   readonly range?: Range;
+  /** How cells without a value are drawn; left out, not at all. */
+  readonly gaps?: AreaStyle;
 }
 
-export type Layer = LineLayer | PointsLayer | BandsLayer | AreaLayer | RuleLayer | ClassesLayer | ValuesLayer;
+export type Layer = LineLayer | PointsLayer | BandsLayer | AreaLayer | RuleLayer | RegionLayer | NoteLayer | ClassesLayer | ValuesLayer;
 export type RasterLayer = ClassesLayer | ValuesLayer;
 
 export interface ChartSpec {
@@ -124,6 +158,9 @@ export interface ChartSpec {
   readonly layers: readonly Layer[];
   /** One unit is as long across as up (complex planes of equal units, shapes). */
   readonly equal?: boolean;
+  readonly second?: SecondAxis;
+  /** Whether the legend stands elsewhere. */
+  readonly explained?: boolean;
 }
 
 export function isRaster(layer: Layer): layer is RasterLayer {

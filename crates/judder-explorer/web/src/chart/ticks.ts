@@ -1,7 +1,6 @@
-/** Where an axis is marked and what stands at the marks: as in the reports (`judder-report`, ticks.rs). */
+/** Where an axis is marked and what stands at the marks: as in drawings (`judder-report`, ticks.rs), whose marks are this one's tests. */
 
-import type { ScaleName } from "../wire/api";
-import type { Range } from "./scale";
+import { type Range, type Scale, fraction } from "./scale";
 
 export interface Tick {
   readonly value: number;
@@ -16,14 +15,36 @@ export interface Ticks {
   readonly exponent: number | null;
 }
 
+/** A hair's width at the ends of an axis, as a share of it. */
+const HAIR = 1e-9;
+
 /** Ticks of an axis that has room for about `room` labels. */
-export function ticks(scale: ScaleName, [from, to]: Range, room: number): Ticks {
+export function ticks(scale: Scale, range: Range, room: number): Ticks {
   const places = Math.max(2, Math.floor(room));
-  const all = scale === "log" ? logTicks(from, to, places) : linearTicks(from, to, places);
-  const margin = 1e-9 * (to - from);
-  const inside = (value: number) =>
-    scale === "log" ? value >= from * (1 - 1e-9) && value <= to * (1 + 1e-9) : value >= from - margin && value <= to + margin;
+  const own = shown(allTicks(scale, range, places), scale, range);
+  // between two decades there may be none
+  const labels = own.major.filter((tick) => tick.label !== "").length;
+  return labels < 2 ? shown(linearTicks(range[0], range[1], places), scale, range) : own;
+}
+
+/** The ticks of an axis with names: one each. */
+export function namedTicks(names: readonly (readonly [number, string])[], scale: Scale, range: Range): Ticks {
+  return shown({ major: names.map(([value, label]) => ({ value, label })), minor: [], exponent: null }, scale, range);
+}
+
+/** The ticks within the range. */
+function shown(all: Ticks, scale: Scale, range: Range): Ticks {
+  const inside = (value: number) => {
+    const share = fraction(scale, range, value);
+    return share >= -HAIR && share <= 1 + HAIR;
+  };
   return { ...all, major: all.major.filter((tick) => inside(tick.value)), minor: all.minor.filter(inside) };
+}
+
+function allTicks(scale: Scale, [from, to]: Range, room: number): Ticks {
+  if (scale === "linear") return linearTicks(from, to, room);
+  if (scale === "log") return logTicks(from, to, room);
+  return symmetricLogTicks(from, to, scale["symmetric-log"].linear, room);
 }
 
 /** Multiples of 1, 2 or 5 times a power of ten, with fifths or quarters between them. */
@@ -65,9 +86,9 @@ function logTicks(from: number, to: number, room: number): Ticks {
   if (last - first < 1) return withinADecade(from, to, room);
   const count = last - first + 1;
   const stride = strideOf(count, room);
-  const powers = Array.from({ length: count }, (_, index) => first + index);
-  const major = powers.map((power) => ({ value: powerOfTen(power), label: power % stride === 0 ? decade(power) : "" }));
-  const minor = count <= 3 * room ? [first - 1, ...powers].flatMap(betweenDecades) : [];
+  const shown = powers(first, last);
+  const major = shown.map((power) => ({ value: powerOfTen(power), label: power % stride === 0 ? decade(power) : "" }));
+  const minor = count <= 3 * room ? [first - 1, ...shown].flatMap(betweenDecades) : [];
   return { major, minor, exponent: null };
 }
 
@@ -99,6 +120,28 @@ function withinADecade(from: number, to: number, room: number): Ticks {
   if (labelled.length < 2) return linearTicks(from, to, room);
   const major = labelled.map(({ value }) => ({ value, label: scientific(value) }));
   return { major, minor: all.map(({ value }) => value), exponent: null };
+}
+
+/** Zero and the decades of both signs outside the linear part. */
+function symmetricLogTicks(from: number, to: number, part: number, room: number): Ticks {
+  const lowest = Math.ceil(Math.log10(part) - 1e-9);
+  const side = (end: number) => (end > 0 ? Math.floor(Math.log10(end) + 1e-9) : lowest - 1);
+  const [up, down] = [powers(lowest, side(to)), powers(lowest, side(-from))];
+  const count = up.length + down.length;
+  if (count === 0) return linearTicks(from, to, room);
+  const stride = strideOf(count + 1, room);
+  const mark = (sign: number) => (power: number) => ({
+    value: sign * powerOfTen(power),
+    label: power % stride === 0 ? `${sign < 0 ? "−" : ""}${decade(power)}` : "",
+  });
+  const major = [...down.map(mark(-1)).reverse(), { value: 0, label: "0" }, ...up.map(mark(1))];
+  const between = (decades: readonly number[]) => [lowest - 1, ...decades].flatMap(betweenDecades).filter((value) => value > part);
+  const minor = [...between(down).map((value) => -value).reverse(), ...between(up)];
+  return { major, minor: count > 3 * room ? [] : minor, exponent: null };
+}
+
+function powers(first: number, last: number): number[] {
+  return Array.from({ length: Math.max(last - first + 1, 0) }, (_, index) => first + index);
 }
 
 /** A number with a true minus sign; zero has none. */

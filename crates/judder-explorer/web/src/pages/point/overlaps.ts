@@ -1,8 +1,7 @@
 /** Runs of branches that lie upon each other: drawn twice, the dashes of one would fill the gaps of the other, and pass for a solid line. */
 
 import { type Curve } from "../../chart/runs";
-import { fraction, rangeOf } from "../../chart/scale";
-import type { ScaleName } from "../../wire/api";
+import { type Scale, fraction, rangeOf } from "../../chart/scale";
 
 /** What cannot be told apart, in shares of the extent of all rows: less than a pixel or two of a chart. */
 const NEAR = 1e-3;
@@ -14,7 +13,7 @@ export interface BranchRows extends Curve {
 }
 
 /** Of the segments that `joins` says, from a row to the next, those that do not lie on ones of a branch before. */
-export function drawnOnce({ x, y, number }: BranchRows, scale: ScaleName, joins: (row: number) => boolean): (row: number) => boolean {
+export function drawnOnce({ x, y, number }: BranchRows, scale: Scale, joins: (row: number) => boolean): (row: number) => boolean {
   const [across, up] = [shares(x, scale), shares(y, "linear")];
   const drawn: number[] = [];
   const lies = (row: number) => (share: number) => {
@@ -29,7 +28,7 @@ export function drawnOnce({ x, y, number }: BranchRows, scale: ScaleName, joins:
 }
 
 /** Places on an axis over the extent of all values. */
-function shares(values: Float64Array, scale: ScaleName): Float64Array {
+function shares(values: Float64Array, scale: Scale): Float64Array {
   const range = rangeOf(scale, [values]);
   return values.map((value) => fraction(scale, range, value));
 }

@@ -1,0 +1,146 @@
+//! What the interactive chart shares with the drawings, written for its TypeScript and checked to be current: the palette, which it takes
+//! from here, and marks of axes, with which its own are compared. `JUDDER_GOLDEN=write` writes both anew.
+
+use crate::figure::{Axis, Scale};
+use crate::palette::{
+    Colour, ColourMap, DASH_CYCLE, Dash, GRADED_END, INK, MARKER_CYCLE, QUALITATIVE, QUIET, Role, Style,
+};
+use crate::scale::Placed;
+use crate::ticks::ticks;
+use serde_json::{Map, Value, json};
+use std::path::Path;
+
+/// Compares a file of the page's sources with what it should be, or writes it.
+fn check(file: &str, wanted: &str) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../judder-explorer/web").join(file);
+    if std::env::var("JUDDER_GOLDEN").is_ok_and(|mode| mode == "write") {
+        std::fs::write(&path, wanted).unwrap();
+    }
+    let found = std::fs::read_to_string(&path).unwrap();
+    assert!(
+        found == wanted,
+        "{file} is not current: JUDDER_GOLDEN=write writes it, `make page` builds with it"
+    );
+}
+
+/// The name under which a figure's JSON speaks of a meaning, a dash or a marker.
+fn name(value: impl serde::Serialize) -> String {
+    serde_json::to_value(value).unwrap().as_str().unwrap().to_owned()
+}
+
+fn hex(colours: &[Colour]) -> Vec<String> {
+    colours.iter().map(ToString::to_string).collect()
+}
+
+fn line(role: Role) -> Value {
+    let Style { dash, marker, width, .. } = role.into();
+    json!({ "colour": role.colour().to_string(), "dash": dash, "marker": marker, "width": width })
+}
+
+fn palette() -> Value {
+    let areas = [
+        Role::Stable,
+        Role::Flutter,
+        Role::NegativeDamping,
+        Role::Both,
+        Role::NormalForceCoupling,
+        Role::DestabilisedByDamping,
+        Role::Unresolved,
+        Role::Knock,
+        Role::KnockUnknown,
+        Role::WithinLaw,
+        Role::UnstableZone,
+        Role::Stick,
+        Role::SlipAhead,
+        Role::LiftOff,
+    ];
+    let lines = [Role::FullBoundary, Role::ConservativeBoundary, Role::DecoupledBoundary, Role::Reference];
+    let dashes = [Dash::Solid, Dash::Dashed, Dash::DashDotted, Dash::Dotted];
+    let named = |roles: &[Role], of: &dyn Fn(Role) -> Value| -> Map<String, Value> {
+        roles.iter().map(|role| (name(role), of(*role))).collect()
+    };
+    json!({
+        "ink": INK.to_string(),
+        "quiet": QUIET.to_string(),
+        "areas": named(&areas, &|role| json!(role.colour().to_string())),
+        "lines": named(&lines, &line),
+        "series": {
+            "colours": hex(&QUALITATIVE), "dashes": DASH_CYCLE, "markers": MARKER_CYCLE, "width": Style::from(Role::Series(0)).width,
+        },
+        "graded": { "end": GRADED_END, "width": Style::from(Role::Graded { index: 0, count: 1 }).width },
+        "dashes": dashes.map(|dash| (name(dash), json!(dash.pattern()))).into_iter().collect::<Map<String, Value>>(),
+        "stops": {
+            "sequential": hex(ColourMap::Sequential.stops()), "diverging": hex(ColourMap::Diverging.stops()),
+        },
+    })
+}
+
+#[test]
+fn the_palette_of_the_chart_is_this_one() {
+    let palette = serde_json::to_string_pretty(&palette()).unwrap();
+    let head = "/** Colours, dashes and markers by meaning, written by the tests of `judder-report` from its palette: change them there. */";
+    check("src/chart/meanings.ts", &format!("{head}\nexport const MEANINGS = {palette} as const;\n"));
+}
+
+/// Axes of every kind, wide and narrow, on both sides of zero.
+fn axes() -> Vec<(Scale, f64, f64)> {
+    let mut axes = Vec::new();
+    for (from, to) in [
+        (-1.0, 1.0),
+        (0.0, 400.0),
+        (0.0, 3e-6),
+        (-2e5, 7e5),
+        (0.12, 0.13),
+        (1e-3, 2.5),
+        (999.0, 1001.0),
+        (-0.37, 1e-4),
+        (3.0, 3.000_01),
+        (0.0, 0.9),
+    ] {
+        axes.push((Scale::Linear, from, to));
+    }
+    for (from, to) in [
+        (1e-2, 1e1),
+        (1e-8, 1e2),
+        (2.0, 6.0),
+        (0.5, 30.0),
+        (3e-7, 4e-7),
+        (1e-40, 1e60),
+        (0.09, 11.0),
+        (1.5, 8e4),
+    ] {
+        axes.push((Scale::Log, from, to));
+    }
+    for (linear, from, to) in [
+        (1e-2, -0.1, 1.0),
+        (0.1, -10.0, 10.0),
+        (1e-3, -1e5, 0.0),
+        (1.0, -0.5, 0.5),
+        (0.1, 2.0, 6.0),
+        (2e-4, -3.0, 50.0),
+        (1e-9, -1e9, 1e9),
+    ] {
+        axes.push((Scale::SymmetricLog { linear }, from, to));
+    }
+    axes
+}
+
+#[test]
+fn the_marks_with_which_those_of_the_chart_are_compared_are_these() {
+    let marks: Vec<String> = axes()
+        .into_iter()
+        .flat_map(|(scale, from, to)| [3, 6, 11].map(|room| (scale, from, to, room)))
+        .map(|(scale, from, to, room)| {
+            let axis = Axis { scale, ..Axis::linear("") }.with_range(from, to);
+            let ticks = ticks(&Placed::new(&axis, std::iter::empty(), 0.0), room);
+            let major: Vec<(f64, &str)> =
+                ticks.major.iter().map(|tick| (tick.value, tick.label.as_str())).collect();
+            let (minor, exponent) = (&ticks.minor, ticks.exponent);
+            json!({
+                "scale": scale, "range": [from, to], "room": room, "major": major, "minor": minor, "exponent": exponent,
+            })
+            .to_string()
+        })
+        .collect();
+    check("tests/ticks.json", &format!("[\n{}\n]\n", marks.join(",\n")));
+}

@@ -4,15 +4,17 @@
 //! comment what the key is, and by its type and rule what it may be. [`judder_keys_derive`] derives it.
 
 mod form;
+mod named;
 mod values;
 
 use crate::document::Node;
 use crate::error::Fault;
-use crate::section::Section;
+use crate::section::{NOTHING, Section};
 use serde_json::{Map, Value as Json};
 
-pub(crate) use form::{Declaration, Form};
-pub(crate) use values::{Fixed, Number, Pair, Several, Whole, conflict};
+pub(crate) use form::{Declaration, Form, alternatives, together};
+pub use named::Named;
+pub(crate) use values::{Fixed, Number, Pair, Several, UNLIMITED, Whole, conflict};
 
 /// A table of settings.
 pub(crate) trait Settings: Sized {
@@ -81,11 +83,44 @@ pub(crate) fn read_key<T: Setting>(
     match section.get(key) {
         Some(node) => T::read(section, key, node, rule),
         None => absent().ok_or_else(|| {
-            let expected =
-                example.map_or_else(|| T::form(rule).example(key, doc), |own| format!("{key} = {own}"));
+            let expected = match example {
+                // the head of a section stands for itself
+                Some(own) if own.starts_with(&format!("[{key}]")) => own.to_owned(),
+                Some(own) => format!("{key} = {own}"),
+                None => T::form(rule).example(key, doc),
+            };
             section.missing(key, &expected)
         }),
     }
+}
+
+/// The settings of an empty table, where all of them may be left out.
+pub(crate) fn of_nothing<T: Settings>() -> Option<T> {
+    T::read_table(&NOTHING).ok()
+}
+
+/// Which of some alternatives a section has the keys of, the first where it has none; two are refused.
+pub(crate) fn alternative(section: &Section<'_>, keys: &[&[&str]]) -> Result<usize, Fault> {
+    let given = |(index, keys): (usize, &&[&str])| {
+        keys.iter().find(|key| section.get(key).is_some()).map(|key| (index, (*key).to_owned()))
+    };
+    let mut found = keys.iter().enumerate().filter_map(given);
+    let Some((index, first)) = found.next() else { return Ok(0) };
+    found.next().map_or(Ok(()), |(_, second)| conflict(section, &first, &second)).map(|()| index)
+}
+
+/// Lists of keys as one.
+pub(crate) const fn joined<const N: usize>(lists: &[&[&'static str]]) -> [&'static str; N] {
+    let (mut all, mut count, mut list) = ([""; N], 0, 0);
+    while list < lists.len() {
+        let mut own = 0;
+        while own < lists[list].len() {
+            all[count] = lists[list][own];
+            (count, own) = (count + 1, own + 1);
+        }
+        list += 1;
+    }
+    all
 }
 
 /// Both of two, or all that is wrong with either.

@@ -16,7 +16,7 @@
 //! - [`motion_analysis`], [`engines_analysis`], [`belt_case`]: the analyses of motion, and the mass on a belt.
 //! - [`expression`], `matrix`, [`mass`], [`two_degrees`]: the two-degrees case, matrices of expressions.
 //! - [`structure`]: the structure case: bodies of elements, sums of matrices, their analyses.
-//! - [`sliding_keys`], [`sliding`]: the sliding case: two structures, their contact, motion and analyses.
+//! - [`sliding`]: the sliding case: two structures, their contact, motion and analyses.
 //! - [`key_sweep`], [`study_sweep`]: any number of a case that varies, and `[[sweep]]`, the whole case at many points.
 //! - [`case_file`]: the way in. `resolved`: the way out, canonical JSON for the hash and the report.
 //! - [`mod@compose`]: options, and one analysis, written into the text of a case; one of its analyses alone.
@@ -64,7 +64,6 @@ pub mod schema;
 mod section;
 pub mod shape;
 pub mod sliding;
-pub mod sliding_keys;
 pub mod span;
 pub mod structure;
 pub mod study_sweep;
@@ -88,6 +87,7 @@ pub use contact_case::ContactCase;
 pub use contact_keys::{CONTACT_KEYS, ContactKey};
 pub use contact_problem::ContactProblem;
 pub use continuous::{ContinuousSource, Density, DensitySample, TermChoice};
+pub use declared::Named;
 pub use dimension::Dimension;
 pub use engines_analysis::EnginesSettings;
 pub use error::CaseError;
@@ -108,7 +108,6 @@ pub use shape::{HeightFile, RoughSurface, Roughness, Shape};
 pub use sliding::SlidingCase;
 pub use sliding::analysis::SlidingAnalysis;
 pub use sliding::problem::SlidingProblem;
-pub use sliding_keys::{SLIDING_KEYS, SlidingKey};
 pub use span::Span;
 pub use structure::analysis::StructureAnalysis;
 pub use structure::problem::StructureProblem;

@@ -6,6 +6,8 @@ mod sliding;
 mod structure;
 mod sweep;
 
+pub(crate) use sliding::key_sweep;
+
 use serde_json::{Map, Value as Json, json};
 
 use crate::analysis::Kind;
@@ -17,7 +19,6 @@ use crate::keys::{KEYS, Key, OscillatorKey, Range};
 use crate::motion_analysis::BASIN;
 use crate::oscillator_analysis::{LOAD_WITHIN, MARGIN_OF_MAP, MARGIN_OF_THRESHOLDS, SHEAR_STRENGTH_WITHIN};
 use crate::oscillator_case::SECTIONS;
-use crate::sliding_keys::SLIDING_KEYS;
 use crate::sweep::{MapMethod, Scale};
 use crate::swept_keys::OscillatorKeys;
 use crate::two_degrees::CRITICAL_POINTS;
@@ -42,9 +43,6 @@ pub fn schema() -> Json {
     definitions["belt-key"] = names(BELT_KEYS.iter().map(|entry| entry.path), "dotted path of a key");
     for entry in &BELT_KEYS {
         definitions[motion::definition(entry.path)] = key(entry);
-    }
-    for entry in &SLIDING_KEYS {
-        definitions[sliding::definition(entry.path)] = key(entry);
     }
     let mut json = json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
@@ -193,9 +191,19 @@ fn with_declared(
     required: &[&str],
 ) -> Json {
     properties.extend(keys.iter().map(|key| (key.name.to_owned(), key.schema())));
-    let own = keys.iter().filter(|key| key.is_required).map(|key| key.name);
+    let own = keys.iter().filter(|key| key.must_stand()).map(|key| key.name);
     let required: Vec<&str> = required.iter().copied().chain(own).collect();
-    table(description, properties, &required)
+    let mut json = table(description, properties, &required);
+    let of_alternative = |index: usize| -> Vec<&str> {
+        let own = keys.iter().filter(|key| key.is_required && key.alternative == Some(index));
+        own.map(|key| key.name).collect()
+    };
+    // where no key of any is given, the first alternative is meant
+    if !of_alternative(0).is_empty() {
+        let last = keys.iter().filter_map(|key| key.alternative).max().unwrap_or(0);
+        json["oneOf"] = (0..=last).map(|index| json!({ "required": of_alternative(index) })).collect();
+    }
+    json
 }
 
 /// The list of analyses: one alternative a kind.
@@ -208,9 +216,7 @@ fn analyses<S, T>(kinds: &[Kind<S, T>], setting: impl Fn(&str, &str) -> Json) ->
         let mut properties = object(own);
         properties.extend(kind.keys.iter().map(|key| ((*key).to_owned(), setting(kind.name, key))));
         let needed = |key: &&&str| match (kind.name, **key) {
-            ("locus", "sweep") => false,
-            ("march", "method") | ("eigen-sweep", "region") => true,
-            (_, "sweep" | "x" | "y" | "structure" | "of") => true,
+            ("eigen-sweep", "region") | (_, "sweep" | "x" | "y") => true,
             (name, key) => key == "within" && name == BASIN.name,
         };
         let required: Vec<_> = ["kind"].iter().chain(kind.keys.iter().filter(needed)).copied().collect();

@@ -15,6 +15,14 @@ pub(crate) struct Section<'a> {
     pub(crate) place: Place,
 }
 
+/// An empty table.
+pub(crate) static NOTHING: Section<'static> = Section {
+    prefix: String::new(),
+    name: String::new(),
+    table: &Table { entries: Vec::new() },
+    place: Place { source: 0, start: 0, end: 0 },
+};
+
 impl<'a> Section<'a> {
     /// Opens `node`, which must be a table with no other keys than `known`.
     pub(crate) fn open(node: &'a Node, path: &str, name: &str, known: &[&str]) -> Result<Self, Fault> {
@@ -56,6 +64,17 @@ impl<'a> Section<'a> {
     pub(crate) fn table<'b>(&self, key: &str, node: &'b Node, known: &[&str]) -> Result<Section<'b>, Fault> {
         let path = self.path(key);
         Section::open(node, &path, &format!("`{path}`"), known)
+    }
+
+    /// The table under `key`, where there is one, whatever its keys are.
+    pub(crate) fn inner(&self, key: &str) -> Result<Option<Section<'a>>, Fault> {
+        let path = self.path(key);
+        self.get(key).map(|node| Section::of_table(node, &path, &format!("`{path}`"))).transpose()
+    }
+
+    /// The place of the first of these keys that there is, or of the section.
+    pub(crate) fn place_of(&self, keys: &[&str]) -> Place {
+        keys.iter().find_map(|key| self.get(key)).map_or(self.place, |node| node.place)
     }
 
     /// The dotted path of a key of this section.

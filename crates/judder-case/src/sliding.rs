@@ -5,6 +5,7 @@
 //! - [`motion`]: `[motion]`, path, velocity, load, and how they begin.
 //! - [`observe`]: `[observe]`, points and signals.
 //! - [`analysis`], [`locus`], [`march`], [`signals`], [`spectrogram`]: what is computed, and what is kept of it.
+//! - [`plain_name`]: names of structures and points.
 //! - [`sweep`]: any number of the case over a range.
 //! - [`problem`]: what can be wrong with all of it, beyond types, units and ranges.
 
@@ -15,6 +16,7 @@ pub mod locus;
 pub mod march;
 pub mod motion;
 pub mod observe;
+pub mod plain_name;
 pub mod problem;
 pub mod signals;
 pub mod spectrogram;
@@ -27,15 +29,17 @@ use std::sync::Arc;
 
 use crate::analysis::{Analysis, read_analyses};
 use crate::cause::Cause;
+use crate::declared::{Settings, both};
 use crate::document::{Data, Node};
 use crate::error::Fault;
 use crate::file_reference::FileReference;
 use crate::section::Section;
 use crate::two_degrees::{Parameter, read_parameters};
 use analysis::{KINDS, SlidingAnalysis};
-use contact::{SlidingContact, read_contact};
-use motion::{SlidingMotion, read_motion};
-use observe::{ObservedPoint, read_points};
+use contact::SlidingContact;
+use judder_keys_derive::Settings;
+use motion::SlidingMotion;
+use observe::{Observed, ObservedPoint};
 use problem::SlidingProblem;
 use structure::{SlidingStructure, read_structures};
 use sweep::KeySweep;
@@ -76,12 +80,12 @@ impl fmt::Debug for Origin {
 impl SlidingCase {
     /// The structure that slides.
     pub fn slider(&self) -> &SlidingStructure {
-        &self.structures[self.contact.slider.structure]
+        &self.structures[*self.contact.slider.structure]
     }
 
     /// The structure along which it slides.
     pub fn track(&self) -> &SlidingStructure {
-        &self.structures[self.contact.track.structure]
+        &self.structures[*self.contact.track.structure]
     }
 
     /// The values of all parameters, in their order.
@@ -139,16 +143,41 @@ pub(crate) fn read(node: &Node, folder: &Path) -> Result<SlidingCase, Fault> {
     Ok(case)
 }
 
+/// What a case has beside its structures and analyses.
+#[derive(Debug, Settings)]
+pub(crate) struct SystemKeys {
+    /// Who slides on what, and friction.
+    #[key(example = "[contact] with slider = { … } and track = { … }")]
+    contact: SlidingContact,
+    /// Path, velocity and load of the slider.
+    #[key(example = "[motion] with load = { set = \"start\" }")]
+    motion: SlidingMotion,
+    /// Points whose motion is kept; none where left out.
+    observe: Option<Observed>,
+}
+
 /// Everything but the analyses.
 fn read_system(node: &Node, folder: &Path) -> Result<SlidingCase, Fault> {
     let root = Section::open(node, "", "a sliding case", &KEYS)?;
     let parameters = read_parameters(&root)?;
     let names: Vec<String> = parameters.iter().map(|parameter| parameter.name.clone()).collect();
-    let structures = Box::new(read_structures(&root, &names, folder)?);
-    let contact = read_contact(&root, &structures)?;
-    let motion = read_motion(&root, &structures, contact.slider.structure)?;
-    let points = read_points(&root, &structures)?;
+    let (structures, system) = both(read_structures(&root, &names, folder), SystemKeys::read_table(&root))?;
+    let SystemKeys { mut contact, motion, mut observe } = system;
+    let observed = match (&mut observe, root.inner("observe")?) {
+        (Some(observe), Some(section)) => observe.admit(&section, &structures),
+        _ => Ok(()),
+    };
+    let coupled = match (root.inner("contact")?, root.inner("motion")?) {
+        (Some(of_contact), Some(of_motion)) => {
+            let slides = contact.admit(&of_contact, &structures);
+            slides.and_then(|()| motion.admit(&of_motion, &structures[*contact.slider.structure]))
+        }
+        _ => Ok(()),
+    };
+    both(coupled, observed)?;
     let title = root.text("title")?.unwrap_or_default().to_owned();
     let origin = Arc::new(Origin { root: node.clone(), folder: folder.to_owned() });
-    Ok(SlidingCase { title, parameters, structures, contact, motion, points, analyses: Vec::new(), origin })
+    let points = observe.map_or_else(Vec::new, |observe| observe.points);
+    let (structures, analyses) = (Box::new(structures), Vec::new());
+    Ok(SlidingCase { title, parameters, structures, contact, motion, points, analyses, origin })
 }

@@ -32,7 +32,7 @@ use body::{Body, BodyKeys, Geometry, read_body};
 use damping::Damping;
 use matrices::{MatrixSums, read_matrices};
 use problem::StructureProblem;
-use reduction::{Reduction, read_reduction};
+use reduction::Reduction;
 
 /// A validated structure case.
 #[derive(Debug, Clone)]
@@ -105,9 +105,9 @@ pub(crate) fn read(root: &Node, folder: &Path) -> Result<StructureCase, Fault> {
     let damping = damping.unwrap_or_else(|| Ok(Damping::default()));
     let (source, damping) = both(read_source(&root, &keys, folder), damping)?;
     let reduction = root.get("reduction").map(|node| {
-        let section = Section::open(node, "reduction", "[reduction]", &reduction::KEYS)?;
-        section.required("kept", "kept = [{ set = \"end\" }], the freedoms that are kept")?;
-        read_reduction(&section, &source)
+        let section = Section::of_table(node, "reduction", "[reduction]")?;
+        let kept = section.required("kept", "kept = [{ set = \"end\" }], the freedoms that are kept");
+        both(kept, Reduction::of(&section, &source)).map(|(_, reduction)| reduction)
     });
     let values: Vec<f64> = parameters.iter().map(|parameter| parameter.value).collect();
     let sums = match &source {

@@ -3,7 +3,7 @@
 use crate::field::doc;
 use proc_macro2::TokenStream;
 use quote::quote;
-use syn::{Data, DeriveInput, Error, Fields, LitStr, Result, Variant};
+use syn::{Data, DeriveInput, Error, Fields, Ident, LitStr, Result};
 
 pub(crate) fn derive(input: &DeriveInput) -> Result<TokenStream> {
     let Data::Enum(data) = &input.data else {
@@ -30,7 +30,7 @@ pub(crate) fn derive(input: &DeriveInput) -> Result<TokenStream> {
     }
     let (name, count) = (&input.ident, data.variants.len());
     let variants: Vec<_> = data.variants.iter().map(|variant| &variant.ident).collect();
-    let words: Vec<_> = data.variants.iter().map(word).collect();
+    let words: Vec<_> = data.variants.iter().map(|variant| word(&variant.ident, '-')).collect();
     let docs = data.variants.iter().map(|variant| doc(&variant.attrs));
     Ok(quote! {
         impl #name {
@@ -69,11 +69,11 @@ pub(crate) fn derive(input: &DeriveInput) -> Result<TokenStream> {
 }
 
 /// `ResidualFlexibility` as `residual-flexibility`.
-fn word(variant: &Variant) -> String {
+pub(crate) fn word(name: &Ident, joint: char) -> String {
     let mut word = String::new();
-    for letter in variant.ident.to_string().chars() {
+    for letter in name.to_string().chars() {
         if letter.is_uppercase() && !word.is_empty() {
-            word.push('-');
+            word.push(joint);
         }
         word.extend(letter.to_lowercase());
     }

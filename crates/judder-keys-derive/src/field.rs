@@ -1,88 +1,109 @@
-//! A field of settings: its key, what is said of it, how it is read.
+//! A field of settings, or a variant of alternatives: its key, what is said of it, how it is read.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
-use syn::spanned::Spanned;
-use syn::{Attribute, Error, Expr, ExprLit, Field, Ident, Lit, LitStr, Meta, Result, Type};
+use syn::{Attribute, Error, Expr, ExprLit, Ident, Lit, LitStr, Meta, Result, Type};
 
 /// A key as its field declares it.
 pub(crate) struct Key {
     pub(crate) field: Ident,
     /// The variable into which it is read, which no parameter is called.
     pub(crate) read: Ident,
-    pub(crate) name: String,
-    pub(crate) ty: Type,
-    pub(crate) doc: String,
+    name: String,
+    ty: Type,
+    doc: String,
     symbol: String,
     rule: TokenStream,
-    default: Option<Expr>,
+    absent: Absent,
     /// What an optional key usually means where it is left out, which other keys decide.
     usual: Option<Expr>,
     example: Option<LitStr>,
     is_omitted: bool,
     is_unwritten: bool,
+    /// Whether the keys of its table stand among those beside it.
+    is_flat: bool,
+}
+
+/// What stands for a key that is left out.
+enum Absent {
+    /// What its type says.
+    Type,
+    Value(Expr),
+    /// An empty table.
+    Table,
+    /// What the case fills in.
+    Filled,
+    /// Nothing: that is told when the case is known.
+    Later,
 }
 
 impl Key {
-    pub(crate) fn new(field: &Field) -> Result<Self> {
-        let Some(name) = field.ident.clone() else {
-            return Err(Error::new(field.span(), "settings are structs with named fields"));
-        };
+    pub(crate) fn new(field: Ident, ty: &Type, attributes: &[Attribute]) -> Result<Self> {
         let mut key = Self {
-            name: name.to_string(),
-            read: format_ident!("read_{name}"),
-            field: name,
-            ty: field.ty.clone(),
-            doc: doc(&field.attrs),
+            name: field.to_string(),
+            read: format_ident!("read_{field}"),
+            ty: ty.clone(),
+            doc: doc(attributes),
             symbol: String::new(),
             rule: quote!(&()),
-            default: None,
+            absent: Absent::Type,
             usual: None,
             example: None,
             is_omitted: false,
             is_unwritten: false,
+            is_flat: false,
+            field,
         };
-        for attribute in field.attrs.iter().filter(|attribute| attribute.path().is_ident("key")) {
+        for attribute in attributes.iter().filter(|attribute| attribute.path().is_ident("key")) {
             attribute.parse_nested_meta(|meta| {
-                if meta.path.is_ident("name") {
-                    key.name = meta.value()?.parse::<LitStr>()?.value();
-                } else if meta.path.is_ident("rule") {
-                    let rule: Expr = meta.value()?.parse()?;
-                    key.rule = quote!(&#rule);
-                } else if meta.path.is_ident("default") {
-                    key.default = Some(meta.value()?.parse()?);
-                } else if meta.path.is_ident("usual") {
-                    key.usual = Some(meta.value()?.parse()?);
-                } else if meta.path.is_ident("symbol") {
-                    key.symbol = meta.value()?.parse::<LitStr>()?.value();
-                } else if meta.path.is_ident("example") {
-                    key.example = Some(meta.value()?.parse()?);
-                } else if meta.path.is_ident("omitted") {
-                    key.is_omitted = true;
-                } else if meta.path.is_ident("unwritten") {
-                    key.is_unwritten = true;
-                } else {
-                    return Err(meta.error(
-                        "a key takes name, rule, default, usual, symbol, example, omitted, unwritten",
-                    ));
+                let has_value = meta.input.peek(syn::Token![=]);
+                let name = meta.path.get_ident().map(Ident::to_string).unwrap_or_default();
+                match name.as_str() {
+                    "name" => key.name = meta.value()?.parse::<LitStr>()?.value(),
+                    "rule" => {
+                        let rule: Expr = meta.value()?.parse()?;
+                        key.rule = quote!(&#rule);
+                    }
+                    "default" if has_value => key.absent = Absent::Value(meta.value()?.parse()?),
+                    "default" => key.absent = Absent::Table,
+                    "filled" => key.absent = Absent::Filled,
+                    "later" => key.absent = Absent::Later,
+                    "usual" => key.usual = Some(meta.value()?.parse()?),
+                    "symbol" => key.symbol = meta.value()?.parse::<LitStr>()?.value(),
+                    "example" => key.example = Some(meta.value()?.parse()?),
+                    "omitted" => key.is_omitted = true,
+                    "unwritten" => key.is_unwritten = true,
+                    "flatten" => key.is_flat = true,
+                    _ => {
+                        return Err(meta.error(
+                            "a key takes name, rule, default, filled, later, usual, symbol, example, omitted, unwritten, flatten",
+                        ));
+                    }
                 }
                 Ok(())
             })?;
         }
-        if key.doc.is_empty() {
-            return Err(Error::new(field.span(), "the doc comment of a key says what it is"));
+        if key.doc.is_empty() && !key.is_flat {
+            return Err(Error::new(key.field.span(), "the doc comment of a key says what it is"));
         }
         Ok(key)
     }
 
-    /// What a case file says of the key.
-    pub(crate) fn declaration(&self) -> TokenStream {
-        let Self { name, ty, doc, symbol, rule, default, .. } = self;
-        let is_required = default.is_none();
-        let told = match (default, &self.usual) {
-            (Some(value), _) => Some(quote!(#value)),
-            (None, Some(value)) => Some(quote!(::std::option::Option::Some(#value))),
-            (None, None) => None,
+    /// What a case file says of the key, or of those of its table.
+    pub(crate) fn declarations(&self) -> TokenStream {
+        let Self { name, ty, doc, symbol, rule, .. } = self;
+        if self.is_flat {
+            return quote!(<#ty as crate::declared::Settings>::declarations());
+        }
+        let is_required = match self.absent {
+            Absent::Type => quote!(!<#ty as crate::declared::Setting>::IS_OPTIONAL),
+            Absent::Later => quote!(true),
+            Absent::Value(_) | Absent::Table | Absent::Filled => quote!(false),
+        };
+        let told = match (&self.absent, &self.usual) {
+            (Absent::Value(value), _) => Some(quote!(#value)),
+            (_, Some(value)) => Some(quote!(::std::option::Option::Some(#value))),
+            _ => None,
         };
         let default = match told {
             Some(value) => quote!({
@@ -91,41 +112,76 @@ impl Key {
             }),
             None => quote!(::std::option::Option::None),
         };
-        quote!(crate::declared::Declaration {
+        quote!(::std::vec![crate::declared::Declaration {
             name: #name,
             doc: #doc,
             symbol: #symbol,
             default: #default,
-            is_required: #is_required && !<#ty as crate::declared::Setting>::IS_OPTIONAL,
+            is_required: #is_required,
+            alternative: ::std::option::Option::None,
             form: <#ty as crate::declared::Setting>::form(#rule),
-        })
+        }])
     }
 
     /// Reads the key into a variable of its name.
-    pub(crate) fn read(&self) -> TokenStream {
-        let Self { read, name, ty, doc, rule, default, .. } = self;
-        let absent = match default {
-            Some(value) => quote!(::std::option::Option::Some(#value)),
-            None => quote!(<#ty as crate::declared::Setting>::absent()),
-        };
-        let example = option(self.example.as_ref());
-        quote!(let #read: ::std::result::Result<#ty, crate::error::Fault> =
-            crate::declared::read_key(
+    fn reading(&self) -> TokenStream {
+        let Self { read, name, ty, doc, rule, .. } = self;
+        let value = if self.is_flat {
+            quote!(<#ty as crate::declared::Settings>::read_table(section))
+        } else {
+            let absent = match &self.absent {
+                Absent::Type => quote!(<#ty as crate::declared::Setting>::absent()),
+                Absent::Value(value) => quote!(::std::option::Option::Some(#value)),
+                Absent::Table => quote!(crate::declared::of_nothing()),
+                Absent::Filled | Absent::Later => {
+                    quote!(::std::option::Option::Some(::std::default::Default::default()))
+                }
+            };
+            let example = option(self.example.as_ref());
+            quote!(crate::declared::read_key(
                 section,
                 crate::declared::Called { key: #name, doc: #doc, example: #example },
                 #rule,
                 || #absent,
-            );)
+            ))
+        };
+        quote!(let #read: ::std::result::Result<#ty, crate::error::Fault> = #value;)
     }
 
     /// Puts the key into a canonical form.
-    pub(crate) fn write(&self) -> TokenStream {
-        let Self { field, name, rule, is_omitted, is_unwritten, .. } = self;
-        if *is_unwritten {
-            return TokenStream::new();
+    pub(crate) fn writing(&self, value: &TokenStream) -> TokenStream {
+        let Self { ty, name, rule, is_omitted, .. } = self;
+        match (self.is_unwritten, self.is_flat) {
+            (true, _) => TokenStream::new(),
+            (_, true) => quote!(<#ty as crate::declared::Settings>::write_table(#value, json);),
+            _ => quote!(crate::declared::write_key(
+                json,
+                (#name, #is_omitted),
+                <#ty as crate::declared::Setting>::write(#value, #rule),
+            );),
         }
-        quote!(crate::declared::write_key(json, (#name, #is_omitted), crate::declared::Setting::write(&self.#field, #rule));)
     }
+}
+
+/// The names of keys that stand together, as a constant list.
+pub(crate) fn names(keys: &[Key]) -> TokenStream {
+    let (mut counts, mut lists) = (Vec::new(), Vec::new());
+    for Key { name, ty, is_flat, .. } in keys {
+        let list = if *is_flat { quote!(<#ty as crate::declared::Settings>::KEYS) } else { quote!(&[#name]) };
+        counts.push(if *is_flat { quote!(#list.len()) } else { quote!(1) });
+        lists.push(list);
+    }
+    quote!(&crate::declared::joined::<{ 0 #(+ #counts)* }>(&[#(#lists),*]))
+}
+
+/// Reads keys that stand together, each into its variable.
+pub(crate) fn reading(keys: &[Key]) -> TokenStream {
+    let readings = keys.iter().map(Key::reading);
+    let nothing = (quote!(::std::result::Result::Ok(())), quote!(()));
+    let (all, pattern) = keys.iter().rev().fold(nothing, |(all, pattern), Key { read, .. }| {
+        (quote!(crate::declared::both(#read, #all)), quote!((#read, #pattern)))
+    });
+    quote!(#(#readings)* let #pattern = #all?;)
 }
 
 /// A literal, or none, as tokens.

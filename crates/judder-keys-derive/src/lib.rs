@@ -1,4 +1,4 @@
-//! Derives what is declared of settings: a struct becomes a table of keys, an enum a choice of words.
+//! Derives what is declared of settings: a struct becomes a table of keys, an enum alternatives of keys or a choice of words.
 //!
 //! ```text
 //! #[derive(Settings)]
@@ -13,11 +13,16 @@
 //! The doc comment of a field says what the key is. Its attribute takes
 //!
 //! - `rule`: what the type of the field needs to read it, as a unit, a range, a length of a list;
-//! - `default`: the value where the key is left out; `usual`: that of an optional key, which other keys may decide otherwise;
+//! - `default`: the value where the key is left out, without a value that of an empty table; `usual`: that of an optional key, which other keys may
+//!   decide otherwise; `filled`: the case fills it in; `later`: it must be given, which is told when the case is known;
 //! - `symbol` and `example`, for the reference and for messages; `name`, where the key is not called as the field is;
-//! - `omitted`: an absent one is left out of the canonical form and not `null` in it; `unwritten`: the form never has it.
+//! - `omitted`: an absent one is left out of the canonical form and not `null` in it; `unwritten`: the form never has it;
+//! - `flatten`: the keys of its table stand among those beside it.
 //!
 //! A struct takes `#[settings(check = …, title = "…")]`: what is checked and filled in when all keys are read, how messages call the table.
+//!
+//! An enum has an alternative a variant: one key, called as the variant and declared there, or the fields of the variant. Keys of two are refused, the
+//! first variant is meant where there is no key of any; its `check` sees the section before.
 
 mod choice;
 mod field;
@@ -26,7 +31,7 @@ mod settings;
 use proc_macro::TokenStream;
 use syn::{DeriveInput, parse_macro_input};
 
-/// A struct of settings.
+/// A struct of settings, an enum of alternatives.
 #[proc_macro_derive(Settings, attributes(settings, key))]
 pub fn derive_settings(input: TokenStream) -> TokenStream {
     settings::derive(&parse_macro_input!(input as DeriveInput))

@@ -1,17 +1,11 @@
-//! A struct of settings.
+//! A struct of settings, an enum of alternatives.
 
-use crate::field::{Key, doc, option};
+use crate::field::{Key, doc, names, option, reading};
 use proc_macro2::TokenStream;
-use quote::quote;
-use syn::{Data, DeriveInput, Error, Fields, LitStr, Path, Result};
+use quote::{format_ident, quote};
+use syn::{Data, DeriveInput, Error, Field, Fields, LitStr, Path, Result, Variant};
 
 pub(crate) fn derive(input: &DeriveInput) -> Result<TokenStream> {
-    let Data::Struct(data) = &input.data else {
-        return Err(Error::new(input.ident.span(), "settings are a struct"));
-    };
-    let Fields::Named(fields) = &data.fields else {
-        return Err(Error::new(input.ident.span(), "settings are structs with named fields"));
-    };
     let (mut check, mut title): (Option<Path>, Option<LitStr>) = (None, None);
     for attribute in input.attrs.iter().filter(|attribute| attribute.path().is_ident("settings")) {
         attribute.parse_nested_meta(|meta| {
@@ -26,44 +20,133 @@ pub(crate) fn derive(input: &DeriveInput) -> Result<TokenStream> {
             Err(meta.error("settings take check, title"))
         })?;
     }
-    let keys = fields.named.iter().map(Key::new).collect::<Result<Vec<Key>>>()?;
-    let name = &input.ident;
-    let (title, about) = (option(title.as_ref()), doc(&input.attrs));
-    let names = keys.iter().map(|key| &key.name);
-    let declarations = keys.iter().map(Key::declaration);
-    let reads = keys.iter().map(Key::read);
-    let writes = keys.iter().map(Key::write);
-    let fields = keys.iter().map(|key| &key.field);
-    let own: Vec<_> = keys.iter().map(|key| &key.read).collect();
-    let nothing = (quote!(::std::result::Result::Ok(())), quote!(()));
-    let (all, pattern) = own.iter().rev().fold(nothing, |(all, pattern), read| {
-        (quote!(crate::declared::both(#read, #all)), quote!((#read, #pattern)))
-    });
-    let check = check.map(|check| quote!(#check(&mut settings, section)?;));
+    let Parts { keys, declarations, read, write } = match &input.data {
+        Data::Struct(data) => of_struct(&fields(&data.fields)?, check.as_ref()),
+        Data::Enum(data) => {
+            let variants = data.variants.iter().map(Alternative::new).collect::<Result<Vec<_>>>()?;
+            of_alternatives(&variants, check.as_ref())
+        }
+        Data::Union(_) => return Err(Error::new(input.ident.span(), "settings are a struct or an enum")),
+    };
+    let (name, title, about) = (&input.ident, option(title.as_ref()), doc(&input.attrs));
     Ok(quote! {
         impl crate::declared::Settings for #name {
             const TITLE: ::std::option::Option<&'static str> = #title;
             const DOC: &'static str = #about;
-            const KEYS: &'static [&'static str] = &[#(#names),*];
+            const KEYS: &'static [&'static str] = #keys;
 
             fn declarations() -> ::std::vec::Vec<crate::declared::Declaration> {
-                ::std::vec![#(#declarations),*]
+                #declarations
             }
 
             fn read_table(
                 section: &crate::section::Section<'_>,
             ) -> ::std::result::Result<Self, crate::error::Fault> {
-                #(#reads)*
-                let #pattern = #all?;
-                #[allow(unused_mut, reason = "a check may fill in what depends on other keys")]
-                let mut settings = Self { #(#fields: #own),* };
-                #check
-                ::std::result::Result::Ok(settings)
+                #read
             }
 
             fn write_table(&self, json: &mut ::serde_json::Map<::std::string::String, ::serde_json::Value>) {
-                #(#writes)*
+                #write
             }
         }
     })
+}
+
+/// What differs between a struct and alternatives.
+struct Parts {
+    keys: TokenStream,
+    declarations: TokenStream,
+    read: TokenStream,
+    write: TokenStream,
+}
+
+fn fields(fields: &Fields) -> Result<Vec<Key>> {
+    let key = |field: &Field| match &field.ident {
+        Some(name) => Key::new(name.clone(), &field.ty, &field.attrs),
+        None => Err(Error::new_spanned(field, "settings have named fields")),
+    };
+    fields.iter().map(key).collect()
+}
+
+fn of_struct(keys: &[Key], check: Option<&Path>) -> Parts {
+    let declarations = keys.iter().map(Key::declarations);
+    let writes = keys.iter().map(|key| {
+        let field = &key.field;
+        key.writing(&quote!(&self.#field))
+    });
+    let (fields, own) = (keys.iter().map(|key| &key.field), keys.iter().map(|key| &key.read));
+    let check = check.map(|check| quote!(#check(&mut settings, section)?;));
+    let reading = reading(keys);
+    Parts {
+        keys: names(keys),
+        declarations: quote!(crate::declared::together(::std::vec![#(#declarations),*])),
+        read: quote! {
+            #reading
+            #[allow(unused_mut, reason = "a check may fill in what depends on other keys")]
+            let mut settings = Self { #(#fields: #own),* };
+            #check
+            ::std::result::Result::Ok(settings)
+        },
+        write: quote!(#(#writes)*),
+    }
+}
+
+/// A variant: one key, some keys, or none.
+struct Alternative {
+    keys: Vec<Key>,
+    /// The variant with its fields in the variables of the same names: as a pattern, and of what was read.
+    pattern: TokenStream,
+    read: TokenStream,
+}
+
+impl Alternative {
+    fn new(variant: &Variant) -> Result<Self> {
+        let name = &variant.ident;
+        let keys = match &variant.fields {
+            Fields::Unnamed(own) if own.unnamed.len() == 1 => {
+                let key = format_ident!("{}", crate::choice::word(name, '_'));
+                vec![Key::new(key, &own.unnamed[0].ty, &variant.attrs)?]
+            }
+            own => fields(own)?,
+        };
+        let fields: Vec<_> = keys.iter().map(|key| &key.field).collect();
+        let own: Vec<_> = keys.iter().map(|key| &key.read).collect();
+        let (pattern, read) = match &variant.fields {
+            Fields::Unnamed(_) => (quote!(Self::#name(#(#fields),*)), quote!(Self::#name(#(#own),*))),
+            Fields::Named(_) => {
+                (quote!(Self::#name { #(#fields),* }), quote!(Self::#name { #(#fields: #own),* }))
+            }
+            Fields::Unit => (quote!(Self::#name), quote!(Self::#name)),
+        };
+        Ok(Self { keys, pattern, read })
+    }
+}
+
+/// The first is meant where a section has no key of any.
+fn of_alternatives(alternatives: &[Alternative], check: Option<&Path>) -> Parts {
+    let (mut lists, mut declared, mut reads, mut writes) = (vec![], vec![], vec![], vec![]);
+    for (index, Alternative { keys, pattern, read }) in alternatives.iter().enumerate() {
+        lists.push(names(keys));
+        let declarations = keys.iter().map(Key::declarations);
+        declared.push(quote!(crate::declared::together(::std::vec![#(#declarations),*])));
+        let which = if index + 1 < alternatives.len() { quote!(#index) } else { quote!(_) };
+        let reading = reading(keys);
+        reads.push(quote!(#which => { #reading ::std::result::Result::Ok(#read) }));
+        let writing = keys.iter().map(|key| {
+            let field = &key.field;
+            key.writing(&quote!(#field))
+        });
+        writes.push(quote!(#pattern => { #(#writing)* }));
+    }
+    let counts = lists.iter().map(|list| quote!((#list as &[&str]).len()));
+    let check = check.map(|check| quote!(#check(section)?;));
+    Parts {
+        keys: quote!(&crate::declared::joined::<{ 0 #(+ #counts)* }>(&[#(#lists),*])),
+        declarations: quote!(crate::declared::alternatives(::std::vec![#(#declared),*])),
+        read: quote! {
+            #check
+            match crate::declared::alternative(section, &[#(#lists),*])? { #(#reads),* }
+        },
+        write: quote!(match self { #(#writes),* }),
+    }
 }

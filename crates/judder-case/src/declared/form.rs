@@ -1,10 +1,13 @@
 //! What a case file may say under a key: the schema and the reference are written from it.
 
-use super::values::{Number, Whole};
+use super::values::{Number, UNLIMITED, Whole};
 use crate::keys::Key;
+use crate::quantity::Quantity;
 use crate::reference::allowed;
 use crate::schema;
+use judder_numerics::words::plain;
 use serde_json::{Value as Json, json};
+use std::f64::consts::TAU;
 
 /// A key and what is said of it.
 #[derive(Debug, Clone)]
@@ -13,8 +16,33 @@ pub(crate) struct Declaration {
     pub(crate) doc: &'static str,
     pub(crate) symbol: &'static str,
     pub(crate) default: Option<Json>,
+    /// Whether it must be given; among alternatives, with those of its own.
     pub(crate) is_required: bool,
+    /// To which of the alternatives of its table it belongs; those of another are refused beside it.
+    pub(crate) alternative: Option<usize>,
     pub(crate) form: Form,
+}
+
+/// The keys of several in one table.
+pub(crate) fn together(keys: Vec<Vec<Declaration>>) -> Vec<Declaration> {
+    keys.concat()
+}
+
+/// The keys of alternatives, which may be alternatives of their own.
+pub(crate) fn alternatives(variants: Vec<Vec<Declaration>>) -> Vec<Declaration> {
+    let mut next = 0;
+    let mut all = Vec::new();
+    for mut keys in variants {
+        let first = next;
+        for key in &mut keys {
+            let own = first + key.alternative.unwrap_or(0);
+            key.alternative = Some(own);
+            next = next.max(own);
+        }
+        next += 1;
+        all.extend(keys);
+    }
+    all
 }
 
 /// What a value may be.
@@ -36,6 +64,10 @@ pub(crate) enum Form {
     Table { doc: &'static str, keys: Vec<Declaration> },
     /// A table whose keys are names.
     Named(Box<Form>),
+    /// One of several forms.
+    Either(Vec<Form>),
+    /// A form of its own: how the reference says it, and its schema.
+    Own { words: &'static str, schema: fn() -> Json },
 }
 
 impl Form {
@@ -53,17 +85,21 @@ impl Form {
             }
             Self::List { .. } => format!("{key} = [ … ]"),
             Self::Named(_) => format!("{key} = {{ NAME = … }}"),
+            Self::Either(forms) => forms.first().map_or(String::new(), |form| form.example(key, doc)),
+            Self::Own { words, .. } => format!("{key} = …, {words}"),
             Self::Table { keys, .. } => {
-                let keys: Vec<&str> = keys.iter().filter(|key| key.is_required).map(|key| key.name).collect();
+                let keys: Vec<&str> =
+                    keys.iter().filter(|key| key.must_stand()).map(|key| key.name).collect();
                 format!("{key} = {{ {} }}", keys.join(", "))
             }
         }
     }
 
     /// The JSON Schema of a value.
-    fn schema(&self) -> Json {
+    pub(crate) fn schema(&self) -> Json {
         match self {
             Self::Number(number) => number.schema(),
+            Self::Whole(Whole { from, to: UNLIMITED }) => json!({ "type": "integer", "minimum": from }),
             Self::Whole(Whole { from, to }) => json!({ "type": "integer", "minimum": from, "maximum": to }),
             Self::Flag => json!({ "type": "boolean" }),
             Self::Text => json!({ "type": "string" }),
@@ -79,6 +115,8 @@ impl Form {
             }
             Self::Table { doc, keys } => schema::declared_table(doc, keys),
             Self::Named(of) => json!({ "type": "object", "additionalProperties": of.schema() }),
+            Self::Either(forms) => json!({ "anyOf": forms.iter().map(Self::schema).collect::<Vec<_>>() }),
+            Self::Own { schema, .. } => schema(),
         }
     }
 }
@@ -88,7 +126,7 @@ fn as_written(canonical: &Json) -> Json {
     match canonical {
         Json::Object(own) => match (own.get("value"), own.get("unit")) {
             (Some(Json::Number(value)), Some(Json::String(unit))) => {
-                json!(format!("{} {unit}", value.as_f64().unwrap_or(f64::NAN)))
+                json!(briefly(value.as_f64().unwrap_or(f64::NAN), unit))
             }
             _ => own.iter().map(|(key, value)| (key.clone(), as_written(value))).collect(),
         },
@@ -97,7 +135,28 @@ fn as_written(canonical: &Json) -> Json {
     }
 }
 
+/// The shortest of the ways in which a quantity in SI units can be written, but for rounding.
+fn briefly(value: f64, unit: &str) -> String {
+    let (value_in, units) = match unit {
+        "rad/s" => (value / TAU, ["Hz", "kHz", "rad/s"].map(str::to_owned)),
+        _ => (value, [unit.to_owned(), format!("m{unit}"), format!("k{unit}")]),
+    };
+    let ways = units.iter().flat_map(|unit| {
+        let scales = [value_in, value_in * 1e3, value_in * 1e-3, value];
+        scales.map(|number| format!("{} {unit}", plain(number)))
+    });
+    let is_same = |way: &String| {
+        Quantity::parse(way).is_ok_and(|read| (read.number - value).abs() <= 1e-15 * value.abs())
+    };
+    ways.filter(is_same).min_by_key(String::len).unwrap_or_else(|| format!("{value} {unit}"))
+}
+
 impl Declaration {
+    /// Whether it must be given, whatever else is.
+    pub(crate) fn must_stand(&self) -> bool {
+        self.is_required && self.alternative.is_none()
+    }
+
     /// The JSON Schema of one of these keys.
     pub(crate) fn find(all: &[Self], name: &str) -> Json {
         all.iter().find(|own| own.name == name).map_or(Json::Null, Self::schema)
@@ -121,7 +180,7 @@ impl Declaration {
         let Self { name, symbol, doc, form, .. } = self;
         let absent = match &self.default {
             Some(default) => format!("`{}`", as_written(default)),
-            None if self.is_required => "must be given".to_owned(),
+            None if self.must_stand() => "must be given".to_owned(),
             None => String::new(),
         };
         let path = format!("{prefix}{name}");
@@ -137,6 +196,7 @@ impl Form {
         match self {
             Self::Table { keys, .. } => keys,
             Self::List { of, .. } | Self::Named(of) => of.keys(),
+            Self::Either(forms) => forms.iter().map(Self::keys).find(|keys| !keys.is_empty()).unwrap_or(&[]),
             _ => &[],
         }
     }
@@ -151,6 +211,7 @@ impl Form {
                 let example = number.dimension.example().replace("\" or \"", " or ");
                 format!("{} such as {example}, {}", number.dimension, allowed(number.range))
             }
+            Self::Whole(Whole { from, to: UNLIMITED }) => format!("an integer, ≥ {from}"),
             Self::Whole(Whole { from, to }) => format!("an integer from {from} to {to}"),
             Self::Flag => "`true` or `false`".to_owned(),
             Self::Text => "a text".to_owned(),
@@ -169,6 +230,8 @@ impl Form {
                 format!("a list of {least} to {most}, each {}", of.words())
             }
             Self::Named(of) => format!("a table of names, each {}", of.words()),
+            Self::Either(forms) => forms.iter().map(Self::words).collect::<Vec<String>>().join("; or "),
+            Self::Own { words, .. } => (*words).to_owned(),
             Self::Table { keys, .. } => {
                 let keys: Vec<&str> = keys.iter().map(|key| key.name).collect();
                 format!("a table `{{ {} }}`", keys.join(", "))

@@ -19,6 +19,9 @@ pub(crate) struct Number {
     pub(crate) range: Range,
 }
 
+/// The largest whole number: no limit.
+pub(crate) const UNLIMITED: usize = usize::MAX >> 1;
+
 /// A whole number from one to another.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Whole {
@@ -128,7 +131,7 @@ impl Setting for [f64; 2] {
     fn read(section: &Section<'_>, key: &str, node: &Node, rule: &Pair) -> Result<Self, Fault> {
         let [from, to] = exactly(section, (key, rule.what), node, items(section, key, node, &rule.of)?)?;
         if rule.is_ascending {
-            ascending(from, to, node)?;
+            ascending(from, to, node.place)?;
         }
         Ok([from, to])
     }

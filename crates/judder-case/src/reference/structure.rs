@@ -5,7 +5,7 @@ use crate::declared::Settings;
 use crate::structure::analysis::{Eigen, KINDS, MethodKeys};
 use crate::structure::body::BodyKeys;
 use crate::structure::damping::Damping;
-use crate::structure::reduction::FixedModeKeys;
+use crate::structure::reduction::Reduction;
 
 /// The section on structure cases.
 pub(super) fn section() -> String {
@@ -13,7 +13,7 @@ pub(super) fn section() -> String {
     for (name, keys) in [
         ("[structure]", BodyKeys::declarations()),
         ("[damping]", Damping::declarations()),
-        ("[reduction]` beside `kept", FixedModeKeys::declarations()),
+        ("[reduction]", Reduction::declarations()),
     ] {
         page += &settings(name, &keys);
     }

@@ -9,7 +9,6 @@ use crate::keys::Form;
 use crate::structure::analysis::{EigenMethod, StructureAnalysis};
 use crate::structure::body::{Body, Geometry, Material, PlaneSection};
 use crate::structure::matrices::{MatrixSums, MatrixTerm};
-use crate::structure::reduction::{FixedModes, Kept, KeptNodes, Reduction};
 use crate::structure::{StructureCase, StructureSource};
 use crate::two_degrees::Parameter;
 
@@ -30,7 +29,7 @@ pub(super) fn case(case: &StructureCase) -> Json {
         }
     }
     if let Some(kept) = &case.reduction {
-        json["reduction"] = reduction(kept);
+        json["reduction"] = Setting::write(kept, &());
     }
     json
 }
@@ -76,21 +75,6 @@ pub(super) fn matrices(sums: &MatrixSums) -> Json {
     // the files stand for themselves, wherever their folder is
     json.insert("freedoms".to_owned(), json!(sums.freedoms.as_ref().map(|file| &file.given)));
     Json::Object(json)
-}
-
-pub(super) fn reduction(reduction: &Reduction) -> Json {
-    let directions = |kept: &Kept| Setting::write(&kept.directions, &());
-    let kept = reduction.kept.iter().map(|kept| match &kept.nodes {
-        KeptNodes::Set(set) => json!({ "set": set, "directions": directions(kept) }),
-        KeptNodes::Numbers(nodes) => json!({ "nodes": nodes, "directions": directions(kept) }),
-        KeptNodes::Near(place) => json!({ "at": place, "directions": directions(kept) }),
-    });
-    let mut json = json!({ "kept": kept.collect::<Vec<_>>() });
-    match reduction.modes {
-        FixedModes::Count(count) => json["count"] = json!(count),
-        FixedModes::CutOff(limit) => json["cut_off"] = si(limit, Dimension::ANGULAR_FREQUENCY),
-    }
-    json
 }
 
 fn analysis(kind: &StructureAnalysis) -> Json {

@@ -1,6 +1,6 @@
 //! The structure case.
 
-use serde_json::{Value as Json, json};
+use serde_json::{Map, Value as Json, json};
 
 use super::{analyses, choice, declared_table, object, reference, sweep, table, with_declared};
 use crate::declared::{Declaration, Settings};
@@ -8,7 +8,7 @@ use crate::structure::analysis::{Eigen, KINDS, MethodKeys};
 use crate::structure::body::BodyKeys;
 use crate::structure::damping::Damping;
 use crate::structure::matrices::Triangle;
-use crate::structure::reduction::FixedModeKeys;
+use crate::structure::reduction::Reduction;
 
 pub(super) fn case() -> Json {
     let mut properties = object([
@@ -32,16 +32,8 @@ pub(super) fn list(items: Json, [least, most]: [usize; 2], description: &str) ->
     json!({ "type": "array", "items": items, "minItems": least, "maxItems": most, "description": description })
 }
 
-pub(super) fn text(description: &str) -> Json {
+fn text(description: &str) -> Json {
     json!({ "type": "string", "description": description })
-}
-
-pub(super) fn whole([from, to]: [usize; 2], default: Option<usize>, description: &str) -> Json {
-    let mut json = json!({ "type": "integer", "minimum": from, "maximum": to, "description": description });
-    if let Some(default) = default {
-        json["default"] = json!(default);
-    }
-    json
 }
 
 pub(super) fn matrices() -> Json {
@@ -74,31 +66,7 @@ pub(super) fn damping() -> Json {
 }
 
 pub(super) fn reduction(required: &[&str]) -> Json {
-    let kept = object([
-        ("set", text("a set of nodes of a body")),
-        (
-            "nodes",
-            json!({ "type": "array", "items": { "type": "integer", "minimum": 0 }, "description": "nodes of the table of freedoms" }),
-        ),
-        (
-            "directions",
-            list(
-                json!({ "enum": ["x", "y", "z"] }),
-                [0, 3],
-                "directions in which they are kept; all by default",
-            ),
-        ),
-    ]);
-    let properties = object([(
-        "kept",
-        json!({ "type": "array", "items": table("freedoms that are kept", kept, &[]), "minItems": 1 }),
-    )]);
-    with_declared(
-        "what a Craig–Bampton reduction keeps",
-        properties,
-        &FixedModeKeys::declarations(),
-        required,
-    )
+    with_declared(Reduction::DOC, Map::new(), &Reduction::declarations(), required)
 }
 
 fn setting(_: &str, key: &str) -> Json {

@@ -2,13 +2,14 @@
 
 use super::SlidingCase;
 use super::growth::Growth;
-use super::locus::{self, Locus, read_locus};
-use super::march::{MARCH_KEYS, March, read_march};
-use super::spectrogram::{self, Spectrogram, read_spectrogram};
+use super::locus::Locus;
+use super::march::March;
+use super::spectrogram::Spectrogram;
 use super::structure::find_structure;
 use crate::analysis::Kind;
-use crate::declared::Settings;
+use crate::declared::{Named, Settings};
 use crate::structure::analysis::Modes;
+use judder_keys_derive::Settings;
 
 /// What an analysis of a sliding case computes.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,11 +27,13 @@ pub enum SlidingAnalysis {
 }
 
 /// Undamped modes of one of the structures.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Settings)]
 pub struct PartModes {
-    /// The index of the structure.
-    pub structure: usize,
+    /// The name of a structure.
+    #[key(later)]
+    pub structure: Named<usize>,
     /// Which.
+    #[key(flatten)]
     pub modes: Modes,
 }
 
@@ -38,28 +41,28 @@ pub struct PartModes {
 pub(crate) const KINDS: [Kind<SlidingCase, SlidingAnalysis>; 5] = [
     Kind {
         name: "modes",
-        keys: &["structure", "count", "band"],
-        declared: None,
+        keys: PartModes::KEYS,
+        declared: Some(PartModes::declarations),
         doc: "undamped modes of one of the two structures, as it is held, without contact",
         read: |case, section| {
-            let structure = find_structure(&case.structures, section, "structure")?;
-            let modes = Modes::read_table(section)?;
-            Ok(SlidingAnalysis::Modes(PartModes { structure, modes }))
+            let mut own = PartModes::read_table(section)?;
+            find_structure(&mut own.structure, &case.structures, section)?;
+            Ok(SlidingAnalysis::Modes(own))
         },
     },
     Kind {
         name: "locus",
-        keys: locus::KEYS,
-        declared: None,
+        keys: Locus::KEYS,
+        declared: Some(Locus::declarations),
         doc: "complex eigenvalues against the position of the contact, or against any key, with located unstable zones",
-        read: |case, section| read_locus(case, section).map(SlidingAnalysis::Locus),
+        read: |case, section| Locus::read_table(section)?.admit(case, section).map(SlidingAnalysis::Locus),
     },
     Kind {
         name: "march",
-        keys: MARCH_KEYS,
-        declared: None,
+        keys: March::KEYS,
+        declared: Some(March::declarations),
         doc: "the motion along the path by explicit time integration: signals, bursts, contact forces",
-        read: |case, section| read_march(case, section).map(SlidingAnalysis::March),
+        read: |case, section| March::read_table(section)?.admit(case, section).map(SlidingAnalysis::March),
     },
     Kind {
         name: "growth",
@@ -70,9 +73,11 @@ pub(crate) const KINDS: [Kind<SlidingCase, SlidingAnalysis>; 5] = [
     },
     Kind {
         name: "spectrogram",
-        keys: spectrogram::KEYS,
-        declared: None,
+        keys: Spectrogram::KEYS,
+        declared: Some(Spectrogram::declarations),
         doc: "a signal of a march over time, position and frequency, with the unstable zones of a locus",
-        read: |case, section| read_spectrogram(case, section).map(SlidingAnalysis::Spectrogram),
+        read: |case, section| {
+            Spectrogram::read_table(section)?.admit(case, section).map(SlidingAnalysis::Spectrogram)
+        },
     },
 ];

@@ -2,36 +2,44 @@
 
 use super::problem::SlidingProblem;
 use super::structure::{SlidingStructure, find_structure};
+use crate::declared::{Form, Named, Number, Setting, Several, both};
+use crate::dimension::Dimension;
 use crate::document::{Data, Node};
 use crate::error::Fault;
 use crate::section::Section;
-use crate::sliding_keys::SlidingKey;
-use crate::structure::lists::{number, quantities};
 use crate::structure::problem::StructureProblem;
-use crate::structure::reduction::{KeptNodes, read_nodes};
-use crate::swept_keys::read_value;
+use crate::structure::reduction::KeptNodes;
+use judder_keys_derive::{Choice, Settings};
+use serde_json::Value as Json;
 
-/// The contact of a slider on a track.
-#[derive(Debug, Clone, PartialEq)]
+/// Who slides on what, and friction.
+#[derive(Debug, Clone, PartialEq, Settings)]
 pub struct SlidingContact {
-    /// The slider and its contact point C, one node.
+    /// The slider, and its contact point C, one node.
+    #[key(example = "{ structure = \"…\", set = \"end-lower\" }")]
     pub slider: NodesOf,
-    /// The track and its contact edge: nodes in their order, from which positions count.
+    /// The other structure, and the nodes of its edge in their order: positions count from the first.
+    #[key(example = "{ structure = \"…\", set = \"upper-corners\" }")]
     pub track: NodesOf,
-    /// μ.
+    /// Friction coefficient, or a table against the sliding speed.
+    #[key(name = "friction_coefficient", symbol = "μ", default = Friction::Constant(0.3))]
     pub friction: Friction,
     /// How the edge runs between its nodes.
+    #[key(default = Interpolation::Linear)]
     pub interpolation: Interpolation,
-    /// g_0, m, closed over the ramp of the gap; below zero a penetration.
+    /// Gap between the undeformed structures at the start, closed over the ramp of the gap; below zero a penetration.
+    #[key(rule = Number::any(Dimension::LENGTH), symbol = "g_0", default = 0.0)]
     pub initial_gap: f64,
 }
 
 /// Nodes of one of the two structures.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Settings)]
 pub struct NodesOf {
-    /// The index of the structure, 0 or 1.
-    pub structure: usize,
-    /// The nodes: a set of a body, or numbers of the table of freedoms.
+    /// The name of a structure.
+    #[key(later)]
+    pub structure: Named<usize>,
+    /// The nodes.
+    #[key(flatten)]
     pub nodes: KeptNodes,
 }
 
@@ -40,17 +48,25 @@ pub struct NodesOf {
 pub enum Friction {
     /// μ, whatever the speed.
     Constant(f64),
-    /// μ against the sliding speed, linear between the speeds and constant beyond them.
-    Table {
-        /// Sliding speeds, m/s, ascending, two at least.
-        velocity: Vec<f64>,
-        /// μ at each of them.
-        coefficient: Vec<f64>,
-    },
+    /// μ against the sliding speed.
+    Table(FrictionTable),
+}
+
+/// Friction against the sliding speed.
+#[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(check = FrictionTable::check)]
+pub struct FrictionTable {
+    /// Sliding speeds, ascending, two at least.
+    #[key(rule = SPEEDS, symbol = "v", example = "[\"0 mm/s\", \"10 mm/s\"]")]
+    pub velocity: Vec<f64>,
+    /// Friction coefficients there, linear between the speeds and constant beyond them.
+    #[key(rule = COEFFICIENTS, symbol = "μ(v)", example = "[0.4, 0.3]")]
+    pub coefficient: Vec<f64>,
 }
 
 /// How the contact edge runs between its nodes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
+#[choice(what = "interpolation")]
 pub enum Interpolation {
     /// Straight: the slope jumps at a node.
     Linear,
@@ -58,111 +74,102 @@ pub enum Interpolation {
     Hermite,
 }
 
-impl Interpolation {
-    /// The choices with their names in a case file.
-    pub const ALL: [(&'static str, Self); 2] = [("linear", Self::Linear), ("hermite", Self::Hermite)];
+const COEFFICIENT: Number = Number::non_negative(Dimension::NUMBER);
+const COEFFICIENTS: Several<Number> = Several { of: COEFFICIENT, length: [2, usize::MAX] };
+const SPEEDS: Several<Number> =
+    Several { of: Number::non_negative(Dimension::SPEED), length: [2, usize::MAX] };
 
-    /// The name in a case file.
-    pub fn name(self) -> &'static str {
-        Self::ALL[self as usize].0
-    }
-}
-
-/// The keys of `[contact]`.
-const KEYS: [&str; 5] = ["slider", "track", "friction_coefficient", "interpolation", "initial_gap"];
-
-/// Reads `[contact]`.
-pub(super) fn read_contact(
-    root: &Section<'_>,
-    structures: &[SlidingStructure; 2],
-) -> Result<SlidingContact, Fault> {
-    let node = root.required("contact", "[contact] with slider = { … } and track = { … }")?;
-    let section = root.table("contact", node, &KEYS)?;
-    let node = section.required("slider", "slider = { structure = \"…\", set = \"end-lower\" }")?;
-    let slider = read_nodes_of(&section, "slider", node, structures)?;
-    check_one_node(&section, "slider", node, &slider.nodes)?;
-    let node = section.required("track", "track = { structure = \"…\", set = \"upper-corners\" }")?;
-    let track = read_nodes_of(&section, "track", node, structures)?;
-    if slider.structure == track.structure {
-        let name = structures[track.structure].name.clone();
-        return Err(SlidingProblem::SameStructure { name }.at(node.place));
-    }
-    if let KeptNodes::Numbers(nodes) = &track.nodes
-        && nodes.len() < 2
-    {
-        let (key, expected) = (section.path("track"), "two nodes at least");
-        return Err(StructureProblem::Length { key, expected, found: nodes.len() }.at(node.place));
-    }
-    if let KeptNodes::Numbers(nodes) = &track.nodes
-        && let Some(twice) =
-            nodes.iter().enumerate().find_map(|(k, own)| nodes[..k].contains(own).then_some(own))
-    {
+impl SlidingContact {
+    /// Finds the structures, and refuses nodes that they cannot have and a structure that slides on itself.
+    pub(super) fn admit(
+        &mut self,
+        section: &Section<'_>,
+        structures: &[SlidingStructure; 2],
+    ) -> Result<(), Fault> {
+        let slider = self.slider.admit(section, "slider", structures).and_then(|()| {
+            check_one_node(&section.path("slider"), &self.slider.nodes)
+                .map_err(|problem| problem.at(section.place_of(&["slider"])))
+        });
+        both(slider, self.track.admit(section, "track", structures))?;
+        let Some(node) = section.get("track") else { return Ok(()) };
+        if self.slider.structure == self.track.structure {
+            let name = self.track.structure.name.clone();
+            return Err(SlidingProblem::SameStructure { name }.at(node.place));
+        }
+        let KeptNodes::Numbers(nodes) = &self.track.nodes else { return Ok(()) };
+        if nodes.len() < 2 {
+            let (key, expected) = (section.path("track"), "two nodes at least");
+            return Err(StructureProblem::Length { key, expected, found: nodes.len() }.at(node.place));
+        }
+        let mut own = nodes.iter().enumerate();
+        let Some((_, twice)) = own.find(|(index, own)| nodes[..*index].contains(own)) else {
+            return Ok(());
+        };
         let name = nodes.iter().map(usize::to_string).collect::<Vec<_>>().join(", ");
         let place = node.entry("nodes").map_or(node.place, |nodes| nodes.place);
-        return Err(SlidingProblem::Track { name, reason: format!("names node {twice} twice") }.at(place));
+        Err(SlidingProblem::Track { name, reason: format!("names node {twice} twice") }.at(place))
     }
-    let choice = section.choice("interpolation", "interpolation", &Interpolation::ALL)?;
-    Ok(SlidingContact {
-        slider,
-        track,
-        friction: read_friction(&section)?,
-        interpolation: choice.unwrap_or(Interpolation::Linear),
-        initial_gap: number(&section, SlidingKey::InitialGap.entry())?,
-    })
 }
 
-fn read_nodes_of(
-    section: &Section<'_>,
-    key: &str,
-    node: &Node,
-    structures: &[SlidingStructure; 2],
-) -> Result<NodesOf, Fault> {
-    let table = section.table(key, node, &["structure", "set", "nodes"])?;
-    let structure = find_structure(structures, &table, "structure")?;
-    Ok(NodesOf { structure, nodes: read_nodes(&table, &structures[structure].source)? })
+impl NodesOf {
+    fn admit(
+        &mut self,
+        contact: &Section<'_>,
+        key: &str,
+        structures: &[SlidingStructure; 2],
+    ) -> Result<(), Fault> {
+        let Some(section) = contact.inner(key)? else { return Ok(()) };
+        find_structure(&mut self.structure, structures, &section)?;
+        KeptNodes::admit(&section, &structures[*self.structure].source)
+    }
 }
 
 /// Refuses numbers of several nodes; a set is counted when there is a mesh.
-pub(super) fn check_one_node(
-    section: &Section<'_>,
-    key: &str,
-    node: &Node,
-    nodes: &KeptNodes,
-) -> Result<(), Fault> {
+pub(super) fn check_one_node(key: &str, nodes: &KeptNodes) -> Result<(), SlidingProblem> {
     match nodes {
         KeptNodes::Numbers(nodes) if nodes.len() != 1 => {
-            let (key, found) = (section.path(key), nodes.len());
-            Err(SlidingProblem::NotOneNode { key, found }.at(node.place))
+            Err(SlidingProblem::NotOneNode { key: key.to_owned(), found: nodes.len() })
         }
         _ => Ok(()),
     }
 }
 
-fn read_friction(section: &Section<'_>) -> Result<Friction, Fault> {
-    let entry = SlidingKey::FrictionCoefficient.entry();
-    let node = match section.get(entry.name()) {
-        Some(node) if matches!(node.data, Data::Table(_)) => node,
-        Some(node) => {
-            return Ok(Friction::Constant(read_value(entry, &section.path(entry.name()), node)?.number));
-        }
-        None => return number(section, entry).map(Friction::Constant),
-    };
-    let table = section.table(entry.name(), node, &["velocity", "coefficient"])?;
-    let column = |key: SlidingKey, example: &str| {
-        let node = table.required(key.entry().name(), example)?;
-        Ok((quantities(&table, key.entry(), node)?, node))
-    };
-    let (velocity, speeds) = column(SlidingKey::FrictionSpeed, "velocity = [\"0 mm/s\", \"10 mm/s\"]")?;
-    let (coefficient, coefficients) = column(SlidingKey::FrictionAtSpeed, "coefficient = [0.4, 0.3]")?;
-    if velocity.len() != coefficient.len() || velocity.len() < 2 {
-        let problem =
-            SlidingProblem::FrictionTable { speeds: velocity.len(), coefficients: coefficient.len() };
-        return Err(problem.at(coefficients.place));
+impl Setting for Friction {
+    type Rule = ();
+
+    fn form((): &()) -> Form {
+        Form::Either(vec![f64::form(&COEFFICIENT), FrictionTable::form(&())])
     }
-    match velocity.windows(2).find(|pair| pair[0] >= pair[1]) {
-        Some(pair) => {
-            Err(SlidingProblem::UnsortedSpeeds { before: pair[0], speed: pair[1] }.at(speeds.place))
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
+        match node.data {
+            Data::Table(_) => FrictionTable::read(section, key, node, &()).map(Self::Table),
+            _ => f64::read(section, key, node, &COEFFICIENT).map(Self::Constant),
         }
-        None => Ok(Friction::Table { velocity, coefficient }),
+    }
+
+    fn write(&self, (): &()) -> Json {
+        match self {
+            Self::Constant(coefficient) => coefficient.write(&COEFFICIENT),
+            Self::Table(table) => table.write(&()),
+        }
+    }
+}
+
+impl FrictionTable {
+    /// Refuses columns of different lengths, and speeds that do not ascend.
+    fn check(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        let (speeds, coefficients) = (self.velocity.len(), self.coefficient.len());
+        if speeds != coefficients || speeds < 2 {
+            let problem = SlidingProblem::FrictionTable { speeds, coefficients };
+            return Err(problem.at(section.place_of(&["coefficient"])));
+        }
+        match self.velocity.windows(2).find(|pair| pair[0] >= pair[1]) {
+            Some(pair) => {
+                let problem = SlidingProblem::UnsortedSpeeds { before: pair[0], speed: pair[1] };
+                Err(problem.at(section.place_of(&["velocity"])))
+            }
+            None => Ok(()),
+        }
     }
 }

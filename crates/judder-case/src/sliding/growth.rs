@@ -1,15 +1,11 @@
 //! `growth`: the motion with the contact held, against the eigenvalue there.
 
-use super::march::{MarchMethod, MarchWord, refuse_with};
+use super::march::{CUT_OFF, MarchMethod, MarchWord, refuse_with};
 use crate::declared::Number;
 use crate::dimension::Dimension;
 use crate::error::Fault;
 use crate::section::Section;
 use judder_keys_derive::Settings;
-use std::f64::consts::TAU;
-
-/// Above which modes are replaced by their flexibility where the case does not say, rad/s.
-const CUT_OFF: f64 = 60e3 * TAU;
 
 /// A march with the contact held, against the eigenvalue there.
 #[derive(Debug, Clone, PartialEq, Settings)]

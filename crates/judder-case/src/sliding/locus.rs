@@ -1,31 +1,36 @@
 //! `locus`: complex eigenvalues against the position of the contact, or against any key.
 
 use super::SlidingCase;
-use super::sweep::{KeySweep, read_key_sweep};
+use super::sweep::KeySweep;
 use crate::cause::Cause;
 use crate::contact_problem::ContactProblem;
+use crate::declared::{Number, Whole};
+use crate::dimension::Dimension;
 use crate::error::Fault;
 use crate::section::Section;
-use crate::sliding_keys::SlidingKey;
 use crate::structure::analysis::{MODES, MODES_LIMIT, ascending};
-use crate::structure::lists::number;
-use crate::swept_keys::read_value;
+use judder_keys_derive::{Choice, Settings};
 
 /// Complex eigenvalues along an axis.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Settings)]
 pub struct Locus {
-    /// The configuration about which they are taken.
+    /// The configuration about which small motions are meant.
+    #[key(default = Configuration::Undeformed)]
     pub configuration: Configuration,
     /// Whether the structures are damped.
+    #[key(default = true)]
     pub damping: bool,
-    /// How many eigenvalues at each value, from the lowest frequency on.
+    /// How many eigenvalues at each value, from the lowest on, by the larger of imaginary and absolute real part.
+    #[key(rule = Whole { from: 1, to: MODES_LIMIT }, default = MODES)]
     pub count: usize,
     /// What varies.
+    #[key(flatten)]
     pub along: Along,
 }
 
 /// The configuration about which small motions are meant.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
+#[choice(what = "configuration")]
 pub enum Configuration {
     /// As drawn.
     Undeformed,
@@ -33,41 +38,38 @@ pub enum Configuration {
     Deformed,
 }
 
-impl Configuration {
-    /// The configurations with their names in a case file.
-    pub const ALL: [(&'static str, Self); 2] =
-        [("undeformed", Self::Undeformed), ("deformed", Self::Deformed)];
-
-    /// The name in a case file.
-    pub fn name(self) -> &'static str {
-        Self::ALL[self as usize].0
-    }
-}
-
 /// What varies along a locus.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(check = Along::one)]
 pub enum Along {
-    /// The position of the contact.
+    /// Positions of the contact, evenly spaced; the path of the motion where left out.
+    #[key(default)]
     Positions(Positions),
     /// A key of the case, with the contact held.
     Key {
-        /// s, m.
+        /// Where the contact is while a key is swept.
+        #[key(rule = POSITION, symbol = "s", example = "\"74 mm\", where the contact is held while the key is swept")]
         at: f64,
-        /// The key and its values.
+        /// Any number of `structure`, `contact`, `motion` or `parameters` over a range; each value is a case of its own.
         sweep: KeySweep,
     },
 }
 
 /// Positions of the contact, evenly spaced.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
 pub struct Positions {
-    /// The first, m.
+    /// The first position; that of the motion where left out.
+    #[key(rule = POSITION, symbol = "s", filled)]
     pub from: f64,
-    /// The last, m; beyond the first.
+    /// The last position; that of the motion where left out.
+    #[key(rule = POSITION, symbol = "s", filled)]
     pub to: f64,
     /// How many, both ends included.
+    #[key(rule = Whole { from: 2, to: POSITIONS_LIMIT }, default = POSITIONS)]
     pub points: usize,
 }
+
+const POSITION: Number = Number::non_negative(Dimension::LENGTH);
 
 /// The most positions.
 pub const POSITIONS_LIMIT: usize = 1_000_000;
@@ -75,49 +77,46 @@ pub const POSITIONS_LIMIT: usize = 1_000_000;
 /// The number of positions where the case does not say.
 pub const POSITIONS: usize = 1000;
 
-/// The keys of the kind.
-pub(super) const KEYS: &[&str] = &["configuration", "damping", "count", "positions", "at", "sweep"];
-
-pub(super) fn read_locus(case: &SlidingCase, section: &Section<'_>) -> Result<Locus, Fault> {
-    let configuration = section.choice("configuration", "configuration", &Configuration::ALL)?;
-    Ok(Locus {
-        configuration: configuration.unwrap_or(Configuration::Undeformed),
-        damping: section.boolean("damping")?.unwrap_or(true),
-        count: section.whole("count", 1, MODES_LIMIT)?.unwrap_or(MODES),
-        along: read_along(case, section)?,
-    })
-}
-
-fn read_along(case: &SlidingCase, section: &Section<'_>) -> Result<Along, Fault> {
-    let Some(node) = section.get("sweep") else {
-        if let Some(node) = section.get("at") {
-            let problem =
-                ContactProblem::Meaningless { key: "at", with: "`positions`, without `sweep`".to_owned() };
-            return Err(Cause::Contact { problem }.at(node.place));
+impl Locus {
+    /// Tries a sweep on the case; positions that are left out are those of the path of its motion.
+    pub(super) fn admit(mut self, case: &SlidingCase, section: &Section<'_>) -> Result<Self, Fault> {
+        match (&mut self.along, section.get("sweep")) {
+            (Along::Positions(positions), _) => positions.admit(case, section.inner("positions")?)?,
+            (Along::Key { sweep, .. }, Some(node)) => sweep.admit(case, node)?,
+            (Along::Key { .. }, None) => (),
         }
-        return read_positions(case, section).map(Along::Positions);
-    };
-    if let Some(node) = section.get("positions") {
-        let (first, second) = ("sweep".to_owned(), "positions".to_owned());
-        return Err(Cause::Contact { problem: ContactProblem::OneOfTwo { first, second } }.at(node.place));
+        Ok(self)
     }
-    let entry = SlidingKey::At.entry();
-    let at = section.required("at", "at = \"74 mm\", where the contact is held while the key is swept")?;
-    Ok(Along::Key { at: read_value(entry, "at", at)?.number, sweep: read_key_sweep(case, node)? })
 }
 
-/// Positions along the path of the motion, or a part of the track of the case's own.
-fn read_positions(case: &SlidingCase, section: &Section<'_>) -> Result<Positions, Fault> {
-    let path = [case.motion.start.min(case.motion.end), case.motion.start.max(case.motion.end)];
-    let Some(node) = section.get("positions") else {
-        return Ok(Positions { from: path[0], to: path[1], points: POSITIONS });
-    };
-    let table = section.table("positions", node, &["from", "to", "points"])?;
-    let end = |key: SlidingKey, usual: f64| match table.get(key.entry().name()) {
-        Some(_) => number(&table, key.entry()),
-        None => Ok(usual),
-    };
-    let (from, to) = (end(SlidingKey::PositionsFrom, path[0])?, end(SlidingKey::PositionsTo, path[1])?);
-    ascending(from, to, node)?;
-    Ok(Positions { from, to, points: table.whole("points", 2, POSITIONS_LIMIT)?.unwrap_or(POSITIONS) })
+impl Along {
+    /// Refuses keys of both, and a place without a sweep.
+    fn one(section: &Section<'_>) -> Result<(), Fault> {
+        let (problem, node) = match (section.get("sweep"), section.get("positions"), section.get("at")) {
+            (Some(_), Some(node), _) => {
+                let (first, second) = ("sweep".to_owned(), "positions".to_owned());
+                (ContactProblem::OneOfTwo { first, second }, node)
+            }
+            (None, _, Some(node)) => {
+                let with = "`positions`, without `sweep`".to_owned();
+                (ContactProblem::Meaningless { key: "at", with }, node)
+            }
+            _ => return Ok(()),
+        };
+        Err(Cause::Contact { problem }.at(node.place))
+    }
+}
+
+impl Positions {
+    fn admit(&mut self, case: &SlidingCase, given: Option<Section<'_>>) -> Result<(), Fault> {
+        let (start, end) = (case.motion.start, case.motion.end);
+        let is_given = |key: &str| given.as_ref().is_some_and(|given| given.get(key).is_some());
+        if !is_given("from") {
+            self.from = start.min(end);
+        }
+        if !is_given("to") {
+            self.to = start.max(end);
+        }
+        given.map_or(Ok(()), |given| ascending(self.from, self.to, given.place))
+    }
 }

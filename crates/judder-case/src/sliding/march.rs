@@ -2,17 +2,17 @@
 
 use super::SlidingCase;
 use super::motion::check_course;
-use super::observe::{PointQuantity, Signal, read_signal};
+use super::observe::Signal;
 use super::problem::SlidingProblem;
-use super::signals::{Sampling, Sound, read_signals, read_sound};
+use super::signals::{Sampling, Sound};
 use crate::cause::Cause;
 use crate::contact_problem::ContactProblem;
-use crate::declared::{Called, read_key};
+use crate::declared::{Named, Number, Whole, all, both};
+use crate::dimension::Dimension;
 use crate::error::Fault;
 use crate::section::Section;
-use crate::sliding_keys::SlidingKey;
-use crate::structure::lists::number;
-use judder_keys_derive::Choice;
+use judder_keys_derive::{Choice, Settings};
+use std::f64::consts::TAU;
 
 /// How the coupled structures are integrated.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,134 +47,147 @@ pub enum MarchWord {
     ResidualFlexibility,
 }
 
+/// Whether the rigid, a-priori motion knows of the deformed track.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Choice)]
+#[choice(what = "slope")]
+pub enum Slope {
+    /// It does not.
+    None,
+    /// Its static slope is put in.
+    Static,
+}
+
+/// Which displacements of the next step the geometry of the contact is taken from, by EnSubs and FiLM.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Choice)]
+#[choice(what = "predictor")]
+pub enum Predictor {
+    /// Those without the contact's force, as equation (16) of the beams paper has them.
+    Printed,
+    /// Those under the force of the last step.
+    WithForce,
+}
+
+/// A march along the path, or along a part of it.
+#[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(check = March::complete)]
+pub struct March {
+    /// How the coupled structures are integrated.
+    #[key(name = "method")]
+    pub word: MarchWord,
+    /// Time step; where left out, 3e-7 s or 0.9 of the limit of stability, of `residual-flexibility` 3e-6 s or 0.75 of it, whichever is smaller.
+    #[key(rule = Number::positive(Dimension::TIME), symbol = "h")]
+    pub step: Option<f64>,
+    /// Where it begins, and the ramps run; `motion.start` where left out.
+    #[key(rule = POSITION, symbol = "s", filled)]
+    pub from: f64,
+    /// Where it ends; `motion.end` where left out.
+    #[key(rule = POSITION, symbol = "s", filled)]
+    pub to: f64,
+    /// How signals are low-passed and decimated, 1/step ≥ sample_rate > 2 pass_band, and what is kept of the observed points.
+    #[key(default)]
+    pub signals: Sampling,
+    /// The signal whose peak and bursts are told: `POINT.x` or `POINT.y`, an acceleration, `POINT.y.velocity`, `POINT.y.displacement`, `normal-force`, `tangential-force` or `sliding-velocity`; the first point's acceleration along y where left out.
+    #[key(filled)]
+    pub signal: Named<Signal>,
+    /// Of `residual-flexibility`: modes above are replaced by their flexibility.
+    #[key(rule = Number::positive(Dimension::ANGULAR_FREQUENCY), symbol = "ω_c", usual = CUT_OFF, omitted)]
+    pub cut_off: Option<f64>,
+    /// Of `subs`: whether the static slope of the deformed track is put in.
+    #[key(usual = Slope::None, omitted)]
+    pub slope: Option<Slope>,
+    /// Of `ensubs` and `film`: the displacements of the next step that the geometry of the contact is taken from.
+    #[key(usual = Predictor::WithForce, omitted)]
+    pub predictor: Option<Predictor>,
+    /// Leave the accelerations that are kept, and `signal`, as WAV, or these signals, each with its gain in the summary.
+    #[key(default = Sound::Accelerations)]
+    pub sound: Sound,
+    /// Steps between two states that an interrupted march can go on from.
+    #[key(rule = Whole { from: 1000, to: 1_000_000_000 }, default = 500_000)]
+    pub checkpoint_steps: usize,
+}
+
+const POSITION: Number = Number::non_negative(Dimension::LENGTH);
+
+/// Above which modes are replaced by their flexibility where the case does not say, rad/s.
+pub const CUT_OFF: f64 = 60e3 * TAU;
+/// The most steps of a march: weeks.
+pub const STEPS: f64 = 1e12;
+
+impl March {
+    /// How it integrates.
+    pub fn method(&self) -> MarchMethod {
+        match self.word {
+            MarchWord::Subs => MarchMethod::Subs { static_slope: self.slope == Some(Slope::Static) },
+            MarchWord::Ensubs => MarchMethod::Ensubs,
+            MarchWord::Film => MarchMethod::Film,
+            MarchWord::ResidualFlexibility => {
+                MarchMethod::ResidualFlexibility { cut_off: self.cut_off.unwrap_or(CUT_OFF) }
+            }
+        }
+    }
+
+    /// Refuses what means nothing to the method, and fills in what does and is left out.
+    fn complete(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        // Subs knows the geometry beforehand; the march with residual flexibility comes to the force of the step itself
+        let refused: &[&'static str] = match self.word {
+            MarchWord::Subs => &["cut_off", "predictor"],
+            MarchWord::Ensubs | MarchWord::Film => &["slope", "cut_off"],
+            MarchWord::ResidualFlexibility => &["slope", "predictor"],
+        };
+        all(refused.iter().map(|key| refuse_with(section, key, self.word)))?;
+        match self.word {
+            MarchWord::Subs => drop(self.slope.get_or_insert(Slope::None)),
+            MarchWord::Ensubs | MarchWord::Film => drop(self.predictor.get_or_insert(Predictor::WithForce)),
+            MarchWord::ResidualFlexibility => drop(self.cut_off.get_or_insert(CUT_OFF)),
+        }
+        self.signals.check(self.step).map_err(|problem| problem.at(section.place_of(&["signals"])))
+    }
+
+    /// Finds the signals, and refuses a march that is no part of the motion of the case.
+    pub(super) fn admit(mut self, case: &SlidingCase, section: &Section<'_>) -> Result<Self, Fault> {
+        let signal = self.signal.admit(section, "signal", &case.points);
+        let sound = self.sound.admit(section.get("sound"), &case.points);
+        both(both(self.take_path(case, section), signal), sound)?;
+        Ok(self)
+    }
+
+    /// The part of the path that is marched.
+    fn take_path(&mut self, case: &SlidingCase, section: &Section<'_>) -> Result<(), Fault> {
+        let [start, end] = [case.motion.start, case.motion.end];
+        for (key, position, usual) in [("from", &mut self.from, start), ("to", &mut self.to, end)] {
+            match section.get(key) {
+                None => *position = usual,
+                Some(node) if !(start.min(end)..=start.max(end)).contains(position) => {
+                    let (key, position) = (key.to_owned(), *position);
+                    return Err(SlidingProblem::OutsidePath { key, position, start, end }.at(node.place));
+                }
+                Some(_) => (),
+            }
+        }
+        check_course([self.from, self.to], case.motion.velocity)
+            .map_err(|problem| problem.at(section.place_of(&["to", "from"])))?;
+        let time = (self.to - self.from) / case.motion.velocity + case.motion.ramps.velocity;
+        match self.step.map(|step| time / step) {
+            Some(steps) if steps > STEPS => {
+                let problem = SlidingProblem::TooManySteps { steps, limit: STEPS };
+                Err(problem.at(section.place_of(&["step"])))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
 impl MarchMethod {
-    /// The word in a case file.
-    pub fn word(self) -> MarchWord {
+    /// The name in a case file.
+    pub fn name(self) -> &'static str {
         match self {
             Self::Subs { .. } => MarchWord::Subs,
             Self::Ensubs => MarchWord::Ensubs,
             Self::Film => MarchWord::Film,
             Self::ResidualFlexibility { .. } => MarchWord::ResidualFlexibility,
         }
+        .name()
     }
-
-    /// The name in a case file.
-    pub fn name(self) -> &'static str {
-        self.word().name()
-    }
-}
-
-/// Which displacements of the next step the geometry of the contact is taken from, by EnSubs and FiLM.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Predictor {
-    /// Those without the contact's force, as equation (16) of the beams paper has them.
-    Printed,
-    /// Those under the force of the last step.
-    #[default]
-    WithForce,
-}
-
-impl Predictor {
-    /// The predictors with their names in a case file.
-    pub const ALL: [(&'static str, Self); 2] = [("printed", Self::Printed), ("with-force", Self::WithForce)];
-
-    /// The name in a case file.
-    pub fn name(self) -> &'static str {
-        Self::ALL[self as usize].0
-    }
-}
-
-/// A march along the path, or along a part of it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct March {
-    /// How it integrates.
-    pub method: MarchMethod,
-    /// Where the geometry of the contact comes from; `None` for methods that take it from elsewhere.
-    pub predictor: Option<Predictor>,
-    /// h, s; `None` where the method shall choose.
-    pub step: Option<f64>,
-    /// s at its start, m; the ramps run from here.
-    pub from: f64,
-    /// s at its end, m; beyond `from` in the direction of the motion.
-    pub to: f64,
-    /// How signals are sampled.
-    pub signals: Sampling,
-    /// The signal whose peak and bursts are told.
-    pub signal: Signal,
-    /// What is kept of the motion of every observed point.
-    pub quantities: Vec<PointQuantity>,
-    /// Which signals are left as sound.
-    pub sound: Sound,
-    /// Steps between two states that an interrupted march can go on from.
-    pub checkpoint_steps: usize,
-}
-
-/// Steps between two checkpoints where the case does not say.
-pub const CHECKPOINT_STEPS: usize = 500_000;
-/// The least and the most of them.
-pub const CHECKPOINT_RANGE: [usize; 2] = [1000, 1_000_000_000];
-/// The most steps of a march: weeks.
-pub const STEPS: f64 = 1e12;
-
-/// The keys of a march.
-pub(super) const MARCH_KEYS: &[&str] = &[
-    "method",
-    "step",
-    "from",
-    "to",
-    "signals",
-    "signal",
-    "cut_off",
-    "slope",
-    "predictor",
-    "sound",
-    "checkpoint_steps",
-];
-pub(super) fn read_march(case: &SlidingCase, section: &Section<'_>) -> Result<March, Fault> {
-    let method = read_method(section)?;
-    let step = read_step(section)?;
-    let [from, to] = read_path(case, section)?;
-    let motion = &case.motion;
-    if let Some(step) = step {
-        let steps = ((to - from) / motion.velocity + motion.ramps.velocity) / step;
-        if steps > STEPS {
-            let place = section.get("step").map_or(section.place, |node| node.place);
-            return Err(SlidingProblem::TooManySteps { steps, limit: STEPS }.at(place));
-        }
-    }
-    let (signals, quantities) = read_signals(section, step)?;
-    let [fewest, most] = CHECKPOINT_RANGE;
-    Ok(March {
-        method,
-        predictor: read_predictor(section, method)?,
-        step,
-        from,
-        to,
-        signals,
-        signal: read_signal(section, "signal", &case.points)?,
-        quantities,
-        sound: read_sound(case, section)?,
-        checkpoint_steps: section.whole("checkpoint_steps", fewest, most)?.unwrap_or(CHECKPOINT_STEPS),
-    })
-}
-
-fn read_method(section: &Section<'_>) -> Result<MarchMethod, Fault> {
-    let word: MarchWord = read_key(section, Called { key: "method", doc: "", example: None }, &(), || None)?;
-    let refuse = |key, own: MarchWord| if word == own { Ok(()) } else { refuse_with(section, key, word) };
-    refuse("slope", MarchWord::Subs)?;
-    refuse("cut_off", MarchWord::ResidualFlexibility)?;
-    Ok(match word {
-        MarchWord::Subs => {
-            let choices = [("none", false), ("static", true)];
-            let static_slope = section.choice("slope", "slope", &choices)?.unwrap_or(false);
-            MarchMethod::Subs { static_slope }
-        }
-        MarchWord::Ensubs => MarchMethod::Ensubs,
-        MarchWord::Film => MarchMethod::Film,
-        MarchWord::ResidualFlexibility => {
-            MarchMethod::ResidualFlexibility { cut_off: number(section, SlidingKey::CutOff.entry())? }
-        }
-    })
 }
 
 /// Refuses a key that means nothing to a method.
@@ -182,40 +195,4 @@ pub(super) fn refuse_with(section: &Section<'_>, key: &'static str, method: Marc
     let Some(node) = section.get(key) else { return Ok(()) };
     let with = format!("method = \"{}\"", method.name());
     Err(Cause::Contact { problem: ContactProblem::Meaningless { key, with } }.at(node.place))
-}
-
-/// Subs knows the geometry beforehand; the march with residual flexibility comes to the force of the step itself.
-fn read_predictor(section: &Section<'_>, method: MarchMethod) -> Result<Option<Predictor>, Fault> {
-    match method {
-        MarchMethod::Subs { .. } | MarchMethod::ResidualFlexibility { .. } => {
-            refuse_with(section, "predictor", method.word()).map(|()| None)
-        }
-        MarchMethod::Ensubs | MarchMethod::Film => {
-            let predictor = section.choice("predictor", "predictor", &Predictor::ALL)?;
-            Ok(Some(predictor.unwrap_or_default()))
-        }
-    }
-}
-
-fn read_step(section: &Section<'_>) -> Result<Option<f64>, Fault> {
-    section.get("step").map(|_| number(section, SlidingKey::Step.entry())).transpose()
-}
-
-/// The part of the path that is marched.
-fn read_path(case: &SlidingCase, section: &Section<'_>) -> Result<[f64; 2], Fault> {
-    let [start, end] = [case.motion.start, case.motion.end];
-    let position = |key: SlidingKey, usual: f64| {
-        let entry = key.entry();
-        let Some(node) = section.get(entry.name()) else { return Ok(usual) };
-        let position = number(section, entry)?;
-        if (start.min(end)..=start.max(end)).contains(&position) {
-            return Ok(position);
-        }
-        let key = entry.name().to_owned();
-        Err(SlidingProblem::OutsidePath { key, position, start, end }.at(node.place))
-    };
-    let [from, to] = [position(SlidingKey::From, start)?, position(SlidingKey::To, end)?];
-    let place = section.get("to").or(section.get("from")).map_or(section.place, |node| node.place);
-    check_course([from, to], case.motion.velocity).map_err(|problem| problem.at(place))?;
-    Ok([from, to])
 }

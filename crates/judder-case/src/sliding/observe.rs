@@ -1,29 +1,60 @@
 //! `[observe]`: points whose motion a march keeps, and the signals that it leaves.
 
-use super::contact::{NodesOf, check_one_node};
+use super::contact::check_one_node;
 use super::motion::Axis;
+use super::plain_name::PlainName;
 use super::problem::SlidingProblem;
-use super::structure::{SlidingStructure, find_structure, read_name};
+use super::structure::{SlidingStructure, find_structure};
 use crate::cause::Cause;
+use crate::declared::{Named, Number, Pair, Several, all, conflict};
 use crate::dimension::Dimension;
 use crate::document::Node;
 use crate::error::Fault;
 use crate::section::{Section, list, text};
-use crate::sliding_keys::SlidingKey;
-use crate::structure::lists::{length, quantities};
-use crate::structure::reduction::{KeptNodes, read_nodes};
+use crate::structure::reduction::KeptNodes;
+use judder_keys_derive::{Choice, Settings};
 
-/// A point whose motion is kept.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ObservedPoint {
-    /// Its name, of letters, digits, `_` and `-`.
-    pub name: String,
-    /// Its node, one of a structure.
-    pub node: NodesOf,
+/// Points whose motion is kept.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub(crate) struct Observed {
+    /// Points whose motion along x and y a march keeps.
+    #[key(rule = POINTS, example = "[{ name = \"T\", structure = \"…\", set = \"end-upper\" }]")]
+    pub(crate) points: Vec<ObservedPoint>,
 }
 
+/// A point whose motion is kept.
+#[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(title = "an observed point")]
+pub struct ObservedPoint {
+    /// By which signals call this point.
+    #[key(rule = "point", example = "\"…\", by which keys call this point")]
+    pub name: PlainName,
+    /// The name of a structure.
+    #[key(later)]
+    pub structure: Named<usize>,
+    /// Where on it.
+    #[key(flatten)]
+    pub node: PointNode,
+}
+
+/// Which node a point is.
+#[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(check = PointNode::one)]
+pub enum PointNode {
+    /// The only one of a set, or the one of a number.
+    #[key(flatten)]
+    Kept(KeptNodes),
+    /// In place of set or nodes: where it lies in the undeformed structure; the nearest node is taken.
+    #[key(rule = PLACE, symbol = "x, y")]
+    At([f64; 2]),
+}
+
+const POINTS: Several<()> = Several { of: (), length: [0, usize::MAX] };
+const PLACE: Pair =
+    Pair { of: Number::any(Dimension::LENGTH), what: "two lengths, x and y", is_ascending: false };
+
 /// A signal of a march.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Signal {
     /// The motion of an observed point.
     Point {
@@ -35,6 +66,7 @@ pub enum Signal {
         quantity: PointQuantity,
     },
     /// N, N.
+    #[default]
     NormalForce,
     /// T, N.
     TangentialForce,
@@ -43,26 +75,13 @@ pub enum Signal {
 }
 
 /// What of a motion is meant.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
+#[choice(what = "quantity")]
 #[allow(missing_docs)]
 pub enum PointQuantity {
     Acceleration,
     Velocity,
     Displacement,
-}
-
-impl PointQuantity {
-    /// The quantities with their names in a case file.
-    pub const ALL: [(&'static str, Self); 3] = [
-        ("acceleration", Self::Acceleration),
-        ("velocity", Self::Velocity),
-        ("displacement", Self::Displacement),
-    ];
-
-    /// The name in a case file.
-    pub fn name(self) -> &'static str {
-        Self::ALL[self as usize].0
-    }
 }
 
 /// The signals of the contact with their names in a case file.
@@ -114,7 +133,7 @@ impl Signal {
         }
         let mut parts = name.split('.');
         let own = parts.next()?;
-        let point = points.iter().position(|point| point.name == own)?;
+        let point = points.iter().position(|point| *point.name == own)?;
         let direction = parts.next()?;
         let (_, axis) = *Axis::ALL.iter().find(|(known, _)| *known == direction)?;
         let quantity = match parts.next() {
@@ -125,74 +144,73 @@ impl Signal {
     }
 }
 
-/// Reads `[observe]`; without it no points are kept.
-pub(super) fn read_points(
-    root: &Section<'_>,
-    structures: &[SlidingStructure; 2],
-) -> Result<Vec<ObservedPoint>, Fault> {
-    let Some(node) = root.get("observe") else { return Ok(Vec::new()) };
-    let section = root.table("observe", node, &["points"])?;
-    let node =
-        section.required("points", "points = [{ name = \"T\", structure = \"…\", set = \"end-upper\" }]")?;
-    let mut points: Vec<ObservedPoint> = Vec::new();
-    for node in list("observe.points", node)? {
-        let point = read_point(node, structures)?;
-        if points.iter().any(|other| other.name == point.name) {
-            return Err(SlidingProblem::NameTwice { what: "point", name: point.name }.at(node.place));
+impl Observed {
+    /// Finds the structures of the points, and refuses nodes that they cannot have and two points of one name.
+    pub(super) fn admit(
+        &mut self,
+        section: &Section<'_>,
+        structures: &[SlidingStructure; 2],
+    ) -> Result<(), Fault> {
+        let Some(node) = section.get("points") else { return Ok(()) };
+        let nodes = list("observe.points", node)?;
+        all(self.points.iter_mut().zip(nodes).map(|(point, node)| point.admit(node, structures)))?;
+        for (index, (point, node)) in self.points.iter().zip(nodes).enumerate() {
+            if self.points[..index].iter().any(|other| other.name == point.name) {
+                let name = point.name.to_string();
+                return Err(SlidingProblem::NameTwice { what: "point", name }.at(node.place));
+            }
         }
-        points.push(point);
-    }
-    Ok(points)
-}
-
-fn read_point(node: &Node, structures: &[SlidingStructure; 2]) -> Result<ObservedPoint, Fault> {
-    let keys = ["name", "structure", "set", "nodes", "at"];
-    let section = Section::open(node, "observe.points", "an observed point", &keys)?;
-    let name = read_name(&section, "point")?;
-    let structure = find_structure(structures, &section, "structure")?;
-    let nodes = match section.get("at") {
-        Some(node) => read_place(&section, node)?,
-        None => read_nodes(&section, &structures[structure].source)?,
-    };
-    check_one_node(&section, "nodes", node, &nodes)?;
-    Ok(ObservedPoint { name, node: NodesOf { structure, nodes } })
-}
-
-/// The place x, y of a point, in place of the name of its node.
-fn read_place(section: &Section<'_>, node: &Node) -> Result<KeptNodes, Fault> {
-    for other in ["set", "nodes"] {
-        if let Some(node) = section.get(other) {
-            let (first, second) = (section.path("at"), section.path(other));
-            return Err(Cause::Conflict { first, second }.at(node.place));
-        }
-    }
-    match quantities(section, SlidingKey::PointAt.entry(), node)?[..] {
-        [x, y] => Ok(KeptNodes::Near([x, y])),
-        _ => Err(length(section, "at", "two lengths, x and y", node)),
+        Ok(())
     }
 }
 
-/// The signal that `key` of an analysis names; without the key the first point's acceleration along y, or the normal force where no
-/// point is observed.
-pub(super) fn read_signal(
-    section: &Section<'_>,
-    key: &str,
-    points: &[ObservedPoint],
-) -> Result<Signal, Fault> {
-    let Some(node) = section.get(key) else {
+impl ObservedPoint {
+    fn admit(&mut self, node: &Node, structures: &[SlidingStructure; 2]) -> Result<(), Fault> {
+        let section = Section::of_table(node, "observe.points", "an observed point")?;
+        find_structure(&mut self.structure, structures, &section)?;
+        let PointNode::Kept(nodes) = &self.node else { return Ok(()) };
+        KeptNodes::admit(&section, &structures[*self.structure].source)?;
+        check_one_node(&section.path("nodes"), nodes).map_err(|problem| problem.at(node.place))
+    }
+}
+
+impl PointNode {
+    /// Refuses a place beside nodes.
+    fn one(section: &Section<'_>) -> Result<(), Fault> {
+        conflict(section, "at", "set")?;
+        conflict(section, "at", "nodes")
+    }
+}
+
+impl Named<Signal> {
+    /// Finds the signal under `key`; without the key the first point's acceleration along y, or the normal force where no point is observed.
+    pub(super) fn admit(
+        &mut self,
+        section: &Section<'_>,
+        key: &str,
+        points: &[ObservedPoint],
+    ) -> Result<(), Fault> {
         let first = Signal::Point { point: 0, axis: Axis::Y, quantity: PointQuantity::Acceleration };
-        return Ok(if points.is_empty() { Signal::NormalForce } else { first });
-    };
-    find_signal(&section.path(key), node, points)
+        self.found = match section.get(key) {
+            Some(node) => Signal::read(key, node, points)?,
+            None if points.is_empty() => Signal::NormalForce,
+            None => first,
+        };
+        self.name = self.found.name(points);
+        Ok(())
+    }
 }
 
-/// The signal that an entry of the key `key` names.
-pub(super) fn find_signal(key: &str, node: &Node, points: &[ObservedPoint]) -> Result<Signal, Fault> {
-    let name = text(key, node)?;
-    Signal::find(name, points).ok_or_else(|| {
-        let of_point = |point: &ObservedPoint| Axis::ALL.map(|(axis, _)| format!("{}.{axis}", point.name));
-        let own = points.iter().flat_map(of_point);
-        let known = own.chain(CONTACT_SIGNALS.iter().map(|(name, _)| (*name).to_owned())).collect();
-        Cause::UnknownName { what: "signal", name: name.to_owned(), known }.at(node.place)
-    })
+impl Signal {
+    /// The signal that a value under `key` names.
+    pub(super) fn read(key: &str, node: &Node, points: &[ObservedPoint]) -> Result<Self, Fault> {
+        let name = text(key, node)?;
+        Self::find(name, points).ok_or_else(|| {
+            let of_point =
+                |point: &ObservedPoint| Axis::ALL.map(|(axis, _)| format!("{}.{axis}", *point.name));
+            let own = points.iter().flat_map(of_point);
+            let known = own.chain(CONTACT_SIGNALS.iter().map(|(name, _)| (*name).to_owned())).collect();
+            Cause::UnknownName { what: "signal", name: name.to_owned(), known }.at(node.place)
+        })
+    }
 }

@@ -1,26 +1,36 @@
 //! What a march keeps of its motion: which signals, how they are sampled, which of them are left as sound.
 
-use super::SlidingCase;
 use super::march::March;
 use super::motion::Axis;
-use super::observe::{CONTACT_SIGNALS, PointQuantity, Signal, find_signal};
+use super::observe::{CONTACT_SIGNALS, ObservedPoint, PointQuantity, Signal};
 use super::problem::SlidingProblem;
-use crate::cause::Cause;
-use crate::document::Data;
+use crate::declared::{Form, Named, Number, Setting, Several, all};
+use crate::dimension::Dimension;
+use crate::document::{Data, Node};
 use crate::error::Fault;
-use crate::section::{Section, list, text, wrong_type};
-use crate::sliding_keys::SlidingKey;
-use crate::structure::lists::number;
+use crate::section::{Section, wrong_type};
+use judder_keys_derive::Settings;
+use serde_json::{Value as Json, json};
 use std::f64::consts::TAU;
 
-/// How signals are sampled on line: low-passed, then decimated.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// How signals are sampled on line, low-passed, then decimated, and what is kept of the observed points.
+#[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(check = Sampling::sort)]
 pub struct Sampling {
-    /// Up to which frequency they are kept as they are, rad/s.
+    /// Up to which sampled signals are kept as they are.
+    #[key(rule = FREQUENCY, symbol = "ω", default = 50e3 * TAU)]
     pub pass_band: f64,
-    /// Samples a second, at least; more than twice the pass band in Hz.
-    pub sample_rate: f64,
+    /// Samples per time at least: the steps between samples are a whole number; every step where steps are longer.
+    #[key(symbol = "2π f_s", default = Hertz(400e3))]
+    pub sample_rate: Hertz,
+    /// What is kept of the motion of every observed point, along x and y.
+    #[key(rule = QUANTITIES, default = vec![PointQuantity::Acceleration])]
+    pub quantities: Vec<PointQuantity>,
 }
+
+/// A frequency whose number is in Hz.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hertz(pub f64);
 
 /// Which signals are left as sound.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -30,14 +40,19 @@ pub enum Sound {
     /// All accelerations that are kept, and the signal whose bursts are told.
     Accelerations,
     /// These.
-    Signals(Vec<Signal>),
+    Signals(Vec<Named<Signal>>),
 }
+
+const QUANTITIES: Several<()> = Several { of: (), length: [0, usize::MAX] };
+const FREQUENCY: Number = Number::positive(Dimension::ANGULAR_FREQUENCY);
+/// A rate of exactly twice the pass band is none above it, however the factor 2π rounds.
+const ROUNDING: f64 = 1e-9;
 
 impl March {
     /// The signals that are kept: the quantities of so many observed points, those of the contact, what is told, what is heard.
     pub fn kept(&self, points: usize) -> Vec<Signal> {
         let of_point = |point: usize| {
-            let all = self.quantities.iter();
+            let all = self.signals.quantities.iter();
             all.flat_map(move |&quantity| Axis::ALL.map(|(_, axis)| Signal::Point { point, axis, quantity }))
         };
         let mut kept: Vec<Signal> = (0..points).flat_map(of_point).collect();
@@ -48,7 +63,7 @@ impl March {
         };
         for signal in std::iter::once(&self.signal).chain(heard) {
             if !kept.contains(signal) {
-                kept.push(*signal);
+                kept.push(**signal);
             }
         }
         kept
@@ -60,88 +75,95 @@ impl March {
             |signal: &Signal| matches!(signal, Signal::Point { quantity: PointQuantity::Acceleration, .. });
         match &self.sound {
             Sound::Nothing => Vec::new(),
-            Sound::Signals(signals) => signals.clone(),
+            Sound::Signals(signals) => signals.iter().map(|signal| **signal).collect(),
             Sound::Accelerations => {
                 let mut kept = self.kept(points);
-                kept.retain(|signal| *signal == self.signal || is_acceleration(signal));
+                kept.retain(|signal| *signal == *self.signal || is_acceleration(signal));
                 kept
             }
         }
     }
 }
 
-/// A rate of exactly twice the pass band is none above it, however the factor 2π rounds.
-const ROUNDING: f64 = 1e-9;
-/// The keys of the table.
-const KEYS: [&str; 3] = ["pass_band", "sample_rate", "quantities"];
-
-/// Reads `signals`: sampling, and what of the observed points is kept, accelerations where the case does not say.
-pub(super) fn read_signals(
-    section: &Section<'_>,
-    step: Option<f64>,
-) -> Result<(Sampling, Vec<PointQuantity>), Fault> {
-    let table = section.get("signals").map(|node| section.table("signals", node, &KEYS)).transpose()?;
-    let quantities = match &table {
-        Some(table) => read_quantities(table)?,
-        None => vec![PointQuantity::Acceleration],
-    };
-    Ok((read_sampling((section, table.as_ref()), step)?, quantities))
-}
-
-fn read_sampling(
-    (section, table): (&Section<'_>, Option<&Section<'_>>),
-    step: Option<f64>,
-) -> Result<Sampling, Fault> {
-    let value = |key: SlidingKey| match table {
-        Some(table) => number(table, key.entry()),
-        None => Ok(key.entry().default.map_or(0.0, |(_, value)| value.number)),
-    };
-    let pass_band = value(SlidingKey::PassBand)?;
-    let sample_rate = value(SlidingKey::SampleRate)? / TAU;
-    let place = table.map_or(section.place, |table| table.place);
-    let refuse = |reason: String| Err(SlidingProblem::SampleRate { sample_rate, reason }.at(place));
-    if sample_rate <= 2.0 * pass_band / TAU * (1.0 + ROUNDING) {
-        return refuse(format!("cannot carry frequencies up to {:.0} Hz", pass_band / TAU));
+impl Sampling {
+    /// The quantities in the order in which they are stored, whatever order the case has them in.
+    fn sort(&mut self, _: &Section<'_>) -> Result<(), Fault> {
+        let all = PointQuantity::ALL.into_iter().map(|(_, quantity)| quantity);
+        self.quantities = all.filter(|quantity| self.quantities.contains(quantity)).collect();
+        Ok(())
     }
-    match step {
-        Some(step) if sample_rate * step > 1.0 => refuse(format!("are more than one a step of {step:e} s")),
-        _ => Ok(Sampling { pass_band, sample_rate }),
-    }
-}
 
-/// The quantities in the order in which they are stored, whatever order the case has them in.
-fn read_quantities(table: &Section<'_>) -> Result<Vec<PointQuantity>, Fault> {
-    let Some(node) = table.get("quantities") else { return Ok(vec![PointQuantity::Acceleration]) };
-    let key = table.path("quantities");
-    let mut wanted = Vec::new();
-    for item in list(&key, node)? {
-        let name = text(&key, item)?;
-        let Some((_, quantity)) = PointQuantity::ALL.iter().find(|(known, _)| *known == name) else {
-            let known = PointQuantity::ALL.map(|(known, _)| known.to_owned()).to_vec();
-            return Err(Cause::UnknownName { what: "quantity", name: name.to_owned(), known }.at(item.place));
-        };
-        wanted.push(*quantity);
-    }
-    let all = PointQuantity::ALL.map(|(_, quantity)| quantity);
-    Ok(all.into_iter().filter(|quantity| wanted.contains(quantity)).collect())
-}
-
-/// Reads `sound`: a switch, or the signals that are to be heard.
-pub(super) fn read_sound(case: &SlidingCase, section: &Section<'_>) -> Result<Sound, Fault> {
-    let Some(node) = section.get("sound") else { return Ok(Sound::Accelerations) };
-    match &node.data {
-        Data::Boolean(true) => Ok(Sound::Accelerations),
-        Data::Boolean(false) => Ok(Sound::Nothing),
-        Data::List(items) => {
-            let mut heard = Vec::new();
-            for item in items {
-                let signal = find_signal("sound", item, &case.points)?;
-                if !heard.contains(&signal) {
-                    heard.push(signal);
-                }
-            }
-            Ok(Sound::Signals(heard))
+    /// Refuses a rate that does not carry the pass band, or that steps of `step` seconds do not reach.
+    pub(super) fn check(&self, step: Option<f64>) -> Result<(), SlidingProblem> {
+        let (Hertz(sample_rate), pass_band) = (self.sample_rate, self.pass_band / TAU);
+        let refuse = |reason: String| Err(SlidingProblem::SampleRate { sample_rate, reason });
+        if sample_rate <= 2.0 * pass_band * (1.0 + ROUNDING) {
+            return refuse(format!("cannot carry frequencies up to {pass_band:.0} Hz"));
         }
-        _ => Err(wrong_type("sound", "true, false or a list of signals", node)),
+        match step {
+            Some(step) if sample_rate * step > 1.0 => {
+                refuse(format!("are more than one a step of {step:e} s"))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Setting for Hertz {
+    type Rule = ();
+
+    fn form((): &()) -> Form {
+        Form::Number(FREQUENCY)
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
+        Ok(Self(f64::read(section, key, node, &FREQUENCY)? / TAU))
+    }
+
+    fn write(&self, (): &()) -> Json {
+        (self.0 * TAU).write(&FREQUENCY)
+    }
+}
+
+impl Sound {
+    /// Finds the signals, each once, that are heard.
+    pub(super) fn admit(&mut self, node: Option<&Node>, points: &[ObservedPoint]) -> Result<(), Fault> {
+        let (Self::Signals(heard), Some(Node { data: Data::List(items), .. })) = (self, node) else {
+            return Ok(());
+        };
+        heard.clear();
+        for found in all(items.iter().map(|item| Signal::read("sound", item, points)))? {
+            if heard.iter().all(|other| **other != found) {
+                heard.push(Named { name: found.name(points), found });
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Setting for Sound {
+    type Rule = ();
+
+    fn form((): &()) -> Form {
+        let signals = Form::List { of: Box::new(Form::Text), length: [0, usize::MAX] };
+        Form::Either(vec![Form::Flag, signals])
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
+        match node.data {
+            Data::Boolean(true) => Ok(Self::Accelerations),
+            Data::Boolean(false) => Ok(Self::Nothing),
+            // found when the points are known
+            Data::List(_) => Ok(Self::Signals(Vec::new())),
+            _ => Err(wrong_type(&section.path(key), "true, false or a list of signals", node)),
+        }
+    }
+
+    fn write(&self, (): &()) -> Json {
+        match self {
+            Self::Nothing => json!(false),
+            Self::Accelerations => json!(true),
+            Self::Signals(heard) => heard.iter().map(|signal| signal.write(&())).collect(),
+        }
     }
 }

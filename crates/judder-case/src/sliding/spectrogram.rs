@@ -3,42 +3,59 @@
 use super::SlidingCase;
 use super::analysis::SlidingAnalysis;
 use super::locus::{Along, Locus};
-use super::observe::{ObservedPoint, Signal, read_signal};
+use super::observe::{ObservedPoint, Signal};
 use super::problem::SlidingProblem;
 use crate::analysis::Analysis;
 use crate::cause::Cause;
+use crate::declared::{Form, Named, Number, Pair, Setting};
+use crate::dimension::Dimension;
 use crate::document::Node;
 use crate::error::Fault;
 use crate::keys::Range;
-use crate::section::{Section, finite_number, list, text};
-use crate::sliding_keys::SlidingKey;
-use crate::structure::analysis::ascending;
-use crate::structure::lists::{length, number};
+use crate::section::{Section, text};
 use crate::swept_keys::read_si;
+use judder_keys_derive::{Choice, Settings};
+use serde_json::{Value as Json, json};
 
 /// A spectrogram of a signal.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Settings)]
 pub struct Spectrogram {
     /// The name of a march that stands above.
+    #[key(example = "\"…\", the name of a march that stands above")]
     pub of: String,
-    /// Which of its signals.
-    pub signal: Signal,
+    /// Which of its signals, called as that of a march is; the first point's acceleration along y where left out.
+    #[key(filled)]
+    pub signal: Named<Signal>,
     /// How a piece of the signal fades in and out.
+    #[key(default = Window::Hann)]
     pub window: Window,
-    /// How long a piece is, s.
+    /// Length of its window.
+    #[key(rule = Number::positive(Dimension::TIME), symbol = "T", default = 5e-3)]
     pub length: f64,
-    /// Share of a piece that the next one has too, from 0 to below 1.
+    /// Share of a window that the next one has too.
+    #[key(rule = SHARE, symbol = "o", default = 0.75)]
     pub overlap: f64,
-    /// The amplitude of 0 dB, in the SI unit of the signal.
-    pub reference: f64,
-    /// The levels between which colours run, dB; `None` where they follow from the signal.
+    /// The amplitude of 0 dB, in a unit of the signal; 1 of its SI unit where left out.
+    #[key(filled)]
+    pub reference: Amplitude,
+    /// The levels between which colours run, dB; they follow from the signal where left out.
+    #[key(rule = LEVELS)]
     pub range: Option<[f64; 2]>,
-    /// The name of a locus that stands above, whose unstable zones are laid over.
+    /// The name of a locus over positions that stands above, whose unstable zones are laid over.
     pub locus: Option<String>,
 }
 
+/// An amplitude of a signal, which decides its dimension.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Amplitude {
+    /// In the SI unit of the signal.
+    pub number: f64,
+    dimension: Dimension,
+}
+
 /// How a piece of a signal fades in and out.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
+#[choice(what = "window")]
 #[allow(missing_docs)]
 pub enum Window {
     Hann,
@@ -47,59 +64,51 @@ pub enum Window {
     Rectangular,
 }
 
-impl Window {
-    /// The windows with their names in a case file.
-    pub const ALL: [(&'static str, Self); 4] = [
-        ("hann", Self::Hann),
-        ("hamming", Self::Hamming),
-        ("blackman", Self::Blackman),
-        ("rectangular", Self::Rectangular),
-    ];
+const SHARE: Number = Number { dimension: Dimension::NUMBER, range: Range::Fraction };
+const LEVELS: Pair =
+    Pair { of: Number::any(Dimension::NUMBER), what: "two levels in dB, from and to", is_ascending: true };
 
-    /// The name in a case file.
-    pub fn name(self) -> &'static str {
-        Self::ALL[self as usize].0
+impl Spectrogram {
+    /// Finds the signal, and reads the amplitude of 0 dB in its unit.
+    pub(super) fn admit(mut self, case: &SlidingCase, section: &Section<'_>) -> Result<Self, Fault> {
+        self.signal.admit(section, "signal", &case.points)?;
+        let dimension = self.signal.dimension();
+        self.reference = Amplitude { dimension, ..Amplitude::default() };
+        if let Some(node) = section.get("reference") {
+            let (key, number) = ("reference".to_owned(), read_si("reference", dimension, node)?);
+            if number <= 0.0 {
+                return Err(Cause::OutOfRange { key, number, range: Range::Positive }.at(node.place));
+            }
+            self.reference.number = number;
+        }
+        Ok(self)
     }
 }
 
-/// The keys of the kind.
-pub(super) const KEYS: &[&str] =
-    &["of", "signal", "window", "length", "overlap", "reference", "range", "locus"];
-
-pub(super) fn read_spectrogram(case: &SlidingCase, section: &Section<'_>) -> Result<Spectrogram, Fault> {
-    let of = text("of", section.required("of", "of = \"…\", the name of a march that stands above")?)?;
-    let signal = read_signal(section, "signal", &case.points)?;
-    Ok(Spectrogram {
-        of: of.to_owned(),
-        signal,
-        window: section.choice("window", "window", &Window::ALL)?.unwrap_or(Window::Hann),
-        length: number(section, SlidingKey::WindowLength.entry())?,
-        overlap: number(section, SlidingKey::Overlap.entry())?,
-        reference: read_reference(section, signal)?,
-        range: read_range(section)?,
-        locus: section.text("locus")?.map(str::to_owned),
-    })
-}
-
-/// The amplitude of 0 dB: 1 of the signal's SI unit where the case does not say.
-fn read_reference(section: &Section<'_>, signal: Signal) -> Result<f64, Fault> {
-    let Some(node) = section.get("reference") else { return Ok(1.0) };
-    let number = read_si("reference", signal.dimension(), node)?;
-    if number > 0.0 {
-        return Ok(number);
+impl Default for Amplitude {
+    fn default() -> Self {
+        Self { number: 1.0, dimension: Dimension::NUMBER }
     }
-    Err(Cause::OutOfRange { key: "reference".to_owned(), number, range: Range::Positive }.at(node.place))
 }
 
-fn read_range(section: &Section<'_>) -> Result<Option<[f64; 2]>, Fault> {
-    let Some(node) = section.get("range") else { return Ok(None) };
-    let numbers = list("range", node)?.iter().map(|item| finite_number("range", item));
-    let numbers = numbers.collect::<Result<Vec<f64>, Fault>>()?;
-    let [from, to] = numbers[..] else {
-        return Err(length(section, "range", "two levels in dB, from and to", node));
-    };
-    ascending(from, to, node)?;
-    Ok(Some([from, to]))
+impl Setting for Amplitude {
+    type Rule = ();
+
+    fn form((): &()) -> Form {
+        Form::Own {
+            words: "a quantity of the signal, such as 1 m/s^2",
+            schema: || json!({ "type": "string", "examples": ["1 m/s^2"] }),
+        }
+    }
+
+    /// Its number is read when its dimension is known.
+    fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
+        text(&section.path(key), node).map(|_| Self::default())
+    }
+
+    fn write(&self, (): &()) -> Json {
+        json!({ "value": self.number, "unit": self.dimension.unit() })
+    }
 }
 
 /// Refuses a spectrogram of what does not stand above it; `nodes` are the analyses as the case has them.
@@ -135,11 +144,11 @@ fn check_signal(
         SlidingAnalysis::March(march) => Some(march.kept(points.len())),
         _ => None,
     });
-    if kept.is_none_or(|kept| kept.contains(&spectrogram.signal)) {
+    if kept.is_none_or(|kept| kept.contains(&*spectrogram.signal)) {
         return Ok(());
     }
     let place = node.entry("signal").map_or(node.place, |value| value.place);
-    let (march, signal) = (spectrogram.of.clone(), spectrogram.signal.name(points));
+    let (march, signal) = (spectrogram.of.clone(), spectrogram.signal.name.clone());
     let quantity = spectrogram.signal.quantity();
     Err(SlidingProblem::NotKept { march, signal, quantity }.at(place))
 }

@@ -2,24 +2,25 @@
 
 use std::path::Path;
 
+use super::plain_name::PlainName;
 use super::problem::SlidingProblem;
 use crate::cause::Cause;
 use crate::contact_problem::ContactProblem;
-use crate::declared::{Setting, Settings, both};
+use crate::declared::{Named, Setting, Settings, both};
 use crate::document::Node;
 use crate::error::Fault;
-use crate::section::{Section, list, text};
+use crate::section::{Section, list};
 use crate::structure::StructureSource;
 use crate::structure::body::{BodyKeys, read_body};
 use crate::structure::damping::Damping;
 use crate::structure::matrices::{self, read_matrices};
-use crate::structure::reduction::{self, FIXED_MODES, FixedModes, Reduction, read_reduction};
+use crate::structure::reduction::{FIXED_MODES, FixedModes, Reduction};
 
 /// One of the two structures.
 #[derive(Debug, Clone)]
 pub struct SlidingStructure {
     /// Its name, of letters, digits, `_` and `-`.
-    pub name: String,
+    pub name: PlainName,
     /// Where it comes from.
     pub source: StructureSource,
     /// Its own damping; matrices have theirs.
@@ -46,7 +47,7 @@ pub(super) fn read_structures(
     let (first_structure, second_structure) = both(read(first), read(second))?;
     let structures = [first_structure, second_structure];
     if structures[0].name == structures[1].name {
-        let (what, name) = ("structure", structures[1].name.clone());
+        let (what, name) = ("structure", structures[1].name.to_string());
         return Err(SlidingProblem::NameTwice { what, name }.at(second.place));
     }
     Ok(structures)
@@ -55,14 +56,15 @@ pub(super) fn read_structures(
 fn read_structure(node: &Node, parameters: &[String], folder: &Path) -> Result<SlidingStructure, Fault> {
     let known: Vec<&str> = OWN_KEYS.iter().chain(BodyKeys::KEYS).copied().collect();
     let section = Section::open(node, "structure", "a structure", &known)?;
-    let name = read_name(&section, "structure")?;
-    let section =
-        Section::open(node, &format!("structure.{name}"), &format!("the structure `{name}`"), &known)?;
+    let expected = "name = \"…\", by which keys call this structure";
+    let name = PlainName::read(&section, "name", section.required("name", expected)?, &"structure")?;
+    let (path, title) = (format!("structure.{}", *name), format!("the structure `{}`", *name));
+    let section = Section::of_table(node, &path, &title)?;
     let damping = section.get("damping").map(|node| Setting::read(&section, "damping", node, &()));
     let damping = damping.unwrap_or_else(|| Ok(Damping::default()));
     let (source, damping) = both(read_source(&section, parameters, folder), damping)?;
-    let reduction = match section.get("reduction") {
-        Some(node) => read_reduction(&section.table("reduction", node, &reduction::KEYS)?, &source)?,
+    let reduction = match section.inner("reduction")? {
+        Some(own) => Reduction::of(&own, &source)?,
         None => Reduction { kept: Vec::new(), modes: FixedModes::Count(FIXED_MODES) },
     };
     Ok(SlidingStructure { name, source, damping, reduction })
@@ -98,29 +100,16 @@ fn refuse_beside_matrices(section: &Section<'_>) -> Result<(), Fault> {
     Ok(())
 }
 
-/// The `name` of a thing, such that dotted paths can contain it.
-pub(super) fn read_name(section: &Section<'_>, what: &'static str) -> Result<String, Fault> {
-    let node = section.required("name", &format!("name = \"…\", by which keys call this {what}"))?;
-    let name = text(&section.path("name"), node)?;
-    let plain = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b'-');
-    if (1..=100).contains(&name.len()) && name.bytes().all(plain) {
-        return Ok(name.to_owned());
-    }
-    Err(SlidingProblem::Name { what, name: name.to_owned() }.at(node.place))
-}
-
-/// The index of the structure that `key` names.
+/// Finds the structure that `structure` of a section names.
 pub(super) fn find_structure(
+    named: &mut Named<usize>,
     structures: &[SlidingStructure; 2],
     section: &Section<'_>,
-    key: &str,
-) -> Result<usize, Fault> {
-    let known = || structures.iter().map(|structure| structure.name.clone()).collect::<Vec<_>>();
-    let expected = format!("{key} = \"…\", one of {}", known().join(", "));
-    let node = section.required(key, &expected)?;
-    let name = text(&section.path(key), node)?;
-    structures.iter().position(|structure| structure.name == name).ok_or_else(|| {
-        let (what, name) = ("structure", name.to_owned());
-        Cause::UnknownName { what, name, known: known() }.at(node.place)
-    })
+) -> Result<(), Fault> {
+    let known: Vec<String> = structures.iter().map(|structure| structure.name.to_string()).collect();
+    let node = section.required("structure", &format!("structure = \"…\", one of {}", known.join(", ")))?;
+    let found = known.iter().position(|other| *other == named.name).ok_or_else(|| {
+        Cause::UnknownName { what: "structure", name: named.name.clone(), known }.at(node.place)
+    });
+    found.map(|found| named.found = found)
 }

@@ -2,12 +2,15 @@
 
 use super::SlidingCase;
 use super::problem::SlidingProblem;
+use crate::declared::{Form, Number, Setting};
 use crate::document::{Node, STEPS_LIMIT};
 use crate::error::Fault;
 use crate::key_sweep::{read_ends, read_values};
+use crate::schema;
 use crate::section::{Section, text};
 use crate::structure::problem::StructureProblem;
 use crate::sweep::{Scale, spaced};
+use serde_json::{Value as Json, json};
 
 pub use crate::key_sweep::KeySweep;
 
@@ -17,30 +20,53 @@ const SWEPT: [&str; 4] = ["parameters", "structure", "contact", "motion"];
 /// The most points of a sweep: each is a case of its own.
 pub const SWEEP_LIMIT: usize = 100_000;
 
-/// Reads `{ key, from, to, points, scale }` or `{ key, values }`, and tries both ends on the case.
-pub(super) fn read_key_sweep(case: &SlidingCase, node: &Node) -> Result<KeySweep, Fault> {
-    let table = Section::open(node, "sweep", "`sweep`", &["key", "from", "to", "points", "scale", "values"])?;
-    let key = table
-        .required("key", "the dotted path of a number of the case, key = \"contact.friction_coefficient\"")?;
-    let path = text("sweep.key", key)?.to_owned();
-    let mut steps = path.split('.');
-    if !steps.next().is_some_and(|first| SWEPT.contains(&first)) || steps.count() > STEPS_LIMIT {
-        return Err(SlidingProblem::NotSwept { key: path }.at(key.place));
-    }
-    let sweep = match table.get("values") {
-        Some(values) => {
-            Section::open(node, "sweep", "`sweep` with `values`", &["key", "values"])?;
-            read_list(path, values)?
+/// `{ key, from, to, points, scale }` or `{ key, values }`.
+impl Setting for KeySweep {
+    type Rule = ();
+
+    fn form((): &()) -> Form {
+        Form::Own {
+            words: "`{ key, from, to, points, scale }`, or `{ key, values }`",
+            schema: schema::key_sweep,
         }
-        None => read_range(path, &table)?,
-    };
-    for value in sweep.values.first().into_iter().chain(sweep.values.last()) {
-        case.at(&sweep, *value).map_err(|problem| {
-            let is_of_key = matches!(problem, SlidingProblem::SweptKey { .. });
-            problem.at(if is_of_key { key.place } else { node.place })
-        })?;
     }
-    Ok(sweep)
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
+        let table = section.table(key, node, &["key", "from", "to", "points", "scale", "values"])?;
+        let expected = "the dotted path of a number of the case, key = \"contact.friction_coefficient\"";
+        let key = table.required("key", expected)?;
+        let path = text("sweep.key", key)?.to_owned();
+        let mut steps = path.split('.');
+        if !steps.next().is_some_and(|first| SWEPT.contains(&first)) || steps.count() > STEPS_LIMIT {
+            return Err(SlidingProblem::NotSwept { key: path }.at(key.place));
+        }
+        match table.get("values") {
+            Some(values) => {
+                Section::open(node, "sweep", "`sweep` with `values`", &["key", "values"])?;
+                read_list(path, values)
+            }
+            None => read_range(path, &table),
+        }
+    }
+
+    fn write(&self, (): &()) -> Json {
+        let rule = Number::any(self.dimension);
+        let values: Json = self.values.iter().map(|value| value.write(&rule)).collect();
+        json!({ "key": self.path, "values": values, "scale": self.scale.name() })
+    }
+}
+
+impl KeySweep {
+    /// Tries both ends on the case, which has the sweep at `node`.
+    pub(super) fn admit(&self, case: &SlidingCase, node: &Node) -> Result<(), Fault> {
+        for value in self.values.first().into_iter().chain(self.values.last()) {
+            case.at(self, *value).map_err(|problem| {
+                let key = node.entry("key").filter(|_| matches!(problem, SlidingProblem::SweptKey { .. }));
+                problem.at(key.unwrap_or(node).place)
+            })?;
+        }
+        Ok(())
+    }
 }
 
 fn read_list(path: String, node: &Node) -> Result<KeySweep, Fault> {

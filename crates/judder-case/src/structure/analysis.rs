@@ -4,7 +4,7 @@ use super::matrices::MatrixSums;
 use super::problem::StructureProblem;
 use crate::analysis::Kind;
 use crate::cause::Cause;
-use crate::declared::{Number, Pair, Settings, Whole, conflict};
+use crate::declared::{Number, Pair, Settings, Whole};
 use crate::dimension::Dimension;
 use crate::document::Node;
 use crate::error::{Fault, Place};
@@ -28,25 +28,15 @@ pub enum StructureAnalysis {
     EigenSweep(EigenSweep),
 }
 
-/// Undamped modes.
-#[derive(Debug, Clone, PartialEq, Settings)]
-#[settings(check = Modes::complete)]
-pub struct Modes {
-    /// So many modes, from the lowest on, where no band is given.
-    #[key(rule = Whole { from: 1, to: MODES_LIMIT }, usual = MODES, omitted)]
-    pub count: Option<usize>,
-    /// All modes between two frequencies, in place of count.
-    #[key(rule = BAND, symbol = "ω", omitted)]
-    pub band: Option<[f64; 2]>,
-}
-
 /// Which undamped modes are wanted.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum WantedModes {
-    /// So many, from the lowest on.
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
+pub enum Modes {
+    /// So many modes, from the lowest on, where no band is given.
+    #[key(rule = Whole { from: 1, to: MODES_LIMIT }, default = MODES)]
     Count(usize),
-    /// All between two angular frequencies, rad/s.
-    Band(f64, f64),
+    /// All modes between two frequencies, in place of count.
+    #[key(rule = BAND, symbol = "ω")]
+    Band([f64; 2]),
 }
 
 /// The reduced structure against the full one.
@@ -90,25 +80,6 @@ impl Eigen {
     /// The region of an analysis that has other keys too.
     fn region(section: &Section<'_>) -> Result<EigenRegion, Fault> {
         Ok(Self::read_table(section)?.region)
-    }
-}
-
-impl Modes {
-    /// Refuses both keys, and fills in the count where there is neither.
-    fn complete(&mut self, section: &Section<'_>) -> Result<(), Fault> {
-        conflict(section, "count", "band")?;
-        if self.band.is_none() {
-            self.count.get_or_insert(MODES);
-        }
-        Ok(())
-    }
-
-    /// Which they are.
-    pub fn wanted(&self) -> WantedModes {
-        match self.band {
-            Some([from, to]) => WantedModes::Band(from, to),
-            None => WantedModes::Count(self.count.unwrap_or(MODES)),
-        }
     }
 }
 
@@ -271,11 +242,11 @@ pub(crate) const KINDS: [Kind<StructureScope, StructureAnalysis>; 4] = [
     },
 ];
 
-pub(crate) fn ascending(from: f64, to: f64, node: &Node) -> Result<(), Fault> {
+pub(crate) fn ascending(from: f64, to: f64, place: Place) -> Result<(), Fault> {
     match from.total_cmp(&to) {
         std::cmp::Ordering::Less => Ok(()),
-        std::cmp::Ordering::Equal => Err(Cause::EmptyRange { from }.at(node.place)),
-        std::cmp::Ordering::Greater => Err(Cause::Backwards { from, to }.at(node.place)),
+        std::cmp::Ordering::Equal => Err(Cause::EmptyRange { from }.at(place)),
+        std::cmp::Ordering::Greater => Err(Cause::Backwards { from, to }.at(place)),
     }
 }
 

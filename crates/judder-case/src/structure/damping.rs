@@ -8,16 +8,16 @@ use crate::error::Fault;
 use crate::section::Section;
 use judder_keys_derive::Settings;
 
-/// The damping of a body; none by default.
+/// The damping of a body.
 #[derive(Debug, Clone, PartialEq, Default, Settings)]
-#[settings(check = Damping::one)]
-pub struct Damping {
+pub enum Damping {
+    /// None.
+    #[default]
+    None,
     /// C = α M + β K.
-    #[key(omitted)]
-    pub rayleigh: Option<Rayleigh>,
+    Rayleigh(Rayleigh),
     /// C = η K/ω_r, which meets structural damping K (1 + iη) at one frequency.
-    #[key(omitted)]
-    pub structural: Option<Structural>,
+    Structural(Structural),
 }
 
 /// C = α M + β K.
@@ -60,13 +60,6 @@ pub struct Structural {
 
 const FREQUENCY: Number = Number::positive(Dimension::ANGULAR_FREQUENCY);
 const RATIOS: Several<()> = Several { of: (), length: [2, 2] };
-
-impl Damping {
-    /// Refuses both.
-    fn one(&mut self, section: &Section<'_>) -> Result<(), Fault> {
-        conflict(section, "rayleigh", "structural")
-    }
-}
 
 impl Rayleigh {
     /// α and β from two damping ratios ζ = α/(2ω) + βω/2, where they are given.

@@ -210,7 +210,7 @@ fn signals_that_there_are_not() {
     analysis(
         &march("signals = { quantities = [\"velocty\"] }"),
         "unknown quantity `velocty`",
-        "\"velocty\"",
+        "velocty",
         "did you mean `velocity`? known: acceleration, velocity, displacement",
     );
     analysis(

@@ -63,6 +63,27 @@ fn the_schema_asks_for_what_reading_asks_for() {
     assert_eq!(supports["items"]["required"], json!(["set"]));
 }
 
+/// One of some alternatives must be given where the first of them has a key that must.
+#[test]
+fn the_schema_asks_for_one_of_the_alternatives() {
+    let schema = schema();
+    let sliding = table_of(&schema, "one structure slides along another");
+    assert_eq!(sliding["required"], json!(["model", "structure", "contact", "motion"]));
+    let slider = &sliding["properties"]["contact"]["properties"]["slider"];
+    assert_eq!(slider["required"], json!(["structure"]));
+    assert_eq!(slider["oneOf"], json!([{ "required": ["set"] }, { "required": ["nodes"] }]));
+    let point = &sliding["properties"]["observe"]["properties"]["points"]["items"];
+    assert_eq!(
+        point["oneOf"],
+        json!([{ "required": ["set"] }, { "required": ["nodes"] }, { "required": ["at"] }])
+    );
+    let locus = table_of(
+        &schema,
+        "complex eigenvalues against the position of the contact, or against any key, with located unstable zones",
+    );
+    assert_eq!((&locus["required"], locus.get("oneOf")), (&json!(["kind"]), None));
+}
+
 /// The table of the schema with this description.
 fn table_of<'a>(json: &'a Value, description: &str) -> &'a Value {
     fn find<'a>(json: &'a Value, description: &str) -> Option<&'a Value> {

@@ -1,8 +1,9 @@
 //! Structure cases that are read.
 
 use crate::parse;
-use judder_case::structure::analysis::{EigenMethod, WantedModes};
+use judder_case::structure::analysis::{EigenMethod, Modes};
 use judder_case::structure::body::{BlockElement, EndCondition, Geometry};
+use judder_case::structure::damping::Damping;
 use judder_case::structure::damping::Rayleigh;
 use judder_case::structure::reduction::{FixedModes, KeptNodes};
 use judder_case::{Case, CaseFile, StructureAnalysis, StructureCase, StructureSource};
@@ -49,15 +50,15 @@ fn a_beam_has_its_numbers_in_si_units() {
     let reduction = case.reduction.unwrap();
     assert_eq!(reduction.kept[0].nodes, KeptNodes::Set("end".to_owned()));
     assert_eq!(reduction.modes, FixedModes::CutOff(TAU * 20e3));
-    let band = WantedModes::Band(0.0, TAU * 10e3);
+    let band = Modes::Band([0.0, TAU * 10e3]);
     let StructureAnalysis::Modes(modes) = &case.analyses[0].kind else { panic!("modes") };
-    assert_eq!(modes.wanted(), band);
+    assert_eq!(*modes, band);
 }
 
 /// ζ = α/(2ω) + βω/2 gives the two ratios back.
 #[test]
 fn two_ratios_become_alpha_and_beta() {
-    let Rayleigh { alpha, beta, .. } = structure(BEAM).damping.rayleigh.unwrap();
+    let Damping::Rayleigh(Rayleigh { alpha, beta, .. }) = structure(BEAM).damping else { panic!("Rayleigh") };
     for (frequency, ratio) in [(TAU * 100.0, 0.01), (TAU * 5e3, 0.02)] {
         let found = alpha / (2.0 * frequency) + beta * frequency / 2.0;
         assert!((found - ratio).abs() < 1e-15, "{found}");

@@ -172,7 +172,7 @@ const TOGETHER: f64 = 1e-2;
 
 /// The structures of slider and track by their places in the case.
 fn bodies(case: &SlidingCase) -> [usize; 2] {
-    [case.contact.slider.structure, case.contact.track.structure]
+    [*case.contact.slider.structure, *case.contact.track.structure]
 }
 
 /// The shape of a mode that the contact does not touch: its eigenvalue is that of one of the structures.

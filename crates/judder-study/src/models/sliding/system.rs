@@ -121,7 +121,7 @@ impl SlidingSystem {
         };
         let structures = [structure(0)?, structure(1)?];
         let nodes = Nodes::new(case, [&structures[0], &structures[1]])?;
-        let [slider, track] = [case.contact.slider.structure, case.contact.track.structure];
+        let [slider, track] = [*case.contact.slider.structure, *case.contact.track.structure];
         let edge = Edge::new([&structures[slider], &structures[track]], &nodes)?;
         let part = |index: usize| -> Result<Arc<Part>, Uncoupled> {
             match &known[index] {
@@ -190,7 +190,7 @@ fn coupled(
     };
     let mut observed = Vec::new();
     for (number, (own, at)) in case.points.iter().zip(&nodes.observed).enumerate() {
-        let is_slider = own.node.structure == case.contact.slider.structure;
+        let is_slider = own.structure == case.contact.slider.structure;
         let (side, part) = if is_slider { (Side::Slider, slider) } else { (Side::Track, track) };
         for (axis, row) in [Axis::X, Axis::Y].into_iter().zip(part.rows(*at)?) {
             debug_assert_eq!(observed.len(), SlidingSystem::observed(number, axis));
@@ -221,9 +221,7 @@ fn coupled(
 fn friction(case: &SlidingCase) -> Result<Friction, Uncoupled> {
     let friction = match &case.contact.friction {
         contact::Friction::Constant(coefficient) => Friction::constant(*coefficient),
-        contact::Friction::Table { velocity, coefficient } => {
-            Friction::table(velocity.clone(), coefficient.clone())
-        }
+        contact::Friction::Table(table) => Friction::table(table.velocity.clone(), table.coefficient.clone()),
     };
     friction.map_err(|error| {
         Uncoupled::because(
@@ -284,7 +282,7 @@ fn motion(case: &SlidingCase) -> Motion {
             hold: initial.hold,
             release: initial.release,
         }),
-        noise: Noise { force: own.noise.force, seed: own.noise.seed },
+        noise: Noise { force: own.noise.force, seed: own.noise.seed as u64 },
     }
 }
 

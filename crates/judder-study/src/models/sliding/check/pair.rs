@@ -2,9 +2,9 @@
 
 use crate::models::sliding::system::{self, SlidingSystem};
 use crate::text::{columns, number};
+use judder_case::SlidingAnalysis;
 use judder_case::SlidingCase;
-use judder_case::sliding::march::MarchMethod;
-use judder_case::{SlidingAnalysis, SlidingKey};
+use judder_case::sliding::march::{CUT_OFF, MarchMethod};
 use judder_sliding::SlidingError;
 use judder_sliding::coupling::{Coupling, Sliding};
 use judder_sliding::march::Method;
@@ -28,12 +28,12 @@ pub(super) fn known(case: &SlidingCase, system: &SlidingSystem) -> Known {
         let eigenvalues = &part.reduced.body.eigenvalues;
         let highest = eigenvalues.last().copied().unwrap_or(0.0).sqrt() / TAU;
         let counts = [part.structure.family.size(), part.kept.len(), part.fixed_modes, eigenvalues.len()];
-        let mut row = vec![own.name.clone()];
+        let mut row = vec![own.name.to_string()];
         row.extend(counts.map(|count| count.to_string()));
         row.push(number(highest));
         rows.push(row);
         structures.push(json!({
-            "name": own.name, "degrees_of_freedom": counts[0], "kept_freedoms": counts[1],
+            "name": *own.name, "degrees_of_freedom": counts[0], "kept_freedoms": counts[1],
             "fixed_interface_modes": counts[2], "modes": counts[3], "highest_hz": highest,
             "alpha": part.reduced.body.alpha, "beta": part.reduced.body.beta,
         }));
@@ -116,9 +116,8 @@ fn locked(system: &SlidingSystem, sliding: Sliding) -> Option<SlidingError> {
 
 /// The largest step of every method along the path, s.
 fn limits(case: &SlidingCase, system: &SlidingSystem) -> (Value, String) {
-    let default = SlidingKey::CutOff.entry().default.map_or(0.0, |(_, value)| value.number);
     let own = case.analyses.iter().find_map(|analysis| match &analysis.kind {
-        SlidingAnalysis::March(march) => match march.method {
+        SlidingAnalysis::March(march) => match march.method() {
             MarchMethod::ResidualFlexibility { cut_off } => Some(cut_off),
             _ => None,
         },
@@ -128,7 +127,7 @@ fn limits(case: &SlidingCase, system: &SlidingSystem) -> (Value, String) {
         ("subs", Method::Subs { static_slope: false }),
         ("ensubs", Method::EnSubs),
         ("film", Method::Film),
-        ("residual-flexibility", Method::ResidualFlexibility { cut_off: own.unwrap_or(default) / TAU }),
+        ("residual-flexibility", Method::ResidualFlexibility { cut_off: own.unwrap_or(CUT_OFF) / TAU }),
     ];
     let mut rows = Vec::new();
     let mut document = serde_json::Map::new();

@@ -16,7 +16,7 @@ const NEAR: f64 = 0.05;
 /// The zones of the rest of the path after the ramps in the configuration that the method sees; or why they were not found.
 pub(super) fn zones(of: &Marched<'_>) -> Result<Vec<Amplification>, SlidingError> {
     let start = of.motion.at(of.motion.settled()).position;
-    let configuration = match of.march.method {
+    let configuration = match of.march.method() {
         MarchMethod::Subs { static_slope: false } => Configuration::Undeformed,
         _ => Configuration::Deformed,
     };

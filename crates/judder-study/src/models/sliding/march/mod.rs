@@ -56,7 +56,7 @@ impl Analysis<SlidingCase> for March {
     }
 
     fn admit(&self, of: &Subject<'_>) -> Result<(), StudyError> {
-        step(&of.system.pair, method(self.method), self.step, of.system.along(self))?;
+        step(&of.system.pair, method(self.method()), self.step, of.system.along(self))?;
         Ok(())
     }
 
@@ -73,7 +73,7 @@ impl Analysis<SlidingCase> for March {
     /// A march holds the samples between two checkpoints; bursts, sound and report look at all of them when it is over.
     fn estimate(&self, of: &Subject<'_>) -> Result<Estimate, StudyError> {
         let motion = of.system.along(self);
-        let step = cost::step(of.system, self.method, self.step, motion);
+        let step = cost::step(of.system, self.method(), self.step, motion);
         let steps = motion.duration() / step;
         let seconds = steps * of.system.pair.modes() as f64 * cost::STEP_AND_MODE + FIGURE;
         let bytes = Size::new(of.system, self, step).memory() as u128;

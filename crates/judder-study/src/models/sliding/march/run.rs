@@ -17,7 +17,7 @@ use judder_sliding::recorder::Recorder;
 /// Marches along the path of an analysis, or goes on where an interrupted run was.
 pub(crate) fn run(of: &Marched<'_>, kept: Kept<'_>, progress: &dyn Progress) -> Result<Outcome, StudyError> {
     let (asked, points) = (of.march, of.points);
-    let method = method(asked.method);
+    let method = method(asked.method());
     let chosen = step(of.pair, method, asked.step, of.motion)?;
     let decimation = settings::decimation(&asked.signals, chosen.step);
     let signals = asked.kept(points.len());
@@ -38,7 +38,7 @@ pub(crate) fn run(of: &Marched<'_>, kept: Kept<'_>, progress: &dyn Progress) -> 
     let sample_rate = decimation.sample_rate / decimation.factor as f64;
     let zones = expected::zones(of);
     let promised = zones.as_deref().unwrap_or_default();
-    let loud = loudness(&samples, (asked.signal, points), (of.motion.settled(), sample_rate), promised)?;
+    let loud = loudness(&samples, (*asked.signal, points), (of.motion.settled(), sample_rate), promised)?;
     let told = Told {
         of,
         chosen,

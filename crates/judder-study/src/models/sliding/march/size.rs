@@ -26,14 +26,14 @@ pub(crate) struct Size {
 impl Size {
     /// Of a march with the step that it would choose; `None` where that is refused.
     pub(crate) fn of(system: &SlidingSystem, march: &March) -> Option<Self> {
-        let chosen = step(&system.pair, method(march.method), march.step, system.along(march)).ok()?;
+        let chosen = step(&system.pair, method(march.method()), march.step, system.along(march)).ok()?;
         Some(Self::new(system, march, chosen.step))
     }
 
     /// Of a march with steps of so many seconds.
     pub(crate) fn new(system: &SlidingSystem, march: &March, step: f64) -> Self {
         let rate = 1.0 / step;
-        let factor = Decimation::factor_to(rate, march.signals.sample_rate);
+        let factor = Decimation::factor_to(rate, march.signals.sample_rate.0);
         // two observed displacements a point
         let signals = 2 + march.kept(system.pair.observed().len() / 2).len();
         Self { samples: (system.along(march).duration() * rate / factor as f64).ceil(), signals }

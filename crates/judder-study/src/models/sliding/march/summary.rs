@@ -39,14 +39,14 @@ impl Told<'_> {
             self.tally;
         let (peak, position) = self.loud.peak.unzip();
         let mut scalars = json!({
-            "method": asked.method.name(), "steps": self.steps, "step_s": self.chosen.step,
+            "method": asked.method().name(), "steps": self.steps, "step_s": self.chosen.step,
             "step_limit_s": self.chosen.limit, "seconds": self.way.seconds, "settled_s": self.of.motion.settled(),
-            "signal": asked.signal.name(self.of.points), "signal_unit": unit(asked.signal),
+            "signal": asked.signal.name(self.of.points), "signal_unit": unit(*asked.signal),
             "peak_position_m": position, "bursts": self.loud.bursts.iter().map(|own| self.burst(own)).collect::<Vec<_>>(),
             "normal_force": span(normal_force), "sliding_velocity": span(sliding_velocity),
             "slip_steps": slip_steps, "stick_steps": stick_steps, "open_steps": open_steps, "reversed_steps": reversed_steps,
         });
-        scalars[peak_key(asked.signal)] = json!(peak);
+        scalars[peak_key(*asked.signal)] = json!(peak);
         if let Some(predictor) = asked.predictor {
             scalars["predictor"] = json!(predictor.name());
         }
@@ -88,8 +88,8 @@ impl Told<'_> {
         let asked = self.of.march;
         let mut dataset = Dataset::new()
             .attribute("kind", "march")?
-            .attribute("method", asked.method.name())?
-            .attribute("signal", variable_name(asked.signal, self.of.points))?
+            .attribute("method", asked.method().name())?
+            .attribute("signal", variable_name(*asked.signal, self.of.points))?
             .attribute("step_s", self.chosen.step)?
             .attribute("step_limit_s", self.chosen.limit)?
             .attribute("settled_s", self.of.motion.settled())?
@@ -112,7 +112,7 @@ impl Told<'_> {
             ("time", "s", "time of the peak of a burst", of(&|own| own.burst.peak_time)),
             ("position", "m", "position of the contact at that time", of(&|own| own.position)),
             ("frequency", "Hz", "frequency of a burst", of(&|own| own.burst.frequency.unwrap_or(f64::NAN))),
-            ("peak", unit(self.of.march.signal), "largest magnitude in a burst", of(&|own| own.burst.peak)),
+            ("peak", unit(*self.of.march.signal), "largest magnitude in a burst", of(&|own| own.burst.peak)),
             ("duration", "s", "duration of a burst", of(&|own| own.burst.duration)),
         ]
     }
@@ -144,12 +144,12 @@ impl Told<'_> {
         if let (Ok(_), Err(error @ SlidingError::NoEquilibrium { .. })) = (self.zones, at_rest) {
             warnings.push(format!("{error}: the contact opens"));
         }
-        let knows_sliding_alone = asked.method != MarchMethod::Film;
+        let knows_sliding_alone = asked.method() != MarchMethod::Film;
         let Tally { reversed_steps, open_steps, .. } = self.tally;
         if knows_sliding_alone && *reversed_steps > 0 {
             warnings.push(format!(
                 "in {reversed_steps} steps the contact slid backwards, which `{}` takes for sliding ahead; `film` knows stick and both directions",
-                asked.method.name()
+                asked.method().name()
             ));
         }
         if *open_steps > 0 {

@@ -12,16 +12,16 @@ use judder_case::sliding::analysis::PartModes;
 
 impl Analysis<SlidingCase> for PartModes {
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, StudyError> {
-        let part = &of.system.parts[self.structure];
-        let own = (&alone(of.case, self.structure), &*part.structure);
+        let part = &of.system.parts[*self.structure];
+        let own = (&alone(of.case, *self.structure), &*part.structure);
         let reduced = Some(&part.reduced.body.eigenvalues[..]);
-        let outcome = modes::run(own, of.name, self.modes.wanted(), reduced)?;
+        let outcome = modes::run(own, of.name, self.modes, reduced)?;
         task.progress.advance();
         Ok(outcome)
     }
 
     fn estimate(&self, of: &Subject<'_>) -> Result<Estimate, StudyError> {
-        let seconds = cost::FREEDOM * cost::freedoms(of.system, self.structure) + FIGURE;
+        let seconds = cost::FREEDOM * cost::freedoms(of.system, *self.structure) + FIGURE;
         Ok(Estimate { name: of.name.to_owned(), points: 1, seconds, bytes: 0 })
     }
 }

@@ -30,7 +30,7 @@ pub(crate) fn run(
         }
     }
     let march = place.study.read_dataset(&asked.of)?;
-    let signal = variable_name(asked.signal, points);
+    let signal = variable_name(*asked.signal, points);
     let history = History::new(&march, &signal).ok_or_else(|| StudyError::NotRecorded {
         march: asked.of.clone(),
         signal: asked.signal.name(points),
@@ -42,7 +42,7 @@ pub(crate) fn run(
     };
     let shown = Shown::new(&history, found);
     let unit = march.variable(&signal).map_or("", |variable| variable.units.as_str());
-    let reference = format!("{} {unit}", asked.reference);
+    let reference = format!("{} {unit}", asked.reference.number);
     Ok(Outcome {
         scalars: shown.scalars(asked, &reference),
         dataset: shown.dataset(asked, (&signal, &reference), &zones)?,
@@ -84,7 +84,7 @@ impl<'a> History<'a> {
             },
             length: (asked.length * self.sample_rate).round() as usize,
             overlap: asked.overlap,
-            reference: asked.reference,
+            reference: asked.reference.number,
             ..SpectrogramSettings::new(self.sample_rate)
         }
     }

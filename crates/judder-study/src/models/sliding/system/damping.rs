@@ -16,12 +16,12 @@ pub(super) fn damping(
     [mass, stiffness]: [&Sparse; 2],
 ) -> Result<(f64, f64), StructureError> {
     match own {
-        Damping { rayleigh: Some(own), .. } => Ok((own.alpha, own.beta)),
-        Damping { structural: Some(own), .. } => {
+        Damping::Rayleigh(own) => Ok((own.alpha, own.beta)),
+        Damping::Structural(own) => {
             let damping = StructuralDamping::new(own.loss_factor, own.reference_frequency / TAU)?;
             Ok((0.0, damping.beta()))
         }
-        _ => {
+        Damping::None => {
             let damping = RayleighDamping::fitted(imported, mass, stiffness)?;
             Ok((damping.alpha(), damping.beta()))
         }

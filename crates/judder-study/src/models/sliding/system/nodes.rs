@@ -3,9 +3,9 @@
 use super::Uncoupled;
 use super::interpolation;
 use crate::models::structure::build::{Structure, freedoms_of, points_of};
+use judder_case::sliding::observe::PointNode;
 use judder_case::structure::reduction::KeptNodes;
 use judder_case::{SlidingCase, SlidingProblem};
-use judder_numerics::words::plain;
 use judder_sliding::march::most_observed;
 use judder_sliding::pair::Side;
 
@@ -26,7 +26,7 @@ pub(super) struct Nodes {
 impl Nodes {
     /// Looks all of them up.
     pub(super) fn new(case: &SlidingCase, structures: [&Structure; 2]) -> Result<Self, Uncoupled> {
-        let [slider, track] = [case.contact.slider.structure, case.contact.track.structure];
+        let [slider, track] = [*case.contact.slider.structure, *case.contact.track.structure];
         let contact = one(
             points_of(&case.contact.slider.nodes, structures[slider], "contact.slider")?,
             "contact.slider",
@@ -35,10 +35,10 @@ impl Nodes {
         let load = loaded(case, structures[slider])?;
         let observed = case.points.iter().map(|point| {
             let path = format!("observe.points.{}", point.name);
-            let structure = structures[point.node.structure];
-            match &point.node.nodes {
-                KeptNodes::Near(place) => nearest(structure, *place, &path),
-                nodes => one(points_of(nodes, structure, &path)?, &path),
+            let structure = structures[*point.structure];
+            match &point.node {
+                PointNode::At(place) => nearest(structure, *place, &path),
+                PointNode::Kept(nodes) => one(points_of(nodes, structure, &path)?, &path),
             }
         });
         let observed = observed.collect::<Result<Vec<usize>, Uncoupled>>()?;
@@ -55,7 +55,7 @@ impl Nodes {
         freedoms[slider].extend(plane(structures[slider], contact));
         freedoms[track].extend(edge.iter().flat_map(|point| plane(structures[track], *point)));
         for (point, at) in case.points.iter().zip(&observed) {
-            let structure = point.node.structure;
+            let structure = *point.structure;
             freedoms[structure].extend(plane(structures[structure], *at));
         }
         for (index, own) in case.structures.iter().enumerate() {
@@ -111,11 +111,12 @@ fn nearest(structure: &Structure, place: [f64; 2], path: &str) -> Result<usize, 
 fn check_count(case: &SlidingCase) -> Result<(), Uncoupled> {
     let interpolation = interpolation(case.contact.interpolation);
     for (index, structure) in case.structures.iter().enumerate() {
-        let side = if index == case.contact.slider.structure { Side::Slider } else { Side::Track };
+        let side = if index == *case.contact.slider.structure { Side::Slider } else { Side::Track };
         let limit = most_observed(side, interpolation) / 2;
-        let found = case.points.iter().filter(|point| point.node.structure == index).count();
+        let found = case.points.iter().filter(|point| *point.structure == index).count();
         if found > limit {
-            let problem = SlidingProblem::TooManyPoints { structure: structure.name.clone(), found, limit };
+            let problem =
+                SlidingProblem::TooManyPoints { structure: structure.name.to_string(), found, limit };
             return Err(Uncoupled::new("observe.points", problem));
         }
     }
@@ -155,7 +156,6 @@ fn loaded(case: &SlidingCase, slider: &Structure) -> Result<usize, Uncoupled> {
 pub(super) fn name(nodes: &KeptNodes) -> String {
     match nodes {
         KeptNodes::Set(set) => set.clone(),
-        KeptNodes::Near([x, y]) => format!("({}, {}) m", plain(*x), plain(*y)),
         KeptNodes::Numbers(numbers) => numbers.iter().map(usize::to_string).collect::<Vec<_>>().join(", "),
     }
 }

@@ -50,11 +50,11 @@ pub(super) fn assembled(
         assemble(&mesh, &materials, &numbering).map_err(|error| Unbuilt::because("structure", &error))?;
     let term = |name: &str, matrix: &_| Term { name: name.to_owned(), matrix: Clone::clone(matrix) };
     let damping = match damping {
-        Damping { rayleigh: Some(_), .. } => {
+        Damping::Rayleigh(_) => {
             vec![term("mass-proportional damping", &mass), term("stiffness-proportional damping", &stiffness)]
         }
-        Damping { structural: Some(_), .. } => vec![term("structural damping", &stiffness)],
-        _ => Vec::new(),
+        Damping::Structural(_) => vec![term("structural damping", &stiffness)],
+        Damping::None => Vec::new(),
     };
     let family = Family::new(vec![term("mass", &mass)], damping, vec![term("stiffness", &stiffness)])
         .map_err(|error| Unbuilt::because("structure", &error))?;
@@ -66,9 +66,9 @@ pub(super) fn assembled(
 /// The factors of the terms of a body: α and β, or η/ω_r.
 pub(super) fn factors(damping: &Damping) -> Factors {
     let damping = match damping {
-        Damping { rayleigh: Some(own), .. } => vec![own.alpha, own.beta],
-        Damping { structural: Some(own), .. } => vec![own.loss_factor / own.reference_frequency],
-        _ => Vec::new(),
+        Damping::Rayleigh(own) => vec![own.alpha, own.beta],
+        Damping::Structural(own) => vec![own.loss_factor / own.reference_frequency],
+        Damping::None => Vec::new(),
     };
     Factors { mass: vec![1.0], damping, stiffness: vec![1.0] }
 }

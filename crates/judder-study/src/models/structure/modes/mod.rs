@@ -11,7 +11,7 @@ use crate::model::{Analysis, Pictured, Task};
 use crate::outcome::Outcome;
 use crate::text::short;
 use judder_case::StructureCase;
-use judder_case::structure::analysis::{Modes, WantedModes};
+use judder_case::structure::analysis::Modes;
 use std::f64::consts::TAU;
 
 /// The figure.
@@ -24,13 +24,13 @@ pub(crate) const PICTURED: Pictured = Pictured {
 
 impl Analysis<StructureCase> for Modes {
     fn run(&self, of: &Subject<'_>, _: Task<'_>) -> Result<Outcome, StudyError> {
-        run((of.case, of.structure), of.name, self.wanted(), None)
+        run((of.case, of.structure), of.name, *self, None)
     }
 
     fn estimate(&self, _: &Subject<'_>) -> Result<String, StudyError> {
-        Ok(match self.wanted() {
-            WantedModes::Count(count) => format!("the lowest {count} modes"),
-            WantedModes::Band(from, to) => {
+        Ok(match self {
+            Modes::Count(count) => format!("the lowest {count} modes"),
+            Modes::Band([from, to]) => {
                 format!("the modes from {} to {} Hz", short(from / TAU), short(to / TAU))
             }
         })

@@ -7,7 +7,7 @@ use crate::error::StudyError;
 use crate::models::structure::build::Structure;
 use crate::outcome::{CheckRecord, Disagreement, Outcome};
 use judder_case::StructureCase;
-use judder_case::structure::analysis::WantedModes;
+use judder_case::structure::analysis;
 use judder_store::{Dataset, Table, Variable, number};
 use judder_structure::assembly::Sparse;
 use judder_structure::modes::{Mode, Modes, Wanted, modes};
@@ -25,14 +25,14 @@ const ORTHOGONALITY_LIMIT: f64 = 1e-8;
 pub(crate) fn run(
     (case, structure): (&StructureCase, &Structure),
     name: &str,
-    wanted: WantedModes,
+    wanted: analysis::Modes,
     reduced: Option<&[f64]>,
 ) -> Result<Outcome, StudyError> {
     let problem = structure.at(case, &case.values())?;
     let Undamped { mass, stiffness, of } = Undamped::new(case, structure)?;
     let wanted = match wanted {
-        WantedModes::Count(count) => Wanted::Lowest(count),
-        WantedModes::Band(from, to) => Wanted::Band(from / TAU, to / TAU),
+        analysis::Modes::Count(count) => Wanted::Lowest(count),
+        analysis::Modes::Band([from, to]) => Wanted::Band(from / TAU, to / TAU),
     };
     let found = modes(&stiffness, &mass, wanted)?;
     let table = ModeTable {

@@ -1,0 +1,52 @@
+//! Names that a case gives to what it has.
+
+use super::problem::SlidingProblem;
+use crate::declared::{Form, Setting};
+use crate::document::Node;
+use crate::error::Fault;
+use crate::section::{Section, text};
+use serde_json::{Value as Json, json};
+use std::fmt;
+use std::ops::Deref;
+
+/// A name of letters, digits, `_` and `-`, such that dotted paths can contain it; its rule is what it names.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PlainName(String);
+
+impl Deref for PlainName {
+    type Target = String;
+
+    fn deref(&self) -> &String {
+        &self.0
+    }
+}
+
+impl fmt::Display for PlainName {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.0)
+    }
+}
+
+impl Setting for PlainName {
+    type Rule = &'static str;
+
+    fn form(_: &&'static str) -> Form {
+        Form::Own {
+            words: "a name of letters, digits, `_` and `-`",
+            schema: || json!({ "type": "string", "pattern": "^[A-Za-z0-9_-]{1,100}$" }),
+        }
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, what: &&'static str) -> Result<Self, Fault> {
+        let name = text(&section.path(key), node)?.to_owned();
+        let plain = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b'-');
+        if (1..=100).contains(&name.len()) && name.bytes().all(plain) {
+            return Ok(Self(name));
+        }
+        Err(SlidingProblem::Name { what, name }.at(node.place))
+    }
+
+    fn write(&self, _: &&'static str) -> Json {
+        json!(self.0)
+    }
+}

@@ -2,18 +2,21 @@
 
 use crate::analysis::Kind;
 use crate::cause::Cause;
-use crate::contact_keys::{CONTACT_KEYS, ContactKey};
 use crate::contact_problem::ContactProblem;
+use crate::declared::{Declaration, Form, Ladder, Number, Scaled, Setting, Settings, Whole, all, both};
 use crate::dimension::Dimension;
+use crate::document::Node;
 use crate::error::Fault;
 use crate::inputs::{LawName, OscillatorInputs};
-use crate::keys::{Key, Value};
-use crate::memory::{MEMORY_LIMIT, Memory, read_memory_limit};
-use crate::section::Section;
+use crate::keys::{Form as Given, Range, Value};
+use crate::memory::Memory;
+use crate::section::{Section, whole};
 use crate::shape::Shape;
-use crate::span::{Span, read_span};
+use crate::span::Span;
 use crate::swept_keys::read_value;
-use crate::transient_analysis::{TRANSIENT_KEYS, TransientSettings, read_transient};
+use crate::transient_analysis::TransientSettings;
+use judder_keys_derive::{Choice, Settings};
+use serde_json::{Value as Json, json};
 
 /// What an analysis of a contact case computes.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,19 +34,27 @@ pub enum ContactAnalysis {
 }
 
 /// One contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
 pub struct ContactSettings {
-    /// v, as v τ/R or in m/s; at rest it is 0.
+    /// Sliding speed; 0 at rest.
+    #[key(rule = Scaled { range: Range::NonNegative, ..VELOCITY }, symbol = "v", example = "1e-2 (v τ/R), or \"30 mm/s\"")]
     pub velocity: Value,
-    /// What presses the indenter down.
-    pub loading: Loading,
-    /// Relative accuracy of the force.
+    /// Indentation.
+    #[key(rule = INDENTATION, symbol = "δ", omitted)]
+    indentation: Option<Value>,
+    /// Normal load, in place of the indentation; of a cylinder per length, F/(E0* R) or in N/m.
+    #[key(symbol = "F", omitted)]
+    load: Option<Load>,
+    /// Relative accuracy of the force; area and friction may be five times as far off.
+    #[key(rule = ACCURACY, symbol = "ε", default = 1e-3)]
     pub accuracy: f64,
-    /// Cells along a side; chosen and refined from the accuracy where left out.
-    pub cells: Option<usize>,
-    /// Side of the computed square, as L/R or in m; chosen where left out.
+    /// Cells along a side, an even number; chosen and refined from the accuracy where left out.
+    cells: Option<EvenCells>,
+    /// Side of the computed square; chosen from the accuracy where left out.
+    #[key(rule = Scaled::positive(Dimension::LENGTH, "L/R"), symbol = "L")]
     pub domain: Option<Value>,
-    /// What the largest grid may take.
+    /// What the largest grid may take; as much as the case says where left out.
+    #[key(name = "memory_limit")]
     pub memory: Memory,
 }
 
@@ -57,17 +68,22 @@ pub enum Loading {
 }
 
 /// A law over speed and indentation.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Settings)]
 pub struct LawSettings {
-    /// Speeds, as v τ/R or in m/s.
+    /// Speeds.
+    #[key(rule = Ladder { of: VELOCITY, usual: LAW_VELOCITY.points, most: SPAN_POINTS }, symbol = "v", default = LAW_VELOCITY)]
     pub velocity: Span,
-    /// Indentations, as δ/R or in m.
+    /// Indentations.
+    #[key(rule = Ladder { of: INDENTATION, usual: LAW_INDENTATION.points, most: SPAN_POINTS }, symbol = "δ", default = LAW_INDENTATION)]
     pub indentation: Span,
     /// Relative accuracy of the law.
+    #[key(rule = ACCURACY, symbol = "ε", default = LAW_ACCURACY)]
     pub accuracy: f64,
-    /// How the plane is covered.
+    /// How the plane is covered; of another shape than a paraboloid `sweep` where left out.
+    #[key(default = LawMethod::Collapse)]
     pub method: LawMethod,
-    /// What the largest grid of each of its contacts may take.
+    /// What the largest grid of each of its contacts may take; as much as the case says where left out.
+    #[key(name = "memory_limit")]
     pub memory: Memory,
 }
 
@@ -76,19 +92,29 @@ pub struct LawSettings {
 pub struct FitSettings {
     /// What is computed.
     pub law: LawSettings,
-    /// The factor of v τ/R at which the functions are read.
+    /// How it is read.
+    pub reading: FitReading,
+}
+
+/// How the three functions are read off a law.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub struct FitReading {
+    /// Factor of v τ/R at which the fits are read.
+    #[key(rule = Number::positive(Dimension::NUMBER), symbol = "s", default = 0.01)]
     pub velocity_scale: f64,
 }
 
 /// Moduli over frequency.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Settings)]
 pub struct ModulusSettings {
-    /// The frequencies, as ω τ or in rad/s; chosen from the spectrum where left out.
+    /// Angular frequencies; chosen from the spectrum where left out.
+    #[key(rule = Ladder { of: FREQUENCY, usual: FREQUENCIES, most: SPAN_POINTS }, symbol = "ω")]
     pub frequency: Option<Span>,
 }
 
 /// How a law covers the plane of speed and indentation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
+#[choice(what = "method")]
 pub enum LawMethod {
     /// One curve over z = v τ/√(R δ) serves the whole plane: exact for a paraboloid.
     Collapse,
@@ -96,31 +122,35 @@ pub enum LawMethod {
     Sweep,
 }
 
-impl LawMethod {
-    /// The methods with their names in a case file.
-    pub const ALL: [(&'static str, Self); 2] = [("collapse", Self::Collapse), ("sweep", Self::Sweep)];
-
-    /// The name in a case file.
-    pub fn name(self) -> &'static str {
-        Self::ALL[self as usize].0
-    }
-}
+/// v, above zero.
+pub(crate) const VELOCITY: Scaled = Scaled::positive(Dimension::SPEED, "v τ/R");
+/// δ.
+pub(crate) const INDENTATION: Scaled = Scaled::positive(Dimension::LENGTH, "δ/R");
+/// F.
+pub(crate) const LOAD: Scaled = Scaled::positive(Dimension::FORCE, "F/(E0* R²)");
+/// F of a cylinder, per length.
+const LINE_LOAD: Scaled = Scaled::positive(Dimension::STIFFNESS, "F/(E0* R)");
+/// ω.
+pub(crate) const FREQUENCY: Scaled = Scaled::positive(Dimension::ANGULAR_FREQUENCY, "ω τ");
+/// ε of a force.
+pub(crate) const ACCURACY: Number =
+    Number { dimension: Dimension::NUMBER, range: Range::Interval { above: 0.0, up_to: 0.2 } };
 
 /// The default accuracy of `contact-law` and `fit`.
 pub const LAW_ACCURACY: f64 = 1e-2;
 
 /// The default range of speeds of `contact-law` and `fit`, v τ/R: a hundredfold of the paper's axis, as its fits are read at
 /// v τ/(100 R).
-pub const LAW_VELOCITY: (f64, f64, usize) = (1e-6, 1e4, 51);
+pub const LAW_VELOCITY: Span = Span { from: 1e-6, to: 1e4, points: 51, form: Given::Group };
 /// The default range of indentations of `contact-law` and `fit`, δ/R.
-pub const LAW_INDENTATION: (f64, f64, usize) = (1e-4, 1e-1, 16);
+pub const LAW_INDENTATION: Span = Span { from: 1e-4, to: 1e-1, points: 16, form: Given::Group };
 
 /// The cells along a side that a contact may be given, an even number: a coarser grid of half as many, at least 32, says
 /// how exact the finest is.
 pub const CELLS: [usize; 2] = [64, 4096];
 
 /// The points that a span of a law or of frequencies may have.
-pub(crate) const SPAN_POINTS: usize = 2000;
+const SPAN_POINTS: usize = 2000;
 
 /// The default number of frequencies.
 pub const FREQUENCIES: usize = 200;
@@ -137,8 +167,17 @@ pub(crate) struct ContactScope {
 
 impl ContactScope {
     /// The memory limit of an analysis: its own, or that of the case.
-    pub(crate) fn memory_limit(&self, section: &Section<'_>) -> Result<Memory, Fault> {
-        Ok(read_memory_limit(section)?.unwrap_or(self.memory))
+    pub(crate) fn memory_limit(&self, section: &Section<'_>, own: Memory) -> Memory {
+        section.get("memory_limit").map_or(self.memory, |_| own)
+    }
+
+    /// Refuses an analysis of this kind where the indenter is neither a paraboloid nor a sphere.
+    pub(crate) fn is_round(&self, kind: &'static str, section: &Section<'_>) -> Result<(), Fault> {
+        if matches!(self.shape, Shape::Paraboloid | Shape::Sphere) {
+            return Ok(());
+        }
+        let (shapes, shape) = ("a paraboloid or a sphere", self.shape.name());
+        Err(Cause::Contact { problem: ContactProblem::Shape { kind, shapes, shape } }.at(section.place))
     }
 }
 
@@ -146,170 +185,195 @@ impl ContactScope {
 pub(crate) const KINDS: [Kind<ContactScope, ContactAnalysis>; 5] = [
     Kind {
         name: "contact",
-        keys: &["velocity", "indentation", "load", "accuracy", "cells", "domain", MEMORY_LIMIT],
-        declared: None,
+        keys: ContactSettings::KEYS,
+        declared: Some(ContactSettings::declarations),
         doc: "one contact: force, area, friction, fields",
-        read: |scope, section| read_contact(scope, section).map(ContactAnalysis::Contact),
+        read: |scope, section| ContactSettings::of(scope, section).map(ContactAnalysis::Contact),
     },
     Kind {
         name: "contact-law",
-        keys: &["velocity", "indentation", "accuracy", "method", MEMORY_LIMIT],
-        declared: None,
+        keys: LawSettings::KEYS,
+        declared: Some(LawSettings::declarations),
         doc: "force, area and friction over speed and indentation, as a law for an oscillator",
-        read: |scope, section| read_law("contact-law", scope, section).map(ContactAnalysis::ContactLaw),
+        read: |scope, section| {
+            LawSettings::of("contact-law", scope, section).map(ContactAnalysis::ContactLaw)
+        },
     },
     Kind {
         name: "fit",
-        keys: &["velocity", "indentation", "accuracy", "method", "velocity_scale", MEMORY_LIMIT],
-        declared: None,
+        keys: FitSettings::KEYS,
+        declared: Some(FitSettings::declarations),
         doc: "the three functions of the oscillator paper, fitted to a computed law",
         read: |scope, section| {
-            let law = read_law("fit", scope, section)?;
-            let velocity_scale = read_pure(section, ContactKey::VelocityScale)?;
-            Ok(ContactAnalysis::Fit(FitSettings { law, velocity_scale }))
+            let settings = both(LawSettings::of("fit", scope, section), FitReading::read_table(section));
+            settings.map(|(law, reading)| ContactAnalysis::Fit(FitSettings { law, reading }))
         },
     },
     Kind {
         name: "modulus",
-        keys: &["frequency"],
-        declared: None,
+        keys: ModulusSettings::KEYS,
+        declared: Some(ModulusSettings::declarations),
         doc: "storage and loss modulus and loss tangent over frequency",
-        read: |_, section| {
-            let frequency = match section.get("frequency") {
-                Some(_) => Some(span(section, ContactKey::Frequency, None)?),
-                None => None,
-            };
-            Ok(ContactAnalysis::Modulus(ModulusSettings { frequency }))
-        },
+        read: |_, section| ModulusSettings::read_table(section).map(ContactAnalysis::Modulus),
     },
     Kind {
         name: "transient",
-        keys: TRANSIENT_KEYS,
-        declared: None,
+        keys: TransientSettings::KEYS,
+        declared: Some(TransientSettings::declarations),
         doc: "a contact that is followed in time: histories of force, friction and area, work of a cycle",
-        read: |scope, section| read_transient(scope, section).map(ContactAnalysis::Transient),
+        read: |scope, section| TransientSettings::of(scope, section).map(ContactAnalysis::Transient),
     },
 ];
 
-/// The keys of a contact that have no meaning for a shape, and why.
-fn endless_keys(shape: &Shape) -> (&'static [&'static str], &'static str) {
-    match shape {
-        Shape::Cylinder => {
-            (&["indentation", "domain"], "a cylinder, whose depth depends on how far away it is measured")
-        }
-        shape if shape.is_periodic() => {
-            (&["domain", "cells"], "a surface that repeats itself, whose heights are the coarsest grid")
-        }
-        _ => (&[], ""),
-    }
-}
-
-/// The load of a line contact, per length.
-static LINE_LOAD: Key<ContactKey> = Key {
-    dimension: Dimension::STIFFNESS,
-    group: Some("F/(E0* R)"),
-    ..CONTACT_KEYS[ContactKey::Load as usize]
-};
-
-fn read_contact(scope: &ContactScope, section: &Section<'_>) -> Result<ContactSettings, Fault> {
-    let is_line = scope.shape == Shape::Cylinder;
-    for key in endless_keys(&scope.shape).0 {
-        if let Some(node) = section.get(key) {
-            let what = endless_keys(&scope.shape).1;
-            return Err(Cause::Contact { problem: ContactProblem::Endless { key, what } }.at(node.place));
+impl Loading {
+    /// The one of two that presses the indenter down.
+    pub(crate) fn of(indentation: Option<Value>, load: Option<Value>) -> Self {
+        match (indentation, load) {
+            (_, Some(load)) => Self::Load(load),
+            (indentation, None) => Self::Indentation(indentation.unwrap_or(Value::group(0.0))),
         }
     }
-    let value = |key: ContactKey| {
-        let entry = match key {
-            ContactKey::Load if is_line => &LINE_LOAD,
-            key => key.entry(),
-        };
-        section.get(entry.name()).map(|node| read_value(entry, entry.name(), node)).transpose()
-    };
-    section.required("velocity", "velocity = 1e-2 (v τ/R), or \"30 mm/s\"")?;
-    let loading = match (value(ContactKey::Indentation)?, value(ContactKey::Load)?) {
-        (Some(indentation), None) => Loading::Indentation(indentation),
-        (None, Some(load)) => Loading::Load(load),
-        (Some(_), Some(_)) => {
-            let place = section.get("load").map_or(section.place, |node| node.place);
-            let (first, second) = ("indentation".to_owned(), "load".to_owned());
-            return Err(Cause::Contact { problem: ContactProblem::OneOfTwo { first, second } }.at(place));
-        }
-        (None, None) => {
-            if is_line {
-                section.required("load", "load = 1e-2 (F/(E0* R)), or \"600 N/mm\"")?;
+
+    /// Refuses both, and neither.
+    pub(crate) fn is_one(section: &Section<'_>, is_line: bool) -> Result<(), Fault> {
+        match (section.get("indentation"), section.get("load")) {
+            (Some(_), Some(node)) => {
+                let (first, second) = ("indentation".to_owned(), "load".to_owned());
+                Err(Cause::Contact { problem: ContactProblem::OneOfTwo { first, second } }.at(node.place))
             }
-            section.required("indentation", "indentation = 1e-2 (δ/R), or load = 1e-4 (F/(E0* R²))")?;
-            Loading::Indentation(Value::group(0.0))
+            (None, None) if is_line => {
+                Err(section.missing("load", "load = 1e-2 (F/(E0* R)), or \"600 N/mm\""))
+            }
+            (None, None) => {
+                Err(section.missing("indentation", "indentation = 1e-2 (δ/R), or load = 1e-4 (F/(E0* R²))"))
+            }
+            _ => Ok(()),
         }
-    };
-    Ok(ContactSettings {
-        velocity: value(ContactKey::Velocity)?.unwrap_or(Value::group(0.0)),
-        loading,
-        accuracy: read_pure(section, ContactKey::Accuracy)?,
-        cells: read_cells(section)?,
-        domain: value(ContactKey::Domain)?,
-        memory: scope.memory_limit(section)?,
-    })
+    }
 }
 
-/// Reads `cells`, which two grids must be made of.
-fn read_cells(section: &Section<'_>) -> Result<Option<usize>, Fault> {
-    let [from, to] = CELLS;
-    // one cell is a number of cells as well: the message of those that cannot be halved says more
-    let cells = section.whole("cells", 1, to)?;
-    match (cells, section.get("cells")) {
-        (Some(found), Some(node)) if found < from || !found.is_multiple_of(2) => {
-            Err(Cause::Contact { problem: ContactProblem::Cells { from, to, found } }.at(node.place))
+impl ContactSettings {
+    /// Reads them for an indenter: its shape decides what a load is, and which keys have a meaning.
+    fn of(scope: &ContactScope, section: &Section<'_>) -> Result<Self, Fault> {
+        let is_line = scope.shape == Shape::Cylinder;
+        let (endless, what): (&[_], _) = match &scope.shape {
+            Shape::Cylinder => {
+                (&["indentation", "domain"], "a cylinder, whose depth depends on how far away it is measured")
+            }
+            shape if shape.is_periodic() => {
+                (&["domain", "cells"], "a surface that repeats itself, whose heights are the coarsest grid")
+            }
+            _ => (&[], ""),
+        };
+        let refused = all(endless.iter().map(|key| match section.get(key) {
+            Some(node) => {
+                Err(Cause::Contact { problem: ContactProblem::Endless { key, what } }.at(node.place))
+            }
+            None => Ok(()),
+        }));
+        let loading = refused.and_then(|_| Loading::is_one(section, is_line));
+        let load = section
+            .get("load")
+            .map(|node| read_value(&if is_line { LINE_LOAD } else { LOAD }.entry(), "load", node).map(Load));
+        let (settings, (load, ())) = both(Self::read_table(section), both(load.transpose(), loading))?;
+        Ok(Self { load, memory: scope.memory_limit(section, settings.memory), ..settings })
+    }
+
+    /// What presses the indenter down.
+    pub fn loading(&self) -> Loading {
+        Loading::of(self.indentation, self.load.map(|Load(load)| load))
+    }
+
+    /// Cells along a side; chosen and refined from the accuracy where left out.
+    pub fn cells(&self) -> Option<usize> {
+        self.cells.map(|EvenCells(cells)| cells)
+    }
+}
+
+impl LawSettings {
+    /// Reads them of this kind for an indenter, whose shape decides how the plane may be covered.
+    fn of(kind: &'static str, scope: &ContactScope, section: &Section<'_>) -> Result<Self, Fault> {
+        scope.is_round(kind, section)?;
+        if scope.moduli_known {
+            scope.inputs.check(LawName::Bem).map_err(|cause| cause.at(section.place))?;
         }
-        _ => Ok(cells),
-    }
-}
-
-/// Reads a pure number that has a default.
-pub(crate) fn read_pure(section: &Section<'_>, key: ContactKey) -> Result<f64, Fault> {
-    let entry = key.entry();
-    match section.get(entry.name()) {
-        Some(node) => Ok(read_value(entry, entry.name(), node)?.number),
-        None => Ok(entry.default.map_or(0.0, |(_, value)| value.number)),
-    }
-}
-
-fn read_law(kind: &'static str, scope: &ContactScope, section: &Section<'_>) -> Result<LawSettings, Fault> {
-    let shape = scope.shape.name();
-    if !matches!(scope.shape, Shape::Paraboloid | Shape::Sphere) {
-        let shapes = "a paraboloid or a sphere";
-        return Err(
-            Cause::Contact { problem: ContactProblem::Shape { kind, shapes, shape } }.at(section.place)
-        );
-    }
-    if scope.moduli_known {
-        scope.inputs.check(LawName::Bem).map_err(|cause| cause.at(section.place))?;
-    }
-    let is_paraboloid = scope.shape == Shape::Paraboloid;
-    let method = match section.choice("method", "method", &LawMethod::ALL)? {
-        Some(LawMethod::Collapse) if !is_paraboloid => {
-            let place = section.get("method").map_or(section.place, |node| node.place);
-            return Err(Cause::Contact { problem: ContactProblem::Collapse { shape } }.at(place));
+        let mut settings = Self::read_table(section)?;
+        settings.memory = scope.memory_limit(section, settings.memory);
+        match section.get("method") {
+            Some(node) if settings.method == LawMethod::Collapse && scope.shape != Shape::Paraboloid => {
+                let shape = scope.shape.name();
+                return Err(Cause::Contact { problem: ContactProblem::Collapse { shape } }.at(node.place));
+            }
+            None if scope.shape != Shape::Paraboloid => settings.method = LawMethod::Sweep,
+            _ => (),
         }
-        Some(method) => method,
-        None if is_paraboloid => LawMethod::Collapse,
-        None => LawMethod::Sweep,
-    };
-    let accuracy = match section.get("accuracy") {
-        Some(_) => read_pure(section, ContactKey::Accuracy)?,
-        None => LAW_ACCURACY,
-    };
-    Ok(LawSettings {
-        velocity: span(section, ContactKey::Velocity, Some(LAW_VELOCITY))?,
-        indentation: span(section, ContactKey::Indentation, Some(LAW_INDENTATION))?,
-        accuracy,
-        method,
-        memory: scope.memory_limit(section)?,
-    })
+        Ok(settings)
+    }
 }
 
-fn span(section: &Section<'_>, key: ContactKey, default: Option<(f64, f64, usize)>) -> Result<Span, Fault> {
-    let points = default.map_or(FREQUENCIES, |(_, _, points)| points);
-    read_span(section, key.entry(), default, (points, SPAN_POINTS))
+impl FitSettings {
+    /// The keys of the law, and of how it is read.
+    const KEYS: &'static [&'static str] = &{
+        let (law, mut keys) = (LawSettings::KEYS, [FitReading::KEYS[0]; LawSettings::KEYS.len() + 1]);
+        let mut index = 0;
+        while index < law.len() {
+            // the memory limit stays the last
+            keys[if index + 1 < law.len() { index } else { law.len() }] = law[index];
+            index += 1;
+        }
+        keys
+    };
+
+    fn declarations() -> Vec<Declaration> {
+        [LawSettings::declarations(), FitReading::declarations()].concat()
+    }
+}
+
+/// A load, read as soon as the shape has decided whether it is one per length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Load(Value);
+
+impl Setting for Load {
+    type Rule = ();
+
+    fn form((): &()) -> Form {
+        Value::form(&LOAD)
+    }
+
+    fn read(_: &Section<'_>, _: &str, _: &Node, (): &()) -> Result<Self, Fault> {
+        Ok(Self(Value::group(0.0)))
+    }
+
+    fn write(&self, (): &()) -> Json {
+        self.0.write(&LOAD)
+    }
+}
+
+/// An even number of cells, which two grids are made of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct EvenCells(usize);
+
+impl Setting for EvenCells {
+    type Rule = ();
+
+    fn form((): &()) -> Form {
+        let [from, to] = CELLS;
+        let schema = json!({ "type": "integer", "minimum": from, "maximum": to, "multipleOf": 2 });
+        Form::Told { schema, words: format!("an even number from {from} to {to}"), keys: Vec::new() }
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
+        let [from, to] = CELLS;
+        // one cell is a number of cells as well: the message of those that cannot be halved says more
+        match whole(&section.path(key), node, (1, to))? {
+            found if found < from || !found.is_multiple_of(2) => {
+                Err(Cause::Contact { problem: ContactProblem::Cells { from, to, found } }.at(node.place))
+            }
+            cells => Ok(Self(cells)),
+        }
+    }
+
+    fn write(&self, (): &()) -> Json {
+        Setting::write(&self.0, &Whole { from: CELLS[0], to: CELLS[1] })
+    }
 }

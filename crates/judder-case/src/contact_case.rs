@@ -4,17 +4,19 @@ use std::path::Path;
 
 use crate::analysis::{Analysis, read_analyses};
 use crate::contact_analysis::{ContactAnalysis, ContactScope, KINDS};
+use crate::declared::{Declaration, Form, Settings};
 use crate::document::Node;
 use crate::error::Fault;
 use crate::file_reference::FileReference;
 use crate::inputs::{LawName, OscillatorInputs};
 use crate::keys::OscillatorKey;
-use crate::memory::{MEMORY_LIMIT, Memory, read_memory_limit};
+use crate::memory::Memory;
 use crate::oscillator_case::moduli_place;
 use crate::section::Section;
-use crate::shape::{Shape, read_shape};
-use crate::substrate::{RelaxationSource, Substrate, read_substrate};
+use crate::shape::Shape;
+use crate::substrate::{RelaxationSource, Substrate, SubstrateKeys, read_substrate};
 use crate::swept_keys::read_value;
+use judder_keys_derive::Settings;
 
 /// A validated contact case.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,6 +31,23 @@ pub struct ContactCase {
     pub shape: Shape,
     /// The analyses in the order of the case file.
     pub analyses: Vec<Analysis<ContactAnalysis>>,
+}
+
+/// What a case has beside its tables.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub(crate) struct ContactKeys {
+    /// The title.
+    #[key(default = String::new())]
+    title: String,
+    /// What the largest grid of one contact may take; an analysis may say it for itself.
+    memory_limit: Memory,
+}
+
+/// What an indenter has beside its radius.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub(crate) struct IndenterKeys {
+    /// The shape of the indenter.
+    shape: Shape,
 }
 
 impl ContactCase {
@@ -52,12 +71,32 @@ impl ContactCase {
     }
 }
 
+/// The dotted paths of the numbers of substrate and indenter beside those in [`KEYS`](crate::KEYS).
+pub fn contact_numbers() -> Vec<String> {
+    fn numbers(prefix: &str, keys: &[Declaration]) -> Vec<String> {
+        let of_key = |key: &Declaration| {
+            let path = format!("{prefix}.{}", key.name);
+            match &key.form {
+                Form::Number(_) => vec![path],
+                // of what tells of itself, a quantity has examples
+                Form::Told { schema, .. } if schema.get("examples").is_some() => vec![path],
+                Form::Table { keys, .. } | Form::Told { keys, .. } => numbers(&path, keys),
+                _ => Vec::new(),
+            }
+        };
+        keys.iter().flat_map(of_key).collect()
+    }
+    let substrate = numbers("substrate", &SubstrateKeys::declarations());
+    substrate.into_iter().chain(numbers("indenter", &IndenterKeys::declarations())).collect()
+}
+
 /// Reads a contact case from the root of its tree; files are relative to `folder`.
 pub(crate) fn read(root: &Node, folder: &Path) -> Result<ContactCase, Fault> {
-    let known = ["title", "model", MEMORY_LIMIT, "substrate", "indenter", "analysis", "sweep"];
+    let known = ["title", "model", "memory_limit", "substrate", "indenter", "analysis", "sweep"];
     let root = Section::open(root, "", "a contact case", &known)?;
+    let keys = ContactKeys::read_table(&root)?;
     let mut case = ContactCase {
-        title: root.text("title")?.unwrap_or_default().to_owned(),
+        title: keys.title,
         inputs: OscillatorInputs::default(),
         substrate: Substrate::default(),
         shape: Shape::Paraboloid,
@@ -67,19 +106,20 @@ pub(crate) fn read(root: &Node, folder: &Path) -> Result<ContactCase, Fault> {
         case.substrate = read_substrate(node, &mut case.inputs, folder)?;
     }
     if let Some(node) = root.get("indenter") {
-        let indenter = Section::open(node, "indenter", "[indenter]", &["radius", "shape"])?;
         let entry = OscillatorKey::Radius.entry();
+        let indenter = Section::of_table(node, "indenter", "[indenter]")?;
+        indenter.refuse_others(&[entry.name(), IndenterKeys::KEYS[0]])?;
         if let Some(node) = indenter.get(entry.name()) {
             case.inputs.set(entry.key, read_value(entry, entry.path, node)?);
         }
-        case.shape = read_shape(&indenter, folder)?;
+        case.shape = IndenterKeys::read_table(&indenter)?.shape.found(&indenter, folder)?;
     }
     let moduli_known = !matches!(case.substrate.source, RelaxationSource::Dma { .. });
     if moduli_known {
         // an elastic substrate is in order: it is the limit
         case.inputs.check(LawName::Hertz).map_err(|cause| cause.at(moduli_place(&root)))?;
     }
-    let memory = read_memory_limit(&root)?.unwrap_or(Memory::DEFAULT);
+    let memory = keys.memory_limit;
     let scope = ContactScope { shape: case.shape.clone(), inputs: case.inputs, moduli_known, memory };
     case.analyses = read_analyses(&root, &scope, &KINDS)?;
     Ok(case)

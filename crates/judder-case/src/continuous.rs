@@ -1,54 +1,84 @@
 //! A continuous creep spectrum of the substrate: its density, and how few retardation times stand for it.
 
 use crate::cause::Cause;
-use crate::contact_keys::ContactKey;
 use crate::contact_problem::ContactProblem;
-use crate::document::Node;
+use crate::declared::{Number, Several, Whole, both};
+use crate::dimension::Dimension;
 use crate::error::Fault;
 use crate::inputs::OscillatorInputs;
+use crate::keys::Range;
 use crate::section::Section;
-use crate::substrate::{TERM_LIMIT, read_numbers, read_terms};
-use crate::swept_keys::read_value;
+use crate::substrate::{TERM_LIMIT, TIME, Timed, are_terms};
+use judder_keys_derive::Settings;
 
 /// A continuous spectrum, and into how many terms it is taken apart.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(check = ContinuousSource::complete)]
 pub struct ContinuousSource {
-    /// 𝒞(τ).
-    pub density: Density,
-    /// The number of terms, or the error that decides it.
-    pub terms: TermChoice,
+    /// τ𝒞 is a Gaussian in log₁₀ τ, scaled to both moduli.
+    #[key(omitted)]
+    log_normal: Option<LogNormal>,
+    /// 𝒞 ∝ τ^(m − 1) between two times, scaled to both moduli.
+    #[key(omitted)]
+    power_law: Option<PowerLaw>,
+    /// Samples, ascending; between them τ𝒞 is linear in ln τ. The glassy modulus follows.
+    #[key(rule = SAMPLES, omitted)]
+    samples: Option<Vec<DensitySample>>,
+    /// How many retardation times stand for it.
+    #[key(rule = Whole { from: 1, to: TERM_LIMIT }, omitted)]
+    terms: Option<usize>,
+    /// Relative error of E(ω) that the terms may make at any frequency, in place of their number.
+    #[key(rule = ACCURACY, symbol = "ε", usual = SPECTRUM_ACCURACY, omitted)]
+    accuracy: Option<f64>,
 }
 
-/// The density 𝒞(τ) of retardation times, 1/E(ω) = 1/E∞ + ∫ 𝒞(τ)/(1 + iωτ) dτ.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Density {
-    /// τ𝒞 is a Gaussian in log₁₀ τ, scaled to both moduli.
-    LogNormal {
-        /// Its middle, s.
-        median: f64,
-        /// Its standard deviation, decades.
-        width: f64,
-    },
-    /// 𝒞 ∝ τ^(exponent − 1) between two times, scaled to both moduli.
-    PowerLaw {
-        /// The shortest time, s.
-        from: f64,
-        /// The longest time, s.
-        to: f64,
-        /// The exponent of the compliance.
-        exponent: f64,
-    },
-    /// Samples, ascending; between them τ𝒞 is linear in ln τ. The glassy modulus follows.
-    Samples(Vec<DensitySample>),
+/// τ𝒞 is a Gaussian in log₁₀ τ.
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
+pub struct LogNormal {
+    /// Median of the retardation times.
+    #[key(rule = TIME, symbol = "τ_m")]
+    pub median: f64,
+    /// Standard deviation in decades of time.
+    #[key(rule = WIDTH, symbol = "w", example = "1.5")]
+    pub width: f64,
+}
+
+/// 𝒞 ∝ τ^(m − 1) between two times.
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
+#[settings(check = PowerLaw::ascends)]
+pub struct PowerLaw {
+    /// Shortest retardation time.
+    #[key(rule = TIME, symbol = "τ_1")]
+    pub from: f64,
+    /// Longest retardation time.
+    #[key(rule = TIME, symbol = "τ_2")]
+    pub to: f64,
+    /// Exponent of the compliance, which grows as t^m; at 0 the spectrum is even in ln τ.
+    #[key(rule = Number::any(Dimension::NUMBER), symbol = "m", example = "1.5")]
+    pub exponent: f64,
 }
 
 /// 𝒞 at one retardation time.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
+#[settings(title = "a sample of the spectrum")]
 pub struct DensitySample {
-    /// τ, s.
+    /// Retardation time of a sample.
+    #[key(rule = TIME, symbol = "τ")]
     pub time: f64,
-    /// 𝒞, 1/(Pa s).
+    /// Spectrum at this time.
+    #[key(rule = Number::non_negative(Dimension::COMPLIANCE_RATE), symbol = "𝒞")]
     pub density: f64,
+}
+
+/// The density 𝒞(τ) of retardation times, 1/E(ω) = 1/E∞ + ∫ 𝒞(τ)/(1 + iωτ) dτ.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Density<'a> {
+    /// τ𝒞 is a Gaussian in log₁₀ τ, scaled to both moduli.
+    LogNormal(LogNormal),
+    /// 𝒞 ∝ τ^(exponent − 1) between two times, scaled to both moduli.
+    PowerLaw(PowerLaw),
+    /// Samples, ascending; between them τ𝒞 is linear in ln τ. The glassy modulus follows.
+    Samples(&'a [DensitySample]),
 }
 
 /// How many terms stand for a continuous spectrum.
@@ -60,85 +90,107 @@ pub enum TermChoice {
     Within(f64),
 }
 
-/// The keys that each give the density.
-pub(crate) const DENSITIES: [&str; 3] = ["log_normal", "power_law", "samples"];
+const SPECTRUM_ACCURACY: f64 = 1e-3;
+const ACCURACY: Number =
+    Number { dimension: Dimension::NUMBER, range: Range::Interval { above: 0.0, up_to: 0.2 } };
+const WIDTH: Number =
+    Number { dimension: Dimension::NUMBER, range: Range::Interval { above: 0.0, up_to: 10.0 } };
+const SAMPLES: Several<()> = Several { of: (), length: [2, TERM_LIMIT] };
 
-/// Reads `continuous` of `[substrate]`; samples set the glassy modulus and a time of `inputs`.
-pub(crate) fn read_continuous(node: &Node, inputs: &mut OscillatorInputs) -> Result<ContinuousSource, Fault> {
-    let name = "substrate.continuous";
-    let known = [DENSITIES[0], DENSITIES[1], DENSITIES[2], "terms", "accuracy"];
-    let section = Section::open(node, name, &format!("`{name}`"), &known)?;
-    one_of_two(&section, "terms", "accuracy")?;
-    for (first, second) in [("log_normal", "power_law"), ("log_normal", "samples"), ("power_law", "samples")]
-    {
-        one_of_two(&section, first, second)?;
+impl Timed for DensitySample {
+    fn time(&self) -> f64 {
+        self.time
     }
-    let density = if let Some(node) = section.get("log_normal") {
-        let keys = [ContactKey::SpectrumMedian, ContactKey::SpectrumWidth];
-        let [median, width] = read_numbers(node, keys)?;
-        Density::LogNormal { median, width }
-    } else if let Some(node) = section.get("power_law") {
-        let keys = [ContactKey::SpectrumFrom, ContactKey::SpectrumTo, ContactKey::SpectrumExponent];
-        let [from, to, exponent] = read_numbers(node, keys)?;
-        if from >= to {
-            return Err(Cause::Backwards { from, to }.at(node.place));
+}
+
+impl PowerLaw {
+    /// Refuses times that do not ascend.
+    fn ascends(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        let (from, to) = (self.from, self.to);
+        if from < to { Ok(()) } else { Err(Cause::Backwards { from, to }.at(section.place)) }
+    }
+}
+
+impl ContinuousSource {
+    /// Refuses two densities or none, two choices of terms, samples that are no spectrum; fills in the accuracy that is left out.
+    fn complete(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        let one_of_two = |first: &str, second: &str| match (section.get(first), section.get(second)) {
+            (Some(_), Some(node)) => {
+                let (first, second) = (section.path(first), section.path(second));
+                Err(Cause::Contact { problem: ContactProblem::OneOfTwo { first, second } }.at(node.place))
+            }
+            _ => Ok(()),
+        };
+        let one_density = one_of_two("log_normal", "power_law")
+            .and_then(|()| one_of_two("log_normal", "samples"))
+            .and_then(|()| one_of_two("power_law", "samples"));
+        if self.terms.is_none() {
+            self.accuracy.get_or_insert(SPECTRUM_ACCURACY);
         }
-        Density::PowerLaw { from, to, exponent }
-    } else {
-        let expected =
-            "log_normal = { median = \"10 ms\", width = 1 }, or power_law = { … }, or samples = [ … ]";
-        let node = section.required("samples", expected)?;
-        read_samples(node, inputs)?
-    };
-    let terms = match section.whole("terms", 1, TERM_LIMIT)? {
-        Some(terms) => TermChoice::Given(terms),
-        None => TermChoice::Within(read_accuracy(&section)?),
-    };
-    Ok(ContinuousSource { density, terms })
-}
+        both(one_of_two("terms", "accuracy"), one_density)?;
+        match (&self.samples, section.get("samples")) {
+            (Some(samples), Some(node)) => {
+                are_terms(section, "substrate.continuous.samples", Some(samples))?;
+                is_spectrum(samples).map_err(|cause| cause.at(node.place))
+            }
+            _ if self.log_normal.is_none() && self.power_law.is_none() => {
+                let forms = "log_normal = { median = \"10 ms\", width = 1 }, or power_law = { … }, or samples = [ … ]";
+                Err(section.missing("samples", forms))
+            }
+            _ => Ok(()),
+        }
+    }
 
-fn one_of_two(section: &Section<'_>, first: &str, second: &str) -> Result<(), Fault> {
-    let (Some(_), Some(node)) = (section.get(first), section.get(second)) else { return Ok(()) };
-    let (first, second) = (section.path(first), section.path(second));
-    Err(Cause::Contact { problem: ContactProblem::OneOfTwo { first, second } }.at(node.place))
-}
+    /// 𝒞(τ).
+    pub fn density(&self) -> Density<'_> {
+        match (self.log_normal, self.power_law, &self.samples) {
+            (Some(own), ..) => Density::LogNormal(own),
+            (_, Some(own), _) => Density::PowerLaw(own),
+            (.., samples) => Density::Samples(samples.as_deref().unwrap_or_default()),
+        }
+    }
 
-fn read_accuracy(section: &Section<'_>) -> Result<f64, Fault> {
-    let entry = ContactKey::SpectrumAccuracy.entry();
-    match section.get(entry.name()) {
-        Some(node) => Ok(read_value(entry, entry.path, node)?.number),
-        None => Ok(entry.default.map_or(0.0, |(_, value)| value.number)),
+    /// The number of terms, or the error that decides it.
+    pub fn terms(&self) -> TermChoice {
+        match self.terms {
+            Some(terms) => TermChoice::Given(terms),
+            None => TermChoice::Within(self.accuracy.unwrap_or(SPECTRUM_ACCURACY)),
+        }
+    }
+
+    /// Sets the glassy modulus and a time where samples decide them: their integral is what lies between 1/E0 and 1/E∞.
+    pub(crate) fn decide(&self, inputs: &mut OscillatorInputs) {
+        if let Some(samples) = &self.samples {
+            let compliance = integral(samples, |_| 1.0);
+            inputs.set_prony(integral(samples, |time| time) / compliance, compliance);
+        }
     }
 }
 
-/// Reads the samples, whose integral is what lies between 1/E0 and 1/E∞.
-fn read_samples(node: &Node, inputs: &mut OscillatorInputs) -> Result<Density, Fault> {
-    let samples = read_terms(node, [ContactKey::SampleTime, ContactKey::SampleDensity])?;
+/// Refuses one sample alone, two at one time, and samples that are zero throughout.
+fn is_spectrum(samples: &[DensitySample]) -> Result<(), Cause> {
+    let key = "substrate.continuous.samples";
     if samples.len() < 2 {
-        let key = "the number of samples of substrate.continuous.samples".to_owned();
-        let (to, found) = (TERM_LIMIT, samples.len() as i64);
-        return Err(
-            Cause::Contact { problem: ContactProblem::Count { key, from: 2, to, found } }.at(node.place)
-        );
+        let (key, found) = (format!("the number of samples of {key}"), samples.len() as i64);
+        return Err(Cause::Contact {
+            problem: ContactProblem::Count { key, from: 2, to: TERM_LIMIT, found },
+        });
     }
-    if let Some(pair) = samples.windows(2).find(|pair| pair[0][0] >= pair[1][0]) {
-        let (key, before, time) = ("substrate.continuous.samples", pair[0][0], pair[1][0]);
-        return Err(
-            Cause::Contact { problem: ContactProblem::UnsortedTimes { key, before, time } }.at(node.place)
-        );
+    if let Some([before, next]) = samples.array_windows().find(|[before, next]| before.time >= next.time) {
+        let (before, time) = (before.time, next.time);
+        return Err(Cause::Contact { problem: ContactProblem::UnsortedTimes { key, before, time } });
     }
-    // ∫ f 𝒞 dτ = ∫ f τ𝒞 d ln τ: exact for f = 1, where the integrand is linear
-    let integral = |weight: fn(f64) -> f64| -> f64 {
-        let value = |[time, density]: [f64; 2]| weight(time) * time * density;
-        let part =
-            |pair: &[[f64; 2]]| 0.5 * (value(pair[0]) + value(pair[1])) * (pair[1][0] / pair[0][0]).ln();
-        samples.windows(2).map(part).sum()
+    match integral(samples, |_| 1.0) {
+        0.0 => Err(Cause::Contact { problem: ContactProblem::NoSpectrum }),
+        _ => Ok(()),
+    }
+}
+
+/// ∫ f 𝒞 dτ = ∫ f τ𝒞 d ln τ: exact for f = 1, where the integrand is linear.
+fn integral(samples: &[DensitySample], weight: fn(f64) -> f64) -> f64 {
+    let value = |sample: &DensitySample| weight(sample.time) * sample.time * sample.density;
+    let part = |pair: &[DensitySample]| {
+        0.5 * (value(&pair[0]) + value(&pair[1])) * (pair[1].time / pair[0].time).ln()
     };
-    let compliance = integral(|_| 1.0);
-    if compliance == 0.0 {
-        return Err(Cause::Contact { problem: ContactProblem::NoSpectrum }.at(node.place));
-    }
-    inputs.set_prony(integral(|time| time) / compliance, compliance);
-    let sample = |[time, density]: [f64; 2]| DensitySample { time, density };
-    Ok(Density::Samples(samples.into_iter().map(sample).collect()))
+    samples.windows(2).map(part).sum()
 }

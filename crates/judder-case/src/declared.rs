@@ -5,6 +5,7 @@
 
 mod form;
 mod named;
+mod scaled;
 mod values;
 
 use crate::document::Node;
@@ -14,6 +15,7 @@ use serde_json::{Map, Value as Json};
 
 pub(crate) use form::{Declaration, Form, alternatives, together};
 pub use named::Named;
+pub(crate) use scaled::{Ladder, Scaled};
 pub(crate) use values::{Fixed, Number, Pair, Several, UNLIMITED, Whole, conflict};
 
 /// A table of settings.

@@ -57,9 +57,8 @@ pub(crate) const ENGINES: MotionKind = MotionKind {
 };
 
 pub(crate) fn read(section: &Section<'_>) -> Result<EnginesSettings, Fault> {
-    let range = |key: &Key<EnginesKey>, default: (f64, f64, usize)| {
-        read_span(section, key, Some(default), (default.2, LADDER_POINTS))
-    };
+    let range =
+        |key: &Key<EnginesKey>, default: (f64, f64, usize)| read_span(section, key, default, LADDER_POINTS);
     Ok(EnginesSettings {
         start: read_start::<OscillatorKeys>(section)?,
         following: read_following::<OscillatorKeys>(section, &ENGINES)?,

@@ -4,9 +4,11 @@ use std::path::{Path, PathBuf};
 
 use crate::cause::Cause;
 use crate::contact_problem::ContactProblem;
+use crate::declared::{Form, Setting};
 use crate::document::Node;
 use crate::error::Fault;
 use crate::section::{Section, text};
+use serde_json::{Value as Json, json};
 
 /// A file that a case names; it was there when the case was read.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -23,6 +25,25 @@ impl FileReference {
     pub fn lies_in(&self, path: &Path) -> bool {
         let real = |path: &Path| path.canonicalize().ok();
         real(&self.path).zip(real(path)).is_some_and(|(file, path)| file.starts_with(path))
+    }
+}
+
+/// Where it lies is found when the folder of the case is known.
+impl Setting for FileReference {
+    type Rule = ();
+
+    fn form((): &()) -> Form {
+        let words = "a path relative to the case file".to_owned();
+        Form::Told { schema: json!({ "type": "string" }), words, keys: Vec::new() }
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
+        let given = text(&section.path(key), node)?.to_owned();
+        Ok(Self { path: PathBuf::from(&given), given })
+    }
+
+    fn write(&self, (): &()) -> Json {
+        json!(self.given)
     }
 }
 

@@ -1,7 +1,6 @@
 //! The one table of keys: every numeric key of an oscillator case, with its dimension, group, range and default.
 //!
-//! Reading, defaults, unit errors, `--set`, sweeps, the schema and the templates are all driven by [`KEYS`]; the numbers that
-//! contact cases have besides stand in [`CONTACT_KEYS`](crate::contact_keys::CONTACT_KEYS).
+//! Reading, defaults, unit errors, `--set`, sweeps, the schema and the templates are all driven by [`KEYS`].
 
 use judder_numerics::words::plain;
 use std::fmt;

@@ -11,7 +11,7 @@
 //! - [`given`]: a value that no case file has: a number or a text, read as a case file would.
 //! - [`sweep`], [`span`], `swept_keys`, `read_sweep`: what an analysis varies, over which range.
 //! - `analysis`, [`oscillator_analysis`], [`oscillator_case`]: the oscillator case and its analyses.
-//! - [`contact_keys`], [`substrate`], [`shape`], [`contact_analysis`], [`contact_case`]: the contact case and its analyses;
+//! - [`substrate`], [`temperature`], [`shape`], [`contact_analysis`], [`transient_analysis`], [`contact_case`]: the contact case and its analyses;
 //!   [`file_reference`]: the files that a case names; [`memory`]: what they may take; [`continuous`]: a spectrum without lines.
 //! - [`motion_analysis`], [`engines_analysis`], [`belt_case`]: the analyses of motion, and the mass on a belt.
 //! - [`expression`], `matrix`, [`mass`], [`two_degrees`]: the two-degrees case, matrices of expressions.
@@ -32,7 +32,6 @@ pub mod cause;
 pub mod compose;
 pub mod contact_analysis;
 pub mod contact_case;
-pub mod contact_keys;
 pub mod contact_problem;
 pub mod continuous;
 mod declared;
@@ -70,6 +69,7 @@ pub mod study_sweep;
 pub mod substrate;
 pub mod sweep;
 mod swept_keys;
+pub mod temperature;
 pub mod template;
 pub mod transient_analysis;
 pub mod two_degrees;
@@ -81,12 +81,12 @@ pub use case_file::{Case, CaseFile};
 pub use cause::Cause;
 pub use compose::{alone, compose, contact_case_of};
 pub use contact_analysis::{
-    ContactAnalysis, ContactSettings, FitSettings, LawMethod, LawSettings, Loading, ModulusSettings,
+    ContactAnalysis, ContactSettings, FitReading, FitSettings, LawMethod, LawSettings, Loading,
+    ModulusSettings,
 };
 pub use contact_case::ContactCase;
-pub use contact_keys::{CONTACT_KEYS, ContactKey};
 pub use contact_problem::ContactProblem;
-pub use continuous::{ContinuousSource, Density, DensitySample, TermChoice};
+pub use continuous::{ContinuousSource, Density, DensitySample, LogNormal, PowerLaw, TermChoice};
 pub use declared::Named;
 pub use dimension::Dimension;
 pub use engines_analysis::EnginesSettings;
@@ -115,8 +115,9 @@ pub use structure::{StructureCase, StructureSource};
 pub use study_sweep::problem::SweepProblem;
 pub use study_sweep::quantity_path::{QuantityPath, QuantitySource, QuantityStep, Reduction};
 pub use study_sweep::{Design, Sensitivity, StudySweep, SweptKey, SweptValues};
-pub use substrate::{PronyTerm, RelaxationSource, RelaxationTerm, Shift, Substrate, Temperature, TermCount};
+pub use substrate::{PronyTerm, RelaxationSource, RelaxationTerm, Substrate, TermCount};
 pub use sweep::{Family, MapMethod, ParameterKey, Scale, StabilityMap, Sweep, Within};
+pub use temperature::{Arrhenius, Shift, Temperature, TemperatureDifference, Wlf};
 pub use template::{TEMPLATES, template};
-pub use transient_analysis::{Motion, Oscillation, TransientSettings};
+pub use transient_analysis::{Motion, MotionWord, Oscillation, TransientSettings};
 pub use two_degrees::{Parameter, TwoDegreesAnalysis, TwoDegreesCase, TwoDegreesMatrices};

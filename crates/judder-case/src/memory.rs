@@ -4,12 +4,12 @@ use std::fmt;
 
 use crate::cause::Cause;
 use crate::contact_problem::ContactProblem;
+use crate::declared::{Form, Setting};
+use crate::document::Node;
 use crate::error::Fault;
 use crate::quantity::leading_number;
 use crate::section::{Section, text};
-
-/// The key under which a case or an analysis limits memory.
-pub(crate) const MEMORY_LIMIT: &str = "memory_limit";
+use serde_json::{Value as Json, json};
 
 /// An amount of memory.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -64,13 +64,29 @@ impl fmt::Display for Memory {
     }
 }
 
-/// Reads `memory_limit` of a section.
-pub(crate) fn read_memory_limit(section: &Section<'_>) -> Result<Option<Memory>, Fault> {
-    let Some(node) = section.get(MEMORY_LIMIT) else { return Ok(None) };
-    let key = section.path(MEMORY_LIMIT);
-    match Memory::parse(text(&key, node)?) {
-        Some(memory) => Ok(Some(memory)),
-        None => Err(Cause::Contact { problem: ContactProblem::NotMemory { key } }.at(node.place)),
+/// 4 GiB where it is left out.
+impl Setting for Memory {
+    type Rule = ();
+    const IS_OPTIONAL: bool = true;
+
+    fn absent() -> Option<Self> {
+        Some(Self::DEFAULT)
+    }
+
+    fn form((): &()) -> Form {
+        let schema = json!({ "type": "string", "examples": ["4 GiB", "512 MiB"], "default": "4 GiB" });
+        let units = UNITS.map(|(unit, _)| unit).join(", ");
+        Form::Told { schema, words: format!("an amount such as 4 GiB, in {units}"), keys: Vec::new() }
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
+        let key = section.path(key);
+        Self::parse(text(&key, node)?)
+            .ok_or_else(|| Cause::Contact { problem: ContactProblem::NotMemory { key } }.at(node.place))
+    }
+
+    fn write(&self, (): &()) -> Json {
+        json!(self.bytes)
     }
 }
 

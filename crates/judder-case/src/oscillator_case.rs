@@ -4,8 +4,8 @@ use std::path::Path;
 
 use crate::analysis::{Analysis, read_analyses};
 use crate::cause::Cause;
-use crate::contact_analysis::{LAW_ACCURACY, read_pure};
-use crate::contact_keys::ContactKey;
+use crate::contact_analysis::{ACCURACY, LAW_ACCURACY};
+use crate::declared::Setting;
 use crate::document::{Data, Node};
 use crate::error::{Fault, Place};
 use crate::file_reference::{FileReference, read_file_reference};
@@ -162,8 +162,8 @@ fn read_law_table(table: &Section<'_>, case: &mut OscillatorCase, folder: &Path)
         return Err(Cause::LawTable { key: "file", requirement }.at(file.place));
     }
     case.law = LawName::Bem;
-    if table.get("accuracy").is_some() {
-        case.law_accuracy = read_pure(table, ContactKey::Accuracy)?;
+    if let Some(node) = table.get("accuracy") {
+        case.law_accuracy = Setting::read(table, "accuracy", node, &ACCURACY)?;
     }
     Ok(())
 }

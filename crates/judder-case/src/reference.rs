@@ -7,10 +7,12 @@ mod sweep;
 use crate::analysis::Kind;
 use crate::belt_case::{self, BELT_KEYS};
 use crate::contact_analysis;
-use crate::declared::Declaration;
+use crate::contact_case::IndenterKeys;
+use crate::declared::{Declaration, Settings};
 use crate::oscillator_analysis;
+use crate::substrate::SubstrateKeys;
 use crate::two_degrees;
-use crate::{CONTACT_KEYS, FrictionLoad, KEYS, Key, LawName, Range};
+use crate::{FrictionLoad, KEYS, Key, LawName, Range};
 
 /// The page, as Markdown.
 pub fn reference() -> String {
@@ -35,14 +37,13 @@ pub fn reference() -> String {
         loads.join(", ")
     );
     page += SUBSTRATE;
+    page += &settings("[substrate]` beside moduli, times and `poisson_ratio", &SubstrateKeys::declarations());
     page += "\n## Analyses of an oscillator case\n\n";
     page += &kinds(&oscillator_analysis::KINDS);
     page += MARGIN;
     page += MOTION;
     page += CONTACT;
-    for key in &CONTACT_KEYS {
-        page += &row(key);
-    }
+    page += &settings("[indenter]` beside `radius", &IndenterKeys::declarations());
     page += "\n### Analyses of a contact case\n\n";
     page += &kinds(&contact_analysis::KINDS);
     page += CONTACT_RANGES;
@@ -138,24 +139,18 @@ const CONTACT: &str = "
 ## Keys of a contact case
 
 `model = \"contact\"` takes `[substrate]` as above, `[indenter]` with `radius` and `shape`, and analyses. `shape` is `\"paraboloid\"` (the default), \
-`\"sphere\"`, `\"cylinder\"` (a line contact: forces are per length), a height map `{ heights = \"file.npy\", spacing = \"1 um\" }` (npy, text matrix or \
-NetCDF; `variable` picks one of several, `unit` is the length of a height of 1, `periodic = true` repeats it, \
-`turned_over = true` lets the largest heights touch first, as the peaks of a measured topography do), or a generated surface \
+`\"sphere\"`, `\"cylinder\"` (a line contact: forces are per length), a height map `{ heights = \"file.npy\", spacing = \"1 um\" }`, or a generated surface \
 `{ rough = { period = \"1 mm\", cells = 256, hurst = 0.8, rms_height = \"1 um\", seed = 1 } }`.
 
 `memory_limit = \"4 GiB\"`, of the case or of one analysis, is what the largest grid of one contact may take (4 GiB where left out; units TiB, GiB, MiB, KiB, \
 TB, GB, MB, kB). A law solves as many contacts at a time as there are threads. A grid that needs more is refused before it is made.
-
-| key | symbol | a plain number is | a string is | default | allowed | what it is |
-| --- | --- | --- | --- | --- | --- | --- |
 ";
 
 /// What follows the analyses of a contact case.
 const CONTACT_RANGES: &str = "
 A `contact` takes `velocity` and either `indentation` or `load`. In the kinds `contact-law`, `fit` and `modulus`, `velocity`, `indentation` and `frequency` are ranges \
-`{ from = 1e-6, to = 1e4, points = 51 }` with equal ratios between their points. `method` is `collapse` (one curve over v τ/√(R δ), exact for a paraboloid \
-and its default) or `sweep`; the default accuracy of a law is 1e-2. An accuracy is that of the force; area and friction may be five times as far off. \
-A law is `converged` where the errors of its interpolation and of its contacts together are within it. `cells` is an even number, 64 at least.
+with equal ratios between their points. The method `collapse` is one curve over v τ/√(R δ), exact for a paraboloid. \
+A law is `converged` where the errors of its interpolation and of its contacts together are within its accuracy, which is that of the force.
 
 A `transient` takes `motion`, `duration`, and either `indentation` or `load`. `motion = \"start\"` takes `velocity`, at which the indenter slides from time 0 on; \
 `\"reciprocation\"` takes `amplitude` and `frequency` of its position; `\"rest\"` neither. `oscillation = { amplitude = 1e-3, frequency = 0.4 }` adds a wave to the \

@@ -12,13 +12,14 @@ use serde_json::{Map, Value as Json, json};
 
 use crate::analysis::Kind;
 use crate::belt_case::BELT_KEYS;
-use crate::contact_keys::CONTACT_KEYS;
-use crate::declared::Declaration;
+use crate::contact_analysis::LawSettings;
+use crate::declared::{Declaration, Settings};
 use crate::inputs::{FrictionLoad, LawName};
 use crate::keys::{KEYS, Key, OscillatorKey, Range};
 use crate::motion_analysis::BASIN;
 use crate::oscillator_analysis::{LOAD_WITHIN, MARGIN_OF_MAP, MARGIN_OF_THRESHOLDS, SHEAR_STRENGTH_WITHIN};
 use crate::oscillator_case::SECTIONS;
+use crate::substrate::SubstrateKeys;
 use crate::sweep::{MapMethod, Scale};
 use crate::swept_keys::OscillatorKeys;
 use crate::two_degrees::CRITICAL_POINTS;
@@ -35,9 +36,6 @@ pub fn schema() -> Json {
         "sweeps": sweep::sweeps(),
     });
     for entry in &KEYS {
-        definitions[entry.path] = key(entry);
-    }
-    for entry in &CONTACT_KEYS {
         definitions[entry.path] = key(entry);
     }
     definitions["belt-key"] = names(BELT_KEYS.iter().map(|entry| entry.path), "dotted path of a key");
@@ -98,7 +96,7 @@ pub(crate) fn plain_number(range: Range) -> Json {
 }
 
 /// What a numeric key takes: a group, a quantity in quotes, or either.
-fn key<K>(entry: &Key<K>) -> Json {
+pub(crate) fn scaled_number<K>(entry: &Key<K>) -> Json {
     let mut forms = Vec::new();
     if let Some(group) = entry.group {
         let mut form = plain_number(entry.range);
@@ -112,7 +110,13 @@ fn key<K>(entry: &Key<K>) -> Json {
             "type": "string", "description": entry.dimension.to_string(), "examples": examples,
         }));
     }
-    let mut json = json!({ "description": format!("{}: {}", entry.symbol, entry.doc), "anyOf": forms });
+    json!({ "anyOf": forms })
+}
+
+/// A numeric key of a table of keys.
+fn key<K>(entry: &Key<K>) -> Json {
+    let mut json = scaled_number(entry);
+    json["description"] = json!(format!("{}: {}", entry.symbol, entry.doc));
     if let Some((text, value)) = entry.default {
         json["default"] = if entry.group.is_some() { json!(value.number) } else { json!(text) };
     }
@@ -131,14 +135,17 @@ fn oscillator() -> Json {
         let mut keys: Map<_, _> =
             entries.map(|entry| (entry.name().to_owned(), reference(entry.path))).collect();
         match section {
-            "substrate" => keys.extend(contact::substrate()),
+            "substrate" => {
+                let declared = SubstrateKeys::declarations();
+                keys.extend(declared.iter().map(|key| (key.name.to_owned(), key.schema())));
+            }
             "contact" => {
                 let words = choice(LawName::ALL.map(|(name, _)| name), "oscillator-paper", "contact law");
                 let file = object([("file", contact::file("a law that was computed earlier"))]);
                 let file = table("a law from a file", file, &["file"]);
                 let computed = object([
                     ("computed", json!({ "const": true })),
-                    ("accuracy", reference("analysis.accuracy")),
+                    ("accuracy", Declaration::find(&LawSettings::declarations(), "accuracy")),
                 ]);
                 let computed = table("the law `bem`, with its accuracy", computed, &["computed"]);
                 let laws = json!({ "anyOf": [words, file, computed], "default": "oscillator-paper" });

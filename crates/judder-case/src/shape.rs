@@ -3,13 +3,17 @@
 use std::path::Path;
 
 use crate::cause::Cause;
-use crate::contact_keys::ContactKey;
 use crate::contact_problem::ContactProblem;
+use crate::declared::{Declaration, Form, Number, Setting, Settings, Whole, both};
+use crate::dimension::Dimension;
 use crate::document::{Data, Node};
 use crate::error::Fault;
 use crate::file_reference::{FileReference, read_file_reference};
-use crate::section::Section;
-use crate::swept_keys::read_value;
+use crate::keys::Range;
+use crate::schema::declared_table;
+use crate::section::{Section, word};
+use judder_keys_derive::Settings;
+use serde_json::{Value as Json, json};
 
 /// The shape of the indenter.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,40 +30,59 @@ pub enum Shape {
     Rough(RoughSurface),
 }
 
-/// Heights from a file; lengths in m.
-#[derive(Debug, Clone, PartialEq)]
+/// A height map; lengths in m.
+#[derive(Debug, Clone, PartialEq, Settings)]
 pub struct HeightFile {
-    /// The file: npy, a text matrix, or NetCDF.
+    /// The file: npy, a text matrix or NetCDF; a path relative to the case file.
+    #[key(
+        name = "heights",
+        example = "\"file.npy\", or rough = { … }, or shape = \"paraboloid\", \"sphere\" or \"cylinder\""
+    )]
     pub file: FileReference,
-    /// Distance of neighbouring heights; `None` where the file's coordinates say it.
+    /// Distance of neighbouring heights; may be left out where the file has coordinates.
+    #[key(rule = LENGTH, symbol = "h")]
     pub spacing: Option<f64>,
     /// The variable of a file that holds several.
     pub variable: Option<String>,
-    /// The length that a height of 1 stands for.
+    /// The length that a height of 1 in the file stands for.
+    #[key(rule = LENGTH, default = 1.0)]
     pub unit: f64,
     /// Whether the surface repeats itself at its edges.
+    #[key(default = false)]
     pub periodic: bool,
     /// Whether large heights point towards the substrate, as in a measured topography, so that its peaks touch first.
+    #[key(default = false)]
     pub turned_over: bool,
 }
 
-/// A generated self-affine rough surface; lengths in m.
-#[derive(Debug, Clone, PartialEq)]
+/// A generated self-affine surface; lengths in m.
+#[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(check = RoughSurface::complete)]
 pub struct RoughSurface {
     /// Side of the periodic square.
+    #[key(rule = LENGTH, symbol = "L", example = "\"1 mm\"")]
     pub period: f64,
     /// Cells along a side.
+    #[key(rule = Whole { from: ROUGH_CELLS[0], to: ROUGH_CELLS[1] }, example = "256, along a side")]
     pub cells: usize,
-    /// Hurst exponent.
+    /// The Hurst exponent of the self-affine part.
+    #[key(rule = HURST, symbol = "H", example = "0.8")]
     pub hurst: f64,
-    /// Longest wave of the self-affine part.
-    pub roll_off: f64,
-    /// Shortest wave.
-    pub cut_off: f64,
-    /// How high or steep it is.
-    pub roughness: Roughness,
+    /// Longest wave of the self-affine part; the period where left out.
+    #[key(rule = LENGTH, symbol = "λ_r")]
+    roll_off: Option<f64>,
+    /// Shortest wave; four cells where left out.
+    #[key(rule = LENGTH, symbol = "λ_s")]
+    cut_off: Option<f64>,
+    /// Root mean square of the heights; or give `rms_slope`.
+    #[key(rule = LENGTH, symbol = "h_rms", omitted)]
+    rms_height: Option<f64>,
+    /// Root mean square of the slope, in place of that of the heights.
+    #[key(rule = Number::positive(Dimension::NUMBER), symbol = "g_rms", omitted)]
+    rms_slope: Option<f64>,
     /// The seed of its phases.
-    pub seed: u64,
+    #[key(rule = Whole { from: 0, to: usize::MAX }, default = 0)]
+    pub seed: usize,
 }
 
 /// The measure to which a rough surface is scaled.
@@ -70,6 +93,13 @@ pub enum Roughness {
     /// Root mean square of the slope.
     Slope(f64),
 }
+
+const LENGTH: Number = Number::positive(Dimension::LENGTH);
+const HURST: Number =
+    Number { dimension: Dimension::NUMBER, range: Range::Interval { above: 0.0, up_to: 1.0 } };
+
+/// The cells along a side that a rough surface may have.
+const ROUGH_CELLS: [usize; 2] = [8, 4096];
 
 impl Shape {
     /// The shapes that are words.
@@ -91,104 +121,126 @@ impl Shape {
             Self::Rough(_) => "rough",
         }
     }
-}
 
-/// The cells along a side that a rough surface may have.
-pub(crate) const ROUGH_CELLS: [usize; 2] = [8, 4096];
-
-/// Reads `shape` of `[indenter]`; a paraboloid where it is left out.
-pub(crate) fn read_shape(indenter: &Section<'_>, folder: &Path) -> Result<Shape, Fault> {
-    let Some(node) = indenter.get("shape") else { return Ok(Shape::Paraboloid) };
-    if matches!(node.data, Data::Text(_)) {
-        let words: [(&str, usize); 3] = [0, 1, 2].map(|index| (Shape::WORDS[index].0, index));
-        let index = indenter.choice("shape", "shape", &words)?.unwrap_or(0);
-        return Ok(Shape::WORDS[index].1.clone());
-    }
-    let has = |key: &str| matches!(&node.data, Data::Table(table) if table.get(key).is_some());
-    let mut known = Vec::new();
-    if has("heights") || !has("rough") {
-        known.extend(["heights", "spacing", "variable", "unit", "periodic", "turned_over"]);
-    }
-    if has("rough") {
-        known.push("rough");
-    }
-    let section = Section::open(node, "indenter.shape", "`indenter.shape`", &known)?;
-    match (section.get("heights"), section.get("rough")) {
-        (Some(_), Some(node)) => {
-            let (first, second) = (section.path("heights"), section.path("rough"));
-            Err(Cause::Contact { problem: ContactProblem::OneOfTwo { first, second } }.at(node.place))
+    /// Finds its file, which is relative to a folder.
+    pub(crate) fn found(mut self, indenter: &Section<'_>, folder: &Path) -> Result<Self, Fault> {
+        if let (Self::Heights(heights), Some(node)) = (&mut self, indenter.get("shape")) {
+            let section = Section::of_table(node, "indenter.shape", "`indenter.shape`")?;
+            heights.file = read_file_reference(&section, "heights", folder)?;
         }
-        (None, Some(node)) => read_rough(node).map(Shape::Rough),
-        (_, None) => read_heights(&section, folder).map(Shape::Heights),
+        Ok(self)
     }
 }
 
-fn read_heights(section: &Section<'_>, folder: &Path) -> Result<HeightFile, Fault> {
-    let expected =
-        "heights = \"file.npy\", or rough = { … }, or shape = \"paraboloid\", \"sphere\" or \"cylinder\"";
-    section.required("heights", expected)?;
-    let length = |key: ContactKey| {
-        let entry = key.entry();
-        section.get(entry.name()).map(|node| read_value(entry, entry.path, node)).transpose()
-    };
-    let unit = length(ContactKey::HeightUnit)?.map_or(1.0, |value| value.number);
-    Ok(HeightFile {
-        file: read_file_reference(section, "heights", folder)?,
-        spacing: length(ContactKey::Spacing)?.map(|value| value.number),
-        variable: section.text("variable")?.map(str::to_owned),
-        unit,
-        periodic: section.boolean("periodic")?.unwrap_or(false),
-        turned_over: section.boolean("turned_over")?.unwrap_or(false),
-    })
-}
+/// A paraboloid where it is left out.
+impl Setting for Shape {
+    type Rule = ();
+    const IS_OPTIONAL: bool = true;
 
-fn read_rough(node: &Node) -> Result<RoughSurface, Fault> {
-    let known = ["period", "cells", "hurst", "roll_off", "cut_off", "rms_height", "rms_slope", "seed"];
-    let section = Section::open(node, "indenter.shape.rough", "`indenter.shape.rough`", &known)?;
-    let optional = |key: ContactKey| {
-        let entry = key.entry();
-        let value = section.get(entry.name()).map(|node| read_value(entry, entry.path, node)).transpose()?;
-        Ok::<_, Fault>(value.map(|value| value.number))
-    };
-    let required = |key: ContactKey, example: &str| {
-        section.required(key.entry().name(), &format!("{} = {example}", key.entry().name()))?;
-        Ok::<_, Fault>(optional(key)?.unwrap_or_default())
-    };
-    let period = required(ContactKey::Period, "\"1 mm\"")?;
-    section.required("cells", "cells = 256, along a side")?;
-    let [fewest, most] = ROUGH_CELLS;
-    let cells = section.whole("cells", fewest, most)?.unwrap_or(fewest);
-    let hurst = required(ContactKey::Hurst, "0.8")?;
-    let roll_off = optional(ContactKey::RollOff)?.unwrap_or(period);
-    let cut_off = optional(ContactKey::CutOff)?.unwrap_or(4.0 * period / cells as f64);
-    for (longer, from, shorter, to, fine) in [
-        ("period", period, "roll_off", roll_off, period >= roll_off),
-        ("roll_off", roll_off, "cut_off", cut_off, roll_off > cut_off),
-        (
-            "cut_off",
-            cut_off,
-            "two cells",
-            2.0 * period / cells as f64,
-            cut_off >= 2.0 * period / cells as f64,
-        ),
-    ] {
-        if !fine {
-            let problem = ContactProblem::WaveLengths { longer, from, shorter, to };
-            return Err(Cause::Contact { problem }.at(node.place));
+    fn absent() -> Option<Self> {
+        Some(Self::Paraboloid)
+    }
+
+    fn form((): &()) -> Form {
+        let words = Self::WORDS.map(|(word, _)| word);
+        let rough: Declaration = Surface::declarations().remove(0);
+        let schema = json!({
+            "anyOf": [
+                { "enum": words, "default": words[0], "description": "shape of the indenter" },
+                declared_table("a height map", &HeightFile::declarations()),
+                declared_table("a rough surface", std::slice::from_ref(&rough)),
+            ],
+            "default": words[0],
+        });
+        let words = words.map(|word| format!("`\"{word}\"`")).join(", ");
+        let keys = HeightFile::declarations().into_iter().chain([rough]).collect();
+        Form::Told { schema, words: format!("{words}, or a table with `heights` or `rough`"), keys }
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
+        let path = section.path(key);
+        if matches!(node.data, Data::Text(_)) {
+            let index = word(&path, "shape", node, &[0, 1, 2].map(|index| (Self::WORDS[index].0, index)))?;
+            return Ok(Self::WORDS[index].1.clone());
+        }
+        let table = Section::of_table(node, &path, &format!("`{path}`"))?;
+        match (table.get("heights"), table.get("rough")) {
+            (Some(_), Some(node)) => {
+                let (first, second) = (table.path("heights"), table.path("rough"));
+                Err(Cause::Contact { problem: ContactProblem::OneOfTwo { first, second } }.at(node.place))
+            }
+            (None, Some(_)) => {
+                let rough = both(table.refuse_others(Surface::KEYS), Surface::read_table(&table));
+                rough.map(|((), surface)| Self::Rough(surface.rough))
+            }
+            _ => {
+                let heights = both(table.refuse_others(HeightFile::KEYS), HeightFile::read_table(&table));
+                heights.map(|((), heights)| Self::Heights(heights))
+            }
         }
     }
-    let roughness = match (optional(ContactKey::RmsHeight)?, optional(ContactKey::RmsSlope)?) {
-        (Some(height), None) => Roughness::Height(height),
-        (None, Some(slope)) => Roughness::Slope(slope),
-        (None, None) => {
-            section.required("rms_height", "rms_height = \"1 um\", or rms_slope = 0.1")?;
-            Roughness::Height(0.0)
+
+    fn write(&self, (): &()) -> Json {
+        match self {
+            Self::Heights(heights) => Setting::write(heights, &()),
+            Self::Rough(rough) => json!({ "rough": Setting::write(rough, &()) }),
+            word => json!(word.name()),
         }
-        (Some(_), Some(_)) => {
-            let (first, second) = (section.path("rms_height"), section.path("rms_slope"));
-            return Err(Cause::Contact { problem: ContactProblem::OneOfTwo { first, second } }.at(node.place));
+    }
+}
+
+/// The table of a generated surface.
+#[derive(Debug, Clone, PartialEq, Settings)]
+struct Surface {
+    /// A generated self-affine surface.
+    rough: RoughSurface,
+}
+
+impl RoughSurface {
+    /// Fills in the waves that are left out, and refuses those that do not descend, and two measures or none.
+    fn complete(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        (self.roll_off, self.cut_off) = (Some(self.roll_off()), Some(self.cut_off()));
+        let finest = 2.0 * self.period / self.cells as f64;
+        let (period, roll_off, cut_off) = (self.period, self.roll_off(), self.cut_off());
+        let wrong = [
+            ("period", period, "roll_off", roll_off, period < roll_off),
+            ("roll_off", roll_off, "cut_off", cut_off, roll_off <= cut_off),
+            ("cut_off", cut_off, "two cells", finest, cut_off < finest),
+        ];
+        let waves = match wrong.into_iter().find(|(.., is_wrong)| *is_wrong) {
+            Some((longer, from, shorter, to, _)) => {
+                let problem = ContactProblem::WaveLengths { longer, from, shorter, to };
+                Err(Cause::Contact { problem }.at(section.place))
+            }
+            None => Ok(()),
+        };
+        let measure = match (self.rms_height, self.rms_slope) {
+            (Some(_), Some(_)) => {
+                let (first, second) = (section.path("rms_height"), section.path("rms_slope"));
+                let problem = ContactProblem::OneOfTwo { first, second };
+                Err(Cause::Contact { problem }.at(section.place))
+            }
+            (None, None) => Err(section.missing("rms_height", "rms_height = \"1 um\", or rms_slope = 0.1")),
+            _ => Ok(()),
+        };
+        both(waves, measure).map(drop)
+    }
+
+    /// Longest wave of the self-affine part.
+    pub fn roll_off(&self) -> f64 {
+        self.roll_off.unwrap_or(self.period)
+    }
+
+    /// Shortest wave.
+    pub fn cut_off(&self) -> f64 {
+        self.cut_off.unwrap_or(4.0 * self.period / self.cells as f64)
+    }
+
+    /// How high or steep it is.
+    pub fn roughness(&self) -> Roughness {
+        match (self.rms_height, self.rms_slope) {
+            (Some(height), _) => Roughness::Height(height),
+            (None, slope) => Roughness::Slope(slope.unwrap_or_default()),
         }
-    };
-    let seed = section.whole("seed", 0, usize::MAX)?.unwrap_or(0) as u64;
-    Ok(RoughSurface { period, cells, hurst, roll_off, cut_off, roughness, seed })
+    }
 }

@@ -1,11 +1,13 @@
 //! Ranges with equal ratios between their points.
 
 use crate::cause::Cause;
+use crate::declared::both;
+use crate::document::Node;
 use crate::error::Fault;
-use crate::keys::{Form, Key, Range};
+use crate::keys::{Form, Key};
 use crate::section::Section;
+use crate::structure::analysis::ascending;
 use crate::swept_keys::read_value;
-use std::cmp::Ordering;
 
 /// A range with equal ratios between its points.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,42 +37,38 @@ impl Span {
     }
 }
 
-/// Reads `{ from, to, points }` of a key; `default` is in groups, and required without one. `points` are those of a range
-/// that does not say, and the most.
+/// Reads the range under the name of a key; `default` is in groups. `most` is how many points it may have.
 pub(crate) fn read_span<K>(
     section: &Section<'_>,
     entry: &Key<K>,
-    default: Option<(f64, f64, usize)>,
+    (from, to, points): (f64, f64, usize),
+    most: usize,
+) -> Result<Span, Fault> {
+    match section.get(entry.name()) {
+        Some(node) => read_ends(entry, entry.name(), node, (points, most)),
+        None => Ok(Span { from, to, points, form: Form::Group }),
+    }
+}
+
+/// Reads `{ from, to, points }`, with the points of a range that does not say, and the most.
+pub(crate) fn read_ends<K>(
+    entry: &Key<K>,
+    path: &str,
+    node: &Node,
     (usual, most): (usize, usize),
 ) -> Result<Span, Fault> {
-    let name = entry.name();
-    let node = match (section.get(name), default) {
-        (Some(node), _) => node,
-        (None, Some((from, to, points))) => return Ok(Span { from, to, points, form: Form::Group }),
-        (None, None) => section.required(name, "a range, { from = …, to = … }")?,
-    };
-    let table = Section::open(node, name, &format!("`{name}`"), &["from", "to", "points"])?;
+    let table = Section::of_table(node, path, &format!("`{path}`"))?;
     let end = |end: &str| {
         let node = table.required(end, &format!("{end} = …, the value at this end"))?;
-        let value = read_value(entry, &table.path(end), node)?;
-        if value.number > 0.0 {
-            return Ok((value, node.place));
-        }
-        let (key, number) = (table.path(end), value.number);
-        Err(Cause::OutOfRange { key, number, range: Range::Positive }.at(node.place))
+        Ok((read_value(entry, &table.path(end), node)?, node.place))
     };
-    let ((from, _), (to, to_place)) = (end("from")?, end("to")?);
+    let ends = both(both(end("from"), end("to")), table.whole("points", 2, most));
+    let ((), (((from, _), (to, to_place)), points)) =
+        both(table.refuse_others(&["from", "to", "points"]), ends)?;
     if from.form != to.form {
         let keys = format!("`{}` and `{}`", table.path("from"), table.path("to"));
         return Err(Cause::MixedForms { keys }.at(to_place));
     }
-    let (form, from, to) = (from.form, from.number, to.number);
-    match from.total_cmp(&to) {
-        Ordering::Equal => Err(Cause::EmptyRange { from }.at(table.place)),
-        Ordering::Greater => Err(Cause::Backwards { from, to }.at(table.place)),
-        Ordering::Less => {
-            let points = table.whole("points", 2, most)?.unwrap_or(usual);
-            Ok(Span { from, to, points, form })
-        }
-    }
+    ascending(from.number, to.number, node.place)?;
+    Ok(Span { from: from.number, to: to.number, points: points.unwrap_or(usual), form: from.form })
 }

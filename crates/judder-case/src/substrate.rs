@@ -3,16 +3,20 @@
 use std::path::Path;
 
 use crate::cause::Cause;
-use crate::contact_keys::ContactKey;
 use crate::contact_problem::ContactProblem;
-use crate::continuous::{ContinuousSource, Density, read_continuous};
+use crate::continuous::{ContinuousSource, Density};
+use crate::declared::{Form, Number, Setting, Settings, Several, all, both, conflict};
+use crate::dimension::Dimension;
 use crate::document::{Data, Node};
 use crate::error::Fault;
 use crate::file_reference::{FileReference, read_file_reference};
 use crate::inputs::OscillatorInputs;
 use crate::keys::{KEYS, Key, OscillatorKey, Value};
-use crate::section::{Section, list, wrong_type};
+use crate::section::{Section, list, whole, wrong_type};
 use crate::swept_keys::read_value;
+use crate::temperature::{Shift, Temperature};
+use judder_keys_derive::Settings;
+use serde_json::{Value as Json, json};
 
 /// What `[substrate]` says beside its numeric keys.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -38,7 +42,7 @@ impl Substrate {
                 _ => false,
             },
             RelaxationSource::Continuous(source) => match key {
-                OscillatorKey::GlassyModulus => matches!(source.density, Density::Samples(_)),
+                OscillatorKey::GlassyModulus => matches!(source.density(), Density::Samples(_)),
                 OscillatorKey::RetardationTime => true,
                 _ => false,
             },
@@ -95,6 +99,17 @@ pub enum RelaxationSource {
 }
 
 impl RelaxationSource {
+    /// The key of `[substrate]` that says it, where the numeric keys do not.
+    pub(crate) fn key(&self) -> Option<&'static str> {
+        match self {
+            Self::OneTime => None,
+            Self::Prony(_) => Some("prony"),
+            Self::Relaxation(_) => Some("relaxation"),
+            Self::Continuous(_) => Some("continuous"),
+            Self::Dma { .. } => Some("dma"),
+        }
+    }
+
     /// How many terms were given; `None` where measured data or a continuous spectrum decide.
     pub fn terms(&self) -> Option<usize> {
         match self {
@@ -107,20 +122,26 @@ impl RelaxationSource {
 }
 
 /// A term of the creep compliance, C (1 − e^{−t/τ}).
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
+#[settings(title = "a prony term")]
 pub struct PronyTerm {
-    /// τ, retardation (creep) time, s.
+    /// Retardation (creep) time of a term.
+    #[key(name = "time", rule = TIME, symbol = "τ_k")]
     pub retardation_time: f64,
-    /// C, 1/Pa.
+    /// Creep compliance of a term.
+    #[key(rule = Number::positive(Dimension::COMPLIANCE), symbol = "C_k")]
     pub compliance: f64,
 }
 
 /// A term of the relaxation modulus, E e^{−t/ρ}.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
+#[settings(title = "a relaxation term")]
 pub struct RelaxationTerm {
-    /// ρ, relaxation time, s.
+    /// Relaxation time of a term.
+    #[key(name = "time", rule = TIME, symbol = "ρ_j")]
     pub relaxation_time: f64,
-    /// E, Pa.
+    /// Modulus of a term.
+    #[key(rule = Number::positive(Dimension::STRESS), symbol = "E_j")]
     pub modulus: f64,
 }
 
@@ -133,41 +154,93 @@ pub enum TermCount {
     Given(usize),
 }
 
-/// A temperature and the rule by which it moves all times.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Temperature {
-    /// T, K.
-    pub temperature: f64,
-    /// The rule.
-    pub shift: Shift,
+/// What a substrate has beside its numeric keys, as a case says it.
+#[derive(Debug, Clone, PartialEq, Default, Settings)]
+#[settings(check = SubstrateKeys::fit)]
+pub(crate) struct SubstrateKeys {
+    /// Terms of the creep compliance: 1/E∞ = 1/E0 − Σ compliance.
+    #[key(rule = TERMS, omitted)]
+    prony: Option<Vec<PronyTerm>>,
+    /// Terms of the relaxation modulus: E∞ = E0 + Σ modulus.
+    #[key(rule = TERMS, omitted)]
+    relaxation: Option<Vec<RelaxationTerm>>,
+    /// A continuous spectrum, taken apart into retardation times.
+    #[key(omitted)]
+    continuous: Option<ContinuousSource>,
+    /// A series fitted to measured moduli.
+    #[key(omitted)]
+    dma: Option<MeasuredModuli>,
+    /// Temperature of the substrate; needs `shift`.
+    #[key(rule = Number::positive(Dimension::TEMPERATURE), symbol = "T", omitted)]
+    temperature: Option<f64>,
+    /// The rule by which temperature moves all times.
+    #[key(omitted)]
+    shift: Option<Shift>,
 }
 
-/// How temperature moves all times of a spectrum.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Shift {
-    /// log₁₀ a_T = −C1 (T − T_ref)/(C2 + T − T_ref).
-    Wlf {
-        /// C1.
-        first: f64,
-        /// C2, K.
-        second: f64,
-        /// T_ref, K.
-        reference: f64,
-    },
-    /// ln a_T = E_a/R_gas (1/T − 1/T_ref).
-    Arrhenius {
-        /// E_a, J/mol.
-        activation_energy: f64,
-        /// T_ref, K.
-        reference: f64,
-    },
+/// A series fitted to measured moduli.
+#[derive(Debug, Clone, PartialEq, Settings)]
+struct MeasuredModuli {
+    /// CSV of frequency, storage and loss modulus; a path relative to the case file.
+    #[key(example = "\"…\", a path relative to the case file")]
+    file: FileReference,
+    /// Number of terms of the fitted series.
+    #[key(default = TermCount::Auto)]
+    terms: TermCount,
 }
 
 /// The most terms that a series or a fit may have.
 pub const TERM_LIMIT: usize = 60;
 
-/// The keys of `[substrate]` that are not numeric.
-pub(crate) const OTHER_KEYS: [&str; 6] = ["prony", "relaxation", "continuous", "dma", "temperature", "shift"];
+/// A time of a spectrum.
+pub(crate) const TIME: Number = Number::positive(Dimension::TIME);
+const TERMS: Several<()> = Several { of: (), length: [1, TERM_LIMIT] };
+
+/// A term of a series, at a time of its own.
+pub(crate) trait Timed {
+    /// s.
+    fn time(&self) -> f64;
+}
+
+impl Timed for PronyTerm {
+    fn time(&self) -> f64 {
+        self.retardation_time
+    }
+}
+
+impl Timed for RelaxationTerm {
+    fn time(&self) -> f64 {
+        self.relaxation_time
+    }
+}
+
+impl Setting for TermCount {
+    type Rule = ();
+
+    fn form((): &()) -> Form {
+        let schema = json!({
+            "anyOf": [{ "type": "integer", "minimum": 1, "maximum": TERM_LIMIT }, { "const": "auto" }],
+        });
+        let words = format!("an integer from 1 to {TERM_LIMIT}, or `\"auto\"`");
+        Form::Told { schema, words, keys: Vec::new() }
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
+        let path = section.path(key);
+        match &node.data {
+            Data::Text(word) if word == "auto" => Ok(Self::Auto),
+            Data::Number { .. } => whole(&path, node, (1, TERM_LIMIT)).map(Self::Given),
+            _ => Err(wrong_type(&path, "a number of terms or \"auto\"", node)),
+        }
+    }
+
+    fn write(&self, (): &()) -> Json {
+        match self {
+            Self::Auto => json!("auto"),
+            Self::Given(count) => json!(count),
+        }
+    }
+}
 
 /// The keys that each say all of the relaxation, and those that follow from them.
 const CONFLICTS: [(&str, &str); 18] = [
@@ -200,159 +273,125 @@ pub(crate) fn read_substrate(
     folder: &Path,
 ) -> Result<Substrate, Fault> {
     let entries = || KEYS.iter().filter(|entry| entry.section() == "substrate");
-    let known: Vec<_> = entries().map(Key::name).chain(OTHER_KEYS).collect();
-    let section = Section::open(node, "substrate", "[substrate]", &known)?;
-    for entry in entries() {
-        if let Some(node) = section.get(entry.name()) {
-            inputs.set(entry.key, read_value(entry, entry.path, node)?);
-        }
+    let known: Vec<_> = entries().map(Key::name).chain(SubstrateKeys::KEYS.iter().copied()).collect();
+    let section = Section::of_table(node, "substrate", "[substrate]")?;
+    let given = entries().filter_map(|entry| section.get(entry.name()).map(|node| (entry, node)));
+    let numbers = all(given.map(|(entry, node)| Ok((entry.key, read_value(entry, entry.path, node)?))));
+    let conflicts = CONFLICTS.iter().try_for_each(|(first, second)| conflict(&section, first, second));
+    let keys = both(conflicts, SubstrateKeys::read_table(&section));
+    let (((), numbers), ((), keys)) = both(both(section.refuse_others(&known), numbers), keys)?;
+    for (key, value) in numbers {
+        inputs.set(key, value);
     }
-    for (first, second) in CONFLICTS {
-        if let (Some(_), Some(node)) = (section.get(first), section.get(second)) {
-            let (first, second) = (section.path(first), section.path(second));
-            return Err(Cause::Conflict { first, second }.at(node.place));
-        }
-    }
-    let source = read_source(&section, inputs, folder)?;
-    Ok(Substrate { source, temperature: read_temperature(&section)? })
+    let temperature = keys.temperature.zip(keys.shift);
+    let temperature = temperature.map(|(temperature, shift)| Temperature { temperature, shift });
+    let source = read_source(keys, &section, inputs, folder)?;
+    Ok(Substrate { source, temperature })
 }
 
 fn read_source(
+    keys: SubstrateKeys,
     section: &Section<'_>,
     inputs: &mut OscillatorInputs,
     folder: &Path,
 ) -> Result<RelaxationSource, Fault> {
-    if let Some(node) = section.get("prony") {
-        let terms = read_terms(node, [ContactKey::PronyTime, ContactKey::PronyCompliance])?;
-        let compliance: f64 = terms.iter().map(|[_, compliance]| compliance).sum();
-        let moment: f64 = terms.iter().map(|[time, compliance]| time * compliance).sum();
+    if let Some(terms) = keys.prony {
+        let compliance: f64 = terms.iter().map(|term| term.compliance).sum();
+        let moment: f64 = terms.iter().map(|term| term.retardation_time * term.compliance).sum();
         match terms.as_slice() {
-            [[time, compliance]] => inputs.set_prony(*time, *compliance),
+            [term] => inputs.set_prony(term.retardation_time, term.compliance),
             _ => inputs.set_prony(moment / compliance, compliance),
         }
-        let term = |[retardation_time, compliance]: [f64; 2]| PronyTerm { retardation_time, compliance };
-        return Ok(RelaxationSource::Prony(terms.into_iter().map(term).collect()));
+        return Ok(RelaxationSource::Prony(terms));
     }
-    if let Some(node) = section.get("relaxation") {
-        let terms = read_terms(node, [ContactKey::RelaxationTime, ContactKey::RelaxationModulus])?;
+    if let Some(terms) = keys.relaxation {
         set_relaxation(inputs, &terms);
-        let term = |[relaxation_time, modulus]: [f64; 2]| RelaxationTerm { relaxation_time, modulus };
-        return Ok(RelaxationSource::Relaxation(terms.into_iter().map(term).collect()));
+        return Ok(RelaxationSource::Relaxation(terms));
     }
-    if let Some(node) = section.get("continuous") {
-        let source = read_continuous(node, inputs)?;
-        if let (Density::Samples(_), Some(node)) = (&source.density, section.get("glassy_modulus")) {
-            let (first, second) = (section.path("continuous"), section.path("glassy_modulus"));
-            return Err(Cause::Conflict { first, second }.at(node.place));
+    if let Some(source) = keys.continuous {
+        if matches!(source.density(), Density::Samples(_)) {
+            conflict(section, "continuous", "glassy_modulus")?;
         }
+        source.decide(inputs);
         return Ok(RelaxationSource::Continuous(source));
     }
-    let Some(node) = section.get("dma") else { return Ok(RelaxationSource::OneTime) };
-    let table = Section::open(node, "substrate.dma", "`substrate.dma`", &["file", "terms"])?;
-    let file = read_file_reference(&table, "file", folder)?;
-    let terms = match table.get("terms") {
-        None => TermCount::Auto,
-        Some(Node { data: Data::Text(word), .. }) if word == "auto" => TermCount::Auto,
-        Some(Node { data: Data::Number { .. }, .. }) => {
-            TermCount::Given(table.whole("terms", 1, TERM_LIMIT)?.unwrap_or(1))
-        }
-        Some(node) => return Err(wrong_type(&table.path("terms"), "a number of terms or \"auto\"", node)),
+    let (Some(dma), Some(node)) = (keys.dma, section.get("dma")) else {
+        return Ok(RelaxationSource::OneTime);
     };
+    let table = Section::of_table(node, "substrate.dma", "`substrate.dma`")?;
+    let file = read_file_reference(&table, "file", folder)?;
     let rubbery = section.get("rubbery_modulus").map(|_| inputs.number(OscillatorKey::RubberyModulus));
-    Ok(RelaxationSource::Dma { file, terms, rubbery_modulus: rubbery })
+    Ok(RelaxationSource::Dma { file, terms: dma.terms, rubbery_modulus: rubbery })
 }
 
 /// Sets E∞ = E0 + Σ E_j and the mean retardation time: both forms have one moment, Σ C_k τ_k = Σ E_j ρ_j/E0².
-fn set_relaxation(inputs: &mut OscillatorInputs, terms: &[[f64; 2]]) {
+fn set_relaxation(inputs: &mut OscillatorInputs, terms: &[RelaxationTerm]) {
     let rubbery = inputs.number(OscillatorKey::RubberyModulus);
-    let glassy = rubbery + terms.iter().map(|[_, modulus]| modulus).sum::<f64>();
-    let moment = terms.iter().map(|[time, modulus]| time * modulus / rubbery).sum::<f64>() / rubbery;
+    let glassy = rubbery + terms.iter().map(|term| term.modulus).sum::<f64>();
+    let moment =
+        terms.iter().map(|term| term.relaxation_time * term.modulus / rubbery).sum::<f64>() / rubbery;
     inputs.set(OscillatorKey::GlassyModulus, Value::si(glassy));
     inputs.set(OscillatorKey::RetardationTime, Value::si(moment / (1.0 / rubbery - 1.0 / glassy)));
 }
 
-/// Reads a list of terms, a time and a weight each, in the order of their times.
-pub(crate) fn read_terms(node: &Node, [time, weight]: [ContactKey; 2]) -> Result<Vec<[f64; 2]>, Fault> {
-    let (time, weight) = (time.entry(), weight.entry());
-    let (key, _) = time.path.rsplit_once('.').unwrap_or_default();
-    let items = list(key, node)?;
-    let mut terms: Vec<[f64; 2]> = Vec::with_capacity(items.len());
-    for item in items {
-        let word = match time.key {
-            ContactKey::PronyTime => "a prony term",
-            ContactKey::RelaxationTime => "a relaxation term",
-            _ => "a sample of the spectrum",
-        };
-        let section = Section::open(item, key, word, &[time.name(), weight.name()])?;
-        let read = |entry: &Key<ContactKey>| {
-            let expected = format!("{} = \"{}\"", entry.name(), entry.example());
-            read_value(entry, entry.path, section.required(entry.name(), &expected)?)
-        };
-        let term = [read(time)?.number, read(weight)?.number];
-        if let Some([before, _]) = terms.last().filter(|[before, _]| *before > term[0]) {
-            let problem = ContactProblem::UnsortedTimes { key, before: *before, time: term[0] };
+/// Refuses terms that do not ascend in time, none and too many; the path is that of their list.
+pub(crate) fn are_terms<T: Timed>(
+    section: &Section<'_>,
+    path: &'static str,
+    terms: Option<&Vec<T>>,
+) -> Result<(), Fault> {
+    let (_, key) = path.rsplit_once('.').unwrap_or_default();
+    let (Some(terms), Some(node)) = (terms, section.get(key)) else { return Ok(()) };
+    for (pair, item) in terms.windows(2).zip(list(path, node)?.iter().skip(1)) {
+        let (before, time) = (pair[0].time(), pair[1].time());
+        if before > time {
+            let problem = ContactProblem::UnsortedTimes { key: path, before, time };
             return Err(Cause::Contact { problem }.at(item.place));
         }
-        terms.push(term);
     }
     match terms.len() {
-        0 => Err(Cause::EmptyList { key: key.to_owned() }.at(node.place)),
-        1..=TERM_LIMIT => Ok(terms),
+        0 => Err(Cause::EmptyList { key: path.to_owned() }.at(node.place)),
+        1..=TERM_LIMIT => Ok(()),
         found => {
-            let key = format!("the number of terms of {key}");
+            let key = format!("the number of terms of {path}");
             let problem = ContactProblem::Count { key, from: 1, to: TERM_LIMIT, found: found as i64 };
             Err(Cause::Contact { problem }.at(node.place))
         }
     }
 }
 
-/// Reads `temperature` and `shift`, which stand together or not at all.
-fn read_temperature(section: &Section<'_>) -> Result<Option<Temperature>, Fault> {
-    if section.get("temperature").is_none() && section.get("shift").is_none() {
-        return Ok(None);
+impl SubstrateKeys {
+    /// Refuses series that are none, and a temperature without its shift, or a shift alone.
+    fn fit(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        let series = both(
+            are_terms(section, "substrate.prony", self.prony.as_ref()),
+            are_terms(section, "substrate.relaxation", self.relaxation.as_ref()),
+        );
+        let temperature = match (self.temperature, self.shift) {
+            (None, Some(_)) => Err(section
+                .missing("temperature", "temperature = \"25 degC\", at which the substrate is used")),
+            (Some(_), None) => Err(section.missing(
+                "shift",
+                "shift = { wlf = { c1 = …, c2 = \"… K\", reference_temperature = \"… degC\" } } or shift = { arrhenius = { … } }",
+            )),
+            _ => Ok(()),
+        };
+        both(series, temperature).map(drop)
     }
-    let node =
-        section.required("temperature", "temperature = \"25 degC\", at which the substrate is used")?;
-    let temperature = read_value(ContactKey::Temperature.entry(), "substrate.temperature", node)?.number;
-    let expected = "shift = { wlf = { c1 = …, c2 = \"… K\", reference_temperature = \"… degC\" } } or shift = { arrhenius = { … } }";
-    let node = section.required("shift", expected)?;
-    let rule = Section::open(node, "substrate.shift", "`substrate.shift`", &["wlf", "arrhenius"])?;
-    let shift = match (rule.get("wlf"), rule.get("arrhenius")) {
-        (Some(_), Some(second)) => {
-            let (first, key) = (rule.path("wlf"), rule.path("arrhenius"));
-            return Err(Cause::Conflict { first, second: key }.at(second.place));
-        }
-        (Some(node), None) => {
-            let keys = [ContactKey::WlfFirst, ContactKey::WlfSecond, ContactKey::WlfReference];
-            let [first, second, reference] = read_numbers(node, keys)?;
-            Shift::Wlf { first, second, reference }
-        }
-        (None, Some(node)) => {
-            let keys = [ContactKey::ActivationEnergy, ContactKey::ArrheniusReference];
-            let [activation_energy, reference] = read_numbers(node, keys)?;
-            Shift::Arrhenius { activation_energy, reference }
-        }
-        (None, None) => {
-            let (key, section) = ("wlf".to_owned(), "`substrate.shift`".to_owned());
-            let expected = "wlf = { … } or arrhenius = { … }".to_owned();
-            return Err(Cause::MissingKey { key, section, expected }.at(node.place));
-        }
-    };
-    Ok(Some(Temperature { temperature, shift }))
 }
 
-/// Reads a table that holds exactly these numbers.
-pub(crate) fn read_numbers<const N: usize>(node: &Node, keys: [ContactKey; N]) -> Result<[f64; N], Fault> {
-    let names = keys.map(|key| key.entry().name());
-    let (path, _) = keys[0].entry().path.rsplit_once('.').unwrap_or_default();
-    let section = Section::open(node, path, &format!("`{path}`"), &names)?;
-    let mut numbers = [0.0; N];
-    for (number, key) in numbers.iter_mut().zip(keys) {
-        let entry = key.entry();
-        let example =
-            if entry.dimension.is_number() { "1.5".to_owned() } else { format!("\"{}\"", entry.example()) };
-        let node = section.required(entry.name(), &format!("{} = {example}", entry.name()))?;
-        *number = read_value(entry, entry.path, node)?.number;
+impl From<&Substrate> for SubstrateKeys {
+    fn from(substrate: &Substrate) -> Self {
+        let mut keys = Self::default();
+        match substrate.source.clone() {
+            RelaxationSource::OneTime => (),
+            RelaxationSource::Prony(terms) => keys.prony = Some(terms),
+            RelaxationSource::Relaxation(terms) => keys.relaxation = Some(terms),
+            RelaxationSource::Continuous(source) => keys.continuous = Some(source),
+            RelaxationSource::Dma { file, terms, .. } => keys.dma = Some(MeasuredModuli { file, terms }),
+        }
+        keys.temperature = substrate.temperature.map(|own| own.temperature);
+        keys.shift = substrate.temperature.map(|own| own.shift);
+        keys
     }
-    Ok(numbers)
 }

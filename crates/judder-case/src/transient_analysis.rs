@@ -1,30 +1,47 @@
 //! The settings of a contact that is followed in time.
 
 use crate::cause::Cause;
-use crate::contact_analysis::{ContactScope, Loading};
-use crate::contact_keys::ContactKey;
+use crate::contact_analysis::{ContactScope, FREQUENCY, INDENTATION, LOAD, Loading, VELOCITY};
 use crate::contact_problem::ContactProblem;
+use crate::declared::{Scaled, Settings, Whole, all, both};
+use crate::dimension::Dimension;
 use crate::error::Fault;
-use crate::keys::Value;
-use crate::memory::{MEMORY_LIMIT, Memory};
+use crate::keys::{Range, Value};
+use crate::memory::Memory;
 use crate::section::Section;
-use crate::shape::Shape;
-use crate::swept_keys::read_value;
+use judder_keys_derive::{Choice, Settings};
 
 /// A contact that is followed in time.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
 pub struct TransientSettings {
     /// How the indenter moves along the surface.
-    pub motion: Motion,
-    /// What presses the indenter down, on average.
-    pub loading: Loading,
-    /// How the indentation oscillates about its mean.
+    #[key(name = "motion", example = "\"start\", \"reciprocation\" or \"rest\"")]
+    pub word: MotionWord,
+    /// Sliding speed of a start.
+    #[key(rule = Scaled { range: Range::NonNegative, ..VELOCITY }, symbol = "v", omitted)]
+    velocity: Option<Value>,
+    /// Amplitude of the position of a reciprocation.
+    #[key(rule = AMPLITUDE, symbol = "a", omitted)]
+    amplitude: Option<Value>,
+    /// Angular frequency of a reciprocation.
+    #[key(rule = FREQUENCY, symbol = "ω", omitted)]
+    frequency: Option<Value>,
+    /// Indentation, on average.
+    #[key(rule = INDENTATION, symbol = "δ", omitted)]
+    indentation: Option<Value>,
+    /// Normal load, in place of the indentation.
+    #[key(rule = LOAD, symbol = "F", omitted)]
+    load: Option<Value>,
+    /// How the indentation oscillates about its mean, at rest or after a start.
     pub oscillation: Option<Oscillation>,
-    /// t, as t/τ or in s.
+    /// How long the contact is followed.
+    #[key(rule = Scaled::positive(Dimension::TIME, "t/τ"), symbol = "t", example = "5 (t/τ), or \"50 ms\"")]
     pub duration: Value,
     /// Cells a side of the window that moves with the indenter.
+    #[key(rule = Whole { from: STEPPING_CELLS[0], to: STEPPING_CELLS[1] }, default = TRANSIENT_CELLS)]
     pub cells: usize,
-    /// What window and remembered strip may take.
+    /// What window and remembered strip may take; as much as the case says where left out.
+    #[key(name = "memory_limit")]
     pub memory: Memory,
 }
 
@@ -39,147 +56,93 @@ pub enum Motion {
     Reciprocation(Oscillation),
 }
 
-impl Motion {
-    /// The name in a case file.
-    pub fn name(&self) -> &'static str {
-        match self {
-            Self::Rest => "rest",
-            Self::Start(_) => "start",
-            Self::Reciprocation(_) => "reciprocation",
-        }
-    }
-
-    /// The keys that belong to it.
-    fn keys(word: MotionWord) -> &'static [&'static str] {
-        match word {
-            MotionWord::Rest => &["oscillation"],
-            MotionWord::Start => &["velocity", "oscillation"],
-            MotionWord::Reciprocation => &["amplitude", "frequency"],
-        }
-    }
-}
-
 /// amplitude · sin ωt.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
 pub struct Oscillation {
-    /// Amplitude over R, or in m.
+    /// Amplitude.
+    #[key(rule = AMPLITUDE, symbol = "a", example = "1e-2 (over R), or \"0.1 mm\"")]
     pub amplitude: Value,
-    /// ω, as ω τ or in rad/s.
+    /// Angular frequency.
+    #[key(rule = FREQUENCY, symbol = "ω", example = "0.4 (ω τ), or \"20 Hz\"")]
     pub frequency: Value,
 }
 
-/// The word of a motion, before its numbers are read.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum MotionWord {
-    Rest,
+/// The word of a motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Choice)]
+#[choice(what = "motion")]
+pub enum MotionWord {
+    /// At time 0 suddenly at a speed.
     Start,
+    /// To and fro.
     Reciprocation,
+    /// Not at all.
+    Rest,
 }
 
-/// The motions by name.
-const MOTIONS: [(&str, MotionWord); 3] =
-    [("start", MotionWord::Start), ("reciprocation", MotionWord::Reciprocation), ("rest", MotionWord::Rest)];
-/// The names of the motions.
-pub(crate) const MOTION_NAMES: [&str; 3] = [MOTIONS[0].0, MOTIONS[1].0, MOTIONS[2].0];
+const AMPLITUDE: Scaled = Scaled::positive(Dimension::LENGTH, "a/R");
+
 /// The cells a side that a transient contact may be given: it is stepped on one grid.
 pub const STEPPING_CELLS: [usize; 2] = [8, 4096];
 
 /// The default number of cells a side.
 pub const TRANSIENT_CELLS: usize = 64;
-/// The keys of the kind.
-pub(crate) const TRANSIENT_KEYS: &[&str] = &[
-    "motion",
-    "velocity",
-    "amplitude",
-    "frequency",
-    "indentation",
-    "load",
-    "oscillation",
-    "duration",
-    "cells",
-    MEMORY_LIMIT,
-];
 
-pub(crate) fn read_transient(
-    scope: &ContactScope,
-    section: &Section<'_>,
-) -> Result<TransientSettings, Fault> {
-    if !matches!(scope.shape, Shape::Paraboloid | Shape::Sphere) {
-        let (kind, shapes, shape) = ("transient", "a paraboloid or a sphere", scope.shape.name());
-        return Err(
-            Cause::Contact { problem: ContactProblem::Shape { kind, shapes, shape } }.at(section.place)
-        );
+impl TransientSettings {
+    /// Reads them for an indenter.
+    pub(crate) fn of(scope: &ContactScope, section: &Section<'_>) -> Result<Self, Fault> {
+        scope.is_round("transient", section)?;
+        let word = section.choice("motion", "motion", &MotionWord::ALL).ok().flatten();
+        let fits = word.map_or(Ok(()), |word| word.fits(section));
+        let own = both(Self::read_table(section), Loading::is_one(section, false));
+        let ((), (settings, ())) = both(fits, own)?;
+        if settings.word == MotionWord::Reciprocation {
+            Oscillation::read_table(section)?;
+        }
+        Ok(Self { memory: scope.memory_limit(section, settings.memory), ..settings })
     }
-    section.required("motion", "motion = \"start\", \"reciprocation\" or \"rest\"")?;
-    let word = section.choice("motion", "motion", &MOTIONS)?.unwrap_or(MotionWord::Rest);
-    let known = Motion::keys(word);
-    for key in ["velocity", "amplitude", "frequency", "oscillation"] {
-        if !known.contains(&key) {
-            let with = MOTIONS.iter().find(|(_, other)| *other == word).map_or("", |(name, _)| name);
-            refuse(section, key, &format!("motion = \"{with}\""))?;
+
+    /// How the indenter moves along the surface.
+    pub fn motion(&self) -> Motion {
+        match (self.word, self.velocity, self.amplitude, self.frequency) {
+            (MotionWord::Start, Some(velocity), ..) => Motion::Start(velocity),
+            (MotionWord::Reciprocation, _, Some(amplitude), Some(frequency)) => {
+                Motion::Reciprocation(Oscillation { amplitude, frequency })
+            }
+            _ => Motion::Rest,
         }
     }
-    let motion = match word {
-        MotionWord::Rest => Motion::Rest,
-        MotionWord::Start => {
-            let expected = "velocity = 1e-2 (v τ/R), or \"30 mm/s\"";
-            Motion::Start(needed(section, ContactKey::Velocity, expected)?)
-        }
-        MotionWord::Reciprocation => Motion::Reciprocation(read_oscillation(section)?),
-    };
-    let loading = read_loading(section)?;
-    let oscillation = match section.get("oscillation") {
-        Some(_) if matches!(loading, Loading::Load(_)) => {
-            refuse(section, "oscillation", "`load`: it is one of the indentation")?;
-            None
-        }
-        Some(node) => {
-            let keys = ["amplitude", "frequency"];
-            Some(read_oscillation(&Section::open(node, "oscillation", "`oscillation`", &keys)?)?)
-        }
-        None => None,
-    };
-    let [fewest, most] = STEPPING_CELLS;
-    Ok(TransientSettings {
-        motion,
-        loading,
-        oscillation,
-        duration: needed(section, ContactKey::Duration, "duration = 5 (t/τ), or \"50 ms\"")?,
-        cells: section.whole("cells", fewest, most)?.unwrap_or(TRANSIENT_CELLS),
-        memory: scope.memory_limit(section)?,
-    })
-}
 
-fn read_oscillation(section: &Section<'_>) -> Result<Oscillation, Fault> {
-    Ok(Oscillation {
-        amplitude: needed(section, ContactKey::Amplitude, "amplitude = 1e-2 (over R), or \"0.1 mm\"")?,
-        frequency: needed(section, ContactKey::Frequency, "frequency = 0.4 (ω τ), or \"20 Hz\"")?,
-    })
-}
-
-/// The one of two that presses the indenter down.
-fn read_loading(section: &Section<'_>) -> Result<Loading, Fault> {
-    let value = |key: ContactKey| {
-        let entry = key.entry();
-        section.get(entry.name()).map(|node| read_value(entry, entry.name(), node)).transpose()
-    };
-    match (value(ContactKey::Indentation)?, value(ContactKey::Load)?) {
-        (None, Some(load)) => Ok(Loading::Load(load)),
-        (Some(_), Some(_)) => {
-            let place = section.get("load").map_or(section.place, |node| node.place);
-            let (first, second) = ("indentation".to_owned(), "load".to_owned());
-            Err(Cause::Contact { problem: ContactProblem::OneOfTwo { first, second } }.at(place))
-        }
-        _ => {
-            let expected = "indentation = 1e-2 (δ/R), or load = 1e-4 (F/(E0* R²))";
-            Ok(Loading::Indentation(needed(section, ContactKey::Indentation, expected)?))
-        }
+    /// What presses the indenter down, on average.
+    pub fn loading(&self) -> Loading {
+        Loading::of(self.indentation, self.load)
     }
 }
 
-fn needed(section: &Section<'_>, key: ContactKey, expected: &str) -> Result<Value, Fault> {
-    let entry = key.entry();
-    read_value(entry, &section.path(entry.name()), section.required(entry.name(), expected)?)
+impl MotionWord {
+    /// Refuses keys that mean nothing to it or to the loading, and asks for what it needs.
+    fn fits(self, section: &Section<'_>) -> Result<(), Fault> {
+        let known: &[&str] = match self {
+            Self::Rest => &["oscillation"],
+            Self::Start => &["velocity", "oscillation"],
+            Self::Reciprocation => &["amplitude", "frequency"],
+        };
+        let others = ["velocity", "amplitude", "frequency", "oscillation"];
+        let others = others.into_iter().filter(|key| !known.contains(key));
+        let with = format!("motion = \"{}\"", self.name());
+        let refused = all(others.map(|key| refuse(section, key, &with)));
+        let refused = refused.and_then(|_| match section.get("load") {
+            Some(_) => refuse(section, "oscillation", "`load`: it is one of the indentation"),
+            None => Ok(()),
+        });
+        let needed = match self {
+            Self::Start => section.required("velocity", "velocity = 1e-2 (v τ/R), or \"30 mm/s\"").map(drop),
+            Self::Reciprocation if known.iter().all(|key| section.get(key).is_none()) => {
+                Oscillation::read_table(section).map(drop)
+            }
+            Self::Rest | Self::Reciprocation => Ok(()),
+        };
+        both(refused, needed).map(drop)
+    }
 }
 
 fn refuse(section: &Section<'_>, key: &'static str, with: &str) -> Result<(), Fault> {

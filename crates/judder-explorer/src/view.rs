@@ -4,7 +4,7 @@ use crate::refusal::Refusal;
 use crate::size::check_analysis;
 use crate::subject::Subject;
 use judder_case::compose::{compose, contact_case_of};
-use judder_case::{BELT_KEYS, CONTACT_KEYS, CaseFile, FrictionLoad, KEYS, LawName};
+use judder_case::{BELT_KEYS, CaseFile, FrictionLoad, KEYS, LawName, contact_case::contact_numbers};
 use serde::Deserialize;
 use serde_json::{Map, Value};
 
@@ -98,7 +98,7 @@ fn check_option(option: &str) -> Result<(), Refusal> {
     };
     let (key, value) = (key.trim(), value.trim().trim_matches(['"', '\'']));
     let is_number = KEYS.iter().any(|entry| entry.path == key)
-        || CONTACT_KEYS.iter().any(|entry| entry.path == key)
+        || contact_numbers().iter().any(|path| path == key)
         || BELT_KEYS.iter().any(|entry| entry.path == key)
         || key.strip_prefix("parameters.").is_some_and(|name| !name.contains('.'));
     if is_number && !value.contains(['{', '[', '\n']) {

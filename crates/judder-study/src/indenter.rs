@@ -48,13 +48,13 @@ fn generated(rough: &RoughSurface, radius: f64) -> Generator {
         period: rough.period / radius,
         cells: rough.cells,
         hurst: rough.hurst,
-        roll_off: rough.roll_off / radius,
-        cut_off: rough.cut_off / radius,
-        roughness: match rough.roughness {
+        roll_off: rough.roll_off() / radius,
+        cut_off: rough.cut_off() / radius,
+        roughness: match rough.roughness() {
             Roughness::Height(height) => Measure::Height(height / radius),
             Roughness::Slope(slope) => Measure::Slope(slope),
         },
-        seed: rough.seed,
+        seed: rough.seed as u64,
     }
 }
 

@@ -3,8 +3,8 @@
 use crate::error::StudyError;
 use crate::input_file::{self, unusable};
 use judder_case::{
-    ContinuousSource, Density, FileReference, OscillatorInputs, OscillatorKey, RelaxationSource, Shift,
-    Substrate, TermChoice, TermCount,
+    Arrhenius, ContinuousSource, Density, FileReference, OscillatorInputs, OscillatorKey, RelaxationSource,
+    Shift, Substrate, TermChoice, TermCount, Wlf,
 };
 use judder_contact::material::{
     ContinuousSpectrum, CreepSpectrum, CreepTerm, Discretisation, DmaData, DmaError, DmaTable, MaterialError,
@@ -64,17 +64,15 @@ impl FoundSpectrum {
     }
 
     fn continuous(source: &ContinuousSource, moduli: (f64, f64)) -> Result<Self, MaterialError> {
-        let whole = match &source.density {
-            Density::LogNormal { median, width } => ContinuousSpectrum::log_normal(moduli, *median, *width)?,
-            Density::PowerLaw { from, to, exponent } => {
-                ContinuousSpectrum::power_law(moduli, *from, *to, *exponent)?
-            }
+        let whole = match source.density() {
+            Density::LogNormal(own) => ContinuousSpectrum::log_normal(moduli, own.median, own.width)?,
+            Density::PowerLaw(own) => ContinuousSpectrum::power_law(moduli, own.from, own.to, own.exponent)?,
             Density::Samples(samples) => {
                 let samples: Vec<_> = samples.iter().map(|sample| (sample.time, sample.density)).collect();
                 ContinuousSpectrum::sampled(moduli.1, &samples)?
             }
         };
-        let found = match source.terms {
+        let found = match source.terms() {
             TermChoice::Given(terms) => whole.discretised(terms)?,
             TermChoice::Within(accuracy) => whole.discretised_within(accuracy)?,
         };
@@ -196,12 +194,12 @@ fn one_curve(table: DmaTable, substrate: &Substrate) -> Result<DmaData, Material
 /// The rule by which temperature moves all times.
 pub(crate) fn shift(rule: &Shift) -> TemperatureShift {
     match *rule {
-        Shift::Wlf { first, second, reference } => TemperatureShift::WilliamsLandelFerry {
+        Shift::Wlf(Wlf { first, second, reference }) => TemperatureShift::WilliamsLandelFerry {
             first_constant: first,
-            second_constant: second,
+            second_constant: second.0,
             reference,
         },
-        Shift::Arrhenius { activation_energy, reference } => {
+        Shift::Arrhenius(Arrhenius { activation_energy, reference }) => {
             TemperatureShift::Arrhenius { activation_energy, reference }
         }
     }
@@ -210,12 +208,14 @@ pub(crate) fn shift(rule: &Shift) -> TemperatureShift {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use judder_case::TemperatureDifference;
 
     /// log₁₀ a_T is one decade at 5 K below the reference: −C1 (−5)/(C2 − 5) = 1.
     #[test]
     fn one_sweep_is_shifted_to_the_reference_as_several_are() {
         let at = |temperature: f64| {
-            let shift = Shift::Wlf { first: 10.0, second: 55.0, reference: 300.0 };
+            let shift =
+                Shift::Wlf(Wlf { first: 10.0, second: TemperatureDifference(55.0), reference: 300.0 });
             Substrate {
                 temperature: Some(judder_case::Temperature { temperature, shift }),
                 ..Substrate::default()
@@ -253,7 +253,8 @@ mod tests {
         let file = FileReference { given: "dma.csv".to_owned(), path };
         let source = RelaxationSource::Dma { file, terms: TermCount::Auto, rubbery_modulus: None };
         for second in [55.0, 80.0, 200.0] {
-            let shift = Shift::Wlf { first: 10.0, second, reference: 300.0 };
+            let shift =
+                Shift::Wlf(Wlf { first: 10.0, second: TemperatureDifference(second), reference: 300.0 });
             let temperature = Some(judder_case::Temperature { temperature: 310.0, shift });
             let substrate = Substrate { source: source.clone(), temperature };
             let moved = FoundSpectrum::of(&substrate, &OscillatorInputs::default()).unwrap();

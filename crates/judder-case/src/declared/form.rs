@@ -68,6 +68,8 @@ pub(crate) enum Form {
     Either(Vec<Form>),
     /// A form of its own: how the reference says it, and its schema.
     Own { words: &'static str, schema: fn() -> Json },
+    /// What a type tells of itself: the schema, the words of the reference, the keys of its tables.
+    Told { schema: Json, words: String, keys: Vec<Declaration> },
 }
 
 impl Form {
@@ -87,6 +89,7 @@ impl Form {
             Self::Named(_) => format!("{key} = {{ NAME = … }}"),
             Self::Either(forms) => forms.first().map_or(String::new(), |form| form.example(key, doc)),
             Self::Own { words, .. } => format!("{key} = …, {words}"),
+            Self::Told { .. } => format!("{key} = …, {doc}"),
             Self::Table { keys, .. } => {
                 let keys: Vec<&str> =
                     keys.iter().filter(|key| key.must_stand()).map(|key| key.name).collect();
@@ -117,6 +120,7 @@ impl Form {
             Self::Named(of) => json!({ "type": "object", "additionalProperties": of.schema() }),
             Self::Either(forms) => json!({ "anyOf": forms.iter().map(Self::schema).collect::<Vec<_>>() }),
             Self::Own { schema, .. } => schema(),
+            Self::Told { schema, .. } => schema.clone(),
         }
     }
 }
@@ -194,7 +198,7 @@ impl Form {
     /// The keys of a table, or of the tables of a list.
     fn keys(&self) -> &[Declaration] {
         match self {
-            Self::Table { keys, .. } => keys,
+            Self::Table { keys, .. } | Self::Told { keys, .. } => keys,
             Self::List { of, .. } | Self::Named(of) => of.keys(),
             Self::Either(forms) => forms.iter().map(Self::keys).find(|keys| !keys.is_empty()).unwrap_or(&[]),
             _ => &[],
@@ -232,6 +236,7 @@ impl Form {
             Self::Named(of) => format!("a table of names, each {}", of.words()),
             Self::Either(forms) => forms.iter().map(Self::words).collect::<Vec<String>>().join("; or "),
             Self::Own { words, .. } => (*words).to_owned(),
+            Self::Told { words, .. } => words.clone(),
             Self::Table { keys, .. } => {
                 let keys: Vec<&str> = keys.iter().map(|key| key.name).collect();
                 format!("a table `{{ {} }}`", keys.join(", "))

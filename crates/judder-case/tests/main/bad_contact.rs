@@ -74,7 +74,9 @@ relaxation = [{ time = "1 s", modulus = "1 MPa" }, { time = "1 ms", modulus = "2
 #[test]
 fn a_relaxation_term_with_a_compliance() {
     refused(
-        &contact(r#"substrate = { relaxation = [{ time = "1 s", compliance = "1e-7 1/Pa" }] }"#),
+        &contact(
+            r#"substrate = { relaxation = [{ time = "1 s", modulus = "1 MPa", compliance = "1e-7 1/Pa" }] }"#,
+        ),
         "unknown key `compliance` in a relaxation term",
         "compliance",
         "keys here: time, modulus",
@@ -250,7 +252,7 @@ fn an_oscillation_of_the_depth_under_a_load() {
 #[test]
 fn an_oscillation_with_an_unknown_key() {
     refused(
-        &transient("motion = \"rest\"\noscillation = { amplitude = 1e-3, period = 1 }"),
+        &transient("motion = \"rest\"\noscillation = { amplitude = 1e-3, frequency = 1, period = 1 }"),
         "unknown key `period` in `oscillation`",
         "period",
         "keys here: amplitude, frequency",

@@ -2,9 +2,11 @@
 
 use crate::parse;
 use judder_case::contact_analysis::{LAW_ACCURACY, LAW_INDENTATION, LAW_VELOCITY};
+use judder_case::contact_case::contact_numbers;
 use judder_case::{
-    Case, CaseFile, ContactAnalysis, ContactCase, Density, Form, LawMethod, LawName, Loading, Motion,
-    Oscillation, OscillatorKey, RelaxationSource, Roughness, Shape, Shift, TermChoice, TermCount, Value,
+    Case, CaseFile, ContactAnalysis, ContactCase, Density, Form, LawMethod, LawName, Loading, LogNormal,
+    Motion, Oscillation, OscillatorKey, PowerLaw, RelaxationSource, Roughness, Shape, Shift, TermChoice,
+    TermCount, Value, Wlf,
 };
 
 fn contact(text: &str) -> ContactCase {
@@ -22,11 +24,11 @@ fn a_continuous_spectrum_with_its_density_and_terms() {
         (source, case.inputs)
     };
     let (source, _) = read("log_normal = { median = \"10 ms\", width = 1.5 }");
-    assert_eq!(source.density, Density::LogNormal { median: 0.01, width: 1.5 });
-    assert_eq!(source.terms, TermChoice::Within(1e-3));
+    assert_eq!(source.density(), Density::LogNormal(LogNormal { median: 0.01, width: 1.5 }));
+    assert_eq!(source.terms(), TermChoice::Within(1e-3));
     let (source, _) = read("power_law = { from = \"1 us\", to = \"1 s\", exponent = 0.3 }, terms = 7");
-    assert_eq!(source.density, Density::PowerLaw { from: 1e-6, to: 1.0, exponent: 0.3 });
-    assert_eq!(source.terms, TermChoice::Given(7));
+    assert_eq!(source.density(), Density::PowerLaw(PowerLaw { from: 1e-6, to: 1.0, exponent: 0.3 }));
+    assert_eq!(source.terms(), TermChoice::Given(7));
     // τ𝒞 = 0.3e-6 1/Pa over three e-foldings is 0.9e-6 1/Pa in all
     let last = 1e-3 * 3.0_f64.exp();
     let (_, inputs) = read(&format!(
@@ -82,10 +84,10 @@ fn one_contact_by_indentation_and_by_load() {
         other => panic!("{other:?}"),
     };
     let (first, second) = (settings(0), settings(1));
-    assert_eq!((first.velocity, first.loading), (Value::group(1.0), Loading::Indentation(Value::si(1e-4))));
-    assert_eq!((first.accuracy, first.cells, first.domain), (1e-2, Some(128), Some(Value::group(0.5))));
-    assert_eq!((second.velocity, second.loading), (Value::si(0.03), Loading::Load(Value::group(1e-4))));
-    assert_eq!((second.accuracy, second.cells, second.domain), (1e-3, None, None));
+    assert_eq!((first.velocity, first.loading()), (Value::group(1.0), Loading::Indentation(Value::si(1e-4))));
+    assert_eq!((first.accuracy, first.cells(), first.domain), (1e-2, Some(128), Some(Value::group(0.5))));
+    assert_eq!((second.velocity, second.loading()), (Value::si(0.03), Loading::Load(Value::group(1e-4))));
+    assert_eq!((second.accuracy, second.cells(), second.domain), (1e-3, None, None));
 }
 
 #[test]
@@ -100,11 +102,7 @@ fn a_law_takes_the_papers_ranges_and_the_method_of_its_shape() {
         }
     };
     let default = law("paraboloid", "");
-    assert_eq!((default.velocity.from, default.velocity.to, default.velocity.points), LAW_VELOCITY);
-    assert_eq!(
-        (default.indentation.from, default.indentation.to, default.indentation.points),
-        LAW_INDENTATION
-    );
+    assert_eq!((default.velocity, default.indentation), (LAW_VELOCITY, LAW_INDENTATION));
     assert_eq!((default.accuracy, default.method), (LAW_ACCURACY, LawMethod::Collapse));
     let given = law("sphere", "velocity = { from = \"1 mm/s\", to = \"1 m/s\" }\naccuracy = 0.05");
     assert_eq!((given.velocity.form, given.velocity.to, given.method), (Form::Si, 1.0, LawMethod::Sweep));
@@ -125,7 +123,7 @@ fn a_fit_and_a_modulus() {
         "#,
     );
     let ContactAnalysis::Fit(fit) = &case.analyses[0].kind else { panic!() };
-    assert_eq!(fit.velocity_scale, 0.01);
+    assert_eq!(fit.reading.velocity_scale, 0.01);
     let ContactAnalysis::Modulus(modulus) = &case.analyses[1].kind else { panic!() };
     let range = modulus.frequency.as_ref().unwrap();
     assert!((range.from - 2.0 * std::f64::consts::PI).abs() < 1e-15);
@@ -161,8 +159,8 @@ fn a_temperature_comes_with_its_shift() {
     );
     let temperature = case.substrate.temperature.unwrap();
     assert!((temperature.temperature - 313.15).abs() < 1e-12);
-    let Shift::Wlf { first, second, reference } = temperature.shift else { panic!() };
-    assert_eq!((first, second), (17.4, 51.6));
+    let Shift::Wlf(Wlf { first, second, reference }) = temperature.shift else { panic!() };
+    assert_eq!((first, second.0), (17.4, 51.6));
     assert!((reference - 298.15).abs() < 1e-12);
 }
 
@@ -201,8 +199,8 @@ fn a_rough_surface_has_its_defaults() {
         "#,
     );
     let Shape::Rough(rough) = case.shape else { panic!() };
-    assert_eq!((rough.roll_off, rough.cut_off, rough.seed), (1e-3, 4e-5, 0));
-    assert_eq!(rough.roughness, Roughness::Slope(0.1));
+    assert_eq!((rough.roll_off(), rough.cut_off(), rough.seed), (1e-3, 4e-5, 0));
+    assert_eq!(rough.roughness(), Roughness::Slope(0.1));
 }
 
 #[test]
@@ -289,9 +287,28 @@ fn the_motions_of_a_transient() {
     };
     let (first, second) = (settings(0), settings(1));
     let wave = Oscillation { amplitude: Value::group(1e-3), frequency: Value::group(0.4) };
-    assert_eq!((first.motion, first.oscillation), (Motion::Start(Value::si(0.03)), Some(wave)));
+    assert_eq!((first.motion(), first.oscillation), (Motion::Start(Value::si(0.03)), Some(wave)));
     assert_eq!((first.duration, first.cells), (Value::si(0.05), 64));
-    let Motion::Reciprocation(wave) = second.motion else { panic!() };
+    let Motion::Reciprocation(wave) = second.motion() else { panic!() };
     assert!((wave.frequency.number - 40.0 * std::f64::consts::PI).abs() < 1e-12);
-    assert_eq!((second.loading, second.cells), (Loading::Load(Value::group(1e-4)), 32));
+    assert_eq!((second.loading(), second.cells), (Loading::Load(Value::group(1e-4)), 32));
+}
+
+/// Numbers alone: no files, words or lists.
+#[test]
+fn the_numbers_of_substrate_and_indenter_go_by_their_paths() {
+    let numbers = contact_numbers();
+    let has = |path: &str| numbers.iter().any(|own| own == path);
+    for path in [
+        "substrate.temperature",
+        "substrate.shift.wlf.c2",
+        "substrate.continuous.log_normal.median",
+        "indenter.shape.unit",
+        "indenter.shape.rough.period",
+    ] {
+        assert!(has(path), "{path}");
+    }
+    for path in ["substrate.dma.file", "substrate.dma.terms", "indenter.shape", "indenter.shape.heights"] {
+        assert!(!has(path), "{path}");
+    }
 }

@@ -34,6 +34,27 @@ fn all_that_is_wrong_is_told() {
     );
 }
 
+/// Substrate, shape and analysis of a contact, each with all of its own.
+#[test]
+fn all_that_is_wrong_with_a_contact_is_told() {
+    let of = |text: &str| told(parse(&format!("model = \"contact\"\n{text}"), &[]).unwrap_err());
+    let analysis = of("[[analysis]]\nkind = \"contact\"\nvelocity = \"3 mm\"\naccuracy = 0.5\ncells = 65");
+    assert_eq!(
+        analysis,
+        [
+            "an analysis of kind `contact` lacks the key `indentation`",
+            "`velocity` must be a speed, but this is a length",
+            "`accuracy` must be above 0 and at most 0.2, but is 0.5",
+            "`cells` must be a multiple of two from 64 to 4096, but is 65",
+        ]
+    );
+    let substrate = of("[substrate]\npoisson_ratio = 2\ndma = { terms = 0 }\ntemperature = 3");
+    for part in ["poisson_ratio", "lacks the key `file`", "dma.terms", "temperature"] {
+        assert!(substrate.iter().any(|message| message.contains(part)), "{part}: {substrate:?}");
+    }
+    assert_eq!(of("indenter = { shape = { rough = { cells = 2 } } }").len(), 3);
+}
+
 /// Two analyses, each with what is wrong with it.
 #[test]
 fn one_analysis_does_not_hide_another() {

@@ -20,7 +20,7 @@ pub(crate) fn lattice(
 ) -> Result<[usize; 2], StudyError> {
     let cells = match (&case.shape, grid(settings, scales)) {
         (Shape::Cylinder, _) => {
-            return Ok([settings.cells.unwrap_or_else(|| strips_for(settings.accuracy)), 1]);
+            return Ok([settings.cells().unwrap_or_else(|| strips_for(settings.accuracy)), 1]);
         }
         (Shape::Rough(rough), _) => return Ok(refined([rough.cells; 2], settings.accuracy)),
         (shape, _) if shape.is_periodic() => {

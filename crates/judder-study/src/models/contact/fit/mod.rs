@@ -32,7 +32,7 @@ impl Analysis<ContactCase> for FitSettings {
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, StudyError> {
         let known: Vec<SolvedPoint> = task.own.known();
         let keep = |point: &SolvedPoint| task.own.add(point);
-        run::run(of.case, (&self.law, self.velocity_scale), (&known, &keep), task.progress)
+        run::run(of.case, (&self.law, self.reading.velocity_scale), (&known, &keep), task.progress)
     }
 
     fn estimate(&self, of: &Subject<'_>) -> Result<ContactEstimate, StudyError> {

@@ -99,7 +99,7 @@ impl Exciting for ContactSettings {
         let (velocity, radius) = (of.scales.velocity(self.velocity), of.scales.scales.radius);
         Ok(match &of.case.shape {
             Shape::Rough(rough) => {
-                [rough.roll_off, rough.cut_off].map(|wave| TAU * velocity * radius / wave).to_vec()
+                [rough.roll_off(), rough.cut_off()].map(|wave| TAU * velocity * radius / wave).to_vec()
             }
             shape if shape.is_periodic() => {
                 let grid = height_map(shape, radius)?.grid();

@@ -22,7 +22,7 @@ const SLOW: f64 = 1e-4;
 
 /// The grid that the settings ask for.
 pub(crate) fn grid(settings: &ContactSettings, scales: &ContactScales) -> GridChoice {
-    match (settings.cells, settings.domain) {
+    match (settings.cells(), settings.domain) {
         (None, None) => GridChoice::Automatic,
         (Some(cells), None) => GridChoice::Cells(cells),
         (cells, Some(domain)) => GridChoice::Fixed {
@@ -35,7 +35,7 @@ pub(crate) fn grid(settings: &ContactSettings, scales: &ContactScales) -> GridCh
 
 /// What presses the indenter down, in groups; of a cylinder per length.
 pub(crate) fn loading(shape: &Shape, settings: &ContactSettings, scales: &ContactScales) -> Loading {
-    pressed(shape, settings.loading, scales)
+    pressed(shape, settings.loading(), scales)
 }
 
 /// What presses an indenter down, in groups; a cylinder per length.

@@ -50,7 +50,7 @@ impl Asked {
     pub(crate) fn new(shape: &Shape, settings: &TransientSettings, scales: &ContactScales) -> Self {
         let wave =
             |wave: &Oscillation| (scales.length(wave.amplitude), scales.angular_frequency(wave.frequency));
-        let loading = pressed(shape, settings.loading, scales);
+        let loading = pressed(shape, settings.loading(), scales);
         let oscillation = settings.oscillation.as_ref().map(wave);
         let normal = match (loading, oscillation) {
             (Loading::Indentation(mean), Some((amplitude, frequency))) => {
@@ -60,20 +60,20 @@ impl Asked {
             (Loading::Load(force), _) => NormalCourse::Load(Course::Constant(force)),
         };
         let (mut frequency, mut velocity) = (oscillation.map(|(_, frequency)| frequency), None);
-        let path = match &settings.motion {
+        let path = match settings.motion() {
             Motion::Rest => IndenterPath::at_rest(normal),
             Motion::Start(speed) => {
-                let speed = scales.velocity(*speed);
+                let speed = scales.velocity(speed);
                 velocity = Some(speed);
                 IndenterPath::start_of_sliding(speed, 0.0, normal)
             }
             Motion::Reciprocation(motion) => {
-                let (amplitude, angular_frequency) = wave(motion);
+                let (amplitude, angular_frequency) = wave(&motion);
                 frequency = Some(angular_frequency);
                 IndenterPath::reciprocation(amplitude, angular_frequency, normal)
             }
         };
-        let is_relaxation = matches!(settings.motion, Motion::Rest) && oscillation.is_none();
+        let is_relaxation = settings.motion() == Motion::Rest && oscillation.is_none();
         Self {
             path,
             duration: scales.over_time(settings.duration),
@@ -121,7 +121,7 @@ impl Asked {
 
     /// What is asked, in groups, in words.
     pub(crate) fn words(&self, settings: &TransientSettings) -> String {
-        format!("{}, t/τ = {}", settings.motion.name(), crate::text::number(self.duration))
+        format!("{}, t/τ = {}", settings.word.name(), crate::text::number(self.duration))
     }
 
     /// Steps that motion and frequencies will take over cells of a side.
@@ -335,7 +335,7 @@ fn dataset(history: &TransientHistory, settings: &TransientSettings) -> Result<D
         dataset = dataset
             .with(Variable::new(name, &["time"], &[values.len()], values).units("1").long_name(long_name))?;
     }
-    let loop_over = match (&settings.motion, settings.oscillation) {
+    let loop_over = match (settings.motion(), settings.oscillation) {
         (Motion::Reciprocation(_), _) => "position",
         (_, Some(_)) => "indentation",
         _ => "",

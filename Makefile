@@ -8,7 +8,9 @@ SHELL := bash
 
 CARGO ?= cargo
 TARGET := $(or $(CARGO_TARGET_DIR),target)
-JUDDER := $(TARGET)/release/judder
+# The program of the demo is the one of the tests: who runs both compiles the libraries once. What is shipped, and timed, is the profile dist.
+JUDDER := $(TARGET)/debug/judder
+SHIPPED := $(TARGET)/dist/judder
 # In CI the lock file is taken as it is; on a desk Cargo may still write what Cargo.toml asks for.
 LOCKED := $(if $(CI),--locked)
 
@@ -30,7 +32,7 @@ help: ## print this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
 demo: ## build judder, reproduce the oscillator paper, say where the report lies
-	$(CARGO) build --release $(LOCKED) -p judder-cli
+	$(CARGO) build $(LOCKED) -p judder-cli
 	"$(JUDDER)" reproduce oscillator-paper --quick
 	@printf '\nThe report lies here: %s\n' "$(CURDIR)/out/reproduce/oscillator-paper/report.html"
 
@@ -131,9 +133,9 @@ page-tests: $(PAGE)/node_modules/installed $(BROWSER_TESTS)/node_modules/install
 		CHROMIUM="$$chromium" JUDDER="$(abspath $(TARGET))/debug/judder" npm run --silent test
 
 bench-explorer: $(BROWSER_TESTS)/node_modules/installed ## time the page of `judder explore` in a browser: its start, the map after a slider has moved, frames of a drag
-	$(CARGO) build --release $(LOCKED) -p judder-cli
+	$(CARGO) build --profile dist $(LOCKED) -p judder-cli
 	chromium=$$(tools/chromium); cd $(BROWSER_TESTS) && \
-		CHROMIUM="$$chromium" JUDDER="$(abspath $(JUDDER))" npm run --silent bench
+		CHROMIUM="$$chromium" JUDDER="$(abspath $(SHIPPED))" npm run --silent bench
 
 docs: ## build the API documentation and the book
 	RUSTDOCFLAGS='-D warnings' $(CARGO) doc $(LOCKED) --workspace --no-deps

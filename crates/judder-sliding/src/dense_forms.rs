@@ -8,12 +8,8 @@
 
 use crate::SlidingError;
 use crate::coupling::Coupling;
-use faer::diag::Diag;
-use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::evd::{ComputeEigenvectors, EvdParams, evd_real, evd_scratch};
-use faer::linalg::lu::partial_pivoting::factor::{PartialPivLuParams, lu_in_place, lu_in_place_scratch};
-use faer::linalg::lu::partial_pivoting::solve::{solve_in_place_scratch, solve_in_place_with_conj};
-use faer::{Conj, Mat, Par, Spec};
+use faer::Mat;
+use judder_dense::general::{real_eigenvalues, solve as solved_in_place};
 use num_complex::Complex64;
 
 /// The matrices of two structures, n × n, and the rows that couple them, 1 × n, in any coordinates.
@@ -151,7 +147,8 @@ fn spectrum_of_inverse(
         (false, true) => f64::from(u8::from(i - size == j)),
         (false, false) => 0.0,
     });
-    let mut inverses = eigenvalues(&matrix)?;
+    let failure = SlidingError::DenseFailure { reason: "the iteration for the eigenvalues did not end" };
+    let mut inverses = real_eigenvalues(&matrix).ok_or(failure)?;
     inverses.sort_by(|a, b| b.norm_sqr().total_cmp(&a.norm_sqr()));
     let mut values: Vec<Complex64> =
         inverses.iter().take(count).map(|inverse| shift + 1.0 / (unit * inverse)).collect();
@@ -173,36 +170,9 @@ fn null_space(row: &Mat<f64>) -> Mat<f64> {
 }
 
 /// X with A X = B.
-fn solve(mut matrix: Mat<f64>, mut right: Mat<f64>) -> Result<Mat<f64>, SlidingError> {
+fn solve(matrix: Mat<f64>, mut right: Mat<f64>) -> Result<Mat<f64>, SlidingError> {
     let failure = SlidingError::DenseFailure { reason: "a matrix is singular at the shift" };
-    let size = matrix.nrows();
-    let (mut forward, mut inverse) = (vec![0_usize; size], vec![0; size]);
-    let parameters = Spec::<PartialPivLuParams, f64>::default();
-    let needed = lu_in_place_scratch::<usize, f64>(size, size, Par::Seq, parameters)
-        .or(solve_in_place_scratch::<usize, f64>(size, right.ncols(), Par::Seq));
-    let Ok(mut memory) = MemBuffer::try_new(needed) else { return Err(failure) };
-    let stack = MemStack::new(&mut memory);
-    let (_, rows) = lu_in_place(matrix.as_mut(), &mut forward, &mut inverse, Par::Seq, stack, parameters);
-    let (factors, stack) = (matrix.as_ref(), MemStack::new(&mut memory));
-    solve_in_place_with_conj(factors, factors, rows, Conj::No, right.as_mut(), Par::Seq, stack);
-    if right.norm_max().is_finite() { Ok(right) } else { Err(failure) }
-}
-
-fn eigenvalues(matrix: &Mat<f64>) -> Result<Vec<Complex64>, SlidingError> {
-    let failure = |_| SlidingError::DenseFailure { reason: "the iteration for the eigenvalues did not end" };
-    let size = matrix.nrows();
-    let parameters = Spec::<EvdParams, f64>::default();
-    let none = ComputeEigenvectors::No;
-    let needed = evd_scratch::<f64>(size, none, none, Par::Seq, parameters);
-    let Ok(mut memory) = MemBuffer::try_new(needed) else {
-        return Err(SlidingError::DenseFailure { reason: "there is not enough memory" });
-    };
-    let (mut re, mut im) = (Diag::<f64>::zeros(size), Diag::<f64>::zeros(size));
-    let stack = MemStack::new(&mut memory);
-    let (left, right) = (None, None);
-    evd_real(matrix.as_ref(), re.as_mut(), im.as_mut(), left, right, Par::Seq, stack, parameters)
-        .map_err(failure)?;
-    Ok((0..size).map(|k| Complex64::new(re.column_vector()[k], im.column_vector()[k])).collect())
+    solved_in_place(matrix, &mut right).ok_or(failure).map(|()| right)
 }
 
 #[cfg(test)]

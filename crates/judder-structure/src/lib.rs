@@ -28,7 +28,6 @@ pub mod beam;
 pub mod complex_modes;
 pub mod craig_bampton;
 pub mod damping;
-mod dense;
 pub mod diagnosis;
 pub mod eigen_sweep;
 pub mod element;

@@ -2,9 +2,9 @@
 
 use crate::StructureError;
 use crate::craig_bampton::{CraigBampton, CutOff};
-use crate::dense::{Eigen, generalised};
 use crate::rigid::rigid_limit;
 use faer::Mat;
+use judder_dense::symmetric::{Eigen, generalised};
 use std::f64::consts::TAU;
 
 /// A reduced structure in the coordinates of its own modes: q = Q p with Qᵀ Mᵣ Q = I, Qᵀ Kᵣ Q = diag ω².

@@ -5,10 +5,10 @@ mod start;
 
 use crate::StructureError;
 use crate::assembly::Sparse;
-use crate::dense::{Eigen, generalised};
 use crate::factor::{FactorPattern, SymmetricFactor};
 use crate::statics::{dot, sum, symmetric_product};
 use faer::Mat;
+use judder_dense::symmetric::{Eigen, generalised};
 use lanczos::{APART, Found, Lanczos, combined};
 use start::{Start, upper_edge};
 use std::f64::consts::TAU;

@@ -8,11 +8,11 @@
 
 use crate::StructureError;
 use crate::craig_bampton::CraigBampton;
-use crate::dense::negative_eigenvalues;
 use crate::modal_form::ModalForm;
 use crate::rigid::rigid_limit;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, Par};
+use judder_dense::symmetric::negative_eigenvalues;
 use std::f64::consts::TAU;
 
 /// The error of a reduction's frequencies.

@@ -1,8 +1,8 @@
 //! Products with a translation-invariant kernel by real Fourier transforms.
 
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
-use rustfft::num_complex::Complex64;
-use rustfft::{Fft, FftPlanner};
+use judder_fourier::{ComplexToReal, Fft, RealToComplex};
+use judder_fourier::{complex_forward, complex_inverse, real_forward, real_inverse};
+use num_complex::Complex64;
 use std::sync::Arc;
 
 /// Columns transformed together: their values lie side by side in memory.
@@ -54,17 +54,15 @@ impl PaddedTransform {
     }
 
     fn of_size(columns: usize, rows: usize, wide: usize, high: usize) -> Self {
-        let mut real = RealFftPlanner::new();
-        let mut complex = FftPlanner::new();
         Self {
             columns: columns.max(1),
             rows,
             wide,
             high,
-            forward_row: real.plan_fft_forward(wide),
-            inverse_row: real.plan_fft_inverse(wide),
-            forward_column: complex.plan_fft_forward(high),
-            inverse_column: complex.plan_fft_inverse(high),
+            forward_row: real_forward(wide),
+            inverse_row: real_inverse(wide),
+            forward_column: complex_forward(high),
+            inverse_column: complex_inverse(high),
         }
     }
 

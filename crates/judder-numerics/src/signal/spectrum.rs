@@ -1,7 +1,7 @@
 //! The spectrum of a short piece of a signal.
 
+use judder_fourier::{RealToComplex, real_forward};
 use num_complex::Complex64;
-use realfft::{RealFftPlanner, RealToComplex};
 use std::sync::Arc;
 
 /// The transform of pieces of one length, with its working memory.
@@ -15,7 +15,7 @@ pub(crate) struct Transform {
 impl Transform {
     /// For pieces of up to `length` samples; shorter ones are filled up with zeros.
     pub(crate) fn new(length: usize) -> Self {
-        let plan = RealFftPlanner::new().plan_fft_forward(length);
+        let plan = real_forward(length);
         let (input, output, scratch) =
             (plan.make_input_vec(), plan.make_output_vec(), plan.make_scratch_vec());
         Self { plan, input, output, scratch }

@@ -1,9 +1,9 @@
 //! Determinants by elimination.
 
 use crate::StructureError;
-use crate::dense::general::pivots;
 use crate::quadratic::Quadratic;
 use faer::{Mat, c64};
+use judder_dense::general::pivots;
 
 /// ln det Q(z), its phase up to turns; −∞ where the matrix is singular.
 ///

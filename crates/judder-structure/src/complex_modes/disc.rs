@@ -6,9 +6,9 @@ use super::matching::one_to_one;
 use super::shift::ShiftedFactor;
 use super::vectors::{bilinear, column};
 use crate::StructureError;
-use crate::dense::general::solve;
 use crate::quadratic::{Quadratic, Side};
 use faer::{Mat, c64};
+use judder_dense::general::solve_complex;
 
 /// An eigenvalue with its vectors, each of length one.
 #[derive(Debug, Clone)]
@@ -102,7 +102,7 @@ pub(super) fn biorthogonalise(problem: &Quadratic, triples: &mut [Triple], dista
         };
         let products = Mat::from_fn(cluster.len(), cluster.len(), |i, j| slope(cluster[i], cluster[j]));
         let mut inverse = Mat::<c64>::identity(cluster.len(), cluster.len());
-        if solve(products.clone(), &mut inverse).is_none() {
+        if solve_complex(products.clone(), &mut inverse).is_none() {
             continue;
         }
         let (norm, of_inverse) = (products.norm_l2(), inverse.norm_l2());

@@ -5,9 +5,9 @@
 
 use super::linearised::Linearised;
 use crate::StructureError;
-use crate::dense::general::complex_eigen;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, MatRef, Par, c64};
+use judder_dense::general::complex_eigen;
 use judder_numerics::counter::uniform;
 
 /// Vectors that are taken through the operator together: solving for four costs little more than for one.

@@ -14,9 +14,9 @@ use super::refine::{Neighbourhood, Refined};
 use super::shift::ShiftedFactor;
 use super::vectors::normalise;
 use crate::StructureError;
-use crate::dense::general::complex_eigen;
 use crate::quadratic::{Quadratic, Region, Side};
 use faer::{Mat, c64};
+use judder_dense::general::complex_eigen;
 use rayon::prelude::*;
 
 /// Problems of at most so many freedoms are solved whole.

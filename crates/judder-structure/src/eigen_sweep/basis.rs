@@ -1,8 +1,8 @@
 //! Few vectors that carry many: proper orthogonal decomposition of snapshots.
 
-use crate::dense::{Eigen, symmetric};
 use crate::statics::dot;
 use faer::Mat;
+use judder_dense::symmetric::{Eigen, symmetric};
 use rayon::prelude::*;
 
 /// Directions that hold less than this share of the largest are left out.

@@ -8,10 +8,10 @@ use super::basis::decomposed;
 use crate::StructureError;
 use crate::affine::{Factors, Family, Term};
 use crate::complex_modes::{Refined, Searched, ShiftedFactor, Triple, vectors};
-use crate::dense::general::{real_eigen, solve};
 use crate::quadratic::{Region, Side};
 use crate::statics::{dot, product};
 use faer::{Mat, c64};
+use judder_dense::general::{real_eigen, solve};
 use rayon::prelude::*;
 
 /// The terms Vᵀ A V of a family.
@@ -97,7 +97,7 @@ impl<'a> Projection<'a> {
             _ => blocks[(i - size, j)],
         });
         let inside = |value: c64| region.contains(value * unit, BORDER * unit);
-        let picked = real_eigen(&companion, inside)?;
+        let picked = real_eigen(&companion, &inside)?;
         // of the left vectors w = (…, Mᵀ y) the lower half
         let count = picked.values.len();
         let mut halves = Mat::from_fn(size, 2 * count, |i, k| {

@@ -2,10 +2,10 @@
 
 use crate::StructureError;
 use crate::assembly::Sparse;
-use crate::dense::{Eigen, symmetric};
 use crate::factor::SymmetricFactor;
 use crate::statics::{dot, symmetric_product};
 use faer::Mat;
+use judder_dense::symmetric::{Eigen, symmetric};
 use judder_numerics::counter::uniform;
 use rayon::prelude::*;
 use std::collections::VecDeque;

@@ -1,6 +1,6 @@
 //! The spectrum of a motion.
 
-use realfft::RealFftPlanner;
+use judder_fourier::real_forward;
 use std::f64::consts::TAU;
 
 /// Angular frequencies and one-sided amplitudes of evenly spaced values about their mean, under Hann's window: a sine that
@@ -13,7 +13,7 @@ pub(super) fn amplitude_spectrum(values: &[f64], step: f64) -> (Vec<f64>, Vec<f6
     let mean = values.iter().sum::<f64>() / count as f64;
     let window = |k: usize| 0.5 - 0.5 * (TAU * k as f64 / count as f64).cos();
     let mut input: Vec<f64> = values.iter().enumerate().map(|(k, v)| window(k) * (v - mean)).collect();
-    let transform = RealFftPlanner::new().plan_fft_forward(count);
+    let transform = real_forward(count);
     let mut output = transform.make_output_vec();
     // lengths agree: both vectors are the planner's own
     if transform.process(&mut input, &mut output).is_err() {

@@ -9,7 +9,8 @@ use faer::traits::ComplexField;
 use faer::{Conj, Mat, MatRef, Par, Spec, c64};
 
 /// A v = λ v for a complex matrix: the values, and vectors as columns. `None` where the iteration does not end.
-pub(crate) fn complex_eigen(matrix: MatRef<'_, c64>) -> Option<(Vec<c64>, Mat<c64>)> {
+#[must_use]
+pub fn complex_eigen(matrix: MatRef<'_, c64>) -> Option<(Vec<c64>, Mat<c64>)> {
     let size = matrix.nrows();
     let finite = |entry: c64| entry.re.is_finite() && entry.im.is_finite();
     if !(0..size).all(|j| (0..size).all(|i| finite(matrix[(i, j)]))) {
@@ -25,7 +26,18 @@ pub(crate) fn complex_eigen(matrix: MatRef<'_, c64>) -> Option<(Vec<c64>, Mat<c6
 }
 
 /// X with A X = B, in place of B; `None` where A is singular.
-pub(crate) fn solve<T: ComplexField>(mut matrix: Mat<T>, right: &mut Mat<T>) -> Option<()> {
+#[must_use]
+pub fn solve(matrix: Mat<f64>, right: &mut Mat<f64>) -> Option<()> {
+    solve_over(matrix, right)
+}
+
+/// The same for complex matrices.
+#[must_use]
+pub fn solve_complex(matrix: Mat<c64>, right: &mut Mat<c64>) -> Option<()> {
+    solve_over(matrix, right)
+}
+
+fn solve_over<T: ComplexField>(mut matrix: Mat<T>, right: &mut Mat<T>) -> Option<()> {
     let size = matrix.nrows();
     let (mut forward, mut inverse) = (vec![0_usize; size], vec![0; size]);
     let parameters = Spec::<PartialPivLuParams, T>::default();
@@ -40,7 +52,8 @@ pub(crate) fn solve<T: ComplexField>(mut matrix: Mat<T>, right: &mut Mat<T>) -> 
 }
 
 /// The pivots of P A = L U, in place of A, and whether P is an odd number of exchanges; `None` where there is no memory.
-pub(crate) fn pivots(matrix: &mut Mat<c64>) -> Option<(Vec<c64>, bool)> {
+#[must_use]
+pub fn pivots(matrix: &mut Mat<c64>) -> Option<(Vec<c64>, bool)> {
     let size = matrix.nrows();
     let (mut forward, mut inverse) = (vec![0_usize; size], vec![0; size]);
     let parameters = Spec::<PartialPivLuParams, c64>::default();
@@ -53,14 +66,31 @@ pub(crate) fn pivots(matrix: &mut Mat<c64>) -> Option<(Vec<c64>, bool)> {
 }
 
 /// A v = λ v and wᴴ A = λ wᴴ for a real matrix, those of its eigenvalues that a test picks; vectors are columns, of length one.
-pub(crate) struct Picked {
-    pub(crate) values: Vec<c64>,
-    pub(crate) right: Mat<c64>,
-    pub(crate) left: Mat<c64>,
+pub struct Picked {
+    /// λ.
+    pub values: Vec<c64>,
+    /// v.
+    pub right: Mat<c64>,
+    /// w.
+    pub left: Mat<c64>,
 }
 
-/// `None` where the iteration does not end.
-pub(crate) fn real_eigen(matrix: &Mat<f64>, pick: impl Fn(c64) -> bool) -> Option<Picked> {
+/// The eigenvalues of a real matrix; `None` where the iteration does not end or memory is short.
+#[must_use]
+pub fn real_eigenvalues(matrix: &Mat<f64>) -> Option<Vec<c64>> {
+    let size = matrix.nrows();
+    let parameters = Spec::<EvdParams, f64>::default();
+    let none = ComputeEigenvectors::No;
+    let mut memory = MemBuffer::try_new(evd_scratch::<f64>(size, none, none, Par::Seq, parameters)).ok()?;
+    let (mut re, mut im) = (Diag::<f64>::zeros(size), Diag::<f64>::zeros(size));
+    let stack = MemStack::new(&mut memory);
+    evd_real(matrix.as_ref(), re.as_mut(), im.as_mut(), None, None, Par::Seq, stack, parameters).ok()?;
+    Some((0..size).map(|k| c64::new(re.column_vector()[k], im.column_vector()[k])).collect())
+}
+
+/// The eigenvalues of a real matrix that `pick` takes, with their vectors; `None` where the iteration does not end.
+#[must_use]
+pub fn real_eigen(matrix: &Mat<f64>, pick: &dyn Fn(c64) -> bool) -> Option<Picked> {
     let size = matrix.nrows();
     if !(0..size).all(|j| (0..size).all(|i| matrix[(i, j)].is_finite())) {
         return None;
@@ -114,7 +144,7 @@ mod tests {
     #[test]
     fn eigenvectors_of_real_matrices_belong_to_their_values_on_both_sides() {
         let matrix = Mat::from_fn(30, 30, |i, j| uniform(3, (30 * i + j) as u64) - 0.5);
-        let Picked { values, right, left } = real_eigen(&matrix, |value| value.norm() > 0.5).unwrap();
+        let Picked { values, right, left } = real_eigen(&matrix, &|value| value.norm() > 0.5).unwrap();
         assert!(values.len() > 20 && values.iter().any(|value| value.im == 0.0));
         for (k, value) in values.iter().enumerate() {
             let row = |i: usize| (0..30).map(|j| right[(j, k)] * matrix[(i, j)]).sum::<c64>();

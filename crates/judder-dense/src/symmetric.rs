@@ -3,8 +3,6 @@
 //! By nalgebra's QL iteration: the divide-and-conquer of faer 0.24 leaves residuals of 10⁻⁴ of the norm on graded matrices of 150 rows
 //! and more, as a test here shows for ours that it does not.
 
-pub(crate) mod general;
-
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::lblt::factor::{LbltParams, cholesky_in_place, cholesky_in_place_scratch};
 use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
@@ -12,13 +10,16 @@ use faer::{ColMut, Mat, Par, Side, Spec};
 use nalgebra::{DMatrix, SymmetricEigen};
 
 /// Eigenvalues by rising size, and vectors as columns.
-pub(crate) struct Eigen {
-    pub(crate) values: Vec<f64>,
-    pub(crate) vectors: Mat<f64>,
+pub struct Eigen {
+    /// By rising size.
+    pub values: Vec<f64>,
+    /// One column a value.
+    pub vectors: Mat<f64>,
 }
 
 /// A v = λ v with vᵀ v = 1 for a symmetric matrix; its lower triangle is read. `None` where the iteration does not end.
-pub(crate) fn symmetric(matrix: &Mat<f64>) -> Option<Eigen> {
+#[must_use]
+pub fn symmetric(matrix: &Mat<f64>) -> Option<Eigen> {
     /// Sweeps for each row, far beyond the two or three that it takes.
     const SWEEPS: usize = 60;
     let size = matrix.nrows();
@@ -36,7 +37,8 @@ pub(crate) fn symmetric(matrix: &Mat<f64>) -> Option<Eigen> {
 }
 
 /// K φ = λ M φ with φᵀ M φ = 1 for symmetric K and positive definite M; `None` where M is not.
-pub(crate) fn generalised(stiffness: Mat<f64>, mass: &Mat<f64>) -> Option<Eigen> {
+#[must_use]
+pub fn generalised(stiffness: Mat<f64>, mass: &Mat<f64>) -> Option<Eigen> {
     let triangle = mass.llt(Side::Lower).ok()?.L().to_owned();
     // L⁻¹ K L⁻ᵀ
     let mut inner = stiffness;
@@ -49,7 +51,8 @@ pub(crate) fn generalised(stiffness: Mat<f64>, mass: &Mat<f64>) -> Option<Eigen>
 }
 
 /// How many eigenvalues of a symmetric matrix are negative; `None` where its numbers are not finite. Its lower triangle is read.
-pub(crate) fn negative_eigenvalues(matrix: &Mat<f64>) -> Option<usize> {
+#[must_use]
+pub fn negative_eigenvalues(matrix: &Mat<f64>) -> Option<usize> {
     let size = matrix.nrows();
     let (mut factor, mut beside) = (matrix.clone(), vec![0.0; size]);
     let (mut forward, mut inverse) = (vec![0_usize; size], vec![0; size]);

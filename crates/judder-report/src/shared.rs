@@ -77,7 +77,9 @@ fn palette() -> Value {
 
 #[test]
 fn the_palette_of_the_chart_is_this_one() {
-    let palette = serde_json::to_string_pretty(&palette()).unwrap();
+    let mut palette = palette();
+    palette.sort_all_objects();
+    let palette = serde_json::to_string_pretty(&palette).unwrap();
     let head = "/** Colours, dashes and markers by meaning, written by the tests of `judder-report` from its palette: change them there. */";
     check("src/chart/meanings.ts", &format!("{head}\nexport const MEANINGS = {palette} as const;\n"));
 }
@@ -136,10 +138,11 @@ fn the_marks_with_which_those_of_the_chart_are_compared_are_these() {
             let major: Vec<(f64, &str)> =
                 ticks.major.iter().map(|tick| (tick.value, tick.label.as_str())).collect();
             let (minor, exponent) = (&ticks.minor, ticks.exponent);
-            json!({
+            let mut marks = json!({
                 "scale": scale, "range": [from, to], "room": room, "major": major, "minor": minor, "exponent": exponent,
-            })
-            .to_string()
+            });
+            marks.sort_all_objects();
+            marks.to_string()
         })
         .collect();
     check("tests/ticks.json", &format!("[\n{}\n]\n", marks.join(",\n")));

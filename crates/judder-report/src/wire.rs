@@ -40,6 +40,8 @@ pub fn json(figure: &Figure) -> Result<String, ReportError> {
     arrays.take_from(&mut value);
     value["arrays"] = json!(arrays.taken);
     value["bytes"] = json!(STANDARD.encode(compress_to_vec(&arrays.bytes, LEVEL)));
+    // another crate of the build may have switched serde_json to insertion order
+    value.sort_all_objects();
     Ok(value.to_string())
 }
 

@@ -15,14 +15,29 @@ pub struct Analysis<Kind> {
     pub kind: Kind,
 }
 
-/// A kind of analysis: its name, its keys besides `name` and `kind`, and how those are read.
+/// A kind of analysis: its name, what is said of its keys besides `name` and `kind`, and how those are read.
 pub(crate) struct Kind<S, T> {
     pub(crate) name: &'static str,
-    pub(crate) keys: &'static [&'static str],
-    /// What is said of each key, where the settings are declared.
-    pub(crate) declared: Option<fn() -> Vec<Declaration>>,
     pub(crate) doc: &'static str,
+    pub(crate) declared: fn() -> Vec<Declaration>,
     pub(crate) read: fn(&S, &Section<'_>) -> Result<T, Fault>,
+}
+
+impl<S, T> Kind<S, T> {
+    /// A kind whose keys are declared.
+    pub(crate) const fn declared(
+        name: &'static str,
+        doc: &'static str,
+        declared: fn() -> Vec<Declaration>,
+        read: fn(&S, &Section<'_>) -> Result<T, Fault>,
+    ) -> Self {
+        Self { name, doc, declared, read }
+    }
+
+    /// The names of its keys besides `name` and `kind`.
+    pub(crate) fn keys(&self) -> Vec<&'static str> {
+        (self.declared)().iter().map(|key| key.name).collect()
+    }
 }
 
 /// Every other kind of any model.
@@ -88,7 +103,7 @@ fn read_analysis<S, T>(
     before: &[Analysis<T>],
 ) -> Result<Analysis<T>, Fault> {
     let kind = find_kind(node, kinds)?;
-    let known: Vec<_> = ["name", "kind"].iter().chain(kind.keys).copied().collect();
+    let known = [vec!["name", "kind"], kind.keys()].concat();
     let section = Section::open(node, "", &format!("an analysis of kind `{}`", kind.name), &known)?;
     let name = section.text("name")?.unwrap_or(kind.name).to_owned();
     let place = section.get("name").map_or(node.place, |name| name.place);

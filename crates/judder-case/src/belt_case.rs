@@ -4,15 +4,14 @@ use std::fmt;
 
 use crate::analysis::{Analysis, Kind, read_analyses};
 use crate::cause::Cause;
+use crate::declared::{Declaration, Form, Scaled, all};
+use crate::dimension::Dimension;
 use crate::document::Node;
 use crate::error::Fault;
 use crate::keys::{Key, Range, Value, number};
-use crate::motion_analysis::{
-    BASIN, BIFURCATION, HISTORY, LIMIT_CYCLE, MotionAnalysis, MotionKeys, TIME_OF_BELT, TimeKey, read_basin,
-    read_bifurcation, read_history, read_limit_cycle,
-};
+use crate::motion_analysis::{MotionAnalysis, MotionKinds, MotionModel};
 use crate::section::Section;
-use crate::swept_keys::{SweptKeys, read_value};
+use crate::swept_keys::{SweptKeys, key_among, read_value};
 
 /// A numeric key of a belt case; its position in [`BELT_KEYS`] is `key as usize`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -145,16 +144,50 @@ impl SweptKeys for BeltKeys {
         first == second
     }
 
+    fn dimension(_: BeltKey) -> Dimension {
+        Dimension::NUMBER
+    }
+
+    fn key_form() -> Form {
+        key_among("belt-key")
+    }
+
     fn check(&self, _: &[(BeltKey, Value)]) -> Result<(), Cause> {
         Ok(())
     }
 }
 
-impl MotionKeys for BeltKeys {
-    const COORDINATES: &'static [&'static str] = &["x", "velocity_x"];
+impl MotionModel for BeltKeys {
+    type Analysis = MotionAnalysis<BeltKey>;
 
-    fn time() -> &'static Key<TimeKey> {
-        &TIME_OF_BELT
+    fn of_motion(analysis: MotionAnalysis<BeltKey>) -> MotionAnalysis<BeltKey> {
+        analysis
+    }
+
+    /// Mass and natural frequency are the units, and there is no other direction.
+    fn own(declared: Vec<Declaration>) -> Vec<Declaration> {
+        let own = |mut key: Declaration| {
+            match &mut key.form {
+                Form::Scaled(time) => *time = Scaled { dimension: Dimension::NUMBER, group: "t", ..*time },
+                Form::Table { keys, .. } => keys.retain(|key| !["y", "velocity_y"].contains(&key.name)),
+                _ => {}
+            }
+            key
+        };
+        declared.into_iter().map(own).collect()
+    }
+
+    fn refuse_others(section: &Section<'_>, declared: &[Declaration]) -> Result<(), Fault> {
+        let given = declared.iter().filter_map(|key| Some((key, section.get(key.name)?)));
+        let checked = given.map(|(key, node)| match &key.form {
+            Form::Scaled(time) => read_value(&time.entry(), &section.path(key.name), node).map(|_| ()),
+            Form::Table { keys, .. } => {
+                let known: Vec<_> = keys.iter().map(|key| key.name).collect();
+                section.table(key.name, node, &known).map(|_| ())
+            }
+            _ => Ok(()),
+        });
+        all(checked).map(|_| ())
     }
 }
 
@@ -162,12 +195,8 @@ impl MotionKeys for BeltKeys {
 pub(crate) const BELT_SECTIONS: [&str; 3] = ["oscillator", "friction", "operation"];
 
 /// The kinds of a belt case.
-pub(crate) const KINDS: [Kind<BeltKeys, MotionAnalysis<BeltKey>>; 4] = [
-    HISTORY.kind(read_history),
-    LIMIT_CYCLE.kind(read_limit_cycle),
-    BIFURCATION.kind(read_bifurcation),
-    BASIN.kind(read_basin),
-];
+pub(crate) const KINDS: [Kind<BeltKeys, MotionAnalysis<BeltKey>>; 4] =
+    [MotionKinds::HISTORY, MotionKinds::LIMIT_CYCLE, MotionKinds::BIFURCATION, MotionKinds::BASIN];
 
 /// Reads a belt case from the root of its tree.
 pub(crate) fn read(root: &Node) -> Result<BeltCase, Fault> {

@@ -183,46 +183,39 @@ impl ContactScope {
 
 /// The kinds of a contact case.
 pub(crate) const KINDS: [Kind<ContactScope, ContactAnalysis>; 5] = [
-    Kind {
-        name: "contact",
-        keys: ContactSettings::KEYS,
-        declared: Some(ContactSettings::declarations),
-        doc: "one contact: force, area, friction, fields",
-        read: |scope, section| ContactSettings::of(scope, section).map(ContactAnalysis::Contact),
-    },
-    Kind {
-        name: "contact-law",
-        keys: LawSettings::KEYS,
-        declared: Some(LawSettings::declarations),
-        doc: "force, area and friction over speed and indentation, as a law for an oscillator",
-        read: |scope, section| {
-            LawSettings::of("contact-law", scope, section).map(ContactAnalysis::ContactLaw)
-        },
-    },
-    Kind {
-        name: "fit",
-        keys: FitSettings::KEYS,
-        declared: Some(FitSettings::declarations),
-        doc: "the three functions of the oscillator paper, fitted to a computed law",
-        read: |scope, section| {
+    Kind::declared(
+        "contact",
+        "one contact: force, area, friction, fields",
+        ContactSettings::declarations,
+        |scope, section| ContactSettings::of(scope, section).map(ContactAnalysis::Contact),
+    ),
+    Kind::declared(
+        "contact-law",
+        "force, area and friction over speed and indentation, as a law for an oscillator",
+        LawSettings::declarations,
+        |scope, section| LawSettings::of("contact-law", scope, section).map(ContactAnalysis::ContactLaw),
+    ),
+    Kind::declared(
+        "fit",
+        "the three functions of the oscillator paper, fitted to a computed law",
+        FitSettings::declarations,
+        |scope, section| {
             let settings = both(LawSettings::of("fit", scope, section), FitReading::read_table(section));
             settings.map(|(law, reading)| ContactAnalysis::Fit(FitSettings { law, reading }))
         },
-    },
-    Kind {
-        name: "modulus",
-        keys: ModulusSettings::KEYS,
-        declared: Some(ModulusSettings::declarations),
-        doc: "storage and loss modulus and loss tangent over frequency",
-        read: |_, section| ModulusSettings::read_table(section).map(ContactAnalysis::Modulus),
-    },
-    Kind {
-        name: "transient",
-        keys: TransientSettings::KEYS,
-        declared: Some(TransientSettings::declarations),
-        doc: "a contact that is followed in time: histories of force, friction and area, work of a cycle",
-        read: |scope, section| TransientSettings::of(scope, section).map(ContactAnalysis::Transient),
-    },
+    ),
+    Kind::declared(
+        "modulus",
+        "storage and loss modulus and loss tangent over frequency",
+        ModulusSettings::declarations,
+        |_, section| ModulusSettings::read_table(section).map(ContactAnalysis::Modulus),
+    ),
+    Kind::declared(
+        "transient",
+        "a contact that is followed in time: histories of force, friction and area, work of a cycle",
+        TransientSettings::declarations,
+        |scope, section| TransientSettings::of(scope, section).map(ContactAnalysis::Transient),
+    ),
 ];
 
 impl Loading {
@@ -313,19 +306,12 @@ impl LawSettings {
 
 impl FitSettings {
     /// The keys of the law, and of how it is read.
-    const KEYS: &'static [&'static str] = &{
-        let (law, mut keys) = (LawSettings::KEYS, [FitReading::KEYS[0]; LawSettings::KEYS.len() + 1]);
-        let mut index = 0;
-        while index < law.len() {
-            // the memory limit stays the last
-            keys[if index + 1 < law.len() { index } else { law.len() }] = law[index];
-            index += 1;
-        }
-        keys
-    };
-
     fn declarations() -> Vec<Declaration> {
-        [LawSettings::declarations(), FitReading::declarations()].concat()
+        let mut keys = LawSettings::declarations();
+        // the memory limit stays the last
+        let end = keys.len().saturating_sub(1);
+        keys.splice(end..end, FitReading::declarations());
+        keys
     }
 }
 

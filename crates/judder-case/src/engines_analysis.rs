@@ -1,68 +1,39 @@
 //! `engines`: one cycle of an oscillator by three engines.
 
+use crate::declared::{Ladder, Scaled};
 use crate::dimension::Dimension;
-use crate::error::Fault;
-use crate::keys::{Key, Range, number};
+use crate::keys::{Form, Value};
 use crate::motion_analysis::{
-    Following, MotionKind, MotionStart, SETTLING_DURATION, read_following, read_start,
+    CYCLE_TOLERANCE, DURATION, MOTION_STEPS, MotionStart, SETTLING_DURATION, STEPS, TOLERANCE,
 };
-use crate::section::Section;
-use crate::span::{Span, read_span};
-use crate::swept_keys::OscillatorKeys;
+use crate::span::Span;
+use judder_keys_derive::Settings;
 
 /// What is compared.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Settings)]
 pub struct EnginesSettings {
     /// Where the motion that settles to the cycle starts.
+    #[key(default = MotionStart::USUAL)]
     pub start: MotionStart,
-    /// How it is followed: at most for its duration.
-    pub following: Following,
-    /// Steps of the time-stepping, as ω_nx t or in s.
+    /// Steps of the time-stepping, with equal ratios between them.
+    #[key(rule = TIME_STEP, symbol = "h", default = Span { from: 3e-4, to: 1e-1, points: 11, form: Form::Group })]
     pub time_step: Span,
-    /// Widths ε of the smoothed sign, over v_d.
+    /// Widths of the smoothed sign tanh(v_rel/ε), over v_d.
+    #[key(rule = WIDTH, symbol = "ε/v_d", default = Span { from: 1e-4, to: 1.0, points: 13, form: Form::Group })]
     pub width: Span,
+    /// Time within which the motion settles.
+    #[key(rule = DURATION, symbol = "t", default = SETTLING_DURATION)]
+    pub duration: Value,
+    /// Local error of a step, relative to the magnitudes of steady sliding.
+    #[key(rule = TOLERANCE, symbol = "ε", default = CYCLE_TOLERANCE)]
+    pub tolerance: f64,
+    /// The most steps of one motion.
+    #[key(rule = STEPS, default = MOTION_STEPS)]
+    pub steps: usize,
 }
 
-/// A number of the kind `engines`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct EnginesKey;
-
-/// The default steps, ω_nx t.
-pub(crate) const TIME_STEPS: (f64, f64, usize) = (3e-4, 1e-1, 11);
-/// The default widths, over v_d.
-pub(crate) const WIDTHS: (f64, f64, usize) = (1e-4, 1.0, 13);
 /// The points that a range of steps or widths may have.
-pub(crate) const LADDER_POINTS: usize = 200;
-
-/// The step of the time-stepping.
-pub(crate) static TIME_STEP: Key<EnginesKey> = Key {
-    dimension: Dimension::TIME,
-    group: Some("ω_nx t"),
-    default: None,
-    ..number(EnginesKey, "time_step", "h", Range::Positive, ("", 0.0), "step of the time-stepping")
-};
-
-/// The width of the smoothed sign.
-pub(crate) static WIDTH: Key<EnginesKey> = Key {
-    default: None,
-    ..number(EnginesKey, "width", "ε/v_d", Range::Positive, ("", 0.0), "width of the smoothed sign")
-};
-
-pub(crate) const ENGINES: MotionKind = MotionKind {
-    name: "engines",
-    keys: &["start", "time_step", "width", "duration", "tolerance", "steps"],
-    doc: "the cycle that a motion settles to, by events, by time-stepping and with a smoothed sign",
-    tolerance: 1e-10,
-    duration: SETTLING_DURATION,
-};
-
-pub(crate) fn read(section: &Section<'_>) -> Result<EnginesSettings, Fault> {
-    let range =
-        |key: &Key<EnginesKey>, default: (f64, f64, usize)| read_span(section, key, default, LADDER_POINTS);
-    Ok(EnginesSettings {
-        start: read_start::<OscillatorKeys>(section)?,
-        following: read_following::<OscillatorKeys>(section, &ENGINES)?,
-        time_step: range(&TIME_STEP, TIME_STEPS)?,
-        width: range(&WIDTH, WIDTHS)?,
-    })
-}
+const LADDER_POINTS: usize = 200;
+const TIME_STEP: Ladder = Ladder { of: DURATION, usual: 11, most: LADDER_POINTS };
+const WIDTH: Ladder =
+    Ladder { of: Scaled::positive(Dimension::NUMBER, "ε/v_d"), usual: 13, most: LADDER_POINTS };

@@ -97,7 +97,10 @@ pub use inputs::{FrictionLoad, LawName, OscillatorInputs, TimeForm};
 pub use keys::{Form, KEYS, Key, OscillatorKey, Range, Value};
 pub use mass::MassProblem;
 pub use memory::Memory;
-pub use motion_analysis::{Following, MotionAnalysis, MotionStart, SweepDirection};
+pub use motion_analysis::{
+    Basin, Bifurcation, Diagram, Following, History, LimitCycle, MotionAnalysis, MotionStart, StartRanges,
+    SweepDirection,
+};
 pub use oscillator_analysis::{
     CriticalThresholds, DampingCurves, OscillatorAnalysis, Sought, SpectrumCurves,
 };
@@ -116,8 +119,10 @@ pub use study_sweep::problem::SweepProblem;
 pub use study_sweep::quantity_path::{QuantityPath, QuantitySource, QuantityStep, Reduction};
 pub use study_sweep::{Design, Sensitivity, StudySweep, SweptKey, SweptValues};
 pub use substrate::{PronyTerm, RelaxationSource, RelaxationTerm, Substrate, TermCount};
-pub use sweep::{Family, MapMethod, ParameterKey, Scale, StabilityMap, Sweep, Within};
+pub use sweep::{Family, MapMethod, MapOptions, ParameterKey, Scale, StabilityMap, Sweep, Within};
 pub use temperature::{Arrhenius, Shift, Temperature, TemperatureDifference, Wlf};
 pub use template::{TEMPLATES, template};
 pub use transient_analysis::{Motion, MotionWord, Oscillation, TransientSettings};
-pub use two_degrees::{Parameter, TwoDegreesAnalysis, TwoDegreesCase, TwoDegreesMatrices};
+pub use two_degrees::{
+    Parameter, ParameterSpectrum, ParameterThresholds, TwoDegreesAnalysis, TwoDegreesCase, TwoDegreesMatrices,
+};

@@ -2,62 +2,181 @@
 
 use crate::analysis::Kind;
 use crate::cause::Cause;
+use crate::declared::{Declaration, Number, Pair, Scaled, Settings, Whole, both};
 use crate::dimension::Dimension;
-use crate::document::Node;
 use crate::error::Fault;
-use crate::keys::{Key, Range, Value, number};
-use crate::read_sweep::{read_checked_sweep, same_form};
-use crate::section::{Section, finite_number, list, wrong_type};
+use crate::keys::{Range, Value};
+use crate::read_sweep::{SWEEP, same_form};
+use crate::section::Section;
 use crate::sweep::Sweep;
-use crate::swept_keys::{SweptKeys, read_value};
+use crate::swept_keys::SweptKeys;
+use judder_keys_derive::{Choice, Settings};
+use serde_json::{Map, Value as Json};
 
 /// What an analysis of motion computes.
 #[derive(Debug, Clone, PartialEq)]
 pub enum MotionAnalysis<K> {
     /// `motion`: the history of one motion.
-    History {
-        /// Where it starts.
-        start: MotionStart,
-        /// How it is followed: for its whole duration.
-        following: Following,
-        /// The first part of the time, which averages leave out; of the form of the duration.
-        transient: Value,
-        /// Points of the uniform grid of time that is kept.
-        points: usize,
-    },
+    History(History),
     /// `limit-cycle`: the cycle that a motion settles to, made exact.
-    LimitCycle {
-        /// Where the motion starts.
-        start: MotionStart,
-        /// How it is followed: at most for its duration.
-        following: Following,
-    },
+    LimitCycle(LimitCycle),
     /// `bifurcation`: what the motion settles to along one key, up and down.
-    Bifurcation {
-        /// The swept key.
-        sweep: Sweep<K>,
-        /// Which way the key goes.
-        direction: SweepDirection,
-        /// Where the motion at the first value starts.
-        start: MotionStart,
-        /// How each motion is followed: at most for its duration.
-        following: Following,
-        /// The first part of the time, which the averages of an irregular motion leave out; of the form of the duration.
-        transient: Value,
-        /// Whether the branches of cycles, stable and unstable, are followed through the diagram as well.
-        branches: bool,
-    },
+    Bifurcation(Bifurcation<K>),
     /// `basin`: the share of starts from which steady sliding is reached.
-    Basin {
-        /// The range of each coordinate from which starts are drawn, evenly; `None` leaves it at steady sliding.
-        within: Vec<Option<(f64, f64)>>,
-        /// How many starts.
-        samples: usize,
-        /// Which starts.
-        seed: u64,
-        /// How each motion is followed: at most for its duration.
-        following: Following,
+    Basin(Basin),
+}
+
+/// The history of one motion.
+#[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(check = History::complete)]
+pub struct History {
+    /// Where the motion starts.
+    #[key(default = MotionStart::USUAL)]
+    pub start: MotionStart,
+    /// Time that the motion is followed.
+    #[key(rule = DURATION, symbol = "t", default = Value::group(2000.0))]
+    pub duration: Value,
+    /// First part of the duration, which averages leave out; half of it by default.
+    #[key(rule = TRANSIENT, symbol = "t", default = Value::group(1000.0))]
+    pub transient: Value,
+    /// Points of the uniform grid of time that is kept.
+    #[key(rule = Whole { from: 16, to: 1 << 22 }, default = 4096)]
+    pub points: usize,
+    /// Local error of a step, relative to the magnitudes of steady sliding.
+    #[key(rule = TOLERANCE, symbol = "ε", default = 1e-8)]
+    pub tolerance: f64,
+    /// The most steps of one motion.
+    #[key(rule = STEPS, default = MOTION_STEPS)]
+    pub steps: usize,
+}
+
+/// The cycle that a motion settles to.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub struct LimitCycle {
+    /// Where the motion starts.
+    #[key(default = MotionStart::USUAL)]
+    pub start: MotionStart,
+    /// Time within which the motion settles.
+    #[key(rule = DURATION, symbol = "t", default = SETTLING_DURATION)]
+    pub duration: Value,
+    /// Local error of a step, relative to the magnitudes of steady sliding.
+    #[key(rule = TOLERANCE, symbol = "ε", default = CYCLE_TOLERANCE)]
+    pub tolerance: f64,
+    /// The most steps of one motion.
+    #[key(rule = STEPS, default = MOTION_STEPS)]
+    pub steps: usize,
+}
+
+/// What the motion settles to along one key.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bifurcation<K> {
+    /// The swept key.
+    pub sweep: Sweep<K>,
+    /// How it is followed.
+    pub diagram: Diagram,
+}
+
+/// How a bifurcation diagram is followed: each motion starts where the one before has ended.
+#[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(check = Diagram::complete)]
+pub struct Diagram {
+    /// Which way the key is followed.
+    #[key(default = SweepDirection::Both)]
+    pub direction: SweepDirection,
+    /// Where the motion at the first value starts.
+    #[key(default = MotionStart::USUAL)]
+    pub start: MotionStart,
+    /// Time within which each motion settles.
+    #[key(rule = DURATION, symbol = "t", default = Value::group(5000.0))]
+    pub duration: Value,
+    /// First part of the duration, which the averages of an irregular motion leave out; half of it by default.
+    #[key(rule = TRANSIENT, symbol = "t", default = Value::group(2500.0))]
+    pub transient: Value,
+    /// Local error of a step, relative to the magnitudes of steady sliding.
+    #[key(rule = TOLERANCE, symbol = "ε", default = 1e-6)]
+    pub tolerance: f64,
+    /// The most steps of one motion.
+    #[key(rule = STEPS, default = MOTION_STEPS)]
+    pub steps: usize,
+    /// Follow the [branches of cycles](theory/motion.md#branches-through-a-diagram), stable and unstable, through the diagram: a cascade of cycles that stick and lift off takes minutes.
+    #[key(default = false)]
+    pub branches: bool,
+}
+
+/// The share of starts from which steady sliding is reached.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub struct Basin {
+    /// The ranges from which starts are drawn, evenly and independently.
+    #[key(example = "{ x = [from, to], velocity_x = [from, to] }, the ranges of the starts")]
+    pub within: StartRanges,
+    /// Number of starts.
+    #[key(rule = Whole { from: 1, to: 10_000_000 }, default = 1000)]
+    pub samples: usize,
+    /// Which starts are drawn; the n-th depends on the seed and on n alone.
+    #[key(rule = SEEDS, default = 1)]
+    pub seed: usize,
+    /// Time within which each motion settles.
+    #[key(rule = DURATION, symbol = "t", default = SETTLING_DURATION)]
+    pub duration: Value,
+    /// Local error of a step, relative to the magnitudes of steady sliding.
+    #[key(rule = TOLERANCE, symbol = "ε", default = 1e-6)]
+    pub tolerance: f64,
+    /// The most steps of one motion.
+    #[key(rule = STEPS, default = MOTION_STEPS)]
+    pub steps: usize,
+}
+
+/// Where a motion starts.
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
+pub enum MotionStart {
+    /// Steady sliding with x moved by this share of its magnitude, or of the scale of a motion where steady sliding has no x.
+    #[key(rule = ANY, example = "0.2, or x = …, the coordinates of the start")]
+    Disturbance(f64),
+    /// A state: what is left out stands as in steady sliding.
+    State {
+        /// Displacement, in units of x0 = F_n/k_x for the oscillator.
+        #[key(rule = ANY, omitted)]
+        x: Option<f64>,
+        /// Normal displacement, in units of x0; in the air where it is not above zero.
+        #[key(rule = ANY, omitted)]
+        y: Option<f64>,
+        /// Velocity along x, in these units and those of ω_nx.
+        #[key(rule = ANY, omitted)]
+        velocity_x: Option<f64>,
+        /// Velocity along y.
+        #[key(rule = ANY, omitted)]
+        velocity_y: Option<f64>,
     },
+}
+
+/// The range of each coordinate of a start; what is left out stands as in steady sliding.
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
+#[settings(check = StartRanges::says_one)]
+pub struct StartRanges {
+    /// Of the displacement.
+    #[key(rule = RANGE, omitted)]
+    pub x: Option<[f64; 2]>,
+    /// Of the normal displacement.
+    #[key(rule = RANGE, omitted)]
+    pub y: Option<[f64; 2]>,
+    /// Of the velocity along x.
+    #[key(rule = RANGE, omitted)]
+    pub velocity_x: Option<[f64; 2]>,
+    /// Of the velocity along y.
+    #[key(rule = RANGE, omitted)]
+    pub velocity_y: Option<[f64; 2]>,
+}
+
+/// Which way a bifurcation diagram is followed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
+#[choice(what = "direction")]
+pub enum SweepDirection {
+    /// Both ways.
+    Both,
+    /// From the first value to the last.
+    Forward,
+    /// From the last value to the first.
+    Backward,
 }
 
 /// How a motion is followed.
@@ -71,36 +190,38 @@ pub struct Following {
     pub steps: usize,
 }
 
-/// Where a motion starts.
-#[derive(Debug, Clone, PartialEq)]
-pub enum MotionStart {
-    /// Steady sliding with x moved by this share of |x_e|.
-    Disturbance(f64),
-    /// These coordinates, in the model's own order and units; what is left out stands as in steady sliding.
-    State(Vec<Option<f64>>),
+const ANY: Number = Number::any(Dimension::NUMBER);
+const RANGE: Pair = Pair { of: ANY, what: "two numbers, [from, to]", is_ascending: true };
+pub(crate) const DURATION: Scaled = Scaled::positive(Dimension::TIME, "ω_nx t");
+const TRANSIENT: Scaled = Scaled { range: Range::NonNegative, ..DURATION };
+pub(crate) const TOLERANCE: Number =
+    Number { dimension: Dimension::NUMBER, range: Range::Interval { above: 1e-14, up_to: 1e-2 } };
+pub(crate) const STEPS: Whole = Whole { from: 1, to: 1_000_000_000_000 };
+/// Whole numbers that every reader of JSON keeps.
+pub(crate) const SEEDS: Whole = Whole { from: 0, to: (1 << 53) - 1 };
+
+/// The time within which a motion settles where the case does not say, ω_nx t.
+pub(crate) const SETTLING_DURATION: Value = Value::group(2e4);
+/// The tolerance of cycles where the case does not say.
+pub(crate) const CYCLE_TOLERANCE: f64 = 1e-10;
+/// The steps of a motion where the case does not say.
+pub(crate) const MOTION_STEPS: usize = 10_000_000;
+
+/// Settings that say how a motion is followed.
+macro_rules! followed {
+    ($($settings:ty),*) => {
+        $(impl $settings {
+            /// How a motion is followed.
+            pub fn following(&self) -> Following {
+                Following { duration: self.duration, tolerance: self.tolerance, steps: self.steps }
+            }
+        })*
+    };
 }
 
-/// Which way a bifurcation diagram is followed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum SweepDirection {
-    /// Both ways.
-    Both,
-    /// From the first value to the last.
-    Forward,
-    /// From the last value to the first.
-    Backward,
-}
+followed!(History, LimitCycle, Diagram, Basin, crate::engines_analysis::EnginesSettings);
 
 impl SweepDirection {
-    /// The directions with their names in a case file.
-    pub const ALL: [(&'static str, Self); 3] =
-        [("both", Self::Both), ("forward", Self::Forward), ("backward", Self::Backward)];
-
-    /// The name in a case file.
-    pub fn name(self) -> &'static str {
-        Self::ALL[self as usize].0
-    }
-
     /// The single sweeps that it takes.
     pub fn sweeps(self) -> &'static [Self] {
         match self {
@@ -111,247 +232,148 @@ impl SweepDirection {
     }
 }
 
-/// x over |x_e| − 1 from which a motion starts where the case says nothing else.
-pub const DISTURBANCE: f64 = 0.2;
-/// The default duration of a history.
-pub const HISTORY_DURATION: f64 = 2000.0;
-/// The default time within which a motion settles.
-pub const SETTLING_DURATION: f64 = 2e4;
-/// The same along a diagram, where each motion starts near to where it ends.
-pub const DIAGRAM_DURATION: f64 = 5000.0;
-/// The share of the duration that averages leave out by default.
-pub const TRANSIENT_SHARE: f64 = 0.5;
-/// Whether a diagram has its branches where the case says nothing: a cascade of cycles with sticks and lift-offs takes minutes.
-pub const BRANCHES: bool = false;
-/// The default points of a history, and their limits.
-pub const HISTORY_POINTS: usize = 4096;
-pub(crate) const HISTORY_POINTS_LIMITS: [usize; 2] = [16, 1 << 22];
-/// The default samples of a basin, and their limits.
-pub const BASIN_SAMPLES: usize = 1000;
-pub(crate) const SAMPLES_LIMITS: [usize; 2] = [1, 10_000_000];
-/// The default seed of a basin, and its limits: whole numbers that every reader of JSON keeps.
-pub const BASIN_SEED: usize = 1;
-pub(crate) const SEED_LIMITS: [usize; 2] = [0, (1 << 53) - 1];
-/// The default budget of steps of a motion, and its limits.
-pub const MOTION_STEPS: usize = 10_000_000;
-pub(crate) const STEPS_LIMITS: [usize; 2] = [1, 1_000_000_000_000];
-/// The tolerances that a motion may be given.
-pub(crate) const TOLERANCE_RANGE: Range = Range::Interval { above: 1e-14, up_to: 1e-2 };
+impl MotionStart {
+    /// Where a motion starts where the case does not say.
+    pub const USUAL: Self = Self::Disturbance(0.2);
 
-/// A time of an analysis of motion.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct TimeKey;
-
-/// The time of the oscillator.
-pub(crate) static TIME_OF_OSCILLATOR: Key<TimeKey> = Key {
-    dimension: Dimension::TIME,
-    group: Some("ω_nx t"),
-    default: None,
-    ..number(TimeKey, "duration", "t", Range::Positive, ("", 0.0), "time that a motion is followed")
-};
-
-/// The time of the mass on a belt.
-pub(crate) static TIME_OF_BELT: Key<TimeKey> = Key {
-    default: None,
-    ..number(TimeKey, "duration", "t", Range::Positive, ("", 0.0), "time that a motion is followed")
-};
-
-/// What the analyses of motion need to know of a model beside its swept keys.
-pub(crate) trait MotionKeys: SweptKeys {
-    /// The coordinates of a state, in order: displacements, then their velocities.
-    const COORDINATES: &'static [&'static str];
-
-    /// How a time is given.
-    fn time() -> &'static Key<TimeKey>;
-}
-
-/// Name, keys and meaning of a kind, whichever model it belongs to.
-pub(crate) struct MotionKind {
-    pub(crate) name: &'static str,
-    pub(crate) keys: &'static [&'static str],
-    pub(crate) doc: &'static str,
-    /// The default tolerance.
-    pub(crate) tolerance: f64,
-    /// The default duration.
-    pub(crate) duration: f64,
-}
-
-impl MotionKind {
-    /// The kind with its reader.
-    pub(crate) const fn kind<S, T>(&self, read: fn(&S, &Section<'_>) -> Result<T, Fault>) -> Kind<S, T> {
-        Kind { name: self.name, keys: self.keys, declared: None, doc: self.doc, read }
-    }
-}
-
-pub(crate) const HISTORY: MotionKind = MotionKind {
-    name: "motion",
-    keys: &["start", "duration", "transient", "points", "tolerance", "steps"],
-    doc: "the history of one motion: stick, slip, lift-off, its averages, its energy",
-    tolerance: 1e-8,
-    duration: HISTORY_DURATION,
-};
-
-pub(crate) const LIMIT_CYCLE: MotionKind = MotionKind {
-    name: "limit-cycle",
-    keys: &["start", "duration", "tolerance", "steps"],
-    doc: "the cycle that a motion settles to, with its Floquet multipliers",
-    tolerance: 1e-10,
-    duration: SETTLING_DURATION,
-};
-
-pub(crate) const BIFURCATION: MotionKind = MotionKind {
-    name: "bifurcation",
-    keys: &["sweep", "direction", "start", "duration", "transient", "tolerance", "steps", "branches"],
-    doc: "what the motion settles to along one key, each motion from the end of the one before",
-    tolerance: 1e-6,
-    duration: DIAGRAM_DURATION,
-};
-
-pub(crate) const BASIN: MotionKind = MotionKind {
-    name: "basin",
-    keys: &["within", "samples", "seed", "duration", "tolerance", "steps"],
-    doc: "the share of starts, drawn evenly, from which steady sliding is reached",
-    tolerance: 1e-6,
-    duration: SETTLING_DURATION,
-};
-
-pub(crate) fn read_history<S: MotionKeys>(
-    _: &S,
-    section: &Section<'_>,
-) -> Result<MotionAnalysis<S::Key>, Fault> {
-    let following = read_following::<S>(section, &HISTORY)?;
-    let [fewest, most] = HISTORY_POINTS_LIMITS;
-    Ok(MotionAnalysis::History {
-        start: read_start::<S>(section)?,
-        following,
-        transient: read_transient::<S>(section, following.duration)?,
-        points: section.whole("points", fewest, most)?.unwrap_or(HISTORY_POINTS),
-    })
-}
-
-pub(crate) fn read_limit_cycle<S: MotionKeys>(
-    _: &S,
-    section: &Section<'_>,
-) -> Result<MotionAnalysis<S::Key>, Fault> {
-    Ok(MotionAnalysis::LimitCycle {
-        start: read_start::<S>(section)?,
-        following: read_following::<S>(section, &LIMIT_CYCLE)?,
-    })
-}
-
-pub(crate) fn read_bifurcation<S: MotionKeys>(
-    keys: &S,
-    section: &Section<'_>,
-) -> Result<MotionAnalysis<S::Key>, Fault> {
-    let following = read_following::<S>(section, &BIFURCATION)?;
-    Ok(MotionAnalysis::Bifurcation {
-        sweep: read_checked_sweep(keys, section)?,
-        direction: section
-            .choice("direction", "direction", &SweepDirection::ALL)?
-            .unwrap_or(SweepDirection::Both),
-        start: read_start::<S>(section)?,
-        following,
-        transient: read_transient::<S>(section, following.duration)?,
-        branches: section.boolean("branches")?.unwrap_or(BRANCHES),
-    })
-}
-
-pub(crate) fn read_basin<S: MotionKeys>(
-    _: &S,
-    section: &Section<'_>,
-) -> Result<MotionAnalysis<S::Key>, Fault> {
-    let [fewest, most] = SAMPLES_LIMITS;
-    let [first, last] = SEED_LIMITS;
-    Ok(MotionAnalysis::Basin {
-        within: read_ranges::<S>(section)?,
-        samples: section.whole("samples", fewest, most)?.unwrap_or(BASIN_SAMPLES),
-        seed: section.whole("seed", first, last)?.unwrap_or(BASIN_SEED) as u64,
-        following: read_following::<S>(section, &BASIN)?,
-    })
-}
-
-pub(crate) fn read_following<S: MotionKeys>(
-    section: &Section<'_>,
-    kind: &MotionKind,
-) -> Result<Following, Fault> {
-    let duration = section.get("duration").map(|node| read_value(S::time(), "duration", node)).transpose()?;
-    let [fewest, most] = STEPS_LIMITS;
-    Ok(Following {
-        duration: duration.unwrap_or(Value::group(kind.duration)),
-        tolerance: read_tolerance(section)?.unwrap_or(kind.tolerance),
-        steps: section.whole("steps", fewest, most)?.unwrap_or(MOTION_STEPS),
-    })
-}
-
-fn read_tolerance(section: &Section<'_>) -> Result<Option<f64>, Fault> {
-    let Some(node) = section.get("tolerance") else { return Ok(None) };
-    let number = finite_number("tolerance", node)?;
-    if TOLERANCE_RANGE.contains(number) {
-        return Ok(Some(number));
-    }
-    Err(Cause::OutOfRange { key: "tolerance".to_owned(), number, range: TOLERANCE_RANGE }.at(node.place))
-}
-
-/// The time that averages leave out; half the duration where the case says nothing.
-fn read_transient<S: MotionKeys>(section: &Section<'_>, duration: Value) -> Result<Value, Fault> {
-    let Some(node) = section.get("transient") else {
-        return Ok(Value { number: TRANSIENT_SHARE * duration.number, form: duration.form });
-    };
-    let entry = Key { range: Range::NonNegative, key: TimeKey, ..*S::time() };
-    let transient = read_value(&entry, "transient", node)?;
-    same_form("`duration` and `transient`".to_owned(), duration.form, transient.form, node.place)?;
-    if transient.number >= duration.number {
-        let (transient, duration) = (transient.number, duration.number);
-        return Err(Cause::NothingMeasured { transient, duration }.at(node.place));
-    }
-    Ok(transient)
-}
-
-pub(crate) fn read_start<S: MotionKeys>(section: &Section<'_>) -> Result<MotionStart, Fault> {
-    let Some(node) = section.get("start") else { return Ok(MotionStart::Disturbance(DISTURBANCE)) };
-    let known: Vec<&str> = S::COORDINATES.iter().copied().chain(["disturbance"]).collect();
-    let table = Section::open(node, "start", "`start`", &known)?;
-    if let Some(disturbance) = table.get("disturbance") {
-        if let Some(other) = S::COORDINATES.iter().find(|name| table.get(name).is_some()) {
-            let (first, second) = ("start.disturbance".to_owned(), table.path(other));
-            return Err(
-                Cause::Conflict { first, second }.at(table.get(other).map_or(table.place, |n| n.place))
-            );
+    /// What is given of the coordinates of a state: displacements, then their velocities.
+    pub fn state<const N: usize>(&self) -> [Option<f64>; N] {
+        match *self {
+            Self::Disturbance(_) => [None; N],
+            Self::State { x, y, velocity_x, velocity_y } => in_order([x, y], [velocity_x, velocity_y]),
         }
-        return finite_number("start.disturbance", disturbance).map(MotionStart::Disturbance);
     }
-    let coordinate =
-        |name: &&str| table.get(name).map(|node| finite_number(&table.path(name), node)).transpose();
-    let state: Vec<Option<f64>> = S::COORDINATES.iter().map(coordinate).collect::<Result<_, _>>()?;
-    if state.iter().all(Option::is_none) {
-        table.required("disturbance", "disturbance = 0.2, or x = …, the coordinates of the start")?;
-    }
-    Ok(MotionStart::State(state))
 }
 
-fn read_ranges<S: MotionKeys>(section: &Section<'_>) -> Result<Vec<Option<(f64, f64)>>, Fault> {
-    let expected = "within = { x = [from, to], velocity_x = [from, to] }, the ranges of the starts";
-    let node = section.required("within", expected)?;
-    let table = Section::open(node, "within", "`within`", S::COORDINATES)?;
-    let range = |name: &&str| table.get(name).map(|node| read_range(&table.path(name), node)).transpose();
-    let ranges: Vec<_> = S::COORDINATES.iter().map(range).collect::<Result<_, _>>()?;
-    if ranges.iter().all(Option::is_none) {
-        table.required("x", "x = [from, to], the range of a coordinate")?;
+impl StartRanges {
+    /// The ranges in the order of a state: displacements, then their velocities.
+    pub fn state<const N: usize>(&self) -> [Option<[f64; 2]>; N] {
+        in_order([self.x, self.y], [self.velocity_x, self.velocity_y])
     }
-    Ok(ranges)
+
+    fn says_one(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        if !section.is_empty() {
+            return Ok(());
+        }
+        Err(section.missing("x", "x = [from, to], the range of a coordinate"))
+    }
 }
 
-/// `[from, to]`, ascending.
-fn read_range(key: &str, node: &Node) -> Result<(f64, f64), Fault> {
-    let [from, to] = list(key, node)? else {
-        return Err(wrong_type(key, "a list of two numbers, [from, to]", node));
+/// What is given of the coordinates of a state, half of which are displacements.
+fn in_order<T: Copy, const N: usize>(
+    displacements: [Option<T>; 2],
+    velocities: [Option<T>; 2],
+) -> [Option<T>; N] {
+    std::array::from_fn(|k| {
+        let (given, k) = if k < N / 2 { (displacements, k) } else { (velocities, k - N / 2) };
+        given.get(k).copied().flatten()
+    })
+}
+
+impl History {
+    fn complete(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        leave_some(&mut self.transient, self.duration, section)
+    }
+}
+
+impl Diagram {
+    fn complete(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        leave_some(&mut self.transient, self.duration, section)
+    }
+}
+
+/// Refuses a transient that leaves nothing of the duration; it is half of it where the case does not say.
+fn leave_some(transient: &mut Value, duration: Value, section: &Section<'_>) -> Result<(), Fault> {
+    let Some(node) = section.get("transient") else {
+        *transient = Value { number: 0.5 * duration.number, ..duration };
+        return Ok(());
     };
-    let (from, to) = (finite_number(key, from)?, finite_number(key, to)?);
-    if from < to {
-        Ok((from, to))
-    } else if from == to {
-        Err(Cause::EmptyRange { from }.at(node.place))
-    } else {
-        Err(Cause::Backwards { from, to }.at(node.place))
+    same_form("`duration` and `transient`".to_owned(), duration.form, transient.form, node.place)?;
+    if transient.number < duration.number {
+        return Ok(());
+    }
+    let (transient, duration) = (transient.number, duration.number);
+    Err(Cause::NothingMeasured { transient, duration }.at(node.place))
+}
+
+/// A model with motion.
+pub(crate) trait MotionModel: SweptKeys {
+    /// The analyses of its cases.
+    type Analysis;
+
+    /// One of motion among them.
+    fn of_motion(analysis: MotionAnalysis<Self::Key>) -> Self::Analysis;
+
+    /// What it has of the settings of an analysis of motion.
+    fn own(declared: Vec<Declaration>) -> Vec<Declaration> {
+        declared
+    }
+
+    /// Refuses what it does not have.
+    fn refuse_others(_: &Section<'_>, _: &[Declaration]) -> Result<(), Fault> {
+        Ok(())
+    }
+}
+
+/// The kinds of analyses of motion of a model.
+pub(crate) struct MotionKinds<S>(std::marker::PhantomData<S>);
+
+impl<S: MotionModel> MotionKinds<S> {
+    pub(crate) const HISTORY: Kind<S, S::Analysis> = Kind::declared(
+        "motion",
+        "the history of one motion: stick, slip, lift-off, its averages, its energy",
+        declared::<S, History>,
+        |_, section| read::<S, History>(section).map(|own| S::of_motion(MotionAnalysis::History(own))),
+    );
+    pub(crate) const LIMIT_CYCLE: Kind<S, S::Analysis> = Kind::declared(
+        "limit-cycle",
+        "the cycle that a motion settles to, with its Floquet multipliers",
+        declared::<S, LimitCycle>,
+        |_, section| read::<S, LimitCycle>(section).map(|own| S::of_motion(MotionAnalysis::LimitCycle(own))),
+    );
+    pub(crate) const BIFURCATION: Kind<S, S::Analysis> = Kind::declared(
+        "bifurcation",
+        "what the motion settles to along one key, each motion from the end of the one before",
+        || [vec![SWEEP.declaration::<S>()], declared::<S, Diagram>()].concat(),
+        |keys, section| {
+            let (sweep, diagram) = both(SWEEP.read_alone(keys, section), read::<S, Diagram>(section))?;
+            Ok(S::of_motion(MotionAnalysis::Bifurcation(Bifurcation { sweep, diagram })))
+        },
+    );
+    pub(crate) const BASIN: Kind<S, S::Analysis> = Kind::declared(
+        "basin",
+        "the share of starts, drawn evenly, from which steady sliding is reached",
+        declared::<S, Basin>,
+        |_, section| read::<S, Basin>(section).map(|own| S::of_motion(MotionAnalysis::Basin(own))),
+    );
+}
+
+fn declared<S: MotionModel, T: Settings>() -> Vec<Declaration> {
+    S::own(T::declarations())
+}
+
+fn read<S: MotionModel, T: Settings>(section: &Section<'_>) -> Result<T, Fault> {
+    S::refuse_others(section, &declared::<S, T>())?;
+    T::read_table(section)
+}
+
+impl<K: Copy> MotionAnalysis<K> {
+    /// Puts the settings into a canonical form, and says of which kind they are.
+    pub(crate) fn write<S: SweptKeys<Key = K>>(&self, json: &mut Map<String, Json>) -> &'static str {
+        match self {
+            Self::History(own) => own.write_table(json),
+            Self::LimitCycle(own) => own.write_table(json),
+            Self::Bifurcation(own) => {
+                SWEEP.write::<S>(&own.sweep, json);
+                own.diagram.write_table(json);
+            }
+            Self::Basin(own) => own.write_table(json),
+        }
+        match self {
+            Self::History(_) => "motion",
+            Self::LimitCycle(_) => "limit-cycle",
+            Self::Bifurcation(_) => "bifurcation",
+            Self::Basin(_) => "basin",
+        }
     }
 }

@@ -2,17 +2,20 @@
 
 use crate::analysis::Kind;
 use crate::cause::Cause;
-use crate::engines_analysis::{self, ENGINES, EnginesSettings};
+use crate::declared::{Declaration, Settings, both};
+use crate::engines_analysis::EnginesSettings;
 use crate::error::Fault;
-use crate::keys::{Key, OscillatorKey};
-use crate::motion_analysis::{
-    BASIN, BIFURCATION, HISTORY, LIMIT_CYCLE, MotionAnalysis, MotionKeys, TIME_OF_OSCILLATOR, TimeKey,
-    read_basin, read_bifurcation, read_history, read_limit_cycle,
+use crate::keys::OscillatorKey;
+use crate::motion_analysis::{MotionAnalysis, MotionKinds, MotionModel};
+use crate::read_sweep::{
+    PlacedSweep, SWEEP, family_declaration, map_declarations, read_family, read_map, read_within,
+    within_declaration, write_family, write_map, write_within,
 };
-use crate::read_sweep::{PlacedSweep, read_family, read_map, read_sweep, read_within};
 use crate::section::Section;
 use crate::sweep::{Family, StabilityMap, Sweep, Within};
 use crate::swept_keys::{OscillatorKeys, SweptKeys};
+use judder_keys_derive::Settings;
+use serde_json::{Map, Value as Json};
 
 /// What an analysis of an oscillator case computes.
 #[derive(Debug, Clone, PartialEq)]
@@ -83,7 +86,7 @@ impl Sought {
     }
 
     /// The kind of analysis that seeks them.
-    pub fn kind(self) -> &'static str {
+    pub const fn kind(self) -> &'static str {
         match self {
             Self::ShearStrength => "critical-shear-strength",
             Self::Load => "critical-load",
@@ -105,75 +108,124 @@ pub const SHEAR_STRENGTH_WITHIN: (f64, f64) = (1e-6, 1e3);
 /// The default range of `critical-load`, F_n/(E0* R²).
 pub const LOAD_WITHIN: (f64, f64) = (1e-10, 1e0);
 
-/// Whether the branches of cycles are followed back to their folds where the case says nothing: for thresholds along one key
-/// it takes a fraction of a second each, for a map up to a minute.
-pub(crate) const MARGIN_OF_THRESHOLDS: bool = true;
-pub(crate) const MARGIN_OF_MAP: bool = false;
+/// How thresholds are told.
+#[derive(Settings)]
+struct ThresholdMargin {
+    /// Follow the cycles beside every subcritical threshold back to [their fold](theory/motion.md#the-global-margin), and seek motions beyond: some seconds a threshold.
+    #[key(default = true)]
+    global_margin: bool,
+}
 
-fn read_global_margin(section: &Section<'_>, default: bool) -> Result<bool, Fault> {
-    Ok(section.boolean("global_margin")?.unwrap_or(default))
+/// How the points of a map are told.
+#[derive(Settings)]
+struct MapMargin {
+    /// Tell the points at which a knock may start a motion apart from those at which none is known to: up to a minute.
+    #[key(default = false)]
+    global_margin: bool,
 }
 
 /// The kinds of an oscillator case.
 pub(crate) const KINDS: [Kind<OscillatorKeys, OscillatorAnalysis>; 10] = [
-    Kind {
-        name: "equivalent-damping",
-        keys: &["sweep", "family"],
-        declared: None,
-        doc: "the equivalent damping ratio along one key",
-        read: |keys, section| {
+    Kind::declared(
+        "equivalent-damping",
+        "the equivalent damping ratio along one key",
+        curves,
+        |keys, section| {
             let (sweep, family) = read_curves(keys, section)?;
             Ok(OscillatorAnalysis::EquivalentDamping(DampingCurves { sweep: sweep.sweep, family }))
         },
-    },
-    Kind {
-        name: "spectrum",
-        keys: &["sweep", "family"],
-        declared: None,
-        doc: "the eigenvalues along one key",
-        read: |keys, section| {
-            let (sweep, family) = read_curves(keys, section)?;
-            Ok(OscillatorAnalysis::Spectrum(SpectrumCurves { sweep: sweep.sweep, family }))
+    ),
+    Kind::declared("spectrum", "the eigenvalues along one key", curves, |keys, section| {
+        let (sweep, family) = read_curves(keys, section)?;
+        Ok(OscillatorAnalysis::Spectrum(SpectrumCurves { sweep: sweep.sweep, family }))
+    }),
+    Kind::declared(
+        Sought::ShearStrength.kind(),
+        "the critical shear strengths along one key",
+        || thresholds(Sought::ShearStrength),
+        |keys, section| read_critical(keys, section, Sought::ShearStrength),
+    ),
+    Kind::declared(
+        Sought::Load.kind(),
+        "the critical loads along one key",
+        || thresholds(Sought::Load),
+        |keys, section| read_critical(keys, section, Sought::Load),
+    ),
+    Kind::declared(
+        "stability-map",
+        "stable and unstable points over two keys",
+        || [map_declarations::<OscillatorKeys>(), MapMargin::declarations()].concat(),
+        |keys, section| {
+            let (map, margin) = both(read_map(keys, section), MapMargin::read_table(section))?;
+            Ok(OscillatorAnalysis::StabilityMap(StabilityMap { global_margin: margin.global_margin, ..map }))
         },
-    },
-    Kind {
-        name: "critical-shear-strength",
-        keys: &["sweep", "within", "family", "global_margin"],
-        declared: None,
-        doc: "the critical shear strengths along one key",
-        read: |keys, section| read_critical(keys, section, Sought::ShearStrength),
-    },
-    Kind {
-        name: "critical-load",
-        keys: &["sweep", "within", "family", "global_margin"],
-        declared: None,
-        doc: "the critical loads along one key",
-        read: |keys, section| read_critical(keys, section, Sought::Load),
-    },
-    Kind {
-        name: "stability-map",
-        keys: &["x", "y", "method", "boundaries", "global_margin"],
-        declared: None,
-        doc: "stable and unstable points over two keys",
-        read: |keys, section| {
-            let global_margin = read_global_margin(section, MARGIN_OF_MAP)?;
-            let map = StabilityMap { global_margin, ..read_map(keys, section)? };
-            Ok(OscillatorAnalysis::StabilityMap(map))
-        },
-    },
-    HISTORY.kind(|keys, section| read_history(keys, section).map(OscillatorAnalysis::Motion)),
-    LIMIT_CYCLE.kind(|keys, section| read_limit_cycle(keys, section).map(OscillatorAnalysis::Motion)),
-    BIFURCATION.kind(|keys, section| read_bifurcation(keys, section).map(OscillatorAnalysis::Motion)),
-    BASIN.kind(|keys, section| read_basin(keys, section).map(OscillatorAnalysis::Motion)),
-    ENGINES.kind(|_, section| engines_analysis::read(section).map(OscillatorAnalysis::Engines)),
+    ),
+    MotionKinds::HISTORY,
+    MotionKinds::LIMIT_CYCLE,
+    MotionKinds::BIFURCATION,
+    MotionKinds::BASIN,
+    Kind::declared(
+        "engines",
+        "the cycle that a motion settles to, by events, by time-stepping and with a smoothed sign",
+        EnginesSettings::declarations,
+        |_, section| EnginesSettings::read_table(section).map(OscillatorAnalysis::Engines),
+    ),
 ];
 
-impl MotionKeys for OscillatorKeys {
-    const COORDINATES: &'static [&'static str] = &["x", "y", "velocity_x", "velocity_y"];
+impl MotionModel for OscillatorKeys {
+    type Analysis = OscillatorAnalysis;
 
-    fn time() -> &'static Key<TimeKey> {
-        &TIME_OF_OSCILLATOR
+    fn of_motion(analysis: MotionAnalysis<OscillatorKey>) -> OscillatorAnalysis {
+        OscillatorAnalysis::Motion(analysis)
     }
+}
+
+impl OscillatorAnalysis {
+    /// Puts the settings into a canonical form, and says of which kind they are.
+    pub(crate) fn write(&self, json: &mut Map<String, Json>) -> &'static str {
+        let mut curves = |sweep, family: &Option<_>| {
+            SWEEP.write::<OscillatorKeys>(sweep, json);
+            write_family::<OscillatorKeys>(family.as_ref(), json);
+        };
+        match self {
+            Self::EquivalentDamping(DampingCurves { sweep, family }) => {
+                curves(sweep, family);
+                "equivalent-damping"
+            }
+            Self::Spectrum(SpectrumCurves { sweep, family }) => {
+                curves(sweep, family);
+                "spectrum"
+            }
+            Self::Critical(CriticalThresholds { sought, sweep, within, family, global_margin }) => {
+                curves(sweep, family);
+                write_within::<OscillatorKeys>(sought.key(), within, json);
+                ThresholdMargin { global_margin: *global_margin }.write_table(json);
+                sought.kind()
+            }
+            Self::StabilityMap(map) => {
+                write_map::<OscillatorKeys>(map, json);
+                MapMargin { global_margin: map.global_margin }.write_table(json);
+                "stability-map"
+            }
+            Self::Motion(motion) => motion.write::<OscillatorKeys>(json),
+            Self::Engines(settings) => {
+                settings.write_table(json);
+                "engines"
+            }
+        }
+    }
+}
+
+/// What is said of curves along one key.
+fn curves() -> Vec<Declaration> {
+    vec![SWEEP.declaration::<OscillatorKeys>(), family_declaration::<OscillatorKeys>()]
+}
+
+/// What is said of thresholds along one key.
+fn thresholds(sought: Sought) -> Vec<Declaration> {
+    let mut keys = curves();
+    keys.insert(1, within_declaration(sought.key().entry(), sought.within()));
+    [keys, ThresholdMargin::declarations()].concat()
 }
 
 type Curves<S> = (S, Option<Family<OscillatorKey>>);
@@ -183,7 +235,7 @@ fn read_curves(
     keys: &OscillatorKeys,
     section: &Section<'_>,
 ) -> Result<Curves<PlacedSweep<OscillatorKey>>, Fault> {
-    let sweep = read_sweep(keys, section, "sweep", None)?;
+    let sweep = SWEEP.read(keys, section)?;
     let family = read_family(keys, section, &sweep)?;
     Ok((sweep, family))
 }
@@ -211,8 +263,9 @@ fn read_critical(
     section: &Section<'_>,
     sought: Sought,
 ) -> Result<OscillatorAnalysis, Fault> {
-    let (sweep, family) = read_threshold(keys, section, sought.key())?;
-    let within = read_within(section, sought.key(), sought.within())?;
-    let global_margin = read_global_margin(section, MARGIN_OF_THRESHOLDS)?;
+    let within = read_within(section, sought.key().entry(), sought.within());
+    let own = both(within, ThresholdMargin::read_table(section));
+    let ((sweep, family), (within, ThresholdMargin { global_margin })) =
+        both(read_threshold(keys, section, sought.key()), own)?;
     Ok(OscillatorAnalysis::Critical(CriticalThresholds { sought, sweep, within, family, global_margin }))
 }

@@ -1,14 +1,112 @@
 //! Reading of sweeps, families, root ranges and maps from the tables of an analysis.
 
 use crate::cause::Cause;
+use crate::declared::{Declaration, Form as Allowed, Scaled, Setting, Settings, Whole, both};
 use crate::document::Data;
 use crate::error::{Fault, Place};
-use crate::keys::{Form, OscillatorKey, Range, Value};
+use crate::keys::{Form, Key, Range, Value};
 use crate::section::{Section, list, text, wrong_type};
 use crate::sweep::{
-    Family, MAP_BYTES_LIMIT, MAP_BYTES_PER_POINT, MapMethod, Scale, StabilityMap, Sweep, Within,
+    Family, MAP_BYTES_LIMIT, MAP_BYTES_PER_POINT, MapOptions, Scale, StabilityMap, Sweep, Within,
 };
 use crate::swept_keys::{SweptKeys, read_value};
+use serde_json::{Map, Value as Json, json};
+
+/// A key of an analysis under which a key of the case goes over a range.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Axis {
+    pub(crate) name: &'static str,
+    doc: &'static str,
+    /// The points where it does not say.
+    usual: Option<usize>,
+}
+
+/// What most analyses vary.
+pub(crate) const SWEEP: Axis = Axis { name: "sweep", doc: "one key over a range", usual: None };
+/// The abscissa of a map.
+const X: Axis = Axis { name: "x", doc: "the key along the abscissa, over a range", usual: None };
+/// The ordinate of a map.
+const Y: Axis = Axis { name: "y", doc: "the key along the ordinate, over a range", usual: None };
+
+/// A key that must be given.
+pub(crate) fn required(name: &'static str, doc: &'static str, form: Allowed) -> Declaration {
+    Declaration { name, doc, symbol: "", default: None, is_required: true, alternative: None, form }
+}
+
+/// The names of keys.
+fn names(keys: &[Declaration]) -> Vec<&'static str> {
+    keys.iter().map(|key| key.name).collect()
+}
+
+impl Axis {
+    /// This one, of so many points where it does not say.
+    pub(crate) const fn of_points(self, usual: usize) -> Self {
+        Self { usual: Some(usual), ..self }
+    }
+
+    /// The keys of its table.
+    fn keys<S: SweptKeys>(&self) -> Vec<Declaration> {
+        let most = (MAP_BYTES_LIMIT / MAP_BYTES_PER_POINT) as usize;
+        let points = Allowed::Whole(Whole { from: 2, to: most });
+        vec![
+            required("key", "dotted path of the key", S::key_form()),
+            required("from", "first value", S::value_form()),
+            required("to", "last value", S::value_form()),
+            Declaration {
+                default: self.usual.map(Json::from),
+                is_required: self.usual.is_none(),
+                ..required("points", "number of points, both ends included", points)
+            },
+            Declaration {
+                default: Some(json!(Scale::Linear.name())),
+                is_required: false,
+                ..required("scale", "spacing of the points", <Scale as Setting>::form(&()))
+            },
+        ]
+    }
+
+    /// The names of the keys of its table.
+    pub(crate) fn own_keys<S: SweptKeys>(&self) -> Vec<&'static str> {
+        names(&self.keys::<S>())
+    }
+
+    /// What is said of it.
+    pub(crate) fn declaration<S: SweptKeys>(&self) -> Declaration {
+        required(self.name, self.doc, Allowed::Table { doc: self.doc, keys: self.keys::<S>() })
+    }
+
+    /// Puts it into a canonical form.
+    pub(crate) fn write<S: SweptKeys>(&self, sweep: &Sweep<S::Key>, json: &mut Map<String, Json>) {
+        let end = |number| S::write(sweep.key, Value { number, form: sweep.form });
+        let own = json!({
+            "key": sweep.path, "from": end(sweep.from), "to": end(sweep.to), "points": sweep.points,
+            "scale": sweep.scale.name(),
+        });
+        json.insert(self.name.to_owned(), own);
+    }
+}
+
+/// The keys of a family.
+fn family_keys<S: SweptKeys>() -> Vec<Declaration> {
+    let values = Allowed::List { of: Box::new(S::value_form()), length: [1, usize::MAX] };
+    vec![required("key", "dotted path of the key", S::key_form()), required("values", "its values", values)]
+}
+
+/// What is said of the family of an analysis.
+pub(crate) fn family_declaration<S: SweptKeys>() -> Declaration {
+    let doc = "one curve for each value of another key";
+    let form = Allowed::Table { doc, keys: family_keys::<S>() };
+    Declaration { is_required: false, ..required("family", doc, form) }
+}
+
+/// Puts a family into a canonical form.
+pub(crate) fn write_family<S: SweptKeys>(family: Option<&Family<S::Key>>, json: &mut Map<String, Json>) {
+    let own = family.map(|family| {
+        let value = |number: &f64| S::write(family.key, Value { number: *number, form: family.form });
+        json!({ "key": family.path, "values": family.values.iter().map(value).collect::<Vec<_>>() })
+    });
+    json.insert("family".to_owned(), json!(own));
+}
 
 /// A sweep with the places that later checks point at.
 pub(crate) struct PlacedSweep<K> {
@@ -34,51 +132,53 @@ pub(crate) struct PlacedFamily<K> {
     pub(crate) whole: Place,
 }
 
-/// Reads the sweep `name` of an analysis; `default_points` stands in where the case gives none.
-///
-/// Conditions between keys are left to [`read_family`] and [`read_map`], which know what else varies.
-pub(crate) fn read_sweep<S: SweptKeys>(
-    keys: &S,
-    analysis: &Section<'_>,
-    name: &str,
-    default_points: Option<usize>,
-) -> Result<PlacedSweep<S::Key>, Fault> {
-    let node = analysis.required(name, &format!("{name} = {{ key = …, from = …, to = …, points = … }}"))?;
-    let section = Section::open(node, name, &format!("`{name}`"), &["key", "from", "to", "points", "scale"])?;
-    let (key, key_place) = read_key(keys, &section)?;
-    let ends = |end: &str| {
-        let value = section.required(end, &format!("{end} = …, the value at this end"))?;
-        keys.read(key, &section.path(end), value)
-    };
-    let (from, to) = (ends("from")?, ends("to")?);
-    let place_of = |key: &str| section.get(key).map_or(section.place, |node| node.place);
-    same_form(ends_of(&section), from.form, to.form, place_of("to"))?;
-    let (from, to, form) = (from.number, to.number, from.form);
-    if from == to {
-        return Err(Cause::EmptyRange { from }.at(section.place));
+impl Axis {
+    /// Reads it where the analysis varies nothing else, and checks its ends.
+    pub(crate) fn read_alone<S: SweptKeys>(
+        &self,
+        keys: &S,
+        analysis: &Section<'_>,
+    ) -> Result<Sweep<S::Key>, Fault> {
+        let sweep = self.read(keys, analysis)?;
+        check_ends(keys, &sweep)?;
+        Ok(sweep.sweep)
     }
-    let scale = section.choice("scale", "scale", &Scale::ALL)?.unwrap_or(Scale::Linear);
-    if scale == Scale::Log && (from == 0.0 || to == 0.0 || (from < 0.0) != (to < 0.0)) {
-        return Err(Cause::LogThroughZero { from, to }.at(section.place));
-    }
-    let points = match (section.get("points"), default_points) {
-        (None, Some(points)) => points,
-        _ => read_points(&section)?,
-    };
-    let sweep = Sweep { key, path: keys.path(key), from, to, points, scale, form };
-    let placed = PlacedSweep { sweep, key: key_place, points: place_of("points"), whole: section.place };
-    check_size(&[(points, placed.points)])?;
-    Ok(placed)
-}
 
-/// Reads the sweep of an analysis that varies nothing else, and checks its ends.
-pub(crate) fn read_checked_sweep<S: SweptKeys>(
-    keys: &S,
-    analysis: &Section<'_>,
-) -> Result<Sweep<S::Key>, Fault> {
-    let sweep = read_sweep(keys, analysis, "sweep", None)?;
-    check_ends(keys, &sweep)?;
-    Ok(sweep.sweep)
+    /// Reads it; conditions between keys are left to [`read_family`] and [`read_map`], which know what else varies.
+    pub(crate) fn read<S: SweptKeys>(
+        &self,
+        keys: &S,
+        analysis: &Section<'_>,
+    ) -> Result<PlacedSweep<S::Key>, Fault> {
+        let name = self.name;
+        let node =
+            analysis.required(name, &format!("{name} = {{ key = …, from = …, to = …, points = … }}"))?;
+        let section = analysis.table(name, node, &self.own_keys::<S>())?;
+        let (key, key_place) = read_key(keys, &section)?;
+        let ends = |end: &str| {
+            let value = section.required(end, &format!("{end} = …, the value at this end"))?;
+            keys.read(key, &section.path(end), value)
+        };
+        let (from, to) = (ends("from")?, ends("to")?);
+        let place_of = |key: &str| section.get(key).map_or(section.place, |node| node.place);
+        same_form(ends_of(&section), from.form, to.form, place_of("to"))?;
+        let (from, to, form) = (from.number, to.number, from.form);
+        if from == to {
+            return Err(Cause::EmptyRange { from }.at(section.place));
+        }
+        let scale = section.choice("scale", "scale", &Scale::ALL)?.unwrap_or(Scale::Linear);
+        if scale == Scale::Log && (from == 0.0 || to == 0.0 || (from < 0.0) != (to < 0.0)) {
+            return Err(Cause::LogThroughZero { from, to }.at(section.place));
+        }
+        let points = match (section.get("points"), self.usual) {
+            (None, Some(points)) => points,
+            _ => read_points(&section)?,
+        };
+        let sweep = Sweep { key, path: keys.path(key), from, to, points, scale, form };
+        let placed = PlacedSweep { sweep, key: key_place, points: place_of("points"), whole: section.place };
+        check_size(&[(points, placed.points)])?;
+        Ok(placed)
+    }
 }
 
 fn check_ends<S: SweptKeys>(keys: &S, sweep: &PlacedSweep<S::Key>) -> Result<(), Fault> {
@@ -115,7 +215,7 @@ pub(crate) fn read_placed_family<S: SweptKeys>(
     swept: S::Key,
 ) -> Result<Option<PlacedFamily<S::Key>>, Fault> {
     let Some(node) = analysis.get("family") else { return Ok(None) };
-    let section = Section::open(node, "family", "`family`", &["key", "values"])?;
+    let section = analysis.table("family", node, &names(&family_keys::<S>()))?;
     let (key, key_place) = read_key(keys, &section)?;
     if keys.same(key, swept) {
         return Err(key_twice(keys.path(key), "sweep", "family").at(key_place));
@@ -137,26 +237,43 @@ pub(crate) fn read_placed_family<S: SweptKeys>(
     Ok(Some(PlacedFamily { family, key: key_place, places, whole: values_node.place }))
 }
 
+/// The keys of a range of roots.
+fn within_keys<K>(sought: &Key<K>) -> Vec<Declaration> {
+    let of = Scaled::positive(sought.dimension, sought.group.unwrap_or_default());
+    let end = |name, doc| required(name, doc, Allowed::Scaled(of));
+    vec![end("from", "lower end"), end("to", "upper end")]
+}
+
+/// What is said of the range in which an analysis seeks roots of `sought`; `default` is in groups.
+pub(crate) fn within_declaration<K>(sought: &Key<K>, default: (f64, f64)) -> Declaration {
+    let doc = "where roots are sought";
+    let form = Allowed::Table { doc, keys: within_keys(sought) };
+    let default = Some(json!({ "from": default.0, "to": default.1 }));
+    Declaration { default, is_required: false, ..required("within", doc, form) }
+}
+
+/// Puts a range of roots into a canonical form.
+pub(crate) fn write_within<S: SweptKeys>(sought: S::Key, within: &Within, json: &mut Map<String, Json>) {
+    let end = |number| S::write(sought, Value { number, form: within.form });
+    json.insert("within".to_owned(), json!({ "from": end(within.from), "to": end(within.to) }));
+}
+
 /// Reads the range in which an analysis seeks roots of `sought`; `default` is in groups.
-pub(crate) fn read_within(
+pub(crate) fn read_within<K: Copy>(
     analysis: &Section<'_>,
-    sought: OscillatorKey,
+    sought: &Key<K>,
     default: (f64, f64),
 ) -> Result<Within, Fault> {
     let Some(node) = analysis.get("within") else {
         return Ok(Within { from: default.0, to: default.1, form: Form::Group });
     };
-    let section = Section::open(node, "within", "`within`", &["from", "to"])?;
-    let ends = |end: &str| {
+    let section = analysis.table("within", node, &names(&within_keys(sought)))?;
+    let entry = Key { range: Range::Positive, ..*sought };
+    let end = |end: &str| {
         let node = section.required(end, &format!("{end} = …, the value at this end"))?;
-        let path = section.path(end);
-        let value = read_value(sought.entry(), &path, node)?;
-        if value.number > 0.0 {
-            return Ok((value, node.place));
-        }
-        Err(Cause::OutOfRange { key: path, number: value.number, range: Range::Positive }.at(node.place))
+        Ok((read_value(&entry, &section.path(end), node)?, node.place))
     };
-    let ((from, _), (to, to_place)) = (ends("from")?, ends("to")?);
+    let ((from, _), (to, to_place)) = both(end("from"), end("to"))?;
     same_form(ends_of(&section), from.form, to.form, to_place)?;
     let (from, to, form) = (from.number, to.number, from.form);
     match from.total_cmp(&to) {
@@ -166,15 +283,28 @@ pub(crate) fn read_within(
     }
 }
 
+/// What is said of a stability map.
+pub(crate) fn map_declarations<S: SweptKeys>() -> Vec<Declaration> {
+    let axes = vec![X.declaration::<S>(), Y.declaration::<S>()];
+    [axes, MapOptions::declarations()].concat()
+}
+
+/// Puts a stability map into a canonical form.
+pub(crate) fn write_map<S: SweptKeys>(map: &StabilityMap<S::Key>, json: &mut Map<String, Json>) {
+    X.write::<S>(&map.x, json);
+    Y.write::<S>(&map.y, json);
+    map.options.write_table(json);
+}
+
 /// Reads a stability map.
 pub(crate) fn read_map<S: SweptKeys>(
     keys: &S,
     analysis: &Section<'_>,
 ) -> Result<StabilityMap<S::Key>, Fault> {
-    let x = read_sweep(keys, analysis, "x", None)?;
-    let y = read_sweep(keys, analysis, "y", None)?;
+    let axes = both(X.read(keys, analysis), Y.read(keys, analysis));
+    let ((x, y), options) = both(axes, MapOptions::read_table(analysis))?;
     if keys.same(x.sweep.key, y.sweep.key) {
-        return Err(key_twice(y.sweep.path, "x", "y").at(y.key));
+        return Err(key_twice(y.sweep.path, X.name, Y.name).at(y.key));
     }
     check_size(&[(x.sweep.points, x.points), (y.sweep.points, y.points)])?;
     for x_end in x.ends() {
@@ -182,9 +312,7 @@ pub(crate) fn read_map<S: SweptKeys>(
             keys.check(&[(x.sweep.key, x_end), (y.sweep.key, y_end)]).map_err(|cause| cause.at(y.whole))?;
         }
     }
-    let method = analysis.choice("method", "method", &MapMethod::ALL)?.unwrap_or(MapMethod::Adaptive);
-    let boundaries = analysis.boolean("boundaries")?.unwrap_or(true);
-    Ok(StabilityMap { x: x.sweep, y: y.sweep, method, boundaries, global_margin: false })
+    Ok(StabilityMap { x: x.sweep, y: y.sweep, options, global_margin: false })
 }
 
 fn read_key<S: SweptKeys>(keys: &S, section: &Section<'_>) -> Result<(S::Key, Place), Fault> {

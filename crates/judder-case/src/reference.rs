@@ -13,13 +13,14 @@ use crate::oscillator_analysis;
 use crate::substrate::SubstrateKeys;
 use crate::two_degrees;
 use crate::{FrictionLoad, KEYS, Key, LawName, Range};
+use std::collections::HashSet;
 
 /// The page, as Markdown.
 pub fn reference() -> String {
     let mut page = String::from(
         "# Case files\n\n\
          A case is a TOML file. A plain number is the paper's dimensionless group, a string carries a unit (`\"30 mm/s\"`, `\"0.2 N\"`, `\"1 MPa\"`, \
-         `\"30 deg\"`). Keys left out take the values below. `judder schema` prints the JSON Schema, `judder new` a commented case. \
+         `\"30 deg\"`). Keys left out take the values below; the keys of a table, as `sweep.from`, stand where it comes first. `judder schema` prints the JSON Schema, `judder new` a commented case. \
          A case is a file of at most 1 MiB.\n\n\
          ## Keys of an oscillator case\n\n\
          | key | symbol | a plain number is | a string is | default | allowed | what it is |\n\
@@ -40,8 +41,7 @@ pub fn reference() -> String {
     page += &settings("[substrate]` beside moduli, times and `poisson_ratio", &SubstrateKeys::declarations());
     page += "\n## Analyses of an oscillator case\n\n";
     page += &kinds(&oscillator_analysis::KINDS);
-    page += MARGIN;
-    page += MOTION;
+    page += OSCILLATOR;
     page += CONTACT;
     page += &settings("[indenter]` beside `radius", &IndenterKeys::declarations());
     page += "\n### Analyses of a contact case\n\n";
@@ -53,7 +53,6 @@ pub fn reference() -> String {
     }
     page += "\n### Analyses of a belt case\n\n";
     page += &kinds(&belt_case::KINDS);
-    page += "\nThe settings are those of the [analyses of motion](#analyses-of-motion) above, with `x` and `velocity_x` for coordinates.\n";
     page += "\n## Analyses of a two-degrees case\n\n\
              `[parameters]` holds numbers by name; `[matrices]` holds `mass` (identity by default), `damping` (zero by default) and `stiffness` as 2 × 2 \
              arrays of numbers or expressions of the parameters. Swept keys are `parameters.NAME`.\n\n";
@@ -89,38 +88,14 @@ only. `temperature = \"40 degC\"` with `shift = { wlf = { c1 = 17.4, c2 = \"51.6
 `shift = { arrhenius = { activation_energy = \"80 kJ/mol\", reference_temperature = \"25 degC\" } }` moves all times. A path is relative to the case file.
 ";
 
-/// The key of thresholds and maps that leads beyond linear stability.
-const MARGIN: &str = "
-### The global margin
+/// What is said of the analyses of an oscillator besides.
+const OSCILLATOR: &str = "
+With `global_margin` a map is followed along `contact.shear_strength` or `operation.normal_load` where one of them is an axis (`y` before `x`), otherwise along `y`; on 30 lines at most.
 
-`global_margin` follows the cycles beside every subcritical threshold back to [their fold](theory/motion.md#the-global-margin), and seeks motions beyond: `true` by default in \
-`critical-shear-strength` and `critical-load`, where it takes some seconds a threshold; `false` by default in a `stability-map` of an oscillator, \
-where it tells the points at which a knock may start a motion apart from those at which none is known to. The map is followed along `contact.shear_strength` or \
-`operation.normal_load` where one of them is an axis (`y` before `x`), otherwise along `y`; on 30 lines at most.
-";
-
-/// The settings of the analyses of motion.
-const MOTION: &str = "
 ### Analyses of motion
 
-`motion`, `limit-cycle`, `bifurcation`, `basin` and `engines` follow the motion through [stick, slip and lift-off](theory/motion.md). Their settings:
-
-| key | default | what it is |
-| --- | --- | --- |
-| `start` | `{ disturbance = 0.2 }` | steady sliding with x moved by this share of its magnitude (of the scale of a motion where steady sliding has no x), or a state `{ x, y, velocity_x, velocity_y }` in units of x0 = F_n/k_x and ω_nx; \
-what is left out stands as in steady sliding; y ≤ 0 is in the air |
-| `duration` | 2000 for `motion`, 5000 for `bifurcation`, 2e4 otherwise | ω_nx t, or a time (`\"50 s\"`): how long a `motion` is followed; within which any other settles |
-| `transient` | half the duration | the first part of it, which the averages of a `motion`, or of an irregular one in a `bifurcation`, leave out |
-| `tolerance` | 1e-8 for `motion`, 1e-10 for `limit-cycle` and `engines`, 1e-6 otherwise | local error of a step, relative to the magnitudes of steady sliding; above 1e-14, at most 1e-2 |
-| `steps` | 10000000 | the most steps of one motion |
-| `points` | 4096 | of a `motion`: points of the uniform grid of time that is kept |
-| `direction` | `\"both\"` | of a `bifurcation`: `\"forward\"`, `\"backward\"` or both; each motion starts where the one before has ended, the first from `start` |
-| `branches` | `false` | of a `bifurcation`: follow the [branches of cycles](theory/motion.md#branches-through-a-diagram), stable and unstable, along the swept key; \
-off by default, since a cascade of cycles that stick and lift off takes minutes |
-| `within` | | of a `basin`: ranges `{ x = [-2.0, 2.0], velocity_x = [0.0, 2.0] }` from which starts are drawn evenly and independently |
-| `samples`, `seed` | 1000, 1 | of a `basin`: how many starts, and which; the n-th depends on the seed and on n alone |
-| `time_step` | `{ from = 3e-4, to = 1e-1, points = 11 }` | of `engines`: steps of the time-stepping, ω_nx t or times, with equal ratios between them |
-| `width` | `{ from = 1e-4, to = 1.0, points = 13 }` | of `engines`: widths ε of the smoothed sign tanh(v_rel/ε), over v_d |
+`motion`, `limit-cycle`, `bifurcation`, `basin` and `engines` follow the motion through [stick, slip and lift-off](theory/motion.md). A `start` is a `disturbance` or the other keys of it, \
+a state: what is left out stands as in steady sliding, as it does in `within`. Each motion of a `bifurcation` starts where the one before has ended.
 ";
 
 /// What a belt case has, before the table of its numbers.
@@ -187,12 +162,21 @@ pub(crate) fn allowed(range: Range) -> String {
 fn kinds<S, T>(kinds: &[Kind<S, T>]) -> String {
     let mut table =
         String::from("| kind | keys beside `name` and `kind` | what it computes |\n| --- | --- | --- |\n");
-    for Kind { name, keys, doc, .. } in kinds {
-        let keys: Vec<String> = keys.iter().map(|key| format!("`{key}`")).collect();
+    for kind in kinds {
+        let Kind { name, doc, .. } = kind;
+        let keys: Vec<String> = kind.keys().iter().map(|key| format!("`{key}`")).collect();
         table += &format!("| `{name}` | {} | {doc} |\n", keys.join(", "));
     }
-    let declared = kinds.iter().filter_map(|kind| Some((kind.name, kind.declared?)));
-    declared.fold(table, |page, (name, declared)| page + &settings(name, &declared()))
+    let declared = kinds.iter().map(|kind| settings(kind.name, &(kind.declared)()));
+    without_repetition(&declared.fold(table, |page, own| page + &own))
+}
+
+/// Leaves out the keys of a table that stand further above, as those of a sweep do.
+fn without_repetition(page: &str) -> String {
+    let is_inner =
+        |line: &str| line.starts_with("| `") && line.split('`').nth(1).is_some_and(|key| key.contains('.'));
+    let mut before = HashSet::new();
+    page.split_inclusive('\n').filter(|line| !is_inner(line) || before.insert(line.to_owned())).collect()
 }
 
 /// The keys of declared settings.

@@ -1,6 +1,5 @@
 //! The resolved case as canonical JSON: every key with the value in use, keys sorted, the same bytes each time.
 
-mod motion;
 mod sliding;
 mod structure;
 mod sweep;
@@ -8,6 +7,7 @@ mod sweep;
 use serde_json::{Map, Value as Json, json};
 
 use crate::analysis::Analysis;
+use crate::belt_case::{BELT_KEYS, BeltCase, BeltKeys};
 use crate::case_file::Case;
 use crate::contact_analysis::ContactAnalysis;
 use crate::contact_case::ContactCase;
@@ -15,12 +15,10 @@ use crate::declared::{Setting, Settings};
 use crate::dimension::Dimension;
 use crate::inputs::{LawName, TimeForm};
 use crate::keys::{Form, KEYS, OscillatorKey};
-use crate::oscillator_analysis::{DampingCurves, OscillatorAnalysis, SpectrumCurves};
+use crate::motion_analysis::MotionAnalysis;
+use crate::oscillator_analysis::OscillatorAnalysis;
 use crate::oscillator_case::OscillatorCase;
-use crate::span::Span;
 use crate::substrate::{Substrate, SubstrateKeys};
-use crate::sweep::{Family, ParameterKey, StabilityMap, Sweep, Within};
-use crate::swept_keys::OscillatorKeys;
 use crate::two_degrees::{TwoDegreesAnalysis, TwoDegreesCase};
 
 impl Case {
@@ -31,7 +29,7 @@ impl Case {
         let mut json = match self {
             Self::Oscillator(case) => oscillator(case),
             Self::Contact(case) => contact(case),
-            Self::Belt(case) => motion::belt(case),
+            Self::Belt(case) => belt(case),
             Self::TwoDegrees(case) => two_degrees(case),
             Self::Structure(case) => structure::case(case),
             Self::Sliding(case) => sliding::case(case),
@@ -47,7 +45,7 @@ fn oscillator(case: &OscillatorCase) -> Json {
         "model": "oscillator",
         "title": case.title,
         "contact": { "law": case.law.name(), "friction_load": case.friction_load.name() },
-        "analysis": case.analyses.iter().map(|analysis| named(analysis, oscillator_analysis)).collect::<Vec<_>>(),
+        "analysis": analyses(&case.analyses, OscillatorAnalysis::write),
     });
     if let Some(file) = &case.law_file {
         json["contact"]["law"] = json!({ "file": file.given });
@@ -101,9 +99,16 @@ fn contact_analysis(kind: &ContactAnalysis) -> Json {
     }
 }
 
-fn span(span: &Span, dimension: Dimension) -> Json {
-    let end = |end| number(end, span.form, dimension);
-    json!({ "from": end(span.from), "to": end(span.to), "points": span.points })
+fn belt(case: &BeltCase) -> Json {
+    let mut json = json!({
+        "model": "belt",
+        "title": case.title,
+        "analysis": analyses(&case.analyses, MotionAnalysis::write::<BeltKeys>),
+    });
+    for entry in &BELT_KEYS {
+        json[entry.section()][entry.name()] = json!(case.inputs.number(entry.key));
+    }
+    json
 }
 
 fn two_degrees(case: &TwoDegreesCase) -> Json {
@@ -115,7 +120,7 @@ fn two_degrees(case: &TwoDegreesCase) -> Json {
         "title": case.title,
         "parameters": parameters.collect::<Vec<_>>(),
         "matrices": matrices,
-        "analysis": case.analyses.iter().map(|analysis| named(analysis, two_degrees_analysis)).collect::<Vec<_>>(),
+        "analysis": analyses(&case.analyses, TwoDegreesAnalysis::write),
     })
 }
 
@@ -125,76 +130,15 @@ fn named<T>(analysis: &Analysis<T>, settings: impl Fn(&T) -> Json) -> Json {
     json
 }
 
-fn oscillator_analysis(kind: &OscillatorAnalysis) -> Json {
-    match kind {
-        OscillatorAnalysis::EquivalentDamping(DampingCurves { sweep: axis, family: curves }) => json!({
-            "kind": "equivalent-damping", "sweep": sweep(axis), "family": curves.as_ref().map(family),
-        }),
-        OscillatorAnalysis::Spectrum(SpectrumCurves { sweep: axis, family: curves }) => json!({
-            "kind": "spectrum", "sweep": sweep(axis), "family": curves.as_ref().map(family),
-        }),
-        OscillatorAnalysis::Critical(asked) => json!({
-            "kind": asked.sought.kind(), "sweep": sweep(&asked.sweep), "within": within(&asked.within, asked.sought.key()),
-            "family": asked.family.as_ref().map(family), "global_margin": asked.global_margin,
-        }),
-        OscillatorAnalysis::StabilityMap(map) => {
-            let mut json = stability_map(map);
-            json["global_margin"] = json!(map.global_margin);
-            json
-        }
-        OscillatorAnalysis::Motion(kind) => motion::motion::<OscillatorKeys>(kind),
-        OscillatorAnalysis::Engines(settings) => motion::engines(settings),
-    }
-}
-
-fn two_degrees_analysis(kind: &TwoDegreesAnalysis) -> Json {
-    match kind {
-        TwoDegreesAnalysis::Spectrum { sweep: axis } => json!({ "kind": "spectrum", "sweep": sweep(axis) }),
-        TwoDegreesAnalysis::StabilityMap(map) => stability_map(map),
-        TwoDegreesAnalysis::Critical { sweep: axis } => json!({ "kind": "critical", "sweep": sweep(axis) }),
-    }
-}
-
-/// A key with a dimension of its own.
-trait Dimensioned: Copy {
-    fn dimension(self) -> Dimension;
-}
-
-impl Dimensioned for OscillatorKey {
-    fn dimension(self) -> Dimension {
-        self.entry().dimension
-    }
-}
-
-impl Dimensioned for ParameterKey {
-    fn dimension(self) -> Dimension {
-        Dimension::NUMBER
-    }
-}
-
-fn stability_map<K: Dimensioned>(map: &StabilityMap<K>) -> Json {
-    json!({
-        "kind": "stability-map", "x": sweep(&map.x), "y": sweep(&map.y),
-        "method": map.method.name(), "boundaries": map.boundaries,
-    })
-}
-
-fn sweep<K: Dimensioned>(sweep: &Sweep<K>) -> Json {
-    let end = |end| number(end, sweep.form, sweep.key.dimension());
-    json!({
-        "key": sweep.path, "from": end(sweep.from), "to": end(sweep.to), "points": sweep.points,
-        "scale": sweep.scale.name(),
-    })
-}
-
-fn family<K: Dimensioned>(family: &Family<K>) -> Json {
-    let values = family.values.iter().map(|value| number(*value, family.form, family.key.dimension()));
-    json!({ "key": family.path, "values": values.collect::<Vec<_>>() })
-}
-
-fn within(within: &Within, sought: OscillatorKey) -> Json {
-    let end = |end| number(end, within.form, sought.dimension());
-    json!({ "from": end(within.from), "to": end(within.to) })
+/// Analyses that write themselves and say of which kind they are.
+fn analyses<T>(analyses: &[Analysis<T>], write: impl Fn(&T, &mut Map<String, Json>) -> &'static str) -> Json {
+    let written = |settings: &T| {
+        let mut json = Map::new();
+        let kind = write(settings, &mut json);
+        json.insert("kind".to_owned(), json!(kind));
+        Json::Object(json)
+    };
+    analyses.iter().map(|analysis| named(analysis, written)).collect()
 }
 
 /// Declared settings of an analysis of this kind.

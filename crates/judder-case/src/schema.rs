@@ -1,7 +1,6 @@
 //! The JSON Schema of case files, so that editors complete and check: generated from the table of keys.
 
 mod contact;
-mod motion;
 mod sliding;
 mod structure;
 mod sweep;
@@ -11,18 +10,14 @@ pub(crate) use sliding::key_sweep;
 use serde_json::{Map, Value as Json, json};
 
 use crate::analysis::Kind;
-use crate::belt_case::BELT_KEYS;
+use crate::belt_case::{self, BELT_KEYS, BELT_SECTIONS};
 use crate::contact_analysis::LawSettings;
 use crate::declared::{Declaration, Settings};
 use crate::inputs::{FrictionLoad, LawName};
-use crate::keys::{KEYS, Key, OscillatorKey, Range};
-use crate::motion_analysis::BASIN;
-use crate::oscillator_analysis::{LOAD_WITHIN, MARGIN_OF_MAP, MARGIN_OF_THRESHOLDS, SHEAR_STRENGTH_WITHIN};
+use crate::keys::{KEYS, Key, Range};
 use crate::oscillator_case::SECTIONS;
 use crate::substrate::SubstrateKeys;
-use crate::sweep::{MapMethod, Scale};
-use crate::swept_keys::OscillatorKeys;
-use crate::two_degrees::CRITICAL_POINTS;
+use crate::sweep::Scale;
 use crate::{oscillator_analysis, two_degrees};
 
 /// The JSON Schema (draft 2020-12) of case files of all models, with descriptions and defaults.
@@ -40,7 +35,7 @@ pub fn schema() -> Json {
     }
     definitions["belt-key"] = names(BELT_KEYS.iter().map(|entry| entry.path), "dotted path of a key");
     for entry in &BELT_KEYS {
-        definitions[motion::definition(entry.path)] = key(entry);
+        definitions[belt_definition(entry.path)] = key(entry);
     }
     let mut json = json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
@@ -48,7 +43,7 @@ pub fn schema() -> Json {
         "type": "object",
         "required": ["model"],
         "oneOf": [
-            oscillator(), contact::case(), motion::belt_case(), two_degrees_case(), structure::case(), sliding::case(),
+            oscillator(), contact::case(), belt(), two_degrees_case(), structure::case(), sliding::case(),
         ],
         "$defs": definitions,
     });
@@ -78,7 +73,7 @@ fn choice<const N: usize>(choices: [&str; N], default: &str, description: &str) 
     json
 }
 
-fn reference(definition: &str) -> Json {
+pub(crate) fn reference(definition: &str) -> Json {
     json!({ "$ref": format!("#/$defs/{definition}") })
 }
 
@@ -127,7 +122,7 @@ fn oscillator() -> Json {
     let mut properties = object([
         ("title", json!({ "type": "string" })),
         ("model", json!({ "const": "oscillator" })),
-        ("analysis", analyses(&oscillator_analysis::KINDS, oscillator_setting)),
+        ("analysis", analyses(&oscillator_analysis::KINDS)),
         ("sweep", reference("sweeps")),
     ]);
     for section in SECTIONS {
@@ -160,6 +155,27 @@ fn oscillator() -> Json {
     table("the oscillator of the oscillator paper", properties, &["model"])
 }
 
+fn belt() -> Json {
+    let mut properties = object([
+        ("title", json!({ "type": "string" })),
+        ("model", json!({ "const": "belt" })),
+        ("analysis", analyses(&belt_case::KINDS)),
+        ("sweep", reference("sweeps")),
+    ]);
+    for section in BELT_SECTIONS {
+        let entries = BELT_KEYS.iter().filter(|entry| entry.section() == section);
+        let keys =
+            entries.map(|entry| (entry.name().to_owned(), reference(&belt_definition(entry.path)))).collect();
+        properties.insert(section.to_owned(), table("", keys, &[]));
+    }
+    table("one mass on a moving belt, friction that falls with speed", properties, &["model"])
+}
+
+/// The name of a belt's key among the definitions: it shares paths with the oscillator's.
+fn belt_definition(path: &str) -> String {
+    format!("belt.{path}")
+}
+
 fn two_degrees_case() -> Json {
     let entry = json!({ "type": ["number", "string"] });
     let row = json!({ "type": "array", "items": entry, "minItems": 2, "maxItems": 2 });
@@ -174,7 +190,7 @@ fn two_degrees_case() -> Json {
         ("model", json!({ "const": "two-degrees" })),
         ("parameters", json!({ "type": "object", "additionalProperties": { "type": "number" } })),
         ("matrices", table("M, C and K", matrices, &["stiffness"])),
-        ("analysis", analyses(&two_degrees::KINDS, two_degrees_setting)),
+        ("analysis", analyses(&two_degrees::KINDS)),
         ("sweep", reference("sweeps")),
     ]);
     table("two degrees of freedom with given matrices", properties, &["model", "matrices"])
@@ -201,48 +217,36 @@ fn with_declared(
     let own = keys.iter().filter(|key| key.must_stand()).map(|key| key.name);
     let required: Vec<&str> = required.iter().copied().chain(own).collect();
     let mut json = table(description, properties, &required);
-    let of_alternative = |index: usize| -> Vec<&str> {
-        let own = keys.iter().filter(|key| key.is_required && key.alternative == Some(index));
-        own.map(|key| key.name).collect()
-    };
+    let of_alternative = |index: usize| keys.iter().filter(move |key| key.alternative == Some(index));
     // where no key of any is given, the first alternative is meant
-    if !of_alternative(0).is_empty() {
+    if of_alternative(0).any(|key| key.is_required) {
         let last = keys.iter().filter_map(|key| key.alternative).max().unwrap_or(0);
-        json["oneOf"] = (0..=last).map(|index| json!({ "required": of_alternative(index) })).collect();
+        json["oneOf"] = (0..=last).map(|index| given(of_alternative(index))).collect();
     }
     json
 }
 
+/// That all of these keys are given which must be, or one where none must.
+fn given<'a>(keys: impl Iterator<Item = &'a Declaration>) -> Json {
+    let (required, others): (Vec<_>, Vec<_>) = keys.partition(|key| key.is_required);
+    if required.is_empty() {
+        let one = |key: &Declaration| json!({ "required": [key.name] });
+        return json!({ "anyOf": others.into_iter().map(one).collect::<Vec<_>>() });
+    }
+    json!({ "required": required.iter().map(|key| key.name).collect::<Vec<_>>() })
+}
+
 /// The list of analyses: one alternative a kind.
-fn analyses<S, T>(kinds: &[Kind<S, T>], setting: impl Fn(&str, &str) -> Json) -> Json {
+fn analyses<S, T>(kinds: &[Kind<S, T>]) -> Json {
     let alternatives = kinds.iter().map(|kind| {
         let own = [("kind", json!({ "const": kind.name })), ("name", name_of(kind.name))];
-        if let Some(declared) = kind.declared {
-            return with_declared(kind.doc, object(own), &declared(), &["kind"]);
-        }
-        let mut properties = object(own);
-        properties.extend(kind.keys.iter().map(|key| ((*key).to_owned(), setting(kind.name, key))));
-        let needed = |key: &&&str| match (kind.name, **key) {
-            ("eigen-sweep", "region") | (_, "sweep" | "x" | "y") => true,
-            (name, key) => key == "within" && name == BASIN.name,
-        };
-        let required: Vec<_> = ["kind"].iter().chain(kind.keys.iter().filter(needed)).copied().collect();
-        table(kind.doc, properties, &required)
+        with_declared(kind.doc, object(own), &(kind.declared)(), &["kind"])
     });
     json!({ "type": "array", "items": { "oneOf": alternatives.collect::<Vec<_>>() } })
 }
 
-/// A setting that both models share.
-fn map_setting(key: &str) -> Json {
-    match key {
-        "method" => choice(MapMethod::ALL.map(|(name, _)| name), "adaptive", "how points are decided"),
-        _ => {
-            json!({ "type": "boolean", "default": true, "description": "trace the boundary curves as well" })
-        }
-    }
-}
-
-fn sweep(key: Json, end: &Json, description: &str, points: Option<usize>) -> Json {
+/// A key over a range.
+fn sweep(key: Json, end: &Json, description: &str) -> Json {
     let entries = [
         ("key", key),
         ("from", end.clone()),
@@ -250,56 +254,5 @@ fn sweep(key: Json, end: &Json, description: &str, points: Option<usize>) -> Jso
         ("points", reference("points")),
         ("scale", reference("scale")),
     ];
-    let required: &[&str] =
-        if points.is_some() { &["key", "from", "to"] } else { &["key", "from", "to", "points"] };
-    let mut properties = object(entries);
-    if let Some(points) = points {
-        properties["points"]["default"] = json!(points);
-    }
-    table(description, properties, required)
-}
-
-fn oscillator_setting(kind: &str, key: &str) -> Json {
-    let end =
-        json!({ "type": ["number", "string"], "description": "a group, or a quantity with the key's unit" });
-    if let Some(setting) = motion::setting::<OscillatorKeys>(kind, key) {
-        return setting;
-    }
-    match key {
-        "sweep" | "x" | "y" => sweep(reference("oscillator-key"), &end, "a numeric key over a range", None),
-        "family" => {
-            let values = json!({ "type": "array", "items": end, "minItems": 1 });
-            let entries = object([("key", reference("oscillator-key")), ("values", values)]);
-            table("one curve a value of another key", entries, &["key", "values"])
-        }
-        "within" => {
-            let (sought, default) = match kind {
-                "critical-load" => (OscillatorKey::NormalLoad, LOAD_WITHIN),
-                _ => (OscillatorKey::ShearStrength, SHEAR_STRENGTH_WITHIN),
-            };
-            let end = reference(sought.entry().path);
-            let mut json = table(
-                "where roots are sought",
-                object([("from", end.clone()), ("to", end)]),
-                &["from", "to"],
-            );
-            json["default"] = json!({ "from": default.0, "to": default.1 });
-            json
-        }
-        "global_margin" => {
-            let default = if kind == "stability-map" { MARGIN_OF_MAP } else { MARGIN_OF_THRESHOLDS };
-            let description = "follow the cycles from subcritical thresholds back to their fold";
-            json!({ "type": "boolean", "default": default, "description": description })
-        }
-        _ => map_setting(key),
-    }
-}
-
-fn two_degrees_setting(kind: &str, key: &str) -> Json {
-    let name = json!({ "type": "string", "description": "parameters.NAME" });
-    let points = (kind == "critical").then_some(CRITICAL_POINTS);
-    match key {
-        "sweep" | "x" | "y" => sweep(name, &json!({ "type": "number" }), "a parameter over a range", points),
-        _ => map_setting(key),
-    }
+    table(description, object(entries), &["key", "from", "to", "points"])
 }

@@ -39,6 +39,11 @@ impl<'a> Section<'a> {
         Ok(Self { prefix, name: name.to_owned(), table, place: node.place })
     }
 
+    /// Whether it has no keys at all.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.table.entries.is_empty()
+    }
+
     /// Refuses all keys but those that are known.
     pub(crate) fn refuse_others(&self, known: &[&str]) -> Result<(), Fault> {
         let unknown = self.table.entries.iter().filter(|entry| !known.contains(&entry.key.as_str()));

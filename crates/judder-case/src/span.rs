@@ -37,19 +37,6 @@ impl Span {
     }
 }
 
-/// Reads the range under the name of a key; `default` is in groups. `most` is how many points it may have.
-pub(crate) fn read_span<K>(
-    section: &Section<'_>,
-    entry: &Key<K>,
-    (from, to, points): (f64, f64, usize),
-    most: usize,
-) -> Result<Span, Fault> {
-    match section.get(entry.name()) {
-        Some(node) => read_ends(entry, entry.name(), node, (points, most)),
-        None => Ok(Span { from, to, points, form: Form::Group }),
-    }
-}
-
 /// Reads `{ from, to, points }`, with the points of a range that does not say, and the most.
 pub(crate) fn read_ends<K>(
     entry: &Key<K>,

@@ -3,24 +3,16 @@
 use crate::belt_case::{BeltInputs, BeltKey};
 use crate::inputs::OscillatorInputs;
 use crate::keys::{Form, OscillatorKey, Value};
+use judder_keys_derive::{Choice, Settings};
 
 /// How the points of a sweep are spaced.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
+#[choice(what = "scale")]
 pub enum Scale {
     /// Equal steps.
     Linear,
     /// Equal ratios.
     Log,
-}
-
-impl Scale {
-    /// The scales with their names in a case file.
-    pub const ALL: [(&'static str, Self); 2] = [("linear", Self::Linear), ("log", Self::Log)];
-
-    /// The name in a case file.
-    pub fn name(self) -> &'static str {
-        Self::ALL[self as usize].0
-    }
 }
 
 /// One key over a range: at least two points, both ends among them.
@@ -146,23 +138,13 @@ pub struct Within {
 }
 
 /// How the points of a map are decided.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
+#[choice(what = "method")]
 pub enum MapMethod {
     /// Cells are refined only where a boundary crosses.
     Adaptive,
     /// Every point is decided.
     EveryPoint,
-}
-
-impl MapMethod {
-    /// The methods with their names in a case file.
-    pub const ALL: [(&'static str, Self); 2] =
-        [("adaptive", Self::Adaptive), ("every-point", Self::EveryPoint)];
-
-    /// The name in a case file.
-    pub fn name(self) -> &'static str {
-        Self::ALL[self as usize].0
-    }
 }
 
 /// A stability map over two keys.
@@ -172,11 +154,20 @@ pub struct StabilityMap<K> {
     pub x: Sweep<K>,
     /// The key along the ordinate; another one than that of `x`.
     pub y: Sweep<K>,
-    /// How the points are decided.
-    pub method: MapMethod,
+    /// How it is made.
+    pub options: MapOptions,
     /// Whether stable points at which a knock starts a cycle are told apart; of oscillator cases only.
     pub global_margin: bool,
-    /// Whether the boundary curves are traced as well.
+}
+
+/// How a stability map is made.
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
+pub struct MapOptions {
+    /// How the points are decided.
+    #[key(default = MapMethod::Adaptive)]
+    pub method: MapMethod,
+    /// Trace the boundary curves as well.
+    #[key(default = true)]
     pub boundaries: bool,
 }
 
@@ -202,12 +193,6 @@ mod tests {
         assert_eq!(sweep(-1.0, -100.0, 3, Scale::Log).values(), [-1.0, -10.0, -100.0]);
         assert_eq!(sweep(-f64::MAX, f64::MAX, 3, Scale::Linear).values()[1], 0.0);
         assert_eq!(sweep(1.0, 0.0, 5, Scale::Linear).values(), [1.0, 0.75, 0.5, 0.25, 0.0]);
-    }
-
-    #[test]
-    fn names_stand_at_their_index() {
-        assert!(Scale::ALL.iter().all(|(name, scale)| scale.name() == *name));
-        assert!(MapMethod::ALL.iter().all(|(name, method)| method.name() == *name));
     }
 
     proptest! {

@@ -2,14 +2,17 @@
 
 use crate::cause::Cause;
 use crate::contact_problem::ContactProblem;
+use crate::declared::{Form as Allowed, Number};
 use crate::dimension::Dimension;
 use crate::document::{Data, Node};
 use crate::error::Fault;
 use crate::inputs::{LawName, OscillatorInputs};
 use crate::keys::{Form, KEYS, Key, OscillatorKey, Value};
 use crate::quantity::Quantity;
+use crate::schema;
 use crate::section::{finite_number, text, wrong_type};
 use crate::sweep::ParameterKey;
+use serde_json::{Value as Json, json};
 
 /// The keys that the analyses of one case can vary.
 pub(crate) trait SweptKeys {
@@ -27,8 +30,33 @@ pub(crate) trait SweptKeys {
     /// Whether two keys vary the same quantity.
     fn same(&self, first: Self::Key, second: Self::Key) -> bool;
 
+    /// The dimension of a key.
+    fn dimension(key: Self::Key) -> Dimension;
+
+    /// What a case file may say for a key.
+    fn key_form() -> Allowed;
+
+    /// What it may say for a value of a key.
+    fn value_form() -> Allowed {
+        Allowed::Number(Number::any(Dimension::NUMBER))
+    }
+
+    /// A value of a key in a canonical form.
+    fn write(key: Self::Key, value: Value) -> Json {
+        match value.form {
+            Form::Group => json!(value.number),
+            Form::Si => json!({ "value": value.number, "unit": Self::dimension(key).unit() }),
+        }
+    }
+
     /// Checks the conditions that tie keys together, with some keys set.
     fn check(&self, settings: &[(Self::Key, Value)]) -> Result<(), Cause>;
+}
+
+/// One of the numeric keys that a definition of the schema lists.
+pub(crate) fn key_among(definition: &str) -> Allowed {
+    let words = "the dotted path of a number of the case".to_owned();
+    Allowed::Told { schema: schema::reference(definition), words, keys: Vec::new() }
 }
 
 /// Reads the value of a numeric key: a plain number is its group, a string carries a unit.
@@ -170,6 +198,22 @@ impl SweptKeys for OscillatorKeys {
         first == second || (is_time(first) && is_time(second))
     }
 
+    fn dimension(key: OscillatorKey) -> Dimension {
+        key.entry().dimension
+    }
+
+    fn key_form() -> Allowed {
+        key_among("oscillator-key")
+    }
+
+    fn value_form() -> Allowed {
+        Allowed::Told {
+            schema: json!({ "type": ["number", "string"] }),
+            words: "a plain number, which is the group of the key, or a quantity with its unit".to_owned(),
+            keys: Vec::new(),
+        }
+    }
+
     fn check(&self, settings: &[(OscillatorKey, Value)]) -> Result<(), Cause> {
         let mut inputs = self.inputs;
         for (key, value) in settings {
@@ -203,6 +247,18 @@ impl SweptKeys for ParameterKeys {
 
     fn same(&self, first: ParameterKey, second: ParameterKey) -> bool {
         first == second
+    }
+
+    fn dimension(_: ParameterKey) -> Dimension {
+        Dimension::NUMBER
+    }
+
+    fn key_form() -> Allowed {
+        Allowed::Told {
+            schema: json!({ "type": "string" }),
+            words: "`parameters.NAME`".to_owned(),
+            keys: Vec::new(),
+        }
     }
 
     fn check(&self, _: &[(ParameterKey, Value)]) -> Result<(), Cause> {

@@ -6,10 +6,11 @@ use crate::document::{Data, Node};
 use crate::error::Fault;
 use crate::expression::is_parameter_name;
 use crate::matrix::{Matrix, Scope, read_mass, read_matrix};
-use crate::read_sweep::{read_map, read_sweep};
+use crate::read_sweep::{Axis, SWEEP, map_declarations, read_map, write_map};
 use crate::section::{Section, finite_number, wrong_type};
 use crate::sweep::{ParameterKey, StabilityMap, Sweep};
 use crate::swept_keys::ParameterKeys;
+use serde_json::{Map, Value as Json};
 
 /// A validated two-degrees case.
 #[derive(Debug, Clone)]
@@ -48,61 +49,86 @@ pub struct TwoDegreesMatrices {
 #[derive(Debug, Clone, PartialEq)]
 pub enum TwoDegreesAnalysis {
     /// `spectrum`: the eigenvalues along one parameter.
-    Spectrum {
-        /// The swept parameter.
-        sweep: Sweep<ParameterKey>,
-    },
+    Spectrum(ParameterSpectrum),
     /// `stability-map`: the verdict over two parameters.
     StabilityMap(StabilityMap<ParameterKey>),
     /// `critical`: the values of one parameter at which stability changes.
-    Critical {
-        /// The parameter, the range in which changes are sought, and the samples of the search.
-        sweep: Sweep<ParameterKey>,
-    },
+    Critical(ParameterThresholds),
+}
+
+/// The eigenvalues along one parameter.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ParameterSpectrum {
+    /// The swept parameter.
+    pub sweep: Sweep<ParameterKey>,
+}
+
+/// The values of one parameter at which stability changes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ParameterThresholds {
+    /// The parameter, the range in which changes are sought, and the samples of the search.
+    pub sweep: Sweep<ParameterKey>,
 }
 
 impl TwoDegreesAnalysis {
     /// The positions of the parameters that the analysis varies.
     fn swept(&self) -> Vec<usize> {
         match self {
-            Self::Spectrum { sweep } | Self::Critical { sweep } => vec![sweep.key.index()],
+            Self::Spectrum(ParameterSpectrum { sweep }) | Self::Critical(ParameterThresholds { sweep }) => {
+                vec![sweep.key.index()]
+            }
             Self::StabilityMap(map) => vec![map.x.key.index(), map.y.key.index()],
+        }
+    }
+
+    /// Puts the settings into a canonical form, and says of which kind they are.
+    pub(crate) fn write(&self, json: &mut Map<String, Json>) -> &'static str {
+        match self {
+            Self::Spectrum(ParameterSpectrum { sweep }) => {
+                SWEEP.write::<ParameterKeys>(sweep, json);
+                "spectrum"
+            }
+            Self::StabilityMap(map) => {
+                write_map::<ParameterKeys>(map, json);
+                "stability-map"
+            }
+            Self::Critical(ParameterThresholds { sweep }) => {
+                SAMPLES.write::<ParameterKeys>(sweep, json);
+                "critical"
+            }
         }
     }
 }
 
-/// The default number of samples of `critical`.
-pub const CRITICAL_POINTS: usize = 400;
+/// Where `critical` seeks changes.
+const SAMPLES: Axis = SWEEP.of_points(400);
 
 /// The kinds of a two-degrees case.
 pub(crate) const KINDS: [Kind<ParameterKeys, TwoDegreesAnalysis>; 3] = [
-    Kind {
-        name: "spectrum",
-        keys: &["sweep"],
-        declared: None,
-        doc: "the eigenvalues along one parameter",
-        read: |keys, section| {
-            let sweep = read_sweep(keys, section, "sweep", None)?.sweep;
-            Ok(TwoDegreesAnalysis::Spectrum { sweep })
+    Kind::declared(
+        "spectrum",
+        "the eigenvalues along one parameter",
+        || vec![SWEEP.declaration::<ParameterKeys>()],
+        |keys, section| {
+            let sweep = SWEEP.read_alone(keys, section)?;
+            Ok(TwoDegreesAnalysis::Spectrum(ParameterSpectrum { sweep }))
         },
-    },
-    Kind {
-        name: "stability-map",
-        keys: &["x", "y", "method", "boundaries"],
-        declared: None,
-        doc: "stable and unstable points over two parameters",
-        read: |keys, section| read_map(keys, section).map(TwoDegreesAnalysis::StabilityMap),
-    },
-    Kind {
-        name: "critical",
-        keys: &["sweep"],
-        declared: None,
-        doc: "the values of a parameter at which stability changes",
-        read: |keys, section| {
-            let sweep = read_sweep(keys, section, "sweep", Some(CRITICAL_POINTS))?.sweep;
-            Ok(TwoDegreesAnalysis::Critical { sweep })
+    ),
+    Kind::declared(
+        "stability-map",
+        "stable and unstable points over two parameters",
+        map_declarations::<ParameterKeys>,
+        |keys, section| read_map(keys, section).map(TwoDegreesAnalysis::StabilityMap),
+    ),
+    Kind::declared(
+        "critical",
+        "the values of a parameter at which stability changes",
+        || vec![SAMPLES.declaration::<ParameterKeys>()],
+        |keys, section| {
+            let sweep = SAMPLES.read_alone(keys, section)?;
+            Ok(TwoDegreesAnalysis::Critical(ParameterThresholds { sweep }))
         },
-    },
+    ),
 ];
 
 impl TwoDegreesCase {

@@ -1,5 +1,6 @@
 //! What a case file may say under a key: the schema and the reference are written from it.
 
+use super::scaled::Scaled;
 use super::values::{Number, UNLIMITED, Whole};
 use crate::keys::Key;
 use crate::quantity::Quantity;
@@ -66,9 +67,9 @@ pub(crate) enum Form {
     Named(Box<Form>),
     /// One of several forms.
     Either(Vec<Form>),
-    /// A form of its own: how the reference says it, and its schema.
-    Own { words: &'static str, schema: fn() -> Json },
-    /// What a type tells of itself: the schema, the words of the reference, the keys of its tables.
+    /// A number that is a dimensionless group, or has a unit.
+    Scaled(Scaled),
+    /// What a type or a model tells of itself: the schema, the words of the reference, the keys of its tables.
     Told { schema: Json, words: String, keys: Vec<Declaration> },
 }
 
@@ -88,8 +89,7 @@ impl Form {
             Self::List { .. } => format!("{key} = [ … ]"),
             Self::Named(_) => format!("{key} = {{ NAME = … }}"),
             Self::Either(forms) => forms.first().map_or(String::new(), |form| form.example(key, doc)),
-            Self::Own { words, .. } => format!("{key} = …, {words}"),
-            Self::Told { .. } => format!("{key} = …, {doc}"),
+            Self::Scaled(_) | Self::Told { .. } => format!("{key} = …, {doc}"),
             Self::Table { keys, .. } => {
                 let keys: Vec<&str> =
                     keys.iter().filter(|key| key.must_stand()).map(|key| key.name).collect();
@@ -119,7 +119,7 @@ impl Form {
             Self::Table { doc, keys } => schema::declared_table(doc, keys),
             Self::Named(of) => json!({ "type": "object", "additionalProperties": of.schema() }),
             Self::Either(forms) => json!({ "anyOf": forms.iter().map(Self::schema).collect::<Vec<_>>() }),
-            Self::Own { schema, .. } => schema(),
+            Self::Scaled(scaled) => schema::scaled_number(&scaled.entry()),
             Self::Told { schema, .. } => schema.clone(),
         }
     }
@@ -183,7 +183,7 @@ impl Declaration {
     pub(crate) fn rows(&self, prefix: &str) -> String {
         let Self { name, symbol, doc, form, .. } = self;
         let absent = match &self.default {
-            Some(default) => format!("`{}`", as_written(default)),
+            Some(default) => format!("`{}`", form.line(&as_written(default))),
             None if self.must_stand() => "must be given".to_owned(),
             None => String::new(),
         };
@@ -203,6 +203,16 @@ impl Form {
             Self::Either(forms) => forms.iter().map(Self::keys).find(|keys| !keys.is_empty()).unwrap_or(&[]),
             _ => &[],
         }
+    }
+
+    /// A value as a case file says it in one line, the keys of a table in the order in which they are declared.
+    fn line(&self, value: &Json) -> String {
+        let Json::Object(table) = value else { return value.to_string() };
+        let place = |name: &str| self.keys().iter().position(|key| key.name == name).unwrap_or(usize::MAX);
+        let mut entries: Vec<_> = table.iter().filter(|(_, value)| !value.is_null()).collect();
+        entries.sort_by_key(|(name, _)| (place(name), name.as_str()));
+        let entries: Vec<String> = entries.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+        format!("{{ {} }}", entries.join(", "))
     }
 
     /// What may stand there, as the reference says it.
@@ -235,7 +245,7 @@ impl Form {
             }
             Self::Named(of) => format!("a table of names, each {}", of.words()),
             Self::Either(forms) => forms.iter().map(Self::words).collect::<Vec<String>>().join("; or "),
-            Self::Own { words, .. } => (*words).to_owned(),
+            Self::Scaled(scaled) => scaled.words(),
             Self::Told { words, .. } => words.clone(),
             Self::Table { keys, .. } => {
                 let keys: Vec<&str> = keys.iter().map(|key| key.name).collect();

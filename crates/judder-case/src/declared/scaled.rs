@@ -6,7 +6,6 @@ use crate::document::Node;
 use crate::error::Fault;
 use crate::keys::{Form as Given, Key, Range, Value};
 use crate::reference::allowed;
-use crate::schema::scaled_number;
 use crate::section::Section;
 use crate::span::{Span, read_ends};
 use crate::swept_keys::read_value;
@@ -50,6 +49,16 @@ impl Scaled {
         }
     }
 
+    /// What may stand there, as the reference says it.
+    pub(super) fn words(&self) -> String {
+        let (group, range) = (self.group, allowed(self.range));
+        if self.dimension.is_number() {
+            return format!("a plain number ({group}), {range}");
+        }
+        let example = self.dimension.example().replace("\" or \"", " or ");
+        format!("a plain number ({group}) or {} such as {example}, {range}", self.dimension)
+    }
+
     fn write(&self, number: f64, given: Given) -> Json {
         match given {
             Given::Group => json!(number),
@@ -62,14 +71,7 @@ impl Setting for Value {
     type Rule = Scaled;
 
     fn form(rule: &Scaled) -> Form {
-        let example = rule.dimension.example().replace("\" or \"", " or ");
-        let words = format!(
-            "a number, {}, or {} such as {example}, {}",
-            rule.group,
-            rule.dimension,
-            allowed(rule.range)
-        );
-        Form::Told { schema: scaled_number(&rule.entry()), words, keys: Vec::new() }
+        Form::Scaled(*rule)
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, rule: &Scaled) -> Result<Self, Fault> {

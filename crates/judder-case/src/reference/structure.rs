@@ -2,7 +2,7 @@
 
 use super::{kinds, settings};
 use crate::declared::Settings;
-use crate::structure::analysis::{Eigen, KINDS, MethodKeys};
+use crate::structure::analysis::KINDS;
 use crate::structure::body::BodyKeys;
 use crate::structure::damping::Damping;
 use crate::structure::reduction::Reduction;
@@ -20,8 +20,6 @@ pub(super) fn section() -> String {
     page += MATRICES;
     page += "\n### Analyses of a structure case\n\n";
     page += &kinds(&KINDS);
-    let of_sweep = [Eigen::declarations(), MethodKeys::declarations()].concat();
-    page += &settings("eigen-sweep` beside `sweep` and `family", &of_sweep);
     page + SETTINGS
 }
 

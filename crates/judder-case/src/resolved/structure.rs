@@ -2,14 +2,16 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use super::{declared, family, named, number};
+use super::{declared, named, number};
 use crate::declared::Setting;
 use crate::dimension::Dimension;
 use crate::keys::Form;
+use crate::read_sweep::write_family;
 use crate::structure::analysis::{EigenMethod, StructureAnalysis};
 use crate::structure::body::{Body, Geometry, Material, PlaneSection};
 use crate::structure::matrices::{MatrixSums, MatrixTerm};
 use crate::structure::{StructureCase, StructureSource};
+use crate::swept_keys::ParameterKeys;
 use crate::two_degrees::Parameter;
 
 pub(super) fn case(case: &StructureCase) -> Json {
@@ -86,8 +88,10 @@ fn analysis(kind: &StructureAnalysis) -> Json {
             let mut json = json!({
                 "kind": "eigen-sweep", "region": Setting::write(&sweep.region, &()), "method": sweep.method.name(),
                 "sweep": { "key": sweep.sweep.path, "values": sweep.sweep.values, "scale": sweep.sweep.scale.name() },
-                "family": sweep.family.as_ref().map(family),
             });
+            if let Some(json) = json.as_object_mut() {
+                write_family::<ParameterKeys>(sweep.family.as_ref(), json);
+            }
             if let EigenMethod::Projected { tolerance } = sweep.method {
                 json["tolerance"] = json!(tolerance);
             }

@@ -29,7 +29,7 @@ pub(super) fn case() -> Json {
             ),
         ),
         ("indenter", with_declared("the rigid body that slides", indenter, &shape, &[])),
-        ("analysis", analyses(&KINDS, |_, _| Json::Null)),
+        ("analysis", analyses(&KINDS)),
         ("sweep", reference("sweeps")),
     ]);
     let keys = ContactKeys::declarations();

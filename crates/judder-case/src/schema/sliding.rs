@@ -20,7 +20,7 @@ pub(super) fn case() -> Json {
         ("model", json!({ "const": "sliding" })),
         ("parameters", parameters),
         ("structure", list(structure(), [2, 2], "the two structures")),
-        ("analysis", analyses(&KINDS, |_, _| Json::Null)),
+        ("analysis", analyses(&KINDS)),
         ("sweep", reference("sweeps")),
     ]);
     let required = ["model", "structure"];
@@ -48,5 +48,5 @@ pub(crate) fn key_sweep() -> Json {
     let values = json!({ "type": "array", "items": end, "minItems": 2 });
     let of_list = object([("key", key.clone()), ("values", values)]);
     let of_list = table("a key with a list of values", of_list, &["key", "values"]);
-    json!({ "oneOf": [super::sweep(key, &end, "a key over a range", None), of_list] })
+    json!({ "oneOf": [super::sweep(key, &end, "a key over a range"), of_list] })
 }

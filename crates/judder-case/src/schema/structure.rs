@@ -2,9 +2,9 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use super::{analyses, choice, declared_table, object, reference, sweep, table, with_declared};
-use crate::declared::{Declaration, Settings};
-use crate::structure::analysis::{Eigen, KINDS, MethodKeys};
+use super::{analyses, choice, declared_table, object, reference, table, with_declared};
+use crate::declared::Settings;
+use crate::structure::analysis::KINDS;
 use crate::structure::body::BodyKeys;
 use crate::structure::damping::Damping;
 use crate::structure::matrices::Triangle;
@@ -19,7 +19,7 @@ pub(super) fn case() -> Json {
         ("matrices", matrices()),
         ("damping", damping()),
         ("reduction", reduction(&["kept"])),
-        ("analysis", analyses(&KINDS, setting)),
+        ("analysis", analyses(&KINDS)),
         ("sweep", reference("sweeps")),
     ]);
     properties["parameters"]["description"] = json!("numbers that factors of matrices use and sweeps vary");
@@ -67,28 +67,4 @@ pub(super) fn damping() -> Json {
 
 pub(super) fn reduction(required: &[&str]) -> Json {
     with_declared(Reduction::DOC, Map::new(), &Reduction::declarations(), required)
-}
-
-fn setting(_: &str, key: &str) -> Json {
-    match key {
-        "region" => Declaration::find(&Eigen::declarations(), key),
-        "sweep" => {
-            let name = json!({ "type": "string", "description": "parameters.NAME" });
-            let values = json!({ "type": "array", "items": { "type": "number" }, "minItems": 2 });
-            let entries = object([("key", name.clone()), ("values", values)]);
-            let of_list = table("a parameter with a list of values", entries, &["key", "values"]);
-            let of_range = sweep(name, &json!({ "type": "number" }), "a parameter over a range", None);
-            json!({ "oneOf": [of_range, of_list] })
-        }
-        "family" => {
-            let values = json!({ "type": "array", "items": { "type": "number" }, "minItems": 1 });
-            let name = json!({ "type": "string", "description": "parameters.NAME" });
-            table(
-                "one curve a value of another parameter",
-                object([("key", name), ("values", values)]),
-                &["key", "values"],
-            )
-        }
-        key => Declaration::find(&MethodKeys::declarations(), key),
-    }
 }

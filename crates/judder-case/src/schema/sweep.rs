@@ -3,7 +3,7 @@
 use serde_json::{Value as Json, json};
 
 use super::{choice, object, reference, table};
-use crate::motion_analysis::SEED_LIMITS;
+use crate::motion_analysis::SEEDS;
 use crate::study_sweep::Design;
 use crate::study_sweep::design::POINTS_LIMIT;
 use crate::study_sweep::read::{CHUNK_LIMIT, RESAMPLES_LIMITS, SEED, SENSITIVITY};
@@ -16,7 +16,8 @@ pub(super) fn sweeps() -> Json {
     });
     let whole = |[from, to]: [usize; 2], description: &str| json!({ "type": "integer", "minimum": from, "maximum": to, "description": description });
     let most = POINTS_LIMIT as usize;
-    let mut seed = whole(SEED_LIMITS, "of \"latin-hypercube\" and \"sobol\": which of all such points");
+    let mut seed =
+        whole([SEEDS.from, SEEDS.to], "of \"latin-hypercube\" and \"sobol\": which of all such points");
     seed["default"] = json!(SEED);
     let path = json!({ "type": "string", "pattern": r"^[A-Za-z0-9_-]+(\.[A-Za-z0-9_-]+)*$" });
     let quantities = json!({

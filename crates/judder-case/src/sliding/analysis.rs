@@ -39,45 +39,40 @@ pub struct PartModes {
 
 /// The kinds of a sliding case.
 pub(crate) const KINDS: [Kind<SlidingCase, SlidingAnalysis>; 5] = [
-    Kind {
-        name: "modes",
-        keys: PartModes::KEYS,
-        declared: Some(PartModes::declarations),
-        doc: "undamped modes of one of the two structures, as it is held, without contact",
-        read: |case, section| {
+    Kind::declared(
+        "modes",
+        "undamped modes of one of the two structures, as it is held, without contact",
+        PartModes::declarations,
+        |case, section| {
             let mut own = PartModes::read_table(section)?;
             find_structure(&mut own.structure, &case.structures, section)?;
             Ok(SlidingAnalysis::Modes(own))
         },
-    },
-    Kind {
-        name: "locus",
-        keys: Locus::KEYS,
-        declared: Some(Locus::declarations),
-        doc: "complex eigenvalues against the position of the contact, or against any key, with located unstable zones",
-        read: |case, section| Locus::read_table(section)?.admit(case, section).map(SlidingAnalysis::Locus),
-    },
-    Kind {
-        name: "march",
-        keys: March::KEYS,
-        declared: Some(March::declarations),
-        doc: "the motion along the path by explicit time integration: signals, bursts, contact forces",
-        read: |case, section| March::read_table(section)?.admit(case, section).map(SlidingAnalysis::March),
-    },
-    Kind {
-        name: "growth",
-        keys: Growth::KEYS,
-        declared: Some(Growth::declarations),
-        doc: "the growth of one mode in a march with the contact held, against the eigenvalue there",
-        read: |_, section| Growth::read_table(section).map(SlidingAnalysis::Growth),
-    },
-    Kind {
-        name: "spectrogram",
-        keys: Spectrogram::KEYS,
-        declared: Some(Spectrogram::declarations),
-        doc: "a signal of a march over time, position and frequency, with the unstable zones of a locus",
-        read: |case, section| {
+    ),
+    Kind::declared(
+        "locus",
+        "complex eigenvalues against the position of the contact, or against any key, with located unstable zones",
+        Locus::declarations,
+        |case, section| Locus::read_table(section)?.admit(case, section).map(SlidingAnalysis::Locus),
+    ),
+    Kind::declared(
+        "march",
+        "the motion along the path by explicit time integration: signals, bursts, contact forces",
+        March::declarations,
+        |case, section| March::read_table(section)?.admit(case, section).map(SlidingAnalysis::March),
+    ),
+    Kind::declared(
+        "growth",
+        "the growth of one mode in a march with the contact held, against the eigenvalue there",
+        Growth::declarations,
+        |_, section| Growth::read_table(section).map(SlidingAnalysis::Growth),
+    ),
+    Kind::declared(
+        "spectrogram",
+        "a signal of a march over time, position and frequency, with the unstable zones of a locus",
+        Spectrogram::declarations,
+        |case, section| {
             Spectrogram::read_table(section)?.admit(case, section).map(SlidingAnalysis::Spectrogram)
         },
-    },
+    ),
 ];

@@ -51,6 +51,7 @@ pub enum Along {
         #[key(rule = POSITION, symbol = "s", example = "\"74 mm\", where the contact is held while the key is swept")]
         at: f64,
         /// Any number of `structure`, `contact`, `motion` or `parameters` over a range; each value is a case of its own.
+        #[key(example = "…, `{ key, from, to, points, scale }`, or `{ key, values }`")]
         sweep: KeySweep,
     },
 }

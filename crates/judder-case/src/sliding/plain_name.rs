@@ -31,9 +31,10 @@ impl Setting for PlainName {
     type Rule = &'static str;
 
     fn form(_: &&'static str) -> Form {
-        Form::Own {
-            words: "a name of letters, digits, `_` and `-`",
-            schema: || json!({ "type": "string", "pattern": "^[A-Za-z0-9_-]{1,100}$" }),
+        Form::Told {
+            schema: json!({ "type": "string", "pattern": "^[A-Za-z0-9_-]{1,100}$" }),
+            words: "a name of letters, digits, `_` and `-`".to_owned(),
+            keys: Vec::new(),
         }
     }
 

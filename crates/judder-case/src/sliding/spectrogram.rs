@@ -95,9 +95,10 @@ impl Setting for Amplitude {
     type Rule = ();
 
     fn form((): &()) -> Form {
-        Form::Own {
-            words: "a quantity of the signal, such as 1 m/s^2",
-            schema: || json!({ "type": "string", "examples": ["1 m/s^2"] }),
+        Form::Told {
+            schema: json!({ "type": "string", "examples": ["1 m/s^2"] }),
+            words: "a quantity of the signal, such as 1 m/s^2".to_owned(),
+            keys: Vec::new(),
         }
     }
 

@@ -25,9 +25,10 @@ impl Setting for KeySweep {
     type Rule = ();
 
     fn form((): &()) -> Form {
-        Form::Own {
-            words: "`{ key, from, to, points, scale }`, or `{ key, values }`",
-            schema: schema::key_sweep,
+        Form::Told {
+            schema: schema::key_sweep(),
+            words: "`{ key, from, to, points, scale }`, or `{ key, values }`".to_owned(),
+            keys: Vec::new(),
         }
     }
 

@@ -4,16 +4,17 @@ use super::matrices::MatrixSums;
 use super::problem::StructureProblem;
 use crate::analysis::Kind;
 use crate::cause::Cause;
-use crate::declared::{Number, Pair, Settings, Whole};
+use crate::declared::{Declaration, Form, Number, Pair, Settings, Whole};
 use crate::dimension::Dimension;
 use crate::document::Node;
 use crate::error::{Fault, Place};
 use crate::keys::Range;
-use crate::read_sweep::{PlacedFamily, check_size, read_placed_family, read_sweep};
+use crate::read_sweep::{PlacedFamily, SWEEP, check_size, family_declaration, read_placed_family, required};
 use crate::section::{Section, finite_number, list, text};
 use crate::sweep::{Family, ParameterKey, Scale};
 use crate::swept_keys::{ParameterKeys, SweptKeys};
 use judder_keys_derive::{Choice, Settings};
+use serde_json::json;
 
 /// What an analysis of a structure case computes.
 #[derive(Debug, Clone, PartialEq)]
@@ -198,22 +199,20 @@ pub(crate) struct StructureScope {
 
 /// The kinds of a structure case.
 pub(crate) const KINDS: [Kind<StructureScope, StructureAnalysis>; 4] = [
-    Kind {
-        name: "modes",
-        keys: Modes::KEYS,
-        declared: Some(Modes::declarations),
-        doc: "undamped modes: frequencies, shapes, residuals, and a count that shows whether one is missing",
-        read: |scope, section| {
+    Kind::declared(
+        "modes",
+        "undamped modes: frequencies, shapes, residuals, and a count that shows whether one is missing",
+        Modes::declarations,
+        |scope, section| {
             check_factors(scope, section)?;
             Modes::read_table(section).map(StructureAnalysis::Modes)
         },
-    },
-    Kind {
-        name: "reduction",
-        keys: Compared::KEYS,
-        declared: Some(Compared::declarations),
-        doc: "frequencies of the reduced structure against those of the full one, and the limit that the reduction tells of itself",
-        read: |scope, section| {
+    ),
+    Kind::declared(
+        "reduction",
+        "frequencies of the reduced structure against those of the full one, and the limit that the reduction tells of itself",
+        Compared::declarations,
+        |scope, section| {
             if !scope.has_reduction {
                 let (key, section_name) = ("reduction".to_owned(), "the case".to_owned());
                 let expected = "[reduction] with kept = [{ set = \"…\" }]".to_owned();
@@ -222,24 +221,22 @@ pub(crate) const KINDS: [Kind<StructureScope, StructureAnalysis>; 4] = [
             check_factors(scope, section)?;
             Compared::read_table(section).map(StructureAnalysis::Reduction)
         },
-    },
-    Kind {
-        name: "eigen",
-        keys: Eigen::KEYS,
-        declared: Some(Eigen::declarations),
-        doc: "all complex modes in a region of the plane of growth rate and frequency, each with its error",
-        read: |scope, section| {
+    ),
+    Kind::declared(
+        "eigen",
+        "all complex modes in a region of the plane of growth rate and frequency, each with its error",
+        Eigen::declarations,
+        |scope, section| {
             check_factors(scope, section)?;
             Eigen::read_table(section).map(StructureAnalysis::Eigen)
         },
-    },
-    Kind {
-        name: "eigen-sweep",
-        keys: &["sweep", "family", "region", "method", "tolerance"],
-        declared: None,
-        doc: "complex modes along a parameter, followed through where they meet",
-        read: |scope, section| read_eigen_sweep(scope, section).map(StructureAnalysis::EigenSweep),
-    },
+    ),
+    Kind::declared(
+        "eigen-sweep",
+        "complex modes along a parameter, followed through where they meet",
+        eigen_sweep,
+        |scope, section| read_eigen_sweep(scope, section).map(StructureAnalysis::EigenSweep),
+    ),
 ];
 
 pub(crate) fn ascending(from: f64, to: f64, place: Place) -> Result<(), Fault> {
@@ -248,6 +245,27 @@ pub(crate) fn ascending(from: f64, to: f64, place: Place) -> Result<(), Fault> {
         std::cmp::Ordering::Equal => Err(Cause::EmptyRange { from }.at(place)),
         std::cmp::Ordering::Greater => Err(Cause::Backwards { from, to }.at(place)),
     }
+}
+
+/// The keys of a sweep of listed values.
+fn listed() -> Vec<Declaration> {
+    let values = Form::List { of: Box::new(ParameterKeys::value_form()), length: [2, usize::MAX] };
+    vec![
+        required("key", "dotted path of the parameter", ParameterKeys::key_form()),
+        required("values", "values one after the other, ascending or descending", values),
+    ]
+}
+
+/// What is said of complex modes along a parameter.
+fn eigen_sweep() -> Vec<Declaration> {
+    let doc = "a parameter over a range, or with a list of values";
+    let listed = required("sweep", "a parameter with a list of values", Form::Table { doc, keys: listed() });
+    let ways = [SWEEP.declaration::<ParameterKeys>(), listed].map(|way| way.schema());
+    let words = "a table `{ key, from, to, points, scale }` or `{ key, values }`".to_owned();
+    let sweep =
+        required("sweep", doc, Form::Told { schema: json!({ "oneOf": ways }), words, keys: Vec::new() });
+    let varied = vec![sweep, family_declaration::<ParameterKeys>()];
+    [varied, Eigen::declarations(), MethodKeys::declarations()].concat()
 }
 
 fn read_eigen_sweep(scope: &StructureScope, section: &Section<'_>) -> Result<EigenSweep, Fault> {
@@ -304,10 +322,10 @@ fn check_values(
 
 /// The values of `sweep`: a range as in every sweep, or a list.
 fn read_values(keys: &ParameterKeys, section: &Section<'_>, node: &Node) -> Result<ParameterValues, Fault> {
-    let all = ["key", "from", "to", "points", "scale", "values"];
-    let table = Section::open(node, "sweep", "`sweep`", &all)?;
+    let all = [SWEEP.own_keys::<ParameterKeys>(), vec!["values"]].concat();
+    let table = section.table("sweep", node, &all)?;
     let Some(list_node) = table.get("values") else {
-        let sweep = read_sweep(keys, section, "sweep", None)?.sweep;
+        let sweep = SWEEP.read(keys, section)?.sweep;
         let values = sweep.values();
         return Ok(ParameterValues { key: sweep.key, path: sweep.path, values, scale: sweep.scale });
     };

@@ -15,7 +15,7 @@ use crate::cause::Cause;
 use crate::document::{Data, Node};
 use crate::error::{Fault, Place};
 use crate::keys::{Form, OscillatorKey, Range, Value};
-use crate::motion_analysis::SEED_LIMITS;
+use crate::motion_analysis::SEEDS;
 use crate::oscillator_case::OscillatorCase;
 use crate::section::{Section, finite_number, list, text, wrong_type};
 use crate::swept_keys::{OscillatorKeys, SweptKeys};
@@ -128,7 +128,7 @@ fn read_method(section: &Section<'_>) -> Result<Design, Fault> {
     }
     section.required("points", "points = 4096, the number of points")?;
     let points = section.whole("points", 2, POINTS_LIMIT as usize)?.unwrap_or(2) as u64;
-    let seed = section.whole("seed", SEED_LIMITS[0], SEED_LIMITS[1])?.unwrap_or(SEED) as u64;
+    let seed = section.whole("seed", SEEDS.from, SEEDS.to)?.unwrap_or(SEED) as u64;
     Ok(if method == Design::NAMES[2] {
         Design::LatinHypercube { points, seed }
     } else {

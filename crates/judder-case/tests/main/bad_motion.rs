@@ -9,7 +9,7 @@ fn a_coordinate_that_the_model_does_not_have() {
         "model = \"belt\"\n[[analysis]]\nkind = \"motion\"\nstart = { x = 1, velocity_y = 0 }",
         "unknown key `velocity_y` in `start`",
         "velocity_y",
-        "did you mean `velocity_x`? keys here: x, velocity_x, disturbance",
+        "did you mean `velocity_x`? keys here: disturbance, x, velocity_x",
     );
 }
 
@@ -99,9 +99,9 @@ fn a_range_that_is_none() {
     );
     refused(
         &analysis("basin", "within = { x = [1, 2, 3] }"),
-        "`within.x` is a list, but must be a list of two numbers, [from, to]",
+        "`within.x` has 3 entries, but must have two numbers, [from, to]",
         "[1, 2, 3]",
-        "",
+        "give two numbers, [from, to]",
     );
 }
 

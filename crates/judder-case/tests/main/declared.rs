@@ -105,6 +105,22 @@ fn the_schema_asks_for_one_of_the_alternatives() {
     assert_eq!((&locus["required"], locus.get("oneOf")), (&json!(["kind"]), None));
 }
 
+/// A disturbance, or a coordinate at least, and never both.
+#[test]
+fn the_schema_asks_for_one_start_of_a_motion() {
+    let schema = schema();
+    for (model, coordinates) in [
+        ("the oscillator of the oscillator paper", &["x", "y", "velocity_x", "velocity_y"][..]),
+        ("one mass on a moving belt, friction that falls with speed", &["x", "velocity_x"]),
+    ] {
+        let motion = "the history of one motion: stick, slip, lift-off, its averages, its energy";
+        let start = &table_of(table_of(&schema, model), motion)["properties"]["start"];
+        let state: Vec<Value> = coordinates.iter().map(|key| json!({ "required": [key] })).collect();
+        assert_eq!(start["oneOf"], json!([{ "required": ["disturbance"] }, { "anyOf": state }]), "{model}");
+        assert_eq!(start["default"], json!({ "disturbance": 0.2 }), "{model}");
+    }
+}
+
 /// The table of the schema with this description.
 fn table_of<'a>(json: &'a Value, description: &str) -> &'a Value {
     fn find<'a>(json: &'a Value, description: &str) -> Option<&'a Value> {
@@ -118,4 +134,13 @@ fn table_of<'a>(json: &'a Value, description: &str) -> &'a Value {
         }
     }
     find(json, description).unwrap()
+}
+
+/// The analyses of an oscillator: what is wrong with one key does not hide what is wrong with another.
+#[test]
+fn all_that_is_wrong_with_an_analysis_of_motion_is_told() {
+    let text = "model = \"oscillator\"\n[[analysis]]\nkind = \"bifurcation\"\nsweep = { key = \"operation.speed\", from = 1, to = 2, points = 3 }\n\
+                start = { x = \"1\" }\nduration = 0\ntolerance = 1\nbranches = 1\n";
+    let messages = told(parse(text, &[]).unwrap_err());
+    assert_eq!(messages.len(), 5, "{messages:?}");
 }

@@ -20,13 +20,10 @@ fn oscillator(settings: &str) -> MotionAnalysis<OscillatorKey> {
 
 #[test]
 fn a_motion_of_defaults() {
-    let MotionAnalysis::History { start, following, transient, points } = oscillator("kind = \"motion\"")
-    else {
-        panic!("a history")
-    };
-    assert_eq!(start, MotionStart::Disturbance(0.2));
-    assert_eq!((following.duration, transient), (Value::group(2000.0), Value::group(1000.0)));
-    assert_eq!((following.tolerance, following.steps, points), (1e-8, 10_000_000, 4096));
+    let MotionAnalysis::History(history) = oscillator("kind = \"motion\"") else { panic!("a history") };
+    assert_eq!(history.start, MotionStart::USUAL);
+    assert_eq!((history.duration, history.transient), (Value::group(2000.0), Value::group(1000.0)));
+    assert_eq!((history.tolerance, history.steps, history.points), (1e-8, 10_000_000, 4096));
 }
 
 #[test]
@@ -34,31 +31,26 @@ fn a_motion_in_seconds_from_the_air() {
     let kind = oscillator(
         "kind = \"motion\"\nduration = \"50 s\"\ntransient = \"20 s\"\nstart = { y = -0.5, velocity_y = 1 }",
     );
-    let MotionAnalysis::History { start, following, transient, .. } = kind else { panic!("a history") };
-    assert_eq!(start, MotionStart::State(vec![None, Some(-0.5), None, Some(1.0)]));
-    assert_eq!((following.duration, transient), (Value::si(50.0), Value::si(20.0)));
+    let MotionAnalysis::History(history) = kind else { panic!("a history") };
+    assert!(matches!(history.start, MotionStart::State { .. }));
+    assert_eq!(history.start.state(), [None, Some(-0.5), None, Some(1.0)]);
+    assert_eq!((history.duration, history.transient), (Value::si(50.0), Value::si(20.0)));
 }
 
 #[test]
 fn a_limit_cycle_and_a_diagram_have_tolerances_of_their_own() {
-    let MotionAnalysis::LimitCycle { following, .. } = oscillator("kind = \"limit-cycle\"") else {
-        panic!("a cycle")
-    };
-    assert_eq!((following.tolerance, following.duration), (1e-10, Value::group(2e4)));
+    let MotionAnalysis::LimitCycle(cycle) = oscillator("kind = \"limit-cycle\"") else { panic!("a cycle") };
+    assert_eq!((cycle.tolerance, cycle.duration), (1e-10, Value::group(2e4)));
     let kind = oscillator(
         "kind = \"bifurcation\"\nsweep = { key = \"contact.shear_strength\", from = 1e-4, to = 5e-2, points = 3 }\n\
          direction = \"backward\"\ntolerance = 1e-7",
     );
-    let MotionAnalysis::Bifurcation { sweep, direction, following, branches, .. } = kind else {
-        panic!("a diagram")
-    };
-    assert_eq!(
-        (sweep.key, sweep.form, following.tolerance),
-        (OscillatorKey::ShearStrength, Form::Group, 1e-7)
-    );
-    assert_eq!(direction, SweepDirection::Backward);
-    assert!(!branches, "branches take minutes where cycles stick and lift off");
-    assert_eq!(direction.sweeps(), [SweepDirection::Backward]);
+    let MotionAnalysis::Bifurcation(bifurcation) = kind else { panic!("a diagram") };
+    let (sweep, diagram) = (bifurcation.sweep, bifurcation.diagram);
+    assert_eq!((sweep.key, sweep.form, diagram.tolerance), (OscillatorKey::ShearStrength, Form::Group, 1e-7));
+    assert_eq!(diagram.direction, SweepDirection::Backward);
+    assert!(!diagram.branches, "branches take minutes where cycles stick and lift off");
+    assert_eq!(diagram.direction.sweeps(), [SweepDirection::Backward]);
 }
 
 fn engines(settings: &str) -> EnginesSettings {
@@ -73,7 +65,7 @@ fn engines(settings: &str) -> EnginesSettings {
 #[test]
 fn a_comparison_of_engines() {
     let settings = engines("");
-    assert_eq!((settings.following.tolerance, settings.following.duration), (1e-10, Value::group(2e4)));
+    assert_eq!((settings.tolerance, settings.duration), (1e-10, Value::group(2e4)));
     assert_eq!((settings.time_step.points, settings.width.points), (11, 13));
     // the width of most codes is among the defaults
     assert!(settings.width.values().iter().any(|width| (width - 0.1).abs() < 1e-12));
@@ -106,11 +98,9 @@ sweep = { key = "operation.velocity", from = 1, to = 2, points = 5 }
 fn a_mass_on_a_belt() {
     let Case::Belt(case) = parse(BELT, &["friction.at_speed=0.4"]).unwrap() else { panic!("a belt case") };
     assert_eq!((case.inputs.number(BeltKey::Velocity), case.inputs.number(BeltKey::AtSpeed)), (1.5, 0.4));
-    let MotionAnalysis::Basin { within, samples, seed, following } = &case.analyses[0].kind else {
-        panic!("a basin")
-    };
-    assert_eq!(*within, [Some((-2.0, 2.0)), Some((0.0, 2.0))]);
-    assert_eq!((*samples, *seed, following.tolerance), (50, 7, 1e-6));
+    let MotionAnalysis::Basin(basin) = &case.analyses[0].kind else { panic!("a basin") };
+    assert_eq!(basin.within.state(), [Some([-2.0, 2.0]), Some([0.0, 2.0])]);
+    assert_eq!((basin.samples, basin.seed, basin.tolerance), (50, 7, 1e-6));
 }
 
 #[test]

@@ -70,7 +70,10 @@ fn the_case_of_the_interface_says_the_papers_values() {
     let OscillatorAnalysis::StabilityMap(map) = &case.analyses[0].kind else { panic!("a map") };
     assert_eq!((map.x.key, map.y.key), (OscillatorKey::Velocity, OscillatorKey::ShearStrength));
     assert_eq!((map.x.from, map.x.to, map.x.points, map.x.scale), (1e-8, 1e2, 400, Scale::Log));
-    assert_eq!((map.method, map.boundaries, map.y.form), (MapMethod::Adaptive, true, Form::Group));
+    assert_eq!(
+        (map.options.method, map.options.boundaries, map.y.form),
+        (MapMethod::Adaptive, true, Form::Group)
+    );
     let OscillatorAnalysis::Critical(CriticalThresholds { within, family, .. }) = &case.analyses[1].kind
     else {
         panic!("thresholds")

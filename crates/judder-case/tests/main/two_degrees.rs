@@ -36,7 +36,8 @@ fn matrices_follow_the_parameters() {
     assert_eq!(names, ["mu", "c2", "angle"]);
     let mut values = case.values();
     assert_eq!(values, [0.5, 0.01, 0.25]);
-    let TwoDegreesAnalysis::Critical { sweep } = &case.analyses[0].kind else { panic!("critical") };
+    let TwoDegreesAnalysis::Critical(critical) = &case.analyses[0].kind else { panic!("critical") };
+    let sweep = &critical.sweep;
     assert_eq!((sweep.points, sweep.path.as_str()), (400, "parameters.mu"));
     sweep.set(&mut values, 0.75);
     let matrices = case.matrices(&values).unwrap();

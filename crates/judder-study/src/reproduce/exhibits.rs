@@ -1,7 +1,7 @@
 //! The figures of the paper: which case makes which panel.
 
 use judder_case::{
-    Case, ContactAnalysis, ContactCase, DampingCurves, EnginesSettings, FitSettings, Following, Form,
+    Bifurcation, Case, ContactAnalysis, ContactCase, DampingCurves, EnginesSettings, FitSettings, Form,
     LawMethod, MotionAnalysis, OscillatorAnalysis, OscillatorCase, Shape, Span, SpectrumCurves, Value,
 };
 
@@ -175,33 +175,33 @@ fn thin_out_motion<K>(kind: &mut MotionAnalysis<K>) {
     const SETTLING: f64 = 1500.0;
     const HISTORY: f64 = 1000.0;
     const CYCLE: f64 = 2000.0;
-    let shorten = |following: &mut Following, transient: &mut Value, longest: f64| {
-        if following.duration.form == Form::Group && following.duration.number > longest {
-            transient.number *= longest / following.duration.number;
-            following.duration.number = longest;
+    let shorten = |duration: &mut Value, transient: &mut Value, longest: f64| {
+        if duration.form == Form::Group && duration.number > longest {
+            transient.number *= longest / duration.number;
+            duration.number = longest;
         }
     };
     match kind {
-        MotionAnalysis::Bifurcation { sweep, following, transient, .. } => {
+        MotionAnalysis::Bifurcation(Bifurcation { sweep, diagram }) => {
             sweep.points = sweep.points.min(DIAGRAM);
-            shorten(following, transient, SETTLING);
+            shorten(&mut diagram.duration, &mut diagram.transient, SETTLING);
         }
-        MotionAnalysis::History { following, transient, points, .. } => {
-            let longer = following.duration.number;
-            shorten(following, transient, HISTORY);
+        MotionAnalysis::History(history) => {
+            let longer = history.duration.number;
+            shorten(&mut history.duration, &mut history.transient, HISTORY);
             // as dense as before
-            *points = (*points as f64 * following.duration.number / longer) as usize;
+            history.points = (history.points as f64 * history.duration.number / longer) as usize;
         }
-        MotionAnalysis::LimitCycle { following, .. } => {
-            following.duration.number = following.duration.number.min(CYCLE);
+        MotionAnalysis::LimitCycle(cycle) => {
+            cycle.duration.number = cycle.duration.number.min(CYCLE);
         }
-        MotionAnalysis::Basin { .. } => (),
+        MotionAnalysis::Basin(_) => (),
     }
 }
 
 /// As many steps and widths as an order takes; a tolerance that is still far below their errors.
 fn thin_out_engines(settings: &mut EnginesSettings) {
-    settings.following.tolerance = 1e-8;
+    settings.tolerance = 1e-8;
     settings.time_step = Span { from: 1.25e-3, to: 5e-3, points: 3, ..settings.time_step };
     settings.width = Span { from: 2e-4, to: 2e-3, points: 3, ..settings.width };
 }

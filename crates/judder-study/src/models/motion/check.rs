@@ -13,20 +13,18 @@ pub(crate) fn estimate<K>(name: &str, kind: &MotionAnalysis<K>, radian: f64) -> 
         Form::Si => USUAL_TIME,
     };
     let (points, motions, time) = match kind {
-        MotionAnalysis::History { following, points, .. } => match following.duration.form {
-            Form::Group => (*points, 1, following.duration.number),
-            Form::Si => (*points, 1, USUAL_TIME),
+        MotionAnalysis::History(asked) => match asked.duration.form {
+            Form::Group => (asked.points, 1, asked.duration.number),
+            Form::Si => (asked.points, 1, USUAL_TIME),
         },
-        MotionAnalysis::LimitCycle { following, .. } => (1, 1, settling(following.duration)),
-        MotionAnalysis::Bifurcation { sweep, direction, following, .. } => {
-            let motions = sweep.points * direction.sweeps().len();
-            (motions, motions, settling(following.duration))
+        MotionAnalysis::LimitCycle(asked) => (1, 1, settling(asked.duration)),
+        MotionAnalysis::Bifurcation(asked) => {
+            let motions = asked.sweep.points * asked.diagram.direction.sweeps().len();
+            (motions, motions, settling(asked.diagram.duration))
         }
-        MotionAnalysis::Basin { samples, following, .. } => {
-            (*samples, *samples, settling(following.duration))
-        }
+        MotionAnalysis::Basin(asked) => (asked.samples, asked.samples, settling(asked.duration)),
     };
-    let has_branches = matches!(kind, MotionAnalysis::Bifurcation { branches: true, .. });
+    let has_branches = matches!(kind, MotionAnalysis::Bifurcation(asked) if asked.diagram.branches);
     // what a branch costs is its flights, which take their radians
     let branches = if has_branches { cost::BRANCHES * radian / cost::RADIAN } else { 0.0 };
     /// Numbers that are kept of a point.

@@ -23,7 +23,7 @@ use crate::kept::Kept;
 use crate::model::{Pictured, Task};
 use crate::outcome::Outcome;
 use crate::progress::Progress;
-use judder_case::MotionAnalysis;
+use judder_case::{Bifurcation, MotionAnalysis};
 use model::Moving;
 
 /// The kinds of analyses that have a figure.
@@ -33,9 +33,9 @@ pub(super) const PICTURED: [Pictured; 4] =
 /// How many steps an analysis announces.
 pub(crate) fn steps<K>(kind: &MotionAnalysis<K>) -> usize {
     match kind {
-        MotionAnalysis::History { .. } | MotionAnalysis::LimitCycle { .. } => 1,
-        MotionAnalysis::Bifurcation { sweep, direction, .. } => sweep.points * direction.sweeps().len(),
-        MotionAnalysis::Basin { samples, .. } => *samples,
+        MotionAnalysis::History(_) | MotionAnalysis::LimitCycle(_) => 1,
+        MotionAnalysis::Bifurcation(asked) => asked.sweep.points * asked.diagram.direction.sweeps().len(),
+        MotionAnalysis::Basin(asked) => asked.samples,
     }
 }
 
@@ -46,20 +46,24 @@ fn run<M: Moving<N>, const N: usize>(
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
     match kind {
-        MotionAnalysis::History { start, following, transient, points } => {
-            history::run(model, start, following, (*transient, *points), (progress, None))
+        MotionAnalysis::History(asked) => history::run(model, asked, progress, None),
+        MotionAnalysis::LimitCycle(asked) => {
+            limit_cycle::run(model, &asked.start, &asked.following(), progress)
         }
-        MotionAnalysis::LimitCycle { start, following } => {
-            limit_cycle::run(model, start, following, progress)
+        MotionAnalysis::Bifurcation(Bifurcation { sweep, diagram }) => {
+            let settings = bifurcation::Settings {
+                sweep,
+                start: &diagram.start,
+                following: &diagram.following(),
+                transient: diagram.transient,
+                branches: diagram.branches,
+            };
+            bifurcation::run(model, &settings, diagram.direction, kept, progress)
         }
-        MotionAnalysis::Bifurcation { sweep, direction, start, following, transient, branches } => {
-            let (transient, branches) = (*transient, *branches);
-            let settings = bifurcation::Settings { sweep, start, following, transient, branches };
-            bifurcation::run(model, &settings, *direction, kept, progress)
-        }
-        MotionAnalysis::Basin { within, samples, seed, following } => {
-            let draw = basin::Draw { within, samples: *samples, seed: *seed };
-            basin::run(model, &draw, following, kept, progress)
+        MotionAnalysis::Basin(asked) => {
+            let within = asked.within.state::<N>();
+            let draw = basin::Draw { within: &within, samples: asked.samples, seed: asked.seed as u64 };
+            basin::run(model, &draw, &asked.following(), kept, progress)
         }
     }
 }
@@ -72,9 +76,7 @@ fn run_watched<M: Moving<N>, const N: usize>(
     watch: &mut dyn FnMut(MotionBlock),
 ) -> Result<Outcome, StudyError> {
     match kind {
-        MotionAnalysis::History { start, following, transient, points } => {
-            history::run(model, start, following, (*transient, *points), (progress, Some(watch)))
-        }
+        MotionAnalysis::History(asked) => history::run(model, asked, progress, Some(watch)),
         kind => run(model, kind, Kept::NOTHING, progress),
     }
 }

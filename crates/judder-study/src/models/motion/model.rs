@@ -76,18 +76,14 @@ impl<S> Operating<S> {
         S: SlidingSystem<N>,
     {
         let mut state = self.system.steady_sliding();
-        match start {
-            MotionStart::Disturbance(share) => {
-                /// Of the scale: steady sliding that has no more has none, and a share of it would be no disturbance.
-                const NONE: f64 = 1e-12;
-                let (size, scale) = (state[0].abs(), self.system.scales()[0]);
-                state[0] += share * if size > NONE * scale { size } else { scale };
-            }
-            MotionStart::State(given) => {
-                for (place, given) in state.iter_mut().zip(given) {
-                    *place = given.unwrap_or(*place);
-                }
-            }
+        if let MotionStart::Disturbance(share) = start {
+            /// Of the scale: steady sliding that has no more has none, and a share of it would be no disturbance.
+            const NONE: f64 = 1e-12;
+            let (size, scale) = (state[0].abs(), self.system.scales()[0]);
+            state[0] += share * if size > NONE * scale { size } else { scale };
+        }
+        for (place, given) in state.iter_mut().zip(start.state::<N>()) {
+            *place = given.unwrap_or(*place);
         }
         state
     }

@@ -204,7 +204,7 @@ impl Analysis<OscillatorCase> for MotionAnalysis<OscillatorKey> {
 impl Operated for MotionAnalysis<OscillatorKey> {
     fn corners(&self, inputs: &OscillatorInputs) -> Vec<OscillatorInputs> {
         match self {
-            Self::Bifurcation { sweep, .. } => ends(sweep, vec![*inputs]),
+            Self::Bifurcation(asked) => ends(&asked.sweep, vec![*inputs]),
             _ => vec![*inputs],
         }
     }

@@ -9,7 +9,7 @@ use crate::models::oscillator::operating_points::{LINEAR_QUANTITIES, linear_valu
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::resolve::{Estimate, Resolved, cost};
-use judder_case::{CaseFile, TwoDegreesAnalysis, TwoDegreesCase};
+use judder_case::{CaseFile, ParameterSpectrum, ParameterThresholds, TwoDegreesAnalysis, TwoDegreesCase};
 use judder_oscillator::LinearSystem;
 
 impl Analysed for TwoDegreesCase {
@@ -26,7 +26,9 @@ impl Analysis<TwoDegreesCase> for TwoDegreesAnalysis {
 
     fn estimate(&self, name: &&str) -> Result<Estimate, StudyError> {
         let points = match self {
-            Self::Spectrum { sweep } | Self::Critical { sweep } => sweep.points,
+            Self::Spectrum(ParameterSpectrum { sweep }) | Self::Critical(ParameterThresholds { sweep }) => {
+                sweep.points
+            }
             Self::StabilityMap(map) => map.x.points * map.y.points,
         };
         Ok(Estimate::of_points(name, points, points as f64 * cost::EIGENVALUES))

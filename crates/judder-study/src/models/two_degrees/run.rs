@@ -9,7 +9,9 @@ use crate::models::oscillator::stability_map::{
 };
 use crate::outcome::{CheckRecord, Disagreement, Outcome};
 use crate::progress::Progress;
-use judder_case::{ParameterKey, StabilityMap as MapSettings, Sweep, TwoDegreesAnalysis, TwoDegreesCase};
+use judder_case::{
+    ParameterKey, ParameterSpectrum, StabilityMap as MapSettings, Sweep, TwoDegreesAnalysis, TwoDegreesCase,
+};
 use judder_numerics::root::all_roots;
 use judder_oscillator::LinearSystem;
 use judder_oscillator::boundary::boundaries_of_system;
@@ -27,7 +29,7 @@ pub(super) fn run(
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
     match analysis {
-        TwoDegreesAnalysis::Spectrum { sweep } => {
+        TwoDegreesAnalysis::Spectrum(ParameterSpectrum { sweep }) => {
             let axis = Axis::of_parameter(sweep);
             let spectra =
                 axis.values.iter().map(|value| Spectra::new(&system(case, &[(sweep, *value)])?)).collect();
@@ -42,7 +44,7 @@ pub(super) fn run(
             Ok(outcome)
         }
         TwoDegreesAnalysis::StabilityMap(settings) => map(case, settings),
-        TwoDegreesAnalysis::Critical { sweep } => critical(case, sweep, progress),
+        TwoDegreesAnalysis::Critical(asked) => critical(case, &asked.sweep, progress),
     }
 }
 
@@ -71,7 +73,7 @@ fn map(case: &TwoDegreesCase, settings: &MapSettings<ParameterKey>) -> Result<Ou
     let seconds = start.elapsed().as_secs_f64();
     let map = StabilityMap { columns, rows, classes, decisions: columns * rows };
     let mut overlays = Vec::new();
-    if settings.boundaries {
+    if settings.options.boundaries {
         let at = |x: f64, y: f64| system(case, &[(&settings.x, x), (&settings.y, y)])?.reduced().ok();
         overlays
             .push(Overlay::of_system(boundaries_of_system((&range(&settings.x), &range(&settings.y)), &at)));

@@ -20,7 +20,7 @@ use std::collections::BTreeMap;
 
 /// Which starts are drawn.
 pub(crate) struct Draw<'a> {
-    pub(crate) within: &'a [Option<(f64, f64)>],
+    pub(crate) within: &'a [Option<[f64; 2]>],
     pub(crate) samples: usize,
     pub(crate) seed: u64,
 }
@@ -30,7 +30,7 @@ impl Draw<'_> {
     fn start<const N: usize>(&self, sample: usize, steady: [f64; N]) -> [f64; N] {
         let mut state = steady;
         for (k, (place, range)) in state.iter_mut().zip(self.within).enumerate() {
-            if let Some((from, to)) = range {
+            if let Some([from, to]) = range {
                 *place = from + (to - from) * uniform(self.seed, (sample * N + k) as u64);
             }
         }
@@ -202,9 +202,7 @@ impl<S> Basin<'_, S> {
         let within: Map<String, Value> = M::COORDINATES
             .iter()
             .zip(self.draw.within)
-            .filter_map(|(coordinate, range)| {
-                range.map(|(from, to)| (coordinate.name.to_owned(), json!([from, to])))
-            })
+            .filter_map(|(coordinate, range)| range.map(|range| (coordinate.name.to_owned(), json!(range))))
             .collect();
         let fates: Map<String, Value> = BECOMES
             .iter()
@@ -309,7 +307,7 @@ mod tests {
 
     #[test]
     fn a_start_is_drawn_within_its_ranges_and_nowhere_else() {
-        let within = [Some((-2.0, 2.0)), None];
+        let within = [Some([-2.0, 2.0]), None];
         let draw = Draw { within: &within, samples: 1000, seed: 3 };
         let starts: Vec<[f64; 2]> = (0..1000).map(|sample| draw.start(sample, [0.7, 0.1])).collect();
         assert!(starts.iter().all(|start| (-2.0..2.0).contains(&start[0]) && start[1] == 0.1));

@@ -6,7 +6,7 @@ use crate::models::motion::amplitude_spectrum::amplitude_spectrum;
 use crate::models::motion::model::{Coordinate, Memory, Moving, Operating};
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
-use judder_case::{Following, MotionStart, Value as CaseValue};
+use judder_case::History as HistorySettings;
 use judder_oscillator::motion::attractor::{distance, repetition};
 use judder_oscillator::motion::history::{History, Oscillation, Sample, Window, follow, follow_watched};
 use judder_oscillator::motion::{ContactState, SlidingSystem};
@@ -24,15 +24,14 @@ const OSCILLATIONS: usize = 8;
 
 pub(crate) fn run<M: Moving<N>, const N: usize>(
     model: &M,
-    start: &MotionStart,
-    following: &Following,
-    (transient, points): (CaseValue, usize),
-    (progress, watch): (&dyn Progress, Option<&mut dyn FnMut(MotionBlock)>),
+    asked: &HistorySettings,
+    progress: &dyn Progress,
+    watch: Option<&mut dyn FnMut(MotionBlock)>,
 ) -> Result<Outcome, StudyError> {
     let operating = model.operating(None)?;
-    let window =
-        Window { duration: operating.time(following.duration), transient: operating.time(transient), points };
-    let (start, settings) = (operating.start(start), operating.settings(following));
+    let [duration, transient] = [asked.duration, asked.transient].map(|time| operating.time(time));
+    let window = Window { duration, transient, points: asked.points };
+    let (start, settings) = (operating.start(&asked.start), operating.settings(&asked.following()));
     let (system, interrupted) = (&operating.system, || progress.interrupted());
     let history = match watch {
         None => follow(system, start, settings, &window, &interrupted)?,

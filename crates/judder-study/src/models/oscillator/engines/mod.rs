@@ -36,7 +36,7 @@ impl Analysis<OscillatorCase> for EnginesSettings {
         let points = self.time_step.points + self.width.points;
         let steps: f64 = match self.time_step.form {
             Form::Group => self.time_step.values().iter().map(|step| USUAL_TIME / step).sum(),
-            Form::Si => self.following.steps as f64,
+            Form::Si => self.steps as f64,
         };
         let seconds = steps * cost::TIME_STEP + points as f64 * USUAL_TIME * cost::RADIAN + cost::FIGURE;
         Ok(Estimate { name: (*name).to_owned(), points, seconds, bytes: 0 })

@@ -121,14 +121,14 @@ pub(crate) fn run(
     let comparison = Comparison {
         contact: model.contact,
         system: &operating.system,
-        settings: operating.settings(&settings.following),
+        settings: operating.settings(&settings.following()),
         course: Course {
             start: cycle.start,
             centre: operating.system.steady_sliding()[0],
             returns: cycle.oscillations,
             laps: PERIODS,
             longest: SLACK * PERIODS as f64 * cycle.period(),
-            steps: settings.following.steps,
+            steps: settings.steps,
         },
     };
     let points: Vec<(Engine, f64)> = (time_steps.iter().map(|step| (Engine::TimeStepping, *step)))
@@ -148,8 +148,8 @@ fn stable_cycle(
     settings: &EnginesSettings,
     progress: &dyn Progress,
 ) -> Result<Cycle<4>, StudyError> {
-    let time = operating.time(settings.following.duration);
-    let shooting = shooting(operating, &settings.following);
+    let time = operating.time(settings.duration);
+    let shooting = shooting(operating, &settings.following());
     let patience = Patience { time, transient: 0.5 * time, ..Patience::default() };
     let start = operating.off_rest(operating.start(&settings.start));
     let stop = || progress.interrupted();

@@ -33,7 +33,7 @@ pub(crate) const PICTURED: Pictured = Pictured {
 impl Analysis<OscillatorCase> for StabilityMap<OscillatorKey> {
     /// The decisions and the boundaries are a step each, the growth rates one a row.
     fn steps(&self) -> usize {
-        if self.method == MapMethod::EveryPoint { 2 + self.y.points } else { 2 }
+        if self.options.method == MapMethod::EveryPoint { 2 + self.y.points } else { 2 }
     }
 
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, StudyError> {
@@ -42,7 +42,7 @@ impl Analysis<OscillatorCase> for StabilityMap<OscillatorKey> {
 
     fn estimate(&self, name: &&str) -> Result<Estimate, StudyError> {
         let points = self.x.points * self.y.points;
-        let decisions = match self.method {
+        let decisions = match self.options.method {
             MapMethod::EveryPoint => points as f64 * (cost::DECISION + cost::EIGENVALUES),
             // about two dozen decisions along each unit of the sides
             MapMethod::Adaptive => {
@@ -51,7 +51,7 @@ impl Analysis<OscillatorCase> for StabilityMap<OscillatorKey> {
         };
         let lines = self.x.points.max(self.y.points).min(cost::MARGIN_LINES);
         let margins = if self.global_margin { lines as f64 * cost::MARGIN } else { 0.0 };
-        let boundaries = if self.boundaries { cost::BOUNDARIES } else { 0.0 };
+        let boundaries = if self.options.boundaries { cost::BOUNDARIES } else { 0.0 };
         Ok(Estimate::of_points(name, points, decisions + margins + boundaries))
     }
 }

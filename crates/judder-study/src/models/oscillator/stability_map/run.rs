@@ -31,7 +31,7 @@ pub(crate) fn run(
         values: axis.values.clone(),
     };
     let plane = KeyPlane { inputs: case.inputs, x: side(&settings.x, &x), y: side(&settings.y, &y) };
-    let method = match settings.method {
+    let method = match settings.options.method {
         MapMethod::Adaptive => Method::Adaptive,
         MapMethod::EveryPoint => Method::EveryPoint,
     };
@@ -44,8 +44,11 @@ pub(crate) fn run(
         Method::EveryPoint => Some(plane.growth_rates(contact, progress)?),
         Method::Adaptive => None,
     };
-    let overlays =
-        if settings.boundaries { overlays::trace(contact, case, settings, progress)? } else { Vec::new() };
+    let overlays = if settings.options.boundaries {
+        overlays::trace(contact, case, settings, progress)?
+    } else {
+        Vec::new()
+    };
     progress.advance();
     let states = checked_states(contact, &plane);
     let mut outcome = Outcome {

@@ -1,6 +1,6 @@
 /** A server of its own for each test, and a page that is held to its promises: no error on the console, no request to elsewhere. */
 
-import { type Page, expect, test as base } from "@playwright/test";
+import { type Page, type Route, expect, test as base } from "@playwright/test";
 import { type ChildProcess, execFileSync, spawn } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -107,3 +107,18 @@ export async function downloaded(page: Page, click: () => Promise<void>): Promis
 }
 
 export { expect };
+
+/** Holds back what the server is asked to compute until it is let go: what is shown until then is of the values before. */
+export async function held(page: Page): Promise<() => Promise<void>> {
+  let release = () => {};
+  const released = new Promise<void>((resolve) => (release = resolve));
+  const hold = async (route: Route) => {
+    await released;
+    await route.continue().catch(() => {}); // a request that was given up meanwhile
+  };
+  await page.route("**/api/**", hold);
+  return async () => {
+    release();
+    await page.unroute("**/api/**", hold);
+  };
+}

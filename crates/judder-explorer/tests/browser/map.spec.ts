@@ -3,7 +3,7 @@
 import { execFileSync } from "node:child_process";
 import { copyFileSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { type Explorer, JUDDER, ROOT, at, downloaded, expect, judder, test } from "./explorer";
+import { type Explorer, JUDDER, ROOT, at, downloaded, expect, held, judder, test } from "./explorer";
 
 const exact = (explorer: Explorer) => expect(explorer.page.locator(".map-chart")).toHaveAttribute("data-stage", "exact");
 const settled = async (explorer: Explorer) => {
@@ -175,11 +175,13 @@ test("a map of values before stands pale, with words over it, until the new one 
   const chart = page.locator(".map-chart .chart");
   await expect(chart).not.toHaveAttribute("data-standing");
   const law = page.getByRole("combobox", { name: /contact law/ });
+  const letGo = await held(page);
   await law.selectOption("bem");
   await expect(chart).toHaveAttribute("data-standing", "computing");
   await expect(chart.locator(".chart-picture")).toHaveCSS("opacity", "0.45");
   await expect(chart.locator(".chart-standing")).toContainText("What is shown is of the values before.");
   await law.selectOption("hertz");
+  await letGo();
   await settled(explorer);
   await expect(chart).not.toHaveAttribute("data-standing");
   await expect(chart.locator(".chart-picture")).toHaveCSS("opacity", "1");

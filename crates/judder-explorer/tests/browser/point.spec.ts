@@ -2,7 +2,7 @@
 
 import { copyFileSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import { type Explorer, ROOT, at, downloaded, expect, judder, test } from "./explorer";
+import { type Explorer, ROOT, at, downloaded, expect, held, judder, test } from "./explorer";
 
 test.use({ subject: [join(ROOT, "cases/oscillator-paper/fig-12.toml")] });
 
@@ -90,12 +90,14 @@ test("a point of values before stands pale, with words over it, and says why it 
   await expect(card(explorer, "Motion from here").locator("[data-key='motion.rms']")).toBeVisible();
   const charts = (heading: string) => card(explorer, heading).locator(".chart");
   for (const heading of ["Eigenvalues", "Motion from here"]) await expect(charts(heading).first()).not.toHaveAttribute("data-standing");
+  const letGo = await held(page);
   await page.getByRole("combobox", { name: /contact law/ }).selectOption("bem");
   for (const chart of await charts("Eigenvalues").all()) await expect(chart).toHaveAttribute("data-standing", "computing");
   for (const chart of await charts("Motion from here").all()) {
     await expect(chart).toHaveAttribute("data-standing", "before");
     await expect(chart.locator(".chart-standing")).toContainText("Of the values before");
   }
+  await letGo();
   const radius = page.getByRole("textbox", { name: /^radius/ });
   await radius.fill("3 N");
   await radius.press("Enter");

@@ -216,8 +216,10 @@ function useWheel(element: { current: SVGSVGElement | null }, current: { readonl
       handlers.onWindow(latest, "drag");
       clearTimeout(rest);
       rest = setTimeout(() => {
-        // what has been shown since then, as everything again, stays
-        if (latest && isAbout(current.current.frame.window, latest)) current.current.handlers.onWindow(latest, "push");
+        const now = current.current;
+        // what a report has shown since then, as everything again, stays; the page rounds what it shows
+        const stays = now.handlers.scrolls && latest && !isAbout(now.frame.window, latest);
+        if (latest && !stays) now.handlers.onWindow(latest, "push");
         latest = undefined;
       }, WHEEL_REST);
     };

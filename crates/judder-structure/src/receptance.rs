@@ -9,7 +9,7 @@ use rayon::prelude::*;
 /// The receptance at one frequency, found twice.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Receptance {
-    /// α, m/N; not a number where the structure resonates without damping.
+    /// α, m/N; not a number where the structure resonates without damping, or has no such freedom.
     pub value: c64,
     /// The same by the transposed matrices: the displacement of the excited freedom when they are loaded at the observed one.
     pub transposed: c64,
@@ -40,7 +40,9 @@ fn at(
     frequency: f64,
 ) -> Result<Receptance, StructureError> {
     let shift = c64::new(0.0, frequency);
-    let Some(factor) = ShiftedFactor::at(problem, shift)? else {
+    let has_both = excited.max(observed) < problem.size();
+    let factor = if has_both { ShiftedFactor::at(problem, shift)? } else { None };
+    let Some(factor) = factor else {
         let none = c64::new(f64::NAN, f64::NAN);
         return Ok(Receptance { value: none, transposed: none, residual: f64::INFINITY });
     };
@@ -97,5 +99,6 @@ mod tests {
         let found = receptances(&problem, 0, 0, &[1.0, 2.0, 3.0]).unwrap();
         assert!((found[0].value.re - 1.0 / 3.0).abs() < 1e-15);
         assert!(found[1].value.re.is_nan() && found[2].value.re.is_nan());
+        assert!(receptances(&problem, 0, 2, &[1.0]).unwrap()[0].value.re.is_nan());
     }
 }

@@ -10,15 +10,12 @@ use crate::analysis::Analysis;
 use crate::belt_case::BeltCase;
 use crate::cause::Cause;
 use crate::contact_case::ContactCase;
-use crate::contact_problem::ContactProblem;
 use crate::document::{Data, Node, apply_override, parse};
 use crate::error::{CaseError, Fault, Place, Sources};
 use crate::file_reference::FileReference;
 use crate::oscillator_case::OscillatorCase;
 use crate::sliding::SlidingCase;
-use crate::sliding::problem::SlidingProblem;
 use crate::structure::StructureCase;
-use crate::structure::problem::StructureProblem;
 use crate::study_sweep::problem::SweepProblem;
 use crate::study_sweep::{self, StudySweep, read_sweeps};
 use crate::two_degrees::TwoDegreesCase;
@@ -183,11 +180,11 @@ impl CaseFile {
         if values.len() != sweep.axes.len() {
             let (name, expected, found) = (sweep.name.clone(), sweep.axes.len(), values.len());
             let problem = SweepProblem::ValueCount { name, expected, found };
-            return Err(self.error_at(["sweep", &sweep.name], Cause::StudySweep { problem }));
+            return Err(self.error_at(["sweep", &sweep.name], problem.into()));
         }
         let (tree, case) = study_sweep::at(&self.tree, &sweep.axes, values).map_err(|refusal| {
             let steps = sweep.steps_to(&refusal);
-            self.error_at(steps.iter().map(String::as_str), Cause::StudySweep { problem: refusal.problem })
+            self.error_at(steps.iter().map(String::as_str), refusal.problem.into())
         })?;
         let (name, path, origin) = (self.name.clone(), self.path.clone(), self.origin.clone());
         let (text, overrides) = (self.text.clone(), self.overrides.clone());
@@ -196,8 +193,8 @@ impl CaseFile {
 
     /// The error of an analysis, by its index, that shows only when its numbers are looked at: at the first of these keys that
     /// the analysis has, or at the analysis.
-    pub fn analysis_error(&self, index: usize, keys: &[&str], problem: ContactProblem) -> CaseError {
-        let cause = Cause::Contact { problem };
+    pub fn analysis_error(&self, index: usize, keys: &[&str], cause: impl Into<Cause>) -> CaseError {
+        let cause = cause.into();
         let place = read_tree(&self.origin, &self.text, &self.overrides)
             .ok()
             .and_then(|root| place(&root, index, keys));
@@ -207,21 +204,15 @@ impl CaseFile {
         }
     }
 
-    /// The error of a structure that shows only when its files are read: at this dotted path, where an item of a list goes by its
-    /// name or number, or at the last part of it that is there.
-    pub fn structure_error(&self, path: &str, problem: StructureProblem) -> CaseError {
-        self.error_at(path.split('.'), Cause::Structure { problem })
-    }
-
-    /// The error of a sliding case that shows only when its structures are built or coupled: at this dotted path, where an item of a
+    /// An error that shows only when more than the case is looked at, its files or its numbers: at this dotted path, where an item of a
     /// list goes by its name or number, or at the last part of it that is there.
-    pub fn sliding_error(&self, path: &str, problem: SlidingProblem) -> CaseError {
-        self.error_at(path.split('.'), Cause::Sliding { problem })
+    pub fn error(&self, path: &str, cause: impl Into<Cause>) -> CaseError {
+        self.error_at(path.split('.'), cause.into())
     }
 
     /// The error of a sweep that shows only where its points are computed: at a key of the sweep of this name.
     pub fn sweep_error(&self, sweep: &str, key: &str, problem: SweepProblem) -> CaseError {
-        self.error_at(["sweep", sweep, key], Cause::StudySweep { problem })
+        self.error_at(["sweep", sweep, key], problem.into())
     }
 
     /// An error at the end of a path, or at the last step of it that is there.

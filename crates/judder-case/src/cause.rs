@@ -4,16 +4,11 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
-use crate::contact_problem::ContactProblem;
 use crate::dimension::Dimension;
 use crate::expression::ExpressionError;
-use crate::inputs::LawName;
 use crate::keys::Range;
-use crate::mass::MassProblem;
+use crate::problem::Problem;
 use crate::quantity::QuantityError;
-use crate::sliding::problem::SlidingProblem;
-use crate::structure::problem::StructureProblem;
-use crate::study_sweep::problem::SweepProblem;
 
 /// What is wrong with a case. The fields are what a caller needs in order to act.
 #[derive(Debug, Error)]
@@ -182,38 +177,6 @@ pub enum Cause {
         /// The key that contradicts it.
         second: String,
     },
-    /// A law that is a table whose keys do not fit each other.
-    #[error("`{key}` of `contact.law` must be {requirement}")]
-    LawTable {
-        /// The key.
-        key: &'static str,
-        /// What it must be.
-        requirement: &'static str,
-    },
-    /// A series or measured data with a law that was fitted for one retardation time.
-    #[error("the law `{}` knows one retardation time only, this substrate has several", law.name())]
-    SeveralTimes {
-        /// The law in use.
-        law: LawName,
-    },
-    /// Prony compliances that leave no positive glassy modulus: 1/E∞ = 1/E0 − compliance.
-    #[error("the prony compliance {compliance:e} 1/Pa is not below 1/E0 = {limit:e} 1/Pa")]
-    PronyCompliance {
-        /// The sum of the compliances, 1/Pa.
-        compliance: f64,
-        /// 1/E0, 1/Pa.
-        limit: f64,
-    },
-    /// E∞ < E0, or E∞ = E0 with a law that needs relaxation.
-    #[error("the glassy modulus {glassy:e} Pa is not above the rubbery modulus {rubbery:e} Pa")]
-    GlassyBelowRubbery {
-        /// E0, Pa.
-        rubbery: f64,
-        /// E∞, Pa.
-        glassy: f64,
-        /// The law in use.
-        law: LawName,
-    },
     /// A key of the case that is not numeric and so cannot be swept.
     #[error("`{key}` is not numeric, so it cannot be swept")]
     NotNumeric {
@@ -285,6 +248,8 @@ pub enum Cause {
         bytes: u128,
         /// The limit, bytes.
         limit: u128,
+        /// The most points that it allows.
+        most: u128,
     },
     /// A list that must not be empty.
     #[error("`{key}` is an empty list")]
@@ -338,38 +303,61 @@ pub enum Cause {
         /// The parameters that the entry depends on, as in `mu = 0.5`; empty where there are none.
         point: String,
     },
-    /// A mass matrix that is not symmetric and positive definite.
-    #[error("the mass matrix {mass:?} is {problem}")]
-    Mass {
-        /// M, row-major.
-        mass: [[f64; 2]; 2],
-        /// What is wrong with it.
-        problem: MassProblem,
+    /// A file that the case names and that is not there.
+    #[error("`{key}` names `{}`, which {what}", path.display())]
+    File {
+        /// The key.
+        key: String,
+        /// Where the file was looked for.
+        path: PathBuf,
+        /// `does not exist` or `is not a file`.
+        what: &'static str,
     },
-    /// A substrate, an indenter or a contact analysis that cannot be.
-    #[error("{problem}")]
-    Contact {
-        /// What is wrong with it.
-        problem: ContactProblem,
+    /// Two keys of which one decides the other.
+    #[error("`{first}` and `{second}` cannot both be given: one follows from the other")]
+    OneOfTwo {
+        /// The first key.
+        first: String,
+        /// The second key.
+        second: String,
     },
-    /// A structure that cannot be.
-    #[error("{problem}")]
-    Structure {
-        /// What is wrong with it.
-        problem: StructureProblem,
+    /// A number of things outside its limits.
+    #[error("`{key}` must be a whole number from {from} to {to}, but is {found}")]
+    Count {
+        /// The key.
+        key: String,
+        /// The smallest.
+        from: usize,
+        /// The largest.
+        to: usize,
+        /// What was given.
+        found: i64,
     },
-    /// Structures in sliding contact that cannot be.
-    #[error("{problem}")]
-    Sliding {
-        /// What is wrong with them.
-        problem: SlidingProblem,
+    /// Degrees Celsius where a difference of temperatures is meant.
+    #[error("`{key}` is a difference of temperatures, but degrees Celsius have their own zero")]
+    Difference {
+        /// The key.
+        key: String,
+        /// A difference as it should be written.
+        example: String,
     },
-    /// A sweep of the whole case that cannot be.
-    #[error("{problem}")]
-    StudySweep {
-        /// What is wrong with it.
-        problem: SweepProblem,
+    /// A key that another choice of its analysis leaves without meaning.
+    #[error("`{key}` has no meaning with {with}")]
+    Meaningless {
+        /// The key.
+        key: &'static str,
+        /// The other choice, as the case writes it.
+        with: String,
     },
+    /// A text that is not an amount of memory, or too little.
+    #[error("`{key}` is not an amount of memory of 1 MiB at least")]
+    NotMemory {
+        /// The key.
+        key: String,
+    },
+    /// What a part of the case says of itself.
+    #[error("{0}")]
+    Problem(Box<dyn Problem>),
     /// No template of this name.
     #[error("there is no template `{name}`")]
     UnknownTemplate {

@@ -10,6 +10,7 @@ use crate::error::Fault;
 use crate::inputs::{LawName, OscillatorInputs};
 use crate::keys::{Form as Given, Range, Value};
 use crate::memory::Memory;
+use crate::problem::Placed;
 use crate::section::{Section, whole};
 use crate::shape::Shape;
 use crate::span::Span;
@@ -177,7 +178,7 @@ impl ContactScope {
             return Ok(());
         }
         let (shapes, shape) = ("a paraboloid or a sphere", self.shape.name());
-        Err(Cause::Contact { problem: ContactProblem::Shape { kind, shapes, shape } }.at(section.place))
+        Err(ContactProblem::Shape { kind, shapes, shape }.at(section.place))
     }
 }
 
@@ -232,7 +233,7 @@ impl Loading {
         match (section.get("indentation"), section.get("load")) {
             (Some(_), Some(node)) => {
                 let (first, second) = ("indentation".to_owned(), "load".to_owned());
-                Err(Cause::Contact { problem: ContactProblem::OneOfTwo { first, second } }.at(node.place))
+                Err(Cause::OneOfTwo { first, second }.at(node.place))
             }
             (None, None) if is_line => {
                 Err(section.missing("load", "load = 1e-2 (F/(E0* R)), or \"600 N/mm\""))
@@ -259,9 +260,7 @@ impl ContactSettings {
             _ => (&[], ""),
         };
         let refused = all(endless.iter().map(|key| match section.get(key) {
-            Some(node) => {
-                Err(Cause::Contact { problem: ContactProblem::Endless { key, what } }.at(node.place))
-            }
+            Some(node) => Err(ContactProblem::Endless { key, what }.at(node.place)),
             None => Ok(()),
         }));
         let loading = refused.and_then(|_| Loading::is_one(section, is_line));
@@ -295,7 +294,7 @@ impl LawSettings {
         match section.get("method") {
             Some(node) if settings.method == LawMethod::Collapse && scope.shape != Shape::Paraboloid => {
                 let shape = scope.shape.name();
-                return Err(Cause::Contact { problem: ContactProblem::Collapse { shape } }.at(node.place));
+                return Err(ContactProblem::Collapse { shape }.at(node.place));
             }
             None if scope.shape != Shape::Paraboloid => settings.method = LawMethod::Sweep,
             _ => (),
@@ -353,7 +352,7 @@ impl Setting for EvenCells {
         // one cell is a number of cells as well: the message of those that cannot be halved says more
         match whole(&section.path(key), node, (1, to))? {
             found if found < from || !found.is_multiple_of(2) => {
-                Err(Cause::Contact { problem: ContactProblem::Cells { from, to, found } }.at(node.place))
+                Err(ContactProblem::Cells { from, to, found }.at(node.place))
             }
             cells => Ok(Self(cells)),
         }

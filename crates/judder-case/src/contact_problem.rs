@@ -1,25 +1,14 @@
 //! What can be wrong with a substrate, an indenter or a contact analysis, beyond types, units and ranges.
 
-use std::path::PathBuf;
-
 use thiserror::Error;
 
 use crate::memory::Memory;
+use crate::problem::Problem;
 use judder_numerics::words::plain;
 
 /// What is wrong, with what a caller needs in order to act.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ContactProblem {
-    /// A file that the case names and that is not there.
-    #[error("`{key}` names `{}`, which {what}", path.display())]
-    File {
-        /// The key.
-        key: String,
-        /// Where the file was looked for.
-        path: PathBuf,
-        /// `does not exist` or `is not a file`.
-        what: &'static str,
-    },
     /// Times of a series that do not ascend.
     #[error("the times of `{key}` must ascend, but {time} s follows {before} s", time = plain(*.time), before = plain(*.before))]
     UnsortedTimes {
@@ -29,34 +18,6 @@ pub enum ContactProblem {
         before: f64,
         /// The later entry, s.
         time: f64,
-    },
-    /// Two keys of which one decides the other.
-    #[error("`{first}` and `{second}` cannot both be given: one follows from the other")]
-    OneOfTwo {
-        /// The first key.
-        first: String,
-        /// The second key.
-        second: String,
-    },
-    /// A number of things outside its limits.
-    #[error("`{key}` must be a whole number from {from} to {to}, but is {found}")]
-    Count {
-        /// The key.
-        key: String,
-        /// The smallest.
-        from: usize,
-        /// The largest.
-        to: usize,
-        /// What was given.
-        found: i64,
-    },
-    /// Degrees Celsius where a difference of temperatures is meant.
-    #[error("`{key}` is a difference of temperatures, but degrees Celsius have their own zero")]
-    Difference {
-        /// The key.
-        key: String,
-        /// A difference as it should be written.
-        example: String,
     },
     /// A grid that has no grid of half its cells beside it.
     #[error("`cells` must be a multiple of two from {from} to {to}, but is {found}")]
@@ -92,14 +53,6 @@ pub enum ContactProblem {
         /// The shape in words, with the reason.
         what: &'static str,
     },
-    /// A key that another choice of its analysis leaves without meaning.
-    #[error("`{key}` has no meaning with {with}")]
-    Meaningless {
-        /// The key.
-        key: &'static str,
-        /// The other choice, as the case writes it.
-        with: String,
-    },
     /// Wave lengths of a rough surface that do not descend.
     #[error(
         "the wave lengths of `indenter.shape.rough` must descend: {longer} {from} m, {shorter} {to} m",
@@ -118,12 +71,6 @@ pub enum ContactProblem {
     /// Samples of a spectrum that are zero throughout.
     #[error("the samples of `substrate.continuous` are zero throughout")]
     NoSpectrum,
-    /// A text that is not an amount of memory, or too little.
-    #[error("`{key}` is not an amount of memory of 1 MiB at least")]
-    NotMemory {
-        /// The key.
-        key: String,
-    },
     /// A grid that takes more memory than allowed.
     #[error("{columns} × {rows} cells take {needed} of memory, and the limit is {limit}")]
     Memory {
@@ -198,21 +145,19 @@ pub enum ContactProblem {
     },
 }
 
-impl ContactProblem {
-    /// What stands beside the caret.
-    pub(crate) fn label(&self) -> &'static str {
+impl Problem for ContactProblem {
+    fn kind(&self) -> &'static str {
+        "Contact"
+    }
+
+    fn label(&self) -> &'static str {
         match self {
-            Self::File { .. } => "no such file",
             Self::UnsortedTimes { .. } => "not ascending",
-            Self::OneOfTwo { .. } => "one too many",
-            Self::Count { .. } | Self::Cells { .. } => "out of range",
-            Self::Difference { .. } => "not a difference",
+            Self::Cells { .. } => "out of range",
             Self::Shape { .. } | Self::Collapse { .. } | Self::Endless { .. } => "another shape",
-            Self::Meaningless { .. } => "without meaning",
             Self::WaveLengths { .. } => "these lengths",
             Self::FixedKey { .. } => "fixed",
             Self::NoSpectrum => "no spectrum",
-            Self::NotMemory { .. } => "not an amount",
             Self::Memory { .. } => "too much",
             Self::TooDeep { .. } => "too deep",
             Self::LoadTooLarge { .. } => "too large",
@@ -223,14 +168,16 @@ impl ContactProblem {
         }
     }
 
+    fn help(&self) -> Option<String> {
+        Some(self.advice())
+    }
+}
+
+impl ContactProblem {
     /// What would be right.
-    pub(crate) fn help(&self) -> String {
+    fn advice(&self) -> String {
         match self {
-            Self::File { .. } => "a path in a case is relative to the folder of the case file".to_owned(),
             Self::UnsortedTimes { .. } => "list the terms from the shortest time to the longest".to_owned(),
-            Self::OneOfTwo { first, second } => format!("keep `{first}` or `{second}`"),
-            Self::Count { from, to, .. } => format!("give a number from {from} to {to}"),
-            Self::Difference { example, .. } => format!("write a difference: \"{example}\""),
             Self::Cells { from, .. } => format!(
                 "give an even number, {from} at least: the grid of half as many cells says how exact the answer is"
             ),
@@ -239,10 +186,8 @@ impl ContactProblem {
             }
             Self::Collapse { .. } => "leave `method` out, or use method = \"sweep\"".to_owned(),
             Self::Endless { .. } => "give `load`, and leave this key out".to_owned(),
-            Self::Meaningless { key, .. } => format!("leave `{key}` out"),
             Self::WaveLengths { .. } => "period ≥ roll_off > cut_off ≥ two cells".to_owned(),
             Self::NoSpectrum => "give a positive density at one time at least".to_owned(),
-            Self::NotMemory { .. } => "write \"4 GiB\" or \"512 MiB\"".to_owned(),
             Self::Memory { needed, .. } => {
                 format!("take fewer cells, or set memory_limit = \"{}\"", needed.rounded_up())
             }

@@ -117,7 +117,7 @@ impl ContinuousSource {
         let one_of_two = |first: &str, second: &str| match (section.get(first), section.get(second)) {
             (Some(_), Some(node)) => {
                 let (first, second) = (section.path(first), section.path(second));
-                Err(Cause::Contact { problem: ContactProblem::OneOfTwo { first, second } }.at(node.place))
+                Err(Cause::OneOfTwo { first, second }.at(node.place))
             }
             _ => Ok(()),
         };
@@ -172,16 +172,14 @@ fn is_spectrum(samples: &[DensitySample]) -> Result<(), Cause> {
     let key = "substrate.continuous.samples";
     if samples.len() < 2 {
         let (key, found) = (format!("the number of samples of {key}"), samples.len() as i64);
-        return Err(Cause::Contact {
-            problem: ContactProblem::Count { key, from: 2, to: TERM_LIMIT, found },
-        });
+        return Err(Cause::Count { key, from: 2, to: TERM_LIMIT, found });
     }
     if let Some([before, next]) = samples.array_windows().find(|[before, next]| before.time >= next.time) {
         let (before, time) = (before.time, next.time);
-        return Err(Cause::Contact { problem: ContactProblem::UnsortedTimes { key, before, time } });
+        return Err(ContactProblem::UnsortedTimes { key, before, time }.into());
     }
     match integral(samples, |_| 1.0) {
-        0.0 => Err(Cause::Contact { problem: ContactProblem::NoSpectrum }),
+        0.0 => Err(ContactProblem::NoSpectrum.into()),
         _ => Ok(()),
     }
 }

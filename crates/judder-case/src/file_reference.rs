@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 
 use crate::cause::Cause;
-use crate::contact_problem::ContactProblem;
 use crate::declared::{Form, Setting};
 use crate::document::Node;
 use crate::error::Fault;
@@ -66,5 +65,5 @@ pub(crate) fn read_file_reference(
 }
 
 fn refused(key: String, path: PathBuf, what: &'static str, node: &Node) -> Fault {
-    Cause::Contact { problem: ContactProblem::File { key, path, what } }.at(node.place)
+    Cause::File { key, path, what }.at(node.place)
 }

@@ -2,10 +2,8 @@
 
 use crate::cause::{Cause, gibibytes};
 use crate::dimension::Dimension;
-use crate::inputs::LawName;
 use crate::nearest::did_you_mean;
 use crate::quantity::{QuantityError, UNIT_LIST};
-use crate::sweep::MAP_BYTES_PER_POINT;
 
 impl Cause {
     /// The dotted path of the key that is to blame, where there is one.
@@ -23,7 +21,7 @@ impl Cause {
             | Self::KeyTwice { key, .. }
             | Self::EmptyList { key, .. }
             | Self::MatrixShape { key, .. } => Some(key),
-            Self::LawTable { key, .. } => Some(key),
+            Self::Problem(problem) => problem.key(),
             _ => None,
         }
     }
@@ -46,13 +44,15 @@ impl Cause {
             Self::EmptyRange { .. } | Self::Backwards { .. } | Self::LogThroughZero { .. } => "this range",
             Self::NothingMeasured { .. } => "too long",
             Self::TooFewPoints { .. } => "too few",
-            Self::Mass { .. } => "not a mass matrix",
             Self::TooLarge { .. } => "too many",
             Self::MixedForms { .. } => "of the other kind",
-            Self::Contact { problem } => problem.label(),
-            Self::Structure { problem } => problem.label(),
-            Self::Sliding { problem } => problem.label(),
-            Self::StudySweep { problem } => problem.label(),
+            Self::File { .. } => "no such file",
+            Self::OneOfTwo { .. } => "one too many",
+            Self::Count { .. } => "out of range",
+            Self::Difference { .. } => "not a difference",
+            Self::Meaningless { .. } => "without meaning",
+            Self::NotMemory { .. } => "not an amount",
+            Self::Problem(problem) => problem.label(),
             _ => "here",
         }
     }
@@ -93,16 +93,8 @@ impl Cause {
     /// The help of causes that lie in values and ranges rather than in names and units.
     fn help_for_values(&self) -> Option<String> {
         let help = match self {
-            Self::Conflict { first, second } => format!("keep `{first}` or `{second}`"),
-            Self::SeveralTimes { .. } => {
-                "give one term, or compute the law for this substrate: law = \"bem\"".to_owned()
-            }
-            Self::PronyCompliance { .. } => "1/E∞ = 1/E0 − compliance must be positive".to_owned(),
-            Self::GlassyBelowRubbery { law: LawName::Hertz, .. } => {
-                "E∞ must be above E0, or equal to it for an elastic substrate".to_owned()
-            }
-            Self::GlassyBelowRubbery { .. } => {
-                "E∞ must be above E0; only the law \"hertz\" takes E∞ = E0".to_owned()
+            Self::Conflict { first, second } | Self::OneOfTwo { first, second } => {
+                format!("keep `{first}` or `{second}`")
             }
             Self::OutOfRange { key, .. } if key.ends_with("confidence") => {
                 "give a share of one: 0.95 for 95 %".to_owned()
@@ -118,8 +110,7 @@ impl Cause {
                 "let both ends have one sign, or use scale = \"linear\"".to_owned()
             }
             Self::MixedForms { .. } => "use plain numbers throughout, or units throughout".to_owned(),
-            Self::TooLarge { limit, .. } => {
-                let most = limit / MAP_BYTES_PER_POINT;
+            Self::TooLarge { limit, most, .. } => {
                 format!("the limit is {}: at most {most} points in all", gibibytes(*limit))
             }
             Self::BadName { .. } => {
@@ -136,11 +127,12 @@ impl Cause {
                 "an entry must be finite: mind division by zero, roots and logarithms of negative numbers"
                     .to_owned()
             }
-            Self::Mass { problem, .. } => problem.help().to_owned(),
-            Self::Contact { problem } => problem.help(),
-            Self::Structure { problem } => problem.help(),
-            Self::Sliding { problem } => problem.help(),
-            Self::StudySweep { problem } => problem.help(),
+            Self::File { .. } => "a path in a case is relative to the folder of the case file".to_owned(),
+            Self::Count { from, to, .. } => format!("give a number from {from} to {to}"),
+            Self::Difference { example, .. } => format!("write a difference: \"{example}\""),
+            Self::Meaningless { key, .. } => format!("leave `{key}` out"),
+            Self::NotMemory { .. } => "write \"4 GiB\" or \"512 MiB\"".to_owned(),
+            Self::Problem(problem) => return problem.help(),
             _ => return None,
         };
         Some(help)

@@ -4,6 +4,7 @@ use crate::cause::Cause;
 use crate::dimension::Dimension;
 use crate::document::{Data, Node};
 use crate::error::{Fault, Place};
+use crate::problem::Placed;
 use crate::quantity::Quantity;
 use crate::section::{Section, finite_number, list, wrong_type};
 use crate::study_sweep::problem::SweepProblem;

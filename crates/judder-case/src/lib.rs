@@ -21,7 +21,8 @@
 //! - [`case_file`]: the way in. `resolved`: the way out, canonical JSON for the hash and the report.
 //! - [`mod@compose`]: options, and one analysis, written into the text of a case; one of its analyses alone.
 //!   [`mod@anywhere`]: its files by whole paths. `edited`: the text that is edited.
-//! - [`cause`], [`contact_problem`], `help`, `excerpt`, [`error`]: what is wrong, what would be right, where.
+//! - [`cause`], [`problem`], `help`, `excerpt`, [`error`]: what is wrong, what would be right, where; [`contact_problem`],
+//!   [`oscillator_problem`], `structure::problem`, `sliding::problem`, `study_sweep::problem`: what parts of a case say of themselves.
 //! - [`mod@schema`], [`mod@template`]: the JSON Schema for editors and the commented cases of `judder new`.
 
 pub mod analysis;
@@ -55,6 +56,8 @@ pub mod motion_analysis;
 mod nearest;
 pub mod oscillator_analysis;
 pub mod oscillator_case;
+pub mod oscillator_problem;
+pub mod problem;
 pub mod quantity;
 mod read_sweep;
 pub mod reference;
@@ -95,7 +98,7 @@ pub use file_reference::FileReference;
 pub use given::Given;
 pub use inputs::{FrictionLoad, LawName, OscillatorInputs, TimeForm};
 pub use keys::{Form, KEYS, Key, OscillatorKey, Range, Value};
-pub use mass::MassProblem;
+pub use mass::{MassProblem, NoMass};
 pub use memory::Memory;
 pub use motion_analysis::{
     Basin, Bifurcation, Diagram, Following, History, LimitCycle, MotionAnalysis, MotionStart, StartRanges,
@@ -105,6 +108,8 @@ pub use oscillator_analysis::{
     CriticalThresholds, DampingCurves, OscillatorAnalysis, Sought, SpectrumCurves,
 };
 pub use oscillator_case::OscillatorCase;
+pub use oscillator_problem::OscillatorProblem;
+pub use problem::Problem;
 pub use quantity::{Quantity, QuantityError};
 pub use schema::schema;
 pub use shape::{HeightFile, RoughSurface, Roughness, Shape};

@@ -1,6 +1,31 @@
 //! When a 2×2 matrix is a mass matrix: symmetric and positive definite.
 
+use crate::problem::Problem;
 use thiserror::Error;
+
+/// A matrix that is no mass matrix.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[error("the mass matrix {mass:?} is {problem}")]
+pub struct NoMass {
+    /// M, row-major.
+    pub mass: [[f64; 2]; 2],
+    /// What is wrong with it.
+    pub problem: MassProblem,
+}
+
+impl Problem for NoMass {
+    fn kind(&self) -> &'static str {
+        "Mass"
+    }
+
+    fn label(&self) -> &'static str {
+        "not a mass matrix"
+    }
+
+    fn help(&self) -> Option<String> {
+        Some(self.problem.help().to_owned())
+    }
+}
 
 /// Why a matrix of finite numbers is no mass matrix.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
@@ -17,7 +42,7 @@ pub enum MassProblem {
 }
 
 impl MassProblem {
-    pub(crate) fn help(self) -> &'static str {
+    fn help(self) -> &'static str {
         match self {
             Self::NotSymmetric => "let mass[0][1] and mass[1][0] be equal, as in [[2, 1], [1, 2]]",
             Self::Singular | Self::NotPositiveDefinite => {

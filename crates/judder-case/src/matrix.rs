@@ -4,7 +4,8 @@ use crate::cause::Cause;
 use crate::document::{Data, Node};
 use crate::error::Fault;
 use crate::expression::Expression;
-use crate::mass::check_mass;
+use crate::mass::{NoMass, check_mass};
+use crate::problem::Placed;
 use crate::section::{Section, finite_number, list, wrong_type};
 
 /// One matrix: compiled entries, and their texts for the record.
@@ -80,7 +81,7 @@ pub(crate) fn read_mass(section: &Section<'_>, scope: &Scope<'_>) -> Result<Matr
         && !matrix.is_swept(scope)
     {
         let mass = matrix.evaluate(scope.values).map_err(|cause| cause.at(node.place))?;
-        check_mass(mass).map_err(|problem| Cause::Mass { mass, problem }.at(node.place))?;
+        check_mass(mass).map_err(|problem| NoMass { mass, problem }.at(node.place))?;
     }
     Ok(matrix)
 }

@@ -3,7 +3,6 @@
 use std::fmt;
 
 use crate::cause::Cause;
-use crate::contact_problem::ContactProblem;
 use crate::declared::{Form, Setting};
 use crate::document::Node;
 use crate::error::Fault;
@@ -81,8 +80,7 @@ impl Setting for Memory {
 
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
         let key = section.path(key);
-        Self::parse(text(&key, node)?)
-            .ok_or_else(|| Cause::Contact { problem: ContactProblem::NotMemory { key } }.at(node.place))
+        Self::parse(text(&key, node)?).ok_or_else(|| Cause::NotMemory { key }.at(node.place))
     }
 
     fn write(&self, (): &()) -> Json {

@@ -12,6 +12,8 @@ use crate::file_reference::{FileReference, read_file_reference};
 use crate::inputs::{FrictionLoad, LawName, OscillatorInputs, TimeForm};
 use crate::keys::{KEYS, Key};
 use crate::oscillator_analysis::{KINDS, OscillatorAnalysis};
+use crate::oscillator_problem::OscillatorProblem;
+use crate::problem::Placed;
 use crate::section::Section;
 use crate::substrate::{RelaxationSource, Substrate, read_substrate};
 use crate::swept_keys::{OscillatorKeys, read_value};
@@ -133,7 +135,7 @@ fn check_terms(case: &OscillatorCase) -> Result<(), Cause> {
         RelaxationSource::Dma { .. } => return Ok(()),
     };
     if terms > 1 && case.law.is_fitted() {
-        return Err(Cause::SeveralTimes { law: case.law });
+        return Err(OscillatorProblem::SeveralTimes { law: case.law }.into());
     }
     case.inputs.check(case.law)
 }
@@ -147,7 +149,7 @@ fn read_law_table(table: &Section<'_>, case: &mut OscillatorCase, folder: &Path)
         if let Some(accuracy) = table.get("accuracy") {
             let requirement =
                 "left out, or stand beside `computed = true`: a file has the accuracy that it has";
-            return Err(Cause::LawTable { key: "accuracy", requirement }.at(accuracy.place));
+            return Err(OscillatorProblem::LawTable { key: "accuracy", requirement }.at(accuracy.place));
         }
         case.law_file = Some(read_file_reference(table, "file", folder)?);
         case.law = LawName::File;
@@ -155,11 +157,11 @@ fn read_law_table(table: &Section<'_>, case: &mut OscillatorCase, folder: &Path)
     };
     if table.boolean("computed")? != Some(true) {
         let requirement = "true, or left out";
-        return Err(Cause::LawTable { key: "computed", requirement }.at(node.place));
+        return Err(OscillatorProblem::LawTable { key: "computed", requirement }.at(node.place));
     }
     if let Some(file) = table.get("file") {
         let requirement = "left out beside `computed = true`: a law is computed or read";
-        return Err(Cause::LawTable { key: "file", requirement }.at(file.place));
+        return Err(OscillatorProblem::LawTable { key: "file", requirement }.at(file.place));
     }
     case.law = LawName::Bem;
     if let Some(node) = table.get("accuracy") {

@@ -356,7 +356,8 @@ pub(crate) fn check_size(factors: &[(usize, Place)]) -> Result<(), Fault> {
             let counts: Vec<_> = factors.iter().map(|(count, _)| count.to_string()).collect();
             let product = if counts.len() > 1 { format!(" = {points}") } else { String::new() };
             let shape = counts.join(" × ") + &product;
-            Err(Cause::TooLarge { shape, points, bytes, limit: MAP_BYTES_LIMIT }.at(*place))
+            let (limit, most) = (MAP_BYTES_LIMIT, MAP_BYTES_LIMIT / MAP_BYTES_PER_POINT);
+            Err(Cause::TooLarge { shape, points, bytes, limit, most }.at(*place))
         }
         _ => Ok(()),
     }

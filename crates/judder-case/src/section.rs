@@ -1,7 +1,6 @@
 //! Typed reading of one section: unknown keys are refused first, then each key is read as what it must be.
 
 use crate::cause::Cause;
-use crate::contact_problem::ContactProblem;
 use crate::document::{Data, Node, Table};
 use crate::error::{Fault, Place};
 
@@ -138,8 +137,8 @@ pub(crate) fn whole(key: &str, node: &Node, (from, to): (usize, usize)) -> Resul
     match usize::try_from(found) {
         Ok(count) if (from..=to).contains(&count) => Ok(count),
         _ => {
-            let problem = ContactProblem::Count { key: key.to_owned(), from, to, found };
-            Err(Cause::Contact { problem }.at(node.place))
+            let problem = Cause::Count { key: key.to_owned(), from, to, found };
+            Err(problem.at(node.place))
         }
     }
 }

@@ -10,6 +10,7 @@ use crate::document::{Data, Node};
 use crate::error::Fault;
 use crate::file_reference::{FileReference, read_file_reference};
 use crate::keys::Range;
+use crate::problem::Placed;
 use crate::schema::declared_table;
 use crate::section::{Section, word};
 use judder_keys_derive::Settings;
@@ -167,7 +168,7 @@ impl Setting for Shape {
         match (table.get("heights"), table.get("rough")) {
             (Some(_), Some(node)) => {
                 let (first, second) = (table.path("heights"), table.path("rough"));
-                Err(Cause::Contact { problem: ContactProblem::OneOfTwo { first, second } }.at(node.place))
+                Err(Cause::OneOfTwo { first, second }.at(node.place))
             }
             (None, Some(_)) => {
                 let rough = both(table.refuse_others(Surface::KEYS), Surface::read_table(&table));
@@ -210,15 +211,15 @@ impl RoughSurface {
         let waves = match wrong.into_iter().find(|(.., is_wrong)| *is_wrong) {
             Some((longer, from, shorter, to, _)) => {
                 let problem = ContactProblem::WaveLengths { longer, from, shorter, to };
-                Err(Cause::Contact { problem }.at(section.place))
+                Err(problem.at(section.place))
             }
             None => Ok(()),
         };
         let measure = match (self.rms_height, self.rms_slope) {
             (Some(_), Some(_)) => {
                 let (first, second) = (section.path("rms_height"), section.path("rms_slope"));
-                let problem = ContactProblem::OneOfTwo { first, second };
-                Err(Cause::Contact { problem }.at(section.place))
+                let problem = Cause::OneOfTwo { first, second };
+                Err(problem.at(section.place))
             }
             (None, None) => Err(section.missing("rms_height", "rms_height = \"1 um\", or rms_slope = 0.1")),
             _ => Ok(()),

@@ -19,11 +19,11 @@ use std::path::Path;
 
 use crate::analysis::{Analysis, read_analyses};
 use crate::cause::Cause;
-use crate::contact_problem::ContactProblem;
 use crate::declared::{Settings, both, read_settings};
 use crate::document::Node;
 use crate::error::Fault;
 use crate::file_reference::FileReference;
+use crate::problem::Placed;
 use crate::section::Section;
 use crate::swept_keys::ParameterKeys;
 use crate::two_degrees::{Parameter, read_parameters};
@@ -147,8 +147,8 @@ fn refuse(root: &Section<'_>, key: &'static str, beside: &str) -> Result<(), Fau
     match root.get(key) {
         None => Ok(()),
         Some(node) => {
-            let problem = ContactProblem::Meaningless { key, with: beside.to_owned() };
-            Err(Cause::Contact { problem }.at(node.place))
+            let problem = Cause::Meaningless { key, with: beside.to_owned() };
+            Err(problem.at(node.place))
         }
     }
 }

@@ -12,6 +12,7 @@ use crate::error::Fault;
 use crate::file_reference::{FileReference, read_file_reference};
 use crate::inputs::OscillatorInputs;
 use crate::keys::{KEYS, Key, OscillatorKey, Value};
+use crate::problem::Placed;
 use crate::section::{Section, list, whole, wrong_type};
 use crate::swept_keys::read_value;
 use crate::temperature::{Shift, Temperature};
@@ -346,7 +347,7 @@ pub(crate) fn are_terms<T: Timed>(
         let (before, time) = (pair[0].time(), pair[1].time());
         if before > time {
             let problem = ContactProblem::UnsortedTimes { key: path, before, time };
-            return Err(Cause::Contact { problem }.at(item.place));
+            return Err(problem.at(item.place));
         }
     }
     match terms.len() {
@@ -354,8 +355,8 @@ pub(crate) fn are_terms<T: Timed>(
         1..=TERM_LIMIT => Ok(()),
         found => {
             let key = format!("the number of terms of {path}");
-            let problem = ContactProblem::Count { key, from: 1, to: TERM_LIMIT, found: found as i64 };
-            Err(Cause::Contact { problem }.at(node.place))
+            let problem = Cause::Count { key, from: 1, to: TERM_LIMIT, found: found as i64 };
+            Err(problem.at(node.place))
         }
     }
 }

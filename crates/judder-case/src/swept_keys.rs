@@ -114,8 +114,8 @@ fn read_quantity<K>(entry: &Key<K>, name: &str, text: &str, node: &Node) -> Resu
         Cause::Quantity { key: name.to_owned(), dimension, problem }.at(node.part(range))
     })?;
     if entry.difference && Quantity::is_celsius(text) {
-        let problem = ContactProblem::Difference { key: name.to_owned(), example: entry.example() };
-        return Err(Cause::Contact { problem }.at(node.place));
+        let problem = Cause::Difference { key: name.to_owned(), example: entry.example() };
+        return Err(problem.at(node.place));
     }
     if quantity.dimension == dimension {
         return Ok(Value { number: quantity.number, form: Form::Si });
@@ -173,7 +173,7 @@ impl SweptKeys for OscillatorKeys {
                 None => Ok(key),
                 Some(by) => {
                     let problem = ContactProblem::FixedKey { key: path.to_owned(), by };
-                    Err(Cause::Contact { problem })
+                    Err(problem.into())
                 }
             };
         }

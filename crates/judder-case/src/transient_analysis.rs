@@ -2,7 +2,6 @@
 
 use crate::cause::Cause;
 use crate::contact_analysis::{ContactScope, FREQUENCY, INDENTATION, LOAD, Loading, VELOCITY};
-use crate::contact_problem::ContactProblem;
 use crate::declared::{Scaled, Settings, Whole, all, both};
 use crate::dimension::Dimension;
 use crate::error::Fault;
@@ -148,8 +147,8 @@ impl MotionWord {
 fn refuse(section: &Section<'_>, key: &'static str, with: &str) -> Result<(), Fault> {
     match section.get(key) {
         Some(node) => {
-            let problem = ContactProblem::Meaningless { key, with: with.to_owned() };
-            Err(Cause::Contact { problem }.at(node.place))
+            let problem = Cause::Meaningless { key, with: with.to_owned() };
+            Err(problem.at(node.place))
         }
         None => Ok(()),
     }

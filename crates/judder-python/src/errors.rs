@@ -3,7 +3,7 @@
 mod fields;
 
 use fields::Fields;
-use judder_case::CaseError;
+use judder_case::{CaseError, Cause};
 use judder_contact::LawError;
 use judder_contact::steady::SteadyError;
 use judder_oscillator::OscillatorError;
@@ -22,6 +22,14 @@ use std::path::Path;
 fn variant(error: &impl Debug) -> String {
     let shown = format!("{error:?}");
     shown.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect()
+}
+
+/// The kind of a cause: its variant, or what a part of the case calls it.
+fn kind(cause: &Cause) -> String {
+    match cause {
+        Cause::Problem(problem) => problem.kind().to_owned(),
+        _ => variant(cause),
+    }
 }
 
 /// An exception of `judder.errors`; where that cannot be made, why.
@@ -82,7 +90,7 @@ pub(crate) fn fault() -> PyErr {
 /// A case that is wrong, with its place.
 pub(crate) fn case(error: &CaseError) -> PyErr {
     let place = error.line_and_column();
-    exception("CaseError", error.to_string(), &variant(error.cause()), |dict| {
+    exception("CaseError", error.to_string(), &kind(error.cause()), |dict| {
         dict.set_item("file", error.source_name())?;
         dict.set_item("line", place.map(|(line, _)| line))?;
         dict.set_item("column", place.map(|(_, column)| column))?;

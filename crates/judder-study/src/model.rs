@@ -6,7 +6,7 @@ use crate::models::MotionBlock;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::resolve::Resolved;
-use judder_case::{CaseError, CaseFile, ContactProblem, SlidingProblem, StudySweep};
+use judder_case::{CaseError, CaseFile, Cause, StudySweep};
 use judder_report::Panel;
 use judder_store::Dataset;
 use serde_json::Value;
@@ -267,21 +267,36 @@ pub(crate) struct Place<'a> {
 /// Where a case is to blame, and why.
 pub(crate) enum Refusal {
     /// The first of these keys that the analysis has.
-    Keys(&'static [&'static str], ContactProblem),
+    Keys(&'static [&'static str], Cause),
     /// A key of the analysis, by its dotted path.
-    Key(&'static str, SlidingProblem),
+    Key(&'static str, Cause),
     /// Any key of the case, by its dotted path.
-    Path(&'static str, SlidingProblem),
+    Path(&'static str, Cause),
 }
 
 impl Refusal {
+    /// The first of these keys that the analysis has is to blame.
+    pub(crate) fn keys(keys: &'static [&'static str], cause: impl Into<Cause>) -> Self {
+        Self::Keys(keys, cause.into())
+    }
+
+    /// A key of the analysis is to blame, by its dotted path; the analysis where it is empty.
+    pub(crate) fn key(key: &'static str, cause: impl Into<Cause>) -> Self {
+        Self::Key(key, cause.into())
+    }
+
+    /// A key of the case is to blame, by its dotted path.
+    pub(crate) fn path(path: &'static str, cause: impl Into<Cause>) -> Self {
+        Self::Path(path, cause.into())
+    }
+
     /// As an error at its place in the case file.
     pub(crate) fn placed(self, Place { file, index, name }: Place<'_>) -> CaseError {
         match self {
-            Self::Keys(keys, problem) => file.analysis_error(index, keys, problem),
-            Self::Key("", problem) => file.sliding_error(&format!("analysis.{name}"), problem),
-            Self::Key(key, problem) => file.sliding_error(&format!("analysis.{name}.{key}"), problem),
-            Self::Path(path, problem) => file.sliding_error(path, problem),
+            Self::Keys(keys, cause) => file.analysis_error(index, keys, cause),
+            Self::Key("", cause) => file.error(&format!("analysis.{name}"), cause),
+            Self::Key(key, cause) => file.error(&format!("analysis.{name}.{key}"), cause),
+            Self::Path(path, cause) => file.error(path, cause),
         }
     }
 }

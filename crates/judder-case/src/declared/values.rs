@@ -6,6 +6,7 @@ use crate::dimension::Dimension;
 use crate::document::{Data, Node};
 use crate::error::Fault;
 use crate::keys::Range;
+use crate::problem::Placed;
 use crate::section::{Section, list, text, whole, word, wrong_type};
 use crate::structure::analysis::ascending;
 use crate::structure::problem::StructureProblem;

@@ -6,6 +6,7 @@ use crate::declared::{Form, Named, Number, Setting, Several, both};
 use crate::dimension::Dimension;
 use crate::document::{Data, Node};
 use crate::error::Fault;
+use crate::problem::Placed;
 use crate::section::Section;
 use crate::structure::problem::StructureProblem;
 use crate::structure::reduction::KeptNodes;

@@ -3,7 +3,6 @@
 use super::SlidingCase;
 use super::sweep::KeySweep;
 use crate::cause::Cause;
-use crate::contact_problem::ContactProblem;
 use crate::declared::{Number, Whole};
 use crate::dimension::Dimension;
 use crate::error::Fault;
@@ -96,15 +95,15 @@ impl Along {
         let (problem, node) = match (section.get("sweep"), section.get("positions"), section.get("at")) {
             (Some(_), Some(node), _) => {
                 let (first, second) = ("sweep".to_owned(), "positions".to_owned());
-                (ContactProblem::OneOfTwo { first, second }, node)
+                (Cause::OneOfTwo { first, second }, node)
             }
             (None, _, Some(node)) => {
                 let with = "`positions`, without `sweep`".to_owned();
-                (ContactProblem::Meaningless { key: "at", with }, node)
+                (Cause::Meaningless { key: "at", with }, node)
             }
             _ => return Ok(()),
         };
-        Err(Cause::Contact { problem }.at(node.place))
+        Err(problem.at(node.place))
     }
 }
 

@@ -6,10 +6,10 @@ use super::observe::Signal;
 use super::problem::SlidingProblem;
 use super::signals::{Sampling, Sound};
 use crate::cause::Cause;
-use crate::contact_problem::ContactProblem;
 use crate::declared::{Named, Number, Whole, all, both};
 use crate::dimension::Dimension;
 use crate::error::Fault;
+use crate::problem::Placed;
 use crate::section::Section;
 use judder_keys_derive::{Choice, Settings};
 use std::f64::consts::TAU;
@@ -194,5 +194,5 @@ impl MarchMethod {
 pub(super) fn refuse_with(section: &Section<'_>, key: &'static str, method: MarchWord) -> Result<(), Fault> {
     let Some(node) = section.get(key) else { return Ok(()) };
     let with = format!("method = \"{}\"", method.name());
-    Err(Cause::Contact { problem: ContactProblem::Meaningless { key, with } }.at(node.place))
+    Err(Cause::Meaningless { key, with }.at(node.place))
 }

@@ -6,6 +6,7 @@ use super::structure::SlidingStructure;
 use crate::declared::{Number, UNLIMITED, Whole};
 use crate::dimension::Dimension;
 use crate::error::Fault;
+use crate::problem::Placed;
 use crate::section::Section;
 use crate::structure::reduction::KeptNodes;
 use judder_keys_derive::{Choice, Settings};

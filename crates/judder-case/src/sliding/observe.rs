@@ -10,6 +10,7 @@ use crate::declared::{Named, Number, Pair, Several, all, conflict};
 use crate::dimension::Dimension;
 use crate::document::Node;
 use crate::error::Fault;
+use crate::problem::Placed;
 use crate::section::{Section, list, text};
 use crate::structure::reduction::KeptNodes;
 use judder_keys_derive::{Choice, Settings};

@@ -4,6 +4,7 @@ use super::problem::SlidingProblem;
 use crate::declared::{Form, Setting};
 use crate::document::Node;
 use crate::error::Fault;
+use crate::problem::Placed;
 use crate::section::{Section, text};
 use serde_json::{Value as Json, json};
 use std::fmt;

@@ -3,8 +3,7 @@
 use judder_numerics::words::plain;
 use thiserror::Error;
 
-use crate::cause::Cause;
-use crate::error::{Fault, Place};
+use crate::problem::Problem;
 
 /// What is wrong, with what a caller needs in order to act.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -207,13 +206,12 @@ pub enum SlidingProblem {
 /// Share of the limit of a step that is recommended; two digits of it stay below the limit.
 const SHARE: f64 = 0.9;
 
-impl SlidingProblem {
-    pub(crate) fn at(self, place: Place) -> Fault {
-        Cause::Sliding { problem: self }.at(place)
+impl Problem for SlidingProblem {
+    fn kind(&self) -> &'static str {
+        "Sliding"
     }
 
-    /// What stands beside the caret.
-    pub(crate) fn label(&self) -> &'static str {
+    fn label(&self) -> &'static str {
         match self {
             Self::StructureCount { .. } => "not two",
             Self::Name { .. } => "this name",
@@ -239,8 +237,14 @@ impl SlidingProblem {
         }
     }
 
+    fn help(&self) -> Option<String> {
+        Some(self.advice())
+    }
+}
+
+impl SlidingProblem {
     /// What would be right.
-    pub(crate) fn help(&self) -> String {
+    fn advice(&self) -> String {
         let help = match self {
             Self::StructureCount { .. } => {
                 "give two tables [[structure]]: what slides, and on what it slides"

@@ -12,6 +12,7 @@ use crate::dimension::Dimension;
 use crate::document::Node;
 use crate::error::Fault;
 use crate::keys::Range;
+use crate::problem::Placed;
 use crate::section::{Section, text};
 use crate::swept_keys::read_si;
 use judder_keys_derive::{Choice, Settings};

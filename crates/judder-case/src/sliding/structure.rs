@@ -5,10 +5,10 @@ use std::path::Path;
 use super::plain_name::PlainName;
 use super::problem::SlidingProblem;
 use crate::cause::Cause;
-use crate::contact_problem::ContactProblem;
 use crate::declared::{Named, Setting, Settings, both};
 use crate::document::Node;
 use crate::error::Fault;
+use crate::problem::Placed;
 use crate::section::{Section, list};
 use crate::structure::StructureSource;
 use crate::structure::body::{BodyKeys, read_body};
@@ -93,8 +93,8 @@ fn read_source(
 fn refuse_beside_matrices(section: &Section<'_>) -> Result<(), Fault> {
     for key in BodyKeys::KEYS.iter().copied().chain(["damping"]) {
         if let Some(node) = section.get(key) {
-            let problem = ContactProblem::Meaningless { key, with: section.path("matrices") };
-            return Err(Cause::Contact { problem }.at(node.place));
+            let problem = Cause::Meaningless { key, with: section.path("matrices") };
+            return Err(problem.at(node.place));
         }
     }
     Ok(())

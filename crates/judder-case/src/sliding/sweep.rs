@@ -6,6 +6,7 @@ use crate::declared::{Form, Number, Setting};
 use crate::document::{Node, STEPS_LIMIT};
 use crate::error::Fault;
 use crate::key_sweep::{read_ends, read_values};
+use crate::problem::Placed;
 use crate::schema;
 use crate::section::{Section, text};
 use crate::structure::problem::StructureProblem;

@@ -9,6 +9,7 @@ use crate::dimension::Dimension;
 use crate::document::Node;
 use crate::error::{Fault, Place};
 use crate::keys::Range;
+use crate::problem::Placed;
 use crate::read_sweep::{PlacedFamily, SWEEP, check_size, family_declaration, read_placed_family, required};
 use crate::section::{Section, finite_number, list, text};
 use crate::sweep::{Family, ParameterKey, Scale};
@@ -153,8 +154,8 @@ impl MethodKeys {
         match section.get("tolerance") {
             Some(node) if self.method == MethodWord::Full => {
                 let with = "method = \"full\"".to_owned();
-                let problem = crate::contact_problem::ContactProblem::Meaningless { key: "tolerance", with };
-                Err(Cause::Contact { problem }.at(node.place))
+                let problem = Cause::Meaningless { key: "tolerance", with };
+                Err(problem.at(node.place))
             }
             _ => Ok(()),
         }

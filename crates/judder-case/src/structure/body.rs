@@ -5,13 +5,13 @@ use std::path::Path;
 use super::lists::length;
 use super::problem::StructureProblem;
 use crate::cause::Cause;
-use crate::contact_problem::ContactProblem;
 use crate::declared::{Fixed, Form, Number, Pair, Setting, Settings, Several, Whole, all};
 use crate::dimension::Dimension;
 use crate::document::{Data, Entry, Node};
 use crate::error::Fault;
 use crate::file_reference::{FileReference, read_file_reference};
 use crate::keys::Range;
+use crate::problem::Placed;
 use crate::section::{Section, wrong_type};
 use judder_keys_derive::{Choice, Settings};
 use serde_json::Value as Json;
@@ -282,8 +282,8 @@ pub(crate) fn read_body(section: &Section<'_>, folder: &Path) -> Result<Body, Fa
         ("materials", "a body of one material", !is_mesh),
     ] {
         if let Some(node) = section.get(key).filter(|_| is_refused) {
-            let problem = ContactProblem::Meaningless { key, with: with.to_owned() };
-            return Err(Cause::Contact { problem }.at(node.place));
+            let problem = Cause::Meaningless { key, with: with.to_owned() };
+            return Err(problem.at(node.place));
         }
     }
     if keys.material.is_none() && !is_mesh {

@@ -5,6 +5,7 @@ use crate::cause::Cause;
 use crate::declared::{Number, Several, conflict};
 use crate::dimension::Dimension;
 use crate::error::Fault;
+use crate::problem::Placed;
 use crate::section::Section;
 use judder_keys_derive::Settings;
 

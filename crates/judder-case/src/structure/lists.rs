@@ -3,6 +3,7 @@
 use super::problem::StructureProblem;
 use crate::document::{Data, Node};
 use crate::error::Fault;
+use crate::problem::Placed;
 use crate::section::Section;
 
 /// The refusal of a list of the wrong length.

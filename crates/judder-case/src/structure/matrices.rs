@@ -8,6 +8,7 @@ use crate::document::{Data, Node};
 use crate::error::Fault;
 use crate::expression::Expression;
 use crate::file_reference::{FileReference, read_file_reference};
+use crate::problem::Placed;
 use crate::section::{Section, finite_number, list, text, wrong_type};
 
 /// M, C and K as sums A = Σ fᵢ Aᵢ of files with factors.
@@ -85,7 +86,7 @@ impl Factor {
         let known = |(index, name): &(usize, String)| Some(format!("{name} = {}", values.get(*index)?));
         let point: Vec<_> = self.parameters.iter().filter_map(known).collect();
         let (file, point) = (self.file.clone(), point.join(", "));
-        Err(Cause::Structure { problem: StructureProblem::Factor { file, value, point } })
+        Err(StructureProblem::Factor { file, value, point }.into())
     }
 
     /// Whether it depends on the parameter at `index`.

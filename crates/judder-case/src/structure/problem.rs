@@ -4,9 +4,8 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
-use crate::cause::Cause;
-use crate::error::{Fault, Place};
 use crate::nearest::did_you_mean;
+use crate::problem::Problem;
 
 /// What is wrong, with what a caller needs in order to act.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -192,13 +191,12 @@ fn hertz(angular: f64) -> f64 {
     angular / std::f64::consts::TAU
 }
 
-impl StructureProblem {
-    pub(crate) fn at(self, place: Place) -> Fault {
-        Cause::Structure { problem: self }.at(place)
+impl Problem for StructureProblem {
+    fn kind(&self) -> &'static str {
+        "Structure"
     }
 
-    /// What stands beside the caret.
-    pub(crate) fn label(&self) -> &'static str {
+    fn label(&self) -> &'static str {
         match self {
             Self::NoStructure | Self::Needs { .. } => "in this section",
             Self::OneGeometry { .. } => "one of three",
@@ -221,8 +219,14 @@ impl StructureProblem {
         }
     }
 
+    fn help(&self) -> Option<String> {
+        Some(self.advice())
+    }
+}
+
+impl StructureProblem {
     /// What would be right.
-    pub(crate) fn help(&self) -> String {
+    fn advice(&self) -> String {
         match self {
             Self::NoStructure => {
                 "give [structure] with beam = { … }, block = { … } or mesh = \"file.msh\", or [matrices] with mass = [{ file = \"…\" }]"

@@ -6,6 +6,7 @@ use crate::cause::Cause;
 use crate::declared::{Number, Settings, Several, UNLIMITED, Whole, all, both};
 use crate::dimension::Dimension;
 use crate::error::Fault;
+use crate::problem::Placed;
 use crate::section::{Section, list};
 use judder_keys_derive::Settings;
 

@@ -2,9 +2,8 @@
 
 use thiserror::Error;
 
-use crate::cause::Cause;
-use crate::error::{Fault, Place};
 use crate::nearest::did_you_mean;
+use crate::problem::Problem;
 use crate::quantity::QuantityError;
 
 /// What is wrong, with what a caller needs in order to act.
@@ -157,13 +156,12 @@ pub enum SweepProblem {
     },
 }
 
-impl SweepProblem {
-    pub(crate) fn at(self, place: Place) -> Fault {
-        Cause::StudySweep { problem: self }.at(place)
+impl Problem for SweepProblem {
+    fn kind(&self) -> &'static str {
+        "StudySweep"
     }
 
-    /// What stands beside the caret.
-    pub(crate) fn label(&self) -> &'static str {
+    fn label(&self) -> &'static str {
         match self {
             Self::Name { .. } => "this name",
             Self::NameTwice { .. }
@@ -182,8 +180,14 @@ impl SweepProblem {
         }
     }
 
+    fn help(&self) -> Option<String> {
+        Some(self.advice())
+    }
+}
+
+impl SweepProblem {
     /// What would be right.
-    pub(crate) fn help(&self) -> String {
+    fn advice(&self) -> String {
         let help = match self {
             Self::Name { .. } => {
                 "use 1 to 100 of A-Z a-z 0-9 . _ - and no dot at either end: the name becomes a folder"

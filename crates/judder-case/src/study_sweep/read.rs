@@ -17,6 +17,7 @@ use crate::error::{Fault, Place};
 use crate::keys::{Form, OscillatorKey, Range, Value};
 use crate::motion_analysis::SEEDS;
 use crate::oscillator_case::OscillatorCase;
+use crate::problem::Placed;
 use crate::section::{Section, finite_number, list, text, wrong_type};
 use crate::swept_keys::{OscillatorKeys, SweptKeys};
 

@@ -7,12 +7,12 @@ use super::problem::SweepProblem;
 use super::{Design, SweptKey, SweptValues};
 use crate::case_file::{Case, CaseTree};
 use crate::cause::Cause;
-use crate::contact_problem::ContactProblem;
 use crate::dimension::Dimension;
 use crate::document::{Node, STEPS_LIMIT};
 use crate::error::{Fault, Place};
 use crate::key_sweep::{Ends, read_ends, read_values};
 use crate::keys::OscillatorKey;
+use crate::problem::Placed;
 use crate::section::{Section, list, text};
 use crate::sweep::Scale;
 
@@ -93,8 +93,8 @@ fn read_counted(
 /// Refuses a key that has no meaning beside something else.
 pub(super) fn refuse(section: &Section<'_>, key: &'static str, with: &str) -> Result<(), Fault> {
     let Some(node) = section.get(key) else { return Ok(()) };
-    let problem = ContactProblem::Meaningless { key, with: with.to_owned() };
-    Err(Cause::Contact { problem }.at(node.place))
+    let problem = Cause::Meaningless { key, with: with.to_owned() };
+    Err(problem.at(node.place))
 }
 
 /// Coordinates of a grid are told apart by their values.

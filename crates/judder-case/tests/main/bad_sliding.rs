@@ -220,20 +220,19 @@ fn problems_of_a_run_have_their_place() {
         with_analyses("[[analysis]]\nname = \"m\"\nkind = \"march\"\nmethod = \"film\"\nstep = \"4e-7 s\"\n");
     let file = CaseFile::parse("case.toml", &text, &[]).unwrap();
     let found = SlidingProblem::NotOneNode { key: "contact.slider".to_owned(), found: 5 };
-    let error = file.sliding_error("contact.slider.set", found);
+    let error = file.error("contact.slider.set", found);
     assert_eq!(
         (error.to_string().as_str(), error.place()),
         ("`contact.slider` names 5 nodes, but must name one", "\"end-lower\"")
     );
-    let error =
-        file.sliding_error("analysis.m.step", SlidingProblem::StepLimit { step: 4e-7, limit: 3.6e-7 });
+    let error = file.error("analysis.m.step", SlidingProblem::StepLimit { step: 4e-7, limit: 3.6e-7 });
     assert_eq!(error.to_string(), "the step 4e-7 s is above the limit of stability, 3.6e-7 s");
     let help =
         "take a step below the limit, such as \"3.2e-7 s\", or leave `step` out: the march then chooses one";
     assert_eq!(help_of(&error), help);
     assert_eq!(error.place(), "\"4e-7 s\"");
     let unknown = StructureProblem::UnknownSet { name: "x".to_owned(), known: Vec::new() };
-    let error = file.structure_error("structure.horizontal.beam.length", unknown);
+    let error = file.error("structure.horizontal.beam.length", unknown);
     assert_eq!(error.place(), "\"100 mm\"");
 }
 

@@ -13,7 +13,7 @@ pub(super) fn deep(indentation: f64, limit: f64) -> Result<(), Refusal> {
     if indentation < limit {
         return Ok(());
     }
-    Err(Refusal::Keys(&["indentation"], ContactProblem::TooDeep { indentation, limit }))
+    Err(Refusal::keys(&["indentation"], ContactProblem::TooDeep { indentation, limit }))
 }
 
 /// Refuses a grid that takes more memory than allowed.
@@ -23,7 +23,7 @@ pub(super) fn large([columns, rows]: [usize; 2], needed: u64, limit: Memory) -> 
 
 fn beyond(columns: usize, rows: usize, needed: u64, limit: u64) -> Refusal {
     let (needed, limit) = (Memory { bytes: needed }, Memory { bytes: limit });
-    Refusal::Keys(&["cells", "memory_limit"], ContactProblem::Memory { columns, rows, needed, limit })
+    Refusal::keys(&["cells", "memory_limit"], ContactProblem::Memory { columns, rows, needed, limit })
 }
 
 /// What is to blame whatever the kind of analysis; `None` where no key is.
@@ -31,16 +31,16 @@ pub(super) fn blame(error: &StudyError) -> Option<Refusal> {
     match error {
         StudyError::Contact(SteadyError::TooDeep { indentation, limit }) => {
             let (indentation, limit) = (*indentation, *limit);
-            Some(Refusal::Keys(&["indentation"], ContactProblem::TooDeep { indentation, limit }))
+            Some(Refusal::keys(&["indentation"], ContactProblem::TooDeep { indentation, limit }))
         }
         StudyError::Contact(SteadyError::BeyondIndenter { x, y }) => {
-            Some(Refusal::Keys(&["indentation", "load"], ContactProblem::BeyondHeights { x: *x, y: *y }))
+            Some(Refusal::keys(&["indentation", "load"], ContactProblem::BeyondHeights { x: *x, y: *y }))
         }
         StudyError::Periodic(PeriodicContactError::Kernel(KernelError::LongWake {
             memory, allowed, ..
         })) => {
             let (memory, allowed) = (*memory, *allowed);
-            Some(Refusal::Keys(&["velocity"], ContactProblem::LongWake { memory, allowed }))
+            Some(Refusal::keys(&["velocity"], ContactProblem::LongWake { memory, allowed }))
         }
         StudyError::Contact(SteadyError::Kernel(KernelError::Memory { columns, rows, needed, allowed }))
         | StudyError::Periodic(PeriodicContactError::Kernel(KernelError::Memory {

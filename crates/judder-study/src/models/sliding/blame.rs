@@ -30,31 +30,31 @@ pub(super) fn off_track(error: &StudyError, (key, held): (&'static str, Option<f
         }
         _ => SlidingProblem::OffTrack { key: key.to_owned(), position: *position, length: *length },
     };
-    Some(Refusal::Key(key, problem))
+    Some(Refusal::key(key, problem))
 }
 
 /// What is to blame whatever the kind of analysis; `None` where no key is.
 pub(super) fn blame(error: &StudyError) -> Option<Refusal> {
     let unbuilt = |advice| SlidingProblem::Unbuilt { reason: error.to_string(), advice };
     let refusal = match error {
-        StudyError::NoMode { .. } => Refusal::Key("frequency", unbuilt(NEAR)),
+        StudyError::NoMode { .. } => Refusal::key("frequency", unbuilt(NEAR)),
         StudyError::Sliding(error) => match error {
             SlidingError::StepOverLimit { step, limit } => {
-                Refusal::Key("step", SlidingProblem::StepLimit { step: *step, limit: *limit })
+                Refusal::key("step", SlidingProblem::StepLimit { step: *step, limit: *limit })
             }
             SlidingError::SpragSlip { .. } => {
-                Refusal::Path("contact.friction_coefficient", unbuilt(SPRAG_SLIP))
+                Refusal::path("contact.friction_coefficient", unbuilt(SPRAG_SLIP))
             }
-            SlidingError::CutOff { .. } => Refusal::Key("cut_off", unbuilt(BETWEEN)),
-            SlidingError::LocksAtOnce { .. } => Refusal::Key("cut_off", unbuilt(LOCKS)),
-            SlidingError::RunsOff { .. } => Refusal::Key("position", unbuilt(INWARDS)),
-            SlidingError::NoEquilibrium { .. } => Refusal::Path("motion.load", unbuilt(PRESSED)),
-            SlidingError::OpenAtStart { .. } => Refusal::Path("contact.initial_gap", unbuilt(CLOSED)),
+            SlidingError::CutOff { .. } => Refusal::key("cut_off", unbuilt(BETWEEN)),
+            SlidingError::LocksAtOnce { .. } => Refusal::key("cut_off", unbuilt(LOCKS)),
+            SlidingError::RunsOff { .. } => Refusal::key("position", unbuilt(INWARDS)),
+            SlidingError::NoEquilibrium { .. } => Refusal::path("motion.load", unbuilt(PRESSED)),
+            SlidingError::OpenAtStart { .. } => Refusal::path("contact.initial_gap", unbuilt(CLOSED)),
             SlidingError::InvalidNumber { name, .. } if name.starts_with("the count") => {
-                Refusal::Key("count", unbuilt(COUNT))
+                Refusal::key("count", unbuilt(COUNT))
             }
             SlidingError::InvalidNumber { .. } | SlidingError::Length { .. } => {
-                Refusal::Key("", unbuilt(NUMBER))
+                Refusal::key("", unbuilt(NUMBER))
             }
             _ => return None,
         },

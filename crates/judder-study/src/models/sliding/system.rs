@@ -74,7 +74,7 @@ impl Uncoupled {
     pub(crate) fn placed(self, file: &CaseFile) -> StudyError {
         match self {
             Self::Structure(unbuilt) => unbuilt.placed(file),
-            Self::Pair { path, problem } => file.sliding_error(&path, problem).into(),
+            Self::Pair { path, problem } => file.error(&path, problem).into(),
         }
     }
 }

@@ -72,7 +72,7 @@ impl Unbuilt {
 
     /// As an error at its place in the case file.
     pub(crate) fn placed(self, file: &CaseFile) -> StudyError {
-        file.structure_error(&self.path, self.problem).into()
+        file.error(&self.path, self.problem).into()
     }
 }
 

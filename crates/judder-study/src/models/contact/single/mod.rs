@@ -38,7 +38,7 @@ fn is_not_too_deep(settings: &ContactSettings, of: &Subject<'_>) -> Result<Resul
             let (indentation, limit) = (profile.elastic_depth(force / contrast), profile.deepest());
             let is_possible = of.case.shape.is_periodic() || indentation < limit;
             let problem = ContactProblem::LoadTooLarge { indentation, limit };
-            Ok(if is_possible { Ok(()) } else { Err(Refusal::Keys(&["load"], problem)) })
+            Ok(if is_possible { Ok(()) } else { Err(Refusal::keys(&["load"], problem)) })
         }
     }
 }
@@ -69,7 +69,7 @@ impl Analysis<ContactCase> for ContactSettings {
                 if self.domain.is_some() =>
             {
                 let (side, needed) = (2.0 * half_width, 2.0 * needed);
-                Some(Refusal::Keys(&["domain"], ContactProblem::DomainTooSmall { side, needed }))
+                Some(Refusal::keys(&["domain"], ContactProblem::DomainTooSmall { side, needed }))
             }
             _ => None,
         }

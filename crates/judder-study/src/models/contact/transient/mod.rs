@@ -27,7 +27,7 @@ impl Analysis<ContactCase> for TransientSettings {
         }
         match asked.question(&of.scales.creeping(), of.profile()?, self).needs() {
             Err(TransientError::TooManySteps { needed, allowed }) => {
-                Ok(Err(Refusal::Keys(&["duration"], ContactProblem::TooManySteps { needed, allowed })))
+                Ok(Err(Refusal::keys(&["duration"], ContactProblem::TooManySteps { needed, allowed })))
             }
             needs => {
                 let (strip, needed) = needs?;

@@ -61,6 +61,6 @@ impl Size {
             amount(self.stored()),
             amount(self.memory())
         );
-        Err(Refusal::Key("signals.sample_rate", SlidingProblem::Unbuilt { reason, advice: SMALLER }))
+        Err(Refusal::key("signals.sample_rate", SlidingProblem::Unbuilt { reason, advice: SMALLER }))
     }
 }

@@ -38,7 +38,7 @@ impl Analysis<SlidingCase> for Spectrogram {
         let Some(duration) = duration.filter(|duration| self.length > *duration) else { return Ok(Ok(())) };
         let (length, name) = (self.length, &self.of);
         let reason = format!("a window is {length} s long, but the march `{name}` takes {duration:.6} s");
-        Ok(Err(Refusal::Key("length", SlidingProblem::Unbuilt { reason, advice: SHORTER })))
+        Ok(Err(Refusal::key("length", SlidingProblem::Unbuilt { reason, advice: SHORTER })))
     }
 
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, StudyError> {

@@ -1,10 +1,10 @@
 //! Analyses: a name that serves as a file name, and a kind with its settings.
 
-use crate::cause::Cause;
-use crate::declared::Declaration;
-use crate::document::{Data, Node};
-use crate::error::Fault;
-use crate::section::{Section, text, wrong_type};
+use judder_keys::cause::Cause;
+use judder_keys::declared::Declaration;
+use judder_keys::document::{Data, Node};
+use judder_keys::error::Fault;
+use judder_keys::section::{Section, text, wrong_type};
 
 /// One analysis of a case.
 #[derive(Debug, Clone, PartialEq)]

@@ -6,9 +6,9 @@ use toml_edit::{DocumentMut, Item, TableLike, Value};
 
 use crate::case_file::CaseFile;
 use crate::compose::with_options;
-use crate::edited::put;
-use crate::error::CaseError;
-use crate::file_reference::FileReference;
+use judder_keys::edited::put;
+use judder_keys::error::CaseError;
+use judder_keys::file_reference::FileReference;
 
 /// The keys of files.
 const FILES: [&str; 4] = ["file", "mesh", "heights", "freedoms"];

@@ -3,15 +3,16 @@
 use std::fmt;
 
 use crate::analysis::{Analysis, Kind, read_analyses};
-use crate::cause::Cause;
-use crate::declared::{Declaration, Form, Scaled, all};
-use crate::dimension::Dimension;
-use crate::document::Node;
-use crate::error::Fault;
-use crate::keys::{Key, Range, Value, number};
 use crate::motion_analysis::{MotionAnalysis, MotionKinds, MotionModel};
-use crate::section::Section;
-use crate::swept_keys::{SweptKeys, key_among, read_value};
+use crate::swept_keys::{SweptKeys, key_among};
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Allowed, Declaration, Scaled, all};
+use judder_keys::dimension::Dimension;
+use judder_keys::document::Node;
+use judder_keys::error::Fault;
+use judder_keys::numeric_key::read_value;
+use judder_keys::numeric_key::{Key, Range, Value, number};
+use judder_keys::section::Section;
 
 /// A numeric key of a belt case; its position in [`BELT_KEYS`] is `key as usize`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -148,7 +149,7 @@ impl SweptKeys for BeltKeys {
         Dimension::NUMBER
     }
 
-    fn key_form() -> Form {
+    fn key_form() -> Allowed {
         key_among("belt-key")
     }
 
@@ -168,8 +169,8 @@ impl MotionModel for BeltKeys {
     fn own(declared: Vec<Declaration>) -> Vec<Declaration> {
         let own = |mut key: Declaration| {
             match &mut key.form {
-                Form::Scaled(time) => *time = Scaled { dimension: Dimension::NUMBER, group: "t", ..*time },
-                Form::Table { keys, .. } => keys.retain(|key| !["y", "velocity_y"].contains(&key.name)),
+                Allowed::Scaled(time) => *time = Scaled { dimension: Dimension::NUMBER, group: "t", ..*time },
+                Allowed::Table { keys, .. } => keys.retain(|key| !["y", "velocity_y"].contains(&key.name)),
                 _ => {}
             }
             key
@@ -180,8 +181,8 @@ impl MotionModel for BeltKeys {
     fn refuse_others(section: &Section<'_>, declared: &[Declaration]) -> Result<(), Fault> {
         let given = declared.iter().filter_map(|key| Some((key, section.get(key.name)?)));
         let checked = given.map(|(key, node)| match &key.form {
-            Form::Scaled(time) => read_value(&time.entry(), &section.path(key.name), node).map(|_| ()),
-            Form::Table { keys, .. } => {
+            Allowed::Scaled(time) => read_value(&time.entry(), &section.path(key.name), node).map(|_| ()),
+            Allowed::Table { keys, .. } => {
                 let known: Vec<_> = keys.iter().map(|key| key.name).collect();
                 section.table(key.name, node, &known).map(|_| ())
             }

@@ -8,11 +8,7 @@ use std::sync::Arc;
 
 use crate::analysis::Analysis;
 use crate::belt_case::BeltCase;
-use crate::cause::Cause;
 use crate::contact_case::ContactCase;
-use crate::document::{Data, Node, apply_override, parse};
-use crate::error::{CaseError, Fault, Place, Sources};
-use crate::file_reference::FileReference;
 use crate::oscillator_case::OscillatorCase;
 use crate::sliding::SlidingCase;
 use crate::structure::StructureCase;
@@ -20,6 +16,10 @@ use crate::study_sweep::problem::SweepProblem;
 use crate::study_sweep::{self, StudySweep, read_sweeps};
 use crate::two_degrees::TwoDegreesCase;
 use crate::{belt_case, contact_case, oscillator_case, sliding, structure, two_degrees};
+use judder_keys::cause::Cause;
+use judder_keys::document::{Data, Node, apply_override, parse};
+use judder_keys::error::{CaseError, Fault, Place, Sources};
+use judder_keys::file_reference::FileReference;
 
 /// A case file that was read and found valid.
 #[derive(Debug, Clone)]
@@ -335,7 +335,7 @@ fn read_model(root: &Node) -> Result<&'static str, Fault> {
         let (key, section) = ("model".to_owned(), "the case".to_owned());
         return Err(Cause::MissingKey { key, section, expected }.at(root.place));
     };
-    let name = crate::section::text("model", node)?;
+    let name = judder_keys::section::text("model", node)?;
     if let Some(model) = MODELS.into_iter().find(|model| *model == name) {
         return Ok(model);
     }

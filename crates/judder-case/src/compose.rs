@@ -5,11 +5,11 @@ use toml_edit::{ArrayOfTables, DocumentMut, Item};
 
 use crate::anywhere::settle;
 use crate::case_file::{CaseFile, given_error, read_tree};
-use crate::cause::Cause;
-use crate::edited::{self, table_of};
-use crate::error::{CaseError, Fault, Place, Sources};
 use crate::study_sweep::StudySweep;
 use crate::study_sweep::quantity_path::{QuantityPath, QuantitySource};
+use judder_keys::cause::Cause;
+use judder_keys::edited::{self, table_of};
+use judder_keys::error::{CaseError, Fault, Place, Sources};
 
 /// The case of `text` with the options `set`, and with `analysis` in the place of all its analyses and sweeps; `None` keeps them.
 ///

@@ -1,22 +1,24 @@
 //! The analyses of a contact case.
 
 use crate::analysis::Kind;
-use crate::cause::Cause;
 use crate::contact_problem::ContactProblem;
-use crate::declared::{Declaration, Form, Ladder, Number, Scaled, Setting, Settings, Whole, all, both};
-use crate::dimension::Dimension;
-use crate::document::Node;
-use crate::error::Fault;
 use crate::inputs::{LawName, OscillatorInputs};
-use crate::keys::{Form as Given, Range, Value};
-use crate::memory::Memory;
-use crate::problem::Placed;
-use crate::section::{Section, whole};
 use crate::shape::Shape;
-use crate::span::Span;
-use crate::swept_keys::read_value;
 use crate::transient_analysis::TransientSettings;
-use judder_keys_derive::{Choice, Settings};
+use judder_keys::cause::Cause;
+use judder_keys::declared::{
+    Allowed, Declaration, Ladder, Number, Scaled, Setting, Settings, Whole, all, both,
+};
+use judder_keys::dimension::Dimension;
+use judder_keys::document::Node;
+use judder_keys::error::Fault;
+use judder_keys::memory::Memory;
+use judder_keys::numeric_key::read_value;
+use judder_keys::numeric_key::{Form, Range, Value};
+use judder_keys::problem::Placed;
+use judder_keys::section::{Section, whole};
+use judder_keys::span::Span;
+use judder_keys::{Choice, Settings};
 use serde_json::{Value as Json, json};
 
 /// What an analysis of a contact case computes.
@@ -142,9 +144,9 @@ pub const LAW_ACCURACY: f64 = 1e-2;
 
 /// The default range of speeds of `contact-law` and `fit`, v τ/R: a hundredfold of the paper's axis, as its fits are read at
 /// v τ/(100 R).
-pub const LAW_VELOCITY: Span = Span { from: 1e-6, to: 1e4, points: 51, form: Given::Group };
+pub const LAW_VELOCITY: Span = Span { from: 1e-6, to: 1e4, points: 51, form: Form::Group };
 /// The default range of indentations of `contact-law` and `fit`, δ/R.
-pub const LAW_INDENTATION: Span = Span { from: 1e-4, to: 1e-1, points: 16, form: Given::Group };
+pub const LAW_INDENTATION: Span = Span { from: 1e-4, to: 1e-1, points: 16, form: Form::Group };
 
 /// The cells along a side that a contact may be given, an even number: a coarser grid of half as many, at least 32, says
 /// how exact the finest is.
@@ -321,7 +323,7 @@ struct Load(Value);
 impl Setting for Load {
     type Rule = ();
 
-    fn form((): &()) -> Form {
+    fn form((): &()) -> Allowed {
         Value::form(&LOAD)
     }
 
@@ -341,10 +343,10 @@ struct EvenCells(usize);
 impl Setting for EvenCells {
     type Rule = ();
 
-    fn form((): &()) -> Form {
+    fn form((): &()) -> Allowed {
         let [from, to] = CELLS;
         let schema = json!({ "type": "integer", "minimum": from, "maximum": to, "multipleOf": 2 });
-        Form::Told { schema, words: format!("an even number from {from} to {to}"), keys: Vec::new() }
+        Allowed::Told { schema, words: format!("an even number from {from} to {to}"), keys: Vec::new() }
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {

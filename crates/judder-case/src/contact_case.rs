@@ -4,19 +4,19 @@ use std::path::Path;
 
 use crate::analysis::{Analysis, read_analyses};
 use crate::contact_analysis::{ContactAnalysis, ContactScope, KINDS};
-use crate::declared::{Declaration, Form, Settings};
-use crate::document::Node;
-use crate::error::Fault;
-use crate::file_reference::FileReference;
 use crate::inputs::{LawName, OscillatorInputs};
 use crate::keys::OscillatorKey;
-use crate::memory::Memory;
 use crate::oscillator_case::moduli_place;
-use crate::section::Section;
 use crate::shape::Shape;
 use crate::substrate::{RelaxationSource, Substrate, SubstrateKeys, read_substrate};
-use crate::swept_keys::read_value;
-use judder_keys_derive::Settings;
+use judder_keys::Settings;
+use judder_keys::declared::{Allowed, Declaration, Settings};
+use judder_keys::document::Node;
+use judder_keys::error::Fault;
+use judder_keys::file_reference::FileReference;
+use judder_keys::memory::Memory;
+use judder_keys::numeric_key::read_value;
+use judder_keys::section::Section;
 
 /// A validated contact case.
 #[derive(Debug, Clone, PartialEq)]
@@ -77,10 +77,10 @@ pub fn contact_numbers() -> Vec<String> {
         let of_key = |key: &Declaration| {
             let path = format!("{prefix}.{}", key.name);
             match &key.form {
-                Form::Number(_) => vec![path],
+                Allowed::Number(_) => vec![path],
                 // of what tells of itself, a quantity has examples
-                Form::Told { schema, .. } if schema.get("examples").is_some() => vec![path],
-                Form::Table { keys, .. } | Form::Told { keys, .. } => numbers(&path, keys),
+                Allowed::Told { schema, .. } if schema.get("examples").is_some() => vec![path],
+                Allowed::Table { keys, .. } | Allowed::Told { keys, .. } => numbers(&path, keys),
                 _ => Vec::new(),
             }
         };

@@ -2,8 +2,8 @@
 
 use thiserror::Error;
 
-use crate::memory::Memory;
-use crate::problem::Problem;
+use judder_keys::memory::Memory;
+use judder_keys::problem::Problem;
 use judder_numerics::words::plain;
 
 /// What is wrong, with what a caller needs in order to act.

@@ -1,15 +1,15 @@
 //! A continuous creep spectrum of the substrate: its density, and how few retardation times stand for it.
 
-use crate::cause::Cause;
 use crate::contact_problem::ContactProblem;
-use crate::declared::{Number, Several, Whole, both};
-use crate::dimension::Dimension;
-use crate::error::Fault;
 use crate::inputs::OscillatorInputs;
-use crate::keys::Range;
-use crate::section::Section;
 use crate::substrate::{TERM_LIMIT, TIME, Timed, are_terms};
-use judder_keys_derive::Settings;
+use judder_keys::Settings;
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Number, Several, Whole, both};
+use judder_keys::dimension::Dimension;
+use judder_keys::error::Fault;
+use judder_keys::numeric_key::Range;
+use judder_keys::section::Section;
 
 /// A continuous spectrum, and into how many terms it is taken apart.
 #[derive(Debug, Clone, PartialEq, Settings)]

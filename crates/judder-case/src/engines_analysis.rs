@@ -1,13 +1,13 @@
 //! `engines`: one cycle of an oscillator by three engines.
 
-use crate::declared::{Ladder, Scaled};
-use crate::dimension::Dimension;
-use crate::keys::{Form, Value};
 use crate::motion_analysis::{
     CYCLE_TOLERANCE, DURATION, MOTION_STEPS, MotionStart, SETTLING_DURATION, STEPS, TOLERANCE,
 };
-use crate::span::Span;
-use judder_keys_derive::Settings;
+use judder_keys::Settings;
+use judder_keys::declared::{Ladder, Scaled};
+use judder_keys::dimension::Dimension;
+use judder_keys::numeric_key::{Form, Value};
+use judder_keys::span::Span;
 
 /// What is compared.
 #[derive(Debug, Clone, PartialEq, Settings)]

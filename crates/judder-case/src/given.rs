@@ -1,9 +1,10 @@
 //! A value of a numeric key that comes from a program and not from a case file, read by the same rules.
 
-use crate::document::{Data, Node};
-use crate::error::{CaseError, Place, Sources};
-use crate::keys::{Form, OscillatorKey, Value};
-use crate::swept_keys::read_value;
+use crate::keys::OscillatorKey;
+use judder_keys::document::{Data, Node};
+use judder_keys::error::{CaseError, Place, Sources};
+use judder_keys::numeric_key::read_value;
+use judder_keys::numeric_key::{Form, Value};
 
 /// A value as a case file would have it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,8 +39,8 @@ impl OscillatorKey {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cause::Cause;
     use crate::keys::OscillatorKey::{DampingX, Radius, Velocity};
+    use judder_keys::cause::Cause;
 
     #[test]
     fn values_are_read_as_a_case_file_reads_them() {

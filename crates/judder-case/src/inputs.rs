@@ -1,8 +1,9 @@
 //! The numbers and choices of one oscillator operating point.
 
-use crate::cause::Cause;
-use crate::keys::{KEY_COUNT, KEYS, OscillatorKey, Value};
+use crate::keys::{KEY_COUNT, KEYS, OscillatorKey};
 use crate::oscillator_problem::OscillatorProblem;
+use judder_keys::cause::Cause;
+use judder_keys::numeric_key::Value;
 
 /// The contact law of an oscillator case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

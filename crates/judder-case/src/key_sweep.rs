@@ -1,14 +1,14 @@
 //! Any number of a case that varies: how its values are read, and how one is put back into the case.
 
-use crate::cause::Cause;
-use crate::dimension::Dimension;
-use crate::document::{Data, Node};
-use crate::error::{Fault, Place};
-use crate::problem::Placed;
-use crate::quantity::Quantity;
-use crate::section::{Section, finite_number, list, wrong_type};
 use crate::study_sweep::problem::SweepProblem;
 use crate::sweep::Scale;
+use judder_keys::cause::Cause;
+use judder_keys::dimension::Dimension;
+use judder_keys::document::{Data, Node};
+use judder_keys::error::{Fault, Place};
+use judder_keys::problem::Placed;
+use judder_keys::quantity::Quantity;
+use judder_keys::section::{Section, finite_number, list, wrong_type};
 
 /// Any number of a case with the values that it takes one after the other.
 #[derive(Debug, Clone, PartialEq)]

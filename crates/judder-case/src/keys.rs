@@ -2,88 +2,9 @@
 //!
 //! Reading, defaults, unit errors, `--set`, sweeps, the schema and the templates are all driven by [`KEYS`].
 
-use judder_numerics::words::plain;
+use judder_keys::dimension::Dimension;
+use judder_keys::numeric_key::{Key, Range, number, quantity};
 use std::fmt;
-
-use crate::dimension::Dimension;
-
-/// Whether a number is the paper's dimensionless group or a quantity in SI units.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Form {
-    /// A plain number in the case file: the group that [`Key::group`] names.
-    Group,
-    /// A quantity with a unit in the case file; the number is in SI units.
-    Si,
-}
-
-/// A number of a case with its form.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Value {
-    /// The number: a group, or in the SI unit of the key's dimension.
-    pub number: f64,
-    /// Which of the two it is.
-    pub form: Form,
-}
-
-impl Value {
-    /// A dimensionless group or pure number.
-    pub const fn group(number: f64) -> Self {
-        Self { number, form: Form::Group }
-    }
-
-    /// A number in SI units.
-    pub const fn si(number: f64) -> Self {
-        Self { number, form: Form::Si }
-    }
-}
-
-/// The numbers that a key takes; every number must be finite besides.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Range {
-    /// Above zero.
-    Positive,
-    /// Zero or above.
-    NonNegative,
-    /// Zero or above, below one.
-    Fraction,
-    /// Any finite number.
-    Any,
-    /// Above the first number, up to and including the second.
-    Interval {
-        /// Excluded lower end.
-        above: f64,
-        /// Included upper end.
-        up_to: f64,
-    },
-}
-
-impl Range {
-    /// Whether `number` lies in the range; a NaN lies in none.
-    pub fn contains(self, number: f64) -> bool {
-        number.is_finite()
-            && match self {
-                Self::Positive => number > 0.0,
-                Self::NonNegative => number >= 0.0,
-                Self::Fraction => (0.0..1.0).contains(&number),
-                Self::Any => true,
-                Self::Interval { above, up_to } => number > above && number <= up_to,
-            }
-    }
-}
-
-impl fmt::Display for Range {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Positive => formatter.write_str("positive"),
-            Self::NonNegative => formatter.write_str("zero or positive"),
-            Self::Fraction => formatter.write_str("zero or positive, and below one"),
-            Self::Any => formatter.write_str("finite"),
-            Self::Interval { above, up_to } => {
-                write!(formatter, "above {} and at most {}", plain(*above), plain(*up_to))
-            }
-        }
-    }
-}
 
 /// A numeric key of an oscillator case; its position in [`KEYS`] is `key as usize`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -127,7 +48,7 @@ pub const KEY_COUNT: usize = 16;
 
 impl OscillatorKey {
     /// The entry of this key in the table.
-    pub fn entry(self) -> &'static Key {
+    pub fn entry(self) -> &'static Key<Self> {
         &KEYS[self as usize]
     }
 
@@ -144,84 +65,8 @@ impl fmt::Display for OscillatorKey {
     }
 }
 
-/// One entry of the table of keys.
-#[derive(Debug, Clone, Copy)]
-pub struct Key<K = OscillatorKey> {
-    /// The key itself.
-    pub key: K,
-    /// Its dotted path in the case file, such as `section.name`.
-    pub path: &'static str,
-    /// The paper's symbol of the dimensional quantity, or of the pure number.
-    pub symbol: &'static str,
-    /// The dimension of a value with a unit.
-    pub dimension: Dimension,
-    /// The dimensionless group that a plain number is; without one the key takes only a quantity with a unit.
-    pub group: Option<&'static str>,
-    /// Whether a temperature is meant as a difference: degrees Celsius, with their own zero, are then refused.
-    pub difference: bool,
-    /// The numbers allowed, as group and in SI units alike.
-    pub range: Range,
-    /// The oscillator paper's value: as a case file writes it (without quotes), and read.
-    pub default: Option<(&'static str, Value)>,
-    /// What the key is, in one line.
-    pub doc: &'static str,
-}
-
-impl<K> Key<K> {
-    /// An example of a value with a unit.
-    pub fn example(&self) -> String {
-        if self.difference { "51.6 K".to_owned() } else { self.dimension.example() }
-    }
-
-    /// What stands at an axis: the group or pure number, or the symbol with its SI unit.
-    pub fn label(&self, form: Form) -> String {
-        match (form, self.group) {
-            (Form::Group, Some(group)) => group.to_owned(),
-            _ => format!("{} ({})", self.symbol, self.dimension.unit()),
-        }
-    }
-
-    /// The section of the key, such as `operation`.
-    pub fn section(&self) -> &'static str {
-        self.path.split_once('.').map_or("", |(section, _)| section)
-    }
-
-    /// The name of the key in its table, such as `velocity`.
-    pub fn name(&self) -> &'static str {
-        self.path.rsplit_once('.').map_or(self.path, |(_, name)| name)
-    }
-}
-
-/// An entry that takes a pure number only.
-pub(crate) const fn number<K: Copy>(
-    key: K,
-    path: &'static str,
-    symbol: &'static str,
-    range: Range,
-    default: (&'static str, f64),
-    doc: &'static str,
-) -> Key<K> {
-    let default = Some((default.0, Value::group(default.1)));
-    let group = Some(symbol);
-    Key { key, path, symbol, dimension: Dimension::NUMBER, group, difference: false, range, default, doc }
-}
-
-/// An entry that takes a quantity with a unit only.
-pub(crate) const fn quantity<K: Copy>(
-    key: K,
-    path: &'static str,
-    symbol: &'static str,
-    dimension: Dimension,
-    default: (&'static str, f64),
-    doc: &'static str,
-) -> Key<K> {
-    let default = Some((default.0, Value::si(default.1)));
-    let range = Range::Positive;
-    Key { key, path, symbol, dimension, group: None, difference: false, range, default, doc }
-}
-
 /// Every numeric key of an oscillator case, in the order of the case file. The defaults are the oscillator paper's.
-pub static KEYS: [Key; KEY_COUNT] = [
+pub static KEYS: [Key<OscillatorKey>; KEY_COUNT] = [
     quantity(
         OscillatorKey::RubberyModulus,
         "substrate.rubbery_modulus",
@@ -373,7 +218,8 @@ pub static KEYS: [Key; KEY_COUNT] = [
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quantity::Quantity;
+    use judder_keys::numeric_key::Form;
+    use judder_keys::quantity::Quantity;
 
     #[test]
     fn axes_are_labelled_in_both_forms() {

@@ -1,6 +1,6 @@
 //! When a 2×2 matrix is a mass matrix: symmetric and positive definite.
 
-use crate::problem::Problem;
+use judder_keys::problem::Problem;
 use thiserror::Error;
 
 /// A matrix that is no mass matrix.

@@ -1,12 +1,12 @@
 //! The matrices of a two-degrees case: compiled entries, refused while reading where no sweep can mend them.
 
-use crate::cause::Cause;
-use crate::document::{Data, Node};
-use crate::error::Fault;
-use crate::expression::Expression;
 use crate::mass::{NoMass, check_mass};
-use crate::problem::Placed;
-use crate::section::{Section, finite_number, list, wrong_type};
+use judder_keys::cause::Cause;
+use judder_keys::document::{Data, Node};
+use judder_keys::error::Fault;
+use judder_keys::expression::Expression;
+use judder_keys::problem::Placed;
+use judder_keys::section::{Section, finite_number, list, wrong_type};
 
 /// One matrix: compiled entries, and their texts for the record.
 #[derive(Debug, Clone)]

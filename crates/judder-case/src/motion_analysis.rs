@@ -1,16 +1,16 @@
 //! The analyses of motion, which the oscillator and the mass on a belt share.
 
 use crate::analysis::Kind;
-use crate::cause::Cause;
-use crate::declared::{Declaration, Number, Pair, Scaled, Settings, Whole, both};
-use crate::dimension::Dimension;
-use crate::error::Fault;
-use crate::keys::{Range, Value};
 use crate::read_sweep::{SWEEP, same_form};
-use crate::section::Section;
 use crate::sweep::Sweep;
 use crate::swept_keys::SweptKeys;
-use judder_keys_derive::{Choice, Settings};
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Declaration, Number, Pair, Scaled, Settings, Whole, both};
+use judder_keys::dimension::Dimension;
+use judder_keys::error::Fault;
+use judder_keys::numeric_key::{Range, Value};
+use judder_keys::section::Section;
+use judder_keys::{Choice, Settings};
 use serde_json::{Map, Value as Json};
 
 /// What an analysis of motion computes.

@@ -1,20 +1,20 @@
 //! The analyses of an oscillator case.
 
 use crate::analysis::Kind;
-use crate::cause::Cause;
-use crate::declared::{Declaration, Settings, both};
 use crate::engines_analysis::EnginesSettings;
-use crate::error::Fault;
 use crate::keys::OscillatorKey;
 use crate::motion_analysis::{MotionAnalysis, MotionKinds, MotionModel};
 use crate::read_sweep::{
     PlacedSweep, SWEEP, family_declaration, map_declarations, read_family, read_map, read_within,
     within_declaration, write_family, write_map, write_within,
 };
-use crate::section::Section;
 use crate::sweep::{Family, StabilityMap, Sweep, Within};
 use crate::swept_keys::{OscillatorKeys, SweptKeys};
-use judder_keys_derive::Settings;
+use judder_keys::Settings;
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Declaration, Settings, both};
+use judder_keys::error::Fault;
+use judder_keys::section::Section;
 use serde_json::{Map, Value as Json};
 
 /// What an analysis of an oscillator case computes.

@@ -3,20 +3,22 @@
 use std::path::Path;
 
 use crate::analysis::{Analysis, read_analyses};
-use crate::cause::Cause;
 use crate::contact_analysis::{ACCURACY, LAW_ACCURACY};
-use crate::declared::Setting;
-use crate::document::{Data, Node};
-use crate::error::{Fault, Place};
-use crate::file_reference::{FileReference, read_file_reference};
 use crate::inputs::{FrictionLoad, LawName, OscillatorInputs, TimeForm};
-use crate::keys::{KEYS, Key};
+use crate::keys::KEYS;
 use crate::oscillator_analysis::{KINDS, OscillatorAnalysis};
 use crate::oscillator_problem::OscillatorProblem;
-use crate::problem::Placed;
-use crate::section::Section;
 use crate::substrate::{RelaxationSource, Substrate, read_substrate};
-use crate::swept_keys::{OscillatorKeys, read_value};
+use crate::swept_keys::OscillatorKeys;
+use judder_keys::cause::Cause;
+use judder_keys::declared::Setting;
+use judder_keys::document::{Data, Node};
+use judder_keys::error::{Fault, Place};
+use judder_keys::file_reference::{FileReference, read_file_reference};
+use judder_keys::numeric_key::Key;
+use judder_keys::numeric_key::read_value;
+use judder_keys::problem::Placed;
+use judder_keys::section::Section;
 
 /// A validated oscillator case.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,7 +1,7 @@
 //! What can be wrong with the law of an oscillator case, beyond types, units and ranges.
 
 use crate::inputs::LawName;
-use crate::problem::Problem;
+use judder_keys::problem::Problem;
 use thiserror::Error;
 
 /// What is wrong, with what a caller needs in order to act.

@@ -1,15 +1,16 @@
 //! Reading of sweeps, families, root ranges and maps from the tables of an analysis.
 
-use crate::cause::Cause;
-use crate::declared::{Declaration, Form as Allowed, Scaled, Setting, Settings, Whole, both};
-use crate::document::Data;
-use crate::error::{Fault, Place};
-use crate::keys::{Form, Key, Range, Value};
-use crate::section::{Section, list, text, wrong_type};
 use crate::sweep::{
     Family, MAP_BYTES_LIMIT, MAP_BYTES_PER_POINT, MapOptions, Scale, StabilityMap, Sweep, Within,
 };
-use crate::swept_keys::{SweptKeys, read_value};
+use crate::swept_keys::SweptKeys;
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Allowed, Declaration, Scaled, Setting, Settings, Whole, both};
+use judder_keys::document::Data;
+use judder_keys::error::{Fault, Place};
+use judder_keys::numeric_key::read_value;
+use judder_keys::numeric_key::{Form, Key, Range, Value};
+use judder_keys::section::{Section, list, text, wrong_type};
 use serde_json::{Map, Value as Json, json};
 
 /// A key of an analysis under which a key of the case goes over a range.

@@ -8,12 +8,12 @@ use crate::analysis::Kind;
 use crate::belt_case::{self, BELT_KEYS};
 use crate::contact_analysis;
 use crate::contact_case::IndenterKeys;
-use crate::declared::{Declaration, Settings};
 use crate::oscillator_analysis;
 use crate::substrate::SubstrateKeys;
 use crate::two_degrees;
-use crate::{FrictionLoad, KEYS, Key, LawName, Range};
-use std::collections::HashSet;
+use crate::{FrictionLoad, KEYS, LawName};
+use judder_keys::declared::Settings;
+use judder_keys::reference::{row, settings, without_repetition};
 
 /// The page, as Markdown.
 pub fn reference() -> String {
@@ -133,32 +133,6 @@ A `transient` takes `motion`, `duration`, and either `indentation` or `load`. `m
 substrate at time 0.
 ";
 
-/// One row of a table of keys.
-fn row<K>(key: &Key<K>) -> String {
-    let number = match (key.group, key.dimension.is_number()) {
-        (Some(group), _) => group.to_owned(),
-        (None, true) => "the number".to_owned(),
-        (None, false) => "not allowed".to_owned(),
-    };
-    let string = match key.dimension.is_number() {
-        true => "not allowed".to_owned(),
-        false => key.example().replace("\" or \"", " or "),
-    };
-    let default = key.default.map_or(String::new(), |(text, _)| format!("`{text}`"));
-    let (range, doc) = (allowed(key.range), key.doc);
-    format!("| `{}` | {} | {number} | {string} | {default} | {range} | {doc} |\n", key.path, key.symbol)
-}
-
-pub(crate) fn allowed(range: Range) -> String {
-    match range {
-        Range::Positive => "> 0".to_owned(),
-        Range::NonNegative => "≥ 0".to_owned(),
-        Range::Fraction => "≥ 0, < 1".to_owned(),
-        Range::Any => "any".to_owned(),
-        Range::Interval { above, up_to } => format!("> {above}, ≤ {up_to}").replace('-', "−"),
-    }
-}
-
 fn kinds<S, T>(kinds: &[Kind<S, T>]) -> String {
     let mut table =
         String::from("| kind | keys beside `name` and `kind` | what it computes |\n| --- | --- | --- |\n");
@@ -169,21 +143,6 @@ fn kinds<S, T>(kinds: &[Kind<S, T>]) -> String {
     }
     let declared = kinds.iter().map(|kind| settings(kind.name, &(kind.declared)()));
     without_repetition(&declared.fold(table, |page, own| page + &own))
-}
-
-/// Leaves out the keys of a table that stand further above, as those of a sweep do.
-fn without_repetition(page: &str) -> String {
-    let is_inner =
-        |line: &str| line.starts_with("| `") && line.split('`').nth(1).is_some_and(|key| key.contains('.'));
-    let mut before = HashSet::new();
-    page.split_inclusive('\n').filter(|line| !is_inner(line) || before.insert(line.to_owned())).collect()
-}
-
-/// The keys of declared settings.
-fn settings(name: &str, keys: &[Declaration]) -> String {
-    let head = "| key | symbol | may be | where left out | what it is |\n| --- | --- | --- | --- | --- |\n";
-    let rows: String = keys.iter().map(|key| key.rows("")).collect();
-    format!("\nKeys of `{name}`:\n\n{head}{rows}")
 }
 
 #[cfg(test)]

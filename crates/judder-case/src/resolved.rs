@@ -11,15 +11,16 @@ use crate::belt_case::{BELT_KEYS, BeltCase, BeltKeys};
 use crate::case_file::Case;
 use crate::contact_analysis::ContactAnalysis;
 use crate::contact_case::ContactCase;
-use crate::declared::{Setting, Settings};
-use crate::dimension::Dimension;
 use crate::inputs::{LawName, TimeForm};
-use crate::keys::{Form, KEYS, OscillatorKey};
+use crate::keys::{KEYS, OscillatorKey};
 use crate::motion_analysis::MotionAnalysis;
 use crate::oscillator_analysis::OscillatorAnalysis;
 use crate::oscillator_case::OscillatorCase;
 use crate::substrate::{Substrate, SubstrateKeys};
 use crate::two_degrees::{TwoDegreesAnalysis, TwoDegreesCase};
+use judder_keys::declared::{Setting, Settings};
+use judder_keys::dimension::Dimension;
+use judder_keys::numeric_key::Form;
 
 impl Case {
     /// The case with every default filled in, for the hash of a study and for its report.

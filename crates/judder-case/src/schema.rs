@@ -12,13 +12,14 @@ use serde_json::{Map, Value as Json, json};
 use crate::analysis::Kind;
 use crate::belt_case::{self, BELT_KEYS, BELT_SECTIONS};
 use crate::contact_analysis::LawSettings;
-use crate::declared::{Declaration, Settings};
 use crate::inputs::{FrictionLoad, LawName};
-use crate::keys::{KEYS, Key, Range};
+use crate::keys::KEYS;
 use crate::oscillator_case::SECTIONS;
 use crate::substrate::SubstrateKeys;
 use crate::sweep::Scale;
 use crate::{oscillator_analysis, two_degrees};
+use judder_keys::declared::{Declaration, Settings};
+use judder_keys::schema::{choice, key, names, object, reference, table, with_declared};
 
 /// The JSON Schema (draft 2020-12) of case files of all models, with descriptions and defaults.
 ///
@@ -48,73 +49,6 @@ pub fn schema() -> Json {
         "$defs": definitions,
     });
     json.sort_all_objects();
-    json
-}
-
-/// A table with these keys and no others.
-fn table(description: &str, properties: Map<String, Json>, required: &[&str]) -> Json {
-    json!({
-        "type": "object", "description": description, "properties": properties, "required": required,
-        "additionalProperties": false,
-    })
-}
-
-fn object<const N: usize>(entries: [(&str, Json); N]) -> Map<String, Json> {
-    entries.into_iter().map(|(key, value)| (key.to_owned(), value)).collect()
-}
-
-fn names<'a>(names: impl IntoIterator<Item = &'a str>, description: &str) -> Json {
-    json!({ "enum": names.into_iter().collect::<Vec<_>>(), "description": description })
-}
-
-fn choice<const N: usize>(choices: [&str; N], default: &str, description: &str) -> Json {
-    let mut json = names(choices, description);
-    json["default"] = json!(default);
-    json
-}
-
-pub(crate) fn reference(definition: &str) -> Json {
-    json!({ "$ref": format!("#/$defs/{definition}") })
-}
-
-/// A plain number in a range.
-pub(crate) fn plain_number(range: Range) -> Json {
-    let mut json = match range {
-        Range::Positive => json!({ "exclusiveMinimum": 0.0 }),
-        Range::NonNegative => json!({ "minimum": 0.0 }),
-        Range::Fraction => json!({ "minimum": 0.0, "exclusiveMaximum": 1.0 }),
-        Range::Any => json!({}),
-        Range::Interval { above, up_to } => json!({ "exclusiveMinimum": above, "maximum": up_to }),
-    };
-    json["type"] = json!("number");
-    json
-}
-
-/// What a numeric key takes: a group, a quantity in quotes, or either.
-pub(crate) fn scaled_number<K>(entry: &Key<K>) -> Json {
-    let mut forms = Vec::new();
-    if let Some(group) = entry.group {
-        let mut form = plain_number(entry.range);
-        form["description"] = json!(group);
-        forms.push(form);
-    }
-    if !entry.dimension.is_number() {
-        let example = entry.example();
-        let examples: Vec<_> = example.split("\" or \"").collect();
-        forms.push(json!({
-            "type": "string", "description": entry.dimension.to_string(), "examples": examples,
-        }));
-    }
-    json!({ "anyOf": forms })
-}
-
-/// A numeric key of a table of keys.
-fn key<K>(entry: &Key<K>) -> Json {
-    let mut json = scaled_number(entry);
-    json["description"] = json!(format!("{}: {}", entry.symbol, entry.doc));
-    if let Some((text, value)) = entry.default {
-        json["default"] = if entry.group.is_some() { json!(value.number) } else { json!(text) };
-    }
     json
 }
 
@@ -199,41 +133,6 @@ fn two_degrees_case() -> Json {
 /// The name of an analysis, which is that of its kind where it has none.
 fn name_of(kind: &str) -> Json {
     json!({ "type": "string", "pattern": "^[A-Za-z0-9_-][A-Za-z0-9._-]{0,99}$", "default": kind })
-}
-
-/// A table of declared settings.
-pub(crate) fn declared_table(description: &str, keys: &[Declaration]) -> Json {
-    with_declared(description, Map::new(), keys, &[])
-}
-
-/// A table of declared settings beside other keys.
-fn with_declared(
-    description: &str,
-    mut properties: Map<String, Json>,
-    keys: &[Declaration],
-    required: &[&str],
-) -> Json {
-    properties.extend(keys.iter().map(|key| (key.name.to_owned(), key.schema())));
-    let own = keys.iter().filter(|key| key.must_stand()).map(|key| key.name);
-    let required: Vec<&str> = required.iter().copied().chain(own).collect();
-    let mut json = table(description, properties, &required);
-    let of_alternative = |index: usize| keys.iter().filter(move |key| key.alternative == Some(index));
-    // where no key of any is given, the first alternative is meant
-    if of_alternative(0).any(|key| key.is_required) {
-        let last = keys.iter().filter_map(|key| key.alternative).max().unwrap_or(0);
-        json["oneOf"] = (0..=last).map(|index| given(of_alternative(index))).collect();
-    }
-    json
-}
-
-/// That all of these keys are given which must be, or one where none must.
-fn given<'a>(keys: impl Iterator<Item = &'a Declaration>) -> Json {
-    let (required, others): (Vec<_>, Vec<_>) = keys.partition(|key| key.is_required);
-    if required.is_empty() {
-        let one = |key: &Declaration| json!({ "required": [key.name] });
-        return json!({ "anyOf": others.into_iter().map(one).collect::<Vec<_>>() });
-    }
-    json!({ "required": required.iter().map(|key| key.name).collect::<Vec<_>>() })
 }
 
 /// The list of analyses: one alternative a kind.

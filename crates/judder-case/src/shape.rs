@@ -2,18 +2,18 @@
 
 use std::path::Path;
 
-use crate::cause::Cause;
 use crate::contact_problem::ContactProblem;
-use crate::declared::{Declaration, Form, Number, Setting, Settings, Whole, both};
-use crate::dimension::Dimension;
-use crate::document::{Data, Node};
-use crate::error::Fault;
-use crate::file_reference::{FileReference, read_file_reference};
-use crate::keys::Range;
-use crate::problem::Placed;
-use crate::schema::declared_table;
-use crate::section::{Section, word};
-use judder_keys_derive::Settings;
+use judder_keys::Settings;
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Allowed, Declaration, Number, Setting, Settings, Whole, both};
+use judder_keys::dimension::Dimension;
+use judder_keys::document::{Data, Node};
+use judder_keys::error::Fault;
+use judder_keys::file_reference::{FileReference, read_file_reference};
+use judder_keys::numeric_key::Range;
+use judder_keys::problem::Placed;
+use judder_keys::schema::declared_table;
+use judder_keys::section::{Section, word};
 use serde_json::{Value as Json, json};
 
 /// The shape of the indenter.
@@ -142,7 +142,7 @@ impl Setting for Shape {
         Some(Self::Paraboloid)
     }
 
-    fn form((): &()) -> Form {
+    fn form((): &()) -> Allowed {
         let words = Self::WORDS.map(|(word, _)| word);
         let rough: Declaration = Surface::declarations().remove(0);
         let schema = json!({
@@ -155,7 +155,7 @@ impl Setting for Shape {
         });
         let words = words.map(|word| format!("`\"{word}\"`")).join(", ");
         let keys = HeightFile::declarations().into_iter().chain([rough]).collect();
-        Form::Told { schema, words: format!("{words}, or a table with `heights` or `rough`"), keys }
+        Allowed::Told { schema, words: format!("{words}, or a table with `heights` or `rough`"), keys }
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {

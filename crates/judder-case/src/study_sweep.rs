@@ -18,11 +18,12 @@ mod trial;
 pub(crate) use read::read_sweeps;
 pub(crate) use trial::at;
 
-use crate::dimension::Dimension;
 use crate::key_sweep;
-use crate::keys::{Form, OscillatorKey};
+use crate::keys::OscillatorKey;
 use crate::sweep::Scale;
 use design::Sampler;
+use judder_keys::dimension::Dimension;
+use judder_keys::numeric_key::Form;
 use quantity_path::QuantityPath;
 
 /// A sweep of the whole case.

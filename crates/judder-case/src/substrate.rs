@@ -2,21 +2,22 @@
 
 use std::path::Path;
 
-use crate::cause::Cause;
 use crate::contact_problem::ContactProblem;
 use crate::continuous::{ContinuousSource, Density};
-use crate::declared::{Form, Number, Setting, Settings, Several, all, both, conflict};
-use crate::dimension::Dimension;
-use crate::document::{Data, Node};
-use crate::error::Fault;
-use crate::file_reference::{FileReference, read_file_reference};
 use crate::inputs::OscillatorInputs;
-use crate::keys::{KEYS, Key, OscillatorKey, Value};
-use crate::problem::Placed;
-use crate::section::{Section, list, whole, wrong_type};
-use crate::swept_keys::read_value;
+use crate::keys::{KEYS, OscillatorKey};
 use crate::temperature::{Shift, Temperature};
-use judder_keys_derive::Settings;
+use judder_keys::Settings;
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Allowed, Number, Setting, Settings, Several, all, both, conflict};
+use judder_keys::dimension::Dimension;
+use judder_keys::document::{Data, Node};
+use judder_keys::error::Fault;
+use judder_keys::file_reference::{FileReference, read_file_reference};
+use judder_keys::numeric_key::read_value;
+use judder_keys::numeric_key::{Key, Value};
+use judder_keys::problem::Placed;
+use judder_keys::section::{Section, list, whole, wrong_type};
 use serde_json::{Value as Json, json};
 
 /// What `[substrate]` says beside its numeric keys.
@@ -218,12 +219,12 @@ impl Timed for RelaxationTerm {
 impl Setting for TermCount {
     type Rule = ();
 
-    fn form((): &()) -> Form {
+    fn form((): &()) -> Allowed {
         let schema = json!({
             "anyOf": [{ "type": "integer", "minimum": 1, "maximum": TERM_LIMIT }, { "const": "auto" }],
         });
         let words = format!("an integer from 1 to {TERM_LIMIT}, or `\"auto\"`");
-        Form::Told { schema, words, keys: Vec::new() }
+        Allowed::Told { schema, words, keys: Vec::new() }
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {

@@ -2,8 +2,9 @@
 
 use crate::belt_case::{BeltInputs, BeltKey};
 use crate::inputs::OscillatorInputs;
-use crate::keys::{Form, OscillatorKey, Value};
-use judder_keys_derive::{Choice, Settings};
+use crate::keys::OscillatorKey;
+use judder_keys::numeric_key::{Form, Value};
+use judder_keys::{Choice, Settings};
 
 /// How the points of a sweep are spaced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]

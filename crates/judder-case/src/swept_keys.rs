@@ -1,17 +1,16 @@
 //! What can be swept: the numeric keys of an oscillator case, or the parameters of a two-degrees case.
 
-use crate::cause::Cause;
 use crate::contact_problem::ContactProblem;
-use crate::declared::{Form as Allowed, Number};
-use crate::dimension::Dimension;
-use crate::document::{Data, Node};
-use crate::error::Fault;
 use crate::inputs::{LawName, OscillatorInputs};
-use crate::keys::{Form, KEYS, Key, OscillatorKey, Value};
-use crate::quantity::Quantity;
-use crate::schema;
-use crate::section::{finite_number, text, wrong_type};
+use crate::keys::{KEYS, OscillatorKey};
 use crate::sweep::ParameterKey;
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Allowed, Number};
+use judder_keys::dimension::Dimension;
+use judder_keys::document::Node;
+use judder_keys::error::Fault;
+use judder_keys::numeric_key::{Form, Value, read_value};
+use judder_keys::section::finite_number;
 use serde_json::{Value as Json, json};
 
 /// The keys that the analyses of one case can vary.
@@ -56,72 +55,7 @@ pub(crate) trait SweptKeys {
 /// One of the numeric keys that a definition of the schema lists.
 pub(crate) fn key_among(definition: &str) -> Allowed {
     let words = "the dotted path of a number of the case".to_owned();
-    Allowed::Told { schema: schema::reference(definition), words, keys: Vec::new() }
-}
-
-/// Reads the value of a numeric key: a plain number is its group, a string carries a unit.
-pub(crate) fn read_value<K>(entry: &Key<K>, name: &str, node: &Node) -> Result<Value, Fault> {
-    let value = match &node.data {
-        Data::Number { .. } => {
-            let number = finite_number(name, node)?;
-            if entry.group.is_none() {
-                return Err(
-                    Cause::NeedsUnit { key: name.to_owned(), dimension: entry.dimension }.at(node.place)
-                );
-            }
-            Value::group(number)
-        }
-        Data::Text(text) if !entry.dimension.is_number() => read_quantity(entry, name, text, node)?,
-        _ => {
-            let expected = match (entry.group, entry.dimension.is_number()) {
-                (_, true) => "a plain number".to_owned(),
-                (None, false) => {
-                    format!("{} in quotes, such as \"{}\"", entry.dimension, entry.example())
-                }
-                (Some(group), false) => {
-                    format!(
-                        "a plain number ({group}) or {} in quotes, such as \"{}\"",
-                        entry.dimension,
-                        entry.example()
-                    )
-                }
-            };
-            return Err(wrong_type(name, &expected, node));
-        }
-    };
-    if entry.range.contains(value.number) {
-        return Ok(value);
-    }
-    Err(Cause::OutOfRange { key: name.to_owned(), number: value.number, range: entry.range }.at(node.place))
-}
-
-/// Reads a quantity of this dimension, in SI units; an error calls it `name`.
-pub(crate) fn read_si(name: &str, dimension: Dimension, node: &Node) -> Result<f64, Fault> {
-    let (key, text) = (name.to_owned(), text(name, node)?);
-    let quantity = Quantity::parse(text).map_err(|(problem, range)| {
-        Cause::Quantity { key: key.clone(), dimension, problem }.at(node.part(range))
-    })?;
-    if quantity.dimension == dimension {
-        return Ok(quantity.number);
-    }
-    Err(Cause::WrongDimension { key, expected: dimension, found: quantity.dimension, group: None }
-        .at(node.place))
-}
-
-fn read_quantity<K>(entry: &Key<K>, name: &str, text: &str, node: &Node) -> Result<Value, Fault> {
-    let dimension = entry.dimension;
-    let quantity = Quantity::parse(text).map_err(|(problem, range)| {
-        Cause::Quantity { key: name.to_owned(), dimension, problem }.at(node.part(range))
-    })?;
-    if entry.difference && Quantity::is_celsius(text) {
-        let problem = Cause::Difference { key: name.to_owned(), example: entry.example() };
-        return Err(problem.at(node.place));
-    }
-    if quantity.dimension == dimension {
-        return Ok(Value { number: quantity.number, form: Form::Si });
-    }
-    let (key, found) = (name.to_owned(), quantity.dimension);
-    Err(Cause::WrongDimension { key, expected: dimension, found, group: entry.group }.at(node.place))
+    Allowed::Told { schema: judder_keys::schema::reference(definition), words, keys: Vec::new() }
 }
 
 /// The numeric keys of an oscillator case, around its operating point.

@@ -1,14 +1,14 @@
 //! A temperature of the substrate, and the rule by which it moves all times of the spectrum.
 
-use crate::declared::{Form, Number, Setting, Settings, conflict};
-use crate::dimension::Dimension;
-use crate::document::Node;
-use crate::error::Fault;
-use crate::keys::{Key, Range};
-use crate::schema::declared_table;
-use crate::section::Section;
-use crate::swept_keys::read_value;
-use judder_keys_derive::Settings;
+use judder_keys::Settings;
+use judder_keys::declared::{Allowed, Number, Setting, Settings, conflict};
+use judder_keys::dimension::Dimension;
+use judder_keys::document::Node;
+use judder_keys::error::Fault;
+use judder_keys::numeric_key::read_value;
+use judder_keys::numeric_key::{Key, Range};
+use judder_keys::schema::declared_table;
+use judder_keys::section::Section;
 use serde_json::{Value as Json, json};
 
 /// A temperature and the rule by which it moves all times.
@@ -86,12 +86,12 @@ impl ShiftKeys {
 impl Setting for Shift {
     type Rule = ();
 
-    fn form((): &()) -> Form {
+    fn form((): &()) -> Allowed {
         let keys = ShiftKeys::declarations();
         let mut schema = declared_table(ShiftKeys::DOC, &keys);
         schema["minProperties"] = json!(1);
         schema["maxProperties"] = json!(1);
-        Form::Told { schema, words: "a table with `wlf` or `arrhenius`".to_owned(), keys }
+        Allowed::Told { schema, words: "a table with `wlf` or `arrhenius`".to_owned(), keys }
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
@@ -130,10 +130,10 @@ impl TemperatureDifference {
 impl Setting for TemperatureDifference {
     type Rule = ();
 
-    fn form((): &()) -> Form {
+    fn form((): &()) -> Allowed {
         let schema = json!({ "type": "string", "examples": [Self::ENTRY.example()] });
         let words = format!("a difference of temperatures such as {}, > 0", Self::ENTRY.example());
-        Form::Told { schema, words, keys: Vec::new() }
+        Allowed::Told { schema, words, keys: Vec::new() }
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {

@@ -1,12 +1,13 @@
 //! The commented case files that `judder new` prints; the sections are generated from the table of keys.
 
 use crate::belt_case::{BELT_KEYS, BELT_SECTIONS};
-use crate::cause::Cause;
 use crate::contact_case::ContactCase;
-use crate::error::CaseError;
 use crate::inputs::OscillatorInputs;
-use crate::keys::{Form, KEYS, Key, OscillatorKey};
+use crate::keys::{KEYS, OscillatorKey};
 use crate::oscillator_case::SECTIONS;
+use judder_keys::cause::Cause;
+use judder_keys::error::CaseError;
+use judder_keys::numeric_key::{Form, Key};
 
 /// The names of the templates; the first is the default of `judder new`.
 pub const TEMPLATES: [&str; 6] = ["oscillator", "contact", "belt", "two-degrees", "structure", "beams-paper"];
@@ -73,7 +74,7 @@ fn contact() -> String {
 
 /// `velocity = 1e-4  # v_d τ/R, or with a unit ("30 mm/s"): driving speed`; a key
 /// without a default shows, as a comment, the value that follows from the others.
-fn line(entry: &Key) -> String {
+fn line(entry: &Key<OscillatorKey>) -> String {
     let (mark, value) = match entry.default {
         Some((text, value)) if value.form == Form::Group => ("", text.to_owned()),
         Some((text, _)) => ("", format!("\"{text}\"")),

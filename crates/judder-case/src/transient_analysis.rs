@@ -1,14 +1,14 @@
 //! The settings of a contact that is followed in time.
 
-use crate::cause::Cause;
 use crate::contact_analysis::{ContactScope, FREQUENCY, INDENTATION, LOAD, Loading, VELOCITY};
-use crate::declared::{Scaled, Settings, Whole, all, both};
-use crate::dimension::Dimension;
-use crate::error::Fault;
-use crate::keys::{Range, Value};
-use crate::memory::Memory;
-use crate::section::Section;
-use judder_keys_derive::{Choice, Settings};
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Scaled, Settings, Whole, all, both};
+use judder_keys::dimension::Dimension;
+use judder_keys::error::Fault;
+use judder_keys::memory::Memory;
+use judder_keys::numeric_key::{Range, Value};
+use judder_keys::section::Section;
+use judder_keys::{Choice, Settings};
 
 /// A contact that is followed in time.
 #[derive(Debug, Clone, Copy, PartialEq, Settings)]

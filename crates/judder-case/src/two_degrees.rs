@@ -1,15 +1,15 @@
 //! The two-degrees case: M, C and K as expressions of a few parameters, for benchmarks and minimal models.
 
 use crate::analysis::{Analysis, Kind, read_analyses};
-use crate::cause::Cause;
-use crate::document::{Data, Node};
-use crate::error::Fault;
-use crate::expression::is_parameter_name;
 use crate::matrix::{Matrix, Scope, read_mass, read_matrix};
 use crate::read_sweep::{Axis, SWEEP, map_declarations, read_map, write_map};
-use crate::section::{Section, finite_number, wrong_type};
 use crate::sweep::{ParameterKey, StabilityMap, Sweep};
 use crate::swept_keys::ParameterKeys;
+use judder_keys::cause::Cause;
+use judder_keys::document::{Data, Node};
+use judder_keys::error::Fault;
+use judder_keys::expression::is_parameter_name;
+use judder_keys::section::{Section, finite_number, wrong_type};
 use serde_json::{Map, Value as Json};
 
 /// A validated two-degrees case.

@@ -4,8 +4,8 @@ use std::fmt::{self, Display};
 use std::io;
 use std::path::Path;
 
-use judder_case::CaseError;
 use judder_explorer::ExplorerError;
+use judder_keys::error::CaseError;
 use judder_study::StudyError;
 use judder_study::run::RefusedAnalysis;
 use miette::{Diagnostic, Severity};

@@ -3,7 +3,7 @@
 use std::io;
 use std::net::SocketAddr;
 
-use judder_case::CaseError;
+use judder_keys::error::CaseError;
 use judder_study::StudyError;
 use thiserror::Error;
 

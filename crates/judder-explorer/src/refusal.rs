@@ -3,7 +3,7 @@
 use axum::Json;
 use axum::http::StatusCode;
 use axum::response::{IntoResponse, Response};
-use judder_case::CaseError;
+use judder_keys::error::CaseError;
 use judder_study::StudyError;
 use serde_json::{Value, json};
 

@@ -2,7 +2,8 @@
 
 use crate::error::ExplorerError;
 use crate::refusal::Refusal;
-use judder_case::{Case, CaseFile, FileReference, TEMPLATES, template};
+use judder_case::{Case, CaseFile, TEMPLATES, template};
+use judder_keys::file_reference::FileReference;
 use judder_study::StudyError;
 use judder_study::law_cache::LawCache;
 use judder_study::sliding_shapes::{ShapedPair, SlidingShapes};

@@ -45,20 +45,20 @@ pub(crate) fn derive(input: &DeriveInput) -> Result<TokenStream> {
             }
         }
 
-        impl crate::declared::Setting for #name {
+        impl ::judder_keys::declared::Setting for #name {
             type Rule = ();
 
-            fn form((): &()) -> crate::declared::Form {
-                crate::declared::Form::Choice { words: &[#((#words, #docs)),*] }
+            fn form((): &()) -> ::judder_keys::declared::Allowed {
+                ::judder_keys::declared::Allowed::Choice { words: &[#((#words, #docs)),*] }
             }
 
             fn read(
-                section: &crate::section::Section<'_>,
+                section: &::judder_keys::section::Section<'_>,
                 key: &str,
-                node: &crate::document::Node,
+                node: &::judder_keys::document::Node,
                 (): &(),
-            ) -> ::std::result::Result<Self, crate::error::Fault> {
-                crate::section::word(&section.path(key), #what, node, &Self::ALL)
+            ) -> ::std::result::Result<Self, ::judder_keys::error::Fault> {
+                ::judder_keys::section::word(&section.path(key), #what, node, &Self::ALL)
             }
 
             fn write(&self, (): &()) -> ::serde_json::Value {

@@ -93,10 +93,10 @@ impl Key {
     pub(crate) fn declarations(&self) -> TokenStream {
         let Self { name, ty, doc, symbol, rule, .. } = self;
         if self.is_flat {
-            return quote!(<#ty as crate::declared::Settings>::declarations());
+            return quote!(<#ty as ::judder_keys::declared::Settings>::declarations());
         }
         let is_required = match self.absent {
-            Absent::Type => quote!(!<#ty as crate::declared::Setting>::IS_OPTIONAL),
+            Absent::Type => quote!(!<#ty as ::judder_keys::declared::Setting>::IS_OPTIONAL),
             Absent::Later => quote!(true),
             Absent::Value(_) | Absent::Table | Absent::Filled => quote!(false),
         };
@@ -108,18 +108,18 @@ impl Key {
         let default = match told {
             Some(value) => quote!({
                 let value: #ty = #value;
-                ::std::option::Option::Some(crate::declared::Setting::write(&value, #rule))
+                ::std::option::Option::Some(::judder_keys::declared::Setting::write(&value, #rule))
             }),
             None => quote!(::std::option::Option::None),
         };
-        quote!(::std::vec![crate::declared::Declaration {
+        quote!(::std::vec![::judder_keys::declared::Declaration {
             name: #name,
             doc: #doc,
             symbol: #symbol,
             default: #default,
             is_required: #is_required,
             alternative: ::std::option::Option::None,
-            form: <#ty as crate::declared::Setting>::form(#rule),
+            form: <#ty as ::judder_keys::declared::Setting>::form(#rule),
         }])
     }
 
@@ -127,25 +127,25 @@ impl Key {
     fn reading(&self) -> TokenStream {
         let Self { read, name, ty, doc, rule, .. } = self;
         let value = if self.is_flat {
-            quote!(<#ty as crate::declared::Settings>::read_table(section))
+            quote!(<#ty as ::judder_keys::declared::Settings>::read_table(section))
         } else {
             let absent = match &self.absent {
-                Absent::Type => quote!(<#ty as crate::declared::Setting>::absent()),
+                Absent::Type => quote!(<#ty as ::judder_keys::declared::Setting>::absent()),
                 Absent::Value(value) => quote!(::std::option::Option::Some(#value)),
-                Absent::Table => quote!(crate::declared::of_nothing()),
+                Absent::Table => quote!(::judder_keys::declared::of_nothing()),
                 Absent::Filled | Absent::Later => {
                     quote!(::std::option::Option::Some(::std::default::Default::default()))
                 }
             };
             let example = option(self.example.as_ref());
-            quote!(crate::declared::read_key(
+            quote!(::judder_keys::declared::read_key(
                 section,
-                crate::declared::Called { key: #name, doc: #doc, example: #example },
+                ::judder_keys::declared::Called { key: #name, doc: #doc, example: #example },
                 #rule,
                 || #absent,
             ))
         };
-        quote!(let #read: ::std::result::Result<#ty, crate::error::Fault> = #value;)
+        quote!(let #read: ::std::result::Result<#ty, ::judder_keys::error::Fault> = #value;)
     }
 
     /// Puts the key into a canonical form.
@@ -153,11 +153,11 @@ impl Key {
         let Self { ty, name, rule, is_omitted, .. } = self;
         match (self.is_unwritten, self.is_flat) {
             (true, _) => TokenStream::new(),
-            (_, true) => quote!(<#ty as crate::declared::Settings>::write_table(#value, json);),
-            _ => quote!(crate::declared::write_key(
+            (_, true) => quote!(<#ty as ::judder_keys::declared::Settings>::write_table(#value, json);),
+            _ => quote!(::judder_keys::declared::write_key(
                 json,
                 (#name, #is_omitted),
-                <#ty as crate::declared::Setting>::write(#value, #rule),
+                <#ty as ::judder_keys::declared::Setting>::write(#value, #rule),
             );),
         }
     }
@@ -167,11 +167,15 @@ impl Key {
 pub(crate) fn names(keys: &[Key]) -> TokenStream {
     let (mut counts, mut lists) = (Vec::new(), Vec::new());
     for Key { name, ty, is_flat, .. } in keys {
-        let list = if *is_flat { quote!(<#ty as crate::declared::Settings>::KEYS) } else { quote!(&[#name]) };
+        let list = if *is_flat {
+            quote!(<#ty as ::judder_keys::declared::Settings>::KEYS)
+        } else {
+            quote!(&[#name])
+        };
         counts.push(if *is_flat { quote!(#list.len()) } else { quote!(1) });
         lists.push(list);
     }
-    quote!(&crate::declared::joined::<{ 0 #(+ #counts)* }>(&[#(#lists),*]))
+    quote!(&::judder_keys::declared::joined::<{ 0 #(+ #counts)* }>(&[#(#lists),*]))
 }
 
 /// Reads keys that stand together, each into its variable.
@@ -179,7 +183,7 @@ pub(crate) fn reading(keys: &[Key]) -> TokenStream {
     let readings = keys.iter().map(Key::reading);
     let nothing = (quote!(::std::result::Result::Ok(())), quote!(()));
     let (all, pattern) = keys.iter().rev().fold(nothing, |(all, pattern), Key { read, .. }| {
-        (quote!(crate::declared::both(#read, #all)), quote!((#read, #pattern)))
+        (quote!(::judder_keys::declared::both(#read, #all)), quote!((#read, #pattern)))
     });
     quote!(#(#readings)* let #pattern = #all?;)
 }

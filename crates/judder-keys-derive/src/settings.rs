@@ -30,18 +30,18 @@ pub(crate) fn derive(input: &DeriveInput) -> Result<TokenStream> {
     };
     let (name, title, about) = (&input.ident, option(title.as_ref()), doc(&input.attrs));
     Ok(quote! {
-        impl crate::declared::Settings for #name {
+        impl ::judder_keys::declared::Settings for #name {
             const TITLE: ::std::option::Option<&'static str> = #title;
             const DOC: &'static str = #about;
             const KEYS: &'static [&'static str] = #keys;
 
-            fn declarations() -> ::std::vec::Vec<crate::declared::Declaration> {
+            fn declarations() -> ::std::vec::Vec<::judder_keys::declared::Declaration> {
                 #declarations
             }
 
             fn read_table(
-                section: &crate::section::Section<'_>,
-            ) -> ::std::result::Result<Self, crate::error::Fault> {
+                section: &::judder_keys::section::Section<'_>,
+            ) -> ::std::result::Result<Self, ::judder_keys::error::Fault> {
                 #read
             }
 
@@ -79,7 +79,7 @@ fn of_struct(keys: &[Key], check: Option<&Path>) -> Parts {
     let reading = reading(keys);
     Parts {
         keys: names(keys),
-        declarations: quote!(crate::declared::together(::std::vec![#(#declarations),*])),
+        declarations: quote!(::judder_keys::declared::together(::std::vec![#(#declarations),*])),
         read: quote! {
             #reading
             #[allow(unused_mut, reason = "a check may fill in what depends on other keys")]
@@ -128,7 +128,7 @@ fn of_alternatives(alternatives: &[Alternative], check: Option<&Path>) -> Parts 
     for (index, Alternative { keys, pattern, read }) in alternatives.iter().enumerate() {
         lists.push(names(keys));
         let declarations = keys.iter().map(Key::declarations);
-        declared.push(quote!(crate::declared::together(::std::vec![#(#declarations),*])));
+        declared.push(quote!(::judder_keys::declared::together(::std::vec![#(#declarations),*])));
         let which = if index + 1 < alternatives.len() { quote!(#index) } else { quote!(_) };
         let reading = reading(keys);
         reads.push(quote!(#which => { #reading ::std::result::Result::Ok(#read) }));
@@ -141,11 +141,11 @@ fn of_alternatives(alternatives: &[Alternative], check: Option<&Path>) -> Parts 
     let counts = lists.iter().map(|list| quote!((#list as &[&str]).len()));
     let check = check.map(|check| quote!(#check(section)?;));
     Parts {
-        keys: quote!(&crate::declared::joined::<{ 0 #(+ #counts)* }>(&[#(#lists),*])),
-        declarations: quote!(crate::declared::alternatives(::std::vec![#(#declared),*])),
+        keys: quote!(&::judder_keys::declared::joined::<{ 0 #(+ #counts)* }>(&[#(#lists),*])),
+        declarations: quote!(::judder_keys::declared::alternatives(::std::vec![#(#declared),*])),
         read: quote! {
             #check
-            match crate::declared::alternative(section, &[#(#lists),*])? { #(#reads),* }
+            match ::judder_keys::declared::alternative(section, &[#(#lists),*])? { #(#reads),* }
         },
         write: quote!(match self { #(#writes),* }),
     }

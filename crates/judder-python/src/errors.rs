@@ -3,9 +3,10 @@
 mod fields;
 
 use fields::Fields;
-use judder_case::{CaseError, Cause};
 use judder_contact::LawError;
 use judder_contact::steady::SteadyError;
+use judder_keys::cause::Cause;
+use judder_keys::error::CaseError;
 use judder_oscillator::OscillatorError;
 use judder_sliding::SlidingError;
 use judder_store::StoreError;

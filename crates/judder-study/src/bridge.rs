@@ -6,11 +6,12 @@ use crate::input_file;
 use crate::material::Material;
 use crate::progress::Progress;
 use crate::within_law::unknown_errors;
-use judder_case::{Form, FrictionLoad as CaseLoad, LawName, OscillatorCase, OscillatorInputs, OscillatorKey};
+use judder_case::{FrictionLoad as CaseLoad, LawName, OscillatorCase, OscillatorInputs, OscillatorKey};
 use judder_contact::law::LawIndenter;
 use judder_contact::law::file::from_json;
 use judder_contact::law::material::{LawMaterial, LawTerm};
 use judder_contact::{FittedLaw, HertzLaw, Law};
+use judder_keys::numeric_key::Form;
 use judder_oscillator::groups::Scales;
 use judder_oscillator::{Coefficients, Contact, FrictionLoad, Groups};
 
@@ -221,7 +222,7 @@ fn difference_of_terms(made_for: &LawMaterial, own: &LawMaterial) -> Option<(Str
 #[cfg(test)]
 mod tests {
     use super::*;
-    use judder_case::Value;
+    use judder_keys::numeric_key::Value;
 
     #[test]
     fn the_default_case_is_the_papers() {

@@ -1,4 +1,3 @@
-use judder_case::CaseError;
 use judder_contact::LawError;
 use judder_contact::indenter::IndenterError;
 use judder_contact::material::MaterialError;
@@ -6,6 +5,7 @@ use judder_contact::periodic_contact::PeriodicContactError;
 use judder_contact::steady::SteadyError;
 use judder_contact::transient::TransientError;
 use judder_exchange::ExchangeError;
+use judder_keys::error::CaseError;
 use judder_numerics::piecewise::MarchError;
 use judder_numerics::signal::SignalError;
 use judder_oscillator::OscillatorError;

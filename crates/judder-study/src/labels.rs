@@ -1,6 +1,8 @@
 //! How keys are called on axes and in tables, in the markup of the figures.
 
-use judder_case::{BeltKey, Dimension, Form, OscillatorKey};
+use judder_case::{BeltKey, OscillatorKey};
+use judder_keys::dimension::Dimension;
+use judder_keys::numeric_key::Form;
 
 /// A swept quantity: its name, its symbol and its unit.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -3,13 +3,14 @@
 use crate::error::StudyError;
 use crate::input_file::{self, unusable};
 use judder_case::{
-    Arrhenius, ContinuousSource, Density, FileReference, OscillatorInputs, OscillatorKey, RelaxationSource,
-    Shift, Substrate, TermChoice, TermCount, Wlf,
+    Arrhenius, ContinuousSource, Density, OscillatorInputs, OscillatorKey, RelaxationSource, Shift,
+    Substrate, TermChoice, TermCount, Wlf,
 };
 use judder_contact::material::{
     ContinuousSpectrum, CreepSpectrum, CreepTerm, Discretisation, DmaData, DmaError, DmaTable, MaterialError,
     PronyFit, RelaxationSpectrum, RelaxationTerm, TemperatureShift, TermCount as FitTerms,
 };
+use judder_keys::file_reference::FileReference;
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 

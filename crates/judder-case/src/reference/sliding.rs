@@ -1,9 +1,10 @@
 //! What the page says of sliding cases.
 
-use super::{kinds, settings};
-use crate::declared::Settings;
+use super::kinds;
 use crate::sliding::SystemKeys;
 use crate::sliding::analysis::KINDS;
+use judder_keys::declared::Settings;
+use judder_keys::reference::settings;
 
 /// The section on sliding cases.
 pub(super) fn section() -> String {

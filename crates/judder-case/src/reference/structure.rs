@@ -1,11 +1,12 @@
 //! What the page says of structure cases.
 
-use super::{kinds, settings};
-use crate::declared::Settings;
+use super::kinds;
 use crate::structure::analysis::KINDS;
 use crate::structure::body::BodyKeys;
 use crate::structure::damping::Damping;
 use crate::structure::reduction::Reduction;
+use judder_keys::declared::Settings;
+use judder_keys::reference::settings;
 
 /// The section on structure cases.
 pub(super) fn section() -> String {

@@ -4,12 +4,12 @@ use serde_json::{Value as Json, json};
 
 use super::structure::{body, matrices, parameters};
 use super::{declared, named};
-use crate::declared::Setting;
 use crate::sliding::SlidingCase;
 use crate::sliding::analysis::SlidingAnalysis;
 use crate::sliding::march::MarchWord;
 use crate::sliding::structure::SlidingStructure;
 use crate::structure::StructureSource;
+use judder_keys::declared::Setting;
 
 pub(super) fn case(case: &SlidingCase) -> Json {
     json!({

@@ -3,9 +3,6 @@
 use serde_json::{Map, Value as Json, json};
 
 use super::{declared, named, number};
-use crate::declared::Setting;
-use crate::dimension::Dimension;
-use crate::keys::Form;
 use crate::read_sweep::write_family;
 use crate::structure::analysis::{EigenMethod, StructureAnalysis};
 use crate::structure::body::{Body, Geometry, Material, PlaneSection};
@@ -13,6 +10,9 @@ use crate::structure::matrices::{MatrixSums, MatrixTerm};
 use crate::structure::{StructureCase, StructureSource};
 use crate::swept_keys::ParameterKeys;
 use crate::two_degrees::Parameter;
+use judder_keys::declared::Setting;
+use judder_keys::dimension::Dimension;
+use judder_keys::numeric_key::Form;
 
 pub(super) fn case(case: &StructureCase) -> Json {
     let mut json = json!({

@@ -4,8 +4,8 @@ use serde_json::{Value as Json, json};
 
 use super::number;
 use crate::case_file::CaseFile;
-use crate::keys::Form;
 use crate::study_sweep::{Design, StudySweep, SweptKey, SweptValues};
+use judder_keys::numeric_key::Form;
 
 impl CaseFile {
     /// [`Case::resolved`](crate::Case::resolved) with the sweeps of the case under `sweep`, where it has any.

@@ -2,12 +2,13 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use super::{analyses, object, reference, with_declared};
+use super::analyses;
 use crate::contact_analysis::KINDS;
 use crate::contact_case::{ContactCase, ContactKeys, IndenterKeys};
-use crate::declared::Settings;
 use crate::keys::OscillatorKey;
 use crate::substrate::SubstrateKeys;
+use judder_keys::declared::Settings;
+use judder_keys::schema::{object, reference, with_declared};
 
 /// A contact case.
 pub(super) fn case() -> Json {

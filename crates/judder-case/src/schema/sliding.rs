@@ -2,13 +2,14 @@
 
 use serde_json::{Value as Json, json};
 
+use super::analyses;
 use super::structure::{damping, list, matrices, reduction};
-use super::{analyses, object, reference, table, with_declared};
-use crate::declared::{Setting, Settings};
 use crate::sliding::SystemKeys;
 use crate::sliding::analysis::KINDS;
 use crate::sliding::plain_name::PlainName;
 use crate::structure::body::BodyKeys;
+use judder_keys::declared::{Setting, Settings};
+use judder_keys::schema::{object, reference, table, with_declared};
 
 pub(super) fn case() -> Json {
     let parameters = json!({

@@ -2,13 +2,14 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use super::{analyses, choice, declared_table, object, reference, table, with_declared};
-use crate::declared::Settings;
+use super::analyses;
 use crate::structure::analysis::KINDS;
 use crate::structure::body::BodyKeys;
 use crate::structure::damping::Damping;
 use crate::structure::matrices::Triangle;
 use crate::structure::reduction::Reduction;
+use judder_keys::declared::Settings;
+use judder_keys::schema::{choice, declared_table, object, reference, table, with_declared};
 
 pub(super) fn case() -> Json {
     let mut properties = object([

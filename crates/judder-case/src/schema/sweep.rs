@@ -2,11 +2,11 @@
 
 use serde_json::{Value as Json, json};
 
-use super::{choice, object, reference, table};
 use crate::motion_analysis::SEEDS;
 use crate::study_sweep::Design;
 use crate::study_sweep::design::POINTS_LIMIT;
 use crate::study_sweep::read::{CHUNK_LIMIT, RESAMPLES_LIMITS, SEED, SENSITIVITY};
+use judder_keys::schema::{choice, object, reference, table};
 
 /// The list of sweeps, of any model.
 pub(super) fn sweeps() -> Json {

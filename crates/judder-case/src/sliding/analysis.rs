@@ -7,9 +7,9 @@ use super::march::March;
 use super::spectrogram::Spectrogram;
 use super::structure::find_structure;
 use crate::analysis::Kind;
-use crate::declared::{Named, Settings};
 use crate::structure::analysis::Modes;
-use judder_keys_derive::Settings;
+use judder_keys::Settings;
+use judder_keys::declared::{Named, Settings};
 
 /// What an analysis of a sliding case computes.
 #[derive(Debug, Clone, PartialEq)]

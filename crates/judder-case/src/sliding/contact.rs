@@ -2,15 +2,15 @@
 
 use super::problem::SlidingProblem;
 use super::structure::{SlidingStructure, find_structure};
-use crate::declared::{Form, Named, Number, Setting, Several, both};
-use crate::dimension::Dimension;
-use crate::document::{Data, Node};
-use crate::error::Fault;
-use crate::problem::Placed;
-use crate::section::Section;
-use crate::structure::problem::StructureProblem;
 use crate::structure::reduction::KeptNodes;
-use judder_keys_derive::{Choice, Settings};
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Allowed, Named, Number, Setting, Several, both};
+use judder_keys::dimension::Dimension;
+use judder_keys::document::{Data, Node};
+use judder_keys::error::Fault;
+use judder_keys::problem::Placed;
+use judder_keys::section::Section;
+use judder_keys::{Choice, Settings};
 use serde_json::Value as Json;
 
 /// Who slides on what, and friction.
@@ -100,7 +100,7 @@ impl SlidingContact {
         let KeptNodes::Numbers(nodes) = &self.track.nodes else { return Ok(()) };
         if nodes.len() < 2 {
             let (key, expected) = (section.path("track"), "two nodes at least");
-            return Err(StructureProblem::Length { key, expected, found: nodes.len() }.at(node.place));
+            return Err(Cause::Length { key, expected, found: nodes.len() }.at(node.place));
         }
         let mut own = nodes.iter().enumerate();
         let Some((_, twice)) = own.find(|(index, own)| nodes[..*index].contains(own)) else {
@@ -138,8 +138,8 @@ pub(super) fn check_one_node(key: &str, nodes: &KeptNodes) -> Result<(), Sliding
 impl Setting for Friction {
     type Rule = ();
 
-    fn form((): &()) -> Form {
-        Form::Either(vec![f64::form(&COEFFICIENT), FrictionTable::form(&())])
+    fn form((): &()) -> Allowed {
+        Allowed::Either(vec![f64::form(&COEFFICIENT), FrictionTable::form(&())])
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {

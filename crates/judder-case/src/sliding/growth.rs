@@ -1,11 +1,11 @@
 //! `growth`: the motion with the contact held, against the eigenvalue there.
 
 use super::march::{CUT_OFF, MarchMethod, MarchWord, refuse_with};
-use crate::declared::Number;
-use crate::dimension::Dimension;
-use crate::error::Fault;
-use crate::section::Section;
-use judder_keys_derive::Settings;
+use judder_keys::Settings;
+use judder_keys::declared::Number;
+use judder_keys::dimension::Dimension;
+use judder_keys::error::Fault;
+use judder_keys::section::Section;
 
 /// A march with the contact held, against the eigenvalue there.
 #[derive(Debug, Clone, PartialEq, Settings)]

@@ -2,13 +2,14 @@
 
 use super::SlidingCase;
 use super::sweep::KeySweep;
-use crate::cause::Cause;
-use crate::declared::{Number, Whole};
-use crate::dimension::Dimension;
-use crate::error::Fault;
-use crate::section::Section;
-use crate::structure::analysis::{MODES, MODES_LIMIT, ascending};
-use judder_keys_derive::{Choice, Settings};
+use crate::structure::analysis::{MODES, MODES_LIMIT};
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Number, Whole};
+use judder_keys::dimension::Dimension;
+use judder_keys::error::Fault;
+use judder_keys::section::Section;
+use judder_keys::span::ascending;
+use judder_keys::{Choice, Settings};
 
 /// Complex eigenvalues along an axis.
 #[derive(Debug, Clone, PartialEq, Settings)]

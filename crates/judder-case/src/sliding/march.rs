@@ -5,13 +5,13 @@ use super::motion::check_course;
 use super::observe::Signal;
 use super::problem::SlidingProblem;
 use super::signals::{Sampling, Sound};
-use crate::cause::Cause;
-use crate::declared::{Named, Number, Whole, all, both};
-use crate::dimension::Dimension;
-use crate::error::Fault;
-use crate::problem::Placed;
-use crate::section::Section;
-use judder_keys_derive::{Choice, Settings};
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Named, Number, Whole, all, both};
+use judder_keys::dimension::Dimension;
+use judder_keys::error::Fault;
+use judder_keys::problem::Placed;
+use judder_keys::section::Section;
+use judder_keys::{Choice, Settings};
 use std::f64::consts::TAU;
 
 /// How the coupled structures are integrated.
@@ -145,7 +145,7 @@ impl March {
 
     /// Finds the signals, and refuses a march that is no part of the motion of the case.
     pub(super) fn admit(mut self, case: &SlidingCase, section: &Section<'_>) -> Result<Self, Fault> {
-        let signal = self.signal.admit(section, "signal", &case.points);
+        let signal = Signal::named(section, "signal", &case.points).map(|found| self.signal = found);
         let sound = self.sound.admit(section.get("sound"), &case.points);
         both(both(self.take_path(case, section), signal), sound)?;
         Ok(self)

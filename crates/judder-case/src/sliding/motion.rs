@@ -3,13 +3,13 @@
 use super::contact::check_one_node;
 use super::problem::SlidingProblem;
 use super::structure::SlidingStructure;
-use crate::declared::{Number, UNLIMITED, Whole};
-use crate::dimension::Dimension;
-use crate::error::Fault;
-use crate::problem::Placed;
-use crate::section::Section;
 use crate::structure::reduction::KeptNodes;
-use judder_keys_derive::{Choice, Settings};
+use judder_keys::declared::{Number, UNLIMITED, Whole};
+use judder_keys::dimension::Dimension;
+use judder_keys::error::Fault;
+use judder_keys::problem::Placed;
+use judder_keys::section::Section;
+use judder_keys::{Choice, Settings};
 
 /// Path, velocity and load of the slider.
 #[derive(Debug, Clone, PartialEq, Settings)]

@@ -5,15 +5,15 @@ use super::motion::Axis;
 use super::plain_name::PlainName;
 use super::problem::SlidingProblem;
 use super::structure::{SlidingStructure, find_structure};
-use crate::cause::Cause;
-use crate::declared::{Named, Number, Pair, Several, all, conflict};
-use crate::dimension::Dimension;
-use crate::document::Node;
-use crate::error::Fault;
-use crate::problem::Placed;
-use crate::section::{Section, list, text};
 use crate::structure::reduction::KeptNodes;
-use judder_keys_derive::{Choice, Settings};
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Named, Number, Pair, Several, all, conflict};
+use judder_keys::dimension::Dimension;
+use judder_keys::document::Node;
+use judder_keys::error::Fault;
+use judder_keys::problem::Placed;
+use judder_keys::section::{Section, list, text};
+use judder_keys::{Choice, Settings};
 
 /// Points whose motion is kept.
 #[derive(Debug, Clone, PartialEq, Settings)]
@@ -183,26 +183,22 @@ impl PointNode {
     }
 }
 
-impl Named<Signal> {
-    /// Finds the signal under `key`; without the key the first point's acceleration along y, or the normal force where no point is observed.
-    pub(super) fn admit(
-        &mut self,
+impl Signal {
+    /// The signal under `key`; without the key the first point's acceleration along y, or the normal force where no point is observed.
+    pub(super) fn named(
         section: &Section<'_>,
         key: &str,
         points: &[ObservedPoint],
-    ) -> Result<(), Fault> {
-        let first = Signal::Point { point: 0, axis: Axis::Y, quantity: PointQuantity::Acceleration };
-        self.found = match section.get(key) {
-            Some(node) => Signal::read(key, node, points)?,
-            None if points.is_empty() => Signal::NormalForce,
+    ) -> Result<Named<Self>, Fault> {
+        let first = Self::Point { point: 0, axis: Axis::Y, quantity: PointQuantity::Acceleration };
+        let found = match section.get(key) {
+            Some(node) => Self::read(key, node, points)?,
+            None if points.is_empty() => Self::NormalForce,
             None => first,
         };
-        self.name = self.found.name(points);
-        Ok(())
+        Ok(Named { name: found.name(points), found })
     }
-}
 
-impl Signal {
     /// The signal that a value under `key` names.
     pub(super) fn read(key: &str, node: &Node, points: &[ObservedPoint]) -> Result<Self, Fault> {
         let name = text(key, node)?;

@@ -1,11 +1,11 @@
 //! Names that a case gives to what it has.
 
 use super::problem::SlidingProblem;
-use crate::declared::{Form, Setting};
-use crate::document::Node;
-use crate::error::Fault;
-use crate::problem::Placed;
-use crate::section::{Section, text};
+use judder_keys::declared::{Allowed, Setting};
+use judder_keys::document::Node;
+use judder_keys::error::Fault;
+use judder_keys::problem::Placed;
+use judder_keys::section::{Section, text};
 use serde_json::{Value as Json, json};
 use std::fmt;
 use std::ops::Deref;
@@ -31,8 +31,8 @@ impl fmt::Display for PlainName {
 impl Setting for PlainName {
     type Rule = &'static str;
 
-    fn form(_: &&'static str) -> Form {
-        Form::Told {
+    fn form(_: &&'static str) -> Allowed {
+        Allowed::Told {
             schema: json!({ "type": "string", "pattern": "^[A-Za-z0-9_-]{1,100}$" }),
             words: "a name of letters, digits, `_` and `-`".to_owned(),
             keys: Vec::new(),

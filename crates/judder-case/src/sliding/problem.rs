@@ -3,7 +3,7 @@
 use judder_numerics::words::plain;
 use thiserror::Error;
 
-use crate::problem::Problem;
+use judder_keys::problem::Problem;
 
 /// What is wrong, with what a caller needs in order to act.
 #[derive(Debug, Clone, PartialEq, Error)]

@@ -4,12 +4,12 @@ use super::march::March;
 use super::motion::Axis;
 use super::observe::{CONTACT_SIGNALS, ObservedPoint, PointQuantity, Signal};
 use super::problem::SlidingProblem;
-use crate::declared::{Form, Named, Number, Setting, Several, all};
-use crate::dimension::Dimension;
-use crate::document::{Data, Node};
-use crate::error::Fault;
-use crate::section::{Section, wrong_type};
-use judder_keys_derive::Settings;
+use judder_keys::Settings;
+use judder_keys::declared::{Allowed, Named, Number, Setting, Several, all};
+use judder_keys::dimension::Dimension;
+use judder_keys::document::{Data, Node};
+use judder_keys::error::Fault;
+use judder_keys::section::{Section, wrong_type};
 use serde_json::{Value as Json, json};
 use std::f64::consts::TAU;
 
@@ -112,8 +112,8 @@ impl Sampling {
 impl Setting for Hertz {
     type Rule = ();
 
-    fn form((): &()) -> Form {
-        Form::Number(FREQUENCY)
+    fn form((): &()) -> Allowed {
+        Allowed::Number(FREQUENCY)
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
@@ -144,9 +144,9 @@ impl Sound {
 impl Setting for Sound {
     type Rule = ();
 
-    fn form((): &()) -> Form {
-        let signals = Form::List { of: Box::new(Form::Text), length: [0, usize::MAX] };
-        Form::Either(vec![Form::Flag, signals])
+    fn form((): &()) -> Allowed {
+        let signals = Allowed::List { of: Box::new(Allowed::Text), length: [0, usize::MAX] };
+        Allowed::Either(vec![Allowed::Flag, signals])
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {

@@ -6,16 +6,16 @@ use super::locus::{Along, Locus};
 use super::observe::{ObservedPoint, Signal};
 use super::problem::SlidingProblem;
 use crate::analysis::Analysis;
-use crate::cause::Cause;
-use crate::declared::{Form, Named, Number, Pair, Setting};
-use crate::dimension::Dimension;
-use crate::document::Node;
-use crate::error::Fault;
-use crate::keys::Range;
-use crate::problem::Placed;
-use crate::section::{Section, text};
-use crate::swept_keys::read_si;
-use judder_keys_derive::{Choice, Settings};
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Allowed, Named, Number, Pair, Setting};
+use judder_keys::dimension::Dimension;
+use judder_keys::document::Node;
+use judder_keys::error::Fault;
+use judder_keys::numeric_key::Range;
+use judder_keys::numeric_key::read_si;
+use judder_keys::problem::Placed;
+use judder_keys::section::{Section, text};
+use judder_keys::{Choice, Settings};
 use serde_json::{Value as Json, json};
 
 /// A spectrogram of a signal.
@@ -72,7 +72,7 @@ const LEVELS: Pair =
 impl Spectrogram {
     /// Finds the signal, and reads the amplitude of 0 dB in its unit.
     pub(super) fn admit(mut self, case: &SlidingCase, section: &Section<'_>) -> Result<Self, Fault> {
-        self.signal.admit(section, "signal", &case.points)?;
+        self.signal = Signal::named(section, "signal", &case.points)?;
         let dimension = self.signal.dimension();
         self.reference = Amplitude { dimension, ..Amplitude::default() };
         if let Some(node) = section.get("reference") {
@@ -95,8 +95,8 @@ impl Default for Amplitude {
 impl Setting for Amplitude {
     type Rule = ();
 
-    fn form((): &()) -> Form {
-        Form::Told {
+    fn form((): &()) -> Allowed {
+        Allowed::Told {
             schema: json!({ "type": "string", "examples": ["1 m/s^2"] }),
             words: "a quantity of the signal, such as 1 m/s^2".to_owned(),
             keys: Vec::new(),

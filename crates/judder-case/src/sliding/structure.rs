@@ -4,17 +4,17 @@ use std::path::Path;
 
 use super::plain_name::PlainName;
 use super::problem::SlidingProblem;
-use crate::cause::Cause;
-use crate::declared::{Named, Setting, Settings, both};
-use crate::document::Node;
-use crate::error::Fault;
-use crate::problem::Placed;
-use crate::section::{Section, list};
 use crate::structure::StructureSource;
 use crate::structure::body::{BodyKeys, read_body};
 use crate::structure::damping::Damping;
 use crate::structure::matrices::{self, read_matrices};
 use crate::structure::reduction::{FIXED_MODES, FixedModes, Reduction};
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Named, Setting, Settings, both};
+use judder_keys::document::Node;
+use judder_keys::error::Fault;
+use judder_keys::problem::Placed;
+use judder_keys::section::{Section, list};
 
 /// One of the two structures.
 #[derive(Debug, Clone)]

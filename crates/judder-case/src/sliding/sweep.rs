@@ -2,15 +2,15 @@
 
 use super::SlidingCase;
 use super::problem::SlidingProblem;
-use crate::declared::{Form, Number, Setting};
-use crate::document::{Node, STEPS_LIMIT};
-use crate::error::Fault;
 use crate::key_sweep::{read_ends, read_values};
-use crate::problem::Placed;
 use crate::schema;
-use crate::section::{Section, text};
 use crate::structure::problem::StructureProblem;
 use crate::sweep::{Scale, spaced};
+use judder_keys::declared::{Allowed, Number, Setting};
+use judder_keys::document::{Node, STEPS_LIMIT};
+use judder_keys::error::Fault;
+use judder_keys::problem::Placed;
+use judder_keys::section::{Section, text};
 use serde_json::{Value as Json, json};
 
 pub use crate::key_sweep::KeySweep;
@@ -25,8 +25,8 @@ pub const SWEEP_LIMIT: usize = 100_000;
 impl Setting for KeySweep {
     type Rule = ();
 
-    fn form((): &()) -> Form {
-        Form::Told {
+    fn form((): &()) -> Allowed {
+        Allowed::Told {
             schema: schema::key_sweep(),
             words: "`{ key, from, to, points, scale }`, or `{ key, values }`".to_owned(),
             keys: Vec::new(),

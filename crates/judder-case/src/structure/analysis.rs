@@ -3,18 +3,18 @@
 use super::matrices::MatrixSums;
 use super::problem::StructureProblem;
 use crate::analysis::Kind;
-use crate::cause::Cause;
-use crate::declared::{Declaration, Form, Number, Pair, Settings, Whole};
-use crate::dimension::Dimension;
-use crate::document::Node;
-use crate::error::{Fault, Place};
-use crate::keys::Range;
-use crate::problem::Placed;
 use crate::read_sweep::{PlacedFamily, SWEEP, check_size, family_declaration, read_placed_family, required};
-use crate::section::{Section, finite_number, list, text};
 use crate::sweep::{Family, ParameterKey, Scale};
 use crate::swept_keys::{ParameterKeys, SweptKeys};
-use judder_keys_derive::{Choice, Settings};
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Allowed, Declaration, Number, Pair, Settings, Whole};
+use judder_keys::dimension::Dimension;
+use judder_keys::document::Node;
+use judder_keys::error::{Fault, Place};
+use judder_keys::numeric_key::Range;
+use judder_keys::problem::Placed;
+use judder_keys::section::{Section, finite_number, list, text};
+use judder_keys::{Choice, Settings};
 use serde_json::json;
 
 /// What an analysis of a structure case computes.
@@ -240,17 +240,9 @@ pub(crate) const KINDS: [Kind<StructureScope, StructureAnalysis>; 4] = [
     ),
 ];
 
-pub(crate) fn ascending(from: f64, to: f64, place: Place) -> Result<(), Fault> {
-    match from.total_cmp(&to) {
-        std::cmp::Ordering::Less => Ok(()),
-        std::cmp::Ordering::Equal => Err(Cause::EmptyRange { from }.at(place)),
-        std::cmp::Ordering::Greater => Err(Cause::Backwards { from, to }.at(place)),
-    }
-}
-
 /// The keys of a sweep of listed values.
 fn listed() -> Vec<Declaration> {
-    let values = Form::List { of: Box::new(ParameterKeys::value_form()), length: [2, usize::MAX] };
+    let values = Allowed::List { of: Box::new(ParameterKeys::value_form()), length: [2, usize::MAX] };
     vec![
         required("key", "dotted path of the parameter", ParameterKeys::key_form()),
         required("values", "values one after the other, ascending or descending", values),
@@ -260,11 +252,12 @@ fn listed() -> Vec<Declaration> {
 /// What is said of complex modes along a parameter.
 fn eigen_sweep() -> Vec<Declaration> {
     let doc = "a parameter over a range, or with a list of values";
-    let listed = required("sweep", "a parameter with a list of values", Form::Table { doc, keys: listed() });
+    let listed =
+        required("sweep", "a parameter with a list of values", Allowed::Table { doc, keys: listed() });
     let ways = [SWEEP.declaration::<ParameterKeys>(), listed].map(|way| way.schema());
     let words = "a table `{ key, from, to, points, scale }` or `{ key, values }`".to_owned();
     let sweep =
-        required("sweep", doc, Form::Told { schema: json!({ "oneOf": ways }), words, keys: Vec::new() });
+        required("sweep", doc, Allowed::Told { schema: json!({ "oneOf": ways }), words, keys: Vec::new() });
     let varied = vec![sweep, family_declaration::<ParameterKeys>()];
     [varied, Eigen::declarations(), MethodKeys::declarations()].concat()
 }

@@ -4,16 +4,16 @@ use std::path::Path;
 
 use super::lists::length;
 use super::problem::StructureProblem;
-use crate::cause::Cause;
-use crate::declared::{Fixed, Form, Number, Pair, Setting, Settings, Several, Whole, all};
-use crate::dimension::Dimension;
-use crate::document::{Data, Entry, Node};
-use crate::error::Fault;
-use crate::file_reference::{FileReference, read_file_reference};
-use crate::keys::Range;
-use crate::problem::Placed;
-use crate::section::{Section, wrong_type};
-use judder_keys_derive::{Choice, Settings};
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Allowed, Fixed, Number, Pair, Setting, Settings, Several, Whole, all};
+use judder_keys::dimension::Dimension;
+use judder_keys::document::{Data, Entry, Node};
+use judder_keys::error::Fault;
+use judder_keys::file_reference::{FileReference, read_file_reference};
+use judder_keys::numeric_key::Range;
+use judder_keys::problem::Placed;
+use judder_keys::section::{Section, wrong_type};
+use judder_keys::{Choice, Settings};
 use serde_json::Value as Json;
 
 /// A body of elements.
@@ -238,8 +238,8 @@ struct Materials(Vec<(String, Material)>);
 impl Setting for Materials {
     type Rule = ();
 
-    fn form((): &()) -> Form {
-        Form::Named(Box::new(Material::form(&())))
+    fn form((): &()) -> Allowed {
+        Allowed::Named(Box::new(Material::form(&())))
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {

@@ -1,13 +1,13 @@
 //! `[damping]`: the damping of a body.
 
 use super::problem::StructureProblem;
-use crate::cause::Cause;
-use crate::declared::{Number, Several, conflict};
-use crate::dimension::Dimension;
-use crate::error::Fault;
-use crate::problem::Placed;
-use crate::section::Section;
-use judder_keys_derive::Settings;
+use judder_keys::Settings;
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Number, Several, conflict};
+use judder_keys::dimension::Dimension;
+use judder_keys::error::Fault;
+use judder_keys::problem::Placed;
+use judder_keys::section::Section;
 
 /// The damping of a body.
 #[derive(Debug, Clone, PartialEq, Default, Settings)]
@@ -70,7 +70,7 @@ impl Rayleigh {
         conflict(section, "beta", "ratios")?;
         let [mut first, mut second] = ratios[..] else {
             let (key, expected) = (section.path("ratios"), "two pairs of frequency and ratio");
-            return Err(StructureProblem::Length { key, expected, found: ratios.len() }.at(node.place));
+            return Err(Cause::Length { key, expected, found: ratios.len() }.at(node.place));
         };
         if first.frequency > second.frequency {
             std::mem::swap(&mut first, &mut second);

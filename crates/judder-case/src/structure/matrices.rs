@@ -3,13 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use super::problem::StructureProblem;
-use crate::cause::Cause;
-use crate::document::{Data, Node};
-use crate::error::Fault;
-use crate::expression::Expression;
-use crate::file_reference::{FileReference, read_file_reference};
-use crate::problem::Placed;
-use crate::section::{Section, finite_number, list, text, wrong_type};
+use judder_keys::cause::Cause;
+use judder_keys::document::{Data, Node};
+use judder_keys::error::Fault;
+use judder_keys::expression::Expression;
+use judder_keys::file_reference::{FileReference, read_file_reference};
+use judder_keys::problem::Placed;
+use judder_keys::section::{Section, finite_number, list, text, wrong_type};
 
 /// M, C and K as sums A = Σ fᵢ Aᵢ of files with factors.
 #[derive(Debug, Clone)]

@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
-use crate::nearest::did_you_mean;
-use crate::problem::Problem;
+use judder_keys::nearest::did_you_mean;
+use judder_keys::problem::Problem;
 
 /// What is wrong, with what a caller needs in order to act.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -30,16 +30,6 @@ pub enum StructureProblem {
         key: &'static str,
         /// What its value would be.
         example: &'static str,
-    },
-    /// A list of another length.
-    #[error("`{key}` has {found} entries, but must have {expected}")]
-    Length {
-        /// The key.
-        key: String,
-        /// What it must have.
-        expected: &'static str,
-        /// What it has.
-        found: usize,
     },
     /// A mesh file of a format that is not read.
     #[error("`{key}` names `{}`, which is of no format that is read", path.display())]
@@ -200,7 +190,6 @@ impl Problem for StructureProblem {
         match self {
             Self::NoStructure | Self::Needs { .. } => "in this section",
             Self::OneGeometry { .. } => "one of three",
-            Self::Length { .. } => "wrong length",
             Self::Format { .. } => "unknown format",
             Self::EmptySupport { .. } => "without effect",
             Self::Folder { .. } => "no such folder",
@@ -236,7 +225,6 @@ impl StructureProblem {
                 "as in beam = { length = \"100 mm\", thickness = \"2 mm\", elements = [100, 2] }".to_owned()
             }
             Self::Needs { example, .. } => format!("give {example}"),
-            Self::Length { expected, .. } => format!("give {expected}"),
             Self::Format { known, .. } => format!("known endings: {known}"),
             Self::EmptySupport { .. } => "give fixed = [\"x\", \"y\"] or tied = [\"y\"]".to_owned(),
             Self::Folder { .. } => {

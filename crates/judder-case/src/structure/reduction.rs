@@ -2,13 +2,13 @@
 
 use super::StructureSource;
 use super::problem::{KeptProblem, StructureProblem};
-use crate::cause::Cause;
-use crate::declared::{Number, Settings, Several, UNLIMITED, Whole, all, both};
-use crate::dimension::Dimension;
-use crate::error::Fault;
-use crate::problem::Placed;
-use crate::section::{Section, list};
-use judder_keys_derive::Settings;
+use judder_keys::Settings;
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Number, Settings, Several, UNLIMITED, Whole, all, both};
+use judder_keys::dimension::Dimension;
+use judder_keys::error::Fault;
+use judder_keys::problem::Placed;
+use judder_keys::section::{Section, list};
 
 /// What a Craig–Bampton reduction keeps.
 #[derive(Debug, Clone, PartialEq, Settings)]

@@ -159,7 +159,7 @@ impl StudySweep {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dimension::Dimension;
+    use judder_keys::dimension::Dimension;
 
     fn key(from: f64, to: f64, scale: Scale) -> SweptKey {
         let (path, dimension) = ("a.b".to_owned(), Dimension::NUMBER);

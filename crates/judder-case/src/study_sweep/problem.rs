@@ -2,9 +2,9 @@
 
 use thiserror::Error;
 
-use crate::nearest::did_you_mean;
-use crate::problem::Problem;
-use crate::quantity::QuantityError;
+use judder_keys::nearest::did_you_mean;
+use judder_keys::problem::Problem;
+use judder_keys::quantity::QuantityError;
 
 /// What is wrong, with what a caller needs in order to act.
 #[derive(Debug, Clone, PartialEq, Error)]

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::problem::SweepProblem;
-use crate::document::STEPS_LIMIT;
+use judder_keys::document::STEPS_LIMIT;
 
 /// The path of a quantity: `growth_rate`, `cycle.rms`, `thresholds.full.min`.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]

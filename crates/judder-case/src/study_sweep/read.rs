@@ -11,15 +11,16 @@ use super::trial::try_values;
 use super::{Design, Sensitivity, StudySweep, SweptKey};
 use crate::analysis::is_file_name;
 use crate::case_file::{Case, CaseTree};
-use crate::cause::Cause;
-use crate::document::{Data, Node};
-use crate::error::{Fault, Place};
-use crate::keys::{Form, OscillatorKey, Range, Value};
+use crate::keys::OscillatorKey;
 use crate::motion_analysis::SEEDS;
 use crate::oscillator_case::OscillatorCase;
-use crate::problem::Placed;
-use crate::section::{Section, finite_number, list, text, wrong_type};
 use crate::swept_keys::{OscillatorKeys, SweptKeys};
+use judder_keys::cause::Cause;
+use judder_keys::document::{Data, Node};
+use judder_keys::error::{Fault, Place};
+use judder_keys::numeric_key::{Form, Range, Value};
+use judder_keys::problem::Placed;
+use judder_keys::section::{Section, finite_number, list, text, wrong_type};
 
 /// The keys of a sweep.
 pub(crate) const KEYS: [&str; 8] =

@@ -6,15 +6,15 @@ use super::design::POINTS_LIMIT;
 use super::problem::SweepProblem;
 use super::{Design, SweptKey, SweptValues};
 use crate::case_file::{Case, CaseTree};
-use crate::cause::Cause;
-use crate::dimension::Dimension;
-use crate::document::{Node, STEPS_LIMIT};
-use crate::error::{Fault, Place};
 use crate::key_sweep::{Ends, read_ends, read_values};
 use crate::keys::OscillatorKey;
-use crate::problem::Placed;
-use crate::section::{Section, list, text};
 use crate::sweep::Scale;
+use judder_keys::cause::Cause;
+use judder_keys::dimension::Dimension;
+use judder_keys::document::{Node, STEPS_LIMIT};
+use judder_keys::error::{Fault, Place};
+use judder_keys::problem::Placed;
+use judder_keys::section::{Section, list, text};
 
 /// The keys of an entry of `over`.
 pub(crate) const AXIS_KEYS: [&str; 6] = ["key", "from", "to", "points", "scale", "values"];

@@ -3,10 +3,10 @@
 use super::problem::SweepProblem;
 use super::{StudySweep, SweptKey, SweptValues};
 use crate::case_file::{Case, CaseTree};
-use crate::cause::Cause;
-use crate::document::Node;
-use crate::error::{Fault, Place};
 use crate::key_sweep::written;
+use judder_keys::cause::Cause;
+use judder_keys::document::Node;
+use judder_keys::error::{Fault, Place};
 
 /// A point at which there is no such case.
 pub(crate) struct Refusal {

@@ -3,7 +3,8 @@
 use std::fs;
 
 use crate::{help_of, refused, refused_with};
-use judder_case::{CaseFile, Cause};
+use judder_case::CaseFile;
+use judder_keys::cause::Cause;
 use miette::Diagnostic;
 
 #[test]
@@ -128,7 +129,7 @@ fn an_option_that_is_not_a_number() {
     );
 }
 
-fn read_error(path: &std::path::Path) -> judder_case::CaseError {
+fn read_error(path: &std::path::Path) -> judder_keys::error::CaseError {
     CaseFile::read(path, &[]).expect_err("the file must be refused")
 }
 

@@ -2,7 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use judder_case::{Case, CaseError, CaseFile, alone, anywhere, compose, contact_case_of};
+use judder_case::{Case, CaseFile, alone, anywhere, compose, contact_case_of};
+use judder_keys::error::CaseError;
 use proptest::prelude::*;
 use serde_json::{Value, json};
 
@@ -339,7 +340,7 @@ fn a_case_reads_the_same_files_anywhere() {
         std::fs::write(home.path().join(name), "").unwrap();
     }
     let paths = |file: &CaseFile| {
-        let whole = |file: &&judder_case::FileReference| file.path.canonicalize().unwrap();
+        let whole = |file: &&judder_keys::file_reference::FileReference| file.path.canonicalize().unwrap();
         file.case.files().iter().map(whole).collect::<Vec<_>>()
     };
     let named = |folder: &tempfile::TempDir| folder.path().join("case.toml").to_str().unwrap().to_owned();

@@ -4,10 +4,11 @@ use crate::parse;
 use judder_case::contact_analysis::{LAW_ACCURACY, LAW_INDENTATION, LAW_VELOCITY};
 use judder_case::contact_case::contact_numbers;
 use judder_case::{
-    Case, CaseFile, ContactAnalysis, ContactCase, Density, Form, LawMethod, LawName, Loading, LogNormal,
-    Motion, Oscillation, OscillatorKey, PowerLaw, RelaxationSource, Roughness, Shape, Shift, TermChoice,
-    TermCount, Value, Wlf,
+    Case, CaseFile, ContactAnalysis, ContactCase, Density, LawMethod, LawName, Loading, LogNormal, Motion,
+    Oscillation, OscillatorKey, PowerLaw, RelaxationSource, Roughness, Shape, Shift, TermChoice, TermCount,
+    Wlf,
 };
+use judder_keys::numeric_key::{Form, Value};
 
 fn contact(text: &str) -> ContactCase {
     match parse(&format!("model = \"contact\"\n{text}"), &[]).unwrap() {

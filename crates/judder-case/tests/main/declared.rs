@@ -1,7 +1,8 @@
 //! Declared settings: everything that is wrong is told at once, and the schema says what reading asks for.
 
 use crate::parse;
-use judder_case::{CaseError, schema};
+use judder_case::schema;
+use judder_keys::error::CaseError;
 use serde_json::{Value, json};
 
 const WRONG: &str = r#"

@@ -27,7 +27,8 @@ mod structure;
 mod study_sweep;
 mod two_degrees;
 
-use judder_case::{Case, CaseError, CaseFile, KEYS};
+use judder_case::{Case, CaseFile, KEYS};
+use judder_keys::error::CaseError;
 use miette::Diagnostic;
 
 /// Checks that a case is refused with this message, place and help.

@@ -2,9 +2,10 @@
 
 use crate::parse;
 use judder_case::{
-    BeltKey, Case, EnginesSettings, Form, MotionAnalysis, MotionStart, OscillatorAnalysis, OscillatorKey,
-    SweepDirection, Value,
+    BeltKey, Case, EnginesSettings, MotionAnalysis, MotionStart, OscillatorAnalysis, OscillatorKey,
+    SweepDirection,
 };
+use judder_keys::numeric_key::{Form, Value};
 
 fn oscillator(settings: &str) -> MotionAnalysis<OscillatorKey> {
     let Case::Oscillator(case) =

@@ -5,9 +5,10 @@ use std::f64::consts::{FRAC_PI_4, PI};
 use crate::parse;
 use judder_case::oscillator_analysis::SHEAR_STRENGTH_WITHIN;
 use judder_case::{
-    Case, CaseFile, CriticalThresholds, Form, FrictionLoad, KEYS, LawName, MapMethod, OscillatorAnalysis,
-    OscillatorCase, OscillatorInputs, OscillatorKey, Scale, Sought, TimeForm, Value,
+    Case, CaseFile, CriticalThresholds, FrictionLoad, KEYS, LawName, MapMethod, OscillatorAnalysis,
+    OscillatorCase, OscillatorInputs, OscillatorKey, Scale, Sought, TimeForm,
 };
+use judder_keys::numeric_key::{Form, Value};
 
 /// The case of the interface, word for word, with the first analysis of its second example.
 const INTERFACE: &str = r#"title = "Fig. 9a of the oscillator paper"

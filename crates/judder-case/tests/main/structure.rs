@@ -86,7 +86,7 @@ pub(crate) fn with_files(
     files: &[&str],
     text: &str,
     overrides: &[&str],
-) -> Result<Case, judder_case::CaseError> {
+) -> Result<Case, judder_keys::error::CaseError> {
     let folder = tempfile::tempdir().unwrap();
     for file in files {
         let path = folder.path().join(file);

@@ -2,9 +2,10 @@
 
 use crate::with_file;
 use judder_case::{
-    Case, CaseFile, Design, Dimension, Form, OscillatorKey, QuantitySource, Scale, StudySweep, SweptValues,
-    schema, template,
+    Case, CaseFile, Design, OscillatorKey, QuantitySource, Scale, StudySweep, SweptValues, schema, template,
 };
+use judder_keys::dimension::Dimension;
+use judder_keys::numeric_key::Form;
 use proptest::prelude::*;
 
 /// An oscillator case with a limit cycle named `cycle` and one sweep.
@@ -143,7 +144,7 @@ quantities = ["growth_rate"]"#,
         let Case::Oscillator(read) = file.at(sweep, &values).unwrap().case else { panic!() };
         let mut inputs = base.inputs;
         for ((key, form), number) in keys.iter().zip(values) {
-            inputs.set(*key, judder_case::Value { number, form: *form });
+            inputs.set(*key, judder_keys::numeric_key::Value { number, form: *form });
         }
         assert_eq!(read.inputs, inputs, "point {index}");
     }

@@ -1,7 +1,8 @@
 //! Two-degrees cases that are read.
 
 use crate::parse;
-use judder_case::{Case, Cause, TwoDegreesAnalysis, TwoDegreesCase};
+use judder_case::{Case, TwoDegreesAnalysis, TwoDegreesCase};
+use judder_keys::cause::Cause;
 
 /// The damped Hopf benchmark: damping of one degree destabilises.
 const HOPF: &str = r#"

@@ -5,9 +5,9 @@ use crate::routes::SharedSite;
 use axum::Json;
 use axum::extract::State;
 use judder_case::sweep::Sweep;
-use judder_case::{
-    Case, CaseFile, Cause, Form, KEYS, Key, LawName, OscillatorAnalysis, OscillatorKey, Range, TimeForm,
-};
+use judder_case::{Case, CaseFile, KEYS, LawName, OscillatorAnalysis, OscillatorKey, TimeForm};
+use judder_keys::cause::Cause;
+use judder_keys::numeric_key::{Form, Key, Range};
 use serde_json::{Value, json};
 
 /// Answers `/api/session`.
@@ -44,7 +44,7 @@ fn analyses(resolved: &Value) -> Vec<Value> {
 }
 
 /// Whether the case takes a value of this key, which it has: of two keys that say the same only the one that it has, and none that its data decide.
-fn takes(base: &CaseFile, entry: &Key) -> bool {
+fn takes(base: &CaseFile, entry: &Key<OscillatorKey>) -> bool {
     let inputs = match &base.case {
         Case::Oscillator(case) => &case.inputs,
         Case::Contact(case) => &case.inputs,
@@ -62,7 +62,7 @@ fn takes(base: &CaseFile, entry: &Key) -> bool {
 }
 
 /// A key with its words, its range and its slider.
-fn key(entry: &Key, is_settable: bool) -> Value {
+fn key(entry: &Key<OscillatorKey>, is_settable: bool) -> Value {
     let (from, to, scale) = slider(entry.key);
     let range = match entry.range {
         Range::Positive => "positive",

@@ -19,7 +19,7 @@ pub(crate) struct Asked {
 }
 
 /// The value of one key.
-fn value(key: OscillatorKey, given: &Bound<'_, PyAny>) -> PyResult<judder_case::Value> {
+fn value(key: OscillatorKey, given: &Bound<'_, PyAny>) -> PyResult<judder_keys::numeric_key::Value> {
     let read = |given| key.read(given).map_err(|error| errors::case(&error));
     if let Ok(number) = given.cast_exact::<PyFloat>() {
         return read(Given::Number(number.extract()?));
@@ -111,7 +111,7 @@ impl Asked {
 pub(crate) fn key(name: &str) -> PyResult<OscillatorKey> {
     let entry = KEYS.iter().find(|entry| entry.path == name || entry.name() == name);
     entry.map(|entry| entry.key).ok_or_else(|| {
-        let known: Vec<&str> = KEYS.iter().map(judder_case::Key::name).collect();
+        let known: Vec<&str> = KEYS.iter().map(judder_keys::numeric_key::Key::name).collect();
         errors::input(name, format!("no key of an oscillator; known are {}", known.join(", ")))
     })
 }

@@ -1,9 +1,11 @@
 //! The figures of the paper: which case makes which panel.
 
 use judder_case::{
-    Bifurcation, Case, ContactAnalysis, ContactCase, DampingCurves, EnginesSettings, FitSettings, Form,
-    LawMethod, MotionAnalysis, OscillatorAnalysis, OscillatorCase, Shape, Span, SpectrumCurves, Value,
+    Bifurcation, Case, ContactAnalysis, ContactCase, DampingCurves, EnginesSettings, FitSettings, LawMethod,
+    MotionAnalysis, OscillatorAnalysis, OscillatorCase, Shape, SpectrumCurves,
 };
+use judder_keys::numeric_key::{Form, Value};
+use judder_keys::span::Span;
 
 /// A figure of the paper.
 pub(super) struct Exhibit {

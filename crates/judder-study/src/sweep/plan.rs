@@ -9,7 +9,8 @@ use crate::models::Axis;
 use crate::models::model;
 use judder_case::study_sweep::quantity_path::{QuantityPath, QuantitySource, QuantityStep};
 use judder_case::study_sweep::{Design, StudySweep, SweptValues};
-use judder_case::{CaseError, CaseFile, SweepProblem};
+use judder_case::{CaseFile, SweepProblem};
+use judder_keys::error::CaseError;
 use judder_store::{SweepDimension, SweepLayout, SweepQuantity, Variable};
 
 /// The most points of a chunk where the case does not say, when only the operating point is asked for: a fraction of a second.

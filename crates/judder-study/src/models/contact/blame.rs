@@ -2,11 +2,12 @@
 
 use crate::error::StudyError;
 use crate::model::Refusal;
-use judder_case::{ContactProblem, Memory};
+use judder_case::ContactProblem;
 use judder_contact::kernel::check::KernelError;
 use judder_contact::periodic_contact::PeriodicContactError;
 use judder_contact::steady::SteadyError;
 use judder_contact::transient::TransientError;
+use judder_keys::memory::Memory;
 
 /// Refuses a depth, over R, at which the indenter has ended.
 pub(super) fn deep(indentation: f64, limit: f64) -> Result<(), Refusal> {

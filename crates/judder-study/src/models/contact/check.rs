@@ -7,8 +7,10 @@ use crate::model::Model;
 use crate::resolve::{Resolved, title};
 use crate::spectrum_source::temperature_warning;
 use crate::text::{columns, number};
-use judder_case::{CaseFile, ContactCase, Form, Memory, OscillatorKey};
+use judder_case::{CaseFile, ContactCase, OscillatorKey};
 use judder_contact::kernel::sliding::SlidingOperator;
+use judder_keys::memory::Memory;
+use judder_keys::numeric_key::Form;
 use serde_json::{Value, json};
 
 /// Seconds that a contact on 256 × 256 cells takes on one core, all coarser grids counted; good to a factor of a few.

@@ -1,14 +1,15 @@
 //! What analyses of motion would take.
 
 use crate::resolve::{Estimate, cost};
-use judder_case::{Form, MotionAnalysis};
+use judder_case::MotionAnalysis;
+use judder_keys::numeric_key::Form;
 
 /// Time in which a motion usually settles, in radians.
 pub(crate) const USUAL_TIME: f64 = 1000.0;
 
 /// What an analysis of motion would take.
 pub(crate) fn estimate<K>(name: &str, kind: &MotionAnalysis<K>, radian: f64) -> Estimate {
-    let settling = |duration: judder_case::Value| match duration.form {
+    let settling = |duration: judder_keys::numeric_key::Value| match duration.form {
         Form::Group => USUAL_TIME.min(duration.number),
         Form::Si => USUAL_TIME,
     };

@@ -3,9 +3,9 @@
 use crate::bridge;
 use crate::models::axis::Axis;
 use judder_case::{
-    BeltCase, BeltInputs, BeltKey, Following, Form, MotionStart, OscillatorInputs, OscillatorKey, Sweep,
-    Value,
+    BeltCase, BeltInputs, BeltKey, Following, MotionStart, OscillatorInputs, OscillatorKey, Sweep,
 };
+use judder_keys::numeric_key::{Form, Value};
 use judder_numerics::piecewise::Settings;
 use judder_oscillator::motion::attractor::distance;
 use judder_oscillator::motion::history::Sample;

@@ -4,7 +4,8 @@ use crate::bridge;
 use crate::error::StudyError;
 use crate::models::oscillator::steady_states::SteadyState;
 use crate::progress::Progress;
-use judder_case::{Form, OscillatorInputs, OscillatorKey, Value};
+use judder_case::{OscillatorInputs, OscillatorKey};
+use judder_keys::numeric_key::{Form, Value};
 use judder_oscillator::map::{
     AdaptiveMap, CoarseMap, CoefficientPlane, Method, Plane, StabilityMap, SweptCoefficient, every_point,
     within_law,

@@ -11,7 +11,8 @@ pub(super) use search::{Search, TOLD};
 
 use crate::bridge;
 use crate::progress::Progress;
-use judder_case::{Form, OscillatorInputs, OscillatorKey, Value};
+use judder_case::{OscillatorInputs, OscillatorKey};
+use judder_keys::numeric_key::{Form, Value};
 use judder_numerics::piecewise::Settings;
 use judder_oscillator::Contact;
 use judder_oscillator::critical::{Range, Scale};

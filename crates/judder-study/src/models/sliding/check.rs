@@ -10,7 +10,8 @@ use crate::models::placed;
 use crate::models::sliding::system::SlidingSystem;
 use crate::resolve::{Estimate, Resolved, estimate_json, estimate_text, title};
 use crate::text::{columns, number};
-use judder_case::{CaseFile, Memory, SlidingAnalysis, SlidingCase};
+use judder_case::{CaseFile, SlidingAnalysis, SlidingCase};
+use judder_keys::memory::Memory;
 use serde_json::{Map, Value, json};
 
 /// The most values of a list that are shown one by one.

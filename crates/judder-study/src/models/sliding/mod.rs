@@ -23,7 +23,8 @@ use crate::error::StudyError;
 use crate::model::{Analysed, Analysis, Model, Pictured, Place, Prepared, Task};
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, Resolved};
-use judder_case::{CaseError, CaseFile, SlidingAnalysis, SlidingCase};
+use judder_case::{CaseFile, SlidingAnalysis, SlidingCase};
+use judder_keys::error::CaseError;
 use std::sync::Arc;
 use system::SlidingSystem;
 

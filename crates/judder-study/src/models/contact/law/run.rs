@@ -6,7 +6,7 @@ use crate::indenter;
 use crate::material::ContactScales;
 use crate::outcome::{CheckRecord, Disagreement, Outcome};
 use crate::progress::Progress;
-use judder_case::{ContactCase, Form, LawMethod, LawSettings, Span};
+use judder_case::{ContactCase, LawMethod, LawSettings};
 use judder_contact::fit::{FitError, FitSample, LawFit, Weighting, fit_law};
 use judder_contact::law::file::to_json;
 use judder_contact::law::sweep::SolvedPoint;
@@ -14,6 +14,8 @@ use judder_contact::law::{LawErrors, PerQuantity};
 use judder_contact::steady::{GridChoice, SteadyQuestion, solve};
 use judder_contact::unilateral::{Loading, UnilateralLimits};
 use judder_contact::{ContactLaw, ContactPoint, Law};
+use judder_keys::numeric_key::Form;
+use judder_keys::span::Span;
 use judder_store::{Dataset, Table, Variable, number};
 use serde_json::{Map, Value, json};
 

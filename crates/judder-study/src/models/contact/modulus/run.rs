@@ -3,8 +3,10 @@
 use crate::error::StudyError;
 use crate::material::{ContactScales, Material};
 use crate::outcome::{CheckRecord, Disagreement, Outcome};
-use judder_case::{ContactCase, Form, Span, contact_analysis::FREQUENCIES};
+use judder_case::{ContactCase, contact_analysis::FREQUENCIES};
 use judder_contact::material::{DmaData, PronyFit};
+use judder_keys::numeric_key::Form;
+use judder_keys::span::Span;
 use judder_store::{Dataset, Table, Variable, number};
 use serde_json::{Map, json};
 

@@ -11,7 +11,8 @@ use crate::models::motion::check::USUAL_TIME;
 use crate::models::motion::model::OscillatorModel;
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, cost};
-use judder_case::{EnginesSettings, Form, OscillatorCase};
+use judder_case::{EnginesSettings, OscillatorCase};
+use judder_keys::numeric_key::Form;
 
 /// The figure.
 pub(crate) const PICTURED: Pictured = Pictured {

@@ -14,7 +14,8 @@ use crate::computed_law::NO_POINTS;
 use crate::error::StudyError;
 use crate::model::{OperatingPoints, OperatingQuantity, OperatingWork};
 use crate::progress::Progress;
-use judder_case::{Form, LawName, OscillatorCase, OscillatorInputs, OscillatorKey, StudySweep, Value};
+use judder_case::{LawName, OscillatorCase, OscillatorInputs, OscillatorKey, StudySweep};
+use judder_keys::numeric_key::{Form, Value};
 use judder_oscillator::Contact;
 use quantities::PointState;
 

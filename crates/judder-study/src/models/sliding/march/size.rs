@@ -2,8 +2,9 @@
 
 use crate::model::Refusal;
 use crate::models::sliding::system::{SlidingSystem, method, step};
+use judder_case::SlidingProblem;
 use judder_case::sliding::march::March;
-use judder_case::{Memory, SlidingProblem};
+use judder_keys::memory::Memory;
 use judder_numerics::signal::decimate::Decimation;
 
 /// What bursts, sound and spectrum of one signal take beside the stored arrays: copies of time, position and signal, before and after

@@ -2,10 +2,11 @@
 
 use super::body::{add_supports, assembled, elastic, section};
 use super::{Structure, Unbuilt};
+use judder_case::StructureProblem;
 use judder_case::structure::body::Body;
 use judder_case::structure::damping::Damping;
-use judder_case::{FileReference, StructureProblem};
 use judder_exchange::mesh_file::{FileSection, MeshFile, read_mesh};
+use judder_keys::file_reference::FileReference;
 use judder_structure::freedom::Supports;
 use judder_structure::material::{Elastic, Section};
 use std::collections::BTreeMap;

@@ -1,11 +1,12 @@
 //! Matrices of other programs, read.
 
 use super::{Layout, Structure, Unbuilt};
+use judder_case::StructureProblem;
 use judder_case::structure::matrices::{MatrixSums, MatrixTerm, Triangle};
-use judder_case::{Cause, StructureProblem};
 use judder_exchange::freedom_table::read_freedoms;
 use judder_exchange::matrix::{self, Matrix, read_matrix, read_stored_matrix};
 use judder_exchange::system::{Part, Parts};
+use judder_keys::cause::Cause;
 use judder_structure::affine::{Factors, Family, Term};
 use judder_structure::freedom::Freedom;
 use rayon::prelude::*;

@@ -5,17 +5,18 @@ use crate::document::{Data, Node, Table};
 use crate::error::{Fault, Place};
 
 /// A table of the case with the words that errors need.
-pub(crate) struct Section<'a> {
+pub struct Section<'a> {
     /// What comes before a key in an error: `substrate.`, or nothing in an analysis.
     prefix: String,
     /// How an error names the section: `[substrate]`, `this analysis`.
     name: String,
     table: &'a Table,
-    pub(crate) place: Place,
+    /// Where the table stands.
+    pub place: Place,
 }
 
 /// An empty table.
-pub(crate) static NOTHING: Section<'static> = Section {
+pub static NOTHING: Section<'static> = Section {
     prefix: String::new(),
     name: String::new(),
     table: &Table { entries: Vec::new() },
@@ -24,13 +25,13 @@ pub(crate) static NOTHING: Section<'static> = Section {
 
 impl<'a> Section<'a> {
     /// Opens `node`, which must be a table with no other keys than `known`.
-    pub(crate) fn open(node: &'a Node, path: &str, name: &str, known: &[&str]) -> Result<Self, Fault> {
+    pub fn open(node: &'a Node, path: &str, name: &str, known: &[&str]) -> Result<Self, Fault> {
         let section = Self::of_table(node, path, name)?;
         section.refuse_others(known).map(|()| section)
     }
 
     /// Opens `node`, which must be a table, whatever its keys are.
-    pub(crate) fn of_table(node: &'a Node, path: &str, name: &str) -> Result<Self, Fault> {
+    pub fn of_table(node: &'a Node, path: &str, name: &str) -> Result<Self, Fault> {
         let Data::Table(table) = &node.data else {
             return Err(wrong_type(path, "a table", node));
         };
@@ -39,12 +40,12 @@ impl<'a> Section<'a> {
     }
 
     /// Whether it has no keys at all.
-    pub(crate) fn is_empty(&self) -> bool {
+    pub fn is_empty(&self) -> bool {
         self.table.entries.is_empty()
     }
 
     /// Refuses all keys but those that are known.
-    pub(crate) fn refuse_others(&self, known: &[&str]) -> Result<(), Fault> {
+    pub fn refuse_others(&self, known: &[&str]) -> Result<(), Fault> {
         let unknown = self.table.entries.iter().filter(|entry| !known.contains(&entry.key.as_str()));
         let faults = unknown.map(|entry| {
             let (key, section) = (entry.key.clone(), self.name.clone());
@@ -55,57 +56,60 @@ impl<'a> Section<'a> {
     }
 
     /// The dotted path of the section itself.
-    pub(crate) fn own_path(&self) -> &str {
+    pub fn own_path(&self) -> &str {
         self.prefix.strip_suffix('.').unwrap_or_default()
     }
 
     /// The section as an error names it.
-    pub(crate) fn name(&self) -> &str {
+    pub fn name(&self) -> &str {
         &self.name
     }
 
     /// Opens `node`, the table under `key` of this section.
-    pub(crate) fn table<'b>(&self, key: &str, node: &'b Node, known: &[&str]) -> Result<Section<'b>, Fault> {
+    pub fn table<'b>(&self, key: &str, node: &'b Node, known: &[&str]) -> Result<Section<'b>, Fault> {
         let path = self.path(key);
         Section::open(node, &path, &format!("`{path}`"), known)
     }
 
     /// The table under `key`, where there is one, whatever its keys are.
-    pub(crate) fn inner(&self, key: &str) -> Result<Option<Section<'a>>, Fault> {
+    pub fn inner(&self, key: &str) -> Result<Option<Section<'a>>, Fault> {
         let path = self.path(key);
         self.get(key).map(|node| Section::of_table(node, &path, &format!("`{path}`"))).transpose()
     }
 
     /// The place of the first of these keys that there is, or of the section.
-    pub(crate) fn place_of(&self, keys: &[&str]) -> Place {
+    pub fn place_of(&self, keys: &[&str]) -> Place {
         keys.iter().find_map(|key| self.get(key)).map_or(self.place, |node| node.place)
     }
 
     /// The dotted path of a key of this section.
-    pub(crate) fn path(&self, key: &str) -> String {
+    pub fn path(&self, key: &str) -> String {
         format!("{}{key}", self.prefix)
     }
 
-    pub(crate) fn get(&self, key: &str) -> Option<&'a Node> {
+    /// The value of a key.
+    pub fn get(&self, key: &str) -> Option<&'a Node> {
         self.table.get(key).map(|entry| &entry.node)
     }
 
     /// The value of a key that must be there; `expected` says what it would be.
-    pub(crate) fn required(&self, key: &str, expected: &str) -> Result<&'a Node, Fault> {
+    pub fn required(&self, key: &str, expected: &str) -> Result<&'a Node, Fault> {
         self.get(key).ok_or_else(|| self.missing(key, expected))
     }
 
     /// The fault of a key that is not there; `expected` says what it would be.
-    pub(crate) fn missing(&self, key: &str, expected: &str) -> Fault {
+    pub fn missing(&self, key: &str, expected: &str) -> Fault {
         let (key, section) = (key.to_owned(), self.name.clone());
         Cause::MissingKey { key, section, expected: expected.to_owned() }.at(self.place)
     }
 
-    pub(crate) fn text(&self, key: &str) -> Result<Option<&'a str>, Fault> {
+    /// A string.
+    pub fn text(&self, key: &str) -> Result<Option<&'a str>, Fault> {
         self.get(key).map(|node| text(&self.path(key), node)).transpose()
     }
 
-    pub(crate) fn boolean(&self, key: &str) -> Result<Option<bool>, Fault> {
+    /// `true` or `false`.
+    pub fn boolean(&self, key: &str) -> Result<Option<bool>, Fault> {
         let Some(node) = self.get(key) else { return Ok(None) };
         match node.data {
             Data::Boolean(value) => Ok(Some(value)),
@@ -114,12 +118,12 @@ impl<'a> Section<'a> {
     }
 
     /// A whole number from `from` to `to`.
-    pub(crate) fn whole(&self, key: &str, from: usize, to: usize) -> Result<Option<usize>, Fault> {
+    pub fn whole(&self, key: &str, from: usize, to: usize) -> Result<Option<usize>, Fault> {
         self.get(key).map(|node| whole(&self.path(key), node, (from, to))).transpose()
     }
 
     /// One of a few words, each with its meaning.
-    pub(crate) fn choice<T: Copy>(
+    pub fn choice<T: Copy>(
         &self,
         key: &str,
         what: &'static str,
@@ -130,7 +134,7 @@ impl<'a> Section<'a> {
 }
 
 /// A whole number from one to another.
-pub(crate) fn whole(key: &str, node: &Node, (from, to): (usize, usize)) -> Result<usize, Fault> {
+pub fn whole(key: &str, node: &Node, (from, to): (usize, usize)) -> Result<usize, Fault> {
     let Data::Number { whole: Some(found), .. } = node.data else {
         return Err(wrong_type(key, "an integer", node));
     };
@@ -144,7 +148,7 @@ pub(crate) fn whole(key: &str, node: &Node, (from, to): (usize, usize)) -> Resul
 }
 
 /// One of a few words, each with its meaning.
-pub(crate) fn word<T: Copy>(
+pub fn word<T: Copy>(
     key: &str,
     what: &'static str,
     node: &Node,
@@ -161,7 +165,7 @@ pub(crate) fn word<T: Copy>(
 }
 
 /// The items of a list.
-pub(crate) fn list<'a>(key: &str, node: &'a Node) -> Result<&'a [Node], Fault> {
+pub fn list<'a>(key: &str, node: &'a Node) -> Result<&'a [Node], Fault> {
     match &node.data {
         Data::List(items) => Ok(items),
         _ => Err(wrong_type(key, "a list", node)),
@@ -169,7 +173,7 @@ pub(crate) fn list<'a>(key: &str, node: &'a Node) -> Result<&'a [Node], Fault> {
 }
 
 /// A string.
-pub(crate) fn text<'a>(key: &str, node: &'a Node) -> Result<&'a str, Fault> {
+pub fn text<'a>(key: &str, node: &'a Node) -> Result<&'a str, Fault> {
     match &node.data {
         Data::Text(text) => Ok(text),
         _ => Err(wrong_type(key, "a string", node)),
@@ -177,7 +181,7 @@ pub(crate) fn text<'a>(key: &str, node: &'a Node) -> Result<&'a str, Fault> {
 }
 
 /// A finite plain number; an integer counts as one.
-pub(crate) fn finite_number(key: &str, node: &Node) -> Result<f64, Fault> {
+pub fn finite_number(key: &str, node: &Node) -> Result<f64, Fault> {
     match node.data {
         Data::Number { value, .. } if value.is_finite() => Ok(value),
         Data::Number { .. } => Err(Cause::NotFinite { key: key.to_owned() }.at(node.place)),
@@ -186,7 +190,7 @@ pub(crate) fn finite_number(key: &str, node: &Node) -> Result<f64, Fault> {
 }
 
 /// The fault of a value of the wrong type.
-pub(crate) fn wrong_type(key: &str, expected: &str, node: &Node) -> Fault {
+pub fn wrong_type(key: &str, expected: &str, node: &Node) -> Fault {
     Cause::WrongType { key: key.to_owned(), expected: expected.to_owned(), found: node.type_name() }
         .at(node.place)
 }

@@ -8,49 +8,63 @@ use crate::error::{Fault, Place};
 
 /// A value with its place.
 #[derive(Debug, Clone)]
-pub(crate) struct Node {
-    pub(crate) place: Place,
-    pub(crate) data: Data,
+pub struct Node {
+    /// Where it stands.
+    pub place: Place,
+    /// What it is.
+    pub data: Data,
 }
 
 /// What a value is.
 #[derive(Debug, Clone)]
-pub(crate) enum Data {
+pub enum Data {
     /// A number; `whole` where it was written as an integer.
     Number {
+        /// The number.
         value: f64,
+        /// The integer that was written.
         whole: Option<i64>,
     },
+    /// A string.
     Text(String),
+    /// `true` or `false`.
     Boolean(bool),
+    /// A date or a time, which no key takes.
     Date,
+    /// A list.
     List(Vec<Node>),
+    /// A table.
     Table(Table),
 }
 
 /// A table, its entries in the order of the text.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Table {
-    pub(crate) entries: Vec<Entry>,
+pub struct Table {
+    /// Its keys with their values.
+    pub entries: Vec<Entry>,
 }
 
 /// A key with its place, and its value.
 #[derive(Debug, Clone)]
-pub(crate) struct Entry {
-    pub(crate) key: String,
-    pub(crate) place: Place,
-    pub(crate) node: Node,
+pub struct Entry {
+    /// The key.
+    pub key: String,
+    /// Where the key stands.
+    pub place: Place,
+    /// Its value.
+    pub node: Node,
 }
 
 impl Table {
-    pub(crate) fn get(&self, key: &str) -> Option<&Entry> {
+    /// The entry of a key.
+    pub fn get(&self, key: &str) -> Option<&Entry> {
         self.entries.iter().find(|entry| entry.key == key)
     }
 }
 
 impl Node {
     /// What the value is, as an error says it.
-    pub(crate) fn type_name(&self) -> &'static str {
+    pub fn type_name(&self) -> &'static str {
         match &self.data {
             Data::Number { whole: Some(_), .. } => "an integer",
             Data::Number { .. } => "a number",
@@ -63,7 +77,7 @@ impl Node {
     }
 
     /// The value under `key` of a table.
-    pub(crate) fn entry(&self, key: &str) -> Option<&Node> {
+    pub fn entry(&self, key: &str) -> Option<&Node> {
         match &self.data {
             Data::Table(table) => table.get(key).map(|entry| &entry.node),
             _ => None,
@@ -71,7 +85,7 @@ impl Node {
     }
 
     /// The value to which a step of a dotted path leads: a key of a table, an item of a list.
-    pub(crate) fn step(&self, step: &str) -> Option<&Node> {
+    pub fn step(&self, step: &str) -> Option<&Node> {
         match &self.data {
             Data::List(items) => item(items, step).and_then(|index| items.get(index)),
             _ => self.entry(step),
@@ -79,13 +93,13 @@ impl Node {
     }
 
     /// Puts `leaf` at the end of a dotted path, whose steps errors place at `place`.
-    pub(crate) fn set(&mut self, path: &str, place: Place, leaf: Node) -> Result<(), Fault> {
+    pub fn set(&mut self, path: &str, place: Place, leaf: Node) -> Result<(), Fault> {
         let steps: Vec<_> = path.split('.').map(|step| (step, place)).collect();
         graft(self, "the case", &steps, leaf)
     }
 
     /// A dotted path with the items of lists by their positions.
-    pub(crate) fn by_position(&self, path: &str) -> String {
+    pub fn by_position(&self, path: &str) -> String {
         let mut node = Some(self);
         let step = |step: &str| {
             let position = match node.map(|node| &node.data) {
@@ -99,14 +113,14 @@ impl Node {
     }
 
     /// Takes the value under `key` out of a table.
-    pub(crate) fn take(&mut self, key: &str) -> Option<Node> {
+    pub fn take(&mut self, key: &str) -> Option<Node> {
         let Data::Table(table) = &mut self.data else { return None };
         let index = table.entries.iter().position(|entry| entry.key == key)?;
         Some(table.entries.remove(index).node)
     }
 
     /// The place of `range` of a text value; the whole value where escapes hide the correspondence.
-    pub(crate) fn part(&self, range: std::ops::Range<usize>) -> Place {
+    pub fn part(&self, range: std::ops::Range<usize>) -> Place {
         let Data::Text(text) = &self.data else { return self.place };
         let quotes = match (self.place.end - self.place.start).checked_sub(text.len()) {
             Some(0) => 0,
@@ -119,7 +133,7 @@ impl Node {
 }
 
 /// Parses the text of the case file.
-pub(crate) fn parse(text: &str) -> Result<Node, Fault> {
+pub fn parse(text: &str) -> Result<Node, Fault> {
     let converter = Converter { source: 0, offset: 0 };
     match DeTable::parse(text) {
         Ok(table) => {
@@ -136,7 +150,7 @@ pub(crate) fn parse(text: &str) -> Result<Node, Fault> {
 /// Grafts the `number`-th option `key=value` onto the tree; a later option wins over an earlier one.
 ///
 /// The value is read as TOML and, where it is none, as a bare string: `velocity=30 mm/s` needs no inner quotes.
-pub(crate) fn apply_override(root: &mut Node, number: usize, option: &str) -> Result<(), Fault> {
+pub fn apply_override(root: &mut Node, number: usize, option: &str) -> Result<(), Fault> {
     let SetOption { steps, value } = read_option(number, option)?;
     let place = Place { source: number, start: value.start, end: value.end };
     let value = &option[value];
@@ -148,15 +162,15 @@ pub(crate) fn apply_override(root: &mut Node, number: usize, option: &str) -> Re
 }
 
 /// What an option `key=value` says.
-pub(crate) struct SetOption<'a> {
+pub struct SetOption<'a> {
     /// The dotted path, step by step.
-    pub(crate) steps: Vec<(&'a str, Place)>,
+    pub steps: Vec<(&'a str, Place)>,
     /// Where the value stands.
-    pub(crate) value: std::ops::Range<usize>,
+    pub value: std::ops::Range<usize>,
 }
 
 /// Takes the `number`-th option `key=value` apart.
-pub(crate) fn read_option(number: usize, option: &str) -> Result<SetOption<'_>, Fault> {
+pub fn read_option(number: usize, option: &str) -> Result<SetOption<'_>, Fault> {
     let whole = Place { source: number, start: 0, end: option.len() };
     let malformed = || Cause::OverrideForm { option: option.to_owned() }.at(whole);
     let (path, value) = option.split_once('=').ok_or_else(malformed)?;
@@ -179,10 +193,10 @@ pub(crate) fn read_option(number: usize, option: &str) -> Result<SetOption<'_>, 
 }
 
 /// The most steps of a dotted path after the first: no key of a case lies deeper, and grafting recurses.
-pub(crate) const STEPS_LIMIT: usize = 8;
+pub const STEPS_LIMIT: usize = 8;
 
 /// The keys that name an item of a list: the first that it has.
-pub(crate) const NAMING: [&str; 2] = ["name", "kind"];
+pub const NAMING: [&str; 2] = ["name", "kind"];
 
 fn name_of(node: &Node) -> Option<&str> {
     let name = NAMING.iter().find_map(|key| node.entry(key))?;
@@ -195,7 +209,7 @@ fn item(items: &[Node], step: &str) -> Option<usize> {
 }
 
 /// As of [`item`], of a list whose items have these names.
-pub(crate) fn item_index<'a>(
+pub fn item_index<'a>(
     mut names: impl ExactSizeIterator<Item = Option<&'a str>>,
     step: &str,
 ) -> Option<usize> {

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::cause::Cause;
-use crate::declared::{Form, Setting};
+use crate::declared::{Allowed, Setting};
 use crate::document::Node;
 use crate::error::Fault;
 use crate::quantity::leading_number;
@@ -39,7 +39,7 @@ impl Memory {
     pub const DEFAULT: Self = Self { bytes: 4 * GIB };
 
     /// Reads `"4 GiB"`: a number and one of TiB, GiB, MiB, KiB, TB, GB, MB, kB.
-    pub(crate) fn parse(text: &str) -> Option<Self> {
+    pub fn parse(text: &str) -> Option<Self> {
         let text = text.trim();
         let (number, length) = leading_number(text)?;
         let (_, unit) = UNITS.iter().find(|(unit, _)| *unit == text[length..].trim_start())?;
@@ -48,7 +48,7 @@ impl Memory {
     }
 
     /// The amount that a limit would need to be, in whole GiB or MiB, as a case writes it.
-    pub(crate) fn rounded_up(self) -> String {
+    pub fn rounded_up(self) -> String {
         let (unit, size) = if self.bytes >= GIB { ("GiB", GIB) } else { ("MiB", MIB) };
         format!("{} {unit}", self.bytes.div_ceil(size))
     }
@@ -72,10 +72,10 @@ impl Setting for Memory {
         Some(Self::DEFAULT)
     }
 
-    fn form((): &()) -> Form {
+    fn form((): &()) -> Allowed {
         let schema = json!({ "type": "string", "examples": ["4 GiB", "512 MiB"], "default": "4 GiB" });
         let units = UNITS.map(|(unit, _)| unit).join(", ");
-        Form::Told { schema, words: format!("an amount such as 4 GiB, in {units}"), keys: Vec::new() }
+        Allowed::Told { schema, words: format!("an amount such as 4 GiB, in {units}"), keys: Vec::new() }
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {

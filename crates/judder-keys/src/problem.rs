@@ -29,7 +29,7 @@ impl<P: Problem> From<P> for Cause {
 }
 
 /// Problems at their places.
-pub(crate) trait Placed {
+pub trait Placed {
     /// At this place of a case.
     fn at(self, place: Place) -> Fault;
 }

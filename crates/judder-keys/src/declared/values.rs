@@ -1,62 +1,71 @@
 //! The types that a declared key may have, and the rules by which they are read.
 
-use super::{Form, Setting, Settings, all, read_settings};
+use super::{Allowed, Setting, Settings, all, read_settings};
 use crate::cause::Cause;
 use crate::dimension::Dimension;
 use crate::document::{Data, Node};
 use crate::error::Fault;
-use crate::keys::Range;
-use crate::problem::Placed;
+use crate::numeric_key::Range;
+use crate::numeric_key::read_value;
 use crate::section::{Section, list, text, whole, word, wrong_type};
-use crate::structure::analysis::ascending;
-use crate::structure::problem::StructureProblem;
-use crate::swept_keys::read_value;
+use crate::span::ascending;
 use serde_json::{Map, Value as Json, json};
 
 /// A number: its dimension and its range, in SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Number {
-    pub(crate) dimension: Dimension,
-    pub(crate) range: Range,
+pub struct Number {
+    /// The dimension.
+    pub dimension: Dimension,
+    /// The numbers allowed, in SI units.
+    pub range: Range,
 }
 
 /// The largest whole number: no limit.
-pub(crate) const UNLIMITED: usize = usize::MAX >> 1;
+pub const UNLIMITED: usize = usize::MAX >> 1;
 
 /// A whole number from one to another.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Whole {
-    pub(crate) from: usize,
-    pub(crate) to: usize,
+pub struct Whole {
+    /// The smallest.
+    pub from: usize,
+    /// The largest.
+    pub to: usize,
 }
 
 /// Two numbers, what they are, and whether the second must be larger.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Pair {
-    pub(crate) of: Number,
-    pub(crate) what: &'static str,
-    pub(crate) is_ascending: bool,
+pub struct Pair {
+    /// What each may be.
+    pub of: Number,
+    /// What they are, in words.
+    pub what: &'static str,
+    /// Whether the second must be larger.
+    pub is_ascending: bool,
 }
 
 /// A list as long as its type, and what stands in it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Fixed<R> {
-    pub(crate) of: R,
-    pub(crate) what: &'static str,
+pub struct Fixed<R> {
+    /// What each may be.
+    pub of: R,
+    /// What they are, in words.
+    pub what: &'static str,
 }
 
 /// A list, and how long it may be: that is told, and the settings check it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Several<R> {
-    pub(crate) of: R,
-    pub(crate) length: [usize; 2],
+pub struct Several<R> {
+    /// What each may be.
+    pub of: R,
+    /// The fewest and the most.
+    pub length: [usize; 2],
 }
 
 impl Setting for f64 {
     type Rule = Number;
 
-    fn form(rule: &Number) -> Form {
-        Form::Number(*rule)
+    fn form(rule: &Number) -> Allowed {
+        Allowed::Number(*rule)
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, rule: &Number) -> Result<Self, Fault> {
@@ -74,8 +83,8 @@ impl Setting for f64 {
 impl Setting for usize {
     type Rule = Whole;
 
-    fn form(rule: &Whole) -> Form {
-        Form::Whole(*rule)
+    fn form(rule: &Whole) -> Allowed {
+        Allowed::Whole(*rule)
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, rule: &Whole) -> Result<Self, Fault> {
@@ -90,8 +99,8 @@ impl Setting for usize {
 impl Setting for bool {
     type Rule = ();
 
-    fn form((): &()) -> Form {
-        Form::Flag
+    fn form((): &()) -> Allowed {
+        Allowed::Flag
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
@@ -109,8 +118,8 @@ impl Setting for bool {
 impl Setting for String {
     type Rule = ();
 
-    fn form((): &()) -> Form {
-        Form::Text
+    fn form((): &()) -> Allowed {
+        Allowed::Text
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
@@ -125,8 +134,8 @@ impl Setting for String {
 impl Setting for [f64; 2] {
     type Rule = Pair;
 
-    fn form(rule: &Pair) -> Form {
-        Form::List { of: Box::new(Form::Number(rule.of)), length: [2, 2] }
+    fn form(rule: &Pair) -> Allowed {
+        Allowed::List { of: Box::new(Allowed::Number(rule.of)), length: [2, 2] }
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, rule: &Pair) -> Result<Self, Fault> {
@@ -145,8 +154,8 @@ impl Setting for [f64; 2] {
 impl Setting for [usize; 2] {
     type Rule = Fixed<Whole>;
 
-    fn form(rule: &Fixed<Whole>) -> Form {
-        Form::List { of: Box::new(Form::Whole(rule.of)), length: [2, 2] }
+    fn form(rule: &Fixed<Whole>) -> Allowed {
+        Allowed::List { of: Box::new(Allowed::Whole(rule.of)), length: [2, 2] }
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, rule: &Fixed<Whole>) -> Result<Self, Fault> {
@@ -162,9 +171,9 @@ impl Setting for [usize; 2] {
 impl Setting for [bool; 3] {
     type Rule = ();
 
-    fn form((): &()) -> Form {
-        Form::List {
-            of: Box::new(Form::Choice { words: &[("x", ""), ("y", ""), ("z", "")] }),
+    fn form((): &()) -> Allowed {
+        Allowed::List {
+            of: Box::new(Allowed::Choice { words: &[("x", ""), ("y", ""), ("z", "")] }),
             length: [0, 3],
         }
     }
@@ -186,8 +195,8 @@ impl Setting for [bool; 3] {
 impl<T: Setting> Setting for Vec<T> {
     type Rule = Several<T::Rule>;
 
-    fn form(rule: &Several<T::Rule>) -> Form {
-        Form::List { of: Box::new(T::form(&rule.of)), length: rule.length }
+    fn form(rule: &Several<T::Rule>) -> Allowed {
+        Allowed::List { of: Box::new(T::form(&rule.of)), length: rule.length }
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, rule: &Several<T::Rule>) -> Result<Self, Fault> {
@@ -215,7 +224,7 @@ fn exactly<T, const N: usize>(
     items: Vec<T>,
 ) -> Result<[T; N], Fault> {
     items.try_into().map_err(|items: Vec<T>| {
-        StructureProblem::Length { key: section.path(key), expected, found: items.len() }.at(node.place)
+        Cause::Length { key: section.path(key), expected, found: items.len() }.at(node.place)
     })
 }
 
@@ -227,7 +236,7 @@ impl<T: Setting> Setting for Option<T> {
         Some(None)
     }
 
-    fn form(rule: &T::Rule) -> Form {
+    fn form(rule: &T::Rule) -> Allowed {
         T::form(rule)
     }
 
@@ -243,8 +252,8 @@ impl<T: Setting> Setting for Option<T> {
 impl<T: Settings> Setting for T {
     type Rule = ();
 
-    fn form((): &()) -> Form {
-        Form::Table { doc: T::DOC, keys: T::declarations() }
+    fn form((): &()) -> Allowed {
+        Allowed::Table { doc: T::DOC, keys: T::declarations() }
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
@@ -262,23 +271,23 @@ impl<T: Settings> Setting for T {
 
 impl Number {
     /// Above zero.
-    pub(crate) const fn positive(dimension: Dimension) -> Self {
+    pub const fn positive(dimension: Dimension) -> Self {
         Self { dimension, range: Range::Positive }
     }
 
     /// Zero or above.
-    pub(crate) const fn non_negative(dimension: Dimension) -> Self {
+    pub const fn non_negative(dimension: Dimension) -> Self {
         Self { dimension, range: Range::NonNegative }
     }
 
     /// Any finite number.
-    pub(crate) const fn any(dimension: Dimension) -> Self {
+    pub const fn any(dimension: Dimension) -> Self {
         Self { dimension, range: Range::Any }
     }
 }
 
 /// The refusal of a key that means nothing beside another.
-pub(crate) fn conflict(section: &Section<'_>, first: &str, second: &str) -> Result<(), Fault> {
+pub fn conflict(section: &Section<'_>, first: &str, second: &str) -> Result<(), Fault> {
     match (section.get(first), section.get(second)) {
         (Some(_), Some(node)) => {
             let (first, second) = (section.path(first), section.path(second));

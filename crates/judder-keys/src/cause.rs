@@ -6,7 +6,7 @@ use thiserror::Error;
 
 use crate::dimension::Dimension;
 use crate::expression::ExpressionError;
-use crate::keys::Range;
+use crate::numeric_key::Range;
 use crate::problem::Problem;
 use crate::quantity::QuantityError;
 
@@ -355,6 +355,16 @@ pub enum Cause {
         /// The key.
         key: String,
     },
+    /// A list of another length.
+    #[error("`{key}` has {found} entries, but must have {expected}")]
+    Length {
+        /// The key.
+        key: String,
+        /// What it must have.
+        expected: &'static str,
+        /// What it has.
+        found: usize,
+    },
     /// What a part of the case says of itself.
     #[error("{0}")]
     Problem(Box<dyn Problem>),
@@ -369,6 +379,6 @@ pub enum Cause {
 }
 
 /// Bytes in the unit in which memory limits are told.
-pub(crate) fn gibibytes(bytes: u128) -> String {
+pub fn gibibytes(bytes: u128) -> String {
     format!("{:.1} GiB", bytes as f64 / f64::from(1 << 30))
 }

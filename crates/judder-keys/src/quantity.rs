@@ -117,13 +117,13 @@ impl Quantity {
     }
 
     /// Whether the text is a temperature in degrees Celsius, whose number was moved to the zero of the kelvin.
-    pub(crate) fn is_celsius(text: &str) -> bool {
+    pub fn is_celsius(text: &str) -> bool {
         CELSIUS.iter().any(|unit| text.trim_end().ends_with(unit))
     }
 }
 
 /// The decimal number with which `text` begins, and its length in bytes; infinite where it exceeds `f64`.
-pub(crate) fn leading_number(text: &str) -> Option<(f64, usize)> {
+pub fn leading_number(text: &str) -> Option<(f64, usize)> {
     let bytes = text.as_bytes();
     let digits = |from: usize| bytes[from..].iter().take_while(|byte| byte.is_ascii_digit()).count();
     let sign = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));

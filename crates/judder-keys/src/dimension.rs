@@ -106,7 +106,7 @@ impl Dimension {
     }
 
     /// The exponents of `self · other^power`; `None` where one leaves the range of `i8`.
-    pub(crate) fn times(self, other: Self, power: i8) -> Option<Self> {
+    pub fn times(self, other: Self, power: i8) -> Option<Self> {
         let sum = |left: i8, right: i8| right.checked_mul(power).and_then(|right| left.checked_add(right));
         Some(Self {
             length: sum(self.length, other.length)?,

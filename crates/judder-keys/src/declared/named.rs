@@ -1,6 +1,6 @@
 //! Names by which a case calls what it has.
 
-use super::{Form, Setting};
+use super::{Allowed, Setting};
 use crate::document::Node;
 use crate::error::Fault;
 use crate::section::{Section, text};
@@ -27,8 +27,8 @@ impl<T> Deref for Named<T> {
 impl<T: Default> Setting for Named<T> {
     type Rule = ();
 
-    fn form((): &()) -> Form {
-        Form::Text
+    fn form((): &()) -> Allowed {
+        Allowed::Text
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {

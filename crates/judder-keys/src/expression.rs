@@ -44,7 +44,8 @@ pub enum ExpressionError {
 }
 
 impl ExpressionError {
-    pub(crate) fn help(&self, parameters: &[String]) -> String {
+    /// What would be right, with the names of the parameters that there are.
+    pub fn help(&self, parameters: &[String]) -> String {
         let functions = FUNCTIONS.map(|(name, _)| name).join(" ");
         match self {
             Self::UnknownSymbol { name } => {
@@ -76,7 +77,7 @@ const FUNCTIONS: [(&str, Function); 13] = [
 ];
 
 /// Whether an expression reads `name` as one of its parameters.
-pub(crate) fn is_parameter_name(name: &str) -> bool {
+pub fn is_parameter_name(name: &str) -> bool {
     let mut characters = name.chars();
     let begins = characters.next().is_some_and(|first| first.is_alphabetic() || first == '_');
     let taken = name == "pi" || name == "π" || FUNCTIONS.iter().any(|(function, _)| *function == name);
@@ -101,20 +102,18 @@ const DEPTH: usize = 32;
 
 /// A compiled expression of some parameters.
 #[derive(Debug, Clone)]
-pub(crate) struct Expression {
+pub struct Expression {
     steps: Vec<Step>,
 }
 
 impl Expression {
-    pub(crate) fn constant(value: f64) -> Self {
+    /// A number.
+    pub fn constant(value: f64) -> Self {
         Self { steps: vec![Step::Number(value)] }
     }
 
     /// Compiles `text`, whose free names are `parameters`.
-    pub(crate) fn compile(
-        text: &str,
-        parameters: &[String],
-    ) -> Result<Self, (ExpressionError, Range<usize>)> {
+    pub fn compile(text: &str, parameters: &[String]) -> Result<Self, (ExpressionError, Range<usize>)> {
         let mut compiler = Compiler { text, at: 0, parameters, steps: Vec::new(), nesting: 0 };
         compiler.sum()?;
         if compiler.peek().is_some() {
@@ -135,12 +134,12 @@ impl Expression {
     }
 
     /// Whether the expression contains the parameter at `index`.
-    pub(crate) fn depends_on(&self, index: usize) -> bool {
+    pub fn depends_on(&self, index: usize) -> bool {
         self.steps.iter().any(|step| matches!(step, Step::Parameter(used) if *used == index))
     }
 
     /// The value where the parameters are `values`, in the order given to [`Expression::compile`].
-    pub(crate) fn evaluate(&self, values: &[f64]) -> f64 {
+    pub fn evaluate(&self, values: &[f64]) -> f64 {
         let mut stack = [0.0; DEPTH];
         let mut top = 0;
         for step in &self.steps {

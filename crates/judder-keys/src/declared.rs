@@ -3,7 +3,7 @@
 //! What is read with its places in errors, the canonical form, the schema and the reference follow from the fields; each says by its doc
 //! comment what the key is, and by its type and rule what it may be. [`judder_keys_derive`] derives it.
 
-mod form;
+mod allowed;
 mod named;
 mod scaled;
 mod values;
@@ -13,13 +13,13 @@ use crate::error::Fault;
 use crate::section::{NOTHING, Section};
 use serde_json::{Map, Value as Json};
 
-pub(crate) use form::{Declaration, Form, alternatives, together};
+pub use allowed::{Allowed, Declaration, alternatives, together};
 pub use named::Named;
-pub(crate) use scaled::{Ladder, Scaled};
-pub(crate) use values::{Fixed, Number, Pair, Several, UNLIMITED, Whole, conflict};
+pub use scaled::{Ladder, Scaled};
+pub use values::{Fixed, Number, Pair, Several, UNLIMITED, Whole, conflict};
 
 /// A table of settings.
-pub(crate) trait Settings: Sized {
+pub trait Settings: Sized {
     /// How messages call the table; by its path where this is `None`.
     const TITLE: Option<&'static str>;
     /// What it is.
@@ -38,7 +38,7 @@ pub(crate) trait Settings: Sized {
 }
 
 /// The value of a key.
-pub(crate) trait Setting: Sized {
+pub trait Setting: Sized {
     /// What reading needs to know besides the type: unit, range, length.
     type Rule: 'static;
     /// Whether it may be left out without a default.
@@ -50,7 +50,7 @@ pub(crate) trait Setting: Sized {
     }
 
     /// What a case file may say.
-    fn form(rule: &Self::Rule) -> Form;
+    fn form(rule: &Self::Rule) -> Allowed;
 
     /// Reads the value under a key of a section.
     fn read(section: &Section<'_>, key: &str, node: &Node, rule: &Self::Rule) -> Result<Self, Fault>;
@@ -61,21 +61,23 @@ pub(crate) trait Setting: Sized {
 
 /// How messages speak of a key that lacks.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Called {
-    pub(crate) key: &'static str,
-    pub(crate) doc: &'static str,
+pub struct Called {
+    /// Its name.
+    pub key: &'static str,
+    /// What it is.
+    pub doc: &'static str,
     /// What would be right, in place of what the form says.
-    pub(crate) example: Option<&'static str>,
+    pub example: Option<&'static str>,
 }
 
 /// Reads a table by the name that messages give it; keys that it does not have are told beside what is wrong with those that it has.
-pub(crate) fn read_settings<T: Settings>(node: &Node, path: &str, name: &str) -> Result<T, Fault> {
+pub fn read_settings<T: Settings>(node: &Node, path: &str, name: &str) -> Result<T, Fault> {
     let section = Section::of_table(node, path, name)?;
     both(section.refuse_others(T::KEYS), T::read_table(&section)).map(|((), settings)| settings)
 }
 
 /// Reads a key, or takes what it is where it is left out.
-pub(crate) fn read_key<T: Setting>(
+pub fn read_key<T: Setting>(
     section: &Section<'_>,
     called: Called,
     rule: &T::Rule,
@@ -97,12 +99,12 @@ pub(crate) fn read_key<T: Setting>(
 }
 
 /// The settings of an empty table, where all of them may be left out.
-pub(crate) fn of_nothing<T: Settings>() -> Option<T> {
+pub fn of_nothing<T: Settings>() -> Option<T> {
     T::read_table(&NOTHING).ok()
 }
 
 /// Which of some alternatives a section has the keys of, the first where it has none; two are refused.
-pub(crate) fn alternative(section: &Section<'_>, keys: &[&[&str]]) -> Result<usize, Fault> {
+pub fn alternative(section: &Section<'_>, keys: &[&[&str]]) -> Result<usize, Fault> {
     let given = |(index, keys): (usize, &&[&str])| {
         keys.iter().find(|key| section.get(key).is_some()).map(|key| (index, (*key).to_owned()))
     };
@@ -112,7 +114,7 @@ pub(crate) fn alternative(section: &Section<'_>, keys: &[&[&str]]) -> Result<usi
 }
 
 /// Lists of keys as one.
-pub(crate) const fn joined<const N: usize>(lists: &[&[&'static str]]) -> [&'static str; N] {
+pub const fn joined<const N: usize>(lists: &[&[&'static str]]) -> [&'static str; N] {
     let (mut all, mut count, mut list) = ([""; N], 0, 0);
     while list < lists.len() {
         let mut own = 0;
@@ -126,7 +128,7 @@ pub(crate) const fn joined<const N: usize>(lists: &[&[&'static str]]) -> [&'stat
 }
 
 /// Both of two, or all that is wrong with either.
-pub(crate) fn both<A, B>(one: Result<A, Fault>, other: Result<B, Fault>) -> Result<(A, B), Fault> {
+pub fn both<A, B>(one: Result<A, Fault>, other: Result<B, Fault>) -> Result<(A, B), Fault> {
     match (one, other) {
         (Ok(one), Ok(other)) => Ok((one, other)),
         (Err(one), Err(other)) => Err(one.and(other)),
@@ -135,7 +137,7 @@ pub(crate) fn both<A, B>(one: Result<A, Fault>, other: Result<B, Fault>) -> Resu
 }
 
 /// All of many, or all that is wrong with any.
-pub(crate) fn all<T>(many: impl IntoIterator<Item = Result<T, Fault>>) -> Result<Vec<T>, Fault> {
+pub fn all<T>(many: impl IntoIterator<Item = Result<T, Fault>>) -> Result<Vec<T>, Fault> {
     let nothing = Ok(Vec::new());
     many.into_iter().fold(nothing, |before, own| {
         both(before, own).map(|(mut before, own)| {
@@ -146,7 +148,7 @@ pub(crate) fn all<T>(many: impl IntoIterator<Item = Result<T, Fault>>) -> Result
 }
 
 /// Puts a key into a canonical form; one that is left out is `null` there, or nothing.
-pub(crate) fn write_key(json: &mut Map<String, Json>, (key, is_omitted): (&str, bool), value: Json) {
+pub fn write_key(json: &mut Map<String, Json>, (key, is_omitted): (&str, bool), value: Json) {
     if !(is_omitted && value.is_null()) {
         json.insert(key.to_owned(), value);
     }

@@ -52,6 +52,7 @@ impl Cause {
             Self::Difference { .. } => "not a difference",
             Self::Meaningless { .. } => "without meaning",
             Self::NotMemory { .. } => "not an amount",
+            Self::Length { .. } => "wrong length",
             Self::Problem(problem) => problem.label(),
             _ => "here",
         }
@@ -131,6 +132,7 @@ impl Cause {
             Self::Count { from, to, .. } => format!("give a number from {from} to {to}"),
             Self::Difference { example, .. } => format!("write a difference: \"{example}\""),
             Self::Meaningless { key, .. } => format!("leave `{key}` out"),
+            Self::Length { expected, .. } => format!("give {expected}"),
             Self::NotMemory { .. } => "write \"4 GiB\" or \"512 MiB\"".to_owned(),
             Self::Problem(problem) => return problem.help(),
             _ => return None,

@@ -1,41 +1,46 @@
 //! Numbers that a case gives as a dimensionless group or with a unit, and ranges of them.
 
-use super::{Declaration, Form, Setting, Whole};
+use super::{Allowed, Declaration, Setting, Whole};
 use crate::dimension::Dimension;
 use crate::document::Node;
 use crate::error::Fault;
-use crate::keys::{Form as Given, Key, Range, Value};
+use crate::numeric_key::read_value;
+use crate::numeric_key::{Form, Key, Range, Value};
 use crate::reference::allowed;
 use crate::section::Section;
 use crate::span::{Span, read_ends};
-use crate::swept_keys::read_value;
 use serde_json::{Value as Json, json};
 
 /// A number that is a dimensionless group, or a quantity of this dimension.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Scaled {
-    pub(crate) dimension: Dimension,
+pub struct Scaled {
+    /// The dimension of a quantity with a unit.
+    pub dimension: Dimension,
     /// What a plain number is.
-    pub(crate) group: &'static str,
-    pub(crate) range: Range,
+    pub group: &'static str,
+    /// What it may be.
+    pub range: Range,
 }
 
 /// A range of such numbers: the points of one that does not say, and the most.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Ladder {
-    pub(crate) of: Scaled,
-    pub(crate) usual: usize,
-    pub(crate) most: usize,
+pub struct Ladder {
+    /// Its ends.
+    pub of: Scaled,
+    /// The points where none are given.
+    pub usual: usize,
+    /// The most points.
+    pub most: usize,
 }
 
 impl Scaled {
     /// Above zero.
-    pub(crate) const fn positive(dimension: Dimension, group: &'static str) -> Self {
+    pub const fn positive(dimension: Dimension, group: &'static str) -> Self {
         Self { dimension, group, range: Range::Positive }
     }
 
     /// The entry of a table of keys that reads as this number does.
-    pub(crate) const fn entry(&self) -> Key<()> {
+    pub const fn entry(&self) -> Key<()> {
         Key {
             key: (),
             path: "",
@@ -59,10 +64,10 @@ impl Scaled {
         format!("a plain number ({group}) or {} such as {example}, {range}", self.dimension)
     }
 
-    fn write(&self, number: f64, given: Given) -> Json {
+    fn write(&self, number: f64, given: Form) -> Json {
         match given {
-            Given::Group => json!(number),
-            Given::Si => json!({ "value": number, "unit": self.dimension.unit() }),
+            Form::Group => json!(number),
+            Form::Si => json!({ "value": number, "unit": self.dimension.unit() }),
         }
     }
 }
@@ -70,8 +75,8 @@ impl Scaled {
 impl Setting for Value {
     type Rule = Scaled;
 
-    fn form(rule: &Scaled) -> Form {
-        Form::Scaled(*rule)
+    fn form(rule: &Scaled) -> Allowed {
+        Allowed::Scaled(*rule)
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, rule: &Scaled) -> Result<Self, Fault> {
@@ -86,8 +91,8 @@ impl Setting for Value {
 impl Setting for Span {
     type Rule = Ladder;
 
-    fn form(rule: &Ladder) -> Form {
-        let key = |name: &'static str, doc: &'static str, default: Option<Json>, form: Form| Declaration {
+    fn form(rule: &Ladder) -> Allowed {
+        let key = |name: &'static str, doc: &'static str, default: Option<Json>, form: Allowed| Declaration {
             name,
             doc,
             symbol: "",
@@ -96,13 +101,13 @@ impl Setting for Span {
             default,
             form,
         };
-        let points = Form::Whole(Whole { from: 2, to: rule.most });
+        let points = Allowed::Whole(Whole { from: 2, to: rule.most });
         let keys = vec![
             key("from", "the lower end", None, Value::form(&rule.of)),
             key("to", "the upper end", None, Value::form(&rule.of)),
             key("points", "how many points, both ends included", Some(json!(rule.usual)), points),
         ];
-        Form::Table { doc: "a range, with equal ratios between its points", keys }
+        Allowed::Table { doc: "a range, with equal ratios between its points", keys }
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, rule: &Ladder) -> Result<Self, Fault> {

@@ -3,11 +3,10 @@
 use crate::cause::Cause;
 use crate::declared::both;
 use crate::document::Node;
-use crate::error::Fault;
-use crate::keys::{Form, Key};
+use crate::error::{Fault, Place};
+use crate::numeric_key::read_value;
+use crate::numeric_key::{Form, Key};
 use crate::section::Section;
-use crate::structure::analysis::ascending;
-use crate::swept_keys::read_value;
 
 /// A range with equal ratios between its points.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,7 +37,7 @@ impl Span {
 }
 
 /// Reads `{ from, to, points }`, with the points of a range that does not say, and the most.
-pub(crate) fn read_ends<K>(
+pub fn read_ends<K>(
     entry: &Key<K>,
     path: &str,
     node: &Node,
@@ -58,4 +57,13 @@ pub(crate) fn read_ends<K>(
     }
     ascending(from.number, to.number, node.place)?;
     Ok(Span { from: from.number, to: to.number, points: points.unwrap_or(usual), form: from.form })
+}
+
+/// Refuses a range that is empty or runs backwards.
+pub fn ascending(from: f64, to: f64, place: Place) -> Result<(), Fault> {
+    match from.total_cmp(&to) {
+        std::cmp::Ordering::Less => Ok(()),
+        std::cmp::Ordering::Equal => Err(Cause::EmptyRange { from }.at(place)),
+        std::cmp::Ordering::Greater => Err(Cause::Backwards { from, to }.at(place)),
+    }
 }

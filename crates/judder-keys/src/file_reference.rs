@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::cause::Cause;
-use crate::declared::{Form, Setting};
+use crate::declared::{Allowed, Setting};
 use crate::document::Node;
 use crate::error::Fault;
 use crate::section::{Section, text};
@@ -31,9 +31,9 @@ impl FileReference {
 impl Setting for FileReference {
     type Rule = ();
 
-    fn form((): &()) -> Form {
+    fn form((): &()) -> Allowed {
         let words = "a path relative to the case file".to_owned();
-        Form::Told { schema: json!({ "type": "string" }), words, keys: Vec::new() }
+        Allowed::Told { schema: json!({ "type": "string" }), words, keys: Vec::new() }
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
@@ -47,11 +47,7 @@ impl Setting for FileReference {
 }
 
 /// Reads the path under `key` of `section`, relative to `folder`.
-pub(crate) fn read_file_reference(
-    section: &Section<'_>,
-    key: &str,
-    folder: &Path,
-) -> Result<FileReference, Fault> {
+pub fn read_file_reference(section: &Section<'_>, key: &str, folder: &Path) -> Result<FileReference, Fault> {
     let node = section.required(key, &format!("{key} = \"…\", a path relative to the case file"))?;
     let name = section.path(key);
     let given = text(&name, node)?;

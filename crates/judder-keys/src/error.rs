@@ -20,7 +20,8 @@ pub struct CaseError {
 }
 
 impl CaseError {
-    pub(crate) fn without_place(cause: Cause, name: &str) -> Self {
+    /// A cause that has no place in a text; `name` is what the text is called.
+    pub fn without_place(cause: Cause, name: &str) -> Self {
         Self {
             cause: Box::new(cause),
             source: Source { name: name.to_owned(), text: Arc::from("") },
@@ -99,23 +100,25 @@ impl Diagnostic for CaseError {
 
 /// A range of bytes in one of the texts of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Place {
+pub struct Place {
     /// 0 is the case file, n the n-th `--set` option.
-    pub(crate) source: usize,
-    pub(crate) start: usize,
-    pub(crate) end: usize,
+    pub source: usize,
+    /// The first byte.
+    pub start: usize,
+    /// The byte after the last.
+    pub end: usize,
 }
 
 impl Place {
     /// Whether it lies in a `--set` option.
-    pub(crate) fn is_option(self) -> bool {
+    pub fn is_option(self) -> bool {
         self.source > 0
     }
 }
 
 /// A cause with its place, before the source text is attached.
 #[derive(Debug)]
-pub(crate) struct Fault {
+pub struct Fault {
     cause: Box<Cause>,
     place: Place,
     /// What else is wrong with the same text.
@@ -123,19 +126,20 @@ pub(crate) struct Fault {
 }
 
 impl Cause {
-    pub(crate) fn at(self, place: Place) -> Fault {
+    /// The cause at a place.
+    pub fn at(self, place: Place) -> Fault {
         Fault { cause: Box::new(self), place, others: Vec::new() }
     }
 }
 
 impl Fault {
     /// Where it is.
-    pub(crate) fn place(&self) -> Place {
+    pub fn place(&self) -> Place {
         self.place
     }
 
     /// This one, and another one beside it.
-    pub(crate) fn and(mut self, mut other: Self) -> Self {
+    pub fn and(mut self, mut other: Self) -> Self {
         let beside = std::mem::take(&mut other.others);
         self.others.push(other);
         self.others.extend(beside);
@@ -143,22 +147,23 @@ impl Fault {
     }
 
     /// What is wrong, without its place.
-    pub(crate) fn into_cause(self) -> Cause {
+    pub fn into_cause(self) -> Cause {
         *self.cause
     }
 }
 
 /// The texts of a case: the file first, then the `--set` options.
-pub(crate) struct Sources(Vec<(String, Arc<str>)>);
+pub struct Sources(Vec<(String, Arc<str>)>);
 
 impl Sources {
-    pub(crate) fn new(name: &str, text: &str, overrides: &[String]) -> Self {
+    /// The text of a case, what it is called, and its `--set` options.
+    pub fn new(name: &str, text: &str, overrides: &[String]) -> Self {
         let options = overrides.iter().map(|option| ("--set".to_owned(), Arc::from(option.as_str())));
         Self(std::iter::once((name.to_owned(), Arc::from(text))).chain(options).collect())
     }
 
     /// Attaches the text to a fault, and to those beside it.
-    pub(crate) fn error(&self, fault: Fault) -> CaseError {
+    pub fn error(&self, fault: Fault) -> CaseError {
         let mut first = fault;
         let mut others = std::mem::take(&mut first.others);
         let at = |fault: &Fault| (fault.place.source, fault.place.start);

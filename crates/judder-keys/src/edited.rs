@@ -12,7 +12,7 @@ use crate::error::{Fault, Place};
 const FIRST: [&str; 7] = ["name", "kind", "key", "from", "to", "points", "scale"];
 
 /// Writes the `number`-th option `key=value` into the text.
-pub(crate) fn apply_option(root: &mut Item, number: usize, option: &str) -> Result<(), Fault> {
+pub fn apply_option(root: &mut Item, number: usize, option: &str) -> Result<(), Fault> {
     let parts = read_option(number, option)?;
     let steps: Vec<&str> = parts.steps.iter().map(|(step, _)| *step).collect();
     let place = Place { source: number, start: 0, end: option.len() };
@@ -37,7 +37,7 @@ fn value_of_option(text: &str) -> Value {
 }
 
 /// Walks down `steps`, making tables where there are none, and puts `leaf` at the end; `None` where the path leads nowhere.
-pub(crate) fn set(item: &mut Item, steps: &[&str], leaf: Value) -> Option<()> {
+pub fn set(item: &mut Item, steps: &[&str], leaf: Value) -> Option<()> {
     let [step, rest @ ..] = steps else {
         put(item, leaf);
         return Some(());
@@ -108,7 +108,7 @@ fn set_below(table: &mut dyn TableLike, step: &str, rest: &[&str], leaf: Value) 
 }
 
 /// Keeps the items of a list whose flag is set; a list that has none left goes.
-pub(crate) fn keep(root: &mut Table, list: &str, kept: &[bool]) {
+pub fn keep(root: &mut Table, list: &str, kept: &[bool]) {
     let mut flags = kept.iter().copied();
     let mut stays = || flags.next().unwrap_or(false);
     let left = match root.get_mut(list) {
@@ -128,7 +128,7 @@ pub(crate) fn keep(root: &mut Table, list: &str, kept: &[bool]) {
 }
 
 /// Replaces a value, and keeps the comment behind it.
-pub(crate) fn put(item: &mut Item, mut leaf: Value) {
+pub fn put(item: &mut Item, mut leaf: Value) {
     if let Item::Value(old) = item {
         *leaf.decor_mut() = old.decor().clone();
     }
@@ -136,7 +136,7 @@ pub(crate) fn put(item: &mut Item, mut leaf: Value) {
 }
 
 /// A table of a list of tables.
-pub(crate) fn table_of(map: &Map<String, Json>) -> Table {
+pub fn table_of(map: &Map<String, Json>) -> Table {
     let mut table = Table::new();
     table.decor_mut().set_prefix("\n");
     for (key, value) in in_order(map) {

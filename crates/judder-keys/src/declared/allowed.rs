@@ -2,7 +2,7 @@
 
 use super::scaled::Scaled;
 use super::values::{Number, UNLIMITED, Whole};
-use crate::keys::Key;
+use crate::numeric_key::Key;
 use crate::quantity::Quantity;
 use crate::reference::allowed;
 use crate::schema;
@@ -12,25 +12,30 @@ use std::f64::consts::TAU;
 
 /// A key and what is said of it.
 #[derive(Debug, Clone)]
-pub(crate) struct Declaration {
-    pub(crate) name: &'static str,
-    pub(crate) doc: &'static str,
-    pub(crate) symbol: &'static str,
-    pub(crate) default: Option<Json>,
+pub struct Declaration {
+    /// Its name in a case file.
+    pub name: &'static str,
+    /// What it is.
+    pub doc: &'static str,
+    /// The symbol of its quantity; empty where it has none.
+    pub symbol: &'static str,
+    /// What it is where it is left out, in the canonical form.
+    pub default: Option<Json>,
     /// Whether it must be given; among alternatives, with those of its own.
-    pub(crate) is_required: bool,
+    pub is_required: bool,
     /// To which of the alternatives of its table it belongs; those of another are refused beside it.
-    pub(crate) alternative: Option<usize>,
-    pub(crate) form: Form,
+    pub alternative: Option<usize>,
+    /// What its value may be.
+    pub form: Allowed,
 }
 
 /// The keys of several in one table.
-pub(crate) fn together(keys: Vec<Vec<Declaration>>) -> Vec<Declaration> {
+pub fn together(keys: Vec<Vec<Declaration>>) -> Vec<Declaration> {
     keys.concat()
 }
 
 /// The keys of alternatives, which may be alternatives of their own.
-pub(crate) fn alternatives(variants: Vec<Vec<Declaration>>) -> Vec<Declaration> {
+pub fn alternatives(variants: Vec<Vec<Declaration>>) -> Vec<Declaration> {
     let mut next = 0;
     let mut all = Vec::new();
     for mut keys in variants {
@@ -48,7 +53,7 @@ pub(crate) fn alternatives(variants: Vec<Vec<Declaration>>) -> Vec<Declaration> 
 
 /// What a value may be.
 #[derive(Debug, Clone)]
-pub(crate) enum Form {
+pub enum Allowed {
     /// A number, with a unit where it has a dimension.
     Number(Number),
     /// A whole number.
@@ -58,24 +63,44 @@ pub(crate) enum Form {
     /// Any text.
     Text,
     /// One of a few words, each with what it means.
-    Choice { words: &'static [(&'static str, &'static str)] },
+    Choice {
+        /// The words.
+        words: &'static [(&'static str, &'static str)],
+    },
     /// A list of so many values of a form.
-    List { of: Box<Form>, length: [usize; 2] },
+    List {
+        /// What each may be.
+        of: Box<Allowed>,
+        /// The fewest and the most.
+        length: [usize; 2],
+    },
     /// A table of settings, and what it is.
-    Table { doc: &'static str, keys: Vec<Declaration> },
+    Table {
+        /// What it is.
+        doc: &'static str,
+        /// Its keys.
+        keys: Vec<Declaration>,
+    },
     /// A table whose keys are names.
-    Named(Box<Form>),
+    Named(Box<Allowed>),
     /// One of several forms.
-    Either(Vec<Form>),
+    Either(Vec<Allowed>),
     /// A number that is a dimensionless group, or has a unit.
     Scaled(Scaled),
     /// What a type or a model tells of itself: the schema, the words of the reference, the keys of its tables.
-    Told { schema: Json, words: String, keys: Vec<Declaration> },
+    Told {
+        /// The schema.
+        schema: Json,
+        /// The words.
+        words: String,
+        /// The keys.
+        keys: Vec<Declaration>,
+    },
 }
 
-impl Form {
+impl Allowed {
     /// What a line with the key would be.
-    pub(crate) fn example(&self, key: &str, doc: &str) -> String {
+    pub fn example(&self, key: &str, doc: &str) -> String {
         match self {
             Self::Number(number) if number.dimension.is_number() => format!("{key} = …, {doc}"),
             Self::Number(number) => format!("{key} = \"{}\"", number.dimension.example()),
@@ -99,7 +124,7 @@ impl Form {
     }
 
     /// The JSON Schema of a value.
-    pub(crate) fn schema(&self) -> Json {
+    pub fn schema(&self) -> Json {
         match self {
             Self::Number(number) => number.schema(),
             Self::Whole(Whole { from, to: UNLIMITED }) => json!({ "type": "integer", "minimum": from }),
@@ -157,17 +182,17 @@ fn briefly(value: f64, unit: &str) -> String {
 
 impl Declaration {
     /// Whether it must be given, whatever else is.
-    pub(crate) fn must_stand(&self) -> bool {
+    pub fn must_stand(&self) -> bool {
         self.is_required && self.alternative.is_none()
     }
 
     /// The JSON Schema of one of these keys.
-    pub(crate) fn find(all: &[Self], name: &str) -> Json {
+    pub fn find(all: &[Self], name: &str) -> Json {
         all.iter().find(|own| own.name == name).map_or(Json::Null, Self::schema)
     }
 
     /// The JSON Schema of the key.
-    pub(crate) fn schema(&self) -> Json {
+    pub fn schema(&self) -> Json {
         let mut json = self.form.schema();
         json["description"] = match self.symbol {
             "" => json!(self.doc),
@@ -180,7 +205,7 @@ impl Declaration {
     }
 
     /// The row of the reference, and below it those of the keys of its table.
-    pub(crate) fn rows(&self, prefix: &str) -> String {
+    pub fn rows(&self, prefix: &str) -> String {
         let Self { name, symbol, doc, form, .. } = self;
         let absent = match &self.default {
             Some(default) => format!("`{}`", form.line(&as_written(default))),
@@ -189,12 +214,13 @@ impl Declaration {
         };
         let path = format!("{prefix}{name}");
         let row = format!("| `{path}` | {symbol} | {} | {absent} | {doc} |\n", form.words());
-        let inner = if matches!(form, Form::Named(_)) { format!("{path}.NAME.") } else { format!("{path}.") };
+        let inner =
+            if matches!(form, Allowed::Named(_)) { format!("{path}.NAME.") } else { format!("{path}.") };
         form.keys().iter().fold(row, |rows, key| rows + &key.rows(&inner))
     }
 }
 
-impl Form {
+impl Allowed {
     /// The keys of a table, or of the tables of a list.
     fn keys(&self) -> &[Declaration] {
         match self {

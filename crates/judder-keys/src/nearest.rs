@@ -4,7 +4,7 @@
 const PART: usize = 2;
 
 /// The known word that `word` most likely meant: few edits away, the last part of a dotted key, or the first or last words of a key.
-pub(crate) fn nearest<'a>(word: &str, known: &'a [String]) -> Option<&'a str> {
+pub fn nearest<'a>(word: &str, known: &'a [String]) -> Option<&'a str> {
     let last_part = |key: &'a str| key.rsplit('.').next().unwrap_or(key);
     let distance = |key: &'a str| {
         let whole = strsim::damerau_levenshtein(word, key);
@@ -20,7 +20,7 @@ pub(crate) fn nearest<'a>(word: &str, known: &'a [String]) -> Option<&'a str> {
 }
 
 /// `did you mean …?` where a word is near, and the list of what is known.
-pub(crate) fn did_you_mean(word: &str, known: &[String], what: &str) -> String {
+pub fn did_you_mean(word: &str, known: &[String], what: &str) -> String {
     let list = known.join(", ");
     match nearest(word, known) {
         Some(near) => format!("did you mean `{near}`? {what}: {list}"),

@@ -1,0 +1,111 @@
+//! Pieces of a JSON Schema: tables, words, numbers with their ranges and units, declared settings.
+
+use crate::declared::Declaration;
+use crate::numeric_key::{Key, Range};
+use serde_json::{Map, Value as Json, json};
+
+/// A table with these keys and no others.
+pub fn table(description: &str, properties: Map<String, Json>, required: &[&str]) -> Json {
+    json!({
+        "type": "object", "description": description, "properties": properties, "required": required,
+        "additionalProperties": false,
+    })
+}
+
+/// The keys of a table.
+pub fn object<const N: usize>(entries: [(&str, Json); N]) -> Map<String, Json> {
+    entries.into_iter().map(|(key, value)| (key.to_owned(), value)).collect()
+}
+
+/// One of some words.
+pub fn names<'a>(names: impl IntoIterator<Item = &'a str>, description: &str) -> Json {
+    json!({ "enum": names.into_iter().collect::<Vec<_>>(), "description": description })
+}
+
+/// One of some words, of which one is meant where none is given.
+pub fn choice<const N: usize>(choices: [&str; N], default: &str, description: &str) -> Json {
+    let mut json = names(choices, description);
+    json["default"] = json!(default);
+    json
+}
+
+/// A definition, by its name.
+pub fn reference(definition: &str) -> Json {
+    json!({ "$ref": format!("#/$defs/{definition}") })
+}
+
+/// A plain number in a range.
+pub fn plain_number(range: Range) -> Json {
+    let mut json = match range {
+        Range::Positive => json!({ "exclusiveMinimum": 0.0 }),
+        Range::NonNegative => json!({ "minimum": 0.0 }),
+        Range::Fraction => json!({ "minimum": 0.0, "exclusiveMaximum": 1.0 }),
+        Range::Any => json!({}),
+        Range::Interval { above, up_to } => json!({ "exclusiveMinimum": above, "maximum": up_to }),
+    };
+    json["type"] = json!("number");
+    json
+}
+
+/// What a numeric key takes: a group, a quantity in quotes, or either.
+pub fn scaled_number<K>(entry: &Key<K>) -> Json {
+    let mut forms = Vec::new();
+    if let Some(group) = entry.group {
+        let mut form = plain_number(entry.range);
+        form["description"] = json!(group);
+        forms.push(form);
+    }
+    if !entry.dimension.is_number() {
+        let example = entry.example();
+        let examples: Vec<_> = example.split("\" or \"").collect();
+        forms.push(json!({
+            "type": "string", "description": entry.dimension.to_string(), "examples": examples,
+        }));
+    }
+    json!({ "anyOf": forms })
+}
+
+/// A numeric key of a table of keys.
+pub fn key<K>(entry: &Key<K>) -> Json {
+    let mut json = scaled_number(entry);
+    json["description"] = json!(format!("{}: {}", entry.symbol, entry.doc));
+    if let Some((text, value)) = entry.default {
+        json["default"] = if entry.group.is_some() { json!(value.number) } else { json!(text) };
+    }
+    json
+}
+
+/// A table of declared settings.
+pub fn declared_table(description: &str, keys: &[Declaration]) -> Json {
+    with_declared(description, Map::new(), keys, &[])
+}
+
+/// A table of declared settings beside other keys.
+pub fn with_declared(
+    description: &str,
+    mut properties: Map<String, Json>,
+    keys: &[Declaration],
+    required: &[&str],
+) -> Json {
+    properties.extend(keys.iter().map(|key| (key.name.to_owned(), key.schema())));
+    let own = keys.iter().filter(|key| key.must_stand()).map(|key| key.name);
+    let required: Vec<&str> = required.iter().copied().chain(own).collect();
+    let mut json = table(description, properties, &required);
+    let of_alternative = |index: usize| keys.iter().filter(move |key| key.alternative == Some(index));
+    // where no key of any is given, the first alternative is meant
+    if of_alternative(0).any(|key| key.is_required) {
+        let last = keys.iter().filter_map(|key| key.alternative).max().unwrap_or(0);
+        json["oneOf"] = (0..=last).map(|index| given(of_alternative(index))).collect();
+    }
+    json
+}
+
+/// That all of these keys are given which must be, or one where none must.
+pub fn given<'a>(keys: impl Iterator<Item = &'a Declaration>) -> Json {
+    let (required, others): (Vec<_>, Vec<_>) = keys.partition(|key| key.is_required);
+    if required.is_empty() {
+        let one = |key: &Declaration| json!({ "required": [key.name] });
+        return json!({ "anyOf": others.into_iter().map(one).collect::<Vec<_>>() });
+    }
+    json!({ "required": required.iter().map(|key| key.name).collect::<Vec<_>>() })
+}

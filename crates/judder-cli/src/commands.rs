@@ -13,7 +13,7 @@ mod schema;
 use std::path::PathBuf;
 
 use clap::{Args, CommandFactory, Subcommand};
-use judder_case::CaseFile;
+use judder_study::case::file::CaseFile;
 
 use crate::arguments::Arguments;
 use crate::console::Console;

@@ -5,7 +5,7 @@
 //! In the order in which the data flows:
 //!
 //! - `arguments`: the command line as types, with the help texts.
-//! - `commands`: one module a command; each makes one call into `judder-study` or `judder-case` and prints what came of it.
+//! - `commands`: one module a command; each makes one call into `judder-study` and prints what came of it.
 //! - `threads`, `interrupt`, `progress`: the pool of `--threads`, Ctrl-C, bars and times.
 //! - `failure`: every error with its message, place, help and exit code.
 //! - `console`: results to standard output, all else to standard error.

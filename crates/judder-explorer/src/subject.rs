@@ -2,9 +2,10 @@
 
 use crate::error::ExplorerError;
 use crate::refusal::Refusal;
-use judder_case::{Case, CaseFile, TEMPLATES, template};
 use judder_keys::file_reference::FileReference;
 use judder_study::StudyError;
+use judder_study::case::file::{Case, CaseFile};
+use judder_study::case::template::{TEMPLATES, template};
 use judder_study::law_cache::LawCache;
 use judder_study::sliding_shapes::{ShapedPair, SlidingShapes};
 use judder_study::study_view::StudyView;

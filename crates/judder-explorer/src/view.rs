@@ -3,8 +3,12 @@
 use crate::refusal::Refusal;
 use crate::size::check_analysis;
 use crate::subject::Subject;
-use judder_case::compose::{compose, contact_case_of};
-use judder_case::{BELT_KEYS, CaseFile, FrictionLoad, KEYS, LawName, contact_case::contact_numbers};
+use judder_study::case::compose::{compose, contact_case_of};
+use judder_study::case::file::CaseFile;
+use judder_study::models::belt::case::BELT_KEYS;
+use judder_study::models::contact::case::contact_numbers;
+use judder_study::models::oscillator::inputs::{FrictionLoad, LawName};
+use judder_study::models::oscillator::keys::KEYS;
 use serde::Deserialize;
 use serde_json::{Map, Value};
 

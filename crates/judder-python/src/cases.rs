@@ -3,9 +3,10 @@
 use crate::contact::PyLaw;
 use crate::errors;
 use crate::watched::{Manner, is_ctrl_c, watched};
-use judder_case::{Case, CaseFile, OscillatorCase};
 use judder_contact::law::file::to_json;
 use judder_keys::error::CaseError;
+use judder_study::case::file::{Case, CaseFile};
+use judder_study::models::oscillator::case::OscillatorCase;
 use judder_study::resolve::resolve;
 use judder_study::run::{RunOptions, RunReport, run};
 use judder_study::{StudyError, home};

@@ -1,5 +1,6 @@
 //! The analyses of a case, run in no study folder.
 
+use crate::case::file::Case;
 use crate::error::StudyError;
 use crate::model::{Prepared, Task};
 pub use crate::models::MotionBlock;
@@ -7,7 +8,6 @@ use crate::models::model;
 pub use crate::models::oscillator::{BoundaryCurves, BoundaryKind, boundary_curves};
 use crate::outcome::Outcome;
 use crate::progress::Progress;
-use judder_case::Case;
 
 /// How many steps the analysis at `index` announces to its progress.
 #[must_use]

@@ -1,9 +1,9 @@
 //! Every number doubted by another number: the comparisons that a run makes of itself.
 
 use crate::bridge;
+use crate::models::oscillator::inputs::OscillatorInputs;
 use crate::models::oscillator::steady_states::SteadyState;
 use crate::outcome::{CheckRecord, Disagreement};
-use judder_case::OscillatorInputs;
 use judder_oscillator::characteristic::{Characteristic, MARGINAL_BAND};
 use judder_oscillator::conservative::discriminant_share;
 use judder_oscillator::critical::Thresholds;

@@ -2,8 +2,8 @@
 
 use crate::error::StudyError;
 use crate::material::Material;
+use crate::models::contact::settings::LawMethod;
 use crate::progress::Progress;
-use judder_case::LawMethod;
 use judder_contact::law::boundary_elements::{sample, sweep_accuracy};
 use judder_contact::law::sweep::{
     CollapseRequest, SolvedPoint, SweepEnd, SweepLevel, SweepObserver, SweepRange, SweepRequest,

@@ -1,9 +1,9 @@
 //! Where the study of a case lies where nobody names a folder: that of a case file under the name of the file, any other under a name of its content.
 
+use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::ledger::Keepsakes;
 use crate::run::resolved_with_files;
-use judder_case::CaseFile;
 use judder_store::{StudyReader, content_hash};
 use serde_json::Value;
 use std::io;

@@ -2,7 +2,7 @@
 
 use crate::error::StudyError;
 use crate::input_file::{bytes, unusable};
-use judder_case::{HeightFile, RoughSurface, Roughness, Shape};
+use crate::models::contact::shape::{HeightFile, RoughSurface, Roughness, Shape};
 use judder_contact::indenter::{
     HeightMap, IndenterError, RoughSurface as Generator, Roughness as Measure, Shape as Surface, height_table,
 };

@@ -3,8 +3,9 @@
 use crate::error::StudyError;
 use crate::material::Material;
 use crate::measured_band::{MeasuredBand, excited_at};
+use crate::models::oscillator::case::OscillatorCase;
+use crate::models::oscillator::inputs::OscillatorInputs;
 use crate::spectrum_source::temperature_warning;
-use judder_case::{OscillatorCase, OscillatorInputs};
 use judder_contact::law::material::LawTerm;
 use judder_oscillator::Contact;
 

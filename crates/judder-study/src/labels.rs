@@ -1,6 +1,7 @@
 //! How keys are called on axes and in tables, in the markup of the figures.
 
-use judder_case::{BeltKey, OscillatorKey};
+use crate::models::belt::case::BeltKey;
+use crate::models::oscillator::keys::OscillatorKey;
 use judder_keys::dimension::Dimension;
 use judder_keys::numeric_key::Form;
 

@@ -1,9 +1,9 @@
 //! What a study folder says of its analyses and sweeps: which are done, what came of them, what the user has to know.
 
+use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::home;
 use crate::outcome::{CheckRecord, Outcome};
-use judder_case::CaseFile;
 use judder_store::{AnalysisRecord, Status, StudyFolder, Summary};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};

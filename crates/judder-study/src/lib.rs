@@ -2,6 +2,7 @@
 //!
 //! In the order in which the data flows:
 //!
+//! - [`case`]: case files, typed and validated.
 //! - [`bridge`]: from the keys of a case to the oscillator and its contact.
 //! - `input_file`, `spectrum_source`, `material`, `indenter`: the files that a case names, the substrate, the surface that presses.
 //! - `measured_band`: the frequencies that sliding excites, against those of measured moduli.
@@ -25,6 +26,7 @@
 pub mod analyses;
 mod band;
 pub mod bridge;
+pub mod case;
 pub mod checks;
 mod computed_law;
 mod error;
@@ -39,7 +41,7 @@ mod ledger;
 mod material;
 mod measured_band;
 mod model;
-mod models;
+pub mod models;
 pub mod outcome;
 pub mod pictures;
 mod progress;

@@ -1,10 +1,14 @@
 //! From `[substrate]` to a viscoelastic material, and from groups to quantities of a contact case.
 
 use crate::bridge;
+use crate::case::file::Case;
 use crate::error::StudyError;
 use crate::input_file;
+use crate::models::contact::case::ContactCase;
+use crate::models::oscillator::inputs::OscillatorInputs;
+use crate::models::oscillator::keys::OscillatorKey;
+use crate::models::substrate::Substrate;
 use crate::spectrum_source::{FoundSpectrum, shift};
-use judder_case::{Case, ContactCase, OscillatorInputs, OscillatorKey, Substrate};
 use judder_contact::kernel::substrate::SlidingSubstrate;
 use judder_contact::law::material::{LawMaterial, LawTerm};
 use judder_contact::material::{CreepSpectrum, CreepTerm, Discretisation, DmaData, PronyFit};

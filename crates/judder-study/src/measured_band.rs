@@ -3,9 +3,9 @@
 //! A contact of half length a that slides at v excites ω = v/a, f = v/(2π a), as in [eq. (3)](judder_oscillator::quasi_steady); waves of length λ, f = v/λ.
 
 use crate::material::Material;
+use crate::models::oscillator::inputs::OscillatorInputs;
 use crate::models::oscillator::steady_states::SteadyState;
 use crate::text::short;
-use judder_case::OscillatorInputs;
 use judder_oscillator::{Contact, quasi_steady};
 use std::f64::consts::TAU;
 

@@ -1,12 +1,13 @@
 //! What the engine asks of a model and of an analysis; nothing else of them is known outside of [`crate::models`].
 
+use crate::case::file::CaseFile;
+use crate::case::study_sweep::StudySweep;
 use crate::error::StudyError;
 use crate::kept::Kept;
 use crate::models::MotionBlock;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::resolve::Resolved;
-use judder_case::{CaseFile, StudySweep};
 use judder_keys::cause::Cause;
 use judder_keys::error::CaseError;
 use judder_report::Panel;

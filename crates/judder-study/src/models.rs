@@ -1,20 +1,24 @@
 //! The models, a folder each, in it a folder an analysis. Here is the only list of them.
 
 mod axis;
-pub(crate) mod belt;
-pub(crate) mod contact;
-pub(crate) mod motion;
-pub(crate) mod oscillator;
-pub(crate) mod sliding;
-pub(crate) mod structure;
-pub(crate) mod two_degrees;
+pub mod belt;
+pub mod contact;
+pub mod motion;
+pub mod oscillator;
+pub(crate) mod read_sweep;
+pub mod sliding;
+pub mod structure;
+pub mod substrate;
+pub mod sweep;
+pub(crate) mod swept_keys;
+pub mod two_degrees;
 
 pub(crate) use axis::Axis;
 pub use motion::MotionBlock;
 
+use crate::case::file::{Case, CaseFile};
 use crate::error::StudyError;
 use crate::model::{Model, Pictured, Place};
-use judder_case::{Case, CaseFile};
 
 /// The model of a case.
 pub(crate) fn model(case: &Case) -> &dyn Model {

@@ -2,11 +2,11 @@
 
 mod sweeps;
 
+use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::models::model;
+use crate::models::sweep::MAP_BYTES_PER_POINT;
 use crate::text::columns;
-use judder_case::CaseFile;
-use judder_case::sweep::MAP_BYTES_PER_POINT;
 use serde_json::{Value, json};
 
 /// Seconds a point on one core, measured in the release build; good to a factor of a few.

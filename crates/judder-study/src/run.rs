@@ -10,6 +10,7 @@ mod sweeps;
 
 pub(crate) use asked::{analysis_hash, resolved_with_files};
 
+use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::home;
 use crate::ledger::{Keepsakes, Study};
@@ -23,7 +24,6 @@ use crate::sweep::{Shard, SweepEstimate, SweepPlan};
 use crate::told;
 use asked::Asked;
 use bench::{Bench, shared_law};
-use judder_case::CaseFile;
 use judder_store::{Status, StudyFolder, Summary};
 use serde_json::Value;
 use std::path::{Path, PathBuf};

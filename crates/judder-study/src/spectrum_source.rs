@@ -2,10 +2,11 @@
 
 use crate::error::StudyError;
 use crate::input_file::{self, unusable};
-use judder_case::{
-    Arrhenius, ContinuousSource, Density, OscillatorInputs, OscillatorKey, RelaxationSource, Shift,
-    Substrate, TermChoice, TermCount, Wlf,
-};
+use crate::models::oscillator::inputs::OscillatorInputs;
+use crate::models::oscillator::keys::OscillatorKey;
+use crate::models::substrate::continuous::{ContinuousSource, Density, TermChoice};
+use crate::models::substrate::temperature::{Arrhenius, Shift, Wlf};
+use crate::models::substrate::{RelaxationSource, Substrate, TermCount};
 use judder_contact::material::{
     ContinuousSpectrum, CreepSpectrum, CreepTerm, Discretisation, DmaData, DmaError, DmaTable, MaterialError,
     PronyFit, RelaxationSpectrum, RelaxationTerm, TemperatureShift, TermCount as FitTerms,
@@ -41,14 +42,14 @@ impl FoundSpectrum {
                 CreepSpectrum::single(rubbery, glassy, inputs.number(OscillatorKey::RetardationTime))?
             }
             RelaxationSource::Prony(terms) => {
-                let term = |term: &judder_case::PronyTerm| CreepTerm {
+                let term = |term: &crate::models::substrate::PronyTerm| CreepTerm {
                     retardation_time: term.retardation_time,
                     compliance: term.compliance,
                 };
                 CreepSpectrum::new(glassy, terms.iter().map(term).collect())?
             }
             RelaxationSource::Relaxation(terms) => {
-                let term = |term: &judder_case::RelaxationTerm| RelaxationTerm {
+                let term = |term: &crate::models::substrate::RelaxationTerm| RelaxationTerm {
                     relaxation_time: term.relaxation_time,
                     modulus: term.modulus,
                 };
@@ -209,7 +210,7 @@ pub(crate) fn shift(rule: &Shift) -> TemperatureShift {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use judder_case::TemperatureDifference;
+    use crate::models::substrate::temperature::TemperatureDifference;
 
     /// log₁₀ a_T is one decade at 5 K below the reference: −C1 (−5)/(C2 − 5) = 1.
     #[test]
@@ -218,7 +219,7 @@ mod tests {
             let shift =
                 Shift::Wlf(Wlf { first: 10.0, second: TemperatureDifference(55.0), reference: 300.0 });
             Substrate {
-                temperature: Some(judder_case::Temperature { temperature, shift }),
+                temperature: Some(crate::models::substrate::temperature::Temperature { temperature, shift }),
                 ..Substrate::default()
             }
         };
@@ -256,7 +257,8 @@ mod tests {
         for second in [55.0, 80.0, 200.0] {
             let shift =
                 Shift::Wlf(Wlf { first: 10.0, second: TemperatureDifference(second), reference: 300.0 });
-            let temperature = Some(judder_case::Temperature { temperature: 310.0, shift });
+            let temperature =
+                Some(crate::models::substrate::temperature::Temperature { temperature: 310.0, shift });
             let substrate = Substrate { source: source.clone(), temperature };
             let moved = FoundSpectrum::of(&substrate, &OscillatorInputs::default()).unwrap();
             let data = one_curve(DmaTable::parse(&dma(295.0)).unwrap(), &substrate).unwrap();

@@ -2,11 +2,11 @@
 
 mod extremes;
 
+use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::ledger::Keepsakes;
 use crate::report;
 use extremes::Extremes;
-use judder_case::CaseFile;
 use judder_store::{Status, StudyReader, Summary, Variable};
 use serde_json::{Map, Value};
 use std::path::Path;

@@ -21,8 +21,8 @@ mod sweep;
 mod within_law;
 mod zones;
 
-use judder_case::CaseFile;
 use judder_study::Silent;
+use judder_study::case::file::CaseFile;
 use judder_study::run::{RunOptions, RunReport, run};
 use serde_json::Value;
 use std::path::Path;

@@ -1,8 +1,8 @@
 //! `judder point`: one operating point, in milliseconds.
 
 use clap::Args;
-use judder_case::Case;
 use judder_study::StudyError;
+use judder_study::case::file::Case;
 use judder_study::point::point;
 
 use super::CaseArguments;

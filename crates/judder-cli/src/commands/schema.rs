@@ -1,6 +1,7 @@
 //! `judder schema`: what editors know of case files.
 
 use clap::Args;
+use judder_study::case::schema::schema;
 
 use crate::console::Console;
 use crate::failure::{Exit, Failure};
@@ -19,7 +20,7 @@ pub(crate) struct Schema {}
 
 impl Schema {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
-        console.result(|| format!("{:#}\n", judder_case::schema()), judder_case::schema)?;
+        console.result(|| format!("{:#}\n", schema()), schema)?;
         Ok(Exit::Done)
     }
 }

@@ -7,11 +7,12 @@ use crate::routes::{Asked, SharedSite};
 use crate::view::View;
 use axum::Json;
 use axum::extract::State;
-use judder_case::{KEYS, OscillatorInputs, OscillatorKey};
 use judder_keys::numeric_key::Form;
 use judder_oscillator::Groups;
 use judder_oscillator::groups::Dimensional;
 use judder_study::bridge;
+use judder_study::models::oscillator::inputs::OscillatorInputs;
+use judder_study::models::oscillator::keys::{KEYS, OscillatorKey};
 use serde_json::{Value, json};
 
 /// Answers `/api/case`.

@@ -7,7 +7,7 @@ use crate::view::View;
 use axum::extract::State;
 use axum::http::header::CONTENT_TYPE;
 use axum::response::{IntoResponse, Response};
-use judder_case::anywhere;
+use judder_study::case::anywhere::anywhere;
 
 /// Answers `/api/export`.
 pub(crate) async fn answer(State(site): SharedSite, Asked(view): Asked<View>) -> Result<Response, Refusal> {

@@ -8,10 +8,11 @@ use crate::subject::Subject;
 use crate::view::View;
 use axum::Json;
 use axum::extract::State;
-use judder_case::{CaseFile, LawName};
 use judder_oscillator::groups::Scales;
 use judder_oscillator::spectrum::mode;
 use judder_study::bridge;
+use judder_study::case::file::CaseFile;
+use judder_study::models::oscillator::inputs::LawName;
 use judder_study::point::{Point, SteadyPoint};
 use serde_json::{Value, json};
 

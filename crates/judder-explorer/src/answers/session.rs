@@ -4,10 +4,13 @@ use super::{case, inputs, oscillator, sections};
 use crate::routes::SharedSite;
 use axum::Json;
 use axum::extract::State;
-use judder_case::sweep::Sweep;
-use judder_case::{Case, CaseFile, KEYS, LawName, OscillatorAnalysis, OscillatorKey, TimeForm};
 use judder_keys::cause::Cause;
 use judder_keys::numeric_key::{Form, Key, Range};
+use judder_study::case::file::{Case, CaseFile};
+use judder_study::models::oscillator::inputs::{LawName, TimeForm};
+use judder_study::models::oscillator::keys::{KEYS, OscillatorKey};
+use judder_study::models::oscillator::settings::OscillatorAnalysis;
+use judder_study::models::sweep::Sweep;
 use serde_json::{Value, json};
 
 /// Answers `/api/session`.

@@ -1,9 +1,10 @@
 //! What the page is told.
 
 use crate::client::Served;
-use judder_case::{CaseFile, template};
 use judder_study::Silent;
 use judder_study::analyses;
+use judder_study::case::file::CaseFile;
+use judder_study::case::template::template;
 use serde_json::{Value, json};
 
 const OPTIONS: [&str; 2] = ["operation.velocity=1e-3", "contact.shear_strength=20 kPa"];
@@ -43,7 +44,7 @@ fn a_point_is_that_of_the_command() {
     let served = Served::new();
     let answer = served.post("/api/point", &json!({ "set": OPTIONS })).json();
     let file = CaseFile::parse("oscillator.toml", &base(), &OPTIONS.map(String::from)).unwrap();
-    let judder_case::Case::Oscillator(case) = &file.case else { panic!() };
+    let judder_study::case::file::Case::Oscillator(case) = &file.case else { panic!() };
     let point = judder_study::point::point(case).unwrap();
     assert_eq!(answer["point"], point.json());
     let growth = point.steady.growth_rate() * 40.0;
@@ -238,7 +239,7 @@ fn a_contact_case_has_its_substrate_and_its_indenter() {
 #[test]
 fn nothing_is_told_of_an_oscillator_that_is_not_there() {
     let folder = tempfile::tempdir().unwrap();
-    for name in judder_case::TEMPLATES.into_iter().filter(|name| *name != "oscillator") {
+    for name in judder_study::case::template::TEMPLATES.into_iter().filter(|name| *name != "oscillator") {
         let path = folder.path().join(format!("{name}.toml"));
         std::fs::write(&path, template(name).unwrap()).unwrap();
         let served = Served::of(Some(&path), None);

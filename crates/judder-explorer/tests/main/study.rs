@@ -1,8 +1,8 @@
 //! The study folder: what lies in it is shown, what lies beside it is not.
 
 use crate::client::Served;
-use judder_case::CaseFile;
 use judder_study::Silent;
+use judder_study::case::file::CaseFile;
 use judder_study::run::{RunOptions, run};
 use serde_json::{Value, json};
 use std::fs;

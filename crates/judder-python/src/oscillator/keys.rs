@@ -3,9 +3,12 @@
 use crate::contact::PyLaw;
 use crate::errors;
 use crate::watched::{Manner, watched};
-use judder_case::{FrictionLoad, Given, KEYS, LawName, OscillatorCase, OscillatorInputs, OscillatorKey};
 use judder_oscillator::Contact;
 use judder_study::bridge::{self, CaseContact};
+use judder_study::models::oscillator::case::OscillatorCase;
+use judder_study::models::oscillator::given::Given;
+use judder_study::models::oscillator::inputs::{FrictionLoad, LawName, OscillatorInputs};
+use judder_study::models::oscillator::keys::{KEYS, OscillatorKey};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyFloat, PyString};

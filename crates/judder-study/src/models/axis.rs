@@ -1,9 +1,11 @@
 //! Swept quantities as axes of arrays.
 
 use crate::labels::{Quantity, belt_key, oscillator_key, parameter, plain};
-use judder_case::{
-    BeltKey, Family, OscillatorCase, OscillatorInputs, OscillatorKey, ParameterKey, Scale, Sweep,
-};
+use crate::models::belt::case::BeltKey;
+use crate::models::oscillator::case::OscillatorCase;
+use crate::models::oscillator::inputs::OscillatorInputs;
+use crate::models::oscillator::keys::OscillatorKey;
+use crate::models::sweep::{Family, ParameterKey, Scale, Sweep};
 use judder_oscillator::critical;
 use judder_store::Variable;
 use serde_json::{Map, Value, json};

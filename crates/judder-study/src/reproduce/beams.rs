@@ -8,11 +8,12 @@ mod page;
 mod passage;
 
 use super::{KEY, Reproduction};
+use crate::case::file::CaseFile;
+use crate::case::template::template;
 use crate::error::StudyError;
 use crate::progress::Progress;
 use crate::run::{self, Computed, RunOptions};
 use found::Found;
-use judder_case::{CaseFile, template};
 use judder_store::{StudyFolder, Summary};
 use serde_json::json;
 use std::path::{Path, PathBuf};

@@ -1,12 +1,14 @@
 //! What the claims about the contact computation are measured on.
 
 use super::exhibits::{CONTACT_CASES, FIT, LAW_FILE, thin_out};
+use crate::case::file::{Case, CaseFile};
 use crate::computed_law::{self, NO_POINTS};
 use crate::error::StudyError;
 use crate::material::ContactScales;
+use crate::models::contact::case::ContactCase;
 use crate::models::contact::law::Plane;
+use crate::models::contact::settings::{ContactAnalysis, FitSettings, LawSettings};
 use crate::progress::Progress;
-use judder_case::{Case, CaseFile, ContactAnalysis, ContactCase, FitSettings, LawSettings};
 use judder_contact::fit::{FitSample, LawFit};
 use judder_contact::law::boundary_elements::sample;
 use judder_contact::law::file::from_json;

@@ -1,9 +1,13 @@
 //! The figures of the paper: which case makes which panel.
 
-use judder_case::{
-    Bifurcation, Case, ContactAnalysis, ContactCase, DampingCurves, EnginesSettings, FitSettings, LawMethod,
-    MotionAnalysis, OscillatorAnalysis, OscillatorCase, Shape, SpectrumCurves,
-};
+use crate::case::file::Case;
+use crate::models::contact::case::ContactCase;
+use crate::models::contact::settings::{ContactAnalysis, FitSettings, LawMethod};
+use crate::models::contact::shape::Shape;
+use crate::models::motion::settings::{Bifurcation, MotionAnalysis};
+use crate::models::oscillator::case::OscillatorCase;
+use crate::models::oscillator::engines::settings::EnginesSettings;
+use crate::models::oscillator::settings::{DampingCurves, OscillatorAnalysis, SpectrumCurves};
 use judder_keys::numeric_key::{Form, Value};
 use judder_keys::span::Span;
 
@@ -211,7 +215,7 @@ fn thin_out_engines(settings: &mut EnginesSettings) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use judder_case::CaseFile;
+    use crate::case::file::CaseFile;
 
     #[test]
     fn a_quick_run_takes_one_curve_on_a_coarse_plane() {

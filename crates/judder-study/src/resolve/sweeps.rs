@@ -1,11 +1,12 @@
 //! What `judder check` shows of sweeps: their keys, points, chunks and columns.
 
 use super::Resolved;
+use crate::case::file::CaseFile;
+use crate::case::study_sweep::SweptKey;
 use crate::error::StudyError;
 use crate::run;
 use crate::sweep::SweepPlan;
 use crate::text::columns;
-use judder_case::{CaseFile, SweptKey};
 use serde_json::{Value, json};
 
 /// Adds the sweeps of a case to what is shown of it.

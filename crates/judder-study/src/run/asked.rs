@@ -1,12 +1,13 @@
 //! What a run is asked for, and under which hash each result of it stands.
 
 use super::RunOptions;
+use crate::case::file::CaseFile;
+use crate::case::study_sweep::StudySweep;
+use crate::case::study_sweep::quantity_path::QuantitySource;
 use crate::error::StudyError;
 use crate::input_file::KnownFile;
 use crate::ledger::VERSION;
 use crate::sweep::SweepPlan;
-use judder_case::study_sweep::quantity_path::QuantitySource;
-use judder_case::{CaseFile, StudySweep};
 use judder_store::{StudyFolder, content_hash};
 use serde_json::{Value, json};
 
@@ -132,7 +133,7 @@ fn used_by<'a>(resolved: &'a Value, analysis: Option<&Value>) -> Vec<&'a Value> 
 /// that its quantities take, the version.
 fn sweep_hash(resolved: &Value, sweep: &StudySweep) -> String {
     let model = model(resolved);
-    let of = |quantity: &judder_case::QuantityPath| match &quantity.source {
+    let of = |quantity: &crate::case::study_sweep::quantity_path::QuantityPath| match &quantity.source {
         QuantitySource::Analysis { index, .. } => resolved["analysis"].get(index).cloned(),
         QuantitySource::Point { .. } => None,
     };

@@ -1,5 +1,6 @@
 //! One analysis at a time, from where an interrupted run has left it.
 
+use crate::case::file::{Case, CaseFile};
 use crate::error::StudyError;
 use crate::kept::{Kept, Place};
 use crate::ledger::VERSION;
@@ -7,7 +8,6 @@ use crate::model::{Prepared, Task};
 use crate::models::{model, placed};
 use crate::outcome::Outcome;
 use crate::progress::Progress;
-use judder_case::{Case, CaseFile};
 use judder_store::{Scratch, StudyFolder, content_hash};
 use serde_json::Value;
 

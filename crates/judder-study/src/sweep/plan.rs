@@ -1,5 +1,9 @@
 //! What a sweep stores, under which hash, in which chunks.
 
+use crate::case::file::CaseFile;
+use crate::case::study_sweep::problem::SweepProblem;
+use crate::case::study_sweep::quantity_path::{QuantityPath, QuantitySource, QuantityStep};
+use crate::case::study_sweep::{Design, StudySweep, SweptValues};
 use crate::error::StudyError;
 use crate::input_file::KnownFile;
 use crate::labels;
@@ -7,9 +11,6 @@ use crate::ledger::VERSION;
 use crate::model::{OperatingQuantity, OperatingWork};
 use crate::models::Axis;
 use crate::models::model;
-use judder_case::study_sweep::quantity_path::{QuantityPath, QuantitySource, QuantityStep};
-use judder_case::study_sweep::{Design, StudySweep, SweptValues};
-use judder_case::{CaseFile, SweepProblem};
 use judder_keys::error::CaseError;
 use judder_store::{SweepDimension, SweepLayout, SweepQuantity, Variable};
 
@@ -254,7 +255,7 @@ fn coordinate(sweep: &StudySweep, k: usize) -> Variable {
     let count = axis.count().unwrap_or(0);
     let values: Vec<f64> = (0..count).map(|index| axis.value(index)).collect();
     let scale = match axis.values {
-        SweptValues::Listed(_) => judder_case::Scale::Linear,
+        SweptValues::Listed(_) => crate::models::sweep::Scale::Linear,
         _ => axis.scale,
     };
     Axis { quantity: quantity(sweep, k), values, scale }.coordinate()

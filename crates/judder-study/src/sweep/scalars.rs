@@ -1,6 +1,6 @@
 //! A number out of what an analysis leaves in `summary.json`, by its path.
 
-use judder_case::study_sweep::quantity_path::{QuantityStep, Reduction};
+use crate::case::study_sweep::quantity_path::{QuantityStep, Reduction};
 use serde_json::{Map, Value};
 
 /// The number at the end of a path through the scalars of an analysis. A name goes into an object, and over the items of a list of

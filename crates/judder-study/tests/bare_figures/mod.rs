@@ -4,9 +4,9 @@
 use crate::contact::run_text;
 use crate::sliding::small;
 use crate::{case, run_into};
-use judder_case::CaseFile;
 use judder_report::{json, svg};
 use judder_store::{Complex64, Data, Dataset, StudyFolder, Variable};
+use judder_study::case::file::CaseFile;
 use judder_study::pictures::figure;
 use std::collections::BTreeSet;
 use std::panic::{AssertUnwindSafe, catch_unwind};

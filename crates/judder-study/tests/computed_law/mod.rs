@@ -1,7 +1,7 @@
 //! Computed laws in oscillator cases.
 
 use crate::contact::run_text;
-use judder_case::{Case, CaseFile};
+use judder_study::case::file::{Case, CaseFile};
 use judder_study::run::{RunOptions, run};
 use judder_study::{Progress, StudyError};
 use std::path::Path;

@@ -1,8 +1,8 @@
 //! Contact cases end to end, on settings that are quick.
 
 use crate::{case, number, run_into};
-use judder_case::CaseFile;
 use judder_contact::kernel::sliding::SlidingOperator;
+use judder_study::case::file::CaseFile;
 use judder_study::resolve::resolve;
 use judder_study::run::RunReport;
 use serde_json::{Map, Value};

@@ -1,8 +1,8 @@
 //! How far below a threshold a knock reaches: thresholds with their folds, maps with a third region.
 
 use crate::{number, run_into};
-use judder_case::CaseFile;
 use judder_store::{Data, StudyFolder};
+use judder_study::case::file::CaseFile;
 use serde_json::{Map, Value};
 use std::path::Path;
 

@@ -1,7 +1,7 @@
 //! What is told of modes that grow: without energy, and with friction that is a matrix of its own or not.
 
 use crate::{number, run_into};
-use judder_case::CaseFile;
+use judder_study::case::file::CaseFile;
 use judder_study::run::RunReport;
 use serde_json::{Value, json};
 use std::path::Path;

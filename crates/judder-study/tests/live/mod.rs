@@ -3,10 +3,12 @@
 #![allow(clippy::panic, reason = "a test fails by panicking")]
 
 use crate::computed_law::law_in;
-use judder_case::{Case, CaseFile, OscillatorAnalysis, OscillatorCase};
 use judder_store::{Data, Dataset};
 use judder_study::analyses::{self, BoundaryKind, MotionBlock, boundary_curves, run_watched};
+use judder_study::case::file::{Case, CaseFile};
 use judder_study::law_cache::{LawCache, law_surface};
+use judder_study::models::oscillator::case::OscillatorCase;
+use judder_study::models::oscillator::settings::OscillatorAnalysis;
 use judder_study::{Progress, Silent, StudyError, bridge, point};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::SystemTime;

@@ -1,7 +1,7 @@
 //! Marches of sliding cases: what they leave, how they go on, what they refuse.
 
-use judder_case::CaseFile;
 use judder_store::StudyFolder;
+use judder_study::case::file::CaseFile;
 use judder_study::run::{RunOptions, RunReport, run};
 use judder_study::{Progress, Silent, StudyError};
 use serde_json::Value;

@@ -1,7 +1,7 @@
 //! Analyses of motion end to end: the literature's belt, the oscillator paper's section 5, what is kept of an interruption.
 
 use crate::{case, number, run_into};
-use judder_case::CaseFile;
+use judder_study::case::file::CaseFile;
 use judder_study::run::{RunOptions, run};
 use judder_study::{Progress, Silent, StudyError};
 use serde_json::Value;

@@ -1,9 +1,9 @@
 //! What a page shows of a study folder: listing, parts of arrays, sounds, coupled modes at any position.
 
 use crate::{case, number, run_into};
-use judder_case::CaseFile;
 use judder_store::{Data, Dataset, Status, StoreError, StudyFolder, Variable};
 use judder_study::StudyError;
+use judder_study::case::file::CaseFile;
 use judder_study::sliding_shapes::{ShapedPair, SlidingShapes, sliding_shapes};
 use judder_study::study_view::{MOST_VALUES, RowWindow, StudyView};
 use std::path::Path;

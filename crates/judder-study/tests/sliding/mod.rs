@@ -1,7 +1,6 @@
 //! Sliding cases end to end: the locus and the growth of the beams paper, sweeps, matrices in place of a beam.
 
 use crate::{case, number, run_into};
-use judder_case::CaseFile;
 use judder_exchange::matrix::Matrix;
 use judder_exchange::matrix_market::write_matrix_market;
 use judder_store::{Data, StudyFolder};
@@ -10,6 +9,7 @@ use judder_structure::beam::Beam;
 use judder_structure::freedom::{Direction, Numbering, Supports};
 use judder_structure::material::{Elastic, Section};
 use judder_study::Silent;
+use judder_study::case::file::CaseFile;
 use judder_study::resolve::resolve;
 use judder_study::run::{RunOptions, RunReport, run};
 use serde_json::Value;

@@ -1,7 +1,7 @@
 //! The runnable sliding cases show what their first comments say.
 
 use crate::{case, number, run_into};
-use judder_case::CaseFile;
+use judder_study::case::file::CaseFile;
 use serde_json::{Map, Value};
 use std::path::Path;
 

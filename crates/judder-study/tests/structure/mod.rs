@@ -1,12 +1,12 @@
 //! Structure cases end to end: beams, a bar of bricks, a ring from a mesh file, matrices.
 
 use crate::{case, number, run_into};
-use judder_case::CaseFile;
 use judder_exchange::freedom_table::read_freedoms;
 use judder_exchange::matrix::read_matrix;
 use judder_structure::modes::{Wanted, modes};
 use judder_structure::statics::Statics;
 use judder_study::StudyError;
+use judder_study::case::file::CaseFile;
 use judder_study::run::{RunOptions, run};
 use judder_study::{Silent, pictures};
 use serde_json::Value;

@@ -3,9 +3,10 @@
 use crate::contact::run_text;
 use crate::number;
 use crate::within_law::{from_file, law_file};
-use judder_case::{Case, CaseFile, OscillatorKey};
 use judder_study::Silent;
 use judder_study::bridge::with_material;
+use judder_study::case::file::{Case, CaseFile};
+use judder_study::models::oscillator::keys::OscillatorKey;
 use judder_study::resolve::resolve;
 use judder_study::run::{RunOptions, run};
 use serde_json::Value;

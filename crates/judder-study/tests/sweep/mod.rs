@@ -1,8 +1,9 @@
 //! Sweeps of whole studies: what a point holds, what fails, what parts and processes make of it.
 
 use crate::{number, run_into};
-use judder_case::{Case, CaseFile, OscillatorCase};
 use judder_store::{StoreError, StoredChunk};
+use judder_study::case::file::{Case, CaseFile};
+use judder_study::models::oscillator::case::OscillatorCase;
 use judder_study::run::{RunOptions, SweepWork, plans, run};
 use judder_study::sweep::{Evaluator, SweepPlan};
 use judder_study::{Silent, StudyError, point};

@@ -1,13 +1,14 @@
 //! Verdicts with the errors of the law in them: laws through values that are off, as those of contacts that are solved one by one.
 
 use crate::{number, run_into};
-use judder_case::{Case, CaseFile, OscillatorInputs};
 use judder_contact::law::file::to_json;
 use judder_contact::law::{PerQuantity, SampledLaw, Samples};
 use judder_contact::{ContactLaw, ContactPoint, ContactResponse, FittedLaw, Law};
 use judder_oscillator::mechanism::StabilityClass;
 use judder_oscillator::{Contact, Groups};
 use judder_store::{Data, StudyFolder};
+use judder_study::case::file::{Case, CaseFile};
+use judder_study::models::oscillator::inputs::OscillatorInputs;
 use judder_study::point::{Point, SteadyPoint, point};
 use judder_study::{Silent, bridge};
 use std::path::{Path, PathBuf};

@@ -1,9 +1,9 @@
 //! Unstable zones as they are told and drawn.
 
 use crate::{number, run_into};
-use judder_case::CaseFile;
 use judder_report::Layer;
 use judder_store::{Data, StudyFolder};
+use judder_study::case::file::CaseFile;
 use judder_study::pictures;
 use std::f64::consts::TAU;
 use std::path::Path;

@@ -3,8 +3,9 @@
 use super::agreement::Numbers;
 use super::generated::{COUNT, GeneratedCase, generated};
 use super::{case_files, file, small_cases, workspace};
-use judder_case::{CaseFile, TEMPLATES, template};
 use judder_keys::error::CaseError;
+use judder_study::case::file::CaseFile;
+use judder_study::case::template::{TEMPLATES, template};
 use judder_study::run::identity;
 use serde_json::{Map, Value, json};
 

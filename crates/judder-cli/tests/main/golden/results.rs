@@ -3,9 +3,9 @@
 use super::agreement::{FLOAT_HASH, Numbers};
 use super::{case_files, file, small_cases, snapshot};
 use crate::desk::{Desk, files_below};
-use judder_case::CaseFile;
 use judder_store::{StudyFolder, content_hash};
 use judder_study::Silent;
+use judder_study::case::file::CaseFile;
 use judder_study::run::{RunOptions, RunReport, run};
 use rayon::prelude::*;
 use serde_json::{Map, Value, json};

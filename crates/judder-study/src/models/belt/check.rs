@@ -1,11 +1,12 @@
 //! What `judder check` shows of a belt case.
 
+use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::model::Analysis;
+use crate::models::belt::case::{BELT_KEYS, BeltCase};
 use crate::models::motion::model::belt;
 use crate::resolve::{Estimate, Resolved, estimate_json, estimate_text, title};
 use crate::text::{columns, number};
-use judder_case::{BELT_KEYS, BeltCase, CaseFile};
 use judder_oscillator::motion::SlidingSystem;
 use serde_json::json;
 

@@ -1,13 +1,16 @@
 //! A mass on a belt.
 
+pub mod case;
 mod check;
 
+use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::model::{Analysed, Analysis, Model, Prepared, Task};
+use crate::models::belt::case::{BeltCase, BeltKey};
+use crate::models::motion::settings::MotionAnalysis;
 use crate::models::motion::{self, check::estimate, model::BeltModel};
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, Resolved, cost};
-use judder_case::{BeltCase, BeltKey, CaseFile, MotionAnalysis};
 
 impl Analysed for BeltCase {
     type Subject<'a> = BeltModel<'a>;

@@ -2,7 +2,7 @@
 
 use crate::error::StudyError;
 use crate::model::Refusal;
-use judder_case::ContactProblem;
+use crate::models::contact::problem::ContactProblem;
 use judder_contact::kernel::check::KernelError;
 use judder_contact::periodic_contact::PeriodicContactError;
 use judder_contact::steady::SteadyError;

@@ -1,13 +1,15 @@
 //! What `judder check` shows of a contact case.
 
 use super::{Subject, analysis};
+use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::material::{self, ContactScales};
 use crate::model::Model;
+use crate::models::contact::case::ContactCase;
+use crate::models::oscillator::keys::OscillatorKey;
 use crate::resolve::{Resolved, title};
 use crate::spectrum_source::temperature_warning;
 use crate::text::{columns, number};
-use judder_case::{CaseFile, ContactCase, OscillatorKey};
 use judder_contact::kernel::sliding::SlidingOperator;
 use judder_keys::memory::Memory;
 use judder_keys::numeric_key::Form;

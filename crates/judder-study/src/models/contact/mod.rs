@@ -6,25 +6,31 @@
 //! - A folder each: `single` (kind `contact`), `law` (`contact-law`), `fit`, `modulus`, `transient`.
 
 mod blame;
+pub mod case;
 mod check;
 mod fields;
 mod fit;
 pub(crate) mod law;
 mod modulus;
+pub mod problem;
+pub mod settings;
+pub mod shape;
 pub(crate) mod single;
 mod size;
-mod transient;
+pub mod transient;
 
+use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::indenter::profile;
 use crate::material::ContactScales;
 use crate::measured_band::MeasuredBand;
 use crate::model::{Analysed, Analysis, Model, Pictured, Place, Prepared, Refusal, Task};
+use crate::models::contact::case::ContactCase;
+use crate::models::contact::settings::{ContactAnalysis, LawMethod};
 use crate::outcome::{CheckRecord, Outcome};
 use crate::resolve::Resolved;
 use crate::spectrum_source::temperature_warning;
 use check::ContactEstimate;
-use judder_case::{CaseFile, ContactAnalysis, ContactCase, LawMethod};
 use judder_contact::material::Discretisation;
 use judder_contact::steady::profile::Profile;
 use judder_contact::unilateral::Loading;

@@ -1,7 +1,7 @@
 //! What analyses of motion would take.
 
+use crate::models::motion::settings::MotionAnalysis;
 use crate::resolve::{Estimate, cost};
-use judder_case::MotionAnalysis;
 use judder_keys::numeric_key::Form;
 
 /// Time in which a motion usually settles, in radians.

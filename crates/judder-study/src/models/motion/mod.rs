@@ -15,15 +15,16 @@ mod history;
 pub(crate) mod limit_cycle;
 pub(crate) mod model;
 pub(crate) mod pictures;
+pub mod settings;
 
 pub use history::MotionBlock;
 
 use crate::error::StudyError;
 use crate::kept::Kept;
 use crate::model::{Pictured, Task};
+use crate::models::motion::settings::{Bifurcation, MotionAnalysis};
 use crate::outcome::Outcome;
 use crate::progress::Progress;
-use judder_case::{Bifurcation, MotionAnalysis};
 use model::Moving;
 
 /// The kinds of analyses that have a figure.

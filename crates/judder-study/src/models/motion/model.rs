@@ -2,9 +2,11 @@
 
 use crate::bridge;
 use crate::models::axis::Axis;
-use judder_case::{
-    BeltCase, BeltInputs, BeltKey, Following, MotionStart, OscillatorInputs, OscillatorKey, Sweep,
-};
+use crate::models::belt::case::{BeltCase, BeltInputs, BeltKey};
+use crate::models::motion::settings::{Following, MotionStart};
+use crate::models::oscillator::inputs::OscillatorInputs;
+use crate::models::oscillator::keys::OscillatorKey;
+use crate::models::sweep::Sweep;
 use judder_keys::numeric_key::{Form, Value};
 use judder_numerics::piecewise::Settings;
 use judder_oscillator::motion::attractor::distance;

@@ -3,13 +3,16 @@
 use super::point;
 use super::quasi_steady::Condition;
 use crate::bridge;
+use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::known_substrate::KnownSubstrate;
 use crate::material;
 use crate::measured_band::excited_at;
+use crate::models::oscillator::case::OscillatorCase;
+use crate::models::oscillator::inputs::LawName;
+use crate::models::oscillator::keys::KEYS;
 use crate::resolve::{Estimate, Resolved, estimate_json, estimate_text, title};
 use crate::text::{columns, list, number};
-use judder_case::{CaseFile, KEYS, LawName, OscillatorCase};
 use judder_contact::{HertzLaw, Law};
 use judder_keys::numeric_key::Form;
 use judder_oscillator::Contact;

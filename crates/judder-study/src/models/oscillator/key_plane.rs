@@ -2,9 +2,10 @@
 
 use crate::bridge;
 use crate::error::StudyError;
+use crate::models::oscillator::inputs::OscillatorInputs;
+use crate::models::oscillator::keys::OscillatorKey;
 use crate::models::oscillator::steady_states::SteadyState;
 use crate::progress::Progress;
-use judder_case::{OscillatorInputs, OscillatorKey};
 use judder_keys::numeric_key::{Form, Value};
 use judder_oscillator::map::{
     AdaptiveMap, CoarseMap, CoefficientPlane, Method, Plane, StabilityMap, SweptCoefficient, every_point,
@@ -171,7 +172,7 @@ fn in_stages<P: Plane>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use judder_case::LawName;
+    use crate::models::oscillator::inputs::LawName;
     use judder_oscillator::FrictionLoad;
     use std::sync::atomic::{AtomicUsize, Ordering};
 

@@ -10,8 +10,9 @@ pub(crate) use search::NOT_KNOWN;
 pub(super) use search::{Search, TOLD};
 
 use crate::bridge;
+use crate::models::oscillator::inputs::OscillatorInputs;
+use crate::models::oscillator::keys::OscillatorKey;
 use crate::progress::Progress;
-use judder_case::{OscillatorInputs, OscillatorKey};
 use judder_keys::numeric_key::{Form, Value};
 use judder_numerics::piecewise::Settings;
 use judder_oscillator::Contact;

@@ -8,17 +8,23 @@
 //! - `check`: what `judder check` shows.
 //! - A folder each: `equivalent_damping`, `spectrum`, `critical`, `stability_map`, `engines`; those of motion in `motion`.
 
+pub mod case;
 mod check;
 pub(crate) mod critical;
 pub(crate) mod curves;
-mod engines;
+pub mod engines;
 mod equivalent_damping;
+pub mod given;
+pub mod inputs;
 pub mod key_plane;
+pub mod keys;
 mod law_errors;
 pub(crate) mod margins;
 pub(crate) mod operating_points;
 pub mod point;
+pub mod problem;
 pub mod quasi_steady;
+pub mod settings;
 pub(crate) mod spectrum;
 pub(crate) mod stability_map;
 pub(crate) mod steady_states;
@@ -26,19 +32,23 @@ pub(crate) mod steady_states;
 pub use stability_map::{BoundaryCurves, BoundaryKind, boundary_curves};
 
 use crate::bridge::{self, CaseContact};
+use crate::case::file::CaseFile;
+use crate::case::study_sweep::StudySweep;
 use crate::error::StudyError;
 use crate::known_substrate::KnownSubstrate;
 use crate::model::{
     Analysed, Analysis, Model, OperatingPoints, OperatingQuantity, OperatingWork, Pictured, Prepared, Task,
 };
+use crate::models::motion::settings::MotionAnalysis;
 use crate::models::motion::{self, check::estimate, model::OscillatorModel};
+use crate::models::oscillator::case::OscillatorCase;
+use crate::models::oscillator::inputs::{LawName, OscillatorInputs};
+use crate::models::oscillator::keys::OscillatorKey;
+use crate::models::oscillator::settings::OscillatorAnalysis;
+use crate::models::sweep::{Family, Sweep};
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::resolve::{Estimate, Resolved, cost};
-use judder_case::{
-    CaseFile, Family, LawName, MotionAnalysis, OscillatorAnalysis, OscillatorCase, OscillatorInputs,
-    OscillatorKey, StudySweep, Sweep,
-};
 use judder_contact::law::sweep::SolvedPoint;
 use judder_oscillator::Contact;
 use operating_points::OfOneLaw;

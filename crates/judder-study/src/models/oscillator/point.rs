@@ -3,11 +3,12 @@
 use crate::bridge::{self, CaseContact};
 use crate::error::StudyError;
 use crate::known_substrate::KnownSubstrate;
+use crate::models::oscillator::case::OscillatorCase;
+use crate::models::oscillator::inputs::OscillatorInputs;
 use crate::models::oscillator::quasi_steady::Condition;
 use crate::progress::Silent;
 use crate::text::{columns, list, number, short};
 use crate::within_law::{MARGINAL, ranges_text, told_marginal};
-use judder_case::{OscillatorCase, OscillatorInputs};
 use judder_contact::ContactLaw;
 use judder_oscillator::critical::{Range, Scale, Thresholds, thresholds};
 use judder_oscillator::equilibrium::{Equilibrium, equilibrium};

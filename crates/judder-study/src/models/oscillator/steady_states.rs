@@ -2,9 +2,11 @@
 
 use crate::bridge;
 use crate::error::StudyError;
+use crate::models::oscillator::inputs::OscillatorInputs;
+use crate::models::oscillator::keys::OscillatorKey;
+use crate::models::sweep::Sweep;
 use crate::progress::Progress;
 use crate::text::short;
-use judder_case::{OscillatorInputs, OscillatorKey, Sweep};
 use judder_contact::{ContactLaw, ValidityConcern};
 use judder_oscillator::equilibrium::{Equilibrium, equilibrium};
 use judder_oscillator::linearisation::Linearisation;

@@ -2,7 +2,7 @@
 
 use crate::error::StudyError;
 use crate::model::Refusal;
-use judder_case::SlidingProblem;
+use crate::models::sliding::case::problem::SlidingProblem;
 use judder_sliding::SlidingError;
 use judder_sliding::edge::RunOff;
 

@@ -4,13 +4,15 @@ mod pair;
 
 use super::march::Size;
 use super::{Subject, analysis};
+use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::model::Place;
 use crate::models::placed;
+use crate::models::sliding::case::SlidingCase;
+use crate::models::sliding::case::analysis::SlidingAnalysis;
 use crate::models::sliding::system::SlidingSystem;
 use crate::resolve::{Estimate, Resolved, estimate_json, estimate_text, title};
 use crate::text::{columns, number};
-use judder_case::{CaseFile, SlidingAnalysis, SlidingCase};
 use judder_keys::memory::Memory;
 use serde_json::{Map, Value, json};
 

@@ -1,8 +1,8 @@
 //! The pair of a sliding case, built and reduced, for whoever marches it by himself.
 
+use crate::case::file::{Case, CaseFile};
 use crate::error::StudyError;
 use crate::models::sliding::system::{self, SlidingSystem};
-use judder_case::{Case, CaseFile};
 use judder_sliding::SlidingError;
 use judder_sliding::march::Method;
 use judder_sliding::motion::Motion;

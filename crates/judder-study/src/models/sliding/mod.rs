@@ -8,6 +8,7 @@
 //! - A folder each: `modes`, `locus`, `growth`, `march`, `spectrogram`.
 
 mod blame;
+pub mod case;
 mod check;
 mod cost;
 pub mod coupled_pair;
@@ -19,11 +20,13 @@ pub mod shapes;
 mod spectrogram;
 mod system;
 
+use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::model::{Analysed, Analysis, Model, Pictured, Place, Prepared, Task};
+use crate::models::sliding::case::SlidingCase;
+use crate::models::sliding::case::analysis::SlidingAnalysis;
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, Resolved};
-use judder_case::{CaseFile, SlidingAnalysis, SlidingCase};
 use judder_keys::error::CaseError;
 use std::sync::Arc;
 use system::SlidingSystem;

@@ -1,11 +1,13 @@
 //! The shapes in which the two structures of a sliding case swing together, at any position of the contact, on all points of both.
 
+use crate::case::file::{Case, CaseFile};
 use crate::error::StudyError;
+use crate::models::sliding::case::SlidingCase;
+use crate::models::sliding::case::analysis::SlidingAnalysis;
+use crate::models::sliding::case::locus::Along;
 use crate::models::sliding::locus::conditions as locus_conditions;
 use crate::models::sliding::system::SlidingSystem;
 use faer::Mat;
-use judder_case::sliding::locus::Along;
-use judder_case::{Case, CaseFile, SlidingAnalysis, SlidingCase};
 use judder_sliding::locus::{Conditions, Configuration, contact, spectrum};
 use judder_sliding::shape::{gap_residual, mode_shape};
 use judder_sliding::spectrum::Wanted;

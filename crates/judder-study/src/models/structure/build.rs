@@ -14,8 +14,10 @@ mod sums;
 pub(crate) use kept::{freedoms_of, points_of};
 pub(crate) use layout::Layout;
 
+use crate::case::file::CaseFile;
 use crate::error::StudyError;
-use judder_case::{CaseFile, StructureCase, StructureProblem, StructureSource};
+use crate::models::structure::case::problem::StructureProblem;
+use crate::models::structure::case::{StructureCase, StructureSource};
 use judder_structure::affine::{Factors, Family};
 use judder_structure::assembly::Sparse;
 use judder_structure::freedom::Numbering;

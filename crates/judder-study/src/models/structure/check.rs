@@ -1,11 +1,12 @@
 //! What `judder check` shows of a structure case.
 
 use super::{Subject, analysis};
+use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::models::structure::build::Structure;
+use crate::models::structure::case::StructureCase;
 use crate::resolve::{Resolved, title};
 use crate::text::columns;
-use judder_case::{CaseFile, StructureCase};
 use judder_structure::affine::Term;
 use serde_json::{Value, json};
 

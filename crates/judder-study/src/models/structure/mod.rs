@@ -7,6 +7,7 @@
 //! - A folder each: `modes`, `reduction`, `eigen`, `eigen_sweep`.
 
 pub(crate) mod build;
+pub mod case;
 mod check;
 pub(crate) mod eigen;
 mod eigen_sweep;
@@ -17,12 +18,14 @@ pub(crate) mod shape_panels;
 mod shapes;
 mod undamped;
 
+use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::model::{Analysed, Analysis, Model, Pictured, Prepared, Task};
+use crate::models::structure::case::StructureCase;
+use crate::models::structure::case::analysis::StructureAnalysis;
 use crate::outcome::Outcome;
 use crate::resolve::Resolved;
 use build::Structure;
-use judder_case::{CaseFile, StructureAnalysis, StructureCase};
 use std::sync::Arc;
 
 /// The kinds of analyses that have a figure.

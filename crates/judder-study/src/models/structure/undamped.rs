@@ -2,9 +2,9 @@
 
 use crate::error::StudyError;
 use crate::models::structure::build::{Structure, factors, symmetric_part};
+use crate::models::structure::case::matrices::MatrixTerm;
+use crate::models::structure::case::{StructureCase, StructureSource};
 use crate::text::short;
-use judder_case::structure::matrices::MatrixTerm;
-use judder_case::{StructureCase, StructureSource};
 use judder_structure::StructureError;
 use judder_structure::affine::Term;
 use judder_structure::assembly::Sparse;

@@ -1,11 +1,12 @@
 //! What `judder check` shows of a two-degrees case.
 
+use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::model::Analysis;
 use crate::models::oscillator::stability_map::{ONE_WAY, class_name};
+use crate::models::two_degrees::case::TwoDegreesCase;
 use crate::resolve::{Estimate, Resolved, estimate_json, estimate_text, title};
 use crate::text::{columns, number};
-use judder_case::{CaseFile, TwoDegreesCase};
 use serde_json::{Value, json};
 
 pub(super) fn resolve(file: &CaseFile, case: &TwoDegreesCase) -> Result<Resolved, StudyError> {

@@ -1,15 +1,21 @@
 //! Any M, C, K of two degrees of freedom, as expressions of parameters.
 
+pub mod case;
 mod check;
+pub mod mass;
+mod matrix;
 mod run;
 
+use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::model::{Analysed, Analysis, Model, OperatingQuantity, Prepared, Task};
 use crate::models::oscillator::operating_points::{LINEAR_QUANTITIES, linear_values};
+use crate::models::two_degrees::case::{
+    ParameterSpectrum, ParameterThresholds, TwoDegreesAnalysis, TwoDegreesCase,
+};
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::resolve::{Estimate, Resolved, cost};
-use judder_case::{CaseFile, ParameterSpectrum, ParameterThresholds, TwoDegreesAnalysis, TwoDegreesCase};
 use judder_oscillator::LinearSystem;
 
 impl Analysed for TwoDegreesCase {

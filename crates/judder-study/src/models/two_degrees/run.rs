@@ -7,11 +7,10 @@ use crate::models::oscillator::spectrum::{self, Spectra};
 use crate::models::oscillator::stability_map::{
     MapArrays, ONE_WAY, Overlay, checked_points, incomplete, map_scalars, unresolved_warning,
 };
+use crate::models::sweep::{ParameterKey, StabilityMap as MapSettings, Sweep};
+use crate::models::two_degrees::case::{ParameterSpectrum, TwoDegreesAnalysis, TwoDegreesCase};
 use crate::outcome::{CheckRecord, Disagreement, Outcome};
 use crate::progress::Progress;
-use judder_case::{
-    ParameterKey, ParameterSpectrum, StabilityMap as MapSettings, Sweep, TwoDegreesAnalysis, TwoDegreesCase,
-};
 use judder_numerics::root::all_roots;
 use judder_oscillator::LinearSystem;
 use judder_oscillator::boundary::boundaries_of_system;

@@ -7,8 +7,9 @@ use super::law::figure;
 use super::{Exciting, Subject};
 use crate::error::StudyError;
 use crate::model::{Analysis, Pictured, Refusal, Task};
+use crate::models::contact::case::ContactCase;
+use crate::models::contact::settings::FitSettings;
 use crate::outcome::Outcome;
-use judder_case::{ContactCase, FitSettings};
 use judder_contact::law::sweep::SolvedPoint;
 
 /// The figure.

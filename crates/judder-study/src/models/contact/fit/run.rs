@@ -3,10 +3,11 @@
 use crate::computed_law::{ComputedLaw, Points, compute};
 use crate::error::StudyError;
 use crate::material::ContactScales;
+use crate::models::contact::case::ContactCase;
 use crate::models::contact::law::Plane;
+use crate::models::contact::settings::LawSettings;
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
-use judder_case::{ContactCase, LawSettings};
 use judder_contact::fit::{CoefficientComparison, FitError, FunctionFit, LawFit};
 use judder_contact::{FittedLaw, Law};
 use judder_store::{Table, Variable, number};

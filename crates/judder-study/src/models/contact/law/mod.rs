@@ -10,8 +10,9 @@ use super::size::cells_of_law;
 use super::{Exciting, Subject, blame, usual_contacts};
 use crate::error::StudyError;
 use crate::model::{Analysis, Pictured, Refusal, Task};
+use crate::models::contact::case::ContactCase;
+use crate::models::contact::settings::LawSettings;
 use crate::outcome::Outcome;
-use judder_case::{ContactCase, LawSettings};
 use judder_contact::kernel::sliding::SlidingOperator;
 use judder_contact::law::sweep::SolvedPoint;
 

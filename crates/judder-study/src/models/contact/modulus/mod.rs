@@ -7,8 +7,9 @@ use super::check::ContactEstimate;
 use super::{Exciting, Subject};
 use crate::error::StudyError;
 use crate::model::{Analysis, Pictured, Task};
+use crate::models::contact::case::ContactCase;
+use crate::models::contact::settings::ModulusSettings;
 use crate::outcome::Outcome;
-use judder_case::{ContactCase, ModulusSettings};
 
 /// The figure.
 pub(crate) const PICTURED: Pictured = Pictured {

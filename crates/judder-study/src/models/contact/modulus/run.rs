@@ -2,8 +2,9 @@
 
 use crate::error::StudyError;
 use crate::material::{ContactScales, Material};
+use crate::models::contact::case::ContactCase;
+use crate::models::contact::settings::FREQUENCIES;
 use crate::outcome::{CheckRecord, Disagreement, Outcome};
-use judder_case::{ContactCase, contact_analysis::FREQUENCIES};
 use judder_contact::material::{DmaData, PronyFit};
 use judder_keys::numeric_key::Form;
 use judder_keys::span::Span;

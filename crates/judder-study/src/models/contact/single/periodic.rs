@@ -5,10 +5,11 @@ use super::run::{DISSIPATION_LIMIT, RESIDUAL_LIMIT, loading};
 use crate::error::StudyError;
 use crate::indenter::height_map;
 use crate::material::ContactScales;
+use crate::models::contact::case::ContactCase;
 use crate::models::contact::fields::Fields;
+use crate::models::contact::settings::ContactSettings;
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
-use judder_case::{ContactCase, ContactSettings};
 use judder_contact::periodic_contact::{
     PeriodicContact, PeriodicContactError, PeriodicLoading, PeriodicQuestion, solve_until,
 };

@@ -4,10 +4,12 @@ use super::refined::Refined;
 use crate::error::StudyError;
 use crate::indenter::profile;
 use crate::material::ContactScales;
+use crate::models::contact::case::ContactCase;
 use crate::models::contact::fields::Fields;
+use crate::models::contact::settings::{ContactSettings, Loading as CaseLoading};
+use crate::models::contact::shape::Shape;
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
-use judder_case::{ContactCase, ContactSettings, Loading as CaseLoading, Shape};
 use judder_contact::steady::{GridChoice, SteadyContact, SteadyError, SteadyQuestion, solve_until};
 use judder_contact::unilateral::{Loading, UnilateralLimits};
 

@@ -2,13 +2,16 @@
 
 mod figure;
 mod run;
+pub mod settings;
 
 use super::check::ContactEstimate;
 use super::{Exciting, Subject, blame};
 use crate::error::StudyError;
 use crate::model::{Analysis, Pictured, Refusal, Task};
+use crate::models::contact::case::ContactCase;
+use crate::models::contact::problem::ContactProblem;
+use crate::models::contact::transient::settings::TransientSettings;
 use crate::outcome::Outcome;
-use judder_case::{ContactCase, ContactProblem, TransientSettings};
 use judder_contact::transient::TransientError;
 use run::Asked;
 

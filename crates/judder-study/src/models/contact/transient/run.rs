@@ -3,10 +3,12 @@
 use crate::error::StudyError;
 use crate::indenter::profile;
 use crate::material::ContactScales;
+use crate::models::contact::case::ContactCase;
+use crate::models::contact::shape::Shape;
 use crate::models::contact::single::run::{RESIDUAL_LIMIT, pressed};
+use crate::models::contact::transient::settings::{Motion, Oscillation, TransientSettings};
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
-use judder_case::{ContactCase, Motion, Oscillation, Shape, TransientSettings};
 use judder_contact::steady::profile::Profile;
 use judder_contact::steady::{GridChoice, SteadyQuestion, solve};
 use judder_contact::transient::{

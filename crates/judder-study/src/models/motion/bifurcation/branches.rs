@@ -4,8 +4,9 @@ mod results;
 
 use crate::error::StudyError;
 use crate::models::motion::model::Moving;
+use crate::models::motion::settings::Following;
+use crate::models::sweep::{Scale, Sweep};
 use crate::progress::Progress;
-use judder_case::{Following, Scale, Sweep};
 use judder_numerics::root::all_roots_from_values;
 use judder_numerics::words::plain;
 use judder_oscillator::cycle::shooting::Shooting;

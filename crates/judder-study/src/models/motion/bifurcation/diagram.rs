@@ -6,7 +6,7 @@ use crate::error::StudyError;
 use crate::models::axis::Axis;
 use crate::models::motion::becomes::{BECOMES, CYCLE, LOST, UNCONFIRMED};
 use crate::models::motion::model::Coordinate;
-use judder_case::SweepDirection;
+use crate::models::motion::settings::SweepDirection;
 use judder_numerics::words::plain;
 use judder_store::{Dataset, Table, Variable, number};
 use serde_json::{Map, json};

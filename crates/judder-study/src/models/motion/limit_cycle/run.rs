@@ -3,9 +3,9 @@
 use crate::error::StudyError;
 use crate::models::motion::history::run::{Arrays, energy_check, scalars};
 use crate::models::motion::model::{Moving, Operating};
+use crate::models::motion::settings::{Following, MotionStart};
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
-use judder_case::{Following, MotionStart};
 use judder_oscillator::cycle::shooting::{Cycle, Shooting, from_simulation};
 use judder_oscillator::motion::SlidingSystem;
 use judder_oscillator::motion::attractor::Patience;

@@ -7,9 +7,11 @@ mod within_law;
 use super::{Operated, Subject, curves, ends_of_curves, points_of_curves};
 use crate::error::StudyError;
 use crate::model::{Analysis, Pictured, Task};
+use crate::models::oscillator::case::OscillatorCase;
+use crate::models::oscillator::inputs::OscillatorInputs;
+use crate::models::oscillator::settings::CriticalThresholds;
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, cost};
-use judder_case::{CriticalThresholds, OscillatorCase, OscillatorInputs};
 
 /// The figure of critical shear strengths.
 pub(crate) const OF_SHEAR_STRENGTH: Pictured = Pictured {

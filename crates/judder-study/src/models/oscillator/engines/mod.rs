@@ -3,15 +3,17 @@
 mod figure;
 mod ladder;
 mod run;
+pub mod settings;
 
 use super::{Operated, Subject};
 use crate::error::StudyError;
 use crate::model::{Analysis, Pictured, Task};
 use crate::models::motion::check::USUAL_TIME;
 use crate::models::motion::model::OscillatorModel;
+use crate::models::oscillator::case::OscillatorCase;
+use crate::models::oscillator::engines::settings::EnginesSettings;
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, cost};
-use judder_case::{EnginesSettings, OscillatorCase};
 use judder_keys::numeric_key::Form;
 
 /// The figure.

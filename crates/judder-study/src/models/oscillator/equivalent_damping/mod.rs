@@ -5,9 +5,11 @@ mod run;
 use super::{Operated, Subject, curves, ends_of_curves, points_of_curves};
 use crate::error::StudyError;
 use crate::model::{Analysis, Pictured, Task};
+use crate::models::oscillator::case::OscillatorCase;
+use crate::models::oscillator::inputs::OscillatorInputs;
+use crate::models::oscillator::settings::DampingCurves;
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, cost};
-use judder_case::{DampingCurves, OscillatorCase, OscillatorInputs};
 
 /// The figure.
 pub(crate) const PICTURED: Pictured = Pictured {

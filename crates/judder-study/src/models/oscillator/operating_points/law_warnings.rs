@@ -2,12 +2,14 @@
 
 use super::OfOneLaw;
 use crate::bridge;
+use crate::case::file::{Case, CaseFile};
+use crate::case::study_sweep::StudySweep;
 use crate::error::StudyError;
 use crate::known_substrate::KnownSubstrate;
+use crate::models::oscillator::case::OscillatorCase;
 use crate::models::oscillator::quasi_steady::{self, Condition};
 use crate::models::oscillator::steady_states::{SteadyState, validity_warnings};
 use crate::within_law::MARGINAL;
-use judder_case::{Case, CaseFile, OscillatorCase, StudySweep};
 use judder_oscillator::within_law::WithinLaw;
 
 /// How the law is doubtful at some points, evenly over the sweep.

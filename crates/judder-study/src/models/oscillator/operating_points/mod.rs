@@ -10,11 +10,14 @@ pub(crate) use law_warnings::read_anew;
 pub(crate) use quantities::{LINEAR_QUANTITIES, QUANTITIES, linear_values};
 
 use crate::bridge::{self, CaseContact};
+use crate::case::study_sweep::StudySweep;
 use crate::computed_law::NO_POINTS;
 use crate::error::StudyError;
 use crate::model::{OperatingPoints, OperatingQuantity, OperatingWork};
+use crate::models::oscillator::case::OscillatorCase;
+use crate::models::oscillator::inputs::{LawName, OscillatorInputs};
+use crate::models::oscillator::keys::OscillatorKey;
 use crate::progress::Progress;
-use judder_case::{LawName, OscillatorCase, OscillatorInputs, OscillatorKey, StudySweep};
 use judder_keys::numeric_key::{Form, Value};
 use judder_oscillator::Contact;
 use quantities::PointState;

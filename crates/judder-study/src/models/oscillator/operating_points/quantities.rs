@@ -2,9 +2,9 @@
 
 use crate::bridge;
 use crate::model::OperatingQuantity;
+use crate::models::oscillator::inputs::OscillatorInputs;
 use crate::models::oscillator::point::{LOADS, SAMPLES, SHEAR_STRENGTHS, SteadyPoint};
 use crate::models::oscillator::stability_map::ONE_WAY;
-use judder_case::OscillatorInputs;
 use judder_contact::{ContactLaw, ValidityConcern};
 use judder_oscillator::critical::{Thresholds, thresholds};
 use judder_oscillator::equilibrium::Equilibrium;

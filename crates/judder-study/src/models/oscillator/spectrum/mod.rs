@@ -7,9 +7,11 @@ pub(crate) use run::{Spectra, outcome};
 use super::{Operated, Subject, curves, ends_of_curves, points_of_curves};
 use crate::error::StudyError;
 use crate::model::{Analysis, Pictured, Task};
+use crate::models::oscillator::case::OscillatorCase;
+use crate::models::oscillator::inputs::OscillatorInputs;
+use crate::models::oscillator::settings::SpectrumCurves;
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, cost};
-use judder_case::{OscillatorCase, OscillatorInputs, SpectrumCurves};
 
 /// The figure.
 pub(crate) const PICTURED: Pictured = Pictured {

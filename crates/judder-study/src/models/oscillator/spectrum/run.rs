@@ -3,11 +3,13 @@
 use crate::checks;
 use crate::error::StudyError;
 use crate::models::axis::{Axis, Curves};
+use crate::models::oscillator::case::OscillatorCase;
+use crate::models::oscillator::keys::OscillatorKey;
 use crate::models::oscillator::law_errors::{self, Erring};
 use crate::models::oscillator::steady_states::{SteadyState, along, failure_warning, validity_warnings};
+use crate::models::sweep::{Family, Sweep};
 use crate::outcome::Outcome;
 use crate::progress::Progress;
-use judder_case::{Family, OscillatorCase, OscillatorKey, Sweep};
 use judder_oscillator::conservative::conservative_eigenvalues;
 use judder_oscillator::spectrum::{eigenvalues, growth_rate};
 use judder_oscillator::{Contact, LinearSystem};

@@ -17,9 +17,12 @@ pub(crate) use within_law::WITHIN_LAW;
 use super::{Operated, Subject, ends};
 use crate::error::StudyError;
 use crate::model::{Analysis, Pictured, Task};
+use crate::models::oscillator::case::OscillatorCase;
+use crate::models::oscillator::inputs::OscillatorInputs;
+use crate::models::oscillator::keys::OscillatorKey;
+use crate::models::sweep::{MapMethod, StabilityMap};
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, cost};
-use judder_case::{MapMethod, OscillatorCase, OscillatorInputs, OscillatorKey, StabilityMap};
 
 /// The figure.
 pub(crate) const PICTURED: Pictured = Pictured {

@@ -1,10 +1,10 @@
 //! What is known of a pair before anything is computed.
 
+use crate::models::sliding::case::SlidingCase;
+use crate::models::sliding::case::analysis::SlidingAnalysis;
+use crate::models::sliding::case::march::{CUT_OFF, MarchMethod};
 use crate::models::sliding::system::{self, SlidingSystem};
 use crate::text::{columns, number};
-use judder_case::SlidingAnalysis;
-use judder_case::SlidingCase;
-use judder_case::sliding::march::{CUT_OFF, MarchMethod};
 use judder_sliding::SlidingError;
 use judder_sliding::coupling::{Coupling, Sliding};
 use judder_sliding::march::Method;

@@ -8,10 +8,10 @@ use super::system::{method, step};
 use super::{Subject, blame, cost};
 use crate::error::StudyError;
 use crate::model::{Analysis, Pictured, Refusal, Task};
+use crate::models::sliding::case::SlidingCase;
+use crate::models::sliding::case::growth::Growth;
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, cost::FIGURE};
-use judder_case::SlidingCase;
-use judder_case::sliding::growth::Growth;
 use std::f64::consts::TAU;
 
 /// The figure.

@@ -2,11 +2,11 @@
 
 use super::history::History;
 use crate::error::StudyError;
+use crate::models::sliding::case::SlidingCase;
+use crate::models::sliding::case::growth::Growth;
 use crate::models::sliding::system::{SlidingSystem, Step, method, step};
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
-use judder_case::SlidingCase;
-use judder_case::sliding::growth::Growth;
 use judder_sliding::characteristic::Characteristic;
 use judder_sliding::growth::{AMPLITUDE, GrowthSettings, Held, watched_growth};
 use judder_sliding::pair::Pair;

@@ -1,8 +1,8 @@
 //! A few values of a locus against eigenproblems with full matrices.
 
 use super::traced::Traced;
+use crate::models::sliding::case::locus::Locus;
 use crate::outcome::{CheckRecord, Disagreement};
-use judder_case::sliding::locus::Locus;
 use judder_sliding::SlidingError;
 use judder_sliding::characteristic::Characteristic;
 use judder_sliding::coupling::Coupling;

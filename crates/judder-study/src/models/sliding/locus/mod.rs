@@ -18,10 +18,10 @@ pub(super) use run::conditions;
 use super::{Subject, blame, cost};
 use crate::error::StudyError;
 use crate::model::{Analysis, Pictured, Refusal, Task};
+use crate::models::sliding::case::SlidingCase;
+use crate::models::sliding::case::locus::{Along, Locus};
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, cost::FIGURE};
-use judder_case::SlidingCase;
-use judder_case::sliding::locus::{Along, Locus};
 
 /// The figure.
 pub(crate) const PICTURED: Pictured = Pictured {

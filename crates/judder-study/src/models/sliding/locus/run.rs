@@ -3,11 +3,11 @@
 use super::results::Results;
 use super::{positions, swept};
 use crate::error::StudyError;
+use crate::models::sliding::case::SlidingCase;
+use crate::models::sliding::case::locus::{self, Along, Locus};
 use crate::models::sliding::system::SlidingSystem;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
-use judder_case::SlidingCase;
-use judder_case::sliding::locus::{self, Along, Locus};
 use judder_sliding::locus::{Conditions, Configuration};
 
 pub(super) fn run(

@@ -5,7 +5,7 @@ use super::samples::Samples;
 use super::signals::variable_name;
 use crate::band::Sampled;
 use crate::error::StudyError;
-use judder_case::sliding::observe::{ObservedPoint, Signal};
+use crate::models::sliding::case::observe::{ObservedPoint, Signal};
 use judder_numerics::signal::SignalError;
 use judder_numerics::signal::bursts::{Burst, BurstSettings, bursts};
 use judder_sliding::amplification::Amplification;

@@ -19,11 +19,11 @@ use super::system::{method, step};
 use super::{Subject, blame, cost};
 use crate::error::StudyError;
 use crate::model::{Analysis, Pictured, Refusal, Task};
+use crate::models::sliding::case::SlidingCase;
+use crate::models::sliding::case::march::March;
+use crate::models::sliding::case::observe::ObservedPoint;
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, cost::FIGURE};
-use judder_case::SlidingCase;
-use judder_case::sliding::march::March;
-use judder_case::sliding::observe::ObservedPoint;
 use judder_sliding::motion::Motion;
 use judder_sliding::pair::Pair;
 

@@ -7,10 +7,10 @@ use super::summary::Told;
 use super::{Marched, expected, settings, signals, sound};
 use crate::error::StudyError;
 use crate::kept::Kept;
+use crate::models::sliding::case::signals::Sound;
 use crate::models::sliding::system::{method, predictor, step};
 use crate::outcome::Outcome;
 use crate::progress::Progress;
-use judder_case::sliding::signals::Sound;
 use judder_sliding::march::{March, MarchSettings};
 use judder_sliding::recorder::Recorder;
 

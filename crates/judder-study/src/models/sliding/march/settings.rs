@@ -1,6 +1,6 @@
 //! How the signals of a march are sampled.
 
-use judder_case::sliding::signals::Sampling;
+use crate::models::sliding::case::signals::Sampling;
 use judder_numerics::signal::decimate::Decimation;
 use std::f64::consts::TAU;
 

@@ -1,7 +1,7 @@
 //! The signals of a march: what is recorded, and what it is called in the study.
 
+use crate::models::sliding::case::observe::{ObservedPoint, PointQuantity, Signal};
 use crate::models::sliding::system::SlidingSystem;
-use judder_case::sliding::observe::{ObservedPoint, PointQuantity, Signal};
 use judder_sliding::recorder::Channel;
 use judder_store::Variable;
 

@@ -3,7 +3,7 @@
 use super::samples::Samples;
 use super::signals::{unit, variable_name};
 use crate::error::StudyError;
-use judder_case::sliding::observe::{ObservedPoint, Signal};
+use crate::models::sliding::case::observe::{ObservedPoint, Signal};
 use judder_exchange::wav::{Loudness, WavFormat, wav_bytes};
 use judder_numerics::signal::resample::resampled;
 use serde_json::{Value, json};

@@ -4,11 +4,11 @@ use super::system::alone;
 use super::{Subject, cost};
 use crate::error::StudyError;
 use crate::model::{Analysis, Task};
+use crate::models::sliding::case::SlidingCase;
+use crate::models::sliding::case::analysis::PartModes;
 use crate::models::structure::modes;
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, cost::FIGURE};
-use judder_case::SlidingCase;
-use judder_case::sliding::analysis::PartModes;
 
 impl Analysis<SlidingCase> for PartModes {
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, StudyError> {

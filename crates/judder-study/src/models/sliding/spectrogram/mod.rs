@@ -7,11 +7,13 @@ use super::Subject;
 use super::march::Size;
 use crate::error::StudyError;
 use crate::model::{Analysis, Pictured, Refusal, Task};
+use crate::models::sliding::case::SlidingCase;
+use crate::models::sliding::case::analysis::SlidingAnalysis;
+use crate::models::sliding::case::march::March;
+use crate::models::sliding::case::problem::SlidingProblem;
+use crate::models::sliding::case::spectrogram::Spectrogram;
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, cost::FIGURE};
-use judder_case::sliding::march::March;
-use judder_case::sliding::spectrogram::Spectrogram;
-use judder_case::{SlidingAnalysis, SlidingCase, SlidingProblem};
 
 const SHORTER: &str = "give a shorter length, or none";
 

@@ -2,11 +2,11 @@
 
 use crate::error::StudyError;
 use crate::kept::Place;
+use crate::models::sliding::case::observe::ObservedPoint;
+use crate::models::sliding::case::spectrogram::{Spectrogram, Window};
 use crate::models::sliding::march::variable_name;
 use crate::outcome::Outcome;
 use crate::pictures::reals;
-use judder_case::sliding::observe::ObservedPoint;
-use judder_case::sliding::spectrogram::{Spectrogram, Window};
 use judder_numerics::signal::spectrogram::{self as levels, SpectrogramSettings};
 use judder_numerics::signal::window;
 use judder_store::{Dataset, Variable};

@@ -1,6 +1,6 @@
 //! α and β of C = α M + β K.
 
-use judder_case::structure::damping::Damping;
+use crate::models::structure::case::damping::Damping;
 use judder_structure::StructureError;
 use judder_structure::assembly::Sparse;
 use judder_structure::damping::{RayleighDamping, StructuralDamping};

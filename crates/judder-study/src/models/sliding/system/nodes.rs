@@ -2,10 +2,11 @@
 
 use super::Uncoupled;
 use super::interpolation;
+use crate::models::sliding::case::SlidingCase;
+use crate::models::sliding::case::observe::PointNode;
+use crate::models::sliding::case::problem::SlidingProblem;
 use crate::models::structure::build::{Structure, freedoms_of, points_of};
-use judder_case::sliding::observe::PointNode;
-use judder_case::structure::reduction::KeptNodes;
-use judder_case::{SlidingCase, SlidingProblem};
+use crate::models::structure::case::reduction::KeptNodes;
 use judder_sliding::march::most_observed;
 use judder_sliding::pair::Side;
 

@@ -2,10 +2,10 @@
 
 use super::damping::damping;
 use super::{Uncoupled, alone};
+use crate::models::sliding::case::SlidingCase;
 use crate::models::structure::build::{Structure, symmetric_part};
+use crate::models::structure::case::reduction::FixedModes;
 use faer::Mat;
-use judder_case::SlidingCase;
-use judder_case::structure::reduction::FixedModes;
 use judder_sliding::plane::Vector;
 use judder_sliding::reduced::Reduced;
 use judder_structure::assembly::{Sparse, inertia_load};

@@ -1,6 +1,6 @@
 //! Methods and steps of marches.
 
-use judder_case::sliding::march::{self, MarchMethod};
+use crate::models::sliding::case::march::{self, MarchMethod};
 use judder_sliding::SlidingError;
 use judder_sliding::march::{March, MarchSettings, Method, Predictor};
 use judder_sliding::motion::Motion;

@@ -1,11 +1,11 @@
 //! Elements with materials and supports, assembled.
 
 use super::{Elements, Layout, Structure, Unbuilt};
-use judder_case::StructureProblem;
-use judder_case::structure::body::{
+use crate::models::structure::case::body::{
     Beam, Block, BlockElement, Body, EndCondition, Geometry, Material, PlaneSection,
 };
-use judder_case::structure::damping::Damping;
+use crate::models::structure::case::damping::Damping;
+use crate::models::structure::case::problem::StructureProblem;
 use judder_structure::affine::{Factors, Family, Term};
 use judder_structure::assembly::{Assembled, assemble};
 use judder_structure::beam;

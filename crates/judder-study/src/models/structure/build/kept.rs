@@ -2,8 +2,8 @@
 
 use super::body::nodes_of;
 use super::{Structure, Unbuilt};
-use judder_case::StructureProblem;
-use judder_case::structure::reduction::{Kept, KeptNodes, Reduction};
+use crate::models::structure::case::problem::StructureProblem;
+use crate::models::structure::case::reduction::{Kept, KeptNodes, Reduction};
 
 /// The freedoms of the kept nodes, each once, in the order of the case.
 pub(super) fn kept(reduction: &Reduction, structure: &Structure) -> Result<Vec<usize>, Unbuilt> {

@@ -2,9 +2,9 @@
 
 use super::body::{add_supports, assembled, elastic, section};
 use super::{Structure, Unbuilt};
-use judder_case::StructureProblem;
-use judder_case::structure::body::Body;
-use judder_case::structure::damping::Damping;
+use crate::models::structure::case::body::Body;
+use crate::models::structure::case::damping::Damping;
+use crate::models::structure::case::problem::StructureProblem;
 use judder_exchange::mesh_file::{FileSection, MeshFile, read_mesh};
 use judder_keys::file_reference::FileReference;
 use judder_structure::freedom::Supports;

@@ -1,8 +1,8 @@
 //! Matrices of other programs, read.
 
 use super::{Layout, Structure, Unbuilt};
-use judder_case::StructureProblem;
-use judder_case::structure::matrices::{MatrixSums, MatrixTerm, Triangle};
+use crate::models::structure::case::matrices::{MatrixSums, MatrixTerm, Triangle};
+use crate::models::structure::case::problem::StructureProblem;
 use judder_exchange::freedom_table::read_freedoms;
 use judder_exchange::matrix::{self, Matrix, read_matrix, read_stored_matrix};
 use judder_exchange::system::{Part, Parts};

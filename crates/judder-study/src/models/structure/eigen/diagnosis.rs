@@ -3,10 +3,10 @@
 use super::super::undamped::Undamped;
 use crate::error::StudyError;
 use crate::models::structure::build::{Structure, factors};
+use crate::models::structure::case::StructureCase;
+use crate::models::structure::case::analysis::EigenRegion;
 use crate::outcome::{CheckRecord, Disagreement};
 use crate::text::short;
-use judder_case::StructureCase;
-use judder_case::structure::analysis::EigenRegion;
 use judder_store::number;
 use judder_structure::StructureError;
 use judder_structure::affine::Factors;

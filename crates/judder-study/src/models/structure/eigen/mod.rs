@@ -7,9 +7,9 @@ pub(super) mod run;
 use super::Subject;
 use crate::error::StudyError;
 use crate::model::{Analysis, Pictured, Task};
+use crate::models::structure::case::StructureCase;
+use crate::models::structure::case::analysis::Eigen;
 use crate::outcome::Outcome;
-use judder_case::StructureCase;
-use judder_case::structure::analysis::Eigen;
 
 /// The figure.
 pub(crate) const PICTURED: Pictured = Pictured {

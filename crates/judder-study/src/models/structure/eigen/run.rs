@@ -5,9 +5,9 @@ use super::super::shapes;
 use super::diagnosis;
 use crate::error::StudyError;
 use crate::models::structure::build::Structure;
+use crate::models::structure::case::StructureCase;
+use crate::models::structure::case::analysis::EigenRegion;
 use crate::outcome::{CheckRecord, Outcome};
-use judder_case::StructureCase;
-use judder_case::structure::analysis::EigenRegion;
 use judder_store::{Dataset, Table, Variable, number};
 use judder_structure::assembly::Sparse;
 use judder_structure::complex_modes::{

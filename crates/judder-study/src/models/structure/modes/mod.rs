@@ -8,10 +8,10 @@ pub(crate) use run::run;
 use super::Subject;
 use crate::error::StudyError;
 use crate::model::{Analysis, Pictured, Task};
+use crate::models::structure::case::StructureCase;
+use crate::models::structure::case::analysis::Modes;
 use crate::outcome::Outcome;
 use crate::text::short;
-use judder_case::StructureCase;
-use judder_case::structure::analysis::Modes;
 use std::f64::consts::TAU;
 
 /// The figure.

@@ -7,9 +7,9 @@ mod run;
 use super::Subject;
 use crate::error::StudyError;
 use crate::model::{Analysis, Pictured, Task};
+use crate::models::structure::case::StructureCase;
+use crate::models::structure::case::analysis::Compared;
 use crate::outcome::Outcome;
-use judder_case::StructureCase;
-use judder_case::structure::analysis::Compared;
 
 /// The figure.
 pub(crate) const PICTURED: Pictured = Pictured {

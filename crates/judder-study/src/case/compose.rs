@@ -1,0 +1,123 @@
+//! Cases composed of a text, options and one analysis: the case file that says by itself what text and options say together.
+
+use serde_json::{Map, Value};
+use toml_edit::{ArrayOfTables, DocumentMut, Item};
+
+use crate::case::anywhere::settle;
+use crate::case::file::{CaseFile, given_error, read_tree};
+use crate::case::study_sweep::StudySweep;
+use crate::case::study_sweep::quantity_path::{QuantityPath, QuantitySource};
+use judder_keys::cause::Cause;
+use judder_keys::edited::{self, table_of};
+use judder_keys::error::{CaseError, Fault, Place, Sources};
+
+/// The case of `text` with the options `set`, and with `analysis` in the place of all its analyses and sweeps; `None` keeps them.
+///
+/// The text of the result holds it all, its comments and its order kept: read without options, it is the case of `text` with them.
+/// `name` is what errors call the text, and files are relative to its folder, as of [`CaseFile::parse`]. The analysis is the JSON form of
+/// a table `[[analysis]]`; a key that is `null` is left out.
+///
+/// # Errors
+/// Those of [`CaseFile::parse`] with these options, at their places; of an analysis that cannot be, at its place in the composed text.
+/// What is wrong with analyses and sweeps that are replaced is no error.
+pub fn compose(
+    name: &str,
+    text: &str,
+    set: &[String],
+    analysis: Option<&Map<String, Value>>,
+) -> Result<CaseFile, CaseError> {
+    let mut document = with_options(name, text, set)?;
+    if let Some(analysis) = analysis {
+        document.remove("sweep");
+        let mut analyses = ArrayOfTables::new();
+        analyses.push(table_of(analysis));
+        document.insert("analysis", Item::ArrayOfTables(analyses));
+    }
+    CaseFile::parse(name, &document.to_string(), &[]).map_err(|composed| {
+        let replaced: &[&str] = if analysis.is_some() { &["analysis", "sweep"] } else { &[] };
+        given_error((name, text, set), replaced).unwrap_or(composed)
+    })
+}
+
+/// The contact case of an oscillator case with the options `set`: its substrate and its indenter, without analyses.
+///
+/// # Errors
+/// Those of [`CaseFile::parse`] with these options; [`Cause::OtherModel`] of a case that is of no oscillator.
+pub fn contact_case_of(name: &str, text: &str, set: &[String]) -> Result<CaseFile, CaseError> {
+    const KEPT: [&str; 4] = ["title", "model", "substrate", "indenter"];
+    let mut document = with_options(name, text, set)?;
+    let model = document.get("model").and_then(Item::as_str).unwrap_or_default().to_owned();
+    if model != "oscillator" {
+        let cause = Cause::UnknownName { what: "model", name: model, known: vec!["oscillator".to_owned()] };
+        return Err(CaseError::without_place(cause, name));
+    }
+    document.retain(|key, _| KEPT.contains(&key));
+    let title = document.get("title").and_then(Item::as_str).map(|title| format!("{title}: its contact"));
+    for (key, value) in [("title", title), ("model", Some("contact".to_owned()))] {
+        if let Some(value) = value {
+            edited::set(document.as_item_mut(), &[key], value.into());
+        }
+    }
+    CaseFile::parse(name, &document.to_string(), &[]).map_err(|composed| {
+        let dropped = ["contact", "oscillator", "operation", "analysis", "sweep"];
+        given_error((name, text, set), &dropped).unwrap_or(composed)
+    })
+}
+
+/// The case of `file` with its options written into it and its files by their whole paths, and of its analyses and sweeps only `name` and
+/// what `name` is made of: a spectrogram of its march and its locus, a sweep of the analyses whose results it keeps.
+///
+/// # Errors
+/// [`Cause::UnknownName`] where the case has neither an analysis nor a sweep of this name.
+pub fn alone(file: &CaseFile, name: &str) -> Result<CaseFile, CaseError> {
+    let analyses = file.case.analysis_names();
+    let sweeps: Vec<&str> = file.sweeps.iter().map(|sweep| sweep.name.as_str()).collect();
+    if !sweeps.contains(&name) && !analyses.contains(&name) {
+        let known = analyses.iter().chain(&sweeps).map(|name| (*name).to_owned()).collect();
+        let cause = Cause::UnknownName { what: "analysis or sweep", name: name.to_owned(), known };
+        return Err(CaseError::without_place(cause, &file.origin));
+    }
+    let taken = match file.sweeps.iter().find(|sweep| sweep.name == name) {
+        Some(sweep) => taken_by_sweep(sweep, &analyses),
+        None => vec![name],
+    };
+    let made_of = taken.iter().flat_map(|name| file.case.made_of(name));
+    let needed: Vec<&str> = taken.iter().copied().chain(made_of).chain([name]).collect();
+    let only = |names: &[&str]| names.iter().map(|name| needed.contains(name)).collect::<Vec<_>>();
+    let mut document = with_options(&file.origin, &file.text, &file.overrides)?;
+    edited::keep(document.as_table_mut(), "sweep", &only(&sweeps));
+    edited::keep(document.as_table_mut(), "analysis", &only(&analyses));
+    settle(&mut document, file);
+    CaseFile::parse(&file.origin, &document.to_string(), &[])
+}
+
+/// The analyses whose results a sweep keeps; all of them where it sweeps a key of an analysis, which may go by its number.
+fn taken_by_sweep<'a>(sweep: &'a StudySweep, analyses: &[&'a str]) -> Vec<&'a str> {
+    if sweep.axes.iter().any(|axis| axis.path.starts_with("analysis.")) {
+        return analyses.to_vec();
+    }
+    let source = |quantity: &'a QuantityPath| match &quantity.source {
+        QuantitySource::Analysis { name, .. } => Some(name.as_str()),
+        QuantitySource::Point { .. } => None,
+    };
+    sweep.quantities.iter().filter_map(source).collect()
+}
+
+/// The text with the options written into it.
+pub(crate) fn with_options(name: &str, text: &str, set: &[String]) -> Result<DocumentMut, CaseError> {
+    let sources = Sources::new(name, text, set);
+    // what cannot be set is refused by the tree, in the same words as ever
+    read_tree(name, text, set).map_err(|fault| sources.error(fault))?;
+    let mut document: DocumentMut = text.parse().map_err(|error| sources.error(syntax(&error)))?;
+    for (index, option) in set.iter().enumerate() {
+        edited::apply_option(document.as_item_mut(), index + 1, option)
+            .map_err(|fault| sources.error(fault))?;
+    }
+    Ok(document)
+}
+
+fn syntax(error: &toml_edit::TomlError) -> Fault {
+    let span = error.span().unwrap_or(0..0);
+    let place = Place { source: 0, start: span.start, end: span.end };
+    Cause::Syntax { message: error.message().to_owned() }.at(place)
+}

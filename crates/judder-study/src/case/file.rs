@@ -1,0 +1,349 @@
+//! The way in: a path or a text with its `--set` options becomes a validated case.
+
+use std::fmt;
+use std::fs::File;
+use std::io::{ErrorKind, Read};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use crate::case::analysis::Analysis;
+use crate::case::study_sweep::problem::SweepProblem;
+use crate::case::study_sweep::{self, StudySweep, read_sweeps};
+use crate::models::belt::case as belt_case;
+use crate::models::belt::case::BeltCase;
+use crate::models::contact::case as contact_case;
+use crate::models::contact::case::ContactCase;
+use crate::models::oscillator::case as oscillator_case;
+use crate::models::oscillator::case::OscillatorCase;
+use crate::models::sliding::case as sliding;
+use crate::models::sliding::case::SlidingCase;
+use crate::models::structure::case as structure;
+use crate::models::structure::case::StructureCase;
+use crate::models::two_degrees::case as two_degrees;
+use crate::models::two_degrees::case::TwoDegreesCase;
+use judder_keys::cause::Cause;
+use judder_keys::document::{Data, Node, apply_override, parse};
+use judder_keys::error::{CaseError, Fault, Place, Sources};
+use judder_keys::file_reference::FileReference;
+
+/// A case file that was read and found valid.
+#[derive(Debug, Clone)]
+pub struct CaseFile {
+    /// The name without folder and extension.
+    pub name: String,
+    /// The file that it was read from; none of a text.
+    pub path: Option<PathBuf>,
+    /// What errors call the file: the path as given.
+    pub origin: String,
+    /// The text as read, without the `--set` options.
+    pub text: String,
+    /// The `--set` options in their order.
+    pub overrides: Vec<String>,
+    /// The case, with the options applied.
+    pub case: Case,
+    /// The sweeps of the whole case, in the order of the file.
+    pub sweeps: Vec<StudySweep>,
+    /// What the case was read from, to read it anew at the points of a sweep.
+    tree: Arc<CaseTree>,
+}
+
+/// The values of a case file and its options, without sweeps, and the folder to which its files are relative.
+#[derive(Clone)]
+pub(crate) struct CaseTree {
+    pub(crate) root: Node,
+    folder: PathBuf,
+}
+
+impl fmt::Debug for CaseTree {
+    /// The folder alone: the typed case says what the tree held.
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.debug_struct("CaseTree").field("folder", &self.folder).finish_non_exhaustive()
+    }
+}
+
+impl CaseTree {
+    /// The case that it gives.
+    pub(crate) fn read(&self) -> Result<Case, Fault> {
+        let Self { root, folder } = self;
+        match read_model(root)? {
+            "oscillator" => oscillator_case::read(root, folder).map(Case::Oscillator),
+            "contact" => contact_case::read(root, folder).map(Case::Contact),
+            "belt" => belt_case::read(root).map(Case::Belt),
+            "structure" => structure::read(root, folder).map(Case::Structure),
+            "sliding" => sliding::read(root, folder).map(Case::Sliding),
+            _ => two_degrees::read(root).map(Case::TwoDegrees),
+        }
+    }
+}
+
+/// A validated case of one of the models.
+#[derive(Debug, Clone)]
+pub enum Case {
+    /// `model = "oscillator"`.
+    Oscillator(OscillatorCase),
+    /// `model = "contact"`.
+    Contact(ContactCase),
+    /// `model = "belt"`.
+    Belt(BeltCase),
+    /// `model = "two-degrees"`.
+    TwoDegrees(TwoDegreesCase),
+    /// `model = "structure"`.
+    Structure(StructureCase),
+    /// `model = "sliding"`.
+    Sliding(SlidingCase),
+}
+
+/// The models of this version.
+pub const MODELS: [&str; 6] = ["oscillator", "contact", "belt", "two-degrees", "structure", "sliding"];
+
+impl Case {
+    /// The name of its model in a case file.
+    pub fn model(&self) -> &'static str {
+        match self {
+            Self::Oscillator(_) => "oscillator",
+            Self::Contact(_) => "contact",
+            Self::Belt(_) => "belt",
+            Self::TwoDegrees(_) => "two-degrees",
+            Self::Structure(_) => "structure",
+            Self::Sliding(_) => "sliding",
+        }
+    }
+
+    /// The names of its analyses, in their order.
+    pub fn analysis_names(&self) -> Vec<&str> {
+        fn names<K>(analyses: &[Analysis<K>]) -> Vec<&str> {
+            analyses.iter().map(|analysis| analysis.name.as_str()).collect()
+        }
+        match self {
+            Self::Oscillator(case) => names(&case.analyses),
+            Self::Contact(case) => names(&case.analyses),
+            Self::Belt(case) => names(&case.analyses),
+            Self::TwoDegrees(case) => names(&case.analyses),
+            Self::Structure(case) => names(&case.analyses),
+            Self::Sliding(case) => names(&case.analyses),
+        }
+    }
+
+    /// The names of the analyses whose results an analysis takes up.
+    pub(crate) fn made_of(&self, name: &str) -> Vec<&str> {
+        match self {
+            Self::Sliding(case) => case.made_of(name),
+            _ => Vec::new(),
+        }
+    }
+
+    /// The files that the case names: results depend on what they hold.
+    pub fn files(&self) -> Vec<&FileReference> {
+        match self {
+            Self::Oscillator(case) => case.files(),
+            Self::Contact(case) => case.files(),
+            Self::Structure(case) => case.files(),
+            Self::Sliding(case) => case.files(),
+            Self::Belt(_) | Self::TwoDegrees(_) => Vec::new(),
+        }
+    }
+}
+
+/// The most that a case file may hold, bytes: 1 MiB.
+pub const CASE_BYTES_LIMIT: u64 = 1 << 20;
+
+impl CaseFile {
+    /// Reads and validates the case file at `path` with the options `--set key=value`.
+    ///
+    /// # Errors
+    /// [`CaseError`] with the cause, the place in file or option, and what would be right.
+    pub fn read(path: impl AsRef<Path>, overrides: &[String]) -> Result<Self, CaseError> {
+        let path = path.as_ref();
+        let name = path.display().to_string();
+        let bytes = read_bytes(path).map_err(|cause| CaseError::without_place(cause, &name))?;
+        let text = String::from_utf8(bytes).map_err(|error| {
+            let offset = error.utf8_error().valid_up_to();
+            CaseError::without_place(Cause::Binary { name: name.clone(), offset }, &name)
+        })?;
+        Ok(Self { path: Some(path.to_owned()), ..Self::parse(&name, &text, overrides)? })
+    }
+
+    /// Validates the text of a case file; `name`, a path or any word, is what errors call it.
+    ///
+    /// # Errors
+    /// [`CaseError`] with the cause, the place in text or option, and what would be right.
+    pub fn parse(name: &str, text: &str, overrides: &[String]) -> Result<Self, CaseError> {
+        let sources = Sources::new(name, text, overrides);
+        let (case, sweeps, tree) = read_case(name, text, overrides).map_err(|fault| sources.error(fault))?;
+        let stem = Path::new(name).file_stem().map_or(name.into(), |stem| stem.to_string_lossy());
+        let (name, origin) = (stem.into_owned(), name.to_owned());
+        let (text, overrides, tree) = (text.to_owned(), overrides.to_vec(), Arc::new(tree));
+        Ok(Self { name, path: None, origin, text, overrides, case, sweeps, tree })
+    }
+
+    /// The case at a point of a sweep of it: read anew with the swept keys at these values, in SI units or plain numbers, one a key in
+    /// the order of the sweep; with its analyses, without sweeps.
+    ///
+    /// # Errors
+    /// [`Cause::StudySweep`] at the swept key where there is no such case, with the keys to blame, the reason, and what would be right.
+    pub fn at(&self, sweep: &StudySweep, values: &[f64]) -> Result<Self, CaseError> {
+        if values.len() != sweep.axes.len() {
+            let (name, expected, found) = (sweep.name.clone(), sweep.axes.len(), values.len());
+            let problem = SweepProblem::ValueCount { name, expected, found };
+            return Err(self.error_at(["sweep", &sweep.name], problem.into()));
+        }
+        let (tree, case) = study_sweep::at(&self.tree, &sweep.axes, values).map_err(|refusal| {
+            let steps = sweep.steps_to(&refusal);
+            self.error_at(steps.iter().map(String::as_str), refusal.problem.into())
+        })?;
+        let (name, path, origin) = (self.name.clone(), self.path.clone(), self.origin.clone());
+        let (text, overrides) = (self.text.clone(), self.overrides.clone());
+        Ok(Self { name, path, origin, text, overrides, case, sweeps: Vec::new(), tree: Arc::new(tree) })
+    }
+
+    /// The error of an analysis, by its index, that shows only when its numbers are looked at: at the first of these keys that
+    /// the analysis has, or at the analysis.
+    pub fn analysis_error(&self, index: usize, keys: &[&str], cause: impl Into<Cause>) -> CaseError {
+        let cause = cause.into();
+        let place = read_tree(&self.origin, &self.text, &self.overrides)
+            .ok()
+            .and_then(|root| place(&root, index, keys));
+        match place {
+            Some(place) => Sources::new(&self.origin, &self.text, &self.overrides).error(cause.at(place)),
+            None => CaseError::without_place(cause, &self.origin),
+        }
+    }
+
+    /// An error that shows only when more than the case is looked at, its files or its numbers: at this dotted path, where an item of a
+    /// list goes by its name or number, or at the last part of it that is there.
+    pub fn error(&self, path: &str, cause: impl Into<Cause>) -> CaseError {
+        self.error_at(path.split('.'), cause.into())
+    }
+
+    /// The error of a sweep that shows only where its points are computed: at a key of the sweep of this name.
+    pub fn sweep_error(&self, sweep: &str, key: &str, problem: SweepProblem) -> CaseError {
+        self.error_at(["sweep", sweep, key], problem.into())
+    }
+
+    /// An error at the end of a path, or at the last step of it that is there.
+    fn error_at<'a>(&self, steps: impl IntoIterator<Item = &'a str>, cause: Cause) -> CaseError {
+        match read_tree(&self.origin, &self.text, &self.overrides) {
+            Ok(root) => {
+                let place = place_of_path(&root, steps);
+                Sources::new(&self.origin, &self.text, &self.overrides).error(cause.at(place))
+            }
+            Err(_) => CaseError::without_place(cause, &self.origin),
+        }
+    }
+}
+
+/// The place of the last step of a path that is there.
+fn place_of_path<'a>(root: &Node, steps: impl IntoIterator<Item = &'a str>) -> Place {
+    let mut node = root;
+    for step in steps {
+        match node.step(step) {
+            Some(next) => node = next,
+            None => break,
+        }
+    }
+    node.place
+}
+
+/// The bytes of a regular file of bounded size: opening a pipe or reading a device might never end.
+fn read_bytes(path: &Path) -> Result<Vec<u8>, Cause> {
+    let fail = |source: std::io::Error| {
+        let path = path.to_owned();
+        match source.kind() {
+            ErrorKind::NotFound => Cause::Missing { path },
+            _ => Cause::Unreadable { path, source },
+        }
+    };
+    let metadata = std::fs::metadata(path).map_err(fail)?;
+    if metadata.is_dir() {
+        return Err(Cause::Folder { path: path.to_owned() });
+    }
+    if !metadata.is_file() {
+        return Err(Cause::NotAFile { path: path.to_owned() });
+    }
+    let mut bytes = Vec::new();
+    let mut file = File::open(path).map_err(fail)?.take(CASE_BYTES_LIMIT + 1);
+    file.read_to_end(&mut bytes).map_err(fail)?;
+    // a file can be longer than its metadata says: those of the system often claim no length
+    let size = metadata.len().max(bytes.len() as u64);
+    if size > CASE_BYTES_LIMIT {
+        return Err(Cause::TooLong { path: path.to_owned(), size, limit: CASE_BYTES_LIMIT });
+    }
+    Ok(bytes)
+}
+
+/// The place of the first of these keys of an analysis.
+fn place(root: &Node, index: usize, keys: &[&str]) -> Option<Place> {
+    let Data::Table(root) = &root.data else { return None };
+    let Data::List(analyses) = &root.get("analysis")?.node.data else { return None };
+    let analysis = analyses.get(index)?;
+    let Data::Table(table) = &analysis.data else { return None };
+    let key = keys.iter().find_map(|key| table.get(key));
+    Some(key.map_or(analysis.place, |entry| entry.node.place))
+}
+
+fn read_case(
+    name: &str,
+    text: &str,
+    overrides: &[String],
+) -> Result<(Case, Vec<StudySweep>, CaseTree), Fault> {
+    read_case_of(name, read_tree(name, text, overrides)?)
+}
+
+fn read_case_of(name: &str, mut root: Node) -> Result<(Case, Vec<StudySweep>, CaseTree), Fault> {
+    let sweeps = root.take("sweep");
+    let folder = Path::new(name).parent().unwrap_or(Path::new("")).to_owned();
+    let tree = CaseTree { root, folder };
+    let case = tree.read()?;
+    let sweeps = match sweeps {
+        Some(node) => read_sweeps(&node, &tree, &case)?,
+        None => Vec::new(),
+    };
+    Ok((case, sweeps, tree))
+}
+
+/// What is wrong with a text and its options, without these parts of the case; `None` where nothing is.
+pub(crate) fn given_error(
+    (name, text, overrides): (&str, &str, &[String]),
+    without: &[&str],
+) -> Option<CaseError> {
+    let read = || {
+        let mut root = read_tree(name, text, overrides)?;
+        for part in without {
+            root.take(part);
+        }
+        read_case_of(name, root)
+    };
+    read().err().map(|fault| Sources::new(name, text, overrides).error(fault))
+}
+
+/// The tree of a case with the options grafted onto it.
+pub(crate) fn read_tree(name: &str, text: &str, overrides: &[String]) -> Result<Node, Fault> {
+    let mut root = parse(text)?;
+    if matches!(&root.data, Data::Table(table) if table.entries.is_empty()) {
+        return Err(Cause::Empty { name: name.to_owned() }.at(root.place));
+    }
+    for (index, option) in overrides.iter().enumerate() {
+        apply_override(&mut root, index + 1, option)?;
+    }
+    Ok(root)
+}
+
+/// The model of the case, one of [`MODELS`].
+fn read_model(root: &Node) -> Result<&'static str, Fault> {
+    let known = || MODELS.map(String::from).to_vec();
+    let model = match &root.data {
+        Data::Table(table) => table.get("model").map(|entry| &entry.node),
+        _ => None,
+    };
+    let Some(node) = model else {
+        let expected = MODELS.map(|model| format!("model = \"{model}\"")).join(" or ");
+        let (key, section) = ("model".to_owned(), "the case".to_owned());
+        return Err(Cause::MissingKey { key, section, expected }.at(root.place));
+    };
+    let name = judder_keys::section::text("model", node)?;
+    if let Some(model) = MODELS.into_iter().find(|model| *model == name) {
+        return Ok(model);
+    }
+    let (what, place) = ("model", node.part(0..name.len()));
+    Err(Cause::UnknownName { what, name: name.to_owned(), known: known() }.at(place))
+}

@@ -1,0 +1,101 @@
+//! The structure case.
+
+use serde_json::{Map, Value as Json, json};
+
+use super::{declared, named, number};
+use crate::models::read_sweep::write_family;
+use crate::models::structure::case::analysis::{EigenMethod, StructureAnalysis};
+use crate::models::structure::case::body::{Body, Geometry, Material, PlaneSection};
+use crate::models::structure::case::matrices::{MatrixSums, MatrixTerm};
+use crate::models::structure::case::{StructureCase, StructureSource};
+use crate::models::swept_keys::ParameterKeys;
+use crate::models::two_degrees::case::Parameter;
+use judder_keys::declared::Setting;
+use judder_keys::dimension::Dimension;
+use judder_keys::numeric_key::Form;
+
+pub(super) fn case(case: &StructureCase) -> Json {
+    let mut json = json!({
+        "model": "structure",
+        "title": case.title,
+        "analysis": case.analyses.iter().map(|a| named(a, analysis)).collect::<Vec<_>>(),
+    });
+    match &case.source {
+        StructureSource::Body(source) => {
+            json["structure"] = body(source);
+            json["damping"] = Setting::write(&case.damping, &());
+        }
+        StructureSource::Matrices(sums) => {
+            json["parameters"] = parameters(&case.parameters);
+            json["matrices"] = matrices(sums);
+        }
+    }
+    if let Some(kept) = &case.reduction {
+        json["reduction"] = Setting::write(kept, &());
+    }
+    json
+}
+
+pub(super) fn parameters(parameters: &[Parameter]) -> Json {
+    parameters.iter().map(|parameter| json!([parameter.name, parameter.value])).collect()
+}
+
+pub(super) fn si(value: f64, dimension: Dimension) -> Json {
+    number(value, Form::Si, dimension)
+}
+
+pub(super) fn body(body: &Body) -> Json {
+    let material = |material: &Material| Setting::write(material, &());
+    let mut json = json!({
+        "material": body.material.as_ref().map(material),
+        "materials": body.materials.iter().map(|(name, own)| (name.clone(), material(own))).collect::<Map<_, _>>(),
+        "supports": body.supports.iter().map(|support| Setting::write(support, &())).collect::<Vec<_>>(),
+    });
+    let mut in_space = false;
+    match &body.geometry {
+        Geometry::Beam(beam) => json["beam"] = Setting::write(beam, &()),
+        Geometry::Block(block) => {
+            in_space = block.element().dimension() == 3;
+            json["block"] = Setting::write(block, &());
+        }
+        Geometry::Mesh(file) => json["mesh"] = json!(file.given),
+    }
+    if !in_space {
+        json["section"] = json!(body.section.map(PlaneSection::name));
+        json["width"] = body.width.map_or(Json::Null, |width| si(width, Dimension::LENGTH));
+    }
+    json
+}
+
+pub(super) fn matrices(sums: &MatrixSums) -> Json {
+    let term = |term: &MatrixTerm| json!({ "file": term.file.given, "factor": term.factor.text, "triangle": term.triangle.name() });
+    let mut json: Map<String, Json> = sums
+        .sums()
+        .iter()
+        .map(|(name, terms)| ((*name).to_owned(), terms.iter().map(term).collect()))
+        .collect();
+    // the files stand for themselves, wherever their folder is
+    json.insert("freedoms".to_owned(), json!(sums.freedoms.as_ref().map(|file| &file.given)));
+    Json::Object(json)
+}
+
+fn analysis(kind: &StructureAnalysis) -> Json {
+    match kind {
+        StructureAnalysis::Modes(settings) => declared("modes", settings),
+        StructureAnalysis::Reduction(settings) => declared("reduction", settings),
+        StructureAnalysis::Eigen(settings) => declared("eigen", settings),
+        StructureAnalysis::EigenSweep(sweep) => {
+            let mut json = json!({
+                "kind": "eigen-sweep", "region": Setting::write(&sweep.region, &()), "method": sweep.method.name(),
+                "sweep": { "key": sweep.sweep.path, "values": sweep.sweep.values, "scale": sweep.sweep.scale.name() },
+            });
+            if let Some(json) = json.as_object_mut() {
+                write_family::<ParameterKeys>(sweep.family.as_ref(), json);
+            }
+            if let EigenMethod::Projected { tolerance } = sweep.method {
+                json["tolerance"] = json!(tolerance);
+            }
+            json
+        }
+    }
+}

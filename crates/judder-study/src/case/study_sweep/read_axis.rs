@@ -1,0 +1,150 @@
+//! Reading of the swept keys of a `[[sweep]]`.
+
+use judder_numerics::sampling::sobol::DIMENSIONS_LIMIT;
+
+use super::design::POINTS_LIMIT;
+use super::problem::SweepProblem;
+use super::{Design, SweptKey, SweptValues};
+use crate::case::file::{Case, CaseTree};
+use crate::case::key_sweep::{Ends, read_ends, read_values};
+use crate::models::oscillator::keys::OscillatorKey;
+use crate::models::sweep::Scale;
+use judder_keys::cause::Cause;
+use judder_keys::dimension::Dimension;
+use judder_keys::document::{Node, STEPS_LIMIT};
+use judder_keys::error::{Fault, Place};
+use judder_keys::problem::Placed;
+use judder_keys::section::{Section, list, text};
+
+/// The keys of an entry of `over`.
+pub(crate) const AXIS_KEYS: [&str; 6] = ["key", "from", "to", "points", "scale", "values"];
+
+/// A swept key with the places that later checks point at.
+pub(super) struct PlacedKey {
+    pub(super) key: SweptKey,
+    pub(super) key_place: Place,
+    pub(super) place: Place,
+}
+
+/// Reads `over`.
+pub(super) fn read_axes(over: &Node, method: Design) -> Result<Vec<PlacedKey>, Fault> {
+    let nodes = list("over", over)?;
+    if nodes.is_empty() {
+        return Err(Cause::EmptyList { key: "over".to_owned() }.at(over.place));
+    }
+    if nodes.len() > DIMENSIONS_LIMIT {
+        let problem = SweepProblem::TooManyKeys { found: nodes.len(), limit: DIMENSIONS_LIMIT };
+        return Err(problem.at(over.place));
+    }
+    let axes = nodes.iter().map(|node| read_axis(node, method)).collect::<Result<Vec<_>, _>>()?;
+    if method == Design::List {
+        same_lengths(&axes)?;
+    }
+    Ok(axes)
+}
+
+fn read_axis(node: &Node, method: Design) -> Result<PlacedKey, Fault> {
+    let table = Section::open(node, "over", "an entry of `over`", &AXIS_KEYS)?;
+    let key =
+        table.required("key", "the dotted path of a number of the case, key = \"operation.velocity\"")?;
+    let path = text("over.key", key)?.to_owned();
+    let key_place = key.part(0..path.len());
+    let steps: Vec<&str> = path.split('.').collect();
+    let is_path = steps.len() <= STEPS_LIMIT && steps.iter().all(|step| !step.trim().is_empty());
+    if !is_path || ["title", "model", "sweep"].contains(&steps[0]) {
+        return Err(SweepProblem::NotSwept { key: path }.at(key_place));
+    }
+    let (values, dimension, scale) = match method {
+        Design::Grid | Design::List => read_counted(&table, &path, method)?,
+        Design::LatinHypercube { .. } | Design::Sobol { .. } => {
+            let with = format!("method = \"{}\"", method.name());
+            ["points", "values"].into_iter().try_for_each(|key| refuse(&table, key, &with))?;
+            let Ends { values: [from, to], dimension, scale } = read_ends(&table)?;
+            (SweptValues::Between { from, to }, dimension, scale)
+        }
+    };
+    Ok(PlacedKey { key: SweptKey { path, dimension, scale, values }, key_place, place: node.place })
+}
+
+/// Reads the values of a key that takes a number of them.
+fn read_counted(
+    table: &Section<'_>,
+    path: &str,
+    method: Design,
+) -> Result<(SweptValues, Dimension, Scale), Fault> {
+    if let Some(node) = table.get("values") {
+        ["from", "to", "points", "scale"].into_iter().try_for_each(|key| refuse(table, key, "`values`"))?;
+        let (values, places, dimension) = read_values("over.values", node, 1)?;
+        if method == Design::Grid {
+            refuse_repeated_values(path, &values, &places, dimension)?;
+        }
+        return Ok((SweptValues::Listed(values), dimension, Scale::Linear));
+    }
+    if method == Design::List {
+        return Err(table.missing("values", "values = [ … ], one a point"));
+    }
+    let Ends { values: [from, to], dimension, scale } = read_ends(table)?;
+    let expected = "points = 21, the number of values; or values = [ … ] in place of the range";
+    table.required("points", expected)?;
+    let points = table.whole("points", 2, POINTS_LIMIT as usize)?.unwrap_or(2) as u64;
+    Ok((SweptValues::Spaced { from, to, points }, dimension, scale))
+}
+
+/// Refuses a key that has no meaning beside something else.
+pub(super) fn refuse(section: &Section<'_>, key: &'static str, with: &str) -> Result<(), Fault> {
+    let Some(node) = section.get(key) else { return Ok(()) };
+    let problem = Cause::Meaningless { key, with: with.to_owned() };
+    Err(problem.at(node.place))
+}
+
+/// Coordinates of a grid are told apart by their values.
+fn refuse_repeated_values(
+    path: &str,
+    values: &[f64],
+    places: &[Place],
+    dimension: Dimension,
+) -> Result<(), Fault> {
+    let mut order: Vec<usize> = (0..values.len()).collect();
+    order.sort_by(|first, second| values[*first].total_cmp(&values[*second]).then(first.cmp(second)));
+    match order.windows(2).find(|pair| values[pair[0]] == values[pair[1]]) {
+        None => Ok(()),
+        Some(pair) => {
+            let value = crate::case::key_sweep::shown(values[pair[1]], dimension);
+            Err(SweepProblem::ValueTwice { key: path.to_owned(), value }.at(places[pair[1]]))
+        }
+    }
+}
+
+fn same_lengths(axes: &[PlacedKey]) -> Result<(), Fault> {
+    let count = |axis: &PlacedKey| axis.key.count().unwrap_or_default() as usize;
+    let Some((first, others)) = axes.split_first() else { return Ok(()) };
+    match others.iter().find(|axis| count(axis) != count(first)) {
+        None => Ok(()),
+        Some(other) => {
+            let (key, second) = (first.key.path.clone(), other.key.path.clone());
+            let (values, found) = (count(first), count(other));
+            Err(SweepProblem::Lengths { first: key, values, second, found }.at(other.place))
+        }
+    }
+}
+
+/// Refuses two paths that lead to one number.
+pub(super) fn refuse_repeated_keys(tree: &CaseTree, case: &Case, axes: &[PlacedKey]) -> Result<(), Fault> {
+    let numbers: Vec<_> = axes.iter().map(|axis| number_of(tree, case, &axis.key.path)).collect();
+    for (k, number) in numbers.iter().enumerate() {
+        if let Some(first) = numbers[..k].iter().position(|other| other == number) {
+            let (first, second) = (axes[first].key.path.clone(), axes[k].key.path.clone());
+            return Err(SweepProblem::KeyTwice { first, second }.at(axes[k].key_place));
+        }
+    }
+    Ok(())
+}
+
+/// The number to which a path leads, however it is written.
+fn number_of(tree: &CaseTree, case: &Case, path: &str) -> String {
+    if let (Case::Oscillator(_), Some(OscillatorKey::RelaxationTime)) = (case, OscillatorKey::from_path(path))
+    {
+        return OscillatorKey::RetardationTime.to_string();
+    }
+    tree.root.by_position(path)
+}

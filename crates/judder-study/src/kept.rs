@@ -6,39 +6,39 @@ use serde::de::DeserializeOwned;
 
 /// The lines of an earlier run, and who keeps each new one.
 #[derive(Clone, Copy)]
-pub(crate) struct Kept<'a> {
+pub struct Kept<'a> {
     /// Lines of JSON.
-    pub(crate) lines: &'a [String],
+    pub lines: &'a [String],
     /// Keeps a line; it may come from any thread.
-    pub(crate) keep: &'a (dyn Fn(&str) + Sync),
+    pub keep: &'a (dyn Fn(&str) + Sync),
     /// Where the study is; none where there is none.
-    pub(crate) place: Option<Place<'a>>,
+    pub place: Option<Place<'a>>,
 }
 
 /// An analysis in its study folder: for those that store arrays while they run, and those that read what others have left.
 #[derive(Clone, Copy)]
-pub(crate) struct Place<'a> {
+pub struct Place<'a> {
     /// The folder.
-    pub(crate) study: &'a StudyFolder,
+    pub study: &'a StudyFolder,
     /// The analysis's name.
-    pub(crate) analysis: &'a str,
+    pub analysis: &'a str,
     /// What its result depends on.
-    pub(crate) hash: &'a str,
+    pub hash: &'a str,
     /// The same of all analyses of the case.
-    pub(crate) all: &'a [(String, String)],
+    pub all: &'a [(String, String)],
 }
 
 impl Kept<'_> {
     /// Nothing is known and nothing is kept.
-    pub(crate) const NOTHING: Kept<'static> = Kept { lines: &[], keep: &|_| (), place: None };
+    pub const NOTHING: Kept<'static> = Kept { lines: &[], keep: &|_| (), place: None };
 
     /// What is known of one type; a line that is none of it comes from elsewhere and is passed over.
-    pub(crate) fn known<T: DeserializeOwned>(&self) -> Vec<T> {
+    pub fn known<T: DeserializeOwned>(&self) -> Vec<T> {
         self.lines.iter().filter_map(|line| serde_json::from_str(line).ok()).collect()
     }
 
     /// Keeps one more result; one that cannot be kept costs a rerun, no result.
-    pub(crate) fn add<T: Serialize>(&self, result: &T) {
+    pub fn add<T: Serialize>(&self, result: &T) {
         if let Ok(line) = serde_json::to_string(result) {
             (self.keep)(&line);
         }

@@ -1,5 +1,6 @@
 //! What the engine asks of a model and of an analysis; nothing else of them is known outside of [`crate::models`].
 
+use crate::case::analysis::AsAny;
 use crate::case::file::CaseFile;
 use crate::case::study_sweep::StudySweep;
 use crate::error::StudyError;
@@ -10,14 +11,13 @@ use crate::progress::Progress;
 use crate::resolve::Resolved;
 use judder_keys::cause::Cause;
 use judder_keys::error::CaseError;
-use judder_report::Panel;
-use judder_store::Dataset;
-use serde_json::Value;
+use serde_json::{Map, Value};
 use std::any::Any;
+use std::fmt;
 use std::sync::Arc;
 
 /// A case of a model.
-pub(crate) trait Model: Sync {
+pub trait Model: Sync {
     /// What its analyses share that takes time to make.
     ///
     /// # Errors
@@ -113,7 +113,7 @@ pub(crate) trait Model: Sync {
 }
 
 /// An analysis of a model: what it announces, is refused for, computes and takes.
-pub(crate) trait Analysis<M: Analysed + ?Sized> {
+pub trait Analysis<M: Analysed + ?Sized>: AsAny + fmt::Debug + Send + Sync {
     /// How many steps it announces to its progress.
     fn steps(&self) -> usize {
         1
@@ -151,10 +151,18 @@ pub(crate) trait Analysis<M: Analysed + ?Sized> {
     /// # Errors
     /// What cannot be read.
     fn estimate(&self, of: &M::Known<'_>) -> Result<M::Estimate, StudyError>;
+
+    /// The names of the analyses whose results it takes up.
+    fn takes_up(&self) -> Vec<&str> {
+        Vec::new()
+    }
+
+    /// Puts its settings into a canonical form.
+    fn write(&self, json: &mut Map<String, Value>);
 }
 
 /// What the analyses of a model have in common.
-pub(crate) trait Analysed {
+pub trait Analysed {
     /// What they are run on.
     type Subject<'a>;
     /// What is known of it before anything is computed.
@@ -163,35 +171,25 @@ pub(crate) trait Analysed {
     type Estimate;
 }
 
-/// A kind of analysis that leaves a figure.
-pub(crate) struct Pictured {
-    /// Its name, as the stored arrays say it.
-    pub(crate) kind: &'static str,
-    /// The panels of its figure; `None` where arrays are missing.
-    pub(crate) draw: fn(&Dataset) -> Option<Vec<Panel>>,
-    /// What stands under it.
-    pub(crate) caption: &'static str,
-}
-
 /// A quantity of an operating point, as a column of a sweep.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct OperatingQuantity {
+pub struct OperatingQuantity {
     /// Its name in a case file.
-    pub(crate) name: &'static str,
+    pub name: &'static str,
     /// Its unit; empty for codes.
-    pub(crate) units: &'static str,
+    pub units: &'static str,
     /// What it is, with its symbol.
-    pub(crate) long_name: &'static str,
+    pub long_name: &'static str,
     /// What stands at an axis; none of a code.
-    pub(crate) label: Option<&'static str>,
+    pub label: Option<&'static str>,
     /// What each code means, where it is a code.
-    pub(crate) flags: &'static [&'static str],
+    pub flags: &'static [&'static str],
     /// Whether it is a root that has to be sought.
-    pub(crate) is_sought: bool,
+    pub is_sought: bool,
 }
 
 /// Operating points that share what takes time to make.
-pub(crate) trait OperatingPoints: Send + Sync {
+pub trait OperatingPoints: Send + Sync {
     /// These quantities where the swept keys have these values.
     ///
     /// # Errors
@@ -207,7 +205,7 @@ pub(crate) trait OperatingPoints: Send + Sync {
 
 /// What an operating point takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum OperatingWork {
+pub enum OperatingWork {
     /// A contact law of its own.
     Law,
     /// A search, or the case read anew.
@@ -217,58 +215,58 @@ pub(crate) enum OperatingWork {
 }
 
 /// How an analysis is run.
-pub(crate) struct Task<'a> {
+pub struct Task<'a> {
     /// What the analyses of the case share.
-    pub(crate) prepared: &'a Prepared,
+    pub prepared: &'a Prepared,
     /// What an interrupted run has left of the law that the analyses of the case share.
-    pub(crate) law: Kept<'a>,
+    pub law: Kept<'a>,
     /// What it has left of this analysis.
-    pub(crate) own: Kept<'a>,
+    pub own: Kept<'a>,
     /// Who is told how far it is, and may stop it.
-    pub(crate) progress: &'a dyn Progress,
+    pub progress: &'a dyn Progress,
     /// Who sees the samples of a motion while it is computed.
-    pub(crate) watch: Option<&'a mut dyn FnMut(MotionBlock)>,
+    pub watch: Option<&'a mut dyn FnMut(MotionBlock)>,
 }
 
 impl<'a> Task<'a> {
     /// Of nothing that is known before and nothing that is kept.
-    pub(crate) fn alone(prepared: &'a Prepared, progress: &'a dyn Progress) -> Self {
+    pub fn alone(prepared: &'a Prepared, progress: &'a dyn Progress) -> Self {
         Self { prepared, law: Kept::NOTHING, own: Kept::NOTHING, progress, watch: None }
     }
 }
 
 /// What the analyses of a case share.
 #[derive(Clone)]
-pub(crate) struct Prepared(Option<Arc<dyn Any + Send + Sync>>);
+pub struct Prepared(Option<Arc<dyn Any + Send + Sync>>);
 
 impl Prepared {
     /// Nothing.
-    pub(crate) const NOTHING: Self = Self(None);
+    pub const NOTHING: Self = Self(None);
 
     /// This.
-    pub(crate) fn new<T: Any + Send + Sync>(made: Arc<T>) -> Self {
+    pub fn new<T: Any + Send + Sync>(made: Arc<T>) -> Self {
         Self(Some(made))
     }
 
     /// What was made, where it is of this type.
-    pub(crate) fn get<T: Any + Send + Sync>(&self) -> Option<Arc<T>> {
+    pub fn get<T: Any + Send + Sync>(&self) -> Option<Arc<T>> {
         Arc::clone(self.0.as_ref()?).downcast().ok()
     }
 }
 
 /// An analysis in its case file.
 #[derive(Clone, Copy)]
-pub(crate) struct Place<'a> {
+pub struct Place<'a> {
     /// The case file.
-    pub(crate) file: &'a CaseFile,
+    pub file: &'a CaseFile,
     /// The position of the analysis.
-    pub(crate) index: usize,
+    pub index: usize,
     /// Its name.
-    pub(crate) name: &'a str,
+    pub name: &'a str,
 }
 
 /// Where a case is to blame, and why.
-pub(crate) enum Refusal {
+pub enum Refusal {
     /// The first of these keys that the analysis has.
     Keys(&'static [&'static str], Cause),
     /// A key of the analysis, by its dotted path.
@@ -279,22 +277,22 @@ pub(crate) enum Refusal {
 
 impl Refusal {
     /// The first of these keys that the analysis has is to blame.
-    pub(crate) fn keys(keys: &'static [&'static str], cause: impl Into<Cause>) -> Self {
+    pub fn keys(keys: &'static [&'static str], cause: impl Into<Cause>) -> Self {
         Self::Keys(keys, cause.into())
     }
 
     /// A key of the analysis is to blame, by its dotted path; the analysis where it is empty.
-    pub(crate) fn key(key: &'static str, cause: impl Into<Cause>) -> Self {
+    pub fn key(key: &'static str, cause: impl Into<Cause>) -> Self {
         Self::Key(key, cause.into())
     }
 
     /// A key of the case is to blame, by its dotted path.
-    pub(crate) fn path(path: &'static str, cause: impl Into<Cause>) -> Self {
+    pub fn path(path: &'static str, cause: impl Into<Cause>) -> Self {
         Self::Path(path, cause.into())
     }
 
     /// As an error at its place in the case file.
-    pub(crate) fn placed(self, Place { file, index, name }: Place<'_>) -> CaseError {
+    pub fn placed(self, Place { file, index, name }: Place<'_>) -> CaseError {
         match self {
             Self::Keys(keys, cause) => file.analysis_error(index, keys, cause),
             Self::Key("", cause) => file.error(&format!("analysis.{name}"), cause),

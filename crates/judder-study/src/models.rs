@@ -16,9 +16,10 @@ pub mod two_degrees;
 pub(crate) use axis::Axis;
 pub use motion::MotionBlock;
 
+use crate::case::analysis::{Kind, Picture};
 use crate::case::file::{Case, CaseFile};
 use crate::error::StudyError;
-use crate::model::{Model, Pictured, Place};
+use crate::model::{Model, Place};
 
 /// The model of a case.
 pub(crate) fn model(case: &Case) -> &dyn Model {
@@ -32,16 +33,16 @@ pub(crate) fn model(case: &Case) -> &dyn Model {
     }
 }
 
-/// Every kind of analysis that has a figure.
-pub(crate) fn pictured() -> impl Iterator<Item = &'static Pictured> {
-    let kinds: [&[Pictured]; 5] = [
-        &oscillator::PICTURED,
-        &motion::PICTURED,
-        &contact::PICTURED,
-        &structure::PICTURED,
-        &sliding::PICTURED,
-    ];
-    kinds.into_iter().flatten()
+/// Every kind of analysis of any model, and how its results are drawn.
+pub(crate) fn all_kinds() -> impl Iterator<Item = (&'static str, Option<&'static Picture>)> {
+    fn of<S, T>(
+        kinds: &'static [Kind<S, T>],
+    ) -> impl Iterator<Item = (&'static str, Option<&'static Picture>)> {
+        kinds.iter().map(|kind| (kind.name, kind.picture.as_ref()))
+    }
+    let oscillators =
+        of(&oscillator::KINDS).chain(of(&belt::case::KINDS)).chain(of(&two_degrees::case::KINDS));
+    oscillators.chain(of(&contact::KINDS)).chain(of(&structure::KINDS)).chain(of(&sliding::KINDS))
 }
 
 /// What stands at an axis of a quantity of operating points, by its name.

@@ -2,8 +2,8 @@
 
 pub(crate) mod sweep;
 
-use crate::model::Pictured;
-use crate::models::pictured;
+use crate::case::analysis::Picture;
+use crate::models::all_kinds;
 use judder_report::{Axis, Figure, Panel, Role};
 use judder_store::{Data, Dataset, Variable};
 use num_complex::Complex64;
@@ -20,7 +20,7 @@ pub fn figure(name: &str, title: &str, dataset: &Dataset) -> Option<Figure> {
 
 /// The kinds of analyses that have a figure.
 pub fn kinds() -> impl Iterator<Item = &'static str> {
-    pictured().map(|own| own.kind)
+    all_kinds().filter_map(|(name, picture)| picture.map(|_| name))
 }
 
 /// The panels of an analysis, to be put together with those of others.
@@ -34,9 +34,9 @@ pub(crate) fn caption(dataset: &Dataset) -> &'static str {
     own(dataset).map_or("", |own| own.caption)
 }
 
-fn own(dataset: &Dataset) -> Option<&'static Pictured> {
+fn own(dataset: &Dataset) -> Option<&'static Picture> {
     let kind = dataset.attributes().get("kind")?.as_str()?;
-    pictured().find(|own| own.kind == kind)
+    all_kinds().find_map(|(name, picture)| picture.filter(|_| name == kind))
 }
 
 pub(crate) fn reals<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [f64]> {

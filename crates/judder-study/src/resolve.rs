@@ -55,11 +55,15 @@ impl Resolved {
 }
 
 /// What an analysis would take.
-pub(crate) struct Estimate {
-    pub(crate) name: String,
-    pub(crate) points: usize,
-    pub(crate) seconds: f64,
-    pub(crate) bytes: u128,
+pub struct Estimate {
+    /// The name of the analysis.
+    pub name: String,
+    /// Points.
+    pub points: usize,
+    /// Time, s.
+    pub seconds: f64,
+    /// Memory, bytes.
+    pub bytes: u128,
 }
 
 impl Estimate {

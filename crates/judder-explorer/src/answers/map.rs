@@ -16,7 +16,6 @@ use judder_store::Variable;
 use judder_study::analyses::{BoundaryKind, boundary_curves};
 use judder_study::key_plane::{KeyAxis, KeyPlane};
 use judder_study::models::oscillator::keys::OscillatorKey;
-use judder_study::models::oscillator::settings::OscillatorAnalysis;
 use judder_study::models::sweep::{StabilityMap as Settings, Sweep};
 use judder_study::{Progress, StudyError};
 use serde::Deserialize;
@@ -55,8 +54,8 @@ fn kind(name: &str) -> Result<BoundaryKind, Refusal> {
 fn draw(subject: &Subject, view: &View, kinds: &[BoundaryKind], reporter: &Reporter) -> Result<(), Refusal> {
     let file = view.case(subject)?;
     let case = oscillator(&file)?;
-    let Some(OscillatorAnalysis::StabilityMap(settings)) =
-        case.analyses.first().map(|analysis| &analysis.kind)
+    let Some(settings) =
+        case.analyses.first().and_then(|analysis| analysis.settings::<Settings<OscillatorKey>>())
     else {
         return Err(Refusal::wrong("the analysis of a map is another; its `kind` is \"stability-map\""));
     };

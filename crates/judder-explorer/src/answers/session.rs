@@ -9,8 +9,7 @@ use judder_keys::numeric_key::{Form, Key, Range};
 use judder_study::case::file::{Case, CaseFile};
 use judder_study::models::oscillator::inputs::{LawName, TimeForm};
 use judder_study::models::oscillator::keys::{KEYS, OscillatorKey};
-use judder_study::models::oscillator::settings::OscillatorAnalysis;
-use judder_study::models::sweep::Sweep;
+use judder_study::models::sweep::{StabilityMap, Sweep};
 use serde_json::{Value, json};
 
 /// Answers `/api/session`.
@@ -22,7 +21,11 @@ pub(crate) async fn answer(State(site): SharedSite) -> Json<Value> {
     // what slides steadily without an oscillator, or is none, has no stability to map and no law to choose
     let oscillator = base.and_then(|base| oscillator(base).ok());
     let map = oscillator.map(|oscillator| {
-        oscillator.analyses.iter().find_map(|analysis| axes(&analysis.kind)).unwrap_or_else(usual_axes)
+        oscillator
+            .analyses
+            .iter()
+            .find_map(|analysis| analysis.settings().map(axes))
+            .unwrap_or_else(usual_axes)
     });
     let laws = LawName::ALL.map(|(name, _)| name);
     let keys = KEYS.iter().filter(|entry| own.contains(&entry.section()));
@@ -103,10 +106,9 @@ fn slider(key: OscillatorKey) -> (f64, f64, &'static str) {
     }
 }
 
-/// The axes of the first stability map of the case.
-fn axes(analysis: &OscillatorAnalysis) -> Option<Value> {
-    let OscillatorAnalysis::StabilityMap(map) = analysis else { return None };
-    Some(json!({ "x": axis(&map.x), "y": axis(&map.y) }))
+/// The axes of a stability map.
+fn axes(map: &StabilityMap<OscillatorKey>) -> Value {
+    json!({ "x": axis(&map.x), "y": axis(&map.y) })
 }
 
 fn axis(sweep: &Sweep<OscillatorKey>) -> Value {

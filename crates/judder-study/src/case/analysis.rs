@@ -1,26 +1,73 @@
 //! Analyses: a name that serves as a file name, and a kind with its settings.
 
+use crate::models::all_kinds;
 use judder_keys::cause::Cause;
 use judder_keys::declared::Declaration;
 use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
 use judder_keys::section::{Section, text, wrong_type};
+use judder_report::Panel;
+use judder_store::Dataset;
+use std::any::Any;
+use std::sync::Arc;
 
 /// One analysis of a case.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Analysis<Kind> {
+pub struct Planned<K> {
     /// Unique in its case, safe as a file name; the kind where the case gives none.
     pub name: String,
+    /// The name of its kind.
+    pub kind_name: &'static str,
     /// What is computed.
-    pub kind: Kind,
+    pub kind: K,
 }
 
-/// A kind of analysis: its name, what is said of its keys besides `name` and `kind`, and how those are read.
+impl<A: AsAny + ?Sized> Planned<Arc<A>> {
+    /// Its settings, where they are of this type.
+    pub fn settings<T: Any>(&self) -> Option<&T> {
+        self.kind.as_ref().as_any().downcast_ref()
+    }
+
+    /// The same, to be changed; none where another clone of the case holds them too.
+    pub fn settings_mut<T: Any>(&mut self) -> Option<&mut T> {
+        Arc::get_mut(&mut self.kind)?.as_any_mut().downcast_mut()
+    }
+}
+
+/// What can be asked of which type it is.
+pub trait AsAny {
+    /// The value, its type unsaid.
+    fn as_any(&self) -> &dyn Any;
+
+    /// The same, to be changed.
+    fn as_any_mut(&mut self) -> &mut dyn Any;
+}
+
+impl<T: Any> AsAny for T {
+    fn as_any(&self) -> &dyn Any {
+        self
+    }
+
+    fn as_any_mut(&mut self) -> &mut dyn Any {
+        self
+    }
+}
+
+/// A kind of analysis: its name, what is said of its keys besides `name` and `kind`, how those are read, and how its results are drawn.
 pub(crate) struct Kind<S, T> {
     pub(crate) name: &'static str,
     pub(crate) doc: &'static str,
     pub(crate) declared: fn() -> Vec<Declaration>,
     pub(crate) read: fn(&S, &Section<'_>) -> Result<T, Fault>,
+    pub(crate) picture: Option<Picture>,
+}
+
+/// How the results of a kind of analysis are drawn.
+pub(crate) struct Picture {
+    /// The panels, from the stored arrays; `None` where some are missing.
+    pub(crate) draw: fn(&Dataset) -> Option<Vec<Panel>>,
+    /// What stands under it.
+    pub(crate) caption: &'static str,
 }
 
 impl<S, T> Kind<S, T> {
@@ -30,8 +77,9 @@ impl<S, T> Kind<S, T> {
         doc: &'static str,
         declared: fn() -> Vec<Declaration>,
         read: fn(&S, &Section<'_>) -> Result<T, Fault>,
+        picture: Option<Picture>,
     ) -> Self {
-        Self { name, doc, declared, read }
+        Self { name, doc, declared, read, picture }
     }
 
     /// The names of its keys besides `name` and `kind`.
@@ -40,42 +88,14 @@ impl<S, T> Kind<S, T> {
     }
 }
 
-/// Every other kind of any model.
-const OTHER_MODELS: [&str; 24] = [
-    "spectrum",
-    "stability-map",
-    "motion",
-    "bifurcation",
-    "limit-cycle",
-    "basin",
-    "engines",
-    "equivalent-damping",
-    "critical-shear-strength",
-    "critical-load",
-    "critical",
-    "contact",
-    "contact-law",
-    "fit",
-    "modulus",
-    "transient",
-    "modes",
-    "reduction",
-    "locus",
-    "march",
-    "growth",
-    "spectrogram",
-    "eigen",
-    "eigen-sweep",
-];
-
 /// Reads `[[analysis]]`: each kind is looked up among `kinds`, and reads its own keys.
 pub(crate) fn read_analyses<S, T>(
     root: &Section<'_>,
     keys: &S,
     kinds: &[Kind<S, T>],
-) -> Result<Vec<Analysis<T>>, Fault> {
+) -> Result<Vec<Planned<T>>, Fault> {
     let Some(node) = root.get("analysis") else { return Ok(Vec::new()) };
-    let mut analyses: Vec<Analysis<T>> = Vec::new();
+    let mut analyses: Vec<Planned<T>> = Vec::new();
     let Data::List(nodes) = &node.data else {
         return Err(wrong_type("analysis", "a list, each item headed [[analysis]]", node));
     };
@@ -100,8 +120,8 @@ fn read_analysis<S, T>(
     node: &Node,
     keys: &S,
     kinds: &[Kind<S, T>],
-    before: &[Analysis<T>],
-) -> Result<Analysis<T>, Fault> {
+    before: &[Planned<T>],
+) -> Result<Planned<T>, Fault> {
     let kind = find_kind(node, kinds)?;
     let known = [vec!["name", "kind"], kind.keys()].concat();
     let section = Section::open(node, "", &format!("an analysis of kind `{}`", kind.name), &known)?;
@@ -113,7 +133,7 @@ fn read_analysis<S, T>(
     if before.iter().any(|other| other.name.eq_ignore_ascii_case(&name)) {
         return Err(Cause::DuplicateName { name }.at(place));
     }
-    Ok(Analysis { name, kind: (kind.read)(keys, &section)? })
+    Ok(Planned { name, kind_name: kind.name, kind: (kind.read)(keys, &section)? })
 }
 
 /// The kind of one analysis; it decides which keys the analysis may have.
@@ -131,7 +151,7 @@ fn find_kind<'k, S, T>(node: &Node, kinds: &'k [Kind<S, T>]) -> Result<&'k Kind<
     }
     let (what, place) = ("analysis kind", entry.node.part(0..name.len()));
     let name = name.to_owned();
-    Err(if OTHER_MODELS.contains(&name.as_str()) {
+    Err(if all_kinds().any(|(kind, _)| kind == name) {
         Cause::OtherModel { name, known }
     } else {
         Cause::UnknownName { what, name, known }

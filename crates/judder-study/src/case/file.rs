@@ -6,7 +6,7 @@ use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::case::analysis::Analysis;
+use crate::case::analysis::Planned;
 use crate::case::study_sweep::problem::SweepProblem;
 use crate::case::study_sweep::{self, StudySweep, read_sweeps};
 use crate::models::belt::case as belt_case;
@@ -111,7 +111,7 @@ impl Case {
 
     /// The names of its analyses, in their order.
     pub fn analysis_names(&self) -> Vec<&str> {
-        fn names<K>(analyses: &[Analysis<K>]) -> Vec<&str> {
+        fn names<K>(analyses: &[Planned<K>]) -> Vec<&str> {
             analyses.iter().map(|analysis| analysis.name.as_str()).collect()
         }
         match self {

@@ -7,11 +7,11 @@ mod sweep;
 use crate::case::analysis::Kind;
 use crate::models::belt::case as belt_case;
 use crate::models::belt::case::BELT_KEYS;
+use crate::models::contact;
 use crate::models::contact::case::IndenterKeys;
-use crate::models::contact::settings as contact_analysis;
+use crate::models::oscillator;
 use crate::models::oscillator::inputs::{FrictionLoad, LawName};
 use crate::models::oscillator::keys::KEYS;
-use crate::models::oscillator::settings as oscillator_analysis;
 use crate::models::substrate::SubstrateKeys;
 use crate::models::two_degrees::case as two_degrees;
 use judder_keys::declared::Settings;
@@ -42,12 +42,12 @@ pub fn reference() -> String {
     page += SUBSTRATE;
     page += &settings("[substrate]` beside moduli, times and `poisson_ratio", &SubstrateKeys::declarations());
     page += "\n## Analyses of an oscillator case\n\n";
-    page += &kinds(&oscillator_analysis::KINDS);
+    page += &kinds(&oscillator::KINDS);
     page += OSCILLATOR;
     page += CONTACT;
     page += &settings("[indenter]` beside `radius", &IndenterKeys::declarations());
     page += "\n### Analyses of a contact case\n\n";
-    page += &kinds(&contact_analysis::KINDS);
+    page += &kinds(&contact::KINDS);
     page += CONTACT_RANGES;
     page += BELT;
     for key in &BELT_KEYS {

@@ -6,18 +6,16 @@ mod sweep;
 
 use serde_json::{Map, Value as Json, json};
 
-use crate::case::analysis::Analysis;
+use crate::case::analysis::Planned;
 use crate::case::file::Case;
-use crate::models::belt::case::{BELT_KEYS, BeltCase, BeltKeys};
+use crate::model::Analysis;
+use crate::models::belt::case::{BELT_KEYS, BeltCase};
 use crate::models::contact::case::ContactCase;
-use crate::models::contact::settings::ContactAnalysis;
-use crate::models::motion::settings::MotionAnalysis;
 use crate::models::oscillator::case::OscillatorCase;
 use crate::models::oscillator::inputs::{LawName, TimeForm};
 use crate::models::oscillator::keys::{KEYS, OscillatorKey};
-use crate::models::oscillator::settings::OscillatorAnalysis;
 use crate::models::substrate::{Substrate, SubstrateKeys};
-use crate::models::two_degrees::case::{TwoDegreesAnalysis, TwoDegreesCase};
+use crate::models::two_degrees::case::TwoDegreesCase;
 use judder_keys::declared::{Setting, Settings};
 use judder_keys::dimension::Dimension;
 use judder_keys::numeric_key::Form;
@@ -46,7 +44,7 @@ fn oscillator(case: &OscillatorCase) -> Json {
         "model": "oscillator",
         "title": case.title,
         "contact": { "law": case.law.name(), "friction_load": case.friction_load.name() },
-        "analysis": analyses(&case.analyses, OscillatorAnalysis::write),
+        "analysis": analyses(&case.analyses, |kind, json| kind.write(json)),
     });
     if let Some(file) = &case.law_file {
         json["contact"]["law"] = json!({ "file": file.given });
@@ -67,7 +65,7 @@ fn contact(case: &ContactCase) -> Json {
         "model": "contact",
         "title": case.title,
         "indenter": { "shape": Setting::write(&case.shape, &()) },
-        "analysis": case.analyses.iter().map(|analysis| named(analysis, contact_analysis)).collect::<Vec<_>>(),
+        "analysis": analyses(&case.analyses, |kind, json| kind.write(json)),
     });
     json["substrate"] = substrate(&case.substrate, case.inputs.time_form());
     let keys = ContactCase::KEYS.into_iter().filter(|key| case.substrate.takes(*key));
@@ -86,25 +84,11 @@ fn substrate(substrate: &Substrate, time_form: TimeForm) -> Json {
     Json::Object(json)
 }
 
-fn contact_analysis(kind: &ContactAnalysis) -> Json {
-    match kind {
-        ContactAnalysis::Contact(settings) => declared("contact", settings),
-        ContactAnalysis::ContactLaw(law) => declared("contact-law", law),
-        ContactAnalysis::Fit(fit) => {
-            let mut json = declared("fit", &fit.law);
-            json["velocity_scale"] = json!(fit.reading.velocity_scale);
-            json
-        }
-        ContactAnalysis::Modulus(settings) => declared("modulus", settings),
-        ContactAnalysis::Transient(settings) => declared("transient", settings),
-    }
-}
-
 fn belt(case: &BeltCase) -> Json {
     let mut json = json!({
         "model": "belt",
         "title": case.title,
-        "analysis": analyses(&case.analyses, MotionAnalysis::write::<BeltKeys>),
+        "analysis": analyses(&case.analyses, Analysis::write),
     });
     for entry in &BELT_KEYS {
         json[entry.section()][entry.name()] = json!(case.inputs.number(entry.key));
@@ -121,32 +105,20 @@ fn two_degrees(case: &TwoDegreesCase) -> Json {
         "title": case.title,
         "parameters": parameters.collect::<Vec<_>>(),
         "matrices": matrices,
-        "analysis": analyses(&case.analyses, TwoDegreesAnalysis::write),
+        "analysis": analyses(&case.analyses, Analysis::write),
     })
 }
 
-fn named<T>(analysis: &Analysis<T>, settings: impl Fn(&T) -> Json) -> Json {
-    let mut json = settings(&analysis.kind);
-    json["name"] = json!(analysis.name);
-    json
-}
-
-/// Analyses that write themselves and say of which kind they are.
-fn analyses<T>(analyses: &[Analysis<T>], write: impl Fn(&T, &mut Map<String, Json>) -> &'static str) -> Json {
-    let written = |settings: &T| {
+/// The analyses of a case.
+fn analyses<K>(analyses: &[Planned<K>], write: impl Fn(&K, &mut Map<String, Json>)) -> Json {
+    let written = |planned: &Planned<K>| {
         let mut json = Map::new();
-        let kind = write(settings, &mut json);
-        json.insert("kind".to_owned(), json!(kind));
+        write(&planned.kind, &mut json);
+        json.insert("kind".to_owned(), json!(planned.kind_name));
+        json.insert("name".to_owned(), json!(planned.name));
         Json::Object(json)
     };
-    analyses.iter().map(|analysis| named(analysis, written)).collect()
-}
-
-/// Declared settings of an analysis of this kind.
-fn declared(kind: &str, settings: &impl Settings) -> Json {
-    let mut json = Map::from_iter([("kind".to_owned(), json!(kind))]);
-    settings.write_table(&mut json);
-    Json::Object(json)
+    analyses.iter().map(written).collect()
 }
 
 fn number(number: f64, form: Form, dimension: Dimension) -> Json {

@@ -13,10 +13,10 @@ use crate::case::analysis::Kind;
 use crate::models::belt::case as belt_case;
 use crate::models::belt::case::{BELT_KEYS, BELT_SECTIONS};
 use crate::models::contact::settings::LawSettings;
+use crate::models::oscillator;
 use crate::models::oscillator::case::SECTIONS;
 use crate::models::oscillator::inputs::{FrictionLoad, LawName};
 use crate::models::oscillator::keys::KEYS;
-use crate::models::oscillator::settings as oscillator_analysis;
 use crate::models::substrate::SubstrateKeys;
 use crate::models::sweep::Scale;
 use crate::models::two_degrees::case as two_degrees;
@@ -58,7 +58,7 @@ fn oscillator() -> Json {
     let mut properties = object([
         ("title", json!({ "type": "string" })),
         ("model", json!({ "const": "oscillator" })),
-        ("analysis", analyses(&oscillator_analysis::KINDS)),
+        ("analysis", analyses(&oscillator::KINDS)),
         ("sweep", reference("sweeps")),
     ]);
     for section in SECTIONS {

@@ -1,13 +1,15 @@
 //! What the claims about the contact computation are measured on.
 
 use super::exhibits::{CONTACT_CASES, FIT, LAW_FILE, thin_out};
+use crate::case::analysis::Planned;
 use crate::case::file::{Case, CaseFile};
 use crate::computed_law::{self, NO_POINTS};
 use crate::error::StudyError;
 use crate::material::ContactScales;
+use crate::models::contact::Exciting;
 use crate::models::contact::case::ContactCase;
 use crate::models::contact::law::Plane;
-use crate::models::contact::settings::{ContactAnalysis, FitSettings, LawSettings};
+use crate::models::contact::settings::{FitSettings, LawSettings};
 use crate::progress::Progress;
 use judder_contact::fit::{FitSample, LawFit};
 use judder_contact::law::boundary_elements::sample;
@@ -17,6 +19,7 @@ use judder_contact::material::CreepSpectrum;
 use judder_contact::steady::MEMORY;
 use judder_contact::{ContactLaw, ContactPoint, FittedLaw, Law};
 use judder_store::StudyFolder;
+use std::sync::Arc;
 
 /// log₁₀ of the factor of v τ/R at which the fits are read: the corrected axis.
 pub(super) const CORRECTED: f64 = -2.0;
@@ -116,6 +119,12 @@ pub(super) fn values(law: &impl ContactLaw, sample: &FitSample) -> PerQuantity<f
     PerQuantity { force: found.force.value, area: found.area.value, friction: found.friction.value }
 }
 
+/// The law that an analysis computes.
+pub(super) fn law_of(analysis: &Planned<Arc<dyn Exciting>>) -> Option<&LawSettings> {
+    let of_fit = || analysis.settings::<FitSettings>().map(|fit| &fit.law);
+    analysis.settings::<LawSettings>().or_else(of_fit)
+}
+
 /// A case of the contact computation with the settings of its one law or fit.
 pub(super) fn contact_case(name: &str, quick: bool) -> Result<(ContactCase, LawSettings), StudyError> {
     let missing = || StudyError::Unsupported(format!("the case {name} computes no law"));
@@ -125,12 +134,8 @@ pub(super) fn contact_case(name: &str, quick: bool) -> Result<(ContactCase, LawS
         thin_out(&mut case);
     }
     let Case::Contact(case) = case else { return Err(missing()) };
-    match case.analyses.first().map(|analysis| analysis.kind.clone()) {
-        Some(ContactAnalysis::ContactLaw(law) | ContactAnalysis::Fit(FitSettings { law, .. })) => {
-            Ok((case, law))
-        }
-        _ => Err(missing()),
-    }
+    let law = case.analyses.first().and_then(law_of).ok_or_else(missing)?.clone();
+    Ok((case, law))
 }
 
 /// The evidence of Fig. 3's own case, computed once for all tests.

@@ -2,12 +2,14 @@
 
 use crate::case::file::Case;
 use crate::models::contact::case::ContactCase;
-use crate::models::contact::settings::{ContactAnalysis, FitSettings, LawMethod};
+use crate::models::contact::settings::{FitSettings, LawMethod, LawSettings};
 use crate::models::contact::shape::Shape;
 use crate::models::motion::settings::{Bifurcation, MotionAnalysis};
 use crate::models::oscillator::case::OscillatorCase;
 use crate::models::oscillator::engines::settings::EnginesSettings;
-use crate::models::oscillator::settings::{DampingCurves, OscillatorAnalysis, SpectrumCurves};
+use crate::models::oscillator::keys::OscillatorKey;
+use crate::models::oscillator::settings::{CriticalThresholds, DampingCurves, SpectrumCurves};
+use crate::models::sweep::StabilityMap;
 use judder_keys::numeric_key::{Form, Value};
 use judder_keys::span::Span;
 
@@ -141,14 +143,19 @@ fn thin_out_contact(case: &mut ContactCase) {
     const SPEEDS: usize = 17;
     const DEPTHS: usize = 7;
     for analysis in &mut case.analyses {
-        if let ContactAnalysis::ContactLaw(law) | ContactAnalysis::Fit(FitSettings { law, .. }) =
-            &mut analysis.kind
-        {
-            case.shape = Shape::Paraboloid;
+        let thin_out_law = |law: &mut LawSettings| {
             law.method = LawMethod::Collapse;
             law.velocity.points = law.velocity.points.min(SPEEDS);
             law.indentation.points = law.indentation.points.min(DEPTHS);
+        };
+        if let Some(law) = analysis.settings_mut() {
+            thin_out_law(law);
+        } else if let Some(fit) = analysis.settings_mut::<FitSettings>() {
+            thin_out_law(&mut fit.law);
+        } else {
+            continue;
         }
+        case.shape = Shape::Paraboloid;
     }
 }
 
@@ -157,20 +164,19 @@ fn thin_out_oscillator(case: &mut OscillatorCase) {
     const THRESHOLDS: usize = 101;
     const MAP: usize = 400;
     for analysis in &mut case.analyses {
-        match &mut analysis.kind {
-            OscillatorAnalysis::EquivalentDamping(DampingCurves { sweep, .. })
-            | OscillatorAnalysis::Spectrum(SpectrumCurves { sweep, .. }) => {
-                sweep.points = sweep.points.min(CURVE);
-            }
-            OscillatorAnalysis::Critical(asked) => {
-                asked.sweep.points = asked.sweep.points.min(THRESHOLDS);
-            }
-            OscillatorAnalysis::StabilityMap(map) => {
-                map.x.points = map.x.points.min(MAP);
-                map.y.points = map.y.points.min(MAP);
-            }
-            OscillatorAnalysis::Motion(kind) => thin_out_motion(kind),
-            OscillatorAnalysis::Engines(settings) => thin_out_engines(settings),
+        if let Some(DampingCurves { sweep, .. }) = analysis.settings_mut() {
+            sweep.points = sweep.points.min(CURVE);
+        } else if let Some(SpectrumCurves { sweep, .. }) = analysis.settings_mut() {
+            sweep.points = sweep.points.min(CURVE);
+        } else if let Some(CriticalThresholds { sweep, .. }) = analysis.settings_mut() {
+            sweep.points = sweep.points.min(THRESHOLDS);
+        } else if let Some(map) = analysis.settings_mut::<StabilityMap<OscillatorKey>>() {
+            map.x.points = map.x.points.min(MAP);
+            map.y.points = map.y.points.min(MAP);
+        } else if let Some(kind) = analysis.settings_mut::<MotionAnalysis<OscillatorKey>>() {
+            thin_out_motion(kind);
+        } else if let Some(settings) = analysis.settings_mut() {
+            thin_out_engines(settings);
         }
     }
 }
@@ -216,6 +222,7 @@ fn thin_out_engines(settings: &mut EnginesSettings) {
 mod tests {
     use super::*;
     use crate::case::file::CaseFile;
+    use crate::reproduce::evidence::law_of;
 
     #[test]
     fn a_quick_run_takes_one_curve_on_a_coarse_plane() {
@@ -226,11 +233,7 @@ mod tests {
             thin_out(&mut case);
             assert_ne!(case.resolved(), full, "a quick result must not pass for a full one");
             let Case::Contact(case) = case else { panic!("{name}") };
-            let (ContactAnalysis::ContactLaw(law) | ContactAnalysis::Fit(FitSettings { law, .. })) =
-                case.analyses[0].kind.clone()
-            else {
-                panic!("{name}")
-            };
+            let law = law_of(&case.analyses[0]).unwrap();
             assert_eq!((case.shape, law.method), (Shape::Paraboloid, LawMethod::Collapse));
             assert!(law.velocity.points * law.indentation.points < 200);
         }

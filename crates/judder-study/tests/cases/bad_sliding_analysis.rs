@@ -4,8 +4,8 @@ use crate::bad_sliding::analysis;
 use crate::parse;
 use crate::sliding::with_analyses;
 use judder_study::case::file::Case;
-use judder_study::models::sliding::case::analysis::SlidingAnalysis;
 use judder_study::models::sliding::case::problem::SlidingProblem;
+use judder_study::models::sliding::locus::settings::Locus;
 
 #[test]
 fn a_locus_that_cannot_be() {
@@ -122,8 +122,8 @@ fn a_value_between_the_ends_of_a_sweep() {
          sweep = { key = \"motion.velocity\", from = \"10 mm/s\", to = \"30 mm/s\", points = 3 }\n",
     );
     let Case::Sliding(case) = parse(&text, &[]).unwrap() else { panic!("a sliding case") };
-    let SlidingAnalysis::Locus(locus) = &case.analyses[0].kind else { panic!("a locus") };
-    let judder_study::models::sliding::case::locus::Along::Key { sweep, .. } = &locus.along else {
+    let locus: &Locus = case.analyses[0].settings().unwrap();
+    let judder_study::models::sliding::locus::settings::Along::Key { sweep, .. } = &locus.along else {
         panic!("a key")
     };
     let SlidingProblem::SweptValue { key, value, reason, .. } = case.at(sweep, -0.01).unwrap_err() else {

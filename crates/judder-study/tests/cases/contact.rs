@@ -5,10 +5,12 @@ use judder_keys::numeric_key::{Form, Value};
 use judder_study::case::file::{Case, CaseFile};
 use judder_study::models::contact::case::ContactCase;
 use judder_study::models::contact::case::contact_numbers;
-use judder_study::models::contact::settings::{ContactAnalysis, LawMethod, Loading};
+use judder_study::models::contact::settings::{
+    ContactSettings, FitSettings, LawMethod, LawSettings, Loading, ModulusSettings,
+};
 use judder_study::models::contact::settings::{LAW_ACCURACY, LAW_INDENTATION, LAW_VELOCITY};
 use judder_study::models::contact::shape::{Roughness, Shape};
-use judder_study::models::contact::transient::settings::{Motion, Oscillation};
+use judder_study::models::contact::transient::settings::{Motion, Oscillation, TransientSettings};
 use judder_study::models::oscillator::inputs::LawName;
 use judder_study::models::oscillator::keys::OscillatorKey;
 use judder_study::models::substrate::continuous::{Density, LogNormal, PowerLaw, TermChoice};
@@ -50,12 +52,9 @@ fn the_memory_limit_of_an_analysis_goes_before_that_of_the_case() {
         "memory_limit = \"512 MiB\"\n[[analysis]]\nkind = \"contact-law\"\n[[analysis]]\n\
                 kind = \"contact\"\nvelocity = 1\nindentation = 0.1\nmemory_limit = \"2 GiB\"",
     );
-    let bytes = case.analyses.iter().map(|analysis| match &analysis.kind {
-        ContactAnalysis::Contact(settings) => settings.memory.bytes,
-        ContactAnalysis::ContactLaw(law) => law.memory.bytes,
-        _ => 0,
-    });
-    assert_eq!(bytes.collect::<Vec<_>>(), [512 << 20, 2 << 30]);
+    let law: &LawSettings = case.analyses[0].settings().unwrap();
+    let single: &ContactSettings = case.analyses[1].settings().unwrap();
+    assert_eq!([law.memory.bytes, single.memory.bytes], [512 << 20, 2 << 30]);
 }
 
 #[test]
@@ -85,10 +84,7 @@ fn one_contact_by_indentation_and_by_load() {
         load = 1e-4
         "#,
     );
-    let settings = |index: usize| match &case.analyses[index].kind {
-        ContactAnalysis::Contact(settings) => *settings,
-        other => panic!("{other:?}"),
-    };
+    let settings = |index: usize| *case.analyses[index].settings::<ContactSettings>().unwrap();
     let (first, second) = (settings(0), settings(1));
     assert_eq!((first.velocity, first.loading()), (Value::group(1.0), Loading::Indentation(Value::si(1e-4))));
     assert_eq!((first.accuracy, first.cells(), first.domain), (1e-2, Some(128), Some(Value::group(0.5))));
@@ -102,10 +98,7 @@ fn a_law_takes_the_papers_ranges_and_the_method_of_its_shape() {
         let case = contact(&format!(
             "[indenter]\nshape = \"{shape}\"\n[[analysis]]\nkind = \"contact-law\"\n{settings}"
         ));
-        match case.analyses.into_iter().next().unwrap().kind {
-            ContactAnalysis::ContactLaw(law) => law,
-            other => panic!("{other:?}"),
-        }
+        case.analyses[0].settings::<LawSettings>().unwrap().clone()
     };
     let default = law("paraboloid", "");
     assert_eq!((default.velocity, default.indentation), (LAW_VELOCITY, LAW_INDENTATION));
@@ -128,9 +121,9 @@ fn a_fit_and_a_modulus() {
         frequency = { from = "1 Hz", to = "1 kHz", points = 7 }
         "#,
     );
-    let ContactAnalysis::Fit(fit) = &case.analyses[0].kind else { panic!() };
+    let fit: &FitSettings = case.analyses[0].settings().unwrap();
     assert_eq!(fit.reading.velocity_scale, 0.01);
-    let ContactAnalysis::Modulus(modulus) = &case.analyses[1].kind else { panic!() };
+    let modulus: &ModulusSettings = case.analyses[1].settings().unwrap();
     let range = modulus.frequency.as_ref().unwrap();
     assert!((range.from - 2.0 * std::f64::consts::PI).abs() < 1e-15);
     assert_eq!((range.points, range.form), (7, Form::Si));
@@ -287,10 +280,7 @@ fn the_motions_of_a_transient() {
         cells = 32
         "#,
     );
-    let settings = |index: usize| match case.analyses[index].kind {
-        ContactAnalysis::Transient(settings) => settings,
-        ref other => panic!("{other:?}"),
-    };
+    let settings = |index: usize| *case.analyses[index].settings::<TransientSettings>().unwrap();
     let (first, second) = (settings(0), settings(1));
     let wave = Oscillation { amplitude: Value::group(1e-3), frequency: Value::group(0.4) };
     assert_eq!((first.motion(), first.oscillation), (Motion::Start(Value::si(0.03)), Some(wave)));

@@ -7,7 +7,6 @@ use judder_study::models::belt::case::BeltKey;
 use judder_study::models::motion::settings::{MotionAnalysis, MotionStart, SweepDirection};
 use judder_study::models::oscillator::engines::settings::EnginesSettings;
 use judder_study::models::oscillator::keys::OscillatorKey;
-use judder_study::models::oscillator::settings::OscillatorAnalysis;
 
 fn oscillator(settings: &str) -> MotionAnalysis<OscillatorKey> {
     let Case::Oscillator(case) =
@@ -15,10 +14,7 @@ fn oscillator(settings: &str) -> MotionAnalysis<OscillatorKey> {
     else {
         panic!("an oscillator case")
     };
-    match &case.analyses[0].kind {
-        OscillatorAnalysis::Motion(kind) => kind.clone(),
-        other => panic!("{other:?} is no analysis of motion"),
-    }
+    case.analyses[0].settings::<MotionAnalysis<OscillatorKey>>().unwrap().clone()
 }
 
 #[test]
@@ -59,10 +55,7 @@ fn a_limit_cycle_and_a_diagram_have_tolerances_of_their_own() {
 fn engines(settings: &str) -> EnginesSettings {
     let text = format!("model = \"oscillator\"\n[[analysis]]\nkind = \"engines\"\n{settings}");
     let Case::Oscillator(case) = parse(&text, &[]).unwrap() else { panic!("an oscillator case") };
-    match &case.analyses[0].kind {
-        OscillatorAnalysis::Engines(settings) => settings.clone(),
-        other => panic!("{other:?} compares no engines"),
-    }
+    case.analyses[0].settings::<EnginesSettings>().unwrap().clone()
 }
 
 #[test]

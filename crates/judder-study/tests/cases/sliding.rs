@@ -4,13 +4,13 @@ use crate::parse;
 use judder_study::case::file::Case;
 use judder_study::case::template::template;
 use judder_study::models::sliding::case::SlidingCase;
-use judder_study::models::sliding::case::analysis::SlidingAnalysis;
 use judder_study::models::sliding::case::contact::{Friction, FrictionTable, Interpolation};
-use judder_study::models::sliding::case::locus::{Along, Configuration};
-use judder_study::models::sliding::case::march::{MarchMethod, Predictor};
 use judder_study::models::sliding::case::motion::Axis;
 use judder_study::models::sliding::case::observe::{PointNode, PointQuantity, Signal};
-use judder_study::models::sliding::case::spectrogram::Window;
+use judder_study::models::sliding::growth::settings::Growth;
+use judder_study::models::sliding::locus::settings::{Along, Configuration, Locus};
+use judder_study::models::sliding::march::settings::{March, MarchMethod, Predictor};
+use judder_study::models::sliding::spectrogram::settings::{Spectrogram, Window};
 use judder_study::models::structure::case::StructureSource;
 use judder_study::models::structure::case::body::{EndCondition, Geometry};
 use judder_study::models::structure::case::damping::{Damping, Rayleigh};
@@ -31,8 +31,11 @@ pub(crate) fn with_analyses(analyses: &str) -> String {
     format!("{system}\n{analyses}")
 }
 
-fn analysis(text: &str) -> SlidingAnalysis {
-    sliding(&with_analyses(&format!("[[analysis]]\n{text}\n")), &[]).analyses.remove(0).kind
+fn analysis<T: Clone + 'static>(text: &str) -> T {
+    sliding(&with_analyses(&format!("[[analysis]]\n{text}\n")), &[]).analyses[0]
+        .settings::<T>()
+        .unwrap()
+        .clone()
 }
 
 /// Tables 1 and 2 of the beams paper, the text of its section 2.3, and the readings of what it does not print.
@@ -119,11 +122,8 @@ fn structures_points_and_analyses_go_by_their_names() {
     let StructureSource::Body(body) = &case.track().source else { panic!("a body") };
     assert_eq!(body.width, Some(0.021));
     assert_eq!(case.points[0].node, PointNode::Kept(KeptNodes::Set("end-lower".to_owned())));
-    let step = |kind: &SlidingAnalysis| match kind {
-        SlidingAnalysis::March(march) => Some(march.step),
-        _ => None,
-    };
-    let steps: Vec<_> = case.analyses.iter().filter_map(|analysis| step(&analysis.kind)).collect();
+    let marches = case.analyses.iter().filter_map(|analysis| analysis.settings::<March>());
+    let steps: Vec<_> = marches.map(|march| march.step).collect();
     assert_eq!(steps, [Some(3e-7), Some(2e-7), Some(3e-7), None]);
 }
 
@@ -137,7 +137,7 @@ fn friction_may_fall_with_the_speed() {
 
 #[test]
 fn a_locus_follows_the_path_where_nothing_is_said() {
-    let SlidingAnalysis::Locus(locus) = analysis("kind = \"locus\"") else { panic!("a locus") };
+    let locus: Locus = analysis("kind = \"locus\"");
     assert_eq!((locus.configuration, locus.damping, locus.count), (Configuration::Undeformed, true, 20));
     let Along::Positions(positions) = locus.along else { panic!("positions") };
     assert_eq!((positions.from, positions.to, positions.points), (0.01, 0.0985, 1000));
@@ -150,7 +150,7 @@ fn every_value_of_a_swept_key_is_a_case() {
          sweep = { key = \"structure.oblique.beam.angle\", from = \"-40 deg\", to = \"-20 deg\", points = 3 }\n",
     );
     let case = sliding(&text, &[]);
-    let SlidingAnalysis::Locus(locus) = &case.analyses[0].kind else { panic!("a locus") };
+    let locus: &Locus = case.analyses[0].settings().unwrap();
     let Along::Key { at, sweep } = &locus.along else { panic!("a key") };
     assert_eq!(*at, 0.074);
     for (value, degrees) in sweep.values.iter().zip([-40.0, -30.0, -20.0]) {
@@ -172,7 +172,7 @@ fn counts_and_defaults_are_swept_too() {
             "[[analysis]]\nkind = \"locus\"\nat = \"74 mm\"\nsweep = {{ key = \"{key}\", values = {values} }}\n"
         ));
         let case = sliding(&text, &[]);
-        let SlidingAnalysis::Locus(locus) = &case.analyses[0].kind else { panic!("a locus") };
+        let locus: &Locus = case.analyses[0].settings().unwrap();
         let Along::Key { sweep, .. } = &locus.along else { panic!("a key") };
         let [first, last] = [0, 1].map(|index| case.at(sweep, sweep.values[index]).unwrap());
         assert_eq!(
@@ -188,9 +188,7 @@ fn counts_and_defaults_are_swept_too() {
 
 #[test]
 fn a_march_takes_the_whole_path_and_chooses_its_step() {
-    let SlidingAnalysis::March(march) = analysis("kind = \"march\"\nmethod = \"ensubs\"") else {
-        panic!("a march")
-    };
+    let march: March = analysis("kind = \"march\"\nmethod = \"ensubs\"");
     assert_eq!((march.from, march.to, march.step), (0.01, 0.0985, None));
     assert!((march.signals.sample_rate.0 - 400e3).abs() < 1e-6);
     assert!((march.signals.pass_band / TAU - 50e3).abs() < 1e-6);
@@ -200,10 +198,9 @@ fn a_march_takes_the_whole_path_and_chooses_its_step() {
 
 #[test]
 fn what_belongs_to_a_method_is_read_with_it() {
-    let method = |text: &str| match analysis(text) {
-        SlidingAnalysis::March(march) => (march.method(), march.step),
-        SlidingAnalysis::Growth(growth) => (growth.method(), growth.step),
-        _ => panic!("a march or a growth"),
+    let method = |text: &str| {
+        let march: March = analysis(text);
+        (march.method(), march.step)
     };
     let found = method("kind = \"march\"\nmethod = \"subs\"\nslope = \"static\"");
     assert_eq!(found, (MarchMethod::Subs { static_slope: true }, None));
@@ -212,10 +209,10 @@ fn what_belongs_to_a_method_is_read_with_it() {
         matches!(found, MarchMethod::ResidualFlexibility { cut_off } if (cut_off / TAU - 1e5).abs() < 1e-6)
     );
     assert_eq!(step, None);
-    let found = method(
+    let growth: Growth = analysis(
         "kind = \"growth\"\nmethod = \"film\"\nposition = \"82 mm\"\nfrequency = \"3.5 kHz\"\nstep = \"2e-7 s\"",
     );
-    assert_eq!(found, (MarchMethod::Film, Some(2e-7)));
+    assert_eq!((growth.method(), growth.step), (MarchMethod::Film, Some(2e-7)));
 }
 
 #[test]
@@ -227,9 +224,7 @@ fn the_predictor_is_that_under_the_last_force_where_nothing_is_said() {
         ("method = \"subs\"", None),
         ("method = \"residual-flexibility\"", None),
     ] {
-        let SlidingAnalysis::March(march) = analysis(&format!("kind = \"march\"\n{settings}")) else {
-            panic!("a march")
-        };
+        let march: March = analysis(&format!("kind = \"march\"\n{settings}"));
         assert_eq!(march.predictor, expected, "{settings}");
     }
 }
@@ -241,7 +236,7 @@ fn velocities_displacements_and_sounds_are_kept_on_request() {
             &with_analyses(&format!("[[analysis]]\nkind = \"march\"\nmethod = \"ensubs\"\n{settings}\n")),
             &[],
         );
-        let SlidingAnalysis::March(march) = &case.analyses[0].kind else { panic!("a march") };
+        let march: &March = case.analyses[0].settings().unwrap();
         let names = |signals: Vec<Signal>| {
             signals.iter().map(|signal| signal.name(&case.points)).collect::<Vec<_>>().join(" ")
         };
@@ -270,9 +265,9 @@ fn a_path_may_run_back() {
         "[[analysis]]\nkind = \"march\"\nmethod = \"ensubs\"\nto = \"50 mm\"\n[[analysis]]\nkind = \"locus\"\n",
     );
     let case = sliding(&text, &["motion.start=98.5 mm", "motion.end=10 mm", "motion.velocity=-30 mm/s"]);
-    let SlidingAnalysis::March(march) = &case.analyses[0].kind else { panic!("a march") };
+    let march: &March = case.analyses[0].settings().unwrap();
     assert_eq!((march.from, march.to), (0.0985, 0.05));
-    let SlidingAnalysis::Locus(locus) = &case.analyses[1].kind else { panic!("a locus") };
+    let locus: &Locus = case.analyses[1].settings().unwrap();
     let Along::Positions(positions) = &locus.along else { panic!("positions") };
     assert_eq!((positions.from, positions.to), (0.01, 0.0985));
 }
@@ -291,7 +286,7 @@ fn a_spectrogram_has_the_unit_of_its_signal() {
         ("range = [-60.0, 40]\noverlap = 0", 1.0),
     ] {
         let case = sliding(&with_analyses(&format!("{march}{settings}\n")), &[]);
-        let SlidingAnalysis::Spectrogram(found) = &case.analyses[1].kind else { panic!("a spectrogram") };
+        let found: &Spectrogram = case.analyses[1].settings().unwrap();
         assert_eq!((found.reference.number, found.window, found.length), (reference, Window::Hann, 5e-3));
     }
 }

@@ -2,13 +2,13 @@
 
 use crate::parse;
 use judder_study::case::file::{Case, CaseFile};
-use judder_study::models::structure::case::analysis::StructureAnalysis;
-use judder_study::models::structure::case::analysis::{EigenMethod, Modes};
 use judder_study::models::structure::case::body::{BlockElement, EndCondition, Geometry};
 use judder_study::models::structure::case::damping::Damping;
 use judder_study::models::structure::case::damping::Rayleigh;
 use judder_study::models::structure::case::reduction::{FixedModes, KeptNodes};
 use judder_study::models::structure::case::{StructureCase, StructureSource};
+use judder_study::models::structure::eigen_sweep::settings::{EigenMethod, EigenSweep};
+use judder_study::models::structure::modes::Modes;
 use std::f64::consts::TAU;
 
 fn structure(text: &str) -> StructureCase {
@@ -53,7 +53,7 @@ fn a_beam_has_its_numbers_in_si_units() {
     assert_eq!(reduction.kept[0].nodes, KeptNodes::Set("end".to_owned()));
     assert_eq!(reduction.modes, FixedModes::CutOff(TAU * 20e3));
     let band = Modes::Band([0.0, TAU * 10e3]);
-    let StructureAnalysis::Modes(modes) = &case.analyses[0].kind else { panic!("modes") };
+    let modes: &Modes = case.analyses[0].settings().unwrap();
     assert_eq!(*modes, band);
 }
 
@@ -139,7 +139,7 @@ fn sums_of_matrices_have_factors_of_parameters() {
         .collect();
     assert_eq!(values, [1.0, 1.0, 2.0, -0.5, 1.0, 3.0]);
     assert_eq!(case.files().len(), 6);
-    let StructureAnalysis::EigenSweep(sweep) = &case.analyses[1].kind else { panic!("a sweep") };
+    let sweep: &EigenSweep = case.analyses[1].settings().unwrap();
     assert_eq!(
         (&sweep.sweep.values[..], sweep.method),
         (&[1.0, 2.0, 4.0][..], EigenMethod::Projected { tolerance: 1e-4 })

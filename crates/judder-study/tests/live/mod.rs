@@ -8,7 +8,8 @@ use judder_study::analyses::{self, BoundaryKind, MotionBlock, boundary_curves, r
 use judder_study::case::file::{Case, CaseFile};
 use judder_study::law_cache::{LawCache, law_surface};
 use judder_study::models::oscillator::case::OscillatorCase;
-use judder_study::models::oscillator::settings::OscillatorAnalysis;
+use judder_study::models::oscillator::keys::OscillatorKey;
+use judder_study::models::sweep::StabilityMap;
 use judder_study::{Progress, Silent, StudyError, bridge, point};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::SystemTime;
@@ -72,7 +73,7 @@ fn boundaries_one_by_one_are_the_overlays_of_the_map() {
     let file = parsed(MAP);
     let outcome = analyses::run(&file.case, 0, &Silent).unwrap();
     let Case::Oscillator(case) = &file.case else { panic!() };
-    let OscillatorAnalysis::StabilityMap(settings) = &case.analyses[0].kind else { panic!() };
+    let settings = case.analyses[0].settings::<StabilityMap<OscillatorKey>>().unwrap();
     let contact = bridge::contact_of(case, &Silent).unwrap().contact;
     for kind in BoundaryKind::ALL {
         let curves = boundary_curves(kind, (case, &contact), settings).unwrap();
@@ -92,7 +93,7 @@ fn nothing_is_without_the_coupling_that_is_swept() {
         "operation.velocity\", from = 1e-8, to = 1e2",
         "oscillator.coupling\", from = 0.1, to = 1.0",
     ));
-    let OscillatorAnalysis::StabilityMap(settings) = &case.analyses[0].kind else { panic!() };
+    let settings = case.analyses[0].settings::<StabilityMap<OscillatorKey>>().unwrap();
     let contact = bridge::contact_of(&case, &Silent).unwrap().contact;
     assert_eq!(boundary_curves(BoundaryKind::Decoupled, (&case, &contact), settings), None);
 }

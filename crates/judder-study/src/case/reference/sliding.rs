@@ -1,8 +1,8 @@
 //! What the page says of sliding cases.
 
 use super::kinds;
+use crate::models::sliding::KINDS;
 use crate::models::sliding::case::SystemKeys;
-use crate::models::sliding::case::analysis::KINDS;
 use judder_keys::declared::Settings;
 use judder_keys::reference::settings;
 

@@ -1,7 +1,7 @@
 //! What the page says of structure cases.
 
 use super::kinds;
-use crate::models::structure::case::analysis::KINDS;
+use crate::models::structure::KINDS;
 use crate::models::structure::case::body::BodyKeys;
 use crate::models::structure::case::damping::Damping;
 use crate::models::structure::case::reduction::Reduction;

@@ -2,11 +2,9 @@
 
 use serde_json::{Value as Json, json};
 
+use super::analyses;
 use super::structure::{body, matrices, parameters};
-use super::{declared, named};
 use crate::models::sliding::case::SlidingCase;
-use crate::models::sliding::case::analysis::SlidingAnalysis;
-use crate::models::sliding::case::march::MarchWord;
 use crate::models::sliding::case::structure::SlidingStructure;
 use crate::models::structure::case::StructureSource;
 use judder_keys::declared::Setting;
@@ -20,7 +18,7 @@ pub(super) fn case(case: &SlidingCase) -> Json {
         "contact": Setting::write(&case.contact, &()),
         "motion": Setting::write(&case.motion, &()),
         "observe": { "points": case.points.iter().map(|point| point.write(&())).collect::<Vec<_>>() },
-        "analysis": case.analyses.iter().map(|own| named(own, analysis)).collect::<Vec<_>>(),
+        "analysis": analyses(&case.analyses, |kind, json| kind.write(json)),
     })
 }
 
@@ -36,21 +34,4 @@ fn structure(structure: &SlidingStructure) -> Json {
     json["name"] = json!(*structure.name);
     json["reduction"] = Setting::write(&structure.reduction, &());
     json
-}
-
-fn analysis(kind: &SlidingAnalysis) -> Json {
-    match kind {
-        SlidingAnalysis::Modes(settings) => declared("modes", settings),
-        SlidingAnalysis::Locus(settings) => declared("locus", settings),
-        SlidingAnalysis::March(settings) => declared("march", settings),
-        SlidingAnalysis::Spectrogram(settings) => declared("spectrogram", settings),
-        SlidingAnalysis::Growth(settings) => {
-            let mut json = declared("growth", settings);
-            // what a march by this method has besides
-            if settings.word == MarchWord::Subs {
-                json["slope"] = json!("none");
-            }
-            json
-        }
-    }
 }

@@ -2,13 +2,10 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use super::{declared, named, number};
-use crate::models::read_sweep::write_family;
-use crate::models::structure::case::analysis::{EigenMethod, StructureAnalysis};
+use super::{analyses, number};
 use crate::models::structure::case::body::{Body, Geometry, Material, PlaneSection};
 use crate::models::structure::case::matrices::{MatrixSums, MatrixTerm};
 use crate::models::structure::case::{StructureCase, StructureSource};
-use crate::models::swept_keys::ParameterKeys;
 use crate::models::two_degrees::case::Parameter;
 use judder_keys::declared::Setting;
 use judder_keys::dimension::Dimension;
@@ -18,7 +15,7 @@ pub(super) fn case(case: &StructureCase) -> Json {
     let mut json = json!({
         "model": "structure",
         "title": case.title,
-        "analysis": case.analyses.iter().map(|a| named(a, analysis)).collect::<Vec<_>>(),
+        "analysis": analyses(&case.analyses, |kind, json| kind.write(json)),
     });
     match &case.source {
         StructureSource::Body(source) => {
@@ -77,25 +74,4 @@ pub(super) fn matrices(sums: &MatrixSums) -> Json {
     // the files stand for themselves, wherever their folder is
     json.insert("freedoms".to_owned(), json!(sums.freedoms.as_ref().map(|file| &file.given)));
     Json::Object(json)
-}
-
-fn analysis(kind: &StructureAnalysis) -> Json {
-    match kind {
-        StructureAnalysis::Modes(settings) => declared("modes", settings),
-        StructureAnalysis::Reduction(settings) => declared("reduction", settings),
-        StructureAnalysis::Eigen(settings) => declared("eigen", settings),
-        StructureAnalysis::EigenSweep(sweep) => {
-            let mut json = json!({
-                "kind": "eigen-sweep", "region": Setting::write(&sweep.region, &()), "method": sweep.method.name(),
-                "sweep": { "key": sweep.sweep.path, "values": sweep.sweep.values, "scale": sweep.sweep.scale.name() },
-            });
-            if let Some(json) = json.as_object_mut() {
-                write_family::<ParameterKeys>(sweep.family.as_ref(), json);
-            }
-            if let EigenMethod::Projected { tolerance } = sweep.method {
-                json["tolerance"] = json!(tolerance);
-            }
-            json
-        }
-    }
 }

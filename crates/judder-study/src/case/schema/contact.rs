@@ -3,8 +3,8 @@
 use serde_json::{Map, Value as Json, json};
 
 use super::analyses;
+use crate::models::contact::KINDS;
 use crate::models::contact::case::{ContactCase, ContactKeys, IndenterKeys};
-use crate::models::contact::settings::KINDS;
 use crate::models::oscillator::keys::OscillatorKey;
 use crate::models::substrate::SubstrateKeys;
 use judder_keys::declared::Settings;

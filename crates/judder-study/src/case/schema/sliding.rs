@@ -4,8 +4,8 @@ use serde_json::{Value as Json, json};
 
 use super::analyses;
 use super::structure::{damping, list, matrices, reduction};
+use crate::models::sliding::KINDS;
 use crate::models::sliding::case::SystemKeys;
-use crate::models::sliding::case::analysis::KINDS;
 use crate::models::sliding::case::plain_name::PlainName;
 use crate::models::structure::case::body::BodyKeys;
 use judder_keys::declared::{Setting, Settings};

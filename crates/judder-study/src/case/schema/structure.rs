@@ -3,7 +3,7 @@
 use serde_json::{Map, Value as Json, json};
 
 use super::analyses;
-use crate::models::structure::case::analysis::KINDS;
+use crate::models::structure::KINDS;
 use crate::models::structure::case::body::BodyKeys;
 use crate::models::structure::case::damping::Damping;
 use crate::models::structure::case::matrices::Triangle;

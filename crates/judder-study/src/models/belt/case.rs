@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::case::analysis::{Analysis, Kind, read_analyses};
+use crate::case::analysis::{Kind, Planned, read_analyses};
 use crate::models::motion::settings::{MotionAnalysis, MotionKinds, MotionModel};
 use crate::models::swept_keys::{SweptKeys, key_among};
 use judder_keys::cause::Cause;
@@ -117,7 +117,7 @@ pub struct BeltCase {
     /// The value of every key at the operating point of the case.
     pub inputs: BeltInputs,
     /// The analyses in the order of the case file.
-    pub analyses: Vec<Analysis<MotionAnalysis<BeltKey>>>,
+    pub analyses: Vec<Planned<MotionAnalysis<BeltKey>>>,
 }
 
 /// The keys that the analyses of a belt case can vary.
@@ -196,7 +196,7 @@ impl MotionModel for BeltKeys {
 pub(crate) const BELT_SECTIONS: [&str; 3] = ["oscillator", "friction", "operation"];
 
 /// The kinds of a belt case.
-pub(crate) const KINDS: [Kind<BeltKeys, MotionAnalysis<BeltKey>>; 4] =
+pub(crate) static KINDS: [Kind<BeltKeys, MotionAnalysis<BeltKey>>; 4] =
     [MotionKinds::HISTORY, MotionKinds::LIMIT_CYCLE, MotionKinds::BIFURCATION, MotionKinds::BASIN];
 
 /// Reads a belt case from the root of its tree.

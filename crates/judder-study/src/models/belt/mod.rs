@@ -6,11 +6,12 @@ mod check;
 use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::model::{Analysed, Analysis, Model, Prepared, Task};
-use crate::models::belt::case::{BeltCase, BeltKey};
+use crate::models::belt::case::{BeltCase, BeltKey, BeltKeys};
 use crate::models::motion::settings::MotionAnalysis;
 use crate::models::motion::{self, check::estimate, model::BeltModel};
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, Resolved, cost};
+use serde_json::{Map, Value};
 
 impl Analysed for BeltCase {
     type Subject<'a> = BeltModel<'a>;
@@ -30,6 +31,10 @@ impl Analysis<BeltCase> for MotionAnalysis<BeltKey> {
 
     fn estimate(&self, name: &&str) -> Result<Estimate, StudyError> {
         Ok(estimate(name, self, cost::RADIAN_ON_BELT))
+    }
+
+    fn write(&self, json: &mut Map<String, Value>) {
+        self.write_table::<BeltKeys>(json);
     }
 }
 

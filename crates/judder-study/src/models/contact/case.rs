@@ -2,9 +2,10 @@
 
 use std::path::Path;
 
-use crate::case::analysis::{Analysis, read_analyses};
-use crate::models::contact::settings::{ContactAnalysis, ContactScope, KINDS};
+use crate::case::analysis::{Planned, read_analyses};
+use crate::models::contact::settings::ContactScope;
 use crate::models::contact::shape::Shape;
+use crate::models::contact::{Exciting, KINDS};
 use crate::models::oscillator::case::moduli_place;
 use crate::models::oscillator::inputs::{LawName, OscillatorInputs};
 use crate::models::oscillator::keys::OscillatorKey;
@@ -17,9 +18,10 @@ use judder_keys::file_reference::FileReference;
 use judder_keys::memory::Memory;
 use judder_keys::numeric_key::read_value;
 use judder_keys::section::Section;
+use std::sync::Arc;
 
 /// A validated contact case.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct ContactCase {
     /// The title; empty where the case gives none.
     pub title: String,
@@ -30,7 +32,7 @@ pub struct ContactCase {
     /// The shape of the indenter.
     pub shape: Shape,
     /// The analyses in the order of the case file.
-    pub analyses: Vec<Analysis<ContactAnalysis>>,
+    pub analyses: Vec<Planned<Arc<dyn Exciting>>>,
 }
 
 /// What a case has beside its tables.

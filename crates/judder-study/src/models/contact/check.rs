@@ -1,6 +1,6 @@
 //! What `judder check` shows of a contact case.
 
-use super::{Subject, analysis};
+use super::Subject;
 use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::material::{self, ContactScales};
@@ -19,14 +19,14 @@ use serde_json::{Value, json};
 const SECONDS_AT_256: f64 = 0.3;
 
 /// What an analysis would take.
-pub(crate) struct ContactEstimate {
-    pub(super) name: String,
+pub struct ContactEstimate {
+    pub name: String,
     /// What is asked, in groups.
-    pub(super) asked: String,
+    pub asked: String,
     /// Likely contacts.
-    pub(super) contacts: usize,
+    pub contacts: usize,
     /// Columns and rows of the likely grid; none where nothing touches.
-    pub(super) lattice: [usize; 2],
+    pub lattice: [usize; 2],
 }
 
 impl ContactEstimate {
@@ -49,7 +49,7 @@ pub(super) fn resolve(file: &CaseFile, case: &ContactCase) -> Result<Resolved, S
     let scales = ContactScales::new(case)?;
     let (mut estimates, mut of_bands) = (Vec::new(), Vec::new());
     for own in &case.analyses {
-        let (subject, asked) = (Subject::new(case, &scales, &own.name), analysis(&own.kind));
+        let (subject, asked) = (Subject::new(case, &scales, &own.name), &*own.kind);
         estimates.push(asked.estimate(&subject)?);
         let told = subject.band_warning(asked)?;
         of_bands.extend(told.map(|told| format!("{}: {told}", own.name)));

@@ -9,24 +9,25 @@ mod blame;
 pub mod case;
 mod check;
 mod fields;
-mod fit;
-pub(crate) mod law;
-mod modulus;
+pub mod fit;
+pub mod law;
+pub mod modulus;
 pub mod problem;
 pub mod settings;
 pub mod shape;
-pub(crate) mod single;
+pub mod single;
 mod size;
 pub mod transient;
 
+use crate::case::analysis::Kind;
 use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::indenter::profile;
 use crate::material::ContactScales;
 use crate::measured_band::MeasuredBand;
-use crate::model::{Analysed, Analysis, Model, Pictured, Place, Prepared, Refusal, Task};
+use crate::model::{Analysed, Analysis, Model, Place, Prepared, Refusal, Task};
 use crate::models::contact::case::ContactCase;
-use crate::models::contact::settings::{ContactAnalysis, LawMethod};
+use crate::models::contact::settings::{ContactScope, LawMethod};
 use crate::outcome::{CheckRecord, Outcome};
 use crate::resolve::Resolved;
 use crate::spectrum_source::temperature_warning;
@@ -38,24 +39,14 @@ use judder_keys::error::CaseError;
 use judder_store::number;
 use serde_json::json;
 use std::cell::OnceCell;
+use std::sync::Arc;
 
-/// The kinds of analyses that have a figure.
-pub(super) const PICTURED: [Pictured; 5] =
-    [single::PICTURED, law::PICTURED, fit::PICTURED, modulus::PICTURED, transient::PICTURED];
-
-/// What an analysis computes.
-fn analysis(kind: &ContactAnalysis) -> &dyn Exciting {
-    match kind {
-        ContactAnalysis::Contact(settings) => settings,
-        ContactAnalysis::ContactLaw(settings) => settings,
-        ContactAnalysis::Fit(settings) => settings,
-        ContactAnalysis::Modulus(settings) => settings,
-        ContactAnalysis::Transient(settings) => settings,
-    }
-}
+/// The kinds of analyses.
+pub(crate) static KINDS: [Kind<ContactScope, Arc<dyn Exciting>>; 5] =
+    [single::KIND, law::KIND, fit::KIND, modulus::KIND, transient::KIND];
 
 /// An analysis that excites the substrate.
-trait Exciting: Analysis<ContactCase> {
+pub trait Exciting: Analysis<ContactCase> {
     /// ω τ = v τ/a of what is asked, with a = √(R δ) of the depth that is asked or that an elastic contact has; of a periodic surface
     /// 2π v τ/λ of its longest and, where it is known, its shortest wave.
     ///
@@ -65,7 +56,7 @@ trait Exciting: Analysis<ContactCase> {
 }
 
 /// An indenter on a substrate, and the name of an analysis of them.
-pub(crate) struct Subject<'a> {
+pub struct Subject<'a> {
     case: &'a ContactCase,
     scales: &'a ContactScales,
     name: &'a str,
@@ -122,22 +113,22 @@ impl Model for ContactCase {
         for (index, own) in self.analyses.iter().enumerate().filter(|(_, own)| is_wanted(&own.name)) {
             subject.name = &own.name;
             let place = Place { file, index, name: &own.name };
-            analysis(&own.kind).fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
+            own.kind.fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
         }
         Ok(Prepared::NOTHING)
     }
 
     fn steps(&self, index: usize) -> usize {
-        analysis(&self.analyses[index].kind).steps()
+        self.analyses[index].kind.steps()
     }
 
     fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {
         let own = &self.analyses[index];
         let scales = ContactScales::new(self)?;
         let subject = Subject::new(self, &scales, &own.name);
-        let mut outcome = analysis(&own.kind).run(&subject, task)?;
+        let mut outcome = own.kind.run(&subject, task)?;
         outcome.warnings.extend(temperature_warning(&self.substrate)?);
-        outcome.warnings.extend(subject.band_warning(analysis(&own.kind))?);
+        outcome.warnings.extend(subject.band_warning(&*own.kind)?);
         if let Some(found) = &scales.material.discretisation {
             tell_discretisation(&mut outcome, found);
         }
@@ -146,7 +137,7 @@ impl Model for ContactCase {
 
     fn blamed(&self, error: &StudyError, place: Place<'_>) -> Option<CaseError> {
         let own = &self.analyses.get(place.index)?.kind;
-        let refusal = analysis(own).blame(error).or_else(|| blame::blame(error))?;
+        let refusal = own.blame(error).or_else(|| blame::blame(error))?;
         Some(refusal.placed(place))
     }
 

@@ -1,9 +1,7 @@
 //! The analyses of a contact case.
 
-use crate::case::analysis::Kind;
 use crate::models::contact::problem::ContactProblem;
 use crate::models::contact::shape::Shape;
-use crate::models::contact::transient::settings::TransientSettings;
 use crate::models::oscillator::inputs::{LawName, OscillatorInputs};
 use judder_keys::cause::Cause;
 use judder_keys::declared::{
@@ -20,21 +18,6 @@ use judder_keys::section::{Section, whole};
 use judder_keys::span::Span;
 use judder_keys::{Choice, Settings};
 use serde_json::{Value as Json, json};
-
-/// What an analysis of a contact case computes.
-#[derive(Debug, Clone, PartialEq)]
-pub enum ContactAnalysis {
-    /// `contact`: one contact, with its fields.
-    Contact(ContactSettings),
-    /// `contact-law`: force, area and friction over speed and indentation.
-    ContactLaw(LawSettings),
-    /// `fit`: the three functions of the oscillator paper through a computed law.
-    Fit(FitSettings),
-    /// `modulus`: storage and loss modulus and loss tangent.
-    Modulus(ModulusSettings),
-    /// `transient`: a contact that is followed in time.
-    Transient(TransientSettings),
-}
 
 /// One contact.
 #[derive(Debug, Clone, Copy, PartialEq, Settings)]
@@ -184,43 +167,6 @@ impl ContactScope {
     }
 }
 
-/// The kinds of a contact case.
-pub(crate) const KINDS: [Kind<ContactScope, ContactAnalysis>; 5] = [
-    Kind::declared(
-        "contact",
-        "one contact: force, area, friction, fields",
-        ContactSettings::declarations,
-        |scope, section| ContactSettings::of(scope, section).map(ContactAnalysis::Contact),
-    ),
-    Kind::declared(
-        "contact-law",
-        "force, area and friction over speed and indentation, as a law for an oscillator",
-        LawSettings::declarations,
-        |scope, section| LawSettings::of("contact-law", scope, section).map(ContactAnalysis::ContactLaw),
-    ),
-    Kind::declared(
-        "fit",
-        "the three functions of the oscillator paper, fitted to a computed law",
-        FitSettings::declarations,
-        |scope, section| {
-            let settings = both(LawSettings::of("fit", scope, section), FitReading::read_table(section));
-            settings.map(|(law, reading)| ContactAnalysis::Fit(FitSettings { law, reading }))
-        },
-    ),
-    Kind::declared(
-        "modulus",
-        "storage and loss modulus and loss tangent over frequency",
-        ModulusSettings::declarations,
-        |_, section| ModulusSettings::read_table(section).map(ContactAnalysis::Modulus),
-    ),
-    Kind::declared(
-        "transient",
-        "a contact that is followed in time: histories of force, friction and area, work of a cycle",
-        TransientSettings::declarations,
-        |scope, section| TransientSettings::of(scope, section).map(ContactAnalysis::Transient),
-    ),
-];
-
 impl Loading {
     /// The one of two that presses the indenter down.
     pub(crate) fn of(indentation: Option<Value>, load: Option<Value>) -> Self {
@@ -250,7 +196,7 @@ impl Loading {
 
 impl ContactSettings {
     /// Reads them for an indenter: its shape decides what a load is, and which keys have a meaning.
-    fn of(scope: &ContactScope, section: &Section<'_>) -> Result<Self, Fault> {
+    pub(super) fn of(scope: &ContactScope, section: &Section<'_>) -> Result<Self, Fault> {
         let is_line = scope.shape == Shape::Cylinder;
         let (endless, what): (&[_], _) = match &scope.shape {
             Shape::Cylinder => {
@@ -286,7 +232,7 @@ impl ContactSettings {
 
 impl LawSettings {
     /// Reads them of this kind for an indenter, whose shape decides how the plane may be covered.
-    fn of(kind: &'static str, scope: &ContactScope, section: &Section<'_>) -> Result<Self, Fault> {
+    pub(super) fn of(kind: &'static str, scope: &ContactScope, section: &Section<'_>) -> Result<Self, Fault> {
         scope.is_round(kind, section)?;
         if scope.moduli_known {
             scope.inputs.check(LawName::Bem).map_err(|cause| cause.at(section.place))?;
@@ -307,7 +253,7 @@ impl LawSettings {
 
 impl FitSettings {
     /// The keys of the law, and of how it is read.
-    fn declarations() -> Vec<Declaration> {
+    pub(super) fn declarations() -> Vec<Declaration> {
         let mut keys = LawSettings::declarations();
         // the memory limit stays the last
         let end = keys.len().saturating_sub(1);

@@ -21,15 +21,11 @@ pub use history::MotionBlock;
 
 use crate::error::StudyError;
 use crate::kept::Kept;
-use crate::model::{Pictured, Task};
+use crate::model::Task;
 use crate::models::motion::settings::{Bifurcation, MotionAnalysis};
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use model::Moving;
-
-/// The kinds of analyses that have a figure.
-pub(super) const PICTURED: [Pictured; 4] =
-    [history::PICTURED, limit_cycle::PICTURED, bifurcation::PICTURED, basin::PICTURED];
 
 /// How many steps an analysis announces.
 pub(crate) fn steps<K>(kind: &MotionAnalysis<K>) -> usize {

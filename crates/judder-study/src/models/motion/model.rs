@@ -196,10 +196,10 @@ impl Moving<4> for OscillatorModel<'_> {
 }
 
 /// The mass on a belt of a case.
-pub(crate) struct BeltModel<'a>(pub(crate) &'a BeltInputs);
+pub struct BeltModel<'a>(pub &'a BeltInputs);
 
 impl<'a> BeltModel<'a> {
-    pub(crate) fn new(case: &'a BeltCase) -> Self {
+    pub fn new(case: &'a BeltCase) -> Self {
         Self(&case.inputs)
     }
 }

@@ -324,12 +324,14 @@ impl<S: MotionModel> MotionKinds<S> {
         "the history of one motion: stick, slip, lift-off, its averages, its energy",
         declared::<S, History>,
         |_, section| read::<S, History>(section).map(|own| S::of_motion(MotionAnalysis::History(own))),
+        Some(super::history::PICTURE),
     );
     pub(crate) const LIMIT_CYCLE: Kind<S, S::Analysis> = Kind::declared(
         "limit-cycle",
         "the cycle that a motion settles to, with its Floquet multipliers",
         declared::<S, LimitCycle>,
         |_, section| read::<S, LimitCycle>(section).map(|own| S::of_motion(MotionAnalysis::LimitCycle(own))),
+        Some(super::limit_cycle::PICTURE),
     );
     pub(crate) const BIFURCATION: Kind<S, S::Analysis> = Kind::declared(
         "bifurcation",
@@ -339,12 +341,14 @@ impl<S: MotionModel> MotionKinds<S> {
             let (sweep, diagram) = both(SWEEP.read_alone(keys, section), read::<S, Diagram>(section))?;
             Ok(S::of_motion(MotionAnalysis::Bifurcation(Bifurcation { sweep, diagram })))
         },
+        Some(super::bifurcation::PICTURE),
     );
     pub(crate) const BASIN: Kind<S, S::Analysis> = Kind::declared(
         "basin",
         "the share of starts, drawn evenly, from which steady sliding is reached",
         declared::<S, Basin>,
         |_, section| read::<S, Basin>(section).map(|own| S::of_motion(MotionAnalysis::Basin(own))),
+        Some(super::basin::PICTURE),
     );
 }
 
@@ -358,8 +362,8 @@ fn read<S: MotionModel, T: Settings>(section: &Section<'_>) -> Result<T, Fault> 
 }
 
 impl<K: Copy> MotionAnalysis<K> {
-    /// Puts the settings into a canonical form, and says of which kind they are.
-    pub(crate) fn write<S: SweptKeys<Key = K>>(&self, json: &mut Map<String, Json>) -> &'static str {
+    /// Puts the settings into a canonical form.
+    pub(crate) fn write_table<S: SweptKeys<Key = K>>(&self, json: &mut Map<String, Json>) {
         match self {
             Self::History(own) => own.write_table(json),
             Self::LimitCycle(own) => own.write_table(json),
@@ -368,12 +372,6 @@ impl<K: Copy> MotionAnalysis<K> {
                 own.diagram.write_table(json);
             }
             Self::Basin(own) => own.write_table(json),
-        }
-        match self {
-            Self::History(_) => "motion",
-            Self::LimitCycle(_) => "limit-cycle",
-            Self::Bifurcation(_) => "bifurcation",
-            Self::Basin(_) => "basin",
         }
     }
 }

@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
-use crate::case::analysis::{Analysis, read_analyses};
+use crate::case::analysis::{Planned, read_analyses};
 use crate::models::contact::settings::{ACCURACY, LAW_ACCURACY};
 use crate::models::oscillator::inputs::{FrictionLoad, LawName, OscillatorInputs, TimeForm};
 use crate::models::oscillator::keys::KEYS;
 use crate::models::oscillator::problem::OscillatorProblem;
-use crate::models::oscillator::settings::{KINDS, OscillatorAnalysis};
+use crate::models::oscillator::{KINDS, Operated};
 use crate::models::substrate::{RelaxationSource, Substrate, read_substrate};
 use crate::models::swept_keys::OscillatorKeys;
 use judder_keys::cause::Cause;
@@ -19,9 +19,10 @@ use judder_keys::numeric_key::Key;
 use judder_keys::numeric_key::read_value;
 use judder_keys::problem::Placed;
 use judder_keys::section::Section;
+use std::sync::Arc;
 
 /// A validated oscillator case.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct OscillatorCase {
     /// The title; empty where the case gives none.
     pub title: String,
@@ -38,7 +39,7 @@ pub struct OscillatorCase {
     /// What is said of the substrate beside its numeric keys.
     pub substrate: Substrate,
     /// The analyses in the order of the case file.
-    pub analyses: Vec<Analysis<OscillatorAnalysis>>,
+    pub analyses: Vec<Planned<Arc<dyn Operated>>>,
 }
 
 impl Default for OscillatorCase {
@@ -58,6 +59,14 @@ impl Default for OscillatorCase {
 }
 
 impl OscillatorCase {
+    /// Whether the other has the same oscillator in the same contact, whatever its analyses are.
+    pub(crate) fn is_like(&self, other: &Self) -> bool {
+        let Self { title, inputs, law, law_file, law_accuracy, friction_load, substrate, analyses: _ } = self;
+        let of_contact = (law, law_file, law_accuracy, friction_load);
+        (title, inputs, substrate) == (&other.title, &other.inputs, &other.substrate)
+            && of_contact == (&other.law, &other.law_file, &other.law_accuracy, &other.friction_load)
+    }
+
     /// How the relaxation of the substrate was given.
     pub fn time_form(&self) -> TimeForm {
         self.inputs.time_form()

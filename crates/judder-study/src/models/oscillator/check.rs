@@ -29,7 +29,7 @@ pub(super) fn resolve(file: &CaseFile, case: &OscillatorCase) -> Result<Resolved
         LawName::Bem => Err(LATER.to_owned()),
         _ => point::point(case).map_err(|error| format!("no answer: {error}")),
     };
-    let estimates = case.analyses.iter().map(|own| super::analysis(&own.kind).estimate(&own.name.as_str()));
+    let estimates = case.analyses.iter().map(|own| own.kind.estimate(&own.name.as_str()));
     let estimates = estimates.collect::<Result<Vec<Estimate>, StudyError>>()?;
     let mut text = format!(
         "{}\n\nlaw {}, friction load {}\n\n",

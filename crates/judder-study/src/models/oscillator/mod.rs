@@ -10,10 +10,10 @@
 
 pub mod case;
 mod check;
-pub(crate) mod critical;
+pub mod critical;
 pub(crate) mod curves;
 pub mod engines;
-mod equivalent_damping;
+pub mod equivalent_damping;
 pub mod given;
 pub mod inputs;
 pub mod key_plane;
@@ -25,27 +25,29 @@ pub mod point;
 pub mod problem;
 pub mod quasi_steady;
 pub mod settings;
-pub(crate) mod spectrum;
-pub(crate) mod stability_map;
+pub mod spectrum;
+pub mod stability_map;
 pub(crate) mod steady_states;
 
 pub use stability_map::{BoundaryCurves, BoundaryKind, boundary_curves};
 
 use crate::bridge::{self, CaseContact};
+use crate::case::analysis::Kind;
 use crate::case::file::CaseFile;
 use crate::case::study_sweep::StudySweep;
 use crate::error::StudyError;
 use crate::known_substrate::KnownSubstrate;
 use crate::model::{
-    Analysed, Analysis, Model, OperatingPoints, OperatingQuantity, OperatingWork, Pictured, Prepared, Task,
+    Analysed, Analysis, Model, OperatingPoints, OperatingQuantity, OperatingWork, Prepared, Task,
 };
 use crate::models::motion::settings::MotionAnalysis;
+use crate::models::motion::settings::MotionKinds;
 use crate::models::motion::{self, check::estimate, model::OscillatorModel};
 use crate::models::oscillator::case::OscillatorCase;
 use crate::models::oscillator::inputs::{LawName, OscillatorInputs};
 use crate::models::oscillator::keys::OscillatorKey;
-use crate::models::oscillator::settings::OscillatorAnalysis;
 use crate::models::sweep::{Family, Sweep};
+use crate::models::swept_keys::OscillatorKeys;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::resolve::{Estimate, Resolved, cost};
@@ -53,32 +55,25 @@ use judder_contact::law::sweep::SolvedPoint;
 use judder_oscillator::Contact;
 use operating_points::OfOneLaw;
 use quasi_steady::{Condition, of_motions};
-use serde_json::Value;
+use serde_json::{Map, Value};
+use std::sync::Arc;
 
-/// The kinds of analyses that have a figure, but for those of motion.
-pub(super) const PICTURED: [Pictured; 6] = [
-    equivalent_damping::PICTURED,
-    spectrum::PICTURED,
+/// The kinds of analyses.
+pub(crate) static KINDS: [Kind<OscillatorKeys, Arc<dyn Operated>>; 10] = [
+    equivalent_damping::KIND,
+    spectrum::KIND,
     critical::OF_SHEAR_STRENGTH,
     critical::OF_LOAD,
-    stability_map::PICTURED,
-    engines::PICTURED,
+    stability_map::KIND,
+    MotionKinds::HISTORY,
+    MotionKinds::LIMIT_CYCLE,
+    MotionKinds::BIFURCATION,
+    MotionKinds::BASIN,
+    engines::KIND,
 ];
 
-/// What an analysis computes.
-fn analysis(kind: &OscillatorAnalysis) -> &dyn Operated {
-    match kind {
-        OscillatorAnalysis::EquivalentDamping(settings) => settings,
-        OscillatorAnalysis::Spectrum(settings) => settings,
-        OscillatorAnalysis::Critical(settings) => settings,
-        OscillatorAnalysis::StabilityMap(settings) => settings,
-        OscillatorAnalysis::Motion(settings) => settings,
-        OscillatorAnalysis::Engines(settings) => settings,
-    }
-}
-
 /// An analysis of operating points.
-trait Operated: Analysis<OscillatorCase> {
+pub trait Operated: Analysis<OscillatorCase> {
     /// Those at the ends of all that it varies.
     fn corners(&self, inputs: &OscillatorInputs) -> Vec<OscillatorInputs> {
         vec![*inputs]
@@ -118,7 +113,7 @@ fn points_of_curves(sweep: &Sweep<OscillatorKey>, family: Option<&Family<Oscilla
 }
 
 /// An oscillator in its contact.
-pub(crate) struct Subject<'a> {
+pub struct Subject<'a> {
     case: &'a OscillatorCase,
     contact: &'a Contact,
 }
@@ -137,7 +132,7 @@ impl Model for OscillatorCase {
     }
 
     fn steps(&self, index: usize) -> usize {
-        analysis(&self.analyses[index].kind).steps()
+        self.analyses[index].kind.steps()
     }
 
     fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {
@@ -145,7 +140,7 @@ impl Model for OscillatorCase {
         let (law, points) = (task.law, task.law.known());
         let keep = |point: &SolvedPoint| law.add(point);
         let CaseContact { contact, warnings } = bridge::contact(case, (&points, &keep), task.progress)?;
-        let own = analysis(&case.analyses[index].kind);
+        let own = &case.analyses[index].kind;
         let mut outcome = own.run(&Subject { case, contact: &contact }, task)?;
         outcome.warnings.extend(warnings);
         let (corners, substrate) = (own.corners(&case.inputs), KnownSubstrate::of(case)?);
@@ -208,6 +203,10 @@ impl Analysis<OscillatorCase> for MotionAnalysis<OscillatorKey> {
 
     fn estimate(&self, name: &&str) -> Result<Estimate, StudyError> {
         Ok(estimate(name, self, cost::RADIAN))
+    }
+
+    fn write(&self, json: &mut Map<String, Value>) {
+        self.write_table::<OscillatorKeys>(json);
     }
 }
 

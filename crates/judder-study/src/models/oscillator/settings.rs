@@ -1,8 +1,7 @@
 //! The analyses of an oscillator case.
 
-use crate::case::analysis::Kind;
-use crate::models::motion::settings::{MotionAnalysis, MotionKinds, MotionModel};
-use crate::models::oscillator::engines::settings::EnginesSettings;
+use crate::models::motion::settings::{MotionAnalysis, MotionModel};
+use crate::models::oscillator::Operated;
 use crate::models::oscillator::keys::OscillatorKey;
 use crate::models::read_sweep::{
     PlacedSweep, SWEEP, family_declaration, map_declarations, read_family, read_map, read_within,
@@ -16,23 +15,7 @@ use judder_keys::declared::{Declaration, Settings, both};
 use judder_keys::error::Fault;
 use judder_keys::section::Section;
 use serde_json::{Map, Value as Json};
-
-/// What an analysis of an oscillator case computes.
-#[derive(Debug, Clone, PartialEq)]
-pub enum OscillatorAnalysis {
-    /// `equivalent-damping`: ξ_eq along one key.
-    EquivalentDamping(DampingCurves),
-    /// `spectrum`: the eigenvalues along one key.
-    Spectrum(SpectrumCurves),
-    /// `critical-shear-strength`, `critical-load`: all thresholds along one key.
-    Critical(CriticalThresholds),
-    /// `stability-map`: the verdict over two keys.
-    StabilityMap(StabilityMap<OscillatorKey>),
-    /// `motion`, `limit-cycle`, `bifurcation`, `basin`: motion with stick, slip and lift-off.
-    Motion(MotionAnalysis<OscillatorKey>),
-    /// `engines`: one cycle by three engines.
-    Engines(EnginesSettings),
-}
+use std::sync::Arc;
 
 /// ξ_eq along one key.
 #[derive(Debug, Clone, PartialEq)]
@@ -124,105 +107,78 @@ struct MapMargin {
     global_margin: bool,
 }
 
-/// The kinds of an oscillator case.
-pub(crate) const KINDS: [Kind<OscillatorKeys, OscillatorAnalysis>; 10] = [
-    Kind::declared(
-        "equivalent-damping",
-        "the equivalent damping ratio along one key",
-        curves,
-        |keys, section| {
-            let (sweep, family) = read_curves(keys, section)?;
-            Ok(OscillatorAnalysis::EquivalentDamping(DampingCurves { sweep: sweep.sweep, family }))
-        },
-    ),
-    Kind::declared("spectrum", "the eigenvalues along one key", curves, |keys, section| {
-        let (sweep, family) = read_curves(keys, section)?;
-        Ok(OscillatorAnalysis::Spectrum(SpectrumCurves { sweep: sweep.sweep, family }))
-    }),
-    Kind::declared(
-        Sought::ShearStrength.kind(),
-        "the critical shear strengths along one key",
-        || thresholds(Sought::ShearStrength),
-        |keys, section| read_critical(keys, section, Sought::ShearStrength),
-    ),
-    Kind::declared(
-        Sought::Load.kind(),
-        "the critical loads along one key",
-        || thresholds(Sought::Load),
-        |keys, section| read_critical(keys, section, Sought::Load),
-    ),
-    Kind::declared(
-        "stability-map",
-        "stable and unstable points over two keys",
-        || [map_declarations::<OscillatorKeys>(), MapMargin::declarations()].concat(),
-        |keys, section| {
-            let (map, margin) = both(read_map(keys, section), MapMargin::read_table(section))?;
-            Ok(OscillatorAnalysis::StabilityMap(StabilityMap { global_margin: margin.global_margin, ..map }))
-        },
-    ),
-    MotionKinds::HISTORY,
-    MotionKinds::LIMIT_CYCLE,
-    MotionKinds::BIFURCATION,
-    MotionKinds::BASIN,
-    Kind::declared(
-        "engines",
-        "the cycle that a motion settles to, by events, by time-stepping and with a smoothed sign",
-        EnginesSettings::declarations,
-        |_, section| EnginesSettings::read_table(section).map(OscillatorAnalysis::Engines),
-    ),
-];
-
 impl MotionModel for OscillatorKeys {
-    type Analysis = OscillatorAnalysis;
+    type Analysis = Arc<dyn Operated>;
 
-    fn of_motion(analysis: MotionAnalysis<OscillatorKey>) -> OscillatorAnalysis {
-        OscillatorAnalysis::Motion(analysis)
+    fn of_motion(analysis: MotionAnalysis<OscillatorKey>) -> Self::Analysis {
+        Arc::new(analysis)
     }
 }
 
-impl OscillatorAnalysis {
-    /// Puts the settings into a canonical form, and says of which kind they are.
-    pub(crate) fn write(&self, json: &mut Map<String, Json>) -> &'static str {
-        let mut curves = |sweep, family: &Option<_>| {
-            SWEEP.write::<OscillatorKeys>(sweep, json);
-            write_family::<OscillatorKeys>(family.as_ref(), json);
-        };
-        match self {
-            Self::EquivalentDamping(DampingCurves { sweep, family }) => {
-                curves(sweep, family);
-                "equivalent-damping"
-            }
-            Self::Spectrum(SpectrumCurves { sweep, family }) => {
-                curves(sweep, family);
-                "spectrum"
-            }
-            Self::Critical(CriticalThresholds { sought, sweep, within, family, global_margin }) => {
-                curves(sweep, family);
-                write_within::<OscillatorKeys>(sought.key(), within, json);
-                ThresholdMargin { global_margin: *global_margin }.write_table(json);
-                sought.kind()
-            }
-            Self::StabilityMap(map) => {
-                write_map::<OscillatorKeys>(map, json);
-                MapMargin { global_margin: map.global_margin }.write_table(json);
-                "stability-map"
-            }
-            Self::Motion(motion) => motion.write::<OscillatorKeys>(json),
-            Self::Engines(settings) => {
-                settings.write_table(json);
-                "engines"
-            }
-        }
+/// Puts curves along one key into a canonical form.
+fn write_curves(
+    sweep: &Sweep<OscillatorKey>,
+    family: Option<&Family<OscillatorKey>>,
+    json: &mut Map<String, Json>,
+) {
+    SWEEP.write::<OscillatorKeys>(sweep, json);
+    write_family::<OscillatorKeys>(family, json);
+}
+
+impl DampingCurves {
+    pub(super) fn read(keys: &OscillatorKeys, section: &Section<'_>) -> Result<Self, Fault> {
+        let (sweep, family) = read_curves(keys, section)?;
+        Ok(Self { sweep: sweep.sweep, family })
+    }
+
+    pub(super) fn write_table(&self, json: &mut Map<String, Json>) {
+        write_curves(&self.sweep, self.family.as_ref(), json);
+    }
+}
+
+impl SpectrumCurves {
+    pub(super) fn read(keys: &OscillatorKeys, section: &Section<'_>) -> Result<Self, Fault> {
+        let (sweep, family) = read_curves(keys, section)?;
+        Ok(Self { sweep: sweep.sweep, family })
+    }
+
+    pub(super) fn write_table(&self, json: &mut Map<String, Json>) {
+        write_curves(&self.sweep, self.family.as_ref(), json);
+    }
+}
+
+impl CriticalThresholds {
+    pub(super) fn write_table(&self, json: &mut Map<String, Json>) {
+        write_curves(&self.sweep, self.family.as_ref(), json);
+        write_within::<OscillatorKeys>(self.sought.key(), &self.within, json);
+        ThresholdMargin { global_margin: self.global_margin }.write_table(json);
+    }
+}
+
+/// What is said of a stability map.
+pub(super) fn map_keys() -> Vec<Declaration> {
+    [map_declarations::<OscillatorKeys>(), MapMargin::declarations()].concat()
+}
+
+impl StabilityMap<OscillatorKey> {
+    pub(super) fn read(keys: &OscillatorKeys, section: &Section<'_>) -> Result<Self, Fault> {
+        let (map, margin) = both(read_map(keys, section), MapMargin::read_table(section))?;
+        Ok(Self { global_margin: margin.global_margin, ..map })
+    }
+
+    pub(super) fn write_table(&self, json: &mut Map<String, Json>) {
+        write_map::<OscillatorKeys>(self, json);
+        MapMargin { global_margin: self.global_margin }.write_table(json);
     }
 }
 
 /// What is said of curves along one key.
-fn curves() -> Vec<Declaration> {
+pub(super) fn curves() -> Vec<Declaration> {
     vec![SWEEP.declaration::<OscillatorKeys>(), family_declaration::<OscillatorKeys>()]
 }
 
 /// What is said of thresholds along one key.
-fn thresholds(sought: Sought) -> Vec<Declaration> {
+pub(super) fn thresholds(sought: Sought) -> Vec<Declaration> {
     let mut keys = curves();
     keys.insert(1, within_declaration(sought.key().entry(), sought.within()));
     [keys, ThresholdMargin::declarations()].concat()
@@ -257,15 +213,12 @@ fn read_threshold(
     }
 }
 
-/// Reads an analysis of thresholds.
-fn read_critical(
-    keys: &OscillatorKeys,
-    section: &Section<'_>,
-    sought: Sought,
-) -> Result<OscillatorAnalysis, Fault> {
-    let within = read_within(section, sought.key().entry(), sought.within());
-    let own = both(within, ThresholdMargin::read_table(section));
-    let ((sweep, family), (within, ThresholdMargin { global_margin })) =
-        both(read_threshold(keys, section, sought.key()), own)?;
-    Ok(OscillatorAnalysis::Critical(CriticalThresholds { sought, sweep, within, family, global_margin }))
+impl CriticalThresholds {
+    pub(super) fn read(keys: &OscillatorKeys, section: &Section<'_>, sought: Sought) -> Result<Self, Fault> {
+        let within = read_within(section, sought.key().entry(), sought.within());
+        let own = both(within, ThresholdMargin::read_table(section));
+        let ((sweep, family), (within, ThresholdMargin { global_margin })) =
+            both(read_threshold(keys, section, sought.key()), own)?;
+        Ok(Self { sought, sweep, within, family, global_margin })
+    }
 }

@@ -9,17 +9,12 @@
 //! - [`sweep`]: any number of the case over a range.
 //! - [`problem`]: what can be wrong with all of it, beyond types, units and ranges.
 
-pub mod analysis;
 pub mod contact;
-pub mod growth;
-pub mod locus;
-pub mod march;
 pub mod motion;
 pub mod observe;
 pub mod plain_name;
 pub mod problem;
 pub mod signals;
-pub mod spectrogram;
 pub mod structure;
 pub mod sweep;
 
@@ -27,9 +22,11 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::case::analysis::{Analysis, read_analyses};
+use crate::case::analysis::{Planned, read_analyses};
+use crate::model::Analysis;
+use crate::models::sliding::KINDS;
+use crate::models::sliding::spectrogram::settings::check_references;
 use crate::models::two_degrees::case::{Parameter, read_parameters};
-use analysis::{KINDS, SlidingAnalysis};
 use contact::SlidingContact;
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
@@ -60,7 +57,7 @@ pub struct SlidingCase {
     /// The points whose motion is kept.
     pub points: Vec<ObservedPoint>,
     /// The analyses in the order of the case file.
-    pub analyses: Vec<Analysis<SlidingAnalysis>>,
+    pub analyses: Vec<Planned<Arc<dyn Analysis<SlidingCase>>>>,
     /// What the case was read from, to read it anew with another value.
     origin: Arc<Origin>,
 }
@@ -100,9 +97,8 @@ impl SlidingCase {
 
     /// The names of the analyses whose results an analysis takes up: those of a spectrogram.
     pub(crate) fn made_of(&self, name: &str) -> Vec<&str> {
-        let found = self.analyses.iter().find(|analysis| analysis.name == name).map(|found| &found.kind);
-        let Some(SlidingAnalysis::Spectrogram(spectrogram)) = found else { return Vec::new() };
-        [Some(spectrogram.of.as_str()), spectrogram.locus.as_deref()].into_iter().flatten().collect()
+        let found = self.analyses.iter().find(|analysis| analysis.name == name);
+        found.map_or_else(Vec::new, |found| found.kind.takes_up())
     }
 
     /// The case with a swept key at `value`, in SI units, without analyses: read anew, so that every key can be swept.
@@ -138,7 +134,7 @@ pub(crate) fn read(node: &Node, folder: &Path) -> Result<SlidingCase, Fault> {
     let root = Section::open(node, "", "a sliding case", &KEYS)?;
     case.analyses = read_analyses(&root, &case, &KINDS)?;
     if let Some(Node { data: Data::List(nodes), .. }) = root.get("analysis") {
-        spectrogram::check_references(&case.analyses, &case.points, nodes)?;
+        check_references(&case.analyses, &case.points, nodes)?;
     }
     Ok(case)
 }

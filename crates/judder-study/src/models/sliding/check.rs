@@ -2,14 +2,14 @@
 
 mod pair;
 
+use super::Subject;
 use super::march::Size;
-use super::{Subject, analysis};
 use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::model::Place;
 use crate::models::placed;
 use crate::models::sliding::case::SlidingCase;
-use crate::models::sliding::case::analysis::SlidingAnalysis;
+use crate::models::sliding::march::settings::March;
 use crate::models::sliding::system::SlidingSystem;
 use crate::resolve::{Estimate, Resolved, estimate_json, estimate_text, title};
 use crate::text::{columns, number};
@@ -28,7 +28,7 @@ pub(super) fn resolve(file: &CaseFile, case: &SlidingCase) -> Result<Resolved, S
     let mut estimates: Vec<Estimate> = Vec::new();
     for (index, own) in case.analyses.iter().enumerate() {
         let subject = Subject { case, system: &system, name: &own.name };
-        let asked = analysis(&own.kind);
+        let asked = &own.kind;
         asked.admit(&subject).map_err(|error| placed(error, file, index))?;
         let place = Place { file, index, name: &own.name };
         asked.fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
@@ -61,7 +61,7 @@ fn kept(case: &SlidingCase, system: &SlidingSystem) -> (Value, String) {
     let mut document = Map::new();
     let mut rows = Vec::new();
     for analysis in &case.analyses {
-        let SlidingAnalysis::March(march) = &analysis.kind else { continue };
+        let Some(march) = analysis.settings::<March>() else { continue };
         let Some(size) = Size::of(system, march) else { continue };
         let (samples, bytes) = (size.samples as u64, size.stored() as u64);
         let words = [format!("{samples} samples"), format!("{} signals", size.signals)];

@@ -1,7 +1,7 @@
 //! Seconds on one core, measured on the beams paper's pair of 243 modes in the release build; good to a factor of a few.
 
 use super::system::{self, SlidingSystem};
-use crate::models::sliding::case::march::MarchMethod;
+use crate::models::sliding::march::settings::MarchMethod;
 use judder_sliding::motion::Motion;
 
 /// One step of a march and one mode.

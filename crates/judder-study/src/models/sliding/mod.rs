@@ -12,42 +12,31 @@ pub mod case;
 mod check;
 mod cost;
 pub mod coupled_pair;
-mod growth;
-pub(crate) mod locus;
-pub(crate) mod march;
-mod modes;
+pub mod growth;
+pub mod locus;
+pub mod march;
+pub mod modes;
 pub mod shapes;
-mod spectrogram;
+pub mod spectrogram;
 mod system;
 
+use crate::case::analysis::Kind;
 use crate::case::file::CaseFile;
 use crate::error::StudyError;
-use crate::model::{Analysed, Analysis, Model, Pictured, Place, Prepared, Task};
+use crate::model::{Analysed, Analysis, Model, Place, Prepared, Task};
 use crate::models::sliding::case::SlidingCase;
-use crate::models::sliding::case::analysis::SlidingAnalysis;
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, Resolved};
 use judder_keys::error::CaseError;
 use std::sync::Arc;
 use system::SlidingSystem;
 
-/// The kinds of analyses that have a figure; that of `modes` is that of a structure.
-pub(super) const PICTURED: [Pictured; 4] =
-    [locus::PICTURED, growth::PICTURED, march::PICTURED, spectrogram::PICTURED];
-
-/// What an analysis computes.
-fn analysis(kind: &SlidingAnalysis) -> &dyn Analysis<SlidingCase> {
-    match kind {
-        SlidingAnalysis::Modes(settings) => settings,
-        SlidingAnalysis::Locus(settings) => settings,
-        SlidingAnalysis::March(settings) => settings,
-        SlidingAnalysis::Growth(settings) => settings,
-        SlidingAnalysis::Spectrogram(settings) => settings,
-    }
-}
+/// The kinds of analyses.
+pub(crate) static KINDS: [Kind<SlidingCase, Arc<dyn Analysis<SlidingCase>>>; 5] =
+    [modes::KIND, locus::KIND, march::KIND, growth::KIND, spectrogram::KIND];
 
 /// A pair, and the name of an analysis of it.
-pub(crate) struct Subject<'a> {
+pub struct Subject<'a> {
     case: &'a SlidingCase,
     system: &'a SlidingSystem,
     name: &'a str,
@@ -68,7 +57,7 @@ fn fitting(
     for (index, own) in case.analyses.iter().enumerate().filter(|(_, own)| is_wanted(&own.name)) {
         let subject = Subject { case, system: &system, name: &own.name };
         let place = Place { file, index, name: &own.name };
-        analysis(&own.kind).fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
+        own.kind.fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
     }
     Ok(Prepared::new(Arc::new(system)))
 }
@@ -95,7 +84,7 @@ impl Model for SlidingCase {
     }
 
     fn steps(&self, index: usize) -> usize {
-        analysis(&self.analyses[index].kind).steps()
+        self.analyses[index].kind.steps()
     }
 
     fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {
@@ -108,14 +97,14 @@ impl Model for SlidingCase {
             None => Arc::new(SlidingSystem::new(self)?),
         };
         let subject = Subject { case: self, system: &system, name: &own.name };
-        let mut outcome = analysis(&own.kind).run(&subject, task)?;
+        let mut outcome = own.kind.run(&subject, task)?;
         outcome.warnings.extend(system.warnings.iter().cloned());
         Ok(outcome)
     }
 
     fn blamed(&self, error: &StudyError, place: Place<'_>) -> Option<CaseError> {
         let own = &self.analyses.get(place.index)?.kind;
-        let refusal = analysis(own).blame(error).or_else(|| blame::blame(error))?;
+        let refusal = own.blame(error).or_else(|| blame::blame(error))?;
         Some(refusal.placed(place))
     }
 

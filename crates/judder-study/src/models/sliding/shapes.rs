@@ -3,9 +3,8 @@
 use crate::case::file::{Case, CaseFile};
 use crate::error::StudyError;
 use crate::models::sliding::case::SlidingCase;
-use crate::models::sliding::case::analysis::SlidingAnalysis;
-use crate::models::sliding::case::locus::Along;
 use crate::models::sliding::locus::conditions as locus_conditions;
+use crate::models::sliding::locus::settings::{Along, Locus};
 use crate::models::sliding::system::SlidingSystem;
 use faer::Mat;
 use judder_sliding::locus::{Conditions, Configuration, contact, spectrum};
@@ -111,16 +110,14 @@ impl ShapedPair {
     /// Under what the pair slides in an analysis, and how many modes are looked at.
     fn conditions(&self, analysis: &str) -> Result<(Conditions, usize), StudyError> {
         let found = self.case.analyses.iter().find(|own| own.name == analysis);
-        match found.map(|own| &own.kind) {
-            Some(SlidingAnalysis::Locus(settings)) if matches!(settings.along, Along::Key { .. }) => {
+        match found.map(|own| own.settings::<Locus>()) {
+            Some(Some(settings)) if matches!(settings.along, Along::Key { .. }) => {
                 Err(StudyError::Unsupported(format!(
                     "the locus `{analysis}` is over a key, and shapes are drawn at positions; ask for those of a locus over positions"
                 )))
             }
-            Some(SlidingAnalysis::Locus(settings)) => {
-                Ok((locus_conditions(&self.case, settings), settings.count))
-            }
-            Some(_) => {
+            Some(Some(settings)) => Ok((locus_conditions(&self.case, settings), settings.count)),
+            Some(None) => {
                 let (velocity, load) = (self.case.motion.velocity, self.case.motion.load.force);
                 let configuration = Configuration::Deformed;
                 Ok((Conditions { configuration, is_damped: true, velocity, load }, COUNT))

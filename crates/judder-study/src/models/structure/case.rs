@@ -7,20 +7,20 @@
 //! - [`analysis`]: what is computed.
 //! - [`problem`]: what can be wrong with all of it, beyond types, units and ranges.
 
-pub mod analysis;
 pub mod body;
 pub mod damping;
 pub(crate) mod lists;
 pub mod matrices;
 pub mod problem;
 pub mod reduction;
+pub(crate) mod scope;
 
 use std::path::Path;
 
-use crate::case::analysis::{Analysis, read_analyses};
+use crate::case::analysis::{Planned, read_analyses};
+use crate::model::Analysis;
 use crate::models::swept_keys::ParameterKeys;
 use crate::models::two_degrees::case::{Parameter, read_parameters};
-use analysis::{KINDS, StructureAnalysis, StructureScope};
 use body::{Body, BodyKeys, Geometry, read_body};
 use damping::Damping;
 use judder_keys::cause::Cause;
@@ -33,6 +33,8 @@ use judder_keys::section::Section;
 use matrices::{MatrixSums, read_matrices};
 use problem::StructureProblem;
 use reduction::Reduction;
+use scope::StructureScope;
+use std::sync::Arc;
 
 /// A validated structure case.
 #[derive(Debug, Clone)]
@@ -48,7 +50,7 @@ pub struct StructureCase {
     /// Which freedoms and modes a reduction keeps.
     pub reduction: Option<Reduction>,
     /// The analyses in the order of the case file.
-    pub analyses: Vec<Analysis<StructureAnalysis>>,
+    pub analyses: Vec<Planned<Arc<dyn Analysis<StructureCase>>>>,
 }
 
 /// Where a structure comes from.
@@ -115,7 +117,7 @@ pub(crate) fn read(root: &Node, folder: &Path) -> Result<StructureCase, Fault> {
         StructureSource::Body(_) => None,
     };
     let scope = StructureScope { keys, sums, values, has_reduction: reduction.is_some() };
-    let (reduction, analyses) = both(reduction.transpose(), read_analyses(&root, &scope, &KINDS))?;
+    let (reduction, analyses) = both(reduction.transpose(), read_analyses(&root, &scope, &super::KINDS))?;
     let title = root.text("title")?.unwrap_or_default().to_owned();
     Ok(StructureCase { title, parameters, source, damping, reduction, analyses })
 }

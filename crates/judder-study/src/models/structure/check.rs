@@ -1,6 +1,6 @@
 //! What `judder check` shows of a structure case.
 
-use super::{Subject, analysis};
+use super::Subject;
 use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::models::structure::build::Structure;
@@ -42,7 +42,7 @@ pub(super) fn resolve(file: &CaseFile, case: &StructureCase) -> Result<Resolved,
     text.push_str("\nanalyses\n");
     let asked = case.analyses.iter().map(|own| {
         let subject = Subject { case, structure: &structure, name: &own.name };
-        Ok(vec![own.name.clone(), analysis(&own.kind).estimate(&subject)?])
+        Ok(vec![own.name.clone(), own.kind.estimate(&subject)?])
     });
     text.push_str(&columns(&asked.collect::<Result<Vec<_>, StudyError>>()?));
     for warning in &structure.warnings {

@@ -9,41 +9,32 @@
 pub(crate) mod build;
 pub mod case;
 mod check;
-pub(crate) mod eigen;
-mod eigen_sweep;
+pub mod eigen;
+pub mod eigen_sweep;
 mod fields;
-pub(crate) mod modes;
-mod reduction;
+pub mod modes;
+pub mod reduction;
 pub(crate) mod shape_panels;
 mod shapes;
 mod undamped;
 
+use crate::case::analysis::Kind;
 use crate::case::file::CaseFile;
 use crate::error::StudyError;
-use crate::model::{Analysed, Analysis, Model, Pictured, Prepared, Task};
+use crate::model::{Analysed, Analysis, Model, Prepared, Task};
 use crate::models::structure::case::StructureCase;
-use crate::models::structure::case::analysis::StructureAnalysis;
+use crate::models::structure::case::scope::StructureScope;
 use crate::outcome::Outcome;
 use crate::resolve::Resolved;
 use build::Structure;
 use std::sync::Arc;
 
-/// The kinds of analyses that have a figure.
-pub(super) const PICTURED: [Pictured; 4] =
-    [modes::PICTURED, reduction::PICTURED, eigen::PICTURED, eigen_sweep::PICTURED];
-
-/// What an analysis computes.
-fn analysis(kind: &StructureAnalysis) -> &dyn Analysis<StructureCase> {
-    match kind {
-        StructureAnalysis::Modes(settings) => settings,
-        StructureAnalysis::Reduction(settings) => settings,
-        StructureAnalysis::Eigen(settings) => settings,
-        StructureAnalysis::EigenSweep(settings) => settings,
-    }
-}
+/// The kinds of analyses.
+pub(crate) static KINDS: [Kind<StructureScope, Arc<dyn Analysis<StructureCase>>>; 4] =
+    [modes::KIND, reduction::KIND, eigen::KIND, eigen_sweep::KIND];
 
 /// A structure, and the name under which an analysis of it leaves files.
-pub(crate) struct Subject<'a> {
+pub struct Subject<'a> {
     case: &'a StructureCase,
     structure: &'a Structure,
     name: &'a str,
@@ -77,7 +68,7 @@ impl Model for StructureCase {
     }
 
     fn steps(&self, index: usize) -> usize {
-        analysis(&self.analyses[index].kind).steps()
+        self.analyses[index].kind.steps()
     }
 
     fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {
@@ -91,7 +82,7 @@ impl Model for StructureCase {
         };
         let subject = Subject { case: self, structure: &structure, name: &own.name };
         let progress = task.progress;
-        let mut outcome = analysis(&own.kind).run(&subject, task)?;
+        let mut outcome = own.kind.run(&subject, task)?;
         progress.advance();
         outcome.warnings.extend(structure.warnings.iter().cloned());
         Ok(outcome)

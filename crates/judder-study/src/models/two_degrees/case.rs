@@ -1,6 +1,6 @@
 //! The two-degrees case: M, C and K as expressions of a few parameters, for benchmarks and minimal models.
 
-use crate::case::analysis::{Analysis, Kind, read_analyses};
+use crate::case::analysis::{Kind, Planned, read_analyses};
 use crate::models::read_sweep::{Axis, SWEEP, map_declarations, read_map, write_map};
 use crate::models::sweep::{ParameterKey, StabilityMap, Sweep};
 use crate::models::swept_keys::ParameterKeys;
@@ -20,7 +20,7 @@ pub struct TwoDegreesCase {
     /// The parameters in the order of the case file.
     pub parameters: Vec<Parameter>,
     /// The analyses in the order of the case file.
-    pub analyses: Vec<Analysis<TwoDegreesAnalysis>>,
+    pub analyses: Vec<Planned<TwoDegreesAnalysis>>,
     /// M, C and K.
     matrices: Box<[Matrix; 3]>,
 }
@@ -81,21 +81,12 @@ impl TwoDegreesAnalysis {
         }
     }
 
-    /// Puts the settings into a canonical form, and says of which kind they are.
-    pub(crate) fn write(&self, json: &mut Map<String, Json>) -> &'static str {
+    /// Puts the settings into a canonical form.
+    pub(crate) fn write_table(&self, json: &mut Map<String, Json>) {
         match self {
-            Self::Spectrum(ParameterSpectrum { sweep }) => {
-                SWEEP.write::<ParameterKeys>(sweep, json);
-                "spectrum"
-            }
-            Self::StabilityMap(map) => {
-                write_map::<ParameterKeys>(map, json);
-                "stability-map"
-            }
-            Self::Critical(ParameterThresholds { sweep }) => {
-                SAMPLES.write::<ParameterKeys>(sweep, json);
-                "critical"
-            }
+            Self::Spectrum(ParameterSpectrum { sweep }) => SWEEP.write::<ParameterKeys>(sweep, json),
+            Self::StabilityMap(map) => write_map::<ParameterKeys>(map, json),
+            Self::Critical(ParameterThresholds { sweep }) => SAMPLES.write::<ParameterKeys>(sweep, json),
         }
     }
 }
@@ -104,7 +95,7 @@ impl TwoDegreesAnalysis {
 const SAMPLES: Axis = SWEEP.of_points(400);
 
 /// The kinds of a two-degrees case.
-pub(crate) const KINDS: [Kind<ParameterKeys, TwoDegreesAnalysis>; 3] = [
+pub(crate) static KINDS: [Kind<ParameterKeys, TwoDegreesAnalysis>; 3] = [
     Kind::declared(
         "spectrum",
         "the eigenvalues along one parameter",
@@ -113,12 +104,14 @@ pub(crate) const KINDS: [Kind<ParameterKeys, TwoDegreesAnalysis>; 3] = [
             let sweep = SWEEP.read_alone(keys, section)?;
             Ok(TwoDegreesAnalysis::Spectrum(ParameterSpectrum { sweep }))
         },
+        None,
     ),
     Kind::declared(
         "stability-map",
         "stable and unstable points over two parameters",
         map_declarations::<ParameterKeys>,
         |keys, section| read_map(keys, section).map(TwoDegreesAnalysis::StabilityMap),
+        None,
     ),
     Kind::declared(
         "critical",
@@ -128,6 +121,7 @@ pub(crate) const KINDS: [Kind<ParameterKeys, TwoDegreesAnalysis>; 3] = [
             let sweep = SAMPLES.read_alone(keys, section)?;
             Ok(TwoDegreesAnalysis::Critical(ParameterThresholds { sweep }))
         },
+        None,
     ),
 ];
 

@@ -17,6 +17,7 @@ use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::resolve::{Estimate, Resolved, cost};
 use judder_oscillator::LinearSystem;
+use serde_json::{Map, Value};
 
 impl Analysed for TwoDegreesCase {
     type Subject<'a> = &'a TwoDegreesCase;
@@ -38,6 +39,10 @@ impl Analysis<TwoDegreesCase> for TwoDegreesAnalysis {
             Self::StabilityMap(map) => map.x.points * map.y.points,
         };
         Ok(Estimate::of_points(name, points, points as f64 * cost::EIGENVALUES))
+    }
+
+    fn write(&self, json: &mut Map<String, Value>) {
+        self.write_table(json);
     }
 }
 

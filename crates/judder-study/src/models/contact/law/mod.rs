@@ -8,20 +8,29 @@ pub(crate) use run::Plane;
 use super::check::ContactEstimate;
 use super::size::cells_of_law;
 use super::{Exciting, Subject, blame, usual_contacts};
+use crate::case::analysis::{Kind, Picture};
 use crate::error::StudyError;
-use crate::model::{Analysis, Pictured, Refusal, Task};
+use crate::model::{Analysis, Refusal, Task};
 use crate::models::contact::case::ContactCase;
-use crate::models::contact::settings::LawSettings;
+use crate::models::contact::settings::{ContactScope, LawSettings};
 use crate::outcome::Outcome;
 use judder_contact::kernel::sliding::SlidingOperator;
 use judder_contact::law::sweep::SolvedPoint;
+use judder_keys::declared::Settings;
+use serde_json::{Map, Value as Json};
+use std::sync::Arc;
 
-/// The figure.
-pub(crate) const PICTURED: Pictured = Pictured {
-    kind: "contact-law",
-    draw: figure::contact_law,
-    caption: "Force, area and friction over speed for several indentations (left; dashed: Hertz with $E_{0}$ and with $E_{∞}$) and over speed and \
+/// The kind.
+pub(crate) const KIND: Kind<ContactScope, Arc<dyn Exciting>> = Kind {
+    name: "contact-law",
+    doc: "force, area and friction over speed and indentation, as a law for an oscillator",
+    declared: LawSettings::declarations,
+    read: |scope, section| Ok(Arc::new(LawSettings::of("contact-law", scope, section)?)),
+    picture: Some(Picture {
+        draw: figure::contact_law,
+        caption: "Force, area and friction over speed for several indentations (left; dashed: Hertz with $E_{0}$ and with $E_{∞}$) and over speed and \
         indentation (right).",
+    }),
 };
 
 impl Analysis<ContactCase> for LawSettings {
@@ -50,6 +59,10 @@ impl Analysis<ContactCase> for LawSettings {
         let asked = format!("{method}, {} × {} points, accuracy {accuracy:e}", points[0], points[1]);
         let (contacts, lattice) = (usual_contacts(self.method), [cells_of_law(self); 2]);
         Ok(ContactEstimate { name: of.name.to_owned(), asked, contacts, lattice })
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
     }
 }
 

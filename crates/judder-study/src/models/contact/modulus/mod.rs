@@ -5,17 +5,26 @@ mod run;
 
 use super::check::ContactEstimate;
 use super::{Exciting, Subject};
+use crate::case::analysis::{Kind, Picture};
 use crate::error::StudyError;
-use crate::model::{Analysis, Pictured, Task};
+use crate::model::{Analysis, Task};
 use crate::models::contact::case::ContactCase;
-use crate::models::contact::settings::ModulusSettings;
+use crate::models::contact::settings::{ContactScope, ModulusSettings};
 use crate::outcome::Outcome;
+use judder_keys::declared::Settings;
+use serde_json::{Map, Value as Json};
+use std::sync::Arc;
 
-/// The figure.
-pub(crate) const PICTURED: Pictured = Pictured {
-    kind: "modulus",
-    draw: figure::modulus,
-    caption: "Storage and loss modulus and loss tangent over angular frequency.",
+/// The kind.
+pub(crate) const KIND: Kind<ContactScope, Arc<dyn Exciting>> = Kind {
+    name: "modulus",
+    doc: "storage and loss modulus and loss tangent over frequency",
+    declared: ModulusSettings::declarations,
+    read: |_, section| Ok(Arc::new(ModulusSettings::read_table(section)?)),
+    picture: Some(Picture {
+        draw: figure::modulus,
+        caption: "Storage and loss modulus and loss tangent over angular frequency.",
+    }),
 };
 
 impl Analysis<ContactCase> for ModulusSettings {
@@ -26,6 +35,10 @@ impl Analysis<ContactCase> for ModulusSettings {
     fn estimate(&self, of: &Subject<'_>) -> Result<ContactEstimate, StudyError> {
         let (name, asked) = (of.name.to_owned(), "E(ω)".to_owned());
         Ok(ContactEstimate { name, asked, contacts: 0, lattice: [0; 2] })
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
     }
 }
 

@@ -8,27 +8,36 @@ pub(crate) mod run;
 use super::check::ContactEstimate;
 use super::size::lattice;
 use super::{Exciting, Subject, blame};
+use crate::case::analysis::{Kind, Picture};
 use crate::error::StudyError;
 use crate::indenter::height_map;
-use crate::model::{Analysis, Pictured, Refusal, Task};
+use crate::model::{Analysis, Refusal, Task};
 use crate::models::contact::case::ContactCase;
 use crate::models::contact::problem::ContactProblem;
-use crate::models::contact::settings::ContactSettings;
+use crate::models::contact::settings::{ContactScope, ContactSettings};
 use crate::models::contact::shape::Shape;
 use crate::outcome::Outcome;
 use crate::text::number;
 use judder_contact::kernel::sliding::SlidingOperator;
 use judder_contact::steady::{GridChoice, SteadyError};
 use judder_contact::unilateral::Loading;
+use judder_keys::declared::Settings;
 use run::{grid, loading};
+use serde_json::{Map, Value as Json};
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
-/// The figure.
-pub(crate) const PICTURED: Pictured = Pictured {
-    kind: "contact",
-    draw: figure::contact,
-    caption: "The indenter slides to the right. Sections along $y$ = 0; the surface of the substrate is compared with the indenter. The grids: \
+/// The kind.
+pub(crate) const KIND: Kind<ContactScope, Arc<dyn Exciting>> = Kind {
+    name: "contact",
+    doc: "one contact: force, area, friction, fields",
+    declared: ContactSettings::declarations,
+    read: |scope, section| Ok(Arc::new(ContactSettings::of(scope, section)?)),
+    picture: Some(Picture {
+        draw: figure::contact,
+        caption: "The indenter slides to the right. Sections along $y$ = 0; the surface of the substrate is compared with the indenter. The grids: \
         how far force, area and friction of each are from the extrapolated values.",
+    }),
 };
 
 /// Refuses a load under which the indenter would sink in deeper than it is high.
@@ -94,6 +103,10 @@ impl Analysis<ContactCase> for ContactSettings {
         };
         let lattice = lattice(of.case, self, of.scales)?;
         Ok(ContactEstimate { name: of.name.to_owned(), asked, contacts: 1, lattice })
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
     }
 }
 

@@ -6,20 +6,30 @@ pub mod settings;
 
 use super::check::ContactEstimate;
 use super::{Exciting, Subject, blame};
+use crate::case::analysis::{Kind, Picture};
 use crate::error::StudyError;
-use crate::model::{Analysis, Pictured, Refusal, Task};
+use crate::model::{Analysis, Refusal, Task};
 use crate::models::contact::case::ContactCase;
 use crate::models::contact::problem::ContactProblem;
+use crate::models::contact::settings::ContactScope;
 use crate::models::contact::transient::settings::TransientSettings;
 use crate::outcome::Outcome;
 use judder_contact::transient::TransientError;
+use judder_keys::declared::Settings;
 use run::Asked;
+use serde_json::{Map, Value as Json};
+use std::sync::Arc;
 
-/// The figure.
-pub(crate) const PICTURED: Pictured = Pictured {
-    kind: "transient",
-    draw: figure::transient,
-    caption: "Normal force, friction force and area over time; where the path repeats itself, the loop whose area is the work of a cycle.",
+/// The kind.
+pub(crate) const KIND: Kind<ContactScope, Arc<dyn Exciting>> = Kind {
+    name: "transient",
+    doc: "a contact that is followed in time: histories of force, friction and area, work of a cycle",
+    declared: TransientSettings::declarations,
+    read: |scope, section| Ok(Arc::new(TransientSettings::of(scope, section)?)),
+    picture: Some(Picture {
+        draw: figure::transient,
+        caption: "Normal force, friction force and area over time; where the path repeats itself, the loop whose area is the work of a cycle.",
+    }),
 };
 
 impl Analysis<ContactCase> for TransientSettings {
@@ -48,6 +58,10 @@ impl Analysis<ContactCase> for TransientSettings {
         let contacts = asked.steps(self.cells);
         let (name, lattice) = (of.name.to_owned(), [self.cells; 2]);
         Ok(ContactEstimate { name, asked: asked.words(self), contacts, lattice })
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
     }
 }
 

@@ -5,11 +5,8 @@ mod run;
 pub(super) use run::{Draw, run};
 
 use super::pictures;
-use crate::model::Pictured;
+use crate::case::analysis::Picture;
 
 /// The figure.
-pub(crate) const PICTURED: Pictured = Pictured {
-    kind: "basin",
-    draw: pictures::basin,
-    caption: "Starts, drawn evenly, and what becomes of them.",
-};
+pub(crate) const PICTURE: Picture =
+    Picture { draw: pictures::basin, caption: "Starts, drawn evenly, and what becomes of them." };

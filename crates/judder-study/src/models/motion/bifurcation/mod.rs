@@ -8,11 +8,10 @@ mod run;
 pub(super) use run::{Settings, run};
 
 use super::pictures;
-use crate::model::Pictured;
+use crate::case::analysis::Picture;
 
 /// The figure.
-pub(crate) const PICTURED: Pictured = Pictured {
-    kind: "bifurcation",
+pub(crate) const PICTURE: Picture = Picture {
     draw: pictures::bifurcation,
     caption: "What motions settle to as the key goes up and down, each from the end of the one before: rms of $x$ about its mean, its largest values, the \
         shares of the time in stick and off the substrate. Irregular is a motion without a period from which nearby ones part; \

@@ -7,11 +7,10 @@ pub(super) use run::run;
 pub use watched::MotionBlock;
 
 use super::pictures;
-use crate::model::Pictured;
+use crate::case::analysis::Picture;
 
 /// The figure.
-pub(crate) const PICTURED: Pictured = Pictured {
-    kind: "motion",
+pub(crate) const PICTURE: Picture = Picture {
     draw: pictures::motion,
     caption: "The whole motion; its end with the contact state shaded (white: slip); the phase portrait of that end with the changes of the contact \
         state; the spectrum and the Poincaré section (where $x$ is largest) after the transient.",

@@ -6,11 +6,10 @@ pub(super) use run::run;
 pub(crate) use run::shooting;
 
 use super::pictures;
-use crate::model::Pictured;
+use crate::case::analysis::Picture;
 
 /// The figure.
-pub(crate) const PICTURED: Pictured = Pictured {
-    kind: "limit-cycle",
+pub(crate) const PICTURE: Picture = Picture {
     draw: pictures::limit_cycle,
     caption: "One period with the contact state shaded (white: slip), the phase portrait with the changes of the contact state, and the Floquet \
         multipliers: the cycle is stable where all but the one at 1 lie within the unit circle.",

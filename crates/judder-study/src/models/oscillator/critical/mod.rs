@@ -5,17 +5,20 @@ mod run;
 mod within_law;
 
 use super::{Operated, Subject, curves, ends_of_curves, points_of_curves};
+use crate::case::analysis::{Kind, Picture};
 use crate::error::StudyError;
-use crate::model::{Analysis, Pictured, Task};
+use crate::model::{Analysis, Task};
 use crate::models::oscillator::case::OscillatorCase;
 use crate::models::oscillator::inputs::OscillatorInputs;
-use crate::models::oscillator::settings::CriticalThresholds;
+use crate::models::oscillator::settings::{CriticalThresholds, Sought, thresholds};
+use crate::models::swept_keys::OscillatorKeys;
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, cost};
+use serde_json::{Map, Value as Json};
+use std::sync::Arc;
 
-/// The figure of critical shear strengths.
-pub(crate) const OF_SHEAR_STRENGTH: Pictured = Pictured {
-    kind: "critical-shear-strength",
+/// The figure.
+const PICTURE: Picture = Picture {
     draw: curves::critical,
     caption: "All thresholds in the searched range. Dashed: without damping, eqs. (27), (28) made self-consistent. Solid: where the \
         full, damped system gains or loses stability. Where branches were followed: circles and squares tell super- from subcritical \
@@ -24,8 +27,23 @@ pub(crate) const OF_SHEAR_STRENGTH: Pictured = Pictured {
         missed.",
 };
 
-/// The figure of critical loads.
-pub(crate) const OF_LOAD: Pictured = Pictured { kind: "critical-load", ..OF_SHEAR_STRENGTH };
+/// The kind of critical shear strengths.
+pub(crate) const OF_SHEAR_STRENGTH: Kind<OscillatorKeys, Arc<dyn Operated>> = Kind {
+    name: Sought::ShearStrength.kind(),
+    doc: "the critical shear strengths along one key",
+    declared: || thresholds(Sought::ShearStrength),
+    read: |keys, section| Ok(Arc::new(CriticalThresholds::read(keys, section, Sought::ShearStrength)?)),
+    picture: Some(PICTURE),
+};
+
+/// The kind of critical loads.
+pub(crate) const OF_LOAD: Kind<OscillatorKeys, Arc<dyn Operated>> = Kind {
+    name: Sought::Load.kind(),
+    doc: "the critical loads along one key",
+    declared: || thresholds(Sought::Load),
+    read: |keys, section| Ok(Arc::new(CriticalThresholds::read(keys, section, Sought::Load)?)),
+    picture: Some(PICTURE),
+};
 
 impl Analysis<OscillatorCase> for CriticalThresholds {
     fn steps(&self) -> usize {
@@ -40,6 +58,10 @@ impl Analysis<OscillatorCase> for CriticalThresholds {
         let margin = if self.global_margin { cost::MARGIN } else { 0.0 };
         let (points, each) = (self.steps(), cost::THRESHOLDS + margin);
         Ok(Estimate::of_points(name, points, points as f64 * each))
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
     }
 }
 

@@ -6,22 +6,32 @@ mod run;
 pub mod settings;
 
 use super::{Operated, Subject};
+use crate::case::analysis::{Kind, Picture};
 use crate::error::StudyError;
-use crate::model::{Analysis, Pictured, Task};
+use crate::model::{Analysis, Task};
 use crate::models::motion::check::USUAL_TIME;
 use crate::models::motion::model::OscillatorModel;
 use crate::models::oscillator::case::OscillatorCase;
 use crate::models::oscillator::engines::settings::EnginesSettings;
+use crate::models::swept_keys::OscillatorKeys;
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, cost};
+use judder_keys::declared::Settings;
 use judder_keys::numeric_key::Form;
+use serde_json::{Map, Value as Json};
+use std::sync::Arc;
 
-/// The figure.
-pub(crate) const PICTURED: Pictured = Pictured {
-    kind: "engines",
-    draw: figure::engines,
-    caption: "The cycle by time-stepping and with a smoothed sign against that by events: relative errors of rms and period. Dotted: in proportion to the \
+/// The kind.
+pub(crate) const KIND: Kind<OscillatorKeys, Arc<dyn Operated>> = Kind {
+    name: "engines",
+    doc: "the cycle that a motion settles to, by events, by time-stepping and with a smoothed sign",
+    declared: EnginesSettings::declarations,
+    read: |_, section| Ok(Arc::new(EnginesSettings::read_table(section)?)),
+    picture: Some(Picture {
+        draw: figure::engines,
+        caption: "The cycle by time-stepping and with a smoothed sign against that by events: relative errors of rms and period. Dotted: in proportion to the \
         step, to the width. A sign that is too wide comes to another motion, or to none.",
+    }),
 };
 
 impl Analysis<OscillatorCase> for EnginesSettings {
@@ -43,6 +53,10 @@ impl Analysis<OscillatorCase> for EnginesSettings {
         };
         let seconds = steps * cost::TIME_STEP + points as f64 * USUAL_TIME * cost::RADIAN + cost::FIGURE;
         Ok(Estimate { name: (*name).to_owned(), points, seconds, bytes: 0 })
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
     }
 }
 

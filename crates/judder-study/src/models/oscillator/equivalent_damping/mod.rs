@@ -3,20 +3,29 @@
 mod run;
 
 use super::{Operated, Subject, curves, ends_of_curves, points_of_curves};
+use crate::case::analysis::{Kind, Picture};
 use crate::error::StudyError;
-use crate::model::{Analysis, Pictured, Task};
+use crate::model::{Analysis, Task};
 use crate::models::oscillator::case::OscillatorCase;
 use crate::models::oscillator::inputs::OscillatorInputs;
-use crate::models::oscillator::settings::DampingCurves;
+use crate::models::oscillator::settings::{self, DampingCurves};
+use crate::models::swept_keys::OscillatorKeys;
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, cost};
+use serde_json::{Map, Value as Json};
+use std::sync::Arc;
 
-/// The figure.
-pub(crate) const PICTURED: Pictured = Pictured {
-    kind: "equivalent-damping",
-    draw: curves::equivalent_damping,
-    caption: "Equivalent damping $ξ_{eq} = c_{11}/2$, eq. (23). The vertical axis is logarithmic on both sides of zero. \
+/// The kind.
+pub(crate) const KIND: Kind<OscillatorKeys, Arc<dyn Operated>> = Kind {
+    name: "equivalent-damping",
+    doc: "the equivalent damping ratio along one key",
+    declared: settings::curves,
+    read: |keys, section| Ok(Arc::new(DampingCurves::read(keys, section)?)),
+    picture: Some(Picture {
+        draw: curves::equivalent_damping,
+        caption: "Equivalent damping $ξ_{eq} = c_{11}/2$, eq. (23). The vertical axis is logarithmic on both sides of zero. \
         Below zero, friction that falls with speed feeds the motion.",
+    }),
 };
 
 impl Analysis<OscillatorCase> for DampingCurves {
@@ -30,6 +39,10 @@ impl Analysis<OscillatorCase> for DampingCurves {
 
     fn estimate(&self, name: &&str) -> Result<Estimate, StudyError> {
         Ok(Estimate::of_points(name, self.steps(), self.steps() as f64 * cost::EIGENVALUES))
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
     }
 }
 

@@ -5,20 +5,29 @@ mod run;
 pub(crate) use run::{Spectra, outcome};
 
 use super::{Operated, Subject, curves, ends_of_curves, points_of_curves};
+use crate::case::analysis::{Kind, Picture};
 use crate::error::StudyError;
-use crate::model::{Analysis, Pictured, Task};
+use crate::model::{Analysis, Task};
 use crate::models::oscillator::case::OscillatorCase;
 use crate::models::oscillator::inputs::OscillatorInputs;
-use crate::models::oscillator::settings::SpectrumCurves;
+use crate::models::oscillator::settings::{self, SpectrumCurves};
+use crate::models::swept_keys::OscillatorKeys;
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, cost};
+use serde_json::{Map, Value as Json};
+use std::sync::Arc;
 
-/// The figure.
-pub(crate) const PICTURED: Pictured = Pictured {
-    kind: "spectrum",
-    draw: curves::spectrum,
-    caption: "Eigenvalues in units of $ω_{nx}$: growth rates and frequencies. Solid: full system, eq. (21). Dashed: without \
+/// The kind.
+pub(crate) const KIND: Kind<OscillatorKeys, Arc<dyn Operated>> = Kind {
+    name: "spectrum",
+    doc: "the eigenvalues along one key",
+    declared: settings::curves,
+    read: |keys, section| Ok(Arc::new(SpectrumCurves::read(keys, section)?)),
+    picture: Some(Picture {
+        draw: curves::spectrum,
+        caption: "Eigenvalues in units of $ω_{nx}$: growth rates and frequencies. Solid: full system, eq. (21). Dashed: without \
         damping, eqs. (24), (25).",
+    }),
 };
 
 impl Analysis<OscillatorCase> for SpectrumCurves {
@@ -32,6 +41,10 @@ impl Analysis<OscillatorCase> for SpectrumCurves {
 
     fn estimate(&self, name: &&str) -> Result<Estimate, StudyError> {
         Ok(Estimate::of_points(name, self.steps(), self.steps() as f64 * cost::EIGENVALUES))
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
     }
 }
 

@@ -15,22 +15,32 @@ pub(crate) use run::{checked_points, map_scalars, unresolved_warning};
 pub(crate) use within_law::WITHIN_LAW;
 
 use super::{Operated, Subject, ends};
+use crate::case::analysis::{Kind, Picture};
 use crate::error::StudyError;
-use crate::model::{Analysis, Pictured, Task};
+use crate::model::{Analysis, Task};
 use crate::models::oscillator::case::OscillatorCase;
 use crate::models::oscillator::inputs::OscillatorInputs;
 use crate::models::oscillator::keys::OscillatorKey;
+use crate::models::oscillator::settings;
 use crate::models::sweep::{MapMethod, StabilityMap};
+use crate::models::swept_keys::OscillatorKeys;
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, cost};
+use serde_json::{Map, Value as Json};
+use std::sync::Arc;
 
-/// The figure.
-pub(crate) const PICTURED: Pictured = Pictured {
-    kind: "stability-map",
-    draw: figure::stability_map,
-    caption: "Stability of steady sliding, coloured by what carries the instability. Curves are followed by continuation: \
+/// The kind.
+pub(crate) const KIND: Kind<OscillatorKeys, Arc<dyn Operated>> = Kind {
+    name: "stability-map",
+    doc: "stable and unstable points over two keys",
+    declared: settings::map_keys,
+    read: |keys, section| Ok(Arc::new(StabilityMap::<OscillatorKey>::read(keys, section)?)),
+    picture: Some(Picture {
+        draw: figure::stability_map,
+        caption: "Stability of steady sliding, coloured by what carries the instability. Curves are followed by continuation: \
         full system (solid black), without damping (dashed), full system with $η = 0$ (red). Where it is hatched, steady sliding is \
         stable, but a motion lives beside it, which a knock can start; where it is dotted, what a knock does is not known.",
+    }),
 };
 
 impl Analysis<OscillatorCase> for StabilityMap<OscillatorKey> {
@@ -56,6 +66,10 @@ impl Analysis<OscillatorCase> for StabilityMap<OscillatorKey> {
         let margins = if self.global_margin { lines as f64 * cost::MARGIN } else { 0.0 };
         let boundaries = if self.options.boundaries { cost::BOUNDARIES } else { 0.0 };
         Ok(Estimate::of_points(name, points, decisions + margins + boundaries))
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
     }
 }
 

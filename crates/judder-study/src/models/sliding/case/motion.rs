@@ -131,7 +131,7 @@ impl SlidingMotion {
 }
 
 /// Refuses a velocity that is zero or leads the other way.
-pub(super) fn check_course([start, end]: [f64; 2], velocity: f64) -> Result<(), SlidingProblem> {
+pub(crate) fn check_course([start, end]: [f64; 2], velocity: f64) -> Result<(), SlidingProblem> {
     if (end > start && velocity > 0.0) || (end < start && velocity < 0.0) {
         return Ok(());
     }

@@ -110,7 +110,7 @@ impl Signal {
     }
 
     /// What of the motion of a point it is; empty for a signal of the contact.
-    pub(super) fn quantity(self) -> &'static str {
+    pub(crate) fn quantity(self) -> &'static str {
         match self {
             Self::Point { quantity, .. } => quantity.name(),
             _ => "",
@@ -147,7 +147,7 @@ impl Signal {
 
 impl Observed {
     /// Finds the structures of the points, and refuses nodes that they cannot have and two points of one name.
-    pub(super) fn admit(
+    pub(crate) fn admit(
         &mut self,
         section: &Section<'_>,
         structures: &[SlidingStructure; 2],
@@ -185,7 +185,7 @@ impl PointNode {
 
 impl Signal {
     /// The signal under `key`; without the key the first point's acceleration along y, or the normal force where no point is observed.
-    pub(super) fn named(
+    pub(crate) fn named(
         section: &Section<'_>,
         key: &str,
         points: &[ObservedPoint],
@@ -200,7 +200,7 @@ impl Signal {
     }
 
     /// The signal that a value under `key` names.
-    pub(super) fn read(key: &str, node: &Node, points: &[ObservedPoint]) -> Result<Self, Fault> {
+    pub(crate) fn read(key: &str, node: &Node, points: &[ObservedPoint]) -> Result<Self, Fault> {
         let name = text(key, node)?;
         Self::find(name, points).ok_or_else(|| {
             let of_point =

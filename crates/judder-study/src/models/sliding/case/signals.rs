@@ -1,9 +1,9 @@
 //! What a march keeps of its motion: which signals, how they are sampled, which of them are left as sound.
 
-use super::march::March;
 use super::motion::Axis;
 use super::observe::{CONTACT_SIGNALS, ObservedPoint, PointQuantity, Signal};
 use super::problem::SlidingProblem;
+use crate::models::sliding::march::settings::March;
 use judder_keys::Settings;
 use judder_keys::declared::{Allowed, Named, Number, Setting, Several, all};
 use judder_keys::dimension::Dimension;
@@ -94,7 +94,7 @@ impl Sampling {
     }
 
     /// Refuses a rate that does not carry the pass band, or that steps of `step` seconds do not reach.
-    pub(super) fn check(&self, step: Option<f64>) -> Result<(), SlidingProblem> {
+    pub(crate) fn check(&self, step: Option<f64>) -> Result<(), SlidingProblem> {
         let (Hertz(sample_rate), pass_band) = (self.sample_rate, self.pass_band / TAU);
         let refuse = |reason: String| Err(SlidingProblem::SampleRate { sample_rate, reason });
         if sample_rate <= 2.0 * pass_band * (1.0 + ROUNDING) {
@@ -127,7 +127,7 @@ impl Setting for Hertz {
 
 impl Sound {
     /// Finds the signals, each once, that are heard.
-    pub(super) fn admit(&mut self, node: Option<&Node>, points: &[ObservedPoint]) -> Result<(), Fault> {
+    pub(crate) fn admit(&mut self, node: Option<&Node>, points: &[ObservedPoint]) -> Result<(), Fault> {
         let (Self::Signals(heard), Some(Node { data: Data::List(items), .. })) = (self, node) else {
             return Ok(());
         };

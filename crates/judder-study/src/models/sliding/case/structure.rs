@@ -101,7 +101,7 @@ fn refuse_beside_matrices(section: &Section<'_>) -> Result<(), Fault> {
 }
 
 /// Finds the structure that `structure` of a section names.
-pub(super) fn find_structure(
+pub(crate) fn find_structure(
     named: &mut Named<usize>,
     structures: &[SlidingStructure; 2],
     section: &Section<'_>,

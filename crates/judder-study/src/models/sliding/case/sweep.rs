@@ -60,7 +60,7 @@ impl Setting for KeySweep {
 
 impl KeySweep {
     /// Tries both ends on the case, which has the sweep at `node`.
-    pub(super) fn admit(&self, case: &SlidingCase, node: &Node) -> Result<(), Fault> {
+    pub(crate) fn admit(&self, case: &SlidingCase, node: &Node) -> Result<(), Fault> {
         for value in self.values.first().into_iter().chain(self.values.last()) {
             case.at(self, *value).map_err(|problem| {
                 let key = node.entry("key").filter(|_| matches!(problem, SlidingProblem::SweptKey { .. }));

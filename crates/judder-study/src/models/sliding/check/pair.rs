@@ -1,8 +1,7 @@
 //! What is known of a pair before anything is computed.
 
 use crate::models::sliding::case::SlidingCase;
-use crate::models::sliding::case::analysis::SlidingAnalysis;
-use crate::models::sliding::case::march::{CUT_OFF, MarchMethod};
+use crate::models::sliding::march::settings::{CUT_OFF, March, MarchMethod};
 use crate::models::sliding::system::{self, SlidingSystem};
 use crate::text::{columns, number};
 use judder_sliding::SlidingError;
@@ -116,11 +115,8 @@ fn locked(system: &SlidingSystem, sliding: Sliding) -> Option<SlidingError> {
 
 /// The largest step of every method along the path, s.
 fn limits(case: &SlidingCase, system: &SlidingSystem) -> (Value, String) {
-    let own = case.analyses.iter().find_map(|analysis| match &analysis.kind {
-        SlidingAnalysis::March(march) => match march.method() {
-            MarchMethod::ResidualFlexibility { cut_off } => Some(cut_off),
-            _ => None,
-        },
+    let own = case.analyses.iter().find_map(|analysis| match analysis.settings::<March>()?.method() {
+        MarchMethod::ResidualFlexibility { cut_off } => Some(cut_off),
         _ => None,
     });
     let methods = [

@@ -3,24 +3,35 @@
 mod figure;
 mod history;
 mod run;
+pub mod settings;
 
 use super::system::{method, step};
 use super::{Subject, blame, cost};
+use crate::case::analysis::{Kind, Picture};
 use crate::error::StudyError;
-use crate::model::{Analysis, Pictured, Refusal, Task};
+use crate::model::{Analysis, Refusal, Task};
 use crate::models::sliding::case::SlidingCase;
-use crate::models::sliding::case::growth::Growth;
+use crate::models::sliding::march::settings::MarchWord;
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, cost::FIGURE};
+use judder_keys::declared::Settings;
+use serde_json::{Map, Value as Json, json};
+use settings::Growth;
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
-/// The figure.
-pub(crate) const PICTURED: Pictured = Pictured {
-    kind: "growth",
-    draw: figure::growth,
-    caption: "The contact held, the pair started in one mode of 10^{−5} of the normal force: the largest deviation of the normal force in each period, and \
+/// The kind.
+pub(crate) const KIND: Kind<SlidingCase, Arc<dyn Analysis<SlidingCase>>> = Kind {
+    name: "growth",
+    doc: "the growth of one mode in a march with the contact held, against the eigenvalue there",
+    declared: Growth::declarations,
+    read: |_, section| Ok(Arc::new(Growth::read_table(section)?)),
+    picture: Some(Picture {
+        draw: figure::growth,
+        caption: "The contact held, the pair started in one mode of 10^{−5} of the normal force: the largest deviation of the normal force in each period, and \
         how the eigenvalue says that it grows, from the same start. Nothing is fitted to the line; the shaded interval is where the march's own rate is \
         measured.",
+    }),
 };
 
 impl Analysis<SlidingCase> for Growth {
@@ -44,5 +55,13 @@ impl Analysis<SlidingCase> for Growth {
         let steps = cost::PERIODS * TAU / self.frequency / step;
         let seconds = steps * of.system.pair.modes() as f64 * cost::STEP_AND_MODE + FIGURE;
         Ok(Estimate { name: of.name.to_owned(), points: steps as usize, seconds, bytes: 0 })
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
+        // what a march by this method has besides
+        if self.word == MarchWord::Subs {
+            json.insert("slope".to_owned(), json!("none"));
+        }
     }
 }

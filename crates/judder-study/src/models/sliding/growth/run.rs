@@ -3,7 +3,7 @@
 use super::history::History;
 use crate::error::StudyError;
 use crate::models::sliding::case::SlidingCase;
-use crate::models::sliding::case::growth::Growth;
+use crate::models::sliding::growth::settings::Growth;
 use crate::models::sliding::system::{SlidingSystem, Step, method, step};
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;

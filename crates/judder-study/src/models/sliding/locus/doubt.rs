@@ -1,7 +1,7 @@
 //! A few values of a locus against eigenproblems with full matrices.
 
 use super::traced::Traced;
-use crate::models::sliding::case::locus::Locus;
+use crate::models::sliding::locus::settings::Locus;
 use crate::outcome::{CheckRecord, Disagreement};
 use judder_sliding::SlidingError;
 use judder_sliding::characteristic::Characteristic;

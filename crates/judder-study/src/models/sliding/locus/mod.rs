@@ -10,26 +10,36 @@ pub(crate) mod figure;
 mod positions;
 mod results;
 mod run;
+pub mod settings;
 mod swept;
 mod traced;
 
 pub(super) use run::conditions;
 
 use super::{Subject, blame, cost};
+use crate::case::analysis::{Kind, Picture};
 use crate::error::StudyError;
-use crate::model::{Analysis, Pictured, Refusal, Task};
+use crate::model::{Analysis, Refusal, Task};
 use crate::models::sliding::case::SlidingCase;
-use crate::models::sliding::case::locus::{Along, Locus};
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, cost::FIGURE};
+use judder_keys::declared::Settings;
+use serde_json::{Map, Value as Json};
+use settings::{Along, Locus};
+use std::sync::Arc;
 
-/// The figure.
-pub(crate) const PICTURED: Pictured = Pictured {
-    kind: "locus",
-    draw: figure::locus,
-    caption: "Complex eigenvalues of the coupled pair, dark to light along the axis: all of them with growth rates logarithmic on both sides of zero, and \
+/// The kind.
+pub(crate) const KIND: Kind<SlidingCase, Arc<dyn Analysis<SlidingCase>>> = Kind {
+    name: "locus",
+    doc: "complex eigenvalues against the position of the contact, or against any key, with located unstable zones",
+    declared: Locus::declarations,
+    read: |case, section| Ok(Arc::new(Locus::read_table(section)?.admit(case, section)?)),
+    picture: Some(Picture {
+        draw: figure::locus,
+        caption: "Complex eigenvalues of the coupled pair, dark to light along the axis: all of them with growth rates logarithmic on both sides of zero, and \
         their unstable side on even axes. Zones are located by the roots of the growth rate itself, however narrow; the markers stand where they \
         grow fastest. The last but one panel has the growth rates of the zones alone.",
+    }),
 };
 
 impl Analysis<SlidingCase> for Locus {
@@ -86,5 +96,9 @@ impl Analysis<SlidingCase> for Locus {
         let seconds = points as f64 * value + 3.0 * cost::DENSE * modes.powi(3) + FIGURE;
         let bytes = (8.0 * points as f64 * (2.0 * count + 3.0)) as u128;
         Ok(Estimate { name: of.name.to_owned(), points, seconds, bytes })
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
     }
 }

@@ -7,7 +7,7 @@ use crate::error::StudyError;
 use crate::labels::Quantity;
 use crate::models::axis::Axis;
 use crate::models::sliding::case::SlidingCase;
-use crate::models::sliding::case::locus::{Locus, Positions};
+use crate::models::sliding::locus::settings::{Locus, Positions};
 use crate::models::sliding::system::SlidingSystem;
 use crate::models::sweep::Scale;
 use crate::outcome::CheckRecord;

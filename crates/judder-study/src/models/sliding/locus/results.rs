@@ -3,7 +3,7 @@
 use super::traced::{Row, Traced};
 use crate::error::StudyError;
 use crate::models::axis::Axis;
-use crate::models::sliding::case::locus::{Along, Locus};
+use crate::models::sliding::locus::settings::{Along, Locus};
 use judder_sliding::zones::{End, Zone};
 use judder_store::{Dataset, Table, Variable, number};
 use num_complex::Complex64;

@@ -4,7 +4,7 @@ use super::results::Results;
 use super::{positions, swept};
 use crate::error::StudyError;
 use crate::models::sliding::case::SlidingCase;
-use crate::models::sliding::case::locus::{self, Along, Locus};
+use crate::models::sliding::locus::settings::{self, Along, Locus};
 use crate::models::sliding::system::SlidingSystem;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
@@ -38,8 +38,8 @@ pub(super) fn run(
 pub(crate) fn conditions(case: &SlidingCase, settings: &Locus) -> Conditions {
     Conditions {
         configuration: match settings.configuration {
-            locus::Configuration::Undeformed => Configuration::Undeformed,
-            locus::Configuration::Deformed => Configuration::Deformed,
+            settings::Configuration::Undeformed => Configuration::Undeformed,
+            settings::Configuration::Deformed => Configuration::Deformed,
         },
         is_damped: settings.damping,
         velocity: case.motion.velocity,

@@ -1,7 +1,7 @@
 //! The growth that the unstable zones along the path promise, beside the bursts.
 
 use super::Marched;
-use crate::models::sliding::case::march::MarchMethod;
+use crate::models::sliding::march::settings::MarchMethod;
 use judder_sliding::SlidingError;
 use judder_sliding::amplification::{Amplification, amplifications};
 use judder_sliding::locus::{Conditions, Configuration};

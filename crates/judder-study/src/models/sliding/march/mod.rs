@@ -6,7 +6,8 @@ pub(crate) mod figure;
 mod loudness;
 mod run;
 mod samples;
-mod settings;
+mod sampling;
+pub mod settings;
 mod signals;
 mod size;
 mod sound;
@@ -17,22 +18,31 @@ pub(super) use size::Size;
 
 use super::system::{method, step};
 use super::{Subject, blame, cost};
+use crate::case::analysis::{Kind, Picture};
 use crate::error::StudyError;
-use crate::model::{Analysis, Pictured, Refusal, Task};
+use crate::model::{Analysis, Refusal, Task};
 use crate::models::sliding::case::SlidingCase;
-use crate::models::sliding::case::march::March;
 use crate::models::sliding::case::observe::ObservedPoint;
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, cost::FIGURE};
+use judder_keys::declared::Settings;
 use judder_sliding::motion::Motion;
 use judder_sliding::pair::Pair;
+use serde_json::{Map, Value as Json};
+use settings::March;
+use std::sync::Arc;
 
-/// The figure.
-pub(crate) const PICTURED: Pictured = Pictured {
-    kind: "march",
-    draw: figure::march,
-    caption: "Each line fills the space between the smallest and the largest sample of a column; samples are low-passed before they are thinned. Above \
+/// The kind.
+pub(crate) const KIND: Kind<SlidingCase, Arc<dyn Analysis<SlidingCase>>> = Kind {
+    name: "march",
+    doc: "the motion along the path by explicit time integration: signals, bursts, contact forces",
+    declared: March::declarations,
+    read: |case, section| Ok(Arc::new(March::read_table(section)?.admit(case, section)?)),
+    picture: Some(Picture {
+        draw: figure::march,
+        caption: "Each line fills the space between the smallest and the largest sample of a column; samples are low-passed before they are thinned. Above \
         the frame, where the contact is. Extremes of every step stand in the table.",
+    }),
 };
 
 /// What marches, and how it is asked to.
@@ -78,5 +88,9 @@ impl Analysis<SlidingCase> for March {
         let seconds = steps * of.system.pair.modes() as f64 * cost::STEP_AND_MODE + FIGURE;
         let bytes = Size::new(of.system, self, step).memory() as u128;
         Ok(Estimate { name: of.name.to_owned(), points: steps as usize, seconds, bytes })
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
     }
 }

@@ -4,7 +4,7 @@ use super::blocks::Marching;
 use super::loudness::loudness;
 use super::samples::{Finished, Samples};
 use super::summary::Told;
-use super::{Marched, expected, settings, signals, sound};
+use super::{Marched, expected, sampling, signals, sound};
 use crate::error::StudyError;
 use crate::kept::Kept;
 use crate::models::sliding::case::signals::Sound;
@@ -19,7 +19,7 @@ pub(crate) fn run(of: &Marched<'_>, kept: Kept<'_>, progress: &dyn Progress) -> 
     let (asked, points) = (of.march, of.points);
     let method = method(asked.method());
     let chosen = step(of.pair, method, asked.step, of.motion)?;
-    let decimation = settings::decimation(&asked.signals, chosen.step);
+    let decimation = sampling::decimation(&asked.signals, chosen.step);
     let signals = asked.kept(points.len());
     let channels: Vec<_> = signals.iter().map(|signal| signals::channel(*signal)).collect();
     let predictor = predictor(asked.predictor);

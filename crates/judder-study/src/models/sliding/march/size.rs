@@ -1,8 +1,8 @@
 //! What a march keeps, what looking at it takes, and what is refused beforehand as too much or too short.
 
 use crate::model::Refusal;
-use crate::models::sliding::case::march::March;
 use crate::models::sliding::case::problem::SlidingProblem;
+use crate::models::sliding::march::settings::March;
 use crate::models::sliding::system::{SlidingSystem, method, step};
 use judder_keys::memory::Memory;
 use judder_numerics::signal::decimate::Decimation;

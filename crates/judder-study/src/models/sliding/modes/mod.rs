@@ -2,13 +2,43 @@
 
 use super::system::alone;
 use super::{Subject, cost};
+use crate::case::analysis::Kind;
 use crate::error::StudyError;
 use crate::model::{Analysis, Task};
 use crate::models::sliding::case::SlidingCase;
-use crate::models::sliding::case::analysis::PartModes;
-use crate::models::structure::modes;
+use crate::models::sliding::case::structure::find_structure;
+use crate::models::structure::modes::{self, Modes};
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, cost::FIGURE};
+use judder_keys::Settings;
+use judder_keys::declared::{Named, Settings};
+use serde_json::{Map, Value as Json};
+use std::sync::Arc;
+
+/// Undamped modes of one of the structures.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub struct PartModes {
+    /// The name of a structure.
+    #[key(later)]
+    pub structure: Named<usize>,
+    /// Which.
+    #[key(flatten)]
+    pub modes: Modes,
+}
+
+/// The kind.
+pub(crate) const KIND: Kind<SlidingCase, Arc<dyn Analysis<SlidingCase>>> = Kind {
+    name: "modes",
+    doc: "undamped modes of one of the two structures, as it is held, without contact",
+    declared: PartModes::declarations,
+    read: |case, section| {
+        let mut own = PartModes::read_table(section)?;
+        find_structure(&mut own.structure, &case.structures, section)?;
+        Ok(Arc::new(own))
+    },
+    // as that of a structure
+    picture: None,
+};
 
 impl Analysis<SlidingCase> for PartModes {
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, StudyError> {
@@ -23,5 +53,9 @@ impl Analysis<SlidingCase> for PartModes {
     fn estimate(&self, of: &Subject<'_>) -> Result<Estimate, StudyError> {
         let seconds = cost::FREEDOM * cost::freedoms(of.system, *self.structure) + FIGURE;
         Ok(Estimate { name: of.name.to_owned(), points: 1, seconds, bytes: 0 })
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
     }
 }

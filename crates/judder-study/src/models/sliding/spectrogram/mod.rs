@@ -2,36 +2,42 @@
 
 mod figure;
 mod run;
+pub mod settings;
 
 use super::Subject;
 use super::march::Size;
+use crate::case::analysis::{Kind, Picture};
 use crate::error::StudyError;
-use crate::model::{Analysis, Pictured, Refusal, Task};
+use crate::model::{Analysis, Refusal, Task};
 use crate::models::sliding::case::SlidingCase;
-use crate::models::sliding::case::analysis::SlidingAnalysis;
-use crate::models::sliding::case::march::March;
 use crate::models::sliding::case::problem::SlidingProblem;
-use crate::models::sliding::case::spectrogram::Spectrogram;
+use crate::models::sliding::march::settings::March;
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, cost::FIGURE};
+use judder_keys::declared::Settings;
+use serde_json::{Map, Value as Json};
+use settings::Spectrogram;
+use std::sync::Arc;
 
 const SHORTER: &str = "give a shorter length, or none";
 
-/// The figure.
-pub(crate) const PICTURED: Pictured = Pictured {
-    kind: "spectrogram",
-    draw: figure::spectrogram,
-    caption: "First, the highest level in each cell of the drawing, with the unstable zones of a locus as frames from start to end. Then the highest level in \
+/// The kind.
+pub(crate) const KIND: Kind<SlidingCase, Arc<dyn Analysis<SlidingCase>>> = Kind {
+    name: "spectrogram",
+    doc: "a signal of a march over time, position and frequency, with the unstable zones of a locus",
+    declared: Spectrogram::declarations,
+    read: |case, section| Ok(Arc::new(Spectrogram::read_table(section)?.admit(case, section)?)),
+    picture: Some(Picture {
+        draw: figure::spectrogram,
+        caption: "First, the highest level in each cell of the drawing, with the unstable zones of a locus as frames from start to end. Then the highest level in \
         each of successive stretches: every spectrum stands on its position and hides what is behind it; bars are the zones. Frequencies \
         beyond one and a half times the highest of a zone are stored, not drawn.",
+    }),
 };
 
 /// The march whose signal it shows.
 fn march<'a>(asked: &Spectrogram, case: &'a SlidingCase) -> Option<&'a March> {
-    match &case.analyses.iter().find(|own| own.name == asked.of)?.kind {
-        SlidingAnalysis::March(march) => Some(march),
-        _ => None,
-    }
+    case.analyses.iter().find(|own| own.name == asked.of)?.settings()
 }
 
 impl Analysis<SlidingCase> for Spectrogram {
@@ -54,5 +60,13 @@ impl Analysis<SlidingCase> for Spectrogram {
         let read = march(self, of.case).and_then(|march| Size::of(of.system, march));
         let bytes = read.map_or(0, |size| size.stored() as u128);
         Ok(Estimate { name: of.name.to_owned(), points: 1, seconds: 1.0 + FIGURE, bytes })
+    }
+
+    fn takes_up(&self) -> Vec<&str> {
+        [Some(self.of.as_str()), self.locus.as_deref()].into_iter().flatten().collect()
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
     }
 }

@@ -3,8 +3,8 @@
 use crate::error::StudyError;
 use crate::kept::Place;
 use crate::models::sliding::case::observe::ObservedPoint;
-use crate::models::sliding::case::spectrogram::{Spectrogram, Window};
 use crate::models::sliding::march::variable_name;
+use crate::models::sliding::spectrogram::settings::{Spectrogram, Window};
 use crate::outcome::Outcome;
 use crate::pictures::reals;
 use judder_numerics::signal::spectrogram::{self as levels, SpectrogramSettings};

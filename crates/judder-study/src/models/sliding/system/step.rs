@@ -1,6 +1,6 @@
 //! Methods and steps of marches.
 
-use crate::models::sliding::case::march::{self, MarchMethod};
+use crate::models::sliding::march::settings::{self, MarchMethod};
 use judder_sliding::SlidingError;
 use judder_sliding::march::{March, MarchSettings, Method, Predictor};
 use judder_sliding::motion::Motion;
@@ -36,10 +36,10 @@ pub(crate) fn method(own: MarchMethod) -> Method {
 }
 
 /// The predictor of a case as the march has it; methods without one take any.
-pub(crate) fn predictor(own: Option<march::Predictor>) -> Predictor {
+pub(crate) fn predictor(own: Option<settings::Predictor>) -> Predictor {
     match own {
-        Some(march::Predictor::Printed) => Predictor::Printed,
-        Some(march::Predictor::WithForce) | None => Predictor::WithForce,
+        Some(settings::Predictor::Printed) => Predictor::Printed,
+        Some(settings::Predictor::WithForce) | None => Predictor::WithForce,
     }
 }
 

@@ -4,7 +4,7 @@ use super::super::undamped::Undamped;
 use crate::error::StudyError;
 use crate::models::structure::build::{Structure, factors};
 use crate::models::structure::case::StructureCase;
-use crate::models::structure::case::analysis::EigenRegion;
+use crate::models::structure::eigen::EigenRegion;
 use crate::outcome::{CheckRecord, Disagreement};
 use crate::text::short;
 use judder_store::number;

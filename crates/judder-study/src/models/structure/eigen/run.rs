@@ -6,7 +6,7 @@ use super::diagnosis;
 use crate::error::StudyError;
 use crate::models::structure::build::Structure;
 use crate::models::structure::case::StructureCase;
-use crate::models::structure::case::analysis::EigenRegion;
+use crate::models::structure::eigen::EigenRegion;
 use crate::outcome::{CheckRecord, Outcome};
 use judder_store::{Dataset, Table, Variable, number};
 use judder_structure::assembly::Sparse;

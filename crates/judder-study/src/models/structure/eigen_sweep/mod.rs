@@ -2,21 +2,31 @@
 
 mod figure;
 mod run;
+pub mod settings;
 
 use super::Subject;
+use crate::case::analysis::{Kind, Picture};
 use crate::error::StudyError;
-use crate::model::{Analysis, Pictured, Task};
+use crate::model::{Analysis, Task};
 use crate::models::structure::case::StructureCase;
-use crate::models::structure::case::analysis::{EigenMethod, EigenSweep};
+use crate::models::structure::case::scope::StructureScope;
 use crate::outcome::Outcome;
+use serde_json::{Map, Value as Json};
+use settings::{EigenMethod, EigenSweep};
+use std::sync::Arc;
 
-/// The figure.
-pub(crate) const PICTURED: Pictured = Pictured {
-    kind: "eigen-sweep",
-    draw: figure::eigen_sweep,
-    caption: "Every branch is followed through the points where eigenvalues meet: where two frequencies lock in, growth rates part. Squares are \
+/// The kind.
+pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = Kind {
+    name: "eigen-sweep",
+    doc: "complex modes along a parameter, followed through where they meet",
+    declared: settings::declarations,
+    read: |scope, section| Ok(Arc::new(EigenSweep::read(scope, section)?)),
+    picture: Some(Picture {
+        draw: figure::eigen_sweep,
+        caption: "Every branch is followed through the points where eigenvalues meet: where two frequencies lock in, growth rates part. Squares are \
         unstable; the axis of growth rates is logarithmic on both sides of zero. Among the damping ratios a bubble's area is the magnitude of the damping \
         ratio.",
+    }),
 };
 
 impl Analysis<StructureCase> for EigenSweep {
@@ -38,5 +48,9 @@ impl Analysis<StructureCase> for EigenSweep {
             format!(" for each of {} values of {}", family.values.len(), family.path)
         });
         Ok(format!("complex modes at {count} values of {path}{curves}, {method}"))
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
     }
 }

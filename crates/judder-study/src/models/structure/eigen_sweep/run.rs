@@ -1,12 +1,12 @@
 //! `eigen-sweep`: complex modes along a parameter, followed from value to value.
 
 use super::super::eigen::run::{VERDICTS, code, entry, gap_warnings, in_order, region};
+use super::settings::{EigenMethod, EigenSweep};
 use crate::error::StudyError;
 use crate::labels::{Quantity, parameter};
 use crate::models::axis::{Axis, Curves, name_of};
 use crate::models::structure::build::{Structure, factors};
 use crate::models::structure::case::StructureCase;
-use crate::models::structure::case::analysis::{EigenMethod, EigenSweep};
 use crate::outcome::{CheckRecord, Disagreement, Outcome};
 use crate::progress::Progress;
 use judder_store::{Dataset, Table, Variable};

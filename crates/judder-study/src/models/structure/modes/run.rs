@@ -6,7 +6,6 @@ use super::super::undamped::Undamped;
 use crate::error::StudyError;
 use crate::models::structure::build::Structure;
 use crate::models::structure::case::StructureCase;
-use crate::models::structure::case::analysis;
 use crate::outcome::{CheckRecord, Disagreement, Outcome};
 use judder_store::{Dataset, Table, Variable, number};
 use judder_structure::assembly::Sparse;
@@ -25,14 +24,14 @@ const ORTHOGONALITY_LIMIT: f64 = 1e-8;
 pub(crate) fn run(
     (case, structure): (&StructureCase, &Structure),
     name: &str,
-    wanted: analysis::Modes,
+    wanted: super::Modes,
     reduced: Option<&[f64]>,
 ) -> Result<Outcome, StudyError> {
     let problem = structure.at(case, &case.values())?;
     let Undamped { mass, stiffness, of } = Undamped::new(case, structure)?;
     let wanted = match wanted {
-        analysis::Modes::Count(count) => Wanted::Lowest(count),
-        analysis::Modes::Band([from, to]) => Wanted::Band(from / TAU, to / TAU),
+        super::Modes::Count(count) => Wanted::Lowest(count),
+        super::Modes::Band([from, to]) => Wanted::Band(from / TAU, to / TAU),
     };
     let found = modes(&stiffness, &mass, wanted)?;
     let table = ModeTable {

@@ -5,18 +5,49 @@ mod files;
 mod run;
 
 use super::Subject;
+use crate::case::analysis::{Kind, Picture};
 use crate::error::StudyError;
-use crate::model::{Analysis, Pictured, Task};
+use crate::model::{Analysis, Task};
 use crate::models::structure::case::StructureCase;
-use crate::models::structure::case::analysis::Compared;
+use crate::models::structure::case::scope::StructureScope;
+use crate::models::structure::modes::MODES_LIMIT;
 use crate::outcome::Outcome;
+use judder_keys::Settings;
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Settings, Whole};
+use serde_json::{Map, Value as Json};
+use std::sync::Arc;
 
-/// The figure.
-pub(crate) const PICTURED: Pictured = Pictured {
-    kind: "reduction",
-    draw: figure::reduction,
-    caption: "How far the frequencies of the reduced structure lie above those of the full one, and what the reduction alone says that this is at most. Below \
+/// The reduced structure against the full one.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub struct Compared {
+    /// How many frequencies are compared.
+    #[key(rule = Whole { from: 1, to: MODES_LIMIT }, default = COMPARED)]
+    pub count: usize,
+}
+
+/// The number of frequencies that `reduction` compares where the case does not say.
+pub const COMPARED: usize = 12;
+
+/// The kind.
+pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = Kind {
+    name: "reduction",
+    doc: "frequencies of the reduced structure against those of the full one, and the limit that the reduction tells of itself",
+    declared: Compared::declarations,
+    read: |scope, section| {
+        if !scope.has_reduction {
+            let (key, section_name) = ("reduction".to_owned(), "the case".to_owned());
+            let expected = "[reduction] with kept = [{ set = \"…\" }]".to_owned();
+            return Err(Cause::MissingKey { key, section: section_name, expected }.at(section.place));
+        }
+        scope.check_factors(section)?;
+        Ok(Arc::new(Compared::read_table(section)?))
+    },
+    picture: Some(Picture {
+        draw: figure::reduction,
+        caption: "How far the frequencies of the reduced structure lie above those of the full one, and what the reduction alone says that this is at most. Below \
         its limit it says that every frequency is within 10^{−4}, the dotted level.",
+    }),
 };
 
 impl Analysis<StructureCase> for Compared {
@@ -26,5 +57,9 @@ impl Analysis<StructureCase> for Compared {
 
     fn estimate(&self, _: &Subject<'_>) -> Result<String, StudyError> {
         Ok(format!("{} frequencies, reduced against full", self.count))
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
     }
 }

@@ -1,15 +1,16 @@
-//! The analyses of a structure case.
+//! What a case says of complex modes along a parameter.
 
-use super::matrices::MatrixSums;
-use super::problem::StructureProblem;
-use crate::case::analysis::Kind;
 use crate::models::read_sweep::{
-    PlacedFamily, SWEEP, check_size, family_declaration, read_placed_family, required,
+    PlacedFamily, SWEEP, check_size, family_declaration, read_placed_family, required, write_family,
 };
+use crate::models::structure::case::matrices::MatrixSums;
+use crate::models::structure::case::problem::StructureProblem;
+use crate::models::structure::case::scope::StructureScope;
+use crate::models::structure::eigen::{Eigen, EigenRegion};
 use crate::models::sweep::{Family, ParameterKey, Scale};
 use crate::models::swept_keys::{ParameterKeys, SweptKeys};
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Allowed, Declaration, Number, Pair, Settings, Whole};
+use judder_keys::declared::{Allowed, Declaration, Number, Setting, Settings};
 use judder_keys::dimension::Dimension;
 use judder_keys::document::Node;
 use judder_keys::error::{Fault, Place};
@@ -17,75 +18,7 @@ use judder_keys::numeric_key::Range;
 use judder_keys::problem::Placed;
 use judder_keys::section::{Section, finite_number, list, text};
 use judder_keys::{Choice, Settings};
-use serde_json::json;
-
-/// What an analysis of a structure case computes.
-#[derive(Debug, Clone, PartialEq)]
-pub enum StructureAnalysis {
-    /// `modes`: undamped modes.
-    Modes(Modes),
-    /// `reduction`: the reduced structure against the full one.
-    Reduction(Compared),
-    /// `eigen`: complex modes.
-    Eigen(Eigen),
-    /// `eigen-sweep`: complex modes along a parameter.
-    EigenSweep(EigenSweep),
-}
-
-/// Which undamped modes are wanted.
-#[derive(Debug, Clone, Copy, PartialEq, Settings)]
-pub enum Modes {
-    /// So many modes, from the lowest on, where no band is given.
-    #[key(rule = Whole { from: 1, to: MODES_LIMIT }, default = MODES)]
-    Count(usize),
-    /// All modes between two frequencies, in place of count.
-    #[key(rule = BAND, symbol = "ω")]
-    Band([f64; 2]),
-}
-
-/// The reduced structure against the full one.
-#[derive(Debug, Clone, PartialEq, Settings)]
-pub struct Compared {
-    /// How many frequencies are compared.
-    #[key(rule = Whole { from: 1, to: MODES_LIMIT }, default = COMPARED)]
-    pub count: usize,
-}
-
-/// Complex modes.
-#[derive(Debug, Clone, PartialEq, Settings)]
-pub struct Eigen {
-    /// The rectangle of λ = re + i im in which eigenvalues are sought.
-    #[key(example = "{ re = [-50.0, 1000.0], im = [0.0, 20000.0] }, in 1/s and rad/s")]
-    pub region: EigenRegion,
-}
-
-/// A rectangle of the complex plane: λ = re + i im.
-#[derive(Debug, Clone, Copy, PartialEq, Settings)]
-pub struct EigenRegion {
-    /// Growth rates from and to, 1/s.
-    #[key(rule = RANGE, example = "[-50.0, 1000.0], growth rates in 1/s")]
-    pub re: [f64; 2],
-    /// Angular frequencies from and to, rad/s.
-    #[key(rule = RANGE, example = "[0.0, 20000.0], angular frequencies in rad/s")]
-    pub im: [f64; 2],
-}
-
-/// Two frequencies.
-const BAND: Pair = Pair {
-    of: Number::non_negative(Dimension::ANGULAR_FREQUENCY),
-    what: "two frequencies, from and to",
-    is_ascending: true,
-};
-/// Two plain numbers.
-const RANGE: Pair =
-    Pair { of: Number::any(Dimension::NUMBER), what: "two numbers, from and to", is_ascending: true };
-
-impl Eigen {
-    /// The region of an analysis that has other keys too.
-    fn region(section: &Section<'_>) -> Result<EigenRegion, Fault> {
-        Ok(Self::read_table(section)?.region)
-    }
-}
+use serde_json::{Map, Value as Json, json};
 
 /// Complex modes along a parameter.
 #[derive(Debug, Clone, PartialEq)]
@@ -181,67 +114,6 @@ impl EigenMethod {
     }
 }
 
-/// The number of modes where the case does not say.
-pub const MODES: usize = 20;
-
-/// The most modes of an analysis.
-pub const MODES_LIMIT: usize = 2000;
-
-/// The number of frequencies that `reduction` compares where the case does not say.
-pub const COMPARED: usize = 12;
-
-/// What the analyses of a structure case need to know of it.
-pub(crate) struct StructureScope {
-    pub(crate) keys: ParameterKeys,
-    /// The matrices, where it is given by them.
-    pub(crate) sums: Option<MatrixSums>,
-    /// The values of the parameters.
-    pub(crate) values: Vec<f64>,
-    pub(crate) has_reduction: bool,
-}
-
-/// The kinds of a structure case.
-pub(crate) const KINDS: [Kind<StructureScope, StructureAnalysis>; 4] = [
-    Kind::declared(
-        "modes",
-        "undamped modes: frequencies, shapes, residuals, and a count that shows whether one is missing",
-        Modes::declarations,
-        |scope, section| {
-            check_factors(scope, section)?;
-            Modes::read_table(section).map(StructureAnalysis::Modes)
-        },
-    ),
-    Kind::declared(
-        "reduction",
-        "frequencies of the reduced structure against those of the full one, and the limit that the reduction tells of itself",
-        Compared::declarations,
-        |scope, section| {
-            if !scope.has_reduction {
-                let (key, section_name) = ("reduction".to_owned(), "the case".to_owned());
-                let expected = "[reduction] with kept = [{ set = \"…\" }]".to_owned();
-                return Err(Cause::MissingKey { key, section: section_name, expected }.at(section.place));
-            }
-            check_factors(scope, section)?;
-            Compared::read_table(section).map(StructureAnalysis::Reduction)
-        },
-    ),
-    Kind::declared(
-        "eigen",
-        "all complex modes in a region of the plane of growth rate and frequency, each with its error",
-        Eigen::declarations,
-        |scope, section| {
-            check_factors(scope, section)?;
-            Eigen::read_table(section).map(StructureAnalysis::Eigen)
-        },
-    ),
-    Kind::declared(
-        "eigen-sweep",
-        "complex modes along a parameter, followed through where they meet",
-        eigen_sweep,
-        |scope, section| read_eigen_sweep(scope, section).map(StructureAnalysis::EigenSweep),
-    ),
-];
-
 /// The keys of a sweep of listed values.
 fn listed() -> Vec<Declaration> {
     let values = Allowed::List { of: Box::new(ParameterKeys::value_form()), length: [2, usize::MAX] };
@@ -252,7 +124,7 @@ fn listed() -> Vec<Declaration> {
 }
 
 /// What is said of complex modes along a parameter.
-fn eigen_sweep() -> Vec<Declaration> {
+pub(super) fn declarations() -> Vec<Declaration> {
     let doc = "a parameter over a range, or with a list of values";
     let listed =
         required("sweep", "a parameter with a list of values", Allowed::Table { doc, keys: listed() });
@@ -264,21 +136,36 @@ fn eigen_sweep() -> Vec<Declaration> {
     [varied, Eigen::declarations(), MethodKeys::declarations()].concat()
 }
 
-fn read_eigen_sweep(scope: &StructureScope, section: &Section<'_>) -> Result<EigenSweep, Fault> {
-    let Some(sums) = &scope.sums else { return Err(StructureProblem::NothingToSweep.at(section.place)) };
-    let node =
-        section.required("sweep", "sweep = { key = \"parameters.NAME\", from = …, to = …, points = … }")?;
-    let sweep = read_values(&scope.keys, section, node)?;
-    check_effect(scope, sums, sweep.key, node.place)?;
-    let family = read_placed_family(&scope.keys, section, sweep.key)?;
-    if let Some(placed) = &family {
-        check_effect(scope, sums, placed.family.key, placed.key)?;
-        check_size(&[(placed.family.values.len(), placed.whole), (sweep.values.len(), node.place)])?;
+impl EigenSweep {
+    pub(super) fn read(scope: &StructureScope, section: &Section<'_>) -> Result<Self, Fault> {
+        let Some(sums) = &scope.sums else { return Err(StructureProblem::NothingToSweep.at(section.place)) };
+        let node = section
+            .required("sweep", "sweep = { key = \"parameters.NAME\", from = …, to = …, points = … }")?;
+        let sweep = read_values(&scope.keys, section, node)?;
+        check_effect(scope, sums, sweep.key, node.place)?;
+        let family = read_placed_family(&scope.keys, section, sweep.key)?;
+        if let Some(placed) = &family {
+            check_effect(scope, sums, placed.family.key, placed.key)?;
+            check_size(&[(placed.family.values.len(), placed.whole), (sweep.values.len(), node.place)])?;
+        }
+        check_values(scope, sums, (&sweep, node.place), family.as_ref())?;
+        let method = MethodKeys::read_table(section)?.method();
+        let family = family.map(|placed| placed.family);
+        Ok(Self { sweep, family, region: Eigen::read_table(section)?.region, method })
     }
-    check_values(scope, sums, (&sweep, node.place), family.as_ref())?;
-    let method = MethodKeys::read_table(section)?.method();
-    let family = family.map(|placed| placed.family);
-    Ok(EigenSweep { sweep, family, region: Eigen::region(section)?, method })
+
+    /// Its canonical form.
+    pub(super) fn write_table(&self, json: &mut Map<String, Json>) {
+        let Self { sweep, family, region, method } = self;
+        json.insert("region".to_owned(), Setting::write(region, &()));
+        json.insert("method".to_owned(), json!(method.name()));
+        let sweep = json!({ "key": sweep.path, "values": sweep.values, "scale": sweep.scale.name() });
+        json.insert("sweep".to_owned(), sweep);
+        write_family::<ParameterKeys>(family.as_ref(), json);
+        if let EigenMethod::Projected { tolerance } = method {
+            json.insert("tolerance".to_owned(), json!(tolerance));
+        }
+    }
 }
 
 /// Refuses a parameter that no factor contains.
@@ -342,10 +229,4 @@ fn read_values(keys: &ParameterKeys, section: &Section<'_>, node: &Node) -> Resu
         return Err(StructureProblem::UnsortedValues.at(list_node.place));
     }
     Ok(ParameterValues { key, path: keys.path(key), values, scale: Scale::Linear })
-}
-
-/// Refuses an analysis at the case's own parameters where a factor has no value.
-fn check_factors(scope: &StructureScope, section: &Section<'_>) -> Result<(), Fault> {
-    let checked = scope.sums.as_ref().map(|sums| sums.check(&scope.values));
-    checked.unwrap_or(Ok(())).map_err(|cause| cause.at(section.place))
 }

@@ -1,6 +1,6 @@
 //! `growth`: the motion with the contact held, against the eigenvalue there.
 
-use super::march::{CUT_OFF, MarchMethod, MarchWord, refuse_with};
+use crate::models::sliding::march::settings::{CUT_OFF, MarchMethod, MarchWord, refuse_with};
 use judder_keys::Settings;
 use judder_keys::declared::Number;
 use judder_keys::dimension::Dimension;

@@ -1,11 +1,12 @@
 //! `spectrogram`: a signal of a march over time and frequency.
 
-use super::SlidingCase;
-use super::analysis::SlidingAnalysis;
-use super::locus::{Along, Locus};
-use super::observe::{ObservedPoint, Signal};
-use super::problem::SlidingProblem;
-use crate::case::analysis::Analysis;
+use crate::case::analysis::Planned;
+use crate::model::Analysis;
+use crate::models::sliding::case::SlidingCase;
+use crate::models::sliding::case::observe::{ObservedPoint, Signal};
+use crate::models::sliding::case::problem::SlidingProblem;
+use crate::models::sliding::locus::settings::{Along, Locus};
+use crate::models::sliding::march::settings::March;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Allowed, Named, Number, Pair, Setting};
 use judder_keys::dimension::Dimension;
@@ -17,6 +18,7 @@ use judder_keys::problem::Placed;
 use judder_keys::section::{Section, text};
 use judder_keys::{Choice, Settings};
 use serde_json::{Value as Json, json};
+use std::sync::Arc;
 
 /// A spectrogram of a signal.
 #[derive(Debug, Clone, PartialEq, Settings)]
@@ -71,7 +73,7 @@ const LEVELS: Pair =
 
 impl Spectrogram {
     /// Finds the signal, and reads the amplitude of 0 dB in its unit.
-    pub(super) fn admit(mut self, case: &SlidingCase, section: &Section<'_>) -> Result<Self, Fault> {
+    pub(crate) fn admit(mut self, case: &SlidingCase, section: &Section<'_>) -> Result<Self, Fault> {
         self.signal = Signal::named(section, "signal", &case.points)?;
         let dimension = self.signal.dimension();
         self.reference = Amplitude { dimension, ..Amplitude::default() };
@@ -113,21 +115,24 @@ impl Setting for Amplitude {
     }
 }
 
+/// An analysis of the case.
+type Above = Planned<Arc<dyn Analysis<SlidingCase>>>;
+
 /// Refuses a spectrogram of what does not stand above it; `nodes` are the analyses as the case has them.
-pub(super) fn check_references(
-    analyses: &[Analysis<SlidingAnalysis>],
+pub(crate) fn check_references(
+    analyses: &[Above],
     points: &[ObservedPoint],
     nodes: &[Node],
 ) -> Result<(), Fault> {
     for (index, (analysis, node)) in analyses.iter().zip(nodes).enumerate() {
-        let SlidingAnalysis::Spectrogram(spectrogram) = &analysis.kind else { continue };
+        let Some(spectrogram) = analysis.settings::<Spectrogram>() else { continue };
         let above = &analyses[..index];
-        let is_march = |kind: &SlidingAnalysis| matches!(kind, SlidingAnalysis::March(_));
+        let is_march = |other: &Above| other.settings::<March>().is_some();
         check_name(above, is_march, ("march", "of"), &spectrogram.of, node)?;
         check_signal(above, spectrogram, points, node)?;
         if let Some(name) = &spectrogram.locus {
-            let is_locus = |kind: &SlidingAnalysis| {
-                matches!(kind, SlidingAnalysis::Locus(Locus { along: Along::Positions(_), .. }))
+            let is_locus = |other: &Above| {
+                other.settings::<Locus>().is_some_and(|locus| matches!(locus.along, Along::Positions(_)))
             };
             check_name(above, is_locus, ("locus over positions", "locus"), name, node)?;
         }
@@ -137,15 +142,13 @@ pub(super) fn check_references(
 
 /// Refuses a signal that the march does not keep.
 fn check_signal(
-    above: &[Analysis<SlidingAnalysis>],
+    above: &[Above],
     spectrogram: &Spectrogram,
     points: &[ObservedPoint],
     node: &Node,
 ) -> Result<(), Fault> {
-    let kept = above.iter().find(|other| other.name == spectrogram.of).and_then(|other| match &other.kind {
-        SlidingAnalysis::March(march) => Some(march.kept(points.len())),
-        _ => None,
-    });
+    let march = above.iter().find(|other| other.name == spectrogram.of).and_then(Above::settings::<March>);
+    let kept = march.map(|march| march.kept(points.len()));
     if kept.is_none_or(|kept| kept.contains(&*spectrogram.signal)) {
         return Ok(());
     }
@@ -156,14 +159,14 @@ fn check_signal(
 }
 
 fn check_name(
-    above: &[Analysis<SlidingAnalysis>],
-    fits: impl Fn(&SlidingAnalysis) -> bool,
+    above: &[Above],
+    fits: impl Fn(&Above) -> bool,
     (what, key): (&'static str, &str),
     name: &str,
     node: &Node,
 ) -> Result<(), Fault> {
     let known: Vec<String> =
-        above.iter().filter(|other| fits(&other.kind)).map(|other| other.name.clone()).collect();
+        above.iter().filter(|other| fits(other)).map(|other| other.name.clone()).collect();
     if known.iter().any(|other| other == name) {
         return Ok(());
     }

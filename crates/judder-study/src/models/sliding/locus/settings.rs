@@ -1,8 +1,8 @@
 //! `locus`: complex eigenvalues against the position of the contact, or against any key.
 
-use super::SlidingCase;
-use super::sweep::KeySweep;
-use crate::models::structure::case::analysis::{MODES, MODES_LIMIT};
+use crate::models::sliding::case::SlidingCase;
+use crate::models::sliding::case::sweep::KeySweep;
+use crate::models::structure::modes::{MODES, MODES_LIMIT};
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Number, Whole};
 use judder_keys::dimension::Dimension;
@@ -80,7 +80,7 @@ pub const POSITIONS: usize = 1000;
 
 impl Locus {
     /// Tries a sweep on the case; positions that are left out are those of the path of its motion.
-    pub(super) fn admit(mut self, case: &SlidingCase, section: &Section<'_>) -> Result<Self, Fault> {
+    pub(crate) fn admit(mut self, case: &SlidingCase, section: &Section<'_>) -> Result<Self, Fault> {
         match (&mut self.along, section.get("sweep")) {
             (Along::Positions(positions), _) => positions.admit(case, section.inner("positions")?)?,
             (Along::Key { sweep, .. }, Some(node)) => sweep.admit(case, node)?,

@@ -1,0 +1,24 @@
+//! What the analyses of a structure case need to know of it.
+
+use super::matrices::MatrixSums;
+use crate::models::swept_keys::ParameterKeys;
+use judder_keys::error::Fault;
+use judder_keys::section::Section;
+
+/// What the analyses of a structure case need to know of it.
+pub(crate) struct StructureScope {
+    pub(crate) keys: ParameterKeys,
+    /// The matrices, where it is given by them.
+    pub(crate) sums: Option<MatrixSums>,
+    /// The values of the parameters.
+    pub(crate) values: Vec<f64>,
+    pub(crate) has_reduction: bool,
+}
+
+impl StructureScope {
+    /// Refuses an analysis at the case's own parameters where a factor has no value.
+    pub(crate) fn check_factors(&self, section: &Section<'_>) -> Result<(), Fault> {
+        let checked = self.sums.as_ref().map(|sums| sums.check(&self.values));
+        checked.unwrap_or(Ok(())).map_err(|cause| cause.at(section.place))
+    }
+}

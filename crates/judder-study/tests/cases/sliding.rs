@@ -288,5 +288,6 @@ fn a_spectrogram_has_the_unit_of_its_signal() {
         let case = sliding(&with_analyses(&format!("{march}{settings}\n")), &[]);
         let found: &Spectrogram = case.analyses[1].settings().unwrap();
         assert_eq!((found.reference.number, found.window, found.length), (reference, Window::Hann, 5e-3));
+        assert_eq!(found.waterfall, None);
     }
 }

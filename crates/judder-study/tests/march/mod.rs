@@ -2,6 +2,7 @@
 
 use judder_store::StudyFolder;
 use judder_study::case::file::CaseFile;
+use judder_study::pictures::panels;
 use judder_study::run::{RunOptions, RunReport, run};
 use judder_study::{Progress, Silent, StudyError};
 use serde_json::Value;
@@ -240,6 +241,16 @@ fn a_spectrogram_shows_a_march_and_follows_its_changes() {
     assert_eq!(again.skipped, ["ensubs", "levels"]);
     let changed = run(&case(&text("2.5e-7 s")), &study, &RunOptions::default(), &Silent).unwrap();
     assert!(changed.skipped.is_empty() && changed.complete, "{:?}", changed.skipped);
+    // a spectrum of the waterfall is a line; the first panel is the map
+    let lines = |waterfall: &str| {
+        let text = text("2.5e-7 s") + waterfall;
+        let report = run(&case(&text), &study, &RunOptions::default(), &Silent).unwrap();
+        assert_eq!(report.skipped, ["ensubs"]);
+        let dataset = StudyFolder::open(&study).unwrap().read_dataset("levels").unwrap();
+        panels(&dataset).get(1).map_or(0, |panel| panel.layers.len())
+    };
+    let seven = lines("waterfall = 7\n");
+    assert_eq!((seven, lines("waterfall = 8\n"), lines("waterfall = 0\n")), (7, 8, 0));
 }
 
 #[test]

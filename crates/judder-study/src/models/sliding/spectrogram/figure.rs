@@ -6,12 +6,13 @@ use judder_report::figure::ValueMap;
 use judder_report::palette::ColourMap;
 use judder_report::{Axis, Layer, Legend, Panel, Role};
 use judder_store::Dataset;
+use serde_json::Value;
 
 /// Cells of the drawn map along time and along frequency, at most; each shows the highest level in it.
 const CELLS: [usize; 2] = [420, 260];
 /// Levels that are shown below the highest where the case does not say, dB.
 const SHOWN: f64 = 80.0;
-/// Spectra of a waterfall, and how many of their distances the shown levels span.
+/// Spectra of a waterfall where the case does not say, and how many of their distances the shown levels span.
 const SPECTRA: usize = 30;
 const HEIGHT: f64 = 4.0;
 /// Frequencies that are shown beside zones, over the highest of theirs.
@@ -27,7 +28,10 @@ const MARKER: f64 = 0.8;
 /// Levels with the zones laid over, and the waterfall.
 pub(crate) fn spectrogram(dataset: &Dataset) -> Option<Vec<Panel>> {
     let levels = Levels::of(dataset)?;
-    Some(vec![levels.map(dataset)?, levels.waterfall(dataset)?])
+    let asked = dataset.attributes().get("waterfall").and_then(Value::as_u64);
+    let spectra = asked.map_or(SPECTRA, |spectra| spectra as usize);
+    let waterfall = if spectra > 0 { Some(levels.waterfall(dataset, spectra)?) } else { None };
+    Some([Some(levels.map(dataset)?), waterfall].into_iter().flatten().collect())
 }
 
 /// Levels in at most so many cells.
@@ -126,10 +130,10 @@ impl Levels {
     }
 
     /// Spectra one behind the other, each standing on its position, the front ones hiding what is behind; zones where they are.
-    fn waterfall(&self, dataset: &Dataset) -> Option<Panel> {
+    fn waterfall(&self, dataset: &Dataset, count: usize) -> Option<Panel> {
         let lines = self.frequencies.len();
-        let spectra = coarser(&self.values, lines, [SPECTRA, lines]);
-        let places: Vec<f64> = middles(&self.positions, SPECTRA).iter().map(|place| 1e3 * place).collect();
+        let spectra = coarser(&self.values, lines, [count, lines]);
+        let places: Vec<f64> = middles(&self.positions, count).iter().map(|place| 1e3 * place).collect();
         let (first, last) = (*places.first()?, *places.last()?);
         let distance = (last - first).abs() / (places.len().max(2) - 1) as f64;
         let (low, high) = self.range;

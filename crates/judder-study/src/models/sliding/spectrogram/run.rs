@@ -173,6 +173,9 @@ impl Shown {
         if let Some(range) = asked.range {
             dataset = dataset.attribute("range_db", json!(range))?;
         }
+        if let Some(spectra) = asked.waterfall {
+            dataset = dataset.attribute("waterfall", spectra)?;
+        }
         for (name, unit, values) in [
             ("zone_from", "m", zones.iter().map(|zone| zone.from).collect::<Vec<_>>()),
             ("zone_to", "m", zones.iter().map(|zone| zone.to).collect()),

@@ -8,7 +8,7 @@ use crate::models::sliding::case::problem::SlidingProblem;
 use crate::models::sliding::locus::settings::{Along, Locus};
 use crate::models::sliding::march::settings::March;
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Allowed, Named, Number, Pair, Setting};
+use judder_keys::declared::{Allowed, Named, Number, Pair, Setting, Whole};
 use judder_keys::dimension::Dimension;
 use judder_keys::document::Node;
 use judder_keys::error::Fault;
@@ -44,6 +44,9 @@ pub struct Spectrogram {
     /// The levels between which colours run, dB; they follow from the signal where left out.
     #[key(rule = LEVELS)]
     pub range: Option<[f64; 2]>,
+    /// Spectra that the waterfall draws one behind the other, 30 where left out; 0 draws none.
+    #[key(rule = Whole { from: 0, to: 200 }, omitted)]
+    pub waterfall: Option<usize>,
     /// The name of a locus over positions that stands above, whose unstable zones are laid over.
     pub locus: Option<String>,
 }

@@ -112,11 +112,7 @@ pub(crate) fn read(root: &Node, folder: &Path) -> Result<StructureCase, Fault> {
         both(kept, Reduction::of(&section, &source)).map(|(_, reduction)| reduction)
     });
     let values: Vec<f64> = parameters.iter().map(|parameter| parameter.value).collect();
-    let sums = match &source {
-        StructureSource::Matrices(sums) => Some((**sums).clone()),
-        StructureSource::Body(_) => None,
-    };
-    let scope = StructureScope { keys, sums, values, has_reduction: reduction.is_some() };
+    let scope = StructureScope { keys, source: source.clone(), values, has_reduction: reduction.is_some() };
     let (reduction, analyses) = both(reduction.transpose(), read_analyses(&root, &scope, &super::KINDS))?;
     let title = root.text("title")?.unwrap_or_default().to_owned();
     Ok(StructureCase { title, parameters, source, damping, reduction, analyses })

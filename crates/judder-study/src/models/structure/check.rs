@@ -3,6 +3,7 @@
 use super::Subject;
 use crate::case::file::CaseFile;
 use crate::error::StudyError;
+use crate::model::Place;
 use crate::models::structure::build::Structure;
 use crate::models::structure::case::StructureCase;
 use crate::resolve::{Resolved, title};
@@ -40,8 +41,10 @@ pub(super) fn resolve(file: &CaseFile, case: &StructureCase) -> Result<Resolved,
         text.push_str(&columns(&shown.collect::<Vec<_>>()));
     }
     text.push_str("\nanalyses\n");
-    let asked = case.analyses.iter().map(|own| {
+    let asked = case.analyses.iter().enumerate().map(|(index, own)| {
         let subject = Subject { case, structure: &structure, name: &own.name };
+        let place = Place { file, index, name: &own.name };
+        own.kind.fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
         Ok(vec![own.name.clone(), own.kind.estimate(&subject)?])
     });
     text.push_str(&columns(&asked.collect::<Result<Vec<_>, StudyError>>()?));

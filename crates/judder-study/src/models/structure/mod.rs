@@ -21,7 +21,7 @@ mod undamped;
 use crate::case::analysis::Kind;
 use crate::case::file::CaseFile;
 use crate::error::StudyError;
-use crate::model::{Analysed, Analysis, Model, Prepared, Task};
+use crate::model::{Analysed, Analysis, Model, Place, Prepared, Task};
 use crate::models::structure::case::StructureCase;
 use crate::models::structure::case::scope::StructureScope;
 use crate::outcome::Outcome;
@@ -47,14 +47,30 @@ impl Analysed for StructureCase {
     type Estimate = String;
 }
 
+/// The structure, where what the wanted analyses name is there.
+fn fitting(
+    case: &StructureCase,
+    prepared: Prepared,
+    file: &CaseFile,
+    is_wanted: &dyn Fn(&str) -> bool,
+) -> Result<Prepared, StudyError> {
+    let Some(structure) = prepared.get::<Structure>() else { return Ok(prepared) };
+    for (index, own) in case.analyses.iter().enumerate().filter(|(_, own)| is_wanted(&own.name)) {
+        let subject = Subject { case, structure: &structure, name: &own.name };
+        let place = Place { file, index, name: &own.name };
+        own.kind.fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
+    }
+    Ok(prepared)
+}
+
 impl Model for StructureCase {
     fn prepared(&self) -> Result<Prepared, StudyError> {
         Ok(Prepared::new(Arc::new(Structure::new(self)?)))
     }
 
-    fn preflight(&self, file: &CaseFile, _: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
+    fn preflight(&self, file: &CaseFile, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
         let structure = Structure::new(self).map_err(|unbuilt| unbuilt.placed(file))?;
-        Ok(Prepared::new(Arc::new(structure)))
+        fitting(self, Prepared::new(Arc::new(structure)), file, is_wanted)
     }
 
     fn preflight_at(
@@ -64,7 +80,11 @@ impl Model for StructureCase {
         (known, keys): (&Prepared, &[&str]),
     ) -> Result<Prepared, StudyError> {
         let is_of_analyses = keys.iter().all(|key| key.starts_with("analysis."));
-        if is_of_analyses { Ok(known.clone()) } else { self.preflight(file, is_wanted) }
+        if is_of_analyses {
+            fitting(self, known.clone(), file, is_wanted)
+        } else {
+            self.preflight(file, is_wanted)
+        }
     }
 
     fn steps(&self, index: usize) -> usize {

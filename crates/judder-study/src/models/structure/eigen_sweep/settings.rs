@@ -138,7 +138,7 @@ pub(super) fn declarations() -> Vec<Declaration> {
 
 impl EigenSweep {
     pub(super) fn read(scope: &StructureScope, section: &Section<'_>) -> Result<Self, Fault> {
-        let Some(sums) = &scope.sums else { return Err(StructureProblem::NothingToSweep.at(section.place)) };
+        let Some(sums) = scope.sums() else { return Err(StructureProblem::NothingToSweep.at(section.place)) };
         let node = section
             .required("sweep", "sweep = { key = \"parameters.NAME\", from = …, to = …, points = … }")?;
         let sweep = read_values(&scope.keys, section, node)?;

@@ -57,6 +57,68 @@ fn the_horizontal_beam_of_the_paper() {
     }
 }
 
+/// At rest the tip of a slender cantilever yields L³/(3 E I), I = b h³/12, and turns by L²/(2 E I), so that its lower corner moves by
+/// (h/2) L²/(2 E I) along the beam (Timoshenko, Strength of Materials I, on cantilevers with a load at the end); at its first mode it swings
+/// 1/(2 ζ) times as far, but for what the other modes add (theory: 1/(m ω² 2ζ) φ²).
+#[test]
+fn the_receptance_of_a_cantilever() {
+    let folder = tempfile::tempdir().unwrap();
+    let report = run_into(folder.path(), &case("benchmarks/cantilever-receptance.toml", &[]), &[]);
+    assert!(report.complete && report.messages.is_empty(), "{:?}", report.messages);
+    let study = judder_store::StudyFolder::open(folder.path()).unwrap();
+    let values = |name: &str| {
+        let dataset = study.read_dataset(name).unwrap();
+        match &dataset.variable("receptance").unwrap().data {
+            judder_store::Data::Complex(values) => values.clone(),
+            _ => panic!("complex numbers"),
+        }
+    };
+    let (length, height, width, modulus) = (0.1, 2e-3, 20e-3, 2.38e9);
+    let stiffness = modulus * width * f64::powi(height, 3) / 12.0;
+    let (tip, corner) = (values("tip"), values("corner"));
+    let yielding = f64::powi(length, 3) / (3.0 * stiffness);
+    assert!((tip[0].re / yielding - 1.0).abs() < 5e-3, "{} {yielding}", tip[0]);
+    let along = 0.5 * height * length * length / (2.0 * stiffness);
+    assert!((corner[0].re.abs() / along - 1.0).abs() < 5e-3, "{} {along}", corner[0]);
+    // of the first mode φ² / (m ω²) is 0.971 of the static flexibility (12/β⁴ with β = 1.8751)
+    let results = &report.summary.results["tip"];
+    let peak = number(&results["peak_frequency_hz"]);
+    assert!((peak / 45.5 - 1.0).abs() < 5e-3, "{peak}");
+    let ratio = 40.0 / (2.0 * TAU * peak) + 4e-8 * TAU * peak / 2.0;
+    let swinging = 12.0 / 1.875_104_f64.powi(4) * yielding / (2.0 * ratio);
+    assert!((number(&results["peak_m_per_n"]) / swinging - 1.0).abs() < 1e-2, "{results:?} {swinging}");
+    let file = std::fs::read_to_string(folder.path().join("fields/tip.unv")).unwrap();
+    assert!(file.contains("Receptance") && file.lines().any(|line| line.trim() == "58"), "{file:.400}");
+}
+
+/// A place that is no single degree of freedom is refused before anything is computed, at its key.
+#[test]
+fn a_receptance_between_no_single_freedoms_is_refused() {
+    let refused = |place: &str| {
+        let set = [format!("analysis.tip.excited={place}")];
+        let refuse = || {
+            let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+                .join("../../cases/benchmarks/cantilever-receptance.toml");
+            let file = CaseFile::read(path, &set)?;
+            let folder = tempfile::tempdir().unwrap();
+            run(&file, folder.path(), &RunOptions::default(), &Silent).map(drop)
+        };
+        refuse().unwrap_err().to_string()
+    };
+    for (place, said) in [
+        ("{ set = \"end\", direction = \"y\" }", "names 3 degrees of freedom along y"),
+        ("{ set = \"start-upper\", direction = \"y\" }", "names 0 degrees of freedom along y"),
+        ("{ set = \"end-upper\", direction = \"z\" }", "names 0 degrees of freedom along z"),
+        ("{ set = \"tip\", direction = \"y\" }", "`tip`"),
+        ("{ nodes = [3], direction = \"y\" }", "nodes"),
+        ("{ set = \"end-upper\" }", "direction"),
+        ("{ set = \"end-upper\", direction = \"w\" }", "unknown direction `w`"),
+    ] {
+        let found = refused(place);
+        assert!(found.contains(said), "{place}: {found}");
+    }
+}
+
 /// The oblique beam with A clamped: 218, 1365, 3810, 7433 Hz (our notes on the beams paper).
 #[test]
 fn the_oblique_beam_of_the_paper() {

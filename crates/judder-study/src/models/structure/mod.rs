@@ -4,7 +4,7 @@
 //! - `undamped`: mass and stiffness, without damping and friction.
 //! - `fields`, `shapes`, `shape_panels`: shapes as files, as arrays, as pictures.
 //! - `check`: what `judder check` shows.
-//! - A folder each: `modes`, `reduction`, `eigen`, `eigen_sweep`.
+//! - A folder each: `modes`, `reduction`, `eigen`, `eigen_sweep`, `receptance`.
 
 pub(crate) mod build;
 pub mod case;
@@ -13,6 +13,7 @@ pub mod eigen;
 pub mod eigen_sweep;
 mod fields;
 pub mod modes;
+pub mod receptance;
 pub mod reduction;
 pub(crate) mod shape_panels;
 mod shapes;
@@ -30,8 +31,8 @@ use build::Structure;
 use std::sync::Arc;
 
 /// The kinds of analyses.
-pub(crate) static KINDS: [Kind<StructureScope, Arc<dyn Analysis<StructureCase>>>; 4] =
-    [modes::KIND, reduction::KIND, eigen::KIND, eigen_sweep::KIND];
+pub(crate) static KINDS: [Kind<StructureScope, Arc<dyn Analysis<StructureCase>>>; 5] =
+    [modes::KIND, reduction::KIND, eigen::KIND, eigen_sweep::KIND, receptance::KIND];
 
 /// A structure, and the name under which an analysis of it leaves files.
 pub struct Subject<'a> {

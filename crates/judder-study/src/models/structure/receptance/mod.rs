@@ -1,0 +1,53 @@
+//! `receptance`: the displacement of one point by a unit force at another, over frequency.
+
+mod figure;
+mod run;
+pub mod settings;
+
+use super::Subject;
+use crate::case::analysis::{Kind, Picture};
+use crate::error::StudyError;
+use crate::model::{Analysis, Refusal, Task};
+use crate::models::structure::case::StructureCase;
+use crate::models::structure::case::scope::StructureScope;
+use crate::outcome::Outcome;
+use crate::text::short;
+use judder_keys::declared::Settings;
+use run::freedom;
+use serde_json::{Map, Value as Json};
+use settings::Receptance;
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// The kind.
+pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = Kind {
+    name: "receptance",
+    doc: "the displacement of one point by a unit force at another, over frequency",
+    declared: Receptance::declarations,
+    read: |scope, section| Ok(Arc::new(Receptance::read(scope, section)?)),
+    picture: Some(Picture {
+        draw: figure::receptance,
+        caption: "The displacement of the observed point by a unit force at the excited one: magnitude and phase of $α(ω) = \
+            e_{o}^{T}(K + iωC − ω^{2}M)^{−1}e_{e}$. A phase of −180° is a motion against the force.",
+    }),
+};
+
+impl Analysis<StructureCase> for Receptance {
+    fn fits(&self, of: &Subject<'_>) -> Result<Result<(), Refusal>, StudyError> {
+        let found = freedom("excited", &self.excited, of.structure);
+        Ok(found.and_then(|_| freedom("observed", &self.observed, of.structure)).map(drop))
+    }
+
+    fn run(&self, of: &Subject<'_>, _: Task<'_>) -> Result<Outcome, StudyError> {
+        run::run((of.case, of.structure), of.name, self)
+    }
+
+    fn estimate(&self, _: &Subject<'_>) -> Result<String, StudyError> {
+        let [from, to] = self.band.map(|end| short(end / TAU));
+        Ok(format!("the receptance at {} frequencies from {from} to {to} Hz", self.points))
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
+    }
+}

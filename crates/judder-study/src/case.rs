@@ -13,7 +13,7 @@ pub mod compose;
 pub mod file;
 pub mod key_sweep;
 pub mod reference;
-mod resolved;
+pub(crate) mod resolved;
 pub mod schema;
 pub mod study_sweep;
 pub mod template;

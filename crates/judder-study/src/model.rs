@@ -11,6 +11,7 @@ use crate::progress::Progress;
 use crate::resolve::Resolved;
 use judder_keys::cause::Cause;
 use judder_keys::error::CaseError;
+use judder_keys::file_reference::FileReference;
 use serde_json::{Map, Value};
 use std::any::Any;
 use std::fmt;
@@ -18,6 +19,25 @@ use std::sync::Arc;
 
 /// A case of a model.
 pub trait Model: Sync {
+    /// Its name in a case file.
+    fn name(&self) -> &'static str;
+
+    /// The names of its analyses, in their order.
+    fn analysis_names(&self) -> Vec<&str>;
+
+    /// The names of the analyses whose results an analysis takes up.
+    fn takes_up(&self, _analysis: &str) -> Vec<&str> {
+        Vec::new()
+    }
+
+    /// The files that it names: results depend on what they hold.
+    fn files(&self) -> Vec<&FileReference> {
+        Vec::new()
+    }
+
+    /// Its canonical form, defaults filled in.
+    fn resolved(&self) -> Value;
+
     /// What its analyses share that takes time to make.
     ///
     /// # Errors

@@ -20,6 +20,10 @@ use crate::case::analysis::{Kind, Picture};
 use crate::case::file::{Case, CaseFile};
 use crate::error::StudyError;
 use crate::model::{Model, Place};
+use judder_keys::document::Node;
+use judder_keys::error::Fault;
+use serde_json::Value as Json;
+use std::path::Path;
 
 /// The model of a case.
 pub(crate) fn model(case: &Case) -> &dyn Model {
@@ -33,16 +37,40 @@ pub(crate) fn model(case: &Case) -> &dyn Model {
     }
 }
 
+/// A model: how its cases are read, and what they may say.
+pub(crate) struct ModelKind {
+    /// Its name in a case file.
+    pub(crate) name: &'static str,
+    /// Reads a case from the root of its tree; files are relative to the folder.
+    pub(crate) read: fn(&Node, &Path) -> Result<Case, Fault>,
+    /// The schema of a case.
+    pub(crate) schema: fn() -> Json,
+    /// What that names besides.
+    pub(crate) definitions: fn() -> Vec<(String, Json)>,
+    /// Its section of the book's reference.
+    pub(crate) reference: fn() -> String,
+    /// Its kinds of analyses, and how their results are drawn.
+    pub(crate) kinds: fn() -> Vec<(&'static str, Option<&'static Picture>)>,
+}
+
+/// The models, in the order of the book.
+pub(crate) static MODELS: [&ModelKind; 6] = [
+    &oscillator::MODEL,
+    &contact::MODEL,
+    &belt::MODEL,
+    &two_degrees::MODEL,
+    &structure::MODEL,
+    &sliding::MODEL,
+];
+
+/// The names of some kinds, and how their results are drawn.
+fn drawn<S, T>(kinds: &'static [Kind<S, T>]) -> Vec<(&'static str, Option<&'static Picture>)> {
+    kinds.iter().map(|kind| (kind.name, kind.picture.as_ref())).collect()
+}
+
 /// Every kind of analysis of any model, and how its results are drawn.
 pub(crate) fn all_kinds() -> impl Iterator<Item = (&'static str, Option<&'static Picture>)> {
-    fn of<S, T>(
-        kinds: &'static [Kind<S, T>],
-    ) -> impl Iterator<Item = (&'static str, Option<&'static Picture>)> {
-        kinds.iter().map(|kind| (kind.name, kind.picture.as_ref()))
-    }
-    let oscillators =
-        of(&oscillator::KINDS).chain(of(&belt::case::KINDS)).chain(of(&two_degrees::case::KINDS));
-    oscillators.chain(of(&contact::KINDS)).chain(of(&structure::KINDS)).chain(of(&sliding::KINDS))
+    MODELS.into_iter().flat_map(|model| (model.kinds)())
 }
 
 /// What stands at an axis of a quantity of operating points, by its name.

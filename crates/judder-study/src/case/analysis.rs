@@ -34,6 +34,11 @@ impl<A: AsAny + ?Sized> Planned<Arc<A>> {
     }
 }
 
+/// The names of analyses, in their order.
+pub(crate) fn names<K>(analyses: &[Planned<K>]) -> Vec<&str> {
+    analyses.iter().map(|planned| planned.name.as_str()).collect()
+}
+
 /// What can be asked of which type it is.
 pub trait AsAny {
     /// The value, its type unsaid.

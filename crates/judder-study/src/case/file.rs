@@ -6,21 +6,15 @@ use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::case::analysis::Planned;
 use crate::case::study_sweep::problem::SweepProblem;
 use crate::case::study_sweep::{self, StudySweep, read_sweeps};
-use crate::models::belt::case as belt_case;
 use crate::models::belt::case::BeltCase;
-use crate::models::contact::case as contact_case;
 use crate::models::contact::case::ContactCase;
-use crate::models::oscillator::case as oscillator_case;
 use crate::models::oscillator::case::OscillatorCase;
-use crate::models::sliding::case as sliding;
 use crate::models::sliding::case::SlidingCase;
-use crate::models::structure::case as structure;
 use crate::models::structure::case::StructureCase;
-use crate::models::two_degrees::case as two_degrees;
 use crate::models::two_degrees::case::TwoDegreesCase;
+use crate::models::{MODELS, ModelKind, model};
 use judder_keys::cause::Cause;
 use judder_keys::document::{Data, Node, apply_override, parse};
 use judder_keys::error::{CaseError, Fault, Place, Sources};
@@ -65,14 +59,7 @@ impl CaseTree {
     /// The case that it gives.
     pub(crate) fn read(&self) -> Result<Case, Fault> {
         let Self { root, folder } = self;
-        match read_model(root)? {
-            "oscillator" => oscillator_case::read(root, folder).map(Case::Oscillator),
-            "contact" => contact_case::read(root, folder).map(Case::Contact),
-            "belt" => belt_case::read(root).map(Case::Belt),
-            "structure" => structure::read(root, folder).map(Case::Structure),
-            "sliding" => sliding::read(root, folder).map(Case::Sliding),
-            _ => two_degrees::read(root).map(Case::TwoDegrees),
-        }
+        (read_model(root)?.read)(root, folder)
     }
 }
 
@@ -93,54 +80,25 @@ pub enum Case {
     Sliding(SlidingCase),
 }
 
-/// The models of this version.
-pub const MODELS: [&str; 6] = ["oscillator", "contact", "belt", "two-degrees", "structure", "sliding"];
-
 impl Case {
     /// The name of its model in a case file.
     pub fn model(&self) -> &'static str {
-        match self {
-            Self::Oscillator(_) => "oscillator",
-            Self::Contact(_) => "contact",
-            Self::Belt(_) => "belt",
-            Self::TwoDegrees(_) => "two-degrees",
-            Self::Structure(_) => "structure",
-            Self::Sliding(_) => "sliding",
-        }
+        model(self).name()
     }
 
     /// The names of its analyses, in their order.
     pub fn analysis_names(&self) -> Vec<&str> {
-        fn names<K>(analyses: &[Planned<K>]) -> Vec<&str> {
-            analyses.iter().map(|analysis| analysis.name.as_str()).collect()
-        }
-        match self {
-            Self::Oscillator(case) => names(&case.analyses),
-            Self::Contact(case) => names(&case.analyses),
-            Self::Belt(case) => names(&case.analyses),
-            Self::TwoDegrees(case) => names(&case.analyses),
-            Self::Structure(case) => names(&case.analyses),
-            Self::Sliding(case) => names(&case.analyses),
-        }
+        model(self).analysis_names()
     }
 
     /// The names of the analyses whose results an analysis takes up.
     pub(crate) fn made_of(&self, name: &str) -> Vec<&str> {
-        match self {
-            Self::Sliding(case) => case.made_of(name),
-            _ => Vec::new(),
-        }
+        model(self).takes_up(name)
     }
 
     /// The files that the case names: results depend on what they hold.
     pub fn files(&self) -> Vec<&FileReference> {
-        match self {
-            Self::Oscillator(case) => case.files(),
-            Self::Contact(case) => case.files(),
-            Self::Structure(case) => case.files(),
-            Self::Sliding(case) => case.files(),
-            Self::Belt(_) | Self::TwoDegrees(_) => Vec::new(),
-        }
+        model(self).files()
     }
 }
 
@@ -328,20 +286,20 @@ pub(crate) fn read_tree(name: &str, text: &str, overrides: &[String]) -> Result<
     Ok(root)
 }
 
-/// The model of the case, one of [`MODELS`].
-fn read_model(root: &Node) -> Result<&'static str, Fault> {
-    let known = || MODELS.map(String::from).to_vec();
-    let model = match &root.data {
+/// The model of the case.
+fn read_model(root: &Node) -> Result<&'static ModelKind, Fault> {
+    let known = || MODELS.map(|model| model.name.to_owned()).to_vec();
+    let said = match &root.data {
         Data::Table(table) => table.get("model").map(|entry| &entry.node),
         _ => None,
     };
-    let Some(node) = model else {
-        let expected = MODELS.map(|model| format!("model = \"{model}\"")).join(" or ");
+    let Some(node) = said else {
+        let expected = MODELS.map(|model| format!("model = \"{}\"", model.name)).join(" or ");
         let (key, section) = ("model".to_owned(), "the case".to_owned());
         return Err(Cause::MissingKey { key, section, expected }.at(root.place));
     };
     let name = judder_keys::section::text("model", node)?;
-    if let Some(model) = MODELS.into_iter().find(|model| *model == name) {
+    if let Some(model) = MODELS.into_iter().find(|model| model.name == name) {
         return Ok(model);
     }
     let (what, place) = ("model", node.part(0..name.len()));

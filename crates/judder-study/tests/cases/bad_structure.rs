@@ -267,7 +267,7 @@ fn an_analysis_of_another_model() {
         &analysis("kind = \"spectrum\""),
         "the analysis kind `spectrum` belongs to another model",
         "spectrum",
-        "available: modes, reduction, eigen, eigen-sweep",
+        "available: modes, reduction, eigen, eigen-sweep, receptance",
     );
 }
 

@@ -2,13 +2,18 @@
 
 pub mod case;
 mod check;
+pub(crate) mod reference;
+pub(crate) mod resolved;
+pub(crate) mod schema;
 
-use crate::case::file::CaseFile;
+use crate::case::analysis::names;
+use crate::case::file::{Case, CaseFile};
 use crate::error::StudyError;
 use crate::model::{Analysed, Analysis, Model, Prepared, Task};
 use crate::models::belt::case::{BeltCase, BeltKey, BeltKeys};
 use crate::models::motion::settings::MotionAnalysis;
 use crate::models::motion::{self, check::estimate, model::BeltModel};
+use crate::models::{ModelKind, drawn};
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, Resolved, cost};
 use serde_json::{Map, Value};
@@ -38,7 +43,29 @@ impl Analysis<BeltCase> for MotionAnalysis<BeltKey> {
     }
 }
 
+/// The model.
+pub(crate) const MODEL: ModelKind = ModelKind {
+    name: "belt",
+    read: |root, _| case::read(root).map(Case::Belt),
+    schema: schema::case,
+    definitions: schema::definitions,
+    reference: reference::section,
+    kinds: || drawn(&case::KINDS),
+};
+
 impl Model for BeltCase {
+    fn name(&self) -> &'static str {
+        MODEL.name
+    }
+
+    fn analysis_names(&self) -> Vec<&str> {
+        names(&self.analyses)
+    }
+
+    fn resolved(&self) -> serde_json::Value {
+        resolved::case(self)
+    }
+
     fn preflight(&self, _: &CaseFile, _: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
         Ok(Prepared::NOTHING)
     }

@@ -13,6 +13,9 @@ pub mod fit;
 pub mod law;
 pub mod modulus;
 pub mod problem;
+pub(crate) mod reference;
+pub(crate) mod resolved;
+pub(crate) mod schema;
 pub mod settings;
 pub mod shape;
 pub mod single;
@@ -20,7 +23,8 @@ mod size;
 pub mod transient;
 
 use crate::case::analysis::Kind;
-use crate::case::file::CaseFile;
+use crate::case::analysis::names;
+use crate::case::file::{Case, CaseFile};
 use crate::error::StudyError;
 use crate::indenter::profile;
 use crate::material::ContactScales;
@@ -28,6 +32,7 @@ use crate::measured_band::MeasuredBand;
 use crate::model::{Analysed, Analysis, Model, Place, Prepared, Refusal, Task};
 use crate::models::contact::case::ContactCase;
 use crate::models::contact::settings::{ContactScope, LawMethod};
+use crate::models::{ModelKind, drawn};
 use crate::outcome::{CheckRecord, Outcome};
 use crate::resolve::Resolved;
 use crate::spectrum_source::temperature_warning;
@@ -36,6 +41,7 @@ use judder_contact::material::Discretisation;
 use judder_contact::steady::profile::Profile;
 use judder_contact::unilateral::Loading;
 use judder_keys::error::CaseError;
+use judder_keys::file_reference::FileReference;
 use judder_store::number;
 use serde_json::json;
 use std::cell::OnceCell;
@@ -104,7 +110,33 @@ impl Analysed for ContactCase {
     type Estimate = ContactEstimate;
 }
 
+/// The model.
+pub(crate) const MODEL: ModelKind = ModelKind {
+    name: "contact",
+    read: |root, folder| case::read(root, folder).map(Case::Contact),
+    schema: schema::case,
+    definitions: Vec::new,
+    reference: reference::section,
+    kinds: || drawn(&KINDS),
+};
+
 impl Model for ContactCase {
+    fn name(&self) -> &'static str {
+        MODEL.name
+    }
+
+    fn analysis_names(&self) -> Vec<&str> {
+        names(&self.analyses)
+    }
+
+    fn files(&self) -> Vec<&FileReference> {
+        ContactCase::files(self)
+    }
+
+    fn resolved(&self) -> serde_json::Value {
+        resolved::case(self)
+    }
+
     /// Looks at the files of the case, then at depth and memory of what is wanted.
     fn preflight(&self, file: &CaseFile, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
         let scales = ContactScales::new(self)?;

@@ -24,6 +24,9 @@ pub(crate) mod operating_points;
 pub mod point;
 pub mod problem;
 pub mod quasi_steady;
+pub(crate) mod reference;
+pub(crate) mod resolved;
+pub(crate) mod schema;
 pub mod settings;
 pub mod spectrum;
 pub mod stability_map;
@@ -33,7 +36,8 @@ pub use stability_map::{BoundaryCurves, BoundaryKind, boundary_curves};
 
 use crate::bridge::{self, CaseContact};
 use crate::case::analysis::Kind;
-use crate::case::file::CaseFile;
+use crate::case::analysis::names;
+use crate::case::file::{Case, CaseFile};
 use crate::case::study_sweep::StudySweep;
 use crate::error::StudyError;
 use crate::known_substrate::KnownSubstrate;
@@ -48,10 +52,12 @@ use crate::models::oscillator::inputs::{LawName, OscillatorInputs};
 use crate::models::oscillator::keys::OscillatorKey;
 use crate::models::sweep::{Family, Sweep};
 use crate::models::swept_keys::OscillatorKeys;
+use crate::models::{ModelKind, drawn};
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::resolve::{Estimate, Resolved, cost};
 use judder_contact::law::sweep::SolvedPoint;
+use judder_keys::file_reference::FileReference;
 use judder_oscillator::Contact;
 use operating_points::OfOneLaw;
 use quasi_steady::{Condition, of_motions};
@@ -125,7 +131,33 @@ impl Analysed for OscillatorCase {
     type Estimate = Estimate;
 }
 
+/// The model.
+pub(crate) const MODEL: ModelKind = ModelKind {
+    name: "oscillator",
+    read: |root, folder| case::read(root, folder).map(Case::Oscillator),
+    schema: schema::case,
+    definitions: schema::definitions,
+    reference: reference::section,
+    kinds: || drawn(&KINDS),
+};
+
 impl Model for OscillatorCase {
+    fn name(&self) -> &'static str {
+        MODEL.name
+    }
+
+    fn analysis_names(&self) -> Vec<&str> {
+        names(&self.analyses)
+    }
+
+    fn files(&self) -> Vec<&FileReference> {
+        OscillatorCase::files(self)
+    }
+
+    fn resolved(&self) -> serde_json::Value {
+        resolved::case(self)
+    }
+
     /// Looks at the data of the substrate.
     fn preflight(&self, _: &CaseFile, _: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
         bridge::with_material(self).map(|_| Prepared::NOTHING)

@@ -95,12 +95,6 @@ impl SlidingCase {
         self.structures.iter().flat_map(|structure| structure.source.files()).collect()
     }
 
-    /// The names of the analyses whose results an analysis takes up: those of a spectrogram.
-    pub(crate) fn made_of(&self, name: &str) -> Vec<&str> {
-        let found = self.analyses.iter().find(|analysis| analysis.name == name);
-        found.map_or_else(Vec::new, |found| found.kind.takes_up())
-    }
-
     /// The case with a swept key at `value`, in SI units, without analyses: read anew, so that every key can be swept.
     ///
     /// # Errors

@@ -16,18 +16,24 @@ pub mod growth;
 pub mod locus;
 pub mod march;
 pub mod modes;
+pub(crate) mod reference;
+pub(crate) mod resolved;
+pub(crate) mod schema;
 pub mod shapes;
 pub mod spectrogram;
 mod system;
 
 use crate::case::analysis::Kind;
-use crate::case::file::CaseFile;
+use crate::case::analysis::names;
+use crate::case::file::{Case, CaseFile};
 use crate::error::StudyError;
 use crate::model::{Analysed, Analysis, Model, Place, Prepared, Task};
 use crate::models::sliding::case::SlidingCase;
+use crate::models::{ModelKind, drawn};
 use crate::outcome::Outcome;
 use crate::resolve::{Estimate, Resolved};
 use judder_keys::error::CaseError;
+use judder_keys::file_reference::FileReference;
 use std::sync::Arc;
 use system::SlidingSystem;
 
@@ -62,7 +68,38 @@ fn fitting(
     Ok(Prepared::new(Arc::new(system)))
 }
 
+/// The model.
+pub(crate) const MODEL: ModelKind = ModelKind {
+    name: "sliding",
+    read: |root, folder| case::read(root, folder).map(Case::Sliding),
+    schema: schema::case,
+    definitions: Vec::new,
+    reference: reference::section,
+    kinds: || drawn(&KINDS),
+};
+
 impl Model for SlidingCase {
+    fn name(&self) -> &'static str {
+        MODEL.name
+    }
+
+    fn analysis_names(&self) -> Vec<&str> {
+        names(&self.analyses)
+    }
+
+    fn takes_up(&self, analysis: &str) -> Vec<&str> {
+        let found = self.analyses.iter().find(|own| own.name == analysis);
+        found.map_or_else(Vec::new, |found| found.kind.takes_up())
+    }
+
+    fn files(&self) -> Vec<&FileReference> {
+        SlidingCase::files(self)
+    }
+
+    fn resolved(&self) -> serde_json::Value {
+        resolved::case(self)
+    }
+
     fn prepared(&self) -> Result<Prepared, StudyError> {
         Ok(Prepared::new(Arc::new(SlidingSystem::new(self)?)))
     }

@@ -15,19 +15,25 @@ mod fields;
 pub mod modes;
 pub mod receptance;
 pub mod reduction;
+pub(crate) mod reference;
+pub(crate) mod resolved;
+pub(crate) mod schema;
 pub(crate) mod shape_panels;
 mod shapes;
 mod undamped;
 
 use crate::case::analysis::Kind;
-use crate::case::file::CaseFile;
+use crate::case::analysis::names;
+use crate::case::file::{Case, CaseFile};
 use crate::error::StudyError;
 use crate::model::{Analysed, Analysis, Model, Place, Prepared, Task};
 use crate::models::structure::case::StructureCase;
 use crate::models::structure::case::scope::StructureScope;
+use crate::models::{ModelKind, drawn};
 use crate::outcome::Outcome;
 use crate::resolve::Resolved;
 use build::Structure;
+use judder_keys::file_reference::FileReference;
 use std::sync::Arc;
 
 /// The kinds of analyses.
@@ -64,7 +70,33 @@ fn fitting(
     Ok(prepared)
 }
 
+/// The model.
+pub(crate) const MODEL: ModelKind = ModelKind {
+    name: "structure",
+    read: |root, folder| case::read(root, folder).map(Case::Structure),
+    schema: schema::case,
+    definitions: Vec::new,
+    reference: reference::section,
+    kinds: || drawn(&KINDS),
+};
+
 impl Model for StructureCase {
+    fn name(&self) -> &'static str {
+        MODEL.name
+    }
+
+    fn analysis_names(&self) -> Vec<&str> {
+        names(&self.analyses)
+    }
+
+    fn files(&self) -> Vec<&FileReference> {
+        StructureCase::files(self)
+    }
+
+    fn resolved(&self) -> serde_json::Value {
+        resolved::case(self)
+    }
+
     fn prepared(&self) -> Result<Prepared, StudyError> {
         Ok(Prepared::new(Arc::new(Structure::new(self)?)))
     }

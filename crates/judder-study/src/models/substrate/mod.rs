@@ -1,6 +1,7 @@
 //! The substrate of a case: moduli and one time, a series of terms, or measured data; and its temperature.
 
 pub mod continuous;
+pub(crate) mod resolved;
 pub mod temperature;
 
 use std::path::Path;

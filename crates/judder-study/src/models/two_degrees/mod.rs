@@ -4,15 +4,20 @@ pub mod case;
 mod check;
 pub mod mass;
 mod matrix;
+pub(crate) mod reference;
+pub(crate) mod resolved;
 mod run;
+pub(crate) mod schema;
 
-use crate::case::file::CaseFile;
+use crate::case::analysis::names;
+use crate::case::file::{Case, CaseFile};
 use crate::error::StudyError;
 use crate::model::{Analysed, Analysis, Model, OperatingQuantity, Prepared, Task};
 use crate::models::oscillator::operating_points::{LINEAR_QUANTITIES, linear_values};
 use crate::models::two_degrees::case::{
     ParameterSpectrum, ParameterThresholds, TwoDegreesAnalysis, TwoDegreesCase,
 };
+use crate::models::{ModelKind, drawn};
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::resolve::{Estimate, Resolved, cost};
@@ -46,7 +51,29 @@ impl Analysis<TwoDegreesCase> for TwoDegreesAnalysis {
     }
 }
 
+/// The model.
+pub(crate) const MODEL: ModelKind = ModelKind {
+    name: "two-degrees",
+    read: |root, _| case::read(root).map(Case::TwoDegrees),
+    schema: schema::case,
+    definitions: Vec::new,
+    reference: reference::section,
+    kinds: || drawn(&case::KINDS),
+};
+
 impl Model for TwoDegreesCase {
+    fn name(&self) -> &'static str {
+        MODEL.name
+    }
+
+    fn analysis_names(&self) -> Vec<&str> {
+        names(&self.analyses)
+    }
+
+    fn resolved(&self) -> serde_json::Value {
+        resolved::case(self)
+    }
+
     fn preflight(&self, _: &CaseFile, _: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
         Ok(Prepared::NOTHING)
     }

@@ -3,7 +3,7 @@
 use super::SlidingCase;
 use super::problem::SlidingProblem;
 use crate::case::key_sweep::{read_ends, read_values};
-use crate::case::schema;
+
 use crate::models::structure::case::problem::StructureProblem;
 use crate::models::sweep::{Scale, spaced};
 use judder_keys::declared::{Allowed, Number, Setting};
@@ -27,7 +27,7 @@ impl Setting for KeySweep {
 
     fn form((): &()) -> Allowed {
         Allowed::Told {
-            schema: schema::key_sweep(),
+            schema: crate::models::sliding::schema::key_sweep(),
             words: "`{ key, from, to, points, scale }`, or `{ key, values }`".to_owned(),
             keys: Vec::new(),
         }

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use super::analyses;
+use crate::case::schema::analyses;
 use crate::models::contact::KINDS;
 use crate::models::contact::case::{ContactCase, ContactKeys, IndenterKeys};
 use crate::models::oscillator::keys::OscillatorKey;
@@ -11,7 +11,7 @@ use judder_keys::declared::Settings;
 use judder_keys::schema::{object, reference, with_declared};
 
 /// A contact case.
-pub(super) fn case() -> Json {
+pub(crate) fn case() -> Json {
     let mut substrate = Map::new();
     for entry in ContactCase::KEYS.map(OscillatorKey::entry).iter().filter(|e| e.section() == "substrate") {
         substrate.insert(entry.name().to_owned(), reference(entry.path));
@@ -38,6 +38,6 @@ pub(super) fn case() -> Json {
 }
 
 /// A path.
-pub(super) fn file(description: &str) -> Json {
+pub(crate) fn file(description: &str) -> Json {
     json!({ "type": "string", "description": format!("{description}; a path relative to the case file") })
 }

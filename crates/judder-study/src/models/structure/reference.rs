@@ -1,6 +1,6 @@
 //! What the page says of structure cases.
 
-use super::kinds;
+use crate::case::reference::kinds;
 use crate::models::structure::KINDS;
 use crate::models::structure::case::body::BodyKeys;
 use crate::models::structure::case::damping::Damping;

@@ -2,12 +2,12 @@
 
 use serde_json::{Value as Json, json};
 
-use super::analyses;
-use super::structure::{damping, list, matrices, reduction};
+use crate::case::schema::analyses;
 use crate::models::sliding::KINDS;
 use crate::models::sliding::case::SystemKeys;
 use crate::models::sliding::case::plain_name::PlainName;
 use crate::models::structure::case::body::BodyKeys;
+use crate::models::structure::schema::{damping, list, matrices, reduction};
 use judder_keys::declared::{Setting, Settings};
 use judder_keys::schema::{object, reference, table, with_declared};
 
@@ -49,5 +49,5 @@ pub(crate) fn key_sweep() -> Json {
     let values = json!({ "type": "array", "items": end, "minItems": 2 });
     let of_list = object([("key", key.clone()), ("values", values)]);
     let of_list = table("a key with a list of values", of_list, &["key", "values"]);
-    json!({ "oneOf": [super::sweep(key, &end, "a key over a range"), of_list] })
+    json!({ "oneOf": [crate::case::schema::sweep(key, &end, "a key over a range"), of_list] })
 }

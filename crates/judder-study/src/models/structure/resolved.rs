@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use super::{analyses, number};
+use crate::case::resolved::{analyses, number};
 use crate::models::structure::case::body::{Body, Geometry, Material, PlaneSection};
 use crate::models::structure::case::matrices::{MatrixSums, MatrixTerm};
 use crate::models::structure::case::{StructureCase, StructureSource};
@@ -11,7 +11,7 @@ use judder_keys::declared::Setting;
 use judder_keys::dimension::Dimension;
 use judder_keys::numeric_key::Form;
 
-pub(super) fn case(case: &StructureCase) -> Json {
+pub(crate) fn case(case: &StructureCase) -> Json {
     let mut json = json!({
         "model": "structure",
         "title": case.title,
@@ -33,15 +33,15 @@ pub(super) fn case(case: &StructureCase) -> Json {
     json
 }
 
-pub(super) fn parameters(parameters: &[Parameter]) -> Json {
+pub(crate) fn parameters(parameters: &[Parameter]) -> Json {
     parameters.iter().map(|parameter| json!([parameter.name, parameter.value])).collect()
 }
 
-pub(super) fn si(value: f64, dimension: Dimension) -> Json {
+pub(crate) fn si(value: f64, dimension: Dimension) -> Json {
     number(value, Form::Si, dimension)
 }
 
-pub(super) fn body(body: &Body) -> Json {
+pub(crate) fn body(body: &Body) -> Json {
     let material = |material: &Material| Setting::write(material, &());
     let mut json = json!({
         "material": body.material.as_ref().map(material),
@@ -64,7 +64,7 @@ pub(super) fn body(body: &Body) -> Json {
     json
 }
 
-pub(super) fn matrices(sums: &MatrixSums) -> Json {
+pub(crate) fn matrices(sums: &MatrixSums) -> Json {
     let term = |term: &MatrixTerm| json!({ "file": term.file.given, "factor": term.factor.text, "triangle": term.triangle.name() });
     let mut json: Map<String, Json> = sums
         .sums()

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use super::analyses;
+use crate::case::schema::analyses;
 use crate::models::structure::KINDS;
 use crate::models::structure::case::body::BodyKeys;
 use crate::models::structure::case::damping::Damping;
@@ -11,7 +11,7 @@ use crate::models::structure::case::reduction::Reduction;
 use judder_keys::declared::Settings;
 use judder_keys::schema::{choice, declared_table, object, reference, table, with_declared};
 
-pub(super) fn case() -> Json {
+pub(crate) fn case() -> Json {
     let mut properties = object([
         ("title", json!({ "type": "string" })),
         ("model", json!({ "const": "structure" })),
@@ -29,7 +29,7 @@ pub(super) fn case() -> Json {
     json
 }
 
-pub(super) fn list(items: Json, [least, most]: [usize; 2], description: &str) -> Json {
+pub(crate) fn list(items: Json, [least, most]: [usize; 2], description: &str) -> Json {
     json!({ "type": "array", "items": items, "minItems": least, "maxItems": most, "description": description })
 }
 
@@ -37,7 +37,7 @@ fn text(description: &str) -> Json {
     json!({ "type": "string", "description": description })
 }
 
-pub(super) fn matrices() -> Json {
+pub(crate) fn matrices() -> Json {
     let triangle =
         || choice(Triangle::ALL.map(|(name, _)| name), "both", "what of a symmetric matrix a file holds");
     let sum = |description: &str| {
@@ -62,10 +62,10 @@ pub(super) fn matrices() -> Json {
 }
 
 /// The keys of a damping.
-pub(super) fn damping() -> Json {
+pub(crate) fn damping() -> Json {
     declared_table(Damping::DOC, &Damping::declarations())
 }
 
-pub(super) fn reduction(required: &[&str]) -> Json {
+pub(crate) fn reduction(required: &[&str]) -> Json {
     with_declared(Reduction::DOC, Map::new(), &Reduction::declarations(), required)
 }

@@ -1,6 +1,6 @@
 //! What the page says of sliding cases.
 
-use super::kinds;
+use crate::case::reference::kinds;
 use crate::models::sliding::KINDS;
 use crate::models::sliding::case::SystemKeys;
 use judder_keys::declared::Settings;

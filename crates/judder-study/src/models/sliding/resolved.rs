@@ -2,11 +2,11 @@
 
 use serde_json::{Value as Json, json};
 
-use super::analyses;
-use super::structure::{body, matrices, parameters};
+use crate::case::resolved::analyses;
 use crate::models::sliding::case::SlidingCase;
 use crate::models::sliding::case::structure::SlidingStructure;
 use crate::models::structure::case::StructureSource;
+use crate::models::structure::resolved::{body, matrices, parameters};
 use judder_keys::declared::Setting;
 
 pub(super) fn case(case: &SlidingCase) -> Json {

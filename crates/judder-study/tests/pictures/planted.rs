@@ -14,7 +14,7 @@ use num_complex::Complex64;
 use oscillator::{critical, equivalent_damping, spectrum, stability_map};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
-use structure::{eigen, eigen_sweep, growth, locus, march, modes, reduction, spectrogram};
+use structure::{eigen, eigen_sweep, growth, locus, march, modes, receptance, reduction, spectrogram};
 
 pub(super) type Point = (f64, f64);
 
@@ -28,7 +28,7 @@ pub(super) struct Planted {
 
 type Plant = fn(u64) -> Vec<Planted>;
 
-pub(super) const PLANTED: [(&str, Plant); 23] = [
+pub(super) const PLANTED: [(&str, Plant); 24] = [
     ("equivalent-damping", equivalent_damping),
     ("spectrum", spectrum),
     ("critical-shear-strength", critical),
@@ -46,6 +46,7 @@ pub(super) const PLANTED: [(&str, Plant); 23] = [
     ("engines", engines),
     ("modes", modes),
     ("reduction", reduction),
+    ("receptance", receptance),
     ("eigen", eigen),
     ("eigen-sweep", eigen_sweep),
     ("locus", locus),

@@ -32,6 +32,16 @@ pub(super) fn reduction(seed: u64) -> Vec<Planted> {
     alone(dataset(variables, &[]), runs)
 }
 
+/// Imaginary parts are positive: no phase jumps from 180° to −180°.
+pub(super) fn receptance(seed: u64) -> Vec<Planted> {
+    let (hertz, values) = (steps(12), eigenvalues(&mut Random(seed), 12));
+    let magnitudes: Vec<f64> = values.iter().map(|value| value.norm()).collect();
+    let phases: Vec<f64> = values.iter().map(|value| value.arg().to_degrees()).collect();
+    let runs = vec![run(&hertz, &magnitudes), run(&hertz, &phases)];
+    let variables = vec![along("frequency", "frequency", hertz), along("receptance", "frequency", values)];
+    alone(dataset(variables, &[]), runs)
+}
+
 /// Complex numbers of a table, one in six none.
 fn eigenvalues(random: &mut Random, count: usize) -> Vec<Complex64> {
     let value = |random: &mut Random| match random.is(0.17) {

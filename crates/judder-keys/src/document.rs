@@ -208,7 +208,7 @@ fn item(items: &[Node], step: &str) -> Option<usize> {
     item_index(items.iter().map(name_of), step)
 }
 
-/// As of [`item`], of a list whose items have these names.
+/// As of `item`, of a list whose items have these names.
 pub fn item_index<'a>(
     mut names: impl ExactSizeIterator<Item = Option<&'a str>>,
     step: &str,

@@ -10,7 +10,7 @@
 //! - [`declared`]: settings declared once, from whose fields reading, canonical form, schema and reference follow.
 //! - [`file_reference`], [`memory`], [`span`]: values that several models have: files, amounts of memory, ranges with equal ratios.
 //! - [`cause`], [`problem`], `help`, [`nearest`], `excerpt`, [`error`]: what is wrong, what would be right, where.
-//! - [`schema`], [`reference`]: pieces of the JSON Schema and of the book's reference.
+//! - [`schema`], [`mod@reference`]: pieces of the JSON Schema and of the book's reference.
 
 extern crate self as judder_keys;
 

@@ -138,7 +138,7 @@ impl CaseFile {
     /// the order of the sweep; with its analyses, without sweeps.
     ///
     /// # Errors
-    /// [`Cause::StudySweep`] at the swept key where there is no such case, with the keys to blame, the reason, and what would be right.
+    /// [`SweepProblem`] at the swept key where there is no such case, with the keys to blame, the reason, and what would be right.
     pub fn at(&self, sweep: &StudySweep, values: &[f64]) -> Result<Self, CaseError> {
         if values.len() != sweep.axes.len() {
             let (name, expected, found) = (sweep.name.clone(), sweep.axes.len(), values.len());

@@ -4,7 +4,7 @@
 //! - [`contact`]: `[contact]`, who slides on what, and friction.
 //! - [`motion`]: `[motion]`, path, velocity, load, and how they begin.
 //! - [`observe`]: `[observe]`, points and signals.
-//! - [`analysis`], [`locus`], [`march`], [`signals`], [`spectrogram`]: what is computed, and what is kept of it.
+//! - [`signals`]: what is kept of a march.
 //! - [`plain_name`]: names of structures and points.
 //! - [`sweep`]: any number of the case over a range.
 //! - [`problem`]: what can be wrong with all of it, beyond types, units and ranges.

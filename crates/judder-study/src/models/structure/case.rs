@@ -4,7 +4,7 @@
 //! - [`matrices`]: what other programs assembled: `[matrices]`, sums of files with factors.
 //! - [`damping`]: `[damping]` of a body.
 //! - [`reduction`]: `[reduction]`, which freedoms and modes are kept.
-//! - [`analysis`]: what is computed.
+//! - `scope`: what the analyses need to know of the case.
 //! - [`problem`]: what can be wrong with all of it, beyond types, units and ranges.
 
 pub mod body;

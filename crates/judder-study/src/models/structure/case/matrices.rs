@@ -77,7 +77,7 @@ impl Factor {
     /// The value where the parameters are `values`, in the order of the case.
     ///
     /// # Errors
-    /// [`Cause::Structure`] with [`StructureProblem::Factor`] for NaN and infinities.
+    /// [`StructureProblem::Factor`] for NaN and infinities.
     pub fn value(&self, values: &[f64]) -> Result<f64, Cause> {
         let value = self.expression.evaluate(values);
         if value.is_finite() {

@@ -13,6 +13,8 @@ pub struct Receptance {
     pub value: c64,
     /// The same by the transposed matrices: the displacement of the excited freedom when they are loaded at the observed one.
     pub transposed: c64,
+    /// The largest displacement of any freedom by either force, m/N: what differences of the two are measured by.
+    pub largest: f64,
     /// |Q(iω) u − e| over (‖Q(iω)‖ |u| + 1): the backward error of the displacements.
     pub residual: f64,
 }
@@ -44,7 +46,7 @@ fn at(
     let factor = if has_both { ShiftedFactor::at(problem, shift)? } else { None };
     let Some(factor) = factor else {
         let none = c64::new(f64::NAN, f64::NAN);
-        return Ok(Receptance { value: none, transposed: none, residual: f64::INFINITY });
+        return Ok(Receptance { value: none, transposed: none, largest: f64::NAN, residual: f64::INFINITY });
     };
     let unit =
         |row: usize| Mat::from_fn(problem.size(), 1, |k, _| c64::new(f64::from(u8::from(k == row)), 0.0));
@@ -53,7 +55,8 @@ fn at(
     factor.solve(Side::Left, &mut back)?;
     let left = problem.image(Side::Right, shift, moved.as_ref()) - unit(excited);
     let residual = left.norm_max() / (problem.scale(shift) * moved.norm_max() + 1.0);
-    Ok(Receptance { value: moved[(observed, 0)], transposed: back[(excited, 0)], residual })
+    let largest = moved.norm_max().max(back.norm_max());
+    Ok(Receptance { value: moved[(observed, 0)], transposed: back[(excited, 0)], largest, residual })
 }
 
 #[cfg(test)]
@@ -98,6 +101,10 @@ mod tests {
             Quadratic::new(matrix([[1.0, 0.0], [0.0, 1.0]]), none, matrix([[4.0, 0.0], [0.0, 9.0]])).unwrap();
         let found = receptances(&problem, 0, 0, &[1.0, 2.0, 3.0]).unwrap();
         assert!((found[0].value.re - 1.0 / 3.0).abs() < 1e-15);
+        // freedoms that nothing joins: no displacement, measured by that of the freedom which moves, 1/3 or 1/8
+        let apart = receptances(&problem, 0, 1, &[1.0]).unwrap()[0];
+        assert_eq!((apart.value.norm(), apart.transposed.norm()), (0.0, 0.0));
+        assert!((apart.largest - 1.0 / 3.0).abs() < 1e-15, "{apart:?}");
         assert!(found[1].value.re.is_nan() && found[2].value.re.is_nan());
         assert!(receptances(&problem, 0, 2, &[1.0]).unwrap()[0].value.re.is_nan());
     }

@@ -76,17 +76,6 @@ pub(crate) struct Picture {
 }
 
 impl<S, T> Kind<S, T> {
-    /// A kind whose keys are declared.
-    pub(crate) const fn declared(
-        name: &'static str,
-        doc: &'static str,
-        declared: fn() -> Vec<Declaration>,
-        read: fn(&S, &Section<'_>) -> Result<T, Fault>,
-        picture: Option<Picture>,
-    ) -> Self {
-        Self { name, doc, declared, read, picture }
-    }
-
     /// The names of its keys besides `name` and `kind`.
     pub(crate) fn keys(&self) -> Vec<&'static str> {
         (self.declared)().iter().map(|key| key.name).collect()

@@ -81,8 +81,8 @@ pub fn alone(file: &CaseFile, name: &str) -> Result<CaseFile, CaseError> {
         Some(sweep) => taken_by_sweep(sweep, &analyses),
         None => vec![name],
     };
-    let made_of = taken.iter().flat_map(|name| file.case.made_of(name));
-    let needed: Vec<&str> = taken.iter().copied().chain(made_of).chain([name]).collect();
+    let taken_up = taken.iter().flat_map(|name| file.case.takes_up(name));
+    let needed: Vec<&str> = taken.iter().copied().chain(taken_up).chain([name]).collect();
     let only = |names: &[&str]| names.iter().map(|name| needed.contains(name)).collect::<Vec<_>>();
     let mut document = with_options(&file.origin, &file.text, &file.overrides)?;
     edited::keep(document.as_table_mut(), "sweep", &only(&sweeps));

@@ -92,7 +92,7 @@ impl Case {
     }
 
     /// The names of the analyses whose results an analysis takes up.
-    pub(crate) fn made_of(&self, name: &str) -> Vec<&str> {
+    pub(crate) fn takes_up(&self, name: &str) -> Vec<&str> {
         model(self).takes_up(name)
     }
 

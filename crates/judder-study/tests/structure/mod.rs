@@ -8,10 +8,11 @@ use judder_structure::statics::Statics;
 use judder_study::StudyError;
 use judder_study::case::file::CaseFile;
 use judder_study::run::{RunOptions, run};
-use judder_study::{Silent, pictures};
+use judder_study::{Progress, Silent, pictures};
 use serde_json::Value;
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 fn numbers(value: &Value) -> Vec<f64> {
     value.as_array().unwrap().iter().map(number).collect()
@@ -89,6 +90,44 @@ fn the_receptance_of_a_cantilever() {
     assert!((number(&results["peak_m_per_n"]) / swinging - 1.0).abs() < 1e-2, "{results:?} {swinging}");
     let file = std::fs::read_to_string(folder.path().join("fields/tip.unv")).unwrap();
     assert!(file.contains("Receptance") && file.lines().any(|line| line.trim() == "58"), "{file:.400}");
+}
+
+/// A run that is stopped at the n-th look.
+struct Stopping {
+    looks: AtomicUsize,
+    at: usize,
+    steps: AtomicUsize,
+}
+
+impl Progress for Stopping {
+    fn begin(&self, _name: &str, steps: usize) {
+        self.steps.fetch_add(steps, Ordering::Relaxed);
+    }
+    fn expect(&self, _steps: usize) {}
+    fn advance(&self) {
+        self.steps.fetch_sub(1, Ordering::Relaxed);
+    }
+    fn end(&self) {}
+    fn interrupted(&self) -> bool {
+        self.looks.fetch_add(1, Ordering::Relaxed) >= self.at
+    }
+}
+
+/// Each of its 2001 frequencies is a factorisation: it looks whether to stop in between, and announces the steps that it takes.
+#[test]
+fn a_receptance_can_be_stopped() {
+    let file = case("benchmarks/cantilever-receptance.toml", &[]);
+    let until = |at: usize| {
+        let progress = Stopping { looks: AtomicUsize::new(0), at, steps: AtomicUsize::new(0) };
+        let folder = tempfile::tempdir().unwrap();
+        let options = RunOptions { only: vec!["tip".to_owned()], ..RunOptions::default() };
+        let stopped = matches!(run(&file, folder.path(), &options, &progress), Err(StudyError::Interrupted));
+        (stopped, progress.looks.into_inner(), progress.steps.into_inner())
+    };
+    let (stopped, looks, left) = until(usize::MAX);
+    assert!(!stopped && looks > 30 && left == 0, "{looks} {left}");
+    let (stopped, seen, left) = until(looks / 2);
+    assert!(stopped && seen < looks && left > 0, "{stopped} {seen} {left}");
 }
 
 /// A place that is no single degree of freedom is refused before anything is computed, at its key.

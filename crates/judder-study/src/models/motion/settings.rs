@@ -319,37 +319,39 @@ pub(crate) trait MotionModel: SweptKeys {
 pub(crate) struct MotionKinds<S>(std::marker::PhantomData<S>);
 
 impl<S: MotionModel> MotionKinds<S> {
-    pub(crate) const HISTORY: Kind<S, S::Analysis> = Kind::declared(
-        "motion",
-        "the history of one motion: stick, slip, lift-off, its averages, its energy",
-        declared::<S, History>,
-        |_, section| read::<S, History>(section).map(|own| S::of_motion(MotionAnalysis::History(own))),
-        Some(super::history::PICTURE),
-    );
-    pub(crate) const LIMIT_CYCLE: Kind<S, S::Analysis> = Kind::declared(
-        "limit-cycle",
-        "the cycle that a motion settles to, with its Floquet multipliers",
-        declared::<S, LimitCycle>,
-        |_, section| read::<S, LimitCycle>(section).map(|own| S::of_motion(MotionAnalysis::LimitCycle(own))),
-        Some(super::limit_cycle::PICTURE),
-    );
-    pub(crate) const BIFURCATION: Kind<S, S::Analysis> = Kind::declared(
-        "bifurcation",
-        "what the motion settles to along one key, each motion from the end of the one before",
-        || [vec![SWEEP.declaration::<S>()], declared::<S, Diagram>()].concat(),
-        |keys, section| {
+    pub(crate) const HISTORY: Kind<S, S::Analysis> = Kind {
+        name: "motion",
+        doc: "the history of one motion: stick, slip, lift-off, its averages, its energy",
+        declared: declared::<S, History>,
+        read: |_, section| read::<S, History>(section).map(|own| S::of_motion(MotionAnalysis::History(own))),
+        picture: Some(super::history::PICTURE),
+    };
+    pub(crate) const LIMIT_CYCLE: Kind<S, S::Analysis> = Kind {
+        name: "limit-cycle",
+        doc: "the cycle that a motion settles to, with its Floquet multipliers",
+        declared: declared::<S, LimitCycle>,
+        read: |_, section| {
+            read::<S, LimitCycle>(section).map(|own| S::of_motion(MotionAnalysis::LimitCycle(own)))
+        },
+        picture: Some(super::limit_cycle::PICTURE),
+    };
+    pub(crate) const BIFURCATION: Kind<S, S::Analysis> = Kind {
+        name: "bifurcation",
+        doc: "what the motion settles to along one key, each motion from the end of the one before",
+        declared: || [vec![SWEEP.declaration::<S>()], declared::<S, Diagram>()].concat(),
+        read: |keys, section| {
             let (sweep, diagram) = both(SWEEP.read_alone(keys, section), read::<S, Diagram>(section))?;
             Ok(S::of_motion(MotionAnalysis::Bifurcation(Bifurcation { sweep, diagram })))
         },
-        Some(super::bifurcation::PICTURE),
-    );
-    pub(crate) const BASIN: Kind<S, S::Analysis> = Kind::declared(
-        "basin",
-        "the share of starts, drawn evenly, from which steady sliding is reached",
-        declared::<S, Basin>,
-        |_, section| read::<S, Basin>(section).map(|own| S::of_motion(MotionAnalysis::Basin(own))),
-        Some(super::basin::PICTURE),
-    );
+        picture: Some(super::bifurcation::PICTURE),
+    };
+    pub(crate) const BASIN: Kind<S, S::Analysis> = Kind {
+        name: "basin",
+        doc: "the share of starts, drawn evenly, from which steady sliding is reached",
+        declared: declared::<S, Basin>,
+        read: |_, section| read::<S, Basin>(section).map(|own| S::of_motion(MotionAnalysis::Basin(own))),
+        picture: Some(super::basin::PICTURE),
+    };
 }
 
 fn declared<S: MotionModel, T: Settings>() -> Vec<Declaration> {

@@ -96,33 +96,33 @@ const SAMPLES: Axis = SWEEP.of_points(400);
 
 /// The kinds of a two-degrees case.
 pub(crate) static KINDS: [Kind<ParameterKeys, TwoDegreesAnalysis>; 3] = [
-    Kind::declared(
-        "spectrum",
-        "the eigenvalues along one parameter",
-        || vec![SWEEP.declaration::<ParameterKeys>()],
-        |keys, section| {
+    Kind {
+        name: "spectrum",
+        doc: "the eigenvalues along one parameter",
+        declared: || vec![SWEEP.declaration::<ParameterKeys>()],
+        read: |keys, section| {
             let sweep = SWEEP.read_alone(keys, section)?;
             Ok(TwoDegreesAnalysis::Spectrum(ParameterSpectrum { sweep }))
         },
-        None,
-    ),
-    Kind::declared(
-        "stability-map",
-        "stable and unstable points over two parameters",
-        map_declarations::<ParameterKeys>,
-        |keys, section| read_map(keys, section).map(TwoDegreesAnalysis::StabilityMap),
-        None,
-    ),
-    Kind::declared(
-        "critical",
-        "the values of a parameter at which stability changes",
-        || vec![SAMPLES.declaration::<ParameterKeys>()],
-        |keys, section| {
+        picture: None,
+    },
+    Kind {
+        name: "stability-map",
+        doc: "stable and unstable points over two parameters",
+        declared: map_declarations::<ParameterKeys>,
+        read: |keys, section| read_map(keys, section).map(TwoDegreesAnalysis::StabilityMap),
+        picture: None,
+    },
+    Kind {
+        name: "critical",
+        doc: "the values of a parameter at which stability changes",
+        declared: || vec![SAMPLES.declaration::<ParameterKeys>()],
+        read: |keys, section| {
             let sweep = SAMPLES.read_alone(keys, section)?;
             Ok(TwoDegreesAnalysis::Critical(ParameterThresholds { sweep }))
         },
-        None,
-    ),
+        picture: None,
+    },
 ];
 
 impl TwoDegreesCase {

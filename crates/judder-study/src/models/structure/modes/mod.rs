@@ -32,7 +32,7 @@ pub enum Modes {
 }
 
 /// Two frequencies.
-const BAND: Pair = Pair {
+pub(super) const BAND: Pair = Pair {
     of: Number::non_negative(Dimension::ANGULAR_FREQUENCY),
     what: "two frequencies, from and to",
     is_ascending: true,

@@ -34,12 +34,18 @@ pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = 
 
 impl Analysis<StructureCase> for Receptance {
     fn fits(&self, of: &Subject<'_>) -> Result<Result<(), Refusal>, StudyError> {
-        let found = freedom("excited", &self.excited, of.structure);
-        Ok(found.and_then(|_| freedom("observed", &self.observed, of.structure)).map(drop))
+        let named = |key, place| {
+            freedom(key, place, of.structure).map(drop).map_err(|cause| Refusal::key(key, cause))
+        };
+        Ok(named("excited", &self.excited).and_then(|()| named("observed", &self.observed)))
     }
 
-    fn run(&self, of: &Subject<'_>, _: Task<'_>) -> Result<Outcome, StudyError> {
-        run::run((of.case, of.structure), of.name, self)
+    fn steps(&self) -> usize {
+        run::steps(self.points)
+    }
+
+    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, StudyError> {
+        run::run((of.case, of.structure), of.name, self, task.progress)
     }
 
     fn estimate(&self, _: &Subject<'_>) -> Result<String, StudyError> {

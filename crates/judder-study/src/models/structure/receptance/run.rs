@@ -3,15 +3,16 @@
 use super::super::fields::{label_shift, written};
 use super::settings::{NotOneFreedom, Place, Receptance};
 use crate::error::StudyError;
-use crate::model::Refusal;
 use crate::models::structure::build::{Layout, Structure, points_of};
 use crate::models::structure::case::StructureCase;
 use crate::outcome::{CheckRecord, Outcome};
+use crate::progress::Progress;
 use judder_exchange::ExchangeError;
 use judder_exchange::geometry::Geometry;
 use judder_exchange::universal::{
     Abscissa, Ordinates, Quantity, Response, ResponseKind, write_nodes, write_response, write_units,
 };
+use judder_keys::cause::Cause;
 use judder_store::{Dataset, Variable, number};
 use judder_structure::freedom::Direction;
 use judder_structure::receptance::{Receptance as Found, receptances};
@@ -21,8 +22,11 @@ use std::f64::consts::TAU;
 
 /// What the backward error of the displacements may be.
 const RESIDUAL_LIMIT: f64 = 1e-11;
-/// What both solutions may differ by, over the magnitude of the receptance: rounding, enlarged by the condition at a resonance.
+/// What both solutions may differ by, over the largest displacement: rounding, enlarged by the condition at a resonance.
 const RECIPROCITY_LIMIT: f64 = 1e-6;
+
+/// Frequencies between two looks at whether the run shall stop.
+const TOGETHER: usize = 64;
 
 /// A degree of freedom, and the point of the layout whose it is.
 #[derive(Clone, Copy)]
@@ -33,17 +37,17 @@ pub(super) struct At {
 }
 
 /// The degree of freedom that a place under `key` names.
-pub(super) fn freedom(key: &'static str, place: &Place, structure: &Structure) -> Result<At, Refusal> {
+pub(super) fn freedom(key: &'static str, place: &Place, structure: &Structure) -> Result<At, Cause> {
     let direction = place.direction.direction();
-    let refused = |found| Refusal::key(key, NotOneFreedom { key, along: place.direction, found });
+    let refused = |found| Cause::from(NotOneFreedom { key, along: place.direction, found });
     let layout = structure.layout.as_ref().ok_or_else(|| refused(0))?;
-    let points =
-        points_of(&place.nodes, structure, key).map_err(|unbuilt| Refusal::key(key, unbuilt.problem))?;
+    let points = points_of(&place.nodes, structure, key).map_err(|unbuilt| unbuilt.problem)?;
     let of_point = |point: &usize| {
         layout.freedoms[*point][direction as usize].map(|freedom| At { freedom, point: *point, direction })
     };
     let mut found: Vec<At> = points.iter().filter_map(of_point).collect();
     // a tied face has one freedom for all its nodes
+    found.sort_by_key(|at| at.freedom);
     found.dedup_by_key(|at| at.freedom);
     match found[..] {
         [at] => Ok(at),
@@ -56,15 +60,25 @@ pub(super) fn run(
     (case, structure): (&StructureCase, &Structure),
     name: &str,
     asked: &Receptance,
+    progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
     let at = |key, place| {
-        freedom(key, place, structure)
-            .map_err(|_| StudyError::Unsupported(format!("`{key}` names no one freedom")))
+        freedom(key, place, structure).map_err(|cause| StudyError::Unsupported(cause.to_string()))
     };
     let (excited, observed) = (at("excited", &asked.excited)?, at("observed", &asked.observed)?);
     let problem = structure.at(case, &case.values())?;
     let frequencies = asked.frequencies();
-    let found = receptances(&problem, excited.freedom, observed.freedom, &frequencies)?;
+    let mut found = Vec::with_capacity(frequencies.len());
+    for some in frequencies.chunks(TOGETHER) {
+        if progress.interrupted() {
+            return Err(StudyError::Interrupted);
+        }
+        // the last step is that of every analysis of a structure
+        if !found.is_empty() {
+            progress.advance();
+        }
+        found.extend(receptances(&problem, excited.freedom, observed.freedom, some)?);
+    }
     let hertz: Vec<f64> = frequencies.iter().map(|frequency| frequency / TAU).collect();
     let values: Vec<Complex64> = found.iter().map(|own| own.value).collect();
     let missing = values.iter().filter(|value| !value.is_finite()).count();
@@ -130,7 +144,7 @@ fn dataset(hertz: Vec<f64>, found: &[Found]) -> Result<Dataset, StudyError> {
 }
 
 fn checks(found: &[Found]) -> Vec<CheckRecord> {
-    let difference = |own: &Found| (own.value - own.transposed).norm() / own.value.norm();
+    let difference = |own: &Found| (own.value - own.transposed).norm() / own.largest;
     let known = || found.iter().filter(|own| own.value.is_finite());
     vec![
         CheckRecord::new(
@@ -141,11 +155,16 @@ fn checks(found: &[Found]) -> Vec<CheckRecord> {
         ),
         CheckRecord::new(
             "the transposed matrices give the same receptance",
-            "difference over the magnitude at every frequency",
+            "difference over the largest displacement at every frequency",
             known().map(difference).collect(),
             RECIPROCITY_LIMIT,
         ),
     ]
+}
+
+/// How many steps so many frequencies are.
+pub(super) fn steps(points: usize) -> usize {
+    points.div_ceil(TOGETHER)
 }
 
 /// Both nodes and the response of one to the other.

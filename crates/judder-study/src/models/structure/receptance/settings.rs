@@ -2,8 +2,8 @@
 
 use crate::models::structure::case::reduction::KeptNodes;
 use crate::models::structure::case::scope::StructureScope;
-use judder_keys::declared::{Number, Pair, Settings, Whole, both};
-use judder_keys::dimension::Dimension;
+use crate::models::structure::modes::BAND;
+use judder_keys::declared::{Settings, Whole, both};
 use judder_keys::error::Fault;
 use judder_keys::problem::Problem;
 use judder_keys::section::Section;
@@ -53,12 +53,6 @@ pub enum Along {
     /// Along z.
     Z,
 }
-
-const BAND: Pair = Pair {
-    of: Number::non_negative(Dimension::ANGULAR_FREQUENCY),
-    what: "two frequencies, from and to",
-    is_ascending: true,
-};
 
 impl Along {
     /// As freedoms have it.

@@ -13,13 +13,14 @@ pub(crate) mod study;
 use crate::refusal::Refusal;
 use judder_study::bridge;
 use judder_study::case::file::{Case, CaseFile};
+use judder_study::models::contact::case::ContactCase;
 use judder_study::models::oscillator::case::OscillatorCase;
 use judder_study::models::oscillator::inputs::OscillatorInputs;
 
 /// The numeric keys of a case that has them, with what its material says: an oscillator, or a contact's substrate and indenter.
 pub(crate) fn inputs(file: &CaseFile) -> Result<OscillatorInputs, Refusal> {
-    let told = match &file.case {
-        Case::Contact(case) => {
+    let told = match file.case.of::<ContactCase>() {
+        Some(case) => {
             let substrate = case.substrate.clone();
             bridge::with_material(&OscillatorCase {
                 inputs: case.inputs,
@@ -27,27 +28,28 @@ pub(crate) fn inputs(file: &CaseFile) -> Result<OscillatorInputs, Refusal> {
                 ..OscillatorCase::default()
             })
         }
-        _ => bridge::with_material(oscillator(file)?),
+        None => bridge::with_material(oscillator(file)?),
     };
     Ok(told?.inputs)
 }
 
 /// The sections of numeric keys that a case has; none where its model has other keys.
 pub(crate) fn sections(case: &Case) -> &'static [&'static str] {
-    match case {
-        Case::Oscillator(_) => &["substrate", "indenter", "contact", "oscillator", "operation"],
-        Case::Contact(_) => &["substrate", "indenter"],
-        _ => &[],
+    if case.of::<OscillatorCase>().is_some() {
+        &["substrate", "indenter", "contact", "oscillator", "operation"]
+    } else if case.of::<ContactCase>().is_some() {
+        &["substrate", "indenter"]
+    } else {
+        &[]
     }
 }
 
 /// The oscillator of a case.
 pub(crate) fn oscillator(file: &CaseFile) -> Result<&OscillatorCase, Refusal> {
-    match &file.case {
-        Case::Oscillator(case) => Ok(case),
-        other => Err(Refusal::wrong(format!(
+    file.case.of().ok_or_else(|| {
+        Refusal::wrong(format!(
             "this needs an oscillator case, the one explored is of model `{}`; `judder explore` without a case takes the paper's oscillator",
-            other.model()
-        ))),
-    }
+            file.case.model()
+        ))
+    })
 }

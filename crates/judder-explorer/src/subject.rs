@@ -4,9 +4,10 @@ use crate::error::ExplorerError;
 use crate::refusal::Refusal;
 use judder_keys::file_reference::FileReference;
 use judder_study::StudyError;
-use judder_study::case::file::{Case, CaseFile};
+use judder_study::case::file::CaseFile;
 use judder_study::case::template::{TEMPLATES, template};
 use judder_study::law_cache::LawCache;
+use judder_study::models::sliding::case::SlidingCase;
 use judder_study::sliding_shapes::{ShapedPair, SlidingShapes};
 use judder_study::study_view::StudyView;
 use std::fmt;
@@ -110,7 +111,7 @@ impl Studied {
         count: usize,
     ) -> Result<SlidingShapes, Refusal> {
         let case = self.case()?;
-        if !matches!(case.case, Case::Sliding(_)) {
+        if case.case.of::<SlidingCase>().is_none() {
             let model = case.case.model();
             return Err(Refusal::wrong(format!(
                 "coupled shapes are those of a sliding case; the case of this study is of model `{model}`"

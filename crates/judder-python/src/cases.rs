@@ -5,7 +5,7 @@ use crate::errors;
 use crate::watched::{Manner, is_ctrl_c, watched};
 use judder_contact::law::file::to_json;
 use judder_keys::error::CaseError;
-use judder_study::case::file::{Case, CaseFile};
+use judder_study::case::file::CaseFile;
 use judder_study::models::oscillator::case::OscillatorCase;
 use judder_study::resolve::resolve;
 use judder_study::run::{RunOptions, RunReport, run};
@@ -116,7 +116,7 @@ pub(crate) fn with_law_in(
 /// The file of a law that a case can take.
 fn lawful(case: &Source, overrides: &[String], law: &PyLaw) -> PyResult<String> {
     match case.parse(overrides) {
-        Ok(CaseFile { case: Case::Oscillator(_), .. }) => {}
+        Ok(CaseFile { case, .. }) if case.of::<OscillatorCase>().is_some() => {}
         Ok(CaseFile { case, .. }) => {
             return Err(errors::input("law", format!("a case of model `{}` takes none", case.model())));
         }
@@ -138,7 +138,7 @@ fn with_law_file(case: &Source, mut overrides: Vec<String>, path: &Path) -> PyRe
     let path = std::path::absolute(path).map_err(errors::system)?;
     overrides.push(of_file(&path.to_string_lossy()));
     let mut file = case.read(&overrides)?;
-    if let Case::Oscillator(OscillatorCase { law_file: Some(law), .. }) = &mut file.case {
+    if let Some(OscillatorCase { law_file: Some(law), .. }) = file.case.of_mut() {
         LAW_FILE.clone_into(&mut law.given);
     }
     if let Some(last) = file.overrides.last_mut() {

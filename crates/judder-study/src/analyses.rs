@@ -4,7 +4,6 @@ use crate::case::file::Case;
 use crate::error::StudyError;
 use crate::model::{Prepared, Task};
 pub use crate::models::MotionBlock;
-use crate::models::model;
 pub use crate::models::oscillator::{BoundaryCurves, BoundaryKind, boundary_curves};
 use crate::outcome::Outcome;
 use crate::progress::Progress;
@@ -12,7 +11,7 @@ use crate::progress::Progress;
 /// How many steps the analysis at `index` announces to its progress.
 #[must_use]
 pub fn steps(case: &Case, index: usize) -> usize {
-    model(case).steps(index)
+    case.steps(index)
 }
 
 /// Runs the analysis at `index` of a case: nothing is kept, and nothing is known from before.
@@ -20,7 +19,7 @@ pub fn steps(case: &Case, index: usize) -> usize {
 /// # Errors
 /// [`StudyError::Interrupted`], or arrays that the store refuses.
 pub fn run(case: &Case, index: usize, progress: &dyn Progress) -> Result<Outcome, StudyError> {
-    run_alone((case, &model(case).prepared()?), index, progress)
+    run_alone((case, &case.prepared()?), index, progress)
 }
 
 /// The same with what its analyses share.
@@ -29,7 +28,7 @@ pub(crate) fn run_alone(
     index: usize,
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
-    model(case).run(index, Task::alone(prepared, progress))
+    case.run(index, Task::alone(prepared, progress))
 }
 
 /// Runs the analysis at `index` of a case as [`run`] does; one of kind `motion` hands its samples to `watch` while it is computed.
@@ -42,6 +41,6 @@ pub fn run_watched(
     progress: &dyn Progress,
     watch: &mut dyn FnMut(MotionBlock),
 ) -> Result<Outcome, StudyError> {
-    let prepared = model(case).prepared()?;
-    model(case).run(index, Task { watch: Some(watch), ..Task::alone(&prepared, progress) })
+    let prepared = case.prepared()?;
+    case.run(index, Task { watch: Some(watch), ..Task::alone(&prepared, progress) })
 }

@@ -7,15 +7,15 @@ use judder_keys::numeric_key::Form;
 
 /// A swept quantity: its name, its symbol and its unit.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Quantity {
+pub struct Quantity {
     /// Name as it stands in arrays and tables, such as `velocity`.
-    pub(crate) name: String,
+    pub name: String,
     /// Quantity, symbol and unit for an axis.
-    pub(crate) label: String,
+    pub label: String,
     /// Symbol for a legend.
-    pub(crate) symbol: String,
+    pub symbol: String,
     /// Unit; `1` for a group.
-    pub(crate) unit: String,
+    pub unit: String,
 }
 
 /// How a key of an oscillator case is called when its values are of this form.

@@ -35,7 +35,7 @@ mod indenter;
 mod input_file;
 pub mod kept;
 mod known_substrate;
-mod labels;
+pub mod labels;
 pub mod law_cache;
 mod ledger;
 mod material;

@@ -1,7 +1,6 @@
 //! From `[substrate]` to a viscoelastic material, and from groups to quantities of a contact case.
 
 use crate::bridge;
-use crate::case::file::Case;
 use crate::error::StudyError;
 use crate::input_file;
 use crate::models::contact::case::ContactCase;
@@ -106,18 +105,17 @@ impl Material {
     }
 }
 
-/// A resolved case with what is used in place of its numeric keys, where a series, data or a temperature decide the substrate.
+/// A resolved case of a substrate with what is used in place of its numeric keys, where a series, data or a temperature decide it.
 ///
 /// It is no part of any hash: two fits to the same data on different machines differ by rounding.
 ///
 /// # Errors
 /// Data that cannot be read or fitted.
-pub(crate) fn with_used(case: &Case, mut resolved: Json) -> Result<Json, StudyError> {
-    let (substrate, inputs) = match case {
-        Case::Oscillator(case) => (&case.substrate, &case.inputs),
-        Case::Contact(case) => (&case.substrate, &case.inputs),
-        _ => return Ok(resolved),
-    };
+pub(crate) fn with_used(
+    substrate: &Substrate,
+    inputs: &OscillatorInputs,
+    mut resolved: Json,
+) -> Result<Json, StudyError> {
     if substrate.decided_by().is_some() {
         resolved["substrate"]["used"] = Material::new(substrate, inputs)?.used(substrate)?;
         resolved.sort_all_objects();

@@ -1,14 +1,16 @@
 //! What the engine asks of a model and of an analysis; nothing else of them is known outside of [`crate::models`].
 
 use crate::case::analysis::AsAny;
-use crate::case::file::CaseFile;
-use crate::case::study_sweep::StudySweep;
+use crate::case::file::{Case, CaseFile};
+use crate::case::study_sweep::{StudySweep, SweptKey};
 use crate::error::StudyError;
 use crate::kept::Kept;
+use crate::labels::{self, Quantity};
 use crate::models::MotionBlock;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::resolve::Resolved;
+use dyn_clone::{DynClone, clone_trait_object};
 use judder_keys::cause::Cause;
 use judder_keys::error::CaseError;
 use judder_keys::file_reference::FileReference;
@@ -18,7 +20,7 @@ use std::fmt;
 use std::sync::Arc;
 
 /// A case of a model.
-pub trait Model: Sync {
+pub trait Model: Any + DynClone + fmt::Debug + Send + Sync {
     /// Its name in a case file.
     fn name(&self) -> &'static str;
 
@@ -37,6 +39,29 @@ pub trait Model: Sync {
 
     /// Its canonical form, defaults filled in.
     fn resolved(&self) -> Value;
+
+    /// A canonical form with what is used in place of its numbers, where something else decides them; no part of any hash.
+    ///
+    /// # Errors
+    /// Data that cannot be read or fitted.
+    fn with_used(&self, resolved: Value) -> Result<Value, StudyError> {
+        Ok(resolved)
+    }
+
+    /// Whether two numbers of the case, by their dotted paths, are one quantity.
+    fn is_one_quantity(&self, _first: &str, _second: &str) -> bool {
+        false
+    }
+
+    /// Whether setting these keys is all that reading the case anew at their values does, as these cases show that were read so.
+    fn is_set_by(&self, _keys: &[SweptKey], _tried: &[Case]) -> bool {
+        false
+    }
+
+    /// How a swept key is called that [`Model::is_set_by`] holds for.
+    fn swept_label(&self, key: &SweptKey) -> Quantity {
+        labels::any_key(&key.path, key.dimension)
+    }
 
     /// What its analyses share that takes time to make.
     ///
@@ -131,6 +156,8 @@ pub trait Model: Sync {
         None
     }
 }
+
+clone_trait_object!(Model);
 
 /// An analysis of a model: what it announces, is refused for, computes and takes.
 pub trait Analysis<M: Analysed + ?Sized>: AsAny + fmt::Debug + Send + Sync {

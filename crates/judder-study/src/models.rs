@@ -19,23 +19,11 @@ pub use motion::MotionBlock;
 use crate::case::analysis::{Kind, Picture};
 use crate::case::file::{Case, CaseFile};
 use crate::error::StudyError;
-use crate::model::{Model, Place};
+use crate::model::Place;
 use judder_keys::document::Node;
 use judder_keys::error::Fault;
 use serde_json::Value as Json;
 use std::path::Path;
-
-/// The model of a case.
-pub(crate) fn model(case: &Case) -> &dyn Model {
-    match case {
-        Case::Oscillator(case) => case,
-        Case::Contact(case) => case,
-        Case::Belt(case) => case,
-        Case::TwoDegrees(case) => case,
-        Case::Structure(case) => case,
-        Case::Sliding(case) => case,
-    }
-}
 
 /// A model: how its cases are read, and what they may say.
 pub(crate) struct ModelKind {
@@ -82,5 +70,5 @@ pub(crate) fn operating_label(name: &str) -> Option<&'static str> {
 pub(crate) fn placed(error: StudyError, file: &CaseFile, index: usize) -> StudyError {
     let names = file.case.analysis_names();
     let Some(name) = names.get(index) else { return error };
-    model(&file.case).blamed(&error, Place { file, index, name }).map_or(error, StudyError::from)
+    file.case.blamed(&error, Place { file, index, name }).map_or(error, StudyError::from)
 }

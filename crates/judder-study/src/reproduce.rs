@@ -20,7 +20,7 @@ use crate::error::StudyError;
 use crate::kept::Kept;
 use crate::ledger::{Keepsakes, Study};
 use crate::model::{Prepared, Task};
-use crate::models::model;
+use crate::models::oscillator::case::OscillatorCase;
 use crate::models::oscillator::inputs::LawName;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
@@ -124,7 +124,8 @@ fn run_all(
         let known = points().clone();
         let keep = |line: &str| points().push(line.to_owned());
         let kept = Kept { lines: &known, keep: &keep, place: None };
-        let outcome = model(&file.case)
+        let outcome = file
+            .case
             .run(*analysis, Task { law: kept, own: kept, ..Task::alone(&Prepared::NOTHING, progress) })
             .map(without_lists);
         progress.end();
@@ -240,7 +241,7 @@ fn oscillator_case(source: &Source, reading: &Reading) -> Result<CaseFile, Study
 
 /// Puts the law of a file in place of the case's own; the file is there by the time the case runs.
 fn use_law(case: &mut Case, path: PathBuf) {
-    if let Case::Oscillator(case) = case {
+    if let Some(case) = case.of_mut::<OscillatorCase>() {
         case.law = LawName::File;
         case.law_file = Some(FileReference { given: LAW_FILE.to_owned(), path });
     }

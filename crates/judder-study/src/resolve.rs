@@ -4,7 +4,6 @@ mod sweeps;
 
 use crate::case::file::CaseFile;
 use crate::error::StudyError;
-use crate::models::model;
 use crate::models::sweep::MAP_BYTES_PER_POINT;
 use crate::text::columns;
 use serde_json::{Value, json};
@@ -79,7 +78,7 @@ impl Estimate {
 /// # Errors
 /// Matrices that are not finite at the case's own parameters, a sweep that a run would refuse.
 pub fn resolve(file: &CaseFile) -> Result<Resolved, StudyError> {
-    sweeps::added(model(&file.case).resolve(file)?, file)
+    sweeps::added(file.case.resolve(file)?, file)
 }
 
 /// The first line of what is shown of a case.

@@ -14,9 +14,7 @@ use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::home;
 use crate::ledger::{Keepsakes, Study};
-use crate::material;
 use crate::model::Prepared;
-use crate::models::model;
 use crate::outcome::CheckRecord;
 use crate::progress::Progress;
 use crate::report;
@@ -99,7 +97,7 @@ pub fn run(
     progress: &dyn Progress,
 ) -> Result<RunReport, StudyError> {
     let asked = Asked::new(file, options)?;
-    let prepared = model(&file.case).preflight(file, &|name| asked.is_wanted(name))?;
+    let prepared = file.case.preflight(file, &|name| asked.is_wanted(name))?;
     let plans = asked.plans()?;
     if plans.is_empty() && matches!(options.sweeps, SweepWork::Part(_)) {
         let known = file.sweeps.iter().map(|sweep| sweep.name.clone()).collect();
@@ -154,7 +152,7 @@ pub fn dry_run(
     progress: &dyn Progress,
 ) -> Result<Vec<SweepEstimate>, StudyError> {
     let asked = Asked::new(file, options)?;
-    model(&file.case).preflight(file, &|name| asked.is_wanted(name))?;
+    file.case.preflight(file, &|name| asked.is_wanted(name))?;
     asked.plans()?.iter().map(|plan| SweepEstimate::new(plan, folder, progress)).collect()
 }
 
@@ -207,7 +205,7 @@ pub(crate) fn compute(
     progress: &dyn Progress,
 ) -> Result<Computed, StudyError> {
     let asked = Asked::new(file, options)?;
-    let prepared = model(&file.case).preflight(file, &|name| asked.is_wanted(name))?;
+    let prepared = file.case.preflight(file, &|name| asked.is_wanted(name))?;
     compute_in(taken(folder, options.fresh)?, (&asked, &prepared), (&[], true), progress)
 }
 
@@ -230,11 +228,7 @@ fn compute_in(
     let start = Instant::now();
     asked.keep_files(&store)?;
     let mut study = Study::open(&store, asked.all())?;
-    study.set_case(
-        asked.file,
-        &asked.resolved,
-        material::with_used(&asked.file.case, asked.resolved.clone())?,
-    );
+    study.set_case(asked.file, &asked.resolved, asked.file.case.with_used(asked.resolved.clone())?);
     let (mut skipped, mut refused) = (Vec::new(), Vec::new());
     let law = shared_law(&asked.file.case, &asked.resolved);
     let all = &asked.analyses;

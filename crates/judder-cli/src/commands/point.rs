@@ -2,7 +2,7 @@
 
 use clap::Args;
 use judder_study::StudyError;
-use judder_study::case::file::Case;
+use judder_study::models::oscillator::case::OscillatorCase;
 use judder_study::point::point;
 
 use super::CaseArguments;
@@ -27,11 +27,11 @@ pub(crate) struct Point {
 
 impl Point {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
-        let case = match self.case.read()?.case {
-            Case::Oscillator(case) => case,
-            other => return Err(StudyError::WrongModel { command: "point", model: other.model() }.into()),
+        let case = self.case.read()?.case;
+        let Some(case) = case.of::<OscillatorCase>() else {
+            return Err(StudyError::WrongModel { command: "point", model: case.model() }.into());
         };
-        let point = point(&case)?;
+        let point = point(case)?;
         console.result(|| point.text(), || point.json())?;
         Ok(if point.steady.class.verdict().is_some() { Exit::Done } else { Exit::Incomplete })
     }

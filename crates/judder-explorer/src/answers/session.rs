@@ -6,7 +6,9 @@ use axum::Json;
 use axum::extract::State;
 use judder_keys::cause::Cause;
 use judder_keys::numeric_key::{Form, Key, Range};
-use judder_study::case::file::{Case, CaseFile};
+use judder_study::case::file::CaseFile;
+use judder_study::models::contact::case::ContactCase;
+use judder_study::models::oscillator::case::OscillatorCase;
 use judder_study::models::oscillator::inputs::{LawName, TimeForm};
 use judder_study::models::oscillator::keys::{KEYS, OscillatorKey};
 use judder_study::models::sweep::{StabilityMap, Sweep};
@@ -51,11 +53,9 @@ fn analyses(resolved: &Value) -> Vec<Value> {
 
 /// Whether the case takes a value of this key, which it has: of two keys that say the same only the one that it has, and none that its data decide.
 fn takes(base: &CaseFile, entry: &Key<OscillatorKey>) -> bool {
-    let inputs = match &base.case {
-        Case::Oscillator(case) => &case.inputs,
-        Case::Contact(case) => &case.inputs,
-        _ => return false,
-    };
+    let of_oscillator = base.case.of().map(|case: &OscillatorCase| &case.inputs);
+    let of_contact = || base.case.of().map(|case: &ContactCase| &case.inputs);
+    let Some(inputs) = of_oscillator.or_else(of_contact) else { return false };
     let says_relaxation = inputs.time_form() == TimeForm::Relaxation;
     if entry.key == OscillatorKey::RelaxationTime && !says_relaxation {
         return false;

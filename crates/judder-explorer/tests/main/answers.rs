@@ -5,6 +5,7 @@ use judder_study::Silent;
 use judder_study::analyses;
 use judder_study::case::file::CaseFile;
 use judder_study::case::template::template;
+use judder_study::models::oscillator::case::OscillatorCase;
 use serde_json::{Value, json};
 
 const OPTIONS: [&str; 2] = ["operation.velocity=1e-3", "contact.shear_strength=20 kPa"];
@@ -44,7 +45,7 @@ fn a_point_is_that_of_the_command() {
     let served = Served::new();
     let answer = served.post("/api/point", &json!({ "set": OPTIONS })).json();
     let file = CaseFile::parse("oscillator.toml", &base(), &OPTIONS.map(String::from)).unwrap();
-    let judder_study::case::file::Case::Oscillator(case) = &file.case else { panic!() };
+    let case = file.case.of::<OscillatorCase>().unwrap();
     let point = judder_study::point::point(case).unwrap();
     assert_eq!(answer["point"], point.json());
     let growth = point.steady.growth_rate() * 40.0;

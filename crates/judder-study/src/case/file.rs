@@ -1,24 +1,20 @@
 //! The way in: a path or a text with its `--set` options becomes a validated case.
 
+use std::any::Any;
 use std::fmt;
 use std::fs::File;
 use std::io::{ErrorKind, Read};
+use std::ops::Deref;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::case::study_sweep::problem::SweepProblem;
 use crate::case::study_sweep::{self, StudySweep, read_sweeps};
-use crate::models::belt::case::BeltCase;
-use crate::models::contact::case::ContactCase;
-use crate::models::oscillator::case::OscillatorCase;
-use crate::models::sliding::case::SlidingCase;
-use crate::models::structure::case::StructureCase;
-use crate::models::two_degrees::case::TwoDegreesCase;
-use crate::models::{MODELS, ModelKind, model};
+use crate::model::Model;
+use crate::models::{MODELS, ModelKind};
 use judder_keys::cause::Cause;
 use judder_keys::document::{Data, Node, apply_override, parse};
 use judder_keys::error::{CaseError, Fault, Place, Sources};
-use judder_keys::file_reference::FileReference;
 
 /// A case file that was read and found valid.
 #[derive(Debug, Clone)]
@@ -65,40 +61,35 @@ impl CaseTree {
 
 /// A validated case of one of the models.
 #[derive(Debug, Clone)]
-pub enum Case {
-    /// `model = "oscillator"`.
-    Oscillator(OscillatorCase),
-    /// `model = "contact"`.
-    Contact(ContactCase),
-    /// `model = "belt"`.
-    Belt(BeltCase),
-    /// `model = "two-degrees"`.
-    TwoDegrees(TwoDegreesCase),
-    /// `model = "structure"`.
-    Structure(StructureCase),
-    /// `model = "sliding"`.
-    Sliding(SlidingCase),
-}
+pub struct Case(Box<dyn Model>);
 
 impl Case {
+    /// This case of a model.
+    pub fn new(case: impl Model) -> Self {
+        Self(Box::new(case))
+    }
+
+    /// The case, where it is of this model.
+    pub fn of<M: Model>(&self) -> Option<&M> {
+        (self.0.as_ref() as &dyn Any).downcast_ref()
+    }
+
+    /// The same, to be changed.
+    pub fn of_mut<M: Model>(&mut self) -> Option<&mut M> {
+        (self.0.as_mut() as &mut dyn Any).downcast_mut()
+    }
+
     /// The name of its model in a case file.
     pub fn model(&self) -> &'static str {
-        model(self).name()
+        self.0.name()
     }
+}
 
-    /// The names of its analyses, in their order.
-    pub fn analysis_names(&self) -> Vec<&str> {
-        model(self).analysis_names()
-    }
+impl Deref for Case {
+    type Target = dyn Model;
 
-    /// The names of the analyses whose results an analysis takes up.
-    pub(crate) fn takes_up(&self, name: &str) -> Vec<&str> {
-        model(self).takes_up(name)
-    }
-
-    /// The files that the case names: results depend on what they hold.
-    pub fn files(&self) -> Vec<&FileReference> {
-        model(self).files()
+    fn deref(&self) -> &dyn Model {
+        self.0.as_ref()
     }
 }
 

@@ -4,7 +4,6 @@ mod sweep;
 
 use crate::case::analysis::Planned;
 use crate::case::file::Case;
-use crate::models::model;
 use judder_keys::dimension::Dimension;
 use judder_keys::numeric_key::Form;
 use serde_json::{Map, Value as Json, json};
@@ -14,7 +13,7 @@ impl Case {
     ///
     /// A group is a number; a quantity is `{"value": …, "unit": …}` in SI units.
     pub fn resolved(&self) -> Json {
-        let mut json = model(self).resolved();
+        let mut json = (**self).resolved();
         // another crate of the build may have switched serde_json to insertion order
         json.sort_all_objects();
         json

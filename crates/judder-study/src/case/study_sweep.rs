@@ -19,11 +19,9 @@ pub(crate) use read::read_sweeps;
 pub(crate) use trial::at;
 
 use crate::case::key_sweep;
-use crate::models::oscillator::keys::OscillatorKey;
 use crate::models::sweep::Scale;
 use design::Sampler;
 use judder_keys::dimension::Dimension;
-use judder_keys::numeric_key::Form;
 use quantity_path::QuantityPath;
 
 /// A sweep of the whole case.
@@ -41,9 +39,8 @@ pub struct StudySweep {
     pub chunk: Option<usize>,
     /// The sensitivity that is asked for; with it, points come in rows, see [`StudySweep::row`].
     pub sensitivity: Option<Sensitivity>,
-    /// Of an oscillator case whose swept keys are all numeric keys of its operating point: each key and the form of its values.
-    /// Setting them in the inputs of the case gives the same operating point as reading the case anew.
-    pub oscillator: Option<Vec<(OscillatorKey, Form)>>,
+    /// Whether setting the swept keys in the case gives the same operating point as reading the case anew.
+    pub is_set: bool,
     sampler: Sampler,
     kept_values: Vec<Vec<f64>>,
     shape: Vec<u64>,

@@ -1,6 +1,7 @@
 //! What can be swept: the numeric keys of an oscillator case, or the parameters of a two-degrees case.
 
 use crate::models::contact::problem::ContactProblem;
+use crate::models::oscillator::case::OscillatorCase;
 use crate::models::oscillator::inputs::{LawName, OscillatorInputs};
 use crate::models::oscillator::keys::{KEYS, OscillatorKey};
 use crate::models::sweep::ParameterKey;
@@ -82,6 +83,11 @@ const NOT_NUMERIC: [&str; 11] = [
 ];
 
 impl OscillatorKeys {
+    /// Those of this case.
+    pub(crate) fn of(case: &OscillatorCase) -> Self {
+        Self { inputs: case.inputs, law: case.law, decided_by: case.substrate.decided_by() }
+    }
+
     /// What keeps a key from being swept.
     fn fixed_by(&self, key: OscillatorKey) -> Option<String> {
         use OscillatorKey::{GlassyModulus, RelaxationTime, RetardationTime, RubberyModulus};

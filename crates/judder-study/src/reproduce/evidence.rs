@@ -2,7 +2,7 @@
 
 use super::exhibits::{CONTACT_CASES, FIT, LAW_FILE, thin_out};
 use crate::case::analysis::Planned;
-use crate::case::file::{Case, CaseFile};
+use crate::case::file::CaseFile;
 use crate::computed_law::{self, NO_POINTS};
 use crate::error::StudyError;
 use crate::material::ContactScales;
@@ -133,9 +133,9 @@ pub(super) fn contact_case(name: &str, quick: bool) -> Result<(ContactCase, LawS
     if quick {
         thin_out(&mut case);
     }
-    let Case::Contact(case) = case else { return Err(missing()) };
+    let case: &ContactCase = case.of().ok_or_else(missing)?;
     let law = case.analyses.first().and_then(law_of).ok_or_else(missing)?.clone();
-    Ok((case, law))
+    Ok((case.clone(), law))
 }
 
 /// The evidence of Fig. 3's own case, computed once for all tests.

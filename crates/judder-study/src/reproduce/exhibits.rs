@@ -131,10 +131,10 @@ pub(super) const EXHIBITS: [Exhibit; 7] = [
 
 /// Fewer points for a quick look: curves and maps keep their shape, a paraboloid's law stands for the sphere's.
 pub(super) fn thin_out(case: &mut Case) {
-    match case {
-        Case::Oscillator(case) => thin_out_oscillator(case),
-        Case::Contact(case) => thin_out_contact(case),
-        Case::Belt(_) | Case::TwoDegrees(_) | Case::Structure(_) | Case::Sliding(_) => {}
+    if let Some(case) = case.of_mut() {
+        thin_out_oscillator(case);
+    } else if let Some(case) = case.of_mut() {
+        thin_out_contact(case);
     }
 }
 
@@ -232,9 +232,9 @@ mod tests {
             let full = case.resolved();
             thin_out(&mut case);
             assert_ne!(case.resolved(), full, "a quick result must not pass for a full one");
-            let Case::Contact(case) = case else { panic!("{name}") };
+            let Some(case) = case.of::<ContactCase>() else { panic!("{name}") };
             let law = law_of(&case.analyses[0]).unwrap();
-            assert_eq!((case.shape, law.method), (Shape::Paraboloid, LawMethod::Collapse));
+            assert_eq!((&case.shape, law.method), (&Shape::Paraboloid, LawMethod::Collapse));
             assert!(law.velocity.points * law.indentation.points < 200);
         }
     }

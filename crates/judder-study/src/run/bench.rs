@@ -5,7 +5,7 @@ use crate::error::StudyError;
 use crate::kept::{Kept, Place};
 use crate::ledger::VERSION;
 use crate::model::{Prepared, Task};
-use crate::models::{model, placed};
+use crate::models::placed;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use judder_store::{Scratch, StudyFolder, content_hash};
@@ -31,7 +31,7 @@ impl Bench<'_> {
     ) -> Result<(Result<Outcome, StudyError>, Scratch), StudyError> {
         let Self { file, store, all, .. } = self;
         let (name, hash) = &all[index];
-        progress.begin(name, model(&file.case).steps(index));
+        progress.begin(name, file.case.steps(index));
         // under a name that the shared law does not have
         let scratch = store.scratch(&format!("of-{name}"), hash)?;
         // a line that cannot be kept costs a rerun, no result
@@ -47,7 +47,7 @@ impl Bench<'_> {
         let lines = shared.as_ref().map_or(&[][..], Scratch::lines);
         let of_law = Kept { lines, keep: &keep_shared, place: None };
         let task = Task { law: of_law, own, ..Task::alone(self.prepared, progress) };
-        let outcome = model(&file.case).run(index, task);
+        let outcome = file.case.run(index, task);
         progress.end();
         Ok((outcome.map_err(|error| placed(error, file, index)), scratch))
     }
@@ -69,6 +69,6 @@ const LAW_POINTS: &str = "law";
 
 /// The hash of what the law depends on that a case has computed for all its analyses; `None` where it has none.
 pub(super) fn shared_law(case: &Case, resolved: &Value) -> Option<String> {
-    let of: Value = [VERSION.into()].into_iter().chain(model(case).shared_law(resolved)?).collect();
+    let of: Value = [VERSION.into()].into_iter().chain(case.shared_law(resolved)?).collect();
     Some(content_hash(of.to_string().as_bytes()))
 }

@@ -5,7 +5,7 @@ use super::scalars::number_at;
 use crate::analyses::run_alone;
 use crate::error::StudyError;
 use crate::model::{OperatingPoints, OperatingQuantity, Prepared};
-use crate::models::{model, placed};
+use crate::models::placed;
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use judder_store::PointFailure;
@@ -174,7 +174,7 @@ impl<'a> Evaluator<'a> {
         let file = self.plan.file.at(&self.plan.sweep, at)?;
         let mut told = Told::default();
         if !self.wanted.is_empty() {
-            let (values, doubts) = model(&file.case).operating_point(&self.wanted, &Within(progress))?;
+            let (values, doubts) = file.case.operating_point(&self.wanted, &Within(progress))?;
             self.fill_points(row, values);
             told.doubts = doubts;
         }
@@ -184,8 +184,7 @@ impl<'a> Evaluator<'a> {
         }
         let names: Vec<&str> = wanted.iter().map(|(_, name)| *name).collect();
         let paths: Vec<&str> = self.plan.sweep.axes.iter().map(|axis| axis.path.as_str()).collect();
-        let prepared =
-            model(&file.case).preflight_at(&file, &|name| names.contains(&name), (prepared, &paths))?;
+        let prepared = file.case.preflight_at(&file, &|name| names.contains(&name), (prepared, &paths))?;
         for (index, name) in wanted {
             match run_alone((&file.case, &prepared), index, &Within(progress)) {
                 Ok(outcome) => self.fill_scalars((index, name), &outcome, row, &mut told),
@@ -262,7 +261,7 @@ impl Told {
 }
 
 fn way(plan: &SweepPlan, progress: &dyn Progress) -> Result<Way, StudyError> {
-    let model = model(&plan.file.case);
+    let model = &plan.file.case;
     if plan.analyses().is_empty()
         && let Some(points) = model.operating_points(&plan.sweep, &Within(progress))?
     {

@@ -5,7 +5,6 @@ use super::indices::indices;
 use super::plan::{Column, SweepPlan};
 use super::statistics::ColumnStatistics;
 use crate::error::StudyError;
-use crate::models::model;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use judder_numerics::words::plain;
@@ -200,7 +199,7 @@ fn place(at: &Value) -> String {
 
 /// What a finished sweep has to say of the law of its operating points.
 fn told_of_law(plan: &SweepPlan, progress: &dyn Progress) -> Result<Vec<String>, StudyError> {
-    let model = model(&plan.file.case);
+    let model = &plan.file.case;
     if plan.analyses().is_empty()
         && let Some(points) = model.operating_points(&plan.sweep, progress)?
     {

@@ -10,7 +10,6 @@ use crate::labels;
 use crate::ledger::VERSION;
 use crate::model::{OperatingQuantity, OperatingWork};
 use crate::models::Axis;
-use crate::models::model;
 use judder_keys::error::CaseError;
 use judder_store::{SweepDimension, SweepLayout, SweepQuantity, Variable};
 
@@ -112,7 +111,7 @@ impl SweepPlan {
 
     /// How a swept key is called.
     pub(super) fn key(&self, k: usize) -> labels::Quantity {
-        quantity(&self.sweep, k)
+        label((&self.file, &self.sweep), k)
     }
 }
 
@@ -129,7 +128,7 @@ fn column(file: &CaseFile, sweep: &StudySweep, quantity: &QuantityPath) -> Resul
             Ok(Column::Scalar { index: *index, name: name.clone(), steps: steps.clone() })
         }
         QuantitySource::Point { name } => {
-            let known = model(&file.case).operating_quantities();
+            let known = file.case.operating_quantities();
             let found = known.iter().find(|own| own.name == *name).copied();
             found.map(Column::Point).ok_or_else(|| {
                 let known = known.iter().map(|own| own.name.to_owned()).collect();
@@ -156,20 +155,24 @@ fn layout(
     let asked = sweep.quantities.iter().map(|quantity| quantity.text.as_str());
     let keys = columns.len() - sweep.quantities.len();
     let texts = (0..keys).map(|k| sweep.axes[k].path.as_str()).chain(asked);
-    let quantities = columns.iter().zip(texts).map(|(column, text)| described(sweep, column, text)).collect();
+    let quantities =
+        columns.iter().zip(texts).map(|(column, text)| described((file, sweep), column, text)).collect();
     let mut layout = SweepLayout::new(&sweep.name, hash, dimensions, quantities)?
         .attribute("kind", "sweep")?
         .attribute("judder_version", VERSION)?
         .attribute("method", sweep.method.name())?
         .attribute("keys", sweep.axes.iter().map(|axis| axis.path.clone()).collect::<Vec<_>>())?
-        .attribute("key_labels", (0..sweep.axes.len()).map(|k| quantity(sweep, k).label).collect::<Vec<_>>())?
+        .attribute(
+            "key_labels",
+            (0..sweep.axes.len()).map(|k| label((file, sweep), k).label).collect::<Vec<_>>(),
+        )?
         .attribute("scales", sweep.axes.iter().map(|axis| axis.scale.name()).collect::<Vec<_>>())?;
     if let Some(seed) = sweep.method.seed() {
         layout = layout.attribute("seed", seed)?;
     }
     if sweep.method == Design::Grid {
         for k in 0..sweep.axes.len() {
-            layout = layout.with(coordinate(sweep, k))?;
+            layout = layout.with(coordinate((file, sweep), k))?;
         }
     }
     Ok(layout)
@@ -188,7 +191,7 @@ fn points_of_a_chunk(file: &CaseFile, sweep: &StudySweep, columns: &[Column]) ->
     if columns.iter().any(|column| matches!(column, Column::Scalar { .. })) {
         return [1, POINTS_OF_ANALYSES];
     }
-    match model(&file.case).operating_work(sweep, &operating_quantities(columns)) {
+    match file.case.operating_work(sweep, &operating_quantities(columns)) {
         OperatingWork::Law => [1, 1],
         OperatingWork::Search => [FEWEST_SEARCHES, POINTS_OF_SEARCHES],
         OperatingWork::Point => [FEWEST, POINTS_OF_POINTS],
@@ -221,10 +224,10 @@ fn chunk_shape(shape: &[usize], target: usize) -> Vec<usize> {
 }
 
 /// A column as the store describes it.
-fn described(sweep: &StudySweep, column: &Column, text: &str) -> SweepQuantity {
+fn described(swept: (&CaseFile, &StudySweep), column: &Column, text: &str) -> SweepQuantity {
     match column {
         Column::Key(k) => {
-            let quantity = quantity(sweep, *k);
+            let quantity = label(swept, *k);
             SweepQuantity::new(text, &quantity.unit, &labels::plain(&quantity.label))
         }
         Column::Point(own) => {
@@ -238,19 +241,13 @@ fn described(sweep: &StudySweep, column: &Column, text: &str) -> SweepQuantity {
 }
 
 /// How a swept key is called.
-fn quantity(sweep: &StudySweep, k: usize) -> labels::Quantity {
-    let axis = &sweep.axes[k];
-    match &sweep.oscillator {
-        Some(keys) => {
-            let (key, form) = keys[k];
-            labels::Quantity { name: axis.path.clone(), ..labels::oscillator_key(key, form) }
-        }
-        None => labels::any_key(&axis.path, axis.dimension),
-    }
+fn label((file, sweep): (&CaseFile, &StudySweep), k: usize) -> labels::Quantity {
+    let key = &sweep.axes[k];
+    if sweep.is_set { file.case.swept_label(key) } else { labels::any_key(&key.path, key.dimension) }
 }
 
 /// The coordinate of a dimension of a grid.
-fn coordinate(sweep: &StudySweep, k: usize) -> Variable {
+fn coordinate((file, sweep): (&CaseFile, &StudySweep), k: usize) -> Variable {
     let axis = &sweep.axes[k];
     let count = axis.count().unwrap_or(0);
     let values: Vec<f64> = (0..count).map(|index| axis.value(index)).collect();
@@ -258,7 +255,7 @@ fn coordinate(sweep: &StudySweep, k: usize) -> Variable {
         SweptValues::Listed(_) => crate::models::sweep::Scale::Linear,
         _ => axis.scale,
     };
-    Axis { quantity: quantity(sweep, k), values, scale }.coordinate()
+    Axis { quantity: label((file, sweep), k), values, scale }.coordinate()
 }
 
 #[cfg(test)]

@@ -3,7 +3,8 @@
 use crate::sliding::with_analyses;
 use crate::structure::with_files;
 use crate::{help_of, parse, refused, refused_with};
-use judder_study::case::file::{Case, CaseFile};
+use judder_study::case::file::CaseFile;
+use judder_study::models::sliding::case::SlidingCase;
 use judder_study::models::sliding::case::problem::SlidingProblem;
 use judder_study::models::structure::case::problem::StructureProblem;
 
@@ -255,7 +256,7 @@ fn structures_of_matrices() {
         .replace("set = \"upper-corners\"", "nodes = [3, 4, 5]")
         .replace("set = \"end-upper\"", "nodes = [5]");
     let files = ["M.mtx", "K.mtx", "table.csv"];
-    let Case::Sliding(case) = with_files(&files, &text, &[]).unwrap() else { panic!("a sliding case") };
+    let case = with_files(&files, &text, &[]).unwrap().of::<SlidingCase>().unwrap().clone();
     assert_eq!((case.files().len(), case.values()), (3, vec![2.0]));
     let fails = |from: &str, to: &str, message: &str| {
         assert!(text.contains(from), "{from}");

@@ -3,7 +3,7 @@
 use crate::bad_sliding::analysis;
 use crate::parse;
 use crate::sliding::with_analyses;
-use judder_study::case::file::Case;
+use judder_study::models::sliding::case::SlidingCase;
 use judder_study::models::sliding::case::problem::SlidingProblem;
 use judder_study::models::sliding::locus::settings::Locus;
 
@@ -121,7 +121,7 @@ fn a_value_between_the_ends_of_a_sweep() {
         "[[analysis]]\nkind = \"locus\"\nat = \"74 mm\"\n\
          sweep = { key = \"motion.velocity\", from = \"10 mm/s\", to = \"30 mm/s\", points = 3 }\n",
     );
-    let Case::Sliding(case) = parse(&text, &[]).unwrap() else { panic!("a sliding case") };
+    let case = parse(&text, &[]).unwrap().of::<SlidingCase>().unwrap().clone();
     let locus: &Locus = case.analyses[0].settings().unwrap();
     let judder_study::models::sliding::locus::settings::Along::Key { sweep, .. } = &locus.along else {
         panic!("a key")

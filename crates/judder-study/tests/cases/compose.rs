@@ -5,7 +5,9 @@ use std::path::{Path, PathBuf};
 use judder_keys::error::CaseError;
 use judder_study::case::anywhere::anywhere;
 use judder_study::case::compose::{alone, compose, contact_case_of};
-use judder_study::case::file::{Case, CaseFile};
+use judder_study::case::file::CaseFile;
+use judder_study::models::contact::case::ContactCase;
+use judder_study::models::oscillator::case::OscillatorCase;
 use proptest::prelude::*;
 use serde_json::{Value, json};
 
@@ -213,7 +215,7 @@ fn one_analysis_takes_the_place_of_all() {
     let end = "\n[[analysis]]\nname = \"view\"\nkind = \"spectrum\"\nsweep = { key = \"operation.velocity\", from = 1e-8, to = 100.0, points = 7, scale = \"log\" }\n";
     assert!(composed.text.ends_with(end), "{}", composed.text);
     assert!(composed.sweeps.is_empty() && composed.overrides.is_empty());
-    let Case::Oscillator(case) = composed.case else { panic!() };
+    let case = composed.case.of::<OscillatorCase>().unwrap().clone();
     let names: Vec<_> = case.analyses.iter().map(|analysis| analysis.name.as_str()).collect();
     assert_eq!(names, ["view"]);
 }
@@ -238,11 +240,10 @@ fn errors_point_to_what_was_given() {
 fn the_contact_of_an_oscillator_case_is_a_contact_case() {
     let set = strings(&["substrate.prony.0.time=2 ms", "indenter.radius=12 mm"]);
     let contact = contact_case_of("case.toml", COMMENTED, &set).unwrap();
-    let Case::Contact(case) = &contact.case else { panic!() };
+    let case = contact.case.of::<ContactCase>().unwrap();
     assert_eq!(case.title, "A: its contact");
-    let Case::Oscillator(oscillator) = CaseFile::parse("case.toml", COMMENTED, &set).unwrap().case else {
-        panic!()
-    };
+    let oscillator =
+        CaseFile::parse("case.toml", COMMENTED, &set).unwrap().case.of::<OscillatorCase>().unwrap().clone();
     assert_eq!(case.substrate, oscillator.substrate);
     assert_eq!(case.inputs.number(judder_study::models::oscillator::keys::OscillatorKey::Radius), 0.012);
     assert!(contact.text.contains("# the first") && !contact.text.contains("shear_strength"));

@@ -2,7 +2,7 @@
 
 use crate::parse;
 use judder_keys::numeric_key::{Form, Value};
-use judder_study::case::file::{Case, CaseFile};
+use judder_study::case::file::CaseFile;
 use judder_study::models::contact::case::ContactCase;
 use judder_study::models::contact::case::contact_numbers;
 use judder_study::models::contact::settings::{
@@ -11,6 +11,7 @@ use judder_study::models::contact::settings::{
 use judder_study::models::contact::settings::{LAW_ACCURACY, LAW_INDENTATION, LAW_VELOCITY};
 use judder_study::models::contact::shape::{Roughness, Shape};
 use judder_study::models::contact::transient::settings::{Motion, Oscillation, TransientSettings};
+use judder_study::models::oscillator::case::OscillatorCase;
 use judder_study::models::oscillator::inputs::LawName;
 use judder_study::models::oscillator::keys::OscillatorKey;
 use judder_study::models::substrate::continuous::{Density, LogNormal, PowerLaw, TermChoice};
@@ -18,10 +19,11 @@ use judder_study::models::substrate::temperature::{Shift, Wlf};
 use judder_study::models::substrate::{RelaxationSource, TermCount};
 
 fn contact(text: &str) -> ContactCase {
-    match parse(&format!("model = \"contact\"\n{text}"), &[]).unwrap() {
-        Case::Contact(case) => case,
-        other => panic!("{other:?}"),
-    }
+    parse(&format!("model = \"contact\"\n{text}"), &[])
+        .unwrap()
+        .of::<ContactCase>()
+        .expect("its model")
+        .clone()
 }
 
 #[test]
@@ -178,7 +180,7 @@ fn files_are_relative_to_the_case_file() {
     "#;
     std::fs::write(&path, text).unwrap();
     let file = CaseFile::read(&path, &[]).unwrap();
-    let Case::Contact(case) = &file.case else { panic!() };
+    let case = file.case.of::<ContactCase>().unwrap();
     let RelaxationSource::Dma { file: data, terms, rubbery_modulus: None } = &case.substrate.source else {
         panic!()
     };
@@ -211,7 +213,7 @@ fn an_oscillator_takes_a_series_with_a_computed_law() {
         [contact]
         law = "bem"
     "#;
-    let Case::Oscillator(case) = parse(text, &[]).unwrap() else { panic!() };
+    let case = parse(text, &[]).unwrap().of::<OscillatorCase>().unwrap().clone();
     assert_eq!((case.law, case.substrate.source.terms()), (LawName::Bem, Some(2)));
 }
 
@@ -219,7 +221,7 @@ fn an_oscillator_takes_a_series_with_a_computed_law() {
 fn a_computed_law_takes_an_accuracy() {
     let law = |value: &str| parse(&format!("model = \"oscillator\"\n[contact]\nlaw = {value}\n"), &[]);
     let accuracy = |value: &str| {
-        let Case::Oscillator(case) = law(value).unwrap() else { panic!() };
+        let case = law(value).unwrap().of::<OscillatorCase>().unwrap().clone();
         assert_eq!(case.law, LawName::Bem);
         case.law_accuracy
     };
@@ -245,7 +247,7 @@ fn a_law_from_a_file_is_found_beside_the_case() {
     std::fs::write(folder.path().join("law.json"), "{}").unwrap();
     let path = folder.path().join("case.toml");
     std::fs::write(&path, "model = \"oscillator\"\n[contact]\nlaw = { file = \"law.json\" }\n").unwrap();
-    let Case::Oscillator(case) = CaseFile::read(&path, &[]).unwrap().case else { panic!() };
+    let case = CaseFile::read(&path, &[]).unwrap().case.of::<OscillatorCase>().unwrap().clone();
     assert_eq!((case.law, case.law_file.unwrap().given), (LawName::File, "law.json".to_owned()));
 }
 

@@ -2,18 +2,19 @@
 
 use crate::parse;
 use judder_keys::numeric_key::{Form, Value};
-use judder_study::case::file::Case;
+use judder_study::models::belt::case::BeltCase;
 use judder_study::models::belt::case::BeltKey;
 use judder_study::models::motion::settings::{MotionAnalysis, MotionStart, SweepDirection};
+use judder_study::models::oscillator::case::OscillatorCase;
 use judder_study::models::oscillator::engines::settings::EnginesSettings;
 use judder_study::models::oscillator::keys::OscillatorKey;
 
 fn oscillator(settings: &str) -> MotionAnalysis<OscillatorKey> {
-    let Case::Oscillator(case) =
-        parse(&format!("model = \"oscillator\"\n[[analysis]]\n{settings}"), &[]).unwrap()
-    else {
-        panic!("an oscillator case")
-    };
+    let case = parse(&format!("model = \"oscillator\"\n[[analysis]]\n{settings}"), &[])
+        .unwrap()
+        .of::<OscillatorCase>()
+        .unwrap()
+        .clone();
     case.analyses[0].settings::<MotionAnalysis<OscillatorKey>>().unwrap().clone()
 }
 
@@ -54,7 +55,7 @@ fn a_limit_cycle_and_a_diagram_have_tolerances_of_their_own() {
 
 fn engines(settings: &str) -> EnginesSettings {
     let text = format!("model = \"oscillator\"\n[[analysis]]\nkind = \"engines\"\n{settings}");
-    let Case::Oscillator(case) = parse(&text, &[]).unwrap() else { panic!("an oscillator case") };
+    let case = parse(&text, &[]).unwrap().of::<OscillatorCase>().unwrap().clone();
     case.analyses[0].settings::<EnginesSettings>().unwrap().clone()
 }
 
@@ -92,7 +93,7 @@ sweep = { key = "operation.velocity", from = 1, to = 2, points = 5 }
 
 #[test]
 fn a_mass_on_a_belt() {
-    let Case::Belt(case) = parse(BELT, &["friction.at_speed=0.4"]).unwrap() else { panic!("a belt case") };
+    let case = parse(BELT, &["friction.at_speed=0.4"]).unwrap().of::<BeltCase>().unwrap().clone();
     assert_eq!((case.inputs.number(BeltKey::Velocity), case.inputs.number(BeltKey::AtSpeed)), (1.5, 0.4));
     let MotionAnalysis::Basin(basin) = &case.analyses[0].kind else { panic!("a basin") };
     assert_eq!(basin.within.state(), [Some([-2.0, 2.0]), Some([0.0, 2.0])]);

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_4, PI};
 
 use crate::parse;
 use judder_keys::numeric_key::{Form, Value};
-use judder_study::case::file::{Case, CaseFile};
+use judder_study::case::file::CaseFile;
 use judder_study::models::oscillator::case::OscillatorCase;
 use judder_study::models::oscillator::inputs::{FrictionLoad, LawName, OscillatorInputs, TimeForm};
 use judder_study::models::oscillator::keys::{KEYS, OscillatorKey};
@@ -58,10 +58,7 @@ within = { from = 1e-6, to = 1e3 }        # where roots are sought
 "#;
 
 fn oscillator(text: &str, overrides: &[&str]) -> OscillatorCase {
-    match parse(text, overrides).unwrap() {
-        Case::Oscillator(case) => case,
-        _ => panic!("an oscillator case"),
-    }
+    parse(text, overrides).unwrap().of::<OscillatorCase>().expect("its model").clone()
 }
 
 #[test]

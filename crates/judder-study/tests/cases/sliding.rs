@@ -1,7 +1,6 @@
 //! Sliding cases that are read.
 
 use crate::parse;
-use judder_study::case::file::Case;
 use judder_study::case::template::template;
 use judder_study::models::sliding::case::SlidingCase;
 use judder_study::models::sliding::case::contact::{Friction, FrictionTable, Interpolation};
@@ -18,10 +17,11 @@ use judder_study::models::structure::case::reduction::{FixedModes, KeptNodes};
 use std::f64::consts::TAU;
 
 pub(crate) fn sliding(text: &str, overrides: &[&str]) -> SlidingCase {
-    match parse(text, overrides).unwrap_or_else(|error| panic!("{error}")) {
-        Case::Sliding(case) => case,
-        _ => panic!("a sliding case"),
-    }
+    parse(text, overrides)
+        .unwrap_or_else(|error| panic!("{error}"))
+        .of::<SlidingCase>()
+        .expect("its model")
+        .clone()
 }
 
 /// The template without its analyses, and others in their place.

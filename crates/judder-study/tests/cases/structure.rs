@@ -12,10 +12,7 @@ use judder_study::models::structure::modes::Modes;
 use std::f64::consts::TAU;
 
 fn structure(text: &str) -> StructureCase {
-    match parse(text, &[]).unwrap() {
-        Case::Structure(case) => case,
-        _ => panic!("a structure case"),
-    }
+    parse(text, &[]).unwrap().of::<StructureCase>().expect("its model").clone()
 }
 
 const BEAM: &str = r#"
@@ -129,7 +126,7 @@ pub(crate) const FILES: [&str; 6] =
 
 #[test]
 fn sums_of_matrices_have_factors_of_parameters() {
-    let Case::Structure(case) = with_files(&FILES, MATRICES, &[]).unwrap() else { panic!("a structure") };
+    let case = with_files(&FILES, MATRICES, &[]).unwrap().of::<StructureCase>().unwrap().clone();
     let StructureSource::Matrices(sums) = &case.source else { panic!("matrices") };
     let values: Vec<f64> = sums
         .sums()

@@ -3,11 +3,12 @@
 use crate::with_file;
 use judder_keys::dimension::Dimension;
 use judder_keys::numeric_key::Form;
-use judder_study::case::file::{Case, CaseFile};
+use judder_study::case::file::CaseFile;
 use judder_study::case::schema::schema;
 use judder_study::case::study_sweep::quantity_path::QuantitySource;
-use judder_study::case::study_sweep::{Design, StudySweep, SweptValues};
+use judder_study::case::study_sweep::{Design, StudySweep, SweptKey, SweptValues};
 use judder_study::case::template::template;
+use judder_study::models::oscillator::case::OscillatorCase;
 use judder_study::models::oscillator::keys::OscillatorKey;
 use judder_study::models::sweep::Scale;
 use proptest::prelude::*;
@@ -43,8 +44,9 @@ fn a_sobol_sweep_with_its_defaults() {
     let velocity = &sweep.axes[0];
     assert_eq!((velocity.dimension, velocity.scale), (Dimension::SPEED, Scale::Log));
     assert_eq!(velocity.values, SweptValues::Between { from: 1e-4, to: 0.01 });
-    let expected = [(OscillatorKey::Velocity, Form::Si), (OscillatorKey::ShearStrength, Form::Group)];
-    assert_eq!(sweep.oscillator.as_deref(), Some(&expected[..]));
+    assert_eq!(key_of(velocity), (OscillatorKey::Velocity, Form::Si));
+    assert_eq!(key_of(&sweep.axes[1]), (OscillatorKey::ShearStrength, Form::Group));
+    assert!(sweep.is_set);
     assert_eq!((sweep.chunk, sweep.sensitivity), (None, None));
     let QuantitySource::Analysis { index: 0, name, .. } = &sweep.quantities[1].source else { panic!() };
     assert_eq!(name, "cycle");
@@ -123,7 +125,13 @@ quantities = ["cycle.rms"]
 chunk = 2"#,
     );
     assert_eq!((sweep.shape(), sweep.values_of(2), sweep.chunk), (&[3][..], vec![1e-2, 1e-9], Some(2)));
-    assert_eq!(sweep.oscillator, None, "a key within an analysis is no key of the operating point");
+    assert!(!sweep.is_set, "a key within an analysis is no key of the operating point");
+}
+
+/// The key of the oscillator at this path, and the form of its swept values.
+fn key_of(axis: &SweptKey) -> (OscillatorKey, Form) {
+    let key = OscillatorKey::from_path(&axis.path).expect("a key of an oscillator");
+    (key, if axis.dimension.is_number() { Form::Group } else { Form::Si })
 }
 
 /// Setting the numeric keys of the oscillator and reading the case anew are one thing, units and derived times included.
@@ -140,15 +148,16 @@ over = [
 ]
 quantities = ["growth_rate"]"#,
     ));
-    let Case::Oscillator(base) = &file.case else { panic!() };
+    let base = file.case.of::<OscillatorCase>().unwrap();
     let sweep = &file.sweeps[0];
-    let keys = sweep.oscillator.as_ref().unwrap();
+    assert!(sweep.is_set);
     for index in 0..sweep.points() {
         let values = sweep.values_of(index);
-        let Case::Oscillator(read) = file.at(sweep, &values).unwrap().case else { panic!() };
+        let read = file.at(sweep, &values).unwrap().case.of::<OscillatorCase>().unwrap().clone();
         let mut inputs = base.inputs;
-        for ((key, form), number) in keys.iter().zip(values) {
-            inputs.set(*key, judder_keys::numeric_key::Value { number, form: *form });
+        for (axis, number) in sweep.axes.iter().zip(values) {
+            let (key, form) = key_of(axis);
+            inputs.set(key, judder_keys::numeric_key::Value { number, form });
         }
         assert_eq!(read.inputs, inputs, "point {index}");
     }
@@ -162,8 +171,8 @@ fn moduli_of_a_computed_law_have_no_short_way() {
         "over = [{ key = \"substrate.glassy_modulus\", from = \"5 MPa\", to = \"50 MPa\", points = 3 }]"
     );
     let file = with_file(&text);
-    assert_eq!(file.sweeps[0].oscillator, None);
-    let Case::Oscillator(case) = file.at(&file.sweeps[0], &[2e7]).unwrap().case else { panic!() };
+    assert!(!file.sweeps[0].is_set);
+    let case = file.at(&file.sweeps[0], &[2e7]).unwrap().case.of::<OscillatorCase>().unwrap().clone();
     assert_eq!(case.inputs.number(OscillatorKey::GlassyModulus), 2e7);
 }
 
@@ -186,7 +195,7 @@ fn a_point_is_the_case_with_analyses_and_without_sweeps() {
     let point = file.at(&file.sweeps[0], &[0.002, 0.05]).unwrap();
     assert!(point.sweeps.is_empty());
     assert_eq!((point.name.as_str(), point.case.analysis_names()), ("case", vec!["cycle"]));
-    let Case::Oscillator(case) = &point.case else { panic!() };
+    let case = point.case.of::<OscillatorCase>().unwrap();
     assert_eq!(case.inputs.number(OscillatorKey::Velocity), 0.002);
     assert_eq!(point.resolved().get("sweep"), None);
 }

@@ -2,7 +2,6 @@
 
 use crate::parse;
 use judder_keys::cause::Cause;
-use judder_study::case::file::Case;
 use judder_study::models::two_degrees::case::{TwoDegreesAnalysis, TwoDegreesCase};
 
 /// The damped Hopf benchmark: damping of one degree destabilises.
@@ -25,10 +24,7 @@ y = { key = "c2", from = 1e-4, to = 1, points = 5, scale = "log" }
 "#;
 
 fn two_degrees(text: &str, overrides: &[&str]) -> TwoDegreesCase {
-    match parse(text, overrides).unwrap() {
-        Case::TwoDegrees(case) => case,
-        _ => panic!("a two-degrees case"),
-    }
+    parse(text, overrides).unwrap().of::<TwoDegreesCase>().expect("its model").clone()
 }
 
 #[test]

@@ -1,7 +1,8 @@
 //! Computed laws in oscillator cases.
 
 use crate::contact::run_text;
-use judder_study::case::file::{Case, CaseFile};
+use judder_study::case::file::CaseFile;
+use judder_study::models::oscillator::case::OscillatorCase;
 use judder_study::run::{RunOptions, run};
 use judder_study::{Progress, StudyError};
 use std::path::Path;
@@ -17,7 +18,8 @@ fn thresholds_at_low_speed_are_those_of_the_contact() {
              law = {{ computed = true, accuracy = {accuracy} }}\n\
              [operation]\nvelocity = 1e-5\nnormal_load = 1e-4\n"
         );
-        let Case::Oscillator(case) = CaseFile::parse("case.toml", &text, &[]).unwrap().case else { panic!() };
+        let case =
+            CaseFile::parse("case.toml", &text, &[]).unwrap().case.of::<OscillatorCase>().unwrap().clone();
         judder_study::point::point(&case).unwrap()
     };
     let full = 3.85e-3;

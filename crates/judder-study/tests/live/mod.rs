@@ -5,7 +5,7 @@
 use crate::computed_law::law_in;
 use judder_store::{Data, Dataset};
 use judder_study::analyses::{self, BoundaryKind, MotionBlock, boundary_curves, run_watched};
-use judder_study::case::file::{Case, CaseFile};
+use judder_study::case::file::CaseFile;
 use judder_study::law_cache::{LawCache, law_surface};
 use judder_study::models::oscillator::case::OscillatorCase;
 use judder_study::models::oscillator::keys::OscillatorKey;
@@ -19,8 +19,7 @@ fn parsed(text: &str) -> CaseFile {
 }
 
 fn oscillator(text: &str) -> OscillatorCase {
-    let Case::Oscillator(case) = parsed(text).case else { panic!() };
-    case
+    parsed(text).case.of::<OscillatorCase>().unwrap().clone()
 }
 
 fn floats<'a>(dataset: &'a Dataset, name: &str) -> &'a [f64] {
@@ -72,7 +71,7 @@ const MAP: &str = r#"
 fn boundaries_one_by_one_are_the_overlays_of_the_map() {
     let file = parsed(MAP);
     let outcome = analyses::run(&file.case, 0, &Silent).unwrap();
-    let Case::Oscillator(case) = &file.case else { panic!() };
+    let case = file.case.of::<OscillatorCase>().unwrap();
     let settings = case.analyses[0].settings::<StabilityMap<OscillatorKey>>().unwrap();
     let contact = bridge::contact_of(case, &Silent).unwrap().contact;
     for kind in BoundaryKind::ALL {
@@ -245,10 +244,12 @@ fn what_was_read_stays_while_the_system_tells_of_no_change() {
     let read = || {
         let text = "model = \"oscillator\"\ncontact = { law = { file = \"law.json\" } }\noperation = { velocity = 2e-2, normal_load = 1e-2 }";
         let name = folder.path().join("case.toml");
-        let Case::Oscillator(case) = CaseFile::parse(name.to_str().unwrap(), text, &[]).unwrap().case else {
-            panic!()
-        };
-        case
+        CaseFile::parse(name.to_str().unwrap(), text, &[])
+            .unwrap()
+            .case
+            .of::<OscillatorCase>()
+            .unwrap()
+            .clone()
     };
     let cache = LawCache::new();
     let case = read();

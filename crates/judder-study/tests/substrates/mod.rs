@@ -5,7 +5,8 @@ use crate::number;
 use crate::within_law::{from_file, law_file};
 use judder_study::Silent;
 use judder_study::bridge::with_material;
-use judder_study::case::file::{Case, CaseFile};
+use judder_study::case::file::CaseFile;
+use judder_study::models::oscillator::case::OscillatorCase;
 use judder_study::models::oscillator::keys::OscillatorKey;
 use judder_study::resolve::resolve;
 use judder_study::run::{RunOptions, run};
@@ -68,7 +69,7 @@ fn what_is_shown_of_a_substrate_is_what_is_used() {
             let summary = run_text(folder.path(), &text).summary;
             let file = CaseFile::read(folder.path().join("case.toml"), &[]).unwrap();
             let checked = resolve(&file).unwrap();
-            let Case::Oscillator(case) = &file.case else { panic!("{text}") };
+            let case = file.case.of::<OscillatorCase>().unwrap();
             let taken = with_material(case).unwrap().inputs;
             for shown in [&summary.case["substrate"], &checked.json()["case"]["substrate"]] {
                 let used = &shown["used"];
@@ -135,7 +136,7 @@ fn a_sweep_with_measured_moduli_is_its_points_alone() {
         for (value, found) in values.iter().zip(found.chunks_exact(2)) {
             let set = [format!("{key}=\"{value}\"")];
             let file = CaseFile::read(own.path().join("case.toml"), &set).unwrap();
-            let Case::Oscillator(case) = &file.case else { panic!() };
+            let case = file.case.of::<OscillatorCase>().unwrap();
             let point = judder_study::point::point(case).unwrap();
             let alone = [point.steady.growth_rate(), point.steady.equilibrium.indentation];
             for (found, alone) in found.iter().zip(alone) {
@@ -172,7 +173,7 @@ fn a_contact_that_is_not_in_step_is_told_everywhere() {
     let read = || CaseFile::read(folder.path().join("case.toml"), &[]).unwrap();
     let checked = resolve(&read()).unwrap();
     assert!(checked.text().contains("113.1, broken") && checked.text().contains("warning: eq. (3)"));
-    let Case::Oscillator(case) = read().case else { panic!() };
+    let case = read().case.of::<OscillatorCase>().unwrap().clone();
     let point = judder_study::point::point(&case).unwrap();
     assert!((number(&point.json()["quasi_steady"]["figure"]) / figure - 1.0).abs() < 1e-12);
     assert_eq!(point.json()["quasi_steady"]["standing"], "broken");

@@ -2,7 +2,7 @@
 
 use crate::{number, run_into};
 use judder_store::{StoreError, StoredChunk};
-use judder_study::case::file::{Case, CaseFile};
+use judder_study::case::file::CaseFile;
 use judder_study::models::oscillator::case::OscillatorCase;
 use judder_study::run::{RunOptions, SweepWork, plans, run};
 use judder_study::sweep::{Evaluator, SweepPlan};
@@ -30,10 +30,7 @@ fn computed(file: &CaseFile) -> (SweepPlan, Vec<StoredChunk>) {
 }
 
 fn oscillator(file: &CaseFile) -> &OscillatorCase {
-    match &file.case {
-        Case::Oscillator(case) => case,
-        _ => unreachable!(),
-    }
+    file.case.of::<OscillatorCase>().unwrap()
 }
 
 /// Every file of the results, by its path.

@@ -7,7 +7,8 @@ use judder_contact::{ContactLaw, ContactPoint, ContactResponse, FittedLaw, Law};
 use judder_oscillator::mechanism::StabilityClass;
 use judder_oscillator::{Contact, Groups};
 use judder_store::{Data, StudyFolder};
-use judder_study::case::file::{Case, CaseFile};
+use judder_study::case::file::CaseFile;
+use judder_study::models::oscillator::case::OscillatorCase;
 use judder_study::models::oscillator::inputs::OscillatorInputs;
 use judder_study::point::{Point, SteadyPoint, point};
 use judder_study::{Silent, bridge};
@@ -63,11 +64,7 @@ pub(crate) fn from_file(path: &Path) -> String {
 
 fn point_of(law: &str, velocity: f64, shear_strength: f64) -> Point {
     let rest = format!("shear_strength = {shear_strength}\n[operation]\nvelocity = {velocity}\n");
-    let oscillator = match case(law, &rest).case {
-        Case::Oscillator(case) => Some(case),
-        _ => None,
-    };
-    point(&oscillator.unwrap()).unwrap()
+    point(case(law, &rest).case.of::<OscillatorCase>().unwrap()).unwrap()
 }
 
 /// The class of the wiper's flipped verdict: of two laws of one rubber one says stable, the other unstable.
@@ -76,7 +73,7 @@ fn of_two_verdicts_that_contradict_each_other_one_is_marginal() {
     let folder = tempfile::tempdir().unwrap();
     let cases = ERRORS.map(|error| case(&from_file(&law_file(folder.path(), error, [61, 33])), ""));
     let contacts = cases.each_ref().map(|file| {
-        let Case::Oscillator(case) = &file.case else { panic!() };
+        let case = file.case.of::<OscillatorCase>().unwrap();
         (bridge::contact_of(case, &Silent).unwrap().contact, case.inputs)
     });
     let (mut all, mut flipped, mut decided) = (0, 0, 0);

@@ -12,13 +12,10 @@ use super::{Design, Sensitivity, StudySweep, SweptKey};
 use crate::case::analysis::is_file_name;
 use crate::case::file::{Case, CaseTree};
 use crate::models::motion::settings::SEEDS;
-use crate::models::oscillator::case::OscillatorCase;
-use crate::models::oscillator::keys::OscillatorKey;
-use crate::models::swept_keys::{OscillatorKeys, SweptKeys};
 use judder_keys::cause::Cause;
 use judder_keys::document::{Data, Node};
 use judder_keys::error::{Fault, Place};
-use judder_keys::numeric_key::{Form, Range, Value};
+use judder_keys::numeric_key::Range;
 use judder_keys::problem::Placed;
 use judder_keys::section::{Section, finite_number, list, text, wrong_type};
 
@@ -99,7 +96,7 @@ fn read_sweep(
         refusal.problem.at(place)
     })?;
     refuse_repeated_keys(tree, case, &axes)?;
-    let oscillator = oscillator_keys(case, &keys, &cases);
+    let is_set = case.is_set_by(&keys, &cases);
     let kept_values = kept_values(method, &keys);
     Ok(StudySweep {
         name,
@@ -108,7 +105,7 @@ fn read_sweep(
         quantities,
         chunk,
         sensitivity,
-        oscillator,
+        is_set,
         sampler,
         kept_values,
         shape,
@@ -223,26 +220,4 @@ fn read_quantities(section: &Section<'_>, analyses: &[&str]) -> Result<Vec<Quant
         quantities.push(quantity);
     }
     Ok(quantities)
-}
-
-/// The oscillator's key and form of every swept key, where setting them is all that reading the case anew does.
-fn oscillator_keys(case: &Case, axes: &[SweptKey], tried: &[Case]) -> Option<Vec<(OscillatorKey, Form)>> {
-    let Case::Oscillator(case) = case else { return None };
-    let known =
-        OscillatorKeys { inputs: case.inputs, law: case.law, decided_by: case.substrate.decided_by() };
-    let keys = axes.iter().map(|axis| {
-        let form = if axis.dimension.is_number() { Form::Group } else { Form::Si };
-        Some((known.find(&axis.path).ok()?, form))
-    });
-    let keys: Vec<_> = keys.collect::<Option<_>>()?;
-    let is_set = |tried: &Case| {
-        let Case::Oscillator(tried) = tried else { return false };
-        let mut inputs = case.inputs;
-        for (key, form) in &keys {
-            // the value is that of the case read anew: what counts is what else it changed
-            inputs.set(*key, Value { number: tried.inputs.number(*key), form: *form });
-        }
-        tried.is_like(&OscillatorCase { inputs, ..case.clone() })
-    };
-    tried.iter().all(is_set).then_some(keys)
 }

@@ -7,7 +7,6 @@ use super::problem::SweepProblem;
 use super::{Design, SweptKey, SweptValues};
 use crate::case::file::{Case, CaseTree};
 use crate::case::key_sweep::{Ends, read_ends, read_values};
-use crate::models::oscillator::keys::OscillatorKey;
 use crate::models::sweep::Scale;
 use judder_keys::cause::Cause;
 use judder_keys::dimension::Dimension;
@@ -130,21 +129,15 @@ fn same_lengths(axes: &[PlacedKey]) -> Result<(), Fault> {
 
 /// Refuses two paths that lead to one number.
 pub(super) fn refuse_repeated_keys(tree: &CaseTree, case: &Case, axes: &[PlacedKey]) -> Result<(), Fault> {
-    let numbers: Vec<_> = axes.iter().map(|axis| number_of(tree, case, &axis.key.path)).collect();
-    for (k, number) in numbers.iter().enumerate() {
-        if let Some(first) = numbers[..k].iter().position(|other| other == number) {
-            let (first, second) = (axes[first].key.path.clone(), axes[k].key.path.clone());
+    let positions: Vec<_> = axes.iter().map(|axis| tree.root.by_position(&axis.key.path)).collect();
+    let path = |k: usize| axes[k].key.path.as_str();
+    for k in 0..axes.len() {
+        let is_same =
+            |other: &usize| positions[*other] == positions[k] || case.is_one_quantity(path(*other), path(k));
+        if let Some(first) = (0..k).find(is_same) {
+            let (first, second) = (path(first).to_owned(), path(k).to_owned());
             return Err(SweepProblem::KeyTwice { first, second }.at(axes[k].key_place));
         }
     }
     Ok(())
-}
-
-/// The number to which a path leads, however it is written.
-fn number_of(tree: &CaseTree, case: &Case, path: &str) -> String {
-    if let (Case::Oscillator(_), Some(OscillatorKey::RelaxationTime)) = (case, OscillatorKey::from_path(path))
-    {
-        return OscillatorKey::RetardationTime.to_string();
-    }
-    tree.root.by_position(path)
 }

@@ -46,7 +46,7 @@ impl Analysis<BeltCase> for MotionAnalysis<BeltKey> {
 /// The model.
 pub(crate) const MODEL: ModelKind = ModelKind {
     name: "belt",
-    read: |root, _| case::read(root).map(Case::Belt),
+    read: |root, _| case::read(root).map(Case::new),
     schema: schema::case,
     definitions: schema::definitions,
     reference: reference::section,

@@ -3,7 +3,7 @@
 use super::Subject;
 use crate::case::file::CaseFile;
 use crate::error::StudyError;
-use crate::material::{self, ContactScales};
+use crate::material::ContactScales;
 use crate::model::Model;
 use crate::models::contact::case::ContactCase;
 use crate::models::oscillator::keys::OscillatorKey;
@@ -82,7 +82,7 @@ pub(super) fn resolve(file: &CaseFile, case: &ContactCase) -> Result<Resolved, S
         text.push_str(&format!("\nwarning: {warning}\n"));
     }
     let document = json!({
-        "case": material::with_used(&file.case, file.case.resolved())?,
+        "case": file.case.with_used(file.case.resolved())?,
         "groups": {
             "contrast": spectrum.contrast(),
             "terms": spectrum.terms().len(),

@@ -27,7 +27,7 @@ use crate::case::analysis::names;
 use crate::case::file::{Case, CaseFile};
 use crate::error::StudyError;
 use crate::indenter::profile;
-use crate::material::ContactScales;
+use crate::material::{self, ContactScales};
 use crate::measured_band::MeasuredBand;
 use crate::model::{Analysed, Analysis, Model, Place, Prepared, Refusal, Task};
 use crate::models::contact::case::ContactCase;
@@ -113,7 +113,7 @@ impl Analysed for ContactCase {
 /// The model.
 pub(crate) const MODEL: ModelKind = ModelKind {
     name: "contact",
-    read: |root, folder| case::read(root, folder).map(Case::Contact),
+    read: |root, folder| case::read(root, folder).map(Case::new),
     schema: schema::case,
     definitions: Vec::new,
     reference: reference::section,
@@ -135,6 +135,10 @@ impl Model for ContactCase {
 
     fn resolved(&self) -> serde_json::Value {
         resolved::case(self)
+    }
+
+    fn with_used(&self, resolved: serde_json::Value) -> Result<serde_json::Value, StudyError> {
+        material::with_used(&self.substrate, &self.inputs, resolved)
     }
 
     /// Looks at the files of the case, then at depth and memory of what is wanted.

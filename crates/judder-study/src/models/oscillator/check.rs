@@ -6,7 +6,6 @@ use crate::bridge;
 use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::known_substrate::KnownSubstrate;
-use crate::material;
 use crate::measured_band::excited_at;
 use crate::models::oscillator::case::OscillatorCase;
 use crate::models::oscillator::inputs::LawName;
@@ -96,7 +95,7 @@ pub(super) fn resolve(file: &CaseFile, case: &OscillatorCase) -> Result<Resolved
         text.push_str(&format!("\nwarning: {warning}\n"));
     }
     let document = json!({
-        "case": material::with_used(&file.case, file.case.resolved())?,
+        "case": file.case.with_used(file.case.resolved())?,
         "groups": rows.iter().map(|(name, group, _)| ((*name).to_owned(), json!(group))).collect::<serde_json::Map<_, _>>(),
         "point": document_limits,
         "quasi_steady": condition.as_ref().map(Condition::json),

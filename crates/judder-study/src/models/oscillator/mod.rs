@@ -38,9 +38,11 @@ use crate::bridge::{self, CaseContact};
 use crate::case::analysis::Kind;
 use crate::case::analysis::names;
 use crate::case::file::{Case, CaseFile};
-use crate::case::study_sweep::StudySweep;
+use crate::case::study_sweep::{StudySweep, SweptKey};
 use crate::error::StudyError;
 use crate::known_substrate::KnownSubstrate;
+use crate::labels;
+use crate::material;
 use crate::model::{
     Analysed, Analysis, Model, OperatingPoints, OperatingQuantity, OperatingWork, Prepared, Task,
 };
@@ -51,7 +53,7 @@ use crate::models::oscillator::case::OscillatorCase;
 use crate::models::oscillator::inputs::{LawName, OscillatorInputs};
 use crate::models::oscillator::keys::OscillatorKey;
 use crate::models::sweep::{Family, Sweep};
-use crate::models::swept_keys::OscillatorKeys;
+use crate::models::swept_keys::{OscillatorKeys, SweptKeys};
 use crate::models::{ModelKind, drawn};
 use crate::outcome::Outcome;
 use crate::progress::Progress;
@@ -134,7 +136,7 @@ impl Analysed for OscillatorCase {
 /// The model.
 pub(crate) const MODEL: ModelKind = ModelKind {
     name: "oscillator",
-    read: |root, folder| case::read(root, folder).map(Case::Oscillator),
+    read: |root, folder| case::read(root, folder).map(Case::new),
     schema: schema::case,
     definitions: schema::definitions,
     reference: reference::section,
@@ -156,6 +158,26 @@ impl Model for OscillatorCase {
 
     fn resolved(&self) -> serde_json::Value {
         resolved::case(self)
+    }
+
+    fn with_used(&self, resolved: serde_json::Value) -> Result<serde_json::Value, StudyError> {
+        material::with_used(&self.substrate, &self.inputs, resolved)
+    }
+
+    fn is_one_quantity(&self, first: &str, second: &str) -> bool {
+        let keys = (OscillatorKey::from_path(first), OscillatorKey::from_path(second));
+        matches!(keys, (Some(first), Some(second)) if OscillatorKeys::of(self).same(first, second))
+    }
+
+    fn is_set_by(&self, keys: &[SweptKey], tried: &[Case]) -> bool {
+        operating_points::is_set_by(self, keys, tried)
+    }
+
+    fn swept_label(&self, key: &SweptKey) -> labels::Quantity {
+        let Some((own, form)) = operating_points::key_of(self, key) else {
+            return labels::any_key(&key.path, key.dimension);
+        };
+        labels::Quantity { name: key.path.clone(), ..labels::oscillator_key(own, form) }
     }
 
     /// Looks at the data of the substrate.

@@ -1,7 +1,8 @@
 //! The pair of a sliding case, built and reduced, for whoever marches it by himself.
 
-use crate::case::file::{Case, CaseFile};
+use crate::case::file::CaseFile;
 use crate::error::StudyError;
+use crate::models::sliding::case::SlidingCase;
 use crate::models::sliding::system::{self, SlidingSystem};
 use judder_sliding::SlidingError;
 use judder_sliding::march::Method;
@@ -24,7 +25,7 @@ pub struct CoupledPair {
 /// # Errors
 /// A case of another model, structures that cannot be built or coupled.
 pub fn coupled_pair(file: &CaseFile) -> Result<CoupledPair, StudyError> {
-    let Case::Sliding(case) = &file.case else {
+    let Some(case) = file.case.of::<SlidingCase>() else {
         return Err(StudyError::WrongModel { command: "march", model: file.case.model() });
     };
     let system = SlidingSystem::new(case).map_err(|uncoupled| uncoupled.placed(file))?;

@@ -71,7 +71,7 @@ fn fitting(
 /// The model.
 pub(crate) const MODEL: ModelKind = ModelKind {
     name: "sliding",
-    read: |root, folder| case::read(root, folder).map(Case::Sliding),
+    read: |root, folder| case::read(root, folder).map(Case::new),
     schema: schema::case,
     definitions: Vec::new,
     reference: reference::section,

@@ -1,6 +1,6 @@
 //! The shapes in which the two structures of a sliding case swing together, at any position of the contact, on all points of both.
 
-use crate::case::file::{Case, CaseFile};
+use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::models::sliding::case::SlidingCase;
 use crate::models::sliding::locus::conditions as locus_conditions;
@@ -46,7 +46,7 @@ impl ShapedPair {
     /// # Errors
     /// A case of another model, structures that cannot be built or coupled, or of which no one knows where their freedoms lie.
     pub fn new(file: &CaseFile) -> Result<Self, StudyError> {
-        let Case::Sliding(case) = &file.case else {
+        let Some(case) = file.case.of::<SlidingCase>() else {
             return Err(StudyError::WrongModel { command: "explore", model: file.case.model() });
         };
         let system = SlidingSystem::new(case).map_err(|uncoupled| uncoupled.placed(file))?;

@@ -73,7 +73,7 @@ fn fitting(
 /// The model.
 pub(crate) const MODEL: ModelKind = ModelKind {
     name: "structure",
-    read: |root, folder| case::read(root, folder).map(Case::Structure),
+    read: |root, folder| case::read(root, folder).map(Case::new),
     schema: schema::case,
     definitions: Vec::new,
     reference: reference::section,

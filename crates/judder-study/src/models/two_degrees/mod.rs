@@ -54,7 +54,7 @@ impl Analysis<TwoDegreesCase> for TwoDegreesAnalysis {
 /// The model.
 pub(crate) const MODEL: ModelKind = ModelKind {
     name: "two-degrees",
-    read: |root, _| case::read(root).map(Case::TwoDegrees),
+    read: |root, _| case::read(root).map(Case::new),
     schema: schema::case,
     definitions: Vec::new,
     reference: reference::section,

@@ -2,7 +2,7 @@
 
 use super::OfOneLaw;
 use crate::bridge;
-use crate::case::file::{Case, CaseFile};
+use crate::case::file::CaseFile;
 use crate::case::study_sweep::StudySweep;
 use crate::error::StudyError;
 use crate::known_substrate::KnownSubstrate;
@@ -63,8 +63,7 @@ pub(crate) fn read_anew(file: &CaseFile, sweep: &StudySweep) -> Option<String> {
         let number =
             if looked > 1 { u128::from(k) * u128::from(points - 1) / u128::from(looked - 1) } else { 0 };
         let file = file.at(sweep, &sweep.values_of(number as u64)).ok()?;
-        let Case::Oscillator(case) = &file.case else { return None };
-        let case = bridge::with_material(case).ok()?;
+        let case = bridge::with_material(file.case.of()?).ok()?;
         Condition::at(&case.inputs, None, &quasi_steady::terms(&case).ok()?)
     };
     let conditions = (0..looked).filter_map(at);

@@ -10,13 +10,15 @@ pub(crate) use law_warnings::read_anew;
 pub(crate) use quantities::{LINEAR_QUANTITIES, QUANTITIES, linear_values};
 
 use crate::bridge::{self, CaseContact};
-use crate::case::study_sweep::StudySweep;
+use crate::case::file::Case;
+use crate::case::study_sweep::{StudySweep, SweptKey};
 use crate::computed_law::NO_POINTS;
 use crate::error::StudyError;
 use crate::model::{OperatingPoints, OperatingQuantity, OperatingWork};
 use crate::models::oscillator::case::OscillatorCase;
 use crate::models::oscillator::inputs::{LawName, OscillatorInputs};
 use crate::models::oscillator::keys::OscillatorKey;
+use crate::models::swept_keys::{OscillatorKeys, SweptKeys};
 use crate::progress::Progress;
 use judder_keys::numeric_key::{Form, Value};
 use judder_oscillator::Contact;
@@ -41,14 +43,14 @@ impl OfOneLaw {
         sweep: &StudySweep,
         progress: &dyn Progress,
     ) -> Result<Option<Self>, StudyError> {
-        let Some(keys) = sweep.oscillator.as_ref().filter(|keys| law_stays(case, keys)) else {
+        let Some(keys) = set_keys(case, sweep).filter(|keys| law_stays(case, keys)) else {
             return Ok(None);
         };
         let case = bridge::with_material(case)?;
         let CaseContact { contact, warnings } = bridge::contact(&case, NO_POINTS, progress)?;
         // the others depend on the point
         let computed = if case.law == LawName::Bem { warnings } else { Vec::new() };
-        Ok(Some(Self { case, keys: keys.clone(), contact, computed }))
+        Ok(Some(Self { case, keys, contact, computed }))
     }
 
     /// The inputs with these values.
@@ -72,6 +74,32 @@ impl OperatingPoints for OfOneLaw {
     }
 }
 
+/// The key of an oscillator that a sweep varies, and the form of its values.
+pub(crate) fn key_of(case: &OscillatorCase, key: &SweptKey) -> Option<(OscillatorKey, Form)> {
+    let form = if key.dimension.is_number() { Form::Group } else { Form::Si };
+    Some((OscillatorKeys::of(case).find(&key.path).ok()?, form))
+}
+
+/// Those of a sweep, where setting them is all that reading the case anew does.
+fn set_keys(case: &OscillatorCase, sweep: &StudySweep) -> Option<Vec<(OscillatorKey, Form)>> {
+    sweep.axes.iter().map(|key| key_of(case, key)).collect::<Option<_>>().filter(|_| sweep.is_set)
+}
+
+/// Whether setting these keys is all that reading the case anew does, as the cases show that were tried.
+pub(crate) fn is_set_by(case: &OscillatorCase, keys: &[SweptKey], tried: &[Case]) -> bool {
+    let keys = keys.iter().map(|key| key_of(case, key)).collect::<Option<Vec<_>>>();
+    let Some(keys) = keys else { return false };
+    let is_set = |tried: &OscillatorCase| {
+        let mut inputs = case.inputs;
+        for (key, form) in &keys {
+            // the value is that of the case read anew: what counts is what else it changed
+            inputs.set(*key, Value { number: tried.inputs.number(*key), form: *form });
+        }
+        tried.is_like(&OscillatorCase { inputs, ..case.clone() })
+    };
+    tried.iter().all(|tried| tried.of().is_some_and(is_set))
+}
+
 /// These quantities of the operating point of a case, and why its law is doubtful there.
 ///
 /// # Errors
@@ -91,7 +119,7 @@ pub(crate) fn of_case(
 
 /// What a point of a sweep takes.
 pub(crate) fn work(case: &OscillatorCase, sweep: &StudySweep, wanted: &[OperatingQuantity]) -> OperatingWork {
-    let stays = sweep.oscillator.as_ref().is_some_and(|keys| law_stays(case, keys));
+    let stays = set_keys(case, sweep).is_some_and(|keys| law_stays(case, &keys));
     match (stays, case.law == LawName::Bem) {
         (false, true) => OperatingWork::Law,
         (true, _) if !wanted.iter().any(|quantity| quantity.is_sought) => OperatingWork::Point,

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use comfy_table::{ContentArrangement, Table, presets};
-use judder_study::reproduce::{ClaimLine, Reproduction};
+use judder_papers::{ClaimLine, Reproduction};
 use serde_json::{Map, Value, json};
 
 use crate::plain::plain;

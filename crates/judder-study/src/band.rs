@@ -8,13 +8,13 @@ use std::f64::consts::TAU;
 pub(crate) const WINDOW: f64 = 10e-3;
 
 /// A Hann window that is turned with a frequency.
-pub(crate) struct Band {
+pub struct Band {
     weights: Vec<Complex64>,
 }
 
 impl Band {
     /// About a frequency in Hz, for samples at this interval in s.
-    pub(crate) fn new(frequency: f64, interval: f64) -> Self {
+    pub fn new(frequency: f64, interval: f64) -> Self {
         let window = Window::Hann.weights((WINDOW / interval).round() as usize);
         let sum: f64 = window.iter().sum();
         let turned = |(k, weight): (usize, f64)| {
@@ -25,7 +25,7 @@ impl Band {
 
     /// |2 Σ w_k y_k e^{−iωt_k}|/Σ w_k about a sample: the amplitude of a sine of the frequency; NaN where the signal does not fill
     /// the window, or no sample lies in it.
-    pub(crate) fn amplitude(&self, values: &[f64], middle: usize) -> f64 {
+    pub fn amplitude(&self, values: &[f64], middle: usize) -> f64 {
         let first = middle.checked_sub(self.weights.len() / 2);
         let piece = first.and_then(|first| values.get(first..first + self.weights.len()));
         let sum = |piece: &[f64]| piece.iter().zip(&self.weights).map(|(y, w)| y * w).sum::<Complex64>();
@@ -35,29 +35,30 @@ impl Band {
 
 /// A signal of a march, sampled evenly.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Sampled<'a> {
+pub struct Sampled<'a> {
     /// s.
-    pub(crate) time: &'a [f64],
+    pub time: &'a [f64],
     /// Of the contact, m; it rises or falls.
-    pub(crate) position: &'a [f64],
-    pub(crate) values: &'a [f64],
+    pub position: &'a [f64],
+    /// What is sampled at those times.
+    pub values: &'a [f64],
 }
 
 impl Sampled<'_> {
     /// The first sample at which the contact has come to a place.
-    pub(crate) fn sample(&self, place: f64) -> usize {
+    pub fn sample(&self, place: f64) -> usize {
         let is_rising = self.position.first() <= self.position.last();
         self.position.partition_point(|own| if is_rising { *own < place } else { *own > place })
     }
 
     /// A band for its samples about a frequency in Hz; `None` for fewer than two.
-    pub(crate) fn band(&self, frequency: f64) -> Option<Band> {
+    pub fn band(&self, frequency: f64) -> Option<Band> {
         Some(Band::new(frequency, self.time.get(1)? - self.time.first()?))
     }
 
     /// The amplitudes of a frequency in Hz where the contact enters a stretch and where it leaves it; `None` where the signal does not
     /// reach half a window beyond both.
-    pub(crate) fn passage(&self, frequency: f64, [from, to]: [f64; 2]) -> Option<[f64; 2]> {
+    pub fn passage(&self, frequency: f64, [from, to]: [f64; 2]) -> Option<[f64; 2]> {
         let band = self.band(frequency)?;
         let mut ends = [self.sample(from), self.sample(to)];
         ends.sort_unstable();

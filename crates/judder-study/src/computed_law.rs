@@ -24,30 +24,34 @@ const COLLAPSE_INDENTATION: f64 = 1e-2;
 
 /// A law to be computed.
 #[derive(Debug, Clone)]
-pub(crate) struct LawTask<'a> {
+pub struct LawTask<'a> {
     /// The substrate.
-    pub(crate) material: &'a Material,
+    pub material: &'a Material,
     /// The indenter.
-    pub(crate) indenter: LawIndenter,
+    pub indenter: LawIndenter,
     /// How the plane is covered.
-    pub(crate) method: LawMethod,
+    pub method: LawMethod,
     /// v̂ between which the law is wanted.
-    pub(crate) velocity: (f64, f64),
+    pub velocity: (f64, f64),
     /// ŷ between which the law is wanted.
-    pub(crate) indentation: (f64, f64),
+    pub indentation: (f64, f64),
     /// Relative accuracy.
-    pub(crate) accuracy: f64,
+    pub accuracy: f64,
     /// Bytes that the largest grid of each contact may take.
-    pub(crate) memory: u64,
+    pub memory: u64,
 }
 
 /// A computed law, and how it came about.
 #[derive(Debug, Clone)]
-pub(crate) struct ComputedLaw {
-    pub(crate) law: Law,
-    pub(crate) end: SweepEnd,
-    pub(crate) levels: Vec<SweepLevel>,
-    pub(crate) points: Vec<SolvedPoint>,
+pub struct ComputedLaw {
+    /// The law that was found.
+    pub law: Law,
+    /// How the refinement of its plane ended.
+    pub end: SweepEnd,
+    /// What each refinement of the plane left.
+    pub levels: Vec<SweepLevel>,
+    /// The contacts that were solved.
+    pub points: Vec<SolvedPoint>,
 }
 
 /// Tells a sweep's progress, and where solved points are kept.
@@ -72,7 +76,7 @@ impl SweepObserver for Watch<'_> {
 }
 
 /// Nothing is known, and nothing is kept.
-pub(crate) const NO_POINTS: Points<'static> = (&[], &|_| ());
+pub const NO_POINTS: Points<'static> = (&[], &|_| ());
 
 /// The points that are known already, and who is handed each new one.
 pub(crate) type Points<'a> = (&'a [SolvedPoint], &'a (dyn Fn(&SolvedPoint) + Sync));
@@ -82,12 +86,12 @@ const REMEMBERED: usize = 32;
 /// Between two looks whether another thread is done with its law.
 const PAUSE: Duration = Duration::from_millis(5);
 
-/// Computes a law, or gives the one that was computed before: the last [`REMEMBERED`] are kept while the program runs. `known` points are not
+/// Computes a law, or gives the one that was computed before: the last few are kept while the program runs. `known` points are not
 /// solved again, and every new one is handed to `kept`.
 ///
 /// # Errors
 /// [`StudyError::Interrupted`], [`StudyError::Law`].
-pub(crate) fn compute(
+pub fn compute(
     task: &LawTask<'_>,
     points: Points<'_>,
     progress: &dyn Progress,
@@ -215,7 +219,7 @@ impl From<LawError> for StudyError {
 ///
 /// # Errors
 /// As [`compute`].
-pub(crate) fn of_paraboloid(
+pub fn of_paraboloid(
     material: &Material,
     accuracy: f64,
     points: Points<'_>,

@@ -33,9 +33,10 @@ pub(crate) fn text(path: &Path) -> Result<String, StudyError> {
 
 /// A file as it was when its content went into a hash.
 #[derive(Debug, Clone)]
-pub(crate) struct KnownFile {
+pub struct KnownFile {
     path: PathBuf,
-    pub(crate) hash: String,
+    /// Of its content.
+    pub hash: String,
     stamp: Stamp,
 }
 

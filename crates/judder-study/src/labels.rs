@@ -99,7 +99,7 @@ pub(crate) fn plain(label: &str) -> String {
 }
 
 /// A number for a legend: powers of ten as such, others short.
-pub(crate) fn short_number(value: f64) -> String {
+pub fn short_number(value: f64) -> String {
     let exponent = value.abs().log10().floor();
     if value == 0.0 || (-2.0..4.0).contains(&exponent) {
         return format!("{value}").replace('-', "−");

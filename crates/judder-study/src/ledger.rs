@@ -14,7 +14,7 @@ pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// What a study keeps in `summary.json` beside results and records.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
-pub(crate) struct Keepsakes {
+pub struct Keepsakes {
     /// The text of the case file, for the report.
     pub(crate) source: String,
     /// The way to that file from the study folder; none where the case came as a text.
@@ -22,7 +22,7 @@ pub(crate) struct Keepsakes {
     /// The `--set` options that were on top of it.
     pub(crate) overrides: Vec<String>,
     /// Analysis → its checks.
-    pub(crate) checks: BTreeMap<String, Vec<CheckRecord>>,
+    pub checks: BTreeMap<String, Vec<CheckRecord>>,
     /// Analysis → how many of its results are missing.
     pub(crate) missing: BTreeMap<String, usize>,
 }
@@ -31,7 +31,7 @@ impl Keepsakes {
     const KEY: &'static str = "study";
 
     /// Those of a summary; empty where it has none.
-    pub(crate) fn of(summary: &Summary) -> Self {
+    pub fn of(summary: &Summary) -> Self {
         let kept = summary.extra.get(Self::KEY).cloned().unwrap_or_default();
         serde_json::from_value(kept).unwrap_or_default()
     }
@@ -42,9 +42,10 @@ impl Keepsakes {
 }
 
 /// A study folder in the making.
-pub(crate) struct Study<'a> {
+pub struct Study<'a> {
     store: &'a StudyFolder,
-    pub(crate) summary: Summary,
+    /// What is said of the results so far.
+    pub summary: Summary,
     pub(crate) kept: Keepsakes,
     /// The names of results that were there, and are dropped.
     pub(crate) forgotten: Vec<String>,
@@ -53,7 +54,7 @@ pub(crate) struct Study<'a> {
 impl<'a> Study<'a> {
     /// Takes up what an earlier run left of these analyses under these hashes, and drops the rest: what another case left
     /// must not stand under this one's name.
-    pub(crate) fn open<'b>(
+    pub fn open<'b>(
         store: &'a StudyFolder,
         analyses: impl Iterator<Item = (&'b String, &'b String)>,
     ) -> Result<Self, StudyError> {
@@ -86,7 +87,7 @@ impl<'a> Study<'a> {
     }
 
     /// Whether these analyses are done and miss nothing.
-    pub(crate) fn is_complete(&self, names: &[String]) -> bool {
+    pub fn is_complete(&self, names: &[String]) -> bool {
         names.iter().all(|name| {
             let done = self.summary.analyses.get(name).is_some_and(|record| record.status == Status::Done);
             done && self.kept.missing.get(name).copied().unwrap_or(0) == 0
@@ -95,7 +96,7 @@ impl<'a> Study<'a> {
 
     /// Stores the outcome of an analysis, or why there is none; gives the error back where the input is to blame. Interruptions
     /// and failures to write end the run.
-    pub(crate) fn keep(
+    pub fn keep(
         &mut self,
         name: &str,
         hash: String,

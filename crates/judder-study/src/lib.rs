@@ -21,24 +21,23 @@
 //! - [`report`]: figures and page of a study folder, rebuilt from what is stored.
 //! - [`study_view`]: a study folder for a page, not held: what it holds, parts of its arrays.
 //! - [`resolve`]: what `judder check` shows.
-//! - [`reproduce`]: the oscillator paper, figure by figure, with its scoreboard.
 
 pub mod analyses;
-mod band;
+pub mod band;
 pub mod bridge;
 pub mod case;
 pub mod checks;
-mod computed_law;
+pub mod computed_law;
 mod error;
 pub mod home;
 mod indenter;
-mod input_file;
+pub mod input_file;
 pub mod kept;
 mod known_substrate;
 pub mod labels;
 pub mod law_cache;
-mod ledger;
-mod material;
+pub mod ledger;
+pub mod material;
 mod measured_band;
 pub mod model;
 pub mod models;
@@ -47,7 +46,6 @@ pub mod pictures;
 mod progress;
 pub mod report;
 mod report_tables;
-pub mod reproduce;
 pub mod resolve;
 pub mod run;
 mod spectrum_source;

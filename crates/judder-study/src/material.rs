@@ -20,15 +20,15 @@ use serde_json::{Value as Json, json};
 
 /// The substrate of a case.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Material {
+pub struct Material {
     /// At the temperature of the case.
-    pub(crate) spectrum: CreepSpectrum,
+    pub spectrum: CreepSpectrum,
     /// The measured data and the series fitted to them, at the reference temperature, where data were given.
-    pub(crate) fit: Option<(DmaData, PronyFit)>,
+    pub fit: Option<(DmaData, PronyFit)>,
     /// How well the terms stand for a continuous spectrum, where one was given; at the reference temperature.
-    pub(crate) discretisation: Option<Discretisation>,
+    pub discretisation: Option<Discretisation>,
     /// a_T, by which the times were multiplied; 1 without a temperature.
-    pub(crate) time_factor: f64,
+    pub time_factor: f64,
 }
 
 impl Material {
@@ -65,7 +65,7 @@ impl Material {
     }
 
     /// The substrate as a law knows it: times over the mean time, compliances over the rubbery one.
-    pub(crate) fn of_law(&self) -> LawMaterial {
+    pub fn of_law(&self) -> LawMaterial {
         let mean = self.mean_time().unwrap_or(1.0);
         let (_, terms) = self.spectrum.sliding_terms();
         let term = |(compliance, time): (f64, f64)| LawTerm { retardation_time: time / mean, compliance };
@@ -125,9 +125,9 @@ pub(crate) fn with_used(
 
 /// A contact case with the scales of its groups.
 #[derive(Debug, Clone)]
-pub(crate) struct ContactScales {
+pub struct ContactScales {
     /// The substrate.
-    pub(crate) material: Material,
+    pub material: Material,
     /// E0*, R, and a frequency that no contact has.
     pub(crate) scales: Scales,
     /// τ, s.
@@ -135,7 +135,11 @@ pub(crate) struct ContactScales {
 }
 
 impl ContactScales {
-    pub(crate) fn new(case: &ContactCase) -> Result<Self, StudyError> {
+    /// Those of a contact case.
+    ///
+    /// # Errors
+    /// A substrate whose data cannot be read or fitted.
+    pub fn new(case: &ContactCase) -> Result<Self, StudyError> {
         let material = Material::new(&case.substrate, &case.inputs)?;
         // an elastic substrate has no time: that of the case makes the groups
         let time = material.mean_time().unwrap_or(case.inputs.number(OscillatorKey::RetardationTime));

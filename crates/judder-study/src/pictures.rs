@@ -30,7 +30,7 @@ pub fn panels(dataset: &Dataset) -> Vec<Panel> {
 }
 
 /// What stands under the figure of a kind.
-pub(crate) fn caption(dataset: &Dataset) -> &'static str {
+pub fn caption(dataset: &Dataset) -> &'static str {
     own(dataset).map_or("", |own| own.caption)
 }
 
@@ -39,7 +39,8 @@ fn own(dataset: &Dataset) -> Option<&'static Picture> {
     all_kinds().find_map(|(name, picture)| picture.filter(|_| name == kind))
 }
 
-pub(crate) fn reals<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [f64]> {
+/// The real numbers of this array; none where there is no such array of them.
+pub fn reals<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [f64]> {
     match &dataset.variable(name)?.data {
         Data::F64(values) => Some(values),
         _ => None,
@@ -53,7 +54,8 @@ pub(crate) fn complexes<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [Com
     }
 }
 
-pub(crate) fn codes<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [u8]> {
+/// The codes of this array of classes; none where there is no such array of them.
+pub fn codes<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [u8]> {
     match &dataset.variable(name)?.data {
         Data::U8(values) => Some(values),
         _ => None,
@@ -72,7 +74,7 @@ pub(crate) fn text<'a>(variable: &'a Variable, attribute: &str) -> Option<&'a st
 }
 
 /// The axis of a swept quantity.
-pub(crate) fn axis(coordinate: &Variable) -> Axis {
+pub fn axis(coordinate: &Variable) -> Axis {
     let label = text(coordinate, "label").unwrap_or(&coordinate.long_name);
     if text(coordinate, "scale") == Some("log") { Axis::log(label) } else { Axis::linear(label) }
 }

@@ -19,19 +19,25 @@ const PIXELS_PER_POINT: f64 = 3.0;
 /// # Errors
 /// A folder without results, damaged results, or a folder that cannot be written.
 pub fn rebuild(folder: &Path) -> Result<PathBuf, StudyError> {
-    let store = StudyFolder::open(folder)?;
-    let summary = store.read_summary()?;
-    let Some(summary) = summary.filter(|summary| !summary.analyses.is_empty()) else {
-        return Err(StudyError::NoResults { folder: folder.display().to_string() });
-    };
-    if summary.extra.contains_key(crate::reproduce::KEY) {
-        return crate::reproduce::write_report(&store, &summary);
-    }
+    let (store, summary) = stored(folder)?;
     write(&store, &summary)
 }
 
+/// A study folder that has results, and what it says of them.
+///
+/// # Errors
+/// A folder without results, or damaged results.
+pub fn stored(folder: &Path) -> Result<(StudyFolder, Summary), StudyError> {
+    let store = StudyFolder::open(folder)?;
+    let summary = store.read_summary()?.filter(|summary| !summary.analyses.is_empty());
+    match summary {
+        Some(summary) => Ok((store, summary)),
+        None => Err(StudyError::NoResults { folder: folder.display().to_string() }),
+    }
+}
+
 /// Draws all figures and the page.
-pub(crate) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, StudyError> {
+pub fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, StudyError> {
     let kept = Keepsakes::of(summary);
     let mut sections = Vec::new();
     for (name, record) in in_order(summary) {
@@ -96,7 +102,8 @@ fn lead(summary: &Summary, kept: &Keepsakes) -> String {
     )
 }
 
-pub(crate) fn facts(summary: &Summary) -> Vec<(String, String)> {
+/// The line under the title of a page: version, hash of the case, wall time.
+pub fn facts(summary: &Summary) -> Vec<(String, String)> {
     vec![
         ("judder".to_owned(), summary.version.clone()),
         ("case hash".to_owned(), summary.case_hash.chars().take(16).collect()),
@@ -104,7 +111,8 @@ pub(crate) fn facts(summary: &Summary) -> Vec<(String, String)> {
     ]
 }
 
-pub(crate) fn warnings(summary: &Summary) -> Vec<String> {
+/// All warnings of a study, those of an analysis after its name.
+pub fn warnings(summary: &Summary) -> Vec<String> {
     let of_analyses = summary
         .analyses
         .iter()
@@ -112,9 +120,8 @@ pub(crate) fn warnings(summary: &Summary) -> Vec<String> {
     summary.warnings.iter().cloned().chain(of_analyses).collect()
 }
 
-pub(crate) fn check_rows<'a>(
-    checks: impl IntoIterator<Item = (&'a String, &'a Vec<CheckRecord>)>,
-) -> Vec<Check> {
+/// The checks of analyses, each after the name of its analysis.
+pub fn check_rows<'a>(checks: impl IntoIterator<Item = (&'a String, &'a Vec<CheckRecord>)>) -> Vec<Check> {
     let rows = checks.into_iter().flat_map(|(name, checks)| checks.iter().map(move |check| (name, check)));
     rows.map(|(name, check)| Check {
         name: format!("{name}: {}", check.name),
@@ -173,7 +180,8 @@ fn scalar_table(scalars: &serde_json::Map<String, Value>) -> Option<Table> {
     })
 }
 
-pub(crate) fn case_section(summary: &Summary, kept: &Keepsakes) -> Section {
+/// The case file, what overrode it, and its canonical form.
+pub fn case_section(summary: &Summary, kept: &Keepsakes) -> Section {
     let mut blocks =
         vec![Block::Code(Code { caption: "The case file".to_owned(), text: kept.source.clone() })];
     if !kept.overrides.is_empty() {
@@ -199,13 +207,17 @@ fn figure_or_reason(store: &StudyFolder, figure: Figure) -> Result<Block, StudyE
 }
 
 /// Writes a figure as SVG and PNG, and gives it as a block of the page.
-pub(crate) fn write_figure(store: &StudyFolder, figure: Figure) -> Result<Block, StudyError> {
+pub fn write_figure(store: &StudyFolder, figure: Figure) -> Result<Block, StudyError> {
     store.write_file(format!("figures/{}.svg", figure.name), svg(&figure)?.as_bytes())?;
     store.write_file(format!("figures/{}.png", figure.name), &png(&figure, PIXELS_PER_POINT)?)?;
     Ok(Block::figure(figure))
 }
 
-pub(crate) fn write_page(store: &StudyFolder, page: &Page) -> Result<PathBuf, StudyError> {
+/// Writes `report.html`; returns its path.
+///
+/// # Errors
+/// A page that cannot be made, or a folder that cannot be written.
+pub fn write_page(store: &StudyFolder, page: &Page) -> Result<PathBuf, StudyError> {
     let written: Result<PathBuf, StoreError> = store.write_file("report.html", html(page)?.as_bytes());
     Ok(written?)
 }

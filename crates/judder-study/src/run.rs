@@ -8,7 +8,7 @@ mod asked;
 mod bench;
 mod sweeps;
 
-pub(crate) use asked::{analysis_hash, resolved_with_files};
+pub use asked::{analysis_hash, resolved_with_files};
 
 use crate::case::file::CaseFile;
 use crate::error::StudyError;
@@ -157,17 +157,17 @@ pub fn dry_run(
 }
 
 /// What the analyses of a case left, before anything is drawn.
-pub(crate) struct Computed {
+pub struct Computed {
     /// The study folder.
-    pub(crate) store: StudyFolder,
+    pub store: StudyFolder,
     /// The content of its `summary.json`.
-    pub(crate) summary: Summary,
+    pub summary: Summary,
     /// Analyses that were done before.
-    pub(crate) skipped: Vec<String>,
+    pub skipped: Vec<String>,
     /// Results that were there and are dropped.
     forgotten: Vec<String>,
     /// Whether every requested result is there.
-    pub(crate) complete: bool,
+    pub complete: bool,
     tables: Vec<String>,
     messages: Vec<String>,
     refused: Vec<RefusedAnalysis>,
@@ -198,7 +198,7 @@ impl Computed {
 ///
 /// # Errors
 /// As of [`run`].
-pub(crate) fn compute(
+pub fn compute(
     file: &CaseFile,
     folder: &Path,
     options: &RunOptions,

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use judder_study::report::rebuild;
+use judder_papers::rebuild;
 use serde_json::json;
 
 use crate::console::Console;

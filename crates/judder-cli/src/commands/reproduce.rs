@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
+use judder_papers::{beams_paper, oscillator_paper};
 use judder_study::Progress;
-use judder_study::reproduce::{beams_paper, oscillator_paper};
 
 use crate::console::{Console, output_width};
 use crate::failure::{Exit, Failure};

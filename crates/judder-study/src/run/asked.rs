@@ -97,7 +97,7 @@ impl<'a> Asked<'a> {
 ///
 /// # Errors
 /// A file that cannot be read.
-pub(crate) fn resolved_with_files(case: &CaseFile) -> Result<(Value, Vec<KnownFile>), StudyError> {
+pub fn resolved_with_files(case: &CaseFile) -> Result<(Value, Vec<KnownFile>), StudyError> {
     let (mut resolved, mut files) = (case.resolved(), Vec::new());
     for file in case.case.files() {
         let known = KnownFile::new(&file.path)?;
@@ -108,7 +108,7 @@ pub(crate) fn resolved_with_files(case: &CaseFile) -> Result<(Value, Vec<KnownFi
 }
 
 /// Names all that the result of an analysis depends on: the case without its list of analyses and its title, this analysis, the version.
-pub(crate) fn analysis_hash(resolved: &Value, index: usize) -> String {
+pub fn analysis_hash(resolved: &Value, index: usize) -> String {
     let model = model(resolved);
     let mut analysis = resolved.get("analysis").and_then(|list| list.get(index)).cloned();
     if let Some(object) = analysis.as_mut().and_then(Value::as_object_mut) {

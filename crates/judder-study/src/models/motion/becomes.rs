@@ -11,8 +11,10 @@ pub(crate) const BECOMES: [(u8, &str); 5] = [
     (LOST, "lost"),
     (UNCONFIRMED, "unconfirmed"),
 ];
-pub(crate) const STEADY_SLIDING: u8 = 0;
-pub(crate) const CYCLE: u8 = 1;
+/// The motion dies out.
+pub const STEADY_SLIDING: u8 = 0;
+/// The motion comes back to itself.
+pub const CYCLE: u8 = 1;
 pub(crate) const IRREGULAR: u8 = 2;
 pub(crate) const LOST: u8 = 3;
 pub(crate) const UNCONFIRMED: u8 = 4;

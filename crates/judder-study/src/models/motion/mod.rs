@@ -8,13 +8,13 @@
 
 mod amplitude_spectrum;
 mod basin;
-pub(crate) mod becomes;
+pub mod becomes;
 mod bifurcation;
 pub(crate) mod check;
 mod history;
 pub(crate) mod limit_cycle;
 pub(crate) mod model;
-pub(crate) mod pictures;
+pub mod pictures;
 pub mod settings;
 
 pub use history::MotionBlock;

@@ -43,7 +43,7 @@ pub(crate) fn motion(dataset: &Dataset) -> Option<Vec<Panel>> {
 }
 
 /// The last oscillations of a motion: displacement, relative velocity and contact area over time, then the phase portrait.
-pub(crate) fn ending(dataset: &Dataset, oscillations: f64) -> Option<Vec<Panel>> {
+pub fn ending(dataset: &Dataset, oscillations: f64) -> Option<Vec<Panel>> {
     let shown = Shown::end_of(dataset, oscillations)?;
     let histories = ["x", "relative_velocity", "contact_area"].into_iter().map(|name| shown.history(name));
     histories.chain([shown.portrait()]).collect()

@@ -205,8 +205,8 @@ fn branches(values: &[f64], roots: &[f64], shown: &[f64], most: usize) -> Curve 
 const FAR: f64 = 10.0;
 
 /// On which curve each root lies, `None` where there is none; a row of `most` roots a value of the sweep. Neighbours are joined in order, and where
-/// their numbers differ, the nearest ones; what is left over begins or ends there, and so does what is [`FAR`].
-pub(crate) fn curves_of(roots: &[f64], most: usize) -> Vec<Option<usize>> {
+/// their numbers differ, the nearest ones; what is left over begins or ends there, and so does what is too far.
+pub fn curves_of(roots: &[f64], most: usize) -> Vec<Option<usize>> {
     let mut on = vec![None; roots.len()];
     let mut count = 0;
     let mut before: Vec<usize> = Vec::new();

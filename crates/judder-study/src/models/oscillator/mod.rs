@@ -11,7 +11,7 @@
 pub mod case;
 mod check;
 pub mod critical;
-pub(crate) mod curves;
+pub mod curves;
 pub mod engines;
 pub mod equivalent_damping;
 pub mod given;

@@ -3,7 +3,7 @@
 pub(super) mod figure;
 mod run;
 
-pub(crate) use run::Plane;
+pub use run::Plane;
 
 use super::check::ContactEstimate;
 use super::size::cells_of_law;

@@ -26,14 +26,14 @@ const DISSIPATION_LIMIT: f64 = 1e-2;
 const PROBES: [(f64, f64); 3] = [(0.31, 0.17), (0.53, 0.61), (0.74, 0.89)];
 
 /// A law over the plane of the settings.
-pub(crate) struct Plane {
+pub struct Plane {
     pub(crate) velocities: Vec<f64>,
     pub(crate) indentations: Vec<f64>,
 }
 
 impl Plane {
     /// The points of the settings, as v̂ and ŷ.
-    pub(crate) fn new(settings: &LawSettings, scales: &ContactScales) -> Self {
+    pub fn new(settings: &LawSettings, scales: &ContactScales) -> Self {
         let groups = |span: &Span, unit: f64| -> Vec<f64> {
             let unit = if span.form == Form::Group { 1.0 } else { unit };
             span.values().into_iter().map(|value| value * unit).collect()
@@ -74,7 +74,7 @@ impl Plane {
     }
 
     /// The law at every point of the plane, row by row of equal indentation: what is fitted, shown and judged.
-    pub(crate) fn samples(&self, law: &Law) -> Vec<FitSample> {
+    pub fn samples(&self, law: &Law) -> Vec<FitSample> {
         let at = |velocity: f64, indentation: f64| {
             let found = law.evaluate(&ContactPoint::new(velocity, indentation));
             let (force, area, friction) = (found.force.value, found.area.value, found.friction.value);
@@ -89,7 +89,7 @@ impl Plane {
     ///
     /// # Errors
     /// As [`fit_law`].
-    pub(crate) fn fit(&self, law: &Law, log10_velocity_scale: f64) -> Result<LawFit, FitError> {
+    pub fn fit(&self, law: &Law, log10_velocity_scale: f64) -> Result<LawFit, FitError> {
         let samples = self.samples(law);
         let contacts = law.data().map_or(samples.len(), |data| data.values().force.len());
         fit_law(&samples, log10_velocity_scale, Weighting::Absolute)?.of_independent(contacts)

@@ -77,7 +77,7 @@ pub(crate) fn locus(dataset: &Dataset) -> Option<Vec<Panel>> {
 }
 
 /// Positions and growth rates along each unstable zone, from its start to its end where they vanish; in m for a locus over position.
-pub(crate) fn zone_profiles(dataset: &Dataset) -> Vec<Vec<(f64, f64)>> {
+pub fn zone_profiles(dataset: &Dataset) -> Vec<Vec<(f64, f64)>> {
     let Some(locus) = Locus::new(dataset) else { return Vec::new() };
     let unscaled = |(at, growth)| (at / locus.scale, growth);
     locus.zones.iter().map(|zone| locus.profile(zone).into_iter().map(unscaled).collect()).collect()

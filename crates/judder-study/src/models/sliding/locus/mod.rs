@@ -6,7 +6,7 @@
 //! - `results`: scalars, arrays, table.
 
 mod doubt;
-pub(crate) mod figure;
+pub mod figure;
 mod positions;
 mod results;
 mod run;

@@ -28,24 +28,24 @@ pub(crate) fn march(dataset: &Dataset) -> Option<Vec<Panel>> {
 }
 
 /// A signal over time.
-pub(crate) fn history(dataset: &Dataset, name: &str, style: Style) -> Option<Panel> {
+pub fn history(dataset: &Dataset, name: &str, style: Style) -> Option<Panel> {
     panel(dataset, name, vec![trace(dataset, name, ("", style))?])
 }
 
 /// The values of a signal over time as a line.
-pub(crate) fn trace(dataset: &Dataset, name: &str, (label, style): (&str, Style)) -> Option<Layer> {
+pub fn trace(dataset: &Dataset, name: &str, (label, style): (&str, Style)) -> Option<Layer> {
     let (x, y) = envelope(reals(dataset, "time")?, reals(dataset, name)?);
     Some(Layer::line(label, x, y, style))
 }
 
 /// How far a signal swings about its mean in each column, √2 times the rms, as a line.
-pub(crate) fn swing(dataset: &Dataset, name: &str, (label, style): (&str, Style)) -> Option<Layer> {
+pub fn swing(dataset: &Dataset, name: &str, (label, style): (&str, Style)) -> Option<Layer> {
     let (x, y) = swings(reals(dataset, "time")?, reals(dataset, name)?);
     Some(Layer::line(label, x, y, style))
 }
 
 /// Layers over the time of a march, with the end of its ramps and the position of the contact.
-pub(crate) fn panel(dataset: &Dataset, name: &str, mut layers: Vec<Layer>) -> Option<Panel> {
+pub fn panel(dataset: &Dataset, name: &str, mut layers: Vec<Layer>) -> Option<Panel> {
     let time = reals(dataset, "time")?;
     let (first, last) = (*time.first()?, *time.last()?);
     let settled = dataset.attributes().get("settled_s").and_then(Value::as_f64);
@@ -63,7 +63,7 @@ pub(crate) fn panel(dataset: &Dataset, name: &str, mut layers: Vec<Layer>) -> Op
 }
 
 /// The same panel with a logarithmic axis of amplitudes, up to what comes after the ramps.
-pub(crate) fn logarithmic(panel: Panel) -> Panel {
+pub fn logarithmic(panel: Panel) -> Panel {
     let settled = panel.layers.iter().find_map(|layer| match layer {
         Layer::Rule(rule) => Some(rule.value),
         _ => None,
@@ -87,7 +87,7 @@ fn bursts(dataset: &Dataset) -> Option<Layer> {
 }
 
 /// √2 times the rms about the mean of each column, in its middle.
-pub(crate) fn swings(time: &[f64], values: &[f64]) -> (Vec<f64>, Vec<f64>) {
+pub fn swings(time: &[f64], values: &[f64]) -> (Vec<f64>, Vec<f64>) {
     let width = time.len().div_ceil(COLUMNS).max(2);
     let column = |(times, values): (&[f64], &[f64])| {
         let count = values.len() as f64;

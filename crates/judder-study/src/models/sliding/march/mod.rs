@@ -2,7 +2,7 @@
 
 mod blocks;
 mod expected;
-pub(crate) mod figure;
+pub mod figure;
 mod loudness;
 mod run;
 mod samples;

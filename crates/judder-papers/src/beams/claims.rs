@@ -1,8 +1,8 @@
 //! The numbers and claims of the beams paper, each with the way it is measured.
 
 use super::found::{Found, Zone};
-use crate::reproduce::claims::{Claim, Kind, measured, short, statement};
-use crate::reproduce::scoreboard::{ClaimLine, Measured};
+use crate::claim::{Claim, Kind, measured, short, statement};
+use crate::claim::{ClaimLine, Measured};
 
 /// Every claim, measured.
 pub(super) fn lines(found: &Found) -> Vec<ClaimLine> {

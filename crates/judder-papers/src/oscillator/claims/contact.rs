@@ -2,9 +2,9 @@
 //!
 //! Each line shows what holds with the printed axis, with the corrected axis, and for the computed law.
 
-use super::short;
-use crate::reproduce::evidence::{CORRECTED, Evidence};
-use crate::reproduce::scoreboard::ClaimLine;
+use crate::claim::ClaimLine;
+use crate::claim::short;
+use crate::oscillator::evidence::{CORRECTED, Evidence};
 use judder_contact::fit::LawFit;
 use judder_contact::law::LawMaterial;
 use judder_contact::{ContactLaw, ContactPoint, FittedLaw};
@@ -24,7 +24,7 @@ const HERTZ: [f64; 2] = [1e-3, 1e-2];
 const QUICK: &str = " A quick run takes a paraboloid in place of the sphere: the full run decides.";
 
 /// All lines, in the order of the appendices.
-pub(in crate::reproduce) fn lines(evidence: &Evidence) -> Vec<ClaimLine> {
+pub(in crate::oscillator) fn lines(evidence: &Evidence) -> Vec<ClaimLine> {
     let mut lines = vec![
         hertz(evidence),
         exponents(evidence),
@@ -253,7 +253,7 @@ fn r_squared(evidence: &Evidence) -> Vec<ClaimLine> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::reproduce::evidence::computed;
+    use crate::oscillator::evidence::computed;
 
     /// The scoreboard of the contact computation: source the paper's (35), (37), (39) and the r² of its appendix B.
     #[test]

@@ -3,26 +3,26 @@
 use super::figures::{self, SIGNAL};
 use super::found::Found;
 use super::passage::passages;
-use crate::error::StudyError;
-use crate::ledger::Keepsakes;
-use crate::pictures;
-use crate::report::{case_section, check_rows, facts, warnings, write_figure, write_page};
-use crate::reproduce::scoreboard::{self, ClaimLine};
-use crate::reproduce::{KEY, is_done, tally};
+use crate::claim::{self, ClaimLine};
+use crate::{KEY, is_done, tally};
 use judder_report::{Block, Figure, Page, Section};
 use judder_store::{Dataset, StudyFolder, Summary};
+use judder_study::StudyError;
+use judder_study::ledger::Keepsakes;
+use judder_study::pictures;
+use judder_study::report::{case_section, check_rows, facts, warnings, write_figure, write_page};
 use serde_json::Value;
 use std::path::PathBuf;
 
 /// Draws every figure of the paper and the page.
-pub(super) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, StudyError> {
+pub(crate) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, StudyError> {
     let kept = Keepsakes::of(summary);
     let lines: Vec<ClaimLine> = summary
         .extra
         .get(KEY)
         .and_then(|own| serde_json::from_value(own.get("scoreboard")?.clone()).ok())
         .unwrap_or_default();
-    let board = Block::Scoreboard(scoreboard::block(&lines, &[(0, "We find")]));
+    let board = Block::Scoreboard(claim::block(&lines, &[(0, "We find")]));
     let mut sections = vec![Section::new("Scoreboard", vec![Block::text(about_quick(summary)), board])];
     for (heading, figures) in drawn(&Stored { store, summary })? {
         let blocks: Result<Vec<Block>, StudyError> =

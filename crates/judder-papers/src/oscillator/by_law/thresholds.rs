@@ -1,15 +1,15 @@
 //! The thresholds of Figs. 7 and 8 with the three laws: drawn, and how far they move.
 
 use super::{LAWS, LOADS, friction, sources, stored};
-use crate::error::StudyError;
-use crate::labels::short_number;
-use crate::models::oscillator::curves::curves_of;
-use crate::pictures::{axis, reals};
-use crate::reproduce::claims::short;
+use crate::claim::short;
 use judder_report::page::Table;
 use judder_report::runs::through;
 use judder_report::{Axis, Figure, Layer, Legend, Panel, Style};
 use judder_store::{Dataset, StudyFolder, Summary};
+use judder_study::StudyError;
+use judder_study::labels::short_number;
+use judder_study::models::oscillator::curves::curves_of;
+use judder_study::pictures::{axis, reals};
 
 /// A figure of thresholds over speed.
 struct Kind {

@@ -4,19 +4,19 @@ mod claims;
 mod figures;
 mod found;
 mod held;
-mod page;
+pub(super) mod page;
 mod passage;
 
-use super::{KEY, Reproduction};
-use crate::case::file::CaseFile;
-use crate::case::template::template;
-use crate::error::StudyError;
-use crate::progress::Progress;
-use crate::run::{self, Computed, RunOptions};
+use crate::{KEY, Reproduction};
 use found::Found;
-use judder_store::{StudyFolder, Summary};
+use judder_study::Progress;
+use judder_study::StudyError;
+use judder_study::case::file::CaseFile;
+use judder_study::case::template::template;
+use judder_study::run::{self, Computed, RunOptions};
+
 use serde_json::json;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// The paper's name in a summary.
 pub(super) const PAPER: &str = "beams-paper";
@@ -55,11 +55,6 @@ fn growth(quick: bool, folder: &Path, progress: &dyn Progress) -> Result<String,
     Ok(LOCI.iter().map(of).collect())
 }
 
-/// Rebuilds figures and page from what is stored.
-pub(super) fn write_report(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, StudyError> {
-    page::write(store, summary)
-}
-
 /// The template's structures, contact and motion with the analyses of the reproduction and of growth with the contact held.
 fn case(quick: bool, growth: &str) -> Result<CaseFile, StudyError> {
     let template = template(PAPER)?;
@@ -73,7 +68,7 @@ fn case(quick: bool, growth: &str) -> Result<CaseFile, StudyError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::progress::Silent;
+    use judder_study::Silent;
 
     #[test]
     fn the_case_of_the_reproduction_is_sound() {

@@ -1,14 +1,14 @@
 //! Figs. 11 and 12 with every way to read section 5, and the engines against each other, from what is stored.
 
-use super::is_done;
 use super::motion_exhibits::{ENGINES, LOAD, OF_CAPTIONS, Part, WAYS, Way};
-use super::scoreboard::ClaimLine;
-use crate::error::StudyError;
-use crate::models::motion::pictures::ending;
-use crate::pictures::{self, axis, reals};
-use crate::report::write_figure;
+use crate::claim::ClaimLine;
+use crate::is_done;
 use judder_report::{Axis, Figure, Layer, Legend, Panel, Role, Section};
 use judder_store::{Dataset, StudyFolder, Summary};
+use judder_study::StudyError;
+use judder_study::models::motion::pictures::ending;
+use judder_study::pictures::{self, axis, reals};
+use judder_study::report::write_figure;
 
 /// Oscillations that Fig. 12 shows.
 const SHOWN: f64 = 2.5;

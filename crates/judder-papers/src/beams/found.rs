@@ -2,11 +2,11 @@
 
 use super::figures::SIGNAL;
 use super::passage::{Passage, passages};
-use crate::band::Band;
-use crate::error::StudyError;
-use crate::pictures::reals;
-use crate::reproduce::is_done;
+use crate::is_done;
 use judder_store::{Dataset, StudyFolder, Summary};
+use judder_study::StudyError;
+use judder_study::band::Band;
+use judder_study::pictures::reals;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 

@@ -1,17 +1,17 @@
 //! The figures of the paper: which case makes which panel.
 
-use crate::case::file::Case;
-use crate::models::contact::case::ContactCase;
-use crate::models::contact::settings::{FitSettings, LawMethod, LawSettings};
-use crate::models::contact::shape::Shape;
-use crate::models::motion::settings::{Bifurcation, MotionAnalysis};
-use crate::models::oscillator::case::OscillatorCase;
-use crate::models::oscillator::engines::settings::EnginesSettings;
-use crate::models::oscillator::keys::OscillatorKey;
-use crate::models::oscillator::settings::{CriticalThresholds, DampingCurves, SpectrumCurves};
-use crate::models::sweep::StabilityMap;
 use judder_keys::numeric_key::{Form, Value};
 use judder_keys::span::Span;
+use judder_study::case::file::Case;
+use judder_study::models::contact::case::ContactCase;
+use judder_study::models::contact::settings::{FitSettings, LawMethod, LawSettings};
+use judder_study::models::contact::shape::Shape;
+use judder_study::models::motion::settings::{Bifurcation, MotionAnalysis};
+use judder_study::models::oscillator::case::OscillatorCase;
+use judder_study::models::oscillator::engines::settings::EnginesSettings;
+use judder_study::models::oscillator::keys::OscillatorKey;
+use judder_study::models::oscillator::settings::{CriticalThresholds, DampingCurves, SpectrumCurves};
+use judder_study::models::sweep::StabilityMap;
 
 /// A figure of the paper.
 pub(super) struct Exhibit {
@@ -221,8 +221,8 @@ fn thin_out_engines(settings: &mut EnginesSettings) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::case::file::CaseFile;
-    use crate::reproduce::evidence::law_of;
+    use crate::oscillator::evidence::law_of;
+    use judder_study::case::file::CaseFile;
 
     #[test]
     fn a_quick_run_takes_one_curve_on_a_coarse_plane() {

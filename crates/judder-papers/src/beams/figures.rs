@@ -1,11 +1,11 @@
 //! The figures of the beams paper, put together from several marches where the paper compares them.
 
 use super::passage::Passage;
-use crate::models::sliding::march::figure::{history, logarithmic, panel, swing, trace};
-use crate::pictures;
-use crate::pictures::reals;
 use judder_report::{Axis, Figure, Layer, Legend, Panel, Role, Style};
 use judder_store::Dataset;
+use judder_study::models::sliding::march::figure::{history, logarithmic, panel, swing, trace};
+use judder_study::pictures;
+use judder_study::pictures::reals;
 use serde_json::Value;
 
 /// The signal of Figs. 3 to 5: the vertical acceleration of the free end T.
@@ -172,7 +172,7 @@ fn about_loudest(loudest: &Dataset, marches: &[(&Dataset, &str, Style)]) -> Opti
 fn difference(a: &Dataset, b: &Dataset, named: (&str, Style)) -> Option<Layer> {
     let (first, second) = (reals(a, SIGNAL)?, reals(b, SIGNAL)?);
     let difference: Vec<f64> = second.iter().zip(first).map(|(b, a)| b - a).collect();
-    let (x, y) = crate::models::sliding::march::figure::swings(reals(a, "time")?, &difference);
+    let (x, y) = judder_study::models::sliding::march::figure::swings(reals(a, "time")?, &difference);
     Some(Layer::line(named.0, x, y, named.1))
 }
 

@@ -1,44 +1,14 @@
 //! The scoreboard: every claim measured with every reading, and what becomes of it.
 
 use super::claims::motion::{MOTION_CLAIMS, Motions, missing};
-use super::claims::{CLAIMS, Claim, Kind, contact};
+use super::claims::{CLAIMS, contact};
 use super::evidence::Evidence;
 use super::motion_exhibits::{OF_CAPTIONS, WAYS};
 use super::readings::READINGS;
-use crate::error::StudyError;
-use crate::progress::Progress;
-use judder_report::page;
+use crate::claim::{Claim, ClaimLine, Kind, Measured};
+use judder_study::Progress;
+use judder_study::StudyError;
 use rayon::prelude::*;
-use serde::{Deserialize, Serialize};
-
-/// What we find with one reading.
-pub(super) struct Measured {
-    /// Our number, in a few characters.
-    pub(super) ours: String,
-    /// Whether it is what the paper says (for a misprint: what we say instead).
-    pub(super) holds: bool,
-}
-
-/// One line of the scoreboard.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub struct ClaimLine {
-    /// Where it stands in the paper.
-    pub place: String,
-    /// What the paper says.
-    pub says: String,
-    /// What we find, with each reading.
-    pub ours: Vec<String>,
-    /// Whether each of them is what the paper says; empty where the line is judged as a whole.
-    #[serde(default)]
-    pub holds: Vec<bool>,
-    /// Heads of our numbers, where they are not those of the other lines.
-    #[serde(default)]
-    pub columns: Vec<String>,
-    /// `agrees`, `misprint` or `open`.
-    pub verdict: String,
-    /// Why, in one line.
-    pub why: String,
-}
 
 /// Measures all claims: those of the sections with every reading, those about motions with every way to read section 5, then those
 /// of the contact computation.
@@ -116,37 +86,17 @@ fn added(beginning: &str, laws: &[&str], between: &str) -> String {
     if laws.is_empty() { String::new() } else { format!("{beginning}{}.", laws.join(between)) }
 }
 
-/// Some lines of the scoreboard as a block of the page, with the columns of these readings and their heads.
-pub(super) fn block(lines: &[ClaimLine], columns: &[(usize, &str)]) -> page::Scoreboard {
-    let verdict = |word: &str| match word {
-        "agrees" => page::Verdict::Agrees,
-        "misprint" => page::Verdict::Misprint,
-        _ => page::Verdict::Open,
-    };
-    let rows = lines.iter().map(|line| page::Claim {
-        place: line.place.clone(),
-        says: line.says.clone(),
-        ours: columns.iter().map(|(k, _)| line.ours.get(*k).cloned().unwrap_or_default()).collect(),
-        verdict: verdict(&line.verdict),
-        why: line.why.clone(),
-    });
-    page::Scoreboard {
-        ours: columns.iter().map(|(_, head)| (*head).to_owned()).collect(),
-        rows: rows.collect(),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::progress::Silent;
-    use crate::reproduce::evidence::computed;
+    use crate::oscillator::evidence::computed;
+    use judder_study::Silent;
 
     /// The verdicts on section 5, from motions as a quick run makes them.
     #[test]
     fn the_verdicts_on_the_motions() {
         let folder = tempfile::tempdir().unwrap();
-        let lines = crate::reproduce::quick_motions(folder.path()).unwrap();
+        let lines = crate::oscillator::quick_motions(folder.path()).unwrap();
         let judged: Vec<(&str, &str, &[bool])> = lines
             .iter()
             .map(|line| (line.place.as_str(), line.verdict.as_str(), &line.holds[..OF_CAPTIONS]))

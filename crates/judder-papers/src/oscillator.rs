@@ -1,35 +1,35 @@
-//! The papers, recomputed: the beams paper in `beams`; here the oscillator paper: Figs. 3–14 and what its text claims about them, with both readings of the friction, both velocity axes of
+//! The oscillator paper: Figs. 3–14 and what its text claims about them, with both readings of the friction, both velocity axes of
 //! the fitted law, and the law computed anew; section 5 with both of its speeds.
 
-mod beams;
 mod by_law;
-mod claims;
+pub(crate) mod claims;
 mod contact_figures;
 mod evidence;
 mod exhibits;
 mod measures;
 mod motion_exhibits;
 mod motion_figures;
-mod page;
+pub(crate) mod page;
 mod readings;
-mod scoreboard;
+pub(crate) mod scoreboard;
 
-use crate::analyses;
-use crate::case::file::{Case, CaseFile};
-use crate::error::StudyError;
-use crate::kept::Kept;
-use crate::ledger::{Keepsakes, Study};
-use crate::model::{Prepared, Task};
-use crate::models::oscillator::case::OscillatorCase;
-use crate::models::oscillator::inputs::LawName;
-use crate::outcome::Outcome;
-use crate::progress::Progress;
-use crate::run::analysis_hash;
+use crate::{KEY, Reproduction};
 use claims::motion::Motions;
 use evidence::Evidence;
 use exhibits::{CONTACT_CASES, EXHIBITS, LAW_FILE, Source};
 use judder_keys::file_reference::FileReference;
-use judder_store::{Status, StudyFolder, Summary, content_hash};
+use judder_store::{StudyFolder, Summary, content_hash};
+use judder_study::Progress;
+use judder_study::StudyError;
+use judder_study::analyses;
+use judder_study::case::file::{Case, CaseFile};
+use judder_study::kept::Kept;
+use judder_study::ledger::Study;
+use judder_study::model::{Prepared, Task};
+use judder_study::models::oscillator::case::OscillatorCase;
+use judder_study::models::oscillator::inputs::LawName;
+use judder_study::outcome::Outcome;
+use judder_study::run::analysis_hash;
 use motion_exhibits::{MotionRun, WAYS};
 use rayon::prelude::*;
 use readings::{READINGS, ReadLaw, Reading};
@@ -37,27 +37,6 @@ use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
-
-pub use beams::beams_paper;
-pub use scoreboard::ClaimLine;
-
-/// Where a summary keeps that it is a reproduction, and its scoreboard.
-pub(crate) const KEY: &str = "reproduction";
-
-/// What a reproduction left.
-#[derive(Debug, Clone)]
-pub struct Reproduction {
-    /// The study folder.
-    pub folder: PathBuf,
-    /// Its `report.html`.
-    pub report: PathBuf,
-    /// Heads of the columns of our numbers.
-    pub columns: Vec<String>,
-    /// What the paper says, and what we find.
-    pub scoreboard: Vec<ClaimLine>,
-    /// Whether every result is there.
-    pub complete: bool,
-}
 
 /// An analysis of a case, and the name under which that is kept.
 struct Run {
@@ -167,14 +146,6 @@ fn run_side_by_side(
     if is_interrupted { Err(StudyError::Interrupted) } else { Ok(()) }
 }
 
-/// Rebuilds figures and page of a reproduction from what is stored.
-pub(crate) fn write_report(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, StudyError> {
-    match summary.extra.get(KEY).and_then(|own| own.get("paper")).and_then(serde_json::Value::as_str) {
-        Some(beams::PAPER) => beams::write_report(store, summary),
-        _ => page::write(store, summary),
-    }
-}
-
 /// The name of a panel's analysis with a reading.
 fn analysis_name(source: &Source, reading: &Reading) -> String {
     format!("{}-{}", source.name, reading.slug)
@@ -277,35 +248,13 @@ fn computed_for(summary: &Summary) -> &'static str {
     }
 }
 
-/// How many claims and checks of a reproduction came out how, in a sentence each.
-fn tally(lines: &[ClaimLine], kept: &Keepsakes) -> String {
-    let count = |verdict: &str| lines.iter().filter(|line| line.verdict == verdict).count();
-    let misprints = match count("misprint") {
-        0 => String::new(),
-        count => format!(" {count} are misprints whose right value is known,"),
-    };
-    let checks = kept.checks.values().flatten().count();
-    let passed = kept.checks.values().flatten().filter(|check| check.passed()).count();
-    format!(
-        "Of {} claims {} agree,{misprints} {} are open. {passed} of {checks} checks are within their limits.",
-        lines.len(),
-        count("agrees"),
-        count("open")
-    )
-}
-
-/// Whether an analysis of a summary has its result.
-fn is_done(summary: &Summary, name: &str) -> bool {
-    summary.analyses.get(name).is_some_and(|record| record.status == Status::Done)
-}
-
 /// The lines of the scoreboard about motions, from those of a quick run.
 #[cfg(test)]
-fn quick_motions(folder: &Path) -> Result<Vec<ClaimLine>, StudyError> {
+fn quick_motions(folder: &Path) -> Result<Vec<crate::ClaimLine>, StudyError> {
     let store = StudyFolder::create(folder)?;
     let mut runs = motion_runs(true)?;
     runs.retain(|run| run.name != motion_exhibits::ENGINES);
     let mut study = Study::open(&store, runs.iter().map(|run| (&run.name, &run.hash)))?;
-    run_side_by_side(&store, &mut study, &runs, &crate::progress::Silent)?;
+    run_side_by_side(&store, &mut study, &runs, &judder_study::Silent)?;
     Ok(scoreboard::of_motions(&motions(&store, &study.summary)?))
 }

@@ -1,16 +1,6 @@
 //! What the claims about the contact computation are measured on.
 
 use super::exhibits::{CONTACT_CASES, FIT, LAW_FILE, thin_out};
-use crate::case::analysis::Planned;
-use crate::case::file::CaseFile;
-use crate::computed_law::{self, NO_POINTS};
-use crate::error::StudyError;
-use crate::material::ContactScales;
-use crate::models::contact::Exciting;
-use crate::models::contact::case::ContactCase;
-use crate::models::contact::law::Plane;
-use crate::models::contact::settings::{FitSettings, LawSettings};
-use crate::progress::Progress;
 use judder_contact::fit::{FitSample, LawFit};
 use judder_contact::law::boundary_elements::sample;
 use judder_contact::law::file::from_json;
@@ -19,6 +9,16 @@ use judder_contact::material::CreepSpectrum;
 use judder_contact::steady::MEMORY;
 use judder_contact::{ContactLaw, ContactPoint, FittedLaw, Law};
 use judder_store::StudyFolder;
+use judder_study::Progress;
+use judder_study::StudyError;
+use judder_study::case::analysis::Planned;
+use judder_study::case::file::CaseFile;
+use judder_study::computed_law::{self, NO_POINTS};
+use judder_study::material::ContactScales;
+use judder_study::models::contact::Exciting;
+use judder_study::models::contact::case::ContactCase;
+use judder_study::models::contact::law::Plane;
+use judder_study::models::contact::settings::{FitSettings, LawSettings};
 use std::sync::Arc;
 
 /// log₁₀ of the factor of v τ/R at which the fits are read: the corrected axis.
@@ -141,8 +141,8 @@ pub(super) fn contact_case(name: &str, quick: bool) -> Result<(ContactCase, LawS
 /// The evidence of Fig. 3's own case, computed once for all tests.
 #[cfg(test)]
 pub(super) fn computed() -> Evidence {
-    use crate::computed_law::{LawTask, compute};
-    use crate::progress::Silent;
+    use judder_study::Silent;
+    use judder_study::computed_law::{LawTask, compute};
     use std::sync::OnceLock;
     static EVIDENCE: OnceLock<Evidence> = OnceLock::new();
     let make = || {

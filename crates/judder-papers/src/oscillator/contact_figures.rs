@@ -1,12 +1,9 @@
 //! Figs. 3, 13 and 14 and the table of coefficients, from what is stored.
 
+use super::computed_for;
 use super::evidence::{CORRECTED, r_squared};
 use super::exhibits::{FIT, LAW, MODULUS};
-use super::{computed_for, is_done};
-use crate::error::StudyError;
-use crate::labels::short_number;
-use crate::pictures::{self, axis, reals};
-use crate::report::write_figure;
+use crate::is_done;
 use judder_contact::law::PerQuantity;
 use judder_contact::{ContactLaw, ContactPoint, FittedLaw};
 use judder_report::figure::ValueMap;
@@ -14,6 +11,10 @@ use judder_report::page::Table;
 use judder_report::palette::ColourMap;
 use judder_report::{Axis, Block, Figure, Layer, Legend, Panel, Role, Section};
 use judder_store::{Dataset, StudyFolder, Summary};
+use judder_study::StudyError;
+use judder_study::labels::short_number;
+use judder_study::pictures::{self, axis, reals};
+use judder_study::report::write_figure;
 use serde_json::Value;
 
 /// Rows of equal indentation that Fig. 3 draws as curves: one a decade.

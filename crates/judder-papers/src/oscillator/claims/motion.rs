@@ -1,23 +1,23 @@
 //! Motion after the instability (section 5, Figs. 11, 12), from what is stored of it.
 
-use super::{Claim, measured, short, statement};
-use crate::error::StudyError;
-use crate::models::motion::becomes::{CYCLE, STEADY_SLIDING};
-use crate::pictures::{codes, reals};
-use crate::reproduce::is_done;
-use crate::reproduce::measures::{state, strengths};
-use crate::reproduce::motion_exhibits::{LOAD, Part, STRENGTHS, Way};
-use crate::reproduce::scoreboard::Measured;
+use crate::claim::Measured;
+use crate::claim::{Claim, measured, short, statement};
+use crate::is_done;
+use crate::oscillator::measures::{state, strengths};
+use crate::oscillator::motion_exhibits::{LOAD, Part, STRENGTHS, Way};
 use judder_oscillator::hopf::hopf_point;
 use judder_oscillator::motion::{ContactState, StickSlip};
 use judder_oscillator::spectrum::{eigenvalues, growth_rate};
 use judder_oscillator::{Contact, FrictionLoad, Groups};
 use judder_store::{Dataset, StudyFolder, Summary};
+use judder_study::StudyError;
+use judder_study::models::motion::becomes::{CYCLE, STEADY_SLIDING};
+use judder_study::pictures::{codes, reals};
 use serde_json::{Map, Value};
 use std::f64::consts::TAU;
 
 /// The motions of one way to read section 5.
-pub(in crate::reproduce) struct Motions {
+pub(in crate::oscillator) struct Motions {
     contact: Contact,
     velocity: f64,
     diagram: Dataset,
@@ -30,7 +30,7 @@ pub(in crate::reproduce) struct Motions {
 
 impl Motions {
     /// From a study folder; `None` where a motion is missing.
-    pub(in crate::reproduce) fn stored(
+    pub(in crate::oscillator) fn stored(
         store: &StudyFolder,
         summary: &Summary,
         way: &Way,
@@ -302,7 +302,7 @@ const QUASI_STEADY: Claim<Motions> = statement(
 );
 
 /// All claims about the motions, in the order of the paper.
-pub(in crate::reproduce) const MOTION_CLAIMS: [Claim<Motions>; 11] = [
+pub(in crate::oscillator) const MOTION_CLAIMS: [Claim<Motions>; 11] = [
     QUASI_STEADY,
     SUPPRESSED,
     ABOUT_NOTHING,
@@ -317,6 +317,6 @@ pub(in crate::reproduce) const MOTION_CLAIMS: [Claim<Motions>; 11] = [
 ];
 
 /// What is found where motions are missing.
-pub(in crate::reproduce) fn missing() -> Measured {
+pub(in crate::oscillator) fn missing() -> Measured {
     measured("missing", false)
 }

@@ -1,7 +1,7 @@
 //! Stability maps (section 4.3, Figs. 9, 10).
 
-use super::{Claim, measured, misprint, short, statement};
-use crate::reproduce::measures::{Panel, SIDE, loads, log_grid, strengths};
+use crate::claim::{Claim, measured, misprint, short, statement};
+use crate::oscillator::measures::{Panel, SIDE, loads, log_grid, strengths};
 use judder_oscillator::Contact;
 use judder_oscillator::conservative::discriminant;
 use judder_oscillator::equilibrium::equilibrium;
@@ -56,7 +56,7 @@ fn range(velocities: &[f64]) -> String {
     }
 }
 
-pub(super) const FIG_9A_AGREEMENT: Claim = statement(
+pub(super) const FIG_9A_AGREEMENT: Claim<Contact> = statement(
     "§4.3, Fig. 9a",
     "At $F̃_{n}$ = 10^{−6}, (27) is good except for $v̂_{d}$ ≈ 10^{−6} … 10^{−4}",
     |contact| {
@@ -69,7 +69,7 @@ pub(super) const FIG_9A_AGREEMENT: Claim = statement(
      paper's range.",
 );
 
-pub(super) const WORSE_AT_LARGER_LOAD: Claim = statement(
+pub(super) const WORSE_AT_LARGER_LOAD: Claim<Contact> = statement(
     "§4.3, Fig. 9",
     "The agreement worsens for the larger load",
     |contact| {
@@ -80,7 +80,7 @@ pub(super) const WORSE_AT_LARGER_LOAD: Claim = statement(
     "Share of the map in which the full and the undamped system decide differently, Fig. 9a → 9b.",
 );
 
-pub(super) const FIG_9B_ENDS: Claim = statement(
+pub(super) const FIG_9B_ENDS: Claim<Contact> = statement(
     "§4.3, Fig. 9b",
     "(27) is accurate at both ends of the speed, and overestimates the stable range between",
     |contact| {
@@ -105,7 +105,7 @@ pub(super) const FIG_9B_ENDS: Claim = statement(
     "Lowest threshold of the full system over that of (27) at $F̃_{n}$ = 10^{−3}.",
 );
 
-pub(super) const LARGER_REGION: Claim = statement(
+pub(super) const LARGER_REGION: Claim<Contact> = statement(
     "§4.3, Fig. 9",
     "The full system has a larger unstable region than the undamped one",
     |contact| {
@@ -124,7 +124,7 @@ pub(super) const LARGER_REGION: Claim = statement(
     "Unstable share of the map, full against undamped, Fig. 9a; 9b.",
 );
 
-pub(super) const PREVAILING: Claim = statement(
+pub(super) const PREVAILING: Claim<Contact> = statement(
     "§4.3, Figs. 9, 10",
     "At intermediate speed negative damping (Stribeck) prevails",
     |contact| {
@@ -145,7 +145,7 @@ pub(super) const PREVAILING: Claim = statement(
      force or unequal damping, which the paper does not name.",
 );
 
-pub(super) const DECOUPLED: Claim = misprint(
+pub(super) const DECOUPLED: Claim<Contact> = misprint(
     "§4.3",
     "For $η$ = 0 the two modes are decoupled",
     |contact| {
@@ -162,7 +162,7 @@ pub(super) const DECOUPLED: Claim = misprint(
     "$k_{12c}$ and $c_{21}$ stay, and couple them through $p_{1}$; the equilibrium moves too. Unstable share with $η$ = 0, Fig. 9a; 9b.",
 );
 
-pub(super) const FIG_10_ENDS: Claim = statement(
+pub(super) const FIG_10_ENDS: Claim<Contact> = statement(
     "§4.3, Fig. 10",
     "(28) matches the full boundary only at low and high speed",
     |contact| {
@@ -180,7 +180,7 @@ pub(super) const FIG_10_ENDS: Claim = statement(
     "Highest threshold of the full system over that of (28) at $v̂_{d}$ = 10^{−8}, 10^{−4}, 10^{2}, $τ̃_{0}$ = 0.01.",
 );
 
-pub(super) const FIG_10_ENLARGES: Claim = statement(
+pub(super) const FIG_10_ENLARGES: Claim<Contact> = statement(
     "§4.3, Fig. 10",
     "The unstable region grows with the shear strength",
     |contact| {

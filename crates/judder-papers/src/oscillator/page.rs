@@ -5,15 +5,16 @@ use super::claims::motion::MOTION_CLAIMS;
 use super::exhibits::{CONTACT_CASES, EXHIBITS, Exhibit};
 use super::motion_exhibits::{MOTION_CASES, WAYS};
 use super::readings::READINGS;
-use super::scoreboard::{self, ClaimLine};
-use super::{KEY, analysis_name, by_law, computed_for, contact_figures, is_done, motion_figures, tally};
-use crate::error::StudyError;
-use crate::ledger::Keepsakes;
-use crate::pictures;
-use crate::report::{check_rows, facts, warnings, write_figure, write_page};
+use super::{analysis_name, by_law, computed_for, contact_figures, motion_figures};
+use crate::claim::{self, ClaimLine};
+use crate::{KEY, is_done, tally};
 use judder_report::page::{Code, Details, Table};
 use judder_report::{Block, Figure, Legend, Page, Section};
 use judder_store::{StudyFolder, Summary};
+use judder_study::StudyError;
+use judder_study::ledger::Keepsakes;
+use judder_study::pictures;
+use judder_study::report::{check_rows, facts, warnings, write_figure, write_page};
 use rayon::prelude::*;
 use serde_json::Value;
 use std::path::PathBuf;
@@ -28,7 +29,7 @@ const LAWS: [(usize, &str, &str); 3] = [
 const BY_LAW: [(usize, &str); 3] = [(0, "as printed"), (2, "corrected axis"), (4, "computed")];
 
 /// Draws every figure of the paper and the page.
-pub(super) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, StudyError> {
+pub(crate) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, StudyError> {
     let lines: Vec<ClaimLine> = summary
         .extra
         .get(KEY)
@@ -82,15 +83,15 @@ fn boards(lines: &[ClaimLine], computed_for: &str) -> Vec<Block> {
              as printed and corrected, and with the law computed for {computed_for}. A verdict is about the printed law; the other columns show what the \
              correction and the computation do to it."
         )),
-        Block::Scoreboard(scoreboard::block(sections, &readings)),
+        Block::Scoreboard(claim::block(sections, &readings)),
         Block::Heading("Motion".to_owned()),
         Block::text(motion_figures::decision(motions)),
-        Block::Scoreboard(scoreboard::block(motions, &ways)),
+        Block::Scoreboard(claim::block(motions, &ways)),
         Block::Heading("The contact computation".to_owned()),
         Block::text(
             "Appendices A and B, from contacts that were computed anew. A verdict is about the number that the paper prints.",
         ),
-        Block::Scoreboard(scoreboard::block(contact, &BY_LAW)),
+        Block::Scoreboard(claim::block(contact, &BY_LAW)),
     ]
 }
 

@@ -4,15 +4,16 @@ mod thresholds;
 
 use super::exhibits::{EXHIBITS, Source};
 use super::readings::{READINGS, ReadLaw, Reading};
-use super::{analysis_name, computed_for, is_done};
-use crate::error::StudyError;
-use crate::pictures::{axis, reals};
-use crate::report::write_figure;
+use super::{analysis_name, computed_for};
+use crate::is_done;
 use judder_oscillator::mechanism::StabilityClass;
 use judder_report::figure::{Class, ClassMap};
 use judder_report::page::Table;
 use judder_report::{Block, Figure, Layer, Panel, Role, Section};
 use judder_store::{Data, Dataset, StudyFolder, Summary};
+use judder_study::StudyError;
+use judder_study::pictures::{axis, reals};
+use judder_study::report::write_figure;
 
 /// The loads that friction can act on.
 const LOADS: [&str; 2] = ["normal-load", "contact-force"];

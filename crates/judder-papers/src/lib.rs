@@ -1,0 +1,71 @@
+//! The papers, recomputed: their figures, and what their text claims, with a scoreboard.
+//!
+//! - `claim`: a claim, what it is measured on, its line of the scoreboard.
+//! - `oscillator`: a sphere on rubber with two degrees of freedom.
+//! - `beams`: two beams in sliding contact.
+
+mod beams;
+mod claim;
+mod oscillator;
+
+use judder_store::{Status, Summary};
+use judder_study::ledger::Keepsakes;
+use judder_study::{StudyError, report};
+use std::path::{Path, PathBuf};
+
+pub use beams::beams_paper;
+pub use claim::ClaimLine;
+pub use oscillator::oscillator_paper;
+
+/// Where a summary keeps that it is a reproduction, and its scoreboard.
+const KEY: &str = "reproduction";
+
+/// What a reproduction left.
+#[derive(Debug, Clone)]
+pub struct Reproduction {
+    /// The study folder.
+    pub folder: PathBuf,
+    /// Its `report.html`.
+    pub report: PathBuf,
+    /// Heads of the columns of our numbers.
+    pub columns: Vec<String>,
+    /// What the paper says, and what we find.
+    pub scoreboard: Vec<ClaimLine>,
+    /// Whether every result is there.
+    pub complete: bool,
+}
+
+/// Rebuilds figures and `report.html` of any study folder from its stored results; returns the page's path.
+///
+/// # Errors
+/// A folder without results, damaged results, or a folder that cannot be written.
+pub fn rebuild(folder: &Path) -> Result<PathBuf, StudyError> {
+    let (store, summary) = report::stored(folder)?;
+    let Some(own) = summary.extra.get(KEY) else { return report::write(&store, &summary) };
+    match own.get("paper").and_then(serde_json::Value::as_str) {
+        Some(beams::PAPER) => beams::page::write(&store, &summary),
+        _ => oscillator::page::write(&store, &summary),
+    }
+}
+
+/// How many claims and checks of a reproduction came out how, in a sentence each.
+fn tally(lines: &[ClaimLine], kept: &Keepsakes) -> String {
+    let count = |verdict: &str| lines.iter().filter(|line| line.verdict == verdict).count();
+    let misprints = match count("misprint") {
+        0 => String::new(),
+        count => format!(" {count} are misprints whose right value is known,"),
+    };
+    let checks = kept.checks.values().flatten().count();
+    let passed = kept.checks.values().flatten().filter(|check| check.passed()).count();
+    format!(
+        "Of {} claims {} agree,{misprints} {} are open. {passed} of {checks} checks are within their limits.",
+        lines.len(),
+        count("agrees"),
+        count("open")
+    )
+}
+
+/// Whether an analysis of a summary has its result.
+fn is_done(summary: &Summary, name: &str) -> bool {
+    summary.analyses.get(name).is_some_and(|record| record.status == Status::Done)
+}

@@ -3,7 +3,7 @@
 //! - [`matrix`]: sparse matrices of Matrix Market, Abaqus, MATLAB and SciPy; [`system`] checks that they make one.
 //! - [`mesh_file`]: meshes of Gmsh, Abaqus and CalculiX, with sets, materials and sections.
 //! - [`freedom_table`]: what the rows of such matrices are.
-//! - [`geometry`]: what is drawn, with displacements at its nodes; [`vtu`] writes it for ParaView, [`universal`] for test engineers.
+//! - [`geometry`]: what is drawn, with displacements at its nodes; [`vtu`] writes it for ParaView, [`square_cells`] fields on a plane of cells, [`universal`] for test engineers.
 //! - [`wav`]: signals as sound.
 //! - [`matrix_market`]: matrices for other programs; [`whole_file`]: files whole or not at all.
 
@@ -17,6 +17,7 @@ pub mod matrix_market;
 pub mod mesh_file;
 mod npy;
 mod quoted;
+pub mod square_cells;
 pub mod system;
 mod text;
 pub mod universal;

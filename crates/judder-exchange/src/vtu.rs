@@ -14,7 +14,7 @@ use std::f64::consts::TAU;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// A field of one number or vector a node.
+/// A field of one number or vector a node, or a cell.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Field {
     /// Its name in ParaView.
@@ -23,7 +23,7 @@ pub struct Field {
     pub values: Values,
 }
 
-/// The values of a field, one a node.
+/// The values of a field, one a node or one a cell.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Values {
     /// Numbers.
@@ -33,7 +33,7 @@ pub enum Values {
 }
 
 impl Values {
-    fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         match self {
             Self::Scalars(values) => values.len(),
             Self::Vectors(values) => values.len(),
@@ -68,60 +68,87 @@ pub fn write_vtu(to: &mut dyn Write, geometry: &Geometry, fields: &[Field]) -> R
     if let Some(field) = fields.iter().find(|field| field.values.len() != said) {
         return Err(Cause::WrongCount { what: "values of a field", said, found: field.values.len() }.into());
     }
-    Ok(write(to, geometry, fields)?)
+    Ok(write_piece(to, &Piece::from(geometry), Some(fields), None)?)
 }
 
-fn write(to: &mut dyn Write, geometry: &Geometry, fields: &[Field]) -> io::Result<()> {
-    let points = geometry.places.len();
-    let cells = if geometry.cells.is_empty() { points } else { geometry.cells.len() };
-    writeln!(
-        to,
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" \
-         header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n<UnstructuredGrid>\n\
-         <Piece NumberOfPoints=\"{points}\" NumberOfCells=\"{cells}\">\n<PointData>"
-    )?;
-    for field in fields {
-        let name = escaped(&field.name);
-        match &field.values {
-            Values::Scalars(values) => {
-                array(to, &format!("type=\"Float64\" Name=\"{name}\""), &bytes(values.iter().copied()))?;
-            }
-            Values::Vectors(values) => {
-                let attributes = format!("type=\"Float64\" Name=\"{name}\" NumberOfComponents=\"3\"");
-                array(to, &attributes, &bytes(values.iter().flatten().copied()))?;
-            }
+/// Points and cells as they stand in a file.
+pub(crate) struct Piece {
+    /// Three coordinates a point.
+    pub(crate) places: Vec<u8>,
+    /// The points of one cell after the other.
+    pub(crate) connectivity: Vec<u8>,
+    /// Where each cell ends among them.
+    pub(crate) ends: Vec<u8>,
+    /// VTK's number of the kind of each cell.
+    pub(crate) types: Vec<u8>,
+}
+
+impl From<&Geometry> for Piece {
+    fn from(geometry: &Geometry) -> Self {
+        let places = array_bytes(geometry.places.iter().flatten().copied());
+        if geometry.cells.is_empty() {
+            let points = geometry.places.len();
+            let (connectivity, ends) = (index_bytes(0..points), index_bytes(1..=points));
+            return Self { places, connectivity, ends, types: vec![VERTEX; points] };
         }
-    }
-    writeln!(to, "</PointData>\n<Points>")?;
-    let places = bytes(geometry.places.iter().flatten().copied());
-    array(to, "type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"", &places)?;
-    writeln!(to, "</Points>\n<Cells>")?;
-    write_cells(to, geometry)?;
-    writeln!(to, "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>")
-}
-
-fn write_cells(to: &mut dyn Write, geometry: &Geometry) -> io::Result<()> {
-    let (connectivity, ends, types): (Vec<usize>, Vec<usize>, Vec<u8>) = if geometry.cells.is_empty() {
-        let points = geometry.places.len();
-        ((0..points).collect(), (1..=points).collect(), vec![VERTEX; points])
-    } else {
         let mut end = 0;
         let ends = geometry.cells.iter().map(|(_, nodes)| {
             end += nodes.len();
             end
         });
-        (
-            geometry.cells.iter().flat_map(|(_, nodes)| nodes.iter().copied()).collect(),
-            ends.collect(),
-            geometry.cells.iter().map(|(kind, _)| cell_type(*kind)).collect(),
-        )
-    };
-    let whole = |numbers: &[usize]| -> Vec<u8> {
-        numbers.iter().flat_map(|number| (*number as i64).to_le_bytes()).collect()
-    };
-    array(to, "type=\"Int64\" Name=\"connectivity\"", &whole(&connectivity))?;
-    array(to, "type=\"Int64\" Name=\"offsets\"", &whole(&ends))?;
-    array(to, "type=\"UInt8\" Name=\"types\"", &types)
+        Self {
+            places,
+            ends: index_bytes(ends),
+            connectivity: index_bytes(geometry.cells.iter().flat_map(|(_, nodes)| nodes.iter().copied())),
+            types: geometry.cells.iter().map(|(kind, _)| cell_type(*kind)).collect(),
+        }
+    }
+}
+
+/// Writes a file of one piece, with the fields of its points, of its cells, or of both.
+pub(crate) fn write_piece(
+    to: &mut dyn Write,
+    piece: &Piece,
+    of_points: Option<&[Field]>,
+    of_cells: Option<&[Field]>,
+) -> io::Result<()> {
+    let (points, cells) = (piece.places.len() / 24, piece.types.len());
+    writeln!(
+        to,
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" \
+         header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n<UnstructuredGrid>\n\
+         <Piece NumberOfPoints=\"{points}\" NumberOfCells=\"{cells}\">"
+    )?;
+    write_fields(to, "PointData", of_points)?;
+    writeln!(to, "<Points>")?;
+    array(to, "type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"", &piece.places)?;
+    writeln!(to, "</Points>\n<Cells>")?;
+    array(to, "type=\"Int64\" Name=\"connectivity\"", &piece.connectivity)?;
+    array(to, "type=\"Int64\" Name=\"offsets\"", &piece.ends)?;
+    array(to, "type=\"UInt8\" Name=\"types\"", &piece.types)?;
+    writeln!(to, "</Cells>")?;
+    write_fields(to, "CellData", of_cells)?;
+    writeln!(to, "</Piece>\n</UnstructuredGrid>\n</VTKFile>")
+}
+
+/// The fields of points or of cells, where there are any to be written.
+fn write_fields(to: &mut dyn Write, owner: &str, fields: Option<&[Field]>) -> io::Result<()> {
+    let Some(fields) = fields else { return Ok(()) };
+    writeln!(to, "<{owner}>")?;
+    for field in fields {
+        let name = escaped(&field.name);
+        match &field.values {
+            Values::Scalars(values) => {
+                let numbers = array_bytes(values.iter().copied());
+                array(to, &format!("type=\"Float64\" Name=\"{name}\""), &numbers)?;
+            }
+            Values::Vectors(values) => {
+                let attributes = format!("type=\"Float64\" Name=\"{name}\" NumberOfComponents=\"3\"");
+                array(to, &attributes, &array_bytes(values.iter().flatten().copied()))?;
+            }
+        }
+    }
+    writeln!(to, "</{owner}>")
 }
 
 const VERTEX: u8 = 1;
@@ -138,8 +165,14 @@ fn cell_type(kind: ElementKind) -> u8 {
     }
 }
 
-fn bytes(values: impl Iterator<Item = f64>) -> Vec<u8> {
+/// Numbers as a file holds them.
+pub(crate) fn array_bytes(values: impl Iterator<Item = f64>) -> Vec<u8> {
     values.flat_map(f64::to_le_bytes).collect()
+}
+
+/// Indices as a file holds them.
+pub(crate) fn index_bytes(indices: impl Iterator<Item = usize>) -> Vec<u8> {
+    indices.flat_map(|index| (index as i64).to_le_bytes()).collect()
 }
 
 /// One array as one compressed block: the number of blocks, their size, that of the last, the compressed size; the block.

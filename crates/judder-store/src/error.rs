@@ -112,16 +112,6 @@ pub enum StoreError {
         /// The name.
         name: String,
     },
-    /// A field that does not fill its cells.
-    #[error("the field `{name}` has {found} values for {expected} cells; it needs one a cell")]
-    FieldSize {
-        /// The field.
-        name: String,
-        /// The number of cells.
-        expected: usize,
-        /// The number of values.
-        found: usize,
-    },
     /// Two things of one name.
     #[error("there are two {what}s named `{name}`; each needs a name of its own")]
     Duplicate {

@@ -17,7 +17,6 @@
 //! - [`SweepLayout`], [`SweepStore`] (`sweep.rs`): many points, computed chunk by chunk by any number of processes.
 //! - `zarr.rs`, `array.rs`: one dataset as one group of the Zarr v3 store `results.zarr`, and its arrays; `metadata.rs`: the metadata of its groups,
 //!   consolidated so that one read opens all; `staging.rs`: the atomic write under all of the above.
-//! - [`vtu()`], [`Quads`] (`vtu.rs`): fields on square cells for ParaView.
 //! - [`content_hash`] (`hash.rs`) names a case or an analysis by its content.
 //! - [`StoreError`] (`error.rs`): what can go wrong, and what to do about it.
 
@@ -39,7 +38,6 @@ mod summary;
 mod sweep;
 mod table;
 mod variable;
-mod vtu;
 mod zarr;
 
 pub use dataset::Dataset;
@@ -58,4 +56,3 @@ pub use sweep::{
 };
 pub use table::{Cells, Table};
 pub use variable::{Data, Variable};
-pub use vtu::{Quads, vtu};

@@ -1,8 +1,11 @@
 //! What an analysis leaves.
 
+use crate::error::StudyError;
+use judder_exchange::ExchangeError;
 use judder_store::{Dataset, Table};
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Map, Value};
+use std::io::Write;
 
 /// Scalars, arrays, a table, checks and warnings of one analysis.
 #[derive(Debug, Clone, Default)]
@@ -157,6 +160,15 @@ impl From<f64> for Disagreement {
 /// JSON has no infinity and writes `null` for it.
 fn number_or_infinite<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
     Ok(Option::deserialize(deserializer)?.unwrap_or(f64::INFINITY))
+}
+
+/// What a writer writes, in memory: the study folder writes files whole or not at all.
+pub(crate) fn written(
+    write: impl FnOnce(&mut dyn Write) -> Result<(), ExchangeError>,
+) -> Result<Vec<u8>, StudyError> {
+    let mut bytes = Vec::new();
+    write(&mut bytes).map_err(|error| StudyError::Fields(error.to_string()))?;
+    Ok(bytes)
 }
 
 #[cfg(test)]

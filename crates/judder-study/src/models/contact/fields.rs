@@ -2,13 +2,16 @@
 
 use crate::error::StudyError;
 use crate::material::ContactScales;
+use crate::outcome::written;
 use judder_contact::periodic_contact::level::PeriodicLevel;
 use judder_contact::steady::level::Level;
 use judder_contact::steady::profile::Profile;
 use judder_contact::steady::refinement::{LevelSummary, Refinement};
 use judder_contact::surface::grid::SurfaceGrid;
 use judder_contact::unilateral::UnilateralSolution;
-use judder_store::{Dataset, Quads, Variable, vtu};
+use judder_exchange::square_cells::SquareCells;
+use judder_exchange::vtu::{Field, Values};
+use judder_store::{Dataset, Variable};
 
 /// The fields of one contact, row-major, lengths in R, pressures in E0*.
 pub(super) struct Fields<'a> {
@@ -126,12 +129,17 @@ impl<'a> Fields<'a> {
     /// The fields as cells of a grid for ParaView: lengths in R, pressures in E0*.
     pub(super) fn vtu(&self) -> Result<Vec<u8>, StudyError> {
         let grid = &self.grid;
-        let quads = Quads { columns: grid.columns, rows: grid.rows, side: grid.cell, origin: grid.origin };
+        let cells =
+            SquareCells { columns: grid.columns, rows: grid.rows, side: grid.cell, origin: grid.origin };
+        let field = |name: &str, values: &[f64]| Field {
+            name: name.to_owned(),
+            values: Values::Scalars(values.to_vec()),
+        };
         let fields = [
-            ("pressure", self.solution.pressure.as_slice()),
-            ("gap", &self.solution.gap),
-            ("displacement", &self.displacement),
+            field("pressure", &self.solution.pressure),
+            field("gap", &self.solution.gap),
+            field("displacement", &self.displacement),
         ];
-        Ok(vtu(&quads, &fields)?)
+        written(|to| cells.write_vtu(to, &fields))
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::error::StudyError;
 use crate::models::structure::build::{Layout, Structure};
+use crate::outcome::written;
 use judder_exchange::ExchangeError;
 use judder_exchange::geometry::{Geometry, at_phase};
 use judder_exchange::universal::{
@@ -148,13 +149,4 @@ fn series(
     }
     files.push((format!("fields/{stem}.pvd"), written(|to| write_pvd(to, &frames))?));
     Ok(files)
-}
-
-/// What a writer writes, in memory: the study folder writes files whole or not at all.
-pub(super) fn written(
-    write: impl FnOnce(&mut dyn std::io::Write) -> Result<(), ExchangeError>,
-) -> Result<Vec<u8>, StudyError> {
-    let mut bytes = Vec::new();
-    write(&mut bytes).map_err(|error| StudyError::Fields(error.to_string()))?;
-    Ok(bytes)
 }

@@ -1,10 +1,11 @@
 //! `receptance`: each frequency solved twice, by the matrices and by their transposes.
 
-use super::super::fields::{label_shift, written};
+use super::super::fields::label_shift;
 use super::settings::{NotOneFreedom, Place, Receptance};
 use crate::error::StudyError;
 use crate::models::structure::build::{Layout, Structure, points_of};
 use crate::models::structure::case::StructureCase;
+use crate::outcome::written;
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
 use judder_exchange::ExchangeError;

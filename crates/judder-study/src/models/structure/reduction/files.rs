@@ -1,8 +1,9 @@
 //! The reduced structure as files for other programs: matrices, kept freedoms, receptances.
 
-use super::super::fields::{label_shift, written};
+use super::super::fields::label_shift;
 use crate::error::StudyError;
 use crate::models::structure::build::{Layout, Structure};
+use crate::outcome::written;
 use faer::Mat;
 use faer::sparse::Triplet;
 use judder_exchange::ExchangeError;

@@ -2,7 +2,8 @@
 
 use crate::cause::Cause;
 use crate::error::ExchangeError;
-use crate::vtu::{Field, Piece, array_bytes, index_bytes, write_piece};
+use crate::vtu::{Field, Piece, array_bytes, cell_type, index_bytes, write_piece};
+use judder_structure::element::ElementKind;
 use std::io::Write;
 
 /// A rectangle of square cells in the plane z = 0; fields on it are row-major with x fastest.
@@ -17,9 +18,6 @@ pub struct SquareCells {
     /// The corner with the smallest x and y, in the same unit.
     pub origin: [f64; 2],
 }
-
-/// VTK's number of a quadrilateral.
-const QUADRILATERAL: u8 = 9;
 
 impl SquareCells {
     /// Writes the cells with fields on them, one value a cell.
@@ -51,7 +49,7 @@ impl SquareCells {
             places: array_bytes((0..points_a_row * (self.rows + 1)).flat_map(corner)),
             connectivity: index_bytes((0..cells).flat_map(corners_of)),
             ends: index_bytes((1..=cells).map(|cell| 4 * cell)),
-            types: vec![QUADRILATERAL; cells],
+            types: vec![cell_type(ElementKind::Quad4); cells],
         }
     }
 }

@@ -105,7 +105,7 @@ impl From<&Geometry> for Piece {
     }
 }
 
-/// Writes a file of one piece, with the fields of its points, of its cells, or of both.
+/// Writes a file of one piece, with the fields of its points or of its cells.
 pub(crate) fn write_piece(
     to: &mut dyn Write,
     piece: &Piece,
@@ -154,7 +154,7 @@ fn write_fields(to: &mut dyn Write, owner: &str, fields: Option<&[Field]>) -> io
 const VERTEX: u8 = 1;
 
 /// VTK's number of a kind; its order of nodes is ours.
-fn cell_type(kind: ElementKind) -> u8 {
+pub(crate) fn cell_type(kind: ElementKind) -> u8 {
     match kind {
         ElementKind::Quad4 => 9,
         ElementKind::Quad8 => 23,

@@ -14,15 +14,6 @@ use std::path::{Path, PathBuf};
 /// Pixels per typographic point in the PNG figures: 216 dots per inch.
 const PIXELS_PER_POINT: f64 = 3.0;
 
-/// Rebuilds figures and `report.html` of a study folder from its stored results; returns the page's path.
-///
-/// # Errors
-/// A folder without results, damaged results, or a folder that cannot be written.
-pub fn rebuild(folder: &Path) -> Result<PathBuf, StudyError> {
-    let (store, summary) = stored(folder)?;
-    write(&store, &summary)
-}
-
 /// A study folder that has results, and what it says of them.
 ///
 /// # Errors
@@ -36,7 +27,10 @@ pub fn stored(folder: &Path) -> Result<(StudyFolder, Summary), StudyError> {
     }
 }
 
-/// Draws all figures and the page.
+/// Draws all figures and the page; returns the page's path.
+///
+/// # Errors
+/// Damaged results, or a folder that cannot be written.
 pub fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, StudyError> {
     let kept = Keepsakes::of(summary);
     let mut sections = Vec::new();

@@ -73,6 +73,6 @@ struct CaseArguments {
 impl CaseArguments {
     /// Reads the case with the changes applied.
     fn read(&self) -> Result<CaseFile, Failure> {
-        Ok(CaseFile::read(&self.case, &self.overrides)?)
+        Ok(judder_models::read(&self.case, &self.overrides)?)
     }
 }

@@ -6,6 +6,7 @@ use std::path::Path;
 
 use judder_explorer::ExplorerError;
 use judder_keys::error::CaseError;
+use judder_models::ModelError;
 use judder_study::StudyError;
 use judder_study::run::RefusedAnalysis;
 use miette::{Diagnostic, Severity};
@@ -205,12 +206,19 @@ impl From<StudyError> for Failure {
                 0 => "it has none at all".to_owned(),
                 _ => format!("it has {}", known.join(", ")),
             }),
-            StudyError::WrongModel { command, model } => Message::error(format!(
-                "`judder {command}` takes an oscillator case; this one is of model `{model}`"
-            ))
-            .with_help("`judder check` and `judder run` take it"),
-            error => Message::from_sentence(&error),
+            error => match ModelError::of(&error) {
+                Some(wrong @ ModelError::WrongModel { .. }) => {
+                    Message::error(wrong.to_string()).with_help("`judder check` and `judder run` take it")
+                }
+                _ => Message::from_sentence(&error),
+            },
         };
         Self { exit, diagnostic: Box::new(message), others: Vec::new() }
+    }
+}
+
+impl From<ModelError> for Failure {
+    fn from(error: ModelError) -> Self {
+        StudyError::from(error).into()
     }
 }

@@ -11,11 +11,11 @@ pub(crate) mod session;
 pub(crate) mod study;
 
 use crate::refusal::Refusal;
-use judder_study::bridge;
+use judder_models::bridge;
+use judder_models::contact::case::ContactCase;
+use judder_models::oscillator::case::OscillatorCase;
+use judder_models::oscillator::inputs::OscillatorInputs;
 use judder_study::case::file::{Case, CaseFile};
-use judder_study::models::contact::case::ContactCase;
-use judder_study::models::oscillator::case::OscillatorCase;
-use judder_study::models::oscillator::inputs::OscillatorInputs;
 
 /// The numeric keys of a case that has them, with what its material says: an oscillator, or a contact's substrate and indenter.
 pub(crate) fn inputs(file: &CaseFile) -> Result<OscillatorInputs, Refusal> {

@@ -4,7 +4,7 @@ use crate::refusal::{ENDING, Refusal};
 use crate::routes::Site;
 use crate::subject::Subject;
 use axum::http::StatusCode;
-use judder_study::{Progress, StudyError};
+use judder_study::Progress;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -26,7 +26,7 @@ pub(crate) struct Attention {
 
 impl Attention {
     /// The error of a computation: of an interrupted one, the reason.
-    pub(crate) fn refusal(&self, error: StudyError) -> Refusal {
+    pub(crate) fn refusal(&self, error: impl Into<Refusal>) -> Refusal {
         if !self.interrupted() {
             return error.into();
         }
@@ -108,7 +108,7 @@ mod tests {
     fn told(closing: bool, start: Instant) -> String {
         let attention =
             Attention { left: Arc::default(), closing: Arc::new(AtomicBool::new(closing)), start };
-        attention.refusal(StudyError::Interrupted).document()["message"].to_string()
+        attention.refusal(judder_study::StudyError::Interrupted).document()["message"].to_string()
     }
 
     #[test]

@@ -4,6 +4,7 @@ use axum::Json;
 use axum::http::StatusCode;
 use axum::response::{IntoResponse, Response};
 use judder_keys::error::CaseError;
+use judder_models::ModelError;
 use judder_study::StudyError;
 use serde_json::{Value, json};
 
@@ -80,6 +81,12 @@ impl From<StudyError> for Refusal {
             StudyError::Case(error) => error.into(),
             error => Self::new(StatusCode::UNPROCESSABLE_ENTITY, error.to_string()),
         }
+    }
+}
+
+impl From<ModelError> for Refusal {
+    fn from(error: ModelError) -> Self {
+        StudyError::from(error).into()
     }
 }
 

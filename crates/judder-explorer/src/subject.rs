@@ -3,12 +3,12 @@
 use crate::error::ExplorerError;
 use crate::refusal::Refusal;
 use judder_keys::file_reference::FileReference;
+use judder_models::law_cache::LawCache;
+use judder_models::sliding::case::SlidingCase;
+use judder_models::sliding_shapes::{ShapedPair, SlidingShapes};
+use judder_models::template::{TEMPLATES, template};
 use judder_study::StudyError;
 use judder_study::case::file::CaseFile;
-use judder_study::case::template::{TEMPLATES, template};
-use judder_study::law_cache::LawCache;
-use judder_study::models::sliding::case::SlidingCase;
-use judder_study::sliding_shapes::{ShapedPair, SlidingShapes};
 use judder_study::study_view::StudyView;
 use std::fmt;
 use std::path::Path;
@@ -45,12 +45,12 @@ impl Subject {
     /// # Errors
     /// A case that is wrong, a folder without a study.
     pub fn open(case: Option<&Path>, study: Option<&Path>) -> Result<Self, ExplorerError> {
-        let given = case.map(|path| CaseFile::read(path, &[])).transpose()?;
+        let given = case.map(|path| judder_models::read(path, &[])).transpose()?;
         let study = study.map(|folder| Studied::open(folder, given.as_ref())).transpose()?;
         let base = match (given, &study) {
             (Some(given), _) => Some(given),
             (None, Some(study)) => study.case.clone(),
-            (None, None) => Some(CaseFile::parse("oscillator.toml", &template(TEMPLATES[0])?, &[])?),
+            (None, None) => Some(judder_models::parse("oscillator.toml", &template(TEMPLATES[0])?, &[])?),
         };
         Ok(Self { base, laws: LawCache::new(), study })
     }
@@ -66,7 +66,7 @@ impl Subject {
     /// What is wrong with them, or no case to set them on.
     pub(crate) fn with(&self, options: &[String]) -> Result<CaseFile, Refusal> {
         let base = self.needed()?;
-        Ok(CaseFile::parse(&base.origin, &base.text, &[&base.overrides, options].concat())?)
+        Ok(judder_models::parse(&base.origin, &base.text, &[&base.overrides, options].concat())?)
     }
 
     /// The base case.
@@ -81,7 +81,7 @@ impl Subject {
 
 impl Studied {
     fn open(folder: &Path, given: Option<&CaseFile>) -> Result<Self, ExplorerError> {
-        let view = StudyView::open(folder)?;
+        let view = StudyView::open(judder_models::REGISTRY, folder)?;
         view.listing()?;
         // a folder may come from anybody: its case reads what lies in it, or what the case that was given reads, and no other file
         let is_own = |case: &CaseFile| case.case.files().iter().all(|file| file.lies_in(folder));

@@ -3,12 +3,13 @@
 use crate::refusal::Refusal;
 use crate::size::check_analysis;
 use crate::subject::Subject;
-use judder_study::case::compose::{compose, contact_case_of};
+use judder_models::belt::case::BELT_KEYS;
+use judder_models::compose;
+use judder_models::contact::case::contact_numbers;
+use judder_models::oscillator::contact_case::contact_case_of;
+use judder_models::oscillator::inputs::{FrictionLoad, LawName};
+use judder_models::oscillator::keys::KEYS;
 use judder_study::case::file::CaseFile;
-use judder_study::models::belt::case::BELT_KEYS;
-use judder_study::models::contact::case::contact_numbers;
-use judder_study::models::oscillator::inputs::{FrictionLoad, LawName};
-use judder_study::models::oscillator::keys::KEYS;
 use serde::Deserialize;
 use serde_json::{Map, Value};
 

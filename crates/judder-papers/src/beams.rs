@@ -9,10 +9,10 @@ mod passage;
 
 use crate::{KEY, Reproduction};
 use found::Found;
+use judder_models::template::template;
 use judder_study::Progress;
 use judder_study::StudyError;
 use judder_study::case::file::CaseFile;
-use judder_study::case::template::template;
 use judder_study::run::{self, Computed, RunOptions};
 
 use serde_json::json;
@@ -62,7 +62,7 @@ fn case(quick: bool, growth: &str) -> Result<CaseFile, StudyError> {
     let text = format!("{system}{ANALYSES}{growth}");
     let start = |march: &&str| format!("analysis.{march}.from={QUICK_START}");
     let overrides: Vec<String> = if quick { MARCHES.iter().map(start).collect() } else { Vec::new() };
-    Ok(CaseFile::parse(PAPER, &text, &overrides)?)
+    Ok(judder_models::parse(PAPER, &text, &overrides)?)
 }
 
 #[cfg(test)]

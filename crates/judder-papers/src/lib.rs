@@ -41,7 +41,9 @@ pub struct Reproduction {
 /// A folder without results, damaged results, or a folder that cannot be written.
 pub fn rebuild(folder: &Path) -> Result<PathBuf, StudyError> {
     let (store, summary) = report::stored(folder)?;
-    let Some(own) = summary.extra.get(KEY) else { return report::write(&store, &summary) };
+    let Some(own) = summary.extra.get(KEY) else {
+        return report::write(judder_models::REGISTRY, &store, &summary);
+    };
     match own.get("paper").and_then(serde_json::Value::as_str) {
         Some(beams::PAPER) => beams::page::write(&store, &summary),
         _ => oscillator::page::write(&store, &summary),

@@ -18,6 +18,8 @@ use claims::motion::Motions;
 use evidence::Evidence;
 use exhibits::{CONTACT_CASES, EXHIBITS, LAW_FILE, Source};
 use judder_keys::file_reference::FileReference;
+use judder_models::oscillator::case::OscillatorCase;
+use judder_models::oscillator::inputs::LawName;
 use judder_store::{StudyFolder, Summary, content_hash};
 use judder_study::Progress;
 use judder_study::StudyError;
@@ -26,8 +28,6 @@ use judder_study::case::file::{Case, CaseFile};
 use judder_study::kept::Kept;
 use judder_study::ledger::Study;
 use judder_study::model::{Prepared, Task};
-use judder_study::models::oscillator::case::OscillatorCase;
-use judder_study::models::oscillator::inputs::LawName;
 use judder_study::outcome::Outcome;
 use judder_study::run::analysis_hash;
 use motion_exhibits::{MotionRun, WAYS};
@@ -155,7 +155,7 @@ fn analysis_name(source: &Source, reading: &Reading) -> String {
 fn runs(folder: &Path, quick: bool) -> Result<Vec<Run>, StudyError> {
     let mut runs = Vec::new();
     for (name, text) in CONTACT_CASES {
-        let mut file = CaseFile::parse(name, text, &[])?;
+        let mut file = judder_models::parse(name, text, &[])?;
         if quick {
             exhibits::thin_out(&mut file.case);
         }
@@ -186,7 +186,7 @@ fn runs(folder: &Path, quick: bool) -> Result<Vec<Run>, StudyError> {
 /// The motions of section 5, and one cycle by three engines.
 fn motion_runs(quick: bool) -> Result<Vec<Run>, StudyError> {
     let run = |MotionRun { name, case_name, case, analysis, overrides }| {
-        let mut file = CaseFile::parse(case_name, case, &overrides)?;
+        let mut file = judder_models::parse(case_name, case, &overrides)?;
         if quick {
             exhibits::thin_out(&mut file.case);
         }
@@ -207,7 +207,7 @@ fn oscillator_case(source: &Source, reading: &Reading) -> Result<CaseFile, Study
         format!("contact.friction_load={}", reading.friction_load),
     ];
     overrides.extend(source.overrides.iter().map(|o| (*o).to_owned()));
-    Ok(CaseFile::parse(source.case_name, source.case, &overrides)?)
+    Ok(judder_models::parse(source.case_name, source.case, &overrides)?)
 }
 
 /// Puts the law of a file in place of the case's own; the file is there by the time the case runs.

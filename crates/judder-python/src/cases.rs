@@ -5,8 +5,8 @@ use crate::errors;
 use crate::watched::{Manner, is_ctrl_c, watched};
 use judder_contact::law::file::to_json;
 use judder_keys::error::CaseError;
+use judder_models::oscillator::case::OscillatorCase;
 use judder_study::case::file::CaseFile;
-use judder_study::models::oscillator::case::OscillatorCase;
 use judder_study::resolve::resolve;
 use judder_study::run::{RunOptions, RunReport, run};
 use judder_study::{StudyError, home};
@@ -31,8 +31,8 @@ pub(crate) enum Source {
 impl Source {
     fn parse(&self, overrides: &[String]) -> Result<CaseFile, CaseError> {
         match self {
-            Self::Text(name, text) => CaseFile::parse(name, text, overrides),
-            Self::File(path) => CaseFile::read(path, overrides),
+            Self::Text(name, text) => judder_models::parse(name, text, overrides),
+            Self::File(path) => judder_models::read(path, overrides),
         }
     }
 

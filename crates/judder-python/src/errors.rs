@@ -7,6 +7,7 @@ use judder_contact::LawError;
 use judder_contact::steady::SteadyError;
 use judder_keys::cause::Cause;
 use judder_keys::error::CaseError;
+use judder_models::ModelError;
 use judder_oscillator::OscillatorError;
 use judder_sliding::SlidingError;
 use judder_store::StoreError;
@@ -129,21 +130,30 @@ pub(crate) fn store(error: &StoreError) -> PyErr {
 
 /// A study without a result: the error of the crate that it comes from, where there is one.
 pub(crate) fn study(error: &StudyError) -> PyErr {
-    let of = |class: &str| exception(class, error.to_string(), &variant(error), |dict| error.put(dict));
+    match (error, ModelError::of(error)) {
+        (_, Some(error)) => model(error),
+        (StudyError::Case(error), _) => case(error),
+        (StudyError::Store(error), _) => store(error),
+        (StudyError::Interrupted, _) => interrupted(&error.to_string()),
+        _ => told("StudyError", error),
+    }
+}
+
+/// An analysis without a result: the error of the crate that it comes from, where there is one.
+pub(crate) fn model(error: &ModelError) -> PyErr {
     match error {
-        StudyError::Case(error) => case(error),
-        StudyError::Oscillator(error) => oscillator(error),
-        StudyError::Sliding(error) => sliding(error),
-        StudyError::Contact(error) => contact(error),
-        StudyError::Law(error) => law(error),
-        StudyError::Store(error) => store(error),
-        StudyError::Interrupted => interrupted(&error.to_string()),
-        StudyError::Structure(_) => of("StructureError"),
-        StudyError::Material(_)
-        | StudyError::Indenter(_)
-        | StudyError::Periodic(_)
-        | StudyError::Transient(_) => of("ContactError"),
-        _ => of("StudyError"),
+        ModelError::Study(error) => study(error),
+        ModelError::Oscillator(error) => oscillator(error),
+        ModelError::Sliding(error) => sliding(error),
+        ModelError::Contact(error) => contact(error),
+        ModelError::Law(error) => law(error),
+        ModelError::Interrupted => interrupted(&error.to_string()),
+        ModelError::Structure(_) => told("StructureError", error),
+        ModelError::Material(_)
+        | ModelError::Indenter(_)
+        | ModelError::Periodic(_)
+        | ModelError::Transient(_) => told("ContactError", error),
+        _ => told("StudyError", error),
     }
 }
 

@@ -2,9 +2,7 @@
 
 use crate::case::file::Case;
 use crate::error::StudyError;
-use crate::model::{Prepared, Task};
-pub use crate::models::MotionBlock;
-pub use crate::models::oscillator::{BoundaryCurves, BoundaryKind, boundary_curves};
+use crate::model::{MotionBlock, Prepared, Task};
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
 /// The error of a file that cannot be used.
-pub(crate) fn unusable(path: &Path, reason: &impl Display) -> StudyError {
+pub fn unusable(path: &Path, reason: &impl Display) -> StudyError {
     StudyError::File { path: path.to_owned(), reason: reason.to_string() }
 }
 
@@ -15,7 +15,7 @@ pub(crate) fn unusable(path: &Path, reason: &impl Display) -> StudyError {
 ///
 /// # Errors
 /// [`StudyError::Unreadable`].
-pub(crate) fn bytes(path: &Path) -> Result<Vec<u8>, StudyError> {
+pub fn bytes(path: &Path) -> Result<Vec<u8>, StudyError> {
     std::fs::read(path).map_err(|source| StudyError::Unreadable { path: path.to_owned(), source })
 }
 
@@ -23,7 +23,7 @@ pub(crate) fn bytes(path: &Path) -> Result<Vec<u8>, StudyError> {
 ///
 /// # Errors
 /// [`StudyError::Unreadable`], [`StudyError::File`] with the first byte that is no text.
-pub(crate) fn text(path: &Path) -> Result<String, StudyError> {
+pub fn text(path: &Path) -> Result<String, StudyError> {
     String::from_utf8(bytes(path)?).map_err(|error| {
         let valid = error.utf8_error().valid_up_to();
         let line = error.as_bytes()[..valid].iter().filter(|byte| **byte == b'\n').count() + 1;
@@ -46,7 +46,7 @@ type Stamp = (u64, Option<SystemTime>);
 impl KnownFile {
     /// # Errors
     /// [`StudyError::Unreadable`].
-    pub(crate) fn new(path: &Path) -> Result<Self, StudyError> {
+    pub fn new(path: &Path) -> Result<Self, StudyError> {
         let stamp = Self::stamp_of(path)?;
         Ok(Self { path: path.to_owned(), hash: content_hash(&bytes(path)?), stamp })
     }
@@ -55,7 +55,7 @@ impl KnownFile {
     ///
     /// # Errors
     /// [`StudyError::FileChanged`], [`StudyError::Unreadable`].
-    pub(crate) fn check(&self) -> Result<(), StudyError> {
+    pub fn check(&self) -> Result<(), StudyError> {
         if Self::stamp_of(&self.path)? == self.stamp || content_hash(&bytes(&self.path)?) == self.hash {
             return Ok(());
         }

@@ -1,4 +1,4 @@
-//! What the engine asks of a model and of an analysis; nothing else of them is known outside of [`crate::models`].
+//! What the engine asks of a model and of an analysis; nothing else of them is known here.
 
 use crate::case::analysis::AsAny;
 use crate::case::file::{Case, CaseFile};
@@ -6,7 +6,6 @@ use crate::case::study_sweep::{StudySweep, SweptKey};
 use crate::error::StudyError;
 use crate::kept::Kept;
 use crate::labels::{self, Quantity};
-use crate::models::MotionBlock;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::resolve::Resolved;
@@ -170,7 +169,7 @@ pub trait Analysis<M: Analysed + ?Sized>: AsAny + fmt::Debug + Send + Sync {
     ///
     /// # Errors
     /// The key to blame, and why.
-    fn fits(&self, _of: &M::Known<'_>) -> Result<Result<(), Refusal>, StudyError> {
+    fn fits(&self, _of: &M::Known<'_>) -> Result<Result<(), Refusal>, M::Error> {
         Ok(Ok(()))
     }
 
@@ -178,7 +177,7 @@ pub trait Analysis<M: Analysed + ?Sized>: AsAny + fmt::Debug + Send + Sync {
     ///
     /// # Errors
     /// As [`Analysis::run`].
-    fn admit(&self, _of: &M::Known<'_>) -> Result<(), StudyError> {
+    fn admit(&self, _of: &M::Known<'_>) -> Result<(), M::Error> {
         Ok(())
     }
 
@@ -186,10 +185,10 @@ pub trait Analysis<M: Analysed + ?Sized>: AsAny + fmt::Debug + Send + Sync {
     ///
     /// # Errors
     /// [`StudyError::Interrupted`], or what it is refused for.
-    fn run(&self, of: &M::Subject<'_>, task: Task<'_>) -> Result<Outcome, StudyError>;
+    fn run(&self, of: &M::Subject<'_>, task: Task<'_>) -> Result<Outcome, M::Error>;
 
     /// Which of its own keys is to blame for what it found; `None` where that does not depend on the kind.
-    fn blame(&self, _error: &StudyError) -> Option<Refusal> {
+    fn blame(&self, _error: &M::Error) -> Option<Refusal> {
         None
     }
 
@@ -197,7 +196,7 @@ pub trait Analysis<M: Analysed + ?Sized>: AsAny + fmt::Debug + Send + Sync {
     ///
     /// # Errors
     /// What cannot be read.
-    fn estimate(&self, of: &M::Known<'_>) -> Result<M::Estimate, StudyError>;
+    fn estimate(&self, of: &M::Known<'_>) -> Result<M::Estimate, M::Error>;
 
     /// The names of the analyses whose results it takes up.
     fn takes_up(&self) -> Vec<&str> {
@@ -216,6 +215,8 @@ pub trait Analysed {
     type Known<'a>;
     /// What is told of one before it runs.
     type Estimate;
+    /// What is wrong with one.
+    type Error: Into<StudyError>;
 }
 
 /// A quantity of an operating point, as a column of a sweep.
@@ -259,6 +260,17 @@ pub enum OperatingWork {
     Search,
     /// Microseconds.
     Point,
+}
+
+/// Samples of a motion, one behind the other on its grid of time.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct MotionBlock {
+    /// θ = ω_nx t; the belt's own time.
+    pub time: Vec<f64>,
+    /// Each coordinate with its name in the dataset and its values: `x`, `y`, `velocity_x`, `velocity_y`; without `y` on the belt.
+    pub coordinates: Vec<(&'static str, Vec<f64>)>,
+    /// 0 stick, 1 slip, 2 slip ahead, 3 lift-off.
+    pub contact_state: Vec<u8>,
 }
 
 /// How an analysis is run.
@@ -347,4 +359,11 @@ impl Refusal {
             Self::Path(path, cause) => file.error(path, cause),
         }
     }
+}
+
+/// What a run found wrong with an analysis, at its place in the case file where a key is to blame.
+pub fn placed(error: StudyError, file: &CaseFile, index: usize) -> StudyError {
+    let names = file.case.analysis_names();
+    let Some(name) = names.get(index) else { return error };
+    file.case.blamed(&error, Place { file, index, name }).map_or(error, StudyError::from)
 }

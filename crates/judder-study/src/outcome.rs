@@ -1,11 +1,8 @@
 //! What an analysis leaves.
 
-use crate::error::StudyError;
-use judder_exchange::ExchangeError;
 use judder_store::{Dataset, Table};
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Map, Value};
-use std::io::Write;
 
 /// Scalars, arrays, a table, checks and warnings of one analysis.
 #[derive(Debug, Clone, Default)]
@@ -30,7 +27,7 @@ pub struct Outcome {
 
 impl Outcome {
     /// Adds to the scalars of each curve what its part of the results makes: with a family there is an object a curve.
-    pub(crate) fn add_to_curves<'a, T: 'a>(
+    pub fn add_to_curves<'a, T: 'a>(
         &mut self,
         parts: impl Iterator<Item = &'a [T]>,
         add: impl Fn(&mut Map<String, Value>, &[T]),
@@ -73,7 +70,7 @@ pub struct Disagreement {
 
 impl CheckRecord {
     /// What is checked, what was compared with what, how far it was off and what that may be at most.
-    pub(crate) fn new(
+    pub fn new(
         name: impl Into<String>,
         compared: impl Into<String>,
         found: Disagreement,
@@ -115,18 +112,18 @@ impl CheckRecord {
 
 impl Disagreement {
     /// Takes one more number into account; a disagreement that is no number is infinite, one below zero is none.
-    pub(crate) fn add(&mut self, disagreement: f64) {
+    pub fn add(&mut self, disagreement: f64) {
         self.figure = if disagreement.is_nan() { f64::INFINITY } else { self.figure.max(disagreement) };
         self.numbers += 1;
     }
 
     /// How many numbers were compared.
-    pub(crate) fn numbers(&self) -> usize {
+    pub fn numbers(&self) -> usize {
         self.numbers
     }
 
     /// The number of exceptions.
-    pub(crate) fn exceptions(is_wrong: impl IntoIterator<Item = bool>) -> Self {
+    pub fn exceptions(is_wrong: impl IntoIterator<Item = bool>) -> Self {
         let of = |so_far: Self, wrong: bool| Self {
             figure: so_far.figure + f64::from(u8::from(wrong)),
             numbers: so_far.numbers + 1,
@@ -135,7 +132,7 @@ impl Disagreement {
     }
 
     /// The share of exceptions.
-    pub(crate) fn share(is_wrong: impl IntoIterator<Item = bool>) -> Self {
+    pub fn share(is_wrong: impl IntoIterator<Item = bool>) -> Self {
         let Self { figure, numbers } = Self::exceptions(is_wrong);
         Self { figure: figure / numbers.max(1) as f64, numbers }
     }
@@ -160,15 +157,6 @@ impl From<f64> for Disagreement {
 /// JSON has no infinity and writes `null` for it.
 fn number_or_infinite<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
     Ok(Option::deserialize(deserializer)?.unwrap_or(f64::INFINITY))
-}
-
-/// What a writer writes, in memory: the study folder writes files whole or not at all.
-pub(crate) fn written(
-    write: impl FnOnce(&mut dyn Write) -> Result<(), ExchangeError>,
-) -> Result<Vec<u8>, StudyError> {
-    let mut bytes = Vec::new();
-    write(&mut bytes).map_err(|error| StudyError::Fields(error.to_string()))?;
-    Ok(bytes)
 }
 
 #[cfg(test)]

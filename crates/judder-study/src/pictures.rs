@@ -3,40 +3,54 @@
 pub(crate) mod sweep;
 
 use crate::case::analysis::Picture;
-use crate::models::all_kinds;
+use crate::registry::Registry;
 use judder_report::{Axis, Figure, Panel, Role};
 use judder_store::{Data, Dataset, Variable};
 use num_complex::Complex64;
 
 /// Width over height of the frame of a panel: lengths along x and y shall look alike.
-pub(crate) const FRAME: f64 = 206.0 / 152.0;
+pub const FRAME: f64 = 206.0 / 152.0;
 
-/// The figure of an analysis; `None` where its result is not a picture.
-#[must_use]
-pub fn figure(name: &str, title: &str, dataset: &Dataset) -> Option<Figure> {
-    let panels = panels(dataset);
-    (!panels.is_empty()).then(|| Figure::new(name, title, panels).with_caption(caption(dataset)))
+impl Registry {
+    /// The figure of an analysis; `None` where its result is not a picture.
+    #[must_use]
+    pub fn figure(self, name: &str, title: &str, dataset: &Dataset) -> Option<Figure> {
+        let panels = self.panels(dataset);
+        (!panels.is_empty()).then(|| Figure::new(name, title, panels).with_caption(self.caption(dataset)))
+    }
+
+    /// The kinds of analyses that have a figure.
+    pub fn drawn_kinds(self) -> impl Iterator<Item = &'static str> {
+        self.kinds().filter_map(|(name, picture)| picture.map(|_| name))
+    }
+
+    /// The panels of an analysis, to be put together with those of others.
+    #[must_use]
+    pub fn panels(self, dataset: &Dataset) -> Vec<Panel> {
+        self.picture(dataset).and_then(|own| (own.draw)(dataset)).unwrap_or_default()
+    }
+
+    /// What stands under the figure of a kind.
+    #[must_use]
+    pub fn caption(self, dataset: &Dataset) -> &'static str {
+        self.picture(dataset).map_or("", |own| own.caption)
+    }
+
+    fn picture(self, dataset: &Dataset) -> Option<&'static Picture> {
+        let kind = dataset.attributes().get("kind")?.as_str()?;
+        self.kinds().find_map(|(name, picture)| picture.filter(|_| name == kind))
+    }
 }
 
-/// The kinds of analyses that have a figure.
-pub fn kinds() -> impl Iterator<Item = &'static str> {
-    all_kinds().filter_map(|(name, picture)| picture.map(|_| name))
-}
+/// Points along each side of a drawn map: more than a panel has pixels would only make the page heavy.
+pub(crate) const DRAWN_SIDE: usize = 400;
 
-/// The panels of an analysis, to be put together with those of others.
-#[must_use]
-pub fn panels(dataset: &Dataset) -> Vec<Panel> {
-    own(dataset).and_then(|own| (own.draw)(dataset)).unwrap_or_default()
-}
-
-/// What stands under the figure of a kind.
-pub fn caption(dataset: &Dataset) -> &'static str {
-    own(dataset).map_or("", |own| own.caption)
-}
-
-fn own(dataset: &Dataset) -> Option<&'static Picture> {
-    let kind = dataset.attributes().get("kind")?.as_str()?;
-    all_kinds().find_map(|(name, picture)| picture.filter(|_| name == kind))
+/// Which of these coordinates are drawn, in ascending order, whichever way they were swept.
+pub fn ascending_order(values: &[f64]) -> Vec<usize> {
+    let mut indices: Vec<usize> = (0..values.len()).collect();
+    indices.sort_by(|a, b| values[*a].total_cmp(&values[*b]));
+    let drawn = indices.len().min(DRAWN_SIDE);
+    (0..drawn).map(|k| indices[k * (indices.len() - 1) / (drawn - 1).max(1)]).collect()
 }
 
 /// The real numbers of this array; none where there is no such array of them.
@@ -47,7 +61,8 @@ pub fn reals<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [f64]> {
     }
 }
 
-pub(crate) fn complexes<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [Complex64]> {
+/// The complex numbers of this array; none where there is no such array of them.
+pub fn complexes<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [Complex64]> {
     match &dataset.variable(name)?.data {
         Data::Complex(values) => Some(values),
         _ => None,
@@ -62,14 +77,16 @@ pub fn codes<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [u8]> {
     }
 }
 
-pub(crate) fn words<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [String]> {
+/// The words of this array; none where there is no such array of them.
+pub fn words<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [String]> {
     match &dataset.variable(name)?.data {
         Data::Text(values) => Some(values),
         _ => None,
     }
 }
 
-pub(crate) fn text<'a>(variable: &'a Variable, attribute: &str) -> Option<&'a str> {
+/// A text that is an attribute of an array.
+pub fn text<'a>(variable: &'a Variable, attribute: &str) -> Option<&'a str> {
     variable.attributes.get(attribute)?.as_str()
 }
 
@@ -80,15 +97,18 @@ pub fn axis(coordinate: &Variable) -> Axis {
 }
 
 /// The coordinate along the last named dimension that has one, and that of the family before it.
-pub(crate) struct Swept<'a> {
-    pub(crate) axis: &'a Variable,
-    pub(crate) values: &'a [f64],
-    pub(crate) family: Option<(&'a Variable, &'a [f64])>,
+pub struct Swept<'a> {
+    /// The coordinate.
+    pub axis: &'a Variable,
+    /// Its values.
+    pub values: &'a [f64],
+    /// The coordinate of the family, and its values; none where there is no family.
+    pub family: Option<(&'a Variable, &'a [f64])>,
 }
 
 impl<'a> Swept<'a> {
     /// The swept quantities of an array: its dimensions that have coordinates.
-    pub(crate) fn of(dataset: &'a Dataset, array: &str) -> Option<Self> {
+    pub fn of(dataset: &'a Dataset, array: &str) -> Option<Self> {
         let mut coordinates = dataset
             .variable(array)?
             .dimensions
@@ -101,19 +121,21 @@ impl<'a> Swept<'a> {
         })
     }
 
-    pub(crate) fn curves(&self) -> usize {
+    /// How many curves there are.
+    pub fn curves(&self) -> usize {
         self.family.map_or(1, |(_, values)| values.len())
     }
 
     /// The legend of a curve of the family: symbol = value; `alone` where there is no family.
-    pub(crate) fn label(&self, curve: usize, alone: &str) -> String {
+    pub fn label(&self, curve: usize, alone: &str) -> String {
         let Some((variable, values)) = self.family else { return alone.to_owned() };
         let symbol = text(variable, "symbol").unwrap_or(&variable.name);
         let unit = if variable.units == "1" { String::new() } else { format!(" {}", variable.units) };
         format!("{symbol} = {}{unit}", crate::labels::short_number(values[curve]))
     }
 
-    pub(crate) fn role(&self, curve: usize) -> Role {
+    /// The role of a curve of the family.
+    pub fn role(&self, curve: usize) -> Role {
         match self.family {
             Some(_) => Role::Graded { index: curve, count: self.curves() },
             None => Role::FullBoundary,

@@ -4,6 +4,7 @@ use crate::error::StudyError;
 use crate::ledger::Keepsakes;
 use crate::outcome::CheckRecord;
 use crate::pictures;
+use crate::registry::Registry;
 use crate::report_tables;
 use judder_report::page::{Check, Code, Details, Table};
 use judder_report::{Block, Figure, Page, Section, html, png, svg};
@@ -31,7 +32,7 @@ pub fn stored(folder: &Path) -> Result<(StudyFolder, Summary), StudyError> {
 ///
 /// # Errors
 /// Damaged results, or a folder that cannot be written.
-pub fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, StudyError> {
+pub fn write(registry: Registry, store: &StudyFolder, summary: &Summary) -> Result<PathBuf, StudyError> {
     let kept = Keepsakes::of(summary);
     let mut sections = Vec::new();
     for (name, record) in in_order(summary) {
@@ -39,7 +40,7 @@ pub fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, StudyErr
         match &record.status {
             Status::Failed { reason } => blocks.push(Block::text(format!("No result: {reason}"))),
             Status::Done => {
-                for figure in figures(store, summary, name)? {
+                for figure in figures(registry, store, summary, name)? {
                     blocks.push(figure_or_reason(store, figure)?);
                 }
                 blocks.extend(summary.results.get(name).and_then(scalar_table).map(Block::Table));
@@ -58,15 +59,20 @@ pub fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, StudyErr
 }
 
 /// The figures of an analysis or a sweep. Of a sweep only what is drawn is read: the whole may not fit into memory.
-fn figures(store: &StudyFolder, summary: &Summary, name: &str) -> Result<Vec<Figure>, StudyError> {
+fn figures(
+    registry: Registry,
+    store: &StudyFolder,
+    summary: &Summary,
+    name: &str,
+) -> Result<Vec<Figure>, StudyError> {
     let attributes = store.read_attributes(name)?;
     if pictures::sweep::is_sweep(&attributes) {
         let choose = |dimensions: &[_]| pictures::sweep::drawn_points(&attributes, dimensions);
         let dataset = store.read_points(name, choose)?;
         let results = summary.results.get(name).cloned().unwrap_or_default();
-        return Ok(pictures::sweep::figures(name, &dataset, &results));
+        return Ok(pictures::sweep::figures(registry, name, &dataset, &results));
     }
-    Ok(pictures::figure(name, name, &store.read_dataset(name)?).into_iter().collect())
+    Ok(registry.figure(name, name, &store.read_dataset(name)?).into_iter().collect())
 }
 
 /// The analyses in the order of the case, then its sweeps.

@@ -117,7 +117,7 @@ fn diagnosis(told: &Value) -> Table {
 }
 
 /// Of what undamped modes are, where they are not those of the matrices as they are.
-pub(crate) fn modes_of(name: Option<&str>) -> &'static str {
+pub fn modes_of(name: Option<&str>) -> &'static str {
     match name {
         Some("frictionless") => " without friction",
         Some("symmetric-part") => " of the symmetric part",

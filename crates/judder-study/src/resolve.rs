@@ -4,39 +4,15 @@ mod sweeps;
 
 use crate::case::file::CaseFile;
 use crate::error::StudyError;
-use crate::models::sweep::MAP_BYTES_PER_POINT;
-use crate::text::columns;
-use serde_json::{Value, json};
-
-/// Seconds a point on one core, measured in the release build; good to a factor of a few.
-pub(crate) mod cost {
-    /// One decision of a map, and one growth rate.
-    pub(crate) const DECISION: f64 = 5e-8;
-    pub(crate) const EIGENVALUES: f64 = 5e-6;
-    /// The search for thresholds at one point.
-    pub(crate) const THRESHOLDS: f64 = 2e-4;
-    /// Following the cycles beside a threshold back to their fold, and seeking others beyond.
-    pub(crate) const MARGIN: f64 = 5.0;
-    /// Lines of a map along which they are followed, at most.
-    pub(crate) const MARGIN_LINES: usize = 30;
-    /// Following the branches of an oscillator through a diagram: seconds to a minute.
-    pub(crate) const BRANCHES: f64 = 10.0;
-    /// Following the three boundaries of a map.
-    pub(crate) const BOUNDARIES: f64 = 0.3;
-    /// A motion over a radian of its time: of the oscillator, of a mass on a belt.
-    pub(crate) const RADIAN: f64 = 1e-5;
-    pub(crate) const RADIAN_ON_BELT: f64 = 2e-7;
-    /// A step of the time-stepping.
-    pub(crate) const TIME_STEP: f64 = 2.5e-6;
-    /// One figure as SVG and PNG.
-    pub(crate) const FIGURE: f64 = 0.2;
-}
+use serde_json::Value;
 
 /// A checked case.
 #[derive(Debug, Clone)]
 pub struct Resolved {
-    pub(crate) document: Value,
-    pub(crate) text: String,
+    /// The document of `judder check --json`.
+    pub document: Value,
+    /// What `judder check` prints on a terminal.
+    pub text: String,
 }
 
 impl Resolved {
@@ -53,56 +29,10 @@ impl Resolved {
     }
 }
 
-/// What an analysis would take.
-pub struct Estimate {
-    /// The name of the analysis.
-    pub name: String,
-    /// Points.
-    pub points: usize,
-    /// Time, s.
-    pub seconds: f64,
-    /// Memory, bytes.
-    pub bytes: u128,
-}
-
-impl Estimate {
-    /// Of an analysis of so many points in so many seconds, without its figure.
-    pub(crate) fn of_points(name: &str, points: usize, seconds: f64) -> Self {
-        let (seconds, bytes) = (seconds + cost::FIGURE, points as u128 * MAP_BYTES_PER_POINT);
-        Self { name: name.to_owned(), points, seconds, bytes }
-    }
-}
-
 /// Resolves a case and looks at its operating point; runs no analysis.
 ///
 /// # Errors
 /// Matrices that are not finite at the case's own parameters, a sweep that a run would refuse.
 pub fn resolve(file: &CaseFile) -> Result<Resolved, StudyError> {
     sweeps::added(file.case.resolve(file)?, file)
-}
-
-/// The first line of what is shown of a case.
-pub(crate) fn title(title: &str) -> &str {
-    if title.is_empty() { "An untitled case" } else { title }
-}
-
-pub(crate) fn estimate_json(estimates: &[Estimate]) -> Value {
-    estimates
-        .iter()
-        .map(|e| json!({ "name": e.name, "points": e.points, "seconds": e.seconds, "bytes": e.bytes as u64 }))
-        .collect()
-}
-
-pub(crate) fn estimate_text(estimates: &[Estimate]) -> String {
-    if estimates.is_empty() {
-        return "\nno analyses\n".to_owned();
-    }
-    let rows: Vec<Vec<String>> = estimates
-        .iter()
-        .map(|e| {
-            let memory = format!("{:.1} MB", e.bytes as f64 / 1e6);
-            vec![e.name.clone(), format!("{} points", e.points), format!("about {:.1} s", e.seconds), memory]
-        })
-        .collect();
-    format!("\nanalyses: size, time on one core, memory of the arrays\n{}", columns(&rows))
 }

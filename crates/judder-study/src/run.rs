@@ -17,6 +17,7 @@ use crate::ledger::{Keepsakes, Study};
 use crate::model::Prepared;
 use crate::outcome::CheckRecord;
 use crate::progress::Progress;
+use crate::registry::Registry;
 use crate::report;
 use crate::sweep::{Shard, SweepEstimate, SweepPlan};
 use crate::told;
@@ -108,7 +109,7 @@ pub fn run(
     }
     let store = taken(folder, options.fresh)?;
     let analyses = options.sweeps == SweepWork::All;
-    compute_in(store, (&asked, &prepared), (&[], analyses), progress)?.reported(Vec::new())
+    compute_in(store, (&asked, &prepared), (&[], analyses), progress)?.reported(file.registry(), Vec::new())
 }
 
 /// By what a study knows a case and what was computed of it.
@@ -175,9 +176,9 @@ pub struct Computed {
 
 impl Computed {
     /// Draws figures and page.
-    fn reported(self, notes: Vec<String>) -> Result<RunReport, StudyError> {
+    fn reported(self, registry: Registry, notes: Vec<String>) -> Result<RunReport, StudyError> {
         let Self { store, summary, skipped, forgotten, complete, tables, messages, refused } = self;
-        let report = Some(report::write(&store, &summary)?);
+        let report = Some(report::write(registry, &store, &summary)?);
         let folder = store.path().to_owned();
         Ok(RunReport {
             folder,

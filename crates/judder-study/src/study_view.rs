@@ -5,6 +5,7 @@ mod extremes;
 use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::ledger::Keepsakes;
+use crate::registry::Registry;
 use crate::report;
 use extremes::Extremes;
 use judder_store::{Status, StudyReader, Summary, Variable};
@@ -21,6 +22,7 @@ const LISTED: usize = 64;
 #[derive(Debug, Clone)]
 pub struct StudyView {
     reader: StudyReader,
+    registry: Registry,
     name: String,
 }
 
@@ -81,10 +83,10 @@ impl StudyView {
     ///
     /// # Errors
     /// A folder without a study.
-    pub fn open(folder: &Path) -> Result<Self, StudyError> {
+    pub fn open(registry: Registry, folder: &Path) -> Result<Self, StudyError> {
         let reader = StudyReader::open(folder)?;
         let name = reader.path().file_name().map(|name| name.to_string_lossy().into_owned());
-        Ok(Self { reader, name: name.unwrap_or_default() })
+        Ok(Self { reader, registry, name: name.unwrap_or_default() })
     }
 
     /// The name of the folder.
@@ -184,7 +186,7 @@ impl StudyView {
         if kept.source.is_empty() {
             return Err(StudyError::NoResults { folder: self.name.clone() });
         }
-        Ok(CaseFile::parse(name, &kept.source, &kept.overrides)?)
+        Ok(CaseFile::parse(self.registry, name, &kept.source, &kept.overrides)?)
     }
 
     fn summary(&self) -> Result<Summary, StudyError> {
@@ -199,10 +201,8 @@ impl StudyView {
         let width: usize = head.shape.iter().skip(1).product();
         let shown = window.most.map_or(range.len(), |most| most.max(2).min(range.len()));
         if shown.saturating_mul(width) > MOST_VALUES {
-            return Err(StudyError::Unsupported(format!(
-                "`{}` has {shown} rows of {width} values there, more than {MOST_VALUES} values: ask for fewer rows, or for their extremes",
-                head.name
-            )));
+            let (variable, rows, most) = (head.name.clone(), shown, MOST_VALUES);
+            return Err(StudyError::TooManyValues { variable, rows, width, most });
         }
         if shown == range.len() {
             return Ok(self.reader.read_rows(analysis, &head.name, range)?);

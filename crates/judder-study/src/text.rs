@@ -1,7 +1,7 @@
 //! Aligned columns for the terminal.
 
 /// Rows of cells as lines, every column as wide as its widest cell; two blanks between.
-pub(crate) fn columns(rows: &[Vec<String>]) -> String {
+pub fn columns(rows: &[Vec<String>]) -> String {
     let width = |column: usize| {
         rows.iter().filter_map(|row| row.get(column)).map(|cell| cell.chars().count()).max().unwrap_or(0)
     };
@@ -21,7 +21,7 @@ pub(crate) fn columns(rows: &[Vec<String>]) -> String {
 }
 
 /// A number to seven digits: as it is in the middle of the scale, as a power of ten at its ends.
-pub(crate) fn number(value: f64) -> String {
+pub fn number(value: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }
@@ -29,14 +29,14 @@ pub(crate) fn number(value: f64) -> String {
 }
 
 /// A number to four digits, for sentences.
-pub(crate) fn short(value: f64) -> String {
+pub fn short(value: f64) -> String {
     let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
     let plain = rounded == 0.0 || (1e-3..1e5).contains(&rounded.abs());
     if plain { format!("{rounded}") } else { format!("{rounded:e}") }
 }
 
 /// Numbers in a row, or a word where there are none.
-pub(crate) fn list(values: &[f64]) -> String {
+pub fn list(values: &[f64]) -> String {
     if values.is_empty() {
         return "none".to_owned();
     }

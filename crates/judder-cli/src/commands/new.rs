@@ -1,7 +1,7 @@
 //! `judder new`: a commented case file to start from.
 
 use clap::Args;
-use judder_study::case::template::template;
+use judder_models::template::template;
 use serde_json::json;
 
 use crate::console::Console;

@@ -1,9 +1,9 @@
 //! `judder point`: one operating point, in milliseconds.
 
 use clap::Args;
-use judder_study::StudyError;
-use judder_study::models::oscillator::case::OscillatorCase;
-use judder_study::point::point;
+use judder_models::ModelError;
+use judder_models::oscillator::case::OscillatorCase;
+use judder_models::point::point;
 
 use super::CaseArguments;
 use crate::console::Console;
@@ -29,7 +29,7 @@ impl Point {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
         let case = self.case.read()?.case;
         let Some(case) = case.of::<OscillatorCase>() else {
-            return Err(StudyError::WrongModel { command: "point", model: case.model() }.into());
+            return Err(ModelError::WrongModel { command: "point", model: case.model() }.into());
         };
         let point = point(case)?;
         console.result(|| point.text(), || point.json())?;

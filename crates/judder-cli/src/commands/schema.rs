@@ -1,7 +1,7 @@
 //! `judder schema`: what editors know of case files.
 
 use clap::Args;
-use judder_study::case::schema::schema;
+use judder_models::schema;
 
 use crate::console::Console;
 use crate::failure::{Exit, Failure};

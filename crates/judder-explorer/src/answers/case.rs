@@ -8,11 +8,11 @@ use crate::view::View;
 use axum::Json;
 use axum::extract::State;
 use judder_keys::numeric_key::Form;
+use judder_models::bridge;
+use judder_models::oscillator::inputs::OscillatorInputs;
+use judder_models::oscillator::keys::{KEYS, OscillatorKey};
 use judder_oscillator::Groups;
 use judder_oscillator::groups::Dimensional;
-use judder_study::bridge;
-use judder_study::models::oscillator::inputs::OscillatorInputs;
-use judder_study::models::oscillator::keys::{KEYS, OscillatorKey};
 use serde_json::{Value, json};
 
 /// Answers `/api/case`.

@@ -12,8 +12,8 @@ use axum::extract::State;
 use axum::response::Response;
 use judder_keys::numeric_key::Form;
 use judder_keys::span::Span;
+use judder_models::law_cache::{LawSurface, law_surface};
 use judder_store::Variable;
-use judder_study::law_cache::{LawSurface, law_surface};
 use serde::Deserialize;
 use std::sync::Arc;
 

@@ -8,7 +8,7 @@ use crate::view::View;
 use axum::extract::State;
 use axum::response::Response;
 use judder_store::Variable;
-use judder_study::analyses::MotionBlock;
+use judder_study::model::MotionBlock;
 
 /// Answers `/api/motion`.
 pub(crate) async fn answer(State(site): SharedSite, Asked(view): Asked<View>) -> Result<Response, Refusal> {

@@ -8,12 +8,12 @@ use crate::subject::Subject;
 use crate::view::View;
 use axum::Json;
 use axum::extract::State;
+use judder_models::bridge;
+use judder_models::oscillator::inputs::LawName;
+use judder_models::point::{Point, SteadyPoint};
 use judder_oscillator::groups::Scales;
 use judder_oscillator::spectrum::mode;
-use judder_study::bridge;
 use judder_study::case::file::CaseFile;
-use judder_study::models::oscillator::inputs::LawName;
-use judder_study::point::{Point, SteadyPoint};
 use serde_json::{Value, json};
 
 /// Answers `/api/point`.

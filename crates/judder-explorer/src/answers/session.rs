@@ -6,12 +6,12 @@ use axum::Json;
 use axum::extract::State;
 use judder_keys::cause::Cause;
 use judder_keys::numeric_key::{Form, Key, Range};
+use judder_models::contact::case::ContactCase;
+use judder_models::oscillator::case::OscillatorCase;
+use judder_models::oscillator::inputs::{LawName, TimeForm};
+use judder_models::oscillator::keys::{KEYS, OscillatorKey};
+use judder_models::sweep::{StabilityMap, Sweep};
 use judder_study::case::file::CaseFile;
-use judder_study::models::contact::case::ContactCase;
-use judder_study::models::oscillator::case::OscillatorCase;
-use judder_study::models::oscillator::inputs::{LawName, TimeForm};
-use judder_study::models::oscillator::keys::{KEYS, OscillatorKey};
-use judder_study::models::sweep::{StabilityMap, Sweep};
 use serde_json::{Value, json};
 
 /// Answers `/api/session`.
@@ -63,7 +63,7 @@ fn takes(base: &CaseFile, entry: &Key<OscillatorKey>) -> bool {
     let value = entry.default.map_or_else(|| entry.example(), |(text, _)| text.to_owned());
     let options = [&base.overrides[..], &[format!("{}={value}", entry.path)]].concat();
     // a value that does not fit the others is still one that can be set
-    let refused = CaseFile::parse(&base.origin, &base.text, &options).err();
+    let refused = judder_models::parse(&base.origin, &base.text, &options).err();
     !refused.is_some_and(|error| matches!(error.cause(), Cause::Conflict { .. }))
 }
 

@@ -19,7 +19,7 @@ const test = base.extend<{ report: (name: keyof Reports) => Promise<Page> }, { r
     async ({}, use) => {
       const folder = mkdtempSync(join(tmpdir(), "judder-report-"));
       const run = (name: keyof Reports) => {
-        execFileSync(JUDDER, ["run", join(ROOT, `crates/judder-study/tests/small/${name}.toml`), "-o", join(folder, name), "-q"]);
+        execFileSync(JUDDER, ["run", join(ROOT, `crates/judder-models/tests/small/${name}.toml`), "-o", join(folder, name), "-q"]);
         return pathToFileURL(join(folder, name, "report.html")).href;
       };
       await use({ oscillator: run("oscillator"), beam: run("beam") });

@@ -1,11 +1,10 @@
 //! What the page is told.
 
 use crate::client::Served;
+use judder_models::oscillator::case::OscillatorCase;
+use judder_models::template::template;
 use judder_study::Silent;
 use judder_study::analyses;
-use judder_study::case::file::CaseFile;
-use judder_study::case::template::template;
-use judder_study::models::oscillator::case::OscillatorCase;
 use serde_json::{Value, json};
 
 const OPTIONS: [&str; 2] = ["operation.velocity=1e-3", "contact.shear_strength=20 kPa"];
@@ -44,9 +43,9 @@ fn the_session_has_the_case_and_its_keys() {
 fn a_point_is_that_of_the_command() {
     let served = Served::new();
     let answer = served.post("/api/point", &json!({ "set": OPTIONS })).json();
-    let file = CaseFile::parse("oscillator.toml", &base(), &OPTIONS.map(String::from)).unwrap();
+    let file = judder_models::parse("oscillator.toml", &base(), &OPTIONS.map(String::from)).unwrap();
     let case = file.case.of::<OscillatorCase>().unwrap();
-    let point = judder_study::point::point(case).unwrap();
+    let point = judder_models::point::point(case).unwrap();
     assert_eq!(answer["point"], point.json());
     let growth = point.steady.growth_rate() * 40.0;
     assert!((answer["dimensional"]["growth_rate_per_s"].as_f64().unwrap() - growth).abs() < 1e-12);
@@ -109,7 +108,7 @@ fn a_map_of_a_computed_law_says_where_its_errors_decide() {
     let kinds: Vec<&str> = frames.iter().map(|frame| frame.kind()).collect();
     assert_eq!(kinds, ["map", "map", "within-law", "end"]);
     let codes = frames[2].codes("within_law");
-    let file = CaseFile::parse("x.toml", &served.post("/api/export", &view).text(), &[]).unwrap();
+    let file = judder_models::parse("x.toml", &served.post("/api/export", &view).text(), &[]).unwrap();
     let run = analyses::run(&file.case, 0, &Silent).unwrap();
     let judder_store::Data::U8(expected) = &run.dataset.variable("within_law").unwrap().data else {
         panic!()
@@ -123,7 +122,7 @@ fn the_exported_case_gives_the_same_map_to_the_command() {
     let view = json!({ "set": OPTIONS, "analysis": map() });
     let text = served.post("/api/export", &view).text();
     assert!(text.contains("# A case of judder"), "comments are kept");
-    let file = CaseFile::parse("exported.toml", &text, &[]).unwrap();
+    let file = judder_models::parse("exported.toml", &text, &[]).unwrap();
     assert_eq!(file.case.analysis_names(), ["map"]);
     let outcome = analyses::run(&file.case, 0, &Silent).unwrap();
     let judder_store::Data::U8(codes) = &outcome.dataset.variable("stability").unwrap().data else {
@@ -143,7 +142,7 @@ fn an_analysis_is_that_of_a_run() {
     let frames = served.post("/api/analysis", &view).frames();
     let outcome = frames.iter().find(|frame| frame.kind() == "outcome").unwrap();
     let text = served.post("/api/export", &view).text();
-    let run = analyses::run(&CaseFile::parse("x.toml", &text, &[]).unwrap().case, 0, &Silent).unwrap();
+    let run = analyses::run(&judder_models::parse("x.toml", &text, &[]).unwrap().case, 0, &Silent).unwrap();
     assert_eq!(outcome.header["scalars"], Value::Object(run.scalars));
     let names: Vec<&str> = run.dataset.variables().iter().map(|variable| variable.name.as_str()).collect();
     let told = outcome.header["arrays"].as_array().unwrap();
@@ -240,7 +239,7 @@ fn a_contact_case_has_its_substrate_and_its_indenter() {
 #[test]
 fn nothing_is_told_of_an_oscillator_that_is_not_there() {
     let folder = tempfile::tempdir().unwrap();
-    for name in judder_study::case::template::TEMPLATES.into_iter().filter(|name| *name != "oscillator") {
+    for name in judder_models::template::TEMPLATES.into_iter().filter(|name| *name != "oscillator") {
         let path = folder.path().join(format!("{name}.toml"));
         std::fs::write(&path, template(name).unwrap()).unwrap();
         let served = Served::of(Some(&path), None);

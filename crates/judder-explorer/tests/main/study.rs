@@ -2,7 +2,6 @@
 
 use crate::client::Served;
 use judder_study::Silent;
-use judder_study::case::file::CaseFile;
 use judder_study::run::{RunOptions, run};
 use serde_json::{Value, json};
 use std::fs;
@@ -36,7 +35,7 @@ fn set() -> [String; 1] {
 fn desk() -> (TempDir, PathBuf) {
     let desk = tempfile::tempdir().unwrap();
     let folder = desk.path().join("study");
-    let file = CaseFile::parse("small.toml", CASE, &set()).unwrap();
+    let file = judder_models::parse("small.toml", CASE, &set()).unwrap();
     run(&file, &folder, &RunOptions::default(), &Silent).unwrap();
     fs::write(folder.join("tone.wav"), b"RIFF of a tone").unwrap();
     fs::write(desk.path().join("secret.wav"), b"RIFF of a secret").unwrap();
@@ -66,9 +65,9 @@ fn the_case_of_an_analysis_is_that_of_the_folder() {
     let served = served(&folder);
     let exported = |name: &str| {
         let answer = served.post("/api/study/case", &json!({ "analysis": name }));
-        CaseFile::parse("exported.toml", &answer.text(), &[]).unwrap()
+        judder_models::parse("exported.toml", &answer.text(), &[]).unwrap()
     };
-    let whole = CaseFile::parse("small.toml", CASE, &set()).unwrap();
+    let whole = judder_models::parse("small.toml", CASE, &set()).unwrap();
     for (index, name) in ["damping", "spectrum"].into_iter().enumerate() {
         let (case, mut expected) = (exported(name), whole.resolved());
         expected["analysis"] = json!([expected["analysis"][index]]);
@@ -177,12 +176,12 @@ fn a_study_speaks_for_itself_where_the_given_case_reads_the_same_files() {
     };
     let (ran, given) = (put("ran.toml", &measured(5)), put("given.toml", &measured(9)));
     let folder = desk.path().join("study");
-    run(&CaseFile::read(&ran, &[]).unwrap(), &folder, &RunOptions::default(), &Silent).unwrap();
+    run(&judder_models::read(&ran, &[]).unwrap(), &folder, &RunOptions::default(), &Silent).unwrap();
     let wanted = json!({ "analysis": "modulus" });
     assert_eq!(served(&folder).post("/api/study/case", &wanted).status, 404, "its file lies elsewhere");
     // the case that was given says where the files are, not what was run
     let text = Served::of(Some(&given), Some(&folder)).post("/api/study/case", &wanted).text();
-    let exported = CaseFile::parse("/nowhere/exported.toml", &text, &[]).unwrap();
+    let exported = judder_models::parse("/nowhere/exported.toml", &text, &[]).unwrap();
     assert!(text.contains("points = 5") && exported.case.files()[0].path.ends_with("moduli.csv"), "{text}");
     // one that reads other files says nothing of this study
     let other = put("other.toml", CASE);

@@ -1,11 +1,10 @@
 //! The figures of the beams paper, put together from several marches where the paper compares them.
 
 use super::passage::Passage;
+use judder_models::sliding::march::figure::{history, logarithmic, panel, swing, trace};
 use judder_report::{Axis, Figure, Layer, Legend, Panel, Role, Style};
 use judder_store::Dataset;
-use judder_study::models::sliding::march::figure::{history, logarithmic, panel, swing, trace};
-use judder_study::pictures;
-use judder_study::pictures::reals;
+use judder_study::pictures::{axis, reals};
 use serde_json::Value;
 
 /// The signal of Figs. 3 to 5: the vertical acceleration of the free end T.
@@ -39,7 +38,7 @@ pub(super) fn subs_and_film(subs: &Dataset, film: &Dataset) -> Option<Figure> {
 
 /// Fig. 4: both spectrograms with one scale of levels, and both waterfalls.
 pub(super) fn spectrograms(subs: &Dataset, film: &Dataset) -> Option<Figure> {
-    let (of_subs, of_film) = (pictures::panels(subs), pictures::panels(film));
+    let (of_subs, of_film) = (judder_models::REGISTRY.panels(subs), judder_models::REGISTRY.panels(film));
     let named = |method: &'static str| {
         move |panel: Panel| {
             let title = format!("{method}: {}", panel.title);
@@ -107,10 +106,15 @@ pub(super) fn zones(passages: &[Passage]) -> Option<Figure> {
 
 /// Growth with the contact held, four places a figure.
 pub(super) fn growths(method: &str, name: &str, held: &[Dataset]) -> Option<Figure> {
-    let panels: Vec<Panel> = held.iter().flat_map(pictures::panels).collect();
+    let panels: Vec<Panel> =
+        held.iter().flat_map(|dataset| judder_models::REGISTRY.panels(dataset)).collect();
     let title = format!("Growth with the contact held, by {method}");
     (!panels.is_empty()).then(|| Figure {
-        caption: held.first().map(pictures::caption).unwrap_or_default().to_owned(),
+        caption: held
+            .first()
+            .map(|dataset| judder_models::REGISTRY.caption(dataset))
+            .unwrap_or_default()
+            .to_owned(),
         ..Figure::new(name, title, panels)
     })
 }
@@ -163,7 +167,7 @@ fn about_loudest(loudest: &Dataset, marches: &[(&Dataset, &str, Style)]) -> Opti
         let milliseconds = time[range].iter().map(|t| 1e3 * (t - middle)).collect();
         layers.push(Layer::line(*label, milliseconds, values.to_vec(), *style));
     }
-    let up = pictures::axis(loudest.variable(SIGNAL)?).with_range(-OVER * peak, OVER * peak);
+    let up = axis(loudest.variable(SIGNAL)?).with_range(-OVER * peak, OVER * peak);
     let across = Axis::linear(format!("Time after {middle:.4} s (ms)")).with_range(-1e3 * ABOUT, 1e3 * ABOUT);
     Some(Panel::new(across, up, layers).with_title("the loudest moment").with_legend(Legend::Below))
 }
@@ -172,7 +176,7 @@ fn about_loudest(loudest: &Dataset, marches: &[(&Dataset, &str, Style)]) -> Opti
 fn difference(a: &Dataset, b: &Dataset, named: (&str, Style)) -> Option<Layer> {
     let (first, second) = (reals(a, SIGNAL)?, reals(b, SIGNAL)?);
     let difference: Vec<f64> = second.iter().zip(first).map(|(b, a)| b - a).collect();
-    let (x, y) = judder_study::models::sliding::march::figure::swings(reals(a, "time")?, &difference);
+    let (x, y) = judder_models::sliding::march::figure::swings(reals(a, "time")?, &difference);
     Some(Layer::line(named.0, x, y, named.1))
 }
 

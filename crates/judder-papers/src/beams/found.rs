@@ -3,9 +3,9 @@
 use super::figures::SIGNAL;
 use super::passage::{Passage, passages};
 use crate::is_done;
+use judder_models::band::Band;
 use judder_store::{Dataset, StudyFolder, Summary};
 use judder_study::StudyError;
-use judder_study::band::Band;
 use judder_study::pictures::reals;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;

@@ -9,7 +9,6 @@ use judder_report::{Block, Figure, Page, Section};
 use judder_store::{Dataset, StudyFolder, Summary};
 use judder_study::StudyError;
 use judder_study::ledger::Keepsakes;
-use judder_study::pictures;
 use judder_study::report::{case_section, check_rows, facts, warnings, write_figure, write_page};
 use serde_json::Value;
 use std::path::PathBuf;
@@ -60,7 +59,7 @@ impl Stored<'_> {
 
     /// The figure of one analysis alone.
     fn figure(&self, analysis: &str, name: &str, title: &str) -> Result<Option<Figure>, StudyError> {
-        Ok(self.dataset(analysis)?.and_then(|dataset| pictures::figure(name, title, &dataset)))
+        Ok(self.dataset(analysis)?.and_then(|dataset| judder_models::REGISTRY.figure(name, title, &dataset)))
     }
 
     /// The growth analyses of a method.

@@ -1,11 +1,11 @@
 //! What an unstable zone does to the mode that it concerns, in a march that passes it.
 
 use super::found::Zone;
+use judder_models::band::Sampled;
+use judder_models::sliding::locus::figure::zone_profiles;
 use judder_report::figure::Region;
 use judder_report::{Axis, Layer, Legend, Panel, Role};
 use judder_store::Dataset;
-use judder_study::band::Sampled;
-use judder_study::models::sliding::locus::figure::zone_profiles;
 use judder_study::pictures::reals;
 use serde_json::Value;
 

@@ -13,7 +13,7 @@ use judder_report::{Axis, Block, Figure, Layer, Legend, Panel, Role, Section};
 use judder_store::{Dataset, StudyFolder, Summary};
 use judder_study::StudyError;
 use judder_study::labels::short_number;
-use judder_study::pictures::{self, axis, reals};
+use judder_study::pictures::{axis, reals};
 use judder_study::report::write_figure;
 use serde_json::Value;
 
@@ -230,7 +230,7 @@ fn figure_14(fit: &Dataset, functions: &Functions) -> Option<Figure> {
 
 /// Storage and loss modulus and loss tangent over frequency.
 fn figure_13(modulus: &Dataset) -> Option<Figure> {
-    let panels = pictures::panels(modulus);
+    let panels = judder_models::REGISTRY.panels(modulus);
     let figure = Figure::new("fig-13", "Modulus and loss tangent, the paper's Fig. 13", panels).with_caption(
         "One retardation time $τ$ = 10 ms, $E_{0}$ = 1 MPa, $E_{∞}$ = 10 MPa: the material that the contacts are computed for.",
     );

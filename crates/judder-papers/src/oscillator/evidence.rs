@@ -8,17 +8,17 @@ use judder_contact::law::{LawIndenter, PerQuantity};
 use judder_contact::material::CreepSpectrum;
 use judder_contact::steady::MEMORY;
 use judder_contact::{ContactLaw, ContactPoint, FittedLaw, Law};
+use judder_models::ModelError;
+use judder_models::computed_law::{self, NO_POINTS};
+use judder_models::contact::Exciting;
+use judder_models::contact::case::ContactCase;
+use judder_models::contact::law::Plane;
+use judder_models::contact::settings::{FitSettings, LawSettings};
+use judder_models::material::ContactScales;
 use judder_store::StudyFolder;
 use judder_study::Progress;
 use judder_study::StudyError;
 use judder_study::case::analysis::Planned;
-use judder_study::case::file::CaseFile;
-use judder_study::computed_law::{self, NO_POINTS};
-use judder_study::material::ContactScales;
-use judder_study::models::contact::Exciting;
-use judder_study::models::contact::case::ContactCase;
-use judder_study::models::contact::law::Plane;
-use judder_study::models::contact::settings::{FitSettings, LawSettings};
 use std::sync::Arc;
 
 /// log₁₀ of the factor of v τ/R at which the fits are read: the corrected axis.
@@ -62,17 +62,17 @@ impl Evidence {
         let unusable = |reason: String| StudyError::File { path: path.clone(), reason };
         let text = std::fs::read_to_string(&path).map_err(|error| unusable(error.to_string()))?;
         let law = from_json(&text).map_err(|error| unusable(error.to_string()))?;
-        Self::new(law, quick, progress)
+        Ok(Self::new(law, quick, progress)?)
     }
 
     /// From a law of the paper's sphere, or of the paraboloid that stands for it in a quick run.
-    pub(super) fn new(law: Law, quick: bool, progress: &dyn Progress) -> Result<Self, StudyError> {
+    pub(super) fn new(law: Law, quick: bool, progress: &dyn Progress) -> Result<Self, ModelError> {
         let (case, settings) = contact_case(FIT, quick)?;
         let scales = ContactScales::new(&case)?;
         let curve = computed_law::of_paraboloid(&scales.material, settings.accuracy, NO_POINTS, progress)?;
         let plane = Plane::new(&settings, &scales);
         let fit = |law: &Law, scale: f64| {
-            plane.fit(law, scale).map_err(|error| StudyError::Unsupported(error.to_string()))
+            plane.fit(law, scale).map_err(|error| ModelError::Unsupported(error.to_string()))
         };
         Ok(Self {
             samples: plane.samples(&law),
@@ -99,10 +99,10 @@ impl Evidence {
 }
 
 /// F̃/ŷ^{3/2} and Ã/ŷ of a sphere at one speed.
-fn end(scales: &ContactScales, velocity: f64) -> Result<[f64; 2], StudyError> {
+fn end(scales: &ContactScales, velocity: f64) -> Result<[f64; 2], ModelError> {
     let found =
         sample(&scales.material.of_law(), LawIndenter::Sphere, velocity, SHALLOW, END_ACCURACY, MEMORY)
-            .map_err(|error| StudyError::Unsupported(error.to_string()))?;
+            .map_err(|error| ModelError::Unsupported(error.to_string()))?;
     Ok([found.force / SHALLOW.powf(1.5), found.area / SHALLOW])
 }
 
@@ -126,10 +126,10 @@ pub(super) fn law_of(analysis: &Planned<Arc<dyn Exciting>>) -> Option<&LawSettin
 }
 
 /// A case of the contact computation with the settings of its one law or fit.
-pub(super) fn contact_case(name: &str, quick: bool) -> Result<(ContactCase, LawSettings), StudyError> {
-    let missing = || StudyError::Unsupported(format!("the case {name} computes no law"));
+pub(super) fn contact_case(name: &str, quick: bool) -> Result<(ContactCase, LawSettings), ModelError> {
+    let missing = || ModelError::Unsupported(format!("the case {name} computes no law"));
     let (_, text) = CONTACT_CASES.iter().find(|(known, _)| *known == name).ok_or_else(missing)?;
-    let mut case = CaseFile::parse(name, text, &[])?.case;
+    let mut case = judder_models::parse(name, text, &[])?.case;
     if quick {
         thin_out(&mut case);
     }
@@ -141,8 +141,8 @@ pub(super) fn contact_case(name: &str, quick: bool) -> Result<(ContactCase, LawS
 /// The evidence of Fig. 3's own case, computed once for all tests.
 #[cfg(test)]
 pub(super) fn computed() -> Evidence {
+    use judder_models::computed_law::{LawTask, compute};
     use judder_study::Silent;
-    use judder_study::computed_law::{LawTask, compute};
     use std::sync::OnceLock;
     static EVIDENCE: OnceLock<Evidence> = OnceLock::new();
     let make = || {

@@ -2,16 +2,16 @@
 
 use judder_keys::numeric_key::{Form, Value};
 use judder_keys::span::Span;
+use judder_models::contact::case::ContactCase;
+use judder_models::contact::settings::{FitSettings, LawMethod, LawSettings};
+use judder_models::contact::shape::Shape;
+use judder_models::motion::settings::{Bifurcation, MotionAnalysis};
+use judder_models::oscillator::case::OscillatorCase;
+use judder_models::oscillator::engines::settings::EnginesSettings;
+use judder_models::oscillator::keys::OscillatorKey;
+use judder_models::oscillator::settings::{CriticalThresholds, DampingCurves, SpectrumCurves};
+use judder_models::sweep::StabilityMap;
 use judder_study::case::file::Case;
-use judder_study::models::contact::case::ContactCase;
-use judder_study::models::contact::settings::{FitSettings, LawMethod, LawSettings};
-use judder_study::models::contact::shape::Shape;
-use judder_study::models::motion::settings::{Bifurcation, MotionAnalysis};
-use judder_study::models::oscillator::case::OscillatorCase;
-use judder_study::models::oscillator::engines::settings::EnginesSettings;
-use judder_study::models::oscillator::keys::OscillatorKey;
-use judder_study::models::oscillator::settings::{CriticalThresholds, DampingCurves, SpectrumCurves};
-use judder_study::models::sweep::StabilityMap;
 
 /// A figure of the paper.
 pub(super) struct Exhibit {
@@ -222,13 +222,12 @@ fn thin_out_engines(settings: &mut EnginesSettings) {
 mod tests {
     use super::*;
     use crate::oscillator::evidence::law_of;
-    use judder_study::case::file::CaseFile;
 
     #[test]
     fn a_quick_run_takes_one_curve_on_a_coarse_plane() {
         for name in [LAW, FIT] {
             let (_, text) = CONTACT_CASES.into_iter().find(|(known, _)| *known == name).unwrap();
-            let mut case = CaseFile::parse(name, text, &[]).unwrap().case;
+            let mut case = judder_models::parse(name, text, &[]).unwrap().case;
             let full = case.resolved();
             thin_out(&mut case);
             assert_ne!(case.resolved(), full, "a quick result must not pass for a full one");

@@ -3,11 +3,11 @@
 use super::motion_exhibits::{ENGINES, LOAD, OF_CAPTIONS, Part, WAYS, Way};
 use crate::claim::ClaimLine;
 use crate::is_done;
+use judder_models::motion::pictures::ending;
 use judder_report::{Axis, Figure, Layer, Legend, Panel, Role, Section};
 use judder_store::{Dataset, StudyFolder, Summary};
 use judder_study::StudyError;
-use judder_study::models::motion::pictures::ending;
-use judder_study::pictures::{self, axis, reals};
+use judder_study::pictures::{axis, reals};
 use judder_study::report::write_figure;
 
 /// Oscillations that Fig. 12 shows.
@@ -53,7 +53,7 @@ pub(super) fn sections(store: &StudyFolder, summary: &Summary) -> Result<Vec<Sec
     if is_done(summary, ENGINES) {
         let dataset = store.read_dataset(ENGINES)?;
         let title = "One cycle of section 5 by three engines";
-        if let Some(figure) = pictures::figure(ENGINES, title, &dataset) {
+        if let Some(figure) = judder_models::REGISTRY.figure(ENGINES, title, &dataset) {
             sections.push(Section::new("Three engines", vec![write_figure(store, figure)?]));
         }
     }

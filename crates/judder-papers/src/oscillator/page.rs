@@ -13,7 +13,6 @@ use judder_report::{Block, Figure, Legend, Page, Section};
 use judder_store::{StudyFolder, Summary};
 use judder_study::StudyError;
 use judder_study::ledger::Keepsakes;
-use judder_study::pictures;
 use judder_study::report::{check_rows, facts, warnings, write_figure, write_page};
 use rayon::prelude::*;
 use serde_json::Value;
@@ -115,7 +114,7 @@ fn exhibit_blocks(
                 } else {
                     format!("{}; {}", source.label, reading.label)
                 };
-                let drawn = pictures::panels(&store.read_dataset(&name)?);
+                let drawn = judder_models::REGISTRY.panels(&store.read_dataset(&name)?);
                 panels.extend(
                     drawn.into_iter().map(|p| p.with_title(title.clone()).with_legend(Legend::Below)),
                 );

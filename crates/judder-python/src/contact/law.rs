@@ -8,9 +8,9 @@ use judder_contact::law::file::{from_json, to_json};
 use judder_contact::law::sampled::{SampleRequest, sampled};
 use judder_contact::law::{KnotValues, PerQuantity, SampledLaw, Samples};
 use judder_contact::{ContactLaw, ContactPoint, ContactResponse, Law, LawError};
-use judder_study::bridge;
-use judder_study::models::oscillator::case::OscillatorCase;
-use judder_study::models::oscillator::inputs::LawName;
+use judder_models::bridge;
+use judder_models::oscillator::case::OscillatorCase;
+use judder_models::oscillator::inputs::LawName;
 use numpy::{IntoPyArray, PyArray1, PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -73,7 +73,7 @@ impl PyLaw {
         let of_name = oscillator::named("name", name, &LawName::ALL)?;
         let case = OscillatorCase { law: of_name, ..OscillatorCase::default() };
         let done = watched(py, &Manner::default(), |watch| bridge::contact_of(&case, watch))?;
-        let contact = done.settled(|error| errors::study(&error))?;
+        let contact = done.settled(|error| errors::model(&error))?;
         Ok(Self::of(contact.contact.law, name))
     }
 

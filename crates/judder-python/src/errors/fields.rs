@@ -2,6 +2,7 @@
 
 use judder_contact::LawError;
 use judder_contact::steady::SteadyError;
+use judder_models::ModelError;
 use judder_oscillator::OscillatorError;
 use judder_sliding::SlidingError;
 use judder_store::StoreError;
@@ -112,12 +113,14 @@ fields!(StoreError {
 fields!(StudyError {
     UnknownAnalysis { name, known },
     OtherCase { folder, owner },
+    File { path, reason },
+    NoResults { folder },
+});
+
+fields!(ModelError {
     WrongModel { command, model },
-    NotRunYet { kind },
     NotDone { analysis, by },
     NoMode { asked_hz, position, known },
     NotRecorded { march, signal },
-    File { path, reason },
     UnstableCycle { period, multiplier },
-    NoResults { folder },
 });

@@ -3,12 +3,12 @@
 use crate::contact::PyLaw;
 use crate::errors;
 use crate::watched::{Manner, watched};
+use judder_models::bridge::{self, CaseContact};
+use judder_models::oscillator::case::OscillatorCase;
+use judder_models::oscillator::given::Given;
+use judder_models::oscillator::inputs::{FrictionLoad, LawName, OscillatorInputs};
+use judder_models::oscillator::keys::{KEYS, OscillatorKey};
 use judder_oscillator::Contact;
-use judder_study::bridge::{self, CaseContact};
-use judder_study::models::oscillator::case::OscillatorCase;
-use judder_study::models::oscillator::given::Given;
-use judder_study::models::oscillator::inputs::{FrictionLoad, LawName, OscillatorInputs};
-use judder_study::models::oscillator::keys::{KEYS, OscillatorKey};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyFloat, PyString};
@@ -99,14 +99,14 @@ impl Asked {
 
     /// The contact with its warnings; the law `bem` is computed where it was not before.
     pub(crate) fn contact(&self, py: Python<'_>, manner: &Manner) -> PyResult<CaseContact> {
-        let study = |error| errors::study(&error);
+        let model = |error| errors::model(&error);
         if let Some(law) = &self.law {
-            return bridge::with_law(&self.case, law.get().law().clone()).map_err(study);
+            return bridge::with_law(&self.case, law.get().law().clone()).map_err(model);
         }
         if bridge::formula(self.case.law).is_some() {
-            return bridge::contact_of(&self.case, &judder_study::Silent).map_err(study);
+            return bridge::contact_of(&self.case, &judder_study::Silent).map_err(model);
         }
-        watched(py, manner, |watch| bridge::contact_of(&self.case, watch))?.settled(study)
+        watched(py, manner, |watch| bridge::contact_of(&self.case, watch))?.settled(model)
     }
 }
 

@@ -5,12 +5,12 @@ use crate::contact::PyLaw;
 use crate::errors;
 use crate::watched::Manner;
 use judder_keys::numeric_key::{Form, Value};
+use judder_models::bridge;
+use judder_models::oscillator::case::OscillatorCase;
+use judder_models::oscillator::inputs::TimeForm;
+use judder_models::oscillator::keys::{KEYS, OscillatorKey};
+use judder_models::point::{Point, SteadyPoint, point_with};
 use judder_oscillator::mechanism::Mechanism;
-use judder_study::bridge;
-use judder_study::models::oscillator::case::OscillatorCase;
-use judder_study::models::oscillator::inputs::TimeForm;
-use judder_study::models::oscillator::keys::{KEYS, OscillatorKey};
-use judder_study::point::{Point, SteadyPoint, point_with};
 use num_complex::Complex64;
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pyo3::prelude::*;
@@ -185,7 +185,7 @@ impl OscillatorPoint {
         let law = self.law.as_ref().map(|law| law.clone_ref(py));
         let asked = Asked { case: self.case.clone(), law };
         let contact = asked.contact(py, &Manner::default())?;
-        let whole = py.detach(|| point_with(&self.case, &contact)).map_err(|error| errors::study(&error))?;
+        let whole = py.detach(|| point_with(&self.case, &contact)).map_err(|error| errors::model(&error))?;
         Ok(self.whole.get_or_init(|| whole))
     }
 }

@@ -5,12 +5,12 @@ use crate::cases::Source;
 use crate::errors;
 use crate::oscillator::named;
 use crate::watched::{Manner, watched};
+use judder_models::coupled_pair::{CoupledPair, coupled_pair};
 use judder_sliding::body::{Body, Point};
 use judder_sliding::edge::Interpolation;
 use judder_sliding::friction::Friction;
 use judder_sliding::motion::Motion;
 use judder_sliding::pair::{Observed, Pair, Side, Slider, Track};
-use judder_study::coupled_pair::{CoupledPair, coupled_pair};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 
@@ -150,7 +150,7 @@ impl PyPair {
     fn from_source(py: Python<'_>, case: Source, overrides: Vec<String>) -> PyResult<Self> {
         let file = case.read(&overrides)?;
         let done = watched(py, &Manner::default(), |_| coupled_pair(&file))?;
-        let CoupledPair { pair, motion, warnings } = done.settled(|error| errors::study(&error))?;
+        let CoupledPair { pair, motion, warnings } = done.settled(|error| errors::model(&error))?;
         Ok(Self { pair, motion: Some(motion), warnings })
     }
 

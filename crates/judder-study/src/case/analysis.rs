@@ -1,6 +1,6 @@
 //! Analyses: a name that serves as a file name, and a kind with its settings.
 
-use crate::models::all_kinds;
+use crate::registry::Registry;
 use judder_keys::cause::Cause;
 use judder_keys::declared::Declaration;
 use judder_keys::document::{Data, Node};
@@ -35,7 +35,7 @@ impl<A: AsAny + ?Sized> Planned<Arc<A>> {
 }
 
 /// The names of analyses, in their order.
-pub(crate) fn names<K>(analyses: &[Planned<K>]) -> Vec<&str> {
+pub fn names<K>(analyses: &[Planned<K>]) -> Vec<&str> {
     analyses.iter().map(|planned| planned.name.as_str()).collect()
 }
 
@@ -59,34 +59,41 @@ impl<T: Any> AsAny for T {
 }
 
 /// A kind of analysis: its name, what is said of its keys besides `name` and `kind`, how those are read, and how its results are drawn.
-pub(crate) struct Kind<S, T> {
-    pub(crate) name: &'static str,
-    pub(crate) doc: &'static str,
-    pub(crate) declared: fn() -> Vec<Declaration>,
-    pub(crate) read: fn(&S, &Section<'_>) -> Result<T, Fault>,
-    pub(crate) picture: Option<Picture>,
+pub struct Kind<S, T> {
+    /// Its name in a case file.
+    pub name: &'static str,
+    /// What it computes, in a line.
+    pub doc: &'static str,
+    /// Its keys besides `name` and `kind`.
+    pub declared: fn() -> Vec<Declaration>,
+    /// Reads them, with what else the case says.
+    pub read: fn(&S, &Section<'_>) -> Result<T, Fault>,
+    /// How its results are drawn; `None` where they are no picture.
+    pub picture: Option<Picture>,
 }
 
 /// How the results of a kind of analysis are drawn.
-pub(crate) struct Picture {
+pub struct Picture {
     /// The panels, from the stored arrays; `None` where some are missing.
-    pub(crate) draw: fn(&Dataset) -> Option<Vec<Panel>>,
+    pub draw: fn(&Dataset) -> Option<Vec<Panel>>,
     /// What stands under it.
-    pub(crate) caption: &'static str,
+    pub caption: &'static str,
 }
 
 impl<S, T> Kind<S, T> {
     /// The names of its keys besides `name` and `kind`.
-    pub(crate) fn keys(&self) -> Vec<&'static str> {
+    pub fn keys(&self) -> Vec<&'static str> {
         (self.declared)().iter().map(|key| key.name).collect()
     }
 }
 
-/// Reads `[[analysis]]`: each kind is looked up among `kinds`, and reads its own keys.
-pub(crate) fn read_analyses<S, T>(
+/// Reads `[[analysis]]`: each kind is looked up among `kinds`, and reads its own keys. The registry tells kinds of other models from
+/// what is no kind at all.
+pub fn read_analyses<S, T>(
     root: &Section<'_>,
     keys: &S,
     kinds: &[Kind<S, T>],
+    registry: Registry,
 ) -> Result<Vec<Planned<T>>, Fault> {
     let Some(node) = root.get("analysis") else { return Ok(Vec::new()) };
     let mut analyses: Vec<Planned<T>> = Vec::new();
@@ -96,7 +103,7 @@ pub(crate) fn read_analyses<S, T>(
     // what is wrong with one analysis does not hide what is wrong with another
     let mut fault: Option<Fault> = None;
     for node in nodes {
-        match read_analysis(node, keys, kinds, &analyses) {
+        match read_analysis(node, keys, find_kind(node, kinds, registry), &analyses) {
             Ok(analysis) => analyses.push(analysis),
             Err(other) => {
                 fault = Some(match fault {
@@ -113,10 +120,10 @@ pub(crate) fn read_analyses<S, T>(
 fn read_analysis<S, T>(
     node: &Node,
     keys: &S,
-    kinds: &[Kind<S, T>],
+    kind: Result<&Kind<S, T>, Fault>,
     before: &[Planned<T>],
 ) -> Result<Planned<T>, Fault> {
-    let kind = find_kind(node, kinds)?;
+    let kind = kind?;
     let known = [vec!["name", "kind"], kind.keys()].concat();
     let section = Section::open(node, "", &format!("an analysis of kind `{}`", kind.name), &known)?;
     let name = section.text("name")?.unwrap_or(kind.name).to_owned();
@@ -131,7 +138,11 @@ fn read_analysis<S, T>(
 }
 
 /// The kind of one analysis; it decides which keys the analysis may have.
-fn find_kind<'k, S, T>(node: &Node, kinds: &'k [Kind<S, T>]) -> Result<&'k Kind<S, T>, Fault> {
+fn find_kind<'k, S, T>(
+    node: &Node,
+    kinds: &'k [Kind<S, T>],
+    registry: Registry,
+) -> Result<&'k Kind<S, T>, Fault> {
     let Data::Table(table) = &node.data else { return Err(wrong_type("analysis", "a table", node)) };
     let known: Vec<_> = kinds.iter().map(|kind| kind.name.to_owned()).collect();
     let Some(entry) = table.get("kind") else {
@@ -145,7 +156,7 @@ fn find_kind<'k, S, T>(node: &Node, kinds: &'k [Kind<S, T>]) -> Result<&'k Kind<
     }
     let (what, place) = ("analysis kind", entry.node.part(0..name.len()));
     let name = name.to_owned();
-    Err(if all_kinds().any(|(kind, _)| kind == name) {
+    Err(if registry.kinds().any(|(kind, _)| kind == name) {
         Cause::OtherModel { name, known }
     } else {
         Cause::UnknownName { what, name, known }
@@ -154,7 +165,7 @@ fn find_kind<'k, S, T>(node: &Node, kinds: &'k [Kind<S, T>]) -> Result<&'k Kind<
 }
 
 /// Whether a name is a plain file name on every system.
-pub(crate) fn is_file_name(name: &str) -> bool {
+pub fn is_file_name(name: &str) -> bool {
     let plain = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'.' | b'_' | b'-');
     (1..=100).contains(&name.len()) && !name.starts_with('.') && name.bytes().all(plain)
 }

@@ -22,7 +22,7 @@ const FOLDER: &str = "folder";
 pub fn anywhere(file: &CaseFile) -> Result<CaseFile, CaseError> {
     let mut document = with_options(&file.origin, &file.text, &file.overrides)?;
     settle(&mut document, file);
-    CaseFile::parse(&file.origin, &document.to_string(), &[])
+    CaseFile::parse(file.registry(), &file.origin, &document.to_string(), &[])
 }
 
 /// Puts whole paths into the text of a case; its files are those of `file`.

@@ -7,6 +7,7 @@ use crate::case::anywhere::settle;
 use crate::case::file::{CaseFile, given_error, read_tree};
 use crate::case::study_sweep::StudySweep;
 use crate::case::study_sweep::quantity_path::{QuantityPath, QuantitySource};
+use crate::registry::Registry;
 use judder_keys::cause::Cause;
 use judder_keys::edited::{self, table_of};
 use judder_keys::error::{CaseError, Fault, Place, Sources};
@@ -21,6 +22,7 @@ use judder_keys::error::{CaseError, Fault, Place, Sources};
 /// Those of [`CaseFile::parse`] with these options, at their places; of an analysis that cannot be, at its place in the composed text.
 /// What is wrong with analyses and sweeps that are replaced is no error.
 pub fn compose(
+    registry: Registry,
     name: &str,
     text: &str,
     set: &[String],
@@ -33,34 +35,9 @@ pub fn compose(
         analyses.push(table_of(analysis));
         document.insert("analysis", Item::ArrayOfTables(analyses));
     }
-    CaseFile::parse(name, &document.to_string(), &[]).map_err(|composed| {
+    CaseFile::parse(registry, name, &document.to_string(), &[]).map_err(|composed| {
         let replaced: &[&str] = if analysis.is_some() { &["analysis", "sweep"] } else { &[] };
-        given_error((name, text, set), replaced).unwrap_or(composed)
-    })
-}
-
-/// The contact case of an oscillator case with the options `set`: its substrate and its indenter, without analyses.
-///
-/// # Errors
-/// Those of [`CaseFile::parse`] with these options; [`Cause::OtherModel`] of a case that is of no oscillator.
-pub fn contact_case_of(name: &str, text: &str, set: &[String]) -> Result<CaseFile, CaseError> {
-    const KEPT: [&str; 4] = ["title", "model", "substrate", "indenter"];
-    let mut document = with_options(name, text, set)?;
-    let model = document.get("model").and_then(Item::as_str).unwrap_or_default().to_owned();
-    if model != "oscillator" {
-        let cause = Cause::UnknownName { what: "model", name: model, known: vec!["oscillator".to_owned()] };
-        return Err(CaseError::without_place(cause, name));
-    }
-    document.retain(|key, _| KEPT.contains(&key));
-    let title = document.get("title").and_then(Item::as_str).map(|title| format!("{title}: its contact"));
-    for (key, value) in [("title", title), ("model", Some("contact".to_owned()))] {
-        if let Some(value) = value {
-            edited::set(document.as_item_mut(), &[key], value.into());
-        }
-    }
-    CaseFile::parse(name, &document.to_string(), &[]).map_err(|composed| {
-        let dropped = ["contact", "oscillator", "operation", "analysis", "sweep"];
-        given_error((name, text, set), &dropped).unwrap_or(composed)
+        given_error(registry, (name, text, set), replaced).unwrap_or(composed)
     })
 }
 
@@ -88,7 +65,7 @@ pub fn alone(file: &CaseFile, name: &str) -> Result<CaseFile, CaseError> {
     edited::keep(document.as_table_mut(), "sweep", &only(&sweeps));
     edited::keep(document.as_table_mut(), "analysis", &only(&analyses));
     settle(&mut document, file);
-    CaseFile::parse(&file.origin, &document.to_string(), &[])
+    CaseFile::parse(file.registry(), &file.origin, &document.to_string(), &[])
 }
 
 /// The analyses whose results a sweep keeps; all of them where it sweeps a key of an analysis, which may go by its number.
@@ -104,7 +81,7 @@ fn taken_by_sweep<'a>(sweep: &'a StudySweep, analyses: &[&'a str]) -> Vec<&'a st
 }
 
 /// The text with the options written into it.
-pub(crate) fn with_options(name: &str, text: &str, set: &[String]) -> Result<DocumentMut, CaseError> {
+pub fn with_options(name: &str, text: &str, set: &[String]) -> Result<DocumentMut, CaseError> {
     let sources = Sources::new(name, text, set);
     // what cannot be set is refused by the tree, in the same words as ever
     read_tree(name, text, set).map_err(|fault| sources.error(fault))?;

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use crate::case::study_sweep::problem::SweepProblem;
 use crate::case::study_sweep::{self, StudySweep, read_sweeps};
 use crate::model::Model;
-use crate::models::{MODELS, ModelKind};
+use crate::registry::Registry;
 use judder_keys::cause::Cause;
 use judder_keys::document::{Data, Node, apply_override, parse};
 use judder_keys::error::{CaseError, Fault, Place, Sources};
@@ -37,11 +37,12 @@ pub struct CaseFile {
     tree: Arc<CaseTree>,
 }
 
-/// The values of a case file and its options, without sweeps, and the folder to which its files are relative.
+/// The values of a case file and its options, without sweeps, the folder to which its files are relative, and the models that there are.
 #[derive(Clone)]
 pub(crate) struct CaseTree {
     pub(crate) root: Node,
     folder: PathBuf,
+    registry: Registry,
 }
 
 impl fmt::Debug for CaseTree {
@@ -54,8 +55,8 @@ impl fmt::Debug for CaseTree {
 impl CaseTree {
     /// The case that it gives.
     pub(crate) fn read(&self) -> Result<Case, Fault> {
-        let Self { root, folder } = self;
-        (read_model(root)?.read)(root, folder)
+        let Self { root, folder, registry } = self;
+        (registry.model(root)?.read)(root, folder)
     }
 }
 
@@ -101,7 +102,7 @@ impl CaseFile {
     ///
     /// # Errors
     /// [`CaseError`] with the cause, the place in file or option, and what would be right.
-    pub fn read(path: impl AsRef<Path>, overrides: &[String]) -> Result<Self, CaseError> {
+    pub fn read(registry: Registry, path: impl AsRef<Path>, overrides: &[String]) -> Result<Self, CaseError> {
         let path = path.as_ref();
         let name = path.display().to_string();
         let bytes = read_bytes(path).map_err(|cause| CaseError::without_place(cause, &name))?;
@@ -109,20 +110,32 @@ impl CaseFile {
             let offset = error.utf8_error().valid_up_to();
             CaseError::without_place(Cause::Binary { name: name.clone(), offset }, &name)
         })?;
-        Ok(Self { path: Some(path.to_owned()), ..Self::parse(&name, &text, overrides)? })
+        Ok(Self { path: Some(path.to_owned()), ..Self::parse(registry, &name, &text, overrides)? })
     }
 
     /// Validates the text of a case file; `name`, a path or any word, is what errors call it.
     ///
     /// # Errors
     /// [`CaseError`] with the cause, the place in text or option, and what would be right.
-    pub fn parse(name: &str, text: &str, overrides: &[String]) -> Result<Self, CaseError> {
+    pub fn parse(
+        registry: Registry,
+        name: &str,
+        text: &str,
+        overrides: &[String],
+    ) -> Result<Self, CaseError> {
         let sources = Sources::new(name, text, overrides);
-        let (case, sweeps, tree) = read_case(name, text, overrides).map_err(|fault| sources.error(fault))?;
+        let read = || read_case(registry, name, read_tree(name, text, overrides)?);
+        let (case, sweeps, tree) = read().map_err(|fault| sources.error(fault))?;
         let stem = Path::new(name).file_stem().map_or(name.into(), |stem| stem.to_string_lossy());
         let (name, origin) = (stem.into_owned(), name.to_owned());
         let (text, overrides, tree) = (text.to_owned(), overrides.to_vec(), Arc::new(tree));
         Ok(Self { name, path: None, origin, text, overrides, case, sweeps, tree })
+    }
+
+    /// The models among which it found its own.
+    #[must_use]
+    pub fn registry(&self) -> Registry {
+        self.tree.registry
     }
 
     /// The case at a point of a sweep of it: read anew with the swept keys at these values, in SI units or plain numbers, one a key in
@@ -231,17 +244,13 @@ fn place(root: &Node, index: usize, keys: &[&str]) -> Option<Place> {
 }
 
 fn read_case(
+    registry: Registry,
     name: &str,
-    text: &str,
-    overrides: &[String],
+    mut root: Node,
 ) -> Result<(Case, Vec<StudySweep>, CaseTree), Fault> {
-    read_case_of(name, read_tree(name, text, overrides)?)
-}
-
-fn read_case_of(name: &str, mut root: Node) -> Result<(Case, Vec<StudySweep>, CaseTree), Fault> {
     let sweeps = root.take("sweep");
     let folder = Path::new(name).parent().unwrap_or(Path::new("")).to_owned();
-    let tree = CaseTree { root, folder };
+    let tree = CaseTree { root, folder, registry };
     let case = tree.read()?;
     let sweeps = match sweeps {
         Some(node) => read_sweeps(&node, &tree, &case)?,
@@ -251,7 +260,8 @@ fn read_case_of(name: &str, mut root: Node) -> Result<(Case, Vec<StudySweep>, Ca
 }
 
 /// What is wrong with a text and its options, without these parts of the case; `None` where nothing is.
-pub(crate) fn given_error(
+pub fn given_error(
+    registry: Registry,
     (name, text, overrides): (&str, &str, &[String]),
     without: &[&str],
 ) -> Option<CaseError> {
@@ -260,7 +270,7 @@ pub(crate) fn given_error(
         for part in without {
             root.take(part);
         }
-        read_case_of(name, root)
+        read_case(registry, name, root)
     };
     read().err().map(|fault| Sources::new(name, text, overrides).error(fault))
 }
@@ -275,24 +285,4 @@ pub(crate) fn read_tree(name: &str, text: &str, overrides: &[String]) -> Result<
         apply_override(&mut root, index + 1, option)?;
     }
     Ok(root)
-}
-
-/// The model of the case.
-fn read_model(root: &Node) -> Result<&'static ModelKind, Fault> {
-    let known = || MODELS.map(|model| model.name.to_owned()).to_vec();
-    let said = match &root.data {
-        Data::Table(table) => table.get("model").map(|entry| &entry.node),
-        _ => None,
-    };
-    let Some(node) = said else {
-        let expected = MODELS.map(|model| format!("model = \"{}\"", model.name)).join(" or ");
-        let (key, section) = ("model".to_owned(), "the case".to_owned());
-        return Err(Cause::MissingKey { key, section, expected }.at(root.place));
-    };
-    let name = judder_keys::section::text("model", node)?;
-    if let Some(model) = MODELS.into_iter().find(|model| model.name == name) {
-        return Ok(model);
-    }
-    let (what, place) = ("model", node.part(0..name.len()));
-    Err(Cause::UnknownName { what, name: name.to_owned(), known: known() }.at(place))
 }

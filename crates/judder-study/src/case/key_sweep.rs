@@ -1,7 +1,7 @@
 //! Any number of a case that varies: how its values are read, and how one is put back into the case.
 
+use crate::case::scale::Scale;
 use crate::case::study_sweep::problem::SweepProblem;
-use crate::models::sweep::Scale;
 use judder_keys::cause::Cause;
 use judder_keys::dimension::Dimension;
 use judder_keys::document::{Data, Node};
@@ -10,38 +10,13 @@ use judder_keys::problem::Placed;
 use judder_keys::quantity::Quantity;
 use judder_keys::section::{Section, finite_number, list, wrong_type};
 
-/// Any number of a case with the values that it takes one after the other.
-#[derive(Debug, Clone, PartialEq)]
-pub struct KeySweep {
-    /// Its dotted path, such as `structure.oblique.beam.angle`.
-    pub path: String,
-    /// The values, two at least, ascending or descending, in SI units.
-    pub values: Vec<f64>,
-    /// Their dimension.
-    pub dimension: Dimension,
-    /// How they are spaced, for the axis of figures.
-    pub scale: Scale,
-}
-
-impl KeySweep {
-    /// A value with its unit.
-    pub fn text(&self, value: f64) -> String {
-        shown(value, self.dimension)
-    }
-
-    /// A value as a case file would have it.
-    pub(crate) fn data(&self, value: f64) -> Data {
-        written(value, self.dimension)
-    }
-}
-
 /// A value with its unit.
-pub(crate) fn shown(value: f64, dimension: Dimension) -> String {
+pub fn shown(value: f64, dimension: Dimension) -> String {
     if dimension.is_number() { value.to_string() } else { format!("{value} {}", dimension.unit()) }
 }
 
 /// A value as a case file would have it.
-pub(crate) fn written(value: f64, dimension: Dimension) -> Data {
+pub fn written(value: f64, dimension: Dimension) -> Data {
     if !dimension.is_number() {
         return Data::Text(format!("{value:?} {}", dimension.unit()));
     }
@@ -51,14 +26,17 @@ pub(crate) fn written(value: f64, dimension: Dimension) -> Data {
 }
 
 /// The ends of a range that differ, in one dimension.
-pub(crate) struct Ends {
-    pub(crate) values: [f64; 2],
-    pub(crate) dimension: Dimension,
-    pub(crate) scale: Scale,
+pub struct Ends {
+    /// The first value and the last.
+    pub values: [f64; 2],
+    /// Their dimension.
+    pub dimension: Dimension,
+    /// How the values between are spaced.
+    pub scale: Scale,
 }
 
 /// Reads `from`, `to` and `scale` of a table.
-pub(crate) fn read_ends(table: &Section<'_>) -> Result<Ends, Fault> {
+pub fn read_ends(table: &Section<'_>) -> Result<Ends, Fault> {
     let end = |key: &str| {
         let node = table.required(key, &format!("{key} = …, the value at this end"))?;
         Ok::<_, Fault>((read_number(&table.path(key), node)?, node.place))
@@ -76,11 +54,7 @@ pub(crate) fn read_ends(table: &Section<'_>) -> Result<Ends, Fault> {
 }
 
 /// Reads a list of values in one dimension, `least` at least, each with its place.
-pub(crate) fn read_values(
-    key: &str,
-    node: &Node,
-    least: usize,
-) -> Result<(Vec<f64>, Vec<Place>, Dimension), Fault> {
+pub fn read_values(key: &str, node: &Node, least: usize) -> Result<(Vec<f64>, Vec<Place>, Dimension), Fault> {
     let nodes = list(key, node)?;
     let (mut values, mut dimension) = (Vec::with_capacity(nodes.len()), None);
     for node in nodes {

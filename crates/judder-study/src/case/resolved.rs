@@ -21,7 +21,7 @@ impl Case {
 }
 
 /// The analyses of a case.
-pub(crate) fn analyses<K>(analyses: &[Planned<K>], write: impl Fn(&K, &mut Map<String, Json>)) -> Json {
+pub fn analyses<K>(analyses: &[Planned<K>], write: impl Fn(&K, &mut Map<String, Json>)) -> Json {
     let written = |planned: &Planned<K>| {
         let mut json = Map::new();
         write(&planned.kind, &mut json);
@@ -33,7 +33,7 @@ pub(crate) fn analyses<K>(analyses: &[Planned<K>], write: impl Fn(&K, &mut Map<S
 }
 
 /// A number in its form.
-pub(crate) fn number(number: f64, form: Form, dimension: Dimension) -> Json {
+pub fn number(number: f64, form: Form, dimension: Dimension) -> Json {
     match form {
         Form::Group => json!(number),
         Form::Si => json!({ "value": number, "unit": dimension.unit() }),

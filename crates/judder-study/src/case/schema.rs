@@ -3,21 +3,21 @@
 mod sweep;
 
 use crate::case::analysis::Kind;
-use crate::models::MODELS;
-use crate::models::sweep::Scale;
+use crate::case::scale::Scale;
+use crate::registry::Registry;
 use judder_keys::schema::{choice, object, reference, table, with_declared};
 use serde_json::{Value as Json, json};
 
 /// The JSON Schema (draft 2020-12) of case files of all models, with descriptions and defaults.
 ///
 /// It knows names, types, signs and defaults; units and conditions between keys are checked by reading the case.
-pub fn schema() -> Json {
+pub fn schema(registry: Registry) -> Json {
     let mut definitions = json!({
         "points": { "type": "integer", "minimum": 2, "description": "number of points, both ends included" },
         "scale": choice(Scale::ALL.map(|(name, _)| name), "linear", "spacing of the points"),
         "sweeps": sweep::sweeps(),
     });
-    for (name, definition) in MODELS.iter().flat_map(|model| (model.definitions)()) {
+    for (name, definition) in registry.models().iter().flat_map(|model| (model.definitions)()) {
         definitions[name] = definition;
     }
     let mut json = json!({
@@ -25,7 +25,7 @@ pub fn schema() -> Json {
         "title": "A case of judder",
         "type": "object",
         "required": ["model"],
-        "oneOf": MODELS.iter().map(|model| (model.schema)()).collect::<Vec<_>>(),
+        "oneOf": registry.models().iter().map(|model| (model.schema)()).collect::<Vec<_>>(),
         "$defs": definitions,
     });
     json.sort_all_objects();
@@ -38,7 +38,7 @@ fn name_of(kind: &str) -> Json {
 }
 
 /// The list of analyses: one alternative a kind.
-pub(crate) fn analyses<S, T>(kinds: &[Kind<S, T>]) -> Json {
+pub fn analyses<S, T>(kinds: &[Kind<S, T>]) -> Json {
     let alternatives = kinds.iter().map(|kind| {
         let own = [("kind", json!({ "const": kind.name })), ("name", name_of(kind.name))];
         with_declared(kind.doc, object(own), &(kind.declared)(), &["kind"])
@@ -47,7 +47,7 @@ pub(crate) fn analyses<S, T>(kinds: &[Kind<S, T>]) -> Json {
 }
 
 /// A key over a range.
-pub(crate) fn sweep(key: Json, end: &Json, description: &str) -> Json {
+pub fn sweep(key: Json, end: &Json, description: &str) -> Json {
     let entries = [
         ("key", key),
         ("from", end.clone()),

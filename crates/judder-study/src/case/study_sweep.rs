@@ -19,10 +19,14 @@ pub(crate) use read::read_sweeps;
 pub(crate) use trial::at;
 
 use crate::case::key_sweep;
-use crate::models::sweep::Scale;
+use crate::case::scale::Scale;
 use design::Sampler;
+use judder_keys::declared::Whole;
 use judder_keys::dimension::Dimension;
 use quantity_path::QuantityPath;
+
+/// Whole numbers that every reader of JSON keeps.
+pub const SEEDS: Whole = Whole { from: 0, to: (1 << 53) - 1 };
 
 /// A sweep of the whole case.
 #[derive(Debug, Clone, PartialEq)]

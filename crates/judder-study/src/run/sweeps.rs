@@ -61,7 +61,7 @@ pub(super) fn run(
         computed.skipped = names;
         computed.forgotten.extend(forgotten);
     }
-    computed.reported(notes)
+    computed.reported(asked.file.registry(), notes)
 }
 
 /// Runs the analyses where nobody else is at work; gives back what became of earlier results.

@@ -1,6 +1,8 @@
 //! What a sweep stores, under which hash, in which chunks.
 
+use crate::axis::Axis;
 use crate::case::file::CaseFile;
+use crate::case::scale::Scale;
 use crate::case::study_sweep::problem::SweepProblem;
 use crate::case::study_sweep::quantity_path::{QuantityPath, QuantitySource, QuantityStep};
 use crate::case::study_sweep::{Design, StudySweep, SweptValues};
@@ -9,7 +11,6 @@ use crate::input_file::KnownFile;
 use crate::labels;
 use crate::ledger::VERSION;
 use crate::model::{OperatingQuantity, OperatingWork};
-use crate::models::Axis;
 use judder_keys::error::CaseError;
 use judder_store::{SweepDimension, SweepLayout, SweepQuantity, Variable};
 
@@ -252,7 +253,7 @@ fn coordinate((file, sweep): (&CaseFile, &StudySweep), k: usize) -> Variable {
     let count = axis.count().unwrap_or(0);
     let values: Vec<f64> = (0..count).map(|index| axis.value(index)).collect();
     let scale = match axis.values {
-        SweptValues::Listed(_) => crate::models::sweep::Scale::Linear,
+        SweptValues::Listed(_) => Scale::Linear,
         _ => axis.scale,
     };
     Axis { quantity: label((file, sweep), k), values, scale }.coordinate()

@@ -4,8 +4,8 @@ use super::agreement::Numbers;
 use super::generated::{COUNT, GeneratedCase, generated};
 use super::{case_files, file, small_cases, workspace};
 use judder_keys::error::CaseError;
+use judder_models::template::{TEMPLATES, template};
 use judder_study::case::file::CaseFile;
-use judder_study::case::template::{TEMPLATES, template};
 use judder_study::run::identity;
 use serde_json::{Map, Value, json};
 
@@ -35,11 +35,11 @@ fn shipped_cases_and_templates_resolve_as_before() {
     let mut found = Map::new();
     for path in case_files(&folder) {
         let name = path.strip_prefix(&folder).unwrap().to_str().unwrap().replace('\\', "/");
-        found.insert(name, frozen(CaseFile::read(&path, &[])));
+        found.insert(name, frozen(judder_models::read(&path, &[])));
     }
     for name in TEMPLATES {
         let text = template(name).unwrap();
-        let case = frozen(CaseFile::parse("case.toml", &text, &[]));
+        let case = frozen(judder_models::parse("case.toml", &text, &[]));
         found.insert(format!("judder new {name}"), case);
     }
     file::check("cases.json", &Value::Object(found), Numbers::Exact);
@@ -53,7 +53,7 @@ fn generated_cases_resolve_as_before() {
         let GeneratedCase { base, appended, options } = generated(index);
         let path = small_cases().join(format!("{base}.toml"));
         let text = std::fs::read_to_string(&path).unwrap() + "\n" + &appended.concat();
-        let mut entry = frozen(CaseFile::parse(path.to_str().unwrap(), &text, &options));
+        let mut entry = frozen(judder_models::parse(path.to_str().unwrap(), &text, &options));
         refused += usize::from(entry.get("refused").is_some());
         entry["appended"] = json!(appended);
         entry["set"] = json!(options);

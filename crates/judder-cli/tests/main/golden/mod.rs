@@ -22,7 +22,7 @@ fn workspace(path: &str) -> PathBuf {
 
 /// The small cases: one of each kind of analysis of each model at least.
 fn small_cases() -> PathBuf {
-    workspace("crates/judder-study/tests/small")
+    workspace("crates/judder-models/tests/small")
 }
 
 /// The case files below a folder, by their sorted paths.

@@ -109,7 +109,7 @@ fn kinds_of(case: &Value) -> impl Iterator<Item = (String, String)> {
 
 /// The kinds of analyses of a small case, and how its study differs from the frozen one.
 fn compared(path: &Path) -> (Vec<(String, String)>, Option<String>) {
-    let case = CaseFile::read(path, &[]).unwrap();
+    let case = judder_models::read(path, &[]).unwrap();
     let folder = tempfile::tempdir().unwrap();
     let report = run(&case, folder.path(), &RunOptions::default(), &Silent).unwrap();
     let name = format!("studies/{}.json", case.name);

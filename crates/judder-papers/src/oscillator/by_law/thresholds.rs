@@ -2,13 +2,13 @@
 
 use super::{LAWS, LOADS, friction, sources, stored};
 use crate::claim::short;
+use judder_models::oscillator::curves::curves_of;
 use judder_report::page::Table;
 use judder_report::runs::through;
 use judder_report::{Axis, Figure, Layer, Legend, Panel, Style};
 use judder_store::{Dataset, StudyFolder, Summary};
 use judder_study::StudyError;
 use judder_study::labels::short_number;
-use judder_study::models::oscillator::curves::curves_of;
 use judder_study::pictures::{axis, reals};
 
 /// A figure of thresholds over speed.

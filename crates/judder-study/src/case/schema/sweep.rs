@@ -2,10 +2,9 @@
 
 use serde_json::{Value as Json, json};
 
-use crate::case::study_sweep::Design;
 use crate::case::study_sweep::design::POINTS_LIMIT;
 use crate::case::study_sweep::read::{CHUNK_LIMIT, RESAMPLES_LIMITS, SEED, SENSITIVITY};
-use crate::models::motion::settings::SEEDS;
+use crate::case::study_sweep::{Design, SEEDS};
 use judder_keys::schema::{choice, object, reference, table};
 
 /// The list of sweeps, of any model.

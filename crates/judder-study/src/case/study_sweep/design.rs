@@ -4,7 +4,7 @@ use judder_numerics::elementary::{exp, ln};
 use judder_numerics::sampling::{LatinHypercube, SobolSequence};
 
 use super::{Design, StudySweep, SweptKey, SweptValues};
-use crate::models::sweep::{Scale, evenly};
+use crate::case::scale::{Scale, evenly};
 
 /// The most points of a sweep.
 pub const POINTS_LIMIT: u64 = 1_000_000_000_000;

@@ -7,7 +7,7 @@ use super::problem::SweepProblem;
 use super::{Design, SweptKey, SweptValues};
 use crate::case::file::{Case, CaseTree};
 use crate::case::key_sweep::{Ends, read_ends, read_values};
-use crate::models::sweep::Scale;
+use crate::case::scale::Scale;
 use judder_keys::cause::Cause;
 use judder_keys::dimension::Dimension;
 use judder_keys::document::{Node, STEPS_LIMIT};

@@ -1,7 +1,7 @@
 //! A quantity of a sweep with its label, its colours and its values.
 
-use crate::models::operating_label;
 use crate::pictures::words;
+use crate::registry::Registry;
 use judder_report::figure::Class;
 use judder_report::{Axis, Role};
 use judder_store::Dataset;
@@ -53,7 +53,7 @@ pub(super) fn keys(dataset: &Dataset) -> Option<Vec<Key>> {
 }
 
 /// All columns of a sweep; `values` are its stored ones, quantities fastest.
-pub(super) fn columns(dataset: &Dataset, values: &[f64]) -> Option<Vec<Column>> {
+pub(super) fn columns(registry: Registry, dataset: &Dataset, values: &[f64]) -> Option<Vec<Column>> {
     let (names, units) = (words(dataset, "quantity")?, words(dataset, "quantity_units")?);
     let long_names = words(dataset, "quantity_long_name")?;
     let meanings = words(dataset, "quantity_flag_meanings");
@@ -64,6 +64,7 @@ pub(super) fn columns(dataset: &Dataset, values: &[f64]) -> Option<Vec<Column>> 
         Column {
             name: name.clone(),
             label: label(
+                registry,
                 name,
                 long_names.get(k).map_or("", String::as_str),
                 units.get(k).map_or("", String::as_str),
@@ -75,8 +76,8 @@ pub(super) fn columns(dataset: &Dataset, values: &[f64]) -> Option<Vec<Column>> 
     Some((0..names.len()).map(column).collect())
 }
 
-fn label(name: &str, long_name: &str, units: &str) -> String {
-    if let Some(label) = operating_label(name) {
+fn label(registry: Registry, name: &str, long_name: &str, units: &str) -> String {
+    if let Some(label) = registry.operating_label(name) {
         return label.to_owned();
     }
     match (long_name, units) {

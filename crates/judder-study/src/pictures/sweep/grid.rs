@@ -3,8 +3,7 @@
 use super::column::Column;
 use super::{DRAWN_POINTS, Drawn, PANELS, Sweep, evenly, left_out};
 use crate::labels::short_number;
-use crate::models::oscillator::stability_map::figure::{DRAWN_SIDE, ascending_order};
-use crate::pictures::{axis, reals, text};
+use crate::pictures::{DRAWN_SIDE, ascending_order, axis, reals, text};
 use judder_report::figure::{Class, ClassMap, ValueMap};
 use judder_report::palette::ColourMap;
 use judder_report::{Axis, Layer, Legend, Panel, Role};

@@ -1,0 +1,41 @@
+//! What `judder check` shows of a belt case.
+
+use crate::belt::case::{BELT_KEYS, BeltCase};
+use crate::error::ModelError;
+use crate::estimate::{Estimate, estimate_json, estimate_text, title};
+use crate::motion::model::belt;
+use judder_oscillator::motion::SlidingSystem;
+use judder_study::case::file::CaseFile;
+use judder_study::model::Analysis;
+use judder_study::resolve::Resolved;
+use judder_study::text::{columns, number};
+use serde_json::json;
+
+pub(super) fn resolve(file: &CaseFile, case: &BeltCase) -> Result<Resolved, ModelError> {
+    let system = belt(&case.inputs)?;
+    let estimates = case.analyses.iter().map(|own| own.kind.estimate(&own.name.as_str()));
+    let estimates = estimates.collect::<Result<Vec<Estimate>, ModelError>>()?;
+    let keys = BELT_KEYS.iter().map(|key| vec![key.path.to_owned(), number(case.inputs.number(key.key))]);
+    let mut text = format!("{}\n\n{}", title(&case.title), columns(&keys.collect::<Vec<_>>()));
+    let damping = system.equivalent_damping();
+    let [displacement, _] = system.steady_sliding();
+    let verdict = match damping.total_cmp(&0.0) {
+        std::cmp::Ordering::Less => "unstable",
+        std::cmp::Ordering::Equal => "marginal",
+        std::cmp::Ordering::Greater => "stable",
+    };
+    text.push_str("\nat the operating point\n");
+    text.push_str(&columns(&[
+        vec!["steady sliding".to_owned(), verdict.to_owned()],
+        vec!["displacement".to_owned(), number(displacement)],
+        vec!["equivalent damping".to_owned(), number(damping)],
+    ]));
+    text.push_str(&estimate_text(&estimates));
+    let document = json!({
+        "case": file.case.resolved(),
+        "point": { "verdict": verdict, "displacement": displacement, "equivalent_damping": damping },
+        "estimate": estimate_json(&estimates),
+        "warnings": [],
+    });
+    Ok(Resolved { document, text })
+}

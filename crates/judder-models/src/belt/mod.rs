@@ -1,0 +1,88 @@
+//! A mass on a belt.
+
+pub mod case;
+mod check;
+pub(crate) mod reference;
+pub(crate) mod resolved;
+pub(crate) mod schema;
+
+use crate::belt::case::{BeltCase, BeltKey, BeltKeys};
+use crate::error::ModelError;
+use crate::estimate::{Estimate, cost};
+use crate::motion::settings::MotionAnalysis;
+use crate::motion::{self, check::estimate, model::BeltModel};
+use judder_study::StudyError;
+use judder_study::case::analysis::names;
+use judder_study::case::file::{Case, CaseFile};
+use judder_study::model::{Analysed, Analysis, Model, Prepared, Task};
+use judder_study::outcome::Outcome;
+use judder_study::registry::{ModelKind, drawn};
+use judder_study::resolve::Resolved;
+use serde_json::{Map, Value};
+
+impl Analysed for BeltCase {
+    type Subject<'a> = BeltModel<'a>;
+    /// The name of the analysis.
+    type Known<'a> = &'a str;
+    type Estimate = Estimate;
+    type Error = ModelError;
+}
+
+impl Analysis<BeltCase> for MotionAnalysis<BeltKey> {
+    fn steps(&self) -> usize {
+        motion::steps(self)
+    }
+
+    fn run(&self, of: &BeltModel<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+        motion::run_task(of, self, task)
+    }
+
+    fn estimate(&self, name: &&str) -> Result<Estimate, ModelError> {
+        Ok(estimate(name, self, cost::RADIAN_ON_BELT))
+    }
+
+    fn write(&self, json: &mut Map<String, Value>) {
+        self.write_table::<BeltKeys>(json);
+    }
+}
+
+/// The model.
+pub(crate) const MODEL: ModelKind = ModelKind {
+    name: "belt",
+    read: |root, _| case::read(root).map(Case::new),
+    schema: schema::case,
+    definitions: schema::definitions,
+    reference: reference::section,
+    kinds: || drawn(&case::KINDS),
+    operating_quantities: &[],
+};
+
+impl Model for BeltCase {
+    fn name(&self) -> &'static str {
+        MODEL.name
+    }
+
+    fn analysis_names(&self) -> Vec<&str> {
+        names(&self.analyses)
+    }
+
+    fn resolved(&self) -> serde_json::Value {
+        resolved::case(self)
+    }
+
+    fn preflight(&self, _: &CaseFile, _: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
+        Ok(Prepared::NOTHING)
+    }
+
+    fn steps(&self, index: usize) -> usize {
+        self.analyses[index].kind.steps()
+    }
+
+    fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {
+        Ok(self.analyses[index].kind.run(&BeltModel::new(self), task)?)
+    }
+
+    fn resolve(&self, file: &CaseFile) -> Result<Resolved, StudyError> {
+        Ok(check::resolve(file, self)?)
+    }
+}

@@ -1,0 +1,238 @@
+//! Contact laws computed with the boundary-element solver.
+
+use crate::contact::settings::LawMethod;
+use crate::error::ModelError;
+use crate::material::Material;
+use judder_contact::law::boundary_elements::{sample, sweep_accuracy};
+use judder_contact::law::sweep::{
+    CollapseRequest, SolvedPoint, SweepEnd, SweepLevel, SweepObserver, SweepRange, SweepRequest,
+    collapse_sweep, sweep,
+};
+use judder_contact::law::{LawErrors, LawIndenter, LawOrigin};
+use judder_contact::steady::MEMORY;
+use judder_contact::{Law, LawError};
+use judder_study::Progress;
+use std::sync::{Arc, Mutex, MutexGuard, TryLockError};
+use std::time::Duration;
+
+/// How much further than the force area and friction may be off.
+const SECONDARY: f64 = 5.0;
+/// The most contacts that a law may take.
+const MOST_POINTS: usize = 4000;
+/// ŷ at which the curve of a paraboloid is computed; by the collapse any will do.
+const COLLAPSE_INDENTATION: f64 = 1e-2;
+
+/// A law to be computed.
+#[derive(Debug, Clone)]
+pub struct LawTask<'a> {
+    /// The substrate.
+    pub material: &'a Material,
+    /// The indenter.
+    pub indenter: LawIndenter,
+    /// How the plane is covered.
+    pub method: LawMethod,
+    /// v̂ between which the law is wanted.
+    pub velocity: (f64, f64),
+    /// ŷ between which the law is wanted.
+    pub indentation: (f64, f64),
+    /// Relative accuracy.
+    pub accuracy: f64,
+    /// Bytes that the largest grid of each contact may take.
+    pub memory: u64,
+}
+
+/// A computed law, and how it came about.
+#[derive(Debug, Clone)]
+pub struct ComputedLaw {
+    /// The law that was found.
+    pub law: Law,
+    /// How the refinement of its plane ended.
+    pub end: SweepEnd,
+    /// What each refinement of the plane left.
+    pub levels: Vec<SweepLevel>,
+    /// The contacts that were solved.
+    pub points: Vec<SolvedPoint>,
+}
+
+/// Tells a sweep's progress, and where solved points are kept.
+struct Watch<'a> {
+    progress: &'a dyn Progress,
+    kept: &'a (dyn Fn(&SolvedPoint) + Sync),
+}
+
+impl SweepObserver for Watch<'_> {
+    fn begins(&self, points: usize) {
+        self.progress.expect(points);
+    }
+
+    fn finished(&self, point: &SolvedPoint, _done: usize, _planned: usize) {
+        (self.kept)(point);
+        self.progress.advance();
+    }
+
+    fn interrupted(&self) -> bool {
+        self.progress.interrupted()
+    }
+}
+
+/// Nothing is known, and nothing is kept.
+pub const NO_POINTS: Points<'static> = (&[], &|_| ());
+
+/// The points that are known already, and who is handed each new one.
+pub(crate) type Points<'a> = (&'a [SolvedPoint], &'a (dyn Fn(&SolvedPoint) + Sync));
+
+/// The laws that are remembered while the program runs: more than a case has, fewer than a slider passes in an hour.
+const REMEMBERED: usize = 32;
+/// Between two looks whether another thread is done with its law.
+const PAUSE: Duration = Duration::from_millis(5);
+
+/// Computes a law, or gives the one that was computed before: the last few are kept while the program runs. `known` points are not
+/// solved again, and every new one is handed to `kept`.
+///
+/// # Errors
+/// [`ModelError::Interrupted`], [`ModelError::Law`].
+pub fn compute(
+    task: &LawTask<'_>,
+    points: Points<'_>,
+    progress: &dyn Progress,
+) -> Result<ComputedLaw, ModelError> {
+    static KNOWN: Mutex<Vec<(String, ComputedLaw)>> = Mutex::new(Vec::new());
+    let LawTask { material, indenter, method, velocity, indentation, accuracy, memory } = task;
+    // a curve of the paraboloid knows no ranges
+    let ranges = (*method == LawMethod::Sweep).then_some((velocity, indentation));
+    let key = format!("{:?} {indenter:?} {method:?} {ranges:?} {accuracy} {memory}", material.of_law());
+    // held while computing: two threads shall not compute the same law
+    let mut known = taken(&KNOWN, progress)?;
+    if let Some((_, law)) = known.iter().find(|(other, _)| *other == key) {
+        return Ok(law.clone());
+    }
+    let law = compute_anew(task, points, progress)?;
+    if known.len() == REMEMBERED {
+        known.remove(0);
+    }
+    known.push((key, law.clone()));
+    Ok(law)
+}
+
+/// What another thread may hold for long, unless interrupted before it is free.
+fn taken<'a, T>(mutex: &'a Mutex<T>, progress: &dyn Progress) -> Result<MutexGuard<'a, T>, ModelError> {
+    loop {
+        match mutex.try_lock() {
+            Ok(guard) => return Ok(guard),
+            Err(TryLockError::Poisoned(poisoned)) => return Ok(poisoned.into_inner()),
+            Err(TryLockError::WouldBlock) if progress.interrupted() => return Err(ModelError::Interrupted),
+            Err(TryLockError::WouldBlock) => std::thread::sleep(PAUSE),
+        }
+    }
+}
+
+fn compute_anew(
+    task: &LawTask<'_>,
+    (known, kept): Points<'_>,
+    progress: &dyn Progress,
+) -> Result<ComputedLaw, ModelError> {
+    let material = task.material.of_law();
+    let substrate = material.clone();
+    let shares = sweep_accuracy(task.accuracy);
+    let solve = |velocity: f64, indentation: f64| {
+        sample(&substrate, task.indenter, velocity, indentation, shares.contacts, task.memory)
+    };
+    let watch = Watch { progress, kept };
+    let source = format!("judder {}, boundary elements, steady sliding", env!("CARGO_PKG_VERSION"));
+    let accuracy = shares.interpolation;
+    let (law, end, levels, points) = match task.method {
+        LawMethod::Collapse => {
+            let request = CollapseRequest {
+                ln_speeds: SweepRange::all_speeds(&material),
+                material,
+                source,
+                indentation: COLLAPSE_INDENTATION,
+                accuracy,
+                most_points: MOST_POINTS,
+            };
+            let found = collapse_sweep(&request, known, &solve, &watch)?;
+            (Law::Collapsed(Arc::new(found.law)), found.end, found.levels, found.points)
+        }
+        LawMethod::Sweep => {
+            let request = SweepRequest {
+                range: SweepRange::covering(task.velocity, task.indentation, &material)?,
+                origin: LawOrigin { material, indenter: task.indenter, source },
+                accuracy,
+                most_points: MOST_POINTS,
+            };
+            let found = sweep(&request, known, &solve, &watch)?;
+            (Law::Tabulated(Arc::new(found.law)), found.end, found.levels, found.points)
+        }
+    };
+    Ok(ComputedLaw { law, end, levels, points })
+}
+
+impl ComputedLaw {
+    /// Its errors.
+    pub(crate) fn errors(&self) -> LawErrors {
+        self.law.data().map_or_else(LawErrors::default, |data| *data.errors())
+    }
+
+    /// By how much it misses an accuracy, and why; `None` where it is met.
+    pub(crate) fn missed(&self, accuracy: f64) -> Option<String> {
+        let errors = self.errors();
+        let total = errors.total();
+        (!meets(&errors, accuracy)).then(|| {
+            format!(
+                "the law misses its accuracy {accuracy:.0e}: interpolation and contacts leave force {:.1e}, area {:.1e}, friction {:.1e} \
+                 (area and friction may have five times the accuracy); {}",
+                total.force,
+                total.area,
+                total.friction,
+                ending(self.end)
+            )
+        })
+    }
+}
+
+/// Why a sweep ended.
+pub(crate) fn ending(end: SweepEnd) -> &'static str {
+    match end {
+        SweepEnd::Accurate => "the interpolation is as accurate as asked",
+        SweepEnd::SolverError => "the single contacts are no more accurate than that",
+        SweepEnd::MostPoints => "more points would be needed than are allowed",
+    }
+}
+
+/// Whether a law is as accurate as asked: interpolation and solver together, area and friction five times as far off as the
+/// force at most.
+pub(crate) fn meets(errors: &LawErrors, accuracy: f64) -> bool {
+    let total = errors.total();
+    total.force <= accuracy && total.area.max(total.friction) <= SECONDARY * accuracy
+}
+
+impl From<LawError> for ModelError {
+    fn from(error: LawError) -> Self {
+        match error {
+            LawError::Interrupted { .. } => Self::Interrupted,
+            error => Self::Law(error),
+        }
+    }
+}
+
+/// The law `bem` of a substrate under a paraboloid.
+///
+/// # Errors
+/// As [`compute`].
+pub fn of_paraboloid(
+    material: &Material,
+    accuracy: f64,
+    points: Points<'_>,
+    progress: &dyn Progress,
+) -> Result<ComputedLaw, ModelError> {
+    let task = LawTask {
+        material,
+        indenter: LawIndenter::Paraboloid,
+        method: LawMethod::Collapse,
+        velocity: (f64::MIN_POSITIVE, f64::MAX),
+        indentation: (f64::MIN_POSITIVE, f64::MAX),
+        accuracy,
+        memory: MEMORY,
+    };
+    compute(&task, points, progress)
+}

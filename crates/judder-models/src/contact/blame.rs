@@ -1,0 +1,58 @@
+//! Which key of a contact case is to blame, and what would be right.
+
+use crate::contact::problem::ContactProblem;
+use crate::error::ModelError;
+use judder_contact::kernel::check::KernelError;
+use judder_contact::periodic_contact::PeriodicContactError;
+use judder_contact::steady::SteadyError;
+use judder_contact::transient::TransientError;
+use judder_keys::memory::Memory;
+use judder_study::model::Refusal;
+
+/// Refuses a depth, over R, at which the indenter has ended.
+pub(super) fn deep(indentation: f64, limit: f64) -> Result<(), Refusal> {
+    if indentation < limit {
+        return Ok(());
+    }
+    Err(Refusal::keys(&["indentation"], ContactProblem::TooDeep { indentation, limit }))
+}
+
+/// Refuses a grid that takes more memory than allowed.
+pub(super) fn large([columns, rows]: [usize; 2], needed: u64, limit: Memory) -> Result<(), Refusal> {
+    if needed <= limit.bytes { Ok(()) } else { Err(beyond(columns, rows, needed, limit.bytes)) }
+}
+
+fn beyond(columns: usize, rows: usize, needed: u64, limit: u64) -> Refusal {
+    let (needed, limit) = (Memory { bytes: needed }, Memory { bytes: limit });
+    Refusal::keys(&["cells", "memory_limit"], ContactProblem::Memory { columns, rows, needed, limit })
+}
+
+/// What is to blame whatever the kind of analysis; `None` where no key is.
+pub(super) fn blame(error: &ModelError) -> Option<Refusal> {
+    match error {
+        ModelError::Contact(SteadyError::TooDeep { indentation, limit }) => {
+            let (indentation, limit) = (*indentation, *limit);
+            Some(Refusal::keys(&["indentation"], ContactProblem::TooDeep { indentation, limit }))
+        }
+        ModelError::Contact(SteadyError::BeyondIndenter { x, y }) => {
+            Some(Refusal::keys(&["indentation", "load"], ContactProblem::BeyondHeights { x: *x, y: *y }))
+        }
+        ModelError::Periodic(PeriodicContactError::Kernel(KernelError::LongWake {
+            memory, allowed, ..
+        })) => {
+            let (memory, allowed) = (*memory, *allowed);
+            Some(Refusal::keys(&["velocity"], ContactProblem::LongWake { memory, allowed }))
+        }
+        ModelError::Contact(SteadyError::Kernel(KernelError::Memory { columns, rows, needed, allowed }))
+        | ModelError::Periodic(PeriodicContactError::Kernel(KernelError::Memory {
+            columns,
+            rows,
+            needed,
+            allowed,
+        }))
+        | ModelError::Transient(TransientError::Memory { columns, rows, needed, allowed }) => {
+            Some(beyond(*columns, *rows, *needed, *allowed))
+        }
+        _ => None,
+    }
+}

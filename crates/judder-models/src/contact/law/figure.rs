@@ -1,0 +1,116 @@
+//! Contact laws over speed and indentation, and fits to them.
+
+use judder_report::figure::ValueMap;
+use judder_report::palette::ColourMap;
+use judder_report::{Axis, Layer, Panel, Role};
+use judder_store::Dataset;
+use judder_study::labels::short_number;
+use judder_study::pictures::{axis, reals};
+use std::f64::consts::PI;
+
+/// At most so many curves of equal indentation are drawn.
+const CURVES: usize = 5;
+
+/// A law's plane: speeds, indentations, and a quantity row by row.
+struct Plane<'a> {
+    velocities: &'a [f64],
+    indentations: &'a [f64],
+}
+
+impl<'a> Plane<'a> {
+    fn of(dataset: &'a Dataset) -> Option<Self> {
+        Some(Self { velocities: reals(dataset, "velocity")?, indentations: reals(dataset, "indentation")? })
+    }
+
+    /// The rows that are drawn as curves, shallow to deep.
+    fn drawn(&self) -> Vec<usize> {
+        let (rows, last) = (self.indentations.len(), self.indentations.len().saturating_sub(1));
+        let count = rows.min(CURVES);
+        (0..count).map(|k| if count > 1 { k * last / (count - 1) } else { 0 }).collect()
+    }
+
+    fn row(&self, values: &[f64], row: usize) -> Vec<f64> {
+        values[row * self.velocities.len()..(row + 1) * self.velocities.len()].to_vec()
+    }
+}
+
+/// Force, area and friction over speed for several indentations with Hertz's limits, and as maps.
+pub(crate) fn contact_law(dataset: &Dataset) -> Option<Vec<Panel>> {
+    let plane = Plane::of(dataset)?;
+    let contrast = dataset.attributes().get("contrast")?.as_f64()?;
+    let hertz = |quantity: &str, depth: f64| match quantity {
+        "force" => vec![4.0 / 3.0 * depth.powf(1.5), 4.0 / 3.0 * contrast * depth.powf(1.5)],
+        "area" => vec![PI * depth],
+        _ => Vec::new(),
+    };
+    let mut panels = Vec::new();
+    for (quantity, label) in QUANTITIES {
+        let values = reals(dataset, quantity)?;
+        let rows = plane.drawn();
+        let mut layers = Vec::new();
+        for (index, row) in rows.iter().enumerate() {
+            let depth = plane.indentations[*row];
+            let role = Role::Graded { index, count: rows.len() };
+            let name = format!("$δ$/$R$ = {}", short_number(rounded(depth)));
+            layers.push(Layer::line(name, plane.velocities.to_vec(), plane.row(values, *row), role.solid()));
+            for limit in hertz(quantity, depth) {
+                let level = vec![limit; plane.velocities.len()];
+                layers.push(Layer::line("", plane.velocities.to_vec(), level, role.dashed().with_width(0.7)));
+            }
+        }
+        if quantity != "friction" {
+            layers.push(Layer::key("elastic limits (Hertz)", Role::Reference.dashed()));
+        }
+        panels.push(Panel::new(axis(dataset.variable("velocity")?), Axis::log(label), layers));
+        panels.push(map(dataset, &plane, values.to_vec(), Axis::log(label), ColourMap::Sequential)?);
+    }
+    Some(panels)
+}
+
+const QUANTITIES: [(&str, &str); 3] = [
+    ("force", "Force $F$/($E_{0}^{*}$ $R^{2}$) (−)"),
+    ("area", "Area $A$/$R^{2}$ (−)"),
+    ("friction", "Friction $μ_{visc}$ (−)"),
+];
+
+/// A number to three digits, for a legend.
+fn rounded(value: f64) -> f64 {
+    let unit = 10_f64.powf(value.abs().log10().floor() - 2.0);
+    if unit.is_finite() && unit > 0.0 { (value / unit).round() * unit } else { value }
+}
+
+fn map(dataset: &Dataset, plane: &Plane<'_>, z: Vec<f64>, bar: Axis, colours: ColourMap) -> Option<Panel> {
+    let map = ValueMap { x: plane.velocities.to_vec(), y: plane.indentations.to_vec(), z, bar, colours };
+    let (x, y) = (axis(dataset.variable("velocity")?), axis(dataset.variable("indentation")?));
+    Some(Panel::new(x, y, vec![Layer::Values(map)]))
+}
+
+/// Computed and fitted curves, and the residuals of the fit, over the largest value at each indentation.
+pub(crate) fn fit(dataset: &Dataset) -> Option<Vec<Panel>> {
+    let plane = Plane::of(dataset)?;
+    let mut panels = Vec::new();
+    for (quantity, label) in QUANTITIES {
+        let (computed, fitted) = (reals(dataset, quantity)?, reals(dataset, &format!("fitted_{quantity}"))?);
+        let rows = plane.drawn();
+        let mut layers = Vec::new();
+        for (index, row) in rows.iter().enumerate() {
+            let role = Role::Graded { index, count: rows.len() };
+            let name = format!("$δ$/$R$ = {}", short_number(rounded(plane.indentations[*row])));
+            let x = plane.velocities.to_vec();
+            layers.push(Layer::points(name, x.clone(), plane.row(computed, *row), role));
+            layers.push(Layer::line("", x, plane.row(fitted, *row), role.solid()));
+        }
+        // a bell that falls to nothing would stretch the axis over its tail
+        let vertical = if quantity == "friction" { Axis::linear(label) } else { Axis::log(label) };
+        panels.push(Panel::new(axis(dataset.variable("velocity")?), vertical, layers));
+        let columns = plane.velocities.len();
+        let residuals =
+            fitted.chunks(columns).zip(computed.chunks(columns)).flat_map(|(fitted, computed)| {
+                let largest = computed.iter().copied().fold(0.0, f64::max);
+                fitted.iter().zip(computed).map(move |(f, c)| (f - c) / largest)
+            });
+        let bar = Axis::linear("Fit − computed, over the largest (−)");
+        panels.push(map(dataset, &plane, residuals.collect(), bar, ColourMap::Diverging)?);
+    }
+    Some(panels)
+}

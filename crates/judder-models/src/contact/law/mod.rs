@@ -1,0 +1,79 @@
+//! `contact-law`: force, area and friction over speed and indentation.
+
+pub(super) mod figure;
+mod run;
+
+pub use run::Plane;
+
+use super::check::ContactEstimate;
+use super::size::cells_of_law;
+use super::{Exciting, Subject, blame, usual_contacts};
+use crate::contact::case::ContactCase;
+use crate::contact::settings::{ContactScope, LawSettings};
+use crate::error::ModelError;
+use judder_contact::kernel::sliding::SlidingOperator;
+use judder_contact::law::sweep::SolvedPoint;
+use judder_keys::declared::Settings;
+use judder_study::case::analysis::{Kind, Picture};
+use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::outcome::Outcome;
+use serde_json::{Map, Value as Json};
+use std::sync::Arc;
+
+/// The kind.
+pub(crate) const KIND: Kind<ContactScope, Arc<dyn Exciting>> = Kind {
+    name: "contact-law",
+    doc: "force, area and friction over speed and indentation, as a law for an oscillator",
+    declared: LawSettings::declarations,
+    read: |scope, section| Ok(Arc::new(LawSettings::of("contact-law", scope, section)?)),
+    picture: Some(Picture {
+        draw: figure::contact_law,
+        caption: "Force, area and friction over speed for several indentations (left; dashed: Hertz with $E_{0}$ and with $E_{∞}$) and over speed and \
+        indentation (right).",
+    }),
+};
+
+impl Analysis<ContactCase> for LawSettings {
+    /// It announces them itself, level by level.
+    fn steps(&self) -> usize {
+        0
+    }
+
+    fn fits(&self, of: &Subject<'_>) -> Result<Result<(), Refusal>, ModelError> {
+        if let Err(refusal) = of.is_not_too_deep(of.scales.length_of_span(&self.indentation))? {
+            return Ok(Err(refusal));
+        }
+        let cells = cells_of_law(self);
+        Ok(blame::large([cells; 2], SlidingOperator::memory_bytes(cells, cells), self.memory))
+    }
+
+    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+        let known: Vec<SolvedPoint> = task.own.known();
+        let keep = |point: &SolvedPoint| task.own.add(point);
+        run::run(of.case, of.name, self, (&known, &keep), task.progress)
+    }
+
+    fn estimate(&self, of: &Subject<'_>) -> Result<ContactEstimate, ModelError> {
+        let (method, accuracy) = (self.method.name(), self.accuracy);
+        let points = [self.velocity.points, self.indentation.points];
+        let asked = format!("{method}, {} × {} points, accuracy {accuracy:e}", points[0], points[1]);
+        let (contacts, lattice) = (usual_contacts(self.method), [cells_of_law(self); 2]);
+        Ok(ContactEstimate { name: of.name.to_owned(), asked, contacts, lattice })
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
+    }
+}
+
+impl Exciting for LawSettings {
+    fn excited(&self, of: &Subject<'_>) -> Result<Vec<f64>, ModelError> {
+        let plane = Plane::new(self, of.scales);
+        let ends = |values: &[f64]| -> Vec<f64> {
+            [values.first().copied(), values.last().copied()].into_iter().flatten().collect()
+        };
+        let depths = ends(&plane.indentations);
+        let along = |v: f64| depths.iter().map(move |y| v / y.sqrt());
+        Ok(ends(&plane.velocities).into_iter().flat_map(along).collect())
+    }
+}

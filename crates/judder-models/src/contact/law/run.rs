@@ -1,0 +1,288 @@
+//! `contact-law`: force, area and friction over speed and indentation, as a law that an oscillator uses.
+
+use crate::computed_law::{ComputedLaw, LawTask, Points, compute, ending, meets};
+use crate::contact::case::ContactCase;
+use crate::contact::settings::{LawMethod, LawSettings};
+use crate::error::ModelError;
+use crate::indenter;
+use crate::material::ContactScales;
+use judder_contact::fit::{FitError, FitSample, LawFit, Weighting, fit_law};
+use judder_contact::law::file::to_json;
+use judder_contact::law::sweep::SolvedPoint;
+use judder_contact::law::{LawErrors, PerQuantity};
+use judder_contact::steady::{GridChoice, SteadyQuestion, solve};
+use judder_contact::unilateral::{Loading, UnilateralLimits};
+use judder_contact::{ContactLaw, ContactPoint, Law};
+use judder_keys::numeric_key::Form;
+use judder_keys::span::Span;
+use judder_store::{Dataset, Table, Variable, number};
+use judder_study::Progress;
+use judder_study::outcome::{CheckRecord, Disagreement, Outcome};
+use serde_json::{Map, Value, json};
+
+/// What friction from the bulk may differ by from friction at the surface.
+const DISSIPATION_LIMIT: f64 = 1e-2;
+/// Places on the plane, as shares of both ranges, at which a contact is solved anew.
+const PROBES: [(f64, f64); 3] = [(0.31, 0.17), (0.53, 0.61), (0.74, 0.89)];
+
+/// A law over the plane of the settings.
+pub struct Plane {
+    pub(crate) velocities: Vec<f64>,
+    pub(crate) indentations: Vec<f64>,
+}
+
+impl Plane {
+    /// The points of the settings, as v̂ and ŷ.
+    pub fn new(settings: &LawSettings, scales: &ContactScales) -> Self {
+        let groups = |span: &Span, unit: f64| -> Vec<f64> {
+            let unit = if span.form == Form::Group { 1.0 } else { unit };
+            span.values().into_iter().map(|value| value * unit).collect()
+        };
+        Self {
+            velocities: groups(&settings.velocity, scales.time / scales.scales.radius),
+            indentations: groups(&settings.indentation, 1.0 / scales.scales.radius),
+        }
+    }
+
+    fn ends(values: &[f64]) -> (f64, f64) {
+        (values.first().copied().unwrap_or(f64::NAN), values.last().copied().unwrap_or(f64::NAN))
+    }
+
+    /// The law that these settings ask for.
+    pub(crate) fn task<'a>(
+        &self,
+        case: &ContactCase,
+        scales: &'a ContactScales,
+        settings: &LawSettings,
+    ) -> Result<LawTask<'a>, ModelError> {
+        Ok(LawTask {
+            material: &scales.material,
+            indenter: indenter::of_law(&case.shape)?,
+            method: settings.method,
+            velocity: Self::ends(&self.velocities),
+            indentation: Self::ends(&self.indentations),
+            accuracy: settings.accuracy,
+            memory: settings.memory.bytes,
+        })
+    }
+
+    /// A quantity of the law on the plane, row by row of equal indentation.
+    pub(crate) fn values(&self, law: &Law) -> PerQuantity<Vec<f64>> {
+        let samples = self.samples(law);
+        let of = |pick: fn(&PerQuantity<f64>) -> f64| samples.iter().map(|s| pick(&s.values)).collect();
+        PerQuantity { force: of(|q| q.force), area: of(|q| q.area), friction: of(|q| q.friction) }
+    }
+
+    /// The law at every point of the plane, row by row of equal indentation: what is fitted, shown and judged.
+    pub fn samples(&self, law: &Law) -> Vec<FitSample> {
+        let at = |velocity: f64, indentation: f64| {
+            let found = law.evaluate(&ContactPoint::new(velocity, indentation));
+            let (force, area, friction) = (found.force.value, found.area.value, found.friction.value);
+            FitSample { velocity, indentation, values: PerQuantity { force, area, friction } }
+        };
+        let row = |depth: &f64| self.velocities.iter().map(|v| at(*v, *depth)).collect::<Vec<_>>();
+        self.indentations.iter().flat_map(row).collect()
+    }
+
+    /// The functions of appendix B through a law on the plane, read at 10^`log10_velocity_scale` v̂; with the errors of as many samples
+    /// as the law has contacts, because it is interpolated between them.
+    ///
+    /// # Errors
+    /// As [`fit_law`].
+    pub fn fit(&self, law: &Law, log10_velocity_scale: f64) -> Result<LawFit, FitError> {
+        let samples = self.samples(law);
+        let contacts = law.data().map_or(samples.len(), |data| data.values().force.len());
+        fit_law(&samples, log10_velocity_scale, Weighting::Absolute)?.of_independent(contacts)
+    }
+
+    /// The coordinates of arrays on the plane.
+    pub(crate) fn coordinates(&self) -> Result<Dataset, ModelError> {
+        let coordinate = |name: &str, values: &[f64], long_name: &str, label: &str| {
+            Variable::coordinate(name, values.to_vec())
+                .units("1")
+                .long_name(long_name)
+                .attribute("label", label)
+                .attribute("scale", "log")
+        };
+        Ok(Dataset::new()
+            .with(coordinate("velocity", &self.velocities, "speed v τ/R", "Speed $v τ$/$R$ (−)"))?
+            .with(coordinate(
+                "indentation",
+                &self.indentations,
+                "indentation δ/R",
+                "Indentation $δ$/$R$ (−)",
+            ))?)
+    }
+}
+
+pub(super) fn run(
+    case: &ContactCase,
+    name: &str,
+    settings: &LawSettings,
+    points: Points<'_>,
+    progress: &dyn Progress,
+) -> Result<Outcome, ModelError> {
+    let scales = ContactScales::new(case)?;
+    let plane = Plane::new(settings, &scales);
+    let task = plane.task(case, &scales, settings)?;
+    let computed = compute(&task, points, progress)?;
+    let errors = computed.errors();
+    let file = format!("{name}.json");
+    let mut outcome = Outcome {
+        scalars: scalars(&computed, (&errors, settings.accuracy), &scales, &file),
+        dataset: dataset(&plane, &computed, &scales)?,
+        table: Some(table(&plane, &computed.law)?),
+        checks: checks(&plane, &task, &computed.law, &errors)?,
+        ..Outcome::default()
+    };
+    if let Some(text) = to_json(&computed.law)? {
+        outcome.files.push((file, text.into_bytes()));
+    }
+    let missed = computed.missed(settings.accuracy);
+    outcome.missing = usize::from(missed.is_some());
+    outcome.warnings.extend(missed);
+    Ok(outcome)
+}
+
+fn scalars(
+    computed: &ComputedLaw,
+    (errors, accuracy): (&LawErrors, f64),
+    scales: &ContactScales,
+    file: &str,
+) -> Map<String, Value> {
+    let of = |errors: PerQuantity<f64>| {
+        json!({
+            "force": number(errors.force), "area": number(errors.area), "friction": number(errors.friction),
+        })
+    };
+    let method = match computed.law {
+        Law::Collapsed(_) => LawMethod::Collapse,
+        _ => LawMethod::Sweep,
+    };
+    Map::from_iter([
+        ("law_file".to_owned(), json!(file)),
+        ("method".to_owned(), json!(method.name())),
+        ("contacts_solved".to_owned(), json!(computed.points.len())),
+        ("ending".to_owned(), json!(ending(computed.end))),
+        ("converged".to_owned(), json!(meets(errors, accuracy))),
+        ("contrast".to_owned(), number(scales.material.spectrum.contrast())),
+        ("mean_retardation_time_second".to_owned(), number(scales.time)),
+        ("interpolation_error".to_owned(), of(errors.interpolation)),
+        ("solver_error".to_owned(), of(errors.solver)),
+        (
+            "levels".to_owned(),
+            computed
+                .levels
+                .iter()
+                .map(|level| {
+                    json!({
+                        "columns": level.columns, "rows": level.rows,
+                        "along_speed": of(level.along_speed),
+                        "along_indentation": of(level.along_indentation),
+                    })
+                })
+                .collect(),
+        ),
+    ])
+}
+
+/// The law on the plane of the settings, and the contacts that it was made from.
+fn dataset(plane: &Plane, computed: &ComputedLaw, scales: &ContactScales) -> Result<Dataset, ModelError> {
+    let shape = [plane.indentations.len(), plane.velocities.len()];
+    let values = plane.values(&computed.law);
+    let over_plane = |name: &str, values: Vec<f64>, long_name: &str| {
+        Variable::new(name, &["indentation", "velocity"], &shape, values).units("1").long_name(long_name)
+    };
+    let points = &computed.points;
+    let sample = |name: &str, value: fn(&SolvedPoint) -> f64, long_name: &str| {
+        let values: Vec<f64> = points.iter().map(value).collect();
+        Variable::new(name, &["sample"], &[values.len()], values).units("1").long_name(long_name)
+    };
+    Ok(plane
+        .coordinates()?
+        .with(over_plane("force", values.force, "normal force F/(E0* R²)"))?
+        .with(over_plane("area", values.area, "contact area A/R²"))?
+        .with(over_plane("friction", values.friction, "viscoelastic friction coefficient"))?
+        .with(sample("sample_velocity", |p| p.velocity, "v τ/R of a solved contact"))?
+        .with(sample("sample_indentation", |p| p.indentation, "δ/R of a solved contact"))?
+        .with(sample("sample_force", |p| p.sample.force, "F/(E0* R²) of a solved contact"))?
+        .with(sample("sample_area", |p| p.sample.area, "A/R² of a solved contact"))?
+        .with(sample("sample_friction", |p| p.sample.friction, "friction of a solved contact"))?
+        .with(sample("sample_force_error", |p| p.sample.force_error, "its relative error of the force"))?
+        .attribute("kind", "contact-law")?
+        .attribute("contrast", scales.material.spectrum.contrast())?)
+}
+
+/// One row a point of the plane.
+fn table(plane: &Plane, law: &Law) -> Result<Table, ModelError> {
+    let columns = plane.velocities.len();
+    let velocity: Vec<f64> = plane.indentations.iter().flat_map(|_| plane.velocities.clone()).collect();
+    let indentation: Vec<f64> =
+        plane.indentations.iter().flat_map(|depth| std::iter::repeat_n(*depth, columns)).collect();
+    let values = plane.values(law);
+    Ok(Table::new()
+        .column("velocity", "v τ/R", velocity)?
+        .column("indentation", "R", indentation)?
+        .column("force", "E0* R²", values.force)?
+        .column("area", "R²", values.area)?
+        .column("friction", "1", values.friction)?)
+}
+
+/// Contacts solved anew between the knots, and friction from two sides.
+fn checks(
+    plane: &Plane,
+    task: &LawTask<'_>,
+    law: &Law,
+    errors: &LawErrors,
+) -> Result<Vec<CheckRecord>, ModelError> {
+    let between = |values: &[f64], share: f64| {
+        let (first, last) = Plane::ends(values);
+        (first.ln() + share * (last.ln() - first.ln())).exp()
+    };
+    let stated = errors.total();
+    let (mut off, mut difference) = (Disagreement::default(), Disagreement::default());
+    for (along, down) in PROBES {
+        let (velocity, depth) = (between(&plane.velocities, along), between(&plane.indentations, down));
+        let contact = solve(&SteadyQuestion {
+            substrate: &task.material.sliding(velocity),
+            profile: task.indenter.profile(),
+            loading: Loading::Indentation(depth),
+            accuracy: 0.5 * task.accuracy,
+            grid: GridChoice::Automatic,
+            limits: UnilateralLimits::default(),
+            memory: task.memory,
+        })?;
+        let (found, law) = (&contact.refinement, law.evaluate(&ContactPoint::new(velocity, depth)));
+        for (law, found, stated) in [
+            (law.force.value, found.force, stated.force),
+            (law.area.value, found.area, stated.area),
+            (law.friction.value, found.friction, stated.friction),
+        ] {
+            // an elastic substrate has no friction to be off from
+            if law != 0.0 || found.value != 0.0 {
+                off.add((law / found.value - 1.0).abs() / (stated + found.error));
+            }
+        }
+        if contact.friction_from_dissipation != 0.0 {
+            difference.add(contact.friction_difference());
+        }
+    }
+    let mut checks = vec![CheckRecord::new(
+        "the law gives contacts that it was not made from",
+        format!(
+            "force, area and friction of {} contacts solved anew: each deviation over the errors that law and contact state",
+            PROBES.len()
+        ),
+        off,
+        1.0,
+    )];
+    if difference.numbers() > 0 {
+        checks.push(CheckRecord::new(
+            "friction at the surface is the energy dissipated in the bulk",
+            format!("∫ p ∂h/∂x against the loss in Fourier space, {} contacts", difference.numbers()),
+            difference,
+            DISSIPATION_LIMIT,
+        ));
+    }
+    Ok(checks)
+}

@@ -1,0 +1,210 @@
+//! A rigid indenter on a viscoelastic substrate.
+//!
+//! - `size`, `fields`: how large grids will be; what lies on them.
+//! - `blame`: which key is to blame for what an analysis found.
+//! - `check`: what `judder check` shows.
+//! - A folder each: `single` (kind `contact`), `law` (`contact-law`), `fit`, `modulus`, `transient`.
+
+mod blame;
+pub mod case;
+mod check;
+mod fields;
+pub mod fit;
+pub mod law;
+pub mod modulus;
+pub mod problem;
+pub(crate) mod reference;
+pub(crate) mod resolved;
+pub(crate) mod schema;
+pub mod settings;
+pub mod shape;
+pub mod single;
+mod size;
+pub mod transient;
+
+use crate::contact::case::ContactCase;
+use crate::contact::settings::{ContactScope, LawMethod};
+use crate::error::ModelError;
+use crate::indenter::profile;
+use crate::material::{self, ContactScales};
+use crate::measured_band::MeasuredBand;
+use crate::spectrum_source::temperature_warning;
+use check::ContactEstimate;
+use judder_contact::material::Discretisation;
+use judder_contact::steady::profile::Profile;
+use judder_contact::unilateral::Loading;
+use judder_keys::error::CaseError;
+use judder_keys::file_reference::FileReference;
+use judder_store::number;
+use judder_study::StudyError;
+use judder_study::case::analysis::Kind;
+use judder_study::case::analysis::names;
+use judder_study::case::file::{Case, CaseFile};
+use judder_study::model::{Analysed, Analysis, Model, Place, Prepared, Refusal, Task};
+use judder_study::outcome::{CheckRecord, Outcome};
+use judder_study::registry::{ModelKind, drawn};
+use judder_study::resolve::Resolved;
+use serde_json::json;
+use std::cell::OnceCell;
+use std::sync::Arc;
+
+/// The kinds of analyses.
+pub(crate) static KINDS: [Kind<ContactScope, Arc<dyn Exciting>>; 5] =
+    [single::KIND, law::KIND, fit::KIND, modulus::KIND, transient::KIND];
+
+/// An analysis that excites the substrate.
+pub trait Exciting: Analysis<ContactCase> {
+    /// ω τ = v τ/a of what is asked, with a = √(R δ) of the depth that is asked or that an elastic contact has; of a periodic surface
+    /// 2π v τ/λ of its longest and, where it is known, its shortest wave.
+    ///
+    /// # Errors
+    /// An indenter that cannot be read.
+    fn excited(&self, of: &Subject<'_>) -> Result<Vec<f64>, ModelError>;
+}
+
+/// An indenter on a substrate, and the name of an analysis of them.
+pub struct Subject<'a> {
+    case: &'a ContactCase,
+    scales: &'a ContactScales,
+    name: &'a str,
+    profile: OnceCell<Box<dyn Profile>>,
+}
+
+impl<'a> Subject<'a> {
+    fn new(case: &'a ContactCase, scales: &'a ContactScales, name: &'a str) -> Self {
+        Self { case, scales, name, profile: OnceCell::new() }
+    }
+
+    /// The surface that presses.
+    fn profile(&self) -> Result<&dyn Profile, ModelError> {
+        if let Some(profile) = self.profile.get() {
+            return Ok(&**profile);
+        }
+        let made = profile(&self.case.shape, self.scales.scales.radius)?;
+        Ok(&**self.profile.get_or_init(|| made))
+    }
+
+    /// Half the length of a contact that is pressed like this, were it elastic, over R.
+    fn half_length(&self, pressed: Loading) -> Result<f64, ModelError> {
+        let depth = match pressed {
+            Loading::Indentation(depth) => depth,
+            Loading::Load(force) => self.profile()?.elastic_depth(force),
+        };
+        Ok(depth.sqrt())
+    }
+
+    /// That an analysis excites what was not measured, in words.
+    fn band_warning(&self, analysis: &dyn Exciting) -> Result<Option<String>, ModelError> {
+        let Some(band) = MeasuredBand::of(&self.scales.material) else { return Ok(None) };
+        Ok(band.warning(analysis.excited(self)?))
+    }
+
+    /// Refuses a depth at which the indenter has ended.
+    fn is_not_too_deep(&self, indentation: f64) -> Result<Result<(), Refusal>, ModelError> {
+        Ok(blame::deep(indentation, self.profile()?.deepest()))
+    }
+}
+
+impl Analysed for ContactCase {
+    type Subject<'a> = Subject<'a>;
+    type Known<'a> = Subject<'a>;
+    type Estimate = ContactEstimate;
+    type Error = ModelError;
+}
+
+/// The model.
+pub(crate) const MODEL: ModelKind = ModelKind {
+    name: "contact",
+    read: |root, folder| case::read(root, folder).map(Case::new),
+    schema: schema::case,
+    definitions: Vec::new,
+    reference: reference::section,
+    kinds: || drawn(&KINDS),
+    operating_quantities: &[],
+};
+
+impl Model for ContactCase {
+    fn name(&self) -> &'static str {
+        MODEL.name
+    }
+
+    fn analysis_names(&self) -> Vec<&str> {
+        names(&self.analyses)
+    }
+
+    fn files(&self) -> Vec<&FileReference> {
+        ContactCase::files(self)
+    }
+
+    fn resolved(&self) -> serde_json::Value {
+        resolved::case(self)
+    }
+
+    fn with_used(&self, resolved: serde_json::Value) -> Result<serde_json::Value, StudyError> {
+        Ok(material::with_used(&self.substrate, &self.inputs, resolved)?)
+    }
+
+    /// Looks at the files of the case, then at depth and memory of what is wanted.
+    fn preflight(&self, file: &CaseFile, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
+        let scales = ContactScales::new(self)?;
+        let mut subject = Subject::new(self, &scales, "");
+        subject.profile()?;
+        for (index, own) in self.analyses.iter().enumerate().filter(|(_, own)| is_wanted(&own.name)) {
+            subject.name = &own.name;
+            let place = Place { file, index, name: &own.name };
+            own.kind.fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
+        }
+        Ok(Prepared::NOTHING)
+    }
+
+    fn steps(&self, index: usize) -> usize {
+        self.analyses[index].kind.steps()
+    }
+
+    fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {
+        let own = &self.analyses[index];
+        let scales = ContactScales::new(self)?;
+        let subject = Subject::new(self, &scales, &own.name);
+        let mut outcome = own.kind.run(&subject, task)?;
+        outcome.warnings.extend(temperature_warning(&self.substrate)?);
+        outcome.warnings.extend(subject.band_warning(&*own.kind)?);
+        if let Some(found) = &scales.material.discretisation {
+            tell_discretisation(&mut outcome, found);
+        }
+        Ok(outcome)
+    }
+
+    fn blamed(&self, error: &StudyError, place: Place<'_>) -> Option<CaseError> {
+        let (own, error) = (&self.analyses.get(place.index)?.kind, ModelError::of(error)?);
+        let refusal = own.blame(error).or_else(|| blame::blame(error))?;
+        Some(refusal.placed(place))
+    }
+
+    fn resolve(&self, file: &CaseFile) -> Result<Resolved, StudyError> {
+        Ok(check::resolve(file, self)?)
+    }
+}
+
+/// What the terms of a continuous spectrum may leave of its modulus.
+const SPECTRUM_LIMIT: f64 = 1e-2;
+
+/// Contacts that a law usually takes, for an estimate: how many it is depends on where they are needed.
+pub(crate) fn usual_contacts(method: LawMethod) -> usize {
+    match method {
+        LawMethod::Collapse => 65,
+        LawMethod::Sweep => 99,
+    }
+}
+
+/// Says how well the terms stand for a continuous spectrum.
+fn tell_discretisation(outcome: &mut Outcome, found: &Discretisation) {
+    let terms = found.spectrum.terms().len();
+    outcome.scalars.insert("spectrum_terms".to_owned(), json!(terms));
+    outcome.scalars.insert("spectrum_error".to_owned(), number(found.error));
+    outcome.checks.push(CheckRecord::new(
+        "the terms stand for the continuous spectrum",
+        format!("E(ω) of {terms} retardation times against that of the spectrum, the largest relative error"),
+        found.error.into(),
+        SPECTRUM_LIMIT,
+    ));
+}

@@ -1,0 +1,211 @@
+//! `modulus`: storage and loss modulus and loss tangent over frequency, beside measured ones where there are such.
+
+use crate::contact::case::ContactCase;
+use crate::contact::settings::FREQUENCIES;
+use crate::error::ModelError;
+use crate::material::{ContactScales, Material};
+use judder_contact::material::{DmaData, PronyFit};
+use judder_keys::numeric_key::Form;
+use judder_keys::span::Span;
+use judder_store::{Dataset, Table, Variable, number};
+use judder_study::outcome::{CheckRecord, Disagreement, Outcome};
+use serde_json::{Map, json};
+
+/// Decades on both sides of the relaxation that are shown where no frequencies are asked for.
+const BEYOND: f64 = 2.0;
+/// What the two forms of one material may differ by.
+const FORMS_LIMIT: f64 = 1e-9;
+/// The deviation of a fit beyond which its numbers are to be doubted.
+const POOR_FIT: f64 = 0.1;
+
+pub(super) fn run(case: &ContactCase, frequency: Option<&Span>) -> Result<Outcome, ModelError> {
+    let scales = ContactScales::new(case)?;
+    let material = &scales.material;
+    let frequencies = frequencies(frequency, &scales)?;
+    let moduli: Vec<_> = frequencies.iter().map(|omega| material.spectrum.complex_modulus(*omega)).collect();
+    let storage: Vec<f64> = moduli.iter().map(|modulus| modulus.re).collect();
+    let loss: Vec<f64> = moduli.iter().map(|modulus| modulus.im).collect();
+    let tangent: Vec<f64> = frequencies.iter().map(|omega| material.spectrum.loss_tangent(*omega)).collect();
+    let count = frequencies.len();
+    let over_frequency = |name: &str, values: &[f64], units: &str, long_name: &str| {
+        Variable::new(name, &["frequency"], &[count], values.to_vec()).units(units).long_name(long_name)
+    };
+    let coordinate = Variable::coordinate("frequency", frequencies.clone())
+        .units("rad/s")
+        .long_name("angular frequency ω")
+        .attribute("label", "Angular frequency $ω$ (rad s^{−1})")
+        .attribute("scale", "log");
+    let mut dataset = Dataset::new()
+        .with(coordinate)?
+        .with(over_frequency("storage_modulus", &storage, "Pa", "storage modulus E′"))?
+        .with(over_frequency("loss_modulus", &loss, "Pa", "loss modulus E″"))?
+        .with(over_frequency("loss_tangent", &tangent, "1", "loss tangent E″/E′"))?;
+    dataset = with_terms(dataset, material)?;
+    if let Some((data, fit)) = &material.fit {
+        dataset = with_data(dataset, data, fit)?;
+    }
+    let mut outcome = Outcome {
+        scalars: scalars(&scales, (&frequencies, &tangent)),
+        dataset: dataset.attribute("kind", "modulus")?,
+        table: Some(
+            Table::new()
+                .column("frequency", "rad/s", frequencies.clone())?
+                .column("storage_modulus", "Pa", storage)?
+                .column("loss_modulus", "Pa", loss)?
+                .column("loss_tangent", "1", tangent)?,
+        ),
+        checks: checks(material, &frequencies)?,
+        ..Outcome::default()
+    };
+    outcome.warnings.extend(material.fit.as_ref().and_then(|(_, fit)| poor_fit(fit)));
+    Ok(outcome)
+}
+
+/// The frequencies of the settings, or those between which the material relaxes; rad/s.
+fn frequencies(span: Option<&Span>, scales: &ContactScales) -> Result<Vec<f64>, ModelError> {
+    if let Some(span) = span {
+        let unit = if span.form == Form::Group { 1.0 / scales.time } else { 1.0 };
+        return Ok(span.values().into_iter().map(|value| value * unit).collect());
+    }
+    let spectrum = &scales.material.spectrum;
+    // the slowest time is a retardation time, the fastest a relaxation time
+    let slowest = spectrum.terms().last().map_or(scales.time, |term| term.retardation_time);
+    let relaxation = spectrum.relaxation_form()?;
+    let fastest = relaxation.terms().first().map_or(scales.time, |term| term.relaxation_time);
+    let (first, last) = (-slowest.log10() - BEYOND, -fastest.log10() + BEYOND);
+    let values = (0..FREQUENCIES)
+        .map(|k| 10_f64.powf(first + (last - first) * k as f64 / (FREQUENCIES - 1) as f64))
+        .collect();
+    Ok(values)
+}
+
+/// The terms of both forms.
+fn with_terms(dataset: Dataset, material: &Material) -> Result<Dataset, ModelError> {
+    let creep = material.spectrum.terms();
+    let (times, compliances): (Vec<f64>, Vec<f64>) =
+        creep.iter().map(|term| (term.retardation_time, term.compliance)).unzip();
+    let form = material.spectrum.relaxation_form()?;
+    let (relaxation_times, moduli): (Vec<f64>, Vec<f64>) =
+        form.terms().iter().map(|term| (term.relaxation_time, term.modulus)).unzip();
+    if times.is_empty() {
+        return Ok(dataset);
+    }
+    Ok(dataset
+        .with(Variable::coordinate("retardation_time", times).units("s").long_name("retardation times τ_k"))?
+        .with(
+            Variable::new("creep_compliance", &["retardation_time"], &[compliances.len()], compliances)
+                .units("1/Pa")
+                .long_name("creep compliances C_k"),
+        )?
+        .with(
+            Variable::coordinate("relaxation_time", relaxation_times)
+                .units("s")
+                .long_name("relaxation times ρ_j"),
+        )?
+        .with(
+            Variable::new("relaxation_strength", &["relaxation_time"], &[moduli.len()], moduli)
+                .units("Pa")
+                .long_name("moduli E_j of the relaxation form"),
+        )?)
+}
+
+/// The measured moduli, and how far the series is from them.
+fn with_data(dataset: Dataset, data: &DmaData, fit: &PronyFit) -> Result<Dataset, ModelError> {
+    let points = data.points();
+    let over_data = |name: &str, values: Vec<f64>, units: &str, long_name: &str| {
+        Variable::new(name, &["measurement"], &[values.len()], values).units(units).long_name(long_name)
+    };
+    let at =
+        |value: fn(&judder_contact::material::DmaPoint) -> f64| points.iter().map(value).collect::<Vec<_>>();
+    Ok(dataset
+        .with(over_data("measured_frequency", at(|p| p.angular_frequency), "rad/s", "measured ω"))?
+        .with(over_data("measured_storage_modulus", at(|p| p.storage_modulus), "Pa", "measured E′"))?
+        .with(over_data("measured_loss_modulus", at(|p| p.loss_modulus), "Pa", "measured E″"))?
+        .with(over_data(
+            "storage_deviation",
+            fit.residuals.iter().map(|r| r.storage).collect(),
+            "1",
+            "relative deviation of E′ of the series from the measured one",
+        ))?
+        .with(over_data(
+            "loss_deviation",
+            fit.residuals.iter().map(|r| r.loss).collect(),
+            "1",
+            "relative deviation of E″ of the series from the measured one",
+        ))?)
+}
+
+fn scalars(
+    scales: &ContactScales,
+    (frequencies, tangent): (&[f64], &[f64]),
+) -> Map<String, serde_json::Value> {
+    let spectrum = &scales.material.spectrum;
+    let peak = frequencies.iter().zip(tangent).max_by(|a, b| a.1.total_cmp(b.1));
+    let mut scalars = Map::from_iter([
+        ("rubbery_modulus_pascal".to_owned(), number(spectrum.rubbery_modulus())),
+        ("glassy_modulus_pascal".to_owned(), number(spectrum.glassy_modulus())),
+        ("contrast".to_owned(), number(spectrum.contrast())),
+        ("terms".to_owned(), json!(spectrum.terms().len())),
+        ("mean_retardation_time_second".to_owned(), number(scales.time)),
+        ("largest_loss_tangent".to_owned(), number(peak.map_or(0.0, |(_, tangent)| *tangent))),
+        ("frequency_of_largest_loss_tangent".to_owned(), number(peak.map_or(f64::NAN, |(at, _)| *at))),
+        (
+            "prony".to_owned(),
+            spectrum
+                .terms()
+                .iter()
+                .map(|t| json!({ "time_second": t.retardation_time, "compliance_per_pascal": t.compliance }))
+                .collect(),
+        ),
+    ]);
+    if scales.material.time_factor != 1.0 {
+        scalars.insert("time_factor".to_owned(), number(scales.material.time_factor));
+    }
+    if let Some((data, fit)) = &scales.material.fit {
+        scalars.insert("measurements".to_owned(), json!(data.points().len()));
+        scalars.insert("storage_r2".to_owned(), number(fit.storage_r_squared));
+        scalars.insert("loss_r2".to_owned(), number(fit.loss_r_squared));
+        scalars.insert("storage_deviation".to_owned(), number(fit.storage_deviation));
+        scalars.insert("loss_deviation".to_owned(), number(fit.loss_deviation));
+    }
+    scalars
+}
+
+fn poor_fit(fit: &PronyFit) -> Option<String> {
+    let worst = fit.worst_deviation();
+    (worst > POOR_FIT).then(|| {
+        format!(
+            "the series is up to {:.0} % from the measured moduli: give more terms, or look at the data",
+            100.0 * worst
+        )
+    })
+}
+
+/// Both forms of the material against each other, and what every passive material obeys.
+fn checks(material: &Material, frequencies: &[f64]) -> Result<Vec<CheckRecord>, ModelError> {
+    let spectrum = &material.spectrum;
+    let relaxation = spectrum.relaxation_form()?;
+    let difference = |omega: &f64| {
+        let (creep, other) = (spectrum.complex_modulus(*omega), relaxation.complex_modulus(*omega));
+        (creep - other).norm() / creep.norm()
+    };
+    let moduli: Vec<_> = frequencies.iter().map(|omega| spectrum.complex_modulus(*omega)).collect();
+    // rounding may let a plateau fall by its last digit
+    let falls = |pair: &[num_complex::Complex64]| pair[1].re < pair[0].re * (1.0 - 1e-12);
+    let falling = moduli.windows(2).map(falls);
+    let negative = moduli.iter().map(|modulus| modulus.im < 0.0);
+    Ok(vec![
+        CheckRecord::new(
+            "creep and relaxation form are one material",
+            format!("E(ω) of both forms at {} frequencies, relative", frequencies.len()),
+            frequencies.iter().map(difference).collect(),
+            FORMS_LIMIT,
+        ),
+        CheckRecord::new(
+            "the storage modulus rises and the loss modulus is positive",
+            format!("number of exceptions at {} frequencies", frequencies.len()),
+            Disagreement::exceptions(falling.chain(negative)),
+            0.0,
+        ),
+    ])
+}

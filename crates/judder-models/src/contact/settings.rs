@@ -1,0 +1,312 @@
+//! The analyses of a contact case.
+
+use crate::contact::problem::ContactProblem;
+use crate::contact::shape::Shape;
+use crate::oscillator::inputs::{LawName, OscillatorInputs};
+use judder_keys::cause::Cause;
+use judder_keys::declared::{
+    Allowed, Declaration, Ladder, Number, Scaled, Setting, Settings, Whole, all, both,
+};
+use judder_keys::dimension::Dimension;
+use judder_keys::document::Node;
+use judder_keys::error::Fault;
+use judder_keys::memory::Memory;
+use judder_keys::numeric_key::read_value;
+use judder_keys::numeric_key::{Form, Range, Value};
+use judder_keys::problem::Placed;
+use judder_keys::section::{Section, whole};
+use judder_keys::span::Span;
+use judder_keys::{Choice, Settings};
+use serde_json::{Value as Json, json};
+
+/// One contact.
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
+pub struct ContactSettings {
+    /// Sliding speed; 0 at rest.
+    #[key(rule = Scaled { range: Range::NonNegative, ..VELOCITY }, symbol = "v", example = "1e-2 (v τ/R), or \"30 mm/s\"")]
+    pub velocity: Value,
+    /// Indentation.
+    #[key(rule = INDENTATION, symbol = "δ", omitted)]
+    indentation: Option<Value>,
+    /// Normal load, in place of the indentation; of a cylinder per length, F/(E0* R) or in N/m.
+    #[key(symbol = "F", omitted)]
+    load: Option<Load>,
+    /// Relative accuracy of the force; area and friction may be five times as far off.
+    #[key(rule = ACCURACY, symbol = "ε", default = 1e-3)]
+    pub accuracy: f64,
+    /// Cells along a side, an even number; chosen and refined from the accuracy where left out.
+    cells: Option<EvenCells>,
+    /// Side of the computed square; chosen from the accuracy where left out.
+    #[key(rule = Scaled::positive(Dimension::LENGTH, "L/R"), symbol = "L")]
+    pub domain: Option<Value>,
+    /// What the largest grid may take; as much as the case says where left out.
+    #[key(name = "memory_limit")]
+    pub memory: Memory,
+}
+
+/// What presses the indenter down.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Loading {
+    /// δ, as δ/R or in m.
+    Indentation(Value),
+    /// F, as F/(E0* R²) or in N; of a cylinder per length, as F/(E0* R) or in N/m.
+    Load(Value),
+}
+
+/// A law over speed and indentation.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub struct LawSettings {
+    /// Speeds.
+    #[key(rule = Ladder { of: VELOCITY, usual: LAW_VELOCITY.points, most: SPAN_POINTS }, symbol = "v", default = LAW_VELOCITY)]
+    pub velocity: Span,
+    /// Indentations.
+    #[key(rule = Ladder { of: INDENTATION, usual: LAW_INDENTATION.points, most: SPAN_POINTS }, symbol = "δ", default = LAW_INDENTATION)]
+    pub indentation: Span,
+    /// Relative accuracy of the law.
+    #[key(rule = ACCURACY, symbol = "ε", default = LAW_ACCURACY)]
+    pub accuracy: f64,
+    /// How the plane is covered; of another shape than a paraboloid `sweep` where left out.
+    #[key(default = LawMethod::Collapse)]
+    pub method: LawMethod,
+    /// What the largest grid of each of its contacts may take; as much as the case says where left out.
+    #[key(name = "memory_limit")]
+    pub memory: Memory,
+}
+
+/// The three functions of the oscillator paper through a law.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FitSettings {
+    /// What is computed.
+    pub law: LawSettings,
+    /// How it is read.
+    pub reading: FitReading,
+}
+
+/// How the three functions are read off a law.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub struct FitReading {
+    /// Factor of v τ/R at which the fits are read.
+    #[key(rule = Number::positive(Dimension::NUMBER), symbol = "s", default = 0.01)]
+    pub velocity_scale: f64,
+}
+
+/// Moduli over frequency.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub struct ModulusSettings {
+    /// Angular frequencies; chosen from the spectrum where left out.
+    #[key(rule = Ladder { of: FREQUENCY, usual: FREQUENCIES, most: SPAN_POINTS }, symbol = "ω")]
+    pub frequency: Option<Span>,
+}
+
+/// How a law covers the plane of speed and indentation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
+#[choice(what = "method")]
+pub enum LawMethod {
+    /// One curve over z = v τ/√(R δ) serves the whole plane: exact for a paraboloid.
+    Collapse,
+    /// A table over speed and indentation, refined where it must be.
+    Sweep,
+}
+
+/// v, above zero.
+pub(crate) const VELOCITY: Scaled = Scaled::positive(Dimension::SPEED, "v τ/R");
+/// δ.
+pub(crate) const INDENTATION: Scaled = Scaled::positive(Dimension::LENGTH, "δ/R");
+/// F.
+pub(crate) const LOAD: Scaled = Scaled::positive(Dimension::FORCE, "F/(E0* R²)");
+/// F of a cylinder, per length.
+const LINE_LOAD: Scaled = Scaled::positive(Dimension::STIFFNESS, "F/(E0* R)");
+/// ω.
+pub(crate) const FREQUENCY: Scaled = Scaled::positive(Dimension::ANGULAR_FREQUENCY, "ω τ");
+/// ε of a force.
+pub(crate) const ACCURACY: Number =
+    Number { dimension: Dimension::NUMBER, range: Range::Interval { above: 0.0, up_to: 0.2 } };
+
+/// The default accuracy of `contact-law` and `fit`.
+pub const LAW_ACCURACY: f64 = 1e-2;
+
+/// The default range of speeds of `contact-law` and `fit`, v τ/R: a hundredfold of the paper's axis, as its fits are read at
+/// v τ/(100 R).
+pub const LAW_VELOCITY: Span = Span { from: 1e-6, to: 1e4, points: 51, form: Form::Group };
+/// The default range of indentations of `contact-law` and `fit`, δ/R.
+pub const LAW_INDENTATION: Span = Span { from: 1e-4, to: 1e-1, points: 16, form: Form::Group };
+
+/// The cells along a side that a contact may be given, an even number: a coarser grid of half as many, at least 32, says
+/// how exact the finest is.
+pub const CELLS: [usize; 2] = [64, 4096];
+
+/// The points that a span of a law or of frequencies may have.
+const SPAN_POINTS: usize = 2000;
+
+/// The default number of frequencies.
+pub const FREQUENCIES: usize = 200;
+
+/// What the analyses of a contact case need to know of it.
+pub(crate) struct ContactScope {
+    pub(crate) shape: Shape,
+    pub(crate) inputs: OscillatorInputs,
+    /// Whether the moduli are known: measured data decide them later.
+    pub(crate) moduli_known: bool,
+    /// The memory limit of the case.
+    pub(crate) memory: Memory,
+}
+
+impl ContactScope {
+    /// The memory limit of an analysis: its own, or that of the case.
+    pub(crate) fn memory_limit(&self, section: &Section<'_>, own: Memory) -> Memory {
+        section.get("memory_limit").map_or(self.memory, |_| own)
+    }
+
+    /// Refuses an analysis of this kind where the indenter is neither a paraboloid nor a sphere.
+    pub(crate) fn is_round(&self, kind: &'static str, section: &Section<'_>) -> Result<(), Fault> {
+        if matches!(self.shape, Shape::Paraboloid | Shape::Sphere) {
+            return Ok(());
+        }
+        let (shapes, shape) = ("a paraboloid or a sphere", self.shape.name());
+        Err(ContactProblem::Shape { kind, shapes, shape }.at(section.place))
+    }
+}
+
+impl Loading {
+    /// The one of two that presses the indenter down.
+    pub(crate) fn of(indentation: Option<Value>, load: Option<Value>) -> Self {
+        match (indentation, load) {
+            (_, Some(load)) => Self::Load(load),
+            (indentation, None) => Self::Indentation(indentation.unwrap_or(Value::group(0.0))),
+        }
+    }
+
+    /// Refuses both, and neither.
+    pub(crate) fn is_one(section: &Section<'_>, is_line: bool) -> Result<(), Fault> {
+        match (section.get("indentation"), section.get("load")) {
+            (Some(_), Some(node)) => {
+                let (first, second) = ("indentation".to_owned(), "load".to_owned());
+                Err(Cause::OneOfTwo { first, second }.at(node.place))
+            }
+            (None, None) if is_line => {
+                Err(section.missing("load", "load = 1e-2 (F/(E0* R)), or \"600 N/mm\""))
+            }
+            (None, None) => {
+                Err(section.missing("indentation", "indentation = 1e-2 (δ/R), or load = 1e-4 (F/(E0* R²))"))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+impl ContactSettings {
+    /// Reads them for an indenter: its shape decides what a load is, and which keys have a meaning.
+    pub(super) fn of(scope: &ContactScope, section: &Section<'_>) -> Result<Self, Fault> {
+        let is_line = scope.shape == Shape::Cylinder;
+        let (endless, what): (&[_], _) = match &scope.shape {
+            Shape::Cylinder => {
+                (&["indentation", "domain"], "a cylinder, whose depth depends on how far away it is measured")
+            }
+            shape if shape.is_periodic() => {
+                (&["domain", "cells"], "a surface that repeats itself, whose heights are the coarsest grid")
+            }
+            _ => (&[], ""),
+        };
+        let refused = all(endless.iter().map(|key| match section.get(key) {
+            Some(node) => Err(ContactProblem::Endless { key, what }.at(node.place)),
+            None => Ok(()),
+        }));
+        let loading = refused.and_then(|_| Loading::is_one(section, is_line));
+        let load = section
+            .get("load")
+            .map(|node| read_value(&if is_line { LINE_LOAD } else { LOAD }.entry(), "load", node).map(Load));
+        let (settings, (load, ())) = both(Self::read_table(section), both(load.transpose(), loading))?;
+        Ok(Self { load, memory: scope.memory_limit(section, settings.memory), ..settings })
+    }
+
+    /// What presses the indenter down.
+    pub fn loading(&self) -> Loading {
+        Loading::of(self.indentation, self.load.map(|Load(load)| load))
+    }
+
+    /// Cells along a side; chosen and refined from the accuracy where left out.
+    pub fn cells(&self) -> Option<usize> {
+        self.cells.map(|EvenCells(cells)| cells)
+    }
+}
+
+impl LawSettings {
+    /// Reads them of this kind for an indenter, whose shape decides how the plane may be covered.
+    pub(super) fn of(kind: &'static str, scope: &ContactScope, section: &Section<'_>) -> Result<Self, Fault> {
+        scope.is_round(kind, section)?;
+        if scope.moduli_known {
+            scope.inputs.check(LawName::Bem).map_err(|cause| cause.at(section.place))?;
+        }
+        let mut settings = Self::read_table(section)?;
+        settings.memory = scope.memory_limit(section, settings.memory);
+        match section.get("method") {
+            Some(node) if settings.method == LawMethod::Collapse && scope.shape != Shape::Paraboloid => {
+                let shape = scope.shape.name();
+                return Err(ContactProblem::Collapse { shape }.at(node.place));
+            }
+            None if scope.shape != Shape::Paraboloid => settings.method = LawMethod::Sweep,
+            _ => (),
+        }
+        Ok(settings)
+    }
+}
+
+impl FitSettings {
+    /// The keys of the law, and of how it is read.
+    pub(super) fn declarations() -> Vec<Declaration> {
+        let mut keys = LawSettings::declarations();
+        // the memory limit stays the last
+        let end = keys.len().saturating_sub(1);
+        keys.splice(end..end, FitReading::declarations());
+        keys
+    }
+}
+
+/// A load, read as soon as the shape has decided whether it is one per length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Load(Value);
+
+impl Setting for Load {
+    type Rule = ();
+
+    fn form((): &()) -> Allowed {
+        Value::form(&LOAD)
+    }
+
+    fn read(_: &Section<'_>, _: &str, _: &Node, (): &()) -> Result<Self, Fault> {
+        Ok(Self(Value::group(0.0)))
+    }
+
+    fn write(&self, (): &()) -> Json {
+        self.0.write(&LOAD)
+    }
+}
+
+/// An even number of cells, which two grids are made of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct EvenCells(usize);
+
+impl Setting for EvenCells {
+    type Rule = ();
+
+    fn form((): &()) -> Allowed {
+        let [from, to] = CELLS;
+        let schema = json!({ "type": "integer", "minimum": from, "maximum": to, "multipleOf": 2 });
+        Allowed::Told { schema, words: format!("an even number from {from} to {to}"), keys: Vec::new() }
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
+        let [from, to] = CELLS;
+        // one cell is a number of cells as well: the message of those that cannot be halved says more
+        match whole(&section.path(key), node, (1, to))? {
+            found if found < from || !found.is_multiple_of(2) => {
+                Err(ContactProblem::Cells { from, to, found }.at(node.place))
+            }
+            cells => Ok(Self(cells)),
+        }
+    }
+
+    fn write(&self, (): &()) -> Json {
+        Setting::write(&self.0, &Whole { from: CELLS[0], to: CELLS[1] })
+    }
+}

@@ -1,0 +1,127 @@
+//! `contact`: one contact, with its fields.
+
+pub(crate) mod figure;
+mod periodic;
+mod refined;
+pub(crate) mod run;
+
+use super::check::ContactEstimate;
+use super::size::lattice;
+use super::{Exciting, Subject, blame};
+use crate::contact::case::ContactCase;
+use crate::contact::problem::ContactProblem;
+use crate::contact::settings::{ContactScope, ContactSettings};
+use crate::contact::shape::Shape;
+use crate::error::ModelError;
+use crate::indenter::height_map;
+use judder_contact::kernel::sliding::SlidingOperator;
+use judder_contact::steady::{GridChoice, SteadyError};
+use judder_contact::unilateral::Loading;
+use judder_keys::declared::Settings;
+use judder_study::case::analysis::{Kind, Picture};
+use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::outcome::Outcome;
+use judder_study::text::number;
+use run::{grid, loading};
+use serde_json::{Map, Value as Json};
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// The kind.
+pub(crate) const KIND: Kind<ContactScope, Arc<dyn Exciting>> = Kind {
+    name: "contact",
+    doc: "one contact: force, area, friction, fields",
+    declared: ContactSettings::declarations,
+    read: |scope, section| Ok(Arc::new(ContactSettings::of(scope, section)?)),
+    picture: Some(Picture {
+        draw: figure::contact,
+        caption: "The indenter slides to the right. Sections along $y$ = 0; the surface of the substrate is compared with the indenter. The grids: \
+        how far force, area and friction of each are from the extrapolated values.",
+    }),
+};
+
+/// Refuses a load under which the indenter would sink in deeper than it is high.
+fn is_not_too_deep(settings: &ContactSettings, of: &Subject<'_>) -> Result<Result<(), Refusal>, ModelError> {
+    match loading(&of.case.shape, settings, of.scales) {
+        Loading::Indentation(depth) => of.is_not_too_deep(depth),
+        Loading::Load(force) => {
+            let (profile, contrast) = (of.profile()?, of.scales.material.spectrum.contrast());
+            // the glassy substrate yields least
+            let (indentation, limit) = (profile.elastic_depth(force / contrast), profile.deepest());
+            let is_possible = of.case.shape.is_periodic() || indentation < limit;
+            let problem = ContactProblem::LoadTooLarge { indentation, limit };
+            Ok(if is_possible { Ok(()) } else { Err(Refusal::keys(&["load"], problem)) })
+        }
+    }
+}
+
+impl Analysis<ContactCase> for ContactSettings {
+    fn fits(&self, of: &Subject<'_>) -> Result<Result<(), Refusal>, ModelError> {
+        if let Err(refusal) = is_not_too_deep(self, of)? {
+            return Ok(Err(refusal));
+        }
+        let chosen = !of.case.shape.is_periodic() && grid(self, of.scales) == GridChoice::Automatic;
+        if chosen && of.case.shape != Shape::Cylinder {
+            return Ok(Ok(()));
+        }
+        let lattice = lattice(of.case, self, of.scales)?;
+        Ok(blame::large(lattice, SlidingOperator::memory_bytes(lattice[0], lattice[1]), self.memory))
+    }
+
+    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+        if of.case.shape.is_periodic() {
+            return periodic::run(of.case, of.name, self, task.progress);
+        }
+        run::run(of.case, of.name, self, task.progress)
+    }
+
+    fn blame(&self, error: &ModelError) -> Option<Refusal> {
+        match error {
+            ModelError::Contact(SteadyError::DomainTooSmall { half_width, needed, .. })
+                if self.domain.is_some() =>
+            {
+                let (side, needed) = (2.0 * half_width, 2.0 * needed);
+                Some(Refusal::keys(&["domain"], ContactProblem::DomainTooSmall { side, needed }))
+            }
+            _ => None,
+        }
+    }
+
+    fn estimate(&self, of: &Subject<'_>) -> Result<ContactEstimate, ModelError> {
+        let velocity = of.scales.velocity(self.velocity);
+        let asked = match loading(&of.case.shape, self, of.scales) {
+            Loading::Indentation(depth) => format!(
+                "v τ/R = {}, δ/R = {}, v τ/√(R δ) = {}",
+                number(velocity),
+                number(depth),
+                number(velocity / depth.sqrt())
+            ),
+            Loading::Load(force) => {
+                let group = if of.case.shape == Shape::Cylinder { "F/(E0* R)" } else { "F/(E0* R²)" };
+                format!("v τ/R = {}, {group} = {}", number(velocity), number(force))
+            }
+        };
+        let lattice = lattice(of.case, self, of.scales)?;
+        Ok(ContactEstimate { name: of.name.to_owned(), asked, contacts: 1, lattice })
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
+    }
+}
+
+impl Exciting for ContactSettings {
+    fn excited(&self, of: &Subject<'_>) -> Result<Vec<f64>, ModelError> {
+        let (velocity, radius) = (of.scales.velocity(self.velocity), of.scales.scales.radius);
+        Ok(match &of.case.shape {
+            Shape::Rough(rough) => {
+                [rough.roll_off(), rough.cut_off()].map(|wave| TAU * velocity * radius / wave).to_vec()
+            }
+            shape if shape.is_periodic() => {
+                let grid = height_map(shape, radius)?.grid();
+                vec![TAU * velocity / (grid.columns as f64 * grid.cell)]
+            }
+            shape => vec![velocity / of.half_length(loading(shape, self, of.scales))?],
+        })
+    }
+}

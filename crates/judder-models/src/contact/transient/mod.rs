@@ -1,0 +1,73 @@
+//! `transient`: a contact that is followed in time.
+
+mod figure;
+mod run;
+pub mod settings;
+
+use super::check::ContactEstimate;
+use super::{Exciting, Subject, blame};
+use crate::contact::case::ContactCase;
+use crate::contact::problem::ContactProblem;
+use crate::contact::settings::ContactScope;
+use crate::contact::transient::settings::TransientSettings;
+use crate::error::ModelError;
+use judder_contact::transient::TransientError;
+use judder_keys::declared::Settings;
+use judder_study::case::analysis::{Kind, Picture};
+use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::outcome::Outcome;
+use run::Asked;
+use serde_json::{Map, Value as Json};
+use std::sync::Arc;
+
+/// The kind.
+pub(crate) const KIND: Kind<ContactScope, Arc<dyn Exciting>> = Kind {
+    name: "transient",
+    doc: "a contact that is followed in time: histories of force, friction and area, work of a cycle",
+    declared: TransientSettings::declarations,
+    read: |scope, section| Ok(Arc::new(TransientSettings::of(scope, section)?)),
+    picture: Some(Picture {
+        draw: figure::transient,
+        caption: "Normal force, friction force and area over time; where the path repeats itself, the loop whose area is the work of a cycle.",
+    }),
+};
+
+impl Analysis<ContactCase> for TransientSettings {
+    fn fits(&self, of: &Subject<'_>) -> Result<Result<(), Refusal>, ModelError> {
+        let asked = Asked::new(&of.case.shape, self, of.scales);
+        if let Err(refusal) = of.is_not_too_deep(asked.largest_depth())? {
+            return Ok(Err(refusal));
+        }
+        match asked.question(&of.scales.creeping(), of.profile()?, self).needs() {
+            Err(TransientError::TooManySteps { needed, allowed }) => {
+                Ok(Err(Refusal::keys(&["duration"], ContactProblem::TooManySteps { needed, allowed })))
+            }
+            needs => {
+                let (strip, needed) = needs?;
+                Ok(blame::large(strip, needed, self.memory))
+            }
+        }
+    }
+
+    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+        run::run(of.case, self, task.progress)
+    }
+
+    fn estimate(&self, of: &Subject<'_>) -> Result<ContactEstimate, ModelError> {
+        let asked = Asked::new(&of.case.shape, self, of.scales);
+        let contacts = asked.steps(self.cells);
+        let (name, lattice) = (of.name.to_owned(), [self.cells; 2]);
+        Ok(ContactEstimate { name, asked: asked.words(self), contacts, lattice })
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
+    }
+}
+
+impl Exciting for TransientSettings {
+    fn excited(&self, of: &Subject<'_>) -> Result<Vec<f64>, ModelError> {
+        let asked = Asked::new(&of.case.shape, self, of.scales);
+        Ok(asked.frequencies(of.half_length(asked.loading())?))
+    }
+}

@@ -1,0 +1,354 @@
+//! `transient`: a contact that is followed in time.
+
+use crate::contact::case::ContactCase;
+use crate::contact::shape::Shape;
+use crate::contact::single::run::{RESIDUAL_LIMIT, pressed};
+use crate::contact::transient::settings::{Motion, Oscillation, TransientSettings};
+use crate::error::ModelError;
+use crate::indenter::profile;
+use crate::material::ContactScales;
+use judder_contact::steady::profile::Profile;
+use judder_contact::steady::{GridChoice, SteadyQuestion, solve};
+use judder_contact::transient::{
+    Before, Course, CreepingSubstrate, IndenterPath, NormalCourse, TransientHistory, TransientQuestion,
+    TransientSample, run as follow,
+};
+use judder_contact::unilateral::{Loading, UnilateralLimits};
+use judder_store::{Dataset, Table, Variable, number};
+use judder_study::Progress;
+use judder_study::outcome::{CheckRecord, Outcome};
+use serde_json::{Map, Value, json};
+use std::f64::consts::{PI, TAU};
+use std::ops::ControlFlow;
+
+/// What the energies may leave of the work: the cells' error.
+const ENERGY_LIMIT: f64 = 2e-2;
+/// What the end of a start may differ by from steady sliding.
+const STEADY_LIMIT: f64 = 2e-2;
+/// Accuracy of the steady contact that a start is compared with.
+const STEADY_ACCURACY: f64 = 3e-3;
+/// A start has become steady after this many of the longest retardation times and of the contact's radii.
+const SETTLING: f64 = 5.0;
+/// The last part of a start, over which the ripple of the cells is averaged.
+const LAST_PART: f64 = 0.1;
+
+/// The question of the settings in groups.
+pub(crate) struct Asked {
+    /// R and τ are the units.
+    pub(crate) path: IndenterPath,
+    /// t/τ.
+    pub(crate) duration: f64,
+    /// Period of the motion or of the depth, over τ.
+    period: Option<f64>,
+    /// ω τ of the depth.
+    depth_frequency: Option<f64>,
+    /// v τ/R of a start.
+    velocity: Option<f64>,
+    loading: Loading,
+    before: Before,
+}
+
+impl Asked {
+    pub(crate) fn new(shape: &Shape, settings: &TransientSettings, scales: &ContactScales) -> Self {
+        let wave =
+            |wave: &Oscillation| (scales.length(wave.amplitude), scales.angular_frequency(wave.frequency));
+        let loading = pressed(shape, settings.loading(), scales);
+        let oscillation = settings.oscillation.as_ref().map(wave);
+        let normal = match (loading, oscillation) {
+            (Loading::Indentation(mean), Some((amplitude, frequency))) => {
+                NormalCourse::Indentation(Course::sine(mean, amplitude, frequency))
+            }
+            (Loading::Indentation(depth), None) => NormalCourse::Indentation(Course::Constant(depth)),
+            (Loading::Load(force), _) => NormalCourse::Load(Course::Constant(force)),
+        };
+        let (mut frequency, mut velocity) = (oscillation.map(|(_, frequency)| frequency), None);
+        let path = match settings.motion() {
+            Motion::Rest => IndenterPath::at_rest(normal),
+            Motion::Start(speed) => {
+                let speed = scales.velocity(speed);
+                velocity = Some(speed);
+                IndenterPath::start_of_sliding(speed, 0.0, normal)
+            }
+            Motion::Reciprocation(motion) => {
+                let (amplitude, angular_frequency) = wave(&motion);
+                frequency = Some(angular_frequency);
+                IndenterPath::reciprocation(amplitude, angular_frequency, normal)
+            }
+        };
+        let is_relaxation = settings.motion() == Motion::Rest && oscillation.is_none();
+        Self {
+            path,
+            duration: scales.over_time(settings.duration),
+            period: frequency.map(|frequency| TAU / frequency),
+            depth_frequency: oscillation.map(|(_, frequency)| frequency),
+            velocity,
+            loading,
+            before: if is_relaxation { Before::Untouched } else { Before::Settled },
+        }
+    }
+
+    /// The question of a contact in time.
+    pub(crate) fn question<'a>(
+        &'a self,
+        substrate: &'a CreepingSubstrate,
+        profile: &'a dyn Profile,
+        settings: &TransientSettings,
+    ) -> TransientQuestion<'a> {
+        let mut question = TransientQuestion::new(substrate, profile, &self.path, self.duration);
+        question.before = self.before;
+        question.grid.cells = settings.cells;
+        question.grid.memory_limit = settings.memory.bytes;
+        question.energy = true;
+        question
+    }
+
+    /// The largest δ/R of an imposed indentation; zero under a load.
+    pub(crate) fn largest_depth(&self) -> f64 {
+        match &self.path.normal {
+            NormalCourse::Indentation(course) => course.range(self.duration)[1],
+            NormalCourse::Load(_) => 0.0,
+        }
+    }
+
+    /// What presses the indenter down, in groups.
+    pub(crate) fn loading(&self) -> Loading {
+        self.loading
+    }
+
+    /// ω τ of the largest speed over a half length of the contact, and of what swings.
+    pub(crate) fn frequencies(&self, half_length: f64) -> Vec<f64> {
+        let swing = self.period.map(|period| TAU / period);
+        [Some(self.path.position.largest_rate() / half_length), swing].into_iter().flatten().collect()
+    }
+
+    /// What is asked, in groups, in words.
+    pub(crate) fn words(&self, settings: &TransientSettings) -> String {
+        format!("{}, t/τ = {}", settings.word.name(), judder_study::text::number(self.duration))
+    }
+
+    /// Steps that motion and frequencies will take over cells of a side.
+    pub(crate) fn steps(&self, cells: usize) -> usize {
+        let depth = match self.loading {
+            Loading::Indentation(depth) => depth,
+            Loading::Load(force) => (0.75 * force).powf(2.0 / 3.0),
+        };
+        let cell = 2.0 * (2.0 * depth).sqrt() / cells as f64;
+        let rate = (self.path.position.largest_rate() / cell).max(self.period.map_or(0.0, |p| 24.0 / p));
+        // the decay of the first moments takes a few dozen
+        50 + (self.duration * rate) as usize
+    }
+}
+
+pub(super) fn run(
+    case: &ContactCase,
+    settings: &TransientSettings,
+    progress: &dyn Progress,
+) -> Result<Outcome, ModelError> {
+    let scales = ContactScales::new(case)?;
+    let asked = Asked::new(&case.shape, settings, &scales);
+    let substrate = scales.creeping();
+    let profile = profile(&case.shape, scales.scales.radius)?;
+    let question = asked.question(&substrate, &*profile, settings);
+    let mut interrupted = false;
+    let history = follow(&question, &mut |_| {
+        interrupted = progress.interrupted();
+        if interrupted { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    })?;
+    let Some(last) = history.last().copied().filter(|_| !interrupted) else {
+        return Err(ModelError::Interrupted);
+    };
+    let mut outcome = Outcome {
+        scalars: scalars(&history, &last, &asked, &scales),
+        dataset: dataset(&history, settings)?,
+        table: Some(table(&history)?),
+        checks: checks(&history, &last, &question),
+        ..Outcome::default()
+    };
+    if let (Some(velocity), None) = (asked.velocity, asked.depth_frequency) {
+        let memory = settings.memory.bytes;
+        let steady = Steady::new(&scales, &*profile, (velocity, asked.loading), memory)?;
+        outcome.scalars.insert("steady_force".to_owned(), number(steady.force));
+        outcome.scalars.insert("steady_friction".to_owned(), number(steady.friction));
+        let slid = velocity * asked.duration;
+        let settled = asked.duration >= SETTLING * substrate.longest_time()
+            && slid >= SETTLING * (last.area / PI).sqrt();
+        if settled {
+            outcome.checks.push(steady.check(&history, asked.duration));
+        }
+    }
+    progress.advance();
+    if !(history.converged && history.completed) {
+        outcome.missing = 1;
+        outcome.warnings.push(missed(&history, last.time, asked.duration));
+    }
+    if asked.period.is_some_and(|period| period > asked.duration) {
+        outcome.warnings.push("the run is shorter than a period: there is no work of a cycle".to_owned());
+    }
+    Ok(outcome)
+}
+
+fn missed(history: &TransientHistory, end: f64, duration: f64) -> String {
+    match history.completed {
+        true => "the contact of a step was not solved, or its error is beyond the tolerance".to_owned(),
+        false => format!(
+            "the run ended at t/τ = {end:.4} of {duration:.4}: it took {} steps",
+            history.samples.len() + history.rejected
+        ),
+    }
+}
+
+/// Force and friction coefficient of steady sliding.
+struct Steady {
+    force: f64,
+    friction: f64,
+}
+
+impl Steady {
+    fn new(
+        scales: &ContactScales,
+        profile: &dyn Profile,
+        (velocity, loading): (f64, Loading),
+        memory: u64,
+    ) -> Result<Self, ModelError> {
+        let contact = solve(&SteadyQuestion {
+            substrate: &scales.material.sliding(velocity),
+            profile,
+            loading,
+            accuracy: STEADY_ACCURACY,
+            grid: GridChoice::Automatic,
+            limits: UnilateralLimits::default(),
+            memory,
+        })?;
+        Ok(Self { force: contact.refinement.force.value, friction: contact.refinement.friction.value })
+    }
+
+    /// The last part of a start against this.
+    fn check(&self, history: &TransientHistory, duration: f64) -> CheckRecord {
+        let mean = |quantity: fn(&TransientSample) -> f64| {
+            history.mean((1.0 - LAST_PART) * duration, duration, quantity)
+        };
+        let force = mean(|sample| sample.force);
+        let friction = mean(|sample| sample.friction_force) / force;
+        CheckRecord::new(
+            "the end of the start is steady sliding",
+            "mean force (relative) and friction of the last tenth against the steady contact",
+            [(force / self.force - 1.0).abs(), (friction - self.friction).abs()].into_iter().collect(),
+            STEADY_LIMIT,
+        )
+    }
+}
+
+fn scalars(
+    history: &TransientHistory,
+    last: &TransientSample,
+    asked: &Asked,
+    scales: &ContactScales,
+) -> Map<String, Value> {
+    let mut scalars = Map::from_iter([
+        ("converged".to_owned(), json!(history.converged)),
+        ("completed".to_owned(), json!(history.completed)),
+        ("force".to_owned(), number(last.force)),
+        ("friction_force".to_owned(), number(last.friction_force)),
+        ("area".to_owned(), number(last.area)),
+        ("indentation".to_owned(), number(last.indentation)),
+        ("force_newton".to_owned(), number(last.force * scales.force_unit())),
+        ("friction_force_newton".to_owned(), number(last.friction_force * scales.force_unit())),
+        ("work".to_owned(), number(last.work())),
+        ("duration_second".to_owned(), number(last.time * scales.time)),
+        ("steps".to_owned(), json!(history.samples.len().saturating_sub(1))),
+        ("rejected_steps".to_owned(), json!(history.rejected)),
+        ("products".to_owned(), json!(history.products)),
+        ("cell".to_owned(), number(history.cell)),
+    ]);
+    let Some(period) = asked.period else { return scalars };
+    let works = history.work_by_period(period);
+    let radius = scales.scales.radius;
+    if let [.., cycle] = works[..] {
+        scalars.insert("work_per_cycle".to_owned(), number(cycle));
+        scalars.insert("work_per_cycle_joule".to_owned(), number(cycle * scales.force_unit() * radius));
+    }
+    if let [.., before, cycle] = works[..] {
+        scalars.insert("cycle_change".to_owned(), number((cycle / before - 1.0).abs()));
+    }
+    if let (Some(frequency), false) = (asked.depth_frequency, works.is_empty()) {
+        let end = works.len() as f64 * period;
+        let wave =
+            |quantity: fn(&TransientSample) -> f64| history.harmonic(end - period, end, frequency, quantity);
+        let stiffness = wave(|sample| sample.force) / wave(|sample| sample.indentation);
+        let damper = stiffness.im / frequency;
+        scalars.insert("stiffness".to_owned(), number(stiffness.re));
+        scalars.insert("c_y".to_owned(), number(damper));
+        let unit = scales.force_unit() * scales.time / radius;
+        scalars.insert("c_y_newton_second_per_metre".to_owned(), number(damper * unit));
+    }
+    scalars
+}
+
+fn checks(
+    history: &TransientHistory,
+    last: &TransientSample,
+    question: &TransientQuestion<'_>,
+) -> Vec<CheckRecord> {
+    let mut checks = vec![CheckRecord::new(
+        "the conditions of contact hold at every step",
+        format!("largest error of {} contacts, displacement over the largest depth", history.samples.len()),
+        history.samples.iter().map(|sample| sample.residual).collect(),
+        RESIDUAL_LIMIT.max(question.limits.tolerance),
+    )];
+    let first = history.samples.first().and_then(|sample| sample.energy);
+    if let (Some(first), Some(energy)) = (first, last.energy) {
+        let stored = energy.stored - first.stored;
+        let scale = energy.dissipated.abs().max(energy.stored).max(last.work().abs());
+        checks.push(CheckRecord::new(
+            "the work is stored or dissipated",
+            "work at the indenter against the energies in the substrate, over the largest of them",
+            ((last.work() - stored - energy.dissipated).abs() / scale).into(),
+            ENERGY_LIMIT,
+        ));
+    }
+    checks
+}
+
+/// A quantity of a history: name, unit of the table, long name, value.
+type Quantity = (&'static str, &'static str, &'static str, fn(&TransientSample) -> f64);
+
+/// What is kept of every step.
+const QUANTITIES: [Quantity; 6] = [
+    ("position", "R", "x/R of the indenter", |sample| sample.position),
+    ("indentation", "R", "δ/R", |sample| sample.indentation),
+    ("force", "E0* R²", "F/(E0* R²)", |sample| sample.force),
+    ("friction_force", "E0* R²", "force that resists a motion to +x, over E0* R²", |s| s.friction_force),
+    ("area", "R²", "A/R²", |sample| sample.area),
+    ("work", "E0* R³", "work done since the start, over E0* R³", TransientSample::work),
+];
+
+fn column(history: &TransientHistory, value: fn(&TransientSample) -> f64) -> Vec<f64> {
+    history.samples.iter().map(value).collect()
+}
+
+fn dataset(history: &TransientHistory, settings: &TransientSettings) -> Result<Dataset, ModelError> {
+    let time = Variable::coordinate("time", column(history, |sample| sample.time))
+        .units("1")
+        .long_name("t/τ")
+        .attribute("label", "Time $t$/$τ$ (−)");
+    let mut dataset = Dataset::new().with(time)?;
+    for (name, _, long_name, value) in QUANTITIES {
+        let values = column(history, value);
+        dataset = dataset
+            .with(Variable::new(name, &["time"], &[values.len()], values).units("1").long_name(long_name))?;
+    }
+    let loop_over = match (settings.motion(), settings.oscillation) {
+        (Motion::Reciprocation(_), _) => "position",
+        (_, Some(_)) => "indentation",
+        _ => "",
+    };
+    Ok(dataset.attribute("kind", "transient")?.attribute("loop_over", loop_over)?)
+}
+
+fn table(history: &TransientHistory) -> Result<Table, ModelError> {
+    let mut table = Table::new().column("time", "τ", column(history, |sample| sample.time))?;
+    for (name, unit, _, value) in QUANTITIES {
+        table = table.column(name, unit, column(history, value))?;
+    }
+    Ok(table)
+}

@@ -1,0 +1,71 @@
+//! From `[indenter]` to the surface that presses on the substrate.
+
+use crate::contact::shape::{HeightFile, RoughSurface, Roughness, Shape};
+use crate::error::ModelError;
+use judder_contact::indenter::{
+    HeightMap, IndenterError, RoughSurface as Generator, Roughness as Measure, Shape as Surface, height_table,
+};
+use judder_contact::law::LawIndenter;
+use judder_contact::steady::profile::Profile;
+use judder_study::input_file::{bytes, unusable};
+
+/// The surface of an indenter, in units of the radius (in m).
+///
+/// # Errors
+/// A height file that cannot be read, a rough surface that cannot be.
+pub(crate) fn profile(shape: &Shape, radius: f64) -> Result<Box<dyn Profile>, ModelError> {
+    Ok(Box::new(match shape {
+        Shape::Paraboloid => Surface::Paraboloid { radius: 1.0 },
+        Shape::Sphere => Surface::Sphere { radius: 1.0 },
+        Shape::Cylinder => Surface::Cylinder { radius: 1.0 },
+        Shape::Heights(_) | Shape::Rough(_) => Surface::HeightMap(height_map(shape, radius)?),
+    }))
+}
+
+/// The heights of a shape that has such, in units of the radius (in m).
+///
+/// # Errors
+/// As [`profile`]; a shape without heights of its own.
+pub(crate) fn height_map(shape: &Shape, radius: f64) -> Result<HeightMap, ModelError> {
+    match shape {
+        Shape::Heights(heights) => from_file(heights, radius),
+        Shape::Rough(rough) => Ok(generated(rough, radius).generate()?),
+        other => Err(ModelError::Unsupported(format!("the shape `{}` has no height map", other.name()))),
+    }
+}
+
+fn from_file(heights: &HeightFile, radius: f64) -> Result<HeightMap, ModelError> {
+    let path = &heights.file.path;
+    let unusable = |error: IndenterError| unusable(path, &error);
+    let table = height_table(path, bytes(path)?, heights.variable.as_deref()).map_err(unusable)?;
+    let map = table.into_map(heights.unit, heights.spacing, heights.periodic).map_err(unusable)?;
+    let map = map.in_units_of(radius);
+    Ok(if heights.turned_over { map.turned_over() } else { map })
+}
+
+fn generated(rough: &RoughSurface, radius: f64) -> Generator {
+    Generator {
+        period: rough.period / radius,
+        cells: rough.cells,
+        hurst: rough.hurst,
+        roll_off: rough.roll_off() / radius,
+        cut_off: rough.cut_off() / radius,
+        roughness: match rough.roughness() {
+            Roughness::Height(height) => Measure::Height(height / radius),
+            Roughness::Slope(slope) => Measure::Slope(slope),
+        },
+        seed: rough.seed as u64,
+    }
+}
+
+/// The indenter as a law knows it.
+///
+/// # Errors
+/// A shape without a law.
+pub(crate) fn of_law(shape: &Shape) -> Result<LawIndenter, ModelError> {
+    match shape {
+        Shape::Paraboloid => Ok(LawIndenter::Paraboloid),
+        Shape::Sphere => Ok(LawIndenter::Sphere),
+        other => Err(ModelError::Unsupported(format!("there is no law for the shape `{}`", other.name()))),
+    }
+}

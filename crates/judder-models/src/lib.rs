@@ -1,0 +1,121 @@
+//! The models, a folder each, in it a folder an analysis. Here is the only list of them.
+//!
+//! In the order in which the data flows:
+//!
+//! - `swept_keys`, `read_sweep`, [`mod@sweep`]: what the analyses of a case vary. `axis`, `labels`: how that is called.
+//! - [`substrate`], `spectrum_source`, [`material`], `indenter`: what substrate a case names, and the surface that presses.
+//! - `measured_band`: the frequencies that sliding excites, against those of measured moduli. `known_substrate`: what is to be said of the
+//!   substrate of an oscillator case.
+//! - [`band`], [`bridge`]: from the keys of a case to the oscillator and its contact.
+//! - [`computed_law`], [`law_cache`]: a law over speeds and depths; material and law of a case whose numbers move.
+//! - `within_law`: what the errors of a contact law leave of results, in words.
+//! - [`checks`]: every number doubted by another number.
+//! - [`oscillator`], [`contact`], [`belt`], [`two_degrees`], [`structure`], [`sliding`]: the models. [`motion`]: what oscillator and belt share.
+//! - `estimate`: what analyses would take. `written`: files of other programs, in memory.
+//! - [`template`]: the commented cases of `judder new`.
+
+mod axis;
+pub mod band;
+pub mod belt;
+pub mod bridge;
+pub mod checks;
+pub mod computed_law;
+pub mod contact;
+mod error;
+mod estimate;
+mod indenter;
+mod known_substrate;
+mod labels;
+pub mod law_cache;
+pub mod material;
+mod measured_band;
+pub mod motion;
+pub mod oscillator;
+mod read_sweep;
+pub mod sliding;
+mod spectrum_source;
+pub mod structure;
+pub mod substrate;
+pub mod sweep;
+mod swept_keys;
+pub mod template;
+pub mod two_degrees;
+mod within_law;
+mod written;
+
+pub use error::ModelError;
+pub use oscillator::{key_plane, point, quasi_steady};
+pub use sliding::{coupled_pair, shapes as sliding_shapes};
+
+use judder_keys::error::CaseError;
+use judder_study::Registry;
+use judder_study::case::file::CaseFile;
+use judder_study::case::{compose, reference, schema};
+use serde_json::{Map, Value};
+use std::path::Path;
+
+/// The models, in the order of the book.
+pub const REGISTRY: Registry = Registry::new(&[
+    &oscillator::MODEL,
+    &contact::MODEL,
+    &belt::MODEL,
+    &two_degrees::MODEL,
+    &structure::MODEL,
+    &sliding::MODEL,
+]);
+
+/// Reads and validates the case file at `path` with the options `--set key=value`.
+///
+/// # Errors
+/// As of [`CaseFile::read`].
+pub fn read(path: impl AsRef<Path>, overrides: &[String]) -> Result<CaseFile, CaseError> {
+    CaseFile::read(REGISTRY, path, overrides)
+}
+
+/// Validates the text of a case file; `name`, a path or any word, is what errors call it.
+///
+/// # Errors
+/// As of [`CaseFile::parse`].
+pub fn parse(name: &str, text: &str, overrides: &[String]) -> Result<CaseFile, CaseError> {
+    CaseFile::parse(REGISTRY, name, text, overrides)
+}
+
+/// The case file that a text, options and one analysis in the place of all say together.
+///
+/// # Errors
+/// As of [`compose::compose`].
+pub fn compose(
+    name: &str,
+    text: &str,
+    set: &[String],
+    analysis: Option<&Map<String, Value>>,
+) -> Result<CaseFile, CaseError> {
+    compose::compose(REGISTRY, name, text, set, analysis)
+}
+
+/// The JSON Schema of case files of all models.
+#[must_use]
+pub fn schema() -> Value {
+    schema::schema(REGISTRY)
+}
+
+/// The reference page of the book, as Markdown.
+#[must_use]
+pub fn reference() -> String {
+    reference::reference(REGISTRY)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `JUDDER_BLESS=1` writes the page anew.
+    #[test]
+    fn the_page_of_the_book_is_this_one() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/src/case-files.md");
+        if std::env::var_os("JUDDER_BLESS").is_some() {
+            std::fs::write(path, reference()).unwrap();
+        }
+        assert_eq!(std::fs::read_to_string(path).unwrap(), reference(), "run this test with JUDDER_BLESS=1");
+    }
+}

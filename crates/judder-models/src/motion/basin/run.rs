@@ -1,0 +1,316 @@
+//! `basin`: from which share of the starts steady sliding is reached.
+
+use crate::error::ModelError;
+use crate::motion::becomes::{BECOMES, LOST, STEADY_SLIDING, UNCONFIRMED, becomes};
+use crate::motion::model::{Moving, Operating};
+use crate::motion::settings::Following;
+use judder_numerics::counter::uniform;
+use judder_numerics::piecewise::MarchError;
+use judder_oscillator::cycle::{Confirmed, settle_confirmed};
+use judder_oscillator::motion::SlidingSystem;
+use judder_oscillator::motion::attractor::{Patience, Settled};
+use judder_store::{Dataset, Table, Variable, number};
+use judder_study::Progress;
+use judder_study::kept::Kept;
+use judder_study::outcome::{CheckRecord, Disagreement, Outcome};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value, json};
+use std::collections::BTreeMap;
+
+/// Which starts are drawn.
+pub(crate) struct Draw<'a> {
+    pub(crate) within: &'a [Option<[f64; 2]>],
+    pub(crate) samples: usize,
+    pub(crate) seed: u64,
+}
+
+impl Draw<'_> {
+    /// The start of a sample: it depends on the seed and on the sample alone.
+    fn start<const N: usize>(&self, sample: usize, steady: [f64; N]) -> [f64; N] {
+        let mut state = steady;
+        for (k, (place, range)) in state.iter_mut().zip(self.within).enumerate() {
+            if let Some([from, to]) = range {
+                *place = from + (to - from) * uniform(self.seed, (sample * N + k) as u64);
+            }
+        }
+        state
+    }
+}
+
+/// Two-sided 95 % of a normal distribution.
+const QUANTILE: f64 = 1.959_963_984_540_054;
+/// Samples that are followed again, more exactly.
+const REPEATED: usize = 50;
+/// By how much more exactly.
+const FINER: f64 = 1e-2;
+/// The share of them whose fate may change: those on the border of the basin.
+const CHANGED_LIMIT: f64 = 0.02;
+
+/// What became of one sample.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+struct Sample {
+    sample: usize,
+    /// Its place in [`BECOMES`].
+    fate: u8,
+    /// When that was clear; `None` where the motion is lost.
+    time: Option<f64>,
+    /// The rms of x of what it settles to; `None` where the motion is lost.
+    rms: Option<f64>,
+}
+
+pub(crate) fn run<M: Moving<N>, const N: usize>(
+    model: &M,
+    draw: &Draw<'_>,
+    following: &Following,
+    kept: Kept<'_>,
+    progress: &dyn Progress,
+) -> Result<Outcome, ModelError> {
+    let operating = model.operating(None)?;
+    let known: BTreeMap<usize, Sample> =
+        kept.known::<Sample>().into_iter().map(|sample| (sample.sample, sample)).collect();
+    let samples: Vec<Sample> = (0..draw.samples)
+        .into_par_iter()
+        .map(|index| {
+            let sample = match known.get(&index) {
+                Some(sample) => *sample,
+                None => {
+                    let sample = follow(&operating, draw, following, index, progress)?;
+                    kept.add(&sample);
+                    sample
+                }
+            };
+            progress.advance();
+            Ok::<_, ModelError>(sample)
+        })
+        .collect::<Result<_, _>>()?;
+    let basin = Basin { samples: &samples, draw, operating: &operating };
+    let lost = basin.count(LOST);
+    let warning = basin.first_lost().map(|sample| {
+        let why = settled(&operating, draw, following, sample, progress).err();
+        let why = why.map_or_else(String::new, |error| format!("; the first: {error}"));
+        format!("{lost} of {} motions cannot be followed{why}", draw.samples)
+    });
+    let open = basin.count(UNCONFIRMED);
+    let unconfirmed = (open > 0).then(|| {
+        format!(
+            "what becomes of {open} of {} starts is not confirmed: within `duration` the motions have not settled, or finer tolerances tell \
+             something else each time",
+            draw.samples
+        )
+    });
+    Ok(Outcome {
+        scalars: basin.scalars::<M, N>(),
+        dataset: basin.dataset::<M, N>()?,
+        table: Some(basin.table::<M, N>()?),
+        checks: vec![repeated(&operating, draw, following, &samples, progress)?],
+        warnings: warning.into_iter().chain(unconfirmed).collect(),
+        missing: lost,
+        ..Outcome::default()
+    })
+}
+
+/// What the motion from a sample settles to.
+fn settled<S: SlidingSystem<N>, const N: usize>(
+    operating: &Operating<S>,
+    draw: &Draw<'_>,
+    following: &Following,
+    sample: usize,
+    progress: &dyn Progress,
+) -> Result<Confirmed<N>, MarchError> {
+    let time = operating.time(following.duration);
+    let patience = Patience { time, transient: 0.5 * time, ..Patience::default() };
+    let start = draw.start(sample, operating.system.steady_sliding());
+    let settings = operating.settings(following);
+    settle_confirmed(&operating.system, start, settings, &patience, &|| progress.interrupted())
+}
+
+fn follow<S: SlidingSystem<N>, const N: usize>(
+    operating: &Operating<S>,
+    draw: &Draw<'_>,
+    following: &Following,
+    sample: usize,
+    progress: &dyn Progress,
+) -> Result<Sample, ModelError> {
+    let (fate, time, rms) = match settled(operating, draw, following, sample, progress) {
+        Err(MarchError::Interrupted { .. }) => return Err(ModelError::Interrupted),
+        Err(_) => (LOST, None, None),
+        Ok(confirmed) => {
+            let attractor = &confirmed.attractor;
+            let is_at_rest = attractor.settled == Settled::SteadySliding;
+            let rms = if is_at_rest { 0.0 } else { attractor.measures.rms() };
+            (becomes(&confirmed), Some(attractor.time), Some(rms))
+        }
+    };
+    Ok(Sample { sample, fate, time, rms })
+}
+
+/// Some samples followed again at a smaller tolerance: their fates must stay, but for those on the border.
+fn repeated<S: SlidingSystem<N>, const N: usize>(
+    operating: &Operating<S>,
+    draw: &Draw<'_>,
+    following: &Following,
+    samples: &[Sample],
+    progress: &dyn Progress,
+) -> Result<CheckRecord, ModelError> {
+    let finer = Following { tolerance: (FINER * following.tolerance).max(1e-12), ..*following };
+    let some: Vec<&Sample> = samples.iter().take(REPEATED).collect();
+    let changed: Vec<bool> = some
+        .par_iter()
+        .map(|sample| {
+            let again = follow(operating, draw, &finer, sample.sample, progress)?;
+            Ok(again.fate != sample.fate)
+        })
+        .collect::<Result<_, ModelError>>()?;
+    Ok(CheckRecord::new(
+        "the fates stay when the motions are followed more exactly",
+        format!("share of {} samples whose fate changes at a hundredth of the tolerance", some.len()),
+        Disagreement::share(changed),
+        CHANGED_LIMIT,
+    ))
+}
+
+/// The 95 % interval of a share after E. B. Wilson (1927).
+fn wilson(hits: usize, count: usize) -> (f64, f64) {
+    let (share, n) = (hits as f64 / count as f64, count as f64);
+    let square = QUANTILE * QUANTILE / n;
+    let middle = (share + 0.5 * square) / (1.0 + square);
+    let half = QUANTILE * (share * (1.0 - share) / n + 0.25 * square / n).sqrt() / (1.0 + square);
+    // rounding alone takes the ends of none and of all beyond 0 and 1
+    ((middle - half).max(0.0), (middle + half).min(1.0))
+}
+
+struct Basin<'a, S> {
+    samples: &'a [Sample],
+    draw: &'a Draw<'a>,
+    operating: &'a Operating<S>,
+}
+
+impl<S> Basin<'_, S> {
+    fn first_lost(&self) -> Option<usize> {
+        self.samples.iter().find(|sample| sample.fate == LOST).map(|sample| sample.sample)
+    }
+
+    fn count(&self, fate: u8) -> usize {
+        self.samples.iter().filter(|sample| sample.fate == fate).count()
+    }
+
+    fn scalars<M: Moving<N, System = S>, const N: usize>(&self) -> Map<String, Value> {
+        let decided = self.samples.len() - self.count(LOST);
+        let returned = self.count(STEADY_SLIDING);
+        let (lower, upper) = wilson(returned, decided);
+        let within: Map<String, Value> = M::COORDINATES
+            .iter()
+            .zip(self.draw.within)
+            .filter_map(|(coordinate, range)| range.map(|range| (coordinate.name.to_owned(), json!(range))))
+            .collect();
+        let fates: Map<String, Value> = BECOMES
+            .iter()
+            .map(|(code, word)| (word.replace([' ', '-'], "_"), json!(self.count(*code))))
+            .collect();
+        Map::from_iter([
+            ("fraction".to_owned(), number(returned as f64 / decided as f64)),
+            ("interval".to_owned(), json!([number(lower), number(upper)])),
+            ("samples".to_owned(), json!(self.samples.len())),
+            ("seed".to_owned(), json!(self.draw.seed)),
+            (
+                "distribution".to_owned(),
+                json!("uniform and independent; other coordinates as in steady sliding"),
+            ),
+            ("within".to_owned(), Value::Object(within)),
+            ("fates".to_owned(), Value::Object(fates)),
+        ])
+    }
+
+    /// The start of every sample, coordinate by coordinate.
+    fn starts<M: Moving<N, System = S>, const N: usize>(&self) -> Vec<Vec<f64>>
+    where
+        S: SlidingSystem<N>,
+    {
+        let steady = self.operating.system.steady_sliding();
+        let states: Vec<[f64; N]> =
+            self.samples.iter().map(|sample| self.draw.start(sample.sample, steady)).collect();
+        (0..N).map(|k| states.iter().map(|state| state[k]).collect()).collect()
+    }
+
+    fn dataset<M: Moving<N, System = S>, const N: usize>(&self) -> Result<Dataset, ModelError>
+    where
+        S: SlidingSystem<N>,
+    {
+        let count = self.samples.len();
+        let over =
+            |name: &str, values: Vec<f64>| Variable::new(name, &["sample"], &[count], values).units("1");
+        let fates = self.samples.iter().map(|sample| sample.fate).collect();
+        let value = |value: fn(&Sample) -> Option<f64>| {
+            self.samples.iter().map(|sample| value(sample).unwrap_or(f64::NAN)).collect::<Vec<_>>()
+        };
+        let mut dataset = Dataset::new()
+            .with(
+                Variable::classes("fate", &["sample"], &[count], fates, &BECOMES)
+                    .long_name("what becomes of the start"),
+            )?
+            .with(over("settling_time", value(|s| s.time)).long_name("time θ after which that was clear"))?
+            .with(over("rms", value(|s| s.rms)).long_name("rms of x of what it settles to"))?;
+        let mut drawn = Vec::new();
+        for ((coordinate, values), range) in
+            M::COORDINATES.iter().zip(self.starts::<M, N>()).zip(self.draw.within)
+        {
+            let name = format!("start_{}", coordinate.name);
+            dataset = dataset.with(
+                over(&name, values).long_name(coordinate.long_name).attribute("label", coordinate.label),
+            )?;
+            if range.is_some() {
+                drawn.push(name);
+            }
+        }
+        Ok(dataset.attribute("kind", "basin")?.attribute("drawn", drawn)?)
+    }
+
+    fn table<M: Moving<N, System = S>, const N: usize>(&self) -> Result<Table, ModelError>
+    where
+        S: SlidingSystem<N>,
+    {
+        let mut table = Table::new();
+        for (coordinate, values) in M::COORDINATES.iter().zip(self.starts::<M, N>()) {
+            table = table.column(coordinate.name, "1", values)?;
+        }
+        let words: Vec<String> =
+            self.samples.iter().map(|sample| BECOMES[usize::from(sample.fate)].1.to_owned()).collect();
+        let value = |value: fn(&Sample) -> Option<f64>| {
+            self.samples.iter().map(|sample| value(sample).unwrap_or(f64::NAN)).collect::<Vec<_>>()
+        };
+        Ok(table.column("fate", "", words)?.column("settling_time", "1", value(|s| s.time))?.column(
+            "rms",
+            "1",
+            value(|s| s.rms),
+        )?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// R. G. Newcombe, Statistics in Medicine 17 (1998), table I, method 3: 81 of 263, 15 of 148, 0 of 20, 1 of 29.
+    #[test]
+    fn the_intervals_are_those_of_the_literature() {
+        for (hits, count, lower, upper) in [
+            (81, 263, 0.2553, 0.3662),
+            (15, 148, 0.0624, 0.1605),
+            (0, 20, 0.0, 0.1611),
+            (1, 29, 0.0061, 0.1718),
+        ] {
+            let (low, high) = wilson(hits, count);
+            assert!((low - lower).abs() < 5e-5 && (high - upper).abs() < 5e-5, "{hits} {low} {high}");
+        }
+    }
+
+    #[test]
+    fn a_start_is_drawn_within_its_ranges_and_nowhere_else() {
+        let within = [Some([-2.0, 2.0]), None];
+        let draw = Draw { within: &within, samples: 1000, seed: 3 };
+        let starts: Vec<[f64; 2]> = (0..1000).map(|sample| draw.start(sample, [0.7, 0.1])).collect();
+        assert!(starts.iter().all(|start| (-2.0..2.0).contains(&start[0]) && start[1] == 0.1));
+        assert!(starts.iter().any(|start| start[0] < -1.9) && starts.iter().any(|start| start[0] > 1.9));
+    }
+}

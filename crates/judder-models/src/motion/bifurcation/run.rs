@@ -1,0 +1,233 @@
+//! `bifurcation`: what motions settle to along one key, up and down.
+
+use super::branches;
+use super::diagram::Diagram;
+use crate::error::ModelError;
+use crate::motion::becomes::{CYCLE, becomes};
+use crate::motion::model::{Memory, Moving};
+use crate::motion::settings::{Following, MotionStart, SweepDirection};
+use crate::sweep::Sweep;
+use judder_keys::numeric_key::Value as CaseValue;
+use judder_numerics::piecewise::MarchError;
+use judder_oscillator::cycle::{Confirmed, settle_confirmed};
+use judder_oscillator::motion::ContactState;
+use judder_oscillator::motion::attractor::{Patience, Settled};
+use judder_oscillator::quasi_steady;
+use judder_study::Progress;
+use judder_study::kept::Kept;
+use judder_study::outcome::{CheckRecord, Outcome};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// What is asked.
+pub(crate) struct Settings<'a, K> {
+    pub(crate) sweep: &'a Sweep<K>,
+    pub(crate) start: &'a MotionStart,
+    pub(crate) following: &'a Following,
+    pub(crate) transient: CaseValue,
+    /// Whether the branches of cycles are followed as well.
+    pub(crate) branches: bool,
+}
+
+/// Motions of a sweep that are followed again, more exactly.
+const REPEATED: usize = 8;
+/// By how much more exactly.
+const FINER: f64 = 1e-2;
+/// What the rms of a cycle may change by then, relative.
+const RMS_LIMIT: f64 = 1e-3;
+
+/// What the motion at a point of the diagram settles to.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(crate) struct Settling {
+    /// Its place in [`super::becomes::BECOMES`].
+    pub(crate) becomes: u8,
+    /// Of x about its mean.
+    pub(crate) rms: f64,
+    /// `None` where nothing moves.
+    pub(crate) period: Option<f64>,
+    pub(crate) stick_fraction: f64,
+    pub(crate) lift_off_fraction: f64,
+    /// Eq. (3) for its mean oscillation; `None` where nothing moves and for a contact without memory.
+    pub(crate) quasi_steady_condition: Option<f64>,
+    /// Its last meetings with the section.
+    pub(crate) returns: Vec<Vec<f64>>,
+    /// Its last state, from which the next motion starts.
+    pub(crate) state: Vec<f64>,
+}
+
+impl Settling {
+    fn of<const N: usize>(confirmed: &Confirmed<N>, memory: Option<&Memory>) -> Self {
+        let attractor = &confirmed.attractor;
+        let oscillations = match attractor.settled {
+            Settled::SteadySliding => 0,
+            Settled::Cycle { oscillations } => oscillations,
+            Settled::Irregular => 1,
+        };
+        let moves = oscillations > 0;
+        let measures = &attractor.measures;
+        let measured = |value: f64| if moves { value } else { 0.0 };
+        Self {
+            becomes: becomes(confirmed),
+            rms: measured(measures.rms()),
+            period: moves.then_some(attractor.period),
+            stick_fraction: measured(measures.fraction(ContactState::Stick)),
+            lift_off_fraction: measured(measures.fraction(ContactState::LiftOff)),
+            quasi_steady_condition: memory.filter(|_| moves).map(|memory| {
+                let oscillation = (attractor.period / oscillations as f64, measures.amplitude());
+                quasi_steady::in_motion(oscillation, memory.belt_velocity, memory.retardation_time)
+            }),
+            returns: attractor.returns.iter().map(|state| state.to_vec()).collect(),
+            state: attractor.state.to_vec(),
+        }
+    }
+}
+
+/// A point of the diagram: what the motion settles to, or why there is none.
+pub(crate) type Point = Result<Settling, String>;
+
+/// A point that an interrupted run has left.
+#[derive(Serialize, Deserialize)]
+struct KeptPoint {
+    direction: String,
+    /// Its place along the axis.
+    place: usize,
+    point: Point,
+}
+
+pub(crate) fn run<M: Moving<N>, const N: usize>(
+    model: &M,
+    settings: &Settings<'_, M::Key>,
+    direction: SweepDirection,
+    kept: Kept<'_>,
+    progress: &dyn Progress,
+) -> Result<Outcome, ModelError> {
+    let sweeps: Vec<Vec<Point>> = direction
+        .sweeps()
+        .par_iter()
+        .map(|direction| along(model, settings, *direction, kept, progress))
+        .collect::<Result<_, _>>()?;
+    let diagram = Diagram { axis: M::axis(settings.sweep), directions: direction.sweeps(), sweeps: &sweeps };
+    let lost = sweeps.iter().flatten().filter(|point| point.is_err()).count();
+    let mut outcome = Outcome {
+        scalars: diagram.scalars(&settings.sweep.path),
+        dataset: diagram.dataset(&M::COORDINATES)?.attribute("kind", "bifurcation")?,
+        table: Some(diagram.table()?),
+        checks: repeated(model, settings, &sweeps, progress)?.into_iter().collect(),
+        warnings: diagram.warnings(),
+        missing: lost,
+        ..Outcome::default()
+    };
+    if settings.branches {
+        let simulated = diagram.cycles();
+        let branches = branches::follow(model, (settings.sweep, settings.following), &simulated, progress)?;
+        outcome.scalars.extend(branches.scalars());
+        outcome.dataset = branches.add_arrays(outcome.dataset)?;
+        outcome.checks.extend(branches.check());
+        outcome.warnings.extend(branches.warnings());
+    }
+    Ok(outcome)
+}
+
+/// One sweep; its points stand in the order of the axis, whichever way it goes.
+fn along<M: Moving<N>, const N: usize>(
+    model: &M,
+    settings: &Settings<'_, M::Key>,
+    direction: SweepDirection,
+    kept: Kept<'_>,
+    progress: &dyn Progress,
+) -> Result<Vec<Point>, ModelError> {
+    let known = kept.known::<KeptPoint>().into_iter().filter(|known| known.direction == direction.name());
+    let mut known: BTreeMap<usize, Point> = known.map(|known| (known.place, known.point)).collect();
+    let mut places: Vec<(usize, f64)> = settings.sweep.values().into_iter().enumerate().collect();
+    let backward = direction == SweepDirection::Backward;
+    if backward {
+        places.reverse();
+    }
+    let mut points: Vec<Point> = Vec::with_capacity(places.len());
+    for (place, value) in places {
+        // after a lost motion the next one starts as the first did
+        let last = points.last().and_then(|point| point.as_ref().ok());
+        let point = match known.remove(&place) {
+            Some(point) => point,
+            None => {
+                let point = settled(model, settings, value, last, progress)?;
+                let direction = direction.name().to_owned();
+                let line = KeptPoint { direction, place, point };
+                kept.add(&line);
+                line.point
+            }
+        };
+        points.push(point);
+        progress.advance();
+    }
+    if backward {
+        points.reverse();
+    }
+    Ok(points)
+}
+
+/// What the motion at one value settles to, or why it cannot be followed.
+fn settled<M: Moving<N>, const N: usize>(
+    model: &M,
+    settings: &Settings<'_, M::Key>,
+    value: f64,
+    last: Option<&Settling>,
+    progress: &dyn Progress,
+) -> Result<Point, ModelError> {
+    let operating = match model.operating(Some((settings.sweep, value))) {
+        Ok(operating) => operating,
+        Err(error) => return Ok(Err(error.to_string())),
+    };
+    let system = &operating.system;
+    let last = last.and_then(|last| <[f64; N]>::try_from(last.state.as_slice()).ok());
+    let start = operating.off_rest(last.unwrap_or_else(|| operating.start(settings.start)));
+    let patience = Patience {
+        time: operating.time(settings.following.duration),
+        transient: operating.time(settings.transient),
+        ..Patience::default()
+    };
+    let stepping = operating.settings(settings.following);
+    match settle_confirmed(system, start, stepping, &patience, &|| progress.interrupted()) {
+        Err(MarchError::Interrupted { .. }) => Err(ModelError::Interrupted),
+        settled => Ok(settled
+            .map(|confirmed| Settling::of(&confirmed, M::memory(system).as_ref()))
+            .map_err(|error| error.to_string())),
+    }
+}
+
+/// A few cycles followed on more exactly: their rms must stay.
+fn repeated<M: Moving<N>, const N: usize>(
+    model: &M,
+    settings: &Settings<'_, M::Key>,
+    sweeps: &[Vec<Point>],
+    progress: &dyn Progress,
+) -> Result<Option<CheckRecord>, ModelError> {
+    let values = settings.sweep.values();
+    let cycles: Vec<(f64, &Settling)> = sweeps
+        .iter()
+        .flat_map(|points| values.iter().copied().zip(points))
+        .filter_map(|(value, point)| Some((value, point.as_ref().ok()?)))
+        .filter(|(_, settling)| settling.becomes == CYCLE)
+        .collect();
+    if cycles.is_empty() {
+        return Ok(None);
+    }
+    let following =
+        Following { tolerance: (FINER * settings.following.tolerance).max(1e-12), ..*settings.following };
+    let finer = Settings { following: &following, ..*settings };
+    let figures: Vec<f64> = cycles
+        .par_iter()
+        .step_by(cycles.len().div_ceil(REPEATED))
+        .map(|(value, settling)| {
+            let again = settled(model, &finer, *value, Some(settling), progress)?;
+            Ok(again.map_or(f64::INFINITY, |again| (again.rms / settling.rms - 1.0).abs()))
+        })
+        .collect::<Result<_, ModelError>>()?;
+    Ok(Some(CheckRecord::new(
+        "the cycles stay when they are followed more exactly",
+        format!("rms of {} cycles at a hundredth of the tolerance, relative", figures.len()),
+        figures.into_iter().collect(),
+        RMS_LIMIT,
+    )))
+}

@@ -1,0 +1,290 @@
+//! `motion`: the history of one motion.
+
+use super::watched::Blocks;
+use crate::error::ModelError;
+use crate::motion::amplitude_spectrum::amplitude_spectrum;
+use crate::motion::model::{Coordinate, Memory, Moving, Operating};
+use crate::motion::settings::History as HistorySettings;
+use judder_oscillator::motion::attractor::{distance, repetition};
+use judder_oscillator::motion::history::{History, Oscillation, Sample, Window, follow, follow_watched};
+use judder_oscillator::motion::{ContactState, SlidingSystem};
+use judder_store::{Dataset, Table, Variable, number};
+use judder_study::Progress;
+use judder_study::model::MotionBlock;
+use judder_study::outcome::{CheckRecord, Outcome};
+use serde_json::{Map, Value, json};
+
+/// What the works may leave of the change of energy, over the largest of them.
+const ENERGY_LIMIT: f64 = 1e-4;
+/// Distance of two returns, over their distance from steady sliding, below which the motion repeats itself.
+const SAME: f64 = 1e-4;
+/// rms, over the magnitude of steady sliding, below which a motion is rounding about it.
+const AT_REST: f64 = 1e-12;
+/// The most oscillations in a period.
+const OSCILLATIONS: usize = 8;
+
+pub(crate) fn run<M: Moving<N>, const N: usize>(
+    model: &M,
+    asked: &HistorySettings,
+    progress: &dyn Progress,
+    watch: Option<&mut dyn FnMut(MotionBlock)>,
+) -> Result<Outcome, ModelError> {
+    let operating = model.operating(None)?;
+    let [duration, transient] = [asked.duration, asked.transient].map(|time| operating.time(time));
+    let window = Window { duration, transient, points: asked.points };
+    let (start, settings) = (operating.start(&asked.start), operating.settings(&asked.following()));
+    let (system, interrupted) = (&operating.system, || progress.interrupted());
+    let history = match watch {
+        None => follow(system, start, settings, &window, &interrupted)?,
+        Some(watch) => {
+            let mut blocks = Blocks::<M, N>::new(watch);
+            let history = follow_watched(system, start, settings, &window, &interrupted, |news| {
+                blocks.add(news.samples);
+            })?;
+            blocks.show();
+            history
+        }
+    };
+    progress.advance();
+    let mut scalars = scalars::<M, N>(&operating, &history);
+    scalars.insert("duration".to_owned(), number(window.duration));
+    scalars.insert("transient".to_owned(), number(window.transient));
+    let arrays = Arrays::<M, N> { operating: &operating, history: &history };
+    Ok(Outcome {
+        scalars,
+        dataset: arrays.with_spectrum(arrays.dataset()?, &window)?.attribute("kind", "motion")?,
+        table: Some(arrays.table()?),
+        checks: energy_check(&history).into_iter().collect(),
+        ..Outcome::default()
+    })
+}
+
+/// Whether there is a motion to speak of.
+fn moves<const N: usize>(system: &impl SlidingSystem<N>, history: &History<N>) -> bool {
+    history.measures.rms() > AT_REST * system.scales()[0]
+}
+
+/// What `summary.json` shows of a history.
+pub(crate) fn scalars<M: Moving<N>, const N: usize>(
+    operating: &Operating<M::System>,
+    history: &History<N>,
+) -> Map<String, Value> {
+    let measures = &history.measures;
+    let oscillations = if moves(&operating.system, history) { history.oscillations.as_slice() } else { &[] };
+    let period = period(&operating.system, oscillations);
+    let mut scalars = Map::from_iter([
+        ("rms".to_owned(), number(measures.rms())),
+        ("mean".to_owned(), number(operating.system.steady_sliding()[0] + measures.mean())),
+        ("period".to_owned(), period.map_or(Value::Null, |(period, _)| number(period))),
+        ("repeats".to_owned(), json!(period.is_some_and(|(_, repeats)| repeats))),
+        ("stick_fraction".to_owned(), number(measures.fraction(ContactState::Stick))),
+        ("slip_ahead_fraction".to_owned(), number(measures.fraction(ContactState::SlipAhead))),
+        ("lift_off_fraction".to_owned(), number(measures.fraction(ContactState::LiftOff))),
+        ("oscillations".to_owned(), json!(oscillations.len())),
+        ("changes".to_owned(), json!(measures.changes)),
+        ("steps".to_owned(), json!(history.steps)),
+        ("energy".to_owned(), energy(history)),
+    ]);
+    if let Some(memory) = M::memory(&operating.system) {
+        scalars.insert("quasi_steady".to_owned(), quasi_steady(&memory, oscillations));
+    }
+    scalars
+}
+
+/// The period, and whether the motion repeats itself in it; else the mean time of an oscillation. `None` without any.
+fn period<const N: usize>(
+    system: &impl SlidingSystem<N>,
+    oscillations: &[Oscillation<N>],
+) -> Option<(f64, bool)> {
+    let last = oscillations.last()?;
+    let returns = oscillations.iter().rev().take(3 * OSCILLATIONS).map(|o| (o.time, o.state)).collect();
+    let scales = system.scales();
+    let allowed = SAME * distance(&last.state, &system.steady_sliding(), &scales);
+    let time = |count: usize| oscillations.iter().rev().take(count).map(|o| o.period).sum::<f64>();
+    Some(match repetition(&returns, &scales, allowed, OSCILLATIONS) {
+        Some(count) => (time(count), true),
+        None => (time(oscillations.len()) / oscillations.len() as f64, false),
+    })
+}
+
+/// Where energy came from and went, in units of k_x x0².
+fn energy<const N: usize>(history: &History<N>) -> Value {
+    let work = &history.measures.work;
+    json!({
+        "substrate": number(work.substrate), "sliding": number(work.friction - work.substrate),
+        "friction": number(work.friction), "normal": number(work.normal), "damping": number(work.damping),
+        "change": number(history.energy_change), "residual": number(history.energy_residual()),
+    })
+}
+
+/// That of the work; `None` where so little moved that the steps do not resolve it.
+pub(crate) fn energy_check<const N: usize>(history: &History<N>) -> Option<CheckRecord> {
+    let work = &history.measures.work;
+    let parts = [work.friction, work.normal, work.damping, history.energy_change];
+    parts.iter().any(|part| part.abs() > history.energy_resolution).then(|| {
+        CheckRecord::new(
+            "the work is stored or dissipated",
+            "works of friction, normal force and dampers against the change of energy, beyond what the steps resolve, over the largest of them",
+            history.energy_residual().into(),
+            ENERGY_LIMIT,
+        )
+    })
+}
+
+fn condition<const N: usize>(memory: &Memory, oscillation: &Oscillation<N>) -> f64 {
+    oscillation.quasi_steady_condition(memory.belt_velocity, memory.retardation_time)
+}
+
+/// The paper's condition for its law: its largest magnitude, and the shares of the time in which it is above 0.1 and 1.
+fn quasi_steady<const N: usize>(memory: &Memory, oscillations: &[Oscillation<N>]) -> Value {
+    let time: f64 = oscillations.iter().map(|o| o.period).sum();
+    let above = |limit: f64| {
+        let beyond = oscillations.iter().filter(|o| condition(memory, o).abs() > limit);
+        // an empty sum of `sum` is −0
+        beyond.fold(0.0, |sum, o| sum + o.period) / time
+    };
+    let largest = oscillations.iter().map(|o| condition(memory, o).abs()).fold(f64::NAN, f64::max);
+    json!({ "largest": number(largest), "above_0.1": number(above(0.1)), "above_1": number(above(1.0)) })
+}
+
+/// A history as arrays.
+pub(crate) struct Arrays<'a, M: Moving<N>, const N: usize> {
+    pub(crate) operating: &'a Operating<M::System>,
+    pub(crate) history: &'a History<N>,
+}
+
+impl<M: Moving<N>, const N: usize> Arrays<'_, M, N> {
+    /// Every quantity on the grid of time.
+    fn along_time(&self) -> Vec<(Coordinate, Vec<f64>)> {
+        let samples = &self.history.samples;
+        let mut further: Vec<Vec<f64>> = vec![Vec::with_capacity(samples.len()); M::FURTHER.len()];
+        for sample in samples {
+            for (values, value) in further.iter_mut().zip(M::further(&self.operating.system, sample)) {
+                values.push(value);
+            }
+        }
+        let coordinates = M::COORDINATES.into_iter().enumerate();
+        coordinates
+            .map(|(k, coordinate)| (coordinate, samples.iter().map(|s| s.state[k]).collect()))
+            .chain(M::FURTHER.iter().copied().zip(further))
+            .collect()
+    }
+
+    pub(crate) fn dataset(&self) -> Result<Dataset, ModelError> {
+        let samples = &self.history.samples;
+        let count = samples.len();
+        let times: Vec<f64> = samples.iter().map(|s| s.time).collect();
+        let time = Variable::coordinate("time", times).units("1").long_name("time θ = ω_nx t");
+        let mut dataset = Dataset::new().with(time.attribute("label", "Time $θ$ (−)"))?;
+        for (coordinate, values) in self.along_time() {
+            dataset = dataset.with(
+                Variable::new(coordinate.name, &["time"], &[count], values)
+                    .units("1")
+                    .long_name(coordinate.long_name)
+                    .attribute("label", coordinate.label),
+            )?;
+        }
+        let states = samples.iter().map(|s| s.contact_state.number()).collect();
+        let states = Variable::classes("contact_state", &["time"], &[count], states, &ContactState::CODES)
+            .long_name("contact state");
+        self.with_oscillations(self.with_path(self.with_events(dataset.with(states)?)?)?)
+    }
+
+    fn with_events(&self, dataset: Dataset) -> Result<Dataset, ModelError> {
+        let events = &self.history.events;
+        let count = events.len();
+        let times: Vec<f64> = events.iter().map(|e| e.time).collect();
+        let mut dataset = dataset.with(
+            Variable::new("event_time", &["event"], &[count], times)
+                .units("1")
+                .long_name("time θ of a change of the contact state"),
+        )?;
+        let states = |name: &str, long_name: &str, codes: Vec<u8>| {
+            Variable::classes(name, &["event"], &[count], codes, &ContactState::CODES).long_name(long_name)
+        };
+        let (from, to) = (
+            events.iter().map(|e| e.from.number()).collect(),
+            events.iter().map(|e| e.to.number()).collect(),
+        );
+        dataset = dataset.with(states("event_from", "contact state that ends", from))?.with(states(
+            "event_to",
+            "contact state that begins",
+            to,
+        ))?;
+        for (k, coordinate) in M::COORDINATES.into_iter().enumerate() {
+            let values: Vec<f64> = events.iter().map(|e| e.state[k]).collect();
+            let name = format!("event_{}", coordinate.name);
+            dataset = dataset.with(
+                Variable::new(&name, &["event"], &[count], values).units("1").long_name(coordinate.long_name),
+            )?;
+        }
+        Ok(dataset)
+    }
+
+    fn with_path(&self, mut dataset: Dataset) -> Result<Dataset, ModelError> {
+        let path = &self.history.path;
+        let over = |name: &str, long_name: &str, value: &dyn Fn(&Sample<N>) -> f64| {
+            let values: Vec<f64> = path.iter().map(value).collect();
+            Variable::new(name, &["step"], &[values.len()], values).units("1").long_name(long_name)
+        };
+        dataset =
+            dataset.with(over("path_time", "end of a step that does not end in stick, θ", &|s| s.time))?;
+        for (k, coordinate) in M::COORDINATES.into_iter().enumerate() {
+            let name = format!("path_{}", coordinate.name);
+            dataset = dataset.with(over(&name, coordinate.long_name, &|s| s.state[k]))?;
+        }
+        Ok(dataset)
+    }
+
+    fn with_oscillations(&self, dataset: Dataset) -> Result<Dataset, ModelError> {
+        let oscillations = &self.history.oscillations;
+        let over = |name: &str, long_name: &str, value: &dyn Fn(&Oscillation<N>) -> f64| {
+            let values: Vec<f64> = oscillations.iter().map(value).collect();
+            Variable::new(name, &["oscillation"], &[values.len()], values).units("1").long_name(long_name)
+        };
+        let mut dataset = dataset
+            .with(over("oscillation_time", "end of an oscillation, where x is largest", &|o| o.time))?
+            .with(over("oscillation_period", "time of an oscillation", &|o| o.period))?
+            .with(over("oscillation_amplitude", "half the range of x", &|o| o.amplitude))?;
+        for (k, coordinate) in M::COORDINATES.into_iter().enumerate().filter(|(k, _)| *k != N / 2) {
+            let name = format!("section_{}", coordinate.name);
+            let variable = over(&name, coordinate.long_name, &|o| o.state[k]);
+            dataset = dataset.with(variable.attribute("label", coordinate.label))?;
+        }
+        match M::memory(&self.operating.system) {
+            Some(memory) => Ok(dataset.with(over(
+                "quasi_steady_condition",
+                "(ω − v_d/A_x) τ of an oscillation, eq. (3)",
+                &|o| condition(&memory, o),
+            ))?),
+            None => Ok(dataset),
+        }
+    }
+
+    /// With the spectrum of x after the transient.
+    fn with_spectrum(&self, dataset: Dataset, window: &Window) -> Result<Dataset, ModelError> {
+        let late = |sample: &&Sample<N>| sample.time >= window.transient;
+        let values: Vec<f64> = self.history.samples.iter().filter(late).map(|s| s.state[0]).collect();
+        let step = window.duration / (window.points - 1) as f64;
+        let (frequency, amplitude) = amplitude_spectrum(&values, step);
+        let count = frequency.len();
+        Ok(dataset
+            .with(Variable::coordinate("frequency", frequency).units("1").long_name("frequency ω/ω_nx"))?
+            .with(
+                Variable::new("amplitude", &["frequency"], &[count], amplitude)
+                    .units("1")
+                    .long_name("amplitude of x about its mean, after the transient"),
+            )?)
+    }
+
+    pub(crate) fn table(&self) -> Result<Table, ModelError> {
+        let samples = &self.history.samples;
+        let mut table =
+            Table::new().column("time", "1", samples.iter().map(|s| s.time).collect::<Vec<_>>())?;
+        for (coordinate, values) in self.along_time() {
+            table = table.column(coordinate.name, "1", values)?;
+        }
+        let words: Vec<String> = samples.iter().map(|s| s.contact_state.to_string()).collect();
+        Ok(table.column("contact_state", "", words)?)
+    }
+}

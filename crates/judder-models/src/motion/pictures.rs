@@ -1,0 +1,366 @@
+//! Motions: histories, phase portraits, spectra, sections, diagrams, basins.
+
+use super::becomes::{BECOMES, CYCLE, IRREGULAR, UNCONFIRMED};
+use super::bifurcation::branch_layers as branches;
+use judder_oscillator::motion::ContactState;
+use judder_report::figure::Region;
+use judder_report::palette::Style;
+use judder_report::{Axis, Layer, Legend, Panel, Role, Scale};
+use judder_store::Dataset;
+use judder_study::pictures::{FRAME, axis, codes, complexes, reals, text, words};
+use std::f64::consts::TAU;
+
+/// Oscillations that are shown at the end of a motion.
+const SHOWN: f64 = 6.0;
+/// Changes of the contact state that are shown at most.
+const MOST_CHANGES: usize = 400;
+
+/// Starts of a basin that are shown at most.
+const MOST_STARTS: usize = 4000;
+
+/// The grounds of contact states; slip has none.
+const GROUNDS: [(ContactState, Role); 3] = [
+    (ContactState::Stick, Role::Stick),
+    (ContactState::SlipAhead, Role::SlipAhead),
+    (ContactState::LiftOff, Role::LiftOff),
+];
+const STICK: u8 = ContactState::Stick.number();
+const LIFT_OFF: u8 = ContactState::LiftOff.number();
+
+/// Whole motion, its end, phase portrait, spectrum, section.
+pub(crate) fn motion(dataset: &Dataset) -> Option<Vec<Panel>> {
+    let time = reals(dataset, "time")?;
+    let shown = Shown::end_of(dataset, SHOWN)?;
+    let whole = vec![Layer::line("", time.to_vec(), reals(dataset, "x")?.to_vec(), Role::Series(0).solid())];
+    let mut panels = vec![Panel::new(along_time(dataset)?, axis(dataset.variable("x")?), whole)];
+    for name in ["x", "relative_velocity", "contact_area"] {
+        panels.extend(shown.history(name));
+    }
+    panels.push(shown.portrait()?);
+    panels.extend(spectrum(dataset));
+    panels.extend(section(dataset));
+    Some(panels)
+}
+
+/// The last oscillations of a motion: displacement, relative velocity and contact area over time, then the phase portrait.
+pub fn ending(dataset: &Dataset, oscillations: f64) -> Option<Vec<Panel>> {
+    let shown = Shown::end_of(dataset, oscillations)?;
+    let histories = ["x", "relative_velocity", "contact_area"].into_iter().map(|name| shown.history(name));
+    histories.chain([shown.portrait()]).collect()
+}
+
+/// One period, phase portrait, Floquet multipliers.
+pub(crate) fn limit_cycle(dataset: &Dataset) -> Option<Vec<Panel>> {
+    let shown = Shown::all_of(dataset)?;
+    let mut panels = Vec::new();
+    for name in ["x", "relative_velocity", "contact_area"] {
+        panels.extend(shown.history(name));
+    }
+    panels.push(shown.portrait()?);
+    let multipliers = complexes(dataset, "floquet_multipliers")?;
+    let circle: Vec<f64> = (0..=180).map(|k| TAU * f64::from(k) / 180.0).collect();
+    let layers = vec![
+        Layer::line(
+            "unit circle",
+            circle.iter().map(|a| a.cos()).collect(),
+            circle.iter().map(|a| a.sin()).collect(),
+            Role::Reference.solid(),
+        ),
+        Layer::points(
+            "multipliers",
+            multipliers.iter().map(|m| m.re).collect(),
+            multipliers.iter().map(|m| m.im).collect(),
+            Role::Series(1),
+        ),
+    ];
+    let half = multipliers.iter().fold(1.1, |half: f64, m| half.max(1.1 * m.norm()));
+    panels.push(Panel::new(
+        Axis::linear("Real part (−)").over(-half * FRAME, half * FRAME),
+        Axis::linear("Imaginary part (−)").over(-half, half),
+        layers,
+    ));
+    Some(panels)
+}
+
+/// The axis over values that have markers at both ends.
+fn with_room(axis: Axis, (from, to): (f64, f64)) -> Axis {
+    const ROOM: f64 = 0.02;
+    match axis.scale {
+        Scale::Log => {
+            let room = (to / from).powf(ROOM);
+            axis.over(from / room, to * room)
+        }
+        _ => axis.over(from - ROOM * (to - from), to + ROOM * (to - from)),
+    }
+}
+
+fn along_time(dataset: &Dataset) -> Option<Axis> {
+    dataset.variable("time").map(axis)
+}
+
+/// Changes of the contact state of one kind: their name, whether one from a state to another is among them, their colour.
+type EventKind = (&'static str, fn(u8, u8) -> bool, usize);
+
+/// A part of a history.
+struct Shown<'a> {
+    dataset: &'a Dataset,
+    /// The points of the grid that are shown.
+    points: std::ops::Range<usize>,
+    /// The changes of the contact state that are shown.
+    events: std::ops::Range<usize>,
+    /// From when to when.
+    span: (f64, f64),
+}
+
+impl<'a> Shown<'a> {
+    fn all_of(dataset: &'a Dataset) -> Option<Self> {
+        Self::since(dataset, *reals(dataset, "time")?.first()?)
+    }
+
+    /// A few oscillations at the end of a motion, fewer where they change too often to be told apart.
+    fn end_of(dataset: &'a Dataset, oscillations: f64) -> Option<Self> {
+        let (time, events) = (reals(dataset, "time")?, reals(dataset, "event_time")?);
+        let end = *time.last()?;
+        let usual = match reals(dataset, "oscillation_period")? {
+            [] => 0.1 * end,
+            periods => oscillations * periods.iter().sum::<f64>() / periods.len() as f64,
+        };
+        let crowded = events.len().checked_sub(MOST_CHANGES).map_or(0.0, |first| events[first]);
+        Self::since(dataset, (end - usual).max(crowded).max(0.0))
+    }
+
+    fn since(dataset: &'a Dataset, start: f64) -> Option<Self> {
+        let (time, events) = (reals(dataset, "time")?, reals(dataset, "event_time")?);
+        let from = |values: &[f64]| values.partition_point(|value| *value < start)..values.len();
+        Some(Self { dataset, points: from(time), events: from(events), span: (start, *time.last()?) })
+    }
+
+    fn values(&self, name: &str) -> Option<Vec<f64>> {
+        Some(reals(self.dataset, name)?.get(self.points.clone())?.to_vec())
+    }
+
+    /// A quantity over time on the ground of the contact state.
+    fn history(&self, name: &str) -> Option<Panel> {
+        let line = Layer::line("", self.values("time")?, self.values(name)?, Role::FullBoundary.solid());
+        let mut layers = self.grounds()?;
+        layers.push(line);
+        let across = along_time(self.dataset)?.over(self.span.0, self.span.1);
+        let up = axis(self.dataset.variable(name)?);
+        Some(Panel::new(across, up, layers).with_legend(Legend::Below))
+    }
+
+    fn grounds(&self) -> Option<Vec<Layer>> {
+        let times = reals(self.dataset, "event_time")?.get(self.events.clone())?;
+        let begins = codes(self.dataset, "event_to")?.get(self.events.clone())?;
+        let before = match codes(self.dataset, "event_from")?.get(self.events.start) {
+            Some(state) => *state,
+            None => *codes(self.dataset, "contact_state")?.last()?,
+        };
+        let starts = [self.span.0].into_iter().chain(times.iter().copied());
+        let ends = times.iter().copied().chain([self.span.1]);
+        let states = [before].into_iter().chain(begins.iter().copied());
+        let region = |((from, to), state): ((f64, f64), u8)| {
+            let (ground, role) = GROUNDS.into_iter().find(|(own, _)| own.number() == state)?;
+            Some(Layer::Region(Region {
+                label: ground.name().to_owned(),
+                x: Some((from, to)),
+                y: None,
+                role,
+            }))
+        };
+        Some(starts.zip(ends).zip(states).filter_map(region).collect())
+    }
+
+    /// Velocity over displacement, with the changes of the contact state. The path knows the shape of a slip between two points
+    /// of the grid.
+    fn portrait(&self) -> Option<Panel> {
+        let first = reals(self.dataset, "path_time")?.partition_point(|time| *time < self.span.0);
+        let path = |name: &str| Some(reals(self.dataset, name)?.get(first..)?.to_vec());
+        let style = Role::Series(0).solid();
+        let mut layers = vec![Layer::line("", path("path_x")?, path("path_velocity_x")?, style)];
+        let (from, to) = (codes(self.dataset, "event_from")?, codes(self.dataset, "event_to")?);
+        let kinds: [EventKind; 4] = [
+            ("stick begins", |_, to| to == STICK, 2),
+            ("slip begins", |from, to| from == STICK && to != LIFT_OFF, 1),
+            ("lift-off begins", |_, to| to == LIFT_OFF, 4),
+            ("touch-down", |from, to| from == LIFT_OFF && to != STICK, 3),
+        ];
+        for (label, is_of_kind, series) in kinds {
+            let events: Vec<usize> = self.events.clone().filter(|k| is_of_kind(from[*k], to[*k])).collect();
+            if events.is_empty() {
+                continue;
+            }
+            let at = |name: &str| {
+                Some(events.iter().map(|k| reals(self.dataset, name).map_or(f64::NAN, |v| v[*k])).collect())
+            };
+            layers.push(Layer::points(label, at("event_x")?, at("event_velocity_x")?, Role::Series(series)));
+        }
+        let along = |name: &str| self.dataset.variable(name).map(axis);
+        Some(Panel::new(along("x")?, along("velocity_x")?, layers))
+    }
+}
+
+/// The amplitude of every frequency, over as many decades as mean something.
+fn spectrum(dataset: &Dataset) -> Option<Panel> {
+    const DECADES: f64 = 1e-6;
+    let (frequency, amplitude) = (reals(dataset, "frequency")?, reals(dataset, "amplitude")?);
+    let largest = amplitude.iter().copied().fold(0.0, f64::max);
+    if largest <= 0.0 {
+        return None;
+    }
+    let shown =
+        amplitude.iter().map(|a| if *a < DECADES * largest { DECADES * largest } else { *a }).collect();
+    let layer = Layer::line("", frequency.to_vec(), shown, Role::Series(0).solid());
+    let up = Axis::log("Amplitude of $x$ (−)");
+    Some(Panel::new(Axis::linear("Frequency $ω$/$ω_{nx}$ (−)"), up, vec![layer]))
+}
+
+/// Markers for so many points, small where they would hide each other.
+fn markers(role: Role, points: usize) -> Style {
+    const CROWD: usize = 60;
+    if points > CROWD { role.crowded() } else { role.into() }
+}
+
+/// Markers of a direction: small ones on the way up, which the way down would hide.
+fn of_direction(role: Role, direction: usize) -> Style {
+    if direction == 0 { role.crowded() } else { role.into() }
+}
+
+/// The states where x is largest: y over x, or for a model without y the next x over x.
+fn section(dataset: &Dataset) -> Option<Panel> {
+    let x = reals(dataset, "section_x")?;
+    let along = axis(dataset.variable("section_x")?);
+    let (points, up) = match dataset.variable("section_y") {
+        Some(variable) => ((x.to_vec(), reals(dataset, "section_y")?.to_vec()), axis(variable)),
+        None => {
+            ((x.iter().skip(1).zip(x).map(|(_, x)| *x).collect(), x.iter().skip(1).copied().collect()), {
+                Axis::linear("The next largest $x$ (−)")
+            })
+        }
+    };
+    if points.0.is_empty() {
+        return None;
+    }
+    let style = markers(Role::Series(1), points.0.len());
+    let layer = Layer::points("", points.0, points.1, style);
+    Some(Panel::new(along, up, vec![layer]).with_title("Poincaré section"))
+}
+
+/// rms, largest x, shares of stick and lift-off along the swept key.
+pub(crate) fn bifurcation(dataset: &Dataset) -> Option<Vec<Panel>> {
+    let rms = dataset.variable("rms")?;
+    let swept = dataset.variable(rms.dimensions.last()?)?;
+    let values = reals(dataset, &swept.name)?;
+    let directions = words(dataset, "direction")?;
+    let (first, last) = (*values.first()?, *values.last()?);
+    let along = || with_room(axis(swept), (first.min(last), first.max(last)));
+    let branches = branches::layers(dataset);
+    let has_branches = branches.is_some();
+    let (mut amplitude, mut shares) = (branches.unwrap_or_default(), Vec::new());
+    // the way up on top of the way down, and smaller: both are seen where they agree
+    for (k, direction) in directions.iter().enumerate().rev() {
+        let of = |name: &str| -> Option<Vec<f64>> {
+            Some(reals(dataset, name)?.get(k * values.len()..(k + 1) * values.len())?.to_vec())
+        };
+        // neighbours may have settled to different motions: nothing is known between them
+        amplitude.push(Layer::points(
+            direction,
+            values.to_vec(),
+            of("rms")?,
+            of_direction(Role::Series(k), k),
+        ));
+        let becomes = codes(dataset, "becomes")?.get(k * values.len()..(k + 1) * values.len())?;
+        for (code, series) in [(IRREGULAR, 4), (UNCONFIRMED, 6)] {
+            let word = BECOMES[usize::from(code)].1;
+            let of_kind = of("rms")?.into_iter().zip(becomes);
+            let marked: Vec<f64> =
+                of_kind.map(|(rms, becomes)| if *becomes == code { rms } else { f64::NAN }).collect();
+            if marked.iter().any(|rms| rms.is_finite()) {
+                let label = format!("{direction}, {word}");
+                let style = of_direction(Role::Series(series + k), k);
+                amplitude.push(Layer::points(label, values.to_vec(), marked, style));
+            }
+        }
+        for (name, label, series) in [("stick_fraction", "stick", 0), ("lift_off_fraction", "lift-off", 2)] {
+            let label = format!("{label}, {direction}");
+            let style = of_direction(Role::Series(series + k), k);
+            shares.push(Layer::points(label, values.to_vec(), of(name)?, style));
+        }
+    }
+    let mut panels = vec![
+        Panel::new(along(), amplitude_axis(&settled_rms(dataset)?, has_branches), amplitude),
+        Panel::new(along(), Axis::linear("Share of the time (−)"), shares),
+    ];
+    panels.extend(largest(dataset, directions, along()));
+    Some(panels)
+}
+
+/// The rms of every cycle, or where there is none of every motion: that of a motion that has not settled can be as small as it likes.
+fn settled_rms(dataset: &Dataset) -> Option<Vec<f64>> {
+    let (rms, becomes) = (reals(dataset, "rms")?, codes(dataset, "becomes")?);
+    let cycles: Vec<f64> =
+        rms.iter().zip(becomes).filter(|(_, b)| **b == CYCLE).map(|(rms, _)| *rms).collect();
+    Some(if cycles.is_empty() { rms.to_vec() } else { cycles })
+}
+
+/// Amplitudes that differ by more than this ask for a logarithmic axis.
+const WIDE: f64 = 100.0;
+/// Where branches are drawn, down to cycles of no amplitude, less is enough.
+const WIDE_WITH_BRANCHES: f64 = 10.0;
+
+/// The axis of an rms: logarithmic where motions differ widely; then steady sliding, with none, is a gap, or where its own line is
+/// drawn the end of an axis that is linear next to zero.
+fn amplitude_axis(rms: &[f64], has_branches: bool) -> Axis {
+    let moving = || rms.iter().copied().filter(|rms| *rms > 0.0);
+    let (smallest, largest) = (moving().fold(f64::INFINITY, f64::min), moving().fold(0.0, f64::max));
+    let label = "rms of $x$ (−)";
+    let wide = if has_branches { WIDE_WITH_BRANCHES } else { WIDE };
+    match (largest > wide * smallest, has_branches) {
+        (false, _) => Axis::linear(label),
+        (true, false) => Axis::log(label),
+        (true, true) => Axis::symmetric_log(label, smallest),
+    }
+}
+
+/// The largest x of every oscillation along the swept key.
+fn largest(dataset: &Dataset, directions: &[String], along: Axis) -> Option<Panel> {
+    let (values, x) = (reals(dataset, "section_value")?, reals(dataset, "section_x")?);
+    // steady sliding alone crosses no section
+    if x.is_empty() {
+        return None;
+    }
+    let of = words(dataset, "section_direction")?;
+    let layers = directions.iter().enumerate().rev().map(|(k, direction)| {
+        let points = || (0..x.len()).filter(|i| of[*i] == *direction);
+        let across: Vec<f64> = points().map(|i| values[i]).collect();
+        let crowd = markers(Role::Series(k), across.len());
+        let style = if k == 0 { Role::Series(k).crowded() } else { crowd };
+        Layer::points(direction, across, points().map(|i| x[i]).collect(), style)
+    });
+    let label =
+        text(dataset.variable("section_x")?, "label").unwrap_or("x").replace("Displacement", "Largest");
+    let mut sizes: Vec<f64> = x.iter().map(|x| x.abs()).collect();
+    sizes.sort_by(f64::total_cmp);
+    let usual = sizes.get(sizes.len() / 2).copied().unwrap_or(0.0);
+    let up = match sizes.last() {
+        Some(largest) if usual > 0.0 && *largest > WIDE * usual => Axis::symmetric_log(label, usual),
+        _ => Axis::linear(label),
+    };
+    Some(Panel::new(along, up, layers.collect()).with_title("Poincaré section"))
+}
+
+/// The starts by what becomes of them, over the first two coordinates that were drawn.
+pub(crate) fn basin(dataset: &Dataset) -> Option<Vec<Panel>> {
+    let drawn: Vec<&str> =
+        dataset.attributes().get("drawn")?.as_array()?.iter().filter_map(serde_json::Value::as_str).collect();
+    let first = *drawn.first()?;
+    let second = drawn.get(1).copied().unwrap_or("settling_time");
+    let (x, y, fate) = (reals(dataset, first)?, reals(dataset, second)?, codes(dataset, "fate")?);
+    let layers = BECOMES.iter().filter(|(code, _)| fate.contains(code)).map(|(code, label)| {
+        let of = || (0..fate.len().min(MOST_STARTS)).filter(|i| fate[*i] == *code);
+        let style = markers(Role::Series(usize::from(*code)), fate.len());
+        Layer::points(*label, of().map(|i| x[i]).collect(), of().map(|i| y[i]).collect(), style)
+    });
+    let along = |name: &str| dataset.variable(name).map(axis);
+    Some(vec![Panel::new(along(first)?, along(second)?, layers.collect()).with_legend(Legend::Below)])
+}

@@ -1,0 +1,72 @@
+//! `critical-shear-strength`, `critical-load`: thresholds along one key.
+
+mod onsets;
+mod run;
+mod within_law;
+
+use super::{Operated, Subject, curves, ends_of_curves, points_of_curves};
+use crate::error::ModelError;
+use crate::estimate::{Estimate, cost};
+use crate::oscillator::case::OscillatorCase;
+use crate::oscillator::inputs::OscillatorInputs;
+use crate::oscillator::settings::{CriticalThresholds, Sought, thresholds};
+use crate::swept_keys::OscillatorKeys;
+use judder_study::case::analysis::{Kind, Picture};
+use judder_study::model::{Analysis, Task};
+use judder_study::outcome::Outcome;
+use serde_json::{Map, Value as Json};
+use std::sync::Arc;
+
+/// The figure.
+const PICTURE: Picture = Picture {
+    draw: curves::critical,
+    caption: "All thresholds in the searched range. Dashed: without damping, eqs. (27), (28) made self-consistent. Solid: where the \
+        full, damped system gains or loses stability. Where branches were followed: circles and squares tell super- from subcritical \
+        thresholds, and the dash-dotted curve is the least fold over all motions that are known beside one; between it and the threshold \
+        steady sliding is stable, but a knock may start one. Beyond it a search found none, which proves nothing of those that it \
+        missed.",
+};
+
+/// The kind of critical shear strengths.
+pub(crate) const OF_SHEAR_STRENGTH: Kind<OscillatorKeys, Arc<dyn Operated>> = Kind {
+    name: Sought::ShearStrength.kind(),
+    doc: "the critical shear strengths along one key",
+    declared: || thresholds(Sought::ShearStrength),
+    read: |keys, section| Ok(Arc::new(CriticalThresholds::read(keys, section, Sought::ShearStrength)?)),
+    picture: Some(PICTURE),
+};
+
+/// The kind of critical loads.
+pub(crate) const OF_LOAD: Kind<OscillatorKeys, Arc<dyn Operated>> = Kind {
+    name: Sought::Load.kind(),
+    doc: "the critical loads along one key",
+    declared: || thresholds(Sought::Load),
+    read: |keys, section| Ok(Arc::new(CriticalThresholds::read(keys, section, Sought::Load)?)),
+    picture: Some(PICTURE),
+};
+
+impl Analysis<OscillatorCase> for CriticalThresholds {
+    fn steps(&self) -> usize {
+        points_of_curves(&self.sweep, self.family.as_ref())
+    }
+
+    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+        run::run((of.case, of.contact), self, task.progress)
+    }
+
+    fn estimate(&self, name: &&str) -> Result<Estimate, ModelError> {
+        let margin = if self.global_margin { cost::MARGIN } else { 0.0 };
+        let (points, each) = (self.steps(), cost::THRESHOLDS + margin);
+        Ok(Estimate::of_points(name, points, points as f64 * each))
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
+    }
+}
+
+impl Operated for CriticalThresholds {
+    fn corners(&self, inputs: &OscillatorInputs) -> Vec<OscillatorInputs> {
+        ends_of_curves(inputs, &self.sweep, self.family.as_ref())
+    }
+}

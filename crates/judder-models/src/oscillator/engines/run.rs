@@ -1,0 +1,240 @@
+//! `engines`: the cycle that a motion settles to, by events, by time-stepping and with a smoothed sign.
+
+use super::ladder::{self, Engine, Ladder};
+use crate::error::ModelError;
+use crate::motion::limit_cycle::shooting;
+use crate::motion::model::{Moving, Operating, OscillatorModel};
+use crate::oscillator::engines::settings::EnginesSettings;
+use judder_keys::numeric_key::Value as CaseValue;
+use judder_numerics::piecewise::Settings;
+use judder_oscillator::cycle::shooting::{Cycle, from_simulation};
+use judder_oscillator::motion::attractor::Patience;
+use judder_oscillator::motion::laps::{Course, Laps, Moments, by_time_stepping, with_smoothed_sign};
+use judder_oscillator::motion::{
+    ContactState, Interrupted, SlidingSystem, Smoothed, StickSlip, TimeStepping,
+};
+use judder_oscillator::{Contact, OscillatorError};
+use judder_store::{Dataset, Table, Variable, number};
+use judder_study::Progress;
+use judder_study::outcome::Outcome;
+use rayon::prelude::*;
+use serde_json::{Map, Value, json};
+
+/// Periods of the cycle that an engine is followed, and the last of them, which are measured.
+const PERIODS: usize = 6;
+const MEASURED: usize = 2;
+/// How many times longer than they should take they may take.
+const SLACK: f64 = 2.0;
+/// Difference of the measured periods' rms, relative, below which they are one cycle.
+const REPEATS: f64 = 1e-3;
+/// Speed, over v_d, below which a motion without returns has come to rest.
+const AT_REST: f64 = 1e-3;
+/// ε over v_d of most codes that smooth the sign.
+const TYPICAL: f64 = 0.1;
+
+/// What an engine has come to.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Reached {
+    /// 0: a cycle, 1: irregular, 2: steady sliding, 3: lost.
+    pub(super) becomes: u8,
+    /// Over the measured periods; zero in steady sliding, NaN where the motion is lost.
+    pub(super) rms: f64,
+    /// The mean of the measured periods; NaN where there are none.
+    pub(super) period: f64,
+}
+
+pub(crate) const BECOMES: [(u8, &str); 4] =
+    [(0, "cycle"), (1, "irregular"), (2, "steady sliding"), (3, "lost")];
+const LOST: Reached = Reached { becomes: 3, rms: f64::NAN, period: f64::NAN };
+
+impl Reached {
+    fn of(laps: &Laps, belt_velocity: f64) -> Self {
+        if laps.laps.len() < PERIODS {
+            let speed = laps.state[2].abs().max(laps.state[3].abs());
+            let is_at_rest = speed < AT_REST * belt_velocity;
+            return if is_at_rest { Self { becomes: 2, rms: 0.0, period: f64::NAN } } else { LOST };
+        }
+        let measured = &laps.laps[PERIODS - MEASURED..PERIODS];
+        let whole = measured.iter().fold(Moments::default(), |sum, lap| sum + *lap);
+        let rms = whole.rms();
+        let differ = measured.iter().map(|lap| (lap.rms() / rms - 1.0).abs()).fold(0.0, f64::max);
+        let becomes = u8::from(differ > REPEATS);
+        Self { becomes, rms, period: whole.duration / MEASURED as f64 }
+    }
+}
+
+/// The cycle, and what it takes to follow it otherwise.
+struct Comparison<'a> {
+    contact: &'a Contact,
+    system: &'a StickSlip,
+    settings: Settings<4>,
+    course: Course,
+}
+
+impl Comparison<'_> {
+    fn time_stepping(&self, step: f64, interrupted: Interrupted<'_>) -> Result<Reached, OscillatorError> {
+        let engine = TimeStepping::new(self.contact.clone(), *self.system.coefficients(), step)?;
+        // steps that cannot reach the end of the periods need not begin
+        if step * self.course.steps as f64 * SLACK < self.course.longest {
+            return Ok(LOST);
+        }
+        let laps = by_time_stepping(&engine, &self.course, interrupted);
+        Ok(Reached::of(&laps, self.system.belt_velocity()))
+    }
+
+    /// With a sign whose width is so many times v_d.
+    fn smoothed(&self, width: f64, interrupted: Interrupted<'_>) -> Reached {
+        let velocity = self.system.belt_velocity();
+        let smoothed = Smoothed::new(self.system.clone(), width * velocity);
+        let laps =
+            with_smoothed_sign(&smoothed, self.system.section(), self.settings, &self.course, interrupted);
+        laps.map_or(LOST, |laps| Reached::of(&laps, velocity))
+    }
+
+    fn reached(
+        &self,
+        (engine, value): (Engine, f64),
+        interrupted: Interrupted<'_>,
+    ) -> Result<Reached, OscillatorError> {
+        match engine {
+            Engine::TimeStepping => self.time_stepping(value, interrupted),
+            Engine::Smoothed => Ok(self.smoothed(value, interrupted)),
+        }
+    }
+}
+
+/// How many points an analysis has: both ladders and the typical width.
+pub(crate) fn steps(settings: &EnginesSettings) -> usize {
+    settings.time_step.points + settings.width.points + 1
+}
+
+pub(crate) fn run(
+    model: &OscillatorModel<'_>,
+    settings: &EnginesSettings,
+    progress: &dyn Progress,
+) -> Result<Outcome, ModelError> {
+    let operating = model.operating(None)?;
+    let cycle = stable_cycle(&operating, settings, progress)?;
+    let form = settings.time_step.form;
+    let time = |number: f64| operating.time(CaseValue { number, form });
+    let time_steps: Vec<f64> = settings.time_step.values().into_iter().map(time).collect();
+    let widths = settings.width.values();
+    let comparison = Comparison {
+        contact: model.contact,
+        system: &operating.system,
+        settings: operating.settings(&settings.following()),
+        course: Course {
+            start: cycle.start,
+            centre: operating.system.steady_sliding()[0],
+            returns: cycle.oscillations,
+            laps: PERIODS,
+            longest: SLACK * PERIODS as f64 * cycle.period(),
+            steps: settings.steps,
+        },
+    };
+    let points: Vec<(Engine, f64)> = (time_steps.iter().map(|step| (Engine::TimeStepping, *step)))
+        .chain(widths.iter().chain([&TYPICAL]).map(|width| (Engine::Smoothed, *width)))
+        .collect();
+    let mut reached = all(&comparison, &points, progress)?;
+    let typical = reached.pop().unwrap_or(LOST);
+    let smoothed =
+        Ladder { engine: Engine::Smoothed, values: widths, reached: reached.split_off(time_steps.len()) };
+    let ladders = [Ladder { engine: Engine::TimeStepping, values: time_steps, reached }, smoothed];
+    outcome(&cycle, &ladders, &typical)
+}
+
+/// The cycle by events; no other engine would stay on an unstable one.
+fn stable_cycle(
+    operating: &Operating<StickSlip>,
+    settings: &EnginesSettings,
+    progress: &dyn Progress,
+) -> Result<Cycle<4>, ModelError> {
+    let time = operating.time(settings.duration);
+    let shooting = shooting(operating, &settings.following());
+    let patience = Patience { time, transient: 0.5 * time, ..Patience::default() };
+    let start = operating.off_rest(operating.start(&settings.start));
+    let stop = || progress.interrupted();
+    let cycle = from_simulation(&operating.system, start, &shooting, &patience, &stop)?;
+    if cycle.is_stable() {
+        return Ok(cycle);
+    }
+    Err(ModelError::UnstableCycle { multiplier: cycle.largest_multiplier(), period: cycle.period() })
+}
+
+fn all(
+    comparison: &Comparison<'_>,
+    points: &[(Engine, f64)],
+    progress: &dyn Progress,
+) -> Result<Vec<Reached>, ModelError> {
+    points
+        .par_iter()
+        .map(|point| {
+            let reached = comparison.reached(*point, &|| progress.interrupted())?;
+            progress.advance();
+            if progress.interrupted() { Err(ModelError::Interrupted) } else { Ok(reached) }
+        })
+        .collect()
+}
+
+fn outcome(cycle: &Cycle<4>, ladders: &[Ladder; 2], typical: &Reached) -> Result<Outcome, ModelError> {
+    let reference = [cycle.around.measures.rms(), cycle.period()];
+    let mut scalars = of_cycle(cycle, reference);
+    let mut dataset = Dataset::new();
+    let mut table = Vec::new();
+    let (mut checks, mut warnings, mut missing) = (Vec::new(), Vec::new(), 0);
+    for ladder in ladders {
+        scalars.insert(ladder.engine.name().to_owned(), ladder.scalars(reference));
+        dataset = ladder.add_to(dataset, reference)?;
+        table.extend(ladder.rows(reference));
+        missing += ladder.lost();
+        checks.extend(ladder.checks(reference));
+        warnings.extend(ladder.warnings(reference));
+    }
+    let error = |value: f64, exact: f64| number(value / exact - 1.0);
+    scalars.insert(
+        "typical".to_owned(),
+        json!({
+            "width": TYPICAL, "becomes": BECOMES[usize::from(typical.becomes)].1,
+            "rms_error": error(typical.rms, reference[0]), "period_error": error(typical.period, reference[1]),
+        }),
+    );
+    let reference = Variable::new("reference", &["quantity"], &[2], reference.to_vec())
+        .units("1")
+        .long_name("rms of x about its mean and period of the cycle, by events");
+    let column = |pick: fn(&ladder::Row) -> f64| table.iter().map(pick).collect::<Vec<f64>>();
+    let words =
+        |pick: fn(&ladder::Row) -> &str| table.iter().map(|row| pick(row).to_owned()).collect::<Vec<_>>();
+    let sheet = Table::new()
+        .column("engine", "", words(|row| row.engine))?
+        .column("value", "1", column(|row| row.value))?
+        .column("becomes", "", words(|row| row.becomes))?
+        .column("rms", "1", column(|row| row.rms))?
+        .column("rms_error", "1", column(|row| row.errors[0]))?
+        .column("period", "1", column(|row| row.period))?
+        .column("period_error", "1", column(|row| row.errors[1]))?;
+    Ok(Outcome {
+        scalars,
+        dataset: dataset
+            .with(reference)?
+            .attribute("kind", "engines")?
+            .attribute("typical_width", TYPICAL)?,
+        table: Some(sheet),
+        checks,
+        warnings,
+        missing,
+        ..Outcome::default()
+    })
+}
+
+fn of_cycle(cycle: &Cycle<4>, [rms, period]: [f64; 2]) -> Map<String, Value> {
+    let multipliers: Vec<[f64; 2]> = cycle.multipliers.iter().map(|m| [m.re, m.im]).collect();
+    Map::from_iter([
+        ("rms".to_owned(), number(rms)),
+        ("period".to_owned(), number(period)),
+        ("oscillations".to_owned(), json!(cycle.oscillations)),
+        ("stick_fraction".to_owned(), number(cycle.fraction(ContactState::Stick))),
+        ("lift_off_fraction".to_owned(), number(cycle.fraction(ContactState::LiftOff))),
+        ("floquet_multipliers".to_owned(), json!(multipliers)),
+        ("residual".to_owned(), number(cycle.residual)),
+    ])
+}

@@ -1,0 +1,53 @@
+//! `equivalent-damping`: ξ_eq along one key.
+
+mod run;
+
+use super::{Operated, Subject, curves, ends_of_curves, points_of_curves};
+use crate::error::ModelError;
+use crate::estimate::{Estimate, cost};
+use crate::oscillator::case::OscillatorCase;
+use crate::oscillator::inputs::OscillatorInputs;
+use crate::oscillator::settings::{self, DampingCurves};
+use crate::swept_keys::OscillatorKeys;
+use judder_study::case::analysis::{Kind, Picture};
+use judder_study::model::{Analysis, Task};
+use judder_study::outcome::Outcome;
+use serde_json::{Map, Value as Json};
+use std::sync::Arc;
+
+/// The kind.
+pub(crate) const KIND: Kind<OscillatorKeys, Arc<dyn Operated>> = Kind {
+    name: "equivalent-damping",
+    doc: "the equivalent damping ratio along one key",
+    declared: settings::curves,
+    read: |keys, section| Ok(Arc::new(DampingCurves::read(keys, section)?)),
+    picture: Some(Picture {
+        draw: curves::equivalent_damping,
+        caption: "Equivalent damping $ξ_{eq} = c_{11}/2$, eq. (23). The vertical axis is logarithmic on both sides of zero. \
+        Below zero, friction that falls with speed feeds the motion.",
+    }),
+};
+
+impl Analysis<OscillatorCase> for DampingCurves {
+    fn steps(&self) -> usize {
+        points_of_curves(&self.sweep, self.family.as_ref())
+    }
+
+    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+        run::run((of.case, of.contact), &self.sweep, self.family.as_ref(), task.progress)
+    }
+
+    fn estimate(&self, name: &&str) -> Result<Estimate, ModelError> {
+        Ok(Estimate::of_points(name, self.steps(), self.steps() as f64 * cost::EIGENVALUES))
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
+    }
+}
+
+impl Operated for DampingCurves {
+    fn corners(&self, inputs: &OscillatorInputs) -> Vec<OscillatorInputs> {
+        ends_of_curves(inputs, &self.sweep, self.family.as_ref())
+    }
+}

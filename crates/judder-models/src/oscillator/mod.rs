@@ -1,0 +1,281 @@
+//! A sphere on a viscoelastic substrate, with two degrees of freedom.
+//!
+//! - [`point`], [`key_plane`]: one operating point; those over two keys.
+//! - [`quasi_steady`]: eq. (3), on which laws of steady sliding stand in motion.
+//! - `operating_points`: those of a sweep.
+//! - `steady_states`, `law_errors`, `margins`: what the analyses have in common.
+//! - `curves`: the figures of curves over one key.
+//! - `check`: what `judder check` shows.
+//! - A folder each: `equivalent_damping`, `spectrum`, `critical`, `stability_map`, `engines`; those of motion in `motion`.
+
+pub mod case;
+mod check;
+pub mod contact_case;
+pub mod critical;
+pub mod curves;
+pub mod engines;
+pub mod equivalent_damping;
+pub mod given;
+pub mod inputs;
+pub mod key_plane;
+pub mod keys;
+mod law_errors;
+pub(crate) mod margins;
+pub(crate) mod operating_points;
+pub mod point;
+pub mod problem;
+pub mod quasi_steady;
+pub(crate) mod reference;
+pub(crate) mod resolved;
+pub(crate) mod schema;
+pub mod settings;
+pub mod spectrum;
+pub mod stability_map;
+pub(crate) mod steady_states;
+
+pub use stability_map::{BoundaryCurves, BoundaryKind, boundary_curves};
+
+use crate::bridge::{self, CaseContact};
+use crate::error::ModelError;
+use crate::estimate::{Estimate, cost};
+use crate::known_substrate::KnownSubstrate;
+use crate::labels;
+use crate::material;
+use crate::motion::settings::MotionAnalysis;
+use crate::motion::settings::MotionKinds;
+use crate::motion::{self, check::estimate, model::OscillatorModel};
+use crate::oscillator::case::OscillatorCase;
+use crate::oscillator::inputs::{LawName, OscillatorInputs};
+use crate::oscillator::keys::OscillatorKey;
+use crate::sweep::{Family, Sweep};
+use crate::swept_keys::{OscillatorKeys, SweptKeys};
+use judder_contact::law::sweep::SolvedPoint;
+use judder_keys::file_reference::FileReference;
+use judder_oscillator::Contact;
+use judder_study::Progress;
+use judder_study::StudyError;
+use judder_study::case::analysis::Kind;
+use judder_study::case::analysis::names;
+use judder_study::case::file::{Case, CaseFile};
+use judder_study::case::study_sweep::{StudySweep, SweptKey};
+use judder_study::labels::{Quantity, any_key};
+use judder_study::model::{
+    Analysed, Analysis, Model, OperatingPoints, OperatingQuantity, OperatingWork, Prepared, Task,
+};
+use judder_study::outcome::Outcome;
+use judder_study::registry::{ModelKind, drawn};
+use judder_study::resolve::Resolved;
+use operating_points::OfOneLaw;
+use quasi_steady::{Condition, of_motions};
+use serde_json::{Map, Value};
+use std::sync::Arc;
+
+/// The kinds of analyses.
+pub(crate) static KINDS: [Kind<OscillatorKeys, Arc<dyn Operated>>; 10] = [
+    equivalent_damping::KIND,
+    spectrum::KIND,
+    critical::OF_SHEAR_STRENGTH,
+    critical::OF_LOAD,
+    stability_map::KIND,
+    MotionKinds::HISTORY,
+    MotionKinds::LIMIT_CYCLE,
+    MotionKinds::BIFURCATION,
+    MotionKinds::BASIN,
+    engines::KIND,
+];
+
+/// An analysis of operating points.
+pub trait Operated: Analysis<OscillatorCase> {
+    /// Those at the ends of all that it varies.
+    fn corners(&self, inputs: &OscillatorInputs) -> Vec<OscillatorInputs> {
+        vec![*inputs]
+    }
+}
+
+/// These operating points at both ends of a swept key.
+fn ends(sweep: &Sweep<OscillatorKey>, points: Vec<OscillatorInputs>) -> Vec<OscillatorInputs> {
+    let at = |inputs: &OscillatorInputs, value: f64| {
+        let mut inputs = *inputs;
+        sweep.set(&mut inputs, value);
+        inputs
+    };
+    points.iter().flat_map(|inputs| [at(inputs, sweep.from), at(inputs, sweep.to)]).collect()
+}
+
+/// The operating points at both ends of a swept key, for each value of a family.
+fn ends_of_curves(
+    inputs: &OscillatorInputs,
+    sweep: &Sweep<OscillatorKey>,
+    family: Option<&Family<OscillatorKey>>,
+) -> Vec<OscillatorInputs> {
+    let members = family.map_or(vec![*inputs], |family| {
+        let member = |value: &f64| {
+            let mut inputs = *inputs;
+            family.set(&mut inputs, *value);
+            inputs
+        };
+        family.values.iter().map(member).collect()
+    });
+    ends(sweep, members)
+}
+
+/// How many points curves over one key have.
+fn points_of_curves(sweep: &Sweep<OscillatorKey>, family: Option<&Family<OscillatorKey>>) -> usize {
+    sweep.points * family.map_or(1, |family| family.values.len())
+}
+
+/// An oscillator in its contact.
+pub struct Subject<'a> {
+    case: &'a OscillatorCase,
+    contact: &'a Contact,
+}
+
+impl Analysed for OscillatorCase {
+    type Subject<'a> = Subject<'a>;
+    /// The name of the analysis.
+    type Known<'a> = &'a str;
+    type Estimate = Estimate;
+    type Error = ModelError;
+}
+
+/// The model.
+pub(crate) const MODEL: ModelKind = ModelKind {
+    name: "oscillator",
+    read: |root, folder| case::read(root, folder).map(Case::new),
+    schema: schema::case,
+    definitions: schema::definitions,
+    reference: reference::section,
+    kinds: || drawn(&KINDS),
+    operating_quantities: &operating_points::QUANTITIES,
+};
+
+impl Model for OscillatorCase {
+    fn name(&self) -> &'static str {
+        MODEL.name
+    }
+
+    fn analysis_names(&self) -> Vec<&str> {
+        names(&self.analyses)
+    }
+
+    fn files(&self) -> Vec<&FileReference> {
+        OscillatorCase::files(self)
+    }
+
+    fn resolved(&self) -> serde_json::Value {
+        resolved::case(self)
+    }
+
+    fn with_used(&self, resolved: serde_json::Value) -> Result<serde_json::Value, StudyError> {
+        Ok(material::with_used(&self.substrate, &self.inputs, resolved)?)
+    }
+
+    fn is_one_quantity(&self, first: &str, second: &str) -> bool {
+        let keys = (OscillatorKey::from_path(first), OscillatorKey::from_path(second));
+        matches!(keys, (Some(first), Some(second)) if OscillatorKeys::of(self).same(first, second))
+    }
+
+    fn is_set_by(&self, keys: &[SweptKey], tried: &[Case]) -> bool {
+        operating_points::is_set_by(self, keys, tried)
+    }
+
+    fn swept_label(&self, key: &SweptKey) -> Quantity {
+        let Some((own, form)) = operating_points::key_of(self, key) else {
+            return any_key(&key.path, key.dimension);
+        };
+        Quantity { name: key.path.clone(), ..labels::oscillator_key(own, form) }
+    }
+
+    /// Looks at the data of the substrate.
+    fn preflight(&self, _: &CaseFile, _: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
+        bridge::with_material(self)?;
+        Ok(Prepared::NOTHING)
+    }
+
+    fn steps(&self, index: usize) -> usize {
+        self.analyses[index].kind.steps()
+    }
+
+    fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {
+        let case = &bridge::with_material(self)?;
+        let (law, points) = (task.law, task.law.known());
+        let keep = |point: &SolvedPoint| law.add(point);
+        let CaseContact { contact, warnings } = bridge::contact(case, (&points, &keep), task.progress)?;
+        let own = &case.analyses[index].kind;
+        let mut outcome = own.run(&Subject { case, contact: &contact }, task)?;
+        outcome.warnings.extend(warnings);
+        let (corners, substrate) = (own.corners(&case.inputs), KnownSubstrate::of(case)?);
+        outcome.warnings.extend(substrate.band_warning(&contact, corners.iter().copied()));
+        outcome.warnings.extend(substrate.temperature_warning);
+        if let Some(condition) = Condition::worst(corners.into_iter(), Some(&contact), &substrate.terms) {
+            outcome.warnings.extend(condition.warning(of_motions(&outcome.scalars)));
+            outcome.scalars.extend(condition.scalars());
+        }
+        Ok(outcome)
+    }
+
+    fn resolve(&self, file: &CaseFile) -> Result<Resolved, StudyError> {
+        Ok(check::resolve(file, &bridge::with_material(self)?)?)
+    }
+
+    fn operating_quantities(&self) -> &'static [OperatingQuantity] {
+        MODEL.operating_quantities
+    }
+
+    fn operating_points(
+        &self,
+        sweep: &StudySweep,
+        progress: &dyn Progress,
+    ) -> Result<Option<Box<dyn OperatingPoints>>, StudyError> {
+        let points = OfOneLaw::new(self, sweep, progress)?;
+        Ok(points.map(|points| Box::new(points) as Box<dyn OperatingPoints>))
+    }
+
+    fn operating_point(
+        &self,
+        wanted: &[OperatingQuantity],
+        progress: &dyn Progress,
+    ) -> Result<(Vec<f64>, Vec<String>), StudyError> {
+        Ok(operating_points::of_case(self, wanted, progress)?)
+    }
+
+    fn operating_work(&self, sweep: &StudySweep, wanted: &[OperatingQuantity]) -> OperatingWork {
+        operating_points::work(self, sweep, wanted)
+    }
+
+    fn told_of_sweep(&self, file: &CaseFile, sweep: &StudySweep) -> Option<String> {
+        operating_points::read_anew(file, sweep)
+    }
+
+    fn shared_law(&self, resolved: &Value) -> Option<Vec<Value>> {
+        let parts = [&resolved["substrate"], &resolved["files"], &resolved["contact"]["law"]];
+        (self.law == LawName::Bem).then(|| parts.map(Value::clone).to_vec())
+    }
+}
+
+impl Analysis<OscillatorCase> for MotionAnalysis<OscillatorKey> {
+    fn steps(&self) -> usize {
+        motion::steps(self)
+    }
+
+    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+        motion::run_task(&OscillatorModel { inputs: &of.case.inputs, contact: of.contact }, self, task)
+    }
+
+    fn estimate(&self, name: &&str) -> Result<Estimate, ModelError> {
+        Ok(estimate(name, self, cost::RADIAN))
+    }
+
+    fn write(&self, json: &mut Map<String, Value>) {
+        self.write_table::<OscillatorKeys>(json);
+    }
+}
+
+impl Operated for MotionAnalysis<OscillatorKey> {
+    fn corners(&self, inputs: &OscillatorInputs) -> Vec<OscillatorInputs> {
+        match self {
+            Self::Bifurcation(asked) => ends(&asked.sweep, vec![*inputs]),
+            _ => vec![*inputs],
+        }
+    }
+}

@@ -1,0 +1,184 @@
+//! Eq. (3) of the oscillator paper at the operating points of a case: its figures, and the one sentence that tells of them.
+
+use super::steady_states::SteadyState;
+use crate::bridge;
+use crate::error::ModelError;
+use crate::material::Material;
+use crate::oscillator::case::OscillatorCase;
+use crate::oscillator::inputs::OscillatorInputs;
+use crate::oscillator::keys::OscillatorKey;
+use judder_contact::law::material::LawTerm;
+use judder_oscillator::Contact;
+use judder_oscillator::quasi_steady::{QuasiSteady, Standing};
+use judder_store::number;
+use judder_study::text::short;
+use serde_json::{Map, Value, json};
+
+/// Eq. (3) at an operating point, with the frequency that turns its figures into times.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Condition {
+    /// The figures, to be small against 1.
+    pub figures: QuasiSteady,
+    /// ω_nx, rad/s.
+    pub natural_frequency: f64,
+}
+
+/// The terms of the substrate of a case, as a law knows them; none of an elastic one.
+///
+/// # Errors
+/// Data that cannot be read or fitted.
+pub(crate) fn terms(case: &OscillatorCase) -> Result<Vec<LawTerm>, ModelError> {
+    Ok(Material::new(&case.substrate, &case.inputs)?.of_law().terms)
+}
+
+impl Condition {
+    /// At these inputs, to which the material was told; `None` for an elastic substrate. The memory is not a number where nothing is known
+    /// of steady sliding.
+    pub(crate) fn at(
+        inputs: &OscillatorInputs,
+        contact: Option<&Contact>,
+        terms: &[LawTerm],
+    ) -> Option<Self> {
+        let groups = bridge::groups(inputs);
+        let sliding = contact.and_then(|contact| SteadyState::new(contact, inputs).ok());
+        let area = sliding.map_or(f64::NAN, |sliding| sliding.equilibrium.response.area.value);
+        Some(Self {
+            figures: QuasiSteady::new(groups.retardation_time, groups.velocity, area, terms)?,
+            natural_frequency: inputs.number(OscillatorKey::NaturalFrequency),
+        })
+    }
+
+    /// The largest figures over operating points.
+    pub(crate) fn worst(
+        points: impl Iterator<Item = OscillatorInputs>,
+        contact: Option<&Contact>,
+        terms: &[LawTerm],
+    ) -> Option<Self> {
+        points.filter_map(|inputs| Self::at(&inputs, contact, terms)).reduce(|worst, other| {
+            let [mut worst, other] =
+                if other.figures.figure > worst.figures.figure { [other, worst] } else { [worst, other] };
+            worst.figures.memory = worst.figures.memory.max(other.figures.memory);
+            worst
+        })
+    }
+
+    /// What `summary.json` shows.
+    pub(crate) fn scalars(&self) -> Map<String, Value> {
+        let figures = &self.figures;
+        Map::from_iter([
+            ("quasi_steady_figure".to_owned(), number(figures.figure)),
+            ("quasi_steady_longest".to_owned(), number(figures.longest)),
+            ("quasi_steady_memory".to_owned(), number(figures.memory)),
+        ])
+    }
+
+    /// What `judder point --json` shows.
+    #[must_use]
+    pub fn json(&self) -> Value {
+        let second = |figure: f64| number(figure / self.natural_frequency);
+        let QuasiSteady { figure, longest, memory } = self.figures;
+        json!({
+            "figure": number(figure), "time_second": second(figure),
+            "longest": number(longest), "longest_time_second": second(longest),
+            "memory": number(memory), "memory_time_second": second(memory),
+            "standing": Standing::of(figure).name(),
+        })
+    }
+
+    /// Name and value of each figure, for the terminal.
+    pub(crate) fn rows(&self) -> Vec<Vec<String>> {
+        let QuasiSteady { figure, longest, memory } = self.figures;
+        let time = |figure: f64| format!("{} s", short(figure / self.natural_frequency));
+        let mut rows = vec![vec![
+            "ω_nx τ, eq. (3) asks ≪ 1".to_owned(),
+            format!("{}, {}", short(figure), Standing::of(figure).name()),
+            time(figure),
+        ]];
+        if longest > figure {
+            rows.push(vec!["  of the longest time".to_owned(), short(longest), time(longest)]);
+        }
+        if memory.is_finite() {
+            rows.push(vec!["  by which the contact is behind".to_owned(), short(memory), time(memory)]);
+        }
+        rows
+    }
+
+    /// That eq. (3) is broken, in words, with its largest figure over the `motions` that were found; `None` where neither the figures
+    /// nor the motions break it.
+    pub(crate) fn warning(&self, motions: Option<f64>) -> Option<String> {
+        let QuasiSteady { figure, longest, memory } = self.figures;
+        if Standing::of(figure) < Standing::Broken {
+            let broken = motions.filter(|motions| Standing::of(*motions) == Standing::Broken)?;
+            return Some(format!(
+                "eq. (3), the condition of steady-sliding laws in motion, is broken by the motions: |(ω − v_d/A_x) τ| is up to {} where ≪ 1 is \
+                 asked, although ω_nx τ = {}: while it is, the contact is not in step with them, and they are those of the law alone",
+                short(broken),
+                short(figure)
+            ));
+        }
+        let time = |figure: f64| format!("{} s", short(figure / self.natural_frequency));
+        let mut words = format!(
+            "eq. (3), the condition of steady-sliding laws in motion, is broken: ω_nx τ = {} with τ = {}",
+            short(figure),
+            time(figure)
+        );
+        if longest > figure {
+            let longest = (short(longest), time(longest));
+            words.push_str(&format!(
+                ", the mean retardation time ({} with the longest, {})",
+                longest.0, longest.1
+            ));
+        }
+        words.push_str(", where ≪ 1 is asked: the contact is not in step with the motion, so verdicts and motions are those of the law alone");
+        if memory.is_finite() {
+            let much = match Standing::of(memory) {
+                Standing::Holds => "which is small",
+                Standing::Borderline => "which is borderline",
+                Standing::Broken => "which is no smaller than 1 either",
+            };
+            words.push_str(&format!(
+                "; while it passes its own length it forgets, and is behind by T = {}, ω_nx T = {}, {much}",
+                time(memory),
+                short(memory)
+            ));
+        }
+        if let Some(motions) = motions {
+            words.push_str(&format!("; |(ω − v_d/A_x) τ| of the motions is up to {}", short(motions)));
+        }
+        Some(words)
+    }
+}
+
+/// The largest magnitude of eq. (3) over the motions that an analysis found, where it tells of it.
+pub(crate) fn of_motions(scalars: &Map<String, Value>) -> Option<f64> {
+    if let Some(largest) = scalars.get("quasi_steady").and_then(|told| told.get("largest")) {
+        return largest.as_f64();
+    }
+    let each = scalars.get("quasi_steady_condition")?.as_array()?;
+    each.iter().filter_map(Value::as_f64).map(f64::abs).reduce(f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn condition(figure: f64, longest: f64, memory: f64) -> Condition {
+        Condition { figures: QuasiSteady { figure, longest, memory }, natural_frequency: 100.0 }
+    }
+
+    #[test]
+    fn what_is_broken_is_told_with_the_times_that_make_it() {
+        assert_eq!(condition(0.4, 0.4, 0.4).warning(Some(0.9)), None);
+        assert_eq!(condition(0.4, 0.4, 0.4).warning(None), None);
+        let told = condition(0.4, 0.4, 0.4).warning(Some(157.0)).unwrap();
+        assert!(told.contains("is up to 157") && told.contains("ω_nx τ = 0.4"), "{told}");
+        let told = condition(164.0, 2125.0, 0.02).warning(None).unwrap();
+        for part in
+            ["ω_nx τ = 164", "τ = 1.64 s", "2125 with the longest, 21.25 s", "ω_nx T = 0.02, which is small"]
+        {
+            assert!(told.contains(part), "{part}: {told}");
+        }
+        let told = condition(2.0, 2.0, f64::NAN).warning(Some(7.5)).unwrap();
+        assert!(told.ends_with("of the motions is up to 7.5") && !told.contains("longest"), "{told}");
+    }
+}

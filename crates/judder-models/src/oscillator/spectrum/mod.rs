@@ -1,0 +1,55 @@
+//! `spectrum`: the eigenvalues along one key.
+
+mod run;
+
+pub(crate) use run::{Spectra, outcome};
+
+use super::{Operated, Subject, curves, ends_of_curves, points_of_curves};
+use crate::error::ModelError;
+use crate::estimate::{Estimate, cost};
+use crate::oscillator::case::OscillatorCase;
+use crate::oscillator::inputs::OscillatorInputs;
+use crate::oscillator::settings::{self, SpectrumCurves};
+use crate::swept_keys::OscillatorKeys;
+use judder_study::case::analysis::{Kind, Picture};
+use judder_study::model::{Analysis, Task};
+use judder_study::outcome::Outcome;
+use serde_json::{Map, Value as Json};
+use std::sync::Arc;
+
+/// The kind.
+pub(crate) const KIND: Kind<OscillatorKeys, Arc<dyn Operated>> = Kind {
+    name: "spectrum",
+    doc: "the eigenvalues along one key",
+    declared: settings::curves,
+    read: |keys, section| Ok(Arc::new(SpectrumCurves::read(keys, section)?)),
+    picture: Some(Picture {
+        draw: curves::spectrum,
+        caption: "Eigenvalues in units of $ω_{nx}$: growth rates and frequencies. Solid: full system, eq. (21). Dashed: without \
+        damping, eqs. (24), (25).",
+    }),
+};
+
+impl Analysis<OscillatorCase> for SpectrumCurves {
+    fn steps(&self) -> usize {
+        points_of_curves(&self.sweep, self.family.as_ref())
+    }
+
+    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+        run::run((of.case, of.contact), &self.sweep, self.family.as_ref(), task.progress)
+    }
+
+    fn estimate(&self, name: &&str) -> Result<Estimate, ModelError> {
+        Ok(Estimate::of_points(name, self.steps(), self.steps() as f64 * cost::EIGENVALUES))
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
+    }
+}
+
+impl Operated for SpectrumCurves {
+    fn corners(&self, inputs: &OscillatorInputs) -> Vec<OscillatorInputs> {
+        ends_of_curves(inputs, &self.sweep, self.family.as_ref())
+    }
+}

@@ -1,0 +1,74 @@
+//! A map and its overlays as arrays and scalars.
+
+use super::overlays::Overlay;
+use crate::error::ModelError;
+use judder_oscillator::map::StabilityMap;
+use judder_oscillator::mechanism::StabilityClass;
+use judder_store::{Dataset, Variable};
+use judder_study::axis::Axis;
+use serde_json::{Map, Value, json};
+
+/// What a map leaves in the store.
+pub(crate) struct MapArrays<'a> {
+    pub(crate) x: &'a Axis,
+    pub(crate) y: &'a Axis,
+    pub(crate) map: &'a StabilityMap,
+    pub(crate) growth: Option<Vec<f64>>,
+    pub(crate) overlays: &'a [Overlay],
+    /// What an instability by one-way coupling of the directions by speed is called.
+    pub(crate) one_way: &'static str,
+}
+
+/// In the oscillator it is the normal force that follows the speed.
+pub(crate) const NORMAL_FORCE: &str = "normal-force-coupling";
+/// A general system has no normal force.
+pub(crate) const ONE_WAY: &str = "one-way-coupling";
+
+impl MapArrays<'_> {
+    /// `stability` (codes by row and column), `growth_rate` where every point was decided, and for each overlay its points with NaN
+    /// between separate curves.
+    pub(crate) fn dataset(self) -> Result<Dataset, ModelError> {
+        let dimensions = [self.y.name(), self.x.name()];
+        let shape = [self.map.rows, self.map.columns];
+        let meanings: Vec<(u8, &str)> = StabilityClass::ALL
+            .iter()
+            .map(|class| (*class as u8, class_name(*class, self.one_way)))
+            .collect();
+        let classes =
+            Variable::classes("stability", &dimensions, &shape, self.map.classes.clone(), &meanings)
+                .long_name("stability of steady sliding, by mechanism");
+        let mut dataset =
+            Dataset::new().with(self.x.coordinate())?.with(self.y.coordinate())?.with(classes)?;
+        if let Some(growth) = self.growth {
+            let growth = Variable::new("growth_rate", &dimensions, &shape, growth)
+                .units("1")
+                .long_name("growth rate max Re(λ)/ω_nx");
+            dataset = dataset.with(growth)?;
+        }
+        for overlay in self.overlays {
+            dataset = overlay.add_to(dataset, self.x, self.y)?;
+        }
+        Ok(dataset.attribute("kind", "stability-map")?.attribute("one_way", self.one_way)?)
+    }
+}
+
+/// The name of a class where one-way coupling by speed is called `one_way`.
+pub(crate) fn class_name(class: StabilityClass, one_way: &'static str) -> &'static str {
+    if class == StabilityClass::NormalForceCoupling { one_way } else { class.name() }
+}
+
+/// Decisions made, unstable share, and the share of every class.
+pub(crate) fn class_fractions(map: &StabilityMap, one_way: &'static str) -> Map<String, Value> {
+    let total = map.classes.len() as f64;
+    let fractions: Map<String, Value> = StabilityClass::ALL
+        .iter()
+        .map(|class| (class_name(*class, one_way).to_owned(), json!(map.count(*class) as f64 / total)))
+        .collect();
+    Map::from_iter([
+        ("points".to_owned(), json!(map.decisions)),
+        ("grid".to_owned(), json!([map.columns, map.rows])),
+        ("unstable_fraction".to_owned(), json!(map.unstable_fraction())),
+        ("unresolved".to_owned(), json!(map.count(StabilityClass::Unresolved))),
+        ("fractions".to_owned(), Value::Object(fractions)),
+    ])
+}

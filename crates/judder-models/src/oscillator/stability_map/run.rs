@@ -1,0 +1,118 @@
+//! Verdict and mechanism over two keys (Figs. 9, 10).
+
+use super::arrays::{NORMAL_FORCE, class_fractions};
+use super::overlays::Overlay;
+use super::{MapArrays, incomplete, knock, overlays, within_law};
+use crate::axis;
+use crate::checks;
+use crate::error::ModelError;
+use crate::oscillator::case::OscillatorCase;
+use crate::oscillator::key_plane::{KeyAxis, KeyPlane};
+use crate::oscillator::keys::OscillatorKey;
+use crate::oscillator::steady_states::{SteadyState, validity_warnings};
+use crate::sweep::{MapMethod, StabilityMap as MapSettings, Sweep};
+use judder_oscillator::Contact;
+use judder_oscillator::map::{Method, Plane, StabilityMap};
+use judder_oscillator::mechanism::StabilityClass;
+use judder_study::Progress;
+use judder_study::axis::Axis;
+use judder_study::outcome::Outcome;
+use serde_json::{Map, Value, json};
+
+/// Points along each side of the grid on which checks are made and the law's range of validity is looked at.
+const CHECKED_SIDE: usize = 24;
+
+pub(crate) fn run(
+    (case, contact): (&OscillatorCase, &Contact),
+    settings: &MapSettings<OscillatorKey>,
+    progress: &dyn Progress,
+) -> Result<Outcome, ModelError> {
+    let (x, y) = (axis::of_oscillator(&settings.x), axis::of_oscillator(&settings.y));
+    let side = |sweep: &Sweep<OscillatorKey>, axis: &Axis| KeyAxis {
+        key: sweep.key,
+        form: sweep.form,
+        values: axis.values.clone(),
+    };
+    let plane = KeyPlane { inputs: case.inputs, x: side(&settings.x, &x), y: side(&settings.y, &y) };
+    let method = match settings.options.method {
+        MapMethod::Adaptive => Method::Adaptive,
+        MapMethod::EveryPoint => Method::EveryPoint,
+    };
+    let (map, seconds) = plane.decide(contact, method);
+    progress.advance();
+    if progress.interrupted() {
+        return Err(ModelError::Interrupted);
+    }
+    let growth = match method {
+        Method::EveryPoint => Some(plane.growth_rates(contact, progress)?),
+        Method::Adaptive => None,
+    };
+    let overlays = if settings.options.boundaries {
+        overlays::trace(contact, case, settings, progress)?
+    } else {
+        Vec::new()
+    };
+    progress.advance();
+    let states = checked_states(contact, &plane);
+    let mut outcome = Outcome {
+        scalars: map_scalars(&map, NORMAL_FORCE, seconds, &overlays),
+        dataset: MapArrays { x: &x, y: &y, map: &map, growth, overlays: &overlays, one_way: NORMAL_FORCE }
+            .dataset()?,
+        warnings: validity_warnings(contact, states.iter().map(|(state, _)| state)),
+        checks: checks::steady_sliding(contact, &states.iter().map(|(state, _)| *state).collect::<Vec<_>>()),
+        missing: map.count(StabilityClass::Unresolved),
+        ..Outcome::default()
+    };
+    outcome.checks.push(checks::map_against_points(&states, &map));
+    outcome.checks.extend(overlays::check(&overlays));
+    outcome.warnings.extend(incomplete(&overlays));
+    outcome.warnings.extend(unresolved_warning(&map));
+    if !contact.law.is_formula() {
+        let codes = plane.within_law(contact, (&map, method), &|| progress.interrupted());
+        within_law::add(&mut outcome, (&x, &y, &map), codes.ok_or(ModelError::Interrupted)?)?;
+    }
+    if settings.global_margin {
+        knock::add(&mut outcome, (case, contact), settings, (&x, &y, &map), progress)?;
+    }
+    Ok(outcome)
+}
+
+/// How many points of a map have no answer, where there are such.
+pub(crate) fn unresolved_warning(map: &StabilityMap) -> Option<String> {
+    let missing = map.count(StabilityClass::Unresolved);
+    let all = map.classes.len();
+    (missing > 0).then(|| format!("{missing} of {all} points have no answer; they are drawn hatched"))
+}
+
+/// Column and row of the points of a coarse grid over a map.
+pub(crate) fn checked_points(columns: usize, rows: usize) -> impl Iterator<Item = (usize, usize)> {
+    let lines = |count: usize| {
+        let last = CHECKED_SIDE.min(count) - 1;
+        (0..=last).map(move |k| k * (count - 1) / last.max(1))
+    };
+    lines(rows).flat_map(move |row| lines(columns).map(move |column| (column, row)))
+}
+
+/// Steady states on a coarse grid over the plane, each with its grid point.
+fn checked_states(contact: &Contact, plane: &KeyPlane) -> Vec<(SteadyState, (usize, usize))> {
+    checked_points(plane.columns(), plane.rows())
+        .filter_map(|(column, row)| {
+            SteadyState::new(contact, &plane.inputs(column, row)).ok().map(|state| (state, (column, row)))
+        })
+        .collect()
+}
+
+/// What the summary says of a map and its boundaries.
+pub(crate) fn map_scalars(
+    map: &StabilityMap,
+    one_way: &'static str,
+    seconds: f64,
+    overlays: &[Overlay],
+) -> Map<String, Value> {
+    let mut scalars = class_fractions(map, one_way);
+    scalars.insert("seconds".to_owned(), json!(seconds));
+    let boundaries: Map<String, Value> =
+        overlays.iter().map(|overlay| (overlay.name.to_owned(), overlay.summary())).collect();
+    scalars.insert("boundaries".to_owned(), Value::Object(boundaries));
+    scalars
+}

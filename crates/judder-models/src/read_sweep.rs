@@ -1,0 +1,364 @@
+//! Reading of sweeps, families, root ranges and maps from the tables of an analysis.
+
+use crate::sweep::{Family, MAP_BYTES_LIMIT, MAP_BYTES_PER_POINT, MapOptions, StabilityMap, Sweep, Within};
+use crate::swept_keys::SweptKeys;
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Allowed, Declaration, Scaled, Setting, Settings, Whole, both};
+use judder_keys::document::Data;
+use judder_keys::error::{Fault, Place};
+use judder_keys::numeric_key::read_value;
+use judder_keys::numeric_key::{Form, Key, Range, Value};
+use judder_keys::section::{Section, list, text, wrong_type};
+use judder_study::case::scale::Scale;
+use serde_json::{Map, Value as Json, json};
+
+/// A key of an analysis under which a key of the case goes over a range.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Axis {
+    pub(crate) name: &'static str,
+    doc: &'static str,
+    /// The points where it does not say.
+    usual: Option<usize>,
+}
+
+/// What most analyses vary.
+pub(crate) const SWEEP: Axis = Axis { name: "sweep", doc: "one key over a range", usual: None };
+/// The abscissa of a map.
+const X: Axis = Axis { name: "x", doc: "the key along the abscissa, over a range", usual: None };
+/// The ordinate of a map.
+const Y: Axis = Axis { name: "y", doc: "the key along the ordinate, over a range", usual: None };
+
+/// A key that must be given.
+pub(crate) fn required(name: &'static str, doc: &'static str, form: Allowed) -> Declaration {
+    Declaration { name, doc, symbol: "", default: None, is_required: true, alternative: None, form }
+}
+
+/// The names of keys.
+fn names(keys: &[Declaration]) -> Vec<&'static str> {
+    keys.iter().map(|key| key.name).collect()
+}
+
+impl Axis {
+    /// This one, of so many points where it does not say.
+    pub(crate) const fn of_points(self, usual: usize) -> Self {
+        Self { usual: Some(usual), ..self }
+    }
+
+    /// The keys of its table.
+    fn keys<S: SweptKeys>(&self) -> Vec<Declaration> {
+        let most = (MAP_BYTES_LIMIT / MAP_BYTES_PER_POINT) as usize;
+        let points = Allowed::Whole(Whole { from: 2, to: most });
+        vec![
+            required("key", "dotted path of the key", S::key_form()),
+            required("from", "first value", S::value_form()),
+            required("to", "last value", S::value_form()),
+            Declaration {
+                default: self.usual.map(Json::from),
+                is_required: self.usual.is_none(),
+                ..required("points", "number of points, both ends included", points)
+            },
+            Declaration {
+                default: Some(json!(Scale::Linear.name())),
+                is_required: false,
+                ..required("scale", "spacing of the points", <Scale as Setting>::form(&()))
+            },
+        ]
+    }
+
+    /// The names of the keys of its table.
+    pub(crate) fn own_keys<S: SweptKeys>(&self) -> Vec<&'static str> {
+        names(&self.keys::<S>())
+    }
+
+    /// What is said of it.
+    pub(crate) fn declaration<S: SweptKeys>(&self) -> Declaration {
+        required(self.name, self.doc, Allowed::Table { doc: self.doc, keys: self.keys::<S>() })
+    }
+
+    /// Puts it into a canonical form.
+    pub(crate) fn write<S: SweptKeys>(&self, sweep: &Sweep<S::Key>, json: &mut Map<String, Json>) {
+        let end = |number| S::write(sweep.key, Value { number, form: sweep.form });
+        let own = json!({
+            "key": sweep.path, "from": end(sweep.from), "to": end(sweep.to), "points": sweep.points,
+            "scale": sweep.scale.name(),
+        });
+        json.insert(self.name.to_owned(), own);
+    }
+}
+
+/// The keys of a family.
+fn family_keys<S: SweptKeys>() -> Vec<Declaration> {
+    let values = Allowed::List { of: Box::new(S::value_form()), length: [1, usize::MAX] };
+    vec![required("key", "dotted path of the key", S::key_form()), required("values", "its values", values)]
+}
+
+/// What is said of the family of an analysis.
+pub(crate) fn family_declaration<S: SweptKeys>() -> Declaration {
+    let doc = "one curve for each value of another key";
+    let form = Allowed::Table { doc, keys: family_keys::<S>() };
+    Declaration { is_required: false, ..required("family", doc, form) }
+}
+
+/// Puts a family into a canonical form.
+pub(crate) fn write_family<S: SweptKeys>(family: Option<&Family<S::Key>>, json: &mut Map<String, Json>) {
+    let own = family.map(|family| {
+        let value = |number: &f64| S::write(family.key, Value { number: *number, form: family.form });
+        json!({ "key": family.path, "values": family.values.iter().map(value).collect::<Vec<_>>() })
+    });
+    json.insert("family".to_owned(), json!(own));
+}
+
+/// A sweep with the places that later checks point at.
+pub(crate) struct PlacedSweep<K> {
+    pub(crate) sweep: Sweep<K>,
+    pub(crate) key: Place,
+    points: Place,
+    whole: Place,
+}
+
+impl<K: Copy> PlacedSweep<K> {
+    fn ends(&self) -> [Value; 2] {
+        [self.sweep.from, self.sweep.to].map(|number| Value { number, form: self.sweep.form })
+    }
+}
+
+/// A family with the places that later checks point at.
+pub(crate) struct PlacedFamily<K> {
+    pub(crate) family: Family<K>,
+    pub(crate) key: Place,
+    /// Of each value.
+    pub(crate) places: Vec<Place>,
+    /// Of all values.
+    pub(crate) whole: Place,
+}
+
+impl Axis {
+    /// Reads it where the analysis varies nothing else, and checks its ends.
+    pub(crate) fn read_alone<S: SweptKeys>(
+        &self,
+        keys: &S,
+        analysis: &Section<'_>,
+    ) -> Result<Sweep<S::Key>, Fault> {
+        let sweep = self.read(keys, analysis)?;
+        check_ends(keys, &sweep)?;
+        Ok(sweep.sweep)
+    }
+
+    /// Reads it; conditions between keys are left to [`read_family`] and [`read_map`], which know what else varies.
+    pub(crate) fn read<S: SweptKeys>(
+        &self,
+        keys: &S,
+        analysis: &Section<'_>,
+    ) -> Result<PlacedSweep<S::Key>, Fault> {
+        let name = self.name;
+        let node =
+            analysis.required(name, &format!("{name} = {{ key = …, from = …, to = …, points = … }}"))?;
+        let section = analysis.table(name, node, &self.own_keys::<S>())?;
+        let (key, key_place) = read_key(keys, &section)?;
+        let ends = |end: &str| {
+            let value = section.required(end, &format!("{end} = …, the value at this end"))?;
+            keys.read(key, &section.path(end), value)
+        };
+        let (from, to) = (ends("from")?, ends("to")?);
+        let place_of = |key: &str| section.get(key).map_or(section.place, |node| node.place);
+        same_form(ends_of(&section), from.form, to.form, place_of("to"))?;
+        let (from, to, form) = (from.number, to.number, from.form);
+        if from == to {
+            return Err(Cause::EmptyRange { from }.at(section.place));
+        }
+        let scale = section.choice("scale", "scale", &Scale::ALL)?.unwrap_or(Scale::Linear);
+        if scale == Scale::Log && (from == 0.0 || to == 0.0 || (from < 0.0) != (to < 0.0)) {
+            return Err(Cause::LogThroughZero { from, to }.at(section.place));
+        }
+        let points = match (section.get("points"), self.usual) {
+            (None, Some(points)) => points,
+            _ => read_points(&section)?,
+        };
+        let sweep = Sweep { key, path: keys.path(key), from, to, points, scale, form };
+        let placed = PlacedSweep { sweep, key: key_place, points: place_of("points"), whole: section.place };
+        check_size(&[(points, placed.points)])?;
+        Ok(placed)
+    }
+}
+
+fn check_ends<S: SweptKeys>(keys: &S, sweep: &PlacedSweep<S::Key>) -> Result<(), Fault> {
+    sweep
+        .ends()
+        .into_iter()
+        .try_for_each(|end| keys.check(&[(sweep.sweep.key, end)]).map_err(|cause| cause.at(sweep.whole)))
+}
+
+/// Reads the family of an analysis that sweeps `sweep`, one curve a value, and checks the ends of every curve.
+pub(crate) fn read_family<S: SweptKeys>(
+    keys: &S,
+    analysis: &Section<'_>,
+    sweep: &PlacedSweep<S::Key>,
+) -> Result<Option<Family<S::Key>>, Fault> {
+    let Some(placed) = read_placed_family(keys, analysis, sweep.sweep.key)? else {
+        return check_ends(keys, sweep).map(|()| None);
+    };
+    let PlacedFamily { family, places, whole, .. } = placed;
+    for (number, place) in family.values.iter().zip(&places) {
+        let value = Value { number: *number, form: family.form };
+        for end in sweep.ends() {
+            keys.check(&[(family.key, value), (sweep.sweep.key, end)]).map_err(|cause| cause.at(*place))?;
+        }
+    }
+    check_size(&[(family.values.len(), whole), (sweep.sweep.points, sweep.points)])?;
+    Ok(Some(family))
+}
+
+/// Reads the family of an analysis that sweeps `swept`; whether its values go together with the sweep is left to the caller.
+pub(crate) fn read_placed_family<S: SweptKeys>(
+    keys: &S,
+    analysis: &Section<'_>,
+    swept: S::Key,
+) -> Result<Option<PlacedFamily<S::Key>>, Fault> {
+    let Some(node) = analysis.get("family") else { return Ok(None) };
+    let section = analysis.table("family", node, &names(&family_keys::<S>()))?;
+    let (key, key_place) = read_key(keys, &section)?;
+    if keys.same(key, swept) {
+        return Err(key_twice(keys.path(key), "sweep", "family").at(key_place));
+    }
+    let values_node = section.required("values", "values = [ … ], one curve each")?;
+    let nodes = list("family.values", values_node)?;
+    let (mut values, mut places) = (Vec::with_capacity(nodes.len()), Vec::with_capacity(nodes.len()));
+    let mut form = None;
+    for node in nodes {
+        let value = keys.read(key, "family.values", node)?;
+        same_form("`family.values`".to_owned(), *form.get_or_insert(value.form), value.form, node.place)?;
+        values.push(value.number);
+        places.push(node.place);
+    }
+    let Some(form) = form else {
+        return Err(Cause::EmptyList { key: "family.values".to_owned() }.at(values_node.place));
+    };
+    let family = Family { key, path: keys.path(key), values, form };
+    Ok(Some(PlacedFamily { family, key: key_place, places, whole: values_node.place }))
+}
+
+/// The keys of a range of roots.
+fn within_keys<K>(sought: &Key<K>) -> Vec<Declaration> {
+    let of = Scaled::positive(sought.dimension, sought.group.unwrap_or_default());
+    let end = |name, doc| required(name, doc, Allowed::Scaled(of));
+    vec![end("from", "lower end"), end("to", "upper end")]
+}
+
+/// What is said of the range in which an analysis seeks roots of `sought`; `default` is in groups.
+pub(crate) fn within_declaration<K>(sought: &Key<K>, default: (f64, f64)) -> Declaration {
+    let doc = "where roots are sought";
+    let form = Allowed::Table { doc, keys: within_keys(sought) };
+    let default = Some(json!({ "from": default.0, "to": default.1 }));
+    Declaration { default, is_required: false, ..required("within", doc, form) }
+}
+
+/// Puts a range of roots into a canonical form.
+pub(crate) fn write_within<S: SweptKeys>(sought: S::Key, within: &Within, json: &mut Map<String, Json>) {
+    let end = |number| S::write(sought, Value { number, form: within.form });
+    json.insert("within".to_owned(), json!({ "from": end(within.from), "to": end(within.to) }));
+}
+
+/// Reads the range in which an analysis seeks roots of `sought`; `default` is in groups.
+pub(crate) fn read_within<K: Copy>(
+    analysis: &Section<'_>,
+    sought: &Key<K>,
+    default: (f64, f64),
+) -> Result<Within, Fault> {
+    let Some(node) = analysis.get("within") else {
+        return Ok(Within { from: default.0, to: default.1, form: Form::Group });
+    };
+    let section = analysis.table("within", node, &names(&within_keys(sought)))?;
+    let entry = Key { range: Range::Positive, ..*sought };
+    let end = |end: &str| {
+        let node = section.required(end, &format!("{end} = …, the value at this end"))?;
+        Ok((read_value(&entry, &section.path(end), node)?, node.place))
+    };
+    let ((from, _), (to, to_place)) = both(end("from"), end("to"))?;
+    same_form(ends_of(&section), from.form, to.form, to_place)?;
+    let (from, to, form) = (from.number, to.number, from.form);
+    match from.total_cmp(&to) {
+        std::cmp::Ordering::Less => Ok(Within { from, to, form }),
+        std::cmp::Ordering::Equal => Err(Cause::EmptyRange { from }.at(section.place)),
+        std::cmp::Ordering::Greater => Err(Cause::Backwards { from, to }.at(section.place)),
+    }
+}
+
+/// What is said of a stability map.
+pub(crate) fn map_declarations<S: SweptKeys>() -> Vec<Declaration> {
+    let axes = vec![X.declaration::<S>(), Y.declaration::<S>()];
+    [axes, MapOptions::declarations()].concat()
+}
+
+/// Puts a stability map into a canonical form.
+pub(crate) fn write_map<S: SweptKeys>(map: &StabilityMap<S::Key>, json: &mut Map<String, Json>) {
+    X.write::<S>(&map.x, json);
+    Y.write::<S>(&map.y, json);
+    map.options.write_table(json);
+}
+
+/// Reads a stability map.
+pub(crate) fn read_map<S: SweptKeys>(
+    keys: &S,
+    analysis: &Section<'_>,
+) -> Result<StabilityMap<S::Key>, Fault> {
+    let axes = both(X.read(keys, analysis), Y.read(keys, analysis));
+    let ((x, y), options) = both(axes, MapOptions::read_table(analysis))?;
+    if keys.same(x.sweep.key, y.sweep.key) {
+        return Err(key_twice(y.sweep.path, X.name, Y.name).at(y.key));
+    }
+    check_size(&[(x.sweep.points, x.points), (y.sweep.points, y.points)])?;
+    for x_end in x.ends() {
+        for y_end in y.ends() {
+            keys.check(&[(x.sweep.key, x_end), (y.sweep.key, y_end)]).map_err(|cause| cause.at(y.whole))?;
+        }
+    }
+    Ok(StabilityMap { x: x.sweep, y: y.sweep, options, global_margin: false })
+}
+
+fn read_key<S: SweptKeys>(keys: &S, section: &Section<'_>) -> Result<(S::Key, Place), Fault> {
+    let node = section.required("key", "the dotted path of a numeric key, key = \"…\"")?;
+    let path = text(&section.path("key"), node)?;
+    let place = node.part(0..path.len());
+    keys.find(path).map(|key| (key, place)).map_err(|cause| cause.at(place))
+}
+
+fn read_points(section: &Section<'_>) -> Result<usize, Fault> {
+    let node = section.required("points", "the number of points, both ends included")?;
+    let Data::Number { whole: Some(points), .. } = node.data else {
+        return Err(wrong_type(&section.path("points"), "an integer", node));
+    };
+    match usize::try_from(points) {
+        Ok(count) if count >= 2 => Ok(count),
+        _ => Err(Cause::TooFewPoints { points }.at(node.place)),
+    }
+}
+
+/// Refuses a value of another form than the first, at its place.
+pub(crate) fn same_form(keys: String, first: Form, second: Form, place: Place) -> Result<(), Fault> {
+    if first == second { Ok(()) } else { Err(Cause::MixedForms { keys }.at(place)) }
+}
+
+/// The ends of a range as an error names them together.
+fn ends_of(section: &Section<'_>) -> String {
+    format!("`{}` and `{}`", section.path("from"), section.path("to"))
+}
+
+fn key_twice(key: String, first: &'static str, second: &'static str) -> Cause {
+    Cause::KeyTwice { key, first, second }
+}
+
+/// Refuses a product of point counts that would not fit into the memory limit, at the largest factor.
+pub(crate) fn check_size(factors: &[(usize, Place)]) -> Result<(), Fault> {
+    let points = factors.iter().fold(1, |product: u128, (count, _)| product.saturating_mul(*count as u128));
+    let bytes = points.saturating_mul(MAP_BYTES_PER_POINT);
+    match factors.iter().max_by_key(|(count, _)| *count) {
+        Some((_, place)) if bytes > MAP_BYTES_LIMIT => {
+            let counts: Vec<_> = factors.iter().map(|(count, _)| count.to_string()).collect();
+            let product = if counts.len() > 1 { format!(" = {points}") } else { String::new() };
+            let shape = counts.join(" × ") + &product;
+            let (limit, most) = (MAP_BYTES_LIMIT, MAP_BYTES_LIMIT / MAP_BYTES_PER_POINT);
+            Err(Cause::TooLarge { shape, points, bytes, limit, most }.at(*place))
+        }
+        _ => Ok(()),
+    }
+}

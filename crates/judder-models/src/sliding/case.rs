@@ -1,0 +1,174 @@
+//! The sliding case: one structure slides along another, and the coupling moves with the contact point.
+//!
+//! - [`structure`]: `[[structure]]`, the two structures.
+//! - [`contact`]: `[contact]`, who slides on what, and friction.
+//! - [`motion`]: `[motion]`, path, velocity, load, and how they begin.
+//! - [`observe`]: `[observe]`, points and signals.
+//! - [`signals`]: what is kept of a march.
+//! - [`plain_name`]: names of structures and points.
+//! - [`sweep`]: any number of the case over a range.
+//! - [`problem`]: what can be wrong with all of it, beyond types, units and ranges.
+
+pub mod contact;
+pub mod motion;
+pub mod observe;
+pub mod plain_name;
+pub mod problem;
+pub mod signals;
+pub mod structure;
+pub mod sweep;
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use crate::REGISTRY;
+use crate::sliding::KINDS;
+use crate::sliding::spectrogram::settings::check_references;
+use crate::two_degrees::case::{Parameter, read_parameters};
+use contact::SlidingContact;
+use judder_keys::Settings;
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Settings, both};
+use judder_keys::document::{Data, Node};
+use judder_keys::error::Fault;
+use judder_keys::file_reference::FileReference;
+use judder_keys::section::Section;
+use judder_study::case::analysis::{Planned, read_analyses};
+use judder_study::model::Analysis;
+use motion::SlidingMotion;
+use observe::{Observed, ObservedPoint};
+use problem::SlidingProblem;
+use structure::{SlidingStructure, read_structures};
+use sweep::KeySweep;
+
+/// A validated sliding case.
+#[derive(Debug, Clone)]
+pub struct SlidingCase {
+    /// The title; empty where the case gives none.
+    pub title: String,
+    /// The parameters in the order of the case file; only factors of matrices use them.
+    pub parameters: Vec<Parameter>,
+    /// The two structures in the order of the case file.
+    pub structures: Box<[SlidingStructure; 2]>,
+    /// Who slides on what.
+    pub contact: SlidingContact,
+    /// Where the slider goes, under which load.
+    pub motion: SlidingMotion,
+    /// The points whose motion is kept.
+    pub points: Vec<ObservedPoint>,
+    /// The analyses in the order of the case file.
+    pub analyses: Vec<Planned<Arc<dyn Analysis<SlidingCase>>>>,
+    /// What the case was read from, to read it anew with another value.
+    origin: Arc<Origin>,
+}
+
+struct Origin {
+    root: Node,
+    folder: PathBuf,
+}
+
+impl fmt::Debug for Origin {
+    /// The folder alone: the typed case says what the tree held.
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.debug_struct("Origin").field("folder", &self.folder).finish_non_exhaustive()
+    }
+}
+
+impl SlidingCase {
+    /// The structure that slides.
+    pub fn slider(&self) -> &SlidingStructure {
+        &self.structures[*self.contact.slider.structure]
+    }
+
+    /// The structure along which it slides.
+    pub fn track(&self) -> &SlidingStructure {
+        &self.structures[*self.contact.track.structure]
+    }
+
+    /// The values of all parameters, in their order.
+    pub fn values(&self) -> Vec<f64> {
+        self.parameters.iter().map(|parameter| parameter.value).collect()
+    }
+
+    /// The files that the case names.
+    pub fn files(&self) -> Vec<&FileReference> {
+        self.structures.iter().flat_map(|structure| structure.source.files()).collect()
+    }
+
+    /// The case with a swept key at `value`, in SI units, without analyses: read anew, so that every key can be swept.
+    ///
+    /// # Errors
+    /// [`SlidingProblem::SweptKey`] where the case has no such key, [`SlidingProblem::SweptValue`] where there is no such case.
+    pub fn at(&self, sweep: &KeySweep, value: f64) -> Result<Self, SlidingProblem> {
+        let Origin { root, folder } = &*self.origin;
+        let mut root = root.clone();
+        let place = root.place;
+        let read = root
+            .set(&sweep.path, place, Node { place, data: sweep.data(value) })
+            .and_then(|()| read_system(&root, folder));
+        read.map_err(|fault| {
+            let cause = fault.into_cause();
+            let (key, value) = (sweep.path.clone(), sweep.text(value));
+            let advice = cause.help().unwrap_or_else(|| "sweep values that the key can take".to_owned());
+            let reason = cause.to_string();
+            match cause {
+                Cause::UnknownKey { .. } => SlidingProblem::SweptKey { key, reason, advice },
+                _ => SlidingProblem::SweptValue { key, value, reason, advice },
+            }
+        })
+    }
+}
+
+const KEYS: [&str; 9] =
+    ["title", "model", "parameters", "structure", "contact", "motion", "observe", "analysis", "sweep"];
+
+/// Reads a sliding case from the root of its tree; files are relative to `folder`.
+pub(crate) fn read(node: &Node, folder: &Path) -> Result<SlidingCase, Fault> {
+    let mut case = read_system(node, folder)?;
+    let root = Section::open(node, "", "a sliding case", &KEYS)?;
+    case.analyses = read_analyses(&root, &case, &KINDS, REGISTRY)?;
+    if let Some(Node { data: Data::List(nodes), .. }) = root.get("analysis") {
+        check_references(&case.analyses, &case.points, nodes)?;
+    }
+    Ok(case)
+}
+
+/// What a case has beside its structures and analyses.
+#[derive(Debug, Settings)]
+pub(crate) struct SystemKeys {
+    /// Who slides on what, and friction.
+    #[key(example = "[contact] with slider = { … } and track = { … }")]
+    contact: SlidingContact,
+    /// Path, velocity and load of the slider.
+    #[key(example = "[motion] with load = { set = \"start\" }")]
+    motion: SlidingMotion,
+    /// Points whose motion is kept; none where left out.
+    observe: Option<Observed>,
+}
+
+/// Everything but the analyses.
+fn read_system(node: &Node, folder: &Path) -> Result<SlidingCase, Fault> {
+    let root = Section::open(node, "", "a sliding case", &KEYS)?;
+    let parameters = read_parameters(&root)?;
+    let names: Vec<String> = parameters.iter().map(|parameter| parameter.name.clone()).collect();
+    let (structures, system) = both(read_structures(&root, &names, folder), SystemKeys::read_table(&root))?;
+    let SystemKeys { mut contact, motion, mut observe } = system;
+    let observed = match (&mut observe, root.inner("observe")?) {
+        (Some(observe), Some(section)) => observe.admit(&section, &structures),
+        _ => Ok(()),
+    };
+    let coupled = match (root.inner("contact")?, root.inner("motion")?) {
+        (Some(of_contact), Some(of_motion)) => {
+            let slides = contact.admit(&of_contact, &structures);
+            slides.and_then(|()| motion.admit(&of_motion, &structures[*contact.slider.structure]))
+        }
+        _ => Ok(()),
+    };
+    both(coupled, observed)?;
+    let title = root.text("title")?.unwrap_or_default().to_owned();
+    let origin = Arc::new(Origin { root: node.clone(), folder: folder.to_owned() });
+    let points = observe.map_or_else(Vec::new, |observe| observe.points);
+    let (structures, analyses) = (Box::new(structures), Vec::new());
+    Ok(SlidingCase { title, parameters, structures, contact, motion, points, analyses, origin })
+}

@@ -1,0 +1,139 @@
+//! `[motion]`: where the slider goes, how fast, under which load, and how all of it begins.
+
+use super::contact::check_one_node;
+use super::problem::SlidingProblem;
+use super::structure::SlidingStructure;
+use crate::structure::case::reduction::KeptNodes;
+use judder_keys::declared::{Number, UNLIMITED, Whole};
+use judder_keys::dimension::Dimension;
+use judder_keys::error::Fault;
+use judder_keys::problem::Placed;
+use judder_keys::section::Section;
+use judder_keys::{Choice, Settings};
+
+/// Path, velocity and load of the slider.
+#[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(check = SlidingMotion::leads)]
+pub struct SlidingMotion {
+    /// Rigid distance of C from the first node of the track when the motion starts.
+    #[key(rule = POSITION, symbol = "s_0", default = 0.01)]
+    pub start: f64,
+    /// Where it ends.
+    #[key(rule = POSITION, symbol = "s_1", default = 0.0985)]
+    pub end: f64,
+    /// Velocity of the slider along the track; below zero towards the first node.
+    #[key(rule = Number::any(Dimension::SPEED), symbol = "v_x", default = 0.03)]
+    pub velocity: f64,
+    /// What presses the slider on the track.
+    #[key(example = "{ set = \"start\", direction = \"y\", force = \"-0.2 N\" }")]
+    pub load: Load,
+    /// Times of half a cosine from zero; 0 is at once.
+    #[key(default)]
+    pub ramps: Ramps,
+    /// Damping of both structures at the start, which then gives way to their own; left out, they have their own from the start on.
+    pub initial_damping: Option<InitialDamping>,
+    /// A random force on C.
+    #[key(default)]
+    pub noise: Noise,
+}
+
+/// The force on the slider.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub struct Load {
+    /// The slider's nodes that it acts on; several must move as one.
+    #[key(flatten)]
+    pub nodes: KeptNodes,
+    /// Its direction.
+    #[key(default = Axis::Y)]
+    pub direction: Axis,
+    /// Force on the slider.
+    #[key(rule = Number::any(Dimension::FORCE), symbol = "F_y", default = -0.2)]
+    pub force: f64,
+}
+
+/// A direction of the plane.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
+#[choice(what = "direction")]
+#[allow(missing_docs)]
+pub enum Axis {
+    X,
+    Y,
+}
+
+/// Times of half a cosine from zero, s; 0 is at once.
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
+pub struct Ramps {
+    /// Time over which the velocity rises from zero.
+    #[key(rule = DURATION, symbol = "T", default = 0.1)]
+    pub velocity: f64,
+    /// Time over which the load rises from zero.
+    #[key(rule = DURATION, symbol = "T", default = 0.1)]
+    pub load: f64,
+    /// Time over which friction rises from zero.
+    #[key(rule = DURATION, symbol = "T", default = 0.1)]
+    pub friction: f64,
+    /// Time over which the initial gap closes.
+    #[key(rule = DURATION, symbol = "T", default = 0.1)]
+    pub gap: f64,
+}
+
+/// Damping C = α_0 M + β_0 K of both structures at the start, which gives way to their own.
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
+pub struct InitialDamping {
+    /// Damping of both structures in proportion to their mass at the start.
+    #[key(rule = Number::non_negative(Dimension::RATE), symbol = "α_0", default = 40.0)]
+    pub alpha: f64,
+    /// Damping of both structures in proportion to their stiffness at the start.
+    #[key(rule = DURATION, symbol = "β_0", default = 4e-8)]
+    pub beta: f64,
+    /// Time for which it holds.
+    #[key(rule = DURATION, symbol = "T", default = 0.2)]
+    pub hold: f64,
+    /// Time over which it then gives way to the structures' own.
+    #[key(rule = DURATION, symbol = "T", default = 0.05)]
+    pub release: f64,
+}
+
+/// A random force on C across the track.
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
+pub struct Noise {
+    /// Root mean square of a random force on C across the track; 0 is none.
+    #[key(rule = Number::non_negative(Dimension::FORCE), symbol = "f_rms", default = 0.0)]
+    pub force: f64,
+    /// Which one: the same seed gives the same force.
+    #[key(rule = Whole { from: 0, to: UNLIMITED }, default = 1)]
+    pub seed: usize,
+}
+
+const POSITION: Number = Number::non_negative(Dimension::LENGTH);
+const DURATION: Number = Number::non_negative(Dimension::TIME);
+
+impl SlidingMotion {
+    /// When all ramps are over and the initial damping has given way, s.
+    pub fn settled(&self) -> f64 {
+        let Ramps { velocity, load, friction, gap } = self.ramps;
+        let damping = self.initial_damping.map_or(0.0, |initial| initial.hold + initial.release);
+        [velocity, load, friction, gap, damping].into_iter().fold(0.0, f64::max)
+    }
+
+    fn leads(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        check_course([self.start, self.end], self.velocity)
+            .map_err(|problem| problem.at(section.place_of(&["velocity", "end", "start"])))
+    }
+
+    /// Refuses a load on nodes that the slider cannot have, and on several that need not move as one.
+    pub(super) fn admit(&self, section: &Section<'_>, slider: &SlidingStructure) -> Result<(), Fault> {
+        let Some(load) = section.inner("load")? else { return Ok(()) };
+        KeptNodes::admit(&load, &slider.source)?;
+        // the freedom of a tied set is one; of numbers nothing says that they are tied
+        check_one_node(load.own_path(), &self.load.nodes).map_err(|problem| problem.at(load.place))
+    }
+}
+
+/// Refuses a velocity that is zero or leads the other way.
+pub(crate) fn check_course([start, end]: [f64; 2], velocity: f64) -> Result<(), SlidingProblem> {
+    if (end > start && velocity > 0.0) || (end < start && velocity < 0.0) {
+        return Ok(());
+    }
+    Err(SlidingProblem::NoCourse { start, end, velocity })
+}

@@ -1,0 +1,130 @@
+//! The mode that is meant, its march, its growth against its eigenvalue.
+
+use super::history::History;
+use crate::error::ModelError;
+use crate::sliding::case::SlidingCase;
+use crate::sliding::growth::settings::Growth;
+use crate::sliding::system::{SlidingSystem, Step, method, step};
+use judder_sliding::characteristic::Characteristic;
+use judder_sliding::growth::{AMPLITUDE, GrowthSettings, Held, watched_growth};
+use judder_sliding::pair::Pair;
+use judder_sliding::spectrum::{Spectrum, Wanted};
+use judder_store::{Dataset, Variable, number};
+use judder_study::Progress;
+use judder_study::outcome::{CheckRecord, Outcome};
+use num_complex::Complex64;
+use serde_json::{Map, json};
+use std::f64::consts::TAU;
+
+/// What measured and predicted growth may differ by.
+const GROWTH_LIMIT: f64 = 1e-2;
+/// What their frequencies may differ by: a march of three steps a radian is off by (ω h)²/24.
+const FREQUENCY_LIMIT: f64 = 1e-3;
+/// Eigenvalues so near the asked frequency, as a share of it, may be meant: of two that are coupled the growing one is.
+const NEAR: f64 = 1e-2;
+/// Up to which multiple of the asked frequency eigenvalues are sought.
+const SOUGHT: f64 = 1.5;
+/// An eigenvalue farther from the asked frequency, as a share of it, is not the one that is meant.
+const FAR: f64 = 0.5;
+/// One farther than this is meant, but worth a word.
+const OFF: f64 = 0.03;
+
+pub(super) fn run(
+    (case, system): (&SlidingCase, &SlidingSystem),
+    settings: &Growth,
+    progress: &dyn Progress,
+) -> Result<Outcome, ModelError> {
+    let (pair, position) = (&system.pair, settings.position);
+    let method = method(settings.method());
+    pair.edge_point(position)?;
+    let Step { step, limit } = step(pair, method, settings.step, system.motion.held(position))?;
+    let (velocity, load) = (case.motion.velocity, case.motion.load.force);
+    let asked = GrowthSettings { method, step, position, velocity, load };
+    let held = Held::new(pair, &asked)?;
+    held.coupling.check(position, pair.friction().at(velocity))?;
+    let eigenvalue = meant(pair, &held, position, settings.frequency)?;
+    if progress.interrupted() {
+        return Err(ModelError::Interrupted);
+    }
+    let mut history = History::of(eigenvalue);
+    let growth =
+        watched_growth(pair, &asked, &held, eigenvalue, &mut |time, swing| history.see(time, swing))?;
+    progress.advance();
+    let [measured, predicted] = [growth.measured, growth.predicted];
+    let scalars = Map::from_iter([
+        ("measured".to_owned(), number(measured.re)),
+        ("predicted".to_owned(), number(predicted.re)),
+        ("frequency_hz".to_owned(), number(predicted.im / TAU)),
+        ("measured_frequency_hz".to_owned(), number(measured.im / TAU)),
+        ("spread".to_owned(), number(growth.spread)),
+        ("method".to_owned(), json!(settings.word.name())),
+        ("position_m".to_owned(), json!(position)),
+        ("normal_force".to_owned(), number(held.normal_force)),
+        ("steps".to_owned(), json!(growth.steps)),
+        ("step_s".to_owned(), json!(step)),
+        ("step_limit_s".to_owned(), json!(limit)),
+    ]);
+    let scalar = |name: &str, value: Complex64| Variable::new(name, &[], &[], vec![value]).units("1/s");
+    let dataset = Dataset::new()
+        .attribute("kind", "growth")?
+        .attribute("position_m", position)?
+        .attribute("method", settings.word.name())?
+        .attribute("start_amplitude_n", AMPLITUDE * held.normal_force)?
+        .attribute("measured_until_s", growth.steps as f64 * step)?
+        .with(scalar("measured", measured).long_name("growth rate and angular frequency in the march"))?
+        .with(scalar("predicted", predicted).long_name("eigenvalue with the contact held"))?;
+    let dataset = history.kept(dataset)?;
+    let checks = checks(settings.word.name(), measured, predicted);
+    let warnings = far_off(predicted.im, settings.frequency).into_iter().collect();
+    Ok(Outcome { scalars, dataset, checks, warnings, ..Outcome::default() })
+}
+
+/// What there is to say of a mode that swings otherwise than was asked, rad/s.
+fn far_off(frequency: f64, asked: f64) -> Option<String> {
+    let (hz, off) = (frequency / TAU, 100.0 * (frequency / asked - 1.0));
+    (off.abs() > 100.0 * OFF)
+        .then(|| format!("the mode nearest to the frequency asked for swings at {hz:.1} Hz, {off:.1} % off"))
+}
+
+/// Growth rate and frequency in the march against those of the eigenvalue, in 1/s.
+fn checks(method: &str, measured: Complex64, predicted: Complex64) -> Vec<CheckRecord> {
+    let compared = format!("{method} against {:.6} 1/s at {:.4} Hz", predicted.re, predicted.im / TAU);
+    vec![
+        CheckRecord::new(
+            "the march grows as the eigenvalue says",
+            format!("relative difference of growth rates, {compared}"),
+            ((measured.re - predicted.re) / predicted.re).abs().into(),
+            GROWTH_LIMIT,
+        ),
+        CheckRecord::new(
+            "the march swings as the eigenvalue says",
+            format!("relative difference of frequencies, {compared}"),
+            ((measured.im - predicted.im) / predicted.im).abs().into(),
+            FREQUENCY_LIMIT,
+        ),
+    ]
+}
+
+/// The eigenvalue that is meant by a frequency in rad/s: of those near it the one that grows fastest, else the nearest.
+///
+/// # Errors
+/// [`ModelError::NoMode`] where the nearest is far off.
+fn meant(pair: &Pair, held: &Held, position: f64, frequency: f64) -> Result<Complex64, ModelError> {
+    let refuse = |known| Err(ModelError::NoMode { asked_hz: frequency / TAU, position, known });
+    let highest = pair.eigenvalues().iter().fold(0.0_f64, |m, own| m.max(*own)).sqrt();
+    if frequency > (1.0 + FAR) * highest {
+        return refuse(format!("its structures have none above {:.1} Hz", highest / TAU));
+    }
+    let function = Characteristic::new(&held.coupling, &pair.eigenvalues(), &pair.damping())?;
+    let all = Spectrum::new(&function, position, Wanted::Below(SOUGHT * frequency))?.eigenvalues;
+    let swinging: Vec<Complex64> = all.into_iter().filter(|s| s.im > 0.0).collect();
+    let away = |s: &Complex64| (s.im - frequency).abs();
+    let near = swinging.iter().filter(|s| away(s) <= NEAR * frequency);
+    let fastest = near.max_by(|a, b| a.re.total_cmp(&b.re));
+    let nearest = swinging.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
+    match fastest.or(nearest) {
+        Some(found) if away(found) <= FAR * frequency => Ok(*found),
+        Some(found) => refuse(format!("the nearest swings at {:.1} Hz", found.im / TAU)),
+        None => refuse(format!("there is none up to {:.1} Hz", SOUGHT * frequency / TAU)),
+    }
+}

@@ -1,0 +1,104 @@
+//! `locus`: complex eigenvalues against the position of the contact, or against any key.
+//!
+//! - `positions`, `swept`: the two families of pairs.
+//! - `traced`: eigenvalues and zones of either, with what could not be.
+//! - `doubt`: a few values against full matrices.
+//! - `results`: scalars, arrays, table.
+
+mod doubt;
+pub mod figure;
+mod positions;
+mod results;
+mod run;
+pub mod settings;
+mod swept;
+mod traced;
+
+pub(super) use run::conditions;
+
+use super::{Subject, blame, cost};
+use crate::error::ModelError;
+use crate::estimate::{Estimate, cost::FIGURE};
+use crate::sliding::case::SlidingCase;
+use judder_keys::declared::Settings;
+use judder_study::case::analysis::{Kind, Picture};
+use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::outcome::Outcome;
+use serde_json::{Map, Value as Json};
+use settings::{Along, Locus};
+use std::sync::Arc;
+
+/// The kind.
+pub(crate) const KIND: Kind<SlidingCase, Arc<dyn Analysis<SlidingCase>>> = Kind {
+    name: "locus",
+    doc: "complex eigenvalues against the position of the contact, or against any key, with located unstable zones",
+    declared: Locus::declarations,
+    read: |case, section| Ok(Arc::new(Locus::read_table(section)?.admit(case, section)?)),
+    picture: Some(Picture {
+        draw: figure::locus,
+        caption: "Complex eigenvalues of the coupled pair, dark to light along the axis: all of them with growth rates logarithmic on both sides of zero, and \
+        their unstable side on even axes. Zones are located by the roots of the growth rate itself, however narrow; the markers stand where they \
+        grow fastest. The last but one panel has the growth rates of the zones alone.",
+    }),
+};
+
+impl Analysis<SlidingCase> for Locus {
+    fn steps(&self) -> usize {
+        match &self.along {
+            Along::Positions(positions) => positions.points,
+            Along::Key { sweep, .. } => sweep.values.len(),
+        }
+    }
+
+    fn admit(&self, of: &Subject<'_>) -> Result<(), ModelError> {
+        let pair = &of.system.pair;
+        match &self.along {
+            Along::Positions(range) => {
+                pair.edge_point(range.from)?;
+                pair.edge_point(range.to)?;
+            }
+            Along::Key { at, .. } => {
+                pair.edge_point(*at)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+        run::run((of.case, of.system), self, task.progress)
+    }
+
+    fn blame(&self, error: &ModelError) -> Option<Refusal> {
+        blame::off_track(
+            error,
+            match &self.along {
+                Along::Positions(_) => ("positions", None),
+                Along::Key { at, .. } => ("at", Some(*at)),
+            },
+        )
+    }
+
+    fn estimate(&self, of: &Subject<'_>) -> Result<Estimate, ModelError> {
+        let modes = of.system.pair.modes() as f64;
+        // structures that a swept key concerns are made again at every value
+        let again = match &self.along {
+            Along::Positions(_) => 0.0,
+            Along::Key { sweep, .. } => {
+                let concerned = (0..2).filter(|index| {
+                    let own = format!("structure.{}.", of.case.structures[*index].name);
+                    sweep.path.starts_with(&own) || sweep.path.starts_with("parameters.")
+                });
+                concerned.map(|index| cost::freedoms(of.system, index)).sum::<f64>() * cost::FREEDOM
+            }
+        };
+        let (points, count) = (self.steps(), self.count as f64);
+        let value = cost::VALUE * modes * count + again;
+        let seconds = points as f64 * value + 3.0 * cost::DENSE * modes.powi(3) + FIGURE;
+        let bytes = (8.0 * points as f64 * (2.0 * count + 3.0)) as u128;
+        Ok(Estimate { name: of.name.to_owned(), points, seconds, bytes })
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
+    }
+}

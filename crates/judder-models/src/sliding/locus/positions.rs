@@ -1,0 +1,73 @@
+//! The locus over positions of the contact.
+
+use super::conditions;
+use super::doubt::doubted;
+use super::traced::{Family, Range, State, Traced, trace};
+use crate::error::ModelError;
+use crate::sliding::case::SlidingCase;
+use crate::sliding::locus::settings::{Locus, Positions};
+use crate::sliding::system::SlidingSystem;
+use judder_sliding::SlidingError;
+use judder_sliding::characteristic::Characteristic;
+use judder_sliding::locus::{Conditions, characteristic, contact, smooth_pieces};
+use judder_sliding::pair::Pair;
+use judder_study::Progress;
+use judder_study::axis::Axis;
+use judder_study::case::scale::Scale;
+use judder_study::labels::Quantity;
+use judder_study::outcome::CheckRecord;
+
+/// Zones are searched down to this share of a segment of the track.
+const RESOLUTION: f64 = 1e-3;
+
+/// The pair with its contact at any place.
+struct Places<'a> {
+    pair: &'a Pair,
+    conditions: Conditions,
+}
+
+impl Family for Places<'_> {
+    fn at(&self, position: f64) -> Result<Characteristic, SlidingError> {
+        characteristic(self.pair, &self.conditions, position)
+    }
+
+    fn state(&self, position: f64) -> Result<State, SlidingError> {
+        State::new(self.pair, &self.conditions, position)
+    }
+
+    fn reason(&self, position: f64) -> Option<String> {
+        contact(self.pair, &self.conditions, position).err().map(|error| error.to_string())
+    }
+}
+
+pub(super) fn run(
+    (case, system): (&SlidingCase, &SlidingSystem),
+    settings: &Locus,
+    positions: &Positions,
+    progress: &dyn Progress,
+) -> Result<(Axis, Traced, Vec<CheckRecord>), ModelError> {
+    let Positions { from, to, points } = *positions;
+    let step = (to - from) / (points - 1) as f64;
+    let mut values: Vec<f64> = (0..points).map(|k| from + step * k as f64).collect();
+    values[points - 1] = to;
+    let (pair, conditions) = (&system.pair, conditions(case, settings));
+    for end in [from, to] {
+        pair.edge_point(end)?;
+    }
+    let segment = pair.node_positions().last().copied().unwrap_or_default() / (pair.edge().nodes - 1) as f64;
+    let pieces = |[from, to]: [f64; 2]| smooth_pieces(pair, &conditions, [from, to]);
+    let range = Range { values: &values, pieces: &pieces, resolution: RESOLUTION * segment };
+    let family = Places { pair, conditions };
+    let traced = trace(&family, &range, settings.count, progress)?;
+    let at = |position: f64| -> Result<_, SlidingError> {
+        Ok((contact(pair, &conditions, position)?.0, pair.eigenvalues(), pair.damping()))
+    };
+    let checks = doubted(&at, &traced, settings, &values)?;
+    let quantity = Quantity {
+        name: "position".to_owned(),
+        label: "Contact position $s$ (m)".to_owned(),
+        symbol: "$s$".to_owned(),
+        unit: "m".to_owned(),
+    };
+    Ok((Axis { quantity, values, scale: Scale::Linear }, traced, checks))
+}

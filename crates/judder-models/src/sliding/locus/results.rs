@@ -1,0 +1,210 @@
+//! What a locus leaves.
+
+use super::traced::{Row, Traced};
+use crate::error::ModelError;
+use crate::sliding::locus::settings::{Along, Locus};
+use judder_sliding::zones::{End, Zone};
+use judder_store::{Dataset, Table, Variable, number};
+use judder_study::axis::Axis;
+use num_complex::Complex64;
+use serde_json::{Map, Value, json};
+use std::f64::consts::TAU;
+
+/// What the numbers of [`code`] say.
+const KINDS: &str = "0 growth rate zero, 1 end of the range, 2 jump of the growth rate, 3 met its mirror image, 4 lost: the zone goes on";
+
+/// What the codes of verdicts mean.
+const VERDICTS: [(u8, &str); 4] = [(0, "stable"), (1, "marginal"), (2, "unstable"), (3, "no eigenvalue")];
+
+/// The verdict on an eigenvalue as a code: a growth rate below its error has no sign.
+fn verdict(eigenvalue: Complex64, error: f64) -> u8 {
+    match eigenvalue.re {
+        growth if growth.is_nan() => 3,
+        growth if growth > error => 2,
+        growth if growth < -error => 0,
+        _ => 1,
+    }
+}
+
+/// The end of a zone as a number of an array.
+const fn code(end: End) -> i64 {
+    match end {
+        End::Root => 0,
+        End::Range => 1,
+        End::Jump => 2,
+        End::Meeting => 3,
+        End::Lost => 4,
+    }
+}
+
+pub(super) struct Results<'a> {
+    pub(super) settings: &'a Locus,
+    pub(super) axis: &'a Axis,
+    pub(super) traced: &'a Traced,
+}
+
+impl Results<'_> {
+    fn is_over_positions(&self) -> bool {
+        matches!(self.settings.along, Along::Positions(_))
+    }
+
+    pub(super) fn scalars(&self) -> Map<String, Value> {
+        let Self { settings, axis, traced } = self;
+        let table = |pick: &dyn Fn(&Complex64) -> f64| -> Value {
+            let row = |row: &Row| -> Value { row.eigenvalues.iter().map(|s| number(pick(s))).collect() };
+            traced.rows.iter().map(row).collect()
+        };
+        let column = |pick: &dyn Fn(&Row) -> f64| -> Value {
+            traced.rows.iter().map(|row| number(pick(row))).collect()
+        };
+        let key = if self.is_over_positions() { "position_m" } else { "value" };
+        let failures = axis.values.iter().zip(&traced.rows);
+        let failures =
+            failures.filter_map(|(value, row)| Some(json!({ key: value, "reason": row.failure.as_ref()? })));
+        let mut scalars = Map::from_iter([
+            (key.to_owned(), json!(axis.values)),
+            ("frequencies_hz".to_owned(), table(&|s| s.im / TAU)),
+            ("growth_rates".to_owned(), table(&|s| s.re)),
+            (
+                "growth_rate_errors".to_owned(),
+                traced
+                    .rows
+                    .iter()
+                    .map(|row| row.errors.iter().map(|own| number(*own)).collect::<Value>())
+                    .collect(),
+            ),
+            ("unstable".to_owned(), traced.zones.iter().map(|zone| self.zone(zone)).collect()),
+            ("normal_force".to_owned(), column(&|row| row.state.normal_force)),
+            ("slope".to_owned(), column(&|row| row.state.slope)),
+            ("configuration".to_owned(), json!(settings.configuration.name())),
+            ("damping".to_owned(), json!(settings.damping)),
+            ("missing".to_owned(), failures.collect()),
+        ]);
+        if let Along::Key { at, sweep } = &settings.along {
+            scalars.insert("key".to_owned(), json!(sweep.path));
+            scalars.insert("unit".to_owned(), json!(axis.quantity.unit));
+            scalars.insert("at_m".to_owned(), json!(at));
+        }
+        scalars
+    }
+
+    fn zone(&self, zone: &Zone) -> Value {
+        let [from, to, peak] =
+            if self.is_over_positions() { ["from_m", "to_m", "peak_m"] } else { ["from", "to", "peak"] };
+        json!({
+            from: zone.from, to: zone.to, peak: zone.peak,
+            "ends": zone.ends.map(End::name), "frequency_hz": zone.frequency_hz, "max_growth_rate": zone.growth_rate, "error": number(zone.error),
+        })
+    }
+
+    pub(super) fn dataset(&self) -> Result<Dataset, ModelError> {
+        let Self { settings, axis, traced } = self;
+        let (name, rows) = (axis.name(), traced.rows.len());
+        let eigenvalues: Vec<Complex64> =
+            traced.rows.iter().flat_map(|row| row.eigenvalues.clone()).collect();
+        let errors: Vec<f64> = traced.rows.iter().flat_map(|row| row.errors.clone()).collect();
+        let verdicts = eigenvalues.iter().zip(&errors).map(|(s, error)| verdict(*s, *error)).collect();
+        let count = traced.rows.first().map_or(0, |row| row.eigenvalues.len());
+        let branches: Vec<i64> = (1..=count as i64).collect();
+        let along = |own: &str, pick: &dyn Fn(&Row) -> f64| {
+            Variable::new(own, &[name], &[rows], traced.rows.iter().map(pick).collect::<Vec<f64>>())
+        };
+        let zones = &traced.zones;
+        let of_zone = |own: &str, unit: &str, words: &str, pick: &dyn Fn(&Zone) -> f64| {
+            let values = zones.iter().map(pick).collect::<Vec<f64>>();
+            Variable::new(own, &["zone"], &[zones.len()], values).units(unit).long_name(words)
+        };
+        let kind = |own: &str, side: usize| {
+            let values = zones.iter().map(|zone| code(zone.ends[side])).collect::<Vec<i64>>();
+            Variable::new(own, &["zone"], &[zones.len()], values).long_name(KINDS)
+        };
+        let unit = &axis.quantity.unit;
+        let points: Vec<(usize, (f64, Complex64))> = zones
+            .iter()
+            .enumerate()
+            .flat_map(|(k, zone)| zone.path.iter().map(move |point| (k, *point)))
+            .collect();
+        let of_point =
+            |own: &str, values: Vec<f64>| Variable::new(own, &["zone_point"], &[points.len()], values);
+        let numbers: Vec<i64> = points.iter().map(|(zone, _)| *zone as i64 + 1).collect();
+        let values: Vec<Complex64> = points.iter().map(|(_, (_, value))| *value).collect();
+        Ok(Dataset::new()
+            .attribute("kind", "locus")?
+            .attribute("configuration", settings.configuration.name())?
+            .attribute("damping", settings.damping)?
+            .with(axis.coordinate())?
+            .with(Variable::coordinate("branch", branches).long_name("number of the branch"))?
+            .with(
+                Variable::new("eigenvalue", &[name, "branch"], &[rows, count], eigenvalues)
+                    .units("1/s")
+                    .long_name("eigenvalue λ of a branch, NaN where it is not among the lowest"),
+            )?
+            .with(
+                Variable::new("eigenvalue_error", &[name, "branch"], &[rows, count], errors)
+                    .units("1/s")
+                    .long_name("how far an eigenvalue may be off"),
+            )?
+            .with(
+                Variable::classes("verdict", &[name, "branch"], &[rows, count], verdicts, &VERDICTS)
+                    .long_name("verdict"),
+            )?
+            .with(
+                along("normal_force", &|row| row.state.normal_force)
+                    .units("N")
+                    .long_name("normal force at rest"),
+            )?
+            .with(
+                along("slope", &|row| row.state.slope)
+                    .units("1")
+                    .long_name("slope of the edge at the contact"),
+            )?
+            .with(of_zone("zone_from", unit, "start of an unstable zone", &|zone| zone.from))?
+            .with(of_zone("zone_to", unit, "end of an unstable zone", &|zone| zone.to))?
+            .with(kind("zone_from_kind", 0))?
+            .with(kind("zone_to_kind", 1))?
+            .with(of_zone("zone_peak", unit, "where a zone grows fastest", &|zone| zone.peak))?
+            .with(of_zone("zone_growth_rate", "1/s", "largest growth rate of a zone", &|zone| {
+                zone.growth_rate
+            }))?
+            .with(of_zone("zone_frequency", "Hz", "frequency where a zone grows fastest", &|zone| {
+                zone.frequency_hz
+            }))?
+            .with(of_zone("zone_error", "1/s", "how far the largest growth rate may be off", &|zone| {
+                zone.error
+            }))?
+            .with(
+                Variable::new("zone_path", &["zone_point"], &[points.len()], numbers)
+                    .long_name("number of the zone that a point lies on"),
+            )?
+            .with(
+                of_point("zone_path_at", points.iter().map(|(_, (at, _))| *at).collect())
+                    .units(unit)
+                    .long_name("place of the point"),
+            )?
+            .with(
+                Variable::new("zone_path_eigenvalue", &["zone_point"], &[points.len()], values)
+                    .units("1/s")
+                    .long_name("eigenvalue of the zone there"),
+            )?)
+    }
+
+    pub(super) fn table(&self) -> Result<Table, ModelError> {
+        let Self { axis, traced, .. } = self;
+        let rows = axis.values.iter().zip(&traced.rows).flat_map(|(value, row)| {
+            let branches = row.eigenvalues.iter().enumerate();
+            branches
+                .filter(|(_, s)| s.re.is_finite())
+                .map(move |(branch, s)| (*value, branch as i64 + 1, *s, row.state, row.errors[branch]))
+        });
+        let rows: Vec<_> = rows.collect();
+        let numbers = |pick: &dyn Fn(usize) -> f64| (0..rows.len()).map(pick).collect::<Vec<f64>>();
+        Ok(Table::new()
+            .column(axis.name(), &axis.quantity.unit, numbers(&|k| rows[k].0))?
+            .column("branch", "1", rows.iter().map(|row| row.1).collect::<Vec<i64>>())?
+            .column("frequency", "Hz", numbers(&|k| rows[k].2.im / TAU))?
+            .column("growth_rate", "1/s", numbers(&|k| rows[k].2.re))?
+            .column("error", "1/s", numbers(&|k| rows[k].4))?
+            .column("normal_force", "N", numbers(&|k| rows[k].3.normal_force))?
+            .column("slope", "1", numbers(&|k| rows[k].3.slope))?)
+    }
+}

@@ -1,0 +1,48 @@
+//! The locus along either of its two families.
+
+use super::results::Results;
+use super::{positions, swept};
+use crate::error::ModelError;
+use crate::sliding::case::SlidingCase;
+use crate::sliding::locus::settings::{self, Along, Locus};
+use crate::sliding::system::SlidingSystem;
+use judder_sliding::locus::{Conditions, Configuration};
+use judder_study::Progress;
+use judder_study::outcome::Outcome;
+
+pub(super) fn run(
+    (case, system): (&SlidingCase, &SlidingSystem),
+    settings: &Locus,
+    progress: &dyn Progress,
+) -> Result<Outcome, ModelError> {
+    let (axis, traced, checks) = match &settings.along {
+        Along::Positions(positions) => positions::run((case, system), settings, positions, progress)?,
+        Along::Key { at, sweep } => swept::run((case, system), settings, (*at, sweep), progress)?,
+    };
+    let results = Results { settings, axis: &axis, traced: &traced };
+    let mut scalars = results.scalars();
+    scalars.insert("degrees_of_freedom".to_owned(), system.pair.modes().into());
+    Ok(Outcome {
+        scalars,
+        dataset: results.dataset()?,
+        table: Some(results.table()?),
+        checks,
+        warnings: traced.warnings(&axis),
+        missing: traced.missing(),
+        files: Vec::new(),
+        ..Outcome::default()
+    })
+}
+
+/// Under what the pair of a case slides.
+pub(crate) fn conditions(case: &SlidingCase, settings: &Locus) -> Conditions {
+    Conditions {
+        configuration: match settings.configuration {
+            settings::Configuration::Undeformed => Configuration::Undeformed,
+            settings::Configuration::Deformed => Configuration::Deformed,
+        },
+        is_damped: settings.damping,
+        velocity: case.motion.velocity,
+        load: case.motion.load.force,
+    }
+}

@@ -1,0 +1,67 @@
+//! What a march keeps, what looking at it takes, and what is refused beforehand as too much or too short.
+
+use crate::sliding::case::problem::SlidingProblem;
+use crate::sliding::march::settings::March;
+use crate::sliding::system::{SlidingSystem, method, step};
+use judder_keys::memory::Memory;
+use judder_numerics::signal::decimate::Decimation;
+use judder_study::model::Refusal;
+
+/// What bursts, sound and spectrum of one signal take beside the stored arrays: copies of time, position and signal, before and after
+/// the ramps, envelope and what is sorted of it.
+const COPIES: f64 = 9.0;
+/// What the arrays of one march may take while they are looked at.
+const LIMIT: Memory = Memory::DEFAULT;
+
+const SMALLER: &str = "lower analysis.signals.sample_rate with its pass_band, march over a shorter path (from, to), or mind the unit of motion.velocity";
+
+/// The arrays of a march.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Size {
+    /// Samples of each of its signals.
+    pub(crate) samples: f64,
+    /// Signals, with time and position.
+    pub(crate) signals: usize,
+}
+
+impl Size {
+    /// Of a march with the step that it would choose; `None` where that is refused.
+    pub(crate) fn of(system: &SlidingSystem, march: &March) -> Option<Self> {
+        let chosen = step(&system.pair, method(march.method()), march.step, system.along(march)).ok()?;
+        Some(Self::new(system, march, chosen.step))
+    }
+
+    /// Of a march with steps of so many seconds.
+    pub(crate) fn new(system: &SlidingSystem, march: &March, step: f64) -> Self {
+        let rate = 1.0 / step;
+        let factor = Decimation::factor_to(rate, march.signals.sample_rate.0);
+        // two observed displacements a point
+        let signals = 2 + march.kept(system.pair.observed().len() / 2).len();
+        Self { samples: (system.along(march).duration() * rate / factor as f64).ceil(), signals }
+    }
+
+    /// Bytes in the study folder, before they are packed.
+    pub(crate) fn stored(&self) -> f64 {
+        8.0 * self.samples * self.signals as f64
+    }
+
+    /// Bytes of memory of what looks at all samples when the march is over.
+    pub(crate) fn memory(&self) -> f64 {
+        8.0 * self.samples * (self.signals as f64 + COPIES)
+    }
+
+    /// Refuses a march whose samples would not fit into memory.
+    pub(crate) fn fits(self) -> Result<(), Refusal> {
+        if self.memory() <= LIMIT.bytes as f64 {
+            return Ok(());
+        }
+        let Self { samples, signals } = self;
+        let amount = |bytes: f64| Memory { bytes: bytes as u64 };
+        let reason = format!(
+            "the march would keep {samples:.3e} samples of {signals} signals, {}, and take {} of memory to look at them: more than {LIMIT}",
+            amount(self.stored()),
+            amount(self.memory())
+        );
+        Err(Refusal::key("signals.sample_rate", SlidingProblem::Unbuilt { reason, advice: SMALLER }))
+    }
+}

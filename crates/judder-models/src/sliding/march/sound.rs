@@ -1,0 +1,53 @@
+//! The signals of a march as sound.
+
+use super::samples::Samples;
+use super::signals::{unit, variable_name};
+use crate::error::ModelError;
+use crate::sliding::case::observe::{ObservedPoint, Signal};
+use judder_exchange::wav::{Loudness, WavFormat, wav_bytes};
+use judder_numerics::signal::resample::resampled;
+use serde_json::{Value, json};
+
+/// Samples a second of what is heard.
+const AUDIO_RATE: u32 = 48_000;
+
+/// A file for the ear.
+pub(super) struct Sound {
+    pub(super) name: String,
+    pub(super) bytes: Vec<u8>,
+    /// What the summary says of it.
+    pub(super) told: Value,
+}
+
+/// Sounds of the signals that are to be heard, each as loud as it can be.
+pub(super) fn sounds(
+    analysis: &str,
+    samples: &Samples<'_>,
+    heard: &[Signal],
+    points: &[ObservedPoint],
+    sample_rate: f64,
+) -> Result<Vec<Sound>, ModelError> {
+    heard.iter().map(|signal| sound(analysis, samples, (*signal, points), sample_rate)).collect()
+}
+
+fn sound(
+    analysis: &str,
+    samples: &Samples<'_>,
+    (signal, points): (Signal, &[ObservedPoint]),
+    sample_rate: f64,
+) -> Result<Sound, ModelError> {
+    let mut values = samples.values(&variable_name(signal, points))?;
+    // a march that has grown without bound ends in what cannot be heard
+    let finite = values.iter().position(|value| !value.is_finite()).unwrap_or(values.len());
+    values.truncate(finite);
+    let heard = resampled(&values, sample_rate, f64::from(AUDIO_RATE))?;
+    let (bytes, gain) = wav_bytes(&[&heard], AUDIO_RATE, WavFormat::Integer24, Loudness::default())
+        .map_err(|source| ModelError::Sound { source })?;
+    let signal_name = signal.name(points);
+    let name = format!("{analysis}-{signal_name}.wav");
+    let told = json!({
+        "file": name, "signal": signal_name, "gain": gain, "gain_unit": format!("1/({})", unit(signal)),
+        "sample_rate": AUDIO_RATE,
+    });
+    Ok(Sound { name, bytes, told })
+}

@@ -1,0 +1,61 @@
+//! `modes`: undamped modes of one of the structures, as it is held, without contact.
+
+use super::system::alone;
+use super::{Subject, cost};
+use crate::error::ModelError;
+use crate::estimate::{Estimate, cost::FIGURE};
+use crate::sliding::case::SlidingCase;
+use crate::sliding::case::structure::find_structure;
+use crate::structure::modes::{self, Modes};
+use judder_keys::Settings;
+use judder_keys::declared::{Named, Settings};
+use judder_study::case::analysis::Kind;
+use judder_study::model::{Analysis, Task};
+use judder_study::outcome::Outcome;
+use serde_json::{Map, Value as Json};
+use std::sync::Arc;
+
+/// Undamped modes of one of the structures.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub struct PartModes {
+    /// The name of a structure.
+    #[key(later)]
+    pub structure: Named<usize>,
+    /// Which.
+    #[key(flatten)]
+    pub modes: Modes,
+}
+
+/// The kind.
+pub(crate) const KIND: Kind<SlidingCase, Arc<dyn Analysis<SlidingCase>>> = Kind {
+    name: "modes",
+    doc: "undamped modes of one of the two structures, as it is held, without contact",
+    declared: PartModes::declarations,
+    read: |case, section| {
+        let mut own = PartModes::read_table(section)?;
+        find_structure(&mut own.structure, &case.structures, section)?;
+        Ok(Arc::new(own))
+    },
+    // as that of a structure
+    picture: None,
+};
+
+impl Analysis<SlidingCase> for PartModes {
+    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+        let part = &of.system.parts[*self.structure];
+        let own = (&alone(of.case, *self.structure), &*part.structure);
+        let reduced = Some(&part.reduced.body.eigenvalues[..]);
+        let outcome = modes::run(own, of.name, self.modes, reduced)?;
+        task.progress.advance();
+        Ok(outcome)
+    }
+
+    fn estimate(&self, of: &Subject<'_>) -> Result<Estimate, ModelError> {
+        let seconds = cost::FREEDOM * cost::freedoms(of.system, *self.structure) + FIGURE;
+        Ok(Estimate { name: of.name.to_owned(), points: 1, seconds, bytes: 0 })
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
+    }
+}

@@ -1,0 +1,72 @@
+//! `spectrogram`: a signal of a march over time and frequency, from what the march has stored.
+
+mod figure;
+mod run;
+pub mod settings;
+
+use super::Subject;
+use super::march::Size;
+use crate::error::ModelError;
+use crate::estimate::{Estimate, cost::FIGURE};
+use crate::sliding::case::SlidingCase;
+use crate::sliding::case::problem::SlidingProblem;
+use crate::sliding::march::settings::March;
+use judder_keys::declared::Settings;
+use judder_study::case::analysis::{Kind, Picture};
+use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::outcome::Outcome;
+use serde_json::{Map, Value as Json};
+use settings::Spectrogram;
+use std::sync::Arc;
+
+const SHORTER: &str = "give a shorter length, or none";
+
+/// The kind.
+pub(crate) const KIND: Kind<SlidingCase, Arc<dyn Analysis<SlidingCase>>> = Kind {
+    name: "spectrogram",
+    doc: "a signal of a march over time, position and frequency, with the unstable zones of a locus",
+    declared: Spectrogram::declarations,
+    read: |case, section| Ok(Arc::new(Spectrogram::read_table(section)?.admit(case, section)?)),
+    picture: Some(Picture {
+        draw: figure::spectrogram,
+        caption: "First, the highest level in each cell of the drawing, with the unstable zones of a locus as frames from start to end. Then the highest level in \
+        each of successive stretches: every spectrum stands on its position and hides what is behind it; bars are the zones. Frequencies \
+        beyond one and a half times the highest of a zone are stored, not drawn.",
+    }),
+};
+
+/// The march whose signal it shows.
+fn march<'a>(asked: &Spectrogram, case: &'a SlidingCase) -> Option<&'a March> {
+    case.analyses.iter().find(|own| own.name == asked.of)?.settings()
+}
+
+impl Analysis<SlidingCase> for Spectrogram {
+    fn fits(&self, of: &Subject<'_>) -> Result<Result<(), Refusal>, ModelError> {
+        let duration = march(self, of.case).map(|march| of.system.along(march).duration());
+        let Some(duration) = duration.filter(|duration| self.length > *duration) else { return Ok(Ok(())) };
+        let (length, name) = (self.length, &self.of);
+        let reason = format!("a window is {length} s long, but the march `{name}` takes {duration:.6} s");
+        Ok(Err(Refusal::key("length", SlidingProblem::Unbuilt { reason, advice: SHORTER })))
+    }
+
+    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+        let outcome = run::run((of.name, self), &of.case.points, task.own.place)?;
+        task.progress.advance();
+        Ok(outcome)
+    }
+
+    /// The whole march is read.
+    fn estimate(&self, of: &Subject<'_>) -> Result<Estimate, ModelError> {
+        let read = march(self, of.case).and_then(|march| Size::of(of.system, march));
+        let bytes = read.map_or(0, |size| size.stored() as u128);
+        Ok(Estimate { name: of.name.to_owned(), points: 1, seconds: 1.0 + FIGURE, bytes })
+    }
+
+    fn takes_up(&self) -> Vec<&str> {
+        [Some(self.of.as_str()), self.locus.as_deref()].into_iter().flatten().collect()
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
+    }
+}

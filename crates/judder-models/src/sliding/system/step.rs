@@ -1,0 +1,71 @@
+//! Methods and steps of marches.
+
+use crate::sliding::march::settings::{self, MarchMethod};
+use judder_sliding::SlidingError;
+use judder_sliding::march::{March, MarchSettings, Method, Predictor};
+use judder_sliding::motion::Motion;
+use judder_sliding::pair::Pair;
+use std::f64::consts::TAU;
+
+/// The step of a march and its limit, s.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Step {
+    /// h.
+    pub(crate) step: f64,
+    /// The largest stable one.
+    pub(crate) limit: f64,
+}
+
+/// Share of the limit, and largest step in s, that a march takes by itself: central differences as the paper's reading has them.
+const CENTRAL: (f64, f64) = (0.9, 3e-7);
+/// Those of the march with residual flexibility: 100 kHz is still seen.
+const RESIDUAL: (f64, f64) = (0.75, 3e-6);
+/// A step that any pair could take; the limit does not depend on it.
+const ANY: f64 = 1e-9;
+
+/// The method of a case as the march has it.
+pub(crate) fn method(own: MarchMethod) -> Method {
+    match own {
+        MarchMethod::Subs { static_slope } => Method::Subs { static_slope },
+        MarchMethod::Ensubs => Method::EnSubs,
+        MarchMethod::Film => Method::Film,
+        MarchMethod::ResidualFlexibility { cut_off } => {
+            Method::ResidualFlexibility { cut_off: cut_off / TAU }
+        }
+    }
+}
+
+/// The predictor of a case as the march has it; methods without one take any.
+pub(crate) fn predictor(own: Option<settings::Predictor>) -> Predictor {
+    match own {
+        Some(settings::Predictor::Printed) => Predictor::Printed,
+        Some(settings::Predictor::WithForce) | None => Predictor::WithForce,
+    }
+}
+
+/// The step that a case gives, or that the march chooses, with the limit along the path of the motion.
+///
+/// # Errors
+/// [`SlidingError::StepOverLimit`], and what [`March::beyond_limit`] says.
+pub(crate) fn step(
+    pair: &Pair,
+    method: Method,
+    given: Option<f64>,
+    motion: Motion,
+) -> Result<Step, SlidingError> {
+    // the static path does not matter to the limit, and takes long
+    let method =
+        if matches!(method, Method::Subs { .. }) { Method::Subs { static_slope: false } } else { method };
+    let limit = March::beyond_limit(
+        pair,
+        MarchSettings { method, step: ANY, motion, predictor: Predictor::default() },
+    )?
+    .step_limit();
+    let (share, largest) =
+        if matches!(method, Method::ResidualFlexibility { .. }) { RESIDUAL } else { CENTRAL };
+    let step = given.unwrap_or((share * limit).min(largest));
+    if step > limit {
+        return Err(SlidingError::StepOverLimit { step, limit });
+    }
+    Ok(Step { step, limit })
+}

@@ -1,0 +1,156 @@
+//! Elements with materials and supports, assembled.
+
+use super::{Elements, Layout, Structure, Unbuilt};
+use crate::structure::case::body::{
+    Beam, Block, BlockElement, Body, EndCondition, Geometry, Material, PlaneSection,
+};
+use crate::structure::case::damping::Damping;
+use crate::structure::case::problem::StructureProblem;
+use judder_structure::affine::{Factors, Family, Term};
+use judder_structure::assembly::{Assembled, assemble};
+use judder_structure::beam;
+use judder_structure::element::ElementKind;
+use judder_structure::freedom::{Direction, Numbering, Supports};
+use judder_structure::grid::Grid;
+use judder_structure::material::{Elastic, Section};
+use judder_structure::mesh::Mesh;
+use std::collections::BTreeMap;
+
+/// The material of a generated body.
+const OWN: &str = "structure.material";
+/// The width of a body of the plane where the case gives none, m.
+const WIDTH: f64 = 1.0;
+
+/// Assembles a body with its damping.
+pub(super) fn structure(body: &Body, damping: &Damping) -> Result<Structure, Unbuilt> {
+    let (mesh, mut supports) = match &body.geometry {
+        Geometry::Beam(beam) => beam_mesh(beam)?,
+        Geometry::Block(block) => (block_mesh(block)?, Supports::default()),
+        Geometry::Mesh(file) => return super::mesh_file::structure(body, file, damping),
+    };
+    add_supports(body, &mesh, &mut supports)?;
+    let material = body.material.as_ref().map(elastic).transpose()?;
+    let dimension = dimension_of(&mesh);
+    let section = section(body, dimension);
+    let materials = material.map(|material| (OWN.to_owned(), (material, section))).into_iter().collect();
+    assembled(mesh, materials, &supports, damping)
+}
+
+/// Elements with what they are made of and what holds them.
+pub(super) fn assembled(
+    mesh: Mesh,
+    materials: BTreeMap<String, (Elastic, Section)>,
+    supports: &Supports,
+    damping: &Damping,
+) -> Result<Structure, Unbuilt> {
+    let dimension = dimension_of(&mesh);
+    let numbering = Numbering::new(&mesh, dimension, supports)
+        .map_err(|error| Unbuilt::because("structure.supports", &error))?;
+    let Assembled { stiffness, mass } =
+        assemble(&mesh, &materials, &numbering).map_err(|error| Unbuilt::because("structure", &error))?;
+    let term = |name: &str, matrix: &_| Term { name: name.to_owned(), matrix: Clone::clone(matrix) };
+    let damping = match damping {
+        Damping::Rayleigh(_) => {
+            vec![term("mass-proportional damping", &mass), term("stiffness-proportional damping", &stiffness)]
+        }
+        Damping::Structural(_) => vec![term("structural damping", &stiffness)],
+        Damping::None => Vec::new(),
+    };
+    let family = Family::new(vec![term("mass", &mass)], damping, vec![term("stiffness", &stiffness)])
+        .map_err(|error| Unbuilt::because("structure", &error))?;
+    let layout = Layout::of_mesh(&mesh, &numbering);
+    let elements = Some(Elements { mesh, materials, numbering });
+    Ok(Structure { family, layout: Some(layout), elements, kept: Vec::new(), warnings: Vec::new() })
+}
+
+/// The factors of the terms of a body: α and β, or η/ω_r.
+pub(super) fn factors(damping: &Damping) -> Factors {
+    let damping = match damping {
+        Damping::Rayleigh(own) => vec![own.alpha, own.beta],
+        Damping::Structural(own) => vec![own.loss_factor / own.reference_frequency],
+        Damping::None => Vec::new(),
+    };
+    Factors { mass: vec![1.0], damping, stiffness: vec![1.0] }
+}
+
+/// 3 where an element is of space.
+pub(super) fn dimension_of(mesh: &Mesh) -> usize {
+    mesh.blocks.iter().map(|block| block.kind.dimension()).max().unwrap_or(2)
+}
+
+/// How the elements of a body are meant.
+pub(super) fn section(body: &Body, dimension: usize) -> Section {
+    let thickness = body.width.unwrap_or(WIDTH);
+    match (dimension, body.section) {
+        (3, _) => Section::Solid,
+        (_, Some(PlaneSection::PlaneStrain)) => Section::PlaneStrain { thickness },
+        (_, Some(PlaneSection::PlaneStress) | None) => Section::PlaneStress { thickness },
+    }
+}
+
+pub(super) fn elastic(material: &Material) -> Result<Elastic, Unbuilt> {
+    Elastic::new(material.youngs_modulus, material.poisson_ratio, material.density)
+        .map_err(|error| Unbuilt::because("structure.material", &error))
+}
+
+/// The mesh of a beam and what holds its ends.
+fn beam_mesh(beam: &Beam) -> Result<(Mesh, Supports), Unbuilt> {
+    let Beam { length, thickness, elements, origin, angle, start, end } = *beam;
+    let mesh = beam::Beam { length, thickness, elements, origin, angle }
+        .mesh(OWN)
+        .map_err(|error| Unbuilt::because("structure.beam", &error))?;
+    let mut supports = Supports::default();
+    for (set, condition) in [("start", start), ("end", end)] {
+        let nodes = mesh.node_sets.get(set).cloned().unwrap_or_default();
+        let (fixed, tied) = match condition {
+            EndCondition::Free => ([false; 3], [false; 3]),
+            EndCondition::Clamped => ([true, true, false], [false; 3]),
+            EndCondition::Guided => ([true, false, false], [false, true, false]),
+        };
+        hold(&nodes, fixed, tied, &mut supports);
+    }
+    Ok((mesh, supports))
+}
+
+fn block_mesh(block: &Block) -> Result<Mesh, Unbuilt> {
+    let kind = match block.element() {
+        BlockElement::Quad4 => ElementKind::Quad4,
+        BlockElement::Quad8 => ElementKind::Quad8,
+        BlockElement::Triangle6 => ElementKind::Triangle6,
+        BlockElement::Hexahedron8 => ElementKind::Hexahedron8,
+        BlockElement::Hexahedron20 => ElementKind::Hexahedron20,
+        BlockElement::Tetrahedron10 => ElementKind::Tetrahedron10,
+    };
+    let size = std::array::from_fn(|axis| block.size.get(axis).copied().unwrap_or(0.0));
+    let cells = std::array::from_fn(|axis| block.cells.get(axis).copied().unwrap_or(0));
+    let grid = Grid { kind, size, cells };
+    grid.mesh(OWN, |place| place).map_err(|error| Unbuilt::because("structure.block", &error))
+}
+
+/// Adds the supports that a case names by sets.
+pub(super) fn add_supports(body: &Body, mesh: &Mesh, supports: &mut Supports) -> Result<(), Unbuilt> {
+    for (index, support) in body.supports.iter().enumerate() {
+        let nodes = nodes_of(mesh, &support.set, &format!("structure.supports.{index}.set"))?;
+        hold(nodes, support.fixed, support.tied, supports);
+    }
+    Ok(())
+}
+
+/// The nodes of a set that the case names at `path`.
+pub(super) fn nodes_of<'a>(mesh: &'a Mesh, set: &str, path: &str) -> Result<&'a [usize], Unbuilt> {
+    mesh.node_sets.get(set).map(Vec::as_slice).ok_or_else(|| {
+        let known = mesh.node_sets.keys().cloned().collect();
+        Unbuilt::new(path, StructureProblem::UnknownSet { name: set.to_owned(), known })
+    })
+}
+
+fn hold(nodes: &[usize], fixed: [bool; 3], tied: [bool; 3], supports: &mut Supports) {
+    for (axis, direction) in Direction::ALL.into_iter().enumerate() {
+        if fixed[axis] {
+            supports.fixed.extend(nodes.iter().map(|node| (*node, direction)));
+        }
+        if tied[axis] {
+            supports.tied.push((nodes.to_vec(), direction));
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! Mesh files of other programs, with the materials and supports of the case.
+
+use super::body::{add_supports, assembled, elastic, section};
+use super::{Structure, Unbuilt};
+use crate::structure::case::body::Body;
+use crate::structure::case::damping::Damping;
+use crate::structure::case::problem::StructureProblem;
+use judder_exchange::mesh_file::{FileSection, MeshFile, read_mesh};
+use judder_keys::file_reference::FileReference;
+use judder_structure::freedom::Supports;
+use judder_structure::material::{Elastic, Section};
+use std::collections::BTreeMap;
+
+/// Reads a mesh and assembles it.
+pub(super) fn structure(body: &Body, file: &FileReference, damping: &Damping) -> Result<Structure, Unbuilt> {
+    let mut read = read_mesh(&file.path).map_err(|error| {
+        Unbuilt::new("structure.mesh", StructureProblem::File { reason: error.to_string() })
+    })?;
+    name_nodes(&mut read);
+    refuse_strangers(body, &read)?;
+    let materials = materials(body, &read)?;
+    let mut supports = Supports::default();
+    add_supports(body, &read.mesh, &mut supports)?;
+    let mut structure = assembled(read.mesh, materials, &supports, damping)?;
+    if let Some(layout) = &mut structure.layout {
+        layout.names = read.node_labels;
+    }
+    let told = |warning| format!("{}: {warning}", file.given);
+    structure.warnings.extend(read.warnings.iter().map(told));
+    Ok(structure)
+}
+
+/// Lets sets of sides and elements be named where nodes are wanted.
+fn name_nodes(read: &mut MeshFile) {
+    let names: Vec<String> =
+        read.mesh.side_sets.keys().chain(read.mesh.element_sets.keys()).cloned().collect();
+    for name in names {
+        if let Some(nodes) = read.nodes_of(&name) {
+            read.mesh.node_sets.entry(name).or_insert(nodes);
+        }
+    }
+}
+
+/// Refuses materials of the case under names that the mesh does not have.
+fn refuse_strangers(body: &Body, read: &MeshFile) -> Result<(), Unbuilt> {
+    let of_file = read.sections.values().filter_map(|section| section.material.clone());
+    let mut known: Vec<String> =
+        read.mesh.blocks.iter().map(|block| block.material.clone()).chain(of_file).collect();
+    known.sort_unstable();
+    known.dedup();
+    match body.materials.iter().find(|(name, _)| !known.contains(name)) {
+        None => Ok(()),
+        Some((name, _)) => {
+            let problem = StructureProblem::UnknownGroup { name: name.clone(), known };
+            Err(Unbuilt::new(format!("structure.materials.{name}"), problem))
+        }
+    }
+}
+
+/// Material and section of each block: what the case says under the name of the block or of its material, what the file says of it, the
+/// material of the whole case.
+fn materials(body: &Body, read: &MeshFile) -> Result<BTreeMap<String, (Elastic, Section)>, Unbuilt> {
+    let mut materials = BTreeMap::new();
+    for block in &read.mesh.blocks {
+        let name = &block.material;
+        let own = read.sections.get(name);
+        let of_file = own.and_then(|section| section.material.as_ref());
+        let named = body.materials.iter().find(|(given, _)| given == name || Some(given) == of_file);
+        let elastic = match named {
+            Some((_, material)) => elastic(material)?,
+            None => match (told(read, of_file)?, &body.material) {
+                (Some(elastic), _) => elastic,
+                (None, Some(material)) => elastic(material)?,
+                (None, None) => {
+                    let problem = StructureProblem::NoMaterial { name: name.clone() };
+                    return Err(Unbuilt::new("structure", problem));
+                }
+            },
+        };
+        materials.insert(name.clone(), (elastic, section_of(body, own, block.kind.dimension())));
+    }
+    Ok(materials)
+}
+
+/// What the file says of a material, where it says all.
+fn told(read: &MeshFile, name: Option<&String>) -> Result<Option<Elastic>, Unbuilt> {
+    let Some(material) = name.and_then(|name| read.materials.get(name)) else { return Ok(None) };
+    let (Some([youngs_modulus, poisson_ratio]), Some(density)) = (material.elastic, material.density) else {
+        return Ok(None);
+    };
+    Elastic::new(youngs_modulus, poisson_ratio, density)
+        .map(Some)
+        .map_err(|error| Unbuilt::because("structure.mesh", &error))
+}
+
+/// The section that the case gives, else that of the file.
+fn section_of(body: &Body, own: Option<&FileSection>, dimension: usize) -> Section {
+    match own {
+        Some(own) if body.section.is_none() && body.width.is_none() => own.section,
+        _ => section(body, dimension),
+    }
+}

@@ -1,0 +1,83 @@
+//! Matrices of other programs, read.
+
+use super::{Layout, Structure, Unbuilt};
+use crate::structure::case::matrices::{MatrixSums, MatrixTerm, Triangle};
+use crate::structure::case::problem::StructureProblem;
+use judder_exchange::freedom_table::read_freedoms;
+use judder_exchange::matrix::{self, Matrix, read_matrix, read_stored_matrix};
+use judder_exchange::system::{Part, Parts};
+use judder_keys::cause::Cause;
+use judder_structure::affine::{Factors, Family, Term};
+use judder_structure::freedom::Freedom;
+use rayon::prelude::*;
+
+/// Reads the files of all terms and makes sums of them.
+pub(super) fn structure(sums: &MatrixSums) -> Result<Structure, Unbuilt> {
+    let [mass, damping, stiffness] = sums.sums().map(|(name, terms)| read(name, terms));
+    let read = [mass?, damping?, stiffness?];
+    let table = match &sums.freedoms {
+        None => None,
+        Some(file) => Some(read_freedoms(&file.path).map_err(|error| {
+            Unbuilt::new("matrices.freedoms", StructureProblem::File { reason: error.to_string() })
+        })?),
+    };
+    check(sums, &read, table.as_deref())?;
+    let [mass, damping, stiffness] = [0, 1, 2].map(|k| terms(sums.sums()[k], &read[k]));
+    let family =
+        Family::new(mass?, damping?, stiffness?).map_err(|error| Unbuilt::because("matrices", &error))?;
+    let layout = table.as_deref().map(Layout::of_table);
+    Ok(Structure { family, layout, elements: None, kept: Vec::new(), warnings: Vec::new() })
+}
+
+/// The factors of all terms where the parameters are `values`.
+pub(super) fn factors(sums: &MatrixSums, values: &[f64]) -> Result<Factors, Cause> {
+    let of = |terms: &[MatrixTerm]| -> Result<Vec<f64>, Cause> {
+        terms.iter().map(|term| term.factor.value(values)).collect()
+    };
+    Ok(Factors { mass: of(&sums.mass)?, damping: of(&sums.damping)?, stiffness: of(&sums.stiffness)? })
+}
+
+fn read(name: &str, terms: &[MatrixTerm]) -> Result<Vec<Matrix>, Unbuilt> {
+    let read = |(index, term): (usize, &MatrixTerm)| {
+        let path = &term.file.path;
+        let mirrored = |triangle| read_stored_matrix(path).and_then(|matrix| matrix.mirrored(triangle));
+        let matrix = match term.triangle {
+            Triangle::Both => read_matrix(path),
+            Triangle::Lower => mirrored(matrix::Triangle::Lower),
+            Triangle::Upper => mirrored(matrix::Triangle::Upper),
+            Triangle::AsStored => read_stored_matrix(path),
+        };
+        matrix.map_err(|error| {
+            let reason = error.to_string();
+            Unbuilt::new(format!("matrices.{name}.{index}.file"), StructureProblem::File { reason })
+        })
+    };
+    terms.par_iter().enumerate().map(read).collect()
+}
+
+/// Whether the matrices make one structure.
+fn check(sums: &MatrixSums, read: &[Vec<Matrix>; 3], table: Option<&[Freedom]>) -> Result<(), Unbuilt> {
+    fn parts<'a>(terms: &'a [MatrixTerm], matrices: &'a [Matrix]) -> Vec<Part<'a>> {
+        let part = |(term, matrix): (&'a MatrixTerm, &'a Matrix)| Part { name: &term.file.given, matrix };
+        terms.iter().zip(matrices).map(part).collect()
+    }
+    let [mass, damping, stiffness] = read;
+    let parts = Parts {
+        mass: parts(&sums.mass, mass),
+        damping: parts(&sums.damping, damping),
+        stiffness: parts(&sums.stiffness, stiffness),
+    };
+    parts.check(table).map(drop).map_err(|error| Unbuilt::because("matrices", &error))
+}
+
+/// The terms of a sum, named by their files.
+fn terms((name, terms): (&str, &[MatrixTerm]), matrices: &[Matrix]) -> Result<Vec<Term>, Unbuilt> {
+    let term = |(index, (term, matrix)): (usize, (&MatrixTerm, &Matrix))| {
+        let failed = |error: &dyn std::fmt::Display| {
+            Unbuilt::because(format!("matrices.{name}.{index}.file"), &error.to_string())
+        };
+        let matrix = matrix.to_sparse().map_err(|error| failed(&error))?;
+        Ok(Term { name: term.file.given.clone(), matrix })
+    };
+    terms.iter().zip(matrices).enumerate().map(term).collect()
+}

@@ -1,0 +1,33 @@
+//! What the analyses of a structure case need to know of it.
+
+use super::StructureSource;
+use super::matrices::MatrixSums;
+use crate::swept_keys::ParameterKeys;
+use judder_keys::error::Fault;
+use judder_keys::section::Section;
+
+/// What the analyses of a structure case need to know of it.
+pub(crate) struct StructureScope {
+    pub(crate) keys: ParameterKeys,
+    /// Where it comes from.
+    pub(crate) source: StructureSource,
+    /// The values of the parameters.
+    pub(crate) values: Vec<f64>,
+    pub(crate) has_reduction: bool,
+}
+
+impl StructureScope {
+    /// The matrices, where it is given by them.
+    pub(crate) fn sums(&self) -> Option<&MatrixSums> {
+        match &self.source {
+            StructureSource::Matrices(sums) => Some(sums),
+            StructureSource::Body(_) => None,
+        }
+    }
+
+    /// Refuses an analysis at the case's own parameters where a factor has no value.
+    pub(crate) fn check_factors(&self, section: &Section<'_>) -> Result<(), Fault> {
+        let checked = self.sums().map(|sums| sums.check(&self.values));
+        checked.unwrap_or(Ok(())).map_err(|cause| cause.at(section.place))
+    }
+}

@@ -1,0 +1,70 @@
+//! What `judder check` shows of a structure case.
+
+use super::Subject;
+use crate::error::ModelError;
+use crate::estimate::title;
+use crate::structure::build::Structure;
+use crate::structure::case::StructureCase;
+use judder_structure::affine::Term;
+use judder_study::case::file::CaseFile;
+use judder_study::model::Place;
+use judder_study::resolve::Resolved;
+use judder_study::text::columns;
+use serde_json::{Value, json};
+
+/// What is known of a structure before anything is computed.
+pub(super) fn resolve(file: &CaseFile, case: &StructureCase) -> Result<Resolved, ModelError> {
+    let structure = Structure::new(case).map_err(|unbuilt| unbuilt.placed(file))?;
+    let family = &structure.family;
+    let mut text = format!("{}\n\nthe structure\n", title(&case.title));
+    let mut rows = vec![vec!["degrees of freedom".to_owned(), family.size().to_string()]];
+    if let Some(mesh) = structure.mesh() {
+        rows.push(vec!["elements".to_owned(), mesh.elements().to_string()]);
+        rows.push(vec!["nodes".to_owned(), mesh.nodes.len().to_string()]);
+        let sets: Vec<String> =
+            mesh.node_sets.iter().map(|(name, nodes)| format!("{name} ({})", nodes.len())).collect();
+        rows.push(vec!["sets of nodes".to_owned(), sets.join(", ")]);
+    }
+    let sums = [("mass", family.mass()), ("damping", family.damping()), ("stiffness", family.stiffness())];
+    for (name, terms) in sums {
+        let shown: Vec<String> =
+            terms.iter().map(|term| format!("{} ({} entries)", term.name, term.matrix.val().len())).collect();
+        let shown = if shown.is_empty() { "none".to_owned() } else { shown.join(" + ") };
+        rows.push(vec![name.to_owned(), shown]);
+    }
+    if !structure.kept.is_empty() {
+        rows.push(vec!["kept freedoms".to_owned(), structure.kept.len().to_string()]);
+    }
+    text.push_str(&columns(&rows));
+    if !case.parameters.is_empty() {
+        text.push_str("\nparameters\n");
+        let shown = case.parameters.iter().map(|p| vec![p.name.clone(), judder_study::text::number(p.value)]);
+        text.push_str(&columns(&shown.collect::<Vec<_>>()));
+    }
+    text.push_str("\nanalyses\n");
+    let asked = case.analyses.iter().enumerate().map(|(index, own)| {
+        let subject = Subject { case, structure: &structure, name: &own.name };
+        let place = Place { file, index, name: &own.name };
+        own.kind.fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
+        Ok(vec![own.name.clone(), own.kind.estimate(&subject)?])
+    });
+    text.push_str(&columns(&asked.collect::<Result<Vec<_>, ModelError>>()?));
+    for warning in &structure.warnings {
+        text.push_str(&format!("\nwarning: {warning}\n"));
+    }
+    let entries = |terms: &[Term]| -> Value {
+        terms.iter().map(|term| json!({ "name": term.name, "entries": term.matrix.val().len() })).collect()
+    };
+    let document = json!({
+        "case": file.case.resolved(),
+        "structure": {
+            "degrees_of_freedom": family.size(),
+            "elements": structure.mesh().map(judder_structure::mesh::Mesh::elements),
+            "nodes": structure.mesh().map(|mesh| mesh.nodes.len()),
+            "mass": entries(family.mass()), "damping": entries(family.damping()), "stiffness": entries(family.stiffness()),
+            "kept_freedoms": structure.kept.len(),
+        },
+        "warnings": structure.warnings,
+    });
+    Ok(Resolved { document, text })
+}

@@ -1,0 +1,72 @@
+//! `eigen`: complex modes in a region of the plane.
+
+mod diagnosis;
+pub(crate) mod figure;
+pub(super) mod run;
+
+use super::Subject;
+use crate::error::ModelError;
+use crate::structure::case::StructureCase;
+use crate::structure::case::scope::StructureScope;
+use judder_keys::Settings;
+use judder_keys::declared::{Number, Pair, Settings};
+use judder_keys::dimension::Dimension;
+use judder_study::case::analysis::{Kind, Picture};
+use judder_study::model::{Analysis, Task};
+use judder_study::outcome::Outcome;
+use serde_json::{Map, Value as Json};
+use std::sync::Arc;
+
+/// Complex modes.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub struct Eigen {
+    /// The rectangle of λ = re + i im in which eigenvalues are sought.
+    #[key(example = "{ re = [-50.0, 1000.0], im = [0.0, 20000.0] }, in 1/s and rad/s")]
+    pub region: EigenRegion,
+}
+
+/// A rectangle of the complex plane: λ = re + i im.
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
+pub struct EigenRegion {
+    /// Growth rates from and to, 1/s.
+    #[key(rule = RANGE, example = "[-50.0, 1000.0], growth rates in 1/s")]
+    pub re: [f64; 2],
+    /// Angular frequencies from and to, rad/s.
+    #[key(rule = RANGE, example = "[0.0, 20000.0], angular frequencies in rad/s")]
+    pub im: [f64; 2],
+}
+
+/// Two plain numbers.
+const RANGE: Pair =
+    Pair { of: Number::any(Dimension::NUMBER), what: "two numbers, from and to", is_ascending: true };
+
+/// The kind.
+pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = Kind {
+    name: "eigen",
+    doc: "all complex modes in a region of the plane of growth rate and frequency, each with its error",
+    declared: Eigen::declarations,
+    read: |scope, section| {
+        scope.check_factors(section)?;
+        Ok(Arc::new(Eigen::read_table(section)?))
+    },
+    picture: Some(Picture {
+        draw: figure::eigen,
+        caption: "All eigenvalues found in the region; the axis of growth rates is logarithmic on both sides of zero. Damping ratios $ζ = −$Re $λ/|λ|$: a \
+        bubble's area is their magnitude. Shapes of the fastest growing modes, which swing on the page, and how alike any two shapes are.",
+    }),
+};
+
+impl Analysis<StructureCase> for Eigen {
+    fn run(&self, of: &Subject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
+        run::run((of.case, of.structure), of.name, &self.region)
+    }
+
+    fn estimate(&self, _: &Subject<'_>) -> Result<String, ModelError> {
+        let ([from, to], [low, high]) = (self.region.re, self.region.im);
+        Ok(format!("complex modes, Re from {from} to {to}, Im from {low} to {high}"))
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
+    }
+}

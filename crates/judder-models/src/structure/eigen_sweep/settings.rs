@@ -1,0 +1,233 @@
+//! What a case says of complex modes along a parameter.
+
+use crate::read_sweep::{
+    PlacedFamily, SWEEP, check_size, family_declaration, read_placed_family, required, write_family,
+};
+use crate::structure::case::matrices::MatrixSums;
+use crate::structure::case::problem::StructureProblem;
+use crate::structure::case::scope::StructureScope;
+use crate::structure::eigen::{Eigen, EigenRegion};
+use crate::sweep::{Family, ParameterKey};
+use crate::swept_keys::{ParameterKeys, SweptKeys};
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Allowed, Declaration, Number, Setting, Settings};
+use judder_keys::dimension::Dimension;
+use judder_keys::document::Node;
+use judder_keys::error::{Fault, Place};
+use judder_keys::numeric_key::Range;
+use judder_keys::problem::Placed;
+use judder_keys::section::{Section, finite_number, list, text};
+use judder_keys::{Choice, Settings};
+use judder_study::case::scale::Scale;
+use serde_json::{Map, Value as Json, json};
+
+/// Complex modes along a parameter.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EigenSweep {
+    /// The parameter and its values.
+    pub sweep: ParameterValues,
+    /// One curve for each value of another parameter.
+    pub family: Option<Family<ParameterKey>>,
+    /// Where eigenvalues are sought.
+    pub region: EigenRegion,
+    /// How each value is solved.
+    pub method: EigenMethod,
+}
+
+/// A parameter with the values that it takes one after the other.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ParameterValues {
+    /// The parameter.
+    pub key: ParameterKey,
+    /// Its dotted path.
+    pub path: String,
+    /// The values, two at least, ascending or descending.
+    pub values: Vec<f64>,
+    /// How they are spaced, for the axis of figures.
+    pub scale: Scale,
+}
+
+/// How the points of a sweep of complex modes are solved.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum EigenMethod {
+    /// Every point on the full matrices.
+    Full,
+    /// On a basis of the modes of a few points, which grows until the full matrices leave no larger error.
+    Projected {
+        /// Relative error of an eigenvalue.
+        tolerance: f64,
+    },
+}
+
+/// How the points are solved, as a case says it.
+#[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(check = MethodKeys::has_meaning)]
+pub(crate) struct MethodKeys {
+    /// How each point is solved.
+    #[key(default = MethodWord::Full)]
+    method: MethodWord,
+    /// Relative error that the method `projected` may leave.
+    #[key(rule = TOLERANCE, symbol = "ε", default = 1e-6)]
+    tolerance: f64,
+}
+
+/// The word of a method.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Choice)]
+#[choice(what = "method")]
+enum MethodWord {
+    /// On the full matrices.
+    Full,
+    /// On a basis of the modes of a few points.
+    Projected,
+}
+
+const TOLERANCE: Number =
+    Number { dimension: Dimension::NUMBER, range: Range::Interval { above: 0.0, up_to: 0.1 } };
+
+impl MethodKeys {
+    /// Refuses a tolerance that means nothing to the method.
+    fn has_meaning(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        match section.get("tolerance") {
+            Some(node) if self.method == MethodWord::Full => {
+                let with = "method = \"full\"".to_owned();
+                let problem = Cause::Meaningless { key: "tolerance", with };
+                Err(problem.at(node.place))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn method(&self) -> EigenMethod {
+        match self.method {
+            MethodWord::Full => EigenMethod::Full,
+            MethodWord::Projected => EigenMethod::Projected { tolerance: self.tolerance },
+        }
+    }
+}
+
+impl EigenMethod {
+    /// The name in a case file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Full => "full",
+            Self::Projected { .. } => "projected",
+        }
+    }
+}
+
+/// The keys of a sweep of listed values.
+fn listed() -> Vec<Declaration> {
+    let values = Allowed::List { of: Box::new(ParameterKeys::value_form()), length: [2, usize::MAX] };
+    vec![
+        required("key", "dotted path of the parameter", ParameterKeys::key_form()),
+        required("values", "values one after the other, ascending or descending", values),
+    ]
+}
+
+/// What is said of complex modes along a parameter.
+pub(super) fn declarations() -> Vec<Declaration> {
+    let doc = "a parameter over a range, or with a list of values";
+    let listed =
+        required("sweep", "a parameter with a list of values", Allowed::Table { doc, keys: listed() });
+    let ways = [SWEEP.declaration::<ParameterKeys>(), listed].map(|way| way.schema());
+    let words = "a table `{ key, from, to, points, scale }` or `{ key, values }`".to_owned();
+    let sweep =
+        required("sweep", doc, Allowed::Told { schema: json!({ "oneOf": ways }), words, keys: Vec::new() });
+    let varied = vec![sweep, family_declaration::<ParameterKeys>()];
+    [varied, Eigen::declarations(), MethodKeys::declarations()].concat()
+}
+
+impl EigenSweep {
+    pub(super) fn read(scope: &StructureScope, section: &Section<'_>) -> Result<Self, Fault> {
+        let Some(sums) = scope.sums() else { return Err(StructureProblem::NothingToSweep.at(section.place)) };
+        let node = section
+            .required("sweep", "sweep = { key = \"parameters.NAME\", from = …, to = …, points = … }")?;
+        let sweep = read_values(&scope.keys, section, node)?;
+        check_effect(scope, sums, sweep.key, node.place)?;
+        let family = read_placed_family(&scope.keys, section, sweep.key)?;
+        if let Some(placed) = &family {
+            check_effect(scope, sums, placed.family.key, placed.key)?;
+            check_size(&[(placed.family.values.len(), placed.whole), (sweep.values.len(), node.place)])?;
+        }
+        check_values(scope, sums, (&sweep, node.place), family.as_ref())?;
+        let method = MethodKeys::read_table(section)?.method();
+        let family = family.map(|placed| placed.family);
+        Ok(Self { sweep, family, region: Eigen::read_table(section)?.region, method })
+    }
+
+    /// Its canonical form.
+    pub(super) fn write_table(&self, json: &mut Map<String, Json>) {
+        let Self { sweep, family, region, method } = self;
+        json.insert("region".to_owned(), Setting::write(region, &()));
+        json.insert("method".to_owned(), json!(method.name()));
+        let sweep = json!({ "key": sweep.path, "values": sweep.values, "scale": sweep.scale.name() });
+        json.insert("sweep".to_owned(), sweep);
+        write_family::<ParameterKeys>(family.as_ref(), json);
+        if let EigenMethod::Projected { tolerance } = method {
+            json.insert("tolerance".to_owned(), json!(tolerance));
+        }
+    }
+}
+
+/// Refuses a parameter that no factor contains.
+fn check_effect(
+    scope: &StructureScope,
+    sums: &MatrixSums,
+    key: ParameterKey,
+    place: Place,
+) -> Result<(), Fault> {
+    let index = key.index();
+    if sums.sums().iter().flat_map(|(_, terms)| *terms).any(|term| term.factor.depends_on(index)) {
+        return Ok(());
+    }
+    Err(StructureProblem::IdleParameter { name: scope.keys.0[index].clone() }.at(place))
+}
+
+/// Refuses values at which a factor has none, at the value of the family or, without one, at the sweep.
+fn check_values(
+    scope: &StructureScope,
+    sums: &MatrixSums,
+    (sweep, place): (&ParameterValues, Place),
+    family: Option<&PlacedFamily<ParameterKey>>,
+) -> Result<(), Fault> {
+    let along = |mut values: Vec<f64>, place: Place| {
+        sweep.values.iter().try_for_each(|value| {
+            values[sweep.key.index()] = *value;
+            sums.check(&values).map_err(|cause| cause.at(place))
+        })
+    };
+    let Some(placed) = family else { return along(scope.values.clone(), place) };
+    placed.family.values.iter().zip(&placed.places).try_for_each(|(value, place)| {
+        let mut values = scope.values.clone();
+        values[placed.family.key.index()] = *value;
+        along(values, *place)
+    })
+}
+
+/// The values of `sweep`: a range as in every sweep, or a list.
+fn read_values(keys: &ParameterKeys, section: &Section<'_>, node: &Node) -> Result<ParameterValues, Fault> {
+    let all = [SWEEP.own_keys::<ParameterKeys>(), vec!["values"]].concat();
+    let table = section.table("sweep", node, &all)?;
+    let Some(list_node) = table.get("values") else {
+        let sweep = SWEEP.read(keys, section)?.sweep;
+        let values = sweep.values();
+        return Ok(ParameterValues { key: sweep.key, path: sweep.path, values, scale: sweep.scale });
+    };
+    let table = Section::open(node, "sweep", "`sweep` with `values`", &["key", "values"])?;
+    let key_node = table.required("key", "the dotted path of a parameter, key = \"parameters.NAME\"")?;
+    let name = text("sweep.key", key_node)?;
+    let key = keys.find(name).map_err(|cause| cause.at(key_node.place))?;
+    let values = list("sweep.values", list_node)?
+        .iter()
+        .map(|item| finite_number("sweep.values", item))
+        .collect::<Result<Vec<f64>, Fault>>()?;
+    if values.len() < 2 {
+        return Err(Cause::TooFewPoints { points: values.len() as i64 }.at(list_node.place));
+    }
+    // branches are followed from one value to the next
+    let monotone = values.is_sorted_by(|a, b| a < b) || values.is_sorted_by(|a, b| a > b);
+    if !monotone {
+        return Err(StructureProblem::UnsortedValues.at(list_node.place));
+    }
+    Ok(ParameterValues { key, path: keys.path(key), values, scale: Scale::Linear })
+}

@@ -1,0 +1,151 @@
+//! One linear structure alone.
+//!
+//! - `build`: from the keys of a case to matrices.
+//! - `undamped`: mass and stiffness, without damping and friction.
+//! - `fields`, `shapes`, `shape_panels`: shapes as files, as arrays, as pictures.
+//! - `check`: what `judder check` shows.
+//! - A folder each: `modes`, `reduction`, `eigen`, `eigen_sweep`, `receptance`.
+
+pub(crate) mod build;
+pub mod case;
+mod check;
+pub mod eigen;
+pub mod eigen_sweep;
+mod fields;
+pub mod modes;
+pub mod receptance;
+pub mod reduction;
+pub(crate) mod reference;
+pub(crate) mod resolved;
+pub(crate) mod schema;
+pub(crate) mod shape_panels;
+mod shapes;
+mod undamped;
+
+use crate::error::ModelError;
+use crate::structure::case::StructureCase;
+use crate::structure::case::scope::StructureScope;
+use build::Structure;
+use judder_keys::file_reference::FileReference;
+use judder_study::StudyError;
+use judder_study::case::analysis::Kind;
+use judder_study::case::analysis::names;
+use judder_study::case::file::{Case, CaseFile};
+use judder_study::model::{Analysed, Analysis, Model, Place, Prepared, Task};
+use judder_study::outcome::Outcome;
+use judder_study::registry::{ModelKind, drawn};
+use judder_study::resolve::Resolved;
+use std::sync::Arc;
+
+/// The kinds of analyses.
+pub(crate) static KINDS: [Kind<StructureScope, Arc<dyn Analysis<StructureCase>>>; 5] =
+    [modes::KIND, reduction::KIND, eigen::KIND, eigen_sweep::KIND, receptance::KIND];
+
+/// A structure, and the name under which an analysis of it leaves files.
+pub struct Subject<'a> {
+    case: &'a StructureCase,
+    structure: &'a Structure,
+    name: &'a str,
+}
+
+impl Analysed for StructureCase {
+    type Subject<'a> = Subject<'a>;
+    type Known<'a> = Subject<'a>;
+    /// What is asked, in words.
+    type Estimate = String;
+    type Error = ModelError;
+}
+
+/// The structure, where what the wanted analyses name is there.
+fn fitting(
+    case: &StructureCase,
+    prepared: Prepared,
+    file: &CaseFile,
+    is_wanted: &dyn Fn(&str) -> bool,
+) -> Result<Prepared, ModelError> {
+    let Some(structure) = prepared.get::<Structure>() else { return Ok(prepared) };
+    for (index, own) in case.analyses.iter().enumerate().filter(|(_, own)| is_wanted(&own.name)) {
+        let subject = Subject { case, structure: &structure, name: &own.name };
+        let place = Place { file, index, name: &own.name };
+        own.kind.fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
+    }
+    Ok(prepared)
+}
+
+/// The model.
+pub(crate) const MODEL: ModelKind = ModelKind {
+    name: "structure",
+    read: |root, folder| case::read(root, folder).map(Case::new),
+    schema: schema::case,
+    definitions: Vec::new,
+    reference: reference::section,
+    kinds: || drawn(&KINDS),
+    operating_quantities: &[],
+};
+
+impl Model for StructureCase {
+    fn name(&self) -> &'static str {
+        MODEL.name
+    }
+
+    fn analysis_names(&self) -> Vec<&str> {
+        names(&self.analyses)
+    }
+
+    fn files(&self) -> Vec<&FileReference> {
+        StructureCase::files(self)
+    }
+
+    fn resolved(&self) -> serde_json::Value {
+        resolved::case(self)
+    }
+
+    fn prepared(&self) -> Result<Prepared, StudyError> {
+        let made = Structure::new(self).map_err(ModelError::from)?;
+        Ok(Prepared::new(Arc::new(made)))
+    }
+
+    fn preflight(&self, file: &CaseFile, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
+        let structure = Structure::new(self).map_err(|unbuilt| unbuilt.placed(file))?;
+        Ok(fitting(self, Prepared::new(Arc::new(structure)), file, is_wanted)?)
+    }
+
+    fn preflight_at(
+        &self,
+        file: &CaseFile,
+        is_wanted: &dyn Fn(&str) -> bool,
+        (known, keys): (&Prepared, &[&str]),
+    ) -> Result<Prepared, StudyError> {
+        let is_of_analyses = keys.iter().all(|key| key.starts_with("analysis."));
+        if is_of_analyses {
+            Ok(fitting(self, known.clone(), file, is_wanted)?)
+        } else {
+            self.preflight(file, is_wanted)
+        }
+    }
+
+    fn steps(&self, index: usize) -> usize {
+        self.analyses[index].kind.steps()
+    }
+
+    fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {
+        if task.progress.interrupted() {
+            return Err(StudyError::Interrupted);
+        }
+        let own = &self.analyses[index];
+        let structure = match task.prepared.get::<Structure>() {
+            Some(structure) => structure,
+            None => Arc::new(Structure::new(self).map_err(ModelError::from)?),
+        };
+        let subject = Subject { case: self, structure: &structure, name: &own.name };
+        let progress = task.progress;
+        let mut outcome = own.kind.run(&subject, task)?;
+        progress.advance();
+        outcome.warnings.extend(structure.warnings.iter().cloned());
+        Ok(outcome)
+    }
+
+    fn resolve(&self, file: &CaseFile) -> Result<Resolved, StudyError> {
+        Ok(check::resolve(file, self)?)
+    }
+}

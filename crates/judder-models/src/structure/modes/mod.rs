@@ -1,0 +1,80 @@
+//! `modes`: undamped modes.
+
+pub(super) mod figure;
+mod run;
+
+pub(crate) use run::run;
+
+use super::Subject;
+use crate::error::ModelError;
+use crate::structure::case::StructureCase;
+use crate::structure::case::scope::StructureScope;
+use judder_keys::Settings;
+use judder_keys::declared::{Number, Pair, Settings, Whole};
+use judder_keys::dimension::Dimension;
+use judder_study::case::analysis::{Kind, Picture};
+use judder_study::model::{Analysis, Task};
+use judder_study::outcome::Outcome;
+use judder_study::text::short;
+use serde_json::{Map, Value as Json};
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// Which undamped modes are wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
+pub enum Modes {
+    /// So many modes, from the lowest on, where no band is given.
+    #[key(rule = Whole { from: 1, to: MODES_LIMIT }, default = MODES)]
+    Count(usize),
+    /// All modes between two frequencies, in place of count.
+    #[key(rule = BAND, symbol = "ω")]
+    Band([f64; 2]),
+}
+
+/// Two frequencies.
+pub(super) const BAND: Pair = Pair {
+    of: Number::non_negative(Dimension::ANGULAR_FREQUENCY),
+    what: "two frequencies, from and to",
+    is_ascending: true,
+};
+
+/// The number of modes where the case does not say.
+pub const MODES: usize = 20;
+
+/// The most modes of an analysis.
+pub const MODES_LIMIT: usize = 2000;
+
+/// The kind.
+pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = Kind {
+    name: "modes",
+    doc: "undamped modes: frequencies, shapes, residuals, and a count that shows whether one is missing",
+    declared: Modes::declarations,
+    read: |scope, section| {
+        scope.check_factors(section)?;
+        Ok(Arc::new(Modes::read_table(section)?))
+    },
+    picture: Some(Picture {
+        draw: figure::modes,
+        caption: "Shapes over the body at rest (grey), displacements enlarged alike; on the page they swing. Last, how alike any two shapes are: the \
+        modal assurance criterion, $|φ_{i}^{T}φ_{j}|^{2}$ over both lengths squared.",
+    }),
+};
+
+impl Analysis<StructureCase> for Modes {
+    fn run(&self, of: &Subject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
+        run((of.case, of.structure), of.name, *self, None)
+    }
+
+    fn estimate(&self, _: &Subject<'_>) -> Result<String, ModelError> {
+        Ok(match self {
+            Modes::Count(count) => format!("the lowest {count} modes"),
+            Modes::Band([from, to]) => {
+                format!("the modes from {} to {} Hz", short(from / TAU), short(to / TAU))
+            }
+        })
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
+    }
+}

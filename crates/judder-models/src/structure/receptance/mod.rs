@@ -1,0 +1,59 @@
+//! `receptance`: the displacement of one point by a unit force at another, over frequency.
+
+mod figure;
+mod run;
+pub mod settings;
+
+use super::Subject;
+use crate::error::ModelError;
+use crate::structure::case::StructureCase;
+use crate::structure::case::scope::StructureScope;
+use judder_keys::declared::Settings;
+use judder_study::case::analysis::{Kind, Picture};
+use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::outcome::Outcome;
+use judder_study::text::short;
+use run::freedom;
+use serde_json::{Map, Value as Json};
+use settings::Receptance;
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// The kind.
+pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = Kind {
+    name: "receptance",
+    doc: "the displacement of one point by a unit force at another, over frequency",
+    declared: Receptance::declarations,
+    read: |scope, section| Ok(Arc::new(Receptance::read(scope, section)?)),
+    picture: Some(Picture {
+        draw: figure::receptance,
+        caption: "The displacement of the observed point by a unit force at the excited one: magnitude and phase of $α(ω) = \
+            e_{o}^{T}(K + iωC − ω^{2}M)^{−1}e_{e}$. A phase of −180° is a motion against the force.",
+    }),
+};
+
+impl Analysis<StructureCase> for Receptance {
+    fn fits(&self, of: &Subject<'_>) -> Result<Result<(), Refusal>, ModelError> {
+        let named = |key, place| {
+            freedom(key, place, of.structure).map(drop).map_err(|cause| Refusal::key(key, cause))
+        };
+        Ok(named("excited", &self.excited).and_then(|()| named("observed", &self.observed)))
+    }
+
+    fn steps(&self) -> usize {
+        run::steps(self.points)
+    }
+
+    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+        run::run((of.case, of.structure), of.name, self, task.progress)
+    }
+
+    fn estimate(&self, _: &Subject<'_>) -> Result<String, ModelError> {
+        let [from, to] = self.band.map(|end| short(end / TAU));
+        Ok(format!("the receptance at {} frequencies from {from} to {to} Hz", self.points))
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
+    }
+}

@@ -1,0 +1,65 @@
+//! `reduction`: the reduced structure against the full one.
+
+mod figure;
+mod files;
+mod run;
+
+use super::Subject;
+use crate::error::ModelError;
+use crate::structure::case::StructureCase;
+use crate::structure::case::scope::StructureScope;
+use crate::structure::modes::MODES_LIMIT;
+use judder_keys::Settings;
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Settings, Whole};
+use judder_study::case::analysis::{Kind, Picture};
+use judder_study::model::{Analysis, Task};
+use judder_study::outcome::Outcome;
+use serde_json::{Map, Value as Json};
+use std::sync::Arc;
+
+/// The reduced structure against the full one.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub struct Compared {
+    /// How many frequencies are compared.
+    #[key(rule = Whole { from: 1, to: MODES_LIMIT }, default = COMPARED)]
+    pub count: usize,
+}
+
+/// The number of frequencies that `reduction` compares where the case does not say.
+pub const COMPARED: usize = 12;
+
+/// The kind.
+pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = Kind {
+    name: "reduction",
+    doc: "frequencies of the reduced structure against those of the full one, and the limit that the reduction tells of itself",
+    declared: Compared::declarations,
+    read: |scope, section| {
+        if !scope.has_reduction {
+            let (key, section_name) = ("reduction".to_owned(), "the case".to_owned());
+            let expected = "[reduction] with kept = [{ set = \"…\" }]".to_owned();
+            return Err(Cause::MissingKey { key, section: section_name, expected }.at(section.place));
+        }
+        scope.check_factors(section)?;
+        Ok(Arc::new(Compared::read_table(section)?))
+    },
+    picture: Some(Picture {
+        draw: figure::reduction,
+        caption: "How far the frequencies of the reduced structure lie above those of the full one, and what the reduction alone says that this is at most. Below \
+        its limit it says that every frequency is within 10^{−4}, the dotted level.",
+    }),
+};
+
+impl Analysis<StructureCase> for Compared {
+    fn run(&self, of: &Subject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
+        run::run((of.case, of.structure), of.name, self.count)
+    }
+
+    fn estimate(&self, _: &Subject<'_>) -> Result<String, ModelError> {
+        Ok(format!("{} frequencies, reduced against full", self.count))
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
+    }
+}

@@ -1,0 +1,95 @@
+//! The models that there are, and all that is asked of them without a case: how one is read, its schema, its reference, its figures.
+
+use crate::case::analysis::{Kind, Picture};
+use crate::case::file::Case;
+use crate::model::OperatingQuantity;
+use judder_keys::cause::Cause;
+use judder_keys::document::{Data, Node};
+use judder_keys::error::Fault;
+use serde_json::Value as Json;
+use std::fmt;
+use std::path::Path;
+
+/// A model: how its cases are read, and what they may say.
+pub struct ModelKind {
+    /// Its name in a case file.
+    pub name: &'static str,
+    /// Reads a case from the root of its tree; files are relative to the folder.
+    pub read: fn(&Node, &Path) -> Result<Case, Fault>,
+    /// The schema of a case.
+    pub schema: fn() -> Json,
+    /// What that names besides.
+    pub definitions: fn() -> Vec<(String, Json)>,
+    /// Its section of the book's reference.
+    pub reference: fn() -> String,
+    /// Its kinds of analyses, and how their results are drawn.
+    pub kinds: fn() -> Vec<(&'static str, Option<&'static Picture>)>,
+    /// The quantities that an operating point of it can have.
+    pub operating_quantities: &'static [OperatingQuantity],
+}
+
+/// The models that cases can be of.
+#[derive(Clone, Copy)]
+pub struct Registry(&'static [&'static ModelKind]);
+
+impl fmt::Debug for Registry {
+    /// The names of the models.
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.debug_list().entries(self.0.iter().map(|model| model.name)).finish()
+    }
+}
+
+impl Registry {
+    /// These models, in the order in which they are listed.
+    #[must_use]
+    pub const fn new(models: &'static [&'static ModelKind]) -> Self {
+        Self(models)
+    }
+
+    /// The models in their order.
+    pub(crate) fn models(self) -> &'static [&'static ModelKind] {
+        self.0
+    }
+
+    /// Every kind of analysis of any model, and how its results are drawn.
+    pub(crate) fn kinds(self) -> impl Iterator<Item = (&'static str, Option<&'static Picture>)> {
+        self.0.iter().flat_map(|model| (model.kinds)())
+    }
+
+    /// What stands at an axis of a quantity of operating points, by its name.
+    pub(crate) fn operating_label(self, name: &str) -> Option<&'static str> {
+        let mut quantities = self.0.iter().flat_map(|model| model.operating_quantities);
+        quantities.find(|own| own.name == name)?.label
+    }
+
+    /// The model of a case.
+    pub(crate) fn model(self, root: &Node) -> Result<&'static ModelKind, Fault> {
+        let known = || self.0.iter().map(|model| model.name.to_owned()).collect();
+        let said = match &root.data {
+            Data::Table(table) => table.get("model").map(|entry| &entry.node),
+            _ => None,
+        };
+        let Some(node) = said else {
+            let expected = self
+                .0
+                .iter()
+                .map(|model| format!("model = \"{}\"", model.name))
+                .collect::<Vec<_>>()
+                .join(" or ");
+            let (key, section) = ("model".to_owned(), "the case".to_owned());
+            return Err(Cause::MissingKey { key, section, expected }.at(root.place));
+        };
+        let name = judder_keys::section::text("model", node)?;
+        if let Some(model) = self.0.iter().find(|model| model.name == name) {
+            return Ok(model);
+        }
+        let (what, place) = ("model", node.part(0..name.len()));
+        Err(Cause::UnknownName { what, name: name.to_owned(), known: known() }.at(place))
+    }
+}
+
+/// The names of some kinds, and how their results are drawn.
+#[must_use]
+pub fn drawn<S, T>(kinds: &'static [Kind<S, T>]) -> Vec<(&'static str, Option<&'static Picture>)> {
+    kinds.iter().map(|kind| (kind.name, kind.picture.as_ref())).collect()
+}

@@ -327,36 +327,36 @@ pub struct Place<'a> {
 /// Where a case is to blame, and why.
 pub enum Refusal {
     /// The first of these keys that the analysis has.
-    Keys(&'static [&'static str], Cause),
+    Keys(&'static [&'static str], Box<Cause>),
     /// A key of the analysis, by its dotted path.
-    Key(&'static str, Cause),
+    Key(&'static str, Box<Cause>),
     /// Any key of the case, by its dotted path.
-    Path(&'static str, Cause),
+    Path(&'static str, Box<Cause>),
 }
 
 impl Refusal {
     /// The first of these keys that the analysis has is to blame.
     pub fn keys(keys: &'static [&'static str], cause: impl Into<Cause>) -> Self {
-        Self::Keys(keys, cause.into())
+        Self::Keys(keys, Box::new(cause.into()))
     }
 
     /// A key of the analysis is to blame, by its dotted path; the analysis where it is empty.
     pub fn key(key: &'static str, cause: impl Into<Cause>) -> Self {
-        Self::Key(key, cause.into())
+        Self::Key(key, Box::new(cause.into()))
     }
 
     /// A key of the case is to blame, by its dotted path.
     pub fn path(path: &'static str, cause: impl Into<Cause>) -> Self {
-        Self::Path(path, cause.into())
+        Self::Path(path, Box::new(cause.into()))
     }
 
     /// As an error at its place in the case file.
     pub fn placed(self, Place { file, index, name }: Place<'_>) -> CaseError {
         match self {
-            Self::Keys(keys, cause) => file.analysis_error(index, keys, cause),
-            Self::Key("", cause) => file.error(&format!("analysis.{name}"), cause),
-            Self::Key(key, cause) => file.error(&format!("analysis.{name}.{key}"), cause),
-            Self::Path(path, cause) => file.error(path, cause),
+            Self::Keys(keys, cause) => file.analysis_error(index, keys, *cause),
+            Self::Key("", cause) => file.error(&format!("analysis.{name}"), *cause),
+            Self::Key(key, cause) => file.error(&format!("analysis.{name}.{key}"), *cause),
+            Self::Path(path, cause) => file.error(path, *cause),
         }
     }
 }

@@ -3,11 +3,12 @@
 //! `rough [HEIGHTS.npy MEAN_PRESSURE TOLERANCE PRESSURE.f64]`: one line of JSON a surface. The surface is a square of side 1,
 //! pressures are in E0*; the pressure is written as little-endian doubles. Without arguments: generated surfaces.
 
-use judder_contact::indenter::{HeightMap, RoughSurface, Roughness, height_table};
+use judder_contact::indenter::{HeightMap, RoughSurface, Roughness};
 use judder_contact::kernel::substrate::SlidingSubstrate;
 use judder_contact::periodic_contact::level::PeriodicLevel;
 use judder_contact::periodic_contact::{PeriodicLoading, PeriodicQuestion, solve};
 use judder_contact::unilateral::UnilateralLimits;
+use judder_exchange::heights::read_heights;
 use std::error::Error;
 use std::path::Path;
 use std::time::Instant;
@@ -39,9 +40,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     // Cargo adds `--bench`.
     let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
     if let [heights, mean_pressure, tolerance, output] = arguments.as_slice() {
-        let table = height_table(Path::new(heights), std::fs::read(heights)?, None)?;
+        let table = read_heights(Path::new(heights), std::fs::read(heights)?, None)?;
         let spacing = 1.0 / table.columns as f64;
-        let surface = table.into_map(1.0, Some(spacing), true)?;
+        let surface = HeightMap::new(table.heights, table.columns, table.rows, spacing, true)?;
         let contact = press(&surface, mean_pressure.parse()?, tolerance.parse()?)?;
         let bytes: Vec<u8> = contact.solution.pressure.iter().flat_map(|value| value.to_le_bytes()).collect();
         std::fs::write(output, bytes)?;

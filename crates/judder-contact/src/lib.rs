@@ -3,7 +3,7 @@
 //! In the order in which the data flows:
 //!
 //! - [`material`]: viscoelastic materials: creep and relaxation spectra, measured moduli, temperature.
-//! - [`indenter`]: what presses on the substrate: shapes, height maps from files, rough surfaces.
+//! - [`indenter`]: what presses on the substrate: shapes, height maps, rough surfaces.
 //! - [`surface`]: the square cells of the contact computation and what its solvers ask of a surface.
 //! - [`kernel`]: how the surface of the substrate yields under a pressure that slides along.
 //! - [`unilateral`]: contact without tension and without penetration.

@@ -9,7 +9,7 @@
 //! - [`continuous`]: a continuous creep spectrum, and few terms that stand for it.
 //! - [`checks`]: what must hold for every material, computed.
 //! - [`shift`]: time and temperature.
-//! - [`dma`]: measured moduli and their master curve, [`dma_table`]: the table they come in.
+//! - [`dma`]: measured moduli and their master curve.
 //! - [`nonnegative`]: least squares with coefficients that must not be negative.
 //! - [`prony_fit`]: a series fitted to measured moduli.
 //! - [`error`]: what a material refuses.
@@ -19,7 +19,6 @@ pub mod continuous;
 pub mod conversion;
 pub mod creep;
 pub mod dma;
-pub mod dma_table;
 pub mod error;
 pub mod nonnegative;
 pub mod prony_fit;
@@ -29,8 +28,7 @@ pub mod shift;
 pub use checks::MaterialChecks;
 pub use continuous::{ContinuousSpectrum, Discretisation};
 pub use creep::{CreepSpectrum, CreepTerm};
-pub use dma::{DmaData, DmaPoint, DmaSweeps};
-pub use dma_table::DmaTable;
+pub use dma::{DmaData, DmaMeasurement, DmaPoint, DmaSweeps};
 pub use error::{DmaError, MaterialError};
 pub use prony_fit::{PronyFit, PronyResidual, TermCount};
 pub use relaxation::{RelaxationSpectrum, RelaxationTerm};

@@ -1,6 +1,7 @@
 //! What can be wrong with a file of another program.
 
 use crate::matrix::Triangle;
+use crate::npy::NpyError;
 use crate::wav::SoundError;
 use judder_structure::StructureError;
 use judder_structure::element::ElementKind;
@@ -379,6 +380,12 @@ pub enum Cause {
         material: String,
         /// What is missing.
         what: &'static str,
+    },
+    /// An array of an archive cannot be used.
+    #[error("a NumPy array {source}; write it with scipy.sparse.save_npz")]
+    Array {
+        /// Why.
+        source: NpyError,
     },
     /// A sound cannot be written.
     #[error("{source}")]

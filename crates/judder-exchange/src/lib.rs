@@ -1,17 +1,20 @@
-//! The doors to other programs: their matrices and meshes in, shapes, test data and sound out.
+//! The doors to other programs: their matrices, meshes, heights and moduli in, shapes, test data and sound out.
 //!
 //! - [`matrix`]: sparse matrices of Matrix Market, Abaqus, MATLAB and SciPy; [`system`] checks that they make one.
 //! - [`mesh_file`]: meshes of Gmsh, Abaqus and CalculiX, with sets, materials and sections.
 //! - [`freedom_table`]: what the rows of such matrices are.
+//! - [`heights`]: surfaces of NumPy, text and NetCDF; [`dma_table`]: measured moduli.
 //! - [`geometry`]: what is drawn, with displacements at its nodes; [`vtu`] writes it for ParaView, [`square_cells`] fields on a plane of cells, [`universal`] for test engineers.
 //! - [`wav`]: signals as sound.
 //! - [`matrix_market`]: matrices for other programs; [`whole_file`]: files whole or not at all.
 
 mod bytes;
 mod cause;
+pub mod dma_table;
 mod error;
 pub mod freedom_table;
 pub mod geometry;
+pub mod heights;
 pub mod matrix;
 pub mod matrix_market;
 pub mod mesh_file;
@@ -27,6 +30,7 @@ pub mod whole_file;
 
 pub use cause::Cause;
 pub use error::{ExchangeError, Place};
+pub use npy::NpyError;
 
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/src/files.md")]

@@ -1,16 +1,20 @@
 //! Arrays in NumPy's own format (NEP 1), versions 1 to 3.
 
+mod error;
+
+pub use error::NpyError;
+
 use crate::bytes::Stored;
-use crate::cause::Cause;
 use crate::quoted::quoted;
 use std::io::Read;
 
 const MAGIC: &[u8] = b"\x93NUMPY";
-const ARRAY: &str = "a NumPy array";
-const HEADER: &str = "the header of a NumPy array";
 
 /// An array of numbers or of bytes.
+#[derive(Debug)]
 pub(crate) struct Array {
+    /// The type of its numbers, as NumPy writes it.
+    pub(crate) descr: String,
     /// Of its numbers; `None` for texts.
     pub(crate) stored: Option<Stored>,
     pub(crate) big_endian: bool,
@@ -22,133 +26,120 @@ pub(crate) struct Array {
 
 impl Array {
     /// All its numbers, in the order of the file.
-    pub(crate) fn floats(&self) -> Result<Vec<f64>, Cause> {
-        let stored = self.stored.ok_or_else(|| damaged(String::from("texts where numbers are needed")))?;
+    pub(crate) fn floats(&self) -> Result<Vec<f64>, NpyError> {
+        let stored = self.stored.ok_or(NpyError::Texts)?;
         Ok(stored.floats(&self.data, self.big_endian))
     }
 
     /// All its whole numbers, in the order of the file.
-    pub(crate) fn counts(&self) -> Result<Vec<usize>, Cause> {
-        let stored = self.stored.ok_or_else(|| damaged(String::from("texts where indices are needed")))?;
+    pub(crate) fn counts(&self) -> Result<Vec<usize>, NpyError> {
+        let stored = self.stored.ok_or(NpyError::Texts)?;
         let whole: Option<Vec<usize>> = stored.counts(&self.data, self.big_endian).into_iter().collect();
-        whole.ok_or_else(|| {
-            damaged(String::from("numbers that are negative or not whole where indices are needed"))
-        })
+        whole.ok_or(NpyError::NotIndices)
     }
-}
-
-fn damaged(problem: String) -> Cause {
-    Cause::Inconsistent { what: ARRAY, problem }
 }
 
 /// Reads an array. No more is taken than the header says, and one byte to see that no more is there: what unpacks on the way
 /// cannot fill the memory with what the array does not have.
-pub(crate) fn read_npy(from: &mut impl Read) -> Result<Array, Cause> {
+pub(crate) fn read_npy(from: &mut impl Read) -> Result<Array, NpyError> {
     let header = read_header(from)?;
-    let (stored, big_endian, size) = number(entry(&header, "descr")?)?;
-    let fortran_order = entry(&header, "fortran_order")? == "True";
+    let descr = entry(&header, "descr")?.trim_matches(['\'', '"']);
+    let (stored, big_endian, size) =
+        number(descr).ok_or_else(|| NpyError::Numbers { found: quoted(descr) })?;
+    let fortran_order = match entry(&header, "fortran_order")? {
+        "True" => true,
+        "False" => false,
+        other => return Err(NpyError::Order { found: quoted(other) }),
+    };
     let shape = shape(entry(&header, "shape")?)?;
     let said = shape.iter().try_fold(size, |bytes, length| bytes.checked_mul(*length));
-    let said = said.ok_or_else(|| damaged(format!("its shape {shape:?} is larger than any memory")))?;
+    let Some(said) = said else { return Err(NpyError::TooLarge { shape }) };
     let data = at_most(from, (said as u64).saturating_add(1))?;
     if data.len() != said {
-        let found = if data.len() < said { data.len().to_string() } else { String::from("more") };
-        return Err(damaged(format!(
-            "its header says shape {shape:?} of {size} bytes each, and {found} bytes follow"
-        )));
+        let found = Some(data.len()).filter(|found| *found < said);
+        return Err(NpyError::WrongSize { found, shape });
     }
-    Ok(Array { data, stored, big_endian, fortran_order, shape })
+    Ok(Array { descr: descr.to_owned(), stored, big_endian, fortran_order, shape, data })
 }
 
 /// The next bytes, so many at most.
-fn at_most(from: &mut impl Read, most: u64) -> Result<Vec<u8>, Cause> {
+fn at_most(from: &mut impl Read, most: u64) -> Result<Vec<u8>, NpyError> {
     let mut bytes = Vec::new();
     match from.take(most).read_to_end(&mut bytes) {
         Ok(_) => Ok(bytes),
-        Err(error) => Err(Cause::Damaged { what: ARRAY, problem: error.to_string() }),
+        Err(error) => Err(NpyError::Damaged { problem: error.to_string() }),
     }
 }
 
 /// The next bytes, all of them.
-fn exactly<const N: usize>(from: &mut impl Read) -> Result<[u8; N], Cause> {
-    let bytes = at_most(from, N as u64)?;
-    let left = bytes.len();
-    bytes.try_into().map_err(|_| Cause::Cut { what: HEADER, needed: N, left })
+fn exactly<const N: usize>(from: &mut impl Read) -> Result<[u8; N], NpyError> {
+    at_most(from, N as u64)?.try_into().map_err(|_| NpyError::Cut)
 }
 
 /// The header's text.
-fn read_header(from: &mut impl Read) -> Result<String, Cause> {
+fn read_header(from: &mut impl Read) -> Result<String, NpyError> {
     /// NumPy itself reads no longer ones.
     const LONGEST: usize = 10_000;
     if at_most(from, MAGIC.len() as u64)? != MAGIC {
-        return Err(Cause::Foreign {
-            format: "NumPy array",
-            found: String::from("it does not begin with \\x93NUMPY"),
-            remedy: "write it with scipy.sparse.save_npz",
-        });
+        return Err(NpyError::Foreign);
     }
     let length = match exactly::<2>(from)?[0] {
         1 => usize::from(u16::from_le_bytes(exactly(from)?)),
         2 | 3 => u32::from_le_bytes(exactly(from)?) as usize,
-        other => return Err(damaged(format!("version {other} of the format; 1, 2 and 3 are read"))),
+        version => return Err(NpyError::Version { version }),
     };
     if length > LONGEST {
-        return Err(damaged(format!("its header says {length} bytes of itself; {LONGEST} are read at most")));
+        return Err(NpyError::LongHeader { length, most: LONGEST });
     }
     let header = at_most(from, length as u64)?;
     if header.len() < length {
-        return Err(Cause::Cut { what: HEADER, needed: length, left: header.len() });
+        return Err(NpyError::Cut);
     }
-    String::from_utf8(header).map_err(|_| damaged(String::from("its header is no text")))
+    String::from_utf8(header).map_err(|_| NpyError::NotText)
 }
 
 /// The value of a key of the header, which is a Python dictionary of plain values.
-fn entry<'a>(header: &'a str, key: &str) -> Result<&'a str, Cause> {
-    let missing = || damaged(format!("its header has no {key}"));
+fn entry<'a>(header: &'a str, key: &'static str) -> Result<&'a str, NpyError> {
+    let missing = || NpyError::MissingKey { key };
     let (_, rest) = header.split_once(&format!("'{key}'")).ok_or_else(missing)?;
     let rest = rest.trim_start().strip_prefix(':').ok_or_else(missing)?.trim_start();
     let end = match rest.chars().next().ok_or_else(missing)? {
         '(' => rest.find(')').map(|end| end + 1),
+        '[' => rest.find(']').map(|end| end + 1),
         _ => rest.find([',', '}']),
     };
     Ok(rest[..end.ok_or_else(missing)?].trim())
 }
 
-/// How numbers are stored, whether big-endian, and the bytes of one.
-fn number(descr: &str) -> Result<(Option<Stored>, bool, usize), Cause> {
-    let unsupported = || Cause::Unsupported {
-        what: "the type of a NumPy array",
-        found: format!("`{}`", quoted(descr)),
-        read: "real and whole numbers of up to eight bytes; write real and imaginary parts as two matrices",
-    };
-    let text = descr.trim_matches(['\'', '"']);
-    let mut letters = text.chars();
-    let (order, kind) = letters.next().zip(letters.next()).ok_or_else(unsupported)?;
-    let size: usize = letters.as_str().parse().map_err(|_| unsupported())?;
+/// How numbers of a type are stored, whether big-endian, and the bytes of one.
+fn number(descr: &str) -> Option<(Option<Stored>, bool, usize)> {
+    let mut letters = descr.chars();
+    let (order, kind) = letters.next().zip(letters.next())?;
+    let size: usize = letters.as_str().parse().ok()?;
     let stored = match (kind, size) {
-        (_, 0) => return Err(unsupported()),
+        (_, 0) => return None,
         ('f', 4 | 8) => Some(Stored::Float(size)),
         ('i', 1 | 2 | 4 | 8) => Some(Stored::Signed(size)),
         ('u' | 'b', 1 | 2 | 4 | 8) => Some(Stored::Unsigned(size)),
         ('S', _) => None,
-        ('U', _) => return Ok((None, order == '>', size.checked_mul(4).ok_or_else(unsupported)?)),
-        _ => return Err(unsupported()),
+        ('U', _) => return Some((None, order == '>', size.checked_mul(4)?)),
+        _ => return None,
     };
-    Ok((stored, order == '>', size))
+    Some((stored, order == '>', size))
 }
 
-fn shape(text: &str) -> Result<Vec<usize>, Cause> {
+fn shape(text: &str) -> Result<Vec<usize>, NpyError> {
     let inner = text.strip_prefix('(').and_then(|text| text.strip_suffix(')')).unwrap_or(text);
     let sizes: Result<Vec<usize>, _> =
         inner.split(',').map(str::trim).filter(|size| !size.is_empty()).map(str::parse).collect();
-    sizes.map_err(|_| damaged(format!("its shape is {}", quoted(text))))
+    sizes.map_err(|_| NpyError::Shape { found: quoted(text) })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn read(descr: &str, shape: &str, data: &[u8]) -> Result<Array, Cause> {
+    fn read(descr: &str, shape: &str, data: &[u8]) -> Result<Array, NpyError> {
         let header = format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': {shape}}}\n");
         let length = (header.len() as u16).to_le_bytes();
         let file = [MAGIC, &[1, 0], &length, header.as_bytes(), data].concat();
@@ -171,10 +162,10 @@ mod tests {
     fn sizes_that_no_memory_has_are_refused() {
         let huge = "(4611686018427387904, 8)";
         for descr in ["|S0", "<U0", "<f0"] {
-            assert!(message(descr, huge, &[]).contains("the type of a NumPy array"), "{descr}");
+            assert!(message(descr, huge, &[]).contains("holds numbers of type"), "{descr}");
         }
         assert!(message("|S1", huge, &[]).contains("larger than any memory"));
-        assert!(message("<f8", "(1125899906842624,)", &[0; 16]).contains("and 16 bytes follow"));
+        assert!(message("<f8", "(1125899906842624,)", &[0; 16]).contains("holds 16 bytes of data"));
     }
 
     /// A reader that would never end.
@@ -183,7 +174,7 @@ mod tests {
         let header = "{'descr': '<i4', 'fortran_order': False, 'shape': (2,)}\n";
         let start = [MAGIC, &[1, 0], &(header.len() as u16).to_le_bytes(), header.as_bytes()].concat();
         let error = read_npy(&mut start.as_slice().chain(std::io::repeat(0))).err().unwrap();
-        assert!(error.to_string().contains("and more bytes follow"), "{error}");
+        assert!(error.to_string().contains("holds more bytes of data"), "{error}");
         let endless = [MAGIC, &[2, 0, 0xff, 0xff, 0xff, 0xff]].concat();
         let error = read_npy(&mut endless.as_slice().chain(std::io::repeat(b' '))).err().unwrap();
         assert!(error.to_string().contains("10000 are read at most"), "{error}");

@@ -3,10 +3,11 @@
 use crate::contact::shape::{HeightFile, RoughSurface, Roughness, Shape};
 use crate::error::ModelError;
 use judder_contact::indenter::{
-    HeightMap, IndenterError, RoughSurface as Generator, Roughness as Measure, Shape as Surface, height_table,
+    HeightMap, RoughSurface as Generator, Roughness as Measure, Shape as Surface,
 };
 use judder_contact::law::LawIndenter;
 use judder_contact::steady::profile::Profile;
+use judder_exchange::heights::{HeightsError, read_heights};
 use judder_study::input_file::{bytes, unusable};
 
 /// The surface of an indenter, in units of the radius (in m).
@@ -36,9 +37,12 @@ pub(crate) fn height_map(shape: &Shape, radius: f64) -> Result<HeightMap, ModelE
 
 fn from_file(heights: &HeightFile, radius: f64) -> Result<HeightMap, ModelError> {
     let path = &heights.file.path;
-    let unusable = |error: IndenterError| unusable(path, &error);
-    let table = height_table(path, bytes(path)?, heights.variable.as_deref()).map_err(unusable)?;
-    let map = table.into_map(heights.unit, heights.spacing, heights.periodic).map_err(unusable)?;
+    let refused = |error: HeightsError| unusable(path, &error);
+    let table = read_heights(path, bytes(path)?, heights.variable.as_deref()).map_err(refused)?;
+    let spacing = table.spacing_in_metres(heights.unit, heights.spacing).map_err(refused)?;
+    let metres = table.heights.iter().map(|height| height * heights.unit).collect();
+    let map = HeightMap::new(metres, table.columns, table.rows, spacing, heights.periodic)
+        .map_err(|error| unusable(path, &error))?;
     let map = map.in_units_of(radius);
     Ok(if heights.turned_over { map.turned_over() } else { map })
 }

@@ -7,9 +7,10 @@ use crate::substrate::continuous::{ContinuousSource, Density, TermChoice};
 use crate::substrate::temperature::{Arrhenius, Shift, Wlf};
 use crate::substrate::{RelaxationSource, Substrate, TermCount};
 use judder_contact::material::{
-    ContinuousSpectrum, CreepSpectrum, CreepTerm, Discretisation, DmaData, DmaError, DmaTable, MaterialError,
-    PronyFit, RelaxationSpectrum, RelaxationTerm, TemperatureShift, TermCount as FitTerms,
+    ContinuousSpectrum, CreepSpectrum, CreepTerm, Discretisation, DmaData, DmaError, DmaMeasurement,
+    MaterialError, PronyFit, RelaxationSpectrum, RelaxationTerm, TemperatureShift, TermCount as FitTerms,
 };
+use judder_exchange::dma_table::{DmaTable, read_dma_table};
 use judder_keys::file_reference::FileReference;
 use judder_study::input_file::{self, unusable};
 use std::path::Path;
@@ -96,16 +97,16 @@ impl FoundSpectrum {
             }
             error => unusable(&file.path, &error),
         };
-        let table = read_table(&file.path)?;
+        let moduli = read_measured(&file.path)?;
         // one sweep at one temperature is moved as a whole: so is its fit, which the rule of the shift then does not decide
-        let as_measured = match (&table, &substrate.temperature) {
-            (DmaTable::Sweeps(sweeps), Some(at)) => match sweeps.sweeps.as_slice() {
+        let as_measured = match (&moduli, &substrate.temperature) {
+            (DmaMeasurement::Sweeps(sweeps), Some(at)) => match sweeps.sweeps.as_slice() {
                 [(measured, data)] => Some((data.clone(), shift(&at.shift).factor(*measured))),
                 _ => None,
             },
             _ => None,
         };
-        let data = one_curve(table, substrate).map_err(unusable_curve)?;
+        let data = one_curve(moduli, substrate).map_err(unusable_curve)?;
         let terms = match terms {
             TermCount::Given(count) => FitTerms::Exactly(count),
             TermCount::Auto => FitTerms::Within {
@@ -168,8 +169,8 @@ pub(crate) fn temperature_warning(substrate: &Substrate) -> Result<Option<String
     let (RelaxationSource::Dma { file, .. }, None) = (&substrate.source, &substrate.temperature) else {
         return Ok(None);
     };
-    match read_table(&file.path)? {
-        DmaTable::Sweeps(sweeps) if sweeps.sweeps.len() == 1 => Ok(sweeps.sweeps.first().map(|(at, _)| {
+    match read_measured(&file.path)? {
+        DmaMeasurement::Sweeps(sweeps) if sweeps.sweeps.len() == 1 => Ok(sweeps.sweeps.first().map(|(at, _)| {
             format!(
                 "the moduli of `{}` were measured at {at:.2} K, and so the substrate is at {at:.2} K: another one needs \
                  `temperature` and `shift`",
@@ -180,16 +181,26 @@ pub(crate) fn temperature_warning(substrate: &Substrate) -> Result<Option<String
     }
 }
 
-fn read_table(path: &Path) -> Result<DmaTable, ModelError> {
-    Ok(DmaTable::parse(&input_file::text(path)?).map_err(|error| unusable(path, &error))?)
+/// The moduli of a file.
+///
+/// # Errors
+/// A file that cannot be read or used.
+fn read_measured(path: &Path) -> Result<DmaMeasurement, ModelError> {
+    let table = read_dma_table(&input_file::text(path)?).map_err(|error| unusable(path, &error))?;
+    Ok(moduli_of(&table).map_err(|error| unusable(path, &error))?)
+}
+
+fn moduli_of(table: &DmaTable) -> Result<DmaMeasurement, DmaError> {
+    let (frequency, storage, loss) = (&table.angular_frequency, &table.storage_modulus, &table.loss_modulus);
+    DmaMeasurement::of_columns(frequency, storage, loss, table.temperature.as_deref())
 }
 
 /// Data with temperatures as one master curve at the reference temperature.
-fn one_curve(table: DmaTable, substrate: &Substrate) -> Result<DmaData, MaterialError> {
-    match (table, &substrate.temperature) {
+fn one_curve(measured: DmaMeasurement, substrate: &Substrate) -> Result<DmaData, MaterialError> {
+    match (measured, &substrate.temperature) {
         // one sweep was measured at a temperature as well
-        (DmaTable::Sweeps(sweeps), Some(at)) => sweeps.master_curve(&shift(&at.shift)),
-        (table, _) => Ok(table.single()?),
+        (DmaMeasurement::Sweeps(sweeps), Some(at)) => sweeps.master_curve(&shift(&at.shift)),
+        (measured, _) => Ok(measured.single()?),
     }
 }
 
@@ -212,6 +223,10 @@ mod tests {
     use super::*;
     use crate::substrate::temperature::TemperatureDifference;
 
+    fn moduli(text: &str) -> DmaMeasurement {
+        moduli_of(&read_dma_table(text).unwrap()).unwrap()
+    }
+
     /// log₁₀ a_T is one decade at 5 K below the reference: −C1 (−5)/(C2 − 5) = 1.
     #[test]
     fn one_sweep_is_shifted_to_the_reference_as_several_are() {
@@ -223,10 +238,9 @@ mod tests {
                 ..Substrate::default()
             }
         };
-        let table =
-            || DmaTable::parse("f [Hz],T [K],E' [MPa],E'' [MPa]\n1,295,1,0.1\n2,295,2,0.2\n").unwrap();
-        let moved = one_curve(table(), &at(310.0)).unwrap();
-        let plain = one_curve(table(), &Substrate::default()).unwrap();
+        let measured = || moduli("f [Hz],T [K],E' [MPa],E'' [MPa]\n1,295,1,0.1\n2,295,2,0.2\n");
+        let moved = one_curve(measured(), &at(310.0)).unwrap();
+        let plain = one_curve(measured(), &Substrate::default()).unwrap();
         for (moved, plain) in moved.points().iter().zip(plain.points()) {
             assert!((moved.angular_frequency / plain.angular_frequency / 10.0 - 1.0).abs() < 1e-12);
         }
@@ -260,7 +274,7 @@ mod tests {
             let temperature = Some(crate::substrate::temperature::Temperature { temperature: 310.0, shift });
             let substrate = Substrate { source: source.clone(), temperature };
             let moved = FoundSpectrum::of(&substrate, &OscillatorInputs::default()).unwrap();
-            let data = one_curve(DmaTable::parse(&dma(295.0)).unwrap(), &substrate).unwrap();
+            let data = one_curve(moduli(&dma(295.0)), &substrate).unwrap();
             let most = judder_contact::material::prony_fit::MOST_TERMS;
             let anew =
                 PronyFit::new(&data, FitTerms::Within { deviation: AUTO_DEVIATION, most }, None).unwrap();
@@ -276,7 +290,7 @@ mod tests {
     /// What is remembered is told apart by all that a fit depends on.
     #[test]
     fn another_fit_is_not_taken_for_one_that_was_made() {
-        let data = |temperature: f64| DmaTable::parse(&dma(temperature)).unwrap().single().unwrap();
+        let data = |temperature: f64| moduli(&dma(temperature)).single().unwrap();
         let terms = |count: usize| FitTerms::Exactly(count);
         let first = remembered_fit(&data(295.0), terms(3), None).unwrap();
         assert_eq!(first, PronyFit::new(&data(295.0), terms(3), None).unwrap());

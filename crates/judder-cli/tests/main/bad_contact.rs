@@ -46,9 +46,9 @@ fn npy(descr: &str, shape: &str, data: &[u8]) -> Vec<u8> {
     [b"\x93NUMPY\x01\x00", length.as_slice(), header.as_bytes(), data].concat()
 }
 
-/// A file of the contact crate's tests.
+/// A file of the tests of height files.
 fn height_map(name: &str) -> Vec<u8> {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../judder-contact/tests/validation/height_maps/");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../judder-exchange/tests/validation/height_maps/");
     std::fs::read(format!("{folder}{name}")).unwrap()
 }
 

@@ -1,4 +1,4 @@
-//! Measured moduli: dynamic mechanical analysis (DMA), read from a table of text.
+//! Measured moduli: dynamic mechanical analysis (DMA).
 
 use super::error::{DmaError, MaterialError, positive};
 use super::shift::TemperatureShift;
@@ -33,38 +33,32 @@ pub struct DmaData {
 }
 
 impl DmaData {
-    /// Data whose frequencies rise from point to point; the lines of errors count points from 1.
+    /// Data whose frequencies rise from point to point.
     ///
     /// # Errors
     /// [`DmaError::Empty`], [`DmaError::Value`] for a number that is not positive and finite, [`DmaError::Order`] where the
     /// frequency does not rise.
     pub fn new(points: Vec<DmaPoint>) -> Result<Self, DmaError> {
-        let lines = points.into_iter().enumerate().map(|(index, point)| (index + 1, point)).collect();
-        Self::from_lines(lines, ("rad/s", 1.0))
+        Self::counted_from(0, points)
     }
 
-    /// [`DmaData::new`] for points that know the line of the file they come from; the unit of the file's frequencies, with its
-    /// factor to rad/s, is for errors.
-    pub(super) fn from_lines(
-        lines: Vec<(usize, DmaPoint)>,
-        (unit, factor): (&'static str, f64),
-    ) -> Result<Self, DmaError> {
-        if lines.is_empty() {
+    /// [`DmaData::new`] for points before which others were measured.
+    fn counted_from(before: usize, points: Vec<DmaPoint>) -> Result<Self, DmaError> {
+        if points.is_empty() {
             return Err(DmaError::Empty);
         }
-        for (line, point) in &lines {
+        for (index, point) in points.iter().enumerate() {
             if let Some((name, value)) = point.unusable() {
-                return Err(DmaError::Value { line: *line, name, found: value.to_string() });
+                return Err(DmaError::Value { index: before + index + 1, name, value });
             }
         }
-        for pair in lines.windows(2) {
-            let [before, after] = [&pair[0].1, &pair[1].1].map(|point| point.angular_frequency);
-            if after <= before {
-                let [before, after] = [before, after].map(|frequency| rounded(frequency / factor));
-                return Err(DmaError::Order { line: pair[1].0, before, after, unit });
+        for (index, pair) in points.windows(2).enumerate() {
+            let [lower, upper] = [&pair[0], &pair[1]].map(|point| point.angular_frequency);
+            if upper <= lower {
+                return Err(DmaError::Order { index: before + index + 2, before: lower, after: upper });
             }
         }
-        Ok(Self { points: lines.into_iter().map(|(_, point)| point).collect() })
+        Ok(Self { points })
     }
 
     /// The points, ascending in frequency.
@@ -81,11 +75,6 @@ impl DmaData {
     }
 }
 
-/// The number as the file has it, without what its way to rad/s and back has added.
-fn rounded(value: f64) -> f64 {
-    format!("{value:.12e}").parse().unwrap_or(value)
-}
-
 /// Moduli measured over frequency at several temperatures, each with its own band.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DmaSweeps {
@@ -94,6 +83,23 @@ pub struct DmaSweeps {
 }
 
 impl DmaSweeps {
+    /// One sweep for every run of equal temperatures.
+    fn of_runs(points: &[DmaPoint], temperature: &[f64]) -> Result<Self, DmaError> {
+        let mut sweeps = Vec::new();
+        let mut before = 0;
+        for run in temperature.chunk_by(|a, b| a == b) {
+            positive("temperature", run[0]).map_err(|_| DmaError::Value {
+                index: before + 1,
+                name: "temperature",
+                value: run[0],
+            })?;
+            let own = points[before..before + run.len()].to_vec();
+            sweeps.push((run[0], DmaData::counted_from(before, own)?));
+            before += run.len();
+        }
+        Ok(Self { sweeps })
+    }
+
     /// The master curve at T_ref: what was measured at ω and T stands at ω a_T.
     ///
     /// # Errors
@@ -129,5 +135,96 @@ impl DmaSweeps {
         }
         points.sort_by(|a, b| a.angular_frequency.total_cmp(&b.angular_frequency));
         Ok(DmaData { points })
+    }
+}
+
+/// What was measured, as tables have it.
+#[derive(Debug, Clone, PartialEq)]
+pub enum DmaMeasurement {
+    /// Without temperatures: one sweep over frequency.
+    Sweep(DmaData),
+    /// With temperatures: one sweep for every run of measurements at one temperature.
+    Sweeps(DmaSweeps),
+}
+
+impl DmaMeasurement {
+    /// Columns of equal length: ω [rad/s], E′ and E″ \[Pa\], T \[K\].
+    ///
+    /// # Errors
+    /// [`DmaError`]: no measurements, columns of different lengths, a number that is not positive and finite, a frequency that
+    /// does not rise above the one before at the same temperature.
+    pub fn of_columns(
+        angular_frequency: &[f64],
+        storage_modulus: &[f64],
+        loss_modulus: &[f64],
+        temperature: Option<&[f64]>,
+    ) -> Result<Self, DmaError> {
+        let frequencies = angular_frequency.len();
+        let others = [Some(storage_modulus), Some(loss_modulus), temperature].into_iter().flatten();
+        if let Some(other) = others.into_iter().find(|other| other.len() != frequencies) {
+            return Err(DmaError::Columns { length: other.len(), frequencies });
+        }
+        let moduli = storage_modulus.iter().zip(loss_modulus);
+        let points: Vec<DmaPoint> = angular_frequency
+            .iter()
+            .zip(moduli)
+            .map(|(frequency, (storage, loss))| DmaPoint {
+                angular_frequency: *frequency,
+                storage_modulus: *storage,
+                loss_modulus: *loss,
+            })
+            .collect();
+        match temperature {
+            None => Ok(Self::Sweep(DmaData::new(points)?)),
+            Some([]) => Err(DmaError::Empty),
+            Some(temperature) => Ok(Self::Sweeps(DmaSweeps::of_runs(&points, temperature)?)),
+        }
+    }
+
+    /// The data, where there is only one temperature.
+    ///
+    /// # Errors
+    /// [`DmaError::SeveralTemperatures`].
+    pub fn single(self) -> Result<DmaData, DmaError> {
+        match self {
+            Self::Sweep(data) => Ok(data),
+            Self::Sweeps(DmaSweeps { mut sweeps }) if sweeps.len() == 1 => Ok(sweeps.remove(0).1),
+            Self::Sweeps(DmaSweeps { sweeps }) => Err(DmaError::SeveralTemperatures { sweeps: sweeps.len() }),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FREQUENCIES: [f64; 3] = [1.0, 10.0, 1.0];
+
+    fn measured(frequencies: &[f64], temperatures: &[f64]) -> Result<DmaMeasurement, DmaError> {
+        DmaMeasurement::of_columns(frequencies, &[5.0, 6.0, 4.0], &[1.0; 3], Some(temperatures))
+    }
+
+    #[test]
+    fn a_run_of_equal_temperatures_is_a_sweep() {
+        let DmaMeasurement::Sweeps(sweeps) = measured(&FREQUENCIES, &[293.15, 293.15, 303.15]).unwrap()
+        else {
+            panic!("no sweeps")
+        };
+        assert_eq!(sweeps.sweeps.len(), 2);
+        assert_eq!(sweeps.sweeps[1].0, 303.15);
+        let master = sweeps.shifted_by(&[1.0, 0.1]).unwrap();
+        let frequencies: Vec<f64> = master.points().iter().map(|p| p.angular_frequency).collect();
+        assert_eq!(frequencies, [0.1, 1.0, 10.0]);
+        assert!(sweeps.shifted_by(&[1.0]).is_err());
+    }
+
+    #[test]
+    fn measurements_that_cannot_be_used_are_refused_by_number() {
+        let order = measured(&[1.0, 10.0, 2.0], &[293.15; 3]).unwrap_err();
+        assert_eq!(order, DmaError::Order { index: 3, before: 10.0, after: 2.0 });
+        let negative = measured(&[1.0, 10.0, -1.0], &[293.15, 293.15, 303.15]).unwrap_err();
+        assert_eq!(negative, DmaError::Value { index: 3, name: "frequency", value: -1.0 });
+        assert_eq!(measured(&FREQUENCIES, &[293.15]), Err(DmaError::Columns { length: 1, frequencies: 3 }));
+        assert_eq!(DmaMeasurement::of_columns(&[], &[], &[], None), Err(DmaError::Empty));
     }
 }

@@ -4,7 +4,6 @@ mod appendix_b;
 mod dense_solve;
 mod elastic_limits;
 mod friction_limits;
-mod height_files;
 mod hertz_by_gradients;
 mod high_contrast;
 mod line_contact;

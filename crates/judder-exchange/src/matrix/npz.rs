@@ -3,7 +3,7 @@
 use super::{Matrix, Symmetry};
 use crate::cause::Cause;
 use crate::error::ExchangeError;
-use crate::npy::{Array, read_npy};
+use crate::npy::{Array, NpyError, read_npy};
 use crate::quoted::quoted;
 use std::io::Cursor;
 use zip::ZipArchive;
@@ -66,21 +66,33 @@ impl Arrays<'_> {
             found: format!("its array `{name}` cannot be had ({error})"),
             remedy: "write it with scipy.sparse.save_npz",
         })?;
-        Ok(read_npy(&mut file)?)
+        Ok(read_npy(&mut file).map_err(refused)?)
     }
 
     fn floats(&mut self, name: &str) -> Result<Vec<f64>, ExchangeError> {
-        Ok(self.array(name)?.floats()?)
+        Ok(self.array(name)?.floats().map_err(refused)?)
     }
 
     fn counts(&mut self, name: &str) -> Result<Vec<usize>, ExchangeError> {
-        Ok(self.array(name)?.counts()?)
+        Ok(self.array(name)?.counts().map_err(refused)?)
     }
 
     /// The name of the storage: bytes, or characters of four bytes.
     fn format(&mut self) -> Result<String, ExchangeError> {
         let array = self.array("format")?;
         Ok(array.data.iter().filter(|byte| **byte != 0).map(|byte| char::from(*byte)).collect())
+    }
+}
+
+/// An array that cannot be used.
+fn refused(source: NpyError) -> Cause {
+    match source {
+        NpyError::Numbers { found } => Cause::Unsupported {
+            what: "the type of a NumPy array",
+            found: format!("`{found}`"),
+            read: "real and whole numbers of up to eight bytes; write real and imaginary parts as two matrices",
+        },
+        source => Cause::Array { source },
     }
 }
 
@@ -119,7 +131,7 @@ fn pointers(arrays: &mut Arrays<'_>, lines: usize, numbers: usize) -> Result<Vec
 /// Dense blocks at places of a coarser matrix.
 fn blocks(arrays: &mut Arrays<'_>, rows: usize, columns: usize) -> Result<Entries, ExchangeError> {
     let array = arrays.array("data")?;
-    let (values, shape) = (array.floats()?, array.shape);
+    let (values, shape) = (array.floats().map_err(refused)?, array.shape);
     let [count, height @ (1..), width @ (1..)] = *shape.as_slice() else {
         return Err(inconsistent(format!("its blocks have the shape {shape:?}")));
     };
@@ -171,7 +183,7 @@ fn split_coordinates(arrays: &mut Arrays<'_>) -> Result<(Vec<usize>, Vec<usize>)
 /// A_ij = data[k, j] with i = j − offset_k.
 fn diagonals(arrays: &mut Arrays<'_>, rows: usize, columns: usize) -> Result<Entries, ExchangeError> {
     let array = arrays.array("data")?;
-    let (values, shape) = (array.floats()?, array.shape);
+    let (values, shape) = (array.floats().map_err(refused)?, array.shape);
     let offsets = arrays.floats("offsets")?;
     let [count, length] = *shape.as_slice() else {
         return Err(inconsistent(format!("its diagonals have the shape {shape:?}")));

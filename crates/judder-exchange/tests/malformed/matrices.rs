@@ -110,7 +110,12 @@ fn what_unpacks_to_more_than_it_says_is_refused() {
     let archive = archive.finish().unwrap().into_inner();
     assert!(archive.len() < LENGTH / 500);
     let said = message("a.npz", archive);
-    assert!(said.contains("shape [2] of 8 bytes each, and more bytes follow"), "{said}");
+    assert!(
+        said.contains(
+            "a NumPy array holds more bytes of data, which are not the 2 numbers that its header says"
+        ),
+        "{said}"
+    );
 
     // an element that says sixteen bytes
     let mut packed = ZlibEncoder::new(Vec::new(), Compression::best());

@@ -1,3 +1,4 @@
 mod disc_brake;
+mod height_files;
 mod matrices;
 mod meshes;

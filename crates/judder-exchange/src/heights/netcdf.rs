@@ -1,7 +1,7 @@
 //! Matrices in NetCDF files: classic (1, 2, 5) and NetCDF-4.
 
-use super::error::IndenterError;
-use super::height_table::{EQUAL, HeightTable};
+use super::error::HeightsError;
+use super::table::{EQUAL, HeightTable};
 use netcdf_reader::{NcFile, NcVariable};
 
 /// Reads the matrix named `variable`, or the only one that there is, of the file's root group.
@@ -13,7 +13,7 @@ use netcdf_reader::{NcFile, NcVariable};
 /// # Errors
 /// A damaged file, no matrix, several without a name, unequal steps, cells that are not squares, heights and
 /// coordinates in different units.
-pub fn read_netcdf(bytes: Vec<u8>, variable: Option<&str>) -> Result<HeightTable, IndenterError> {
+pub(super) fn read_netcdf(bytes: Vec<u8>, variable: Option<&str>) -> Result<HeightTable, HeightsError> {
     let file = NcFile::from_vec(bytes).map_err(unreadable)?;
     let matrix = chosen(file.variables().map_err(unreadable)?, variable)?;
     let values = file.read_variable_unpacked_masked(matrix.name()).map_err(unreadable)?;
@@ -32,19 +32,19 @@ pub fn read_netcdf(bytes: Vec<u8>, variable: Option<&str>) -> Result<HeightTable
     }
     if let (Some(x), Some(y)) = (along.map(f64::abs), across.map(f64::abs)) {
         if (x - y).abs() > EQUAL * x {
-            return Err(IndenterError::NotSquare { x, y });
+            return Err(HeightsError::NotSquare { x, y });
         }
         table.spacing = Some(x);
     }
     Ok(table)
 }
 
-fn unreadable(error: netcdf_reader::Error) -> IndenterError {
-    IndenterError::NetCdf { reason: error.to_string() }
+fn unreadable(error: netcdf_reader::Error) -> HeightsError {
+    HeightsError::NetCdf { reason: error.to_string() }
 }
 
 /// The variable that holds the heights.
-fn chosen<'a>(variables: &'a [NcVariable], name: Option<&str>) -> Result<&'a NcVariable, IndenterError> {
+fn chosen<'a>(variables: &'a [NcVariable], name: Option<&str>) -> Result<&'a NcVariable, HeightsError> {
     let matrices: Vec<&NcVariable> = variables.iter().filter(|variable| is_matrix(variable)).collect();
     let names = || matrices.iter().map(|variable| variable.name().to_owned()).collect();
     match (name, matrices.as_slice()) {
@@ -52,12 +52,12 @@ fn chosen<'a>(variables: &'a [NcVariable], name: Option<&str>) -> Result<&'a NcV
             .iter()
             .find(|variable| variable.name() == name)
             .copied()
-            .ok_or_else(|| IndenterError::NoSuchVariable { name: name.to_owned(), variables: names() }),
+            .ok_or_else(|| HeightsError::NoSuchVariable { name: name.to_owned(), variables: names() }),
         (None, [only]) => Ok(only),
-        (None, []) => Err(IndenterError::NoMatrix {
+        (None, []) => Err(HeightsError::NoMatrix {
             variables: variables.iter().map(|variable| variable.name().to_owned()).collect(),
         }),
-        (None, _) => Err(IndenterError::SeveralMatrices { variables: names() }),
+        (None, _) => Err(HeightsError::SeveralMatrices { variables: names() }),
     }
 }
 
@@ -75,12 +75,12 @@ fn is_transposed(matrix: &NcVariable) -> bool {
 }
 
 /// The values as rows along x.
-fn oriented(values: Vec<f64>, matrix: &NcVariable) -> Result<HeightTable, IndenterError> {
+fn oriented(values: Vec<f64>, matrix: &NcVariable) -> Result<HeightTable, HeightsError> {
     let shape: Vec<usize> = matrix.shape().iter().filter_map(|size| usize::try_from(*size).ok()).collect();
     let (first, second) = match shape.as_slice() {
         [first, second] if first.checked_mul(*second) == Some(values.len()) => (*first, *second),
         _ => {
-            return Err(IndenterError::NetCdf {
+            return Err(HeightsError::NetCdf {
                 reason: String::from("its matrix has not the size that it states"),
             });
         }
@@ -94,7 +94,7 @@ fn oriented(values: Vec<f64>, matrix: &NcVariable) -> Result<HeightTable, Indent
 }
 
 /// The equal step of a dimension's coordinate, negative where it falls; `None` where it has no coordinate.
-fn step_of(file: &NcFile, matrix: &NcVariable, name: &str) -> Result<Option<f64>, IndenterError> {
+fn step_of(file: &NcFile, matrix: &NcVariable, name: &str) -> Result<Option<f64>, HeightsError> {
     let Ok(coordinate) = file.coordinate_variable(name) else {
         return Ok(None);
     };
@@ -102,7 +102,7 @@ fn step_of(file: &NcFile, matrix: &NcVariable, name: &str) -> Result<Option<f64>
         && heights != coordinates
     {
         let coordinate = name.to_owned();
-        return Err(IndenterError::UnitsDiffer { heights, coordinate, coordinates });
+        return Err(HeightsError::UnitsDiffer { heights, coordinate, coordinates });
     }
     let values = file.read_variable_unpacked_masked(coordinate.name()).map_err(unreadable)?;
     let values: Vec<f64> = values.iter().copied().collect();
@@ -115,7 +115,7 @@ fn step_of(file: &NcFile, matrix: &NcVariable, name: &str) -> Result<Option<f64>
         steps.iter().position(|step| !((step - first).abs() <= EQUAL * first.abs() && *step != 0.0));
     match unequal {
         Some(at) => {
-            Err(IndenterError::UnequalSteps { name: name.to_owned(), first, other: steps[at], step: at + 1 })
+            Err(HeightsError::UnequalSteps { name: name.to_owned(), first, other: steps[at], step: at + 1 })
         }
         None => Ok(Some((values[values.len() - 1] - values[0]) / steps.len() as f64)),
     }

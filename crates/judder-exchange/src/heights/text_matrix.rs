@@ -1,16 +1,16 @@
 //! Matrices of numbers as text.
 
-use super::error::IndenterError;
-use super::height_table::HeightTable;
+use super::error::HeightsError;
+use super::table::HeightTable;
 
 /// Reads one row of heights a line, separated by spaces, tabs, commas or semicolons; `#` and `%` begin a comment.
 ///
 /// # Errors
 /// What is no text, what is no finite number, an empty entry, rows of different lengths, and commas that could be decimal,
 /// each with its line.
-pub fn read_text_matrix(bytes: &[u8]) -> Result<HeightTable, IndenterError> {
+pub(super) fn read_text_matrix(bytes: &[u8]) -> Result<HeightTable, HeightsError> {
     let text =
-        std::str::from_utf8(bytes).map_err(|error| IndenterError::NotText { byte: error.valid_up_to() })?;
+        std::str::from_utf8(bytes).map_err(|error| HeightsError::NotText { byte: error.valid_up_to() })?;
     let mut heights = Vec::new();
     let (mut columns, mut rows) = (0, 0);
     for (index, content) in text.trim_start_matches('\u{feff}').lines().enumerate() {
@@ -23,19 +23,19 @@ pub fn read_text_matrix(bytes: &[u8]) -> Result<HeightTable, IndenterError> {
         for (index, entry) in entries(content, line)?.into_iter().enumerate() {
             let entry_number = index + 1;
             if entry.is_empty() {
-                return Err(IndenterError::MissingEntry { line, entry: entry_number });
+                return Err(HeightsError::MissingEntry { line, entry: entry_number });
             }
             match entry.parse::<f64>() {
                 Ok(height) if height.is_finite() => heights.push(height),
                 _ => {
                     let text = entry.to_owned();
-                    return Err(IndenterError::NotANumber { line, entry: entry_number, text });
+                    return Err(HeightsError::NotANumber { line, entry: entry_number, text });
                 }
             }
         }
         let found = heights.len() - before;
         if rows > 0 && found != columns {
-            return Err(IndenterError::RaggedRow { line, found, expected: columns });
+            return Err(HeightsError::RaggedRow { line, found, expected: columns });
         }
         columns = found;
         rows += 1;
@@ -44,11 +44,11 @@ pub fn read_text_matrix(bytes: &[u8]) -> Result<HeightTable, IndenterError> {
 }
 
 /// The entries of a line.
-fn entries(content: &str, line: usize) -> Result<Vec<&str>, IndenterError> {
+fn entries(content: &str, line: usize) -> Result<Vec<&str>, HeightsError> {
     let comma = content.contains(',');
     let separator = match (content.contains(';'), content.contains('\t')) {
-        (true, _) if comma => return Err(IndenterError::AmbiguousComma { line, other: "semicolons" }),
-        (_, true) if comma => return Err(IndenterError::AmbiguousComma { line, other: "tabs" }),
+        (true, _) if comma => return Err(HeightsError::AmbiguousComma { line, other: "semicolons" }),
+        (_, true) if comma => return Err(HeightsError::AmbiguousComma { line, other: "tabs" }),
         (true, _) => ';',
         (_, true) => '\t',
         _ if comma => ',',
@@ -56,7 +56,7 @@ fn entries(content: &str, line: usize) -> Result<Vec<&str>, IndenterError> {
     };
     let entries: Vec<&str> = content.split(separator).map(str::trim).collect();
     if comma && entries.iter().any(|entry| entry.contains(char::is_whitespace)) {
-        return Err(IndenterError::AmbiguousComma { line, other: "spaces between numbers" });
+        return Err(HeightsError::AmbiguousComma { line, other: "spaces between numbers" });
     }
     Ok(entries)
 }
@@ -65,7 +65,7 @@ fn entries(content: &str, line: usize) -> Result<Vec<&str>, IndenterError> {
 mod tests {
     use super::*;
 
-    fn error(text: &str) -> IndenterError {
+    fn error(text: &str) -> HeightsError {
         read_text_matrix(text.as_bytes()).unwrap_err()
     }
 
@@ -85,21 +85,21 @@ mod tests {
 
     #[test]
     fn bad_lines_are_refused_with_their_place() {
-        assert_eq!(error("1 2\n3 4 5"), IndenterError::RaggedRow { line: 2, found: 3, expected: 2 });
+        assert_eq!(error("1 2\n3 4 5"), HeightsError::RaggedRow { line: 2, found: 3, expected: 2 });
         assert_eq!(
             error("1 2\n3 x"),
-            IndenterError::NotANumber { line: 2, entry: 2, text: String::from("x") }
+            HeightsError::NotANumber { line: 2, entry: 2, text: String::from("x") }
         );
         for gap in ["nan", "inf", "1e999"] {
             let text = String::from(gap);
-            assert_eq!(error(&format!("1 {gap}")), IndenterError::NotANumber { line: 1, entry: 2, text });
+            assert_eq!(error(&format!("1 {gap}")), HeightsError::NotANumber { line: 1, entry: 2, text });
         }
-        assert_eq!(error("1,,2"), IndenterError::MissingEntry { line: 1, entry: 2 });
-        assert_eq!(error("1,5;2,5"), IndenterError::AmbiguousComma { line: 1, other: "semicolons" });
+        assert_eq!(error("1,,2"), HeightsError::MissingEntry { line: 1, entry: 2 });
+        assert_eq!(error("1,5;2,5"), HeightsError::AmbiguousComma { line: 1, other: "semicolons" });
         assert_eq!(
             error("1,5 2,5"),
-            IndenterError::AmbiguousComma { line: 1, other: "spaces between numbers" }
+            HeightsError::AmbiguousComma { line: 1, other: "spaces between numbers" }
         );
-        assert_eq!(read_text_matrix(&[b'1', 0xff]), Err(IndenterError::NotText { byte: 1 }));
+        assert_eq!(read_text_matrix(&[b'1', 0xff]), Err(HeightsError::NotText { byte: 1 }));
     }
 }

@@ -1,11 +1,12 @@
 //! Height maps written by NumPy, SciPy and netCDF4 (`height_maps/write.py`), read back.
 
-use judder_contact::indenter::{HeightTable, IndenterError, height_table};
+use crate::file;
+use judder_exchange::heights::{HeightTable, HeightsError, read_heights};
 use std::path::Path;
 
-fn read(name: &str, variable: Option<&str>) -> Result<HeightTable, IndenterError> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/validation/height_maps");
-    height_table(Path::new(name), std::fs::read(folder.join(name)).unwrap(), variable)
+fn read(name: &str, variable: Option<&str>) -> Result<HeightTable, HeightsError> {
+    let path = file("validation/height_maps").join(name);
+    read_heights(&path, std::fs::read(&path).unwrap(), variable)
 }
 
 /// z = 0.25 (2 x² + y²) + 0.125 x + 3, as in the script.
@@ -39,26 +40,27 @@ fn ambiguous_files_are_refused_by_name() {
     assert!(message("two_variables.nc", None).contains("`variable` to one of \"z\", \"error\""));
     assert!(message("two_variables.nc", Some("depth")).contains("no variable \"depth\""));
     assert!(read("two_variables.nc", Some("z")).is_ok());
-    assert!(matches!(read("stretched.nc", None), Err(IndenterError::UnequalSteps { step: 2, .. })));
-    assert_eq!(read("oblong.nc", None), Err(IndenterError::NotSquare { x: 1.0, y: 0.5 }));
-    assert!(matches!(read("two_units.nc", None), Err(IndenterError::UnitsDiffer { .. })));
+    assert!(matches!(read("stretched.nc", None), Err(HeightsError::UnequalSteps { step: 2, .. })));
+    assert_eq!(read("oblong.nc", None), Err(HeightsError::NotSquare { x: 1.0, y: 0.5 }));
+    assert!(matches!(read("two_units.nc", None), Err(HeightsError::UnitsDiffer { .. })));
     assert!(message("integers.npy", None).contains("<i8"));
     assert!(message("c_order.npy", Some("z")).contains("leave `variable` out"));
 }
 
 #[test]
-fn masked_heights_are_refused_with_their_place() {
+fn masked_heights_are_not_numbers() {
     let table = read("four_masked.nc", None).unwrap();
-    let error = table.into_map(1e-6, Some(1e-6), false).unwrap_err();
-    assert!(matches!(error, IndenterError::HeightNotFinite { row: 2, column: 3, .. }), "{error}");
+    let masked = |height: &f64| height.is_nan();
+    assert_eq!(table.heights.iter().position(masked), Some(2 * table.columns + 3));
+    assert_eq!(table.heights.iter().filter(|height| masked(height)).count(), 1);
 }
 
 #[test]
 fn files_that_are_none_are_refused() {
-    assert_eq!(read("write.py", None), Err(IndenterError::UnknownEnding { ending: String::from("py") }));
+    assert_eq!(read("write.py", None), Err(HeightsError::UnknownEnding { ending: String::from("py") }));
     for name in ["heights.npy", "heights.txt", "heights.nc"] {
-        assert_eq!(height_table(Path::new(name), Vec::new(), None), Err(IndenterError::Empty));
+        assert_eq!(read_heights(Path::new(name), Vec::new(), None), Err(HeightsError::Empty));
     }
-    let text = height_table(Path::new("heights.nc"), b"1 2\n3 4\n".to_vec(), None);
-    assert!(matches!(text, Err(IndenterError::NetCdf { .. })));
+    let text = read_heights(Path::new("heights.nc"), b"1 2\n3 4\n".to_vec(), None);
+    assert!(matches!(text, Err(HeightsError::NetCdf { .. })));
 }

@@ -5,7 +5,7 @@ use clap::{ArgAction, Args, CommandFactory, Parser};
 
 use crate::commands::Command;
 use crate::console::Console;
-use crate::failure::Failure;
+use crate::failure::{Exit, Failure};
 
 const HELP: &str = "\
 Examples:
@@ -53,6 +53,19 @@ impl Arguments {
     pub(crate) fn console(&self) -> Console {
         Console::new(self.manner.json, self.manner.quiet, self.manner.verbose)
     }
+}
+
+/// The answer to a command line without a command: how to go on.
+///
+/// # Errors
+/// That there is none, where the answer is read by a program.
+pub(crate) fn without_command(console: Console) -> Result<Exit, Failure> {
+    if console.json() {
+        return Err(Failure::wrong_input("no command was given", "`judder --help` lists the commands"));
+    }
+    // A reader that has gone is no failure.
+    let _ = Arguments::command().print_help();
+    Ok(Exit::Done)
 }
 
 /// What is wrong with a command line, and what would be right.

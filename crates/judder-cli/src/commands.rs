@@ -12,10 +12,9 @@ mod schema;
 
 use std::path::PathBuf;
 
-use clap::{Args, CommandFactory, Subcommand};
+use clap::{Args, Subcommand};
 use judder_study::case::file::CaseFile;
 
-use crate::arguments::Arguments;
 use crate::console::Console;
 use crate::failure::{Exit, Failure};
 
@@ -37,25 +36,17 @@ pub(crate) enum Command {
 ///
 /// # Errors
 /// Why there is no result.
-pub(crate) fn execute(command: Option<Command>, console: Console) -> Result<Exit, Failure> {
+pub(crate) fn execute(command: Command, console: Console) -> Result<Exit, Failure> {
     match command {
-        Some(Command::New(new)) => new.execute(console),
-        Some(Command::Check(check)) => check.execute(console),
-        Some(Command::Run(run)) => run.execute(console),
-        Some(Command::Merge(merge)) => merge.execute(console),
-        Some(Command::Point(point)) => point.execute(console),
-        Some(Command::Report(report)) => report.execute(console),
-        Some(Command::Reproduce(reproduce)) => reproduce.execute(console),
-        Some(Command::Schema(schema)) => schema.execute(console),
-        Some(Command::Explore(explore)) => explore.execute(console),
-        None if console.json() => {
-            Err(Failure::wrong_input("no command was given", "`judder --help` lists the commands"))
-        }
-        None => {
-            // A reader that has gone is no failure.
-            let _ = Arguments::command().print_help();
-            Ok(Exit::Done)
-        }
+        Command::New(new) => new.execute(console),
+        Command::Check(check) => check.execute(console),
+        Command::Run(run) => run.execute(console),
+        Command::Merge(merge) => merge.execute(console),
+        Command::Point(point) => point.execute(console),
+        Command::Report(report) => report.execute(console),
+        Command::Reproduce(reproduce) => reproduce.execute(console),
+        Command::Schema(schema) => schema.execute(console),
+        Command::Explore(explore) => explore.execute(console),
     }
 }
 

@@ -38,7 +38,10 @@ pub fn main_with(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let (console, outcome) = match Arguments::try_parse_from(&words) {
         Ok(arguments) => {
             let console = arguments.console();
-            let outcome = commands::execute(arguments.command, console);
+            let outcome = match arguments.command {
+                Some(command) => commands::execute(command, console),
+                None => arguments::without_command(console),
+            };
             (console, outcome)
         }
         Err(help) if matches!(help.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) => {

@@ -1,6 +1,6 @@
 //! The fitted contact law of the oscillator paper (section 2.1 and appendix B).
 
-use crate::law::{ContactLaw, ValidityConcern};
+use crate::contact_law::{ContactLaw, ValidityConcern};
 use crate::response::{ContactPoint, ContactResponse, WithDerivatives};
 use judder_numerics::elementary::{erf_with_derivative, exp};
 use std::f64::consts::LOG10_E;

@@ -1,6 +1,6 @@
 //! The elastic contact of a paraboloid with a half-space, in closed form.
 
-use crate::law::{ContactLaw, ValidityConcern};
+use crate::contact_law::{ContactLaw, ValidityConcern};
 use crate::response::{ContactPoint, ContactResponse, WithDerivatives};
 use std::f64::consts::PI;
 

@@ -11,6 +11,7 @@
 //! - [`transient`]: an indenter on any path, the contact as a function of time.
 //! - [`periodic_contact`]: a rough surface that repeats itself, pressed on the substrate or sliding over it.
 //! - [`response`]: where a law is evaluated, and what it gives: F̃_k, Ã, μ_visc with their first derivatives.
+//! - [`contact_law`]: what every law answers.
 //! - [`fitted`]: the three fitted functions of the oscillator paper (eqs. 34–39), as printed and with the corrected velocity axis.
 //! - [`fit`]: these functions fitted to computed contacts, with confidence intervals (appendix B).
 //! - [`hertz`]: the elastic contact in closed form, the test bench of everything else.
@@ -18,6 +19,7 @@
 //!
 //! Everything is dimensionless: v̂ = v τ/R and ŷ = y/R go in; F̃_k = F_k/(E0* R²), Ã = A/R² and μ_visc come out.
 
+pub mod contact_law;
 pub mod fit;
 pub mod fitted;
 pub mod hertz;
@@ -32,9 +34,10 @@ pub mod surface;
 pub mod transient;
 pub mod unilateral;
 
+pub use contact_law::{ContactLaw, ValidityConcern};
 pub use fitted::FittedLaw;
 pub use hertz::HertzLaw;
-pub use law::{CollapsedLaw, ContactLaw, Law, LawError, SampledLaw, TabulatedLaw, ValidityConcern};
+pub use law::{CollapsedLaw, Law, LawError, SampledLaw, TabulatedLaw};
 pub use response::{ContactPoint, ContactResponse, WithDerivatives};
 
 /// The examples of the book's chapters on contact, which are tests like any other.

@@ -6,7 +6,8 @@
 //! - [`contact_area`]: the area with its perimeter placed inside the cells.
 //! - [`bulk_dissipation`]: friction once more, from the energy dissipated.
 //! - [`refinement`]: the errors estimated from a sequence of grids.
-//! - `line`: what is different for a long cylinder.
+//! - `line`: what is different for a long cylinder; `posed`: the problem as a solver takes it.
+//! - [`start`]: what the solve on a grid starts from.
 
 pub mod bulk_dissipation;
 pub mod contact_area;
@@ -14,8 +15,10 @@ pub mod domain;
 pub mod error;
 pub mod level;
 mod line;
+mod posed;
 pub mod profile;
 pub mod refinement;
+pub mod start;
 
 use crate::kernel::substrate::SlidingSubstrate;
 use crate::surface::grid::SurfaceGrid;
@@ -23,9 +26,10 @@ use crate::surface::stoppable::Interrupted;
 use crate::unilateral::{Loading, UnilateralLimits};
 use domain::Domain;
 pub use error::SteadyError;
-use level::{Level, LevelStart};
+use level::Level;
 use profile::Profile;
 use refinement::{LevelSummary, Refinement};
+use start::LevelStart;
 
 /// Cells a side of the grid on which the extent of the contact is found.
 const SCOUT: usize = 32;

@@ -1,8 +1,8 @@
 //! What can be wrong with a file of another program.
 
-use crate::matrix::Triangle;
-use crate::npy::NpyError;
-use crate::wav::SoundError;
+use crate::npy::error::NpyError;
+use crate::triangle::Triangle;
+use crate::wav::error::SoundError;
 use judder_structure::StructureError;
 use judder_structure::element::ElementKind;
 use std::io;

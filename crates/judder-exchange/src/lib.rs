@@ -16,13 +16,13 @@ pub mod freedom_table;
 pub mod geometry;
 pub mod heights;
 pub mod matrix;
-pub mod matrix_market;
 pub mod mesh_file;
 mod npy;
 mod quoted;
 pub mod square_cells;
 pub mod system;
 mod text;
+mod triangle;
 pub mod universal;
 pub mod vtu;
 pub mod wav;
@@ -30,6 +30,7 @@ pub mod whole_file;
 
 pub use cause::Cause;
 pub use error::{ExchangeError, Place};
+pub use matrix::matrix_market;
 pub use npy::NpyError;
 
 #[cfg(doctest)]

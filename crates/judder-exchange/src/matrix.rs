@@ -2,14 +2,15 @@
 
 mod coordinate_text;
 mod mat_file;
+pub mod matrix_market;
 mod npz;
+
+pub use crate::triangle::Triangle;
 
 use crate::cause::Cause;
 use crate::error::ExchangeError;
-use crate::matrix_market;
 use faer::sparse::{SparseColMat, Triplet};
 use judder_structure::assembly::Sparse;
-use std::fmt;
 use std::path::Path;
 
 /// A sparse real matrix as it was read.
@@ -35,24 +36,6 @@ pub enum Symmetry {
     Symmetric,
     /// A = −Aᵀ: one triangle stood in the file.
     SkewSymmetric,
-}
-
-/// One side of the diagonal.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Triangle {
-    /// Rows above columns in number.
-    Lower,
-    /// Columns above rows in number.
-    Upper,
-}
-
-impl fmt::Display for Triangle {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Lower => "lower",
-            Self::Upper => "upper",
-        })
-    }
 }
 
 /// The most rows and columns: far beyond what is solved here, and its column pointers still fit into memory.

@@ -1,6 +1,6 @@
 //! Arrays in NumPy's own format (NEP 1), versions 1 to 3.
 
-mod error;
+pub(crate) mod error;
 
 pub use error::NpyError;
 

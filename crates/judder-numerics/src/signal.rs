@@ -1,7 +1,7 @@
 //! Signals: sampled histories on their way to the eye and the ear. Pure mathematics, no files.
 //!
 //! - [`kaiser`], [`fir`]: low-pass filters of linear phase from band edges and an attenuation.
-//! - [`decimate`]: fewer samples of a signal while it is made, without aliases; its state goes into a checkpoint.
+//! - [`Decimation`], [`decimate`]: fewer samples of a signal while it is made, without aliases; its state goes into a checkpoint.
 //! - [`extremes`]: the smallest and the largest value of every step, with the step.
 //! - [`resample`]: any sample rate from any other, for the ear.
 //! - [`window`], [`spectrogram`]: levels over time and frequency.
@@ -11,6 +11,7 @@
 mod bits;
 pub mod bursts;
 pub mod decimate;
+mod decimation;
 pub mod envelope;
 mod error;
 pub mod extremes;
@@ -25,4 +26,5 @@ mod stage;
 pub mod tone;
 pub mod window;
 
+pub use decimation::Decimation;
 pub use error::SignalError;

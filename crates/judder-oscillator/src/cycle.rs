@@ -1,7 +1,7 @@
 //! Limit cycles: periodic motions of an oscillator in sliding contact, stable or not.
 //!
 //! - [`mod@return_map`]: once around, from the section x' = 0 back to it, with the exact derivative through all events.
-//! - [`shooting`]: Newton's method on the return map; Floquet multipliers.
+//! - `newton`: Newton's method on the return map; [`shooting`]: what it finds, with Floquet multipliers.
 //! - [`confirmed`]: what a motion settles to, told where a finer tolerance tells the same and another algorithm closes it.
 //! - `wandering`: whether a motion without a period is irregular, or only has not settled.
 //! - `least_period`: the shortest cycle that a longer one walks.
@@ -17,6 +17,7 @@ mod error;
 pub mod exploration;
 mod least_period;
 pub mod margin;
+mod newton;
 pub mod return_map;
 pub mod shooting;
 mod wandering;

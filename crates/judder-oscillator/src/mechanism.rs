@@ -1,4 +1,4 @@
-//! Verdict and mechanism.
+//! The mechanism of an instability.
 //!
 //! The mechanism of an unstable system is the smallest part of it that is unstable by itself. Each label is a statement on what is left
 //! when the rest is removed, and the first that holds is told:
@@ -22,29 +22,7 @@ use crate::characteristic::Characteristic;
 use crate::conservative::{discriminant, discriminant_share};
 use crate::error::OscillatorError;
 use crate::linear_system::{LinearSystem, ReducedSystem};
-
-/// Whether steady sliding is linearly stable.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Verdict {
-    /// Every eigenvalue in the left half-plane.
-    Stable,
-    /// On the boundary within rounding, or purely imaginary eigenvalues of an undamped system.
-    Marginal,
-    /// An eigenvalue in the right half-plane.
-    Unstable,
-}
-
-impl Verdict {
-    /// `"stable"`, `"marginal"` or `"unstable"`.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Stable => "stable",
-            Self::Marginal => "marginal",
-            Self::Unstable => "unstable",
-        }
-    }
-}
+use crate::verdict::Verdict;
 
 /// What carries an instability.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

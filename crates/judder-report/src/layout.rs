@@ -1,8 +1,9 @@
 //! Where everything stands: frames, axes, legends and colour bars of a figure, in points (1/72 inch).
 
+use crate::axis::{Axis, Scale};
 use crate::corner::{Place, Room, legend_box};
 use crate::extent::{abscissae, ordinates};
-use crate::figure::{Axis, Figure, Layer, Legend, Panel, Scale, ValueMap};
+use crate::figure::{Figure, Layer, Legend, Panel, ValueMap};
 use crate::legend::{self, Entry};
 use crate::palette::ColourMap;
 use crate::scale::Placed;

@@ -2,7 +2,7 @@
 //!
 //! This crate knows no physics: it gets labels, arrays and colour roles. In the order in which the data flows:
 //!
-//! - [`figure`]: a figure as data: panels, axes, layers.
+//! - [`figure`]: a figure as data: panels, layers; `axis`: their axes.
 //! - [`runs`]: lines through rows of tables, broken wherever the next row does not go on from the one before.
 //! - [`palette`]: colours, dashes and markers by meaning, the same in every picture.
 //! - `validate`: whether arrays and ranges fit together; what is wrong is a [`ReportError`].
@@ -15,6 +15,7 @@
 //! - [`json`]: the figure for the one interactive chart, which is that of the page of `judder explore`.
 //! - [`page`]: sections of text, figures, tables, scoreboards and checks as one HTML file.
 
+mod axis;
 mod corner;
 mod error;
 mod extent;
@@ -37,8 +38,9 @@ mod typeface;
 mod validate;
 mod wire;
 
+pub use axis::{Axis, Scale};
 pub use error::{PanelError, ReportError};
-pub use figure::{Axis, Figure, Layer, Legend, Panel, Scale, SecondAxis, Swing};
+pub use figure::{Figure, Layer, Legend, Panel, SecondAxis, Swing};
 pub use page::{Block, Page, Section, html};
 pub use palette::{Role, Style};
 pub use png::png;

@@ -1,11 +1,7 @@
 //! Where a value stands on an axis: ranges from data, and the way from a value to a fraction of the axis.
 
-use crate::figure::{Axis, Scale};
+use crate::axis::{Axis, LARGEST, SMALLEST, Scale, drawable};
 
-/// Beyond this magnitude (and below its inverse, on log axes) differences overflow; nothing is drawn there.
-const LARGEST: f64 = 1e300;
-/// What is smaller than this counts as zero on a linear axis, whose steps would underflow.
-pub(crate) const SMALLEST: f64 = 1e-280;
 /// A range narrower than this, relative to its values, is widened: its ticks could not be told apart.
 const NARROWEST: f64 = 1e-10;
 
@@ -69,14 +65,6 @@ impl Placed {
     /// Whether the range contains `value`, with a hair's width at the ends.
     pub(crate) fn contains(&self, value: f64) -> bool {
         self.fraction(value).is_some_and(|fraction| (-1e-9..=1.0 + 1e-9).contains(&fraction))
-    }
-}
-
-/// Whether a value has a place on such an axis.
-pub(crate) fn drawable(scale: Scale, value: f64) -> bool {
-    match scale {
-        Scale::Log => (1.0 / LARGEST..=LARGEST).contains(&value),
-        _ => value.abs() <= LARGEST,
     }
 }
 

@@ -1,6 +1,7 @@
 //! A second scale along the upper side of a frame: its ticks, where they stand among the abscissae.
 
-use crate::figure::{Scale, SecondAxis};
+use crate::axis::Scale;
+use crate::figure::SecondAxis;
 use crate::scale::Placed;
 use crate::ticks::{Tick, thin_labels, ticks};
 

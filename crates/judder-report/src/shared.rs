@@ -1,7 +1,7 @@
 //! What the interactive chart shares with the drawings, written for its TypeScript and checked to be current: the palette, which it takes
 //! from here, and marks of axes, with which its own are compared. `JUDDER_GOLDEN=write` writes both anew.
 
-use crate::figure::{Axis, Scale};
+use crate::axis::{Axis, Scale};
 use crate::palette::{
     Colour, ColourMap, DASH_CYCLE, Dash, GRADED_END, INK, MARKER_CYCLE, QUALITATIVE, QUIET, Role, Style,
 };

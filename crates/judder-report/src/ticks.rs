@@ -1,6 +1,6 @@
 //! Ticks: where an axis is marked, and what stands at the marks.
 
-use crate::figure::Scale;
+use crate::axis::Scale;
 use crate::scale::{Placed, stretch};
 
 /// A long tick.
@@ -202,7 +202,7 @@ pub(crate) fn thin_labels(axis: &Placed, ticks: &mut Ticks, share: f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figure::Axis;
+    use crate::axis::Axis;
     use proptest::prelude::*;
 
     fn labels(axis: Axis, from: f64, to: f64, room: usize) -> Vec<String> {

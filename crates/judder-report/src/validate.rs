@@ -1,8 +1,8 @@
 //! Whether a figure can be drawn: checked once, before any picture is made, so that drawing cannot fail.
 
+use crate::axis::{Scale, drawable};
 use crate::error::{PanelError, ReportError};
-use crate::figure::{Axis, Figure, Layer, Line, Panel, Scale, SecondAxis};
-use crate::scale::{SMALLEST, drawable};
+use crate::figure::{Figure, Layer, Line, Panel, SecondAxis};
 
 /// A figure is in order when its name is a file stem, its ranges can be drawn and its arrays fit together.
 pub(crate) fn check(figure: &Figure) -> Result<(), ReportError> {
@@ -25,8 +25,8 @@ pub(crate) fn check(figure: &Figure) -> Result<(), ReportError> {
 }
 
 fn check_panel(panel: &Panel) -> Result<(), PanelError> {
-    check_axis(&panel.x, "x")?;
-    check_axis(&panel.y, "y")?;
+    panel.x.check("x")?;
+    panel.y.check("y")?;
     check_second(panel)?;
     for (layer, content) in panel.layers.iter().enumerate() {
         match content {
@@ -46,7 +46,7 @@ fn check_panel(panel: &Panel) -> Result<(), PanelError> {
                 }
             }
             Layer::Values(map) => {
-                check_axis(&map.bar, "colour")?;
+                map.bar.check("colour")?;
                 check_grid(layer, panel, &map.x, &map.y, map.z.len())?;
             }
             _ => {}
@@ -90,22 +90,6 @@ fn check_sizes(layer: usize, line: &Line) -> Result<(), PanelError> {
         Some(index) => Err(PanelError::Size { layer, index, value: sizes[index] }),
         None => Ok(()),
     }
-}
-
-pub(crate) fn check_axis(axis: &Axis, name: &'static str) -> Result<(), PanelError> {
-    if let Scale::SymmetricLog { linear } = axis.scale
-        && !drawable(Scale::Log, linear)
-    {
-        return Err(PanelError::LinearPart { axis: name, linear });
-    }
-    let Some((from, to)) = axis.range else { return Ok(()) };
-    // closer ends than this differ by rounding alone, or underflow
-    let least = if axis.scale == Scale::Log { 0.0 } else { SMALLEST };
-    let apart = to - from > 1e-12 * from.abs().max(to.abs()).max(least);
-    if apart && drawable(axis.scale, from) && drawable(axis.scale, to) {
-        return Ok(());
-    }
-    Err(PanelError::Range { axis: name, from, to })
 }
 
 fn check_grid(layer: usize, panel: &Panel, x: &[f64], y: &[f64], cells: usize) -> Result<(), PanelError> {

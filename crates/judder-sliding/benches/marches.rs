@@ -9,7 +9,7 @@ use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, Par};
-use judder_numerics::signal::decimate::Decimation;
+use judder_numerics::signal::Decimation;
 use judder_sliding::march::{March, MarchSettings, Method, Predictor, Sample};
 use judder_sliding::motion::{Motion, Ramps};
 use judder_sliding::pair::Pair;

@@ -4,8 +4,9 @@ use crate::SlidingError;
 use crate::march::{ContactState, Sample, Sink};
 use crate::motion::Motion;
 use crate::pair::Pair;
+use judder_numerics::signal::Decimation;
 use judder_numerics::signal::SignalError;
-use judder_numerics::signal::decimate::{Decimation, Decimator, DecimatorState};
+use judder_numerics::signal::decimate::{Decimator, DecimatorState};
 use judder_numerics::signal::extremes::Extremes;
 use serde::{Deserialize, Serialize};
 

@@ -6,7 +6,9 @@
 //! between, and wherever the sign of the growth rate is in doubt at an extreme, down to a resolution that the caller gives. What is not smooth even then, or
 //! leaves the eigenvalues that are counted while it grows, is followed by itself from eigenvalue to eigenvalue to where it turns stable.
 
+mod branch;
 mod follow;
+mod highest;
 mod meeting;
 mod piece;
 mod strip;
@@ -14,7 +16,8 @@ mod strip;
 use crate::SlidingError;
 use crate::characteristic::Characteristic;
 use crate::tracking::continued;
-use follow::{Path, is_on, onward};
+use branch::Path;
+use follow::{is_on, onward};
 use num_complex::Complex64;
 use piece::{Search, Searched};
 use rayon::prelude::*;

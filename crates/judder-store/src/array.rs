@@ -1,10 +1,13 @@
 //! What a stored array says of itself, and its values, all or a part.
 
+use std::error::Error;
+
 use zarrs::array::{Array, ArrayError, ArraySubset, ElementOwned, data_type};
 use zarrs::filesystem::FilesystemStore;
 
-use crate::zarr::ReadFailure;
 use crate::{Data, Variable, metadata};
+
+pub(crate) type ReadFailure = Box<dyn Error + Send + Sync>;
 
 /// The variable of an array with these data, some or all of its own; its shape is the array's.
 pub(crate) fn with_data(

@@ -9,9 +9,10 @@ use serde_json::{Map, Value};
 use zarrs::array::{Array, ArraySubset};
 use zarrs::filesystem::FilesystemStore;
 
+use crate::array::ReadFailure;
 use crate::metadata::{self, HASH_ATTRIBUTE};
 use crate::name::check_name;
-use crate::zarr::{self, ReadFailure};
+use crate::zarr;
 use crate::{StoreError, Summary, Variable, results, summary};
 
 /// Folders below that of the study in which [`StudyReader::files`] looks: figures and fields lie one deep.

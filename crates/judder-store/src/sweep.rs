@@ -7,6 +7,7 @@
 //! - `shard.rs`: the values of one chunk as one shard of the Zarr array `values`.
 //! - [`PointFailure`], [`ChunkDamage`] (`record.rs`): the record behind the shard, by which a chunk says whose it is and which of its
 //!   points failed.
+//! - `encode.rs`: shard and record, the file of a chunk.
 //! - `group.rs`: the group of a sweep in `results.zarr`, the same bytes whoever begins it.
 //! - [`ChunkClaim`] (`claim.rs`): the right to compute one chunk.
 //! - [`SweepChunks`] (`chunks.rs`): the chunks on the disk: listed, read, verified.
@@ -15,6 +16,7 @@
 
 mod chunks;
 mod claim;
+mod encode;
 mod group;
 mod layout;
 mod points;

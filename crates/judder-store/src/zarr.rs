@@ -18,7 +18,7 @@ use zarrs::array::{
 use zarrs::filesystem::FilesystemStore;
 use zarrs::storage::StorageError;
 
-use crate::array;
+use crate::array::{self, ReadFailure};
 use crate::metadata::{self, HASH_ATTRIBUTE};
 use crate::{Data, Dataset, StoreError, Variable};
 
@@ -319,8 +319,6 @@ pub(crate) fn read_group_by(
     }
     Ok(dataset)
 }
-
-pub(crate) type ReadFailure = Box<dyn Error + Send + Sync>;
 
 pub(crate) fn read_variable(store: &Arc<FilesystemStore>, name: &str) -> Result<Variable, ReadFailure> {
     let array = Array::open(store.clone(), &format!("/{name}"))?;

@@ -1,6 +1,5 @@
 //! What a kernel can be computed for.
 
-use super::sliding::SlidingOperator;
 use super::substrate::SlidingSubstrate;
 use crate::surface::grid::SurfaceGrid;
 use judder_numerics::words::plain;
@@ -97,15 +96,11 @@ pub(crate) fn gibibytes(bytes: u64) -> f64 {
     bytes as f64 / f64::from(1 << 30)
 }
 
-/// Checks a grid and a substrate before an operator is made of them that may take `allowed` bytes.
+/// Checks that a grid and a substrate have a kernel.
 ///
 /// # Errors
-/// The first thing found that is not a number in its range, and [`KernelError::Memory`].
-pub(super) fn check(
-    grid: &SurfaceGrid,
-    substrate: &SlidingSubstrate,
-    allowed: u64,
-) -> Result<(), KernelError> {
+/// The first thing found that is not a number in its range.
+pub(super) fn check(grid: &SurfaceGrid, substrate: &SlidingSubstrate) -> Result<(), KernelError> {
     let (columns, rows) = (grid.columns, grid.rows);
     if columns == 0 || rows == 0 {
         return Err(KernelError::NoCells { columns, rows });
@@ -113,12 +108,7 @@ pub(super) fn check(
     if !(grid.cell > 0.0 && grid.cell.is_finite()) {
         return Err(KernelError::Cell { cell: grid.cell });
     }
-    check_substrate(substrate)?;
-    let needed = SlidingOperator::memory_bytes(columns, rows);
-    if needed > allowed {
-        return Err(KernelError::Memory { columns, rows, needed, allowed });
-    }
-    Ok(())
+    check_substrate(substrate)
 }
 
 fn check_substrate(substrate: &SlidingSubstrate) -> Result<(), KernelError> {

@@ -1,11 +1,11 @@
 //! Sliding of long strips, the plane-strain contact of a cylinder across the direction of sliding.
 
-use super::check::{KernelError, check};
+use super::check::KernelError;
 use super::recurrence::{Recurrence, Row};
 use super::sliding::SlidingOperator;
-use super::spectra::{KernelSpectra, padded};
+use super::spectra::KernelSpectra;
 use super::substrate::SlidingSubstrate;
-use super::wake::WakeKernel;
+use super::wake::{WakeKernel, padded};
 use crate::surface::grid::SurfaceGrid;
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -58,7 +58,7 @@ impl SlidingOperator {
         reference: f64,
         allowed: u64,
     ) -> Result<Self, KernelError> {
-        check(&grid, substrate, allowed)?;
+        Self::check(&grid, substrate, allowed)?;
         if grid.rows != 1 {
             return Err(KernelError::Rows { rows: grid.rows });
         }

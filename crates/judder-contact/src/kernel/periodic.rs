@@ -1,6 +1,6 @@
 //! Sliding over a surface that repeats itself.
 
-use super::check::{KernelError, check};
+use super::check::KernelError;
 use super::sliding::SlidingOperator;
 use super::spectra::{Filter, KernelSpectra, inverse_symbol, symbol};
 use super::substrate::SlidingSubstrate;
@@ -36,7 +36,7 @@ impl SlidingOperator {
         substrate: &SlidingSubstrate,
         allowed: u64,
     ) -> Result<Self, KernelError> {
-        check(&grid, substrate, allowed)?;
+        Self::check(&grid, substrate, allowed)?;
         let period = grid.columns as f64 * grid.cell;
         let memory = memory_of_a_period(period, substrate);
         if memory > PERIODIC_MEMORY {

@@ -24,7 +24,7 @@ impl SlidingOperator {
     /// # Errors
     /// [`KernelError`]: a grid or a substrate that has no kernel, and more memory than `allowed` bytes.
     pub fn new(grid: SurfaceGrid, substrate: &SlidingSubstrate, allowed: u64) -> Result<Self, KernelError> {
-        check(&grid, substrate, allowed)?;
+        Self::check(&grid, substrate, allowed)?;
         let spectra = KernelSpectra::unbounded(grid.columns, grid.rows, &substrate.in_cells(grid.cell));
         Ok(Self::with_spectra(grid, Arc::new(spectra)))
     }
@@ -40,9 +40,24 @@ impl SlidingOperator {
         allowed: u64,
         cache: &KernelCache,
     ) -> Result<Self, KernelError> {
-        check(&grid, substrate, allowed)?;
+        Self::check(&grid, substrate, allowed)?;
         let spectra = cache.spectra(grid.columns, grid.rows, &substrate.in_cells(grid.cell));
         Ok(Self::with_spectra(grid, spectra))
+    }
+
+    /// Checks a grid and a substrate before an operator is made of them that may take `allowed` bytes.
+    pub(super) fn check(
+        grid: &SurfaceGrid,
+        substrate: &SlidingSubstrate,
+        allowed: u64,
+    ) -> Result<(), KernelError> {
+        check(grid, substrate)?;
+        let (columns, rows) = (grid.columns, grid.rows);
+        let needed = Self::memory_bytes(columns, rows);
+        if needed > allowed {
+            return Err(KernelError::Memory { columns, rows, needed, allowed });
+        }
+        Ok(())
     }
 
     pub(super) fn with_spectra(grid: SurfaceGrid, spectra: Arc<KernelSpectra>) -> Self {

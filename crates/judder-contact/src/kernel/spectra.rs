@@ -1,7 +1,7 @@
 //! The kernel of a surface and its approximate inverse, as factors of Fourier modes.
 
 use super::substrate::SlidingSubstrate;
-use super::wake::WakeKernel;
+use super::wake::{WakeKernel, padded};
 use crate::surface::convolution::{PaddedTransform, fast_even_length, fast_length};
 use num_complex::Complex64;
 use std::f64::consts::PI;
@@ -56,11 +56,6 @@ impl KernelSpectra {
         let product = spectrum_bytes(fast_even_length(padded(columns)), fast_length(padded(rows)));
         product.saturating_add(spectrum_bytes(fast_even_length(columns), fast_length(rows)))
     }
-}
-
-/// Cells of a line and of its images at all differences.
-pub(crate) fn padded(cells: usize) -> usize {
-    (2 * cells).saturating_sub(1)
 }
 
 fn spectrum_bytes(wide: usize, high: usize) -> u64 {

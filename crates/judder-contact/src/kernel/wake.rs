@@ -2,7 +2,6 @@
 
 use super::love;
 use super::recurrence::{Recurrence, Row};
-use super::spectra::padded;
 use super::substrate::SlidingSubstrate;
 
 /// Kernel values at all differences of two cells of a grid.
@@ -50,4 +49,9 @@ impl WakeKernel {
     pub fn at_itself(&self) -> f64 {
         self.values.get(self.columns.saturating_sub(1)).copied().unwrap_or_default()
     }
+}
+
+/// Cells of a line and of its images at all differences.
+pub(super) fn padded(cells: usize) -> usize {
+    (2 * cells).saturating_sub(1)
 }

@@ -1,5 +1,6 @@
 //! The law of a paraboloid: one curve instead of a plane.
 
+use crate::contact_law::{ContactLaw, ValidityConcern};
 use crate::law::data::LawData;
 use crate::law::error::LawError;
 use crate::law::knots::Knots;
@@ -12,7 +13,6 @@ use crate::law::scatter::{self, Doubt, Tabulated};
 use crate::law::slow::put_theory;
 use crate::law::spline::{left_out, pieces};
 use crate::law::table::{check_values, combined, in_tails, speed_tails, tail_concern};
-use crate::law::{ContactLaw, ValidityConcern};
 use crate::response::{ContactPoint, ContactResponse};
 
 /// Beyond ŷ = 0.1 a sphere is no longer a paraboloid: force 1 % off, area 3 %.

@@ -1,6 +1,6 @@
 //! Why a law cannot be made, read or swept.
 
-use crate::law::sweep::FailedPoint;
+use std::fmt;
 use thiserror::Error;
 
 /// Why a computed law cannot be had.
@@ -153,4 +153,21 @@ pub enum LawError {
 
 fn first_failure(failures: &[FailedPoint]) -> String {
     failures.first().map_or_else(String::new, ToString::to_string)
+}
+
+/// A point of a sweep without a solution.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FailedPoint {
+    /// v̂.
+    pub velocity: f64,
+    /// ŷ.
+    pub indentation: f64,
+    /// What the solver said.
+    pub cause: String,
+}
+
+impl fmt::Display for FailedPoint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "v τ/R = {:.4e}, δ/R = {:.4e}: {}", self.velocity, self.indentation, self.cause)
+    }
 }

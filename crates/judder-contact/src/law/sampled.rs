@@ -6,13 +6,13 @@ pub mod file;
 
 pub use adaptive::{SampleRequest, Sampled, sampled};
 
+use crate::contact_law::{ContactLaw, ValidityConcern};
 use crate::law::error::LawError;
 use crate::law::quantities::{KnotValues, NAMES, PerQuantity};
 use crate::law::scaled::ScaledLogarithm;
 use crate::law::scatter::{Doubt, Tabulated};
 use crate::law::slow::SlowErrors;
 use crate::law::table::{along_speed, combined};
-use crate::law::{ContactLaw, ValidityConcern};
 use crate::response::{ContactPoint, ContactResponse, WithDerivatives};
 use axis::Axis;
 

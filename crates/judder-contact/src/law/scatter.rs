@@ -6,14 +6,13 @@
 //! off by 1.8 ε/h in the middle between two knots, where it is worst, and by h³ s⁗/24: by 1.3 and by 0.25 of the difference over h. So
 //! one number stands for both. What the solver states of its contacts bounds their values; it is a bound of the worst, tens of times what they scatter.
 
+use crate::law::differences::differences;
 use crate::law::knots::Place;
 use crate::law::quantities::{KnotValues, PerQuantity};
 use crate::law::scaled::ScaledLogarithm;
 use crate::law::slow::SlowErrors;
 use crate::response::{ContactPoint, ContactResponse, WithDerivatives};
 
-/// Knots to each side whose differences count for a knot: one difference alone may be small by chance.
-const REACH: usize = 2;
 /// The slope may be off by so many of the largest of these differences over h. 1.8 ε/h is 0.85 of it on average over five differences of
 /// independent errors; what neighbours have in common does not show. Of two laws of one rubber, of accuracies 5e-2 and 1e-2, the slopes are
 /// apart by 1.9 of it at 97 of 100 places, by 3.2 at the worst.
@@ -97,41 +96,6 @@ fn larger(a: ScaledLogarithm, b: ScaledLogarithm) -> ScaledLogarithm {
 fn spacing(places: &[f64], k: usize) -> f64 {
     let step = |k: usize| places.get(k + 1).map_or(f64::INFINITY, |next| next - places[k]);
     if k == 0 { step(0) } else { step(k).min(step(k - 1)) }
-}
-
-/// For each knot the largest of the differences about it between a knot and the polynomial through its neighbours, two to each side (one
-/// where there are fewer than five knots), and no less than half of all differences are; `None` of fewer than three knots.
-pub(crate) fn differences(places: &[f64], values: &[f64]) -> Option<Vec<f64>> {
-    let count = places.len();
-    let side = if count < 5 { 1 } else { 2 };
-    if count < 3 {
-        return None;
-    }
-    let inner = side..count - side;
-    let of = |k: usize| {
-        let others: Vec<usize> = (k - side..=k + side).filter(|other| *other != k).collect();
-        (values[k] - through(places, values, &others, places[k])).abs()
-    };
-    let all: Vec<f64> = inner.clone().map(of).collect();
-    let mut sorted = all.clone();
-    sorted.sort_by(f64::total_cmp);
-    let median = sorted[sorted.len() / 2];
-    let about = |k: usize| {
-        // what stands nearer to an end than any difference takes those nearest to it
-        let nearest = k.clamp(inner.start, inner.end - 1) - inner.start;
-        let near = nearest.saturating_sub(REACH)..(nearest + REACH + 1).min(all.len());
-        all[near].iter().copied().fold(median, f64::max)
-    };
-    Some((0..count).map(about).collect())
-}
-
-/// Lagrange's polynomial through some of the knots, at a place.
-fn through(places: &[f64], values: &[f64], knots: &[usize], at: f64) -> f64 {
-    let weight = |own: usize| -> f64 {
-        let factor = |other: usize| (at - places[other]) / (places[own] - places[other]);
-        knots.iter().filter(|other| **other != own).map(|other| factor(*other)).product()
-    };
-    knots.iter().map(|own| values[*own] * weight(*own)).sum()
 }
 
 /// The doubt in a tail with this rate: that of the edge as the tail hands it on, and all of what is assumed of the tail's form, its two last

@@ -9,11 +9,11 @@
 //! as long as what this leaves out, a term in z³, is less than the error that the slowest contact shows: how far it is from what is exact, beyond a term in z². The error
 //! of b's knot falls as z² towards rest.
 
+use crate::law::differences::differences;
 use crate::law::knots::Knots;
 use crate::law::limits::SpeedLimits;
 use crate::law::material::LawMaterial;
 use crate::law::quantities::{KnotValues, PerQuantity};
-use crate::law::scatter::differences;
 
 /// For each row the errors of its slowest knots, those that theory gives.
 pub(crate) type SlowErrors = PerQuantity<Vec<Vec<f64>>>;

@@ -14,7 +14,6 @@ pub use plane::{SweepRange, SweepRequest, sweep};
 use crate::law::error::LawError;
 use crate::law::quantities::PerQuantity;
 use serde::{Deserialize, Serialize};
-use std::fmt;
 
 /// What a contact solver says about one speed and depth.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -54,23 +53,6 @@ pub struct SolvedPoint {
     pub indentation: f64,
     /// The solution.
     pub sample: LawSample,
-}
-
-/// A point of a sweep without a solution.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FailedPoint {
-    /// v̂.
-    pub velocity: f64,
-    /// ŷ.
-    pub indentation: f64,
-    /// What the solver said.
-    pub cause: String,
-}
-
-impl fmt::Display for FailedPoint {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "v τ/R = {:.4e}, δ/R = {:.4e}: {}", self.velocity, self.indentation, self.cause)
-    }
 }
 
 /// Who watches a sweep.

@@ -1,5 +1,6 @@
 //! A law on a plane of speed and depth.
 
+use crate::contact_law::{ContactLaw, ValidityConcern};
 use crate::law::data::LawData;
 use crate::law::error::LawError;
 use crate::law::knots::{Knots, Place};
@@ -11,7 +12,6 @@ use crate::law::scaled::{FrictionReference, SPEED_RATES, ScaledLogarithm, ln_spe
 use crate::law::scatter::{self, Doubt, Tabulated};
 use crate::law::slow::put_theory;
 use crate::law::spline::{Tail, left_out, pieces};
-use crate::law::{ContactLaw, ValidityConcern};
 use crate::response::{ContactPoint, ContactResponse};
 
 /// How the law leaves the table along ln ŷ: what depends on the depth shrinks as ŷ below it, and saturates above it.

@@ -1,7 +1,39 @@
 //! From creep to relaxation and back: the zeros of one form are the poles of the other, and the two interlace.
 
+use super::creep::{CreepSpectrum, CreepTerm};
 use super::error::MaterialError;
+use super::relaxation::{RelaxationSpectrum, RelaxationTerm};
 use judder_numerics::root::bracketed_root;
+
+impl CreepSpectrum {
+    /// The same material in relaxation form; for one term ρ = τ E0/E∞ and E_1 = E∞ − E0.
+    ///
+    /// # Errors
+    /// [`MaterialError::NoCounterpart`] when a term is too weak to move a pole by any floating-point number.
+    pub fn relaxation_form(&self) -> Result<RelaxationSpectrum, MaterialError> {
+        let positions: Vec<f64> = self.terms().iter().map(|term| term.retardation_time).collect();
+        let weights: Vec<f64> = self.terms().iter().map(|term| term.compliance).collect();
+        let counterparts =
+            Interlacing::new(1.0 / self.glassy_modulus(), &positions, &weights).counterparts()?;
+        let term = |(relaxation_time, modulus)| RelaxationTerm { relaxation_time, modulus };
+        RelaxationSpectrum::new(self.rubbery_modulus(), counterparts.into_iter().map(term).collect())
+    }
+}
+
+impl RelaxationSpectrum {
+    /// The same material in creep form; for one term τ = ρ E∞/E0 and C_1 = 1/E0 − 1/E∞.
+    ///
+    /// # Errors
+    /// [`MaterialError::NoCounterpart`] when a term is too weak to move a pole by any floating-point number.
+    pub fn creep_form(&self) -> Result<CreepSpectrum, MaterialError> {
+        // the equation is that of the other direction, with rates in the place of times
+        let rates: Vec<f64> = self.terms().iter().rev().map(|term| 1.0 / term.relaxation_time).collect();
+        let weights: Vec<f64> = self.terms().iter().rev().map(|term| term.modulus).collect();
+        let counterparts = Interlacing::new(self.rubbery_modulus(), &rates, &weights).counterparts()?;
+        let term = |(rate, compliance): (f64, f64)| CreepTerm { retardation_time: 1.0 / rate, compliance };
+        CreepSpectrum::new(self.glassy_modulus(), counterparts.into_iter().rev().map(term).collect())
+    }
+}
 
 /// A(p) = a0 + Σ a_k/(1 − p_k/p), whose zeros are the poles of 1/A, ascending in p_k.
 ///
@@ -10,7 +42,7 @@ use judder_numerics::root::bracketed_root;
 /// p_{k−1}, and the residue of 1/A there gives the weight b = 1/Σ a_k (p_k/p)/(1 − p_k/p)².
 ///
 /// A zero is kept as its logarithmic distance from the nearest p_k, so that weights far below the sum keep all their digits.
-pub(super) struct Interlacing<'a> {
+struct Interlacing<'a> {
     constant: f64,
     positions: &'a [f64],
     weights: &'a [f64],
@@ -21,7 +53,7 @@ const STEP: f64 = 16.0;
 
 impl<'a> Interlacing<'a> {
     /// A(p) from its parts; positions ascend, everything is positive.
-    pub(super) fn new(constant: f64, positions: &'a [f64], weights: &'a [f64]) -> Self {
+    fn new(constant: f64, positions: &'a [f64], weights: &'a [f64]) -> Self {
         Self { constant, positions, weights }
     }
 
@@ -29,7 +61,7 @@ impl<'a> Interlacing<'a> {
     ///
     /// # Errors
     /// [`MaterialError::NoCounterpart`] for a term whose weight is lost in floating-point numbers.
-    pub(super) fn counterparts(&self) -> Result<Vec<(f64, f64)>, MaterialError> {
+    fn counterparts(&self) -> Result<Vec<(f64, f64)>, MaterialError> {
         (0..self.positions.len())
             .map(|k| {
                 let lost = MaterialError::NoCounterpart { index: k + 1 };
@@ -94,7 +126,7 @@ fn logarithmic_distance(a: f64, b: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::creep::{CreepSpectrum, CreepTerm};
+    use super::*;
 
     #[test]
     fn one_term_in_closed_form() {

@@ -1,8 +1,6 @@
 //! The creep spectrum: how far a material yields to a stress that stays.
 
-use super::conversion::Interlacing;
 use super::error::{MaterialError, positive};
-use super::relaxation::{RelaxationSpectrum, RelaxationTerm};
 use crate::kernel::substrate::{SlidingSubstrate, WakeTerm};
 use num_complex::Complex64;
 
@@ -153,19 +151,6 @@ impl CreepSpectrum {
     pub fn loss_tangent(&self, angular_frequency: f64) -> f64 {
         let compliance = self.complex_compliance(angular_frequency);
         -compliance.im / compliance.re
-    }
-
-    /// The same material in relaxation form; for one term ρ = τ E0/E∞ and E_1 = E∞ − E0.
-    ///
-    /// # Errors
-    /// [`MaterialError::NoCounterpart`] when a term is too weak to move a pole by any floating-point number.
-    pub fn relaxation_form(&self) -> Result<RelaxationSpectrum, MaterialError> {
-        let positions: Vec<f64> = self.terms.iter().map(|term| term.retardation_time).collect();
-        let weights: Vec<f64> = self.terms.iter().map(|term| term.compliance).collect();
-        let counterparts =
-            Interlacing::new(1.0 / self.glassy_modulus, &positions, &weights).counterparts()?;
-        let term = |(relaxation_time, modulus)| RelaxationTerm { relaxation_time, modulus };
-        RelaxationSpectrum::new(self.rubbery_modulus(), counterparts.into_iter().map(term).collect())
     }
 
     /// What the contact computation needs of the material, free of units: E0/E∞, and for every term (C_k E0, τ_k \[s\]).

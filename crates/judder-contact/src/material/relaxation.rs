@@ -1,7 +1,5 @@
 //! The relaxation spectrum: how the stress decays under a strain that stays.
 
-use super::conversion::Interlacing;
-use super::creep::{CreepSpectrum, CreepTerm};
 use super::error::{MaterialError, positive};
 use num_complex::Complex64;
 
@@ -83,19 +81,6 @@ impl RelaxationSpectrum {
     pub fn complex_modulus(&self, angular_frequency: f64) -> Complex64 {
         let term = |term: &RelaxationTerm| maxwell(angular_frequency * term.relaxation_time) * term.modulus;
         self.terms.iter().map(term).sum::<Complex64>() + self.rubbery_modulus
-    }
-
-    /// The same material in creep form; for one term τ = ρ E∞/E0 and C_1 = 1/E0 − 1/E∞.
-    ///
-    /// # Errors
-    /// [`MaterialError::NoCounterpart`] when a term is too weak to move a pole by any floating-point number.
-    pub fn creep_form(&self) -> Result<CreepSpectrum, MaterialError> {
-        // the equation is that of the other direction, with rates in the place of times
-        let rates: Vec<f64> = self.terms.iter().rev().map(|term| 1.0 / term.relaxation_time).collect();
-        let weights: Vec<f64> = self.terms.iter().rev().map(|term| term.modulus).collect();
-        let counterparts = Interlacing::new(self.rubbery_modulus, &rates, &weights).counterparts()?;
-        let term = |(rate, compliance): (f64, f64)| CreepTerm { retardation_time: 1.0 / rate, compliance };
-        CreepSpectrum::new(self.glassy_modulus(), counterparts.into_iter().rev().map(term).collect())
     }
 }
 

@@ -4,14 +4,16 @@ use super::SteadyQuestion;
 use super::contact_area::{contact_area, contact_length};
 use super::error::SteadyError;
 use super::line;
+use super::posed::Posed;
 use super::profile::{OUT_OF_REACH, Profile};
+use super::start::LevelStart;
 use crate::kernel::sliding::SlidingOperator;
 use crate::surface::grid::SurfaceGrid;
 use crate::surface::operator::SurfaceOperator;
 use crate::surface::stoppable::{Interrupted, Stoppable};
 use crate::unilateral::active_set::{self, Start};
 use crate::unilateral::symmetric;
-use crate::unilateral::{Loading, UnilateralProblem, UnilateralSolution};
+use crate::unilateral::{UnilateralProblem, UnilateralSolution};
 
 /// The solution on one grid; lengths in R, forces in E0* R². Of a line contact forces and areas are per length.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,72 +30,6 @@ pub struct Level {
     pub area: f64,
     /// μ, from the pressure times the slope of the indenter.
     pub friction: f64,
-}
-
-/// What a grid's solve starts from: the solution on another grid.
-pub struct LevelStart {
-    pub(super) grid: Option<SurfaceGrid>,
-    pub(super) pressure: Vec<f64>,
-    pub(super) indentation: f64,
-}
-
-impl LevelStart {
-    /// Nothing but the rubbery depth.
-    #[must_use]
-    pub fn none(question: &SteadyQuestion<'_>) -> Self {
-        let indentation = match question.loading {
-            Loading::Indentation(depth) => depth,
-            Loading::Load(force) => question.profile.elastic_depth(force),
-        };
-        Self { grid: None, pressure: Vec::new(), indentation }
-    }
-
-    /// The pressure at the cells of another grid, linear between the cells of this one; zero where the nearest cell is
-    /// free or outside.
-    fn on(&self, grid: &SurfaceGrid) -> Vec<f64> {
-        let Some(from) = &self.grid else {
-            return vec![0.0; grid.len()];
-        };
-        let columns: Vec<_> = (0..grid.columns)
-            .map(|c| neighbours(grid.x(c), from.origin[0], from.cell, from.columns))
-            .collect();
-        let mut pressure = Vec::with_capacity(grid.len());
-        for row in 0..grid.rows {
-            let along_y = neighbours(grid.y(row), from.origin[1], from.cell, from.rows);
-            pressure.extend(columns.iter().map(|along_x| self.between(from.columns, along_x, &along_y)));
-        }
-        pressure
-    }
-
-    fn between(&self, columns: usize, along_x: &Option<Neighbours>, along_y: &Option<Neighbours>) -> f64 {
-        let (Some(x), Some(y)) = (along_x, along_y) else {
-            return 0.0;
-        };
-        let at = |row: usize, column: usize| self.pressure[row * columns + column];
-        if at(y.nearest, x.nearest) <= 0.0 {
-            return 0.0;
-        }
-        let line = |row: usize| at(row, x.nearest) * (1.0 - x.weight) + at(row, x.next) * x.weight;
-        line(y.nearest) * (1.0 - y.weight) + line(y.next) * y.weight
-    }
-}
-
-/// The two cells of a line between which a position lies.
-struct Neighbours {
-    nearest: usize,
-    next: usize,
-    /// Weight of the next cell.
-    weight: f64,
-}
-
-fn neighbours(position: f64, origin: f64, cell: f64, count: usize) -> Option<Neighbours> {
-    let place = (position - origin) / cell - 0.5;
-    let nearest = place.round();
-    if nearest < 0.0 || nearest >= count as f64 {
-        return None;
-    }
-    let next = (nearest + (place - nearest).signum()).clamp(0.0, (count - 1) as f64);
-    Some(Neighbours { nearest: nearest as usize, next: next as usize, weight: (place - nearest).abs() })
 }
 
 impl From<&Level> for LevelStart {
@@ -197,16 +133,6 @@ impl Level {
             *pressure > 0.0 && (at_end(column, columns) || (rows > 1 && at_end(row, rows)))
         })
     }
-}
-
-/// The problem of one grid as a solver takes it.
-pub(super) struct Posed {
-    pub(super) operator: SlidingOperator,
-    pub(super) loading: Loading,
-    /// The depth to start from, as the operator measures depths.
-    pub(super) indentation: f64,
-    /// What the operator's depths are more than those that are told.
-    pub(super) datum: f64,
 }
 
 /// A cell in contact with a neighbour where there is no indenter.

@@ -8,7 +8,8 @@
 
 use super::SteadyQuestion;
 use super::error::SteadyError;
-use super::level::{LevelStart, Posed};
+use super::posed::Posed;
+use super::start::LevelStart;
 use crate::kernel::sliding::SlidingOperator;
 use crate::surface::grid::SurfaceGrid;
 use crate::unilateral::Loading;
@@ -44,14 +45,4 @@ pub(super) fn pose(
     // A strip's force per length is p h, and the solver knows squares with p h².
     let loading = Loading::Load(load * grid.cell);
     Ok(Posed { operator, loading, indentation: depth, datum: gain * reference.ln() })
-}
-
-impl LevelStart {
-    /// Half the width of the contact that is started from.
-    fn half_width(&self) -> Option<f64> {
-        let grid = self.grid.as_ref()?;
-        let first = self.pressure.iter().position(|pressure| *pressure > 0.0)?;
-        let last = self.pressure.iter().rposition(|pressure| *pressure > 0.0)?;
-        Some(0.5 * (last + 1 - first) as f64 * grid.cell)
-    }
 }

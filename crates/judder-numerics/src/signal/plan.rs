@@ -6,7 +6,7 @@
 //! its images are stopped by the filter before it: Y. Neuvo, C.-Y. Dong and S. K. Mitra, *Interpolated finite impulse response filters*,
 //! IEEE Trans. ASSP 32 (1984) 563–570.
 
-use super::decimate::Decimation;
+use super::decimation::Decimation;
 use super::fir::LowPass;
 
 /// The part of the ripple that the sharp filter may use, and that of all others; together a little less than all, for their product.

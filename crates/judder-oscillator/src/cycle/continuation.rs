@@ -8,8 +8,9 @@ mod place;
 mod touching;
 
 use super::CycleError;
+use super::newton::{Guess, Shooting, scaled};
 use super::return_map::{Return, return_map, returned_state};
-use super::shooting::{Cycle, Guess, Shooting, finished, scaled, shoot};
+use super::shooting::{Cycle, finished, shoot};
 use crate::motion::{ContactState, SlidingSystem};
 use doubled::Halves;
 use judder_numerics::dense::Triangles;

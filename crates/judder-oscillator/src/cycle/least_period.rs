@@ -4,8 +4,8 @@
 //! one. Newton's method on two of them then finds the cycle walked twice, with the squares of its multipliers.
 
 use super::CycleError;
+use super::newton::{Converged, Guess, Shooting, converge, newton_step};
 use super::return_map::return_map;
-use super::shooting::{Converged, Guess, Shooting, converge, newton_step};
 use crate::motion::SlidingSystem;
 use crate::motion::attractor::distance;
 

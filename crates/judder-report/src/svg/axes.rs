@@ -1,8 +1,9 @@
 //! Frames, ticks, labels and colour bars.
 
-use super::document::{Document, number, rectangle};
+use super::document::{Document, rectangle};
 use super::path::strokes;
 use super::text::{Anchor, Text};
+use super::written::number;
 use crate::figure::ValueMap;
 use crate::layout::{BAR_GAP, BAR_WIDTH, DrawnAxis, DrawnPanel, Frame, TICK_GAP};
 use crate::palette::INK;

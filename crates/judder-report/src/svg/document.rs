@@ -1,12 +1,13 @@
 //! The SVG document that is being written.
 
 use super::text::Text;
+use super::written::{append, number};
 use crate::figure::{Figure, Layer};
 use crate::layout::{Frame, Layout};
 use crate::markup::{escape, plain_html};
 use crate::palette::{INK, PATTERN_TILE, QUIET, Role, UNRESOLVED_GROUND};
 use crate::typeface::{FAMILIES, SMALL_SIZE};
-use std::fmt::{Arguments, Write};
+use std::fmt::Arguments;
 
 /// An SVG document up to the last element written.
 pub(super) struct Document {
@@ -118,12 +119,6 @@ fn uses(figure: &Figure, role: Role) -> bool {
     classes.flatten().any(|class| class.role == role)
 }
 
-/// Adds a piece to a text.
-pub(super) fn append(out: &mut String, piece: Arguments<'_>) {
-    // writing to a String cannot fail
-    let _ = out.write_fmt(piece);
-}
-
 /// A rectangle with further attributes.
 pub(super) fn rectangle(frame: Frame, attributes: &str) -> String {
     format!(
@@ -134,11 +129,4 @@ pub(super) fn rectangle(frame: Frame, attributes: &str) -> String {
         number(frame.height.max(0.0)),
         if attributes.is_empty() { "" } else { " " },
     )
-}
-
-/// A coordinate to a hundredth of a point, as short as it goes.
-pub(super) fn number(value: f64) -> String {
-    let text = format!("{value:.2}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }

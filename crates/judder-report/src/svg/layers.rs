@@ -1,8 +1,9 @@
 //! What a panel shows: maps, regions, curves, points, reference lines and notes.
 
-use super::document::{Document, number, rectangle};
+use super::document::{Document, rectangle};
 use super::path::polyline;
 use super::text::{Anchor, Text};
+use super::written::number;
 use crate::figure::{Direction, Layer, Line, Region, Rule};
 use crate::layout::{DrawnPanel, Frame};
 use crate::palette::{Marker, QUIET, Role, Style};
@@ -122,7 +123,7 @@ pub(super) fn draw_rim(document: &mut Document, layer: &Layer, panel: &DrawnPane
     let Layer::Line(line) = layer else { return };
     let data = polyline(places(line, panel), panel.frame);
     if !data.is_empty() {
-        let (id, width) = (document.id(number), super::document::number(line.style.width + 1.3));
+        let (id, width) = (document.id(number), super::written::number(line.style.width + 1.3));
         document.put(format_args!(
             "<g fill=\"none\" stroke=\"#ffffff\" stroke-opacity=\"0.8\" stroke-width=\"{width}\" \
              stroke-linejoin=\"round\"><path id=\"{id}\" d=\"{data}\"/></g>"

@@ -1,8 +1,9 @@
 //! Legends as drawings.
 
-use super::document::{Document, number, rectangle};
+use super::document::{Document, rectangle};
 use super::layers::{line_attributes, marker_path};
 use super::text::{Anchor, Text};
+use super::written::number;
 use crate::figure::Panel;
 use crate::layout::{DrawnPanel, Frame};
 use crate::legend::{Entry, INSET, ROW, SAMPLE, SAMPLE_GAP, entries};

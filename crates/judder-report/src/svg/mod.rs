@@ -6,6 +6,7 @@ mod layers;
 mod legend;
 mod path;
 mod text;
+mod written;
 
 use crate::error::ReportError;
 use crate::figure::{Figure, Layer, Panel};

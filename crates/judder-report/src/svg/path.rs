@@ -1,6 +1,6 @@
 //! Curves as path data: cut at the surroundings of the frame, broken at gaps, without points that fall together.
 
-use super::document::append;
+use super::written::append;
 use crate::layout::Frame;
 use std::f64::consts::{PI, TAU};
 

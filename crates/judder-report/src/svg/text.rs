@@ -1,6 +1,6 @@
 //! Labels as SVG text: one `text` element, a `tspan` for every change of slope, size or height.
 
-use super::document::{append, number};
+use super::written::{append, number};
 use crate::markup::{Span, escape, parse};
 use crate::palette::Colour;
 use crate::typeface::{SMALL_SIZE, span_rise, span_size};

@@ -2,7 +2,7 @@
 
 use crate::edge::{STENCIL, Touch};
 use crate::pair::{Pair, Side};
-use crate::plane::Vector;
+use crate::plane::{Vector, dot};
 
 /// A matrix of the plane by rows.
 pub(super) type Block = [Vector; 2];
@@ -147,4 +147,16 @@ fn sum(a: &[f64], b: &[f64], factors: &[f64]) -> f64 {
 
 fn block(a: &[Vec<f64>; 2], b: &[Vec<f64>; 2], factors: &[f64]) -> Block {
     [0, 1].map(|i| [0, 1].map(|j| sum(&a[i], &b[j], factors)))
+}
+
+/// A matrix of the plane along normal and tangent: nn, nt, tn, tt.
+#[inline(always)]
+pub(super) fn in_frame(between: &Block, touch: &Touch) -> [f64; 4] {
+    let (by_normal, by_tangent) = (times(between, touch.normal), times(between, touch.tangent));
+    [
+        dot(touch.normal, by_normal),
+        dot(touch.normal, by_tangent),
+        dot(touch.tangent, by_normal),
+        dot(touch.tangent, by_tangent),
+    ]
 }

@@ -1,8 +1,7 @@
 //! Where a slider locks, and why.
 
-use super::compliance::Compliance;
+use super::compliance::{Compliance, in_frame};
 use super::reaction::Locked;
-use super::step::in_frame;
 use crate::SlidingError;
 use crate::coupling::{Coupling, Sliding};
 use crate::edge::{EdgePoint, Touch};

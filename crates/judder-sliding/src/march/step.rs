@@ -1,6 +1,6 @@
 //! One step of a march after the other.
 
-use super::compliance::{Block, Compliance, times};
+use super::compliance::{Compliance, in_frame};
 use super::lock::Lock;
 use super::oscillators::ROWS;
 use super::reaction::{Approach, Reaction, projected, sliding};
@@ -369,16 +369,4 @@ fn look(
     if view.segment != segment {
         *view = View::new(pair, track, compliance, segment);
     }
-}
-
-/// A matrix of the plane along normal and tangent: nn, nt, tn, tt.
-#[inline(always)]
-pub(super) fn in_frame(between: &Block, touch: &Touch) -> [f64; 4] {
-    let (by_normal, by_tangent) = (times(between, touch.normal), times(between, touch.tangent));
-    [
-        dot(touch.normal, by_normal),
-        dot(touch.normal, by_tangent),
-        dot(touch.tangent, by_normal),
-        dot(touch.tangent, by_tangent),
-    ]
 }

@@ -1,14 +1,12 @@
 //! One unstable eigenvalue followed by itself, beyond where the search over parts has it, to where it turns stable.
 
+use super::branch::Path;
+use super::highest::highest;
 use super::meeting::alone;
-use super::strip::highest;
 use super::{End, Family};
 use crate::spectrum::polished;
 use judder_numerics::root::bracketed_root;
 use num_complex::Complex64;
-
-/// Places of a branch and its eigenvalues there, in the order of the parameter.
-pub(super) type Path = Vec<(f64, Complex64)>;
 
 /// The first step, as a share of the piece.
 const FIRST: f64 = 1e-3;

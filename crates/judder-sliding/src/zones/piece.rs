@@ -1,7 +1,8 @@
 //! The search for unstable eigenvalues over a piece of a parameter's range, halved until its samples foretell what lies between them.
 
-use super::meeting::{Group, Margin, SAMPLES, Sheet, alone};
-use super::strip::{Bound, Strip, strips};
+use super::branch::{Branch, TooCoarse};
+use super::meeting::{Group, SAMPLES, alone};
+use super::strip::{Strip, strips};
 use super::{Family, Sample};
 use crate::SlidingError;
 use crate::spectrum::Spectrum;
@@ -30,9 +31,6 @@ pub(super) struct Search<'a, F> {
 
 /// Two eigenvalues may meet where they come nearer than this share of what their distance changes from sample to sample.
 const MEETING: f64 = 1.2;
-
-/// The samples do not foretell what lies between them.
-pub(super) struct TooCoarse;
 
 impl<'a, F: Family> Search<'a, F> {
     pub(super) fn over(
@@ -128,40 +126,6 @@ impl<'a, F: Family> Search<'a, F> {
             let rank = (0..samples[k].eigenvalues.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
             rank.is_some_and(|rank| rank < self.count)
         })
-    }
-}
-
-/// One eigenvalue over a part.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Branch {
-    pub(super) group: Group,
-    pub(super) sheet: Sheet,
-    /// Where the part starts and ends.
-    pub(super) ends: [f64; 2],
-    pub(super) is_conservative: bool,
-}
-
-impl Branch {
-    /// The parameter at a share of the part.
-    pub(super) fn place(&self, share: f64) -> f64 {
-        self.ends[0] + share * (self.ends[1] - self.ends[0])
-    }
-
-    /// As the samples foretell it.
-    pub(super) fn foretold(&self, share: f64) -> Margin {
-        self.group.foretold(share, self.sheet, self.is_conservative)
-    }
-
-    /// As it is; `None` where the pair does not exist there or has other eigenvalues.
-    pub(super) fn found(&self, family: &impl Family, share: f64) -> Option<Margin> {
-        let function = family.at(self.place(share)).ok()?;
-        self.group.found(share, self.sheet, &function)
-    }
-
-    /// Its bound at a share of the part; at an end it is cut, and may go on beyond.
-    pub(super) fn bound(&self, share: f64) -> Bound {
-        let eigenvalue = self.foretold(share).eigenvalue;
-        Bound { at: self.place(share), eigenvalue, is_cut: share == 0.0 || share == 1.0 }
     }
 }
 

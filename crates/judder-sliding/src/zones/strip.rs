@@ -1,9 +1,9 @@
 //! Where one eigenvalue is unstable within a part of a parameter's range.
 
 use super::Family;
-use super::follow::Path;
+use super::branch::{Bound, Branch, Path, TooCoarse};
+use super::highest::highest;
 use super::meeting::Margin;
-use super::piece::{Branch, TooCoarse};
 use judder_numerics::root::bracketed_root;
 use num_complex::Complex64;
 
@@ -19,24 +19,12 @@ pub(super) struct Strip {
     pub(super) is_counted: bool,
 }
 
-/// An end of a strip.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Bound {
-    pub(super) at: f64,
-    pub(super) eigenvalue: Complex64,
-    /// Whether the part ends here, not the instability.
-    pub(super) is_cut: bool,
-}
-
 /// How many steps a part has in which what the samples foretell is looked at.
 const KNOTS: usize = 32;
 /// A growth rate that is not known better than this share of the eigenvalue is not decided on.
 const DECIDED: f64 = 1e-6;
 /// Bounds are located to this share of a part.
 const BOUND: f64 = 1e-9;
-const GOLDEN: f64 = 0.618_033_988_749_894_8;
-/// Golden sections for a peak: the last is below 10⁻⁶ of the first.
-const SECTIONS: usize = 30;
 /// Steps of the path of a strip.
 const POINTS: usize = 8;
 
@@ -149,27 +137,4 @@ pub(super) fn path(family: &impl Family, strip: &Strip) -> Path {
     let inner = (1..POINTS)
         .filter_map(|k| Some((branch.place(share(k)), branch.found(family, share(k))?.eigenvalue)));
     std::iter::once((from.at, from.eigenvalue)).chain(inner).chain([(to.at, to.eigenvalue)]).collect()
-}
-
-/// The place of the highest value of a function that has one summit between two places; the ends count.
-pub(super) fn highest(mut function: impl FnMut(f64) -> f64, [from, to]: [f64; 2]) -> f64 {
-    let (mut a, mut b) = (from, to);
-    let (mut left, mut right) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
-    let (mut at_left, mut at_right) = (function(left), function(right));
-    for _ in 0..SECTIONS {
-        if at_left >= at_right {
-            (b, right, at_right) = (right, left, at_left);
-            left = b - GOLDEN * (b - a);
-            at_left = function(left);
-        } else {
-            (a, left, at_left) = (left, right, at_right);
-            right = a + GOLDEN * (b - a);
-            at_right = function(right);
-        }
-    }
-    let inner = if at_left >= at_right { (left, at_left) } else { (right, at_right) };
-    [(from, function(from)), (to, function(to))]
-        .into_iter()
-        .fold(inner, |best, end| if end.1 > best.1 { end } else { best })
-        .0
 }

@@ -1,6 +1,7 @@
 //! The marches on the pair of the beams paper.
 use crate::common;
-use judder_numerics::signal::decimate::{Decimation, Decimator};
+use judder_numerics::signal::Decimation;
+use judder_numerics::signal::decimate::Decimator;
 use judder_sliding::coupling::{Coupling, Sliding};
 use judder_sliding::edge::{Interpolation, RunOff};
 use judder_sliding::friction::Friction;

@@ -1,7 +1,7 @@
 //! What is kept of a march: times, decimation, extremes, going on after an interruption.
 
 use crate::common;
-use judder_numerics::signal::decimate::Decimation;
+use judder_numerics::signal::Decimation;
 use judder_sliding::march::{ContactState, March, MarchSettings, Method, Predictor, Sample, Sink};
 use judder_sliding::motion::Motion;
 use judder_sliding::recorder::{Channel, Recorder};

@@ -1,6 +1,6 @@
 //! The march with residual flexibility, held against EnSubs on the pair of the beams paper.
 use crate::common;
-use judder_numerics::signal::decimate::Decimation;
+use judder_numerics::signal::Decimation;
 use judder_numerics::signal::window::Window;
 use judder_sliding::SlidingError;
 use judder_sliding::march::{March, MarchSettings, Method, Predictor, Reached, Sample};

@@ -1,12 +1,8 @@
 //! The points of a sweep and how they are cut into chunks.
 
-use std::path::PathBuf;
-
 use serde_json::Value;
 
 use super::points::{ChunkPoints, unravelled};
-use super::record::{self, PointFailure};
-use super::shard;
 use crate::name::check_name;
 use crate::{Dataset, StoreError, Variable};
 
@@ -182,38 +178,6 @@ impl SweepLayout {
             .map(|(dimension, index)| dimension.chunk.min(dimension.length - index * dimension.chunk))
             .collect();
         Ok(ChunkPoints { first, shape })
-    }
-
-    /// The content of the file of a chunk: same values, same bytes, on every machine. For those who compute where the study is not; see
-    /// [`SweepStore::write_encoded`](crate::SweepStore::write_encoded).
-    ///
-    /// `values` holds those of all quantities of the first point, then of the second, in the order of [`position`](ChunkPoints::position). Every
-    /// NaN is stored as the same.
-    ///
-    /// # Errors
-    /// [`StoreError::NoSuchChunk`], [`StoreError::ChunkSize`], [`StoreError::FailureOutside`].
-    pub fn encode(
-        &self,
-        chunk: usize,
-        values: &[f64],
-        failures: &[PointFailure],
-    ) -> Result<Vec<u8>, StoreError> {
-        let points = self.points(chunk)?;
-        let expected = points.count() * self.quantities.len();
-        if values.len() != expected {
-            let sweep = self.name.clone();
-            return Err(StoreError::ChunkSize { sweep, chunk, expected, found: values.len() });
-        }
-        if let Some(outside) = failures.iter().find(|failure| failure.index >= points.count()) {
-            let (sweep, index, points) = (self.name.clone(), outside.index, points.count());
-            return Err(StoreError::FailureOutside { sweep, chunk, index, points });
-        }
-        let shard =
-            shard::encode(self, &points, values).map_err(|refusal| StoreError::DatasetUnwritable {
-                path: PathBuf::from(&self.name).join(VALUES),
-                source: refusal.into(),
-            })?;
-        Ok(record::appended(shard, self, chunk, points.count(), failures))
     }
 
     /// All variables; `values` among them has none of its values.

@@ -9,7 +9,8 @@ use zarrs::filesystem::FilesystemStore;
 
 use super::layout::{QUANTITY, VALUES};
 use super::points::unravelled;
-use crate::zarr::{self, ReadFailure};
+use crate::array::ReadFailure;
+use crate::zarr;
 use crate::{Data, Dataset, StoreError, Variable};
 
 /// The chosen positions along each dimension of a sweep.

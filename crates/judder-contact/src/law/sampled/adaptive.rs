@@ -123,7 +123,7 @@ fn fill<E: From<LawError>>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::law::ContactLaw;
+    use crate::contact_law::ContactLaw;
     use crate::{ContactPoint, FittedLaw};
 
     fn request(tolerance: f64) -> SampleRequest {

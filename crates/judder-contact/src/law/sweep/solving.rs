@@ -1,7 +1,7 @@
 //! The points of a sweep, solved in parallel and kept.
 
-use super::{FailedPoint, LawSample, SolvedPoint, SweepObserver};
-use crate::law::error::LawError;
+use super::{LawSample, SolvedPoint, SweepObserver};
+use crate::law::error::{FailedPoint, LawError};
 use crate::law::quantities::{KnotValues, PerQuantity};
 use rayon::prelude::*;
 use std::collections::BTreeMap;

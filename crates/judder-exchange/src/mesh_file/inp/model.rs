@@ -3,7 +3,6 @@
 use super::deck::{Keyword, words};
 use super::element_type::{ElementType, element_type};
 use super::sets::{Sets, Span, places};
-use super::solid_section::SolidSection;
 use crate::cause::Cause;
 use crate::error::ExchangeError;
 use crate::mesh_file::{FileMaterial, Warning};
@@ -26,6 +25,14 @@ pub(super) struct DeckElement {
 pub(super) struct SurfaceLine {
     pub(super) elements: Vec<Span>,
     pub(super) side: usize,
+    pub(super) line: usize,
+}
+
+/// `*SOLID SECTION`.
+pub(super) struct SolidSection {
+    pub(super) set: String,
+    pub(super) material: String,
+    pub(super) thickness: f64,
     pub(super) line: usize,
 }
 

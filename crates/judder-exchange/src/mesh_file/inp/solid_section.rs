@@ -2,7 +2,7 @@
 
 use super::deck::{Keyword, words};
 use super::element_type::Formulation;
-use super::model::Model;
+use super::model::{Model, SolidSection};
 use super::sets::{check_members, places};
 use crate::cause::Cause;
 use crate::error::ExchangeError;
@@ -13,14 +13,6 @@ use crate::text::number;
 use judder_structure::material::{Elastic, Section};
 use judder_structure::mesh::Side;
 use std::collections::BTreeMap;
-
-/// `*SOLID SECTION`.
-pub(super) struct SolidSection {
-    set: String,
-    material: String,
-    thickness: f64,
-    line: usize,
-}
 
 impl Model {
     pub(super) fn read_solid_section(&mut self, keyword: &Keyword<'_>) -> Result<(), ExchangeError> {

@@ -2,7 +2,7 @@
 
 use super::samples::Samples;
 use crate::error::ModelError;
-use judder_numerics::signal::decimate::Decimation;
+use judder_numerics::signal::Decimation;
 use judder_sliding::march::{Checkpoint, March, Reached};
 use judder_sliding::motion::Motion;
 use judder_sliding::recorder::{Recorder, RecorderState};

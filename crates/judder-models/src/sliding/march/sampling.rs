@@ -1,7 +1,7 @@
 //! How the signals of a march are sampled.
 
 use crate::sliding::case::signals::Sampling;
-use judder_numerics::signal::decimate::Decimation;
+use judder_numerics::signal::Decimation;
 use std::f64::consts::TAU;
 
 /// Low-pass and decimation to at least the asked samples a second; every step is a sample where steps are longer than samples.

@@ -4,7 +4,7 @@ use crate::sliding::case::problem::SlidingProblem;
 use crate::sliding::march::settings::March;
 use crate::sliding::system::{SlidingSystem, method, step};
 use judder_keys::memory::Memory;
-use judder_numerics::signal::decimate::Decimation;
+use judder_numerics::signal::Decimation;
 use judder_study::model::Refusal;
 
 /// What bursts, sound and spectrum of one signal take beside the stored arrays: copies of time, position and signal, before and after

@@ -1,6 +1,7 @@
 //! What runs in every step of a march must not ask for memory.
 
-use judder_numerics::signal::decimate::{Decimation, Decimator};
+use judder_numerics::signal::Decimation;
+use judder_numerics::signal::decimate::Decimator;
 use judder_numerics::signal::extremes::Extremes;
 
 #[test]

@@ -1,8 +1,9 @@
 //! A decimator against what it promises, sine by sine, and against itself after an interruption.
 
 use super::amplitude;
+use judder_numerics::signal::Decimation;
 use judder_numerics::signal::SignalError;
-use judder_numerics::signal::decimate::{Decimation, Decimator, DecimatorState};
+use judder_numerics::signal::decimate::{Decimator, DecimatorState};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 

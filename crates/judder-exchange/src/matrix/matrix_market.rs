@@ -2,9 +2,9 @@
 //!
 //! R. F. Boisvert, R. Pozo, K. Remington, *The Matrix Market Exchange Formats: Initial Design*, NISTIR 5935 (1996).
 
+use super::{Matrix, Symmetry};
 use crate::cause::Cause;
 use crate::error::ExchangeError;
-use crate::matrix::{Matrix, Symmetry};
 use crate::quoted::quoted;
 use crate::text::{check_room, count, number, text_of};
 use std::io::Write;
@@ -48,7 +48,7 @@ struct Header {
 type Lines<'a> = dyn Iterator<Item = (usize, &'a str)> + 'a;
 
 /// Reads coordinate and array files of real and integer matrices: general, symmetric and skew-symmetric.
-pub(crate) fn read_matrix_market(bytes: &[u8]) -> Result<Matrix, ExchangeError> {
+pub(super) fn read_matrix_market(bytes: &[u8]) -> Result<Matrix, ExchangeError> {
     let text = text_of(bytes)?;
     let header =
         header(text.lines().next().unwrap_or("")).map_err(|cause| ExchangeError::at_line(1, cause))?;

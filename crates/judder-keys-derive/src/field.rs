@@ -156,7 +156,8 @@ impl Key {
             (_, true) => quote!(<#ty as ::judder_keys::declared::Settings>::write_table(#value, json);),
             _ => quote!(::judder_keys::declared::write_key(
                 json,
-                (#name, #is_omitted),
+                #name,
+                #is_omitted,
                 <#ty as ::judder_keys::declared::Setting>::write(#value, #rule),
             );),
         }

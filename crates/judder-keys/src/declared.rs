@@ -148,7 +148,7 @@ pub fn all<T>(many: impl IntoIterator<Item = Result<T, Fault>>) -> Result<Vec<T>
 }
 
 /// Puts a key into a canonical form; one that is left out is `null` there, or nothing.
-pub fn write_key(json: &mut Map<String, Json>, (key, is_omitted): (&str, bool), value: Json) {
+pub fn write_key(json: &mut Map<String, Json>, key: &str, is_omitted: bool, value: Json) {
     if !(is_omitted && value.is_null()) {
         json.insert(key.to_owned(), value);
     }

@@ -119,7 +119,7 @@ impl<'a> Section<'a> {
 
     /// A whole number from `from` to `to`.
     pub fn whole(&self, key: &str, from: usize, to: usize) -> Result<Option<usize>, Fault> {
-        self.get(key).map(|node| whole(&self.path(key), node, (from, to))).transpose()
+        self.get(key).map(|node| whole(&self.path(key), node, from, to)).transpose()
     }
 
     /// One of a few words, each with its meaning.
@@ -134,7 +134,7 @@ impl<'a> Section<'a> {
 }
 
 /// A whole number from one to another.
-pub fn whole(key: &str, node: &Node, (from, to): (usize, usize)) -> Result<usize, Fault> {
+pub fn whole(key: &str, node: &Node, from: usize, to: usize) -> Result<usize, Fault> {
     let Data::Number { whole: Some(found), .. } = node.data else {
         return Err(wrong_type(key, "an integer", node));
     };

@@ -41,7 +41,8 @@ pub fn read_ends<K>(
     entry: &Key<K>,
     path: &str,
     node: &Node,
-    (usual, most): (usize, usize),
+    usual: usize,
+    most: usize,
 ) -> Result<Span, Fault> {
     let table = Section::of_table(node, path, &format!("`{path}`"))?;
     let end = |end: &str| {

@@ -57,7 +57,7 @@ impl FoundSpectrum {
                 RelaxationSpectrum::new(rubbery, terms.iter().map(term).collect())?.creep_form()?
             }
             RelaxationSource::Continuous(source) => {
-                return Ok(Self::continuous(source, (rubbery, glassy))?);
+                return Ok(Self::continuous(source, rubbery, glassy)?);
             }
             RelaxationSource::Dma { file, terms, rubbery_modulus } => {
                 return Self::measured(file, *terms, *rubbery_modulus, substrate);
@@ -66,13 +66,17 @@ impl FoundSpectrum {
         Ok(Self { spectrum, fit: None, discretisation: None })
     }
 
-    fn continuous(source: &ContinuousSource, moduli: (f64, f64)) -> Result<Self, MaterialError> {
+    fn continuous(source: &ContinuousSource, rubbery: f64, glassy: f64) -> Result<Self, MaterialError> {
         let whole = match source.density() {
-            Density::LogNormal(own) => ContinuousSpectrum::log_normal(moduli, own.median, own.width)?,
-            Density::PowerLaw(own) => ContinuousSpectrum::power_law(moduli, own.from, own.to, own.exponent)?,
+            Density::LogNormal(own) => {
+                ContinuousSpectrum::log_normal(rubbery, glassy, own.median, own.width)?
+            }
+            Density::PowerLaw(own) => {
+                ContinuousSpectrum::power_law(rubbery, glassy, own.from, own.to, own.exponent)?
+            }
             Density::Samples(samples) => {
                 let samples: Vec<_> = samples.iter().map(|sample| (sample.time, sample.density)).collect();
-                ContinuousSpectrum::sampled(moduli.1, &samples)?
+                ContinuousSpectrum::sampled(glassy, &samples)?
             }
         };
         let found = match source.terms() {

@@ -82,7 +82,8 @@ const SEED_INTERVALS: usize = 160;
 pub fn boundaries(
     contact: &Contact,
     condition: Condition,
-    (x, y): (&Range, &Range),
+    x: &Range,
+    y: &Range,
     coefficients: &(dyn Fn(f64, f64) -> Coefficients + Sync),
 ) -> Vec<Boundary> {
     let field = Field { contact, condition, x, y, coefficients };
@@ -94,7 +95,8 @@ pub fn boundaries(
 /// their values. The indentation of the points is NaN. What can be missed is as for [`boundaries`].
 #[must_use]
 pub fn boundaries_of_system(
-    (x, y): (&Range, &Range),
+    x: &Range,
+    y: &Range,
     system: &dyn Fn(f64, f64) -> Option<ReducedSystem>,
 ) -> Vec<Boundary> {
     let at = |position: [f64; 2]| system(x.value(position[0]), y.value(position[1]));
@@ -175,7 +177,7 @@ mod tests {
                 stiffness: [[2.0, 1.0 - 4.0 / 3.0 * friction], [1.0, 2.0]],
             })
         };
-        let curves = boundaries_of_system((&linear(0.0, 1.5), &linear(0.01, 0.3)), &system);
+        let curves = boundaries_of_system(&linear(0.0, 1.5), &linear(0.01, 0.3), &system);
         assert_eq!(curves.len(), 1);
         assert_eq!(curves[0].end, End::LeftPlane);
         for p in &curves[0].points {
@@ -192,7 +194,7 @@ mod tests {
             Some(ReducedSystem { damping: [[0.0; 2]; 2], stiffness })
         };
         for to in [1.5, 1.4] {
-            let curves = boundaries_of_system((&linear(0.0, to), &linear(0.0, 1.0)), &undamped);
+            let curves = boundaries_of_system(&linear(0.0, to), &linear(0.0, 1.0), &undamped);
             assert_eq!(curves.len(), 1, "to {to}");
             assert_eq!((curves[0].end, curves[0].folds.len()), (End::LeftPlane, 0));
             for p in &curves[0].points {
@@ -209,7 +211,7 @@ mod tests {
                 let at = move |velocity, normal_load| {
                     Groups { velocity, normal_load, shear_strength, coupling, ..Groups::default() }.resolve()
                 };
-                let curves = boundaries(&paper(load), Condition::Full, (&x, &y), &at);
+                let curves = boundaries(&paper(load), Condition::Full, &x, &y, &at);
                 assert!(
                     curves.iter().all(|c| c.end != End::Stalled && c.points.len() > 10),
                     "{load:?} {coupling}"
@@ -229,7 +231,7 @@ mod tests {
         let contact = paper(FrictionLoad::NormalLoad);
         let (x, y) = (logarithmic(1e-8, 1e2), logarithmic(1e-4, 1.0));
         let at = of_fig_9(1e-6);
-        let curves = boundaries(&contact, Condition::Conservative, (&x, &y), &at);
+        let curves = boundaries(&contact, Condition::Conservative, &x, &y, &at);
         assert!(curves.iter().all(|c| c.end != End::Stalled));
         for p in curves.iter().flat_map(|c| &c.points).step_by(37) {
             let found = thresholds(&contact, &logarithmic(1e-5, 10.0), 300, |s| at(p.x, s)).conservative;
@@ -245,7 +247,7 @@ mod tests {
             let (x, y) = (logarithmic(1e-8, 1e2), logarithmic(1e-4, 1.0));
             for normal_load in [1e-6, 1e-3] {
                 let at = of_fig_9(normal_load);
-                let curves = boundaries(&contact, Condition::Full, (&x, &y), &at);
+                let curves = boundaries(&contact, Condition::Full, &x, &y, &at);
                 assert!(curves.iter().all(|c| c.end != End::Stalled), "{load:?} {normal_load}");
                 let positions: Vec<Vec<[f64; 2]>> = curves
                     .iter()

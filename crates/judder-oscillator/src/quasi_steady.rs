@@ -16,7 +16,7 @@ use std::f64::consts::{PI, TAU};
 
 /// Eq. (3) where x oscillates with a period and an amplitude: (ω − v_d/A_x) τ, to be small against 1; in the units of the oscillator.
 #[must_use]
-pub fn in_motion((period, amplitude): (f64, f64), belt_velocity: f64, retardation_time: f64) -> f64 {
+pub fn in_motion(period: f64, amplitude: f64, belt_velocity: f64, retardation_time: f64) -> f64 {
     (TAU / period - belt_velocity / amplitude) * retardation_time
 }
 

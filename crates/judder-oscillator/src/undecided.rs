@@ -29,7 +29,8 @@ const HALVINGS: usize = 20;
 #[must_use]
 pub fn undecided(
     contact: &Contact,
-    (range, samples): (&Range, usize),
+    range: &Range,
+    samples: usize,
     thresholds: [&[f64]; 2],
     coefficients: impl Fn(f64) -> Coefficients,
 ) -> Undecided {

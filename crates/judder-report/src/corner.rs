@@ -19,7 +19,7 @@ pub(crate) struct Place {
 }
 
 impl Place {
-    fn contains(&self, (x, y): (f64, f64)) -> bool {
+    fn contains(&self, x: f64, y: f64) -> bool {
         (self.x..=self.x + self.width).contains(&x) && (self.y..=self.y + self.height).contains(&y)
     }
 }
@@ -86,7 +86,7 @@ fn hidden_of_layer(layer: &Layer, room: Room<'_>, place: &Place) -> f64 {
         }
         Layer::Points(points) => {
             let places = points.x.iter().zip(&points.y).filter_map(|(x, y)| room.point(*x, *y));
-            places.filter(|point| place.contains(*point)).count() as f64 * 2.0 * HIDDEN
+            places.filter(|(x, y)| place.contains(*x, *y)).count() as f64 * 2.0 * HIDDEN
         }
         Layer::Rule(rule) => {
             let (from, to) = match rule.direction {
@@ -102,7 +102,7 @@ fn hidden_of_layer(layer: &Layer, room: Room<'_>, place: &Place) -> f64 {
             from.zip(to).map_or(0.0, |(from, to)| hidden_of_segment(from, to, place))
         }
         Layer::Note(note) => {
-            let hit = room.point(note.x, note.y).is_some_and(|point| place.contains(point));
+            let hit = room.point(note.x, note.y).is_some_and(|(x, y)| place.contains(x, y));
             if hit { 2.0 * HIDDEN } else { 0.0 }
         }
         Layer::Classes(_) | Layer::Values(_) | Layer::Region(_) => 0.0,
@@ -116,7 +116,7 @@ fn hidden_of_segment(from: (f64, f64), to: (f64, f64), place: &Place) -> f64 {
     let samples = (length / 2.0).ceil().max(1.0);
     let inside = (0..samples as usize).filter(|index| {
         let share = (*index as f64 + 0.5) / samples;
-        place.contains((from.0 + share * dx, from.1 + share * dy))
+        place.contains(from.0 + share * dx, from.1 + share * dy)
     });
     inside.count() as f64 * length / samples
 }

@@ -179,7 +179,8 @@ impl Layer {
     /// Markers of sizes of their own: `sizes[i]` times the usual diameter.
     pub fn bubbles(
         label: impl Into<String>,
-        (x, y): (Vec<f64>, Vec<f64>),
+        x: Vec<f64>,
+        y: Vec<f64>,
         sizes: Vec<f64>,
         style: impl Into<Style>,
     ) -> Self {

@@ -181,8 +181,8 @@ fn draw_panel(panel: &Panel, letter: String, width_of_frame: f64, height: f64) -
     let mut ticks_y = axis_ticks(&panel.y, &placed_y, (height / 22.0) as usize);
     thin_labels(&placed_y, &mut ticks_y, LINE / height);
     let tick_width = widest_label(&ticks_y);
-    let room = ((width_of_frame / 30.0) as usize, (widest + 5.0) / width_of_frame);
-    let second = panel.second.as_ref().map(|second| second_axis::drawn(second, &placed_x, room));
+    let (room, share) = ((width_of_frame / 30.0) as usize, (widest + 5.0) / width_of_frame);
+    let second = panel.second.as_ref().map(|second| second_axis::drawn(second, &placed_x, room, share));
     DrawnPanel {
         frame: Frame { x: 0.0, y: 0.0, width: width_of_frame, height },
         x: drawn_axis(&panel.x, placed_x, ticks_x),

@@ -50,7 +50,7 @@ pub fn apart(lines: impl IntoIterator<Item = Curve>) -> Curve {
 }
 
 /// The points of a line that are joined to none, which the line itself does not show.
-pub fn alone((x, y): &Curve) -> Curve {
+pub fn alone(x: &[f64], y: &[f64]) -> Curve {
     let is_point =
         |k: usize| x.get(k).is_some_and(|x| x.is_finite()) && y.get(k).is_some_and(|y| y.is_finite());
     let is_alone = |k: &usize| is_point(*k) && (*k == 0 || !is_point(k - 1)) && !is_point(k + 1);
@@ -91,6 +91,6 @@ mod tests {
     #[test]
     fn points_that_are_joined_to_none_are_found() {
         let curve = (vec![0.0, 1.0, 2.0, 3.0, 4.0], vec![1.0, NAN, 2.0, 3.0, NAN]);
-        assert_eq!(alone(&curve), (vec![0.0], vec![1.0]));
+        assert_eq!(alone(&curve.0, &curve.1), (vec![0.0], vec![1.0]));
     }
 }

@@ -17,7 +17,7 @@ pub(crate) struct DrawnSecond {
 }
 
 /// The ticks over the range of the axis below it, for so many labels that need this share of the width each.
-pub(crate) fn drawn(second: &SecondAxis, below: &Placed, (room, share): (usize, f64)) -> DrawnSecond {
+pub(crate) fn drawn(second: &SecondAxis, below: &Placed, room: usize, share: f64) -> DrawnSecond {
     let ends = [below.from, below.to].map(|x| interpolated(&second.x, &second.value, x));
     let [from, to] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
     let none = DrawnSecond { label: second.label.clone(), major: Vec::new(), minor: Vec::new() };
@@ -83,7 +83,7 @@ mod tests {
 
     #[test]
     fn ticks_stand_where_the_values_are() {
-        let axis = drawn(&second(vec![0.0, 1.0, 2.0], vec![10.0, 10.0, 40.0]), &BELOW, (5, 0.05));
+        let axis = drawn(&second(vec![0.0, 1.0, 2.0], vec![10.0, 10.0, 40.0]), &BELOW, 5, 0.05);
         for tick in &axis.major {
             let value: f64 = tick.label.parse().unwrap();
             assert!((1.0 + (value - 10.0) / 30.0 - tick.value).abs() < 1e-12, "{tick:?}");
@@ -93,9 +93,9 @@ mod tests {
 
     #[test]
     fn a_scale_may_run_backwards_or_stand_still() {
-        let axis = drawn(&second(vec![0.0, 2.0], vec![40.0, 10.0]), &BELOW, (5, 0.05));
+        let axis = drawn(&second(vec![0.0, 2.0], vec![40.0, 10.0]), &BELOW, 5, 0.05);
         assert!(axis.major.len() >= 3 && axis.major.is_sorted_by(|a, b| a.value < b.value), "{axis:?}");
-        assert!(drawn(&second(vec![0.0, 2.0], vec![5.0; 2]), &BELOW, (5, 0.05)).major.is_empty());
-        assert!(drawn(&second(Vec::new(), Vec::new()), &BELOW, (5, 0.05)).major.is_empty());
+        assert!(drawn(&second(vec![0.0, 2.0], vec![5.0; 2]), &BELOW, 5, 0.05).major.is_empty());
+        assert!(drawn(&second(Vec::new(), Vec::new()), &BELOW, 5, 0.05).major.is_empty());
     }
 }

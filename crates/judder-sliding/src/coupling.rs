@@ -66,8 +66,8 @@ impl Coupling {
         let push = sliding.push(touch);
         let Weights { value, .. } = &touch.weights;
         Self {
-            compatibility: spread(pair, touch, touch.normal, (touch.normal, value)),
-            equilibrium: spread(pair, touch, push, (push, value)),
+            compatibility: spread(pair, touch, touch.normal, touch.normal, value),
+            equilibrium: spread(pair, touch, push, push, value),
             feedback: Vec::new(),
         }
     }
@@ -79,7 +79,7 @@ impl Coupling {
     pub fn with_falling_friction(mut self, pair: &Pair, touch: &Touch, sliding: Sliding, force: f64) -> Self {
         if sliding.slope != 0.0 {
             let Weights { value, .. } = &touch.weights;
-            let row = spread(pair, touch, touch.tangent, (touch.tangent, value));
+            let row = spread(pair, touch, touch.tangent, touch.tangent, value);
             let column = row.iter().map(|entry| -force * sliding.slope * entry).collect();
             self.feedback.push(Feedback { row, column, follows_velocity: true });
         }
@@ -98,13 +98,13 @@ impl Coupling {
         // the left of the edge is side·n: with θ, t turns towards it and n towards −side·t
         let left = sized(normal, side / stretch);
         let along = sized(tangent, 1.0 / stretch);
-        let place = spread(pair, touch, along, (along, &weights.value));
-        let by_slope = spread(pair, touch, none, (sized(&left, -1.0), &weights.slope));
+        let place = spread(pair, touch, along, along, &weights.value);
+        let by_slope = spread(pair, touch, none, sized(&left, -1.0), &weights.slope);
         let angle = by_slope.iter().zip(&place).map(|(slope, place)| slope + turn * place).collect();
         let turned = plus(sized(tangent, -side), -sliding.direction * sliding.friction * side, *normal);
         let forced = |column: Vec<f64>| column.into_iter().map(|entry| force * entry).collect::<Vec<_>>();
-        let by_angle = forced(spread(pair, touch, turned, (turned, &weights.value)));
-        let by_place = forced(spread(pair, touch, none, (sliding.push(touch), &weights.slope)));
+        let by_angle = forced(spread(pair, touch, turned, turned, &weights.value));
+        let by_place = forced(spread(pair, touch, none, sliding.push(touch), &weights.slope));
         for (row, column) in [(angle, by_angle), (place, by_place)] {
             self.feedback.push(Feedback { row, column, follows_velocity: false });
         }
@@ -128,7 +128,7 @@ impl Coupling {
 }
 
 /// Φ_Cᵀ a on the slider, −Σ w_k Φ_kᵀ b on the track.
-fn spread(pair: &Pair, touch: &Touch, on_slider: Vector, (on_track, weights): (Vector, &[f64])) -> Vec<f64> {
+fn spread(pair: &Pair, touch: &Touch, on_slider: Vector, on_track: Vector, weights: &[f64]) -> Vec<f64> {
     let along = |point: &Point, direction: Vector, mode: usize| {
         direction[0] * point.rows[0][mode] + direction[1] * point.rows[1][mode]
     };

@@ -86,7 +86,7 @@ impl ThreeField {
         let (left, right) = (self.equilibrium_basis(), self.compatible_basis());
         let project = |matrix: &Mat<f64>| left.transpose() * matrix * &right;
         let [mass, damping, stiffness] = [&self.mass, &self.damping, &self.stiffness].map(project);
-        let (stiffness, damping) = shifted((&mass, &damping, &stiffness), shift);
+        let (stiffness, damping) = shifted(&mass, &damping, &stiffness, shift);
         let size = mass.nrows();
         let by_mass = solve(stiffness.clone(), mass)?;
         let by_damping = solve(stiffness, damping)?;
@@ -99,7 +99,7 @@ impl ThreeField {
     /// [`SlidingError::DenseFailure`].
     pub fn dual_spectrum(&self, shift: f64) -> Result<Vec<Complex64>, SlidingError> {
         let size = self.mass.nrows();
-        let (stiffness, damping) = shifted((&self.mass, &self.damping, &self.stiffness), shift);
+        let (stiffness, damping) = shifted(&self.mass, &self.damping, &self.stiffness, shift);
         let bordered = Mat::from_fn(size + 1, size + 1, |i, j| match (i < size, j < size) {
             (true, true) => stiffness[(i, j)],
             (true, false) => self.equilibrium[(0, i)],
@@ -117,10 +117,7 @@ impl ThreeField {
 }
 
 /// K and C of s = θ + σ: K + θ C + θ² M and C + 2 θ M.
-fn shifted(
-    (mass, damping, stiffness): (&Mat<f64>, &Mat<f64>, &Mat<f64>),
-    shift: f64,
-) -> (Mat<f64>, Mat<f64>) {
+fn shifted(mass: &Mat<f64>, damping: &Mat<f64>, stiffness: &Mat<f64>, shift: f64) -> (Mat<f64>, Mat<f64>) {
     let size = mass.nrows();
     let stiffness =
         Mat::from_fn(size, size, |i, j| stiffness[(i, j)] + shift * (damping[(i, j)] + shift * mass[(i, j)]));

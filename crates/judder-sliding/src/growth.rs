@@ -222,7 +222,7 @@ impl Held {
         settings: &GrowthSettings,
         eigenvalue: Complex64,
     ) -> Result<Start, SlidingError> {
-        let shape = mode_shape(&self.coupling, (&pair.eigenvalues(), &pair.damping()), eigenvalue);
+        let shape = mode_shape(&self.coupling, &pair.eigenvalues(), &pair.damping(), eigenvalue);
         let size = AMPLITUDE * self.normal_force;
         let at = |time: f64| -> Vec<f64> {
             let swing = size * (eigenvalue * time).exp();

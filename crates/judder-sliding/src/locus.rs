@@ -216,7 +216,7 @@ pub fn smooth_pieces(
         .par_iter()
         .map(|node| match conditions.configuration {
             Configuration::Undeformed => Ok(*node),
-            Configuration::Deformed => passes(pair, conditions, (*node, segment), [from, to]),
+            Configuration::Deformed => passes(pair, conditions, *node, segment, [from, to]),
         })
         .collect();
     let mut bounds = vec![from];
@@ -249,7 +249,8 @@ fn touched(pair: &Pair, conditions: &Conditions, position: f64) -> Result<f64, S
 fn passes(
     pair: &Pair,
     conditions: &Conditions,
-    (node, segment): (f64, f64),
+    node: f64,
+    segment: f64,
     [from, to]: [f64; 2],
 ) -> Result<f64, SlidingError> {
     let within = |position: f64| position.clamp(from, to);

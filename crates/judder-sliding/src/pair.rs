@@ -75,7 +75,8 @@ impl Pair {
     pub fn new(
         slider: Slider,
         track: Track,
-        (interpolation, is_left): (Interpolation, bool),
+        interpolation: Interpolation,
+        is_left: bool,
         friction: Friction,
         observed: Vec<Observed>,
     ) -> Result<Self, SlidingError> {

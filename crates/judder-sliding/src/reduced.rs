@@ -25,7 +25,8 @@ impl Reduced {
     /// [`StructureError::NoModalForm`].
     pub fn new(
         reduced: &CraigBampton,
-        (alpha, beta): (f64, f64),
+        alpha: f64,
+        beta: f64,
         rigid: f64,
         inertia_load: &[f64],
     ) -> Result<Self, StructureError> {

@@ -7,11 +7,7 @@ use num_complex::Complex64;
 ///
 /// q_i = (e_i N + Σ b_ki y_k)/(s² + d_i s + λ_i), where the feedbacks y_k = r_k q, or s r_k q, follow from the shape itself.
 #[must_use]
-pub fn mode_shape(
-    coupling: &Coupling,
-    (eigenvalues, damping): (&[f64], &[f64]),
-    s: Complex64,
-) -> Vec<Complex64> {
+pub fn mode_shape(coupling: &Coupling, eigenvalues: &[f64], damping: &[f64], s: Complex64) -> Vec<Complex64> {
     let yields: Vec<Complex64> =
         eigenvalues.iter().zip(damping).map(|(value, d)| 1.0 / (s * s + d * s + value)).collect();
     let sees = |row: &[f64], column: &[f64]| -> Complex64 {

@@ -178,12 +178,12 @@ pub fn zones(
     branches.sort_by_key(|branch| branch.ends.iter().filter(|end| **end == End::Lost).count());
     let mut kept: Vec<Branch> = Vec::new();
     for branch in branches {
-        if !kept.iter().any(|other| is_on(family, &other.path, branch.origin)) {
+        if !kept.iter().any(|other| is_on(family, &other.path, branch.origin.0, branch.origin.1)) {
             kept.push(branch);
         }
     }
     for seed in seeds {
-        if !kept.iter().any(|other| is_on(family, &other.path, seed)) {
+        if !kept.iter().any(|other| is_on(family, &other.path, seed.0, seed.1)) {
             kept.push(Branch::of_seed(family, pieces, seed));
         }
     }

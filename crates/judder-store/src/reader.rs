@@ -118,7 +118,7 @@ impl StudyReader {
             return Err(StoreError::NoDataset { path });
         }
         let array = self.array(&group, variable)?;
-        self.rows_of(&group, &array, (variable, rows)).map_err(|failure| match failure {
+        self.rows_of(&group, &array, variable, rows).map_err(|failure| match failure {
             Failure::Refused(error) => error,
             Failure::Unreadable(source) => StoreError::DatasetUnreadable { path, source },
         })
@@ -211,7 +211,8 @@ impl StudyReader {
         &self,
         group: &Path,
         array: &Array<FilesystemStore>,
-        (name, rows): (&str, Range<usize>),
+        name: &str,
+        rows: Range<usize>,
     ) -> Result<Variable, Failure> {
         let mut ranges: Vec<Range<u64>> = array.shape().iter().map(|length| 0..*length).collect();
         if let Some(first) = ranges.first_mut() {

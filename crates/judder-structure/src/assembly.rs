@@ -64,7 +64,7 @@ pub fn assemble(
             })
             .collect::<Result<_, _>>()?;
         for (task, matrices) in tasks.iter().zip(&matrices) {
-            pattern.add((&mut stiffness, &mut mass), task, numbering, matrices);
+            pattern.add(&mut stiffness, &mut mass, task, numbering, matrices);
         }
     }
     Ok(Assembled { stiffness: pattern.matrix(stiffness), mass: pattern.matrix(mass) })
@@ -157,7 +157,8 @@ impl Pattern {
 
     fn add(
         &self,
-        (stiffness, mass): (&mut [f64], &mut [f64]),
+        stiffness: &mut [f64],
+        mass: &mut [f64],
         task: &Task<'_>,
         numbering: &Numbering,
         matrices: &ElementMatrices,

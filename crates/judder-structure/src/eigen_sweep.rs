@@ -135,9 +135,9 @@ pub fn eigen_sweeps(
         return each_curve(&|number| full(&points[number]));
     };
     let sweeps = each_curve(&|number| {
-        if let Some(sample) = samples.of_point(number) {
-            let modes = samples.modes(sample, settings)?;
-            return Ok(Solved { modes, gaps: sample.1.gaps.clone(), full: true });
+        if let Some((taken, sample)) = samples.of_point(number) {
+            let modes = samples.modes(*taken, sample, settings)?;
+            return Ok(Solved { modes, gaps: sample.gaps.clone(), full: true });
         }
         let projected = samples.projected(projection, number)?;
         let Some((projected, gaps)) = projected.filter(|(projected, _)| projected.within(tolerance)) else {

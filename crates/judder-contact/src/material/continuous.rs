@@ -75,26 +75,33 @@ impl ContinuousSpectrum {
     ///
     /// # Errors
     /// As [`ContinuousSpectrum::from_density`], and [`MaterialError::RubberyNotBelowGlassy`].
-    pub fn power_law(moduli: (f64, f64), from: f64, to: f64, exponent: f64) -> Result<Self, MaterialError> {
+    pub fn power_law(
+        rubbery: f64,
+        glassy: f64,
+        from: f64,
+        to: f64,
+        exponent: f64,
+    ) -> Result<Self, MaterialError> {
         // over the geometric mean, so that the power stays a number
         let middle = from.sqrt() * to.sqrt();
-        Self::between(moduli, &[from, to], |time| (time / middle).powf(exponent))
+        Self::between(rubbery, glassy, &[from, to], |time| (time / middle).powf(exponent))
     }
 
     /// Between E0 and E∞ \[Pa\], τ𝒞 a Gaussian in log10 τ about `median` \[s\] with a standard deviation of `width` decades.
     ///
     /// # Errors
     /// As [`ContinuousSpectrum::power_law`].
-    pub fn log_normal(moduli: (f64, f64), median: f64, width: f64) -> Result<Self, MaterialError> {
+    pub fn log_normal(rubbery: f64, glassy: f64, median: f64, width: f64) -> Result<Self, MaterialError> {
         positive("the width of the spectrum in decades", width)?;
         let reach = 10f64.powf(WIDTHS * width);
         let gaussian = |time: f64| (-0.5 * ((time / median).log10() / width).powi(2)).exp();
-        Self::between(moduli, &[median / reach, median, median * reach], gaussian)
+        Self::between(rubbery, glassy, &[median / reach, median, median * reach], gaussian)
     }
 
     /// A shape of τ𝒞 scaled so that the compliance reaches 1/E0.
     fn between(
-        (rubbery, glassy): (f64, f64),
+        rubbery: f64,
+        glassy: f64,
         edges: &[f64],
         shape: impl Fn(f64) -> f64,
     ) -> Result<Self, MaterialError> {

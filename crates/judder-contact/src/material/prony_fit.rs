@@ -206,7 +206,7 @@ impl System<'_> {
     /// The best row of `count` relaxation times.
     fn fit(&self, count: usize) -> Result<PronyFit, MaterialError> {
         let Attempt { solution, ends } = self.best_row(count)?;
-        let times = row(ends, count);
+        let times = row(ends.0, ends.1, count);
         let offset = usize::from(self.rubbery_modulus.is_none());
         let rubbery = self.rubbery_modulus.unwrap_or(solution.coefficients[0]);
         if rubbery <= 0.0 {
@@ -227,7 +227,7 @@ impl System<'_> {
         let attempt = |ends: (f64, f64)| -> Result<Attempt, MaterialError> {
             let ends = (ends.0.clamp(shortest, longest), ends.1.clamp(shortest, longest));
             let ends = (ends.0, if count == 1 { ends.0 } else { ends.1.max(ends.0) });
-            Ok(Attempt { solution: self.moduli(&row(ends, count))?, ends })
+            Ok(Attempt { solution: self.moduli(&row(ends.0, ends.1, count))?, ends })
         };
         let coarse = (longest - shortest) / COARSE_PARTS as f64;
         let at = |k: usize| shortest + k as f64 * coarse;
@@ -285,7 +285,7 @@ impl Attempt {
 }
 
 /// `count` times, evenly spaced in the logarithm.
-fn row((first, last): (f64, f64), count: usize) -> Vec<f64> {
+fn row(first: f64, last: f64, count: usize) -> Vec<f64> {
     let intervals = (count - 1).max(1) as f64;
     (0..count).map(|k| (first + (last - first) * k as f64 / intervals).exp()).collect()
 }

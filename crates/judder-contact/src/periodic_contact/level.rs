@@ -52,8 +52,8 @@ impl PeriodicLevel {
         let mut operator = SlidingOperator::periodic(grid, question.substrate, question.memory)?;
         let collocation_shift = operator.collocation_shift();
         let heights = interpolated(question.surface, factor, collocation_shift / grid.cell);
-        let solution = solve_on((question, interrupted), &mut operator, &heights, start, question.limits)?;
-        Ok(measured(question, (factor, grid), (collocation_shift, heights), solution))
+        let solution = solve_on(question, &mut operator, &heights, start, question.limits, interrupted)?;
+        Ok(measured(question, factor, grid, collocation_shift, heights, solution))
     }
 
     /// The row of the grid in a table of refinement.
@@ -116,7 +116,7 @@ pub(super) fn start_from_coarser(
     for (grid, heights) in coarser.iter().rev() {
         let mut operator = SlidingOperator::periodic(*grid, question.substrate, question.memory)?;
         let start = Start { pressure: &pressure, indentation };
-        let solution = solve_on((question, interrupted), &mut operator, heights, start, limits)?;
+        let solution = solve_on(question, &mut operator, heights, start, limits, interrupted)?;
         (pressure, indentation) = (doubled(grid, &solution.pressure), solution.indentation);
     }
     Ok((pressure, indentation))
@@ -148,11 +148,12 @@ fn doubled(coarse: &SurfaceGrid, pressure: &[f64]) -> Vec<f64> {
 
 /// An elastic substrate takes conjugate gradients, one with a wake the active set.
 fn solve_on(
-    (question, interrupted): (&PeriodicQuestion<'_>, Interrupted<'_>),
+    question: &PeriodicQuestion<'_>,
     operator: &mut SlidingOperator,
     heights: &[f64],
     start: Start<'_>,
     limits: UnilateralLimits,
+    interrupted: Interrupted<'_>,
 ) -> Result<UnilateralSolution, PeriodicContactError> {
     let grid = operator.grid();
     let loading = match question.loading {
@@ -171,8 +172,10 @@ fn solve_on(
 
 fn measured(
     question: &PeriodicQuestion<'_>,
-    (factor, grid): (usize, SurfaceGrid),
-    (collocation_shift, heights): (f64, Vec<f64>),
+    factor: usize,
+    grid: SurfaceGrid,
+    collocation_shift: f64,
+    heights: Vec<f64>,
     solution: UnilateralSolution,
 ) -> PeriodicLevel {
     let cells = grid.len() as f64;

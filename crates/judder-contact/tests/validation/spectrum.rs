@@ -17,7 +17,7 @@ fn box_modulus(from: f64, to: f64, frequency: f64) -> Complex64 {
 #[test]
 fn the_box_spectrum_and_its_series() {
     let (from, to) = (1e-8, 1.0);
-    let continuous = ContinuousSpectrum::power_law((RUBBERY, GLASSY), from, to, 0.0).unwrap();
+    let continuous = ContinuousSpectrum::power_law(RUBBERY, GLASSY, from, to, 0.0).unwrap();
     let mut last = f64::INFINITY;
     for terms in [5, 10, 20, 30] {
         let series = continuous.discretised(terms).unwrap();
@@ -41,7 +41,7 @@ fn the_box_spectrum_and_its_series() {
 
 #[test]
 fn as_few_terms_as_the_tolerance_needs() {
-    let continuous = ContinuousSpectrum::log_normal((RUBBERY, GLASSY), 1e-3, 1.0).unwrap();
+    let continuous = ContinuousSpectrum::log_normal(RUBBERY, GLASSY, 1e-3, 1.0).unwrap();
     let found = continuous.discretised_within(0.01).unwrap();
     let terms = found.spectrum.terms().len();
     assert!(found.error <= 0.01 && continuous.discretised(terms - 1).unwrap().error > 0.01);
@@ -52,7 +52,7 @@ fn as_few_terms_as_the_tolerance_needs() {
 /// A spectrum narrower than anything measurable is one retardation time.
 #[test]
 fn a_narrow_spectrum_is_one_term() {
-    let continuous = ContinuousSpectrum::log_normal((RUBBERY, GLASSY), 1e-3, 1e-4).unwrap();
+    let continuous = ContinuousSpectrum::log_normal(RUBBERY, GLASSY, 1e-3, 1e-4).unwrap();
     let single = CreepSpectrum::single(RUBBERY, GLASSY, 1e-3).unwrap();
     let series = continuous.discretised(1).unwrap();
     for frequency in [1.0, 1e3, 1e6, 1e9] {

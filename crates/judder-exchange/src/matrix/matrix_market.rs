@@ -57,9 +57,9 @@ pub(super) fn read_matrix_market(bytes: &[u8]) -> Result<Matrix, ExchangeError> 
     let (line, sizes) =
         lines.next().ok_or(Cause::Cut { what: "the sizes of the matrix", needed: 3, left: 0 })?;
     if header.sparse {
-        coordinates(&header, (line, sizes), &mut lines, bytes.len())
+        coordinates(&header, line, sizes, &mut lines, bytes.len())
     } else {
-        array(&header, (line, sizes), &mut lines, bytes.len())
+        array(&header, line, sizes, &mut lines, bytes.len())
     }
 }
 
@@ -116,7 +116,9 @@ fn sizes<const N: usize>(
 /// What the lines hold, one a line, as many as are said.
 fn each_line<T>(
     lines: &mut Lines<'_>,
-    (what, line_of_sizes, said): (&'static str, usize, usize),
+    what: &'static str,
+    line_of_sizes: usize,
+    said: usize,
     read: impl Fn(&str) -> Result<T, Cause>,
 ) -> Result<Vec<T>, ExchangeError> {
     let wrong = |found| Cause::WrongCount { what, said, found };
@@ -136,7 +138,8 @@ fn each_line<T>(
 
 fn coordinates(
     header: &Header,
-    (line, text): (usize, &str),
+    line: usize,
+    text: &str,
     lines: &mut Lines<'_>,
     bytes: usize,
 ) -> Result<Matrix, ExchangeError> {
@@ -145,7 +148,7 @@ fn coordinates(
     let [rows, columns, said] = sizes(text, "rows, columns and entries", names).map_err(here)?;
     // the shortest line is `1 1 1` with its end
     check_room(said, 5, bytes + 1, "entries").map_err(here)?;
-    let entries = each_line(lines, ("entries", line, said), |text| entry(text, rows, columns))?;
+    let entries = each_line(lines, "entries", line, said, |text| entry(text, rows, columns))?;
     Matrix::from_stored(rows, columns, entries, header.symmetry)
 }
 
@@ -165,7 +168,8 @@ fn entry(text: &str, rows: usize, columns: usize) -> Result<(usize, usize, f64),
 /// A dense matrix, column by column; of symmetric ones from the diagonal down.
 fn array(
     header: &Header,
-    (line, text): (usize, &str),
+    line: usize,
+    text: &str,
     lines: &mut Lines<'_>,
     bytes: usize,
 ) -> Result<Matrix, ExchangeError> {
@@ -184,7 +188,7 @@ fn array(
         Symmetry::Symmetric => "entries from the diagonal down",
         Symmetry::SkewSymmetric => "entries below the diagonal",
     };
-    let values = each_line(lines, (what, line, said), |text| number(text, "an entry of the matrix"))?;
+    let values = each_line(lines, what, line, said, |text| number(text, "an entry of the matrix"))?;
     let places = (0..columns).flat_map(|column| (first(column)..rows).map(move |row| (row, column)));
     let entries = places.zip(values).filter(|(_, value)| *value != 0.0);
     let entries = entries.map(|((row, column), value)| (row, column, value)).collect();

@@ -111,7 +111,7 @@ impl Setting for Span {
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, rule: &Ladder) -> Result<Self, Fault> {
-        read_ends(&rule.of.entry(), &section.path(key), node, (rule.usual, rule.most))
+        read_ends(&rule.of.entry(), &section.path(key), node, rule.usual, rule.most)
     }
 
     fn write(&self, rule: &Ladder) -> Json {

@@ -88,7 +88,7 @@ impl Setting for usize {
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, rule: &Whole) -> Result<Self, Fault> {
-        whole(&section.path(key), node, (rule.from, rule.to))
+        whole(&section.path(key), node, rule.from, rule.to)
     }
 
     fn write(&self, _: &Whole) -> Json {
@@ -139,7 +139,7 @@ impl Setting for [f64; 2] {
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, rule: &Pair) -> Result<Self, Fault> {
-        let [from, to] = exactly(section, (key, rule.what), node, items(section, key, node, &rule.of)?)?;
+        let [from, to] = exactly(section, key, rule.what, node, items(section, key, node, &rule.of)?)?;
         if rule.is_ascending {
             ascending(from, to, node.place)?;
         }
@@ -159,7 +159,7 @@ impl Setting for [usize; 2] {
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, rule: &Fixed<Whole>) -> Result<Self, Fault> {
-        exactly(section, (key, rule.what), node, items(section, key, node, &rule.of)?)
+        exactly(section, key, rule.what, node, items(section, key, node, &rule.of)?)
     }
 
     fn write(&self, _: &Fixed<Whole>) -> Json {
@@ -219,7 +219,8 @@ fn items<T: Setting>(section: &Section<'_>, key: &str, node: &Node, rule: &T::Ru
 /// The items of a list that must be so many.
 fn exactly<T, const N: usize>(
     section: &Section<'_>,
-    (key, expected): (&str, &'static str),
+    key: &str,
+    expected: &'static str,
     node: &Node,
     items: Vec<T>,
 ) -> Result<[T; N], Fault> {

@@ -298,7 +298,7 @@ impl Setting for EvenCells {
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
         let [from, to] = CELLS;
         // one cell is a number of cells as well: the message of those that cannot be halved says more
-        match whole(&section.path(key), node, (1, to))? {
+        match whole(&section.path(key), node, 1, to)? {
             found if found < from || !found.is_multiple_of(2) => {
                 Err(ContactProblem::Cells { from, to, found }.at(node.place))
             }

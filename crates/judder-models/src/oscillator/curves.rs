@@ -118,7 +118,7 @@ pub(crate) fn critical(dataset: &Dataset) -> Option<Vec<Panel>> {
                 (false, true) => "full system".to_owned(),
                 (false, false) => "without damping".to_owned(),
             };
-            let (alone_x, alone_y) = alone(&(x.clone(), y.clone()));
+            let (alone_x, alone_y) = alone(&x, &y);
             layers.push(Layer::line(shown, x, y, style));
             if !alone_x.is_empty() {
                 layers.push(Layer::points("", alone_x, alone_y, role.crowded()));

@@ -190,7 +190,7 @@ pub fn analyse(contact: &Contact, groups: Groups) -> Result<Point, ModelError> {
     let is_known = contact.law.knows_its_errors();
     let open = |range: &Range, roots: &Thresholds, at: &dyn Fn(f64) -> Coefficients| {
         let roots = [roots.full.as_slice(), roots.conservative.as_slice()];
-        is_known.then(|| undecided(contact, (range, SAMPLES), roots, at).conservative)
+        is_known.then(|| undecided(contact, range, SAMPLES, roots, at).conservative)
     };
     let mut warnings: Vec<String> = contact
         .law

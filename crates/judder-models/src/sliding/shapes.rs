@@ -97,7 +97,7 @@ impl ShapedPair {
         let shapes: Vec<(Vec<[Complex64; 3]>, f64)> = eigenvalues
             .par_iter()
             .map(|s| {
-                let shape = mode_shape(&coupling, (&own, &damping), *s);
+                let shape = mode_shape(&coupling, &own, &damping, *s);
                 let shape =
                     if shape.iter().all(|q| q.is_finite()) { shape } else { pole((&own, &damping), *s) };
                 (self.displacements(&shape), gap_residual(&coupling, &shape))

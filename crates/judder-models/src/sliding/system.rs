@@ -217,7 +217,7 @@ fn coupled(
         return Err(Uncoupled::because("contact.interpolation", reason, SMOOTH));
     }
     let friction = friction(case)?;
-    Pair::new(slider, track, (interpolation, edge.is_left), friction, observed)
+    Pair::new(slider, track, interpolation, edge.is_left, friction, observed)
         .map_err(|error| refused(case, &error))
 }
 

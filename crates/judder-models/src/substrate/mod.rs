@@ -235,7 +235,7 @@ impl Setting for TermCount {
         let path = section.path(key);
         match &node.data {
             Data::Text(word) if word == "auto" => Ok(Self::Auto),
-            Data::Number { .. } => whole(&path, node, (1, TERM_LIMIT)).map(Self::Given),
+            Data::Number { .. } => whole(&path, node, 1, TERM_LIMIT).map(Self::Given),
             _ => Err(wrong_type(&path, "a number of terms or \"auto\"", node)),
         }
     }

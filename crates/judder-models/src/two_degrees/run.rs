@@ -74,8 +74,11 @@ fn map(case: &TwoDegreesCase, settings: &MapSettings<ParameterKey>) -> Result<Ou
     let mut overlays = Vec::new();
     if settings.options.boundaries {
         let at = |x: f64, y: f64| system(case, &[(&settings.x, x), (&settings.y, y)])?.reduced().ok();
-        overlays
-            .push(Overlay::of_system(boundaries_of_system((&range(&settings.x), &range(&settings.y)), &at)));
+        overlays.push(Overlay::of_system(boundaries_of_system(
+            &range(&settings.x),
+            &range(&settings.y),
+            &at,
+        )));
     }
     let scalars = map_scalars(&map, ONE_WAY, seconds, &overlays);
     Ok(Outcome {

@@ -160,9 +160,9 @@ pub fn continue_branch<S: SlidingSystem<N>, const N: usize>(
         Branch { points: vec![first], folds: vec![], pattern_changes: vec![], end: BranchEnd::Points };
     let (mut step, mut short_steps) = (options.steps.0, 0);
     while branch.points.len() < options.points {
-        match walk.next(&place, step).and_then(|found| neighbour(&branch, (&place, step), found)) {
+        match walk.next(&place, step).and_then(|found| neighbour(&branch, &place, step, found)) {
             Ok(found) => {
-                let (next, next_place) = walk.away_from_the_kink((&place, step), &branch, found);
+                let (next, next_place) = walk.away_from_the_kink(&place, step, &branch, found);
                 let stretch = match next.cycle.iterations {
                     ..=6 => 1.4,
                     7 | 8 => 1.0,
@@ -176,8 +176,7 @@ pub fn continue_branch<S: SlidingSystem<N>, const N: usize>(
             Err(_) if step > KINK => step *= 0.4,
             Err(error) => match walk.round_the_kink(&place, &branch) {
                 Some(found) => {
-                    let (next, next_place) =
-                        walk.away_from_the_kink((&place, options.steps.0), &branch, found);
+                    let (next, next_place) = walk.away_from_the_kink(&place, options.steps.0, &branch, found);
                     walk.note_changes(&mut branch, &next, &place);
                     branch.points.push(next);
                     place = next_place;

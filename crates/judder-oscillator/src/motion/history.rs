@@ -54,7 +54,7 @@ impl<const N: usize> Oscillation<N> {
     /// With ω = 2π over the period and A_x the amplitude, in the units of the oscillator: ṽ_d and τ̃.
     #[must_use]
     pub fn quasi_steady_condition(&self, belt_velocity: f64, retardation_time: f64) -> f64 {
-        quasi_steady::in_motion((self.period, self.amplitude), belt_velocity, retardation_time)
+        quasi_steady::in_motion(self.period, self.amplitude, belt_velocity, retardation_time)
     }
 }
 
@@ -182,7 +182,8 @@ pub fn follow_cycle<const N: usize>(
     system: &impl SlidingSystem<N>,
     mut start: [f64; N],
     settings: Settings<N>,
-    (returns, period): (usize, f64),
+    returns: usize,
+    period: f64,
     points: usize,
 ) -> Result<History<N>, LostMotion> {
     start[N / 2] = 0.0;

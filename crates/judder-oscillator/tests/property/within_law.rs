@@ -124,7 +124,7 @@ fn thresholds_lie_in_the_ranges_that_the_law_leaves_open() {
     for velocity in [1e-5, 1e-4, 1e-3, 1e-2] {
         let at = |shear_strength: f64| Groups { velocity, shear_strength, ..Groups::default() }.resolve();
         let [right, own] = [exact(), law.clone()].map(|contact| thresholds(&contact, &range, 101, at));
-        let open = undecided(&law, (&range, 101), [&own.full, &own.conservative], at);
+        let open = undecided(&law, &range, 101, [&own.full, &own.conservative], at);
         for (roots, ranges) in [(&right.full, &open.full), (&right.conservative, &open.conservative)] {
             for root in roots {
                 found += 1;
@@ -134,7 +134,7 @@ fn thresholds_lie_in_the_ranges_that_the_law_leaves_open() {
                 );
             }
         }
-        assert_eq!(undecided(&exact(), (&range, 101), [&right.full, &[]], at), Default::default());
+        assert_eq!(undecided(&exact(), &range, 101, [&right.full, &[]], at), Default::default());
     }
     assert!(found > 3, "{found}");
 }

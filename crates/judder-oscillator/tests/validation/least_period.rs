@@ -33,7 +33,7 @@ fn a_cycle_that_alternating_returns_come_to_has_the_period_of_one_oscillation() 
     let limits = shooting.settings;
     let cycle = from_simulation(&system, start, &shooting, &Patience::default(), &|| false).unwrap();
     let two = return_map(&system, cycle.start, 2, limits, shooting.longest).unwrap().time;
-    let history = follow_cycle(&system, cycle.start, limits, (2, two), 2049).unwrap();
+    let history = follow_cycle(&system, cycle.start, limits, 2, two, 2049).unwrap();
     let half_later = &history.samples[history.samples.len() / 2..];
     let (smallest, largest) = history.measures.range;
     let shifts = history.samples.iter().zip(half_later).map(|(a, b)| (a.state[0] - b.state[0]).abs());

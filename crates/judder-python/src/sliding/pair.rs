@@ -141,7 +141,7 @@ impl PyPair {
         let watched = observed.iter().map(self::observed).collect::<PyResult<_>>()?;
         let structures = (self::slider(slider)?, self::track(track)?);
         let pair =
-            Pair::new(structures.0, structures.1, (interpolation, is_left), friction.friction()?, watched);
+            Pair::new(structures.0, structures.1, interpolation, is_left, friction.friction()?, watched);
         Ok(Self { pair: pair.map_err(|error| errors::sliding(&error))?, motion: None, warnings: Vec::new() })
     }
 

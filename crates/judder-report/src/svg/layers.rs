@@ -100,7 +100,7 @@ pub(super) fn draw_curve(document: &mut Document, layer: &Layer, panel: &DrawnPa
         Layer::Points(points) => {
             let sizes = (0..points.x.len()).map(|k| points.sizes.as_ref().map_or(1.0, |sizes| sizes[k]));
             let places = places(points, panel).zip(sizes).filter_map(|(place, size)| Some((place?, size)));
-            let places = places.filter(|(place, _)| near(*place, panel.frame));
+            let places = places.filter(|((x, y), _)| near(*x, *y, panel.frame));
             document.put(format_args!("{}", marker_path(&points.style, places)));
         }
         Layer::Rule(rule) => {
@@ -144,7 +144,7 @@ fn places<'a>(line: &'a Line, panel: &'a DrawnPanel) -> impl Iterator<Item = Opt
 }
 
 /// Markers outside the frame are left out, whole.
-fn near((x, y): (f64, f64), frame: Frame) -> bool {
+fn near(x: f64, y: f64, frame: Frame) -> bool {
     const SLACK: f64 = 0.01;
     (frame.x - SLACK..=frame.x + frame.width + SLACK).contains(&x)
         && (frame.y - SLACK..=frame.y + frame.height + SLACK).contains(&y)
@@ -176,7 +176,7 @@ const CROWDED: f64 = 0.45;
 /// One path with a marker of its size at every place.
 pub(super) fn marker_path(style: &Style, places: impl Iterator<Item = ((f64, f64), f64)>) -> String {
     let size = if style.crowded { CROWDED } else { 1.0 };
-    let data: String = places.map(|(place, own)| marker(style.marker, place, own * size)).collect();
+    let data: String = places.map(|((x, y), own)| marker(style.marker, x, y, own * size)).collect();
     let colour = style.role.colour();
     match (style.marker, style.crowded) {
         (Marker::Cross, _) => {
@@ -191,7 +191,7 @@ pub(super) fn marker_path(style: &Style, places: impl Iterator<Item = ((f64, f64
 }
 
 /// One marker about a place.
-fn marker(shape: Marker, (x, y): (f64, f64), size: f64) -> String {
+fn marker(shape: Marker, x: f64, y: f64, size: f64) -> String {
     let scaled = |length: f64| number(size * length);
     let start = |dx: f64, dy: f64| format!("M{} {}", number(x + size * dx), number(y + size * dy));
     match shape {
@@ -239,7 +239,7 @@ pub(super) fn draw_text(document: &mut Document, layer: &Layer, panel: &DrawnPan
     let frame = panel.frame;
     let (label, x, y) = match layer {
         Layer::Note(note) => {
-            let Some((x, y)) = panel.point(note.x, note.y).filter(|place| near(*place, frame)) else {
+            let Some((x, y)) = panel.point(note.x, note.y).filter(|(x, y)| near(*x, *y, frame)) else {
                 return;
             };
             (&note.text, x, y + 0.36 * SMALL_SIZE)

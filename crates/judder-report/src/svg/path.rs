@@ -110,36 +110,36 @@ struct Pen {
     from: (i64, i64),
 }
 
-fn hundredths((x, y): (f64, f64)) -> (i64, i64) {
+fn hundredths(x: f64, y: f64) -> (i64, i64) {
     ((100.0 * x).round() as i64, (100.0 * y).round() as i64)
 }
 
 impl Pen {
     fn move_to(&mut self, place: (f64, f64)) {
-        self.from = hundredths(place);
+        self.from = hundredths(place.0, place.1);
     }
 
     /// A stroke; none to where the pen is.
     fn line_to(&mut self, place: (f64, f64)) {
-        let (to, from) = (hundredths(place), self.from);
+        let (to, from) = (hundredths(place.0, place.1), self.from);
         if to == from {
             return;
         }
         match self.at {
-            None => self.command('M', from),
+            None => self.command('M', from.0, from.1),
             Some(at) if at == from => {}
-            Some(at) => self.command('m', (from.0 - at.0, from.1 - at.1)),
+            Some(at) => self.command('m', from.0 - at.0, from.1 - at.1),
         }
         match (to.0 - from.0, to.1 - from.1) {
             (along, 0) => append(&mut self.data, format_args!("h{}", short(along))),
             (0, along) => append(&mut self.data, format_args!("v{}", short(along))),
-            step => self.command('l', step),
+            (along, down) => self.command('l', along, down),
         }
         (self.at, self.from) = (Some(to), to);
     }
 
     /// A letter with two numbers; a sign parts them as well as a blank does.
-    fn command(&mut self, letter: char, (x, y): (i64, i64)) {
+    fn command(&mut self, letter: char, x: i64, y: i64) {
         let blank = if y < 0 { "" } else { " " };
         append(&mut self.data, format_args!("{letter}{}{blank}{}", short(x), short(y)));
     }

@@ -152,7 +152,8 @@ fn the_figure_with_which_the_chart_is_tested_is_this_one() {
     let mode = Layer::swinging("mode", x.clone(), part(1.0), swing, Role::Mode(1));
     let bubbles = Layer::bubbles(
         "bubbles",
-        (vec![0.0, 1.0], vec![0.0, 0.5]),
+        vec![0.0, 1.0],
+        vec![0.0, 0.5],
         vec![1.0, 3.0],
         Role::Graded { index: 1, count: 3 },
     );

@@ -87,7 +87,7 @@ fn swings_and_sizes_that_do_not_fit() {
         (vec![f64::NAN, 1.0], "marker 0 is NaN"),
         (vec![1.0, -1.0], "marker 1 is -1"),
     ] {
-        let bubbles = Layer::bubbles("", (vec![1.0, 2.0], vec![1.0, 2.0]), sizes, Role::Series(0));
+        let bubbles = Layer::bubbles("", vec![1.0, 2.0], vec![1.0, 2.0], sizes, Role::Series(0));
         assert!(refusal(&with_layer(bubbles)).contains(message), "{message}");
     }
 }

@@ -79,7 +79,8 @@ impl Compliance {
     pub(super) fn of_observed(
         &self,
         number: usize,
-        (first, count): (usize, usize),
+        first: usize,
+        count: usize,
         touch: &Touch,
         force: Vector,
     ) -> f64 {

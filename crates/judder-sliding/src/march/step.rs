@@ -228,9 +228,9 @@ impl March<'_> {
     #[inline]
     fn watch(&mut self, touch: &Touch, force: Vector, rigid: f64) {
         let square = self.settings.step * self.settings.step;
-        let stencil = (self.view.first, self.view.count);
+        let (first, count) = (self.view.first, self.view.count);
         for (k, [before, now, predicted]) in self.observed.iter_mut().enumerate() {
-            let next = *predicted + self.compliance.of_observed(k, stencil, touch, force);
+            let next = *predicted + self.compliance.of_observed(k, first, count, touch, force);
             self.accelerations[k] =
                 (next - 2.0 * *now + *before) / square + self.pair.observed()[k].rigid * rigid;
             (*before, *now) = (*now, next);
@@ -285,7 +285,7 @@ impl March<'_> {
     #[inline]
     fn move_on(&mut self, touch: &Touch, force: Vector, disturbance: Vector) {
         let weights = &touch.weights.value;
-        let (on_slider, on_track) = rows_of(force, disturbance, (&self.view, weights));
+        let (on_slider, on_track) = rows_of(force, disturbance, &self.view, weights);
         let moved = self.view.compliance.of_nodes(weights, force);
         for (k, moved) in moved.iter().enumerate().take(self.view.count) {
             self.view.now[k] = plus(self.view.predicted[k], 1.0, *moved);
@@ -323,7 +323,7 @@ impl March<'_> {
     pub(super) fn begin(&mut self, start: &Start) {
         self.set_push(&self.drive.clone());
         let at_rows =
-            |force: Vector| rows_of(force, [0.0; 2], (&self.view, &self.pair.edge().weights(self.at).value));
+            |force: Vector| rows_of(force, [0.0; 2], &self.view, &self.pair.edge().weights(self.at).value);
         let [(slider_now, track_now), (slider_before, track_before)] = start.forces.map(at_rows);
         let of_slider = self.pair.slider().body.modes();
         let [now, before] = [&start.now, &start.before].map(|state| state.split_at(of_slider));
@@ -347,7 +347,8 @@ impl March<'_> {
 fn rows_of(
     force: Vector,
     disturbance: Vector,
-    (view, weights): (&View, &[f64; STENCIL]),
+    view: &View,
+    weights: &[f64; STENCIL],
 ) -> ([f64; ROWS], [f64; ROWS]) {
     let (mut on_slider, mut on_track) = ([0.0; ROWS], [0.0; ROWS]);
     on_slider[..2].copy_from_slice(&plus(force, 1.0, disturbance));

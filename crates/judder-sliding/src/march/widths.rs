@@ -34,7 +34,7 @@ fn pair(interpolation: Interpolation) -> Pair {
         rigid: 0.0,
     });
     let friction = Friction::constant(0.1).unwrap();
-    Pair::new(slider, track, (interpolation, true), friction, observed.to_vec()).unwrap()
+    Pair::new(slider, track, interpolation, true, friction, observed.to_vec()).unwrap()
 }
 
 /// The bits of all that a march tells of its steps.

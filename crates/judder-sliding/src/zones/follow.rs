@@ -97,11 +97,12 @@ fn through(family: &impl Family, [from, to]: [f64; 2], sign: f64, path: &mut Pat
 /// The end of a branch between a place where it is unstable and one where it is not.
 fn root(
     family: &impl Family,
-    (at, value): (f64, Complex64),
-    (next, met): (f64, Complex64),
+    unstable: (f64, Complex64),
+    stable: (f64, Complex64),
     path: &mut Path,
     tolerance: f64,
 ) -> End {
+    let ((at, value), (next, met)) = (unstable, stable);
     let between = |place: f64| found(family, place, value + (met - value) * ((place - at) / (next - at)));
     let margin = |place: f64| match place {
         _ if place == at => found(family, at, value).map_or(f64::NAN, |found| found.1),
@@ -146,7 +147,7 @@ fn is_meeting(family: &impl Family, next: f64, value: Complex64) -> bool {
 }
 
 /// Whether an eigenvalue at a place is that of a branch there.
-pub(super) fn is_on(family: &impl Family, path: &Path, (at, value): (f64, Complex64)) -> bool {
+pub(super) fn is_on(family: &impl Family, path: &Path, at: f64, value: Complex64) -> bool {
     on_path(family, path, at).is_some_and(|found| (found - value).norm() <= SAME * value.norm())
 }
 

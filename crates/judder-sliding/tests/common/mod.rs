@@ -45,7 +45,7 @@ pub(crate) fn pair() -> Pair {
 /// The paper's pair with another interpolation, friction, number of fixed-interface modes.
 pub(crate) fn pair_with(interpolation: Interpolation, friction: Friction, modes: usize) -> Pair {
     let (track, observed) = horizontal(modes);
-    Pair::new(oblique(modes), track, (interpolation, true), friction, vec![observed]).unwrap()
+    Pair::new(oblique(modes), track, interpolation, true, friction, vec![observed]).unwrap()
 }
 
 fn oblique(modes: usize) -> Slider {
@@ -110,7 +110,7 @@ fn reduce(
         CraigBampton::new(&assembled.stiffness, &assembled.mass, &kept, CutOff::Count(modes)).unwrap();
     let load = inertia_load(mesh, &materials, &numbering, [1.0, 0.0, 0.0]).unwrap();
     let rigid = rigid_limit(assembled.mass.nrows(), largest_ratio(&assembled.stiffness, &assembled.mass));
-    Reduced::new(&reduced, damping, rigid, &load).unwrap()
+    Reduced::new(&reduced, damping.0, damping.1, rigid, &load).unwrap()
 }
 
 /// The same pair on a curved edge that bulges by so much in the middle, m; both ends stay.
@@ -120,8 +120,16 @@ pub(crate) fn bulging(pair: &Pair, height: f64) -> Pair {
         let share = position / pair.length();
         node.place[1] += 4.0 * height * share * (1.0 - share);
     }
-    let edge = (pair.edge().interpolation, true);
-    Pair::new(pair.slider().clone(), track, edge, pair.friction().clone(), pair.observed().to_vec()).unwrap()
+    let interpolation = pair.edge().interpolation;
+    Pair::new(
+        pair.slider().clone(),
+        track,
+        interpolation,
+        true,
+        pair.friction().clone(),
+        pair.observed().to_vec(),
+    )
+    .unwrap()
 }
 
 /// The same pair without damping.
@@ -130,6 +138,6 @@ pub(crate) fn without_damping(pair: &Pair) -> Pair {
     for body in [&mut slider.body, &mut track.body] {
         (body.alpha, body.beta) = (0.0, 0.0);
     }
-    let edge = (pair.edge().interpolation, true);
-    Pair::new(slider, track, edge, pair.friction().clone(), pair.observed().to_vec()).unwrap()
+    let interpolation = pair.edge().interpolation;
+    Pair::new(slider, track, interpolation, true, pair.friction().clone(), pair.observed().to_vec()).unwrap()
 }

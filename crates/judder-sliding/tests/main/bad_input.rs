@@ -16,8 +16,8 @@ const STEP: f64 = 3e-7;
 fn built(pair: &Pair, change: impl FnOnce(&mut Slider, &mut Track)) -> Result<Pair, SlidingError> {
     let (mut slider, mut track) = (pair.slider().clone(), pair.track().clone());
     change(&mut slider, &mut track);
-    let edge = (Interpolation::Linear, true);
-    Pair::new(slider, track, edge, pair.friction().clone(), pair.observed().to_vec())
+    let interpolation = Interpolation::Linear;
+    Pair::new(slider, track, interpolation, true, pair.friction().clone(), pair.observed().to_vec())
 }
 
 fn refused(pair: &Pair, change: impl FnOnce(&mut Slider, &mut Track)) -> String {

@@ -23,7 +23,7 @@ fn pair(interpolation: Interpolation, every: usize) -> Pair {
     let nodes = whole.track().nodes.iter().step_by(every).cloned().collect();
     let track = Track { body: whole.track().body.clone(), nodes };
     let friction = whole.friction().clone();
-    Pair::new(whole.slider().clone(), track, (interpolation, true), friction, Vec::new()).unwrap()
+    Pair::new(whole.slider().clone(), track, interpolation, true, friction, Vec::new()).unwrap()
 }
 
 /// C and the nodes of a segment where a state has moved them.

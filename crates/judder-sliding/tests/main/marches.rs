@@ -224,8 +224,9 @@ fn a_foreign_checkpoint_changes_nothing() {
         }
         let mut observed = pair.observed().to_vec();
         observed[0].row = slow(&observed[0].row);
-        let edge = (Interpolation::Linear, true);
-        Pair::new(pair.slider().clone(), track, edge, pair.friction().clone(), observed).unwrap()
+        let interpolation = Interpolation::Linear;
+        Pair::new(pair.slider().clone(), track, interpolation, true, pair.friction().clone(), observed)
+            .unwrap()
     };
     let settings = MarchSettings {
         method: Method::EnSubs,

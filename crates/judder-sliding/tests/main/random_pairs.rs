@@ -30,7 +30,7 @@ fn pair(seed: u64, interpolation: Interpolation, friction: f64) -> Pair {
     let slider = Slider { body: body(1, 3), contact, load, inertia: vec![0.1; 3] };
     let track = Track { body: body(2, 6), nodes: (0..5).map(node).collect() };
     let friction = Friction::table(vec![0.01, 0.05], vec![friction, 0.8 * friction]).unwrap();
-    Pair::new(slider, track, (interpolation, true), friction, Vec::new()).unwrap()
+    Pair::new(slider, track, interpolation, true, friction, Vec::new()).unwrap()
 }
 
 proptest! {

@@ -24,8 +24,16 @@ fn watched_at_the_contact() -> Pair {
     let pair = common::pair();
     let row = pair.slider().contact.rows[1].clone();
     let observed = [pair.observed(), &[Observed { side: Side::Slider, row, rigid: 0.0 }]].concat();
-    let edge = (pair.edge().interpolation, true);
-    Pair::new(pair.slider().clone(), pair.track().clone(), edge, pair.friction().clone(), observed).unwrap()
+    let interpolation = pair.edge().interpolation;
+    Pair::new(
+        pair.slider().clone(),
+        pair.track().clone(),
+        interpolation,
+        true,
+        pair.friction().clone(),
+        observed,
+    )
+    .unwrap()
 }
 
 /// A random force moves the points of the slider at once, and what is told of them includes it.

@@ -77,10 +77,11 @@ impl<'a> Samples<'a> {
     /// The modes of a sample in the region.
     pub(super) fn modes(
         &self,
-        (number, sample): &(usize, Searched),
+        number: usize,
+        sample: &Searched,
         settings: &Settings,
     ) -> Result<Vec<ComplexMode>, StructureError> {
-        let problem = self.family.at(&self.points[*number])?;
+        let problem = self.family.at(&self.points[number])?;
         let left_open: Vec<f64> =
             sample.refined.iter().map(|refined| left_by_residuals(&problem, refined)).collect();
         Ok(finished(&problem, &sample.refined, &left_open, self.region, settings))

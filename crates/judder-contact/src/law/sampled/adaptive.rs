@@ -53,8 +53,8 @@ pub fn sampled<E: From<LawError>>(
     let mut known: Option<Samples> = None;
     let mut counts = [FIRST; 2];
     loop {
-        let velocities = spaced(request.velocity, counts[0]);
-        let indentations = spaced(request.indentation, counts[1]);
+        let velocities = spaced(request.velocity.0, request.velocity.1, counts[0]);
+        let indentations = spaced(request.indentation.0, request.indentation.1, counts[1]);
         let values = fill(&velocities, &indentations, known.as_ref(), &mut function)?;
         let source = request.source.clone();
         let law = SampledLaw::new(Samples { source, velocities, indentations, values })?;
@@ -72,7 +72,7 @@ pub fn sampled<E: From<LawError>>(
 }
 
 /// Values at evenly spaced logarithms; the same bits whenever the same place is one of a grid twice as fine.
-fn spaced((from, to): (f64, f64), count: usize) -> Vec<f64> {
+fn spaced(from: f64, to: f64, count: usize) -> Vec<f64> {
     let (low, high) = (from.ln(), to.ln());
     (0..count)
         .map(|k| match k {

@@ -74,8 +74,13 @@ impl Settling {
             stick_fraction: measured(measures.fraction(ContactState::Stick)),
             lift_off_fraction: measured(measures.fraction(ContactState::LiftOff)),
             quasi_steady_condition: memory.filter(|_| moves).map(|memory| {
-                let oscillation = (attractor.period / oscillations as f64, measures.amplitude());
-                quasi_steady::in_motion(oscillation, memory.belt_velocity, memory.retardation_time)
+                let period = attractor.period / oscillations as f64;
+                quasi_steady::in_motion(
+                    period,
+                    measures.amplitude(),
+                    memory.belt_velocity,
+                    memory.retardation_time,
+                )
             }),
             returns: attractor.returns.iter().map(|state| state.to_vec()).collect(),
             state: attractor.state.to_vec(),

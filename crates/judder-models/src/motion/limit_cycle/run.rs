@@ -40,8 +40,8 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
         &patience,
         &stop,
     )?;
-    let around = (cycle.oscillations, cycle.period());
-    let history = follow_cycle(&operating.system, cycle.start, settings, around, POINTS)?;
+    let (returns, period) = (cycle.oscillations, cycle.period());
+    let history = follow_cycle(&operating.system, cycle.start, settings, returns, period, POINTS)?;
     progress.advance();
     let mut scalars = scalars::<M, N>(&operating, &history);
     scalars.extend(of_cycle(&cycle));

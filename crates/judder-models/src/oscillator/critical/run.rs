@@ -126,7 +126,7 @@ fn at_point(
     let onsets = thresholds.full.iter().map(onset).collect();
     let roots = [thresholds.full.as_slice(), thresholds.conservative.as_slice()];
     let is_known = contact.law.knows_its_errors();
-    let within_law = is_known.then(|| undecided(contact, (&crossing.range, samples), roots, at));
+    let within_law = is_known.then(|| undecided(contact, &crossing.range, samples, roots, at));
     Found { inputs, thresholds, onsets, within_law }
 }
 

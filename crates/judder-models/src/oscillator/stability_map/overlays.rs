@@ -142,7 +142,7 @@ fn followed(
     settings: &MapSettings<OscillatorKey>,
     at: &(dyn Fn(f64, f64) -> Coefficients + Sync),
 ) -> Vec<Boundary> {
-    boundaries(contact, kind.condition(), (&range(&settings.x), &range(&settings.y)), at)
+    boundaries(contact, kind.condition(), &range(&settings.x), &range(&settings.y), at)
 }
 
 /// One kind of boundary over the map, all its pieces.

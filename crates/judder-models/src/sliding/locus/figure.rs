@@ -178,7 +178,7 @@ impl<'a> Locus<'a> {
                 let up: Vec<f64> = (0..rows).map(|row| pick(self.at(row, branch))).collect();
                 thinned(&along, &up, &self.shown)
             }));
-            let (x, y) = alone(&curve);
+            let (x, y) = alone(&curve.0, &curve.1);
             let points = (!x.is_empty()).then(|| Layer::points("", x, y, role.crowded()));
             let is_drawn = curve.1.iter().any(|up| up.is_finite());
             let line = Layer::line(label, curve.0, curve.1, role.solid().with_width(THIN));
@@ -242,10 +242,10 @@ impl<'a> Locus<'a> {
         let fastest = self.zones.iter().map(|zone| zone.growth).fold(f64::MIN_POSITIVE, f64::max);
         let sizes =
             self.zones.iter().map(|zone| BUBBLES.0 * (zone.growth / fastest).max(0.0).sqrt().max(BUBBLES.1));
-        let places = self.zones.iter().map(|zone| (zone.peak, zone.frequency)).unzip();
+        let (x, y) = self.zones.iter().map(|zone| (zone.peak, zone.frequency)).unzip();
         if !self.zones.is_empty() {
             let label = "unstable; area: growth rate";
-            layers.push(Layer::bubbles(label, places, sizes.collect(), Role::Series(1)));
+            layers.push(Layer::bubbles(label, x, y, sizes.collect(), Role::Series(1)));
         }
         Panel::new(self.across(), frequency_axis(self.eigenvalues), layers)
             .with_title("frequencies")

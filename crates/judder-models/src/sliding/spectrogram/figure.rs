@@ -176,9 +176,9 @@ impl Levels {
             let (x, y) = (vec![zone.frequency; 2], vec![1e3 * zone.from, 1e3 * zone.to]);
             layers.push(Layer::line("", x, y, Role::Series(1).solid().with_width(BAR)));
         }
-        let middles = self.zones.iter().map(|zone| (zone.frequency, 500.0 * (zone.from + zone.to))).unzip();
+        let (x, y) = self.zones.iter().map(|zone| (zone.frequency, 500.0 * (zone.from + zone.to))).unzip();
         if !self.zones.is_empty() {
-            layers.push(Layer::bubbles(label, middles, vec![MARKER; self.zones.len()], Role::Series(1)));
+            layers.push(Layer::bubbles(label, x, y, vec![MARKER; self.zones.len()], Role::Series(1)));
         }
         layers
     }

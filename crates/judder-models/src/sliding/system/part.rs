@@ -102,7 +102,8 @@ impl Part {
         };
         let fixed_modes = reduced.fixed_interface.len();
         let rigid = rigid_limit(mass.nrows(), largest_ratio(stiffness, mass));
-        let reduced = Reduced::new(reduced, *damping, rigid, &load).map_err(|error| refuse(&error))?;
+        let reduced =
+            Reduced::new(reduced, damping.0, damping.1, rigid, &load).map_err(|error| refuse(&error))?;
         let structure = Arc::clone(structure);
         Ok(Self { structure, kept: kept.to_vec(), fixed_modes, reduced, direction, warnings })
     }

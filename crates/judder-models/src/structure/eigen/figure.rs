@@ -64,10 +64,10 @@ pub(crate) fn by_verdict(
 ) -> Vec<Layer> {
     let layer = |(code, (label, role)): (usize, &(&str, Role))| {
         let own: Vec<usize> = (0..verdicts.len()).filter(|k| usize::from(verdicts[*k]) == code).collect();
-        let places: (Vec<f64>, Vec<f64>) = own.iter().map(|k| place(*k)).unzip();
+        let (x, y): (Vec<f64>, Vec<f64>) = own.iter().map(|k| place(*k)).unzip();
         (!own.is_empty()).then(|| match size {
-            Some(size) => Layer::bubbles(*label, places, own.iter().map(|k| size(*k)).collect(), *role),
-            None => Layer::points(*label, places.0, places.1, *role),
+            Some(size) => Layer::bubbles(*label, x, y, own.iter().map(|k| size(*k)).collect(), *role),
+            None => Layer::points(*label, x, y, *role),
         })
     };
     VERDICTS.iter().enumerate().filter_map(layer).collect()

@@ -67,7 +67,8 @@ fn keeps_its_sense<const N: usize>(last: &BranchPoint<N>, next: &BranchPoint<N>)
 /// map too, and a long step can end at it, or on another sheet of the branch.
 pub(super) fn neighbour<const N: usize>(
     branch: &Branch<N>,
-    (place, step): (&Place, f64),
+    place: &Place,
+    step: f64,
     found: (BranchPoint<N>, Place),
 ) -> Result<(BranchPoint<N>, Place), CycleError> {
     /// What the amplitude may shrink to in a step, and what the period may change by, either way.

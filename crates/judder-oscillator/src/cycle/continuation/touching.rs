@@ -52,7 +52,8 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError>, const N: usize> W
     /// right behind a kink, does not tell which way the branch goes on, but the branch keeps its pattern there.
     pub(super) fn away_from_the_kink(
         &self,
-        (place, step): (&Place, f64),
+        place: &Place,
+        step: f64,
         branch: &Branch<N>,
         found: (BranchPoint<N>, Place),
     ) -> (BranchPoint<N>, Place) {

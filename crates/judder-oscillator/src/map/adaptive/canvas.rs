@@ -111,13 +111,13 @@ impl<'a, P: Plane> Canvas<'a, P> {
             .collect();
         for (strip, decided) in across.chunks(LANES).zip(strips) {
             let points = up.iter().flat_map(|&row| strip.iter().map(move |&column| (column, row)));
-            for ((column, row), result) in points.zip(decided) {
-                self.record(self.index(column, row), result);
+            for ((column, row), (class, ln_indentation)) in points.zip(decided) {
+                self.record(self.index(column, row), class, ln_indentation);
             }
         }
     }
 
-    fn record(&mut self, point: usize, (class, ln_indentation): (u8, f32)) {
+    fn record(&mut self, point: usize, class: u8, ln_indentation: f32) {
         self.classes[point] = class;
         self.ln_indentation[point] = ln_indentation;
         self.decisions += 1;
@@ -159,8 +159,8 @@ impl<'a, P: Plane> Canvas<'a, P> {
                 }
             },
         );
-        for ((point, _), result) in queue.iter().zip(results) {
-            self.record(*point, result);
+        for ((point, _), (class, ln_indentation)) in queue.iter().zip(results) {
+            self.record(*point, class, ln_indentation);
         }
         queue.into_iter().map(|(point, _)| point).collect()
     }

@@ -4,6 +4,7 @@
 //! comment what the key is, and by its type and rule what it may be. [`judder_keys_derive`] derives it.
 
 mod allowed;
+mod described;
 mod named;
 mod scaled;
 mod values;

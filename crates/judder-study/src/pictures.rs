@@ -21,7 +21,7 @@ impl Registry {
 
     /// The kinds of analyses that have a figure.
     pub fn drawn_kinds(self) -> impl Iterator<Item = &'static str> {
-        self.kinds().filter_map(|(name, picture)| picture.map(|_| name))
+        self.kinds().filter(|kind| kind.picture.is_some()).map(|kind| kind.name)
     }
 
     /// The panels of an analysis, to be put together with those of others.
@@ -38,7 +38,7 @@ impl Registry {
 
     fn picture(self, dataset: &Dataset) -> Option<&'static Picture> {
         let kind = dataset.attributes().get("kind")?.as_str()?;
-        self.kinds().find_map(|(name, picture)| picture.filter(|_| name == kind))
+        self.kinds().find(|own| own.name == kind)?.picture
     }
 }
 

@@ -1,6 +1,6 @@
 //! The models that there are, and all that is asked of them without a case: how one is read, its schema, its reference, its figures.
 
-use crate::case::analysis::{Kind, Picture};
+use crate::case::analysis::{Kind, KindEntry};
 use crate::case::file::Case;
 use crate::model::OperatingQuantity;
 use judder_keys::cause::Cause;
@@ -22,8 +22,8 @@ pub struct ModelKind {
     pub definitions: fn() -> Vec<(String, Json)>,
     /// Its section of the book's reference.
     pub reference: fn() -> String,
-    /// Its kinds of analyses, and how their results are drawn.
-    pub kinds: fn() -> Vec<(&'static str, Option<&'static Picture>)>,
+    /// Its kinds of analyses.
+    pub kinds: fn() -> Vec<KindEntry>,
     /// The quantities that an operating point of it can have.
     pub operating_quantities: &'static [OperatingQuantity],
 }
@@ -51,9 +51,14 @@ impl Registry {
         self.0
     }
 
-    /// Every kind of analysis of any model, and how its results are drawn.
-    pub(crate) fn kinds(self) -> impl Iterator<Item = (&'static str, Option<&'static Picture>)> {
+    /// Every kind of analysis of any model.
+    pub(crate) fn kinds(self) -> impl Iterator<Item = KindEntry> {
         self.0.iter().flat_map(|model| (model.kinds)())
+    }
+
+    /// The kinds of analyses of the model of this name; none where there is no such model.
+    pub fn kinds_of(self, model: &str) -> impl Iterator<Item = KindEntry> {
+        self.0.iter().filter(move |own| own.name == model).flat_map(|own| (own.kinds)())
     }
 
     /// What stands at an axis of a quantity of operating points, by its name.
@@ -88,8 +93,8 @@ impl Registry {
     }
 }
 
-/// The names of some kinds, and how their results are drawn.
+/// What is said of some kinds.
 #[must_use]
-pub fn drawn<S, T>(kinds: &'static [Kind<S, T>]) -> Vec<(&'static str, Option<&'static Picture>)> {
-    kinds.iter().map(|kind| (kind.name, kind.picture.as_ref())).collect()
+pub fn entries<S, T>(kinds: &'static [Kind<S, T>]) -> Vec<KindEntry> {
+    kinds.iter().map(Kind::entry).collect()
 }

@@ -151,7 +151,7 @@ impl Allowed {
 }
 
 /// A canonical value as a case file has it: quantities in quotes.
-fn as_written(canonical: &Json) -> Json {
+pub(super) fn as_written(canonical: &Json) -> Json {
     match canonical {
         Json::Object(own) => match (own.get("value"), own.get("unit")) {
             (Some(Json::Number(value)), Some(Json::String(unit))) => {
@@ -242,7 +242,7 @@ impl Allowed {
     }
 
     /// What may stand there, as the reference says it.
-    fn words(&self) -> String {
+    pub(super) fn words(&self) -> String {
         match self {
             Self::Number(number) if number.dimension.is_number() => {
                 format!("a number, {}", allowed(number.range))

@@ -16,7 +16,7 @@ use judder_study::case::analysis::names;
 use judder_study::case::file::{Case, CaseFile};
 use judder_study::model::{Analysed, Analysis, Model, Prepared, Task};
 use judder_study::outcome::Outcome;
-use judder_study::registry::{ModelKind, drawn};
+use judder_study::registry::{ModelKind, entries};
 use judder_study::resolve::Resolved;
 use serde_json::{Map, Value};
 
@@ -53,7 +53,7 @@ pub(crate) const MODEL: ModelKind = ModelKind {
     schema: schema::case,
     definitions: schema::definitions,
     reference: reference::section,
-    kinds: || drawn(&case::KINDS),
+    kinds: || entries(&case::KINDS),
     operating_quantities: &[],
 };
 

@@ -42,7 +42,7 @@ use judder_study::case::analysis::names;
 use judder_study::case::file::{Case, CaseFile};
 use judder_study::model::{Analysed, Analysis, Model, Place, Prepared, Refusal, Task};
 use judder_study::outcome::{CheckRecord, Outcome};
-use judder_study::registry::{ModelKind, drawn};
+use judder_study::registry::{ModelKind, entries};
 use judder_study::resolve::Resolved;
 use serde_json::json;
 use std::cell::OnceCell;
@@ -119,7 +119,7 @@ pub(crate) const MODEL: ModelKind = ModelKind {
     schema: schema::case,
     definitions: Vec::new,
     reference: reference::section,
-    kinds: || drawn(&KINDS),
+    kinds: || entries(&KINDS),
     operating_quantities: &[],
 };
 

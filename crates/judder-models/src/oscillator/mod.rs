@@ -63,7 +63,7 @@ use judder_study::model::{
     Analysed, Analysis, Model, OperatingPoints, OperatingQuantity, OperatingWork, Prepared, Task,
 };
 use judder_study::outcome::Outcome;
-use judder_study::registry::{ModelKind, drawn};
+use judder_study::registry::{ModelKind, entries};
 use judder_study::resolve::Resolved;
 use operating_points::OfOneLaw;
 use quasi_steady::{Condition, of_motions};
@@ -145,7 +145,7 @@ pub(crate) const MODEL: ModelKind = ModelKind {
     schema: schema::case,
     definitions: schema::definitions,
     reference: reference::section,
-    kinds: || drawn(&KINDS),
+    kinds: || entries(&KINDS),
     operating_quantities: &operating_points::QUANTITIES,
 };
 

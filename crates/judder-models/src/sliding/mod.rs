@@ -34,7 +34,7 @@ use judder_study::case::analysis::names;
 use judder_study::case::file::{Case, CaseFile};
 use judder_study::model::{Analysed, Analysis, Model, Place, Prepared, Task};
 use judder_study::outcome::Outcome;
-use judder_study::registry::{ModelKind, drawn};
+use judder_study::registry::{ModelKind, entries};
 use judder_study::resolve::Resolved;
 use std::sync::Arc;
 use system::SlidingSystem;
@@ -78,7 +78,7 @@ pub(crate) const MODEL: ModelKind = ModelKind {
     schema: schema::case,
     definitions: Vec::new,
     reference: reference::section,
-    kinds: || drawn(&KINDS),
+    kinds: || entries(&KINDS),
     operating_quantities: &[],
 };
 

@@ -20,7 +20,7 @@ use judder_study::case::analysis::names;
 use judder_study::case::file::{Case, CaseFile};
 use judder_study::model::{Analysed, Analysis, Model, OperatingQuantity, Prepared, Task};
 use judder_study::outcome::Outcome;
-use judder_study::registry::{ModelKind, drawn};
+use judder_study::registry::{ModelKind, entries};
 use judder_study::resolve::Resolved;
 use serde_json::{Map, Value};
 
@@ -59,7 +59,7 @@ pub(crate) const MODEL: ModelKind = ModelKind {
     schema: schema::case,
     definitions: Vec::new,
     reference: reference::section,
-    kinds: || drawn(&case::KINDS),
+    kinds: || entries(&case::KINDS),
     operating_quantities: &LINEAR_QUANTITIES,
 };
 

@@ -72,6 +72,18 @@ pub struct Kind<S, T> {
     pub picture: Option<Picture>,
 }
 
+/// What is said of a kind of analysis, whatever its model.
+pub struct KindEntry {
+    /// Its name.
+    pub name: &'static str,
+    /// What it computes.
+    pub doc: &'static str,
+    /// Its keys besides `name` and `kind`.
+    pub declared: fn() -> Vec<Declaration>,
+    /// How its results are drawn; `None` where they are no picture.
+    pub picture: Option<&'static Picture>,
+}
+
 /// How the results of a kind of analysis are drawn.
 pub struct Picture {
     /// The panels, from the stored arrays; `None` where some are missing.
@@ -81,6 +93,11 @@ pub struct Picture {
 }
 
 impl<S, T> Kind<S, T> {
+    /// What is said of it, whatever its model.
+    pub fn entry(&'static self) -> KindEntry {
+        KindEntry { name: self.name, doc: self.doc, declared: self.declared, picture: self.picture.as_ref() }
+    }
+
     /// The names of its keys besides `name` and `kind`.
     pub fn keys(&self) -> Vec<&'static str> {
         (self.declared)().iter().map(|key| key.name).collect()
@@ -156,7 +173,7 @@ fn find_kind<'k, S, T>(
     }
     let (what, place) = ("analysis kind", entry.node.part(0..name.len()));
     let name = name.to_owned();
-    Err(if registry.kinds().any(|(kind, _)| kind == name) {
+    Err(if registry.kinds().any(|kind| kind.name == name) {
         Cause::OtherModel { name, known }
     } else {
         Cause::UnknownName { what, name, known }

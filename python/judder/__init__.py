@@ -1,11 +1,11 @@
 """judder: a workbench for friction-induced vibration.
 
-Whole cases: :func:`run`, :func:`check`, :func:`load_study`. Building blocks on NumPy arrays: :mod:`judder.oscillator`,
+Whole cases: :func:`run`, :func:`check`, :func:`load_study`. Every analysis as a method, every key as an argument: :mod:`judder.models`. Building blocks on NumPy arrays: :mod:`judder.oscillator`,
 :mod:`judder.contact`, :mod:`judder.sliding`. Sweeps of cases: :mod:`judder.sweep`, :mod:`judder.distributed`. Pictures: :mod:`judder.plot`.
 Errors: :class:`JudderError` and its subclasses.
 """
 
-from judder import contact, distributed, errors, oscillator, plot, sliding, sweep
+from judder import contact, distributed, errors, models, oscillator, plot, sliding, sweep
 from judder._judder import VERSION as __version__
 from judder.errors import (
     CaseError,
@@ -51,6 +51,7 @@ __all__ = [
     "distributed",
     "errors",
     "load_study",
+    "models",
     "oscillator",
     "plot",
     "run",

@@ -1,12 +1,12 @@
 from collections.abc import Callable, Mapping, Sequence
 from os import PathLike
-from typing import Any, Final, Literal, final
+from typing import Any, Final, Literal, Unpack, final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from judder._keys import FrictionLoad, Keys, LawName
 from judder.contact import LawResponse
-from judder.oscillator import FrictionLoad, LawName
 from judder.sliding import Observed, Slider, Track
 
 __all__ = [
@@ -19,6 +19,7 @@ __all__ = [
     "Sweep",
     "checked_case",
     "command",
+    "computed_analysis",
     "contact_solution",
     "oscillator_map",
     "point",
@@ -27,6 +28,7 @@ __all__ = [
     "run_case",
     "sliding_locus",
     "sliding_march",
+    "text_of_case",
 ]
 
 VERSION: Final[str]
@@ -80,25 +82,7 @@ class OscillatorPoint:
     def __ne__(self, other: object, /) -> bool: ...
 
 def point(
-    *,
-    velocity: float | str | None = None,
-    normal_load: float | str | None = None,
-    shear_strength: float | str | None = None,
-    damping_x: float | None = None,
-    damping_y: float | None = None,
-    frequency_ratio: float | None = None,
-    coupling: float | None = None,
-    coupling_angle: str | None = None,
-    natural_frequency: str | None = None,
-    stiffness_x: str | None = None,
-    radius: str | None = None,
-    rubbery_modulus: str | None = None,
-    glassy_modulus: str | None = None,
-    retardation_time: str | None = None,
-    relaxation_time: str | None = None,
-    poisson_ratio: float | None = None,
-    law: LawName | Law | None = None,
-    friction_load: FrictionLoad | None = None,
+    *, law: LawName | Law | None = None, friction_load: FrictionLoad | None = None, **keys: Unpack[Keys]
 ) -> OscillatorPoint: ...
 def rebuilt_point(
     values: Sequence[tuple[float, bool]], is_relaxation: bool, law: str | Law, friction_load: str
@@ -195,6 +179,7 @@ def sliding_march(
     motion: Mapping[str, float | int | None],
     *,
     method: str,
+    predictor: str | None,
     cut_off: float | None,
     step: float | None,
     every: int,
@@ -211,6 +196,16 @@ def sliding_locus(
     damped: bool,
     threads: int | None,
 ) -> dict[str, Any]: ...
+def text_of_case(case: tuple[tuple[str, str] | str, str, Sequence[str]]) -> str: ...
+def computed_analysis(
+    case: tuple[tuple[str, str] | str, str, Sequence[str]],
+    kind: str,
+    keys: str,
+    *,
+    folder: str,
+    threads: int | None,
+    progress: _Progress | None,
+) -> tuple[str, list[str]]: ...
 def checked_case(case: tuple[str, str] | str, overrides: Sequence[str]) -> str: ...
 def run_case(
     case: tuple[str, str] | str,

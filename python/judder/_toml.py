@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from collections.abc import Iterable, Mapping
 from typing import Any
 
@@ -24,7 +25,7 @@ def value(name: str, given: Any) -> str:
         case float():
             return repr(given) if math.isfinite(given) else str(given)
         case Mapping():
-            entries = (f"{json.dumps(str(key), ensure_ascii=False)} = {value(f'{name}.{key}', own)}" for key, own in given.items())
+            entries = (f"{_key(key)} = {value(f'{name}.{key}', own)}" for key, own in given.items())
             return "{ " + ", ".join(entries) + " }"
         case Iterable():
             return "[" + ", ".join(value(name, item) for item in given) + "]"
@@ -34,7 +35,13 @@ def value(name: str, given: Any) -> str:
 
 def document(case: Mapping[str, Any]) -> str:
     """A case as a TOML document, one line a key."""
-    return "".join(f"{json.dumps(str(key))} = {value(str(key), own)}\n" for key, own in case.items())
+    return "".join(f"{_key(key)} = {value(str(key), own)}\n" for key, own in case.items())
+
+
+def _key(key: Any) -> str:
+    """A key, in quotes where it must be."""
+    text = str(key)
+    return text if re.fullmatch("[A-Za-z0-9_-]+", text) else json.dumps(text, ensure_ascii=False)
 
 
 def overrides(changes: Mapping[str, Any] | None) -> list[str]:

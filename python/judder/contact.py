@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from judder import _judder
 from judder._judder import Law
+from judder._keys import CONTACT_ACCURACY, CONTACT_MEMORY
 
 if TYPE_CHECKING:
     import numpy as np
@@ -148,9 +149,9 @@ def solve(
     load: float | None = None,
     substrate: Substrate | None = None,
     shape: Shape = "paraboloid",
-    accuracy: float = 1e-3,
+    accuracy: float = CONTACT_ACCURACY,
     cells: int | None = None,
-    memory: int = 4 << 30,
+    memory: int = CONTACT_MEMORY,
 ) -> ContactSolution:
     """The contact of a rigid indenter that slides steadily on a viscoelastic half-space, by the boundary-element method.
 

@@ -6,10 +6,11 @@ Everything is dimensionless as in the oscillator paper: speeds v τ/R, loads F/(
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal, TypeAlias, TypedDict, Unpack
+from typing import TYPE_CHECKING, Literal, TypeAlias, Unpack
 
 from judder import _judder
 from judder._judder import OscillatorPoint, point
+from judder._keys import FrictionLoad, Keys, LawName
 from judder.contact import Law
 from judder.progress import Progress
 
@@ -18,14 +19,10 @@ if TYPE_CHECKING:
     import xarray
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Axis", "FrictionLoad", "LawName", "Numeric", "OscillatorPoint", "StabilityMap", "point", "stability_map"]
+__all__ = ["Axis", "FrictionLoad", "Keys", "LawName", "Numeric", "OscillatorPoint", "StabilityMap", "point", "stability_map"]
 
 Numeric: TypeAlias = float | str
 """A dimensionless group, or a text with a unit."""
-LawName: TypeAlias = Literal["oscillator-paper", "oscillator-paper-corrected", "hertz", "bem"]
-"""A contact law that goes by its name."""
-FrictionLoad: TypeAlias = Literal["normal-load", "contact-force"]
-"""The force that the viscoelastic friction coefficient multiplies."""
 
 CLASSES = (
     "stable",
@@ -42,27 +39,6 @@ LAW_STANDINGS = ("decided", "marginal_within_the_law", "unknown")
 """What the codes of ``StabilityMap.within_law`` mean, in their order."""
 _OTHER_CLASSES = ("stable", "marginal", "unresolved")
 """Those that are no mechanism."""
-
-
-class Keys(TypedDict, total=False):
-    """The keys of an oscillator, see :func:`point`."""
-
-    velocity: Numeric
-    normal_load: Numeric
-    shear_strength: Numeric
-    damping_x: float
-    damping_y: float
-    frequency_ratio: float
-    coupling: float
-    coupling_angle: str
-    natural_frequency: str
-    stiffness_x: str
-    radius: str
-    rubbery_modulus: str
-    glassy_modulus: str
-    retardation_time: str
-    relaxation_time: str
-    poisson_ratio: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -187,7 +163,7 @@ def stability_map(
         friction_load: which load carries the viscoelastic friction, ``"normal-load"`` where none is given.
         threads: threads to compute with; one a core where none is given. The result does not depend on it.
         progress: ``progress(name, done, total)``.
-        keys: all other keys, as of :func:`point`.
+        keys: all other :class:`Keys`, as of :func:`point`.
 
     Raises:
         CaseError, InputError: a value out of range, a wrong unit, an array that is empty or not of one dimension.

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 from judder import _judder, _toml
 from judder._judder import Pair
+from judder._keys import LOCUS_CONFIGURATION, LOCUS_COUNT, LOCUS_DAMPING, Configuration, Predictor
 from judder.progress import Progress
 from judder.study import CaseLike, source
 
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
     import xarray
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Locus", "March", "Method", "Observed", "Pair", "Slider", "Track", "Zone", "load_pair", "locus", "march"]
+__all__ = ["Configuration", "Locus", "March", "Method", "Observed", "Pair", "Predictor", "Slider", "Track", "Zone", "load_pair", "locus", "march"]
 
 Method: TypeAlias = Literal["subs", "subs-static-slope", "ensubs", "film", "residual-flexibility"]
 """How a march finds the contact and its force, see the beams paper; ``"film"`` knows stick and lift-off."""
@@ -150,6 +151,7 @@ def march(
     velocity: float | None = None,
     load: float | None = None,
     method: Method = "ensubs",
+    predictor: Predictor | None = None,
     cut_off: float | None = None,
     step: float | None = None,
     velocity_ramp: float | None = None,
@@ -172,6 +174,8 @@ def march(
         velocity: speed of the slider's frame after its ramp, m/s; negative towards the first node.
         load: in N after its ramp.
         method: how the contact is found and its force computed.
+        predictor: of ``"ensubs"`` and ``"film"``: which displacements of the next step the geometry of the contact is taken from, those
+            ``"with-force"`` of the last step where none is given, or ``"printed"``, those without it, as in the beams paper.
         cut_off: modes from this frequency on only yield, Hz; for ``"residual-flexibility"``.
         step: time step, s; a share of the largest stable one where none is given.
         velocity_ramp, load_ramp, friction_ramp, gap_ramp: durations of half-cosine ramps, s.
@@ -198,7 +202,9 @@ def march(
         "noise": noise,
         "seed": seed,
     }
-    told = _judder.sliding_march(pair, motion, method=method, cut_off=cut_off, step=step, every=every, progress=progress)
+    told = _judder.sliding_march(
+        pair, motion, method=method, predictor=predictor, cut_off=cut_off, step=step, every=every, progress=progress
+    )
     return March(**told)
 
 
@@ -253,11 +259,11 @@ def locus(
     pair: Pair,
     positions: ArrayLike,
     *,
-    count: int = 20,
+    count: int = LOCUS_COUNT,
     velocity: float | None = None,
     load: float | None = None,
-    configuration: Literal["undeformed", "deformed"] = "undeformed",
-    damped: bool = True,
+    configuration: Configuration = LOCUS_CONFIGURATION,
+    damped: bool = LOCUS_DAMPING,
     threads: int | None = None,
 ) -> Locus:
     """Eigenvalues of the coupled pair against the position of the contact, and every zone in which it is unstable.

@@ -49,6 +49,7 @@ pub use sliding::{coupled_pair, shapes as sliding_shapes};
 
 use judder_keys::error::CaseError;
 use judder_study::Registry;
+use judder_study::case::analysis::KindEntry;
 use judder_study::case::file::CaseFile;
 use judder_study::case::{compose, reference, schema};
 use serde_json::{Map, Value};
@@ -97,6 +98,11 @@ pub fn compose(
 #[must_use]
 pub fn schema() -> Value {
     schema::schema(REGISTRY)
+}
+
+/// The kinds of analyses of the model of this name; none where there is no such model.
+pub fn kinds_of(model: &str) -> impl Iterator<Item = KindEntry> {
+    REGISTRY.kinds_of(model)
 }
 
 /// The reference page of the book, as Markdown.

@@ -29,7 +29,7 @@ pub(crate) enum Source {
 }
 
 impl Source {
-    fn parse(&self, overrides: &[String]) -> Result<CaseFile, CaseError> {
+    pub(crate) fn parse(&self, overrides: &[String]) -> Result<CaseFile, CaseError> {
         match self {
             Self::Text(name, text) => judder_models::parse(name, text, overrides),
             Self::File(path) => judder_models::read(path, overrides),

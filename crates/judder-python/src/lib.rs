@@ -5,10 +5,11 @@
 //! - `arrays`: arrays from Python, checked.
 //! - `pool`, `watched`: long calls without the interpreter's lock, which Ctrl-C ends and whose progress is told.
 //! - `oscillator`, `contact`, `sliding`: one module a crate of the second floor.
-//! - `cases`: whole cases, and the command.
+//! - `cases`: whole cases, and the command. `analyses`: one more analysis of a case.
 //! - `sweep`: a sweep of a case, chunk by chunk, for whoever hands the chunks out himself.
 //! - `errors`: errors of the crates as exceptions, with their fields.
 
+mod analyses;
 mod arrays;
 mod cases;
 mod contact;
@@ -23,6 +24,8 @@ use pyo3::prelude::*;
 
 #[pymodule]
 mod _judder {
+    #[pymodule_export]
+    use crate::analyses::{computed_analysis, text_of_case};
     #[pymodule_export]
     use crate::cases::{checked_case, command, run_case};
     #[pymodule_export]

@@ -38,7 +38,7 @@ impl Registry {
 
     fn picture(self, dataset: &Dataset) -> Option<&'static Picture> {
         let kind = dataset.attributes().get("kind")?.as_str()?;
-        self.kinds().find(|own| own.name == kind)?.picture
+        self.kinds().filter(|own| own.name == kind).find_map(|own| own.picture)
     }
 }
 

@@ -170,8 +170,10 @@ pub struct Computed {
     /// Whether every requested result is there.
     pub complete: bool,
     tables: Vec<String>,
-    messages: Vec<String>,
-    refused: Vec<RefusedAnalysis>,
+    /// Warnings and failed checks, one line each; not why an analysis was refused.
+    pub messages: Vec<String>,
+    /// Analyses without a result because the input is wrong.
+    pub refused: Vec<RefusedAnalysis>,
 }
 
 impl Computed {

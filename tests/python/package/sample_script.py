@@ -48,6 +48,13 @@ def cases() -> None:
         print(error.cause)
 
 
+def models() -> None:
+    pair = judder.models.Sliding(Path("case.toml"), contact={"friction_coefficient": 0.4}, set={"structure.0.reduction.count": 6})
+    found = pair.march(method="film", predictor="printed", from_="10 mm", sound=["T.y"], progress=judder.tqdm_progress())
+    print(found.data.normal_force.max(), found.numbers["steps"], [check["figure"] for check in found.checks], found.files.keys(), found.warnings)
+    print(judder.models.Oscillator().spectrum(sweep={"key": "operation.velocity", "from": 1e-6, "to": 1, "points": 5}).data.sizes, pair.text, pair.check())
+
+
 def exports() -> None:
     study = judder.load_study("s3://bucket/study", storage_options={"anon": True})
     print(study.report.name, study.report.read_text()[:10], [path.stem for path in study.figures.values()], open(study.tables["map"]).readline())
@@ -81,5 +88,5 @@ def pairs() -> None:
     slider = Slider([0.0], [0.0, 0.0], [[0.0], [1.0]], [-1.0], [0.0])
     track = Track([1e6], [[0.0, 0.0], [0.1, 0.0]], np.zeros((2, 2, 1)), alpha=1.0)
     pair = Pair(slider, track, friction=0.3)
-    ended = march(pair, velocity=0.1, load=1.0, method="film")
+    ended = march(pair, velocity=0.1, load=1.0, method="film", predictor="printed")
     print(ended.normal_force.mean(), locus(pair, [0.01, 0.02], count=1, velocity=0.1, load=1.0).zones)

@@ -19,6 +19,7 @@ MODULES = [
     judder.contact,
     judder.distributed,
     judder.errors,
+    judder.models,
     judder.oscillator,
     judder.plot,
     judder.progress,
@@ -64,7 +65,7 @@ def blocks(text, language):
     return re.findall(rf"^```{language}\n(.*?)^```", text, flags=re.DOTALL | re.MULTILINE)
 
 
-PAGES = [("README.md", 1, "map.png"), ("docs/src/python.md", 8, "law.json"), ("docs/src/interchange.md", 4, "study.nc")]
+PAGES = [("README.md", 1, "map.png"), ("docs/src/python.md", 10, "law.json"), ("docs/src/interchange.md", 4, "study.nc")]
 
 
 @pytest.mark.parametrize(("page", "least", "left"), PAGES)

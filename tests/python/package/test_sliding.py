@@ -63,6 +63,13 @@ def test_a_march_settles_at_the_load():
     assert ended.to_dataset().normal_force.attrs == {"long_name": "normal force", "units": "N"}
 
 
+def test_a_predictor_decides_a_march_that_has_one():
+    pair = load_pair(ROOT / "crates" / "judder-models" / "tests" / "small" / "sliding.toml")
+    usual, named, printed = (march(pair, end=0.0905, method="film", predictor=word).normal_force for word in (None, "with-force", "printed"))
+    np.testing.assert_array_equal(usual, named)
+    assert not np.array_equal(usual, printed)
+
+
 def test_a_pair_of_a_case_has_the_locus_of_its_analysis(tmp_path):
     case = ROOT / "cases" / "sliding" / "falling-friction.toml"
     positions = {"points": 5}
@@ -109,6 +116,8 @@ def test_marches_and_loci_that_cannot_be():
         {"velocity": np.nan},
         {"load": np.inf},
         {"method": "magic"},
+        {"predictor": "magic"},
+        {"method": "subs", "predictor": "printed"},
         {"cut_off": 10.0},
         {"method": "residual-flexibility"},
         {"every": 0},

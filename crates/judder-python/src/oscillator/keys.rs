@@ -11,7 +11,7 @@ use judder_models::oscillator::keys::{KEYS, OscillatorKey};
 use judder_oscillator::Contact;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyFloat, PyString};
+use pyo3::types::{PyFloat, PyString};
 
 /// An oscillator as keyword arguments describe it.
 pub(crate) struct Asked {
@@ -59,15 +59,23 @@ impl Asked {
         Ok(asked)
     }
 
-    /// Sets keys in the order of the case file, and checks what ties them together.
-    pub(crate) fn set<'a, 'py: 'a>(
+    /// Sets keys by their names, in the order of the case file, and checks what ties them together.
+    pub(crate) fn set<'py>(
         &mut self,
-        values: impl IntoIterator<Item = (OscillatorKey, Option<&'a Bound<'py, PyAny>>)>,
+        keys: impl IntoIterator<Item = (Bound<'py, PyAny>, Bound<'py, PyAny>)>,
     ) -> PyResult<()> {
-        for (key, given) in values {
-            if let Some(given) = given {
-                self.case.inputs.set(key, value(key, given)?);
-            }
+        let mut values = Vec::new();
+        for (name, given) in keys {
+            values.push((key(&name.extract::<String>()?)?, given));
+        }
+        values.sort_by_key(|(key, _)| *key);
+        let is_given = |key| values.iter().any(|(own, _)| *own == key);
+        if is_given(OscillatorKey::RetardationTime) && is_given(OscillatorKey::RelaxationTime) {
+            let message = "give the retardation or the relaxation time, not both";
+            return Err(errors::input("relaxation_time", message));
+        }
+        for (key, given) in &values {
+            self.case.inputs.set(*key, value(*key, given)?);
         }
         self.checked(self.case.inputs)
     }
@@ -75,17 +83,6 @@ impl Asked {
     /// Refuses moduli that contradict each other or the law.
     pub(crate) fn checked(&self, inputs: OscillatorInputs) -> PyResult<()> {
         inputs.check(self.case.law).map_err(|cause| errors::input("glassy_modulus", cause))
-    }
-
-    /// Sets the keys of a dictionary.
-    pub(crate) fn set_all(&mut self, keys: Option<&Bound<'_, PyDict>>) -> PyResult<()> {
-        let Some(keys) = keys else { return self.set([]) };
-        let mut values = Vec::with_capacity(keys.len());
-        for (name, given) in keys {
-            values.push((key(&name.extract::<String>()?)?, given));
-        }
-        values.sort_by_key(|(key, _)| *key);
-        self.set(values.iter().map(|(key, given)| (*key, Some(given))))
     }
 
     /// The contact where it costs nothing to have.

@@ -73,7 +73,7 @@ pub(crate) fn oscillator_map<'py>(
     let method =
         named("method", method, &[("every-point", Method::EveryPoint), ("adaptive", Method::Adaptive)])?;
     let mut asked = Asked::new(law, friction_load)?;
-    asked.set_all(Some(keys))?;
+    asked.set(keys.iter())?;
     let (x, y) = (axis("x", &x)?, axis("y", &y)?);
     if x.key == y.key {
         return Err(errors::input("y", "both sides vary the same key"));

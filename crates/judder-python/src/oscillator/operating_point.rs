@@ -14,6 +14,7 @@ use judder_oscillator::mechanism::Mechanism;
 use num_complex::Complex64;
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 use std::sync::OnceLock;
 
 /// The steady sliding of an oscillator at one operating point, and what small motions about it do: what
@@ -32,30 +33,16 @@ pub(crate) struct OscillatorPoint {
 /// What [`rebuilt_point`] takes.
 type State = (Vec<(f64, bool)>, bool, Py<PyAny>, &'static str);
 
-type Argument<'a, 'py> = Option<&'a Bound<'py, PyAny>>;
-
 /// Analyses one operating point of the oscillator of the oscillator paper.
 ///
-/// Every argument is a key of an oscillator case by its last name: a number is the dimensionless group (or the pure number), a text
-/// carries a unit, ``velocity="30 mm/s"``. What is not given has the oscillator paper's value.
+/// Every argument but ``law`` and ``friction_load`` is a key of an oscillator case by its last name, :class:`judder.oscillator.Keys`: a number is
+/// the dimensionless group (or the pure number), a text carries a unit, ``velocity="30 mm/s"``. What is not given has the oscillator paper's value.
 ///
 /// Args:
-///     velocity: driving speed, v_d τ/R, or a speed with its unit.
-///     normal_load: F_n/(E0* R²), or a force.
-///     shear_strength: τ0/E0*, or a stress.
-///     damping_x, damping_y: damping ratios ξ_x, ξ_y.
-///     frequency_ratio: Ω = ω_ny/ω_nx.
-///     coupling: η = ω_nxy/ω_nx.
-///     coupling_angle: α, an angle: ``"45 deg"``.
-///     natural_frequency: ω_nx: ``"40 rad/s"``.
-///     stiffness_x: k_x: ``"50 N/m"``.
-///     radius: R: ``"10 mm"``.
-///     rubbery_modulus, glassy_modulus: E0, E∞: ``"1 MPa"``.
-///     retardation_time, relaxation_time: τ or τ E0/E∞: ``"10 ms"``; one of the two.
-///     poisson_ratio: ν.
 ///     law: ``"oscillator-paper"``, ``"oscillator-paper-corrected"``, ``"hertz"``, ``"bem"`` (computed at its first use, which takes
 ///         seconds to minutes), or a :class:`judder.contact.Law`.
 ///     friction_load: ``"normal-load"`` or ``"contact-force"``.
+///     keys: all other keys.
 ///
 /// Returns:
 ///     An :class:`OscillatorPoint`, the same numbers as ``judder point --json`` to the last digit.
@@ -70,58 +57,16 @@ type Argument<'a, 'py> = Option<&'a Bound<'py, PyAny>>;
 /// >>> judder.oscillator.point(velocity="30 mm/s").mechanism
 /// 'none'
 #[pyfunction]
-#[pyo3(signature = (*, velocity=None, normal_load=None, shear_strength=None, damping_x=None, damping_y=None,
-    frequency_ratio=None, coupling=None, coupling_angle=None, natural_frequency=None, stiffness_x=None, radius=None,
-    rubbery_modulus=None, glassy_modulus=None, retardation_time=None, relaxation_time=None, poisson_ratio=None,
-    law=None, friction_load=None))]
-#[allow(clippy::too_many_arguments, reason = "one keyword a key of the case")]
+#[pyo3(signature = (*, law=None, friction_load=None, **keys))]
 pub(crate) fn point(
     py: Python<'_>,
-    velocity: Argument<'_, '_>,
-    normal_load: Argument<'_, '_>,
-    shear_strength: Argument<'_, '_>,
-    damping_x: Argument<'_, '_>,
-    damping_y: Argument<'_, '_>,
-    frequency_ratio: Argument<'_, '_>,
-    coupling: Argument<'_, '_>,
-    coupling_angle: Argument<'_, '_>,
-    natural_frequency: Argument<'_, '_>,
-    stiffness_x: Argument<'_, '_>,
-    radius: Argument<'_, '_>,
-    rubbery_modulus: Argument<'_, '_>,
-    glassy_modulus: Argument<'_, '_>,
-    retardation_time: Argument<'_, '_>,
-    relaxation_time: Argument<'_, '_>,
-    poisson_ratio: Argument<'_, '_>,
-    law: Argument<'_, '_>,
+    law: Option<&Bound<'_, PyAny>>,
     friction_load: Option<&str>,
+    keys: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<OscillatorPoint> {
-    use OscillatorKey as K;
     let mut asked = Asked::new(law, friction_load)?;
-    asked.set([
-        (K::RubberyModulus, rubbery_modulus),
-        (K::GlassyModulus, glassy_modulus),
-        (K::RetardationTime, retardation_time),
-        (K::RelaxationTime, relaxation_time),
-        (K::PoissonRatio, poisson_ratio),
-        (K::Radius, radius),
-        (K::ShearStrength, shear_strength),
-        (K::DampingX, damping_x),
-        (K::DampingY, damping_y),
-        (K::FrequencyRatio, frequency_ratio),
-        (K::Coupling, coupling),
-        (K::CouplingAngle, coupling_angle),
-        (K::NaturalFrequency, natural_frequency),
-        (K::StiffnessX, stiffness_x),
-        (K::Velocity, velocity),
-        (K::NormalLoad, normal_load),
-    ])?;
-    if retardation_time.is_some() && relaxation_time.is_some() {
-        return Err(errors::input(
-            "relaxation_time",
-            "give the retardation or the relaxation time, not both",
-        ));
-    }
+    let given = keys.into_iter().flatten().filter(|(_, value)| !value.is_none());
+    asked.set(given)?;
     solved(py, asked)
 }
 

@@ -5,6 +5,7 @@ use crate::errors;
 use crate::oscillator::named;
 use crate::watched::{Manner, watched};
 use judder_models::coupled_pair::own_step;
+use judder_models::sliding::march::settings;
 use judder_sliding::SlidingError;
 use judder_sliding::march::{March, MarchSettings, Method, Predictor, Reached, Sample};
 use judder_sliding::motion::{Motion, Noise, Ramps};
@@ -111,15 +112,27 @@ fn method(name: &str, cut_off: Option<f64>) -> PyResult<Method> {
     }
 }
 
+/// The predictor of this name, where the method has one.
+fn predictor(name: Option<&str>, method: Method) -> PyResult<Predictor> {
+    match (name, method) {
+        (None, _) => Ok(Predictor::default()),
+        (Some(name), Method::EnSubs | Method::Film) => {
+            named("predictor", name, &settings::Predictor::ALL).map(Predictor::from)
+        }
+        (Some(_), _) => Err(errors::input("predictor", "only the marches `ensubs` and `film` have one")),
+    }
+}
+
 /// Signals of a march, as a dictionary of arrays.
 #[pyfunction]
-#[pyo3(signature = (pair, motion, *, method, cut_off, step, every, progress))]
+#[pyo3(signature = (pair, motion, *, method, predictor, cut_off, step, every, progress))]
 #[allow(clippy::too_many_arguments, reason = "the arguments of `judder.sliding.march`")]
 pub(crate) fn sliding_march<'py>(
     py: Python<'py>,
     pair: PyRef<'py, PyPair>,
     motion: GivenMotion,
     method: &str,
+    predictor: Option<&str>,
     cut_off: Option<f64>,
     step: Option<f64>,
     every: u64,
@@ -130,6 +143,7 @@ pub(crate) fn sliding_march<'py>(
     }
     let pair: &PyPair = &pair;
     let method = self::method(method, cut_off)?;
+    let predictor = self::predictor(predictor, method)?;
     let motion = motion.over(pair.motion, pair.pair.length())?;
     let manner = Manner::new(progress, Some(1))?;
     let done = watched(py, &manner, |watch| {
@@ -137,7 +151,7 @@ pub(crate) fn sliding_march<'py>(
             Some(step) => step,
             None => own_step(&pair.pair, method, motion)?,
         };
-        let settings = MarchSettings { method, predictor: Predictor::default(), step, motion };
+        let settings = MarchSettings { method, predictor, step, motion };
         marched(March::new(&pair.pair, settings)?, every, watch).map(|(kept, reached)| (kept, reached, step))
     })?;
     let (kept, reached, step) = done.settled(|error| errors::sliding(&error))?;

@@ -1,7 +1,8 @@
 //! Cases composed of a text, options and one analysis: the case file that says by itself what text and options say together.
 
 use serde_json::{Map, Value};
-use toml_edit::{ArrayOfTables, DocumentMut, Item};
+use std::iter::once;
+use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, Value as Toml, value};
 
 use crate::case::anywhere::settle;
 use crate::case::file::{CaseFile, given_error, read_tree};
@@ -66,6 +67,34 @@ pub fn alone(file: &CaseFile, name: &str) -> Result<CaseFile, CaseError> {
     edited::keep(document.as_table_mut(), "analysis", &only(&analyses));
     settle(&mut document, file);
     CaseFile::parse(file.registry(), &file.origin, &document.to_string(), &[])
+}
+
+/// The case of `file` with its options written into it, its files by their whole paths and one more analysis, of this kind and with the keys of a text
+/// in TOML; and the name of that analysis: its kind, with a number behind it where something of the case goes by that name.
+///
+/// # Errors
+/// Those of the analysis, at their places in the composed text.
+pub fn joined_by(file: &CaseFile, kind: &str, keys: &str) -> Result<(CaseFile, String), CaseError> {
+    let own: DocumentMut =
+        keys.parse().map_err(|error| Sources::new(kind, keys, &[]).error(syntax(&error)))?;
+    let mut taken = file.case.analysis_names();
+    taken.extend(file.sweeps.iter().map(|sweep| sweep.name.as_str()));
+    let is_free = |name: &String| !taken.iter().any(|other| other.eq_ignore_ascii_case(name));
+    let numbered = (2..).map(|number: u64| format!("{kind}-{number}"));
+    let name = once(kind.to_owned()).chain(numbered).find(is_free).unwrap_or_default();
+    let mut analysis = Table::new();
+    analysis.decor_mut().set_prefix("\n");
+    analysis.extend([("kind", value(kind)), ("name", value(&name))]);
+    analysis.extend(own.as_table().clone());
+    let mut document = with_options(&file.origin, &file.text, &file.overrides)?;
+    match document.entry("analysis").or_insert(Item::ArrayOfTables(ArrayOfTables::new())) {
+        Item::ArrayOfTables(analyses) => analyses.push(analysis),
+        Item::Value(Toml::Array(analyses)) => analyses.push(analysis.into_inline_table()),
+        // a case with anything else is none
+        _ => (),
+    }
+    settle(&mut document, file);
+    Ok((CaseFile::parse(file.registry(), &file.origin, &document.to_string(), &[])?, name))
 }
 
 /// The analyses whose results a sweep keeps; all of them where it sweeps a key of an analysis, which may go by its number.

@@ -9,6 +9,7 @@ mod file;
 mod generated;
 mod layout;
 mod messages;
+mod python;
 mod results;
 mod snapshot;
 

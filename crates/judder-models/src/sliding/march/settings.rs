@@ -12,6 +12,7 @@ use judder_keys::error::Fault;
 use judder_keys::problem::Placed;
 use judder_keys::section::Section;
 use judder_keys::{Choice, Settings};
+use judder_sliding::march;
 use std::f64::consts::TAU;
 
 /// How the coupled structures are integrated.
@@ -65,6 +66,15 @@ pub enum Predictor {
     Printed,
     /// Those under the force of the last step.
     WithForce,
+}
+
+impl From<Predictor> for march::Predictor {
+    fn from(word: Predictor) -> Self {
+        match word {
+            Predictor::Printed => Self::Printed,
+            Predictor::WithForce => Self::WithForce,
+        }
+    }
 }
 
 /// A march along the path, or along a part of it.

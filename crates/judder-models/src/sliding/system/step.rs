@@ -37,10 +37,7 @@ pub(crate) fn method(own: MarchMethod) -> Method {
 
 /// The predictor of a case as the march has it; methods without one take any.
 pub(crate) fn predictor(own: Option<settings::Predictor>) -> Predictor {
-    match own {
-        Some(settings::Predictor::Printed) => Predictor::Printed,
-        Some(settings::Predictor::WithForce) | None => Predictor::WithForce,
-    }
+    own.map_or_else(Predictor::default, Predictor::from)
 }
 
 /// The step that a case gives, or that the march chooses, with the limit along the path of the motion.

@@ -1,0 +1,198 @@
+//! A key as docstrings tell it: what it is, what it may be, what it is where it is left out, the keys of its table.
+
+use judder_keys::declared::Declaration;
+use serde_json::Value as Json;
+use std::fmt::Write;
+
+/// The columns of a line.
+const COLUMNS: usize = 140;
+
+/// A key and what is said of it.
+pub(super) struct Key {
+    /// Its name in a case file.
+    pub(super) name: String,
+    /// Whether it must be given, whatever else is.
+    pub(super) is_required: bool,
+    /// Its schema.
+    pub(super) schema: Json,
+    told: Told,
+}
+
+/// What docstrings say of a key.
+struct Told {
+    name: String,
+    words: String,
+    keys: Vec<Told>,
+}
+
+impl Key {
+    /// A key as it is declared.
+    pub(super) fn declared(declaration: &Declaration) -> Self {
+        Self {
+            name: declaration.name.to_owned(),
+            is_required: declaration.must_stand(),
+            schema: declaration.schema(),
+            told: Told::declared(&declaration.document()),
+        }
+    }
+
+    /// A key of a table of which only the schema is known.
+    pub(super) fn of_schema(name: &str, schema: &Json, table: &Json, definitions: &Json) -> Self {
+        let schema = resolved(schema, definitions).clone();
+        let told = Told::of_schema(name, &schema, definitions);
+        Self { name: name.to_owned(), is_required: is_required(name, table), schema, told }
+    }
+
+    /// Its name as a parameter of Python.
+    pub(super) fn parameter(&self) -> String {
+        // the words of the language that a key could be
+        let is_word = ["from", "in", "is", "as", "with", "for", "lambda", "class"].contains(&&*self.name);
+        if is_word { format!("{}_", self.name) } else { self.name.clone() }
+    }
+
+    /// What is said of it in one line.
+    pub(super) fn words(&self) -> &str {
+        &self.told.words
+    }
+
+    /// The entry of a docstring.
+    pub(super) fn entry(&self, indent: usize) -> String {
+        let mut entry = wrapped(&format!("{}: {}", self.parameter(), self.told.words), indent, indent + 4);
+        self.told.list(&mut entry, indent + 4);
+        entry
+    }
+}
+
+/// Whether a table must have a key.
+fn is_required(name: &str, table: &Json) -> bool {
+    table["required"].as_array().is_some_and(|required| required.iter().any(|own| own == name))
+}
+
+/// The definition that a schema refers to, or itself.
+fn resolved<'a>(schema: &'a Json, definitions: &'a Json) -> &'a Json {
+    match schema["$ref"].as_str() {
+        Some(name) => &definitions[name.trim_start_matches("#/$defs/")],
+        None => schema,
+    }
+}
+
+impl Told {
+    fn declared(document: &Json) -> Self {
+        let doc = match (document["symbol"].as_str().unwrap(), document["doc"].as_str().unwrap()) {
+            ("", doc) => doc.to_owned(),
+            (symbol, doc) => format!("{symbol}: {doc}"),
+        };
+        let may_be = document["words"].as_str().unwrap_or_default();
+        // of alternatives one must be given
+        let is_needed = document["required"] == true && document["alternative"].is_null();
+        Self {
+            name: document["name"].as_str().unwrap().to_owned(),
+            words: sentence(&doc, may_be, &document["default"], is_needed),
+            keys: keys(&document["form"]).iter().map(Self::declared).collect(),
+        }
+    }
+
+    fn of_schema(name: &str, schema: &Json, definitions: &Json) -> Self {
+        let table = table_in(schema, definitions);
+        let keys = table["properties"].as_object().into_iter().flatten().map(|(name, schema)| {
+            let own = resolved(schema, definitions);
+            let mut told = Self::of_schema(name, own, definitions);
+            if is_required(name, table) {
+                told.words += "; must be given";
+            }
+            told
+        });
+        let doc = schema["description"].as_str().unwrap_or_default();
+        let doc = match (doc, schema["type"].as_str()) {
+            ("", Some("object")) => "a table",
+            ("", Some("array")) => "a list of tables",
+            ("", Some("string")) => "a text",
+            _ => doc,
+        };
+        Self {
+            name: name.to_owned(),
+            words: sentence(doc, &examples(schema), &schema["default"], false),
+            keys: keys.collect(),
+        }
+    }
+
+    fn list(&self, text: &mut String, indent: usize) {
+        for key in &self.keys {
+            *text += &wrapped(&format!("- ``{}``: {}", key.name, key.words), indent, indent + 2);
+            key.list(text, indent + 2);
+        }
+    }
+}
+
+/// The table that a value is, or that the items of a list are.
+fn table_in<'a>(schema: &'a Json, definitions: &'a Json) -> &'a Json {
+    let of = |schema: &'a Json| resolved(schema, definitions);
+    let forms = [&schema["anyOf"], &schema["oneOf"]];
+    let tables = forms.into_iter().filter_map(Json::as_array).flatten().map(of);
+    let found = std::iter::once(schema).chain([of(&schema["items"])]).chain(tables);
+    found.into_iter().find(|form| form["properties"].is_object()).unwrap_or(&Json::Null)
+}
+
+/// The keys of a form, or of what its lists and names hold.
+fn keys(form: &Json) -> &[Json] {
+    match form["kind"].as_str() {
+        Some("table") => form["keys"].as_array().map_or(&[], Vec::as_slice),
+        Some("list" | "named") => keys(&form["of"]),
+        Some("either") => {
+            let forms = form["forms"].as_array().unwrap();
+            forms.iter().map(keys).find(|keys| !keys.is_empty()).unwrap_or(&[])
+        }
+        _ => &[],
+    }
+}
+
+/// What is said of a key in one line.
+fn sentence(doc: &str, may_be: &str, default: &Json, is_required: bool) -> String {
+    let absent = match default {
+        Json::Null if is_required => "must be given".to_owned(),
+        Json::Null => String::new(),
+        Json::Object(table) => {
+            let entries = table.iter().filter(|(_, value)| !value.is_null());
+            let entries: Vec<String> = entries.map(|(key, value)| format!("{key} = {value}")).collect();
+            format!("`{{ {} }}` where left out", entries.join(", "))
+        }
+        own => format!("`{own}` where left out"),
+    };
+    let parts = [doc, may_be, &absent];
+    let parts: Vec<&str> = parts.into_iter().filter(|part| !part.is_empty()).collect();
+    parts.join("; ").replace('`', "``")
+}
+
+/// Values with their units, where the schema has some.
+fn examples(schema: &Json) -> String {
+    let forms = schema["anyOf"].as_array().into_iter().flatten();
+    let mut of_forms = std::iter::once(schema).chain(forms).filter_map(|form| form["examples"].as_array());
+    let Some(examples) = of_forms.next() else { return String::new() };
+    let examples: Vec<String> = examples.iter().map(Json::to_string).collect();
+    format!("such as `{}`", examples.join("` or `"))
+}
+
+/// Lines of at most so many columns; the first and those below it begin at these.
+pub(super) fn wrapped(text: &str, first: usize, below: usize) -> String {
+    let (mut lines, mut line) = (String::new(), " ".repeat(first));
+    let mut is_empty = true;
+    for word in text.split_whitespace() {
+        if !is_empty && line.chars().count() + 1 + word.chars().count() > COLUMNS {
+            writeln!(lines, "{line}").unwrap();
+            (line, is_empty) = (" ".repeat(below), true);
+        }
+        if !is_empty {
+            line.push(' ');
+        }
+        line.push_str(word);
+        is_empty = false;
+    }
+    writeln!(lines, "{line}").unwrap();
+    lines
+}
+
+/// The same as the beginning of a sentence.
+pub(super) fn capitalised(words: &str) -> String {
+    let mut letters = words.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}

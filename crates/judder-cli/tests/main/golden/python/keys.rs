@@ -1,0 +1,83 @@
+//! `judder._keys`: what functions on arrays take that are keys of a case.
+
+use super::annotation;
+use super::key::{Key, capitalised, wrapped};
+use judder_keys::memory::Memory;
+use judder_models::{kinds_of, schema};
+use serde_json::Value as Json;
+
+const HEAD: &str = r#""""What functions on arrays take that are keys of a case.
+
+The tests write it from the declarations by which case files are read: ``JUDDER_GOLDEN=write cargo nextest run -p judder-cli -E 'test(/golden/)'``.
+"""
+
+from __future__ import annotations
+
+from typing import Final, Literal, TypeAlias, TypedDict
+
+"#;
+
+/// Defaults that functions on arrays share with keys of analyses: model, kind, key.
+const DEFAULTS: [(&str, [&str; 3]); 5] = [
+    ("CONTACT_ACCURACY", ["contact", "contact", "accuracy"]),
+    ("CONTACT_MEMORY", ["contact", "contact", "memory_limit"]),
+    ("LOCUS_CONFIGURATION", ["sliding", "locus", "configuration"]),
+    ("LOCUS_COUNT", ["sliding", "locus", "count"]),
+    ("LOCUS_DAMPING", ["sliding", "locus", "damping"]),
+];
+
+/// The sections of an oscillator case whose numbers are arguments by their last names.
+const SECTIONS: [&str; 5] = ["operation", "contact", "oscillator", "indenter", "substrate"];
+
+/// The module.
+pub(super) fn module() -> String {
+    let schema = schema();
+    let definitions = &schema["$defs"];
+    let sections = &schema["oneOf"][0]["properties"];
+    let keys = |section: &str| sections[section]["properties"].as_object().unwrap();
+    // a number that operating points are swept over has a definition of its own
+    let numbers =
+        SECTIONS.iter().flat_map(|section| keys(section)).filter(|(_, key)| key["$ref"].is_string());
+    let fields: String = numbers
+        .map(|(name, schema)| {
+            let key = Key::of_schema(name, schema, &Json::Null, definitions);
+            let doc = format!("\"\"\"{}.\"\"\"", key.words());
+            format!("    {name}: {}\n{}", annotation::of(&key.schema, definitions), wrapped(&doc, 4, 4))
+        })
+        .collect();
+    let contact = keys("contact");
+    let aliases: String = [
+        ("LawName", &contact["law"]["anyOf"][0]),
+        ("FrictionLoad", &contact["friction_load"]),
+        ("Configuration", &declared(["sliding", "locus", "configuration"])),
+        ("Predictor", &declared(["sliding", "march", "predictor"])),
+    ]
+    .map(|(name, schema)| {
+        let doc = capitalised(schema["description"].as_str().unwrap()).replace('`', "``");
+        format!("{name}: TypeAlias = {}\n\"\"\"{doc}.\"\"\"\n", annotation::of(schema, definitions))
+    })
+    .concat();
+    let defaults: String = DEFAULTS
+        .map(|(name, key)| format!("{name}: Final = {}\n", literal(&declared(key)["default"])))
+        .concat();
+    let words = "\"\"\"The numeric keys of an oscillator case, by their last names.\"\"\"";
+    format!("{HEAD}{aliases}{defaults}\n\nclass Keys(TypedDict, total=False):\n    {words}\n\n{fields}")
+}
+
+/// The schema of a key of a kind of analysis.
+fn declared([model, kind, key]: [&str; 3]) -> Json {
+    let kind = kinds_of(model).find(|own| own.name == kind).unwrap();
+    (kind.declared)().iter().find(|own| own.name == key).unwrap().schema()
+}
+
+/// A value as Python writes it; an amount of memory is a number of bytes.
+fn literal(value: &Json) -> String {
+    match value {
+        Json::Bool(true) => "True".to_owned(),
+        Json::Bool(false) => "False".to_owned(),
+        Json::String(text) => {
+            Memory::parse(text).map_or(value.to_string(), |memory| memory.bytes.to_string())
+        }
+        other => other.to_string(),
+    }
+}

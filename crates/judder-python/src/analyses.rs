@@ -1,0 +1,61 @@
+//! One more analysis of a case.
+
+use crate::cases::Source;
+use crate::errors;
+use crate::watched::{Manner, watched};
+use judder_keys::cause::Cause;
+use judder_study::StudyError;
+use judder_study::case::anywhere::anywhere;
+use judder_study::case::compose::joined_by;
+use judder_study::case::file::CaseFile;
+use judder_study::run::{RunOptions, compute};
+use pyo3::prelude::*;
+use std::path::PathBuf;
+
+/// A case, the model that it must be of, and what is changed in it.
+type Given = (Source, String, Vec<String>);
+
+/// The case, where it is of the model.
+fn read((case, model, overrides): &Given) -> Result<CaseFile, StudyError> {
+    let file = case.parse(overrides)?;
+    if file.case.model() == model {
+        return Ok(file);
+    }
+    let (name, known) = (file.case.model().to_owned(), vec![model.clone()]);
+    Err(file.error("model", Cause::UnknownName { what: "model", name, known }).into())
+}
+
+/// The text of a case that runs wherever it lies.
+#[pyfunction]
+pub(crate) fn text_of_case(py: Python<'_>, case: Given) -> PyResult<String> {
+    let done = watched(py, &Manner::default(), |_| Ok(anywhere(&read(&case)?)?.text))?;
+    done.settled(|error| errors::study(&error))
+}
+
+/// Computes an analysis of this kind and with these keys, TOML, beside those of a case, and of those what it takes up, into a folder.
+///
+/// Gives back the name of the analysis, and what has to be known of it.
+#[pyfunction]
+#[pyo3(signature = (case, kind, keys, *, folder, threads, progress))]
+pub(crate) fn computed_analysis(
+    py: Python<'_>,
+    case: Given,
+    kind: &str,
+    keys: &str,
+    folder: PathBuf,
+    threads: Option<usize>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<(String, Vec<String>)> {
+    let manner = Manner::on_threads_of_its_own(progress, threads)?;
+    let done = watched(py, &manner, |watch| {
+        let (file, name) = joined_by(&read(&case)?, kind, keys)?;
+        let only = file.case.takes_up(&name).into_iter().chain([name.as_str()]).map(str::to_owned).collect();
+        let computed = compute(&file, &folder, &RunOptions { only, ..RunOptions::default() }, watch)?;
+        Ok((name, computed))
+    })?;
+    let (name, computed) = done.settled(|error| errors::study(&error))?;
+    match computed.refused.first() {
+        Some(refused) => Err(errors::study(&refused.error)),
+        None => Ok((name, computed.messages)),
+    }
+}

@@ -1,0 +1,110 @@
+"""What the classes of :mod:`judder.models` have in common: a case that is composed, and analyses of it that are computed on their own."""
+
+from __future__ import annotations
+
+import tempfile
+import warnings
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from judder import _judder, _toml
+from judder.errors import JudderWarning, StudyError
+from judder.progress import Progress
+from judder.study import CaseLike, Study, check, source
+
+if TYPE_CHECKING:
+    import xarray
+
+
+@dataclass(frozen=True, eq=False)
+class Result:
+    """What an analysis leaves."""
+
+    data: xarray.Dataset
+    """Every array, with coordinates, units and long names: the dataset that a study has of the analysis, in memory."""
+    numbers: Mapping[str, Any]
+    """What ``summary.json`` shows of it: thresholds, fractions, errors."""
+    checks: tuple[Mapping[str, Any], ...]
+    """The comparisons that were made: ``name``, ``compared``, the largest disagreement ``figure`` and its ``limit``."""
+    warnings: tuple[str, ...]
+    """What has to be known before the numbers are trusted."""
+    files: Mapping[str, bytes]
+    """Tables, sound, laws, fields, as a study folder has them."""
+
+
+class Model:
+    """A case of a model: what all classes of :mod:`judder.models` have in common.
+
+    The keys of a case file are keyword arguments: tables are mappings, lists are sequences, quantities are texts with their units. What is given
+    is put over ``case``, key by key. An analysis is a method; what the case has of analyses stays as it is, and is computed where it is taken up.
+    """
+
+    _name: ClassVar[str]
+
+    def __init__(self, case: CaseLike | None, set: Mapping[str, Any] | None, keys: Mapping[str, Any]) -> None:
+        changes = {**dict(_flat(keys)), **(set or {})}
+        begun = f'model = "{self._name}"\n' if case is None else case
+        self._case = source(begun), self._name, _toml.overrides(changes)
+
+    @property
+    def text(self) -> str:
+        """The case as the text of a case file, which :func:`judder.run` takes; the files that it names stand in it by their whole paths.
+
+        Raises:
+            CaseError: the case is wrong, or of another model.
+        """
+        return _judder.text_of_case(self._case)
+
+    def check(self) -> dict[str, Any]:
+        """What the case means, as of :func:`judder.check`.
+
+        Raises:
+            CaseError: the case is wrong, or of another model.
+        """
+        return check(self.text)
+
+    def _computed(self, kind: str, keys: Mapping[str, Any], threads: int | None, progress: Progress | None) -> Result:
+        """Computes an analysis of this kind; keys that are ``None`` are left out.
+
+        Raises:
+            CaseError: case or analysis are wrong, also where only the run could see it.
+            KeyboardInterrupt: Ctrl-C.
+            JudderError: there is no result.
+        """
+        given = _toml.document({key: own for key, own in keys.items() if own is not None})
+        with tempfile.TemporaryDirectory(prefix="judder-") as place:
+            folder = Path(place) / "study"
+            name, messages = _judder.computed_analysis(
+                self._case, kind, given, folder=str(folder), threads=threads, progress=progress
+            )
+            study = Study(folder)
+            if name in study.failures:
+                raise StudyError(study.failures[name], "NoResult", {"name": name})
+            for message in messages:
+                warnings.warn(message, JudderWarning, stacklevel=3)
+            return Result(
+                data=study[name].load(),
+                numbers=study.results[name],
+                checks=tuple(study.summary["study"]["checks"].get(name, ())),
+                warnings=tuple(study.warnings[name]),
+                files=dict(_files(folder)),
+            )
+
+
+def _flat(keys: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
+    """The keys that are given, those of a table one by one."""
+    for key, own in keys.items():
+        if isinstance(own, Mapping):
+            yield from ((f"{key}.{inner}", value) for inner, value in own.items())
+        elif own is not None:
+            yield key, own
+
+
+def _files(folder: Path) -> Iterator[tuple[str, bytes]]:
+    """The files of a study beside its arrays and its summary, by their paths in it."""
+    for path in sorted(folder.rglob("*")):
+        name = path.relative_to(folder)
+        if path.is_file() and name.parts[0] not in ("results.zarr", "summary.json") and not path.name.startswith("."):
+            yield name.as_posix(), path.read_bytes()

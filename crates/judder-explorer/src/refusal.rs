@@ -18,6 +18,8 @@ pub(crate) struct Refusal {
     message: String,
     help: Option<String>,
     place: Option<Box<Value>>,
+    /// What else is wrong with the same case, each as a document.
+    others: Vec<Value>,
 }
 
 impl Refusal {
@@ -28,7 +30,7 @@ impl Refusal {
             Some((wrong, right)) => (wrong.to_owned(), Some(right.to_owned())),
             None => (sentence, None),
         };
-        Self { status, message, help, place: None }
+        Self { status, message, help, place: None, others: Vec::new() }
     }
 
     /// The request is wrong.
@@ -57,9 +59,9 @@ impl Refusal {
         Self::new(StatusCode::CONFLICT, reason)
     }
 
-    /// The document `{"message", "place", "help"}`.
+    /// The document `{"message", "place", "help", "others"}`.
     pub(crate) fn document(&self) -> Value {
-        json!({ "message": self.message, "place": self.place, "help": self.help })
+        json!({ "message": self.message, "place": self.place, "help": self.help, "others": self.others })
     }
 }
 
@@ -70,8 +72,9 @@ impl From<CaseError> for Refusal {
                 "source": error.source_name(), "line": line, "column": column, "text": error.place(),
             }))
         });
-        let help = error.cause().help();
-        Self { status: StatusCode::UNPROCESSABLE_ENTITY, message: error.to_string(), help, place }
+        let (message, help) = (error.to_string(), error.cause().help());
+        let others = error.split().1.into_iter().map(|other| Self::from(other).document()).collect();
+        Self { status: StatusCode::UNPROCESSABLE_ENTITY, message, help, place, others }
     }
 }
 

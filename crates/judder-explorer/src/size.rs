@@ -17,6 +17,11 @@ const STEPS: u64 = 50_000_000;
 /// Cells along a side of a contact, at most: the memory goes with their square.
 const CELLS: u64 = 1024;
 
+/// Whether a page may set a key of an analysis: not how much of this machine it takes.
+pub(crate) fn is_settable(key: &str) -> bool {
+    key != "memory_limit"
+}
+
 /// Refuses an analysis that is larger than a page needs, before memory is laid out for it.
 ///
 /// # Errors
@@ -30,8 +35,10 @@ pub(crate) fn check_analysis(analysis: &Map<String, Value>) -> Result<(), Refusa
             "a map of {columns} × {rows} points is more than a page shows; ask for {MAP_POINTS} points at most, or export the case for `judder run`"
         )));
     }
-    if analysis.contains_key("memory") {
-        return Err(Refusal::wrong("`memory` cannot be set from the page; export the case and set it there"));
+    if let Some(key) = analysis.keys().find(|key| !is_settable(key)) {
+        return Err(Refusal::wrong(format!(
+            "`{key}` cannot be set from the page; export the case and set it there"
+        )));
     }
     check_counts(analysis)
 }
@@ -108,7 +115,7 @@ mod tests {
             json!({ "points": 1e300 }),
             json!({ "sweep": { "points": 10_000_000 } }),
             json!({ "steps": 1_000_000_000_000_u64 }),
-            json!({ "memory": "100 GB" }),
+            json!({ "memory_limit": "100 GB" }),
             json!({ "kind": "contact", "cells": 4096 }),
         ] {
             assert!(check(analysis.clone()).is_err(), "{analysis}");

@@ -106,11 +106,25 @@ pub struct Key<K> {
     pub range: Range,
     /// The oscillator paper's value: as a case file writes it (without quotes), and read.
     pub default: Option<(&'static str, Value)>,
+    /// From where to where its values usually lie, in the form of a plain number where the key takes one, else in SI units: what a control
+    /// runs over, between equal ratios where it begins above zero.
+    pub typical: Option<[f64; 2]>,
     /// What the key is, in one line.
     pub doc: &'static str,
 }
 
 impl<K> Key<K> {
+    /// From where to where its values usually lie; where that is not said the whole of a range that ends, or what lies about the default.
+    pub fn typical(&self) -> [f64; 2] {
+        let about = |value: f64| if value > 0.0 { [1e-3 * value, 1e3 * value] } else { [0.0, 1.0] };
+        match (self.typical, self.range) {
+            (Some(typical), _) => typical,
+            (None, Range::Interval { above, up_to }) => [above, up_to],
+            (None, Range::Fraction) => [0.0, 1.0],
+            (None, _) => about(self.default.map_or(0.0, |(_, value)| value.number)),
+        }
+    }
+
     /// An example of a value with a unit.
     pub fn example(&self) -> String {
         if self.difference { "51.6 K".to_owned() } else { self.dimension.example() }
@@ -135,6 +149,14 @@ impl<K> Key<K> {
     }
 }
 
+impl<K: Copy> Key<K> {
+    /// The same, whose values usually lie between these.
+    #[must_use]
+    pub const fn typically(self, from: f64, to: f64) -> Self {
+        Self { typical: Some([from, to]), ..self }
+    }
+}
+
 /// An entry that takes a pure number only.
 pub const fn number<K: Copy>(
     key: K,
@@ -146,7 +168,8 @@ pub const fn number<K: Copy>(
 ) -> Key<K> {
     let default = Some((default.0, Value::group(default.1)));
     let group = Some(symbol);
-    Key { key, path, symbol, dimension: Dimension::NUMBER, group, difference: false, range, default, doc }
+    let (dimension, typical) = (Dimension::NUMBER, None);
+    Key { key, path, symbol, dimension, group, difference: false, range, default, typical, doc }
 }
 
 /// An entry that takes a quantity with a unit only.
@@ -160,7 +183,8 @@ pub const fn quantity<K: Copy>(
 ) -> Key<K> {
     let default = Some((default.0, Value::si(default.1)));
     let range = Range::Positive;
-    Key { key, path, symbol, dimension, group: None, difference: false, range, default, doc }
+    let (group, typical) = (None, None);
+    Key { key, path, symbol, dimension, group, difference: false, range, default, typical, doc }
 }
 
 /// Reads the value of a numeric key: a plain number is its group, a string carries a unit.

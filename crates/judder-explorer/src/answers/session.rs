@@ -2,17 +2,21 @@
 
 use super::{case, inputs, oscillator, sections};
 use crate::routes::SharedSite;
+use crate::size::is_settable;
 use axum::Json;
 use axum::extract::State;
 use judder_keys::cause::Cause;
-use judder_keys::numeric_key::{Form, Key, Range};
+use judder_keys::declared::Declaration;
+use judder_keys::numeric_key::{Form, Key};
+use judder_models::REGISTRY;
 use judder_models::contact::case::ContactCase;
 use judder_models::oscillator::case::OscillatorCase;
 use judder_models::oscillator::inputs::{LawName, TimeForm};
 use judder_models::oscillator::keys::{KEYS, OscillatorKey};
 use judder_models::sweep::{StabilityMap, Sweep};
+use judder_study::case::analysis::KindEntry;
 use judder_study::case::file::CaseFile;
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 /// Answers `/api/session`.
 pub(crate) async fn answer(State(site): SharedSite) -> Json<Value> {
@@ -41,6 +45,7 @@ pub(crate) async fn answer(State(site): SharedSite) -> Json<Value> {
         "law": oscillator.map(|oscillator| oscillator.law.name()),
         "map": map,
         "analyses": analyses(&resolved),
+        "settings": base.map(|base| settings(base.case.model())).unwrap_or_default(),
         "study": site.subject.study.as_ref().map(|study| json!({ "name": study.view.name() })),
     }))
 }
@@ -69,41 +74,31 @@ fn takes(base: &CaseFile, entry: &Key<OscillatorKey>) -> bool {
 
 /// A key with its words, its range and its slider.
 fn key(entry: &Key<OscillatorKey>, is_settable: bool) -> Value {
-    let (from, to, scale) = slider(entry.key);
-    let range = match entry.range {
-        Range::Positive => "positive",
-        Range::NonNegative => "non-negative",
-        Range::Fraction => "fraction",
-        Range::Any => "any",
-        Range::Interval { .. } => "interval",
-    };
+    let (from, to, scale) = slider(entry);
     json!({
         "path": entry.path, "section": entry.section(), "symbol": entry.symbol, "group": entry.group,
-        "unit": entry.dimension.unit(), "doc": entry.doc, "range": range, "settable": is_settable,
+        "unit": entry.dimension.unit(), "doc": entry.doc, "range": entry.range.document(), "settable": is_settable,
         "slider": { "from": from, "to": to, "scale": scale },
         "label": entry.label(Form::Group), "label_si": entry.label(Form::Si),
     })
 }
 
-/// What the slider of a key runs over, as a group where there is one, else in SI units: what rubbers, indenters and laboratories have.
-fn slider(key: OscillatorKey) -> (f64, f64, &'static str) {
-    let (log, linear) = ("log", "linear");
-    match key {
-        OscillatorKey::RubberyModulus => (1e4, 1e8, log),
-        OscillatorKey::GlassyModulus => (1e5, 1e10, log),
-        OscillatorKey::RetardationTime | OscillatorKey::RelaxationTime => (1e-6, 10.0, log),
-        OscillatorKey::PoissonRatio => (0.0, 0.5, linear),
-        OscillatorKey::Radius => (1e-5, 1.0, log),
-        OscillatorKey::ShearStrength => (1e-4, 1.0, log),
-        OscillatorKey::DampingX | OscillatorKey::DampingY => (0.0, 0.2, linear),
-        OscillatorKey::FrequencyRatio => (0.1, 10.0, log),
-        OscillatorKey::Coupling => (0.0, 2.0, linear),
-        OscillatorKey::CouplingAngle => (0.0, std::f64::consts::FRAC_PI_2, linear),
-        OscillatorKey::NaturalFrequency => (1.0, 1e5, log),
-        OscillatorKey::StiffnessX => (1e-1, 1e7, log),
-        OscillatorKey::Velocity => (1e-8, 1e2, log),
-        OscillatorKey::NormalLoad => (1e-9, 1e-2, log),
-    }
+/// What the slider of a key runs over, as a group where there is one, else in SI units.
+fn slider(entry: &Key<OscillatorKey>) -> (f64, f64, &'static str) {
+    let [from, to] = entry.typical();
+    (from, to, if from > 0.0 { "log" } else { "linear" })
+}
+
+/// What is said of the settings of each kind of analysis that may be asked for: those of the case's model, and of the contact of an oscillator.
+fn settings(model: &str) -> Map<String, Value> {
+    let derived = (model == "oscillator").then_some("contact");
+    let kinds =
+        REGISTRY.kinds_of(model).chain(derived.into_iter().flat_map(|model| REGISTRY.kinds_of(model)));
+    let keys = |kind: &KindEntry| {
+        let declared = (kind.declared)();
+        declared.iter().filter(|key| is_settable(key.name)).map(Declaration::document).collect::<Vec<_>>()
+    };
+    kinds.map(|kind| (kind.name.to_owned(), json!({ "doc": kind.doc, "keys": keys(&kind) }))).collect()
 }
 
 /// The axes of a stability map.
@@ -123,7 +118,7 @@ fn axis(sweep: &Sweep<OscillatorKey>) -> Value {
 /// Those of Fig. 9 of the oscillator paper.
 fn usual_axes() -> Value {
     let axis = |key: OscillatorKey| {
-        let (from, to, scale) = slider(key);
+        let (from, to, scale) = slider(key.entry());
         json!({ "key": key.entry().path, "from": from, "to": to, "scale": scale })
     };
     json!({ "x": axis(OscillatorKey::Velocity), "y": axis(OscillatorKey::ShearStrength) })

@@ -1,6 +1,8 @@
 //! What the page is told.
 
 use crate::client::Served;
+use judder_keys::declared::Settings;
+use judder_models::motion::settings::History;
 use judder_models::oscillator::case::OscillatorCase;
 use judder_models::template::template;
 use judder_study::Silent;
@@ -37,6 +39,35 @@ fn the_session_has_the_case_and_its_keys() {
         let says_twice = key["path"] == "substrate.relaxation_time";
         assert_eq!(key["settable"], !says_twice, "{key}");
     }
+}
+
+/// The names of declared keys.
+fn names(keys: &Value) -> Vec<&str> {
+    keys.as_array().unwrap().iter().map(|key| key["name"].as_str().unwrap()).collect()
+}
+
+#[test]
+fn the_session_has_the_declared_keys_of_each_kind_of_analysis() {
+    let session = Served::new().get("/api/session").json();
+    let declared: Vec<&str> = History::declarations().iter().map(|key| key.name).collect();
+    let motion = &session["settings"]["motion"]["keys"];
+    assert_eq!(names(motion), declared);
+    let points = motion.as_array().unwrap().iter().find(|key| key["name"] == "points").unwrap();
+    assert_eq!((&points["default"], &points["form"]["range"]["from"]), (&json!(4096), &json!(16)));
+    // an oscillator has a contact, whose memory the page does not decide on
+    let contact = names(&session["settings"]["contact"]["keys"]);
+    assert!(contact.contains(&"accuracy") && !contact.contains(&"memory_limit"), "{contact:?}");
+}
+
+#[test]
+fn all_that_is_wrong_with_a_case_is_told() {
+    let analysis = json!({ "name": "motion", "kind": "motion", "points": 1, "tolerance": 2.0 });
+    let view = json!({ "set": [], "analysis": analysis });
+    let frames = Served::new().post("/api/motion", &view).frames();
+    let error = &frames[0].header["error"];
+    let told = [&error["message"], &error["others"][0]["message"]].map(|text| text.as_str().unwrap());
+    let names_both = ["points", "tolerance"].iter().all(|key| told.iter().any(|text| text.contains(key)));
+    assert!(names_both && error["others"][0]["place"]["line"].is_u64(), "{error}");
 }
 
 #[test]

@@ -11,7 +11,7 @@ import type { Key, Session } from "../src/wire/api";
 import { encode } from "./encode";
 
 const key = (path: string): Key => ({
-  path, section: "", symbol: path, group: path, unit: "1", doc: "", range: "positive", slider: { from: 0.01, to: 1, scale: "log" }, label: "", label_si: "",
+  path, section: "", symbol: path, group: path, unit: "1", doc: "", range: { above: 0 }, slider: { from: 0.01, to: 1, scale: "log" }, label: "", label_si: "",
 });
 const keys = new Map(["operation.velocity", "contact.shear_strength"].map((path) => [path, key(path)]));
 const session = { map: null, keys: [...keys.values()], laws: [], case: { model: "oscillator", text: "" } } as unknown as Session;

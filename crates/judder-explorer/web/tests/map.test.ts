@@ -16,7 +16,7 @@ const key = (path: string, group: string | null, unit: string): Key => ({
   group,
   unit,
   doc: "",
-  range: "positive",
+  range: { above: 0 },
   slider: { from: 1e-4, to: 1, scale: "log" },
   label: "",
   label_si: "",

@@ -15,7 +15,7 @@ import { decodeFrame } from "../src/wire/frames";
 import { encode } from "./encode";
 
 const key = (path: string, group: string | null, from: number, to: number, unit = group === null ? "Pa" : "1"): Key => ({
-  path, section: "", symbol: path, group, unit, doc: "", range: "positive", slider: { from, to, scale: "log" }, label: "", label_si: "",
+  path, section: "", symbol: path, group, unit, doc: "", range: { above: 0 }, slider: { from, to, scale: "log" }, label: "", label_si: "",
 });
 const strength = key("contact.shear_strength", "τ0/E0*", 1e-4, 1);
 const modulus = key("substrate.rubbery_modulus", null, 1e4, 1e8);

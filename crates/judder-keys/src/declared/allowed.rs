@@ -293,6 +293,7 @@ impl Number {
             difference: false,
             range: self.range,
             default: None,
+            typical: None,
             doc: "",
         }
     }

@@ -50,6 +50,7 @@ impl Scaled {
             difference: false,
             range: self.range,
             default: None,
+            typical: None,
             doc: "",
         }
     }

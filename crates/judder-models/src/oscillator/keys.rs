@@ -74,7 +74,8 @@ pub static KEYS: [Key<OscillatorKey>; KEY_COUNT] = [
         Dimension::STRESS,
         ("1 MPa", 1e6),
         "modulus of the substrate under slow loading",
-    ),
+    )
+    .typically(1e4, 1e8),
     quantity(
         OscillatorKey::GlassyModulus,
         "substrate.glassy_modulus",
@@ -82,7 +83,8 @@ pub static KEYS: [Key<OscillatorKey>; KEY_COUNT] = [
         Dimension::STRESS,
         ("10 MPa", 1e7),
         "modulus of the substrate under fast loading, above the rubbery modulus",
-    ),
+    )
+    .typically(1e5, 1e10),
     quantity(
         OscillatorKey::RetardationTime,
         "substrate.retardation_time",
@@ -90,7 +92,8 @@ pub static KEYS: [Key<OscillatorKey>; KEY_COUNT] = [
         Dimension::TIME,
         ("10 ms", 0.01),
         "creep time of the substrate, the paper's τ",
-    ),
+    )
+    .typically(1e-6, 10.0),
     Key {
         default: None,
         ..quantity(
@@ -101,6 +104,7 @@ pub static KEYS: [Key<OscillatorKey>; KEY_COUNT] = [
             ("", 0.0),
             "relaxation time of the substrate, τ E0/E∞; in place of retardation_time",
         )
+        .typically(1e-6, 10.0)
     },
     number(
         OscillatorKey::PoissonRatio,
@@ -109,7 +113,8 @@ pub static KEYS: [Key<OscillatorKey>; KEY_COUNT] = [
         Range::Interval { above: -1.0, up_to: 0.5 },
         ("0.5", 0.5),
         "Poisson ratio of the substrate",
-    ),
+    )
+    .typically(0.0, 0.5),
     quantity(
         OscillatorKey::Radius,
         "indenter.radius",
@@ -117,7 +122,8 @@ pub static KEYS: [Key<OscillatorKey>; KEY_COUNT] = [
         Dimension::LENGTH,
         ("10 mm", 0.01),
         "radius of the indenter",
-    ),
+    )
+    .typically(1e-5, 1.0),
     Key {
         dimension: Dimension::STRESS,
         group: Some("τ0/E0*"),
@@ -129,6 +135,7 @@ pub static KEYS: [Key<OscillatorKey>; KEY_COUNT] = [
             ("0.01", 0.01),
             "interfacial shear strength",
         )
+        .typically(1e-4, 1.0)
     },
     number(
         OscillatorKey::DampingX,
@@ -137,7 +144,8 @@ pub static KEYS: [Key<OscillatorKey>; KEY_COUNT] = [
         Range::NonNegative,
         ("0.01", 0.01),
         "damping ratio along the sliding direction",
-    ),
+    )
+    .typically(0.0, 0.2),
     number(
         OscillatorKey::DampingY,
         "oscillator.damping_y",
@@ -145,7 +153,8 @@ pub static KEYS: [Key<OscillatorKey>; KEY_COUNT] = [
         Range::NonNegative,
         ("0.01", 0.01),
         "damping ratio normal to the surface",
-    ),
+    )
+    .typically(0.0, 0.2),
     number(
         OscillatorKey::FrequencyRatio,
         "oscillator.frequency_ratio",
@@ -153,7 +162,8 @@ pub static KEYS: [Key<OscillatorKey>; KEY_COUNT] = [
         Range::Positive,
         ("1.0", 1.0),
         "normal over tangential natural frequency, ω_ny/ω_nx",
-    ),
+    )
+    .typically(0.1, 10.0),
     number(
         OscillatorKey::Coupling,
         "oscillator.coupling",
@@ -161,7 +171,8 @@ pub static KEYS: [Key<OscillatorKey>; KEY_COUNT] = [
         Range::NonNegative,
         ("1.0", 1.0),
         "coupling frequency ratio, ω_nxy/ω_nx; η² is k_xy/k_x",
-    ),
+    )
+    .typically(0.0, 2.0),
     Key {
         range: Range::Any,
         ..quantity(
@@ -172,6 +183,7 @@ pub static KEYS: [Key<OscillatorKey>; KEY_COUNT] = [
             ("45 deg", std::f64::consts::FRAC_PI_4),
             "inclination of the oblique spring",
         )
+        .typically(0.0, std::f64::consts::FRAC_PI_2)
     },
     quantity(
         OscillatorKey::NaturalFrequency,
@@ -180,7 +192,8 @@ pub static KEYS: [Key<OscillatorKey>; KEY_COUNT] = [
         Dimension::ANGULAR_FREQUENCY,
         ("40 rad/s", 40.0),
         "tangential natural frequency; 1 Hz is 2π rad/s",
-    ),
+    )
+    .typically(1.0, 1e5),
     quantity(
         OscillatorKey::StiffnessX,
         "oscillator.stiffness_x",
@@ -188,7 +201,8 @@ pub static KEYS: [Key<OscillatorKey>; KEY_COUNT] = [
         Dimension::STIFFNESS,
         ("50 N/m", 50.0),
         "tangential stiffness",
-    ),
+    )
+    .typically(1e-1, 1e7),
     Key {
         dimension: Dimension::SPEED,
         group: Some("v_d τ/R"),
@@ -200,6 +214,7 @@ pub static KEYS: [Key<OscillatorKey>; KEY_COUNT] = [
             ("1e-4", 1e-4),
             "driving speed",
         )
+        .typically(1e-8, 1e2)
     },
     Key {
         dimension: Dimension::FORCE,
@@ -212,6 +227,7 @@ pub static KEYS: [Key<OscillatorKey>; KEY_COUNT] = [
             ("1e-6", 1e-6),
             "normal load",
         )
+        .typically(1e-9, 1e-2)
     },
 ];
 

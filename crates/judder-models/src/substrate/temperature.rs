@@ -123,6 +123,7 @@ impl TemperatureDifference {
         difference: true,
         range: Range::Positive,
         default: None,
+        typical: None,
         doc: "",
     };
 }

@@ -12,6 +12,36 @@ export interface KeyAxis {
   readonly scale: ScaleName;
 }
 
+/** The ends of what a number may be: `from` and `to` belong to it, `above` and `below` do not. */
+export interface Bounds {
+  readonly from?: number;
+  readonly above?: number;
+  readonly to?: number;
+  readonly below?: number;
+}
+
+/** What the value of a key may be. */
+export type Form =
+  /** A plain number is the `group`, a text carries the `unit` or one like it; null where there is none. */
+  | { readonly kind: "number"; readonly group: string | null; readonly unit: string | null; readonly range: Bounds }
+  | { readonly kind: "whole"; readonly range: Bounds }
+  | { readonly kind: "choice"; readonly words: readonly { readonly word: string; readonly doc: string }[] }
+  | { readonly kind: "table"; readonly keys: readonly Declaration[] }
+  | { readonly kind: "flag" | "text" | "list" | "named" | "either" | "other" };
+
+/** A key of a case file, and what is said of it. */
+export interface Declaration {
+  readonly name: string;
+  readonly doc: string;
+  readonly symbol: string;
+  readonly required: boolean;
+  /** What it is where it is left out, as a case file says it; null where that is not known. */
+  readonly default: unknown;
+  /** What its value may be, in words. */
+  readonly words: string;
+  readonly form: Form;
+}
+
 export interface Key {
   readonly path: string;
   readonly section: string;
@@ -20,7 +50,7 @@ export interface Key {
   readonly group: string | null;
   readonly unit: string;
   readonly doc: string;
-  readonly range: "positive" | "non-negative" | "fraction" | "any" | "interval";
+  readonly range: Bounds;
   /** Whether the case takes it: of two keys that say the same only the one that it has. */
   readonly settable?: boolean;
   readonly slider: { readonly from: number; readonly to: number; readonly scale: ScaleName };
@@ -40,6 +70,8 @@ export interface Session {
   readonly law?: string | null;
   readonly map: { readonly x: KeyAxis; readonly y: KeyAxis } | null;
   readonly analyses: readonly { readonly name: string; readonly kind: string }[];
+  /** What is said of the keys of each kind of analysis. */
+  readonly settings?: Readonly<Record<string, { readonly doc: string; readonly keys: readonly Declaration[] }>>;
   readonly study: { readonly name: string } | null;
 }
 

@@ -19,7 +19,7 @@ use judder_study::case::file::{Case, CaseFile};
 
 /// The numeric keys of a case that has them, with what its material says: an oscillator, or a contact's substrate and indenter.
 pub(crate) fn inputs(file: &CaseFile) -> Result<OscillatorInputs, Refusal> {
-    let told = match file.case.of::<ContactCase>() {
+    let with_material = match file.case.of::<ContactCase>() {
         Some(case) => {
             let substrate = case.substrate.clone();
             bridge::with_material(&OscillatorCase {
@@ -30,7 +30,7 @@ pub(crate) fn inputs(file: &CaseFile) -> Result<OscillatorInputs, Refusal> {
         }
         None => bridge::with_material(oscillator(file)?),
     };
-    Ok(told?.inputs)
+    Ok(with_material?.inputs)
 }
 
 /// The sections of numeric keys that a case has; none where its model has other keys.

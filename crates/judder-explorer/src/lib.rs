@@ -6,30 +6,32 @@
 //! In the order in which the data flows:
 //!
 //! - `server`: the listener on the loopback interface, its limits on connections, its end.
-//! - `gate`: who is let in: Host, Origin, the token, the cookie. `secret`: the token.
+//! - `admission`: who is let in: Host, Origin, the token, the cookie. `secret`: the token.
 //! - `page`: the built page, embedded, with the headers that bind it to this server.
-//! - `routes`: which request is answered by what; limits on bodies.
+//! - `routes`: which request is answered by what. `site`: what every answer may need. `body`: requests as JSON, within limits.
 //! - `subject`: what is explored: the base case, its laws, the study folder.
-//! - `view`: a request as a case file; what a request may set. `size`: how much it may ask for.
-//! - `desk`: how many requests work at once, and which a newer one cancels. `reporter`: a request at work, its frames, its end.
-//! - `attention`: an answer in one piece, and whether its reader is still there.
+//! - `view`: a request as a case file; what a request may set. `limits`: how much it may ask for.
+//! - `scheduler`: how many requests work at once, and which a newer one cancels. `reporter`: a request at work, its frames, its end.
+//! - `limiter`: short computations, a few at a time, and whether their readers are still there.
 //! - `frame`: arrays with their names and units as bytes of a stream.
 //! - `answers`: one module a kind of answer.
 //! - `refusal`: errors as documents. [`ExplorerError`]: why there is no page.
 
+mod admission;
 mod answers;
-mod attention;
-mod desk;
+mod body;
 mod error;
 mod frame;
-mod gate;
+mod limiter;
+mod limits;
 mod page;
 mod refusal;
 mod reporter;
 mod routes;
+mod scheduler;
 mod secret;
 mod server;
-mod size;
+mod site;
 mod subject;
 mod view;
 

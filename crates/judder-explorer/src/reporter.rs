@@ -15,8 +15,8 @@ use tokio::sync::{mpsc, watch};
 const LONGEST: Duration = Duration::from_secs(600);
 /// How often it is looked whether the one that reads has room again.
 const ROOM: Duration = Duration::from_millis(2);
-/// How often progress is told.
-const TELLING: Duration = Duration::from_millis(100);
+/// How often progress is sent.
+const PROGRESS_EVERY: Duration = Duration::from_millis(100);
 
 /// Why a request has no use any more.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,7 +45,7 @@ impl Ended {
     }
 }
 
-/// Tells the frames of a request, and knows whether anybody still wants them.
+/// Sends the frames of a request, and knows whether anybody still wants them.
 #[derive(Debug)]
 pub(crate) struct Reporter {
     sender: mpsc::Sender<Result<Bytes, Infallible>>,
@@ -54,7 +54,8 @@ pub(crate) struct Reporter {
     start: Instant,
     done: AtomicUsize,
     expected: AtomicUsize,
-    told: Mutex<Option<Instant>>,
+    /// When progress was sent last.
+    last_progress: Mutex<Option<Instant>>,
 }
 
 impl Reporter {
@@ -64,7 +65,15 @@ impl Reporter {
         closing: Arc<AtomicBool>,
     ) -> Self {
         let (done, expected) = (AtomicUsize::new(0), AtomicUsize::new(0));
-        Self { sender, superseded, closing, start: Instant::now(), done, expected, told: Mutex::new(None) }
+        Self {
+            sender,
+            superseded,
+            closing,
+            start: Instant::now(),
+            done,
+            expected,
+            last_progress: Mutex::new(None),
+        }
     }
 
     /// Waits until nobody wants the answer.
@@ -83,7 +92,7 @@ impl Reporter {
     }
 
     /// Sends a frame, as soon as the one that reads has room for it; what nobody wants any more is dropped.
-    pub(crate) fn tell(&self, frame: Frame) {
+    pub(crate) fn send(&self, frame: Frame) {
         let mut message = Ok(Bytes::from(frame.bytes()));
         while let Err(TrySendError::Full(unsent)) = self.sender.try_send(message) {
             if self.ended().is_some() {
@@ -110,7 +119,7 @@ impl Reporter {
         }
     }
 
-    /// What ends a stream that was told to its end.
+    /// What ends a stream that is whole.
     pub(crate) fn last_frame(&self) -> Frame {
         Frame::new("end").with("seconds", self.seconds())
     }
@@ -123,13 +132,13 @@ impl Reporter {
         }
     }
 
-    /// Whether progress shall be told now.
+    /// Whether progress shall be sent now.
     fn is_time(&self) -> bool {
-        let mut told = self.told.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut last = self.last_progress.lock().unwrap_or_else(PoisonError::into_inner);
         let now = Instant::now();
-        let due = told.is_none_or(|before| now.duration_since(before) >= TELLING);
+        let due = last.is_none_or(|before| now.duration_since(before) >= PROGRESS_EVERY);
         if due {
-            *told = Some(now);
+            *last = Some(now);
         }
         due
     }
@@ -149,7 +158,7 @@ impl Progress for Reporter {
         if self.is_time() {
             let frame =
                 Frame::new("progress").with("done", done).with("of", self.expected.load(Ordering::Relaxed));
-            // what does not fit now is told later: no work waits for it
+            // what does not fit now is sent later: no work waits for it
             let _ = self.sender.try_send(Ok(Bytes::from(frame.bytes())));
         }
     }
@@ -198,7 +207,7 @@ mod tests {
         let (reporter, mut receiver, _newer) = reporter();
         reporter.begin("", 10_000);
         (0..10_000).for_each(|_| reporter.advance());
-        assert!(receiver.try_recv().is_ok(), "some of it was told");
+        assert!(receiver.try_recv().is_ok(), "some of it was sent");
         assert_eq!(reporter.done.load(Ordering::Relaxed), 10_000);
     }
 }

@@ -1,10 +1,11 @@
 //! The listener on the loopback interface, its limits on connections, its end.
 
-use crate::attention::Stools;
-use crate::desk::Desk;
+use crate::admission::Admission;
 use crate::error::ExplorerError;
-use crate::gate::Gate;
-use crate::routes::{Site, router};
+use crate::limiter::Limiter;
+use crate::routes::router;
+use crate::scheduler::Scheduler;
+use crate::site::Site;
 use crate::subject::Subject;
 use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::service::TowerToHyperService;
@@ -30,7 +31,7 @@ const LOOK: Duration = Duration::from_millis(50);
 /// What answers that are being sent are given at the end.
 const FAREWELL: Duration = Duration::from_millis(500);
 /// Answers in one piece that are computed at once.
-const STOOLS: usize = 8;
+const SHORT: usize = 8;
 /// Threads of the network; the work has its own.
 const THREADS: usize = 2;
 
@@ -54,10 +55,10 @@ impl Explorer {
         let port = listener.local_addr().map_err(failed)?.port();
         let site = Site {
             subject: Arc::new(subject),
-            gate: Gate::new(port)?,
-            desk: Arc::new(Desk::new()?),
-            stools: Stools::new(STOOLS),
-            law_stool: Stools::new(1),
+            admission: Admission::new(port)?,
+            scheduler: Arc::new(Scheduler::new()?),
+            short: Limiter::new(SHORT),
+            laws: Limiter::new(1),
         };
         Ok(Self { listener, site: Arc::new(site) })
     }
@@ -65,7 +66,7 @@ impl Explorer {
     /// The address to open: it holds the token that lets a browser in.
     #[must_use]
     pub fn address(&self) -> String {
-        self.site.gate.address()
+        self.site.admission.address()
     }
 
     /// Serves the page until `stopped` says so; whatever works then is cancelled.
@@ -103,7 +104,7 @@ impl Explorer {
             }
         }
         drop(listener);
-        site.desk.close();
+        site.scheduler.close();
         let _ = timeout(FAREWELL, connections.acquire_many(CONNECTIONS as u32)).await;
         Ok(())
     }

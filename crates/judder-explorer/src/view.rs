@@ -1,11 +1,12 @@
 //! A request as a case file, and what a request may set.
 
+use crate::limits::check_analysis;
 use crate::refusal::Refusal;
-use crate::size::check_analysis;
 use crate::subject::Subject;
 use judder_models::belt::case::BELT_KEYS;
 use judder_models::compose;
 use judder_models::contact::case::contact_numbers;
+use judder_models::oscillator::case::OscillatorCase;
 use judder_models::oscillator::contact_case::contact_case_of;
 use judder_models::oscillator::inputs::{FrictionLoad, LawName};
 use judder_models::oscillator::keys::KEYS;
@@ -90,6 +91,34 @@ impl View {
     }
 }
 
+/// A key of an oscillator case that takes one of a few words here, and no file.
+pub(crate) struct WordKey {
+    pub(crate) path: &'static str,
+    /// What it is.
+    pub(crate) doc: &'static str,
+    pub(crate) words: Vec<&'static str>,
+    /// What a case says.
+    pub(crate) value: fn(&OscillatorCase) -> &'static str,
+}
+
+/// All of them.
+pub(crate) fn word_keys() -> [WordKey; 2] {
+    [
+        WordKey {
+            path: "contact.law",
+            doc: "contact law",
+            words: LawName::ALL.map(|(name, _)| name).to_vec(),
+            value: |case| case.law.name(),
+        },
+        WordKey {
+            path: "contact.friction_load",
+            doc: "the force that μ_visc multiplies",
+            words: FrictionLoad::ALL.map(|(name, _)| name).to_vec(),
+            value: |case| case.friction_load.name(),
+        },
+    ]
+}
+
 fn check_option(option: &str) -> Result<(), Refusal> {
     if option.len() > LONGEST_OPTION {
         let shown = &option[..option.floor_char_boundary(40)];
@@ -109,15 +138,11 @@ fn check_option(option: &str) -> Result<(), Refusal> {
     if is_number && !value.contains(['{', '[', '\n']) {
         return Ok(());
     }
-    let words: &[&str] = match key {
-        "contact.law" => &LawName::ALL.map(|(name, _)| name),
-        "contact.friction_load" => &FrictionLoad::ALL.map(|(name, _)| name),
-        _ if is_number => return Err(Refusal::wrong(format!("`{key}` takes a number or a quantity here"))),
-        _ => {
-            return Err(Refusal::wrong(format!(
-                "`{key}` cannot be set from the page; set it in the case file"
-            )));
-        }
+    if is_number {
+        return Err(Refusal::wrong(format!("`{key}` takes a number or a quantity here")));
+    }
+    let Some(WordKey { words, .. }) = word_keys().into_iter().find(|word_key| word_key.path == key) else {
+        return Err(Refusal::wrong(format!("`{key}` cannot be set from the page; set it in the case file")));
     };
     match words.contains(&value) {
         true => Ok(()),

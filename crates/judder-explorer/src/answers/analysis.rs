@@ -1,11 +1,12 @@
 //! Any analysis of a case, as `judder run` computes it, and every array that it leaves.
 
-use crate::desk::Pace;
+use crate::body::Asked;
 use crate::frame::Frame;
+use crate::limits::check_answer;
 use crate::refusal::Refusal;
 use crate::reporter::Reporter;
-use crate::routes::{Asked, SharedSite, Site};
-use crate::size::check_answer;
+use crate::scheduler::Pace;
+use crate::site::{SharedSite, Site};
 use crate::view::View;
 use axum::extract::State;
 use axum::response::Response;
@@ -21,7 +22,7 @@ pub(crate) async fn answer(State(site): SharedSite, Asked(view): Asked<View>) ->
     stream(&site, view, |_, _| ()).await
 }
 
-/// Runs the analysis of a view, and tells what it leaves; `watch` tells the samples of a motion while it is computed.
+/// Runs the analysis of a view, and sends what it leaves; `watch` sends the samples of a motion while it is computed.
 pub(crate) async fn stream(
     site: &Site,
     view: View,
@@ -32,7 +33,7 @@ pub(crate) async fn stream(
         return Err(Refusal::wrong("no analysis is asked for; give one, a table as `[[analysis]]` takes it"));
     }
     let subject = Arc::clone(&site.subject);
-    site.desk
+    site.scheduler
         .stream(
             Pace::Slow,
             view.slot.clone(),
@@ -42,14 +43,14 @@ pub(crate) async fn stream(
                 let outcome =
                     analyses::run_watched(&file.case, 0, reporter, &mut |block| watch(reporter, block));
                 let name = file.case.analysis_names().join("");
-                tell(reporter, &name, &outcome.map_err(|error| reporter.refusal(error))?)
+                send(reporter, &name, &outcome.map_err(|error| reporter.refusal(error))?)
             }),
         )
         .await
 }
 
-/// Tells what an analysis leaves.
-fn tell(reporter: &Reporter, name: &str, outcome: &Outcome) -> Result<(), Refusal> {
+/// Sends what an analysis leaves.
+fn send(reporter: &Reporter, name: &str, outcome: &Outcome) -> Result<(), Refusal> {
     let variables = outcome.dataset.variables();
     check_answer(variables)?;
     let frame = Frame::new("outcome")
@@ -59,7 +60,7 @@ fn tell(reporter: &Reporter, name: &str, outcome: &Outcome) -> Result<(), Refusa
         .with("warnings", json!(outcome.warnings))
         .with("missing", outcome.missing)
         .with("attributes", Value::Object(outcome.dataset.attributes().clone()));
-    reporter.tell(variables.iter().fold(frame, Frame::array));
+    reporter.send(variables.iter().fold(frame, Frame::array));
     Ok(())
 }
 

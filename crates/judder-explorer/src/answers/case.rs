@@ -1,9 +1,9 @@
 //! The value of every key, with and without units.
 
 use super::{inputs, sections};
-use crate::attention::attended;
+use crate::body::Asked;
 use crate::refusal::Refusal;
-use crate::routes::{Asked, SharedSite};
+use crate::site::SharedSite;
 use crate::view::View;
 use axum::Json;
 use axum::extract::State;
@@ -21,7 +21,7 @@ pub(crate) async fn answer(
     Asked(view): Asked<View>,
 ) -> Result<Json<Value>, Refusal> {
     view.check()?;
-    attended(&site, &site.stools, move |subject, _| {
+    site.compute(move |subject, _| {
         let file = subject.with(&view.set)?;
         Ok(Json(document(&inputs(&file)?, sections(&file.case))))
     })
@@ -34,17 +34,17 @@ pub(crate) fn document(inputs: &OscillatorInputs, sections: &[&str]) -> Value {
     let dimensional = groups.dimensional(&scales);
     let own = KEYS.iter().filter(|entry| sections.contains(&entry.section()));
     let values: Vec<Value> = own.map(|entry| value(entry.key, inputs, &groups, &dimensional)).collect();
-    let mut told = json!({
+    let mut known = json!({
         "reduced_modulus": scales.reduced_modulus,
         "radius": scales.radius,
         "time": inputs.number(OscillatorKey::RetardationTime),
     });
     if sections.contains(&"oscillator") {
-        told["natural_frequency"] = json!(scales.natural_frequency);
-        told["length"] = json!(scales.radius / groups.radius());
+        known["natural_frequency"] = json!(scales.natural_frequency);
+        known["length"] = json!(scales.radius / groups.radius());
     }
     // E0*, R, τ; with an oscillator ω_nx and x0 = F_n/k_x
-    json!({ "values": values, "scales": told })
+    json!({ "values": values, "scales": known })
 }
 
 /// Both forms of a key: of the three that have a group, the one that was not given follows.

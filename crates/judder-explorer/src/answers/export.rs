@@ -1,8 +1,8 @@
 //! The case file of a view.
 
-use crate::attention::attended;
+use crate::body::Asked;
 use crate::refusal::Refusal;
-use crate::routes::{Asked, SharedSite};
+use crate::site::SharedSite;
 use crate::view::View;
 use axum::extract::State;
 use axum::http::header::CONTENT_TYPE;
@@ -11,7 +11,6 @@ use judder_study::case::anywhere::anywhere;
 
 /// Answers `/api/export`.
 pub(crate) async fn answer(State(site): SharedSite, Asked(view): Asked<View>) -> Result<Response, Refusal> {
-    let text =
-        attended(&site, &site.stools, move |subject, _| Ok(anywhere(&view.case(subject)?)?.text)).await?;
+    let text = site.compute(move |subject, _| Ok(anywhere(&view.case(subject)?)?.text)).await?;
     Ok(([(CONTENT_TYPE, "text/plain; charset=utf-8")], text).into_response())
 }

@@ -1,11 +1,12 @@
 //! The contact law of a case over speed and depth.
 
 use super::oscillator;
-use crate::desk::Pace;
+use crate::body::Asked;
 use crate::frame::Frame;
 use crate::refusal::Refusal;
 use crate::reporter::Reporter;
-use crate::routes::{Asked, SharedSite};
+use crate::scheduler::Pace;
+use crate::site::SharedSite;
 use crate::subject::Subject;
 use crate::view::View;
 use axum::extract::State;
@@ -63,7 +64,7 @@ pub(crate) async fn answer(
     let subject = Arc::clone(&site.subject);
     let slot = wanted.view.slot.clone();
     let work = move |reporter: &Reporter| draw(&subject, &wanted.view, velocities, indentations, reporter);
-    site.desk.stream(Pace::Quick, slot, Box::new(work)).await
+    site.scheduler.stream(Pace::Quick, slot, Box::new(work)).await
 }
 
 fn draw(
@@ -89,6 +90,6 @@ fn draw(
         .array(&surface("force", "normal force F_k/(E0* R²)", force))
         .array(&surface("area", "contact area A/R²", area))
         .array(&surface("friction", "viscoelastic friction coefficient μ_visc", friction));
-    reporter.tell(frame);
+    reporter.send(frame);
     Ok(())
 }

@@ -1,11 +1,12 @@
 //! A stability map: coarse at once, exact after, then what the errors of the law leave of it, then its boundaries.
 
 use super::oscillator;
-use crate::desk::Pace;
+use crate::body::Asked;
 use crate::frame::Frame;
 use crate::refusal::Refusal;
 use crate::reporter::Reporter;
-use crate::routes::{Asked, SharedSite};
+use crate::scheduler::Pace;
+use crate::site::SharedSite;
 use crate::subject::Subject;
 use crate::view::View;
 use axum::extract::State;
@@ -39,7 +40,7 @@ pub(crate) async fn answer(
     let kinds = wanted.boundaries.iter().map(|name| kind(name)).collect::<Result<Vec<_>, _>>()?;
     let subject = Arc::clone(&site.subject);
     let slot = wanted.view.slot.clone();
-    site.desk
+    site.scheduler
         .stream(Pace::Quick, slot, Box::new(move |reporter| draw(&subject, &wanted.view, &kinds, reporter)))
         .await
 }
@@ -63,18 +64,18 @@ fn draw(subject: &Subject, view: &View, kinds: &[BoundaryKind], reporter: &Repor
     let contact = &ready.contact.contact;
     let plane = KeyPlane { inputs: ready.case.inputs, x: side(&settings.x), y: side(&settings.y) };
     let mut show =
-        |coarse: CoarseMap| reporter.tell(coarse_frame(&plane, settings, coarse, reporter.seconds()));
+        |coarse: CoarseMap| reporter.send(coarse_frame(&plane, settings, coarse, reporter.seconds()));
     let interrupted = || reporter.interrupted();
     let Some(map) = plane.decide_in_stages(contact, &mut show, &interrupted) else {
         return Err(reporter.refusal(StudyError::Interrupted));
     };
-    reporter.tell(exact_frame(&plane, settings, map.clone(), reporter.seconds()));
+    reporter.send(exact_frame(&plane, settings, map.clone(), reporter.seconds()));
     if !contact.law.is_formula() {
         let Some(codes) = plane.within_law(contact, (&map, Method::Adaptive), &interrupted) else {
             return Err(reporter.refusal(StudyError::Interrupted));
         };
         let codes = Variable::new("within_law", &["y", "x"], &[map.rows, map.columns], codes);
-        reporter.tell(Frame::new("within-law").with("seconds", reporter.seconds()).array(&codes));
+        reporter.send(Frame::new("within-law").with("seconds", reporter.seconds()).array(&codes));
     }
     for kind in kinds {
         if reporter.interrupted() {
@@ -84,7 +85,7 @@ fn draw(subject: &Subject, view: &View, kinds: &[BoundaryKind], reporter: &Repor
             let along =
                 |name: &str, values: Vec<f64>| Variable::new(name, &["point"], &[values.len()], values);
             let frame = Frame::new("boundary").with("name", kind.name());
-            reporter.tell(
+            reporter.send(
                 frame
                     .array(&along("x", curves.x))
                     .array(&along("y", curves.y))
@@ -106,13 +107,9 @@ fn coarse_frame(
     seconds: f64,
 ) -> Frame {
     let at = |values: &[f64], lines: &[usize]| lines.iter().map(|line| values[*line]).collect();
+    let frame = Frame::new("map").with("stage", "coarse").with("seconds", seconds);
     let (x, y) = (at(&plane.x.values, &coarse.columns), at(&plane.y.values, &coarse.rows));
-    with_map(
-        Frame::new("map").with("stage", "coarse").with("seconds", seconds),
-        settings,
-        (x, y),
-        coarse.classes,
-    )
+    Shown { x, y, classes: coarse.classes }.over(settings, frame)
 }
 
 fn exact_frame(
@@ -127,23 +124,25 @@ fn exact_frame(
         .with("decisions", map.decisions)
         .with("unstable_fraction", map.unstable_fraction())
         .with("unresolved", map.count(StabilityClass::Unresolved));
-    with_map(frame, settings, (plane.x.values.clone(), plane.y.values.clone()), map.classes)
+    Shown { x: plane.x.values.clone(), y: plane.y.values.clone(), classes: map.classes }.over(settings, frame)
 }
 
-fn with_map(
-    frame: Frame,
-    settings: &Settings<OscillatorKey>,
-    (x, y): (Vec<f64>, Vec<f64>),
+/// The classes of a map at its grid.
+struct Shown {
+    x: Vec<f64>,
+    y: Vec<f64>,
+    /// Row by row.
     classes: Vec<u8>,
-) -> Frame {
-    let shape = [y.len(), x.len()];
-    let axis = |name: &str, sweep: &Sweep<OscillatorKey>, values: Vec<f64>| {
-        Variable::coordinate(name, values).long_name(&sweep.key.entry().label(sweep.form))
-    };
-    frame.array(&axis("x", &settings.x, x)).array(&axis("y", &settings.y, y)).array(&Variable::new(
-        "classes",
-        &["y", "x"],
-        &shape,
-        classes,
-    ))
+}
+
+impl Shown {
+    /// As arrays of a frame, over the axes of the settings.
+    fn over(self, settings: &Settings<OscillatorKey>, frame: Frame) -> Frame {
+        let shape = [self.y.len(), self.x.len()];
+        let axis = |name: &str, sweep: &Sweep<OscillatorKey>, values: Vec<f64>| {
+            Variable::coordinate(name, values).long_name(&sweep.key.entry().label(sweep.form))
+        };
+        let (x, y) = (axis("x", &settings.x, self.x), axis("y", &settings.y, self.y));
+        frame.array(&x).array(&y).array(&Variable::new("classes", &["y", "x"], &shape, self.classes))
+    }
 }

@@ -1,9 +1,10 @@
 //! A motion, shown while it is computed.
 
 use super::analysis;
+use crate::body::Asked;
 use crate::frame::Frame;
 use crate::refusal::Refusal;
-use crate::routes::{Asked, SharedSite};
+use crate::site::SharedSite;
 use crate::view::View;
 use axum::extract::State;
 use axum::response::Response;
@@ -12,7 +13,7 @@ use judder_study::model::MotionBlock;
 
 /// Answers `/api/motion`.
 pub(crate) async fn answer(State(site): SharedSite, Asked(view): Asked<View>) -> Result<Response, Refusal> {
-    analysis::stream(&site, view, |reporter, block| reporter.tell(frame(block))).await
+    analysis::stream(&site, view, |reporter, block| reporter.send(frame(block))).await
 }
 
 fn frame(block: MotionBlock) -> Frame {

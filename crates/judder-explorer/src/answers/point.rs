@@ -1,9 +1,10 @@
 //! One operating point: the document of `judder point --json`, the shapes of its modes, the same with units.
 
 use super::oscillator;
-use crate::attention::{Attention, attended};
+use crate::body::Asked;
+use crate::limiter::Watch;
 use crate::refusal::Refusal;
-use crate::routes::{Asked, SharedSite};
+use crate::site::SharedSite;
 use crate::subject::Subject;
 use crate::view::View;
 use axum::Json;
@@ -23,23 +24,20 @@ pub(crate) async fn answer(
 ) -> Result<Json<Value>, Refusal> {
     view.check()?;
     let options = view.set.clone();
-    let at_once = attended(&site, &site.stools, move |subject, attention| {
+    let at_once = site.compute(move |subject, watch| {
         let file = subject.with(&options)?;
         let case = oscillator(&file)?;
         let is_known = case.law != LawName::Bem || subject.laws.knows(case);
-        if is_known { compute(subject, &file, attention).map(Some) } else { Ok(None) }
+        if is_known { compute(subject, &file, watch).map(Some) } else { Ok(None) }
     });
     if let Some(document) = at_once.await? {
         return Ok(document);
     }
-    attended(&site, &site.law_stool, move |subject, attention| {
-        compute(subject, &subject.with(&view.set)?, attention)
-    })
-    .await
+    site.compute_with_law(move |subject, watch| compute(subject, &subject.with(&view.set)?, watch)).await
 }
 
-fn compute(subject: &Subject, file: &CaseFile, attention: &Attention) -> Result<Json<Value>, Refusal> {
-    let ready = subject.laws.ready(oscillator(file)?, attention).map_err(|error| attention.refusal(error))?;
+fn compute(subject: &Subject, file: &CaseFile, watch: &Watch) -> Result<Json<Value>, Refusal> {
+    let ready = subject.laws.ready(oscillator(file)?, watch).map_err(|error| watch.refusal(error))?;
     Ok(Json(document(&ready.point()?, &bridge::scales(&ready.case.inputs))))
 }
 

@@ -1,8 +1,9 @@
 //! What the page needs to know of the case before anything is computed.
 
 use super::{case, inputs, oscillator, sections};
-use crate::routes::SharedSite;
-use crate::size::is_settable;
+use crate::limits::is_settable;
+use crate::site::SharedSite;
+use crate::view::{WordKey, word_keys};
 use axum::Json;
 use axum::extract::State;
 use judder_keys::cause::Cause;
@@ -42,12 +43,22 @@ pub(crate) async fn answer(State(site): SharedSite) -> Json<Value> {
         "keys": keys.map(|entry| key(entry, base.is_some_and(|base| takes(base, entry)))).collect::<Vec<_>>(),
         "values": values,
         "laws": if oscillator.is_some() { &laws[..] } else { &[] },
+        "choices": oscillator.map(choices).unwrap_or_default(),
         "law": oscillator.map(|oscillator| oscillator.law.name()),
         "map": map,
         "analyses": analyses(&resolved),
         "settings": base.map(|base| settings(base.case.model())).unwrap_or_default(),
         "study": site.subject.study.as_ref().map(|study| json!({ "name": study.view.name() })),
     }))
+}
+
+/// The keys that take one of a few words.
+fn choices(case: &OscillatorCase) -> Vec<Value> {
+    let choice = |WordKey { path, doc, words, value }: WordKey| {
+        let section = path.split_once('.').map_or("", |(section, _)| section);
+        json!({ "path": path, "section": section, "doc": doc, "words": words, "value": value(case) })
+    };
+    word_keys().into_iter().map(choice).collect()
 }
 
 /// The analyses of the case, with their kinds.

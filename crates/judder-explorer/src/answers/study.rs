@@ -1,12 +1,12 @@
 //! The study folder: what it holds, arrays, sounds, shapes of its coupled modes.
 
-use crate::attention::attended;
-use crate::desk::Pace;
+use crate::body::Asked;
 use crate::frame::Frame;
+use crate::limits::check_answer;
 use crate::refusal::Refusal;
 use crate::reporter::Reporter;
-use crate::routes::{Asked, SharedSite, Site};
-use crate::size::check_answer;
+use crate::scheduler::Pace;
+use crate::site::{SharedSite, Site};
 use crate::subject::{Studied, Subject};
 use axum::Json;
 use axum::extract::{Path, State};
@@ -32,7 +32,7 @@ fn studied(subject: &Subject) -> Result<&Studied, Refusal> {
 
 /// Answers `/api/study`.
 pub(crate) async fn answer(State(site): SharedSite) -> Result<Json<Value>, Refusal> {
-    attended(&site, &site.stools, |subject, _| {
+    site.compute(|subject, _| {
         let listing = studied(subject)?.view.listing()?;
         let sounds = listing.sounds.iter().map(|(path, bytes)| json!({ "path": path, "bytes": bytes }));
         Ok(Json(json!({
@@ -73,10 +73,10 @@ async fn stream(
     studied(&site.subject)?;
     let subject = Arc::clone(&site.subject);
     let work = move |reporter: &Reporter| {
-        reporter.tell(make(studied(&subject)?)?);
+        reporter.send(make(studied(&subject)?)?);
         Ok(())
     };
-    site.desk.stream(Pace::Quick, slot, Box::new(work)).await
+    site.scheduler.stream(Pace::Quick, slot, Box::new(work)).await
 }
 
 /// Which arrays are wanted.
@@ -124,15 +124,13 @@ pub(crate) struct Named {
 
 /// Answers `/api/study/case`: the case file of one analysis of the study.
 pub(crate) async fn case(State(site): SharedSite, Asked(named): Asked<Named>) -> Result<Response, Refusal> {
-    let text = attended(&site, &site.stools, move |subject, _| {
-        Ok(alone(studied(subject)?.case()?, &named.analysis)?.text)
-    });
+    let text = site.compute(move |subject, _| Ok(alone(studied(subject)?.case()?, &named.analysis)?.text));
     Ok(([(CONTENT_TYPE, "text/plain; charset=utf-8")], text.await?).into_response())
 }
 
 /// Answers `/api/study/sound/…`: a name of the listing, or nothing.
 pub(crate) async fn sound(State(site): SharedSite, Path(path): Path<String>) -> Result<Response, Refusal> {
-    attended(&site, &site.stools, move |subject, _| {
+    site.compute(move |subject, _| {
         let missing = |_| Refusal::missing("the study has no such sound; `/api/study` lists them");
         let bytes = studied(subject)?.view.sound(&path).map_err(missing)?;
         Ok(([(CONTENT_TYPE, "audio/wav"), (CACHE_CONTROL, "no-store")], bytes).into_response())

@@ -54,6 +54,11 @@ fn the_session_has_the_declared_keys_of_each_kind_of_analysis() {
     assert_eq!(names(motion), declared);
     let points = motion.as_array().unwrap().iter().find(|key| key["name"] == "points").unwrap();
     assert_eq!((&points["default"], &points["form"]["range"]["from"]), (&json!(4096), &json!(16)));
+    let law = &session["choices"][0];
+    assert_eq!(
+        (&law["path"], &law["value"], &law["words"][2]),
+        (&json!("contact.law"), &json!("oscillator-paper"), &json!("hertz"))
+    );
     // an oscillator has a contact, whose memory the page does not decide on
     let contact = names(&session["settings"]["contact"]["keys"]);
     assert!(contact.contains(&"accuracy") && !contact.contains(&"memory_limit"), "{contact:?}");

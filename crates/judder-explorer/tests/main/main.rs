@@ -5,5 +5,5 @@
 mod answers;
 mod attacks;
 mod client;
-mod desk;
+mod scheduler;
 mod study;

@@ -32,14 +32,14 @@ fn set() -> [String; 1] {
 }
 
 /// A folder with a study in it, and a secret beside the study.
-fn desk() -> (TempDir, PathBuf) {
-    let desk = tempfile::tempdir().unwrap();
-    let folder = desk.path().join("study");
+fn study_beside_a_secret() -> (TempDir, PathBuf) {
+    let place = tempfile::tempdir().unwrap();
+    let folder = place.path().join("study");
     let file = judder_models::parse("small.toml", CASE, &set()).unwrap();
     run(&file, &folder, &RunOptions::default(), &Silent).unwrap();
     fs::write(folder.join("tone.wav"), b"RIFF of a tone").unwrap();
-    fs::write(desk.path().join("secret.wav"), b"RIFF of a secret").unwrap();
-    (desk, folder)
+    fs::write(place.path().join("secret.wav"), b"RIFF of a secret").unwrap();
+    (place, folder)
 }
 
 fn served(folder: &Path) -> Served {
@@ -48,7 +48,7 @@ fn served(folder: &Path) -> Served {
 
 #[test]
 fn a_study_is_listed_and_its_case_explored() {
-    let (_desk, folder) = desk();
+    let (_place, folder) = study_beside_a_secret();
     let served = served(&folder);
     let session = served.get("/api/session").json();
     assert_eq!((&session["title"], &session["study"]["name"]), (&json!("A small study"), &json!("study")));
@@ -61,7 +61,7 @@ fn a_study_is_listed_and_its_case_explored() {
 
 #[test]
 fn the_case_of_an_analysis_is_that_of_the_folder() {
-    let (_desk, folder) = desk();
+    let (_place, folder) = study_beside_a_secret();
     let served = served(&folder);
     let exported = |name: &str| {
         let answer = served.post("/api/study/case", &json!({ "analysis": name }));
@@ -81,7 +81,7 @@ fn the_case_of_an_analysis_is_that_of_the_folder() {
 
 #[test]
 fn arrays_are_those_of_the_folder() {
-    let (_desk, folder) = desk();
+    let (_place, folder) = study_beside_a_secret();
     let served = served(&folder);
     let wanted = |analysis: &str, variables: Value| json!({ "analysis": analysis, "variables": variables });
     let frames = served.post("/api/study/arrays", &wanted("damping", json!(["equivalent_damping"]))).frames();
@@ -105,17 +105,17 @@ fn arrays_are_those_of_the_folder() {
 
 #[test]
 fn sounds_come_from_the_folder_alone() {
-    let (desk, folder) = desk();
+    let (place, folder) = study_beside_a_secret();
     #[cfg(unix)]
     {
-        std::os::unix::fs::symlink(desk.path().join("secret.wav"), folder.join("link.wav")).unwrap();
-        std::os::unix::fs::symlink(desk.path(), folder.join("up")).unwrap();
+        std::os::unix::fs::symlink(place.path().join("secret.wav"), folder.join("link.wav")).unwrap();
+        std::os::unix::fs::symlink(place.path(), folder.join("up")).unwrap();
     }
     let served = served(&folder);
     let tone = served.get("/api/study/sound/tone.wav");
     assert_eq!((tone.status, tone.header("content-type")), (200, Some("audio/wav")));
     assert_eq!(tone.text(), "RIFF of a tone");
-    let secret = desk.path().join("secret.wav").display().to_string();
+    let secret = place.path().join("secret.wav").display().to_string();
     for path in [
         "../secret.wav".to_owned(),
         "..%2fsecret.wav".to_owned(),
@@ -151,7 +151,7 @@ fn without_a_study_there_is_none() {
     assert!(answer.error().contains("judder run"), "{}", answer.error());
     let shapes = json!({ "analysis": "locus", "at": 0.05 });
     assert_eq!(served.post("/api/study/shapes", &shapes).status, 404);
-    let (_desk, folder) = desk();
+    let (_place, folder) = study_beside_a_secret();
     let frames = self::served(&folder).post("/api/study/shapes", &shapes).frames();
     assert!(frames[0].header["error"]["message"].as_str().unwrap().contains("sliding case"), "{frames:?}");
 }
@@ -166,16 +166,16 @@ fn measured(points: usize) -> String {
 
 #[test]
 fn a_study_speaks_for_itself_where_the_given_case_reads_the_same_files() {
-    let desk = tempfile::tempdir().unwrap();
+    let place = tempfile::tempdir().unwrap();
     let moduli = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/tutorials/rubber-dma.csv");
-    fs::copy(&moduli, desk.path().join("moduli.csv")).unwrap();
+    fs::copy(&moduli, place.path().join("moduli.csv")).unwrap();
     let put = |name: &str, text: &str| {
-        let path = desk.path().join(name);
+        let path = place.path().join(name);
         fs::write(&path, text).unwrap();
         path
     };
     let (ran, given) = (put("ran.toml", &measured(5)), put("given.toml", &measured(9)));
-    let folder = desk.path().join("study");
+    let folder = place.path().join("study");
     run(&judder_models::read(&ran, &[]).unwrap(), &folder, &RunOptions::default(), &Silent).unwrap();
     let wanted = json!({ "analysis": "modulus" });
     assert_eq!(served(&folder).post("/api/study/case", &wanted).status, 404, "its file lies elsewhere");
@@ -190,8 +190,8 @@ fn a_study_speaks_for_itself_where_the_given_case_reads_the_same_files() {
 
 #[test]
 fn the_case_of_a_folder_reads_no_file_outside_of_it() {
-    let (desk, folder) = desk();
-    let law = desk.path().join("law.json");
+    let (place, folder) = study_beside_a_secret();
+    let law = place.path().join("law.json");
     fs::write(&law, "{ \"a\": \"secret\" }").unwrap();
     let summary = folder.join("summary.json");
     let told: Value = serde_json::from_slice(&fs::read(&summary).unwrap()).unwrap();

@@ -13,9 +13,9 @@ use axum::http::{Method, StatusCode, Uri};
 /// The path that takes the secret.
 const ENTRANCE: &str = "/enter";
 
-/// What the gate says of a request.
+/// What is decided on a request.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) enum Admission {
+pub(crate) enum Decision {
     /// It may pass.
     Admitted,
     /// It has brought the secret: it gets this cookie and is sent to the page.
@@ -32,9 +32,9 @@ pub(crate) enum Admission {
     },
 }
 
-/// The gate of a server on one port.
+/// Who is let in to a server on one port.
 #[derive(Debug)]
-pub(crate) struct Gate {
+pub(crate) struct Admission {
     port: u16,
     /// In the opened address.
     token: Secret,
@@ -42,7 +42,7 @@ pub(crate) struct Gate {
     session: Secret,
 }
 
-impl Gate {
+impl Admission {
     pub(crate) fn new(port: u16) -> Result<Self, ExplorerError> {
         Ok(Self { port, token: Secret::new()?, session: Secret::new()? })
     }
@@ -58,8 +58,8 @@ impl Gate {
     }
 
     /// Decides on a request.
-    pub(crate) fn admit(&self, method: &Method, uri: &Uri, headers: &HeaderMap) -> Admission {
-        let refused = |status, reason| Admission::Refused { status, reason };
+    pub(crate) fn admit(&self, method: &Method, uri: &Uri, headers: &HeaderMap) -> Decision {
+        let refused = |status, reason| Decision::Refused { status, reason };
         if !self.is_own_host(headers) {
             return refused(StatusCode::MISDIRECTED_REQUEST, "this server answers to its own address alone");
         }
@@ -69,7 +69,7 @@ impl Gate {
         if uri.path() == ENTRANCE {
             let token = uri.query().and_then(|query| query.strip_prefix("token="));
             return match token.filter(|word| method == Method::GET && self.token.is(word)) {
-                Some(_) => Admission::Welcomed { cookie: self.cookie() },
+                Some(_) => Decision::Welcomed { cookie: self.cookie() },
                 None => refused(StatusCode::FORBIDDEN, "the address is not the one that judder printed"),
             };
         }
@@ -80,7 +80,7 @@ impl Gate {
             );
         }
         match self.knows_session(headers) {
-            true => Admission::Admitted,
+            true => Decision::Admitted,
             false => refused(
                 StatusCode::FORBIDDEN,
                 "open the address that judder printed: it lets this browser in",

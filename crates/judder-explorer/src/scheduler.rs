@@ -1,7 +1,7 @@
 //! How many requests work at once, how many wait, and which a newer one cancels.
 //!
-//! Work that takes time is done at a few seats, so that a hundred requests leave the page alive; who finds even the waiting room full is
-//! told so. What a page waits for, such as its map, has seats and threads of its own: long analyses do not keep it. A request may name a
+//! A few requests work at once, so that a hundred leave the page alive; one that finds even the waiting room full is refused. What a page
+//! waits for, such as its map, has a lane and threads of its own: long analyses do not keep it. A request may name a
 //! slot, such as the map of one tab: there is one at a time in a slot, the newest.
 
 use crate::error::ExplorerError;
@@ -21,8 +21,8 @@ use tokio::time::timeout;
 use tokio_stream::wrappers::ReceiverStream;
 
 /// Requests of a pace that work at once.
-const SEATS: usize = 3;
-/// Requests of a pace that wait for a seat, at most.
+const RUNNING: usize = 3;
+/// Requests of a pace that wait, at most.
 const WAITING: usize = 12;
 /// How long the place of a request that was just cancelled is waited for.
 const HANDOVER: Duration = Duration::from_secs(5);
@@ -31,7 +31,7 @@ const FRAMES: usize = 4;
 /// What a stream of frames is called.
 const STREAM: &str = "application/x-judder-frames";
 
-/// What a request computes: it tells its frames to the reporter.
+/// What a request computes: it gives its frames to the reporter.
 pub(crate) type Work = Box<dyn FnOnce(&Reporter) -> Result<(), Refusal> + Send>;
 
 /// How long a request may be expected to take.
@@ -43,22 +43,25 @@ pub(crate) enum Pace {
     Slow,
 }
 
-/// The seats of a pace, and its waiting room.
+/// The requests of a pace that work, and those that wait.
 #[derive(Debug)]
 struct Lane {
-    seats: Arc<Semaphore>,
-    /// Seats and waiting room together.
-    places: Arc<Semaphore>,
+    running: Arc<Semaphore>,
+    /// Those that work and those that wait.
+    admitted: Arc<Semaphore>,
 }
 
 impl Lane {
     fn new() -> Self {
-        Self { seats: Arc::new(Semaphore::new(SEATS)), places: Arc::new(Semaphore::new(SEATS + WAITING)) }
+        Self {
+            running: Arc::new(Semaphore::new(RUNNING)),
+            admitted: Arc::new(Semaphore::new(RUNNING + WAITING)),
+        }
     }
 }
 
 /// A request in its slot.
-struct Entry {
+struct Claim {
     /// Whether a newer one has come.
     superseded: watch::Receiver<bool>,
     /// What gives the slot back.
@@ -67,9 +70,9 @@ struct Entry {
     has_cancelled: bool,
 }
 
-/// The seats, the waiting rooms, the slots.
+/// The lanes, and the slots.
 #[derive(Debug)]
-pub(crate) struct Desk {
+pub(crate) struct Scheduler {
     quick: Lane,
     slow: Lane,
     /// Threads of quick work: the other threads may all be amid something long.
@@ -79,7 +82,7 @@ pub(crate) struct Desk {
     closing: Arc<AtomicBool>,
 }
 
-impl Desk {
+impl Scheduler {
     pub(crate) fn new() -> Result<Self, ExplorerError> {
         let threads =
             ThreadPoolBuilder::new().build().map_err(std::io::Error::other).map_err(ExplorerError::Start)?;
@@ -103,7 +106,7 @@ impl Desk {
         self.closing.store(true, Ordering::Relaxed);
     }
 
-    /// A stream of what `work` will tell; what worked in this slot before is cancelled at once, and leaves its place.
+    /// A stream of the frames that `work` will send; what worked in this slot before is cancelled at once, and leaves its place.
     ///
     /// # Errors
     /// [`Refusal::busy`] where the waiting room is full.
@@ -113,11 +116,11 @@ impl Desk {
         slot: Option<String>,
         work: Work,
     ) -> Result<Response, Refusal> {
-        let Entry { superseded, ticket, has_cancelled } = self.enter(slot);
-        let places = Arc::clone(&self.lane(pace).places);
-        let place = match places.clone().try_acquire_owned() {
+        let Claim { superseded, ticket, has_cancelled } = self.enter(slot);
+        let admitted = Arc::clone(&self.lane(pace).admitted);
+        let place = match admitted.clone().try_acquire_owned() {
             Err(_) if has_cancelled => {
-                timeout(HANDOVER, places.acquire_owned()).await.ok().and_then(Result::ok)
+                timeout(HANDOVER, admitted.acquire_owned()).await.ok().and_then(Result::ok)
             }
             place => place.ok(),
         };
@@ -127,10 +130,10 @@ impl Desk {
         };
         let (sender, receiver) = mpsc::channel::<Result<Bytes, std::convert::Infallible>>(FRAMES);
         let reporter = Reporter::new(sender, superseded, Arc::clone(&self.closing));
-        let desk = Arc::clone(self);
+        let scheduler = Arc::clone(self);
         tokio::spawn(async move {
-            desk.work(pace, reporter, work, place).await;
-            desk.leave(ticket);
+            scheduler.work(pace, reporter, work, place).await;
+            scheduler.leave(ticket);
         });
         let mut response = Response::new(Body::from_stream(ReceiverStream::new(receiver)));
         for (name, value) in [(CONTENT_TYPE, STREAM), (CACHE_CONTROL, "no-store")] {
@@ -146,15 +149,15 @@ impl Desk {
         }
     }
 
-    /// Waits for a seat and works; a request that is cancelled while it waits never sits down.
+    /// Waits for its turn and works; a request that is cancelled while it waits never begins.
     async fn work(&self, pace: Pace, mut reporter: Reporter, work: Work, place: OwnedSemaphorePermit) {
-        let seat = tokio::select! {
-            seat = Arc::clone(&self.lane(pace).seats).acquire_owned() => seat,
+        let turn = tokio::select! {
+            turn = Arc::clone(&self.lane(pace).running).acquire_owned() => turn,
             () = reporter.given_up() => return,
         };
         let threads = (pace == Pace::Quick).then(|| Arc::clone(&self.threads));
         let worked = tokio::task::spawn_blocking(move || {
-            let _held = (seat, place);
+            let _held = (turn, place);
             let done = match threads {
                 Some(threads) => threads.install(|| work(&reporter)),
                 None => work(&reporter),
@@ -163,23 +166,23 @@ impl Desk {
                 Ok(()) => reporter.last_frame(),
                 Err(refusal) => Frame::new("error").with("error", refusal.document()),
             };
-            reporter.tell(ending);
+            reporter.send(ending);
         });
-        // a panic of the work ends the stream without its last frame, which the page tells as an answer cut off
+        // a panic of the work ends the stream without its last frame, which the page takes for an answer cut off
         let _ = worked.await;
     }
 
     /// Takes a slot from whoever has it.
-    fn enter(&self, slot: Option<String>) -> Entry {
+    fn enter(&self, slot: Option<String>) -> Claim {
         let (sender, superseded) = watch::channel(false);
         let Some(slot) = slot else {
             // nobody cancels it: the sender may go, the value stays
-            return Entry { superseded, ticket: None, has_cancelled: false };
+            return Claim { superseded, ticket: None, has_cancelled: false };
         };
         let number = self.next.fetch_add(1, Ordering::Relaxed);
         let before = self.slots().insert(slot.clone(), (number, sender));
         let has_cancelled = before.is_some_and(|(_, before)| !before.send_replace(true));
-        Entry { superseded, ticket: Some((slot, number)), has_cancelled }
+        Claim { superseded, ticket: Some((slot, number)), has_cancelled }
     }
 
     /// Gives a slot back, unless a newer request has it.

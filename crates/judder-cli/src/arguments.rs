@@ -30,13 +30,13 @@ pub(crate) struct Arguments {
     #[command(subcommand)]
     pub(crate) command: Option<Command>,
     #[command(flatten)]
-    manner: Manner,
+    manner: ConsoleManner,
 }
 
 /// How every command speaks.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Everywhere")]
-struct Manner {
+struct ConsoleManner {
     /// Print one JSON document on standard output and nothing else there; an error is {"error": …}
     #[arg(long, global = true)]
     json: bool,

@@ -21,15 +21,15 @@ use crate::failure::{Exit, Failure};
 /// What judder is asked to do.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    New(new::New),
-    Check(check::Check),
-    Run(run::Run),
-    Merge(merge::Merge),
-    Point(point::Point),
-    Report(report::Report),
-    Reproduce(reproduce::Reproduce),
-    Schema(schema::Schema),
-    Explore(explore::Explore),
+    New(new::NewArguments),
+    Check(check::CheckArguments),
+    Run(run::RunArguments),
+    Merge(merge::MergeArguments),
+    Point(point::PointArguments),
+    Report(report::ReportArguments),
+    Reproduce(reproduce::ReproduceArguments),
+    Schema(schema::SchemaArguments),
+    Explore(explore::ExploreArguments),
 }
 
 /// Does what was asked for.

@@ -12,4 +12,4 @@ pub mod shape;
 pub use error::IndenterError;
 pub use height_map::HeightMap;
 pub use rough::{RoughSurface, Roughness};
-pub use shape::Shape;
+pub use shape::IndenterShape;

@@ -37,7 +37,7 @@ pub use limits::LawIndenter;
 pub use material::{LawMaterial, LawTerm};
 pub use origin::LawOrigin;
 pub use quantities::{KnotValues, LawErrors, PerQuantity};
-pub use sampled::{SampledLaw, Samples};
+pub use sampled::{LawSamples, SampledLaw};
 pub use table::TabulatedLaw;
 
 use crate::contact_law::{ContactLaw, ValidityConcern};

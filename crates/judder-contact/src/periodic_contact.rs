@@ -12,10 +12,10 @@ use crate::indenter::HeightMap;
 use crate::kernel::check::KernelError;
 use crate::kernel::sliding::SlidingOperator;
 use crate::kernel::substrate::SlidingSubstrate;
-use crate::steady::refinement::{Estimate, LevelSummary, Refinement};
-use crate::surface::stoppable::Interrupted;
-use crate::unilateral::active_set::Start;
+use crate::steady::refinement::{ErrorEstimate, LevelSummary, Refinement};
+use crate::unilateral::active_set::UnilateralStart;
 use crate::unilateral::{UnilateralError, UnilateralLimits};
+use judder_numerics::stopping::Interrupted;
 use level::{PeriodicLevel, start_from_coarser};
 use thiserror::Error;
 
@@ -135,7 +135,7 @@ pub fn solve_until(
     let mut summaries: Vec<LevelSummary> = Vec::new();
     let mut factor = 1;
     loop {
-        let start = Start { pressure: &pressure, indentation };
+        let start = UnilateralStart { pressure: &pressure, indentation };
         let level = PeriodicLevel::solve(question, factor, start, interrupted)?;
         summaries.push(level.summary());
         let refinement = refinement(question, &summaries);
@@ -164,14 +164,14 @@ impl PeriodicQuestion<'_> {
 /// area about one, and are extrapolated as well. What does not dissipate has no friction, to the last digit.
 fn refinement(question: &PeriodicQuestion<'_>, levels: &[LevelSummary]) -> Refinement {
     let estimate =
-        |value: fn(&LevelSummary) -> f64| Estimate::of(&levels.iter().map(value).collect::<Vec<f64>>());
+        |value: fn(&LevelSummary) -> f64| ErrorEstimate::of(&levels.iter().map(value).collect::<Vec<f64>>());
     let refinement = Refinement {
         area: estimate(|level| level.area),
         friction: estimate(|level| level.friction),
         ..Refinement::of(levels, false)
     };
     if question.substrate.terms.iter().all(|term| term.compliance * term.length == 0.0) {
-        let friction = Estimate { value: 0.0, error: 0.0, order: None };
+        let friction = ErrorEstimate { value: 0.0, error: 0.0, order: None };
         return Refinement { friction, ..refinement };
     }
     refinement

@@ -22,10 +22,10 @@ pub mod start;
 
 use crate::kernel::substrate::SlidingSubstrate;
 use crate::surface::grid::SurfaceGrid;
-use crate::surface::stoppable::Interrupted;
 use crate::unilateral::{Loading, UnilateralLimits};
 use domain::Domain;
 pub use error::SteadyError;
+use judder_numerics::stopping::Interrupted;
 use level::Level;
 use profile::Profile;
 use refinement::{LevelSummary, Refinement};

@@ -27,7 +27,7 @@ use crate::steady::profile::Profile;
 use crate::unilateral::UnilateralLimits;
 pub use error::TransientError;
 pub use history::{TransientEnergy, TransientFields, TransientHistory, TransientSample};
-pub use path::{Course, IndenterPath, NormalCourse};
+pub use path::{IndenterPath, NormalCourse, PathCourse};
 use std::ops::ControlFlow;
 pub use substrate::{CreepingSubstrate, CreepingTerm};
 
@@ -128,7 +128,7 @@ impl<'a> TransientQuestion<'a> {
     /// # Errors
     /// What makes the question ill posed, but not [`TransientError::Memory`].
     pub fn needs(&self) -> Result<([usize; 2], u64), TransientError> {
-        window::Window::needs(self)
+        window::ContactWindow::needs(self)
     }
 
     /// Refuses a path whose motion over the cells or whose frequencies need more steps than are allowed.
@@ -153,7 +153,7 @@ pub fn run(
     progress: &mut dyn FnMut(&TransientSample) -> ControlFlow<()>,
 ) -> Result<TransientHistory, TransientError> {
     check(question)?;
-    march::March::new(question)?.run(progress)
+    march::TransientMarch::new(question)?.run(progress)
 }
 
 fn check(question: &TransientQuestion<'_>) -> Result<(), TransientError> {

@@ -66,7 +66,7 @@ pub fn pivots(matrix: &mut Mat<c64>) -> Option<(Vec<c64>, bool)> {
 }
 
 /// A v = λ v and wᴴ A = λ wᴴ for a real matrix, those of its eigenvalues that a test picks; vectors are columns, of length one.
-pub struct Picked {
+pub struct PickedEigenvalues {
     /// λ.
     pub values: Vec<c64>,
     /// v.
@@ -90,7 +90,7 @@ pub fn real_eigenvalues(matrix: &Mat<f64>) -> Option<Vec<c64>> {
 
 /// The eigenvalues of a real matrix that `pick` takes, with their vectors; `None` where the iteration does not end.
 #[must_use]
-pub fn real_eigen(matrix: &Mat<f64>, pick: &dyn Fn(c64) -> bool) -> Option<Picked> {
+pub fn real_eigen(matrix: &Mat<f64>, pick: &dyn Fn(c64) -> bool) -> Option<PickedEigenvalues> {
     let size = matrix.nrows();
     if !(0..size).all(|j| (0..size).all(|i| matrix[(i, j)].is_finite())) {
         return None;
@@ -129,7 +129,7 @@ pub fn real_eigen(matrix: &Mat<f64>, pick: &dyn Fn(c64) -> bool) -> Option<Picke
         }
         gathered
     };
-    Some(Picked {
+    Some(PickedEigenvalues {
         values: picked.iter().map(|k| value(*k)).collect(),
         right: gathered(&right),
         left: gathered(&left),
@@ -144,7 +144,8 @@ mod tests {
     #[test]
     fn eigenvectors_of_real_matrices_belong_to_their_values_on_both_sides() {
         let matrix = Mat::from_fn(30, 30, |i, j| uniform(3, (30 * i + j) as u64) - 0.5);
-        let Picked { values, right, left } = real_eigen(&matrix, &|value| value.norm() > 0.5).unwrap();
+        let PickedEigenvalues { values, right, left } =
+            real_eigen(&matrix, &|value| value.norm() > 0.5).unwrap();
         assert!(values.len() > 20 && values.iter().any(|value| value.im == 0.0));
         for (k, value) in values.iter().enumerate() {
             let row = |i: usize| (0..30).map(|j| right[(j, k)] * matrix[(i, j)]).sum::<c64>();

@@ -6,9 +6,9 @@
 use faer::c64;
 use faer::sparse::{SparseColMat, Triplet};
 use judder_exchange::matrix::read_matrix;
-use judder_structure::affine::{Factors, Family, Term};
-use judder_structure::complex_modes::{Region, Settings, complex_modes};
-use judder_structure::eigen_sweep::{Method, eigen_sweep};
+use judder_structure::affine::{AffineFamily, Factors, Term};
+use judder_structure::complex_modes::{ComplexModeSettings, Region, complex_modes};
+use judder_structure::eigen_sweep::{SweepMethod, eigen_sweep};
 use judder_structure::quadratic::Quadratic;
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -24,7 +24,7 @@ const TOLERANCE: f64 = 1e-7;
 /// As many as the peer takes.
 const REPEATS: usize = 2;
 
-fn family(folder: &Path) -> Result<Family, Box<dyn Error>> {
+fn family(folder: &Path) -> Result<AffineFamily, Box<dyn Error>> {
     let terms = |names: &[&str]| -> Result<Vec<Term>, Box<dyn Error>> {
         let read = |name: &&str| -> Result<Term, Box<dyn Error>> {
             let matrix = read_matrix(&folder.join(format!("{name}.mat")))?.to_sparse()?;
@@ -32,7 +32,7 @@ fn family(folder: &Path) -> Result<Family, Box<dyn Error>> {
         };
         names.iter().map(read).collect()
     };
-    Ok(Family::new(
+    Ok(AffineFamily::new(
         terms(&["BMLL00"])?,
         terms(&["BDLL00", "BYLL00", "BDIWLL00", "BHLL00"])?,
         terms(&["BKLL00", "BKQLL00", "BWLL00"])?,
@@ -93,7 +93,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let family = family(Path::new(&folder))?;
     let problem = family.at(&factors(TAU))?;
-    let (seconds, found) = least(REPEATS, || complex_modes(&problem, &REGION, &Settings::default()));
+    let (seconds, found) =
+        least(REPEATS, || complex_modes(&problem, &REGION, &ComplexModeSettings::default()));
     let found = found?;
     let floor = floor(&problem, &found.shifts)?;
     let values: Vec<[f64; 2]> =
@@ -101,8 +102,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let speeds = (0..POINTS).map(|k| TAU * (1.0 + 3.0 * k as f64 / (POINTS - 1) as f64));
     let points: Vec<Factors> = speeds.map(factors).collect();
     // the shown errors here are those of the methods alone
-    let exact = Settings { data_precision: 0.0 };
-    let fast = Method::Projected { tolerance: TOLERANCE };
+    let exact = ComplexModeSettings { data_precision: 0.0 };
+    let fast = SweepMethod::Projected { tolerance: TOLERANCE };
     let (sweep_seconds, sweep) = least(1, || eigen_sweep(&family, &points, &REGION, &exact, fast));
     let sweep = sweep?;
     let (mut largest, mut compared) = (0.0_f64, 0);

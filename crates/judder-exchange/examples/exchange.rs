@@ -12,10 +12,10 @@ use judder_exchange::matrix::read_matrix;
 use judder_exchange::matrix_market::write_matrix_market;
 use judder_exchange::mesh_file::read_mesh;
 use judder_exchange::universal::{
-    Abscissa, ComplexShape, Ordinates, Quantity, RealShape, Response, ResponseKind, write_complex_shape,
-    write_lines, write_nodes, write_real_shape, write_response, write_units,
+    Abscissa, ComplexShape, MeasuredQuantity, Ordinates, RealShape, ResponseKind, UniversalResponse,
+    write_complex_shape, write_lines, write_nodes, write_real_shape, write_response, write_units,
 };
-use judder_exchange::vtu::{Animation, Field, Values, complex_fields, write_animation, write_vtu};
+use judder_exchange::vtu::{Animation, FieldValues, VtuField, complex_fields, write_animation, write_vtu};
 use judder_exchange::whole_file::write_file;
 use judder_structure::freedom::Direction;
 use std::error::Error;
@@ -67,7 +67,7 @@ fn write(to: &Path, geometry: &Geometry, shape: &[[c64; 3]], labels: &[usize]) -
         _ => {
             let mut fields = complex_fields("shape", shape);
             let numbers = labels.iter().map(|label| *label as f64).collect();
-            fields.push(Field { name: String::from("label"), values: Values::Scalars(numbers) });
+            fields.push(VtuField { name: String::from("label"), values: FieldValues::Scalars(numbers) });
             write_file(to, |out| write_vtu(out, geometry, &fields))
         }
     }
@@ -89,11 +89,11 @@ fn write_universal(
     let modal_a = c64::new(0.5, 600.0);
     write_complex_shape(out, geometry, &ComplexShape { number: 2, eigenvalue, modal_a, shape })?;
     let history: Vec<f64> = (0..10).map(|k| (0.1 * f64::from(k)).sin()).collect();
-    let response = Response {
+    let response = UniversalResponse {
         title: "A history",
         kind: ResponseKind::TimeHistory,
         at: (3, Direction::Z),
-        quantity: Quantity::Acceleration,
+        quantity: MeasuredQuantity::Acceleration,
         excited_at: None,
         abscissa: Abscissa::Even { start: 0.5, step: 0.1 },
         ordinates: Ordinates::Real(&history),
@@ -101,11 +101,11 @@ fn write_universal(
     write_response(out, &response)?;
     let frequencies = [1.0, 10.0, 100.0];
     let values = [c64::new(1.0, -0.5), c64::new(-2e-7, 3e12), c64::new(0.0, 0.0)];
-    let response = Response {
+    let response = UniversalResponse {
         title: "A frequency response",
         kind: ResponseKind::FrequencyResponse,
         excited_at: Some((1, Direction::X)),
-        quantity: Quantity::Displacement,
+        quantity: MeasuredQuantity::Displacement,
         abscissa: Abscissa::Uneven(&frequencies),
         ordinates: Ordinates::Complex(&values),
         ..response

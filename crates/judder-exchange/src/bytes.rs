@@ -1,6 +1,6 @@
 //! Numbers of binary files.
 
-use crate::cause::Cause;
+use crate::cause::FileCause;
 use crate::error::ExchangeError;
 
 /// A walk over the bytes of a file, which knows its place.
@@ -27,7 +27,7 @@ impl<'a> Bytes<'a> {
     }
 
     /// An error here.
-    pub(crate) fn error(&self, cause: Cause) -> ExchangeError {
+    pub(crate) fn error(&self, cause: FileCause) -> ExchangeError {
         ExchangeError::at_byte(self.at, cause)
     }
 
@@ -35,7 +35,7 @@ impl<'a> Bytes<'a> {
     pub(crate) fn take(&mut self, count: usize, what: &'static str) -> Result<&'a [u8], ExchangeError> {
         let taken = self.whole[self.at..]
             .get(..count)
-            .ok_or_else(|| self.error(Cause::Cut { what, needed: count, left: self.left() }))?;
+            .ok_or_else(|| self.error(FileCause::Cut { what, needed: count, left: self.left() }))?;
         self.at += count;
         Ok(taken)
     }
@@ -57,13 +57,13 @@ impl<'a> Bytes<'a> {
 
 /// How a binary file stores numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Stored {
+pub(crate) enum StoredNumber {
     Signed(usize),
     Unsigned(usize),
     Float(usize),
 }
 
-impl Stored {
+impl StoredNumber {
     /// Bytes of one.
     pub(crate) fn size(self) -> usize {
         match self {
@@ -113,11 +113,11 @@ mod tests {
 
     #[test]
     fn numbers_of_every_kind_are_read() {
-        assert_eq!(Stored::Signed(2).floats(&[0xff, 0xfe, 0x00, 0x02], true), [-2.0, 2.0]);
-        assert_eq!(Stored::Unsigned(1).counts(&[0xff, 0], false), [Some(255), Some(0)]);
-        assert_eq!(Stored::Signed(8).counts(&(-1_i64).to_le_bytes(), false), [None]);
-        assert_eq!(Stored::Float(4).floats(&1.5_f32.to_be_bytes(), true), [1.5]);
-        assert_eq!(Stored::Float(8).floats(&(-0.1_f64).to_le_bytes(), false), [-0.1]);
+        assert_eq!(StoredNumber::Signed(2).floats(&[0xff, 0xfe, 0x00, 0x02], true), [-2.0, 2.0]);
+        assert_eq!(StoredNumber::Unsigned(1).counts(&[0xff, 0], false), [Some(255), Some(0)]);
+        assert_eq!(StoredNumber::Signed(8).counts(&(-1_i64).to_le_bytes(), false), [None]);
+        assert_eq!(StoredNumber::Float(4).floats(&1.5_f32.to_be_bytes(), true), [1.5]);
+        assert_eq!(StoredNumber::Float(8).floats(&(-0.1_f64).to_le_bytes(), false), [-0.1]);
         let mut bytes = Bytes::new(&[0, 0, 1, 0, 9], 0, true);
         assert_eq!(bytes.u32("a number").unwrap(), 256);
         assert_eq!(

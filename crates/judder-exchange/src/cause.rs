@@ -11,7 +11,7 @@ use thiserror::Error;
 /// Why a file was not read or written. Every variant says what was found and what would be right.
 #[derive(Debug, Error)]
 #[non_exhaustive]
-pub enum Cause {
+pub enum FileCause {
     /// The system does not give the file.
     #[error("cannot be read: {source}")]
     Unreadable {

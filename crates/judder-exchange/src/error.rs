@@ -1,13 +1,13 @@
 //! An error with its place: which file, where in it, what is wrong.
 
-use crate::cause::Cause;
+use crate::cause::FileCause;
 use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
 /// Where in a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Place {
+pub enum FilePlace {
     /// The file as a whole.
     Whole,
     /// A line of a text, counted from 1.
@@ -20,21 +20,21 @@ pub enum Place {
 #[derive(Debug)]
 pub struct ExchangeError {
     path: Option<PathBuf>,
-    place: Place,
-    cause: Box<Cause>,
+    place: FilePlace,
+    cause: Box<FileCause>,
 }
 
 impl ExchangeError {
-    pub(crate) fn new(place: Place, cause: Cause) -> Self {
+    pub(crate) fn new(place: FilePlace, cause: FileCause) -> Self {
         Self { path: None, place, cause: Box::new(cause) }
     }
 
-    pub(crate) fn at_line(line: usize, cause: Cause) -> Self {
-        Self::new(Place::Line(line), cause)
+    pub(crate) fn at_line(line: usize, cause: FileCause) -> Self {
+        Self::new(FilePlace::Line(line), cause)
     }
 
-    pub(crate) fn at_byte(byte: usize, cause: Cause) -> Self {
-        Self::new(Place::Byte(byte), cause)
+    pub(crate) fn at_byte(byte: usize, cause: FileCause) -> Self {
+        Self::new(FilePlace::Byte(byte), cause)
     }
 
     pub(crate) fn in_file(mut self, path: &Path) -> Self {
@@ -43,7 +43,7 @@ impl ExchangeError {
     }
 
     /// The same at another place.
-    pub(crate) fn moved(mut self, place: Place) -> Self {
+    pub(crate) fn moved(mut self, place: FilePlace) -> Self {
         self.place = place;
         self
     }
@@ -51,9 +51,9 @@ impl ExchangeError {
     /// The same where bytes are counted from an earlier one.
     pub(crate) fn shifted(mut self, by: usize) -> Self {
         self.place = match self.place {
-            Place::Byte(byte) => Place::Byte(byte + by),
-            Place::Whole => Place::Byte(by),
-            line @ Place::Line(_) => line,
+            FilePlace::Byte(byte) => FilePlace::Byte(byte + by),
+            FilePlace::Whole => FilePlace::Byte(by),
+            line @ FilePlace::Line(_) => line,
         };
         self
     }
@@ -66,27 +66,27 @@ impl ExchangeError {
 
     /// Where in it.
     #[must_use]
-    pub fn place(&self) -> Place {
+    pub fn place(&self) -> FilePlace {
         self.place
     }
 
     /// What is wrong, with the values that a caller can act on.
     #[must_use]
-    pub fn cause(&self) -> &Cause {
+    pub fn cause(&self) -> &FileCause {
         &self.cause
     }
 }
 
-impl From<Cause> for ExchangeError {
-    fn from(cause: Cause) -> Self {
-        Self::new(Place::Whole, cause)
+impl From<FileCause> for ExchangeError {
+    fn from(cause: FileCause) -> Self {
+        Self::new(FilePlace::Whole, cause)
     }
 }
 
 impl From<io::Error> for ExchangeError {
     /// Files are read in one go: what fails on the way is writing.
     fn from(source: io::Error) -> Self {
-        Cause::Unwritable { source }.into()
+        FileCause::Unwritable { source }.into()
     }
 }
 
@@ -96,9 +96,9 @@ impl fmt::Display for ExchangeError {
             write!(f, "{}: ", path.display())?;
         }
         match self.place {
-            Place::Whole => {}
-            Place::Line(line) => write!(f, "line {line}: ")?,
-            Place::Byte(byte) => write!(f, "byte {byte}: ")?,
+            FilePlace::Whole => {}
+            FilePlace::Line(line) => write!(f, "line {line}: ")?,
+            FilePlace::Byte(byte) => write!(f, "byte {byte}: ")?,
         }
         write!(f, "{}", self.cause)
     }

@@ -1,6 +1,6 @@
 //! Tables of degrees of freedom: what the rows of a matrix are.
 
-use crate::cause::Cause;
+use crate::cause::FileCause;
 use crate::error::ExchangeError;
 use crate::text::{count, number, text_of};
 use judder_structure::freedom::{Direction, Freedom};
@@ -16,10 +16,10 @@ const COLUMNS: [&str; 5] = ["node", "direction", "x", "y", "z"];
 ///
 /// # Errors
 /// What is wrong, with its line: a missing column, a row that is too short, what is no number or direction, a freedom that is
-/// there twice ([`Cause::Twice`]), a node in two places.
+/// there twice ([`FileCause::Twice`]), a node in two places.
 pub fn read_freedoms(path: &Path) -> Result<Vec<Freedom>, ExchangeError> {
     let bytes = std::fs::read(path)
-        .map_err(|source| ExchangeError::from(Cause::Unreadable { source }).in_file(path))?;
+        .map_err(|source| ExchangeError::from(FileCause::Unreadable { source }).in_file(path))?;
     read(&bytes).map_err(|error| error.in_file(path))
 }
 
@@ -38,12 +38,12 @@ fn read(bytes: &[u8]) -> Result<Vec<Freedom>, ExchangeError> {
 }
 
 /// Where each of the needed columns stands.
-fn columns(header: &str) -> Result<[usize; 5], Cause> {
+fn columns(header: &str) -> Result<[usize; 5], FileCause> {
     let names: Vec<String> = entries(header).map(str::to_ascii_lowercase).collect();
     let mut places = [0; 5];
     for (place, name) in places.iter_mut().zip(COLUMNS) {
         *place =
-            names.iter().position(|found| found == name).ok_or(Cause::MissingColumn { missing: name })?;
+            names.iter().position(|found| found == name).ok_or(FileCause::MissingColumn { missing: name })?;
     }
     Ok(places)
 }
@@ -52,12 +52,12 @@ fn entries(line: &str) -> impl Iterator<Item = &str> {
     line.split(',').map(|entry| entry.trim().trim_matches('"'))
 }
 
-fn freedom(line: &str, places: &[usize; 5]) -> Result<Freedom, Cause> {
+fn freedom(line: &str, places: &[usize; 5]) -> Result<Freedom, FileCause> {
     let words: Vec<&str> = entries(line).collect();
     let needed = places.iter().max().map_or(0, |last| last + 1);
     if words.len() < needed {
         let (what, expected) = ("a row", "an entry for each of node, direction, x, y and z");
-        return Err(Cause::WrongEntries { what, expected, found: words.len() });
+        return Err(FileCause::WrongEntries { what, expected, found: words.len() });
     }
     let [node, way, x, y, z] = places.map(|place| words[place]);
     let at = |word| number(word, "a place in m");
@@ -68,12 +68,12 @@ fn freedom(line: &str, places: &[usize; 5]) -> Result<Freedom, Cause> {
     })
 }
 
-fn direction(word: &str) -> Result<Direction, Cause> {
+fn direction(word: &str) -> Result<Direction, FileCause> {
     match word {
         "x" | "X" | "1" => Ok(Direction::X),
         "y" | "Y" | "2" => Ok(Direction::Y),
         "z" | "Z" | "3" => Ok(Direction::Z),
-        _ => Err(Cause::NotADirection { text: crate::quoted::quoted(word) }),
+        _ => Err(FileCause::NotADirection { text: crate::quoted::quoted(word) }),
     }
 }
 
@@ -85,14 +85,14 @@ struct Seen {
 }
 
 impl Seen {
-    fn add(&mut self, freedom: Freedom, line: usize) -> Result<(), Cause> {
+    fn add(&mut self, freedom: Freedom, line: usize) -> Result<(), FileCause> {
         let Freedom { node, direction, place } = freedom;
         if let Some(first) = self.freedoms.insert((node, direction), line) {
             let (what, label) = ("the freedom", format!("{direction} of node {node}"));
-            return Err(Cause::Twice { what, label, first: format!("in line {first}") });
+            return Err(FileCause::Twice { what, label, first: format!("in line {first}") });
         }
         match self.nodes.insert(node, (place, line)) {
-            Some((other, first)) if other != place => Err(Cause::Inconsistent {
+            Some((other, first)) if other != place => Err(FileCause::Inconsistent {
                 what: "the place of a node",
                 problem: format!("node {node} is at {place:?} here and at {other:?} in line {first}"),
             }),

@@ -1,6 +1,6 @@
 //! What is drawn: places and cells, and displacements on them.
 
-use crate::cause::Cause;
+use crate::cause::FileCause;
 use crate::error::ExchangeError;
 use faer::c64;
 use judder_structure::element::ElementKind;
@@ -21,7 +21,7 @@ pub struct Geometry {
 
 impl From<&Mesh> for Geometry {
     fn from(mesh: &Mesh) -> Self {
-        let of_block = |block: &judder_structure::mesh::Block| {
+        let of_block = |block: &judder_structure::mesh::MeshBlock| {
             let kind = block.kind;
             block.connectivity.chunks_exact(kind.nodes()).map(|own| (kind, own.to_vec())).collect::<Vec<_>>()
         };
@@ -48,21 +48,21 @@ impl Geometry {
     }
 
     /// Whether every place has its label and every cell its nodes.
-    pub(crate) fn check(&self) -> Result<(), Cause> {
+    pub(crate) fn check(&self) -> Result<(), FileCause> {
         let said = self.places.len();
         if self.labels.len() != said {
-            return Err(Cause::WrongCount { what: "labels of places", said, found: self.labels.len() });
+            return Err(FileCause::WrongCount { what: "labels of places", said, found: self.labels.len() });
         }
         let wrong = |(kind, own): &&(ElementKind, Vec<usize>)| {
             own.len() != kind.nodes() || own.iter().any(|node| *node >= said)
         };
         match self.cells.iter().find(wrong) {
             Some((kind, own)) if own.len() != kind.nodes() => {
-                Err(Cause::WrongNodes { kind: *kind, needed: kind.nodes(), found: own.len() })
+                Err(FileCause::WrongNodes { kind: *kind, needed: kind.nodes(), found: own.len() })
             }
             Some((_, own)) => {
                 let node = own.iter().max().copied().unwrap_or_default();
-                Err(Cause::Unknown { what: "node", label: format!("{node} (from 0) of {said}") })
+                Err(FileCause::Unknown { what: "node", label: format!("{node} (from 0) of {said}") })
             }
             None => Ok(()),
         }
@@ -113,7 +113,7 @@ fn edges(nodes: &[usize]) -> Vec<[usize; 2]> {
 /// The displacement of every node of a mesh, from a vector over the free displacements; those that are held are zero.
 ///
 /// # Errors
-/// [`Cause::WrongCount`] for a vector of another length.
+/// [`FileCause::WrongCount`] for a vector of another length.
 pub fn displacements_of_nodes<T: Copy + Default>(
     numbering: &Numbering,
     nodes: usize,
@@ -129,7 +129,7 @@ pub fn displacements_of_nodes<T: Copy + Default>(
 /// The displacement of every node of a table of freedoms, in the order of [`Geometry::of_freedoms`].
 ///
 /// # Errors
-/// [`Cause::WrongCount`] for a vector of another length.
+/// [`FileCause::WrongCount`] for a vector of another length.
 pub fn displacements_of_freedoms<T: Copy + Default>(
     freedoms: &[Freedom],
     vector: &[T],
@@ -142,8 +142,8 @@ pub fn displacements_of_freedoms<T: Copy + Default>(
     Ok(nodes.into_values().collect())
 }
 
-fn check_length(said: usize, found: usize) -> Result<(), Cause> {
-    if said == found { Ok(()) } else { Err(Cause::WrongCount { what: "displacements", said, found }) }
+fn check_length(said: usize, found: usize) -> Result<(), FileCause> {
+    if said == found { Ok(()) } else { Err(FileCause::WrongCount { what: "displacements", said, found }) }
 }
 
 /// Displacements at a phase of the period: Re(φ exp(iθ)), θ in rad.
@@ -181,7 +181,7 @@ mod tests {
         assert_eq!(beyond.check().unwrap_err().to_string(), "there is no node 6 (from 0) of 6");
         let mut short = whole.clone();
         short.cells[0].1.pop();
-        assert!(matches!(short.check(), Err(Cause::WrongNodes { needed: 4, found: 3, .. })));
+        assert!(matches!(short.check(), Err(FileCause::WrongNodes { needed: 4, found: 3, .. })));
         assert!(Geometry { labels: vec![1], ..whole }.check().is_err());
     }
 

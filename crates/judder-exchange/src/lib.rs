@@ -28,8 +28,8 @@ pub mod vtu;
 pub mod wav;
 pub mod whole_file;
 
-pub use cause::Cause;
-pub use error::{ExchangeError, Place};
+pub use cause::FileCause;
+pub use error::{ExchangeError, FilePlace};
 pub use matrix::matrix_market;
 pub use npy::NpyError;
 

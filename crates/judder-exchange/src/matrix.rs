@@ -7,7 +7,7 @@ mod npz;
 
 pub use crate::triangle::Triangle;
 
-use crate::cause::Cause;
+use crate::cause::FileCause;
 use crate::error::ExchangeError;
 use faer::sparse::{SparseColMat, Triplet};
 use judder_structure::assembly::Sparse;
@@ -51,7 +51,7 @@ const EXTENSIONS: &str = ".mtx (Matrix Market, coordinates of Abaqus), .mat (MAT
 /// - `.npz`: `scipy.sparse.save_npz` of CSR, CSC, BSR, COO or DIA.
 ///
 /// # Errors
-/// What is wrong with the file and where; [`Cause::OneTriangle`] for a square matrix that is said to be whole and has entries
+/// What is wrong with the file and where; [`FileCause::OneTriangle`] for a square matrix that is said to be whole and has entries
 /// on one side of its diagonal only: read those by [`read_stored_matrix`].
 pub fn read_matrix(path: &Path) -> Result<Matrix, ExchangeError> {
     let matrix = read_stored_matrix(path)?;
@@ -72,12 +72,12 @@ pub fn read_stored_matrix(path: &Path) -> Result<Matrix, ExchangeError> {
         "mat" => mat_file::read_mat,
         "npz" => npz::read_npz,
         _ => {
-            let cause = Cause::UnknownExtension { found: extension, known: EXTENSIONS };
+            let cause = FileCause::UnknownExtension { found: extension, known: EXTENSIONS };
             return Err(ExchangeError::from(cause).in_file(path));
         }
     };
     let bytes = std::fs::read(path)
-        .map_err(|source| ExchangeError::from(Cause::Unreadable { source }).in_file(path))?;
+        .map_err(|source| ExchangeError::from(FileCause::Unreadable { source }).in_file(path))?;
     read(&bytes).map_err(|error| error.in_file(path))
 }
 
@@ -98,7 +98,7 @@ impl Matrix {
         symmetry: Symmetry,
     ) -> Result<Self, ExchangeError> {
         if rows.max(columns) > MOST_ROWS {
-            return Err(Cause::TooLarge { rows, columns, most: MOST_ROWS }.into());
+            return Err(FileCause::TooLarge { rows, columns, most: MOST_ROWS }.into());
         }
         if symmetry != Symmetry::General {
             expand(rows, columns, &mut entries, symmetry)?;
@@ -113,7 +113,7 @@ impl Matrix {
             same
         });
         match entries.iter().find(|(_, _, value)| !value.is_finite()) {
-            Some((row, column, value)) => Err(Cause::Inconsistent {
+            Some((row, column, value)) => Err(FileCause::Inconsistent {
                 what: "the entries at one place",
                 problem: format!("those at row {}, column {} (from 1) sum to {value}", row + 1, column + 1),
             }
@@ -155,11 +155,11 @@ impl Matrix {
     /// side.
     ///
     /// # Errors
-    /// [`Cause::NotSquare`], and [`Cause::NotThatTriangle`] where the other side is not empty.
+    /// [`FileCause::NotSquare`], and [`FileCause::NotThatTriangle`] where the other side is not empty.
     pub fn mirrored(self, triangle: Triangle) -> Result<Self, ExchangeError> {
         let other = if triangle == Triangle::Lower { Triangle::Upper } else { Triangle::Lower };
         if let Some((row, column, _)) = self.beside(other).next() {
-            return Err(Cause::NotThatTriangle { triangle, row: row + 1, column: column + 1 }.into());
+            return Err(FileCause::NotThatTriangle { triangle, row: row + 1, column: column + 1 }.into());
         }
         Self::from_stored(self.rows, self.columns, self.entries, Symmetry::Symmetric)
     }
@@ -179,22 +179,23 @@ impl Matrix {
     /// The matrix as the structures have it.
     ///
     /// # Errors
-    /// [`Cause::OutsideMatrix`] for an entry that was put outside.
+    /// [`FileCause::OutsideMatrix`] for an entry that was put outside.
     pub fn to_sparse(&self) -> Result<Sparse, ExchangeError> {
         let (rows, columns) = (self.rows, self.columns);
         if let Some((row, column, _)) = self.entries.iter().find(|(i, j, _)| *i >= rows || *j >= columns) {
-            return Err(Cause::OutsideMatrix { row: row + 1, column: column + 1, rows, columns }.into());
+            return Err(FileCause::OutsideMatrix { row: row + 1, column: column + 1, rows, columns }.into());
         }
         let triplets: Vec<Triplet<usize, usize, f64>> =
             self.entries.iter().map(|(row, column, value)| Triplet::new(*row, *column, *value)).collect();
-        SparseColMat::try_new_from_triplets(rows, columns, &triplets)
-            .map_err(|error| Cause::Inconsistent { what: "the matrix", problem: error.to_string() }.into())
+        SparseColMat::try_new_from_triplets(rows, columns, &triplets).map_err(|error| {
+            FileCause::Inconsistent { what: "the matrix", problem: error.to_string() }.into()
+        })
     }
 
     fn check_whole(&self) -> Result<(), ExchangeError> {
         match self.triangle() {
             Some(triangle) if self.symmetry == Symmetry::General => {
-                Err(Cause::OneTriangle { triangle, entries: self.beside(triangle).count() }.into())
+                Err(FileCause::OneTriangle { triangle, entries: self.beside(triangle).count() }.into())
             }
             _ => Ok(()),
         }
@@ -228,9 +229,9 @@ fn expand(
     columns: usize,
     entries: &mut Vec<(usize, usize, f64)>,
     symmetry: Symmetry,
-) -> Result<(), Cause> {
+) -> Result<(), FileCause> {
     if rows != columns {
-        return Err(Cause::NotSquare { name: String::from("the matrix"), rows, columns });
+        return Err(FileCause::NotSquare { name: String::from("the matrix"), rows, columns });
     }
     let (name, sign) =
         if symmetry == Symmetry::Symmetric { ("symmetric", 1.0) } else { ("skew-symmetric", -1.0) };
@@ -238,12 +239,12 @@ fn expand(
     if let Some((row, column, _)) = beside.next()
         && let Some((i, j, _)) = beside.find(|(i, j, _)| (i > j) != (row > column))
     {
-        return Err(Cause::BothTriangles { symmetry: name, row: i + 1, column: j + 1 });
+        return Err(FileCause::BothTriangles { symmetry: name, row: i + 1, column: j + 1 });
     }
     if symmetry == Symmetry::SkewSymmetric
         && let Some((row, _, value)) = entries.iter().find(|(i, j, value)| i == j && *value != 0.0)
     {
-        return Err(Cause::SkewDiagonal { row: row + 1, value: *value });
+        return Err(FileCause::SkewDiagonal { row: row + 1, value: *value });
     }
     let mirrored =
         |(row, column, value): &(usize, usize, f64)| (row != column).then_some((*column, *row, sign * value));
@@ -265,7 +266,7 @@ mod tests {
         let matrix = general(&[(1, 0, 1.0), (0, 0, 2.0), (1, 0, 3.0)]);
         assert_eq!(matrix.entries, [(0, 0, 2.0), (1, 0, 4.0)]);
         let too_large = Matrix::from_stored(1, 1, vec![(0, 0, f64::MAX); 2], Symmetry::General);
-        assert!(matches!(too_large.unwrap_err().cause(), Cause::Inconsistent { .. }));
+        assert!(matches!(too_large.unwrap_err().cause(), FileCause::Inconsistent { .. }));
     }
 
     #[test]
@@ -275,7 +276,7 @@ mod tests {
         let message = lower.check_whole().unwrap_err().to_string();
         assert!(message.contains("triangle = \"lower\""), "{message}");
         let wrong = lower.clone().mirrored(Triangle::Upper).unwrap_err();
-        assert!(matches!(wrong.cause(), Cause::NotThatTriangle { row: 2, column: 1, .. }));
+        assert!(matches!(wrong.cause(), FileCause::NotThatTriangle { row: 2, column: 1, .. }));
         let whole = lower.mirrored(Triangle::Lower).unwrap();
         assert_eq!(whole.entries, [(0, 0, 2.0), (0, 1, 1.0), (1, 0, 1.0), (1, 1, 3.0)]);
         assert_eq!((whole.triangle(), whole.asymmetry(), whole.skew_asymmetry()), (None, 0.0, 2.0));

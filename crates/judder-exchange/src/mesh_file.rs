@@ -4,9 +4,9 @@ mod building;
 mod inp;
 mod msh;
 
-use crate::cause::Cause;
+use crate::cause::FileCause;
 use crate::error::ExchangeError;
-use judder_structure::material::{Elastic, Section};
+use judder_structure::material::{Elastic, ElementSection};
 use judder_structure::mesh::Mesh;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -49,7 +49,7 @@ pub struct FileSection {
     /// The name of its material; none where the file does not say.
     pub material: Option<String>,
     /// How the third direction is meant, by the types of the elements.
-    pub section: Section,
+    pub section: ElementSection,
 }
 
 /// The consistent units in which a file was written.
@@ -99,12 +99,12 @@ pub fn read_mesh(path: &Path) -> Result<MeshFile, ExchangeError> {
         _ => {
             let known = ".msh (Gmsh 4.1) and .inp (Abaqus, CalculiX)";
             return Err(
-                ExchangeError::from(Cause::UnknownExtension { found: extension, known }).in_file(path)
+                ExchangeError::from(FileCause::UnknownExtension { found: extension, known }).in_file(path)
             );
         }
     };
     let bytes = std::fs::read(path)
-        .map_err(|source| ExchangeError::from(Cause::Unreadable { source }).in_file(path))?;
+        .map_err(|source| ExchangeError::from(FileCause::Unreadable { source }).in_file(path))?;
     read(&bytes).map_err(|error| error.in_file(path))
 }
 
@@ -121,10 +121,10 @@ impl MeshFile {
         }
         for section in self.sections.values_mut() {
             match &mut section.section {
-                Section::PlaneStress { thickness } | Section::PlaneStrain { thickness } => {
+                ElementSection::PlaneStress { thickness } | ElementSection::PlaneStrain { thickness } => {
                     *thickness *= length;
                 }
-                Section::Solid => {}
+                ElementSection::Solid => {}
             }
         }
         self
@@ -145,7 +145,7 @@ impl MeshFile {
         }
         let elements = building::elements_of(&self.mesh);
         let mut nodes: Vec<usize> = if let Some(sides) = self.mesh.side_sets.get(name) {
-            let of_side = |side: &judder_structure::mesh::Side| {
+            let of_side = |side: &judder_structure::mesh::ElementSide| {
                 let (kind, own) = elements.get(side.element)?;
                 Some(kind.sides().get(side.side)?.iter().map(|k| own[*k]).collect::<Vec<usize>>())
             };
@@ -165,19 +165,19 @@ impl MeshFile {
     /// Material and section of each block, as assembly takes them.
     ///
     /// # Errors
-    /// [`Cause::NoSection`] for a block to which the file gives none, [`Cause::MaterialLacks`] for a material without modulus or
+    /// [`FileCause::NoSection`] for a block to which the file gives none, [`FileCause::MaterialLacks`] for a material without modulus or
     /// density.
-    pub fn materials_of_blocks(&self) -> Result<BTreeMap<String, (Elastic, Section)>, ExchangeError> {
+    pub fn materials_of_blocks(&self) -> Result<BTreeMap<String, (Elastic, ElementSection)>, ExchangeError> {
         let of_block = |name: &String| {
-            let none = || Cause::NoSection { block: name.clone() };
+            let none = || FileCause::NoSection { block: name.clone() };
             let section = self.sections.get(name).ok_or_else(none)?;
             let material = section.material.as_ref().ok_or_else(none)?;
             let found = self.materials.get(material).ok_or_else(none)?;
-            let lacks = |what| Cause::MaterialLacks { material: material.clone(), what };
+            let lacks = |what| FileCause::MaterialLacks { material: material.clone(), what };
             let [youngs_modulus, poisson_ratio] = found.elastic.ok_or_else(|| lacks("modulus (*ELASTIC)"))?;
             let density = found.density.ok_or_else(|| lacks("density (*DENSITY)"))?;
             let elastic = Elastic::new(youngs_modulus, poisson_ratio, density)
-                .map_err(|source| Cause::Structure { source })?;
+                .map_err(|source| FileCause::Structure { source })?;
             Ok((name.clone(), (elastic, section.section)))
         };
         self.mesh.blocks.iter().map(|block| of_block(&block.material)).collect()

@@ -4,7 +4,7 @@ pub(crate) mod error;
 
 pub use error::NpyError;
 
-use crate::bytes::Stored;
+use crate::bytes::StoredNumber;
 use crate::quoted::quoted;
 use std::io::Read;
 
@@ -16,7 +16,7 @@ pub(crate) struct Array {
     /// The type of its numbers, as NumPy writes it.
     pub(crate) descr: String,
     /// Of its numbers; `None` for texts.
-    pub(crate) stored: Option<Stored>,
+    pub(crate) stored: Option<StoredNumber>,
     pub(crate) big_endian: bool,
     pub(crate) fortran_order: bool,
     pub(crate) shape: Vec<usize>,
@@ -112,15 +112,15 @@ fn entry<'a>(header: &'a str, key: &'static str) -> Result<&'a str, NpyError> {
 }
 
 /// How numbers of a type are stored, whether big-endian, and the bytes of one.
-fn number(descr: &str) -> Option<(Option<Stored>, bool, usize)> {
+fn number(descr: &str) -> Option<(Option<StoredNumber>, bool, usize)> {
     let mut letters = descr.chars();
     let (order, kind) = letters.next().zip(letters.next())?;
     let size: usize = letters.as_str().parse().ok()?;
     let stored = match (kind, size) {
         (_, 0) => return None,
-        ('f', 4 | 8) => Some(Stored::Float(size)),
-        ('i', 1 | 2 | 4 | 8) => Some(Stored::Signed(size)),
-        ('u' | 'b', 1 | 2 | 4 | 8) => Some(Stored::Unsigned(size)),
+        ('f', 4 | 8) => Some(StoredNumber::Float(size)),
+        ('i', 1 | 2 | 4 | 8) => Some(StoredNumber::Signed(size)),
+        ('u' | 'b', 1 | 2 | 4 | 8) => Some(StoredNumber::Unsigned(size)),
         ('S', _) => None,
         ('U', _) => return Some((None, order == '>', size.checked_mul(4)?)),
         _ => return None,

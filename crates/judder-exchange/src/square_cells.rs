@@ -1,8 +1,8 @@
 //! Fields on square cells in a plane, for ParaView.
 
-use crate::cause::Cause;
+use crate::cause::FileCause;
 use crate::error::ExchangeError;
-use crate::vtu::{Field, Piece, array_bytes, cell_type, index_bytes, write_piece};
+use crate::vtu::{Piece, VtuField, array_bytes, cell_type, index_bytes, write_piece};
 use judder_structure::element::ElementKind;
 use std::io::Write;
 
@@ -23,12 +23,12 @@ impl SquareCells {
     /// Writes the cells with fields on them, one value a cell.
     ///
     /// # Errors
-    /// [`Cause::WrongCount`] for a field that does not fill the cells, [`Cause::Unwritable`].
-    pub fn write_vtu(&self, to: &mut dyn Write, fields: &[Field]) -> Result<(), ExchangeError> {
+    /// [`FileCause::WrongCount`] for a field that does not fill the cells, [`FileCause::Unwritable`].
+    pub fn write_vtu(&self, to: &mut dyn Write, fields: &[VtuField]) -> Result<(), ExchangeError> {
         let said = self.columns * self.rows;
         if let Some(field) = fields.iter().find(|field| field.values.len() != said) {
             let found = field.values.len();
-            return Err(Cause::WrongCount { what: "values of a field", said, found }.into());
+            return Err(FileCause::WrongCount { what: "values of a field", said, found }.into());
         }
         Ok(write_piece(to, &self.piece(), None, Some(fields))?)
     }
@@ -57,18 +57,18 @@ impl SquareCells {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::vtu::Values;
+    use crate::vtu::FieldValues;
 
     const CELLS: SquareCells = SquareCells { columns: 3, rows: 2, side: 0.5, origin: [0.0, 0.0] };
 
-    fn pressure(values: &[f64]) -> [Field; 1] {
-        [Field { name: String::from("pressure"), values: Values::Scalars(values.to_vec()) }]
+    fn pressure(values: &[f64]) -> [VtuField; 1] {
+        [VtuField { name: String::from("pressure"), values: FieldValues::Scalars(values.to_vec()) }]
     }
 
     #[test]
     fn a_field_of_the_wrong_size_is_refused() {
         let error = CELLS.write_vtu(&mut Vec::new(), &pressure(&[0.0; 5])).unwrap_err();
-        assert!(matches!(error.cause(), Cause::WrongCount { said: 6, found: 5, .. }));
+        assert!(matches!(error.cause(), FileCause::WrongCount { said: 6, found: 5, .. }));
     }
 
     #[test]

@@ -1,13 +1,13 @@
 //! Whether matrices of files make one structure.
 
-use crate::cause::Cause;
+use crate::cause::FileCause;
 use crate::error::ExchangeError;
 use crate::matrix::Matrix;
 use judder_structure::freedom::Freedom;
 
 /// A matrix of a file with the name by which messages call it.
 #[derive(Debug, Clone, Copy)]
-pub struct Part<'a> {
+pub struct NamedMatrix<'a> {
     /// Its file, say.
     pub name: &'a str,
     /// The matrix.
@@ -16,25 +16,25 @@ pub struct Part<'a> {
 
 /// The files of which the matrices of a structure are sums.
 #[derive(Debug, Clone, Default)]
-pub struct Parts<'a> {
+pub struct SystemParts<'a> {
     /// Of M.
-    pub mass: Vec<Part<'a>>,
+    pub mass: Vec<NamedMatrix<'a>>,
     /// Of C.
-    pub damping: Vec<Part<'a>>,
+    pub damping: Vec<NamedMatrix<'a>>,
     /// Of K.
-    pub stiffness: Vec<Part<'a>>,
+    pub stiffness: Vec<NamedMatrix<'a>>,
 }
 
-impl Parts<'_> {
+impl SystemParts<'_> {
     /// The rows of all these matrices.
     ///
     /// # Errors
-    /// [`Cause::Missing`] without mass or stiffness, [`Cause::NotSquare`], [`Cause::SizesDiffer`], [`Cause::NoMass`] where the
-    /// masses leave rows empty, [`Cause::TableDiffers`] where the table of freedoms has other rows.
+    /// [`FileCause::Missing`] without mass or stiffness, [`FileCause::NotSquare`], [`FileCause::SizesDiffer`], [`FileCause::NoMass`] where the
+    /// masses leave rows empty, [`FileCause::TableDiffers`] where the table of freedoms has other rows.
     pub fn check(&self, freedoms: Option<&[Freedom]>) -> Result<usize, ExchangeError> {
-        let first = *self.mass.first().ok_or(Cause::Missing { what: "mass" })?;
+        let first = *self.mass.first().ok_or(FileCause::Missing { what: "mass" })?;
         if self.stiffness.is_empty() {
-            return Err(Cause::Missing { what: "stiffness" }.into());
+            return Err(FileCause::Missing { what: "stiffness" }.into());
         }
         for part in self.mass.iter().chain(&self.damping).chain(&self.stiffness) {
             check_size(first, *part)?;
@@ -43,13 +43,13 @@ impl Parts<'_> {
         self.check_mass(rows)?;
         match freedoms {
             Some(table) if table.len() != rows => {
-                Err(Cause::TableDiffers { freedoms: table.len(), rows }.into())
+                Err(FileCause::TableDiffers { freedoms: table.len(), rows }.into())
             }
             _ => Ok(rows),
         }
     }
 
-    fn check_mass(&self, rows: usize) -> Result<(), Cause> {
+    fn check_mass(&self, rows: usize) -> Result<(), FileCause> {
         let mut has_mass = vec![false; rows];
         for (row, _, value) in self.mass.iter().flat_map(|part| &part.matrix.entries) {
             has_mass[*row] |= *value != 0.0;
@@ -57,20 +57,20 @@ impl Parts<'_> {
         match has_mass.iter().position(|has| !has) {
             Some(first) => {
                 let count = has_mass.iter().filter(|has| !**has).count();
-                Err(Cause::NoMass { count, rows, first: first + 1 })
+                Err(FileCause::NoMass { count, rows, first: first + 1 })
             }
             None => Ok(()),
         }
     }
 }
 
-fn check_size(first: Part<'_>, part: Part<'_>) -> Result<(), Cause> {
+fn check_size(first: NamedMatrix<'_>, part: NamedMatrix<'_>) -> Result<(), FileCause> {
     let (rows, columns) = (part.matrix.rows, part.matrix.columns);
     if rows != columns {
-        return Err(Cause::NotSquare { name: part.name.to_owned(), rows, columns });
+        return Err(FileCause::NotSquare { name: part.name.to_owned(), rows, columns });
     }
     if rows != first.matrix.rows {
-        return Err(Cause::SizesDiffer {
+        return Err(FileCause::SizesDiffer {
             first: first.name.to_owned(),
             first_rows: first.matrix.rows,
             second: part.name.to_owned(),
@@ -91,15 +91,15 @@ mod tests {
         Matrix { rows: values.len(), columns: values.len(), entries, symmetry: Symmetry::General }
     }
 
-    fn part<'a>(name: &'a str, matrix: &'a Matrix) -> Vec<Part<'a>> {
-        vec![Part { name, matrix }]
+    fn part<'a>(name: &'a str, matrix: &'a Matrix) -> Vec<NamedMatrix<'a>> {
+        vec![NamedMatrix { name, matrix }]
     }
 
     #[test]
     fn matrices_that_fit_pass_and_others_are_named() {
         let (two, three, gap) = (diagonal(&[1.0, 2.0]), diagonal(&[1.0; 3]), diagonal(&[1.0, 0.0]));
         let check = |mass, stiffness, table: Option<&[Freedom]>| {
-            let parts = Parts { mass, stiffness, damping: part("c.mtx", &two) };
+            let parts = SystemParts { mass, stiffness, damping: part("c.mtx", &two) };
             parts.check(table).map_err(|error| error.to_string())
         };
         assert_eq!(check(part("m.mtx", &two), part("k.mtx", &two), None), Ok(2));

@@ -7,7 +7,7 @@ mod record;
 mod response;
 mod shape;
 
-pub use response::{Abscissa, Ordinates, Quantity, Response, ResponseKind, write_response};
+pub use response::{Abscissa, MeasuredQuantity, Ordinates, ResponseKind, UniversalResponse, write_response};
 pub use shape::{ComplexShape, RealShape, write_complex_shape, write_real_shape};
 
 use crate::error::ExchangeError;

@@ -2,7 +2,7 @@
 //!
 //! XML with inline arrays: base64 of blocks compressed by zlib, little-endian. Kitware, *VTK File Formats*.
 
-use crate::cause::Cause;
+use crate::cause::FileCause;
 use crate::error::ExchangeError;
 use crate::geometry::{Geometry, at_phase};
 use crate::whole_file::write_file;
@@ -16,23 +16,23 @@ use std::path::{Path, PathBuf};
 
 /// A field of one number or vector a node, or a cell.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Field {
+pub struct VtuField {
     /// Its name in ParaView.
     pub name: String,
     /// Its values.
-    pub values: Values,
+    pub values: FieldValues,
 }
 
 /// The values of a field, one a node or one a cell.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Values {
+pub enum FieldValues {
     /// Numbers.
     Scalars(Vec<f64>),
     /// Vectors.
     Vectors(Vec<[f64; 3]>),
 }
 
-impl Values {
+impl FieldValues {
     pub(crate) fn len(&self) -> usize {
         match self {
             Self::Scalars(values) => values.len(),
@@ -44,10 +44,10 @@ impl Values {
 /// The fields of a complex shape φ: `NAME real`, `NAME imaginary`, `NAME amplitude` (|φ| of each component) and `NAME phase` (arg φ of
 /// each component in rad).
 #[must_use]
-pub fn complex_fields(name: &str, shape: &[[c64; 3]]) -> Vec<Field> {
-    let field = |part: &str, of: fn(c64) -> f64| Field {
+pub fn complex_fields(name: &str, shape: &[[c64; 3]]) -> Vec<VtuField> {
+    let field = |part: &str, of: fn(c64) -> f64| VtuField {
         name: format!("{name} {part}"),
-        values: Values::Vectors(shape.iter().map(|own| own.map(of)).collect()),
+        values: FieldValues::Vectors(shape.iter().map(|own| own.map(of)).collect()),
     };
     vec![
         field("real", |value| value.re),
@@ -60,13 +60,15 @@ pub fn complex_fields(name: &str, shape: &[[c64; 3]]) -> Vec<Field> {
 /// Writes a mesh, or points, with fields at the nodes.
 ///
 /// # Errors
-/// [`Cause::WrongCount`] for a field that does not fill the nodes, [`Cause::WrongNodes`] and [`Cause::Unknown`] for cells without their nodes,
-/// [`Cause::Unwritable`].
-pub fn write_vtu(to: &mut dyn Write, geometry: &Geometry, fields: &[Field]) -> Result<(), ExchangeError> {
+/// [`FileCause::WrongCount`] for a field that does not fill the nodes, [`FileCause::WrongNodes`] and [`FileCause::Unknown`] for cells without their nodes,
+/// [`FileCause::Unwritable`].
+pub fn write_vtu(to: &mut dyn Write, geometry: &Geometry, fields: &[VtuField]) -> Result<(), ExchangeError> {
     geometry.check()?;
     let said = geometry.places.len();
     if let Some(field) = fields.iter().find(|field| field.values.len() != said) {
-        return Err(Cause::WrongCount { what: "values of a field", said, found: field.values.len() }.into());
+        return Err(
+            FileCause::WrongCount { what: "values of a field", said, found: field.values.len() }.into()
+        );
     }
     Ok(write_piece(to, &Piece::from(geometry), Some(fields), None)?)
 }
@@ -109,8 +111,8 @@ impl From<&Geometry> for Piece {
 pub(crate) fn write_piece(
     to: &mut dyn Write,
     piece: &Piece,
-    of_points: Option<&[Field]>,
-    of_cells: Option<&[Field]>,
+    of_points: Option<&[VtuField]>,
+    of_cells: Option<&[VtuField]>,
 ) -> io::Result<()> {
     let (points, cells) = (piece.places.len() / 24, piece.types.len());
     writeln!(
@@ -132,17 +134,17 @@ pub(crate) fn write_piece(
 }
 
 /// The fields of points or of cells, where there are any to be written.
-fn write_fields(to: &mut dyn Write, owner: &str, fields: Option<&[Field]>) -> io::Result<()> {
+fn write_fields(to: &mut dyn Write, owner: &str, fields: Option<&[VtuField]>) -> io::Result<()> {
     let Some(fields) = fields else { return Ok(()) };
     writeln!(to, "<{owner}>")?;
     for field in fields {
         let name = escaped(&field.name);
         match &field.values {
-            Values::Scalars(values) => {
+            FieldValues::Scalars(values) => {
                 let numbers = array_bytes(values.iter().copied());
                 array(to, &format!("type=\"Float64\" Name=\"{name}\""), &numbers)?;
             }
-            Values::Vectors(values) => {
+            FieldValues::Vectors(values) => {
                 let attributes = format!("type=\"Float64\" Name=\"{name}\" NumberOfComponents=\"3\"");
                 array(to, &attributes, &array_bytes(values.iter().flatten().copied()))?;
             }
@@ -203,7 +205,7 @@ fn escaped(text: &str) -> String {
 /// Writes a series of files: times in s with the names of files beside this one.
 ///
 /// # Errors
-/// [`Cause::Unwritable`].
+/// [`FileCause::Unwritable`].
 pub fn write_pvd(to: &mut dyn Write, frames: &[(f64, String)]) -> Result<(), ExchangeError> {
     writeln!(
         to,
@@ -233,7 +235,7 @@ pub struct Animation<'a> {
 /// The name is that of a file in `folder`.
 ///
 /// # Errors
-/// [`Cause::WrongCount`] for a shape that does not fill the nodes, [`Cause::Unwritable`].
+/// [`FileCause::WrongCount`] for a shape that does not fill the nodes, [`FileCause::Unwritable`].
 pub fn write_animation(
     folder: &Path,
     geometry: &Geometry,
@@ -243,8 +245,8 @@ pub fn write_animation(
     let share = |frame: usize| frame as f64 / frames as f64;
     let files: Vec<String> = (0..frames).map(|frame| format!("{name}-{frame:03}.vtu")).collect();
     for (frame, file) in files.iter().enumerate() {
-        let values = Values::Vectors(at_phase(shape, TAU * share(frame)));
-        let field = Field { name: name.to_owned(), values };
+        let values = FieldValues::Vectors(at_phase(shape, TAU * share(frame)));
+        let field = VtuField { name: name.to_owned(), values };
         write_file(&folder.join(file), |to| write_vtu(to, geometry, &[field]))?;
     }
     let series = folder.join(format!("{name}.pvd"));
@@ -265,9 +267,9 @@ mod tests {
 
     #[test]
     fn a_field_of_the_wrong_size_is_refused() {
-        let field = Field { name: String::from("a"), values: Values::Scalars(vec![0.0; 3]) };
+        let field = VtuField { name: String::from("a"), values: FieldValues::Scalars(vec![0.0; 3]) };
         let error = write_vtu(&mut Vec::new(), &two_points(), &[field]).unwrap_err();
-        assert!(matches!(error.cause(), Cause::WrongCount { said: 2, found: 3, .. }));
+        assert!(matches!(error.cause(), FileCause::WrongCount { said: 2, found: 3, .. }));
     }
 
     #[test]

@@ -4,7 +4,7 @@ pub(crate) mod error;
 
 pub use error::SoundError;
 
-use crate::cause::Cause;
+use crate::cause::FileCause;
 use crate::error::ExchangeError;
 use crate::whole_file::write_file;
 use hound::{SampleFormat, WavSpec, WavWriter};
@@ -48,7 +48,7 @@ impl Default for Loudness {
 
 impl From<SoundError> for ExchangeError {
     fn from(source: SoundError) -> Self {
-        Cause::Sound { source }.into()
+        FileCause::Sound { source }.into()
     }
 }
 
@@ -56,7 +56,7 @@ impl From<SoundError> for ExchangeError {
 /// the signal, full scale being 1.
 ///
 /// # Errors
-/// [`Cause::Sound`] with what cannot be heard.
+/// [`FileCause::Sound`] with what cannot be heard.
 pub fn wav_bytes(
     channels: &[&[f64]],
     sample_rate: u32,
@@ -72,7 +72,7 @@ pub fn wav_bytes(
 /// signal, full scale being 1.
 ///
 /// # Errors
-/// [`Cause::Sound`] with what cannot be heard; [`Cause::Unwritable`]. What was there before is then still there.
+/// [`FileCause::Sound`] with what cannot be heard; [`FileCause::Unwritable`]. What was there before is then still there.
 pub fn write_wav(
     path: &Path,
     channels: &[&[f64]],
@@ -227,7 +227,7 @@ mod tests {
 
     fn problem(channels: &[&[f64]], loudness: Loudness) -> SoundError {
         match written(channels, WavFormat::Integer24, loudness).unwrap_err().cause() {
-            Cause::Sound { source } => *source,
+            FileCause::Sound { source } => *source,
             other => panic!("{other}"),
         }
     }

@@ -1,6 +1,6 @@
 //! Files that are there as a whole or not at all.
 
-use crate::cause::Cause;
+use crate::cause::FileCause;
 use crate::error::ExchangeError;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
@@ -10,12 +10,12 @@ use std::path::Path;
 /// before, or all of the new.
 ///
 /// # Errors
-/// What `write` says, and [`Cause::Unwritable`]; what was there before is still there.
+/// What `write` says, and [`FileCause::Unwritable`]; what was there before is still there.
 pub fn write_file(
     path: &Path,
     write: impl FnOnce(&mut dyn Write) -> Result<(), ExchangeError>,
 ) -> Result<(), ExchangeError> {
-    let unwritable = |source: io::Error| ExchangeError::from(Cause::Unwritable { source }).in_file(path);
+    let unwritable = |source: io::Error| ExchangeError::from(FileCause::Unwritable { source }).in_file(path);
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let stage = tempfile::Builder::new().prefix(".partial-").tempdir_in(folder).map_err(unwritable)?;
     let staged = stage.path().join("content");
@@ -37,7 +37,7 @@ mod tests {
         write_file(&path, |out| Ok(out.write_all(b"old")?)).unwrap();
         let failed = write_file(&path, |out| {
             out.write_all(b"new")?;
-            Err(Cause::NoElements.into())
+            Err(FileCause::NoElements.into())
         });
         assert!(failed.unwrap_err().to_string().contains("a.mtx"));
         assert_eq!(fs::read(&path).unwrap(), b"old");

@@ -6,9 +6,9 @@ use thiserror::Error;
 
 use crate::dimension::Dimension;
 use crate::expression::ExpressionError;
-use crate::numeric_key::Range;
-use crate::problem::Problem;
+use crate::problem::words::Problem;
 use crate::quantity::QuantityError;
+use crate::range::Range;
 
 /// What is wrong with a case. The fields are what a caller needs in order to act.
 #[derive(Debug, Error)]

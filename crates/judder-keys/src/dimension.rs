@@ -22,26 +22,26 @@ pub struct Dimension {
 }
 
 /// A dimension that case files use: its name with article, an example, its SI unit.
-struct Named(Dimension, &'static str, &'static str, &'static str);
+struct NamedDimension(Dimension, &'static str, &'static str, &'static str);
 
-const NAMED: [Named; 17] = [
-    Named(Dimension::NUMBER, "a plain number", "0.01", "1"),
-    Named(Dimension::LENGTH, "a length", "10 mm", "m"),
-    Named(Dimension::MASS, "a mass", "30 g", "kg"),
-    Named(Dimension::TIME, "a time", "10 ms", "s"),
-    Named(Dimension::ANGLE, "an angle", "45 deg", "rad"),
-    Named(Dimension::SPEED, "a speed", "30 mm/s", "m/s"),
-    Named(Dimension::ACCELERATION, "an acceleration", "1 m/s^2", "m/s^2"),
-    Named(Dimension::FORCE, "a force", "0.2 N", "N"),
-    Named(Dimension::STRESS, "a stress", "1 MPa", "Pa"),
-    Named(Dimension::COMPLIANCE, "a compliance", "1e-7 1/Pa", "1/Pa"),
-    Named(Dimension::COMPLIANCE_RATE, "a compliance per time", "1e-5 1/Pa/s", "1/Pa/s"),
-    Named(Dimension::STIFFNESS, "a stiffness", "50 N/m", "N/m"),
-    Named(Dimension::ANGULAR_FREQUENCY, "an angular frequency", "40 rad/s\" or \"7 kHz", "rad/s"),
-    Named(Dimension::RATE, "a rate", "5 1/s", "1/s"),
-    Named(Dimension::TEMPERATURE, "a temperature", "25 degC\" or \"298 K", "K"),
-    Named(Dimension::MOLAR_ENERGY, "an energy per amount", "80 kJ/mol", "J/mol"),
-    Named(Dimension::DENSITY, "a density", "7850 kg/m^3", "kg/m^3"),
+const NAMED: [NamedDimension; 17] = [
+    NamedDimension(Dimension::NUMBER, "a plain number", "0.01", "1"),
+    NamedDimension(Dimension::LENGTH, "a length", "10 mm", "m"),
+    NamedDimension(Dimension::MASS, "a mass", "30 g", "kg"),
+    NamedDimension(Dimension::TIME, "a time", "10 ms", "s"),
+    NamedDimension(Dimension::ANGLE, "an angle", "45 deg", "rad"),
+    NamedDimension(Dimension::SPEED, "a speed", "30 mm/s", "m/s"),
+    NamedDimension(Dimension::ACCELERATION, "an acceleration", "1 m/s^2", "m/s^2"),
+    NamedDimension(Dimension::FORCE, "a force", "0.2 N", "N"),
+    NamedDimension(Dimension::STRESS, "a stress", "1 MPa", "Pa"),
+    NamedDimension(Dimension::COMPLIANCE, "a compliance", "1e-7 1/Pa", "1/Pa"),
+    NamedDimension(Dimension::COMPLIANCE_RATE, "a compliance per time", "1e-5 1/Pa/s", "1/Pa/s"),
+    NamedDimension(Dimension::STIFFNESS, "a stiffness", "50 N/m", "N/m"),
+    NamedDimension(Dimension::ANGULAR_FREQUENCY, "an angular frequency", "40 rad/s\" or \"7 kHz", "rad/s"),
+    NamedDimension(Dimension::RATE, "a rate", "5 1/s", "1/s"),
+    NamedDimension(Dimension::TEMPERATURE, "a temperature", "25 degC\" or \"298 K", "K"),
+    NamedDimension(Dimension::MOLAR_ENERGY, "an energy per amount", "80 kJ/mol", "J/mol"),
+    NamedDimension(Dimension::DENSITY, "a density", "7850 kg/m^3", "kg/m^3"),
 ];
 
 impl Dimension {
@@ -120,7 +120,7 @@ impl Dimension {
 
     /// The SI unit in which numbers of this dimension are kept, such as `N/m`; `1` for a pure number.
     pub fn unit(self) -> String {
-        if let Some(Named(_, _, _, unit)) = self.named() {
+        if let Some(NamedDimension(_, _, _, unit)) = self.named() {
             return (*unit).to_owned();
         }
         let factors =
@@ -134,12 +134,12 @@ impl Dimension {
     /// An example of a quantity of this dimension as it stands in a case file.
     pub fn example(self) -> String {
         match self.named() {
-            Some(Named(_, _, example, _)) => (*example).to_owned(),
+            Some(NamedDimension(_, _, example, _)) => (*example).to_owned(),
             None => format!("1 {}", self.unit()),
         }
     }
 
-    fn named(self) -> Option<&'static Named> {
+    fn named(self) -> Option<&'static NamedDimension> {
         NAMED.iter().find(|named| named.0 == self)
     }
 }
@@ -148,7 +148,7 @@ impl fmt::Display for Dimension {
     /// The name with its article, `a speed`; a dimension without a name shows its unit.
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.named() {
-            Some(Named(_, name, _, _)) => formatter.write_str(name),
+            Some(NamedDimension(_, name, _, _)) => formatter.write_str(name),
             None => write!(formatter, "a quantity in {}", self.unit()),
         }
     }
@@ -161,7 +161,7 @@ mod tests {
 
     #[test]
     fn every_example_and_unit_has_the_dimension_it_stands_for() {
-        for Named(dimension, name, example, unit) in NAMED.iter().skip(1) {
+        for NamedDimension(dimension, name, example, unit) in NAMED.iter().skip(1) {
             for example in example.split("\" or \"") {
                 assert_eq!(Quantity::parse(example).unwrap().dimension, *dimension, "{name}: {example}");
             }

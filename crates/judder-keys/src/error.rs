@@ -6,7 +6,7 @@ use std::sync::Arc;
 use miette::{Diagnostic, LabeledSpan, SourceCode, SourceSpan};
 
 use crate::cause::Cause;
-use crate::excerpt::{QUOTED, Source};
+use crate::excerpt::{QUOTED, QuotedSource};
 
 /// What is wrong with a case, and where: a [`Cause`] at a place of the case file or of a `--set` option.
 ///
@@ -14,7 +14,7 @@ use crate::excerpt::{QUOTED, Source};
 #[derive(Debug)]
 pub struct CaseError {
     cause: Box<Cause>,
-    source: Source,
+    source: QuotedSource,
     span: Option<SourceSpan>,
     others: Vec<CaseError>,
 }
@@ -24,7 +24,7 @@ impl CaseError {
     pub fn without_place(cause: Cause, name: &str) -> Self {
         Self {
             cause: Box::new(cause),
-            source: Source { name: name.to_owned(), text: Arc::from("") },
+            source: QuotedSource { name: name.to_owned(), text: Arc::from("") },
             span: None,
             others: Vec::new(),
         }
@@ -181,6 +181,6 @@ impl Sources {
         let Place { source, start, end } = fault.place;
         let (name, text) = self.0.get(source).cloned().unwrap_or_default();
         let span = Some(SourceSpan::from((start, end.saturating_sub(start))));
-        CaseError { cause: fault.cause, source: Source { name, text }, span, others: Vec::new() }
+        CaseError { cause: fault.cause, source: QuotedSource { name, text }, span, others: Vec::new() }
     }
 }

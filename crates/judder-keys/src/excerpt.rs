@@ -12,12 +12,12 @@ const MARGIN: usize = 100;
 
 /// A named text that is quoted in parts of bounded length.
 #[derive(Debug)]
-pub(crate) struct Source {
+pub(crate) struct QuotedSource {
     pub(crate) name: String,
     pub(crate) text: Arc<str>,
 }
 
-impl Source {
+impl QuotedSource {
     /// `span`, or as much of its beginning as is quoted.
     pub(crate) fn shorten(&self, span: SourceSpan) -> SourceSpan {
         let start = span.offset();
@@ -26,7 +26,7 @@ impl Source {
     }
 }
 
-impl SourceCode for Source {
+impl SourceCode for QuotedSource {
     fn read_span<'a>(
         &'a self,
         span: &SourceSpan,
@@ -57,7 +57,7 @@ mod tests {
     use super::*;
 
     fn quoted(text: &str, span: (usize, usize)) -> (String, usize) {
-        let source = Source { name: "case.toml".to_owned(), text: Arc::from(text) };
+        let source = QuotedSource { name: "case.toml".to_owned(), text: Arc::from(text) };
         let span = source.shorten(span.into());
         let contents = source.read_span(&span, 1, 1).unwrap();
         (String::from_utf8(contents.data().to_vec()).unwrap(), contents.line())

@@ -29,6 +29,7 @@ pub mod nearest;
 pub mod numeric_key;
 pub mod problem;
 pub mod quantity;
+mod range;
 pub mod reference;
 pub mod schema;
 pub mod section;

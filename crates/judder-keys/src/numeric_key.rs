@@ -6,8 +6,8 @@ use crate::document::{Data, Node};
 use crate::error::Fault;
 use crate::quantity::Quantity;
 use crate::section::{finite_number, text, wrong_type};
-use judder_numerics::words::plain;
-use std::fmt;
+
+pub use crate::range::Range;
 
 /// Whether a number is the paper's dimensionless group or a quantity in SI units.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -36,54 +36,6 @@ impl Value {
     /// A number in SI units.
     pub const fn si(number: f64) -> Self {
         Self { number, form: Form::Si }
-    }
-}
-
-/// The numbers that a key takes; every number must be finite besides.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Range {
-    /// Above zero.
-    Positive,
-    /// Zero or above.
-    NonNegative,
-    /// Zero or above, below one.
-    Fraction,
-    /// Any finite number.
-    Any,
-    /// Above the first number, up to and including the second.
-    Interval {
-        /// Excluded lower end.
-        above: f64,
-        /// Included upper end.
-        up_to: f64,
-    },
-}
-
-impl Range {
-    /// Whether `number` lies in the range; a NaN lies in none.
-    pub fn contains(self, number: f64) -> bool {
-        number.is_finite()
-            && match self {
-                Self::Positive => number > 0.0,
-                Self::NonNegative => number >= 0.0,
-                Self::Fraction => (0.0..1.0).contains(&number),
-                Self::Any => true,
-                Self::Interval { above, up_to } => number > above && number <= up_to,
-            }
-    }
-}
-
-impl fmt::Display for Range {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Positive => formatter.write_str("positive"),
-            Self::NonNegative => formatter.write_str("zero or positive"),
-            Self::Fraction => formatter.write_str("zero or positive, and below one"),
-            Self::Any => formatter.write_str("finite"),
-            Self::Interval { above, up_to } => {
-                write!(formatter, "above {} and at most {}", plain(*above), plain(*up_to))
-            }
-        }
     }
 }
 

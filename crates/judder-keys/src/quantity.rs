@@ -153,10 +153,10 @@ fn scale(number: f64, exponent: i32) -> f64 {
     if exponent < 0 { number / 10_f64.powi(-exponent) } else { number * 10_f64.powi(exponent) }
 }
 
-type Placed<T> = Result<T, (QuantityError, Range<usize>)>;
+type PlacedResult<T> = Result<T, (QuantityError, Range<usize>)>;
 
 /// Reads a whole unit: factor, power of ten, dimension.
-fn parse_unit(text: &str) -> Placed<(f64, i32, Dimension)> {
+fn parse_unit(text: &str) -> PlacedResult<(f64, i32, Dimension)> {
     let (mut factor, mut exponent, mut dimension) = (1.0, 0, Dimension::NUMBER);
     let (mut divides, mut wants_unit, mut first) = (false, false, true);
     let mut at = 0;
@@ -197,7 +197,7 @@ fn parse_unit(text: &str) -> Placed<(f64, i32, Dimension)> {
 }
 
 /// Splits the factor that begins `text` into its word, its power, and the length of both.
-fn split_factor(text: &str) -> Placed<(&str, i8, usize)> {
+fn split_factor(text: &str) -> PlacedResult<(&str, i8, usize)> {
     let is_word = |character: char| character.is_alphabetic() || character == '°';
     let word = match text.strip_prefix('1') {
         Some(_) => 1,

@@ -34,12 +34,12 @@ pub(crate) fn name_of(path: &str) -> &str {
 }
 
 /// The range of a sweep, for searches and continuation.
-pub(crate) fn range<K>(sweep: &Sweep<K>) -> critical::Range {
+pub(crate) fn range<K>(sweep: &Sweep<K>) -> critical::ParameterRange {
     let scale = match sweep.scale {
-        Scale::Linear => critical::Scale::Linear,
-        Scale::Log => critical::Scale::Logarithmic,
+        Scale::Linear => critical::RangeScale::Linear,
+        Scale::Log => critical::RangeScale::Logarithmic,
     };
-    critical::Range { from: sweep.from, to: sweep.to, scale }
+    critical::ParameterRange { from: sweep.from, to: sweep.to, scale }
 }
 
 /// The curves of an analysis: one operating point to start from for each value of the family, or one alone.

@@ -3,7 +3,7 @@
 use crate::contact::shape::{HeightFile, RoughSurface, Roughness, Shape};
 use crate::error::ModelError;
 use judder_contact::indenter::{
-    HeightMap, RoughSurface as Generator, Roughness as Measure, Shape as Surface,
+    HeightMap, IndenterShape as Surface, RoughSurface as Generator, Roughness as Measure,
 };
 use judder_contact::law::LawIndenter;
 use judder_contact::steady::profile::Profile;

@@ -12,6 +12,7 @@
 //! - [`sampling`]: points that fill a cube evenly: Sobol' sequences, Latin hypercubes.
 //! - [`sensitivity`]: Sobol' indices of first order and total, with confidence intervals.
 //! - [`signal`]: sampled histories: decimation, resampling, spectrograms, bursts.
+//! - [`stopping`]: long computations that may be stopped.
 //! - [`words`]: numbers in sentences.
 //!
 //! What a library does is called, not wrapped; these stand here because no library gives them in this form.
@@ -28,4 +29,5 @@ pub mod root;
 pub mod sampling;
 pub mod sensitivity;
 pub mod signal;
+pub mod stopping;
 pub mod words;

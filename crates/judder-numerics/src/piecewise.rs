@@ -18,8 +18,8 @@ mod stiffness;
 pub mod tangent;
 
 pub use error::MarchError;
-pub use leg::{Advance, Crossing, Leg, Plane};
-pub use march::{March, Settings};
+pub use leg::{Advance, GuardCrossing, Leg, SectionPlane};
+pub use march::{PiecewiseMarch, StepSettings};
 
 use std::fmt::Debug;
 

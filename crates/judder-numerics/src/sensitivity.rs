@@ -149,7 +149,7 @@ struct Rows {
 }
 
 /// What one selection of rows gives.
-struct Estimate {
+struct SelectionEstimate {
     first: Vec<f64>,
     total: Vec<f64>,
     mean: f64,
@@ -169,7 +169,7 @@ impl Rows {
     }
 
     /// The indices of these rows, each counted as often as it is named.
-    fn estimate(&self, selected: impl Iterator<Item = usize> + Clone) -> Estimate {
+    fn estimate(&self, selected: impl Iterator<Item = usize> + Clone) -> SelectionEstimate {
         let row = |k: usize| &self.values[k * (self.inputs + 2)..(k + 1) * (self.inputs + 2)];
         let (mut sum, mut count) = (0.0, 0.0);
         for values in selected.clone().map(row) {
@@ -190,11 +190,11 @@ impl Rows {
         // every sum of the products is over half as many rows as the squares
         first.iter_mut().for_each(|sum| *sum *= 2.0 / squares);
         total.iter_mut().for_each(|sum| *sum /= squares);
-        Estimate { first, total, mean, variance: squares / count }
+        SelectionEstimate { first, total, mean, variance: squares / count }
     }
 
     /// Estimates with the quantiles of resamples as their intervals.
-    fn intervals(&self, estimate: &Estimate, bootstrap: &Bootstrap) -> (Vec<Index>, Vec<Index>) {
+    fn intervals(&self, estimate: &SelectionEstimate, bootstrap: &Bootstrap) -> (Vec<Index>, Vec<Index>) {
         let (mut first, mut total) = (vec![Vec::new(); self.inputs], vec![Vec::new(); self.inputs]);
         for resample in 0..bootstrap.resamples {
             let stream = counter::bits(bootstrap.seed, resample as u64);

@@ -2,7 +2,7 @@
 //! side of `benches/compare_motion.py`.
 
 use judder_contact::{FittedLaw, Law};
-use judder_numerics::piecewise::{March, PiecewiseSmooth, Settings};
+use judder_numerics::piecewise::{PiecewiseMarch, PiecewiseSmooth, StepSettings};
 use judder_oscillator::cycle::shooting::{Shooting, from_simulation};
 use judder_oscillator::motion::attractor::Patience;
 use judder_oscillator::motion::{SlidingSystem, StickSlip};
@@ -24,7 +24,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         Groups { normal_load: 7.5e-4, velocity: 4e-4, shear_strength: SHEAR_STRENGTH, ..Groups::default() };
     let system = StickSlip::new(contact, groups.coefficients()?)?;
     let rest = system.steady_sliding();
-    let settings = |tolerance: f64| Settings {
+    let settings = |tolerance: f64| StepSettings {
         relative: tolerance,
         absolute: [tolerance; 4],
         longest_step: 1.0,
@@ -34,8 +34,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let disturbed = [1.2 * rest[0], rest[1], rest[2], rest[3]];
     let start = from_simulation(&system, disturbed, &shooting, &Patience::default(), &|| false)?.start;
     let lap = || -> Result<_, Box<dyn Error>> {
-        let mut march = March::new(&system, system.contact_state(&start), start, settings(TOLERANCE))?
-            .with_section(system.section());
+        let mut march =
+            PiecewiseMarch::new(&system, system.contact_state(&start), start, settings(TOLERANCE))?
+                .with_section(system.section());
         let mut changes = 0;
         loop {
             let advance = march.advance(f64::INFINITY)?;

@@ -3,7 +3,7 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use judder_contact::{FittedLaw, Law};
-use judder_numerics::piecewise::Settings;
+use judder_numerics::piecewise::StepSettings;
 use judder_oscillator::cycle::return_map::returned_state;
 use judder_oscillator::cycle::shooting::{Shooting, from_simulation, shoot};
 use judder_oscillator::cycle::{Continuation, CycleError, continue_branch, return_map};
@@ -24,7 +24,7 @@ fn section_5(shear_strength: f64) -> Result<StickSlip, CycleError> {
 
 fn shooting(system: &StickSlip, tolerance: f64) -> Shooting<4> {
     let absolute = system.scales().map(|scale| tolerance * scale);
-    let settings = Settings { relative: tolerance, absolute, longest_step: 1.0, steps: 10_000_000 };
+    let settings = StepSettings { relative: tolerance, absolute, longest_step: 1.0, steps: 10_000_000 };
     Shooting { settings, tolerance: 100.0 * tolerance, iterations: 20, longest: 1000.0 }
 }
 

@@ -10,7 +10,7 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use judder_oscillator::characteristic::Characteristic;
 use judder_oscillator::equilibrium::equilibrium;
 use judder_oscillator::linearisation::Linearisation;
-use judder_oscillator::map::{Plane, adaptive, every_point};
+use judder_oscillator::map::{OperatingPlane, adaptive, every_point};
 use judder_oscillator::spectrum::eigenvalues;
 use judder_oscillator::{Contact, FrictionLoad, Groups, Verdict};
 use panels::{panels, paper};

@@ -6,7 +6,7 @@
 
 use crate::characteristic::Characteristic;
 use crate::conservative::discriminant_share;
-use crate::equilibrium::{Balance, ln_indentation};
+use crate::equilibrium::{ForceBalance, ln_indentation};
 use crate::groups::Coefficients;
 use crate::linear_system::ReducedSystem;
 use crate::linearisation::Linearisation;
@@ -91,7 +91,7 @@ impl CoefficientLanes {
 
 /// A block of points: coefficients and guesses go in, indentations and classes come out, margins where they are asked for.
 #[derive(Debug, Clone)]
-pub struct Block {
+pub struct PointBlock {
     coefficients: CoefficientLanes,
     ln_velocity: Lanes,
     /// ln ŷ_e of each point: a guess before the decision (NaN for none), the solution after it.
@@ -99,13 +99,13 @@ pub struct Block {
     step: Lanes,
     class: Lanes,
     imbalance: Lanes,
-    /// The stability margin ([`Characteristic::margin`]) of each point, after [`Block::measure_margins`].
+    /// The stability margin ([`Characteristic::margin`]) of each point, after [`PointBlock::measure_margins`].
     pub margin: Lanes,
     /// The share of the discriminant ([`discriminant_share`]) of each point, likewise; negative where the undamped modes have merged.
     pub conservative_margin: Lanes,
 }
 
-impl Default for Block {
+impl Default for PointBlock {
     fn default() -> Self {
         let none = [f64::NAN; LANES];
         Self {
@@ -123,7 +123,7 @@ impl Default for Block {
 
 /// Logarithms of the speeds, once a decision.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2", "aarch64+neon"))]
-fn take_logarithms(block: &mut Block) {
+fn take_logarithms(block: &mut PointBlock) {
     for lane in 0..LANES {
         let at = ContactPoint::new(block.coefficients.velocity[lane], 1.0);
         block.coefficients.velocity[lane] = at.velocity;
@@ -133,13 +133,13 @@ fn take_logarithms(block: &mut Block) {
 
 /// One Newton step in ln ŷ of every point.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2", "aarch64+neon"))]
-fn iterate<L: ContactLaw>(law: &L, load: FrictionLoad, block: &mut Block) {
+fn iterate<L: ContactLaw>(law: &L, load: FrictionLoad, block: &mut PointBlock) {
     for lane in 0..LANES {
         let c = block.coefficients.get(lane);
         let at =
             ContactPoint::at_ln_indentation(c.velocity, block.ln_velocity[lane], block.ln_indentation[lane]);
         let response = law.evaluate(&at);
-        let step = Balance::new(load, &c, &at, &response).newton_step();
+        let step = ForceBalance::new(load, &c, &at, &response).newton_step();
         block.step[lane] = step;
         block.ln_indentation[lane] += step;
     }
@@ -147,7 +147,7 @@ fn iterate<L: ContactLaw>(law: &L, load: FrictionLoad, block: &mut Block) {
 
 /// Class and force balance of every point, at the indentations that stand in the block.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2", "aarch64+neon"))]
-fn classify<L: ContactLaw>(law: &L, load: FrictionLoad, block: &mut Block) {
+fn classify<L: ContactLaw>(law: &L, load: FrictionLoad, block: &mut PointBlock) {
     for lane in 0..LANES {
         let (balance, system) = linearise(law, load, block, lane);
         block.imbalance[lane] = balance.residual;
@@ -157,7 +157,7 @@ fn classify<L: ContactLaw>(law: &L, load: FrictionLoad, block: &mut Block) {
 
 /// Margins of every point, at the indentations that stand in the block.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2", "aarch64+neon"))]
-fn weigh<L: ContactLaw>(law: &L, load: FrictionLoad, block: &mut Block) {
+fn weigh<L: ContactLaw>(law: &L, load: FrictionLoad, block: &mut PointBlock) {
     for lane in 0..LANES {
         let (_, system) = linearise(law, load, block, lane);
         block.margin[lane] = Characteristic::new(&system).margin();
@@ -170,18 +170,18 @@ fn weigh<L: ContactLaw>(law: &L, load: FrictionLoad, block: &mut Block) {
 fn linearise<L: ContactLaw>(
     law: &L,
     load: FrictionLoad,
-    block: &Block,
+    block: &PointBlock,
     lane: usize,
-) -> (Balance, ReducedSystem) {
+) -> (ForceBalance, ReducedSystem) {
     let c = block.coefficients.get(lane);
     let at = ContactPoint::at_ln_indentation(c.velocity, block.ln_velocity[lane], block.ln_indentation[lane]);
     let response = law.evaluate(&at);
     let linearisation = Linearisation::new(load, &c, &response);
     let system = ReducedSystem { damping: linearisation.damping(), stiffness: linearisation.stiffness() };
-    (Balance::new(load, &c, &at, &response), system)
+    (ForceBalance::new(load, &c, &at, &response), system)
 }
 
-impl Block {
+impl PointBlock {
     /// Puts a point into a lane, with a guess of its ln ŷ_e (NaN for none).
     #[inline(always)]
     pub fn set(&mut self, lane: usize, coefficients: &Coefficients, ln_indentation: f64) {
@@ -297,7 +297,7 @@ mod tests {
             let points: Vec<Coefficients> = logs.iter().map(|(v, f, t)| Groups {
                 velocity: 10_f64.powf(*v), normal_load: 10_f64.powf(*f), shear_strength: 10_f64.powf(*t), ..Groups::default()
             }.coefficients().unwrap()).collect();
-            let mut block = Block::default();
+            let mut block = PointBlock::default();
             for (lane, c) in points.iter().enumerate() {
                 let exact = equilibrium(&contact, c).unwrap().ln_indentation;
                 block.set(lane, c, exact + guess);
@@ -320,7 +320,7 @@ mod tests {
 
     #[test]
     fn a_point_without_an_answer_is_unresolved() {
-        let mut block = Block::default();
+        let mut block = PointBlock::default();
         let good = Groups::default().coefficients().unwrap();
         block.set(0, &good, f64::NAN);
         block.set(1, &Coefficients { normal_load: f64::NAN, ..good }, f64::NAN);

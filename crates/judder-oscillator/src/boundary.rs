@@ -10,11 +10,11 @@ mod field;
 
 use crate::Contact;
 use crate::characteristic::Characteristic;
-use crate::critical::Range;
+use crate::critical::ParameterRange;
 use crate::groups::Coefficients;
 use crate::linear_system::ReducedSystem;
-use continuation::{Curve, Margin, follow};
-use field::{Field, grid_position, pairs_that_differ};
+use continuation::{BoundaryMargin, FollowedCurve, follow};
+use field::{BoundaryField, grid_position, pairs_that_differ};
 use judder_numerics::root::bracketed_root;
 
 /// Which system's boundary is followed.
@@ -42,7 +42,7 @@ pub struct BoundaryPoint {
 
 /// Where a boundary turns back.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Fold {
+pub enum BoundaryFold {
     /// In the first swept quantity.
     InX,
     /// In the second swept quantity.
@@ -51,7 +51,7 @@ pub enum Fold {
 
 /// Why a curve has an end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum End {
+pub enum BoundaryEnd {
     /// It closed on itself.
     Closed,
     /// Both ends left the plane.
@@ -66,9 +66,9 @@ pub struct Boundary {
     /// The points in order; a closed curve repeats its first point at the end.
     pub points: Vec<BoundaryPoint>,
     /// Indices of the points at which the curve turns back, and in which quantity.
-    pub folds: Vec<(usize, Fold)>,
+    pub folds: Vec<(usize, BoundaryFold)>,
     /// How it ends.
-    pub end: End,
+    pub end: BoundaryEnd,
 }
 
 /// Grid intervals along each side among which sign changes are looked for.
@@ -82,11 +82,11 @@ const SEED_INTERVALS: usize = 160;
 pub fn boundaries(
     contact: &Contact,
     condition: Condition,
-    x: &Range,
-    y: &Range,
+    x: &ParameterRange,
+    y: &ParameterRange,
     coefficients: &(dyn Fn(f64, f64) -> Coefficients + Sync),
 ) -> Vec<Boundary> {
-    let field = Field { contact, condition, x, y, coefficients };
+    let field = BoundaryField { contact, condition, x, y, coefficients };
     let curves = follow_all(&|position| field.margin(position), field.sign_changes(SEED_INTERVALS));
     curves.iter().map(|curve| field.boundary(curve)).collect()
 }
@@ -95,8 +95,8 @@ pub fn boundaries(
 /// their values. The indentation of the points is NaN. What can be missed is as for [`boundaries`].
 #[must_use]
 pub fn boundaries_of_system(
-    x: &Range,
-    y: &Range,
+    x: &ParameterRange,
+    y: &ParameterRange,
     system: &dyn Fn(f64, f64) -> Option<ReducedSystem>,
 ) -> Vec<Boundary> {
     let at = |position: [f64; 2]| system(x.value(position[0]), y.value(position[1]));
@@ -126,9 +126,9 @@ pub fn boundaries_of_system(
 }
 
 /// The curves through all seeds, each curve once.
-fn follow_all(margin: &Margin<'_>, seeds: Vec<[[f64; 2]; 2]>) -> Vec<Curve> {
+fn follow_all(margin: &BoundaryMargin<'_>, seeds: Vec<[[f64; 2]; 2]>) -> Vec<FollowedCurve> {
     let reach = 0.25 / SEED_INTERVALS as f64;
-    let mut curves: Vec<Curve> = Vec::new();
+    let mut curves: Vec<FollowedCurve> = Vec::new();
     for [a, b] in seeds {
         let between = |share: f64| [a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])];
         let Ok(share) = bracketed_root(|share| margin(between(share)), 0.0, 1.0, 1e-12) else { continue };
@@ -155,7 +155,7 @@ fn passes(curve: &[[f64; 2]], point: [f64; 2], reach: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::critical::{Scale, thresholds};
+    use crate::critical::{RangeScale, thresholds};
     use crate::{FrictionLoad, Groups};
     use judder_contact::{FittedLaw, Law};
 
@@ -163,14 +163,14 @@ mod tests {
         Contact { law: Law::Fitted(FittedLaw::oscillator_paper()), friction_load }
     }
 
-    fn logarithmic(from: f64, to: f64) -> Range {
-        Range { from, to, scale: Scale::Logarithmic }
+    fn logarithmic(from: f64, to: f64) -> ParameterRange {
+        ParameterRange { from, to, scale: RangeScale::Logarithmic }
     }
 
     #[test]
     fn the_boundary_of_a_general_system_is_the_closed_form() {
         // K = [[2, 1 − 4μ/3], [1, 2]], C = c I: the modes merge and lose stability at μ_H = 3/4 (1 + 2 c²) for equal damping
-        let linear = |from: f64, to: f64| Range { from, to, scale: Scale::Linear };
+        let linear = |from: f64, to: f64| ParameterRange { from, to, scale: RangeScale::Linear };
         let system = |friction: f64, damping: f64| {
             Some(ReducedSystem {
                 damping: [[damping, 0.0], [0.0, damping]],
@@ -179,7 +179,7 @@ mod tests {
         };
         let curves = boundaries_of_system(&linear(0.0, 1.5), &linear(0.01, 0.3), &system);
         assert_eq!(curves.len(), 1);
-        assert_eq!(curves[0].end, End::LeftPlane);
+        assert_eq!(curves[0].end, BoundaryEnd::LeftPlane);
         for p in &curves[0].points {
             // (c1 = c2 = c, D = 0): μ_H = (k12 + 2 c²)/k3 with r = (c1 k22 + c2 k11)/(c1 + c2) = 2
             assert!((p.x - 0.75 * (1.0 + 2.0 * p.y * p.y)).abs() < 1e-10, "{p:?}");
@@ -188,7 +188,7 @@ mod tests {
 
     #[test]
     fn a_straight_boundary_along_a_grid_line_is_one_curve_without_folds() {
-        let linear = |from: f64, to: f64| Range { from, to, scale: Scale::Linear };
+        let linear = |from: f64, to: f64| ParameterRange { from, to, scale: RangeScale::Linear };
         let undamped = |friction: f64, _: f64| {
             let stiffness = [[2.0, 1.0 - 4.0 / 3.0 * friction], [1.0, 2.0]];
             Some(ReducedSystem { damping: [[0.0; 2]; 2], stiffness })
@@ -196,7 +196,7 @@ mod tests {
         for to in [1.5, 1.4] {
             let curves = boundaries_of_system(&linear(0.0, to), &linear(0.0, 1.0), &undamped);
             assert_eq!(curves.len(), 1, "to {to}");
-            assert_eq!((curves[0].end, curves[0].folds.len()), (End::LeftPlane, 0));
+            assert_eq!((curves[0].end, curves[0].folds.len()), (BoundaryEnd::LeftPlane, 0));
             for p in &curves[0].points {
                 assert!((p.x - 0.75).abs() < 1e-12 && (p.frequency - 2_f64.sqrt()).abs() < 1e-6, "{p:?}");
             }
@@ -213,7 +213,7 @@ mod tests {
                 };
                 let curves = boundaries(&paper(load), Condition::Full, &x, &y, &at);
                 assert!(
-                    curves.iter().all(|c| c.end != End::Stalled && c.points.len() > 10),
+                    curves.iter().all(|c| c.end != BoundaryEnd::Stalled && c.points.len() > 10),
                     "{load:?} {coupling}"
                 );
             }
@@ -232,7 +232,7 @@ mod tests {
         let (x, y) = (logarithmic(1e-8, 1e2), logarithmic(1e-4, 1.0));
         let at = of_fig_9(1e-6);
         let curves = boundaries(&contact, Condition::Conservative, &x, &y, &at);
-        assert!(curves.iter().all(|c| c.end != End::Stalled));
+        assert!(curves.iter().all(|c| c.end != BoundaryEnd::Stalled));
         for p in curves.iter().flat_map(|c| &c.points).step_by(37) {
             let found = thresholds(&contact, &logarithmic(1e-5, 10.0), 300, |s| at(p.x, s)).conservative;
             let nearest = found.iter().map(|t| (t / p.y - 1.0).abs()).fold(f64::INFINITY, f64::min);
@@ -248,7 +248,7 @@ mod tests {
             for normal_load in [1e-6, 1e-3] {
                 let at = of_fig_9(normal_load);
                 let curves = boundaries(&contact, Condition::Full, &x, &y, &at);
-                assert!(curves.iter().all(|c| c.end != End::Stalled), "{load:?} {normal_load}");
+                assert!(curves.iter().all(|c| c.end != BoundaryEnd::Stalled), "{load:?} {normal_load}");
                 let positions: Vec<Vec<[f64; 2]>> = curves
                     .iter()
                     .map(|c| {

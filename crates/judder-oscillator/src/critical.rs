@@ -4,7 +4,7 @@
 //! strength grows). So the condition and the equilibrium are solved together, and all solutions in a range are returned.
 
 use crate::Contact;
-use crate::block::{Block, LANES};
+use crate::block::{LANES, PointBlock};
 use crate::characteristic::Characteristic;
 use crate::conservative::discriminant_share;
 use crate::equilibrium::equilibrium;
@@ -15,7 +15,7 @@ use judder_numerics::root::all_roots_from_values;
 
 /// How a range is divided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Scale {
+pub enum RangeScale {
     /// Evenly.
     Linear,
     /// Evenly in the logarithm; both ends positive.
@@ -25,16 +25,16 @@ pub enum Scale {
 
 /// The range of a quantity, with positions between 0 and 1 along it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Range {
+pub struct ParameterRange {
     /// The value at position 0.
     pub from: f64,
     /// The value at position 1.
     pub to: f64,
     /// How positions map to values.
-    pub scale: Scale,
+    pub scale: RangeScale,
 }
 
-impl Range {
+impl ParameterRange {
     /// The value at a position; exact at 0 and 1.
     #[must_use]
     pub fn value(&self, position: f64) -> f64 {
@@ -45,8 +45,8 @@ impl Range {
             return self.to;
         }
         match self.scale {
-            Scale::Linear => self.from + (self.to - self.from) * position,
-            Scale::Logarithmic => (self.from.ln() + (self.to.ln() - self.from.ln()) * position).exp(),
+            RangeScale::Linear => self.from + (self.to - self.from) * position,
+            RangeScale::Logarithmic => (self.from.ln() + (self.to.ln() - self.from.ln()) * position).exp(),
         }
     }
 }
@@ -65,7 +65,7 @@ pub struct Thresholds {
 /// The stability margin of the full system and the discriminant's share of the conservative one, at every position.
 fn margins(contact: &Contact, at: &impl Fn(f64) -> Coefficients, positions: &[f64]) -> (Vec<f64>, Vec<f64>) {
     let (mut full, mut conservative) = (Vec::new(), Vec::new());
-    let mut block = Block::default();
+    let mut block = PointBlock::default();
     let mut guess = f64::NAN;
     for positions in positions.chunks(LANES) {
         for (lane, position) in positions.iter().enumerate() {
@@ -94,7 +94,7 @@ fn reduced_system(contact: &Contact, c: &Coefficients) -> Option<ReducedSystem> 
 #[must_use]
 pub fn thresholds(
     contact: &Contact,
-    range: &Range,
+    range: &ParameterRange,
     samples: usize,
     coefficients: impl Fn(f64) -> Coefficients,
 ) -> Thresholds {
@@ -130,7 +130,7 @@ mod tests {
     fn self_consistent_thresholds_satisfy_eq_27() {
         let groups = Groups { velocity: 1e-4, normal_load: 7.5e-6, ..Groups::default() };
         let with = |shear_strength: f64| Groups { shear_strength, ..groups }.resolve();
-        let range = Range { from: 1e-6, to: 1e3, scale: Scale::Logarithmic };
+        let range = ParameterRange { from: 1e-6, to: 1e3, scale: RangeScale::Logarithmic };
         let found = thresholds(&paper(), &range, 400, with);
         assert!(!found.conservative.is_empty(), "{found:?}");
         for value in found.conservative {
@@ -145,7 +145,7 @@ mod tests {
     fn an_undamped_system_changes_stability_where_the_modes_merge() {
         let groups = Groups { damping_x: 0.0, damping_y: 0.0, ..Groups::default() };
         let contact = Contact { law: Law::Hertz(judder_contact::HertzLaw::default()), ..paper() };
-        let range = Range { from: 1e-6, to: 1e3, scale: Scale::Logarithmic };
+        let range = ParameterRange { from: 1e-6, to: 1e3, scale: RangeScale::Logarithmic };
         let found = thresholds(&contact, &range, 400, |s| Groups { shear_strength: s, ..groups }.resolve());
         assert!(!found.full.is_empty());
         for (a, b) in found.full.iter().zip(&found.conservative) {

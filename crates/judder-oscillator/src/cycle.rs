@@ -24,7 +24,7 @@ mod wandering;
 
 pub use birth::small_cycle;
 pub use confirmed::{Confirmed, settle_confirmed};
-pub use continuation::{Branch, BranchEnd, BranchPoint, Continuation, Fold, continue_branch};
+pub use continuation::{BranchEnd, BranchPoint, Continuation, CycleBranch, Fold, continue_branch};
 pub use error::CycleError;
 pub use exploration::{Exploration, Look, SearchEnd, explore};
 pub use margin::{GlobalMargin, global_margin};

@@ -32,7 +32,7 @@ pub struct Equilibrium {
 
 /// The balance of (15) with x̃ eliminated, at one indentation.
 #[derive(Clone, Copy)]
-pub(crate) struct Balance {
+pub(crate) struct ForceBalance {
     /// G, over F̃_n.
     pub(crate) residual: f64,
     /// The forces that carry the load, G + F̃_n, over F̃_n.
@@ -41,7 +41,7 @@ pub(crate) struct Balance {
     slope: f64,
 }
 
-impl Balance {
+impl ForceBalance {
     #[inline(always)]
     pub(crate) fn new(
         load: FrictionLoad,
@@ -105,10 +105,10 @@ struct Imbalance<'a> {
 }
 
 impl Imbalance<'_> {
-    fn at(&self, ln_indentation: f64) -> Balance {
+    fn at(&self, ln_indentation: f64) -> ForceBalance {
         let at = ContactPoint::at_ln_indentation(self.start.velocity, self.start.ln_velocity, ln_indentation);
         let response = self.contact.law.evaluate(&at);
-        Balance::new(self.contact.friction_load, self.coefficients, &at, &response)
+        ForceBalance::new(self.contact.friction_load, self.coefficients, &at, &response)
     }
 }
 

@@ -9,7 +9,7 @@
 //! in sum. For a real eigenvalue the imaginary part is empty; there the power balance λ = −(x̄ᵀCx + x̄ᵀKx/λ)/m is shared out.
 
 use crate::linear_system::LinearSystem;
-use crate::spectrum::Mode;
+use crate::spectrum::EigenMode;
 use num_complex::Complex64;
 
 /// What each matrix entry adds to the growth rate of a mode; all entries together sum to it.
@@ -50,8 +50,8 @@ fn form(a: &[[f64; 2]; 2], u: &[Complex64; 2], v: &[Complex64; 2]) -> Complex64 
 
 /// The shares of the growth rate (see the module's text for the equation).
 #[must_use]
-pub fn growth_shares(system: &LinearSystem, mode: &Mode) -> GrowthShares {
-    let Mode { eigenvalue, right: x, .. } = mode;
+pub fn growth_shares(system: &LinearSystem, mode: &EigenMode) -> GrowthShares {
+    let EigenMode { eigenvalue, right: x, .. } = mode;
     let conjugate = [x[0].conj(), x[1].conj()];
     let mass = form(&system.mass, &conjugate, x).re;
     let weight = |i: usize, j: usize| conjugate[i] * x[j];
@@ -70,8 +70,8 @@ pub fn growth_shares(system: &LinearSystem, mode: &Mode) -> GrowthShares {
 
 /// ∂λ/∂c_ij = −λ y_i x_j/N and ∂λ/∂k_ij = −y_i x_j/N with N = yᵀ(2λM + C)x; infinite where eigenvalues coincide.
 #[must_use]
-pub fn sensitivities(system: &LinearSystem, mode: &Mode) -> Sensitivities {
-    let Mode { eigenvalue, right: x, left: y } = mode;
+pub fn sensitivities(system: &LinearSystem, mode: &EigenMode) -> Sensitivities {
+    let EigenMode { eigenvalue, right: x, left: y } = mode;
     let norm = 2.0 * eigenvalue * form(&system.mass, y, x) + form(&system.damping, y, x);
     Sensitivities {
         damping: entries(|i, j| -eigenvalue * y[i] * x[j] / norm),

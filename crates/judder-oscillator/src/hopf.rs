@@ -9,11 +9,11 @@
 use crate::cycle::CycleError;
 use crate::motion::{ContactState, SlidingSystem};
 use judder_numerics::dense::{Triangles, eigenvalues};
+use judder_numerics::piecewise::tangent::SquareMatrix;
 use num_complex::Complex64;
 use std::array::from_fn;
 
-type Vector<const N: usize> = [Complex64; N];
-type Matrix<const N: usize> = [[f64; N]; N];
+type ComplexVector<const N: usize> = [Complex64; N];
 
 /// The critical mode of steady sliding and what the nonlinear terms do to it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,7 +25,7 @@ pub struct HopfPoint<const N: usize> {
     /// Re c₁ for a mode with |q_x| = 1: the growth rate per squared |z|.
     pub coefficient: f64,
     /// q, with q_x = 1 where the mode moves along x.
-    pub mode: Vector<N>,
+    pub mode: ComplexVector<N>,
 }
 
 impl<const N: usize> HopfPoint<N> {
@@ -70,7 +70,7 @@ pub fn hopf_point<const N: usize>(system: &impl SlidingSystem<N>) -> Result<Hopf
     let scales = system.scales();
     let place = system.steady_sliding();
     // in scaled components, so that one difference fits all
-    let jacobian = |moved: &[f64; N]| -> Matrix<N> {
+    let jacobian = |moved: &[f64; N]| -> SquareMatrix<N> {
         let state = from_fn(|i| place[i] + scales[i] * moved[i]);
         let raw = system.jacobian(ContactState::SlipBehind, &state);
         from_fn(|i| from_fn(|j| raw[i][j] * scales[j] / scales[i]))
@@ -83,7 +83,7 @@ pub fn hopf_point<const N: usize>(system: &impl SlidingSystem<N>) -> Result<Hopf
         .ok_or(CycleError::Singular)?;
     let frequency = critical.im;
     let mode = null_vector(&matrix, critical)?;
-    let transposed: Matrix<N> = from_fn(|i| from_fn(|j| matrix[j][i]));
+    let transposed: SquareMatrix<N> = from_fn(|i| from_fn(|j| matrix[j][i]));
     let left = null_vector(&transposed, critical)?;
     let mode = mode.map(|q| q / mode[0]);
     let cubic = cubic_coefficient(&jacobian, &matrix, frequency, &mode, &left)?;
@@ -103,7 +103,7 @@ pub fn hopf_point<const N: usize>(system: &impl SlidingSystem<N>) -> Result<Hopf
 pub fn growth_rate<const N: usize>(system: &impl SlidingSystem<N>) -> Result<f64, CycleError> {
     let scales = system.scales();
     let raw = system.jacobian(ContactState::SlipBehind, &system.steady_sliding());
-    let scaled: Matrix<N> = from_fn(|i| from_fn(|j| raw[i][j] * scales[j] / scales[i]));
+    let scaled: SquareMatrix<N> = from_fn(|i| from_fn(|j| raw[i][j] * scales[j] / scales[i]));
     Ok(eigenvalues(&scaled)?.iter().fold(f64::NEG_INFINITY, |largest, value| largest.max(value.re)))
 }
 
@@ -125,23 +125,23 @@ pub fn growth_slope(growth_rate_at: impl Fn(f64) -> Option<f64>, threshold: f64,
 
 /// c₁ = ½ ⟨p, C(q, q, q̄) − 2 B(q, A⁻¹ B(q, q̄)) + B(q̄, (2iω − A)⁻¹ B(q, q))⟩/⟨p, q⟩, with pᵀ for the left vector.
 fn cubic_coefficient<const N: usize>(
-    jacobian: &impl Fn(&[f64; N]) -> Matrix<N>,
-    matrix: &Matrix<N>,
+    jacobian: &impl Fn(&[f64; N]) -> SquareMatrix<N>,
+    matrix: &SquareMatrix<N>,
     frequency: f64,
-    mode: &Vector<N>,
-    left: &Vector<N>,
+    mode: &ComplexVector<N>,
+    left: &ComplexVector<N>,
 ) -> Result<Complex64, CycleError> {
     let (real, imaginary) = (mode.map(|q| q.re), mode.map(|q| q.im));
     let (first_real, second_real) = directional_derivatives(jacobian, matrix, &real);
     let (first_imaginary, second_imaginary) = directional_derivatives(jacobian, matrix, &imaginary);
     // B(q, ·) and B(q̄, ·)
-    let second_order = |sign: f64, v: &Vector<N>| -> Vector<N> {
+    let second_order = |sign: f64, v: &ComplexVector<N>| -> ComplexVector<N> {
         from_fn(|i| {
             (0..N).map(|j| Complex64::new(first_real[i][j], sign * first_imaginary[i][j]) * v[j]).sum()
         })
     };
     // C(q, q̄, ·) = C(r, r, ·) + C(s, s, ·)
-    let third_order: Vector<N> =
+    let third_order: ComplexVector<N> =
         from_fn(|i| (0..N).map(|j| (second_real[i][j] + second_imaginary[i][j]) * mode[j]).sum());
     let conjugate = mode.map(|q| q.conj());
     let mean_shift = solve(matrix, Complex64::ZERO, &second_order(1.0, &conjugate))?;
@@ -158,10 +158,10 @@ fn cubic_coefficient<const N: usize>(
 
 /// First and second derivative of the Jacobian along a real direction, by central differences extrapolated twice.
 fn directional_derivatives<const N: usize>(
-    jacobian: &impl Fn(&[f64; N]) -> Matrix<N>,
-    here: &Matrix<N>,
+    jacobian: &impl Fn(&[f64; N]) -> SquareMatrix<N>,
+    here: &SquareMatrix<N>,
     direction: &[f64; N],
-) -> (Matrix<N>, Matrix<N>) {
+) -> (SquareMatrix<N>, SquareMatrix<N>) {
     /// Of the scales: a few thousandths move the law smoothly and keep nine digits of its differences.
     const WIDEST: f64 = 8e-3;
     let size = direction.iter().fold(0.0, |largest: f64, d| largest.max(d.abs()));
@@ -172,8 +172,8 @@ fn directional_derivatives<const N: usize>(
         let width = width / size;
         let above = jacobian(&direction.map(|d| width * d));
         let below = jacobian(&direction.map(|d| -width * d));
-        let first: Matrix<N> = from_fn(|i| from_fn(|j| (above[i][j] - below[i][j]) / (2.0 * width)));
-        let second: Matrix<N> =
+        let first: SquareMatrix<N> = from_fn(|i| from_fn(|j| (above[i][j] - below[i][j]) / (2.0 * width)));
+        let second: SquareMatrix<N> =
             from_fn(|i| from_fn(|j| (above[i][j] - 2.0 * here[i][j] + below[i][j]) / (width * width)));
         (first, second)
     };
@@ -190,10 +190,10 @@ fn directional_derivatives<const N: usize>(
 
 /// The solution of (A − λ) v = right.
 fn solve<const N: usize>(
-    matrix: &Matrix<N>,
+    matrix: &SquareMatrix<N>,
     shift: Complex64,
-    right: &Vector<N>,
-) -> Result<Vector<N>, CycleError> {
+    right: &ComplexVector<N>,
+) -> Result<ComplexVector<N>, CycleError> {
     let size = 2 * N;
     let entries = (0..size * size)
         .map(|k| {
@@ -225,9 +225,12 @@ fn solve<const N: usize>(
 }
 
 /// The vector that A − λ nearly annihilates, by inverse iteration.
-fn null_vector<const N: usize>(matrix: &Matrix<N>, eigenvalue: Complex64) -> Result<Vector<N>, CycleError> {
+fn null_vector<const N: usize>(
+    matrix: &SquareMatrix<N>,
+    eigenvalue: Complex64,
+) -> Result<ComplexVector<N>, CycleError> {
     let beside = eigenvalue * (1.0 + 1e-9) + 1e-12;
-    let mut vector: Vector<N> = from_fn(|i| Complex64::new(1.0, 0.1 * i as f64));
+    let mut vector: ComplexVector<N> = from_fn(|i| Complex64::new(1.0, 0.1 * i as f64));
     for _ in 0..4 {
         vector = solve(matrix, beside, &vector)?;
         let length = vector.iter().fold(0.0, |sum, v| sum + v.norm_sqr()).sqrt();

@@ -16,7 +16,7 @@ pub use within_law::{LawStanding, within_law};
 const COARSE_INTERVALS: usize = 40;
 
 /// A rectangular grid of operating points: columns along the first swept quantity, rows along the second.
-pub trait Plane: Sync {
+pub trait OperatingPlane: Sync {
     /// Points along the first swept quantity.
     fn columns(&self) -> usize;
     /// Points along the second swept quantity.
@@ -58,7 +58,7 @@ impl SweptCoefficient {
     }
 }
 
-impl Plane for CoefficientPlane {
+impl OperatingPlane for CoefficientPlane {
     fn columns(&self) -> usize {
         self.x.1.len()
     }
@@ -113,7 +113,7 @@ impl StabilityMap {
 
 /// How a map decides its points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Method {
+pub enum DecisionMethod {
     /// On a coarse grid, then wherever neighbours differ.
     #[default]
     Adaptive,
@@ -123,10 +123,10 @@ pub enum Method {
 
 /// The stability map of a plane; the result does not depend on the number of threads.
 #[must_use]
-pub fn stability_map(contact: &Contact, plane: &impl Plane, method: Method) -> StabilityMap {
+pub fn stability_map(contact: &Contact, plane: &impl OperatingPlane, method: DecisionMethod) -> StabilityMap {
     match method {
-        Method::Adaptive => adaptive(contact, plane),
-        Method::EveryPoint => every_point(contact, plane),
+        DecisionMethod::Adaptive => adaptive(contact, plane),
+        DecisionMethod::EveryPoint => every_point(contact, plane),
     }
 }
 

@@ -21,12 +21,10 @@ pub mod smoothed;
 pub mod stick_slip;
 pub mod time_stepping;
 
-/// Asks, after every step of a long motion, whether it shall stop.
-pub type Interrupted<'a> = &'a (dyn Fn() -> bool + Sync);
-
 pub use belt::{BeltOscillator, FallingFriction};
 pub use equations::accelerations;
 pub use judder_numerics::contact_state::ContactState;
+pub use judder_numerics::stopping::Interrupted;
 pub use sliding_system::{Powers, SlidingSystem};
 pub use smoothed::Smoothed;
 pub use stick_slip::StickSlip;

@@ -42,7 +42,7 @@ pub fn leading(eigenvalues: &[Complex64; 4]) -> Complex64 {
 
 /// An eigenvalue with its right and left vectors: D x = 0, yᵀ D = 0 for D = λ² M + λ C + K, both of unit length.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Mode {
+pub struct EigenMode {
     /// λ.
     pub eigenvalue: Complex64,
     /// x.
@@ -64,11 +64,15 @@ fn null_vector(rows: [[Complex64; 2]; 2]) -> [Complex64; 2] {
 
 /// The vectors that belong to an eigenvalue.
 #[must_use]
-pub fn mode(system: &LinearSystem, eigenvalue: Complex64) -> Mode {
+pub fn mode(system: &LinearSystem, eigenvalue: Complex64) -> EigenMode {
     let LinearSystem { mass: m, damping: c, stiffness: k } = system;
     let entry = |i: usize, j: usize| (eigenvalue * m[i][j] + c[i][j]) * eigenvalue + k[i][j];
     let d = [[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]];
-    Mode { eigenvalue, right: null_vector(d), left: null_vector([[d[0][0], d[1][0]], [d[0][1], d[1][1]]]) }
+    EigenMode {
+        eigenvalue,
+        right: null_vector(d),
+        left: null_vector([[d[0][0], d[1][0]], [d[0][1], d[1][1]]]),
+    }
 }
 
 #[cfg(test)]
@@ -84,7 +88,7 @@ mod tests {
         };
         let values = eigenvalues(&system.reduced().unwrap()).unwrap();
         for value in values {
-            let Mode { right: x, left: y, .. } = mode(&system, value);
+            let EigenMode { right: x, left: y, .. } = mode(&system, value);
             for i in 0..2 {
                 let d = |i: usize, j: usize| {
                     (value * system.mass[i][j] + system.damping[i][j]) * value + system.stiffness[i][j]

@@ -4,7 +4,7 @@
 //! its own numbers do not show.
 
 use crate::Contact;
-use crate::critical::Range;
+use crate::critical::ParameterRange;
 use crate::equilibrium::equilibrium;
 use crate::groups::Coefficients;
 use crate::within_law::WithinLaw;
@@ -29,7 +29,7 @@ const HALVINGS: usize = 20;
 #[must_use]
 pub fn undecided(
     contact: &Contact,
-    range: &Range,
+    range: &ParameterRange,
     samples: usize,
     thresholds: [&[f64]; 2],
     coefficients: impl Fn(f64) -> Coefficients,

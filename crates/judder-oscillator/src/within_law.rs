@@ -145,10 +145,10 @@ fn each_moved(
     response: &ContactResponse,
     doubt: &ContactResponse,
 ) -> impl Iterator<Item = ContactResponse> + use<> {
-    type Number = fn(&mut WithDerivatives) -> &mut f64;
-    type Quantity = fn(&mut ContactResponse) -> &mut WithDerivatives;
-    const NUMBERS: [Number; 3] = [|q| &mut q.value, |q| &mut q.by_velocity, |q| &mut q.by_indentation];
-    const QUANTITIES: [Quantity; 3] = [|r| &mut r.force, |r| &mut r.area, |r| &mut r.friction];
+    type NumberOf = fn(&mut WithDerivatives) -> &mut f64;
+    type QuantityOf = fn(&mut ContactResponse) -> &mut WithDerivatives;
+    const NUMBERS: [NumberOf; 3] = [|q| &mut q.value, |q| &mut q.by_velocity, |q| &mut q.by_indentation];
+    const QUANTITIES: [QuantityOf; 3] = [|r| &mut r.force, |r| &mut r.area, |r| &mut r.friction];
     let (response, mut doubt) = (*response, *doubt);
     QUANTITIES.into_iter().flat_map(|quantity| NUMBERS.map(|number| (quantity, number))).map(
         move |(quantity, number)| {

@@ -91,9 +91,9 @@ pub(crate) fn short(value: f64) -> String {
 /// Some lines of the scoreboard as a block of the page, with the columns of these readings and their heads.
 pub(crate) fn block(lines: &[ClaimLine], columns: &[(usize, &str)]) -> page::Scoreboard {
     let verdict = |word: &str| match word {
-        "agrees" => page::Verdict::Agrees,
-        "misprint" => page::Verdict::Misprint,
-        _ => page::Verdict::Open,
+        "agrees" => page::ClaimVerdict::Agrees,
+        "misprint" => page::ClaimVerdict::Misprint,
+        _ => page::ClaimVerdict::Open,
     };
     let rows = lines.iter().map(|line| page::Claim {
         place: line.place.clone(),

@@ -1,8 +1,8 @@
 //! Where a legend fits inside a frame: the corner where it hides nothing, or the least.
 
-use crate::figure::{Corner, Direction, Layer, Legend, Panel};
-use crate::legend::{Entry, INSET, ROW, entry_width};
-use crate::scale::Placed;
+use crate::figure::{Corner, Layer, Legend, Panel, RuleDirection};
+use crate::legend::{INSET, LegendEntry, ROW, entry_width};
+use crate::scale::PlacedAxis;
 
 /// Between the box of a legend and the frame.
 const CLEAR: f64 = 6.0;
@@ -11,14 +11,14 @@ const HIDDEN: f64 = 3.0;
 
 /// A box inside a frame, measured from the frame's upper left corner.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Place {
+pub(crate) struct LegendBox {
     pub(crate) x: f64,
     pub(crate) y: f64,
     pub(crate) width: f64,
     pub(crate) height: f64,
 }
 
-impl Place {
+impl LegendBox {
     fn contains(&self, x: f64, y: f64) -> bool {
         (self.x..=self.x + self.width).contains(&x) && (self.y..=self.y + self.height).contains(&y)
     }
@@ -27,8 +27,8 @@ impl Place {
 /// A frame of some size with its axes.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Room<'a> {
-    pub(crate) x: &'a Placed,
-    pub(crate) y: &'a Placed,
+    pub(crate) x: &'a PlacedAxis,
+    pub(crate) y: &'a PlacedAxis,
     pub(crate) width: f64,
     pub(crate) height: f64,
 }
@@ -40,7 +40,7 @@ impl Room<'_> {
 }
 
 /// The box of a panel's legend; `None` where it has no entries, stands elsewhere, or would hide data.
-pub(crate) fn legend_box(panel: &Panel, room: Room<'_>, entries: &[Entry]) -> Option<Place> {
+pub(crate) fn legend_box(panel: &Panel, room: Room<'_>, entries: &[LegendEntry]) -> Option<LegendBox> {
     let widest = entries.iter().map(entry_width).reduce(f64::max)?;
     let (width, height) = (widest + 2.0 * INSET, entries.len() as f64 * ROW + 2.0 * INSET - 2.0);
     let (right, bottom) = (room.width - CLEAR - width, room.height - CLEAR - height);
@@ -51,7 +51,7 @@ pub(crate) fn legend_box(panel: &Panel, room: Room<'_>, entries: &[Entry]) -> Op
             Corner::BottomLeft => (CLEAR, bottom),
             Corner::BottomRight => (right, bottom),
         };
-        Place { x, y, width, height }
+        LegendBox { x, y, width, height }
     };
     match panel.legend {
         Legend::At(corner) => Some(at(corner)),
@@ -66,11 +66,11 @@ pub(crate) fn legend_box(panel: &Panel, room: Room<'_>, entries: &[Entry]) -> Op
 }
 
 /// Length of the curves and rules that a box would hide; a point counts as much as may be hidden.
-fn hidden(panel: &Panel, room: Room<'_>, place: &Place) -> f64 {
+fn hidden(panel: &Panel, room: Room<'_>, place: &LegendBox) -> f64 {
     panel.layers.iter().map(|layer| hidden_of_layer(layer, room, place)).sum()
 }
 
-fn hidden_of_layer(layer: &Layer, room: Room<'_>, place: &Place) -> f64 {
+fn hidden_of_layer(layer: &Layer, room: Room<'_>, place: &LegendBox) -> f64 {
     match layer {
         Layer::Line(line) => {
             let mut last = None;
@@ -90,11 +90,11 @@ fn hidden_of_layer(layer: &Layer, room: Room<'_>, place: &Place) -> f64 {
         }
         Layer::Rule(rule) => {
             let (from, to) = match rule.direction {
-                Direction::Vertical => {
+                RuleDirection::Vertical => {
                     let x = room.x.fraction(rule.value).map(|fraction| fraction * room.width);
                     (x.map(|x| (x, 0.0)), x.map(|x| (x, room.height)))
                 }
-                Direction::Horizontal => {
+                RuleDirection::Horizontal => {
                     let y = room.y.fraction(rule.value).map(|fraction| (1.0 - fraction) * room.height);
                     (y.map(|y| (0.0, y)), y.map(|y| (room.width, y)))
                 }
@@ -110,7 +110,7 @@ fn hidden_of_layer(layer: &Layer, room: Room<'_>, place: &Place) -> f64 {
 }
 
 /// Length of a segment inside a box, by samples two points apart.
-fn hidden_of_segment(from: (f64, f64), to: (f64, f64), place: &Place) -> f64 {
+fn hidden_of_segment(from: (f64, f64), to: (f64, f64), place: &LegendBox) -> f64 {
     let (dx, dy) = (to.0 - from.0, to.1 - from.1);
     let length = dx.hypot(dy).min(1e4);
     let samples = (length / 2.0).ceil().max(1.0);

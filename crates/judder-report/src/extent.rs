@@ -1,6 +1,6 @@
 //! What layers span, for axes that take their range from the data.
 
-use crate::figure::{Direction, Layer, Rule};
+use crate::figure::{Layer, Rule, RuleDirection};
 
 /// What a layer spans along x.
 pub(crate) fn abscissae(layer: &Layer) -> Box<dyn Iterator<Item = f64> + '_> {
@@ -12,7 +12,9 @@ pub(crate) fn abscissae(layer: &Layer) -> Box<dyn Iterator<Item = f64> + '_> {
         }
         Layer::Classes(map) => Box::new(map.x.iter().copied()),
         Layer::Values(map) => Box::new(map.x.iter().copied()),
-        Layer::Rule(Rule { direction: Direction::Vertical, value, .. }) => Box::new(std::iter::once(*value)),
+        Layer::Rule(Rule { direction: RuleDirection::Vertical, value, .. }) => {
+            Box::new(std::iter::once(*value))
+        }
         Layer::Rule(_) => Box::new(std::iter::empty()),
         Layer::Region(region) => Box::new(region.x.into_iter().flat_map(|(from, to)| [from, to])),
         Layer::Note(note) => Box::new(std::iter::once(note.x)),
@@ -28,7 +30,7 @@ pub(crate) fn ordinates(layer: &Layer) -> Box<dyn Iterator<Item = f64> + '_> {
         }
         Layer::Classes(map) => Box::new(map.y.iter().copied()),
         Layer::Values(map) => Box::new(map.y.iter().copied()),
-        Layer::Rule(Rule { direction: Direction::Horizontal, value, .. }) => {
+        Layer::Rule(Rule { direction: RuleDirection::Horizontal, value, .. }) => {
             Box::new(std::iter::once(*value))
         }
         Layer::Rule(_) => Box::new(std::iter::empty()),

@@ -142,7 +142,7 @@ pub enum Layer {
     /// A horizontal or vertical reference line across the frame.
     Rule(Rule),
     /// A shaded rectangle or band.
-    Region(Region),
+    Region(ShadedRegion),
     /// A short text at a place.
     Note(Note),
 }
@@ -194,12 +194,12 @@ impl Layer {
 
     /// A thin vertical line at `x = value`.
     pub fn vertical_rule(value: f64, label: impl Into<String>) -> Self {
-        Self::Rule(Rule { direction: Direction::Vertical, value, label: label.into() })
+        Self::Rule(Rule { direction: RuleDirection::Vertical, value, label: label.into() })
     }
 
     /// A thin horizontal line at `y = value`.
     pub fn horizontal_rule(value: f64, label: impl Into<String>) -> Self {
-        Self::Rule(Rule { direction: Direction::Horizontal, value, label: label.into() })
+        Self::Rule(Rule { direction: RuleDirection::Horizontal, value, label: label.into() })
     }
 
     /// A short text whose left end stands at (`x`, `y`).
@@ -285,7 +285,7 @@ pub struct ValueMap {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[allow(missing_docs)]
 #[serde(rename_all = "kebab-case")]
-pub enum Direction {
+pub enum RuleDirection {
     Horizontal,
     Vertical,
 }
@@ -294,7 +294,7 @@ pub enum Direction {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Rule {
     /// Which way it runs.
-    pub direction: Direction,
+    pub direction: RuleDirection,
     /// Where it crosses the other axis.
     pub value: f64,
     /// Text along the line; may be empty.
@@ -303,7 +303,7 @@ pub struct Rule {
 
 /// A shaded band or rectangle.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Region {
+pub struct ShadedRegion {
     /// Legend text; empty for none.
     pub label: String,
     /// From and to along x; `None` for the whole width.

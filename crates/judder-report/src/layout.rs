@@ -1,12 +1,12 @@
 //! Where everything stands: frames, axes, legends and colour bars of a figure, in points (1/72 inch).
 
 use crate::axis::{Axis, Scale};
-use crate::corner::{Place, Room, legend_box};
+use crate::corner::{LegendBox, Room, legend_box};
 use crate::extent::{abscissae, ordinates};
 use crate::figure::{Figure, Layer, Legend, Panel, ValueMap};
-use crate::legend::{self, Entry};
+use crate::legend::{self, LegendEntry};
 use crate::palette::ColourMap;
-use crate::scale::Placed;
+use crate::scale::PlacedAxis;
 use crate::second_axis::{self, DrawnSecond};
 use crate::ticks::{Ticks, named, thin_labels, ticks};
 use crate::typeface::{SMALL_SIZE, width};
@@ -35,7 +35,7 @@ pub(crate) struct Frame {
 /// An axis with its range and ticks settled.
 #[derive(Debug, Clone)]
 pub(crate) struct DrawnAxis {
-    pub(crate) placed: Placed,
+    pub(crate) placed: PlacedAxis,
     pub(crate) ticks: Ticks,
     /// Markup, with the power of ten that the tick labels leave out.
     pub(crate) label: String,
@@ -57,7 +57,7 @@ pub(crate) struct DrawnPanel {
     /// Widest tick label of the vertical axis.
     pub(crate) tick_width: f64,
     /// The legend inside the frame, measured from the frame's upper left corner.
-    pub(crate) legend: Option<Place>,
+    pub(crate) legend: Option<LegendBox>,
 }
 
 impl DrawnPanel {
@@ -82,7 +82,7 @@ pub(crate) struct Layout {
     pub(crate) height: f64,
     pub(crate) panels: Vec<DrawnPanel>,
     /// Entries of the common legend and where each begins.
-    pub(crate) legend: Vec<(Entry, f64, f64)>,
+    pub(crate) legend: Vec<(LegendEntry, f64, f64)>,
 }
 
 /// Room that a panel needs around its frame.
@@ -173,8 +173,8 @@ fn draw_panel(panel: &Panel, letter: String, width_of_frame: f64, height: f64) -
         (false, true) => (0.03, 0.05),
         (false, false) => (0.0, 0.05),
     };
-    let placed_x = Placed::new(&panel.x, panel.layers.iter().flat_map(abscissae), pad_x);
-    let placed_y = Placed::new(&panel.y, panel.layers.iter().flat_map(ordinates), pad_y);
+    let placed_x = PlacedAxis::new(&panel.x, panel.layers.iter().flat_map(abscissae), pad_x);
+    let placed_y = PlacedAxis::new(&panel.y, panel.layers.iter().flat_map(ordinates), pad_y);
     let mut ticks_x = axis_ticks(&panel.x, &placed_x, (width_of_frame / 30.0) as usize);
     let widest = widest_label(&ticks_x);
     thin_labels(&placed_x, &mut ticks_x, (widest + 5.0) / width_of_frame);
@@ -196,7 +196,7 @@ fn draw_panel(panel: &Panel, letter: String, width_of_frame: f64, height: f64) -
     }
 }
 
-fn axis_ticks(axis: &Axis, placed: &Placed, room: usize) -> Ticks {
+fn axis_ticks(axis: &Axis, placed: &PlacedAxis, room: usize) -> Ticks {
     if axis.names.is_empty() { ticks(placed, room) } else { named(placed, &axis.names) }
 }
 
@@ -216,13 +216,13 @@ fn bar_axis(map: &ValueMap, height: f64) -> DrawnAxis {
 }
 
 /// The range of values that the colours of a map span.
-pub(crate) fn bar_range(map: &ValueMap) -> Placed {
+pub(crate) fn bar_range(map: &ValueMap) -> PlacedAxis {
     let mirrored = map.colours == ColourMap::Diverging && map.bar.scale != Scale::Log;
     let values = map.z.iter().flat_map(|z| [*z, if mirrored { -z } else { *z }]);
-    Placed::new(&map.bar, values, 0.0)
+    PlacedAxis::new(&map.bar, values, 0.0)
 }
 
-fn drawn_axis(axis: &Axis, placed: Placed, ticks: Ticks) -> DrawnAxis {
+fn drawn_axis(axis: &Axis, placed: PlacedAxis, ticks: Ticks) -> DrawnAxis {
     let label = match ticks.exponent {
         Some(power) => format!("{} (×10^{{{}}})", axis.label, power.to_string().replace('-', "−")),
         None => axis.label.clone(),
@@ -253,8 +253,8 @@ fn room_around(panel: &DrawnPanel) -> Around {
 /// Gives panels their legends inside; the entries of those that stand below are returned, each once.
 ///
 /// One legend without room inside sends all of them below, so that nothing is explained twice.
-fn place_legends(figure: &Figure, panels: &mut [DrawnPanel]) -> Vec<Entry> {
-    let entries: Vec<Vec<Entry>> = figure.panels.iter().map(legend::entries).collect();
+fn place_legends(figure: &Figure, panels: &mut [DrawnPanel]) -> Vec<LegendEntry> {
+    let entries: Vec<Vec<LegendEntry>> = figure.panels.iter().map(legend::entries).collect();
     let mut crowded = false;
     for ((panel, drawn), entries) in figure.panels.iter().zip(panels.iter_mut()).zip(&entries) {
         let Frame { width, height, .. } = drawn.frame;
@@ -276,7 +276,12 @@ fn place_legends(figure: &Figure, panels: &mut [DrawnPanel]) -> Vec<Entry> {
 }
 
 /// Sets entries in rows from `left` to `right`, the first row under `top`; also the lower end of the last row.
-fn legend_rows(entries: Vec<Entry>, left: f64, right: f64, top: f64) -> (Vec<(Entry, f64, f64)>, f64) {
+fn legend_rows(
+    entries: Vec<LegendEntry>,
+    left: f64,
+    right: f64,
+    top: f64,
+) -> (Vec<(LegendEntry, f64, f64)>, f64) {
     const BETWEEN: f64 = 14.0;
     let (mut x, mut y, mut end) = (left, top, top - GUTTER);
     let mut placed = Vec::with_capacity(entries.len());

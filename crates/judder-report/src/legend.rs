@@ -15,41 +15,45 @@ pub(crate) const INSET: f64 = 4.0;
 
 /// A label with the samples that it explains.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Entry {
+pub(crate) struct LegendEntry {
     pub(crate) label: String,
     pub(crate) line: Option<Style>,
     pub(crate) marker: Option<Style>,
     pub(crate) area: Option<Role>,
 }
 
-impl Entry {
+impl LegendEntry {
     fn new(label: &str) -> Self {
         Self { label: label.to_owned(), line: None, marker: None, area: None }
     }
 }
 
 /// The entries of a panel, in the order of its layers; layers of the same label share one.
-pub(crate) fn entries(panel: &Panel) -> Vec<Entry> {
+pub(crate) fn entries(panel: &Panel) -> Vec<LegendEntry> {
     merge(panel.layers.iter().flat_map(layer_entries))
 }
 
-fn layer_entries(layer: &Layer) -> Vec<Entry> {
+fn layer_entries(layer: &Layer) -> Vec<LegendEntry> {
     match layer {
-        Layer::Line(line) => vec![Entry { line: Some(line.style), ..Entry::new(&line.label) }],
-        Layer::Points(points) => vec![Entry { marker: Some(points.style), ..Entry::new(&points.label) }],
+        Layer::Line(line) => vec![LegendEntry { line: Some(line.style), ..LegendEntry::new(&line.label) }],
+        Layer::Points(points) => {
+            vec![LegendEntry { marker: Some(points.style), ..LegendEntry::new(&points.label) }]
+        }
         Layer::Classes(map) => map
             .classes
             .iter()
-            .map(|class| Entry { area: Some(class.role), ..Entry::new(&class.label) })
+            .map(|class| LegendEntry { area: Some(class.role), ..LegendEntry::new(&class.label) })
             .collect(),
-        Layer::Region(region) => vec![Entry { area: Some(region.role), ..Entry::new(&region.label) }],
+        Layer::Region(region) => {
+            vec![LegendEntry { area: Some(region.role), ..LegendEntry::new(&region.label) }]
+        }
         Layer::Values(_) | Layer::Rule(_) | Layer::Note(_) => Vec::new(),
     }
 }
 
 /// Drops entries without a label and joins those with the same one.
-pub(crate) fn merge(entries: impl Iterator<Item = Entry>) -> Vec<Entry> {
-    let mut merged: Vec<Entry> = Vec::new();
+pub(crate) fn merge(entries: impl Iterator<Item = LegendEntry>) -> Vec<LegendEntry> {
+    let mut merged: Vec<LegendEntry> = Vec::new();
     for entry in entries.filter(|entry| !entry.label.is_empty()) {
         match merged.iter_mut().find(|known| known.label == entry.label) {
             Some(known) => {
@@ -64,6 +68,6 @@ pub(crate) fn merge(entries: impl Iterator<Item = Entry>) -> Vec<Entry> {
 }
 
 /// Width of an entry with its sample.
-pub(crate) fn entry_width(entry: &Entry) -> f64 {
+pub(crate) fn entry_width(entry: &LegendEntry) -> f64 {
     SAMPLE + SAMPLE_GAP + width(&entry.label, SMALL_SIZE)
 }

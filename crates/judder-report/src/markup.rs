@@ -6,7 +6,7 @@
 
 /// A piece of text set in one way.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Span {
+pub(crate) struct TextSpan {
     /// The characters.
     pub(crate) text: String,
     /// 0 on the line, −1 lowered, 1 raised, −2 lowered twice, …
@@ -19,7 +19,7 @@ pub(crate) struct Span {
 const DEEPEST: i8 = 2;
 
 /// Splits a label into spans.
-pub(crate) fn parse(label: &str) -> Vec<Span> {
+pub(crate) fn parse(label: &str) -> Vec<TextSpan> {
     let characters: Vec<char> = label.chars().collect();
     let mut spans = Vec::new();
     let mut text = String::new();
@@ -71,7 +71,7 @@ fn closes(rest: &[char]) -> bool {
 }
 
 /// Ends the piece of text that is being read.
-fn push(spans: &mut Vec<Span>, text: &mut String, open: &[i8], symbols: bool) {
+fn push(spans: &mut Vec<TextSpan>, text: &mut String, open: &[i8], symbols: bool) {
     let text = std::mem::take(text);
     if text.is_empty() {
         return;
@@ -80,7 +80,7 @@ fn push(spans: &mut Vec<Span>, text: &mut String, open: &[i8], symbols: bool) {
     let level = open.last().map_or(0, |sign| sign * depth);
     let italics = symbols && !(level != 0 && has_word(&text));
     if !italics {
-        spans.push(Span { text, level, italic: false });
+        spans.push(TextSpan { text, level, italic: false });
         return;
     }
     let mut run = String::new();
@@ -89,12 +89,12 @@ fn push(spans: &mut Vec<Span>, text: &mut String, open: &[i8], symbols: bool) {
         // a hat or tilde belongs to the letter before it
         let italic = if is_combining(character) { run_italic } else { is_symbol_letter(character) };
         if italic != run_italic && !run.is_empty() {
-            spans.push(Span { text: std::mem::take(&mut run), level, italic: run_italic });
+            spans.push(TextSpan { text: std::mem::take(&mut run), level, italic: run_italic });
         }
         run_italic = italic;
         run.push(character);
     }
-    spans.push(Span { text: run, level, italic: run_italic });
+    spans.push(TextSpan { text: run, level, italic: run_italic });
 }
 
 /// Two letters in a row make a word, which is an abbreviation and not a product.
@@ -117,7 +117,7 @@ pub(crate) fn html(label: &str) -> String {
     parse(label).into_iter().map(|span| span_html(&span)).collect()
 }
 
-fn span_html(span: &Span) -> String {
+fn span_html(span: &TextSpan) -> String {
     let depth = usize::from(span.level.unsigned_abs());
     let (open, close) = if span.level < 0 { ("<sub>", "</sub>") } else { ("<sup>", "</sup>") };
     // a number and its power of ten stay on one line

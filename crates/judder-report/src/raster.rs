@@ -2,12 +2,12 @@
 
 use crate::figure::{ClassMap, ValueMap};
 use crate::palette::{Colour, Role};
-use crate::scale::Placed;
+use crate::scale::PlacedAxis;
 use base64::{Engine, engine::general_purpose::STANDARD};
 
 /// A picture and where it stands, as fractions of the frame (0 at the left and lower ends, 1 at the others).
 #[derive(Debug, Clone)]
-pub(crate) struct Picture {
+pub(crate) struct MapPicture {
     /// `data:image/png;base64,…`
     pub(crate) address: String,
     pub(crate) across: (f64, f64),
@@ -18,7 +18,7 @@ pub(crate) struct Picture {
 const RESAMPLED: usize = 2048;
 
 /// The picture of a class map; unresolved cells are clear, so that the hatch under the picture shows.
-pub(crate) fn classes(map: &ClassMap, x: &Placed, y: &Placed) -> Option<Picture> {
+pub(crate) fn classes(map: &ClassMap, x: &PlacedAxis, y: &PlacedAxis) -> Option<MapPicture> {
     let palette: Vec<[u8; 4]> =
         map.classes.iter().map(|class| opaque_unless_unresolved(class.role)).collect();
     picture(&map.x, &map.y, x, y, &palette, |cell| map.codes.get(cell).copied().unwrap_or(0))
@@ -31,13 +31,13 @@ fn opaque_unless_unresolved(role: Role) -> [u8; 4] {
 
 /// Cells of one class that stand in one column, one on the other, as fractions of the frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Block {
+pub(crate) struct ClassColumn {
     pub(crate) across: (f64, f64),
     pub(crate) up: (f64, f64),
 }
 
 /// All cells of a class map that have this meaning.
-pub(crate) fn blocks(map: &ClassMap, role: Role, x: &Placed, y: &Placed) -> Vec<Block> {
+pub(crate) fn blocks(map: &ClassMap, role: Role, x: &PlacedAxis, y: &PlacedAxis) -> Vec<ClassColumn> {
     let (Some(across), Some(up)) = (columns(&map.x, x), columns(&map.y, y)) else { return Vec::new() };
     let has_role = |column: usize, row: usize| {
         let code = map.codes.get(row * map.x.len() + column);
@@ -63,7 +63,9 @@ pub(crate) fn blocks(map: &ClassMap, role: Role, x: &Placed, y: &Placed) -> Vec<
         let span = (edge(&across, first), edge(&across, first + alike.len()));
         first += alike.len();
         blocks.extend(
-            alike[0].iter().map(|(from, to)| Block { across: span, up: (edge(&up, *from), edge(&up, *to)) }),
+            alike[0]
+                .iter()
+                .map(|(from, to)| ClassColumn { across: span, up: (edge(&up, *from), edge(&up, *to)) }),
         );
     }
     blocks
@@ -73,7 +75,7 @@ pub(crate) fn blocks(map: &ClassMap, role: Role, x: &Placed, y: &Placed) -> Vec<
 const NO_VALUE: u8 = 255;
 
 /// The picture of a value map in 255 shades over the range of its colour bar; cells without a value are clear.
-pub(crate) fn values(map: &ValueMap, x: &Placed, y: &Placed, bar: &Placed) -> Option<Picture> {
+pub(crate) fn values(map: &ValueMap, x: &PlacedAxis, y: &PlacedAxis, bar: &PlacedAxis) -> Option<MapPicture> {
     let shades = f64::from(NO_VALUE) - 1.0;
     let palette: Vec<[u8; 4]> = (0..=NO_VALUE)
         .map(|index| {
@@ -95,7 +97,7 @@ struct Columns {
 }
 
 /// `None` where there are no cells, or none in the frame.
-fn columns(centres: &[f64], axis: &Placed) -> Option<Columns> {
+fn columns(centres: &[f64], axis: &PlacedAxis) -> Option<Columns> {
     let places: Vec<f64> = centres.iter().filter_map(|centre| axis.fraction(*centre)).collect();
     let (first, last) = (*places.first()?, *places.last()?);
     if places.len() == 1 {
@@ -126,11 +128,11 @@ fn columns(centres: &[f64], axis: &Placed) -> Option<Columns> {
 fn picture(
     x: &[f64],
     y: &[f64],
-    axis_x: &Placed,
-    axis_y: &Placed,
+    axis_x: &PlacedAxis,
+    axis_y: &PlacedAxis,
     palette: &[[u8; 4]],
     index: impl Fn(usize) -> u8,
-) -> Option<Picture> {
+) -> Option<MapPicture> {
     let (across, up) = (columns(x, axis_x)?, columns(y, axis_y)?);
     // rows of a picture run down, those of a map up
     let pixels: Vec<u8> = up
@@ -141,7 +143,7 @@ fn picture(
         .map(index)
         .collect();
     let png = indexed_png(across.cells.len(), up.cells.len(), &pixels, palette).ok()?;
-    Some(Picture {
+    Some(MapPicture {
         address: format!("data:image/png;base64,{}", STANDARD.encode(png)),
         across: (across.from, across.to),
         up: (up.from, up.to),

@@ -7,13 +7,13 @@ const NARROWEST: f64 = 1e-10;
 
 /// An axis whose range is settled.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Placed {
+pub(crate) struct PlacedAxis {
     pub(crate) scale: Scale,
     pub(crate) from: f64,
     pub(crate) to: f64,
 }
 
-impl Placed {
+impl PlacedAxis {
     /// The axis over its own range, or over the finite values with `padding` (a share of the range) at both ends.
     pub(crate) fn new(axis: &Axis, values: impl Iterator<Item = f64>, padding: f64) -> Self {
         let scale = axis.scale;
@@ -105,7 +105,7 @@ mod tests {
 
     #[test]
     fn ends_stand_at_zero_and_one() {
-        let axis = Placed::new(&Axis::log(""), [1e-8, 1e2].into_iter(), 0.0);
+        let axis = PlacedAxis::new(&Axis::log(""), [1e-8, 1e2].into_iter(), 0.0);
         assert_eq!((axis.from, axis.to), (1e-8, 1e2));
         assert_eq!(axis.fraction(1e-8), Some(0.0));
         assert_eq!(axis.fraction(1e-3), Some(0.5));

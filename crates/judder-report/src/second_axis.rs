@@ -2,7 +2,7 @@
 
 use crate::axis::Scale;
 use crate::figure::SecondAxis;
-use crate::scale::Placed;
+use crate::scale::PlacedAxis;
 use crate::ticks::{Tick, thin_labels, ticks};
 
 /// A second scale with its ticks settled.
@@ -17,7 +17,7 @@ pub(crate) struct DrawnSecond {
 }
 
 /// The ticks over the range of the axis below it, for so many labels that need this share of the width each.
-pub(crate) fn drawn(second: &SecondAxis, below: &Placed, room: usize, share: f64) -> DrawnSecond {
+pub(crate) fn drawn(second: &SecondAxis, below: &PlacedAxis, room: usize, share: f64) -> DrawnSecond {
     let ends = [below.from, below.to].map(|x| interpolated(&second.x, &second.value, x));
     let [from, to] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
     let none = DrawnSecond { label: second.label.clone(), major: Vec::new(), minor: Vec::new() };
@@ -25,7 +25,7 @@ pub(crate) fn drawn(second: &SecondAxis, below: &Placed, room: usize, share: f64
     if !from.is_finite() || to - from <= 1e-9 * from.abs().max(to.abs()) {
         return none;
     }
-    let placed = Placed { scale: Scale::Linear, from, to };
+    let placed = PlacedAxis { scale: Scale::Linear, from, to };
     let mut marks = ticks(&placed, room);
     thin_labels(&placed, &mut marks, share);
     let abscissa = |value: f64| inverse(second, value).filter(|x| below.contains(*x));
@@ -42,7 +42,7 @@ pub(crate) fn drawn(second: &SecondAxis, below: &Placed, room: usize, share: f64
 }
 
 /// Takes the labels from ticks that stand too close, where the second scale runs slowly.
-fn apart(ticks: impl Iterator<Item = Tick>, below: &Placed, share: f64) -> Vec<Tick> {
+fn apart(ticks: impl Iterator<Item = Tick>, below: &PlacedAxis, share: f64) -> Vec<Tick> {
     let mut ticks: Vec<Tick> = ticks.collect();
     ticks.sort_by(|a, b| a.value.total_cmp(&b.value));
     let mut taken = f64::NEG_INFINITY;
@@ -79,7 +79,7 @@ mod tests {
         SecondAxis { label: "Position $s$ (mm)".to_owned(), x, value }
     }
 
-    const BELOW: Placed = Placed { scale: Scale::Linear, from: 0.0, to: 2.0 };
+    const BELOW: PlacedAxis = PlacedAxis { scale: Scale::Linear, from: 0.0, to: 2.0 };
 
     #[test]
     fn ticks_stand_where_the_values_are() {

@@ -5,7 +5,7 @@ use crate::axis::{Axis, Scale};
 use crate::palette::{
     Colour, ColourMap, DASH_CYCLE, Dash, GRADED_END, INK, MARKER_CYCLE, QUALITATIVE, QUIET, Role, Style,
 };
-use crate::scale::Placed;
+use crate::scale::PlacedAxis;
 use crate::ticks::ticks;
 use serde_json::{Map, Value, json};
 use std::path::Path;
@@ -134,7 +134,7 @@ fn the_marks_with_which_those_of_the_chart_are_compared_are_these() {
         .flat_map(|(scale, from, to)| [3, 6, 11].map(|room| (scale, from, to, room)))
         .map(|(scale, from, to, room)| {
             let axis = Axis { scale, ..Axis::linear("") }.with_range(from, to);
-            let ticks = ticks(&Placed::new(&axis, std::iter::empty(), 0.0), room);
+            let ticks = ticks(&PlacedAxis::new(&axis, std::iter::empty(), 0.0), room);
             let major: Vec<(f64, &str)> =
                 ticks.major.iter().map(|tick| (tick.value, tick.label.as_str())).collect();
             let (minor, exponent) = (&ticks.minor, ticks.exponent);

@@ -1,7 +1,7 @@
 //! Ticks: where an axis is marked, and what stands at the marks.
 
 use crate::axis::Scale;
-use crate::scale::{Placed, stretch};
+use crate::scale::{PlacedAxis, stretch};
 
 /// A long tick.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,14 +21,14 @@ pub(crate) struct Ticks {
 }
 
 /// The ticks of an axis with names: one each.
-pub(crate) fn named(axis: &Placed, names: &[(f64, String)]) -> Ticks {
+pub(crate) fn named(axis: &PlacedAxis, names: &[(f64, String)]) -> Ticks {
     let named = names.iter().map(|(value, label)| Tick { value: *value, label: label.clone() });
     let major = named.filter(|tick| axis.contains(tick.value)).collect();
     Ticks { major, minor: Vec::new(), exponent: None }
 }
 
 /// Ticks of an axis that has room for about `room` labels (at least 2).
-pub(crate) fn ticks(axis: &Placed, room: usize) -> Ticks {
+pub(crate) fn ticks(axis: &PlacedAxis, room: usize) -> Ticks {
     let room = room.max(2);
     let shown = |mut ticks: Ticks| {
         ticks.major.retain(|tick| axis.contains(tick.value));
@@ -181,7 +181,7 @@ fn scientific(value: f64) -> String {
 }
 
 /// Labels of neighbouring ticks need this share of the axis between them, or the later one goes.
-pub(crate) fn thin_labels(axis: &Placed, ticks: &mut Ticks, share: f64) {
+pub(crate) fn thin_labels(axis: &PlacedAxis, ticks: &mut Ticks, share: f64) {
     let at = |value: f64| {
         let (first, last) = (stretch(axis.scale, axis.from), stretch(axis.scale, axis.to));
         (stretch(axis.scale, value) - first) / (last - first)
@@ -206,7 +206,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn labels(axis: Axis, from: f64, to: f64, room: usize) -> Vec<String> {
-        let placed = Placed::new(&axis.with_range(from, to), std::iter::empty(), 0.0);
+        let placed = PlacedAxis::new(&axis.with_range(from, to), std::iter::empty(), 0.0);
         ticks(&placed, room).major.into_iter().map(|tick| tick.label).collect()
     }
 
@@ -236,7 +236,7 @@ mod tests {
     #[test]
     fn names_stand_in_place_of_numbers() {
         let axis = Axis::named("key", ["velocity".to_owned(), "load".to_owned()]);
-        let placed = Placed::new(&axis, std::iter::empty(), 0.0);
+        let placed = PlacedAxis::new(&axis, std::iter::empty(), 0.0);
         assert_eq!((placed.from, placed.to), (-0.5, 1.5));
         let ticks = named(&placed, &axis.names);
         let shown: Vec<(f64, &str)> =
@@ -261,7 +261,7 @@ mod tests {
             let axis = [Axis::linear(""), Axis::log(""), Axis::symmetric_log("", 10_f64.powi(part))][kind as usize].clone();
             let from = if kind == 1 { from.abs().max(1e-12) } else { from };
             let to = from + 10_f64.powf(exponent).max(1e-9 * from.abs());
-            let placed = Placed::new(&axis.with_range(from, to), std::iter::empty(), 0.0);
+            let placed = PlacedAxis::new(&axis.with_range(from, to), std::iter::empty(), 0.0);
             let ticks = ticks(&placed, room);
             let values: Vec<f64> = ticks.major.iter().map(|tick| tick.value).collect();
             prop_assert!(values.windows(2).all(|pair| pair[0] < pair[1]), "{:?}", values);

@@ -3,7 +3,7 @@
 //! Noto Sans with the mathematical signs of Noto Sans Math (SIL Open Font License, see `assets/fonts`): it places
 //! hats, tildes and dots over Latin and Greek letters, which most system fonts do not.
 
-use crate::markup::{self, Span};
+use crate::markup::{self, TextSpan};
 use skrifa::instance::{LocationRef, Size};
 use skrifa::{FontRef, MetadataProvider};
 
@@ -31,12 +31,12 @@ pub(crate) const RISE: f64 = 0.38;
 pub(crate) const FALL: f64 = 0.22;
 
 /// Size of a span in a label of this size.
-pub(crate) fn span_size(span: &Span, size: f64) -> f64 {
+pub(crate) fn span_size(span: &TextSpan, size: f64) -> f64 {
     size * SCRIPT.powi(i32::from(span.level.unsigned_abs()))
 }
 
 /// Height of a span's baseline above that of a label of this size.
-pub(crate) fn span_rise(span: &Span, size: f64) -> f64 {
+pub(crate) fn span_rise(span: &TextSpan, size: f64) -> f64 {
     let shift = if span.level < 0 { -FALL } else { RISE };
     (0..i32::from(span.level.unsigned_abs())).map(|depth| shift * size * SCRIPT.powi(depth)).sum()
 }
@@ -47,7 +47,7 @@ pub(crate) fn width(label: &str, size: f64) -> f64 {
 }
 
 /// Width of a span; the font is opened each time because that only reads its table directory.
-fn span_width(span: &Span, size: f64) -> f64 {
+fn span_width(span: &TextSpan, size: f64) -> f64 {
     // what an average letter takes, for the case that a glyph is missing
     const AVERAGE: f64 = 0.55;
     let Ok(font) = FontRef::new(if span.italic { ITALIC } else { REGULAR }) else {

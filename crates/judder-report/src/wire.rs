@@ -3,7 +3,7 @@
 use crate::error::ReportError;
 use crate::figure::{Figure, Layer};
 use crate::layout::{bar_range, layout};
-use crate::scale::Placed;
+use crate::scale::PlacedAxis;
 use crate::validate;
 use base64::{Engine, engine::general_purpose::STANDARD};
 use miniz_oxide::deflate::compress_to_vec;
@@ -36,7 +36,7 @@ pub fn json(figure: &Figure) -> Result<String, ReportError> {
         reason: error.to_string(),
     };
     let mut value = serde_json::to_value(settled(figure)).map_err(failed)?;
-    let mut arrays = Arrays::default();
+    let mut arrays = FigureArrays::default();
     arrays.take_from(&mut value);
     value["arrays"] = json!(arrays.taken);
     value["bytes"] = json!(STANDARD.encode(compress_to_vec(&arrays.bytes, LEVEL)));
@@ -49,7 +49,7 @@ pub fn json(figure: &Figure) -> Result<String, ReportError> {
 fn settled(figure: &Figure) -> Figure {
     let drawn = layout(figure).panels;
     let mut figure = figure.clone();
-    let range = |placed: &Placed| Some((placed.from, placed.to));
+    let range = |placed: &PlacedAxis| Some((placed.from, placed.to));
     for (panel, drawn) in figure.panels.iter_mut().zip(&drawn) {
         panel.x.range = range(&drawn.x.placed);
         panel.y.range = range(&drawn.y.placed);
@@ -64,14 +64,14 @@ fn settled(figure: &Figure) -> Figure {
 
 /// Arrays that have been taken out of a figure, each once.
 #[derive(Default)]
-struct Arrays {
+struct FigureArrays {
     /// Kinds and lengths.
     taken: Vec<(&'static str, usize)>,
     bytes: Vec<u8>,
     known: BTreeMap<(&'static str, Vec<u8>), usize>,
 }
 
-impl Arrays {
+impl FigureArrays {
     fn take_from(&mut self, value: &mut Value) {
         match value {
             Value::Array(items) if items.len() > SHORT && items.iter().all(is_number) => {

@@ -8,8 +8,8 @@ mod common;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use judder_sliding::dense_forms::ThreeField;
-use judder_sliding::locus::{Conditions, Configuration, Settings, contact, locus, spectrum};
-use judder_sliding::spectrum::Wanted;
+use judder_sliding::locus::{Conditions, Configuration, LocusSettings, contact, locus, spectrum};
+use judder_sliding::spectrum::WantedEigenvalues;
 use std::hint::black_box;
 use std::time::Duration;
 
@@ -30,12 +30,12 @@ fn whole(criterion: &mut Criterion) {
     let positions: Vec<f64> = (0..1000).map(|k| 0.010 + 0.0885 * f64::from(k) / 999.0).collect();
     for configuration in [Configuration::Undeformed, Configuration::Deformed] {
         let conditions = conditions(configuration);
-        let settings = Settings { conditions, count: COUNT, positions: positions.clone() };
+        let settings = LocusSettings { conditions, count: COUNT, positions: positions.clone() };
         group.bench_function(format!("1000 positions, {configuration:?}"), |bencher| {
             bencher.iter(|| black_box(locus(&pair, &settings).unwrap()));
         });
         group.bench_function(format!("one position, {configuration:?}"), |bencher| {
-            let wanted = Wanted::Lowest(COUNT);
+            let wanted = WantedEigenvalues::Lowest(COUNT);
             bencher.iter(|| black_box(spectrum(&pair, &conditions, 0.0742, wanted).unwrap()));
         });
     }

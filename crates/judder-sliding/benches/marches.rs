@@ -10,7 +10,7 @@ use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterio
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, Par};
 use judder_numerics::signal::Decimation;
-use judder_sliding::march::{March, MarchSettings, Method, Predictor, Sample};
+use judder_sliding::march::{ContactMethod, March, MarchSample, MarchSettings, Predictor};
 use judder_sliding::motion::{Motion, Ramps};
 use judder_sliding::pair::Pair;
 use judder_sliding::recorder::{Channel, Recorder};
@@ -30,10 +30,10 @@ fn steps(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("step of 243 modes");
     group.throughput(Throughput::Elements(STEPS)).sample_size(30);
     let methods = [
-        ("subs", Method::Subs { static_slope: false }, 3e-7),
-        ("ensubs", Method::EnSubs, 3e-7),
-        ("film", Method::Film, 3e-7),
-        ("residual-flexibility", Method::ResidualFlexibility { cut_off: 60e3 }, 3e-6),
+        ("subs", ContactMethod::Subs { static_slope: false }, 3e-7),
+        ("ensubs", ContactMethod::EnSubs, 3e-7),
+        ("film", ContactMethod::Film, 3e-7),
+        ("residual-flexibility", ContactMethod::ResidualFlexibility { cut_off: 60e3 }, 3e-6),
     ];
     for (name, method, step) in methods {
         let settings = MarchSettings { method, predictor: Predictor::WithForce, step, motion };
@@ -46,7 +46,7 @@ fn steps(criterion: &mut Criterion) {
                     march = start.clone();
                 }
                 march
-                    .advance(STEPS, &mut |sample: &Sample, a: &[f64]| sum += sample.normal_force + a[0])
+                    .advance(STEPS, &mut |sample: &MarchSample, a: &[f64]| sum += sample.normal_force + a[0])
                     .unwrap();
                 black_box(sum)
             });
@@ -78,7 +78,7 @@ fn steps(criterion: &mut Criterion) {
 /// EnSubs with what a study keeps of it, low-passed at 50 kHz and decimated to 400 kHz.
 fn recorded(group: &mut BenchmarkGroup<'_, WallTime>, pair: &Pair, motion: Motion) {
     let settings =
-        MarchSettings { method: Method::EnSubs, predictor: Predictor::WithForce, step: 3e-7, motion };
+        MarchSettings { method: ContactMethod::EnSubs, predictor: Predictor::WithForce, step: 3e-7, motion };
     let channels = [
         Channel::Acceleration(0),
         Channel::Velocity(0),

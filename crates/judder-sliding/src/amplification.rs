@@ -1,7 +1,7 @@
 //! What a zone of growth does to a vibration that passes through it.
 
 use crate::SlidingError;
-use crate::locus::{Conditions, Settings, characteristic, locus};
+use crate::locus::{Conditions, LocusSettings, characteristic, locus};
 use crate::pair::Pair;
 use crate::zones::Zone;
 use rayon::prelude::*;
@@ -35,7 +35,7 @@ pub fn amplifications(
     count: usize,
 ) -> Result<Vec<Amplification>, SlidingError> {
     let positions = vec![path[0].min(path[1]), path[0].max(path[1])];
-    let found = locus(pair, &Settings { conditions: *conditions, count, positions })?;
+    let found = locus(pair, &LocusSettings { conditions: *conditions, count, positions })?;
     let family = |position: f64| characteristic(pair, conditions, position);
     let of = |zone: Zone| {
         let width = zone.to - zone.from;

@@ -16,7 +16,7 @@ pub struct Body {
 
 /// A place of a structure with its displacements along x and y by mode, in 1/√kg; zero where it is held.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Point {
+pub struct ModalPoint {
     /// Where it lies undeformed, m.
     pub place: Vector,
     /// Rows of Φ along x and y.
@@ -52,7 +52,7 @@ impl Body {
     }
 }
 
-impl Point {
+impl ModalPoint {
     /// Whether every mode has its two finite entries.
     pub(crate) fn check(&self, modes: usize, name: &str) -> Result<(), SlidingError> {
         if let Some(row) = self.rows.iter().find(|row| row.len() != modes) {

@@ -21,7 +21,7 @@ const NONE: f64 = 1e-100;
 
 /// D(s) of one place of contact.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Characteristic {
+pub struct PairCharacteristic {
     /// 1 + m.
     order: usize,
     modes: usize,
@@ -46,8 +46,8 @@ pub struct Valued {
 
 /// D with the room that its evaluation needs: no evaluation allocates.
 #[derive(Debug, Clone)]
-pub struct Evaluator<'a> {
-    function: &'a Characteristic,
+pub struct CharacteristicEvaluator<'a> {
+    function: &'a PairCharacteristic,
     arch: Arch,
     inverses: Inverses,
     matrix: Vec<Complex64>,
@@ -62,7 +62,7 @@ struct Inverses {
     slope: [Vec<f64>; 2],
 }
 
-impl Characteristic {
+impl PairCharacteristic {
     /// That of a coupling, of λ_i in 1/s² and d_i in 1/s of all modes.
     ///
     /// # Errors
@@ -137,10 +137,10 @@ impl Characteristic {
 
     /// D, ready to be evaluated.
     #[must_use]
-    pub fn evaluator(&self) -> Evaluator<'_> {
+    pub fn evaluator(&self) -> CharacteristicEvaluator<'_> {
         let list = || vec![0.0; self.frequencies.len()];
         let square = vec![Complex64::ZERO; self.order * self.order];
-        Evaluator {
+        CharacteristicEvaluator {
             function: self,
             arch: Arch::new(),
             inverses: Inverses { value: [list(), list()], slope: [list(), list()] },
@@ -151,16 +151,16 @@ impl Characteristic {
     }
 }
 
-impl Evaluator<'_> {
+impl CharacteristicEvaluator<'_> {
     /// Of which function.
     #[must_use]
-    pub fn function(&self) -> &Characteristic {
+    pub fn function(&self) -> &PairCharacteristic {
         self.function
     }
 
     /// D and dD/ds at s; on a pole the value a rounding beside it.
     pub fn at(&mut self, s: Complex64) -> Valued {
-        let Characteristic { order, products, follows_velocity, .. } = self.function;
+        let PairCharacteristic { order, products, follows_velocity, .. } = self.function;
         self.arch.dispatch(Invert { s, function: self.function, inverses: &mut self.inverses });
         for (k, products) in products.iter().enumerate() {
             let [re, im, slope_re, slope_im] =
@@ -200,7 +200,7 @@ fn polynomial(s: Complex64, frequency: f64, damping: f64) -> [f64; 2] {
 /// Fills the inverses of all modes at s.
 struct Invert<'a> {
     s: Complex64,
-    function: &'a Characteristic,
+    function: &'a PairCharacteristic,
     inverses: &'a mut Inverses,
 }
 
@@ -325,7 +325,7 @@ mod tests {
     use crate::coupling::Feedback;
     use judder_numerics::counter::uniform;
 
-    fn random(order: usize, modes: usize) -> Characteristic {
+    fn random(order: usize, modes: usize) -> PairCharacteristic {
         let list = |seed: u64| (0..modes).map(|k| uniform(seed, k as u64) - 0.5).collect::<Vec<_>>();
         let feedback = (1..order).map(|k| Feedback {
             row: list(2 * k as u64 + 2),
@@ -336,7 +336,7 @@ mod tests {
             Coupling { compatibility: list(0), equilibrium: list(1), feedback: feedback.collect() };
         let eigenvalues: Vec<f64> = (0..modes).map(|k| (k * k) as f64).collect();
         let damping: Vec<f64> = (0..modes).map(|k| 0.01 * uniform(99, k as u64)).collect();
-        Characteristic::new(&coupling, &eigenvalues, &damping).unwrap()
+        PairCharacteristic::new(&coupling, &eigenvalues, &damping).unwrap()
     }
 
     /// The determinant of the definition, summed in the plainest way for one feedback; the slope is that of a central difference.
@@ -367,7 +367,9 @@ mod tests {
     #[test]
     fn no_bit_depends_on_the_width_of_the_vectors() {
         let function = random(4, 43);
-        let by = |arch: Arch| Evaluator { arch, ..function.evaluator() }.at(Complex64::new(0.3, 2.4));
+        let by = |arch: Arch| {
+            CharacteristicEvaluator { arch, ..function.evaluator() }.at(Complex64::new(0.3, 2.4))
+        };
         let scalar = by(Arch::Scalar);
         assert!(crate::vectors::widths().into_iter().all(|arch| by(arch) == scalar));
     }
@@ -377,7 +379,7 @@ mod tests {
     fn poles_are_the_roots_of_the_modes() {
         let coupling =
             Coupling { compatibility: vec![1.0; 3], equilibrium: vec![1.0; 3], feedback: Vec::new() };
-        let function = Characteristic::new(&coupling, &[0.0, 4.0, 1e-6], &[0.5, 1e-3, 10.0]).unwrap();
+        let function = PairCharacteristic::new(&coupling, &[0.0, 4.0, 1e-6], &[0.5, 1e-3, 10.0]).unwrap();
         for mode in 0..3 {
             for pole in function.poles(mode) {
                 assert!(function.mode_polynomial(mode, pole).value.norm() < 1e-14, "{mode}: {pole}");
@@ -391,8 +393,8 @@ mod tests {
     fn lists_that_do_not_fit_are_refused() {
         let coupling =
             Coupling { compatibility: vec![1.0; 2], equilibrium: vec![1.0; 2], feedback: Vec::new() };
-        assert!(Characteristic::new(&coupling, &[1.0], &[0.0]).is_err());
-        assert!(Characteristic::new(&coupling, &[1.0, -1.0], &[0.0, 0.0]).is_err());
-        assert!(Characteristic::new(&coupling, &[1.0, f64::NAN], &[0.0, 0.0]).is_err());
+        assert!(PairCharacteristic::new(&coupling, &[1.0], &[0.0]).is_err());
+        assert!(PairCharacteristic::new(&coupling, &[1.0, -1.0], &[0.0, 0.0]).is_err());
+        assert!(PairCharacteristic::new(&coupling, &[1.0, f64::NAN], &[0.0, 0.0]).is_err());
     }
 }

@@ -4,7 +4,7 @@
 //! friction induced vibrations* (2020), equations (3) to (8): one row c of B_C, and e = −B_Eᵀ, so that N > 0 presses.
 
 use crate::SlidingError;
-use crate::body::Point;
+use crate::body::ModalPoint;
 use crate::edge::{Touch, Weights};
 use crate::friction::Friction;
 use crate::pair::Pair;
@@ -129,7 +129,7 @@ impl Coupling {
 
 /// Φ_Cᵀ a on the slider, −Σ w_k Φ_kᵀ b on the track.
 fn spread(pair: &Pair, touch: &Touch, on_slider: Vector, on_track: Vector, weights: &[f64]) -> Vec<f64> {
-    let along = |point: &Point, direction: Vector, mode: usize| {
+    let along = |point: &ModalPoint, direction: Vector, mode: usize| {
         direction[0] * point.rows[0][mode] + direction[1] * point.rows[1][mode]
     };
     let of_slider =
@@ -137,7 +137,7 @@ fn spread(pair: &Pair, touch: &Touch, on_slider: Vector, on_track: Vector, weigh
     let first = pair.edge().first_node(touch.at.segment);
     let nodes = &pair.track().nodes[first..first + pair.edge().stencil_nodes()];
     let of_track = (0..pair.track().body.modes()).map(|mode| {
-        let entry = |(node, weight): (&Point, &f64)| weight * along(node, on_track, mode);
+        let entry = |(node, weight): (&ModalPoint, &f64)| weight * along(node, on_track, mode);
         -nodes.iter().zip(weights).map(entry).sum::<f64>()
     });
     of_slider.chain(of_track).collect()

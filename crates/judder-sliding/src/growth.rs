@@ -2,11 +2,11 @@
 
 use crate::SlidingError;
 use crate::coupling::{Coupling, Sliding};
-use crate::march::{March, MarchSettings, Method, Predictor, Reached, Sample, Start};
+use crate::march::{ContactMethod, March, MarchSample, MarchSettings, MarchStart, Predictor, Reached};
 use crate::motion::{Motion, Noise, Ramps};
 use crate::pair::Pair;
 use crate::shape::mode_shape;
-use crate::statics::Equilibrium;
+use crate::statics::PairEquilibrium;
 use judder_numerics::signal::window::Window;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -15,7 +15,7 @@ use std::f64::consts::TAU;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GrowthSettings {
     /// By which march; Subs is held on the undeformed edge, the others on the deformed one.
-    pub method: Method,
+    pub method: ContactMethod,
     /// Its step, s.
     pub step: f64,
     /// Rigid distance of C from the track's first node, m.
@@ -54,23 +54,24 @@ impl Held {
     /// What a method sees when held.
     ///
     /// # Errors
-    /// As of [`Equilibrium::new`].
+    /// As of [`PairEquilibrium::new`].
     pub fn new(pair: &Pair, settings: &GrowthSettings) -> Result<Self, SlidingError> {
         let sliding = Sliding::at(pair.friction(), settings.velocity);
-        let (equilibrium, coupling) = if matches!(settings.method, Method::Subs { static_slope: false }) {
-            let rest = Equilibrium::undeformed(pair, settings.position, settings.load, sliding)?;
-            let coupling = Coupling::new(pair, &rest.touch, sliding).with_falling_friction(
-                pair,
-                &rest.touch,
-                sliding,
-                rest.normal_force,
-            );
-            (rest, coupling)
-        } else {
-            let rest = Equilibrium::new(pair, settings.position, settings.load, sliding)?;
-            let coupling = rest.coupling(pair, sliding);
-            (rest, coupling)
-        };
+        let (equilibrium, coupling) =
+            if matches!(settings.method, ContactMethod::Subs { static_slope: false }) {
+                let rest = PairEquilibrium::undeformed(pair, settings.position, settings.load, sliding)?;
+                let coupling = Coupling::new(pair, &rest.touch, sliding).with_falling_friction(
+                    pair,
+                    &rest.touch,
+                    sliding,
+                    rest.normal_force,
+                );
+                (rest, coupling)
+            } else {
+                let rest = PairEquilibrium::new(pair, settings.position, settings.load, sliding)?;
+                let coupling = rest.coupling(pair, sliding);
+                (rest, coupling)
+            };
         Ok(Self { coupling, state: equilibrium.state, normal_force: equilibrium.normal_force })
     }
 }
@@ -139,7 +140,7 @@ fn measured_growth(
     let mut march = March::held(pair, settings.march(), &start)?;
     let mut windows = Windows::new(eigenvalue, settings.step);
     let steps = windows.quarter * (QUARTERS + if watcher.is_some() { BEYOND } else { 0 });
-    let mut take = |sample: &Sample, _: &[f64]| {
+    let mut take = |sample: &MarchSample, _: &[f64]| {
         let deviation = sample.normal_force - held.normal_force;
         if let Some(watcher) = watcher.as_deref_mut() {
             watcher(sample.time, deviation);
@@ -221,7 +222,7 @@ impl Held {
         pair: &Pair,
         settings: &GrowthSettings,
         eigenvalue: Complex64,
-    ) -> Result<Start, SlidingError> {
+    ) -> Result<MarchStart, SlidingError> {
         let shape = mode_shape(&self.coupling, &pair.eigenvalues(), &pair.damping(), eigenvalue);
         let size = AMPLITUDE * self.normal_force;
         let at = |time: f64| -> Vec<f64> {
@@ -231,7 +232,7 @@ impl Held {
         let rest = self.force_at_rest(pair, settings, Sliding::at(pair.friction(), settings.velocity))?;
         let force = |time: f64| rest.map(|along| along * (1.0 + AMPLITUDE * (eigenvalue * time).exp().re));
         let before = -settings.step;
-        Ok(Start { now: at(0.0), before: at(before), forces: [force(0.0), force(before)] })
+        Ok(MarchStart { now: at(0.0), before: at(before), forces: [force(0.0), force(before)] })
     }
 
     /// The contact's force on the slider at rest.
@@ -242,7 +243,7 @@ impl Held {
         sliding: Sliding,
     ) -> Result<[f64; 2], SlidingError> {
         let touch = match settings.method {
-            Method::Subs { static_slope: false } => pair.undeformed(settings.position)?,
+            ContactMethod::Subs { static_slope: false } => pair.undeformed(settings.position)?,
             _ => pair.deformed(settings.position, &self.state)?,
         };
         Ok(sliding.push(&touch).map(|along| self.normal_force * along))

@@ -6,14 +6,14 @@
 mod branches;
 
 use crate::SlidingError;
-use crate::characteristic::Characteristic;
+use crate::characteristic::PairCharacteristic;
 use crate::coupling::{Coupling, Sliding};
 use crate::edge::EdgePoint;
 use crate::pair::Pair;
-use crate::spectrum::{Spectrum, Wanted};
-use crate::statics::Equilibrium;
-use crate::zones::{Family, Zone, Zones, zones};
-use branches::Branches;
+use crate::spectrum::{Spectrum, WantedEigenvalues};
+use crate::statics::PairEquilibrium;
+use crate::zones::{PairFamily, Zone, Zones, zones};
+use branches::LocusBranches;
 use num_complex::Complex64;
 use rayon::prelude::*;
 
@@ -42,7 +42,7 @@ pub struct Conditions {
 
 /// What a locus is wanted of.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Settings {
+pub struct LocusSettings {
     /// Under what the pair slides.
     pub conditions: Conditions,
     /// How many eigenvalues at each position, the lowest by the larger of imaginary and absolute real part.
@@ -91,7 +91,7 @@ const BESIDE: f64 = 0.05;
 /// [`SlidingError::OffTrack`], [`SlidingError::NoEquilibrium`] and [`SlidingError::NoConvergence`] of the state of rest;
 /// [`SlidingError::SpragSlip`]; [`SlidingError::Incomplete`]; [`SlidingError::InvalidNumber`] for positions that do not ascend or a count
 /// that the pair does not have.
-pub fn locus(pair: &Pair, settings: &Settings) -> Result<Locus, SlidingError> {
+pub fn locus(pair: &Pair, settings: &LocusSettings) -> Result<Locus, SlidingError> {
     locus_until(pair, settings, &|| false)
 }
 
@@ -101,10 +101,10 @@ pub fn locus(pair: &Pair, settings: &Settings) -> Result<Locus, SlidingError> {
 /// As of [`locus`]; [`SlidingError::Interrupted`].
 pub fn locus_until(
     pair: &Pair,
-    settings: &Settings,
+    settings: &LocusSettings,
     interrupted: &(dyn Fn() -> bool + Sync),
 ) -> Result<Locus, SlidingError> {
-    let Settings { conditions, count, positions } = settings;
+    let LocusSettings { conditions, count, positions } = settings;
     check_ascending(positions)?;
     let (Some(first), Some(last)) = (positions.first(), positions.last()) else {
         let name = "the list of positions".to_owned();
@@ -131,7 +131,7 @@ pub fn spectrum(
     pair: &Pair,
     conditions: &Conditions,
     position: f64,
-    wanted: Wanted,
+    wanted: WantedEigenvalues,
 ) -> Result<Spectrum, SlidingError> {
     Spectrum::new(&characteristic(pair, conditions, position)?, position, wanted)
 }
@@ -144,10 +144,10 @@ pub fn characteristic(
     pair: &Pair,
     conditions: &Conditions,
     position: f64,
-) -> Result<Characteristic, SlidingError> {
+) -> Result<PairCharacteristic, SlidingError> {
     let (coupling, _) = contact(pair, conditions, position)?;
     let damping = if conditions.is_damped { pair.damping() } else { vec![0.0; pair.modes()] };
-    Characteristic::new(&coupling, &pair.eigenvalues(), &damping)
+    PairCharacteristic::new(&coupling, &pair.eigenvalues(), &damping)
 }
 
 /// The linear coupling at one position, and the normal force of the state of rest.
@@ -158,8 +158,8 @@ pub fn contact(pair: &Pair, conditions: &Conditions, position: f64) -> Result<(C
     let Conditions { configuration, is_damped, velocity, load } = *conditions;
     let sliding = Sliding::at(pair.friction(), velocity);
     let rest = match configuration {
-        Configuration::Undeformed => Equilibrium::undeformed(pair, position, load, sliding)?,
-        Configuration::Deformed => Equilibrium::new(pair, position, load, sliding)?,
+        Configuration::Undeformed => PairEquilibrium::undeformed(pair, position, load, sliding)?,
+        Configuration::Deformed => PairEquilibrium::new(pair, position, load, sliding)?,
     };
     let (touch, force) = (&rest.touch, rest.normal_force);
     let mut coupling = Coupling::new(pair, touch, sliding);
@@ -182,7 +182,7 @@ pub fn contact(pair: &Pair, conditions: &Conditions, position: f64) -> Result<(C
 /// Those of the family; [`SlidingError::Incomplete`]; [`SlidingError::InvalidNumber`] as [`zones`] has it, and for parameters that do not
 /// ascend.
 pub fn follow(
-    family: &impl Family,
+    family: &impl PairFamily,
     parameters: &[f64],
     pieces: &[[f64; 2]],
     count: usize,
@@ -194,7 +194,7 @@ pub fn follow(
     let Zones { zones, samples } = zones(family, pieces, count, resolution)?;
     let shown = parameters.iter().zip(shown).map(|(at, spectrum)| Ok((*at, spectrum?)));
     let shown = shown.collect::<Result<Vec<_>, SlidingError>>()?;
-    let Branches { eigenvalues, errors } = Branches::new(shown, samples, count);
+    let LocusBranches { eigenvalues, errors } = LocusBranches::new(shown, samples, count);
     Ok(Followed { eigenvalues, errors, zones })
 }
 
@@ -238,7 +238,7 @@ fn touched(pair: &Pair, conditions: &Conditions, position: f64) -> Result<f64, S
         Configuration::Undeformed => return Ok(position),
         Configuration::Deformed => {
             let sliding = Sliding::at(pair.friction(), conditions.velocity);
-            Equilibrium::new(pair, position, conditions.load, sliding)?.touch.at
+            PairEquilibrium::new(pair, position, conditions.load, sliding)?.touch.at
         }
     };
     let nodes = pair.node_positions();

@@ -21,20 +21,20 @@ use crate::body::Body;
 use crate::coupling::Sliding;
 use crate::edge::{EdgePoint, Interpolation, RunOff, STENCIL};
 use crate::motion::{Drive, Motion};
-use crate::pair::{Observed, Pair, Side};
+use crate::pair::{Observed, Pair, PairSide};
 use crate::plane::Vector;
 pub use checkpoint::Checkpoint;
 use compliance::Compliance;
 pub use judder_numerics::contact_state::ContactState;
-use oscillators::{Oscillators, ROWS, Recurrence};
+use oscillators::{ModalRecurrence, Oscillators, ROWS};
 use scheme::Scheme;
 use statically::StaticPath;
 use std::f64::consts::TAU;
-use view::View;
+use view::MarchView;
 
 /// How the contact is found and its force computed.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Method {
+pub enum ContactMethod {
     /// Sliding that is known beforehand, on the undeformed edge (section 2.2), or on the edge that steady sliding deforms.
     Subs {
         /// Whether the edge has the slope of steady sliding.
@@ -51,7 +51,7 @@ pub enum Method {
     },
 }
 
-impl Method {
+impl ContactMethod {
     fn scheme(self) -> Scheme {
         match self {
             Self::ResidualFlexibility { cut_off } => Scheme::Exact { cut_off: TAU * cut_off },
@@ -75,7 +75,7 @@ pub enum Predictor {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MarchSettings {
     /// By which method.
-    pub method: Method,
+    pub method: ContactMethod,
     /// Where its geometry comes from.
     pub predictor: Predictor,
     /// The time step, s.
@@ -86,7 +86,7 @@ pub struct MarchSettings {
 
 /// One step of a march.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sample {
+pub struct MarchSample {
     /// Since the start, s.
     pub time: f64,
     /// Distance of C from the track's first node without deformation, m.
@@ -109,15 +109,15 @@ pub struct Sample {
 pub trait Sink {
     /// One step, with the accelerations of the observed displacements in m/s² (those of the step before: they are central
     /// differences).
-    fn take(&mut self, sample: &Sample, accelerations: &[f64]);
+    fn take(&mut self, sample: &MarchSample, accelerations: &[f64]);
 
     /// Before that, each observed displacement in m after this step, without what the slider's frame has moved, and where that frame
     /// is; passed over where nobody wants it.
     fn displaced(&mut self, _point: usize, _displacement: f64, _position: f64) {}
 }
 
-impl<F: FnMut(&Sample, &[f64])> Sink for F {
-    fn take(&mut self, sample: &Sample, accelerations: &[f64]) {
+impl<F: FnMut(&MarchSample, &[f64])> Sink for F {
+    fn take(&mut self, sample: &MarchSample, accelerations: &[f64]) {
         self(sample, accelerations);
     }
 }
@@ -151,7 +151,7 @@ pub struct March<'a> {
     track: Oscillators,
     compliance: Compliance,
     static_path: Option<StaticPath>,
-    view: View,
+    view: MarchView,
     steps: u64,
     at: EdgePoint,
     drive: Drive,
@@ -177,7 +177,7 @@ pub struct March<'a> {
 
 /// A state from which a march starts.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Start {
+pub struct MarchStart {
     /// Modal coordinates, √kg m.
     pub now: Vec<f64>,
     /// Those one step before.
@@ -191,7 +191,7 @@ impl<'a> March<'a> {
     ///
     /// # Errors
     /// [`SlidingError::StepOverLimit`], [`SlidingError::InvalidNumber`] for a motion or step that is none, [`SlidingError::OffTrack`],
-    /// [`SlidingError::OpenAtStart`] for a gap that has no ramp to close it, and what [`crate::statics::Equilibrium::new`] says where
+    /// [`SlidingError::OpenAtStart`] for a gap that has no ramp to close it, and what [`crate::statics::PairEquilibrium::new`] says where
     /// the static slope is asked for.
     pub fn new(pair: &'a Pair, settings: MarchSettings) -> Result<Self, SlidingError> {
         settings.motion.check()?;
@@ -206,9 +206,9 @@ impl<'a> March<'a> {
     ///
     /// # Errors
     /// [`SlidingError::StepOverLimit`], [`SlidingError::InvalidNumber`], [`SlidingError::OffTrack`], and what
-    /// [`crate::statics::Equilibrium::new`] says, as of [`March::new`]; [`SlidingError::Length`] for a state of other modes. The gap is
+    /// [`crate::statics::PairEquilibrium::new`] says, as of [`March::new`]; [`SlidingError::Length`] for a state of other modes. The gap is
     /// that of the state: a track that is curved without load may lie away from C.
-    pub fn held(pair: &'a Pair, settings: MarchSettings, start: &Start) -> Result<Self, SlidingError> {
+    pub fn held(pair: &'a Pair, settings: MarchSettings, start: &MarchStart) -> Result<Self, SlidingError> {
         for (name, state) in [("the state now", &start.now), ("the state before", &start.before)] {
             if state.len() != pair.modes() {
                 let (name, found) = (name.to_owned(), state.len());
@@ -222,9 +222,9 @@ impl<'a> March<'a> {
         }
         march.direction = if settings.motion.velocity < 0.0 { -1.0 } else { 1.0 };
         (march.steady, march.velocity) = (settings.motion.velocity, settings.motion.velocity);
-        if !matches!(settings.method, Method::Subs { .. }) {
+        if !matches!(settings.method, ContactMethod::Subs { .. }) {
             march.at = pair.deformed(motion.start, &start.now)?.at;
-            march.view = View::new(pair, &mut march.track, &march.compliance, march.at.segment);
+            march.view = MarchView::new(pair, &mut march.track, &march.compliance, march.at.segment);
         }
         march.begin(start);
         Ok(march)
@@ -265,13 +265,13 @@ impl<'a> March<'a> {
         let modes = pair.eigenvalues().into_iter().zip(pair.damping());
         let factors: Vec<f64> = modes.map(|(v, own)| scheme.at_once(step, v, own)).collect();
         let compliance = Compliance::new(pair, &factors);
-        let static_path = if method == (Method::Subs { static_slope: true }) {
+        let static_path = if method == (ContactMethod::Subs { static_slope: true }) {
             let sliding = Sliding::at(pair.friction(), motion.velocity);
             Some(StaticPath::new(pair, [motion.start, motion.end], motion.load, sliding)?)
         } else {
             None
         };
-        let view = View::new(pair, &mut track, &compliance, touch.at.segment);
+        let view = MarchView::new(pair, &mut track, &compliance, touch.at.segment);
         let watched = pair.observed().len();
         let mut march = Self {
             pair,
@@ -301,7 +301,7 @@ impl<'a> March<'a> {
             push_factors,
         };
         let rest = vec![0.0; pair.modes()];
-        march.begin(&Start { now: rest.clone(), before: rest, forces: [[0.0; 2]; 2] });
+        march.begin(&MarchStart { now: rest.clone(), before: rest, forces: [[0.0; 2]; 2] });
         Ok(march)
     }
 }
@@ -331,7 +331,7 @@ fn oscillators(
     let observed = observed_rows(pair)?;
     let (eigenvalues, slider_modes) = (pair.eigenvalues(), pair.slider().body.modes());
     let modes = eigenvalues.iter().zip(pair.damping()).zip(damping);
-    let recurrences: Vec<Recurrence> =
+    let recurrences: Vec<ModalRecurrence> =
         modes.map(|((v, own), d)| scheme.while_damped(step, *v, own, *d)).collect();
     let moving = |from: usize, to: usize| {
         let count = eigenvalues[from..to].iter().filter(|value| scheme.moves(**value)).count();
@@ -343,7 +343,7 @@ fn oscillators(
     slider.set_row(0, &pair.slider().contact.rows[0]);
     slider.set_row(1, &pair.slider().contact.rows[1]);
     for point in pair.observed() {
-        let (body, k) = if point.side == Side::Slider { (&mut slider, 0) } else { (&mut track, 1) };
+        let (body, k) = if point.side == PairSide::Slider { (&mut slider, 0) } else { (&mut track, 1) };
         body.set_row(places[k], &point.row);
         places[k] += 1;
     }
@@ -364,18 +364,18 @@ fn yielding(pair: &Pair, scheme: Scheme, row: &[f64]) -> [f64; 2] {
 /// The same of every observed displacement; those of the track feel neither load nor inertia.
 fn observed_yielding(pair: &Pair, scheme: Scheme) -> Vec<[f64; 2]> {
     let of = |point: &Observed| match point.side {
-        Side::Slider => yielding(pair, scheme, &point.row),
-        Side::Track => [0.0; 2],
+        PairSide::Slider => yielding(pair, scheme, &point.row),
+        PairSide::Track => [0.0; 2],
     };
     pair.observed().iter().map(of).collect()
 }
 
 /// How many displacements of a body a march can watch: the contact takes its part of the rows.
 #[must_use]
-pub fn most_observed(side: Side, interpolation: Interpolation) -> usize {
+pub fn most_observed(side: PairSide, interpolation: Interpolation) -> usize {
     match side {
-        Side::Slider => ROWS - 2,
-        Side::Track => match interpolation {
+        PairSide::Slider => ROWS - 2,
+        PairSide::Track => match interpolation {
             Interpolation::Linear => ROWS - 2 * 2,
             Interpolation::Hermite => ROWS - 2 * STENCIL,
         },
@@ -384,7 +384,7 @@ pub fn most_observed(side: Side, interpolation: Interpolation) -> usize {
 
 /// Observed displacements of slider and track, as many as there is room for.
 fn observed_rows(pair: &Pair) -> Result<[usize; 2], SlidingError> {
-    let sides = [Side::Slider, Side::Track];
+    let sides = [PairSide::Slider, PairSide::Track];
     let observed = sides.map(|side| pair.observed().iter().filter(|point| point.side == side).count());
     let most = sides.map(|side| most_observed(side, pair.edge().interpolation));
     match (0..2).find(|k| observed[*k] > most[*k]) {

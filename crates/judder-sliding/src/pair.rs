@@ -1,7 +1,7 @@
 //! A slider and its track.
 
 use crate::SlidingError;
-use crate::body::{Body, Point, finite};
+use crate::body::{Body, ModalPoint, finite};
 use crate::edge::{Edge, EdgePoint, Interpolation, STENCIL, Touch};
 use crate::friction::Friction;
 use crate::plane::{Vector, dot, length, minus, plus, turned};
@@ -14,7 +14,7 @@ pub struct Slider {
     /// Its modes.
     pub body: Body,
     /// C.
-    pub contact: Point,
+    pub contact: ModalPoint,
     /// Φᵀ f of a unit load where the slider is pressed, 1/√kg.
     pub load: Vec<f64>,
     /// Φᵀ M 1: what a unit acceleration of the frame along the track's direction pushes back, √kg.
@@ -27,12 +27,12 @@ pub struct Track {
     /// Its modes.
     pub body: Body,
     /// The nodes of its contact edge, in order.
-    pub nodes: Vec<Point>,
+    pub nodes: Vec<ModalPoint>,
 }
 
 /// Of which structure a point is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Side {
+pub enum PairSide {
     /// The slider.
     Slider,
     /// The track.
@@ -43,7 +43,7 @@ pub enum Side {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Observed {
     /// Of which structure.
-    pub side: Side,
+    pub side: PairSide,
     /// Its row of Φ, 1/√kg.
     pub row: Vec<f64>,
     /// What a unit displacement of the slider's frame along the track's direction adds to it: 0 on the track.
@@ -91,7 +91,7 @@ impl Pair {
             node.check(track.body.modes(), &format!("node {k} of the track"))?;
         }
         for (k, point) in observed.iter().enumerate() {
-            let modes = if point.side == Side::Slider { slider.body.modes() } else { track.body.modes() };
+            let modes = if point.side == PairSide::Slider { slider.body.modes() } else { track.body.modes() };
             expect_length(&format!("observed displacement {k}"), point.row.len(), modes)?;
             finite(point.row.iter(), &format!("observed displacement {k}"))?;
         }
@@ -252,7 +252,7 @@ fn expect_length(name: &str, found: usize, expected: usize) -> Result<(), Slidin
 }
 
 /// Distances of the nodes from the first along the line to the last, and that line's direction.
-fn ordered(nodes: &[Point]) -> Result<(Vec<f64>, Vector), SlidingError> {
+fn ordered(nodes: &[ModalPoint]) -> Result<(Vec<f64>, Vector), SlidingError> {
     let [first, .., last] = nodes else {
         return Err(SlidingError::ShortTrack { found: nodes.len() });
     };

@@ -1,7 +1,7 @@
 //! What is kept of a march: signals, low-passed and decimated while it runs, and the extremes of every step.
 
 use crate::SlidingError;
-use crate::march::{ContactState, Sample, Sink};
+use crate::march::{ContactState, MarchSample, Sink};
 use crate::motion::Motion;
 use crate::pair::Pair;
 use judder_numerics::signal::Decimation;
@@ -216,7 +216,7 @@ impl Recorder {
         }
     }
 
-    fn count(&mut self, sample: &Sample) {
+    fn count(&mut self, sample: &MarchSample) {
         let tally = &mut self.tally;
         tally.normal_force.update(self.steps, sample.normal_force);
         tally.sliding_velocity.update(self.steps, sample.sliding_velocity);
@@ -236,7 +236,7 @@ impl Sink for Recorder {
     }
 
     #[inline]
-    fn take(&mut self, sample: &Sample, accelerations: &[f64]) {
+    fn take(&mut self, sample: &MarchSample, accelerations: &[f64]) {
         self.steps += 1;
         let is_kept = (self.steps - 1).is_multiple_of(self.factor) && self.begin_sample();
         for k in 0..self.channels.len() {

@@ -8,15 +8,15 @@ mod count;
 mod simultaneous;
 
 use crate::SlidingError;
-use crate::characteristic::{Characteristic, PRECISION};
+use crate::characteristic::{PRECISION, PairCharacteristic};
 use crate::tracking::reach;
 use num_complex::Complex64;
-use simultaneous::{Iterate, Regular};
+use simultaneous::{EigenIterate, Regular};
 use std::f64::consts::TAU;
 
 /// Which eigenvalues are wanted; of a conjugate pair only the upper one is listed.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Wanted {
+pub enum WantedEigenvalues {
     /// So many of the lowest by the larger of imaginary and absolute real part; a few more are given as well.
     Lowest(usize),
     /// All with an imaginary part from zero up to this, rad/s.
@@ -51,7 +51,11 @@ impl Spectrum {
     /// # Errors
     /// [`SlidingError::Incomplete`] where the count along the border does not agree with what was found;
     /// [`SlidingError::InvalidNumber`] for a limit that is not positive, or more eigenvalues than there are.
-    pub fn new(function: &Characteristic, position: f64, wanted: Wanted) -> Result<Self, SlidingError> {
+    pub fn new(
+        function: &PairCharacteristic,
+        position: f64,
+        wanted: WantedEigenvalues,
+    ) -> Result<Self, SlidingError> {
         // what is wanted of all modes is refused before some are left out
         last_pole(&pole_heights(function), wanted)?;
         match function.without_uncoupled() {
@@ -65,12 +69,12 @@ impl Spectrum {
     /// # Errors
     /// As of [`Spectrum::new`].
     pub(crate) fn with_more(
-        function: &Characteristic,
+        function: &PairCharacteristic,
         position: f64,
         count: usize,
     ) -> Result<Self, SlidingError> {
-        last_pole(&pole_heights(function), Wanted::Lowest(count))?;
-        Self::new(function, position, Wanted::Lowest((count + BEYOND).min(function.modes() - 1)))
+        last_pole(&pole_heights(function), WantedEigenvalues::Lowest(count))?;
+        Self::new(function, position, WantedEigenvalues::Lowest((count + BEYOND).min(function.modes() - 1)))
     }
 
     /// The `count` lowest by the larger of imaginary and absolute real part, with how far each may be off, in their order.
@@ -85,29 +89,31 @@ impl Spectrum {
 
     /// The spectrum of a function beside which some eigenvalues are known.
     fn with_uncoupled(
-        coupled: &Characteristic,
+        coupled: &PairCharacteristic,
         mut known: Vec<Complex64>,
         position: f64,
-        wanted: Wanted,
+        wanted: WantedEigenvalues,
     ) -> Result<Self, SlidingError> {
         let most = coupled.modes().saturating_sub(1);
         let of_coupled = match wanted {
             _ if most == 0 => None,
-            Wanted::Lowest(count) => {
-                Some(Self::of_coupled(coupled, position, Wanted::Lowest(count.min(most)))?)
+            WantedEigenvalues::Lowest(count) => {
+                Some(Self::of_coupled(coupled, position, WantedEigenvalues::Lowest(count.min(most)))?)
             }
-            Wanted::Below(_) => Some(Self::of_coupled(coupled, position, wanted)?),
+            WantedEigenvalues::Below(_) => Some(Self::of_coupled(coupled, position, wanted)?),
         };
         let highest = known.iter().map(|s| s.norm()).fold(0.0, f64::max);
         let below = |limit: f64| known.iter().filter(|s| s.im <= limit && s.re.abs() <= limit).count();
         let whole = highest.max(of_coupled.as_ref().map_or(0.0, |own| own.limit));
         let limit = match (wanted, &of_coupled) {
-            (Wanted::Below(limit), _) => limit,
-            (Wanted::Lowest(count), Some(own)) if count <= own.eigenvalues.len() + below(own.limit) => {
+            (WantedEigenvalues::Below(limit), _) => limit,
+            (WantedEigenvalues::Lowest(count), Some(own))
+                if count <= own.eigenvalues.len() + below(own.limit) =>
+            {
                 own.limit
             }
             // all that there are
-            (Wanted::Lowest(_), _) => 1.5 * whole,
+            (WantedEigenvalues::Lowest(_), _) => 1.5 * whole,
         };
         let mut errors: Vec<f64> = known.iter().map(|s| PRECISION * s.norm()).collect();
         if let Some(own) = of_coupled {
@@ -122,12 +128,16 @@ impl Spectrum {
     }
 
     /// The spectrum of modes that are all coupled.
-    fn of_coupled(function: &Characteristic, position: f64, wanted: Wanted) -> Result<Self, SlidingError> {
+    fn of_coupled(
+        function: &PairCharacteristic,
+        position: f64,
+        wanted: WantedEigenvalues,
+    ) -> Result<Self, SlidingError> {
         let heights = pole_heights(function);
         let last = last_pole(&heights, wanted)?;
         let scale = match wanted {
-            Wanted::Below(limit) => heights[last].max(limit),
-            Wanted::Lowest(_) => heights[last],
+            WantedEigenvalues::Below(limit) => heights[last].max(limit),
+            WantedEigenvalues::Lowest(_) => heights[last],
         };
         let mut regular = Regular::new(function, scale);
         let mut zeros = starts(&heights[..=last], scale, 0);
@@ -139,7 +149,7 @@ impl Spectrum {
             let limit = border(&zeros, wanted, scale);
             let known: Vec<Complex64> = zeros.iter().map(|zero| zero.value).collect();
             let inside = known.iter().filter(|s| s.im <= limit && s.re.abs() <= limit).count();
-            let enough = !matches!(wanted, Wanted::Lowest(count) if inside < count);
+            let enough = !matches!(wanted, WantedEigenvalues::Lowest(count) if inside < count);
             match count::missing(&mut regular, &known, limit) {
                 Some(0) if enough => return Ok(Self::below(function, known, limit, wanted)),
                 Some(missing) if missing < 0 => zeros.clear(),
@@ -154,11 +164,16 @@ impl Spectrum {
     }
 
     /// Those known in the region, of which no more than wanted where a limit is.
-    fn below(function: &Characteristic, mut known: Vec<Complex64>, border: f64, wanted: Wanted) -> Self {
+    fn below(
+        function: &PairCharacteristic,
+        mut known: Vec<Complex64>,
+        border: f64,
+        wanted: WantedEigenvalues,
+    ) -> Self {
         let mut evaluator = function.evaluator();
         let limit = match wanted {
-            Wanted::Below(limit) => limit,
-            Wanted::Lowest(_) => border,
+            WantedEigenvalues::Below(limit) => limit,
+            WantedEigenvalues::Lowest(_) => border,
         };
         known.retain(|s| s.im <= limit && s.re.abs() <= limit);
         let errors = (0..known.len()).map(|k| moved(evaluator.error(known[k]), nearest(&known, k))).collect();
@@ -168,11 +183,11 @@ impl Spectrum {
 
 /// Eigenvalues near `guesses`, so close that they may be told apart from all others; `None` where the iteration leaves them.
 pub(crate) fn polished<const COUNT: usize>(
-    function: &Characteristic,
+    function: &PairCharacteristic,
     guesses: [Complex64; COUNT],
 ) -> Option<[Complex64; COUNT]> {
     let scale = guesses.iter().map(|guess| guess.norm()).fold(0.0, f64::max);
-    let mut zeros = guesses.map(Iterate::new);
+    let mut zeros = guesses.map(EigenIterate::new);
     simultaneous::iterate(&mut Regular::new(function, scale), &mut zeros);
     settle(function, &mut zeros, scale);
     zeros.iter().all(|zero| zero.is_done).then(|| zeros.map(|zero| zero.value))
@@ -191,34 +206,36 @@ fn moved(first_order: f64, gap: f64) -> f64 {
 }
 
 /// Imaginary parts of the upper poles, ascending.
-fn pole_heights(function: &Characteristic) -> Vec<f64> {
+fn pole_heights(function: &PairCharacteristic) -> Vec<f64> {
     let mut heights: Vec<f64> = (0..function.modes()).map(|mode| function.poles(mode)[0].im).collect();
     heights.sort_by(f64::total_cmp);
     heights
 }
 
 /// The pole up to which zeros are sought between poles.
-fn last_pole(heights: &[f64], wanted: Wanted) -> Result<usize, SlidingError> {
+fn last_pole(heights: &[f64], wanted: WantedEigenvalues) -> Result<usize, SlidingError> {
     let highest = heights.len() - 1;
     let refuse = |name: &str, value: f64, requirement| {
         Err(SlidingError::InvalidNumber { name: name.to_owned(), value, requirement })
     };
     match wanted {
-        Wanted::Lowest(count) if count == 0 || count > highest => refuse(
+        WantedEigenvalues::Lowest(count) if count == 0 || count > highest => refuse(
             "the count of eigenvalues",
             count as f64,
             "at least one and less than the modes of the pair",
         ),
-        Wanted::Lowest(count) => Ok((count + GUARD).min(highest)),
-        Wanted::Below(limit) if !(limit.is_finite() && limit > 0.0) => {
+        WantedEigenvalues::Lowest(count) => Ok((count + GUARD).min(highest)),
+        WantedEigenvalues::Below(limit) if !(limit.is_finite() && limit > 0.0) => {
             refuse("the limit of the eigenvalues", limit, "finite and above zero")
         }
-        Wanted::Below(limit) => Ok((heights.partition_point(|height| *height <= limit) + GUARD).min(highest)),
+        WantedEigenvalues::Below(limit) => {
+            Ok((heights.partition_point(|height| *height <= limit) + GUARD).min(highest))
+        }
     }
 }
 
 /// Places between the poles, beside the imaginary axis, farther from it with every attempt.
-fn starts(heights: &[f64], scale: f64, attempt: usize) -> Vec<Iterate> {
+fn starts(heights: &[f64], scale: f64, attempt: usize) -> Vec<EigenIterate> {
     let mean = scale / heights.len() as f64;
     let between = heights.windows(2).enumerate().map(|(k, pair)| {
         let gap = (pair[1] - pair[0]).max(0.01 * mean);
@@ -227,13 +244,13 @@ fn starts(heights: &[f64], scale: f64, attempt: usize) -> Vec<Iterate> {
             0 => (0.5, 0.05),
             _ => (0.15 + 0.17 * attempt as f64, 0.3 * (attempt * attempt) as f64),
         };
-        Iterate::new(Complex64::new(side * across * gap, pair[0] + along * gap))
+        EigenIterate::new(Complex64::new(side * across * gap, pair[0] + along * gap))
     });
     between.collect()
 }
 
 /// Real zeros are made real, mirror images exact where the pair is conservative; then all are sorted.
-fn settle(function: &Characteristic, zeros: &mut [Iterate], scale: f64) {
+fn settle(function: &PairCharacteristic, zeros: &mut [EigenIterate], scale: f64) {
     for zero in zeros.iter_mut().filter(|zero| zero.value.im.abs() <= REAL * scale) {
         zero.value.im = 0.0;
     }
@@ -244,8 +261,8 @@ fn settle(function: &Characteristic, zeros: &mut [Iterate], scale: f64) {
 }
 
 /// Of a conservative pair s and −s̄ are eigenvalues together: those off the imaginary axis are paired, the others put on it.
-fn mirror(zeros: &mut [Iterate]) {
-    let nearest = |zeros: &[Iterate], image: Complex64| {
+fn mirror(zeros: &mut [EigenIterate]) {
+    let nearest = |zeros: &[EigenIterate], image: Complex64| {
         let distance = |k: &usize| (zeros[*k].value - image).norm_sqr();
         (0..zeros.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)))
     };
@@ -270,12 +287,12 @@ fn mirror(zeros: &mut [Iterate]) {
 /// Where the region ends: in the widest gap between the zeros above those wanted, by how large a region each wants.
 ///
 /// By the imaginary part alone a large real zero, as friction near sprag-slip has, would count among the lowest and yet lie outside.
-fn border(zeros: &[Iterate], wanted: Wanted, scale: f64) -> f64 {
+fn border(zeros: &[EigenIterate], wanted: WantedEigenvalues, scale: f64) -> f64 {
     let mut reaches: Vec<f64> = zeros.iter().map(|zero| reach(zero.value)).collect();
     reaches.sort_by(f64::total_cmp);
     let (first, at_least) = match wanted {
-        Wanted::Lowest(count) => (count, 0.0),
-        Wanted::Below(limit) => (reaches.partition_point(|reach| *reach <= limit), limit),
+        WantedEigenvalues::Lowest(count) => (count, 0.0),
+        WantedEigenvalues::Below(limit) => (reaches.partition_point(|reach| *reach <= limit), limit),
     };
     if first >= reaches.len() {
         return 1.5 * scale.max(zeros.iter().map(|zero| zero.value.norm()).fold(0.0, f64::max));

@@ -10,7 +10,7 @@ use crate::plane::{length, minus};
 
 /// Both structures at rest under the load, sliding steadily.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Equilibrium {
+pub struct PairEquilibrium {
     /// Modal coordinates, √kg m.
     pub state: Vec<f64>,
     /// Normal force, N.
@@ -24,7 +24,7 @@ pub struct Equilibrium {
 const TOLERANCE: f64 = 1e-14;
 const ITERATIONS: usize = 100;
 
-impl Equilibrium {
+impl PairEquilibrium {
     /// The linear coupling there, with all that follows the motion: the geometry, and a friction coefficient that falls.
     #[must_use]
     pub fn coupling(&self, pair: &Pair, sliding: Sliding) -> Coupling {
@@ -68,7 +68,7 @@ impl Equilibrium {
     /// The equilibrium on the undeformed geometry: linear.
     ///
     /// # Errors
-    /// As of [`Equilibrium::new`], but that nothing iterates.
+    /// As of [`PairEquilibrium::new`], but that nothing iterates.
     pub fn undeformed(pair: &Pair, position: f64, load: f64, sliding: Sliding) -> Result<Self, SlidingError> {
         let touch = pair.undeformed(position)?;
         let (state, normal_force) = Loaded { pair, position, load, sliding }.at(&touch)?;

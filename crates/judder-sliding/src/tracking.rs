@@ -34,7 +34,7 @@ pub(crate) fn reach(eigenvalue: Complex64) -> f64 {
 
 /// A branch at the last value of the parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Branch {
+struct TrackedBranch {
     number: usize,
     value: Complex64,
     slope: Complex64,
@@ -48,12 +48,12 @@ struct Branch {
 pub(crate) struct Tracker {
     at: f64,
     limit: f64,
-    branches: Vec<Branch>,
+    branches: Vec<TrackedBranch>,
     /// How many branches there have been.
     begun: usize,
 }
 
-impl Branch {
+impl TrackedBranch {
     /// Where it may be so much farther on: straight on, or, where it has jumped and has no slope, where it was.
     fn foretold(&self, ahead: f64) -> [Complex64; 2] {
         [self.value + self.slope * ahead, self.value]
@@ -73,7 +73,7 @@ impl Tracker {
         let ahead = at - self.at;
         let known = self.limit.min(limit);
         let apart = |i: usize, j: usize| self.branches[i].apart(ahead, found[j]);
-        let mut before: Vec<Option<Branch>> = vec![None; found.len()];
+        let mut before: Vec<Option<TrackedBranch>> = vec![None; found.len()];
         let all = matched(self.branches.len(), found.len(), |i, j| apart(i, j).0);
         for (i, j) in all.into_iter().enumerate().filter_map(|(i, next)| Some((i, next?))) {
             let (distance, region) = apart(i, j);
@@ -83,15 +83,15 @@ impl Tracker {
             }
         }
         let mut begun = self.begun;
-        let mut next = |(before, value): (Option<Branch>, Complex64)| match before {
-            Some(own) => Branch {
+        let mut next = |(before, value): (Option<TrackedBranch>, Complex64)| match before {
+            Some(own) => TrackedBranch {
                 slope: if ahead > 0.0 { (value - own.value) / ahead } else { own.slope },
                 value,
                 ..own
             },
             None => {
                 begun += 1;
-                Branch { number: begun - 1, value, slope: Complex64::ZERO }
+                TrackedBranch { number: begun - 1, value, slope: Complex64::ZERO }
             }
         };
         let branches = before.into_iter().zip(found.iter().copied()).map(&mut next).collect();

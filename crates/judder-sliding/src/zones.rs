@@ -14,27 +14,27 @@ mod piece;
 mod strip;
 
 use crate::SlidingError;
-use crate::characteristic::Characteristic;
+use crate::characteristic::PairCharacteristic;
 use crate::tracking::continued;
-use branch::Path;
+use branch::EigenvaluePath;
 use follow::{is_on, onward};
 use num_complex::Complex64;
-use piece::{Search, Searched};
+use piece::{PieceSearch, SearchedPiece};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 use strip::Strip;
 
 /// A coupled pair for each value of a parameter: contact position, friction coefficient, load, an angle.
-pub trait Family: Sync {
+pub trait PairFamily: Sync {
     /// The characteristic function of the pair at a value of the parameter.
     ///
     /// # Errors
     /// Whatever keeps the pair from being there.
-    fn at(&self, parameter: f64) -> Result<Characteristic, SlidingError>;
+    fn at(&self, parameter: f64) -> Result<PairCharacteristic, SlidingError>;
 }
 
-impl<F: Fn(f64) -> Result<Characteristic, SlidingError> + Sync> Family for F {
-    fn at(&self, parameter: f64) -> Result<Characteristic, SlidingError> {
+impl<F: Fn(f64) -> Result<PairCharacteristic, SlidingError> + Sync> PairFamily for F {
+    fn at(&self, parameter: f64) -> Result<PairCharacteristic, SlidingError> {
         self(parameter)
     }
 }
@@ -47,7 +47,7 @@ pub struct Zone {
     /// Where it ends, likewise.
     pub to: f64,
     /// What start and end are.
-    pub ends: [End; 2],
+    pub ends: [ZoneEnd; 2],
     /// Where the growth rate is largest.
     pub peak: f64,
     /// The growth rate there, 1/s.
@@ -62,7 +62,7 @@ pub struct Zone {
 
 /// What the start or end of a zone is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum End {
+pub enum ZoneEnd {
     /// The growth rate is zero there.
     Root,
     /// The range of the search ends there; the zone may go on beyond.
@@ -75,7 +75,7 @@ pub enum End {
     Lost,
 }
 
-impl End {
+impl ZoneEnd {
     /// As tables have it.
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -91,7 +91,7 @@ impl End {
 
 /// Eigenvalues at one value of the parameter.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Sample {
+pub struct SpectrumSample {
     /// The parameter.
     pub at: f64,
     /// The lowest eigenvalues, 1/s, by the larger of imaginary and absolute real part; a few more than were counted.
@@ -106,7 +106,7 @@ pub struct Zones {
     /// By where they start, then by frequency.
     pub zones: Vec<Zone>,
     /// In the order of the parameter.
-    pub samples: Vec<Sample>,
+    pub samples: Vec<SpectrumSample>,
 }
 
 impl Zone {
@@ -121,7 +121,7 @@ impl Zone {
 
     /// Its own eigenvalue at a value of the parameter, polished from where its path has it; as the path has it where it is not found so near.
     #[must_use]
-    pub fn eigenvalue_at(&self, family: &impl Family, at: f64) -> Complex64 {
+    pub fn eigenvalue_at(&self, family: &impl PairFamily, at: f64) -> Complex64 {
         let within = at.clamp(self.from, self.to);
         follow::on_path(family, &self.path, within)
             .or_else(|| follow::foretold(&self.path, within))
@@ -147,7 +147,7 @@ const CONTINUED: f64 = 1e-3;
 /// Those of the family; [`SlidingError::Incomplete`]; [`SlidingError::InvalidNumber`] for a resolution that is not positive, a piece that
 /// ends before it starts, or a count that is zero or not less than the modes of the pair.
 pub fn zones(
-    family: &impl Family,
+    family: &impl PairFamily,
     pieces: &[[f64; 2]],
     count: usize,
     resolution: f64,
@@ -161,8 +161,8 @@ pub fn zones(
     if let Some([_, to]) = pieces.iter().find(|[from, to]| !(to.is_finite() && to > from)) {
         return refuse("the end of a piece of the range", *to, "finite and above its start");
     }
-    let searched: Vec<Result<Searched, SlidingError>> =
-        pieces.par_iter().map(|piece| Search::over(family, count, *piece, resolution)).collect();
+    let searched: Vec<Result<SearchedPiece, SlidingError>> =
+        pieces.par_iter().map(|piece| PieceSearch::over(family, count, *piece, resolution)).collect();
     let (mut samples, mut parts, mut seeds) = (Vec::new(), Vec::new(), Vec::new());
     for searched in searched {
         let searched = searched?;
@@ -172,11 +172,11 @@ pub fn zones(
     }
     let mut chains = joined(parts);
     chains.retain(|chain| chain.iter().any(|strip| strip.is_counted));
-    let mut branches: Vec<Branch> =
-        chains.par_iter().map(|chain| Branch::of_chain(family, pieces, chain)).collect();
+    let mut branches: Vec<ZoneBranch> =
+        chains.par_iter().map(|chain| ZoneBranch::of_chain(family, pieces, chain)).collect();
     // those that are whole first: a torn one may be a part of them
-    branches.sort_by_key(|branch| branch.ends.iter().filter(|end| **end == End::Lost).count());
-    let mut kept: Vec<Branch> = Vec::new();
+    branches.sort_by_key(|branch| branch.ends.iter().filter(|end| **end == ZoneEnd::Lost).count());
+    let mut kept: Vec<ZoneBranch> = Vec::new();
     for branch in branches {
         if !kept.iter().any(|other| is_on(family, &other.path, branch.origin.0, branch.origin.1)) {
             kept.push(branch);
@@ -184,7 +184,7 @@ pub fn zones(
     }
     for seed in seeds {
         if !kept.iter().any(|other| is_on(family, &other.path, seed.0, seed.1)) {
-            kept.push(Branch::of_seed(family, pieces, seed));
+            kept.push(ZoneBranch::of_seed(family, pieces, seed));
         }
     }
     let zones: Vec<Result<Zone, SlidingError>> =
@@ -198,18 +198,18 @@ pub fn zones(
 }
 
 /// An unstable branch from end to end.
-struct Branch {
-    path: Path,
-    ends: [End; 2],
+struct ZoneBranch {
+    path: EigenvaluePath,
+    ends: [ZoneEnd; 2],
     /// A place by which it was found.
     origin: (f64, Complex64),
     peak: (f64, Complex64),
 }
 
-impl Branch {
+impl ZoneBranch {
     /// Of strips that continue each other, gone on with where a part ended and not the instability.
-    fn of_chain(family: &impl Family, pieces: &[[f64; 2]], chain: &[Strip]) -> Self {
-        let mut path: Path = chain.iter().flat_map(|strip| strip::path(family, strip)).collect();
+    fn of_chain(family: &impl PairFamily, pieces: &[[f64; 2]], chain: &[Strip]) -> Self {
+        let mut path: EigenvaluePath = chain.iter().flat_map(|strip| strip::path(family, strip)).collect();
         let best =
             (1..chain.len()).fold(0, |best, k| if chain[k].peak.1 > chain[best].peak.1 { k } else { best });
         let origin = path[path.len() / 2];
@@ -223,14 +223,14 @@ impl Branch {
     }
 
     /// Of one place at which an eigenvalue is unstable.
-    fn of_seed(family: &impl Family, pieces: &[[f64; 2]], seed: (f64, Complex64)) -> Self {
+    fn of_seed(family: &impl PairFamily, pieces: &[[f64; 2]], seed: (f64, Complex64)) -> Self {
         let mut path = vec![seed];
         let ends = extended(family, pieces, &mut path, [true; 2]);
         let peak = follow::peak(family, &path);
         Self { path, ends, origin: seed, peak }
     }
 
-    fn zone(self, family: &impl Family) -> Result<Zone, SlidingError> {
+    fn zone(self, family: &impl PairFamily) -> Result<Zone, SlidingError> {
         let Self { mut path, ends, peak, .. } = self;
         let error = family.at(peak.0)?.evaluator().error(peak.1);
         if let Err(place) = path.binary_search_by(|point| point.0.total_cmp(&peak.0)) {
@@ -250,8 +250,13 @@ impl Branch {
 }
 
 /// Goes on with a path at the ends that are cut; what its ends then are.
-fn extended(family: &impl Family, pieces: &[[f64; 2]], path: &mut Path, cut: [bool; 2]) -> [End; 2] {
-    let mut ends = [End::Root; 2];
+fn extended(
+    family: &impl PairFamily,
+    pieces: &[[f64; 2]],
+    path: &mut EigenvaluePath,
+    cut: [bool; 2],
+) -> [ZoneEnd; 2] {
+    let mut ends = [ZoneEnd::Root; 2];
     if cut[0] {
         let (mut before, end) = onward(family, pieces, path[0], -1.0);
         before.reverse();

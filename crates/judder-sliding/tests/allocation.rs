@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, unsafe_code, reason = "an allocator that counts")]
 mod common;
 
-use judder_sliding::march::{March, MarchSettings, Method, Predictor, Reached, Sample};
+use judder_sliding::march::{ContactMethod, March, MarchSample, MarchSettings, Predictor, Reached};
 use judder_sliding::motion::{InitialDamping, Motion, Noise, Ramps};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -43,23 +43,23 @@ fn no_step_allocates() {
         ..common::motion()
     };
     let methods = [
-        Method::Subs { static_slope: false },
-        Method::Subs { static_slope: true },
-        Method::EnSubs,
-        Method::Film,
+        ContactMethod::Subs { static_slope: false },
+        ContactMethod::Subs { static_slope: true },
+        ContactMethod::EnSubs,
+        ContactMethod::Film,
     ];
     for method in methods {
         let settings = MarchSettings { method, predictor: Predictor::WithForce, step: 3e-7, motion };
         assert_eq!(allocations(March::new(&pair, settings).unwrap()), 0, "{method:?}");
     }
-    let method = Method::ResidualFlexibility { cut_off: 60e3 };
+    let method = ContactMethod::ResidualFlexibility { cut_off: 60e3 };
     let settings = MarchSettings { method, predictor: Predictor::WithForce, step: 2e-6, motion };
     assert_eq!(allocations(March::new(&pair, settings).unwrap()), 0);
 }
 
 fn allocations(mut march: March<'_>) -> usize {
     let mut passed = 0.0;
-    let mut take = |sample: &Sample, _: &[f64]| passed += sample.normal_force;
+    let mut take = |sample: &MarchSample, _: &[f64]| passed += sample.normal_force;
     let before = ALLOCATIONS.with(Cell::get);
     assert_eq!(march.advance(u64::MAX, &mut take), Ok(Reached::End));
     ALLOCATIONS.with(Cell::get) - before

@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use serde_json::{Map, Value};
 
-use crate::lock::{self, Lock, Mode};
+use crate::lock::{self, Lock, LockMode};
 use crate::name::check_name;
 use crate::staging::{self, Stage};
 use crate::sweep::{self, SweepLayout, SweepStore};
@@ -58,7 +58,7 @@ impl StudyFolder {
 
     /// Takes a folder that is a study already.
     pub(crate) fn take(path: &Path) -> Result<Self, StoreError> {
-        let lock = lock::try_lock(&path.join(LOCK), Mode::Alone)?;
+        let lock = lock::try_lock(&path.join(LOCK), LockMode::Alone)?;
         let lock = lock.ok_or_else(|| StoreError::Locked { path: path.to_owned() })?;
         staging::sweep(path, staging::PREFIX)?;
         if lock.is_real() {

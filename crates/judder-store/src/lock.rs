@@ -8,7 +8,7 @@ use crate::StoreError;
 
 /// Whom a lock lets in beside its holder.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Mode {
+pub(crate) enum LockMode {
     /// Nobody.
     Alone,
     /// Everybody who asks for the same.
@@ -37,11 +37,11 @@ impl Drop for Lock {
 }
 
 /// Locks a file, which is made where there is none; `None` while another holds it.
-pub(crate) fn try_lock(path: &Path, mode: Mode) -> Result<Option<Lock>, StoreError> {
+pub(crate) fn try_lock(path: &Path, mode: LockMode) -> Result<Option<Lock>, StoreError> {
     let file = open(path)?;
     let locked = match mode {
-        Mode::Alone => file.try_lock(),
-        Mode::Shared => file.try_lock_shared(),
+        LockMode::Alone => file.try_lock(),
+        LockMode::Shared => file.try_lock_shared(),
     };
     match locked {
         Ok(()) => Ok(Some(Lock { file, is_real: true })),
@@ -81,25 +81,25 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("lock");
         let lock = |mode| try_lock(&path, mode).unwrap();
-        let alone = lock(Mode::Alone);
+        let alone = lock(LockMode::Alone);
         assert!(alone.as_ref().is_some_and(Lock::is_real));
-        assert!(lock(Mode::Alone).is_none() && lock(Mode::Shared).is_none());
+        assert!(lock(LockMode::Alone).is_none() && lock(LockMode::Shared).is_none());
         drop(alone);
-        let shared = (lock(Mode::Shared), lock(Mode::Shared));
-        assert!(shared.0.is_some() && shared.1.is_some() && lock(Mode::Alone).is_none());
+        let shared = (lock(LockMode::Shared), lock(LockMode::Shared));
+        assert!(shared.0.is_some() && shared.1.is_some() && lock(LockMode::Alone).is_none());
         drop(shared);
-        assert!(lock(Mode::Alone).is_some());
+        assert!(lock(LockMode::Alone).is_some());
     }
 
     #[test]
     fn a_copy_of_the_file_does_not_keep_the_lock() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("lock");
-        let lock = try_lock(&path, Mode::Alone).unwrap().unwrap();
+        let lock = try_lock(&path, LockMode::Alone).unwrap().unwrap();
         let _copy = lock.file.try_clone().unwrap();
-        assert!(try_lock(&path, Mode::Alone).unwrap().is_none());
+        assert!(try_lock(&path, LockMode::Alone).unwrap().is_none());
         drop(lock);
-        assert!(try_lock(&path, Mode::Alone).unwrap().is_some());
+        assert!(try_lock(&path, LockMode::Alone).unwrap().is_some());
     }
 
     #[test]

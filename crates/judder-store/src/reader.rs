@@ -92,7 +92,7 @@ impl StudyReader {
     /// # Errors
     /// [`StoreError::InvalidName`], [`StoreError::NoDataset`], [`StoreError::DatasetUnreadable`], [`StoreError::OutsideFolder`].
     pub fn head(&self, name: &str) -> Result<DatasetHead, StoreError> {
-        let Group { path: group, members, mut attributes } = self.group(name)?;
+        let StoredGroup { path: group, members, mut attributes } = self.group(name)?;
         attributes.remove(HASH_ATTRIBUTE);
         let coordinates = metadata::take_text(&mut attributes, "coordinates");
         let variables = members.iter().map(|member| {
@@ -112,15 +112,15 @@ impl StudyReader {
     /// # Errors
     /// As [`head`](Self::head); a part that is missing or damaged.
     pub fn read_rows(&self, name: &str, variable: &str, rows: Range<usize>) -> Result<Variable, StoreError> {
-        let Group { path: group, members, .. } = self.group(name)?;
+        let StoredGroup { path: group, members, .. } = self.group(name)?;
         let path = group.join(variable);
         if !members.iter().any(|member| member == variable) {
             return Err(StoreError::NoDataset { path });
         }
         let array = self.array(&group, variable)?;
         self.rows_of(&group, &array, variable, rows).map_err(|failure| match failure {
-            Failure::Refused(error) => error,
-            Failure::Unreadable(source) => StoreError::DatasetUnreadable { path, source },
+            ReadRefusal::Refused(error) => error,
+            ReadRefusal::Unreadable(source) => StoreError::DatasetUnreadable { path, source },
         })
     }
 
@@ -176,7 +176,7 @@ impl StudyReader {
         fs::read(&path).map_err(|source| StoreError::read(&path, source))
     }
 
-    fn group(&self, name: &str) -> Result<Group, StoreError> {
+    fn group(&self, name: &str) -> Result<StoredGroup, StoreError> {
         check_name("an analysis", name)?;
         let path = self.root.join(results::FOLDER).join(name);
         if !path.join(metadata::FILE).exists() {
@@ -190,7 +190,7 @@ impl StudyReader {
         let attributes = metadata::take_object(&mut content, "attributes").unwrap_or_default();
         let members: Vec<String> = members.into_iter().map(|(member, _)| member).collect();
         members.iter().try_for_each(|member| check_name("a variable", member))?;
-        Ok(Group { path: group, members, attributes })
+        Ok(StoredGroup { path: group, members, attributes })
     }
 
     fn array(&self, group: &Path, variable: &str) -> Result<Array<FilesystemStore>, StoreError> {
@@ -213,7 +213,7 @@ impl StudyReader {
         array: &Array<FilesystemStore>,
         name: &str,
         rows: Range<usize>,
-    ) -> Result<Variable, Failure> {
+    ) -> Result<Variable, ReadRefusal> {
         let mut ranges: Vec<Range<u64>> = array.shape().iter().map(|length| 0..*length).collect();
         if let Some(first) = ranges.first_mut() {
             let end = (rows.end as u64).min(first.end);
@@ -235,7 +235,7 @@ impl StudyReader {
         group: &Path,
         array: &Array<FilesystemStore>,
         part: &ArraySubset,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), ReadRefusal> {
         let store = FilesystemStore::new(group).map_err(ReadFailure::from)?;
         let chunks = array.chunks_in_array_subset(part).map_err(ReadFailure::from)?;
         let chunks = chunks.ok_or_else(|| ReadFailure::from("its parts cannot be told"))?;
@@ -244,7 +244,7 @@ impl StudyReader {
             if !path.is_file() {
                 return Err(ReadFailure::from(format!("a part is missing: {}", path.display())).into());
             }
-            self.inside(&path).map_err(Failure::Refused)?;
+            self.inside(&path).map_err(ReadRefusal::Refused)?;
         }
         Ok(())
     }
@@ -261,7 +261,7 @@ impl StudyReader {
 }
 
 /// A group of the store, inside the folder.
-struct Group {
+struct StoredGroup {
     path: PathBuf,
     /// The names of its arrays.
     members: Vec<String>,
@@ -269,12 +269,12 @@ struct Group {
 }
 
 /// Why rows cannot be read.
-enum Failure {
+enum ReadRefusal {
     Refused(StoreError),
     Unreadable(ReadFailure),
 }
 
-impl From<ReadFailure> for Failure {
+impl From<ReadFailure> for ReadRefusal {
     fn from(source: ReadFailure) -> Self {
         Self::Unreadable(source)
     }

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::lock::{self, Lock, Mode};
+use crate::lock::{self, Lock, LockMode};
 use crate::sweep::{SweepLayout, SweepStore};
 use crate::{StoreError, StudyFolder, folder};
 
@@ -36,7 +36,7 @@ impl SharedStudy {
     /// [`StudyFolder::create`].
     pub fn join(path: impl AsRef<Path>) -> Result<Self, StoreError> {
         let path = path.as_ref();
-        let lock = lock::try_lock(&folder::prepare(path)?, Mode::Shared)?;
+        let lock = lock::try_lock(&folder::prepare(path)?, LockMode::Shared)?;
         let lock = lock.ok_or_else(|| StoreError::Locked { path: path.to_owned() })?;
         Ok(Self { path: path.to_owned(), lock: Arc::new(lock) })
     }

@@ -56,7 +56,7 @@ pub struct StreamWriter<'a> {
 
 /// The first line of the file [`CHECKPOINT`]; the bytes of the caller follow.
 #[derive(Debug, PartialEq, Serialize, Deserialize)]
-struct Header {
+struct CheckpointHeader {
     hash: String,
     variables: Vec<String>,
     len: u64,
@@ -143,7 +143,7 @@ impl<'a> StreamWriter<'a> {
                 StoreError::write(&place(&self.folder, &variable.name), bytes.len() as u64, source)
             })?;
         }
-        let header = Header {
+        let header = CheckpointHeader {
             hash: self.hash.clone(),
             variables: self.variables.iter().map(|variable| variable.name.clone()).collect(),
             len: self.len + added,
@@ -234,7 +234,7 @@ fn left_by_earlier_run(
     };
     let Some(end) = content.iter().position(|byte| *byte == b'\n') else { return Ok(None) };
     let checkpoint = content.split_off(end + 1);
-    let Ok(header) = serde_json::from_slice::<Header>(&content) else { return Ok(None) };
+    let Ok(header) = serde_json::from_slice::<CheckpointHeader>(&content) else { return Ok(None) };
     let holds = |variable: &&str| {
         let bytes = fs::metadata(place(folder, variable)).map_or(0, |metadata| metadata.len());
         header.len.checked_mul(VALUE_BYTES).is_some_and(|needed| needed <= bytes)

@@ -9,8 +9,8 @@ use judder_structure::element::ElementKind;
 use judder_structure::factor::{FactorPattern, SymmetricFactor};
 use judder_structure::freedom::{Direction, Numbering, Supports};
 use judder_structure::grid::Grid;
-use judder_structure::material::{Elastic, Section};
-use judder_structure::modes::{Mode, Wanted, modes};
+use judder_structure::material::{Elastic, ElementSection};
+use judder_structure::modes::{Mode, WantedModes, modes};
 use std::error::Error;
 use std::path::Path;
 use std::time::Instant;
@@ -43,7 +43,7 @@ fn time(
         write(folder, "mass", &solid.mass)?;
     }
     let (clock, processors) = (Instant::now(), processor_seconds());
-    let found = modes(&solid.stiffness, &solid.mass, Wanted::Lowest(count))?;
+    let found = modes(&solid.stiffness, &solid.mass, WantedModes::Lowest(count))?;
     let seconds = clock.elapsed().as_secs_f64();
     let processors = processor_seconds() - processors;
     let peak = peak();
@@ -73,7 +73,7 @@ fn solid(kind: ElementKind, cells: [usize; 3]) -> Result<Assembled, Box<dyn Erro
     let mesh = Grid { kind, size: cells.map(|cells| 0.01 * cells as f64), cells }.mesh("steel", |p| p)?;
     let fixed = mesh.node_sets["x-min"].iter().flat_map(|node| Direction::ALL.map(|d| (*node, d))).collect();
     let numbering = Numbering::new(&mesh, 3, &Supports { fixed, ..Supports::default() })?;
-    let steel = (Elastic::new(2.1e11, 0.3, 7800.0)?, Section::Solid);
+    let steel = (Elastic::new(2.1e11, 0.3, 7800.0)?, ElementSection::Solid);
     Ok(assemble(&mesh, &[("steel".to_owned(), steel)].into(), &numbering)?)
 }
 

@@ -6,7 +6,7 @@ use judder_structure::assembly::{Assembled, assemble};
 use judder_structure::beam::Beam;
 use judder_structure::craig_bampton::{CraigBampton, CutOff};
 use judder_structure::freedom::{Direction, Numbering, Supports};
-use judder_structure::material::{Elastic, Section};
+use judder_structure::material::{Elastic, ElementSection};
 use std::f64::consts::FRAC_PI_6;
 use std::hint::black_box;
 use std::time::Duration;
@@ -17,7 +17,7 @@ fn beam(beam: Beam, width: f64, material: Elastic, kept: &str) -> (Assembled, Ve
     let plane = [Direction::X, Direction::Y];
     let fixed = mesh.node_sets["start"].iter().flat_map(|node| plane.map(|d| (*node, d))).collect();
     let numbering = Numbering::new(&mesh, 2, &Supports { fixed, ..Supports::default() }).unwrap();
-    let materials = [("any".to_owned(), (material, Section::PlaneStress { thickness: width }))].into();
+    let materials = [("any".to_owned(), (material, ElementSection::PlaneStress { thickness: width }))].into();
     let kept = mesh.node_sets[kept].iter().flat_map(|node| plane.map(|d| numbering.number(*node, d)));
     (assemble(&mesh, &materials, &numbering).unwrap(), kept.flatten().collect())
 }

@@ -16,7 +16,7 @@ pub struct Term {
 
 /// Mass, damping and stiffness as sums of matrices with factors.
 #[derive(Debug, Clone)]
-pub struct Family {
+pub struct AffineFamily {
     mass: Sum,
     damping: Sum,
     stiffness: Sum,
@@ -42,7 +42,7 @@ struct Sum {
     places: Vec<Vec<usize>>,
 }
 
-impl Family {
+impl AffineFamily {
     /// The terms of mass, damping and stiffness; a damping without terms is zero.
     ///
     /// # Errors
@@ -179,10 +179,10 @@ mod tests {
         Term { name: name.to_owned(), matrix: Sparse::try_new_from_triplets(2, 2, &triplets).unwrap() }
     }
 
-    fn family() -> Family {
+    fn family() -> AffineFamily {
         let mass = vec![term("mass", &[(0, 0, 1.0), (1, 1, 2.0)])];
         let stiffness = vec![term("springs", &[(0, 0, 4.0), (1, 1, 9.0)]), term("friction", &[(0, 1, 1.0)])];
-        Family::new(mass, vec![], stiffness).unwrap()
+        AffineFamily::new(mass, vec![], stiffness).unwrap()
     }
 
     #[test]

@@ -1,9 +1,9 @@
 //! Sparse stiffness and mass of a mesh.
 
 use crate::StructureError;
-use crate::element::{ElementMatrices, Elements};
+use crate::element::{BlockElements, ElementMatrices};
 use crate::freedom::Numbering;
-use crate::material::{Elastic, Section};
+use crate::material::{Elastic, ElementSection};
 use crate::mesh::Mesh;
 use faer::sparse::{SparseColMat, SymbolicSparseColMat};
 use rayon::prelude::*;
@@ -25,7 +25,7 @@ pub struct Assembled {
 const BATCH: usize = 4096;
 
 /// An element's nodes and how it is computed.
-struct Task<'a> {
+struct ElementTask<'a> {
     elements: usize,
     nodes: &'a [usize],
 }
@@ -38,17 +38,17 @@ struct Task<'a> {
 /// A mesh that is not whole, a folded element, a material that is not given.
 pub fn assemble(
     mesh: &Mesh,
-    materials: &BTreeMap<String, (Elastic, Section)>,
+    materials: &BTreeMap<String, (Elastic, ElementSection)>,
     numbering: &Numbering,
 ) -> Result<Assembled, StructureError> {
     mesh.check()?;
     let kinds = kinds(mesh, materials)?;
-    let tasks: Vec<Task<'_>> = mesh
+    let tasks: Vec<ElementTask<'_>> = mesh
         .blocks
         .iter()
         .enumerate()
         .flat_map(|(k, block)| {
-            block.connectivity.chunks(block.kind.nodes()).map(move |nodes| Task { elements: k, nodes })
+            block.connectivity.chunks(block.kind.nodes()).map(move |nodes| ElementTask { elements: k, nodes })
         })
         .collect();
     let pattern = Pattern::new(&tasks, numbering);
@@ -79,7 +79,7 @@ pub fn assemble(
 /// As of [`assemble`].
 pub fn inertia_load(
     mesh: &Mesh,
-    materials: &BTreeMap<String, (Elastic, Section)>,
+    materials: &BTreeMap<String, (Elastic, ElementSection)>,
     numbering: &Numbering,
     acceleration: [f64; 3],
 ) -> Result<Vec<f64>, StructureError> {
@@ -105,8 +105,8 @@ pub fn inertia_load(
 /// What computes each block's elements.
 fn kinds(
     mesh: &Mesh,
-    materials: &BTreeMap<String, (Elastic, Section)>,
-) -> Result<Vec<Elements>, StructureError> {
+    materials: &BTreeMap<String, (Elastic, ElementSection)>,
+) -> Result<Vec<BlockElements>, StructureError> {
     mesh.blocks
         .iter()
         .map(|block| {
@@ -115,7 +115,7 @@ fn kinds(
                     name: block.material.clone(),
                     known: materials.keys().cloned().collect(),
                 })?;
-            Elements::new(block.kind, material, *section)
+            BlockElements::new(block.kind, material, *section)
         })
         .collect()
 }
@@ -127,7 +127,7 @@ struct Pattern {
 }
 
 impl Pattern {
-    fn new(tasks: &[Task<'_>], numbering: &Numbering) -> Self {
+    fn new(tasks: &[ElementTask<'_>], numbering: &Numbering) -> Self {
         let count = numbering.freedoms().len();
         let mut touching: Vec<Vec<usize>> = vec![Vec::new(); count];
         for (k, task) in tasks.iter().enumerate() {
@@ -159,7 +159,7 @@ impl Pattern {
         &self,
         stiffness: &mut [f64],
         mass: &mut [f64],
-        task: &Task<'_>,
+        task: &ElementTask<'_>,
         numbering: &Numbering,
         matrices: &ElementMatrices,
     ) {
@@ -199,7 +199,8 @@ mod tests {
         let beam = Beam { length: 0.3, thickness: 0.02, elements: [5, 2], origin: [0.0; 2], angle: 0.3 }
             .mesh("m")
             .unwrap();
-        let own = (Elastic::new(71e9, 0.33, 2770.0).unwrap(), Section::PlaneStress { thickness: 0.01 });
+        let own =
+            (Elastic::new(71e9, 0.33, 2770.0).unwrap(), ElementSection::PlaneStress { thickness: 0.01 });
         let materials = BTreeMap::from([("m".to_owned(), own)]);
         let numbering = Numbering::new(&beam, 2, &Supports::default()).unwrap();
         let load = inertia_load(&beam, &materials, &numbering, [2.0, -1.0, 0.0]).unwrap();

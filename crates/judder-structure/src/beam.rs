@@ -2,7 +2,7 @@
 
 use crate::StructureError;
 use crate::element::ElementKind;
-use crate::mesh::{Block, Mesh, Side};
+use crate::mesh::{ElementSide, Mesh, MeshBlock};
 use std::collections::BTreeMap;
 
 /// A straight beam in the plane.
@@ -62,7 +62,8 @@ impl Beam {
             ("end-lower", line(vec![2 * along], vec![0])),
             ("end-upper", line(vec![2 * along], vec![2 * across])),
         ];
-        let blocks = vec![Block { kind: ElementKind::Quad8, material: material.to_owned(), connectivity }];
+        let blocks =
+            vec![MeshBlock { kind: ElementKind::Quad8, material: material.to_owned(), connectivity }];
         let node_sets = node_sets.map(|(name, nodes)| (name.to_owned(), nodes)).into();
         Ok(Mesh { nodes, blocks, node_sets, element_sets: BTreeMap::new(), side_sets: self.side_sets() })
     }
@@ -92,11 +93,11 @@ impl Beam {
         [self.origin[0] + cosine * x - sine * y, self.origin[1] + sine * x + cosine * y, 0.0]
     }
 
-    fn side_sets(&self) -> BTreeMap<String, Vec<Side>> {
+    fn side_sets(&self) -> BTreeMap<String, Vec<ElementSide>> {
         let [along, across] = self.elements;
         let element = |column: usize, row: usize| column * across + row;
-        let sides = |side: usize, elements: Vec<usize>| -> Vec<Side> {
-            elements.into_iter().map(|element| Side { element, side }).collect()
+        let sides = |side: usize, elements: Vec<usize>| -> Vec<ElementSide> {
+            elements.into_iter().map(|element| ElementSide { element, side }).collect()
         };
         [
             ("lower", sides(0, (0..along).map(|c| element(c, 0)).collect())),

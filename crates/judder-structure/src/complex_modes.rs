@@ -25,7 +25,7 @@ pub use cover::Gap;
 
 use disc::SAME;
 pub(crate) use disc::Triple;
-pub(crate) use refine::Refined;
+pub(crate) use refine::RefinedEigenvalue;
 pub(crate) use shift::ShiftedFactor;
 
 use crate::StructureError;
@@ -40,13 +40,13 @@ use whole::whole;
 
 /// What the matrices are worth.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Settings {
+pub struct ComplexModeSettings {
     /// ε: how well the entries of the matrices are known, relative to their norms. 10⁻¹² by default: assembled matrices carry more
     /// rounding than their number format.
     pub data_precision: f64,
 }
 
-impl Default for Settings {
+impl Default for ComplexModeSettings {
     fn default() -> Self {
         Self { data_precision: 1e-12 }
     }
@@ -93,7 +93,7 @@ pub struct Eigenvalue {
 
 /// What an eigenvalue says of stability.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Verdict {
+pub enum EigenvalueVerdict {
     /// Disturbances decay.
     Stable,
     /// The sign of the growth rate is not known: it is below its own error, which of a defective eigenvalue is that of a square root.
@@ -113,14 +113,14 @@ impl ComplexModes {
 impl Eigenvalue {
     /// Stable, marginal or unstable.
     #[must_use]
-    pub fn verdict(&self) -> Verdict {
+    pub fn verdict(&self) -> EigenvalueVerdict {
         if self.value.re > self.error {
-            Verdict::Unstable
+            EigenvalueVerdict::Unstable
         } else if self.value.re < -self.error {
-            Verdict::Stable
+            EigenvalueVerdict::Stable
         } else {
             // so too where the error is not a number
-            Verdict::Marginal
+            EigenvalueVerdict::Marginal
         }
     }
 
@@ -137,7 +137,7 @@ impl Eigenvalue {
     }
 }
 
-impl Verdict {
+impl EigenvalueVerdict {
     /// The word in reports.
     #[must_use]
     pub fn name(self) -> &'static str {
@@ -157,7 +157,7 @@ impl Verdict {
 pub fn complex_modes(
     problem: &Quadratic,
     region: &Region,
-    settings: &Settings,
+    settings: &ComplexModeSettings,
 ) -> Result<ComplexModes, StructureError> {
     let searched = searched(problem, region)?;
     let left_open: Vec<f64> =
@@ -168,15 +168,15 @@ pub fn complex_modes(
 }
 
 /// What a search of a region leaves: more than its modes, for those who go on from them.
-pub(crate) struct Searched {
+pub(crate) struct SearchedRegion {
     /// Those of the region, and those beside it that came along.
-    pub(crate) refined: Vec<Refined>,
+    pub(crate) refined: Vec<RefinedEigenvalue>,
     pub(crate) factors: Vec<ShiftedFactor>,
     pub(crate) gaps: Vec<Gap>,
 }
 
 /// Every eigenvalue of a region, refined, with the factors at the shifts.
-pub(crate) fn searched(problem: &Quadratic, region: &Region) -> Result<Searched, StructureError> {
+pub(crate) fn searched(problem: &Quadratic, region: &Region) -> Result<SearchedRegion, StructureError> {
     region.check()?;
     if problem.size() <= whole::LARGEST {
         return whole(problem, region);
@@ -191,11 +191,11 @@ pub(crate) fn searched(problem: &Quadratic, region: &Region) -> Result<Searched,
         }
     }
     let factors = cover.discs.into_iter().map(|disc| disc.factor).collect();
-    Ok(Searched { refined, factors, gaps })
+    Ok(SearchedRegion { refined, factors, gaps })
 }
 
 /// Every eigenvalue of a cover, refined with the factors of its disc.
-fn refined(problem: &Quadratic, cover: &Cover) -> Result<Vec<Refined>, StructureError> {
+fn refined(problem: &Quadratic, cover: &Cover) -> Result<Vec<RefinedEigenvalue>, StructureError> {
     let neighbourhoods: Vec<Neighbourhood<'_>> =
         cover.discs.iter().map(|disc| Neighbourhood::new(problem, &disc.factor, &disc.triples)).collect();
     cover.members.par_iter().map(|(disc, place)| neighbourhoods[*disc].refined_to_rounding(*place)).collect()
@@ -204,16 +204,16 @@ fn refined(problem: &Quadratic, cover: &Cover) -> Result<Vec<Refined>, Structure
 /// The modes in a region, or so near to it that rounding cannot tell, by rising imaginary part, with what each is known to; the method leaves open so much of each, times d.
 pub(crate) fn finished(
     problem: &Quadratic,
-    refined: &[Refined],
+    refined: &[RefinedEigenvalue],
     left_open: &[f64],
     region: &Region,
-    settings: &Settings,
+    settings: &ComplexModeSettings,
 ) -> Vec<ComplexMode> {
     let mut modes: Vec<ComplexMode> = refined
         .iter()
         .enumerate()
         .filter_map(|(k, of_one)| {
-            let others: Vec<&Refined> =
+            let others: Vec<&RefinedEigenvalue> =
                 refined.iter().enumerate().filter(|(j, _)| *j != k).map(|(_, other)| other).collect();
             let known = Accuracy::beside(problem, of_one, &others);
             // beside a defective eigenvalue the first order says too much

@@ -5,7 +5,7 @@
 use crate::StructureError;
 use crate::assembly::Sparse;
 use crate::factor::SymmetricFactor;
-use crate::modes::{Mode, Wanted, modes};
+use crate::modes::{Mode, WantedModes, modes};
 use crate::statics::symmetric_product;
 use faer::linalg::matmul::matmul;
 use faer::sparse::Triplet;
@@ -66,7 +66,7 @@ impl CraigBampton {
         kept: &[usize],
         cut_off: CutOff,
     ) -> Result<Self, StructureError> {
-        let parts = Parts::new(stiffness.nrows(), kept)?;
+        let parts = FreedomParts::new(stiffness.nrows(), kept)?;
         let (inner_stiffness, inner_mass) = (parts.inner(stiffness)?, parts.inner(mass)?);
         let (fixed_interface, from) = fixed_interface(&inner_stiffness, &inner_mass, cut_off)?;
         let factor = SymmetricFactor::new(&inner_stiffness)?;
@@ -106,10 +106,10 @@ fn fixed_interface(
     }
     let mut found = match cut_off {
         CutOff::Count(count) => {
-            modes(stiffness, mass, Wanted::Lowest(count.saturating_add(1).min(size)))?.modes
+            modes(stiffness, mass, WantedModes::Lowest(count.saturating_add(1).min(size)))?.modes
         }
         CutOff::Frequency(limit) if limit.is_finite() && limit > 0.0 => {
-            modes(stiffness, mass, Wanted::Band(0.0, limit))?.modes
+            modes(stiffness, mass, WantedModes::Band(0.0, limit))?.modes
         }
         CutOff::Frequency(value) => {
             let name = "the cut-off frequency";
@@ -179,7 +179,7 @@ fn symmetric_gram(a: &[Vec<f64>], b: &[Vec<f64>]) -> Mat<f64> {
 }
 
 /// Which freedoms are kept, and which are not.
-struct Parts<'a> {
+struct FreedomParts<'a> {
     kept: &'a [usize],
     is_kept: Vec<bool>,
     inner: Vec<usize>,
@@ -187,7 +187,7 @@ struct Parts<'a> {
     number: Vec<usize>,
 }
 
-impl<'a> Parts<'a> {
+impl<'a> FreedomParts<'a> {
     fn new(size: usize, kept: &'a [usize]) -> Result<Self, StructureError> {
         let mut is_kept = vec![false; size];
         for freedom in kept {

@@ -1,7 +1,7 @@
 //! Why a mode grows: who takes part, which matrix feeds it, what would change it.
 
 use crate::StructureError;
-use crate::affine::{Factors, Family, Term};
+use crate::affine::{AffineFamily, Factors, Term};
 use crate::assembly::Sparse;
 use crate::complex_modes::ComplexMode;
 use crate::modes::Mode;
@@ -10,7 +10,7 @@ use faer::c64;
 
 /// Which sum a matrix belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Part {
+pub enum MatrixSum {
     /// M.
     Mass,
     /// C.
@@ -23,7 +23,7 @@ pub enum Part {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Influence {
     /// The sum that it belongs to.
-    pub part: Part,
+    pub part: MatrixSum,
     /// Its name.
     pub name: String,
     /// Its factor f.
@@ -124,7 +124,7 @@ impl Influence {
     #[must_use]
     pub fn is_paradox(&self) -> bool {
         let takes = self.growth.is_some_and(|growth| growth < -self.rounding);
-        self.part == Part::Damping && takes && self.factor * self.sensitivity.re > 0.0
+        self.part == MatrixSum::Damping && takes && self.factor * self.sensitivity.re > 0.0
     }
 }
 
@@ -138,7 +138,7 @@ impl Influence {
 /// # Errors
 /// [`StructureError::WrongFactors`], and [`StructureError::WrongShape`] for a mode of another problem.
 pub fn diagnosis(
-    family: &Family,
+    family: &AffineFamily,
     factors: &Factors,
     mode: &ComplexMode,
 ) -> Result<Diagnosis, StructureError> {
@@ -152,11 +152,11 @@ pub fn diagnosis(
     }
     let value = mode.eigenvalue.value;
     let sums = [
-        (Part::Mass, family.mass(), &factors.mass),
-        (Part::Damping, family.damping(), &factors.damping),
-        (Part::Stiffness, family.stiffness(), &factors.stiffness),
+        (MatrixSum::Mass, family.mass(), &factors.mass),
+        (MatrixSum::Damping, family.damping(), &factors.damping),
+        (MatrixSum::Stiffness, family.stiffness(), &factors.stiffness),
     ];
-    let measured: Vec<(Part, &Term, Forms)> = sums
+    let measured: Vec<(MatrixSum, &Term, Forms)> = sums
         .into_iter()
         .flat_map(|(part, terms, factors)| terms.iter().zip(factors).map(move |(t, f)| (part, t, *f)))
         .map(|(part, term, factor)| (part, term, Forms::of(&term.matrix, factor, mode)))
@@ -193,13 +193,13 @@ struct Balance {
 }
 
 impl Balance {
-    fn of(measured: &[(Part, &Term, Forms)], mode: &ComplexMode) -> Self {
+    fn of(measured: &[(MatrixSum, &Term, Forms)], mode: &ComplexMode) -> Self {
         let value = mode.eigenvalue.value;
         let size = value.norm();
-        let of_each = |pick: fn(Part, c64, c64) -> f64| {
+        let of_each = |pick: fn(MatrixSum, c64, c64) -> f64| {
             measured.iter().map(move |(part, _, forms)| pick(*part, value, forms.within))
         };
-        let gross: f64 = of_each(Part::energy).map(f64::abs).sum();
+        let gross: f64 = of_each(MatrixSum::energy).map(f64::abs).sum();
         let rounding: f64 = measured
             .iter()
             .map(|(part, _, forms)| f64::EPSILON * part.energy(value, c64::new(forms.size, 0.0)))
@@ -209,9 +209,9 @@ impl Balance {
         Self {
             size,
             growth_rate: value.re,
-            energy: of_each(Part::energy).sum(),
+            energy: of_each(MatrixSum::energy).sum(),
             gross,
-            power: of_each(Part::power).sum(),
+            power: of_each(MatrixSum::power).sum(),
             doubt: rounding + of_mode,
         }
     }
@@ -258,7 +258,7 @@ impl Forms {
     }
 }
 
-impl Part {
+impl MatrixSum {
     /// The word in reports.
     #[must_use]
     pub fn name(self) -> &'static str {

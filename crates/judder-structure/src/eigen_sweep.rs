@@ -10,17 +10,19 @@ mod samples;
 mod tracking;
 
 use crate::StructureError;
-use crate::affine::{Factors, Family};
-use crate::complex_modes::{ComplexMode, Eigenvalue, Gap, Region, Settings, complex_modes, finished};
+use crate::affine::{AffineFamily, Factors};
+use crate::complex_modes::{
+    ComplexMode, ComplexModeSettings, Eigenvalue, Gap, Region, complex_modes, finished,
+};
 use faer::c64;
 use rayon::prelude::*;
-use samples::Samples;
+use samples::FullSamples;
 use std::ops::Range;
-use tracking::Tracker;
+use tracking::SweepTracker;
 
 /// How the points are solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Method {
+pub enum SweepMethod {
     /// Each on its own.
     Full,
     /// In a basis of samples, as long as that leaves less open than a share of |λ|; where it does not, on its own.
@@ -32,9 +34,9 @@ pub enum Method {
 
 /// Eigenvalues over points, as branches.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Sweep {
+pub struct SweptEigenvalues {
     /// In the order of the factors.
-    pub points: Vec<Point>,
+    pub points: Vec<PointEigenvalues>,
     /// How many branches there are.
     pub branches: usize,
     /// Vectors of the basis; `None` where there is none.
@@ -43,7 +45,7 @@ pub struct Sweep {
     pub samples: Vec<usize>,
 }
 
-impl Sweep {
+impl SweptEigenvalues {
     fn empty() -> Self {
         Self { points: Vec::new(), branches: 0, basis: None, samples: Vec::new() }
     }
@@ -51,7 +53,7 @@ impl Sweep {
 
 /// The eigenvalues of a point.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Point {
+pub struct PointEigenvalues {
     /// By rising imaginary part.
     pub eigenvalues: Vec<Tracked>,
     /// Why there may be more.
@@ -89,14 +91,14 @@ const BATCH: usize = 8;
 /// # Errors
 /// Those of [`complex_modes`], at the first point that has one; [`StructureError::WrongFactors`].
 pub fn eigen_sweep(
-    family: &Family,
+    family: &AffineFamily,
     points: &[Factors],
     region: &Region,
-    settings: &Settings,
-    method: Method,
-) -> Result<Sweep, StructureError> {
+    settings: &ComplexModeSettings,
+    method: SweepMethod,
+) -> Result<SweptEigenvalues, StructureError> {
     let mut sweeps = eigen_sweeps(family, &[points], region, settings, method)?;
-    Ok(sweeps.pop().unwrap_or_else(Sweep::empty))
+    Ok(sweeps.pop().unwrap_or_else(SweptEigenvalues::empty))
 }
 
 /// As [`eigen_sweep`], for curves of points, each followed on its own: one basis, of samples from all of them, serves every curve.
@@ -104,12 +106,12 @@ pub fn eigen_sweep(
 /// # Errors
 /// Those of [`eigen_sweep`].
 pub fn eigen_sweeps(
-    family: &Family,
+    family: &AffineFamily,
     curves: &[&[Factors]],
     region: &Region,
-    settings: &Settings,
-    method: Method,
-) -> Result<Vec<Sweep>, StructureError> {
+    settings: &ComplexModeSettings,
+    method: SweepMethod,
+) -> Result<Vec<SweptEigenvalues>, StructureError> {
     region.check()?;
     let points = curves.concat();
     for factors in &points {
@@ -125,12 +127,12 @@ pub fn eigen_sweeps(
             first += curve.len();
             first - curve.len()..first
         });
-        ranges.map(|range| followed(range, region, solve)).collect::<Result<Vec<Sweep>, _>>()
+        ranges.map(|range| followed(range, region, solve)).collect::<Result<Vec<SweptEigenvalues>, _>>()
     };
-    let (Method::Projected { tolerance }, false) = (method, points.is_empty()) else {
+    let (SweepMethod::Projected { tolerance }, false) = (method, points.is_empty()) else {
         return each_curve(&|number| full(&points[number]));
     };
-    let samples = Samples::trained(family, &points, region, tolerance)?;
+    let samples = FullSamples::trained(family, &points, region, tolerance)?;
     let Some(projection) = samples.projection() else {
         return each_curve(&|number| full(&points[number]));
     };
@@ -147,7 +149,8 @@ pub fn eigen_sweeps(
         let modes = finished(&problem, &projected.refined, &projected.left_open, region, settings);
         Ok(Solved { modes, gaps, full: false })
     })?;
-    let with_basis = |sweep| Sweep { basis: Some(projection.size()), samples: samples.points(), ..sweep };
+    let with_basis =
+        |sweep| SweptEigenvalues { basis: Some(projection.size()), samples: samples.points(), ..sweep };
     Ok(sweeps.into_iter().map(with_basis).collect())
 }
 
@@ -156,9 +159,9 @@ fn followed(
     curve: Range<usize>,
     region: &Region,
     solve: &(dyn Fn(usize) -> Result<Solved, StructureError> + Sync),
-) -> Result<Sweep, StructureError> {
-    let mut tracker = Tracker::default();
-    let mut sweep = Sweep::empty();
+) -> Result<SweptEigenvalues, StructureError> {
+    let mut tracker = SweepTracker::default();
+    let mut sweep = SweptEigenvalues::empty();
     let numbers: Vec<usize> = curve.collect();
     for batch in numbers.chunks(BATCH) {
         let solved: Vec<Solved> = batch.par_iter().map(|number| solve(*number)).collect::<Result<_, _>>()?;
@@ -169,7 +172,7 @@ fn followed(
                 .zip(branches)
                 .map(|(mode, branch)| Tracked { eigenvalue: mode.eigenvalue, branch })
                 .collect();
-            sweep.points.push(Point { eigenvalues, gaps, full });
+            sweep.points.push(PointEigenvalues { eigenvalues, gaps, full });
         }
     }
     sweep.branches = tracker.branches();
@@ -178,7 +181,7 @@ fn followed(
 }
 
 /// Marks the ends of branches inside the region beside points that were solved in a basis: what the basis lacks has no other trace.
-fn mark_torn(points: &mut [Point], region: &Region) {
+fn mark_torn(points: &mut [PointEigenvalues], region: &Region) {
     let mut torn = Vec::new();
     for place in 0..points.len() {
         for tracked in &points[place].eigenvalues {
@@ -203,7 +206,7 @@ fn mark_torn(points: &mut [Point], region: &Region) {
     }
 }
 
-impl Point {
+impl PointEigenvalues {
     /// The eigenvalue of a branch.
     fn value(&self, branch: usize) -> Option<c64> {
         self.eigenvalues.iter().find(|of| of.branch == branch).map(|of| of.eigenvalue.value)
@@ -215,7 +218,7 @@ mod tests {
     use super::*;
 
     /// Points of one branch each, where there is a value.
-    fn points(values: &[Option<f64>], full: bool) -> Vec<Point> {
+    fn points(values: &[Option<f64>], full: bool) -> Vec<PointEigenvalues> {
         let tracked = |value: f64| Tracked {
             eigenvalue: Eigenvalue {
                 value: c64::new(0.0, value),
@@ -227,7 +230,7 @@ mod tests {
             },
             branch: 0,
         };
-        let point = |value: &Option<f64>| Point {
+        let point = |value: &Option<f64>| PointEigenvalues {
             eigenvalues: value.iter().map(|value| tracked(*value)).collect(),
             gaps: Vec::new(),
             full,

@@ -6,4 +6,4 @@ pub mod quadrature;
 pub mod shape;
 
 pub use kind::ElementKind;
-pub use matrices::{ElementMatrices, Elements};
+pub use matrices::{BlockElements, ElementMatrices};

@@ -19,7 +19,7 @@ use front::{Assembly, Front};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use tree::{Branch, Tree};
+use tree::{Subtree, Tree};
 
 /// The order of elimination and the pattern of the factors: one for all matrices with one pattern.
 #[derive(Debug, Clone)]
@@ -174,7 +174,7 @@ fn eliminated<T: Send>(
 /// Eliminates the blocks of a branch; what its root changes comes back beside them.
 fn eliminate_branch<T>(
     tree: &Tree,
-    branch: &Branch,
+    branch: &Subtree,
     matrix: &Permuted,
     keep: impl Fn(Front) -> T,
 ) -> Result<(Vec<T>, Vec<f64>), StructureError> {

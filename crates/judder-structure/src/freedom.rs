@@ -60,7 +60,7 @@ pub struct Numbering {
 
 /// What a displacement is before it has a number.
 #[derive(Clone, Copy, PartialEq)]
-enum Role {
+enum FreedomRole {
     Free,
     Fixed,
     Tied(usize),
@@ -83,9 +83,9 @@ impl Numbering {
                 freedoms.len() - 1
             };
             numbers.push(match role {
-                Role::Fixed => None,
-                Role::Free => Some(next()),
-                Role::Tied(tie) => Some(*of_ties[*tie].get_or_insert_with(next)),
+                FreedomRole::Fixed => None,
+                FreedomRole::Free => Some(next()),
+                FreedomRole::Tied(tie) => Some(*of_ties[*tie].get_or_insert_with(next)),
             });
         }
         Ok(Self { dimension, numbers, freedoms })
@@ -117,9 +117,9 @@ impl Numbering {
     }
 }
 
-fn roles(mesh: &Mesh, dimension: usize, supports: &Supports) -> Result<Vec<Role>, StructureError> {
-    let mut roles = vec![Role::Free; mesh.nodes.len() * dimension];
-    let mut give = |node: usize, direction: Direction, role: Role| {
+fn roles(mesh: &Mesh, dimension: usize, supports: &Supports) -> Result<Vec<FreedomRole>, StructureError> {
+    let mut roles = vec![FreedomRole::Free; mesh.nodes.len() * dimension];
+    let mut give = |node: usize, direction: Direction, role: FreedomRole| {
         let along = direction as usize;
         if node >= mesh.nodes.len() || along >= dimension {
             return Err(StructureError::UnknownFreedom {
@@ -131,18 +131,18 @@ fn roles(mesh: &Mesh, dimension: usize, supports: &Supports) -> Result<Vec<Role>
         }
         let place = &mut roles[node * dimension + along];
         // to hold twice is to hold
-        if *place != Role::Free && *place != role {
+        if *place != FreedomRole::Free && *place != role {
             return Err(StructureError::TwiceSupported { node, direction });
         }
         *place = role;
         Ok(())
     };
     for (node, direction) in &supports.fixed {
-        give(*node, *direction, Role::Fixed)?;
+        give(*node, *direction, FreedomRole::Fixed)?;
     }
     for (tie, (nodes, direction)) in supports.tied.iter().enumerate() {
         for node in nodes {
-            give(*node, *direction, Role::Tied(tie))?;
+            give(*node, *direction, FreedomRole::Tied(tie))?;
         }
     }
     Ok(roles)

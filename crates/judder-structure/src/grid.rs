@@ -2,7 +2,7 @@
 
 use crate::StructureError;
 use crate::element::ElementKind;
-use crate::mesh::{Block, Mesh};
+use crate::mesh::{Mesh, MeshBlock};
 use std::collections::BTreeMap;
 
 /// A box whose cells hold one quadrilateral or brick each, two triangles, or six tetrahedra.
@@ -44,7 +44,7 @@ impl Grid {
             }
         }
         let node_sets = self.node_sets(dimension, &nodes);
-        let blocks = vec![Block { kind: self.kind, material: material.to_owned(), connectivity }];
+        let blocks = vec![MeshBlock { kind: self.kind, material: material.to_owned(), connectivity }];
         Ok(Mesh { nodes: nodes.places, blocks, node_sets, ..Mesh::default() })
     }
 

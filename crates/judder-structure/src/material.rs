@@ -36,12 +36,12 @@ impl Elastic {
     /// Stress by strain, in the order xx, yy, xy in the plane and xx, yy, zz, xy, yz, zx in space, with engineering shear
     /// strains; what is beyond is zero.
     #[must_use]
-    pub fn stiffness(&self, section: Section) -> [[f64; 6]; 6] {
+    pub fn stiffness(&self, section: ElementSection) -> [[f64; 6]; 6] {
         let (e, nu) = (self.youngs_modulus, self.poisson_ratio);
         let shear = e / (2.0 * (1.0 + nu));
         let (normal, coupling, axes) = match section {
-            Section::PlaneStress { .. } => (e / (1.0 - nu * nu), nu * e / (1.0 - nu * nu), 2),
-            Section::PlaneStrain { .. } | Section::Solid => {
+            ElementSection::PlaneStress { .. } => (e / (1.0 - nu * nu), nu * e / (1.0 - nu * nu), 2),
+            ElementSection::PlaneStrain { .. } | ElementSection::Solid => {
                 let lame = e * nu / ((1.0 + nu) * (1.0 - 2.0 * nu));
                 (lame + 2.0 * shear, lame, section.dimension())
             }
@@ -60,7 +60,7 @@ impl Elastic {
 
 /// How the third direction is meant.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Section {
+pub enum ElementSection {
     /// A plate that is free to change its thickness.
     PlaneStress {
         /// In m.
@@ -75,7 +75,7 @@ pub enum Section {
     Solid,
 }
 
-impl Section {
+impl ElementSection {
     /// 2 in the plane, 3 in space.
     #[must_use]
     pub fn dimension(self) -> usize {

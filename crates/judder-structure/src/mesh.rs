@@ -10,18 +10,18 @@ pub struct Mesh {
     /// Places in m; z is zero in the plane.
     pub nodes: Vec<[f64; 3]>,
     /// Elements; their numbers run on from block to block.
-    pub blocks: Vec<Block>,
+    pub blocks: Vec<MeshBlock>,
     /// Nodes by the name of the set; where a set is an edge they stand in its order.
     pub node_sets: BTreeMap<String, Vec<usize>>,
     /// Elements by the name of the set.
     pub element_sets: BTreeMap<String, Vec<usize>>,
     /// Sides of elements by the name of the set.
-    pub side_sets: BTreeMap<String, Vec<Side>>,
+    pub side_sets: BTreeMap<String, Vec<ElementSide>>,
 }
 
 /// Elements of one kind and material.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Block {
+pub struct MeshBlock {
     /// Their shape.
     pub kind: ElementKind,
     /// The name of their material.
@@ -32,7 +32,7 @@ pub struct Block {
 
 /// A side of an element.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Side {
+pub struct ElementSide {
     /// The element's number in the mesh.
     pub element: usize,
     /// The place in [`ElementKind::sides`].

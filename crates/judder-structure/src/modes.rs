@@ -9,13 +9,13 @@ use crate::factor::{FactorPattern, SymmetricFactor};
 use crate::statics::{dot, sum, symmetric_product};
 use faer::Mat;
 use judder_dense::symmetric::{Eigen, generalised};
-use lanczos::{APART, Found, Lanczos, combined};
-use start::{Start, upper_edge};
+use lanczos::{APART, Lanczos, LanczosModes, combined};
+use start::{ShiftedStart, upper_edge};
 use std::f64::consts::TAU;
 
 /// Which modes are wanted.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Wanted {
+pub enum WantedModes {
     /// So many, from the lowest on; where freedoms have no mass, no more than have one.
     Lowest(usize),
     /// All between two frequencies in Hz, both included. From zero, or a number below, it takes all below the second frequency; from
@@ -79,9 +79,9 @@ const ROUGH: f64 = 1e-14;
 /// # Errors
 /// [`StructureError::MissingModes`] where the count is not reached, [`StructureError::OutOfMemory`], numbers that are not finite,
 /// [`StructureError::InvalidNumber`] for a band that does not rise.
-pub fn modes(stiffness: &Sparse, mass: &Sparse, wanted: Wanted) -> Result<Modes, StructureError> {
+pub fn modes(stiffness: &Sparse, mass: &Sparse, wanted: WantedModes) -> Result<Modes, StructureError> {
     let pencil = Pencil { stiffness, mass };
-    let start = Start::new(&pencil, wanted)?;
+    let start = ShiftedStart::new(&pencil, wanted)?;
     let below = |value: f64| start.pattern.negative_eigenvalues(&pencil.shifted(value)?);
     let counted = |limit| Ok::<_, StructureError>((limit, below(limit)?));
     let whole = |modes, counted| Modes {
@@ -91,8 +91,8 @@ pub fn modes(stiffness: &Sparse, mass: &Sparse, wanted: Wanted) -> Result<Modes,
         rigid_limit: start.rigid_limit,
     };
     let (aim, upper) = match wanted {
-        Wanted::Lowest(count) => (count.min(stiffness.nrows()), None),
-        Wanted::Band(_, to) => {
+        WantedModes::Lowest(count) => (count.min(stiffness.nrows()), None),
+        WantedModes::Band(_, to) => {
             let upper = counted(upper_edge(to).max(start.counted.0))?;
             if upper.1 <= start.counted.1 {
                 return Ok(whole(Vec::new(), upper));
@@ -198,7 +198,7 @@ impl Pencil<'_> {
 }
 
 /// A value between the last wanted eigenvalue and the next: halfway, where the two stand apart.
-fn limit_above(found: &Found, target: usize) -> f64 {
+fn limit_above(found: &LanczosModes, target: usize) -> f64 {
     let last = target.checked_sub(1).and_then(|k| found.values.get(k)).copied().unwrap_or(0.0);
     match found.values.get(target).copied().or(found.next) {
         Some(next) if next - last > APART * next.abs() => 0.5 * (last + next),

@@ -16,7 +16,7 @@ pub struct Quadratic {
 
 /// Whether a matrix is meant or its transpose, whose right vectors are the conjugate left vectors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Side {
+pub(crate) enum MatrixSide {
     /// Q(λ).
     Right,
     /// Q(λ)ᵀ.
@@ -109,7 +109,7 @@ impl Quadratic {
     }
 
     /// Q(λ) X of a block of vectors, or Q(λ)ᵀ X.
-    pub(crate) fn image(&self, side: Side, value: c64, x: MatRef<'_, c64>) -> Mat<c64> {
+    pub(crate) fn image(&self, side: MatrixSide, value: c64, x: MatRef<'_, c64>) -> Mat<c64> {
         let mut image = Mat::zeros(x.nrows(), x.ncols());
         add_product(&self.mass, side, value * value, x, &mut image);
         add_product(&self.damping, side, value, x, &mut image);
@@ -118,7 +118,7 @@ impl Quadratic {
     }
 
     /// Q′(λ) X = (2λ M + C) X of a block of vectors, or with the transposes.
-    pub(crate) fn slope(&self, side: Side, value: c64, x: MatRef<'_, c64>) -> Mat<c64> {
+    pub(crate) fn slope(&self, side: MatrixSide, value: c64, x: MatRef<'_, c64>) -> Mat<c64> {
         let mut image = Mat::zeros(x.nrows(), x.ncols());
         add_product(&self.mass, side, 2.0 * value, x, &mut image);
         add_product(&self.damping, side, c64::new(1.0, 0.0), x, &mut image);
@@ -126,7 +126,7 @@ impl Quadratic {
     }
 
     /// Y += a M X of a block of vectors, or with the transpose.
-    pub(crate) fn add_mass(&self, side: Side, factor: c64, x: MatRef<'_, c64>, image: &mut Mat<c64>) {
+    pub(crate) fn add_mass(&self, side: MatrixSide, factor: c64, x: MatRef<'_, c64>, image: &mut Mat<c64>) {
         add_product(&self.mass, side, factor, x, image);
     }
 }
@@ -216,7 +216,7 @@ pub(crate) fn norm_of(matrix: &Sparse) -> f64 {
 }
 
 /// Y += a A X of a block of complex vectors, or with Aᵀ.
-fn add_product(matrix: &Sparse, side: Side, factor: c64, x: MatRef<'_, c64>, y: &mut Mat<c64>) {
+fn add_product(matrix: &Sparse, side: MatrixSide, factor: c64, x: MatRef<'_, c64>, y: &mut Mat<c64>) {
     for k in 0..x.ncols() {
         let from = x.col(k).try_as_col_major().map(ColRef::as_slice);
         let to = y.col_mut(k).try_as_col_major_mut().map(ColMut::as_slice_mut);
@@ -224,11 +224,11 @@ fn add_product(matrix: &Sparse, side: Side, factor: c64, x: MatRef<'_, c64>, y: 
         for column in 0..matrix.ncols() {
             let entries = matrix.row_idx_of_col_raw(column).iter().zip(matrix.val_of_col(column));
             match side {
-                Side::Right => {
+                MatrixSide::Right => {
                     let share = from[column] * factor;
                     entries.for_each(|(row, value)| to[*row] += share * *value);
                 }
-                Side::Left => {
+                MatrixSide::Left => {
                     to[column] += factor * entries.map(|(row, value)| from[*row] * *value).sum::<c64>();
                 }
             }
@@ -297,8 +297,8 @@ mod tests {
         .unwrap();
         let value = c64::new(0.3, -1.7);
         let identity = Mat::<c64>::identity(3, 3);
-        let image = problem.image(Side::Right, value, identity.as_ref());
-        let of_transposed = problem.image(Side::Left, value, identity.as_ref());
+        let image = problem.image(MatrixSide::Right, value, identity.as_ref());
+        let of_transposed = problem.image(MatrixSide::Left, value, identity.as_ref());
         let whole = problem.at(value).unwrap().to_dense();
         for i in 0..3 {
             for j in 0..3 {

@@ -2,7 +2,7 @@
 
 use crate::StructureError;
 use crate::complex_modes::ShiftedFactor;
-use crate::quadratic::{Quadratic, Side};
+use crate::quadratic::{MatrixSide, Quadratic};
 use faer::{Mat, c64};
 use rayon::prelude::*;
 
@@ -51,9 +51,9 @@ fn at(
     let unit =
         |row: usize| Mat::from_fn(problem.size(), 1, |k, _| c64::new(f64::from(u8::from(k == row)), 0.0));
     let (mut moved, mut back) = (unit(excited), unit(observed));
-    factor.solve(Side::Right, &mut moved)?;
-    factor.solve(Side::Left, &mut back)?;
-    let left = problem.image(Side::Right, shift, moved.as_ref()) - unit(excited);
+    factor.solve(MatrixSide::Right, &mut moved)?;
+    factor.solve(MatrixSide::Left, &mut back)?;
+    let left = problem.image(MatrixSide::Right, shift, moved.as_ref()) - unit(excited);
     let residual = left.norm_max() / (problem.scale(shift) * moved.norm_max() + 1.0);
     let largest = moved.norm_max().max(back.norm_max());
     Ok(Receptance { value: moved[(observed, 0)], transposed: back[(excited, 0)], largest, residual })

@@ -4,7 +4,7 @@ use crate::StructureError;
 use crate::assembly::Sparse;
 use crate::craig_bampton::CraigBampton;
 use crate::factor::SymmetricFactor;
-use crate::modes::{Mode, Wanted, modes};
+use crate::modes::{Mode, WantedModes, modes};
 use crate::statics::sum;
 use faer::linalg::solvers::{Lblt, Solve};
 use faer::{Mat, Side};
@@ -58,7 +58,7 @@ impl ReductionReport {
         frequency: f64,
     ) -> Result<Self, StructureError> {
         let error = reduced.error()?;
-        let full = modes(stiffness, mass, Wanted::Lowest(count))?.modes;
+        let full = modes(stiffness, mass, WantedModes::Lowest(count))?.modes;
         let compared =
             |(mode, (full, reduced_hz)): (usize, (_, f64))| compared(full, reduced_hz, error.bound(mode));
         let of_full = full.iter().map(Mode::frequency_hz);

@@ -7,7 +7,7 @@ mod validation;
 
 use judder_structure::assembly::{Assembled, assemble};
 use judder_structure::freedom::{Direction, Numbering, Supports};
-use judder_structure::material::{Elastic, Section};
+use judder_structure::material::{Elastic, ElementSection};
 use judder_structure::mesh::Mesh;
 use std::collections::BTreeMap;
 
@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 struct Body {
     mesh: Mesh,
     material: Elastic,
-    section: Section,
+    section: ElementSection,
 }
 
 impl Body {

@@ -6,8 +6,8 @@ use crate::outcome::CheckRecord;
 use crate::pictures;
 use crate::registry::Registry;
 use crate::report_tables;
-use judder_report::page::{Check, Code, Details, Table};
-use judder_report::{Block, Figure, Page, Section, html, png, svg};
+use judder_report::page::{Check, Code, Details, PageTable};
+use judder_report::{Figure, Page, PageBlock, PageSection, html, png, svg};
 use judder_store::{Status, StoreError, StudyFolder, Summary};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -38,19 +38,19 @@ pub fn write(registry: Registry, store: &StudyFolder, summary: &Summary) -> Resu
     for (name, record) in in_order(summary) {
         let mut blocks = Vec::new();
         match &record.status {
-            Status::Failed { reason } => blocks.push(Block::text(format!("No result: {reason}"))),
+            Status::Failed { reason } => blocks.push(PageBlock::text(format!("No result: {reason}"))),
             Status::Done => {
                 for figure in figures(registry, store, summary, name)? {
                     blocks.push(figure_or_reason(store, figure)?);
                 }
-                blocks.extend(summary.results.get(name).and_then(scalar_table).map(Block::Table));
+                blocks.extend(summary.results.get(name).and_then(scalar_table).map(PageBlock::Table));
                 blocks.extend(summary.results.get(name).map(report_tables::tables).unwrap_or_default());
             }
         }
-        sections.push(Section::new(name, blocks));
+        sections.push(PageSection::new(name, blocks));
     }
-    sections.push(Section::new("Checks", vec![Block::Checks(check_rows(&kept.checks))]));
-    sections.push(Section::new("Warnings", vec![Block::Warnings(warnings(summary))]));
+    sections.push(PageSection::new("Checks", vec![PageBlock::Checks(check_rows(&kept.checks))]));
+    sections.push(PageSection::new("Warnings", vec![PageBlock::Warnings(warnings(summary))]));
     sections.push(case_section(summary, &kept));
     let title =
         summary.case.get("title").and_then(Value::as_str).filter(|t| !t.is_empty()).unwrap_or("A study");
@@ -158,7 +158,7 @@ fn six_digits(number: &serde_json::Number) -> String {
 }
 
 /// The scalars of an analysis that fit a table.
-fn scalar_table(scalars: &serde_json::Map<String, Value>) -> Option<Table> {
+fn scalar_table(scalars: &serde_json::Map<String, Value>) -> Option<PageTable> {
     let rows: Vec<Vec<String>> = scalars
         .iter()
         .filter_map(|(name, value)| match value {
@@ -173,7 +173,7 @@ fn scalar_table(scalars: &serde_json::Map<String, Value>) -> Option<Table> {
             _ => None,
         })
         .collect();
-    (!rows.is_empty()).then(|| Table {
+    (!rows.is_empty()).then(|| PageTable {
         caption: String::new(),
         head: vec!["quantity".to_owned(), "value".to_owned()],
         rows,
@@ -181,36 +181,36 @@ fn scalar_table(scalars: &serde_json::Map<String, Value>) -> Option<Table> {
 }
 
 /// The case file, what overrode it, and its canonical form.
-pub fn case_section(summary: &Summary, kept: &Keepsakes) -> Section {
+pub fn case_section(summary: &Summary, kept: &Keepsakes) -> PageSection {
     let mut blocks =
-        vec![Block::Code(Code { caption: "The case file".to_owned(), text: kept.source.clone() })];
+        vec![PageBlock::Code(Code { caption: "The case file".to_owned(), text: kept.source.clone() })];
     if !kept.overrides.is_empty() {
-        blocks.push(Block::Code(Code {
+        blocks.push(PageBlock::Code(Code {
             caption: "Set on top of it".to_owned(),
             text: kept.overrides.join("\n"),
         }));
     }
     let resolved = serde_json::to_string_pretty(&summary.case).unwrap_or_default();
-    blocks.push(Block::Details(Details {
+    blocks.push(PageBlock::Details(Details {
         summary: "The resolved case, with every default".to_owned(),
-        blocks: vec![Block::Code(Code { caption: "Resolved case".to_owned(), text: resolved })],
+        blocks: vec![PageBlock::Code(Code { caption: "Resolved case".to_owned(), text: resolved })],
     }));
-    Section::new("Case", blocks)
+    PageSection::new("Case", blocks)
 }
 
 /// A figure as [`write_figure`] gives it; a picture that cannot be drawn says why, and takes nothing else of the page with it.
-fn figure_or_reason(store: &StudyFolder, figure: Figure) -> Result<Block, StudyError> {
+fn figure_or_reason(store: &StudyFolder, figure: Figure) -> Result<PageBlock, StudyError> {
     match write_figure(store, figure) {
-        Err(StudyError::Report(reason)) => Ok(Block::text(format!("No figure: {reason}"))),
+        Err(StudyError::Report(reason)) => Ok(PageBlock::text(format!("No figure: {reason}"))),
         written => written,
     }
 }
 
 /// Writes a figure as SVG and PNG, and gives it as a block of the page.
-pub fn write_figure(store: &StudyFolder, figure: Figure) -> Result<Block, StudyError> {
+pub fn write_figure(store: &StudyFolder, figure: Figure) -> Result<PageBlock, StudyError> {
     store.write_file(format!("figures/{}.svg", figure.name), svg(&figure)?.as_bytes())?;
     store.write_file(format!("figures/{}.png", figure.name), &png(&figure, PIXELS_PER_POINT)?)?;
-    Ok(Block::figure(figure))
+    Ok(PageBlock::figure(figure))
 }
 
 /// Writes `report.html`; returns its path.

@@ -4,24 +4,24 @@ mod sweep;
 
 pub(crate) use sweep::{interval, short_index};
 
-use judder_report::Block;
-use judder_report::page::Table;
+use judder_report::PageBlock;
+use judder_report::page::PageTable;
 use serde_json::{Map, Value};
 
 /// Rows that a table shows; all are in the CSV file.
 const ROWS: usize = 40;
 
 /// The tables of an analysis that has complex modes or bursts, and of a sweep.
-pub(crate) fn tables(results: &Map<String, Value>) -> Vec<Block> {
+pub(crate) fn tables(results: &Map<String, Value>) -> Vec<PageBlock> {
     let mut blocks = complex_modes(results);
     let listed = results.get("bursts").and_then(Value::as_array).filter(|listed| !listed.is_empty());
-    blocks.extend(listed.map(|listed| Block::Table(bursts(listed))));
+    blocks.extend(listed.map(|listed| PageBlock::Table(bursts(listed))));
     blocks.extend(sweep::tables(results));
     blocks
 }
 
 /// Bursts with the growth that was measured and that of the zone which they passed.
-fn bursts(listed: &[Value]) -> Table {
+fn bursts(listed: &[Value]) -> PageTable {
     let keys = [
         "time_s",
         "position_m",
@@ -42,25 +42,25 @@ fn bursts(listed: &[Value]) -> Table {
     ];
     let more =
         if listed.len() > ROWS { format!(", the first {ROWS} of {}", listed.len()) } else { String::new() };
-    Table {
+    PageTable {
         caption: format!("Bursts{more}"),
         head: head.map(String::from).to_vec(),
         rows: listed.iter().take(ROWS).map(|own| keys.map(|key| short(&own[key])).to_vec()).collect(),
     }
 }
 
-fn complex_modes(results: &Map<String, Value>) -> Vec<Block> {
+fn complex_modes(results: &Map<String, Value>) -> Vec<PageBlock> {
     let is_list = |value: &&Vec<Value>| value.first().is_some_and(|first| first.get("verdict").is_some());
     let Some(values) = results.get("eigenvalues").and_then(Value::as_array).filter(is_list) else {
         return Vec::new();
     };
-    let mut blocks = vec![Block::Table(eigenvalues(values))];
+    let mut blocks = vec![PageBlock::Table(eigenvalues(values))];
     let diagnoses = results.get("diagnosis").and_then(Value::as_array);
-    blocks.extend(diagnoses.into_iter().flatten().map(|told| Block::Table(diagnosis(told))));
+    blocks.extend(diagnoses.into_iter().flatten().map(|told| PageBlock::Table(diagnosis(told))));
     blocks
 }
 
-fn eigenvalues(values: &[Value]) -> Table {
+fn eigenvalues(values: &[Value]) -> PageTable {
     let row = |(k, value): (usize, &Value)| {
         let numbers = ["re", "im", "frequency_hz", "damping_ratio", "error", "residual"];
         let mut cells = vec![(k + 1).to_string()];
@@ -80,7 +80,7 @@ fn eigenvalues(values: &[Value]) -> Table {
         "residual",
         "verdict",
     ];
-    Table {
+    PageTable {
         caption: format!("Eigenvalues{more}"),
         head: head.map(String::from).to_vec(),
         rows: values.iter().enumerate().take(ROWS).map(row).collect(),
@@ -88,7 +88,7 @@ fn eigenvalues(values: &[Value]) -> Table {
 }
 
 /// What each matrix adds to the growth rate of a mode, which undamped modes take part, what changes it.
-fn diagnosis(told: &Value) -> Table {
+fn diagnosis(told: &Value) -> PageTable {
     let mut rows = Vec::new();
     let mut row = |what: String, value: String, change: String| rows.push(vec![what, value, change]);
     for own in told["matrices"].as_array().into_iter().flatten() {
@@ -109,7 +109,7 @@ fn diagnosis(told: &Value) -> Table {
         row(name, short(&own["share"]), String::new());
     }
     let head = ["what", "growth (1/s), or share", "change of the growth rate per unit (1/s)"];
-    Table {
+    PageTable {
         caption: format!("Why mode {} at {} Hz grows", told["mode"], short(&told["frequency_hz"])),
         head: head.map(String::from).to_vec(),
         rows,

@@ -16,12 +16,12 @@ Examples:
 /// Validate a case and print what it means: every key, stability limits, time and memory; run nothing
 #[derive(Debug, Args)]
 #[command(after_help = HELP)]
-pub(crate) struct Check {
+pub(crate) struct CheckArguments {
     #[command(flatten)]
     case: CaseArguments,
 }
 
-impl Check {
+impl CheckArguments {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
         let resolved = resolve(&self.case.read()?)?;
         console.result(|| resolved.text(), || resolved.json())?;

@@ -27,7 +27,7 @@ and gives its figure, its data and its case file. Ctrl-C ends it.";
 /// Open the local page: move through the map, open a point, hear it
 #[derive(Debug, Args)]
 #[command(after_help = HELP)]
-pub(crate) struct Explore {
+pub(crate) struct ExploreArguments {
     /// The case file, or the folder of a study [default: the paper's oscillator]
     #[arg(value_name = "CASE.toml|DIR")]
     subject: Option<PathBuf>,
@@ -45,7 +45,7 @@ pub(crate) struct Explore {
     no_browser: bool,
 }
 
-impl Explore {
+impl ExploreArguments {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
         let explorer = Explorer::new(self.open()?, self.port)?;
         let interrupt = Interrupt::watch(console, "ending")?;

@@ -24,7 +24,7 @@ which sweep lacks how many or has damaged ones, and writes the metadata, summary
 /// Write summary and report of sweeps whose parts are all computed
 #[derive(Debug, Args)]
 #[command(after_help = HELP)]
-pub(crate) struct Merge {
+pub(crate) struct MergeArguments {
     #[command(flatten)]
     case: CaseArguments,
     #[arg(short, long, value_name = "DIR", help = "The study folder [default: out/<case name>]")]
@@ -34,7 +34,7 @@ pub(crate) struct Merge {
     only: Vec<String>,
 }
 
-impl Merge {
+impl MergeArguments {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
         let file = self.case.read()?;
         let folder = self.output.clone().map_or_else(|| home::of_file(&file, false), Ok)?;

@@ -25,13 +25,13 @@ Templates:
 /// Print a commented case file
 #[derive(Debug, Args)]
 #[command(after_help = HELP)]
-pub(crate) struct New {
+pub(crate) struct NewArguments {
     /// Which one
     #[arg(default_value = "oscillator")]
     template: String,
 }
 
-impl New {
+impl NewArguments {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
         let name = self.template.as_str();
         let text = template(name)?;

@@ -20,12 +20,12 @@ All numbers are dimensionless as in the oscillator paper: eigenvalues in units o
 /// Analyse one operating point of an oscillator: equilibrium, matrices, eigenvalues, verdict, thresholds
 #[derive(Debug, Args)]
 #[command(after_help = HELP)]
-pub(crate) struct Point {
+pub(crate) struct PointArguments {
     #[command(flatten)]
     case: CaseArguments,
 }
 
-impl Point {
+impl PointArguments {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
         let case = self.case.read()?.case;
         let Some(case) = case.of::<OscillatorCase>() else {

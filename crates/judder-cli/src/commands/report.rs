@@ -16,13 +16,13 @@ Example:
 /// Rebuild figures and report.html of a study folder from its stored results
 #[derive(Debug, Args)]
 #[command(after_help = HELP)]
-pub(crate) struct Report {
+pub(crate) struct ReportArguments {
     /// The study folder
     #[arg(value_name = "DIR")]
     folder: PathBuf,
 }
 
-impl Report {
+impl ReportArguments {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
         let page = rebuild(&self.folder)?;
         console.document(|| json!({ "report": page }))?;

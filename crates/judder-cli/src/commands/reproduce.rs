@@ -22,7 +22,7 @@ Examples:
 /// Recompute every figure and quoted number of a paper and print the scoreboard
 #[derive(Debug, Args)]
 #[command(after_help = HELP)]
-pub(crate) struct Reproduce {
+pub(crate) struct ReproduceArguments {
     /// Which paper
     #[arg(value_enum, default_value_t = Paper::OscillatorPaper)]
     paper: Paper,
@@ -44,7 +44,7 @@ enum Paper {
     BeamsPaper,
 }
 
-impl Reproduce {
+impl ReproduceArguments {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
         let (name, recompute): (_, fn(&Path, bool, &dyn Progress) -> _) = match self.paper {
             Paper::OscillatorPaper => ("oscillator-paper", oscillator_paper),

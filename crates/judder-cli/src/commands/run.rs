@@ -38,7 +38,7 @@ Ctrl-C ends cleanly and keeps what is done; a second Ctrl-C ends at once.";
 /// Run the analyses of a case; a rerun resumes
 #[derive(Debug, Args)]
 #[command(after_help = HELP)]
-pub(crate) struct Run {
+pub(crate) struct RunArguments {
     #[command(flatten)]
     case: CaseArguments,
     #[arg(short, long, value_name = "DIR", help = "The study folder [default: out/<case name>]")]
@@ -62,7 +62,7 @@ pub(crate) struct Run {
     dry_run: bool,
 }
 
-impl Run {
+impl RunArguments {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
         let file = self.case.read()?;
         let folder = self.output.clone().map_or_else(|| home::of_file(&file, self.fresh), Ok)?;

@@ -16,9 +16,9 @@ An editor with a TOML language server (Taplo, Even Better TOML) completes and ch
 /// Print the JSON Schema of case files, for editors
 #[derive(Debug, Args)]
 #[command(after_help = HELP)]
-pub(crate) struct Schema {}
+pub(crate) struct SchemaArguments {}
 
-impl Schema {
+impl SchemaArguments {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
         console.result(|| format!("{:#}\n", schema()), schema)?;
         Ok(Exit::Done)

@@ -36,10 +36,10 @@ pub(super) fn friction(c: &[f64; 4], log10_velocity: f64, log10_indentation: f64
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fit::least_squares::Function;
+    use crate::fit::least_squares::GradientFunction;
     use crate::{ContactLaw, ContactPoint, FittedLaw};
 
-    fn assert_gradient<const N: usize>(function: Function<N>, c: [f64; N], at: (f64, f64)) {
+    fn assert_gradient<const N: usize>(function: GradientFunction<N>, c: [f64; N], at: (f64, f64)) {
         const STEP: f64 = 1e-6;
         let (_, gradient) = function(&c, at.0, at.1);
         for k in 0..N {

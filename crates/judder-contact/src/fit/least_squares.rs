@@ -78,18 +78,18 @@ fn upper_quantile(name: &'static str, freedom: f64) -> Result<f64, FitError> {
 }
 
 /// A function with its gradient by the coefficients, at log₁₀ v̂ and log₁₀ ŷ.
-pub(super) type Function<const N: usize> = fn(&[f64; N], f64, f64) -> (f64, [f64; N]);
+pub(super) type GradientFunction<const N: usize> = fn(&[f64; N], f64, f64) -> (f64, [f64; N]);
 
 /// The problem that the library solves; its residuals are over the largest weighted value, so that its tolerances mean digits.
 #[derive(Clone)]
-struct Problem<'a, const N: usize> {
+struct FitProblem<'a, const N: usize> {
     data: &'a [Observation],
-    function: Function<N>,
+    function: GradientFunction<N>,
     coefficients: [f64; N],
     per_scale: f64,
 }
 
-impl<const N: usize> Problem<'_, N> {
+impl<const N: usize> FitProblem<'_, N> {
     fn residual_vector(&self) -> DVector<f64> {
         DVector::from_iterator(
             self.data.len(),
@@ -112,7 +112,7 @@ impl<const N: usize> Problem<'_, N> {
     }
 }
 
-impl<const N: usize> LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_, N> {
+impl<const N: usize> LeastSquaresProblem<f64, Dyn, Dyn> for FitProblem<'_, N> {
     type ParameterStorage = Owned<f64, Dyn>;
     type ResidualStorage = Owned<f64, Dyn>;
     type JacobianStorage = Owned<f64, Dyn, Dyn>;
@@ -138,7 +138,7 @@ impl<const N: usize> LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_, N> {
 pub(super) fn fit_function<const N: usize>(
     name: &'static str,
     data: &[Observation],
-    function: Function<N>,
+    function: GradientFunction<N>,
     start: impl Fn(&[Observation]) -> Result<[f64; N], FitError>,
 ) -> Result<FunctionFit<N>, FitError> {
     if data.len() <= N {
@@ -146,11 +146,11 @@ pub(super) fn fit_function<const N: usize>(
     }
     let start = start(data)?;
     let largest = data.iter().map(|o| (o.value * o.weight).abs()).fold(0.0, f64::max);
-    let mut best: Option<(f64, Problem<'_, N>)> = None;
+    let mut best: Option<(f64, FitProblem<'_, N>)> = None;
     let mut reason = String::new();
     for factor in STARTS {
         let coefficients = start.map(|value| factor * value);
-        let problem = Problem { data, function, coefficients, per_scale: 1.0 / largest };
+        let problem = FitProblem { data, function, coefficients, per_scale: 1.0 / largest };
         let (problem, report) = LevenbergMarquardt::new().with_patience(PATIENCE).minimize(problem);
         let objective = report.objective_function;
         if !report.termination.was_successful() || !objective.is_finite() {
@@ -178,7 +178,7 @@ fn in_words(reason: &TerminationReason) -> String {
 /// Standard errors from s²(JᵀJ)⁻¹, intervals from Student's t, r².
 fn statistics<const N: usize>(
     name: &'static str,
-    problem: &Problem<'_, N>,
+    problem: &FitProblem<'_, N>,
 ) -> Result<FunctionFit<N>, FitError> {
     let undetermined = FitError::Undetermined { function: name };
     let data = problem.data;

@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 
 /// The surface of a rigid indenter, lowest at the origin; lengths in the problem's unit, mostly R.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Shape {
+pub enum IndenterShape {
     /// h = (x² + y²)/2R, the shallow sphere of Hertz.
     Paraboloid {
         /// R, radius of curvature.
@@ -26,7 +26,7 @@ pub enum Shape {
     HeightMap(HeightMap),
 }
 
-impl Shape {
+impl IndenterShape {
     /// Whether the surface repeats itself, so that only the periodic kernel applies.
     #[must_use]
     pub fn is_periodic(&self) -> bool {
@@ -34,7 +34,7 @@ impl Shape {
     }
 }
 
-impl Profile for Shape {
+impl Profile for IndenterShape {
     fn height(&self, x: f64, y: f64) -> f64 {
         match self {
             Self::Paraboloid { radius } => radius * Paraboloid.height(x / radius, y / radius),
@@ -85,7 +85,7 @@ mod tests {
 
     #[test]
     fn sphere_is_exact_and_out_of_reach_beyond_its_equator() {
-        let sphere = Shape::Sphere { radius: 2.0 };
+        let sphere = IndenterShape::Sphere { radius: 2.0 };
         assert!((sphere.height(1.2, 0.0) - 0.4).abs() < 1e-15);
         assert!(sphere.height(2.0, 0.5) > 100.0 && sphere.height(2.0, 0.5).is_finite());
         assert!((sphere.extent(0.4) - 1.2).abs() < 1e-15);
@@ -94,13 +94,13 @@ mod tests {
     #[test]
     fn depth_of_a_paraboloid_scales_with_its_radius() {
         let force: f64 = 4.0 / 3.0 * 3.0_f64.sqrt() * 0.1_f64.powf(1.5);
-        let depth = Shape::Paraboloid { radius: 3.0 }.elastic_depth(force);
+        let depth = IndenterShape::Paraboloid { radius: 3.0 }.elastic_depth(force);
         assert!((depth - 0.1).abs() < 1e-14);
     }
 
     #[test]
     fn cylinder_is_as_wide_as_the_contact_of_hertz() {
-        let cylinder = Shape::Cylinder { radius: 0.5 };
+        let cylinder = IndenterShape::Cylinder { radius: 0.5 };
         let half_width = cylinder.extent(cylinder.elastic_depth(0.01));
         assert!((half_width * half_width - 4.0 * 0.01 * 0.5 / PI).abs() < 1e-15);
         assert!(cylinder.is_line() && cylinder.height(0.1, 0.0) == cylinder.height(0.1, 7.0));

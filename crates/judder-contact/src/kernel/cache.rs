@@ -11,17 +11,17 @@ use std::sync::{Arc, Mutex, PoisonError};
 pub struct KernelCache {
     capacity: u64,
     /// From the one used longest ago to the one used last.
-    entries: Mutex<Vec<Entry>>,
+    entries: Mutex<Vec<CachedKernel>>,
 }
 
-struct Entry {
-    key: Key,
+struct CachedKernel {
+    key: KernelKey,
     bytes: u64,
     spectra: Arc<KernelSpectra>,
 }
 
 #[derive(PartialEq)]
-struct Key {
+struct KernelKey {
     columns: usize,
     rows: usize,
     substrate: SlidingSubstrate,
@@ -37,7 +37,7 @@ impl KernelCache {
     /// The kernel of a grid without images; lengths of the substrate in cells.
     #[must_use]
     pub fn spectra(&self, columns: usize, rows: usize, substrate: &SlidingSubstrate) -> Arc<KernelSpectra> {
-        let key = Key { columns, rows, substrate: substrate.clone() };
+        let key = KernelKey { columns, rows, substrate: substrate.clone() };
         if let Some(known) = self.find(&key) {
             return known;
         }
@@ -54,18 +54,18 @@ impl KernelCache {
     }
 
     /// A thread that panicked while it held the lock leaves a list that is whole: every change is one step.
-    fn lock(&self) -> std::sync::MutexGuard<'_, Vec<Entry>> {
+    fn lock(&self) -> std::sync::MutexGuard<'_, Vec<CachedKernel>> {
         self.entries.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn find(&self, key: &Key) -> Option<Arc<KernelSpectra>> {
+    fn find(&self, key: &KernelKey) -> Option<Arc<KernelSpectra>> {
         let mut entries = self.lock();
         let index = entries.iter().position(|entry| entry.key == *key)?;
         entries[index..].rotate_left(1);
         entries.last().map(|entry| Arc::clone(&entry.spectra))
     }
 
-    fn keep(&self, key: Key, spectra: &Arc<KernelSpectra>) {
+    fn keep(&self, key: KernelKey, spectra: &Arc<KernelSpectra>) {
         let bytes = KernelSpectra::memory_bytes(key.columns, key.rows);
         let mut entries = self.lock();
         if bytes > self.capacity || entries.iter().any(|entry| entry.key == key) {
@@ -74,7 +74,7 @@ impl KernelCache {
         while entries.iter().map(|entry| entry.bytes).sum::<u64>() > self.capacity - bytes {
             entries.remove(0);
         }
-        entries.push(Entry { key, bytes, spectra: Arc::clone(spectra) });
+        entries.push(CachedKernel { key, bytes, spectra: Arc::clone(spectra) });
     }
 }
 

@@ -1,7 +1,7 @@
 //! Sliding of long strips, the plane-strain contact of a cylinder across the direction of sliding.
 
 use super::check::KernelError;
-use super::recurrence::{Recurrence, Row};
+use super::recurrence::{WakeRecurrence, WakeRow};
 use super::sliding::SlidingOperator;
 use super::spectra::KernelSpectra;
 use super::substrate::SlidingSubstrate;
@@ -83,9 +83,14 @@ pub fn line_kernel(columns: usize, shift: f64, reference: f64, substrate: &Slidi
             *value = displacement(x + index as f64, reference);
         }
     };
-    let places =
-        Row::new(1.0 - columns as f64 - shift, padded(columns), 0.0, |x| displacement(x, reference), fill);
+    let places = WakeRow::new(
+        1.0 - columns as f64 - shift,
+        padded(columns),
+        0.0,
+        |x| displacement(x, reference),
+        fill,
+    );
     let mut values = vec![0.0; padded(columns)];
-    places.add_kernel(substrate, &Recurrence::all(substrate), &mut values);
+    places.add_kernel(substrate, &WakeRecurrence::all(substrate), &mut values);
     WakeKernel { columns, rows: 1, values }
 }

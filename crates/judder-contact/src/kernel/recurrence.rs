@@ -24,7 +24,7 @@ const GRADING: (f64, i32) = (0.3, 10);
 const TAIL: f64 = 8.0;
 
 /// A row of places at unit distance, with the elastic displacement wherever the wakes of all terms need it.
-pub(crate) struct Row<F> {
+pub(crate) struct WakeRow<F> {
     displacement: F,
     first: f64,
     y: f64,
@@ -36,7 +36,7 @@ pub(crate) struct Row<F> {
     at_nodes: Vec<f64>,
 }
 
-impl<F: Fn(f64) -> f64> Row<F> {
+impl<F: Fn(f64) -> f64> WakeRow<F> {
     /// The row at `y` whose `places` start at x = `first`; `fill` writes displacements at x, x + 1, …, `displacement`
     /// gives it anywhere. Lengths in cells, the loaded cell at the origin.
     pub(crate) fn new(
@@ -62,7 +62,7 @@ impl<F: Fn(f64) -> f64> Row<F> {
     pub(crate) fn add_kernel(
         &self,
         substrate: &SlidingSubstrate,
-        recurrences: &[Recurrence],
+        recurrences: &[WakeRecurrence],
         out: &mut [f64],
     ) {
         for (value, elastic) in out.iter_mut().zip(&self.lattice[BEFORE..]) {
@@ -96,13 +96,13 @@ impl<F: Fn(f64) -> f64> Row<F> {
 }
 
 /// One term of the wake: g(x) = e^{−κ} g(x + 1) + ∫_0^1 κ e^{−κt} L(x + t) dt with κ = h/ℓ.
-pub(crate) struct Recurrence {
+pub(crate) struct WakeRecurrence {
     rate: f64,
     lattice_weights: [f64; STENCIL],
     node_weights: [f64; NODES],
 }
 
-impl Recurrence {
+impl WakeRecurrence {
     /// The recurrences of a substrate's terms; lengths in cells.
     pub(crate) fn all(substrate: &SlidingSubstrate) -> Vec<Self> {
         substrate.terms.iter().map(|term| Self::new(term.length)).collect()
@@ -120,7 +120,7 @@ impl Recurrence {
     }
 
     /// Writes the wake at the places of the row, and as many more as its recurrence has.
-    fn along<F: Fn(f64) -> f64>(&self, row: &Row<F>, wake: &mut Vec<f64>) {
+    fn along<F: Fn(f64) -> f64>(&self, row: &WakeRow<F>, wake: &mut Vec<f64>) {
         wake.clear();
         wake.extend(
             row.lattice.windows(STENCIL).take(row.count - 1).map(|values| dot(values, &self.lattice_weights)),

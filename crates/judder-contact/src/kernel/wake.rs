@@ -1,7 +1,7 @@
 //! The kernel of steady sliding: Love's cell and the wake that it leaves.
 
 use super::love;
-use super::recurrence::{Recurrence, Row};
+use super::recurrence::{WakeRecurrence, WakeRow};
 use super::substrate::SlidingSubstrate;
 
 /// Kernel values at all differences of two cells of a grid.
@@ -33,12 +33,12 @@ impl WakeKernel {
     pub fn new(columns: usize, rows: usize, shift: f64, substrate: &SlidingSubstrate) -> Self {
         let wide = padded(columns);
         let mut values = vec![0.0; wide * rows];
-        let recurrences = Recurrence::all(substrate);
+        let recurrences = WakeRecurrence::all(substrate);
         let first = 1.0 - columns as f64 - shift;
         for (row, out) in values.chunks_exact_mut(wide.max(1)).enumerate() {
             let y = row as f64;
             let places =
-                Row::new(first, wide, y, |x| love::displacement(x, y), |x, out| love::fill(x, y, out));
+                WakeRow::new(first, wide, y, |x| love::displacement(x, y), |x, out| love::fill(x, y, out));
             places.add_kernel(substrate, &recurrences, out);
         }
         Self { columns, rows, values }

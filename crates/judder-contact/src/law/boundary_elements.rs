@@ -6,7 +6,7 @@ use super::quantities::PerQuantity;
 use super::sweep::LawSample;
 use crate::kernel::substrate::{SlidingSubstrate, WakeTerm};
 use crate::steady::profile::{Paraboloid, Profile, Sphere};
-use crate::steady::refinement::Estimate;
+use crate::steady::refinement::ErrorEstimate;
 use crate::steady::{GridChoice, SteadyError, SteadyQuestion, solve};
 use crate::unilateral::{Loading, UnilateralLimits};
 use thiserror::Error;
@@ -94,7 +94,7 @@ pub fn sample(
         });
     }
     let [(force, force_error), (area, area_error), (friction, friction_error)] =
-        [force, area, friction].map(|Estimate { value, error, .. }| (value, error));
+        [force, area, friction].map(|ErrorEstimate { value, error, .. }| (value, error));
     Ok(LawSample { force, area, friction, force_error, area_error, friction_error })
 }
 

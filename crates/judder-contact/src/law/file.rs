@@ -27,7 +27,7 @@ const LIMIT_TOLERANCE: f64 = 1e-9;
 
 /// The first thing that is read of a file, so that a wrong one is named before its fields are.
 #[derive(Deserialize)]
-struct Head {
+struct FileHead {
     #[serde(default)]
     format: String,
     #[serde(default)]
@@ -37,7 +37,7 @@ struct Head {
 /// The file.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Document {
+struct LawDocument {
     format: String,
     version: u32,
     source: String,
@@ -119,7 +119,7 @@ pub fn to_json(law: &Law) -> Result<Option<String>, LawError> {
         Law::Tabulated(law) => Some(law.ln_indentations()),
         _ => None,
     };
-    let document = Document {
+    let document = LawDocument {
         format: FORMAT.to_owned(),
         version: VERSION,
         source: origin.source.clone(),
@@ -142,7 +142,7 @@ pub fn to_json(law: &Law) -> Result<Option<String>, LawError> {
 /// Another format or version; a field that lacks, or is one too many; knots that are not even; numbers that are not positive and
 /// finite; limits or errors that make no sense.
 pub fn from_json(text: &str) -> Result<Law, LawError> {
-    let head: Head = serde_json::from_str(text)?;
+    let head: FileHead = serde_json::from_str(text)?;
     let understood = match head.format.as_str() {
         FORMAT => VERSION,
         sampled::file::FORMAT => sampled::file::VERSION,
@@ -154,7 +154,7 @@ pub fn from_json(text: &str) -> Result<Law, LawError> {
     if head.format == sampled::file::FORMAT {
         return Ok(Law::Sampled(Arc::new(sampled::file::from_json(text)?)));
     }
-    let document: Document = serde_json::from_str(text)?;
+    let document: LawDocument = serde_json::from_str(text)?;
     let material = document.material.checked()?;
     document.limits.check(&material)?;
     check_errors(&document.errors)?;

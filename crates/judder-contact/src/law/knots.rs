@@ -116,7 +116,7 @@ impl Knots {
     /// With t the distance from the knot at its left, from the first and the last knot in the tails, a piece is
     /// c0 + c1 t + c2 t² + c3 t³ between knots and c0 + e^{rate·t} (c1 + c2 t) + c3 e^{rate·t/2} in the tails.
     #[inline(always)]
-    pub(crate) fn place(&self, x: f64, rates: (f64, f64)) -> Place {
+    pub(crate) fn place(&self, x: f64, rates: (f64, f64)) -> KnotPlace {
         let position = (x - self.first) * self.per_step + 1.0;
         // a conversion from floating point saturates: everything below the first knot is piece 0
         let piece = (position as usize).min(self.count);
@@ -126,20 +126,20 @@ impl Knots {
             let rate = if piece == 0 { rates.0 } else { rates.1 };
             let root = exp(0.5 * rate * t);
             let (w, slope) = (root * root, rate * root * root);
-            return Place {
+            return KnotPlace {
                 piece,
                 basis: [1.0, w, w * t, root],
                 slopes: [0.0, slope, slope * t + w, 0.5 * rate * root],
             };
         }
         let square = t * t;
-        Place { piece, basis: [1.0, t, square, square * t], slopes: [0.0, 1.0, 2.0 * t, 3.0 * square] }
+        KnotPlace { piece, basis: [1.0, t, square, square * t], slopes: [0.0, 1.0, 2.0 * t, 3.0 * square] }
     }
 }
 
 /// A place among knots.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Place {
+pub(crate) struct KnotPlace {
     /// The piece of the spline.
     pub(crate) piece: usize,
     /// The four functions.

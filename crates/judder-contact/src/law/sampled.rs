@@ -4,7 +4,7 @@ mod adaptive;
 mod axis;
 pub mod file;
 
-pub use adaptive::{SampleRequest, Sampled, sampled};
+pub use adaptive::{SampleRequest, SampledAdaptively, sampled};
 
 use crate::contact_law::{ContactLaw, ValidityConcern};
 use crate::law::error::LawError;
@@ -14,17 +14,17 @@ use crate::law::scatter::{Doubt, Tabulated};
 use crate::law::slow::SlowErrors;
 use crate::law::table::{along_speed, combined};
 use crate::response::{ContactPoint, ContactResponse, WithDerivatives};
-use axis::Axis;
+use axis::KnotAxis;
 
 /// The names of the axes in errors.
 pub(crate) const AXES: [&str; 2] = ["speed v τ/R", "indentation y/R"];
 
 /// One bicubic piece, `[a][b][quantity]`: sums over the functions of ln v̂ (a) and of ln ŷ (b); a zero stands beside the quantities.
-type Patch = [[[f64; 4]; 4]; 4];
+type SampledPatch = [[[f64; 4]; 4]; 4];
 
 /// What a sampled law is made of.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Samples {
+pub struct LawSamples {
     /// Where the values come from, in words.
     pub source: String,
     /// v̂ of the knots, ascending, at least two.
@@ -42,11 +42,11 @@ pub struct Samples {
 /// (ŷ^{3/2} and ŷ), friction that grows as v̂ goes on to zero, within the error of the spline at its edge. [`concern`](ContactLaw::concern) names a point beyond.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SampledLaw {
-    samples: Samples,
+    samples: LawSamples,
     errors: [PerQuantity<f64>; 2],
-    speeds: Axis,
-    depths: Axis,
-    patches: Vec<Patch>,
+    speeds: KnotAxis,
+    depths: KnotAxis,
+    patches: Vec<SampledPatch>,
     /// A patch each.
     doubts: Option<Vec<Doubt>>,
 }
@@ -57,9 +57,9 @@ impl SampledLaw {
     /// # Errors
     /// Fewer than two knots, knots that are not positive, finite and ascending, a wrong number of values, force or area that is not
     /// positive and finite, friction that is not finite.
-    pub fn new(samples: Samples) -> Result<Self, LawError> {
+    pub fn new(samples: LawSamples) -> Result<Self, LawError> {
         let [speeds, depths] = [(&samples.velocities, AXES[0]), (&samples.indentations, AXES[1])];
-        let (speeds, depths) = (Axis::new(speeds.0, speeds.1)?, Axis::new(depths.0, depths.1)?);
+        let (speeds, depths) = (KnotAxis::new(speeds.0, speeds.1)?, KnotAxis::new(depths.0, depths.1)?);
         check(&samples)?;
         let scaled = scaled(&samples);
         let patches = patches(&speeds, &depths, &scaled);
@@ -78,7 +78,7 @@ impl SampledLaw {
 
     /// What it is made of.
     #[must_use]
-    pub fn samples(&self) -> &Samples {
+    pub fn samples(&self) -> &LawSamples {
         &self.samples
     }
 
@@ -170,7 +170,7 @@ impl ContactLaw for SampledLaw {
 }
 
 /// Refuses values that are too few or too many or make no law.
-fn check(samples: &Samples) -> Result<(), LawError> {
+fn check(samples: &LawSamples) -> Result<(), LawError> {
     let (columns, rows) = (samples.velocities.len(), samples.indentations.len());
     let lists = samples.values.as_ref().zip(NAMES).into_array();
     for (place, (list, quantity)) in lists.into_iter().enumerate() {
@@ -192,7 +192,7 @@ fn check(samples: &Samples) -> Result<(), LawError> {
 }
 
 /// ln(F̃/ŷ^{3/2}), ln(Ã/ŷ), μ.
-fn scaled(samples: &Samples) -> KnotValues {
+fn scaled(samples: &LawSamples) -> KnotValues {
     let columns = samples.velocities.len();
     let depth = |index: usize| samples.indentations[index / columns];
     let over = |list: &[f64], exponent: f64| -> Vec<f64> {
@@ -206,7 +206,7 @@ fn scaled(samples: &Samples) -> KnotValues {
 }
 
 /// The bicubic pieces: splines along ln v̂ in every row, then splines along ln ŷ through each of their coefficients.
-fn patches(speeds: &Axis, depths: &Axis, scaled: &KnotValues) -> Vec<Patch> {
+fn patches(speeds: &KnotAxis, depths: &KnotAxis, scaled: &KnotValues) -> Vec<SampledPatch> {
     let (columns, mut patches) =
         (speeds.count(), vec![[[[0.0; 4]; 4]; 4]; speeds.pieces() * depths.pieces()]);
     for (quantity, list) in scaled.as_ref().into_array().into_iter().enumerate() {
@@ -226,7 +226,7 @@ fn patches(speeds: &Axis, depths: &Axis, scaled: &KnotValues) -> Vec<Patch> {
 }
 
 /// The largest deviations at left-out knots, along the speed and along the depth.
-fn left_out(speeds: &Axis, depths: &Axis, scaled: &KnotValues) -> [PerQuantity<f64>; 2] {
+fn left_out(speeds: &KnotAxis, depths: &KnotAxis, scaled: &KnotValues) -> [PerQuantity<f64>; 2] {
     let columns = speeds.count();
     let along_speed =
         scaled.as_ref().map(|list| list.chunks(columns).map(|row| speeds.left_out(row)).fold(0.0, f64::max));
@@ -261,7 +261,7 @@ mod tests {
             area: at(|response| response.area.value),
             friction: at(|response| response.friction.value),
         };
-        SampledLaw::new(Samples { source: "a test".to_owned(), velocities, indentations, values }).unwrap()
+        SampledLaw::new(LawSamples { source: "a test".to_owned(), velocities, indentations, values }).unwrap()
     }
 
     #[test]
@@ -317,7 +317,7 @@ mod tests {
             area: grid().map(|(_, y)| std::f64::consts::PI * y).collect(),
             friction: grid().map(|(v, _)| 0.9 * v).collect(),
         };
-        let law = SampledLaw::new(Samples {
+        let law = SampledLaw::new(LawSamples {
             source: String::new(),
             velocities: velocities.clone(),
             indentations: indentations.clone(),
@@ -342,7 +342,7 @@ mod tests {
         let make = |velocities: Vec<f64>, force: Vec<f64>, friction: Vec<f64>| {
             let area = vec![1.0; force.len()];
             let values = PerQuantity { force, area, friction };
-            SampledLaw::new(Samples {
+            SampledLaw::new(LawSamples {
                 source: String::new(),
                 velocities,
                 indentations: vec![1e-3, 1e-2],

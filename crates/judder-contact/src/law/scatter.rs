@@ -7,7 +7,7 @@
 //! one number stands for both. What the solver states of its contacts bounds their values; it is a bound of the worst, tens of times what they scatter.
 
 use crate::law::differences::differences;
-use crate::law::knots::Place;
+use crate::law::knots::KnotPlace;
 use crate::law::quantities::{KnotValues, PerQuantity};
 use crate::law::scaled::ScaledLogarithm;
 use crate::law::slow::SlowErrors;
@@ -100,7 +100,7 @@ fn spacing(places: &[f64], k: usize) -> f64 {
 
 /// The doubt in a tail with this rate: that of the edge as the tail hands it on, and all of what is assumed of the tail's form, its two last
 /// coefficients.
-pub(crate) fn in_tail(edge: Doubt, place: &Place, rate: f64, assumed: PerQuantity<[f64; 2]>) -> Doubt {
+pub(crate) fn in_tail(edge: Doubt, place: &KnotPlace, rate: f64, assumed: PerQuantity<[f64; 2]>) -> Doubt {
     let [_, w, wt, _] = place.basis;
     let [_, w_slope, wt_slope, _] = place.slopes;
     let (rate, reach) = (rate.abs(), wt.abs());

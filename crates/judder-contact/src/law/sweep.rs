@@ -102,7 +102,7 @@ pub struct SweepLevel {
 
 /// A finished sweep.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Sweep<L> {
+pub struct LawSweep<L> {
     /// The law; its errors tell what was reached.
     pub law: L,
     /// Why it ended.

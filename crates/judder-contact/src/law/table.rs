@@ -3,7 +3,7 @@
 use crate::contact_law::{ContactLaw, ValidityConcern};
 use crate::law::data::LawData;
 use crate::law::error::LawError;
-use crate::law::knots::{Knots, Place};
+use crate::law::knots::{KnotPlace, Knots};
 use crate::law::limits::SpeedLimits;
 use crate::law::material::LawMaterial;
 use crate::law::origin::LawOrigin;
@@ -79,7 +79,7 @@ pub(crate) fn tail_concern(
 /// One bicubic piece, `[a][b][quantity]`: sums over the functions of ln z (a) and of ln ŷ (b).
 ///
 /// The quantities (and one zero) stand together, so that the sums over a and b are made for all of them by one vector instruction.
-type Patch = [[[f64; 4]; 4]; 4];
+type TablePatch = [[[f64; 4]; 4]; 4];
 
 /// Σ_a w_a c_a, entry by entry.
 #[inline(always)]
@@ -94,7 +94,7 @@ pub(crate) fn combined(c: &[[f64; 4]; 4], weights: &[f64; 4]) -> [f64; 4] {
 
 /// [`combined`] over the functions of ln z, for each function of ln ŷ.
 #[inline(always)]
-pub(crate) fn along_speed(patch: &Patch, weights: &[f64; 4]) -> [[f64; 4]; 4] {
+pub(crate) fn along_speed(patch: &TablePatch, weights: &[f64; 4]) -> [[f64; 4]; 4] {
     let [c0, c1, c2, c3] = patch;
     let mut sums = [[0.0; 4]; 4];
     for b in 0..4 {
@@ -121,7 +121,7 @@ pub struct TabulatedLaw {
     data: LawData,
     indentations: Knots,
     reference: FrictionReference,
-    patches: Vec<Patch>,
+    patches: Vec<TablePatch>,
     /// A patch each.
     doubts: Option<Vec<Doubt>>,
     /// The largest deviations at left-out knots, along the speed and along the depth.
@@ -186,7 +186,7 @@ impl TabulatedLaw {
     }
 
     #[inline(always)]
-    fn places(&self, at: &ContactPoint) -> (Place, Place, &Patch) {
+    fn places(&self, at: &ContactPoint) -> (KnotPlace, KnotPlace, &TablePatch) {
         let speed = self.data.speeds.place(ln_speed(at), SPEED_RATES);
         let depth = self.indentations.place(at.ln_indentation, INDENTATION_RATES);
         let patch = &self.patches[depth.piece * self.data.speeds.pieces() + speed.piece];
@@ -247,7 +247,7 @@ fn row_limits(origin: &LawOrigin, indentations: &Knots) -> Result<Vec<PerQuantit
 }
 
 /// The doubt at a place along the speed, where `piece` is summed over: that of the piece, and in a tail what the tail makes of it.
-pub(crate) fn in_tails(doubt: Doubt, place: &Place, count: usize, piece: &[[f64; 4]; 4]) -> Doubt {
+pub(crate) fn in_tails(doubt: Doubt, place: &KnotPlace, count: usize, piece: &[[f64; 4]; 4]) -> Doubt {
     let rate = match place.piece {
         0 => SPEED_RATES.0,
         last if last == count => SPEED_RATES.1,
@@ -262,7 +262,7 @@ pub(crate) fn in_tails(doubt: Doubt, place: &Place, count: usize, piece: &[[f64;
 /// The bicubic pieces: splines along ln z in every row, then splines along ln ŷ through each of their coefficients.
 ///
 /// Both steps are linear, so what holds in every row (the way to the limits, the continuity at the knots) holds between them.
-fn patches(speeds: &Knots, indentations: &Knots, scaled: &KnotValues, tails: &[RowTails]) -> Vec<Patch> {
+fn patches(speeds: &Knots, indentations: &Knots, scaled: &KnotValues, tails: &[RowTails]) -> Vec<TablePatch> {
     let columns = speeds.count();
     let rows: Vec<PerQuantity<Vec<[f64; 4]>>> = tails
         .iter()

@@ -97,7 +97,7 @@ impl PronyFit {
                 return Err(MaterialError::RubberyAboveData { rubbery, lowest });
             }
         }
-        let system = System { points: data.points(), band: data.band(), rubbery_modulus };
+        let system = RelaxationSystem { points: data.points(), band: data.band(), rubbery_modulus };
         match terms {
             TermCount::Exactly(count) => system.fit(within_bounds(count)?),
             TermCount::Within { deviation, most } => {
@@ -182,13 +182,13 @@ fn r_squared(pairs: impl Iterator<Item = (f64, f64)>) -> f64 {
 }
 
 /// The least-squares problem, but for its relaxation times.
-struct System<'a> {
+struct RelaxationSystem<'a> {
     points: &'a [DmaPoint],
     band: (f64, f64),
     rubbery_modulus: Option<f64>,
 }
 
-impl System<'_> {
+impl RelaxationSystem<'_> {
     fn fit_within(&self, deviation: f64, most: usize) -> Result<PronyFit, MaterialError> {
         let mut best = self.fit(1)?;
         for count in 2..=most {
@@ -205,7 +205,7 @@ impl System<'_> {
 
     /// The best row of `count` relaxation times.
     fn fit(&self, count: usize) -> Result<PronyFit, MaterialError> {
-        let Attempt { solution, ends } = self.best_row(count)?;
+        let FitAttempt { solution, ends } = self.best_row(count)?;
         let times = row(ends.0, ends.1, count);
         let offset = usize::from(self.rubbery_modulus.is_none());
         let rubbery = self.rubbery_modulus.unwrap_or(solution.coefficients[0]);
@@ -222,12 +222,12 @@ impl System<'_> {
     }
 
     /// The ends of the row, as logarithms of times, that leave the least deviation.
-    fn best_row(&self, count: usize) -> Result<Attempt, MaterialError> {
+    fn best_row(&self, count: usize) -> Result<FitAttempt, MaterialError> {
         let (shortest, longest) = ((1.0 / self.band.1 / OVERHANG).ln(), (OVERHANG / self.band.0).ln());
-        let attempt = |ends: (f64, f64)| -> Result<Attempt, MaterialError> {
+        let attempt = |ends: (f64, f64)| -> Result<FitAttempt, MaterialError> {
             let ends = (ends.0.clamp(shortest, longest), ends.1.clamp(shortest, longest));
             let ends = (ends.0, if count == 1 { ends.0 } else { ends.1.max(ends.0) });
-            Ok(Attempt { solution: self.moduli(&row(ends.0, ends.1, count))?, ends })
+            Ok(FitAttempt { solution: self.moduli(&row(ends.0, ends.1, count))?, ends })
         };
         let coarse = (longest - shortest) / COARSE_PARTS as f64;
         let at = |k: usize| shortest + k as f64 * coarse;
@@ -273,12 +273,12 @@ impl System<'_> {
 }
 
 /// A row of relaxation times, by the logarithms of its ends, with its moduli.
-struct Attempt {
+struct FitAttempt {
     solution: NonNegativeSolution,
     ends: (f64, f64),
 }
 
-impl Attempt {
+impl FitAttempt {
     fn or_better(self, other: Self) -> Self {
         if other.solution.residual < self.solution.residual { other } else { self }
     }

@@ -8,9 +8,10 @@ use crate::steady::contact_area::periodic_contact_area;
 use crate::steady::refinement::LevelSummary;
 use crate::surface::grid::SurfaceGrid;
 use crate::surface::operator::SurfaceOperator;
-use crate::surface::stoppable::{Interrupted, Stoppable};
-use crate::unilateral::active_set::{self, Start};
+use crate::surface::stoppable::Stoppable;
+use crate::unilateral::active_set::{self, UnilateralStart};
 use crate::unilateral::{Loading, UnilateralLimits, UnilateralProblem, UnilateralSolution, symmetric};
+use judder_numerics::stopping::Interrupted;
 
 /// Cells a side below which no coarser grid gives a start.
 const COARSEST: usize = 32;
@@ -45,7 +46,7 @@ impl PeriodicLevel {
     pub(super) fn solve(
         question: &PeriodicQuestion<'_>,
         factor: usize,
-        start: Start<'_>,
+        start: UnilateralStart<'_>,
         interrupted: Interrupted<'_>,
     ) -> Result<Self, PeriodicContactError> {
         let grid = refined(&question.surface.grid(), factor);
@@ -115,7 +116,7 @@ pub(super) fn start_from_coarser(
     };
     for (grid, heights) in coarser.iter().rev() {
         let mut operator = SlidingOperator::periodic(*grid, question.substrate, question.memory)?;
-        let start = Start { pressure: &pressure, indentation };
+        let start = UnilateralStart { pressure: &pressure, indentation };
         let solution = solve_on(question, &mut operator, heights, start, limits, interrupted)?;
         (pressure, indentation) = (doubled(grid, &solution.pressure), solution.indentation);
     }
@@ -151,7 +152,7 @@ fn solve_on(
     question: &PeriodicQuestion<'_>,
     operator: &mut SlidingOperator,
     heights: &[f64],
-    start: Start<'_>,
+    start: UnilateralStart<'_>,
     limits: UnilateralLimits,
     interrupted: Interrupted<'_>,
 ) -> Result<UnilateralSolution, PeriodicContactError> {

@@ -25,7 +25,7 @@ const NODES: usize = 4;
 /// with the |P|² ∝ q⁻⁴ of a pressure that ends like a square root. Valid for any pressure on a bounded contact.
 #[must_use]
 pub fn friction_from_dissipation(grid: &SurfaceGrid, pressure: &[f64], substrate: &SlidingSubstrate) -> f64 {
-    let Some(patch) = Patch::of(grid, pressure, LARGEST_SIDE) else {
+    let Some(patch) = LoadedPatch::of(grid, pressure, LARGEST_SIDE) else {
         return 0.0;
     };
     let shortest = 0.5 * PI / patch.cell;
@@ -58,7 +58,7 @@ pub fn friction_from_dissipation(grid: &SurfaceGrid, pressure: &[f64], substrate
 /// waves across, long ones weigh more: the quadrature begins where the longest wake is passed in a small part of a wave.
 #[must_use]
 pub fn friction_of_a_line(grid: &SurfaceGrid, pressure: &[f64], substrate: &SlidingSubstrate) -> f64 {
-    let Some(patch) = Patch::of(grid, pressure, LARGEST_ROW) else {
+    let Some(patch) = LoadedPatch::of(grid, pressure, LARGEST_ROW) else {
         return 0.0;
     };
     let shortest = 0.5 * PI / patch.cell;
@@ -116,14 +116,14 @@ fn wave_numbers(extent: f64, cell: f64, halvings: i32) -> Vec<(f64, f64)> {
 }
 
 /// The loaded part of the surface as forces at the centres of (possibly gathered) cells.
-struct Patch {
+struct LoadedPatch {
     columns: usize,
     rows: usize,
     cell: f64,
     forces: Vec<f64>,
 }
 
-impl Patch {
+impl LoadedPatch {
     fn of(grid: &SurfaceGrid, pressure: &[f64], largest_side: usize) -> Option<Self> {
         let loaded = |column: usize, row: usize| pressure[row * grid.columns + column] != 0.0;
         let rows: Vec<usize> =

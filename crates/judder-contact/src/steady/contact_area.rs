@@ -5,7 +5,7 @@ use crate::surface::grid::SurfaceGrid;
 
 /// How the rows along the sliding go on beyond their ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Ends {
+enum ContactEnds {
     /// Nothing presses there.
     Free,
     /// The row repeats itself.
@@ -23,14 +23,14 @@ enum Ends {
 /// The two sums, over rows and over columns, are averaged.
 #[must_use]
 pub fn contact_area(grid: &SurfaceGrid, pressure: &[f64], substrate: &SlidingSubstrate) -> f64 {
-    let elastic = elastic_pressure(grid, pressure, substrate, Ends::Free);
+    let elastic = elastic_pressure(grid, pressure, substrate, ContactEnds::Free);
     area_of_lines(grid, pressure, &elastic, |line| length_in_contact(line))
 }
 
 /// The same on a grid that repeats itself: contacts go on across its edges.
 #[must_use]
 pub fn periodic_contact_area(grid: &SurfaceGrid, pressure: &[f64], substrate: &SlidingSubstrate) -> f64 {
-    let elastic = elastic_pressure(grid, pressure, substrate, Ends::Periodic);
+    let elastic = elastic_pressure(grid, pressure, substrate, ContactEnds::Periodic);
     area_of_lines(grid, pressure, &elastic, |line| match line.iter().position(|cell| cell.pressure <= 0.0) {
         Some(open) => {
             line.rotate_left(open);
@@ -43,7 +43,7 @@ pub fn periodic_contact_area(grid: &SurfaceGrid, pressure: &[f64], substrate: &S
 /// The length in contact of a single row, in the grid's unit.
 #[must_use]
 pub fn contact_length(grid: &SurfaceGrid, pressure: &[f64], substrate: &SlidingSubstrate) -> f64 {
-    let elastic = elastic_pressure(grid, pressure, substrate, Ends::Free);
+    let elastic = elastic_pressure(grid, pressure, substrate, ContactEnds::Free);
     let line: Vec<EdgeCell> = cells(pressure, &elastic).collect();
     length_in_contact(&line) * grid.cell
 }
@@ -67,7 +67,7 @@ fn elastic_pressure(
     grid: &SurfaceGrid,
     pressure: &[f64],
     substrate: &SlidingSubstrate,
-    ends: Ends,
+    ends: ContactEnds,
 ) -> Vec<f64> {
     let mut elastic: Vec<f64> = pressure.iter().map(|p| substrate.instantaneous * p).collect();
     for term in &substrate.terms {
@@ -79,8 +79,8 @@ fn elastic_pressure(
             let along =
                 |memory: f64| given.iter().rev().fold(memory, |w, p| forgotten * p + (1.0 - forgotten) * w);
             let mut memory = match ends {
-                Ends::Free => 0.0,
-                Ends::Periodic => along(0.0) / -(-per_cell * columns as f64).exp_m1(),
+                ContactEnds::Free => 0.0,
+                ContactEnds::Periodic => along(0.0) / -(-per_cell * columns as f64).exp_m1(),
             };
             for (p, q) in given.iter().zip(found).rev() {
                 *q += term.compliance * ((1.0 - carried) * p + carried * memory);

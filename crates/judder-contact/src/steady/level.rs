@@ -10,10 +10,11 @@ use super::start::LevelStart;
 use crate::kernel::sliding::SlidingOperator;
 use crate::surface::grid::SurfaceGrid;
 use crate::surface::operator::SurfaceOperator;
-use crate::surface::stoppable::{Interrupted, Stoppable};
-use crate::unilateral::active_set::{self, Start};
+use crate::surface::stoppable::Stoppable;
+use crate::unilateral::active_set::{self, UnilateralStart};
 use crate::unilateral::symmetric;
 use crate::unilateral::{UnilateralProblem, UnilateralSolution};
+use judder_numerics::stopping::Interrupted;
 
 /// The solution on one grid; lengths in R, forces in E0* R². Of a line contact forces and areas are per length.
 #[derive(Debug, Clone, PartialEq)]
@@ -74,7 +75,7 @@ impl Level {
         let heights = heights(question.profile, grid, shift);
         let problem = UnilateralProblem { heights: &heights, loading };
         let pressure = start.on(grid);
-        let start = Start { pressure: &pressure, indentation };
+        let start = UnilateralStart { pressure: &pressure, indentation };
         let mut operator = Stoppable::new(&mut operator, interrupted);
         let solved = if operator.is_symmetric() {
             symmetric::solve(&mut operator, &problem, start, question.limits)

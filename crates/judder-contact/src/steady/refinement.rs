@@ -60,7 +60,7 @@ impl LevelSummary {
 
 /// A value from a sequence of grids.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Estimate {
+pub struct ErrorEstimate {
     /// The value; of force and depth extrapolated to a vanishing cell where the last three grids agree on an order.
     pub value: f64,
     /// Estimated relative error of the value; infinite from too few grids.
@@ -73,15 +73,15 @@ pub struct Estimate {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Refinement {
     /// F/(E0* R²).
-    pub force: Estimate,
+    pub force: ErrorEstimate,
     /// A/R².
-    pub area: Estimate,
+    pub area: ErrorEstimate,
     /// μ.
-    pub friction: Estimate,
+    pub friction: ErrorEstimate,
     /// y/R.
-    pub indentation: Estimate,
+    pub indentation: ErrorEstimate,
     /// Largest pressure over E0*; no accuracy is asked of it.
-    pub peak_pressure: Estimate,
+    pub peak_pressure: ErrorEstimate,
     /// The grids.
     pub levels: Vec<LevelSummary>,
 }
@@ -96,15 +96,15 @@ impl Refinement {
     #[must_use]
     pub fn of(levels: &[LevelSummary], unresolved: bool) -> Self {
         let values = |value: fn(&LevelSummary) -> f64| -> Vec<f64> { levels.iter().map(value).collect() };
-        let estimate = |value| Estimate::of(&values(value));
+        let estimate = |value| ErrorEstimate::of(&values(value));
         let (area, friction) = (values(|level| level.area), values(|level| level.friction));
         let wide = |[earlier, later]: [f64; 2]| UNRESOLVED_WAKE * (earlier + later);
         let (area, friction) = if unresolved {
-            (Estimate::jumping(&area, wide), Estimate::jumping(&friction, wide))
+            (ErrorEstimate::jumping(&area, wide), ErrorEstimate::jumping(&friction, wide))
         } else {
             (
-                Estimate::jumping(&area, |[earlier, later]| earlier + later),
-                Estimate::jumping(&friction, |[earlier, later]| later.max(BELIEVED * earlier)),
+                ErrorEstimate::jumping(&area, |[earlier, later]| earlier + later),
+                ErrorEstimate::jumping(&friction, |[earlier, later]| later.max(BELIEVED * earlier)),
             )
         };
         Self {
@@ -112,7 +112,7 @@ impl Refinement {
             area,
             friction,
             indentation: estimate(|level| level.indentation),
-            peak_pressure: Estimate::last_of(&values(|level| level.peak_pressure)),
+            peak_pressure: ErrorEstimate::last_of(&values(|level| level.peak_pressure)),
             levels: levels.to_vec(),
         }
     }
@@ -125,7 +125,7 @@ impl Refinement {
     pub fn of_line(levels: &[LevelSummary]) -> Self {
         let jumping = |value: fn(&LevelSummary) -> f64| {
             let values: Vec<f64> = levels.iter().map(value).collect();
-            Estimate::jumping(&values, |[earlier, later]| earlier.max(later))
+            ErrorEstimate::jumping(&values, |[earlier, later]| earlier.max(later))
         };
         Self {
             area: jumping(|level| level.area),
@@ -154,7 +154,7 @@ impl Refinement {
     }
 }
 
-impl Estimate {
+impl ErrorEstimate {
     /// Richardson's extrapolation of a sequence in which the cell is halved each time.
     ///
     /// From three values with differences d₁, d₂ the order is log₂(d₁/d₂). Between 1/2 and 3 it is believed: the last
@@ -210,7 +210,7 @@ mod tests {
     #[test]
     fn a_sequence_of_known_order_is_extrapolated_to_its_limit() {
         let values: Vec<f64> = (0..4).map(|k| 2.0 + 0.3 * 0.5_f64.powf(1.5 * f64::from(k))).collect();
-        let estimate = Estimate::of(&values);
+        let estimate = ErrorEstimate::of(&values);
         assert!((estimate.value - 2.0).abs() < 1e-12);
         assert!((estimate.order.unwrap() - 1.5).abs() < 1e-9);
         assert!(estimate.error >= (values[3] - 2.0).abs() / 2.0 * 0.99);
@@ -218,16 +218,16 @@ mod tests {
 
     #[test]
     fn a_sequence_without_an_order_keeps_its_last_difference_as_error() {
-        let estimate = Estimate::of(&[1.0, 1.1, 1.05]);
+        let estimate = ErrorEstimate::of(&[1.0, 1.1, 1.05]);
         assert_eq!((estimate.value, estimate.order), (1.05, None));
         assert!((estimate.error - 0.05 / 1.05).abs() < 1e-12);
-        assert_eq!(Estimate::of(&[1.0]).error, f64::INFINITY);
+        assert_eq!(ErrorEstimate::of(&[1.0]).error, f64::INFINITY);
     }
 
     #[test]
     fn two_values_that_agree_are_not_believed() {
         let sum = |[earlier, later]: [f64; 2]| earlier + later;
-        assert!((Estimate::jumping(&[1.0, 1.1, 1.05], sum).error - 0.15 / 1.05).abs() < 1e-12);
-        assert_eq!(Estimate::jumping(&[1.0, 1.0], sum).error, f64::INFINITY);
+        assert!((ErrorEstimate::jumping(&[1.0, 1.1, 1.05], sum).error - 0.15 / 1.05).abs() < 1e-12);
+        assert_eq!(ErrorEstimate::jumping(&[1.0, 1.0], sum).error, f64::INFINITY);
     }
 }

@@ -12,7 +12,7 @@ const BLOCK: usize = 16;
 const STAGGER: usize = 4;
 
 /// The values of one row in the columns that are transformed together.
-type Line = [Complex64; BLOCK];
+type TransformedLine = [Complex64; BLOCK];
 
 /// The two-dimensional real transform of a small array that stands in the corner of a larger, empty one.
 ///
@@ -34,7 +34,7 @@ pub struct PaddedTransform {
 pub struct Workspace {
     row: Vec<f64>,
     row_spectrum: Vec<Complex64>,
-    half: Vec<Line>,
+    half: Vec<TransformedLine>,
     block: Vec<Complex64>,
     row_scratch: Vec<Complex64>,
     column_scratch: Vec<Complex64>,

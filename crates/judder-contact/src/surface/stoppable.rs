@@ -2,9 +2,7 @@
 
 use super::grid::SurfaceGrid;
 use super::operator::SurfaceOperator;
-
-/// Asked before each product whether to stop.
-pub(crate) type Interrupted<'a> = &'a (dyn Fn() -> bool + Sync);
+use judder_numerics::stopping::Interrupted;
 
 /// An operator whose products are not numbers once it was told to stop: so every solver ends at its next test.
 pub(crate) struct Stoppable<'a> {

@@ -3,36 +3,36 @@
 use super::control::Control;
 use super::error::TransientError;
 use super::history::{TransientEnergy, TransientFields, TransientHistory, TransientSample};
-use super::memory::{Footprint, Memory};
+use super::memory::{Footprint, StripMemory};
 use super::path::SAME;
 use super::quadrature::work_of_step;
-use super::step::{Contact, ContactSolver};
-use super::window::Window;
+use super::step::{ContactSolver, StepContact};
+use super::window::ContactWindow;
 use super::{Before, TransientQuestion};
 use std::ops::ControlFlow;
 
 /// A run under way.
-pub(super) struct March<'a> {
+pub(super) struct TransientMarch<'a> {
     question: &'a TransientQuestion<'a>,
-    window: Window,
+    window: ContactWindow,
     solver: ContactSolver<'a>,
-    memory: Memory,
+    memory: StripMemory,
     control: Control<'a>,
     /// The end of the step before the last; at the start the start itself.
-    before: Contact,
-    last: Contact,
+    before: StepContact,
+    last: StepContact,
     /// Dissipated power at the ends of the step before and of the last.
     dissipated_powers: [f64; 2],
     history: TransientHistory,
 }
 
-impl<'a> March<'a> {
+impl<'a> TransientMarch<'a> {
     /// The contact at time 0.
     pub(super) fn new(question: &'a TransientQuestion<'a>) -> Result<Self, TransientError> {
-        let window = Window::of(question)?;
+        let window = ContactWindow::of(question)?;
         let first_column = window.first_column(question.path.position.at(0.0));
         let allowed = question.grid.memory_limit;
-        let mut memory = Memory::new(window, question.substrate, first_column, allowed)?;
+        let mut memory = StripMemory::new(window, question.substrate, first_column, allowed)?;
         let mut solver = ContactSolver::new(question, window)?;
         let compliance = match question.before {
             Before::Untouched => question.substrate.instantaneous,

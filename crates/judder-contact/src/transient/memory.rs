@@ -7,7 +7,7 @@
 use super::error::TransientError;
 use super::substrate::{CreepingSubstrate, CreepingTerm};
 use super::weights::StepWeights;
-use super::window::Window;
+use super::window::ContactWindow;
 use crate::kernel::sliding::SlidingOperator;
 use crate::kernel::substrate::SlidingSubstrate;
 use crate::surface::operator::SurfaceOperator;
@@ -51,8 +51,8 @@ fn copy_columns(
 }
 
 /// The retarded pressures on the strip of material that is remembered.
-pub(super) struct Memory {
-    window: Window,
+pub(super) struct StripMemory {
+    window: ContactWindow,
     substrate: CreepingSubstrate,
     operator: SlidingOperator,
     first_column: i64,
@@ -62,10 +62,10 @@ pub(super) struct Memory {
     displacement: Vec<f64>,
 }
 
-impl Memory {
+impl StripMemory {
     /// Material that has never been pressed on.
     pub(super) fn new(
-        window: Window,
+        window: ContactWindow,
         substrate: &CreepingSubstrate,
         first_column: i64,
         allowed: u64,

@@ -12,7 +12,7 @@ pub(super) const SAME: f64 = 1e-12;
 
 /// A number as a function of time; from time 0 on.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Course {
+pub enum PathCourse {
     /// The same at all times.
     Constant(f64),
     /// From rest at 0 uniformly faster until `ramp`, from there at constant speed.
@@ -53,7 +53,7 @@ pub enum Course {
     },
 }
 
-impl Course {
+impl PathCourse {
     /// mean + amplitude sin ωt.
     #[must_use]
     pub fn sine(mean: f64, amplitude: f64, angular_frequency: f64) -> Self {
@@ -198,16 +198,16 @@ fn between(times: &[f64], values: &[f64], time: f64) -> f64 {
 #[derive(Debug, Clone, PartialEq)]
 pub enum NormalCourse {
     /// δ(t), depth of the lowest point below the undeformed surface, in R; below 0 the indenter is lifted.
-    Indentation(Course),
+    Indentation(PathCourse),
     /// F(t), in E0* R²; without contact where it is not positive.
-    Load(Course),
+    Load(PathCourse),
 }
 
 /// The path of an indenter: along the surface by its position, across it by depth or force.
 #[derive(Debug, Clone, PartialEq)]
 pub struct IndenterPath {
     /// x of the indenter's lowest point, in R.
-    pub position: Course,
+    pub position: PathCourse,
     /// Depth or force.
     pub normal: NormalCourse,
 }
@@ -216,22 +216,22 @@ impl IndenterPath {
     /// An indenter at rest along the surface.
     #[must_use]
     pub fn at_rest(normal: NormalCourse) -> Self {
-        Self { position: Course::Constant(0.0), normal }
+        Self { position: PathCourse::Constant(0.0), normal }
     }
 
     /// Start of sliding: uniformly faster until the time `ramp`, then steady.
     #[must_use]
     pub fn start_of_sliding(speed: f64, ramp: f64, normal: NormalCourse) -> Self {
-        Self { position: Course::Start { speed, ramp }, normal }
+        Self { position: PathCourse::Start { speed, ramp }, normal }
     }
 
     /// To and fro: x = amplitude · sin ωt.
     #[must_use]
     pub fn reciprocation(amplitude: f64, angular_frequency: f64, normal: NormalCourse) -> Self {
-        Self { position: Course::sine(0.0, amplitude, angular_frequency), normal }
+        Self { position: PathCourse::sine(0.0, amplitude, angular_frequency), normal }
     }
 
-    pub(super) fn normal_course(&self) -> &Course {
+    pub(super) fn normal_course(&self) -> &PathCourse {
         match &self.normal {
             NormalCourse::Indentation(course) | NormalCourse::Load(course) => course,
         }
@@ -268,7 +268,7 @@ mod tests {
 
     #[test]
     fn a_start_is_smooth_where_it_becomes_steady() {
-        let start = Course::Start { speed: 2.0, ramp: 0.5 };
+        let start = PathCourse::Start { speed: 2.0, ramp: 0.5 };
         assert!((start.at(0.5) - 0.5).abs() < 1e-15 && (start.at(1.5) - 2.5).abs() < 1e-15);
         assert!((start.at(0.5 + 1e-7) - start.at(0.5 - 1e-7) - 4e-7).abs() < 1e-12);
         assert_eq!(start.corners(2.0), [0.5]);
@@ -276,22 +276,22 @@ mod tests {
 
     #[test]
     fn samples_are_joined_by_straight_lines() {
-        let course = Course::Sampled { times: vec![0.0, 1.0, 3.0], values: vec![0.0, 2.0, -2.0] };
+        let course = PathCourse::Sampled { times: vec![0.0, 1.0, 3.0], values: vec![0.0, 2.0, -2.0] };
         assert_eq!([course.at(0.5), course.at(2.0), course.at(9.0)], [1.0, 0.0, -2.0]);
         assert_eq!((course.largest_rate(), course.range(3.0)), (2.0, [-2.0, 2.0]));
     }
 
     #[test]
     fn steps_end_on_corners_and_given_times_once() {
-        let path = IndenterPath::reciprocation(1.0, TAU, NormalCourse::Load(Course::Constant(1.0)));
+        let path = IndenterPath::reciprocation(1.0, TAU, NormalCourse::Load(PathCourse::Constant(1.0)));
         assert_eq!(path.landings(2.0, &[0.5, 0.7]), [0.5, 0.7, 1.0, 1.5, 2.0]);
     }
 
     #[test]
     fn samples_out_of_order_are_refused_with_their_number() {
-        let course = Course::Sampled { times: vec![0.0, 1.0, 1.0], values: vec![0.0; 3] };
+        let course = PathCourse::Sampled { times: vec![0.0, 1.0, 1.0], values: vec![0.0; 3] };
         assert_eq!(course.check(), Err(TransientError::SampleTimes { index: 2, time: 1.0 }));
-        let course = Course::Sampled { times: vec![0.0, 1.0], values: vec![0.0, f64::NAN] };
+        let course = PathCourse::Sampled { times: vec![0.0, 1.0], values: vec![0.0, f64::NAN] };
         assert!(matches!(course.check(), Err(TransientError::NotFinite { .. })));
     }
 }

@@ -2,15 +2,15 @@
 
 use super::TransientQuestion;
 use super::error::TransientError;
-use super::memory::{Footprint, Memory};
+use super::memory::{Footprint, StripMemory};
 use super::weights::StepWeights;
-use super::window::Window;
+use super::window::ContactWindow;
 use crate::kernel::sliding::SlidingOperator;
 use crate::kernel::substrate::SlidingSubstrate;
 use crate::steady::contact_area::contact_area;
 use crate::steady::level::{heights, resistance};
 use crate::surface::operator::SurfaceOperator;
-use crate::unilateral::active_set::Start;
+use crate::unilateral::active_set::UnilateralStart;
 use crate::unilateral::{Loading, UnilateralLimits, UnilateralProblem, UnilateralSolution, symmetric};
 
 /// The loosest tolerance of a step's contact, relative to its own depth, however little of it there is.
@@ -18,7 +18,7 @@ const LOOSEST: f64 = 1e-2;
 
 /// The contact at the end of a step; forces in E0* R², lengths in R.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Contact {
+pub(super) struct StepContact {
     pub(super) time: f64,
     pub(super) position: f64,
     pub(super) indentation: f64,
@@ -37,12 +37,15 @@ pub(super) struct Contact {
 /// What the contacts of all steps share.
 pub(super) struct ContactSolver<'a> {
     question: &'a TransientQuestion<'a>,
-    window: Window,
+    window: ContactWindow,
     operator: SlidingOperator,
 }
 
 impl<'a> ContactSolver<'a> {
-    pub(super) fn new(question: &'a TransientQuestion<'a>, window: Window) -> Result<Self, TransientError> {
+    pub(super) fn new(
+        question: &'a TransientQuestion<'a>,
+        window: ContactWindow,
+    ) -> Result<Self, TransientError> {
         let allowed = question.grid.memory_limit;
         let operator = SlidingOperator::new(window.grid(0, 0.0), &SlidingSubstrate::elastic(), allowed)?;
         Ok(Self { question, window, operator })
@@ -58,7 +61,7 @@ impl<'a> ContactSolver<'a> {
         history: &[f64],
         compliance: f64,
         guess: &Footprint,
-    ) -> Result<Contact, TransientError> {
+    ) -> Result<StepContact, TransientError> {
         let position = self.question.path.position.at(time);
         let first_column = self.window.first_column(position);
         let grid = self.window.grid(first_column, position);
@@ -77,7 +80,7 @@ impl<'a> ContactSolver<'a> {
         let footprint = Footprint { first_column, pressure: solution.pressure };
         self.refuse_edge(&footprint, time)?;
         let pressure = &footprint.pressure;
-        Ok(Contact {
+        Ok(StepContact {
             time,
             position,
             indentation: solution.indentation + lowest,
@@ -111,7 +114,7 @@ impl<'a> ContactSolver<'a> {
         let tolerance = (limits.tolerance * self.window.depth / depth).min(LOOSEST).max(limits.tolerance);
         let limits = UnilateralLimits { tolerance, ..limits };
         let problem = UnilateralProblem { heights: shape, loading };
-        let start = Start { pressure: start, indentation: depth };
+        let start = UnilateralStart { pressure: start, indentation: depth };
         Ok(symmetric::solve(&mut self.operator, &problem, start, limits)?)
     }
 
@@ -123,7 +126,7 @@ impl<'a> ContactSolver<'a> {
         &mut self,
         contacts: [&Footprint; 3],
         steps: [f64; 2],
-        memory: &Memory,
+        memory: &StripMemory,
         weights: &[StepWeights],
     ) -> f64 {
         let factor = memory.sum(weights, |weights| weights.curvature);

@@ -19,7 +19,7 @@ const FORGOTTEN: f64 = 1e-4;
 
 /// The window's cells and the length of the strip.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Window {
+pub(super) struct ContactWindow {
     /// Cells a side.
     pub(super) side: usize,
     /// h, side of a cell.
@@ -30,7 +30,7 @@ pub(super) struct Window {
     pub(super) depth: f64,
 }
 
-impl Window {
+impl ContactWindow {
     /// The window that holds the contact on the whole path, and the strip that holds what it remembers.
     pub(super) fn of(question: &TransientQuestion<'_>) -> Result<Self, TransientError> {
         let memory_limit = question.grid.memory_limit;
@@ -43,7 +43,7 @@ impl Window {
         Ok(window)
     }
 
-    /// [`Window::of`] whatever it takes.
+    /// [`ContactWindow::of`] whatever it takes.
     fn unlimited(question: &TransientQuestion<'_>) -> Result<Self, TransientError> {
         let TransientGrid { cells, half_width, .. } = question.grid;
         if cells < FEWEST {

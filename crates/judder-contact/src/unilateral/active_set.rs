@@ -23,7 +23,7 @@ const PATIENCE: usize = 8;
 
 /// A pressure and a depth to start from.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Start<'a> {
+pub struct UnilateralStart<'a> {
     /// Pressure on every cell; cells with a positive pressure are taken to be in contact.
     pub pressure: &'a [f64],
     /// δ to start from under an imposed load; an imposed indentation overrides it.
@@ -43,12 +43,12 @@ pub struct Start<'a> {
 pub fn solve(
     operator: &mut dyn SurfaceOperator,
     problem: &UnilateralProblem<'_>,
-    start: Start<'_>,
+    start: UnilateralStart<'_>,
     limits: UnilateralLimits,
 ) -> Result<UnilateralSolution, UnilateralError> {
     problem.check(operator.grid())?;
-    let mut iterate = Iterate::new(operator, problem, start);
-    let mut progress = Progress::new();
+    let mut iterate = ActiveSetIterate::new(operator, problem, start);
+    let mut progress = SolverProgress::new();
     let mut finest = LINEAR * limits.tolerance;
     let mut tolerance = if start.pressure.iter().any(|p| *p > 0.0) { WARM } else { COLD }.max(finest);
     let mut converged = false;
@@ -81,14 +81,14 @@ pub fn solve(
 }
 
 /// How the count of changed cells develops, and what follows from it.
-struct Progress {
+struct SolverProgress {
     iterations: usize,
     fewest: usize,
     since_fewest: usize,
     careful: u32,
 }
 
-impl Progress {
+impl SolverProgress {
     fn new() -> Self {
         Self { iterations: 0, fewest: usize::MAX, since_fewest: 0, careful: 0 }
     }
@@ -127,7 +127,7 @@ struct Violation {
 }
 
 /// The current guess.
-struct Iterate<'a> {
+struct ActiveSetIterate<'a> {
     heights: &'a [f64],
     loading: Loading,
     pressure: Vec<f64>,
@@ -137,8 +137,12 @@ struct Iterate<'a> {
     products: usize,
 }
 
-impl<'a> Iterate<'a> {
-    fn new(operator: &dyn SurfaceOperator, problem: &UnilateralProblem<'a>, start: Start<'_>) -> Self {
+impl<'a> ActiveSetIterate<'a> {
+    fn new(
+        operator: &dyn SurfaceOperator,
+        problem: &UnilateralProblem<'a>,
+        start: UnilateralStart<'_>,
+    ) -> Self {
         let cells = operator.grid().len();
         let indentation = match problem.loading {
             Loading::Indentation(depth) => depth,

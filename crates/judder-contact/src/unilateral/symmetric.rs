@@ -1,6 +1,6 @@
 //! Conjugate gradients under p ≥ 0, for the symmetric operator of an elastic substrate.
 
-use super::active_set::Start;
+use super::active_set::UnilateralStart;
 use super::problem::{
     Loading, UnilateralError, UnilateralErrors, UnilateralLimits, UnilateralProblem, UnilateralSolution,
 };
@@ -27,7 +27,7 @@ const JOINS: f64 = 0.5;
 pub fn solve(
     operator: &mut dyn SurfaceOperator,
     problem: &UnilateralProblem<'_>,
-    start: Start<'_>,
+    start: UnilateralStart<'_>,
     limits: UnilateralLimits,
 ) -> Result<UnilateralSolution, UnilateralError> {
     problem.check(operator.grid())?;
@@ -73,7 +73,11 @@ struct Descent<'a> {
 }
 
 impl<'a> Descent<'a> {
-    fn new(operator: &dyn SurfaceOperator, problem: &UnilateralProblem<'a>, start: Start<'_>) -> Self {
+    fn new(
+        operator: &dyn SurfaceOperator,
+        problem: &UnilateralProblem<'a>,
+        start: UnilateralStart<'_>,
+    ) -> Self {
         let grid = operator.grid();
         let size = grid.len();
         let (total, indentation) = match problem.loading {
@@ -163,7 +167,7 @@ impl<'a> Descent<'a> {
         let enough = (REDUCTION * norm(&self.residual)).max(far_below.abs());
         let mut previous = f64::INFINITY;
         while self.products < limits.products {
-            self.scatter(Vector::Residual);
+            self.scatter(CellVector::Residual);
             operator.precondition(&self.full_in, &mut self.full_out);
             gather(&self.cells, &self.full_out, &mut self.corrected);
             free_of_mean(&mut self.corrected, loaded);
@@ -173,7 +177,7 @@ impl<'a> Descent<'a> {
             for (direction, corrected) in self.direction.iter_mut().zip(&self.corrected) {
                 *direction = corrected + kept * *direction;
             }
-            self.scatter(Vector::Direction);
+            self.scatter(CellVector::Direction);
             operator.displacement(&self.full_in, &mut self.full_out);
             self.products += 1;
             gather(&self.cells, &self.full_out, &mut self.image);
@@ -206,10 +210,10 @@ impl<'a> Descent<'a> {
         }
     }
 
-    fn scatter(&mut self, vector: Vector) {
+    fn scatter(&mut self, vector: CellVector) {
         let values = match vector {
-            Vector::Residual => &self.residual,
-            Vector::Direction => &self.direction,
+            CellVector::Residual => &self.residual,
+            CellVector::Direction => &self.direction,
         };
         self.full_in.fill(0.0);
         for (cell, value) in self.cells.iter().zip(values) {
@@ -237,7 +241,7 @@ impl<'a> Descent<'a> {
 
 /// A vector on the chosen cells that an operator is applied to.
 #[derive(Clone, Copy)]
-enum Vector {
+enum CellVector {
     Residual,
     Direction,
 }
@@ -271,7 +275,7 @@ mod tests {
     use crate::kernel::substrate::SlidingSubstrate;
     use crate::surface::grid::SurfaceGrid;
 
-    const NOWHERE: Start<'static> = Start { pressure: &[], indentation: 0.0 };
+    const NOWHERE: UnilateralStart<'static> = UnilateralStart { pressure: &[], indentation: 0.0 };
 
     fn elastic(grid: SurfaceGrid) -> SlidingOperator {
         SlidingOperator::new(grid, &SlidingSubstrate::elastic(), u64::MAX).unwrap()

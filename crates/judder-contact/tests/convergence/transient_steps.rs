@@ -1,14 +1,16 @@
 //! Orders in time and space, shown.
 
 use crate::questions::{follow, paraboloid, transient};
-use judder_contact::transient::{Before, Course, CreepingSubstrate, IndenterPath, NormalCourse, StepControl};
+use judder_contact::transient::{
+    Before, CreepingSubstrate, IndenterPath, NormalCourse, PathCourse, StepControl,
+};
 use judder_contact::unilateral::{Loading, UnilateralLimits};
 
 /// Force relaxation at rest has a closed form: its error falls with the square of the number of steps.
 #[test]
 fn the_steps_are_of_second_order() {
     let substrate = CreepingSubstrate::single(10.0, 1.0);
-    let path = IndenterPath::at_rest(NormalCourse::Indentation(Course::Constant(1.0)));
+    let path = IndenterPath::at_rest(NormalCourse::Indentation(PathCourse::Constant(1.0)));
     let runs: Vec<[f64; 2]> = [1e-3, 1e-4, 1e-5]
         .map(|tolerance| {
             let mut question = transient(&substrate, &path, 0.5, 16);
@@ -36,7 +38,7 @@ fn the_steps_are_of_second_order() {
 fn finer_grids_bring_long_sliding_nearer_to_steady_sliding() {
     let substrate = CreepingSubstrate::single(10.0, 1.0);
     let steady = paraboloid(&substrate.sliding_at(1.0), Loading::Indentation(1.0), 256).refinement;
-    let path = IndenterPath::start_of_sliding(1.0, 0.0, NormalCourse::Indentation(Course::Constant(1.0)));
+    let path = IndenterPath::start_of_sliding(1.0, 0.0, NormalCourse::Indentation(PathCourse::Constant(1.0)));
     let errors: Vec<f64> = [16, 32, 64]
         .map(|cells| {
             let mut question = transient(&substrate, &path, 8.0, cells);

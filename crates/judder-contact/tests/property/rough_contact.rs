@@ -8,7 +8,7 @@ use judder_contact::periodic_contact::{
     PeriodicContactError, PeriodicLoading, PeriodicQuestion, solve, solve_until,
 };
 use judder_contact::steady::MEMORY;
-use judder_contact::unilateral::active_set::{self, Start};
+use judder_contact::unilateral::active_set::{self, UnilateralStart};
 use judder_contact::unilateral::{Loading, UnilateralLimits, UnilateralProblem};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -57,7 +57,7 @@ fn conjugate_gradients_and_the_active_set_agree() {
         SlidingOperator::periodic(surface.grid(), &SlidingSubstrate::elastic(), u64::MAX).unwrap();
     let problem = UnilateralProblem { heights: surface.heights(), loading: Loading::Load(0.01) };
     let even = vec![0.01; surface.heights().len()];
-    let start = Start { pressure: &even, indentation: 0.0 };
+    let start = UnilateralStart { pressure: &even, indentation: 0.0 };
     let other = active_set::solve(&mut operator, &problem, start, limits()).unwrap();
     assert!(other.converged);
     let largest = other.pressure.iter().copied().fold(0.0, f64::max);

@@ -1,14 +1,14 @@
 //! Symmetries and equivalences of steady sliding.
 
 use crate::questions::{assert_close, on_grid, paraboloid};
-use judder_contact::indenter::{HeightMap, Shape};
+use judder_contact::indenter::{HeightMap, IndenterShape};
 use judder_contact::kernel::sliding::SlidingOperator;
 use judder_contact::kernel::substrate::SlidingSubstrate;
 use judder_contact::steady::profile::{Paraboloid, Profile, Sphere};
 use judder_contact::steady::{GridChoice, MEMORY, SteadyError, SteadyQuestion, solve, solve_until};
 use judder_contact::surface::grid::SurfaceGrid;
 use judder_contact::surface::operator::SurfaceOperator;
-use judder_contact::unilateral::active_set::{self, Start};
+use judder_contact::unilateral::active_set::{self, UnilateralStart};
 use judder_contact::unilateral::{Loading, UnilateralLimits, UnilateralProblem};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -178,7 +178,7 @@ fn mirrored_sliding_has_mirrored_fields() {
                 .map(|cell| leaning(side * (grid.x(cell % 24) - shift), grid.y(cell / 24)))
                 .collect();
             let problem = UnilateralProblem { heights: &heights, loading: Loading::Indentation(0.8) };
-            let start = Start { pressure: &vec![0.0; grid.len()], indentation: 0.8 };
+            let start = UnilateralStart { pressure: &vec![0.0; grid.len()], indentation: 0.8 };
             let solution = active_set::solve(operator, &problem, start, limits).unwrap();
             assert!(solution.converged, "{:?}", solution.errors);
             solution.pressure
@@ -230,7 +230,7 @@ fn a_height_map_that_ends_under_the_contact_is_refused() {
     let substrate = SlidingSubstrate::elastic();
     let question = SteadyQuestion {
         substrate: &substrate,
-        profile: &Shape::HeightMap(map),
+        profile: &IndenterShape::HeightMap(map),
         loading: Loading::Indentation(1.0),
         accuracy: 1e-2,
         grid: GridChoice::Cells(64),

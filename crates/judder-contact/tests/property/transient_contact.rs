@@ -2,14 +2,14 @@
 
 use crate::questions::{assert_close, follow, transient};
 use judder_contact::transient::{
-    Before, Course, CreepingSubstrate, CreepingTerm, IndenterPath, NormalCourse, TransientError, run,
+    Before, CreepingSubstrate, CreepingTerm, IndenterPath, NormalCourse, PathCourse, TransientError, run,
 };
 use judder_contact::unilateral::UnilateralLimits;
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 fn depth(value: f64) -> NormalCourse {
-    NormalCourse::Indentation(Course::Constant(value))
+    NormalCourse::Indentation(PathCourse::Constant(value))
 }
 
 /// Work = energy stored + energy dissipated; the last two know the pressures in the substrate only.
@@ -48,9 +48,9 @@ fn a_mirrored_path_has_mirrored_friction() {
 #[test]
 fn an_imposed_force_and_the_depth_that_it_finds_are_one_contact() {
     let substrate = CreepingSubstrate::single(10.0, 1.0);
-    let position = Course::Start { speed: 0.5, ramp: 0.2 };
+    let position = PathCourse::Start { speed: 0.5, ramp: 0.2 };
     let pressed =
-        IndenterPath { position: position.clone(), normal: NormalCourse::Load(Course::Constant(1.0)) };
+        IndenterPath { position: position.clone(), normal: NormalCourse::Load(PathCourse::Constant(1.0)) };
     let mut question = transient(&substrate, &pressed, 1.0, 24);
     question.before = Before::Settled;
     question.grid.half_width = Some(1.4);
@@ -59,7 +59,7 @@ fn an_imposed_force_and_the_depth_that_it_finds_are_one_contact() {
     let times = samples.iter().map(|sample| sample.time).collect();
     let values = samples.iter().map(|sample| sample.indentation).collect();
     let indented =
-        IndenterPath { position, normal: NormalCourse::Indentation(Course::Sampled { times, values }) };
+        IndenterPath { position, normal: NormalCourse::Indentation(PathCourse::Sampled { times, values }) };
     question.path = &indented;
     let indented = follow(&question);
     for wanted in samples {
@@ -88,7 +88,7 @@ fn two_equal_terms_are_one() {
 fn a_lifted_indenter_returns_to_a_dent() {
     let substrate = CreepingSubstrate::single(10.0, 1.0);
     let times = vec![0.0, 0.01, 0.1, 0.11];
-    let lifted = Course::Sampled { times, values: vec![1.0, -0.2, -0.2, 0.5] };
+    let lifted = PathCourse::Sampled { times, values: vec![1.0, -0.2, -0.2, 0.5] };
     let path = IndenterPath::at_rest(NormalCourse::Indentation(lifted));
     let mut question = transient(&substrate, &path, 0.11, 24);
     question.before = Before::Settled;

@@ -5,7 +5,7 @@ use judder_contact::kernel::substrate::SlidingSubstrate;
 use judder_contact::kernel::wake::WakeKernel;
 use judder_contact::surface::grid::SurfaceGrid;
 use judder_contact::surface::operator::SurfaceOperator;
-use judder_contact::unilateral::active_set::{Start, solve};
+use judder_contact::unilateral::active_set::{UnilateralStart, solve};
 use judder_contact::unilateral::{Loading, UnilateralLimits, UnilateralProblem};
 
 const SIDE: usize = 24;
@@ -23,7 +23,7 @@ fn a_dense_solve_finds_the_same_pressure() {
             })
             .collect();
         let problem = UnilateralProblem { heights: &heights, loading: Loading::Indentation(1.0) };
-        let start = Start { pressure: &vec![0.0; grid.len()], indentation: 1.0 };
+        let start = UnilateralStart { pressure: &vec![0.0; grid.len()], indentation: 1.0 };
         let limits = UnilateralLimits { tolerance: 1e-11, ..UnilateralLimits::default() };
         let fast = solve(&mut operator, &problem, start, limits).unwrap();
         assert!(fast.converged, "{:?}", fast.errors);

@@ -1,13 +1,13 @@
 //! Hertz (1882) by conjugate gradients, and through a height map.
 
 use crate::questions::{assert_close, on_grid};
-use judder_contact::indenter::{HeightMap, Shape};
+use judder_contact::indenter::{HeightMap, IndenterShape};
 use judder_contact::kernel::sliding::SlidingOperator;
 use judder_contact::kernel::substrate::SlidingSubstrate;
 use judder_contact::steady::GridChoice;
 use judder_contact::steady::profile::Profile;
 use judder_contact::surface::grid::SurfaceGrid;
-use judder_contact::unilateral::active_set::Start;
+use judder_contact::unilateral::active_set::UnilateralStart;
 use judder_contact::unilateral::{Loading, UnilateralLimits, UnilateralProblem, symmetric};
 
 const RADIUS: f64 = 2.0;
@@ -17,13 +17,13 @@ const DEPTH: f64 = 0.01;
 #[test]
 fn force_and_pressure_of_a_paraboloid() {
     let grid = SurfaceGrid::square(128, [0.0, 0.0], 1.15 * (RADIUS * DEPTH).sqrt());
-    let shape = Shape::Paraboloid { radius: RADIUS };
+    let shape = IndenterShape::Paraboloid { radius: RADIUS };
     let centres = (0..grid.len()).map(|cell| (grid.x(cell % 128), grid.y(cell / 128)));
     let heights: Vec<f64> = centres.map(|(x, y)| shape.height(x, y)).collect();
     let mut operator = SlidingOperator::new(grid, &SlidingSubstrate::elastic(), u64::MAX).unwrap();
     let problem = UnilateralProblem { heights: &heights, loading: Loading::Indentation(DEPTH) };
     let limits = UnilateralLimits { tolerance: 1e-9, ..UnilateralLimits::default() };
-    let nowhere = Start { pressure: &[], indentation: 0.0 };
+    let nowhere = UnilateralStart { pressure: &[], indentation: 0.0 };
     let solution = symmetric::solve(&mut operator, &problem, nowhere, limits).unwrap();
     assert!(solution.converged, "{:?}", solution.errors);
     let force = solution.pressure.iter().sum::<f64>() * grid.cell_area();
@@ -41,10 +41,12 @@ fn a_sampled_paraboloid_presses_like_the_paraboloid() {
     let map = HeightMap::new(heights.collect(), 30, 30, spacing, false).unwrap();
     for substrate in [SlidingSubstrate::elastic(), SlidingSubstrate::single(10.0, 0.1)] {
         let [exact, sampled] =
-            [Shape::Paraboloid { radius: RADIUS }, Shape::HeightMap(map.clone())].map(|shape| {
-                let grid = GridChoice::Fixed { cells: 32, half_width: 0.17, centre: [0.01, 0.0] };
-                on_grid(&substrate, &shape, Loading::Indentation(DEPTH), grid, 1e-9).finest
-            });
+            [IndenterShape::Paraboloid { radius: RADIUS }, IndenterShape::HeightMap(map.clone())].map(
+                |shape| {
+                    let grid = GridChoice::Fixed { cells: 32, half_width: 0.17, centre: [0.01, 0.0] };
+                    on_grid(&substrate, &shape, Loading::Indentation(DEPTH), grid, 1e-9).finest
+                },
+            );
         assert_close(sampled.force, exact.force, 1e-9);
         assert!((sampled.friction - exact.friction).abs() < 1e-9);
     }

@@ -1,7 +1,7 @@
 //! Cylinders: Hertz, both ends of the speed, and viscoelastic cylinders in the literature.
 
 use crate::questions::assert_close;
-use judder_contact::indenter::Shape;
+use judder_contact::indenter::IndenterShape;
 use judder_contact::kernel::substrate::SlidingSubstrate;
 use judder_contact::steady::{GridChoice, MEMORY, SteadyContact, SteadyError, SteadyQuestion, solve};
 use judder_contact::unilateral::{Loading, UnilateralLimits};
@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 
 /// Euler's constant.
 const EULER: f64 = 0.577_215_664_901_532_9;
-const CYLINDER: Shape = Shape::Cylinder { radius: 1.0 };
+const CYLINDER: IndenterShape = IndenterShape::Cylinder { radius: 1.0 };
 
 fn asked(substrate: &SlidingSubstrate, load: f64) -> SteadyQuestion<'_> {
     SteadyQuestion {

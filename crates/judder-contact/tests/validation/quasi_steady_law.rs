@@ -2,7 +2,7 @@
 
 use crate::questions::{follow, paraboloid, transient};
 use judder_contact::transient::{
-    Before, Course, CreepingSubstrate, IndenterPath, NormalCourse, TransientSample,
+    Before, CreepingSubstrate, IndenterPath, NormalCourse, PathCourse, TransientSample,
 };
 use judder_contact::unilateral::{Loading, UnilateralLimits};
 use num_complex::Complex64;
@@ -14,8 +14,8 @@ const AMPLITUDE: f64 = 0.05;
 /// derivatives of the steady laws, which take their place.
 fn responses(speed: f64, frequency: f64) -> ([Complex64; 2], [f64; 2]) {
     let substrate = CreepingSubstrate::single(10.0, 1.0);
-    let normal = NormalCourse::Indentation(Course::sine(1.0, AMPLITUDE, frequency));
-    let path = IndenterPath { position: Course::Start { speed, ramp: 0.0 }, normal };
+    let normal = NormalCourse::Indentation(PathCourse::sine(1.0, AMPLITUDE, frequency));
+    let path = IndenterPath { position: PathCourse::Start { speed, ramp: 0.0 }, normal };
     let period = TAU / frequency;
     let settled = (6.0 / period).ceil() * period;
     let mut question = transient(&substrate, &path, settled + period, 32);
@@ -40,8 +40,9 @@ fn response_to_speed(speed: f64, frequency: f64) -> (Complex64, f64) {
     let substrate = CreepingSubstrate::single(10.0, 1.0);
     let amplitude = AMPLITUDE * speed / frequency;
     let angular_frequency = frequency;
-    let position = Course::Oscillation { mean: 0.0, drift: speed, amplitude, angular_frequency, phase: 0.0 };
-    let path = IndenterPath { position, normal: NormalCourse::Indentation(Course::Constant(1.0)) };
+    let position =
+        PathCourse::Oscillation { mean: 0.0, drift: speed, amplitude, angular_frequency, phase: 0.0 };
+    let path = IndenterPath { position, normal: NormalCourse::Indentation(PathCourse::Constant(1.0)) };
     let period = TAU / frequency;
     let settled = (6.0 / period).ceil() * period;
     let mut question = transient(&substrate, &path, settled + period, 32);

@@ -2,7 +2,8 @@
 
 use crate::questions::{assert_close, follow, transient};
 use judder_contact::transient::{
-    Before, Course, CreepingSubstrate, CreepingTerm, IndenterPath, NormalCourse, StepControl, TransientSample,
+    Before, CreepingSubstrate, CreepingTerm, IndenterPath, NormalCourse, PathCourse, StepControl,
+    TransientSample,
 };
 use judder_contact::unilateral::UnilateralLimits;
 use std::f64::consts::TAU;
@@ -19,7 +20,7 @@ fn relaxation(contrast: f64, time: f64) -> f64 {
 fn a_held_indenter_relaxes_with_the_modulus() {
     for (contrast, tolerance) in [(10.0, 3e-3), (1000.0, 1e-2)] {
         let substrate = CreepingSubstrate::single(contrast, 1.0);
-        let path = IndenterPath::at_rest(NormalCourse::Indentation(Course::Constant(1.0)));
+        let path = IndenterPath::at_rest(NormalCourse::Indentation(PathCourse::Constant(1.0)));
         let mut question = transient(&substrate, &path, 10.0 / contrast, 32);
         question.steps = FINER;
         let history = follow(&question);
@@ -35,7 +36,7 @@ fn a_held_indenter_relaxes_with_the_modulus() {
 fn a_growing_contact_is_the_integral_over_its_past() {
     let contrast = 10.0;
     let substrate = CreepingSubstrate::single(contrast, 1.0);
-    let ramp = Course::Ramp { from: 0.0, to: 1.0, duration: 0.5 };
+    let ramp = PathCourse::Ramp { from: 0.0, to: 1.0, duration: 0.5 };
     let path = IndenterPath::at_rest(NormalCourse::Indentation(ramp));
     let mut question = transient(&substrate, &path, 0.5, 40);
     question.steps = FINER;
@@ -63,7 +64,7 @@ fn a_constant_force_sinks_in_with_the_creep_function() {
     let terms =
         vec![CreepingTerm { compliance: 0.5, time: 0.05 }, CreepingTerm { compliance: 0.4, time: 2.0 }];
     let substrate = CreepingSubstrate { instantaneous: 0.1, terms };
-    let path = IndenterPath::at_rest(NormalCourse::Load(Course::Constant(4.0 / 3.0)));
+    let path = IndenterPath::at_rest(NormalCourse::Load(PathCourse::Constant(4.0 / 3.0)));
     let history = follow(&transient(&substrate, &path, 8.0, 32));
     for sample in &history.samples {
         let creep = 1.0 - 0.5 * (-sample.time / 0.05).exp() - 0.4 * (-sample.time / 2.0).exp();
@@ -76,7 +77,7 @@ fn a_constant_force_sinks_in_with_the_creep_function() {
 #[test]
 fn an_elastic_substrate_answers_like_hertz_at_every_instant() {
     let substrate = CreepingSubstrate::elastic();
-    let path = IndenterPath::at_rest(NormalCourse::Indentation(Course::sine(0.5, 1.0, TAU)));
+    let path = IndenterPath::at_rest(NormalCourse::Indentation(PathCourse::sine(0.5, 1.0, TAU)));
     let history = follow(&transient(&substrate, &path, 1.0, 40));
     for sample in &history.samples {
         let hertz = 4.0 / 3.0 * sample.indentation.max(0.0).powf(1.5);
@@ -89,7 +90,7 @@ fn an_elastic_substrate_answers_like_hertz_at_every_instant() {
 /// What a cycle dissipates over π Δ² 2 a E″(ω), after the first, for a settled contact of depth 1.
 fn dissipated_over_linear(frequency: f64, amplitude: f64) -> f64 {
     let substrate = CreepingSubstrate::single(10.0, 1.0);
-    let path = IndenterPath::at_rest(NormalCourse::Indentation(Course::sine(1.0, amplitude, frequency)));
+    let path = IndenterPath::at_rest(NormalCourse::Indentation(PathCourse::sine(1.0, amplitude, frequency)));
     let period = TAU / frequency;
     let mut question = transient(&substrate, &path, 2.0 * period, 48);
     question.before = Before::Settled;
@@ -115,7 +116,7 @@ fn small_oscillations_dissipate_by_the_loss_modulus() {
 fn small_oscillations_have_the_stiffness_of_the_complex_modulus() {
     let (frequency, amplitude) = (0.4, 0.05);
     let substrate = CreepingSubstrate::single(10.0, 1.0);
-    let path = IndenterPath::at_rest(NormalCourse::Indentation(Course::sine(1.0, amplitude, frequency)));
+    let path = IndenterPath::at_rest(NormalCourse::Indentation(PathCourse::sine(1.0, amplitude, frequency)));
     let period = TAU / frequency;
     let mut question = transient(&substrate, &path, 2.0 * period, 48);
     question.before = Before::Settled;

@@ -2,12 +2,13 @@
 
 use crate::questions::{assert_close, follow, paraboloid, transient};
 use judder_contact::transient::{
-    Before, Course, CreepingSubstrate, CreepingTerm, IndenterPath, NormalCourse, TransientQuestion,
+    Before, CreepingSubstrate, CreepingTerm, IndenterPath, NormalCourse, PathCourse, TransientQuestion,
 };
 use judder_contact::unilateral::Loading;
 
 fn agrees(substrate: &CreepingSubstrate, speed: f64, duration: f64, cells: usize, tolerance: [f64; 2]) {
-    let path = IndenterPath::start_of_sliding(speed, 0.5, NormalCourse::Indentation(Course::Constant(1.0)));
+    let path =
+        IndenterPath::start_of_sliding(speed, 0.5, NormalCourse::Indentation(PathCourse::Constant(1.0)));
     let question = transient(substrate, &path, duration, cells);
     let history = follow(&TransientQuestion { before: Before::Settled, ..question });
     let steady = paraboloid(&substrate.sliding_at(speed), Loading::Indentation(1.0), 128).refinement;

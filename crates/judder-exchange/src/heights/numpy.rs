@@ -2,7 +2,7 @@
 
 use super::error::HeightsError;
 use super::table::HeightTable;
-use crate::bytes::Stored;
+use crate::bytes::StoredNumber;
 use crate::npy::{NpyError, read_npy};
 
 /// Reads a matrix of floating-point numbers, in either order and of either endianness.
@@ -11,7 +11,7 @@ use crate::npy::{NpyError, read_npy};
 /// [`HeightsError::Npy`], [`HeightsError::NpyNumbers`], [`HeightsError::NpyShape`].
 pub(super) fn read_numpy(mut bytes: &[u8]) -> Result<HeightTable, HeightsError> {
     let array = read_npy(&mut bytes).map_err(refused)?;
-    if !matches!(array.stored, Some(Stored::Float(_))) {
+    if !matches!(array.stored, Some(StoredNumber::Float(_))) {
         return Err(HeightsError::NpyNumbers { found: array.descr });
     }
     let [rows, columns] = *array.shape.as_slice() else {

@@ -1,7 +1,7 @@
 //! Coordinates of Abaqus: `*MATRIX OUTPUT, FORMAT=COORDINATE`.
 
 use super::{Matrix, Symmetry};
-use crate::cause::Cause;
+use crate::cause::FileCause;
 use crate::error::ExchangeError;
 use crate::text::{count, number, text_of};
 
@@ -25,7 +25,7 @@ pub(super) fn read_coordinates(bytes: &[u8]) -> Result<Matrix, ExchangeError> {
     Matrix::from_stored(size, size, entries, Symmetry::General)
 }
 
-fn entry(line: &str) -> Result<(usize, usize, f64), Cause> {
+fn entry(line: &str) -> Result<(usize, usize, f64), FileCause> {
     let words: Vec<&str> =
         line.split(|c: char| c == ',' || c.is_whitespace()).filter(|word| !word.is_empty()).collect();
     match words.as_slice() {
@@ -37,7 +37,7 @@ fn entry(line: &str) -> Result<(usize, usize, f64), Cause> {
         [_, _, _, _, _] => Err(foreign(String::from(
             "its lines have five entries, as those of FORMAT=MATRIX INPUT, which names nodes",
         ))),
-        words => Err(Cause::WrongEntries {
+        words => Err(FileCause::WrongEntries {
             what: "a line of coordinates",
             expected: "a row, a column and a number",
             found: words.len(),
@@ -45,8 +45,8 @@ fn entry(line: &str) -> Result<(usize, usize, f64), Cause> {
     }
 }
 
-fn foreign(found: String) -> Cause {
-    Cause::Foreign {
+fn foreign(found: String) -> FileCause {
+    FileCause::Foreign {
         format: "matrix in coordinates",
         found,
         remedy: "write it with *MATRIX OUTPUT, FORMAT=COORDINATE, or as Matrix Market with its header line",

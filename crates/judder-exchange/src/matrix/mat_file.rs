@@ -3,9 +3,9 @@
 //! MathWorks, *MAT-File Format*, chapter 1.
 
 use super::{Matrix, Symmetry};
-use crate::bytes::{Bytes, Stored};
-use crate::cause::Cause;
-use crate::error::{ExchangeError, Place};
+use crate::bytes::{Bytes, StoredNumber};
+use crate::cause::FileCause;
+use crate::error::{ExchangeError, FilePlace};
 use flate2::read::ZlibDecoder;
 use std::io::Read;
 
@@ -48,7 +48,7 @@ pub(super) fn read_mat(bytes: &[u8]) -> Result<Matrix, ExchangeError> {
             let mut inner = Bytes::new(&plain, 0, big_endian);
             self::element(&mut inner, false)
                 .and_then(|element| variable(&element, big_endian))
-                .map_err(|error| error.moved(Place::Byte(at)))?
+                .map_err(|error| error.moved(FilePlace::Byte(at)))?
         } else {
             variable(&element, big_endian).map_err(|error| error.shifted(element.at))?
         };
@@ -60,7 +60,7 @@ pub(super) fn read_mat(bytes: &[u8]) -> Result<Matrix, ExchangeError> {
         0 => Err(foreign("it holds no matrix of numbers").into()),
         _ => {
             let names: Vec<&str> = found.iter().map(|(name, _)| name.as_str()).collect();
-            Err(Cause::Unsupported {
+            Err(FileCause::Unsupported {
                 what: "the content",
                 found: format!("{} matrices ({})", names.len(), crate::quoted::quoted(&names.join(", "))),
                 read: "one matrix a file",
@@ -70,8 +70,8 @@ pub(super) fn read_mat(bytes: &[u8]) -> Result<Matrix, ExchangeError> {
     }
 }
 
-fn foreign(found: &str) -> Cause {
-    Cause::Foreign {
+fn foreign(found: &str) -> FileCause {
+    FileCause::Foreign {
         format: FORMAT,
         found: found.to_owned(),
         remedy: "save one sparse or full matrix with save(…, '-v7') or scipy.io.savemat",
@@ -87,7 +87,9 @@ fn check_header(bytes: &[u8]) -> Result<bool, ExchangeError> {
         Some([0, 1, b'I', b'M']) => Ok(false),
         Some([1, 0, b'M', b'I']) => Ok(true),
         Some(_) => Err(foreign("its header is not that of version 5").into()),
-        None => Err(Cause::Cut { what: "the header of 128 bytes", needed: HEADER, left: bytes.len() }.into()),
+        None => {
+            Err(FileCause::Cut { what: "the header of 128 bytes", needed: HEADER, left: bytes.len() }.into())
+        }
     }
 }
 
@@ -100,7 +102,7 @@ fn element<'a>(walk: &mut Bytes<'a>, aligned: bool) -> Result<Element<'a>, Excha
         let at = walk.at();
         let data = walk.take(4, what)?;
         let data = data.get(..small as usize).ok_or_else(|| {
-            walk.error(Cause::Inconsistent {
+            walk.error(FileCause::Inconsistent {
                 what,
                 problem: format!("{small} bytes are said to lie in four"),
             })
@@ -121,7 +123,7 @@ fn element<'a>(walk: &mut Bytes<'a>, aligned: bool) -> Result<Element<'a>, Excha
 /// there, which also lets the checksum be compared.
 fn unpacked(element: &Element<'_>, big_endian: bool) -> Result<Vec<u8>, ExchangeError> {
     let damaged = |problem: String| {
-        ExchangeError::at_byte(element.at, Cause::Damaged { what: "a compressed element", problem })
+        ExchangeError::at_byte(element.at, FileCause::Damaged { what: "a compressed element", problem })
     };
     let mut stream = ZlibDecoder::new(element.data);
     let mut unpack = |count: u64, plain: &mut Vec<u8>| {
@@ -162,7 +164,7 @@ fn variable(outer: &Element<'_>, big_endian: bool) -> Result<Option<(String, Mat
         return Ok(None);
     };
     if flags & COMPLEX != 0 {
-        return Err(walk.error(Cause::Unsupported {
+        return Err(walk.error(FileCause::Unsupported {
             what: "the matrix",
             found: format!("complex (`{}`)", crate::quoted::quoted(&name)),
             read: "a real one; save real and imaginary parts as two matrices",
@@ -175,7 +177,7 @@ fn variable(outer: &Element<'_>, big_endian: bool) -> Result<Option<(String, Mat
     };
     if let Some((row, column, value)) = entries.iter().find(|(_, _, value)| !value.is_finite()) {
         let text = format!("{value} at row {}, column {}", row + 1, column + 1);
-        return Err(walk.error(Cause::NotANumber { text, what: "an entry of the matrix" }));
+        return Err(walk.error(FileCause::NotANumber { text, what: "an entry of the matrix" }));
     }
     Ok(Some((name, Matrix::from_stored(rows, columns, entries, Symmetry::General)?)))
 }
@@ -191,7 +193,7 @@ fn sparse(
     let starts = whole_numbers(&element(walk, true)?, big_endian)?;
     let values = numbers(&element(walk, true)?, big_endian)?;
     let inconsistent =
-        |problem: String| walk.error(Cause::Inconsistent { what: "the sparse matrix", problem });
+        |problem: String| walk.error(FileCause::Inconsistent { what: "the sparse matrix", problem });
     let ascending = starts.windows(2).all(|pair| pair[0] <= pair[1]);
     if Some(starts.len()) != columns.checked_add(1) || !ascending {
         return Err(inconsistent(format!(
@@ -225,28 +227,28 @@ fn full(
     if rows.checked_mul(columns) != Some(values.len()) {
         let found = values.len();
         let problem = format!("{rows} × {columns} numbers are said, {found} are there");
-        return Err(walk.error(Cause::Inconsistent { what: "the full matrix", problem }));
+        return Err(walk.error(FileCause::Inconsistent { what: "the full matrix", problem }));
     }
     let entries = values.into_iter().enumerate().filter(|(_, value)| *value != 0.0);
     Ok(entries.map(|(k, value)| (k % rows, k / rows, value)).collect())
 }
 
 /// How an element stores its numbers.
-fn stored(element: &Element<'_>) -> Result<Stored, ExchangeError> {
+fn stored(element: &Element<'_>) -> Result<StoredNumber, ExchangeError> {
     match element.kind {
-        1 => Ok(Stored::Signed(1)),
-        2 => Ok(Stored::Unsigned(1)),
-        3 => Ok(Stored::Signed(2)),
-        4 => Ok(Stored::Unsigned(2)),
-        5 => Ok(Stored::Signed(4)),
-        6 => Ok(Stored::Unsigned(4)),
-        7 => Ok(Stored::Float(4)),
-        9 => Ok(Stored::Float(8)),
-        12 => Ok(Stored::Signed(8)),
-        13 => Ok(Stored::Unsigned(8)),
+        1 => Ok(StoredNumber::Signed(1)),
+        2 => Ok(StoredNumber::Unsigned(1)),
+        3 => Ok(StoredNumber::Signed(2)),
+        4 => Ok(StoredNumber::Unsigned(2)),
+        5 => Ok(StoredNumber::Signed(4)),
+        6 => Ok(StoredNumber::Unsigned(4)),
+        7 => Ok(StoredNumber::Float(4)),
+        9 => Ok(StoredNumber::Float(8)),
+        12 => Ok(StoredNumber::Signed(8)),
+        13 => Ok(StoredNumber::Unsigned(8)),
         other => {
             let problem = format!("its type is {other}, which is no number");
-            Err(ExchangeError::at_byte(element.at, Cause::Inconsistent { what: ELEMENT, problem }))
+            Err(ExchangeError::at_byte(element.at, FileCause::Inconsistent { what: ELEMENT, problem }))
         }
     }
 }
@@ -259,6 +261,6 @@ fn whole_numbers(element: &Element<'_>, big_endian: bool) -> Result<Vec<usize>, 
     let counts = stored(element)?.counts(element.data, big_endian);
     counts.into_iter().collect::<Option<Vec<usize>>>().ok_or_else(|| {
         let problem = String::from("a number is negative or not whole where a count is needed");
-        ExchangeError::at_byte(element.at, Cause::Inconsistent { what: ELEMENT, problem })
+        ExchangeError::at_byte(element.at, FileCause::Inconsistent { what: ELEMENT, problem })
     })
 }

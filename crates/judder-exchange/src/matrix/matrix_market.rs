@@ -3,7 +3,7 @@
 //! R. F. Boisvert, R. Pozo, K. Remington, *The Matrix Market Exchange Formats: Initial Design*, NISTIR 5935 (1996).
 
 use super::{Matrix, Symmetry};
-use crate::cause::Cause;
+use crate::cause::FileCause;
 use crate::error::ExchangeError;
 use crate::quoted::quoted;
 use crate::text::{check_room, count, number, text_of};
@@ -13,7 +13,7 @@ use std::io::Write;
 /// Every number reads back to its last bit.
 ///
 /// # Errors
-/// [`Cause::Inconsistent`] where the entries have not the symmetry that the matrix says, [`Cause::Unwritable`].
+/// [`FileCause::Inconsistent`] where the entries have not the symmetry that the matrix says, [`FileCause::Unwritable`].
 pub fn write_matrix_market(to: &mut dyn Write, matrix: &Matrix) -> Result<(), ExchangeError> {
     let (symmetry, departure) = match matrix.symmetry {
         Symmetry::General => ("general", 0.0),
@@ -22,7 +22,7 @@ pub fn write_matrix_market(to: &mut dyn Write, matrix: &Matrix) -> Result<(), Ex
     };
     if departure != 0.0 {
         let problem = format!("it departs from {symmetry} by {departure:e} of its largest entry");
-        return Err(Cause::Inconsistent { what: "the matrix", problem }.into());
+        return Err(FileCause::Inconsistent { what: "the matrix", problem }.into());
     }
     let stored = |(row, column, _): &&(usize, usize, f64)| match matrix.symmetry {
         Symmetry::General => true,
@@ -39,13 +39,13 @@ pub fn write_matrix_market(to: &mut dyn Write, matrix: &Matrix) -> Result<(), Ex
 }
 
 /// The header line of a file.
-struct Header {
+struct MarketHeader {
     sparse: bool,
     symmetry: Symmetry,
 }
 
 /// Lines that are no comments, with their numbers.
-type Lines<'a> = dyn Iterator<Item = (usize, &'a str)> + 'a;
+type NumberedLines<'a> = dyn Iterator<Item = (usize, &'a str)> + 'a;
 
 /// Reads coordinate and array files of real and integer matrices: general, symmetric and skew-symmetric.
 pub(super) fn read_matrix_market(bytes: &[u8]) -> Result<Matrix, ExchangeError> {
@@ -55,7 +55,7 @@ pub(super) fn read_matrix_market(bytes: &[u8]) -> Result<Matrix, ExchangeError> 
     let numbered = text.lines().enumerate().skip(1).map(|(k, line)| (k + 1, line.trim()));
     let mut lines = numbered.filter(|(_, line)| !line.is_empty() && !line.starts_with('%'));
     let (line, sizes) =
-        lines.next().ok_or(Cause::Cut { what: "the sizes of the matrix", needed: 3, left: 0 })?;
+        lines.next().ok_or(FileCause::Cut { what: "the sizes of the matrix", needed: 3, left: 0 })?;
     if header.sparse {
         coordinates(&header, line, sizes, &mut lines, bytes.len())
     } else {
@@ -63,18 +63,21 @@ pub(super) fn read_matrix_market(bytes: &[u8]) -> Result<Matrix, ExchangeError> 
     }
 }
 
-fn header(line: &str) -> Result<Header, Cause> {
+fn header(line: &str) -> Result<MarketHeader, FileCause> {
     let lower = line.to_ascii_lowercase();
     let words: Vec<&str> = lower.split_whitespace().collect();
     let ["%%matrixmarket", "matrix", format, field, symmetry] = words.as_slice() else {
-        return Err(Cause::Foreign {
+        return Err(FileCause::Foreign {
             format: "Matrix Market file",
             found: format!("its first line is `{}`", quoted(line)),
             remedy: "the first line should be, say, `%%MatrixMarket matrix coordinate real general`",
         });
     };
-    let unsupported =
-        |what, found: &str, read| Cause::Unsupported { what, found: format!("`{}`", quoted(found)), read };
+    let unsupported = |what, found: &str, read| FileCause::Unsupported {
+        what,
+        found: format!("`{}`", quoted(found)),
+        read,
+    };
     let sparse = match *format {
         "coordinate" => true,
         "array" => false,
@@ -93,7 +96,7 @@ fn header(line: &str) -> Result<Header, Cause> {
             return Err(unsupported("the symmetry of the matrix", other, read));
         }
     };
-    Ok(Header { sparse, symmetry })
+    Ok(MarketHeader { sparse, symmetry })
 }
 
 /// The numbers of the line of sizes, each with its name and the least that it can be.
@@ -101,10 +104,10 @@ fn sizes<const N: usize>(
     text: &str,
     expected: &'static str,
     names: [(&'static str, usize); N],
-) -> Result<[usize; N], Cause> {
+) -> Result<[usize; N], FileCause> {
     let words: Vec<&str> = text.split_whitespace().collect();
     if words.len() != N {
-        return Err(Cause::WrongEntries { what: "the line of sizes", expected, found: words.len() });
+        return Err(FileCause::WrongEntries { what: "the line of sizes", expected, found: words.len() });
     }
     let mut sizes = [0; N];
     for (size, (word, (name, least))) in sizes.iter_mut().zip(words.into_iter().zip(names)) {
@@ -115,13 +118,13 @@ fn sizes<const N: usize>(
 
 /// What the lines hold, one a line, as many as are said.
 fn each_line<T>(
-    lines: &mut Lines<'_>,
+    lines: &mut NumberedLines<'_>,
     what: &'static str,
     line_of_sizes: usize,
     said: usize,
-    read: impl Fn(&str) -> Result<T, Cause>,
+    read: impl Fn(&str) -> Result<T, FileCause>,
 ) -> Result<Vec<T>, ExchangeError> {
-    let wrong = |found| Cause::WrongCount { what, said, found };
+    let wrong = |found| FileCause::WrongCount { what, said, found };
     let mut entries = Vec::with_capacity(said);
     for (line, text) in lines {
         let entry = read(text).map_err(|cause| ExchangeError::at_line(line, cause))?;
@@ -137,10 +140,10 @@ fn each_line<T>(
 }
 
 fn coordinates(
-    header: &Header,
+    header: &MarketHeader,
     line: usize,
     text: &str,
-    lines: &mut Lines<'_>,
+    lines: &mut NumberedLines<'_>,
     bytes: usize,
 ) -> Result<Matrix, ExchangeError> {
     let here = |cause| ExchangeError::at_line(line, cause);
@@ -152,25 +155,25 @@ fn coordinates(
     Matrix::from_stored(rows, columns, entries, header.symmetry)
 }
 
-fn entry(text: &str, rows: usize, columns: usize) -> Result<(usize, usize, f64), Cause> {
+fn entry(text: &str, rows: usize, columns: usize) -> Result<(usize, usize, f64), FileCause> {
     let words: Vec<&str> = text.split_whitespace().collect();
     let [row, column, value] = words.as_slice() else {
         let (what, expected) = ("an entry", "a row, a column and a number");
-        return Err(Cause::WrongEntries { what, expected, found: words.len() });
+        return Err(FileCause::WrongEntries { what, expected, found: words.len() });
     };
     let (row, column) = (count(row, 1, "a row")?, count(column, 1, "a column")?);
     if row > rows || column > columns {
-        return Err(Cause::OutsideMatrix { row, column, rows, columns });
+        return Err(FileCause::OutsideMatrix { row, column, rows, columns });
     }
     Ok((row - 1, column - 1, number(value, "an entry of the matrix")?))
 }
 
 /// A dense matrix, column by column; of symmetric ones from the diagonal down.
 fn array(
-    header: &Header,
+    header: &MarketHeader,
     line: usize,
     text: &str,
-    lines: &mut Lines<'_>,
+    lines: &mut NumberedLines<'_>,
     bytes: usize,
 ) -> Result<Matrix, ExchangeError> {
     let here = |cause| ExchangeError::at_line(line, cause);
@@ -196,9 +199,9 @@ fn array(
 }
 
 /// How many entries a dense file has.
-fn dense_entries(rows: usize, columns: usize, symmetry: Symmetry) -> Result<usize, Cause> {
+fn dense_entries(rows: usize, columns: usize, symmetry: Symmetry) -> Result<usize, FileCause> {
     if symmetry != Symmetry::General && rows != columns {
-        return Err(Cause::NotSquare { name: String::from("the matrix"), rows, columns });
+        return Err(FileCause::NotSquare { name: String::from("the matrix"), rows, columns });
     }
     let full = rows.saturating_mul(columns);
     Ok(match symmetry {

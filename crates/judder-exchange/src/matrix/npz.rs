@@ -1,7 +1,7 @@
 //! Archives of `scipy.sparse.save_npz`.
 
 use super::{Matrix, Symmetry};
-use crate::cause::Cause;
+use crate::cause::FileCause;
 use crate::error::ExchangeError;
 use crate::npy::{Array, NpyError, read_npy};
 use crate::quoted::quoted;
@@ -11,13 +11,13 @@ use zip::ZipArchive;
 const ARCHIVE: &str = "the archive";
 
 /// The arrays of an archive, unpacked.
-struct Arrays<'a>(ZipArchive<Cursor<&'a [u8]>>);
+struct ArchiveArrays<'a>(ZipArchive<Cursor<&'a [u8]>>);
 
 /// Reads CSR, CSC, BSR, COO and DIA matrices.
 pub(super) fn read_npz(bytes: &[u8]) -> Result<Matrix, ExchangeError> {
     let archive = ZipArchive::new(Cursor::new(bytes))
-        .map_err(|error| Cause::Damaged { what: ARCHIVE, problem: error.to_string() })?;
-    let mut arrays = Arrays(archive);
+        .map_err(|error| FileCause::Damaged { what: ARCHIVE, problem: error.to_string() })?;
+    let mut arrays = ArchiveArrays(archive);
     let shape = arrays.counts("shape")?;
     let [rows, columns] = shape.as_slice() else {
         return Err(inconsistent(format!("its shape has {} numbers; a matrix has two", shape.len())));
@@ -31,7 +31,7 @@ pub(super) fn read_npz(bytes: &[u8]) -> Result<Matrix, ExchangeError> {
         "coo" => coordinates(&mut arrays)?,
         "dia" => diagonals(&mut arrays, rows, columns)?,
         other => {
-            return Err(Cause::Unsupported {
+            return Err(FileCause::Unsupported {
                 what: "the storage of the matrix",
                 found: format!("`{}`", quoted(other)),
                 read: "csr, csc, bsr, coo or dia; save it as matrix.tocsr()",
@@ -41,12 +41,12 @@ pub(super) fn read_npz(bytes: &[u8]) -> Result<Matrix, ExchangeError> {
     };
     if let Some((row, column, _)) = entries.iter().find(|(i, j, _)| *i >= rows || *j >= columns) {
         let (row, column) = (row.saturating_add(1), column.saturating_add(1));
-        return Err(Cause::OutsideMatrix { row, column, rows, columns }.into());
+        return Err(FileCause::OutsideMatrix { row, column, rows, columns }.into());
     }
     match entries.iter().find(|(_, _, value)| !value.is_finite()) {
         Some((row, column, value)) => {
             let (text, what) = (format!("{value} at row {row}, column {column}"), "an entry of the matrix");
-            Err(Cause::NotANumber { text, what }.into())
+            Err(FileCause::NotANumber { text, what }.into())
         }
         None => Matrix::from_stored(rows, columns, entries, Symmetry::General),
     }
@@ -55,13 +55,13 @@ pub(super) fn read_npz(bytes: &[u8]) -> Result<Matrix, ExchangeError> {
 type Entries = Vec<(usize, usize, f64)>;
 
 fn inconsistent(problem: String) -> ExchangeError {
-    Cause::Inconsistent { what: "the sparse matrix", problem }.into()
+    FileCause::Inconsistent { what: "the sparse matrix", problem }.into()
 }
 
-impl Arrays<'_> {
+impl ArchiveArrays<'_> {
     /// An array; it unpacks no further than its own header says.
     fn array(&mut self, name: &str) -> Result<Array, ExchangeError> {
-        let mut file = self.0.by_name(&format!("{name}.npy")).map_err(|error| Cause::Foreign {
+        let mut file = self.0.by_name(&format!("{name}.npy")).map_err(|error| FileCause::Foreign {
             format: "sparse matrix of SciPy",
             found: format!("its array `{name}` cannot be had ({error})"),
             remedy: "write it with scipy.sparse.save_npz",
@@ -85,14 +85,14 @@ impl Arrays<'_> {
 }
 
 /// An array that cannot be used.
-fn refused(source: NpyError) -> Cause {
+fn refused(source: NpyError) -> FileCause {
     match source {
-        NpyError::Numbers { found } => Cause::Unsupported {
+        NpyError::Numbers { found } => FileCause::Unsupported {
             what: "the type of a NumPy array",
             found: format!("`{found}`"),
             read: "real and whole numbers of up to eight bytes; write real and imaginary parts as two matrices",
         },
-        source => Cause::Array { source },
+        source => FileCause::Array { source },
     }
 }
 
@@ -101,7 +101,7 @@ fn turned(entries: Entries) -> Entries {
 }
 
 /// Lines (rows or columns), each with its places and numbers.
-fn compressed(arrays: &mut Arrays<'_>, lines: usize, length: usize) -> Result<Entries, ExchangeError> {
+fn compressed(arrays: &mut ArchiveArrays<'_>, lines: usize, length: usize) -> Result<Entries, ExchangeError> {
     let values = arrays.floats("data")?;
     let starts = pointers(arrays, lines, values.len())?;
     let places = arrays.counts("indices")?;
@@ -116,7 +116,11 @@ fn compressed(arrays: &mut Arrays<'_>, lines: usize, length: usize) -> Result<En
 }
 
 /// Where each line begins and ends: ascending, within the numbers.
-fn pointers(arrays: &mut Arrays<'_>, lines: usize, numbers: usize) -> Result<Vec<usize>, ExchangeError> {
+fn pointers(
+    arrays: &mut ArchiveArrays<'_>,
+    lines: usize,
+    numbers: usize,
+) -> Result<Vec<usize>, ExchangeError> {
     let starts = arrays.counts("indptr")?;
     let ascending = starts.windows(2).all(|pair| pair[0] <= pair[1]);
     if Some(starts.len()) != lines.checked_add(1) || !ascending || starts.last() > Some(&numbers) {
@@ -129,7 +133,7 @@ fn pointers(arrays: &mut Arrays<'_>, lines: usize, numbers: usize) -> Result<Vec
 }
 
 /// Dense blocks at places of a coarser matrix.
-fn blocks(arrays: &mut Arrays<'_>, rows: usize, columns: usize) -> Result<Entries, ExchangeError> {
+fn blocks(arrays: &mut ArchiveArrays<'_>, rows: usize, columns: usize) -> Result<Entries, ExchangeError> {
     let array = arrays.array("data")?;
     let (values, shape) = (array.floats().map_err(refused)?, array.shape);
     let [count, height @ (1..), width @ (1..)] = *shape.as_slice() else {
@@ -158,7 +162,7 @@ fn blocks(arrays: &mut Arrays<'_>, rows: usize, columns: usize) -> Result<Entrie
     Ok(entries)
 }
 
-fn coordinates(arrays: &mut Arrays<'_>) -> Result<Entries, ExchangeError> {
+fn coordinates(arrays: &mut ArchiveArrays<'_>) -> Result<Entries, ExchangeError> {
     let values = arrays.floats("data")?;
     let (rows, columns) = match arrays.counts("row") {
         Ok(rows) => (rows, arrays.counts("col")?),
@@ -174,14 +178,14 @@ fn coordinates(arrays: &mut Arrays<'_>) -> Result<Entries, ExchangeError> {
 }
 
 /// Rows and columns in one array.
-fn split_coordinates(arrays: &mut Arrays<'_>) -> Result<(Vec<usize>, Vec<usize>), ExchangeError> {
+fn split_coordinates(arrays: &mut ArchiveArrays<'_>) -> Result<(Vec<usize>, Vec<usize>), ExchangeError> {
     let coords = arrays.counts("coords")?;
     let (rows, columns) = coords.split_at(coords.len() / 2);
     Ok((rows.to_vec(), columns.to_vec()))
 }
 
 /// A_ij = data[k, j] with i = j − offset_k.
-fn diagonals(arrays: &mut Arrays<'_>, rows: usize, columns: usize) -> Result<Entries, ExchangeError> {
+fn diagonals(arrays: &mut ArchiveArrays<'_>, rows: usize, columns: usize) -> Result<Entries, ExchangeError> {
     let array = arrays.array("data")?;
     let (values, shape) = (array.floats().map_err(refused)?, array.shape);
     let offsets = arrays.floats("offsets")?;

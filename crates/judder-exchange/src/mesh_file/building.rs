@@ -1,9 +1,9 @@
 //! From the nodes and elements of a file to a mesh: unused nodes go, elements of one kind and name stand together.
 
 use super::{MeshFile, Warning};
-use crate::cause::Cause;
+use crate::cause::FileCause;
 use judder_structure::element::ElementKind;
-use judder_structure::mesh::{Block, Mesh, Side};
+use judder_structure::mesh::{ElementSide, Mesh, MeshBlock};
 use std::collections::BTreeMap;
 
 /// An element of a file.
@@ -24,7 +24,7 @@ pub(super) struct FileParts {
     pub(super) elements: Vec<FileElement>,
     pub(super) node_sets: BTreeMap<String, Vec<usize>>,
     pub(super) element_sets: BTreeMap<String, Vec<usize>>,
-    pub(super) side_sets: BTreeMap<String, Vec<Side>>,
+    pub(super) side_sets: BTreeMap<String, Vec<ElementSide>>,
     pub(super) warnings: Vec<Warning>,
 }
 
@@ -33,7 +33,7 @@ const OFF_PLANE: f64 = 1e-9;
 
 impl FileParts {
     /// The mesh, without materials and sections.
-    pub(super) fn build(mut self) -> Result<MeshFile, Cause> {
+    pub(super) fn build(mut self) -> Result<MeshFile, FileCause> {
         self.check_dimension()?;
         let kept = self.kept_nodes();
         self.warn_of_unused(&kept);
@@ -44,7 +44,7 @@ impl FileParts {
         let element_sets = self.element_sets.iter().map(|(name, set)| {
             (name.clone(), distinct(set.iter().map(|element| numbers[*element]), self.elements.len()))
         });
-        let moved = |side: &Side| Side { element: numbers[side.element], ..*side };
+        let moved = |side: &ElementSide| ElementSide { element: numbers[side.element], ..*side };
         let side_sets =
             self.side_sets.iter().map(|(name, set)| (name.clone(), set.iter().map(moved).collect()));
         let used = || self.nodes.iter().zip(&kept).filter(|(_, kept)| kept.is_some()).map(|(node, _)| node);
@@ -55,7 +55,7 @@ impl FileParts {
             element_sets: element_sets.collect(),
             side_sets: side_sets.collect(),
         };
-        mesh.check().map_err(|source| Cause::Structure { source })?;
+        mesh.check().map_err(|source| FileCause::Structure { source })?;
         let mut element_labels = vec![0; self.elements.len()];
         for (element, number) in self.elements.iter().zip(&numbers) {
             element_labels[*number] = element.label;
@@ -65,13 +65,13 @@ impl FileParts {
         Ok(MeshFile { mesh, node_labels, element_labels, warnings, ..MeshFile::default() })
     }
 
-    fn check_dimension(&self) -> Result<(), Cause> {
+    fn check_dimension(&self) -> Result<(), FileCause> {
         let Some(first) = self.elements.first() else {
-            return Err(Cause::NoElements);
+            return Err(FileCause::NoElements);
         };
         let dimension = first.kind.dimension();
         if let Some(other) = self.elements.iter().find(|element| element.kind.dimension() != dimension) {
-            return Err(Cause::MixedDimensions { first: first.label, other: other.label });
+            return Err(FileCause::MixedDimensions { first: first.label, other: other.label });
         }
         if dimension == 3 {
             return Ok(());
@@ -79,7 +79,7 @@ impl FileParts {
         let places = || self.elements.iter().flat_map(|element| &element.nodes).map(|node| self.nodes[*node]);
         let size = places().flat_map(|(_, [x, y, _])| [x.abs(), y.abs()]).fold(0.0, f64::max);
         match places().find(|(_, place)| place[2].abs() > OFF_PLANE * size) {
-            Some((node, place)) => Err(Cause::OffPlane { node, z: place[2] }),
+            Some((node, place)) => Err(FileCause::OffPlane { node, z: place[2] }),
             None => Ok(()),
         }
     }
@@ -121,7 +121,7 @@ fn distinct(numbers: impl Iterator<Item = usize>, below: usize) -> Vec<usize> {
 }
 
 /// Elements of one kind and name together, in the order in which these come up, and the new number of each element.
-fn blocks(elements: &[FileElement], kept: &[Option<usize>]) -> (Vec<Block>, Vec<usize>) {
+fn blocks(elements: &[FileElement], kept: &[Option<usize>]) -> (Vec<MeshBlock>, Vec<usize>) {
     let mut places: BTreeMap<(ElementKind, &str), usize> = BTreeMap::new();
     let mut members: Vec<Vec<usize>> = Vec::new();
     for (k, element) in elements.iter().enumerate() {
@@ -138,14 +138,14 @@ fn blocks(elements: &[FileElement], kept: &[Option<usize>]) -> (Vec<Block>, Vec<
     let block = |own: &Vec<usize>| {
         let first = &elements[own[0]];
         let nodes = own.iter().flat_map(|k| &elements[*k].nodes).filter_map(|node| kept[*node]);
-        Block { kind: first.kind, material: first.block.clone(), connectivity: nodes.collect() }
+        MeshBlock { kind: first.kind, material: first.block.clone(), connectivity: nodes.collect() }
     };
     (members.iter().map(block).collect(), numbers)
 }
 
 /// The kind and the nodes of each element of a mesh.
 pub(super) fn elements_of(mesh: &Mesh) -> Vec<(ElementKind, &[usize])> {
-    let of_block = |block: &'_ Block| block.kind.nodes();
+    let of_block = |block: &'_ MeshBlock| block.kind.nodes();
     mesh.blocks
         .iter()
         .flat_map(|block| block.connectivity.chunks_exact(of_block(block)).map(|own| (block.kind, own)))

@@ -13,11 +13,11 @@ use super::MeshFile;
 use crate::error::ExchangeError;
 use crate::text::text_of;
 use meaning::{Meaning, meaning};
-use model::Model;
+use model::DeckModel;
 
 /// Reads the model of a deck; what belongs to steps is passed over.
 pub(super) fn read_inp(bytes: &[u8]) -> Result<MeshFile, ExchangeError> {
-    let mut model = Model::new(bytes.len());
+    let mut model = DeckModel::new(bytes.len());
     let mut in_step = false;
     for keyword in deck::keywords(text_of(bytes)?)? {
         if in_step {

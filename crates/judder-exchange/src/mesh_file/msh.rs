@@ -9,25 +9,25 @@ mod source;
 
 use super::MeshFile;
 use crate::bytes::Bytes;
-use crate::cause::Cause;
+use crate::cause::FileCause;
 use crate::error::ExchangeError;
 use crate::mesh_file::Warning;
 use crate::quoted::quoted;
 use sections::Sections;
-use source::{Form, Source};
+use source::{MshForm, MshSource};
 
 const FORMAT: &str = "mesh of Gmsh's format 4.1";
 const REMEDY: &str = "save it anew with `gmsh FILE -save -format msh41 -o NEW.msh`";
 
 /// Reads nodes, elements and physical groups.
 pub(super) fn read_msh(bytes: &[u8]) -> Result<MeshFile, ExchangeError> {
-    let mut source = Source::new(bytes);
+    let mut source = MshSource::new(bytes);
     read_format(&mut source)?;
     let mut sections = Sections::default();
     while let Some(line) = source.line()? {
         let name = line.strip_prefix('$').ok_or_else(|| {
             let problem = format!("`{}` stands where a section should begin", quoted(line));
-            source.error(Cause::Inconsistent { what: "the order of the file", problem })
+            source.error(FileCause::Inconsistent { what: "the order of the file", problem })
         })?;
         match name {
             "PhysicalNames" => sections.read_names(&mut source)?,
@@ -36,7 +36,7 @@ pub(super) fn read_msh(bytes: &[u8]) -> Result<MeshFile, ExchangeError> {
             "Elements" => sections.read_elements(&mut source)?,
             "PartitionedEntities" => {
                 let (what, found) = ("the mesh", String::from("partitioned"));
-                return Err(source.error(Cause::Unsupported { what, found, read: "a mesh in one part" }));
+                return Err(source.error(FileCause::Unsupported { what, found, read: "a mesh in one part" }));
             }
             other => {
                 let text = format!("the section ${} is passed over", quoted(other));
@@ -44,15 +44,15 @@ pub(super) fn read_msh(bytes: &[u8]) -> Result<MeshFile, ExchangeError> {
             }
         }
         if !source.skip_to(&format!("$End{name}")) {
-            return Err(source.error(Cause::NoEnd { section: quoted(name) }));
+            return Err(source.error(FileCause::NoEnd { section: quoted(name) }));
         }
     }
     Ok(sections.into_parts()?.build()?)
 }
 
 /// The version, the form and, in a binary file, the endianness.
-fn read_format(source: &mut Source<'_>) -> Result<(), ExchangeError> {
-    let foreign = |found: String| Cause::Foreign { format: FORMAT, found, remedy: REMEDY };
+fn read_format(source: &mut MshSource<'_>) -> Result<(), ExchangeError> {
+    let foreign = |found: String| FileCause::Foreign { format: FORMAT, found, remedy: REMEDY };
     let first = source.line()?.unwrap_or("");
     if first != "$MeshFormat" {
         let found = format!("its first line is `{}`", quoted(first));
@@ -75,13 +75,13 @@ fn read_format(source: &mut Source<'_>) -> Result<(), ExchangeError> {
             if big_endian && Bytes::new(&one, 0, true).u32("the number one")? != 1 {
                 return Err(source.error(foreign(String::from("its endianness cannot be told"))));
             }
-            source.set_form(Form::Binary { big_endian });
+            source.set_form(MshForm::Binary { big_endian });
         }
         _ => return Err(source.error(foreign(format!("its format line is `{}`", quoted(line))))),
     }
     if source.skip_to("$EndMeshFormat") {
         Ok(())
     } else {
-        Err(source.error(Cause::NoEnd { section: String::from("MeshFormat") }))
+        Err(source.error(FileCause::NoEnd { section: String::from("MeshFormat") }))
     }
 }

@@ -1,7 +1,7 @@
 //! Responses over time or frequency: dataset 58, function at a nodal degree of freedom.
 
 use super::record::{begin, end, exponential, text};
-use crate::cause::Cause;
+use crate::cause::FileCause;
 use crate::error::ExchangeError;
 use faer::c64;
 use judder_structure::freedom::Direction;
@@ -18,7 +18,7 @@ pub enum ResponseKind {
 
 /// What is measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Quantity {
+pub enum MeasuredQuantity {
     /// In m.
     Displacement,
     /// In m/s.
@@ -54,7 +54,7 @@ pub enum Ordinates<'a> {
 
 /// A response of one degree of freedom.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Response<'a> {
+pub struct UniversalResponse<'a> {
     /// Shown as its title.
     pub title: &'a str,
     /// What it is.
@@ -62,7 +62,7 @@ pub struct Response<'a> {
     /// The label of the node, and the direction, that responds.
     pub at: (usize, Direction),
     /// What it is that responds.
-    pub quantity: Quantity,
+    pub quantity: MeasuredQuantity,
     /// The label of the node, and the direction, of the exciting force; of frequency responses.
     pub excited_at: Option<(usize, Direction)>,
     /// Where the values are.
@@ -74,8 +74,8 @@ pub struct Response<'a> {
 /// Writes a response in double precision.
 ///
 /// # Errors
-/// [`Cause::WrongCount`] for values that are not one for each abscissa, [`Cause::Unwritable`].
-pub fn write_response(to: &mut dyn Write, response: &Response<'_>) -> Result<(), ExchangeError> {
+/// [`FileCause::WrongCount`] for values that are not one for each abscissa, [`FileCause::Unwritable`].
+pub fn write_response(to: &mut dyn Write, response: &UniversalResponse<'_>) -> Result<(), ExchangeError> {
     let values: Vec<Vec<f64>> = match response.ordinates {
         Ordinates::Real(values) => values.iter().map(|value| vec![*value]).collect(),
         Ordinates::Complex(values) => values.iter().map(|value| vec![value.re, value.im]).collect(),
@@ -84,7 +84,7 @@ pub fn write_response(to: &mut dyn Write, response: &Response<'_>) -> Result<(),
         && places.len() != values.len()
     {
         let (said, found) = (places.len(), values.len());
-        return Err(Cause::WrongCount { what: "values of a response", said, found }.into());
+        return Err(FileCause::WrongCount { what: "values of a response", said, found }.into());
     }
     begin(to, 58)?;
     write_head(to, response, values.len())?;
@@ -106,10 +106,14 @@ pub fn write_response(to: &mut dyn Write, response: &Response<'_>) -> Result<(),
     end(to)
 }
 
-fn write_head(to: &mut dyn Write, response: &Response<'_>, count: usize) -> Result<(), ExchangeError> {
+fn write_head(
+    to: &mut dyn Write,
+    response: &UniversalResponse<'_>,
+    count: usize,
+) -> Result<(), ExchangeError> {
     let (function, axis) = match response.kind {
-        ResponseKind::TimeHistory => (1, Axis::TIME),
-        ResponseKind::FrequencyResponse => (4, Axis::FREQUENCY),
+        ResponseKind::TimeHistory => (1, ResponseAxis::TIME),
+        ResponseKind::FrequencyResponse => (4, ResponseAxis::FREQUENCY),
     };
     let data = if matches!(response.ordinates, Ordinates::Real(_)) { 4 } else { 6 };
     let (even, start, step) = match response.abscissa {
@@ -127,16 +131,20 @@ fn write_head(to: &mut dyn Write, response: &Response<'_>, count: usize) -> Resu
     )?;
     let [start, step, z] = [start, step, 0.0].map(|value| exponential(value, 13, 5));
     writeln!(to, "{data:>10}{count:>10}{even:>10}{start}{step}{z}")?;
-    let excitation = if response.excited_at.is_some() { Axis::of(Quantity::Force) } else { Axis::NONE };
-    for axis in [axis, Axis::of(response.quantity), excitation, Axis::NONE] {
-        let Axis { kind, length, force, name, unit } = axis;
+    let excitation = if response.excited_at.is_some() {
+        ResponseAxis::of(MeasuredQuantity::Force)
+    } else {
+        ResponseAxis::NONE
+    };
+    for axis in [axis, ResponseAxis::of(response.quantity), excitation, ResponseAxis::NONE] {
+        let ResponseAxis { kind, length, force, name, unit } = axis;
         writeln!(to, "{kind:>10}{length:>5}{force:>5}{:>5} {name:<20} {unit:<20}", 0)?;
     }
     Ok(())
 }
 
 /// What an axis shows: its number in the format, the exponents of length and force in its unit, its name and unit.
-struct Axis {
+struct ResponseAxis {
     kind: u32,
     length: u32,
     force: u32,
@@ -144,17 +152,17 @@ struct Axis {
     unit: &'static str,
 }
 
-impl Axis {
+impl ResponseAxis {
     const TIME: Self = Self { kind: 17, length: 0, force: 0, name: "Time", unit: "s" };
     const FREQUENCY: Self = Self { kind: 18, length: 0, force: 0, name: "Frequency", unit: "Hz" };
     const NONE: Self = Self { kind: 0, length: 0, force: 0, name: "NONE", unit: "NONE" };
 
-    fn of(quantity: Quantity) -> Self {
+    fn of(quantity: MeasuredQuantity) -> Self {
         let (kind, length, force, name, unit) = match quantity {
-            Quantity::Displacement => (8, 1, 0, "Displacement", "m"),
-            Quantity::Velocity => (11, 1, 0, "Velocity", "m/s"),
-            Quantity::Acceleration => (12, 1, 0, "Acceleration", "m/s^2"),
-            Quantity::Force => (13, 0, 1, "Force", "N"),
+            MeasuredQuantity::Displacement => (8, 1, 0, "Displacement", "m"),
+            MeasuredQuantity::Velocity => (11, 1, 0, "Velocity", "m/s"),
+            MeasuredQuantity::Acceleration => (12, 1, 0, "Acceleration", "m/s^2"),
+            MeasuredQuantity::Force => (13, 0, 1, "Force", "N"),
         };
         Self { kind, length, force, name, unit }
     }

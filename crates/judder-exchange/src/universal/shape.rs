@@ -1,7 +1,7 @@
 //! Shapes of modes: dataset 55, data at nodes.
 
 use super::record::{begin, end, exponential, text};
-use crate::cause::Cause;
+use crate::cause::FileCause;
 use crate::error::ExchangeError;
 use crate::geometry::Geometry;
 use faer::c64;
@@ -38,14 +38,14 @@ pub struct ComplexShape<'a> {
 /// Writes a real mode: displacements, three values a node.
 ///
 /// # Errors
-/// [`Cause::WrongCount`] for a shape that does not fill the nodes, [`Cause::Unwritable`].
+/// [`FileCause::WrongCount`] for a shape that does not fill the nodes, [`FileCause::Unwritable`].
 pub fn write_real_shape(
     to: &mut dyn Write,
     geometry: &Geometry,
     mode: &RealShape<'_>,
 ) -> Result<(), ExchangeError> {
     let title = format!("Mode {} at {:.6} Hz", mode.number, mode.frequency_hz);
-    let head = Head { title, analysis: 2, data: 2, number: mode.number };
+    let head = ShapeHead { title, analysis: 2, data: 2, number: mode.number };
     let parameters = [mode.frequency_hz, mode.modal_mass, mode.damping_ratio, 0.0];
     write_shape(to, geometry, &head, &parameters, mode.shape.iter().map(|own| own.to_vec()))
 }
@@ -53,7 +53,7 @@ pub fn write_real_shape(
 /// Writes a complex mode: displacements, real and imaginary parts of three values a node.
 ///
 /// # Errors
-/// [`Cause::WrongCount`] for a shape that does not fill the nodes, [`Cause::Unwritable`].
+/// [`FileCause::WrongCount`] for a shape that does not fill the nodes, [`FileCause::Unwritable`].
 pub fn write_complex_shape(
     to: &mut dyn Write,
     geometry: &Geometry,
@@ -62,14 +62,14 @@ pub fn write_complex_shape(
     let (value, a) = (mode.eigenvalue, mode.modal_a);
     let b = c64::new(-(value.re * a.re - value.im * a.im), -(value.re * a.im + value.im * a.re));
     let title = format!("Mode {} at {:.6} + {:.6} i 1/s", mode.number, value.re, value.im);
-    let head = Head { title, analysis: 3, data: 5, number: mode.number };
+    let head = ShapeHead { title, analysis: 3, data: 5, number: mode.number };
     let parameters = [value.re, value.im, a.re, a.im, b.re, b.im];
     let values = mode.shape.iter().map(|own| own.iter().flat_map(|value| [value.re, value.im]).collect());
     write_shape(to, geometry, &head, &parameters, values)
 }
 
 /// What tells shapes apart.
-struct Head {
+struct ShapeHead {
     title: String,
     /// 2: normal mode, 3: complex eigenvalue.
     analysis: u32,
@@ -81,20 +81,20 @@ struct Head {
 fn write_shape(
     to: &mut dyn Write,
     geometry: &Geometry,
-    head: &Head,
+    head: &ShapeHead,
     parameters: &[f64],
     values: impl ExactSizeIterator<Item = Vec<f64>>,
 ) -> Result<(), ExchangeError> {
     geometry.check()?;
     let (said, found) = (geometry.labels.len(), values.len());
     if said != found {
-        return Err(Cause::WrongCount { what: "displacements", said, found }.into());
+        return Err(FileCause::WrongCount { what: "displacements", said, found }.into());
     }
     begin(to, 55)?;
     writeln!(to, "{}\nNONE\nNONE\nNONE\nNONE", text(&head.title))?;
     // a structure; global translations; displacement; three values a node
     let (model, characteristic, specific, count) = (1, 2, 8, 3);
-    let Head { analysis, data, number, .. } = head;
+    let ShapeHead { analysis, data, number, .. } = head;
     writeln!(to, "{model:>10}{analysis:>10}{characteristic:>10}{specific:>10}{data:>10}{count:>10}")?;
     writeln!(to, "{:>10}{:>10}{:>10}{number:>10}", 2, parameters.len(), 0)?;
     write_numbers(to, parameters)?;

@@ -5,7 +5,7 @@ use crate::file;
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
 use judder_exchange::matrix::read_matrix;
-use judder_exchange::{Cause, Place};
+use judder_exchange::{FileCause, FilePlace};
 use std::fs;
 use std::io::{Cursor, Write};
 use zip::ZipWriter;
@@ -34,7 +34,8 @@ fn the_name_must_tell_the_format() {
     assert!(message("a", "1").contains("there are .mtx"));
     let missing = read_matrix(&file("missing.mtx")).unwrap_err();
     assert!(
-        matches!(missing.cause(), Cause::Unreadable { .. }) && missing.to_string().contains("missing.mtx")
+        matches!(missing.cause(), FileCause::Unreadable { .. })
+            && missing.to_string().contains("missing.mtx")
     );
 }
 
@@ -58,7 +59,7 @@ fn matlab_files_that_are_cut_or_changed_are_named_with_their_byte() {
     let lengths = (129..whole.len()).filter(|length| *length != first);
     each_cut("a.mat", &whole, lengths, |length, path| {
         let error = read_matrix(path).unwrap_err();
-        assert!(matches!(error.place(), Place::Byte(128..)), "{length}: {error}");
+        assert!(matches!(error.place(), FilePlace::Byte(128..)), "{length}: {error}");
     });
     let packed = sample("sparse_compressed.mat");
     each_cut("a.mat", &packed, 129..packed.len(), |length, path| {

@@ -2,7 +2,7 @@
 
 use super::{each_cut, written};
 use crate::file;
-use judder_exchange::Place;
+use judder_exchange::FilePlace;
 use judder_exchange::mesh_file::read_mesh;
 use std::fs;
 
@@ -30,7 +30,7 @@ fn meshes_of_gmsh_that_are_cut_are_refused_with_their_place() {
         // the last end of a line may be missing
         each_cut(name, &whole, 0..whole.len() - 1, |length, path| {
             let error = read_mesh(path).unwrap_err();
-            let placed = matches!(error.place(), Place::Line(_)) || !is_text;
+            let placed = matches!(error.place(), FilePlace::Line(_)) || !is_text;
             assert!(placed || error.to_string().contains("no elements"), "{length}: {error}");
         });
     }

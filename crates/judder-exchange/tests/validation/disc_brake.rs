@@ -2,7 +2,7 @@
 //! project: without their folder nothing is shown.
 
 use judder_exchange::matrix::{Matrix, Symmetry, read_matrix};
-use judder_exchange::system::{Part, Parts};
+use judder_exchange::system::{NamedMatrix, SystemParts};
 use std::path::{Path, PathBuf};
 
 fn folder() -> Option<PathBuf> {
@@ -39,8 +39,8 @@ fn they_make_one_structure() {
     let Some(folder) = folder() else { return };
     let read = |name: &str| read_matrix(&folder.join(name)).unwrap();
     let (mass, damping, stiffness) = (read("BMLL00.mat"), read("BDLL00.mat"), read("BKLL00.mat"));
-    let part = |matrix| vec![Part { name: "a file", matrix }];
-    let parts = Parts { mass: part(&mass), damping: part(&damping), stiffness: part(&stiffness) };
+    let part = |matrix| vec![NamedMatrix { name: "a file", matrix }];
+    let parts = SystemParts { mass: part(&mass), damping: part(&damping), stiffness: part(&stiffness) };
     assert_eq!(parts.check(None).unwrap(), 4669);
     assert_eq!(mass.to_sparse().unwrap().compute_nnz(), mass.entries.len());
 }

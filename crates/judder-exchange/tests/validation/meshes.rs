@@ -5,7 +5,7 @@ use judder_exchange::mesh_file::{MeshFile, UNNAMED, Units, read_mesh};
 use judder_structure::assembly::assemble;
 use judder_structure::element::ElementKind;
 use judder_structure::freedom::{Direction, Numbering, Supports};
-use judder_structure::material::{Elastic, Section};
+use judder_structure::material::{Elastic, ElementSection};
 use judder_structure::mesh::Mesh;
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
@@ -15,7 +15,7 @@ fn read(name: &str) -> MeshFile {
 }
 
 /// The mass of a mesh: that of a rigid motion along x. It needs all nodes of all elements in their order.
-fn mass(mesh: &Mesh, materials: &BTreeMap<String, (Elastic, Section)>) -> f64 {
+fn mass(mesh: &Mesh, materials: &BTreeMap<String, (Elastic, ElementSection)>) -> f64 {
     let dimension = mesh.blocks[0].kind.dimension();
     let numbering = Numbering::new(mesh, dimension, &Supports::default()).unwrap();
     let mass = assemble(mesh, materials, &numbering).unwrap().mass;
@@ -26,8 +26,11 @@ fn mass(mesh: &Mesh, materials: &BTreeMap<String, (Elastic, Section)>) -> f64 {
 
 /// Area or volume of a mesh.
 fn content(file: &MeshFile) -> f64 {
-    let section =
-        if file.dimension() == 2 { Section::PlaneStrain { thickness: 1.0 } } else { Section::Solid };
+    let section = if file.dimension() == 2 {
+        ElementSection::PlaneStrain { thickness: 1.0 }
+    } else {
+        ElementSection::Solid
+    };
     let elastic = Elastic::new(1.0, 0.3, 1.0).unwrap();
     let names = file.mesh.blocks.iter().map(|block| (block.material.clone(), (elastic, section)));
     mass(&file.mesh, &names.collect())
@@ -150,8 +153,8 @@ fn a_deck_of_abaqus_has_its_sections_and_sets() {
     assert_eq!(file.element_labels, [1, 5]);
     let materials = file.materials_of_blocks().unwrap();
     assert_eq!(materials["Plate"].0, Elastic::new(2.1e11, 0.3, 7800.0).unwrap());
-    assert_eq!(materials["Plate"].1, Section::PlaneStress { thickness: 0.01 });
-    assert_eq!(materials["Lining"].1, Section::PlaneStress { thickness: 0.02 });
+    assert_eq!(materials["Plate"].1, ElementSection::PlaneStress { thickness: 0.01 });
+    assert_eq!(materials["Lining"].1, ElementSection::PlaneStress { thickness: 0.02 });
     close(mass(&file.mesh, &materials), 2500.0 * 0.02 + 7800.0 * 0.01, 1e-12);
     assert_eq!(file.mesh.node_sets["Bottom"], [0, 1, 2]);
     assert_eq!(file.mesh.node_sets["Both"], [0, 1, 2, 5, 4, 3]);

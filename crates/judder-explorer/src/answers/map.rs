@@ -15,7 +15,7 @@ use judder_models::key_plane::{KeyAxis, KeyPlane};
 use judder_models::oscillator::keys::OscillatorKey;
 use judder_models::oscillator::{BoundaryKind, boundary_curves};
 use judder_models::sweep::{StabilityMap as Settings, Sweep};
-use judder_oscillator::map::{CoarseMap, Method, StabilityMap};
+use judder_oscillator::map::{CoarseMap, DecisionMethod, StabilityMap};
 use judder_oscillator::mechanism::StabilityClass;
 use judder_store::Variable;
 use judder_study::{Progress, StudyError};
@@ -71,7 +71,7 @@ fn draw(subject: &Subject, view: &View, kinds: &[BoundaryKind], reporter: &Repor
     };
     reporter.send(exact_frame(&plane, settings, map.clone(), reporter.seconds()));
     if !contact.law.is_formula() {
-        let Some(codes) = plane.within_law(contact, (&map, Method::Adaptive), &interrupted) else {
+        let Some(codes) = plane.within_law(contact, (&map, DecisionMethod::Adaptive), &interrupted) else {
             return Err(reporter.refusal(StudyError::Interrupted));
         };
         let codes = Variable::new("within_law", &["y", "x"], &[map.rows, map.columns], codes);

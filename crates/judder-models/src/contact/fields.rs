@@ -10,7 +10,7 @@ use judder_contact::steady::refinement::{LevelSummary, Refinement};
 use judder_contact::surface::grid::SurfaceGrid;
 use judder_contact::unilateral::UnilateralSolution;
 use judder_exchange::square_cells::SquareCells;
-use judder_exchange::vtu::{Field, Values};
+use judder_exchange::vtu::{FieldValues, VtuField};
 use judder_store::{Dataset, Variable};
 
 /// The fields of one contact, row-major, lengths in R, pressures in E0*.
@@ -131,9 +131,9 @@ impl<'a> Fields<'a> {
         let grid = &self.grid;
         let cells =
             SquareCells { columns: grid.columns, rows: grid.rows, side: grid.cell, origin: grid.origin };
-        let field = |name: &str, values: &[f64]| Field {
+        let field = |name: &str, values: &[f64]| VtuField {
             name: name.to_owned(),
-            values: Values::Scalars(values.to_vec()),
+            values: FieldValues::Scalars(values.to_vec()),
         };
         let fields = [
             field("pressure", &self.solution.pressure),

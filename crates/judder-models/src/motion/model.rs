@@ -8,9 +8,9 @@ use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::keys::OscillatorKey;
 use crate::sweep::Sweep;
 use judder_keys::numeric_key::{Form, Value};
-use judder_numerics::piecewise::Settings;
+use judder_numerics::piecewise::StepSettings;
 use judder_oscillator::motion::attractor::distance;
-use judder_oscillator::motion::history::Sample;
+use judder_oscillator::motion::history::StateSample;
 use judder_oscillator::motion::{BeltOscillator, FallingFriction, SlidingSystem, StickSlip};
 use judder_oscillator::{Contact, OscillatorError};
 use judder_study::axis::Axis;
@@ -49,7 +49,7 @@ impl<S> Operating<S> {
     }
 
     /// How a motion is stepped: to a tolerance relative to the state and to the magnitudes of steady sliding.
-    pub(crate) fn settings<const N: usize>(&self, following: &Following) -> Settings<N>
+    pub(crate) fn settings<const N: usize>(&self, following: &Following) -> StepSettings<N>
     where
         S: SlidingSystem<N>,
     {
@@ -57,7 +57,7 @@ impl<S> Operating<S> {
         const LONGEST_STEP: f64 = 1.0;
         let Following { tolerance, steps, .. } = *following;
         let absolute = self.system.scales().map(|scale| tolerance * scale);
-        Settings { relative: tolerance, absolute, longest_step: LONGEST_STEP, steps }
+        StepSettings { relative: tolerance, absolute, longest_step: LONGEST_STEP, steps }
     }
 
     /// A start that is not at rest: nearer to steady sliding than [`NUDGE`] it would stay there, however unstable that were.
@@ -111,7 +111,7 @@ pub(crate) trait Moving<const N: usize>: Sync {
     ) -> Result<Operating<Self::System>, OscillatorError>;
 
     /// The values of [`Moving::FURTHER`].
-    fn further(system: &Self::System, sample: &Sample<N>) -> Vec<f64>;
+    fn further(system: &Self::System, sample: &StateSample<N>) -> Vec<f64>;
 
     /// What eq. (3) compares; `None` for a contact without memory.
     fn memory(system: &Self::System) -> Option<Memory>;
@@ -179,7 +179,7 @@ impl Moving<4> for OscillatorModel<'_> {
         })
     }
 
-    fn further(system: &StickSlip, sample: &Sample<4>) -> Vec<f64> {
+    fn further(system: &StickSlip, sample: &StateSample<4>) -> Vec<f64> {
         let relative = system.relative_velocity(&sample.state);
         let response = system.response(sample.contact_state, &sample.state);
         let force = response.force.value / system.coefficients().normal_load;
@@ -230,7 +230,7 @@ impl Moving<2> for BeltModel<'_> {
         Ok(Operating { system: belt(&inputs)?, per_second: f64::NAN })
     }
 
-    fn further(system: &BeltOscillator, sample: &Sample<2>) -> Vec<f64> {
+    fn further(system: &BeltOscillator, sample: &StateSample<2>) -> Vec<f64> {
         vec![system.relative_velocity(&sample.state)]
     }
 

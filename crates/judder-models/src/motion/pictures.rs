@@ -3,7 +3,7 @@
 use super::becomes::{BECOMES, CYCLE, IRREGULAR, UNCONFIRMED};
 use super::bifurcation::branch_layers as branches;
 use judder_oscillator::motion::ContactState;
-use judder_report::figure::Region;
+use judder_report::figure::ShadedRegion;
 use judder_report::palette::Style;
 use judder_report::{Axis, Layer, Legend, Panel, Role, Scale};
 use judder_store::Dataset;
@@ -161,7 +161,7 @@ impl<'a> Shown<'a> {
         let states = [before].into_iter().chain(begins.iter().copied());
         let region = |((from, to), state): ((f64, f64), u8)| {
             let (ground, role) = GROUNDS.into_iter().find(|(own, _)| own.number() == state)?;
-            Some(Layer::Region(Region {
+            Some(Layer::Region(ShadedRegion {
                 label: ground.name().to_owned(),
                 x: Some((from, to)),
                 y: None,

@@ -7,8 +7,8 @@ use crate::oscillator::keys::OscillatorKey;
 use crate::oscillator::steady_states::SteadyState;
 use judder_keys::numeric_key::{Form, Value};
 use judder_oscillator::map::{
-    AdaptiveMap, CoarseMap, CoefficientPlane, Method, Plane, StabilityMap, SweptCoefficient, every_point,
-    within_law,
+    AdaptiveMap, CoarseMap, CoefficientPlane, DecisionMethod, OperatingPlane, StabilityMap, SweptCoefficient,
+    every_point, within_law,
 };
 use judder_oscillator::spectrum::{eigenvalues, growth_rate};
 use judder_oscillator::{Coefficients, Contact};
@@ -54,7 +54,7 @@ pub struct KeyPlane {
     pub y: KeyAxis,
 }
 
-impl Plane for KeyPlane {
+impl OperatingPlane for KeyPlane {
     fn columns(&self) -> usize {
         self.x.values.len()
     }
@@ -80,7 +80,7 @@ impl KeyPlane {
 
     /// The map, by the short way where both keys are coefficients, and the seconds that its decisions took.
     #[must_use]
-    pub fn decide(&self, contact: &Contact, method: Method) -> (StabilityMap, f64) {
+    pub fn decide(&self, contact: &Contact, method: DecisionMethod) -> (StabilityMap, f64) {
         match self.as_coefficients() {
             Some(plane) => timed(contact, &plane, method),
             None => timed(contact, self, method),
@@ -118,7 +118,7 @@ impl KeyPlane {
     pub fn within_law(
         &self,
         contact: &Contact,
-        (map, method): (&StabilityMap, Method),
+        (map, method): (&StabilityMap, DecisionMethod),
         interrupted: &(dyn Fn() -> bool + Sync),
     ) -> Option<Vec<u8>> {
         within_law(contact, self, map, method, interrupted)
@@ -150,15 +150,15 @@ impl KeyPlane {
 }
 
 /// The map of a plane and the seconds that its decisions took, without the start of the threads and the layout of the memory.
-fn timed<P: Plane>(contact: &Contact, plane: &P, method: Method) -> (StabilityMap, f64) {
+fn timed<P: OperatingPlane>(contact: &Contact, plane: &P, method: DecisionMethod) -> (StabilityMap, f64) {
     rayon::broadcast(|_| ());
-    let layout = (method == Method::Adaptive).then(|| AdaptiveMap::new(contact, plane));
+    let layout = (method == DecisionMethod::Adaptive).then(|| AdaptiveMap::new(contact, plane));
     let start = Instant::now();
     let map = layout.map_or_else(|| every_point(contact, plane), AdaptiveMap::decide);
     (map, start.elapsed().as_secs_f64())
 }
 
-fn in_stages<P: Plane>(
+fn in_stages<P: OperatingPlane>(
     contact: &Contact,
     plane: &P,
     show: &mut dyn FnMut(CoarseMap),
@@ -201,7 +201,7 @@ mod tests {
         for plane in planes() {
             let mut shown = Vec::new();
             let map = plane.decide_in_stages(&contact, &mut |coarse| shown.push(coarse), &|| false).unwrap();
-            assert!(map == plane.decide(&contact, Method::Adaptive).0);
+            assert!(map == plane.decide(&contact, DecisionMethod::Adaptive).0);
             assert!(map.unstable_fraction() > 0.0 && map.unstable_fraction() < 1.0);
             let [coarse] = shown.as_slice() else { panic!("shown {} times", shown.len()) };
             assert_eq!(coarse.classes[0], map.classes[0]);

@@ -13,9 +13,9 @@ use crate::bridge;
 use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::keys::OscillatorKey;
 use judder_keys::numeric_key::{Form, Value};
-use judder_numerics::piecewise::Settings;
+use judder_numerics::piecewise::StepSettings;
 use judder_oscillator::Contact;
-use judder_oscillator::critical::{Range, Scale};
+use judder_oscillator::critical::{ParameterRange, RangeScale};
 use judder_oscillator::cycle::shooting::Shooting;
 use judder_oscillator::cycle::{Continuation, CycleError};
 use judder_oscillator::hopf::{HopfPoint, growth_rate, growth_slope, hopf_point};
@@ -42,7 +42,7 @@ pub(super) struct Crossing<'a> {
     pub(super) key: OscillatorKey,
     pub(super) form: Form,
     /// Where cycles are followed.
-    pub(super) range: Range,
+    pub(super) range: ParameterRange,
 }
 
 /// A threshold with the mode that grows from it.
@@ -93,16 +93,16 @@ impl Crossing<'_> {
     /// difference over its length.
     pub(super) fn value(&self, threshold: f64, s: f64) -> f64 {
         match self.range.scale {
-            Scale::Logarithmic => threshold * s.exp(),
-            Scale::Linear => threshold + s * (self.range.to - self.range.from).abs(),
+            RangeScale::Logarithmic => threshold * s.exp(),
+            RangeScale::Linear => threshold + s * (self.range.to - self.range.from).abs(),
         }
     }
 
     /// The place of a value.
     pub(super) fn place(&self, threshold: f64, value: f64) -> f64 {
         match self.range.scale {
-            Scale::Logarithmic => (value / threshold).ln(),
-            Scale::Linear => (value - threshold) / (self.range.to - self.range.from).abs(),
+            RangeScale::Logarithmic => (value / threshold).ln(),
+            RangeScale::Linear => (value - threshold) / (self.range.to - self.range.from).abs(),
         }
     }
 
@@ -124,8 +124,8 @@ impl Crossing<'_> {
         let growth = |s: f64| growth_rate(&self.system(self.value(threshold, s)).ok()?).ok();
         let slope = growth_slope(growth, 0.0, 1.0).filter(|slope| *slope != 0.0)?;
         let per_value = match self.range.scale {
-            Scale::Logarithmic => threshold,
-            Scale::Linear => (self.range.to - self.range.from).abs(),
+            RangeScale::Logarithmic => threshold,
+            RangeScale::Linear => (self.range.to - self.range.from).abs(),
         };
         let amplitude_factor = hopf.amplitude_factor(slope / per_value);
         Some(Onset { threshold, hopf, stable_side: -slope.signum(), amplitude_factor, margin: None })
@@ -159,9 +159,9 @@ impl Crossing<'_> {
         Ok(Continuation { shooting, range, steps: STEP, points: CYCLES, parameter_scale: 1.0 })
     }
 
-    fn settings(system: &StickSlip) -> Settings<4> {
+    fn settings(system: &StickSlip) -> StepSettings<4> {
         let absolute = system.scales().map(|scale| TOLERANCE * scale);
-        Settings { relative: TOLERANCE, absolute, longest_step: 1.0, steps: STEPS }
+        StepSettings { relative: TOLERANCE, absolute, longest_step: 1.0, steps: STEPS }
     }
 
     fn shooting(system: &StickSlip) -> Shooting<4> {

@@ -8,7 +8,7 @@ use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::quasi_steady::Condition;
 use crate::within_law::{MARGINAL, ranges_text, told_marginal};
 use judder_contact::ContactLaw;
-use judder_oscillator::critical::{Range, Scale, Thresholds, thresholds};
+use judder_oscillator::critical::{ParameterRange, RangeScale, Thresholds, thresholds};
 use judder_oscillator::equilibrium::{Equilibrium, equilibrium};
 use judder_oscillator::growth::{GrowthShares, growth_shares, sensitivities};
 use judder_oscillator::linearisation::Linearisation;
@@ -23,9 +23,10 @@ use num_complex::Complex64;
 use serde_json::{Value, json};
 
 /// Where the critical shear strength is sought, as τ0/E0*.
-pub const SHEAR_STRENGTHS: Range = Range { from: 1e-8, to: 1e3, scale: Scale::Logarithmic };
+pub const SHEAR_STRENGTHS: ParameterRange =
+    ParameterRange { from: 1e-8, to: 1e3, scale: RangeScale::Logarithmic };
 /// Where the critical load is sought, as F_n/(E0* R²).
-pub const LOADS: Range = Range { from: 1e-14, to: 1e1, scale: Scale::Logarithmic };
+pub const LOADS: ParameterRange = ParameterRange { from: 1e-14, to: 1e1, scale: RangeScale::Logarithmic };
 /// Samples of those searches: 40 a decade.
 pub(crate) const SAMPLES: usize = 601;
 
@@ -188,7 +189,7 @@ pub fn analyse(contact: &Contact, groups: Groups) -> Result<Point, ModelError> {
     let strengths = thresholds(contact, &SHEAR_STRENGTHS, SAMPLES, at_strength);
     let loads = thresholds(contact, &LOADS, SAMPLES, at_load);
     let is_known = contact.law.knows_its_errors();
-    let open = |range: &Range, roots: &Thresholds, at: &dyn Fn(f64) -> Coefficients| {
+    let open = |range: &ParameterRange, roots: &Thresholds, at: &dyn Fn(f64) -> Coefficients| {
         let roots = [roots.full.as_slice(), roots.conservative.as_slice()];
         is_known.then(|| undecided(contact, range, SAMPLES, roots, at).conservative)
     };

@@ -4,7 +4,7 @@ use crate::error::ModelError;
 use crate::sliding::case::SlidingCase;
 use crate::sliding::system::{self, SlidingSystem};
 use judder_sliding::SlidingError;
-use judder_sliding::march::Method;
+use judder_sliding::march::ContactMethod;
 use judder_sliding::motion::Motion;
 use judder_sliding::pair::Pair;
 use judder_study::case::file::CaseFile;
@@ -38,6 +38,6 @@ pub fn coupled_pair(file: &CaseFile) -> Result<CoupledPair, ModelError> {
 ///
 /// # Errors
 /// What [`judder_sliding::march::March::beyond_limit`] says.
-pub fn own_step(pair: &Pair, method: Method, motion: Motion) -> Result<f64, SlidingError> {
+pub fn own_step(pair: &Pair, method: ContactMethod, motion: Motion) -> Result<f64, SlidingError> {
     Ok(system::step(pair, method, None, motion)?.step)
 }

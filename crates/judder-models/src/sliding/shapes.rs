@@ -8,7 +8,7 @@ use crate::sliding::system::SlidingSystem;
 use faer::Mat;
 use judder_sliding::locus::{Conditions, Configuration, contact, spectrum};
 use judder_sliding::shape::{gap_residual, mode_shape};
-use judder_sliding::spectrum::Wanted;
+use judder_sliding::spectrum::WantedEigenvalues;
 use judder_study::StudyError;
 use judder_study::case::file::CaseFile;
 use num_complex::Complex64;
@@ -89,7 +89,8 @@ impl ShapedPair {
         let (conditions, own) = self.conditions(analysis)?;
         let most = pair.modes().saturating_sub(1).max(1);
         let count = count.unwrap_or(own).clamp(1, most);
-        let found = spectrum(pair, &conditions, position, Wanted::Lowest((count + 1).min(most)))?.eigenvalues;
+        let found = spectrum(pair, &conditions, position, WantedEigenvalues::Lowest((count + 1).min(most)))?
+            .eigenvalues;
         let eigenvalues = lowest(found, count);
         let (coupling, _) = contact(pair, &conditions, position)?;
         let damping = if conditions.is_damped { pair.damping() } else { vec![0.0; pair.modes()] };

@@ -25,11 +25,11 @@ use crate::structure::build::{self, Structure};
 use crate::structure::case::StructureCase;
 use edge::Edge;
 use judder_sliding::SlidingError;
-use judder_sliding::body::Point;
+use judder_sliding::body::ModalPoint;
 use judder_sliding::edge::{Interpolation, STENCIL};
 use judder_sliding::friction::Friction;
 use judder_sliding::motion::{InitialDamping, Motion, Noise, Ramps};
-use judder_sliding::pair::{Observed, Pair, Side, Slider, Track};
+use judder_sliding::pair::{Observed, Pair, PairSide, Slider, Track};
 use judder_sliding::plane::Vector;
 use judder_study::case::file::CaseFile;
 use nodes::Nodes;
@@ -188,13 +188,13 @@ fn coupled(
     nodes: &Nodes,
     edge: &Edge,
 ) -> Result<Pair, Uncoupled> {
-    let point = |part: &Part, point: usize| -> Result<Point, Uncoupled> {
-        Ok(Point { place: part.place(point), rows: part.rows(point)? })
+    let point = |part: &Part, point: usize| -> Result<ModalPoint, Uncoupled> {
+        Ok(ModalPoint { place: part.place(point), rows: part.rows(point)? })
     };
     let mut observed = Vec::new();
     for (number, (own, at)) in case.points.iter().zip(&nodes.observed).enumerate() {
         let is_slider = own.structure == case.contact.slider.structure;
-        let (side, part) = if is_slider { (Side::Slider, slider) } else { (Side::Track, track) };
+        let (side, part) = if is_slider { (PairSide::Slider, slider) } else { (PairSide::Track, track) };
         for (axis, row) in [Axis::X, Axis::Y].into_iter().zip(part.rows(*at)?) {
             debug_assert_eq!(observed.len(), SlidingSystem::observed(number, axis));
             let rigid = if is_slider { edge.direction[axis as usize] } else { 0.0 };

@@ -17,10 +17,10 @@ pub(crate) use layout::Layout;
 use crate::error::ModelError;
 use crate::structure::case::problem::StructureProblem;
 use crate::structure::case::{StructureCase, StructureSource};
-use judder_structure::affine::{Factors, Family};
+use judder_structure::affine::{AffineFamily, Factors};
 use judder_structure::assembly::Sparse;
 use judder_structure::freedom::Numbering;
-use judder_structure::material::{Elastic, Section};
+use judder_structure::material::{Elastic, ElementSection};
 use judder_structure::mesh::Mesh;
 use judder_structure::quadratic::Quadratic;
 use judder_study::case::file::CaseFile;
@@ -29,7 +29,7 @@ use std::collections::BTreeMap;
 /// A structure whose files are read and whose elements are assembled.
 pub(crate) struct Structure {
     /// Its matrices as sums.
-    pub(crate) family: Family,
+    pub(crate) family: AffineFamily,
     /// Where its freedoms lie; `None` where nothing tells.
     pub(crate) layout: Option<Layout>,
     /// Its elements, where it has any.
@@ -43,7 +43,7 @@ pub(crate) struct Structure {
 /// Elements with what they are made of and how their freedoms are numbered.
 pub(crate) struct Elements {
     pub(crate) mesh: Mesh,
-    pub(crate) materials: BTreeMap<String, (Elastic, Section)>,
+    pub(crate) materials: BTreeMap<String, (Elastic, ElementSection)>,
     pub(crate) numbering: Numbering,
 }
 

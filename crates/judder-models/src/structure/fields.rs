@@ -8,7 +8,7 @@ use judder_exchange::geometry::{Geometry, at_phase};
 use judder_exchange::universal::{
     ComplexShape, RealShape, write_complex_shape, write_lines, write_nodes, write_real_shape, write_units,
 };
-use judder_exchange::vtu::{Field, Values, complex_fields, write_pvd, write_vtu};
+use judder_exchange::vtu::{FieldValues, VtuField, complex_fields, write_pvd, write_vtu};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -71,7 +71,7 @@ pub(super) fn fields(
             ModeKind::Complex { .. } => still.extend(complex_fields(&shape.name, &values)),
             ModeKind::Real { .. } => {
                 let real = values.iter().map(|u| u.map(|u| u.re)).collect();
-                still.push(Field { name: shape.name.clone(), values: Values::Vectors(real) });
+                still.push(VtuField { name: shape.name.clone(), values: FieldValues::Vectors(real) });
             }
         }
     }
@@ -141,8 +141,8 @@ fn series(
     let mut frames = Vec::with_capacity(FRAMES);
     for frame in 0..FRAMES {
         let share = frame as f64 / FRAMES as f64;
-        let moved = Values::Vectors(at_phase(&values, TAU * share));
-        let field = Field { name: "displacement".to_owned(), values: moved };
+        let moved = FieldValues::Vectors(at_phase(&values, TAU * share));
+        let field = VtuField { name: "displacement".to_owned(), values: moved };
         let file = format!("{stem}-{frame:02}.vtu");
         files.push((format!("fields/{file}"), written(|to| write_vtu(to, geometry, &[field]))?));
         frames.push((share / shape.frequency, file));

@@ -7,7 +7,7 @@ use judder_store::{Data, StudyFolder};
 use judder_structure::assembly::{Assembled, assemble};
 use judder_structure::beam::Beam;
 use judder_structure::freedom::{Direction, Numbering, Supports};
-use judder_structure::material::{Elastic, Section};
+use judder_structure::material::{Elastic, ElementSection};
 use judder_study::Silent;
 use judder_study::case::file::CaseFile;
 use judder_study::resolve::resolve;
@@ -316,7 +316,7 @@ fn write_track(folder: &Path) -> Vec<usize> {
     let fixed =
         mesh.node_sets["start"].iter().flat_map(|node| both.map(|direction| (*node, direction))).collect();
     let numbering = Numbering::new(&mesh, 2, &Supports { fixed, tied: Vec::new() }).unwrap();
-    let own = (Elastic::new(2.38e9, 0.40, 1200.0).unwrap(), Section::PlaneStress { thickness: 0.020 });
+    let own = (Elastic::new(2.38e9, 0.40, 1200.0).unwrap(), ElementSection::PlaneStress { thickness: 0.020 });
     let Assembled { stiffness, mass } =
         assemble(&mesh, &BTreeMap::from([("m".to_owned(), own)]), &numbering).unwrap();
     for (name, matrix) in [("M", &mass), ("K", &stiffness)] {

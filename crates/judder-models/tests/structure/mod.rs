@@ -3,7 +3,7 @@
 use crate::{case, number, run_into};
 use judder_exchange::freedom_table::read_freedoms;
 use judder_exchange::matrix::read_matrix;
-use judder_structure::modes::{Wanted, modes};
+use judder_structure::modes::{WantedModes, modes};
 use judder_structure::statics::Statics;
 use judder_study::StudyError;
 use judder_study::case::file::CaseFile;
@@ -196,7 +196,7 @@ fn the_reduced_matrices_have_its_frequencies(folder: &Path, result: &serde_json:
     let (mass, stiffness) = (read("mass"), read("stiffness"));
     assert_eq!(mass.nrows() as f64, number(&result["reduced_freedoms"]));
     let reduced = numbers(&result["reduced_hz"]);
-    let found = modes(&stiffness, &mass, Wanted::Lowest(reduced.len())).unwrap().modes;
+    let found = modes(&stiffness, &mass, WantedModes::Lowest(reduced.len())).unwrap().modes;
     for (mode, expected) in found.iter().zip(&reduced) {
         assert!((mode.frequency_hz() / expected - 1.0).abs() < 1e-8, "{} {expected}", mode.frequency_hz());
     }

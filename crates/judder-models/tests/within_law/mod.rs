@@ -2,7 +2,7 @@
 
 use crate::{number, run_into};
 use judder_contact::law::file::to_json;
-use judder_contact::law::{PerQuantity, SampledLaw, Samples};
+use judder_contact::law::{LawSamples, PerQuantity, SampledLaw};
 use judder_contact::{ContactLaw, ContactPoint, ContactResponse, FittedLaw, Law};
 use judder_models::bridge;
 use judder_models::oscillator::case::OscillatorCase;
@@ -46,7 +46,7 @@ pub(crate) fn law_file(folder: &Path, error: f64, [speeds, depths]: [usize; 2]) 
         area: of(1, |r| r.area.value),
         friction: of(2, |r| r.friction.value),
     };
-    let samples = Samples { source: "test".to_owned(), velocities, indentations, values };
+    let samples = LawSamples { source: "test".to_owned(), velocities, indentations, values };
     let law = Law::Sampled(Arc::new(SampledLaw::new(samples).unwrap()));
     let path = folder.join(format!("law-{error}-{speeds}.json"));
     std::fs::write(&path, to_json(&law).unwrap().unwrap()).unwrap();

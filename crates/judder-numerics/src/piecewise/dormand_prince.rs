@@ -32,7 +32,7 @@ const DENSE: [f64; 7] = [
 ];
 
 /// What a step gave.
-pub(super) struct Stepped<const N: usize> {
+pub(super) struct DormandPrinceStep<const N: usize> {
     pub(super) end: [f64; N],
     /// The field at the end, which is the next step's first stage.
     pub(super) end_field: [f64; N],
@@ -49,7 +49,7 @@ pub(super) fn step<const N: usize>(
     start: &[f64; N],
     start_field: &[f64; N],
     step: f64,
-) -> Stepped<N> {
+) -> DormandPrinceStep<N> {
     let mut stages = [[0.0; N]; 7];
     stages[0] = *start_field;
     let mut place = *start;
@@ -63,10 +63,10 @@ pub(super) fn step<const N: usize>(
     let square = |a: &[f64; N], b: &[f64; N]| a.iter().zip(b).fold(0.0, |s, (a, b)| s + (a - b) * (a - b));
     let moved = square(&place, &before);
     let rate = if moved > 0.0 { (square(&stages[6], &stages[5]) / moved).sqrt() } else { 0.0 };
-    Stepped { end: place, end_field: stages[6], error, rate, stages }
+    DormandPrinceStep { end: place, end_field: stages[6], error, rate, stages }
 }
 
-impl<const N: usize> Stepped<N> {
+impl<const N: usize> DormandPrinceStep<N> {
     /// The solution along the step, of fourth order.
     pub(super) fn dense(&self, start: &[f64; N], step: f64) -> [Quartic; N] {
         from_fn(|i| {

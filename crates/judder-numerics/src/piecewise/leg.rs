@@ -6,7 +6,7 @@ use std::array::from_fn;
 
 /// Which method made a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Method {
+pub enum StepMethod {
     /// Dormand and Prince's, explicit.
     Explicit,
     /// Radau's, implicit, for stiff legs.
@@ -19,7 +19,7 @@ pub struct Leg<M, const N: usize> {
     /// The mode.
     pub mode: M,
     /// The method of the step.
-    pub method: Method,
+    pub method: StepMethod,
     /// Time at its start.
     pub time: f64,
     /// Its length.
@@ -48,7 +48,7 @@ impl<M, const N: usize> Leg<M, N> {
 
 /// A change of mode.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Crossing<M, const N: usize> {
+pub struct GuardCrossing<M, const N: usize> {
     /// When.
     pub time: f64,
     /// The mode that ends.
@@ -63,14 +63,14 @@ pub struct Crossing<M, const N: usize> {
 
 /// A plane of the state space, n·u = offset, that a motion crosses from its positive to its negative side.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Plane<const N: usize> {
+pub struct SectionPlane<const N: usize> {
     /// n.
     pub normal: [f64; N],
     /// The offset.
     pub offset: f64,
 }
 
-impl<const N: usize> Plane<N> {
+impl<const N: usize> SectionPlane<N> {
     /// n·u − offset.
     #[must_use]
     pub fn value(&self, state: &[f64; N]) -> f64 {
@@ -98,7 +98,7 @@ pub struct Advance<M, const N: usize> {
     /// The step; `None` where the mode changed at once, without any time.
     pub leg: Option<Leg<M, N>>,
     /// The change of mode at its end.
-    pub crossing: Option<Crossing<M, N>>,
+    pub crossing: Option<GuardCrossing<M, N>>,
     /// Whether the step ends on the section.
     pub on_section: bool,
 }

@@ -1,7 +1,7 @@
 //! The motion, step by step.
 
 use super::error::MarchError;
-use super::leg::{Advance, Crossing, Leg, Method, Plane};
+use super::leg::{Advance, GuardCrossing, Leg, SectionPlane, StepMethod};
 use super::quartic::{self, Quartic};
 use super::stiffness::Stiffness;
 use super::{PiecewiseSmooth, dormand_prince, radau, rate};
@@ -10,7 +10,7 @@ use std::collections::VecDeque;
 
 /// How a motion is stepped.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Settings<const N: usize> {
+pub struct StepSettings<const N: usize> {
     /// Local error of a step, relative to the state.
     pub relative: f64,
     /// Local error of a step, absolute, of each component of the state.
@@ -23,10 +23,10 @@ pub struct Settings<const N: usize> {
 
 /// A motion that is under way.
 #[derive(Debug, Clone)]
-pub struct March<'a, S: PiecewiseSmooth<N>, const N: usize> {
+pub struct PiecewiseMarch<'a, S: PiecewiseSmooth<N>, const N: usize> {
     system: &'a S,
-    settings: Settings<N>,
-    section: Option<Plane<N>>,
+    settings: StepSettings<N>,
+    section: Option<SectionPlane<N>>,
     time: f64,
     mode: S::Mode,
     state: [f64; N],
@@ -52,7 +52,7 @@ struct Trial<const N: usize> {
 
 /// What a step runs into first.
 #[derive(Clone, Copy)]
-enum Target {
+enum StepTarget {
     Guard(usize),
     Section,
 }
@@ -63,7 +63,7 @@ const CROWD_INTERVAL: f64 = 1e-11;
 /// A step refused below it will not do.
 const SHORTEST_STEP: f64 = 1e-14;
 
-impl<'a, S: PiecewiseSmooth<N>, const N: usize> March<'a, S, N> {
+impl<'a, S: PiecewiseSmooth<N>, const N: usize> PiecewiseMarch<'a, S, N> {
     /// A motion from a state in a mode, at time zero.
     ///
     /// # Errors
@@ -72,7 +72,7 @@ impl<'a, S: PiecewiseSmooth<N>, const N: usize> March<'a, S, N> {
         system: &'a S,
         mode: S::Mode,
         state: [f64; N],
-        settings: Settings<N>,
+        settings: StepSettings<N>,
     ) -> Result<Self, MarchError> {
         if let Some(component) = state.iter().position(|u| !u.is_finite()) {
             return Err(MarchError::NotFinite { component, value: state[component] });
@@ -99,7 +99,7 @@ impl<'a, S: PiecewiseSmooth<N>, const N: usize> March<'a, S, N> {
 
     /// Ends a step wherever the motion falls through the plane; a start on the plane is not counted.
     #[must_use]
-    pub fn with_section(mut self, section: Plane<N>) -> Self {
+    pub fn with_section(mut self, section: SectionPlane<N>) -> Self {
         self.starts_on_section = section.value(&self.state) == 0.0;
         self.section = Some(section);
         self
@@ -138,7 +138,7 @@ impl<'a, S: PiecewiseSmooth<N>, const N: usize> March<'a, S, N> {
         let Some((target, fraction)) = self.first_target(&trial) else {
             return Ok(self.take(trial, None));
         };
-        if let (Target::Guard(guard), true) = (target, fraction == 0.0) {
+        if let (StepTarget::Guard(guard), true) = (target, fraction == 0.0) {
             let advance = Advance { leg: None, crossing: Some(self.change(guard)), on_section: false };
             self.watch_for_accumulation(&advance)?;
             return Ok(advance);
@@ -244,14 +244,14 @@ impl<'a, S: PiecewiseSmooth<N>, const N: usize> March<'a, S, N> {
 
     /// The guard or section that the step crosses first, and at which fraction of it; a guard before the section, the
     /// lower guard before the higher where they are met together.
-    fn first_target(&self, trial: &Trial<N>) -> Option<(Target, f64)> {
-        let mut first: Option<(Target, f64)> = None;
+    fn first_target(&self, trial: &Trial<N>) -> Option<(StepTarget, f64)> {
+        let mut first: Option<(StepTarget, f64)> = None;
         for guard in 0..self.system.guards(self.mode) {
             let along = self.guard_along(guard, trial);
             if let Some(fraction) = quartic::first_descent(&along)
                 && first.is_none_or(|(_, earlier)| fraction < earlier)
             {
-                first = Some((Target::Guard(guard), fraction));
+                first = Some((StepTarget::Guard(guard), fraction));
             }
         }
         if let Some(section) = &self.section {
@@ -262,7 +262,7 @@ impl<'a, S: PiecewiseSmooth<N>, const N: usize> March<'a, S, N> {
             if let Some(fraction) = quartic::first_fall(&along)
                 && first.is_none_or(|(_, earlier)| fraction < earlier)
             {
-                first = Some((Target::Section, fraction));
+                first = Some((StepTarget::Section, fraction));
             }
         }
         first
@@ -286,13 +286,15 @@ impl<'a, S: PiecewiseSmooth<N>, const N: usize> March<'a, S, N> {
     }
 
     /// The target's value after a step, and the speed at which it falls there.
-    fn sight(&self, target: Target, trial: &Trial<N>) -> (f64, f64) {
+    fn sight(&self, target: StepTarget, trial: &Trial<N>) -> (f64, f64) {
         let (system, mode) = (self.system, self.mode);
         let field = trial.end_field.unwrap_or_else(|| system.field(mode, &trial.end));
         match (target, &self.section) {
-            (Target::Section, Some(section)) => (section.value(&trial.end), rate(&section.normal, &field)),
-            (Target::Section, None) => (f64::NAN, f64::NAN),
-            (Target::Guard(guard), _) => (
+            (StepTarget::Section, Some(section)) => {
+                (section.value(&trial.end), rate(&section.normal, &field))
+            }
+            (StepTarget::Section, None) => (f64::NAN, f64::NAN),
+            (StepTarget::Guard(guard), _) => (
                 system.guard(mode, guard, &trial.end),
                 rate(&system.guard_gradient(mode, guard, &trial.end), &field),
             ),
@@ -301,7 +303,7 @@ impl<'a, S: PiecewiseSmooth<N>, const N: usize> March<'a, S, N> {
 
     /// The step that ends on a target or a rounding error beyond it, found by steps of their own rather than on the dense
     /// output; `None` where the motion turns out to stay on the positive side.
-    fn land(&self, target: Target, guess: f64, longest: f64) -> Option<Trial<N>> {
+    fn land(&self, target: StepTarget, guess: f64, longest: f64) -> Option<Trial<N>> {
         const LIMIT: usize = 80;
         let (mut inside, mut beyond) = (0.0_f64, None::<Trial<N>>);
         let mut step = guess;
@@ -341,14 +343,14 @@ impl<'a, S: PiecewiseSmooth<N>, const N: usize> March<'a, S, N> {
     }
 
     /// Takes a step; `met` is what its end lies on.
-    fn take(&mut self, trial: Trial<N>, met: Option<Target>) -> Advance<S::Mode, N> {
-        let method = if self.stiffness.is_stiff() { Method::Implicit } else { Method::Explicit };
+    fn take(&mut self, trial: Trial<N>, met: Option<StepTarget>) -> Advance<S::Mode, N> {
+        let method = if self.stiffness.is_stiff() { StepMethod::Implicit } else { StepMethod::Explicit };
         let leg = Leg {
             mode: self.mode,
             method,
             time: self.time,
             step: trial.step,
-            is_at_edge: self.starts_at_edge || matches!(met, Some(Target::Guard(_))),
+            is_at_edge: self.starts_at_edge || matches!(met, Some(StepTarget::Guard(_))),
             end: trial.end,
             dense: trial.dense,
         };
@@ -356,15 +358,15 @@ impl<'a, S: PiecewiseSmooth<N>, const N: usize> March<'a, S, N> {
         self.time += trial.step;
         self.state = trial.end;
         self.field = trial.end_field.unwrap_or_else(|| self.system.field(self.mode, &trial.end));
-        self.starts_on_section = matches!(met, Some(Target::Section));
+        self.starts_on_section = matches!(met, Some(StepTarget::Section));
         let crossing = match met {
-            Some(Target::Guard(guard)) => Some(self.change(guard)),
+            Some(StepTarget::Guard(guard)) => Some(self.change(guard)),
             _ => None,
         };
         Advance { leg: Some(leg), crossing, on_section: self.starts_on_section }
     }
 
-    fn change(&mut self, guard: usize) -> Crossing<S::Mode, N> {
+    fn change(&mut self, guard: usize) -> GuardCrossing<S::Mode, N> {
         let from = self.mode;
         let (to, state) = self.system.cross(from, guard, &self.state);
         self.mode = to;
@@ -373,7 +375,7 @@ impl<'a, S: PiecewiseSmooth<N>, const N: usize> March<'a, S, N> {
         self.starts_at_edge = true;
         self.stiffness = Stiffness::default();
         self.step = self.step.min(self.first_step());
-        Crossing { time: self.time, from, to, guard, state }
+        GuardCrossing { time: self.time, from, to, guard, state }
     }
 
     fn watch_for_accumulation(&mut self, advance: &Advance<S::Mode, N>) -> Result<(), MarchError> {

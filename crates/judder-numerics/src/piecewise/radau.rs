@@ -26,7 +26,7 @@ const REAL_EIGENVALUE: f64 = 3.637_834_252_744_496;
 const ERROR: [f64; 3] = [(-13.0 - 7.0 * ROOT_6) / 3.0, (-13.0 + 7.0 * ROOT_6) / 3.0, -1.0 / 3.0];
 
 /// What a step gave.
-pub(super) struct Stepped<const N: usize> {
+pub(super) struct RadauStep<const N: usize> {
     pub(super) end: [f64; N],
     pub(super) error: [f64; N],
     /// Displacements of the three stages from the start.
@@ -43,7 +43,7 @@ pub(super) fn step<const N: usize>(
     start_field: &[f64; N],
     step: f64,
     is_settled: impl Fn(&[f64; N]) -> bool,
-) -> Option<Stepped<N>> {
+) -> Option<RadauStep<N>> {
     let iteration = Triangles::new(3 * N, stage_matrix(&[jacobian; 3], step))?;
     let increments = solve_stages(&field, &iteration, start, step, is_settled)?;
     let end = from_fn(|i| start[i] + increments[2][i]);
@@ -62,7 +62,7 @@ pub(super) fn step<const N: usize>(
     // the second pass keeps the estimate from growing with the stiffness
     let first = estimate(start_field);
     let error = estimate(&field(&from_fn(|i| start[i] + first[i])));
-    Some(Stepped { end, error, increments })
+    Some(RadauStep { end, error, increments })
 }
 
 /// I − h A ⊗ J with a Jacobian for each stage.
@@ -115,7 +115,7 @@ fn solve_stages<const N: usize>(
     None
 }
 
-impl<const N: usize> Stepped<N> {
+impl<const N: usize> RadauStep<N> {
     /// The collocation polynomial, of third order.
     pub(super) fn dense(&self, start: &[f64; N]) -> [Quartic; N] {
         let [p, q, _] = PLACES;
@@ -138,7 +138,7 @@ mod tests {
         correction.iter().all(|c| c.abs() < 1e-15)
     }
 
-    fn turned(h: f64) -> Stepped<2> {
+    fn turned(h: f64) -> RadauStep<2> {
         step(|u| [u[1], -u[0]], &[[0.0, 1.0], [-1.0, 0.0]], &[1.0, 0.0], &[0.0, -1.0], h, precise).unwrap()
     }
 

@@ -1,6 +1,6 @@
 //! How a small disturbance travels along a motion.
 
-use super::leg::{Crossing, Leg, Method};
+use super::leg::{GuardCrossing, Leg, StepMethod};
 use super::{PiecewiseSmooth, dormand_prince, radau, rate};
 use crate::dense::{Triangles, product};
 use std::array::from_fn;
@@ -16,11 +16,11 @@ const GAUSS_STAGES: [[f64; 3]; 3] = [
 ];
 
 /// A square matrix, row by row.
-pub type Matrix<const N: usize> = [[f64; N]; N];
+pub type SquareMatrix<const N: usize> = [[f64; N]; N];
 
 /// The unit matrix.
 #[must_use]
-pub fn identity<const N: usize>() -> Matrix<N> {
+pub fn identity<const N: usize>() -> SquareMatrix<N> {
     from_fn(|i| from_fn(|j| if i == j { 1.0 } else { 0.0 }))
 }
 
@@ -33,22 +33,22 @@ pub fn identity<const N: usize>() -> Matrix<N> {
 pub fn along_leg<S: PiecewiseSmooth<N>, const N: usize>(
     system: &S,
     leg: &Leg<S::Mode, N>,
-    disturbance: &Matrix<N>,
-) -> Matrix<N> {
+    disturbance: &SquareMatrix<N>,
+) -> SquareMatrix<N> {
     if leg.is_at_edge {
         return along_edge(system, leg, disturbance).unwrap_or([[f64::NAN; N]; N]);
     }
     match leg.method {
-        Method::Explicit => along_explicit(system, leg, disturbance),
-        Method::Implicit => along_implicit(system, leg, disturbance).unwrap_or([[f64::NAN; N]; N]),
+        StepMethod::Explicit => along_explicit(system, leg, disturbance),
+        StepMethod::Implicit => along_implicit(system, leg, disturbance).unwrap_or([[f64::NAN; N]; N]),
     }
 }
 
 fn along_explicit<S: PiecewiseSmooth<N>, const N: usize>(
     system: &S,
     leg: &Leg<S::Mode, N>,
-    disturbance: &Matrix<N>,
-) -> Matrix<N> {
+    disturbance: &SquareMatrix<N>,
+) -> SquareMatrix<N> {
     let start = leg.start();
     let mut fields = [[0.0; N]; 6];
     let mut slopes = [[[0.0; N]; N]; 6];
@@ -71,8 +71,8 @@ fn along_explicit<S: PiecewiseSmooth<N>, const N: usize>(
 fn along_edge<S: PiecewiseSmooth<N>, const N: usize>(
     system: &S,
     leg: &Leg<S::Mode, N>,
-    disturbance: &Matrix<N>,
-) -> Option<Matrix<N>> {
+    disturbance: &SquareMatrix<N>,
+) -> Option<SquareMatrix<N>> {
     let jacobians = GAUSS_PLACES.map(|s| {
         let speed = leg.step * 6.0 * s * (1.0 - s);
         system.jacobian(leg.mode, &leg.at(s * s * (3.0 - 2.0 * s))).map(|row| row.map(|entry| speed * entry))
@@ -101,9 +101,10 @@ fn along_edge<S: PiecewiseSmooth<N>, const N: usize>(
 fn along_implicit<S: PiecewiseSmooth<N>, const N: usize>(
     system: &S,
     leg: &Leg<S::Mode, N>,
-    disturbance: &Matrix<N>,
-) -> Option<Matrix<N>> {
-    let jacobians: [Matrix<N>; 3] = radau::PLACES.map(|place| system.jacobian(leg.mode, &leg.at(place)));
+    disturbance: &SquareMatrix<N>,
+) -> Option<SquareMatrix<N>> {
+    let jacobians: [SquareMatrix<N>; 3] =
+        radau::PLACES.map(|place| system.jacobian(leg.mode, &leg.at(place)));
     let [first, second, third] = &jacobians;
     let triangles = Triangles::new(3 * N, radau::stage_matrix(&[first, second, third], leg.step))?;
     let mut carried = *disturbance;
@@ -127,8 +128,8 @@ fn along_implicit<S: PiecewiseSmooth<N>, const N: usize>(
 #[must_use]
 pub fn saltation<S: PiecewiseSmooth<N>, const N: usize>(
     system: &S,
-    crossing: &Crossing<S::Mode, N>,
-) -> Matrix<N> {
+    crossing: &GuardCrossing<S::Mode, N>,
+) -> SquareMatrix<N> {
     let before = system.field(crossing.from, &crossing.state);
     let after = system.field(crossing.to, &crossing.state);
     if before == after {
@@ -141,7 +142,11 @@ pub fn saltation<S: PiecewiseSmooth<N>, const N: usize>(
 
 /// A disturbance seen where the disturbed motion meets a plane: the part along the field f is taken out.
 #[must_use]
-pub fn onto_plane<const N: usize>(normal: &[f64; N], field: &[f64; N], disturbance: &Matrix<N>) -> Matrix<N> {
+pub fn onto_plane<const N: usize>(
+    normal: &[f64; N],
+    field: &[f64; N],
+    disturbance: &SquareMatrix<N>,
+) -> SquareMatrix<N> {
     let fall = rate(normal, field);
     from_fn(|i| {
         from_fn(|j| {

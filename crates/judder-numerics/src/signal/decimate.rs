@@ -3,9 +3,9 @@
 use super::bits;
 use super::decimation::Decimation;
 use super::error::SignalError;
-use super::line::{Frame, LANES};
+use super::line::{LANES, SampleFrame};
 use super::plan;
-use super::stage::{Stage, StageState};
+use super::stage::{FilterStage, StageState};
 use serde::{Deserialize, Serialize};
 
 /// A streaming filter of some signals from one rate to a lower one, of linear phase.
@@ -29,16 +29,16 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone)]
 pub struct Decimator {
     asked: Decimation,
-    rows: Vec<Row>,
+    rows: Vec<StageRow>,
     signals: usize,
     /// Last inputs and last outputs, a frame a row.
-    last: Vec<Frame>,
-    passed: Vec<Frame>,
+    last: Vec<SampleFrame>,
+    passed: Vec<SampleFrame>,
     is_started: bool,
 }
 
 /// The filters that eight signals pass one after the other.
-type Row = Vec<Stage>;
+type StageRow = Vec<FilterStage>;
 
 /// What a [`Decimator`] remembers, for a checkpoint: kept by the bits of its numbers, so that a filter which takes it up goes on as if
 /// it had never stopped.
@@ -61,9 +61,9 @@ impl Decimator {
         let plans = plan::cheapest(asked);
         let rows = levels
             .chunks(LANES)
-            .map(|levels| plans.iter().map(|plan| Stage::new(plan, frame(levels))).collect())
+            .map(|levels| plans.iter().map(|plan| FilterStage::new(plan, frame(levels))).collect())
             .collect::<Result<_, _>>()?;
-        let last: Vec<Frame> = levels.chunks(LANES).map(frame).collect();
+        let last: Vec<SampleFrame> = levels.chunks(LANES).map(frame).collect();
         Ok(Self { asked: *asked, rows, signals: levels.len(), passed: last.clone(), last, is_started: false })
     }
 
@@ -166,7 +166,7 @@ impl Decimator {
     /// What it remembers.
     #[must_use]
     pub fn state(&self) -> DecimatorState {
-        let rows = self.rows.iter().map(|row| row.iter().map(Stage::state).collect()).collect();
+        let rows = self.rows.iter().map(|row| row.iter().map(FilterStage::state).collect()).collect();
         DecimatorState {
             asked: self.asked,
             rows,
@@ -176,14 +176,14 @@ impl Decimator {
     }
 
     /// The filters of one row: all rows have the same.
-    fn stages(&self) -> &[Stage] {
+    fn stages(&self) -> &[FilterStage] {
         self.rows.first().map_or(&[], Vec::as_slice)
     }
 }
 
 /// The frame of up to eight samples.
 #[inline]
-fn frame(samples: &[f64]) -> Frame {
+fn frame(samples: &[f64]) -> SampleFrame {
     let mut frame = [0.0; LANES];
     for (lane, sample) in frame.iter_mut().zip(samples) {
         *lane = *sample;
@@ -193,6 +193,6 @@ fn frame(samples: &[f64]) -> Frame {
 
 /// What comes out at the end of a row of filters.
 #[inline]
-fn through(row: &mut [Stage], frame: Frame) -> Option<Frame> {
+fn through(row: &mut [FilterStage], frame: SampleFrame) -> Option<SampleFrame> {
     row.iter_mut().try_fold(frame, |passed, stage| stage.push(passed))
 }

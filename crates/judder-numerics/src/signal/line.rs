@@ -6,7 +6,7 @@ use multiversion::multiversion;
 pub(crate) const LANES: usize = 8;
 
 /// One sample of each signal.
-pub(crate) type Frame = [f64; LANES];
+pub(crate) type SampleFrame = [f64; LANES];
 
 /// Partial sums of [`weighted_sum`], so that one addition need not wait for the other; weights come in multiples of it.
 const PARTS: usize = 4;
@@ -15,24 +15,24 @@ const PARTS: usize = 4;
 #[derive(Debug, Clone)]
 pub(crate) struct DelayLine {
     /// Every frame twice, a length apart, so that a window of them never wraps.
-    frames: Vec<Frame>,
+    frames: Vec<SampleFrame>,
     newest: usize,
 }
 
 impl DelayLine {
     /// A line of so many frames (at least one), all the same.
-    pub(crate) fn level(length: usize, frame: Frame) -> Self {
+    pub(crate) fn level(length: usize, frame: SampleFrame) -> Self {
         Self { frames: vec![frame; 2 * length], newest: 0 }
     }
 
     /// A line with these frames, the newest first.
-    pub(crate) fn holding(window: &[Frame]) -> Self {
+    pub(crate) fn holding(window: &[SampleFrame]) -> Self {
         Self { frames: window.repeat(2), newest: 0 }
     }
 
     /// Takes a frame in; the oldest is forgotten.
     #[inline]
-    pub(crate) fn push(&mut self, frame: Frame) {
+    pub(crate) fn push(&mut self, frame: SampleFrame) {
         let length = self.frames.len() / 2;
         self.newest = if self.newest == 0 { length - 1 } else { self.newest - 1 };
         self.frames[self.newest] = frame;
@@ -41,7 +41,7 @@ impl DelayLine {
 
     /// The frames, the newest first.
     #[inline]
-    pub(crate) fn window(&self) -> &[Frame] {
+    pub(crate) fn window(&self) -> &[SampleFrame] {
         &self.frames[self.newest..self.newest + self.frames.len() / 2]
     }
 }
@@ -54,7 +54,7 @@ pub(crate) fn padded(mut weights: Vec<f64>) -> Vec<f64> {
 
 /// Σ w_i x_i of each signal over padded weights, in partial sums whose order is the same at every vector width.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2", "aarch64+neon"))]
-pub(crate) fn weighted_sum(weights: &[f64], frames: &[Frame]) -> Frame {
+pub(crate) fn weighted_sum(weights: &[f64], frames: &[SampleFrame]) -> SampleFrame {
     let mut parts = [[0.0; LANES]; PARTS];
     for (weights, frames) in weights.chunks_exact(PARTS).zip(frames.chunks_exact(PARTS)) {
         for part in 0..PARTS {
@@ -76,7 +76,7 @@ mod tests {
     use super::*;
 
     /// A frame whose lanes tell each other apart.
-    fn frame(value: f64) -> Frame {
+    fn frame(value: f64) -> SampleFrame {
         std::array::from_fn(|lane| value + 1000.0 * lane as f64)
     }
 
@@ -96,7 +96,7 @@ mod tests {
     #[test]
     fn the_weighted_sum_is_the_plain_one() {
         let weights = padded((1..=13).map(f64::from).collect());
-        let frames: Vec<Frame> = (0..16).map(|n| frame(f64::from(n * n))).collect();
+        let frames: Vec<SampleFrame> = (0..16).map(|n| frame(f64::from(n * n))).collect();
         let plain = |lane: f64| -> f64 {
             (0..13).map(|n| f64::from(n + 1) * (f64::from(n * n) + 1000.0 * lane)).sum()
         };

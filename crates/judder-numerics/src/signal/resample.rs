@@ -43,12 +43,12 @@ pub fn resampled(signal: &[f64], from: f64, to: f64) -> Result<Vec<f64>, SignalE
     if count > MOST_SAMPLES as f64 {
         return Err(SignalError::TooLarge { what: "the signal", values: count, most: MOST_SAMPLES });
     }
-    let response = Response::new(from, to, signal.len());
+    let response = FilterResponse::new(from, to, signal.len());
     Ok((0..count as usize).map(|k| response.sum(signal, k as f64 * step)).collect())
 }
 
 /// The response of the filter at all samples around a place, for places on a fine grid between two samples.
-struct Response {
+struct FilterResponse {
     /// Row after row, each a place further by 1/`phases` of a sample than the one before; the last row is a whole sample away from the
     /// first.
     rows: Vec<f64>,
@@ -60,7 +60,7 @@ struct Response {
     length: usize,
 }
 
-impl Response {
+impl FilterResponse {
     /// The response for signals of at most `longest` samples.
     fn new(from: f64, to: f64, longest: usize) -> Self {
         // in parts of the signal's rate

@@ -108,7 +108,7 @@ pub fn spectrogram(signal: &[f64], settings: &SpectrogramSettings) -> Result<Spe
         return Err(SignalError::TooLarge { what: "the spectrogram", values, most: MOST_LEVELS });
     }
     let weights = settings.window.weights(length);
-    let scale = Scale::new(settings, &weights);
+    let scale = LevelScale::new(settings, &weights);
     let mut transform = Transform::new(length);
     let mut levels = Vec::with_capacity(pieces * lines);
     for piece in signal.windows(length).step_by(hop) {
@@ -124,7 +124,7 @@ pub fn spectrogram(signal: &[f64], settings: &SpectrogramSettings) -> Result<Spe
 }
 
 /// From a line of the spectrum to its level.
-struct Scale {
+struct LevelScale {
     /// Squared amplitude or power density over the squared reference, a unit of |X|², at lines without a mirror image.
     single: f64,
     /// The same at all others.
@@ -134,7 +134,7 @@ struct Scale {
     floor: f64,
 }
 
-impl Scale {
+impl LevelScale {
     fn new(settings: &SpectrogramSettings, weights: &[f64]) -> Self {
         let reference = settings.reference;
         let (single, paired) = match settings.kind {

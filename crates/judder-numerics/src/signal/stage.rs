@@ -2,13 +2,13 @@
 
 use super::bits;
 use super::error::SignalError;
-use super::line::{DelayLine, Frame, LANES, padded, weighted_sum};
+use super::line::{DelayLine, LANES, SampleFrame, padded, weighted_sum};
 use super::plan::StagePlan;
 use serde::{Deserialize, Serialize};
 
 /// A filter of a few signals side by side that computes only the outputs that are kept.
 #[derive(Debug, Clone)]
-pub(crate) struct Stage {
+pub(crate) struct FilterStage {
     weights: Vec<f64>,
     /// A line for each of the frames that a spread filter takes in turn.
     lines: Vec<DelayLine>,
@@ -23,21 +23,21 @@ pub(crate) struct Stage {
 /// What a filter remembers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct StageState {
-    lines: Vec<Window>,
+    lines: Vec<LineWindow>,
     next_line: usize,
     until_output: usize,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(transparent)]
-struct Window {
+struct LineWindow {
     #[serde(with = "bits::many")]
     values: Vec<f64>,
 }
 
-impl Stage {
+impl FilterStage {
     /// The filter that was planned, after a past of one level.
-    pub(crate) fn new(plan: &StagePlan, level: Frame) -> Result<Self, SignalError> {
+    pub(crate) fn new(plan: &StagePlan, level: SampleFrame) -> Result<Self, SignalError> {
         let taps = plan.low_pass.taps()?;
         let delay = taps.len() / 2 * plan.spread;
         let weights = padded(taps);
@@ -47,7 +47,7 @@ impl Stage {
 
     /// Takes a frame in; gives one at the first and then at every `factor`-th.
     #[inline]
-    pub(crate) fn push(&mut self, frame: Frame) -> Option<Frame> {
+    pub(crate) fn push(&mut self, frame: SampleFrame) -> Option<SampleFrame> {
         let line = &mut self.lines[self.next_line];
         line.push(frame);
         let is_due = self.until_output == 0;
@@ -73,8 +73,11 @@ impl Stage {
     }
 
     pub(crate) fn state(&self) -> StageState {
-        let lines =
-            self.lines.iter().map(|line| Window { values: line.window().as_flattened().to_vec() }).collect();
+        let lines = self
+            .lines
+            .iter()
+            .map(|line| LineWindow { values: line.window().as_flattened().to_vec() })
+            .collect();
         StageState { lines, next_line: self.next_line, until_output: self.until_output }
     }
 

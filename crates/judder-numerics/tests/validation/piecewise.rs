@@ -2,7 +2,7 @@
 
 use judder_numerics::dense::product;
 use judder_numerics::piecewise::tangent::{along_leg, identity, saltation};
-use judder_numerics::piecewise::{March, MarchError, PiecewiseSmooth, Plane, Settings};
+use judder_numerics::piecewise::{MarchError, PiecewiseMarch, PiecewiseSmooth, SectionPlane, StepSettings};
 use std::f64::consts::PI;
 
 /// A mass on a spring, with a second spring of stiffness k behind x = w: x″ = −x − k max(x − w, 0).
@@ -58,13 +58,13 @@ impl PiecewiseSmooth<2> for Wall {
     }
 }
 
-fn settings(tolerance: f64) -> Settings<2> {
-    Settings { relative: tolerance, absolute: [tolerance; 2], longest_step: 1.0, steps: 100_000_000 }
+fn settings(tolerance: f64) -> StepSettings<2> {
+    StepSettings { relative: tolerance, absolute: [tolerance; 2], longest_step: 1.0, steps: 100_000_000 }
 }
 
 /// Times of the changes of mode up to a time.
 fn changes(wall: &Wall, mode: Side, start: [f64; 2], until: f64, tolerance: f64) -> Vec<f64> {
-    let mut march = March::new(wall, mode, start, settings(tolerance)).unwrap();
+    let mut march = PiecewiseMarch::new(wall, mode, start, settings(tolerance)).unwrap();
     let mut times = Vec::new();
     while march.time() < until {
         times.extend(march.advance(until).unwrap().crossing.map(|crossing| crossing.time));
@@ -119,7 +119,7 @@ fn the_tangent_through_the_wall_is_a_difference_of_motions() {
     let wall = Wall { place: 0.3, stiffness: 20.0 };
     let until = 4.0;
     let end = |start: [f64; 2]| {
-        let mut march = March::new(&wall, Side::Free, start, settings(1e-13)).unwrap();
+        let mut march = PiecewiseMarch::new(&wall, Side::Free, start, settings(1e-13)).unwrap();
         let mut tangent = identity();
         while march.time() < until {
             let advance = march.advance(until).unwrap();
@@ -150,8 +150,9 @@ fn the_tangent_through_the_wall_is_a_difference_of_motions() {
 #[test]
 fn returns_to_a_section_come_once_a_period() {
     let wall = Wall { place: 10.0, stiffness: 1.0 };
-    let section = Plane { normal: [0.0, 1.0], offset: 0.0 };
-    let mut march = March::new(&wall, Side::Free, [1.0, 0.0], settings(1e-12)).unwrap().with_section(section);
+    let section = SectionPlane { normal: [0.0, 1.0], offset: 0.0 };
+    let mut march =
+        PiecewiseMarch::new(&wall, Side::Free, [1.0, 0.0], settings(1e-12)).unwrap().with_section(section);
     let mut times = Vec::new();
     while march.time() < 60.0 {
         if march.advance(60.0).unwrap().on_section {
@@ -197,7 +198,7 @@ impl PiecewiseSmooth<2> for Ball {
 
 #[test]
 fn bounces_that_accumulate_are_recognised_where_they_do() {
-    let mut march = March::new(&Ball, (), [0.0, 1.0], settings(1e-12)).unwrap();
+    let mut march = PiecewiseMarch::new(&Ball, (), [0.0, 1.0], settings(1e-12)).unwrap();
     let error = loop {
         if let Err(error) = march.advance(10.0) {
             break error;
@@ -245,7 +246,7 @@ impl PiecewiseSmooth<2> for Corner {
 
 #[test]
 fn two_events_at_one_instant_both_happen_once_and_in_order() {
-    let mut march = March::new(&Corner, (false, false), [1.0, 1.0], settings(1e-12)).unwrap();
+    let mut march = PiecewiseMarch::new(&Corner, (false, false), [1.0, 1.0], settings(1e-12)).unwrap();
     let mut crossed = Vec::new();
     while march.time() < 3.0 {
         crossed.extend(march.advance(3.0).unwrap().crossing.map(|crossing| (crossing.to, crossing.time)));
@@ -290,9 +291,9 @@ impl PiecewiseSmooth<1> for Cliff {
 
 #[test]
 fn a_motion_without_a_future_ends_with_an_error_and_its_place() {
-    let limits = Settings { relative: 1e-9, absolute: [1e-9], longest_step: 1.0, steps: 1000 };
-    let run = |limits: Settings<1>| {
-        let mut march = March::new(&Cliff, (), [0.0], limits).unwrap();
+    let limits = StepSettings { relative: 1e-9, absolute: [1e-9], longest_step: 1.0, steps: 1000 };
+    let run = |limits: StepSettings<1>| {
+        let mut march = PiecewiseMarch::new(&Cliff, (), [0.0], limits).unwrap();
         loop {
             match march.advance(2.0) {
                 Ok(_) if march.time() >= 2.0 => panic!("passed"),
@@ -302,9 +303,9 @@ fn a_motion_without_a_future_ends_with_an_error_and_its_place() {
         }
     };
     assert!(matches!(run(limits), MarchError::StepTooShort { time, .. } if (time - 1.0).abs() < 1e-12));
-    assert!(matches!(run(Settings { steps: 3, ..limits }), MarchError::StepsSpent { steps: 3, .. }));
+    assert!(matches!(run(StepSettings { steps: 3, ..limits }), MarchError::StepsSpent { steps: 3, .. }));
     assert_eq!(
-        March::new(&Cliff, (), [f64::NAN], limits).unwrap_err().to_string(),
+        PiecewiseMarch::new(&Cliff, (), [f64::NAN], limits).unwrap_err().to_string(),
         "component 0 of the state is not finite: NaN"
     );
 }

@@ -4,7 +4,7 @@
 //! change of stability between the two sides of the curve. Nothing is differentiated, so a boundary is followed where the
 //! margin turns from one limit to the other within a hair, as it does where two Hopf curves run side by side.
 
-use super::{End, Fold};
+use super::{BoundaryEnd, BoundaryFold};
 use judder_numerics::root::bracketed_root;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -20,13 +20,13 @@ const GENTLE: f64 = 0.05;
 const MOST_POINTS: usize = 100_000;
 
 /// The stability margin over positions in the unit square: positive on one side of the curve, negative on the other.
-pub(super) type Margin<'a> = dyn Fn([f64; 2]) -> f64 + 'a;
+pub(super) type BoundaryMargin<'a> = dyn Fn([f64; 2]) -> f64 + 'a;
 
 /// A followed curve.
-pub(super) struct Curve {
+pub(super) struct FollowedCurve {
     pub(super) positions: Vec<[f64; 2]>,
-    pub(super) folds: Vec<(usize, Fold)>,
-    pub(super) end: End,
+    pub(super) folds: Vec<(usize, BoundaryFold)>,
+    pub(super) end: BoundaryEnd,
 }
 
 /// The point at a distance and an angle from another.
@@ -35,13 +35,13 @@ fn at(from: [f64; 2], distance: f64, angle: f64) -> [f64; 2] {
 }
 
 /// The angle at which the curve crosses the circle about `from`, near `direction`.
-fn advance(margin: &Margin<'_>, from: [f64; 2], step: f64, direction: f64) -> Option<f64> {
+fn advance(margin: &BoundaryMargin<'_>, from: [f64; 2], step: f64, direction: f64) -> Option<f64> {
     let around = |angle: f64| margin(at(from, step, angle));
     bracketed_root(around, direction - ASIDE, direction + ASIDE, 1e-13).ok()
 }
 
 /// The two directions in which the curve leaves a point of it: where a small circle changes stability.
-fn directions(margin: &Margin<'_>, start: [f64; 2]) -> Option<[f64; 2]> {
+fn directions(margin: &BoundaryMargin<'_>, start: [f64; 2]) -> Option<[f64; 2]> {
     const SECTORS: usize = 24;
     // turned off the axes, along which boundaries like to run
     let angle = |k: usize| 0.1 + TAU * k as f64 / SECTORS as f64;
@@ -59,17 +59,17 @@ fn directions(margin: &Margin<'_>, start: [f64; 2]) -> Option<[f64; 2]> {
 }
 
 /// Follows the curve through `start` both ways.
-pub(super) fn follow(margin: &Margin<'_>, start: [f64; 2]) -> Curve {
+pub(super) fn follow(margin: &BoundaryMargin<'_>, start: [f64; 2]) -> FollowedCurve {
     let Some([one_way, other_way]) = directions(margin, start) else {
-        return Curve { positions: vec![start], folds: Vec::new(), end: End::Stalled };
+        return FollowedCurve { positions: vec![start], folds: Vec::new(), end: BoundaryEnd::Stalled };
     };
     let (forward, end) = march(margin, start, one_way);
-    if end == End::Closed {
+    if end == BoundaryEnd::Closed {
         return assemble(forward, end);
     }
     let (backward, other_end) = march(margin, start, other_way);
     let positions = backward.into_iter().skip(1).rev().chain(forward).collect();
-    assemble(positions, if other_end == End::LeftPlane { end } else { other_end })
+    assemble(positions, if other_end == BoundaryEnd::LeftPlane { end } else { other_end })
 }
 
 fn is_inside(position: [f64; 2]) -> bool {
@@ -82,13 +82,13 @@ fn turn(from: f64, to: f64) -> f64 {
 }
 
 /// Steps along the curve from a point until it leaves the plane, closes, or stalls.
-fn march(margin: &Margin<'_>, first: [f64; 2], direction: f64) -> (Vec<[f64; 2]>, End) {
+fn march(margin: &BoundaryMargin<'_>, first: [f64; 2], direction: f64) -> (Vec<[f64; 2]>, BoundaryEnd) {
     let mut positions = vec![first];
     let (mut here, mut heading) = (first, direction);
     let mut step = 0.1 * LONGEST;
     while positions.len() < MOST_POINTS {
         if step < SHORTEST {
-            return (positions, End::Stalled);
+            return (positions, BoundaryEnd::Stalled);
         }
         let Some(angle) = advance(margin, here, step, heading) else {
             step *= 0.5;
@@ -97,7 +97,7 @@ fn march(margin: &Margin<'_>, first: [f64; 2], direction: f64) -> (Vec<[f64; 2]>
         let next = at(here, step, angle);
         if !is_inside(next) {
             positions.extend(border(margin, here, step, heading));
-            return (positions, End::LeftPlane);
+            return (positions, BoundaryEnd::LeftPlane);
         }
         let turned = turn(heading, angle).abs();
         if turned > SHARP {
@@ -106,17 +106,17 @@ fn march(margin: &Margin<'_>, first: [f64; 2], direction: f64) -> (Vec<[f64; 2]>
         }
         if positions.len() > 4 && reaches(here, next, first, direction) {
             positions.push(first);
-            return (positions, End::Closed);
+            return (positions, BoundaryEnd::Closed);
         }
         positions.push(next);
         (here, heading) = (next, angle);
         step = if turned < GENTLE { (1.5 * step).min(LONGEST) } else { step };
     }
-    (positions, End::Stalled)
+    (positions, BoundaryEnd::Stalled)
 }
 
 /// Where the curve crosses the border of the plane, within one step.
-fn border(margin: &Margin<'_>, here: [f64; 2], step: f64, heading: f64) -> Option<[f64; 2]> {
+fn border(margin: &BoundaryMargin<'_>, here: [f64; 2], step: f64, heading: f64) -> Option<[f64; 2]> {
     let (mut inside, mut outside) = (0.0, step);
     let mut found = None;
     for _ in 0..40 {
@@ -144,13 +144,13 @@ fn reaches(here: [f64; 2], next: [f64; 2], start: [f64; 2], direction: f64) -> b
 }
 
 /// The curve with its folds: the points beyond which a coordinate turns back.
-fn assemble(positions: Vec<[f64; 2]>, end: End) -> Curve {
-    let mut folds: Vec<(usize, Fold)> = [(0, Fold::InX), (1, Fold::InY)]
+fn assemble(positions: Vec<[f64; 2]>, end: BoundaryEnd) -> FollowedCurve {
+    let mut folds: Vec<(usize, BoundaryFold)> = [(0, BoundaryFold::InX), (1, BoundaryFold::InY)]
         .into_iter()
         .flat_map(|(axis, fold)| turning_points(&positions, axis).into_iter().map(move |index| (index, fold)))
         .collect();
     folds.sort_by_key(|(index, _)| *index);
-    Curve { positions, folds, end }
+    FollowedCurve { positions, folds, end }
 }
 
 /// Indices of the points beyond which a coordinate turns back, by more than rounding can.

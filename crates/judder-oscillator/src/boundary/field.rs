@@ -1,27 +1,27 @@
 //! The function whose zero set is the boundary, over positions in the unit square.
 
-use super::continuation::Curve;
+use super::continuation::FollowedCurve;
 use super::{Boundary, BoundaryPoint, Condition};
 use crate::Contact;
-use crate::block::{Block, LANES};
+use crate::block::{LANES, PointBlock};
 use crate::characteristic::Characteristic;
 use crate::conservative::discriminant_share;
-use crate::critical::Range;
+use crate::critical::ParameterRange;
 use crate::equilibrium::{Equilibrium, equilibrium};
 use crate::groups::Coefficients;
 use crate::linear_system::ReducedSystem;
 use crate::linearisation::Linearisation;
 
 /// The boundary function over the unit square.
-pub(super) struct Field<'a> {
+pub(super) struct BoundaryField<'a> {
     pub(super) contact: &'a Contact,
     pub(super) condition: Condition,
-    pub(super) x: &'a Range,
-    pub(super) y: &'a Range,
+    pub(super) x: &'a ParameterRange,
+    pub(super) y: &'a ParameterRange,
     pub(super) coefficients: &'a (dyn Fn(f64, f64) -> Coefficients + Sync),
 }
 
-impl Field<'_> {
+impl BoundaryField<'_> {
     fn at(&self, position: [f64; 2]) -> Coefficients {
         (self.coefficients)(self.x.value(position[0]), self.y.value(position[1]))
     }
@@ -49,7 +49,7 @@ impl Field<'_> {
         let side = intervals + 1;
         let position = |k: usize| grid_position(k, intervals);
         let mut margins: Vec<f64> = Vec::with_capacity(side * side);
-        let mut block = Block::default();
+        let mut block = PointBlock::default();
         for row in 0..side {
             for first in (0..side).step_by(LANES) {
                 let width = LANES.min(side - first);
@@ -68,7 +68,7 @@ impl Field<'_> {
     }
 
     /// The curve in the swept quantities, with what belongs to each point.
-    pub(super) fn boundary(&self, curve: &Curve) -> Boundary {
+    pub(super) fn boundary(&self, curve: &FollowedCurve) -> Boundary {
         let points = curve.positions.iter().map(|position| {
             let (indentation, frequency) = match self.state(*position) {
                 Some((state, system)) => (state.indentation, self.frequency(&system)),

@@ -10,7 +10,7 @@ use super::wandering::wanders;
 use crate::hopf::growth_rate;
 use crate::motion::attractor::{Attractor, Patience, Settled, settle};
 use crate::motion::{Interrupted, SlidingSystem};
-use judder_numerics::piecewise::{MarchError, Settings};
+use judder_numerics::piecewise::{MarchError, StepSettings};
 
 /// By how much more exactly a motion is followed in each round, and how exactly at most.
 const FINER: f64 = 1e-2;
@@ -47,7 +47,7 @@ pub struct Confirmed<const N: usize> {
 pub fn settle_confirmed<const N: usize>(
     system: &impl SlidingSystem<N>,
     start: [f64; N],
-    settings: Settings<N>,
+    settings: StepSettings<N>,
     patience: &Patience,
     interrupted: Interrupted<'_>,
 ) -> Result<Confirmed<N>, MarchError> {
@@ -76,9 +76,9 @@ fn tolerances(asked: f64) -> (f64, Vec<f64>) {
     (first, std::iter::successors(Some(first), finer).skip(1).take(ROUNDS).collect())
 }
 
-fn stepping<const N: usize>(settings: Settings<N>, relative: f64) -> Settings<N> {
+fn stepping<const N: usize>(settings: StepSettings<N>, relative: f64) -> StepSettings<N> {
     let ratio = relative / settings.relative;
-    Settings { relative, absolute: settings.absolute.map(|absolute| ratio * absolute), ..settings }
+    StepSettings { relative, absolute: settings.absolute.map(|absolute| ratio * absolute), ..settings }
 }
 
 /// Where the next round starts: beside unstable steady sliding, for at rest a motion would stay there.
@@ -98,7 +98,7 @@ fn judged<const N: usize>(
     system: &impl SlidingSystem<N>,
     before: Option<&Attractor<N>>,
     settled: Attractor<N>,
-    settings: Settings<N>,
+    settings: StepSettings<N>,
     patience: &Patience,
 ) -> Confirmed<N> {
     let closed = closed(system, &settled, settings, patience);
@@ -125,7 +125,7 @@ fn judged<const N: usize>(
 fn closed<const N: usize>(
     system: &impl SlidingSystem<N>,
     settled: &Attractor<N>,
-    settings: Settings<N>,
+    settings: StepSettings<N>,
     patience: &Patience,
 ) -> Option<Attractor<N>> {
     /// The distance of the return from the start over the tolerance of a step, and what rounding leaves of it.

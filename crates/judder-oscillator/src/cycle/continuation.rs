@@ -14,7 +14,7 @@ use super::shooting::{Cycle, finished, shoot};
 use crate::motion::{ContactState, SlidingSystem};
 use doubled::Halves;
 use judder_numerics::dense::Triangles;
-use place::{Outing, Place, neighbour};
+use place::{BranchPlace, Outing, neighbour};
 use std::array::from_fn;
 use std::fmt;
 
@@ -91,7 +91,7 @@ impl fmt::Display for BranchEnd {
 
 /// Cycles along a parameter.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Branch<const N: usize> {
+pub struct CycleBranch<const N: usize> {
     /// In the order in which they were found.
     pub points: Vec<BranchPoint<N>>,
     /// Where the parameter turns.
@@ -148,7 +148,7 @@ pub fn continue_branch<S: SlidingSystem<N>, const N: usize>(
     cycle: ([f64; N], usize),
     direction: f64,
     options: &Continuation<N>,
-) -> Result<Branch<N>, CycleError> {
+) -> Result<CycleBranch<N>, CycleError> {
     let system = system_at(parameter)?;
     let first = shoot(&system, cycle.0, cycle.1, &options.shooting)?;
     let walk = Walk { system_at, options, oscillations: first.oscillations, scales: system.scales() };
@@ -157,7 +157,7 @@ pub fn continue_branch<S: SlidingSystem<N>, const N: usize>(
     let first = BranchPoint { parameter, cycle: first, slope: place.tangent[N] };
     let mut halves = Halves::of(&walk, &first);
     let mut branch =
-        Branch { points: vec![first], folds: vec![], pattern_changes: vec![], end: BranchEnd::Points };
+        CycleBranch { points: vec![first], folds: vec![], pattern_changes: vec![], end: BranchEnd::Points };
     let (mut step, mut short_steps) = (options.steps.0, 0);
     while branch.points.len() < options.points {
         match walk.next(&place, step).and_then(|found| neighbour(&branch, &place, step, found)) {
@@ -201,16 +201,21 @@ pub fn continue_branch<S: SlidingSystem<N>, const N: usize>(
 }
 
 impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError>, const N: usize> Walk<'_, F, N> {
-    fn first_place(&self, cycle: &Cycle<N>, parameter: f64, direction: f64) -> Result<Place, CycleError> {
+    fn first_place(
+        &self,
+        cycle: &Cycle<N>,
+        parameter: f64,
+        direction: f64,
+    ) -> Result<BranchPlace, CycleError> {
         let mut at: Vec<f64> = (0..N).map(|i| cycle.start[i] / self.scales[i]).collect();
         at.push(parameter / self.options.parameter_scale);
         let mut upwards = vec![0.0; N + 1];
         upwards[N] = direction;
         let tangent = self.tangent(&at, &cycle.around, &upwards)?;
-        Ok(Place { at, tangent })
+        Ok(BranchPlace { at, tangent })
     }
 
-    fn end_of(&self, branch: &Branch<N>) -> Option<BranchEnd> {
+    fn end_of(&self, branch: &CycleBranch<N>) -> Option<BranchEnd> {
         /// Of the largest amplitude on the branch: what is smaller has shrunk to its Hopf point.
         const AT_REST: f64 = 1e-4;
         let last = branch.points.last()?;
@@ -280,7 +285,7 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError>, const N: usize> W
     }
 
     /// The next cycle, a step along the tangent away.
-    fn next(&self, from: &Place, step: f64) -> Result<(BranchPoint<N>, Place), CycleError> {
+    fn next(&self, from: &BranchPlace, step: f64) -> Result<(BranchPoint<N>, BranchPlace), CycleError> {
         let shooting = &self.options.shooting;
         let mut at: Vec<f64> = from.at.iter().zip(&from.tangent).map(|(p, t)| p + step * t).collect();
         let mut residual = f64::NAN;
@@ -293,7 +298,7 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError>, const N: usize> W
                 let guess = Guess { start: self.state(&at), around, residual };
                 let cycle = finished(&system, self.oscillations, guess, iteration)?;
                 let point = BranchPoint { parameter: self.parameter(&at), cycle, slope: tangent[N] };
-                return Ok((point, Place { at, tangent }));
+                return Ok((point, BranchPlace { at, tangent }));
             }
             let mut correction: Vec<f64> = missed.iter().map(|m| -m).chain([0.0]).collect();
             self.bordered(&at, &around, &from.tangent)?.solve(&mut correction);
@@ -309,7 +314,7 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError>, const N: usize> W
     }
 
     /// Notes a fold and a change of the pattern between the branch's last point and the next.
-    fn note_changes(&self, branch: &mut Branch<N>, next: &BranchPoint<N>, from: &Place) {
+    fn note_changes(&self, branch: &mut CycleBranch<N>, next: &BranchPoint<N>, from: &BranchPlace) {
         let Some(last) = branch.points.last() else { return };
         let after = branch.points.len() - 1;
         let keeps_pattern = last.cycle.around.pattern == next.cycle.around.pattern;
@@ -318,7 +323,7 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError>, const N: usize> W
             branch.pattern_changes.push(PatternChange { after, between: (last.parameter, next.parameter) });
         }
         if last.slope * next.slope < 0.0 {
-            let there = Place { at: self.scaled_place(next), tangent: Vec::new() };
+            let there = BranchPlace { at: self.scaled_place(next), tangent: Vec::new() };
             let parameter = self.turn(from, last, next, from.distance(&there));
             branch.folds.push(Fold { after, parameter, is_smooth: keeps_pattern && !was_kink });
         }
@@ -330,7 +335,7 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError>, const N: usize> W
     }
 
     /// The extreme of the parameter between two points: ever shorter steps from this side of the turn.
-    fn turn(&self, from: &Place, last: &BranchPoint<N>, next: &BranchPoint<N>, length: f64) -> f64 {
+    fn turn(&self, from: &BranchPlace, last: &BranchPoint<N>, next: &BranchPoint<N>, length: f64) -> f64 {
         const SHORTEST: f64 = 1e-6;
         let rises = last.slope > 0.0;
         let further = |a: f64, b: f64| if rises { a.max(b) } else { a.min(b) };

@@ -6,12 +6,12 @@
 //! basin can be smaller than the starts are apart.
 
 use super::confirmed::settle_confirmed;
-use super::continuation::{Branch, Continuation, continue_branch};
+use super::continuation::{Continuation, CycleBranch, continue_branch};
 use super::{CycleError, shoot};
 use crate::hopf::growth_rate;
 use crate::motion::attractor::{Attractor, Patience, Settled, settle};
 use crate::motion::{Interrupted, SlidingSystem};
-use judder_numerics::piecewise::Settings;
+use judder_numerics::piecewise::StepSettings;
 use judder_numerics::sampling::SobolSequence;
 use rayon::prelude::*;
 use std::array::from_fn;
@@ -95,7 +95,7 @@ struct Known<const N: usize> {
     state: [f64; N],
 }
 
-struct Explorer<'a, F, const N: usize> {
+struct CycleExplorer<'a, F, const N: usize> {
     system_at: &'a F,
     /// +1 where steady sliding is stable above the threshold, −1 where it is below.
     side: f64,
@@ -114,7 +114,7 @@ pub fn explore<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError> + Sync, 
     options: &Continuation<N>,
     interrupted: Interrupted<'_>,
 ) -> Result<Exploration, CycleError> {
-    let explorer = Explorer { system_at, side: stable_side, options, interrupted };
+    let explorer = CycleExplorer { system_at, side: stable_side, options, interrupted };
     let mut warm = cycles;
     let mut found = Exploration {
         farthest,
@@ -128,11 +128,11 @@ pub fn explore<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError> + Sync, 
         let (beyond, ended) = explorer.look_beyond(found.farthest, &warm)?;
         found.beyond = beyond;
         match ended {
-            Ended::Quiet(end) => {
+            LookEnded::Quiet(end) => {
                 found.end = end;
                 break;
             }
-            Ended::Motion(place, attractor) => {
+            LookEnded::Motion(place, attractor) => {
                 let known = explorer.follow(place, &attractor, found.without_a_gap)?;
                 warm.push(known.state);
                 found.add(&known, explorer.side, BEYOND[0] * options.parameter_scale);
@@ -163,20 +163,22 @@ impl Exploration {
     }
 }
 
-enum Sought<const N: usize> {
+enum SoughtCycle<const N: usize> {
     Nowhere(SearchEnd),
     Rest(Look),
     Motion(Box<Attractor<N>>),
 }
 
 /// How looking at all places beyond a limit ended.
-enum Ended<const N: usize> {
+enum LookEnded<const N: usize> {
     Quiet(SearchEnd),
     /// At the place where it was found.
     Motion(f64, Box<Attractor<N>>),
 }
 
-impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError> + Sync, const N: usize> Explorer<'_, F, N> {
+impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError> + Sync, const N: usize>
+    CycleExplorer<'_, F, N>
+{
     /// The oscillator at a place, and how long motions are followed there; why it is not looked at outside of the range, and where
     /// steady sliding is not stable.
     fn stable(&self, place: f64) -> Result<Result<(S, Patience), SearchEnd>, CycleError> {
@@ -195,12 +197,12 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError> + Sync, const N: u
     }
 
     /// How starts are followed: no more exactly than branches are.
-    fn settings(&self) -> Settings<N> {
+    fn settings(&self) -> StepSettings<N> {
         let settings = self.options.shooting.settings;
         let relative = settings.relative.max(TOLERANCE);
         let ratio = relative / settings.relative;
         let absolute = settings.absolute.map(|absolute| ratio * absolute);
-        Settings { relative, absolute, steps: FLIGHTS * settings.steps, ..settings }
+        StepSettings { relative, absolute, steps: FLIGHTS * settings.steps, ..settings }
     }
 
     /// States on known cycles, then steady sliding disturbed in every coordinate, by sizes spread evenly over their logarithm, others at
@@ -217,24 +219,24 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError> + Sync, const N: u
     }
 
     /// What became of the starts at the places beyond a limit, up to the first that does not come to rest.
-    fn look_beyond(&self, limit: f64, warm: &[[f64; N]]) -> Result<(Vec<Look>, Ended<N>), CycleError> {
+    fn look_beyond(&self, limit: f64, warm: &[[f64; N]]) -> Result<(Vec<Look>, LookEnded<N>), CycleError> {
         let mut looks = Vec::new();
         for (which, distance) in BEYOND.into_iter().enumerate() {
             let place = limit + self.side * distance * self.options.parameter_scale;
             match self.look(place, which, warm)? {
-                Sought::Nowhere(why) => return Ok((looks, Ended::Quiet(why))),
-                Sought::Rest(look) => looks.push(look),
-                Sought::Motion(attractor) => return Ok((looks, Ended::Motion(place, attractor))),
+                SoughtCycle::Nowhere(why) => return Ok((looks, LookEnded::Quiet(why))),
+                SoughtCycle::Rest(look) => looks.push(look),
+                SoughtCycle::Motion(attractor) => return Ok((looks, LookEnded::Motion(place, attractor))),
             }
         }
-        Ok((looks, Ended::Quiet(SearchEnd::NoneMoved)))
+        Ok((looks, LookEnded::Quiet(SearchEnd::NoneMoved)))
     }
 
     /// The first start at a place that does not come to rest.
-    fn look(&self, place: f64, which: usize, warm: &[[f64; N]]) -> Result<Sought<N>, CycleError> {
+    fn look(&self, place: f64, which: usize, warm: &[[f64; N]]) -> Result<SoughtCycle<N>, CycleError> {
         let (system, patience) = match self.stable(place)? {
             Ok(stable) => stable,
-            Err(why) => return Ok(Sought::Nowhere(why)),
+            Err(why) => return Ok(SoughtCycle::Nowhere(why)),
         };
         let starts = Self::starts(&system, which, warm);
         let settings = self.settings();
@@ -253,8 +255,8 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError> + Sync, const N: u
         // where none moves every start was followed, so that their number does not depend on the threads
         let undecided = undecided.into_inner();
         Ok(match moving {
-            Some(attractor) => Sought::Motion(Box::new(attractor)),
-            None => Sought::Rest(Look { parameter: place, starts: starts.len(), moved: 0, undecided }),
+            Some(attractor) => SoughtCycle::Motion(Box::new(attractor)),
+            None => SoughtCycle::Rest(Look { parameter: place, starts: starts.len(), moved: 0, undecided }),
         })
     }
 
@@ -341,7 +343,7 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError> + Sync, const N: u
 }
 
 /// The first turn of a branch with the cycle before it, if all cycles up to there are stable.
-fn first_turn<const N: usize>(branch: &Branch<N>) -> Option<(f64, [f64; N])> {
+fn first_turn<const N: usize>(branch: &CycleBranch<N>) -> Option<(f64, [f64; N])> {
     let fold = branch.folds.first()?;
     let before = branch.points.get(..=fold.after)?;
     let last = before.last().filter(|_| before.iter().all(|point| point.cycle.is_stable()))?;

@@ -5,7 +5,7 @@
 //! cycle waits for a knock. So the turn, and not the threshold, is the safe limit as far as this branch tells: cycles of other
 //! branches, with more oscillations in a period, may live beyond it.
 
-use super::continuation::{Branch, Continuation, continue_branch};
+use super::continuation::{Continuation, CycleBranch, continue_branch};
 use super::{CycleError, small_cycle};
 use crate::hopf::{HopfPoint, hopf_point};
 use crate::motion::SlidingSystem;
@@ -19,7 +19,7 @@ pub struct GlobalMargin<const N: usize> {
     /// ends before it turns.
     pub fold: Option<f64>,
     /// The branch, from its small cycles on; `None` beside a supercritical threshold.
-    pub branch: Option<Branch<N>>,
+    pub branch: Option<CycleBranch<N>>,
 }
 
 impl<const N: usize> GlobalMargin<N> {

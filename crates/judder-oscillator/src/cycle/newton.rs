@@ -5,15 +5,15 @@ use super::return_map::{Return, return_map};
 use crate::motion::SlidingSystem;
 use crate::motion::attractor::distance;
 use judder_numerics::dense::Triangles;
-use judder_numerics::piecewise::Settings;
-use judder_numerics::piecewise::tangent::Matrix;
+use judder_numerics::piecewise::StepSettings;
+use judder_numerics::piecewise::tangent::SquareMatrix;
 use std::array::from_fn;
 
 /// How a cycle is sought.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shooting<const N: usize> {
     /// How the motion is stepped.
-    pub settings: Settings<N>,
+    pub settings: StepSettings<N>,
     /// The distance of the return from the start, in [`SlidingSystem::scales`], that is asked.
     pub tolerance: f64,
     /// The most iterations.
@@ -72,7 +72,7 @@ pub(super) fn newton_step<const N: usize>(
 }
 
 /// A derivative by scaled components of scaled components.
-pub(super) fn scaled<const N: usize>(derivative: &Matrix<N>, scales: &[f64; N]) -> Matrix<N> {
+pub(super) fn scaled<const N: usize>(derivative: &SquareMatrix<N>, scales: &[f64; N]) -> SquareMatrix<N> {
     from_fn(|i| from_fn(|j| derivative[i][j] * scales[j] / scales[i]))
 }
 

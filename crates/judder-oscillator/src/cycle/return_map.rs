@@ -4,8 +4,8 @@ use super::CycleError;
 use crate::motion::measures::Measures;
 use crate::motion::{ContactState, SlidingSystem};
 use judder_numerics::dense::product;
-use judder_numerics::piecewise::tangent::{Matrix, along_leg, identity, onto_plane, saltation};
-use judder_numerics::piecewise::{Advance, March, Settings};
+use judder_numerics::piecewise::tangent::{SquareMatrix, along_leg, identity, onto_plane, saltation};
+use judder_numerics::piecewise::{Advance, PiecewiseMarch, StepSettings};
 
 /// A motion from the section to its return there.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,9 +15,9 @@ pub struct Return<const N: usize> {
     /// The time it took.
     pub time: f64,
     /// The derivative of the state after this time by the start, through all events.
-    pub monodromy: Matrix<N>,
+    pub monodromy: SquareMatrix<N>,
     /// The derivative of the return by the start: the monodromy seen on the section.
-    pub derivative: Matrix<N>,
+    pub derivative: SquareMatrix<N>,
     /// The contact states in their order; where the last is the first again it is left out.
     pub pattern: Vec<ContactState>,
     /// Averages.
@@ -32,7 +32,7 @@ pub fn return_map<const N: usize>(
     system: &impl SlidingSystem<N>,
     start: [f64; N],
     returns: usize,
-    settings: Settings<N>,
+    settings: StepSettings<N>,
     longest: f64,
 ) -> Result<Return<N>, CycleError> {
     let section = system.section();
@@ -73,7 +73,7 @@ pub fn returned_state<const N: usize>(
     system: &impl SlidingSystem<N>,
     start: [f64; N],
     returns: usize,
-    settings: Settings<N>,
+    settings: StepSettings<N>,
     longest: f64,
 ) -> Result<[f64; N], CycleError> {
     fly(system, start, returns, settings, longest, |_| ()).map(|march| march.state())
@@ -84,13 +84,14 @@ fn fly<S: SlidingSystem<N>, const N: usize>(
     system: &S,
     start: [f64; N],
     returns: usize,
-    settings: Settings<N>,
+    settings: StepSettings<N>,
     longest: f64,
     mut watch: impl FnMut(&Advance<ContactState, N>),
-) -> Result<March<'_, S, N>, CycleError> {
+) -> Result<PiecewiseMarch<'_, S, N>, CycleError> {
     let section = system.section();
     let start = section.project(&start);
-    let mut march = March::new(system, system.contact_state(&start), start, settings)?.with_section(section);
+    let mut march =
+        PiecewiseMarch::new(system, system.contact_state(&start), start, settings)?.with_section(section);
     let mut left = returns;
     while left > 0 {
         if march.time() >= longest {

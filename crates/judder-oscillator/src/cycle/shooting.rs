@@ -7,7 +7,7 @@ use super::return_map::Return;
 use crate::motion::attractor::{Patience, Settled, distance, settle};
 use crate::motion::{ContactState, Interrupted, SlidingSystem};
 use judder_numerics::dense::eigenvalues;
-use judder_numerics::piecewise::tangent::Matrix;
+use judder_numerics::piecewise::tangent::SquareMatrix;
 use num_complex::Complex64;
 use std::array::from_fn;
 
@@ -122,7 +122,7 @@ pub(super) fn finished<const N: usize>(
 
 /// The eigenvalues of the return map's derivative; the zero that belongs to the section's normal makes room for the 1 of
 /// the cycle's own direction, which is exact.
-fn multipliers<const N: usize>(derivative: &Matrix<N>) -> Result<Vec<Complex64>, CycleError> {
+fn multipliers<const N: usize>(derivative: &SquareMatrix<N>) -> Result<Vec<Complex64>, CycleError> {
     let by_magnitude =
         |a: &Complex64, b: &Complex64| b.norm().total_cmp(&a.norm()).then(b.im.total_cmp(&a.im));
     let mut values = eigenvalues(derivative)?;

@@ -3,7 +3,7 @@
 use super::return_map::return_map;
 use crate::motion::SlidingSystem;
 use crate::motion::attractor::{Attractor, distance};
-use judder_numerics::piecewise::Settings;
+use judder_numerics::piecewise::StepSettings;
 
 /// Oscillations over which nearby motions must part.
 const OSCILLATIONS: usize = 256;
@@ -20,7 +20,7 @@ const SPANS: usize = 7;
 pub(super) fn wanders<const N: usize>(
     system: &impl SlidingSystem<N>,
     motion: &Attractor<N>,
-    settings: Settings<N>,
+    settings: StepSettings<N>,
     longest: f64,
 ) -> bool {
     motion.returns.len() > SPANS
@@ -44,7 +44,7 @@ fn is_on_its_way<const N: usize>(returns: &[[f64; N]], scales: &[f64; N]) -> boo
 fn parting<const N: usize>(
     system: &impl SlidingSystem<N>,
     start: [f64; N],
-    settings: Settings<N>,
+    settings: StepSettings<N>,
     longest: f64,
 ) -> f64 {
     let scales = system.scales();

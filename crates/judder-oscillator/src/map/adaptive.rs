@@ -8,14 +8,14 @@
 
 mod canvas;
 
-use super::{Plane, StabilityMap, coarse_lines};
+use super::{OperatingPlane, StabilityMap, coarse_lines};
 use crate::Contact;
 use canvas::Canvas;
 use std::convert::Infallible;
 
 /// Decides the map on a coarse grid, then along its boundaries.
 #[must_use]
-pub fn adaptive(contact: &Contact, plane: &impl Plane) -> StabilityMap {
+pub fn adaptive(contact: &Contact, plane: &impl OperatingPlane) -> StabilityMap {
     AdaptiveMap::new(contact, plane).decide()
 }
 
@@ -46,7 +46,7 @@ pub struct CoarseMap {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct GivenUp;
 
-impl<'a, P: Plane> AdaptiveMap<'a, P> {
+impl<'a, P: OperatingPlane> AdaptiveMap<'a, P> {
     /// Lays out the memory: about five bytes a grid point.
     #[must_use]
     pub fn new(contact: &'a Contact, plane: &'a P) -> Self {
@@ -70,7 +70,7 @@ impl<'a, P: Plane> AdaptiveMap<'a, P> {
     }
 }
 
-impl<P: Plane> CoarselyDecided<'_, P> {
+impl<P: OperatingPlane> CoarselyDecided<'_, P> {
     /// What the coarse grid shows.
     #[must_use]
     pub fn coarse_map(&self) -> CoarseMap {
@@ -111,14 +111,18 @@ impl<P: Plane> CoarselyDecided<'_, P> {
 
 /// Two points of one row or one column, and the step that leads from point to point between them.
 #[derive(Clone, Copy)]
-struct Pair {
+struct PointPair {
     points: [usize; 2],
     step: usize,
 }
 
 /// All pairs of points that are neighbours on the grid of these lines.
-fn neighbours_on<P: Plane>(canvas: &Canvas<'_, P>, across: &[usize], up: &[usize]) -> Vec<Pair> {
-    let pair = |a: (usize, usize), b: (usize, usize), step: usize| Pair {
+fn neighbours_on<P: OperatingPlane>(
+    canvas: &Canvas<'_, P>,
+    across: &[usize],
+    up: &[usize],
+) -> Vec<PointPair> {
+    let pair = |a: (usize, usize), b: (usize, usize), step: usize| PointPair {
         points: [canvas.index(a.0, a.1), canvas.index(b.0, b.1)],
         step,
     };
@@ -133,16 +137,16 @@ fn neighbours_on<P: Plane>(canvas: &Canvas<'_, P>, across: &[usize], up: &[usize
 }
 
 /// Halves the pairs that differ until they are neighbours on the map; returns one point of each.
-fn bisect<P: Plane, E>(
+fn bisect<P: OperatingPlane, E>(
     canvas: &mut Canvas<'_, P>,
-    mut pairs: Vec<Pair>,
+    mut pairs: Vec<PointPair>,
     go_on: &dyn Fn() -> Result<(), E>,
 ) -> Result<Vec<usize>, E> {
     let mut ends = Vec::new();
     while !pairs.is_empty() {
         go_on()?;
         let mut halves = Vec::new();
-        for Pair { points: [a, b], step } in pairs {
+        for PointPair { points: [a, b], step } in pairs {
             if !canvas.differ(a, b) {
                 continue;
             }
@@ -152,7 +156,7 @@ fn bisect<P: Plane, E>(
                 continue;
             }
             canvas.ask(middle, 0.5 * (canvas.ln_indentation(a) + canvas.ln_indentation(b)));
-            halves.extend([Pair { points: [a, middle], step }, Pair { points: [middle, b], step }]);
+            halves.extend([PointPair { points: [a, middle], step }, PointPair { points: [middle, b], step }]);
         }
         canvas.decide();
         pairs = halves;
@@ -162,7 +166,7 @@ fn bisect<P: Plane, E>(
 
 /// Decides what lies beside pairs of neighbours that differ, as long as that shows further pairs. `fresh` are decided
 /// points whose neighbours were not looked at yet.
-fn follow<P: Plane, E>(
+fn follow<P: OperatingPlane, E>(
     canvas: &mut Canvas<'_, P>,
     mut fresh: Vec<usize>,
     go_on: &dyn Fn() -> Result<(), E>,

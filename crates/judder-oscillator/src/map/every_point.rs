@@ -1,8 +1,8 @@
 //! The map decided at every grid point.
 
-use super::{Plane, StabilityMap};
+use super::{OperatingPlane, StabilityMap};
 use crate::Contact;
-use crate::block::{Block, LANES};
+use crate::block::{LANES, PointBlock};
 use crate::mechanism::StabilityClass;
 use rayon::prelude::*;
 
@@ -12,7 +12,7 @@ pub const TILE_ROWS: usize = 256;
 
 /// Decides every point. Tiles are [`LANES`] columns wide; inside a tile the rows before give the starting values.
 #[must_use]
-pub fn every_point(contact: &Contact, plane: &impl Plane) -> StabilityMap {
+pub fn every_point(contact: &Contact, plane: &impl OperatingPlane) -> StabilityMap {
     let (columns, rows) = (plane.columns(), plane.rows());
     let mut classes = vec![StabilityClass::Unresolved as u8; columns * rows];
     classes.par_chunks_mut((TILE_ROWS * columns).max(1)).enumerate().for_each(|(band, classes)| {
@@ -47,10 +47,10 @@ pub(super) fn sweep_rows(
     width: usize,
     height: usize,
     coefficients: impl Fn(usize, usize) -> crate::Coefficients,
-    mut show: impl FnMut(usize, &Block),
+    mut show: impl FnMut(usize, &PointBlock),
 ) {
-    let mut block = Block::default();
-    let mut history = History::default();
+    let mut block = PointBlock::default();
+    let mut history = RowHistory::default();
     for row in 0..height {
         for lane in 0..width {
             block.set(lane, &coefficients(lane, row), history.extrapolate(lane));
@@ -62,15 +62,15 @@ pub(super) fn sweep_rows(
 }
 
 /// ln ŷ_e of the four rows before, the latest first.
-struct History([[f64; LANES]; 4]);
+struct RowHistory([[f64; LANES]; 4]);
 
-impl Default for History {
+impl Default for RowHistory {
     fn default() -> Self {
         Self([[f64::NAN; LANES]; 4])
     }
 }
 
-impl History {
+impl RowHistory {
     fn push(&mut self, row: &[f64; LANES]) {
         self.0.rotate_right(1);
         self.0[0] = *row;

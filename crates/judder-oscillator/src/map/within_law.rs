@@ -4,7 +4,7 @@
 //! other is looked at point by point, and so is a neighbour whose edge then turns out not to be like its corners, until there is none. What
 //! can be missed lies wholly inside a coarse cell.
 
-use super::{Method, Plane, StabilityMap, coarse_lines};
+use super::{DecisionMethod, OperatingPlane, StabilityMap, coarse_lines};
 use crate::Contact;
 use crate::equilibrium::equilibrium;
 use crate::mechanism::StabilityClass;
@@ -24,20 +24,20 @@ pub enum LawStanding {
 
 /// Codes of [`LawStanding`] of all points of a map, row by row; `None` where `interrupted` said so, which is asked at every point.
 #[must_use]
-pub fn within_law<P: Plane>(
+pub fn within_law<P: OperatingPlane>(
     contact: &Contact,
     plane: &P,
     map: &StabilityMap,
-    method: Method,
+    method: DecisionMethod,
     interrupted: &(dyn Fn() -> bool + Sync),
 ) -> Option<Vec<u8>> {
     let law = LawMap { contact, plane, map, codes: vec![None; map.classes.len()] };
     match method {
         _ if contact.law.is_formula() => Some(vec![LawStanding::Decided as u8; map.classes.len()]),
-        Method::EveryPoint => law.every_point(interrupted),
+        DecisionMethod::EveryPoint => law.every_point(interrupted),
         // a line has no cells
-        Method::Adaptive if map.columns < 2 || map.rows < 2 => law.every_point(interrupted),
-        Method::Adaptive => law.adaptive(interrupted),
+        DecisionMethod::Adaptive if map.columns < 2 || map.rows < 2 => law.every_point(interrupted),
+        DecisionMethod::Adaptive => law.adaptive(interrupted),
     }
 }
 
@@ -51,12 +51,12 @@ struct LawMap<'a, P> {
 
 /// Columns and rows between two neighbouring lines of the coarse grid each, both among them.
 #[derive(Clone, Copy)]
-struct Cell {
+struct MapCell {
     columns: [usize; 2],
     rows: [usize; 2],
 }
 
-impl<P: Plane> LawMap<'_, P> {
+impl<P: OperatingPlane> LawMap<'_, P> {
     fn every_point(mut self, interrupted: &(dyn Fn() -> bool + Sync)) -> Option<Vec<u8>> {
         self.look_at(0..self.codes.len(), interrupted)?;
         self.codes.into_iter().collect()
@@ -69,9 +69,9 @@ impl<P: Plane> LawMap<'_, P> {
         self.look_at(grid, interrupted)?;
         let between = |lines: &[usize]| lines.windows(2).map(|pair| [pair[0], pair[1]]).collect::<Vec<_>>();
         let across = between(&across);
-        let cell = |rows: [usize; 2]| across.iter().map(move |columns| Cell { columns: *columns, rows });
-        let cells: Vec<Cell> = between(&up).into_iter().flat_map(cell).collect();
-        let (mut open, mut closed): (Vec<Cell>, Vec<Cell>) =
+        let cell = |rows: [usize; 2]| across.iter().map(move |columns| MapCell { columns: *columns, rows });
+        let cells: Vec<MapCell> = between(&up).into_iter().flat_map(cell).collect();
+        let (mut open, mut closed): (Vec<MapCell>, Vec<MapCell>) =
             cells.into_iter().partition(|cell| !self.has_one_verdict(cell) || !self.is_alike(cell));
         while !open.is_empty() {
             let points: Vec<usize> = open.iter().flat_map(|cell| cell.points(columns)).collect();
@@ -124,19 +124,19 @@ impl<P: Plane> LawMap<'_, P> {
     }
 
     /// Whether all points of a cell that were looked at are alike.
-    fn is_alike(&self, cell: &Cell) -> bool {
+    fn is_alike(&self, cell: &MapCell) -> bool {
         let first = self.codes[cell.first(self.map.columns)];
         cell.points(self.map.columns).all(|point| self.codes[point].is_none_or(|code| Some(code) == first))
     }
 
-    fn has_one_verdict(&self, cell: &Cell) -> bool {
+    fn has_one_verdict(&self, cell: &MapCell) -> bool {
         let verdict = |point: usize| StabilityClass::from_code(self.map.classes[point]).verdict();
         let first = verdict(cell.first(self.map.columns));
         cell.points(self.map.columns).all(|point| verdict(point) == first)
     }
 }
 
-impl Cell {
+impl MapCell {
     fn first(&self, columns: usize) -> usize {
         self.rows[0] * columns + self.columns[0]
     }

@@ -2,7 +2,7 @@
 
 use super::measures::Measures;
 use super::{ContactState, Interrupted, SlidingSystem};
-use judder_numerics::piecewise::{March, MarchError, Settings};
+use judder_numerics::piecewise::{MarchError, PiecewiseMarch, StepSettings};
 use std::collections::VecDeque;
 
 /// How long a motion is followed and when it counts as settled.
@@ -76,13 +76,13 @@ const REMEMBERED: usize = 3;
 pub fn settle<const N: usize>(
     system: &impl SlidingSystem<N>,
     start: [f64; N],
-    settings: Settings<N>,
+    settings: StepSettings<N>,
     patience: &Patience,
     interrupted: Interrupted<'_>,
 ) -> Result<Attractor<N>, MarchError> {
     let (rest, scales) = (system.steady_sliding(), system.scales());
-    let mut march =
-        March::new(system, system.contact_state(&start), start, settings)?.with_section(system.section());
+    let mut march = PiecewiseMarch::new(system, system.contact_state(&start), start, settings)?
+        .with_section(system.section());
     let mut returns: VecDeque<(f64, [f64; N])> = VecDeque::new();
     let mut late = Measures::default();
     loop {
@@ -130,7 +130,7 @@ pub fn settle<const N: usize>(
 }
 
 fn at_rest<S: SlidingSystem<N>, const N: usize>(
-    march: &March<'_, S, N>,
+    march: &PiecewiseMarch<'_, S, N>,
     returns: &VecDeque<(f64, [f64; N])>,
     state: [f64; N],
 ) -> Attractor<N> {
@@ -209,12 +209,12 @@ pub fn repetition<const N: usize>(
 /// One more period, measured.
 fn one_period<S: SlidingSystem<N>, const N: usize>(
     system: &S,
-    march: March<'_, S, N>,
-    settings: Settings<N>,
+    march: PiecewiseMarch<'_, S, N>,
+    settings: StepSettings<N>,
     returns: Vec<[f64; N]>,
 ) -> Result<Attractor<N>, MarchError> {
     let (start, rest) = (march.state(), system.steady_sliding());
-    let mut lap = March::new(system, march.mode(), start, settings)?.with_section(system.section());
+    let mut lap = PiecewiseMarch::new(system, march.mode(), start, settings)?.with_section(system.section());
     let mut measures = Measures::default();
     let oscillations = returns.len();
     let mut left = oscillations;

@@ -5,14 +5,14 @@ mod recorder;
 use super::measures::Measures;
 use super::{ContactState, Interrupted, SlidingSystem};
 use crate::quasi_steady;
-use judder_numerics::piecewise::{Advance, Crossing, March, MarchError, Settings};
-use recorder::Recorder;
+use judder_numerics::piecewise::{Advance, GuardCrossing, MarchError, PiecewiseMarch, StepSettings};
+use recorder::MotionRecorder;
 use std::collections::VecDeque;
 use thiserror::Error;
 
 /// What of a motion is kept.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Window {
+pub struct TimeWindow {
     /// How long it is followed.
     pub duration: f64,
     /// The first part of the time, which averages and oscillations leave out.
@@ -23,7 +23,7 @@ pub struct Window {
 
 /// A state on the grid of time.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sample<const N: usize> {
+pub struct StateSample<const N: usize> {
     /// When.
     pub time: f64,
     /// In which contact state.
@@ -60,14 +60,14 @@ impl<const N: usize> Oscillation<N> {
 
 /// A motion that was followed to the end of its time.
 #[derive(Debug, Clone, PartialEq)]
-pub struct History<const N: usize> {
+pub struct MotionHistory<const N: usize> {
     /// The states on the grid.
-    pub samples: Vec<Sample<N>>,
+    pub samples: Vec<StateSample<N>>,
     /// The ends of the last [`PATH_POINTS`] steps that do not end in stick, changes of state among them: a slip between two
     /// points of the grid keeps its shape.
-    pub path: VecDeque<Sample<N>>,
+    pub path: VecDeque<StateSample<N>>,
     /// All changes of the contact state, those of the transient too.
-    pub events: Vec<Crossing<ContactState, N>>,
+    pub events: Vec<GuardCrossing<ContactState, N>>,
     /// The oscillations after the transient.
     pub oscillations: Vec<Oscillation<N>>,
     /// Averages and work after the transient.
@@ -81,7 +81,7 @@ pub struct History<const N: usize> {
     pub steps: usize,
 }
 
-impl<const N: usize> History<N> {
+impl<const N: usize> MotionHistory<N> {
     /// What the works after the transient leave of the change of energy beyond what the motion resolves, over the largest of them;
     /// zero where nothing moved.
     #[must_use]
@@ -111,9 +111,9 @@ pub struct LostMotion {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct News<'a, const N: usize> {
     /// The points of the grid of time that it passed.
-    pub samples: &'a [Sample<N>],
+    pub samples: &'a [StateSample<N>],
     /// The change of the contact state at its end, if there is one.
-    pub events: &'a [Crossing<ContactState, N>],
+    pub events: &'a [GuardCrossing<ContactState, N>],
 }
 
 /// Follows a motion over a time.
@@ -123,10 +123,10 @@ pub struct News<'a, const N: usize> {
 pub fn follow<const N: usize>(
     system: &impl SlidingSystem<N>,
     start: [f64; N],
-    settings: Settings<N>,
-    window: &Window,
+    settings: StepSettings<N>,
+    window: &TimeWindow,
     interrupted: Interrupted<'_>,
-) -> Result<History<N>, LostMotion> {
+) -> Result<MotionHistory<N>, LostMotion> {
     follow_watched(system, start, settings, window, interrupted, |_| ())
 }
 
@@ -138,13 +138,13 @@ pub fn follow<const N: usize>(
 pub fn follow_watched<const N: usize>(
     system: &impl SlidingSystem<N>,
     start: [f64; N],
-    settings: Settings<N>,
-    window: &Window,
+    settings: StepSettings<N>,
+    window: &TimeWindow,
     interrupted: Interrupted<'_>,
     mut watch: impl FnMut(News<'_, N>),
-) -> Result<History<N>, LostMotion> {
+) -> Result<MotionHistory<N>, LostMotion> {
     let mut march = begin(system, start, settings)?;
-    let mut recorder = Recorder::new(system, window, settings.relative);
+    let mut recorder = MotionRecorder::new(system, window, settings.relative);
     let mut told = (0, 0);
     for until in [window.transient, window.duration] {
         recorder.begin(&march);
@@ -163,7 +163,7 @@ pub fn follow_watched<const N: usize>(
 
 /// Hands on what has come to a history since `told` samples and events; gives how many there are now.
 fn tell<const N: usize>(
-    history: &History<N>,
+    history: &MotionHistory<N>,
     told: (usize, usize),
     watch: &mut impl FnMut(News<'_, N>),
 ) -> (usize, usize) {
@@ -181,15 +181,15 @@ fn tell<const N: usize>(
 pub fn follow_cycle<const N: usize>(
     system: &impl SlidingSystem<N>,
     mut start: [f64; N],
-    settings: Settings<N>,
+    settings: StepSettings<N>,
     returns: usize,
     period: f64,
     points: usize,
-) -> Result<History<N>, LostMotion> {
+) -> Result<MotionHistory<N>, LostMotion> {
     start[N / 2] = 0.0;
-    let window = Window { duration: period, transient: 0.0, points };
+    let window = TimeWindow { duration: period, transient: 0.0, points };
     let mut march = begin(system, start, settings)?;
-    let mut recorder = Recorder::new(system, &window, settings.relative);
+    let mut recorder = MotionRecorder::new(system, &window, settings.relative);
     recorder.begin(&march);
     while recorder.history.oscillations.len() < returns {
         recorder.add(&advance(&mut march, f64::INFINITY)?);
@@ -200,22 +200,25 @@ pub fn follow_cycle<const N: usize>(
 fn begin<S: SlidingSystem<N>, const N: usize>(
     system: &S,
     start: [f64; N],
-    settings: Settings<N>,
-) -> Result<March<'_, S, N>, LostMotion> {
+    settings: StepSettings<N>,
+) -> Result<PiecewiseMarch<'_, S, N>, LostMotion> {
     let contact_state = system.contact_state(&start);
-    let march = March::new(system, contact_state, start, settings);
+    let march = PiecewiseMarch::new(system, contact_state, start, settings);
     let march = march.map_err(|source| LostMotion { source, contact_state, state: start.to_vec() })?;
     Ok(march.with_section(system.section()))
 }
 
 fn advance<S: SlidingSystem<N>, const N: usize>(
-    march: &mut March<'_, S, N>,
+    march: &mut PiecewiseMarch<'_, S, N>,
     until: f64,
 ) -> Result<Advance<ContactState, N>, LostMotion> {
     march.advance(until).map_err(|source| lost(march, source))
 }
 
-fn lost<S: SlidingSystem<N>, const N: usize>(march: &March<'_, S, N>, source: MarchError) -> LostMotion {
+fn lost<S: SlidingSystem<N>, const N: usize>(
+    march: &PiecewiseMarch<'_, S, N>,
+    source: MarchError,
+) -> LostMotion {
     LostMotion { source, contact_state: march.mode(), state: march.state().to_vec() }
 }
 
@@ -229,13 +232,13 @@ mod tests {
         BeltOscillator::new(damping, 1.0, velocity, friction).unwrap()
     }
 
-    fn settings(steps: usize) -> Settings<2> {
-        Settings { relative: 1e-10, absolute: [1e-10; 2], longest_step: 1.0, steps }
+    fn settings(steps: usize) -> StepSettings<2> {
+        StepSettings { relative: 1e-10, absolute: [1e-10; 2], longest_step: 1.0, steps }
     }
 
     #[test]
     fn a_stick_slip_motion_is_kept_with_its_events_and_its_energy() {
-        let window = Window { duration: 100.0, transient: 40.0, points: 1001 };
+        let window = TimeWindow { duration: 100.0, transient: 40.0, points: 1001 };
         let history = follow(&belt(0.05, 1.0), [1.0, 1.0], settings(1_000_000), &window, &|| false).unwrap();
         assert_eq!(history.samples.len(), 1001);
         assert_eq!((history.samples[0].time, history.samples[1000].time), (0.0, 100.0));
@@ -247,7 +250,7 @@ mod tests {
             }
         }
         // the ends of stick stand on its path, its middle does not
-        let stick = |sample: &&Sample<2>| sample.contact_state == ContactState::Stick;
+        let stick = |sample: &&StateSample<2>| sample.contact_state == ContactState::Stick;
         let ends = history.events.iter().filter(|event| event.from == ContactState::Stick).count();
         assert_eq!(history.path.iter().filter(stick).count(), ends);
         // a cycle: nothing is stored, what the belt feeds in is dissipated
@@ -262,7 +265,7 @@ mod tests {
     #[test]
     fn who_watches_sees_it_all_and_changes_nothing() {
         for transient in [0.0, 40.0] {
-            let window = Window { duration: 100.0, transient, points: 1001 };
+            let window = TimeWindow { duration: 100.0, transient, points: 1001 };
             let (system, start) = (belt(0.05, 1.0), [1.0, 1.0]);
             let alone = follow(&system, start, settings(1_000_000), &window, &|| false).unwrap();
             let (mut samples, mut events, mut times) = (Vec::new(), Vec::new(), 0);
@@ -280,7 +283,7 @@ mod tests {
     #[test]
     fn an_undamped_swing_has_the_period_and_the_amplitude_of_its_frequency() {
         // far above the speeds of the swing friction is constant
-        let window = Window { duration: 50.0, transient: 0.0, points: 2 };
+        let window = TimeWindow { duration: 50.0, transient: 0.0, points: 2 };
         let history =
             follow(&belt(0.0, 1000.0), [0.5 + 0.25, 0.0], settings(1_000_000), &window, &|| false).unwrap();
         for oscillation in &history.oscillations {
@@ -292,7 +295,7 @@ mod tests {
 
     #[test]
     fn at_rest_the_energy_is_kept_to_what_the_motion_resolves() {
-        let window = Window { duration: 50.0, transient: 0.0, points: 2 };
+        let window = TimeWindow { duration: 50.0, transient: 0.0, points: 2 };
         let system = belt(0.5, 1.0);
         let start = system.steady_sliding();
         let history = follow(&system, start, settings(1_000_000), &window, &|| false).unwrap();
@@ -301,7 +304,7 @@ mod tests {
 
     #[test]
     fn an_interrupted_motion_says_where_it_stands() {
-        let window = Window { duration: 100.0, transient: 0.0, points: 2 };
+        let window = TimeWindow { duration: 100.0, transient: 0.0, points: 2 };
         let asked = std::sync::atomic::AtomicUsize::new(0);
         let interrupted = || asked.fetch_add(1, std::sync::atomic::Ordering::Relaxed) == 5;
         let lost = follow(&belt(0.05, 1.0), [1.0, 1.0], settings(1000), &window, &interrupted).unwrap_err();
@@ -310,7 +313,7 @@ mod tests {
 
     #[test]
     fn a_spent_budget_says_where_the_motion_stands() {
-        let window = Window { duration: 100.0, transient: 0.0, points: 2 };
+        let window = TimeWindow { duration: 100.0, transient: 0.0, points: 2 };
         let lost = follow(&belt(0.05, 1.0), [1.0, 1.0], settings(50), &window, &|| false).unwrap_err();
         assert!(matches!(lost.source, MarchError::StepsSpent { steps: 50, .. }));
         assert_eq!(lost.state.len(), 2);

@@ -4,7 +4,7 @@
 //! states.
 
 use super::{ContactState, Interrupted, Smoothed, TimeStepping};
-use judder_numerics::piecewise::{Leg, March, MarchError, Plane, Settings};
+use judder_numerics::piecewise::{Leg, MarchError, PiecewiseMarch, SectionPlane, StepSettings};
 use judder_numerics::quadrature::gauss_legendre;
 use std::ops::Add;
 use std::sync::LazyLock;
@@ -60,7 +60,7 @@ impl Add for Moments {
 
 /// Which laps are followed, and how far.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Course {
+pub struct LapCourse {
     /// Where the motion starts.
     pub start: [f64; 4],
     /// The place about which moments are taken; near the motion it keeps their digits.
@@ -97,21 +97,21 @@ impl Counter {
         Self { open: Moments::default(), laps: Vec::new(), returns: 0 }
     }
 
-    fn returned(&mut self, course: &Course) {
+    fn returned(&mut self, course: &LapCourse) {
         self.returns += 1;
         if self.returns.is_multiple_of(course.returns) {
             self.laps.push(std::mem::take(&mut self.open));
         }
     }
 
-    fn is_done(&self, course: &Course) -> bool {
+    fn is_done(&self, course: &LapCourse) -> bool {
         self.laps.len() >= course.laps
     }
 }
 
 /// The laps of a motion under time-stepping. A return within a step is where x̃′ is zero on the straight line between its ends.
 #[must_use]
-pub fn by_time_stepping(engine: &TimeStepping, course: &Course, interrupted: Interrupted<'_>) -> Laps {
+pub fn by_time_stepping(engine: &TimeStepping, course: &LapCourse, interrupted: Interrupted<'_>) -> Laps {
     let (mut counter, mut state) = (Counter::new(), course.start);
     let step = engine.step();
     let affordable = ((course.longest / step) as usize).min(course.steps);
@@ -141,15 +141,16 @@ pub fn by_time_stepping(engine: &TimeStepping, course: &Course, interrupted: Int
 /// The motion cannot be followed.
 pub fn with_smoothed_sign(
     system: &Smoothed,
-    section: Plane<4>,
-    settings: Settings<4>,
-    course: &Course,
+    section: SectionPlane<4>,
+    settings: StepSettings<4>,
+    course: &LapCourse,
     interrupted: Interrupted<'_>,
 ) -> Result<Laps, MarchError> {
     let mut counter = Counter::new();
-    let settings = Settings { steps: course.steps, ..settings };
+    let settings = StepSettings { steps: course.steps, ..settings };
     let start = section.project(&course.start);
-    let mut march = March::new(system, system.contact_state(&start), start, settings)?.with_section(section);
+    let mut march =
+        PiecewiseMarch::new(system, system.contact_state(&start), start, settings)?.with_section(section);
     while !counter.is_done(course) && march.time() < course.longest && !interrupted() {
         let advance = march.advance(course.longest)?;
         if let Some(leg) = &advance.leg {

@@ -1,7 +1,7 @@
 //! What the nonsmooth engine and everything built on it ask of an oscillator.
 
 use super::ContactState;
-use judder_numerics::piecewise::{PiecewiseSmooth, Plane};
+use judder_numerics::piecewise::{PiecewiseSmooth, SectionPlane};
 
 /// An oscillator in sliding contact, as a system that changes between stick, slip and lift-off.
 ///
@@ -52,10 +52,10 @@ pub trait SlidingSystem<const N: usize>: PiecewiseSmooth<N, Mode = ContactState>
     }
 
     /// The plane ẋ = 0, crossed where x is largest.
-    fn section(&self) -> Plane<N> {
+    fn section(&self) -> SectionPlane<N> {
         let mut normal = [0.0; N];
         normal[N / 2] = 1.0;
-        Plane { normal, offset: 0.0 }
+        SectionPlane { normal, offset: 0.0 }
     }
 }
 

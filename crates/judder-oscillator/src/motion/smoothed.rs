@@ -6,7 +6,7 @@ use super::ContactState;
 use super::SlidingSystem;
 use super::stick_slip::StickSlip;
 use judder_numerics::piecewise::PiecewiseSmooth;
-use judder_numerics::piecewise::tangent::Matrix;
+use judder_numerics::piecewise::tangent::SquareMatrix;
 
 /// The oscillator of the paper with tanh(v_rel/ε) for the sign, in contact or in the air.
 #[derive(Debug, Clone)]
@@ -60,7 +60,7 @@ impl PiecewiseSmooth<4> for Smoothed {
         field
     }
 
-    fn jacobian(&self, mode: ContactState, state: &[f64; 4]) -> Matrix<4> {
+    fn jacobian(&self, mode: ContactState, state: &[f64; 4]) -> SquareMatrix<4> {
         if mode == ContactState::LiftOff {
             return self.oscillator.jacobian(mode, state);
         }

@@ -12,7 +12,7 @@ use crate::groups::Coefficients;
 use crate::{Contact, OscillatorError};
 use judder_contact::{ContactResponse, WithDerivatives};
 use judder_numerics::piecewise::PiecewiseSmooth;
-use judder_numerics::piecewise::tangent::Matrix;
+use judder_numerics::piecewise::tangent::SquareMatrix;
 
 /// Guards of a mode in contact: the depth, then the margin towards each change of slip.
 const DEPTH: usize = 0;
@@ -96,7 +96,7 @@ impl PiecewiseSmooth<4> for StickSlip {
         [state[2], state[3], if held { 0.0 } else { acceleration_x }, acceleration_y]
     }
 
-    fn jacobian(&self, mode: ContactState, state: &[f64; 4]) -> Matrix<4> {
+    fn jacobian(&self, mode: ContactState, state: &[f64; 4]) -> SquareMatrix<4> {
         let c = &self.coefficients;
         let ContactForces { friction, normal } = self.forces(mode, state);
         let (per_depth, per_speed) = (1.0 / c.radius(), c.retardation_time / c.radius());

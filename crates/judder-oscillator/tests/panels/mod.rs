@@ -1,7 +1,7 @@
 //! The stability maps of Figs. 9 and 10, which tests and benchmarks share.
 
 use judder_contact::{FittedLaw, Law};
-use judder_oscillator::critical::{Range, Scale};
+use judder_oscillator::critical::{ParameterRange, RangeScale};
 use judder_oscillator::map::{CoefficientPlane, SweptCoefficient};
 use judder_oscillator::{Contact, FrictionLoad, Groups};
 
@@ -30,7 +30,7 @@ pub(crate) fn paper(friction_load: FrictionLoad) -> Contact {
 
 /// Values evenly spaced in the logarithm, both ends among them.
 pub(crate) fn logarithmic(from: f64, to: f64, points: usize) -> Vec<f64> {
-    let range = Range { from, to, scale: Scale::Logarithmic };
+    let range = ParameterRange { from, to, scale: RangeScale::Logarithmic };
     (0..points).map(|k| range.value(k as f64 / (points - 1) as f64)).collect()
 }
 

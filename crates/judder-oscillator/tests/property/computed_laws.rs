@@ -1,7 +1,7 @@
 //! The oscillator with laws that are tables.
 
 use crate::computed::computed_laws;
-use judder_oscillator::block::{Block, LANES};
+use judder_oscillator::block::{LANES, PointBlock};
 use judder_oscillator::characteristic::Characteristic;
 use judder_oscillator::equilibrium::equilibrium;
 use judder_oscillator::linearisation::Linearisation;
@@ -21,7 +21,7 @@ proptest! {
             let points: Vec<Coefficients> = logs.iter().map(|(v, f, t)| Groups {
                 velocity: 10_f64.powf(*v), normal_load: 10_f64.powf(*f), shear_strength: 10_f64.powf(*t), ..Groups::default()
             }.coefficients().unwrap()).collect();
-            let mut block = Block::default();
+            let mut block = PointBlock::default();
             for (lane, c) in points.iter().enumerate() {
                 block.set(lane, c, equilibrium(&contact, c).unwrap().ln_indentation + guess);
             }

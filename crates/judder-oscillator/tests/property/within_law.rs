@@ -1,9 +1,9 @@
 //! What a law says of its own errors covers what they do to steady sliding: a law in closed form, and laws through values of it that are off.
 
-use judder_contact::law::{PerQuantity, SampledLaw, Samples};
+use judder_contact::law::{LawSamples, PerQuantity, SampledLaw};
 use judder_contact::{ContactLaw, ContactPoint, ContactResponse, FittedLaw, Law};
 use judder_oscillator::characteristic::Characteristic;
-use judder_oscillator::critical::{Range, Scale, thresholds};
+use judder_oscillator::critical::{ParameterRange, RangeScale, thresholds};
 use judder_oscillator::equilibrium::equilibrium;
 use judder_oscillator::linear_system::ReducedSystem;
 use judder_oscillator::linearisation::Linearisation;
@@ -47,7 +47,7 @@ fn noisy(error: f64, seed: u64) -> Contact {
         area: of(1, |r| r.area.value),
         friction: of(2, |r| r.friction.value),
     };
-    let samples = Samples { source: "test".to_owned(), velocities, indentations, values };
+    let samples = LawSamples { source: "test".to_owned(), velocities, indentations, values };
     contact(Law::Sampled(Arc::new(SampledLaw::new(samples).unwrap())))
 }
 
@@ -120,7 +120,7 @@ fn a_formula_has_no_errors() {
 #[test]
 fn thresholds_lie_in_the_ranges_that_the_law_leaves_open() {
     let (law, mut found) = (noisy(3e-3, 1), 0);
-    let range = Range { from: 1e-4, to: 1e1, scale: Scale::Logarithmic };
+    let range = ParameterRange { from: 1e-4, to: 1e1, scale: RangeScale::Logarithmic };
     for velocity in [1e-5, 1e-4, 1e-3, 1e-2] {
         let at = |shear_strength: f64| Groups { velocity, shear_strength, ..Groups::default() }.resolve();
         let [right, own] = [exact(), law.clone()].map(|contact| thresholds(&contact, &range, 101, at));

@@ -1,6 +1,6 @@
 //! The mass on a belt with falling friction of the literature: μ = 0.5 + 0.5 e^{−v/0.5}, ξ = 0.05, N = 1.
 
-use judder_numerics::piecewise::{March, Settings};
+use judder_numerics::piecewise::{PiecewiseMarch, StepSettings};
 use judder_oscillator::cycle::shooting::Shooting;
 use judder_oscillator::cycle::{Continuation, global_margin};
 use judder_oscillator::motion::{BeltOscillator, ContactState, FallingFriction, SlidingSystem};
@@ -15,8 +15,8 @@ pub(crate) fn belt(velocity: f64) -> BeltOscillator {
     .unwrap()
 }
 
-fn settings(tolerance: f64) -> Settings<2> {
-    Settings { relative: tolerance, absolute: [tolerance; 2], longest_step: 1.0, steps: 1_000_000 }
+fn settings(tolerance: f64) -> StepSettings<2> {
+    StepSettings { relative: tolerance, absolute: [tolerance; 2], longest_step: 1.0, steps: 1_000_000 }
 }
 
 /// Whether a motion that starts with a stick still sticks after a long time.
@@ -24,7 +24,7 @@ fn keeps_sticking(velocity: f64) -> bool {
     let oscillator = belt(velocity);
     let start = [1.0, velocity];
     let mut march =
-        March::new(&oscillator, oscillator.contact_state(&start), start, settings(1e-10)).unwrap();
+        PiecewiseMarch::new(&oscillator, oscillator.contact_state(&start), start, settings(1e-10)).unwrap();
     let mut last_stick = 0.0;
     while march.time() < 400.0 {
         let advance = march.advance(400.0).unwrap();

@@ -3,7 +3,7 @@
 use super::limit_cycles::shooting;
 use judder_contact::{FittedLaw, Law};
 use judder_numerics::counter::uniform;
-use judder_oscillator::critical::{Range, Scale, thresholds};
+use judder_oscillator::critical::{ParameterRange, RangeScale, thresholds};
 use judder_oscillator::cycle::{Continuation, Exploration, SearchEnd, explore, global_margin};
 use judder_oscillator::motion::{SlidingSystem, StickSlip, TimeStepping};
 use judder_oscillator::{Coefficients, Contact, FrictionLoad, Groups};
@@ -26,7 +26,7 @@ struct Margins {
 
 fn margins(velocity: f64) -> Margins {
     let contact = contact();
-    let range = Range { from: 1e-4, to: 10.0, scale: Scale::Logarithmic };
+    let range = ParameterRange { from: 1e-4, to: 10.0, scale: RangeScale::Logarithmic };
     let threshold = thresholds(&contact, &range, 200, |shear| coefficients(velocity, shear)).full[0];
     let at = |s: f64| Ok(StickSlip::new(contact.clone(), coefficients(velocity, threshold * s.exp()))?);
     let options = Continuation {

@@ -1,8 +1,8 @@
 //! The stick-slip cycles of section 5 of the text: F̃_n = 7.5e-4, ṽ_d = 5e-3.
 
 use judder_contact::{FittedLaw, Law};
-use judder_numerics::piecewise::Settings;
-use judder_oscillator::critical::{Range, Scale, thresholds};
+use judder_numerics::piecewise::StepSettings;
+use judder_oscillator::critical::{ParameterRange, RangeScale, thresholds};
 use judder_oscillator::cycle::shooting::{Shooting, from_simulation, shoot};
 use judder_oscillator::cycle::{BranchEnd, Continuation, continue_branch, global_margin, return_map};
 use judder_oscillator::hopf::{growth_rate, growth_slope, hopf_point};
@@ -16,9 +16,9 @@ pub(crate) fn section_5(shear_strength: f64, friction_load: FrictionLoad) -> Sti
     StickSlip::new(contact, groups.coefficients().unwrap()).unwrap()
 }
 
-pub(crate) fn settings<const N: usize>(system: &impl SlidingSystem<N>, tolerance: f64) -> Settings<N> {
+pub(crate) fn settings<const N: usize>(system: &impl SlidingSystem<N>, tolerance: f64) -> StepSettings<N> {
     let absolute = system.scales().map(|scale| tolerance * scale);
-    Settings { relative: tolerance, absolute, longest_step: 1.0, steps: 10_000_000 }
+    StepSettings { relative: tolerance, absolute, longest_step: 1.0, steps: 10_000_000 }
 }
 
 pub(crate) fn shooting<const N: usize>(system: &impl SlidingSystem<N>, tolerance: f64) -> Shooting<N> {
@@ -117,7 +117,7 @@ fn the_monodromy_agrees_with_differences_of_the_return_map() {
 fn above_a_supercritical_threshold_the_amplitude_follows_the_lyapunov_coefficient() {
     let load = FrictionLoad::ContactForce;
     let contact = Contact { law: Law::Fitted(FittedLaw::oscillator_paper()), friction_load: load };
-    let range = Range { from: 1e-4, to: 1e-1, scale: Scale::Logarithmic };
+    let range = ParameterRange { from: 1e-4, to: 1e-1, scale: RangeScale::Logarithmic };
     let at = |shear_strength| *section_5(shear_strength, load).coefficients();
     let threshold = thresholds(&contact, &range, 200, at).full[0];
     let hopf = hopf_point(&section_5(threshold, load)).unwrap();
@@ -151,7 +151,7 @@ fn a_fold_does_not_depend_on_the_steps_along_its_branch() {
         let coefficients = |shear_strength: f64| {
             Groups { normal_load, velocity, shear_strength, ..Groups::default() }.resolve()
         };
-        let range = Range { from: 1e-2, to: 10.0, scale: Scale::Logarithmic };
+        let range = ParameterRange { from: 1e-2, to: 10.0, scale: RangeScale::Logarithmic };
         let threshold = thresholds(&contact, &range, 100, coefficients).full[0];
         // along the logarithm of the shear strength
         let at = |s: f64| Ok(StickSlip::new(contact.clone(), coefficients(threshold * s.exp()))?);
@@ -211,7 +211,7 @@ fn below_a_subcritical_threshold_the_cycle_of_its_branch_ends_at_the_fold() {
         Groups { normal_load: 1e-6, velocity: 1e-2, shear_strength, ..Groups::default() }.resolve()
     };
     let at = |shear: f64| Ok(StickSlip::new(contact.clone(), coefficients(shear))?);
-    let range = Range { from: 1e-2, to: 1.0, scale: Scale::Logarithmic };
+    let range = ParameterRange { from: 1e-2, to: 1.0, scale: RangeScale::Logarithmic };
     let threshold = thresholds(&contact, &range, 100, coefficients).full[0];
     let options = Continuation {
         shooting: shooting(&at(threshold).unwrap(), 1e-10),

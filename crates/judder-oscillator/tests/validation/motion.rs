@@ -3,14 +3,14 @@
 use super::limit_cycles::{section_5, settings};
 use judder_contact::{FittedLaw, HertzLaw, Law};
 use judder_numerics::dense::Triangles;
-use judder_numerics::piecewise::{March, PiecewiseSmooth, Settings};
+use judder_numerics::piecewise::{PiecewiseMarch, PiecewiseSmooth, StepSettings};
 use judder_oscillator::cycle::shooting::{Shooting, from_simulation};
 use judder_oscillator::equilibrium::equilibrium;
 use judder_oscillator::linear_system::ReducedSystem;
 use judder_oscillator::linearisation::Linearisation;
 use judder_oscillator::mechanism::StabilityClass;
 use judder_oscillator::motion::attractor::Patience;
-use judder_oscillator::motion::laps::{Course, Laps, by_time_stepping, with_smoothed_sign};
+use judder_oscillator::motion::laps::{LapCourse, Laps, by_time_stepping, with_smoothed_sign};
 use judder_oscillator::motion::{ContactState, SlidingSystem, Smoothed, StickSlip, TimeStepping};
 use judder_oscillator::spectrum::{eigenvalues, leading};
 use judder_oscillator::{Contact, FrictionLoad, Groups};
@@ -99,9 +99,13 @@ fn a_small_disturbance_grows_at_the_rate_of_the_leading_eigenvalue() {
         let share = |state: &[f64; 4]| -> Complex64 { (0..4).map(|i| left[i] * (state[i] - rest[i])).sum() };
         let size = 1e-6 * system.belt_velocity().min(rest[1]);
         let start = [rest[0] + size, rest[1] + size, rest[2], rest[3]];
-        let tight =
-            Settings { relative: 1e-15, absolute: [1e-7 * size; 4], longest_step: 0.1, steps: 10_000_000 };
-        let mut march = March::new(&system, ContactState::SlipBehind, start, tight).unwrap();
+        let tight = StepSettings {
+            relative: 1e-15,
+            absolute: [1e-7 * size; 4],
+            longest_step: 0.1,
+            steps: 10_000_000,
+        };
+        let mut march = PiecewiseMarch::new(&system, ContactState::SlipBehind, start, tight).unwrap();
         let span = 1.0 / lead.re.abs();
         while march.time() < span {
             assert!(march.advance(span).unwrap().crossing.is_none());
@@ -140,8 +144,8 @@ fn energy_drift(tolerance: f64, time: f64) -> (f64, usize, usize) {
     // far enough down that it jumps off the substrate every time
     let start = [0.3, 3.0 * rest[1], 0.1, 0.0];
     let begin = whole_energy(&system, &start);
-    let limits = Settings { steps: 100_000_000, ..settings(&system, tolerance) };
-    let mut march = March::new(&system, system.contact_state(&start), start, limits).unwrap();
+    let limits = StepSettings { steps: 100_000_000, ..settings(&system, tolerance) };
+    let mut march = PiecewiseMarch::new(&system, system.contact_state(&start), start, limits).unwrap();
     let (mut drift, mut changes) = (0.0_f64, 0);
     while march.time() < time {
         changes += usize::from(march.advance(time).unwrap().crossing.is_some());
@@ -171,7 +175,7 @@ fn energy_is_kept_over_ten_thousand_periods() {
 fn reference(start: [f64; 4], time: f64) -> [f64; 4] {
     let system = section_5(0.03, FrictionLoad::ContactForce);
     let mut march =
-        March::new(&system, system.contact_state(&start), start, settings(&system, 1e-12)).unwrap();
+        PiecewiseMarch::new(&system, system.contact_state(&start), start, settings(&system, 1e-12)).unwrap();
     while march.time() < time {
         march.advance(time).unwrap();
     }
@@ -208,7 +212,8 @@ fn the_smoothed_sign_is_off_by_its_width() {
         let oscillator = section_5(0.03, FrictionLoad::ContactForce);
         let limits = settings(&oscillator, 1e-9);
         let smoothed = Smoothed::new(oscillator, width);
-        let mut march = March::new(&smoothed, smoothed.contact_state(&start), start, limits).unwrap();
+        let mut march =
+            PiecewiseMarch::new(&smoothed, smoothed.contact_state(&start), start, limits).unwrap();
         while march.time() < time {
             march.advance(time).unwrap();
         }
@@ -231,7 +236,7 @@ fn laps_of_two_other_engines_come_to_the_cycle() {
     let limits = settings(&system, 1e-10);
     let shooting = Shooting { settings: limits, tolerance: 1e-8, iterations: 20, longest: 1000.0 };
     let cycle = from_simulation(&system, start, &shooting, &Patience::default(), &|| false).unwrap();
-    let course = Course {
+    let course = LapCourse {
         start: cycle.start,
         centre: system.steady_sliding()[0],
         returns: 1,
@@ -261,7 +266,7 @@ fn laps_of_two_other_engines_come_to_the_cycle() {
         assert!((order - 1.0).abs() < 0.25, "{coarse:?} {fine:?}");
     }
     // too few steps for three laps
-    let short = Course { steps: 1000, ..course };
+    let short = LapCourse { steps: 1000, ..course };
     let contact = Contact { law: Law::Fitted(FittedLaw::oscillator_paper()), friction_load: load };
     let engine = TimeStepping::new(contact, *system.coefficients(), 1e-2).unwrap();
     assert!(by_time_stepping(&engine, &short, &|| false).laps.is_empty());
@@ -277,7 +282,7 @@ fn an_oscillator_without_friction_and_coupling_moves_by_its_spring() {
     assert_eq!(start[0], 0.0);
     start[0] = 1e-3;
     let mut march =
-        March::new(&system, system.contact_state(&start), start, settings(&system, 1e-10)).unwrap();
+        PiecewiseMarch::new(&system, system.contact_state(&start), start, settings(&system, 1e-10)).unwrap();
     let time = std::f64::consts::PI;
     while march.time() < time {
         march.advance(time).unwrap();

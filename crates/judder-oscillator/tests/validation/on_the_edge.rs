@@ -2,7 +2,7 @@
 
 use crate::validation::limit_cycles::settings;
 use judder_contact::{FittedLaw, Law};
-use judder_numerics::piecewise::March;
+use judder_numerics::piecewise::PiecewiseMarch;
 use judder_oscillator::motion::{ContactState, SlidingSystem, StickSlip};
 use judder_oscillator::{Contact, FrictionLoad, Groups};
 
@@ -65,7 +65,7 @@ fn starts_on_an_edge_go_on_and_lose_no_event() {
     ];
     for start in starts {
         let mode = system.contact_state(&start);
-        let mut march = March::new(&system, mode, start, settings(&system, 1e-10)).unwrap();
+        let mut march = PiecewiseMarch::new(&system, mode, start, settings(&system, 1e-10)).unwrap();
         let mut last = mode;
         while march.time() < 30.0 {
             let advance = march.advance(30.0).unwrap();

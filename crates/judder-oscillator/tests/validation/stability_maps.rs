@@ -5,7 +5,7 @@ use crate::sampling::linearised;
 use judder_oscillator::Verdict;
 use judder_oscillator::characteristic::Characteristic;
 use judder_oscillator::linearisation::Linearisation;
-use judder_oscillator::map::{Plane, adaptive};
+use judder_oscillator::map::{OperatingPlane, adaptive};
 use judder_oscillator::mechanism::StabilityClass;
 
 /// Three shares of a panel, in per cent.

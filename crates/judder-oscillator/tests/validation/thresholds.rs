@@ -4,7 +4,7 @@ use super::near;
 use crate::panels::paper;
 use crate::sampling::linearised;
 use judder_oscillator::conservative::conservative_eigenvalues;
-use judder_oscillator::critical::{Range, Scale, Thresholds, thresholds};
+use judder_oscillator::critical::{ParameterRange, RangeScale, Thresholds, thresholds};
 use judder_oscillator::{FrictionLoad, Groups};
 use num_complex::Complex64;
 
@@ -17,7 +17,7 @@ const FIG_6: [f64; 2] = [7.047_489_148_230_871e-8, 7.048_930_559_390_853e-8];
 
 /// Critical shear strengths at a speed and a load.
 fn critical_shear_strengths(load: FrictionLoad, velocity: f64, normal_load: f64) -> Thresholds {
-    let range = Range { from: 1e-6, to: 1e3, scale: Scale::Logarithmic };
+    let range = ParameterRange { from: 1e-6, to: 1e3, scale: RangeScale::Logarithmic };
     thresholds(&paper(load), &range, 600, |shear_strength| {
         Groups { velocity, normal_load, shear_strength, ..Groups::default() }.resolve()
     })
@@ -25,7 +25,7 @@ fn critical_shear_strengths(load: FrictionLoad, velocity: f64, normal_load: f64)
 
 /// Critical loads at a speed and a shear strength.
 fn critical_loads(load: FrictionLoad, velocity: f64, shear_strength: f64) -> Thresholds {
-    let range = Range { from: 1e-12, to: 1e-1, scale: Scale::Logarithmic };
+    let range = ParameterRange { from: 1e-12, to: 1e-1, scale: RangeScale::Logarithmic };
     thresholds(&paper(load), &range, 600, |normal_load| {
         Groups { velocity, normal_load, shear_strength, ..Groups::default() }.resolve()
     })

@@ -5,7 +5,7 @@ use super::found::Found;
 use super::passage::passages;
 use crate::claim::{self, ClaimLine};
 use crate::{KEY, is_done, tally};
-use judder_report::{Block, Figure, Page, Section};
+use judder_report::{Figure, Page, PageBlock, PageSection};
 use judder_store::{Dataset, StudyFolder, Summary};
 use judder_study::StudyError;
 use judder_study::ledger::Keepsakes;
@@ -21,15 +21,16 @@ pub(crate) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, S
         .get(KEY)
         .and_then(|own| serde_json::from_value(own.get("scoreboard")?.clone()).ok())
         .unwrap_or_default();
-    let board = Block::Scoreboard(claim::block(&lines, &[(0, "We find")]));
-    let mut sections = vec![Section::new("Scoreboard", vec![Block::text(about_quick(summary)), board])];
+    let board = PageBlock::Scoreboard(claim::block(&lines, &[(0, "We find")]));
+    let mut sections =
+        vec![PageSection::new("Scoreboard", vec![PageBlock::text(about_quick(summary)), board])];
     for (heading, figures) in drawn(&Stored { store, summary })? {
-        let blocks: Result<Vec<Block>, StudyError> =
+        let blocks: Result<Vec<PageBlock>, StudyError> =
             figures.into_iter().map(|figure| write_figure(store, figure)).collect();
-        sections.push(Section::new(heading, blocks?));
+        sections.push(PageSection::new(heading, blocks?));
     }
-    sections.push(Section::new("Checks", vec![Block::Checks(check_rows(&kept.checks))]));
-    sections.push(Section::new("Warnings", vec![Block::Warnings(warnings(summary))]));
+    sections.push(PageSection::new("Checks", vec![PageBlock::Checks(check_rows(&kept.checks))]));
+    sections.push(PageSection::new("Warnings", vec![PageBlock::Warnings(warnings(summary))]));
     sections.push(case_section(summary, &kept));
     let page = Page {
         title: "The beams paper, recomputed".to_owned(),

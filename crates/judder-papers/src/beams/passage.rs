@@ -3,7 +3,7 @@
 use super::found::Zone;
 use judder_models::band::Sampled;
 use judder_models::sliding::locus::figure::zone_profiles;
-use judder_report::figure::Region;
+use judder_report::figure::ShadedRegion;
 use judder_report::{Axis, Layer, Legend, Panel, Role};
 use judder_store::Dataset;
 use judder_study::pictures::reals;
@@ -94,7 +94,7 @@ impl Passage {
         let Zone { from, to, frequency, nepers, .. } = self.zone;
         let (x, y): (Vec<f64>, Vec<f64>) = lines(&self.amplitudes);
         let (promised_x, promised_y) = lines(&self.promised);
-        let zone = Region {
+        let zone = ShadedRegion {
             label: "unstable zone".to_owned(),
             x: Some((1e3 * from, 1e3 * to)),
             y: None,

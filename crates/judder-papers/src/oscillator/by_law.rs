@@ -8,8 +8,8 @@ use super::{analysis_name, computed_for};
 use crate::is_done;
 use judder_oscillator::mechanism::StabilityClass;
 use judder_report::figure::{Class, ClassMap};
-use judder_report::page::Table;
-use judder_report::{Block, Figure, Layer, Panel, Role, Section};
+use judder_report::page::PageTable;
+use judder_report::{Figure, Layer, PageBlock, PageSection, Panel, Role};
 use judder_store::{Data, Dataset, StudyFolder, Summary};
 use judder_study::StudyError;
 use judder_study::pictures::{axis, reals};
@@ -27,16 +27,16 @@ const LAWS: [(ReadLaw, &str, Role); 3] = [
 const DRAWN_SIDE: usize = 300;
 
 /// The section on what the fit does to maps and thresholds.
-pub(super) fn section(store: &StudyFolder, summary: &Summary) -> Result<Section, StudyError> {
+pub(super) fn section(store: &StudyFolder, summary: &Summary) -> Result<PageSection, StudyError> {
     let mut changes = Vec::new();
     for source in maps() {
         for load in LOADS {
             changes.extend(Change::of(store, summary, source, load)?);
         }
     }
-    let mut blocks = vec![Block::text(lead(&changes, computed_for(summary)))];
+    let mut blocks = vec![PageBlock::text(lead(&changes, computed_for(summary)))];
     if !changes.is_empty() {
-        blocks.push(Block::Table(table(&changes)));
+        blocks.push(PageBlock::Table(table(&changes)));
         for load in LOADS {
             let of_load = changes.iter().filter(|change| change.load == load);
             let panels: Vec<Panel> = of_load.filter_map(Change::panel).collect();
@@ -47,12 +47,12 @@ pub(super) fn section(store: &StudyFolder, summary: &Summary) -> Result<Section,
     }
     let moved = thresholds::all(store, summary)?;
     if !moved.is_empty() {
-        blocks.push(Block::Table(thresholds::table(&moved)));
+        blocks.push(PageBlock::Table(thresholds::table(&moved)));
     }
     for moved in &moved {
         blocks.push(write_figure(store, moved.figure())?);
     }
-    Ok(Section::new("How much of the map is the fit's?", blocks))
+    Ok(PageSection::new("How much of the map is the fit's?", blocks))
 }
 
 fn sources() -> impl Iterator<Item = &'static Source> {
@@ -191,7 +191,7 @@ fn lead(changes: &[Change], computed_for: &str) -> String {
     )
 }
 
-fn table(changes: &[Change]) -> Table {
+fn table(changes: &[Change]) -> PageTable {
     let per_cent = |share: f64| format!("{:.1}", 100.0 * share);
     let row = |change: &Change| {
         let mut row = vec![change.source.name.replace("fig-", "Fig. "), friction(change.load).to_owned()];
@@ -200,7 +200,7 @@ fn table(changes: &[Change]) -> Table {
         row.push(per_cent(change.share([0, 2], |a, b| a != b)));
         row
     };
-    Table {
+    PageTable {
         caption: "Shares of the maps' points in per cent: unstable with each law; verdict that changes between two laws; verdict or mechanism that changes \
                   from the printed to the computed law."
             .to_owned(),

@@ -7,9 +7,9 @@ use crate::is_done;
 use judder_contact::law::PerQuantity;
 use judder_contact::{ContactLaw, ContactPoint, FittedLaw};
 use judder_report::figure::ValueMap;
-use judder_report::page::Table;
+use judder_report::page::PageTable;
 use judder_report::palette::ColourMap;
-use judder_report::{Axis, Block, Figure, Layer, Legend, Panel, Role, Section};
+use judder_report::{Axis, Figure, Layer, Legend, PageBlock, PageSection, Panel, Role};
 use judder_store::{Dataset, StudyFolder, Summary};
 use judder_study::StudyError;
 use judder_study::labels::short_number;
@@ -58,7 +58,7 @@ impl Quantity {
 }
 
 /// The sections of the contact computation; none where it has no result.
-pub(super) fn sections(store: &StudyFolder, summary: &Summary) -> Result<Vec<Section>, StudyError> {
+pub(super) fn sections(store: &StudyFolder, summary: &Summary) -> Result<Vec<PageSection>, StudyError> {
     let mut sections = Vec::new();
     if is_done(summary, LAW) && is_done(summary, FIT) {
         let (law, fit) = (store.read_dataset(LAW)?, store.read_dataset(FIT)?);
@@ -70,18 +70,19 @@ pub(super) fn sections(store: &StudyFolder, summary: &Summary) -> Result<Vec<Sec
         for figure in [curves, maps].into_iter().flatten() {
             blocks.push(write_figure(store, figure)?);
         }
-        sections.push(Section::new("Fig. 3", blocks));
+        sections.push(PageSection::new("Fig. 3", blocks));
         let mut blocks = Vec::new();
         if let Some(figure) = scatter {
             blocks.push(write_figure(store, figure)?);
         }
-        blocks.extend(coefficients(summary).map(Block::Table));
-        sections.push(Section::new("Fig. 14", blocks));
+        blocks.extend(coefficients(summary).map(PageBlock::Table));
+        sections.push(PageSection::new("Fig. 14", blocks));
     }
     if is_done(summary, MODULUS)
         && let Some(figure) = figure_13(&store.read_dataset(MODULUS)?)
     {
-        sections.insert(sections.len().min(1), Section::new("Fig. 13", vec![write_figure(store, figure)?]));
+        sections
+            .insert(sections.len().min(1), PageSection::new("Fig. 13", vec![write_figure(store, figure)?]));
     }
     Ok(sections)
 }
@@ -238,7 +239,7 @@ fn figure_13(modulus: &Dataset) -> Option<Figure> {
 }
 
 /// The fourteen coefficients beside the paper's.
-fn coefficients(summary: &Summary) -> Option<Table> {
+fn coefficients(summary: &Summary) -> Option<PageTable> {
     let result = summary.results.get(FIT)?;
     let intervals: Vec<Value> = ["force", "area", "friction"]
         .iter()
@@ -260,7 +261,7 @@ fn coefficients(summary: &Summary) -> Option<Table> {
         ]
     };
     let lines = result.get("beside_the_paper")?.as_array()?;
-    Some(Table {
+    Some(PageTable {
         caption: "The coefficients on the corrected axis, beside the paper's. The intervals say how well the points determine them, not how well the \
                   functions describe the contact."
             .to_owned(),

@@ -2,7 +2,7 @@
 
 use judder_contact::ContactLaw;
 use judder_contact::ContactPoint;
-use judder_oscillator::critical::{Range, Scale, Thresholds, thresholds};
+use judder_oscillator::critical::{ParameterRange, RangeScale, Thresholds, thresholds};
 use judder_oscillator::equilibrium::{Equilibrium, equilibrium};
 use judder_oscillator::linearisation::Linearisation;
 use judder_oscillator::map::{CoefficientPlane, StabilityMap, SweptCoefficient, every_point};
@@ -15,7 +15,7 @@ pub(super) const STRENGTHS_OF_FIG_4: [f64; 4] = [0.0, 0.01, 0.05, 0.1];
 
 /// Points from `from` to `to`, evenly in the logarithm, both ends among them.
 pub(super) fn log_grid(from: f64, to: f64, points: usize) -> Vec<f64> {
-    let range = Range { from, to, scale: Scale::Logarithmic };
+    let range = ParameterRange { from, to, scale: RangeScale::Logarithmic };
     (0..points).map(|k| range.value(k as f64 / (points - 1) as f64)).collect()
 }
 
@@ -47,7 +47,7 @@ pub(super) fn smallest_damping(contact: &Contact, normal_load: f64, shear_streng
 
 /// All thresholds of the shear strength, as in Fig. 7.
 pub(super) fn strengths(contact: &Contact, velocity: f64, normal_load: f64) -> Thresholds {
-    let range = Range { from: 1e-6, to: 1e3, scale: Scale::Logarithmic };
+    let range = ParameterRange { from: 1e-6, to: 1e3, scale: RangeScale::Logarithmic };
     thresholds(contact, &range, 361, |shear_strength| {
         Groups { velocity, normal_load, shear_strength, ..Groups::default() }.resolve()
     })
@@ -55,7 +55,7 @@ pub(super) fn strengths(contact: &Contact, velocity: f64, normal_load: f64) -> T
 
 /// All thresholds of the load, as in Fig. 8.
 pub(super) fn loads(contact: &Contact, velocity: f64, shear_strength: f64) -> Thresholds {
-    let range = Range { from: 1e-12, to: 1.0, scale: Scale::Logarithmic };
+    let range = ParameterRange { from: 1e-12, to: 1.0, scale: RangeScale::Logarithmic };
     thresholds(contact, &range, 481, |normal_load| {
         Groups { velocity, normal_load, shear_strength, ..Groups::default() }.resolve()
     })

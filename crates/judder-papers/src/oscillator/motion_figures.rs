@@ -4,7 +4,7 @@ use super::motion_exhibits::{ENGINES, LOAD, OF_CAPTIONS, Part, WAYS, Way};
 use crate::claim::ClaimLine;
 use crate::is_done;
 use judder_models::motion::pictures::ending;
-use judder_report::{Axis, Figure, Layer, Legend, Panel, Role, Section};
+use judder_report::{Axis, Figure, Layer, Legend, PageSection, Panel, Role};
 use judder_store::{Dataset, StudyFolder, Summary};
 use judder_study::StudyError;
 use judder_study::pictures::{axis, reals};
@@ -32,10 +32,10 @@ pub(super) fn decision(motions: &[ClaimLine]) -> String {
 }
 
 /// The sections of Figs. 11 and 12 and of the engines.
-pub(super) fn sections(store: &StudyFolder, summary: &Summary) -> Result<Vec<Section>, StudyError> {
+pub(super) fn sections(store: &StudyFolder, summary: &Summary) -> Result<Vec<PageSection>, StudyError> {
     let mut sections = Vec::new();
     if let Some(figure) = figure_11(store, summary)? {
-        sections.push(Section::new("Fig. 11", vec![write_figure(store, figure)?]));
+        sections.push(PageSection::new("Fig. 11", vec![write_figure(store, figure)?]));
     }
     let (captions, text) = WAYS.split_at(OF_CAPTIONS);
     let mut blocks = Vec::new();
@@ -48,13 +48,13 @@ pub(super) fn sections(store: &StudyFolder, summary: &Summary) -> Result<Vec<Sec
         }
     }
     if !blocks.is_empty() {
-        sections.push(Section::new("Fig. 12", blocks));
+        sections.push(PageSection::new("Fig. 12", blocks));
     }
     if is_done(summary, ENGINES) {
         let dataset = store.read_dataset(ENGINES)?;
         let title = "One cycle of section 5 by three engines";
         if let Some(figure) = judder_models::REGISTRY.figure(ENGINES, title, &dataset) {
-            sections.push(Section::new("Three engines", vec![write_figure(store, figure)?]));
+            sections.push(PageSection::new("Three engines", vec![write_figure(store, figure)?]));
         }
     }
     Ok(sections)

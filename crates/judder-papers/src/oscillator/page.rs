@@ -8,8 +8,8 @@ use super::readings::READINGS;
 use super::{analysis_name, by_law, computed_for, contact_figures, motion_figures};
 use crate::claim::{self, ClaimLine};
 use crate::{KEY, is_done, tally};
-use judder_report::page::{Code, Details, Table};
-use judder_report::{Block, Figure, Legend, Page, Section};
+use judder_report::page::{Code, Details, PageTable};
+use judder_report::{Figure, Legend, Page, PageBlock, PageSection};
 use judder_store::{StudyFolder, Summary};
 use judder_study::StudyError;
 use judder_study::ledger::Keepsakes;
@@ -35,7 +35,7 @@ pub(crate) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, S
         .and_then(|kept| serde_json::from_value(kept.get("scoreboard")?.clone()).ok())
         .unwrap_or_default();
     let kept = Keepsakes::of(summary);
-    let mut sections = vec![Section::new("Scoreboard", boards(&lines, computed_for(summary)))];
+    let mut sections = vec![PageSection::new("Scoreboard", boards(&lines, computed_for(summary)))];
     let ((contact, exhibits), (motion, law)) = rayon::join(
         || rayon::join(|| contact_figures::sections(store, summary), || exhibits(store, summary)),
         || rayon::join(|| motion_figures::sections(store, summary), || by_law::section(store, summary)),
@@ -44,10 +44,10 @@ pub(crate) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, S
     sections.extend(exhibits?);
     sections.extend(motion?);
     sections.push(law?);
-    sections.push(Section::new("Areas of the maps", vec![Block::Table(areas(summary))]));
-    sections.push(Section::new("Checks", vec![Block::Checks(check_rows(&kept.checks))]));
-    sections.push(Section::new("Warnings", vec![Block::Warnings(warnings(summary))]));
-    sections.push(Section::new("Cases", cases()));
+    sections.push(PageSection::new("Areas of the maps", vec![PageBlock::Table(areas(summary))]));
+    sections.push(PageSection::new("Checks", vec![PageBlock::Checks(check_rows(&kept.checks))]));
+    sections.push(PageSection::new("Warnings", vec![PageBlock::Warnings(warnings(summary))]));
+    sections.push(PageSection::new("Cases", cases()));
     let page = Page {
         title: "The oscillator paper, recomputed".to_owned(),
         lead: format!(
@@ -62,35 +62,35 @@ pub(crate) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, S
 }
 
 /// The sections of Figs. 4 to 10.
-fn exhibits(store: &StudyFolder, summary: &Summary) -> Result<Vec<Section>, StudyError> {
+fn exhibits(store: &StudyFolder, summary: &Summary) -> Result<Vec<PageSection>, StudyError> {
     let section = |exhibit: &Exhibit| {
         let heading = exhibit.name.replace("fig-", "Fig. ");
-        Ok(Section::new(heading, exhibit_blocks(store, summary, exhibit)?))
+        Ok(PageSection::new(heading, exhibit_blocks(store, summary, exhibit)?))
     };
     EXHIBITS.par_iter().map(section).collect()
 }
 
 /// The scoreboard in three parts: with every reading, with every way to read section 5, and by law alone.
-fn boards(lines: &[ClaimLine], computed_for: &str) -> Vec<Block> {
+fn boards(lines: &[ClaimLine], computed_for: &str) -> Vec<PageBlock> {
     let (sections, further) = lines.split_at(CLAIMS.len().min(lines.len()));
     let (motions, contact) = further.split_at(MOTION_CLAIMS.len().min(further.len()));
     let readings: Vec<(usize, &str)> = READINGS.iter().map(|reading| reading.label).enumerate().collect();
     let ways: Vec<(usize, &str)> = WAYS.iter().map(|way| way.label).enumerate().collect();
     vec![
-        Block::text(format!(
+        PageBlock::text(format!(
             "Every number and claim of sections 2 to 4, and what section 5 says of the threshold, measured with both readings of the viscoelastic friction: with the velocity axis of the fits \
              as printed and corrected, and with the law computed for {computed_for}. A verdict is about the printed law; the other columns show what the \
              correction and the computation do to it."
         )),
-        Block::Scoreboard(claim::block(sections, &readings)),
-        Block::Heading("Motion".to_owned()),
-        Block::text(motion_figures::decision(motions)),
-        Block::Scoreboard(claim::block(motions, &ways)),
-        Block::Heading("The contact computation".to_owned()),
-        Block::text(
+        PageBlock::Scoreboard(claim::block(sections, &readings)),
+        PageBlock::Heading("Motion".to_owned()),
+        PageBlock::text(motion_figures::decision(motions)),
+        PageBlock::Scoreboard(claim::block(motions, &ways)),
+        PageBlock::Heading("The contact computation".to_owned()),
+        PageBlock::text(
             "Appendices A and B, from contacts that were computed anew. A verdict is about the number that the paper prints.",
         ),
-        Block::Scoreboard(claim::block(contact, &BY_LAW)),
+        PageBlock::Scoreboard(claim::block(contact, &BY_LAW)),
     ]
 }
 
@@ -99,7 +99,7 @@ fn exhibit_blocks(
     store: &StudyFolder,
     summary: &Summary,
     exhibit: &Exhibit,
-) -> Result<Vec<Block>, StudyError> {
+) -> Result<Vec<PageBlock>, StudyError> {
     let mut blocks = Vec::new();
     for (first, ending, addition) in LAWS {
         let mut panels = Vec::new();
@@ -131,7 +131,7 @@ fn exhibit_blocks(
 }
 
 /// The shares of every mechanism in every map.
-fn areas(summary: &Summary) -> Table {
+fn areas(summary: &Summary) -> PageTable {
     const CLASSES: [&str; 6] =
         ["stable", "flutter", "negative-damping", "both", "normal-force-coupling", "destabilised-by-damping"];
     let mut rows = Vec::new();
@@ -153,7 +153,7 @@ fn areas(summary: &Summary) -> Table {
         }
     }
     let head = ["map", "reading"].into_iter().chain(CLASSES).chain(["neither, of the unstable"]);
-    Table {
+    PageTable {
         caption: "Shares of the maps in per cent, by mechanism; the last column is the part of the unstable area that is neither flutter nor \
                   negative damping."
             .to_owned(),
@@ -163,7 +163,7 @@ fn areas(summary: &Summary) -> Table {
 }
 
 /// The case files, behind a line each.
-fn cases() -> Vec<Block> {
+fn cases() -> Vec<PageBlock> {
     let sources = EXHIBITS.iter().flat_map(|exhibit| exhibit.sources);
     let mut cases: Vec<(&str, &str)> = CONTACT_CASES
         .into_iter()
@@ -173,8 +173,8 @@ fn cases() -> Vec<Block> {
     cases.dedup_by_key(|(name, _)| *name);
     let block = |(name, text): (&str, &str)| {
         let caption = format!("cases/oscillator-paper/{name}.toml");
-        let code = Block::Code(Code { caption: caption.clone(), text: text.to_owned() });
-        Block::Details(Details { summary: caption, blocks: vec![code] })
+        let code = PageBlock::Code(Code { caption: caption.clone(), text: text.to_owned() });
+        PageBlock::Details(Details { summary: caption, blocks: vec![code] })
     };
     cases.into_iter().map(block).collect()
 }

@@ -6,7 +6,7 @@ use crate::oscillator;
 use crate::watched::{Manner, watched};
 use judder_contact::law::file::{from_json, to_json};
 use judder_contact::law::sampled::{SampleRequest, sampled};
-use judder_contact::law::{KnotValues, PerQuantity, SampledLaw, Samples};
+use judder_contact::law::{KnotValues, LawSamples, PerQuantity, SampledLaw};
 use judder_contact::{ContactLaw, ContactPoint, ContactResponse, Law, LawError};
 use judder_models::bridge;
 use judder_models::oscillator::case::OscillatorCase;
@@ -118,7 +118,7 @@ impl PyLaw {
             area: table("area", area)?,
             friction: table("friction", friction)?,
         };
-        let samples = Samples { source: source.to_owned(), velocities, indentations, values };
+        let samples = LawSamples { source: source.to_owned(), velocities, indentations, values };
         let law = SampledLaw::new(samples).map_err(|error| errors::law(&error))?;
         Ok(Self::of(Law::Sampled(Arc::new(law)), source))
     }

@@ -3,9 +3,9 @@
 use crate::arrays;
 use crate::errors;
 use crate::watched::{Manner, watched};
-use judder_contact::indenter::{HeightMap, Shape};
+use judder_contact::indenter::{HeightMap, IndenterShape};
 use judder_contact::law::{LawMaterial, LawTerm};
-use judder_contact::steady::refinement::Estimate;
+use judder_contact::steady::refinement::ErrorEstimate;
 use judder_contact::steady::{GridChoice, SteadyContact, SteadyQuestion, solve};
 use judder_contact::unilateral::{Loading, UnilateralLimits};
 use numpy::{IntoPyArray, PyArrayMethods};
@@ -69,12 +69,12 @@ fn positive(name: &str, value: f64) -> PyResult<f64> {
     }
 }
 
-fn profile(shape: Indenter<'_>) -> PyResult<Shape> {
+fn profile(shape: Indenter<'_>) -> PyResult<IndenterShape> {
     match shape {
         Indenter::Name(name) => match name.as_str() {
-            "paraboloid" => Ok(Shape::Paraboloid { radius: 1.0 }),
-            "sphere" => Ok(Shape::Sphere { radius: 1.0 }),
-            "cylinder" => Ok(Shape::Cylinder { radius: 1.0 }),
+            "paraboloid" => Ok(IndenterShape::Paraboloid { radius: 1.0 }),
+            "sphere" => Ok(IndenterShape::Sphere { radius: 1.0 }),
+            "cylinder" => Ok(IndenterShape::Cylinder { radius: 1.0 }),
             _ => Err(errors::input(
                 "shape",
                 format!("`{name}` is not known; known are paraboloid, sphere, cylinder"),
@@ -83,7 +83,7 @@ fn profile(shape: Indenter<'_>) -> PyResult<Shape> {
         Indenter::Heights(heights, spacing) => {
             let (heights, [rows, columns]) = arrays::matrix("shape", &heights)?;
             let map = HeightMap::new(heights, columns, rows, positive("spacing", spacing)?, false);
-            Ok(Shape::HeightMap(map.map_err(|error| errors::input("shape", error))?))
+            Ok(IndenterShape::HeightMap(map.map_err(|error| errors::input("shape", error))?))
         }
     }
 }
@@ -91,7 +91,7 @@ fn profile(shape: Indenter<'_>) -> PyResult<Shape> {
 fn answer<'py>(py: Python<'py>, contact: &SteadyContact) -> PyResult<Bound<'py, PyDict>> {
     let result = PyDict::new(py);
     let refinement = &contact.refinement;
-    for (name, Estimate { value, error, .. }) in [
+    for (name, ErrorEstimate { value, error, .. }) in [
         ("force", refinement.force),
         ("area", refinement.area),
         ("friction", refinement.friction),

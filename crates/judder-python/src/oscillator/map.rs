@@ -10,7 +10,7 @@ use judder_models::key_plane::{KeyAxis, KeyPlane};
 use judder_models::oscillator::given::Given;
 use judder_models::oscillator::keys::OscillatorKey;
 use judder_oscillator::Contact;
-use judder_oscillator::map::{Method, Plane, StabilityMap, TILE_ROWS};
+use judder_oscillator::map::{DecisionMethod, OperatingPlane, StabilityMap, TILE_ROWS};
 use judder_study::{Progress, StudyError};
 use numpy::{IntoPyArray, PyArrayMethods};
 use pyo3::prelude::*;
@@ -70,8 +70,11 @@ pub(crate) fn oscillator_map<'py>(
     progress: Option<Py<PyAny>>,
     keys: &Bound<'py, PyDict>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let method =
-        named("method", method, &[("every-point", Method::EveryPoint), ("adaptive", Method::Adaptive)])?;
+    let method = named(
+        "method",
+        method,
+        &[("every-point", DecisionMethod::EveryPoint), ("adaptive", DecisionMethod::Adaptive)],
+    )?;
     let mut asked = Asked::new(law, friction_load)?;
     asked.set(keys.iter())?;
     let (x, y) = (axis("x", &x)?, axis("y", &y)?);
@@ -124,12 +127,12 @@ struct Decided {
 fn decided(
     contact: &Contact,
     plane: &KeyPlane,
-    (method, wants_growth): (Method, bool),
+    (method, wants_growth): (DecisionMethod, bool),
     progress: &dyn Progress,
 ) -> Result<Decided, StudyError> {
     let (columns, rows) = (plane.columns(), plane.rows());
     let band = (STRETCH / columns).next_multiple_of(TILE_ROWS).max(TILE_ROWS);
-    let map = if method == Method::Adaptive || rows <= band {
+    let map = if method == DecisionMethod::Adaptive || rows <= band {
         plane.decide(contact, method).0
     } else {
         progress.begin("verdicts", rows.div_ceil(band));
@@ -148,7 +151,7 @@ fn decided(
     let within_law = if contact.law.is_formula() {
         None
     } else {
-        let codes = plane.within_law(contact, (&map, Method::Adaptive), &|| progress.interrupted());
+        let codes = plane.within_law(contact, (&map, DecisionMethod::Adaptive), &|| progress.interrupted());
         Some(codes.ok_or(StudyError::Interrupted)?)
     };
     if !wants_growth {

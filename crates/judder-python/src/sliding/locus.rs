@@ -5,7 +5,7 @@ use crate::arrays;
 use crate::errors;
 use crate::oscillator::named;
 use crate::watched::{Manner, watched};
-use judder_sliding::locus::{Conditions, Configuration, Locus, Settings, locus_until};
+use judder_sliding::locus::{Conditions, Configuration, Locus, LocusSettings, locus_until};
 use judder_study::Progress;
 use numpy::{IntoPyArray, PyArrayMethods};
 use pyo3::prelude::*;
@@ -44,7 +44,7 @@ pub(crate) fn sliding_locus<'py>(
         load: number("load", load, pair.motion.map(|motion| motion.load))?,
     };
     let positions = arrays::vector("positions", positions)?;
-    let settings = Settings { conditions, count, positions };
+    let settings = LocusSettings { conditions, count, positions };
     let manner = Manner::new(None, threads)?;
     let done = watched(py, &manner, |watch| locus_until(&pair.pair, &settings, &|| watch.interrupted()))?;
     told(py, done.settled(|error| errors::sliding(&error))?)

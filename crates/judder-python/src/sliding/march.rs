@@ -7,7 +7,7 @@ use crate::watched::{Manner, watched};
 use judder_models::coupled_pair::own_step;
 use judder_models::sliding::march::settings;
 use judder_sliding::SlidingError;
-use judder_sliding::march::{March, MarchSettings, Method, Predictor, Reached, Sample};
+use judder_sliding::march::{ContactMethod, March, MarchSample, MarchSettings, Predictor, Reached};
 use judder_sliding::motion::{Motion, Noise, Ramps};
 use judder_study::Progress;
 use numpy::{IntoPyArray, PyArrayMethods};
@@ -72,7 +72,7 @@ struct Kept {
 }
 
 impl Kept {
-    fn take(&mut self, sample: &Sample, accelerations: &[f64], every: u64) {
+    fn take(&mut self, sample: &MarchSample, accelerations: &[f64], every: u64) {
         self.seen += 1;
         if !(self.seen - 1).is_multiple_of(every) {
             return;
@@ -94,17 +94,19 @@ impl Kept {
     }
 }
 
-fn method(name: &str, cut_off: Option<f64>) -> PyResult<Method> {
+fn method(name: &str, cut_off: Option<f64>) -> PyResult<ContactMethod> {
     let methods = [
-        ("subs", Method::Subs { static_slope: false }),
-        ("subs-static-slope", Method::Subs { static_slope: true }),
-        ("ensubs", Method::EnSubs),
-        ("film", Method::Film),
-        ("residual-flexibility", Method::ResidualFlexibility { cut_off: f64::NAN }),
+        ("subs", ContactMethod::Subs { static_slope: false }),
+        ("subs-static-slope", ContactMethod::Subs { static_slope: true }),
+        ("ensubs", ContactMethod::EnSubs),
+        ("film", ContactMethod::Film),
+        ("residual-flexibility", ContactMethod::ResidualFlexibility { cut_off: f64::NAN }),
     ];
     match (named("method", name, &methods)?, cut_off) {
-        (Method::ResidualFlexibility { .. }, Some(cut_off)) => Ok(Method::ResidualFlexibility { cut_off }),
-        (Method::ResidualFlexibility { .. }, None) => {
+        (ContactMethod::ResidualFlexibility { .. }, Some(cut_off)) => {
+            Ok(ContactMethod::ResidualFlexibility { cut_off })
+        }
+        (ContactMethod::ResidualFlexibility { .. }, None) => {
             Err(errors::input("cut_off", "the march with residual flexibility needs one, in Hz"))
         }
         (method, None) => Ok(method),
@@ -113,10 +115,10 @@ fn method(name: &str, cut_off: Option<f64>) -> PyResult<Method> {
 }
 
 /// The predictor of this name, where the method has one.
-fn predictor(name: Option<&str>, method: Method) -> PyResult<Predictor> {
+fn predictor(name: Option<&str>, method: ContactMethod) -> PyResult<Predictor> {
     match (name, method) {
         (None, _) => Ok(Predictor::default()),
-        (Some(name), Method::EnSubs | Method::Film) => {
+        (Some(name), ContactMethod::EnSubs | ContactMethod::Film) => {
             named("predictor", name, &settings::Predictor::ALL).map(Predictor::from)
         }
         (Some(_), _) => Err(errors::input("predictor", "only the marches `ensubs` and `film` have one")),
@@ -171,7 +173,7 @@ fn marched(
         if progress.interrupted() {
             return Err(SlidingError::Interrupted);
         }
-        let reached = march.advance(stretch, &mut |sample: &Sample, accelerations: &[f64]| {
+        let reached = march.advance(stretch, &mut |sample: &MarchSample, accelerations: &[f64]| {
             kept.take(sample, accelerations, every);
         })?;
         progress.advance();

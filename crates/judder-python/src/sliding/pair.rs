@@ -6,11 +6,11 @@ use crate::errors;
 use crate::oscillator::named;
 use crate::watched::{Manner, watched};
 use judder_models::coupled_pair::{CoupledPair, coupled_pair};
-use judder_sliding::body::{Body, Point};
+use judder_sliding::body::{Body, ModalPoint};
 use judder_sliding::edge::Interpolation;
 use judder_sliding::friction::Friction;
 use judder_sliding::motion::Motion;
-use judder_sliding::pair::{Observed, Pair, Side, Slider, Track};
+use judder_sliding::pair::{Observed, Pair, PairSide, Slider, Track};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 
@@ -102,7 +102,7 @@ fn slider(object: &Bound<'_, PyAny>) -> PyResult<Slider> {
     let (place, _) = shaped("slider.contact", &object.getattr("contact")?, &[Some(2)])?;
     let modes = body.modes();
     let (own, _) = shaped("slider.contact_rows", &object.getattr("contact_rows")?, &[Some(2), Some(modes)])?;
-    let contact = Point { place: [place[0], place[1]], rows: rows(&own) };
+    let contact = ModalPoint { place: [place[0], place[1]], rows: rows(&own) };
     let (load, inertia) = (list("slider", object, "load")?, list("slider", object, "inertia")?);
     Ok(Slider { body, contact, load, inertia })
 }
@@ -113,13 +113,14 @@ fn track(object: &Bound<'_, PyAny>) -> PyResult<Track> {
     let expected = [Some(shape[0]), Some(2), Some(body.modes())];
     let (own, _) = shaped("track.node_rows", &object.getattr("node_rows")?, &expected)?;
     let nodes = places.chunks_exact(2).zip(own.chunks_exact(2 * body.modes()));
-    let nodes = nodes.map(|(place, own)| Point { place: [place[0], place[1]], rows: rows(own) }).collect();
+    let nodes =
+        nodes.map(|(place, own)| ModalPoint { place: [place[0], place[1]], rows: rows(own) }).collect();
     Ok(Track { body, nodes })
 }
 
 fn observed(object: &Bound<'_, PyAny>) -> PyResult<Observed> {
     let side: String = object.getattr("side")?.extract()?;
-    let side = named("observed.side", &side, &[("slider", Side::Slider), ("track", Side::Track)])?;
+    let side = named("observed.side", &side, &[("slider", PairSide::Slider), ("track", PairSide::Track)])?;
     Ok(Observed { side, row: list("observed", object, "row")?, rigid: object.getattr("rigid")?.extract()? })
 }
 

@@ -1,7 +1,7 @@
 //! The page of the gallery, with a block of every kind.
 
-use judder_report::page::{Check, Claim, Code, Details, Scoreboard, Table, Verdict};
-use judder_report::{Block, Figure, Page, Section};
+use judder_report::page::{Check, Claim, ClaimVerdict, Code, Details, PageTable, Scoreboard};
+use judder_report::{Figure, Page, PageBlock, PageSection};
 
 /// A page around these figures.
 pub(crate) fn page(figures: Vec<Figure>) -> Page {
@@ -14,26 +14,26 @@ pub(crate) fn page(figures: Vec<Figure>) -> Page {
             .map(|(name, value)| (name.to_owned(), value.to_owned()))
             .into(),
         sections: vec![
-            Section::new("Scoreboard", vec![
-                Block::text("Every number that the paper's text quotes, beside ours with both readings of the friction force."),
-                Block::Scoreboard(scoreboard()),
+            PageSection::new("Scoreboard", vec![
+                PageBlock::text("Every number that the paper's text quotes, beside ours with both readings of the friction force."),
+                PageBlock::Scoreboard(scoreboard()),
             ]),
-            Section::new("Figures", figures.into_iter().map(Block::figure).collect()),
-            Section::new("Checks", vec![Block::Checks(checks()), Block::Table(table())]),
-            Section::new("Warnings", vec![Block::Warnings(vec![
+            PageSection::new("Figures", figures.into_iter().map(PageBlock::figure).collect()),
+            PageSection::new("Checks", vec![PageBlock::Checks(checks()), PageBlock::Table(table())]),
+            PageSection::new("Warnings", vec![PageBlock::Warnings(vec![
                 "12 of 48 000 cells of stability-map did not resolve and are hatched: the equilibrium stopped at \
                  $v̂_{d}$ > 40, $τ̃_{0}$ > 0.5 with a residual of 3 × 10^{−7}."
                     .to_owned(),
             ])]),
-            Section::new("Case", vec![
-                Block::text("The case as it was run; what it leaves out takes the paper's value."),
-                Block::Details(Details { summary: "Case file".to_owned(), blocks: vec![case_file()] }),
+            PageSection::new("Case", vec![
+                PageBlock::text("The case as it was run; what it leaves out takes the paper's value."),
+                PageBlock::Details(Details { summary: "Case file".to_owned(), blocks: vec![case_file()] }),
             ]),
         ],
     }
 }
 
-fn claim(place: &str, says: &str, ours: [&str; 2], verdict: Verdict, why: &str) -> Claim {
+fn claim(place: &str, says: &str, ours: [&str; 2], verdict: ClaimVerdict, why: &str) -> Claim {
     Claim {
         place: place.to_owned(),
         says: says.to_owned(),
@@ -51,21 +51,21 @@ fn scoreboard() -> Scoreboard {
                 "Sec. 4.2, Fig. 5",
                 "$τ̃_{0,crit}$ ≈ 3.5 × 10^{−2}",
                 ["3.48 × 10^{−2}", "3.51 × 10^{−2}"],
-                Verdict::Agrees,
+                ClaimVerdict::Agrees,
                 "Both readings give the paper's number.",
             ),
             claim(
                 "Sec. 4.2, Fig. 6",
                 "the modes merge at 7.5 × 10^{−7}",
                 ["7.1 × 10^{−8}", "7.0 × 10^{−8}"],
-                Verdict::Misprint,
+                ClaimVerdict::Misprint,
                 "The exponent: the conservative modes merge near 7 × 10^{−8}.",
             ),
             claim(
                 "Sec. 5",
                 "stable for all $τ̃_{0}$ ≲ 2 × 10^{−3}",
                 ["1.6 × 10^{−4}", "2.1 × 10^{−3}"],
-                Verdict::Open,
+                ClaimVerdict::Open,
                 "Only the contact-force reading gives it; the print has the other.",
             ),
         ],
@@ -99,17 +99,17 @@ fn checks() -> Vec<Check> {
     ]
 }
 
-fn table() -> Table {
+fn table() -> PageTable {
     let row = |cells: [&str; 4]| cells.map(str::to_owned).to_vec();
-    Table {
+    PageTable {
         caption: "Share of the unstable area by mechanism, in per cent.".to_owned(),
         head: row(["Map", "flutter", "negative damping", "both"]),
         rows: vec![row(["Fig. 9a", "41.2", "30.1", "22.4"]), row(["Fig. 9b", "38.0", "35.6", "20.9"])],
     }
 }
 
-fn case_file() -> Block {
-    Block::Code(Code {
+fn case_file() -> PageBlock {
+    PageBlock::Code(Code {
         caption: "fig-9a.toml".to_owned(),
         text: "title = \"Fig. 9a of the oscillator paper\"\nmodel = \"oscillator\"\n\n[operation]\nvelocity    = 1e-4\n\
                normal_load = 1e-6   # F_n / (E0* R²)\n\n[[analysis]]\nname = \"map\"\nkind = \"stability-map\"\n\

@@ -18,28 +18,28 @@ pub struct Page {
     /// Small print under the lead, each a name and a value: version, case hash, wall time.
     pub facts: Vec<(String, String)>,
     /// The sections, which also make the table of contents.
-    pub sections: Vec<Section>,
+    pub sections: Vec<PageSection>,
 }
 
 /// A section of a page.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Section {
+pub struct PageSection {
     /// Its heading.
     pub title: String,
     /// What it holds, from top to bottom.
-    pub blocks: Vec<Block>,
+    pub blocks: Vec<PageBlock>,
 }
 
-impl Section {
+impl PageSection {
     /// A section of these blocks.
-    pub fn new(title: impl Into<String>, blocks: Vec<Block>) -> Self {
+    pub fn new(title: impl Into<String>, blocks: Vec<PageBlock>) -> Self {
         Self { title: title.into(), blocks }
     }
 }
 
 /// A piece of a section.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Block {
+pub enum PageBlock {
     /// A heading below that of the section.
     Heading(String),
     /// A paragraph.
@@ -47,7 +47,7 @@ pub enum Block {
     /// An interactive figure with its caption, numbered through the page, and links to `figures/<name>.svg` and `.png`.
     Figure(Box<Figure>),
     /// A table.
-    Table(Table),
+    Table(PageTable),
     /// What a paper says against what we find.
     Scoreboard(Scoreboard),
     /// Numbers that were doubted by other numbers.
@@ -60,7 +60,7 @@ pub enum Block {
     Details(Details),
 }
 
-impl Block {
+impl PageBlock {
     /// A paragraph.
     pub fn text(text: impl Into<String>) -> Self {
         Self::Text(text.into())
@@ -74,7 +74,7 @@ impl Block {
 
 /// A table; cells that are numbers are set flush right.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Table {
+pub struct PageTable {
     /// What the table shows.
     pub caption: String,
     /// Column heads.
@@ -102,14 +102,14 @@ pub struct Claim {
     /// What we find, a cell for each of our columns.
     pub ours: Vec<String>,
     /// The outcome.
-    pub verdict: Verdict,
+    pub verdict: ClaimVerdict,
     /// Why, in one line.
     pub why: String,
 }
 
 /// What becomes of a claim.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Verdict {
+pub enum ClaimVerdict {
     /// Our number is the paper's.
     Agrees,
     /// The paper misprints it, and the right value is known.
@@ -118,7 +118,7 @@ pub enum Verdict {
     Open,
 }
 
-impl Verdict {
+impl ClaimVerdict {
     /// The word on the badge.
     pub fn word(self) -> &'static str {
         match self {
@@ -159,5 +159,5 @@ pub struct Details {
     /// The line.
     pub summary: String,
     /// What it opens.
-    pub blocks: Vec<Block>,
+    pub blocks: Vec<PageBlock>,
 }

@@ -1,6 +1,6 @@
 //! From the page as data to HTML, through the templates in `templates/`.
 
-use super::{Block, Page, Scoreboard, Section, Table, Verdict};
+use super::{ClaimVerdict, Page, PageBlock, PageSection, PageTable, Scoreboard};
 use crate::error::ReportError;
 use crate::figure::Figure;
 use crate::markup;
@@ -20,7 +20,7 @@ const CHART_STYLE: &str = include_str!("../../assets/chart/chart.css");
 #[template(path = "page.html")]
 struct PageTemplate<'a> {
     page: &'a Page,
-    sections: Vec<(&'a Section, Vec<String>)>,
+    sections: Vec<(&'a PageSection, Vec<String>)>,
     style: &'a str,
     regular: String,
     italic: String,
@@ -33,7 +33,7 @@ struct PageTemplate<'a> {
 #[derive(Template)]
 #[template(path = "block.html")]
 struct BlockTemplate<'a> {
-    block: &'a Block,
+    block: &'a PageBlock,
     /// Blocks inside this one, already written.
     inner: Vec<String>,
     figure: Option<DrawnFigure>,
@@ -48,9 +48,9 @@ struct DrawnFigure {
 
 impl BlockTemplate<'_> {
     /// Number of claims of a scoreboard with this verdict.
-    fn claims(&self, verdict: Verdict) -> usize {
+    fn claims(&self, verdict: ClaimVerdict) -> usize {
         match self.block {
-            Block::Scoreboard(board) => board.rows.iter().filter(|row| row.verdict == verdict).count(),
+            PageBlock::Scoreboard(board) => board.rows.iter().filter(|row| row.verdict == verdict).count(),
             _ => 0,
         }
     }
@@ -61,14 +61,14 @@ impl BlockTemplate<'_> {
     }
 
     /// Whether a column of a table holds numbers, judged by its first row.
-    fn has_numbers(&self, table: &Table, column: &usize) -> bool {
+    fn has_numbers(&self, table: &PageTable, column: &usize) -> bool {
         table.rows.first().and_then(|row| row.get(*column)).is_some_and(|cell| is_number(cell))
     }
 
     /// Number of checks that passed, or that did not.
     fn checks(&self, passed: bool) -> usize {
         match self.block {
-            Block::Checks(checks) => checks.iter().filter(|check| check.passed == passed).count(),
+            PageBlock::Checks(checks) => checks.iter().filter(|check| check.passed == passed).count(),
             _ => 0,
         }
     }
@@ -109,17 +109,17 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    fn blocks(&mut self, blocks: &[Block]) -> Result<Vec<String>, ReportError> {
+    fn blocks(&mut self, blocks: &[PageBlock]) -> Result<Vec<String>, ReportError> {
         blocks.iter().map(|block| self.block(block)).collect()
     }
 
-    fn block(&mut self, block: &Block) -> Result<String, ReportError> {
+    fn block(&mut self, block: &PageBlock) -> Result<String, ReportError> {
         let inner = match block {
-            Block::Details(details) => self.blocks(&details.blocks)?,
+            PageBlock::Details(details) => self.blocks(&details.blocks)?,
             _ => Vec::new(),
         };
         let figure = match block {
-            Block::Figure(figure) => Some(self.figure(figure)?),
+            PageBlock::Figure(figure) => Some(self.figure(figure)?),
             _ => None,
         };
         BlockTemplate { block, inner, figure }.render().map_err(|error| self.failed(&error))

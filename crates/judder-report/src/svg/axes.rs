@@ -1,6 +1,6 @@
 //! Frames, ticks, labels and colour bars.
 
-use super::document::{Document, rectangle};
+use super::document::{SvgDocument, rectangle};
 use super::path::strokes;
 use super::text::{Anchor, Text};
 use super::written::number;
@@ -18,7 +18,7 @@ const SHORT: f64 = 2.3;
 const HALF_DIGIT: f64 = 0.36 * SMALL_SIZE;
 
 /// Draws the frame of a panel with ticks on all four sides, its labels and its heading.
-pub(super) fn draw(document: &mut Document, panel: &DrawnPanel, index: usize) {
+pub(super) fn draw(document: &mut SvgDocument, panel: &DrawnPanel, index: usize) {
     let frame = panel.frame;
     let (left, right) = (frame.x, frame.x + frame.width);
     let (top, bottom) = (frame.y, frame.y + frame.height);
@@ -71,7 +71,7 @@ fn second_marks(second: &DrawnSecond) -> impl Iterator<Item = (f64, f64)> + '_ {
 }
 
 /// Labels of the second axis above the frame.
-fn draw_second(document: &mut Document, panel: &DrawnPanel, second: &DrawnSecond) {
+fn draw_second(document: &mut SvgDocument, panel: &DrawnPanel, second: &DrawnSecond) {
     let frame = panel.frame;
     let above = frame.y - TICK_GAP;
     for tick in &second.major {
@@ -82,7 +82,7 @@ fn draw_second(document: &mut Document, panel: &DrawnPanel, second: &DrawnSecond
     document.text(&Text::new(&second.label, LABEL_SIZE), centre, above - 1.2 * LABEL_SIZE);
 }
 
-fn draw_labels(document: &mut Document, panel: &DrawnPanel) {
+fn draw_labels(document: &mut SvgDocument, panel: &DrawnPanel) {
     let frame = panel.frame;
     let bottom = frame.y + frame.height;
     let below = bottom + TICK_GAP + 0.8 * SMALL_SIZE;
@@ -111,7 +111,7 @@ fn draw_labels(document: &mut Document, panel: &DrawnPanel) {
 }
 
 /// Draws the colour bar of a value map beside its frame.
-pub(super) fn draw_bar(document: &mut Document, map: &ValueMap, panel: &DrawnPanel) {
+pub(super) fn draw_bar(document: &mut SvgDocument, map: &ValueMap, panel: &DrawnPanel) {
     let (Some(axis), Some(address)) = (&panel.bar, raster::bar(map)) else { return };
     let frame = panel.frame;
     let bar = Frame { x: frame.x + frame.width + BAR_GAP, width: BAR_WIDTH, ..frame };

@@ -10,13 +10,13 @@ use crate::typeface::{FAMILIES, SMALL_SIZE};
 use std::fmt::Arguments;
 
 /// An SVG document up to the last element written.
-pub(super) struct Document {
+pub(super) struct SvgDocument {
     out: String,
     /// Begins every id, so that several figures can stand in one page.
     name: String,
 }
 
-impl Document {
+impl SvgDocument {
     /// Head, accessible name, hatch and white ground.
     pub(super) fn open(figure: &Figure, layout: &Layout) -> Self {
         let mut document = Self { out: String::new(), name: escape(&figure.name) };

@@ -1,17 +1,17 @@
 //! What a panel shows: maps, regions, curves, points, reference lines and notes.
 
-use super::document::{Document, rectangle};
+use super::document::{SvgDocument, rectangle};
 use super::path::polyline;
 use super::text::{Anchor, Text};
 use super::written::number;
-use crate::figure::{Direction, Layer, Line, Region, Rule};
+use crate::figure::{Layer, Line, Rule, RuleDirection, ShadedRegion};
 use crate::layout::{DrawnPanel, Frame};
 use crate::palette::{Marker, QUIET, Role, Style};
-use crate::raster::{self, Picture};
+use crate::raster::{self, MapPicture};
 use crate::typeface::{SMALL_SIZE, width};
 
 /// Draws a map or a region, which lie under everything else.
-pub(super) fn draw_ground(document: &mut Document, layer: &Layer, panel: &DrawnPanel) {
+pub(super) fn draw_ground(document: &mut SvgDocument, layer: &Layer, panel: &DrawnPanel) {
     let (x, y) = (&panel.x.placed, &panel.y.placed);
     match layer {
         Layer::Classes(map) => {
@@ -32,7 +32,7 @@ pub(super) fn draw_ground(document: &mut Document, layer: &Layer, panel: &DrawnP
 }
 
 /// Draws a picture, over a hatch that shows through its clear cells.
-fn draw_picture(document: &mut Document, picture: Option<Picture>, frame: Frame, open: bool) {
+fn draw_picture(document: &mut SvgDocument, picture: Option<MapPicture>, frame: Frame, open: bool) {
     let Some(picture) = picture else { return };
     let place = Frame {
         x: frame.x + picture.across.0 * frame.width,
@@ -56,7 +56,7 @@ fn draw_picture(document: &mut Document, picture: Option<Picture>, frame: Frame,
 }
 
 /// Fills blocks of cells, as fractions of the frame, with the pattern of their meaning.
-fn draw_patterned(document: &mut Document, blocks: &[raster::Block], role: Role, frame: Frame) {
+fn draw_patterned(document: &mut SvgDocument, blocks: &[raster::ClassColumn], role: Role, frame: Frame) {
     let data: String = blocks
         .iter()
         .map(|block| {
@@ -71,9 +71,9 @@ fn draw_patterned(document: &mut Document, blocks: &[raster::Block], role: Role,
     document.put(format_args!("<path d=\"{data}\" fill=\"{fill}\" shape-rendering=\"crispEdges\"/>"));
 }
 
-fn draw_region(document: &mut Document, region: &Region, panel: &DrawnPanel) {
+fn draw_region(document: &mut SvgDocument, region: &ShadedRegion, panel: &DrawnPanel) {
     let frame = panel.frame;
-    let span = |ends: Option<(f64, f64)>, axis: &crate::scale::Placed| match ends {
+    let span = |ends: Option<(f64, f64)>, axis: &crate::scale::PlacedAxis| match ends {
         None => Some((0.0, 1.0)),
         Some((from, to)) => {
             let (from, to) = (axis.fraction(from)?, axis.fraction(to)?);
@@ -94,7 +94,7 @@ fn draw_region(document: &mut Document, region: &Region, panel: &DrawnPanel) {
 }
 
 /// Draws a curve, points or a reference line.
-pub(super) fn draw_curve(document: &mut Document, layer: &Layer, panel: &DrawnPanel) {
+pub(super) fn draw_curve(document: &mut SvgDocument, layer: &Layer, panel: &DrawnPanel) {
     match layer {
         Layer::Line(line) => draw_line(document, line, panel),
         Layer::Points(points) => {
@@ -119,7 +119,7 @@ pub(super) fn draw_curve(document: &mut Document, layer: &Layer, panel: &DrawnPa
 }
 
 /// Draws the light rim that lifts a curve off a map, and leaves it there under a name for the curve itself.
-pub(super) fn draw_rim(document: &mut Document, layer: &Layer, panel: &DrawnPanel, number: &str) {
+pub(super) fn draw_rim(document: &mut SvgDocument, layer: &Layer, panel: &DrawnPanel, number: &str) {
     let Layer::Line(line) = layer else { return };
     let data = polyline(places(line, panel), panel.frame);
     if !data.is_empty() {
@@ -132,7 +132,7 @@ pub(super) fn draw_rim(document: &mut Document, layer: &Layer, panel: &DrawnPane
 }
 
 /// Draws a curve that lies on its rim.
-pub(super) fn draw_over_rim(document: &mut Document, line: &Line, panel: &DrawnPanel, number: &str) {
+pub(super) fn draw_over_rim(document: &mut SvgDocument, line: &Line, panel: &DrawnPanel, number: &str) {
     if !polyline(places(line, panel), panel.frame).is_empty() {
         let id = document.id(number);
         document.put(format_args!("<use href=\"#{id}\" {}/>", line_attributes(&line.style)));
@@ -150,7 +150,7 @@ fn near(x: f64, y: f64, frame: Frame) -> bool {
         && (frame.y - SLACK..=frame.y + frame.height + SLACK).contains(&y)
 }
 
-fn draw_line(document: &mut Document, line: &Line, panel: &DrawnPanel) {
+fn draw_line(document: &mut SvgDocument, line: &Line, panel: &DrawnPanel) {
     let data = polyline(places(line, panel), panel.frame);
     if data.is_empty() {
         return;
@@ -222,11 +222,11 @@ fn rule_ends(rule: &Rule, panel: &DrawnPanel) -> Option<(f64, f64, f64, f64)> {
     let frame = panel.frame;
     let (right, bottom) = (frame.x + frame.width, frame.y + frame.height);
     match rule.direction {
-        Direction::Vertical if panel.x.placed.contains(rule.value) => {
+        RuleDirection::Vertical if panel.x.placed.contains(rule.value) => {
             let x = frame.x + panel.x.placed.fraction(rule.value)? * frame.width;
             Some((x, frame.y, x, bottom))
         }
-        Direction::Horizontal if panel.y.placed.contains(rule.value) => {
+        RuleDirection::Horizontal if panel.y.placed.contains(rule.value) => {
             let y = bottom - panel.y.placed.fraction(rule.value)? * frame.height;
             Some((frame.x, y, right, y))
         }
@@ -235,7 +235,7 @@ fn rule_ends(rule: &Rule, panel: &DrawnPanel) -> Option<(f64, f64, f64, f64)> {
 }
 
 /// Draws the text of a note or a reference line, with a light rim, inside the frame.
-pub(super) fn draw_text(document: &mut Document, layer: &Layer, panel: &DrawnPanel) {
+pub(super) fn draw_text(document: &mut SvgDocument, layer: &Layer, panel: &DrawnPanel) {
     let frame = panel.frame;
     let (label, x, y) = match layer {
         Layer::Note(note) => {
@@ -247,8 +247,8 @@ pub(super) fn draw_text(document: &mut Document, layer: &Layer, panel: &DrawnPan
         Layer::Rule(rule) => {
             let Some((_, y, x, _)) = rule_ends(rule, panel) else { return };
             match rule.direction {
-                Direction::Vertical => (&rule.label, x + 4.0, frame.y + 13.0),
-                Direction::Horizontal => (&rule.label, x, y - 3.0),
+                RuleDirection::Vertical => (&rule.label, x + 4.0, frame.y + 13.0),
+                RuleDirection::Horizontal => (&rule.label, x, y - 3.0),
             }
         }
         _ => return,
@@ -256,7 +256,7 @@ pub(super) fn draw_text(document: &mut Document, layer: &Layer, panel: &DrawnPan
     let furthest = frame.x + frame.width - 6.0 - width(label, SMALL_SIZE);
     // a label that would leave the frame on the right of its line goes to the left of it
     let beside = match layer {
-        Layer::Rule(rule) if rule.direction == Direction::Vertical && x > furthest => {
+        Layer::Rule(rule) if rule.direction == RuleDirection::Vertical && x > furthest => {
             x - 8.0 - width(label, SMALL_SIZE)
         }
         _ => x.min(furthest),

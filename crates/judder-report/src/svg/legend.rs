@@ -1,17 +1,17 @@
 //! Legends as drawings.
 
-use super::document::{Document, rectangle};
+use super::document::{SvgDocument, rectangle};
 use super::layers::{line_attributes, marker_path};
 use super::text::{Anchor, Text};
 use super::written::number;
 use crate::figure::Panel;
 use crate::layout::{DrawnPanel, Frame};
-use crate::legend::{Entry, INSET, ROW, SAMPLE, SAMPLE_GAP, entries};
+use crate::legend::{INSET, LegendEntry, ROW, SAMPLE, SAMPLE_GAP, entries};
 use crate::palette::{QUIET, Role, Style};
 use crate::typeface::SMALL_SIZE;
 
 /// Draws the legend of a panel, where it stands inside the frame.
-pub(super) fn draw_inside(document: &mut Document, panel: &Panel, drawn: &DrawnPanel) {
+pub(super) fn draw_inside(document: &mut SvgDocument, panel: &Panel, drawn: &DrawnPanel) {
     let Some(place) = drawn.legend else { return };
     let (x, y) = (drawn.frame.x + place.x, drawn.frame.y + place.y);
     let ground = Frame { x, y, width: place.width, height: place.height };
@@ -22,7 +22,7 @@ pub(super) fn draw_inside(document: &mut Document, panel: &Panel, drawn: &DrawnP
 }
 
 /// Draws an entry whose row begins at (`x`, `y`).
-pub(super) fn draw_entry(document: &mut Document, entry: &Entry, x: f64, y: f64) {
+pub(super) fn draw_entry(document: &mut SvgDocument, entry: &LegendEntry, x: f64, y: f64) {
     let middle = y + ROW / 2.0;
     if let Some(role) = entry.area {
         draw_swatch(document, role, x, middle);
@@ -41,7 +41,7 @@ pub(super) fn draw_entry(document: &mut Document, entry: &Entry, x: f64, y: f64)
     document.text(&text, x + SAMPLE + SAMPLE_GAP, middle + 0.36 * SMALL_SIZE);
 }
 
-fn draw_swatch(document: &mut Document, role: Role, x: f64, middle: f64) {
+fn draw_swatch(document: &mut SvgDocument, role: Role, x: f64, middle: f64) {
     let fill = document.area_fill(role);
     document.put(format_args!(
         "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"8\" fill=\"{fill}\" stroke=\"{QUIET}\" stroke-width=\"0.4\"/>",

@@ -12,7 +12,7 @@ use crate::error::ReportError;
 use crate::figure::{Figure, Layer, Panel};
 use crate::layout::{DrawnPanel, layout};
 use crate::validate;
-use document::Document;
+use document::SvgDocument;
 
 /// The figure as an SVG document, the same bytes for the same figure.
 ///
@@ -23,7 +23,7 @@ use document::Document;
 pub fn svg(figure: &Figure) -> Result<String, ReportError> {
     validate::check(figure)?;
     let layout = layout(figure);
-    let mut document = Document::open(figure, &layout);
+    let mut document = SvgDocument::open(figure, &layout);
     for (index, (panel, drawn)) in figure.panels.iter().zip(&layout.panels).enumerate() {
         draw_panel(&mut document, panel, drawn, index);
     }
@@ -34,7 +34,7 @@ pub fn svg(figure: &Figure) -> Result<String, ReportError> {
 }
 
 /// Maps and regions at the back, then curves, then the frame with its ticks, then what explains them.
-fn draw_panel(document: &mut Document, panel: &Panel, drawn: &DrawnPanel, index: usize) {
+fn draw_panel(document: &mut SvgDocument, panel: &Panel, drawn: &DrawnPanel, index: usize) {
     document.open_clip(drawn.frame, index);
     let is_ground = |layer: &&Layer| matches!(layer, Layer::Classes(_) | Layer::Values(_) | Layer::Region(_));
     let on_map = panel.layers.iter().any(|layer| is_ground(&layer));

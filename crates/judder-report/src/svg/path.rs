@@ -12,7 +12,7 @@ const ASIDE: f64 = 0.02;
 
 /// Path data of a polyline; `None` is a gap.
 pub(super) fn polyline(points: impl Iterator<Item = Option<(f64, f64)>>, frame: Frame) -> String {
-    let mut path = Path { pen: Pen::default(), run: None };
+    let mut path = SvgPath { pen: Pen::default(), run: None };
     let mut last: Option<(f64, f64)> = None;
     for point in points {
         if let (Some(from), Some(to)) = (last, point)
@@ -37,13 +37,13 @@ pub(super) fn strokes(ends: impl Iterator<Item = ((f64, f64), (f64, f64))>) -> S
 }
 
 /// A polyline that is being written, without the points that it passes anyway.
-struct Path {
+struct SvgPath {
     pen: Pen,
-    run: Option<Run>,
+    run: Option<StraightRun>,
 }
 
 /// The straight stroke that comes next: from where the pen is to the last point, past all points between them.
-struct Run {
+struct StraightRun {
     anchor: (f64, f64),
     tip: (f64, f64),
     /// The furthest from the anchor.
@@ -52,7 +52,7 @@ struct Run {
     sector: Option<(f64, f64, f64)>,
 }
 
-impl Run {
+impl StraightRun {
     fn from(anchor: (f64, f64)) -> Self {
         Self { anchor, tip: anchor, reach: 0.0, sector: None }
     }
@@ -78,17 +78,17 @@ impl Run {
     }
 }
 
-impl Path {
+impl SvgPath {
     fn segment(&mut self, from: (f64, f64), to: (f64, f64)) {
         if self.run.as_ref().is_none_or(|run| run.tip != from) {
             self.end();
             self.pen.move_to(from);
-            self.run = Some(Run::from(from));
+            self.run = Some(StraightRun::from(from));
         }
         let Some(run) = &mut self.run else { return };
         if !run.takes(to) {
             self.pen.line_to(run.tip);
-            *run = Run::from(run.tip);
+            *run = StraightRun::from(run.tip);
             run.takes(to);
         }
     }

@@ -1,7 +1,7 @@
 //! Labels as SVG text: one `text` element, a `tspan` for every change of slope, size or height.
 
 use super::written::{append, number};
-use crate::markup::{Span, escape, parse};
+use crate::markup::{TextSpan, escape, parse};
 use crate::palette::Colour;
 use crate::typeface::{SMALL_SIZE, span_rise, span_size};
 
@@ -15,7 +15,7 @@ pub(super) enum Anchor {
 
 /// A label and how it is set.
 pub(super) struct Text {
-    spans: Vec<Span>,
+    spans: Vec<TextSpan>,
     size: f64,
     anchor: Anchor,
     bold: bool,

@@ -1,8 +1,8 @@
 //! The page is one file that asks for nothing, escapes everything and has a fallback for every figure.
 
 use crate::samples::{HOSTILE, every_layer, one_line};
-use judder_report::page::{Check, Claim, Code, Details, Scoreboard, Table, Verdict};
-use judder_report::{Block, Page, ReportError, Scale, Section, html};
+use judder_report::page::{Check, Claim, ClaimVerdict, Code, Details, PageTable, Scoreboard};
+use judder_report::{Page, PageBlock, PageSection, ReportError, Scale, html};
 
 fn every_block(text: &str) -> Page {
     let owned = || text.to_owned();
@@ -15,31 +15,33 @@ fn every_block(text: &str) -> Page {
     };
     let check = Check { name: owned(), compared: owned(), figure: owned(), limit: owned(), passed: true };
     let blocks = vec![
-        Block::Heading(owned()),
-        Block::text(text),
-        Block::figure(every_layer(text)),
-        Block::Table(Table {
+        PageBlock::Heading(owned()),
+        PageBlock::text(text),
+        PageBlock::figure(every_layer(text)),
+        PageBlock::Table(PageTable {
             caption: owned(),
             head: vec![owned()],
             rows: vec![vec![owned(), "1.5".to_owned()]],
         }),
-        Block::Scoreboard(Scoreboard {
+        PageBlock::Scoreboard(Scoreboard {
             ours: vec![owned()],
-            rows: [Verdict::Agrees, Verdict::Agrees, Verdict::Misprint, Verdict::Open].map(claim).into(),
+            rows: [ClaimVerdict::Agrees, ClaimVerdict::Agrees, ClaimVerdict::Misprint, ClaimVerdict::Open]
+                .map(claim)
+                .into(),
         }),
-        Block::Checks(vec![check.clone(), Check { passed: false, ..check }]),
-        Block::Warnings(vec![owned()]),
-        Block::Warnings(vec![]),
-        Block::Details(Details {
+        PageBlock::Checks(vec![check.clone(), Check { passed: false, ..check }]),
+        PageBlock::Warnings(vec![owned()]),
+        PageBlock::Warnings(vec![]),
+        PageBlock::Details(Details {
             summary: owned(),
-            blocks: vec![Block::Code(Code { caption: owned(), text: owned() })],
+            blocks: vec![PageBlock::Code(Code { caption: owned(), text: owned() })],
         }),
     ];
     Page {
         title: owned(),
         lead: owned(),
         facts: vec![(owned(), owned())],
-        sections: vec![Section::new(text, blocks)],
+        sections: vec![PageSection::new(text, blocks)],
     }
 }
 
@@ -101,7 +103,7 @@ fn nothing_is_fetched() {
 fn headings_and_contents_are_in_order() {
     let page = Page {
         title: "Title".to_owned(),
-        sections: vec![Section::new("One", vec![]), Section::new("Two", vec![])],
+        sections: vec![PageSection::new("One", vec![]), PageSection::new("Two", vec![])],
         ..Page::default()
     };
     let page = html(&page).unwrap();
@@ -136,8 +138,8 @@ fn a_figure_has_its_drawing_its_files_and_its_number() {
 
 #[test]
 fn two_figures_of_one_name_are_refused() {
-    let figure = || Block::figure(one_line(Scale::Linear, vec![], vec![]));
-    let page = Page { sections: vec![Section::new("", vec![figure(), figure()])], ..Page::default() };
+    let figure = || PageBlock::figure(one_line(Scale::Linear, vec![], vec![]));
+    let page = Page { sections: vec![PageSection::new("", vec![figure(), figure()])], ..Page::default() };
     assert_eq!(html(&page), Err(ReportError::SameName { name: "line".to_owned() }));
 }
 

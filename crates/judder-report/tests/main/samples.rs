@@ -1,6 +1,6 @@
 //! Figures to try things on.
 
-use judder_report::figure::{Class, ClassMap, Region, ValueMap};
+use judder_report::figure::{Class, ClassMap, ShadedRegion, ValueMap};
 use judder_report::palette::ColourMap;
 use judder_report::{Axis, Figure, Layer, Panel, Role, Scale, SecondAxis};
 
@@ -27,7 +27,12 @@ pub(crate) fn every_layer(text: &str) -> Figure {
         colours: ColourMap::Sequential,
     };
     let curves = vec![
-        Layer::Region(Region { label: text.to_owned(), x: Some((2.0, 5.0)), y: None, role: Role::Stable }),
+        Layer::Region(ShadedRegion {
+            label: text.to_owned(),
+            x: Some((2.0, 5.0)),
+            y: None,
+            role: Role::Stable,
+        }),
         Layer::line(text, vec![1.0, 2.0, f64::NAN, 4.0], vec![-1.0, 0.5, 1.0, 2.0], Role::Series(1)),
         Layer::points(text, vec![1.0, 3.0], vec![1.0, 1.5], Role::Mode(4)),
         Layer::vertical_rule(2.0, text),

@@ -1,12 +1,12 @@
 //! How far a zero of D may be from that of the exact function.
 
-use super::{Evaluator, determinant};
+use super::{CharacteristicEvaluator, determinant};
 use num_complex::Complex64;
 
 /// The precision of the numbers of which D is made, relative: frequencies, damping and shapes come out of eigenproblems.
 pub(crate) const PRECISION: f64 = 1e-12;
 
-impl Evaluator<'_> {
+impl CharacteristicEvaluator<'_> {
     /// How far a zero s is from the exact one, in 1/s: to first order in relative disturbances ε of every ω², d and product,
     ///
     /// δ = ε Σ_ab |C_ab| Σ_i |r_a,i c_b,i| (1/|p_i| + (ω_i² + |d_i s|)/|p_i|²)/|D′(s)|

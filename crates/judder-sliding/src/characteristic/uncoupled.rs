@@ -1,6 +1,6 @@
 //! Eigenvalues that D cannot show: those of modes that the contact does not move, and of modes that are equal but for their shapes.
 
-use super::Characteristic;
+use super::PairCharacteristic;
 use num_complex::Complex64;
 
 /// Modes whose frequency and damping differ by no more than this share of the frequency are equal.
@@ -8,7 +8,7 @@ const EQUAL: f64 = 1e-13;
 /// A pivot so small, as a share of the largest entry, is none.
 const PIVOT: f64 = 1e-12;
 
-impl Characteristic {
+impl PairCharacteristic {
     /// The function with as many modes of each frequency as the contact can couple, and the eigenvalues of the others, of conjugate pairs the upper ones:
     /// `None` where there are no others.
     ///

@@ -2,30 +2,30 @@
 
 use crate::spectrum::Spectrum;
 use crate::tracking::{Tracker, reach};
-use crate::zones::Sample;
+use crate::zones::SpectrumSample;
 use num_complex::Complex64;
 
 /// Eigenvalues by branch, with how far each may be off.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct Branches {
+pub(super) struct LocusBranches {
     /// For each spectrum one a branch, NaN where the branch is not among the lowest.
     pub(super) eigenvalues: Vec<Vec<Complex64>>,
     pub(super) errors: Vec<Vec<f64>>,
 }
 
-impl Branches {
+impl LocusBranches {
     /// Those of the `count` lowest eigenvalues of each spectrum, in the order in which they are first among them, then by frequency.
     ///
     /// They are tracked over the samples between the spectra as well.
-    pub(super) fn new(shown: Vec<(f64, Spectrum)>, samples: Vec<Sample>, count: usize) -> Self {
-        let mut all: Vec<(Sample, Option<Vec<f64>>)> =
+    pub(super) fn new(shown: Vec<(f64, Spectrum)>, samples: Vec<SpectrumSample>, count: usize) -> Self {
+        let mut all: Vec<(SpectrumSample, Option<Vec<f64>>)> =
             samples.into_iter().map(|sample| (sample, None)).collect();
         all.extend(shown.into_iter().map(|(at, spectrum)| sample_of(at, spectrum)));
         all.sort_by(|a, b| a.0.at.total_cmp(&b.0.at).then(a.1.is_some().cmp(&b.1.is_some())));
         let mut tracker = Tracker::default();
         let mut columns: Vec<usize> = Vec::new();
         let mut rows = Vec::new();
-        for (Sample { at, eigenvalues, limit }, errors) in all {
+        for (SpectrumSample { at, eigenvalues, limit }, errors) in all {
             let numbers = tracker.step(at, &eigenvalues, limit);
             let Some(errors) = errors else { continue };
             let mut lowest: Vec<usize> = (0..count.min(numbers.len())).collect();
@@ -59,10 +59,10 @@ impl Branches {
 }
 
 /// A spectrum as a sample, the lowest first, with how far each eigenvalue may be off.
-fn sample_of(at: f64, spectrum: Spectrum) -> (Sample, Option<Vec<f64>>) {
+fn sample_of(at: f64, spectrum: Spectrum) -> (SpectrumSample, Option<Vec<f64>>) {
     let Spectrum { eigenvalues, errors, limit } = spectrum;
     let mut both: Vec<(Complex64, f64)> = eigenvalues.into_iter().zip(errors).collect();
     both.sort_by(|a, b| reach(a.0).total_cmp(&reach(b.0)));
     let (eigenvalues, errors) = both.into_iter().unzip();
-    (Sample { at, eigenvalues, limit }, Some(errors))
+    (SpectrumSample { at, eigenvalues, limit }, Some(errors))
 }

@@ -1,7 +1,7 @@
 //! Where a march is, to the bit, and how it goes on from there.
 
 use super::March;
-use super::view::View;
+use super::view::MarchView;
 use crate::SlidingError;
 use crate::edge::{EdgePoint, STENCIL};
 use crate::plane::Vector;
@@ -61,7 +61,7 @@ impl March<'_> {
         self.at = checkpoint.at;
         self.drive = self.settings.motion.at(checkpoint.steps as f64 * self.settings.step);
         self.set_push(&self.drive.clone());
-        self.view = View::new(self.pair, &mut self.track, &self.compliance, checkpoint.segment);
+        self.view = MarchView::new(self.pair, &mut self.track, &self.compliance, checkpoint.segment);
         self.view.now = checkpoint.nodes;
         let [_, of_slider] = self.slider.seen();
         let [_, of_track] = self.track.seen();

@@ -1,11 +1,11 @@
 //! What a contact force does at once where it acts and where it is watched.
 
 use crate::edge::{STENCIL, Touch};
-use crate::pair::{Pair, Side};
+use crate::pair::{Pair, PairSide};
 use crate::plane::{Vector, dot};
 
 /// A matrix of the plane by rows.
-pub(super) type Block = [Vector; 2];
+pub(super) type PlaneMatrix = [Vector; 2];
 
 /// Neighbours of a node that a stencil can pair it with.
 const NEIGHBOURS: usize = STENCIL;
@@ -14,9 +14,9 @@ const NEIGHBOURS: usize = STENCIL;
 #[derive(Debug, Clone)]
 pub(super) struct Compliance {
     /// Of C by a force at C.
-    contact: Block,
+    contact: PlaneMatrix,
     /// Of node k by a force at node k + j.
-    nodes: Vec<[Block; NEIGHBOURS]>,
+    nodes: Vec<[PlaneMatrix; NEIGHBOURS]>,
     /// Of each observed displacement by a force at C, or at each node.
     observed: Vec<Vec<Vector>>,
 }
@@ -25,7 +25,7 @@ pub(super) struct Compliance {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StencilCompliance {
     count: usize,
-    blocks: [[Block; STENCIL]; STENCIL],
+    blocks: [[PlaneMatrix; STENCIL]; STENCIL],
 }
 
 impl Compliance {
@@ -41,8 +41,8 @@ impl Compliance {
             })
         };
         let observed = |point: &crate::pair::Observed| match point.side {
-            Side::Slider => vec![[0, 1].map(|j| sum(&point.row, &contact[j], of_slider))],
-            Side::Track => {
+            PairSide::Slider => vec![[0, 1].map(|j| sum(&point.row, &contact[j], of_slider))],
+            PairSide::Track => {
                 nodes.iter().map(|node| [0, 1].map(|j| sum(&point.row, &node.rows[j], of_track))).collect()
             }
         };
@@ -106,7 +106,7 @@ impl Compliance {
 
     /// What opens between C and the track's point by a unit force between them: a matrix of the plane.
     #[inline]
-    pub(super) fn between(&self, stencil: &StencilCompliance, weights: &[f64; STENCIL]) -> Block {
+    pub(super) fn between(&self, stencil: &StencilCompliance, weights: &[f64; STENCIL]) -> PlaneMatrix {
         let mut sum = self.contact;
         for i in 0..stencil.count {
             for j in 0..stencil.count {
@@ -138,7 +138,7 @@ impl StencilCompliance {
 }
 
 #[inline(always)]
-pub(super) fn times(block: &Block, v: Vector) -> Vector {
+pub(super) fn times(block: &PlaneMatrix, v: Vector) -> Vector {
     [block[0][0] * v[0] + block[0][1] * v[1], block[1][0] * v[0] + block[1][1] * v[1]]
 }
 
@@ -146,13 +146,13 @@ fn sum(a: &[f64], b: &[f64], factors: &[f64]) -> f64 {
     a.iter().zip(b).zip(factors).map(|((a, b), g)| g * a * b).sum()
 }
 
-fn block(a: &[Vec<f64>; 2], b: &[Vec<f64>; 2], factors: &[f64]) -> Block {
+fn block(a: &[Vec<f64>; 2], b: &[Vec<f64>; 2], factors: &[f64]) -> PlaneMatrix {
     [0, 1].map(|i| [0, 1].map(|j| sum(&a[i], &b[j], factors)))
 }
 
 /// A matrix of the plane along normal and tangent: nn, nt, tn, tt.
 #[inline(always)]
-pub(super) fn in_frame(between: &Block, touch: &Touch) -> [f64; 4] {
+pub(super) fn in_frame(between: &PlaneMatrix, touch: &Touch) -> [f64; 4] {
     let (by_normal, by_tangent) = (times(between, touch.normal), times(between, touch.tangent));
     [
         dot(touch.normal, by_normal),

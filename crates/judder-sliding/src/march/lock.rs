@@ -9,7 +9,7 @@ use crate::pair::Pair;
 
 /// Where forces that change their sign from step to step do not die out on a path, if anywhere: with these factors of all modes,
 /// n·G(n ∓ μ t) must be positive.
-pub(super) fn first_lock(pair: &Pair, [start, end]: [f64; 2], factors: &[f64]) -> Option<Lock> {
+pub(super) fn first_lock(pair: &Pair, [start, end]: [f64; 2], factors: &[f64]) -> Option<SliderLock> {
     let compliance = Compliance::new(pair, factors);
     let friction = pair.friction().largest();
     let place = |position: f64| pair.edge_point(position).map_or(0, |at| at.segment);
@@ -27,20 +27,20 @@ pub(super) fn first_lock(pair: &Pair, [start, end]: [f64; 2], factors: &[f64]) -
         let position = ends[0] + at.fraction * (ends[1] - ends[0]);
         let locked = Locked { compliance: opened, direction: nt.signum() };
         // a number that is none locks as well
-        if opened > 0.0 { None } else { Some(Lock { touch, position, friction, locked }) }
+        if opened > 0.0 { None } else { Some(SliderLock { touch, position, friction, locked }) }
     });
     locks.next()
 }
 
 /// A place where the slider locks.
-pub(super) struct Lock {
+pub(super) struct SliderLock {
     pub(super) touch: Touch,
     pub(super) position: f64,
     pub(super) friction: f64,
     pub(super) locked: Locked,
 }
 
-impl Lock {
+impl SliderLock {
     /// Why: because of c·M⁻¹e, or only because of the modes that yield at once.
     #[cold]
     pub(super) fn error(&self, pair: &Pair) -> SlidingError {

@@ -14,7 +14,7 @@ type Chunk = [f64; LANES];
 
 /// How a mode goes on: q_{n+1} = p + g f_{n+1} and then p = A q_{n+1} − B q_n + g₀ f_{n+1} + g₁ f_n + push.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Recurrence {
+pub(super) struct ModalRecurrence {
     /// A.
     pub(super) ahead: f64,
     /// B.
@@ -25,7 +25,7 @@ pub(super) struct Recurrence {
     pub(super) later: [f64; 2],
 }
 
-impl Recurrence {
+impl ModalRecurrence {
     /// What a force that stays does in a step.
     pub(super) fn on_steady_force(&self) -> f64 {
         self.at_once + self.later[0] + self.later[1]
@@ -64,7 +64,7 @@ const COMPILED: [usize; 8] = [2, 3, 4, 5, 6, 8, 10, ROWS];
 
 impl Oscillators {
     /// Modes at rest, watched through so many rows.
-    pub(super) fn new(recurrences: &[Recurrence], rows: usize) -> Self {
+    pub(super) fn new(recurrences: &[ModalRecurrence], rows: usize) -> Self {
         let modes = recurrences.len();
         let rows = COMPILED.into_iter().find(|compiled| *compiled >= rows).unwrap_or(ROWS);
         let zeros = vec![[0.0; LANES]; modes.div_ceil(LANES)];
@@ -90,7 +90,7 @@ impl Oscillators {
         oscillators
     }
 
-    pub(super) fn set_recurrence(&mut self, mode: usize, recurrence: Recurrence) {
+    pub(super) fn set_recurrence(&mut self, mode: usize, recurrence: ModalRecurrence) {
         let (chunk, lane) = (mode / LANES, mode % LANES);
         self.ahead[chunk][lane] = recurrence.ahead;
         self.behind[chunk][lane] = recurrence.behind;
@@ -100,9 +100,9 @@ impl Oscillators {
         }
     }
 
-    pub(super) fn recurrence(&self, mode: usize) -> Recurrence {
+    pub(super) fn recurrence(&self, mode: usize) -> ModalRecurrence {
         let (chunk, lane) = (mode / LANES, mode % LANES);
-        Recurrence {
+        ModalRecurrence {
             ahead: self.ahead[chunk][lane],
             behind: self.behind[chunk][lane],
             at_once: self.at_once[chunk][lane],
@@ -326,7 +326,7 @@ mod tests {
     use super::*;
 
     fn oscillators(rows: usize) -> Oscillators {
-        let own = |k: usize| Recurrence {
+        let own = |k: usize| ModalRecurrence {
             ahead: 1.9 - 0.01 * k as f64,
             behind: 0.99,
             at_once: 1.0 + 0.1 * k as f64,

@@ -1,7 +1,7 @@
 //! How one mode goes from step to step, and the step that keeps all of them stable.
 
 use super::lock::first_lock;
-use super::oscillators::Recurrence;
+use super::oscillators::ModalRecurrence;
 use crate::SlidingError;
 use crate::pair::Pair;
 use std::f64::consts::TAU;
@@ -28,9 +28,9 @@ impl Scheme {
     }
 
     /// The recurrence of a mode with q̈ + d q̇ + λ q = f.
-    pub(super) fn recurrence(self, step: f64, eigenvalue: f64, damping: f64) -> Recurrence {
+    pub(super) fn recurrence(self, step: f64, eigenvalue: f64, damping: f64) -> ModalRecurrence {
         match self {
-            Self::CentralDifferences => Recurrence {
+            Self::CentralDifferences => ModalRecurrence {
                 ahead: 2.0 - step * step * eigenvalue - step * damping,
                 behind: 1.0 - step * damping,
                 at_once: step * step,
@@ -44,7 +44,7 @@ impl Scheme {
     ///
     /// What a force does at once stays that under its own damping, from which it differs by a share h d: the compliance of the
     /// contact, which must agree with it, need not be computed anew. What it does in all stays right.
-    pub(super) fn while_damped(self, step: f64, eigenvalue: f64, own: f64, damping: f64) -> Recurrence {
+    pub(super) fn while_damped(self, step: f64, eigenvalue: f64, own: f64, damping: f64) -> ModalRecurrence {
         let mut recurrence = self.recurrence(step, eigenvalue, damping);
         let at_once = self.recurrence(step, eigenvalue, own).at_once;
         recurrence.later[0] += recurrence.at_once - at_once;
@@ -67,7 +67,7 @@ impl Scheme {
         if !self.moves(eigenvalue) {
             return 1.0 / eigenvalue;
         }
-        let Recurrence { ahead, behind, at_once, later } = self.recurrence(step, eigenvalue, damping);
+        let ModalRecurrence { ahead, behind, at_once, later } = self.recurrence(step, eigenvalue, damping);
         (at_once - later[0] + later[1]) / (1.0 + ahead + behind)
     }
 }
@@ -141,7 +141,7 @@ fn exact_limit(pair: &Pair, scheme: Scheme, path: [f64; 2]) -> Result<f64, Slidi
 ///
 /// With z = (q, q̇) and z₁ = E z₀ + Γ₀ f₀ + Γ₁ f₁, the theorem of Cayley and Hamilton leaves
 /// q₂ = tr E q₁ − det E q₀ + Γ₁ f₂ + …, the velocities gone.
-fn exact(step: f64, eigenvalue: f64, damping: f64) -> Recurrence {
+fn exact(step: f64, eigenvalue: f64, damping: f64) -> ModalRecurrence {
     // of (q, q̇ h, f h², (f₁ − f₀) h²) over one step
     let generator = [
         [0.0, 1.0, 0.0, 0.0],
@@ -153,7 +153,7 @@ fn exact(step: f64, eigenvalue: f64, damping: f64) -> Recurrence {
     // the force f₀ + (f₁ − f₀) t/h
     let (before, now) = ([0, 1].map(|i| e[i][2] - e[i][3]), [0, 1].map(|i| e[i][3]));
     let square = step * step;
-    Recurrence {
+    ModalRecurrence {
         ahead: e[0][0] + e[1][1],
         behind: (-damping * step).exp(),
         at_once: square * now[0],
@@ -194,7 +194,7 @@ mod tests {
     #[test]
     fn the_exact_recurrence_follows_the_closed_form() {
         let step = 0.3;
-        let Recurrence { ahead, behind, at_once, later } = exact(step, 0.0, 0.0);
+        let ModalRecurrence { ahead, behind, at_once, later } = exact(step, 0.0, 0.0);
         // q = f t²/2 under a constant force
         let mut q = [0.0, 0.5 * step * step];
         for n in 2..20 {
@@ -203,7 +203,7 @@ mod tests {
             assert!((next - 0.5 * (step * f64::from(n)).powi(2)).abs() < 1e-12, "{n}");
         }
         let (value, damping) = (7.0_f64, 0.4);
-        let Recurrence { ahead, behind, at_once, later } = exact(step, value, damping);
+        let ModalRecurrence { ahead, behind, at_once, later } = exact(step, value, damping);
         let decay = 0.5 * damping;
         let omega = (value - decay * decay).sqrt();
         // the particular solution of f = t is (t − d/λ)/λ; from rest the rest of it swings out
@@ -227,7 +227,7 @@ mod tests {
     /// Straight through several turns of a fast mode, where the matrix has to be scaled.
     #[test]
     fn the_exact_recurrence_is_exact_for_long_steps() {
-        let Recurrence { ahead, behind, .. } = exact(1.0, 400.0, 0.0);
+        let ModalRecurrence { ahead, behind, .. } = exact(1.0, 400.0, 0.0);
         assert!((ahead - 2.0 * 20.0_f64.cos()).abs() < 1e-12 && behind == 1.0, "{ahead}");
     }
 }

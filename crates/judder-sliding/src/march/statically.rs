@@ -4,7 +4,7 @@ use crate::SlidingError;
 use crate::coupling::Sliding;
 use crate::pair::Pair;
 use crate::plane::{Vector, plus};
-use crate::statics::Equilibrium;
+use crate::statics::PairEquilibrium;
 
 /// Samples in a segment: the deformation is smooth within one.
 const SAMPLES: usize = 8;
@@ -34,7 +34,7 @@ impl StaticPath {
         let positions: Vec<f64> = [from].into_iter().chain(inner).chain([to]).collect();
         let (mut contact, mut nodes) = (Vec::new(), Vec::new());
         for position in &positions {
-            let rest = Equilibrium::new(pair, *position, load, sliding)?;
+            let rest = PairEquilibrium::new(pair, *position, load, sliding)?;
             let (of_slider, of_track) = rest.state.split_at(pair.slider().body.modes());
             contact.push(pair.slider().contact.displacement(of_slider));
             nodes.push(pair.track().nodes.iter().map(|node| node.displacement(of_track)).collect());

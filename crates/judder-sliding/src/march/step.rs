@@ -1,15 +1,15 @@
 //! One step of a march after the other.
 
 use super::compliance::{Compliance, in_frame};
-use super::lock::Lock;
+use super::lock::SliderLock;
 use super::oscillators::ROWS;
 use super::reaction::{Approach, Reaction, projected, sliding};
-use super::view::{View, vectors};
-use super::{March, Method, Predictor, Reached, Sample, Scheme, Sink, Start, damping_of};
+use super::view::{MarchView, vectors};
+use super::{ContactMethod, March, MarchSample, MarchStart, Predictor, Reached, Scheme, Sink, damping_of};
 use crate::SlidingError;
 use crate::edge::{RunOff, STENCIL, Touch, combined};
 use crate::motion::Drive;
-use crate::pair::Side;
+use crate::pair::PairSide;
 use crate::plane::{Vector, dot, minus, plus, turned};
 
 /// How much of the initial damping may go before the exact recurrences are tuned anew.
@@ -74,7 +74,7 @@ impl March<'_> {
     }
 
     /// One step.
-    fn step(&mut self) -> Result<Result<Sample, RunOff>, SlidingError> {
+    fn step(&mut self) -> Result<Result<MarchSample, RunOff>, SlidingError> {
         let step = self.settings.step;
         let drive = self.settings.motion.at((self.steps + 1) as f64 * step);
         let friction = drive.friction * self.pair.friction().at(self.velocity);
@@ -95,7 +95,7 @@ impl March<'_> {
         self.steps += 1;
         self.at = touch.at;
         self.velocity = slip / step;
-        Ok(Ok(Sample {
+        Ok(Ok(MarchSample {
             time: self.steps as f64 * step,
             position: drive.position,
             normal_force: normal,
@@ -178,12 +178,14 @@ impl March<'_> {
         }
         let approach = Approach { gap, slip, compliance: in_frame(&between, &touch), friction };
         let reaction = match self.settings.method {
-            Method::Film => projected(&approach),
+            ContactMethod::Film => projected(&approach),
             _ => sliding(&approach, self.direction),
         };
         match reaction {
             Ok(reaction) => Ok(Ok((touch, approach, reaction))),
-            Err(locked) => Err(Lock { touch, position: drive.position, friction, locked }.error(self.pair)),
+            Err(locked) => {
+                Err(SliderLock { touch, position: drive.position, friction, locked }.error(self.pair))
+            }
         }
     }
 
@@ -193,7 +195,7 @@ impl March<'_> {
         let Self { pair, track, view, compliance, contact, at, static_path, .. } = self;
         let edge = pair.edge();
         match (self.settings.method, static_path) {
-            (Method::Subs { .. }, None) => {
+            (ContactMethod::Subs { .. }, None) => {
                 let touch = edge.touch(rigid, *at, |segment| pair.stencil(segment, |_| [0.0; 2]))?;
                 look(view, pair, track, compliance, touch.at.segment);
                 Ok(touch)
@@ -313,14 +315,14 @@ impl March<'_> {
         let mut places = [2, 2 * self.view.count];
         let points = self.pair.observed().iter().zip(&self.observed_yielding);
         for (own, (point, yields)) in self.observed.iter_mut().zip(points) {
-            let (seen, k) = if point.side == Side::Slider { (of_slider, 0) } else { (of_track, 1) };
+            let (seen, k) = if point.side == PairSide::Slider { (of_slider, 0) } else { (of_track, 1) };
             own[2] = seen[places[k]] + self.drive.load * yields[0] + self.drive.acceleration * yields[1];
             places[k] += 1;
         }
     }
 
     /// Starts from a state at this time, with its prediction.
-    pub(super) fn begin(&mut self, start: &Start) {
+    pub(super) fn begin(&mut self, start: &MarchStart) {
         self.set_push(&self.drive.clone());
         let at_rows =
             |force: Vector| rows_of(force, [0.0; 2], &self.view, &self.pair.edge().weights(self.at).value);
@@ -330,7 +332,7 @@ impl March<'_> {
         self.slider.set_state([now.0, before.0], [&slider_now, &slider_before]);
         self.track.set_state([now.1, before.1], [&track_now, &track_before]);
         let segment = self.view.segment;
-        self.view = View::new(self.pair, &mut self.track, &self.compliance, segment);
+        self.view = MarchView::new(self.pair, &mut self.track, &self.compliance, segment);
         let ([now, next], [track_now, track_next]) = (self.slider.seen(), self.track.seen());
         self.contact = [self.with_yielding(&now), self.with_yielding(&next)];
         self.predict_observed(&now, &track_now);
@@ -347,7 +349,7 @@ impl March<'_> {
 fn rows_of(
     force: Vector,
     disturbance: Vector,
-    view: &View,
+    view: &MarchView,
     weights: &[f64; STENCIL],
 ) -> ([f64; ROWS], [f64; ROWS]) {
     let (mut on_slider, mut on_track) = ([0.0; ROWS], [0.0; ROWS]);
@@ -361,13 +363,13 @@ fn rows_of(
 /// Watches the track about another segment.
 #[inline(always)]
 fn look(
-    view: &mut View,
+    view: &mut MarchView,
     pair: &crate::pair::Pair,
     track: &mut super::oscillators::Oscillators,
     compliance: &Compliance,
     segment: usize,
 ) {
     if view.segment != segment {
-        *view = View::new(pair, track, compliance, segment);
+        *view = MarchView::new(pair, track, compliance, segment);
     }
 }

@@ -8,7 +8,7 @@ use crate::plane::{Vector, plus};
 
 /// The nodes of one segment's stencil, whose rows the track's modes are watched through.
 #[derive(Debug, Clone)]
-pub(super) struct View {
+pub(super) struct MarchView {
     pub(super) segment: usize,
     pub(super) first: usize,
     pub(super) count: usize,
@@ -21,7 +21,7 @@ pub(super) struct View {
     pub(super) predicted: [Vector; STENCIL],
 }
 
-impl View {
+impl MarchView {
     /// Watches the track about a segment.
     pub(super) fn new(pair: &Pair, track: &mut Oscillators, compliance: &Compliance, segment: usize) -> Self {
         let (first, count) = (pair.edge().first_node(segment), pair.edge().stencil_nodes());

@@ -1,11 +1,11 @@
 //! The same march with vectors of every width that the machine has.
 
-use super::{March, MarchSettings, Method, Predictor, Sample};
-use crate::body::{Body, Point};
+use super::{ContactMethod, March, MarchSample, MarchSettings, Predictor};
+use crate::body::{Body, ModalPoint};
 use crate::edge::Interpolation;
 use crate::friction::Friction;
 use crate::motion::{Motion, Noise, Ramps};
-use crate::pair::{Observed, Pair, Side, Slider, Track};
+use crate::pair::{Observed, Pair, PairSide, Slider, Track};
 use crate::vectors::widths;
 use judder_numerics::counter::uniform;
 use pulp::Arch;
@@ -19,7 +19,7 @@ fn pair(interpolation: Interpolation) -> Pair {
         alpha: 20.0,
         beta: 1e-6,
     };
-    let point = |place: f64, stream: u64, modes: usize| Point {
+    let point = |place: f64, stream: u64, modes: usize| ModalPoint {
         place: [place, 0.0],
         rows: [row(stream, modes), row(stream + 1, modes)],
     };
@@ -28,17 +28,14 @@ fn pair(interpolation: Interpolation) -> Pair {
     let slider = Slider { body: body(13), contact, load, inertia: vec![0.1; 13] };
     let nodes = (0..6).map(|k| point(1e-3 * k as f64, 10 + 2 * k, 37)).collect();
     let track = Track { body: body(37), nodes };
-    let observed = [(Side::Slider, 3, 13), (Side::Track, 4, 37)].map(|(side, stream, modes)| Observed {
-        side,
-        row: row(stream, modes),
-        rigid: 0.0,
-    });
+    let observed = [(PairSide::Slider, 3, 13), (PairSide::Track, 4, 37)]
+        .map(|(side, stream, modes)| Observed { side, row: row(stream, modes), rigid: 0.0 });
     let friction = Friction::constant(0.1).unwrap();
     Pair::new(slider, track, interpolation, true, friction, observed.to_vec()).unwrap()
 }
 
 /// The bits of all that a march tells of its steps.
-fn told(pair: &Pair, method: Method, arch: Arch) -> Vec<[u64; 6]> {
+fn told(pair: &Pair, method: ContactMethod, arch: Arch) -> Vec<[u64; 6]> {
     let motion = Motion {
         start: 1.3e-3,
         end: 3.4e-3,
@@ -53,8 +50,8 @@ fn told(pair: &Pair, method: Method, arch: Arch) -> Vec<[u64; 6]> {
     let mut march = March::new(pair, settings).unwrap();
     (march.slider.arch, march.track.arch) = (arch, arch);
     let mut bits = Vec::new();
-    let mut take = |sample: &Sample, a: &[f64]| {
-        let Sample { normal_force, tangential_force, sliding_velocity, gap, .. } = *sample;
+    let mut take = |sample: &MarchSample, a: &[f64]| {
+        let MarchSample { normal_force, tangential_force, sliding_velocity, gap, .. } = *sample;
         bits.push([normal_force, tangential_force, sliding_velocity, gap, a[0], a[1]].map(f64::to_bits));
     };
     march.advance(u64::MAX, &mut take).unwrap();
@@ -64,10 +61,15 @@ fn told(pair: &Pair, method: Method, arch: Arch) -> Vec<[u64; 6]> {
 /// Every method, over nodes, on straight and on smooth edges: not a bit of any step depends on the width of the vectors.
 #[test]
 fn no_bit_depends_on_the_width_of_the_vectors() {
-    let residual = Method::ResidualFlexibility { cut_off: 4e3 };
+    let residual = ContactMethod::ResidualFlexibility { cut_off: 4e3 };
     for interpolation in [Interpolation::Linear, Interpolation::Hermite] {
         let pair = pair(interpolation);
-        for method in [Method::Subs { static_slope: false }, Method::EnSubs, Method::Film, residual] {
+        for method in [
+            ContactMethod::Subs { static_slope: false },
+            ContactMethod::EnSubs,
+            ContactMethod::Film,
+            residual,
+        ] {
             let scalar = told(&pair, method, Arch::Scalar);
             assert!(scalar.len() > 40_000 && scalar.iter().any(|step| f64::from_bits(step[0]) > 0.1));
             for arch in widths() {

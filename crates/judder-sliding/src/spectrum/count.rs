@@ -33,7 +33,7 @@ const BORDER: [[f64; 2]; 12] = [
 pub(super) fn missing(regular: &mut Regular<'_>, known: &[Complex64], limit: f64) -> Option<i64> {
     let mut at = |s: Complex64| {
         let (value, slope) = regular.divided(s, known);
-        (value.is_finite() && slope.is_finite() && value != Complex64::ZERO).then_some(Point {
+        (value.is_finite() && slope.is_finite() && value != Complex64::ZERO).then_some(CountPoint {
             s,
             value,
             slope,
@@ -51,7 +51,7 @@ pub(super) fn missing(regular: &mut Regular<'_>, known: &[Complex64], limit: f64
 }
 
 #[derive(Clone, Copy)]
-struct Point {
+struct CountPoint {
     s: Complex64,
     value: Complex64,
     /// Logarithmic.
@@ -60,8 +60,8 @@ struct Point {
 
 /// The change of the argument between two points, halved until both ends foretell it.
 fn turn(
-    at: &mut impl FnMut(Complex64) -> Option<Point>,
-    (left, right): (Point, Point),
+    at: &mut impl FnMut(Complex64) -> Option<CountPoint>,
+    (left, right): (CountPoint, CountPoint),
     depth: usize,
 ) -> Option<f64> {
     let found = (right.value * left.value.conj()).arg();

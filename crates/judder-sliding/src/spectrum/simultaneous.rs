@@ -1,11 +1,11 @@
 //! Zeros of D found together: Newton's method where every zero is pushed off by the others.
 
-use crate::characteristic::{Characteristic, Evaluator, Valued};
+use crate::characteristic::{CharacteristicEvaluator, PairCharacteristic, Valued};
 use num_complex::Complex64;
 
 /// D with the poles nearby multiplied out.
 pub(super) struct Regular<'a> {
-    evaluator: Evaluator<'a>,
+    evaluator: CharacteristicEvaluator<'a>,
     /// Modes whose poles are multiplied out.
     near: Vec<usize>,
     /// About the size of what is sought, rad/s.
@@ -14,7 +14,7 @@ pub(super) struct Regular<'a> {
 
 /// A zero on its way.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Iterate {
+pub(super) struct EigenIterate {
     pub(super) value: Complex64,
     pub(super) is_done: bool,
     last_step: f64,
@@ -32,7 +32,7 @@ const STALLS: usize = 4;
 /// The longest step, as a share of the scale.
 const LONGEST: f64 = 0.2;
 
-impl Iterate {
+impl EigenIterate {
     pub(super) fn new(value: Complex64) -> Self {
         Self { value, is_done: false, last_step: f64::INFINITY, stalls: 0 }
     }
@@ -56,7 +56,7 @@ impl Iterate {
 
 impl<'a> Regular<'a> {
     /// Poles within one and a half of the scale are multiplied out.
-    pub(super) fn new(function: &'a Characteristic, scale: f64) -> Self {
+    pub(super) fn new(function: &'a PairCharacteristic, scale: f64) -> Self {
         let is_near = |mode: &usize| function.poles(*mode).iter().any(|pole| pole.norm() <= 1.5 * scale);
         let near = (0..function.modes()).filter(is_near).collect();
         Self { evaluator: function.evaluator(), near, scale }
@@ -112,7 +112,7 @@ fn reciprocal(z: Complex64) -> Complex64 {
 }
 
 /// Moves all iterates that are not done towards zeros of f, one after the other, until they stay.
-pub(super) fn iterate(regular: &mut Regular<'_>, zeros: &mut [Iterate]) {
+pub(super) fn iterate(regular: &mut Regular<'_>, zeros: &mut [EigenIterate]) {
     let scale = regular.scale;
     part(zeros, scale);
     for _ in 0..SWEEPS {
@@ -145,9 +145,9 @@ pub(super) fn iterate(regular: &mut Regular<'_>, zeros: &mut [Iterate]) {
 }
 
 /// Iterates that stand on each other are set apart: they would never part.
-fn part(zeros: &mut [Iterate], scale: f64) {
+fn part(zeros: &mut [EigenIterate], scale: f64) {
     for k in 1..zeros.len() {
-        let stands = |other: &Iterate| (other.value - zeros[k].value).norm() <= 1e-9 * scale;
+        let stands = |other: &EigenIterate| (other.value - zeros[k].value).norm() <= 1e-9 * scale;
         if !zeros[k].is_done && zeros[..k].iter().any(stands) {
             zeros[k].value += Complex64::new(1e-6, 1e-6) * (scale * k as f64);
         }

@@ -3,13 +3,13 @@
 //! Each of the two segments, continued beyond the node, has a state of rest of its own. If neither lies on its segment, the contact rests
 //! on the node: the normal is then unknown between those of both, and C must be at the node, along the edge as across it.
 
-use super::{Equilibrium, ITERATIONS, Loaded, place_change};
+use super::{ITERATIONS, Loaded, PairEquilibrium, place_change};
 use crate::SlidingError;
 use crate::edge::{EdgePoint, Touch};
 use crate::plane::{Vector, dot, minus, plus, turned};
 
 /// The equilibrium about the node that a segment ends with.
-pub(super) fn about(loaded: &Loaded<'_>, segment: usize) -> Result<Equilibrium, SlidingError> {
+pub(super) fn about(loaded: &Loaded<'_>, segment: usize) -> Result<PairEquilibrium, SlidingError> {
     let left = on_segment(loaded, EdgePoint { segment, fraction: 1.0 })?;
     if left.touch.at.fraction <= 1.0 {
         return Ok(left);
@@ -22,7 +22,7 @@ pub(super) fn about(loaded: &Loaded<'_>, segment: usize) -> Result<Equilibrium, 
 }
 
 /// The equilibrium on a segment that goes on straight beyond its ends.
-fn on_segment(loaded: &Loaded<'_>, from: EdgePoint) -> Result<Equilibrium, SlidingError> {
+fn on_segment(loaded: &Loaded<'_>, from: EdgePoint) -> Result<PairEquilibrium, SlidingError> {
     let pair = loaded.pair;
     let undeformed = pair.stencil(from.segment, |_| [0.0; 2]);
     let mut touch = pair.edge().touch_at(pair.rigid_place(loaded.position), from, &undeformed);
@@ -35,7 +35,7 @@ fn on_segment(loaded: &Loaded<'_>, from: EdgePoint) -> Result<Equilibrium, Slidi
         moved = place_change(&touch, &next);
         touch = next;
         if moved <= loaded.tolerance() {
-            return Ok(Equilibrium { state, normal_force, touch });
+            return Ok(PairEquilibrium { state, normal_force, touch });
         }
     }
     Err(SlidingError::NoConvergence { position: loaded.position, iterations: ITERATIONS, residual: moved })
@@ -46,7 +46,7 @@ fn on_node(
     loaded: &Loaded<'_>,
     segment: usize,
     [mut low, mut high]: [f64; 2],
-) -> Result<Equilibrium, SlidingError> {
+) -> Result<PairEquilibrium, SlidingError> {
     let (_, mut at_low) = turned_to(loaded, segment, low)?;
     let (_, mut at_high) = turned_to(loaded, segment, high)?;
     let mut residual = at_low.abs().min(at_high.abs());
@@ -74,7 +74,11 @@ fn on_node(
 
 /// The state with the contact on the node that a segment ends with and the tangent at this angle, and how far C then lies from the node
 /// along it, m.
-fn turned_to(loaded: &Loaded<'_>, segment: usize, angle: f64) -> Result<(Equilibrium, f64), SlidingError> {
+fn turned_to(
+    loaded: &Loaded<'_>,
+    segment: usize,
+    angle: f64,
+) -> Result<(PairEquilibrium, f64), SlidingError> {
     let edge = loaded.pair.edge();
     let tangent = [angle.cos(), angle.sin()];
     let normal = turned(tangent).map(|along| edge.side * along);
@@ -85,7 +89,7 @@ fn turned_to(loaded: &Loaded<'_>, segment: usize, angle: f64) -> Result<(Equilib
     let (point, places) = displaced(loaded, segment, &state);
     let away = minus(point, places[1]);
     let touch = Touch { tangent, normal, gap: dot(normal, away), ..edge.touch_at(point, at, &places) };
-    Ok((Equilibrium { state, normal_force, touch }, dot(tangent, away)))
+    Ok((PairEquilibrium { state, normal_force, touch }, dot(tangent, away)))
 }
 
 /// Where a state puts C and the nodes of a segment.

@@ -1,9 +1,9 @@
 //! One unstable eigenvalue followed by itself, beyond where the search over parts has it, to where it turns stable.
 
-use super::branch::Path;
+use super::branch::EigenvaluePath;
 use super::highest::highest;
 use super::meeting::alone;
-use super::{End, Family};
+use super::{PairFamily, ZoneEnd};
 use crate::spectrum::polished;
 use judder_numerics::root::bracketed_root;
 use num_complex::Complex64;
@@ -29,11 +29,11 @@ const SAME: f64 = 1e-6;
 ///
 /// The last point is the end; points are in the order in which they were met.
 pub(super) fn onward(
-    family: &impl Family,
+    family: &impl PairFamily,
     pieces: &[[f64; 2]],
     start: (f64, Complex64),
     sign: f64,
-) -> (Path, End) {
+) -> (EigenvaluePath, ZoneEnd) {
     let mut path = vec![start];
     loop {
         let (at, value) = path[path.len() - 1];
@@ -50,18 +50,23 @@ pub(super) fn onward(
         let near = |[from, to]: &[f64; 2]| if sign > 0.0 { *from } else { *to };
         let beyond = pieces.iter().map(near).filter(|other| sign * other > sign * at);
         let Some(next) = beyond.min_by(|a, b| (sign * a).total_cmp(&(sign * b))) else {
-            return (path, End::Range);
+            return (path, ZoneEnd::Range);
         };
         // the pair is not smooth between the pieces: it goes on where it does so unchanged
         match found(family, next, value) {
             Some((value, margin)) if margin > 0.0 => path.push((next, value)),
-            _ => return (path, End::Jump),
+            _ => return (path, ZoneEnd::Jump),
         }
     }
 }
 
 /// To the end of a piece, `None`, or to where the branch ends before.
-fn through(family: &impl Family, [from, to]: [f64; 2], sign: f64, path: &mut Path) -> Option<End> {
+fn through(
+    family: &impl PairFamily,
+    [from, to]: [f64; 2],
+    sign: f64,
+    path: &mut EigenvaluePath,
+) -> Option<ZoneEnd> {
     let width = to - from;
     let border = if sign > 0.0 { to } else { from };
     let mut step = FIRST * width;
@@ -96,12 +101,12 @@ fn through(family: &impl Family, [from, to]: [f64; 2], sign: f64, path: &mut Pat
 
 /// The end of a branch between a place where it is unstable and one where it is not.
 fn root(
-    family: &impl Family,
+    family: &impl PairFamily,
     unstable: (f64, Complex64),
     stable: (f64, Complex64),
-    path: &mut Path,
+    path: &mut EigenvaluePath,
     tolerance: f64,
-) -> End {
+) -> ZoneEnd {
     let ((at, value), (next, met)) = (unstable, stable);
     let between = |place: f64| found(family, place, value + (met - value) * ((place - at) / (next - at)));
     let margin = |place: f64| match place {
@@ -112,14 +117,14 @@ fn root(
     match located.and_then(|root| Some((root, between(root)?.0))) {
         Some(end) => {
             path.push(end);
-            End::Root
+            ZoneEnd::Root
         }
-        None => End::Lost,
+        None => ZoneEnd::Lost,
     }
 }
 
 /// The eigenvalue near one that is foretold, with what decides on its stability.
-fn found(family: &impl Family, at: f64, foretold: Complex64) -> Option<(Complex64, f64)> {
+fn found(family: &impl PairFamily, at: f64, foretold: Complex64) -> Option<(Complex64, f64)> {
     let function = family.at(at).ok()?;
     let [found] = polished(&function, [foretold])?;
     let is_near = (found - foretold).norm() <= NEAR * foretold.norm();
@@ -129,16 +134,16 @@ fn found(family: &impl Family, at: f64, foretold: Complex64) -> Option<(Complex6
 /// Why a branch is not found again a thousand-millionth of the piece farther on.
 ///
 /// So near, even two eigenvalues that meet are where they are foretold: where the pair is there and the eigenvalue is not, it has jumped.
-fn ended(family: &impl Family, next: f64, value: Complex64) -> End {
+fn ended(family: &impl PairFamily, next: f64, value: Complex64) -> ZoneEnd {
     match family.at(next) {
-        Ok(_) if is_meeting(family, next, value) => End::Meeting,
-        Ok(_) => End::Jump,
-        Err(_) => End::Lost,
+        Ok(_) if is_meeting(family, next, value) => ZoneEnd::Meeting,
+        Ok(_) => ZoneEnd::Jump,
+        Err(_) => ZoneEnd::Lost,
     }
 }
 
 /// Whether beyond a place a real eigenvalue goes on as a conjugate pair, or a pair as two real ones.
-fn is_meeting(family: &impl Family, next: f64, value: Complex64) -> bool {
+fn is_meeting(family: &impl PairFamily, next: f64, value: Complex64) -> bool {
     let aside = if value.im == 0.0 { ASIDE * value.norm() } else { 0.0 };
     let Ok(function) = family.at(next) else { return false };
     polished(&function, [Complex64::new(value.re, aside)]).is_some_and(|[other]| {
@@ -147,12 +152,12 @@ fn is_meeting(family: &impl Family, next: f64, value: Complex64) -> bool {
 }
 
 /// Whether an eigenvalue at a place is that of a branch there.
-pub(super) fn is_on(family: &impl Family, path: &Path, at: f64, value: Complex64) -> bool {
+pub(super) fn is_on(family: &impl PairFamily, path: &EigenvaluePath, at: f64, value: Complex64) -> bool {
     on_path(family, path, at).is_some_and(|found| (found - value).norm() <= SAME * value.norm())
 }
 
 /// The eigenvalue of a branch at a place on its path.
-pub(super) fn on_path(family: &impl Family, path: &[(f64, Complex64)], at: f64) -> Option<Complex64> {
+pub(super) fn on_path(family: &impl PairFamily, path: &[(f64, Complex64)], at: f64) -> Option<Complex64> {
     found(family, at, foretold(path, at)?).map(|(found, _)| found)
 }
 
@@ -169,7 +174,7 @@ pub(super) fn foretold(path: &[(f64, Complex64)], at: f64) -> Option<Complex64> 
 }
 
 /// Where a branch grows fastest, by the eigenvalue itself.
-pub(super) fn peak(family: &impl Family, path: &Path) -> (f64, Complex64) {
+pub(super) fn peak(family: &impl PairFamily, path: &EigenvaluePath) -> (f64, Complex64) {
     let best = (0..path.len()).fold(0, |best, k| if path[k].1.re > path[best].1.re { k } else { best });
     let (left, right) = (path[best.saturating_sub(1)], path[(best + 1).min(path.len() - 1)]);
     let middle = path[best];

@@ -2,7 +2,7 @@
 //!
 //! Of two eigenvalues that meet, the mean m and d = ((s₁ − s₂)/2)² are smooth through the meeting, s = m ± √d are not.
 
-use crate::characteristic::{Characteristic, PRECISION};
+use crate::characteristic::{PRECISION, PairCharacteristic};
 use crate::spectrum::polished;
 use num_complex::Complex64;
 
@@ -19,7 +19,7 @@ pub(super) struct Smooth {
 
 /// One eigenvalue, or two that may meet, over a piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Group {
+pub(super) enum EigenvalueGroup {
     /// Far from all others.
     Alone(Smooth),
     /// m and d.
@@ -35,7 +35,7 @@ pub(super) enum Sheet {
 
 /// What decides on stability: unstable where it is above zero; with the eigenvalue.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Margin {
+pub(super) struct StabilityMargin {
     pub(super) value: f64,
     /// By how much the value may be wrong.
     pub(super) doubt: f64,
@@ -84,7 +84,7 @@ impl Smooth {
     }
 }
 
-impl Group {
+impl EigenvalueGroup {
     /// Of one eigenvalue at even places.
     pub(super) fn alone(values: [Complex64; SAMPLES]) -> Self {
         Self::Alone(Smooth::new(values))
@@ -118,13 +118,13 @@ impl Group {
     }
 
     /// As the polynomials have it, at a share of the piece.
-    pub(super) fn foretold(&self, share: f64, sheet: Sheet, is_conservative: bool) -> Margin {
+    pub(super) fn foretold(&self, share: f64, sheet: Sheet, is_conservative: bool) -> StabilityMargin {
         match self {
             Self::Alone(value) => {
                 let margin = alone(value.at(share), is_conservative);
                 // where nothing damps, an eigenvalue that meets no other stays on its axis
                 let doubt = if is_conservative { 0.0 } else { value.doubt() };
-                Margin { doubt, ..margin }
+                StabilityMargin { doubt, ..margin }
             }
             Self::Two(mean, difference) => {
                 let (m, d) = (mean.at(share), difference.at(share));
@@ -135,13 +135,18 @@ impl Group {
                 } else {
                     mean.doubt() + off.sqrt().min(off / d.norm().sqrt().max(f64::MIN_POSITIVE))
                 };
-                Margin { doubt, ..margin }
+                StabilityMargin { doubt, ..margin }
             }
         }
     }
 
     /// As the characteristic function there has it; `None` where its zeros are not those foretold.
-    pub(super) fn found(&self, share: f64, sheet: Sheet, function: &Characteristic) -> Option<Margin> {
+    pub(super) fn found(
+        &self,
+        share: f64,
+        sheet: Sheet,
+        function: &PairCharacteristic,
+    ) -> Option<StabilityMargin> {
         let is_conservative = function.is_conservative();
         match self {
             Self::Alone(value) => {
@@ -168,13 +173,13 @@ fn is_near(found: Complex64, foretold: Complex64) -> bool {
 }
 
 /// What decides on the stability of one eigenvalue: a growth rate below the precision of its numbers is none.
-pub(super) fn alone(value: Complex64, is_conservative: bool) -> Margin {
+pub(super) fn alone(value: Complex64, is_conservative: bool) -> StabilityMargin {
     let floor = if is_conservative { ROUNDING } else { PRECISION };
-    Margin { value: value.re - floor * value.norm(), doubt: 0.0, eigenvalue: value }
+    StabilityMargin { value: value.re - floor * value.norm(), doubt: 0.0, eigenvalue: value }
 }
 
 /// Where nothing damps, d itself decides: it passes through zero, while the growth rate √d starts there.
-fn two(mean: Complex64, difference: Complex64, sheet: Sheet, is_conservative: bool) -> Margin {
+fn two(mean: Complex64, difference: Complex64, sheet: Sheet, is_conservative: bool) -> StabilityMargin {
     let half = difference.sqrt();
     let more = if half.re < 0.0 { -half } else { half };
     let eigenvalue = match sheet {
@@ -186,5 +191,5 @@ fn two(mean: Complex64, difference: Complex64, sheet: Sheet, is_conservative: bo
         (true, Sheet::More) => difference.re - ROUNDING * ROUNDING * mean.norm_sqr(),
         (true, Sheet::Less) => -mean.norm_sqr(),
     };
-    Margin { value, doubt: 0.0, eigenvalue }
+    StabilityMargin { value, doubt: 0.0, eigenvalue }
 }

@@ -1,9 +1,9 @@
 //! The search for unstable eigenvalues over a piece of a parameter's range, halved until its samples foretell what lies between them.
 
-use super::branch::{Branch, TooCoarse};
-use super::meeting::{Group, SAMPLES, alone};
+use super::branch::{PartBranch, TooCoarse};
+use super::meeting::{EigenvalueGroup, SAMPLES, alone};
 use super::strip::{Strip, strips};
-use super::{Family, Sample};
+use super::{PairFamily, SpectrumSample};
 use crate::SlidingError;
 use crate::spectrum::Spectrum;
 use crate::tracking::{continued, reach};
@@ -11,9 +11,9 @@ use num_complex::Complex64;
 
 /// What a search over a piece leaves.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Searched {
+pub(super) struct SearchedPiece {
     /// Where spectra were taken, in order.
-    pub(super) samples: Vec<Sample>,
+    pub(super) samples: Vec<SpectrumSample>,
     /// Of each part of the piece, in order, where an eigenvalue is unstable.
     pub(super) strips: Vec<Vec<Strip>>,
     /// Unstable eigenvalues of the samples of parts that are not smooth down to the resolution.
@@ -21,25 +21,25 @@ pub(super) struct Searched {
 }
 
 /// A search over one piece.
-pub(super) struct Search<'a, F> {
+pub(super) struct PieceSearch<'a, F> {
     family: &'a F,
     count: usize,
     /// A part so short is not halved any more.
     resolution: f64,
-    done: Searched,
+    done: SearchedPiece,
 }
 
 /// Two eigenvalues may meet where they come nearer than this share of what their distance changes from sample to sample.
 const MEETING: f64 = 1.2;
 
-impl<'a, F: Family> Search<'a, F> {
+impl<'a, F: PairFamily> PieceSearch<'a, F> {
     pub(super) fn over(
         family: &'a F,
         count: usize,
         [from, to]: [f64; 2],
         resolution: f64,
-    ) -> Result<Searched, SlidingError> {
-        let mut search = Self { family, count, resolution, done: Searched::default() };
+    ) -> Result<SearchedPiece, SlidingError> {
+        let mut search = Self { family, count, resolution, done: SearchedPiece::default() };
         let mut samples = Vec::with_capacity(SAMPLES);
         for k in 0..SAMPLES {
             let share = k as f64 / (SAMPLES - 1) as f64;
@@ -55,13 +55,13 @@ impl<'a, F: Family> Search<'a, F> {
         let function = self.family.at(at)?;
         let Spectrum { mut eigenvalues, limit, .. } = Spectrum::with_more(&function, at, self.count)?;
         eigenvalues.sort_by(|a, b| reach(*a).total_cmp(&reach(*b)));
-        self.done.samples.push(Sample { at, eigenvalues, limit });
+        self.done.samples.push(SpectrumSample { at, eigenvalues, limit });
         Ok(self.done.samples.len() - 1)
     }
 
     /// Searches between the first and the last of five even samples, halving where they are too coarse.
     fn part(&mut self, places: &[usize]) -> Result<(), SlidingError> {
-        let samples: Vec<&Sample> = places.iter().map(|place| &self.done.samples[*place]).collect();
+        let samples: Vec<&SpectrumSample> = places.iter().map(|place| &self.done.samples[*place]).collect();
         let ends = [samples[0].at, samples[SAMPLES - 1].at];
         let is_last = ends[1] - ends[0] <= self.resolution * (SAMPLES - 1) as f64;
         let found = match grouped(&samples, self.count) {
@@ -74,7 +74,7 @@ impl<'a, F: Family> Search<'a, F> {
         }
         if is_last {
             let is_conservative = self.family.at(ends[0])?.is_conservative();
-            let counted = |sample: &&Sample| {
+            let counted = |sample: &&SpectrumSample| {
                 let (at, last) = (sample.at, self.count.min(sample.eigenvalues.len()));
                 sample.eigenvalues[..last].iter().map(|value| (at, *value)).collect::<Vec<_>>()
             };
@@ -95,13 +95,17 @@ impl<'a, F: Family> Search<'a, F> {
     }
 
     /// `None` where the part is to be halved.
-    fn strips_of(&self, groups: &[Group], samples: &[&Sample]) -> Result<Option<Vec<Strip>>, SlidingError> {
+    fn strips_of(
+        &self,
+        groups: &[EigenvalueGroup],
+        samples: &[&SpectrumSample],
+    ) -> Result<Option<Vec<Strip>>, SlidingError> {
         let ends = [samples[0].at, samples[SAMPLES - 1].at];
         let is_conservative = self.family.at(ends[0])?.is_conservative();
         let mut all = Vec::new();
         for group in groups {
             for sheet in group.sheets() {
-                let branch = Branch { group: *group, sheet: *sheet, ends, is_conservative };
+                let branch = PartBranch { group: *group, sheet: *sheet, ends, is_conservative };
                 match strips(self.family, &branch) {
                     Ok(strips) => all.extend(strips),
                     Err(TooCoarse) => return Ok(None),
@@ -115,7 +119,7 @@ impl<'a, F: Family> Search<'a, F> {
     }
 
     /// Whether a strip's eigenvalue is among those counted at any sample within it, or at the one nearest to its middle.
-    fn is_counted(&self, strip: &Strip, samples: &[&Sample]) -> bool {
+    fn is_counted(&self, strip: &Strip, samples: &[&SpectrumSample]) -> bool {
         let middle = 0.5 * (strip.from.at + strip.to.at);
         let away = |k: &usize| (samples[*k].at - middle).abs();
         let nearest = (0..SAMPLES).min_by(|a, b| away(a).total_cmp(&away(b)));
@@ -130,7 +134,7 @@ impl<'a, F: Family> Search<'a, F> {
 }
 
 /// Eigenvalues that are alone, and two that may meet.
-fn grouped(samples: &[&Sample], count: usize) -> Result<Vec<Group>, TooCoarse> {
+fn grouped(samples: &[&SpectrumSample], count: usize) -> Result<Vec<EigenvalueGroup>, TooCoarse> {
     let branches = matched(samples, count)?;
     let mut partner: Vec<Option<usize>> = vec![None; branches.len()];
     for i in 0..branches.len() {
@@ -151,11 +155,11 @@ fn grouped(samples: &[&Sample], count: usize) -> Result<Vec<Group>, TooCoarse> {
         }
     }
     let group = |(i, branch): (usize, &Matched)| match partner[i] {
-        Some(j) if i < j => Some(Group::two(branch.values, branches[j].values)),
-        None if branch.is_counted => Some(Group::alone(branch.values)),
+        Some(j) if i < j => Some(EigenvalueGroup::two(branch.values, branches[j].values)),
+        None if branch.is_counted => Some(EigenvalueGroup::alone(branch.values)),
         _ => None,
     };
-    let groups: Vec<Group> = branches.iter().enumerate().filter_map(group).collect();
+    let groups: Vec<EigenvalueGroup> = branches.iter().enumerate().filter_map(group).collect();
     if groups.iter().any(|group| !group.is_smooth()) {
         return Err(TooCoarse);
     }
@@ -176,7 +180,7 @@ impl Matched {
 }
 
 /// Follows the eigenvalues of the first sample to the last.
-fn matched(samples: &[&Sample], count: usize) -> Result<Vec<Matched>, TooCoarse> {
+fn matched(samples: &[&SpectrumSample], count: usize) -> Result<Vec<Matched>, TooCoarse> {
     let mut branches: Vec<Vec<usize>> = (0..samples[0].eigenvalues.len()).map(|rank| vec![rank]).collect();
     for next in 1..SAMPLES {
         let value = |branch: &[usize], back: usize| samples[next - back].eigenvalues[branch[next - back]];

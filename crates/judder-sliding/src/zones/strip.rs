@@ -1,9 +1,9 @@
 //! Where one eigenvalue is unstable within a part of a parameter's range.
 
-use super::Family;
-use super::branch::{Bound, Branch, Path, TooCoarse};
+use super::PairFamily;
+use super::branch::{Bound, EigenvaluePath, PartBranch, TooCoarse};
 use super::highest::highest;
-use super::meeting::Margin;
+use super::meeting::StabilityMargin;
 use judder_numerics::root::bracketed_root;
 use num_complex::Complex64;
 
@@ -14,7 +14,7 @@ pub(super) struct Strip {
     pub(super) to: Bound,
     /// Where it grows fastest, as a share of the part, and how fast, as the samples foretell it.
     pub(super) peak: (f64, f64),
-    pub(super) branch: Branch,
+    pub(super) branch: PartBranch,
     /// Whether its eigenvalue is among those counted.
     pub(super) is_counted: bool,
 }
@@ -29,9 +29,10 @@ const BOUND: f64 = 1e-9;
 const POINTS: usize = 8;
 
 /// All ranges of a part in which the branch is unstable.
-pub(super) fn strips(family: &impl Family, branch: &Branch) -> Result<Vec<Strip>, TooCoarse> {
+pub(super) fn strips(family: &impl PairFamily, branch: &PartBranch) -> Result<Vec<Strip>, TooCoarse> {
     let share = |k: usize| k as f64 / KNOTS as f64;
-    let even: Vec<(f64, Margin)> = (0..=KNOTS).map(|k| (share(k), branch.foretold(share(k)))).collect();
+    let even: Vec<(f64, StabilityMargin)> =
+        (0..=KNOTS).map(|k| (share(k), branch.foretold(share(k)))).collect();
     if is_far_below(&even) {
         return Ok(Vec::new());
     }
@@ -56,7 +57,7 @@ pub(super) fn strips(family: &impl Family, branch: &Branch) -> Result<Vec<Strip>
 }
 
 /// Whether no value is nearer to zero than all values are to each other.
-fn is_far_below(knots: &[(f64, Margin)]) -> bool {
+fn is_far_below(knots: &[(f64, StabilityMargin)]) -> bool {
     let values = || knots.iter().map(|knot| knot.1.value);
     let (most, least) = (values().fold(f64::NEG_INFINITY, f64::max), values().fold(f64::INFINITY, f64::min));
     let doubt = knots.iter().map(|knot| knot.1.doubt).fold(0.0, f64::max);
@@ -64,7 +65,10 @@ fn is_far_below(knots: &[(f64, Margin)]) -> bool {
 }
 
 /// What is foretold at even shares, with its extremes between them where a sign may hide.
-fn with_extremes(branch: &Branch, even: &[(f64, Margin)]) -> Result<Vec<(f64, Margin)>, TooCoarse> {
+fn with_extremes(
+    branch: &PartBranch,
+    even: &[(f64, StabilityMargin)],
+) -> Result<Vec<(f64, StabilityMargin)>, TooCoarse> {
     let mut knots = Vec::with_capacity(even.len());
     for (k, (at, margin)) in even.iter().copied().enumerate() {
         let (from, before) = even[k.saturating_sub(1)];
@@ -92,7 +96,11 @@ fn with_extremes(branch: &Branch, even: &[(f64, Margin)]) -> Result<Vec<(f64, Ma
 }
 
 /// The share at which stability changes between two, by the eigenvalue itself.
-fn crossing(family: &impl Family, branch: &Branch, [left, right]: [f64; 2]) -> Result<f64, TooCoarse> {
+fn crossing(
+    family: &impl PairFamily,
+    branch: &PartBranch,
+    [left, right]: [f64; 2],
+) -> Result<f64, TooCoarse> {
     // at the ends of a part the samples are the eigenvalues
     let itself = |share: f64| {
         let is_sample = share == 0.0 || share == 1.0;
@@ -102,7 +110,7 @@ fn crossing(family: &impl Family, branch: &Branch, [left, right]: [f64; 2]) -> R
     bracketed_root(itself, left, right, BOUND).map_err(|_| TooCoarse)
 }
 
-fn strip(branch: &Branch, [from, to]: [f64; 2], knots: &[(f64, Margin)]) -> Strip {
+fn strip(branch: &PartBranch, [from, to]: [f64; 2], knots: &[(f64, StabilityMargin)]) -> Strip {
     let growth = |share: f64| branch.foretold(share).eigenvalue.re;
     let within = knots.iter().map(|knot| knot.0).filter(|share| *share > from && *share < to);
     let best = within.chain([from, to]).max_by(|a, b| growth(*a).total_cmp(&growth(*b))).unwrap_or(from);
@@ -118,7 +126,7 @@ fn strip(branch: &Branch, [from, to]: [f64; 2], knots: &[(f64, Margin)]) -> Stri
 }
 
 /// Where the strip's growth rate is highest, by the eigenvalue itself: the parameter and the eigenvalue; `None` where it is not found.
-pub(super) fn peak(family: &impl Family, strip: &Strip) -> Option<(f64, Complex64)> {
+pub(super) fn peak(family: &impl PairFamily, strip: &Strip) -> Option<(f64, Complex64)> {
     let Strip { from, to, peak, branch, .. } = strip;
     let width = branch.ends[1] - branch.ends[0];
     let share = |at: f64| (at - branch.ends[0]) / width;
@@ -130,7 +138,7 @@ pub(super) fn peak(family: &impl Family, strip: &Strip) -> Option<(f64, Complex6
 }
 
 /// Places of a strip from its start to its end, with the eigenvalues there.
-pub(super) fn path(family: &impl Family, strip: &Strip) -> Path {
+pub(super) fn path(family: &impl PairFamily, strip: &Strip) -> EigenvaluePath {
     let Strip { from, to, branch, .. } = strip;
     let width = branch.ends[1] - branch.ends[0];
     let share = |k: usize| (from.at + (to.at - from.at) * k as f64 / POINTS as f64 - branch.ends[0]) / width;

@@ -1,17 +1,17 @@
 //! The pair of the beams paper, Tables 1 and 2, with the readings that its book chapter names.
 #![allow(dead_code, reason = "each test binary uses its part")]
 
-use judder_sliding::body::Point;
+use judder_sliding::body::ModalPoint;
 use judder_sliding::edge::Interpolation;
 use judder_sliding::friction::Friction;
 use judder_sliding::motion::{InitialDamping, Motion, Noise, Ramps};
-use judder_sliding::pair::{Observed, Pair, Side, Slider, Track};
+use judder_sliding::pair::{Observed, Pair, PairSide, Slider, Track};
 use judder_sliding::reduced::Reduced;
 use judder_structure::assembly::{assemble, inertia_load};
 use judder_structure::beam::Beam;
 use judder_structure::craig_bampton::{CraigBampton, CutOff};
 use judder_structure::freedom::{Direction, Numbering, Supports};
-use judder_structure::material::{Elastic, Section};
+use judder_structure::material::{Elastic, ElementSection};
 use judder_structure::mesh::Mesh;
 use judder_structure::rigid::{largest_ratio, rigid_limit};
 use std::collections::BTreeMap;
@@ -63,12 +63,13 @@ fn oblique(modes: usize) -> Slider {
         tied: vec![(start.clone(), Direction::Y)],
     };
     let corner = mesh.node_sets["end"][0];
-    let material = (Elastic::new(71e9, 0.33, 2770.0).unwrap(), Section::PlaneStress { thickness: 0.010 });
+    let material =
+        (Elastic::new(71e9, 0.33, 2770.0).unwrap(), ElementSection::PlaneStress { thickness: 0.010 });
     let wanted = [(start[0], Direction::Y), (corner, Direction::X), (corner, Direction::Y)];
     let reduced = reduce(&mesh, material, &supports, &wanted, (0.2, 4e-8), modes);
     let row = |kept| reduced.row(Some(kept)).unwrap();
     let place = [mesh.nodes[corner][0], mesh.nodes[corner][1]];
-    let contact = Point { place, rows: [row(1), row(2)] };
+    let contact = ModalPoint { place, rows: [row(1), row(2)] };
     Slider { body: reduced.body.clone(), contact, load: row(0), inertia: reduced.inertia() }
 }
 
@@ -79,23 +80,24 @@ fn horizontal(modes: usize) -> (Track, Observed) {
     let both = [Direction::X, Direction::Y];
     let fixed = start.iter().flat_map(|node| both.map(|direction| (*node, direction))).collect();
     let supports = Supports { fixed, tied: Vec::new() };
-    let material = (Elastic::new(2.38e9, 0.40, 1200.0).unwrap(), Section::PlaneStress { thickness: 0.020 });
+    let material =
+        (Elastic::new(2.38e9, 0.40, 1200.0).unwrap(), ElementSection::PlaneStress { thickness: 0.020 });
     let edge = mesh.node_sets["upper-corners"].clone();
     let wanted: Vec<_> = edge[1..].iter().flat_map(|node| both.map(|direction| (*node, direction))).collect();
     let reduced = reduce(&mesh, material, &supports, &wanted, (40.0, 4e-8), modes);
     let point = |(k, node): (usize, &usize)| {
         let kept = |direction: usize| (k > 0).then(|| 2 * (k - 1) + direction);
         let place = [mesh.nodes[*node][0], mesh.nodes[*node][1]];
-        Point { place, rows: [0, 1].map(|direction| reduced.row(kept(direction)).unwrap()) }
+        ModalPoint { place, rows: [0, 1].map(|direction| reduced.row(kept(direction)).unwrap()) }
     };
-    let nodes: Vec<Point> = edge.iter().enumerate().map(point).collect();
-    let observed = Observed { side: Side::Track, row: nodes[100].rows[1].clone(), rigid: 0.0 };
+    let nodes: Vec<ModalPoint> = edge.iter().enumerate().map(point).collect();
+    let observed = Observed { side: PairSide::Track, row: nodes[100].rows[1].clone(), rigid: 0.0 };
     (Track { body: reduced.body.clone(), nodes }, observed)
 }
 
 fn reduce(
     mesh: &Mesh,
-    material: (Elastic, Section),
+    material: (Elastic, ElementSection),
     supports: &Supports,
     wanted: &[(usize, Direction)],
     damping: (f64, f64),

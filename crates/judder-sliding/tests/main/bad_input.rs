@@ -6,10 +6,12 @@ use judder_sliding::SlidingError;
 use judder_sliding::coupling::Sliding;
 use judder_sliding::edge::{Interpolation, RunOff};
 use judder_sliding::friction::Friction;
-use judder_sliding::march::{ContactState, March, MarchSettings, Method, Predictor, Reached, Sample};
+use judder_sliding::march::{
+    ContactMethod, ContactState, March, MarchSample, MarchSettings, Predictor, Reached,
+};
 use judder_sliding::motion::{Motion, Ramps};
 use judder_sliding::pair::{Pair, Slider, Track};
-use judder_sliding::statics::Equilibrium;
+use judder_sliding::statics::PairEquilibrium;
 
 const STEP: f64 = 3e-7;
 
@@ -24,9 +26,9 @@ fn refused(pair: &Pair, change: impl FnOnce(&mut Slider, &mut Track)) -> String 
     built(pair, change).unwrap_err().to_string()
 }
 
-fn marched(pair: &Pair, method: Method, step: f64, motion: Motion) -> Result<Reached, SlidingError> {
+fn marched(pair: &Pair, method: ContactMethod, step: f64, motion: Motion) -> Result<Reached, SlidingError> {
     let settings = MarchSettings { method, predictor: Predictor::default(), step, motion };
-    March::new(pair, settings)?.advance(20_000, &mut |_: &Sample, _: &[f64]| ())
+    March::new(pair, settings)?.advance(20_000, &mut |_: &MarchSample, _: &[f64]| ())
 }
 
 /// A contact point beside the track, at the start, at the end, at rest: with its position and the track's length.
@@ -37,9 +39,9 @@ fn a_contact_point_beside_the_track_is_told_with_its_position() {
     let motion = common::motion();
     let errors = [
         pair.undeformed(-1e-3).map(|_| ()),
-        Equilibrium::new(&pair, -1e-3, common::LOAD, sliding).map(|_| ()),
-        marched(&pair, Method::EnSubs, STEP, Motion { start: -1e-3, ..motion }).map(|_| ()),
-        marched(&pair, Method::Film, STEP, Motion { end: 0.5, ..motion }).map(|_| ()),
+        PairEquilibrium::new(&pair, -1e-3, common::LOAD, sliding).map(|_| ()),
+        marched(&pair, ContactMethod::EnSubs, STEP, Motion { start: -1e-3, ..motion }).map(|_| ()),
+        marched(&pair, ContactMethod::Film, STEP, Motion { end: 0.5, ..motion }).map(|_| ()),
         pair.undeformed(f64::NAN).map(|_| ()),
     ]
     .map(|result| result.unwrap_err().to_string());
@@ -97,16 +99,16 @@ fn a_number_that_is_none_is_told_with_its_entry() {
 #[test]
 fn a_march_that_cannot_go_on_says_where() {
     let pair = common::pair();
-    let over = marched(&pair, Method::EnSubs, 1e-6, common::motion()).unwrap_err();
+    let over = marched(&pair, ContactMethod::EnSubs, 1e-6, common::motion()).unwrap_err();
     assert!(over.to_string().contains("step of 1e-6 s is over its limit of 3.6"), "{over}");
     let friction = Friction::constant(30.0).unwrap();
     let locking = common::pair_with(Interpolation::Linear, friction, 20);
     let at_once = Ramps { friction: 0.0, ..common::motion().ramps };
     let motion = Motion { start: 0.02, ramps: at_once, ..common::motion() };
-    let locked = marched(&locking, Method::EnSubs, STEP, motion).unwrap_err();
+    let locked = marched(&locking, ContactMethod::EnSubs, STEP, motion).unwrap_err();
     assert!(locked.to_string().contains("sprag-slip at 0.02 m"), "{locked}");
     let sliding = Sliding::at(pair.friction(), common::SPEED);
-    let lifted = Equilibrium::new(&pair, 0.02, -common::LOAD, sliding).unwrap_err();
+    let lifted = PairEquilibrium::new(&pair, 0.02, -common::LOAD, sliding).unwrap_err();
     let expected = "nothing holds the pair at rest at 0.02 m: the load pulls the slider off the track";
     assert_eq!(lifted.to_string(), expected);
 }
@@ -115,12 +117,12 @@ fn a_march_that_cannot_go_on_says_where() {
 #[test]
 fn a_load_that_lifts_off_is_a_state() {
     let pair = common::pair();
-    for method in [Method::EnSubs, Method::Film] {
+    for method in [ContactMethod::EnSubs, ContactMethod::Film] {
         let motion = Motion { load: -common::LOAD, ..common::motion() };
         let settings = MarchSettings { method, predictor: Predictor::default(), step: STEP, motion };
         let mut march = March::new(&pair, settings).unwrap();
         let (mut open, mut least) = (0_u32, f64::INFINITY);
-        let mut take = |sample: &Sample, _: &[f64]| {
+        let mut take = |sample: &MarchSample, _: &[f64]| {
             open += u32::from(sample.state == ContactState::LiftOff);
             least = least.min(sample.normal_force);
         };
@@ -135,12 +137,14 @@ fn a_load_that_lifts_off_is_a_state() {
 fn a_slider_that_flies_away_has_lifted_off() {
     let pair = common::pair();
     let ramps = Ramps { velocity: 2e-3, load: 2e-3, friction: 2e-3, gap: 0.0 };
-    for (method, start) in [(Method::EnSubs, 0.01), (Method::Film, 0.01), (Method::EnSubs, 0.09)] {
+    for (method, start) in
+        [(ContactMethod::EnSubs, 0.01), (ContactMethod::Film, 0.01), (ContactMethod::EnSubs, 0.09)]
+    {
         let motion = Motion { start, load: -common::LOAD, ramps, ..common::motion() };
         let settings = MarchSettings { method, predictor: Predictor::default(), step: STEP, motion };
         let mut march = March::new(&pair, settings).unwrap();
         let mut last = 0.0;
-        let ended = march.advance(1_000_000, &mut |sample: &Sample, _: &[f64]| last = sample.gap);
+        let ended = march.advance(1_000_000, &mut |sample: &MarchSample, _: &[f64]| last = sample.gap);
         let Err(SlidingError::LiftedOff { position, gap }) = ended else { panic!("{method:?}: {ended:?}") };
         assert!((start..start + 3e-3).contains(&position), "{method:?}: {position}");
         assert!(gap > 0.01 && (gap - last).abs() < 1e-5, "{method:?}: {gap} {last}");
@@ -158,9 +162,13 @@ fn a_slider_that_flies_away_has_lifted_off() {
 fn growth_without_bound_is_not_the_end_of_the_track() {
     let rough = common::pair_with(Interpolation::Linear, Friction::constant(9.0).unwrap(), 20);
     let marched = |pair: &Pair, motion: Motion| {
-        let settings =
-            MarchSettings { method: Method::EnSubs, predictor: Predictor::default(), step: STEP, motion };
-        March::new(pair, settings).unwrap().advance(400_000, &mut |_: &Sample, _: &[f64]| ())
+        let settings = MarchSettings {
+            method: ContactMethod::EnSubs,
+            predictor: Predictor::default(),
+            step: STEP,
+            motion,
+        };
+        March::new(pair, settings).unwrap().advance(400_000, &mut |_: &MarchSample, _: &[f64]| ())
     };
     // such growth is chaotic: some of the marches lock or fly away before it ends them
     let mut grown = 0;
@@ -188,12 +196,12 @@ fn an_initial_gap_is_never_a_kick() {
         for (gap, duration) in [(1e-6, 0.1), (-1e-6, 0.1), (1e-6, 3e-3), (-1e-6, 3e-3)] {
             let ramps = Ramps { gap: duration, ..common::motion().ramps };
             let motion = Motion { start: 0.05, initial_gap: gap, ramps, ..common::motion() };
-            for method in [Method::EnSubs, Method::Film] {
+            for method in [ContactMethod::EnSubs, ContactMethod::Film] {
                 let settings = MarchSettings { method, predictor: Predictor::default(), step: STEP, motion };
                 let mut march = March::new(&pair, settings).unwrap();
                 let (mut before, mut largest, mut is_off) = (0.0, 0.0_f64, false);
                 let is_slow = duration >= common::motion().ramps.load;
-                let mut take = |sample: &Sample, _: &[f64]| {
+                let mut take = |sample: &MarchSample, _: &[f64]| {
                     is_off |= sample.state == ContactState::LiftOff && !is_slow;
                     if is_off {
                         return;
@@ -206,7 +214,8 @@ fn an_initial_gap_is_never_a_kick() {
                 assert!(largest < bound, "{interpolation} {gap} {duration} {method:?}: {largest} N");
             }
             let at_once = Ramps { gap: 0.0, ..common::motion().ramps };
-            let kick = marched(&pair, Method::EnSubs, STEP, Motion { ramps: at_once, ..motion }).unwrap_err();
+            let kick =
+                marched(&pair, ContactMethod::EnSubs, STEP, Motion { ramps: at_once, ..motion }).unwrap_err();
             let size = if gap > 0.0 {
                 "1e-6 m from the track (a gap)"
             } else {

@@ -1,7 +1,7 @@
 //! The pair of the beams paper at rest.
 use crate::common;
 use judder_sliding::coupling::Sliding;
-use judder_sliding::statics::Equilibrium;
+use judder_sliding::statics::PairEquilibrium;
 use std::f64::consts::TAU;
 
 /// 243 degrees of freedom, as the paper counts them; the cantilever's frequencies by beam theory, λ = 1.8751, 4.6941 with
@@ -26,7 +26,7 @@ fn the_deformed_state_is_in_balance() {
     let pair = common::pair();
     let sliding = Sliding::at(pair.friction(), common::SPEED);
     for position in [0.01, 0.0405, 0.074, 0.098] {
-        let rest = Equilibrium::new(&pair, position, common::LOAD, sliding).unwrap();
+        let rest = PairEquilibrium::new(&pair, position, common::LOAD, sliding).unwrap();
         assert!(rest.touch.gap.abs() < 1e-16, "{position}: {}", rest.touch.gap);
         let coupling = rest.coupling(&pair, sliding);
         let of_load = |k: usize| pair.slider().load.get(k).map_or(0.0, |row| row * common::LOAD);

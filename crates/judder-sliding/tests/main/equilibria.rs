@@ -6,7 +6,7 @@ use judder_sliding::edge::{Interpolation, Touch};
 use judder_sliding::friction::Friction;
 use judder_sliding::pair::{Pair, Track};
 use judder_sliding::plane::Vector;
-use judder_sliding::statics::Equilibrium;
+use judder_sliding::statics::PairEquilibrium;
 use proptest::prelude::*;
 use std::sync::LazyLock;
 
@@ -40,7 +40,7 @@ fn places(pair: &Pair, position: f64, state: &[f64], segment: usize) -> (Vector,
 
 /// By how much a state is off rest, as a share of the track's length: C from the place that it touches, and the normal from the edge's
 /// own there, or from the cone of a corner.
-fn residual(pair: &Pair, position: f64, rest: &Equilibrium) -> f64 {
+fn residual(pair: &Pair, position: f64, rest: &PairEquilibrium) -> f64 {
     let Touch { at, tangent, weights, stretch, .. } = rest.touch;
     let (point, [first, second]) = places(pair, position, &rest.state, at.segment);
     let angle = |[x, y]: Vector| y.atan2(x);
@@ -69,7 +69,7 @@ fn residual(pair: &Pair, position: f64, rest: &Equilibrium) -> f64 {
 fn meeting(pair: &Pair, node: f64, load: f64, sliding: Sliding) -> f64 {
     let arc = pair.node_positions();
     (0..6).fold(node, |position, _| {
-        let at = Equilibrium::new(pair, position, load, sliding).unwrap().touch.at;
+        let at = PairEquilibrium::new(pair, position, load, sliding).unwrap().touch.at;
         position + node - (arc[at.segment] + at.fraction * (arc[at.segment + 1] - arc[at.segment]))
     })
 }
@@ -99,7 +99,7 @@ proptest! {
             Some(aside) if deformed => meeting(pair, node, -load, sliding) + aside,
             Some(aside) => node + aside,
         };
-        let rest = Equilibrium::new(pair, position, -load, sliding).unwrap();
+        let rest = PairEquilibrium::new(pair, position, -load, sliding).unwrap();
         let left = residual(pair, position, &rest);
         prop_assert!(left <= 2.0 * TOLERANCE, "{position} {:?}: {left:e}", rest.touch);
     }

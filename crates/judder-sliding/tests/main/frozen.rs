@@ -5,11 +5,11 @@ use judder_sliding::coupling::Sliding;
 use judder_sliding::edge::{Interpolation, RunOff};
 use judder_sliding::friction::Friction;
 use judder_sliding::growth::{GrowthSettings, Held, frozen_growth};
-use judder_sliding::locus::{Conditions, Configuration, Settings, locus, spectrum};
-use judder_sliding::march::{March, MarchSettings, Method, Predictor, Start};
+use judder_sliding::locus::{Conditions, Configuration, LocusSettings, locus, spectrum};
+use judder_sliding::march::{ContactMethod, March, MarchSettings, MarchStart, Predictor};
 use judder_sliding::pair::Pair;
-use judder_sliding::spectrum::Wanted;
-use judder_sliding::statics::Equilibrium;
+use judder_sliding::spectrum::WantedEigenvalues;
+use judder_sliding::statics::PairEquilibrium;
 use judder_sliding::zones::Zone;
 use std::f64::consts::TAU;
 
@@ -20,27 +20,33 @@ fn conditions(configuration: Configuration) -> Conditions {
 /// The zones of the paper's path, those of largest growth first.
 fn zones(pair: &Pair, configuration: Configuration) -> Vec<Zone> {
     let positions = vec![0.010, 0.0985];
-    let settings = Settings { conditions: conditions(configuration), count: 20, positions };
+    let settings = LocusSettings { conditions: conditions(configuration), count: 20, positions };
     let mut zones = locus(pair, &settings).unwrap().followed.zones;
     zones.sort_by(|a, b| b.growth_rate.total_cmp(&a.growth_rate));
     zones
 }
 
 /// Measured growth agrees with the eigenvalue to 1 % where the pair grows fastest in each zone.
-fn growth_agrees(pair: &Pair, method: Method, configuration: Configuration, step: f64) {
+fn growth_agrees(pair: &Pair, method: ContactMethod, configuration: Configuration, step: f64) {
     let zones = zones(pair, configuration);
     assert!(zones.len() >= 4, "{zones:?}");
     growth_agrees_in(&zones[..zones.len().min(5)], pair, method, configuration, step);
 }
 
-fn growth_agrees_in(zones: &[Zone], pair: &Pair, method: Method, configuration: Configuration, step: f64) {
+fn growth_agrees_in(
+    zones: &[Zone],
+    pair: &Pair,
+    method: ContactMethod,
+    configuration: Configuration,
+    step: f64,
+) {
     for zone in zones {
         // growth may be largest where it jumps, at a corner of the edge, over which the contact would swing: a micrometre beside it
         let position = zone.peak + (0.5 * (zone.from + zone.to) - zone.peak).clamp(-1e-6, 1e-6);
         let settings = GrowthSettings { method, step, position, velocity: common::SPEED, load: common::LOAD };
         let held = Held::new(pair, &settings).unwrap();
         let conditions = conditions(configuration);
-        let all = spectrum(pair, &conditions, position, Wanted::Lowest(20)).unwrap().eigenvalues;
+        let all = spectrum(pair, &conditions, position, WantedEigenvalues::Lowest(20)).unwrap().eigenvalues;
         let fastest = all.iter().copied().max_by(|a, b| a.re.total_cmp(&b.re)).unwrap();
         let growth = frozen_growth(pair, &settings, &held, fastest).unwrap();
         println!(
@@ -58,13 +64,13 @@ fn growth_agrees_in(zones: &[Zone], pair: &Pair, method: Method, configuration: 
 
 #[test]
 fn subs_grows_as_the_undeformed_eigenvalue() {
-    let method = Method::Subs { static_slope: false };
+    let method = ContactMethod::Subs { static_slope: false };
     growth_agrees(&common::pair(), method, Configuration::Undeformed, 3e-7);
 }
 
 #[test]
 fn ensubs_grows_as_the_deformed_eigenvalue() {
-    growth_agrees(&common::pair(), Method::EnSubs, Configuration::Deformed, 3e-7);
+    growth_agrees(&common::pair(), ContactMethod::EnSubs, Configuration::Deformed, 3e-7);
 }
 
 /// So it does by FiLM, whose contact slides while it is held: the friction that turns with the sliding velocity is that of the eigenvalue.
@@ -72,13 +78,13 @@ fn ensubs_grows_as_the_deformed_eigenvalue() {
 fn film_grows_as_the_deformed_eigenvalue() {
     let pair = common::pair();
     let zones = zones(&pair, Configuration::Deformed);
-    growth_agrees_in(&zones[..3], &pair, Method::Film, Configuration::Deformed, 3e-7);
+    growth_agrees_in(&zones[..3], &pair, ContactMethod::Film, Configuration::Deformed, 3e-7);
 }
 
 /// So does the march with residual flexibility, whose step is eight times as long.
 #[test]
 fn residual_flexibility_grows_as_the_deformed_eigenvalue() {
-    let method = Method::ResidualFlexibility { cut_off: 150e3 };
+    let method = ContactMethod::ResidualFlexibility { cut_off: 150e3 };
     growth_agrees(&common::pair(), method, Configuration::Deformed, 1.2e-6);
 }
 
@@ -93,7 +99,7 @@ fn growth_agrees_on_a_smooth_edge() {
         let configuration = Configuration::Deformed;
         let zones = zones(&pair, configuration);
         assert!(zones.len() >= 3, "{zones:?}");
-        growth_agrees_in(&zones[..3], &pair, Method::EnSubs, configuration, 3e-7);
+        growth_agrees_in(&zones[..3], &pair, ContactMethod::EnSubs, configuration, 3e-7);
     }
 }
 
@@ -101,13 +107,13 @@ fn growth_agrees_on_a_smooth_edge() {
 #[test]
 fn growth_of_nothing_is_refused() {
     let pair = common::pair();
-    let method = Method::EnSubs;
+    let method = ContactMethod::EnSubs;
     let settings =
         GrowthSettings { method, step: 3e-7, position: 0.074, velocity: common::SPEED, load: common::LOAD };
     let held = Held::new(&pair, &settings).unwrap();
     let still = frozen_growth(&pair, &settings, &held, num_complex::Complex64::new(-3.0, 0.0));
     assert!(matches!(still, Err(SlidingError::InvalidNumber { .. })), "{still:?}");
-    let short = Start { now: vec![0.0], before: vec![0.0], forces: [[0.0; 2]; 2] };
+    let short = MarchStart { now: vec![0.0], before: vec![0.0], forces: [[0.0; 2]; 2] };
     let settings =
         MarchSettings { method, predictor: Predictor::default(), step: 3e-7, motion: common::motion() };
     let refused = March::held(&pair, settings, &short).err();
@@ -122,15 +128,15 @@ fn a_contact_that_swings_off_the_track_is_named() {
     let sliding = Sliding::at(pair.friction(), common::SPEED);
     let nodes = pair.node_positions();
     let reached = |position: f64| {
-        let at = Equilibrium::new(&pair, position, common::LOAD, sliding).unwrap().touch.at;
+        let at = PairEquilibrium::new(&pair, position, common::LOAD, sliding).unwrap().touch.at;
         nodes[at.segment] + at.fraction * (nodes[at.segment + 1] - nodes[at.segment])
     };
     let position = (0..6).fold(0.0999, |position, _| position + pair.length() - 1e-8 - reached(position));
-    let (method, step) = (Method::EnSubs, 3e-7);
+    let (method, step) = (ContactMethod::EnSubs, 3e-7);
     let settings = GrowthSettings { method, step, position, velocity: common::SPEED, load: common::LOAD };
     let held = Held::new(&pair, &settings).unwrap();
     let conditions = conditions(Configuration::Deformed);
-    let all = spectrum(&pair, &conditions, position, Wanted::Lowest(6)).unwrap().eigenvalues;
+    let all = spectrum(&pair, &conditions, position, WantedEigenvalues::Lowest(6)).unwrap().eigenvalues;
     let errors: Vec<SlidingError> = all
         .into_iter()
         .filter(|s| s.im > 1e3)

@@ -5,10 +5,12 @@ use judder_numerics::signal::decimate::Decimator;
 use judder_sliding::coupling::{Coupling, Sliding};
 use judder_sliding::edge::{Interpolation, RunOff};
 use judder_sliding::friction::Friction;
-use judder_sliding::march::{ContactState, March, MarchSettings, Method, Predictor, Reached, Sample, Start};
+use judder_sliding::march::{
+    ContactMethod, ContactState, March, MarchSample, MarchSettings, MarchStart, Predictor, Reached,
+};
 use judder_sliding::motion::{Motion, Noise, Ramps};
 use judder_sliding::pair::Pair;
-use judder_sliding::{SlidingError, statics::Equilibrium};
+use judder_sliding::{SlidingError, statics::PairEquilibrium};
 
 const STEP: f64 = 3e-7;
 
@@ -32,7 +34,7 @@ impl Kept {
     }
 }
 
-fn march(pair: &Pair, method: Method, step: f64, motion: Motion) -> Kept {
+fn march(pair: &Pair, method: ContactMethod, step: f64, motion: Motion) -> Kept {
     let mut march =
         March::new(pair, MarchSettings { method, predictor: Predictor::WithForce, step, motion }).unwrap();
     let factor = Decimation::factor_to(1.0 / step, 400e3);
@@ -45,7 +47,7 @@ fn march(pair: &Pair, method: Method, step: f64, motion: Motion) -> Kept {
         least_force: f64::INFINITY,
         least_velocity: f64::INFINITY,
     };
-    let mut take = |sample: &Sample, accelerations: &[f64]| {
+    let mut take = |sample: &MarchSample, accelerations: &[f64]| {
         let filtered = filter.push(&accelerations[..1]);
         if sample.time > settled {
             kept.acceleration.extend(filtered.into_iter().flatten());
@@ -69,15 +71,16 @@ fn rms(values: impl Iterator<Item = f64> + Clone) -> f64 {
 #[test]
 fn ensubs_and_film_burst_and_subs_does_not() {
     let pair = common::pair();
-    let [ensubs, film] = [Method::EnSubs, Method::Film].map(|method| march(&pair, method, STEP, last_part()));
+    let [ensubs, film] =
+        [ContactMethod::EnSubs, ContactMethod::Film].map(|method| march(&pair, method, STEP, last_part()));
     let difference = rms(ensubs.acceleration.iter().zip(&film.acceleration).map(|(a, b)| a - b));
     assert!(difference < 1e-3 * rms(ensubs.acceleration.iter().copied()), "{difference}");
     for kept in [&ensubs, &film] {
         assert_eq!((kept.stick, kept.open), (0, 0));
         assert!(kept.least_force > 0.0 && kept.least_velocity > 0.0);
     }
-    let [subs, sloped] =
-        [false, true].map(|static_slope| march(&pair, Method::Subs { static_slope }, STEP, last_part()));
+    let [subs, sloped] = [false, true]
+        .map(|static_slope| march(&pair, ContactMethod::Subs { static_slope }, STEP, last_part()));
     let peaks = [&ensubs, &subs, &sloped].map(Kept::peak);
     assert!(peaks[1] < 0.1 * peaks[0], "{peaks:?}");
     assert!(peaks[2] > 0.5 * peaks[0], "{peaks:?}");
@@ -87,7 +90,8 @@ fn ensubs_and_film_burst_and_subs_does_not() {
 #[test]
 fn the_burst_does_not_depend_on_the_step() {
     let pair = common::pair();
-    let [whole, half] = [STEP, 0.5 * STEP].map(|step| march(&pair, Method::EnSubs, step, last_part()).peak());
+    let [whole, half] =
+        [STEP, 0.5 * STEP].map(|step| march(&pair, ContactMethod::EnSubs, step, last_part()).peak());
     assert!((half / whole - 1.0).abs() < 2e-3, "{whole} {half}");
 }
 
@@ -96,9 +100,10 @@ fn the_burst_does_not_depend_on_the_step() {
 fn the_step_limit_is_the_limit() {
     let pair = common::pair();
     let motion = Motion { start: 0.097, ..common::motion() };
-    let at = |step| MarchSettings { method: Method::EnSubs, predictor: Predictor::WithForce, step, motion };
+    let at =
+        |step| MarchSettings { method: ContactMethod::EnSubs, predictor: Predictor::WithForce, step, motion };
     let limit = March::new(&pair, at(STEP)).unwrap().step_limit();
-    let mut nothing = |_: &Sample, _: &[f64]| ();
+    let mut nothing = |_: &MarchSample, _: &[f64]| ();
     let below = March::new(&pair, at(0.99 * limit)).unwrap().advance(300_000, &mut nothing);
     assert_eq!(below, Ok(Reached::End));
     let above = March::beyond_limit(&pair, at(1.01 * limit)).unwrap().advance(300_000, &mut nothing);
@@ -127,16 +132,16 @@ fn shadow_energy(steps: u64) {
     let pair = common::without_damping(&damped);
     let position = 0.0405;
     let sliding = Sliding::at(pair.friction(), common::SPEED);
-    let rest = Equilibrium::undeformed(&pair, position, common::LOAD, sliding).unwrap();
+    let rest = PairEquilibrium::undeformed(&pair, position, common::LOAD, sliding).unwrap();
     // a disturbance of every mode that keeps the contact closed: the structures' weightless state
-    let start = Start {
+    let start = MarchStart {
         now: rest.state.iter().map(|q| 0.9 * q).collect(),
         before: rest.state.iter().map(|q| 0.9 * q).collect(),
         forces: [[0.0, 0.9 * rest.normal_force]; 2],
     };
     let motion = Motion { start: position, end: position, velocity: common::SPEED, ..common::motion() };
     let settings = MarchSettings {
-        method: Method::Subs { static_slope: false },
+        method: ContactMethod::Subs { static_slope: false },
         predictor: Predictor::WithForce,
         step: STEP,
         motion,
@@ -151,7 +156,7 @@ fn shadow_energy(steps: u64) {
         let work: f64 = load.iter().zip(now.iter().zip(next)).map(|(f, (q, p))| 0.5 * f * (q + p)).sum();
         own - common::LOAD * work
     };
-    let mut nothing = |_: &Sample, _: &[f64]| ();
+    let mut nothing = |_: &MarchSample, _: &[f64]| ();
     let mut of_step = || {
         let now = march.state();
         march.advance(1, &mut nothing).unwrap();
@@ -178,8 +183,10 @@ fn shadow_energy(steps: u64) {
 #[test]
 fn a_continued_march_is_the_same_to_the_bit() {
     let pair = common::pair();
-    for method in [Method::EnSubs, Method::Film, Method::ResidualFlexibility { cut_off: 60e3 }] {
-        let step = if matches!(method, Method::ResidualFlexibility { .. }) { 2.4e-6 } else { STEP };
+    for method in
+        [ContactMethod::EnSubs, ContactMethod::Film, ContactMethod::ResidualFlexibility { cut_off: 60e3 }]
+    {
+        let step = if matches!(method, ContactMethod::ResidualFlexibility { .. }) { 2.4e-6 } else { STEP };
         let motion = Motion {
             start: 0.0938,
             end: 0.0946,
@@ -193,12 +200,12 @@ fn a_continued_march_is_the_same_to_the_bit() {
         let settings = MarchSettings { method, predictor: Predictor::WithForce, step, motion };
         let mut through = March::new(&pair, settings).unwrap();
         let mut samples = Vec::new();
-        let mut take = |sample: &Sample, a: &[f64]| samples.push((*sample, a[0]));
+        let mut take = |sample: &MarchSample, a: &[f64]| samples.push((*sample, a[0]));
         assert_eq!(through.advance(u64::MAX, &mut take), Ok(Reached::End));
         let mut continued = Vec::new();
         let mut march = March::new(&pair, settings).unwrap();
         loop {
-            let mut take = |sample: &Sample, a: &[f64]| continued.push((*sample, a[0]));
+            let mut take = |sample: &MarchSample, a: &[f64]| continued.push((*sample, a[0]));
             let reached = march.advance(7_919, &mut take).unwrap();
             let text = serde_json::to_string(&march.checkpoint()).unwrap();
             march = March::new(&pair, settings).unwrap();
@@ -229,12 +236,12 @@ fn a_foreign_checkpoint_changes_nothing() {
             .unwrap()
     };
     let settings = MarchSettings {
-        method: Method::EnSubs,
+        method: ContactMethod::EnSubs,
         predictor: Predictor::WithForce,
         step: STEP,
         motion: common::motion(),
     };
-    let mut nothing = |_: &Sample, _: &[f64]| ();
+    let mut nothing = |_: &MarchSample, _: &[f64]| ();
     let mut foreign = March::new(&other, settings).unwrap();
     foreign.advance(5_000, &mut nothing).unwrap();
     let [mut untouched, mut asked] = [0, 1].map(|_| March::new(&pair, settings).unwrap());
@@ -258,7 +265,7 @@ fn locking_is_the_same_quantity_in_every_march() {
         let ramps = Ramps { friction: 0.0, ..common::motion().ramps };
         let motion = Motion { start: 0.0505, ramps, ..common::motion() };
         let settings = MarchSettings { method, predictor: Predictor::WithForce, step, motion };
-        let mut nothing = |_: &Sample, _: &[f64]| ();
+        let mut nothing = |_: &MarchSample, _: &[f64]| ();
         March::new(&pair, settings).and_then(|mut march| march.advance(10_000, &mut nothing)).unwrap_err()
     };
     let pair = common::pair();
@@ -266,9 +273,11 @@ fn locking_is_the_same_quantity_in_every_march() {
         let touch = pair.undeformed(position).unwrap();
         Coupling::new(&pair, &touch, Sliding { friction, slope: 0.0, direction: 1.0 }).mobility()
     };
-    let subs = Method::Subs { static_slope: false };
-    let residual = Method::ResidualFlexibility { cut_off: 60e3 };
-    for (method, step) in [(subs, STEP), (subs, 0.3 * STEP), (Method::EnSubs, STEP), (residual, 2.4e-6)] {
+    let subs = ContactMethod::Subs { static_slope: false };
+    let residual = ContactMethod::ResidualFlexibility { cut_off: 60e3 };
+    for (method, step) in
+        [(subs, STEP), (subs, 0.3 * STEP), (ContactMethod::EnSubs, STEP), (residual, 2.4e-6)]
+    {
         let error = locked(friction, method, step);
         let SlidingError::SpragSlip { position, mobility, .. } = error else { panic!("{method:?}: {error}") };
         assert!((position - 0.0505).abs() < 1e-3, "{method:?}: {position}");
@@ -297,12 +306,13 @@ fn film_sticks_and_lifts_off() {
     };
     let mut march = March::new(
         &pair,
-        MarchSettings { method: Method::Film, predictor: Predictor::WithForce, step: STEP, motion },
+        MarchSettings { method: ContactMethod::Film, predictor: Predictor::WithForce, step: STEP, motion },
     )
     .unwrap();
     let (mut stick, mut open, mut slip) = (0, 0, 0);
-    let mut take = |sample: &Sample, _: &[f64]| {
-        let Sample { normal_force, tangential_force, gap, sliding_velocity, friction, state, .. } = *sample;
+    let mut take = |sample: &MarchSample, _: &[f64]| {
+        let MarchSample { normal_force, tangential_force, gap, sliding_velocity, friction, state, .. } =
+            *sample;
         assert!(normal_force >= 0.0 && gap > -1e-18, "{sample:?}");
         assert!(normal_force * gap.abs() < 1e-18, "{sample:?}");
         assert!(tangential_force.abs() <= friction * normal_force * (1.0 + 1e-12), "{sample:?}");
@@ -328,7 +338,12 @@ fn wrong_marches_are_named() {
     let at = |motion| {
         March::new(
             &pair,
-            MarchSettings { method: Method::EnSubs, predictor: Predictor::WithForce, step: STEP, motion },
+            MarchSettings {
+                method: ContactMethod::EnSubs,
+                predictor: Predictor::WithForce,
+                step: STEP,
+                motion,
+            },
         )
     };
     let beyond = at(Motion { end: 0.2, ..common::motion() }).err();
@@ -342,12 +357,12 @@ fn wrong_marches_are_named() {
     assert!(matches!(kick, Some(SlidingError::OpenAtStart { .. })), "{kick:?}");
     let locking = common::pair_with(Interpolation::Linear, Friction::constant(30.0).unwrap(), 20);
     let settings = MarchSettings {
-        method: Method::EnSubs,
+        method: ContactMethod::EnSubs,
         predictor: Predictor::WithForce,
         step: STEP,
         motion: Motion { ramps: Ramps { friction: 0.0, ..common::motion().ramps }, ..common::motion() },
     };
-    let mut nothing = |_: &Sample, _: &[f64]| ();
+    let mut nothing = |_: &MarchSample, _: &[f64]| ();
     let locked = March::new(&locking, settings).unwrap().advance(1_000_000, &mut nothing);
     assert!(matches!(locked, Err(SlidingError::SpragSlip { .. })), "{locked:?}");
     let end = Motion { start: 0.0985, end: 0.1, ..common::motion() };
@@ -364,10 +379,10 @@ fn a_smooth_node_is_crossed_without_a_click() {
     let ramps = Ramps { velocity: 2e-3, load: 4e-3, friction: 4e-3, gap: 0.0 };
     let motion = Motion { start: 0.0501, ramps, ..common::motion() };
     let [printed, with_force] = [Predictor::Printed, Predictor::WithForce].map(|predictor| {
-        let settings = MarchSettings { method: Method::EnSubs, predictor, step: STEP, motion };
+        let settings = MarchSettings { method: ContactMethod::EnSubs, predictor, step: STEP, motion };
         let mut march = March::new(&pair, settings).unwrap();
         let (mut last, mut bend) = ([0.0; 2], 0.0_f64);
-        let mut take = |sample: &Sample, _: &[f64]| {
+        let mut take = |sample: &MarchSample, _: &[f64]| {
             // once the ramps' motion has died down: with the node at 51 mm, by what C is deformed
             if sample.position > 0.0506 {
                 bend = bend.max((sample.normal_force - 2.0 * last[1] + last[0]).abs());

@@ -2,10 +2,10 @@
 
 use judder_numerics::counter::uniform;
 use judder_sliding::SlidingError;
-use judder_sliding::body::{Body, Point};
+use judder_sliding::body::{Body, ModalPoint};
 use judder_sliding::edge::Interpolation;
 use judder_sliding::friction::Friction;
-use judder_sliding::march::{ContactState, March, MarchSettings, Method, Predictor, Sample};
+use judder_sliding::march::{ContactMethod, ContactState, March, MarchSample, MarchSettings, Predictor};
 use judder_sliding::motion::{Motion, Noise, Ramps};
 use judder_sliding::pair::{Pair, Slider, Track};
 use proptest::prelude::*;
@@ -21,11 +21,11 @@ fn pair(seed: u64, interpolation: Interpolation, friction: f64) -> Pair {
         alpha: 20.0,
         beta: 1e-6,
     };
-    let node = |k: usize| Point {
+    let node = |k: usize| ModalPoint {
         place: [1e-3 * (k as f64 + 0.2 * drawn(50, k)), 0.0],
         rows: rows(60 + k as u64, 6),
     };
-    let contact = Point { place: [0.0; 2], rows: rows(3, 3) };
+    let contact = ModalPoint { place: [0.0; 2], rows: rows(3, 3) };
     let load = contact.rows[1].clone();
     let slider = Slider { body: body(1, 3), contact, load, inertia: vec![0.1; 3] };
     let track = Track { body: body(2, 6), nodes: (0..5).map(node).collect() };
@@ -51,10 +51,10 @@ proptest! {
             ramps: Ramps { velocity: 0.01, load: 0.0, friction: 0.0, gap: 0.0 },
             initial_damping: None,
         };
-        let settings = MarchSettings { method: Method::Film, predictor: Predictor::WithForce, step: 2e-6, motion };
+        let settings = MarchSettings { method: ContactMethod::Film, predictor: Predictor::WithForce, step: 2e-6, motion };
         let mut broken = None;
-        let mut take = |sample: &Sample, _: &[f64]| {
-            let Sample { normal_force: n, tangential_force: t, gap, sliding_velocity: v, friction, state, .. } = *sample;
+        let mut take = |sample: &MarchSample, _: &[f64]| {
+            let MarchSample { normal_force: n, tangential_force: t, gap, sliding_velocity: v, friction, state, .. } = *sample;
             let small = 1e-10 * n.abs().max(1.0);
             let holds = n >= 0.0
                 && gap > -1e-15

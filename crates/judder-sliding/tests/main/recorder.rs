@@ -2,7 +2,9 @@
 
 use crate::common;
 use judder_numerics::signal::Decimation;
-use judder_sliding::march::{ContactState, March, MarchSettings, Method, Predictor, Sample, Sink};
+use judder_sliding::march::{
+    ContactMethod, ContactState, March, MarchSample, MarchSettings, Predictor, Sink,
+};
 use judder_sliding::motion::Motion;
 use judder_sliding::recorder::{Channel, Recorder};
 use std::f64::consts::TAU;
@@ -13,9 +15,9 @@ fn decimation() -> Decimation {
     Decimation::new(1.0 / STEP, 50e3, 8)
 }
 
-fn sample(motion: &Motion, step: u64, force: f64) -> Sample {
+fn sample(motion: &Motion, step: u64, force: f64) -> MarchSample {
     let time = step as f64 * STEP;
-    Sample {
+    MarchSample {
         time,
         position: motion.at(time).position,
         normal_force: force,
@@ -69,7 +71,7 @@ fn extremes_and_states_are_those_after_the_ramps() {
     let mut recorder = Recorder::new(&pair, &motion, &[], &decimation()).unwrap();
     let settled = (motion.settled() / STEP) as u64;
     let mut take = |step: u64, force: f64, velocity: f64, state: ContactState| {
-        let sample = Sample { sliding_velocity: velocity, state, ..sample(&motion, step, force) };
+        let sample = MarchSample { sliding_velocity: velocity, state, ..sample(&motion, step, force) };
         recorder.take(&sample, &[0.0]);
     };
     take(settled - 10, 99.0, -5.0, ContactState::LiftOff);
@@ -94,7 +96,7 @@ fn a_recorder_goes_on_to_the_bit() {
     let pair = common::pair();
     let motion = common::motion();
     let settings =
-        MarchSettings { method: Method::EnSubs, step: STEP, motion, predictor: Predictor::default() };
+        MarchSettings { method: ContactMethod::EnSubs, step: STEP, motion, predictor: Predictor::default() };
     let channels = [Channel::Acceleration(0), Channel::Velocity(0), Channel::NormalForce];
     let new = || {
         let march = March::new(&pair, settings).unwrap();
@@ -124,10 +126,10 @@ fn a_step_allocates_nothing() {
     let pair = common::pair();
     let motion = common::motion();
     for method in [
-        Method::Subs { static_slope: false },
-        Method::EnSubs,
-        Method::Film,
-        Method::Subs { static_slope: true },
+        ContactMethod::Subs { static_slope: false },
+        ContactMethod::EnSubs,
+        ContactMethod::Film,
+        ContactMethod::Subs { static_slope: true },
     ] {
         let settings = MarchSettings { method, step: STEP, motion, predictor: Predictor::default() };
         let mut march = March::new(&pair, settings).unwrap();

@@ -3,7 +3,7 @@ use crate::common;
 use judder_numerics::signal::Decimation;
 use judder_numerics::signal::window::Window;
 use judder_sliding::SlidingError;
-use judder_sliding::march::{March, MarchSettings, Method, Predictor, Reached, Sample};
+use judder_sliding::march::{ContactMethod, March, MarchSample, MarchSettings, Predictor, Reached};
 use judder_sliding::motion::Motion;
 use judder_sliding::pair::Pair;
 use judder_sliding::recorder::{Channel, Recorder, Tally};
@@ -11,7 +11,7 @@ use num_complex::Complex64;
 use std::f64::consts::TAU;
 
 /// The cut-off and the step that a case has which names neither.
-const OURS: Method = Method::ResidualFlexibility { cut_off: 60e3 };
+const OURS: ContactMethod = ContactMethod::ResidualFlexibility { cut_off: 60e3 };
 const STEP: f64 = 3e-6;
 /// The step of the paper's reading.
 const ENSUBS_STEP: f64 = 3e-7;
@@ -33,7 +33,7 @@ struct Kept {
     tally: Tally,
 }
 
-fn kept(pair: &Pair, method: Method, step: f64, motion: Motion) -> Kept {
+fn kept(pair: &Pair, method: ContactMethod, step: f64, motion: Motion) -> Kept {
     let settings = MarchSettings { method, predictor: Predictor::WithForce, step, motion };
     let decimation = Decimation::new(1.0 / step, 50e3, Decimation::factor_to(1.0 / step, 400e3));
     let mut recorder = Recorder::new(pair, &motion, &[Channel::Acceleration(0)], &decimation).unwrap();
@@ -103,9 +103,9 @@ fn apart(ours: &[f64], other: &[f64]) -> (f64, usize) {
 fn the_burst_has_the_envelope_of_ensubs() {
     let pair = common::pair();
     let motion = Motion { start: 0.080, ..common::motion() };
-    let ensubs = kept(&pair, Method::EnSubs, ENSUBS_STEP, motion);
+    let ensubs = kept(&pair, ContactMethod::EnSubs, ENSUBS_STEP, motion);
     let ours = kept(&pair, OURS, STEP, motion);
-    let quiet = kept(&pair, Method::Subs { static_slope: false }, ENSUBS_STEP, motion);
+    let quiet = kept(&pair, ContactMethod::Subs { static_slope: false }, ENSUBS_STEP, motion);
     let envelopes: [fn(&Kept) -> Vec<f64>; 2] = [Kept::in_band, Kept::of_swings];
     for envelope in envelopes {
         let theirs = envelope(&ensubs);
@@ -127,13 +127,13 @@ fn the_burst_has_the_envelope_of_ensubs() {
 fn on_the_whole_path_the_peak_is_that_of_smaller_steps() {
     let pair = common::pair();
     let peak = |method, step| kept(&pair, method, step, common::motion()).peak();
-    let whole = peak(Method::EnSubs, ENSUBS_STEP);
+    let whole = peak(ContactMethod::EnSubs, ENSUBS_STEP);
     let off = |name: &str, method, step| {
         let off = peak(method, step) / whole - 1.0;
         println!("{name}, h = {step:.1e} s: peak {:+.2} %", 100.0 * off);
         off
     };
-    let [half, third] = [2.0, 3.0].map(|parts| off("EnSubs", Method::EnSubs, ENSUBS_STEP / parts));
+    let [half, third] = [2.0, 3.0].map(|parts| off("EnSubs", ContactMethod::EnSubs, ENSUBS_STEP / parts));
     let [ours, halved] = [1.0, 2.0].map(|parts| off("residual flexibility", OURS, STEP / parts));
     assert!(half.abs() < 5e-3 && third.abs() < 1e-2, "{half} {third}");
     for own in [ours, halved] {
@@ -144,7 +144,7 @@ fn on_the_whole_path_the_peak_is_that_of_smaller_steps() {
 /// By how much the normal force of a march turns from step to step, at most, once it is there, N.
 fn turning(mut march: March<'_>) -> f64 {
     let (mut last, mut turning) = ([0.0; 2], 0.0_f64);
-    let mut take = |sample: &Sample, _: &[f64]| {
+    let mut take = |sample: &MarchSample, _: &[f64]| {
         // in its first step the contact closes
         if sample.time > 1e-3 {
             turning = turning.max((sample.normal_force - 2.0 * last[1] + last[0]).abs());

@@ -2,9 +2,9 @@
 
 use crate::common;
 use judder_sliding::SlidingError;
-use judder_sliding::march::{March, MarchSettings, Method, Predictor, Sample, Sink};
+use judder_sliding::march::{ContactMethod, March, MarchSample, MarchSettings, Predictor, Sink};
 use judder_sliding::motion::{Motion, Noise};
-use judder_sliding::pair::{Observed, Pair, Side};
+use judder_sliding::pair::{Observed, Pair, PairSide};
 
 const STEP: f64 = 3e-7;
 
@@ -16,14 +16,14 @@ impl Sink for Last {
         self.0[point] = displacement;
     }
 
-    fn take(&mut self, _sample: &Sample, _accelerations: &[f64]) {}
+    fn take(&mut self, _sample: &MarchSample, _accelerations: &[f64]) {}
 }
 
 /// The pair of the paper, its slider watched at C along y as well.
 fn watched_at_the_contact() -> Pair {
     let pair = common::pair();
     let row = pair.slider().contact.rows[1].clone();
-    let observed = [pair.observed(), &[Observed { side: Side::Slider, row, rigid: 0.0 }]].concat();
+    let observed = [pair.observed(), &[Observed { side: PairSide::Slider, row, rigid: 0.0 }]].concat();
     let interpolation = pair.edge().interpolation;
     Pair::new(
         pair.slider().clone(),
@@ -42,7 +42,7 @@ fn observed_displacements_are_those_of_the_modes_under_noise_too() {
     let pair = watched_at_the_contact();
     let motion = Motion { noise: Noise { force: 0.05, seed: 3 }, ..common::motion() };
     let predictor = Predictor::WithForce;
-    let settings = MarchSettings { method: Method::EnSubs, predictor, step: STEP, motion };
+    let settings = MarchSettings { method: ContactMethod::EnSubs, predictor, step: STEP, motion };
     let mut march = March::new(&pair, settings).unwrap();
     let mut last = Last(vec![0.0; 2]);
     let modes = pair.slider().body.modes();
@@ -65,11 +65,11 @@ fn observed_displacements_are_those_of_the_modes_under_noise_too() {
 fn the_static_slope_does_not_kick() {
     let pair = common::pair();
     let motion = common::motion();
-    let method = Method::Subs { static_slope: true };
+    let method = ContactMethod::Subs { static_slope: true };
     let settings = MarchSettings { method, predictor: Predictor::WithForce, step: STEP, motion };
     let mut march = March::new(&pair, settings).unwrap();
     let (mut largest, mut open) = (0.0_f64, 0);
-    let mut take = |sample: &Sample, _: &[f64]| {
+    let mut take = |sample: &MarchSample, _: &[f64]| {
         largest = largest.max(sample.normal_force);
         open += usize::from(sample.normal_force == 0.0 && sample.time > 1e-3);
     };
@@ -81,7 +81,7 @@ fn the_static_slope_does_not_kick() {
 fn a_cut_off_outside_the_frequencies_is_refused() {
     let pair = common::pair();
     for cut_off in [1.0, 40.0, 1e9] {
-        let method = Method::ResidualFlexibility { cut_off };
+        let method = ContactMethod::ResidualFlexibility { cut_off };
         let motion = common::motion();
         let settings = MarchSettings { method, predictor: Predictor::WithForce, step: 1e-6, motion };
         let error = March::new(&pair, settings).unwrap_err();

@@ -5,7 +5,7 @@ use std::io::{self, ErrorKind, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
 use super::layout::SweepLayout;
-use super::record::{self, ChunkDamage, Found, PointFailure, Record, TRAILER_BYTES};
+use super::record::{self, ChunkDamage, ChunkEnd, PointFailure, Record, TRAILER_BYTES};
 use super::{group, shard};
 use crate::StoreError;
 
@@ -114,9 +114,9 @@ impl SweepChunks {
         };
         let points = self.layout.points(chunk)?.count();
         Ok(match record::verified(&self.layout, chunk, points, &content).0 {
-            Found::Whole(record) => ChunkState::Done { failures: record.failures.len() },
-            Found::Damaged(damage) => ChunkState::Damaged(damage),
-            Found::Foreign(hash) => ChunkState::Foreign { hash },
+            ChunkEnd::Whole(record) => ChunkState::Done { failures: record.failures.len() },
+            ChunkEnd::Damaged(damage) => ChunkState::Damaged(damage),
+            ChunkEnd::Foreign(hash) => ChunkState::Foreign { hash },
         })
     }
 
@@ -174,12 +174,12 @@ impl SweepChunks {
     }
 
     /// The record of a chunk, where it is found.
-    fn sound(&self, chunk: usize, found: Found) -> Result<Record, StoreError> {
+    fn sound(&self, chunk: usize, found: ChunkEnd) -> Result<Record, StoreError> {
         let path = self.path(chunk)?;
         match found {
-            Found::Whole(record) => Ok(record),
-            Found::Damaged(damage) => Err(StoreError::DamagedChunk { path, damage }),
-            Found::Foreign(hash) => Err(self.foreign(path, hash)),
+            ChunkEnd::Whole(record) => Ok(record),
+            ChunkEnd::Damaged(damage) => Err(StoreError::DamagedChunk { path, damage }),
+            ChunkEnd::Foreign(hash) => Err(self.foreign(path, hash)),
         }
     }
 
@@ -197,13 +197,13 @@ impl SweepChunks {
     /// Reads the record of a chunk alone.
     fn record(&self, chunk: usize, points: usize) -> Result<Record, StoreError> {
         let path = self.path(chunk)?;
-        let read = || -> io::Result<Found> {
+        let read = || -> io::Result<ChunkEnd> {
             let mut file = File::open(&path)?;
             let size = file.metadata()?.len();
             let before = size.saturating_sub(TRAILER_BYTES as u64);
             let trailer = read_from(&mut file, before)?;
             let length = record::length(&trailer).filter(|length| *length as u64 <= before);
-            let Some(length) = length else { return Ok(Found::Damaged(ChunkDamage::NoRecord)) };
+            let Some(length) = length else { return Ok(ChunkEnd::Damaged(ChunkDamage::NoRecord)) };
             let shard = before - length as u64;
             let end = read_from(&mut file, shard)?;
             Ok(record::read(&self.layout, chunk, points, &end, shard))

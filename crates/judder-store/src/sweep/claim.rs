@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::StoreError;
-use crate::lock::{self, Lock, Mode};
+use crate::lock::{self, Lock, LockMode};
 
 /// How the names of the folders begin in which the claims of a sweep lie, and chunks that are being written.
 pub(crate) const PREFIX: &str = ".sweep-";
@@ -36,7 +36,7 @@ impl ChunkClaim {
     /// anew.
     pub(super) fn take(claims: &Path, chunk: usize) -> Result<Option<Self>, StoreError> {
         let file = claims.join(format!("{chunk}.claim"));
-        let lock = lock::try_lock(&file, Mode::Alone)?;
+        let lock = lock::try_lock(&file, LockMode::Alone)?;
         Ok(lock.map(|lock| Self { chunk, file, _lock: lock }))
     }
 

@@ -54,7 +54,7 @@ pub enum ChunkDamage {
 
 /// What is found at the end of the file of a chunk.
 #[derive(Debug, PartialEq)]
-pub(super) enum Found {
+pub(super) enum ChunkEnd {
     /// Ours.
     Whole(Record),
     /// Ours, but not as it was written.
@@ -113,27 +113,27 @@ pub(super) fn length(trailer: &[u8]) -> Option<usize> {
 }
 
 /// What the end of a file, from its record on, says; `shard` is what stands before it, in bytes.
-pub(super) fn read(layout: &SweepLayout, chunk: usize, points: usize, end: &[u8], shard: u64) -> Found {
+pub(super) fn read(layout: &SweepLayout, chunk: usize, points: usize, end: &[u8], shard: u64) -> ChunkEnd {
     let Some((record, trailer)) = end.split_last_chunk::<TRAILER_BYTES>() else {
-        return Found::Damaged(ChunkDamage::NoRecord);
+        return ChunkEnd::Damaged(ChunkDamage::NoRecord);
     };
     if !trailer.starts_with(blake3::hash(record).as_bytes()) {
-        return Found::Damaged(ChunkDamage::Record);
+        return ChunkEnd::Damaged(ChunkDamage::Record);
     }
     let Ok(record) = serde_json::from_slice::<Record>(record) else {
-        return Found::Damaged(ChunkDamage::Record);
+        return ChunkEnd::Damaged(ChunkDamage::Record);
     };
     let quantities = layout.quantities().len();
     if record.hash != layout.hash() {
-        Found::Foreign(record.hash)
+        ChunkEnd::Foreign(record.hash)
     } else if record.chunk != chunk {
-        Found::Damaged(ChunkDamage::OtherChunk { found: record.chunk })
+        ChunkEnd::Damaged(ChunkDamage::OtherChunk { found: record.chunk })
     } else if (record.points, record.quantities) != (points, quantities) {
-        Found::Damaged(ChunkDamage::OtherShape { points: record.points, quantities: record.quantities })
+        ChunkEnd::Damaged(ChunkDamage::OtherShape { points: record.points, quantities: record.quantities })
     } else if record.bytes as u64 != shard {
-        Found::Damaged(ChunkDamage::Values)
+        ChunkEnd::Damaged(ChunkDamage::Values)
     } else {
-        Found::Whole(record)
+        ChunkEnd::Whole(record)
     }
 }
 
@@ -143,15 +143,17 @@ pub(super) fn verified<'a>(
     chunk: usize,
     points: usize,
     content: &'a [u8],
-) -> (Found, &'a [u8]) {
+) -> (ChunkEnd, &'a [u8]) {
     let start = content
         .split_last_chunk::<TRAILER_BYTES>()
         .and_then(|(before, trailer)| before.len().checked_sub(length(trailer)?));
     let Some((shard, end)) = start.and_then(|start| content.split_at_checked(start)) else {
-        return (Found::Damaged(ChunkDamage::NoRecord), &[]);
+        return (ChunkEnd::Damaged(ChunkDamage::NoRecord), &[]);
     };
     let found = match read(layout, chunk, points, end, shard.len() as u64) {
-        Found::Whole(record) if record.checksum != content_hash(shard) => Found::Damaged(ChunkDamage::Values),
+        ChunkEnd::Whole(record) if record.checksum != content_hash(shard) => {
+            ChunkEnd::Damaged(ChunkDamage::Values)
+        }
         found => found,
     };
     (found, shard)

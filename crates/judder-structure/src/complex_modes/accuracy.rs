@@ -1,22 +1,26 @@
 //! How far an eigenvalue may be from the true one.
 
 use super::disc::Triple;
-use super::refine::Refined;
+use super::refine::RefinedEigenvalue;
 use super::vectors::assurance;
-use super::{Eigenvalue, Settings};
+use super::{ComplexModeSettings, Eigenvalue};
 use crate::quadratic::Quadratic;
 use faer::c64;
 
 /// What is known of an eigenvalue beside others.
 pub(crate) struct Accuracy<'a> {
     problem: &'a Quadratic,
-    refined: &'a Refined,
+    refined: &'a RefinedEigenvalue,
     /// How far the nearest eigenvalue with the same vector is: the two may be one that is defective.
     partner: Option<f64>,
 }
 
 impl<'a> Accuracy<'a> {
-    pub(crate) fn beside(problem: &'a Quadratic, refined: &'a Refined, others: &[&Refined]) -> Self {
+    pub(crate) fn beside(
+        problem: &'a Quadratic,
+        refined: &'a RefinedEigenvalue,
+        others: &[&RefinedEigenvalue],
+    ) -> Self {
         /// Vectors are parallel above it.
         const PARALLEL: f64 = 0.9;
         let partner = others
@@ -31,7 +35,7 @@ impl<'a> Accuracy<'a> {
     ///
     /// First order: δ = (o + ε N(λ))/|d|, with what the method leaves open o, the precision ε of the matrices, N(λ) = |λ|² ‖M‖ +
     /// |λ| ‖C‖ + ‖K‖ and d = yᴴ Q′(λ) x of vectors of length one.
-    pub(crate) fn eigenvalue(&self, left_open: f64, settings: &Settings) -> Eigenvalue {
+    pub(crate) fn eigenvalue(&self, left_open: f64, settings: &ComplexModeSettings) -> Eigenvalue {
         let value = self.refined.triple.value;
         let (scale, slope) = (self.problem.scale(value), self.refined.slope.norm());
         let error = self.moved_by(left_open + (f64::EPSILON + settings.data_precision) * scale);
@@ -71,7 +75,7 @@ fn along(a: &[c64], b: &[c64]) -> f64 {
 }
 
 /// η N(λ): what normalised residuals η leave open of d times the eigenvalue.
-pub(crate) fn left_by_residuals(problem: &Quadratic, refined: &Refined) -> f64 {
+pub(crate) fn left_by_residuals(problem: &Quadratic, refined: &RefinedEigenvalue) -> f64 {
     refined.worse() * problem.scale(refined.triple.value)
 }
 

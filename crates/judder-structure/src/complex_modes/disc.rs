@@ -1,12 +1,12 @@
 //! The eigenvalues of a disc around a shift, with right and left vectors that belong together.
 
-use super::krylov::{Found, search};
+use super::krylov::{FoundAroundShift, search};
 use super::linearised::Linearised;
 use super::matching::one_to_one;
 use super::shift::ShiftedFactor;
 use super::vectors::{bilinear, column};
 use crate::StructureError;
-use crate::quadratic::{Quadratic, Side};
+use crate::quadratic::{MatrixSide, Quadratic};
 use faer::{Mat, c64};
 use judder_dense::general::solve_complex;
 
@@ -49,8 +49,10 @@ impl Disc {
         const SEEDS: (u64, u64) = (101, 202);
         let factor = ShiftedFactor::near(problem, centre, asked)?;
         let of = |side| Linearised { problem, factor: &factor, side, reach: asked };
-        let (right, left) =
-            rayon::join(|| search(&of(Side::Right), SEEDS.0), || search(&of(Side::Left), SEEDS.1));
+        let (right, left) = rayon::join(
+            || search(&of(MatrixSide::Right), SEEDS.0),
+            || search(&of(MatrixSide::Left), SEEDS.1),
+        );
         let (right, left) = (right?, left?);
         let radius = right.radius.min(left.radius);
         let reach = asked.min(radius);
@@ -62,8 +64,13 @@ impl Disc {
 }
 
 /// Triples of what both sides have found, and what within the radius only one side has.
-fn pair(centre: c64, right: &Found, left: &Found, radius: f64) -> (Vec<Triple>, Vec<c64>) {
-    let values = |found: &Found| found.pairs.iter().map(|pair| pair.value).collect::<Vec<_>>();
+fn pair(
+    centre: c64,
+    right: &FoundAroundShift,
+    left: &FoundAroundShift,
+    radius: f64,
+) -> (Vec<Triple>, Vec<c64>) {
+    let values = |found: &FoundAroundShift| found.pairs.iter().map(|pair| pair.value).collect::<Vec<_>>();
     let (of_right, of_left) = (values(right), values(left));
     let mut pairs = one_to_one(&of_right, &of_left, SAME * radius);
     pairs.sort_unstable();
@@ -97,7 +104,7 @@ pub(super) fn biorthogonalise(problem: &Quadratic, triples: &mut [Triple], dista
         }
         let slope = |i: usize, j: usize| {
             let middle = 0.5 * (triples[i].value + triples[j].value);
-            let image = problem.slope(Side::Right, middle, column(&triples[j].right));
+            let image = problem.slope(MatrixSide::Right, middle, column(&triples[j].right));
             bilinear(&triples[i].left, image.col(0))
         };
         let products = Mat::from_fn(cluster.len(), cluster.len(), |i, j| slope(cluster[i], cluster[j]));
@@ -131,12 +138,12 @@ pub(super) fn biorthogonalise(problem: &Quadratic, triples: &mut [Triple], dista
 
 #[cfg(test)]
 mod tests {
-    use super::super::krylov::Pair;
+    use super::super::krylov::EigenPair;
     use super::*;
 
-    fn found(values: &[f64]) -> Found {
-        let pair = |value: &f64| Pair { value: c64::new(*value, 0.0), vector: vec![c64::new(1.0, 0.0)] };
-        Found { pairs: values.iter().map(pair).collect(), radius: 10.0, crowded: false }
+    fn found(values: &[f64]) -> FoundAroundShift {
+        let pair = |value: &f64| EigenPair { value: c64::new(*value, 0.0), vector: vec![c64::new(1.0, 0.0)] };
+        FoundAroundShift { pairs: values.iter().map(pair).collect(), radius: 10.0, crowded: false }
     }
 
     #[test]

@@ -30,16 +30,16 @@ const INVARIANT: f64 = 1e-11;
 
 /// An eigenvalue with its right vector, of length one.
 #[derive(Debug, Clone)]
-pub(super) struct Pair {
+pub(super) struct EigenPair {
     pub(super) value: c64,
     pub(super) vector: Vec<c64>,
 }
 
 /// What a search around a shift has found: all eigenvalues within a radius.
 #[derive(Debug, Clone)]
-pub(super) struct Found {
+pub(super) struct FoundAroundShift {
     /// By rising distance from the shift.
-    pub(super) pairs: Vec<Pair>,
+    pub(super) pairs: Vec<EigenPair>,
     /// Every eigenvalue nearer to the shift has converged.
     pub(super) radius: f64,
     /// Some are too many in one place: there may be more of them.
@@ -47,7 +47,7 @@ pub(super) struct Found {
 }
 
 /// All eigenvalues within the operator's reach of its shift, or as far out as the largest basis holds.
-pub(super) fn search(operator: &Linearised<'_>, seed: u64) -> Result<Found, StructureError> {
+pub(super) fn search(operator: &Linearised<'_>, seed: u64) -> Result<FoundAroundShift, StructureError> {
     let asked = operator.reach;
     let mut basis = Basis::start(operator, seed)?;
     let mut seen = None;
@@ -65,7 +65,7 @@ pub(super) fn search(operator: &Linearised<'_>, seed: u64) -> Result<Found, Stru
         let settled = ritz.radius >= asked && seen == Some(ritz.inside(asked));
         let beyond_counting = outnumbered && crowd >= MOST_STARTS;
         if (settled && !outnumbered) || basis.is_full() || beyond_counting {
-            return Ok(Found { crowded: outnumbered, ..basis.found(&ritz, ritz.radius) });
+            return Ok(FoundAroundShift { crowded: outnumbered, ..basis.found(&ritz, ritz.radius) });
         }
         seen = (ritz.radius >= asked).then(|| ritz.inside(asked));
         if outnumbered {
@@ -93,7 +93,7 @@ struct Basis<'a> {
 }
 
 /// Eigenvalues of the operator on the basis by falling |θ|, and how many of the first have converged.
-struct Ritz {
+struct RitzPair {
     values: Vec<c64>,
     vectors: Mat<c64>,
     order: Vec<usize>,
@@ -194,7 +194,7 @@ impl<'a> Basis<'a> {
         coordinates
     }
 
-    fn ritz(&self) -> Result<Ritz, StructureError> {
+    fn ritz(&self) -> Result<RitzPair, StructureError> {
         let reach = self.operator.reach;
         let done = self.fresh;
         let (values, vectors) = complex_eigen(self.projected.submatrix(0, 0, done, done))
@@ -214,26 +214,26 @@ impl<'a> Basis<'a> {
             (None, 0) => 0.0,
             (None, _) => reach,
         };
-        Ok(Ritz { values, vectors, order, converged, radius, reach })
+        Ok(RitzPair { values, vectors, order, converged, radius, reach })
     }
 
-    fn found(&self, ritz: &Ritz, radius: f64) -> Found {
+    fn found(&self, ritz: &RitzPair, radius: f64) -> FoundAroundShift {
         let (size, done) = (self.operator.problem.size(), self.fresh);
         let pairs = ritz.finite().map(|k| {
             let mut vector = Mat::zeros(size, 1);
             let (basis, shares) = (self.vectors.submatrix(0, 0, size, done), ritz.vectors.subcols(k, 1));
             matmul(vector.as_mut(), Accum::Replace, basis, shares, c64::new(1.0, 0.0), Par::Seq);
             let length = vector.norm_l2();
-            Pair {
+            EigenPair {
                 value: self.operator.value(ritz.values[k]),
                 vector: (0..size).map(|row| vector[(row, 0)] / length).collect(),
             }
         });
-        Found { pairs: pairs.collect(), radius, crowded: false }
+        FoundAroundShift { pairs: pairs.collect(), radius, crowded: false }
     }
 }
 
-impl Ritz {
+impl RitzPair {
     /// The converged eigenvalues that are not infinite.
     fn finite(&self) -> impl Iterator<Item = usize> + '_ {
         const INFINITE: f64 = 1e-8;

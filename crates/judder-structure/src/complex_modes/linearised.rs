@@ -5,14 +5,14 @@
 
 use super::shift::ShiftedFactor;
 use crate::StructureError;
-use crate::quadratic::{Quadratic, Side};
+use crate::quadratic::{MatrixSide, Quadratic};
 use faer::{Mat, MatRef, c64};
 
 /// The operator on (x, u), for right vectors or for left ones.
 pub(super) struct Linearised<'a> {
     pub(super) problem: &'a Quadratic,
     pub(super) factor: &'a ShiftedFactor,
-    pub(super) side: Side,
+    pub(super) side: MatrixSide,
     /// ρ.
     pub(super) reach: f64,
 }

@@ -8,7 +8,7 @@ use super::disc::Triple;
 use super::shift::ShiftedFactor;
 use super::vectors::{bilinear, column, length, normalise};
 use crate::StructureError;
-use crate::quadratic::{Quadratic, Side, entries};
+use crate::quadratic::{MatrixSide, Quadratic, entries};
 use faer::{Mat, c64};
 
 /// Eigenvalues that are known beside each other, with the factor at a shift among them.
@@ -22,7 +22,7 @@ pub(crate) struct Neighbourhood<'a> {
 
 /// A triple with its normalised residuals ‖Q(λ) x‖/((|λ|² ‖M‖ + |λ| ‖C‖ + ‖K‖) ‖x‖).
 #[derive(Debug, Clone)]
-pub(crate) struct Refined {
+pub(crate) struct RefinedEigenvalue {
     pub(crate) triple: Triple,
     /// Q(λ) x.
     pub(crate) rest: Vec<c64>,
@@ -46,13 +46,16 @@ const CLOSE: f64 = 1e-7;
 impl<'a> Neighbourhood<'a> {
     pub(crate) fn new(problem: &'a Quadratic, factor: &'a ShiftedFactor, triples: &'a [Triple]) -> Self {
         let slope = |triple: &Triple| {
-            bilinear(&triple.left, problem.slope(Side::Right, triple.value, column(&triple.right)).col(0))
+            bilinear(
+                &triple.left,
+                problem.slope(MatrixSide::Right, triple.value, column(&triple.right)).col(0),
+            )
         };
         Self { problem, factor, triples, slopes: triples.iter().map(slope).collect() }
     }
 
     /// A triple of the neighbourhood, refined until its residuals are rounding or fall no more.
-    pub(crate) fn refined(&self, place: usize) -> Result<Refined, StructureError> {
+    pub(crate) fn refined(&self, place: usize) -> Result<RefinedEigenvalue, StructureError> {
         let mut best = self.measure(self.triples[place].clone());
         for _ in 0..STEPS {
             if best.worse() <= ROUNDING {
@@ -68,7 +71,7 @@ impl<'a> Neighbourhood<'a> {
     }
 
     /// As [`Self::refined`], and where that does not reach rounding, beside a defective eigenvalue say, by factors at λ itself.
-    pub(crate) fn refined_to_rounding(&self, place: usize) -> Result<Refined, StructureError> {
+    pub(crate) fn refined_to_rounding(&self, place: usize) -> Result<RefinedEigenvalue, StructureError> {
         let mut best = self.refined(place)?;
         if best.worse() <= SUFFICIENT {
             return Ok(best);
@@ -83,8 +86,8 @@ impl<'a> Neighbourhood<'a> {
                 normalise(&mut vector);
                 Ok(vector)
             };
-            let right = turned(Side::Right, &best.triple.left)?;
-            let left = turned(Side::Left, &right)?;
+            let right = turned(MatrixSide::Right, &best.triple.left)?;
+            let left = turned(MatrixSide::Left, &right)?;
             let kept = self.measure(Triple { value: best.triple.value, right, left });
             let moved = self.measure(Triple { value: kept.newton(), ..kept.triple.clone() });
             let next = if moved.is_better_than(&kept) { moved } else { kept };
@@ -96,12 +99,12 @@ impl<'a> Neighbourhood<'a> {
         Ok(best)
     }
 
-    fn measure(&self, triple: Triple) -> Refined {
-        Refined::measured(self.problem, triple)
+    fn measure(&self, triple: Triple) -> RefinedEigenvalue {
+        RefinedEigenvalue::measured(self.problem, triple)
     }
 
     /// One step of the iteration on both sides, then one of Newton on λ.
-    fn corrected(&self, place: usize, from: &Refined) -> Result<Triple, StructureError> {
+    fn corrected(&self, place: usize, from: &RefinedEigenvalue) -> Result<Triple, StructureError> {
         let (right, left) = self.steps(place, from)?;
         let moved = |vector: &[c64], step: &[c64]| {
             let mut moved: Vec<c64> = vector.iter().zip(step).map(|(v, s)| v - s).collect();
@@ -118,15 +121,15 @@ impl<'a> Neighbourhood<'a> {
     }
 
     /// What the approximate inverse makes of both residuals.
-    fn steps(&self, place: usize, from: &Refined) -> Result<(Vec<c64>, Vec<c64>), StructureError> {
+    fn steps(&self, place: usize, from: &RefinedEigenvalue) -> Result<(Vec<c64>, Vec<c64>), StructureError> {
         let value = from.triple.value;
         let solved = |side, rest: &[c64]| -> Result<Vec<c64>, StructureError> {
             let mut block = column(rest).to_owned();
             self.factor.solve(side, &mut block)?;
             Ok(entries(block.col(0)).collect())
         };
-        let mut right = solved(Side::Right, &from.rest)?;
-        let mut left = solved(Side::Left, &from.left_rest)?;
+        let mut right = solved(MatrixSide::Right, &from.rest)?;
+        let mut left = solved(MatrixSide::Left, &from.left_rest)?;
         for (j, (known, slope)) in self.triples.iter().zip(&self.slopes).enumerate() {
             let mut weight = -(self.factor.shift() - known.value).inv();
             let apart = value - known.value;
@@ -142,14 +145,15 @@ impl<'a> Neighbourhood<'a> {
     }
 }
 
-impl Refined {
+impl RefinedEigenvalue {
     /// A triple with its residuals.
     pub(crate) fn measured(problem: &Quadratic, triple: Triple) -> Self {
         let (right, left) = (column(&triple.right), column(&triple.left));
-        let rest: Vec<c64> = entries(problem.image(Side::Right, triple.value, right).col(0)).collect();
-        let left_rest: Vec<c64> = entries(problem.image(Side::Left, triple.value, left).col(0)).collect();
+        let rest: Vec<c64> = entries(problem.image(MatrixSide::Right, triple.value, right).col(0)).collect();
+        let left_rest: Vec<c64> =
+            entries(problem.image(MatrixSide::Left, triple.value, left).col(0)).collect();
         let scale = problem.scale(triple.value);
-        let slope = bilinear(&triple.left, problem.slope(Side::Right, triple.value, right).col(0));
+        let slope = bilinear(&triple.left, problem.slope(MatrixSide::Right, triple.value, right).col(0));
         let (residual, left_residual) = (length(&rest) / scale, length(&left_rest) / scale);
         Self { triple, rest, left_rest, residual, left_residual, slope }
     }

@@ -1,7 +1,7 @@
 //! Q(σ) factored once for many solutions, with it and with its transpose.
 
 use crate::StructureError;
-use crate::quadratic::{Quadratic, Side};
+use crate::quadratic::{MatrixSide, Quadratic};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::lu::partial_pivoting::factor::PartialPivLuParams;
 use faer::sparse::linalg::LuError;
@@ -57,7 +57,7 @@ impl ShiftedFactor {
         let factor = Self { shift, symbolic, numeric };
         // a zero pivot shows as what is not finite
         let mut probe = Mat::from_fn(rows, 1, |_, _| c64::new(1.0, 0.0));
-        factor.solve(Side::Right, &mut probe)?;
+        factor.solve(MatrixSide::Right, &mut probe)?;
         let finite = (0..rows).all(|row| probe[(row, 0)].re.is_finite() && probe[(row, 0)].im.is_finite());
         Ok(finite.then_some(factor))
     }
@@ -71,17 +71,17 @@ impl ShiftedFactor {
     ///
     /// # Errors
     /// [`StructureError::OutOfMemory`].
-    pub(crate) fn solve(&self, side: Side, block: &mut Mat<c64>) -> Result<(), StructureError> {
+    pub(crate) fn solve(&self, side: MatrixSide, block: &mut Mat<c64>) -> Result<(), StructureError> {
         let rows = block.nrows();
         let needed = self.symbolic.solve_in_place_scratch::<c64>(block.ncols(), Par::Seq);
         let mut memory = MemBuffer::try_new(needed).map_err(|_| StructureError::OutOfMemory { rows })?;
         let (factor, stack) =
             (LuRef::new_unchecked(&self.symbolic, &self.numeric), MemStack::new(&mut memory));
         match side {
-            Side::Right => {
+            MatrixSide::Right => {
                 factor.solve_in_place_with_conj(Conj::No, block.as_mut(), Par::Seq, stack);
             }
-            Side::Left => {
+            MatrixSide::Left => {
                 factor.solve_transpose_in_place_with_conj(Conj::No, block.as_mut(), Par::Seq, stack);
             }
         }

@@ -4,17 +4,17 @@
 //! eigenvalues, infinite ones (θ = 0) among them. Determinants by elimination around the region are a number of their own: an eigenvalue of
 //! the region that is missing, or there twice, turns the quotient of both sides once around.
 
-use super::Searched;
+use super::SearchedRegion;
 use super::cover::Gap;
 use super::determinant::log_determinant;
 use super::disc::{Triple, biorthogonalise};
 use super::linearised::Linearised;
 use super::matching::one_to_one;
-use super::refine::{Neighbourhood, Refined};
+use super::refine::{Neighbourhood, RefinedEigenvalue};
 use super::shift::ShiftedFactor;
 use super::vectors::normalise;
 use crate::StructureError;
-use crate::quadratic::{Quadratic, Region, Side};
+use crate::quadratic::{MatrixSide, Quadratic, Region};
 use faer::{Mat, c64};
 use judder_dense::general::complex_eigen;
 use rayon::prelude::*;
@@ -27,11 +27,14 @@ const SURROUNDINGS: f64 = 1.5;
 const CLUSTER: f64 = 1e-7;
 
 /// Every eigenvalue of a region, refined, and whether the determinants prove that there are no others.
-pub(super) fn whole(problem: &Quadratic, region: &Region) -> Result<Searched, StructureError> {
+pub(super) fn whole(problem: &Quadratic, region: &Region) -> Result<SearchedRegion, StructureError> {
     let reach = region.radius();
     let factor = ShiftedFactor::near(problem, region.centre(), reach)?;
     let of = |side| Linearised { problem, factor: &factor, side, reach };
-    let (right, left) = rayon::join(|| Spectrum::of(&of(Side::Right)), || Spectrum::of(&of(Side::Left)));
+    let (right, left) = rayon::join(
+        || WholeSpectrum::of(&of(MatrixSide::Right)),
+        || WholeSpectrum::of(&of(MatrixSide::Left)),
+    );
     let (right, left) = (right?, left?);
     let near: Vec<usize> =
         (0..right.thetas.len()).filter(|k| right.thetas[*k].norm() * SURROUNDINGS >= 1.0).collect();
@@ -39,7 +42,7 @@ pub(super) fn whole(problem: &Quadratic, region: &Region) -> Result<Searched, St
     for (i, j) in one_to_one(&right.thetas, &left.thetas, f64::INFINITY) {
         partner[i] = j;
     }
-    let operator = of(Side::Right);
+    let operator = of(MatrixSide::Right);
     let triple = |k: &usize| Triple {
         value: operator.value(right.thetas[*k]),
         right: right.vector(*k),
@@ -53,18 +56,18 @@ pub(super) fn whole(problem: &Quadratic, region: &Region) -> Result<Searched, St
         thetas[*k] = reach / (refined.triple.value - factor.shift());
     }
     let gaps = unproved(problem, region, &operator, &thetas)?;
-    Ok(Searched { refined, factors: vec![factor], gaps })
+    Ok(SearchedRegion { refined, factors: vec![factor], gaps })
 }
 
 /// All eigenvalues θ of an operator.
-struct Spectrum {
+struct WholeSpectrum {
     thetas: Vec<c64>,
     /// Columns (x, u).
     vectors: Mat<c64>,
     size: usize,
 }
 
-impl Spectrum {
+impl WholeSpectrum {
     fn of(operator: &Linearised<'_>) -> Result<Self, StructureError> {
         let rows = operator.rows();
         let matrix = operator.through(Mat::<c64>::identity(rows, rows).as_ref())?;
@@ -87,7 +90,7 @@ fn refined(
     factor: &ShiftedFactor,
     triples: &[Triple],
     reach: f64,
-) -> Result<Vec<Refined>, StructureError> {
+) -> Result<Vec<RefinedEigenvalue>, StructureError> {
     /// Eigenvalues nearer than this share of the reach are one.
     const ONE: f64 = 1e-10;
     let neighbourhood = Neighbourhood::new(problem, factor, triples);
@@ -97,10 +100,10 @@ fn refined(
             others.map(|(_, other)| (other.value - triples[k].value).norm()).fold(f64::INFINITY, f64::min);
         (0.5 * nearest).max(ONE * reach)
     };
-    let one = |k: usize| -> Result<Refined, StructureError> {
+    let one = |k: usize| -> Result<RefinedEigenvalue, StructureError> {
         let refined = neighbourhood.refined_to_rounding(k)?;
         let stayed = (refined.triple.value - triples[k].value).norm() <= own(k);
-        Ok(if stayed { refined } else { Refined::measured(problem, triples[k].clone()) })
+        Ok(if stayed { refined } else { RefinedEigenvalue::measured(problem, triples[k].clone()) })
     };
     (0..triples.len()).into_par_iter().map(one).collect()
 }

@@ -6,9 +6,9 @@
 
 use super::basis::decomposed;
 use crate::StructureError;
-use crate::affine::{Factors, Family, Term};
-use crate::complex_modes::{Refined, Searched, ShiftedFactor, Triple, vectors};
-use crate::quadratic::{Region, Side};
+use crate::affine::{AffineFamily, Factors, Term};
+use crate::complex_modes::{RefinedEigenvalue, SearchedRegion, ShiftedFactor, Triple, vectors};
+use crate::quadratic::{MatrixSide, Region};
 use crate::statics::{dot, product};
 use faer::{Mat, c64};
 use judder_dense::general::{real_eigen, solve};
@@ -16,7 +16,7 @@ use rayon::prelude::*;
 
 /// The terms Vᵀ A V of a family.
 pub(super) struct Projection<'a> {
-    family: &'a Family,
+    family: &'a AffineFamily,
     basis: Vec<Vec<f64>>,
     mass: Vec<Mat<f64>>,
     damping: Vec<Mat<f64>>,
@@ -25,7 +25,7 @@ pub(super) struct Projection<'a> {
 
 /// Eigenvalues of the projected problem, measured on the full one, with what the projection leaves open of each, times d.
 pub(super) struct Projected {
-    pub(super) refined: Vec<Refined>,
+    pub(super) refined: Vec<RefinedEigenvalue>,
     pub(super) left_open: Vec<f64>,
 }
 
@@ -39,7 +39,10 @@ impl Projected {
 
 impl<'a> Projection<'a> {
     /// On the vectors of samples; `None` where these are no basis.
-    pub(super) fn new<'s>(family: &'a Family, samples: impl Iterator<Item = &'s Searched>) -> Option<Self> {
+    pub(super) fn new<'s>(
+        family: &'a AffineFamily,
+        samples: impl Iterator<Item = &'s SearchedRegion>,
+    ) -> Option<Self> {
         let snapshots: Vec<Vec<f64>> = samples
             .flat_map(|sample| &sample.refined)
             .flat_map(|refined| [&refined.triple.right, &refined.triple.left])
@@ -73,8 +76,8 @@ impl<'a> Projection<'a> {
     ) -> Result<Option<Projected>, StructureError> {
         let Some(triples) = self.triples(factors, region) else { return Ok(None) };
         let problem = self.family.at(factors)?;
-        let refined: Vec<Refined> =
-            triples.into_iter().map(|triple| Refined::measured(&problem, triple)).collect();
+        let refined: Vec<RefinedEigenvalue> =
+            triples.into_iter().map(|triple| RefinedEigenvalue::measured(&problem, triple)).collect();
         let left_open = left_open(&refined, sample)?;
         Ok(Some(Projected { refined, left_open }))
     }
@@ -148,7 +151,7 @@ fn sum(matrices: &[Mat<f64>], factors: &[f64], size: usize) -> Mat<f64> {
 }
 
 /// 2 ‖s‖ ‖Q⁻¹ r‖ of each, with the factor whose shift is nearest.
-fn left_open(refined: &[Refined], sample: &[ShiftedFactor]) -> Result<Vec<f64>, StructureError> {
+fn left_open(refined: &[RefinedEigenvalue], sample: &[ShiftedFactor]) -> Result<Vec<f64>, StructureError> {
     const SAFETY: f64 = 2.0;
     let mut left_open = vec![f64::INFINITY; refined.len()];
     for (number, factor) in sample.iter().enumerate() {
@@ -163,7 +166,7 @@ fn left_open(refined: &[Refined], sample: &[ShiftedFactor]) -> Result<Vec<f64>, 
         }
         let size = refined[0].rest.len();
         let mut block = Mat::from_fn(size, mine.len(), |row, k| refined[mine[k]].rest[row]);
-        factor.solve(Side::Right, &mut block)?;
+        factor.solve(MatrixSide::Right, &mut block)?;
         for (k, place) in mine.iter().enumerate() {
             let of = &refined[*place];
             left_open[*place] = SAFETY * vectors::length(&of.left_rest) * block.col(k).norm_l2();

@@ -2,19 +2,19 @@
 
 use super::projection::{Projected, Projection};
 use crate::StructureError;
-use crate::affine::{Factors, Family};
+use crate::affine::{AffineFamily, Factors};
 use crate::complex_modes::{
-    ComplexMode, Gap, Region, Searched, Settings, finished, left_by_residuals, searched,
+    ComplexMode, ComplexModeSettings, Gap, Region, SearchedRegion, finished, left_by_residuals, searched,
 };
 use rayon::prelude::*;
 
 /// Points solved in full, each with the region's surroundings.
-pub(super) struct Samples<'a> {
-    family: &'a Family,
+pub(super) struct FullSamples<'a> {
+    family: &'a AffineFamily,
     points: &'a [Factors],
     region: &'a Region,
     /// By the order in which they were taken.
-    taken: Vec<(usize, Searched)>,
+    taken: Vec<(usize, SearchedRegion)>,
     projection: Option<Projection<'a>>,
 }
 
@@ -25,10 +25,10 @@ const LARGEST: usize = 12;
 /// The samples' region is larger by this share of its sides: eigenvalues that a sweep brings in are known before they come.
 const SURROUNDINGS: f64 = 0.1;
 
-impl<'a> Samples<'a> {
+impl<'a> FullSamples<'a> {
     /// Takes samples, farthest from each other first, until the point farthest from all has its eigenvalues within the tolerance.
     pub(super) fn trained(
-        family: &'a Family,
+        family: &'a AffineFamily,
         points: &'a [Factors],
         region: &'a Region,
         tolerance: f64,
@@ -51,7 +51,7 @@ impl<'a> Samples<'a> {
     /// Solves points in full and makes the basis anew.
     fn take(&mut self, numbers: &[usize]) -> Result<(), StructureError> {
         let wide = self.region.widened(SURROUNDINGS);
-        let solved: Vec<Searched> = numbers
+        let solved: Vec<SearchedRegion> = numbers
             .par_iter()
             .map(|number| searched(&self.family.at(&self.points[*number])?, &wide))
             .collect::<Result<_, _>>()?;
@@ -70,7 +70,7 @@ impl<'a> Samples<'a> {
     }
 
     /// The sample at a point, where it is one.
-    pub(super) fn of_point(&self, number: usize) -> Option<&(usize, Searched)> {
+    pub(super) fn of_point(&self, number: usize) -> Option<&(usize, SearchedRegion)> {
         self.taken.iter().find(|(taken, _)| *taken == number)
     }
 
@@ -78,8 +78,8 @@ impl<'a> Samples<'a> {
     pub(super) fn modes(
         &self,
         number: usize,
-        sample: &Searched,
-        settings: &Settings,
+        sample: &SearchedRegion,
+        settings: &ComplexModeSettings,
     ) -> Result<Vec<ComplexMode>, StructureError> {
         let problem = self.family.at(&self.points[number])?;
         let left_open: Vec<f64> =
@@ -94,8 +94,9 @@ impl<'a> Samples<'a> {
         number: usize,
     ) -> Result<Option<(Projected, Vec<Gap>)>, StructureError> {
         let scales = scales(self.points);
-        let from_here =
-            |(taken, _): &&(usize, Searched)| distance(&self.points[*taken], &self.points[number], &scales);
+        let from_here = |(taken, _): &&(usize, SearchedRegion)| {
+            distance(&self.points[*taken], &self.points[number], &scales)
+        };
         let nearest = self.taken.iter().min_by(|a, b| from_here(a).total_cmp(&from_here(b)));
         let (factors, gaps) =
             nearest.map_or((&[][..], Vec::new()), |(_, sample)| (&sample.factors[..], sample.gaps.clone()));

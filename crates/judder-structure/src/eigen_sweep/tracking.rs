@@ -5,12 +5,12 @@ use faer::c64;
 
 /// Follows branches from point to point.
 #[derive(Default)]
-pub(super) struct Tracker {
-    branches: Vec<Branch>,
+pub(super) struct SweepTracker {
+    branches: Vec<SeenBranch>,
 }
 
 /// A branch as far as it was seen.
-struct Branch {
+struct SeenBranch {
     right: Vec<c64>,
     left: Vec<c64>,
     value: c64,
@@ -25,7 +25,7 @@ const STRANGER: f64 = 1.2;
 /// A difference from the extrapolated λ by this share of |λ| says no more than a larger one: half as much as vectors that are orthogonal.
 const JUMP: f64 = 0.05;
 
-impl Tracker {
+impl SweepTracker {
     /// Branches seen so far.
     pub(super) fn branches(&self) -> usize {
         self.branches.len()
@@ -54,7 +54,7 @@ impl Tracker {
             .zip(modes)
             .map(|(known, mode)| {
                 known.unwrap_or_else(|| {
-                    self.branches.push(Branch::new(mode));
+                    self.branches.push(SeenBranch::new(mode));
                     self.branches.len() - 1
                 })
             })
@@ -62,7 +62,7 @@ impl Tracker {
     }
 }
 
-impl Branch {
+impl SeenBranch {
     fn new(mode: &ComplexMode) -> Self {
         Self {
             right: mode.right.clone(),

@@ -21,7 +21,7 @@ pub enum ElementKind {
 
 /// What the shape functions of a kind are made of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Family {
+pub(super) enum ShapeFamily {
     /// Products of linear functions on [−1, 1]ᵈ.
     Linear,
     /// Quadratic on [−1, 1]ᵈ, without nodes inside faces.
@@ -140,14 +140,14 @@ impl ElementKind {
     /// Whether displacements −½(1 − ξₖ²) of its own, which no neighbour shares, let it bend without locking.
     #[must_use]
     pub fn has_incompatible_modes(self) -> bool {
-        self.family() == Family::Linear
+        self.family() == ShapeFamily::Linear
     }
 
-    pub(super) fn family(self) -> Family {
+    pub(super) fn family(self) -> ShapeFamily {
         match self {
-            Self::Quad4 | Self::Hexahedron8 => Family::Linear,
-            Self::Quad8 | Self::Hexahedron20 => Family::Serendipity,
-            Self::Triangle6 | Self::Tetrahedron10 => Family::Simplex,
+            Self::Quad4 | Self::Hexahedron8 => ShapeFamily::Linear,
+            Self::Quad8 | Self::Hexahedron20 => ShapeFamily::Serendipity,
+            Self::Triangle6 | Self::Tetrahedron10 => ShapeFamily::Simplex,
         }
     }
 }

@@ -1,10 +1,10 @@
 //! Stiffness and consistent mass of one element.
 
 use super::kind::ElementKind;
-use super::quadrature::{Point, points};
-use super::shape::{MOST_NODES, Shape};
+use super::quadrature::{IntegrationPoint, points};
+use super::shape::{MOST_NODES, ShapeFunctions};
 use crate::StructureError;
-use crate::material::{Elastic, Section};
+use crate::material::{Elastic, ElementSection};
 
 /// Stiffness and mass of an element, each square and row by row; freedom `d·a + i` is direction i of node a, d the dimension.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,14 +19,14 @@ pub struct ElementMatrices {
 
 /// Elements of one kind, material and section, ready to be computed.
 #[derive(Debug, Clone)]
-pub struct Elements {
+pub struct BlockElements {
     kind: ElementKind,
     density: f64,
     thickness: f64,
     elasticity: [[f64; 6]; 6],
-    stiffness_points: Vec<(Shape, Point)>,
-    mass_points: Vec<(Shape, Point)>,
-    centre: Shape,
+    stiffness_points: Vec<(ShapeFunctions, IntegrationPoint)>,
+    mass_points: Vec<(ShapeFunctions, IntegrationPoint)>,
+    centre: ShapeFunctions,
 }
 
 /// Gradients of shape functions by x, y, z at a place.
@@ -37,18 +37,22 @@ struct Gradients {
     determinant: f64,
 }
 
-impl Elements {
+impl BlockElements {
     /// Elements of a kind.
     ///
     /// # Errors
     /// [`StructureError::WrongSection`] where kind and section differ in their dimension.
-    pub fn new(kind: ElementKind, material: &Elastic, section: Section) -> Result<Self, StructureError> {
+    pub fn new(
+        kind: ElementKind,
+        material: &Elastic,
+        section: ElementSection,
+    ) -> Result<Self, StructureError> {
         let (dimension, of_section) = (kind.dimension(), section.dimension());
         if dimension != of_section {
             return Err(StructureError::WrongSection { kind, dimension, section: of_section });
         }
-        let with_shapes = |points: Vec<Point>| {
-            points.into_iter().map(|point| (Shape::at(kind, &point.0), point)).collect::<Vec<_>>()
+        let with_shapes = |points: Vec<IntegrationPoint>| {
+            points.into_iter().map(|point| (ShapeFunctions::at(kind, &point.0), point)).collect::<Vec<_>>()
         };
         let (stiffness, mass) = points(kind);
         Ok(Self {
@@ -58,7 +62,7 @@ impl Elements {
             elasticity: material.stiffness(section),
             stiffness_points: with_shapes(stiffness),
             mass_points: with_shapes(mass),
-            centre: Shape::at(kind, &[0.0; 3]),
+            centre: ShapeFunctions::at(kind, &[0.0; 3]),
         })
     }
 
@@ -111,7 +115,7 @@ impl Elements {
         &self,
         element: usize,
         nodes: &[[f64; 3]],
-        shape: &Shape,
+        shape: &ShapeFunctions,
         place: &[f64; 3],
     ) -> Result<Gradients, StructureError> {
         let (count, dimension) = (self.kind.nodes(), self.kind.dimension());
@@ -160,7 +164,7 @@ impl Elements {
         }
     }
 
-    fn add_mass(&self, mass: &mut [f64], shape: &Shape, weight: f64) {
+    fn add_mass(&self, mass: &mut [f64], shape: &ShapeFunctions, weight: f64) {
         let (count, dimension) = (self.kind.nodes(), self.kind.dimension());
         let size = dimension * count;
         for a in 0..count {
@@ -223,8 +227,12 @@ mod tests {
         Elastic::new(210e9, 0.3, 7800.0).unwrap()
     }
 
-    fn section(kind: ElementKind) -> Section {
-        if kind.dimension() == 2 { Section::PlaneStress { thickness: 0.01 } } else { Section::Solid }
+    fn section(kind: ElementKind) -> ElementSection {
+        if kind.dimension() == 2 {
+            ElementSection::PlaneStress { thickness: 0.01 }
+        } else {
+            ElementSection::Solid
+        }
     }
 
     /// The nodes of an element whose corners are moved a little; edges stay straight.
@@ -244,7 +252,7 @@ mod tests {
     #[test]
     fn they_are_symmetric_and_rigid_motions_cost_nothing() {
         for kind in ElementKind::ALL {
-            let elements = Elements::new(kind, &steel(), section(kind)).unwrap();
+            let elements = BlockElements::new(kind, &steel(), section(kind)).unwrap();
             let nodes = distorted(kind);
             let m = elements.matrices(0, &nodes).unwrap();
             let largest = m.stiffness.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
@@ -271,7 +279,7 @@ mod tests {
     #[test]
     fn the_mass_is_density_times_volume() {
         for kind in ElementKind::ALL {
-            let elements = Elements::new(kind, &steel(), section(kind)).unwrap();
+            let elements = BlockElements::new(kind, &steel(), section(kind)).unwrap();
             let scale = [2.0, 3.0, 0.5];
             let nodes: Vec<[f64; 3]> =
                 kind.node_places().iter().map(|p| std::array::from_fn(|k| scale[k] * p[k])).collect();
@@ -296,7 +304,8 @@ mod tests {
     #[test]
     fn a_folded_element_is_refused_with_its_place() {
         let elements =
-            Elements::new(ElementKind::Quad4, &steel(), Section::PlaneStress { thickness: 1.0 }).unwrap();
+            BlockElements::new(ElementKind::Quad4, &steel(), ElementSection::PlaneStress { thickness: 1.0 })
+                .unwrap();
         let clockwise = [[0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0], [1.0, 0.0, 0.0]];
         let error = elements.matrices(7, &clockwise).unwrap_err();
         assert!(matches!(error, StructureError::Folded { element: 7, determinant, .. } if determinant < 0.0));

@@ -1,10 +1,10 @@
 //! Quadrature over an element's own coordinates.
 
-use super::kind::{ElementKind, Family};
+use super::kind::{ElementKind, ShapeFamily};
 use judder_numerics::quadrature::gauss_legendre;
 
 /// A place in an element and its weight.
-pub type Point = ([f64; 3], f64);
+pub type IntegrationPoint = ([f64; 3], f64);
 
 /// The points of a kind's stiffness and of its mass.
 ///
@@ -12,24 +12,24 @@ pub type Point = ([f64; 3], f64);
 /// stiffness and 5 for the mass (A. H. Stroud, *Approximate Calculation of Multiple Integrals*, T2:5-1, T3:5-1). All are exact
 /// where the sides are straight and parallel.
 #[must_use]
-pub fn points(kind: ElementKind) -> (Vec<Point>, Vec<Point>) {
+pub fn points(kind: ElementKind) -> (Vec<IntegrationPoint>, Vec<IntegrationPoint>) {
     let dimension = kind.dimension();
     match (kind.family(), dimension) {
-        (Family::Linear, _) => twice(products(&gauss_legendre::<2>(), dimension)),
-        (Family::Serendipity, _) => twice(products(&gauss_legendre::<3>(), dimension)),
-        (Family::Simplex, 2) => (orbit_of_triangle(1.0 / 6.0, 1.0 / 6.0), triangle_of_degree_5()),
-        (Family::Simplex, _) => {
+        (ShapeFamily::Linear, _) => twice(products(&gauss_legendre::<2>(), dimension)),
+        (ShapeFamily::Serendipity, _) => twice(products(&gauss_legendre::<3>(), dimension)),
+        (ShapeFamily::Simplex, 2) => (orbit_of_triangle(1.0 / 6.0, 1.0 / 6.0), triangle_of_degree_5()),
+        (ShapeFamily::Simplex, _) => {
             (orbit_of_tetrahedron((5.0 - 5.0_f64.sqrt()) / 20.0, 1.0 / 24.0), tetrahedron_of_degree_5())
         }
     }
 }
 
-fn twice(points: Vec<Point>) -> (Vec<Point>, Vec<Point>) {
+fn twice(points: Vec<IntegrationPoint>) -> (Vec<IntegrationPoint>, Vec<IntegrationPoint>) {
     (points.clone(), points)
 }
 
 /// Products of a rule on [0, 1], moved to [−1, 1]ᵈ.
-fn products(rule: &[(f64, f64)], dimension: usize) -> Vec<Point> {
+fn products(rule: &[(f64, f64)], dimension: usize) -> Vec<IntegrationPoint> {
     let mut points = vec![([0.0; 3], 1.0)];
     for k in 0..dimension {
         points = points
@@ -47,12 +47,12 @@ fn products(rule: &[(f64, f64)], dimension: usize) -> Vec<Point> {
 }
 
 /// The three points with two barycentric coordinates equal to `a`.
-fn orbit_of_triangle(a: f64, weight: f64) -> Vec<Point> {
+fn orbit_of_triangle(a: f64, weight: f64) -> Vec<IntegrationPoint> {
     let b = 1.0 - 2.0 * a;
     vec![([a, a, 0.0], weight), ([b, a, 0.0], weight), ([a, b, 0.0], weight)]
 }
 
-fn triangle_of_degree_5() -> Vec<Point> {
+fn triangle_of_degree_5() -> Vec<IntegrationPoint> {
     let root = 15.0_f64.sqrt();
     let third = 1.0 / 3.0;
     let mut points = vec![([third, third, 0.0], 9.0 / 80.0)];
@@ -62,12 +62,12 @@ fn triangle_of_degree_5() -> Vec<Point> {
 }
 
 /// The four points with three barycentric coordinates equal to `a`.
-fn orbit_of_tetrahedron(a: f64, weight: f64) -> Vec<Point> {
+fn orbit_of_tetrahedron(a: f64, weight: f64) -> Vec<IntegrationPoint> {
     let b = 1.0 - 3.0 * a;
     vec![([a, a, a], weight), ([b, a, a], weight), ([a, b, a], weight), ([a, a, b], weight)]
 }
 
-fn tetrahedron_of_degree_5() -> Vec<Point> {
+fn tetrahedron_of_degree_5() -> Vec<IntegrationPoint> {
     let root = 15.0_f64.sqrt();
     let mut points = vec![([0.25; 3], 8.0 / 405.0)];
     points.extend(orbit_of_tetrahedron((7.0 - root) / 34.0, (2665.0 + 14.0 * root) / 226_800.0));
@@ -83,7 +83,7 @@ fn tetrahedron_of_degree_5() -> Vec<Point> {
 mod tests {
     use super::*;
 
-    fn integral(points: &[Point], powers: [i32; 3]) -> f64 {
+    fn integral(points: &[IntegrationPoint], powers: [i32; 3]) -> f64 {
         points
             .iter()
             .map(|(p, w)| w * p[0].powi(powers[0]) * p[1].powi(powers[1]) * p[2].powi(powers[2]))
@@ -93,7 +93,7 @@ mod tests {
     /// ∫ x^a y^b z^c over the simplex is a! b! c!/(a + b + c + d)!, over [−1, 1]ᵈ a product of 2/(a + 1) for even a.
     fn exact(kind: ElementKind, powers: [i32; 3]) -> f64 {
         let factorial = |n: i32| f64::from((1..=n).product::<i32>());
-        if kind.family() == Family::Simplex {
+        if kind.family() == ShapeFamily::Simplex {
             let all: f64 = powers.iter().map(|p| factorial(*p)).product();
             return all / factorial(powers.iter().sum::<i32>() + kind.dimension() as i32);
         }
@@ -106,9 +106,9 @@ mod tests {
         for kind in ElementKind::ALL {
             let (stiffness, mass) = points(kind);
             let degrees = match kind.family() {
-                Family::Linear => (3, 3),
-                Family::Serendipity => (5, 5),
-                Family::Simplex => (2, 5),
+                ShapeFamily::Linear => (3, 3),
+                ShapeFamily::Serendipity => (5, 5),
+                ShapeFamily::Simplex => (2, 5),
             };
             for (points, degree) in [(stiffness, degrees.0), (mass, degrees.1)] {
                 for a in 0..=degree {

@@ -1,20 +1,20 @@
 //! Shape functions and their gradients in an element's own coordinates.
 
-use super::kind::{ElementKind, Family};
+use super::kind::{ElementKind, ShapeFamily};
 
 /// The most nodes of an element.
 pub const MOST_NODES: usize = 20;
 
 /// The shape functions at a place: values, and gradients by the element's own coordinates.
 #[derive(Debug, Clone, Copy)]
-pub struct Shape {
+pub struct ShapeFunctions {
     /// N of each node; beyond the element's nodes zero.
     pub values: [f64; MOST_NODES],
     /// ∂N/∂ξ of each node.
     pub gradients: [[f64; 3]; MOST_NODES],
 }
 
-impl Shape {
+impl ShapeFunctions {
     /// The functions of a kind at a place.
     ///
     /// Linear: N = Π (1 + ξₖpₖ)/2 with the node's place p. Serendipity: at corners times (Σ ξₖpₖ − d + 1), at the middle of an edge
@@ -26,9 +26,9 @@ impl Shape {
         let mut shape = Self { values: [0.0; MOST_NODES], gradients: [[0.0; 3]; MOST_NODES] };
         for (k, node) in kind.node_places().iter().enumerate() {
             let (value, gradient) = match kind.family() {
-                Family::Linear => product(&linear_factors(node, place), dimension),
-                Family::Serendipity => serendipity(node, place, dimension),
-                Family::Simplex => simplex(node, place, dimension),
+                ShapeFamily::Linear => product(&linear_factors(node, place), dimension),
+                ShapeFamily::Serendipity => serendipity(node, place, dimension),
+                ShapeFamily::Simplex => simplex(node, place, dimension),
             };
             shape.values[k] = value;
             shape.gradients[k] = gradient;
@@ -38,13 +38,13 @@ impl Shape {
 }
 
 /// A factor of one coordinate with its derivative.
-type Factor = (f64, f64);
+type ShapeFactor = (f64, f64);
 
-fn linear_factors(node: &[f64; 3], place: &[f64; 3]) -> [Factor; 3] {
+fn linear_factors(node: &[f64; 3], place: &[f64; 3]) -> [ShapeFactor; 3] {
     std::array::from_fn(|k| (0.5 * (1.0 + place[k] * node[k]), 0.5 * node[k]))
 }
 
-fn product(factors: &[Factor; 3], dimension: usize) -> (f64, [f64; 3]) {
+fn product(factors: &[ShapeFactor; 3], dimension: usize) -> (f64, [f64; 3]) {
     let value = factors[..dimension].iter().map(|(value, _)| value).product();
     let gradient = std::array::from_fn(|k| {
         if k >= dimension {
@@ -101,7 +101,7 @@ mod tests {
     fn a_function_is_one_at_its_node_and_zero_at_the_others() {
         for kind in ElementKind::ALL {
             for (a, place) in kind.node_places().iter().enumerate() {
-                let shape = Shape::at(kind, place);
+                let shape = ShapeFunctions::at(kind, place);
                 for b in 0..kind.nodes() {
                     let expected = f64::from(u8::from(a == b));
                     assert!((shape.values[b] - expected).abs() < 1e-15, "{kind} {a} {b}");
@@ -115,7 +115,7 @@ mod tests {
         const STEP: f64 = 1e-5;
         for kind in ElementKind::ALL {
             for place in inside(kind) {
-                let shape = Shape::at(kind, &place);
+                let shape = ShapeFunctions::at(kind, &place);
                 assert!((shape.values.iter().sum::<f64>() - 1.0).abs() < 1e-14);
                 for k in 0..kind.dimension() {
                     let carried: f64 =
@@ -124,7 +124,7 @@ mod tests {
                     let moved = |by: f64| {
                         let mut there = place;
                         there[k] += by;
-                        Shape::at(kind, &there)
+                        ShapeFunctions::at(kind, &there)
                     };
                     let (above, below) = (moved(STEP), moved(-STEP));
                     for a in 0..kind.nodes() {

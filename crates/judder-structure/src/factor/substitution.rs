@@ -1,7 +1,7 @@
 //! Solutions with the factors: forward through the tree, block by block, and back.
 
 use super::front::{Front, Pivot, column_mut};
-use super::tree::Branch;
+use super::tree::Subtree;
 use super::{Elimination, SymmetricFactor};
 use faer::linalg::triangular_solve::{
     solve_unit_lower_triangular_in_place, solve_unit_upper_triangular_in_place,
@@ -24,7 +24,7 @@ impl SymmetricFactor {
         let Elimination { tree, order, .. } = &*self.pattern.shared;
         let shared = !tree.branches.is_empty();
         let mut x = right.each_ref().map(|right| order.iter().map(|row| right[*row]).collect::<Vec<f64>>());
-        let forward = |branch: &Branch| self.forward_branch(branch, &x);
+        let forward = |branch: &Subtree| self.forward_branch(branch, &x);
         let solved: Vec<[Vec<f64>; N]> = tree.branches.par_iter().map(forward).collect();
         for (branch, solved) in tree.branches.iter().zip(&solved) {
             let (columns, rows) = branch.places.split_at(branch.columns);
@@ -55,7 +55,7 @@ impl SymmetricFactor {
                 x[columns.clone()].copy_from_slice(&own[..columns.len()]);
             }
         }
-        let backward = |branch: &Branch| self.backward_branch(branch, &x);
+        let backward = |branch: &Subtree| self.backward_branch(branch, &x);
         let solved: Vec<[Vec<f64>; N]> = tree.branches.par_iter().map(backward).collect();
         for (branch, solved) in tree.branches.iter().zip(&solved) {
             for (x, solved) in x.iter_mut().zip(solved) {
@@ -72,7 +72,7 @@ impl SymmetricFactor {
     }
 
     /// The values at a branch's columns, and what it adds to the rows of its root.
-    fn forward_branch<const N: usize>(&self, branch: &Branch, x: &[Vec<f64>; N]) -> [Vec<f64>; N] {
+    fn forward_branch<const N: usize>(&self, branch: &Subtree, x: &[Vec<f64>; N]) -> [Vec<f64>; N] {
         let tree = &self.pattern.shared.tree;
         let columns = &branch.places[..branch.columns];
         let mut local = x.each_ref().map(|x| gathered(x, columns.iter().copied()));
@@ -94,7 +94,7 @@ impl SymmetricFactor {
         local
     }
 
-    fn backward_branch<const N: usize>(&self, branch: &Branch, x: &[Vec<f64>; N]) -> [Vec<f64>; N] {
+    fn backward_branch<const N: usize>(&self, branch: &Subtree, x: &[Vec<f64>; N]) -> [Vec<f64>; N] {
         let tree = &self.pattern.shared.tree;
         let mut local = x.each_ref().map(|x| gathered(x, branch.places.iter().copied()));
         let mut end = branch.columns;

@@ -27,14 +27,14 @@ pub(super) struct Tree {
     /// The blocks whose updates a block takes up.
     pub(super) children: Vec<Vec<usize>>,
     /// Subtrees that do not touch each other.
-    pub(super) branches: Vec<Branch>,
+    pub(super) branches: Vec<Subtree>,
     /// The blocks above the branches, in their order.
     pub(super) trunk: Vec<usize>,
 }
 
 /// A subtree.
 #[derive(Debug)]
-pub(super) struct Branch {
+pub(super) struct Subtree {
     /// Its blocks in their order; the last is its root.
     pub(super) blocks: Vec<usize>,
     /// Its columns, block by block, then the rows of its root.
@@ -154,7 +154,7 @@ impl Tree {
     }
 
     /// A branch of blocks that are named from its root down.
-    fn branch(&self, mut blocks: Vec<usize>) -> Branch {
+    fn branch(&self, mut blocks: Vec<usize>) -> Subtree {
         blocks.reverse();
         let mut offsets = Vec::with_capacity(blocks.len());
         let mut places = Vec::new();
@@ -174,6 +174,6 @@ impl Tree {
             }
         };
         let rows = blocks.iter().map(|block| self.rows(*block).iter().map(place).collect()).collect();
-        Branch { blocks, places, columns, rows }
+        Subtree { blocks, places, columns, rows }
     }
 }

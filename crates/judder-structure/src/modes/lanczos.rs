@@ -75,7 +75,7 @@ impl<'a> Lanczos<'a> {
     }
 
     /// The eigenvalues nearest above the shift, so many at least, and where the next ones begin.
-    pub(super) fn converged(&mut self, count: usize) -> Result<Found, StructureError> {
+    pub(super) fn converged(&mut self, count: usize) -> Result<LanczosModes, StructureError> {
         let size = self.mass.nrows();
         loop {
             for _ in 0..STRIDE {
@@ -93,7 +93,12 @@ impl<'a> Lanczos<'a> {
             if enough || self.is_whole {
                 let pairs = ritz.vectors.iter().zip(&ritz.values);
                 let shapes = pairs.map(|(shares, value)| self.iterated(shares, *value)).collect();
-                return Ok(Found { values: ritz.values, shapes, next: ritz.next, is_whole: self.is_whole });
+                return Ok(LanczosModes {
+                    values: ritz.values,
+                    shapes,
+                    next: ritz.next,
+                    is_whole: self.is_whole,
+                });
             }
         }
     }
@@ -202,7 +207,7 @@ impl<'a> Lanczos<'a> {
     }
 
     /// The converged eigenvalues.
-    fn ritz(&self) -> Result<Ritz, StructureError> {
+    fn ritz(&self) -> Result<RitzVectors, StructureError> {
         let size = self.basis.len();
         let projected = Mat::from_fn(size, size, |i, j| self.projected[i.max(j)][i.min(j)]);
         let Eigen { values: inverse, vectors } =
@@ -219,7 +224,7 @@ impl<'a> Lanczos<'a> {
             .checked_sub(columns.len() + 1)
             .map(|k| inverse[k] + residual(k))
             .filter(|value| *value > 0.0);
-        Ok(Ritz {
+        Ok(RitzVectors {
             next: next.map(|value| self.shift + 1.0 / value),
             values: columns.iter().map(|k| self.shift + 1.0 / inverse[*k]).collect(),
             vectors: columns.iter().map(|k| (0..size).map(|i| vectors[(i, *k)]).collect()).collect(),
@@ -268,7 +273,7 @@ fn length(mass: &Sparse, vector: &[f64]) -> f64 {
 }
 
 /// Eigenvalues by rising size, with shapes.
-pub(super) struct Found {
+pub(super) struct LanczosModes {
     pub(super) values: Vec<f64>,
     pub(super) shapes: Vec<Vec<f64>>,
     /// A value near above which the next seems to lie; `None` where there is none.
@@ -292,7 +297,7 @@ pub(super) fn combined(vectors: &[Vec<f64>], share: impl Fn(usize) -> f64 + Sync
 }
 
 /// Eigenvalues λ by rising size, with their coordinates in the basis.
-struct Ritz {
+struct RitzVectors {
     next: Option<f64>,
     values: Vec<f64>,
     vectors: Vec<Vec<f64>>,

@@ -1,7 +1,7 @@
 //! Where the search for modes begins: the shift, and what lies below it.
 
 use super::lanczos::nearest;
-use super::{Pencil, Wanted, shift_scale};
+use super::{Pencil, WantedModes, shift_scale};
 use crate::StructureError;
 use crate::factor::{FactorPattern, SymmetricFactor};
 use crate::rigid::{largest_ratio, rigid_limit};
@@ -17,7 +17,7 @@ const STEP: f64 = 1e-3;
 const TRIES: usize = 8;
 
 /// A shift σ with the factors of K − σ M. The modes above it are searched.
-pub(super) struct Start {
+pub(super) struct ShiftedStart {
     pub(super) shift: f64,
     pub(super) factor: SymmetricFactor,
     pub(super) pattern: FactorPattern,
@@ -29,19 +29,19 @@ pub(super) struct Start {
     pub(super) rigid_limit: f64,
 }
 
-impl Start {
-    pub(super) fn new(pencil: &Pencil<'_>, wanted: Wanted) -> Result<Self, StructureError> {
+impl ShiftedStart {
+    pub(super) fn new(pencil: &Pencil<'_>, wanted: WantedModes) -> Result<Self, StructureError> {
         let scale = shift_scale(pencil.stiffness, pencil.mass)?;
         let largest = largest_ratio(pencil.stiffness, pencil.mass);
         let rigid_limit = rigid_limit(pencil.stiffness.nrows(), largest);
-        if let Wanted::Band(from, to) = wanted {
+        if let WantedModes::Band(from, to) = wanted {
             let (name, requirement) = ("the band's end in Hz", "finite and above its start");
             if !(to.is_finite() && from < to) {
                 return Err(StructureError::InvalidNumber { name, value: to, requirement });
             }
         }
         let (from, band) = match wanted {
-            Wanted::Band(from, to) if from > 0.0 => {
+            WantedModes::Band(from, to) if from > 0.0 => {
                 // above what rounding makes of zero: rigid motions have no frequency
                 let from = ((1.0 - EDGE) * (TAU * from).powi(2)).max(rigid_limit);
                 (from, Some((upper_edge(to) - from).max(0.0)))

@@ -4,7 +4,7 @@ use crate::Body;
 use judder_structure::element::ElementKind;
 use judder_structure::freedom::{Freedom, Supports};
 use judder_structure::grid::Grid;
-use judder_structure::material::{Elastic, Section};
+use judder_structure::material::{Elastic, ElementSection};
 use judder_structure::statics::{Statics, product};
 use std::f64::consts::PI;
 
@@ -42,7 +42,8 @@ fn error(kind: ElementKind, cells: usize) -> f64 {
         std::array::from_fn(|k| if k < dimension { p[k] + shift * AMPLITUDE[k] } else { 0.0 })
     };
     let (young, poisson) = (2.0, 0.3);
-    let section = if dimension == 2 { Section::PlaneStrain { thickness: 1.0 } } else { Section::Solid };
+    let section =
+        if dimension == 2 { ElementSection::PlaneStrain { thickness: 1.0 } } else { ElementSection::Solid };
     let grid = Grid { kind, size: [1.0; 3], cells: [cells; 3] };
     let body = Body {
         mesh: grid.mesh("any", bulge).unwrap(),

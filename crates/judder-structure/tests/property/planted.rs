@@ -6,7 +6,7 @@ use faer::sparse::Triplet;
 use faer::{Mat, c64};
 use judder_numerics::counter::uniform;
 use judder_structure::assembly::Sparse;
-use judder_structure::complex_modes::{Region, Settings, complex_modes};
+use judder_structure::complex_modes::{ComplexModeSettings, Region, complex_modes};
 use judder_structure::quadratic::Quadratic;
 
 /// Numbers drawn one after the other.
@@ -216,7 +216,7 @@ fn trial(seed: u64, freedoms: [usize; 2], tally: &mut Tally) {
     let expected: Vec<c64> = planted.roots.iter().copied().filter(|root| inside(&region, *root)).collect();
     tally.trials += 1;
     tally.with_eigenvalues += usize::from(!expected.is_empty());
-    let modes = complex_modes(&problem, &region, &Settings::default()).unwrap();
+    let modes = complex_modes(&problem, &region, &ComplexModeSettings::default()).unwrap();
     let (found, complete) = (modes.modes.len(), modes.complete());
     tally.complete += usize::from(complete);
     if !complete {

@@ -5,8 +5,8 @@ use judder_numerics::counter::uniform;
 use judder_structure::craig_bampton::{CraigBampton, CutOff};
 use judder_structure::element::ElementKind;
 use judder_structure::grid::Grid;
-use judder_structure::material::{Elastic, Section};
-use judder_structure::modes::{Mode, Wanted, modes};
+use judder_structure::material::{Elastic, ElementSection};
+use judder_structure::modes::{Mode, WantedModes, modes};
 
 /// A plate of random size and mesh, held along one side, and freedoms of it that are kept: some along another side, or anywhere.
 fn random(seed: u64) -> (Body, &'static str, Vec<f64>) {
@@ -17,7 +17,7 @@ fn random(seed: u64) -> (Body, &'static str, Vec<f64>) {
     let body = Body {
         mesh: grid.mesh("any", |p| p).unwrap(),
         material: Elastic::new(70e9, 0.45 * drawn[4], 2700.0).unwrap(),
-        section: Section::PlaneStress { thickness: 0.01 },
+        section: ElementSection::PlaneStress { thickness: 0.01 },
     };
     (body, if drawn[5] < 0.7 { "x-min" } else { "y-min" }, drawn[6..].to_vec())
 }
@@ -37,7 +37,7 @@ fn below_the_limit_of_a_reduction_both_structures_agree() {
         let reduced =
             CraigBampton::new(&assembled.stiffness, &assembled.mass, &kept, CutOff::Count(count)).unwrap();
         let error = reduced.error().unwrap();
-        let full = modes(&assembled.stiffness, &assembled.mass, Wanted::Lowest(size)).unwrap().modes;
+        let full = modes(&assembled.stiffness, &assembled.mass, WantedModes::Lowest(size)).unwrap().modes;
         let full: Vec<f64> = full.iter().map(Mode::frequency_hz).collect();
         let of_reduced = error.frequencies_hz();
         let off = |k: usize| of_reduced.get(k).map_or(f64::INFINITY, |own| (own - full[k]) / own);

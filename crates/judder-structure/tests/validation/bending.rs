@@ -4,7 +4,7 @@ use crate::Body;
 use judder_structure::element::ElementKind;
 use judder_structure::freedom::{Direction, Numbering};
 use judder_structure::grid::Grid;
-use judder_structure::material::{Elastic, Section};
+use judder_structure::material::{Elastic, ElementSection};
 use judder_structure::statics::Statics;
 
 /// Shares of a uniform load along a straight edge of equal elements: those of linear or of quadratic shape functions.
@@ -46,7 +46,7 @@ fn cooks_membrane() {
         let body = Body {
             mesh: grid.mesh("any", tapered).unwrap(),
             material: Elastic::new(1.0, 1.0 / 3.0, 1.0).unwrap(),
-            section: Section::PlaneStress { thickness: 1.0 },
+            section: ElementSection::PlaneStress { thickness: 1.0 },
         };
         let loads: Vec<_> =
             along_edge(&body, "x-max", 1).into_iter().map(|(n, f)| (n, Direction::Y, f)).collect();
@@ -68,7 +68,8 @@ fn thin_beams_bend_without_locking() {
     for kind in ElementKind::ALL {
         let solid = kind.dimension() == 3;
         let grid = Grid { kind, size: [length, 1.0, width], cells: [50, 1, 1] };
-        let section = if solid { Section::Solid } else { Section::PlaneStress { thickness: width } };
+        let section =
+            if solid { ElementSection::Solid } else { ElementSection::PlaneStress { thickness: width } };
         let material = Elastic::new(1e6, 0.0, 1.0).unwrap();
         let body = Body { mesh: grid.mesh("any", |p| p).unwrap(), material, section };
         let end = &body.mesh.node_sets["x-max"];

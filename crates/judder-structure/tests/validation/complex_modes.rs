@@ -5,7 +5,9 @@ use faer::sparse::Triplet;
 use judder_numerics::counter::uniform;
 use judder_structure::StructureError;
 use judder_structure::assembly::Sparse;
-use judder_structure::complex_modes::{ComplexModes, Region, Settings, Verdict, complex_modes};
+use judder_structure::complex_modes::{
+    ComplexModeSettings, ComplexModes, EigenvalueVerdict, Region, complex_modes,
+};
 use judder_structure::quadratic::Quadratic;
 
 pub(super) fn sparse(size: usize, entries: impl IntoIterator<Item = (usize, usize, f64)>) -> Sparse {
@@ -51,7 +53,7 @@ pub(super) fn root(frequency: f64, ratio: f64) -> c64 {
 }
 
 fn all_of(problem: &Quadratic, region: &Region) -> ComplexModes {
-    let modes = complex_modes(problem, region, &Settings::default()).unwrap();
+    let modes = complex_modes(problem, region, &ComplexModeSettings::default()).unwrap();
     assert!(modes.complete(), "{:?}", modes.gaps);
     for mode in &modes.modes {
         assert!(mode.eigenvalue.residual <= 1e-14 && mode.eigenvalue.left_residual <= 1e-14);
@@ -85,7 +87,7 @@ fn known_spectra_are_found_whole() {
     assert_spectrum(&modes, &expected);
     for mode in &modes.modes {
         let unstable = mode.eigenvalue.value.re > 0.0;
-        assert_eq!(mode.eigenvalue.verdict() == Verdict::Unstable, unstable);
+        assert_eq!(mode.eigenvalue.verdict() == EigenvalueVerdict::Unstable, unstable);
     }
 }
 
@@ -144,13 +146,17 @@ fn a_defective_eigenvalue_on_the_axis_is_marginal() {
     let stiffness =
         sparse(3, [(0, 0, frequency.powi(2)), (1, 1, frequency.powi(2)), (0, 1, 5.0), (2, 2, 4.0e4)]);
     let problem = Quadratic::new(identity(), sparse(3, []), disguised(&stiffness)).unwrap();
-    let modes =
-        complex_modes(&problem, &Region { re: [-5.0, 5.0], im: [10.0, 50.0] }, &Settings::default()).unwrap();
+    let modes = complex_modes(
+        &problem,
+        &Region { re: [-5.0, 5.0], im: [10.0, 50.0] },
+        &ComplexModeSettings::default(),
+    )
+    .unwrap();
     assert_eq!(modes.modes.len(), 2, "{modes:?}");
     for mode in &modes.modes {
         let eigenvalue = mode.eigenvalue;
         assert!(eigenvalue.defective, "{eigenvalue:?}");
-        assert_eq!(eigenvalue.verdict(), Verdict::Marginal);
+        assert_eq!(eigenvalue.verdict(), EigenvalueVerdict::Marginal);
         let distance = (eigenvalue.value - c64::new(0.0, frequency)).norm();
         assert!(distance <= eigenvalue.error && eigenvalue.error < 1e-2, "{distance:e} {eigenvalue:?}");
     }
@@ -167,10 +173,10 @@ fn mode_coupling_flutter_is_found_where_it_begins() {
         all_of(&problem, &Region { re: [-1.0, 1.0], im: [0.1, 3.0] })
     };
     let before = at(0.2);
-    assert!(before.modes.iter().all(|mode| mode.eigenvalue.verdict() == Verdict::Marginal));
+    assert!(before.modes.iter().all(|mode| mode.eigenvalue.verdict() == EigenvalueVerdict::Marginal));
     let after = at(0.4);
-    let verdicts: Vec<Verdict> = after.modes.iter().map(|mode| mode.eigenvalue.verdict()).collect();
-    assert!(verdicts.contains(&Verdict::Unstable) && verdicts.contains(&Verdict::Stable));
+    let verdicts: Vec<EigenvalueVerdict> = after.modes.iter().map(|mode| mode.eigenvalue.verdict()).collect();
+    assert!(verdicts.contains(&EigenvalueVerdict::Unstable) && verdicts.contains(&EigenvalueVerdict::Stable));
     // λ² = −(k₁ + k₂)/2 ± √((k₁ − k₂)²/4 − c²)
     let expected = |coupling: f64| -> Vec<c64> {
         let inner = c64::new((stiff - soft).powi(2) / 4.0 - coupling * coupling, 0.0).sqrt();
@@ -203,10 +209,10 @@ fn a_problem_that_is_singular_everywhere_is_refused_with_the_place() {
     let singular = || diagonal(&[1.0, 0.0]);
     let problem = Quadratic::new(singular(), singular(), singular()).unwrap();
     let region = Region { re: [-1.0, 1.0], im: [0.0, 2.0] };
-    let refused = complex_modes(&problem, &region, &Settings::default()).unwrap_err();
+    let refused = complex_modes(&problem, &region, &ComplexModeSettings::default()).unwrap_err();
     assert!(matches!(refused, StructureError::SingularEverywhere { .. }), "{refused}");
     let empty = Region { re: [1.0, -1.0], im: [0.0, 2.0] };
-    let refused = complex_modes(&problem, &empty, &Settings::default()).unwrap_err();
+    let refused = complex_modes(&problem, &empty, &ComplexModeSettings::default()).unwrap_err();
     assert_eq!(
         refused.to_string(),
         "the region's range `re` goes from 1 to -1: it must rise, between finite numbers"

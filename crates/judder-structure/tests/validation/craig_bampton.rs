@@ -8,8 +8,8 @@ use judder_structure::craig_bampton::{CraigBampton, CutOff};
 use judder_structure::element::ElementKind;
 use judder_structure::freedom::{Direction, Numbering, Supports};
 use judder_structure::grid::Grid;
-use judder_structure::material::{Elastic, Section};
-use judder_structure::modes::{Mode, Wanted, modes};
+use judder_structure::material::{Elastic, ElementSection};
+use judder_structure::modes::{Mode, WantedModes, modes};
 use judder_structure::reduction_report::ReductionReport;
 use judder_structure::statics::Statics;
 
@@ -47,7 +47,7 @@ fn block() -> Sample {
     let body = Body {
         mesh: grid.mesh("any", |p| p).unwrap(),
         material: Elastic::new(2e11, 0.3, 7800.0).unwrap(),
-        section: Section::Solid,
+        section: ElementSection::Solid,
     };
     sample("free block", &body, &Supports::default(), &body.mesh.node_sets["x-max"])
 }
@@ -205,7 +205,7 @@ fn a_reduction_with_all_modes_is_exact_and_has_no_limit() {
     let body = Body {
         mesh: grid.mesh("any", |p| p).unwrap(),
         material: Elastic::new(1.0, 0.3, 1.0).unwrap(),
-        section: Section::PlaneStrain { thickness: 1.0 },
+        section: ElementSection::PlaneStrain { thickness: 1.0 },
     };
     let sets = &body.mesh.node_sets;
     let sample = sample("plate", &body, &body.held(&sets["x-min"]), &sets["x-max"]);
@@ -214,7 +214,8 @@ fn a_reduction_with_all_modes_is_exact_and_has_no_limit() {
         let reduced = reduced(&sample, cut_off);
         assert_eq!(reduced.basis.ncols(), size);
         assert_eq!(reduced.error().unwrap().limit_hz(1e-4), f64::INFINITY);
-        let full = modes(&sample.assembled.stiffness, &sample.assembled.mass, Wanted::Lowest(size)).unwrap();
+        let full =
+            modes(&sample.assembled.stiffness, &sample.assembled.mass, WantedModes::Lowest(size)).unwrap();
         let frequencies = reduced.modal_form().unwrap().frequencies_hz();
         assert!(frequencies.iter().zip(&full.modes).all(|(r, f)| (r / f.frequency_hz() - 1.0).abs() < 1e-9));
     }

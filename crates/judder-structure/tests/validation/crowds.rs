@@ -3,11 +3,11 @@
 use super::complex_modes::{diagonal, disguised, root, sparse};
 use faer::c64;
 use judder_structure::assembly::Sparse;
-use judder_structure::complex_modes::{ComplexModes, Region, Settings, complex_modes};
+use judder_structure::complex_modes::{ComplexModeSettings, ComplexModes, Region, complex_modes};
 use judder_structure::quadratic::Quadratic;
 
 fn modes(problem: &Quadratic, region: &Region) -> ComplexModes {
-    complex_modes(problem, region, &Settings::default()).unwrap()
+    complex_modes(problem, region, &ComplexModeSettings::default()).unwrap()
 }
 
 /// Oscillators with two degrees of freedom that friction couples (N. Hoffmann and others, 2002), side by side, each stiffer by a factor.

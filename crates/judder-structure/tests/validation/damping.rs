@@ -3,7 +3,7 @@
 use super::modes::oblique;
 use judder_structure::assembly::Sparse;
 use judder_structure::damping::{RayleighDamping, StructuralDamping};
-use judder_structure::modes::{Mode, Wanted, modes};
+use judder_structure::modes::{Mode, WantedModes, modes};
 use judder_structure::statics::product;
 use std::f64::consts::TAU;
 
@@ -16,7 +16,7 @@ fn along(matrix: &Sparse, a: &Mode, b: &Mode) -> f64 {
 fn proportional_damping_has_its_ratio_at_every_mode_and_couples_none() {
     let body = oblique();
     let assembled = body.assembled(&body.numbering(&body.held(&body.mesh.node_sets["start"])));
-    let found = modes(&assembled.stiffness, &assembled.mass, Wanted::Lowest(6)).unwrap().modes;
+    let found = modes(&assembled.stiffness, &assembled.mass, WantedModes::Lowest(6)).unwrap().modes;
     let [first, .., last] = &found[..] else { panic!() };
     let rayleigh =
         RayleighDamping::through((first.frequency_hz(), 0.01), (last.frequency_hz(), 0.02)).unwrap();

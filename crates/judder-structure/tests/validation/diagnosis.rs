@@ -3,11 +3,11 @@
 use faer::c64;
 use faer::sparse::Triplet;
 use judder_numerics::counter::uniform;
-use judder_structure::affine::{Factors, Family, Term};
+use judder_structure::affine::{AffineFamily, Factors, Term};
 use judder_structure::assembly::Sparse;
-use judder_structure::complex_modes::{ComplexMode, Region, Settings, complex_modes};
-use judder_structure::diagnosis::{EnergySign, Part, diagnosis, participations};
-use judder_structure::modes::{Wanted, modes};
+use judder_structure::complex_modes::{ComplexMode, ComplexModeSettings, Region, complex_modes};
+use judder_structure::diagnosis::{EnergySign, MatrixSum, diagnosis, participations};
+use judder_structure::modes::{WantedModes, modes};
 
 fn term(name: &str, entries: &[(usize, usize, f64)]) -> Term {
     let triplets: Vec<_> = entries.iter().map(|(i, j, v)| Triplet::new(*i, *j, *v)).collect();
@@ -15,8 +15,8 @@ fn term(name: &str, entries: &[(usize, usize, f64)]) -> Term {
 }
 
 /// Three masses on springs, with dampers, rotation and friction.
-fn family() -> Family {
-    Family::new(
+fn family() -> AffineFamily {
+    AffineFamily::new(
         vec![term("mass", &[(0, 0, 1.0), (1, 1, 1.5), (2, 2, 0.8)])],
         vec![
             term("first damper", &[(0, 0, 1.0)]),
@@ -37,9 +37,9 @@ fn factors() -> Factors {
 
 const REGION: Region = Region { re: [-2.0, 2.0], im: [0.5, 6.0] };
 
-fn modes_at(family: &Family, factors: &Factors) -> Vec<ComplexMode> {
+fn modes_at(family: &AffineFamily, factors: &Factors) -> Vec<ComplexMode> {
     let problem = family.at(factors).unwrap();
-    let found = complex_modes(&problem, &REGION, &Settings::default()).unwrap();
+    let found = complex_modes(&problem, &REGION, &ComplexModeSettings::default()).unwrap();
     assert!(found.complete());
     found.modes
 }
@@ -96,7 +96,7 @@ fn damping_of_one_mode_alone_is_a_paradox() {
     let damper = Term { name: "damper".to_owned(), matrix: two([(0, 0, 1.0)]) };
     let springs = Term { name: "springs".to_owned(), matrix: two([(0, 0, 2.0), (1, 1, 1.0)]) };
     let friction = Term { name: "friction".to_owned(), matrix: two([(0, 1, 1.0), (1, 0, -1.0)]) };
-    let family = Family::new(vec![mass], vec![damper], vec![springs, friction]).unwrap();
+    let family = AffineFamily::new(vec![mass], vec![damper], vec![springs, friction]).unwrap();
     let at = |damping: f64| Factors { mass: vec![1.0], damping: vec![damping], stiffness: vec![1.0, 0.49] };
     let growth = |damping: f64| {
         let growths = modes_at(&family, &at(damping)).into_iter().map(|mode| mode.eigenvalue.value.re);
@@ -109,7 +109,7 @@ fn damping_of_one_mode_alone_is_a_paradox() {
     let paradoxes: Vec<&str> =
         diagnosis.influences.iter().filter(|i| i.is_paradox()).map(|i| i.name.as_str()).collect();
     assert_eq!(paradoxes, ["damper"]);
-    assert!(diagnosis.influences.iter().all(|i| i.part == Part::Damping || !i.is_paradox()));
+    assert!(diagnosis.influences.iter().all(|i| i.part == MatrixSum::Damping || !i.is_paradox()));
 }
 
 fn two<const N: usize>(entries: [(usize, usize, f64); N]) -> Sparse {
@@ -122,7 +122,7 @@ fn the_shares_of_all_undamped_modes_sum_to_one() {
     let (family, at) = (family(), factors());
     let problem = family.at(&at).unwrap();
     let springs = &family.stiffness()[0].matrix;
-    let components = modes(springs, problem.mass(), Wanted::Lowest(3)).unwrap().modes;
+    let components = modes(springs, problem.mass(), WantedModes::Lowest(3)).unwrap().modes;
     for mode in modes_at(&family, &at) {
         let shares = participations(problem.mass(), &components, &mode);
         let sum: f64 = shares.iter().map(|p| p.share).sum();
@@ -150,11 +150,11 @@ fn named(name: &str, size: usize, entries: &[(usize, usize, f64)]) -> Term {
 }
 
 /// Random masses on springs that push as well as pull, with rotation, dampers and friction; its modes that grow.
-fn growing(seed: u64, factors: &Factors) -> (Family, Vec<ComplexMode>) {
+fn growing(seed: u64, factors: &Factors) -> (AffineFamily, Vec<ComplexMode>) {
     let size = 2 + (seed % 5) as usize;
     let masses: Vec<_> = (0..size).map(|i| (i, i, 0.5 + uniform(seed + 1, i as u64))).collect();
     let dampers: Vec<_> = (0..size).map(|i| (i, i, 0.2 + uniform(seed + 2, i as u64))).collect();
-    let family = Family::new(
+    let family = AffineFamily::new(
         vec![named("mass", size, &masses)],
         vec![named("rotation", size, &random(seed + 3, size, -1.0)), named("dampers", size, &dampers)],
         vec![
@@ -164,7 +164,8 @@ fn growing(seed: u64, factors: &Factors) -> (Family, Vec<ComplexMode>) {
     )
     .unwrap();
     let region = Region { re: [1e-2, 8.0], im: [-1e-3, 8.0] };
-    let found = complex_modes(&family.at(factors).unwrap(), &region, &Settings::default()).unwrap();
+    let found =
+        complex_modes(&family.at(factors).unwrap(), &region, &ComplexModeSettings::default()).unwrap();
     (family, found.modes)
 }
 
@@ -232,7 +233,7 @@ fn growths_over_a_small_energy_are_as_good_as_is_told() {
 /// Freedoms without mass that a negative damper drives: no kinetic energy, of which nothing can be a share.
 #[test]
 fn no_mode_takes_part_in_one_without_kinetic_energy() {
-    let family = Family::new(
+    let family = AffineFamily::new(
         vec![named("mass", 2, &[(0, 0, 1.0)])],
         vec![named("damper", 2, &[(0, 0, 0.1), (1, 1, -1.0)])],
         vec![named("springs", 2, &[(0, 0, 4.0), (1, 1, 3.0)])],
@@ -241,8 +242,8 @@ fn no_mode_takes_part_in_one_without_kinetic_energy() {
     let at = Factors { mass: vec![1.0], damping: vec![1.0], stiffness: vec![1.0] };
     let problem = family.at(&at).unwrap();
     let region = Region { re: [1.0, 5.0], im: [-0.1, 3.0] };
-    let found = complex_modes(&problem, &region, &Settings::default()).unwrap().modes;
+    let found = complex_modes(&problem, &region, &ComplexModeSettings::default()).unwrap().modes;
     assert!(found.len() == 1 && (found[0].eigenvalue.value - 3.0).norm() < 1e-12);
-    let components = modes(problem.stiffness(), problem.mass(), Wanted::Lowest(1)).unwrap().modes;
+    let components = modes(problem.stiffness(), problem.mass(), WantedModes::Lowest(1)).unwrap().modes;
     assert!(participations(problem.mass(), &components, &found[0]).is_empty());
 }

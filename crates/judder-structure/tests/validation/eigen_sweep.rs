@@ -4,10 +4,10 @@ use faer::c64;
 use faer::sparse::Triplet;
 use judder_numerics::counter::uniform;
 use judder_structure::StructureError;
-use judder_structure::affine::{Factors, Family, Term};
+use judder_structure::affine::{AffineFamily, Factors, Term};
 use judder_structure::assembly::Sparse;
-use judder_structure::complex_modes::{Region, Settings, Verdict};
-use judder_structure::eigen_sweep::{Method, Sweep, eigen_sweep, eigen_sweeps};
+use judder_structure::complex_modes::{ComplexModeSettings, EigenvalueVerdict, Region};
+use judder_structure::eigen_sweep::{SweepMethod, SweptEigenvalues, eigen_sweep, eigen_sweeps};
 
 fn term(name: &str, size: usize, entries: impl IntoIterator<Item = (usize, usize, f64)>) -> Term {
     let triplets: Vec<_> = entries.into_iter().map(|(i, j, v)| Triplet::new(i, j, v)).collect();
@@ -23,8 +23,8 @@ fn stiffness_factors(factors: impl Iterator<Item = Vec<f64>>) -> Vec<Factors> {
 }
 
 /// The eigenvalue of a branch at every point.
-fn values(sweep: &Sweep, branch: usize) -> Vec<c64> {
-    let of_branch = |point: &judder_structure::eigen_sweep::Point| {
+fn values(sweep: &SweptEigenvalues, branch: usize) -> Vec<c64> {
+    let of_branch = |point: &judder_structure::eigen_sweep::PointEigenvalues| {
         point.eigenvalues.iter().find(|tracked| tracked.branch == branch).map(|t| t.eigenvalue.value)
     };
     sweep.points.iter().filter_map(of_branch).collect()
@@ -36,19 +36,25 @@ fn two_modes_lock_in_as_two_branches() {
     const POINTS: usize = 41;
     let springs = term("springs", 2, [(0, 0, 1.5), (1, 1, 1.0)]);
     let friction = term("friction", 2, [(0, 1, 1.0), (1, 0, -1.0)]);
-    let family = Family::new(vec![identity(2)], vec![], vec![springs, friction]).unwrap();
+    let family = AffineFamily::new(vec![identity(2)], vec![], vec![springs, friction]).unwrap();
     let coupling = |k: usize| 0.5 * k as f64 / (POINTS - 1) as f64;
     let points = stiffness_factors((0..POINTS).map(|k| vec![1.0, coupling(k)]));
     let region = Region { re: [-1.0, 1.0], im: [0.1, 3.0] };
-    let sweep = eigen_sweep(&family, &points, &region, &Settings::default(), Method::Full).unwrap();
+    let sweep =
+        eigen_sweep(&family, &points, &region, &ComplexModeSettings::default(), SweepMethod::Full).unwrap();
     assert_eq!(sweep.branches, 2);
     for branch in 0..2 {
         assert_eq!(values(&sweep, branch).len(), POINTS, "a branch goes through");
     }
     for (k, point) in sweep.points.iter().enumerate() {
-        let verdicts: Vec<Verdict> = point.eigenvalues.iter().map(|t| t.eigenvalue.verdict()).collect();
+        let verdicts: Vec<EigenvalueVerdict> =
+            point.eigenvalues.iter().map(|t| t.eigenvalue.verdict()).collect();
         // the frequencies meet at a coupling of a quarter
-        assert_eq!(verdicts.contains(&Verdict::Unstable), coupling(k) > 0.2500001, "{k}: {verdicts:?}");
+        assert_eq!(
+            verdicts.contains(&EigenvalueVerdict::Unstable),
+            coupling(k) > 0.2500001,
+            "{k}: {verdicts:?}"
+        );
     }
     let last = &sweep.points[POINTS - 1].eigenvalues;
     assert!((last[0].eigenvalue.value.im - last[1].eigenvalue.value.im).abs() < 1e-9);
@@ -59,11 +65,12 @@ fn modes_that_cross_keep_their_branches() {
     const POINTS: usize = 30;
     let held = term("held", 3, [(0, 0, 100.0), (2, 2, 900.0)]);
     let rising = term("rising", 3, [(1, 1, 1.0)]);
-    let family = Family::new(vec![identity(3)], vec![], vec![held, rising]).unwrap();
+    let family = AffineFamily::new(vec![identity(3)], vec![], vec![held, rising]).unwrap();
     let frequency = |k: usize| 5.0 + 30.0 * k as f64 / (POINTS - 1) as f64;
     let points = stiffness_factors((0..POINTS).map(|k| vec![1.0, frequency(k).powi(2)]));
     let region = Region { re: [-1.0, 1.0], im: [1.0, 50.0] };
-    let sweep = eigen_sweep(&family, &points, &region, &Settings::default(), Method::Full).unwrap();
+    let sweep =
+        eigen_sweep(&family, &points, &region, &ComplexModeSettings::default(), SweepMethod::Full).unwrap();
     assert_eq!(sweep.branches, 3);
     let first: Vec<f64> = (0..3).map(|branch| values(&sweep, branch)[0].im.round()).collect();
     for (branch, first) in first.iter().enumerate() {
@@ -77,7 +84,7 @@ fn modes_that_cross_keep_their_branches() {
 const CHAIN: usize = 240;
 
 /// Masses in a row on springs, with rotation that couples neighbours and friction that is not symmetric.
-fn chain() -> Family {
+fn chain() -> AffineFamily {
     let beside = |seed: u64, size: f64| {
         (0..CHAIN - 1).flat_map(move |k| {
             let value = size * (uniform(seed, k as u64) - 0.3);
@@ -86,7 +93,7 @@ fn chain() -> Family {
     };
     let springs = (0..CHAIN).map(|k| (k, k, 2.0e6 + 1e4 * uniform(5, k as u64)));
     let springs = springs.chain((0..CHAIN - 1).flat_map(|k| [(k, k + 1, -1.0e6), (k + 1, k, -1.0e6)]));
-    Family::new(
+    AffineFamily::new(
         vec![identity(CHAIN)],
         vec![
             term("damping", CHAIN, (0..CHAIN).map(|k| (k, k, 0.2))),
@@ -107,14 +114,14 @@ fn along_the_chain(points: usize) -> Vec<Factors> {
 }
 
 const OF_THE_CHAIN: Region = Region { re: [-20.0, 20.0], im: [10.0, 165.0] };
-const FAST: Method = Method::Projected { tolerance: 1e-7 };
+const FAST: SweepMethod = SweepMethod::Projected { tolerance: 1e-7 };
 
 #[test]
 fn the_fast_way_is_within_its_shown_error_of_the_full_one() {
     let (family, points) = (chain(), along_the_chain(15));
-    let settings = Settings { data_precision: 0.0 };
+    let settings = ComplexModeSettings { data_precision: 0.0 };
     let solved = |method| eigen_sweep(&family, &points, &OF_THE_CHAIN, &settings, method).unwrap();
-    let (fast, full) = (solved(FAST), solved(Method::Full));
+    let (fast, full) = (solved(FAST), solved(SweepMethod::Full));
     let projected = fast.points.iter().filter(|point| !point.full).count();
     assert!(projected >= 10, "{projected} points, samples {:?}", fast.samples);
     assert!(fast.basis.is_some_and(|size| size < CHAIN));
@@ -137,17 +144,19 @@ fn the_fast_way_is_within_its_shown_error_of_the_full_one() {
 fn an_eigenvalue_that_enters_begins_a_branch_in_both_ways() {
     let (family, points) = (chain(), along_the_chain(15));
     let solved_in = |region: &Region, points: &[Factors], method| {
-        eigen_sweep(&family, points, region, &Settings::default(), method).unwrap()
+        eigen_sweep(&family, points, region, &ComplexModeSettings::default(), method).unwrap()
     };
     // an edge that the uppermost eigenvalue crosses halfway
     let ends = [points[0].clone(), points[14].clone()];
-    let ends = solved_in(&OF_THE_CHAIN, &ends, Method::Full);
+    let ends = solved_in(&OF_THE_CHAIN, &ends, SweepMethod::Full);
     let uppermost = |k: usize| ends.points[k].eigenvalues.last().unwrap().eigenvalue.value.im;
     let narrow = Region { im: [100.0, 0.5 * (uppermost(0) + uppermost(1))], ..OF_THE_CHAIN };
     let solved = |method| solved_in(&narrow, &points, method);
-    let (fast, full) = (solved(FAST), solved(Method::Full));
+    let (fast, full) = (solved(FAST), solved(SweepMethod::Full));
     assert!(fast.points.iter().any(|point| !point.full));
-    let counts = |sweep: &Sweep| sweep.points.iter().map(|point| point.eigenvalues.len()).collect::<Vec<_>>();
+    let counts = |sweep: &SweptEigenvalues| {
+        sweep.points.iter().map(|point| point.eigenvalues.len()).collect::<Vec<_>>()
+    };
     assert_eq!(counts(&fast), counts(&full));
     assert!(counts(&full).iter().min() < counts(&full).iter().max(), "{:?}", counts(&full));
 }
@@ -174,7 +183,7 @@ fn an_eigenvalue_that_only_two_points_have_is_found() {
     let of = |terms: &[Term]| terms.iter().map(|term| cut(&term.matrix)).collect::<Vec<_>>();
     let (damping, mut stiffness) = (of(chain.damping()), of(chain.stiffness()));
     stiffness.push(alone(1.0));
-    let family = Family::new(vec![identity(CHAIN)], damping, stiffness).unwrap();
+    let family = AffineFamily::new(vec![identity(CHAIN)], damping, stiffness).unwrap();
     let points: Vec<Factors> = along_the_chain(11)
         .into_iter()
         .enumerate()
@@ -185,9 +194,9 @@ fn an_eigenvalue_that_only_two_points_have_is_found() {
             factors
         })
         .collect();
-    let settings = Settings::default();
+    let settings = ComplexModeSettings::default();
     let fast = eigen_sweep(&family, &points, &OF_THE_CHAIN, &settings, FAST).unwrap();
-    let full = eigen_sweep(&family, &points, &OF_THE_CHAIN, &settings, Method::Full).unwrap();
+    let full = eigen_sweep(&family, &points, &OF_THE_CHAIN, &settings, SweepMethod::Full).unwrap();
     for (k, (fast, full)) in fast.points.iter().zip(&full.points).enumerate() {
         assert_eq!(fast.eigenvalues.len(), full.eigenvalues.len(), "{k}");
     }
@@ -204,9 +213,9 @@ fn one_basis_serves_two_parameters() {
     let curve = |friction: f64| (0..6).map(|k| at(1.0 + 0.2 * f64::from(k), friction)).collect::<Vec<_>>();
     let curves: Vec<Vec<Factors>> = (0..4).map(|k| curve(0.5 + 0.5 * f64::from(k))).collect();
     let curves: Vec<&[Factors]> = curves.iter().map(Vec::as_slice).collect();
-    let settings = Settings { data_precision: 0.0 };
+    let settings = ComplexModeSettings { data_precision: 0.0 };
     let solved = |method| eigen_sweeps(&family, &curves, &OF_THE_CHAIN, &settings, method).unwrap();
-    let (fast, full) = (solved(FAST), solved(Method::Full));
+    let (fast, full) = (solved(FAST), solved(SweepMethod::Full));
     assert!(fast.iter().all(|sweep| sweep.points.iter().any(|point| !point.full)));
     for (fast, full) in fast.iter().zip(&full) {
         assert_eq!(fast.branches, full.branches);
@@ -225,7 +234,9 @@ fn a_sweep_does_not_depend_on_the_threads() {
     let (family, points) = (chain(), along_the_chain(9));
     let with_threads = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| eigen_sweep(&family, &points, &OF_THE_CHAIN, &Settings::default(), FAST).unwrap())
+        pool.install(|| {
+            eigen_sweep(&family, &points, &OF_THE_CHAIN, &ComplexModeSettings::default(), FAST).unwrap()
+        })
     };
     assert_eq!(with_threads(1), with_threads(3));
 }
@@ -233,6 +244,7 @@ fn a_sweep_does_not_depend_on_the_threads() {
 #[test]
 fn too_few_factors_are_refused() {
     let points = [Factors { mass: vec![1.0], damping: vec![1.0], stiffness: vec![1.0, 1.0] }];
-    let refused = eigen_sweep(&chain(), &points, &OF_THE_CHAIN, &Settings::default(), FAST).unwrap_err();
+    let refused =
+        eigen_sweep(&chain(), &points, &OF_THE_CHAIN, &ComplexModeSettings::default(), FAST).unwrap_err();
     assert!(matches!(refused, StructureError::WrongFactors { name: "damping", found: 1, terms: 2 }));
 }

@@ -9,14 +9,18 @@ use judder_structure::craig_bampton::{CraigBampton, CutOff};
 use judder_structure::element::ElementKind;
 use judder_structure::freedom::Supports;
 use judder_structure::grid::Grid;
-use judder_structure::material::{Elastic, Section};
-use judder_structure::modes::{Mode, Modes, Wanted, below, modes};
+use judder_structure::material::{Elastic, ElementSection};
+use judder_structure::modes::{Mode, Modes, WantedModes, below, modes};
 use std::f64::consts::{PI, TAU};
 
 /// The two beams of the beams paper, Tables 1 and 2, held at one end.
 fn cantilever(length: f64, thickness: f64, width: f64, elements: usize, material: Elastic) -> Body {
     let beam = Beam { length, thickness, elements: [elements, 2], origin: [0.0; 2], angle: 0.0 };
-    Body { mesh: beam.mesh("any").unwrap(), material, section: Section::PlaneStress { thickness: width } }
+    Body {
+        mesh: beam.mesh("any").unwrap(),
+        material,
+        section: ElementSection::PlaneStress { thickness: width },
+    }
 }
 
 pub(crate) fn horizontal() -> Body {
@@ -27,7 +31,7 @@ pub(crate) fn oblique() -> Body {
     cantilever(0.075, 0.0015, 0.01, 75, Elastic::new(71e9, 0.33, 2770.0).unwrap())
 }
 
-fn lowest(body: &Body, supports: &Supports, wanted: Wanted) -> Modes {
+fn lowest(body: &Body, supports: &Supports, wanted: WantedModes) -> Modes {
     let assembled = body.assembled(&body.numbering(supports));
     let found = modes(&assembled.stiffness, &assembled.mass, wanted).unwrap();
     for mode in &found.modes {
@@ -48,7 +52,7 @@ fn the_beams_of_the_paper_have_their_frequencies() {
         (horizontal(), vec![45.5, 284.7, 794.7, 3523.0, 6909.0, 10567.0]),
         (oblique(), vec![218.0, 1365.0, 3810.0, 7433.0]),
     ] {
-        let found = lowest(&body, &body.held(&body.mesh.node_sets["start"]), Wanted::Lowest(14));
+        let found = lowest(&body, &body.held(&body.mesh.node_sets["start"]), WantedModes::Lowest(14));
         println!("{:?}", found.modes.iter().map(Mode::frequency_hz).collect::<Vec<_>>());
         for frequency in expected {
             let nearest = nearest(&found, frequency);
@@ -62,7 +66,7 @@ fn the_beams_of_the_paper_have_their_frequencies() {
 fn a_slender_cantilever_is_that_of_euler_and_bernoulli() {
     let (length, thickness) = (1.0, 0.002);
     let body = cantilever(length, thickness, 0.01, 300, Elastic::new(200e9, 0.0, 8000.0).unwrap());
-    let found = lowest(&body, &body.held(&body.mesh.node_sets["start"]), Wanted::Lowest(4));
+    let found = lowest(&body, &body.held(&body.mesh.node_sets["start"]), WantedModes::Lowest(4));
     let speed = (200e9 / 8000.0_f64).sqrt();
     let radius = thickness / 12.0_f64.sqrt();
     for (mode, root) in found.modes.iter().zip([1.875_104_069, 4.694_091_133, 7.854_757_438, 10.995_540_73]) {
@@ -70,8 +74,11 @@ fn a_slender_cantilever_is_that_of_euler_and_bernoulli() {
         assert!((mode.frequency_hz() / expected - 1.0).abs() < 2e-4, "{expected}: {}", mode.frequency_hz());
     }
     let along = PI / 2.0 / length * speed / TAU;
-    let band =
-        lowest(&body, &body.held(&body.mesh.node_sets["start"]), Wanted::Band(0.99 * along, 1.01 * along));
+    let band = lowest(
+        &body,
+        &body.held(&body.mesh.node_sets["start"]),
+        WantedModes::Band(0.99 * along, 1.01 * along),
+    );
     let best = nearest(&band, along);
     assert!((best / along - 1.0).abs() < 1e-5, "{along}: {best}");
 }
@@ -82,13 +89,14 @@ fn a_free_body_has_its_rigid_motions_at_zero() {
         [(ElementKind::Quad8, 3), (ElementKind::Hexahedron8, 6), (ElementKind::Tetrahedron10, 6)]
     {
         let grid = Grid { kind, size: [0.3, 0.2, 0.1], cells: [4, 3, 2] };
-        let section = if rigid == 3 { Section::PlaneStress { thickness: 0.01 } } else { Section::Solid };
+        let section =
+            if rigid == 3 { ElementSection::PlaneStress { thickness: 0.01 } } else { ElementSection::Solid };
         let body = Body {
             mesh: grid.mesh("any", |p| p).unwrap(),
             material: Elastic::new(2e11, 0.3, 7800.0).unwrap(),
             section,
         };
-        let found = lowest(&body, &Supports::default(), Wanted::Lowest(rigid + 4));
+        let found = lowest(&body, &Supports::default(), WantedModes::Lowest(rigid + 4));
         let first = found.modes[rigid].eigenvalue;
         assert!(found.modes[..rigid].iter().all(|mode| mode.eigenvalue.abs() < 1e-9 * first), "{kind}");
         assert!(found.modes[rigid].frequency_hz() > 100.0);
@@ -102,10 +110,10 @@ fn modes_that_come_in_pairs_are_both_found() {
     let body = Body {
         mesh: grid.mesh("any", |p| p).unwrap(),
         material: Elastic::new(1.0, 0.3, 1.0).unwrap(),
-        section: Section::PlaneStrain { thickness: 1.0 },
+        section: ElementSection::PlaneStrain { thickness: 1.0 },
     };
     let sides: Vec<usize> = body.mesh.node_sets.values().flatten().copied().collect();
-    let found = lowest(&body, &body.held(&sides), Wanted::Lowest(20));
+    let found = lowest(&body, &body.held(&sides), WantedModes::Lowest(20));
     assert_eq!(found.modes.len(), 20);
     let values: Vec<f64> = found.modes.iter().map(|mode| mode.eigenvalue).collect();
     let pairs = values.windows(2).filter(|pair| (pair[1] / pair[0] - 1.0).abs() < 1e-9).count();
@@ -124,7 +132,7 @@ fn modes_that_come_in_pairs_are_both_found() {
 fn shapes_are_orthogonal_in_mass_and_stiffness() {
     let body = horizontal();
     let assembled = body.assembled(&body.numbering(&body.held(&body.mesh.node_sets["start"])));
-    let found = modes(&assembled.stiffness, &assembled.mass, Wanted::Lowest(8)).unwrap().modes;
+    let found = modes(&assembled.stiffness, &assembled.mass, WantedModes::Lowest(8)).unwrap().modes;
     for a in &found {
         let (inertial, elastic) = (
             judder_structure::statics::product(&assembled.mass, &a.shape),
@@ -152,7 +160,7 @@ fn all_modes_of_a_small_structure_are_found() {
             let triplets: Vec<_> = (0..size).flat_map(row).map(|(i, j, v)| Triplet::new(i, j, v)).collect();
             Sparse::try_new_from_triplets(size, size, &triplets).unwrap()
         };
-        let found = modes(&entries(2.0, -1.0), &entries(1.0, 0.0), Wanted::Lowest(size)).unwrap();
+        let found = modes(&entries(2.0, -1.0), &entries(1.0, 0.0), WantedModes::Lowest(size)).unwrap();
         assert_eq!(found.modes.len(), size);
         for (k, mode) in found.modes.iter().enumerate() {
             let expected = 2.0 - 2.0 * ((k + 1) as f64 * PI / (size + 1) as f64).cos();
@@ -168,10 +176,10 @@ fn a_band_holds_all_between_its_counts_and_rigid_motions_only_from_zero() {
     let body = Body {
         mesh: grid.mesh("any", |p| p).unwrap(),
         material: Elastic::new(2e11, 0.3, 7800.0).unwrap(),
-        section: Section::Solid,
+        section: ElementSection::Solid,
     };
     let band = |from, to| {
-        let found = lowest(&body, &Supports::default(), Wanted::Band(from, to));
+        let found = lowest(&body, &Supports::default(), WantedModes::Band(from, to));
         assert_eq!(found.modes.len(), found.counted.1 - found.counted_from.1, "{from} to {to} Hz");
         found
     };
@@ -202,7 +210,7 @@ fn a_band_holds_all_between_its_counts_and_rigid_motions_only_from_zero() {
     same(&band(1e-9, 1e-8), &[]);
     let assembled = body.assembled(&body.numbering(&Supports::default()));
     for (from, to) in [(2.0, 1.0), (1.0, 1.0), (0.0, f64::NAN), (f64::NAN, 1.0), (0.0, f64::INFINITY)] {
-        let refused = modes(&assembled.stiffness, &assembled.mass, Wanted::Band(from, to)).unwrap_err();
+        let refused = modes(&assembled.stiffness, &assembled.mass, WantedModes::Band(from, to)).unwrap_err();
         assert!(matches!(refused, StructureError::InvalidNumber { .. }), "{from} {to}: {refused}");
     }
 }
@@ -221,7 +229,7 @@ fn where_freedoms_have_no_mass_all_modes_are_those_of_the_others() {
     let [stiffness, mass] =
         [stiffness, mass].map(|entries| Sparse::try_new_from_triplets(size, size, &entries).unwrap());
     for wanted in [masses - 1, masses, masses + 1, size, 2 * size] {
-        let found = modes(&stiffness, &mass, Wanted::Lowest(wanted)).unwrap();
+        let found = modes(&stiffness, &mass, WantedModes::Lowest(wanted)).unwrap();
         assert_eq!(found.modes.len(), wanted.min(masses), "{wanted}");
         for (k, mode) in found.modes.iter().enumerate() {
             let expected = 1.0 - ((k + 1) as f64 * PI / (masses + 1) as f64).cos();
@@ -229,7 +237,7 @@ fn where_freedoms_have_no_mass_all_modes_are_those_of_the_others() {
         }
     }
     // and a band beyond them all
-    let found = modes(&stiffness, &mass, Wanted::Band(0.1, 10.0)).unwrap();
+    let found = modes(&stiffness, &mass, WantedModes::Band(0.1, 10.0)).unwrap();
     assert_eq!(found.modes.len(), found.counted.1 - found.counted_from.1);
     assert_eq!(found.counted.1, masses);
     // a reduction to one mass has the modes of the others, and with all of them no error

@@ -4,7 +4,7 @@ use crate::Body;
 use judder_structure::element::ElementKind;
 use judder_structure::freedom::{Direction, Supports};
 use judder_structure::grid::Grid;
-use judder_structure::material::{Elastic, Section};
+use judder_structure::material::{Elastic, ElementSection};
 use judder_structure::statics::product;
 
 /// Corners inside are moved, each another way.
@@ -15,16 +15,19 @@ fn distorted([x, y, z]: [f64; 3]) -> [f64; 3] {
     [x + shift * sx, y + shift * sy, if z == 0.0 { z } else { z + shift * sx * sy }]
 }
 
-fn patch(kind: ElementKind, section: Section) -> Body {
+fn patch(kind: ElementKind, section: ElementSection) -> Body {
     let grid = Grid { kind, size: [1.0; 3], cells: [3; 3] };
     let material = Elastic::new(3.0, 0.3, 1.0).unwrap();
     Body { mesh: grid.mesh("any", distorted).unwrap(), material, section }
 }
 
-fn sections(kind: ElementKind) -> Vec<Section> {
+fn sections(kind: ElementKind) -> Vec<ElementSection> {
     match kind.dimension() {
-        2 => vec![Section::PlaneStress { thickness: 0.5 }, Section::PlaneStrain { thickness: 2.0 }],
-        _ => vec![Section::Solid],
+        2 => vec![
+            ElementSection::PlaneStress { thickness: 0.5 },
+            ElementSection::PlaneStrain { thickness: 2.0 },
+        ],
+        _ => vec![ElementSection::Solid],
     }
 }
 

@@ -1,12 +1,12 @@
 //! Tables of a sweep: what its quantities are, what decides them, which points have no answer.
 
 use super::short;
-use judder_report::Block;
-use judder_report::page::Table;
+use judder_report::PageBlock;
+use judder_report::page::PageTable;
 use serde_json::{Map, Value};
 
 /// The tables of a sweep; none where the result is of something else.
-pub(super) fn tables(results: &Map<String, Value>) -> Vec<Block> {
+pub(super) fn tables(results: &Map<String, Value>) -> Vec<PageBlock> {
     let Some(quantities) = results.get("quantities").and_then(Value::as_object) else { return Vec::new() };
     let (classes, numbers): (Vec<_>, Vec<_>) =
         quantities.iter().partition(|(_, told)| told["of"].is_object());
@@ -22,25 +22,25 @@ pub(super) fn tables(results: &Map<String, Value>) -> Vec<Block> {
     tables.extend(known.map(|(quantity, told)| indices(quantity, told)));
     let failures = results.get("failures").and_then(Value::as_array).filter(|failures| !failures.is_empty());
     tables.extend(failures.map(|listed| failed(listed, results)));
-    tables.into_iter().map(Block::Table).collect()
+    tables.into_iter().map(PageBlock::Table).collect()
 }
 
 type Told<'a> = (&'a String, &'a Value);
 
-fn of_numbers(quantities: &[Told<'_>]) -> Table {
+fn of_numbers(quantities: &[Told<'_>]) -> PageTable {
     let head = ["quantity", "points", "smallest", "largest", "mean", "standard deviation"];
     let row = |(name, told): &Told<'_>| {
         let numbers = ["count", "min", "max", "mean", "standard_deviation"];
         std::iter::once((*name).clone()).chain(numbers.iter().map(|key| short(&told[*key]))).collect()
     };
-    Table {
+    PageTable {
         caption: "Quantities over all points that have them".to_owned(),
         head: head.map(str::to_owned).to_vec(),
         rows: quantities.iter().map(row).collect(),
     }
 }
 
-fn of_classes(quantities: &[Told<'_>]) -> Table {
+fn of_classes(quantities: &[Told<'_>]) -> PageTable {
     let rows = quantities.iter().flat_map(|(name, told)| {
         let points = told["count"].as_f64().unwrap_or(0.0);
         let classes = told["of"].as_object().into_iter().flatten();
@@ -49,7 +49,7 @@ fn of_classes(quantities: &[Told<'_>]) -> Table {
             vec![(*name).clone(), class.replace('_', " "), short(count), format!("{share:.2} %")]
         })
     });
-    Table {
+    PageTable {
         caption: "Classes".to_owned(),
         head: ["quantity", "class", "points", "share"].map(str::to_owned).to_vec(),
         rows: rows.collect(),
@@ -57,7 +57,7 @@ fn of_classes(quantities: &[Told<'_>]) -> Table {
 }
 
 /// First-order and total index of every key, the largest total first.
-fn indices(quantity: &str, told: &Value) -> Table {
+fn indices(quantity: &str, told: &Value) -> PageTable {
     let mut keys: Vec<&String> =
         told["total"].as_object().into_iter().flatten().map(|(key, _)| key).collect();
     let total = |key: &str| told["total"][key]["value"].as_f64().unwrap_or(f64::NEG_INFINITY);
@@ -73,7 +73,7 @@ fn indices(quantity: &str, told: &Value) -> Table {
         _ => String::new(),
     };
     let percent = 100.0 * told["confidence"].as_f64().unwrap_or(f64::NAN);
-    Table {
+    PageTable {
         caption: format!(
             "Sensitivity of {quantity}: Sobol' indices from {} rows{left_out}",
             short(&told["rows"])
@@ -101,7 +101,7 @@ pub(crate) fn interval(own: &Value) -> String {
     format!("{} … {}", short_index(&own["from"]), short_index(&own["to"]))
 }
 
-fn failed(listed: &[Value], results: &Map<String, Value>) -> Table {
+fn failed(listed: &[Value], results: &Map<String, Value>) -> PageTable {
     let count = |key: &str| results.get(key).and_then(Value::as_u64).unwrap_or(0);
     let all = count("failed") + count("doubtful");
     let at = |own: &Value| {
@@ -114,7 +114,7 @@ fn failed(listed: &[Value], results: &Map<String, Value>) -> Table {
     } else {
         String::new()
     };
-    Table {
+    PageTable {
         caption: format!("Points without an answer, or with a doubtful one{more}"),
         head: ["where", "why"].map(str::to_owned).to_vec(),
         rows: listed.iter().map(row).collect(),
@@ -128,8 +128,8 @@ mod tests {
 
     fn rows(results: Value) -> Vec<Vec<Vec<String>>> {
         let Value::Object(results) = results else { unreachable!() };
-        let rows = |block: Block| match block {
-            Block::Table(table) => table.rows,
+        let rows = |block: PageBlock| match block {
+            PageBlock::Table(table) => table.rows,
             _ => unreachable!(),
         };
         tables(&results).into_iter().map(rows).collect()

@@ -1,7 +1,7 @@
 //! A law sampled from a function, as finely as a tolerance asks.
 
-use super::axis::Axis;
-use super::{AXES, SampledLaw, Samples};
+use super::axis::KnotAxis;
+use super::{AXES, LawSamples, SampledLaw};
 use crate::law::error::LawError;
 use crate::law::quantities::{KnotValues, PerQuantity};
 
@@ -27,7 +27,7 @@ pub struct SampleRequest {
 
 /// A sampled law, and whether it is as exact as was asked.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Sampled {
+pub struct SampledAdaptively {
     /// The law.
     pub law: SampledLaw,
     /// Whether its estimated error is within the tolerance.
@@ -42,29 +42,29 @@ pub struct Sampled {
 pub fn sampled<E: From<LawError>>(
     request: &SampleRequest,
     mut function: impl FnMut(&[f64], &[f64]) -> Result<KnotValues, E>,
-) -> Result<Sampled, E> {
+) -> Result<SampledAdaptively, E> {
     if !(request.tolerance > 0.0 && request.tolerance.is_finite()) {
         let (name, requirement) = ("tolerance", "positive and finite");
         return Err(LawError::InvalidNumber { name, value: request.tolerance, requirement }.into());
     }
     for ((from, to), axis) in [(request.velocity, AXES[0]), (request.indentation, AXES[1])] {
-        Axis::new(&[from, to], axis)?;
+        KnotAxis::new(&[from, to], axis)?;
     }
-    let mut known: Option<Samples> = None;
+    let mut known: Option<LawSamples> = None;
     let mut counts = [FIRST; 2];
     loop {
         let velocities = spaced(request.velocity.0, request.velocity.1, counts[0]);
         let indentations = spaced(request.indentation.0, request.indentation.1, counts[1]);
         let values = fill(&velocities, &indentations, known.as_ref(), &mut function)?;
         let source = request.source.clone();
-        let law = SampledLaw::new(Samples { source, velocities, indentations, values })?;
+        let law = SampledLaw::new(LawSamples { source, velocities, indentations, values })?;
         let misses = law
             .errors_by_axis()
             .map(|errors| errors.into_array().into_iter().any(|error| error > request.tolerance));
         let finer = [0, 1].map(|k| if misses[k] { 2 * counts[k] - 1 } else { counts[k] });
         let is_full = finer[0].max(finer[1]) > MOST_A_SIDE || finer[0] * finer[1] > MOST;
         if finer == counts || is_full {
-            return Ok(Sampled { law, meets_tolerance: finer == counts });
+            return Ok(SampledAdaptively { law, meets_tolerance: finer == counts });
         }
         known = Some(law.samples().clone());
         counts = finer;
@@ -87,7 +87,7 @@ fn spaced(from: f64, to: f64, count: usize) -> Vec<f64> {
 fn fill<E: From<LawError>>(
     velocities: &[f64],
     indentations: &[f64],
-    known: Option<&Samples>,
+    known: Option<&LawSamples>,
     function: &mut impl FnMut(&[f64], &[f64]) -> Result<KnotValues, E>,
 ) -> Result<KnotValues, E> {
     let columns = velocities.len();

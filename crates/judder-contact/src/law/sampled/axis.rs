@@ -1,16 +1,16 @@
 //! Knots on a logarithmic axis, even or not, and the spline through values at them.
 
 use crate::law::error::LawError;
-use crate::law::knots::Place;
+use crate::law::knots::KnotPlace;
 use judder_numerics::elementary::exp;
 
 /// Logarithms of ascending knots.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Axis {
+pub(super) struct KnotAxis {
     logarithms: Vec<f64>,
 }
 
-impl Axis {
+impl KnotAxis {
     /// The logarithms of these knots.
     pub(super) fn new(knots: &[f64], axis: &'static str) -> Result<Self, LawError> {
         if knots.len() < 2 {
@@ -46,20 +46,20 @@ impl Axis {
     /// With t the distance from the knot at its left, from the first and the last knot beyond them, a piece is c0 + c1 t + c2 t² + c3 t³
     /// between knots and c0 + e^{−|t|} (c1 + c2 t) beyond.
     #[inline]
-    pub(super) fn place(&self, x: f64) -> Place {
+    pub(super) fn place(&self, x: f64) -> KnotPlace {
         let piece = self.logarithms.partition_point(|knot| *knot <= x);
         let t = x - self.logarithms[piece.max(1) - 1];
         if piece == 0 || piece == self.count() {
             let rate = if piece == 0 { 1.0 } else { -1.0 };
             let w = exp(rate * t);
-            return Place {
+            return KnotPlace {
                 piece,
                 basis: [1.0, w, w * t, 0.0],
                 slopes: [0.0, rate * w, rate * w * t + w, 0.0],
             };
         }
         let square = t * t;
-        Place { piece, basis: [1.0, t, square, square * t], slopes: [0.0, 1.0, 2.0 * t, 3.0 * square] }
+        KnotPlace { piece, basis: [1.0, t, square, square * t], slopes: [0.0, 1.0, 2.0 * t, 3.0 * square] }
     }
 
     /// The pieces of the C² spline through `values`, one a knot.
@@ -155,7 +155,7 @@ mod tests {
     #[test]
     fn a_cubic_comes_back_on_uneven_knots() {
         let logarithms: Vec<f64> = vec![-3.0, -2.4, -1.0, 0.3, 0.5, 2.0];
-        let axis = Axis { logarithms: logarithms.clone() };
+        let axis = KnotAxis { logarithms: logarithms.clone() };
         let cubic = |x: f64| 1.0 - 2.0 * x + 0.5 * x * x + 0.3 * x * x * x;
         let values: Vec<f64> = logarithms.iter().map(|x| cubic(*x)).collect();
         let pieces = axis.spline(&values);
@@ -171,7 +171,7 @@ mod tests {
         for knots in [vec![0.0, 1.5], vec![0.0, 0.5, 2.0]] {
             let power = knots.len() as i32 - 1;
             let values: Vec<f64> = knots.iter().map(|x: &f64| x.powi(power)).collect();
-            let axis = Axis { logarithms: knots };
+            let axis = KnotAxis { logarithms: knots };
             let (place, pieces) = (axis.place(0.9), axis.spline(&values));
             let value: f64 = pieces[place.piece].iter().zip(place.basis).map(|(c, b)| c * b).sum();
             assert!((value - 0.9_f64.powi(power)).abs() < 1e-14, "{value}");

@@ -1,6 +1,6 @@
 //! A sampled law as one JSON file: its knots and values, with all their digits.
 
-use super::{SampledLaw, Samples};
+use super::{LawSamples, SampledLaw};
 use crate::law::error::LawError;
 use crate::law::quantities::KnotValues;
 use serde::{Deserialize, Serialize};
@@ -12,7 +12,7 @@ pub const VERSION: u32 = 1;
 
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Document {
+struct SampledDocument {
     format: String,
     version: u32,
     source: String,
@@ -26,14 +26,20 @@ struct Document {
 
 /// The file's text.
 pub(crate) fn to_json(law: &SampledLaw) -> Result<String, LawError> {
-    let Samples { source, velocities, indentations, values } = law.samples().clone();
-    let document =
-        Document { format: FORMAT.to_owned(), version: VERSION, source, velocities, indentations, values };
+    let LawSamples { source, velocities, indentations, values } = law.samples().clone();
+    let document = SampledDocument {
+        format: FORMAT.to_owned(),
+        version: VERSION,
+        source,
+        velocities,
+        indentations,
+        values,
+    };
     Ok(serde_json::to_string_pretty(&document)?)
 }
 
 /// The law in a file's text whose format and version are known.
 pub(crate) fn from_json(text: &str) -> Result<SampledLaw, LawError> {
-    let Document { source, velocities, indentations, values, .. } = serde_json::from_str(text)?;
-    SampledLaw::new(Samples { source, velocities, indentations, values })
+    let SampledDocument { source, velocities, indentations, values, .. } = serde_json::from_str(text)?;
+    SampledLaw::new(LawSamples { source, velocities, indentations, values })
 }

@@ -2,7 +2,7 @@
 
 use super::solving::Solving;
 use super::{
-    LawSample, SolvedPoint, Sweep, SweepEnd, SweepLevel, SweepObserver, check_accuracy, excess,
+    LawSample, LawSweep, SolvedPoint, SweepEnd, SweepLevel, SweepObserver, check_accuracy, excess,
     is_solver_noise,
 };
 use crate::law::collapsed::CollapsedLaw;
@@ -44,7 +44,7 @@ pub fn collapse_sweep<S, E>(
     known: &[SolvedPoint],
     sampler: &S,
     observer: &dyn SweepObserver,
-) -> Result<Sweep<CollapsedLaw>, LawError>
+) -> Result<LawSweep<CollapsedLaw>, LawError>
 where
     S: Fn(f64, f64) -> Result<LawSample, E> + Sync,
     E: Display,
@@ -84,7 +84,7 @@ where
             None
         };
         if let Some(end) = end {
-            return Ok(Sweep { law, end, levels, points: solving.into_points() });
+            return Ok(LawSweep { law, end, levels, points: solving.into_points() });
         }
         before = errors;
         speeds = speeds.refined();

@@ -2,7 +2,7 @@
 
 use super::solving::Solving;
 use super::{
-    LawSample, SolvedPoint, Sweep, SweepEnd, SweepLevel, SweepObserver, check_accuracy, excess,
+    LawSample, LawSweep, SolvedPoint, SweepEnd, SweepLevel, SweepObserver, check_accuracy, excess,
     is_solver_noise,
 };
 use crate::law::error::LawError;
@@ -102,7 +102,7 @@ pub fn sweep<S, E>(
     known: &[SolvedPoint],
     sampler: &S,
     observer: &dyn SweepObserver,
-) -> Result<Sweep<TabulatedLaw>, LawError>
+) -> Result<LawSweep<TabulatedLaw>, LawError>
 where
     S: Fn(f64, f64) -> Result<LawSample, E> + Sync,
     E: Display,
@@ -142,7 +142,7 @@ where
             None
         };
         if let Some(end) = end {
-            return Ok(Sweep { law, end, levels, points: solving.into_points() });
+            return Ok(LawSweep { law, end, levels, points: solving.into_points() });
         }
         before[axis] = errors[axis];
         (speeds, depths) = finer;

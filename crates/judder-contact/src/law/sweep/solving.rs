@@ -9,9 +9,9 @@ use std::fmt::Display;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A place as its bits, depth first: positive numbers sort like their bits.
-type Key = (u64, u64);
+type PointBits = (u64, u64);
 
-fn key(velocity: f64, indentation: f64) -> Key {
+fn key(velocity: f64, indentation: f64) -> PointBits {
     (indentation.to_bits(), velocity.to_bits())
 }
 
@@ -19,13 +19,13 @@ fn key(velocity: f64, indentation: f64) -> Key {
 pub(super) struct Solving<'a, S> {
     sampler: &'a S,
     observer: &'a dyn SweepObserver,
-    solved: BTreeMap<Key, SolvedPoint>,
+    solved: BTreeMap<PointBits, SolvedPoint>,
     /// The points of the last level, in their order.
     level: Vec<SolvedPoint>,
 }
 
 /// What became of one point.
-enum Attempt {
+enum SolveAttempt {
     Solved(SolvedPoint),
     Failed(FailedPoint),
     Interrupted,
@@ -47,14 +47,14 @@ where
             points.iter().copied().filter(|(v, y)| !self.solved.contains_key(&key(*v, *y))).collect();
         self.observer.begins(missing.len());
         let done = AtomicUsize::new(0);
-        let attempts: Vec<Attempt> = missing
+        let attempts: Vec<SolveAttempt> = missing
             .par_iter()
             .map(|&(velocity, indentation)| {
                 if self.observer.interrupted() {
-                    return Attempt::Interrupted;
+                    return SolveAttempt::Interrupted;
                 }
                 let attempt = attempt(self.sampler, velocity, indentation);
-                if let Attempt::Solved(point) = &attempt {
+                if let SolveAttempt::Solved(point) = &attempt {
                     let done = done.fetch_add(1, Ordering::Relaxed) + 1;
                     self.observer.finished(point, done, missing.len());
                 }
@@ -64,11 +64,11 @@ where
         let (mut failures, mut is_interrupted) = (Vec::new(), false);
         for attempt in attempts {
             match attempt {
-                Attempt::Solved(point) => {
+                SolveAttempt::Solved(point) => {
                     self.solved.insert(key(point.velocity, point.indentation), point);
                 }
-                Attempt::Failed(failure) => failures.push(failure),
-                Attempt::Interrupted => is_interrupted = true,
+                SolveAttempt::Failed(failure) => failures.push(failure),
+                SolveAttempt::Interrupted => is_interrupted = true,
             }
         }
         if is_interrupted {
@@ -102,12 +102,12 @@ where
     }
 }
 
-fn attempt<S, E>(sampler: &S, velocity: f64, indentation: f64) -> Attempt
+fn attempt<S, E>(sampler: &S, velocity: f64, indentation: f64) -> SolveAttempt
 where
     S: Fn(f64, f64) -> Result<LawSample, E>,
     E: Display,
 {
-    let failed = |cause: String| Attempt::Failed(FailedPoint { velocity, indentation, cause });
+    let failed = |cause: String| SolveAttempt::Failed(FailedPoint { velocity, indentation, cause });
     match sampler(velocity, indentation) {
         Err(cause) => failed(cause.to_string()),
         Ok(sample) => {
@@ -116,7 +116,7 @@ where
             if sample.values().into_array().into_iter().all(is_value)
                 && sample.errors().into_array().into_iter().all(is_error)
             {
-                Attempt::Solved(SolvedPoint { velocity, indentation, sample })
+                SolveAttempt::Solved(SolvedPoint { velocity, indentation, sample })
             } else {
                 failed(format!("the solution is not positive and finite: {sample:?}"))
             }

@@ -1,6 +1,6 @@
 //! The lines of an input deck: keywords with parameters and data.
 
-use crate::cause::Cause;
+use crate::cause::FileCause;
 use crate::error::ExchangeError;
 use crate::quoted::quoted;
 use std::collections::BTreeMap;
@@ -33,7 +33,7 @@ pub(super) fn keywords(text: &str) -> Result<Vec<Keyword<'_>>, ExchangeError> {
         } else if let Some(keyword) = keywords.last_mut() {
             keyword.data.push((line, text));
         } else {
-            let cause = Cause::Foreign {
+            let cause = FileCause::Foreign {
                 format: "input deck",
                 found: format!("its first line is `{}`", quoted(text)),
                 remedy: "a deck begins with a keyword, such as *HEADING or *NODE",
@@ -42,7 +42,7 @@ pub(super) fn keywords(text: &str) -> Result<Vec<Keyword<'_>>, ExchangeError> {
         }
     }
     if keywords.is_empty() {
-        let cause = Cause::Foreign {
+        let cause = FileCause::Foreign {
             format: "input deck",
             found: String::from("it has no keywords"),
             remedy: "it needs *NODE and *ELEMENT",
@@ -74,15 +74,15 @@ impl Keyword<'_> {
     }
 
     /// The value of a parameter that must be there.
-    pub(super) fn needed(&self, parameter: &'static str) -> Result<&str, Cause> {
+    pub(super) fn needed(&self, parameter: &'static str) -> Result<&str, FileCause> {
         match self.parameters.get(parameter) {
             Some(value) if !value.is_empty() => Ok(value),
-            _ => Err(Cause::MissingParameter { keyword: quoted(&self.name), parameter }),
+            _ => Err(FileCause::MissingParameter { keyword: quoted(&self.name), parameter }),
         }
     }
 
     /// An error at the keyword's line.
-    pub(super) fn error(&self, cause: Cause) -> ExchangeError {
+    pub(super) fn error(&self, cause: FileCause) -> ExchangeError {
         ExchangeError::at_line(self.line, cause)
     }
 }

@@ -1,6 +1,6 @@
 //! The element types of Abaqus and CalculiX that have a counterpart.
 
-use crate::cause::Cause;
+use crate::cause::FileCause;
 use crate::quoted::quoted;
 use judder_structure::element::ElementKind;
 
@@ -25,9 +25,9 @@ const FULL: Option<&str> = Some("is computed with full integration");
 const BENDING: Option<&str> = Some("is computed with incompatible modes");
 
 /// The counterpart of a type in capitals.
-pub(super) fn element_type(name: &str) -> Result<ElementType, Cause> {
+pub(super) fn element_type(name: &str) -> Result<ElementType, FileCause> {
     use ElementKind::{Hexahedron8, Hexahedron20, Quad4, Quad8, Tetrahedron10, Triangle6};
-    let unsupported = || Cause::Unsupported {
+    let unsupported = || FileCause::Unsupported {
         what: "the type of elements",
         found: format!("`{}`", quoted(name)),
         read: "CPS4, CPE4 (with I or R), CPS8, CPE8, CPS8R, CPE8R, CPS6, CPE6, C3D8 (with I or R), C3D20, C3D20R, C3D10",

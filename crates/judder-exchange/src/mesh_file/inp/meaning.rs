@@ -1,13 +1,13 @@
 //! What each keyword of a deck means here.
 
 use super::deck::Keyword;
-use super::model::Model;
-use crate::cause::Cause;
+use super::model::DeckModel;
+use crate::cause::FileCause;
 use crate::error::ExchangeError;
 use crate::quoted::quoted;
 
 /// Takes a keyword into the model.
-type Read = fn(&mut Model, &Keyword<'_>) -> Result<(), ExchangeError>;
+type Read = fn(&mut DeckModel, &Keyword<'_>) -> Result<(), ExchangeError>;
 
 /// What is done with a keyword.
 pub(super) enum Meaning {
@@ -32,17 +32,17 @@ const FILES: &str = "it takes in another file; put its lines in its place";
 /// What is done with the keyword of a name in capitals.
 pub(super) fn meaning(name: &str) -> Meaning {
     match name {
-        "NODE" => Meaning::Read(Model::read_nodes),
-        "ELEMENT" => Meaning::Read(Model::read_elements),
-        "NSET" => Meaning::Read(Model::read_node_set),
-        "ELSET" => Meaning::Read(Model::read_element_set),
-        "SURFACE" => Meaning::Read(Model::read_surface),
-        "MATERIAL" => Meaning::Read(Model::read_material),
-        "ELASTIC" => Meaning::Read(Model::read_elastic),
-        "DENSITY" => Meaning::Read(Model::read_density),
-        "SOLID SECTION" => Meaning::Read(Model::read_solid_section),
-        "PART" => Meaning::Read(Model::read_part),
-        "INSTANCE" => Meaning::Read(Model::read_instance),
+        "NODE" => Meaning::Read(DeckModel::read_nodes),
+        "ELEMENT" => Meaning::Read(DeckModel::read_elements),
+        "NSET" => Meaning::Read(DeckModel::read_node_set),
+        "ELSET" => Meaning::Read(DeckModel::read_element_set),
+        "SURFACE" => Meaning::Read(DeckModel::read_surface),
+        "MATERIAL" => Meaning::Read(DeckModel::read_material),
+        "ELASTIC" => Meaning::Read(DeckModel::read_elastic),
+        "DENSITY" => Meaning::Read(DeckModel::read_density),
+        "SOLID SECTION" => Meaning::Read(DeckModel::read_solid_section),
+        "PART" => Meaning::Read(DeckModel::read_part),
+        "INSTANCE" => Meaning::Read(DeckModel::read_instance),
         "HEADING" | "PREPRINT" | "END PART" | "END INSTANCE" | "ASSEMBLY" | "END ASSEMBLY" => {
             Meaning::Nothing
         }
@@ -87,6 +87,6 @@ pub(super) fn meaning(name: &str) -> Meaning {
 }
 
 /// Why a keyword is refused.
-pub(super) fn refusal(name: &str, why: &'static str) -> Cause {
-    Cause::Refused { keyword: quoted(name), why }
+pub(super) fn refusal(name: &str, why: &'static str) -> FileCause {
+    FileCause::Refused { keyword: quoted(name), why }
 }

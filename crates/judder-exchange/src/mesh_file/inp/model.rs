@@ -2,8 +2,8 @@
 
 use super::deck::{Keyword, words};
 use super::element_type::{ElementType, element_type};
-use super::sets::{Sets, Span, places};
-use crate::cause::Cause;
+use super::sets::{NumberSpan, Sets, places};
+use crate::cause::FileCause;
 use crate::error::ExchangeError;
 use crate::mesh_file::{FileMaterial, Warning};
 use crate::quoted::quoted;
@@ -23,7 +23,7 @@ pub(super) struct DeckElement {
 
 /// A line of a surface: sides of this number of these elements.
 pub(super) struct SurfaceLine {
-    pub(super) elements: Vec<Span>,
+    pub(super) elements: Vec<NumberSpan>,
     pub(super) side: usize,
     pub(super) line: usize,
 }
@@ -37,7 +37,7 @@ pub(super) struct SolidSection {
 }
 
 /// All that was read.
-pub(super) struct Model {
+pub(super) struct DeckModel {
     pub(super) nodes: Vec<(usize, [f64; 3])>,
     pub(super) node_places: HashMap<usize, usize>,
     pub(super) elements: Vec<DeckElement>,
@@ -54,7 +54,7 @@ pub(super) struct Model {
     pub(super) warnings: Vec<Warning>,
 }
 
-impl Model {
+impl DeckModel {
     /// The model of a deck of so many bytes.
     pub(super) fn new(bytes: usize) -> Self {
         Self {
@@ -82,7 +82,7 @@ impl Model {
         self.refuse_input(keyword)?;
         if keyword.capitals("SYSTEM").is_some_and(|system| system != "R") {
             let (what, found) = ("the system of the nodes", String::from("not rectangular"));
-            return Err(keyword.error(Cause::Unsupported { what, found, read: "SYSTEM=R" }));
+            return Err(keyword.error(FileCause::Unsupported { what, found, read: "SYSTEM=R" }));
         }
         for (line, text) in &keyword.data {
             let here = |cause| ExchangeError::at_line(*line, cause);
@@ -92,7 +92,7 @@ impl Model {
             }
             self.nodes.push((label, place));
             if let Some(set) = keyword.parameters.get("NSET") {
-                self.node_sets.add(set, &[Span::one(label, *line)]).map_err(here)?;
+                self.node_sets.add(set, &[NumberSpan::one(label, *line)]).map_err(here)?;
             }
         }
         Ok(())
@@ -128,20 +128,20 @@ impl Model {
         of_type: ElementType,
         set: Option<&String>,
         line: usize,
-    ) -> Result<(), Cause> {
+    ) -> Result<(), FileCause> {
         let needed = of_type.kind.nodes();
         let (label, nodes) = match numbers.split_first() {
             Some((label, nodes)) if nodes.len() == needed => (*label, nodes.to_vec()),
             _ => {
                 let nodes = numbers.len().saturating_sub(1);
-                return Err(Cause::WrongNodes { kind: of_type.kind, needed, found: nodes });
+                return Err(FileCause::WrongNodes { kind: of_type.kind, needed, found: nodes });
             }
         };
         if let Some(first) = self.element_places.insert(label, self.elements.len()) {
             return Err(twice("element", label, &format!("in line {}", self.elements[first].line)));
         }
         if let Some(set) = set {
-            self.element_sets.add(set, &[Span::one(label, line)])?;
+            self.element_sets.add(set, &[NumberSpan::one(label, line)])?;
         }
         self.elements.push(DeckElement { label, of_type, nodes, set: set.cloned(), line });
         Ok(())
@@ -152,14 +152,15 @@ impl Model {
         let Some(elements) = keyword.parameters.get("ELSET") else {
             return self.node_sets.read(keyword, name, "node");
         };
-        let unknown = || keyword.error(Cause::Unknown { what: "set", label: quoted(elements) });
+        let unknown = || keyword.error(FileCause::Unknown { what: "set", label: quoted(elements) });
         let set = self.element_sets.get(elements).ok_or_else(unknown)?;
         let elements = places(&set.spans, &self.element_places, "element")?;
         let mut nodes: Vec<usize> =
             elements.iter().flat_map(|element| self.elements[*element].nodes.iter().copied()).collect();
         nodes.sort_unstable();
         nodes.dedup();
-        let spans: Vec<Span> = nodes.into_iter().map(|node| Span::one(node, keyword.line)).collect();
+        let spans: Vec<NumberSpan> =
+            nodes.into_iter().map(|node| NumberSpan::one(node, keyword.line)).collect();
         self.node_sets.add(name, &spans).map_err(|cause| keyword.error(cause))
     }
 
@@ -175,7 +176,7 @@ impl Model {
             Some("NODE") => return self.read_node_surface(keyword, name),
             Some(other) => {
                 let (what, found) = ("the type of the surface", format!("`{}`", quoted(other)));
-                return Err(keyword.error(Cause::Unsupported { what, found, read: "ELEMENT or NODE" }));
+                return Err(keyword.error(FileCause::Unsupported { what, found, read: "ELEMENT or NODE" }));
             }
         }
         let mut lines = Vec::new();
@@ -184,7 +185,7 @@ impl Model {
                 let words = words(text);
                 let [elements, side] = words.as_slice() else {
                     let (what, expected) = ("a line of a surface", "an element or set and a side");
-                    return Err(Cause::WrongEntries { what, expected, found: words.len() });
+                    return Err(FileCause::WrongEntries { what, expected, found: words.len() });
                 };
                 let elements = self.element_sets.named(elements, *line, "element")?;
                 self.element_sets.charge(&elements)?;
@@ -223,7 +224,7 @@ impl Model {
     pub(super) fn read_elastic(&mut self, keyword: &Keyword<'_>) -> Result<(), ExchangeError> {
         if keyword.capitals("TYPE").is_some_and(|kind| !kind.starts_with("ISO")) {
             let (what, found) = ("the elasticity", String::from("not isotropic"));
-            return Err(keyword.error(Cause::Unsupported { what, found, read: "TYPE=ISOTROPIC" }));
+            return Err(keyword.error(FileCause::Unsupported { what, found, read: "TYPE=ISOTROPIC" }));
         }
         let [youngs_modulus, poisson_ratio] = constants(keyword, "Young's modulus and Poisson's ratio")?;
         self.current_material(keyword)?.elastic = Some([youngs_modulus, poisson_ratio]);
@@ -241,7 +242,7 @@ impl Model {
         let (what, problem) = ("a property of a material", String::from("it stands before any *MATERIAL"));
         current
             .map(|(_, material)| material)
-            .ok_or_else(|| keyword.error(Cause::Inconsistent { what, problem }))
+            .ok_or_else(|| keyword.error(FileCause::Inconsistent { what, problem }))
     }
 
     pub(super) fn read_part(&mut self, keyword: &Keyword<'_>) -> Result<(), ExchangeError> {
@@ -257,7 +258,7 @@ impl Model {
     fn refuse_input(&self, keyword: &Keyword<'_>) -> Result<(), ExchangeError> {
         if keyword.has("INPUT") {
             let (what, found) = ("the keyword", String::from("in another file (INPUT)"));
-            return Err(keyword.error(Cause::Unsupported { what, found, read: "its lines in this one" }));
+            return Err(keyword.error(FileCause::Unsupported { what, found, read: "its lines in this one" }));
         }
         Ok(())
     }
@@ -265,22 +266,22 @@ impl Model {
 
 fn several(keyword: &Keyword<'_>) -> ExchangeError {
     let (what, found) = ("the assembly", String::from("of several parts or instances, or one that is moved"));
-    keyword.error(Cause::Unsupported {
+    keyword.error(FileCause::Unsupported {
         what,
         found,
         read: "a flat deck, or one part in one instance at its own place",
     })
 }
 
-fn twice(what: &'static str, label: impl ToString, first: &str) -> Cause {
-    Cause::Twice { what, label: quoted(&label.to_string()), first: first.to_owned() }
+fn twice(what: &'static str, label: impl ToString, first: &str) -> FileCause {
+    FileCause::Twice { what, label: quoted(&label.to_string()), first: first.to_owned() }
 }
 
-fn node(text: &str) -> Result<(usize, [f64; 3]), Cause> {
+fn node(text: &str) -> Result<(usize, [f64; 3]), FileCause> {
     let words = words(text);
     if !(2..=4).contains(&words.len()) {
         let (what, expected) = ("a node", "its number and its place (x, y, z)");
-        return Err(Cause::WrongEntries { what, expected, found: words.len() });
+        return Err(FileCause::WrongEntries { what, expected, found: words.len() });
     }
     let mut place = [0.0; 3];
     for (value, word) in place.iter_mut().zip(&words[1..]) {
@@ -291,9 +292,9 @@ fn node(text: &str) -> Result<(usize, [f64; 3]), Cause> {
 }
 
 /// The place of a side `S1`, `S2`, … in the order of judder, which is that of Abaqus.
-fn side_number(word: &str) -> Result<usize, Cause> {
+fn side_number(word: &str) -> Result<usize, FileCause> {
     let number = word.strip_prefix(['S', 's']).and_then(|number| number.parse::<usize>().ok());
-    number.and_then(|number| number.checked_sub(1)).ok_or_else(|| Cause::Unsupported {
+    number.and_then(|number| number.checked_sub(1)).ok_or_else(|| FileCause::Unsupported {
         what: "the side of a surface",
         found: format!("`{}`", quoted(word)),
         read: "S1 to S6",
@@ -303,13 +304,17 @@ fn side_number(word: &str) -> Result<usize, Cause> {
 /// The constants of a material's property: one line, not dependent on temperature.
 fn constants<const N: usize>(keyword: &Keyword<'_>, what: &'static str) -> Result<[f64; N], ExchangeError> {
     let [(line, text)] = keyword.data.as_slice() else {
-        return Err(keyword.error(Cause::WrongLines { what, found: keyword.data.len() }));
+        return Err(keyword.error(FileCause::WrongLines { what, found: keyword.data.len() }));
     };
     let here = |cause| ExchangeError::at_line(*line, cause);
     let words = words(text);
     let mut values = [0.0; N];
     if words.len() < N {
-        return Err(here(Cause::WrongEntries { what: "the property", expected: what, found: words.len() }));
+        return Err(here(FileCause::WrongEntries {
+            what: "the property",
+            expected: what,
+            found: words.len(),
+        }));
     }
     for (value, word) in values.iter_mut().zip(&words) {
         *value = number(word, what).map_err(here)?;

@@ -1,7 +1,7 @@
 //! Named sets of a deck: names are the same in capitals and small letters, shown as first written.
 
 use super::deck::{Keyword, words};
-use crate::cause::Cause;
+use crate::cause::FileCause;
 use crate::error::ExchangeError;
 use crate::quoted::quoted;
 use crate::text::count;
@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, HashMap};
 
 /// Numbers of the file: `first`, `first + step`, … up to `last`.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Span {
+pub(super) struct NumberSpan {
     first: usize,
     last: usize,
     step: usize,
@@ -24,7 +24,7 @@ const MOST_IN_ALL: usize = 256;
 #[derive(Debug, Clone, Default)]
 pub(super) struct NamedSet {
     pub(super) name: String,
-    pub(super) spans: Vec<Span>,
+    pub(super) spans: Vec<NumberSpan>,
 }
 
 /// Sets of one kind of thing by their names in capitals.
@@ -35,7 +35,7 @@ pub(super) struct Sets {
     most: usize,
 }
 
-impl Span {
+impl NumberSpan {
     pub(super) fn one(label: usize, line: usize) -> Self {
         Self { first: label, last: label, step: 1, line }
     }
@@ -45,10 +45,10 @@ impl Span {
         let here = |cause| ExchangeError::at_line(self.line, cause);
         let said = (self.last - self.first) / self.step + 1;
         if said > labels.len() {
-            return Err(here(Cause::WrongCount { what, said, found: labels.len() }));
+            return Err(here(FileCause::WrongCount { what, said, found: labels.len() }));
         }
         let place = |label: usize| {
-            let unknown = || here(Cause::Unknown { what, label: label.to_string() });
+            let unknown = || here(FileCause::Unknown { what, label: label.to_string() });
             labels.get(&label).copied().ok_or_else(unknown)
         };
         (self.first..=self.last).step_by(self.step).map(place).collect()
@@ -61,16 +61,16 @@ impl Sets {
     }
 
     /// Adds to the set of this name, which is new where there is none.
-    pub(super) fn add(&mut self, name: &str, spans: &[Span]) -> Result<(), Cause> {
+    pub(super) fn add(&mut self, name: &str, spans: &[NumberSpan]) -> Result<(), FileCause> {
         self.charge(spans)?;
         self.entry(name).spans.extend(spans);
         Ok(())
     }
 
     /// Counts spans that are kept.
-    pub(super) fn charge(&mut self, spans: &[Span]) -> Result<(), Cause> {
+    pub(super) fn charge(&mut self, spans: &[NumberSpan]) -> Result<(), FileCause> {
         self.spans += spans.len();
-        if self.spans > self.most { Err(Cause::SetsTooLarge { most: self.most }) } else { Ok(()) }
+        if self.spans > self.most { Err(FileCause::SetsTooLarge { most: self.most }) } else { Ok(()) }
     }
 
     /// The set of this name, new where there is none.
@@ -111,19 +111,24 @@ impl Sets {
     }
 
     /// A number, or the content of the set of this name.
-    pub(super) fn named(&self, word: &str, line: usize, what: &'static str) -> Result<Vec<Span>, Cause> {
+    pub(super) fn named(
+        &self,
+        word: &str,
+        line: usize,
+        what: &'static str,
+    ) -> Result<Vec<NumberSpan>, FileCause> {
         if word.starts_with(|letter: char| letter.is_ascii_digit() || letter == '-') {
-            return Ok(vec![Span::one(count(word, 1, what)?, line)]);
+            return Ok(vec![NumberSpan::one(count(word, 1, what)?, line)]);
         }
         let word = word.trim_matches('"');
-        let set = self.get(word).ok_or_else(|| Cause::Unknown { what: "set", label: quoted(word) })?;
+        let set = self.get(word).ok_or_else(|| FileCause::Unknown { what: "set", label: quoted(word) })?;
         Ok(set.spans.clone())
     }
 }
 
 /// The places of the things of some spans, in their order.
 pub(super) fn places(
-    spans: &[Span],
+    spans: &[NumberSpan],
     labels: &HashMap<usize, usize>,
     what: &'static str,
 ) -> Result<Vec<usize>, ExchangeError> {
@@ -132,7 +137,7 @@ pub(super) fn places(
     for span in spans {
         let own = span.places(labels, what)?;
         if all.len() + own.len() > most {
-            return Err(ExchangeError::at_line(span.line, Cause::SetsTooLarge { most }));
+            return Err(ExchangeError::at_line(span.line, FileCause::SetsTooLarge { most }));
         }
         all.extend(own);
     }
@@ -140,20 +145,20 @@ pub(super) fn places(
 }
 
 /// Whether sets of so many members in all are those of a mesh of so many things.
-pub(super) fn check_members(members: usize, things: usize) -> Result<(), Cause> {
+pub(super) fn check_members(members: usize, things: usize) -> Result<(), FileCause> {
     let most = MOST_IN_ALL * things;
-    if members > most { Err(Cause::SetsTooLarge { most }) } else { Ok(()) }
+    if members > most { Err(FileCause::SetsTooLarge { most }) } else { Ok(()) }
 }
 
 /// A line of a generated set: first, last, step.
-fn span(text: &str, line: usize, what: &'static str) -> Result<Span, Cause> {
+fn span(text: &str, line: usize, what: &'static str) -> Result<NumberSpan, FileCause> {
     let words = words(text);
     let (first, last, step) = match words.as_slice() {
         [first, last] | [first, last, ""] => (first, last, &"1"),
         [first, last, step] => (first, last, step),
         _ => {
             let expected = "the first, the last and the step";
-            return Err(Cause::WrongEntries {
+            return Err(FileCause::WrongEntries {
                 what: "a line of a generated set",
                 expected,
                 found: words.len(),
@@ -163,7 +168,7 @@ fn span(text: &str, line: usize, what: &'static str) -> Result<Span, Cause> {
     let (first, last, step) = (count(first, 1, what)?, count(last, 1, what)?, count(step, 1, "a step")?);
     if last < first {
         let problem = format!("it goes from {first} to {last}");
-        return Err(Cause::Inconsistent { what: "a line of a generated set", problem });
+        return Err(FileCause::Inconsistent { what: "a line of a generated set", problem });
     }
-    Ok(Span { first, last, step, line })
+    Ok(NumberSpan { first, last, step, line })
 }

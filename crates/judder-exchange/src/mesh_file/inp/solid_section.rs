@@ -2,25 +2,25 @@
 
 use super::deck::{Keyword, words};
 use super::element_type::Formulation;
-use super::model::{Model, SolidSection};
+use super::model::{DeckModel, SolidSection};
 use super::sets::{check_members, places};
-use crate::cause::Cause;
+use crate::cause::FileCause;
 use crate::error::ExchangeError;
 use crate::mesh_file::building::{FileElement, FileParts};
 use crate::mesh_file::{FileSection, MeshFile, UNNAMED};
 use crate::quoted::quoted;
 use crate::text::number;
-use judder_structure::material::{Elastic, Section};
-use judder_structure::mesh::Side;
+use judder_structure::material::{Elastic, ElementSection};
+use judder_structure::mesh::ElementSide;
 use std::collections::BTreeMap;
 
-impl Model {
+impl DeckModel {
     pub(super) fn read_solid_section(&mut self, keyword: &Keyword<'_>) -> Result<(), ExchangeError> {
         let here = |cause| keyword.error(cause);
         for parameter in ["COMPOSITE", "LAYUP", "STACK DIRECTION"] {
             if keyword.has(parameter) {
                 let (what, found) = ("the section", String::from("made of layers"));
-                return Err(here(Cause::Unsupported { what, found, read: "one material a section" }));
+                return Err(here(FileCause::Unsupported { what, found, read: "one material a section" }));
             }
         }
         let set = keyword.needed("ELSET").map_err(here)?.to_owned();
@@ -35,7 +35,7 @@ impl Model {
             }
             if thickness <= 0.0 {
                 let problem = format!("it is {thickness}, and must be positive");
-                return Err(there(Cause::Inconsistent { what: "a thickness", problem }));
+                return Err(there(FileCause::Inconsistent { what: "a thickness", problem }));
             }
         }
         self.sections.push(SolidSection { set, material, thickness, line: keyword.line });
@@ -50,10 +50,10 @@ impl Model {
         let mut parts = FileParts { warnings: std::mem::take(&mut self.warnings), ..FileParts::default() };
         for (element, block) in self.elements.iter().zip(blocks) {
             let place = |label: &usize| {
-                let unknown = || Cause::Unknown { what: "node", label: label.to_string() };
+                let unknown = || FileCause::Unknown { what: "node", label: label.to_string() };
                 self.node_places.get(label).copied().ok_or_else(unknown)
             };
-            let nodes: Result<Vec<usize>, Cause> = element.nodes.iter().map(place).collect();
+            let nodes: Result<Vec<usize>, FileCause> = element.nodes.iter().map(place).collect();
             let nodes = nodes.map_err(|cause| ExchangeError::at_line(element.line, cause))?;
             parts.elements.push(FileElement {
                 label: element.label,
@@ -88,7 +88,7 @@ impl Model {
         for (_, material) in self.materials.values() {
             let [youngs_modulus, poisson_ratio] = material.elastic.unwrap_or([1.0, 0.0]);
             Elastic::new(youngs_modulus, poisson_ratio, material.density.unwrap_or(0.0))
-                .map_err(|source| Cause::Structure { source })?;
+                .map_err(|source| FileCause::Structure { source })?;
         }
         Ok(())
     }
@@ -99,15 +99,15 @@ impl Model {
         for (k, section) in self.sections.iter().enumerate() {
             let here = |cause| ExchangeError::at_line(section.line, cause);
             if !self.materials.contains_key(&section.material.to_ascii_uppercase()) {
-                return Err(here(Cause::Unknown { what: "material", label: quoted(&section.material) }));
+                return Err(here(FileCause::Unknown { what: "material", label: quoted(&section.material) }));
             }
-            let unknown = || here(Cause::Unknown { what: "set", label: quoted(&section.set) });
+            let unknown = || here(FileCause::Unknown { what: "set", label: quoted(&section.set) });
             let set = self.element_sets.get(&section.set).ok_or_else(unknown)?;
             for element in places(&set.spans, &self.element_places, "element")? {
                 if let Some(first) = of_elements[element].replace(k).filter(|first| *first != k) {
                     let label = self.elements[element].label.to_string();
                     let first = format!("by the section in line {}", self.sections[first].line);
-                    return Err(here(Cause::Twice { what: "the section of element", label, first }));
+                    return Err(here(FileCause::Twice { what: "the section of element", label, first }));
                 }
             }
         }
@@ -131,9 +131,9 @@ impl Model {
             );
             let thickness = section.map_or(1.0, |section| section.thickness);
             let meant = match element.of_type.formulation {
-                Formulation::PlaneStress => Section::PlaneStress { thickness },
-                Formulation::PlaneStrain => Section::PlaneStrain { thickness },
-                Formulation::Solid => Section::Solid,
+                Formulation::PlaneStress => ElementSection::PlaneStress { thickness },
+                Formulation::PlaneStrain => ElementSection::PlaneStrain { thickness },
+                Formulation::Solid => ElementSection::Solid,
             };
             let material = section.and_then(|section| {
                 self.materials.get(&section.material.to_ascii_uppercase()).map(|(name, _)| name.clone())
@@ -142,7 +142,7 @@ impl Model {
             if sections.get(&name).is_some_and(|other| *other != own) {
                 let problem =
                     format!("the set `{}` has elements of different sections or formulations", quoted(&name));
-                let cause = Cause::Inconsistent { what: "a section", problem };
+                let cause = FileCause::Inconsistent { what: "a section", problem };
                 return Err(ExchangeError::at_line(element.line, cause));
             }
             if !sections.contains_key(&name) {
@@ -153,7 +153,7 @@ impl Model {
         Ok((names, sections))
     }
 
-    fn side_sets(&self) -> Result<BTreeMap<String, Vec<Side>>, ExchangeError> {
+    fn side_sets(&self) -> Result<BTreeMap<String, Vec<ElementSide>>, ExchangeError> {
         let mut sets = BTreeMap::new();
         for (name, lines) in &self.surfaces {
             let mut sides = Vec::new();
@@ -164,10 +164,10 @@ impl Model {
                         let (side, sides) = (line.side + 1, kind.sides().len());
                         return Err(ExchangeError::at_line(
                             line.line,
-                            Cause::NoSuchSide { kind, side, sides },
+                            FileCause::NoSuchSide { kind, side, sides },
                         ));
                     }
-                    sides.push(Side { element, side: line.side });
+                    sides.push(ElementSide { element, side: line.side });
                 }
                 check_members(sides.len(), self.elements.len())?;
             }

@@ -2,25 +2,25 @@
 
 use super::element_type::{corners, order};
 use super::sections::{ElementBlock, Sections, unsupported};
-use crate::cause::Cause;
+use crate::cause::FileCause;
 use crate::mesh_file::building::{FileElement, FileParts};
 use crate::mesh_file::{UNNAMED, Warning};
 use judder_structure::element::ElementKind;
-use judder_structure::mesh::Side;
+use judder_structure::mesh::ElementSide;
 use std::collections::BTreeMap;
 
 const DIMENSIONS: [&str; 4] = ["point", "curve", "surface", "volume"];
 
 /// Sides of elements by their corners, sorted.
-struct Sides(Vec<([usize; 4], Side)>);
+struct Sides(Vec<([usize; 4], ElementSide)>);
 
 impl Sections {
     /// Elements of the highest dimension, and every physical group as a set of nodes; those of the highest dimension also as
     /// sets of elements, those one below as sets of sides.
-    pub(super) fn into_parts(mut self) -> Result<FileParts, Cause> {
+    pub(super) fn into_parts(mut self) -> Result<FileParts, FileCause> {
         let blocks = std::mem::take(&mut self.blocks);
         let highest = blocks.iter().map(|block| block.dimension).max().filter(|dimension| *dimension >= 2);
-        let highest = highest.ok_or(Cause::NoElements)?;
+        let highest = highest.ok_or(FileCause::NoElements)?;
         for block in blocks.iter().filter(|block| block.dimension == highest) {
             self.add_elements(block)?;
         }
@@ -54,7 +54,7 @@ impl Sections {
         Ok(self.parts)
     }
 
-    fn add_elements(&mut self, block: &ElementBlock) -> Result<(), Cause> {
+    fn add_elements(&mut self, block: &ElementBlock) -> Result<(), FileCause> {
         let kind = block.of_type.kind.ok_or_else(|| unsupported(block.number))?;
         let names = self.names_of(block);
         let parts = &mut self.parts;
@@ -99,7 +99,7 @@ impl Sides {
             let nodes = own.nodes.clone();
             let told = move |(side, places): (usize, &&[usize])| {
                 let nodes: Vec<usize> = places.iter().map(|k| nodes[*k]).collect();
-                (corners(&nodes), Side { element, side })
+                (corners(&nodes), ElementSide { element, side })
             };
             own.kind.sides().iter().enumerate().map(told)
         };
@@ -108,7 +108,7 @@ impl Sides {
         Self(sides)
     }
 
-    fn of_corners(&self, corners: [usize; 4]) -> &[([usize; 4], Side)] {
+    fn of_corners(&self, corners: [usize; 4]) -> &[([usize; 4], ElementSide)] {
         let first = self.0.partition_point(|(own, _)| *own < corners);
         let count = self.0[first..].iter().take_while(|(own, _)| *own == corners).count();
         &self.0[first..first + count]

@@ -1,8 +1,8 @@
 //! The sections of a `.msh` file.
 
 use super::element_type::{GmshType, READ, gmsh_type};
-use super::source::Source;
-use crate::cause::Cause;
+use super::source::MshSource;
+use crate::cause::FileCause;
 use crate::error::ExchangeError;
 use crate::mesh_file::building::FileParts;
 use crate::quoted::quoted;
@@ -35,26 +35,26 @@ pub(super) struct Sections {
 
 impl Sections {
     /// `$PhysicalNames`, a text in binary files as well: dimension, number and name in quotes.
-    pub(super) fn read_names(&mut self, source: &mut Source<'_>) -> Result<(), ExchangeError> {
+    pub(super) fn read_names(&mut self, source: &mut MshSource<'_>) -> Result<(), ExchangeError> {
         let line = source.line()?.unwrap_or("");
         let said = count(line, 0, "physical names").map_err(|cause| source.error(cause))?;
         for found in 0..said {
             let line = source.line()?.unwrap_or("$");
             if line.starts_with('$') {
-                return Err(source.error(Cause::WrongCount { what: "physical names", said, found }));
+                return Err(source.error(FileCause::WrongCount { what: "physical names", said, found }));
             }
             let (dimension, number, name) = physical_name(line).map_err(|cause| source.error(cause))?;
             if let Some(first) = self.names.insert((dimension, number), name) {
                 let label = format!("{number} of dimension {dimension}");
                 let first = format!("as `{}`", quoted(&first));
-                return Err(source.error(Cause::Twice { what: "physical group", label, first }));
+                return Err(source.error(FileCause::Twice { what: "physical group", label, first }));
             }
         }
         Ok(())
     }
 
     /// `$Entities`: which physical groups each point, curve, surface and volume is in.
-    pub(super) fn read_entities(&mut self, source: &mut Source<'_>) -> Result<(), ExchangeError> {
+    pub(super) fn read_entities(&mut self, source: &mut MshSource<'_>) -> Result<(), ExchangeError> {
         source.begin_numbers();
         let what = "entities";
         let counts = [source.size(what)?, source.size(what)?, source.size(what)?, source.size(what)?];
@@ -84,7 +84,7 @@ impl Sections {
     }
 
     /// `$Nodes`: blocks of numbers, then of places.
-    pub(super) fn read_nodes(&mut self, source: &mut Source<'_>) -> Result<(), ExchangeError> {
+    pub(super) fn read_nodes(&mut self, source: &mut MshSource<'_>) -> Result<(), ExchangeError> {
         source.begin_numbers();
         let blocks = source.number_of(4, "blocks of nodes")?;
         let said = source.number_of(4, "nodes")?;
@@ -100,7 +100,11 @@ impl Sections {
                 let label = source.size("a number of a node")?;
                 if self.places.insert(label, self.parts.nodes.len() + labels.len()).is_some() {
                     let first = String::from("earlier");
-                    return Err(source.error(Cause::Twice { what: "node", label: label.to_string(), first }));
+                    return Err(source.error(FileCause::Twice {
+                        what: "node",
+                        label: label.to_string(),
+                        first,
+                    }));
                 }
                 labels.push(label);
             }
@@ -117,12 +121,12 @@ impl Sections {
         if found == said {
             Ok(())
         } else {
-            Err(source.error(Cause::WrongCount { what: "nodes", said, found }))
+            Err(source.error(FileCause::WrongCount { what: "nodes", said, found }))
         }
     }
 
     /// `$Elements`: blocks of numbers with their nodes.
-    pub(super) fn read_elements(&mut self, source: &mut Source<'_>) -> Result<(), ExchangeError> {
+    pub(super) fn read_elements(&mut self, source: &mut MshSource<'_>) -> Result<(), ExchangeError> {
         source.begin_numbers();
         let blocks = source.number_of(4, "blocks of elements")?;
         let said = source.number_of(2, "elements")?;
@@ -134,18 +138,18 @@ impl Sections {
             found += block.labels.len();
             if let Some(label) = block.labels.iter().find(|label| !seen.insert(**label)) {
                 let (label, first) = (label.to_string(), String::from("earlier"));
-                return Err(source.error(Cause::Twice { what: "element", label, first }));
+                return Err(source.error(FileCause::Twice { what: "element", label, first }));
             }
             self.blocks.push(block);
         }
         if found == said {
             Ok(())
         } else {
-            Err(source.error(Cause::WrongCount { what: "elements", said, found }))
+            Err(source.error(FileCause::WrongCount { what: "elements", said, found }))
         }
     }
 
-    fn read_block(&self, source: &mut Source<'_>) -> Result<ElementBlock, ExchangeError> {
+    fn read_block(&self, source: &mut MshSource<'_>) -> Result<ElementBlock, ExchangeError> {
         let dimension = source.int("the dimension of an entity")?;
         let entity = source.int("an entity")?;
         let number = source.int("a type of elements")?;
@@ -154,7 +158,7 @@ impl Sections {
             usize::try_from(dimension).ok().filter(|own| *own == of_type.dimension).ok_or_else(|| {
                 let problem =
                     format!("type {number} has {} dimensions, its entity {dimension}", of_type.dimension);
-                source.error(Cause::Inconsistent { what: "a block of elements", problem })
+                source.error(FileCause::Inconsistent { what: "a block of elements", problem })
             })?;
         let count = source.number_of(1 + of_type.nodes, "elements")?;
         let mut labels = Vec::with_capacity(count);
@@ -163,7 +167,7 @@ impl Sections {
             labels.push(source.size("a number of an element")?);
             for _ in 0..of_type.nodes {
                 let label = source.size("a node of an element")?;
-                let unknown = || source.error(Cause::Unknown { what: "node", label: label.to_string() });
+                let unknown = || source.error(FileCause::Unknown { what: "node", label: label.to_string() });
                 nodes.push(*self.places.get(&label).ok_or_else(unknown)?);
             }
         }
@@ -172,16 +176,16 @@ impl Sections {
 }
 
 /// Elements of a type that has no counterpart.
-pub(super) fn unsupported(number: i64) -> Cause {
-    Cause::Unsupported { what: "the type of elements", found: number.to_string(), read: READ }
+pub(super) fn unsupported(number: i64) -> FileCause {
+    FileCause::Unsupported { what: "the type of elements", found: number.to_string(), read: READ }
 }
 
-fn physical_name(line: &str) -> Result<(usize, i64, String), Cause> {
+fn physical_name(line: &str) -> Result<(usize, i64, String), FileCause> {
     let (numbers, name) = line.split_once('"').unwrap_or((line, ""));
     let words: Vec<&str> = numbers.split_whitespace().collect();
     let ([dimension, number], Some(name)) = (words.as_slice(), name.strip_suffix('"')) else {
         let (what, expected) = ("a physical name", "a dimension, a number and a name in quotes");
-        return Err(Cause::WrongEntries { what, expected, found: line.split_whitespace().count() });
+        return Err(FileCause::WrongEntries { what, expected, found: line.split_whitespace().count() });
     };
     let dimension = count(dimension, 0, "a dimension")?;
     let number = count(number, 0, "a number of a physical group")?;

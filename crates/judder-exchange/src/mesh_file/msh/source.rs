@@ -1,31 +1,31 @@
 //! The words of a `.msh` file: whitespace-separated in a text, of fixed widths in a binary file, in the same order.
 
 use crate::bytes::Bytes;
-use crate::cause::Cause;
+use crate::cause::FileCause;
 use crate::error::ExchangeError;
 use crate::quoted::quoted;
 use crate::text::{check_room, count, number};
 
 /// How numbers are stored.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Form {
+pub(super) enum MshForm {
     Text,
     Binary { big_endian: bool },
 }
 
 /// A walk over the file.
-pub(super) struct Source<'a> {
+pub(super) struct MshSource<'a> {
     bytes: &'a [u8],
     at: usize,
-    form: Form,
+    form: MshForm,
 }
 
-impl<'a> Source<'a> {
+impl<'a> MshSource<'a> {
     pub(super) fn new(bytes: &'a [u8]) -> Self {
-        Self { bytes, at: 0, form: Form::Text }
+        Self { bytes, at: 0, form: MshForm::Text }
     }
 
-    pub(super) fn set_form(&mut self, form: Form) {
+    pub(super) fn set_form(&mut self, form: MshForm) {
         self.form = form;
     }
 
@@ -34,17 +34,17 @@ impl<'a> Source<'a> {
     }
 
     /// An error here: its line in a text, its byte in a binary file.
-    pub(super) fn error(&self, cause: Cause) -> ExchangeError {
+    pub(super) fn error(&self, cause: FileCause) -> ExchangeError {
         self.error_at(self.at, cause)
     }
 
-    fn error_at(&self, at: usize, cause: Cause) -> ExchangeError {
+    fn error_at(&self, at: usize, cause: FileCause) -> ExchangeError {
         match self.form {
-            Form::Text => {
+            MshForm::Text => {
                 let before = &self.bytes[..at.min(self.bytes.len())];
                 ExchangeError::at_line(1 + before.iter().filter(|byte| **byte == b'\n').count(), cause)
             }
-            Form::Binary { .. } => ExchangeError::at_byte(at, cause),
+            MshForm::Binary { .. } => ExchangeError::at_byte(at, cause),
         }
     }
 
@@ -62,7 +62,7 @@ impl<'a> Source<'a> {
         }
         let end = left.iter().position(|byte| *byte == b'\n').unwrap_or(left.len());
         let text = std::str::from_utf8(&left[..end])
-            .map_err(|error| self.error(Cause::NotText { byte: self.at + error.valid_up_to() }))?;
+            .map_err(|error| self.error(FileCause::NotText { byte: self.at + error.valid_up_to() }))?;
         self.at += end;
         Ok(Some(text.trim()))
     }
@@ -88,7 +88,7 @@ impl<'a> Source<'a> {
 
     /// Enters the numbers of a section.
     pub(super) fn begin_numbers(&mut self) {
-        if self.form != Form::Text {
+        if self.form != MshForm::Text {
             self.begin_numbers_after_line();
         }
     }
@@ -99,11 +99,11 @@ impl<'a> Source<'a> {
         let (left, at) = (self.left(), self.at);
         let length = left.iter().take_while(|byte| !byte.is_ascii_whitespace()).count();
         if length == 0 {
-            return Err(self.error(Cause::Cut { what, needed: 1, left: 0 }));
+            return Err(self.error(FileCause::Cut { what, needed: 1, left: 0 }));
         }
         self.at += length;
         let word = std::str::from_utf8(&left[..length])
-            .map_err(|error| self.error_at(at, Cause::NotText { byte: at + error.valid_up_to() }))?;
+            .map_err(|error| self.error_at(at, FileCause::NotText { byte: at + error.valid_up_to() }))?;
         Ok((word, at))
     }
 
@@ -125,27 +125,29 @@ impl<'a> Source<'a> {
     /// An `int`: four bytes in a binary file.
     pub(super) fn int(&mut self, what: &'static str) -> Result<i64, ExchangeError> {
         match self.form {
-            Form::Text => {
+            MshForm::Text => {
                 let (word, at) = self.word(what)?;
-                let cause = |_| Cause::NotACount { text: quoted(word), least: 0, what };
+                let cause = |_| FileCause::NotACount { text: quoted(word), least: 0, what };
                 word.parse().map_err(|error| self.error_at(at, cause(error)))
             }
-            Form::Binary { big_endian } => Ok(i64::from(i32::from_le_bytes(self.fixed(big_endian, what)?))),
+            MshForm::Binary { big_endian } => {
+                Ok(i64::from(i32::from_le_bytes(self.fixed(big_endian, what)?)))
+            }
         }
     }
 
     /// A `size_t`: eight bytes in a binary file.
     pub(super) fn size(&mut self, what: &'static str) -> Result<usize, ExchangeError> {
         match self.form {
-            Form::Text => {
+            MshForm::Text => {
                 let (word, at) = self.word(what)?;
                 count(word, 0, what).map_err(|cause| self.error_at(at, cause))
             }
-            Form::Binary { big_endian } => {
+            MshForm::Binary { big_endian } => {
                 let size = u64::from_le_bytes(self.fixed(big_endian, what)?);
                 let text = || size.to_string();
                 usize::try_from(size)
-                    .map_err(|_| self.error(Cause::NotACount { text: text(), least: 0, what }))
+                    .map_err(|_| self.error(FileCause::NotACount { text: text(), least: 0, what }))
             }
         }
     }
@@ -153,17 +155,17 @@ impl<'a> Source<'a> {
     /// A finite number.
     pub(super) fn double(&mut self, what: &'static str) -> Result<f64, ExchangeError> {
         match self.form {
-            Form::Text => {
+            MshForm::Text => {
                 let (word, at) = self.word(what)?;
                 number(word, what).map_err(|cause| self.error_at(at, cause))
             }
-            Form::Binary { big_endian } => {
+            MshForm::Binary { big_endian } => {
                 let at = self.at;
                 let value = f64::from_le_bytes(self.fixed(big_endian, what)?);
                 if value.is_finite() {
                     return Ok(value);
                 }
-                Err(self.error_at(at, Cause::NotANumber { text: value.to_string(), what }))
+                Err(self.error_at(at, FileCause::NotANumber { text: value.to_string(), what }))
             }
         }
     }
@@ -175,7 +177,7 @@ impl<'a> Source<'a> {
         what: &'static str,
     ) -> Result<usize, ExchangeError> {
         let said = self.size(what)?;
-        let word = if self.form == Form::Text { 2 } else { 4 };
+        let word = if self.form == MshForm::Text { 2 } else { 4 };
         // the last word of a text may lack its end
         check_room(said, words_each * word, self.left().len() + 1, what)
             .map_err(|cause| self.error(cause))?;

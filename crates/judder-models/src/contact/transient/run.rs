@@ -10,7 +10,7 @@ use crate::material::ContactScales;
 use judder_contact::steady::profile::Profile;
 use judder_contact::steady::{GridChoice, SteadyQuestion, solve};
 use judder_contact::transient::{
-    Before, Course, CreepingSubstrate, IndenterPath, NormalCourse, TransientHistory, TransientQuestion,
+    Before, CreepingSubstrate, IndenterPath, NormalCourse, PathCourse, TransientHistory, TransientQuestion,
     TransientSample, run as follow,
 };
 use judder_contact::unilateral::{Loading, UnilateralLimits};
@@ -56,10 +56,10 @@ impl Asked {
         let oscillation = settings.oscillation.as_ref().map(wave);
         let normal = match (loading, oscillation) {
             (Loading::Indentation(mean), Some((amplitude, frequency))) => {
-                NormalCourse::Indentation(Course::sine(mean, amplitude, frequency))
+                NormalCourse::Indentation(PathCourse::sine(mean, amplitude, frequency))
             }
-            (Loading::Indentation(depth), None) => NormalCourse::Indentation(Course::Constant(depth)),
-            (Loading::Load(force), _) => NormalCourse::Load(Course::Constant(force)),
+            (Loading::Indentation(depth), None) => NormalCourse::Indentation(PathCourse::Constant(depth)),
+            (Loading::Load(force), _) => NormalCourse::Load(PathCourse::Constant(force)),
         };
         let (mut frequency, mut velocity) = (oscillation.map(|(_, frequency)| frequency), None);
         let path = match settings.motion() {

@@ -10,7 +10,7 @@ use judder_numerics::root::all_roots_from_values;
 use judder_numerics::words::plain;
 use judder_oscillator::cycle::shooting::Shooting;
 use judder_oscillator::cycle::{
-    Branch, BranchEnd, BranchPoint, Continuation, CycleError, Fold, continue_branch, small_cycle,
+    BranchEnd, BranchPoint, Continuation, CycleBranch, CycleError, Fold, continue_branch, small_cycle,
 };
 use judder_oscillator::hopf::{HopfPoint, growth_rate, growth_slope, hopf_point};
 use judder_study::Progress;
@@ -212,8 +212,8 @@ impl<M: Moving<N>, const N: usize> Line<'_, M, N> {
     fn budgeted(
         &self,
         place: f64,
-        follow: impl FnOnce(&SystemAt<'_, M::System>, &Continuation<N>) -> Result<Branch<N>, CycleError>,
-    ) -> Result<Branch<N>, CycleError> {
+        follow: impl FnOnce(&SystemAt<'_, M::System>, &Continuation<N>) -> Result<CycleBranch<N>, CycleError>,
+    ) -> Result<CycleBranch<N>, CycleError> {
         let flights = AtomicUsize::new(0);
         let system_at = |place: f64| {
             let flights = flights.fetch_add(1, Ordering::Relaxed);

@@ -6,7 +6,9 @@ use crate::motion::amplitude_spectrum::amplitude_spectrum;
 use crate::motion::model::{Coordinate, Memory, Moving, Operating};
 use crate::motion::settings::History as HistorySettings;
 use judder_oscillator::motion::attractor::{distance, repetition};
-use judder_oscillator::motion::history::{History, Oscillation, Sample, Window, follow, follow_watched};
+use judder_oscillator::motion::history::{
+    MotionHistory, Oscillation, StateSample, TimeWindow, follow, follow_watched,
+};
 use judder_oscillator::motion::{ContactState, SlidingSystem};
 use judder_store::{Dataset, Table, Variable, number};
 use judder_study::Progress;
@@ -31,7 +33,7 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
 ) -> Result<Outcome, ModelError> {
     let operating = model.operating(None)?;
     let [duration, transient] = [asked.duration, asked.transient].map(|time| operating.time(time));
-    let window = Window { duration, transient, points: asked.points };
+    let window = TimeWindow { duration, transient, points: asked.points };
     let (start, settings) = (operating.start(&asked.start), operating.settings(&asked.following()));
     let (system, interrupted) = (&operating.system, || progress.interrupted());
     let history = match watch {
@@ -60,14 +62,14 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
 }
 
 /// Whether there is a motion to speak of.
-fn moves<const N: usize>(system: &impl SlidingSystem<N>, history: &History<N>) -> bool {
+fn moves<const N: usize>(system: &impl SlidingSystem<N>, history: &MotionHistory<N>) -> bool {
     history.measures.rms() > AT_REST * system.scales()[0]
 }
 
 /// What `summary.json` shows of a history.
 pub(crate) fn scalars<M: Moving<N>, const N: usize>(
     operating: &Operating<M::System>,
-    history: &History<N>,
+    history: &MotionHistory<N>,
 ) -> Map<String, Value> {
     let measures = &history.measures;
     let oscillations = if moves(&operating.system, history) { history.oscillations.as_slice() } else { &[] };
@@ -108,7 +110,7 @@ fn period<const N: usize>(
 }
 
 /// Where energy came from and went, in units of k_x x0².
-fn energy<const N: usize>(history: &History<N>) -> Value {
+fn energy<const N: usize>(history: &MotionHistory<N>) -> Value {
     let work = &history.measures.work;
     json!({
         "substrate": number(work.substrate), "sliding": number(work.friction - work.substrate),
@@ -118,7 +120,7 @@ fn energy<const N: usize>(history: &History<N>) -> Value {
 }
 
 /// That of the work; `None` where so little moved that the steps do not resolve it.
-pub(crate) fn energy_check<const N: usize>(history: &History<N>) -> Option<CheckRecord> {
+pub(crate) fn energy_check<const N: usize>(history: &MotionHistory<N>) -> Option<CheckRecord> {
     let work = &history.measures.work;
     let parts = [work.friction, work.normal, work.damping, history.energy_change];
     parts.iter().any(|part| part.abs() > history.energy_resolution).then(|| {
@@ -150,7 +152,7 @@ fn quasi_steady<const N: usize>(memory: &Memory, oscillations: &[Oscillation<N>]
 /// A history as arrays.
 pub(crate) struct Arrays<'a, M: Moving<N>, const N: usize> {
     pub(crate) operating: &'a Operating<M::System>,
-    pub(crate) history: &'a History<N>,
+    pub(crate) history: &'a MotionHistory<N>,
 }
 
 impl<M: Moving<N>, const N: usize> Arrays<'_, M, N> {
@@ -223,7 +225,7 @@ impl<M: Moving<N>, const N: usize> Arrays<'_, M, N> {
 
     fn with_path(&self, mut dataset: Dataset) -> Result<Dataset, ModelError> {
         let path = &self.history.path;
-        let over = |name: &str, long_name: &str, value: &dyn Fn(&Sample<N>) -> f64| {
+        let over = |name: &str, long_name: &str, value: &dyn Fn(&StateSample<N>) -> f64| {
             let values: Vec<f64> = path.iter().map(value).collect();
             Variable::new(name, &["step"], &[values.len()], values).units("1").long_name(long_name)
         };
@@ -262,8 +264,8 @@ impl<M: Moving<N>, const N: usize> Arrays<'_, M, N> {
     }
 
     /// With the spectrum of x after the transient.
-    fn with_spectrum(&self, dataset: Dataset, window: &Window) -> Result<Dataset, ModelError> {
-        let late = |sample: &&Sample<N>| sample.time >= window.transient;
+    fn with_spectrum(&self, dataset: Dataset, window: &TimeWindow) -> Result<Dataset, ModelError> {
+        let late = |sample: &&StateSample<N>| sample.time >= window.transient;
         let values: Vec<f64> = self.history.samples.iter().filter(late).map(|s| s.state[0]).collect();
         let step = window.duration / (window.points - 1) as f64;
         let (frequency, amplitude) = amplitude_spectrum(&values, step);

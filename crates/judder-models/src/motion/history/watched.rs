@@ -1,7 +1,7 @@
 //! Samples of a motion, handed on in blocks while it is computed.
 
 use crate::motion::model::Moving;
-use judder_oscillator::motion::history::Sample;
+use judder_oscillator::motion::history::StateSample;
 use judder_study::model::MotionBlock;
 use std::marker::PhantomData;
 use std::mem;
@@ -30,7 +30,7 @@ impl<'a, M: Moving<N>, const N: usize> Blocks<'a, M, N> {
         MotionBlock { coordinates, ..MotionBlock::default() }
     }
 
-    pub(super) fn add(&mut self, samples: &[Sample<N>]) {
+    pub(super) fn add(&mut self, samples: &[StateSample<N>]) {
         for sample in samples {
             self.block.time.push(sample.time);
             self.block.contact_state.push(sample.contact_state.number());

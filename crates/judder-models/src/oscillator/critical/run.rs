@@ -11,7 +11,7 @@ use crate::oscillator::margins::{Crossing, Onset, fold_check};
 use crate::oscillator::settings::{CriticalThresholds, Sought};
 use judder_keys::numeric_key::{Form, Value};
 use judder_oscillator::Contact;
-use judder_oscillator::critical::{Range, Scale, Thresholds, thresholds};
+use judder_oscillator::critical::{ParameterRange, RangeScale, Thresholds, thresholds};
 use judder_oscillator::undecided::{Undecided, undecided};
 use judder_store::{Dataset, Table, Variable};
 use judder_study::Progress;
@@ -104,7 +104,7 @@ fn crossing<'a>(
     inputs: OscillatorInputs,
 ) -> Crossing<'a> {
     let (key, within) = (settings.sought.key(), &settings.within);
-    let range = Range { from: within.from, to: within.to, scale: Scale::Logarithmic };
+    let range = ParameterRange { from: within.from, to: within.to, scale: RangeScale::Logarithmic };
     Crossing { contact, inputs, key, form: within.form, range }
 }
 

@@ -6,10 +6,10 @@ use crate::motion::limit_cycle::shooting;
 use crate::motion::model::{Moving, Operating, OscillatorModel};
 use crate::oscillator::engines::settings::EnginesSettings;
 use judder_keys::numeric_key::Value as CaseValue;
-use judder_numerics::piecewise::Settings;
+use judder_numerics::piecewise::StepSettings;
 use judder_oscillator::cycle::shooting::{Cycle, from_simulation};
 use judder_oscillator::motion::attractor::Patience;
-use judder_oscillator::motion::laps::{Course, Laps, Moments, by_time_stepping, with_smoothed_sign};
+use judder_oscillator::motion::laps::{LapCourse, Laps, Moments, by_time_stepping, with_smoothed_sign};
 use judder_oscillator::motion::{
     ContactState, Interrupted, SlidingSystem, Smoothed, StickSlip, TimeStepping,
 };
@@ -67,8 +67,8 @@ impl Reached {
 struct Comparison<'a> {
     contact: &'a Contact,
     system: &'a StickSlip,
-    settings: Settings<4>,
-    course: Course,
+    settings: StepSettings<4>,
+    course: LapCourse,
 }
 
 impl Comparison<'_> {
@@ -123,7 +123,7 @@ pub(crate) fn run(
         contact: model.contact,
         system: &operating.system,
         settings: operating.settings(&settings.following()),
-        course: Course {
+        course: LapCourse {
             start: cycle.start,
             centre: operating.system.steady_sliding()[0],
             returns: cycle.oscillations,

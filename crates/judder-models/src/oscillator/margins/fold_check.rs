@@ -2,7 +2,7 @@
 
 use super::own_branch::inside;
 use super::{Crossing, Onset, STEPS};
-use judder_numerics::piecewise::Settings;
+use judder_numerics::piecewise::StepSettings;
 use judder_oscillator::cycle::shoot;
 use judder_oscillator::motion::attractor::{Attractor, Patience, Settled, settle};
 use judder_oscillator::motion::{Interrupted, StickSlip};
@@ -23,7 +23,7 @@ enum Fate {
 
 impl Fate {
     fn of(system: &StickSlip, start: [f64; 4], interrupted: Interrupted<'_>) -> Self {
-        let settings = Settings { steps: 100 * STEPS, ..Crossing::settings(system) };
+        let settings = StepSettings { steps: 100 * STEPS, ..Crossing::settings(system) };
         match settle(system, start, settings, &Patience::default(), interrupted) {
             Err(_) => Self::Lost,
             Ok(Attractor { settled: Settled::SteadySliding, .. }) => Self::AtRest,

@@ -1,7 +1,9 @@
 //! The branch of cycles that begins at a subcritical threshold.
 
 use super::{Crossing, Onset};
-use judder_oscillator::cycle::{Branch, BranchEnd, BranchPoint, CycleError, GlobalMargin, global_margin};
+use judder_oscillator::cycle::{
+    BranchEnd, BranchPoint, CycleBranch, CycleError, GlobalMargin, global_margin,
+};
 use judder_oscillator::hopf::growth_rate;
 use judder_study::Progress;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -95,7 +97,7 @@ impl Crossing<'_> {
 
     /// Whether a branch turns only because its cycles shrink to steady sliding, at another threshold: a step over that lands on the
     /// branch again.
-    fn meets_threshold(&self, onset: &Onset, branch: &Branch<4>, turn: f64) -> bool {
+    fn meets_threshold(&self, onset: &Onset, branch: &CycleBranch<4>, turn: f64) -> bool {
         /// Of the largest amplitude; and of the place.
         const SMALL: f64 = 0.1;
         const NEAR: f64 = 0.01;
@@ -112,7 +114,7 @@ impl Crossing<'_> {
 }
 
 /// Whether a branch was stopped while its last turn was being located.
-fn is_unfinished(branch: &Branch<4>) -> bool {
+fn is_unfinished(branch: &CycleBranch<4>) -> bool {
     let stopped = matches!(branch.end, BranchEnd::Lost(CycleError::Stopped { .. }));
     stopped && branch.folds.first().is_some_and(|fold| fold.after + 2 >= branch.points.len())
 }
@@ -123,7 +125,7 @@ pub(super) fn inside(fold: f64) -> f64 {
 }
 
 /// The start of the stable cycle behind the first fold that is nearest to a place; `None` where that is far from it.
-fn large_cycle(branch: &Branch<4>, place: f64) -> Option<[f64; 4]> {
+fn large_cycle(branch: &CycleBranch<4>, place: f64) -> Option<[f64; 4]> {
     const FAR: f64 = 0.1;
     let first = branch.folds.first()?.after + 1;
     let last = branch.folds.get(1).map_or(branch.points.len(), |fold| fold.after + 1);

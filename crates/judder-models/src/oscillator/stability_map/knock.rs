@@ -9,7 +9,7 @@ use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::keys::OscillatorKey;
 use crate::sweep::{StabilityMap as MapSettings, Sweep};
 use judder_oscillator::Contact;
-use judder_oscillator::critical::{Range, Scale, thresholds};
+use judder_oscillator::critical::{ParameterRange, RangeScale, thresholds};
 use judder_oscillator::map::StabilityMap;
 use judder_oscillator::mechanism::StabilityClass;
 use judder_store::Variable;
@@ -46,7 +46,7 @@ struct Lines<'a> {
     across: (&'a Sweep<OscillatorKey>, &'a [f64]),
     /// Along a line.
     along: (&'a Sweep<OscillatorKey>, &'a [f64]),
-    range: Range,
+    range: ParameterRange,
     /// Whether lines are columns.
     follows_y: bool,
 }
@@ -151,10 +151,10 @@ impl<'a> Lines<'a> {
     fn line(&self, index: usize, is_followed: bool, progress: &dyn Progress) -> Line {
         let crossing = self.crossing(index);
         let samples = match self.range.scale {
-            Scale::Logarithmic => {
+            RangeScale::Logarithmic => {
                 ((self.range.to / self.range.from).log10() * SAMPLES_PER_DECADE).ceil() as usize + 1
             }
-            Scale::Linear => SAMPLES,
+            RangeScale::Linear => SAMPLES,
         };
         let at = |value: f64| bridge::coefficients(&crossing.inputs_at(value));
         let roots = thresholds(self.contact, &self.range, samples, at).full;
@@ -257,12 +257,12 @@ impl<'a> Lines<'a> {
 }
 
 /// Where thresholds are sought along an axis, ascending.
-fn searched(sweep: &Sweep<OscillatorKey>) -> Range {
+fn searched(sweep: &Sweep<OscillatorKey>) -> ParameterRange {
     let range = range(sweep);
     let (from, to) = (range.from.min(range.to), range.from.max(range.to));
     match range.scale {
-        Scale::Logarithmic => Range { from: from / BEYOND, to: to * BEYOND, ..range },
-        Scale::Linear => Range { from, to, ..range },
+        RangeScale::Logarithmic => ParameterRange { from: from / BEYOND, to: to * BEYOND, ..range },
+        RangeScale::Linear => ParameterRange { from, to, ..range },
     }
 }
 

@@ -8,7 +8,7 @@ use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::keys::OscillatorKey;
 use crate::sweep::StabilityMap as MapSettings;
 use judder_keys::numeric_key::Value as CaseValue;
-use judder_oscillator::boundary::{Boundary, Condition, End, Fold, boundaries};
+use judder_oscillator::boundary::{Boundary, BoundaryEnd, BoundaryFold, Condition, boundaries};
 use judder_oscillator::equilibrium::equilibrium;
 use judder_oscillator::linearisation::Linearisation;
 use judder_oscillator::{Coefficients, Contact};
@@ -196,7 +196,7 @@ pub(crate) fn incomplete(overlays: &[Overlay]) -> Vec<String> {
     overlays
         .iter()
         .filter_map(|overlay| {
-            let stalled: Vec<&Boundary> = overlay.curves.iter().filter(|curve| curve.end == End::Stalled).collect();
+            let stalled: Vec<&Boundary> = overlay.curves.iter().filter(|curve| curve.end == BoundaryEnd::Stalled).collect();
             let last = stalled.first()?.points.last()?;
             Some(format!(
                 "{}: {} of {} curves end inside the map, for one at ({}, {}): a corner, where other curves go on, or a place too \
@@ -240,18 +240,19 @@ impl Overlay {
 
     /// Pieces, how they end, folds, range of frequencies.
     pub(super) fn summary(&self) -> Value {
-        let count = |end: End| self.curves.iter().filter(|c| c.end == end).count();
-        let folds = |fold: Fold| self.curves.iter().flat_map(|c| &c.folds).filter(|f| f.1 == fold).count();
+        let count = |end: BoundaryEnd| self.curves.iter().filter(|c| c.end == end).count();
+        let folds =
+            |fold: BoundaryFold| self.curves.iter().flat_map(|c| &c.folds).filter(|f| f.1 == fold).count();
         let frequencies = self.curves.iter().flat_map(|c| c.points.iter().map(|p| p.frequency));
         let (low, high) =
             frequencies.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), f| (l.min(f), h.max(f)));
         json!({
             "curves": self.curves.len(),
-            "closed": count(End::Closed),
-            "stalled": count(End::Stalled),
+            "closed": count(BoundaryEnd::Closed),
+            "stalled": count(BoundaryEnd::Stalled),
             "points": self.curves.iter().map(|c| c.points.len()).sum::<usize>(),
-            "folds_in_x": folds(Fold::InX),
-            "folds_in_y": folds(Fold::InY),
+            "folds_in_x": folds(BoundaryFold::InX),
+            "folds_in_y": folds(BoundaryFold::InY),
             "frequency": if low <= high { json!([low, high]) } else { Value::Null },
         })
     }
@@ -285,8 +286,8 @@ impl Overlay {
     /// At each point of [`BoundaryCurves`], whether the curve turns back there: 1 in x, 2 in y.
     fn fold_codes(&self) -> Vec<u8> {
         let code = |curve: &Boundary, index: usize| {
-            let turned = |fold: Fold| u8::from(curve.folds.contains(&(index, fold)));
-            turned(Fold::InX) + 2 * turned(Fold::InY)
+            let turned = |fold: BoundaryFold| u8::from(curve.folds.contains(&(index, fold)));
+            turned(BoundaryFold::InX) + 2 * turned(BoundaryFold::InY)
         };
         let of = |curve: &Boundary| -> Vec<u8> {
             (0..curve.points.len()).map(|index| code(curve, index)).chain([0]).collect()

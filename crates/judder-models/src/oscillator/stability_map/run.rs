@@ -12,7 +12,7 @@ use crate::oscillator::keys::OscillatorKey;
 use crate::oscillator::steady_states::{SteadyState, validity_warnings};
 use crate::sweep::{MapMethod, StabilityMap as MapSettings, Sweep};
 use judder_oscillator::Contact;
-use judder_oscillator::map::{Method, Plane, StabilityMap};
+use judder_oscillator::map::{DecisionMethod, OperatingPlane, StabilityMap};
 use judder_oscillator::mechanism::StabilityClass;
 use judder_study::Progress;
 use judder_study::axis::Axis;
@@ -35,8 +35,8 @@ pub(crate) fn run(
     };
     let plane = KeyPlane { inputs: case.inputs, x: side(&settings.x, &x), y: side(&settings.y, &y) };
     let method = match settings.options.method {
-        MapMethod::Adaptive => Method::Adaptive,
-        MapMethod::EveryPoint => Method::EveryPoint,
+        MapMethod::Adaptive => DecisionMethod::Adaptive,
+        MapMethod::EveryPoint => DecisionMethod::EveryPoint,
     };
     let (map, seconds) = plane.decide(contact, method);
     progress.advance();
@@ -44,8 +44,8 @@ pub(crate) fn run(
         return Err(ModelError::Interrupted);
     }
     let growth = match method {
-        Method::EveryPoint => Some(plane.growth_rates(contact, progress)?),
-        Method::Adaptive => None,
+        DecisionMethod::EveryPoint => Some(plane.growth_rates(contact, progress)?),
+        DecisionMethod::Adaptive => None,
     };
     let overlays = if settings.options.boundaries {
         overlays::trace(contact, case, settings, progress)?

@@ -5,8 +5,8 @@ use crate::sliding::march::settings::{CUT_OFF, March, MarchMethod};
 use crate::sliding::system::{self, SlidingSystem};
 use judder_sliding::SlidingError;
 use judder_sliding::coupling::{Coupling, Sliding};
-use judder_sliding::march::Method;
-use judder_sliding::statics::Equilibrium;
+use judder_sliding::march::ContactMethod;
+use judder_sliding::statics::PairEquilibrium;
 use judder_study::text::{columns, number};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
@@ -68,7 +68,7 @@ fn pair(case: &SlidingCase, system: &SlidingSystem, warnings: &mut Vec<String>) 
     let mut rests = Vec::new();
     for position in [motion.start, motion.end] {
         let place = format!("at {} m", number(position));
-        match Equilibrium::new(pair, position, motion.load, sliding) {
+        match PairEquilibrium::new(pair, position, motion.load, sliding) {
             Ok(rest) => {
                 let slope = rest.touch.tangent[1].atan2(rest.touch.tangent[0])
                     - pair.direction()[1].atan2(pair.direction()[0]);
@@ -120,10 +120,13 @@ fn limits(case: &SlidingCase, system: &SlidingSystem) -> (Value, String) {
         _ => None,
     });
     let methods = [
-        ("subs", Method::Subs { static_slope: false }),
-        ("ensubs", Method::EnSubs),
-        ("film", Method::Film),
-        ("residual-flexibility", Method::ResidualFlexibility { cut_off: own.unwrap_or(CUT_OFF) / TAU }),
+        ("subs", ContactMethod::Subs { static_slope: false }),
+        ("ensubs", ContactMethod::EnSubs),
+        ("film", ContactMethod::Film),
+        (
+            "residual-flexibility",
+            ContactMethod::ResidualFlexibility { cut_off: own.unwrap_or(CUT_OFF) / TAU },
+        ),
     ];
     let mut rows = Vec::new();
     let mut document = serde_json::Map::new();

@@ -1,6 +1,6 @@
 //! Growth with the contact held: the amplitude in the march over the growth of the eigenvalue.
 
-use judder_report::figure::Region;
+use judder_report::figure::ShadedRegion;
 use judder_report::{Axis, Layer, Legend, Panel, Role};
 use judder_store::Dataset;
 use judder_study::pictures::{complexes, reals};
@@ -22,7 +22,7 @@ pub(crate) fn growth(dataset: &Dataset) -> Option<Vec<Panel>> {
     let (start, until) = (number("start_amplitude_n")?, number("measured_until_s")?);
     let milliseconds: Vec<f64> = time.iter().map(|time| 1e3 * time).collect();
     let promised = time.iter().map(|time| start * (predicted.re * time).exp()).collect();
-    let interval = Region {
+    let interval = ShadedRegion {
         label: "measured interval".to_owned(),
         x: Some((0.0, 1e3 * until)),
         y: None,

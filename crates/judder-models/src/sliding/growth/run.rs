@@ -5,10 +5,10 @@ use crate::error::ModelError;
 use crate::sliding::case::SlidingCase;
 use crate::sliding::growth::settings::Growth;
 use crate::sliding::system::{SlidingSystem, Step, method, step};
-use judder_sliding::characteristic::Characteristic;
+use judder_sliding::characteristic::PairCharacteristic;
 use judder_sliding::growth::{AMPLITUDE, GrowthSettings, Held, watched_growth};
 use judder_sliding::pair::Pair;
-use judder_sliding::spectrum::{Spectrum, Wanted};
+use judder_sliding::spectrum::{Spectrum, WantedEigenvalues};
 use judder_store::{Dataset, Variable, number};
 use judder_study::Progress;
 use judder_study::outcome::{CheckRecord, Outcome};
@@ -115,8 +115,8 @@ fn meant(pair: &Pair, held: &Held, position: f64, frequency: f64) -> Result<Comp
     if frequency > (1.0 + FAR) * highest {
         return refuse(format!("its structures have none above {:.1} Hz", highest / TAU));
     }
-    let function = Characteristic::new(&held.coupling, &pair.eigenvalues(), &pair.damping())?;
-    let all = Spectrum::new(&function, position, Wanted::Below(SOUGHT * frequency))?.eigenvalues;
+    let function = PairCharacteristic::new(&held.coupling, &pair.eigenvalues(), &pair.damping())?;
+    let all = Spectrum::new(&function, position, WantedEigenvalues::Below(SOUGHT * frequency))?.eigenvalues;
     let swinging: Vec<Complex64> = all.into_iter().filter(|s| s.im > 0.0).collect();
     let away = |s: &Complex64| (s.im - frequency).abs();
     let near = swinging.iter().filter(|s| away(s) <= NEAR * frequency);

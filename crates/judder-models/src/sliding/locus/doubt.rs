@@ -3,10 +3,10 @@
 use super::traced::Traced;
 use crate::sliding::locus::settings::Locus;
 use judder_sliding::SlidingError;
-use judder_sliding::characteristic::Characteristic;
+use judder_sliding::characteristic::PairCharacteristic;
 use judder_sliding::coupling::Coupling;
 use judder_sliding::dense_forms::ThreeField;
-use judder_sliding::spectrum::{Spectrum, Wanted};
+use judder_sliding::spectrum::{Spectrum, WantedEigenvalues};
 use judder_study::outcome::{CheckRecord, Disagreement};
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -73,9 +73,9 @@ impl Compared {
     fn new(contact: Contact<'_>, settings: &Locus, value: f64) -> Result<Self, SlidingError> {
         let (coupling, eigenvalues, damping) = contact(value)?;
         let damping = if settings.damping { damping } else { vec![0.0; eigenvalues.len()] };
-        let function = Characteristic::new(&coupling, &eigenvalues, &damping)?;
+        let function = PairCharacteristic::new(&coupling, &eigenvalues, &damping)?;
         let Spectrum { eigenvalues: found, limit, .. } =
-            Spectrum::new(&function, value, Wanted::Lowest(settings.count))?;
+            Spectrum::new(&function, value, WantedEigenvalues::Lowest(settings.count))?;
         let fields = ThreeField::new(&coupling, &eigenvalues, &damping)?;
         let [primal, dual] = [fields.primal_spectrum(SHIFT)?, fields.dual_spectrum(SHIFT)?];
         let inside = |s: &&Complex64| s.im >= -REAL * limit && s.im <= limit && s.re.abs() <= limit;

@@ -2,7 +2,7 @@
 
 use crate::structure::eigen::figure::frequency_axis;
 use crate::structure::shape_panels::significant;
-use judder_report::figure::Region;
+use judder_report::figure::ShadedRegion;
 use judder_report::palette::{Dash, Style};
 use judder_report::runs::{alone, apart, thinned};
 use judder_report::{Axis, Layer, Legend, Panel, Role};
@@ -257,7 +257,7 @@ impl<'a> Locus<'a> {
         let shade = |(k, zone): (usize, &Zone)| {
             let label = if k == 0 { "unstable zone" } else { "" };
             let x = Some((zone.from, zone.to));
-            Layer::Region(Region { label: label.to_owned(), x, y: None, role: Role::UnstableZone })
+            Layer::Region(ShadedRegion { label: label.to_owned(), x, y: None, role: Role::UnstableZone })
         };
         let mut layers: Vec<Layer> = self.zones.iter().enumerate().map(shade).collect();
         layers.push(Layer::horizontal_rule(0.0, ""));

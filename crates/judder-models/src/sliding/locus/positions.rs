@@ -8,7 +8,7 @@ use crate::sliding::case::SlidingCase;
 use crate::sliding::locus::settings::{Locus, Positions};
 use crate::sliding::system::SlidingSystem;
 use judder_sliding::SlidingError;
-use judder_sliding::characteristic::Characteristic;
+use judder_sliding::characteristic::PairCharacteristic;
 use judder_sliding::locus::{Conditions, characteristic, contact, smooth_pieces};
 use judder_sliding::pair::Pair;
 use judder_study::Progress;
@@ -27,7 +27,7 @@ struct Places<'a> {
 }
 
 impl Family for Places<'_> {
-    fn at(&self, position: f64) -> Result<Characteristic, SlidingError> {
+    fn at(&self, position: f64) -> Result<PairCharacteristic, SlidingError> {
         characteristic(self.pair, &self.conditions, position)
     }
 

@@ -3,7 +3,7 @@
 use super::traced::{Row, Traced};
 use crate::error::ModelError;
 use crate::sliding::locus::settings::{Along, Locus};
-use judder_sliding::zones::{End, Zone};
+use judder_sliding::zones::{Zone, ZoneEnd};
 use judder_store::{Dataset, Table, Variable, number};
 use judder_study::axis::Axis;
 use num_complex::Complex64;
@@ -27,13 +27,13 @@ fn verdict(eigenvalue: Complex64, error: f64) -> u8 {
 }
 
 /// The end of a zone as a number of an array.
-const fn code(end: End) -> i64 {
+const fn code(end: ZoneEnd) -> i64 {
     match end {
-        End::Root => 0,
-        End::Range => 1,
-        End::Jump => 2,
-        End::Meeting => 3,
-        End::Lost => 4,
+        ZoneEnd::Root => 0,
+        ZoneEnd::Range => 1,
+        ZoneEnd::Jump => 2,
+        ZoneEnd::Meeting => 3,
+        ZoneEnd::Lost => 4,
     }
 }
 
@@ -93,7 +93,7 @@ impl Results<'_> {
             if self.is_over_positions() { ["from_m", "to_m", "peak_m"] } else { ["from", "to", "peak"] };
         json!({
             from: zone.from, to: zone.to, peak: zone.peak,
-            "ends": zone.ends.map(End::name), "frequency_hz": zone.frequency_hz, "max_growth_rate": zone.growth_rate, "error": number(zone.error),
+            "ends": zone.ends.map(ZoneEnd::name), "frequency_hz": zone.frequency_hz, "max_growth_rate": zone.growth_rate, "error": number(zone.error),
         })
     }
 

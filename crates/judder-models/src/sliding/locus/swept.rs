@@ -9,7 +9,7 @@ use crate::sliding::case::sweep::KeySweep;
 use crate::sliding::locus::settings::Locus;
 use crate::sliding::system::{SlidingSystem, Uncoupled};
 use judder_sliding::SlidingError;
-use judder_sliding::characteristic::Characteristic;
+use judder_sliding::characteristic::PairCharacteristic;
 use judder_sliding::locus::{Conditions, characteristic, contact};
 use judder_sliding::pair::Pair;
 use judder_study::Progress;
@@ -54,7 +54,7 @@ impl Values<'_> {
 }
 
 impl Family for Values<'_> {
-    fn at(&self, value: f64) -> Result<Characteristic, SlidingError> {
+    fn at(&self, value: f64) -> Result<PairCharacteristic, SlidingError> {
         let (pair, conditions) = self.known(value)?;
         characteristic(&pair, &conditions, self.held)
     }

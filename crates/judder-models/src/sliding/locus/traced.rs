@@ -3,13 +3,13 @@
 use crate::error::ModelError;
 use judder_numerics::words::plain;
 use judder_sliding::SlidingError;
-use judder_sliding::characteristic::Characteristic;
+use judder_sliding::characteristic::PairCharacteristic;
 use judder_sliding::coupling::Sliding;
 use judder_sliding::locus::{Conditions, Configuration, Followed, follow};
 use judder_sliding::pair::Pair;
-use judder_sliding::spectrum::{Spectrum, Wanted};
-use judder_sliding::statics::Equilibrium;
-use judder_sliding::zones::{End, Zone};
+use judder_sliding::spectrum::{Spectrum, WantedEigenvalues};
+use judder_sliding::statics::PairEquilibrium;
+use judder_sliding::zones::{Zone, ZoneEnd};
 use judder_study::Progress;
 use judder_study::axis::Axis;
 use num_complex::Complex64;
@@ -19,7 +19,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// A pair for each value of a parameter.
 pub(super) trait Family: Sync {
     /// Its characteristic function.
-    fn at(&self, value: f64) -> Result<Characteristic, SlidingError>;
+    fn at(&self, value: f64) -> Result<PairCharacteristic, SlidingError>;
     /// Its state of rest.
     fn state(&self, value: f64) -> Result<State, SlidingError>;
     /// Why there is none at a value, in words; `None` where there is one.
@@ -40,8 +40,8 @@ impl State {
         let Conditions { configuration, velocity, load, .. } = *conditions;
         let sliding = Sliding::at(pair.friction(), velocity);
         let rest = match configuration {
-            Configuration::Undeformed => Equilibrium::undeformed(pair, position, load, sliding)?,
-            Configuration::Deformed => Equilibrium::new(pair, position, load, sliding)?,
+            Configuration::Undeformed => PairEquilibrium::undeformed(pair, position, load, sliding)?,
+            Configuration::Deformed => PairEquilibrium::new(pair, position, load, sliding)?,
         };
         let ([x, y], [along, up]) = (pair.direction(), rest.touch.tangent);
         let slope = (x * up - y * along) / (x * along + y * up);
@@ -118,7 +118,7 @@ impl Traced {
         warnings.extend(self.torn(axis).map(|(zone, side)| {
             let (at, end) = ([zone.from, zone.to][side], ["starts before", "goes on beyond"][side]);
             let reason = match zone.ends[side] {
-                End::Lost => "its eigenvalue could not be followed any farther",
+                ZoneEnd::Lost => "its eigenvalue could not be followed any farther",
                 _ => "at the next value there is nothing",
             };
             format!("the unstable zone at {:.1} Hz {end} {}: {reason}", zone.frequency_hz, shown(at))
@@ -131,9 +131,9 @@ impl Traced {
         let values = || axis.values.iter().copied();
         let whole = [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)];
         let is_torn = move |zone: &Zone, side: usize| match zone.ends[side] {
-            End::Lost => true,
-            End::Range => [zone.from, zone.to][side] != whole[side],
-            End::Root | End::Jump | End::Meeting => false,
+            ZoneEnd::Lost => true,
+            ZoneEnd::Range => [zone.from, zone.to][side] != whole[side],
+            ZoneEnd::Root | ZoneEnd::Jump | ZoneEnd::Meeting => false,
         };
         let sides = |zone| [(zone, 0), (zone, 1)];
         self.zones.iter().flat_map(sides).filter(move |(zone, side)| is_torn(zone, *side))
@@ -263,7 +263,7 @@ fn piecewise(
     let spectra: Vec<Result<Spectrum, SlidingError>> = range
         .values
         .par_iter()
-        .map(|value| Spectrum::new(&family.at(*value)?, *value, Wanted::Lowest(count)))
+        .map(|value| Spectrum::new(&family.at(*value)?, *value, WantedEigenvalues::Lowest(count)))
         .collect();
     if spectra.iter().all(Result::is_err) {
         return Err(error.into());

@@ -14,7 +14,7 @@ use judder_sliding::SlidingError;
 use judder_sliding::amplification::Amplification;
 use judder_sliding::coupling::Sliding;
 use judder_sliding::recorder::Tally;
-use judder_sliding::statics::Equilibrium;
+use judder_sliding::statics::PairEquilibrium;
 use judder_store::{Dataset, Table, Variable};
 use serde_json::{Map, Value, json};
 use std::f64::consts::TAU;
@@ -140,7 +140,7 @@ impl Told<'_> {
         }
         let motion = &self.of.motion;
         let sliding = Sliding::at(self.of.pair.friction(), motion.velocity);
-        let at_rest = Equilibrium::new(self.of.pair, motion.end, motion.load, sliding);
+        let at_rest = PairEquilibrium::new(self.of.pair, motion.end, motion.load, sliding);
         if let (Ok(_), Err(error @ SlidingError::NoEquilibrium { .. })) = (self.zones, at_rest) {
             warnings.push(format!("{error}: the contact opens"));
         }

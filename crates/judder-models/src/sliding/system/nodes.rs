@@ -8,7 +8,7 @@ use crate::sliding::case::problem::SlidingProblem;
 use crate::structure::build::{Structure, freedoms_of, points_of};
 use crate::structure::case::reduction::KeptNodes;
 use judder_sliding::march::most_observed;
-use judder_sliding::pair::Side;
+use judder_sliding::pair::PairSide;
 
 /// Points of the structures' layouts, and freedoms.
 pub(super) struct Nodes {
@@ -112,7 +112,7 @@ fn nearest(structure: &Structure, place: [f64; 2], path: &str) -> Result<usize, 
 fn check_count(case: &SlidingCase) -> Result<(), Uncoupled> {
     let interpolation = interpolation(case.contact.interpolation);
     for (index, structure) in case.structures.iter().enumerate() {
-        let side = if index == *case.contact.slider.structure { Side::Slider } else { Side::Track };
+        let side = if index == *case.contact.slider.structure { PairSide::Slider } else { PairSide::Track };
         let limit = most_observed(side, interpolation) / 2;
         let found = case.points.iter().filter(|point| *point.structure == index).count();
         if found > limit {

@@ -2,7 +2,7 @@
 
 use crate::sliding::march::settings::{self, MarchMethod};
 use judder_sliding::SlidingError;
-use judder_sliding::march::{March, MarchSettings, Method, Predictor};
+use judder_sliding::march::{ContactMethod, March, MarchSettings, Predictor};
 use judder_sliding::motion::Motion;
 use judder_sliding::pair::Pair;
 use std::f64::consts::TAU;
@@ -24,13 +24,13 @@ const RESIDUAL: (f64, f64) = (0.75, 3e-6);
 const ANY: f64 = 1e-9;
 
 /// The method of a case as the march has it.
-pub(crate) fn method(own: MarchMethod) -> Method {
+pub(crate) fn method(own: MarchMethod) -> ContactMethod {
     match own {
-        MarchMethod::Subs { static_slope } => Method::Subs { static_slope },
-        MarchMethod::Ensubs => Method::EnSubs,
-        MarchMethod::Film => Method::Film,
+        MarchMethod::Subs { static_slope } => ContactMethod::Subs { static_slope },
+        MarchMethod::Ensubs => ContactMethod::EnSubs,
+        MarchMethod::Film => ContactMethod::Film,
         MarchMethod::ResidualFlexibility { cut_off } => {
-            Method::ResidualFlexibility { cut_off: cut_off / TAU }
+            ContactMethod::ResidualFlexibility { cut_off: cut_off / TAU }
         }
     }
 }
@@ -46,20 +46,23 @@ pub(crate) fn predictor(own: Option<settings::Predictor>) -> Predictor {
 /// [`SlidingError::StepOverLimit`], and what [`March::beyond_limit`] says.
 pub(crate) fn step(
     pair: &Pair,
-    method: Method,
+    method: ContactMethod,
     given: Option<f64>,
     motion: Motion,
 ) -> Result<Step, SlidingError> {
     // the static path does not matter to the limit, and takes long
-    let method =
-        if matches!(method, Method::Subs { .. }) { Method::Subs { static_slope: false } } else { method };
+    let method = if matches!(method, ContactMethod::Subs { .. }) {
+        ContactMethod::Subs { static_slope: false }
+    } else {
+        method
+    };
     let limit = March::beyond_limit(
         pair,
         MarchSettings { method, step: ANY, motion, predictor: Predictor::default() },
     )?
     .step_limit();
     let (share, largest) =
-        if matches!(method, Method::ResidualFlexibility { .. }) { RESIDUAL } else { CENTRAL };
+        if matches!(method, ContactMethod::ResidualFlexibility { .. }) { RESIDUAL } else { CENTRAL };
     let step = given.unwrap_or((share * limit).min(largest));
     if step > limit {
         return Err(SlidingError::StepOverLimit { step, limit });

@@ -6,13 +6,13 @@ use crate::structure::case::body::{
 };
 use crate::structure::case::damping::Damping;
 use crate::structure::case::problem::StructureProblem;
-use judder_structure::affine::{Factors, Family, Term};
+use judder_structure::affine::{AffineFamily, Factors, Term};
 use judder_structure::assembly::{Assembled, assemble};
 use judder_structure::beam;
 use judder_structure::element::ElementKind;
 use judder_structure::freedom::{Direction, Numbering, Supports};
 use judder_structure::grid::Grid;
-use judder_structure::material::{Elastic, Section};
+use judder_structure::material::{Elastic, ElementSection};
 use judder_structure::mesh::Mesh;
 use std::collections::BTreeMap;
 
@@ -39,7 +39,7 @@ pub(super) fn structure(body: &Body, damping: &Damping) -> Result<Structure, Unb
 /// Elements with what they are made of and what holds them.
 pub(super) fn assembled(
     mesh: Mesh,
-    materials: BTreeMap<String, (Elastic, Section)>,
+    materials: BTreeMap<String, (Elastic, ElementSection)>,
     supports: &Supports,
     damping: &Damping,
 ) -> Result<Structure, Unbuilt> {
@@ -56,7 +56,7 @@ pub(super) fn assembled(
         Damping::Structural(_) => vec![term("structural damping", &stiffness)],
         Damping::None => Vec::new(),
     };
-    let family = Family::new(vec![term("mass", &mass)], damping, vec![term("stiffness", &stiffness)])
+    let family = AffineFamily::new(vec![term("mass", &mass)], damping, vec![term("stiffness", &stiffness)])
         .map_err(|error| Unbuilt::because("structure", &error))?;
     let layout = Layout::of_mesh(&mesh, &numbering);
     let elements = Some(Elements { mesh, materials, numbering });
@@ -79,12 +79,12 @@ pub(super) fn dimension_of(mesh: &Mesh) -> usize {
 }
 
 /// How the elements of a body are meant.
-pub(super) fn section(body: &Body, dimension: usize) -> Section {
+pub(super) fn section(body: &Body, dimension: usize) -> ElementSection {
     let thickness = body.width.unwrap_or(WIDTH);
     match (dimension, body.section) {
-        (3, _) => Section::Solid,
-        (_, Some(PlaneSection::PlaneStrain)) => Section::PlaneStrain { thickness },
-        (_, Some(PlaneSection::PlaneStress) | None) => Section::PlaneStress { thickness },
+        (3, _) => ElementSection::Solid,
+        (_, Some(PlaneSection::PlaneStrain)) => ElementSection::PlaneStrain { thickness },
+        (_, Some(PlaneSection::PlaneStress) | None) => ElementSection::PlaneStress { thickness },
     }
 }
 

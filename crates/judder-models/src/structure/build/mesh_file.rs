@@ -8,7 +8,7 @@ use crate::structure::case::problem::StructureProblem;
 use judder_exchange::mesh_file::{FileSection, MeshFile, read_mesh};
 use judder_keys::file_reference::FileReference;
 use judder_structure::freedom::Supports;
-use judder_structure::material::{Elastic, Section};
+use judder_structure::material::{Elastic, ElementSection};
 use std::collections::BTreeMap;
 
 /// Reads a mesh and assembles it.
@@ -59,7 +59,7 @@ fn refuse_strangers(body: &Body, read: &MeshFile) -> Result<(), Unbuilt> {
 
 /// Material and section of each block: what the case says under the name of the block or of its material, what the file says of it, the
 /// material of the whole case.
-fn materials(body: &Body, read: &MeshFile) -> Result<BTreeMap<String, (Elastic, Section)>, Unbuilt> {
+fn materials(body: &Body, read: &MeshFile) -> Result<BTreeMap<String, (Elastic, ElementSection)>, Unbuilt> {
     let mut materials = BTreeMap::new();
     for block in &read.mesh.blocks {
         let name = &block.material;
@@ -94,7 +94,7 @@ fn told(read: &MeshFile, name: Option<&String>) -> Result<Option<Elastic>, Unbui
 }
 
 /// The section that the case gives, else that of the file.
-fn section_of(body: &Body, own: Option<&FileSection>, dimension: usize) -> Section {
+fn section_of(body: &Body, own: Option<&FileSection>, dimension: usize) -> ElementSection {
     match own {
         Some(own) if body.section.is_none() && body.width.is_none() => own.section,
         _ => section(body, dimension),

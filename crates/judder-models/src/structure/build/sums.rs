@@ -5,9 +5,9 @@ use crate::structure::case::matrices::{MatrixSums, MatrixTerm, Triangle};
 use crate::structure::case::problem::StructureProblem;
 use judder_exchange::freedom_table::read_freedoms;
 use judder_exchange::matrix::{self, Matrix, read_matrix, read_stored_matrix};
-use judder_exchange::system::{Part, Parts};
+use judder_exchange::system::{NamedMatrix, SystemParts};
 use judder_keys::cause::Cause;
-use judder_structure::affine::{Factors, Family, Term};
+use judder_structure::affine::{AffineFamily, Factors, Term};
 use judder_structure::freedom::Freedom;
 use rayon::prelude::*;
 
@@ -23,8 +23,8 @@ pub(super) fn structure(sums: &MatrixSums) -> Result<Structure, Unbuilt> {
     };
     check(sums, &read, table.as_deref())?;
     let [mass, damping, stiffness] = [0, 1, 2].map(|k| terms(sums.sums()[k], &read[k]));
-    let family =
-        Family::new(mass?, damping?, stiffness?).map_err(|error| Unbuilt::because("matrices", &error))?;
+    let family = AffineFamily::new(mass?, damping?, stiffness?)
+        .map_err(|error| Unbuilt::because("matrices", &error))?;
     let layout = table.as_deref().map(Layout::of_table);
     Ok(Structure { family, layout, elements: None, kept: Vec::new(), warnings: Vec::new() })
 }
@@ -57,12 +57,13 @@ fn read(name: &str, terms: &[MatrixTerm]) -> Result<Vec<Matrix>, Unbuilt> {
 
 /// Whether the matrices make one structure.
 fn check(sums: &MatrixSums, read: &[Vec<Matrix>; 3], table: Option<&[Freedom]>) -> Result<(), Unbuilt> {
-    fn parts<'a>(terms: &'a [MatrixTerm], matrices: &'a [Matrix]) -> Vec<Part<'a>> {
-        let part = |(term, matrix): (&'a MatrixTerm, &'a Matrix)| Part { name: &term.file.given, matrix };
+    fn parts<'a>(terms: &'a [MatrixTerm], matrices: &'a [Matrix]) -> Vec<NamedMatrix<'a>> {
+        let part =
+            |(term, matrix): (&'a MatrixTerm, &'a Matrix)| NamedMatrix { name: &term.file.given, matrix };
         terms.iter().zip(matrices).map(part).collect()
     }
     let [mass, damping, stiffness] = read;
-    let parts = Parts {
+    let parts = SystemParts {
         mass: parts(&sums.mass, mass),
         damping: parts(&sums.damping, damping),
         stiffness: parts(&sums.stiffness, stiffness),

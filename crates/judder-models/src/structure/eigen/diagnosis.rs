@@ -9,9 +9,11 @@ use judder_store::number;
 use judder_structure::StructureError;
 use judder_structure::affine::Factors;
 use judder_structure::assembly::Sparse;
-use judder_structure::complex_modes::{ComplexMode, Region, Settings, Verdict, complex_modes};
-use judder_structure::diagnosis::{Diagnosis, EnergySign, Influence, Part, diagnosis, participations};
-use judder_structure::modes::{Mode, Wanted, modes};
+use judder_structure::complex_modes::{
+    ComplexMode, ComplexModeSettings, EigenvalueVerdict, Region, complex_modes,
+};
+use judder_structure::diagnosis::{Diagnosis, EnergySign, Influence, MatrixSum, diagnosis, participations};
+use judder_structure::modes::{Mode, WantedModes, modes};
 use judder_structure::quadratic::Quadratic;
 use judder_structure::statics::product;
 use judder_study::outcome::{CheckRecord, Disagreement};
@@ -46,8 +48,11 @@ pub(super) fn of_growing(
     sought: &EigenRegion,
     found: &[ComplexMode],
 ) -> Result<Option<Told>, ModelError> {
-    let mut growing: Vec<(usize, &ComplexMode)> =
-        found.iter().enumerate().filter(|(_, mode)| mode.eigenvalue.verdict() == Verdict::Unstable).collect();
+    let mut growing: Vec<(usize, &ComplexMode)> = found
+        .iter()
+        .enumerate()
+        .filter(|(_, mode)| mode.eigenvalue.verdict() == EigenvalueVerdict::Unstable)
+        .collect();
     if growing.is_empty() {
         return Ok(None);
     }
@@ -154,7 +159,7 @@ fn components(undamped: &Undamped, highest: f64) -> Result<Vec<Mode>, ModelError
     /// Half the width of the strip about the axis, over its height.
     const STRIP: f64 = 1e-3;
     let Undamped { mass, stiffness, .. } = undamped;
-    match modes(stiffness, mass, Wanted::Band(0.0, highest / TAU)) {
+    match modes(stiffness, mass, WantedModes::Band(0.0, highest / TAU)) {
         Ok(found) => return Ok(found.modes),
         Err(StructureError::MissingModes { .. }) => (),
         Err(error) => return Err(error.into()),
@@ -164,7 +169,7 @@ fn components(undamped: &Undamped, highest: f64) -> Result<Vec<Mode>, ModelError
         Sparse::try_new_from_triplets(rows, rows, &[]).map_err(|_| StructureError::OutOfMemory { rows })?;
     let problem = Quadratic::new(mass.clone(), none, stiffness.clone())?;
     let strip = Region { re: [-STRIP * highest, STRIP * highest], im: [0.0, highest] };
-    let found = complex_modes(&problem, &strip, &Settings::default())?;
+    let found = complex_modes(&problem, &strip, &ComplexModeSettings::default())?;
     Ok(found.modes.iter().map(|mode| real(mass, mode)).collect())
 }
 
@@ -224,18 +229,18 @@ fn by_parameters(case: &StructureCase, told: &Diagnosis, at: &Factors) -> Result
         };
         // at the edge of where factors have values there is no derivative
         let (Ok(plus), Ok(minus)) = (moved(step), moved(-step)) else { continue };
-        let slope = |part: Part, k: usize| {
+        let slope = |part: MatrixSum, k: usize| {
             let of = |factors: &Factors| match part {
-                Part::Mass => factors.mass[k],
-                Part::Damping => factors.damping[k],
-                Part::Stiffness => factors.stiffness[k],
+                MatrixSum::Mass => factors.mass[k],
+                MatrixSum::Damping => factors.damping[k],
+                MatrixSum::Stiffness => factors.stiffness[k],
             };
             (of(&plus) - of(&minus)) / (2.0 * step)
         };
         let places = [
-            (Part::Mass, at.mass.len()),
-            (Part::Damping, at.damping.len()),
-            (Part::Stiffness, at.stiffness.len()),
+            (MatrixSum::Mass, at.mass.len()),
+            (MatrixSum::Damping, at.damping.len()),
+            (MatrixSum::Stiffness, at.stiffness.len()),
         ];
         let slopes = places.into_iter().flat_map(|(part, count)| (0..count).map(move |k| (part, k)));
         let sum: num_complex::Complex64 = told

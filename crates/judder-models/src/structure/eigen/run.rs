@@ -10,7 +10,7 @@ use crate::structure::eigen::EigenRegion;
 use judder_store::{Dataset, Table, Variable, number};
 use judder_structure::assembly::Sparse;
 use judder_structure::complex_modes::{
-    ComplexMode, ComplexModes, Eigenvalue, Gap, Region, Settings, Verdict, complex_modes,
+    ComplexMode, ComplexModeSettings, ComplexModes, Eigenvalue, EigenvalueVerdict, Gap, Region, complex_modes,
 };
 use judder_structure::quadratic::Quadratic;
 use judder_structure::statics::product;
@@ -23,11 +23,11 @@ const RESIDUAL_LIMIT: f64 = 1e-12;
 /// The verdicts as codes of arrays.
 pub(crate) const VERDICTS: [(u8, &str); 3] = [(0, "stable"), (1, "marginal"), (2, "unstable")];
 
-pub(crate) fn code(verdict: Verdict) -> u8 {
+pub(crate) fn code(verdict: EigenvalueVerdict) -> u8 {
     match verdict {
-        Verdict::Stable => 0,
-        Verdict::Marginal => 1,
-        Verdict::Unstable => 2,
+        EigenvalueVerdict::Stable => 0,
+        EigenvalueVerdict::Marginal => 1,
+        EigenvalueVerdict::Unstable => 2,
     }
 }
 
@@ -42,10 +42,10 @@ pub(crate) fn run(
     sought: &EigenRegion,
 ) -> Result<Outcome, ModelError> {
     let problem = structure.at(case, &case.values())?;
-    let mut found = complex_modes(&problem, &region(sought), &Settings::default())?;
+    let mut found = complex_modes(&problem, &region(sought), &ComplexModeSettings::default())?;
     found.modes.sort_by(|a, b| in_order(&a.eigenvalue, &b.eigenvalue));
     let values: Vec<Eigenvalue> = found.modes.iter().map(|mode| mode.eigenvalue).collect();
-    let unstable = values.iter().filter(|value| value.verdict() == Verdict::Unstable).count();
+    let unstable = values.iter().filter(|value| value.verdict() == EigenvalueVerdict::Unstable).count();
     let mut scalars = Map::from_iter([
         ("eigenvalues".to_owned(), values.iter().map(entry).collect::<Value>()),
         ("complete".to_owned(), json!(found.complete())),

@@ -9,8 +9,8 @@ use crate::structure::build::{Structure, factors};
 use crate::structure::case::StructureCase;
 use judder_store::{Dataset, Table, Variable};
 use judder_structure::affine::Factors;
-use judder_structure::complex_modes::{Eigenvalue, Settings, Verdict, complex_modes};
-use judder_structure::eigen_sweep::{Method, Point, Sweep, Tracked, eigen_sweeps};
+use judder_structure::complex_modes::{ComplexModeSettings, Eigenvalue, EigenvalueVerdict, complex_modes};
+use judder_structure::eigen_sweep::{PointEigenvalues, SweepMethod, SweptEigenvalues, Tracked, eigen_sweeps};
 use judder_study::Progress;
 use judder_study::axis::Axis;
 use judder_study::labels::Quantity;
@@ -27,7 +27,7 @@ struct Run<'a> {
     axis: Axis,
     curves: Curves<Vec<f64>>,
     /// One for each curve.
-    sweeps: Vec<Sweep>,
+    sweeps: Vec<SweptEigenvalues>,
 }
 
 pub(super) fn run(
@@ -42,16 +42,17 @@ pub(super) fn run(
         .map(|inputs| along(case, settings, inputs))
         .collect::<Result<Vec<Vec<Factors>>, _>>()?;
     let method = match settings.method {
-        EigenMethod::Full => Method::Full,
-        EigenMethod::Projected { tolerance } => Method::Projected { tolerance },
+        EigenMethod::Full => SweepMethod::Full,
+        EigenMethod::Projected { tolerance } => SweepMethod::Projected { tolerance },
     };
     let each_curve: Vec<&[Factors]> = points.iter().map(Vec::as_slice).collect();
     let sought = region(&settings.region);
-    let mut sweeps = eigen_sweeps(&structure.family, &each_curve, &sought, &Settings::default(), method)?;
+    let mut sweeps =
+        eigen_sweeps(&structure.family, &each_curve, &sought, &ComplexModeSettings::default(), method)?;
     for point in sweeps.iter_mut().flat_map(|sweep| &mut sweep.points) {
         point.eigenvalues.sort_by(|a, b| in_order(&a.eigenvalue, &b.eigenvalue));
     }
-    let (all_factors, all_points): (Vec<&Factors>, Vec<&Point>) =
+    let (all_factors, all_points): (Vec<&Factors>, Vec<&PointEigenvalues>) =
         points.iter().flatten().zip(sweeps.iter().flat_map(|sweep| &sweep.points)).unzip();
     (1..all_points.len()).for_each(|_| progress.advance());
     let incomplete = all_points.iter().filter(|point| !point.gaps.is_empty()).count();
@@ -94,7 +95,7 @@ fn against_full(
     structure: &Structure,
     settings: &EigenSweep,
     factors: &[&Factors],
-    points: &[&Point],
+    points: &[&PointEigenvalues],
 ) -> Result<Option<CheckRecord>, ModelError> {
     let projected: Vec<usize> = (0..points.len()).filter(|k| !points[*k].full).collect();
     if projected.is_empty() {
@@ -105,7 +106,7 @@ fn against_full(
     let mut found = Disagreement::default();
     for point in &chosen {
         let problem = structure.family.at(factors[*point])?;
-        let full = complex_modes(&problem, &region(&settings.region), &Settings::default())?;
+        let full = complex_modes(&problem, &region(&settings.region), &ComplexModeSettings::default())?;
         let projected = points[*point].eigenvalues.iter().map(|tracked| tracked.eigenvalue).collect();
         let full = full.modes.iter().map(|mode| mode.eigenvalue).collect();
         compare(projected, full, &mut found);
@@ -135,7 +136,7 @@ fn compare(ours: Vec<Eigenvalue>, mut theirs: Vec<Eigenvalue>, found: &mut Disag
 }
 
 /// The scalars of one curve.
-fn scalars_of(values: &[f64], sweep: &Sweep) -> Map<String, Value> {
+fn scalars_of(values: &[f64], sweep: &SweptEigenvalues) -> Map<String, Value> {
     let lists: Vec<Value> = sweep
         .points
         .iter()
@@ -148,8 +149,9 @@ fn scalars_of(values: &[f64], sweep: &Sweep) -> Map<String, Value> {
             entries.collect()
         })
         .collect();
-    let is_unstable =
-        |point: &Point| point.eigenvalues.iter().any(|t| t.eigenvalue.verdict() == Verdict::Unstable);
+    let is_unstable = |point: &PointEigenvalues| {
+        point.eigenvalues.iter().any(|t| t.eigenvalue.verdict() == EigenvalueVerdict::Unstable)
+    };
     Map::from_iter([
         ("value".to_owned(), json!(values)),
         ("eigenvalues".to_owned(), json!(lists)),
@@ -239,7 +241,8 @@ impl Run<'_> {
     }
 
     fn table(&self) -> Result<Table, ModelError> {
-        let rows_of = |sweep: &Sweep| sweep.points.iter().map(|point| point.eigenvalues.len()).sum();
+        let rows_of =
+            |sweep: &SweptEigenvalues| sweep.points.iter().map(|point| point.eigenvalues.len()).sum();
         let rows_of_curve: Vec<usize> = self.sweeps.iter().map(rows_of).collect();
         let points = self.sweeps.iter().flat_map(|sweep| self.axis.values.iter().zip(&sweep.points));
         let rows: Vec<(f64, &Tracked)> = points

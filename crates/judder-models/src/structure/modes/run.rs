@@ -8,7 +8,7 @@ use crate::structure::build::Structure;
 use crate::structure::case::StructureCase;
 use judder_store::{Dataset, Table, Variable, number};
 use judder_structure::assembly::Sparse;
-use judder_structure::modes::{Mode, Modes, Wanted, modes};
+use judder_structure::modes::{Mode, Modes, WantedModes, modes};
 use judder_structure::quadratic::Quadratic;
 use judder_structure::statics::product;
 use judder_study::outcome::{CheckRecord, Disagreement, Outcome};
@@ -30,8 +30,8 @@ pub(crate) fn run(
     let problem = structure.at(case, &case.values())?;
     let Undamped { mass, stiffness, of } = Undamped::new(case, structure)?;
     let wanted = match wanted {
-        super::Modes::Count(count) => Wanted::Lowest(count),
-        super::Modes::Band([from, to]) => Wanted::Band(from / TAU, to / TAU),
+        super::Modes::Count(count) => WantedModes::Lowest(count),
+        super::Modes::Band([from, to]) => WantedModes::Band(from / TAU, to / TAU),
     };
     let found = modes(&stiffness, &mass, wanted)?;
     let table = ModeTable {
@@ -194,12 +194,12 @@ fn damping_ratios(problem: &Quadratic, found: &Modes) -> Option<Vec<f64>> {
     Some(found.modes.iter().enumerate().map(ratio).collect())
 }
 
-fn checks(mass: &Sparse, found: &Modes, wanted: Wanted) -> Vec<CheckRecord> {
+fn checks(mass: &Sparse, found: &Modes, wanted: WantedModes) -> Vec<CheckRecord> {
     let modes = &found.modes;
     let counted = found.counted.1 - found.counted_from.1.min(found.counted.1);
     let expected = match wanted {
-        Wanted::Lowest(count) => counted.min(count),
-        Wanted::Band(..) => counted,
+        WantedModes::Lowest(count) => counted.min(count),
+        WantedModes::Band(..) => counted,
     };
     let mut checks = vec![CheckRecord::new(
         "no mode is missing",

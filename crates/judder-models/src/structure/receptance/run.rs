@@ -9,7 +9,8 @@ use crate::written::written;
 use judder_exchange::ExchangeError;
 use judder_exchange::geometry::Geometry;
 use judder_exchange::universal::{
-    Abscissa, Ordinates, Quantity, Response, ResponseKind, write_nodes, write_response, write_units,
+    Abscissa, MeasuredQuantity, Ordinates, ResponseKind, UniversalResponse, write_nodes, write_response,
+    write_units,
 };
 use judder_keys::cause::Cause;
 use judder_store::{Dataset, Variable, number};
@@ -184,11 +185,11 @@ fn universal(
     let (places, labels) =
         points.iter().map(|point| (layout.points[*point], layout.names[*point] + shift)).unzip();
     write_nodes(to, &Geometry { places, labels, cells: Vec::new() })?;
-    let response = Response {
+    let response = UniversalResponse {
         title: "Receptance",
         kind: ResponseKind::FrequencyResponse,
         at: (label(observed), observed.direction),
-        quantity: Quantity::Displacement,
+        quantity: MeasuredQuantity::Displacement,
         excited_at: Some((label(excited), excited.direction)),
         abscissa: Abscissa::Uneven(hertz),
         ordinates: Ordinates::Complex(values),

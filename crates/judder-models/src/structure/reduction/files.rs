@@ -11,7 +11,8 @@ use judder_exchange::geometry::Geometry;
 use judder_exchange::matrix::Matrix;
 use judder_exchange::matrix_market::write_matrix_market;
 use judder_exchange::universal::{
-    Abscissa, Ordinates, Quantity, Response, ResponseKind, write_nodes, write_response, write_units,
+    Abscissa, MeasuredQuantity, Ordinates, ResponseKind, UniversalResponse, write_nodes, write_response,
+    write_units,
 };
 use judder_structure::StructureError;
 use judder_structure::assembly::Sparse;
@@ -137,11 +138,11 @@ fn universal(
     // what stands exactly at a resonance has no receptance there
     let finite = freedoms.iter().zip(receptances).filter(|(_, values)| values.iter().all(|u| u.is_finite()));
     for (Freedom { node, direction, .. }, values) in finite {
-        let response = Response {
+        let response = UniversalResponse {
             title: "Receptance of the reduced structure, without damping",
             kind: ResponseKind::FrequencyResponse,
             at: (*node, *direction),
-            quantity: Quantity::Displacement,
+            quantity: MeasuredQuantity::Displacement,
             excited_at: Some((*node, *direction)),
             abscissa: Abscissa::Even { start: 0.5 * step, step },
             ordinates: Ordinates::Real(values),

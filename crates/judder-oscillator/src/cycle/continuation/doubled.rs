@@ -3,7 +3,7 @@
 //! There its two halves become one. Beyond, the continuation would find the same cycles again, half a period later, or the shorter ones
 //! walked twice: neither is a new branch.
 
-use super::{Branch, BranchEnd, BranchPoint, Walk};
+use super::{BranchEnd, BranchPoint, CycleBranch, Walk};
 use crate::cycle::CycleError;
 use crate::cycle::return_map::returned_state;
 use crate::motion::SlidingSystem;
@@ -26,7 +26,7 @@ impl<const N: usize> Halves<N> {
     pub(super) fn end<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError>>(
         &mut self,
         walk: &Walk<'_, F, N>,
-        branch: &mut Branch<N>,
+        branch: &mut CycleBranch<N>,
     ) -> Option<BranchEnd> {
         let before = self.apart?;
         let now = walk.halves_apart(branch.points.last()?)?;

@@ -1,17 +1,17 @@
 //! Places along a branch: whether the next one is a neighbour, whether the branch has come back to the first.
 
-use super::{Branch, BranchEnd, BranchPoint};
+use super::{BranchEnd, BranchPoint, CycleBranch};
 use crate::cycle::CycleError;
 use num_complex::Complex64;
 
 /// A place on the way with the unit tangent there; both hold the scaled state and then the scaled parameter.
 #[derive(Clone)]
-pub(super) struct Place {
+pub(super) struct BranchPlace {
     pub(super) at: Vec<f64>,
     pub(super) tangent: Vec<f64>,
 }
 
-impl Place {
+impl BranchPlace {
     pub(super) fn distance(&self, other: &Self) -> f64 {
         self.at.iter().zip(&other.at).fold(0.0, |sum, (a, b)| sum + (a - b) * (a - b)).sqrt()
     }
@@ -24,17 +24,21 @@ impl Place {
 
 /// How far a branch has been from its start.
 pub(super) struct Outing {
-    start: Place,
+    start: BranchPlace,
     farthest: f64,
 }
 
 impl Outing {
-    pub(super) fn from(start: Place) -> Self {
+    pub(super) fn from(start: BranchPlace) -> Self {
         Self { start, farthest: 0.0 }
     }
 
     /// The end of a branch that has been away and has come back to its start, going the same way.
-    pub(super) fn end<const N: usize>(&mut self, place: &Place, branch: &Branch<N>) -> Option<BranchEnd> {
+    pub(super) fn end<const N: usize>(
+        &mut self,
+        place: &BranchPlace,
+        branch: &CycleBranch<N>,
+    ) -> Option<BranchEnd> {
         /// Of the farthest place, and the cosine of the angle to the first tangent.
         const NEAR: f64 = 0.05;
         const SAME_WAY: f64 = 0.9;
@@ -66,11 +70,11 @@ fn keeps_its_sense<const N: usize>(last: &BranchPoint<N>, next: &BranchPoint<N>)
 /// What was found a step from a place if it is a neighbour of the branch's last cycle. Steady sliding is a fixed point of the return
 /// map too, and a long step can end at it, or on another sheet of the branch.
 pub(super) fn neighbour<const N: usize>(
-    branch: &Branch<N>,
-    place: &Place,
+    branch: &CycleBranch<N>,
+    place: &BranchPlace,
     step: f64,
-    found: (BranchPoint<N>, Place),
-) -> Result<(BranchPoint<N>, Place), CycleError> {
+    found: (BranchPoint<N>, BranchPlace),
+) -> Result<(BranchPoint<N>, BranchPlace), CycleError> {
     /// What the amplitude may shrink to in a step, and what the period may change by, either way.
     const SHRINKS: f64 = 0.2;
     const PERIOD: f64 = 1.5;

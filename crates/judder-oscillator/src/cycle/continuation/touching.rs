@@ -1,13 +1,13 @@
 //! Where a branch comes to cycles that touch a guard: beyond a kink it goes on, at a jump of the return map it ends.
 
-use super::{Branch, BranchEnd, BranchPoint, Place, Walk};
+use super::{BranchEnd, BranchPlace, BranchPoint, CycleBranch, Walk};
 use crate::cycle::CycleError;
 use crate::motion::attractor::distance;
 use crate::motion::{ContactState, SlidingSystem};
 
 impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError>, const N: usize> Walk<'_, F, N> {
     /// A jump of the return map that lies close by, if there is one.
-    pub(super) fn grazing(&self, place: &Place, branch: &Branch<N>) -> Option<BranchEnd> {
+    pub(super) fn grazing(&self, place: &BranchPlace, branch: &CycleBranch<N>) -> Option<BranchEnd> {
         let along = |component: usize, sign: f64| {
             let mut direction = vec![0.0; N + 1];
             direction[component] = sign;
@@ -21,7 +21,12 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError>, const N: usize> W
     }
 
     /// A jump of the return map where, along a direction, the pattern changes.
-    fn jump_along(&self, place: &Place, direction: &[f64], pattern: &[ContactState]) -> Option<BranchEnd> {
+    fn jump_along(
+        &self,
+        place: &BranchPlace,
+        direction: &[f64],
+        pattern: &[ContactState],
+    ) -> Option<BranchEnd> {
         /// How far away it is sought.
         const NEAR: f64 = 1e-3;
         /// Of the interval between two patterns: so near to each other all that is smooth is the same.
@@ -52,18 +57,18 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError>, const N: usize> W
     /// right behind a kink, does not tell which way the branch goes on, but the branch keeps its pattern there.
     pub(super) fn away_from_the_kink(
         &self,
-        place: &Place,
+        place: &BranchPlace,
         step: f64,
-        branch: &Branch<N>,
-        found: (BranchPoint<N>, Place),
-    ) -> (BranchPoint<N>, Place) {
+        branch: &CycleBranch<N>,
+        found: (BranchPoint<N>, BranchPlace),
+    ) -> (BranchPoint<N>, BranchPlace) {
         let pattern = |point: &BranchPoint<N>| point.cycle.around.pattern.clone();
         let [.., before, lone] = branch.points.as_slice() else { return found };
         if pattern(before) == pattern(lone) || pattern(before) != pattern(&found.0) {
             return found;
         }
         let tangent = place.tangent.iter().map(|t| -t).collect();
-        let back = Place { at: place.at.clone(), tangent };
+        let back = BranchPlace { at: place.at.clone(), tangent };
         match self.next(&back, step) {
             Ok(other) if pattern(&other.0) == pattern(lone) => other,
             _ => found,
@@ -76,9 +81,9 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError>, const N: usize> W
     /// Along its tangent the branch goes on to the side on which cycles have that pattern.
     pub(super) fn round_the_kink(
         &self,
-        place: &Place,
-        branch: &Branch<N>,
-    ) -> Option<(BranchPoint<N>, Place)> {
+        place: &BranchPlace,
+        branch: &CycleBranch<N>,
+    ) -> Option<(BranchPoint<N>, BranchPlace)> {
         const AWAY: [f64; 3] = [1e-2, 1e-3, 1e-4];
         let here = branch.points.last()?;
         let mut upwards = vec![0.0; N + 1];
@@ -91,7 +96,7 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError>, const N: usize> W
             let Ok(tangent) = self.tangent(&at, &around, &upwards) else { continue };
             for (step, sign) in AWAY.iter().flat_map(|step| [(*step, -1.0), (*step, 1.0)]) {
                 let tangent = tangent.iter().map(|t| sign * t).collect();
-                let start = Place { at: place.at.clone(), tangent };
+                let start = BranchPlace { at: place.at.clone(), tangent };
                 match self.next(&start, step) {
                     Ok((point, there)) if point.cycle.around.pattern == around.pattern => {
                         return Some((point, there));
@@ -104,7 +109,7 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError>, const N: usize> W
     }
 
     /// Places around one, each moved in one component of the state, ever further.
-    fn neighbours(&self, place: &Place) -> Vec<Vec<f64>> {
+    fn neighbours(&self, place: &BranchPlace) -> Vec<Vec<f64>> {
         const AWAY: [f64; 3] = [1e-4, 1e-3, 1e-2];
         let moves = AWAY.iter().flat_map(|away| (0..N).flat_map(move |i| [(i, *away), (i, -*away)]));
         moves

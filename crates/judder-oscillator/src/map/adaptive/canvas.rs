@@ -1,9 +1,9 @@
 //! The map in the making: what is decided, what is filled, what waits.
 
 use crate::Contact;
-use crate::block::{Block, LANES};
+use crate::block::{LANES, PointBlock};
 use crate::map::every_point::sweep_rows;
-use crate::map::{Plane, StabilityMap};
+use crate::map::{OperatingPlane, StabilityMap};
 use crate::mechanism::StabilityClass;
 use rayon::prelude::*;
 
@@ -29,7 +29,7 @@ pub(super) struct Canvas<'a, P> {
     decisions: usize,
 }
 
-impl<'a, P: Plane> Canvas<'a, P> {
+impl<'a, P: OperatingPlane> Canvas<'a, P> {
     pub(super) fn new(contact: &'a Contact, plane: &'a P) -> Self {
         let (columns, rows) = (plane.columns(), plane.rows());
         let size = (columns + 2) * (rows + 2);
@@ -147,7 +147,7 @@ impl<'a, P: Plane> Canvas<'a, P> {
         let queue = std::mem::take(&mut self.queue);
         let mut results = vec![(UNKNOWN, 0.0); queue.len()];
         queue.par_chunks(LANES).zip(results.par_chunks_mut(LANES)).with_min_len(4).for_each_init(
-            Block::default,
+            PointBlock::default,
             |block, (points, results)| {
                 for (lane, (point, guess)) in points.iter().enumerate() {
                     let c = plane.coefficients(point % stride - 1, point / stride - 1);
@@ -214,7 +214,7 @@ impl<'a, P: Plane> Canvas<'a, P> {
 }
 
 /// What is kept of a decided lane.
-fn result(block: &Block, lane: usize) -> (u8, f32) {
+fn result(block: &PointBlock, lane: usize) -> (u8, f32) {
     (block.class(lane) as u8, block.ln_indentation[lane] as f32)
 }
 

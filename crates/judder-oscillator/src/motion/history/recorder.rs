@@ -1,21 +1,21 @@
 //! A history in the making: what of each step is kept.
 
-use super::{History, Oscillation, PATH_POINTS, Sample, Window};
+use super::{MotionHistory, Oscillation, PATH_POINTS, StateSample, TimeWindow};
 use crate::motion::measures::Measures;
 use crate::motion::{ContactState, SlidingSystem};
 use judder_numerics::piecewise::quartic::{first_fall, value};
-use judder_numerics::piecewise::{Advance, Leg, March};
+use judder_numerics::piecewise::{Advance, Leg, PiecewiseMarch};
 use std::collections::VecDeque;
 
 /// A history in the making.
-pub(super) struct Recorder<'a, S, const N: usize> {
+pub(super) struct MotionRecorder<'a, S, const N: usize> {
     system: &'a S,
-    window: &'a Window,
+    window: &'a TimeWindow,
     /// Of a step, relative.
     tolerance: f64,
     /// x of steady sliding, about which moments are taken.
     centre: f64,
-    pub(super) history: History<N>,
+    pub(super) history: MotionHistory<N>,
     /// The energy where averages begin.
     energy: f64,
     /// When the section was last met, where it was.
@@ -24,9 +24,9 @@ pub(super) struct Recorder<'a, S, const N: usize> {
     range: (f64, f64),
 }
 
-impl<'a, S: SlidingSystem<N>, const N: usize> Recorder<'a, S, N> {
-    pub(super) fn new(system: &'a S, window: &'a Window, tolerance: f64) -> Self {
-        let history = History {
+impl<'a, S: SlidingSystem<N>, const N: usize> MotionRecorder<'a, S, N> {
+    pub(super) fn new(system: &'a S, window: &'a TimeWindow, tolerance: f64) -> Self {
+        let history = MotionHistory {
             samples: Vec::with_capacity(window.points),
             path: VecDeque::new(),
             events: Vec::new(),
@@ -42,7 +42,7 @@ impl<'a, S: SlidingSystem<N>, const N: usize> Recorder<'a, S, N> {
     }
 
     /// Averages begin here, anew.
-    pub(super) fn begin(&mut self, march: &March<'_, S, N>) {
+    pub(super) fn begin(&mut self, march: &PiecewiseMarch<'_, S, N>) {
         self.history.measures = Measures::default();
         self.history.oscillations.clear();
         self.energy = self.system.energy(&march.state());
@@ -79,7 +79,7 @@ impl<'a, S: SlidingSystem<N>, const N: usize> Recorder<'a, S, N> {
         while self.history.samples.len() < self.window.points && self.next_time() <= leg.time + leg.step {
             let time = self.next_time();
             let fraction = ((time - leg.time) / leg.step).clamp(0.0, 1.0);
-            self.history.samples.push(Sample { time, contact_state: leg.mode, state: leg.at(fraction) });
+            self.history.samples.push(StateSample { time, contact_state: leg.mode, state: leg.at(fraction) });
         }
     }
 
@@ -91,7 +91,7 @@ impl<'a, S: SlidingSystem<N>, const N: usize> Recorder<'a, S, N> {
             self.history.path.pop_front();
         }
         let time = leg.time + leg.step;
-        self.history.path.push_back(Sample { time, contact_state: leg.mode, state: leg.end });
+        self.history.path.push_back(StateSample { time, contact_state: leg.mode, state: leg.end });
     }
 
     /// Takes note of how far x goes along a leg: a smallest x within it is where x' rises through zero.
@@ -113,11 +113,11 @@ impl<'a, S: SlidingSystem<N>, const N: usize> Recorder<'a, S, N> {
         self.range = (leg.end[0], leg.end[0]);
     }
 
-    pub(super) fn finish(mut self, march: &March<'_, S, N>) -> History<N> {
+    pub(super) fn finish(mut self, march: &PiecewiseMarch<'_, S, N>) -> MotionHistory<N> {
         // the last point of the grid may lie a rounding error beyond the last step
         while self.history.samples.len() < self.window.points {
             let (time, contact_state, state) = (self.next_time(), march.mode(), march.state());
-            self.history.samples.push(Sample { time, contact_state, state });
+            self.history.samples.push(StateSample { time, contact_state, state });
         }
         let energy = self.system.energy(&march.state());
         self.history.energy_change = energy - self.energy;

@@ -3,7 +3,7 @@
 use super::{LAWS, LOADS, friction, sources, stored};
 use crate::claim::short;
 use judder_models::oscillator::curves::curves_of;
-use judder_report::page::Table;
+use judder_report::page::PageTable;
 use judder_report::runs::through;
 use judder_report::{Axis, Figure, Layer, Legend, Panel, Style};
 use judder_store::{Dataset, StudyFolder, Summary};
@@ -204,8 +204,8 @@ impl Distance {
 }
 
 /// How far the thresholds move, in numbers.
-pub(super) fn table(moved: &[Moved]) -> Table {
-    Table {
+pub(super) fn table(moved: &[Moved]) -> PageTable {
+    PageTable {
         caption: "The threshold of the full system (Fig. 7: the lowest, Fig. 8: the highest) with one law over that with another, the larger over the smaller: \
                   median and largest over the speeds; and the share of the speeds, in per cent, at which one law has a threshold and the other none. \
                   Factors of thousands stand where a branch ends at another speed and a threshold far from it takes its place."

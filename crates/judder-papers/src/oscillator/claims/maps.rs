@@ -6,7 +6,7 @@ use judder_oscillator::Contact;
 use judder_oscillator::conservative::discriminant;
 use judder_oscillator::equilibrium::equilibrium;
 use judder_oscillator::linearisation::Linearisation;
-use judder_oscillator::map::{Plane, StabilityMap, every_point};
+use judder_oscillator::map::{OperatingPlane, StabilityMap, every_point};
 use judder_oscillator::mechanism::StabilityClass;
 
 /// Share of the grid points of a panel that satisfy a condition on (full system unstable, undamped system unstable).

@@ -2,7 +2,7 @@
 
 use judder_numerics::counter::uniform;
 use judder_sliding::SlidingError;
-use judder_sliding::characteristic::Characteristic;
+use judder_sliding::characteristic::PairCharacteristic;
 use judder_sliding::coupling::Coupling;
 use judder_sliding::dense_forms::ThreeField;
 use judder_sliding::locus::follow;
@@ -40,8 +40,8 @@ impl Turning {
         }
     }
 
-    fn at(&self, at: f64) -> Result<Characteristic, SlidingError> {
-        Characteristic::new(&self.coupling(at), &self.eigenvalues, &self.damping)
+    fn at(&self, at: f64) -> Result<PairCharacteristic, SlidingError> {
+        PairCharacteristic::new(&self.coupling(at), &self.eigenvalues, &self.damping)
     }
 
     /// All eigenvalues of the upper half plane, from full matrices.

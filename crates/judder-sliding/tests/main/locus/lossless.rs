@@ -2,10 +2,10 @@
 
 use judder_numerics::counter::uniform;
 use judder_sliding::SlidingError;
-use judder_sliding::characteristic::Characteristic;
+use judder_sliding::characteristic::PairCharacteristic;
 use judder_sliding::coupling::{Coupling, Feedback};
 use judder_sliding::dense_forms::ThreeField;
-use judder_sliding::spectrum::{Spectrum, Wanted};
+use judder_sliding::spectrum::{Spectrum, WantedEigenvalues};
 use judder_sliding::zones::zones;
 use num_complex::Complex64;
 
@@ -45,16 +45,16 @@ fn lossless_pairs_have_no_unstable_zones() {
         let (eigenvalues, damping) = grouped(seed, 4 + (seed % 7) as usize);
         let modes = eigenvalues.len();
         let (one, other) = (row(seed, 10, modes), row(seed, 11, modes));
-        let family = |at: f64| -> Result<Characteristic, SlidingError> {
+        let family = |at: f64| -> Result<PairCharacteristic, SlidingError> {
             let turned: Vec<f64> = one.iter().zip(&other).map(|(a, b)| at.cos() * a + at.sin() * b).collect();
             let coupling =
                 Coupling { compatibility: turned.clone(), equilibrium: turned, feedback: Vec::new() };
-            Characteristic::new(&coupling, &eigenvalues, &damping)
+            PairCharacteristic::new(&coupling, &eigenvalues, &damping)
         };
         let count = (modes - 1).min(6);
         let found = zones(&family, &[[0.1, 0.6], [0.6, 1.2]], count, 1e-3).unwrap();
         assert_eq!(found.zones, [], "{seed}");
-        let spectrum = Spectrum::new(&family(0.4).unwrap(), 0.4, Wanted::Lowest(count)).unwrap();
+        let spectrum = Spectrum::new(&family(0.4).unwrap(), 0.4, WantedEigenvalues::Lowest(count)).unwrap();
         assert!(spectrum.eigenvalues.iter().zip(&spectrum.errors).all(|(s, error)| s.re <= *error), "{seed}");
         undamped += spectrum.eigenvalues.iter().filter(|s| s.re.abs() < 1e-12).count();
     }
@@ -82,7 +82,7 @@ fn all_eigenvalues_of_equal_modes_are_found() {
         if coupling.mobility() < 1e-2 {
             continue;
         }
-        let function = Characteristic::new(&coupling, &eigenvalues, &damping).unwrap();
+        let function = PairCharacteristic::new(&coupling, &eigenvalues, &damping).unwrap();
         let dense =
             ThreeField::new(&coupling, &eigenvalues, &damping).unwrap().primal_spectrum(0.37).unwrap();
         // none so near to a border that rounding decides
@@ -92,7 +92,7 @@ fn all_eigenvalues_of_equal_modes_are_found() {
         }
         let expected: Vec<Complex64> =
             dense.into_iter().filter(|s| s.im > -1e-6 && s.im <= LIMIT && s.re.abs() <= LIMIT).collect();
-        let found = Spectrum::new(&function, 0.0, Wanted::Below(LIMIT));
+        let found = Spectrum::new(&function, 0.0, WantedEigenvalues::Below(LIMIT));
         let found = found.unwrap_or_else(|error| panic!("{seed}: {error}")).eigenvalues;
         assert_eq!(found.len(), expected.len(), "{seed}: {found:?} {expected:?}");
         let mut left = expected;
@@ -130,8 +130,8 @@ fn errors_bound_what_disturbed_numbers_do() {
             let equilibrium = c.iter().zip(&aside).map(|(c, aside)| c + 0.3 * aside).collect();
             let coupling = Coupling { compatibility: c, equilibrium, feedback: vec![feedback] };
             let function =
-                Characteristic::new(&coupling, &moved(&eigenvalues, 98), &moved(&damping, 99)).unwrap();
-            Spectrum::new(&function, 0.0, Wanted::Below(25.0))
+                PairCharacteristic::new(&coupling, &moved(&eigenvalues, 98), &moved(&damping, 99)).unwrap();
+            Spectrum::new(&function, 0.0, WantedEigenvalues::Below(25.0))
         };
         let (Ok(still), Ok(moved)) = (spectrum(0.0), spectrum(DISTURBANCE)) else { continue };
         if still.eigenvalues.len() != moved.eigenvalues.len() {

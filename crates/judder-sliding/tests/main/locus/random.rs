@@ -1,10 +1,10 @@
 //! Spectra of random pairs against full matrices.
 
 use judder_numerics::counter::uniform;
-use judder_sliding::characteristic::Characteristic;
+use judder_sliding::characteristic::PairCharacteristic;
 use judder_sliding::coupling::{Coupling, Feedback};
 use judder_sliding::dense_forms::ThreeField;
-use judder_sliding::spectrum::{Spectrum, Wanted};
+use judder_sliding::spectrum::{Spectrum, WantedEigenvalues};
 use num_complex::Complex64;
 use proptest::prelude::*;
 
@@ -47,14 +47,14 @@ proptest! {
     fn nothing_is_missing_and_nothing_is_besides(seed: u64, modes in 4..16_usize, terms in 0..4_usize) {
         let (coupling, eigenvalues, damping) = random(seed, modes, terms);
         prop_assume!(coupling.mobility() > 1e-3);
-        let function = Characteristic::new(&coupling, &eigenvalues, &damping).unwrap();
+        let function = PairCharacteristic::new(&coupling, &eigenvalues, &damping).unwrap();
         let fields = ThreeField::new(&coupling, &eigenvalues, &damping).unwrap();
         let dense = fields.primal_spectrum(0.37).unwrap();
         // none so near to a border that rounding decides
         let border = |s: &Complex64| (s.im - LIMIT).abs().min((s.re.abs() - LIMIT).abs());
         prop_assume!(dense.iter().all(|s| border(s) > 1e-3));
         let expected = within(&dense, LIMIT);
-        let found = Spectrum::new(&function, 0.0, Wanted::Below(LIMIT)).unwrap().eigenvalues;
+        let found = Spectrum::new(&function, 0.0, WantedEigenvalues::Below(LIMIT)).unwrap().eigenvalues;
         prop_assert_eq!(found.len(), expected.len(), "{:?} {:?}", found, expected);
         let mut left = expected;
         for s in found {

@@ -2,14 +2,14 @@
 
 use crate::common;
 use judder_sliding::SlidingError;
-use judder_sliding::characteristic::Characteristic;
+use judder_sliding::characteristic::PairCharacteristic;
 use judder_sliding::coupling::{Coupling, Sliding};
 use judder_sliding::dense_forms::ThreeField;
 use judder_sliding::edge::Interpolation;
 use judder_sliding::friction::Friction;
 use judder_sliding::pair::Pair;
-use judder_sliding::spectrum::{Spectrum, Wanted};
-use judder_sliding::statics::Equilibrium;
+use judder_sliding::spectrum::{Spectrum, WantedEigenvalues};
+use judder_sliding::statics::PairEquilibrium;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -25,7 +25,7 @@ fn pair(friction: f64) -> Pair {
 fn coupling(pair: &Pair, position: f64, is_deformed: bool) -> Coupling {
     let sliding = Sliding::at(pair.friction(), common::SPEED);
     if is_deformed {
-        return Equilibrium::new(pair, position, common::LOAD, sliding).unwrap().coupling(pair, sliding);
+        return PairEquilibrium::new(pair, position, common::LOAD, sliding).unwrap().coupling(pair, sliding);
     }
     Coupling::new(pair, &pair.undeformed(position).unwrap(), sliding)
 }
@@ -57,8 +57,8 @@ fn primal_dual_and_characteristic_function_agree() {
         for (position, is_deformed) in [(0.0740, false), (0.0823, false), (0.0740, true), (0.0823, true)] {
             let coupling = coupling(&pair, position, is_deformed);
             let (eigenvalues, damping) = (pair.eigenvalues(), pair.damping());
-            let function = Characteristic::new(&coupling, &eigenvalues, &damping).unwrap();
-            let found = Spectrum::new(&function, position, Wanted::Below(LIMIT)).unwrap();
+            let function = PairCharacteristic::new(&coupling, &eigenvalues, &damping).unwrap();
+            let found = Spectrum::new(&function, position, WantedEigenvalues::Below(LIMIT)).unwrap();
             let found = within(found.eigenvalues);
             let fields = ThreeField::new(&coupling, &eigenvalues, &damping).unwrap();
             let primal = within(fields.primal_spectrum(SHIFT).unwrap());
@@ -91,13 +91,20 @@ fn spectra_under_large_friction_are_complete() {
                 continue;
             }
             let (eigenvalues, damping) = (pair.eigenvalues(), pair.damping());
-            let function = Characteristic::new(&coupling, &eigenvalues, &damping).unwrap();
+            let function = PairCharacteristic::new(&coupling, &eigenvalues, &damping).unwrap();
             let fields = ThreeField::new(&coupling, &eigenvalues, &damping).unwrap();
             let dense = fields.primal_spectrum(SHIFT).unwrap();
             large += dense.iter().filter(|s| s.im == 0.0 && s.re.abs() > LIMIT).count();
-            for wanted in [Wanted::Lowest(1), Wanted::Lowest(8), Wanted::Lowest(20), Wanted::Below(LIMIT)] {
+            for wanted in [
+                WantedEigenvalues::Lowest(1),
+                WantedEigenvalues::Lowest(8),
+                WantedEigenvalues::Lowest(20),
+                WantedEigenvalues::Below(LIMIT),
+            ] {
                 let found = Spectrum::new(&function, position, wanted).unwrap();
-                assert!(!matches!(wanted, Wanted::Lowest(count) if found.eigenvalues.len() < count));
+                assert!(
+                    !matches!(wanted, WantedEigenvalues::Lowest(count) if found.eigenvalues.len() < count)
+                );
                 let within =
                     |s: &&Complex64| s.im >= -1e-6 && s.im <= found.limit && s.re.abs() <= found.limit;
                 let dense: Vec<Complex64> = dense.iter().filter(within).copied().collect();
@@ -119,8 +126,8 @@ fn without_friction_the_pair_is_conservative() {
         let undamped = vec![0.0; pair.modes()];
         for (position, is_deformed) in [(0.0740, false), (0.0823, false), (0.0740, true), (0.0823, true)] {
             let coupling = coupling(&pair, position, is_deformed);
-            let function = Characteristic::new(&coupling, &pair.eigenvalues(), &undamped).unwrap();
-            let found = Spectrum::new(&function, position, Wanted::Below(LIMIT)).unwrap();
+            let function = PairCharacteristic::new(&coupling, &pair.eigenvalues(), &undamped).unwrap();
+            let found = Spectrum::new(&function, position, WantedEigenvalues::Below(LIMIT)).unwrap();
             assert_eq!(found.eigenvalues.len(), 34);
             assert!(!is_symmetric || found.eigenvalues.iter().all(|s| s.re == 0.0 && s.im > 0.0));
             let fields = ThreeField::new(&coupling, &pair.eigenvalues(), &undamped).unwrap();
@@ -144,8 +151,8 @@ fn overdamped_eigenvalues_are_found_and_real() {
         feedback: Vec::new(),
     };
     let (eigenvalues, damping) = ([0.0, 1.0, 400.0, 900.0], [3.0, 5.0, 0.5, 0.5]);
-    let function = Characteristic::new(&coupling, &eigenvalues, &damping).unwrap();
-    let found = Spectrum::new(&function, 0.0, Wanted::Below(28.0)).unwrap().eigenvalues;
+    let function = PairCharacteristic::new(&coupling, &eigenvalues, &damping).unwrap();
+    let found = Spectrum::new(&function, 0.0, WantedEigenvalues::Below(28.0)).unwrap().eigenvalues;
     let fields = ThreeField::new(&coupling, &eigenvalues, &damping).unwrap();
     let mut dense = fields.primal_spectrum(1.0).unwrap();
     dense.retain(|s| s.im > -1e-9 && s.im < 28.0);
@@ -159,8 +166,8 @@ fn modes_that_are_not_coupled_are_eigenvalues() {
     let pair = pair(0.3);
     let touch = pair.undeformed(0.0).unwrap();
     let coupling = Coupling::new(&pair, &touch, Sliding::at(pair.friction(), common::SPEED));
-    let function = Characteristic::new(&coupling, &pair.eigenvalues(), &pair.damping()).unwrap();
-    let found = Spectrum::new(&function, 0.0, Wanted::Below(LIMIT)).unwrap().eigenvalues;
+    let function = PairCharacteristic::new(&coupling, &pair.eigenvalues(), &pair.damping()).unwrap();
+    let found = Spectrum::new(&function, 0.0, WantedEigenvalues::Below(LIMIT)).unwrap().eigenvalues;
     let first = pair.slider().body.modes();
     let track = (first..pair.modes()).map(|mode| function.poles(mode)[0]).filter(|pole| pole.im < LIMIT);
     for pole in track {
@@ -191,8 +198,13 @@ fn locking_is_named_with_its_position() {
 fn wishes_that_cannot_be_met_are_refused() {
     let pair = pair(0.3);
     let function =
-        Characteristic::new(&coupling(&pair, 0.05, false), &pair.eigenvalues(), &pair.damping()).unwrap();
-    for wanted in [Wanted::Lowest(0), Wanted::Lowest(243), Wanted::Below(-1.0), Wanted::Below(f64::NAN)] {
+        PairCharacteristic::new(&coupling(&pair, 0.05, false), &pair.eigenvalues(), &pair.damping()).unwrap();
+    for wanted in [
+        WantedEigenvalues::Lowest(0),
+        WantedEigenvalues::Lowest(243),
+        WantedEigenvalues::Below(-1.0),
+        WantedEigenvalues::Below(f64::NAN),
+    ] {
         let error = Spectrum::new(&function, 0.05, wanted).unwrap_err();
         assert!(matches!(error, SlidingError::InvalidNumber { .. }), "{wanted:?}: {error}");
     }

@@ -2,12 +2,12 @@
 
 use crate::common;
 use judder_sliding::SlidingError;
-use judder_sliding::characteristic::Characteristic;
+use judder_sliding::characteristic::PairCharacteristic;
 use judder_sliding::coupling::{Coupling, Sliding};
-use judder_sliding::locus::{Conditions, Configuration, Locus, Settings, follow, locus, spectrum};
-use judder_sliding::spectrum::Wanted;
-use judder_sliding::statics::Equilibrium;
-use judder_sliding::zones::{End, Zone, zones};
+use judder_sliding::locus::{Conditions, Configuration, Locus, LocusSettings, follow, locus, spectrum};
+use judder_sliding::spectrum::WantedEigenvalues;
+use judder_sliding::statics::PairEquilibrium;
+use judder_sliding::zones::{Zone, ZoneEnd, zones};
 use num_complex::Complex64;
 use proptest::prelude::*;
 use rayon::prelude::*;
@@ -25,8 +25,11 @@ fn even(points: usize) -> Vec<f64> {
 }
 
 fn traced(configuration: Configuration, is_damped: bool, points: usize) -> Locus {
-    let settings =
-        Settings { conditions: conditions(configuration, is_damped), count: COUNT, positions: even(points) };
+    let settings = LocusSettings {
+        conditions: conditions(configuration, is_damped),
+        count: COUNT,
+        positions: even(points),
+    };
     locus(&common::pair(), &settings).unwrap()
 }
 
@@ -35,7 +38,7 @@ const STEEP: f64 = 20.0;
 
 /// A rigid mass on two oscillators whose ratio λ₂/λ₁ is r = exp(STEEP (x − x₀)): with c = (1, a, b), e = (1, p, q), P = p a, Q = q b the
 /// frequencies solve (1 + P + Q) ω⁴ − ((1 + Q) λ₁ + (1 + P) λ₂) ω² + λ₁ λ₂ = 0.
-fn three_modes(at: f64, centre: f64, residues: [f64; 2]) -> Result<Characteristic, SlidingError> {
+fn three_modes(at: f64, centre: f64, residues: [f64; 2]) -> Result<PairCharacteristic, SlidingError> {
     let [first, second] = residues;
     let coupling = Coupling {
         compatibility: vec![1.0, first.abs().sqrt(), second.abs().sqrt()],
@@ -43,7 +46,7 @@ fn three_modes(at: f64, centre: f64, residues: [f64; 2]) -> Result<Characteristi
         feedback: Vec::new(),
     };
     let squared = (TAU * 1e3_f64).powi(2);
-    Characteristic::new(&coupling, &[0.0, squared, squared * (STEEP * (at - centre)).exp()], &[0.0; 3])
+    PairCharacteristic::new(&coupling, &[0.0, squared, squared * (STEEP * (at - centre)).exp()], &[0.0; 3])
 }
 
 /// Where the discriminant of that equation vanishes: ((1 + Q) + (1 + P) r)² = 4 (1 + P + Q) r.
@@ -105,7 +108,9 @@ fn sampling_every_ten_micrometres_shows_the_same_zones() {
         let found = traced(configuration, true, 20).followed.zones;
         let conditions = conditions(configuration, true);
         even(8851).par_iter().for_each(|position| {
-            let all = spectrum(&pair, &conditions, *position, Wanted::Lowest(COUNT)).unwrap().eigenvalues;
+            let all = spectrum(&pair, &conditions, *position, WantedEigenvalues::Lowest(COUNT))
+                .unwrap()
+                .eigenvalues;
             let unstable: Vec<Complex64> = all[..COUNT].iter().copied().filter(|s| s.re > 0.0).collect();
             let mut over: Vec<&Zone> =
                 found.iter().filter(|zone| zone.from <= *position && *position <= zone.to).collect();
@@ -131,7 +136,8 @@ fn the_zones_of_the_paper_are_there() {
         assert!(zone.to - zone.from < 5e-4, "{zone:?}");
         for end in [zone.from, zone.to] {
             let conditions = conditions(Configuration::Undeformed, true);
-            let all = spectrum(&pair, &conditions, end, Wanted::Lowest(COUNT)).unwrap().eigenvalues;
+            let all =
+                spectrum(&pair, &conditions, end, WantedEigenvalues::Lowest(COUNT)).unwrap().eigenvalues;
             let growth = all.iter().map(|s| s.re.abs()).fold(f64::INFINITY, f64::min);
             assert!(growth < 1e-3, "{end}: {growth}");
         }
@@ -168,11 +174,11 @@ fn friction_and_damping_decide() {
         let family = |position: f64| {
             let touch = pair.undeformed(position)?;
             let coupling = if is_deformed {
-                Equilibrium::new(&pair, position, common::LOAD, sliding)?.coupling(&pair, sliding)
+                PairEquilibrium::new(&pair, position, common::LOAD, sliding)?.coupling(&pair, sliding)
             } else {
                 Coupling::new(&pair, &touch, sliding)
             };
-            Characteristic::new(&coupling, &pair.eigenvalues(), &vec![0.0; pair.modes()])
+            PairCharacteristic::new(&coupling, &pair.eigenvalues(), &vec![0.0; pair.modes()])
         };
         let pieces: Vec<[f64; 2]> =
             (70..90).map(|mm| [1e-3 * f64::from(mm) + 2e-5, 1e-3 * f64::from(mm + 1) - 2e-4]).collect();
@@ -193,8 +199,8 @@ fn zones_of_the_friction_coefficient_are_found_by_the_same_search() {
     let pair = common::pair();
     let family = |friction: f64| {
         let sliding = Sliding { friction, slope: 0.0, direction: 1.0 };
-        let coupling = Equilibrium::new(&pair, 0.07397, common::LOAD, sliding)?.coupling(&pair, sliding);
-        Characteristic::new(&coupling, &pair.eigenvalues(), &pair.damping())
+        let coupling = PairEquilibrium::new(&pair, 0.07397, common::LOAD, sliding)?.coupling(&pair, sliding);
+        PairCharacteristic::new(&coupling, &pair.eigenvalues(), &pair.damping())
     };
     let values: Vec<f64> = (0..=10).map(|k| 0.05 * f64::from(k)).collect();
     let pieces: Vec<[f64; 2]> = values.windows(2).map(|pair| [pair[0], pair[1]]).collect();
@@ -203,7 +209,9 @@ fn zones_of_the_friction_coefficient_are_found_by_the_same_search() {
     assert!(lowest.from > 0.0 && lowest.from < 0.3 && lowest.to > 0.3, "{lowest:?}");
     let growth = |friction: f64| {
         let function = family(friction).unwrap();
-        let all = judder_sliding::spectrum::Spectrum::new(&function, 0.07397, Wanted::Lowest(COUNT)).unwrap();
+        let all =
+            judder_sliding::spectrum::Spectrum::new(&function, 0.07397, WantedEigenvalues::Lowest(COUNT))
+                .unwrap();
         all.eigenvalues.iter().map(|s| s.re).fold(f64::NEG_INFINITY, f64::max)
     };
     assert!(growth(lowest.from - 1e-6) < 0.0 && growth(lowest.from + 1e-6) > 0.0, "{lowest:?}");
@@ -223,13 +231,13 @@ fn zones_of_large_friction_do_not_know_how_the_range_is_divided() {
         let family = |friction: f64| {
             let sliding = Sliding { friction, slope: 0.0, direction: 1.0 };
             let rest = if is_deformed {
-                Equilibrium::new(&pair, 0.074, common::LOAD, sliding)?
+                PairEquilibrium::new(&pair, 0.074, common::LOAD, sliding)?
             } else {
-                Equilibrium::undeformed(&pair, 0.074, common::LOAD, sliding)?
+                PairEquilibrium::undeformed(&pair, 0.074, common::LOAD, sliding)?
             };
             let coupling = rest.coupling(&pair, sliding);
             coupling.check(0.074, friction)?;
-            Characteristic::new(&coupling, &pair.eigenvalues(), &pair.damping())
+            PairCharacteristic::new(&coupling, &pair.eigenvalues(), &pair.damping())
         };
         // up to where it locks
         let to = (1..=400)
@@ -258,13 +266,13 @@ fn zones_of_large_friction_do_not_know_how_the_range_is_divided() {
         for zone in &ten {
             assert!(zone.frequency_hz >= 0.0 && zone.growth_rate > 0.0, "{zone:?}");
             for (end, kind) in [zone.from, zone.to].into_iter().zip(zone.ends) {
-                lost += usize::from(kind == End::Lost);
-                assert_eq!(kind == End::Range, end == 0.0 || end == to, "{to}: {zone:?}");
-                if kind == End::Root {
+                lost += usize::from(kind == ZoneEnd::Lost);
+                assert_eq!(kind == ZoneEnd::Range, end == 0.0 || end == to, "{to}: {zone:?}");
+                if kind == ZoneEnd::Root {
                     let all = judder_sliding::spectrum::Spectrum::new(
                         &family(end).unwrap(),
                         0.074,
-                        Wanted::Lowest(COUNT + 20),
+                        WantedEigenvalues::Lowest(COUNT + 20),
                     );
                     let least =
                         all.unwrap().eigenvalues.iter().map(|s| s.re.abs()).fold(f64::INFINITY, f64::min);
@@ -281,7 +289,7 @@ fn wishes_that_cannot_be_met_are_refused() {
     let pair = common::pair();
     let conditions = conditions(Configuration::Deformed, true);
     let of = |count: usize, positions: &[f64]| {
-        locus(&pair, &Settings { conditions, count, positions: positions.to_vec() }).unwrap_err()
+        locus(&pair, &LocusSettings { conditions, count, positions: positions.to_vec() }).unwrap_err()
     };
     assert!(matches!(of(COUNT, &[]), SlidingError::Length { .. }));
     assert!(matches!(of(COUNT, &[0.05, 0.04]), SlidingError::InvalidNumber { .. }));
@@ -290,7 +298,7 @@ fn wishes_that_cannot_be_met_are_refused() {
     assert!(matches!(of(243, &[0.05, 0.06]), SlidingError::InvalidNumber { .. }));
     assert!(matches!(of(COUNT, &[0.05, 0.2]), SlidingError::OffTrack { .. }));
     let lifted = Conditions { load: 0.2, ..conditions };
-    let settings = Settings { conditions: lifted, count: COUNT, positions: vec![0.05, 0.06] };
+    let settings = LocusSettings { conditions: lifted, count: COUNT, positions: vec![0.05, 0.06] };
     assert!(matches!(locus(&pair, &settings).unwrap_err(), SlidingError::NoEquilibrium { .. }));
     assert!(zones(&|at: f64| three_modes(at, 0.05, [1e-3; 2]), &[[0.0, 0.1]], 2, 0.0).is_err());
     assert!(zones(&|at: f64| three_modes(at, 0.05, [1e-3; 2]), &[[0.1, 0.0]], 2, 1e-6).is_err());

@@ -5,6 +5,7 @@ use crate::error::ExchangeError;
 use crate::text::{count, number, text_of};
 use judder_structure::freedom::{Direction, Freedom};
 use std::collections::BTreeMap;
+use std::io::Write;
 use std::path::Path;
 
 const COLUMNS: [&str; 5] = ["node", "direction", "x", "y", "z"];
@@ -21,6 +22,18 @@ pub fn read_freedoms(path: &Path) -> Result<Vec<Freedom>, ExchangeError> {
     let bytes = std::fs::read(path)
         .map_err(|source| ExchangeError::from(FileCause::Unreadable { source }).in_file(path))?;
     read(&bytes).map_err(|error| error.in_file(path))
+}
+
+/// Writes a table as [`read_freedoms`] reads it, each row with its number, from 1.
+///
+/// # Errors
+/// [`FileCause::Unwritable`].
+pub fn write_freedoms(to: &mut dyn Write, freedoms: &[Freedom]) -> Result<(), ExchangeError> {
+    writeln!(to, "row,{}", COLUMNS.join(","))?;
+    for (k, Freedom { node, direction, place: [x, y, z] }) in freedoms.iter().enumerate() {
+        writeln!(to, "{},{node},{direction},{x:?},{y:?},{z:?}", k + 1)?;
+    }
+    Ok(())
 }
 
 fn read(bytes: &[u8]) -> Result<Vec<Freedom>, ExchangeError> {
@@ -112,6 +125,16 @@ mod tests {
         let place = [0.5, 0.0, -1e-3];
         let expected = [Direction::X, Direction::Z].map(|direction| Freedom { node: 7, direction, place });
         assert_eq!(freedoms, expected);
+    }
+
+    #[test]
+    fn what_is_written_is_read() {
+        let freedom = |node, direction| Freedom { node, direction, place: [0.1 + 0.2, -1e-300, 3e8] };
+        let freedoms = [freedom(7, Direction::Y), freedom(1, Direction::X)];
+        let mut table = Vec::new();
+        write_freedoms(&mut table, &freedoms).unwrap();
+        assert!(table.starts_with(b"row,node,direction,x,y,z\n1,7,y,0.30000000000000004,"));
+        assert_eq!(read(&table).unwrap(), freedoms);
     }
 
     #[test]

@@ -7,6 +7,7 @@ use crate::written::written;
 use faer::Mat;
 use faer::sparse::Triplet;
 use judder_exchange::ExchangeError;
+use judder_exchange::freedom_table::write_freedoms;
 use judder_exchange::geometry::Geometry;
 use judder_exchange::matrix::Matrix;
 use judder_exchange::matrix_market::write_matrix_market;
@@ -50,7 +51,7 @@ pub(super) fn files(
     }
     let Some(layout) = &structure.layout else { return Ok(files) };
     let freedoms = places(&structure.kept, layout);
-    files.push((format!("fields/{name}-freedoms.csv"), table(&freedoms).into_bytes()));
+    files.push((format!("fields/{name}-freedoms.csv"), written(|to| write_freedoms(to, &freedoms))?));
     if let Some((step, values)) = receptances(&reduced.modal_form()?, limit) {
         let shift = label_shift(layout);
         let labelled: Vec<Freedom> =
@@ -86,15 +87,6 @@ fn places(freedoms: &[usize], layout: &Layout) -> Vec<Freedom> {
         }
     }
     places.into_iter().flatten().collect()
-}
-
-/// A table as [`judder_exchange::freedom_table`] reads it, with the row of the reduced matrices.
-fn table(freedoms: &[Freedom]) -> String {
-    let mut text = "row,node,direction,x,y,z\n".to_owned();
-    for (k, Freedom { node, direction, place: [x, y, z] }) in freedoms.iter().enumerate() {
-        text += &format!("{},{node},{direction},{x:?},{y:?},{z:?}\n", k + 1);
-    }
-    text
 }
 
 /// Σ φ²/(ω_e² − ω²) of the first kept freedoms on themselves, in m/N: the step in Hz and their values at ½, 1½, 2½ … steps, up to the

@@ -11,7 +11,7 @@ impl SweepLayout {
     /// The content of the file of a chunk: same values, same bytes, on every machine. For those who compute where the study is not; see
     /// [`SweepStore::write_encoded`](crate::SweepStore::write_encoded).
     ///
-    /// `values` holds those of all quantities of the first point, then of the second, in the order of [`position`](ChunkPoints::position). Every
+    /// `values` holds those of all quantities of the first point, then of the second, in the order of [`position`](crate::ChunkPoints::position). Every
     /// NaN is stored as the same.
     ///
     /// # Errors

@@ -50,7 +50,7 @@ class Keys(TypedDict, total=False):
     glassy_modulus: str
     """E∞: modulus of the substrate under fast loading, above the rubbery modulus; such as ``"1 MPa"``; ``"10 MPa"`` where left out."""
     poisson_ratio: float
-    """ν: Poisson ratio of the substrate; ``0.5`` where left out."""
+    """ν: the Poisson ratio of the substrate; ``0.5`` where left out."""
     relaxation_time: str
     """τ_r: relaxation time of the substrate, τ E0/E∞; in place of retardation_time; such as ``"10 ms"``."""
     retardation_time: str

@@ -31,17 +31,19 @@ class Oscillator(Model):
         case: what the case begins with: a path, the text of a case, its tables as a mapping; nothing where left out.
         set: changed keys by their dotted paths, as of :func:`judder.check`.
         analysis: a list of tables
-        contact: a table
+        contact: the forces of the contact
             - ``friction_load``: the force that μ_visc multiplies; ``"normal-load"`` where left out
-            - ``law``: ``"oscillator-paper"`` where left out
-              - ``file``: a law that was computed earlier; a path relative to the case file; must be given
+            - ``law``: contact law; ``"oscillator-paper"`` where left out
+              - ``accuracy``: ε: its relative accuracy; ``0.01`` where left out
+              - ``computed``: the law ``bem``
+              - ``file``: a law that was computed earlier; a path relative to the case file
             - ``shear_strength``: τ0: interfacial shear strength; such as ``"1 MPa"``; ``0.01`` where left out
-        indenter: a table
+        indenter: what slides
             - ``radius``: R: radius of the indenter; such as ``"10 mm"``; ``"10 mm"`` where left out
-        operation: a table
+        operation: speed and load
             - ``normal_load``: F_n: normal load; such as ``"0.2 N"``; ``1e-6`` where left out
             - ``velocity``: v_d: driving speed; such as ``"30 mm/s"``; ``0.0001`` where left out
-        oscillator: a table
+        oscillator: what carries the indenter
             - ``coupling``: η: coupling frequency ratio, ω_nxy/ω_nx; η² is k_xy/k_x; ``1.0`` where left out
             - ``coupling_angle``: α: inclination of the oblique spring; such as ``"45 deg"``; ``"45 deg"`` where left out
             - ``damping_x``: ξ_x: damping ratio along the sliding direction; ``0.01`` where left out
@@ -50,7 +52,7 @@ class Oscillator(Model):
             - ``natural_frequency``: ω_nx: tangential natural frequency; 1 Hz is 2π rad/s; such as ``"40 rad/s"`` or ``"7 kHz"``; ``"40
               rad/s"`` where left out
             - ``stiffness_x``: k_x: tangential stiffness; such as ``"50 N/m"``; ``"50 N/m"`` where left out
-        substrate: a table
+        substrate: what the indenter slides on
             - ``continuous``: a continuous spectrum, taken apart into retardation times
               - ``accuracy``: ε: relative error of E(ω) that the terms may make at any frequency, in place of their number; ``0.001`` where
                 left out
@@ -70,7 +72,7 @@ class Oscillator(Model):
               - ``terms``: number of terms of the fitted series; ``"auto"`` where left out
             - ``glassy_modulus``: E∞: modulus of the substrate under fast loading, above the rubbery modulus; such as ``"1 MPa"``; ``"10
               MPa"`` where left out
-            - ``poisson_ratio``: ν: Poisson ratio of the substrate; ``0.5`` where left out
+            - ``poisson_ratio``: ν: the Poisson ratio of the substrate; ``0.5`` where left out
             - ``prony``: terms of the creep compliance: 1/E∞ = 1/E0 − Σ compliance
               - ``compliance``: C_k: creep compliance of a term; such as ``"1e-7 1/Pa"``; must be given
               - ``time``: τ_k: retardation (creep) time of a term; such as ``"10 ms"``; must be given
@@ -110,7 +112,7 @@ class Oscillator(Model):
               left out
               - ``confidence``: of the intervals; ``0.95`` where left out
               - ``resamples``: of the bootstrap; ``1000`` where left out
-        title: a text
+        title: the title; ``""`` where left out
     """
 
     _name = "oscillator"
@@ -582,7 +584,7 @@ class Contact(Model):
               - ``terms``: number of terms of the fitted series; ``"auto"`` where left out
             - ``glassy_modulus``: E∞: modulus of the substrate under fast loading, above the rubbery modulus; such as ``"1 MPa"``; ``"10
               MPa"`` where left out
-            - ``poisson_ratio``: ν: Poisson ratio of the substrate; ``0.5`` where left out
+            - ``poisson_ratio``: ν: the Poisson ratio of the substrate; ``0.5`` where left out
             - ``prony``: terms of the creep compliance: 1/E∞ = 1/E0 − Σ compliance
               - ``compliance``: C_k: creep compliance of a term; such as ``"1e-7 1/Pa"``; must be given
               - ``time``: τ_k: retardation (creep) time of a term; such as ``"10 ms"``; must be given
@@ -849,14 +851,14 @@ class Belt(Model):
         case: what the case begins with: a path, the text of a case, its tables as a mapping; nothing where left out.
         set: changed keys by their dotted paths, as of :func:`judder.check`.
         analysis: a list of tables
-        friction: a table
+        friction: friction between mass and belt
             - ``at_rest``: μ_0: friction coefficient at rest, the limit of stick; ``1.0`` where left out
             - ``at_speed``: μ_∞: friction coefficient at high speed; ``0.5`` where left out
             - ``decay_speed``: v_0: speed over which friction falls: μ_∞ + (μ_0 − μ_∞) e^(−|v|/v_0); ``0.5`` where left out
-        operation: a table
+        operation: speed and force
             - ``normal_force``: N: normal force on the mass; ``1.0`` where left out
             - ``velocity``: v: speed of the belt; ``1.0`` where left out
-        oscillator: a table
+        oscillator: the mass on its spring
             - ``damping``: ξ: damping ratio; ``0.05`` where left out
         sweep: the whole case at many points
             - ``chunk``: points of a unit of work; chosen by the program by default
@@ -877,7 +879,7 @@ class Belt(Model):
               left out
               - ``confidence``: of the intervals; ``0.95`` where left out
               - ``resamples``: of the bootstrap; ``1000`` where left out
-        title: a text
+        title: the title; ``""`` where left out
     """
 
     _name = "belt"
@@ -1077,7 +1079,7 @@ class TwoDegrees(Model):
             - ``damping``: C; zero by default
             - ``mass``: M, 2×2 numbers or expressions; the identity by default
             - ``stiffness``: K; must be given
-        parameters: a table
+        parameters: numbers that expressions use and sweeps vary
         sweep: the whole case at many points
             - ``chunk``: points of a unit of work; chosen by the program by default
             - ``method``: how points are chosen; ``"grid"`` where left out
@@ -1097,7 +1099,7 @@ class TwoDegrees(Model):
               left out
               - ``confidence``: of the intervals; ``0.95`` where left out
               - ``resamples``: of the bootstrap; ``1000`` where left out
-        title: a text
+        title: the title; ``""`` where left out
     """
 
     _name = "two-degrees"

@@ -3,13 +3,10 @@
 use crate::limits::check_analysis;
 use crate::refusal::Refusal;
 use crate::subject::Subject;
-use judder_models::belt::case::BELT_KEYS;
-use judder_models::compose;
-use judder_models::contact::case::contact_numbers;
 use judder_models::oscillator::case::OscillatorCase;
 use judder_models::oscillator::contact_case::contact_case_of;
 use judder_models::oscillator::inputs::{FrictionLoad, LawName};
-use judder_models::oscillator::keys::KEYS;
+use judder_models::{compose, is_number};
 use judder_study::case::file::CaseFile;
 use serde::Deserialize;
 use serde_json::{Map, Value};
@@ -131,10 +128,7 @@ fn check_option(option: &str) -> Result<(), Refusal> {
         return Err(Refusal::wrong(format!("`{option}` sets nothing; an option is `key=value`")));
     };
     let (key, value) = (key.trim(), value.trim().trim_matches(['"', '\'']));
-    let is_number = KEYS.iter().any(|entry| entry.path == key)
-        || contact_numbers().iter().any(|path| path == key)
-        || BELT_KEYS.iter().any(|entry| entry.path == key)
-        || key.strip_prefix("parameters.").is_some_and(|name| !name.contains('.'));
+    let is_number = is_number(key) || key.strip_prefix("parameters.").is_some_and(|name| !name.contains('.'));
     if is_number && !value.contains(['{', '[', '\n']) {
         return Ok(());
     }

@@ -93,7 +93,7 @@ impl Key {
     pub(crate) fn declarations(&self) -> TokenStream {
         let Self { name, ty, doc, symbol, rule, .. } = self;
         if self.is_flat {
-            return quote!(<#ty as ::judder_keys::declared::Settings>::declarations());
+            return quote!(<#ty as ::judder_keys::declared::Flat>::declarations(#rule));
         }
         let is_required = match self.absent {
             Absent::Type => quote!(!<#ty as ::judder_keys::declared::Setting>::IS_OPTIONAL),
@@ -127,7 +127,7 @@ impl Key {
     fn reading(&self) -> TokenStream {
         let Self { read, name, ty, doc, rule, .. } = self;
         let value = if self.is_flat {
-            quote!(<#ty as ::judder_keys::declared::Settings>::read_table(section))
+            quote!(<#ty as ::judder_keys::declared::Flat>::read(section, #rule))
         } else {
             let absent = match &self.absent {
                 Absent::Type => quote!(<#ty as ::judder_keys::declared::Setting>::absent()),
@@ -153,7 +153,7 @@ impl Key {
         let Self { ty, name, rule, is_omitted, .. } = self;
         match (self.is_unwritten, self.is_flat) {
             (true, _) => TokenStream::new(),
-            (_, true) => quote!(<#ty as ::judder_keys::declared::Settings>::write_table(#value, json);),
+            (_, true) => quote!(<#ty as ::judder_keys::declared::Flat>::write(#value, json);),
             _ => quote!(::judder_keys::declared::write_key(
                 json,
                 #name,
@@ -164,19 +164,13 @@ impl Key {
     }
 }
 
-/// The names of keys that stand together, as a constant list.
+/// The names of keys that stand together, as a list.
 pub(crate) fn names(keys: &[Key]) -> TokenStream {
-    let (mut counts, mut lists) = (Vec::new(), Vec::new());
-    for Key { name, ty, is_flat, .. } in keys {
-        let list = if *is_flat {
-            quote!(<#ty as ::judder_keys::declared::Settings>::KEYS)
-        } else {
-            quote!(&[#name])
-        };
-        counts.push(if *is_flat { quote!(#list.len()) } else { quote!(1) });
-        lists.push(list);
-    }
-    quote!(&::judder_keys::declared::joined::<{ 0 #(+ #counts)* }>(&[#(#lists),*]))
+    let lists = keys.iter().map(|Key { name, ty, rule, is_flat, .. }| match is_flat {
+        true => quote!(<#ty as ::judder_keys::declared::Flat>::keys(#rule)),
+        false => quote!(::std::vec![#name]),
+    });
+    quote!(::judder_keys::declared::joined(::std::vec![#(#lists),*]))
 }
 
 /// Reads keys that stand together, each into its variable.

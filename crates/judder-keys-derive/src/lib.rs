@@ -17,15 +17,21 @@
 //!   decide otherwise; `filled`: the case fills it in; `later`: it must be given, which is told when the case is known;
 //! - `symbol` and `example`, for the reference and for messages; `name`, where the key is not called as the field is;
 //! - `omitted`: an absent one is left out of the canonical form and not `null` in it; `unwritten`: the form never has it;
-//! - `flatten`: the keys of its table stand among those beside it.
+//! - `flatten`: the keys of its table stand among those beside it; with a `rule`, where its type needs one.
 //!
 //! A struct takes `#[settings(check = …, title = "…")]`: what is checked and filled in when all keys are read, how messages call the table.
 //!
 //! An enum has an alternative a variant: one key, called as the variant and declared there, or the fields of the variant. Keys of two are refused, the
 //! first variant is meant where there is no key of any; its `check` sees the section before.
 
+//!
+//! An enum of keys is a list of the numbers of a case that its analyses can vary: a variant a key, called as the variant is, whose attribute takes
+//! `section`, in which it stands, `symbol` and `rule`, and `default` as a case file has it, without quotes; `typical`, between which its values usually lie;
+//! `label`, the words of an axis, and `scaled`, its symbol there of the dimensionless group.
+
 mod choice;
 mod field;
+mod keys;
 mod settings;
 
 use proc_macro::TokenStream;
@@ -43,6 +49,14 @@ pub fn derive_settings(input: TokenStream) -> TokenStream {
 #[proc_macro_derive(Choice, attributes(choice))]
 pub fn derive_choice(input: TokenStream) -> TokenStream {
     choice::derive(&parse_macro_input!(input as DeriveInput))
+        .unwrap_or_else(syn::Error::into_compile_error)
+        .into()
+}
+
+/// An enum of the numbers of a case that its analyses vary.
+#[proc_macro_derive(Keys, attributes(key))]
+pub fn derive_keys(input: TokenStream) -> TokenStream {
+    keys::derive(&parse_macro_input!(input as DeriveInput))
         .unwrap_or_else(syn::Error::into_compile_error)
         .into()
 }

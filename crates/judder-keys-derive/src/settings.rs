@@ -33,7 +33,10 @@ pub(crate) fn derive(input: &DeriveInput) -> Result<TokenStream> {
         impl ::judder_keys::declared::Settings for #name {
             const TITLE: ::std::option::Option<&'static str> = #title;
             const DOC: &'static str = #about;
-            const KEYS: &'static [&'static str] = #keys;
+
+            fn keys() -> ::std::vec::Vec<&'static str> {
+                #keys
+            }
 
             fn declarations() -> ::std::vec::Vec<::judder_keys::declared::Declaration> {
                 #declarations
@@ -79,7 +82,7 @@ fn of_struct(keys: &[Key], check: Option<&Path>) -> Parts {
     let reading = reading(keys);
     Parts {
         keys: names(keys),
-        declarations: quote!(::judder_keys::declared::together(::std::vec![#(#declarations),*])),
+        declarations: quote!(::judder_keys::declared::joined(::std::vec![#(#declarations),*])),
         read: quote! {
             #reading
             #[allow(unused_mut, reason = "a check may fill in what depends on other keys")]
@@ -128,7 +131,7 @@ fn of_alternatives(alternatives: &[Alternative], check: Option<&Path>) -> Parts 
     for (index, Alternative { keys, pattern, read }) in alternatives.iter().enumerate() {
         lists.push(names(keys));
         let declarations = keys.iter().map(Key::declarations);
-        declared.push(quote!(::judder_keys::declared::together(::std::vec![#(#declarations),*])));
+        declared.push(quote!(::judder_keys::declared::joined(::std::vec![#(#declarations),*])));
         let which = if index + 1 < alternatives.len() { quote!(#index) } else { quote!(_) };
         let reading = reading(keys);
         reads.push(quote!(#which => { #reading ::std::result::Result::Ok(#read) }));
@@ -138,10 +141,9 @@ fn of_alternatives(alternatives: &[Alternative], check: Option<&Path>) -> Parts 
         });
         writes.push(quote!(#pattern => { #(#writing)* }));
     }
-    let counts = lists.iter().map(|list| quote!((#list as &[&str]).len()));
     let check = check.map(|check| quote!(#check(section)?;));
     Parts {
-        keys: quote!(&::judder_keys::declared::joined::<{ 0 #(+ #counts)* }>(&[#(#lists),*])),
+        keys: quote!(::judder_keys::declared::joined(::std::vec![#(#lists),*])),
         declarations: quote!(::judder_keys::declared::alternatives(::std::vec![#(#declared),*])),
         read: quote! {
             #check

@@ -5,6 +5,7 @@
 
 mod allowed;
 mod described;
+mod listed;
 mod named;
 mod scaled;
 mod values;
@@ -14,9 +15,11 @@ use crate::error::Fault;
 use crate::section::{NOTHING, Section};
 use serde_json::{Map, Value as Json};
 
-pub use allowed::{Allowed, Declaration, alternatives, together};
+pub use crate::numeric_key::Scaled;
+pub use allowed::{Allowed, Declaration, alternatives};
+pub use listed::{Listed, listed};
 pub use named::Named;
-pub use scaled::{Ladder, Scaled};
+pub use scaled::Ladder;
 pub use values::{Fixed, Number, Pair, Several, UNLIMITED, Whole, conflict};
 
 /// A table of settings.
@@ -25,8 +28,9 @@ pub trait Settings: Sized {
     const TITLE: Option<&'static str>;
     /// What it is.
     const DOC: &'static str;
+
     /// Its keys, in the order of the fields.
-    const KEYS: &'static [&'static str];
+    fn keys() -> Vec<&'static str>;
 
     /// What is said of each.
     fn declarations() -> Vec<Declaration>;
@@ -36,6 +40,44 @@ pub trait Settings: Sized {
 
     /// Puts them into a canonical form, defaults filled in.
     fn write_table(&self, json: &mut Map<String, Json>);
+}
+
+/// Keys that stand among those of a table.
+pub trait Flat: Sized {
+    /// What decides which they are, besides the type.
+    type Rule: 'static;
+
+    /// Their names.
+    fn keys(rule: &Self::Rule) -> Vec<&'static str>;
+
+    /// What is said of each.
+    fn declarations(rule: &Self::Rule) -> Vec<Declaration>;
+
+    /// Reads all of them.
+    fn read(section: &Section<'_>, rule: &Self::Rule) -> Result<Self, Fault>;
+
+    /// Puts them into a canonical form.
+    fn write(&self, json: &mut Map<String, Json>);
+}
+
+impl<T: Settings> Flat for T {
+    type Rule = ();
+
+    fn keys((): &()) -> Vec<&'static str> {
+        T::keys()
+    }
+
+    fn declarations((): &()) -> Vec<Declaration> {
+        T::declarations()
+    }
+
+    fn read(section: &Section<'_>, (): &()) -> Result<Self, Fault> {
+        T::read_table(section)
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
+    }
 }
 
 /// The value of a key.
@@ -74,7 +116,7 @@ pub struct Called {
 /// Reads a table by the name that messages give it; keys that it does not have are told beside what is wrong with those that it has.
 pub fn read_settings<T: Settings>(node: &Node, path: &str, name: &str) -> Result<T, Fault> {
     let section = Section::of_table(node, path, name)?;
-    both(section.refuse_others(T::KEYS), T::read_table(&section)).map(|((), settings)| settings)
+    both(section.refuse_others(&T::keys()), T::read_table(&section)).map(|((), settings)| settings)
 }
 
 /// Reads a key, or takes what it is where it is left out.
@@ -105,8 +147,8 @@ pub fn of_nothing<T: Settings>() -> Option<T> {
 }
 
 /// Which of some alternatives a section has the keys of, the first where it has none; two are refused.
-pub fn alternative(section: &Section<'_>, keys: &[&[&str]]) -> Result<usize, Fault> {
-    let given = |(index, keys): (usize, &&[&str])| {
+pub fn alternative(section: &Section<'_>, keys: &[Vec<&str>]) -> Result<usize, Fault> {
+    let given = |(index, keys): (usize, &Vec<&str>)| {
         keys.iter().find(|key| section.get(key).is_some()).map(|key| (index, (*key).to_owned()))
     };
     let mut found = keys.iter().enumerate().filter_map(given);
@@ -114,18 +156,9 @@ pub fn alternative(section: &Section<'_>, keys: &[&[&str]]) -> Result<usize, Fau
     found.next().map_or(Ok(()), |(_, second)| conflict(section, &first, &second)).map(|()| index)
 }
 
-/// Lists of keys as one.
-pub const fn joined<const N: usize>(lists: &[&[&'static str]]) -> [&'static str; N] {
-    let (mut all, mut count, mut list) = ([""; N], 0, 0);
-    while list < lists.len() {
-        let mut own = 0;
-        while own < lists[list].len() {
-            all[count] = lists[list][own];
-            (count, own) = (count + 1, own + 1);
-        }
-        list += 1;
-    }
-    all
+/// Lists as one.
+pub fn joined<T: Clone>(lists: Vec<Vec<T>>) -> Vec<T> {
+    lists.concat()
 }
 
 /// Both of two, or all that is wrong with either.

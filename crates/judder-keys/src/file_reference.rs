@@ -32,8 +32,7 @@ impl Setting for FileReference {
     type Rule = ();
 
     fn form((): &()) -> Allowed {
-        let words = "a path relative to the case file".to_owned();
-        Allowed::Told { schema: json!({ "type": "string" }), words, keys: Vec::new() }
+        Allowed::File
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {

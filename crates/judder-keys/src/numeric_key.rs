@@ -1,4 +1,4 @@
-//! Numbers of a case: a plain number is a dimensionless group, a string carries a unit; their ranges, and how they are read.
+//! Numbers of a case: a plain number is a dimensionless group, a string carries a unit; their ranges, and how they are read and written.
 
 use crate::cause::Cause;
 use crate::dimension::Dimension;
@@ -6,13 +6,14 @@ use crate::document::{Data, Node};
 use crate::error::Fault;
 use crate::quantity::Quantity;
 use crate::section::{finite_number, text, wrong_type};
+use serde_json::{Value as Json, json};
 
 pub use crate::range::Range;
 
 /// Whether a number is the paper's dimensionless group or a quantity in SI units.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Form {
-    /// A plain number in the case file: the group that [`Key::group`] names.
+    /// A plain number in the case file: the group that [`Scaled::group`] names.
     Group,
     /// A quantity with a unit in the case file; the number is in SI units.
     Si,
@@ -39,140 +40,94 @@ impl Value {
     }
 }
 
-/// One entry of a table of numeric keys.
-#[derive(Debug, Clone, Copy)]
-pub struct Key<K> {
-    /// The key itself.
-    pub key: K,
-    /// Its dotted path in the case file, such as `section.name`.
-    pub path: &'static str,
-    /// The paper's symbol of the dimensional quantity, or of the pure number.
-    pub symbol: &'static str,
-    /// The dimension of a value with a unit.
+/// A number that is a dimensionless group, or a quantity of this dimension, or either.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scaled {
+    /// The dimension of a quantity with a unit; that of a number where none may have one.
     pub dimension: Dimension,
-    /// The dimensionless group that a plain number is; without one the key takes only a quantity with a unit.
+    /// The dimensionless group that a plain number is; without one only a quantity with a unit is taken.
     pub group: Option<&'static str>,
-    /// Whether a temperature is meant as a difference: degrees Celsius, with their own zero, are then refused.
-    pub difference: bool,
     /// The numbers allowed, as group and in SI units alike.
     pub range: Range,
-    /// The oscillator paper's value: as a case file writes it (without quotes), and read.
-    pub default: Option<(&'static str, Value)>,
-    /// From where to where its values usually lie, in the form of a plain number where the key takes one, else in SI units: what a control
-    /// runs over, between equal ratios where it begins above zero.
-    pub typical: Option<[f64; 2]>,
-    /// What the key is, in one line.
-    pub doc: &'static str,
+    /// Whether a temperature is meant as a difference: degrees Celsius, with their own zero, are then refused.
+    pub is_difference: bool,
 }
 
-impl<K> Key<K> {
-    /// From where to where its values usually lie; where that is not said the whole of a range that ends, or what lies about the default.
-    pub fn typical(&self) -> [f64; 2] {
-        let about = |value: f64| if value > 0.0 { [1e-3 * value, 1e3 * value] } else { [0.0, 1.0] };
-        match (self.typical, self.range) {
-            (Some(typical), _) => typical,
-            (None, Range::Interval { above, up_to }) => [above, up_to],
-            (None, Range::Fraction) => [0.0, 1.0],
-            (None, _) => about(self.default.map_or(0.0, |(_, value)| value.number)),
-        }
+impl Scaled {
+    /// Above zero, as this group or with a unit.
+    pub const fn positive(dimension: Dimension, group: &'static str) -> Self {
+        Self { dimension, group: Some(group), range: Range::Positive, is_difference: false }
+    }
+
+    /// Above zero, with a unit.
+    pub const fn quantity(dimension: Dimension) -> Self {
+        Self { dimension, group: None, range: Range::Positive, is_difference: false }
+    }
+
+    /// A pure number, by its symbol.
+    pub const fn number(symbol: &'static str, range: Range) -> Self {
+        Self { dimension: Dimension::NUMBER, group: Some(symbol), range, is_difference: false }
     }
 
     /// An example of a value with a unit.
     pub fn example(&self) -> String {
-        if self.difference { "51.6 K".to_owned() } else { self.dimension.example() }
+        if self.is_difference { "51.6 K".to_owned() } else { self.dimension.example() }
     }
 
-    /// What stands at an axis: the group or pure number, or the symbol with its SI unit.
-    pub fn label(&self, form: Form) -> String {
-        match (form, self.group) {
-            (Form::Group, Some(group)) => group.to_owned(),
-            _ => format!("{} ({})", self.symbol, self.dimension.unit()),
+    /// The canonical form of a value.
+    pub fn write(&self, value: Value) -> Json {
+        match value.form {
+            Form::Group => json!(value.number),
+            Form::Si => json!({ "value": value.number, "unit": self.dimension.unit() }),
         }
     }
 
-    /// The section of the key, such as `operation`.
-    pub fn section(&self) -> &'static str {
-        self.path.split_once('.').map_or("", |(section, _)| section)
-    }
-
-    /// The name of the key in its table, such as `velocity`.
-    pub fn name(&self) -> &'static str {
-        self.path.rsplit_once('.').map_or(self.path, |(_, name)| name)
-    }
-}
-
-impl<K: Copy> Key<K> {
-    /// The same, whose values usually lie between these.
-    #[must_use]
-    pub const fn typically(self, from: f64, to: f64) -> Self {
-        Self { typical: Some([from, to]), ..self }
-    }
-}
-
-/// An entry that takes a pure number only.
-pub const fn number<K: Copy>(
-    key: K,
-    path: &'static str,
-    symbol: &'static str,
-    range: Range,
-    default: (&'static str, f64),
-    doc: &'static str,
-) -> Key<K> {
-    let default = Some((default.0, Value::group(default.1)));
-    let group = Some(symbol);
-    let (dimension, typical) = (Dimension::NUMBER, None);
-    Key { key, path, symbol, dimension, group, difference: false, range, default, typical, doc }
-}
-
-/// An entry that takes a quantity with a unit only.
-pub const fn quantity<K: Copy>(
-    key: K,
-    path: &'static str,
-    symbol: &'static str,
-    dimension: Dimension,
-    default: (&'static str, f64),
-    doc: &'static str,
-) -> Key<K> {
-    let default = Some((default.0, Value::si(default.1)));
-    let range = Range::Positive;
-    let (group, typical) = (None, None);
-    Key { key, path, symbol, dimension, group, difference: false, range, default, typical, doc }
-}
-
-/// Reads the value of a numeric key: a plain number is its group, a string carries a unit.
-pub fn read_value<K>(entry: &Key<K>, name: &str, node: &Node) -> Result<Value, Fault> {
-    let value = match &node.data {
-        Data::Number { .. } => {
-            let number = finite_number(name, node)?;
-            if entry.group.is_none() {
-                return Err(
-                    Cause::NeedsUnit { key: name.to_owned(), dimension: entry.dimension }.at(node.place)
-                );
+    /// Reads a value, which errors call `name`: a plain number is the group, a string carries a unit.
+    pub fn read(&self, name: &str, node: &Node) -> Result<Value, Fault> {
+        let value = match &node.data {
+            Data::Number { .. } => {
+                let number = finite_number(name, node)?;
+                if self.group.is_none() {
+                    let (key, dimension) = (name.to_owned(), self.dimension);
+                    return Err(Cause::NeedsUnit { key, dimension }.at(node.place));
+                }
+                Value::group(number)
             }
-            Value::group(number)
+            Data::Text(text) if !self.dimension.is_number() => self.read_quantity(name, text, node)?,
+            _ => return Err(wrong_type(name, &self.expected(), node)),
+        };
+        if self.range.contains(value.number) {
+            return Ok(value);
         }
-        Data::Text(text) if !entry.dimension.is_number() => read_quantity(entry, name, text, node)?,
-        _ => {
-            let expected = match (entry.group, entry.dimension.is_number()) {
-                (_, true) => "a plain number".to_owned(),
-                (None, false) => {
-                    format!("{} in quotes, such as \"{}\"", entry.dimension, entry.example())
-                }
-                (Some(group), false) => {
-                    format!(
-                        "a plain number ({group}) or {} in quotes, such as \"{}\"",
-                        entry.dimension,
-                        entry.example()
-                    )
-                }
-            };
-            return Err(wrong_type(name, &expected, node));
-        }
-    };
-    if entry.range.contains(value.number) {
-        return Ok(value);
+        let (key, number, range) = (name.to_owned(), value.number, self.range);
+        Err(Cause::OutOfRange { key, number, range }.at(node.place))
     }
-    Err(Cause::OutOfRange { key: name.to_owned(), number: value.number, range: entry.range }.at(node.place))
+
+    fn read_quantity(&self, name: &str, text: &str, node: &Node) -> Result<Value, Fault> {
+        let dimension = self.dimension;
+        let quantity = Quantity::parse(text).map_err(|(problem, range)| {
+            Cause::Quantity { key: name.to_owned(), dimension, problem }.at(node.part(range))
+        })?;
+        if self.is_difference && Quantity::is_celsius(text) {
+            let problem = Cause::Difference { key: name.to_owned(), example: self.example() };
+            return Err(problem.at(node.place));
+        }
+        if quantity.dimension == dimension {
+            return Ok(Value::si(quantity.number));
+        }
+        let (key, found) = (name.to_owned(), quantity.dimension);
+        Err(Cause::WrongDimension { key, expected: dimension, found, group: self.group }.at(node.place))
+    }
+
+    /// What may stand there, as an error says it.
+    fn expected(&self) -> String {
+        let quantity = || format!("{} in quotes, such as \"{}\"", self.dimension, self.example());
+        match self.group {
+            _ if self.dimension.is_number() => "a plain number".to_owned(),
+            None => quantity(),
+            Some(group) => format!("a plain number ({group}) or {}", quantity()),
+        }
+    }
 }
 
 /// Reads a quantity of this dimension, in SI units; an error calls it `name`.
@@ -186,20 +141,4 @@ pub fn read_si(name: &str, dimension: Dimension, node: &Node) -> Result<f64, Fau
     }
     Err(Cause::WrongDimension { key, expected: dimension, found: quantity.dimension, group: None }
         .at(node.place))
-}
-
-fn read_quantity<K>(entry: &Key<K>, name: &str, text: &str, node: &Node) -> Result<Value, Fault> {
-    let dimension = entry.dimension;
-    let quantity = Quantity::parse(text).map_err(|(problem, range)| {
-        Cause::Quantity { key: name.to_owned(), dimension, problem }.at(node.part(range))
-    })?;
-    if entry.difference && Quantity::is_celsius(text) {
-        let problem = Cause::Difference { key: name.to_owned(), example: entry.example() };
-        return Err(problem.at(node.place));
-    }
-    if quantity.dimension == dimension {
-        return Ok(Value { number: quantity.number, form: Form::Si });
-    }
-    let (key, found) = (name.to_owned(), quantity.dimension);
-    Err(Cause::WrongDimension { key, expected: dimension, found, group: entry.group }.at(node.place))
 }

@@ -1,24 +1,8 @@
 //! Pieces of the reference of the book: rows and tables of keys, as Markdown.
 
 use crate::declared::Declaration;
-use crate::numeric_key::{Key, Range};
+use crate::numeric_key::Range;
 use std::collections::HashSet;
-
-/// One row of a table of keys.
-pub fn row<K>(key: &Key<K>) -> String {
-    let number = match (key.group, key.dimension.is_number()) {
-        (Some(group), _) => group.to_owned(),
-        (None, true) => "the number".to_owned(),
-        (None, false) => "not allowed".to_owned(),
-    };
-    let string = match key.dimension.is_number() {
-        true => "not allowed".to_owned(),
-        false => key.example().replace("\" or \"", " or "),
-    };
-    let default = key.default.map_or(String::new(), |(text, _)| format!("`{text}`"));
-    let (range, doc) = (allowed(key.range), key.doc);
-    format!("| `{}` | {} | {number} | {string} | {default} | {range} | {doc} |\n", key.path, key.symbol)
-}
 
 /// The numbers of a range, in signs.
 pub fn allowed(range: Range) -> String {
@@ -31,11 +15,15 @@ pub fn allowed(range: Range) -> String {
     }
 }
 
-/// The keys of declared settings.
+/// The keys of declared settings, under their name.
 pub fn settings(name: &str, keys: &[Declaration]) -> String {
+    format!("\nKeys of `{name}`:\n\n{}", table(keys))
+}
+
+/// The keys of declared settings, those of their tables below them.
+pub fn table(keys: &[Declaration]) -> String {
     let head = "| key | symbol | may be | where left out | what it is |\n| --- | --- | --- | --- | --- |\n";
-    let rows: String = keys.iter().map(|key| key.rows("")).collect();
-    format!("\nKeys of `{name}`:\n\n{head}{rows}")
+    keys.iter().fold(head.to_owned(), |rows, key| rows + &key.rows(""))
 }
 
 /// Leaves out the keys of a table that stand further above, as those of a sweep do.

@@ -1,7 +1,7 @@
 //! Pieces of a JSON Schema: tables, words, numbers with their ranges and units, declared settings.
 
 use crate::declared::Declaration;
-use crate::numeric_key::{Key, Range};
+use crate::numeric_key::{Range, Scaled};
 use serde_json::{Map, Value as Json, json};
 
 /// A table with these keys and no others.
@@ -47,32 +47,28 @@ pub fn plain_number(range: Range) -> Json {
     json
 }
 
-/// What a numeric key takes: a group, a quantity in quotes, or either.
-pub fn scaled_number<K>(entry: &Key<K>) -> Json {
+/// A group, a quantity in quotes, or either.
+pub fn scaled_number(number: &Scaled) -> Json {
     let mut forms = Vec::new();
-    if let Some(group) = entry.group {
-        let mut form = plain_number(entry.range);
+    if let Some(group) = number.group {
+        let mut form = plain_number(number.range);
         form["description"] = json!(group);
         forms.push(form);
     }
-    if !entry.dimension.is_number() {
-        let example = entry.example();
-        let examples: Vec<_> = example.split("\" or \"").collect();
+    if !number.dimension.is_number() {
         forms.push(json!({
-            "type": "string", "description": entry.dimension.to_string(), "examples": examples,
+            "type": "string", "description": number.dimension.to_string(), "examples": examples(&number.example()),
         }));
     }
-    json!({ "anyOf": forms })
+    match (number.group, forms.pop()) {
+        (None, Some(quantity)) => quantity,
+        (_, last) => json!({ "anyOf": forms.into_iter().chain(last).collect::<Vec<_>>() }),
+    }
 }
 
-/// A numeric key of a table of keys.
-pub fn key<K>(entry: &Key<K>) -> Json {
-    let mut json = scaled_number(entry);
-    json["description"] = json!(format!("{}: {}", entry.symbol, entry.doc));
-    if let Some((text, value)) = entry.default {
-        json["default"] = if entry.group.is_some() { json!(value.number) } else { json!(text) };
-    }
-    json
+/// Examples that are told in one text.
+pub(crate) fn examples(told: &str) -> Vec<&str> {
+    told.split("\" or \"").collect()
 }
 
 /// A table of declared settings.

@@ -4,8 +4,7 @@ use crate::cause::Cause;
 use crate::declared::both;
 use crate::document::Node;
 use crate::error::{Fault, Place};
-use crate::numeric_key::read_value;
-use crate::numeric_key::{Form, Key};
+use crate::numeric_key::{Form, Scaled};
 use crate::section::Section;
 
 /// A range with equal ratios between its points.
@@ -37,17 +36,11 @@ impl Span {
 }
 
 /// Reads `{ from, to, points }`, with the points of a range that does not say, and the most.
-pub fn read_ends<K>(
-    entry: &Key<K>,
-    path: &str,
-    node: &Node,
-    usual: usize,
-    most: usize,
-) -> Result<Span, Fault> {
+pub fn read_ends(of: &Scaled, path: &str, node: &Node, usual: usize, most: usize) -> Result<Span, Fault> {
     let table = Section::of_table(node, path, &format!("`{path}`"))?;
     let end = |end: &str| {
         let node = table.required(end, &format!("{end} = …, the value at this end"))?;
-        Ok((read_value(entry, &table.path(end), node)?, node.place))
+        Ok((of.read(&table.path(end), node)?, node.place))
     };
     let ends = both(both(end("from"), end("to")), table.whole("points", 2, most));
     let ((), (((from, _), (to, to_place)), points)) =

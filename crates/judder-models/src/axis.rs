@@ -1,11 +1,11 @@
 //! Swept quantities as axes of arrays.
 
-use crate::belt::case::BeltKey;
-use crate::labels::{belt_key, oscillator_key, parameter};
+use crate::labels::{key, parameter};
 use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::keys::OscillatorKey;
 use crate::sweep::{Family, ParameterKey, Sweep};
+use judder_keys::keys::Keys;
 use judder_oscillator::critical;
 use judder_store::Variable;
 use judder_study::axis::{Axis, coordinate};
@@ -13,14 +13,9 @@ use judder_study::case::scale::Scale;
 use judder_study::labels::Quantity;
 use serde_json::{Map, Value, json};
 
-/// A swept key of an oscillator case as an axis.
-pub(crate) fn of_oscillator(sweep: &Sweep<OscillatorKey>) -> Axis {
-    Axis { quantity: oscillator_key(sweep.key, sweep.form), values: sweep.values(), scale: sweep.scale }
-}
-
-/// A swept key of a belt case as an axis.
-pub(crate) fn of_belt(sweep: &Sweep<BeltKey>) -> Axis {
-    Axis { quantity: belt_key(sweep.key), values: sweep.values(), scale: sweep.scale }
+/// A swept key of a case as an axis.
+pub(crate) fn of_key<K: Keys>(sweep: &Sweep<K>) -> Axis {
+    Axis { quantity: key(sweep.key, sweep.form), values: sweep.values(), scale: sweep.scale }
 }
 
 /// A swept parameter of a two-degrees case as an axis.
@@ -56,7 +51,7 @@ impl Curves {
             family.set(&mut inputs, *value);
             inputs
         });
-        let quantity = oscillator_key(family.key, family.form);
+        let quantity = key(family.key, family.form);
         Self {
             family: Some((quantity, family.values.clone(), family.path.clone())),
             inputs: inputs.collect(),

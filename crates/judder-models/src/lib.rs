@@ -10,7 +10,8 @@
 //! - [`computed_law`], [`law_cache`]: a law over speeds and depths; material and law of a case whose numbers move.
 //! - `within_law`: what the errors of a contact law leave of results, in words.
 //! - [`checks`]: every number doubted by another number.
-//! - [`oscillator`], [`contact`], [`belt`], [`two_degrees`], [`structure`], [`sliding`]: the models. [`motion`]: what oscillator and belt share.
+//! - [`oscillator`], [`contact`], [`belt`], [`two_degrees`], [`structure`], [`sliding`]: the models. [`motion`]: what oscillator and belt share. [`parameters`]:
+//!   `[parameters]`.
 //! - `estimate`: what analyses would take. `written`: files of other programs, in memory.
 //! - [`template`]: the commented cases of `judder new`.
 
@@ -31,6 +32,7 @@ pub mod material;
 mod measured_band;
 pub mod motion;
 pub mod oscillator;
+pub mod parameters;
 mod read_sweep;
 pub mod sliding;
 mod spectrum_source;
@@ -51,7 +53,7 @@ use judder_keys::error::CaseError;
 use judder_study::Registry;
 use judder_study::case::analysis::KindEntry;
 use judder_study::case::file::CaseFile;
-use judder_study::case::{compose, reference, schema};
+use judder_study::case::{compose, keys, reference, schema};
 use serde_json::{Map, Value};
 use std::path::Path;
 
@@ -103,6 +105,18 @@ pub fn schema() -> Value {
 /// The kinds of analyses of the model of this name; none where there is no such model.
 pub fn kinds_of(model: &str) -> impl Iterator<Item = KindEntry> {
     REGISTRY.kinds_of(model)
+}
+
+/// Every key of the cases of a model as data, as of [`keys::keys`].
+#[must_use]
+pub fn keys(model: &str) -> Option<Value> {
+    keys::keys(REGISTRY, model)
+}
+
+/// Whether a dotted path is that of a number in a case of some model outside of its analyses, as of [`keys::is_number`].
+#[must_use]
+pub fn is_number(path: &str) -> bool {
+    keys::is_number(REGISTRY, path)
 }
 
 /// The reference page of the book, as Markdown.

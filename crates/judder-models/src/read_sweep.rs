@@ -6,8 +6,8 @@ use judder_keys::cause::Cause;
 use judder_keys::declared::{Allowed, Declaration, Scaled, Setting, Settings, Whole, both};
 use judder_keys::document::Data;
 use judder_keys::error::{Fault, Place};
-use judder_keys::numeric_key::read_value;
-use judder_keys::numeric_key::{Form, Key, Range, Value};
+use judder_keys::keys::Key;
+use judder_keys::numeric_key::{Form, Range, Value};
 use judder_keys::section::{Section, list, text, wrong_type};
 use judder_study::case::scale::Scale;
 use serde_json::{Map, Value as Json, json};
@@ -239,7 +239,7 @@ pub(crate) fn read_placed_family<S: SweptKeys>(
 
 /// The keys of a range of roots.
 fn within_keys<K>(sought: &Key<K>) -> Vec<Declaration> {
-    let of = Scaled::positive(sought.dimension, sought.group.unwrap_or_default());
+    let of = Scaled { range: Range::Positive, ..sought.rule };
     let end = |name, doc| required(name, doc, Allowed::Scaled(of));
     vec![end("from", "lower end"), end("to", "upper end")]
 }
@@ -268,10 +268,10 @@ pub(crate) fn read_within<K: Copy>(
         return Ok(Within { from: default.0, to: default.1, form: Form::Group });
     };
     let section = analysis.table("within", node, &names(&within_keys(sought)))?;
-    let entry = Key { range: Range::Positive, ..*sought };
+    let of = Scaled { range: Range::Positive, ..sought.rule };
     let end = |end: &str| {
         let node = section.required(end, &format!("{end} = …, the value at this end"))?;
-        Ok((read_value(&entry, &section.path(end), node)?, node.place))
+        Ok((of.read(&section.path(end), node)?, node.place))
     };
     let ((from, _), (to, to_place)) = both(end("from"), end("to"))?;
     same_form(ends_of(&section), from.form, to.form, to_place)?;

@@ -1,17 +1,21 @@
 //! What can be swept: the numeric keys of an oscillator case, or the parameters of a two-degrees case.
 
 use crate::contact::problem::ContactProblem;
-use crate::oscillator::case::OscillatorCase;
+use crate::oscillator::case::{OscillatorCase, OscillatorSections};
 use crate::oscillator::inputs::{LawName, OscillatorInputs};
-use crate::oscillator::keys::{KEYS, OscillatorKey};
+use crate::oscillator::keys::OscillatorKey;
 use crate::sweep::ParameterKey;
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Allowed, Number};
+use judder_keys::declared::{Allowed, Number, Settings, listed};
 use judder_keys::dimension::Dimension;
 use judder_keys::document::Node;
 use judder_keys::error::Fault;
-use judder_keys::numeric_key::{Form, Value, read_value};
+use judder_keys::keys::Keys;
+use judder_keys::numeric_key::{Form, Value};
+use judder_keys::schema::reference;
 use judder_keys::section::finite_number;
+use judder_study::case::root::COMMON;
+use judder_study::case::schema::swept_keys;
 use serde_json::{Value as Json, json};
 
 /// The keys that the analyses of one case can vary.
@@ -53,39 +57,27 @@ pub(crate) trait SweptKeys {
     fn check(&self, settings: &[(Self::Key, Value)]) -> Result<(), Cause>;
 }
 
-/// One of the numeric keys that a definition of the schema lists.
-pub(crate) fn key_among(definition: &str) -> Allowed {
+/// One of the numbers that the analyses of a model vary.
+pub(crate) fn key_of(model: &str) -> Allowed {
     let words = "the dotted path of a number of the case".to_owned();
-    Allowed::Told { schema: judder_keys::schema::reference(definition), words, keys: Vec::new() }
+    Allowed::Told { schema: reference(&swept_keys(model)), words, keys: Vec::new() }
 }
 
 /// The numeric keys of an oscillator case, around its operating point.
 pub(crate) struct OscillatorKeys {
-    pub(crate) inputs: OscillatorInputs,
-    pub(crate) law: LawName,
+    /// Its numbers and its law; none of a case in which something is wrong, of which nothing is checked.
+    known: Option<(OscillatorInputs, LawName)>,
     /// What decides moduli and times together, where a series or data were given.
-    pub(crate) decided_by: Option<&'static str>,
+    decided_by: Option<&'static str>,
 }
 
-/// Keys of an oscillator case that are not numeric.
-const NOT_NUMERIC: [&str; 11] = [
-    "title",
-    "model",
-    "contact.law",
-    "contact.friction_load",
-    "substrate.prony",
-    "substrate.relaxation",
-    "substrate.continuous",
-    "substrate.dma",
-    "substrate.temperature",
-    "substrate.shift",
-    "analysis",
-];
-
 impl OscillatorKeys {
+    /// Those of a case in which something is wrong.
+    pub(crate) const UNKNOWN: Self = Self { known: None, decided_by: None };
+
     /// Those of this case.
     pub(crate) fn of(case: &OscillatorCase) -> Self {
-        Self { inputs: case.inputs, law: case.law, decided_by: case.substrate.decided_by() }
+        Self { known: Some((case.inputs, case.law)), decided_by: case.substrate.decided_by() }
     }
 
     /// What keeps a key from being swept.
@@ -96,7 +88,7 @@ impl OscillatorKeys {
             Some(by) if is_modulus || matches!(key, RetardationTime | RelaxationTime) => {
                 Some(format!("`{by}`"))
             }
-            _ if is_modulus && self.law == LawName::Bem => {
+            _ if is_modulus && matches!(self.known, Some((_, LawName::Bem))) => {
                 Some("the law `bem`, which is computed for one substrate,".to_owned())
             }
             _ => None,
@@ -117,8 +109,11 @@ impl SweptKeys for OscillatorKeys {
                 }
             };
         }
-        let known = KEYS.iter().map(|entry| entry.path.to_owned()).collect();
-        Err(if NOT_NUMERIC.contains(&path) {
+        let known = OscillatorKey::paths().into_iter().map(str::to_owned).collect();
+        // of a section, or of the case itself
+        let declared = || listed("", &OscillatorSections::declarations());
+        let is_other = path.matches('.').count() == 1 && declared().iter().any(|own| own.path == path);
+        Err(if is_other || COMMON.contains(&path) {
             Cause::NotNumeric { key: path.to_owned(), known }
         } else {
             Cause::UnknownName { what: "swept key", name: path.to_owned(), known }
@@ -130,7 +125,7 @@ impl SweptKeys for OscillatorKeys {
     }
 
     fn read(&self, key: OscillatorKey, name: &str, node: &Node) -> Result<Value, Fault> {
-        read_value(key.entry(), name, node)
+        key.entry().rule.read(name, node)
     }
 
     fn same(&self, first: OscillatorKey, second: OscillatorKey) -> bool {
@@ -139,11 +134,11 @@ impl SweptKeys for OscillatorKeys {
     }
 
     fn dimension(key: OscillatorKey) -> Dimension {
-        key.entry().dimension
+        key.entry().rule.dimension
     }
 
     fn key_form() -> Allowed {
-        key_among("oscillator-key")
+        key_of("oscillator")
     }
 
     fn value_form() -> Allowed {
@@ -155,11 +150,11 @@ impl SweptKeys for OscillatorKeys {
     }
 
     fn check(&self, settings: &[(OscillatorKey, Value)]) -> Result<(), Cause> {
-        let mut inputs = self.inputs;
+        let Some((mut inputs, law)) = self.known else { return Ok(()) };
         for (key, value) in settings {
             inputs.set(*key, *value);
         }
-        inputs.check(self.law)
+        inputs.check(law)
     }
 }
 

@@ -1,13 +1,14 @@
 //! The commented case files that `judder new` prints; the sections are generated from the table of keys.
 
-use crate::belt::case::{BELT_KEYS, BELT_SECTIONS};
-use crate::contact::case::ContactCase;
-use crate::oscillator::case::SECTIONS;
+use crate::belt::case::{BeltKey, BeltSections};
+use crate::oscillator::case::OscillatorSections;
 use crate::oscillator::inputs::OscillatorInputs;
-use crate::oscillator::keys::{KEYS, OscillatorKey};
+use crate::oscillator::keys::OscillatorKey;
 use judder_keys::cause::Cause;
+use judder_keys::declared::Settings;
 use judder_keys::error::CaseError;
-use judder_keys::numeric_key::{Form, Key};
+use judder_keys::keys::{Key, Keys};
+use judder_keys::numeric_key::Form;
 
 /// The names of the templates; the first is the default of `judder new`.
 pub const TEMPLATES: [&str; 6] = ["oscillator", "contact", "belt", "two-degrees", "structure", "beams-paper"];
@@ -33,26 +34,24 @@ pub fn template(name: &str) -> Result<String, CaseError> {
 
 fn oscillator() -> String {
     let mut text = OSCILLATOR_HEAD.to_owned();
-    for section in SECTIONS {
+    for section in OscillatorSections::keys() {
         text.push_str("\n[");
         text.push_str(section);
         text.push_str("]\n");
         if section == "contact" {
             text.push_str(CONTACT_CHOICES);
         }
-        for entry in KEYS.iter().filter(|entry| entry.section() == section) {
-            text.push_str(&line(entry));
-        }
+        OscillatorKey::of_section(section).for_each(|entry| text.push_str(&line(entry)));
     }
     text + OSCILLATOR_ANALYSES
 }
 
 fn belt() -> String {
     let mut text = BELT_HEAD.to_owned();
-    for section in BELT_SECTIONS {
+    for section in BeltSections::keys() {
         text.push_str(&format!("\n[{section}]\n"));
-        for entry in BELT_KEYS.iter().filter(|entry| entry.section() == section) {
-            let value = entry.default.map_or("", |(text, _)| text);
+        for entry in BeltKey::of_section(section) {
+            let value = entry.default.unwrap_or_default();
             let setting = format!("{} = {value}", entry.name());
             text.push_str(&format!("{setting:<34}# {}: {}\n", entry.symbol, entry.doc));
         }
@@ -64,9 +63,7 @@ fn contact() -> String {
     let mut text = CONTACT_HEAD.to_owned();
     for section in ["substrate", "indenter"] {
         text.push_str(&format!("\n[{section}]\n"));
-        for key in ContactCase::KEYS.map(OscillatorKey::entry).iter().filter(|e| e.section() == section) {
-            text.push_str(&line(key));
-        }
+        OscillatorKey::of_section(section).for_each(|entry| text.push_str(&line(entry)));
         text.push_str(if section == "substrate" { SUBSTRATE_CHOICES } else { SHAPE_CHOICES });
     }
     text + CONTACT_ANALYSES
@@ -75,17 +72,18 @@ fn contact() -> String {
 /// `velocity = 1e-4  # v_d τ/R, or with a unit ("30 mm/s"): driving speed`; a key
 /// without a default shows, as a comment, the value that follows from the others.
 fn line(entry: &Key<OscillatorKey>) -> String {
-    let (mark, value) = match entry.default {
+    let dimension = entry.rule.dimension;
+    let (mark, value) = match entry.default.zip(entry.usual_value()) {
         Some((text, value)) if value.form == Form::Group => ("", text.to_owned()),
         Some((text, _)) => ("", format!("\"{text}\"")),
         None => {
             let number = OscillatorInputs::default().number(entry.key);
-            ("# ", format!("\"{number} {}\"", entry.dimension.unit()))
+            ("# ", format!("\"{number} {}\"", dimension.unit()))
         }
     };
-    let symbol = match entry.group {
-        Some(group) if !entry.dimension.is_number() => {
-            format!("{group}, or {} (\"{}\")", entry.dimension, entry.dimension.example())
+    let symbol = match entry.rule.group {
+        Some(group) if !dimension.is_number() => {
+            format!("{group}, or {dimension} (\"{}\")", dimension.example())
         }
         _ => entry.symbol.to_owned(),
     };

@@ -4,6 +4,7 @@ use crate::case::analysis::{Kind, KindEntry};
 use crate::case::file::Case;
 use crate::model::OperatingQuantity;
 use judder_keys::cause::Cause;
+use judder_keys::declared::Declaration;
 use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
 use serde_json::Value as Json;
@@ -16,10 +17,12 @@ pub struct ModelKind {
     pub name: &'static str,
     /// Reads a case from the root of its tree; files are relative to the folder.
     pub read: fn(&Node, &Path) -> Result<Case, Fault>,
+    /// What a case says beside what any case has.
+    pub declared: fn() -> Vec<Declaration>,
+    /// The dotted paths of the numbers that its analyses vary, where they are known beforehand.
+    pub swept: fn() -> Vec<&'static str>,
     /// The schema of a case.
     pub schema: fn() -> Json,
-    /// What that names besides.
-    pub definitions: fn() -> Vec<(String, Json)>,
     /// Its section of the book's reference.
     pub reference: fn() -> String,
     /// Its kinds of analyses.

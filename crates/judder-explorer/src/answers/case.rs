@@ -7,10 +7,11 @@ use crate::site::SharedSite;
 use crate::view::View;
 use axum::Json;
 use axum::extract::State;
+use judder_keys::keys::Keys;
 use judder_keys::numeric_key::Form;
 use judder_models::bridge;
 use judder_models::oscillator::inputs::OscillatorInputs;
-use judder_models::oscillator::keys::{KEYS, OscillatorKey};
+use judder_models::oscillator::keys::OscillatorKey;
 use judder_oscillator::Groups;
 use judder_oscillator::groups::Dimensional;
 use serde_json::{Value, json};
@@ -32,7 +33,7 @@ pub(crate) async fn answer(
 pub(crate) fn document(inputs: &OscillatorInputs, sections: &[&str]) -> Value {
     let (groups, scales) = (bridge::groups(inputs), bridge::scales(inputs));
     let dimensional = groups.dimensional(&scales);
-    let own = KEYS.iter().filter(|entry| sections.contains(&entry.section()));
+    let own = OscillatorKey::ALL.iter().filter(|entry| sections.contains(&entry.section()));
     let values: Vec<Value> = own.map(|entry| value(entry.key, inputs, &groups, &dimensional)).collect();
     let mut known = json!({
         "reduced_modulus": scales.reduced_modulus,

@@ -11,6 +11,7 @@ use crate::subject::Subject;
 use crate::view::View;
 use axum::extract::State;
 use axum::response::Response;
+use judder_keys::keys::Keys;
 use judder_models::key_plane::{KeyAxis, KeyPlane};
 use judder_models::oscillator::keys::OscillatorKey;
 use judder_models::oscillator::{BoundaryKind, boundary_curves};

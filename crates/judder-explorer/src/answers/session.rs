@@ -8,12 +8,13 @@ use axum::Json;
 use axum::extract::State;
 use judder_keys::cause::Cause;
 use judder_keys::declared::Declaration;
-use judder_keys::numeric_key::{Form, Key};
+use judder_keys::keys::{Key, Keys};
+use judder_keys::numeric_key::Form;
 use judder_models::REGISTRY;
 use judder_models::contact::case::ContactCase;
 use judder_models::oscillator::case::OscillatorCase;
 use judder_models::oscillator::inputs::{LawName, TimeForm};
-use judder_models::oscillator::keys::{KEYS, OscillatorKey};
+use judder_models::oscillator::keys::OscillatorKey;
 use judder_models::sweep::{StabilityMap, Sweep};
 use judder_study::case::analysis::KindEntry;
 use judder_study::case::file::CaseFile;
@@ -35,7 +36,7 @@ pub(crate) async fn answer(State(site): SharedSite) -> Json<Value> {
             .unwrap_or_else(usual_axes)
     });
     let laws = LawName::ALL.map(|(name, _)| name);
-    let keys = KEYS.iter().filter(|entry| own.contains(&entry.section()));
+    let keys = OscillatorKey::ALL.iter().filter(|entry| own.contains(&entry.section()));
     Json(json!({
         "version": env!("CARGO_PKG_VERSION"),
         "title": resolved["title"],
@@ -76,7 +77,7 @@ fn takes(base: &CaseFile, entry: &Key<OscillatorKey>) -> bool {
     if entry.key == OscillatorKey::RelaxationTime && !says_relaxation {
         return false;
     }
-    let value = entry.default.map_or_else(|| entry.example(), |(text, _)| text.to_owned());
+    let value = entry.default.map_or_else(|| entry.rule.example(), str::to_owned);
     let options = [&base.overrides[..], &[format!("{}={value}", entry.path)]].concat();
     // a value that does not fit the others is still one that can be set
     let refused = judder_models::parse(&base.origin, &base.text, &options).err();
@@ -87,8 +88,8 @@ fn takes(base: &CaseFile, entry: &Key<OscillatorKey>) -> bool {
 fn key(entry: &Key<OscillatorKey>, is_settable: bool) -> Value {
     let (from, to, scale) = slider(entry);
     json!({
-        "path": entry.path, "section": entry.section(), "symbol": entry.symbol, "group": entry.group,
-        "unit": entry.dimension.unit(), "doc": entry.doc, "range": entry.range.document(), "settable": is_settable,
+        "path": entry.path, "section": entry.section(), "symbol": entry.symbol, "group": entry.rule.group,
+        "unit": entry.rule.dimension.unit(), "doc": entry.doc, "range": entry.rule.range.document(), "settable": is_settable,
         "slider": { "from": from, "to": to, "scale": scale },
         "label": entry.label(Form::Group), "label_si": entry.label(Form::Si),
     })
@@ -118,7 +119,7 @@ fn axes(map: &StabilityMap<OscillatorKey>) -> Value {
 }
 
 fn axis(sweep: &Sweep<OscillatorKey>) -> Value {
-    let unit = sweep.key.entry().dimension.unit();
+    let unit = sweep.key.entry().rule.dimension.unit();
     let end = |value: f64| match sweep.form {
         Form::Group => json!(value),
         Form::Si => json!(format!("{value:e} {unit}")),

@@ -1,8 +1,7 @@
 //! What a case file may say under a key: the schema and the reference are written from it.
 
-use super::scaled::Scaled;
 use super::values::{Number, UNLIMITED, Whole};
-use crate::numeric_key::Key;
+use crate::numeric_key::Scaled;
 use crate::quantity::Quantity;
 use crate::reference::allowed;
 use crate::schema;
@@ -27,11 +26,6 @@ pub struct Declaration {
     pub alternative: Option<usize>,
     /// What its value may be.
     pub form: Allowed,
-}
-
-/// The keys of several in one table.
-pub fn together(keys: Vec<Vec<Declaration>>) -> Vec<Declaration> {
-    keys.concat()
 }
 
 /// The keys of alternatives, which may be alternatives of their own.
@@ -62,6 +56,10 @@ pub enum Allowed {
     Flag,
     /// Any text.
     Text,
+    /// The path of a file.
+    File,
+    /// A number, or an expression of parameters.
+    Expression,
     /// One of a few words, each with what it means.
     Choice {
         /// The words.
@@ -114,7 +112,8 @@ impl Allowed {
             Self::List { .. } => format!("{key} = [ … ]"),
             Self::Named(_) => format!("{key} = {{ NAME = … }}"),
             Self::Either(forms) => forms.first().map_or(String::new(), |form| form.example(key, doc)),
-            Self::Scaled(_) | Self::Told { .. } => format!("{key} = …, {doc}"),
+            Self::File => format!("{key} = \"…\", a path relative to the case file"),
+            Self::Expression | Self::Scaled(_) | Self::Told { .. } => format!("{key} = …, {doc}"),
             Self::Table { keys, .. } => {
                 let keys: Vec<&str> =
                     keys.iter().filter(|key| key.must_stand()).map(|key| key.name).collect();
@@ -130,7 +129,8 @@ impl Allowed {
             Self::Whole(Whole { from, to: UNLIMITED }) => json!({ "type": "integer", "minimum": from }),
             Self::Whole(Whole { from, to }) => json!({ "type": "integer", "minimum": from, "maximum": to }),
             Self::Flag => json!({ "type": "boolean" }),
-            Self::Text => json!({ "type": "string" }),
+            Self::Text | Self::File => json!({ "type": "string" }),
+            Self::Expression => json!({ "type": ["number", "string"] }),
             Self::Choice { words } => {
                 json!({ "enum": words.iter().map(|(word, _)| *word).collect::<Vec<_>>() })
             }
@@ -144,7 +144,7 @@ impl Allowed {
             Self::Table { doc, keys } => schema::declared_table(doc, keys),
             Self::Named(of) => json!({ "type": "object", "additionalProperties": of.schema() }),
             Self::Either(forms) => json!({ "anyOf": forms.iter().map(Self::schema).collect::<Vec<_>>() }),
-            Self::Scaled(scaled) => schema::scaled_number(&scaled.entry()),
+            Self::Scaled(scaled) => schema::scaled_number(scaled),
             Self::Told { schema, .. } => schema.clone(),
         }
     }
@@ -222,7 +222,7 @@ impl Declaration {
 
 impl Allowed {
     /// The keys of a table, or of the tables of a list.
-    fn keys(&self) -> &[Declaration] {
+    pub(super) fn keys(&self) -> &[Declaration] {
         match self {
             Self::Table { keys, .. } | Self::Told { keys, .. } => keys,
             Self::List { of, .. } | Self::Named(of) => of.keys(),
@@ -255,6 +255,8 @@ impl Allowed {
             Self::Whole(Whole { from, to }) => format!("an integer from {from} to {to}"),
             Self::Flag => "`true` or `false`".to_owned(),
             Self::Text => "a text".to_owned(),
+            Self::File => "a path relative to the case file".to_owned(),
+            Self::Expression => "a number, or an expression of the parameters in quotes".to_owned(),
             Self::Choice { words } => {
                 let word = |(word, doc): &(&str, &str)| match *doc {
                     "" => format!("`\"{word}\"`"),
@@ -282,27 +284,16 @@ impl Allowed {
 }
 
 impl Number {
-    /// The entry of a table of keys that reads as this number does.
-    pub(super) fn entry(&self) -> Key<()> {
-        Key {
-            key: (),
-            path: "",
-            symbol: "",
-            dimension: self.dimension,
-            group: self.dimension.is_number().then_some(""),
-            difference: false,
-            range: self.range,
-            default: None,
-            typical: None,
-            doc: "",
-        }
+    /// The number with a unit, or without one, that reads as this does.
+    pub fn scaled(&self) -> Scaled {
+        let group = if self.dimension.is_number() { Some("") } else { None };
+        Scaled { dimension: self.dimension, group, range: self.range, is_difference: false }
     }
 
     fn schema(&self) -> Json {
         if !self.dimension.is_number() {
             let example = self.dimension.example();
-            let examples: Vec<&str> = example.split("\" or \"").collect();
-            return json!({ "type": "string", "examples": examples });
+            return json!({ "type": "string", "examples": schema::examples(&example) });
         }
         schema::plain_number(self.range)
     }

@@ -41,7 +41,7 @@ impl Allowed {
             Self::Number(Number { dimension, range }) => {
                 number(*dimension, dimension.is_number().then_some(""), *range)
             }
-            Self::Scaled(scaled) => number(scaled.dimension, Some(scaled.group), scaled.range),
+            Self::Scaled(scaled) => number(scaled.dimension, scaled.group, scaled.range),
             Self::Whole(Whole { from, to }) => json!({ "kind": "whole", "range": whole(*from, *to) }),
             Self::Flag => json!({ "kind": "flag" }),
             Self::Text => json!({ "kind": "text" }),
@@ -60,7 +60,7 @@ impl Allowed {
             Self::Told { keys, .. } if !keys.is_empty() => {
                 json!({ "kind": "table", "keys": documents(keys) })
             }
-            Self::Told { .. } => json!({ "kind": "other" }),
+            Self::File | Self::Expression | Self::Told { .. } => json!({ "kind": "other" }),
         }
     }
 }

@@ -6,7 +6,6 @@ use crate::dimension::Dimension;
 use crate::document::{Data, Node};
 use crate::error::Fault;
 use crate::numeric_key::Range;
-use crate::numeric_key::read_value;
 use crate::section::{Section, list, text, whole, word, wrong_type};
 use crate::span::ascending;
 use serde_json::{Map, Value as Json, json};
@@ -69,7 +68,7 @@ impl Setting for f64 {
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, rule: &Number) -> Result<Self, Fault> {
-        Ok(read_value(&rule.entry(), &section.path(key), node)?.number)
+        Ok(rule.scaled().read(&section.path(key), node)?.number)
     }
 
     fn write(&self, rule: &Number) -> Json {

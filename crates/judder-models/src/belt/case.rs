@@ -1,100 +1,56 @@
 //! The belt case: one mass on a moving belt, with friction that falls with speed, for the literature's benchmarks.
 
-use std::fmt;
-
 use crate::REGISTRY;
+use crate::belt::MODEL;
 use crate::motion::settings::{MotionAnalysis, MotionKinds, MotionModel};
-use crate::swept_keys::{SweptKeys, key_among};
+use crate::swept_keys::{SweptKeys, key_of};
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Allowed, Declaration, Scaled, all};
+use judder_keys::declared::{Allowed, Declaration, Settings, all, both};
 use judder_keys::dimension::Dimension;
 use judder_keys::document::Node;
 use judder_keys::error::Fault;
-use judder_keys::numeric_key::read_value;
-use judder_keys::numeric_key::{Key, Range, Value, number};
+use judder_keys::keys::{Key, Keys, Numbers};
+use judder_keys::numeric_key::{Range, Scaled, Value};
 use judder_keys::section::Section;
+use judder_keys::{Keys, Settings};
 use judder_study::case::analysis::{Kind, Planned, read_analyses};
+use judder_study::case::root::{document, read_root};
+use judder_study::model::Analysis;
+use serde_json::Value as Json;
 
-/// A numeric key of a belt case; its position in [`BELT_KEYS`] is `key as usize`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+/// A number of a belt case. Mass and natural frequency are the units.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Keys)]
 pub enum BeltKey {
-    /// ξ.
+    /// Damping ratio.
+    #[key(section = "oscillator", symbol = "ξ", rule = Scaled::number("ξ", Range::NonNegative), default = "0.05")]
     Damping,
-    /// μ_0.
+    /// Friction coefficient at rest, the limit of stick.
+    #[key(section = "friction", symbol = "μ_0", rule = Scaled::number("μ_0", Range::NonNegative), default = "1.0", label = "Friction at rest")]
     AtRest,
-    /// μ_∞.
+    /// Friction coefficient at high speed.
+    #[key(section = "friction", symbol = "μ_∞", rule = Scaled::number("μ_∞", Range::NonNegative), default = "0.5", label = "Friction at speed")]
     AtSpeed,
-    /// v_0.
+    /// Speed over which friction falls: μ_∞ + (μ_0 − μ_∞) e^(−|v|/v_0).
+    #[key(section = "friction", symbol = "v_0", rule = Scaled::number("v_0", Range::Positive), default = "0.5")]
     DecaySpeed,
-    /// v.
+    /// Speed of the belt.
+    #[key(section = "operation", symbol = "v", rule = Scaled::number("v", Range::Positive), default = "1.0", label = "Belt velocity")]
     Velocity,
-    /// N.
+    /// Normal force on the mass.
+    #[key(section = "operation", symbol = "N", rule = Scaled::number("N", Range::Positive), default = "1.0")]
     NormalForce,
-}
-
-/// Every key of a belt case, in the order of the case file. Mass and natural frequency are the units.
-pub static BELT_KEYS: [Key<BeltKey>; 6] = [
-    number(BeltKey::Damping, "oscillator.damping", "ξ", Range::NonNegative, ("0.05", 0.05), "damping ratio"),
-    number(
-        BeltKey::AtRest,
-        "friction.at_rest",
-        "μ_0",
-        Range::NonNegative,
-        ("1.0", 1.0),
-        "friction coefficient at rest, the limit of stick",
-    ),
-    number(
-        BeltKey::AtSpeed,
-        "friction.at_speed",
-        "μ_∞",
-        Range::NonNegative,
-        ("0.5", 0.5),
-        "friction coefficient at high speed",
-    ),
-    number(
-        BeltKey::DecaySpeed,
-        "friction.decay_speed",
-        "v_0",
-        Range::Positive,
-        ("0.5", 0.5),
-        "speed over which friction falls: μ_∞ + (μ_0 − μ_∞) e^(−|v|/v_0)",
-    ),
-    number(BeltKey::Velocity, "operation.velocity", "v", Range::Positive, ("1.0", 1.0), "speed of the belt"),
-    number(
-        BeltKey::NormalForce,
-        "operation.normal_force",
-        "N",
-        Range::Positive,
-        ("1.0", 1.0),
-        "normal force on the mass",
-    ),
-];
-
-impl BeltKey {
-    /// The entry of the key.
-    pub fn entry(self) -> &'static Key<Self> {
-        &BELT_KEYS[self as usize]
-    }
-}
-
-impl fmt::Display for BeltKey {
-    /// The dotted path.
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(self.entry().path)
-    }
 }
 
 /// The value of every key of a belt case at one operating point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BeltInputs {
-    values: [f64; BELT_KEYS.len()],
+    values: [f64; BeltKey::ALL.len()],
 }
 
 impl Default for BeltInputs {
     fn default() -> Self {
-        Self {
-            values: std::array::from_fn(|k| BELT_KEYS[k].default.map_or(f64::NAN, |(_, value)| value.number)),
-        }
+        let usual = |entry: &Key<BeltKey>| entry.usual_value().map_or(f64::NAN, |value| value.number);
+        Self { values: std::array::from_fn(|k| usual(&BeltKey::ALL[k])) }
     }
 }
 
@@ -128,8 +84,8 @@ impl SweptKeys for BeltKeys {
     type Key = BeltKey;
 
     fn find(&self, path: &str) -> Result<BeltKey, Cause> {
-        BELT_KEYS.iter().find(|entry| entry.path == path).map(|entry| entry.key).ok_or_else(|| {
-            let known = BELT_KEYS.iter().map(|entry| entry.path.to_owned()).collect();
+        BeltKey::from_path(path).ok_or_else(|| {
+            let known = BeltKey::paths().into_iter().map(str::to_owned).collect();
             Cause::UnknownName { what: "swept key", name: path.to_owned(), known }
         })
     }
@@ -139,7 +95,7 @@ impl SweptKeys for BeltKeys {
     }
 
     fn read(&self, key: BeltKey, name: &str, node: &Node) -> Result<Value, Fault> {
-        read_value(key.entry(), name, node)
+        key.entry().rule.read(name, node)
     }
 
     fn same(&self, first: BeltKey, second: BeltKey) -> bool {
@@ -151,7 +107,7 @@ impl SweptKeys for BeltKeys {
     }
 
     fn key_form() -> Allowed {
-        key_among("belt-key")
+        key_of(MODEL.name)
     }
 
     fn check(&self, _: &[(BeltKey, Value)]) -> Result<(), Cause> {
@@ -170,7 +126,7 @@ impl MotionModel for BeltKeys {
     fn own(declared: Vec<Declaration>) -> Vec<Declaration> {
         let own = |mut key: Declaration| {
             match &mut key.form {
-                Allowed::Scaled(time) => *time = Scaled { dimension: Dimension::NUMBER, group: "t", ..*time },
+                Allowed::Scaled(time) => *time = Scaled::number("t", time.range),
                 Allowed::Table { keys, .. } => keys.retain(|key| !["y", "velocity_y"].contains(&key.name)),
                 _ => {}
             }
@@ -182,7 +138,7 @@ impl MotionModel for BeltKeys {
     fn refuse_others(section: &Section<'_>, declared: &[Declaration]) -> Result<(), Fault> {
         let given = declared.iter().filter_map(|key| Some((key, section.get(key.name)?)));
         let checked = given.map(|(key, node)| match &key.form {
-            Allowed::Scaled(time) => read_value(&time.entry(), &section.path(key.name), node).map(|_| ()),
+            Allowed::Scaled(time) => time.read(&section.path(key.name), node).map(|_| ()),
             Allowed::Table { keys, .. } => {
                 let known: Vec<_> = keys.iter().map(|key| key.name).collect();
                 section.table(key.name, node, &known).map(|_| ())
@@ -193,33 +149,48 @@ impl MotionModel for BeltKeys {
     }
 }
 
-/// The sections of a belt case, in the order of the case file.
-pub(crate) const BELT_SECTIONS: [&str; 3] = ["oscillator", "friction", "operation"];
+/// What a case says beside its analyses.
+#[derive(Debug, Settings)]
+#[settings(title = "a belt case")]
+pub(crate) struct BeltSections {
+    /// The mass on its spring.
+    #[key(rule = "oscillator")]
+    oscillator: Numbers<BeltKey>,
+    /// Friction between mass and belt.
+    #[key(rule = "friction")]
+    friction: Numbers<BeltKey>,
+    /// Speed and force.
+    #[key(rule = "operation")]
+    operation: Numbers<BeltKey>,
+}
 
 /// The kinds of a belt case.
 pub(crate) static KINDS: [Kind<BeltKeys, MotionAnalysis<BeltKey>>; 4] =
     [MotionKinds::HISTORY, MotionKinds::LIMIT_CYCLE, MotionKinds::BIFURCATION, MotionKinds::BASIN];
 
 /// Reads a belt case from the root of its tree.
-pub(crate) fn read(root: &Node) -> Result<BeltCase, Fault> {
-    let known: Vec<_> =
-        ["title", "model"].into_iter().chain(BELT_SECTIONS).chain(["analysis", "sweep"]).collect();
-    let root = Section::open(root, "", "a belt case", &known)?;
-    let title = root.text("title")?.unwrap_or_default().to_owned();
+pub(crate) fn read(node: &Node) -> Result<BeltCase, Fault> {
+    let (root, sections) = read_root::<BeltSections>(node)?;
+    let ((title, sections), analyses) = both(sections, read_analyses(&root, &BeltKeys, &KINDS, REGISTRY))?;
     let mut inputs = BeltInputs::default();
-    for name in BELT_SECTIONS {
-        let Some(node) = root.get(name) else { continue };
-        let entries = || BELT_KEYS.iter().filter(|entry| entry.section() == name);
-        let known: Vec<_> = entries().map(Key::name).collect();
-        let section = Section::open(node, name, &format!("[{name}]"), &known)?;
-        for entry in entries() {
-            if let Some(node) = section.get(entry.name()) {
-                inputs.set(entry.key, read_value(entry, entry.path, node)?.number);
-            }
-        }
+    for Numbers(given) in [sections.oscillator, sections.friction, sections.operation] {
+        given.iter().for_each(|(key, value)| inputs.set(*key, value.number));
     }
-    let analyses = read_analyses(&root, &BeltKeys, &KINDS, REGISTRY)?;
     Ok(BeltCase { title, inputs, analyses })
+}
+
+impl BeltCase {
+    /// The canonical form.
+    pub(super) fn resolved(&self) -> Json {
+        let mut json = document(MODEL.name, &self.title, &self.analyses, Analysis::write);
+        let numbers = |section| {
+            let own = BeltKey::of_section(section).map(|entry| entry.key);
+            Numbers(own.map(|key| (key, Value::group(self.inputs.number(key)))).collect())
+        };
+        let [oscillator, friction, operation] = ["oscillator", "friction", "operation"].map(numbers);
+        BeltSections { oscillator, friction, operation }.write_table(&mut json);
+        Json::Object(json)
+    }
 }
 
 #[cfg(test)]
@@ -227,10 +198,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_key_stands_at_its_index_and_has_a_default_in_range() {
-        for (index, entry) in BELT_KEYS.iter().enumerate() {
-            assert_eq!(entry.key as usize, index, "{}", entry.path);
-            assert!(entry.range.contains(BeltInputs::default().number(entry.key)), "{}", entry.path);
+    fn defaults_are_values_of_their_keys() {
+        for entry in BeltKey::ALL {
+            assert!(entry.rule.range.contains(BeltInputs::default().number(entry.key)), "{}", entry.path);
         }
     }
 }

@@ -1,9 +1,10 @@
 //! What `judder check` shows of a belt case.
 
-use crate::belt::case::{BELT_KEYS, BeltCase};
+use crate::belt::case::{BeltCase, BeltKey};
 use crate::error::ModelError;
 use crate::estimate::{Estimate, estimate_json, estimate_text, title};
 use crate::motion::model::belt;
+use judder_keys::keys::Keys;
 use judder_oscillator::motion::SlidingSystem;
 use judder_study::case::file::CaseFile;
 use judder_study::model::Analysis;
@@ -15,7 +16,7 @@ pub(super) fn resolve(file: &CaseFile, case: &BeltCase) -> Result<Resolved, Mode
     let system = belt(&case.inputs)?;
     let estimates = case.analyses.iter().map(|own| own.kind.estimate(&own.name.as_str()));
     let estimates = estimates.collect::<Result<Vec<Estimate>, ModelError>>()?;
-    let keys = BELT_KEYS.iter().map(|key| vec![key.path.to_owned(), number(case.inputs.number(key.key))]);
+    let keys = BeltKey::ALL.iter().map(|key| vec![key.path.to_owned(), number(case.inputs.number(key.key))]);
     let mut text = format!("{}\n\n{}", title(&case.title), columns(&keys.collect::<Vec<_>>()));
     let damping = system.equivalent_damping();
     let [displacement, _] = system.steady_sliding();

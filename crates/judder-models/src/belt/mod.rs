@@ -2,18 +2,19 @@
 
 pub mod case;
 mod check;
-pub(crate) mod reference;
-pub(crate) mod resolved;
-pub(crate) mod schema;
 
-use crate::belt::case::{BeltCase, BeltKey, BeltKeys};
+use crate::belt::case::{BeltCase, BeltKey, BeltKeys, BeltSections};
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost};
 use crate::motion::settings::MotionAnalysis;
 use crate::motion::{self, check::estimate, model::BeltModel};
+use judder_keys::declared::Settings;
+use judder_keys::keys::Keys;
 use judder_study::StudyError;
 use judder_study::case::analysis::names;
 use judder_study::case::file::{Case, CaseFile};
+use judder_study::case::reference::section;
+use judder_study::case::root::schema;
 use judder_study::model::{Analysed, Analysis, Model, Prepared, Task};
 use judder_study::outcome::Outcome;
 use judder_study::registry::{ModelKind, entries};
@@ -50,9 +51,17 @@ impl Analysis<BeltCase> for MotionAnalysis<BeltKey> {
 pub(crate) const MODEL: ModelKind = ModelKind {
     name: "belt",
     read: |root, _| case::read(root).map(Case::new),
-    schema: schema::case,
-    definitions: schema::definitions,
-    reference: reference::section,
+    declared: BeltSections::declarations,
+    swept: BeltKey::paths,
+    schema: || {
+        schema(
+            "belt",
+            "one mass on a moving belt, friction that falls with speed",
+            &BeltSections::declarations(),
+            &case::KINDS,
+        )
+    },
+    reference: || section(include_str!("reference.md"), &BeltSections::declarations(), &case::KINDS),
     kinds: || entries(&case::KINDS),
     operating_quantities: &[],
 };
@@ -67,7 +76,7 @@ impl Model for BeltCase {
     }
 
     fn resolved(&self) -> serde_json::Value {
-        resolved::case(self)
+        BeltCase::resolved(self)
     }
 
     fn preflight(&self, _: &CaseFile, _: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {

@@ -5,20 +5,22 @@ use std::path::Path;
 use crate::REGISTRY;
 use crate::contact::settings::ContactScope;
 use crate::contact::shape::Shape;
-use crate::contact::{Exciting, KINDS};
+use crate::contact::{Exciting, KINDS, MODEL};
 use crate::oscillator::case::moduli_place;
 use crate::oscillator::inputs::{LawName, OscillatorInputs};
 use crate::oscillator::keys::OscillatorKey;
-use crate::substrate::{RelaxationSource, Substrate, SubstrateKeys, read_substrate};
+use crate::substrate::{RelaxationSource, Substrate, SubstrateKeys, refuse_conflicts};
 use judder_keys::Settings;
-use judder_keys::declared::{Allowed, Declaration, Settings};
+use judder_keys::declared::{Settings, both};
 use judder_keys::document::Node;
 use judder_keys::error::Fault;
 use judder_keys::file_reference::FileReference;
+use judder_keys::keys::Numbers;
 use judder_keys::memory::Memory;
-use judder_keys::numeric_key::read_value;
 use judder_keys::section::Section;
 use judder_study::case::analysis::{Planned, read_analyses};
+use judder_study::case::root::{document, read_root};
+use serde_json::Value as Json;
 use std::sync::Arc;
 
 /// A validated contact case.
@@ -36,34 +38,32 @@ pub struct ContactCase {
     pub analyses: Vec<Planned<Arc<dyn Exciting>>>,
 }
 
-/// What a case has beside its tables.
-#[derive(Debug, Clone, PartialEq, Settings)]
-pub(crate) struct ContactKeys {
-    /// The title.
-    #[key(default = String::new())]
-    title: String,
+/// What a case says beside its analyses.
+#[derive(Debug, Settings)]
+#[settings(title = "a contact case")]
+pub(crate) struct ContactSections {
     /// What the largest grid of one contact may take; an analysis may say it for itself.
+    #[key(unwritten)]
     memory_limit: Memory,
+    /// The material that the indenter slides on.
+    #[key(default)]
+    substrate: SubstrateKeys,
+    /// The rigid body that slides.
+    #[key(default)]
+    indenter: IndenterKeys,
 }
 
-/// What an indenter has beside its radius.
+/// `[indenter]`.
 #[derive(Debug, Clone, PartialEq, Settings)]
-pub(crate) struct IndenterKeys {
+#[settings(title = "[{path}]")]
+struct IndenterKeys {
+    #[key(flatten, rule = "indenter")]
+    numbers: Numbers<OscillatorKey>,
     /// The shape of the indenter.
     shape: Shape,
 }
 
 impl ContactCase {
-    /// The numeric keys that a contact case has.
-    pub const KEYS: [OscillatorKey; 6] = [
-        OscillatorKey::RubberyModulus,
-        OscillatorKey::GlassyModulus,
-        OscillatorKey::RetardationTime,
-        OscillatorKey::RelaxationTime,
-        OscillatorKey::PoissonRatio,
-        OscillatorKey::Radius,
-    ];
-
     /// The files that the case names.
     pub fn files(&self) -> Vec<&FileReference> {
         let heights = match &self.shape {
@@ -74,56 +74,57 @@ impl ContactCase {
     }
 }
 
-/// The dotted paths of the numbers of substrate and indenter beside those in [`KEYS`](crate::oscillator::keys::KEYS).
-pub fn contact_numbers() -> Vec<String> {
-    fn numbers(prefix: &str, keys: &[Declaration]) -> Vec<String> {
-        let of_key = |key: &Declaration| {
-            let path = format!("{prefix}.{}", key.name);
-            match &key.form {
-                Allowed::Number(_) => vec![path],
-                // of what tells of itself, a quantity has examples
-                Allowed::Told { schema, .. } if schema.get("examples").is_some() => vec![path],
-                Allowed::Table { keys, .. } | Allowed::Told { keys, .. } => numbers(&path, keys),
-                _ => Vec::new(),
-            }
+impl ContactCase {
+    /// The case of what was read, without its analyses; files are relative to `folder`.
+    fn of(
+        title: String,
+        sections: ContactSections,
+        root: &Section<'_>,
+        folder: &Path,
+    ) -> Result<Self, Fault> {
+        let ContactSections { substrate, indenter: IndenterKeys { numbers, shape }, .. } = sections;
+        let mut inputs = OscillatorInputs::default();
+        inputs.set_all(&numbers);
+        let shape = match root.inner("indenter")? {
+            Some(section) => shape.found(&section, folder),
+            None => Ok(shape),
         };
-        keys.iter().flat_map(of_key).collect()
+        let (substrate, shape) = both(substrate.found(root, &mut inputs, folder), shape)?;
+        let case = Self { title, inputs, substrate, shape, analyses: Vec::new() };
+        if case.knows_moduli() {
+            // an elastic substrate is in order: it is the limit
+            inputs.check(LawName::Hertz).map_err(|cause| cause.at(moduli_place(root)))?;
+        }
+        Ok(case)
     }
-    let substrate = numbers("substrate", &SubstrateKeys::declarations());
-    substrate.into_iter().chain(numbers("indenter", &IndenterKeys::declarations())).collect()
+
+    /// Whether the case says the moduli, and no measured data.
+    fn knows_moduli(&self) -> bool {
+        !matches!(self.substrate.source, RelaxationSource::Dma { .. })
+    }
+
+    /// The canonical form.
+    pub(super) fn resolved(&self) -> Json {
+        let mut json = document(MODEL.name, &self.title, &self.analyses, |kind, json| kind.write(json));
+        let numbers = self.inputs.numbers("indenter", |_| true);
+        let sections = ContactSections {
+            memory_limit: Memory::DEFAULT,
+            substrate: self.substrate.keys(&self.inputs),
+            indenter: IndenterKeys { numbers, shape: self.shape.clone() },
+        };
+        sections.write_table(&mut json);
+        self.substrate.written(json, self.inputs.time_form())
+    }
 }
 
 /// Reads a contact case from the root of its tree; files are relative to `folder`.
-pub(crate) fn read(root: &Node, folder: &Path) -> Result<ContactCase, Fault> {
-    let known = ["title", "model", "memory_limit", "substrate", "indenter", "analysis", "sweep"];
-    let root = Section::open(root, "", "a contact case", &known)?;
-    let keys = ContactKeys::read_table(&root)?;
-    let mut case = ContactCase {
-        title: keys.title,
-        inputs: OscillatorInputs::default(),
-        substrate: Substrate::default(),
-        shape: Shape::Paraboloid,
-        analyses: Vec::new(),
-    };
-    if let Some(node) = root.get("substrate") {
-        case.substrate = read_substrate(node, &mut case.inputs, folder)?;
-    }
-    if let Some(node) = root.get("indenter") {
-        let entry = OscillatorKey::Radius.entry();
-        let indenter = Section::of_table(node, "indenter", "[indenter]")?;
-        indenter.refuse_others(&[entry.name(), IndenterKeys::KEYS[0]])?;
-        if let Some(node) = indenter.get(entry.name()) {
-            case.inputs.set(entry.key, read_value(entry, entry.path, node)?);
-        }
-        case.shape = IndenterKeys::read_table(&indenter)?.shape.found(&indenter, folder)?;
-    }
-    let moduli_known = !matches!(case.substrate.source, RelaxationSource::Dma { .. });
-    if moduli_known {
-        // an elastic substrate is in order: it is the limit
-        case.inputs.check(LawName::Hertz).map_err(|cause| cause.at(moduli_place(&root)))?;
-    }
-    let memory = keys.memory_limit;
-    let scope = ContactScope { shape: case.shape.clone(), inputs: case.inputs, moduli_known, memory };
-    case.analyses = read_analyses(&root, &scope, &KINDS, REGISTRY)?;
+pub(crate) fn read(node: &Node, folder: &Path) -> Result<ContactCase, Fault> {
+    let (root, sections) = read_root::<ContactSections>(node)?;
+    let ((title, sections), ()) = both(sections, refuse_conflicts(&root))?;
+    let memory = sections.memory_limit;
+    let mut case = ContactCase::of(title, sections, &root, folder)?;
+    let (shape, inputs, moduli_known) = (case.shape.clone(), case.inputs, case.knows_moduli());
+    case.analyses =
+        read_analyses(&root, &ContactScope { shape, inputs, moduli_known, memory }, &KINDS, REGISTRY)?;
     Ok(case)
 }

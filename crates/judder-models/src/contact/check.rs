@@ -8,6 +8,7 @@ use crate::material::ContactScales;
 use crate::oscillator::keys::OscillatorKey;
 use crate::spectrum_source::temperature_warning;
 use judder_contact::kernel::sliding::SlidingOperator;
+use judder_keys::keys::Keys;
 use judder_keys::memory::Memory;
 use judder_keys::numeric_key::Form;
 use judder_study::case::file::CaseFile;
@@ -100,13 +101,13 @@ pub(super) fn resolve(file: &CaseFile, case: &ContactCase) -> Result<Resolved, M
 /// The numeric keys as they are taken, with what the material says where it decides them.
 fn key_rows(case: &ContactCase, scales: &ContactScales) -> Vec<Vec<String>> {
     let inputs = scales.material.told_to(&case.inputs);
-    ContactCase::KEYS
+    ["substrate", "indenter"]
         .into_iter()
-        .filter(|key| case.substrate.has(*key))
-        .map(OscillatorKey::entry)
+        .flat_map(OscillatorKey::of_section)
+        .filter(|key| case.substrate.has(key.key))
         .map(|key| {
             let value = inputs.get(key.key);
-            let unit = if value.form == Form::Si { key.dimension.unit() } else { String::new() };
+            let unit = if value.form == Form::Si { key.rule.dimension.unit() } else { String::new() };
             vec![key.path.to_owned(), number(value.number), unit]
         })
         .collect()

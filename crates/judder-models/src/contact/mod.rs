@@ -13,16 +13,13 @@ pub mod fit;
 pub mod law;
 pub mod modulus;
 pub mod problem;
-pub(crate) mod reference;
-pub(crate) mod resolved;
-pub(crate) mod schema;
 pub mod settings;
 pub mod shape;
 pub mod single;
 mod size;
 pub mod transient;
 
-use crate::contact::case::ContactCase;
+use crate::contact::case::{ContactCase, ContactSections};
 use crate::contact::settings::{ContactScope, LawMethod};
 use crate::error::ModelError;
 use crate::indenter::profile;
@@ -33,6 +30,7 @@ use check::ContactEstimate;
 use judder_contact::material::Discretisation;
 use judder_contact::steady::profile::Profile;
 use judder_contact::unilateral::Loading;
+use judder_keys::declared::Settings;
 use judder_keys::error::CaseError;
 use judder_keys::file_reference::FileReference;
 use judder_store::number;
@@ -40,6 +38,8 @@ use judder_study::StudyError;
 use judder_study::case::analysis::Kind;
 use judder_study::case::analysis::names;
 use judder_study::case::file::{Case, CaseFile};
+use judder_study::case::reference::section;
+use judder_study::case::root::schema;
 use judder_study::model::{Analysed, Analysis, Model, Place, Prepared, Refusal, Task};
 use judder_study::outcome::{CheckRecord, Outcome};
 use judder_study::registry::{ModelKind, entries};
@@ -116,9 +116,17 @@ impl Analysed for ContactCase {
 pub(crate) const MODEL: ModelKind = ModelKind {
     name: "contact",
     read: |root, folder| case::read(root, folder).map(Case::new),
-    schema: schema::case,
-    definitions: Vec::new,
-    reference: reference::section,
+    declared: ContactSections::declarations,
+    swept: Vec::new,
+    schema: || {
+        schema(
+            "contact",
+            "a rigid indenter that slides on a viscoelastic substrate",
+            &ContactSections::declarations(),
+            &KINDS,
+        )
+    },
+    reference: || section(include_str!("reference.md"), &ContactSections::declarations(), &KINDS),
     kinds: || entries(&KINDS),
     operating_quantities: &[],
 };
@@ -137,7 +145,7 @@ impl Model for ContactCase {
     }
 
     fn resolved(&self) -> serde_json::Value {
-        resolved::case(self)
+        ContactCase::resolved(self)
     }
 
     fn with_used(&self, resolved: serde_json::Value) -> Result<serde_json::Value, StudyError> {

@@ -11,7 +11,6 @@ use judder_keys::dimension::Dimension;
 use judder_keys::document::Node;
 use judder_keys::error::Fault;
 use judder_keys::memory::Memory;
-use judder_keys::numeric_key::read_value;
 use judder_keys::numeric_key::{Form, Range, Value};
 use judder_keys::problem::Placed;
 use judder_keys::section::{Section, whole};
@@ -214,7 +213,7 @@ impl ContactSettings {
         let loading = refused.and_then(|_| Loading::is_one(section, is_line));
         let load = section
             .get("load")
-            .map(|node| read_value(&if is_line { LINE_LOAD } else { LOAD }.entry(), "load", node).map(Load));
+            .map(|node| if is_line { LINE_LOAD } else { LOAD }.read("load", node).map(Load));
         let (settings, (load, ())) = both(Self::read_table(section), both(load.transpose(), loading))?;
         Ok(Self { load, memory: scope.memory_limit(section, settings.memory), ..settings })
     }

@@ -171,13 +171,9 @@ impl Setting for Shape {
                 Err(Cause::OneOfTwo { first, second }.at(node.place))
             }
             (None, Some(_)) => {
-                let rough = both(table.refuse_others(Surface::KEYS), Surface::read_table(&table));
-                rough.map(|((), surface)| Self::Rough(surface.rough))
+                Surface::read(section, key, node, &()).map(|surface| Self::Rough(surface.rough))
             }
-            _ => {
-                let heights = both(table.refuse_others(HeightFile::KEYS), HeightFile::read_table(&table));
-                heights.map(|((), heights)| Self::Heights(heights))
-            }
+            _ => HeightFile::read(section, key, node, &()).map(Self::Heights),
         }
     }
 

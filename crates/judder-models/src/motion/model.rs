@@ -192,7 +192,7 @@ impl Moving<4> for OscillatorModel<'_> {
     }
 
     fn axis(sweep: &Sweep<OscillatorKey>) -> Axis {
-        axis::of_oscillator(sweep)
+        axis::of_key(sweep)
     }
 }
 
@@ -239,7 +239,7 @@ impl Moving<2> for BeltModel<'_> {
     }
 
     fn axis(sweep: &Sweep<BeltKey>) -> Axis {
-        axis::of_belt(sweep)
+        axis::of_key(sweep)
     }
 }
 

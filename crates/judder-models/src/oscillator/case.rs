@@ -5,21 +5,23 @@ use std::path::Path;
 use crate::REGISTRY;
 use crate::contact::settings::{ACCURACY, LAW_ACCURACY};
 use crate::oscillator::inputs::{FrictionLoad, LawName, OscillatorInputs, TimeForm};
-use crate::oscillator::keys::KEYS;
+use crate::oscillator::keys::OscillatorKey;
 use crate::oscillator::problem::OscillatorProblem;
-use crate::oscillator::{KINDS, Operated};
-use crate::substrate::{RelaxationSource, Substrate, read_substrate};
+use crate::oscillator::{KINDS, MODEL, Operated};
+use crate::substrate::{RelaxationSource, Substrate, SubstrateKeys, refuse_conflicts};
 use crate::swept_keys::OscillatorKeys;
+use judder_keys::Settings;
 use judder_keys::cause::Cause;
-use judder_keys::declared::Setting;
+use judder_keys::declared::{Allowed, Setting, Settings, both};
 use judder_keys::document::{Data, Node};
 use judder_keys::error::{Fault, Place};
 use judder_keys::file_reference::{FileReference, read_file_reference};
-use judder_keys::numeric_key::Key;
-use judder_keys::numeric_key::read_value;
+use judder_keys::keys::Numbers;
 use judder_keys::problem::Placed;
-use judder_keys::section::Section;
+use judder_keys::section::{Section, word};
 use judder_study::case::analysis::{Planned, read_analyses};
+use judder_study::case::root::{document, read_root};
+use serde_json::{Value as Json, json};
 use std::sync::Arc;
 
 /// A validated oscillator case.
@@ -79,46 +81,173 @@ impl OscillatorCase {
     }
 }
 
-/// The sections of numeric keys, in the order of the case file.
-pub(crate) const SECTIONS: [&str; 5] = ["substrate", "indenter", "contact", "oscillator", "operation"];
+/// What a case says beside its analyses.
+#[derive(Debug, Settings)]
+#[settings(title = "an oscillator case")]
+pub(crate) struct OscillatorSections {
+    /// What the indenter slides on.
+    #[key(default)]
+    substrate: SubstrateKeys,
+    /// What slides.
+    #[key(rule = "indenter")]
+    indenter: Numbers<OscillatorKey>,
+    /// The forces of the contact.
+    #[key(default)]
+    contact: ContactSection,
+    /// What carries the indenter.
+    #[key(rule = "oscillator")]
+    oscillator: Numbers<OscillatorKey>,
+    /// Speed and load.
+    #[key(rule = "operation")]
+    operation: Numbers<OscillatorKey>,
+}
 
-/// The keys of a section that are not numeric.
-fn other_keys(section: &str) -> &'static [&'static str] {
-    match section {
-        "contact" => &["law", "friction_load"],
-        _ => &[],
+/// `[contact]`.
+#[derive(Debug, Settings)]
+#[settings(title = "[{path}]")]
+struct ContactSection {
+    #[key(flatten, rule = "contact")]
+    numbers: Numbers<OscillatorKey>,
+    /// Contact law.
+    #[key(default = GivenLaw::Word(LawName::OscillatorPaper))]
+    law: GivenLaw,
+    /// The force that μ_visc multiplies.
+    #[key(default = FrictionLoad::NormalLoad)]
+    friction_load: FrictionLoad,
+}
+
+/// A law as a case gives it.
+#[derive(Debug)]
+enum GivenLaw {
+    /// By its name.
+    Word(LawName),
+    Table(LawTable),
+}
+
+/// A law that is a table.
+#[derive(Debug, Settings)]
+#[settings(check = LawTable::is_one)]
+enum LawTable {
+    /// A law that was computed earlier; a path relative to the case file.
+    #[key(example = "\"…\", a path relative to the case file")]
+    File(FileReference),
+    Computed {
+        /// The law `bem`.
+        computed: bool,
+        /// Its relative accuracy.
+        #[key(rule = ACCURACY, symbol = "ε", default = LAW_ACCURACY)]
+        accuracy: f64,
+    },
+}
+
+impl LawTable {
+    /// Refuses keys of both, an accuracy alone, and a law that is not computed.
+    fn is_one(section: &Section<'_>) -> Result<(), Fault> {
+        let refused = |key: &'static str, requirement: &'static str| match section.get(key) {
+            Some(node) => Err(OscillatorProblem::LawTable { key, requirement }.at(node.place)),
+            None => Ok(()),
+        };
+        if section.get("computed").is_none() {
+            return refused(
+                "accuracy",
+                "left out, or stand beside `computed = true`: a file has the accuracy that it has",
+            );
+        }
+        if section.boolean("computed")? != Some(true) {
+            return refused("computed", "true, or left out");
+        }
+        refused("file", "left out beside `computed = true`: a law is computed or read")
+    }
+}
+
+impl Setting for GivenLaw {
+    type Rule = ();
+
+    fn form((): &()) -> Allowed {
+        Allowed::Either(vec![Allowed::Choice { words: &LawName::WORDS }, LawTable::form(&())])
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
+        match node.data {
+            Data::Table(_) => LawTable::read(section, key, node, &()).map(Self::Table),
+            _ => word(&section.path(key), "contact law", node, &LawName::ALL).map(Self::Word),
+        }
+    }
+
+    fn write(&self, (): &()) -> Json {
+        match self {
+            Self::Word(law) => json!(law.name()),
+            Self::Table(table) => table.write(&()),
+        }
+    }
+}
+
+impl OscillatorCase {
+    /// The case of what was read; files are relative to `folder`.
+    fn of(
+        title: String,
+        sections: OscillatorSections,
+        root: &Section<'_>,
+        folder: &Path,
+    ) -> Result<Self, Fault> {
+        let OscillatorSections { substrate, indenter, contact, oscillator, operation } = sections;
+        let mut case = Self { title, friction_load: contact.friction_load, ..Self::default() };
+        match contact.law {
+            GivenLaw::Word(law) => case.law = law,
+            GivenLaw::Table(LawTable::Computed { accuracy, .. }) => {
+                (case.law, case.law_accuracy) = (LawName::Bem, accuracy);
+            }
+            GivenLaw::Table(LawTable::File(_)) => case.law = LawName::File,
+        }
+        let law_file = match (case.law, root.inner("contact")?) {
+            (LawName::File, Some(contact)) => contact.inner("law")?,
+            _ => None,
+        };
+        let law_file = law_file.map(|law| read_file_reference(&law, "file", folder)).transpose();
+        let substrate = substrate.found(root, &mut case.inputs, folder);
+        (case.substrate, case.law_file) = both(substrate, law_file)?;
+        for numbers in [&indenter, &contact.numbers, &oscillator, &operation] {
+            case.inputs.set_all(numbers);
+        }
+        check_terms(&case).map_err(|cause| cause.at(moduli_place(root)))?;
+        Ok(case)
+    }
+
+    /// The same as a case says it, every number filled in.
+    fn sections(&self) -> OscillatorSections {
+        let numbers = |section| self.inputs.numbers(section, |_| true);
+        let law = match (&self.law_file, self.law) {
+            (Some(file), _) => GivenLaw::Table(LawTable::File(file.clone())),
+            (None, LawName::Bem) => {
+                GivenLaw::Table(LawTable::Computed { computed: true, accuracy: self.law_accuracy })
+            }
+            (None, word) => GivenLaw::Word(word),
+        };
+        OscillatorSections {
+            substrate: self.substrate.keys(&self.inputs),
+            indenter: numbers("indenter"),
+            contact: ContactSection { numbers: numbers("contact"), law, friction_load: self.friction_load },
+            oscillator: numbers("oscillator"),
+            operation: numbers("operation"),
+        }
+    }
+
+    /// The canonical form.
+    pub(super) fn resolved(&self) -> Json {
+        let mut json = document(MODEL.name, &self.title, &self.analyses, |kind, json| kind.write(json));
+        self.sections().write_table(&mut json);
+        self.substrate.written(json, self.inputs.time_form())
     }
 }
 
 /// Reads an oscillator case from the root of its tree; files are relative to `folder`.
-pub(crate) fn read(root: &Node, folder: &Path) -> Result<OscillatorCase, Fault> {
-    let known: Vec<_> = ["title", "model"].into_iter().chain(SECTIONS).chain(["analysis", "sweep"]).collect();
-    let root = Section::open(root, "", "an oscillator case", &known)?;
-    let mut case = OscillatorCase::default();
-    if let Some(title) = root.text("title")? {
-        title.clone_into(&mut case.title);
-    }
-    for name in SECTIONS {
-        let Some(node) = root.get(name) else { continue };
-        if name == "substrate" {
-            case.substrate = read_substrate(node, &mut case.inputs, folder)?;
-            continue;
-        }
-        let entries = || KEYS.iter().filter(|entry| entry.section() == name);
-        let known: Vec<_> = entries().map(Key::name).chain(other_keys(name).iter().copied()).collect();
-        let section = Section::open(node, name, &format!("[{name}]"), &known)?;
-        for entry in entries() {
-            if let Some(node) = section.get(entry.name()) {
-                case.inputs.set(entry.key, read_value(entry, entry.path, node)?);
-            }
-        }
-        if name == "contact" {
-            read_contact(&section, &mut case, folder)?;
-        }
-    }
-    check_terms(&case).map_err(|cause| cause.at(moduli_place(&root)))?;
-    let keys = OscillatorKeys { inputs: case.inputs, law: case.law, decided_by: case.substrate.decided_by() };
-    case.analyses = read_analyses(&root, &keys, &KINDS, REGISTRY)?;
+pub(crate) fn read(node: &Node, folder: &Path) -> Result<OscillatorCase, Fault> {
+    let (root, sections) = read_root::<OscillatorSections>(node)?;
+    let case = both(sections, refuse_conflicts(&root))
+        .and_then(|((title, sections), ())| OscillatorCase::of(title, sections, &root, folder));
+    let keys = case.as_ref().map_or(OscillatorKeys::UNKNOWN, OscillatorKeys::of);
+    let (mut case, analyses) = both(case, read_analyses(&root, &keys, &KINDS, REGISTRY))?;
+    case.analyses = analyses;
     Ok(case)
 }
 
@@ -150,47 +279,4 @@ fn check_terms(case: &OscillatorCase) -> Result<(), Cause> {
         return Err(OscillatorProblem::SeveralTimes { law: case.law }.into());
     }
     case.inputs.check(case.law)
-}
-
-/// The keys of a law that is a table: a file, or a computation with its accuracy.
-const LAW_KEYS: [&str; 3] = ["file", "computed", "accuracy"];
-
-/// Reads a law that is a table.
-fn read_law_table(table: &Section<'_>, case: &mut OscillatorCase, folder: &Path) -> Result<(), Fault> {
-    let Some(node) = table.get("computed") else {
-        if let Some(accuracy) = table.get("accuracy") {
-            let requirement =
-                "left out, or stand beside `computed = true`: a file has the accuracy that it has";
-            return Err(OscillatorProblem::LawTable { key: "accuracy", requirement }.at(accuracy.place));
-        }
-        case.law_file = Some(read_file_reference(table, "file", folder)?);
-        case.law = LawName::File;
-        return Ok(());
-    };
-    if table.boolean("computed")? != Some(true) {
-        let requirement = "true, or left out";
-        return Err(OscillatorProblem::LawTable { key: "computed", requirement }.at(node.place));
-    }
-    if let Some(file) = table.get("file") {
-        let requirement = "left out beside `computed = true`: a law is computed or read";
-        return Err(OscillatorProblem::LawTable { key: "file", requirement }.at(file.place));
-    }
-    case.law = LawName::Bem;
-    if let Some(node) = table.get("accuracy") {
-        case.law_accuracy = Setting::read(table, "accuracy", node, &ACCURACY)?;
-    }
-    Ok(())
-}
-
-/// Reads the contact law and the friction load.
-fn read_contact(section: &Section<'_>, case: &mut OscillatorCase, folder: &Path) -> Result<(), Fault> {
-    if let Some(node @ Node { data: Data::Table(_), .. }) = section.get("law") {
-        read_law_table(&Section::open(node, "contact.law", "`contact.law`", &LAW_KEYS)?, case, folder)?;
-    } else if let Some(law) = section.choice("law", "contact law", &LawName::ALL)? {
-        case.law = law;
-    }
-    if let Some(load) = section.choice("friction_load", "friction load", &FrictionLoad::ALL)? {
-        case.friction_load = load;
-    }
-    Ok(())
 }

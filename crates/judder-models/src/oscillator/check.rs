@@ -9,8 +9,9 @@ use crate::known_substrate::KnownSubstrate;
 use crate::measured_band::excited_at;
 use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::inputs::LawName;
-use crate::oscillator::keys::KEYS;
+use crate::oscillator::keys::OscillatorKey;
 use judder_contact::{HertzLaw, Law};
+use judder_keys::keys::Keys;
 use judder_keys::numeric_key::Form;
 use judder_oscillator::Contact;
 use judder_oscillator::groups::Dimensional;
@@ -107,13 +108,14 @@ pub(super) fn resolve(file: &CaseFile, case: &OscillatorCase) -> Result<Resolved
 }
 
 fn key_rows(case: &OscillatorCase) -> Vec<Vec<String>> {
-    KEYS.iter()
+    OscillatorKey::ALL
+        .iter()
         .filter(|key| case.substrate.has(key.key))
         .map(|key| {
             let value = case.inputs.get(key.key);
             let unit = match value.form {
-                Form::Group => key.group.map_or(String::new(), |group| format!("= {group}")),
-                Form::Si => key.dimension.unit(),
+                Form::Group => key.rule.group.map_or(String::new(), |group| format!("= {group}")),
+                Form::Si => key.rule.dimension.unit(),
             };
             vec![key.path.to_owned(), number(value.number), unit]
         })

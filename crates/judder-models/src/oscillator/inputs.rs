@@ -1,9 +1,12 @@
 //! The numbers and choices of one oscillator operating point.
 
-use crate::oscillator::keys::{KEY_COUNT, KEYS, OscillatorKey};
+use crate::oscillator::keys::OscillatorKey;
 use crate::oscillator::problem::OscillatorProblem;
+use judder_keys::Choice;
 use judder_keys::cause::Cause;
+use judder_keys::keys::{Keys, Numbers};
 use judder_keys::numeric_key::Value;
+use std::sync::LazyLock;
 
 /// The contact law of an oscillator case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -29,6 +32,14 @@ impl LawName {
         ("bem", Self::Bem),
     ];
 
+    /// The same words, each with what it means.
+    pub(crate) const WORDS: [(&'static str, &'static str); 4] = [
+        (Self::ALL[0].0, "the paper's fits as printed"),
+        (Self::ALL[1].0, "the paper's fits on the corrected velocity axis"),
+        (Self::ALL[2].0, "the elastic closed form"),
+        (Self::ALL[3].0, "computed for the case's own substrate"),
+    ];
+
     /// The name in a case file; `file` for `{ file = "law.json" }`.
     pub fn name(self) -> &'static str {
         Self::ALL.get(self as usize).map_or("file", |(name, _)| name)
@@ -41,23 +52,13 @@ impl LawName {
 }
 
 /// The force that the viscoelastic friction coefficient multiplies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
+#[choice(what = "friction load")]
 pub enum FrictionLoad {
     /// F_n μ_visc, as printed.
     NormalLoad,
     /// F_k μ_visc, the instantaneous contact force.
     ContactForce,
-}
-
-impl FrictionLoad {
-    /// The choices with their names in a case file.
-    pub const ALL: [(&'static str, Self); 2] =
-        [("normal-load", Self::NormalLoad), ("contact-force", Self::ContactForce)];
-
-    /// The name in a case file.
-    pub fn name(self) -> &'static str {
-        Self::ALL[self as usize].0
-    }
 }
 
 /// How the substrate's relaxation was given; the other quantities follow from what was given.
@@ -89,7 +90,7 @@ impl TimeForm {
 /// the order in which several keys are set does not matter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OscillatorInputs {
-    values: [Value; KEY_COUNT],
+    values: [Value; OscillatorKey::ALL.len()],
     /// Whether the relaxation time is the one that was given; the retardation time then follows.
     gives_relaxation: bool,
     /// The compliance of a Prony term, 1/Pa; the glassy modulus then follows.
@@ -99,8 +100,10 @@ pub struct OscillatorInputs {
 impl Default for OscillatorInputs {
     /// The oscillator paper's values.
     fn default() -> Self {
-        let values = KEYS.map(|entry| entry.default.map_or(Value::si(0.0), |(_, value)| value));
-        Self { values, gives_relaxation: false, compliance: None }
+        static USUAL: LazyLock<[Value; OscillatorKey::ALL.len()]> = LazyLock::new(|| {
+            std::array::from_fn(|k| OscillatorKey::ALL[k].usual_value().unwrap_or(Value::si(0.0)))
+        });
+        Self { values: *USUAL, gives_relaxation: false, compliance: None }
     }
 }
 
@@ -150,6 +153,21 @@ impl OscillatorInputs {
             _ => (),
         }
         self.values[key as usize] = value;
+    }
+
+    /// Sets what a section gives, in the order of the keys.
+    pub(crate) fn set_all(&mut self, Numbers(given): &Numbers<OscillatorKey>) {
+        given.iter().for_each(|(key, value)| self.set(*key, *value));
+    }
+
+    /// The values in use of the keys of a section that `is_taken`.
+    pub(crate) fn numbers(
+        &self,
+        section: &str,
+        is_taken: impl Fn(OscillatorKey) -> bool,
+    ) -> Numbers<OscillatorKey> {
+        let own = OscillatorKey::of_section(section).map(|entry| entry.key).filter(|key| is_taken(*key));
+        Numbers(own.map(|key| (key, self.get(key))).collect())
     }
 
     /// Makes one Prony term the form in which the relaxation is given: creep time in s, compliance in 1/Pa.
@@ -239,6 +257,5 @@ mod tests {
     #[test]
     fn names_stand_at_their_index() {
         assert!(LawName::ALL.iter().all(|(name, law)| law.name() == *name));
-        assert!(FrictionLoad::ALL.iter().all(|(name, load)| load.name() == *name));
     }
 }

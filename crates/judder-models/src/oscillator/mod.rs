@@ -15,7 +15,6 @@ pub mod critical;
 pub mod curves;
 pub mod engines;
 pub mod equivalent_damping;
-pub mod given;
 pub mod inputs;
 pub mod key_plane;
 pub mod keys;
@@ -25,9 +24,6 @@ pub(crate) mod operating_points;
 pub mod point;
 pub mod problem;
 pub mod quasi_steady;
-pub(crate) mod reference;
-pub(crate) mod resolved;
-pub(crate) mod schema;
 pub mod settings;
 pub mod spectrum;
 pub mod stability_map;
@@ -44,19 +40,23 @@ use crate::material;
 use crate::motion::settings::MotionAnalysis;
 use crate::motion::settings::MotionKinds;
 use crate::motion::{self, check::estimate, model::OscillatorModel};
-use crate::oscillator::case::OscillatorCase;
+use crate::oscillator::case::{OscillatorCase, OscillatorSections};
 use crate::oscillator::inputs::{LawName, OscillatorInputs};
 use crate::oscillator::keys::OscillatorKey;
 use crate::sweep::{Family, Sweep};
 use crate::swept_keys::{OscillatorKeys, SweptKeys};
 use judder_contact::law::sweep::SolvedPoint;
+use judder_keys::declared::Settings;
 use judder_keys::file_reference::FileReference;
+use judder_keys::keys::Keys;
 use judder_oscillator::Contact;
 use judder_study::Progress;
 use judder_study::StudyError;
 use judder_study::case::analysis::Kind;
 use judder_study::case::analysis::names;
 use judder_study::case::file::{Case, CaseFile};
+use judder_study::case::reference::section;
+use judder_study::case::root::schema;
 use judder_study::case::study_sweep::{StudySweep, SweptKey};
 use judder_study::labels::{Quantity, any_key};
 use judder_study::model::{
@@ -142,9 +142,17 @@ impl Analysed for OscillatorCase {
 pub(crate) const MODEL: ModelKind = ModelKind {
     name: "oscillator",
     read: |root, folder| case::read(root, folder).map(Case::new),
-    schema: schema::case,
-    definitions: schema::definitions,
-    reference: reference::section,
+    declared: OscillatorSections::declarations,
+    swept: OscillatorKey::paths,
+    schema: || {
+        schema(
+            "oscillator",
+            "the oscillator of the oscillator paper",
+            &OscillatorSections::declarations(),
+            &KINDS,
+        )
+    },
+    reference: || section(include_str!("reference.md"), &OscillatorSections::declarations(), &KINDS),
     kinds: || entries(&KINDS),
     operating_quantities: &operating_points::QUANTITIES,
 };
@@ -163,7 +171,7 @@ impl Model for OscillatorCase {
     }
 
     fn resolved(&self) -> serde_json::Value {
-        resolved::case(self)
+        OscillatorCase::resolved(self)
     }
 
     fn with_used(&self, resolved: serde_json::Value) -> Result<serde_json::Value, StudyError> {
@@ -183,7 +191,7 @@ impl Model for OscillatorCase {
         let Some((own, form)) = operating_points::key_of(self, key) else {
             return any_key(&key.path, key.dimension);
         };
-        Quantity { name: key.path.clone(), ..labels::oscillator_key(own, form) }
+        Quantity { name: key.path.clone(), ..labels::key(own, form) }
     }
 
     /// Looks at the data of the substrate.

@@ -13,6 +13,7 @@ use judder_keys::Settings;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Declaration, Settings, both};
 use judder_keys::error::Fault;
+use judder_keys::keys::Keys;
 use judder_keys::section::Section;
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;

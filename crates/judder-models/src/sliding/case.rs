@@ -23,9 +23,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::REGISTRY;
+use crate::parameters::{Parameter, Parameters};
 use crate::sliding::KINDS;
 use crate::sliding::spectrogram::settings::check_references;
-use crate::two_degrees::case::{Parameter, read_parameters};
 use contact::SlidingContact;
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
@@ -150,7 +150,7 @@ pub(crate) struct SystemKeys {
 /// Everything but the analyses.
 fn read_system(node: &Node, folder: &Path) -> Result<SlidingCase, Fault> {
     let root = Section::open(node, "", "a sliding case", &KEYS)?;
-    let parameters = read_parameters(&root)?;
+    let parameters = Parameters::of(&root)?.0;
     let names: Vec<String> = parameters.iter().map(|parameter| parameter.name.clone()).collect();
     let (structures, system) = both(read_structures(&root, &names, folder), SystemKeys::read_table(&root))?;
     let SystemKeys { mut contact, motion, mut observe } = system;

@@ -25,7 +25,8 @@ mod system;
 
 use crate::error::ModelError;
 use crate::estimate::Estimate;
-use crate::sliding::case::SlidingCase;
+use crate::sliding::case::{SlidingCase, SystemKeys};
+use judder_keys::declared::Settings;
 use judder_keys::error::CaseError;
 use judder_keys::file_reference::FileReference;
 use judder_study::StudyError;
@@ -75,8 +76,9 @@ fn fitting(
 pub(crate) const MODEL: ModelKind = ModelKind {
     name: "sliding",
     read: |root, folder| case::read(root, folder).map(Case::new),
+    declared: SystemKeys::declarations,
+    swept: Vec::new,
     schema: schema::case,
-    definitions: Vec::new,
     reference: reference::section,
     kinds: || entries(&KINDS),
     operating_quantities: &[],

@@ -18,8 +18,8 @@ pub(crate) mod scope;
 use std::path::Path;
 
 use crate::REGISTRY;
+use crate::parameters::{Parameter, Parameters};
 use crate::swept_keys::ParameterKeys;
-use crate::two_degrees::case::{Parameter, read_parameters};
 use body::{Body, BodyKeys, Geometry, read_body};
 use damping::Damping;
 use judder_keys::cause::Cause;
@@ -102,7 +102,7 @@ pub(crate) fn read(root: &Node, folder: &Path) -> Result<StructureCase, Fault> {
         "sweep",
     ];
     let root = Section::open(root, "", "a structure case", &known)?;
-    let parameters = read_parameters(&root)?;
+    let parameters = Parameters::of(&root)?.0;
     let keys = ParameterKeys(parameters.iter().map(|parameter| parameter.name.clone()).collect());
     let damping = root.get("damping").map(|node| read_settings(node, "damping", "[damping]"));
     let damping = damping.unwrap_or_else(|| Ok(Damping::default()));
@@ -126,7 +126,7 @@ fn read_source(root: &Section<'_>, keys: &ParameterKeys, folder: &Path) -> Resul
         (Some(node), None) => {
             refuse(root, "parameters", "[structure]")?;
             let section = Section::of_table(node, "structure", "[structure]")?;
-            let body = both(section.refuse_others(BodyKeys::KEYS), read_body(&section, folder));
+            let body = both(section.refuse_others(&BodyKeys::keys()), read_body(&section, folder));
             body.map(|((), body)| StructureSource::Body(Box::new(body)))
         }
         (None, Some(node)) => {

@@ -76,8 +76,9 @@ fn fitting(
 pub(crate) const MODEL: ModelKind = ModelKind {
     name: "structure",
     read: |root, folder| case::read(root, folder).map(Case::new),
+    declared: schema::declared,
+    swept: Vec::new,
     schema: schema::case,
-    definitions: Vec::new,
     reference: reference::section,
     kinds: || entries(&KINDS),
     operating_quantities: &[],

@@ -2,10 +2,10 @@
 
 use serde_json::{Map, Value as Json, json};
 
+use crate::parameters::Parameter;
 use crate::structure::case::body::{Body, Geometry, Material, PlaneSection};
 use crate::structure::case::matrices::{MatrixSums, MatrixTerm};
 use crate::structure::case::{StructureCase, StructureSource};
-use crate::two_degrees::case::Parameter;
 use judder_keys::declared::Setting;
 use judder_keys::dimension::Dimension;
 use judder_keys::numeric_key::Form;

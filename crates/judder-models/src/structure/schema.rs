@@ -7,7 +7,7 @@ use crate::structure::case::body::BodyKeys;
 use crate::structure::case::damping::Damping;
 use crate::structure::case::matrices::Triangle;
 use crate::structure::case::reduction::Reduction;
-use judder_keys::declared::Settings;
+use judder_keys::declared::{Allowed, Declaration, Settings};
 use judder_keys::schema::{choice, declared_table, object, reference, table, with_declared};
 use judder_study::case::schema::analyses;
 
@@ -27,6 +27,24 @@ pub(crate) fn case() -> Json {
     let mut json = table("one linear structure alone", properties, &["model"]);
     json["oneOf"] = json!([{ "required": ["structure"] }, { "required": ["matrices"] }]);
     json
+}
+
+/// The tables of a body.
+pub(super) fn declared() -> Vec<Declaration> {
+    let table = |name: &'static str, doc: &'static str, keys: Vec<Declaration>| Declaration {
+        name,
+        doc,
+        symbol: "",
+        default: None,
+        is_required: false,
+        alternative: None,
+        form: Allowed::Table { doc, keys },
+    };
+    vec![
+        table("structure", BodyKeys::DOC, BodyKeys::declarations()),
+        table("damping", Damping::DOC, Damping::declarations()),
+        table("reduction", Reduction::DOC, Reduction::declarations()),
+    ]
 }
 
 pub(crate) fn list(items: Json, [least, most]: [usize; 2], description: &str) -> Json {

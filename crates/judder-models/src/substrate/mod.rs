@@ -1,28 +1,27 @@
 //! The substrate of a case: moduli and one time, a series of terms, or measured data; and its temperature.
 
 pub mod continuous;
-pub(crate) mod resolved;
 pub mod temperature;
 
 use std::path::Path;
 
 use crate::contact::problem::ContactProblem;
-use crate::oscillator::inputs::OscillatorInputs;
-use crate::oscillator::keys::{KEYS, OscillatorKey};
+use crate::oscillator::inputs::{OscillatorInputs, TimeForm};
+use crate::oscillator::keys::OscillatorKey;
 use crate::substrate::continuous::{ContinuousSource, Density};
 use crate::substrate::temperature::{Shift, Temperature};
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Allowed, Number, Setting, Settings, Several, all, both, conflict};
+use judder_keys::declared::{Allowed, Number, Setting, Several, both, conflict};
 use judder_keys::dimension::Dimension;
 use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
 use judder_keys::file_reference::{FileReference, read_file_reference};
-use judder_keys::numeric_key::read_value;
-use judder_keys::numeric_key::{Key, Value};
+use judder_keys::keys::Numbers;
+use judder_keys::numeric_key::Value;
 use judder_keys::problem::Placed;
 use judder_keys::section::{Section, list, whole, wrong_type};
-use serde_json::{Value as Json, json};
+use serde_json::{Map, Value as Json, json};
 
 /// What `[substrate]` says beside its numeric keys.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -160,10 +159,12 @@ pub enum TermCount {
     Given(usize),
 }
 
-/// What a substrate has beside its numeric keys, as a case says it.
+/// `[substrate]`, as a case says it.
 #[derive(Debug, Clone, PartialEq, Default, Settings)]
-#[settings(check = SubstrateKeys::fit)]
+#[settings(check = SubstrateKeys::fit, title = "[{path}]")]
 pub(crate) struct SubstrateKeys {
+    #[key(flatten, rule = "substrate")]
+    numbers: Numbers<OscillatorKey>,
     /// Terms of the creep compliance: 1/E∞ = 1/E0 − Σ compliance.
     #[key(rule = TERMS, omitted)]
     prony: Option<Vec<PronyTerm>>,
@@ -270,29 +271,31 @@ const CONFLICTS: [(&str, &str); 18] = [
     ("continuous", "dma"),
 ];
 
-/// Reads `[substrate]`: its numeric keys into `inputs`, the rest as it is; files are relative to `folder`.
-///
-/// A series sets the glassy modulus and the mean retardation time, Σ C_k τ_k/Σ C_k, which is the τ of the groups then.
-pub(crate) fn read_substrate(
-    node: &Node,
-    inputs: &mut OscillatorInputs,
-    folder: &Path,
-) -> Result<Substrate, Fault> {
-    let entries = || KEYS.iter().filter(|entry| entry.section() == "substrate");
-    let known: Vec<_> = entries().map(Key::name).chain(SubstrateKeys::KEYS.iter().copied()).collect();
-    let section = Section::of_table(node, "substrate", "[substrate]")?;
-    let given = entries().filter_map(|entry| section.get(entry.name()).map(|node| (entry, node)));
-    let numbers = all(given.map(|(entry, node)| Ok((entry.key, read_value(entry, entry.path, node)?))));
-    let conflicts = CONFLICTS.iter().try_for_each(|(first, second)| conflict(&section, first, second));
-    let keys = both(conflicts, SubstrateKeys::read_table(&section));
-    let (((), numbers), ((), keys)) = both(both(section.refuse_others(&known), numbers), keys)?;
-    for (key, value) in numbers {
-        inputs.set(key, value);
+/// Refuses keys of `[substrate]` that say the same, whatever is wrong with them.
+pub(crate) fn refuse_conflicts(root: &Section<'_>) -> Result<(), Fault> {
+    let Some(section) = root.inner("substrate")? else { return Ok(()) };
+    CONFLICTS.iter().try_for_each(|(first, second)| conflict(&section, first, second))
+}
+
+impl SubstrateKeys {
+    /// The substrate of what was read: its numbers go into `inputs`, files are relative to `folder`.
+    ///
+    /// A series sets the glassy modulus and the mean retardation time, Σ C_k τ_k/Σ C_k, which is the τ of the groups then.
+    pub(crate) fn found(
+        self,
+        root: &Section<'_>,
+        inputs: &mut OscillatorInputs,
+        folder: &Path,
+    ) -> Result<Substrate, Fault> {
+        inputs.set_all(&self.numbers);
+        let temperature = self.temperature.zip(self.shift);
+        let temperature = temperature.map(|(temperature, shift)| Temperature { temperature, shift });
+        let source = match root.inner("substrate")? {
+            Some(section) => read_source(self, &section, inputs, folder)?,
+            None => RelaxationSource::OneTime,
+        };
+        Ok(Substrate { source, temperature })
     }
-    let temperature = keys.temperature.zip(keys.shift);
-    let temperature = temperature.map(|(temperature, shift)| Temperature { temperature, shift });
-    let source = read_source(keys, &section, inputs, folder)?;
-    Ok(Substrate { source, temperature })
 }
 
 fn read_source(
@@ -386,18 +389,27 @@ impl SubstrateKeys {
     }
 }
 
-impl From<&Substrate> for SubstrateKeys {
-    fn from(substrate: &Substrate) -> Self {
-        let mut keys = Self::default();
-        match substrate.source.clone() {
+impl Substrate {
+    /// What a case says of it, with the numbers in use.
+    pub(crate) fn keys(&self, inputs: &OscillatorInputs) -> SubstrateKeys {
+        let numbers = inputs.numbers("substrate", |key| self.takes(key));
+        let mut keys = SubstrateKeys { numbers, ..SubstrateKeys::default() };
+        match self.source.clone() {
             RelaxationSource::OneTime => (),
             RelaxationSource::Prony(terms) => keys.prony = Some(terms),
             RelaxationSource::Relaxation(terms) => keys.relaxation = Some(terms),
             RelaxationSource::Continuous(source) => keys.continuous = Some(source),
             RelaxationSource::Dma { file, terms, .. } => keys.dma = Some(MeasuredModuli { file, terms }),
         }
-        keys.temperature = substrate.temperature.map(|own| own.temperature);
-        keys.shift = substrate.temperature.map(|own| own.shift);
+        keys.temperature = self.temperature.map(|own| own.temperature);
+        keys.shift = self.temperature.map(|own| own.shift);
         keys
+    }
+
+    /// A canonical form that says how the relaxation was given besides.
+    pub(crate) fn written(&self, json: Map<String, Json>, time_form: TimeForm) -> Json {
+        let mut json = Json::Object(json);
+        json["substrate"]["given_as"] = json!(self.source.key().unwrap_or(time_form.name()));
+        json
     }
 }

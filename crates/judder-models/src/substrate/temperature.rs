@@ -1,12 +1,10 @@
 //! A temperature of the substrate, and the rule by which it moves all times of the spectrum.
 
 use judder_keys::Settings;
-use judder_keys::declared::{Allowed, Number, Setting, Settings, conflict};
+use judder_keys::declared::{Allowed, Number, Scaled, Setting, Settings, conflict};
 use judder_keys::dimension::Dimension;
 use judder_keys::document::Node;
 use judder_keys::error::Fault;
-use judder_keys::numeric_key::read_value;
-use judder_keys::numeric_key::{Key, Range};
 use judder_keys::schema::declared_table;
 use judder_keys::section::Section;
 use serde_json::{Value as Json, json};
@@ -112,33 +110,17 @@ impl Setting for Shift {
     }
 }
 
-impl TemperatureDifference {
-    /// The entry of a table of keys that reads as it does.
-    const ENTRY: Key<()> = Key {
-        key: (),
-        path: "",
-        symbol: "",
-        dimension: Dimension::TEMPERATURE,
-        group: None,
-        difference: true,
-        range: Range::Positive,
-        default: None,
-        typical: None,
-        doc: "",
-    };
-}
+const DIFFERENCE: Scaled = Scaled { is_difference: true, ..Scaled::quantity(Dimension::TEMPERATURE) };
 
 impl Setting for TemperatureDifference {
     type Rule = ();
 
     fn form((): &()) -> Allowed {
-        let schema = json!({ "type": "string", "examples": [Self::ENTRY.example()] });
-        let words = format!("a difference of temperatures such as {}, > 0", Self::ENTRY.example());
-        Allowed::Told { schema, words, keys: Vec::new() }
+        Allowed::Scaled(DIFFERENCE)
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
-        read_value(&Self::ENTRY, &section.path(key), node).map(|value| Self(value.number))
+        DIFFERENCE.read(&section.path(key), node).map(|value| Self(value.number))
     }
 
     fn write(&self, (): &()) -> Json {

@@ -1,17 +1,22 @@
 //! The two-degrees case: M, C and K as expressions of a few parameters, for benchmarks and minimal models.
 
 use crate::REGISTRY;
+use crate::parameters::{Parameter, Parameters};
 use crate::read_sweep::{Axis, SWEEP, map_declarations, read_map, write_map};
 use crate::sweep::{ParameterKey, StabilityMap, Sweep};
 use crate::swept_keys::ParameterKeys;
-use crate::two_degrees::matrix::{Matrix, Scope, read_mass, read_matrix};
+use crate::two_degrees::MODEL;
+use crate::two_degrees::matrix::{Entries, Matrix, Scope};
+use judder_keys::Settings;
 use judder_keys::cause::Cause;
-use judder_keys::document::{Data, Node};
+use judder_keys::declared::{Setting, both};
+use judder_keys::document::Node;
 use judder_keys::error::Fault;
-use judder_keys::expression::is_parameter_name;
-use judder_keys::section::{Section, finite_number, wrong_type};
+use judder_keys::schema::object;
 use judder_study::case::analysis::{Kind, Planned, read_analyses};
-use serde_json::{Map, Value as Json};
+use judder_study::case::root::{document, read_root};
+use judder_study::model::Analysis;
+use serde_json::{Map, Value as Json, json};
 
 /// A validated two-degrees case.
 #[derive(Debug, Clone)]
@@ -24,15 +29,6 @@ pub struct TwoDegreesCase {
     pub analyses: Vec<Planned<TwoDegreesAnalysis>>,
     /// M, C and K.
     matrices: Box<[Matrix; 3]>,
-}
-
-/// A named number that expressions use and sweeps vary.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Parameter {
-    /// The name in expressions; a swept key calls it `parameters.NAME`.
-    pub name: String,
-    /// The value where no sweep sets it; finite.
-    pub value: f64,
 }
 
 /// The matrices at one point, row-major, every entry finite.
@@ -127,6 +123,15 @@ pub(crate) static KINDS: [Kind<ParameterKeys, TwoDegreesAnalysis>; 3] = [
 ];
 
 impl TwoDegreesCase {
+    /// The canonical form.
+    pub(super) fn resolved(&self) -> Json {
+        let mut json = document(MODEL.name, &self.title, &self.analyses, Analysis::write);
+        let matrices = self.expressions().map(|(name, texts)| (name, json!(texts)));
+        json.insert("parameters".to_owned(), Parameters(self.parameters.clone()).write(&()));
+        json.insert("matrices".to_owned(), Json::Object(object(matrices)));
+        Json::Object(json)
+    }
+
     /// The values of all parameters, in their order: what a sweep starts from.
     pub fn values(&self) -> Vec<f64> {
         self.parameters.iter().map(|parameter| parameter.value).collect()
@@ -151,39 +156,62 @@ impl TwoDegreesCase {
     }
 }
 
-/// Reads a two-degrees case from the root of its tree.
-pub(crate) fn read(root: &Node) -> Result<TwoDegreesCase, Fault> {
-    let known = ["title", "model", "parameters", "matrices", "analysis", "sweep"];
-    let root = Section::open(root, "", "a two-degrees case", &known)?;
-    let parameters = read_parameters(&root)?;
-    let keys = ParameterKeys(parameters.iter().map(|parameter| parameter.name.clone()).collect());
-    let values: Vec<_> = parameters.iter().map(|parameter| parameter.value).collect();
-    let node = root.required("matrices", "[matrices] with stiffness = [[…, …], […, …]]")?;
-    let section = Section::open(node, "matrices", "[matrices]", &["mass", "damping", "stiffness"])?;
-    section.required("stiffness", "stiffness = [[\"2\", \"1 - mu\"], [1, 2]]")?;
-    let title = root.text("title")?.unwrap_or_default().to_owned();
-    // before the matrices: an entry that an analysis varies is judged by the run
-    let analyses = read_analyses(&root, &keys, &KINDS, REGISTRY)?;
-    let swept: Vec<_> = analyses.iter().flat_map(|analysis| analysis.kind.swept()).collect();
-    let scope = Scope { names: &keys.0, values: &values, swept: &swept };
-    let matrices = Box::new([
-        read_mass(&section, &scope)?,
-        read_matrix(&section, "damping", 0.0, &scope)?,
-        read_matrix(&section, "stiffness", 0.0, &scope)?,
-    ]);
-    Ok(TwoDegreesCase { title, parameters, analyses, matrices })
+/// What a case says beside its analyses.
+#[derive(Debug, Settings)]
+#[settings(title = "a two-degrees case")]
+pub(crate) struct TwoDegreesSections {
+    /// Numbers that expressions use and sweeps vary.
+    parameters: Parameters,
+    /// M, C and K.
+    #[key(example = "[matrices] with stiffness = [[…, …], […, …]]")]
+    matrices: MatrixKeys,
 }
 
-pub(crate) fn read_parameters(root: &Section<'_>) -> Result<Vec<Parameter>, Fault> {
-    let Some(node) = root.get("parameters") else { return Ok(Vec::new()) };
-    let Data::Table(table) = &node.data else { return Err(wrong_type("parameters", "a table", node)) };
-    let read = table.entries.iter().map(|entry| {
-        let name = entry.key.clone();
-        if !is_parameter_name(&name) {
-            return Err(Cause::ParameterName { name }.at(entry.place));
-        }
-        let value = finite_number(&format!("parameters.{name}"), &entry.node)?;
-        Ok(Parameter { name, value })
-    });
-    read.collect()
+/// `[matrices]`.
+#[derive(Debug, Settings)]
+#[settings(title = "[{path}]")]
+struct MatrixKeys {
+    /// M, 2×2 numbers or expressions; the identity by default.
+    mass: Option<Entries>,
+    /// C; zero by default.
+    damping: Option<Entries>,
+    /// K.
+    #[key(example = "[[\"2\", \"1 - mu\"], [1, 2]]")]
+    stiffness: Entries,
+}
+
+impl MatrixKeys {
+    /// The matrices, all that is wrong with them told.
+    fn compiled(self, scope: &Scope<'_>) -> Result<Box<[Matrix; 3]>, Fault> {
+        let mass = self.mass.as_ref().map_or(Ok(Matrix::diagonal("mass", 1.0)), |given| given.mass(scope));
+        let damping = self.damping.as_ref();
+        let damping =
+            damping.map_or(Ok(Matrix::diagonal("damping", 0.0)), |given| given.matrix("damping", scope));
+        let (mass, (damping, stiffness)) =
+            both(mass, both(damping, self.stiffness.matrix("stiffness", scope)))?;
+        Ok(Box::new([mass, damping, stiffness]))
+    }
+}
+
+/// Reads a two-degrees case from the root of its tree.
+pub(crate) fn read(node: &Node) -> Result<TwoDegreesCase, Fault> {
+    let (root, sections) = read_root::<TwoDegreesSections>(node)?;
+    let (parameters, sections) = match (Parameters::of(&root), sections) {
+        (Ok(parameters), sections) => (parameters, sections),
+        (Err(_), Err(all)) => return Err(all),
+        (Err(fault), Ok(_)) => return Err(fault),
+    };
+    let keys = ParameterKeys(parameters.names());
+    let values: Vec<_> = parameters.0.iter().map(|parameter| parameter.value).collect();
+    let analyses = read_analyses(&root, &keys, &KINDS, REGISTRY);
+    // an entry that an analysis varies is judged by the run, each where that is not known
+    let swept = match &analyses {
+        Ok(analyses) => analyses.iter().flat_map(|analysis| analysis.kind.swept()).collect(),
+        Err(_) => (0..values.len()).collect::<Vec<_>>(),
+    };
+    let scope = Scope { names: &keys.0, values: &values, swept: &swept };
+    let case =
+        sections.and_then(|(title, own)| own.matrices.compiled(&scope).map(|matrices| (title, matrices)));
+    let ((title, matrices), analyses) = both(case, analyses)?;
+    Ok(TwoDegreesCase { title, parameters: parameters.0, analyses, matrices })
 }

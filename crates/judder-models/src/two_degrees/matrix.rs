@@ -2,11 +2,13 @@
 
 use crate::two_degrees::mass::{NoMass, check_mass};
 use judder_keys::cause::Cause;
+use judder_keys::declared::{Allowed, Setting, both};
 use judder_keys::document::{Data, Node};
-use judder_keys::error::Fault;
+use judder_keys::error::{Fault, Place};
 use judder_keys::expression::Expression;
 use judder_keys::problem::Placed;
 use judder_keys::section::{Section, finite_number, list, wrong_type};
+use serde_json::{Value as Json, json};
 
 /// One matrix: compiled entries, and their texts for the record.
 #[derive(Debug, Clone)]
@@ -35,6 +37,13 @@ pub(crate) struct Scope<'a> {
 }
 
 impl Matrix {
+    /// A multiple of the identity.
+    pub(crate) fn diagonal(name: &'static str, value: f64) -> Self {
+        let entry =
+            |row, column| Entry::constant(name, [row, column], if row == column { value } else { 0.0 });
+        Self { name, entries: [[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]] }
+    }
+
     /// The texts of the entries as the case file has them.
     pub(crate) fn texts(&self) -> [[&str; 2]; 2] {
         self.entries.each_ref().map(|row| row.each_ref().map(|entry| entry.text.as_str()))
@@ -74,42 +83,62 @@ impl Entry {
     }
 }
 
-/// Reads M; where the case gives none it is the identity.
-pub(crate) fn read_mass(section: &Section<'_>, scope: &Scope<'_>) -> Result<Matrix, Fault> {
-    let matrix = read_matrix(section, "mass", 1.0, scope)?;
-    if let Some(node) = section.get(matrix.name)
-        && !matrix.is_swept(scope)
-    {
-        let mass = matrix.evaluate(scope.values).map_err(|cause| cause.at(node.place))?;
-        check_mass(mass).map_err(|problem| NoMass { mass, problem }.at(node.place))?;
-    }
-    Ok(matrix)
+/// Two rows of two entries as a case gives them, before the parameters are known.
+#[derive(Debug)]
+pub(crate) struct Entries {
+    rows: [[Node; 2]; 2],
+    place: Place,
 }
 
-/// Reads one matrix; where the case gives none it is `diagonal` times the identity.
-pub(crate) fn read_matrix(
-    section: &Section<'_>,
-    name: &'static str,
-    diagonal: f64,
-    scope: &Scope<'_>,
-) -> Result<Matrix, Fault> {
-    let Some(node) = section.get(name) else {
+impl Setting for Entries {
+    type Rule = ();
+
+    fn form((): &()) -> Allowed {
+        let two = |of: Allowed| Allowed::List { of: Box::new(of), length: [2, 2] };
+        two(two(Allowed::Expression))
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
+        let key = section.path(key);
+        let pair = |node: &Node| -> Result<[Node; 2], Fault> {
+            let shape = |_| Cause::MatrixShape { key: key.clone() }.at(node.place);
+            list(&key, node)?.to_vec().try_into().map_err(shape)
+        };
+        let [first, second] = pair(node)?;
+        let (first, second) = both(pair(&first), pair(&second))?;
+        Ok(Self { rows: [first, second], place: node.place })
+    }
+
+    /// The numbers and expressions as they stand there.
+    fn write(&self, (): &()) -> Json {
+        let entry = |node: &Node| match &node.data {
+            Data::Text(text) => json!(text),
+            Data::Number { value, .. } => json!(value),
+            _ => Json::Null,
+        };
+        self.rows.each_ref().map(|row| row.each_ref().map(entry)).into_iter().collect()
+    }
+}
+
+impl Entries {
+    /// M.
+    pub(crate) fn mass(&self, scope: &Scope<'_>) -> Result<Matrix, Fault> {
+        let matrix = self.matrix("mass", scope)?;
+        if !matrix.is_swept(scope) {
+            let mass = matrix.evaluate(scope.values).map_err(|cause| cause.at(self.place))?;
+            check_mass(mass).map_err(|problem| NoMass { mass, problem }.at(self.place))?;
+        }
+        Ok(matrix)
+    }
+
+    /// The matrix of this name, all that is wrong with its entries told.
+    pub(crate) fn matrix(&self, name: &'static str, scope: &Scope<'_>) -> Result<Matrix, Fault> {
+        let key = format!("matrices.{name}");
         let entry =
-            |row, column| Entry::constant(name, [row, column], if row == column { diagonal } else { 0.0 });
-        return Ok(Matrix { name, entries: [[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]] });
-    };
-    let key = section.path(name);
-    let pair = |node: &'_ Node| -> Result<[Node; 2], Fault> {
-        let shape = || Cause::MatrixShape { key: key.clone() }.at(node.place);
-        list(&key, node)?.to_vec().try_into().map_err(|_| shape())
-    };
-    let row = |index: usize, node: &Node| -> Result<[Entry; 2], Fault> {
-        let [left, right] = pair(node)?;
-        let read = |column, node| read_entry(&key, name, [index, column], node, scope);
-        Ok([read(0, &left)?, read(1, &right)?])
-    };
-    let [first, second] = pair(node)?;
-    Ok(Matrix { name, entries: [row(0, &first)?, row(1, &second)?] })
+            |row: usize, column: usize| read_entry(&key, name, [row, column], &self.rows[row][column], scope);
+        let ((a, b), (c, d)) = both(both(entry(0, 0), entry(0, 1)), both(entry(1, 0), entry(1, 1)))?;
+        Ok(Matrix { name, entries: [[a, b], [c, d]] })
+    }
 }
 
 fn read_entry(

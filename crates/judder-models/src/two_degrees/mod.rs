@@ -4,20 +4,22 @@ pub mod case;
 mod check;
 pub mod mass;
 mod matrix;
-pub(crate) mod reference;
-pub(crate) mod resolved;
 mod run;
-pub(crate) mod schema;
 
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost};
 use crate::oscillator::operating_points::{LINEAR_QUANTITIES, linear_values};
-use crate::two_degrees::case::{ParameterSpectrum, ParameterThresholds, TwoDegreesAnalysis, TwoDegreesCase};
+use crate::two_degrees::case::{
+    ParameterSpectrum, ParameterThresholds, TwoDegreesAnalysis, TwoDegreesCase, TwoDegreesSections,
+};
+use judder_keys::declared::Settings;
 use judder_oscillator::LinearSystem;
 use judder_study::Progress;
 use judder_study::StudyError;
 use judder_study::case::analysis::names;
 use judder_study::case::file::{Case, CaseFile};
+use judder_study::case::reference::section;
+use judder_study::case::root::schema;
 use judder_study::model::{Analysed, Analysis, Model, OperatingQuantity, Prepared, Task};
 use judder_study::outcome::Outcome;
 use judder_study::registry::{ModelKind, entries};
@@ -56,9 +58,17 @@ impl Analysis<TwoDegreesCase> for TwoDegreesAnalysis {
 pub(crate) const MODEL: ModelKind = ModelKind {
     name: "two-degrees",
     read: |root, _| case::read(root).map(Case::new),
-    schema: schema::case,
-    definitions: Vec::new,
-    reference: reference::section,
+    declared: TwoDegreesSections::declarations,
+    swept: Vec::new,
+    schema: || {
+        schema(
+            "two-degrees",
+            "two degrees of freedom with given matrices",
+            &TwoDegreesSections::declarations(),
+            &case::KINDS,
+        )
+    },
+    reference: || section(include_str!("reference.md"), &TwoDegreesSections::declarations(), &case::KINDS),
     kinds: || entries(&case::KINDS),
     operating_quantities: &LINEAR_QUANTITIES,
 };
@@ -73,7 +83,7 @@ impl Model for TwoDegreesCase {
     }
 
     fn resolved(&self) -> serde_json::Value {
-        resolved::case(self)
+        TwoDegreesCase::resolved(self)
     }
 
     fn preflight(&self, _: &CaseFile, _: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {

@@ -145,3 +145,23 @@ fn all_that_is_wrong_with_an_analysis_of_motion_is_told() {
     let messages = told(parse(text, &[]).unwrap_err());
     assert_eq!(messages.len(), 5, "{messages:?}");
 }
+
+/// By its dotted path, with unit, group and range; the keys of analyses, and those that analyses vary.
+#[test]
+fn every_key_of_a_model_is_told_by_its_path() {
+    let keys = judder_models::keys("oscillator").unwrap();
+    let of_path = |path: &str| {
+        let found = keys.as_array().unwrap().iter().find(|key| key["path"] == path);
+        found.unwrap_or_else(|| panic!("{path}")).clone()
+    };
+    let velocity = of_path("operation.velocity");
+    assert_eq!(
+        (&velocity["varied"], &velocity["default"], &velocity["symbol"]),
+        (&json!(true), &json!(1e-4), &json!("v_d"))
+    );
+    let form = json!({ "kind": "number", "group": "v_d τ/R", "unit": "m/s", "range": { "above": 0.0 } });
+    assert_eq!(velocity["form"], form);
+    assert_eq!(of_path("substrate.shift.wlf.c1")["varied"], false);
+    assert_eq!(of_path("analysis.*.samples")["analysis"], "basin");
+    assert!(judder_models::keys("oscilator").is_none());
+}

@@ -3,12 +3,13 @@
 use serde_json::Value as Json;
 
 use crate::{help_of, parse};
+use judder_keys::keys::Keys;
 use judder_models::belt::case::BeltCase;
 use judder_models::belt::case::BeltInputs;
 use judder_models::contact::case::ContactCase;
 use judder_models::oscillator::case::OscillatorCase;
 use judder_models::oscillator::inputs::OscillatorInputs;
-use judder_models::oscillator::keys::KEYS;
+use judder_models::oscillator::keys::OscillatorKey;
 use judder_models::schema;
 use judder_models::template::{TEMPLATES, template};
 
@@ -33,7 +34,7 @@ fn every_template_is_a_valid_case() {
 #[test]
 fn the_template_of_the_oscillator_shows_every_key() {
     let text = template("oscillator").unwrap();
-    for entry in &KEYS {
+    for entry in OscillatorKey::ALL {
         let shown = |line: &&str| line.trim_start_matches("# ").starts_with(&format!("{} = ", entry.name()));
         assert_eq!(text.lines().filter(shown).count(), 1, "{}", entry.path);
     }
@@ -84,8 +85,8 @@ fn visit(json: &Json, action: &mut impl FnMut(&serde_json::Map<String, Json>)) {
 fn the_schema_knows_every_key_with_its_default_and_its_references_resolve() {
     let schema = schema();
     assert_eq!(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
-    for entry in &KEYS {
-        let definition = &schema["$defs"][entry.path];
+    for entry in OscillatorKey::ALL {
+        let definition = &schema["oneOf"][0]["properties"][entry.section()]["properties"][entry.name()];
         assert!(definition["description"].as_str().unwrap().contains(entry.doc), "{}", entry.path);
         assert_eq!(definition["default"].is_null(), entry.default.is_none(), "{}", entry.path);
     }

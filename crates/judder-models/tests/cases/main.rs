@@ -28,7 +28,8 @@ mod study_sweep;
 mod two_degrees;
 
 use judder_keys::error::CaseError;
-use judder_models::oscillator::keys::KEYS;
+use judder_keys::keys::Keys;
+use judder_models::oscillator::keys::OscillatorKey;
 use judder_study::case::file::{Case, CaseFile};
 use miette::Diagnostic;
 
@@ -49,7 +50,7 @@ fn refused_with(text: &str, overrides: &[&str], message: &str, place: &str, help
 
 /// The help line, in which `KEYS` stands for the list of all numeric keys.
 fn help_of(error: &CaseError) -> String {
-    let keys = KEYS.map(|entry| entry.path).join(", ");
+    let keys = OscillatorKey::paths().join(", ");
     error.help().map(|help| help.to_string().replace(&keys, "KEYS")).unwrap_or_default()
 }
 

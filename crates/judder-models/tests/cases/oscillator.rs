@@ -3,10 +3,11 @@
 use std::f64::consts::{FRAC_PI_4, PI};
 
 use crate::parse;
+use judder_keys::keys::Keys;
 use judder_keys::numeric_key::{Form, Value};
 use judder_models::oscillator::case::OscillatorCase;
 use judder_models::oscillator::inputs::{FrictionLoad, LawName, OscillatorInputs, TimeForm};
-use judder_models::oscillator::keys::{KEYS, OscillatorKey};
+use judder_models::oscillator::keys::OscillatorKey;
 use judder_models::oscillator::settings::SHEAR_STRENGTH_WITHIN;
 use judder_models::oscillator::settings::{CriticalThresholds, Sought};
 use judder_models::sweep::{MapMethod, StabilityMap};
@@ -86,8 +87,8 @@ fn the_case_of_the_interface_says_the_papers_values() {
 fn a_case_of_one_line_is_the_papers() {
     let case = oscillator("model = \"oscillator\"", &[]);
     assert_eq!(format!("{case:?}"), format!("{:?}", OscillatorCase::default()));
-    for entry in &KEYS {
-        assert!(entry.range.contains(case.inputs.number(entry.key)), "{}", entry.path);
+    for entry in OscillatorKey::ALL {
+        assert!(entry.rule.range.contains(case.inputs.number(entry.key)), "{}", entry.path);
     }
 }
 
@@ -176,7 +177,7 @@ fn a_sweep_sets_its_key() {
 #[test]
 fn the_resolved_case_holds_every_key_and_the_same_bytes_each_time() {
     let json = parse(INTERFACE, &[]).unwrap().resolved();
-    for entry in &KEYS {
+    for entry in OscillatorKey::ALL {
         assert!(!json[entry.section()][entry.name()].is_null(), "{}", entry.path);
     }
     assert_eq!(json["substrate"]["relaxation_time"], serde_json::json!({ "value": 0.001, "unit": "s" }));

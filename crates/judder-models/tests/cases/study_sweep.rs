@@ -2,6 +2,7 @@
 
 use crate::with_file;
 use judder_keys::dimension::Dimension;
+use judder_keys::keys::Keys;
 use judder_keys::numeric_key::Form;
 use judder_models::oscillator::case::OscillatorCase;
 use judder_models::oscillator::keys::OscillatorKey;

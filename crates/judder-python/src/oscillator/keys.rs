@@ -3,11 +3,11 @@
 use crate::contact::PyLaw;
 use crate::errors;
 use crate::watched::{Manner, watched};
+use judder_keys::keys::{Given, Key, Keys};
 use judder_models::bridge::{self, CaseContact};
 use judder_models::oscillator::case::OscillatorCase;
-use judder_models::oscillator::given::Given;
 use judder_models::oscillator::inputs::{FrictionLoad, LawName, OscillatorInputs};
-use judder_models::oscillator::keys::{KEYS, OscillatorKey};
+use judder_models::oscillator::keys::OscillatorKey;
 use judder_oscillator::Contact;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
@@ -109,9 +109,9 @@ impl Asked {
 
 /// The key of a dotted path or of its last name.
 pub(crate) fn key(name: &str) -> PyResult<OscillatorKey> {
-    let entry = KEYS.iter().find(|entry| entry.path == name || entry.name() == name);
+    let entry = OscillatorKey::ALL.iter().find(|entry| entry.path == name || entry.name() == name);
     entry.map(|entry| entry.key).ok_or_else(|| {
-        let known: Vec<&str> = KEYS.iter().map(judder_keys::numeric_key::Key::name).collect();
+        let known: Vec<&str> = OscillatorKey::ALL.iter().map(Key::name).collect();
         errors::input(name, format!("no key of an oscillator; known are {}", known.join(", ")))
     })
 }

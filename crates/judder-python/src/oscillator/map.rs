@@ -4,10 +4,10 @@ use super::keys::{Asked, key, named};
 use crate::arrays;
 use crate::errors;
 use crate::watched::{Manner, watched};
+use judder_keys::keys::{Given, Keys};
 use judder_keys::numeric_key::Form;
 use judder_keys::quantity::Quantity;
 use judder_models::key_plane::{KeyAxis, KeyPlane};
-use judder_models::oscillator::given::Given;
 use judder_models::oscillator::keys::OscillatorKey;
 use judder_oscillator::Contact;
 use judder_oscillator::map::{DecisionMethod, OperatingPlane, StabilityMap, TILE_ROWS};
@@ -30,7 +30,7 @@ fn axis(argument: &str, (name, values, unit): &Side<'_>) -> PyResult<KeyAxis> {
         None => (key.read(Given::Number(values[0])).map_err(|error| errors::case(&error))?.form, values),
         Some(unit) => (Form::Si, in_si(key, argument, unit, &values)?),
     };
-    let range = key.entry().range;
+    let range = key.entry().rule.range;
     match values.iter().position(|value| !range.contains(*value)) {
         Some(index) => {
             let message =
@@ -43,7 +43,7 @@ fn axis(argument: &str, (name, values, unit): &Side<'_>) -> PyResult<KeyAxis> {
 
 /// Values of this unit in SI units.
 fn in_si(key: OscillatorKey, argument: &str, unit: &str, values: &[f64]) -> PyResult<Vec<f64>> {
-    let expected = key.entry().dimension;
+    let expected = key.entry().rule.dimension;
     let quantity = Quantity::parse(&format!("1 {unit}"));
     let quantity =
         quantity.map_err(|(problem, _)| errors::input(argument, format!("{problem}: `{unit}`")))?;
@@ -108,7 +108,7 @@ pub(crate) fn oscillator_map<'py>(
     result.set_item("warnings", contact.warnings)?;
     for (name, axis) in [("x", plane.x), ("y", plane.y)] {
         let entry = axis.key.entry();
-        let unit = if axis.form == Form::Si { entry.dimension.unit() } else { "1".to_owned() };
+        let unit = if axis.form == Form::Si { entry.rule.dimension.unit() } else { "1".to_owned() };
         let about = (entry.name(), axis.values.into_pyarray(py), entry.doc, unit);
         result.set_item(name, about)?;
     }

@@ -4,11 +4,12 @@ use super::keys::Asked;
 use crate::contact::PyLaw;
 use crate::errors;
 use crate::watched::Manner;
+use judder_keys::keys::Keys;
 use judder_keys::numeric_key::{Form, Value};
 use judder_models::bridge;
 use judder_models::oscillator::case::OscillatorCase;
 use judder_models::oscillator::inputs::TimeForm;
-use judder_models::oscillator::keys::{KEYS, OscillatorKey};
+use judder_models::oscillator::keys::OscillatorKey;
 use judder_models::point::{Point, SteadyPoint, point_with};
 use judder_oscillator::mechanism::Mechanism;
 use num_complex::Complex64;
@@ -91,7 +92,9 @@ pub(crate) fn rebuilt_point(
 ) -> PyResult<OscillatorPoint> {
     let mut asked = Asked::new(Some(law), Some(friction_load))?;
     let time = if is_relaxation { OscillatorKey::RetardationTime } else { OscillatorKey::RelaxationTime };
-    for (entry, (number, is_si)) in KEYS.iter().zip(values).filter(|(entry, _)| entry.key != time) {
+    for (entry, (number, is_si)) in
+        OscillatorKey::ALL.iter().zip(values).filter(|(entry, _)| entry.key != time)
+    {
         let form = if is_si { Form::Si } else { Form::Group };
         asked.case.inputs.set(entry.key, Value { number, form });
     }
@@ -284,7 +287,7 @@ impl OscillatorPoint {
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, State)> {
         let rebuild = py.import("judder._judder")?.getattr("rebuilt_point")?;
-        let values = KEYS.iter().map(|entry| self.case.inputs.get(entry.key));
+        let values = OscillatorKey::ALL.iter().map(|entry| self.case.inputs.get(entry.key));
         let values = values.map(|value| (value.number, value.form == Form::Si)).collect();
         let law = match &self.law {
             Some(law) => law.clone_ref(py).into_any(),

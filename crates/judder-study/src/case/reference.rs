@@ -4,7 +4,8 @@ mod sweep;
 
 use crate::case::analysis::Kind;
 use crate::registry::Registry;
-use judder_keys::reference::{settings, without_repetition};
+use judder_keys::declared::Declaration;
+use judder_keys::reference::{settings, table, without_repetition};
 
 /// The page, as Markdown.
 pub fn reference(registry: Registry) -> String {
@@ -23,15 +24,20 @@ pub fn reference(registry: Registry) -> String {
     page + &sweep::section()
 }
 
+/// The section on a model: its prose, in which `{keys}` stands for what its cases say and `{analyses}` for its kinds.
+pub fn section<S, T>(prose: &str, keys: &[Declaration], own: &[Kind<S, T>]) -> String {
+    prose.replace("{keys}", table(keys).trim_end()).replace("{analyses}", kinds(own).trim_end())
+}
+
 /// The kinds of a model, and their keys.
 pub fn kinds<S, T>(kinds: &[Kind<S, T>]) -> String {
-    let mut table =
+    let mut list =
         String::from("| kind | keys beside `name` and `kind` | what it computes |\n| --- | --- | --- |\n");
     for kind in kinds {
         let Kind { name, doc, .. } = kind;
         let keys: Vec<String> = kind.keys().iter().map(|key| format!("`{key}`")).collect();
-        table += &format!("| `{name}` | {} | {doc} |\n", keys.join(", "));
+        list += &format!("| `{name}` | {} | {doc} |\n", keys.join(", "));
     }
     let declared = kinds.iter().map(|kind| settings(kind.name, &(kind.declared)()));
-    without_repetition(&declared.fold(table, |page, own| page + &own))
+    without_repetition(&declared.fold(list, |page, own| page + &own))
 }

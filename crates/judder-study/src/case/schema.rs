@@ -5,7 +5,7 @@ mod sweep;
 use crate::case::analysis::Kind;
 use crate::case::scale::Scale;
 use crate::registry::Registry;
-use judder_keys::schema::{choice, object, reference, table, with_declared};
+use judder_keys::schema::{choice, names, object, reference, table, with_declared};
 use serde_json::{Value as Json, json};
 
 /// The JSON Schema (draft 2020-12) of case files of all models, with descriptions and defaults.
@@ -17,8 +17,11 @@ pub fn schema(registry: Registry) -> Json {
         "scale": choice(Scale::ALL.map(|(name, _)| name), "linear", "spacing of the points"),
         "sweeps": sweep::sweeps(),
     });
-    for (name, definition) in registry.models().iter().flat_map(|model| (model.definitions)()) {
-        definitions[name] = definition;
+    for model in registry.models() {
+        let paths = (model.swept)();
+        if !paths.is_empty() {
+            definitions[swept_keys(model.name)] = names(paths, "dotted path of a key");
+        }
     }
     let mut json = json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
@@ -30,6 +33,11 @@ pub fn schema(registry: Registry) -> Json {
     });
     json.sort_all_objects();
     json
+}
+
+/// The definition that lists what the analyses of a model vary.
+pub fn swept_keys(model: &str) -> String {
+    format!("{model}-key")
 }
 
 /// The name of an analysis, which is that of its kind where it has none.

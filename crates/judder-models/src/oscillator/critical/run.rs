@@ -48,7 +48,7 @@ pub(super) fn run(
     settings: &CriticalThresholds,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
-    let (axis, curves) = (axis::of_oscillator(&settings.sweep), Curves::new(case, settings.family.as_ref()));
+    let (axis, curves) = (axis::of_key(&settings.sweep), Curves::new(case, settings.family.as_ref()));
     let points: Vec<OscillatorInputs> = curves
         .inputs
         .iter()

@@ -26,7 +26,7 @@ pub(super) fn run(
     family: Option<&Family<OscillatorKey>>,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
-    let (axis, curves) = (axis::of_oscillator(sweep), Curves::new(case, family));
+    let (axis, curves) = (axis::of_key(sweep), Curves::new(case, family));
     let mut outcome = Outcome::default();
     let (mut damping, mut states, mut scalars) = (Vec::new(), Vec::new(), Vec::new());
     for inputs in &curves.inputs {

@@ -16,6 +16,7 @@ use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::inputs::{LawName, OscillatorInputs};
 use crate::oscillator::keys::OscillatorKey;
 use crate::swept_keys::{OscillatorKeys, SweptKeys};
+use judder_keys::keys::Keys;
 use judder_keys::numeric_key::{Form, Value};
 use judder_oscillator::Contact;
 use judder_study::Progress;

@@ -56,7 +56,7 @@ pub(super) fn run(
     family: Option<&Family<OscillatorKey>>,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
-    let (axis, curves) = (axis::of_oscillator(sweep), Curves::new(case, family));
+    let (axis, curves) = (axis::of_key(sweep), Curves::new(case, family));
     let (mut spectra, mut states, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
     for inputs in &curves.inputs {
         let line = along(contact, inputs, sweep, progress)?;

@@ -27,7 +27,7 @@ pub(crate) fn run(
     settings: &MapSettings<OscillatorKey>,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
-    let (x, y) = (axis::of_oscillator(&settings.x), axis::of_oscillator(&settings.y));
+    let (x, y) = (axis::of_key(&settings.x), axis::of_key(&settings.y));
     let side = |sweep: &Sweep<OscillatorKey>, axis: &Axis| KeyAxis {
         key: sweep.key,
         form: sweep.form,

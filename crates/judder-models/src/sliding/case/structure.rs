@@ -54,7 +54,7 @@ pub(super) fn read_structures(
 }
 
 fn read_structure(node: &Node, parameters: &[String], folder: &Path) -> Result<SlidingStructure, Fault> {
-    let known: Vec<&str> = OWN_KEYS.iter().chain(BodyKeys::KEYS).copied().collect();
+    let known = [&OWN_KEYS[..], &BodyKeys::keys()].concat();
     let section = Section::open(node, "structure", "a structure", &known)?;
     let expected = "name = \"…\", by which keys call this structure";
     let name = PlainName::read(&section, "name", section.required("name", expected)?, &"structure")?;
@@ -91,7 +91,7 @@ fn read_source(
 
 /// Matrices have no body and no other damping beside them.
 fn refuse_beside_matrices(section: &Section<'_>) -> Result<(), Fault> {
-    for key in BodyKeys::KEYS.iter().copied().chain(["damping"]) {
+    for key in BodyKeys::keys().into_iter().chain(["damping"]) {
         if let Some(node) = section.get(key) {
             let problem = Cause::Meaningless { key, with: section.path("matrices") };
             return Err(problem.at(node.place));

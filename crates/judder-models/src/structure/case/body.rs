@@ -245,10 +245,9 @@ impl Setting for Materials {
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
         let path = section.path(key);
         let Data::Table(table) = &node.data else { return Err(wrong_type(&path, "a table", node)) };
+        let section = Section::of_table(node, &path, "")?;
         let read = |entry: &Entry| {
-            let path = format!("{path}.{}", entry.key);
-            let section = Section::open(&entry.node, &path, &format!("`{path}`"), Material::KEYS)?;
-            Ok((entry.key.clone(), Material::read_table(&section)?))
+            Material::read(&section, &entry.key, &entry.node, &()).map(|own| (entry.key.clone(), own))
         };
         all(table.entries.iter().map(read)).map(Self)
     }

@@ -67,7 +67,7 @@ pub const FIXED_MODES_LIMIT: usize = 2000;
 impl Reduction {
     /// Reads the reduction that `section` describes, of a structure from `source`.
     pub(crate) fn of(section: &Section<'_>, source: &StructureSource) -> Result<Self, Fault> {
-        let ((), reduction) = both(section.refuse_others(Self::KEYS), Self::read_table(section))?;
+        let ((), reduction) = both(section.refuse_others(&Self::keys()), Self::read_table(section))?;
         let Some(node) = section.get("kept") else { return Ok(reduction) };
         let path = section.path("kept");
         let nodes = list(&path, node)?;

@@ -2,7 +2,9 @@
 
 use super::annotation;
 use super::key::{Key, capitalised, wrapped};
+use judder_keys::keys::Keys;
 use judder_keys::memory::Memory;
+use judder_models::oscillator::keys::OscillatorKey;
 use judder_models::{kinds_of, schema};
 use serde_json::Value as Json;
 
@@ -35,9 +37,12 @@ pub(super) fn module() -> String {
     let definitions = &schema["$defs"];
     let sections = &schema["oneOf"][0]["properties"];
     let keys = |section: &str| sections[section]["properties"].as_object().unwrap();
-    // a number that operating points are swept over has a definition of its own
-    let numbers =
-        SECTIONS.iter().flat_map(|section| keys(section)).filter(|(_, key)| key["$ref"].is_string());
+    let is_swept =
+        |section: &str, name: &str| OscillatorKey::of_section(section).any(|own| own.name() == name);
+    let of_section = |section: &&'static str| {
+        keys(section).iter().filter(|(name, _)| is_swept(section, name)).collect::<Vec<_>>()
+    };
+    let numbers = SECTIONS.iter().flat_map(of_section);
     let fields: String = numbers
         .map(|(name, schema)| {
             let key = Key::of_schema(name, schema, &Json::Null, definitions);
@@ -46,14 +51,16 @@ pub(super) fn module() -> String {
         })
         .collect();
     let contact = keys("contact");
+    let configuration = &declared(["sliding", "locus", "configuration"]);
+    let predictor = &declared(["sliding", "march", "predictor"]);
     let aliases: String = [
-        ("LawName", &contact["law"]["anyOf"][0]),
-        ("FrictionLoad", &contact["friction_load"]),
-        ("Configuration", &declared(["sliding", "locus", "configuration"])),
-        ("Predictor", &declared(["sliding", "march", "predictor"])),
+        ("LawName", &contact["law"]["anyOf"][0], &contact["law"]),
+        ("FrictionLoad", &contact["friction_load"], &contact["friction_load"]),
+        ("Configuration", configuration, configuration),
+        ("Predictor", predictor, predictor),
     ]
-    .map(|(name, schema)| {
-        let doc = capitalised(schema["description"].as_str().unwrap()).replace('`', "``");
+    .map(|(name, schema, said)| {
+        let doc = capitalised(said["description"].as_str().unwrap()).replace('`', "``");
         format!("{name}: TypeAlias = {}\n\"\"\"{doc}.\"\"\"\n", annotation::of(schema, definitions))
     })
     .concat();

@@ -1,0 +1,30 @@
+//! Declared keys by their dotted paths.
+
+use super::{Allowed, Declaration};
+
+/// A key by its dotted path, in which `*` stands for an item of a list or a name.
+#[derive(Debug, Clone)]
+pub struct Listed {
+    /// The path.
+    pub path: String,
+    /// What is said of it.
+    pub key: Declaration,
+}
+
+/// All of these keys, and those of their tables.
+pub fn listed(prefix: &str, keys: &[Declaration]) -> Vec<Listed> {
+    let of_key = |key: &Declaration| {
+        let path = format!("{prefix}{}", key.name);
+        let of_each = if matches!(key.form, Allowed::List { .. } | Allowed::Named(_)) { "*." } else { "" };
+        let below = listed(&format!("{path}.{of_each}"), key.form.keys());
+        [vec![Listed { path, key: key.clone() }], below].concat()
+    };
+    keys.iter().flat_map(of_key).collect()
+}
+
+impl Listed {
+    /// Whether it is a number, with a unit or without, that is no count.
+    pub fn is_number(&self) -> bool {
+        matches!(self.key.form, Allowed::Number(_) | Allowed::Scaled(_))
+    }
+}

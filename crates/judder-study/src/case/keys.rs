@@ -1,0 +1,46 @@
+//! What a case may say, as data: for programs that show keys, set them or vary them.
+
+use crate::case::root::COMMON;
+use crate::registry::{ModelKind, Registry};
+use judder_keys::declared::{Listed, listed};
+use serde_json::{Value as Json, json};
+
+/// Every key of the cases of a model by its dotted `path`, `*` for an item of a list or a name, with what [`Declaration::document`](judder_keys::declared::Declaration::document) tells of it; those
+/// of analyses with the kind that they belong to, `analysis`; and whether the analyses can vary it, `varied`. `None` where there is no such model.
+pub fn keys(registry: Registry, model: &str) -> Option<Json> {
+    let model = registry.models().iter().find(|own| own.name == model)?;
+    let varied = (model.swept)();
+    let of_case = listed("", &(model.declared)());
+    let of_case = of_case.iter().map(|key| {
+        let mut json = document(key);
+        json["varied"] = json!(varied.contains(&key.path.as_str()));
+        json
+    });
+    Some(of_case.chain(of_analyses(model)).collect())
+}
+
+/// A key with its path.
+fn document(Listed { path, key }: &Listed) -> Json {
+    let mut json = key.document();
+    json["path"] = json!(path);
+    json
+}
+
+/// Those of each kind of analysis.
+fn of_analyses(model: &ModelKind) -> impl Iterator<Item = Json> {
+    let [.., analysis, _] = COMMON;
+    (model.kinds)().into_iter().flat_map(move |kind| {
+        let keys = listed(&format!("{analysis}.*."), &(kind.declared)());
+        keys.into_iter().map(move |key| {
+            let mut json = document(&key);
+            json["analysis"] = json!(kind.name);
+            json
+        })
+    })
+}
+
+/// Whether a dotted path is that of a number, with a unit or without, in a case of some model outside of its analyses.
+pub fn is_number(registry: Registry, path: &str) -> bool {
+    let is_this = |key: &Listed| key.is_number() && key.path == path;
+    registry.models().iter().any(|model| listed("", &(model.declared)()).iter().any(is_this))
+}

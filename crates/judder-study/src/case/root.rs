@@ -1,0 +1,56 @@
+//! What a case of any model has: a title, analyses and sweeps beside what its model declares.
+
+use crate::case::analysis::{Kind, Planned};
+use judder_keys::declared::{Declaration, Settings, both};
+use judder_keys::document::Node;
+use judder_keys::error::Fault;
+use judder_keys::schema::{object, reference, with_declared};
+use judder_keys::section::Section;
+use serde_json::{Map, Value as Json, json};
+
+/// The keys of every case that no model declares.
+pub const COMMON: [&str; 4] = ["title", "model", "analysis", "sweep"];
+
+/// The title of a case and what its model declares, or all that is wrong with them.
+pub type Own<T> = Result<(String, T), Fault>;
+
+/// The root of a case, and what it says beside its analyses.
+///
+/// # Errors
+/// A root that is no table.
+pub fn read_root<T: Settings>(node: &Node) -> Result<(Section<'_>, Own<T>), Fault> {
+    let root = Section::of_table(node, "", T::TITLE.unwrap_or("the case"))?;
+    let [title, model, analysis, sweep] = COMMON;
+    let known = [vec![title, model], T::keys(), vec![analysis, sweep]].concat();
+    let own = both(root.text(title).map(|text| text.unwrap_or_default().to_owned()), T::read_table(&root));
+    let own = both(root.refuse_others(&known), own).map(|((), own)| own);
+    Ok((root, own))
+}
+
+/// A canonical form of model, title and analyses alone.
+pub fn document<K>(
+    model: &str,
+    title: &str,
+    analyses: &[Planned<K>],
+    write: impl Fn(&K, &mut Map<String, Json>),
+) -> Map<String, Json> {
+    let written = |planned: &Planned<K>| {
+        let mut json = Map::new();
+        write(&planned.kind, &mut json);
+        json.extend(object([("kind", json!(planned.kind_name)), ("name", json!(planned.name))]));
+        Json::Object(json)
+    };
+    let analyses: Json = analyses.iter().map(written).collect();
+    object([("model", json!(model)), ("title", json!(title)), ("analysis", analyses)])
+}
+
+/// The schema of the cases of a model.
+pub fn schema<S, T>(model: &str, doc: &str, keys: &[Declaration], kinds: &[Kind<S, T>]) -> Json {
+    let properties = object([
+        ("title", json!({ "type": "string", "description": "the title", "default": "" })),
+        ("model", json!({ "const": model })),
+        ("analysis", super::schema::analyses(kinds)),
+        ("sweep", reference("sweeps")),
+    ]);
+    with_declared(doc, properties, keys, &["model"])
+}

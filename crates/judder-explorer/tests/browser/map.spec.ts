@@ -104,7 +104,7 @@ test("says over the map what a run of it warns of", async ({ explorer }) => {
   const file = await downloaded(page, () => page.getByRole("button", { name: "Case file" }).click());
   copyFileSync(file.path, join(folder, "exported.toml"));
   const warnings = at(judder(folder, "run", "exported.toml"), "analyses.map.warnings") as string[];
-  const shown = await note.locator("p").allTextContents();
+  const shown = await note.locator("li").allTextContents();
   // the run follows boundaries too
   expect(warnings.filter((warning) => !/^[a-z ]*boundary/.test(warning))).toEqual(shown);
 });

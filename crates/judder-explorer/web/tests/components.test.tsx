@@ -119,7 +119,7 @@ describe("results of values before", () => {
   });
 
   it("say so beside what a part of a page has computed", () => {
-    const idle = { frame: null, current: false, busy: false, progress: null, stopped: false, start: () => {}, stop: () => {} };
+    const idle = { frame: null, asked: null, current: false, busy: false, progress: null, stopped: false, start: () => {}, stop: () => {} };
     const note = (error: RequestError | null) => {
       act(() => render(<Results computation={{ ...idle, error }}>numbers</Results>, host));
       return host.querySelector(".contact-note")?.textContent;

@@ -2,7 +2,7 @@
 import { render } from "preact";
 import { act } from "preact/test-utils";
 import { afterEach, describe, expect, it, vi } from "vitest";
-import { type Computation, useComputation } from "../src/pages/contact/useComputation";
+import { type Computation, useComputation } from "../src/ui/useComputation";
 import { encode } from "./encode";
 
 interface Asked {
@@ -49,7 +49,7 @@ function show(first: object, live: boolean): Shown {
   const host = document.createElement("div");
   let computation: Computation | undefined;
   const Asking = ({ request }: { readonly request: object }) => {
-    computation = useComputation("/api/analysis", request, "fit", live);
+    computation = useComputation("/api/analysis", request, "fit", { live });
     return null;
   };
   const ask = (request: object) => void act(() => render(<Asking request={request} />, host));

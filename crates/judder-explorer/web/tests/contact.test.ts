@@ -2,16 +2,16 @@ import { describe, expect, it } from "vitest";
 import { coefficientsOf, fitOf, residuals } from "../src/pages/contact/fit";
 import { coloured, columnOf, hertzLimits, lawOf, mapSpec, nodeAt, rowOf, speedCutSpec, spread } from "../src/pages/contact/law";
 import { modulusSpec } from "../src/pages/contact/material";
-import { numberAt, scalarAt } from "../src/pages/contact/outcome";
+import { numberAt, scalarAt } from "../src/wire/outcome";
 import { boundary, hertz, isRound, middleRow, solutionOf } from "../src/pages/contact/solution";
 import { fitAnalysis, readContact, solutionAnalysis, withCursor, withLoading, withWindow } from "../src/pages/contact/state";
 import { shortNumber } from "../src/pages/contact/words";
-import { PAGE_FIELDS } from "../src/state/fields";
 import { type View, parseView, writeView } from "../src/state/view";
 import { decodeFrame } from "../src/wire/frames";
 import { encode } from "./encode";
+import { PAGE_FIELDS, settings } from "./declared";
 
-const read = (query: string) => readContact(parseView("/contact", query, PAGE_FIELDS).view);
+const read = (query: string) => readContact(parseView("/contact", query, PAGE_FIELDS).view, { settings });
 const empty: View = { page: "contact", set: {}, fields: {} };
 
 /** A frame with arrays, each with its dimensions. */
@@ -36,7 +36,7 @@ describe("the contact page's state", () => {
   it("comes back from its address", () => {
     const view = withLoading(withCursor(withWindow(empty, { x: [1e-4, 0.123456], y: [1e-3, 1] }), { velocity: 0.5, indentation: 2e-3 }), { key: "load", value: "2 N" });
     const [path = "", query = ""] = writeView(view).split("?");
-    const state = readContact(parseView(path, query, PAGE_FIELDS).view);
+    const state = readContact(parseView(path, query, PAGE_FIELDS).view, { settings });
     expect(state).toMatchObject({ speeds: [1e-4, 0.1235], depths: [1e-3, 1], cursor: { velocity: 0.5, indentation: 2e-3 }, loading: { key: "load", value: "2 N" } });
     const deep = withLoading(view, { key: "indentation", value: "0.01" });
     expect([deep.fields["load"], deep.fields["indentation"]]).toEqual([undefined, "0.01"]);

@@ -4,10 +4,10 @@ import { act } from "preact/test-utils";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { FitPart } from "../src/pages/contact/FitPart";
 import { readContact } from "../src/pages/contact/state";
-import { PAGE_FIELDS } from "../src/state/fields";
 import { ViewStore } from "../src/state/store";
 import { type App, AppContext } from "../src/ui/app";
 import type { Session } from "../src/wire/api";
+import { PAGE_FIELDS } from "./declared";
 
 let host: HTMLElement;
 let store: ViewStore;
@@ -15,7 +15,7 @@ let store: ViewStore;
 function show(): void {
   const app: App = { session: {} as Session, store, keys: new Map(), values: null, base: null, error: null };
   const live = { point: null, set: "", error: null };
-  const contact = { state: readContact(store.view), set: [], derived: false, live, operating: null, values: null };
+  const contact = { state: readContact(store.view, {}), set: [], derived: false, live, operating: null, values: null };
   act(() => render(<AppContext.Provider value={app}><FitPart contact={contact} /></AppContext.Provider>, host));
 }
 

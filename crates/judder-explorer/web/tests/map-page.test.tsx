@@ -3,12 +3,12 @@ import { render } from "preact";
 import { act } from "preact/test-utils";
 import { afterEach, describe, expect, it, vi } from "vitest";
 import { MapPage } from "../src/pages/map/MapPage";
-import { PAGE_FIELDS } from "../src/state/fields";
 import { ViewStore } from "../src/state/store";
 import { type App, AppContext } from "../src/ui/app";
 import { withOption } from "../src/state/view";
 import type { Key, Session } from "../src/wire/api";
 import { encode } from "./encode";
+import { PAGE_FIELDS } from "./declared";
 
 const key = (path: string): Key => ({
   path, section: "", symbol: path, group: path, unit: "1", doc: "", range: { above: 0 }, slider: { from: 0.01, to: 1, scale: "log" }, label: "", label_si: "",
@@ -157,7 +157,7 @@ describe("what a map warns of", () => {
       () => encode({ kind: "outcome", warnings, arrays: [] }),
       async (store, note, asked) => {
         await until(() => note()?.textContent !== "");
-        expect([...(note()?.querySelectorAll("p") ?? [])].map((line) => line.textContent)).toEqual(warnings);
+        expect([...(note()?.querySelectorAll("li") ?? [])].map((line) => line.textContent)).toEqual(warnings);
         const isPale = () => note()?.querySelector(".stale") !== null;
         expect(isPale()).toBe(false);
         const axis = { from: 0.01, to: 1, points: 400, scale: "log" };

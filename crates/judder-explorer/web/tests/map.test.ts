@@ -3,11 +3,11 @@ import { drawnClasses, shares, withFrame } from "../src/pages/map/picture";
 import { axisOver, digitsFor, optionsAt, rangeOfAxis, readMap, rounded, valueOnAxis } from "../src/pages/map/state";
 import { criticalAnalysis, roots } from "../src/pages/map/useCritical";
 import { parseView } from "../src/state/view";
-import { PAGE_FIELDS } from "../src/state/fields";
 import { numberIn, plainText, significant, sliderPlace, sliderValue, symbolMarkup, valueText } from "../src/ui/numbers";
 import type { Key, Session } from "../src/wire/api";
 import { decodeFrame } from "../src/wire/frames";
 import { encode } from "./encode";
+import { PAGE_FIELDS } from "./declared";
 
 const key = (path: string, group: string | null, unit: string): Key => ({
   path,

@@ -7,12 +7,12 @@ import { valueOnAxisOf } from "../src/pages/point/keys";
 import { collectMotion, merged, spectrumSpec, stretchesOf, strongest } from "../src/pages/point/motion";
 import { ground, normalised, orbitAt, orbitCsv, slowed } from "../src/pages/point/orbit";
 import { RATE, type Track, faded, modeTrack, octaveFactor, render, wav } from "../src/pages/point/sound";
-import { branchAnalyses, branchAxis, caseAnalysis, readPoint, withRun } from "../src/pages/point/state";
-import { PAGE_FIELDS } from "../src/state/fields";
+import { branchAxis, caseAnalysis, readPoint, withRun } from "../src/pages/point/state";
 import { parseView } from "../src/state/view";
 import type { CaseValue, Key, Pair, Session } from "../src/wire/api";
 import { decodeFrame } from "../src/wire/frames";
 import { encode } from "./encode";
+import { PAGE_FIELDS, settings } from "./declared";
 
 const key = (path: string, group: string | null, from: number, to: number, unit = group === null ? "Pa" : "1"): Key => ({
   path, section: "", symbol: path, group, unit, doc: "", range: { above: 0 }, slider: { from, to, scale: "log" }, label: "", label_si: "",
@@ -20,7 +20,7 @@ const key = (path: string, group: string | null, from: number, to: number, unit 
 const strength = key("contact.shear_strength", "τ0/E0*", 1e-4, 1);
 const modulus = key("substrate.rubbery_modulus", null, 1e4, 1e8);
 const keys = new Map([strength, modulus].map((key) => [key.path, key]));
-const session = { map: null } as unknown as Session;
+const session = { map: null, settings } as unknown as Session;
 const view = (query: string) => parseView("/point", query, PAGE_FIELDS).view;
 const group = (number: number): CaseValue => ({ path: strength.path, form: "group", number, si: null, group: number });
 const withUnit = (key: Key, si: number, group: number | null): CaseValue => ({ path: key.path, form: "si", number: si, si, group });
@@ -28,14 +28,14 @@ const read = (query: string) => readPoint(view(query), session, keys, () => grou
 
 describe("the state of the point page", () => {
   it("has a home, and drops what cannot be", () => {
-    expect(read("")).toMatchObject({ along: null, run: [], duration: 500, start: 0.2, points: 4096, factor: null, volume: 0.5 });
-    expect(read("along=fish&points=-3&factor=-1&volume=7")).toMatchObject({ along: null, points: 4096, factor: null, volume: 0.5 });
+    expect(read("")).toMatchObject({ along: null, run: [], motion: { duration: 500 }, factor: null, volume: 0.5 });
+    expect(read("along=fish&points=-3&factor=-1&volume=7")).toMatchObject({ along: null, factor: null, volume: 0.5 });
     const wrong = ["run=fish", "sound=fish", "sound=mode-9", "factor=-1", "factor=0", "factor=Infinity", "volume=9", "volume=-0.1", "points=1.5", "steps=1"];
     for (const field of wrong) expect(parseView("/point", field, PAGE_FIELDS).told, field).toHaveLength(1);
     const right = "sound=mode-2&factor=0.25&volume=1&points=512&steps=2";
     expect(parseView("/point", right, PAGE_FIELDS).told).toEqual([]);
-    expect(read(right)).toMatchObject({ sound: "mode-2", factor: 0.25, volume: 1, points: 512, steps: 2 });
-    expect(read("duration=5 s&along=contact.shear_strength")).toMatchObject({ duration: "5 s", along: strength });
+    expect(read(right)).toMatchObject({ sound: "mode-2", factor: 0.25, volume: 1, motion: { points: 512 }, diagrams: [{ sweep: { points: 2 } }, { sweep: { points: 2 }, branches: true }] });
+    expect(read("duration=5 s&along=contact.shear_strength")).toMatchObject({ motion: { duration: "5 s" }, along: strength });
   });
 
   it("starts a branch about the present value, within the slider", () => {
@@ -64,8 +64,8 @@ describe("the state of the point page", () => {
   });
 
   it("asks for branches after the simulated points, and exports what was started last", () => {
-    expect(branchAnalyses(read("")).map((analysis) => analysis["branches"])).toEqual([undefined, true]);
-    expect(branchAnalyses(read("simulated=on"))).toHaveLength(1);
+    expect(read("").diagrams.map((analysis) => analysis["branches"])).toEqual([undefined, true]);
+    expect(read("simulated=on").diagrams).toHaveLength(1);
     expect(caseAnalysis(read(""), session)).toBeNull();
     expect(caseAnalysis(read(`along=${strength.path}`), session)?.kind).toBe("spectrum");
     const both = withRun(withRun(view("run=motion"), "cycle", true), "cycle", true);

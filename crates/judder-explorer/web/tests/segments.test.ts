@@ -99,7 +99,7 @@ function branches(seed: number) {
 
 const axis = { label: "x", scale: "linear" } as const;
 const contact: ContactState = {
-  part: "law", quantity: "force", speeds: [1e-6, 1e4], depths: [1e-6, 1], cursor: null, fitSpeeds: [1, 2], fitDepths: [1, 2], hasRanges: false, compare: null, fitAccuracy: "", velocityScale: "1", velocity: null, loading: null, accuracy: "",
+  part: "law", quantity: "force", speeds: [1e-6, 1e4], depths: [1e-6, 1], cursor: null, fitSpeeds: [1, 2], fitDepths: [1, 2], hasRanges: false, compare: null, velocity: null, loading: null, asked: (kind, name) => ({ kind, name }),
 };
 
 /** A law with holes. */

@@ -4,10 +4,10 @@ import { act } from "preact/test-utils";
 import { expect, it } from "vitest";
 import { SoundSection } from "../src/pages/point/SoundSection";
 import { readPoint } from "../src/pages/point/state";
-import { PAGE_FIELDS } from "../src/state/fields";
 import { ViewStore } from "../src/state/store";
 import { type App, AppContext } from "../src/ui/app";
 import type { Key, Session } from "../src/wire/api";
+import { PAGE_FIELDS } from "./declared";
 
 const key = { path: "contact.shear_strength", slider: { from: 0.01, to: 1, scale: "log" } } as Key;
 const session = { map: null, keys: [key] } as unknown as Session;

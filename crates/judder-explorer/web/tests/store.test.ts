@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import { PAGE_FIELDS } from "../src/state/fields";
 import { type Browser, ViewStore } from "../src/state/store";
 import { withFields, withOption, writeView } from "../src/state/view";
+import { PAGE_FIELDS } from "./declared";
 
 /** A window with a history of its own. */
 function browser(address = "/map"): Browser & { readonly addresses: () => string[] } {

@@ -1,7 +1,8 @@
 import { describe, expect, it } from "vitest";
 import { keepKnownAxes } from "../src/state/axes";
-import { PAGE_FIELDS, numberOrText, parseAxis, parsePair, parseWords, writeAxis } from "../src/state/fields";
+import { numberOrText, parseAxis, parsePair, parseWords, writeAxis } from "../src/state/fields";
 import { type View, keepKnownKeys, options, parseView, withFields, withOption, writeView } from "../src/state/view";
+import { PAGE_FIELDS } from "./declared";
 
 const parse = (address: string) => {
   const url = new URL(address, "http://localhost");

@@ -21,7 +21,7 @@ export interface Shown {
 }
 
 /** What is said over the plot. */
-export interface Standing {
+interface Standing {
   readonly kind: string;
   readonly words: string;
 }

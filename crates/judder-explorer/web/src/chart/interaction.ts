@@ -21,7 +21,7 @@ export interface Handlers {
   readonly scrolls: boolean;
 }
 
-export interface Box {
+interface Box {
   readonly x: number;
   readonly y: number;
   readonly width: number;

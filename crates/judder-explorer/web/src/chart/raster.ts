@@ -31,7 +31,7 @@ export function cellsOf(centres: ArrayLike<number>, scale: Scale, range: Range, 
 }
 
 /** Whether a stroke of the pattern runs through this pixel; `size` is the number of device pixels of one pixel of the page. */
-export function strokes(pattern: Pattern, x: number, y: number, size: number): boolean {
+function strokes(pattern: Pattern, x: number, y: number, size: number): boolean {
   const every = (place: number, period: number, width: number) => ((place / size) % period + period) % period < width;
   switch (pattern) {
     case "none":

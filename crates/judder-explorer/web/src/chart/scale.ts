@@ -67,7 +67,7 @@ export function rangeOf(scale: Scale, lists: readonly ArrayLike<number>[], paddi
 }
 
 /** The range with padding; wider where its values could not be told apart. */
-export function widened(scale: Scale, [low, high]: Range, padding = 0): Range {
+function widened(scale: Scale, [low, high]: Range, padding = 0): Range {
   const [first, last] = [stretch(scale, low), stretch(scale, high)];
   const size = Math.max(Math.abs(low), Math.abs(high));
   const narrow = scale === "log" ? last - first < 1e-6 : high - low <= 1e-10 * Math.max(size, 1e-280);

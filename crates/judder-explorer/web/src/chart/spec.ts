@@ -32,17 +32,20 @@ interface Common {
 }
 
 /** What else is known of each point of a layer: a further column of exported data. */
-export interface Along {
+interface Along {
   readonly name: string;
   readonly values: ArrayLike<number>;
 }
 
-export interface LineLayer extends Common {
-  readonly kind: "line";
+/** Points of data; NaN interrupts a line through them. */
+interface Curve extends Common {
   readonly x: ArrayLike<number>;
-  /** NaN interrupts the line. */
   readonly y: ArrayLike<number>;
   readonly role: LineRole;
+}
+
+export interface LineLayer extends Curve {
+  readonly kind: "line";
   /** Markers at the points too. */
   readonly marked?: boolean;
   readonly dash?: Dash;
@@ -51,11 +54,8 @@ export interface LineLayer extends Common {
   readonly along?: Along;
 }
 
-export interface PointsLayer extends Common {
+export interface PointsLayer extends Curve {
   readonly kind: "points";
-  readonly x: ArrayLike<number>;
-  readonly y: ArrayLike<number>;
-  readonly role: LineRole;
   /** Diameter in pixels; 8 where left out. */
   readonly size?: number;
   /** Only outlines: thresholds of another system, a state before. */
@@ -105,14 +105,14 @@ export interface RegionLayer extends Common {
 }
 
 /** A text whose left end stands at a place. */
-export interface NoteLayer extends Common {
+interface NoteLayer extends Common {
   readonly kind: "note";
   readonly x: number;
   readonly y: number;
   readonly text: string;
 }
 
-export interface AreaClass extends AreaStyle {
+interface AreaClass extends AreaStyle {
   readonly name: string;
   /** What the legend says; the name where left out. */
   readonly legend?: string;
@@ -120,23 +120,24 @@ export interface AreaClass extends AreaStyle {
   readonly always?: boolean;
 }
 
-/** A map of classes; `codes` is row-major with y as rows; x and y are centres of cells, ascending. */
-export interface ClassesLayer extends Common {
-  readonly kind: "classes";
+/** A map over x and y, which are centres of cells, ascending; what stands in the cells is row-major with y as rows. */
+interface CellsLayer extends Common {
   readonly x: ArrayLike<number>;
   readonly y: ArrayLike<number>;
+}
+
+export interface ClassesLayer extends CellsLayer {
+  readonly kind: "classes";
   readonly codes: Uint8Array;
   readonly classes: readonly AreaClass[];
   readonly hatched?: boolean;
   readonly letters?: boolean;
 }
 
-/** A map of values over x and y, with a bar. */
-export interface ValuesLayer extends Common {
+/** A map of values, with a bar. */
+export interface ValuesLayer extends CellsLayer {
   readonly kind: "values";
-  readonly x: ArrayLike<number>;
-  readonly y: ArrayLike<number>;
-  /** Row-major, y as rows; NaN stays ground. */
+  /** NaN stays ground. */
   readonly values: ArrayLike<number>;
   readonly colours: ColourMap;
   readonly scale: Scale;

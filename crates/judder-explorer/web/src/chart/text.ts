@@ -4,7 +4,7 @@ import { spanRise, spanSize, spans } from "./markup";
 import { type Shape, round, shape } from "./scene";
 
 /** Families to ask for; the first one is bundled with the page. */
-export const FAMILIES = "Noto Sans, Open Sans, Segoe UI, DejaVu Sans, Arial, sans-serif";
+const FAMILIES = "Noto Sans, Open Sans, Segoe UI, DejaVu Sans, Arial, sans-serif";
 export const LABEL_SIZE = 13;
 export const SMALL_SIZE = 12;
 

@@ -145,7 +145,7 @@ function powers(first: number, last: number): number[] {
 }
 
 /** A number with a true minus sign; zero has none. */
-export function plain(value: number, decimals: number): string {
+function plain(value: number, decimals: number): string {
   const text = value.toFixed(decimals);
   return Number(text) === 0 ? text.replace("-", "") : text.replace("-", "−");
 }

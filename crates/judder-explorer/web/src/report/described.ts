@@ -34,7 +34,7 @@ export type Role =
   | { readonly series: number }
   | { readonly graded: { readonly index: number; readonly count: number } };
 
-export interface Style {
+interface Style {
   readonly role: Role;
   readonly dash: Dash;
   readonly marker: Marker;
@@ -65,7 +65,7 @@ export interface ClassMap {
   readonly classes: readonly { readonly label: string; readonly role: Role }[];
 }
 
-export interface ValueMap {
+interface ValueMap {
   readonly x: Numbers;
   readonly y: Numbers;
   readonly z: Numbers;

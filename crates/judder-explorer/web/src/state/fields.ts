@@ -1,7 +1,7 @@
-/** Fields of addresses: texts that are read and written, and what each page keeps. */
+/** Fields of addresses: texts that are read and written. */
 
 import type { KeyAxis, ScaleName } from "../wire/api";
-import type { Accepts, PageFields } from "./view";
+import type { Accepts } from "./view";
 
 /** `a,b`: two numbers. */
 export function parsePair(text: string | undefined): readonly [number, number] | undefined {
@@ -46,8 +46,6 @@ export const anyText: Accepts = (text) => text.length <= 200;
 export const anyNumber: Accepts = (text) => text.trim() !== "" && Number.isFinite(Number(text));
 /** A number above zero. */
 export const anyPositive: Accepts = (text) => anyNumber(text) && Number(text) > 0;
-/** As many points as span a range. */
-export const anyCount: Accepts = (text) => Number.isInteger(Number(text)) && Number(text) > 1;
 export const anyShare: Accepts = (text) => anyNumber(text) && Number(text) >= 0 && Number(text) <= 1;
 export const anyPair: Accepts = (text) => parsePair(text) !== undefined;
 /** Two numbers above zero, the smaller first: a range of a logarithmic axis. */
@@ -85,67 +83,6 @@ export const OVERLAYS = ["full", "conservative", "decoupled", "critical"] as con
 /** The parts of the contact page; only the one that is shown is computed. */
 export const CONTACT_PARTS = ["material", "law", "fit", "solution"] as const;
 export const QUANTITIES = ["force", "area", "friction"] as const;
-export const LAW_NAMES = ["oscillator-paper", "oscillator-paper-corrected", "hertz", "bem"] as const;
-/** Relative accuracies, as case files write them. */
-export const CONTACT_ACCURACIES = ["1e-2", "3e-3", "1e-3", "3e-4"] as const;
-export const FIT_ACCURACIES = ["3e-2", "1e-2", "3e-3"] as const;
-export const VELOCITY_SCALES = ["0.01", "1"] as const;
 
 /** What the point page computes when it is asked to. */
 export const RUNS = ["motion", "cycle", "branch"] as const;
-
-/** What can be heard: of the modes there are as many as an oscillator has eigenvalues. */
-const SOUNDS = ["motion", "cycle", "mode-1", "mode-2", "mode-3", "mode-4"] as const;
-
-/** Every page's fields: a page that keeps more adds them here. */
-export const PAGE_FIELDS: PageFields = {
-  map: {
-    x: anyAxis,
-    y: anyAxis,
-    show: words(OVERLAYS),
-    cursor: anyPair,
-    pin: anyPair,
-    marks: words(["hatch", "letters"]),
-  },
-  point: {
-    along: anyText,
-    trail: words(["off"]),
-    still: words(["on"]),
-    run: words(RUNS),
-    live: words(["on"]),
-    duration: anyText,
-    start: anyNumber,
-    points: anyCount,
-    branch: anyAxis,
-    steps: anyCount,
-    simulated: words(["on"]),
-    sound: oneOf(SOUNDS),
-    factor: anyPositive,
-    volume: anyShare,
-  },
-  contact: {
-    part: oneOf(CONTACT_PARTS),
-    quantity: oneOf(QUANTITIES),
-    speeds: anyLogRange,
-    depths: anyLogRange,
-    cursor: anyPair,
-    compare: oneOf(LAW_NAMES),
-    fit_accuracy: oneOf(FIT_ACCURACIES),
-    velocity_scale: oneOf(VELOCITY_SCALES),
-    velocity: anyText,
-    indentation: anyText,
-    load: anyText,
-    accuracy: oneOf(CONTACT_ACCURACIES),
-  },
-  structures: {
-    analysis: anyText,
-    at: anyNumber,
-    mode: anyNumber,
-    look: anyPair,
-    scale: anyNumber,
-    phase: anyNumber,
-    zoom: anyRanges,
-    signals: anyText,
-    over: words(["time", "position"]),
-  },
-};

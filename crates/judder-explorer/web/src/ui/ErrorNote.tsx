@@ -1,7 +1,8 @@
-/** An error where it belongs: what is wrong, where, and what would be right. */
+/** Errors where they belong: what is wrong, where, and what would be right. */
 
+import { Fragment } from "preact";
 import { useContext } from "preact/hooks";
-import { type RequestError, isPassing } from "../wire/request";
+import { type RequestError, allOf, isPassing } from "../wire/request";
 import { AppContext } from "./app";
 import { meant } from "./meant";
 
@@ -20,13 +21,13 @@ export function ofBefore(error: RequestError): string {
 export function ErrorNote({ error }: { readonly error: RequestError | null }) {
   return (
     <div role="alert" class={error ? "error-note" : "visually-hidden"}>
-      {error && (
-        <>
-          <p>{error.message}</p>
-          <ErrorPlace error={error} />
-          {error.help && <p class="error-help">{error.help}</p>}
-        </>
-      )}
+      {allOf(error).map((one, index) => (
+        <Fragment key={index}>
+          <p>{one.message}</p>
+          <ErrorPlace error={one} />
+          {one.help && <p class="error-help">{one.help}</p>}
+        </Fragment>
+      ))}
     </div>
   );
 }

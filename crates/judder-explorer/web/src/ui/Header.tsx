@@ -5,6 +5,7 @@ import { useView } from "../state/store";
 import type { Page, View } from "../state/view";
 import type { Session } from "../wire/api";
 import { useApp } from "./app";
+import { Select } from "./choices";
 import { ExportMenu } from "./ExportMenu";
 import { Link } from "./Link";
 import { CHOICES, type Choice, chooseTheme, themeChoice } from "./theme";
@@ -57,19 +58,14 @@ export function Header() {
 
 function ThemeChoice() {
   const [choice, setChoice] = useState<Choice>(themeChoice());
-  const choose = (event: Event) => {
-    const next = CHOICES.find((one) => one === (event.currentTarget as HTMLSelectElement).value) ?? "auto";
+  const choose = (next: Choice) => {
     chooseTheme(next);
     setChoice(next);
   };
   return (
     <label class="header-theme">
       <span class="visually-hidden">Theme</span>
-      <select value={choice} onChange={choose}>
-        <option value="auto">Auto</option>
-        <option value="light">Light</option>
-        <option value="dark">Dark</option>
-      </select>
+      <Select value={choice} options={CHOICES.map((one) => [one, one.charAt(0).toUpperCase() + one.slice(1)])} onChange={choose} />
     </label>
   );
 }

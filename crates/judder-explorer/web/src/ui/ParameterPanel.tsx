@@ -1,12 +1,15 @@
 /** Every key of the case, by section. */
 
-import { useEffect, useState } from "preact/hooks";
+import { useEffect, useMemo, useState } from "preact/hooks";
 import { useView } from "../state/store";
 import { withOption } from "../state/view";
-import type { Key } from "../wire/api";
+import type { Choice } from "../wire/api";
+import type { RequestError } from "../wire/request";
 import { useApp } from "./app";
+import { Select } from "./choices";
 import { ErrorNote } from "./ErrorNote";
-import { blamedKey } from "./meant";
+import { byKey } from "./meant";
+import { keyName } from "./numbers";
 import { ParameterRow } from "./ParameterRow";
 
 /** Windows with room for the panel beside the content. */
@@ -27,9 +30,11 @@ export function ParameterPanel({ hidden = [] }: PanelProps) {
     return () => roomy.removeEventListener("change", follow);
   }, []);
   const keys = session.keys.filter((key) => key.settable !== false && !hidden.includes(key.path));
-  const sections = [...new Set(keys.map((key) => key.section))];
-  const told = error ? blamedKey(error, [...keys.map((key) => key.path), LAW], view.set) : undefined;
-  const blamed = keys.find((key) => key.path === told);
+  const choices = session.choices ?? [];
+  const sections = [...new Set([...keys, ...choices].map((key) => key.section))];
+  const paths = [...keys, ...choices].map((key) => key.path);
+  const { blamed, others } = useMemo(() => byKey(error, paths, view.set), [error, paths.join(), view.set]);
+  const refused = [...blamed.keys()].map((path) => keyName({ path }));
   const count = Object.keys(view.set).length;
   return (
     <aside class={`panel${open ? "" : " panel-closed"}`} aria-label="Parameters">
@@ -39,7 +44,7 @@ export function ParameterPanel({ hidden = [] }: PanelProps) {
             Parameters
           </button>
         </h2>
-        {error && <span class="panel-refused">{blamed ? `${nameOf(blamed)} is refused` : "refused"}</span>}
+        {error && <span class="panel-refused">{refused.length > 0 ? `${refused.join(", ")} ${refused.length > 1 ? "are" : "is"} refused` : "refused"}</span>}
         {open && (
           <button type="button" disabled={count === 0} onClick={() => store.update((view) => ({ ...view, set: {} }))}>
             Reset all
@@ -47,14 +52,20 @@ export function ParameterPanel({ hidden = [] }: PanelProps) {
         )}
       </div>
       <div id="parameters" hidden={!open}>
-        {error && !blamed && <ErrorNote error={error} />}
+        {others.map((one, index) => (
+          <ErrorNote key={index} error={one} />
+        ))}
         {sections.map((section) => (
           <details key={section} open class="panel-section">
             <summary>
               {section}
-              {blamed?.section === section && <span class="panel-refused"> refused</span>}
+              {[...keys, ...choices].some((key) => key.section === section && blamed.has(key.path)) && <span class="panel-refused"> refused</span>}
             </summary>
-            {section === "contact" && session.laws.length > 1 && <LawChoice laws={session.laws} invalid={told === LAW} />}
+            {choices
+              .filter((choice) => choice.section === section)
+              .map((choice) => (
+                <WordChoice key={choice.path} choice={choice} error={blamed.get(choice.path) ?? null} />
+              ))}
             {keys
               .filter((key) => key.section === section)
               .map((key) => (
@@ -63,7 +74,7 @@ export function ParameterPanel({ hidden = [] }: PanelProps) {
                   parameter={key}
                   value={values?.values.find((value) => value.path === key.path)}
                   base={base?.values.find((value) => value.path === key.path)}
-                  error={blamed === key ? error : null}
+                  error={blamed.get(key.path) ?? null}
                   set={view.set[key.path]}
                 />
               ))}
@@ -74,34 +85,18 @@ export function ParameterPanel({ hidden = [] }: PanelProps) {
   );
 }
 
-function nameOf(key: Key): string {
-  return (key.path.split(".").at(-1) ?? key.path).replaceAll("_", " ");
-}
-
-const LAW = "contact.law";
-
-/** The law of the case, as its key is set. */
-export function LawChoice({ laws, invalid = false }: { readonly laws: readonly string[]; readonly invalid?: boolean }) {
-  const { session, store } = useApp();
+/** A key that takes one of a few words. */
+export function WordChoice({ choice: { path, doc, words, value }, error = null }: { readonly choice: Choice; readonly error?: RequestError | null }) {
+  const { store } = useApp();
   const view = useView(store);
-  const choose = (event: Event) => {
-    const law = (event.currentTarget as HTMLSelectElement).value;
-    store.update((view) => withOption(view, LAW, law === "" ? undefined : law));
-  };
+  const choose = (word: string) => store.update((view) => withOption(view, path, word === "" ? undefined : word));
   return (
-    <label class="panel-choice">
-      contact law
-      <select value={view.set[LAW] ?? ""} aria-invalid={invalid} onChange={choose}>
-        <option value="">{session.law ? `the case's: ${session.law}` : "the case's"}</option>
-        {laws.map((law) => (
-          <option key={law} value={law}>
-            {law}
-          </option>
-        ))}
-      </select>
-    </label>
+    <>
+      <label class="panel-choice" title={doc}>
+        {path.replace(/[._]/g, " ")}
+        <Select value={view.set[path] ?? ""} invalid={error !== null} options={[["", `the case's: ${value}`], ...words.map((word) => [word, word] as const)]} onChange={choose} />
+      </label>
+      {error && <ErrorNote error={error} />}
+    </>
   );
 }
-
-/** Keys with words instead of numbers, which have no slider but may stand in an address. */
-export const WORD_KEYS: readonly string[] = [LAW, "contact.friction_load", "indenter.shape"];

@@ -7,11 +7,11 @@ import type { CaseValue, Key } from "../wire/api";
 import type { RequestError } from "../wire/request";
 import { useApp } from "./app";
 import { ErrorNote } from "./ErrorNote";
-import { useHand } from "./hand";
 import { Label } from "./Label";
 import { asWritten, readable, withUnit } from "./readable";
+import { Slider } from "./Slider";
 import { TextField } from "./TextField";
-import { SLIDER_STEPS, isPure, numberIn, otherForm, plainText, plainValue, significant, sliderPlace, sliderRange, sliderValue, symbolMarkup, valueText } from "./numbers";
+import { SLIDER_STEPS, isPure, keyName, numberIn, otherForm, plainText, plainValue, significant, sliderPlace, sliderRange, sliderValue, symbolMarkup, valueText } from "./numbers";
 
 interface RowProps {
   readonly parameter: Key;
@@ -31,7 +31,7 @@ function Row({ parameter, value, base, error, set }: RowProps) {
   const { store } = useApp();
   const { path } = parameter;
   const id = `key-${path.replace(/[^\w]/g, "-")}`;
-  const name = (path.split(".").at(-1) ?? path).replaceAll("_", " ");
+  const name = keyName(parameter);
   const differs = set !== undefined && (value === undefined || base === undefined || plainValue(parameter, value) !== plainValue(parameter, base));
   const text = set ?? (value ? shortText(parameter, value) : "");
   const change = (next: string | undefined, keep: Keep) => store.update((view) => withOption(view, path, next), keep);
@@ -46,7 +46,7 @@ function Row({ parameter, value, base, error, set }: RowProps) {
           Reset
         </button>
       </div>
-      {value && <Slider parameter={parameter} now={numberIn(parameter, text) ?? plainValue(parameter, value)} name={name} onChange={change} />}
+      {value && <KeySlider parameter={parameter} now={numberIn(parameter, text) ?? plainValue(parameter, value)} name={name} onChange={change} />}
       <div class="parameter-values">
         <TextField id={`${id}-text`} class="parameter-text" spoken={`${name}, a number or a text with a unit`} value={text} invalid={error !== null} onChange={(next) => change(next === "" ? undefined : next, "push")} />
         <output class="parameter-other" data-parameter-other={path}>
@@ -65,7 +65,7 @@ function shortText(parameter: Key, value: CaseValue): string {
   return value.form === "si" && value.si !== null && !isPure(parameter) ? withUnit(readable(value.si, parameter.unit)) : String(significant(value.number, 6));
 }
 
-interface SliderProps {
+interface KeySliderProps {
   readonly parameter: Key;
   /** The value that the view asks for: keys may be pressed again before the server has answered. */
   readonly now: number;
@@ -73,33 +73,24 @@ interface SliderProps {
   readonly onChange: (text: string, keep: Keep) => void;
 }
 
-function Slider({ parameter, now, name, onChange }: SliderProps) {
-  const hand = useHand();
+function KeySlider({ parameter, now, name, onChange }: KeySliderProps) {
   // while a drag lasts the thumb stays under the pointer, whatever answers come meanwhile
   const [held, setHeld] = useState<number | null>(null);
   const range = useRef(sliderRange(parameter, now));
   if (held === null) range.current = sliderRange(parameter, now);
-  const place = held ?? sliderPlace(parameter, now);
-  const read = (event: Event) => Number((event.currentTarget as HTMLInputElement).value);
-  const textAt = (place: number) => plainText(parameter, sliderValue(parameter, range.current, place));
+  const valueAt = (place: number) => sliderValue(parameter, range.current, place);
   return (
-    <input
-      type="range"
-      min={0}
-      max={SLIDER_STEPS}
+    <Slider
+      from={0}
+      to={SLIDER_STEPS}
       step={1}
-      value={place}
-      aria-label={name}
-      aria-valuetext={`${significant(held === null ? now : sliderValue(parameter, range.current, held))}`}
-      onInput={(event) => {
-        setHeld(read(event));
-        onChange(textAt(read(event)), "drag");
+      value={held ?? sliderPlace(parameter, now)}
+      spoken={name}
+      spokenValue={`${significant(held === null ? now : valueAt(held))}`}
+      onMove={(place, keep) => {
+        setHeld(keep === "drag" ? place : null);
+        onChange(plainText(parameter, valueAt(place)), keep);
       }}
-      onChange={(event) => {
-        onChange(textAt(read(event)), hand.keep());
-        setHeld(null);
-      }}
-      {...hand.on}
     />
   );
 }

@@ -14,7 +14,7 @@ export function leading(point: PointDocument): Pair {
 }
 
 /** What the errors of the law leave of the verdict, in words; the verdict beside it is the nominal one. */
-export function withinLaw({ marginal_within_law }: Pick<PointDocument, "marginal_within_law">): string {
+function withinLaw({ marginal_within_law }: Pick<PointDocument, "marginal_within_law">): string {
   if (marginal_within_law === null) return "not known";
   return marginal_within_law ? "marginal: its errors decide" : "the same";
 }

@@ -3,7 +3,7 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
 import { pageOf } from "../pages";
 import { keepKnownAxes } from "../state/axes";
-import { PAGE_FIELDS } from "../state/fields";
+import { pageFields } from "../state/pages";
 import { ViewStore, useView } from "../state/store";
 import { keepKnownKeys } from "../state/view";
 import { type Session, fetchSession } from "../wire/api";
@@ -11,7 +11,6 @@ import { type RequestError, asRequestError } from "../wire/request";
 import { AppContext, useCaseValues } from "./app";
 import { ErrorNote } from "./ErrorNote";
 import { Header, pagesOf } from "./Header";
-import { WORD_KEYS } from "./ParameterPanel";
 
 export function Start() {
   const [session, setSession] = useState<Session | null>(null);
@@ -58,8 +57,8 @@ function skip(event: Event): void {
 function openStore(session: Session): ViewStore {
   const pages = pagesOf(session);
   const first = pages[0] ?? "structures";
-  const store = new ViewStore(window, PAGE_FIELDS, first);
-  const known = new Set([...session.keys.map((key) => key.path), ...WORD_KEYS]);
+  const store = new ViewStore(window, pageFields(session), first);
+  const known = new Set([...[...session.keys, ...(session.choices ?? [])].map((key) => key.path)]);
   if (!pages.includes(store.view.page)) {
     store.told = [...store.told, `There is nothing to show on the page “${store.view.page}”.`];
     store.update((view) => ({ page: first, set: view.set, fields: {} }), "quiet");

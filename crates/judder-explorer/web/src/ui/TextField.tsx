@@ -51,6 +51,5 @@ export function TextField({ name, spoken, title, value, invalid = false, accepts
 }
 
 export const isFilled = (text: string) => text.trim() !== "";
-export const isCount = (text: string) => Number.isInteger(Number(text)) && Number(text) > 1;
-export const isNumber = (text: string) => isFilled(text) && Number.isFinite(Number(text));
+const isNumber = (text: string) => isFilled(text) && Number.isFinite(Number(text));
 export const isPositive = (text: string) => isNumber(text) && Number(text) > 0;

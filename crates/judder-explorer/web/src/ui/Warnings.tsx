@@ -1,20 +1,12 @@
 /** What is to be known of results, as the program says it. */
 
-import type { Frame } from "../wire/frames";
-
-export function Warnings({ warnings }: { readonly warnings: readonly string[] }) {
+export function Warnings({ warnings, of }: { readonly warnings: readonly string[]; readonly of?: string }) {
+  if (warnings.length === 0) return null;
   return (
-    <>
+    <ul class="warnings" aria-label={of ? `Warnings of ${of}` : "Warnings"}>
       {warnings.map((warning) => (
-        <p key={warning} class="point-warning">
-          {warning}
-        </p>
+        <li key={warning}>{warning}</li>
       ))}
-    </>
+    </ul>
   );
-}
-
-/** Those of an outcome. */
-export function warningsOf(outcome: Frame): readonly string[] {
-  return (outcome.header["warnings"] ?? []) as readonly string[];
 }

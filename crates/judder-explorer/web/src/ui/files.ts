@@ -1,6 +1,6 @@
 /** Files that the page hands out, and the case file of the view. */
 
-import { useEffect } from "preact/hooks";
+import { useEffect, useRef } from "preact/hooks";
 
 /** The case file of a view. */
 export interface CaseFile {
@@ -13,12 +13,17 @@ let caseFile: (() => CaseFile) | undefined;
 
 /** The page's own case file, for the export menu; without it the menu gives the case with the view's options. */
 export function useCaseFile(make: () => CaseFile): void {
+  const newest = useRef(make);
   useEffect(() => {
-    caseFile = make;
+    newest.current = make;
+  });
+  useEffect(() => {
+    const own = () => newest.current();
+    caseFile = own;
     return () => {
-      if (caseFile === make) caseFile = undefined;
+      if (caseFile === own) caseFile = undefined;
     };
-  }, [make]);
+  }, []);
 }
 
 export function currentCaseFile(): CaseFile | undefined {

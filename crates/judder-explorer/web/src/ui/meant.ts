@@ -1,6 +1,6 @@
 /** What an error speaks of, in words of the page. */
 
-import { type RequestError, isPassing } from "../wire/request";
+import { type RequestError, allOf, isPassing } from "../wire/request";
 
 /** The source of an option: it stands in its own field, and its line tells nothing. */
 const OPTION = "--set";
@@ -23,9 +23,24 @@ function keyIn(message: string): string | undefined {
   return /`([^`]+)`/.exec(message)?.[1];
 }
 
-/** Whether an error speaks of the field of this name. */
-export function blames(error: RequestError | null, field: string): boolean {
-  return error !== null && !isPassing(error) && keyIn(error.message) === field;
+/** Whether an error, or one beside it, speaks of the key at this path or of the table that it stands in. */
+export function blames(error: RequestError | null, path: string): boolean {
+  return allOf(error).some((one) => {
+    const key = isPassing(one) ? undefined : keyIn(one.message);
+    return key !== undefined && (key === path || path.startsWith(`${key}.`));
+  });
+}
+
+/** The first error of each key that is blamed, and all others. */
+export function byKey(error: RequestError | null, keys: readonly string[], set: Readonly<Record<string, string>>): { readonly blamed: ReadonlyMap<string, RequestError>; readonly others: readonly RequestError[] } {
+  const blamed = new Map<string, RequestError>();
+  const others = allOf(error).filter((one) => {
+    const key = blamedKey(one, keys, set);
+    if (key === undefined || blamed.has(key)) return true;
+    blamed.set(key, one);
+    return false;
+  });
+  return { blamed, others };
 }
 
 /** The key of the case that an error speaks of: named in it, or set by the option at whose text it points. */

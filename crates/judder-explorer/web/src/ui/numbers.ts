@@ -10,6 +10,11 @@ export function significant(value: number, digits = 4): number {
   return Number(value.toPrecision(digits));
 }
 
+/** What a key is called: the last part of its path, in words. */
+export function keyName({ path }: Pick<Key, "path">): string {
+  return (path.split(".").at(-1) ?? path).replaceAll("_", " ");
+}
+
 /** A symbol of a key as markup: what follows an underscore is lowered, and so is 0 or ∞ after a letter. */
 export function symbolMarkup(symbol: string): string {
   return `$${symbol.replace(/_([A-Za-z0-9]+)/g, "_{$1}").replace(/(\p{L})([0∞])/gu, "$1_{$2}")}$`;
@@ -39,6 +44,11 @@ export function signOf(key: Key, dimensional: boolean): string {
 /** The value as a plain number of the case file says it: the group where there is one, otherwise in the key's unit. */
 export function plainValue(key: Key, value: CaseValue): number {
   return (key.group === null ? value.si : value.group) ?? value.number;
+}
+
+/** A key in a list of them. */
+export function keyHead(key: Key): string {
+  return `${keyName(key)} ${symbolText(key.symbol)}`.trim();
 }
 
 /** The text that sets a key to such a number: a key without a group takes nothing without its unit. */

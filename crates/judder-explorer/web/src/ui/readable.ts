@@ -32,7 +32,7 @@ export function withUnit({ text, unit }: Readable): string {
 }
 
 /** The number with its unit in a unit of its own size, where that says it exactly; undefined where it does not. */
-export function exactly(value: number, unit: string): string | undefined {
+function exactly(value: number, unit: string): string | undefined {
   const scaled = readable(value, unit);
   return Number(scaled.text) * power(scaled.unit, unit) === value ? withUnit(scaled) : undefined;
 }

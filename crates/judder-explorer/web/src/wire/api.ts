@@ -58,12 +58,24 @@ export interface Key {
   readonly label_si: string;
 }
 
+/** A key that takes one of a few words. */
+export interface Choice {
+  readonly path: string;
+  readonly section: string;
+  readonly doc: string;
+  readonly words: readonly string[];
+  /** What the case says; another value than a word, such as a file, by its name. */
+  readonly value: string;
+}
+
 export interface Session {
   readonly version: string;
   readonly title: string;
   readonly case: { readonly name: string; readonly file?: string; readonly model: string; readonly text: string } | null;
   readonly keys: readonly Key[];
   readonly laws: readonly string[];
+  /** Keys of the case that take one of a few words. */
+  readonly choices?: readonly Choice[];
   /** Values of the case as it was opened; null where it has no keys to move. */
   readonly values?: CaseValues | null;
   /** The law of the case. */

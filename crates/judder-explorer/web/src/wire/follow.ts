@@ -9,7 +9,7 @@ export interface Progress {
 }
 
 /** Where a computation stands. */
-export interface Standing {
+interface Standing {
   readonly busy: boolean;
   readonly progress: Progress | null;
   readonly error: RequestError | null;

@@ -17,9 +17,18 @@ export class RequestError extends Error {
     readonly status: number,
     readonly place: Place | null,
     readonly help: string | null,
+    /** What else is wrong with the same case. */
+    readonly others: readonly RequestError[] = [],
   ) {
     super(message);
   }
+}
+
+/** Each error alone. */
+export function allOf(error: RequestError | null): readonly RequestError[] {
+  if (!error) return [];
+  const { message, status, place, help, others } = error;
+  return others.length === 0 ? [error] : [new RequestError(message, status, place, help), ...others];
 }
 
 /** Whether a request was given up by us: nothing to tell. */
@@ -43,10 +52,13 @@ export function asRequestError(error: unknown): RequestError {
 }
 
 function errorFrom(body: unknown, status: number): RequestError {
-  const error = (body as { error?: Partial<RequestError> } | null)?.error;
+  return errorOf((body as { error?: Partial<RequestError> } | null)?.error, status);
+}
+
+function errorOf(error: Partial<RequestError> | undefined, status: number): RequestError {
   const message = error?.message ?? `the explorer answered with status ${status}`;
   const lost = status === 401 || status === 403 ? "Open the address that `judder explore` printed." : null;
-  return new RequestError(message, status, error?.place ?? null, error?.help ?? lost);
+  return new RequestError(message, status, error?.place ?? null, error?.help ?? lost, error?.others?.map((other) => errorOf(other, status)) ?? []);
 }
 
 async function respond(path: string, body: unknown, signal?: AbortSignal): Promise<Response> {

@@ -1,6 +1,5 @@
 /** The contact page: material, law, fit and one solution; what is not shown is not computed. */
 
-import { useCallback, useEffect, useRef } from "preact/hooks";
 import { useView } from "../../state/store";
 import { withFields } from "../../state/view";
 import { useApp } from "../../ui/app";
@@ -64,14 +63,9 @@ function shownAnalysis(contact: Contact, law: string | null | undefined): Analys
 
 function useContactCaseFile(contact: Contact): void {
   const { session, store } = useApp();
-  const newest = useRef(contact);
-  useEffect(() => {
-    newest.current = contact;
-  });
-  const make = useCallback(() => {
-    const { set, derived } = newest.current;
-    const analysis = shownAnalysis(newest.current, store.view.set["contact.law"] ?? session.law);
+  useCaseFile(() => {
+    const { set, derived } = contact;
+    const analysis = shownAnalysis(contact, store.view.set["contact.law"] ?? session.law);
     return { text: fetchCaseFile(set, analysis, derived && analysis ? "contact" : undefined) };
-  }, [session, store]);
-  useCaseFile(make);
+  });
 }

@@ -5,27 +5,27 @@ import { useMemo } from "preact/hooks";
 import { Chart } from "../../chart/Chart";
 import { written } from "../../chart/readout";
 import type { Range } from "../../chart/scale";
-import { FIT_ACCURACIES, QUANTITIES, VELOCITY_SCALES, anyLogRange } from "../../state/fields";
+import { QUANTITIES, anyLogRange } from "../../state/fields";
 import { withFields } from "../../state/view";
 import { useApp } from "../../ui/app";
 import { ErrorNote } from "../../ui/ErrorNote";
+import { Warnings } from "../../ui/Warnings";
 import { Label } from "../../ui/Label";
+import { SettingControls } from "../../ui/SettingControls";
 import { TextField } from "../../ui/TextField";
 import { type Coefficient, coefficientsOf, curvesSpec, fitOf, residualSpec } from "./fit";
-import { type Outcome, outcomeOf, scalarAt } from "./outcome";
-import { Checks, Choice, QuantityChoice, Results, Run, Scroll, Warnings, shownError } from "./Parts";
+import { type Outcome, outcomeOf, scalarAt } from "../../wire/outcome";
+import { Checks, QuantityChoice, Results, Run, Scroll, shownError } from "./Parts";
 import { type ContactState, type Quantity, fitAnalysis } from "./state";
-import { useComputation } from "./useComputation";
+import { useComputation } from "../../ui/useComputation";
 import { type Contact, contactBody } from "./useContact";
 import { QUANTITY_NAMES } from "./words";
-
-const SCALE_NAMES: Record<(typeof VELOCITY_SCALES)[number], string> = { "0.01": "v τ/(100 R)", "1": "v τ/R, as printed" };
 
 export function FitPart({ contact }: { readonly contact: Contact }) {
   const { error: refused } = useApp();
   const { state, derived } = contact;
   const { quantity } = state;
-  const computation = useComputation("/api/analysis", contactBody(contact, fitAnalysis(state)), "contact-fit", derived);
+  const computation = useComputation("/api/analysis", contactBody(contact, fitAnalysis(state)), "contact-fit", { live: derived });
   const { frame } = computation;
   const fit = useMemo(() => (frame ? fitOf(frame) : null), [frame]);
   const curves = useMemo(() => curvesSpec(fit, quantity), [fit, quantity]);
@@ -35,8 +35,7 @@ export function FitPart({ contact }: { readonly contact: Contact }) {
     <>
       <div class="contact-tools">
         <QuantityChoice value={quantity} />
-        <Choice name="speed of the functions" field="velocity_scale" value={state.velocityScale} options={VELOCITY_SCALES.map((scale) => [scale, SCALE_NAMES[scale]])} />
-        <Choice name="accuracy of the points" field="fit_accuracy" value={state.fitAccuracy} options={FIT_ACCURACIES.map((accuracy) => [accuracy, accuracy])} />
+        <SettingControls kind="fit" first={["velocity_scale", "accuracy"]} error={computation.error} />
       </div>
       <Ranges state={state} />
       <Run computation={computation} what="the fit" live={derived} />

@@ -4,19 +4,19 @@ import { useMemo } from "preact/hooks";
 import { Chart } from "../../chart/Chart";
 import type { Cursor, Phase } from "../../chart/interaction";
 import type { Window } from "../../chart/scale";
-import { LAW_NAMES } from "../../state/fields";
 import { useApp } from "../../ui/app";
 import { ErrorNote } from "../../ui/ErrorNote";
+import { Warnings } from "../../ui/Warnings";
 import { Label } from "../../ui/Label";
-import { blames } from "../../ui/meant";
-import { LawChoice } from "../../ui/ParameterPanel";
+import { WordChoice } from "../../ui/ParameterPanel";
+import { SettingControls } from "../../ui/SettingControls";
 import { Value } from "../../ui/Value";
 import type { Frame } from "../../wire/frames";
 import { type Law, type Operating, coloured, depthCutSpec, lawOf, mapSpec, nodeAt, speedCutSpec } from "./law";
-import { numberAt, outcomeOf } from "./outcome";
-import { Choice, QuantityChoice, Results, Run, Warnings, shownError } from "./Parts";
+import { numberAt, outcomeOf } from "../../wire/outcome";
+import { Choice, QuantityChoice, Results, Run, shownError } from "./Parts";
 import { type Place, type Quantity, lawAnalysis, lawSpans, withCursor, withWindow } from "./state";
-import { useComputation } from "./useComputation";
+import { useComputation } from "../../ui/useComputation";
 import { type Contact, contactBody, siValue } from "./useContact";
 import { shortNumber } from "./words";
 
@@ -31,6 +31,7 @@ export function LawPart({ contact }: { readonly contact: Contact }) {
   const map = useMemo(() => mapSpec(law, state, operating), [law, state, operating]);
   const point = useOperating(contact);
   const parts = { law, state, cursor, beside: beside.law, contrast, operating: point };
+  const choice = session.choices?.find(({ path }) => path === "contact.law");
   const dependencies = [law, state, cursor.velocity, cursor.indentation, beside.law, contrast, point];
   const overSpeed = useMemo(() => speedCutSpec(parts), dependencies);
   const overDepth = useMemo(() => depthCutSpec(parts), dependencies);
@@ -42,10 +43,11 @@ export function LawPart({ contact }: { readonly contact: Contact }) {
     <>
       <div class="contact-tools">
         <QuantityChoice value={state.quantity} />
-        {derived && <LawChoice laws={session.laws} invalid={blames(refused, "contact.law")} />}
+        {derived && choice && <WordChoice choice={choice} />}
         {derived && (
-          <Choice name="compare with" field="compare" value={state.compare ?? ""} options={[["", "nothing"], ...LAW_NAMES.map((law) => [law, law] as const)]} />
+          <Choice name="compare with" field="compare" value={state.compare ?? ""} options={[["", "nothing"], ...session.laws.map((law) => [law, law] as const)]} />
         )}
+        {!derived && <SettingControls kind="contact-law" first={["accuracy", "method"]} error={computation.error} />}
         {!derived && <p class="contact-note">A case of a contact has no law of its own: this is the one computed for its substrate and shape.</p>}
       </div>
       <Run computation={computation} what="the law" live={derived} />
@@ -93,8 +95,8 @@ function Darkest({ law, quantity }: { readonly law: Law; readonly quantity: Quan
 /** The law of an oscillator at once; that of a contact case, which may take minutes, when it is asked for. */
 function useLaw(contact: Contact) {
   const { set, state, derived } = contact;
-  const law = useComputation("/api/law", derived ? { set, ...lawSpans(state) } : null, "contact-law", derived);
-  const computed = useComputation("/api/analysis", derived ? null : contactBody(contact, lawAnalysis(state)), "contact-law-computed", false);
+  const law = useComputation("/api/law", derived ? { set, ...lawSpans(state) } : null, "contact-law", { live: derived });
+  const computed = useComputation("/api/analysis", derived ? null : contactBody(contact, lawAnalysis(state)), "contact-law-computed", { live: false });
   return derived ? law : computed;
 }
 

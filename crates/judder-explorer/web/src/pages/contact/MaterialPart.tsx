@@ -4,12 +4,13 @@ import { useMemo } from "preact/hooks";
 import { Chart } from "../../chart/Chart";
 import { useApp } from "../../ui/app";
 import { ErrorNote } from "../../ui/ErrorNote";
+import { Warnings } from "../../ui/Warnings";
 import { Value } from "../../ui/Value";
 import { type Mark, modulusSpec, tangentSpec } from "./material";
-import { outcomeOf, scalarAt } from "./outcome";
-import { Checks, Results, Warnings, shownError } from "./Parts";
+import { outcomeOf, scalarAt } from "../../wire/outcome";
+import { Checks, Results, shownError } from "./Parts";
 import { MODULUS } from "./state";
-import { useComputation } from "./useComputation";
+import { useComputation } from "../../ui/useComputation";
 import { type Contact, contactBody } from "./useContact";
 
 const VALUES = [

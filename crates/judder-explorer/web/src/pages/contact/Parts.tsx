@@ -3,13 +3,14 @@
 import type { ComponentChildren } from "preact";
 import { withFields } from "../../state/view";
 import type { QUANTITIES } from "../../state/fields";
+import { type Option, Select } from "../../ui/choices";
 import { useApp } from "../../ui/app";
 import { ofBefore, unlessSaid } from "../../ui/ErrorNote";
 import { Label } from "../../ui/Label";
 import { StandingContext, useStanding } from "../../ui/standing";
 import { type RequestError, isPassing } from "../../wire/request";
-import type { Outcome } from "./outcome";
-import type { Computation } from "./useComputation";
+import type { Outcome } from "../../wire/outcome";
+import type { Computation } from "../../ui/useComputation";
 import { QUANTITY_NAMES, shortNumber } from "./words";
 
 interface RunProps {
@@ -71,26 +72,17 @@ interface ChoiceProps<T extends string> {
   readonly name: string;
   readonly field: string;
   readonly value: T;
-  readonly options: readonly (readonly [value: T, name: string])[];
+  readonly options: readonly Option<T>[];
 }
 
 /** A choice that the address keeps. */
 export function Choice<T extends string>({ name, field, value, options }: ChoiceProps<T>) {
   const { store } = useApp();
-  const choose = (event: Event) => {
-    const next = (event.currentTarget as HTMLSelectElement).value;
-    store.update((view) => withFields(view, { [field]: next === "" ? undefined : next }));
-  };
+  const choose = (next: T) => store.update((view) => withFields(view, { [field]: next === "" ? undefined : next }));
   return (
     <label class="contact-choice">
       {name}
-      <select value={value} onChange={choose}>
-        {options.map(([option, text]) => (
-          <option key={option} value={option}>
-            {text}
-          </option>
-        ))}
-      </select>
+      <Select value={value} options={options} onChange={choose} />
     </label>
   );
 }
@@ -99,19 +91,6 @@ export function Choice<T extends string>({ name, field, value, options }: Choice
 export function QuantityChoice({ value }: { readonly value: (typeof QUANTITIES)[number] }) {
   const options = (["friction", "force", "area"] as const).map((quantity) => [quantity, QUANTITY_NAMES[quantity]] as const);
   return <Choice name="quantity" field="quantity" value={value} options={options} />;
-}
-
-export function Warnings({ warnings }: { readonly warnings: readonly string[] }) {
-  if (warnings.length === 0) return null;
-  return (
-    <div class="contact-warnings" role="status">
-      <ul aria-label="Warnings">
-        {warnings.map((warning) => (
-          <li key={warning}>{warning}</li>
-        ))}
-      </ul>
-    </div>
-  );
 }
 
 /** What the computation says of its own trustworthiness. */

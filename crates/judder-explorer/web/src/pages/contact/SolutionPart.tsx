@@ -3,20 +3,22 @@
 import { useMemo } from "preact/hooks";
 import { Chart } from "../../chart/Chart";
 import { written } from "../../chart/readout";
-import { CONTACT_ACCURACIES } from "../../state/fields";
 import { withFields } from "../../state/view";
+import { Select } from "../../ui/choices";
 import { useApp } from "../../ui/app";
 import { ErrorNote } from "../../ui/ErrorNote";
+import { Warnings } from "../../ui/Warnings";
 import { blames } from "../../ui/meant";
+import { SettingControls } from "../../ui/SettingControls";
 import { TextField } from "../../ui/TextField";
 import { Value } from "../../ui/Value";
 import type { Analysis } from "../../wire/api";
 import type { RequestError } from "../../wire/request";
-import { type Outcome, outcomeOf, scalarAt } from "./outcome";
-import { Checks, Choice, Results, Run, Warnings, shownError } from "./Parts";
+import { type Outcome, outcomeOf, scalarAt } from "../../wire/outcome";
+import { Checks, Results, Run, shownError } from "./Parts";
 import { fieldSpec, pressureCutSpec, solutionOf, surfaceCutSpec } from "./solution";
 import { type Loading, solutionAnalysis, withLoading } from "./state";
-import { useComputation } from "./useComputation";
+import { useComputation } from "../../ui/useComputation";
 import { CONTACT_HOME, type Contact, contactBody } from "./useContact";
 
 /** The contact that is shown; null while the operating point is not known. */
@@ -89,8 +91,7 @@ function SolutionTools({ contact, analysis, isLine, error }: ToolsProps) {
     return typeof value === "number" ? written(value) : String(value);
   };
   const press = (loading: Loading | null) => store.update((view) => withLoading(view, loading));
-  const changeKey = (event: Event) => {
-    const next = (event.currentTarget as HTMLSelectElement).value === "load" ? "load" : "indentation";
+  const changeKey = (next: Loading["key"]) => {
     // a depth is no load: the operating point's own, or a small load
     const load = contact.live.point?.point.contact["force"] ?? 1e-3;
     press(next === "load" ? { key: "load", value: String(load) } : null);
@@ -102,13 +103,15 @@ function SolutionTools({ contact, analysis, isLine, error }: ToolsProps) {
         <TextField id="contact-velocity" class="parameter-text" spoken="speed, a number or a text with a unit" value={shown("velocity")} invalid={blames(error, "velocity")} onChange={(text) => store.update((view) => withFields(view, { velocity: text === "" ? undefined : text }))} />
       </label>
       <span class="contact-choice">
-        <select aria-label="What presses the indenter down" value={key} onChange={changeKey}>
-          <option value="indentation">depth δ/R</option>
-          <option value="load">load {isLine ? "F/(E₀* R)" : "F/(E₀* R²)"}</option>
-        </select>
+        <Select
+          spoken="What presses the indenter down"
+          value={key}
+          options={[["indentation", "depth δ/R"], ["load", `load ${isLine ? "F/(E₀* R)" : "F/(E₀* R²)"}`]]}
+          onChange={changeKey}
+        />
         <TextField id="contact-loading" class="parameter-text" spoken={`${key === "load" ? "load" : "depth"}, a number or a text with a unit`} value={shown(key)} invalid={blames(error, key)} onChange={(text) => press(text === "" ? null : { key, value: text })} />
       </span>
-      <Choice name="accuracy" field="accuracy" value={state.accuracy} options={CONTACT_ACCURACIES.map((accuracy) => [accuracy, accuracy])} />
+      <SettingControls kind="contact" first={["accuracy"]} error={error} />
       <button type="button" disabled={isHome(contact)} onClick={() => store.update((view) => withFields(withLoading(view, null), { velocity: undefined }))}>
         {derived ? "At the operating point" : "Reset"}
       </button>

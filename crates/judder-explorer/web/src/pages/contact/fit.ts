@@ -3,7 +3,7 @@
 import type { ChartSpec, Layer } from "../../chart/spec";
 import { type Frame, reals } from "../../wire/frames";
 import { type Law, lawOf, rowOf, spread } from "./law";
-import { type Outcome, numberAt, scalarAt } from "./outcome";
+import { type Outcome, numberAt, scalarAt } from "../../wire/outcome";
 import type { Quantity } from "./state";
 import { DEPTH_LABEL, QUANTITY_LABELS, QUANTITY_NAMES, SPEED_LABEL, shortNumber } from "./words";
 

@@ -79,7 +79,7 @@ export function mapSpec(law: Law | null, state: ContactState, operating: Place |
 }
 
 /** What a cut shows beside the law itself. */
-export interface Beside {
+interface Beside {
   readonly law: Law;
   readonly name: string;
 }

@@ -3,7 +3,7 @@
 import { drawable, rangeOf } from "../../chart/scale";
 import type { ChartSpec, Layer } from "../../chart/spec";
 import { type Frame, reals } from "../../wire/frames";
-import { numberAt, outcomeOf } from "./outcome";
+import { numberAt, outcomeOf } from "../../wire/outcome";
 import { shortNumber } from "./words";
 
 /** A frequency in rad/s that is marked, with its name in markup. */

@@ -3,7 +3,7 @@
 import { nearest } from "../../chart/readout";
 import type { ChartSpec, Layer } from "../../chart/spec";
 import { type Frame, reals } from "../../wire/frames";
-import { numberAt, outcomeOf } from "./outcome";
+import { numberAt, outcomeOf } from "../../wire/outcome";
 
 export interface Field {
   readonly x: Float64Array;

@@ -1,22 +1,13 @@
 /** What the contact page shows, read from the view and written to it. */
 
 import { type Range, type Window, usable } from "../../chart/scale";
-import {
-  CONTACT_ACCURACIES,
-  CONTACT_PARTS,
-  FIT_ACCURACIES,
-  LAW_NAMES,
-  QUANTITIES,
-  VELOCITY_SCALES,
-  numberOrText,
-  parsePair,
-} from "../../state/fields";
+import { CONTACT_PARTS, QUANTITIES, numberOrText, parsePair } from "../../state/fields";
+import { analysisOf } from "../../state/settings";
 import { type View, withFields } from "../../state/view";
-import type { Analysis } from "../../wire/api";
+import type { Analysis, Session } from "../../wire/api";
 
 export type Part = (typeof CONTACT_PARTS)[number];
 export type Quantity = (typeof QUANTITIES)[number];
-export type LawName = (typeof LAW_NAMES)[number];
 
 /** A speed v τ/R and a depth δ/R. */
 export interface Place {
@@ -38,21 +29,21 @@ export interface ContactState {
   readonly fitSpeeds: Range;
   readonly fitDepths: Range;
   readonly hasRanges: boolean;
-  readonly compare: LawName | null;
-  readonly fitAccuracy: string;
-  readonly velocityScale: string;
+  /** The law beside that of the case. */
+  readonly compare: string | null;
   /** Of the one solution; null is the operating point's. */
   readonly velocity: string | null;
   readonly loading: Loading | null;
-  readonly accuracy: string;
+  /** What an analysis is asked for with, beside what the page itself says. */
+  readonly asked: (kind: string, name: string) => Analysis;
 }
 
-export const HOME_SPEEDS: Range = [1e-6, 1e4];
-export const HOME_DEPTHS: Range = [1e-6, 1e-1];
+const HOME_SPEEDS: Range = [1e-6, 1e4];
+const HOME_DEPTHS: Range = [1e-6, 1e-1];
 /** The speeds and depths of the oscillator paper's fits (its Fig. 14). */
 const [FIT_SPEEDS, FIT_DEPTHS]: readonly [Range, Range] = [[1e-4, 1e4], [1e-4, 1e-1]];
 
-export function readContact(view: View): ContactState {
+export function readContact(view: View, session: Pick<Session, "settings">): ContactState {
   const { fields } = view;
   const word = <T extends string>(field: string, allowed: readonly T[], home: T) =>
     allowed.find((one) => one === fields[field]) ?? home;
@@ -68,12 +59,10 @@ export function readContact(view: View): ContactState {
     fitDepths: readRange(fields["depths"], FIT_DEPTHS),
     hasRanges: fields["speeds"] !== undefined || fields["depths"] !== undefined,
     cursor: cursor && cursor.every((value) => value > 0) ? { velocity: cursor[0], indentation: cursor[1] } : null,
-    compare: LAW_NAMES.find((law) => law === fields["compare"]) ?? null,
-    fitAccuracy: word("fit_accuracy", FIT_ACCURACIES, "1e-2"),
-    velocityScale: word("velocity_scale", VELOCITY_SCALES, "0.01"),
+    compare: fields["compare"] ?? null,
     velocity: fields["velocity"]?.trim() || null,
     loading: key ? { key, value: (fields[key] as string).trim() } : null,
-    accuracy: word("accuracy", CONTACT_ACCURACIES, "1e-2"),
+    asked: (kind, name) => analysisOf(session.settings, kind, fields, name),
   };
 }
 
@@ -103,7 +92,7 @@ export function withLoading(view: View, loading: Loading | null): View {
 export const MODULUS: Analysis = { name: "modulus", kind: "modulus" };
 
 /** Points of the law's plane: along speed, along depth. */
-export const LAW_POINTS = { velocity: 121, indentation: 81 };
+const LAW_POINTS = { velocity: 121, indentation: 81 };
 
 const span = ([from, to]: Range, points: number) => ({ from, to, points });
 
@@ -116,28 +105,19 @@ export function lawSpans(state: ContactState) {
 
 /** The law computed for the substrate itself. */
 export function lawAnalysis(state: ContactState): Analysis {
-  return { name: "law", kind: "contact-law", ...lawSpans(state) };
+  return { ...state.asked("contact-law", "law"), ...lawSpans(state) };
 }
 
 export function fitAnalysis(state: ContactState): Analysis {
-  return {
-    name: "fit",
-    kind: "fit",
-    velocity: span(state.fitSpeeds, 41),
-    indentation: span(state.fitDepths, 13),
-    accuracy: Number(state.fitAccuracy),
-    velocity_scale: Number(state.velocityScale),
-  };
+  return { ...state.asked("fit", "fit"), velocity: span(state.fitSpeeds, 41), indentation: span(state.fitDepths, 13) };
 }
 
 /** The contact at the place that the address names, otherwise at `home`. */
 export function solutionAnalysis(state: ContactState, home: Place): Analysis {
   const loading = state.loading ?? { key: "indentation", value: String(home.indentation) };
   return {
-    name: "contact",
-    kind: "contact",
+    ...state.asked("contact", "contact"),
     velocity: state.velocity === null ? home.velocity : numberOrText(state.velocity),
     [loading.key]: numberOrText(loading.value),
-    accuracy: Number(state.accuracy),
   };
 }

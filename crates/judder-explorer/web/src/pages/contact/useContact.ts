@@ -26,7 +26,7 @@ export function useContact(): Contact {
   const { session, store, values } = useApp();
   const view = useView(store);
   const derived = session.case?.model === "oscillator";
-  const state = useMemo(() => readContact(view), [view]);
+  const state = useMemo(() => readContact(view, session), [view, session]);
   const set = options(view);
   // a fit has no operating point, and computed laws take seconds to find one
   const live = usePoint(derived && state.part !== "fit" ? set : null);

@@ -1,13 +1,13 @@
 /** The key, range and scale of one axis of the map. */
 
 import { numberOrText } from "../../state/fields";
+import { Select } from "../../ui/choices";
 import { blames } from "../../ui/meant";
-import { symbolText } from "../../ui/numbers";
+import { keyHead } from "../../ui/numbers";
 import { asWritten } from "../../ui/readable";
 import { TextField, isFilled } from "../../ui/TextField";
 import type { Key, KeyAxis, ScaleName } from "../../wire/api";
 import type { RequestError } from "../../wire/request";
-import { keyName } from "./spec";
 
 interface AxisPickerProps {
   readonly name: "x" | "y";
@@ -22,33 +22,21 @@ interface AxisPickerProps {
 }
 
 export function AxisPicker({ name, axis, keys, taken, onKey, onAxis, error = null }: AxisPickerProps) {
-  const pick = (event: Event) => {
-    const key = keys.find((key) => key.path === (event.currentTarget as HTMLSelectElement).value);
+  const pick = (path: string) => {
+    const key = keys.find((key) => key.path === path);
     if (key) onKey(key);
-  };
-  const scale = (event: Event) => {
-    onAxis({ ...axis, scale: (event.currentTarget as HTMLSelectElement).value as ScaleName });
   };
   return (
     <fieldset class="axis-picker">
       <legend class="visually-hidden">{name} axis</legend>
       <b aria-hidden="true">{name}</b>
-      <select aria-label={`Key of the ${name} axis`} value={axis.key} onChange={pick}>
-        {keys.map((key) => (
-          <option key={key.path} value={key.path} disabled={key.path === taken}>
-            {`${keyName(key)} ${symbolText(key.symbol)}`.trim()}
-          </option>
-        ))}
-      </select>
+      <Select spoken={`Key of the ${name} axis`} value={axis.key} options={keys.map((key) => [key.path, keyHead(key)])} taken={taken} onChange={pick} />
       <span class="axis-ends">
         <End label={`From, ${name} axis`} value={axis.from} invalid={blames(error, `${name}.from`)} onChange={(from) => onAxis({ ...axis, from })} />
         <span aria-hidden="true">…</span>
         <End label={`To, ${name} axis`} value={axis.to} invalid={blames(error, `${name}.to`)} onChange={(to) => onAxis({ ...axis, to })} />
       </span>
-      <select aria-label={`Scale of the ${name} axis`} value={axis.scale} onChange={scale}>
-        <option value="log">log</option>
-        <option value="linear">linear</option>
-      </select>
+      <Select<ScaleName> spoken={`Scale of the ${name} axis`} value={axis.scale} options={[["log", "log"], ["linear", "linear"]]} onChange={(scale) => onAxis({ ...axis, scale })} />
     </fieldset>
   );
 }

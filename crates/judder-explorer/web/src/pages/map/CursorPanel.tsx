@@ -4,7 +4,7 @@ import { useView } from "../../state/store";
 import type { View } from "../../state/view";
 import type { Key } from "../../wire/api";
 import { useApp } from "../../ui/app";
-import { symbolMarkup } from "../../ui/numbers";
+import { keyName, symbolMarkup } from "../../ui/numbers";
 import { ErrorNote, unlessSaid } from "../../ui/ErrorNote";
 import { Link } from "../../ui/Link";
 import { PointValues } from "../../ui/PointValues";
@@ -12,7 +12,6 @@ import { StandingNote } from "../../ui/StandingNote";
 import { useStanding } from "../../ui/standing";
 import type { LivePoint } from "../../ui/usePoint";
 import { Value } from "../../ui/Value";
-import { keyName } from "./spec";
 import { type MapState, type Place, isDimensional, withPlace } from "./state";
 
 interface CursorPanelProps {

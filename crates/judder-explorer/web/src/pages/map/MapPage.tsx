@@ -1,6 +1,6 @@
 /** The map page: stability over two keys, live. */
 
-import { useCallback, useEffect, useMemo, useRef } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { Chart } from "../../chart/Chart";
 import { isShown } from "../../chart/readout";
 import { type Window, rangeOf } from "../../chart/scale";
@@ -127,19 +127,13 @@ function useWindow(xAxis: KeyAxis, yAxis: KeyAxis, x: Key, y: Key, picture: MapP
 
 /** The exported case holds the point that is shown, and the map about it. */
 function useMapCaseFile(): void {
-  const app = useApp();
-  const newest = useRef(app);
-  useEffect(() => {
-    newest.current = app;
-  });
-  const make = useCallback(() => {
-    const { session, store, keys } = newest.current;
+  const { session, store, keys } = useApp();
+  useCaseFile(() => {
     const view = store.view;
     const state = readMap(view, session, keys);
     const place = state.pin ?? state.cursor;
     const set = place ? optionsAt(view, state, keys, place) : view.set;
     const boundaries = BOUNDARIES.some((name) => state.show.includes(name));
     return { text: fetchCaseFile(options({ ...view, set }), mapAnalysis(state, boundaries)) };
-  }, []);
-  useCaseFile(make);
+  });
 }

@@ -1,5 +1,6 @@
 /** What the map shows on top of the mechanisms, and how it is read without colour. */
 
+import { Switch } from "../../ui/choices";
 import type { MapState, Mark, Overlay } from "./state";
 
 interface MapSwitchesProps {
@@ -49,20 +50,4 @@ export function MapSwitches({ state, hasCritical, onShow, onMarks }: MapSwitches
 
 function toggled<T>(list: readonly T[], item: T, on: boolean): readonly T[] {
   return on ? [...list, item] : list.filter((other) => other !== item);
-}
-
-interface SwitchProps {
-  readonly name: string;
-  readonly on: boolean;
-  readonly disabled?: boolean;
-  readonly title?: string;
-  readonly onChange: (on: boolean) => void;
-}
-
-function Switch({ name, on, disabled = false, onChange, ...rest }: SwitchProps) {
-  return (
-    <label {...rest}>
-      <input type="checkbox" checked={on} disabled={disabled} onChange={(event) => onChange(event.currentTarget.checked)} /> {name}
-    </label>
-  );
 }

@@ -5,7 +5,7 @@ import type { Analysis, KeyAxis } from "../../wire/api";
 import { type Frame, codes, reals } from "../../wire/frames";
 
 /** Points of each axis of the exact map. */
-export const POINTS = 400;
+const POINTS = 400;
 /** Points of each axis of a sketch: the map of a value that a slider passes. */
 export const SKETCH = 41;
 

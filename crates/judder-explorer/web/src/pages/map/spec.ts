@@ -3,7 +3,7 @@
 import { STABILITY, WITHIN_LAW } from "../../chart/palette";
 import type { Window } from "../../chart/scale";
 import type { Axis, ChartSpec, Layer } from "../../chart/spec";
-import { signOf } from "../../ui/numbers";
+import { keyName, signOf } from "../../ui/numbers";
 import type { Key, KeyAxis } from "../../wire/api";
 import { BOUNDARIES, type BoundaryName, type MapPicture, drawnClasses, shares } from "./picture";
 import { type MapState, isDimensional } from "./state";
@@ -16,24 +16,22 @@ const NAMES: Record<BoundaryName, string> = {
 };
 const ROLES = { full: "full-boundary", conservative: "conservative-boundary", decoupled: "decoupled-boundary" } as const;
 
-/** What a key is called in a sentence. */
-export function keyName(key: Key): string {
-  return (key.path.split(".").at(-1) ?? key.path).replaceAll("_", " ");
-}
-
 /** The header of a column of a key's values. */
 export function keyHeading(axis: KeyAxis, key: Key): string {
   return `${key.path} (${isDimensional(axis) || key.group === null ? key.unit : key.group})`;
 }
 
-function axisOf(axis: KeyAxis, key: Key, range: Window["x"] | undefined): Axis {
+/** What stands at an axis of a key. */
+export function keyAxisLabel(key: Key, axis: KeyAxis): string {
   const name = keyName(key);
-  const dimensional = isDimensional(axis);
-  const label = `${name.charAt(0).toUpperCase()}${name.slice(1)}  ${signOf(key, dimensional)}`;
-  return { label, name: keyHeading(axis, key), scale: axis.scale, ...(range ? { range } : {}) };
+  return `${name.charAt(0).toUpperCase()}${name.slice(1)}  ${signOf(key, isDimensional(axis))}`;
 }
 
-export function shareText(share: number): string {
+function axisOf(axis: KeyAxis, key: Key, range: Window["x"] | undefined): Axis {
+  return { label: keyAxisLabel(key, axis), name: keyHeading(axis, key), scale: axis.scale, ...(range ? { range } : {}) };
+}
+
+function shareText(share: number): string {
   return share > 0 && share < 0.0005 ? "< 0.1 %" : `${(100 * share).toFixed(1)} %`;
 }
 

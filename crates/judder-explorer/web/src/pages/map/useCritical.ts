@@ -2,9 +2,9 @@
 
 import { useMemo } from "preact/hooks";
 import type { Curve } from "../../chart/runs";
+import { type Computation, useComputation } from "../../ui/useComputation";
 import type { Analysis, KeyAxis } from "../../wire/api";
 import { type Frame, reals } from "../../wire/frames";
-import { useOutcome } from "./useOutcome";
 
 export interface Critical {
   readonly full: Curve;
@@ -41,9 +41,14 @@ export function roots(frame: Frame, name: string): Curve {
   return { x: Float64Array.from(x), y: Float64Array.from(y) };
 }
 
+/** The outcome of an analysis beside the map, which may take far longer than the map itself: it waits until a slider rests. */
+export function useBeside(purpose: string, set: readonly string[], analysis: Analysis | null): Computation {
+  return useComputation("/api/analysis", analysis && { set, analysis }, purpose, { rest: 150, hasty: true });
+}
+
 export function useCritical(set: readonly string[], analysis: Analysis | null) {
-  const { outcome, isCurrent, error } = useOutcome("critical", set, analysis);
-  const critical = useMemo((): Critical | null => outcome && { full: roots(outcome, "full"), conservative: roots(outcome, "conservative") }, [outcome]);
+  const { frame, current, error } = useBeside("critical", set, analysis);
+  const critical = useMemo((): Critical | null => frame && { full: roots(frame, "full"), conservative: roots(frame, "conservative") }, [frame]);
   // thresholds of another plane or case are wrong, not old
-  return { critical: isCurrent ? critical : null, error };
+  return { critical: current ? critical : null, error };
 }

@@ -5,19 +5,21 @@ import type { Cursor } from "../../chart/interaction";
 import { useView } from "../../state/store";
 import { withFields, withOption } from "../../state/view";
 import { writeAxis } from "../../state/fields";
+import { Switch } from "../../ui/choices";
 import { useApp } from "../../ui/app";
 import { StandingContext } from "../../ui/standing";
 import { significant } from "../../ui/numbers";
-import { TextField, isCount } from "../../ui/TextField";
+import { SettingControls } from "../../ui/SettingControls";
 import type { Key } from "../../wire/api";
 import { RequestError } from "../../wire/request";
 import { AxisPicker } from "../map/AxisPicker";
+import { keyAxisLabel } from "../map/spec";
 import { valueOnAxis } from "../map/state";
 import { type Branch, branchSpec, rangeOfBranch } from "./branch";
-import { keyAxisLabel, valueOf, valueOnAxisOf } from "./keys";
+import { valueOf, valueOnAxisOf } from "./keys";
 import { RunBar } from "./RunBar";
 import { Summary } from "./Summary";
-import { type PointState, branchAnalyses, branchAxis } from "./state";
+import { type PointState, branchAxis } from "./state";
 import { StillChart } from "./StillChart";
 import { type Run, useRunStanding } from "./useRun";
 
@@ -38,24 +40,13 @@ export function BranchSection({ state, run }: { readonly state: PointState; read
     store.update((view) => withFields(view, { branch: writeAxis(next) }));
   };
   const pick = (cursor: Cursor) => store.update((view) => withOption(view, key.path, valueOnAxis(axis, key, significant(cursor.x))));
-  const analyses = branchAnalyses(state);
   return (
     <section class="card card-wide" aria-labelledby="branch-title">
       <h2 id="branch-title">Branch of limit cycles</h2>
       <AxisPicker name="x" error={fieldError(run.error)} axis={axis} keys={[...keys.values()]} taken="" onKey={onKey} onAxis={(axis) => store.update((view) => withFields(view, { branch: writeAxis(axis) }))} />
-      <RunBar kind="branch" name="Follow the branch" run={run} analysis={analyses.at(-1) ?? { name: "branch", kind: "bifurcation" }} keep={{ branch: writeAxis(axis) }}>
-        <TextField name="points" value={state.steps} accepts={isCount} onChange={(steps) => store.update((view) => withFields(view, { steps }))} />
-        <label title="without the branches, which may take minutes">
-          <input
-            type="checkbox"
-            checked={state.simulated}
-            onChange={(event) => {
-              const text = event.currentTarget.checked ? "on" : undefined;
-              store.update((view) => withFields(view, { simulated: text }));
-            }}
-          />{" "}
-          simulated points only
-        </label>
+      <RunBar kind="branch" name="Follow the branch" run={run} analysis={state.diagrams.at(-1) ?? { name: "branch", kind: "bifurcation" }} keep={{ branch: writeAxis(axis) }}>
+        <SettingControls kind="bifurcation" first={["sweep.points"]} error={run.error} />
+        <Switch name="simulated points only" title="without the branches, which may take minutes" on={state.simulated} onChange={(on) => store.update((view) => withFields(view, { simulated: on ? "on" : undefined }))} />
       </RunBar>
       {!spec && <p class="note">Simulated upwards and downwards, then followed through its folds, stable and unstable. Branches may take minutes where cycles stick and lift off.</p>}
       {spec && result && (
@@ -73,5 +64,5 @@ export function BranchSection({ state, run }: { readonly state: PointState; read
 
 /** The analysis of a branch calls its axis a sweep. */
 function fieldError(error: RequestError | null): RequestError | null {
-  return error && new RequestError(error.message.replace("`sweep.", "`x."), error.status, error.place, error.help);
+  return error && new RequestError(error.message.replace("`sweep.", "`x."), error.status, error.place, error.help, error.others.flatMap((other) => fieldError(other) ?? []));
 }

@@ -2,13 +2,14 @@
 
 import { Digits } from "../../ui/Digits";
 import { useMemo } from "preact/hooks";
+import { SettingControls } from "../../ui/SettingControls";
 import { StandingContext } from "../../ui/standing";
 import { brief } from "../../chart/readout";
 import { beyond, floquetSpec, multipliers } from "./cycle";
 import type { Motion } from "./motion";
 import { RunBar } from "./RunBar";
 import { type Entry, Summary } from "./Summary";
-import { type PointState, cycleAnalysis } from "./state";
+import type { PointState } from "./state";
 import { StillChart } from "./StillChart";
 import { type Run, useRunStanding } from "./useRun";
 
@@ -23,7 +24,7 @@ const ENTRIES: readonly Entry[] = [
   { path: "pattern", name: "contact states" },
   { path: "residual", name: "residual of the return map" },
   { path: "newton_iterations", name: "Newton iterations" },
-  { path: "energy/residual", name: "residual of the energy" },
+  { path: "energy.residual", name: "residual of the energy" },
 ];
 
 interface CycleSectionProps {
@@ -43,7 +44,9 @@ export function CycleSection({ state, run, frequency }: CycleSectionProps) {
   return (
     <section class="card" aria-labelledby="cycle-title">
       <h2 id="cycle-title">Limit cycle</h2>
-      <RunBar kind="cycle" name="Find the cycle" run={run} analysis={cycleAnalysis(state)} />
+      <RunBar kind="cycle" name="Find the cycle" run={run} analysis={state.cycle}>
+        <SettingControls kind="limit-cycle" error={run.error} />
+      </RunBar>
       {!outcome && <p class="note">Followed from the disturbance above until it repeats, then closed by Newton's method. It is drawn in the phase portrait.</p>}
       {outcome && (
         <div class={`two-columns${standing ? " stale" : ""}`}>

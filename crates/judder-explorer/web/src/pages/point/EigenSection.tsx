@@ -4,15 +4,16 @@ import { useContext, useEffect, useMemo, useState } from "preact/hooks";
 import type { Cursor } from "../../chart/interaction";
 import { useView } from "../../state/store";
 import { options, withFields, withOption } from "../../state/view";
+import { Select, Switch } from "../../ui/choices";
 import { useApp } from "../../ui/app";
 import { ErrorNote, unlessSaid } from "../../ui/ErrorNote";
-import { significant, symbolText } from "../../ui/numbers";
+import { keyName, significant, keyHead } from "../../ui/numbers";
 import { StandingContext, useStanding } from "../../ui/standing";
 import type { Key, Pair } from "../../wire/api";
 import { homeAxis, isDimensional, valueOnAxis } from "../map/state";
-import { keyHeading, keyName } from "../map/spec";
+import { keyAxisLabel, keyHeading } from "../map/spec";
 import { type Mode, eigenSpec, growthSpec } from "./eigen";
-import { keyAxisLabel, valueOnAxisOf } from "./keys";
+import { valueOnAxisOf } from "./keys";
 import { type PointState, pathAnalysis } from "./state";
 import { StillChart } from "./StillChart";
 import { usePath } from "./usePath";
@@ -55,17 +56,7 @@ export function EigenSection({ state, eigenvalues, modes }: EigenSectionProps) {
       <h2 id="eigen-title">Eigenvalues</h2>
       <div class="run-bar">
         <AlongChoice keys={[...keys.values()]} along={along} />
-        <label>
-          <input
-            type="checkbox"
-            checked={state.hasTrail}
-            onChange={(event) => {
-              const text = event.currentTarget.checked ? undefined : "off";
-              store.update((view) => withFields(view, { trail: text }));
-            }}
-          />{" "}
-          trail
-        </label>
+        <Switch name="trail" on={state.hasTrail} onChange={(on) => store.update((view) => withFields(view, { trail: on ? undefined : "off" }))} />
         <button type="button" onClick={clear} disabled={trail.length === 0}>
           Clear trail
         </button>
@@ -84,21 +75,11 @@ export function EigenSection({ state, eigenvalues, modes }: EigenSectionProps) {
 
 function AlongChoice({ keys, along }: { readonly keys: readonly Key[]; readonly along: Key | null }) {
   const { store } = useApp();
-  const choose = (event: Event) => {
-    const path = (event.currentTarget as HTMLSelectElement).value;
-    store.update((view) => withFields(view, { along: path === "" ? undefined : path }));
-  };
+  const choose = (path: string) => store.update((view) => withFields(view, { along: path === "" ? undefined : path }));
   return (
     <label class="choice">
       path along{" "}
-      <select value={along?.path ?? ""} onChange={choose}>
-        <option value="">no key</option>
-        {keys.map((key) => (
-          <option key={key.path} value={key.path}>
-            {`${keyName(key)} ${symbolText(key.symbol)}`.trim()}
-          </option>
-        ))}
-      </select>
+      <Select value={along?.path ?? ""} options={[["", "no key"], ...keys.map((key) => [key.path, keyHead(key)] as const)]} onChange={choose} />
     </label>
   );
 }

@@ -1,19 +1,18 @@
 /** The motion from here: histories, phase portrait with the limit cycle, spectrum. */
 
 import { useMemo, useRef } from "preact/hooks";
-import { useView } from "../../state/store";
 import { withFields } from "../../state/view";
+import { Switch } from "../../ui/choices";
 import { useApp } from "../../ui/app";
 import { StandingContext } from "../../ui/standing";
-import { blames } from "../../ui/meant";
-import { TextField, isCount, isFilled, isNumber } from "../../ui/TextField";
+import { SettingControls } from "../../ui/SettingControls";
 import type { RequestError } from "../../wire/request";
 import { LinkedCharts } from "./LinkedCharts";
 import type { Mode } from "./eigen";
 import { type Loop, type Motion, historySpecs, portraitSpec, spectrumSpec } from "./motion";
 import { RunBar } from "./RunBar";
 import { type Entry, Summary } from "./Summary";
-import { type PointState, motionAnalysis } from "./state";
+import type { PointState } from "./state";
 import { StillChart } from "./StillChart";
 import { type Run, useRunStanding } from "./useRun";
 
@@ -29,12 +28,12 @@ const ENTRIES: readonly Entry[] = [
   { path: "changes", name: "changes of the contact state" },
   { path: "steps", name: "steps" },
   { path: "transient", name: "averaged after $θ$" },
-  { path: "energy/friction", name: "work of friction" },
-  { path: "energy/normal", name: "work of the normal force" },
-  { path: "energy/damping", name: "work of the dampers" },
-  { path: "energy/change", name: "change of the energy" },
-  { path: "energy/residual", name: "residual of the energy" },
-  { path: "quasi_steady/largest", name: "largest (ω − $v_{d}$/$A_{x}$) τ" },
+  { path: "energy.friction", name: "work of friction" },
+  { path: "energy.normal", name: "work of the normal force" },
+  { path: "energy.damping", name: "work of the dampers" },
+  { path: "energy.change", name: "change of the energy" },
+  { path: "energy.residual", name: "residual of the energy" },
+  { path: "quasi_steady.largest", name: "largest (ω − $v_{d}$/$A_{x}$) τ" },
 ];
 
 interface MotionSectionProps {
@@ -55,21 +54,22 @@ export function MotionSection({ state, run, cycle, modes, belt, steady }: Motion
   const marks = useRef({ belt, steady, modes });
   if (!run.isStale) marks.current = { belt, steady, modes };
   const { belt: line, steady: middle, modes: marked } = marks.current;
-  const end = run.busy && !run.isStale && typeof state.duration === "number" ? state.duration : null;
+  const { duration } = state.motion;
+  const end = run.busy && !run.isStale && typeof duration === "number" ? duration : null;
   const histories = useMemo(() => (motion ? historySpecs(motion, line, end) : []), [motion, line, end]);
   const portrait = useMemo(() => portraitSpec(motion, cycle, line, middle), [motion, cycle, line, middle]);
   const spectrum = useMemo(() => (motion?.spectrum ? spectrumSpec(motion.spectrum, marked) : null), [motion, marked]);
   return (
     <section class="card card-wide" aria-labelledby="motion-title">
       <h2 id="motion-title">Motion from here</h2>
-      <RunBar kind="motion" name="Run the motion" run={run} analysis={motionAnalysis(state)} share={shareOf(run, state)}>
+      <RunBar kind="motion" name="Run the motion" run={run} analysis={state.motion} share={shareOf(run, state)}>
         <MotionControls state={state} error={run.error} />
       </RunBar>
       {!motion && !cycle && <p class="note">Event by event through stick, slip and lift-off, from steady sliding with x moved by a share of itself. Drawn while it is computed.</p>}
       {(motion || cycle) && (
         <StandingContext.Provider value={motion ? standing : null}>
           <div class="motion-charts">
-            <div>{motion && <LinkedCharts specs={histories} height={200} of={`${state.duration}`} />}</div>
+            <div>{motion && <LinkedCharts specs={histories} height={200} of={`${duration}`} />}</div>
             <div>
               <StillChart spec={portrait} height={310} />
               {spectrum && <StillChart spec={spectrum} height={250} />}
@@ -85,29 +85,16 @@ export function MotionSection({ state, run, cycle, modes, belt, steady }: Motion
 /** How far a motion has come of its duration, where that is a number. */
 function shareOf(run: Run<Motion>, state: PointState): number | null {
   const now = run.isStale ? undefined : run.result?.time.at(-1);
-  return run.busy && now !== undefined && typeof state.duration === "number" && state.duration > 0 ? now / state.duration : null;
+  const { duration } = state.motion;
+  return run.busy && now !== undefined && typeof duration === "number" && duration > 0 ? now / duration : null;
 }
 
 function MotionControls({ state, error }: { readonly state: PointState; readonly error: RequestError | null }) {
   const { store } = useApp();
-  useView(store);
-  const keep = (field: string) => (text: string) => store.update((view) => withFields(view, { [field]: text }));
   return (
     <>
-      <TextField name="duration" title="ω_nx t as a number, or a time such as 5 s" value={state.duration} invalid={blames(error, "duration")} accepts={isFilled} onChange={keep("duration")} />
-      <TextField name="disturbance" title="the share of its magnitude by which x is moved off steady sliding" value={state.start} invalid={blames(error, "start")} accepts={isNumber} onChange={keep("start")} />
-      <TextField name="points" title="points of the uniform grid of time that is kept" value={state.points} invalid={blames(error, "points")} accepts={isCount} onChange={keep("points")} />
-      <label title="run again as the parameters move">
-        <input
-          type="checkbox"
-          checked={state.live}
-          onChange={(event) => {
-            const text = event.currentTarget.checked ? "on" : undefined;
-            store.update((view) => withFields(view, { live: text }));
-          }}
-        />{" "}
-        follow the parameters
-      </label>
+      <SettingControls kind="motion" first={["duration", "start.disturbance", "points"]} error={error} />
+      <Switch name="follow the parameters" title="run again as the parameters move" on={state.live} onChange={(on) => store.update((view) => withFields(view, { live: on ? "on" : undefined }))} />
     </>
   );
 }

@@ -1,6 +1,6 @@
 /** The point page: one operating point with all that moves there. */
 
-import { useCallback, useEffect, useMemo, useRef } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { useView } from "../../state/store";
 import { options } from "../../state/view";
 import { useApp } from "../../ui/app";
@@ -13,6 +13,7 @@ import { type Standing, StandingContext, useStanding } from "../../ui/standing";
 import { usePoint } from "../../ui/usePoint";
 import { Value } from "../../ui/Value";
 import { type Point, fetchCaseFile } from "../../wire/api";
+import { outcomeOf } from "../../wire/outcome";
 import { type Branch, collectBranch } from "./branch";
 import { BranchSection } from "./BranchSection";
 import { collectCycle, loopOf } from "./cycle";
@@ -26,8 +27,7 @@ import { MotionSection } from "./MotionSection";
 import { ShapesSection } from "./ShapesSection";
 import { type Track, modeTrack } from "./sound";
 import { type Source, SoundSection } from "./SoundSection";
-import { type PointState, branchAnalyses, caseAnalysis, cycleAnalysis, motionAnalysis, readPoint } from "./state";
-import { entryAt } from "./Summary";
+import { type PointState, caseAnalysis, readPoint } from "./state";
 import { type Run, useRun } from "./useRun";
 import "../map/map.css";
 import "./point.css";
@@ -109,11 +109,11 @@ function Numbers({ point, standing, stale, busy }: NumbersProps) {
 function useRuns(state: PointState, set: readonly string[], hasValues: boolean) {
   const { run, live } = state;
   const asked = { set, live: false, address: "/api/analysis" } as const;
-  const motion = useRun<Motion>({ set, live, address: "/api/motion", purpose: "motion", analyses: [motionAnalysis(state)], collect: collectMotion, wanted: run.includes("motion") });
-  const cycle = useRun<Motion>({ ...asked, purpose: "cycle", analyses: [cycleAnalysis(state)], collect: collectCycle, wanted: run.includes("cycle") });
+  const motion = useRun<Motion>({ set, live, address: "/api/motion", purpose: "motion", analyses: [state.motion], collect: collectMotion, wanted: run.includes("motion") });
+  const cycle = useRun<Motion>({ ...asked, purpose: "cycle", analyses: [state.cycle], collect: collectCycle, wanted: run.includes("cycle") });
   // the swept key's own value does not matter, but without values the range about it is not known
   const others = set.filter((option) => !option.startsWith(`${state.branch.key}=`));
-  const branch = useRun<Branch>({ ...asked, set: others, purpose: "branch", analyses: branchAnalyses(state), collect: collectBranch, wanted: hasValues && run.includes("branch") });
+  const branch = useRun<Branch>({ ...asked, set: others, purpose: "branch", analyses: state.diagrams, collect: collectBranch, wanted: hasValues && run.includes("branch") });
   return { motion, cycle, branch };
 }
 
@@ -142,8 +142,8 @@ function useSources(motion: Run<Motion>, cycle: Run<Motion>, modes: readonly Mod
 function trackOf(motion: Motion | null, frequency: number, scale: number, loops: boolean): Track | null {
   if (!motion?.outcome) return null;
   const { fine, outcome, spectrum } = motion;
-  const period = entryAt(outcome, "period");
-  const turns = loops ? Math.max(Number(entryAt(outcome, "oscillations") ?? 1), 1) : 1;
+  const { period, oscillations } = outcomeOf(outcome).scalars;
+  const turns = loops ? Math.max(Number(oscillations ?? 1), 1) : 1;
   const rate = typeof period === "number" && period > 0 ? (2 * Math.PI * turns) / period : (strongest(spectrum) ?? 0);
   return {
     time: fine.time.map((time) => time / frequency),
@@ -157,10 +157,5 @@ function trackOf(motion: Motion | null, frequency: number, scale: number, loops:
 /** The exported case asks for what was last started here. */
 function usePointCaseFile(state: PointState): void {
   const { session, store } = useApp();
-  const newest = useRef(state);
-  useEffect(() => {
-    newest.current = state;
-  });
-  const make = useCallback(() => ({ text: fetchCaseFile(options(store.view), caseAnalysis(newest.current, session)) }), [session, store]);
-  useCaseFile(make);
+  useCaseFile(() => ({ text: fetchCaseFile(options(store.view), caseAnalysis(state, session)) }));
 }

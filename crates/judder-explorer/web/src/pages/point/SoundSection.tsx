@@ -4,12 +4,14 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import { brief } from "../../chart/readout";
 import type { Keep } from "../../state/store";
 import { withFields } from "../../state/view";
+import { Select } from "../../ui/choices";
 import { useApp } from "../../ui/app";
 import { download, fileName } from "../../ui/files";
+import { Slider } from "../../ui/Slider";
 import { TextField, isPositive } from "../../ui/TextField";
 import { Player } from "./player";
 import { LONGEST, RATE, type Sound, type Track, faded, octaveFactor, render, wav } from "./sound";
-import { HOME, type PointState } from "./state";
+import { VOLUME, type PointState } from "./state";
 
 /** Seconds below which there is little to hear. */
 const SHORT = 0.3;
@@ -38,7 +40,6 @@ export function SoundSection({ state, sources, hasModes }: SoundProps) {
   const factor = state.factor ?? octaveFactor(source?.track.frequency ?? 0);
   const sound = useSound(source?.track ?? null, factor);
   const keep = (change: Readonly<Record<string, string | undefined>>, how: Keep = "push") => store.update((view) => withFields(view, change), how);
-  const choose = (event: Event) => keep({ sound: (event.currentTarget as HTMLSelectElement).value, factor: undefined });
   return (
     <section class="card" aria-labelledby="sound-title">
       <h2 id="sound-title">Sound</h2>
@@ -48,26 +49,12 @@ export function SoundSection({ state, sources, hasModes }: SoundProps) {
           <div class="run-bar">
             <label class="choice">
               hear{" "}
-              <select value={source.id} onChange={choose}>
-                {sources.map(({ id, name }) => (
-                  <option key={id} value={id}>
-                    {name}
-                  </option>
-                ))}
-              </select>
+              <Select value={source.id} options={sources.map(({ id, name }) => [id, name])} onChange={(sound) => keep({ sound, factor: undefined })} />
             </label>
             <PlayButtons source={source} sound={sound} volume={state.volume} />
             <label class="choice">
               volume{" "}
-              <input
-                type="range"
-                min={0}
-                max={1}
-                step={0.05}
-                value={state.volume}
-                onInput={(event) => keep({ volume: event.currentTarget.value }, "drag")}
-                onChange={(event) => keep({ volume: Number(event.currentTarget.value) === HOME.volume ? undefined : event.currentTarget.value })}
-              />
+              <Slider from={0} to={1} step={0.05} value={state.volume} onMove={(volume, how) => keep({ volume: how !== "drag" && volume === VOLUME ? undefined : String(volume) }, how)} />
             </label>
           </div>
           <FactorControls factor={factor} own={state.factor !== null} onFactor={(factor, how) => keep({ factor }, how)} />
@@ -100,21 +87,11 @@ interface FactorControlsProps {
 
 /** The slider moves by twelfths of an octave. */
 function FactorControls({ factor, own, onFactor }: FactorControlsProps) {
-  const read = (event: Event) => String(Number((2 ** Number((event.currentTarget as HTMLInputElement).value)).toPrecision(5)));
   return (
     <div class="run-bar">
       <label class="choice factor">
         time factor{" "}
-        <input
-          type="range"
-          min={-8}
-          max={20}
-          step={1 / 12}
-          value={Math.log2(factor)}
-          aria-valuetext={`${brief(factor)} times`}
-          onInput={(event) => onFactor(read(event), "drag")}
-          onChange={(event) => onFactor(read(event), "push")}
-        />
+        <Slider from={-8} to={20} step={1 / 12} value={Math.log2(factor)} spokenValue={`${brief(factor)} times`} onMove={(octaves, how) => onFactor(String(Number((2 ** octaves).toPrecision(5))), how)} />
       </label>
       <TextField name="×" title="how many times faster than real it is played" value={factor} accepts={isPositive} onChange={(text) => onFactor(text, "push")} />
       <button type="button" disabled={!own} onClick={() => onFactor(undefined, "push")}>

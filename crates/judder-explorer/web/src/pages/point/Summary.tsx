@@ -1,8 +1,9 @@
 /** What an outcome tells of itself: its numbers, its checks and its warnings. */
 
 import { Value } from "../../ui/Value";
-import { Warnings, warningsOf } from "../../ui/Warnings";
+import { Warnings } from "../../ui/Warnings";
 import type { Frame } from "../../wire/frames";
+import { type Check, entryAt, outcomeOf } from "../../wire/outcome";
 
 /** A number in the summary, by its path in it. */
 export interface Entry {
@@ -11,29 +12,13 @@ export interface Entry {
   readonly unit?: string;
 }
 
-interface Check {
-  readonly name: string;
-  readonly compared: string;
-  readonly figure: number;
-  readonly limit: number;
-  readonly passed: boolean;
-  readonly numbers: number | null;
-}
-
-/** The entry of a summary at a dotted path. */
-export function entryAt(frame: Frame, path: string): unknown {
-  const scalars: unknown = frame.header["scalars"];
-  const parts = Object.hasOwn((scalars ?? {}) as object, path) ? [path] : path.split("/");
-  return parts.reduce<unknown>((value, part) => (value as Record<string, unknown> | null | undefined)?.[part], scalars);
-}
-
 export function Summary({ outcome, prefix, entries }: { readonly outcome: Frame; readonly prefix: string; readonly entries: readonly Entry[] }) {
-  const checks = (outcome.header["checks"] ?? []) as readonly Check[];
+  const { scalars, checks, warnings } = outcomeOf(outcome);
   return (
     <>
       <dl class="values summary">
         {entries.map(({ path, name, unit }) => (
-          <Value key={path} name={name} dataKey={`${prefix}.${path.replaceAll("/", ".")}`} value={textOf(entryAt(outcome, path))} {...(unit ? { unit } : {})} />
+          <Value key={path} name={name} dataKey={`${prefix}.${path}`} value={textOf(entryAt(scalars, path))} {...(unit ? { unit } : {})} />
         ))}
       </dl>
       {checks.map((check) => (
@@ -41,7 +26,7 @@ export function Summary({ outcome, prefix, entries }: { readonly outcome: Frame;
           {check.passed ? "✓" : "✗"} {check.name}: {cameOut(check)}, limit {String(check.limit)}
         </p>
       ))}
-      <Warnings warnings={warningsOf(outcome)} />
+      <Warnings warnings={warnings} />
     </>
   );
 }

@@ -10,7 +10,7 @@ import { type BranchRows, drawnOnce } from "./overlaps";
 import type { Collector } from "./useRun";
 
 /** Simulated motions that were followed the same way and became the same. */
-export interface Simulated {
+interface Simulated {
   /** Its place among `DIRECTIONS`. */
   readonly direction: number;
   /** What they have become, in a word of the program. */

@@ -3,8 +3,8 @@
 import type { ChartSpec, Layer } from "../../chart/spec";
 import type { Pair } from "../../wire/api";
 import type { Frame } from "../../wire/frames";
+import { outcomeOf } from "../../wire/outcome";
 import { type Loop, type Motion, motionOf } from "./motion";
-import { entryAt } from "./Summary";
 import type { Collector } from "./useRun";
 
 export function collectCycle(): Collector<Motion> {
@@ -18,7 +18,7 @@ export function loopOf(cycle: Motion): Loop {
 }
 
 export function multipliers(outcome: Frame): readonly Pair[] {
-  const listed = entryAt(outcome, "floquet_multipliers");
+  const listed = outcomeOf(outcome).scalars["floquet_multipliers"];
   return Array.isArray(listed) ? (listed as Pair[]) : [];
 }
 

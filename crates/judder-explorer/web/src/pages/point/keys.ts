@@ -1,14 +1,7 @@
-/** Keys as axes of the charts of this page. */
+/** Values of keys. */
 
-import { signOf } from "../../ui/numbers";
 import type { CaseValue, CaseValues, Key, KeyAxis } from "../../wire/api";
-import { isDimensional, numberOnAxis } from "../map/state";
-import { keyName } from "../map/spec";
-
-export function keyAxisLabel(key: Key, axis: KeyAxis): string {
-  const name = keyName(key);
-  return `${name.charAt(0).toUpperCase()}${name.slice(1)}  ${signOf(key, isDimensional(axis))}`;
-}
+import { numberOnAxis } from "../map/state";
 
 /** The value of a key, where it is known. */
 export function valueOf(key: Key, values: CaseValues | null): CaseValue | undefined {

@@ -14,7 +14,7 @@ export interface Stretches {
   readonly to: Float64Array;
 }
 
-export interface Histories {
+interface Histories {
   /** θ = ω_nx t. */
   readonly time: Float64Array;
   readonly x: Float64Array;

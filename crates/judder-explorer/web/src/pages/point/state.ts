@@ -1,6 +1,7 @@
 /** What the point page keeps, read from the view, and the analyses that it asks for. */
 
 import { RUNS, numberOrText, parseAxis, parseWords } from "../../state/fields";
+import { analysisOf } from "../../state/settings";
 import { type View, withFields } from "../../state/view";
 import { plainValue } from "../../ui/numbers";
 import type { Analysis, CaseValue, Key, KeyAxis, Session } from "../../wire/api";
@@ -18,14 +19,11 @@ export interface PointState {
   readonly run: readonly RunKind[];
   /** Whether a motion follows the parameters. */
   readonly live: boolean;
-  /** ω_nx t as a number, or a time with its unit. */
-  readonly duration: number | string;
-  /** The share of its magnitude by which x is moved off steady sliding. */
-  readonly start: number;
-  readonly points: number;
+  readonly motion: Analysis;
+  readonly cycle: Analysis;
   readonly branch: KeyAxis;
-  /** Points of the swept key. */
-  readonly steps: number;
+  /** Of a diagram the simulated points come first: branches may take minutes. */
+  readonly diagrams: readonly Analysis[];
   /** Whether the diagram is only simulated, without following branches. */
   readonly simulated: boolean;
   /** What is heard: `motion`, `cycle`, or `mode-1` and so on. */
@@ -35,7 +33,7 @@ export interface PointState {
   readonly volume: number;
 }
 
-export const HOME = { duration: 500, start: 0.2, points: 4096, steps: 21, volume: 0.5 } as const;
+export const VOLUME = 0.5;
 const FIRST_BRANCH_KEY = "contact.shear_strength";
 
 /** `valueOf` gives the value of each key, where it is known: the branch starts about it. */
@@ -43,21 +41,24 @@ export function readPoint(view: View, session: Session, keys: ReadonlyMap<string
   const { fields } = view;
   const axis = parseAxis(fields["branch"]);
   const first = keys.get(FIRST_BRANCH_KEY) ?? [...keys.values()][0];
+  const branch = axis && keys.has(axis.key) ? axis : branchAxis(first as Key, session, valueOf(first as Key));
+  const asked = (kind: string, name: string) => analysisOf(session.settings, kind, fields, name);
+  const diagram = asked("bifurcation", "branch");
+  const simulated = { ...diagram, sweep: { ...branch, ...(diagram["sweep"] as object | undefined) } };
   return {
     along: keys.get(fields["along"] ?? "") ?? null,
     hasTrail: fields["trail"] !== "off",
     still: fields["still"] === "on",
     run: parseWords(fields["run"], RUNS) ?? [],
     live: fields["live"] === "on",
-    duration: numberOrText(fields["duration"] ?? String(HOME.duration)),
-    start: fields["start"] === undefined ? HOME.start : Number(fields["start"]),
-    points: Number(fields["points"] ?? HOME.points),
-    branch: axis && keys.has(axis.key) ? axis : branchAxis(first as Key, session, valueOf(first as Key)),
-    steps: Number(fields["steps"] ?? HOME.steps),
+    motion: asked("motion", "motion"),
+    cycle: asked("limit-cycle", "cycle"),
+    branch,
+    diagrams: fields["simulated"] === "on" ? [simulated] : [simulated, { ...simulated, branches: true }],
     simulated: fields["simulated"] === "on",
     sound: fields["sound"] ?? "motion",
     factor: fields["factor"] === undefined ? null : Number(fields["factor"]),
-    volume: Number(fields["volume"] ?? HOME.volume),
+    volume: Number(fields["volume"] ?? VOLUME),
   };
 }
 
@@ -72,22 +73,6 @@ export function branchAxis(key: Key, session: Session, value: CaseValue | undefi
   if (!(low < high)) return home;
   const end = (value: number) => numberOrText(valueOnAxis(home, key, Number(value.toPrecision(3))));
   return { ...home, from: end(low), to: end(high) };
-}
-
-export function motionAnalysis(state: PointState): Analysis {
-  const { duration, points, start } = state;
-  return { name: "motion", kind: "motion", duration, points, start: { disturbance: start } };
-}
-
-export function cycleAnalysis(state: PointState): Analysis {
-  return { name: "cycle", kind: "limit-cycle", start: { disturbance: state.start } };
-}
-
-/** Of a diagram the simulated points come first: branches may take minutes. */
-export function branchAnalyses(state: PointState): readonly Analysis[] {
-  const sweep = { ...state.branch, points: state.steps };
-  const simulated = { name: "branch", kind: "bifurcation", sweep, start: { disturbance: state.start } };
-  return state.simulated ? [simulated] : [simulated, { ...simulated, branches: true }];
 }
 
 /** The path of the eigenvalues over the range of a key's slider. */
@@ -107,8 +92,7 @@ export function withRun(view: View, kind: RunKind, on: boolean): View {
 /** What the exported case file asks for: the analysis that was last switched on, or the path of the eigenvalues. */
 export function caseAnalysis(state: PointState, session: Session): Analysis | null {
   const last = state.run.at(-1);
-  if (last === "motion") return motionAnalysis(state);
-  if (last === "cycle") return cycleAnalysis(state);
-  if (last === "branch") return branchAnalyses(state).at(-1) ?? null;
+  if (last === "motion" || last === "cycle") return state[last];
+  if (last === "branch") return state.diagrams.at(-1) ?? null;
   return state.along ? pathAnalysis(state.along, session) : null;
 }

@@ -1,5 +1,6 @@
 /** The analyses of the study, by kind; the picked one is in the address. */
 
+import { Warnings } from "../../ui/Warnings";
 import { useView } from "../../state/store";
 import { useApp } from "../../ui/app";
 import { Link } from "../../ui/Link";
@@ -17,7 +18,7 @@ export function AnalysisList({ study, picked }: { readonly study: Study; readonl
       <p class="analysis-study">
         <span data-key="study.model">{study.model}</span>, judder <span data-key="study.version">{study.version}</span>
       </p>
-      {study.warnings.length > 0 && <Warnings of="the study" list={study.warnings} />}
+      <Warnings of="the study" warnings={study.warnings} />
       {byKind(study.analyses).map(({ kind, analyses }) => (
         <section key={kind} aria-label={`Analyses of the kind ${kind}`}>
           <h3>{kind}</h3>
@@ -38,16 +39,5 @@ export function AnalysisList({ study, picked }: { readonly study: Study; readonl
         </section>
       ))}
     </nav>
-  );
-}
-
-export function Warnings({ of, list }: { readonly of: string; readonly list: readonly string[] }) {
-  if (list.length === 0) return null;
-  return (
-    <ul class="study-warnings" aria-label={`Warnings of ${of}`}>
-      {list.map((line) => (
-        <li key={line}>{line}</li>
-      ))}
-    </ul>
   );
 }

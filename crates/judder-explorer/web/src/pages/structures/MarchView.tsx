@@ -5,6 +5,7 @@ import type { Range, Window } from "../../chart/scale";
 import { parseRanges } from "../../state/fields";
 import { useView } from "../../state/store";
 import { withFields } from "../../state/view";
+import { Switch } from "../../ui/choices";
 import { useApp } from "../../ui/app";
 import { ErrorNote } from "../../ui/ErrorNote";
 import { Label } from "../../ui/Label";
@@ -44,12 +45,7 @@ export function MarchView({ study, analysis }: MarchViewProps) {
       <fieldset class="signals">
         <legend>Signals</legend>
         {signalsOf(analysis).map((signal) => (
-          <label key={signal.name}>
-            <input type="checkbox" checked={shown.includes(signal.name)} onChange={(event) => choose(signal.name, event.currentTarget.checked)} />
-            <span>
-              <Label text={axisLabel(signal)} />
-            </span>
-          </label>
+          <Switch key={signal.name} name={<Label text={axisLabel(signal)} />} on={shown.includes(signal.name)} onChange={(on) => choose(signal.name, on)} />
         ))}
       </fieldset>
       {coarse.arrays ? (

@@ -24,7 +24,7 @@ interface ModeNumbers {
 }
 
 /** The modes of an analysis: of eigenvalues, or of natural frequencies alone. */
-export function readModes(arrays: Arrays): readonly ModeNumbers[] {
+function readModes(arrays: Arrays): readonly ModeNumbers[] {
   const pairs = numbers(arrays, "eigenvalue");
   const verdicts = verdictsOf(arrays);
   if (pairs.length > 0) {

@@ -3,8 +3,8 @@
 import { useEffect, useState } from "preact/hooks";
 import type { Axis } from "../../chart/spec";
 import type { Keep } from "../../state/store";
-import { useHand } from "../../ui/hand";
 import { Label } from "../../ui/Label";
+import { Slider } from "../../ui/Slider";
 
 interface PlaceProps {
   readonly axis: Axis;
@@ -16,7 +16,6 @@ interface PlaceProps {
 }
 
 export function Place({ axis, unit, at, range, step, onMove }: PlaceProps) {
-  const hand = useHand();
   const [text, setText] = useState(String(at));
   useEffect(() => setText(String(at)), [at]);
   const wrong = text.trim() === "" || !Number.isFinite(Number(text));
@@ -24,23 +23,12 @@ export function Place({ axis, unit, at, range, step, onMove }: PlaceProps) {
     if (wrong) setText(String(at));
     else if (Number(text) !== at) onMove(Number(text));
   };
-  const number = (event: Event) => Number((event.currentTarget as HTMLInputElement).value);
   return (
     <div class="place" role="group" aria-label="Cursor">
       <span>
         <Label text={axis.label} />
       </span>
-      <input
-        type="range"
-        aria-label="Cursor"
-        min={range[0]}
-        max={range[1]}
-        step={step}
-        value={at}
-        onInput={(event) => onMove(number(event), "drag")}
-        onChange={(event) => onMove(number(event), hand.keep())}
-        {...hand.on}
-      />
+      <Slider spoken="Cursor" from={range[0]} to={range[1]} step={step} value={at} onMove={onMove} />
       <input
         type="text"
         inputMode="decimal"

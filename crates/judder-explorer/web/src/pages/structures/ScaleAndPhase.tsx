@@ -1,7 +1,7 @@
 /** How large the shape is drawn, at which moment of its swing, and from where it is seen. */
 
 import type { Keep } from "../../state/store";
-import { useHand } from "../../ui/hand";
+import { Slider } from "../../ui/Slider";
 import { LARGEST_SCALE, type Look } from "./state";
 
 interface ScaleAndPhaseProps {
@@ -23,8 +23,8 @@ export function ScaleAndPhase({ scale, onScale, phase, onPhase, playing, look, o
   const degrees = Math.round((phase * 180) / Math.PI) % 360;
   return (
     <div class="shape-sliders">
-      <Slider name="Scale" range={[0, LARGEST_SCALE, 0.05]} value={scale} shown={`× ${scale}`} onMove={onScale} />
-      <Slider
+      <Named name="Scale" range={[0, LARGEST_SCALE, 0.05]} value={scale} shown={`× ${scale}`} onMove={onScale} />
+      <Named
         name="Phase"
         spoken={playing ? "Phase (stops the motion)" : "Phase"}
         range={[0, 359, 1]}
@@ -33,13 +33,13 @@ export function ScaleAndPhase({ scale, onScale, phase, onPhase, playing, look, o
         onMove={(degrees) => onPhase((degrees * Math.PI) / 180)}
       />
       {ANGLES.map(([angle, name, most]) => (
-        <Slider key={angle} name={name} range={[-most, most, 5]} value={look[angle]} shown={`${look[angle]}°`} onMove={(value, keep) => onLook({ ...look, [angle]: value }, keep)} />
+        <Named key={angle} name={name} range={[-most, most, 5]} value={look[angle]} shown={`${look[angle]}°`} onMove={(value, keep) => onLook({ ...look, [angle]: value }, keep)} />
       ))}
     </div>
   );
 }
 
-interface SliderProps {
+interface NamedProps {
   readonly name: string;
   /** Its name for a screen reader, where that says more. */
   readonly spoken?: string;
@@ -50,23 +50,11 @@ interface SliderProps {
   readonly onMove: (value: number, keep: Keep) => void;
 }
 
-function Slider({ name, spoken = name, range: [from, to, step], value, shown, onMove }: SliderProps) {
-  const hand = useHand();
-  const number = (event: Event) => Number((event.currentTarget as HTMLInputElement).value);
+function Named({ name, spoken = name, range: [from, to, step], value, shown, onMove }: NamedProps) {
   return (
     <label>
       <span>{name}</span>
-      <input
-        type="range"
-        aria-label={spoken}
-        min={from}
-        max={to}
-        step={step}
-        value={value}
-        onInput={(event) => onMove(number(event), "drag")}
-        onChange={(event) => onMove(number(event), hand.keep())}
-        {...hand.on}
-      />
+      <Slider spoken={spoken} from={from} to={to} step={step} value={value} onMove={onMove} />
       <output>{shown}</output>
     </label>
   );

@@ -1,5 +1,7 @@
 /** The sounds of a march: as recorded, at its own speed. */
 
+import { Select } from "../../ui/choices";
+import { Slider } from "../../ui/Slider";
 import { Digits } from "../../ui/Digits";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { ErrorNote } from "../../ui/ErrorNote";
@@ -111,13 +113,7 @@ export function SoundPlayer({ study, sounds, start, cursor, onHeard }: SoundPlay
       />
       <label>
         <span>Sound of </span>
-        <select value={sound.file} onChange={(event) => setFile(event.currentTarget.value)}>
-          {there.map((one) => (
-            <option key={one.file} value={one.file}>
-              {one.signal}
-            </option>
-          ))}
-        </select>
+        <Select value={sound.file} options={there.map((one) => [one.file, one.signal])} onChange={setFile} />
       </label>
       <button type="button" onClick={() => (playing ? stop() : play(0))} aria-pressed={playing} disabled={!address}>
         {playing ? "Stop" : "Play"}
@@ -127,7 +123,7 @@ export function SoundPlayer({ study, sounds, start, cursor, onHeard }: SoundPlay
       </button>
       <label>
         <span>Volume </span>
-        <input type="range" min={0} max={1} step={0.01} value={volume} onInput={(event) => setVolume(Number(event.currentTarget.value))} />
+        <Slider from={0} to={1} step={0.01} value={volume} onMove={setVolume} />
       </label>
       <span class="sound-words">
         {length !== null && Number.isFinite(length) && (

@@ -8,7 +8,8 @@ import { useCaseFile } from "../../ui/files";
 import { Page } from "../../ui/Page";
 import type { Session } from "../../wire/api";
 import { RequestError, asRequestError, isAbort } from "../../wire/request";
-import { AnalysisList, Warnings } from "./AnalysisList";
+import { Warnings } from "../../ui/Warnings";
+import { AnalysisList } from "./AnalysisList";
 import { GenericView } from "./GenericView";
 import { LocusView } from "./LocusView";
 import { MarchView } from "./MarchView";
@@ -88,7 +89,7 @@ function Analysis({ study, analysis }: AnalysisProps) {
           {took}
         </small>
       </h2>
-      <Warnings of={analysis.name} list={analysis.warnings} />
+      <Warnings of={analysis.name} warnings={analysis.warnings} />
       {analysis.reason && <ErrorNote error={new RequestError(`${analysis.name} failed: ${analysis.reason}`, 0, null, null)} />}
       <Shown study={study} analysis={analysis} />
     </section>

@@ -12,7 +12,7 @@ const WHOLE = 300_000;
 /** Values that come whole where there is no other way. */
 const LARGEST = 1_000_000;
 /** Rows that are asked for of a longer variable. */
-export const MOST = 4000;
+const MOST = 4000;
 
 /** Whether every entry along a dimension has a name and a unit of its own, such as the quantities of a sweep. */
 export function isOfQuantities(analysis: StudyAnalysis, dimension: string): boolean {

@@ -20,7 +20,7 @@ import { type Body, DISPLACEMENT, type Swing, basis, placesAt } from "./body";
 import { LARGEST_SCALE, type Look } from "./state";
 
 /** Colours of displacements: the end of the map that is too close to the ground is left out. */
-export function shade(theme: Theme, share: number): readonly [number, number, number] {
+function shade(theme: Theme, share: number): readonly [number, number, number] {
   return colourAt("sequential", theme === "light" ? 0.82 * share : 0.3 + 0.7 * share);
 }
 

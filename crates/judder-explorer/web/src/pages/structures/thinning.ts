@@ -6,7 +6,7 @@ import { RequestError, postFrames, slot } from "../../wire/request";
 import type { Arrays, Part } from "./useArrays";
 
 /** Values that a CSV takes at most. */
-export const MOST_EXPORTED = 1_000_000;
+const MOST_EXPORTED = 1_000_000;
 
 /** Some rows of an array, by their index. */
 export interface Rows {

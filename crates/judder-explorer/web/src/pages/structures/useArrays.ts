@@ -1,9 +1,9 @@
 /** Arrays of an analysis of the study, asked for as what is shown changes. */
 
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
+import { useComputation } from "../../ui/useComputation";
 import type { FrameArray } from "../../wire/frames";
-import { Latest } from "../../wire/latest";
-import { type RequestError, asRequestError, isAbort, postFrames, slot } from "../../wire/request";
+import type { RequestError } from "../../wire/request";
 
 /** Which values: everything, or those from one number to before another along the first dimension, at most so many. */
 export interface Part {
@@ -22,39 +22,18 @@ export interface LiveArrays {
   readonly cancel: () => void;
 }
 
-const NOTHING = { arrays: null, part: {}, error: null, busy: false } as const;
-
 /** `purpose` tells requests of one page apart: a newer one of the same purpose ends the older one. */
-export function useArrays(analysis: string, variables: readonly string[], part: Part = {}, purpose = "arrays"): LiveArrays {
-  const [live, setLive] = useState<Omit<LiveArrays, "cancel"> & { of: string }>({ ...NOTHING, of: "" });
-  const latest = useRef(new Latest());
-  const text = variables.length === 0 ? "" : JSON.stringify({ analysis, variables, ...part });
-  useEffect(() => {
-    if (text === "") {
-      latest.current.stop();
-      return setLive({ ...NOTHING, of: analysis });
-    }
-    latest.current.submit(async (signal) => {
-      // arrays of another analysis are wrong, those of another part are only old
-      setLive((before) => ({ ...(before.of === analysis ? before : NOTHING), of: analysis, busy: true }));
-      try {
-        const body = { ...(JSON.parse(text) as object), slot: slot(`study/${purpose}`) };
-        for await (const frame of postFrames("/api/study/arrays", body, signal)) {
-          if (frame.kind === "arrays") setLive({ arrays: frame.arrays, part, error: null, busy: false, of: analysis });
-        }
-      } catch (failure) {
-        // what follows an abort says itself whether something runs
-        if (!isAbort(failure)) setLive((before) => ({ ...before, error: asRequestError(failure), busy: false }));
-      }
-    });
-  }, [text]);
-  useEffect(() => () => latest.current.stop(), []);
-  const { of, ...rest } = live;
-  const cancel = () => {
-    latest.current.stop();
-    setLive((before) => ({ ...before, busy: false }));
-  };
-  return { ...(of === analysis ? rest : { ...NOTHING, busy: text !== "" }), cancel };
+export function useArrays(analysis: string, variables: readonly string[], wanted: Part = {}, purpose = "arrays"): LiveArrays {
+  const request = variables.length === 0 ? null : { analysis, variables, ...wanted };
+  const { frame, asked, busy, stopped, error, stop } = useComputation("/api/study/arrays", request, `study/${purpose}`);
+  // arrays of another analysis are wrong, those of another part are only old
+  const isOwn = request !== null && asked?.["analysis"] === analysis;
+  const part = useMemo((): Part => {
+    const { analysis: _, variables: __, ...part } = asked ?? {};
+    return isOwn ? part : {};
+  }, [asked, isOwn]);
+  const waits = request !== null && !isOwn && !stopped && !error;
+  return { arrays: isOwn ? (frame?.arrays ?? null) : null, part, error: busy ? null : error, busy: busy || waits, cancel: stop };
 }
 
 /** The numbers of an array; empty where there is none of this name. */

@@ -21,7 +21,7 @@ interface Asked {
   readonly onPhase: (phase: number) => void;
 }
 
-export type SceneState = "loading" | "drawn" | "missing";
+type SceneState = "loading" | "drawn" | "missing";
 
 export interface LiveScene {
   readonly canvas: { current: HTMLCanvasElement | null };

@@ -1,15 +1,17 @@
-/** What the server computes for a part of the page: live, or on demand where it takes long; with progress and a way to stop it. */
+/** What the server answers to what a part of a page asks: live, or on demand where it takes long; with progress and a way to stop it. */
 
-import { useCallback, useEffect, useRef, useState } from "preact/hooks";
-import { type Progress, follow } from "../../wire/follow";
-import type { Frame } from "../../wire/frames";
-import { Latest } from "../../wire/latest";
-import { type RequestError, slot } from "../../wire/request";
+import { useCallback, useEffect, useMemo, useRef, useState } from "preact/hooks";
+import { type Progress, follow } from "../wire/follow";
+import type { Frame } from "../wire/frames";
+import { Latest } from "../wire/latest";
+import { type RequestError, slot } from "../wire/request";
 
 export interface Computation {
   /** The last good answer. */
   readonly frame: Frame | null;
-  /** Whether `frame` is the answer to what is asked for now. */
+  /** What `frame` answers. */
+  readonly asked: Readonly<Record<string, unknown>> | null;
+  /** Whether that is what is asked for now. */
   readonly current: boolean;
   readonly busy: boolean;
   readonly progress: Progress | null;
@@ -31,8 +33,17 @@ interface State {
 
 const NOTHING: State = { frame: null, of: "", busy: false, progress: null, stopped: false, error: null };
 
-/** `request` is the body without its slot; null asks for nothing. Unless `live`, it waits for `start`. */
-export function useComputation(path: string, request: object | null, purpose: string, live = true): Computation {
+interface How {
+  /** Whether it is asked for as it changes, not waiting for `start`. */
+  readonly live?: boolean;
+  /** So long what is asked for must not change before it is, in milliseconds. */
+  readonly rest?: number;
+  /** Whether what runs is given up at once as something else is asked for: it is not worth to be shown. */
+  readonly hasty?: boolean;
+}
+
+/** `request` is the body without its slot; null asks for nothing. A newer one of the same purpose ends the older one. */
+export function useComputation(path: string, request: object | null, purpose: string, { live = true, rest = 0, hasty = false }: How = {}): Computation {
   const [state, setState] = useState<State>(NOTHING);
   const latest = useRef(new Latest());
   const text = request ? JSON.stringify(request) : "";
@@ -50,7 +61,12 @@ export function useComputation(path: string, request: object | null, purpose: st
     [path, purpose],
   );
   useEffect(() => {
-    if (text !== "" && live) return run(text);
+    if (text !== "" && live) {
+      if (hasty) latest.current.stop();
+      if (rest === 0) return run(text);
+      const timer = setTimeout(() => run(text), rest);
+      return () => clearTimeout(timer);
+    }
     latest.current.stop();
     setState((state) => ({ ...state, busy: false, progress: null, stopped: false, error: null }));
   }, [text, live, run]);
@@ -59,6 +75,7 @@ export function useComputation(path: string, request: object | null, purpose: st
     latest.current.stop();
     setState((state) => ({ ...state, busy: false, progress: null, stopped: true }));
   };
-  const { of, ...rest } = state;
-  return { ...rest, current: text !== "" && of === text, start: () => run(text), stop };
+  const { of, ...shown } = state;
+  const asked = useMemo(() => (of === "" ? null : (JSON.parse(of) as Record<string, unknown>)), [of]);
+  return { ...shown, asked, current: text !== "" && of === text, start: () => run(text), stop };
 }

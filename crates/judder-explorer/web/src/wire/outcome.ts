@@ -1,6 +1,6 @@
 /** The outcome of an analysis beside its arrays. */
 
-import type { Frame } from "../../wire/frames";
+import type { Frame } from "./frames";
 
 export interface Check {
   readonly name: string;
@@ -26,10 +26,15 @@ export function outcomeOf(frame: Frame): Outcome {
   };
 }
 
-/** The number or word at a path such as `force.coefficients.0`. */
+/** The entry at a path such as `force.coefficients.0`; names with points in them stand for themselves. */
+export function entryAt(scalars: Outcome["scalars"], path: string): unknown {
+  const steps = Object.hasOwn(scalars, path) ? [path] : path.split(".");
+  return steps.reduce<unknown>((value, step) => (value as Record<string, unknown> | null | undefined)?.[step], scalars);
+}
+
+/** The number or word at a path. */
 export function scalarAt(scalars: Outcome["scalars"], path: string): number | string | null {
-  let value: unknown = scalars;
-  for (const step of path.split(".")) value = (value as Record<string, unknown> | null | undefined)?.[step];
+  const value = entryAt(scalars, path);
   if (typeof value === "boolean") return String(value);
   return typeof value === "number" || typeof value === "string" ? value : null;
 }

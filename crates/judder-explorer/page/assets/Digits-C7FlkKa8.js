@@ -1,1 +1,0 @@
-import{ct as e,g as t}from"./index-DOP7LOzH.js";function n({dataKey:n,value:r}){let i=r!=null;return e(`span`,{"data-key":n,"data-value":i?r:``,title:i?String(r):void 0,children:i?t(r):`—`})}export{n as t};

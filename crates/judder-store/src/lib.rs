@@ -6,6 +6,7 @@
 //! - [`Variable`], [`Data`] (`variable.rs`) and [`Dataset`] (`dataset.rs`): named arrays with dimension names, units and
 //!   long names, checked as they are put together so that `xarray` can open what is stored.
 //! - [`Table`], [`Cells`] (`table.rs`): columns with units, for a spreadsheet.
+//! - [`Results`], [`Rows`] (`declared.rs`): what an analysis leaves, a struct from which summary, arrays and table follow, and what keys a summary has.
 //! - [`Summary`], [`AnalysisRecord`], [`Status`] (`summary.rs`): `summary.json`, which also says what is done, so that
 //!   a rerun resumes.
 //! - [`StudyFolder`] (`folder.rs`): the folder of one study: takes it, locks it, sweeps what a killed run left, and is the
@@ -22,6 +23,7 @@
 
 mod array;
 mod dataset;
+mod declared;
 mod error;
 mod folder;
 mod hash;
@@ -41,6 +43,7 @@ mod variable;
 mod zarr;
 
 pub use dataset::Dataset;
+pub use declared::{Array, ByName, Cell, Column, Declared, Element, Grid, Results, Rows, Told, ValueKind};
 pub use error::StoreError;
 pub use folder::StudyFolder;
 pub use hash::content_hash;

@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod datasets;
+mod declared;
 mod disk_full;
 mod folders;
 mod readers;

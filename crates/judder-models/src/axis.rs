@@ -7,7 +7,7 @@ use crate::oscillator::keys::OscillatorKey;
 use crate::sweep::{Family, ParameterKey, Sweep};
 use judder_keys::keys::Keys;
 use judder_oscillator::critical;
-use judder_store::Variable;
+use judder_store::{Declared, Results, Told, ValueKind, Variable};
 use judder_study::axis::{Axis, coordinate};
 use judder_study::case::scale::Scale;
 use judder_study::labels::Quantity;
@@ -35,6 +35,24 @@ pub(crate) fn range<K>(sweep: &Sweep<K>) -> critical::ParameterRange {
         Scale::Log => critical::RangeScale::Logarithmic,
     };
     critical::ParameterRange { from: sweep.from, to: sweep.to, scale }
+}
+
+/// The key that differs from curve to curve.
+#[derive(Results)]
+struct ToldFamily<'a> {
+    /// its path
+    key: &'a str,
+    /// its values
+    values: &'a [f64],
+}
+
+/// The keys of a summary, of which `curve` are those of a curve.
+pub(crate) fn keys_of_curves(has_family: bool, curve: Vec<Declared>) -> Vec<Declared> {
+    if !has_family {
+        return curve;
+    }
+    let curves = ValueKind::Object(curve).list();
+    vec![Declared::new("family", ToldFamily::kind()), Declared::new("curves", curves)]
 }
 
 /// The curves of an analysis: one operating point to start from for each value of the family, or one alone.
@@ -100,13 +118,13 @@ impl<I> Curves<I> {
         family.into_iter().chain([(axis.name(), axis.values.len())]).chain(further.iter().copied()).unzip()
     }
 
-    /// The scalars of a run: the one curve's own, or a list of curves with the family's values.
+    /// The scalars of a run: the one curve's own, or a list of curves with the family's values; [`keys_of_curves`] declares them.
     pub(crate) fn scalars(&self, curves: Vec<Map<String, Value>>) -> Map<String, Value> {
         match &self.family {
             None => curves.into_iter().next().unwrap_or_default(),
             Some((_, values, path)) => {
                 let mut all = Map::new();
-                all.insert("family".to_owned(), json!({ "key": path, "values": values }));
+                all.insert("family".to_owned(), ToldFamily { key: path, values }.told());
                 all.insert("curves".to_owned(), json!(curves));
                 all
             }

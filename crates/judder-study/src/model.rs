@@ -13,6 +13,7 @@ use dyn_clone::{DynClone, clone_trait_object};
 use judder_keys::cause::Cause;
 use judder_keys::error::CaseError;
 use judder_keys::file_reference::FileReference;
+use judder_store::Declared;
 use serde_json::{Map, Value};
 use std::any::Any;
 use std::fmt;
@@ -25,6 +26,9 @@ pub trait Model: Any + DynClone + fmt::Debug + Send + Sync {
 
     /// The names of its analyses, in their order.
     fn analysis_names(&self) -> Vec<&str>;
+
+    /// The keys of the summary of an analysis, by its position.
+    fn summary_keys(&self, index: usize) -> Vec<Declared>;
 
     /// The names of the analyses whose results an analysis takes up.
     fn takes_up(&self, _analysis: &str) -> Vec<&str> {
@@ -198,6 +202,9 @@ pub trait Analysis<M: Analysed + ?Sized>: AsAny + fmt::Debug + Send + Sync {
     /// What cannot be read.
     fn estimate(&self, of: &M::Known<'_>) -> Result<M::Estimate, M::Error>;
 
+    /// The keys of its summary.
+    fn summary_keys(&self) -> Vec<Declared>;
+
     /// The names of the analyses whose results it takes up.
     fn takes_up(&self) -> Vec<&str> {
         Vec::new()
@@ -220,7 +227,7 @@ pub trait Analysed {
 }
 
 /// A quantity of an operating point, as a column of a sweep.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct OperatingQuantity {
     /// Its name in a case file.
     pub name: &'static str,

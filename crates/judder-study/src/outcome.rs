@@ -1,6 +1,6 @@
 //! What an analysis leaves.
 
-use judder_store::{Dataset, Table};
+use judder_store::{Dataset, Results, StoreError, Table};
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Map, Value};
 
@@ -26,6 +26,17 @@ pub struct Outcome {
 }
 
 impl Outcome {
+    /// What these results of a kind of analysis are: its scalars, arrays and table.
+    ///
+    /// # Errors
+    /// Arrays or columns that cannot be stored together.
+    pub fn of(kind: &str, results: &impl Results) -> Result<Self, StoreError> {
+        let dataset = results.add_arrays(Dataset::new().attribute("kind", kind)?)?;
+        let table = results.add_columns(Table::new())?;
+        let table = (table != Table::new()).then_some(table);
+        Ok(Self { scalars: results.scalars(), dataset, table, ..Self::default() })
+    }
+
     /// Adds to the scalars of each curve what its part of the results makes: with a family there is an object a curve.
     pub fn add_to_curves<'a, T: 'a>(
         &mut self,

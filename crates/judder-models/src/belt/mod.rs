@@ -10,6 +10,7 @@ use crate::motion::settings::MotionAnalysis;
 use crate::motion::{self, check::estimate, model::BeltModel};
 use judder_keys::declared::Settings;
 use judder_keys::keys::Keys;
+use judder_store::Declared;
 use judder_study::StudyError;
 use judder_study::case::analysis::names;
 use judder_study::case::file::{Case, CaseFile};
@@ -32,6 +33,10 @@ impl Analysed for BeltCase {
 impl Analysis<BeltCase> for MotionAnalysis<BeltKey> {
     fn steps(&self) -> usize {
         motion::steps(self)
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        motion::summary_keys(self)
     }
 
     fn run(&self, of: &BeltModel<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
@@ -73,6 +78,10 @@ impl Model for BeltCase {
 
     fn analysis_names(&self) -> Vec<&str> {
         names(&self.analyses)
+    }
+
+    fn summary_keys(&self, index: usize) -> Vec<Declared> {
+        self.analyses[index].kind.summary_keys()
     }
 
     fn resolved(&self) -> serde_json::Value {

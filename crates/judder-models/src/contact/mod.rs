@@ -33,7 +33,7 @@ use judder_contact::unilateral::Loading;
 use judder_keys::declared::Settings;
 use judder_keys::error::CaseError;
 use judder_keys::file_reference::FileReference;
-use judder_store::number;
+use judder_store::{Declared, Results};
 use judder_study::StudyError;
 use judder_study::case::analysis::Kind;
 use judder_study::case::analysis::names;
@@ -44,7 +44,6 @@ use judder_study::model::{Analysed, Analysis, Model, Place, Prepared, Refusal, T
 use judder_study::outcome::{CheckRecord, Outcome};
 use judder_study::registry::{ModelKind, entries};
 use judder_study::resolve::Resolved;
-use serde_json::json;
 use std::cell::OnceCell;
 use std::sync::Arc;
 
@@ -140,6 +139,12 @@ impl Model for ContactCase {
         names(&self.analyses)
     }
 
+    fn summary_keys(&self, index: usize) -> Vec<Declared> {
+        let mut keys = self.analyses[index].kind.summary_keys();
+        keys.extend(Option::<ToldTerms>::declared());
+        keys
+    }
+
     fn files(&self) -> Vec<&FileReference> {
         ContactCase::files(self)
     }
@@ -204,11 +209,17 @@ pub(crate) fn usual_contacts(method: LawMethod) -> usize {
     }
 }
 
+/// What is told of the terms that stand for a continuous spectrum.
+#[derive(Results)]
+struct ToldTerms {
+    spectrum_terms: usize,
+    spectrum_error: f64,
+}
+
 /// Says how well the terms stand for a continuous spectrum.
 fn tell_discretisation(outcome: &mut Outcome, found: &Discretisation) {
     let terms = found.spectrum.terms().len();
-    outcome.scalars.insert("spectrum_terms".to_owned(), json!(terms));
-    outcome.scalars.insert("spectrum_error".to_owned(), number(found.error));
+    outcome.scalars.extend(ToldTerms { spectrum_terms: terms, spectrum_error: found.error }.scalars());
     outcome.checks.push(CheckRecord::new(
         "the terms stand for the continuous spectrum",
         format!("E(ω) of {terms} retardation times against that of the spectrum, the largest relative error"),

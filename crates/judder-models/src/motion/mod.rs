@@ -19,6 +19,7 @@ pub mod settings;
 
 use crate::error::ModelError;
 use crate::motion::settings::{Bifurcation, MotionAnalysis};
+use judder_store::Declared;
 use judder_study::Progress;
 use judder_study::kept::Kept;
 use judder_study::model::{MotionBlock, Task};
@@ -31,6 +32,16 @@ pub(crate) fn steps<K>(kind: &MotionAnalysis<K>) -> usize {
         MotionAnalysis::History(_) | MotionAnalysis::LimitCycle(_) => 1,
         MotionAnalysis::Bifurcation(asked) => asked.sweep.points * asked.diagram.direction.sweeps().len(),
         MotionAnalysis::Basin(asked) => asked.samples,
+    }
+}
+
+/// The keys of the summary of an analysis.
+pub(crate) fn summary_keys<K>(kind: &MotionAnalysis<K>) -> Vec<Declared> {
+    match kind {
+        MotionAnalysis::History(_) => history::summary_keys(),
+        MotionAnalysis::LimitCycle(_) => limit_cycle::summary_keys(),
+        MotionAnalysis::Bifurcation(asked) => bifurcation::summary_keys(asked.diagram.branches),
+        MotionAnalysis::Basin(_) => basin::summary_keys(),
     }
 }
 

@@ -6,16 +6,30 @@ use crate::error::ModelError;
 use crate::within_law::MARGINAL;
 use judder_oscillator::Contact;
 use judder_oscillator::within_law::WithinLaw;
-use judder_store::{Variable, number};
+use judder_store::{Declared, Results, Told, Variable};
 use judder_study::axis::Axis;
 use judder_study::outcome::Outcome;
-use serde_json::{Map, Value, json};
+use serde_json::{Map, Value};
 
 /// A number with errors, and what they are called.
 pub(super) struct Erring {
     pub(super) name: &'static str,
     pub(super) long_name: &'static str,
     pub(super) of: fn(&SteadyState, &WithinLaw) -> Option<f64>,
+}
+
+/// What is told of a curve besides the errors themselves.
+#[derive(Results)]
+struct ToldErrors {
+    marginal_within_law: Vec<Option<bool>>,
+}
+
+impl Erring {
+    /// The keys that [`add`] adds to the summary of a curve, if its law has errors.
+    pub(super) fn keys(&self) -> Vec<Declared> {
+        let errors = Declared { is_optional: true, ..Declared::new(self.name, Vec::<f64>::kind()) };
+        [vec![errors], Option::<ToldErrors>::declared()].concat()
+    }
 }
 
 /// Adds the errors of a number at the states of all curves, one a point of the sweep, to an outcome whose law is no formula.
@@ -38,11 +52,9 @@ pub(super) fn add(
         .collect();
     let error = |within: &Option<(f64, bool)>| within.map_or(f64::NAN, |(error, _)| error);
     let add = |scalars: &mut Map<String, Value>, curve: &[Option<(f64, bool)>]| {
-        let errors = curve.iter().map(|within| number(error(within))).collect();
-        let marginal =
-            curve.iter().map(|within| within.map_or(Value::Null, |(_, open)| json!(open))).collect();
-        scalars.insert(erring.name.to_owned(), errors);
-        scalars.insert("marginal_within_law".to_owned(), marginal);
+        scalars.insert(erring.name.to_owned(), curve.iter().map(error).collect());
+        let marginal_within_law = curve.iter().map(|within| within.map(|(_, open)| open)).collect();
+        scalars.extend(ToldErrors { marginal_within_law }.scalars());
     };
     outcome.add_to_curves(within.chunks(axis.values.len().max(1)), add);
     let (dimensions, shape) = curves.dimensions(axis, &[]);

@@ -50,6 +50,7 @@ use judder_keys::declared::Settings;
 use judder_keys::file_reference::FileReference;
 use judder_keys::keys::Keys;
 use judder_oscillator::Contact;
+use judder_store::{Declared, Results};
 use judder_study::Progress;
 use judder_study::StudyError;
 use judder_study::case::analysis::Kind;
@@ -66,7 +67,7 @@ use judder_study::outcome::Outcome;
 use judder_study::registry::{ModelKind, entries};
 use judder_study::resolve::Resolved;
 use operating_points::OfOneLaw;
-use quasi_steady::{Condition, of_motions};
+use quasi_steady::{Condition, ToldCondition, of_motions};
 use serde_json::{Map, Value};
 use std::sync::Arc;
 
@@ -166,6 +167,12 @@ impl Model for OscillatorCase {
         names(&self.analyses)
     }
 
+    fn summary_keys(&self, index: usize) -> Vec<Declared> {
+        let mut keys = self.analyses[index].kind.summary_keys();
+        keys.extend(Option::<ToldCondition>::declared());
+        keys
+    }
+
     fn files(&self) -> Vec<&FileReference> {
         OscillatorCase::files(self)
     }
@@ -217,7 +224,7 @@ impl Model for OscillatorCase {
         outcome.warnings.extend(substrate.temperature_warning);
         if let Some(condition) = Condition::worst(corners.into_iter(), Some(&contact), &substrate.terms) {
             outcome.warnings.extend(condition.warning(of_motions(&outcome.scalars)));
-            outcome.scalars.extend(condition.scalars());
+            outcome.scalars.extend(condition.told().scalars());
         }
         Ok(outcome)
     }
@@ -264,6 +271,10 @@ impl Model for OscillatorCase {
 impl Analysis<OscillatorCase> for MotionAnalysis<OscillatorKey> {
     fn steps(&self) -> usize {
         motion::steps(self)
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        motion::summary_keys(self)
     }
 
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {

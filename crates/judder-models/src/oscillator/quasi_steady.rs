@@ -10,7 +10,7 @@ use crate::oscillator::keys::OscillatorKey;
 use judder_contact::law::material::LawTerm;
 use judder_oscillator::Contact;
 use judder_oscillator::quasi_steady::{QuasiSteady, Standing};
-use judder_store::number;
+use judder_store::{Results, number};
 use judder_study::text::short;
 use serde_json::{Map, Value, json};
 
@@ -21,6 +21,14 @@ pub struct Condition {
     pub figures: QuasiSteady,
     /// ω_nx, rad/s.
     pub natural_frequency: f64,
+}
+
+/// What is told of eq. (3) at the operating points of a case.
+#[derive(Results)]
+pub(crate) struct ToldCondition {
+    quasi_steady_figure: f64,
+    quasi_steady_longest: f64,
+    quasi_steady_memory: f64,
 }
 
 /// The terms of the substrate of a case, as a law knows them; none of an elastic one.
@@ -63,13 +71,13 @@ impl Condition {
     }
 
     /// What `summary.json` shows.
-    pub(crate) fn scalars(&self) -> Map<String, Value> {
-        let figures = &self.figures;
-        Map::from_iter([
-            ("quasi_steady_figure".to_owned(), number(figures.figure)),
-            ("quasi_steady_longest".to_owned(), number(figures.longest)),
-            ("quasi_steady_memory".to_owned(), number(figures.memory)),
-        ])
+    pub(crate) fn told(&self) -> ToldCondition {
+        let QuasiSteady { figure, longest, memory } = self.figures;
+        ToldCondition {
+            quasi_steady_figure: figure,
+            quasi_steady_longest: longest,
+            quasi_steady_memory: memory,
+        }
     }
 
     /// What `judder point --json` shows.

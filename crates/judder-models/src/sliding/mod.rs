@@ -29,6 +29,7 @@ use crate::sliding::case::{SlidingCase, SystemKeys};
 use judder_keys::declared::Settings;
 use judder_keys::error::CaseError;
 use judder_keys::file_reference::FileReference;
+use judder_store::Declared;
 use judder_study::StudyError;
 use judder_study::case::analysis::Kind;
 use judder_study::case::analysis::names;
@@ -96,6 +97,10 @@ impl Model for SlidingCase {
     fn takes_up(&self, analysis: &str) -> Vec<&str> {
         let found = self.analyses.iter().find(|own| own.name == analysis);
         found.map_or_else(Vec::new, |found| found.kind.takes_up())
+    }
+
+    fn summary_keys(&self, index: usize) -> Vec<Declared> {
+        self.analyses[index].kind.summary_keys()
     }
 
     fn files(&self) -> Vec<&FileReference> {

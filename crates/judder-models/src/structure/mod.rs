@@ -27,6 +27,7 @@ use crate::structure::case::StructureCase;
 use crate::structure::case::scope::StructureScope;
 use build::Structure;
 use judder_keys::file_reference::FileReference;
+use judder_store::Declared;
 use judder_study::StudyError;
 use judder_study::case::analysis::Kind;
 use judder_study::case::analysis::names;
@@ -91,6 +92,10 @@ impl Model for StructureCase {
 
     fn analysis_names(&self) -> Vec<&str> {
         names(&self.analyses)
+    }
+
+    fn summary_keys(&self, index: usize) -> Vec<Declared> {
+        self.analyses[index].kind.summary_keys()
     }
 
     fn files(&self) -> Vec<&FileReference> {

@@ -14,6 +14,7 @@ use crate::two_degrees::case::{
 };
 use judder_keys::declared::Settings;
 use judder_oscillator::LinearSystem;
+use judder_store::Declared;
 use judder_study::Progress;
 use judder_study::StudyError;
 use judder_study::case::analysis::names;
@@ -35,6 +36,10 @@ impl Analysed for TwoDegreesCase {
 }
 
 impl Analysis<TwoDegreesCase> for TwoDegreesAnalysis {
+    fn summary_keys(&self) -> Vec<Declared> {
+        run::summary_keys(self)
+    }
+
     fn run(&self, of: &&TwoDegreesCase, task: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of, self, task.progress)
     }
@@ -80,6 +85,10 @@ impl Model for TwoDegreesCase {
 
     fn analysis_names(&self) -> Vec<&str> {
         names(&self.analyses)
+    }
+
+    fn summary_keys(&self, index: usize) -> Vec<Declared> {
+        self.analyses[index].kind.summary_keys()
     }
 
     fn resolved(&self) -> serde_json::Value {

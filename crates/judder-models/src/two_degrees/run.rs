@@ -3,9 +3,9 @@
 use crate::axis::{self, Curves, range};
 use crate::checks;
 use crate::error::ModelError;
-use crate::oscillator::spectrum::{self, Spectra};
+use crate::oscillator::spectrum::{self, Spectra, ToldSpectra};
 use crate::oscillator::stability_map::{
-    MapArrays, ONE_WAY, Overlay, checked_points, incomplete, map_scalars, unresolved_warning,
+    MapArrays, ONE_WAY, Overlay, ToldMap, checked_points, incomplete, unresolved_warning,
 };
 use crate::sweep::{ParameterKey, StabilityMap as MapSettings, Sweep};
 use crate::two_degrees::case::{ParameterSpectrum, TwoDegreesAnalysis, TwoDegreesCase};
@@ -16,11 +16,30 @@ use judder_oscillator::characteristic::Characteristic;
 use judder_oscillator::map::StabilityMap;
 use judder_oscillator::mechanism::StabilityClass;
 use judder_oscillator::spectrum::{eigenvalues, growth_rate, leading};
-use judder_store::{Dataset, Table, Variable};
+use judder_store::{Dataset, Declared, Results, Table, Variable};
 use judder_study::Progress;
 use judder_study::outcome::{CheckRecord, Disagreement, Outcome};
 use rayon::prelude::*;
-use serde_json::{Map, json};
+
+/// The keys of the summary of an analysis.
+pub(super) fn summary_keys(analysis: &TwoDegreesAnalysis) -> Vec<Declared> {
+    match analysis {
+        TwoDegreesAnalysis::Spectrum(_) => ToldSpectra::declared(),
+        TwoDegreesAnalysis::StabilityMap(_) => ToldMap::keys(ONE_WAY),
+        TwoDegreesAnalysis::Critical(_) => ToldThresholds::declared(),
+    }
+}
+
+/// What is told of thresholds.
+#[derive(Results)]
+#[results(columns(frequency))]
+struct ToldThresholds {
+    /// the swept parameter
+    key: String,
+    /// where stability changes
+    critical: Vec<f64>,
+    frequency: Vec<f64>,
+}
 
 pub(super) fn run(
     case: &TwoDegreesCase,
@@ -80,9 +99,8 @@ fn map(case: &TwoDegreesCase, settings: &MapSettings<ParameterKey>) -> Result<Ou
             &at,
         )));
     }
-    let scalars = map_scalars(&map, ONE_WAY, seconds, &overlays);
     Ok(Outcome {
-        scalars,
+        scalars: ToldMap::new(&map, ONE_WAY, seconds, &overlays).scalars(),
         dataset: MapArrays { x: &x, y: &y, map: &map, growth: None, overlays: &overlays, one_way: ONE_WAY }
             .dataset()?,
         missing: map.count(StabilityClass::Unresolved),
@@ -130,6 +148,7 @@ fn critical(
     let frequency: Vec<f64> = born.iter().map(|b| b.map_or(f64::NAN, |b| b.0)).collect();
     let growth: Disagreement = born.iter().map(|b| b.map_or(f64::NAN, |b| b.1.abs())).collect();
     let values: Vec<f64> = search.roots.iter().map(|position| range.value(*position)).collect();
+    let told = ToldThresholds { key: sweep.path.clone(), critical: values.clone(), frequency };
     let axis = axis::of_parameter(sweep);
     let count = values.len();
     let check = CheckRecord::new(
@@ -141,18 +160,14 @@ fn critical(
     );
     let roots =
         Variable::coordinate("critical", values.clone()).long_name(&format!("critical {}", axis.name()));
-    let frequencies = Variable::new("frequency", &["critical"], &[count], frequency.clone())
+    let frequencies = Variable::new("frequency", &["critical"], &[count], told.frequency.clone())
         .units("1")
         .long_name("frequency of the oscillation born there")
         .apart();
     Ok(Outcome {
-        scalars: Map::from_iter([
-            ("key".to_owned(), json!(sweep.path)),
-            ("critical".to_owned(), json!(values)),
-            ("frequency".to_owned(), json!(frequency)),
-        ]),
+        scalars: told.scalars(),
         dataset: Dataset::new().with(roots)?.with(frequencies)?.attribute("kind", "critical")?,
-        table: Some(Table::new().column(axis.name(), "1", values)?.column("frequency", "1", frequency)?),
+        table: Some(told.add_columns(Table::new().column(axis.name(), "1", values)?)?),
         checks: if count > 0 { vec![check] } else { Vec::new() },
         missing: search.failures.len(),
         warnings: if search.failures.is_empty() {

@@ -321,7 +321,7 @@ fn wide(keys: usize, more: &str) -> String {
         (0..keys).map(|k| format!("{{ key = \"parameters.p{k}\", from = 0, to = 1 }}")).collect();
     format!(
         "model = \"two-degrees\"\n[parameters]\n{}\n[matrices]\nstiffness = [[1, 0], [0, 1]]\n\
-         [[sweep]]\nname = \"wide\"\nmethod = \"sobol\"\npoints = 4\nquantities = [\"q\"]\n{more}over = [{}]\n",
+         [[sweep]]\nname = \"wide\"\nmethod = \"sobol\"\npoints = 4\n{QUANTITIES}{more}over = [{}]\n",
         parameters.join("\n"),
         over.join(", ")
     )

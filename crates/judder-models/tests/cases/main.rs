@@ -8,6 +8,7 @@ mod bad_contact;
 mod bad_family;
 mod bad_key;
 mod bad_motion;
+mod bad_quantity;
 mod bad_sliding;
 mod bad_sliding_analysis;
 mod bad_source;

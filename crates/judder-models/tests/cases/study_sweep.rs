@@ -211,21 +211,27 @@ fn options_reach_into_a_sweep_by_its_name() {
 #[test]
 fn every_model_is_swept() {
     let cases = [
-        ("oscillator", "oscillator.damping_x", "0.0", "0.1"),
-        ("contact", "substrate.poisson_ratio", "0.3", "0.45"),
-        ("contact", "analysis.contact.velocity", "1e-3", "0.1"),
-        ("belt", "friction.at_rest", "0.5", "1.5"),
-        ("two-degrees", "parameters.mu", "0.0", "1.0"),
-        ("structure", "structure.material.density", "\"1000 kg/m^3\"", "\"2000 kg/m^3\""),
-        ("structure", "structure.beam.elements.0", "51", "101"),
-        ("beams-paper", "contact.friction_coefficient", "0.0", "0.9"),
-        ("beams-paper", "structure.oblique.beam.angle", "\"30 deg\"", "\"45 deg\""),
-        ("beams-paper", "analysis.ensubs.step", "\"1e-7 s\"", "\"2e-7 s\""),
+        ("oscillator", "oscillator.damping_x", "0.0", "0.1", "growth_rate"),
+        ("contact", "substrate.poisson_ratio", "0.3", "0.45", "contact.force"),
+        ("contact", "analysis.contact.velocity", "1e-3", "0.1", "contact.force"),
+        ("belt", "friction.at_rest", "0.5", "1.5", "cycle.rms"),
+        ("two-degrees", "parameters.mu", "0.0", "1.0", "onset.critical.first"),
+        (
+            "structure",
+            "structure.material.density",
+            "\"1000 kg/m^3\"",
+            "\"2000 kg/m^3\"",
+            "modes.frequencies_hz.0",
+        ),
+        ("structure", "structure.beam.elements.0", "51", "101", "modes.frequencies_hz.0"),
+        ("beams-paper", "contact.friction_coefficient", "0.0", "0.9", "ensubs.steps"),
+        ("beams-paper", "structure.oblique.beam.angle", "\"30 deg\"", "\"45 deg\"", "ensubs.steps"),
+        ("beams-paper", "analysis.ensubs.step", "\"1e-7 s\"", "\"2e-7 s\"", "ensubs.steps"),
     ];
-    for (name, key, from, to) in cases {
+    for (name, key, from, to, quantity) in cases {
         // halfway between two odd counts lies a count
         let text = format!(
-            "{}\n[[sweep]]\nname = \"all-of-it\"\nquantities = [\"q\"]\n\
+            "{}\n[[sweep]]\nname = \"all-of-it\"\nquantities = [\"{quantity}\"]\n\
              over = [{{ key = \"{key}\", from = {from}, to = {to}, points = 3 }}]\n",
             template(name).unwrap()
         );
@@ -273,7 +279,7 @@ proptest! {
         let scale = if log { "log" } else { "linear" };
         let method = ["sobol", "latin-hypercube"][method];
         let text = format!(
-            "method = \"{method}\"\npoints = {points}\nseed = {seed}\nquantities = [\"q\"]\n\
+            "method = \"{method}\"\npoints = {points}\nseed = {seed}\nquantities = [\"growth_rate\"]\n\
              over = [{{ key = \"operation.velocity\", from = 10.0, to = 1e-9, scale = \"{scale}\" }}]"
         );
         let sweep = sweep(&text);

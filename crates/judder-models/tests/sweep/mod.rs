@@ -435,11 +435,3 @@ sensitivity = true
         assert!(number(&told[order]["parameters.idle"]["value"]).abs() < 1e-12, "{told}");
     }
 }
-
-#[test]
-fn a_quantity_that_no_point_has_is_refused_with_the_nearest() {
-    let sweep = GRID.replace("\"growth_rate\"", "\"growth_rat\"");
-    let refused = run(&file(&sweep), tempfile::tempdir().unwrap().path(), &RunOptions::default(), &Silent);
-    let told = format!("{:?}", refused.unwrap_err());
-    assert!(told.contains("growth_rat"), "{told}");
-}

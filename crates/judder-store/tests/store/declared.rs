@@ -87,7 +87,7 @@ fn arrays_and_columns_are_those_that_are_named() {
     let without = all(None);
     assert!(without.add_arrays(Dataset::new()).unwrap().variable("error").is_none());
     assert_eq!(without.add_columns(Table::new()).unwrap().rows(), 2);
-    assert_eq!(Burst::add_columns(&without.bursts[..1], Table::new()).unwrap().rows(), 1);
+    assert_eq!(Rows::add_columns(&without.bursts[..1], Table::new()).unwrap().rows(), 1);
 }
 
 #[test]

@@ -177,11 +177,6 @@ impl CaseFile {
         self.error_at(path.split('.'), cause.into())
     }
 
-    /// The error of a sweep that shows only where its points are computed: at a key of the sweep of this name.
-    pub fn sweep_error(&self, sweep: &str, key: &str, problem: SweepProblem) -> CaseError {
-        self.error_at(["sweep", sweep, key], problem.into())
-    }
-
     /// An error at the end of a path, or at the last step of it that is there.
     fn error_at<'a>(&self, steps: impl IntoIterator<Item = &'a str>, cause: Cause) -> CaseError {
         match read_tree(&self.origin, &self.text, &self.overrides) {

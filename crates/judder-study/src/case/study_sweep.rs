@@ -4,11 +4,12 @@
 //! so that any number of any model can be swept, those within analyses too.
 //!
 //! - [`design`]: which points, computed from their index alone.
-//! - [`quantity_path`]: what is kept of them.
+//! - [`quantity_path`]: what is kept of them; `known_result`: whether there is such a result.
 //! - `read`, `read_axis`, `trial`: reading, and the case at a point.
 //! - [`problem`]: what can be wrong with all of it, beyond types, units and ranges.
 
 pub mod design;
+mod known_result;
 pub mod problem;
 pub mod quantity_path;
 pub(crate) mod read;

@@ -3,7 +3,6 @@
 use crate::axis::Axis;
 use crate::case::file::CaseFile;
 use crate::case::scale::Scale;
-use crate::case::study_sweep::problem::SweepProblem;
 use crate::case::study_sweep::quantity_path::{QuantityPath, QuantitySource, QuantityStep};
 use crate::case::study_sweep::{Design, StudySweep, SweptValues};
 use crate::error::StudyError;
@@ -11,7 +10,6 @@ use crate::input_file::KnownFile;
 use crate::labels;
 use crate::ledger::VERSION;
 use crate::model::{OperatingQuantity, OperatingWork};
-use judder_keys::error::CaseError;
 use judder_store::{SweepDimension, SweepLayout, SweepQuantity, Variable};
 
 /// The most points of a chunk where the case does not say, when only the operating point is asked for: a fraction of a second.
@@ -52,7 +50,7 @@ impl SweepPlan {
     /// The plan of a sweep of a case; `hash` names all that its values depend on, `files` is what of it is read again.
     ///
     /// # Errors
-    /// A quantity that no operating point has, a sweep that cannot be stored.
+    /// A sweep that cannot be stored.
     pub(crate) fn new(
         file: &CaseFile,
         sweep: &StudySweep,
@@ -61,9 +59,7 @@ impl SweepPlan {
         // a grid has its keys as dimensions
         let keys = if sweep.method == Design::Grid { 0 } else { sweep.axes.len() };
         let mut columns: Vec<Column> = (0..keys).map(Column::Key).collect();
-        for quantity in &sweep.quantities {
-            columns.push(column(file, sweep, quantity)?);
-        }
+        columns.extend(sweep.quantities.iter().map(column));
         let layout = layout((file, sweep), &columns, hash)?;
         Ok(Self { file: file.clone(), sweep: sweep.clone(), columns, layout, files: files.to_vec() })
     }
@@ -116,28 +112,12 @@ impl SweepPlan {
     }
 }
 
-fn column(file: &CaseFile, sweep: &StudySweep, quantity: &QuantityPath) -> Result<Column, StudyError> {
+fn column(quantity: &QuantityPath) -> Column {
     match &quantity.source {
-        QuantitySource::Analysis { steps, .. }
-            if steps.contains(&QuantityStep::Name("seconds".to_owned())) =>
-        {
-            let reason = "it is a wall time, which no two runs share";
-            let problem = SweepProblem::QuantityPath { path: quantity.text.clone(), reason };
-            Err(file.sweep_error(&sweep.name, "quantities", problem).into())
-        }
         QuantitySource::Analysis { index, name, steps } => {
-            Ok(Column::Scalar { index: *index, name: name.clone(), steps: steps.clone() })
+            Column::Scalar { index: *index, name: name.clone(), steps: steps.clone() }
         }
-        QuantitySource::Point { name } => {
-            let known = file.case.operating_quantities();
-            let found = known.iter().find(|own| own.name == *name).copied();
-            found.map(Column::Point).ok_or_else(|| {
-                let known = known.iter().map(|own| own.name.to_owned()).collect();
-                let problem = SweepProblem::UnknownQuantity { name: name.clone(), known };
-                let error: CaseError = file.sweep_error(&sweep.name, "quantities", problem);
-                error.into()
-            })
-        }
+        QuantitySource::Point { quantity } => Column::Point(*quantity),
     }
 }
 

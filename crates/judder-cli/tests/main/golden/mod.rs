@@ -5,6 +5,7 @@
 
 mod agreement;
 mod cases;
+mod declared;
 mod file;
 mod generated;
 mod layout;

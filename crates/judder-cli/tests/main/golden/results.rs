@@ -1,7 +1,7 @@
 //! The studies of the small cases: summary, arrays, tables, files, the words of the report.
 
 use super::agreement::{FLOAT_HASH, Numbers};
-use super::{case_files, file, small_cases, snapshot};
+use super::{case_files, declared, file, small_cases, snapshot};
 use crate::desk::{Desk, files_below};
 use judder_store::{StudyFolder, content_hash};
 use judder_study::Silent;
@@ -107,23 +107,45 @@ fn kinds_of(case: &Value) -> impl Iterator<Item = (String, String)> {
         .map(|own| (case["model"].as_str().unwrap().to_owned(), own["kind"].as_str().unwrap().to_owned()))
 }
 
-/// The kinds of analyses of a small case, and how its study differs from the frozen one.
-fn compared(path: &Path) -> (Vec<(String, String)>, Option<String>) {
+/// How what the analyses left in the summary differs from what they declare.
+fn declared_otherwise(file: &CaseFile, report: &RunReport) -> Vec<String> {
+    let kinds = kinds_of(&report.summary.case);
+    let analyses = file.case.analysis_names().into_iter().zip(kinds).enumerate();
+    let misfits = analyses.filter_map(|(index, (name, (model, kind)))| {
+        let results = report.summary.results.get(name)?;
+        Some(declared::misfits(&format!("{model} {kind}"), &file.case.summary_keys(index), results))
+    });
+    misfits.flatten().collect()
+}
+
+/// A small case that was run.
+struct Compared {
+    /// Model and kind of its analyses.
+    kinds: Vec<(String, String)>,
+    /// How its study differs from the frozen one.
+    difference: Option<String>,
+    /// How its results differ from what is declared of them.
+    misfits: Vec<String>,
+}
+
+fn compared(path: &Path) -> Compared {
     let case = judder_models::read(path, &[]).unwrap();
     let folder = tempfile::tempdir().unwrap();
     let report = run(&case, folder.path(), &RunOptions::default(), &Silent).unwrap();
     let name = format!("studies/{}.json", case.name);
     let difference = file::difference(&name, &frozen(&case, &report), Numbers::Close);
-    (kinds_of(&report.summary.case).collect(), difference)
+    let kinds = kinds_of(&report.summary.case).collect();
+    Compared { kinds, difference, misfits: declared_otherwise(&case, &report) }
 }
 
 #[test]
 fn studies_of_small_cases_hold_what_they_held() {
     let compared: Vec<_> = case_files(&small_cases()).par_iter().map(|path| compared(path)).collect();
-    let (kinds, differences): (Vec<_>, Vec<_>) = compared.into_iter().unzip();
-    let kinds: BTreeSet<_> = kinds.into_iter().flatten().collect();
+    let kinds: BTreeSet<_> = compared.iter().flat_map(|own| own.kinds.iter().cloned()).collect();
     let missing: Vec<_> = known_kinds().difference(&kinds).cloned().collect();
     assert!(missing.is_empty(), "no small case has {missing:?}");
-    let differences: Vec<String> = differences.into_iter().flatten().collect();
+    let differences: Vec<&str> = compared.iter().filter_map(|own| own.difference.as_deref()).collect();
     assert!(differences.is_empty(), "{}", differences.join("\n"));
+    let misfits: Vec<&str> = compared.iter().flat_map(|own| own.misfits.iter().map(String::as_str)).collect();
+    assert!(misfits.is_empty(), "{}", misfits.join("\n"));
 }

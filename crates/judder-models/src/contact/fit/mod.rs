@@ -10,9 +10,11 @@ use crate::contact::settings::{ContactScope, FitReading, FitSettings, LawSetting
 use crate::error::ModelError;
 use judder_contact::law::sweep::SolvedPoint;
 use judder_keys::declared::{Settings, both};
+use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
+use run::ToldFit;
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;
 
@@ -40,6 +42,10 @@ impl Analysis<ContactCase> for FitSettings {
 
     fn fits(&self, of: &Subject<'_>) -> Result<Result<(), Refusal>, ModelError> {
         self.law.fits(of)
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        ToldFit::declared()
     }
 
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {

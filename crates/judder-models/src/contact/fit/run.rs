@@ -1,6 +1,6 @@
 //! `fit`: the three functions of the oscillator paper through a computed law (appendix B).
 
-use crate::computed_law::{ComputedLaw, Points, compute};
+use crate::computed_law::{Points, compute};
 use crate::contact::case::ContactCase;
 use crate::contact::law::Plane;
 use crate::contact::settings::LawSettings;
@@ -8,10 +8,9 @@ use crate::error::ModelError;
 use crate::material::ContactScales;
 use judder_contact::fit::{CoefficientComparison, FitError, FunctionFit, LawFit};
 use judder_contact::{FittedLaw, Law};
-use judder_store::{Table, Variable, number};
+use judder_store::{Results, Table, Variable};
 use judder_study::Progress;
 use judder_study::outcome::{CheckRecord, Outcome};
-use serde_json::{Map, Value, json};
 
 /// What the samples of a fit are.
 const SAMPLES: &str = "the computed law at every speed and indentation of the case";
@@ -47,11 +46,23 @@ pub(super) fn run(
     ] {
         dataset = dataset.with(over_plane(name, values, symbol))?;
     }
-    let missed = computed.missed(settings.accuracy);
+    let (missed, law_error) = (computed.missed(settings.accuracy), computed.errors().total());
+    let told = ToldFit {
+        force: ToldFunction::new(&fit.force),
+        area: ToldFunction::new(&fit.area),
+        friction: ToldFunction::new(&fit.friction),
+        velocity_scale,
+        samples: SAMPLES,
+        sample_count: shape.iter().product(),
+        contacts_solved: computed.points.len(),
+        r2: [fit.force.r2, fit.area.r2, fit.friction.r2],
+        beside_the_paper: beside.iter().map(ToldCoefficient::new).collect(),
+        law_error: [law_error.force, law_error.area, law_error.friction],
+    };
     Ok(Outcome {
-        scalars: scalars(&fit, &beside, velocity_scale, (&computed, shape.iter().product())),
+        scalars: told.scalars(),
         dataset: dataset.attribute("kind", "fit")?,
-        table: Some(table(&beside)?),
+        table: Some(told.add_columns(Table::new())?),
         checks: vec![returns(&plane, &fit).map_err(unfit)?],
         missing: usize::from(missed.is_some()),
         warnings: missed.into_iter().chain(warning(&fit)).collect(),
@@ -59,56 +70,80 @@ pub(super) fn run(
     })
 }
 
-fn scalars(
-    fit: &LawFit,
-    beside: &[CoefficientComparison],
+/// What is told of a fit.
+#[derive(Results)]
+#[results(columns(beside_the_paper))]
+pub(super) struct ToldFit {
+    force: ToldFunction,
+    area: ToldFunction,
+    friction: ToldFunction,
     velocity_scale: f64,
-    (computed, samples): (&ComputedLaw, usize),
-) -> Map<String, Value> {
-    let law_error = computed.errors().total();
-    fn function<const N: usize>(fit: &FunctionFit<N>) -> Value {
-        json!({
-            "coefficients": fit.coefficients.to_vec(), "standard_errors": fit.standard_errors.to_vec(),
-            "intervals": fit.intervals.iter().map(|(low, high)| [*low, *high]).collect::<Vec<_>>(),
-            "r2": number(fit.r2),
-        })
-    }
-    let compared = beside.iter().map(|line| {
-        json!({
-            "name": line.name, "value": line.value, "standard_error": number(line.standard_error),
-            "paper": line.reference, "deviation": number(line.deviation()),
-            "relative_deviation": number(line.relative_deviation()),
-        })
-    });
-    Map::from_iter([
-        ("force".to_owned(), function(&fit.force)),
-        ("area".to_owned(), function(&fit.area)),
-        ("friction".to_owned(), function(&fit.friction)),
-        ("velocity_scale".to_owned(), number(velocity_scale)),
-        ("samples".to_owned(), json!(SAMPLES)),
-        ("sample_count".to_owned(), json!(samples)),
-        ("contacts_solved".to_owned(), json!(computed.points.len())),
-        ("r2".to_owned(), json!([fit.force.r2, fit.area.r2, fit.friction.r2])),
-        ("beside_the_paper".to_owned(), compared.collect()),
-        (
-            "law_error".to_owned(),
-            json!([number(law_error.force), number(law_error.area), number(law_error.friction)]),
-        ),
-    ])
+    /// what the samples are
+    samples: &'static str,
+    sample_count: usize,
+    contacts_solved: usize,
+    /// of force, area and friction
+    r2: [f64; 3],
+    #[result(rows)]
+    beside_the_paper: Vec<ToldCoefficient>,
+    /// of force, area and friction
+    law_error: [f64; 3],
 }
 
-/// The coefficients beside the paper's, one a row.
-fn table(beside: &[CoefficientComparison]) -> Result<Table, ModelError> {
-    let column = |value: fn(&CoefficientComparison) -> f64| beside.iter().map(value).collect::<Vec<f64>>();
-    let names: Vec<String> = beside.iter().map(|line| line.name.to_owned()).collect();
-    Ok(Table::new()
-        .column("coefficient", "", names)?
-        .column("value", "1", column(|line| line.value))?
-        .column("standard_error", "1", column(|line| line.standard_error))?
-        .column("lower_95", "1", column(|line| line.interval.0))?
-        .column("upper_95", "1", column(|line| line.interval.1))?
-        .column("paper", "1", column(|line| line.reference))?
-        .column("deviation", "1", column(CoefficientComparison::deviation))?)
+/// A function of appendix B.
+#[derive(Results)]
+struct ToldFunction {
+    coefficients: Vec<f64>,
+    standard_errors: Vec<f64>,
+    /// with 95 % confidence
+    intervals: Vec<[f64; 2]>,
+    r2: f64,
+}
+
+/// A coefficient beside the paper's.
+#[derive(Results)]
+#[results(
+    rows = "coefficient",
+    columns(coefficient, value, standard_error, lower_95, upper_95, paper, deviation)
+)]
+struct ToldCoefficient {
+    #[result(summary = "name")]
+    coefficient: &'static str,
+    value: f64,
+    standard_error: f64,
+    paper: f64,
+    deviation: f64,
+    relative_deviation: f64,
+    #[result(hidden)]
+    lower_95: f64,
+    #[result(hidden)]
+    upper_95: f64,
+}
+
+impl ToldFunction {
+    fn new<const N: usize>(fit: &FunctionFit<N>) -> Self {
+        Self {
+            coefficients: fit.coefficients.to_vec(),
+            standard_errors: fit.standard_errors.to_vec(),
+            intervals: fit.intervals.iter().map(|(low, high)| [*low, *high]).collect(),
+            r2: fit.r2,
+        }
+    }
+}
+
+impl ToldCoefficient {
+    fn new(line: &CoefficientComparison) -> Self {
+        Self {
+            coefficient: line.name,
+            value: line.value,
+            standard_error: line.standard_error,
+            paper: line.reference,
+            deviation: line.deviation(),
+            relative_deviation: line.relative_deviation(),
+            lower_95: line.interval.0,
+            upper_95: line.interval.1,
+        }
+    }
 }
 
 /// The functions, fitted to their own values, must come back.

@@ -14,9 +14,11 @@ use crate::error::ModelError;
 use judder_contact::kernel::sliding::SlidingOperator;
 use judder_contact::law::sweep::SolvedPoint;
 use judder_keys::declared::Settings;
+use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
+use run::ToldLaw;
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;
 
@@ -45,6 +47,10 @@ impl Analysis<ContactCase> for LawSettings {
         }
         let cells = cells_of_law(self);
         Ok(blame::large([cells; 2], SlidingOperator::memory_bytes(cells, cells), self.memory))
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        ToldLaw::declared()
     }
 
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {

@@ -15,10 +15,9 @@ use judder_contact::unilateral::{Loading, UnilateralLimits};
 use judder_contact::{ContactLaw, ContactPoint, Law};
 use judder_keys::numeric_key::Form;
 use judder_keys::span::Span;
-use judder_store::{Dataset, Table, Variable, number};
+use judder_store::{Dataset, Results, Table, Variable};
 use judder_study::Progress;
 use judder_study::outcome::{CheckRecord, Disagreement, Outcome};
-use serde_json::{Map, Value, json};
 
 /// What friction from the bulk may differ by from friction at the surface.
 const DISSIPATION_LIMIT: f64 = 1e-2;
@@ -129,7 +128,7 @@ pub(super) fn run(
     let errors = computed.errors();
     let file = format!("{name}.json");
     let mut outcome = Outcome {
-        scalars: scalars(&computed, (&errors, settings.accuracy), &scales, &file),
+        scalars: told(&computed, (&errors, settings.accuracy), &scales, &file).scalars(),
         dataset: dataset(&plane, &computed, &scales)?,
         table: Some(table(&plane, &computed.law)?),
         checks: checks(&plane, &task, &computed.law, &errors)?,
@@ -144,46 +143,74 @@ pub(super) fn run(
     Ok(outcome)
 }
 
-fn scalars(
+/// What is told of a law.
+#[derive(Results)]
+pub(super) struct ToldLaw {
+    law_file: String,
+    method: &'static str,
+    contacts_solved: usize,
+    /// why no more contacts were solved
+    ending: &'static str,
+    converged: bool,
+    /// E∞/E0
+    contrast: f64,
+    mean_retardation_time_second: f64,
+    interpolation_error: ToldErrors,
+    solver_error: ToldErrors,
+    levels: Vec<ToldLevel>,
+}
+
+/// The errors of a law, relative.
+#[derive(Results)]
+struct ToldErrors {
+    force: f64,
+    area: f64,
+    friction: f64,
+}
+
+/// The knots of a law, and how far those without every second one are off.
+#[derive(Results)]
+struct ToldLevel {
+    columns: usize,
+    rows: usize,
+    along_speed: ToldErrors,
+    along_indentation: ToldErrors,
+}
+
+impl ToldErrors {
+    fn new(PerQuantity { force, area, friction }: PerQuantity<f64>) -> Self {
+        Self { force, area, friction }
+    }
+}
+
+fn told(
     computed: &ComputedLaw,
     (errors, accuracy): (&LawErrors, f64),
     scales: &ContactScales,
     file: &str,
-) -> Map<String, Value> {
-    let of = |errors: PerQuantity<f64>| {
-        json!({
-            "force": number(errors.force), "area": number(errors.area), "friction": number(errors.friction),
-        })
-    };
+) -> ToldLaw {
     let method = match computed.law {
         Law::Collapsed(_) => LawMethod::Collapse,
         _ => LawMethod::Sweep,
     };
-    Map::from_iter([
-        ("law_file".to_owned(), json!(file)),
-        ("method".to_owned(), json!(method.name())),
-        ("contacts_solved".to_owned(), json!(computed.points.len())),
-        ("ending".to_owned(), json!(ending(computed.end))),
-        ("converged".to_owned(), json!(meets(errors, accuracy))),
-        ("contrast".to_owned(), number(scales.material.spectrum.contrast())),
-        ("mean_retardation_time_second".to_owned(), number(scales.time)),
-        ("interpolation_error".to_owned(), of(errors.interpolation)),
-        ("solver_error".to_owned(), of(errors.solver)),
-        (
-            "levels".to_owned(),
-            computed
-                .levels
-                .iter()
-                .map(|level| {
-                    json!({
-                        "columns": level.columns, "rows": level.rows,
-                        "along_speed": of(level.along_speed),
-                        "along_indentation": of(level.along_indentation),
-                    })
-                })
-                .collect(),
-        ),
-    ])
+    let levels = computed.levels.iter().map(|level| ToldLevel {
+        columns: level.columns,
+        rows: level.rows,
+        along_speed: ToldErrors::new(level.along_speed),
+        along_indentation: ToldErrors::new(level.along_indentation),
+    });
+    ToldLaw {
+        law_file: file.to_owned(),
+        method: method.name(),
+        contacts_solved: computed.points.len(),
+        ending: ending(computed.end),
+        converged: meets(errors, accuracy),
+        contrast: scales.material.spectrum.contrast(),
+        mean_retardation_time_second: scales.time,
+        interpolation_error: ToldErrors::new(errors.interpolation),
+        solver_error: ToldErrors::new(errors.solver),
+        levels: levels.collect(),
+    }
 }
 
 /// The law on the plane of the settings, and the contacts that it was made from.

@@ -9,9 +9,11 @@ use crate::contact::case::ContactCase;
 use crate::contact::settings::{ContactScope, ModulusSettings};
 use crate::error::ModelError;
 use judder_keys::declared::Settings;
+use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Task};
 use judder_study::outcome::Outcome;
+use run::ToldModulus;
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;
 
@@ -28,6 +30,10 @@ pub(crate) const KIND: Kind<ContactScope, Arc<dyn Exciting>> = Kind {
 };
 
 impl Analysis<ContactCase> for ModulusSettings {
+    fn summary_keys(&self) -> Vec<Declared> {
+        ToldModulus::declared()
+    }
+
     fn run(&self, of: &Subject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of.case, self.frequency.as_ref())
     }

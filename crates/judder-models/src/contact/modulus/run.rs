@@ -7,9 +7,8 @@ use crate::material::{ContactScales, Material};
 use judder_contact::material::{DmaData, PronyFit};
 use judder_keys::numeric_key::Form;
 use judder_keys::span::Span;
-use judder_store::{Dataset, Table, Variable, number};
+use judder_store::{Dataset, Results, Table, Variable};
 use judder_study::outcome::{CheckRecord, Disagreement, Outcome};
-use serde_json::{Map, json};
 
 /// Decades on both sides of the relaxation that are shown where no frequencies are asked for.
 const BEYOND: f64 = 2.0;
@@ -45,7 +44,7 @@ pub(super) fn run(case: &ContactCase, frequency: Option<&Span>) -> Result<Outcom
         dataset = with_data(dataset, data, fit)?;
     }
     let mut outcome = Outcome {
-        scalars: scalars(&scales, (&frequencies, &tangent)),
+        scalars: told(&scales, (&frequencies, &tangent)).scalars(),
         dataset: dataset.attribute("kind", "modulus")?,
         table: Some(
             Table::new()
@@ -135,40 +134,66 @@ fn with_data(dataset: Dataset, data: &DmaData, fit: &PronyFit) -> Result<Dataset
         ))?)
 }
 
-fn scalars(
-    scales: &ContactScales,
-    (frequencies, tangent): (&[f64], &[f64]),
-) -> Map<String, serde_json::Value> {
+/// What is told of a modulus.
+#[derive(Results)]
+pub(super) struct ToldModulus {
+    rubbery_modulus_pascal: f64,
+    glassy_modulus_pascal: f64,
+    contrast: f64,
+    terms: usize,
+    mean_retardation_time_second: f64,
+    largest_loss_tangent: f64,
+    frequency_of_largest_loss_tangent: f64,
+    /// the terms of the creep form
+    prony: Vec<ToldTerm>,
+    /// what the temperature multiplies times by
+    #[result(optional)]
+    time_factor: Option<f64>,
+    #[result(flatten)]
+    fit: Option<ToldSeries>,
+}
+
+#[derive(Results)]
+struct ToldTerm {
+    time_second: f64,
+    compliance_per_pascal: f64,
+}
+
+/// What is told of a series that was fitted to measured moduli.
+#[derive(Results)]
+struct ToldSeries {
+    measurements: usize,
+    storage_r2: f64,
+    loss_r2: f64,
+    storage_deviation: f64,
+    loss_deviation: f64,
+}
+
+fn told(scales: &ContactScales, (frequencies, tangent): (&[f64], &[f64])) -> ToldModulus {
     let spectrum = &scales.material.spectrum;
     let peak = frequencies.iter().zip(tangent).max_by(|a, b| a.1.total_cmp(b.1));
-    let mut scalars = Map::from_iter([
-        ("rubbery_modulus_pascal".to_owned(), number(spectrum.rubbery_modulus())),
-        ("glassy_modulus_pascal".to_owned(), number(spectrum.glassy_modulus())),
-        ("contrast".to_owned(), number(spectrum.contrast())),
-        ("terms".to_owned(), json!(spectrum.terms().len())),
-        ("mean_retardation_time_second".to_owned(), number(scales.time)),
-        ("largest_loss_tangent".to_owned(), number(peak.map_or(0.0, |(_, tangent)| *tangent))),
-        ("frequency_of_largest_loss_tangent".to_owned(), number(peak.map_or(f64::NAN, |(at, _)| *at))),
-        (
-            "prony".to_owned(),
-            spectrum
-                .terms()
-                .iter()
-                .map(|t| json!({ "time_second": t.retardation_time, "compliance_per_pascal": t.compliance }))
-                .collect(),
-        ),
-    ]);
-    if scales.material.time_factor != 1.0 {
-        scalars.insert("time_factor".to_owned(), number(scales.material.time_factor));
+    let terms = spectrum.terms().iter();
+    let prony =
+        terms.map(|t| ToldTerm { time_second: t.retardation_time, compliance_per_pascal: t.compliance });
+    let factor = scales.material.time_factor;
+    ToldModulus {
+        rubbery_modulus_pascal: spectrum.rubbery_modulus(),
+        glassy_modulus_pascal: spectrum.glassy_modulus(),
+        contrast: spectrum.contrast(),
+        terms: spectrum.terms().len(),
+        mean_retardation_time_second: scales.time,
+        largest_loss_tangent: peak.map_or(0.0, |(_, tangent)| *tangent),
+        frequency_of_largest_loss_tangent: peak.map_or(f64::NAN, |(at, _)| *at),
+        prony: prony.collect(),
+        time_factor: (factor != 1.0).then_some(factor),
+        fit: scales.material.fit.as_ref().map(|(data, fit)| ToldSeries {
+            measurements: data.points().len(),
+            storage_r2: fit.storage_r_squared,
+            loss_r2: fit.loss_r_squared,
+            storage_deviation: fit.storage_deviation,
+            loss_deviation: fit.loss_deviation,
+        }),
     }
-    if let Some((data, fit)) = &scales.material.fit {
-        scalars.insert("measurements".to_owned(), json!(data.points().len()));
-        scalars.insert("storage_r2".to_owned(), number(fit.storage_r_squared));
-        scalars.insert("loss_r2".to_owned(), number(fit.loss_r_squared));
-        scalars.insert("storage_deviation".to_owned(), number(fit.storage_deviation));
-        scalars.insert("loss_deviation".to_owned(), number(fit.loss_deviation));
-    }
-    scalars
 }
 
 fn poor_fit(fit: &PronyFit) -> Option<String> {

@@ -18,10 +18,13 @@ use judder_contact::kernel::sliding::SlidingOperator;
 use judder_contact::steady::{GridChoice, SteadyError};
 use judder_contact::unilateral::Loading;
 use judder_keys::declared::Settings;
+use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
 use judder_study::text::number;
+use periodic::ToldPeriod;
+use refined::ToldContact;
 use run::{grid, loading};
 use serde_json::{Map, Value as Json};
 use std::f64::consts::TAU;
@@ -66,6 +69,12 @@ impl Analysis<ContactCase> for ContactSettings {
         }
         let lattice = lattice(of.case, self, of.scales)?;
         Ok(blame::large(lattice, SlidingOperator::memory_bytes(lattice[0], lattice[1]), self.memory))
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        let mut keys = ToldContact::declared();
+        keys.extend(Option::<ToldPeriod>::declared());
+        keys
     }
 
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {

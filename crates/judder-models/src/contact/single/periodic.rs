@@ -12,7 +12,7 @@ use judder_contact::periodic_contact::{
     PeriodicContact, PeriodicContactError, PeriodicLoading, PeriodicQuestion, solve_until,
 };
 use judder_contact::unilateral::{Loading, UnilateralLimits};
-use judder_store::number;
+use judder_store::Results;
 use judder_study::Progress;
 use judder_study::outcome::{CheckRecord, Outcome};
 
@@ -52,12 +52,13 @@ pub(super) fn run(
         is_line: false,
     };
     let fields = Fields::of_period(&contact.finest);
-    let mut scalars = refined.scalars(&scales, velocity);
-    scalars.extend([
-        ("contact_fraction".to_owned(), number(contact.refinement.area.value / period)),
-        ("mean_pressure".to_owned(), number(contact.refinement.force.value / period)),
-        ("mean_gap".to_owned(), number(contact.finest.mean_gap)),
-    ]);
+    let mut scalars = refined.told(&scales, velocity).scalars();
+    let of_period = ToldPeriod {
+        contact_fraction: contact.refinement.area.value / period,
+        mean_pressure: contact.refinement.force.value / period,
+        mean_gap: contact.finest.mean_gap,
+    };
+    scalars.extend(of_period.scalars());
     Ok(Outcome {
         scalars,
         dataset: fields.dataset(&contact.refinement, &scales)?,
@@ -68,6 +69,14 @@ pub(super) fn run(
         warnings: refined.missed(settings.accuracy).into_iter().collect(),
         ..Outcome::default()
     })
+}
+
+/// What is told of a periodic surface besides.
+#[derive(Results)]
+pub(super) struct ToldPeriod {
+    contact_fraction: f64,
+    mean_pressure: f64,
+    mean_gap: f64,
 }
 
 fn checks(contact: &PeriodicContact, question: &PeriodicQuestion<'_>) -> Vec<CheckRecord> {

@@ -3,8 +3,7 @@
 use crate::error::ModelError;
 use crate::material::ContactScales;
 use judder_contact::steady::refinement::{LevelSummary, Refinement};
-use judder_store::{Table, number};
-use serde_json::{Map, Value, json};
+use judder_store::{Results, Table};
 
 /// A contact on a sequence of grids.
 pub(super) struct Refined<'a> {
@@ -16,46 +15,89 @@ pub(super) struct Refined<'a> {
     pub(super) is_line: bool,
 }
 
+/// What is told of a contact.
+#[derive(Results)]
+pub(super) struct ToldContact {
+    force: f64,
+    area: f64,
+    friction: f64,
+    indentation: f64,
+    peak_pressure: f64,
+    velocity: f64,
+    force_error: f64,
+    area_error: f64,
+    friction_error: f64,
+    friction_from_dissipation: f64,
+    friction_difference: f64,
+    #[result(optional)]
+    force_newton_per_metre: Option<f64>,
+    #[result(optional)]
+    width_metre: Option<f64>,
+    #[result(optional)]
+    force_newton: Option<f64>,
+    #[result(optional)]
+    area_square_metre: Option<f64>,
+    indentation_metre: f64,
+    peak_pressure_pascal: f64,
+    velocity_metre_per_second: f64,
+    /// along a side of the finest grid
+    cells: usize,
+    iterations: usize,
+    products: usize,
+    residual: f64,
+    converged: bool,
+    errors: ToldErrors,
+}
+
+/// How far each result may be off.
+#[derive(Results)]
+struct ToldErrors {
+    force: f64,
+    area: f64,
+    friction: f64,
+    indentation: f64,
+    peak_pressure: f64,
+}
+
 impl Refined<'_> {
     /// Results in groups and with units, and their errors.
-    pub(super) fn scalars(&self, scales: &ContactScales, velocity: f64) -> Map<String, Value> {
+    pub(super) fn told(&self, scales: &ContactScales, velocity: f64) -> ToldContact {
         let r = self.refinement;
         let radius = scales.scales.radius;
-        let (force, force_unit, area, area_unit) = if self.is_line {
-            ("force_newton_per_metre", scales.force_unit() / radius, "width_metre", radius)
-        } else {
-            ("force_newton", scales.force_unit(), "area_square_metre", radius * radius)
-        };
-        let peak = r.peak_pressure.value;
+        let of_shape = |is_line: bool, value: f64| (self.is_line == is_line).then_some(value);
         let sum = |value: fn(&LevelSummary) -> usize| r.levels.iter().map(value).sum::<usize>();
-        let errors = json!({
-            "force": number(r.force.error), "area": number(r.area.error), "friction": number(r.friction.error),
-            "indentation": number(r.indentation.error), "peak_pressure": number(r.peak_pressure.error),
-        });
-        Map::from_iter([
-            ("force".to_owned(), number(r.force.value)),
-            ("area".to_owned(), number(r.area.value)),
-            ("friction".to_owned(), number(r.friction.value)),
-            ("indentation".to_owned(), number(r.indentation.value)),
-            ("peak_pressure".to_owned(), number(peak)),
-            ("velocity".to_owned(), number(velocity)),
-            ("force_error".to_owned(), number(r.force.error)),
-            ("area_error".to_owned(), number(r.area.error)),
-            ("friction_error".to_owned(), number(r.friction.error)),
-            ("friction_from_dissipation".to_owned(), number(self.friction_from_dissipation)),
-            ("friction_difference".to_owned(), number(self.friction_difference)),
-            (force.to_owned(), number(r.force.value * force_unit)),
-            (area.to_owned(), number(r.area.value * area_unit)),
-            ("indentation_metre".to_owned(), number(r.indentation.value * radius)),
-            ("peak_pressure_pascal".to_owned(), number(peak * scales.scales.reduced_modulus)),
-            ("velocity_metre_per_second".to_owned(), number(velocity * radius / scales.time)),
-            ("cells".to_owned(), json!(r.levels.last().map_or(0, |level| level.cells))),
-            ("iterations".to_owned(), json!(sum(|level| level.iterations))),
-            ("products".to_owned(), json!(sum(|level| level.products))),
-            ("residual".to_owned(), number(r.levels.last().map_or(f64::NAN, |level| level.residual))),
-            ("converged".to_owned(), json!(self.converged)),
-            ("errors".to_owned(), errors),
-        ])
+        ToldContact {
+            force: r.force.value,
+            area: r.area.value,
+            friction: r.friction.value,
+            indentation: r.indentation.value,
+            peak_pressure: r.peak_pressure.value,
+            velocity,
+            force_error: r.force.error,
+            area_error: r.area.error,
+            friction_error: r.friction.error,
+            friction_from_dissipation: self.friction_from_dissipation,
+            friction_difference: self.friction_difference,
+            force_newton_per_metre: of_shape(true, r.force.value * (scales.force_unit() / radius)),
+            width_metre: of_shape(true, r.area.value * radius),
+            force_newton: of_shape(false, r.force.value * scales.force_unit()),
+            area_square_metre: of_shape(false, r.area.value * (radius * radius)),
+            indentation_metre: r.indentation.value * radius,
+            peak_pressure_pascal: r.peak_pressure.value * scales.scales.reduced_modulus,
+            velocity_metre_per_second: velocity * radius / scales.time,
+            cells: r.levels.last().map_or(0, |level| level.cells),
+            iterations: sum(|level| level.iterations),
+            products: sum(|level| level.products),
+            residual: r.levels.last().map_or(f64::NAN, |level| level.residual),
+            converged: self.converged,
+            errors: ToldErrors {
+                force: r.force.error,
+                area: r.area.error,
+                friction: r.friction.error,
+                indentation: r.indentation.error,
+                peak_pressure: r.peak_pressure.error,
+            },
+        }
     }
 
     /// The grids from coarse to fine.

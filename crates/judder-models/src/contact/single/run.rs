@@ -10,6 +10,7 @@ use crate::indenter::profile;
 use crate::material::ContactScales;
 use judder_contact::steady::{GridChoice, SteadyContact, SteadyError, SteadyQuestion, solve_until};
 use judder_contact::unilateral::{Loading, UnilateralLimits};
+use judder_store::Results;
 use judder_study::Progress;
 use judder_study::outcome::{CheckRecord, Outcome};
 
@@ -82,7 +83,7 @@ pub(crate) fn run(
         is_line: profile.is_line(),
     };
     Ok(Outcome {
-        scalars: refined.scalars(&scales, velocity),
+        scalars: refined.told(&scales, velocity).scalars(),
         dataset: fields.dataset(&contact.refinement, &scales)?,
         table: Some(refined.history()?),
         checks: checks(case, &contact, &question, (velocity, scales.material.spectrum.contrast())),

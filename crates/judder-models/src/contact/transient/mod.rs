@@ -13,10 +13,11 @@ use crate::contact::transient::settings::TransientSettings;
 use crate::error::ModelError;
 use judder_contact::transient::TransientError;
 use judder_keys::declared::Settings;
+use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
-use run::Asked;
+use run::{Asked, ToldHistory};
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;
 
@@ -47,6 +48,10 @@ impl Analysis<ContactCase> for TransientSettings {
                 Ok(blame::large(strip, needed, self.memory))
             }
         }
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        ToldHistory::declared()
     }
 
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {

@@ -14,10 +14,9 @@ use judder_contact::transient::{
     TransientSample, run as follow,
 };
 use judder_contact::unilateral::{Loading, UnilateralLimits};
-use judder_store::{Dataset, Table, Variable, number};
+use judder_store::{Dataset, Results, Table, Variable};
 use judder_study::Progress;
 use judder_study::outcome::{CheckRecord, Outcome};
-use serde_json::{Map, Value, json};
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 
@@ -158,17 +157,15 @@ pub(super) fn run(
         return Err(ModelError::Interrupted);
     };
     let mut outcome = Outcome {
-        scalars: scalars(&history, &last, &asked, &scales),
         dataset: dataset(&history, settings)?,
         table: Some(table(&history)?),
         checks: checks(&history, &last, &question),
         ..Outcome::default()
     };
+    let mut steady = None;
     if let (Some(velocity), None) = (asked.velocity, asked.depth_frequency) {
         let memory = settings.memory.bytes;
-        let steady = Steady::new(&scales, &*profile, (velocity, asked.loading), memory)?;
-        outcome.scalars.insert("steady_force".to_owned(), number(steady.force));
-        outcome.scalars.insert("steady_friction".to_owned(), number(steady.friction));
+        let steady = steady.insert(Steady::new(&scales, &*profile, (velocity, asked.loading), memory)?);
         let slid = velocity * asked.duration;
         let settled = asked.duration >= SETTLING * substrate.longest_time()
             && slid >= SETTLING * (last.area / PI).sqrt();
@@ -176,6 +173,7 @@ pub(super) fn run(
             outcome.checks.push(steady.check(&history, asked.duration));
         }
     }
+    outcome.scalars = told(&history, &last, &asked, &scales, steady.as_ref()).scalars();
     progress.advance();
     if !(history.converged && history.completed) {
         outcome.missing = 1;
@@ -238,50 +236,110 @@ impl Steady {
     }
 }
 
-fn scalars(
+/// What is told of a contact in time.
+#[derive(Results)]
+pub(super) struct ToldHistory {
+    converged: bool,
+    completed: bool,
+    force: f64,
+    friction_force: f64,
+    area: f64,
+    indentation: f64,
+    force_newton: f64,
+    friction_force_newton: f64,
+    work: f64,
+    duration_second: f64,
+    steps: usize,
+    rejected_steps: usize,
+    products: usize,
+    cell: f64,
+    #[result(flatten)]
+    cycles: ToldCycles,
+    #[result(flatten)]
+    steady: Option<ToldSteady>,
+}
+
+/// What is told of whole periods.
+#[derive(Default, Results)]
+struct ToldCycles {
+    #[result(optional)]
+    work_per_cycle: Option<f64>,
+    #[result(optional)]
+    work_per_cycle_joule: Option<f64>,
+    /// of the work of the last cycle from that of the one before
+    #[result(optional)]
+    cycle_change: Option<f64>,
+    /// of an oscillating depth
+    #[result(optional)]
+    stiffness: Option<f64>,
+    #[result(optional)]
+    c_y: Option<f64>,
+    #[result(optional)]
+    c_y_newton_second_per_metre: Option<f64>,
+}
+
+/// What is told of steady sliding at the same speed.
+#[derive(Results)]
+struct ToldSteady {
+    steady_force: f64,
+    steady_friction: f64,
+}
+
+impl ToldCycles {
+    fn new(history: &TransientHistory, asked: &Asked, scales: &ContactScales) -> Self {
+        let Some(period) = asked.period else { return Self::default() };
+        let works = history.work_by_period(period);
+        let radius = scales.scales.radius;
+        let mut told = Self::default();
+        if let [.., cycle] = works[..] {
+            told.work_per_cycle = Some(cycle);
+            told.work_per_cycle_joule = Some(cycle * scales.force_unit() * radius);
+        }
+        if let [.., before, cycle] = works[..] {
+            told.cycle_change = Some((cycle / before - 1.0).abs());
+        }
+        if let (Some(frequency), false) = (asked.depth_frequency, works.is_empty()) {
+            let end = works.len() as f64 * period;
+            let wave = |quantity: fn(&TransientSample) -> f64| {
+                history.harmonic(end - period, end, frequency, quantity)
+            };
+            let stiffness = wave(|sample| sample.force) / wave(|sample| sample.indentation);
+            let damper = stiffness.im / frequency;
+            let unit = scales.force_unit() * scales.time / radius;
+            told.stiffness = Some(stiffness.re);
+            told.c_y = Some(damper);
+            told.c_y_newton_second_per_metre = Some(damper * unit);
+        }
+        told
+    }
+}
+
+fn told(
     history: &TransientHistory,
     last: &TransientSample,
     asked: &Asked,
     scales: &ContactScales,
-) -> Map<String, Value> {
-    let mut scalars = Map::from_iter([
-        ("converged".to_owned(), json!(history.converged)),
-        ("completed".to_owned(), json!(history.completed)),
-        ("force".to_owned(), number(last.force)),
-        ("friction_force".to_owned(), number(last.friction_force)),
-        ("area".to_owned(), number(last.area)),
-        ("indentation".to_owned(), number(last.indentation)),
-        ("force_newton".to_owned(), number(last.force * scales.force_unit())),
-        ("friction_force_newton".to_owned(), number(last.friction_force * scales.force_unit())),
-        ("work".to_owned(), number(last.work())),
-        ("duration_second".to_owned(), number(last.time * scales.time)),
-        ("steps".to_owned(), json!(history.samples.len().saturating_sub(1))),
-        ("rejected_steps".to_owned(), json!(history.rejected)),
-        ("products".to_owned(), json!(history.products)),
-        ("cell".to_owned(), number(history.cell)),
-    ]);
-    let Some(period) = asked.period else { return scalars };
-    let works = history.work_by_period(period);
-    let radius = scales.scales.radius;
-    if let [.., cycle] = works[..] {
-        scalars.insert("work_per_cycle".to_owned(), number(cycle));
-        scalars.insert("work_per_cycle_joule".to_owned(), number(cycle * scales.force_unit() * radius));
+    steady: Option<&Steady>,
+) -> ToldHistory {
+    ToldHistory {
+        converged: history.converged,
+        completed: history.completed,
+        force: last.force,
+        friction_force: last.friction_force,
+        area: last.area,
+        indentation: last.indentation,
+        force_newton: last.force * scales.force_unit(),
+        friction_force_newton: last.friction_force * scales.force_unit(),
+        work: last.work(),
+        duration_second: last.time * scales.time,
+        steps: history.samples.len().saturating_sub(1),
+        rejected_steps: history.rejected,
+        products: history.products,
+        cell: history.cell,
+        cycles: ToldCycles::new(history, asked, scales),
+        steady: steady
+            .map(|steady| ToldSteady { steady_force: steady.force, steady_friction: steady.friction }),
     }
-    if let [.., before, cycle] = works[..] {
-        scalars.insert("cycle_change".to_owned(), number((cycle / before - 1.0).abs()));
-    }
-    if let (Some(frequency), false) = (asked.depth_frequency, works.is_empty()) {
-        let end = works.len() as f64 * period;
-        let wave =
-            |quantity: fn(&TransientSample) -> f64| history.harmonic(end - period, end, frequency, quantity);
-        let stiffness = wave(|sample| sample.force) / wave(|sample| sample.indentation);
-        let damper = stiffness.im / frequency;
-        scalars.insert("stiffness".to_owned(), number(stiffness.re));
-        scalars.insert("c_y".to_owned(), number(damper));
-        let unit = scales.force_unit() * scales.time / radius;
-        scalars.insert("c_y_newton_second_per_metre".to_owned(), number(damper * unit));
-    }
-    scalars
 }
 
 fn checks(

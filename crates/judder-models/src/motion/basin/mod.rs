@@ -2,7 +2,7 @@
 
 mod run;
 
-pub(super) use run::{Draw, run};
+pub(super) use run::{Draw, run, summary_keys};
 
 use super::pictures;
 use judder_study::case::analysis::Picture;

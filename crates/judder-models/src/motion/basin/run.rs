@@ -9,13 +9,12 @@ use judder_numerics::piecewise::MarchError;
 use judder_oscillator::cycle::{Confirmed, settle_confirmed};
 use judder_oscillator::motion::SlidingSystem;
 use judder_oscillator::motion::attractor::{Patience, Settled};
-use judder_store::{Dataset, Table, Variable, number};
+use judder_store::{ByName, Dataset, Declared, Results, Table, Variable};
 use judder_study::Progress;
 use judder_study::kept::Kept;
 use judder_study::outcome::{CheckRecord, Disagreement, Outcome};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
-use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
 
 /// Which starts are drawn.
@@ -100,7 +99,7 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
         )
     });
     Ok(Outcome {
-        scalars: basin.scalars::<M, N>(),
+        scalars: basin.told::<M, N>().scalars(),
         dataset: basin.dataset::<M, N>()?,
         table: Some(basin.table::<M, N>()?),
         checks: vec![repeated(&operating, draw, following, &samples, progress)?],
@@ -180,6 +179,33 @@ fn wilson(hits: usize, count: usize) -> (f64, f64) {
     ((middle - half).max(0.0), (middle + half).min(1.0))
 }
 
+/// What is told of a basin.
+#[derive(Results)]
+pub(crate) struct ToldBasin {
+    /// of the starts that return to steady sliding
+    fraction: f64,
+    /// its 95 % interval
+    interval: [f64; 2],
+    samples: usize,
+    seed: u64,
+    distribution: &'static str,
+    /// where starts were drawn, coordinate by coordinate
+    within: ByName<[f64; 2]>,
+    /// how many starts became what
+    fates: ByName<usize>,
+}
+
+/// The keys of the summary.
+pub(crate) fn summary_keys() -> Vec<Declared> {
+    let fates = BECOMES.map(|(_, word)| key(word));
+    Declared::named(ToldBasin::declared(), "fates", &fates)
+}
+
+/// The words of what a motion becomes as a key.
+fn key(word: &str) -> String {
+    word.replace([' ', '-'], "_")
+}
+
 struct Basin<'a, S> {
     samples: &'a [Sample],
     draw: &'a Draw<'a>,
@@ -195,31 +221,24 @@ impl<S> Basin<'_, S> {
         self.samples.iter().filter(|sample| sample.fate == fate).count()
     }
 
-    fn scalars<M: Moving<N, System = S>, const N: usize>(&self) -> Map<String, Value> {
+    fn told<M: Moving<N, System = S>, const N: usize>(&self) -> ToldBasin {
         let decided = self.samples.len() - self.count(LOST);
         let returned = self.count(STEADY_SLIDING);
         let (lower, upper) = wilson(returned, decided);
-        let within: Map<String, Value> = M::COORDINATES
+        let within = M::COORDINATES
             .iter()
             .zip(self.draw.within)
-            .filter_map(|(coordinate, range)| range.map(|range| (coordinate.name.to_owned(), json!(range))))
-            .collect();
-        let fates: Map<String, Value> = BECOMES
-            .iter()
-            .map(|(code, word)| (word.replace([' ', '-'], "_"), json!(self.count(*code))))
-            .collect();
-        Map::from_iter([
-            ("fraction".to_owned(), number(returned as f64 / decided as f64)),
-            ("interval".to_owned(), json!([number(lower), number(upper)])),
-            ("samples".to_owned(), json!(self.samples.len())),
-            ("seed".to_owned(), json!(self.draw.seed)),
-            (
-                "distribution".to_owned(),
-                json!("uniform and independent; other coordinates as in steady sliding"),
-            ),
-            ("within".to_owned(), Value::Object(within)),
-            ("fates".to_owned(), Value::Object(fates)),
-        ])
+            .filter_map(|(coordinate, range)| Some((coordinate.name.to_owned(), (*range)?)));
+        let fates = BECOMES.iter().map(|(code, word)| (key(word), self.count(*code)));
+        ToldBasin {
+            fraction: returned as f64 / decided as f64,
+            interval: [lower, upper],
+            samples: self.samples.len(),
+            seed: self.draw.seed,
+            distribution: "uniform and independent; other coordinates as in steady sliding",
+            within: within.collect(),
+            fates: fates.collect(),
+        }
     }
 
     /// The start of every sample, coordinate by coordinate.

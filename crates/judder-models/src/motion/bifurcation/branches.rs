@@ -15,6 +15,7 @@ use judder_oscillator::cycle::{
 use judder_oscillator::hopf::{HopfPoint, growth_rate, growth_slope, hopf_point};
 use judder_study::Progress;
 use judder_study::case::scale::Scale;
+pub(super) use results::ToldBranches;
 use std::f64::consts::TAU;
 use std::sync::atomic::{AtomicUsize, Ordering};
 

@@ -7,15 +7,39 @@ use crate::motion::becomes::{BECOMES, CYCLE, LOST, UNCONFIRMED};
 use crate::motion::model::Coordinate;
 use crate::motion::settings::SweepDirection;
 use judder_numerics::words::plain;
-use judder_store::{Dataset, Table, Variable, number};
+use judder_store::{Dataset, Results, Table, Variable};
 use judder_study::axis::Axis;
-use serde_json::{Map, json};
 
 /// All sweeps along the axis.
 pub(super) struct Diagram<'a> {
     pub(super) axis: Axis,
     pub(super) directions: &'a [SweepDirection],
     pub(super) sweeps: &'a [Vec<Point>],
+}
+
+/// What is told of the motions of all sweeps.
+#[derive(Results)]
+#[results(columns(
+    direction,
+    becomes,
+    rms,
+    period,
+    quasi_steady_condition,
+    stick_fraction,
+    lift_off_fraction
+))]
+pub(super) struct ToldDiagram {
+    /// the swept key
+    key: String,
+    /// its values
+    value: Vec<f64>,
+    direction: Vec<&'static str>,
+    rms: Vec<f64>,
+    becomes: Vec<&'static str>,
+    period: Vec<f64>,
+    quasi_steady_condition: Vec<f64>,
+    stick_fraction: Vec<f64>,
+    lift_off_fraction: Vec<f64>,
 }
 
 impl Diagram<'_> {
@@ -69,20 +93,19 @@ impl Diagram<'_> {
         self.becomes().map(|becomes| BECOMES[usize::from(becomes)].1).collect()
     }
 
-    pub(super) fn scalars(&self, key: &str) -> Map<String, serde_json::Value> {
-        let numbers = |values: Vec<f64>| values.into_iter().map(number).collect::<Vec<_>>();
+    pub(super) fn told(&self, key: &str) -> ToldDiagram {
         let (value, direction) = self.places();
-        Map::from_iter([
-            ("key".to_owned(), json!(key)),
-            ("value".to_owned(), json!(value)),
-            ("direction".to_owned(), json!(direction)),
-            ("rms".to_owned(), json!(numbers(self.values(|s| s.rms)))),
-            ("becomes".to_owned(), json!(self.words())),
-            ("period".to_owned(), json!(numbers(self.period()))),
-            ("quasi_steady_condition".to_owned(), json!(numbers(self.quasi_steady_condition()))),
-            ("stick_fraction".to_owned(), json!(numbers(self.values(|s| s.stick_fraction)))),
-            ("lift_off_fraction".to_owned(), json!(numbers(self.values(|s| s.lift_off_fraction)))),
-        ])
+        ToldDiagram {
+            key: key.to_owned(),
+            value,
+            direction,
+            rms: self.values(|s| s.rms),
+            becomes: self.words(),
+            period: self.period(),
+            quasi_steady_condition: self.quasi_steady_condition(),
+            stick_fraction: self.values(|s| s.stick_fraction),
+            lift_off_fraction: self.values(|s| s.lift_off_fraction),
+        }
     }
 
     /// Every array; `coordinates` are those of a state.
@@ -148,18 +171,9 @@ impl Diagram<'_> {
         Ok(dataset)
     }
 
-    pub(super) fn table(&self) -> Result<Table, ModelError> {
-        let (value, direction) = self.places();
-        let words = |words: Vec<&str>| words.into_iter().map(str::to_owned).collect::<Vec<_>>();
-        Ok(Table::new()
-            .column(self.axis.name(), &self.axis.quantity.unit, value)?
-            .column("direction", "", words(direction))?
-            .column("becomes", "", words(self.words()))?
-            .column("rms", "1", self.values(|s| s.rms))?
-            .column("period", "1", self.period())?
-            .column("quasi_steady_condition", "1", self.quasi_steady_condition())?
-            .column("stick_fraction", "1", self.values(|s| s.stick_fraction))?
-            .column("lift_off_fraction", "1", self.values(|s| s.lift_off_fraction))?)
+    pub(super) fn table(&self, told: &ToldDiagram) -> Result<Table, ModelError> {
+        let axis = Table::new().column(self.axis.name(), &self.axis.quantity.unit, told.value.clone())?;
+        Ok(told.add_columns(axis)?)
     }
 
     /// How many motions could not be followed or confirmed.

@@ -5,7 +5,7 @@ mod branches;
 mod diagram;
 mod run;
 
-pub(super) use run::{Settings, run};
+pub(super) use run::{Settings, run, summary_keys};
 
 use super::pictures;
 use judder_study::case::analysis::Picture;

@@ -1,7 +1,7 @@
 //! `bifurcation`: what motions settle to along one key, up and down.
 
-use super::branches;
-use super::diagram::Diagram;
+use super::branches::{self, ToldBranches};
+use super::diagram::{Diagram, ToldDiagram};
 use crate::error::ModelError;
 use crate::motion::becomes::{CYCLE, becomes};
 use crate::motion::model::{Memory, Moving};
@@ -13,6 +13,7 @@ use judder_oscillator::cycle::{Confirmed, settle_confirmed};
 use judder_oscillator::motion::ContactState;
 use judder_oscillator::motion::attractor::{Patience, Settled};
 use judder_oscillator::quasi_steady;
+use judder_store::{Declared, Results};
 use judder_study::Progress;
 use judder_study::kept::Kept;
 use judder_study::outcome::{CheckRecord, Outcome};
@@ -114,10 +115,11 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
         .collect::<Result<_, _>>()?;
     let diagram = Diagram { axis: M::axis(settings.sweep), directions: direction.sweeps(), sweeps: &sweeps };
     let lost = sweeps.iter().flatten().filter(|point| point.is_err()).count();
+    let told = diagram.told(&settings.sweep.path);
     let mut outcome = Outcome {
-        scalars: diagram.scalars(&settings.sweep.path),
+        scalars: told.scalars(),
         dataset: diagram.dataset(&M::COORDINATES)?.attribute("kind", "bifurcation")?,
-        table: Some(diagram.table()?),
+        table: Some(diagram.table(&told)?),
         checks: repeated(model, settings, &sweeps, progress)?.into_iter().collect(),
         warnings: diagram.warnings(),
         missing: lost,
@@ -126,12 +128,21 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
     if settings.branches {
         let simulated = diagram.cycles();
         let branches = branches::follow(model, (settings.sweep, settings.following), &simulated, progress)?;
-        outcome.scalars.extend(branches.scalars());
+        outcome.scalars.extend(branches.told().scalars());
         outcome.dataset = branches.add_arrays(outcome.dataset)?;
         outcome.checks.extend(branches.check());
         outcome.warnings.extend(branches.warnings());
     }
     Ok(outcome)
+}
+
+/// The keys of the summary, with branches or without.
+pub(crate) fn summary_keys(has_branches: bool) -> Vec<Declared> {
+    let mut keys = ToldDiagram::declared();
+    if has_branches {
+        keys.extend(ToldBranches::declared());
+    }
+    keys
 }
 
 /// One sweep; its points stand in the order of the axis, whichever way it goes.

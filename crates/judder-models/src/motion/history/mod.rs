@@ -3,7 +3,7 @@
 pub(super) mod run;
 mod watched;
 
-pub(super) use run::run;
+pub(super) use run::{run, summary_keys};
 
 use super::pictures;
 use judder_study::case::analysis::Picture;

@@ -10,11 +10,10 @@ use judder_oscillator::motion::history::{
     MotionHistory, Oscillation, StateSample, TimeWindow, follow, follow_watched,
 };
 use judder_oscillator::motion::{ContactState, SlidingSystem};
-use judder_store::{Dataset, Table, Variable, number};
+use judder_store::{Dataset, Declared, Results, Table, Variable};
 use judder_study::Progress;
 use judder_study::model::MotionBlock;
 use judder_study::outcome::{CheckRecord, Outcome};
-use serde_json::{Map, Value, json};
 
 /// What the works may leave of the change of energy, over the largest of them.
 const ENERGY_LIMIT: f64 = 1e-4;
@@ -48,9 +47,8 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
         }
     };
     progress.advance();
-    let mut scalars = scalars::<M, N>(&operating, &history);
-    scalars.insert("duration".to_owned(), number(window.duration));
-    scalars.insert("transient".to_owned(), number(window.transient));
+    let mut scalars = told::<M, N>(&operating, &history).scalars();
+    scalars.extend(ToldWindow { duration, transient }.scalars());
     let arrays = Arrays::<M, N> { operating: &operating, history: &history };
     Ok(Outcome {
         scalars,
@@ -66,31 +64,81 @@ fn moves<const N: usize>(system: &impl SlidingSystem<N>, history: &MotionHistory
     history.measures.rms() > AT_REST * system.scales()[0]
 }
 
+/// What is told of a motion.
+#[derive(Results)]
+pub(crate) struct ToldMotion {
+    rms: f64,
+    mean: f64,
+    /// of a cycle; the mean time of an oscillation where there is none
+    pub(crate) period: Option<f64>,
+    pub(crate) repeats: bool,
+    stick_fraction: f64,
+    slip_ahead_fraction: f64,
+    lift_off_fraction: f64,
+    pub(crate) oscillations: usize,
+    /// of the contact state
+    changes: usize,
+    steps: usize,
+    energy: ToldEnergy,
+    #[result(optional)]
+    quasi_steady: Option<ToldMemory>,
+}
+
+/// Where energy came from and went, in units of k_x x0².
+#[derive(Results)]
+struct ToldEnergy {
+    substrate: f64,
+    sliding: f64,
+    friction: f64,
+    normal: f64,
+    damping: f64,
+    change: f64,
+    residual: f64,
+}
+
+/// The paper's condition for its law: its largest magnitude, and the shares of the time in which it is above 0.1 and 1.
+#[derive(Results)]
+struct ToldMemory {
+    largest: f64,
+    #[result(summary = "above_0.1")]
+    above_tenth: f64,
+    above_1: f64,
+}
+
+/// What is told of the time over which a motion was followed.
+#[derive(Results)]
+struct ToldWindow {
+    duration: f64,
+    transient: f64,
+}
+
+/// The keys of the summary of a motion.
+pub(crate) fn summary_keys() -> Vec<Declared> {
+    [ToldMotion::declared(), ToldWindow::declared()].concat()
+}
+
 /// What `summary.json` shows of a history.
-pub(crate) fn scalars<M: Moving<N>, const N: usize>(
+pub(crate) fn told<M: Moving<N>, const N: usize>(
     operating: &Operating<M::System>,
     history: &MotionHistory<N>,
-) -> Map<String, Value> {
+) -> ToldMotion {
     let measures = &history.measures;
     let oscillations = if moves(&operating.system, history) { history.oscillations.as_slice() } else { &[] };
     let period = period(&operating.system, oscillations);
-    let mut scalars = Map::from_iter([
-        ("rms".to_owned(), number(measures.rms())),
-        ("mean".to_owned(), number(operating.system.steady_sliding()[0] + measures.mean())),
-        ("period".to_owned(), period.map_or(Value::Null, |(period, _)| number(period))),
-        ("repeats".to_owned(), json!(period.is_some_and(|(_, repeats)| repeats))),
-        ("stick_fraction".to_owned(), number(measures.fraction(ContactState::Stick))),
-        ("slip_ahead_fraction".to_owned(), number(measures.fraction(ContactState::SlipAhead))),
-        ("lift_off_fraction".to_owned(), number(measures.fraction(ContactState::LiftOff))),
-        ("oscillations".to_owned(), json!(oscillations.len())),
-        ("changes".to_owned(), json!(measures.changes)),
-        ("steps".to_owned(), json!(history.steps)),
-        ("energy".to_owned(), energy(history)),
-    ]);
-    if let Some(memory) = M::memory(&operating.system) {
-        scalars.insert("quasi_steady".to_owned(), quasi_steady(&memory, oscillations));
+    ToldMotion {
+        rms: measures.rms(),
+        mean: operating.system.steady_sliding()[0] + measures.mean(),
+        period: period.map(|(period, _)| period),
+        repeats: period.is_some_and(|(_, repeats)| repeats),
+        stick_fraction: measures.fraction(ContactState::Stick),
+        slip_ahead_fraction: measures.fraction(ContactState::SlipAhead),
+        lift_off_fraction: measures.fraction(ContactState::LiftOff),
+        oscillations: oscillations.len(),
+        changes: measures.changes,
+        steps: history.steps,
+        energy: energy(history),
+        quasi_steady: M::memory(&operating.system).map(|memory| quasi_steady(&memory, oscillations)),
     }
-    scalars
 }
 
 /// The period, and whether the motion repeats itself in it; else the mean time of an oscillation. `None` without any.
@@ -109,14 +157,17 @@ fn period<const N: usize>(
     })
 }
 
-/// Where energy came from and went, in units of k_x x0².
-fn energy<const N: usize>(history: &MotionHistory<N>) -> Value {
+fn energy<const N: usize>(history: &MotionHistory<N>) -> ToldEnergy {
     let work = &history.measures.work;
-    json!({
-        "substrate": number(work.substrate), "sliding": number(work.friction - work.substrate),
-        "friction": number(work.friction), "normal": number(work.normal), "damping": number(work.damping),
-        "change": number(history.energy_change), "residual": number(history.energy_residual()),
-    })
+    ToldEnergy {
+        substrate: work.substrate,
+        sliding: work.friction - work.substrate,
+        friction: work.friction,
+        normal: work.normal,
+        damping: work.damping,
+        change: history.energy_change,
+        residual: history.energy_residual(),
+    }
 }
 
 /// That of the work; `None` where so little moved that the steps do not resolve it.
@@ -137,8 +188,7 @@ fn condition<const N: usize>(memory: &Memory, oscillation: &Oscillation<N>) -> f
     oscillation.quasi_steady_condition(memory.belt_velocity, memory.retardation_time)
 }
 
-/// The paper's condition for its law: its largest magnitude, and the shares of the time in which it is above 0.1 and 1.
-fn quasi_steady<const N: usize>(memory: &Memory, oscillations: &[Oscillation<N>]) -> Value {
+fn quasi_steady<const N: usize>(memory: &Memory, oscillations: &[Oscillation<N>]) -> ToldMemory {
     let time: f64 = oscillations.iter().map(|o| o.period).sum();
     let above = |limit: f64| {
         let beyond = oscillations.iter().filter(|o| condition(memory, o).abs() > limit);
@@ -146,7 +196,7 @@ fn quasi_steady<const N: usize>(memory: &Memory, oscillations: &[Oscillation<N>]
         beyond.fold(0.0, |sum, o| sum + o.period) / time
     };
     let largest = oscillations.iter().map(|o| condition(memory, o).abs()).fold(f64::NAN, f64::max);
-    json!({ "largest": number(largest), "above_0.1": number(above(0.1)), "above_1": number(above(1.0)) })
+    ToldMemory { largest, above_tenth: above(0.1), above_1: above(1.0) }
 }
 
 /// A history as arrays.

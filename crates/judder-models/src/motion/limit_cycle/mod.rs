@@ -2,8 +2,8 @@
 
 mod run;
 
-pub(super) use run::run;
 pub(crate) use run::shooting;
+pub(super) use run::{run, summary_keys};
 
 use super::pictures;
 use judder_study::case::analysis::Picture;

@@ -1,17 +1,16 @@
 //! `limit-cycle`: the cycle that a motion settles to, made exact by Newton's method.
 
 use crate::error::ModelError;
-use crate::motion::history::run::{Arrays, energy_check, scalars};
+use crate::motion::history::run::{Arrays, ToldMotion, energy_check, told};
 use crate::motion::model::{Moving, Operating};
 use crate::motion::settings::{Following, MotionStart};
 use judder_oscillator::cycle::shooting::{Cycle, Shooting, from_simulation};
 use judder_oscillator::motion::SlidingSystem;
 use judder_oscillator::motion::attractor::Patience;
 use judder_oscillator::motion::history::follow_cycle;
-use judder_store::{Variable, number};
+use judder_store::{Complex64, Declared, Results, Variable};
 use judder_study::Progress;
 use judder_study::outcome::{CheckRecord, Outcome};
-use serde_json::{Map, Value, json};
 
 /// The distance of the return from the start that is asked, over the local tolerance: what a period of steps leaves.
 const RETURN: f64 = 100.0;
@@ -43,8 +42,12 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
     let (returns, period) = (cycle.oscillations, cycle.period());
     let history = follow_cycle(&operating.system, cycle.start, settings, returns, period, POINTS)?;
     progress.advance();
-    let mut scalars = scalars::<M, N>(&operating, &history);
-    scalars.extend(of_cycle(&cycle));
+    let mut told = told::<M, N>(&operating, &history);
+    told.period = Some(cycle.period());
+    told.repeats = true;
+    told.oscillations = cycle.oscillations;
+    let mut scalars = told.scalars();
+    scalars.extend(ToldCycle::new(&cycle).scalars());
     let arrays = Arrays::<M, N> { operating: &operating, history: &history };
     let multipliers = Variable::new("floquet_multipliers", &["multiplier"], &[N], cycle.multipliers.clone())
         .units("1")
@@ -77,18 +80,34 @@ pub(crate) fn shooting<S: SlidingSystem<N>, const N: usize>(
     }
 }
 
-fn of_cycle<const N: usize>(cycle: &Cycle<N>) -> Map<String, Value> {
-    let multipliers: Vec<[f64; 2]> = cycle.multipliers.iter().map(|m| [m.re, m.im]).collect();
-    let pattern: Vec<String> = cycle.around.pattern.iter().map(ToString::to_string).collect();
-    Map::from_iter([
-        ("period".to_owned(), number(cycle.period())),
-        ("repeats".to_owned(), json!(true)),
-        ("oscillations".to_owned(), json!(cycle.oscillations)),
-        ("floquet_multipliers".to_owned(), json!(multipliers)),
-        ("stable".to_owned(), json!(cycle.is_stable())),
-        ("residual".to_owned(), number(cycle.residual)),
-        ("newton_iterations".to_owned(), json!(cycle.iterations)),
-        ("pattern".to_owned(), json!(pattern)),
-        ("start".to_owned(), json!(cycle.start.to_vec())),
-    ])
+/// What is told of a cycle besides.
+#[derive(Results)]
+struct ToldCycle {
+    floquet_multipliers: Vec<Complex64>,
+    stable: bool,
+    /// of the return
+    residual: f64,
+    newton_iterations: usize,
+    /// the contact states one after the other
+    pattern: Vec<String>,
+    /// a state on it
+    start: Vec<f64>,
+}
+
+/// The keys of the summary.
+pub(crate) fn summary_keys() -> Vec<Declared> {
+    [ToldMotion::declared(), ToldCycle::declared()].concat()
+}
+
+impl ToldCycle {
+    fn new<const N: usize>(cycle: &Cycle<N>) -> Self {
+        Self {
+            floquet_multipliers: cycle.multipliers.clone(),
+            stable: cycle.is_stable(),
+            residual: cycle.residual,
+            newton_iterations: cycle.iterations,
+            pattern: cycle.around.pattern.iter().map(ToString::to_string).collect(),
+            start: cycle.start.to_vec(),
+        }
+    }
 }

@@ -11,6 +11,7 @@ use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::settings::{CriticalThresholds, Sought, thresholds};
 use crate::swept_keys::OscillatorKeys;
+use judder_store::Declared;
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Task};
 use judder_study::outcome::Outcome;
@@ -48,6 +49,10 @@ pub(crate) const OF_LOAD: Kind<OscillatorKeys, Arc<dyn Operated>> = Kind {
 impl Analysis<OscillatorCase> for CriticalThresholds {
     fn steps(&self) -> usize {
         points_of_curves(&self.sweep, self.family.as_ref())
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        run::summary_keys(self)
     }
 
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {

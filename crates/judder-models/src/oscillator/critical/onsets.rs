@@ -3,10 +3,10 @@
 use super::run::Found;
 use crate::axis::Curves;
 use crate::error::ModelError;
-use crate::oscillator::margins::{self, Margin, Onset, TOLD};
-use judder_store::{Dataset, Table, Variable, number};
+use crate::oscillator::margins::{self, Margin, Onset, TOLD, ToldBasin, ToldSearch};
+use judder_store::{Dataset, Declared, Table, Told, Variable};
 use judder_study::axis::Axis;
-use serde_json::{Map, Value, json};
+use serde_json::{Map, Value};
 
 /// A number of a threshold: its name in results, what it is, whether it has the unit of the threshold or that of its inverse.
 struct Number {
@@ -105,6 +105,17 @@ fn branch_end(onset: &Onset) -> Option<&str> {
     Some(&onset.margin.as_ref()?.own.as_ref()?.end)
 }
 
+/// The keys that [`add_scalars`] adds to the summary of a curve.
+pub(super) fn keys(global_margin: bool) -> Vec<Declared> {
+    let word = |name: &'static str| (name, String::kind());
+    let of_margin =
+        [word("branch_end"), word("told"), ("search", ToldSearch::kind()), ("basin", ToldBasin::kind())];
+    let numbers = numbers(global_margin).map(|entry| (entry.name, f64::kind()));
+    let all = [word("criticality"), word("stable_side")].into_iter().chain(numbers);
+    let all = all.chain(of_margin.into_iter().filter(|_| global_margin));
+    all.map(|(name, kind)| Declared::new(name, kind.list().list())).collect()
+}
+
 /// Adds to the scalars of a curve, an entry for each threshold of the full system, nested like those.
 pub(super) fn add_scalars(scalars: &mut Map<String, Value>, curve: &[Found], global_margin: bool) {
     let mut add = |name: &str, of: &dyn Fn(&Onset) -> Value| {
@@ -112,18 +123,18 @@ pub(super) fn add_scalars(scalars: &mut Map<String, Value>, curve: &[Found], glo
         let lists = curve.iter().map(|found| found.onsets.iter().map(of).collect::<Value>());
         scalars.insert(name.to_owned(), lists.collect());
     };
-    add("criticality", &|onset| json!(CRITICALITY[usize::from(criticality(onset))].1));
-    add("stable_side", &|onset| json!(STABLE_SIDE[usize::from(stable_side(onset))].1));
+    add("criticality", &|onset| CRITICALITY[usize::from(criticality(onset))].1.told());
+    add("stable_side", &|onset| STABLE_SIDE[usize::from(stable_side(onset))].1.told());
     for entry in numbers(global_margin) {
-        add(entry.name, &|onset| (entry.of)(onset).map_or(Value::Null, number));
+        add(entry.name, &|onset| (entry.of)(onset).told());
     }
     if global_margin {
         let of =
             |of: fn(&Margin) -> Value| move |onset: &Onset| onset.margin.as_ref().map_or(Value::Null, of);
-        add("branch_end", &|onset| json!(branch_end(onset)));
-        add("told", &of(|margin| json!(margin.search.told.words())));
-        add("search", &of(|margin| margin.search.summary()));
-        add("basin", &of(|margin| margin.search.basin()));
+        add("branch_end", &|onset| branch_end(onset).map(str::to_owned).told());
+        add("told", &of(|margin| margin.search.told.words().told()));
+        add("search", &of(|margin| margin.search.summary().told()));
+        add("basin", &of(|margin| margin.search.basin().told()));
     }
 }
 

@@ -1,7 +1,7 @@
 //! Thresholds along one key (Figs. 7, 8).
 
 use super::{onsets, within_law};
-use crate::axis::{self, Curves};
+use crate::axis::{self, Curves, keys_of_curves};
 use crate::bridge;
 use crate::checks;
 use crate::error::ModelError;
@@ -13,12 +13,11 @@ use judder_keys::numeric_key::{Form, Value};
 use judder_oscillator::Contact;
 use judder_oscillator::critical::{ParameterRange, RangeScale, Thresholds, thresholds};
 use judder_oscillator::undecided::{Undecided, undecided};
-use judder_store::{Dataset, Table, Variable};
+use judder_store::{Dataset, Declared, Results, Table, Variable};
 use judder_study::Progress;
 use judder_study::axis::Axis;
 use judder_study::outcome::Outcome;
 use rayon::prelude::*;
-use serde_json::{Map, json};
 
 /// Samples of the search a decade of its range.
 const SAMPLES_PER_DECADE: f64 = 40.0;
@@ -130,6 +129,26 @@ fn at_point(
     Found { inputs, thresholds, onsets, within_law }
 }
 
+/// What is told of the thresholds of a curve, a list of them a value.
+#[derive(Results)]
+struct ToldCurve {
+    value: Vec<f64>,
+    full: Vec<Vec<f64>>,
+    conservative: Vec<Vec<f64>>,
+}
+
+/// Where they were sought.
+#[derive(Results)]
+struct ToldRange {
+    within: [f64; 2],
+}
+
+/// The keys of the summary.
+pub(super) fn summary_keys(settings: &CriticalThresholds) -> Vec<Declared> {
+    let curve = [ToldCurve::declared(), onsets::keys(settings.global_margin), within_law::keys()].concat();
+    [keys_of_curves(settings.family.is_some(), curve), ToldRange::declared()].concat()
+}
+
 fn assemble(
     settings: &CriticalThresholds,
     (axis, curves): (&Axis, &Curves),
@@ -147,18 +166,15 @@ fn assemble(
     }
     let scalars = found.chunks(axis.values.len()).map(|curve| {
         let list = |pick: fn(&Thresholds) -> &Vec<f64>| {
-            curve.iter().map(|found| json!(pick(&found.thresholds))).collect::<Vec<_>>()
+            curve.iter().map(|found| pick(&found.thresholds).clone()).collect::<Vec<_>>()
         };
-        let mut scalars = Map::from_iter([
-            ("value".to_owned(), json!(axis.values)),
-            ("full".to_owned(), json!(list(|t| &t.full))),
-            ("conservative".to_owned(), json!(list(|t| &t.conservative))),
-        ]);
+        let (full, conservative) = (list(|t| &t.full), list(|t| &t.conservative));
+        let mut scalars = ToldCurve { value: axis.values.clone(), full, conservative }.scalars();
         onsets::add_scalars(&mut scalars, curve, global_margin);
         scalars
     });
     let mut scalars = curves.scalars(scalars.collect());
-    scalars.insert("within".to_owned(), json!([within.from, within.to]));
+    scalars.extend(ToldRange { within: [within.from, within.to] }.scalars());
     let (label, unit) = label(sought, within.form);
     let dataset = roots((axis, curves), found, (label, unit))?;
     let dataset = onsets::add_arrays(dataset, (axis, curves), found, unit, global_margin)?;

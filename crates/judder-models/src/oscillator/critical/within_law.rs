@@ -5,10 +5,10 @@ use crate::axis::Curves;
 use crate::error::ModelError;
 use judder_oscillator::critical::Thresholds;
 use judder_oscillator::undecided::{Ranges, Undecided};
-use judder_store::{Dataset, Table, Variable};
+use judder_store::{Dataset, Declared, Table, Told, Variable};
 use judder_study::axis::Axis;
 use judder_study::outcome::Outcome;
-use serde_json::{Map, Value, json};
+use serde_json::{Map, Value};
 
 /// A system of thresholds: its name in results, its ranges.
 type System = (&'static str, fn(&Undecided) -> &Ranges);
@@ -30,12 +30,25 @@ pub(super) fn add(
     Ok(())
 }
 
+/// The key of the ranges of a system.
+fn key(system: &str) -> String {
+    format!("{system}_within_law")
+}
+
+/// The keys that [`add`] adds to the summary of a curve, if its law has errors.
+pub(super) fn keys() -> Vec<Declared> {
+    let declared = |(system, _): System| Declared {
+        is_optional: true,
+        ..Declared::new(key(system), Vec::<Ranges>::kind())
+    };
+    SYSTEMS.map(declared).to_vec()
+}
+
 /// Adds to the scalars of a curve a list of ranges a value, `null` where nothing is known of the errors of the law.
 fn add_scalars(scalars: &mut Map<String, Value>, curve: &[Found]) {
     for (system, of) in SYSTEMS {
-        let ranges =
-            curve.iter().map(|found| found.within_law.as_ref().map_or(Value::Null, |w| json!(of(w))));
-        scalars.insert(format!("{system}_within_law"), ranges.collect());
+        let ranges = curve.iter().map(|found| found.within_law.as_ref().map(of).told());
+        scalars.insert(key(system), ranges.collect());
     }
 }
 

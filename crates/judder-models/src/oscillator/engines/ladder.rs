@@ -1,9 +1,8 @@
 //! One engine along its steps or widths, against the cycle by events.
 
 use super::run::{BECOMES, Reached};
-use judder_store::{Dataset, StoreError, Variable, number};
+use judder_store::{Dataset, Results, StoreError, Variable};
 use judder_study::outcome::CheckRecord;
-use serde_json::{Value, json};
 
 /// Relative error of rms and period below which an engine is on the same cycle: coarser, it may fall to another one.
 const SAME_CYCLE: f64 = 1e-3;
@@ -66,6 +65,19 @@ pub(super) struct Row {
     pub(super) errors: [f64; 2],
 }
 
+/// What is told of the points of an engine.
+#[derive(Results)]
+pub(super) struct ToldErrors {
+    rms_error: Vec<f64>,
+    period_error: Vec<f64>,
+    /// points on the same cycle
+    points: usize,
+    /// how fast the errors fall
+    order: Option<f64>,
+    /// error of the two finest points, extrapolated
+    extrapolated: Option<f64>,
+}
+
 /// What the finest points of a ladder tell.
 struct Convergence {
     /// Points that are on the same cycle.
@@ -101,17 +113,17 @@ impl Ladder {
         Some(Convergence { points, order: covariance / variance, extrapolated })
     }
 
-    pub(super) fn scalars(&self, reference: [f64; 2]) -> Value {
+    pub(super) fn told(&self, reference: [f64; 2]) -> ToldErrors {
         let convergence = self.convergence(reference);
-        let of =
-            |pick: fn(&Convergence) -> f64| convergence.as_ref().map_or(Value::Null, |c| number(pick(c)));
         let errors = self.errors(reference);
-        let column = |k: usize| errors.iter().map(|errors| number(errors[k])).collect::<Vec<_>>();
-        json!({
-            self.engine.varied()[0]: self.values, "rms_error": column(0), "period_error": column(1),
-            "points": convergence.as_ref().map_or(0, |c| c.points), "order": of(|c| c.order),
-            "extrapolated": of(|c| c.extrapolated),
-        })
+        let column = |k: usize| errors.iter().map(|errors| errors[k]).collect();
+        ToldErrors {
+            rms_error: column(0),
+            period_error: column(1),
+            points: convergence.as_ref().map_or(0, |c| c.points),
+            order: convergence.as_ref().map(|c| c.order),
+            extrapolated: convergence.as_ref().map(|c| c.extrapolated),
+        }
     }
 
     pub(super) fn add_to(&self, dataset: Dataset, reference: [f64; 2]) -> Result<Dataset, StoreError> {

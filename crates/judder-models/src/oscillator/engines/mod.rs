@@ -15,9 +15,11 @@ use crate::oscillator::engines::settings::EnginesSettings;
 use crate::swept_keys::OscillatorKeys;
 use judder_keys::declared::Settings;
 use judder_keys::numeric_key::Form;
+use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Task};
 use judder_study::outcome::Outcome;
+use run::ToldCycle;
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;
 
@@ -37,6 +39,10 @@ pub(crate) const KIND: Kind<OscillatorKeys, Arc<dyn Operated>> = Kind {
 impl Analysis<OscillatorCase> for EnginesSettings {
     fn steps(&self) -> usize {
         run::steps(self)
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        ToldCycle::declared()
     }
 
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {

@@ -1,6 +1,6 @@
 //! `engines`: the cycle that a motion settles to, by events, by time-stepping and with a smoothed sign.
 
-use super::ladder::{self, Engine, Ladder};
+use super::ladder::{self, Engine, Ladder, ToldErrors};
 use crate::error::ModelError;
 use crate::motion::limit_cycle::shooting;
 use crate::motion::model::{Moving, Operating, OscillatorModel};
@@ -14,11 +14,10 @@ use judder_oscillator::motion::{
     ContactState, Interrupted, SlidingSystem, Smoothed, StickSlip, TimeStepping,
 };
 use judder_oscillator::{Contact, OscillatorError};
-use judder_store::{Dataset, Table, Variable, number};
+use judder_store::{Complex64, Dataset, Results, Table, Variable};
 use judder_study::Progress;
 use judder_study::outcome::Outcome;
 use rayon::prelude::*;
-use serde_json::{Map, Value, json};
 
 /// Periods of the cycle that an engine is followed, and the last of them, which are measured.
 const PERIODS: usize = 6;
@@ -178,26 +177,34 @@ fn all(
 
 fn outcome(cycle: &Cycle<4>, ladders: &[Ladder; 2], typical: &Reached) -> Result<Outcome, ModelError> {
     let reference = [cycle.around.measures.rms(), cycle.period()];
-    let mut scalars = of_cycle(cycle, reference);
     let mut dataset = Dataset::new();
     let mut table = Vec::new();
     let (mut checks, mut warnings, mut missing) = (Vec::new(), Vec::new(), 0);
     for ladder in ladders {
-        scalars.insert(ladder.engine.name().to_owned(), ladder.scalars(reference));
         dataset = ladder.add_to(dataset, reference)?;
         table.extend(ladder.rows(reference));
         missing += ladder.lost();
         checks.extend(ladder.checks(reference));
         warnings.extend(ladder.warnings(reference));
     }
-    let error = |value: f64, exact: f64| number(value / exact - 1.0);
-    scalars.insert(
-        "typical".to_owned(),
-        json!({
-            "width": TYPICAL, "becomes": BECOMES[usize::from(typical.becomes)].1,
-            "rms_error": error(typical.rms, reference[0]), "period_error": error(typical.period, reference[1]),
-        }),
-    );
+    let [by_steps, by_widths] = ladders;
+    let told = ToldCycle {
+        rms: reference[0],
+        period: reference[1],
+        oscillations: cycle.oscillations,
+        stick_fraction: cycle.fraction(ContactState::Stick),
+        lift_off_fraction: cycle.fraction(ContactState::LiftOff),
+        floquet_multipliers: cycle.multipliers.clone(),
+        residual: cycle.residual,
+        time_stepping: ToldSteps { time_step: by_steps.values.clone(), errors: by_steps.told(reference) },
+        smoothed: ToldWidths { width: by_widths.values.clone(), errors: by_widths.told(reference) },
+        typical: ToldPoint {
+            width: TYPICAL,
+            becomes: BECOMES[usize::from(typical.becomes)].1,
+            rms_error: typical.rms / reference[0] - 1.0,
+            period_error: typical.period / reference[1] - 1.0,
+        },
+    };
     let reference = Variable::new("reference", &["quantity"], &[2], reference.to_vec())
         .units("1")
         .long_name("rms of x about its mean and period of the cycle, by events");
@@ -213,7 +220,7 @@ fn outcome(cycle: &Cycle<4>, ladders: &[Ladder; 2], typical: &Reached) -> Result
         .column("period", "1", column(|row| row.period))?
         .column("period_error", "1", column(|row| row.errors[1]))?;
     Ok(Outcome {
-        scalars,
+        scalars: told.scalars(),
         dataset: dataset
             .with(reference)?
             .attribute("kind", "engines")?
@@ -226,15 +233,43 @@ fn outcome(cycle: &Cycle<4>, ladders: &[Ladder; 2], typical: &Reached) -> Result
     })
 }
 
-fn of_cycle(cycle: &Cycle<4>, [rms, period]: [f64; 2]) -> Map<String, Value> {
-    let multipliers: Vec<[f64; 2]> = cycle.multipliers.iter().map(|m| [m.re, m.im]).collect();
-    Map::from_iter([
-        ("rms".to_owned(), number(rms)),
-        ("period".to_owned(), number(period)),
-        ("oscillations".to_owned(), json!(cycle.oscillations)),
-        ("stick_fraction".to_owned(), number(cycle.fraction(ContactState::Stick))),
-        ("lift_off_fraction".to_owned(), number(cycle.fraction(ContactState::LiftOff))),
-        ("floquet_multipliers".to_owned(), json!(multipliers)),
-        ("residual".to_owned(), number(cycle.residual)),
-    ])
+/// What is told of the cycle, and of what other engines find.
+#[derive(Results)]
+pub(super) struct ToldCycle {
+    rms: f64,
+    period: f64,
+    oscillations: usize,
+    stick_fraction: f64,
+    lift_off_fraction: f64,
+    floquet_multipliers: Vec<Complex64>,
+    residual: f64,
+    time_stepping: ToldSteps,
+    smoothed: ToldWidths,
+    /// a width as others take it
+    typical: ToldPoint,
+}
+
+/// An engine along its steps.
+#[derive(Results)]
+struct ToldSteps {
+    time_step: Vec<f64>,
+    #[result(flatten)]
+    errors: ToldErrors,
+}
+
+/// An engine along its widths.
+#[derive(Results)]
+struct ToldWidths {
+    width: Vec<f64>,
+    #[result(flatten)]
+    errors: ToldErrors,
+}
+
+/// An engine with one width.
+#[derive(Results)]
+struct ToldPoint {
+    width: f64,
+    becomes: &'static str,
+    rms_error: f64,
+    period_error: f64,
 }

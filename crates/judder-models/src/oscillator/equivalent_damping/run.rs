@@ -9,12 +9,18 @@ use crate::oscillator::law_errors::{self, Erring};
 use crate::oscillator::steady_states::{SteadyState, along, failure_warning, validity_warnings};
 use crate::sweep::{Family, Sweep};
 use judder_oscillator::Contact;
-use judder_store::{Dataset, Table, Variable};
+use judder_store::{Dataset, Results, Table, Variable};
 use judder_study::Progress;
 use judder_study::outcome::Outcome;
-use serde_json::{Map, json};
 
-const EQUIVALENT_DAMPING: Erring = Erring {
+/// What is told of a curve.
+#[derive(Results)]
+pub(super) struct ToldDamping {
+    value: Vec<f64>,
+    equivalent_damping: Vec<f64>,
+}
+
+pub(super) const EQUIVALENT_DAMPING: Erring = Erring {
     name: "equivalent_damping_error",
     long_name: "how far ξ_eq may be off by the errors of the contact law",
     of: |_, within| Some(within.equivalent_damping_error()),
@@ -37,11 +43,8 @@ pub(super) fn run(
             .iter()
             .map(|s| s.as_ref().map_or(f64::NAN, |s| s.linearisation.equivalent_damping()))
             .collect();
-        let mut curve = Map::new();
-        curve.insert("value".to_owned(), json!(axis.values));
-        curve.insert("equivalent_damping".to_owned(), json!(values));
-        scalars.push(curve);
-        damping.extend(values);
+        damping.extend(values.iter().copied());
+        scalars.push(ToldDamping { value: axis.values.clone(), equivalent_damping: values }.scalars());
         states.extend(line.into_iter().map(Result::ok));
     }
     let known: Vec<SteadyState> = states.iter().flatten().copied().collect();

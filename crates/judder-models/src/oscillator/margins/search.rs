@@ -2,9 +2,8 @@
 
 use super::{Crossing, Onset, OwnBranch};
 use judder_oscillator::cycle::{Continuation, CycleError, Exploration, Look, SearchEnd, explore};
-use judder_store::number;
+use judder_store::Results;
 use judder_study::Progress;
-use serde_json::{Value, json};
 
 /// What a search tells of the stable points beyond all that is known.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -73,10 +72,10 @@ impl Search {
     }
 
     /// The basin a little before the farthest: where, how many starts, and what became of them.
-    pub(crate) fn basin(&self) -> Value {
-        self.before.map_or(Value::Null, |look| {
+    pub(crate) fn basin(&self) -> Option<ToldBasin> {
+        self.before.map(|look| {
             let Look { parameter, starts, moved, undecided } = look;
-            json!({ "value": number(parameter), "starts": starts, "moving": moved, "undecided": undecided })
+            ToldBasin { value: parameter, starts, moving: moved, undecided }
         })
     }
 
@@ -91,17 +90,39 @@ impl Search {
     }
 
     /// Where was looked beyond it, and how.
-    pub(crate) fn summary(&self) -> Value {
-        let places: Vec<Value> = self.beyond.iter().map(|look| number(look.parameter)).collect();
+    pub(crate) fn summary(&self) -> ToldSearch {
         let sum = |of: fn(&Look) -> usize| self.beyond.iter().map(of).sum::<usize>();
-        json!({
-            "found": self.moves,
-            "places": places,
-            "starts": sum(|look| look.starts),
-            "undecided": sum(|look| look.undecided),
-            "stopped": self.stopped,
-        })
+        ToldSearch {
+            found: self.moves,
+            places: self.beyond.iter().map(|look| look.parameter).collect(),
+            starts: sum(|look| look.starts),
+            undecided: sum(|look| look.undecided),
+            stopped: self.stopped.clone(),
+        }
     }
+}
+
+/// What is told of a basin.
+#[derive(Results)]
+pub(crate) struct ToldBasin {
+    /// where the starts were followed
+    value: f64,
+    starts: usize,
+    moving: usize,
+    undecided: usize,
+}
+
+/// What is told of a search.
+#[derive(Results)]
+pub(crate) struct ToldSearch {
+    /// new motions
+    found: usize,
+    /// where was looked beyond them
+    places: Vec<f64>,
+    starts: usize,
+    undecided: usize,
+    /// why it was
+    stopped: Option<String>,
 }
 
 impl Told {

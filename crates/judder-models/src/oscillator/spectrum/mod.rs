@@ -2,18 +2,21 @@
 
 mod run;
 
-pub(crate) use run::{Spectra, outcome};
+pub(crate) use run::{Spectra, ToldSpectra, outcome};
 
 use super::{Operated, Subject, curves, ends_of_curves, points_of_curves};
+use crate::axis::keys_of_curves;
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost};
 use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::settings::{self, SpectrumCurves};
 use crate::swept_keys::OscillatorKeys;
+use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Task};
 use judder_study::outcome::Outcome;
+use run::GROWTH_RATE;
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;
 
@@ -33,6 +36,11 @@ pub(crate) const KIND: Kind<OscillatorKeys, Arc<dyn Operated>> = Kind {
 impl Analysis<OscillatorCase> for SpectrumCurves {
     fn steps(&self) -> usize {
         points_of_curves(&self.sweep, self.family.as_ref())
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        let curve = [ToldSpectra::declared(), GROWTH_RATE.keys()].concat();
+        keys_of_curves(self.family.is_some(), curve)
     }
 
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {

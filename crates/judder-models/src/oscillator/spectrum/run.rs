@@ -11,12 +11,11 @@ use crate::sweep::{Family, Sweep};
 use judder_oscillator::conservative::conservative_eigenvalues;
 use judder_oscillator::spectrum::{eigenvalues, growth_rate};
 use judder_oscillator::{Contact, LinearSystem};
-use judder_store::{Dataset, Table, Variable};
+use judder_store::{Dataset, Results, Table, Variable};
 use judder_study::Progress;
 use judder_study::axis::Axis;
 use judder_study::outcome::Outcome;
 use num_complex::Complex64;
-use serde_json::{Map, Value, json};
 
 /// The eigenvalues of one system, full and without damping.
 #[derive(Debug, Clone, Copy)]
@@ -40,7 +39,7 @@ impl Spectra {
 }
 
 /// The errors of the growth rate: the larger distance of its ends in the box of the law from it.
-const GROWTH_RATE: Erring = Erring {
+pub(super) const GROWTH_RATE: Erring = Erring {
     name: "growth_rate_error",
     long_name: "how far the growth rate may be off by the errors of the contact law",
     of: |state, within| {
@@ -83,7 +82,8 @@ pub(crate) fn outcome(
 ) -> Result<Outcome, ModelError> {
     let missing = spectra.iter().filter(|s| s.is_none()).count();
     let spectra: Vec<Spectra> = spectra.into_iter().map(|s| s.unwrap_or(Spectra::MISSING)).collect();
-    let scalars = spectra.chunks(axis.values.len()).map(|curve| curve_scalars(axis, curve)).collect();
+    let told = |curve: &[Spectra]| ToldSpectra::new(axis, curve).scalars();
+    let scalars = spectra.chunks(axis.values.len()).map(told).collect();
     let (dimensions, shape) = curves.dimensions(axis, &[("mode", 4)]);
     let flat = |pick: fn(&Spectra) -> [Complex64; 4]| spectra.iter().flat_map(pick).collect::<Vec<_>>();
     let full = Variable::new("eigenvalues", &dimensions, &shape, flat(|s| s.full))
@@ -108,17 +108,24 @@ pub(crate) fn outcome(
     })
 }
 
-fn curve_scalars(axis: &Axis, spectra: &[Spectra]) -> Map<String, Value> {
-    let list = |pick: fn(&Spectra) -> [Complex64; 4]| -> Value {
-        spectra.iter().map(|s| json!(pick(s).map(|l| [l.re, l.im]))).collect()
-    };
-    let growth: Vec<f64> = spectra.iter().map(|s| growth_rate(&s.full)).collect();
-    let mut scalars = Map::new();
-    scalars.insert("value".to_owned(), json!(axis.values));
-    scalars.insert("eigenvalues".to_owned(), list(|s| s.full));
-    scalars.insert("conservative_eigenvalues".to_owned(), list(|s| s.conservative));
-    scalars.insert("growth_rate".to_owned(), json!(growth));
-    scalars
+/// What is told of a curve.
+#[derive(Results)]
+pub(crate) struct ToldSpectra {
+    value: Vec<f64>,
+    eigenvalues: Vec<[Complex64; 4]>,
+    conservative_eigenvalues: Vec<[Complex64; 4]>,
+    growth_rate: Vec<f64>,
+}
+
+impl ToldSpectra {
+    fn new(axis: &Axis, spectra: &[Spectra]) -> Self {
+        Self {
+            value: axis.values.clone(),
+            eigenvalues: spectra.iter().map(|own| own.full).collect(),
+            conservative_eigenvalues: spectra.iter().map(|own| own.conservative).collect(),
+            growth_rate: spectra.iter().map(|own| growth_rate(&own.full)).collect(),
+        }
+    }
 }
 
 fn table(axis: &Axis, curves: &Curves, spectra: &[Spectra]) -> Result<Table, ModelError> {

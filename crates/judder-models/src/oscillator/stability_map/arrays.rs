@@ -1,12 +1,11 @@
 //! A map and its overlays as arrays and scalars.
 
-use super::overlays::Overlay;
+use super::overlays::{Overlay, ToldBoundary};
 use crate::error::ModelError;
 use judder_oscillator::map::StabilityMap;
 use judder_oscillator::mechanism::StabilityClass;
-use judder_store::{Dataset, Variable};
+use judder_store::{ByName, Dataset, Declared, Results, Variable};
 use judder_study::axis::Axis;
-use serde_json::{Map, Value, json};
 
 /// What a map leaves in the store.
 pub(crate) struct MapArrays<'a> {
@@ -57,18 +56,41 @@ pub(crate) fn class_name(class: StabilityClass, one_way: &'static str) -> &'stat
     if class == StabilityClass::NormalForceCoupling { one_way } else { class.name() }
 }
 
-/// Decisions made, unstable share, and the share of every class.
-pub(crate) fn class_fractions(map: &StabilityMap, one_way: &'static str) -> Map<String, Value> {
-    let total = map.classes.len() as f64;
-    let fractions: Map<String, Value> = StabilityClass::ALL
-        .iter()
-        .map(|class| (class_name(*class, one_way).to_owned(), json!(map.count(*class) as f64 / total)))
-        .collect();
-    Map::from_iter([
-        ("points".to_owned(), json!(map.decisions)),
-        ("grid".to_owned(), json!([map.columns, map.rows])),
-        ("unstable_fraction".to_owned(), json!(map.unstable_fraction())),
-        ("unresolved".to_owned(), json!(map.count(StabilityClass::Unresolved))),
-        ("fractions".to_owned(), Value::Object(fractions)),
-    ])
+/// What is told of a map.
+#[derive(Results)]
+pub(crate) struct ToldMap {
+    /// decisions made
+    points: usize,
+    grid: [usize; 2],
+    unstable_fraction: f64,
+    unresolved: usize,
+    /// the share of every class
+    fractions: ByName<f64>,
+    /// by the clock on the wall
+    seconds: f64,
+    boundaries: ByName<ToldBoundary>,
+}
+
+impl ToldMap {
+    pub(crate) fn new(map: &StabilityMap, one_way: &'static str, seconds: f64, overlays: &[Overlay]) -> Self {
+        let total = map.classes.len() as f64;
+        let fractions = StabilityClass::ALL
+            .iter()
+            .map(|class| (class_name(*class, one_way).to_owned(), map.count(*class) as f64 / total));
+        Self {
+            points: map.decisions,
+            grid: [map.columns, map.rows],
+            unstable_fraction: map.unstable_fraction(),
+            unresolved: map.count(StabilityClass::Unresolved),
+            fractions: fractions.collect(),
+            seconds,
+            boundaries: overlays.iter().map(|own| (own.name.to_owned(), own.summary())).collect(),
+        }
+    }
+
+    /// The keys of the summary of a map with such a class.
+    pub(crate) fn keys(one_way: &'static str) -> Vec<Declared> {
+        let classes = StabilityClass::ALL.map(|class| class_name(class, one_way));
+        Declared::named(Self::declared(), "fractions", &classes)
+    }
 }

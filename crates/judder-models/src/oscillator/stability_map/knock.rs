@@ -12,12 +12,11 @@ use judder_oscillator::Contact;
 use judder_oscillator::critical::{ParameterRange, RangeScale, thresholds};
 use judder_oscillator::map::StabilityMap;
 use judder_oscillator::mechanism::StabilityClass;
-use judder_store::Variable;
+use judder_store::{Results, Variable};
 use judder_study::Progress;
 use judder_study::axis::Axis;
 use judder_study::outcome::Outcome;
 use rayon::prelude::*;
-use serde_json::json;
 
 /// Lines of a map along which branches are followed, at most; between them the margin is interpolated.
 const FOLLOWED: usize = 30;
@@ -286,19 +285,21 @@ pub(super) fn add(
         .collect();
     let margins: Vec<&Margin> = onsets.iter().filter_map(|(_, onset)| onset.margin.as_ref()).collect();
     let branches = margins.iter().filter_map(|margin| margin.own.as_ref());
-    outcome.scalars.insert("knock_fraction".to_owned(), json!(share(STARTS_IT)));
-    outcome.scalars.insert("knock_unknown_fraction".to_owned(), json!(share(UNKNOWN)));
-    let summary = json!({
-        "along": lines.along.0.path,
-        "lines": lines.count(),
-        "lines_followed": lines.followed().len(),
-        "thresholds_sought": [lines.range.from, lines.range.to],
-        "branches": branches.clone().count(),
-        "branches_without_a_fold": branches.filter(|own| own.is_open).count(),
-        "searches": margins.len(),
-        "searches_not_closed": margins.iter().filter(|margin| margin.search.why_open().is_some()).count(),
-    });
-    outcome.scalars.insert("global_margin".to_owned(), summary);
+    let told = ToldKnock {
+        knock_fraction: share(STARTS_IT),
+        knock_unknown_fraction: share(UNKNOWN),
+        global_margin: ToldMargin {
+            along: lines.along.0.path.clone(),
+            lines: lines.count(),
+            lines_followed: lines.followed().len(),
+            thresholds_sought: [lines.range.from, lines.range.to],
+            branches: branches.clone().count(),
+            branches_without_a_fold: branches.filter(|own| own.is_open).count(),
+            searches: margins.len(),
+            searches_not_closed: margins.iter().filter(|margin| margin.search.why_open().is_some()).count(),
+        },
+    };
+    outcome.scalars.extend(told.scalars());
     outcome.warnings.extend(margins::open(&margins, "what a knock does beyond is marked as unknown"));
     let folds = folds(&lines, &onsets);
     let dataset = std::mem::take(&mut outcome.dataset);
@@ -319,6 +320,29 @@ pub(super) fn add(
     outcome.checks.extend(check);
     outcome.warnings.extend(warning);
     if progress.interrupted() { Err(ModelError::Interrupted) } else { Ok(()) }
+}
+
+/// What is told of knocks.
+#[derive(Results)]
+pub(super) struct ToldKnock {
+    knock_fraction: f64,
+    knock_unknown_fraction: f64,
+    global_margin: ToldMargin,
+}
+
+/// What was followed to tell of knocks.
+#[derive(Results)]
+struct ToldMargin {
+    /// the key along which lines lie
+    along: String,
+    lines: usize,
+    lines_followed: usize,
+    /// from and to
+    thresholds_sought: [f64; 2],
+    branches: usize,
+    branches_without_a_fold: usize,
+    searches: usize,
+    searches_not_closed: usize,
 }
 
 /// The folds that were found, as points of the map.

@@ -7,11 +7,11 @@ mod overlays;
 mod run;
 mod within_law;
 
-pub(crate) use arrays::{MapArrays, ONE_WAY, class_name};
+pub(crate) use arrays::{MapArrays, ONE_WAY, ToldMap, class_name};
 pub(crate) use knock::{NONE_MOVED, STARTS_IT, UNKNOWN};
 pub use overlays::{BoundaryCurves, BoundaryKind, boundary_curves};
 pub(crate) use overlays::{Overlay, incomplete};
-pub(crate) use run::{checked_points, map_scalars, unresolved_warning};
+pub(crate) use run::{checked_points, unresolved_warning};
 pub(crate) use within_law::WITHIN_LAW;
 
 use super::{Operated, Subject, ends};
@@ -23,11 +23,15 @@ use crate::oscillator::keys::OscillatorKey;
 use crate::oscillator::settings;
 use crate::sweep::{MapMethod, StabilityMap};
 use crate::swept_keys::OscillatorKeys;
+use arrays::NORMAL_FORCE;
+use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Task};
 use judder_study::outcome::Outcome;
+use knock::ToldKnock;
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;
+use within_law::ToldWithin;
 
 /// The kind.
 pub(crate) const KIND: Kind<OscillatorKeys, Arc<dyn Operated>> = Kind {
@@ -47,6 +51,15 @@ impl Analysis<OscillatorCase> for StabilityMap<OscillatorKey> {
     /// The decisions and the boundaries are a step each, the growth rates one a row.
     fn steps(&self) -> usize {
         if self.options.method == MapMethod::EveryPoint { 2 + self.y.points } else { 2 }
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        let mut keys = ToldMap::keys(NORMAL_FORCE);
+        keys.extend(Option::<ToldWithin>::declared());
+        if self.global_margin {
+            keys.extend(ToldKnock::declared());
+        }
+        keys
     }
 
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {

@@ -12,12 +12,11 @@ use judder_oscillator::boundary::{Boundary, BoundaryEnd, BoundaryFold, Condition
 use judder_oscillator::equilibrium::equilibrium;
 use judder_oscillator::linearisation::Linearisation;
 use judder_oscillator::{Coefficients, Contact};
-use judder_store::{Dataset, Variable};
+use judder_store::{Dataset, Results, Variable};
 use judder_study::Progress;
 use judder_study::axis::Axis;
 use judder_study::outcome::CheckRecord;
 use judder_study::text::short;
-use serde_json::{Value, json};
 
 /// A boundary that is laid over a stability map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -232,6 +231,20 @@ pub(super) fn check(overlays: &[Overlay]) -> Vec<CheckRecord> {
         .collect()
 }
 
+/// What is told of a boundary.
+#[derive(Results)]
+pub(super) struct ToldBoundary {
+    /// pieces
+    curves: usize,
+    closed: usize,
+    stalled: usize,
+    points: usize,
+    folds_in_x: usize,
+    folds_in_y: usize,
+    /// from and to
+    frequency: Option<[f64; 2]>,
+}
+
 impl Overlay {
     /// The stability boundary of a system that is no oscillator.
     pub(crate) fn of_system(curves: Vec<Boundary>) -> Self {
@@ -239,22 +252,22 @@ impl Overlay {
     }
 
     /// Pieces, how they end, folds, range of frequencies.
-    pub(super) fn summary(&self) -> Value {
+    pub(super) fn summary(&self) -> ToldBoundary {
         let count = |end: BoundaryEnd| self.curves.iter().filter(|c| c.end == end).count();
         let folds =
             |fold: BoundaryFold| self.curves.iter().flat_map(|c| &c.folds).filter(|f| f.1 == fold).count();
         let frequencies = self.curves.iter().flat_map(|c| c.points.iter().map(|p| p.frequency));
         let (low, high) =
             frequencies.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), f| (l.min(f), h.max(f)));
-        json!({
-            "curves": self.curves.len(),
-            "closed": count(BoundaryEnd::Closed),
-            "stalled": count(BoundaryEnd::Stalled),
-            "points": self.curves.iter().map(|c| c.points.len()).sum::<usize>(),
-            "folds_in_x": folds(BoundaryFold::InX),
-            "folds_in_y": folds(BoundaryFold::InY),
-            "frequency": if low <= high { json!([low, high]) } else { Value::Null },
-        })
+        ToldBoundary {
+            curves: self.curves.len(),
+            closed: count(BoundaryEnd::Closed),
+            stalled: count(BoundaryEnd::Stalled),
+            points: self.curves.iter().map(|c| c.points.len()).sum(),
+            folds_in_x: folds(BoundaryFold::InX),
+            folds_in_y: folds(BoundaryFold::InY),
+            frequency: (low <= high).then_some([low, high]),
+        }
     }
 
     /// Adds the points of all pieces: the two swept quantities, the frequency, and whether the curve turns back there.

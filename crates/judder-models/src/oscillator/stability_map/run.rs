@@ -1,7 +1,6 @@
 //! Verdict and mechanism over two keys (Figs. 9, 10).
 
-use super::arrays::{NORMAL_FORCE, class_fractions};
-use super::overlays::Overlay;
+use super::arrays::{NORMAL_FORCE, ToldMap};
 use super::{MapArrays, incomplete, knock, overlays, within_law};
 use crate::axis;
 use crate::checks;
@@ -14,10 +13,10 @@ use crate::sweep::{MapMethod, StabilityMap as MapSettings, Sweep};
 use judder_oscillator::Contact;
 use judder_oscillator::map::{DecisionMethod, OperatingPlane, StabilityMap};
 use judder_oscillator::mechanism::StabilityClass;
+use judder_store::Results;
 use judder_study::Progress;
 use judder_study::axis::Axis;
 use judder_study::outcome::Outcome;
-use serde_json::{Map, Value, json};
 
 /// Points along each side of the grid on which checks are made and the law's range of validity is looked at.
 const CHECKED_SIDE: usize = 24;
@@ -55,7 +54,7 @@ pub(crate) fn run(
     progress.advance();
     let states = checked_states(contact, &plane);
     let mut outcome = Outcome {
-        scalars: map_scalars(&map, NORMAL_FORCE, seconds, &overlays),
+        scalars: ToldMap::new(&map, NORMAL_FORCE, seconds, &overlays).scalars(),
         dataset: MapArrays { x: &x, y: &y, map: &map, growth, overlays: &overlays, one_way: NORMAL_FORCE }
             .dataset()?,
         warnings: validity_warnings(contact, states.iter().map(|(state, _)| state)),
@@ -100,19 +99,4 @@ fn checked_states(contact: &Contact, plane: &KeyPlane) -> Vec<(SteadyState, (usi
             SteadyState::new(contact, &plane.inputs(column, row)).ok().map(|state| (state, (column, row)))
         })
         .collect()
-}
-
-/// What the summary says of a map and its boundaries.
-pub(crate) fn map_scalars(
-    map: &StabilityMap,
-    one_way: &'static str,
-    seconds: f64,
-    overlays: &[Overlay],
-) -> Map<String, Value> {
-    let mut scalars = class_fractions(map, one_way);
-    scalars.insert("seconds".to_owned(), json!(seconds));
-    let boundaries: Map<String, Value> =
-        overlays.iter().map(|overlay| (overlay.name.to_owned(), overlay.summary())).collect();
-    scalars.insert("boundaries".to_owned(), Value::Object(boundaries));
-    scalars
 }

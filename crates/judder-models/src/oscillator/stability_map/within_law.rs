@@ -3,10 +3,9 @@
 use crate::error::ModelError;
 use crate::within_law::MARGINAL;
 use judder_oscillator::map::{LawStanding, StabilityMap};
-use judder_store::Variable;
+use judder_store::{Results, Variable};
 use judder_study::axis::Axis;
 use judder_study::outcome::Outcome;
-use serde_json::json;
 
 /// The name of the array.
 pub(crate) const WITHIN_LAW: &str = "within_law";
@@ -17,6 +16,13 @@ const MEANINGS: [(u8, &str); 3] = [
     (LawStanding::Unknown as u8, "unknown"),
 ];
 
+/// What is told of it.
+#[derive(Results)]
+pub(super) struct ToldWithin {
+    marginal_within_law_fraction: f64,
+    unknown_within_law_fraction: f64,
+}
+
 /// Adds the codes to a map's outcome, and says how many points the law leaves open.
 pub(super) fn add(
     outcome: &mut Outcome,
@@ -25,9 +31,12 @@ pub(super) fn add(
 ) -> Result<(), ModelError> {
     let count = |standing: LawStanding| codes.iter().filter(|code| **code == standing as u8).count();
     let (all, marginal, unknown) = (codes.len(), count(LawStanding::Marginal), count(LawStanding::Unknown));
-    let share = |count: usize| json!(count as f64 / all as f64);
-    outcome.scalars.insert("marginal_within_law_fraction".to_owned(), share(marginal));
-    outcome.scalars.insert("unknown_within_law_fraction".to_owned(), share(unknown));
+    let share = |count: usize| count as f64 / all as f64;
+    let told = ToldWithin {
+        marginal_within_law_fraction: share(marginal),
+        unknown_within_law_fraction: share(unknown),
+    };
+    outcome.scalars.extend(told.scalars());
     if marginal > 0 {
         outcome.warnings.push(format!(
             "at {marginal} of {all} points the verdict is {MARGINAL}: its errors decide there; they are drawn hatched"

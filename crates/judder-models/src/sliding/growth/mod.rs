@@ -12,9 +12,11 @@ use crate::estimate::{Estimate, cost::FIGURE};
 use crate::sliding::case::SlidingCase;
 use crate::sliding::march::settings::MarchWord;
 use judder_keys::declared::Settings;
+use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
+use run::ToldGrowth;
 use serde_json::{Map, Value as Json, json};
 use settings::Growth;
 use std::f64::consts::TAU;
@@ -48,6 +50,10 @@ impl Analysis<SlidingCase> for Growth {
 
     fn blame(&self, error: &ModelError) -> Option<Refusal> {
         blame::off_track(error, ("position", Some(self.position)))
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        ToldGrowth::declared()
     }
 
     fn estimate(&self, of: &Subject<'_>) -> Result<Estimate, ModelError> {

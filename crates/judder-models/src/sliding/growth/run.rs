@@ -9,11 +9,10 @@ use judder_sliding::characteristic::PairCharacteristic;
 use judder_sliding::growth::{AMPLITUDE, GrowthSettings, Held, watched_growth};
 use judder_sliding::pair::Pair;
 use judder_sliding::spectrum::{Spectrum, WantedEigenvalues};
-use judder_store::{Dataset, Variable, number};
+use judder_store::{Results, Variable};
 use judder_study::Progress;
 use judder_study::outcome::{CheckRecord, Outcome};
 use num_complex::Complex64;
-use serde_json::{Map, json};
 use std::f64::consts::TAU;
 
 /// What measured and predicted growth may differ by.
@@ -51,22 +50,22 @@ pub(super) fn run(
         watched_growth(pair, &asked, &held, eigenvalue, &mut |time, swing| history.see(time, swing))?;
     progress.advance();
     let [measured, predicted] = [growth.measured, growth.predicted];
-    let scalars = Map::from_iter([
-        ("measured".to_owned(), number(measured.re)),
-        ("predicted".to_owned(), number(predicted.re)),
-        ("frequency_hz".to_owned(), number(predicted.im / TAU)),
-        ("measured_frequency_hz".to_owned(), number(measured.im / TAU)),
-        ("spread".to_owned(), number(growth.spread)),
-        ("method".to_owned(), json!(settings.word.name())),
-        ("position_m".to_owned(), json!(position)),
-        ("normal_force".to_owned(), number(held.normal_force)),
-        ("steps".to_owned(), json!(growth.steps)),
-        ("step_s".to_owned(), json!(step)),
-        ("step_limit_s".to_owned(), json!(limit)),
-    ]);
+    let told = ToldGrowth {
+        measured: measured.re,
+        predicted: predicted.re,
+        frequency_hz: predicted.im / TAU,
+        measured_frequency_hz: measured.im / TAU,
+        spread: growth.spread,
+        method: settings.word.name(),
+        position_m: position,
+        normal_force: held.normal_force,
+        steps: growth.steps,
+        step_s: step,
+        step_limit_s: limit,
+    };
     let scalar = |name: &str, value: Complex64| Variable::new(name, &[], &[], vec![value]).units("1/s");
-    let dataset = Dataset::new()
-        .attribute("kind", "growth")?
+    let Outcome { scalars, dataset, .. } = Outcome::of("growth", &told)?;
+    let dataset = dataset
         .attribute("position_m", position)?
         .attribute("method", settings.word.name())?
         .attribute("start_amplitude_n", AMPLITUDE * held.normal_force)?
@@ -77,6 +76,32 @@ pub(super) fn run(
     let checks = checks(settings.word.name(), measured, predicted);
     let warnings = far_off(predicted.im, settings.frequency).into_iter().collect();
     Ok(Outcome { scalars, dataset, checks, warnings, ..Outcome::default() })
+}
+
+/// What is told of the growth of a mode.
+#[derive(Results)]
+pub(super) struct ToldGrowth {
+    /// growth rate in the march
+    measured: f64,
+    /// growth rate that the eigenvalue says
+    predicted: f64,
+    /// frequency that the eigenvalue says
+    frequency_hz: f64,
+    /// frequency in the march
+    measured_frequency_hz: f64,
+    /// how much the measured growth differs from half to half
+    spread: f64,
+    /// how the march goes
+    method: &'static str,
+    /// where the contact is held
+    position_m: f64,
+    /// the force there, at rest
+    normal_force: f64,
+    steps: u64,
+    /// the step
+    step_s: f64,
+    /// the longest that it may be
+    step_limit_s: f64,
 }
 
 /// What there is to say of a mode that swings otherwise than was asked, rad/s.

@@ -21,6 +21,7 @@ use crate::error::ModelError;
 use crate::estimate::{Estimate, cost::FIGURE};
 use crate::sliding::case::SlidingCase;
 use judder_keys::declared::Settings;
+use judder_store::Declared;
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
@@ -62,6 +63,10 @@ impl Analysis<SlidingCase> for Locus {
             }
         }
         Ok(())
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        results::summary_keys(matches!(self.along, Along::Positions(_)))
     }
 
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {

@@ -4,10 +4,9 @@ use super::traced::{Row, Traced};
 use crate::error::ModelError;
 use crate::sliding::locus::settings::{Along, Locus};
 use judder_sliding::zones::{Zone, ZoneEnd};
-use judder_store::{Dataset, Table, Variable, number};
+use judder_store::{Dataset, Declared, Results, Table, Variable};
 use judder_study::axis::Axis;
 use num_complex::Complex64;
-use serde_json::{Map, Value, json};
 use std::f64::consts::TAU;
 
 /// What the numbers of [`code`] say.
@@ -37,64 +36,143 @@ const fn code(end: ZoneEnd) -> i64 {
     }
 }
 
-pub(super) struct Results<'a> {
+/// What is told of a locus.
+#[derive(Results)]
+pub(super) struct ToldLocus {
+    #[result(optional)]
+    position_m: Option<Vec<f64>>,
+    /// the values of another key
+    #[result(optional)]
+    value: Option<Vec<f64>>,
+    /// of the branches at each
+    frequencies_hz: Vec<Vec<f64>>,
+    growth_rates: Vec<Vec<f64>>,
+    growth_rate_errors: Vec<Vec<f64>>,
+    /// the unstable zones
+    unstable: Vec<ToldZone>,
+    normal_force: Vec<f64>,
+    slope: Vec<f64>,
+    configuration: &'static str,
+    damping: bool,
+    /// where there are no eigenvalues
+    missing: Vec<Failure>,
+    #[result(optional)]
+    key: Option<String>,
+    #[result(optional)]
+    unit: Option<String>,
+    /// where the contact is held
+    #[result(optional)]
+    at_m: Option<f64>,
+    degrees_of_freedom: usize,
+}
+
+/// An unstable zone.
+#[derive(Results)]
+struct ToldZone {
+    #[result(optional)]
+    from_m: Option<f64>,
+    #[result(optional)]
+    to_m: Option<f64>,
+    /// where it grows fastest
+    #[result(optional)]
+    peak_m: Option<f64>,
+    #[result(optional)]
+    from: Option<f64>,
+    #[result(optional)]
+    to: Option<f64>,
+    #[result(optional)]
+    peak: Option<f64>,
+    ends: [&'static str; 2],
+    frequency_hz: f64,
+    max_growth_rate: f64,
+    error: f64,
+}
+
+/// A point without eigenvalues.
+#[derive(Results)]
+struct Failure {
+    #[result(optional)]
+    position_m: Option<f64>,
+    #[result(optional)]
+    value: Option<f64>,
+    reason: String,
+}
+
+/// The keys of the summary of a locus over positions, or over the values of another key.
+pub(super) fn summary_keys(is_over_positions: bool) -> Vec<Declared> {
+    let others: &[&str] = match is_over_positions {
+        true => &["value", "from", "to", "peak", "key", "unit", "at_m"],
+        false => &["position_m", "from_m", "to_m", "peak_m"],
+    };
+    Declared::without(ToldLocus::declared(), others)
+}
+
+pub(super) struct Locating<'a> {
     pub(super) settings: &'a Locus,
     pub(super) axis: &'a Axis,
     pub(super) traced: &'a Traced,
 }
 
-impl Results<'_> {
+impl Locating<'_> {
     fn is_over_positions(&self) -> bool {
         matches!(self.settings.along, Along::Positions(_))
     }
 
-    pub(super) fn scalars(&self) -> Map<String, Value> {
+    pub(super) fn told(&self, degrees_of_freedom: usize) -> ToldLocus {
         let Self { settings, axis, traced } = self;
-        let table = |pick: &dyn Fn(&Complex64) -> f64| -> Value {
-            let row = |row: &Row| -> Value { row.eigenvalues.iter().map(|s| number(pick(s))).collect() };
-            traced.rows.iter().map(row).collect()
+        let table = |pick: &dyn Fn(&Complex64) -> f64| -> Vec<Vec<f64>> {
+            traced.rows.iter().map(|row| row.eigenvalues.iter().map(pick).collect()).collect()
         };
-        let column = |pick: &dyn Fn(&Row) -> f64| -> Value {
-            traced.rows.iter().map(|row| number(pick(row))).collect()
-        };
-        let key = if self.is_over_positions() { "position_m" } else { "value" };
+        let column = |pick: &dyn Fn(&Row) -> f64| traced.rows.iter().map(pick).collect::<Vec<f64>>();
         let failures = axis.values.iter().zip(&traced.rows);
-        let failures =
-            failures.filter_map(|(value, row)| Some(json!({ key: value, "reason": row.failure.as_ref()? })));
-        let mut scalars = Map::from_iter([
-            (key.to_owned(), json!(axis.values)),
-            ("frequencies_hz".to_owned(), table(&|s| s.im / TAU)),
-            ("growth_rates".to_owned(), table(&|s| s.re)),
-            (
-                "growth_rate_errors".to_owned(),
-                traced
-                    .rows
-                    .iter()
-                    .map(|row| row.errors.iter().map(|own| number(*own)).collect::<Value>())
-                    .collect(),
-            ),
-            ("unstable".to_owned(), traced.zones.iter().map(|zone| self.zone(zone)).collect()),
-            ("normal_force".to_owned(), column(&|row| row.state.normal_force)),
-            ("slope".to_owned(), column(&|row| row.state.slope)),
-            ("configuration".to_owned(), json!(settings.configuration.name())),
-            ("damping".to_owned(), json!(settings.damping)),
-            ("missing".to_owned(), failures.collect()),
-        ]);
-        if let Along::Key { at, sweep } = &settings.along {
-            scalars.insert("key".to_owned(), json!(sweep.path));
-            scalars.insert("unit".to_owned(), json!(axis.quantity.unit));
-            scalars.insert("at_m".to_owned(), json!(at));
+        let failures = failures.filter_map(|(value, row)| {
+            let (position_m, value) = self.along(*value);
+            Some(Failure { position_m, value, reason: row.failure.clone()? })
+        });
+        let (position_m, value) = self.along(axis.values.clone());
+        let (at, key) = match &settings.along {
+            Along::Positions(_) => (None, None),
+            Along::Key { at, sweep } => (Some(*at), Some(sweep.path.clone())),
+        };
+        ToldLocus {
+            position_m,
+            value,
+            frequencies_hz: table(&|s| s.im / TAU),
+            growth_rates: table(&|s| s.re),
+            growth_rate_errors: traced.rows.iter().map(|row| row.errors.clone()).collect(),
+            unstable: traced.zones.iter().map(|zone| self.zone(zone)).collect(),
+            normal_force: column(&|row| row.state.normal_force),
+            slope: column(&|row| row.state.slope),
+            configuration: settings.configuration.name(),
+            damping: settings.damping,
+            missing: failures.collect(),
+            unit: key.is_some().then(|| axis.quantity.unit.clone()),
+            key,
+            at_m: at,
+            degrees_of_freedom,
         }
-        scalars
     }
 
-    fn zone(&self, zone: &Zone) -> Value {
-        let [from, to, peak] =
-            if self.is_over_positions() { ["from_m", "to_m", "peak_m"] } else { ["from", "to", "peak"] };
-        json!({
-            from: zone.from, to: zone.to, peak: zone.peak,
-            "ends": zone.ends.map(ZoneEnd::name), "frequency_hz": zone.frequency_hz, "max_growth_rate": zone.growth_rate, "error": number(zone.error),
-        })
+    /// What lies along the axis as what is told of positions, or else as what is told of another key.
+    fn along<T>(&self, told: T) -> (Option<T>, Option<T>) {
+        if self.is_over_positions() { (Some(told), None) } else { (None, Some(told)) }
+    }
+
+    fn zone(&self, zone: &Zone) -> ToldZone {
+        let ((from_m, from), (to_m, to), (peak_m, peak)) =
+            (self.along(zone.from), self.along(zone.to), self.along(zone.peak));
+        ToldZone {
+            from_m,
+            to_m,
+            peak_m,
+            from,
+            to,
+            peak,
+            ends: zone.ends.map(ZoneEnd::name),
+            frequency_hz: zone.frequency_hz,
+            max_growth_rate: zone.growth_rate,
+            error: zone.error,
+        }
     }
 
     pub(super) fn dataset(&self) -> Result<Dataset, ModelError> {

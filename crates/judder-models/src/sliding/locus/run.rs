@@ -1,12 +1,13 @@
 //! The locus along either of its two families.
 
-use super::results::Results;
+use super::results::Locating;
 use super::{positions, swept};
 use crate::error::ModelError;
 use crate::sliding::case::SlidingCase;
 use crate::sliding::locus::settings::{self, Along, Locus};
 use crate::sliding::system::SlidingSystem;
 use judder_sliding::locus::{Conditions, Configuration};
+use judder_store::Results;
 use judder_study::Progress;
 use judder_study::outcome::Outcome;
 
@@ -19,11 +20,9 @@ pub(super) fn run(
         Along::Positions(positions) => positions::run((case, system), settings, positions, progress)?,
         Along::Key { at, sweep } => swept::run((case, system), settings, (*at, sweep), progress)?,
     };
-    let results = Results { settings, axis: &axis, traced: &traced };
-    let mut scalars = results.scalars();
-    scalars.insert("degrees_of_freedom".to_owned(), system.pair.modes().into());
+    let results = Locating { settings, axis: &axis, traced: &traced };
     Ok(Outcome {
-        scalars,
+        scalars: results.told(system.pair.modes()).scalars(),
         dataset: results.dataset()?,
         table: Some(results.table()?),
         checks,

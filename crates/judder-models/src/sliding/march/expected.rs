@@ -5,8 +5,7 @@ use crate::sliding::march::settings::MarchMethod;
 use judder_sliding::SlidingError;
 use judder_sliding::amplification::{Amplification, amplifications};
 use judder_sliding::locus::{Conditions, Configuration};
-use judder_store::number;
-use serde_json::{Value, json};
+use judder_store::Results;
 
 /// Branches whose zones are sought.
 const BRANCHES: usize = 20;
@@ -50,10 +49,26 @@ pub(super) fn zone_of(
 }
 
 /// A zone for the summary.
-pub(super) fn told(own: &Amplification) -> Value {
-    json!({
-        "from_m": own.zone.from, "to_m": own.zone.to, "frequency_hz": own.zone.frequency_hz,
-        "max_growth_rate": own.zone.growth_rate, "expected_amplification": own.nepers,
-        "error": number(own.error),
-    })
+#[derive(Results)]
+pub(super) struct ToldZone {
+    from_m: f64,
+    to_m: f64,
+    frequency_hz: f64,
+    max_growth_rate: f64,
+    /// in nepers
+    expected_amplification: f64,
+    error: f64,
+}
+
+impl ToldZone {
+    pub(super) fn new(own: &Amplification) -> Self {
+        Self {
+            from_m: own.zone.from,
+            to_m: own.zone.to,
+            frequency_hz: own.zone.frequency_hz,
+            max_growth_rate: own.zone.growth_rate,
+            expected_amplification: own.nepers,
+            error: own.error,
+        }
+    }
 }

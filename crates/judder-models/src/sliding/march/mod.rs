@@ -25,6 +25,7 @@ use crate::sliding::case::observe::ObservedPoint;
 use judder_keys::declared::Settings;
 use judder_sliding::motion::Motion;
 use judder_sliding::pair::Pair;
+use judder_store::Declared;
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
@@ -68,6 +69,10 @@ impl Analysis<SlidingCase> for March {
     fn admit(&self, of: &Subject<'_>) -> Result<(), ModelError> {
         step(&of.system.pair, method(self.method()), self.step, of.system.along(self))?;
         Ok(())
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        summary::summary_keys(self)
     }
 
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {

@@ -10,6 +10,7 @@ use crate::sliding::case::signals::Sound;
 use crate::sliding::system::{method, predictor, step};
 use judder_sliding::march::{March, MarchSettings};
 use judder_sliding::recorder::Recorder;
+use judder_store::Results;
 use judder_study::Progress;
 use judder_study::kept::Kept;
 use judder_study::outcome::Outcome;
@@ -49,17 +50,19 @@ pub(crate) fn run(of: &Marched<'_>, kept: Kept<'_>, progress: &dyn Progress) -> 
         zones: &zones,
     };
     let mut outcome = Outcome {
-        scalars: told.scalars(),
         table: Some(told.table()?),
         warnings: told.warnings(),
         missing: usize::from(way.ended.is_some()),
         ..Outcome::default()
     };
+    let mut heard = None;
     if asked.sound != Sound::Nothing {
         let sounds = sound::sounds(of.name, &samples, &asked.heard(points.len()), points, sample_rate)?;
-        outcome.scalars.insert("sound".to_owned(), sounds.iter().map(|sound| sound.told.clone()).collect());
-        outcome.files = sounds.into_iter().map(|sound| (sound.name, sound.bytes)).collect();
+        let files = sounds.into_iter().map(|sound| (sound.told, (sound.name, sound.bytes)));
+        let (told, files) = files.unzip();
+        (heard, outcome.files) = (Some(told), files);
     }
+    outcome.scalars = told.told(heard).scalars();
     match samples.finish(told.dataset(sample_rate)?)? {
         Finished::Stored => outcome.is_stored = true,
         Finished::Whole(dataset) => outcome.dataset = *dataset,

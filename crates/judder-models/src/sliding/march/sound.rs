@@ -6,7 +6,7 @@ use crate::error::ModelError;
 use crate::sliding::case::observe::{ObservedPoint, Signal};
 use judder_exchange::wav::{Loudness, WavFormat, wav_bytes};
 use judder_numerics::signal::resample::resampled;
-use serde_json::{Value, json};
+use judder_store::Results;
 
 /// Samples a second of what is heard.
 const AUDIO_RATE: u32 = 48_000;
@@ -16,7 +16,18 @@ pub(super) struct Sound {
     pub(super) name: String,
     pub(super) bytes: Vec<u8>,
     /// What the summary says of it.
-    pub(super) told: Value,
+    pub(super) told: ToldSound,
+}
+
+/// What the summary says of a sound.
+#[derive(Results)]
+pub(super) struct ToldSound {
+    file: String,
+    signal: String,
+    /// full scale over the signal
+    gain: f64,
+    gain_unit: String,
+    sample_rate: u32,
 }
 
 /// Sounds of the signals that are to be heard, each as loud as it can be.
@@ -45,9 +56,12 @@ fn sound(
         .map_err(|source| ModelError::Sound { source })?;
     let signal_name = signal.name(points);
     let name = format!("{analysis}-{signal_name}.wav");
-    let told = json!({
-        "file": name, "signal": signal_name, "gain": gain, "gain_unit": format!("1/({})", unit(signal)),
-        "sample_rate": AUDIO_RATE,
-    });
+    let told = ToldSound {
+        file: name.clone(),
+        signal: signal_name,
+        gain,
+        gain_unit: format!("1/({})", unit(signal)),
+        sample_rate: AUDIO_RATE,
+    };
     Ok(Sound { name, bytes, told })
 }

@@ -2,12 +2,13 @@
 
 use super::Marched;
 use super::blocks::Way;
-use super::expected;
+use super::expected::ToldZone;
 use super::loudness::{Loudness, PlacedBurst};
 use super::signals::{unit, variable_name};
+use super::sound::ToldSound;
 use crate::error::ModelError;
 use crate::sliding::case::observe::{PointQuantity, Signal};
-use crate::sliding::march::settings::MarchMethod;
+use crate::sliding::march::settings::{March, MarchMethod, Predictor};
 use crate::sliding::system::Step;
 use judder_numerics::signal::extremes::Extremes;
 use judder_sliding::SlidingError;
@@ -15,8 +16,7 @@ use judder_sliding::amplification::Amplification;
 use judder_sliding::coupling::Sliding;
 use judder_sliding::recorder::Tally;
 use judder_sliding::statics::PairEquilibrium;
-use judder_store::{Dataset, Table, Variable};
-use serde_json::{Map, Value, json};
+use judder_store::{Dataset, Declared, Results, Table, Variable};
 use std::f64::consts::TAU;
 
 /// A march that has ended, and what was found in it.
@@ -33,45 +33,41 @@ pub(super) struct Told<'a> {
 
 impl Told<'_> {
     /// What `summary.json` shows.
-    pub(super) fn scalars(&self) -> Map<String, Value> {
+    pub(super) fn told(&self, sound: Option<Vec<ToldSound>>) -> ToldMarch {
         let asked = self.of.march;
         let Tally { normal_force, sliding_velocity, slip_steps, stick_steps, open_steps, reversed_steps } =
-            self.tally;
+            *self.tally;
         let (peak, position) = self.loud.peak.unzip();
-        let mut scalars = json!({
-            "method": asked.method().name(), "steps": self.steps, "step_s": self.chosen.step,
-            "step_limit_s": self.chosen.limit, "seconds": self.way.seconds, "settled_s": self.of.motion.settled(),
-            "signal": asked.signal.name(self.of.points), "signal_unit": unit(*asked.signal),
-            "peak_position_m": position, "bursts": self.loud.bursts.iter().map(|own| self.burst(own)).collect::<Vec<_>>(),
-            "normal_force": span(normal_force), "sliding_velocity": span(sliding_velocity),
-            "slip_steps": slip_steps, "stick_steps": stick_steps, "open_steps": open_steps, "reversed_steps": reversed_steps,
-        });
-        scalars[peak_key(*asked.signal)] = json!(peak);
-        if let Some(predictor) = asked.predictor {
-            scalars["predictor"] = json!(predictor.name());
+        let (peak, peak_acceleration) =
+            if is_acceleration(*asked.signal) { (None, Some(peak)) } else { (Some(peak), None) };
+        ToldMarch {
+            method: asked.method().name(),
+            steps: self.steps,
+            step_s: self.chosen.step,
+            step_limit_s: self.chosen.limit,
+            seconds: self.way.seconds,
+            settled_s: self.of.motion.settled(),
+            signal: asked.signal.name(self.of.points),
+            signal_unit: unit(*asked.signal),
+            peak_position_m: position,
+            bursts: self.loud.bursts.iter().map(ToldBurst::new).collect(),
+            normal_force: Span::of(&normal_force),
+            sliding_velocity: Span::of(&sliding_velocity),
+            slip_steps,
+            stick_steps,
+            open_steps,
+            reversed_steps,
+            peak,
+            peak_acceleration,
+            predictor: asked.predictor.map(Predictor::name),
+            zones: self.zones.as_ref().ok().map(|zones| zones.iter().map(ToldZone::new).collect()),
+            ended: self.way.ended.as_ref().map(|ended| ToldEnd {
+                time_s: ended.time,
+                position_m: ended.position,
+                reason: ended.reason.clone(),
+            }),
+            sound,
         }
-        if let Ok(zones) = self.zones {
-            scalars["zones"] = zones.iter().map(expected::told).collect();
-        }
-        if let Some(ended) = &self.way.ended {
-            scalars["ended"] =
-                json!({ "time_s": ended.time, "position_m": ended.position, "reason": ended.reason });
-        }
-        match scalars {
-            Value::Object(map) => map,
-            _ => Map::new(),
-        }
-    }
-
-    /// A burst of the whole signal, with the growth in nepers of the mode of the zone that was passed.
-    fn burst(&self, own: &PlacedBurst) -> Value {
-        let PlacedBurst { burst, position, level_before, growth } = own;
-        json!({
-            "position_m": position, "time_s": burst.peak_time, "frequency_hz": burst.frequency, "peak": burst.peak,
-            "duration_s": burst.duration, "level_before": level_before,
-            "measured_amplification": growth.and_then(|own| own.measured),
-            "expected_amplification": growth.map(|own| own.expected),
-        })
     }
 
     /// The bursts for a spreadsheet.
@@ -160,14 +156,105 @@ impl Told<'_> {
     }
 }
 
-/// The key of the peak: that of an acceleration says so.
-fn peak_key(signal: Signal) -> &'static str {
-    match signal {
-        Signal::Point { quantity: PointQuantity::Acceleration, .. } => "peak_acceleration",
-        _ => "peak",
+/// What is told of a march.
+#[derive(Results)]
+pub(super) struct ToldMarch {
+    method: &'static str,
+    steps: u64,
+    step_s: f64,
+    /// the longest that the step may be
+    step_limit_s: f64,
+    /// by the clock on the wall
+    seconds: f64,
+    /// when the ramps are over
+    settled_s: f64,
+    signal: String,
+    signal_unit: &'static str,
+    peak_position_m: Option<f64>,
+    bursts: Vec<ToldBurst>,
+    normal_force: Span,
+    sliding_velocity: Span,
+    slip_steps: u64,
+    stick_steps: u64,
+    open_steps: u64,
+    reversed_steps: u64,
+    /// the largest magnitude of a signal that is no acceleration
+    #[result(optional)]
+    peak: Option<Option<f64>>,
+    #[result(optional)]
+    peak_acceleration: Option<Option<f64>>,
+    #[result(optional)]
+    predictor: Option<&'static str>,
+    /// the unstable zones on the way
+    #[result(optional)]
+    zones: Option<Vec<ToldZone>>,
+    /// why it ended early
+    #[result(optional)]
+    ended: Option<ToldEnd>,
+    #[result(optional)]
+    sound: Option<Vec<ToldSound>>,
+}
+
+/// A burst of the whole signal, with the growth in nepers of the mode of the zone that was passed.
+#[derive(Results)]
+struct ToldBurst {
+    position_m: f64,
+    time_s: f64,
+    frequency_hz: Option<f64>,
+    peak: f64,
+    duration_s: f64,
+    level_before: Option<f64>,
+    measured_amplification: Option<f64>,
+    expected_amplification: Option<f64>,
+}
+
+impl ToldBurst {
+    fn new(own: &PlacedBurst) -> Self {
+        let PlacedBurst { burst, position, level_before, growth } = own;
+        Self {
+            position_m: *position,
+            time_s: burst.peak_time,
+            frequency_hz: burst.frequency,
+            peak: burst.peak,
+            duration_s: burst.duration,
+            level_before: *level_before,
+            measured_amplification: growth.and_then(|own| own.measured),
+            expected_amplification: growth.map(|own| own.expected),
+        }
     }
 }
 
-fn span(extremes: &Extremes) -> Value {
-    json!({ "min": extremes.minimum().map(|(_, value)| value), "max": extremes.maximum().map(|(_, value)| value) })
+/// Where and why a march ended before the end of its path.
+#[derive(Results)]
+struct ToldEnd {
+    time_s: f64,
+    position_m: f64,
+    reason: String,
+}
+
+/// The smallest and the largest value.
+#[derive(Results)]
+struct Span {
+    min: Option<f64>,
+    max: Option<f64>,
+}
+
+impl Span {
+    fn of(extremes: &Extremes) -> Self {
+        let [min, max] = [extremes.minimum(), extremes.maximum()].map(|end| end.map(|(_, value)| value));
+        Self { min, max }
+    }
+}
+
+/// The keys of the summary of a march.
+pub(super) fn summary_keys(asked: &March) -> Vec<Declared> {
+    let other_peak = if is_acceleration(*asked.signal) { "peak" } else { "peak_acceleration" };
+    let mut keys = ToldMarch::declared();
+    keys.retain(|key| key.name != other_peak);
+    keys
+}
+
+/// Whether the largest magnitude of a signal is called that of an acceleration.
+fn is_acceleration(signal: Signal) -> bool {
+    matches!(signal, Signal::Point { quantity: PointQuantity::Acceleration, .. })
 }

@@ -6,9 +6,10 @@ use crate::error::ModelError;
 use crate::estimate::{Estimate, cost::FIGURE};
 use crate::sliding::case::SlidingCase;
 use crate::sliding::case::structure::find_structure;
-use crate::structure::modes::{self, Modes};
+use crate::structure::modes::{self, Modes, ToldModes};
 use judder_keys::Settings;
 use judder_keys::declared::{Named, Settings};
+use judder_store::{Declared, Results};
 use judder_study::case::analysis::Kind;
 use judder_study::model::{Analysis, Task};
 use judder_study::outcome::Outcome;
@@ -48,6 +49,10 @@ impl Analysis<SlidingCase> for PartModes {
         let outcome = modes::run(own, of.name, self.modes, reduced)?;
         task.progress.advance();
         Ok(outcome)
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        ToldModes::declared()
     }
 
     fn estimate(&self, of: &Subject<'_>) -> Result<Estimate, ModelError> {

@@ -12,9 +12,11 @@ use crate::sliding::case::SlidingCase;
 use crate::sliding::case::problem::SlidingProblem;
 use crate::sliding::march::settings::March;
 use judder_keys::declared::Settings;
+use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
+use run::ToldSpectrogram;
 use serde_json::{Map, Value as Json};
 use settings::Spectrogram;
 use std::sync::Arc;
@@ -47,6 +49,10 @@ impl Analysis<SlidingCase> for Spectrogram {
         let (length, name) = (self.length, &self.of);
         let reason = format!("a window is {length} s long, but the march `{name}` takes {duration:.6} s");
         Ok(Err(Refusal::key("length", SlidingProblem::Unbuilt { reason, advice: SHORTER })))
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        ToldSpectrogram::declared()
     }
 
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {

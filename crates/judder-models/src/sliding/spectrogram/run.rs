@@ -6,11 +6,11 @@ use crate::sliding::march::variable_name;
 use crate::sliding::spectrogram::settings::{Spectrogram, Window};
 use judder_numerics::signal::spectrogram::{self as levels, SpectrogramSettings};
 use judder_numerics::signal::window;
-use judder_store::{Dataset, Variable};
+use judder_store::{Dataset, Results, Variable};
 use judder_study::kept::Place;
 use judder_study::outcome::Outcome;
 use judder_study::pictures::reals;
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 /// Levels of a signal over time and frequency, with the unstable zones of a locus.
 pub(crate) fn run(
@@ -44,10 +44,25 @@ pub(crate) fn run(
     let unit = march.variable(&signal).map_or("", |variable| variable.units.as_str());
     let reference = format!("{} {unit}", asked.reference.number);
     Ok(Outcome {
-        scalars: shown.scalars(asked, &reference),
+        scalars: shown.told(asked, &reference).scalars(),
         dataset: shown.dataset(asked, (&signal, &reference), &zones)?,
         ..Outcome::default()
     })
+}
+
+/// What is told of a spectrogram.
+#[derive(Results)]
+pub(super) struct ToldSpectrogram {
+    /// the march
+    of: String,
+    windows: usize,
+    /// what levels refer to
+    reference: String,
+    resolution_hz: Option<f64>,
+    peak_level_db: Option<f64>,
+    peak_time_s: Option<f64>,
+    peak_position_m: Option<f64>,
+    peak_frequency_hz: Option<f64>,
 }
 
 /// The stored history of a signal, as far as it is finite.
@@ -117,19 +132,19 @@ impl Shown {
         }
     }
 
-    fn scalars(&self, asked: &Spectrogram, reference: &str) -> Map<String, Value> {
+    fn told(&self, asked: &Spectrogram, reference: &str) -> ToldSpectrogram {
         let loudest = |best: usize, k: usize| if self.levels[k] > self.levels[best] { k } else { best };
         let at = (0..self.levels.len()).fold(0, loudest);
         let (row, line) = (at / self.frequencies.len(), at % self.frequencies.len());
-        let told = json!({
-            "of": asked.of, "windows": self.times.len(), "reference": reference,
-            "resolution_hz": self.frequencies.get(1).map(|second| second - self.frequencies[0]),
-            "peak_level_db": self.levels.get(at), "peak_time_s": self.times.get(row),
-            "peak_position_m": self.positions.get(row), "peak_frequency_hz": self.frequencies.get(line),
-        });
-        match told {
-            Value::Object(map) => map,
-            _ => Map::new(),
+        ToldSpectrogram {
+            of: asked.of.clone(),
+            windows: self.times.len(),
+            reference: reference.to_owned(),
+            resolution_hz: self.frequencies.get(1).map(|second| second - self.frequencies[0]),
+            peak_level_db: self.levels.get(at).copied(),
+            peak_time_s: self.times.get(row).copied(),
+            peak_position_m: self.positions.get(row).copied(),
+            peak_frequency_hz: self.frequencies.get(line).copied(),
         }
     }
 

@@ -5,7 +5,7 @@ use crate::error::ModelError;
 use crate::structure::build::{Structure, factors};
 use crate::structure::case::StructureCase;
 use crate::structure::eigen::EigenRegion;
-use judder_store::number;
+use judder_store::Results;
 use judder_structure::StructureError;
 use judder_structure::affine::Factors;
 use judder_structure::assembly::Sparse;
@@ -18,7 +18,7 @@ use judder_structure::quadratic::Quadratic;
 use judder_structure::statics::product;
 use judder_study::outcome::{CheckRecord, Disagreement};
 use judder_study::text::short;
-use serde_json::{Value, json};
+use num_complex::Complex64;
 use std::f64::consts::TAU;
 
 /// Modes that are looked at, the fastest growing first.
@@ -36,9 +36,75 @@ const INEXACT: f64 = 1e-6;
 
 /// What is told of the modes that grow.
 pub(super) struct Told {
-    pub(super) scalars: Value,
+    pub(super) modes: Vec<Diagnosed>,
     pub(super) warnings: Vec<String>,
     pub(super) check: CheckRecord,
+}
+
+/// Why a mode grows.
+#[derive(Results)]
+pub(super) struct Diagnosed {
+    /// what each matrix adds to the growth rate
+    matrices: Vec<Fed>,
+    /// all of it together
+    sum: Option<f64>,
+    /// whether the energy of the mode is positive
+    positive_energy: bool,
+    /// the energy by which what matrices add is divided
+    energy: ToldEnergy,
+    mode: usize,
+    growth_rate: f64,
+    frequency_hz: f64,
+    /// the undamped modes with the largest shares
+    component_modes: Vec<TakingPart>,
+    /// of what matrices those are
+    component_modes_of: &'static str,
+    /// what parameters change
+    parameters: Vec<Moved>,
+}
+
+/// What a matrix adds to a growth rate.
+#[derive(Results)]
+struct Fed {
+    /// mass, damping or stiffness
+    part: &'static str,
+    name: String,
+    factor: f64,
+    /// what it adds
+    growth: Option<f64>,
+    /// ∂λ/∂(its factor)
+    sensitivity: Complex64,
+}
+
+/// The energy of a mode.
+#[derive(Results)]
+struct ToldEnergy {
+    sign: &'static str,
+    /// what is left of its parts
+    share: f64,
+    /// how far that may be off
+    error: f64,
+    /// what that makes of the growths
+    growth_error: Option<f64>,
+}
+
+/// An undamped mode that takes part in a complex one.
+#[derive(Results)]
+struct TakingPart {
+    mode: usize,
+    frequency_hz: f64,
+    /// its share of the kinetic energy
+    share: f64,
+    /// modal assurance criterion of both
+    mac: f64,
+}
+
+/// What a parameter changes.
+#[derive(Results)]
+struct Moved {
+    name: String,
+    /// ∂λ/∂(the parameter)
+    sensitivity: Complex64,
 }
 
 /// Looks at the unstable modes of a region; `None` where there are none.
@@ -92,14 +158,23 @@ pub(super) fn of_growing(
                 influence.name
             )
         }));
-        let mut entry = entry(&told);
-        entry["mode"] = json!(number + 1);
-        entry["growth_rate"] = json!(value.re);
-        entry["frequency_hz"] = json!(mode.eigenvalue.frequency_hz());
-        entry["component_modes"] = taking_part(&undamped, &components, mode);
-        entry["component_modes_of"] = json!(undamped.of.name());
-        entry["parameters"] = by_parameters(case, &told, &at)?;
-        entries.push(entry);
+        entries.push(Diagnosed {
+            matrices: told.influences.iter().map(Fed::new).collect(),
+            sum: told.influences.iter().map(|influence| influence.growth).sum(),
+            positive_energy: told.energy.sign() == EnergySign::Positive,
+            energy: ToldEnergy {
+                sign: told.energy.sign().name(),
+                share: told.energy.share,
+                error: told.energy.error,
+                growth_error: told.energy.growth_error(),
+            },
+            mode: number + 1,
+            growth_rate: value.re,
+            frequency_hz: mode.eigenvalue.frequency_hz(),
+            component_modes: taking_part(&undamped, &components, mode),
+            component_modes_of: undamped.of.name(),
+            parameters: by_parameters(case, &told, &at)?,
+        });
     }
     warnings.extend(of_no_energy(&idle));
     warnings.extend(of_little_energy(&faint));
@@ -112,7 +187,7 @@ pub(super) fn of_growing(
         balance,
         BALANCE_LIMIT,
     );
-    Ok(Some(Told { scalars: Value::from(entries), warnings, check }))
+    Ok(Some(Told { modes: entries, warnings, check }))
 }
 
 /// A mode by its number and frequency.
@@ -185,40 +260,34 @@ fn real(mass: &Sparse, mode: &ComplexMode) -> Mode {
     }
 }
 
-/// The influences of all matrices.
-fn entry(told: &Diagnosis) -> Value {
-    let sum: Option<f64> = told.influences.iter().map(|influence| influence.growth).sum();
-    let influence = |own: &Influence| {
-        json!({
-            "part": own.part.name(), "name": own.name, "factor": own.factor, "growth": own.growth.map(number),
-            "sensitivity": [number(own.sensitivity.re), number(own.sensitivity.im)],
-        })
-    };
-    json!({
-        "matrices": told.influences.iter().map(influence).collect::<Vec<_>>(), "sum": sum.map(number),
-        "positive_energy": told.energy.sign() == EnergySign::Positive,
-        "energy": {
-            "sign": told.energy.sign().name(), "share": number(told.energy.share), "error": number(told.energy.error),
-            "growth_error": told.energy.growth_error().map(number),
-        },
-    })
+impl Fed {
+    fn new(own: &Influence) -> Self {
+        let Influence { part, name, factor, growth, sensitivity, .. } = own;
+        Self {
+            part: part.name(),
+            name: name.clone(),
+            factor: *factor,
+            growth: *growth,
+            sensitivity: *sensitivity,
+        }
+    }
 }
 
 /// The undamped modes with the largest shares.
-fn taking_part(undamped: &Undamped, components: &[Mode], mode: &ComplexMode) -> Value {
+fn taking_part(undamped: &Undamped, components: &[Mode], mode: &ComplexMode) -> Vec<TakingPart> {
     let mut shares = participations(&undamped.mass, components, mode);
     shares.sort_by(|a, b| b.share.total_cmp(&a.share));
-    let entry = |own: &judder_structure::diagnosis::Participation| {
-        json!({
-            "mode": own.component + 1, "frequency_hz": components[own.component].frequency_hz(),
-            "share": number(own.share), "mac": number(own.assurance),
-        })
+    let entry = |own: &judder_structure::diagnosis::Participation| TakingPart {
+        mode: own.component + 1,
+        frequency_hz: components[own.component].frequency_hz(),
+        share: own.share,
+        mac: own.assurance,
     };
     shares.iter().take(COMPONENTS).map(entry).collect()
 }
 
 /// ∂λ/∂p of every parameter: Σ ∂λ/∂fᵢ dfᵢ/dp, the factors' derivatives by central differences.
-fn by_parameters(case: &StructureCase, told: &Diagnosis, at: &Factors) -> Result<Value, ModelError> {
+fn by_parameters(case: &StructureCase, told: &Diagnosis, at: &Factors) -> Result<Vec<Moved>, ModelError> {
     let mut entries = Vec::new();
     for (index, parameter) in case.parameters.iter().enumerate() {
         let step = STEP * if parameter.value == 0.0 { 1.0 } else { parameter.value.abs() };
@@ -243,13 +312,13 @@ fn by_parameters(case: &StructureCase, told: &Diagnosis, at: &Factors) -> Result
             (MatrixSum::Stiffness, at.stiffness.len()),
         ];
         let slopes = places.into_iter().flat_map(|(part, count)| (0..count).map(move |k| (part, k)));
-        let sum: num_complex::Complex64 = told
+        let sensitivity = told
             .influences
             .iter()
             .zip(slopes)
             .map(|(influence, (part, k))| influence.sensitivity * slope(part, k))
             .sum();
-        entries.push(json!({ "name": parameter.name, "sensitivity": [number(sum.re), number(sum.im)] }));
+        entries.push(Moved { name: parameter.name.clone(), sensitivity });
     }
-    Ok(Value::from(entries))
+    Ok(entries)
 }

@@ -11,9 +11,11 @@ use crate::structure::case::scope::StructureScope;
 use judder_keys::Settings;
 use judder_keys::declared::{Number, Pair, Settings};
 use judder_keys::dimension::Dimension;
+use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Task};
 use judder_study::outcome::Outcome;
+use run::ToldRegion;
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;
 
@@ -59,6 +61,10 @@ pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = 
 impl Analysis<StructureCase> for Eigen {
     fn run(&self, of: &Subject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
         run::run((of.case, of.structure), of.name, &self.region)
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        ToldRegion::declared()
     }
 
     fn estimate(&self, _: &Subject<'_>) -> Result<String, ModelError> {

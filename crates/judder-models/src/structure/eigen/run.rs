@@ -2,12 +2,12 @@
 
 use super::super::fields::{self, ModeKind, Shape};
 use super::super::shapes;
-use super::diagnosis;
+use super::diagnosis::{self, Diagnosed};
 use crate::error::ModelError;
 use crate::structure::build::Structure;
 use crate::structure::case::StructureCase;
 use crate::structure::eigen::EigenRegion;
-use judder_store::{Dataset, Table, Variable, number};
+use judder_store::{Results, Variable};
 use judder_structure::assembly::Sparse;
 use judder_structure::complex_modes::{
     ComplexMode, ComplexModeSettings, ComplexModes, Eigenvalue, EigenvalueVerdict, Gap, Region, complex_modes,
@@ -16,7 +16,7 @@ use judder_structure::quadratic::Quadratic;
 use judder_structure::statics::product;
 use judder_study::outcome::{CheckRecord, Outcome};
 use num_complex::Complex64;
-use serde_json::{Map, Value, json};
+use serde_json::json;
 
 /// What the normalised backward error of an eigenpair may be.
 const RESIDUAL_LIMIT: f64 = 1e-12;
@@ -46,29 +46,35 @@ pub(crate) fn run(
     found.modes.sort_by(|a, b| in_order(&a.eigenvalue, &b.eigenvalue));
     let values: Vec<Eigenvalue> = found.modes.iter().map(|mode| mode.eigenvalue).collect();
     let unstable = values.iter().filter(|value| value.verdict() == EigenvalueVerdict::Unstable).count();
-    let mut scalars = Map::from_iter([
-        ("eigenvalues".to_owned(), values.iter().map(entry).collect::<Value>()),
-        ("complete".to_owned(), json!(found.complete())),
-        ("unstable".to_owned(), json!(unstable)),
-        ("degrees_of_freedom".to_owned(), json!(problem.size())),
-        ("shifts".to_owned(), json!(found.shifts.len())),
-    ]);
     let mut warnings = gap_warnings(&found.gaps);
     if values.is_empty() && found.complete() {
         warnings.push("the region has no eigenvalue".to_owned());
     }
     let mut checks = checks(&found);
-    if let Some(told) = diagnosis::of_growing(case, structure, sought, &found.modes)? {
-        scalars.insert("diagnosis".to_owned(), told.scalars);
+    let diagnosis = diagnosis::of_growing(case, structure, sought, &found.modes)?.map(|told| {
         warnings.extend(told.warnings);
         checks.push(told.check);
-    }
+        told.modes
+    });
+    let told = ToldRegion {
+        eigenvalues: (1..).zip(&values).map(|(mode, value)| ToldMode::new(mode, value)).collect(),
+        complete: found.complete(),
+        unstable,
+        degrees_of_freedom: problem.size(),
+        shifts: found.shifts.len(),
+        diagnosis,
+    };
     let shapes: Vec<Vec<Complex64>> = found.modes.iter().map(|mode| of_largest_one(&mode.right)).collect();
-    let mut dataset = dataset(&values, sought)?.with(
-        Variable::new("mac", &["mode", "other_mode"], &[values.len(); 2], shapes::complex_mac(&shapes))
-            .units("1")
-            .long_name("modal assurance criterion of two shapes"),
-    )?;
+    let (count, codes) = (values.len(), values.iter().map(|value| code(value.verdict())).collect());
+    let Outcome { scalars, dataset, table, .. } = Outcome::of("eigen", &told)?;
+    let mut dataset = dataset
+        .attribute("region", json!({ "re": sought.re, "im": sought.im }))?
+        .with(Variable::classes("verdict", &["mode"], &[count], codes, &VERDICTS).long_name("verdict"))?
+        .with(
+            Variable::new("mac", &["mode", "other_mode"], &[count; 2], shapes::complex_mac(&shapes))
+                .units("1")
+                .long_name("modal assurance criterion of two shapes"),
+        )?;
     if let Some(layout) = &structure.layout {
         dataset = shapes::with_layout(dataset, layout)?;
         dataset = shapes::with_complex(dataset, layout, &shapes, &mut warnings)?;
@@ -83,7 +89,7 @@ pub(crate) fn run(
     Ok(Outcome {
         scalars,
         dataset,
-        table: Some(table(&values)?),
+        table,
         checks,
         missing: usize::from(!found.complete()),
         warnings,
@@ -97,13 +103,81 @@ pub(crate) fn in_order(a: &Eigenvalue, b: &Eigenvalue) -> std::cmp::Ordering {
     a.value.im.total_cmp(&b.value.im).then(a.value.re.total_cmp(&b.value.re))
 }
 
-/// An eigenvalue for `summary.json`.
-pub(crate) fn entry(value: &Eigenvalue) -> Value {
-    json!({
-        "re": value.value.re, "im": value.value.im, "residual": value.residual, "left_residual": value.left_residual,
-        "verdict": value.verdict().name(), "error": number(value.error), "condition": number(value.condition),
-        "defective": value.defective, "frequency_hz": value.frequency_hz(), "damping_ratio": number(value.damping_ratio()),
-    })
+/// What is told of the modes of a region.
+#[derive(Results)]
+#[results(arrays(eigenvalues), columns(eigenvalues))]
+pub(super) struct ToldRegion {
+    /// the eigenvalues, by rising frequency
+    #[result(rows)]
+    eigenvalues: Vec<ToldMode>,
+    /// whether it is proven that there are no more
+    complete: bool,
+    /// how many grow
+    unstable: usize,
+    degrees_of_freedom: usize,
+    shifts: usize,
+    /// why modes grow
+    #[result(optional)]
+    diagnosis: Option<Vec<Diagnosed>>,
+}
+
+/// An eigenvalue, and what is known of it.
+#[derive(Clone, Results)]
+#[results(
+    rows = "mode",
+    arrays(mode, eigenvalue, error, residual, condition, damping_ratio),
+    columns(mode, re, im, frequency, damping_ratio, error, residual, condition, verdict)
+)]
+pub(crate) struct ToldMode {
+    /// number of the mode, by rising frequency
+    #[result(hidden)]
+    mode: i64,
+    /// eigenvalue λ, growth rate + i angular frequency
+    #[result(hidden, unit = "1/s")]
+    eigenvalue: Complex64,
+    /// growth rate
+    #[result(unit = "1/s")]
+    re: f64,
+    /// angular frequency
+    #[result(unit = "1/s")]
+    im: f64,
+    /// normalised backward error
+    residual: f64,
+    /// that of the left vector
+    left_residual: f64,
+    verdict: &'static str,
+    /// how far the true eigenvalue may be
+    #[result(unit = "1/s")]
+    error: f64,
+    /// condition number
+    condition: f64,
+    /// whether another eigenvalue has the same vector
+    defective: bool,
+    /// frequency
+    #[result(summary = "frequency_hz", unit = "Hz")]
+    frequency: f64,
+    /// damping ratio ζ = −Re λ/|λ|
+    damping_ratio: f64,
+}
+
+impl ToldMode {
+    pub(crate) fn new(mode: i64, own: &Eigenvalue) -> Self {
+        let Eigenvalue { value, residual, left_residual, condition, error, defective } = *own;
+        Self {
+            mode,
+            eigenvalue: value,
+            re: value.re,
+            im: value.im,
+            residual,
+            left_residual,
+            verdict: own.verdict().name(),
+            error,
+            condition,
+            defective,
+            frequency: own.frequency_hz(),
+            damping_ratio: own.damping_ratio(),
+        }
+    }
 }
 
 /// Why there may be more eigenvalues.
@@ -140,48 +214,6 @@ fn modal_a(problem: &Quadratic, mode: &ComplexMode, shape: &[Complex64]) -> Comp
         Some((right, left)) if left.norm() > ROUNDING => a * right / left.conj(),
         _ => a,
     }
-}
-
-fn dataset(values: &[Eigenvalue], sought: &EigenRegion) -> Result<Dataset, ModelError> {
-    let count = values.len();
-    let numbers: Vec<i64> = (1..=count as i64).collect();
-    let of = |pick: &dyn Fn(&Eigenvalue) -> f64| -> Vec<f64> { values.iter().map(pick).collect() };
-    let modal = |name: &str, values: Vec<f64>| Variable::new(name, &["mode"], &[count], values);
-    let eigenvalues: Vec<Complex64> = values.iter().map(|value| value.value).collect();
-    let verdicts: Vec<u8> = values.iter().map(|value| code(value.verdict())).collect();
-    Ok(Dataset::new()
-        .attribute("kind", "eigen")?
-        .attribute("region", json!({ "re": sought.re, "im": sought.im }))?
-        .with(Variable::coordinate("mode", numbers).long_name("number of the mode, by rising frequency"))?
-        .with(
-            Variable::new("eigenvalue", &["mode"], &[count], eigenvalues)
-                .units("1/s")
-                .long_name("eigenvalue λ, growth rate + i angular frequency"),
-        )?
-        .with(modal("error", of(&|v| v.error)).units("1/s").long_name("how far the true eigenvalue may be"))?
-        .with(modal("residual", of(&|v| v.residual)).units("1").long_name("normalised backward error"))?
-        .with(modal("condition", of(&|v| v.condition)).units("1").long_name("condition number"))?
-        .with(
-            modal("damping_ratio", of(&Eigenvalue::damping_ratio))
-                .units("1")
-                .long_name("damping ratio ζ = −Re λ/|λ|"),
-        )?
-        .with(Variable::classes("verdict", &["mode"], &[count], verdicts, &VERDICTS).long_name("verdict"))?)
-}
-
-fn table(values: &[Eigenvalue]) -> Result<Table, ModelError> {
-    let of = |pick: &dyn Fn(&Eigenvalue) -> f64| -> Vec<f64> { values.iter().map(pick).collect() };
-    let words: Vec<String> = values.iter().map(|value| value.verdict().name().to_owned()).collect();
-    Ok(Table::new()
-        .column("mode", "1", (1..=values.len() as i64).collect::<Vec<_>>())?
-        .column("re", "1/s", of(&|v| v.value.re))?
-        .column("im", "1/s", of(&|v| v.value.im))?
-        .column("frequency", "Hz", of(&Eigenvalue::frequency_hz))?
-        .column("damping_ratio", "1", of(&Eigenvalue::damping_ratio))?
-        .column("error", "1/s", of(&|v| v.error))?
-        .column("residual", "1", of(&|v| v.residual))?
-        .column("condition", "1", of(&|v| v.condition))?
-        .column("verdict", "1", words)?)
 }
 
 fn checks(found: &ComplexModes) -> Vec<CheckRecord> {

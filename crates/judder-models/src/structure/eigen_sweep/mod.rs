@@ -5,12 +5,15 @@ mod run;
 pub mod settings;
 
 use super::Subject;
+use crate::axis::keys_of_curves;
 use crate::error::ModelError;
 use crate::structure::case::StructureCase;
 use crate::structure::case::scope::StructureScope;
+use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Task};
 use judder_study::outcome::Outcome;
+use run::{ToldCurve, ToldSweep};
 use serde_json::{Map, Value as Json};
 use settings::{EigenMethod, EigenSweep};
 use std::sync::Arc;
@@ -36,6 +39,12 @@ impl Analysis<StructureCase> for EigenSweep {
 
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         run::run((of.case, of.structure), self, task.progress)
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        let mut keys = keys_of_curves(self.family.is_some(), ToldCurve::declared());
+        keys.extend(ToldSweep::declared());
+        keys
     }
 
     fn estimate(&self, _: &Subject<'_>) -> Result<String, ModelError> {

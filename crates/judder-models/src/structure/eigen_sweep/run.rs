@@ -1,13 +1,13 @@
 //! `eigen-sweep`: complex modes along a parameter, followed from value to value.
 
-use super::super::eigen::run::{VERDICTS, code, entry, gap_warnings, in_order, region};
+use super::super::eigen::run::{ToldMode, VERDICTS, code, gap_warnings, in_order, region};
 use super::settings::{EigenMethod, EigenSweep};
 use crate::axis::{Curves, name_of};
 use crate::error::ModelError;
 use crate::labels::parameter;
 use crate::structure::build::{Structure, factors};
 use crate::structure::case::StructureCase;
-use judder_store::{Dataset, Table, Variable};
+use judder_store::{Dataset, Results, Table, Variable};
 use judder_structure::affine::Factors;
 use judder_structure::complex_modes::{ComplexModeSettings, Eigenvalue, EigenvalueVerdict, complex_modes};
 use judder_structure::eigen_sweep::{PointEigenvalues, SweepMethod, SweptEigenvalues, Tracked, eigen_sweeps};
@@ -135,31 +135,62 @@ fn compare(ours: Vec<Eigenvalue>, mut theirs: Vec<Eigenvalue>, found: &mut Disag
     }
 }
 
-/// The scalars of one curve.
-fn scalars_of(values: &[f64], sweep: &SweptEigenvalues) -> Map<String, Value> {
-    let lists: Vec<Value> = sweep
-        .points
-        .iter()
-        .map(|point| {
-            let entries = point.eigenvalues.iter().map(|tracked| {
-                let mut json = entry(&tracked.eigenvalue);
-                json["branch"] = json!(tracked.branch);
-                json
-            });
-            entries.collect()
-        })
-        .collect();
-    let is_unstable = |point: &PointEigenvalues| {
-        point.eigenvalues.iter().any(|t| t.eigenvalue.verdict() == EigenvalueVerdict::Unstable)
-    };
-    Map::from_iter([
-        ("value".to_owned(), json!(values)),
-        ("eigenvalues".to_owned(), json!(lists)),
-        ("complete".to_owned(), json!(sweep.points.iter().all(|point| point.gaps.is_empty()))),
-        ("unstable".to_owned(), sweep.points.iter().map(is_unstable).collect()),
-        ("branches".to_owned(), json!(sweep.branches)),
-        ("solved_in_full".to_owned(), json!(sweep.points.iter().filter(|point| point.full).count())),
-    ])
+/// What is told of a sweep.
+#[derive(Results)]
+pub(super) struct ToldSweep {
+    /// the swept parameter
+    key: String,
+    /// `full` or `projected`
+    method: &'static str,
+    /// vectors of the basis of a projected sweep
+    basis: Option<usize>,
+    /// values at which that was sampled
+    samples: usize,
+}
+
+/// What is told of one curve.
+#[derive(Results)]
+pub(super) struct ToldCurve {
+    /// the values of the parameter
+    value: Vec<f64>,
+    /// the eigenvalues at each
+    eigenvalues: Vec<Vec<OnBranch>>,
+    /// whether it is proven that there are no more
+    complete: bool,
+    /// whether one grows, at each
+    unstable: Vec<bool>,
+    branches: usize,
+    /// values that were solved on the full matrices
+    solved_in_full: usize,
+}
+
+/// An eigenvalue of a branch.
+#[derive(Results)]
+struct OnBranch {
+    #[result(flatten)]
+    mode: ToldMode,
+    branch: usize,
+}
+
+impl ToldCurve {
+    fn new(values: &[f64], sweep: &SweptEigenvalues) -> Self {
+        let told = |own: &Tracked| OnBranch { mode: ToldMode::new(0, &own.eigenvalue), branch: own.branch };
+        let is_unstable = |point: &PointEigenvalues| {
+            point.eigenvalues.iter().any(|t| t.eigenvalue.verdict() == EigenvalueVerdict::Unstable)
+        };
+        Self {
+            value: values.to_vec(),
+            eigenvalues: sweep
+                .points
+                .iter()
+                .map(|point| point.eigenvalues.iter().map(told).collect())
+                .collect(),
+            complete: sweep.points.iter().all(|point| point.gaps.is_empty()),
+            unstable: sweep.points.iter().map(is_unstable).collect(),
+            branches: sweep.branches,
+            solved_in_full: sweep.points.iter().filter(|point| point.full).count(),
+        }
+    }
 }
 
 /// What stands where a branch has no eigenvalue.
@@ -169,17 +200,13 @@ const ABSENT: u8 = 3;
 
 impl Run<'_> {
     fn scalars(&self) -> Map<String, Value> {
-        let curves = self.sweeps.iter().map(|sweep| scalars_of(&self.axis.values, sweep)).collect();
-        let mut scalars = self.curves.scalars(curves);
+        let curves = self.sweeps.iter().map(|sweep| ToldCurve::new(&self.axis.values, sweep).scalars());
+        let mut scalars = self.curves.scalars(curves.collect());
         // one basis serves all curves
         let (basis, samples) =
             self.sweeps.first().map_or((None, 0), |sweep| (sweep.basis, sweep.samples.len()));
-        scalars.extend([
-            ("key".to_owned(), json!(self.settings.sweep.path)),
-            ("method".to_owned(), json!(self.settings.method.name())),
-            ("basis".to_owned(), json!(basis)),
-            ("samples".to_owned(), json!(samples)),
-        ]);
+        let (key, method) = (self.settings.sweep.path.clone(), self.settings.method.name());
+        scalars.extend(ToldSweep { key, method, basis, samples }.scalars());
         scalars
     }
 

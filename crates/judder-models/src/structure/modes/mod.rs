@@ -3,7 +3,7 @@
 pub(super) mod figure;
 mod run;
 
-pub(crate) use run::run;
+pub(crate) use run::{ToldModes, run};
 
 use super::Subject;
 use crate::error::ModelError;
@@ -12,6 +12,7 @@ use crate::structure::case::scope::StructureScope;
 use judder_keys::Settings;
 use judder_keys::declared::{Number, Pair, Settings, Whole};
 use judder_keys::dimension::Dimension;
+use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Task};
 use judder_study::outcome::Outcome;
@@ -63,6 +64,10 @@ pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = 
 impl Analysis<StructureCase> for Modes {
     fn run(&self, of: &Subject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
         run((of.case, of.structure), of.name, *self, None)
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        ToldModes::declared()
     }
 
     fn estimate(&self, _: &Subject<'_>) -> Result<String, ModelError> {

@@ -6,20 +6,20 @@ use super::super::undamped::Undamped;
 use crate::error::ModelError;
 use crate::structure::build::Structure;
 use crate::structure::case::StructureCase;
-use judder_store::{Dataset, Table, Variable, number};
+use judder_store::{Grid, Results};
 use judder_structure::assembly::Sparse;
 use judder_structure::modes::{Mode, Modes, WantedModes, modes};
 use judder_structure::quadratic::Quadratic;
 use judder_structure::statics::product;
 use judder_study::outcome::{CheckRecord, Disagreement, Outcome};
 use num_complex::Complex64;
-use serde_json::{Map, Value, json};
 use std::f64::consts::TAU;
 
 /// What the normalised backward error of a mode may be.
 const RESIDUAL_LIMIT: f64 = 1e-11;
 /// What shapes may leave of each other in the inner product of the mass.
 const ORTHOGONALITY_LIMIT: f64 = 1e-8;
+
 /// The modes; beside them those of a reduction of the structure, where its eigenvalues ω², 1/s², are given.
 pub(crate) fn run(
     (case, structure): (&StructureCase, &Structure),
@@ -34,79 +34,97 @@ pub(crate) fn run(
         super::Modes::Band([from, to]) => WantedModes::Band(from / TAU, to / TAU),
     };
     let found = modes(&stiffness, &mass, wanted)?;
-    let table = ModeTable {
-        frequencies: found.modes.iter().map(Mode::frequency_hz).collect(),
-        residuals: found.modes.iter().map(|mode| mode.residual).collect(),
-        ratios: damping_ratios(&problem, &found),
+    let frequency: Vec<f64> = found.modes.iter().map(Mode::frequency_hz).collect();
+    let (count, rigid, ratios) = (frequency.len(), found.rigid_modes(), damping_ratios(&problem, &found));
+    let (limit, counted) = found.counted;
+    let told = ToldModes {
+        mode: (1..=count as i64).collect(),
+        residual: found.modes.iter().map(|mode| mode.residual).collect(),
+        mac: Grid { shape: vec![count; 2], values: shapes::mac(&found.modes) },
+        rigid_modes: rigid,
+        counted: Counted { below_hz: limit.max(0.0).sqrt() / TAU, modes: counted },
+        degrees_of_freedom: problem.size(),
+        modes_of: of.name(),
+        damping_ratio: ratios.clone(),
         reduced: reduced.map(|eigenvalues| Reduced::new(&found, eigenvalues)),
+        frequency,
     };
-    let rigid = found.rigid_modes();
-    let mut scalars = Map::from_iter([
-        ("frequencies_hz".to_owned(), json!(table.frequencies)),
-        ("residuals".to_owned(), json!(table.residuals)),
-        ("rigid_modes".to_owned(), json!(rigid)),
-        ("counted".to_owned(), counted(&found)),
-        ("degrees_of_freedom".to_owned(), json!(problem.size())),
-        ("modes_of".to_owned(), json!(of.name())),
-    ]);
-    if let Some(ratios) = &table.ratios {
-        scalars.insert("damping_ratios".to_owned(), ratios.iter().map(|ratio| number(*ratio)).collect());
-    }
-    if let Some(reduced) = &table.reduced {
-        let numbers = |values: &[f64]| values.iter().map(|value| number(*value)).collect();
-        scalars.insert("reduced_hz".to_owned(), numbers(&reduced.frequencies));
-        scalars.insert("reduction_errors".to_owned(), numbers(&reduced.errors));
-    }
+    let Outcome { scalars, mut dataset, table, .. } = Outcome::of("modes", &told)?;
     let mut warnings: Vec<String> = of.warning("the modes are those").into_iter().collect();
-    let mut dataset = table.dataset(&found.modes)?.attribute("modes_of", of.name())?;
     if let Some(layout) = &structure.layout {
         let vectors: Vec<&[f64]> = found.modes.iter().map(|mode| &mode.shape[..]).collect();
         dataset = shapes::with_layout(dataset, layout)?;
         dataset = shapes::with_real(dataset, layout, &vectors, &mut warnings)?;
     }
     let swinging = |(k, mode): (usize, &Mode)| {
-        let ratio = table.ratios.as_ref().map_or(0.0, |ratios| ratios[k]);
+        let ratio = ratios.as_ref().map_or(0.0, |ratios| ratios[k]);
         swinging(k, mode, (k >= rigid).then_some(ratio))
     };
     let shapes: Vec<Shape> = found.modes.iter().enumerate().map(swinging).collect();
     let files = fields::fields(name, structure, &shapes)?;
     let checks = checks(&mass, &found, wanted);
-    Ok(Outcome {
-        scalars,
-        dataset,
-        table: Some(table.columns()?),
-        checks,
-        files,
-        warnings,
-        ..Outcome::default()
-    })
+    Ok(Outcome { scalars, dataset, table, checks, files, warnings, ..Outcome::default() })
 }
 
-/// How many modes a factorisation counts, and below which frequency.
-fn counted(found: &Modes) -> Value {
-    let (limit, modes) = found.counted;
-    json!({ "below_hz": number(limit.max(0.0).sqrt() / TAU), "modes": modes })
-}
-
-/// What is told of every mode.
-struct ModeTable {
-    frequencies: Vec<f64>,
-    residuals: Vec<f64>,
-    /// Damping ratios, where there is damping.
-    ratios: Option<Vec<f64>>,
-    /// The same modes of the reduced structure, where there is one.
+/// What is told of the modes.
+#[derive(Results)]
+#[results(
+    along = "mode",
+    arrays(mode, frequency, residual, mac, damping_ratio, reduced),
+    columns(mode, frequency, residual, damping_ratio, reduced)
+)]
+pub(crate) struct ToldModes {
+    /// number of the mode
+    #[result(hidden)]
+    mode: Vec<i64>,
+    /// natural frequency
+    #[result(summary = "frequencies_hz", unit = "Hz")]
+    frequency: Vec<f64>,
+    /// normalised backward error
+    #[result(summary = "residuals")]
+    residual: Vec<f64>,
+    /// modal assurance criterion of two shapes
+    #[result(hidden, along = "mode other_mode")]
+    mac: Grid<f64>,
+    rigid_modes: usize,
+    /// how many modes a factorisation counts
+    counted: Counted,
+    degrees_of_freedom: usize,
+    /// of what matrices the modes are
+    #[result(attribute)]
+    modes_of: &'static str,
+    /// modal damping ratio ζ
+    #[result(summary = "damping_ratios", optional)]
+    damping_ratio: Option<Vec<f64>>,
+    #[result(flatten)]
     reduced: Option<Reduced>,
 }
 
+/// How many modes there are below a frequency.
+#[derive(Results)]
+struct Counted {
+    below_hz: f64,
+    modes: usize,
+}
+
 /// Modes of a reduction, each beside that of the full structure: the n-th beside the n-th, since a reduction lies above it.
+#[derive(Results)]
+#[results(
+    along = "mode",
+    arrays(reduced_frequency, reduction_error),
+    columns(reduced_frequency, reduction_error)
+)]
 struct Reduced {
-    /// Hz; NaN where the reduction has no such mode.
-    frequencies: Vec<f64>,
-    /// Reduced less full, over reduced; NaN for rigid motions too.
-    errors: Vec<f64>,
+    /// natural frequency of the reduced structure
+    #[result(summary = "reduced_hz", unit = "Hz")]
+    reduced_frequency: Vec<f64>,
+    /// reduced less full frequency, over the reduced one
+    #[result(summary = "reduction_errors")]
+    reduction_error: Vec<f64>,
 }
 
 impl Reduced {
+    /// Frequencies are not numbers where the reduction has no such mode, errors are none of rigid motions either.
     fn new(found: &Modes, eigenvalues: &[f64]) -> Self {
         let first = found.counted_from.1;
         let frequency =
@@ -117,57 +135,8 @@ impl Reduced {
             let reduced = frequencies[k];
             if k < rigid { f64::NAN } else { (reduced - mode.frequency_hz()) / reduced }
         };
-        let errors = found.modes.iter().enumerate().map(error).collect();
-        Self { frequencies, errors }
-    }
-
-    /// Name, unit, meaning and values of what is told of them.
-    fn columns(&self) -> [(&'static str, &'static str, &'static str, &[f64]); 2] {
-        [
-            ("reduced_frequency", "Hz", "natural frequency of the reduced structure", &self.frequencies),
-            ("reduction_error", "1", "reduced less full frequency, over the reduced one", &self.errors),
-        ]
-    }
-}
-
-impl ModeTable {
-    fn numbers(&self) -> Vec<i64> {
-        (1..=self.frequencies.len() as i64).collect()
-    }
-
-    fn dataset(&self, modes: &[Mode]) -> Result<Dataset, ModelError> {
-        let count = self.frequencies.len();
-        let modal = |name: &str, values: &[f64]| Variable::new(name, &["mode"], &[count], values.to_vec());
-        let mac = Variable::new("mac", &["mode", "other_mode"], &[count, count], shapes::mac(modes));
-        let dataset = Dataset::new()
-            .attribute("kind", "modes")?
-            .with(Variable::coordinate("mode", self.numbers()).long_name("number of the mode"))?
-            .with(modal("frequency", &self.frequencies).units("Hz").long_name("natural frequency"))?
-            .with(modal("residual", &self.residuals).units("1").long_name("normalised backward error"))?
-            .with(mac.units("1").long_name("modal assurance criterion of two shapes"))?;
-        let mut dataset = dataset;
-        if let Some(ratios) = &self.ratios {
-            let ratios = modal("damping_ratio", ratios).units("1").long_name("modal damping ratio ζ");
-            dataset = dataset.with(ratios)?;
-        }
-        for (name, unit, long_name, values) in self.reduced.iter().flat_map(Reduced::columns) {
-            dataset = dataset.with(modal(name, values).units(unit).long_name(long_name))?;
-        }
-        Ok(dataset)
-    }
-
-    fn columns(&self) -> Result<Table, ModelError> {
-        let mut table = Table::new()
-            .column("mode", "1", self.numbers())?
-            .column("frequency", "Hz", self.frequencies.clone())?
-            .column("residual", "1", self.residuals.clone())?;
-        if let Some(ratios) = &self.ratios {
-            table = table.column("damping_ratio", "1", ratios.clone())?;
-        }
-        for (name, unit, _, values) in self.reduced.iter().flat_map(Reduced::columns) {
-            table = table.column(name, unit, values.to_vec())?;
-        }
-        Ok(table)
+        let reduction_error = found.modes.iter().enumerate().map(error).collect();
+        Self { reduced_frequency: frequencies, reduction_error }
     }
 }
 

@@ -9,11 +9,12 @@ use crate::error::ModelError;
 use crate::structure::case::StructureCase;
 use crate::structure::case::scope::StructureScope;
 use judder_keys::declared::Settings;
+use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
 use judder_study::text::short;
-use run::freedom;
+use run::{ToldReceptance, freedom};
 use serde_json::{Map, Value as Json};
 use settings::Receptance;
 use std::f64::consts::TAU;
@@ -46,6 +47,10 @@ impl Analysis<StructureCase> for Receptance {
 
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         run::run((of.case, of.structure), of.name, self, task.progress)
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        ToldReceptance::declared()
     }
 
     fn estimate(&self, _: &Subject<'_>) -> Result<String, ModelError> {

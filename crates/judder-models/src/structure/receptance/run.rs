@@ -13,13 +13,12 @@ use judder_exchange::universal::{
     write_units,
 };
 use judder_keys::cause::Cause;
-use judder_store::{Dataset, Variable, number};
+use judder_store::Results;
 use judder_structure::freedom::Direction;
 use judder_structure::receptance::{Receptance as Found, receptances};
 use judder_study::Progress;
 use judder_study::outcome::{CheckRecord, Outcome};
 use num_complex::Complex64;
-use serde_json::{Map, Value, json};
 use std::f64::consts::TAU;
 
 /// What the backward error of the displacements may be.
@@ -92,13 +91,11 @@ pub(super) fn run(
         _ => Vec::new(),
     };
     Ok(Outcome {
-        scalars: scalars(&hertz, &values),
-        dataset: dataset(hertz, &found)?,
         checks: checks(&found),
         files,
         warnings: warnings(missing),
         missing,
-        ..Outcome::default()
+        ..Outcome::of("receptance", &ToldReceptance::new(hertz, values, &found))?
     })
 }
 
@@ -112,37 +109,35 @@ fn warnings(missing: usize) -> Vec<String> {
     (missing > 0).then(told).into_iter().collect()
 }
 
-fn scalars(hertz: &[f64], values: &[Complex64]) -> Map<String, Value> {
-    let finite = hertz.iter().zip(values).filter(|(_, value)| value.is_finite());
-    let largest = finite.max_by(|a, b| a.1.norm().total_cmp(&b.1.norm()));
-    let (at, peak) = largest.map_or((f64::NAN, f64::NAN), |(at, value)| (*at, value.norm()));
-    Map::from_iter([
-        ("points".to_owned(), json!(values.len())),
-        ("peak_frequency_hz".to_owned(), number(at)),
-        ("peak_m_per_n".to_owned(), number(peak)),
-    ])
+/// What a receptance leaves.
+#[derive(Results)]
+#[results(along = "frequency", arrays(frequency, receptance, residual))]
+pub(super) struct ToldReceptance {
+    points: usize,
+    /// where the receptance is largest
+    peak_frequency_hz: f64,
+    /// its magnitude there
+    peak_m_per_n: f64,
+    /// frequency of force and displacement
+    #[result(hidden, unit = "Hz")]
+    frequency: Vec<f64>,
+    /// displacement of the observed freedom over the force at the excited one
+    #[result(hidden, unit = "m/N")]
+    receptance: Vec<Complex64>,
+    /// backward error of the displacements
+    #[result(hidden)]
+    residual: Vec<f64>,
 }
 
-fn dataset(hertz: Vec<f64>, found: &[Found]) -> Result<Dataset, ModelError> {
-    let over = |name: &str, values: Vec<f64>| Variable::new(name, &["frequency"], &[found.len()], values);
-    let values: Vec<Complex64> = found.iter().map(|own| own.value).collect();
-    Ok(Dataset::new()
-        .attribute("kind", "receptance")?
-        .with(
-            Variable::coordinate("frequency", hertz)
-                .units("Hz")
-                .long_name("frequency of force and displacement"),
-        )?
-        .with(
-            Variable::new("receptance", &["frequency"], &[found.len()], values)
-                .units("m/N")
-                .long_name("displacement of the observed freedom over the force at the excited one"),
-        )?
-        .with(
-            over("residual", found.iter().map(|own| own.residual).collect())
-                .units("1")
-                .long_name("backward error of the displacements"),
-        )?)
+impl ToldReceptance {
+    fn new(frequency: Vec<f64>, receptance: Vec<Complex64>, found: &[Found]) -> Self {
+        let finite = frequency.iter().zip(&receptance).filter(|(_, value)| value.is_finite());
+        let largest = finite.max_by(|a, b| a.1.norm().total_cmp(&b.1.norm()));
+        let (peak_frequency_hz, peak_m_per_n) =
+            largest.map_or((f64::NAN, f64::NAN), |(at, value)| (*at, value.norm()));
+        let residual = found.iter().map(|own| own.residual).collect();
+        Self { points: found.len(), peak_frequency_hz, peak_m_per_n, frequency, receptance, residual }
+    }
 }
 
 fn checks(found: &[Found]) -> Vec<CheckRecord> {

@@ -12,9 +12,11 @@ use crate::structure::modes::MODES_LIMIT;
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Settings, Whole};
+use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Task};
 use judder_study::outcome::Outcome;
+use run::ToldReduction;
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;
 
@@ -53,6 +55,10 @@ pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = 
 impl Analysis<StructureCase> for Compared {
     fn run(&self, of: &Subject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
         run::run((of.case, of.structure), of.name, self.count)
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        ToldReduction::declared()
     }
 
     fn estimate(&self, _: &Subject<'_>) -> Result<String, ModelError> {

@@ -6,11 +6,10 @@ use crate::error::ModelError;
 use crate::structure::build::Structure;
 use crate::structure::case::StructureCase;
 use crate::structure::case::reduction::{FIXED_MODES, FixedModes};
-use judder_store::{Dataset, Table, Variable, number};
+use judder_store::Results;
 use judder_structure::craig_bampton::{CraigBampton, CutOff};
 use judder_structure::reduction_report::{ComparedFrequency, ReductionReport, TOLERANCE};
 use judder_study::outcome::{CheckRecord, Outcome};
-use serde_json::{Map, json};
 use std::f64::consts::TAU;
 
 /// What rounding may leave of frequencies, relative.
@@ -34,46 +33,76 @@ pub(super) fn run(
     let report = ReductionReport::new(&stiffness, &mass, kept, &reduced, count, probe)?;
     let rows = &report.frequencies;
     let of = |pick: &dyn Fn(&ComparedFrequency) -> f64| -> Vec<f64> { rows.iter().map(pick).collect() };
-    let (full, reduced_hz) = (of(&|r| r.full_hz), of(&|r| r.reduced_hz));
-    let (errors, bounds) = (of(&|r| r.relative_error), of(&|r| r.bound.unwrap_or(f64::NAN)));
-    let numbers: Vec<i64> = (1..=rows.len() as i64).collect();
-    let modal = |name: &str, values: &[f64]| Variable::new(name, &["mode"], &[rows.len()], values.to_vec());
-    let dataset = Dataset::new()
-        .attribute("kind", "reduction")?
-        .attribute("limit_hz", number(limit))?
-        .attribute("reduction_of", modes_of.name())?
-        .with(Variable::coordinate("mode", numbers.clone()).long_name("number of the mode"))?
-        .with(modal("full", &full).units("Hz").long_name("frequency of the full structure"))?
-        .with(modal("reduced", &reduced_hz).units("Hz").long_name("frequency of the reduced structure"))?
-        .with(modal("error", &errors).units("1").long_name("(reduced − full)/reduced"))?
-        .with(modal("bound", &bounds).units("1").long_name("what the reduction says its error is at most"))?;
-    let table = Table::new()
-        .column("mode", "1", numbers)?
-        .column("full", "Hz", full.clone())?
-        .column("reduced", "Hz", reduced_hz.clone())?
-        .column("error", "1", errors.clone())?
-        .column("bound", "1", bounds.clone())?;
     let fixed = reduced.fixed_interface.len();
-    let scalars = Map::from_iter([
-        ("full_hz".to_owned(), json!(full)),
-        ("reduced_hz".to_owned(), json!(reduced_hz)),
-        ("errors".to_owned(), json!(errors)),
-        ("bounds".to_owned(), bounds.iter().map(|bound| number(*bound)).collect()),
-        ("limit_hz".to_owned(), number(limit)),
-        ("static_compliance_error".to_owned(), json!(report.static_compliance_error)),
-        (
-            "dynamic_compliance".to_owned(),
-            json!({ "frequency_hz": probe, "error": number(report.dynamic_compliance_error) }),
-        ),
-        ("kept_freedoms".to_owned(), json!(kept.len())),
-        ("fixed_interface_modes".to_owned(), json!(fixed)),
-        ("reduced_freedoms".to_owned(), json!(kept.len() + fixed)),
-        ("degrees_of_freedom".to_owned(), json!(problem.size())),
-        ("reduction_of".to_owned(), json!(modes_of.name())),
-    ]);
+    let told = ToldReduction {
+        mode: (1..=rows.len() as i64).collect(),
+        full: of(&|row| row.full_hz),
+        reduced: of(&|row| row.reduced_hz),
+        error: of(&|row| row.relative_error),
+        bound: of(&|row| row.bound.unwrap_or(f64::NAN)),
+        limit_hz: limit,
+        static_compliance_error: report.static_compliance_error,
+        dynamic_compliance: Compliance { frequency_hz: probe, error: report.dynamic_compliance_error },
+        kept_freedoms: kept.len(),
+        fixed_interface_modes: fixed,
+        reduced_freedoms: kept.len() + fixed,
+        degrees_of_freedom: problem.size(),
+        reduction_of: modes_of.name(),
+    };
     let checks = checks(&report);
     let files = files::files(name, structure, &reduced, limit, &mut warnings)?;
-    Ok(Outcome { scalars, dataset, table: Some(table), checks, warnings, files, ..Outcome::default() })
+    Ok(Outcome { checks, warnings, files, ..Outcome::of("reduction", &told)? })
+}
+
+/// What is told of a reduction.
+#[derive(Results)]
+#[results(
+    along = "mode",
+    arrays(mode, full, reduced, error, bound),
+    columns(mode, full, reduced, error, bound)
+)]
+pub(super) struct ToldReduction {
+    /// number of the mode
+    #[result(hidden)]
+    mode: Vec<i64>,
+    /// frequency of the full structure
+    #[result(summary = "full_hz", unit = "Hz")]
+    full: Vec<f64>,
+    /// frequency of the reduced structure
+    #[result(summary = "reduced_hz", unit = "Hz")]
+    reduced: Vec<f64>,
+    /// (reduced − full)/reduced
+    #[result(summary = "errors")]
+    error: Vec<f64>,
+    /// what the reduction says its error is at most
+    #[result(summary = "bounds")]
+    bound: Vec<f64>,
+    /// below it the reduction is to be trusted
+    #[result(attribute)]
+    limit_hz: f64,
+    /// relative error of the compliance at rest
+    static_compliance_error: Option<f64>,
+    /// that of the compliance in motion
+    dynamic_compliance: Compliance,
+    /// freedoms of the interface
+    kept_freedoms: usize,
+    /// modes with the interface held
+    fixed_interface_modes: usize,
+    /// both together
+    reduced_freedoms: usize,
+    /// those of the full structure
+    degrees_of_freedom: usize,
+    /// of what matrices it is the reduction
+    #[result(attribute)]
+    reduction_of: &'static str,
+}
+
+/// The compliance of the interface at a frequency.
+#[derive(Results)]
+struct Compliance {
+    frequency_hz: f64,
+    /// its relative error
+    error: f64,
 }
 
 /// Where the fixed-interface modes end.

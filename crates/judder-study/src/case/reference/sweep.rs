@@ -28,7 +28,7 @@ pub(super) fn section() -> String {
             "\nA sweep has at most {POINTS_LIMIT:e} points. {KEYS}\n\
              A quantity without a dot is one of the operating point; with a dot it is `ANALYSIS.PATH`, a way into what `summary.json` holds under the name of an analysis: a \
              name leads into a table, and into every table of a list; a number picks an item of a list, counted from 0; as the last step {reductions} make one number of a list. \
-             `cycle.rms`, `thresholds.full.min`, `modes.frequencies_hz.0`, `locus.unstable.max_growth_rate.max`.\n"
+             `cycle.rms`, `thresholds.full.min`, `modes.frequencies_hz.0`, `locus.unstable.max_growth_rate.max`. What no result has is refused when the case is read.\n"
         )
 }
 

@@ -144,6 +144,26 @@ pub enum SweepProblem {
         /// The quantities that there are.
         known: Vec<String>,
     },
+    /// A name that the results of an analysis do not have.
+    #[error("`{path}`: there is no result `{name}`")]
+    UnknownResult {
+        /// The path as written.
+        path: String,
+        /// The step that leads nowhere.
+        name: String,
+        /// The names that there are.
+        known: Vec<String>,
+    },
+    /// A path through results that does not end at a number.
+    #[error("`{path}` is not the path of a number: {reason}")]
+    NoNumber {
+        /// The path as written.
+        path: String,
+        /// Why not.
+        reason: &'static str,
+        /// What would be right.
+        advice: String,
+    },
     /// Values that are not one a swept key.
     #[error("a point of the sweep `{name}` has {expected} values, but {found} are given")]
     ValueCount {
@@ -175,7 +195,10 @@ impl Problem for SweepProblem {
             Self::Lengths { .. } => "of another length",
             Self::TooManyKeys { .. } | Self::TooManyPoints { .. } => "too many",
             Self::QuantityPath { .. } => "no path",
-            Self::UnknownAnalysis { .. } | Self::UnknownQuantity { .. } => "unknown name",
+            Self::NoNumber { .. } => "no number",
+            Self::UnknownAnalysis { .. } | Self::UnknownQuantity { .. } | Self::UnknownResult { .. } => {
+                "unknown name"
+            }
             Self::ValueCount { .. } => "this sweep",
         }
     }
@@ -186,6 +209,11 @@ impl Problem for SweepProblem {
 }
 
 impl SweepProblem {
+    /// Whether a path is well written, and there is no such number.
+    pub(super) fn is_of_results(&self) -> bool {
+        matches!(self, Self::UnknownQuantity { .. } | Self::UnknownResult { .. } | Self::NoNumber { .. })
+    }
+
     /// What would be right.
     fn advice(&self) -> String {
         let help = match self {
@@ -197,7 +225,7 @@ impl SweepProblem {
             Self::NotSwept { .. } => {
                 "give the dotted path of a number of the case: operation.velocity, structure.NAME.width, analysis.NAME.tolerance"
             }
-            Self::Key { advice, .. } | Self::Value { advice, .. } => advice,
+            Self::Key { advice, .. } | Self::Value { advice, .. } | Self::NoNumber { advice, .. } => advice,
             Self::KeyTwice { .. } => "sweep each number once",
             Self::ValueTwice { .. } => "give each value of an axis once",
             Self::PointsOfGrid => {
@@ -223,6 +251,7 @@ impl SweepProblem {
             Self::UnknownQuantity { .. } => {
                 "this model has results of analyses alone: ANALYSIS.PATH, such as modes.frequencies_hz.0"
             }
+            Self::UnknownResult { name, known, .. } => return did_you_mean(name, known, "results here"),
             Self::UnknownAnalysis { name, known, .. } if !known.is_empty() => {
                 return did_you_mean(name, known, "analyses");
             }

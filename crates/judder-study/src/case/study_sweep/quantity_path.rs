@@ -3,7 +3,11 @@
 use std::fmt;
 
 use super::problem::SweepProblem;
+use crate::model::OperatingQuantity;
 use judder_keys::document::STEPS_LIMIT;
+
+/// What results call the time that a clock on the wall has shown.
+const WALL_TIME: &str = "seconds";
 
 /// The path of a quantity: `growth_rate`, `cycle.rms`, `thresholds.full.min`.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -17,10 +21,10 @@ pub struct QuantityPath {
 /// Where a quantity comes from.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum QuantitySource {
-    /// The operating point: a name without a dot. Which names a model has is decided where points are computed.
+    /// The operating point: a name without a dot.
     Point {
-        /// The name.
-        name: String,
+        /// The quantity of this name.
+        quantity: OperatingQuantity,
     },
     /// The results of an analysis.
     Analysis {
@@ -81,8 +85,12 @@ impl fmt::Display for QuantityPath {
 }
 
 impl QuantityPath {
-    /// Reads a path in a case with these analyses.
-    pub(super) fn parse(path: &str, analyses: &[&str]) -> Result<Self, SweepProblem> {
+    /// Reads a path in a case with these analyses, whose operating point has these quantities.
+    pub(super) fn parse(
+        path: &str,
+        analyses: &[&str],
+        quantities: &[OperatingQuantity],
+    ) -> Result<Self, SweepProblem> {
         let malformed = |reason| SweepProblem::QuantityPath { path: path.to_owned(), reason };
         let steps: Vec<&str> = path.split('.').collect();
         if steps.contains(&"") {
@@ -97,10 +105,17 @@ impl QuantityPath {
         }
         let text = path.to_owned();
         if steps.len() == 1 {
-            return match analyses.contains(&path) {
-                true => Err(malformed("it names a whole analysis")),
-                false => Ok(Self { source: QuantitySource::Point { name: text.clone() }, text }),
-            };
+            if analyses.contains(&path) {
+                return Err(malformed("it names a whole analysis"));
+            }
+            let known = || quantities.iter().map(|own| own.name.to_owned()).collect();
+            let found = quantities.iter().find(|own| own.name == path);
+            let quantity =
+                *found.ok_or_else(|| SweepProblem::UnknownQuantity { name: text.clone(), known: known() })?;
+            return Ok(Self { source: QuantitySource::Point { quantity }, text });
+        }
+        if steps.contains(&WALL_TIME) {
+            return Err(malformed("it is a wall time, which no two runs share"));
         }
         // a name of an analysis may have dots itself: the longest that fits
         let rest_of = |name: &str| path.strip_prefix(name).and_then(|rest| rest.strip_prefix('.'));
@@ -125,7 +140,15 @@ mod tests {
     #[test]
     fn paths_lead_into_the_analysis_with_the_longest_name() {
         let analyses = ["cycle", "cycle.fine", "other"];
-        let source = |path: &str| QuantityPath::parse(path, &analyses).map(|path| path.source);
+        let quantity = OperatingQuantity {
+            name: "growth_rate",
+            units: "1",
+            long_name: "",
+            label: None,
+            flags: &[],
+            is_sought: false,
+        };
+        let source = |path: &str| QuantityPath::parse(path, &analyses, &[quantity]).map(|path| path.source);
         let name = |text: &str| QuantityStep::Name(text.to_owned());
         let expected = |index: usize, steps: &[QuantityStep]| {
             let (name, steps) = (analyses[index].to_owned(), steps.to_vec());
@@ -137,8 +160,8 @@ mod tests {
             source("other.full.3.min"),
             expected(2, &[name("full"), QuantityStep::Item(3), name("min")])
         );
-        assert_eq!(source("rms"), Ok(QuantitySource::Point { name: "rms".to_owned() }));
-        assert!(source("other").is_err() && source("a.b").is_err());
+        assert_eq!(source("growth_rate"), Ok(QuantitySource::Point { quantity }));
+        assert!(["rms", "other", "a.b", "cycle.seconds"].into_iter().all(|path| source(path).is_err()));
         assert!(Reduction::ALL.iter().all(|(name, kind)| Reduction::from_name(name) == Some(*kind)));
     }
 }

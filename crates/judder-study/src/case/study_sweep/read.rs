@@ -4,8 +4,9 @@ use judder_numerics::sampling::sobol::DIMENSIONS_LIMIT;
 use judder_numerics::sampling::{LatinHypercube, SobolSequence};
 
 use super::design::{POINTS_LIMIT, Sampler, kept_values};
+use super::known_result;
 use super::problem::SweepProblem;
-use super::quantity_path::QuantityPath;
+use super::quantity_path::{QuantityPath, QuantitySource};
 use super::read_axis::{read_axes, refuse, refuse_repeated_keys};
 use super::trial::try_values;
 use super::{Design, SEEDS, Sensitivity, StudySweep, SweptKey};
@@ -84,7 +85,7 @@ fn read_sweep(
     let row = if sensitivity.is_some() { keys.len() as u64 + 2 } else { 1 };
     let shape = shape(method, &keys, row);
     let points = check_size(&shape, over.place)?;
-    let quantities = read_quantities(section, analyses)?;
+    let quantities = read_quantities(section, analyses, case)?;
     let chunk = section.whole("chunk", 1, CHUNK_LIMIT)?;
     let cases = try_values(tree, &keys).map_err(|refusal| {
         let place = match refusal.axis {
@@ -95,6 +96,7 @@ fn read_sweep(
         refusal.problem.at(place)
     })?;
     refuse_repeated_keys(tree, case, &axes)?;
+    let quantities = quantities.into_iter().collect::<Result<_, _>>()?;
     let is_set = case.is_set_by(&keys, &cases);
     let kept_values = kept_values(method, &keys);
     Ok(StudySweep {
@@ -202,21 +204,40 @@ fn check_size(shape: &[u64], place: Place) -> Result<u64, Fault> {
     Err(SweepProblem::TooManyPoints { shape, points, limit: POINTS_LIMIT as f64 }.at(place))
 }
 
-fn read_quantities(section: &Section<'_>, analyses: &[&str]) -> Result<Vec<QuantityPath>, Fault> {
+/// Reads what is kept of every point. That there is no such quantity is a fault for when all else of the sweep is right.
+fn read_quantities(
+    section: &Section<'_>,
+    analyses: &[&str],
+    case: &Case,
+) -> Result<Vec<Result<QuantityPath, Fault>>, Fault> {
     let expected = "quantities = [\"growth_rate\", \"ANALYSIS.PATH\"], what is kept of every point";
     let node = section.required("quantities", expected)?;
     let nodes = list("quantities", node)?;
     if nodes.is_empty() {
         return Err(Cause::EmptyList { key: "quantities".to_owned() }.at(node.place));
     }
-    let mut quantities: Vec<QuantityPath> = Vec::with_capacity(nodes.len());
+    let mut paths: Vec<&str> = Vec::with_capacity(nodes.len());
+    let mut quantities = Vec::with_capacity(nodes.len());
     for node in nodes {
         let path = text("quantities", node)?;
-        let quantity = QuantityPath::parse(path, analyses).map_err(|problem| problem.at(node.place))?;
-        if quantities.contains(&quantity) {
+        let quantity = QuantityPath::parse(path, analyses, case.operating_quantities());
+        let quantity = match quantity.and_then(|quantity| known(quantity, case)) {
+            Err(problem) if !problem.is_of_results() => return Err(problem.at(node.place)),
+            quantity => quantity.map_err(|problem| problem.at(node.place)),
+        };
+        if paths.contains(&path) {
             return Err(SweepProblem::QuantityTwice { path: path.to_owned() }.at(node.place));
         }
+        paths.push(path);
         quantities.push(quantity);
     }
     Ok(quantities)
+}
+
+/// The same, where the analysis has such a result.
+fn known(quantity: QuantityPath, case: &Case) -> Result<QuantityPath, SweepProblem> {
+    if let QuantitySource::Analysis { index, steps, .. } = &quantity.source {
+        known_result::check(&quantity.text, steps, case.summary_keys(*index))?;
+    }
+    Ok(quantity)
 }

@@ -3,9 +3,48 @@
 use super::{Branches, DiagramBranch};
 use crate::error::ModelError;
 use judder_oscillator::motion::ContactState;
-use judder_store::{Dataset, Variable, number};
+use judder_store::{Dataset, Results, Variable};
 use judder_study::outcome::{CheckRecord, Disagreement};
-use serde_json::{Map, Value, json};
+
+/// What is told of branches.
+#[derive(Results)]
+pub(crate) struct ToldBranches {
+    hopf_points: Vec<ToldHopf>,
+    branches: Vec<ToldBranch>,
+}
+
+/// Where steady sliding loses its stability.
+#[derive(Results)]
+struct ToldHopf {
+    value: f64,
+    frequency: f64,
+    lyapunov_coefficient: f64,
+    criticality: &'static str,
+}
+
+/// The cycles of a branch, one after the other.
+#[derive(Results)]
+struct ToldBranch {
+    /// where it starts, in words
+    from: String,
+    oscillations: Option<usize>,
+    value: Vec<f64>,
+    rms: Vec<f64>,
+    period: Vec<f64>,
+    stable: Vec<bool>,
+    folds: Vec<f64>,
+    pattern_changes: Vec<PatternChange>,
+    /// where it ends, in words
+    end: String,
+}
+
+/// Where neighbours have different patterns: both values and both patterns.
+#[derive(Results)]
+struct PatternChange {
+    between: [f64; 2],
+    from: Vec<String>,
+    to: Vec<String>,
+}
 
 /// A cycle of a branch as results tell it; the Hopf point where a branch begins is the first, with no amplitude.
 struct Told {
@@ -36,36 +75,35 @@ impl<const N: usize> DiagramBranch<N> {
         hopf.into_iter().chain(cycles).collect()
     }
 
-    /// Where neighbours have different patterns: both values and both patterns.
-    fn pattern_changes(&self) -> Vec<Value> {
+    /// Where neighbours have different patterns.
+    fn pattern_changes(&self) -> Vec<PatternChange> {
         let words =
             |pattern: &[ContactState]| pattern.iter().map(ToString::to_string).collect::<Vec<String>>();
         let changes = self.points.windows(2).filter_map(|pair| {
             let (before, behind) = (&pair[0].cycle.around.pattern, &pair[1].cycle.around.pattern);
-            (before != behind).then(|| {
-                json!({
-                    "between": [pair[0].parameter, pair[1].parameter],
-                    "from": words(before), "to": words(behind),
-                })
+            (before != behind).then(|| PatternChange {
+                between: [pair[0].parameter, pair[1].parameter],
+                from: words(before),
+                to: words(behind),
             })
         });
         changes.collect()
     }
 
-    fn scalars(&self) -> Value {
+    fn told_branch(&self) -> ToldBranch {
         let told = self.told();
-        let numbers = |of: fn(&Told) -> f64| told.iter().map(|t| number(of(t))).collect::<Value>();
-        json!({
-            "from": self.from,
-            "oscillations": self.points.first().map(|point| point.cycle.oscillations),
-            "value": numbers(|t| t.value),
-            "rms": numbers(|t| t.rms),
-            "period": numbers(|t| t.period),
-            "stable": told.iter().map(|t| t.is_stable).collect::<Vec<_>>(),
-            "folds": self.folds.iter().map(|fold| fold.parameter).collect::<Vec<_>>(),
-            "pattern_changes": self.pattern_changes(),
-            "end": self.end,
-        })
+        let numbers = |of: fn(&Told) -> f64| told.iter().map(of).collect::<Vec<f64>>();
+        ToldBranch {
+            from: self.from.clone(),
+            oscillations: self.points.first().map(|point| point.cycle.oscillations),
+            value: numbers(|t| t.value),
+            rms: numbers(|t| t.rms),
+            period: numbers(|t| t.period),
+            stable: told.iter().map(|t| t.is_stable).collect(),
+            folds: self.folds.iter().map(|fold| fold.parameter).collect(),
+            pattern_changes: self.pattern_changes(),
+            end: self.end.clone(),
+        }
     }
 
     /// Value and rms of each fold, the latter between its neighbours.
@@ -84,20 +122,17 @@ impl<const N: usize> DiagramBranch<N> {
 }
 
 impl<const N: usize> Branches<N> {
-    pub(crate) fn scalars(&self) -> Map<String, Value> {
-        let hopf_points = self.hopf_points.iter().map(|point| {
-            let hopf = &point.hopf;
-            json!({
-                "value": point.value,
-                "frequency": hopf.frequency,
-                "lyapunov_coefficient": number(hopf.coefficient),
-                "criticality": if hopf.is_subcritical() { "subcritical" } else { "supercritical" },
-            })
+    pub(crate) fn told(&self) -> ToldBranches {
+        let hopf_points = self.hopf_points.iter().map(|point| ToldHopf {
+            value: point.value,
+            frequency: point.hopf.frequency,
+            lyapunov_coefficient: point.hopf.coefficient,
+            criticality: if point.hopf.is_subcritical() { "subcritical" } else { "supercritical" },
         });
-        Map::from_iter([
-            ("hopf_points".to_owned(), hopf_points.collect()),
-            ("branches".to_owned(), self.branches.iter().map(DiagramBranch::scalars).collect()),
-        ])
+        ToldBranches {
+            hopf_points: hopf_points.collect(),
+            branches: self.branches.iter().map(DiagramBranch::told_branch).collect(),
+        }
     }
 
     pub(crate) fn add_arrays(&self, dataset: Dataset) -> Result<Dataset, ModelError> {

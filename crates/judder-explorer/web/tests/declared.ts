@@ -7,10 +7,10 @@ const key = (name: string, form: Form, of: unknown = null): Declaration => ({ na
 export const number = (name: string, range: Bounds, of: unknown, units: { group?: string | null; unit?: string | null } = {}) =>
   key(name, { kind: "number", group: "", unit: null, range, ...units }, of);
 export const whole = (name: string, from: number, of: unknown) => key(name, { kind: "whole", range: { from } }, of);
-const table = (name: string, keys: readonly Declaration[]) => key(name, { kind: "table", keys });
+const table = (name: string, keys: readonly Declaration[], of: unknown = null) => key(name, { kind: "table", keys }, of);
 const choice = (name: string, ...words: readonly string[]) => key(name, { kind: "choice", words: words.map((word) => ({ word, doc: "" })) }, words[0]);
 
-const start = table("start", [number("disturbance", {}, 0.2), number("x", {}, null)]);
+const start = table("start", [number("disturbance", {}, null), number("x", {}, null)], { disturbance: 0.2 });
 const duration = number("duration", { above: 0 }, 2000, { group: "ω_nx t", unit: "s" });
 const span = (name: string) => table(name, [number("from", { above: 0 }, null), number("to", { above: 0 }, null), whole("points", 2, 51)]);
 

@@ -51,13 +51,15 @@ const SINGLE: readonly string[] = ["number", "whole", "flag", "choice", "other"]
 /** The settings of a kind of analysis that a page offers. */
 export function settingsOf(declared: Declared | undefined, kind: string): readonly Setting[] {
   const isOwn = (path: string) => (OWN[kind] ?? []).some((own) => path === own || path.startsWith(`${own}.`));
-  const within = (keys: readonly Declaration[], before: string): readonly Setting[] =>
+  // a table that is left out has a default of its own
+  const within = (keys: readonly Declaration[], before: string, whole: unknown): readonly Setting[] =>
     keys.flatMap((key) => {
       const path = before + key.name;
-      if (key.form.kind === "table") return within(key.form.keys, `${path}.`);
-      return SINGLE.includes(key.form.kind) && !isOwn(path) ? [{ ...key, path, field: FIELDS[`${kind}/${path}`] ?? `${kind}.${path}` }] : [];
+      const standard = key.default ?? (whole as Record<string, unknown> | null)?.[key.name] ?? null;
+      if (key.form.kind === "table") return within(key.form.keys, `${path}.`, standard);
+      return SINGLE.includes(key.form.kind) && !isOwn(path) ? [{ ...key, default: standard, path, field: FIELDS[`${kind}/${path}`] ?? `${kind}.${path}` }] : [];
     });
-  return within(declared?.[kind]?.keys ?? [], "");
+  return within(declared?.[kind]?.keys ?? [], "", null);
 }
 
 /** The fields of the settings of some kinds of analyses. */

@@ -1,7 +1,8 @@
 //! Plans of Fourier transforms of `f64`.
 //!
 //! The planner of rustfft is generic: a crate that calls it compiles every algorithm of every processor anew, which takes longer than
-//! all else in it. Here they are compiled once; what comes out are objects.
+//! all else in it. Here they are compiled once; what comes out are objects. Of vector instructions AVX and NEON alone are compiled in, and
+//! chosen at run time.
 
 pub use realfft::{ComplexToReal, RealToComplex};
 pub use rustfft::Fft;

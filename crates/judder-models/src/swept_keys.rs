@@ -17,10 +17,11 @@ use judder_keys::section::finite_number;
 use judder_study::case::root::COMMON;
 use judder_study::case::schema::swept_keys;
 use serde_json::{Value as Json, json};
+use std::fmt;
 
 /// The keys that the analyses of one case can vary.
 pub(crate) trait SweptKeys {
-    type Key: Copy + PartialEq;
+    type Key: Copy + PartialEq + fmt::Debug + Send + Sync + 'static;
 
     /// The key that a case file names by `path`.
     fn find(&self, path: &str) -> Result<Self::Key, Cause>;

@@ -1,8 +1,9 @@
 //! Studies end to end: the benchmark cases, results that belong to their case, the scoreboard.
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::expect_used, clippy::panic, clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod bare_figures;
+mod cases;
 mod checks;
 mod computed_law;
 mod contact;

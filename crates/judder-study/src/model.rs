@@ -163,7 +163,7 @@ pub trait Model: Any + DynClone + fmt::Debug + Send + Sync {
 clone_trait_object!(Model);
 
 /// An analysis of a model: what it announces, is refused for, computes and takes.
-pub trait Analysis<M: Analysed + ?Sized>: AsAny + fmt::Debug + Send + Sync {
+pub trait Analysis<M: Analysed + ?Sized>: AsAny + DynClone + fmt::Debug + Send + Sync {
     /// How many steps it announces to its progress.
     fn steps(&self) -> usize {
         1

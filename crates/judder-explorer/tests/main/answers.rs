@@ -2,7 +2,7 @@
 
 use crate::client::Served;
 use judder_keys::declared::Settings;
-use judder_models::motion::settings::History;
+use judder_models::motion::history::History;
 use judder_models::oscillator::case::OscillatorCase;
 use judder_models::template::template;
 use judder_study::Silent;

@@ -1,8 +1,11 @@
 //! The belt case: one mass on a moving belt, with friction that falls with speed, for the literature's benchmarks.
 
+use std::sync::Arc;
+
 use crate::REGISTRY;
 use crate::belt::MODEL;
-use crate::motion::settings::{MotionAnalysis, MotionKinds, MotionModel};
+use crate::motion::settings::{MotionKinds, MotionModel};
+use crate::motion::{Motion, MotionOf};
 use crate::swept_keys::{SweptKeys, key_of};
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Allowed, Declaration, Settings, all, both};
@@ -67,14 +70,14 @@ impl BeltInputs {
 }
 
 /// A validated belt case.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct BeltCase {
     /// The title; empty where the case gives none.
     pub title: String,
     /// The value of every key at the operating point of the case.
     pub inputs: BeltInputs,
     /// The analyses in the order of the case file.
-    pub analyses: Vec<Planned<MotionAnalysis<BeltKey>>>,
+    pub analyses: Vec<Planned<Arc<dyn Analysis<BeltCase>>>>,
 }
 
 /// The keys that the analyses of a belt case can vary.
@@ -116,10 +119,10 @@ impl SweptKeys for BeltKeys {
 }
 
 impl MotionModel for BeltKeys {
-    type Analysis = MotionAnalysis<BeltKey>;
+    type Analysis = Arc<dyn Analysis<BeltCase>>;
 
-    fn of_motion(analysis: MotionAnalysis<BeltKey>) -> MotionAnalysis<BeltKey> {
-        analysis
+    fn of_motion<A: MotionOf<Self>>(analysis: A) -> Self::Analysis {
+        Arc::new(Motion(analysis))
     }
 
     /// Mass and natural frequency are the units, and there is no other direction.
@@ -165,7 +168,7 @@ pub(crate) struct BeltSections {
 }
 
 /// The kinds of a belt case.
-pub(crate) static KINDS: [Kind<BeltKeys, MotionAnalysis<BeltKey>>; 4] =
+pub(crate) static KINDS: [Kind<BeltKeys, Arc<dyn Analysis<BeltCase>>>; 4] =
     [MotionKinds::HISTORY, MotionKinds::LIMIT_CYCLE, MotionKinds::BIFURCATION, MotionKinds::BASIN];
 
 /// Reads a belt case from the root of its tree.
@@ -182,7 +185,7 @@ pub(crate) fn read(node: &Node) -> Result<BeltCase, Fault> {
 impl BeltCase {
     /// The canonical form.
     pub(super) fn resolved(&self) -> Json {
-        let mut json = document(MODEL.name, &self.title, &self.analyses, Analysis::write);
+        let mut json = document(MODEL.name, &self.title, &self.analyses, |kind, json| kind.write(json));
         let numbers = |section| {
             let own = BeltKey::of_section(section).map(|entry| entry.key);
             Numbers(own.map(|key| (key, Value::group(self.inputs.number(key)))).collect())

@@ -7,7 +7,6 @@ use crate::motion::model::belt;
 use judder_keys::keys::Keys;
 use judder_oscillator::motion::SlidingSystem;
 use judder_study::case::file::CaseFile;
-use judder_study::model::Analysis;
 use judder_study::resolve::Resolved;
 use judder_study::text::{columns, number};
 use serde_json::json;

@@ -6,8 +6,8 @@ mod check;
 use crate::belt::case::{BeltCase, BeltKey, BeltKeys, BeltSections};
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost};
-use crate::motion::settings::MotionAnalysis;
-use crate::motion::{self, check::estimate, model::BeltModel};
+use crate::motion::model::BeltModel;
+use crate::motion::{MotionCase, MotionOf};
 use judder_keys::declared::Settings;
 use judder_keys::keys::Keys;
 use judder_store::Declared;
@@ -16,11 +16,10 @@ use judder_study::case::analysis::names;
 use judder_study::case::file::{Case, CaseFile};
 use judder_study::case::reference::section;
 use judder_study::case::root::schema;
-use judder_study::model::{Analysed, Analysis, Model, Prepared, Task};
+use judder_study::model::{Analysed, Model, Prepared, Task};
 use judder_study::outcome::Outcome;
 use judder_study::registry::{ModelKind, entries};
 use judder_study::resolve::Resolved;
-use serde_json::{Map, Value};
 
 impl Analysed for BeltCase {
     type Subject<'a> = BeltModel<'a>;
@@ -30,25 +29,17 @@ impl Analysed for BeltCase {
     type Error = ModelError;
 }
 
-impl Analysis<BeltCase> for MotionAnalysis<BeltKey> {
-    fn steps(&self) -> usize {
-        motion::steps(self)
-    }
+impl MotionCase for BeltCase {
+    type Keys = BeltKeys;
 
-    fn summary_keys(&self) -> Vec<Declared> {
-        motion::summary_keys(self)
-    }
+    const RADIAN: f64 = cost::RADIAN_ON_BELT;
 
-    fn run(&self, of: &BeltModel<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
-        motion::run_task(of, self, task)
-    }
-
-    fn estimate(&self, name: &&str) -> Result<Estimate, ModelError> {
-        Ok(estimate(name, self, cost::RADIAN_ON_BELT))
-    }
-
-    fn write(&self, json: &mut Map<String, Value>) {
-        self.write_table::<BeltKeys>(json);
+    fn follow<A: MotionOf<BeltKeys>>(
+        asked: &A,
+        of: &BeltModel<'_>,
+        task: Task<'_>,
+    ) -> Result<Outcome, ModelError> {
+        asked.run(of, task)
     }
 }
 

@@ -3,98 +3,139 @@
 //! - `model`: the two of them.
 //! - `becomes`: what motions settle to. `amplitude_spectrum`: how they swing.
 //! - `pictures`: their figures.
-//! - `check`: what they would take.
 //! - A folder each: `history` (kind `motion`), `limit_cycle`, `bifurcation`, `basin`.
 
 mod amplitude_spectrum;
-mod basin;
+pub mod basin;
 pub mod becomes;
-mod bifurcation;
-pub(crate) mod check;
-mod history;
-pub(crate) mod limit_cycle;
+pub mod bifurcation;
+pub mod history;
+pub mod limit_cycle;
 pub(crate) mod model;
 pub mod pictures;
 pub mod settings;
 
 use crate::error::ModelError;
-use crate::motion::settings::{Bifurcation, MotionAnalysis};
+use crate::estimate::{Estimate, cost};
+use crate::sweep::Sweep;
+use crate::swept_keys::SweptKeys;
+use judder_keys::numeric_key::{Form, Value};
 use judder_store::Declared;
-use judder_study::Progress;
-use judder_study::kept::Kept;
-use judder_study::model::{MotionBlock, Task};
+use judder_study::model::{Analysed, Analysis, Task};
 use judder_study::outcome::Outcome;
 use model::Moving;
+use serde_json::{Map, Value as Json};
+use std::fmt;
 
-/// How many steps an analysis announces.
-pub(crate) fn steps<K>(kind: &MotionAnalysis<K>) -> usize {
-    match kind {
-        MotionAnalysis::History(_) | MotionAnalysis::LimitCycle(_) => 1,
-        MotionAnalysis::Bifurcation(asked) => asked.sweep.points * asked.diagram.direction.sweeps().len(),
-        MotionAnalysis::Basin(asked) => asked.samples,
+/// An analysis of motion, of a model with these keys.
+pub(crate) trait MotionOf<S: SweptKeys>: Clone + fmt::Debug + Send + Sync + 'static {
+    /// How many steps it announces to its progress.
+    fn announced(&self) -> usize {
+        1
+    }
+
+    /// The keys of its summary.
+    fn summary_keys(&self) -> Vec<Declared>;
+
+    /// Computes it.
+    fn run<M: Moving<N, Key = S::Key>, const N: usize>(
+        &self,
+        model: &M,
+        task: Task<'_>,
+    ) -> Result<Outcome, ModelError>;
+
+    /// What it follows.
+    fn size(&self) -> Size;
+
+    /// Puts its settings into a canonical form.
+    fn write(&self, json: &mut Map<String, Json>);
+
+    /// The key that it varies.
+    fn swept(&self) -> Option<&Sweep<S::Key>> {
+        None
     }
 }
 
-/// The keys of the summary of an analysis.
-pub(crate) fn summary_keys<K>(kind: &MotionAnalysis<K>) -> Vec<Declared> {
-    match kind {
-        MotionAnalysis::History(_) => history::summary_keys(),
-        MotionAnalysis::LimitCycle(_) => limit_cycle::summary_keys(),
-        MotionAnalysis::Bifurcation(asked) => bifurcation::summary_keys(asked.diagram.branches),
-        MotionAnalysis::Basin(_) => basin::summary_keys(),
+/// A case whose motion can be followed.
+pub(crate) trait MotionCase:
+    for<'a> Analysed<Known<'a> = &'a str, Estimate = Estimate, Error = ModelError>
+{
+    /// Its keys.
+    type Keys: SweptKeys;
+
+    /// What a radian of its motion takes, s.
+    const RADIAN: f64;
+
+    /// Runs an analysis of motion on the model of the case.
+    fn follow<A: MotionOf<Self::Keys>>(
+        asked: &A,
+        of: &Self::Subject<'_>,
+        task: Task<'_>,
+    ) -> Result<Outcome, ModelError>;
+}
+
+/// An analysis of motion as one of a case.
+#[derive(Debug, Clone)]
+pub struct Motion<A>(pub A);
+
+impl<C: MotionCase, A: MotionOf<C::Keys>> Analysis<C> for Motion<A> {
+    fn steps(&self) -> usize {
+        self.0.announced()
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        self.0.summary_keys()
+    }
+
+    fn run(&self, of: &C::Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+        C::follow(&self.0, of, task)
+    }
+
+    fn estimate(&self, name: &&str) -> Result<Estimate, ModelError> {
+        Ok(self.0.size().estimate(name, C::RADIAN))
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.0.write(json);
     }
 }
 
-fn run<M: Moving<N>, const N: usize>(
-    model: &M,
-    kind: &MotionAnalysis<M::Key>,
-    kept: Kept<'_>,
-    progress: &dyn Progress,
-) -> Result<Outcome, ModelError> {
-    match kind {
-        MotionAnalysis::History(asked) => history::run(model, asked, progress, None),
-        MotionAnalysis::LimitCycle(asked) => {
-            limit_cycle::run(model, &asked.start, &asked.following(), progress)
+/// Time in which a motion usually settles, in radians.
+pub(crate) const USUAL_TIME: f64 = 1000.0;
+
+/// The time in which a motion usually settles that is followed for so long at most, in radians.
+fn settling(longest: Value) -> f64 {
+    if longest.form == Form::Group { USUAL_TIME.min(longest.number) } else { USUAL_TIME }
+}
+
+/// What an analysis of motion follows.
+pub(crate) struct Size {
+    /// Points that are kept.
+    points: usize,
+    motions: usize,
+    /// How long each is followed, in radians.
+    time: f64,
+    /// Whether branches of cycles are followed as well.
+    branches: bool,
+}
+
+impl Size {
+    /// So many motions over this time, each a point.
+    fn of_motions(motions: usize, time: f64) -> Self {
+        Self { points: motions, motions, time, branches: false }
+    }
+
+    /// What it would take, with so many seconds a radian.
+    fn estimate(&self, name: &str, radian: f64) -> Estimate {
+        /// Numbers that are kept of a point.
+        const NUMBERS: u128 = 16;
+        // what a branch costs is its flights, which take their radians
+        let branches = if self.branches { cost::BRANCHES * radian / cost::RADIAN } else { 0.0 };
+        Estimate {
+            name: name.to_owned(),
+            points: self.points,
+            seconds: self.motions as f64 * self.time * radian + branches + cost::FIGURE,
+            bytes: self.points as u128 * 8 * NUMBERS,
         }
-        MotionAnalysis::Bifurcation(Bifurcation { sweep, diagram }) => {
-            let settings = bifurcation::Settings {
-                sweep,
-                start: &diagram.start,
-                following: &diagram.following(),
-                transient: diagram.transient,
-                branches: diagram.branches,
-            };
-            bifurcation::run(model, &settings, diagram.direction, kept, progress)
-        }
-        MotionAnalysis::Basin(asked) => {
-            let within = asked.within.state::<N>();
-            let draw = basin::Draw { within: &within, samples: asked.samples, seed: asked.seed as u64 };
-            basin::run(model, &draw, &asked.following(), kept, progress)
-        }
-    }
-}
-
-/// As [`run`], of nothing that is known before; a history hands its samples to `watch` while it is computed.
-fn run_watched<M: Moving<N>, const N: usize>(
-    model: &M,
-    kind: &MotionAnalysis<M::Key>,
-    progress: &dyn Progress,
-    watch: &mut dyn FnMut(MotionBlock),
-) -> Result<Outcome, ModelError> {
-    match kind {
-        MotionAnalysis::History(asked) => history::run(model, asked, progress, Some(watch)),
-        kind => run(model, kind, Kept::NOTHING, progress),
-    }
-}
-
-/// Runs an analysis of a model as its task asks.
-pub(crate) fn run_task<M: Moving<N>, const N: usize>(
-    model: &M,
-    kind: &MotionAnalysis<M::Key>,
-    task: Task<'_>,
-) -> Result<Outcome, ModelError> {
-    match task.watch {
-        Some(watch) => run_watched(model, kind, task.progress, watch),
-        None => run(model, kind, task.own, task.progress),
     }
 }

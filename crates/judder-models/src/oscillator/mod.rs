@@ -37,9 +37,9 @@ use crate::estimate::{Estimate, cost};
 use crate::known_substrate::KnownSubstrate;
 use crate::labels;
 use crate::material;
-use crate::motion::settings::MotionAnalysis;
+use crate::motion::model::OscillatorModel;
 use crate::motion::settings::MotionKinds;
-use crate::motion::{self, check::estimate, model::OscillatorModel};
+use crate::motion::{Motion, MotionCase, MotionOf};
 use crate::oscillator::case::{OscillatorCase, OscillatorSections};
 use crate::oscillator::inputs::{LawName, OscillatorInputs};
 use crate::oscillator::keys::OscillatorKey;
@@ -68,7 +68,7 @@ use judder_study::registry::{ModelKind, entries};
 use judder_study::resolve::Resolved;
 use operating_points::OfOneLaw;
 use quasi_steady::{Condition, ToldCondition, of_motions};
-use serde_json::{Map, Value};
+use serde_json::Value;
 use std::sync::Arc;
 
 /// The kinds of analyses.
@@ -268,33 +268,25 @@ impl Model for OscillatorCase {
     }
 }
 
-impl Analysis<OscillatorCase> for MotionAnalysis<OscillatorKey> {
-    fn steps(&self) -> usize {
-        motion::steps(self)
-    }
+impl MotionCase for OscillatorCase {
+    type Keys = OscillatorKeys;
 
-    fn summary_keys(&self) -> Vec<Declared> {
-        motion::summary_keys(self)
-    }
+    const RADIAN: f64 = cost::RADIAN;
 
-    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
-        motion::run_task(&OscillatorModel { inputs: &of.case.inputs, contact: of.contact }, self, task)
-    }
-
-    fn estimate(&self, name: &&str) -> Result<Estimate, ModelError> {
-        Ok(estimate(name, self, cost::RADIAN))
-    }
-
-    fn write(&self, json: &mut Map<String, Value>) {
-        self.write_table::<OscillatorKeys>(json);
+    fn follow<A: MotionOf<OscillatorKeys>>(
+        asked: &A,
+        of: &Subject<'_>,
+        task: Task<'_>,
+    ) -> Result<Outcome, ModelError> {
+        asked.run(&OscillatorModel { inputs: &of.case.inputs, contact: of.contact }, task)
     }
 }
 
-impl Operated for MotionAnalysis<OscillatorKey> {
+impl<A: MotionOf<OscillatorKeys>> Operated for Motion<A> {
     fn corners(&self, inputs: &OscillatorInputs) -> Vec<OscillatorInputs> {
-        match self {
-            Self::Bifurcation(asked) => ends(&asked.sweep, vec![*inputs]),
-            _ => vec![*inputs],
+        match self.0.swept() {
+            Some(sweep) => ends(sweep, vec![*inputs]),
+            None => vec![*inputs],
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The analyses of an oscillator case.
 
-use crate::motion::settings::{MotionAnalysis, MotionModel};
+use crate::motion::settings::MotionModel;
+use crate::motion::{Motion, MotionOf};
 use crate::oscillator::Operated;
 use crate::oscillator::keys::OscillatorKey;
 use crate::read_sweep::{
@@ -111,8 +112,8 @@ struct MapMargin {
 impl MotionModel for OscillatorKeys {
     type Analysis = Arc<dyn Operated>;
 
-    fn of_motion(analysis: MotionAnalysis<OscillatorKey>) -> Self::Analysis {
-        Arc::new(analysis)
+    fn of_motion<A: MotionOf<Self>>(analysis: A) -> Self::Analysis {
+        Arc::new(Motion(analysis))
     }
 }
 

@@ -2,21 +2,21 @@
 
 use crate::REGISTRY;
 use crate::parameters::{Parameter, Parameters};
-use crate::read_sweep::{Axis, SWEEP, map_declarations, read_map, write_map};
-use crate::sweep::{ParameterKey, StabilityMap, Sweep};
+use crate::sweep::{ParameterKey, Sweep};
 use crate::swept_keys::ParameterKeys;
-use crate::two_degrees::MODEL;
 use crate::two_degrees::matrix::{Entries, Matrix, Scope};
+use crate::two_degrees::{KINDS, MODEL, Varying};
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Setting, both};
 use judder_keys::document::Node;
 use judder_keys::error::Fault;
 use judder_keys::schema::object;
-use judder_study::case::analysis::{Kind, Planned, read_analyses};
+use judder_oscillator::LinearSystem;
+use judder_study::case::analysis::{Planned, read_analyses};
 use judder_study::case::root::{document, read_root};
-use judder_study::model::Analysis;
-use serde_json::{Map, Value as Json, json};
+use serde_json::{Value as Json, json};
+use std::sync::Arc;
 
 /// A validated two-degrees case.
 #[derive(Debug, Clone)]
@@ -26,7 +26,7 @@ pub struct TwoDegreesCase {
     /// The parameters in the order of the case file.
     pub parameters: Vec<Parameter>,
     /// The analyses in the order of the case file.
-    pub analyses: Vec<Planned<TwoDegreesAnalysis>>,
+    pub analyses: Vec<Planned<Arc<dyn Varying>>>,
     /// M, C and K.
     matrices: Box<[Matrix; 3]>,
 }
@@ -42,90 +42,10 @@ pub struct TwoDegreesMatrices {
     pub stiffness: [[f64; 2]; 2],
 }
 
-/// What an analysis of a two-degrees case computes.
-#[derive(Debug, Clone, PartialEq)]
-pub enum TwoDegreesAnalysis {
-    /// `spectrum`: the eigenvalues along one parameter.
-    Spectrum(ParameterSpectrum),
-    /// `stability-map`: the verdict over two parameters.
-    StabilityMap(StabilityMap<ParameterKey>),
-    /// `critical`: the values of one parameter at which stability changes.
-    Critical(ParameterThresholds),
-}
-
-/// The eigenvalues along one parameter.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ParameterSpectrum {
-    /// The swept parameter.
-    pub sweep: Sweep<ParameterKey>,
-}
-
-/// The values of one parameter at which stability changes.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ParameterThresholds {
-    /// The parameter, the range in which changes are sought, and the samples of the search.
-    pub sweep: Sweep<ParameterKey>,
-}
-
-impl TwoDegreesAnalysis {
-    /// The positions of the parameters that the analysis varies.
-    fn swept(&self) -> Vec<usize> {
-        match self {
-            Self::Spectrum(ParameterSpectrum { sweep }) | Self::Critical(ParameterThresholds { sweep }) => {
-                vec![sweep.key.index()]
-            }
-            Self::StabilityMap(map) => vec![map.x.key.index(), map.y.key.index()],
-        }
-    }
-
-    /// Puts the settings into a canonical form.
-    pub(crate) fn write_table(&self, json: &mut Map<String, Json>) {
-        match self {
-            Self::Spectrum(ParameterSpectrum { sweep }) => SWEEP.write::<ParameterKeys>(sweep, json),
-            Self::StabilityMap(map) => write_map::<ParameterKeys>(map, json),
-            Self::Critical(ParameterThresholds { sweep }) => SAMPLES.write::<ParameterKeys>(sweep, json),
-        }
-    }
-}
-
-/// Where `critical` seeks changes.
-const SAMPLES: Axis = SWEEP.of_points(400);
-
-/// The kinds of a two-degrees case.
-pub(crate) static KINDS: [Kind<ParameterKeys, TwoDegreesAnalysis>; 3] = [
-    Kind {
-        name: "spectrum",
-        doc: "the eigenvalues along one parameter",
-        declared: || vec![SWEEP.declaration::<ParameterKeys>()],
-        read: |keys, section| {
-            let sweep = SWEEP.read_alone(keys, section)?;
-            Ok(TwoDegreesAnalysis::Spectrum(ParameterSpectrum { sweep }))
-        },
-        picture: None,
-    },
-    Kind {
-        name: "stability-map",
-        doc: "stable and unstable points over two parameters",
-        declared: map_declarations::<ParameterKeys>,
-        read: |keys, section| read_map(keys, section).map(TwoDegreesAnalysis::StabilityMap),
-        picture: None,
-    },
-    Kind {
-        name: "critical",
-        doc: "the values of a parameter at which stability changes",
-        declared: || vec![SAMPLES.declaration::<ParameterKeys>()],
-        read: |keys, section| {
-            let sweep = SAMPLES.read_alone(keys, section)?;
-            Ok(TwoDegreesAnalysis::Critical(ParameterThresholds { sweep }))
-        },
-        picture: None,
-    },
-];
-
 impl TwoDegreesCase {
     /// The canonical form.
     pub(super) fn resolved(&self) -> Json {
-        let mut json = document(MODEL.name, &self.title, &self.analyses, Analysis::write);
+        let mut json = document(MODEL.name, &self.title, &self.analyses, |kind, json| kind.write(json));
         let matrices = self.expressions().map(|(name, texts)| (name, json!(texts)));
         json.insert("parameters".to_owned(), Parameters(self.parameters.clone()).write(&()));
         json.insert("matrices".to_owned(), Json::Object(object(matrices)));
@@ -148,6 +68,16 @@ impl TwoDegreesCase {
             damping: damping.evaluate(values)?,
             stiffness: stiffness.evaluate(values)?,
         })
+    }
+
+    /// M, C, K with these parameters set; `None` where an entry is not finite.
+    pub(super) fn system(&self, set: &[(&Sweep<ParameterKey>, f64)]) -> Option<LinearSystem> {
+        let mut values = self.values();
+        for (sweep, value) in set {
+            sweep.set(&mut values, *value);
+        }
+        let matrices = self.matrices(&values).ok()?;
+        Some(LinearSystem { mass: matrices.mass, damping: matrices.damping, stiffness: matrices.stiffness })
     }
 
     /// The texts of the entries of M, C and K as the case file has them, with the names of the matrices.

@@ -5,7 +5,6 @@ use crate::estimate::{Estimate, estimate_json, estimate_text, title};
 use crate::oscillator::stability_map::{ONE_WAY, class_name};
 use crate::two_degrees::case::TwoDegreesCase;
 use judder_study::case::file::CaseFile;
-use judder_study::model::Analysis;
 use judder_study::resolve::Resolved;
 use judder_study::text::{columns, number};
 use serde_json::{Value, json};

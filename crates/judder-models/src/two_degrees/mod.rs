@@ -1,23 +1,28 @@
 //! Any M, C, K of two degrees of freedom, as expressions of parameters.
+//!
+//! - `check`: what `judder check` shows.
+//! - `matrix`, `mass`: matrices as the case has them.
+//! - A folder each: `spectrum`, `stability_map`, `critical`.
 
 pub mod case;
 mod check;
+pub mod critical;
 pub mod mass;
 mod matrix;
-mod run;
+pub mod spectrum;
+pub mod stability_map;
 
 use crate::error::ModelError;
-use crate::estimate::{Estimate, cost};
+use crate::estimate::Estimate;
 use crate::oscillator::operating_points::{LINEAR_QUANTITIES, linear_values};
-use crate::two_degrees::case::{
-    ParameterSpectrum, ParameterThresholds, TwoDegreesAnalysis, TwoDegreesCase, TwoDegreesSections,
-};
+use crate::swept_keys::ParameterKeys;
+use crate::two_degrees::case::{TwoDegreesCase, TwoDegreesSections};
 use judder_keys::declared::Settings;
 use judder_oscillator::LinearSystem;
 use judder_store::Declared;
 use judder_study::Progress;
 use judder_study::StudyError;
-use judder_study::case::analysis::names;
+use judder_study::case::analysis::{Kind, names};
 use judder_study::case::file::{Case, CaseFile};
 use judder_study::case::reference::section;
 use judder_study::case::root::schema;
@@ -25,7 +30,7 @@ use judder_study::model::{Analysed, Analysis, Model, OperatingQuantity, Prepared
 use judder_study::outcome::Outcome;
 use judder_study::registry::{ModelKind, entries};
 use judder_study::resolve::Resolved;
-use serde_json::{Map, Value};
+use std::sync::Arc;
 
 impl Analysed for TwoDegreesCase {
     type Subject<'a> = &'a TwoDegreesCase;
@@ -35,29 +40,15 @@ impl Analysed for TwoDegreesCase {
     type Error = ModelError;
 }
 
-impl Analysis<TwoDegreesCase> for TwoDegreesAnalysis {
-    fn summary_keys(&self) -> Vec<Declared> {
-        run::summary_keys(self)
-    }
-
-    fn run(&self, of: &&TwoDegreesCase, task: Task<'_>) -> Result<Outcome, ModelError> {
-        run::run(of, self, task.progress)
-    }
-
-    fn estimate(&self, name: &&str) -> Result<Estimate, ModelError> {
-        let points = match self {
-            Self::Spectrum(ParameterSpectrum { sweep }) | Self::Critical(ParameterThresholds { sweep }) => {
-                sweep.points
-            }
-            Self::StabilityMap(map) => map.x.points * map.y.points,
-        };
-        Ok(Estimate::of_points(name, points, points as f64 * cost::EIGENVALUES))
-    }
-
-    fn write(&self, json: &mut Map<String, Value>) {
-        self.write_table(json);
-    }
+/// An analysis that varies parameters.
+pub trait Varying: Analysis<TwoDegreesCase> {
+    /// Their positions.
+    fn swept(&self) -> Vec<usize>;
 }
+
+/// The kinds of analyses.
+pub(crate) static KINDS: [Kind<ParameterKeys, Arc<dyn Varying>>; 3] =
+    [spectrum::KIND, stability_map::KIND, critical::KIND];
 
 /// The model.
 pub(crate) const MODEL: ModelKind = ModelKind {
@@ -70,11 +61,11 @@ pub(crate) const MODEL: ModelKind = ModelKind {
             "two-degrees",
             "two degrees of freedom with given matrices",
             &TwoDegreesSections::declarations(),
-            &case::KINDS,
+            &KINDS,
         )
     },
-    reference: || section(include_str!("reference.md"), &TwoDegreesSections::declarations(), &case::KINDS),
-    kinds: || entries(&case::KINDS),
+    reference: || section(include_str!("reference.md"), &TwoDegreesSections::declarations(), &KINDS),
+    kinds: || entries(&KINDS),
     operating_quantities: &LINEAR_QUANTITIES,
 };
 

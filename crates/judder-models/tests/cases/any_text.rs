@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 
-use crate::parse;
+use super::parse;
 use judder_models::template::{TEMPLATES, template};
 use miette::Diagnostic;
 

@@ -1,6 +1,6 @@
 //! Analyses that are refused for their kind, keys or name.
 
-use crate::refused;
+use super::refused;
 
 /// A sweep that is in order, beside which something else is wrong.
 const SWEEP: &str =

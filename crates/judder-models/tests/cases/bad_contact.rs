@@ -1,6 +1,6 @@
 //! Contact cases that are refused, and substrates of oscillator cases.
 
-use crate::refused;
+use super::refused;
 
 fn contact(text: &str) -> String {
     format!("model = \"contact\"\n{text}\n")

@@ -1,7 +1,7 @@
 //! Families of complex modes that are refused.
 
-use crate::help_of;
-use crate::structure::{FILES, MATRICES, with_files};
+use super::help_of;
+use super::structure::{FILES, MATRICES, with_files};
 
 /// The message, place and help of a second parameter with a `family`.
 fn family(lines: &str, message: &str, place: &str, help: &str) {

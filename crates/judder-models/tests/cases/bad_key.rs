@@ -1,6 +1,6 @@
 //! Keys and values that are refused.
 
-use crate::refused;
+use super::refused;
 
 fn key(text: &str) -> String {
     format!("model = \"oscillator\"\n{text}\n")

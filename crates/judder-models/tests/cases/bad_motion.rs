@@ -1,7 +1,7 @@
 //! Analyses of motion that are refused.
 
-use crate::bad_analysis::analysis;
-use crate::refused;
+use super::bad_analysis::analysis;
+use super::refused;
 
 #[test]
 fn a_coordinate_that_the_model_does_not_have() {

@@ -1,7 +1,7 @@
 //! Quantities of sweeps that no result has: refused where the case is read.
 
-use crate::bad_study_sweep::{OVER, sweep};
-use crate::refused;
+use crate::cases::bad_study_sweep::{OVER, sweep};
+use crate::cases::refused;
 
 /// Refuses a quantity of a beam with two analyses.
 fn of_a_beam(path: &str, message: &str, help: &str) {

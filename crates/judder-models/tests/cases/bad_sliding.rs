@@ -1,8 +1,8 @@
 //! Sliding cases that are refused: the message, the place and what would be right.
 
-use crate::sliding::with_analyses;
-use crate::structure::with_files;
-use crate::{help_of, parse, refused, refused_with};
+use super::sliding::with_analyses;
+use super::structure::with_files;
+use super::{help_of, parse, refused, refused_with};
 use judder_models::sliding::case::SlidingCase;
 use judder_models::sliding::case::problem::SlidingProblem;
 use judder_models::structure::case::problem::StructureProblem;

@@ -1,8 +1,8 @@
 //! Analyses of sliding cases that are refused: the message, the place and what would be right.
 
-use crate::bad_sliding::analysis;
-use crate::parse;
-use crate::sliding::with_analyses;
+use super::bad_sliding::analysis;
+use super::parse;
+use super::sliding::with_analyses;
 use judder_models::sliding::case::SlidingCase;
 use judder_models::sliding::case::problem::SlidingProblem;
 use judder_models::sliding::locus::settings::Locus;

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::{help_of, refused, refused_with};
+use super::{help_of, refused, refused_with};
 use judder_keys::cause::Cause;
 use miette::Diagnostic;
 

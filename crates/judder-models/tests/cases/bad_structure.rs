@@ -1,7 +1,7 @@
 //! Structure cases that are refused.
 
-use crate::structure::{FILES, MATRICES, with_files};
-use crate::{help_of, refused};
+use super::structure::{FILES, MATRICES, with_files};
+use super::{help_of, refused};
 
 const MATERIAL: &str =
     "material = { youngs_modulus = \"1 GPa\", poisson_ratio = 0.3, density = \"1000 kg/m^3\" }";

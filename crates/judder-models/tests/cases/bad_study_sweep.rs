@@ -2,8 +2,8 @@
 
 use miette::Diagnostic;
 
-use crate::study_sweep::oscillator;
-use crate::{help_of, refused, with_file};
+use super::study_sweep::oscillator;
+use super::{help_of, refused, with_file};
 
 pub(crate) const OVER: &str =
     "over = [{ key = \"operation.velocity\", from = 1e-4, to = 1e-2, points = 3 }]\n";
@@ -87,7 +87,7 @@ fn names_that_cannot_be() {
     let taken = "`Limit-Cycle` names both this sweep and an analysis";
     refused(&named("Limit-Cycle"), taken, "\"Limit-Cycle\"", advice);
     // the first of both is quoted alike: the place is the second
-    let error = crate::parse(&named("first"), &[]).unwrap_err();
+    let error = super::parse(&named("first"), &[]).unwrap_err();
     assert_eq!(error.to_string(), "`first` names both this sweep and another sweep");
     let offset = error.labels().unwrap().next().unwrap().offset();
     assert_eq!(offset, named("first").rfind("\"first\"").unwrap());
@@ -188,7 +188,7 @@ fn twice(model: &str, [first, second]: [&str; 2], value: &str, message: &str) {
         "{model}\n[[sweep]]\nname = \"s\"\nmethod = \"list\"\n\
          over = [{{ key = \"{first}\", values = [{value}] }}, {{ key = \"{second}\", values = [{value}] }}]\nquantities = [\"q\"]\n"
     );
-    let error = crate::parse(&text, &[]).unwrap_err();
+    let error = super::parse(&text, &[]).unwrap_err();
     assert_eq!((error.to_string(), error.place()), (message.to_owned(), second));
     let offset = error.labels().unwrap().next().unwrap().offset();
     assert_eq!(offset, text.rfind(second).unwrap());
@@ -221,7 +221,7 @@ fn one_number_twice() {
 fn two_forms_of_one_quantity() {
     let first = r#"{ key = "substrate.retardation_time", from = "1 ms", to = "2 ms", points = 2 }"#;
     let second = r#"{ key = "substrate.relaxation_time", from = "1 ms", to = "2 ms", points = 2 }"#;
-    let error = crate::parse(&oscillator(&format!("over = [{first}, {second}]\n{QUANTITIES}")), &[]);
+    let error = super::parse(&oscillator(&format!("over = [{first}, {second}]\n{QUANTITIES}")), &[]);
     let error = error.unwrap_err();
     assert!(error.to_string().contains("`substrate.relaxation_time` = 0.001 s"), "{error}");
     assert!(error.to_string().ends_with("both say the same thing"), "{error}");
@@ -331,7 +331,7 @@ fn wide(keys: usize, more: &str) -> String {
 fn more_keys_than_points_have_dimensions() {
     let help = "sweep fewer keys; with `sensitivity` a point takes two coordinates a key";
     for (keys, limit, more) in [(129, 128, ""), (65, 64, "sensitivity = true\n")] {
-        let error = crate::parse(&wide(keys, more), &[]).unwrap_err();
+        let error = super::parse(&wide(keys, more), &[]).unwrap_err();
         let message = format!("{keys} keys are swept, but this method takes {limit} at most");
         assert_eq!((error.to_string(), help_of(&error)), (message, help.to_owned()));
         assert!(error.place().starts_with("[{ key = \"parameters.p0\""), "{}", error.place());

@@ -1,7 +1,7 @@
 //! Sweeps, families, root ranges and maps that are refused.
 
-use crate::bad_analysis::{analysis, beside_sweep};
-use crate::refused;
+use super::bad_analysis::{analysis, beside_sweep};
+use super::refused;
 
 fn sweep(settings: &str) -> String {
     analysis("spectrum", &format!("sweep = {{ {settings} }}"))

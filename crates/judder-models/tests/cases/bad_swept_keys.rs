@@ -1,8 +1,8 @@
 //! Keys and values of sweeps of the whole case that are refused, when the case is read and at a point.
 
-use crate::bad_study_sweep::{OVER, QUANTITIES, over, sweep};
-use crate::study_sweep::oscillator;
-use crate::with_file;
+use super::bad_study_sweep::{OVER, QUANTITIES, over, sweep};
+use super::study_sweep::oscillator;
+use super::with_file;
 
 #[test]
 fn ranges_that_cannot_be() {
@@ -106,7 +106,7 @@ fn values_that_the_case_cannot_have() {
         "sweep values that the key can take",
     );
     let entry = "key = \"analysis.cycle.steps\", from = 1000, to = 2000";
-    let error = crate::parse(
+    let error = super::parse(
         &oscillator(&format!("method = \"sobol\"\npoints = 4\nover = [{{ {entry} }}]\n{QUANTITIES}")),
         &[],
     )

@@ -1,6 +1,6 @@
 //! Two-degrees cases that are refused.
 
-use crate::{refused, refused_with};
+use super::{refused, refused_with};
 
 fn case(parameters: &str, stiffness: &str, rest: &str) -> String {
     format!(

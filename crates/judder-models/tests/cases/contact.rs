@@ -1,6 +1,6 @@
 //! Contact cases that are read, and the substrates that oscillator cases share with them.
 
-use crate::parse;
+use super::parse;
 use judder_keys::numeric_key::{Form, Value};
 use judder_models::contact::case::ContactCase;
 use judder_models::contact::settings::{

@@ -1,6 +1,6 @@
 //! Declared settings: everything that is wrong is told at once, and the schema says what reading asks for.
 
-use crate::parse;
+use super::parse;
 use judder_keys::error::CaseError;
 use judder_models::schema;
 use serde_json::{Value, json};

@@ -2,7 +2,7 @@
 
 use serde_json::Value as Json;
 
-use crate::{help_of, parse};
+use super::{help_of, parse};
 use judder_keys::keys::Keys;
 use judder_models::belt::case::BeltCase;
 use judder_models::belt::case::BeltInputs;

@@ -1,26 +1,31 @@
 //! Analyses of motion that are read.
 
-use crate::parse;
+use super::parse;
 use judder_keys::numeric_key::{Form, Value};
 use judder_models::belt::case::BeltCase;
 use judder_models::belt::case::BeltKey;
-use judder_models::motion::settings::{MotionAnalysis, MotionStart, SweepDirection};
+use judder_models::motion::Motion;
+use judder_models::motion::basin::Basin;
+use judder_models::motion::bifurcation::{Bifurcation, SweepDirection};
+use judder_models::motion::history::History;
+use judder_models::motion::limit_cycle::LimitCycle;
+use judder_models::motion::settings::MotionStart;
 use judder_models::oscillator::case::OscillatorCase;
 use judder_models::oscillator::engines::settings::EnginesSettings;
 use judder_models::oscillator::keys::OscillatorKey;
 
-fn oscillator(settings: &str) -> MotionAnalysis<OscillatorKey> {
+fn oscillator<A: Clone + 'static>(settings: &str) -> A {
     let case = parse(&format!("model = \"oscillator\"\n[[analysis]]\n{settings}"), &[])
         .unwrap()
         .of::<OscillatorCase>()
         .unwrap()
         .clone();
-    case.analyses[0].settings::<MotionAnalysis<OscillatorKey>>().unwrap().clone()
+    case.analyses[0].settings::<Motion<A>>().unwrap().0.clone()
 }
 
 #[test]
 fn a_motion_of_defaults() {
-    let MotionAnalysis::History(history) = oscillator("kind = \"motion\"") else { panic!("a history") };
+    let history: History = oscillator("kind = \"motion\"");
     assert_eq!(history.start, MotionStart::USUAL);
     assert_eq!((history.duration, history.transient), (Value::group(2000.0), Value::group(1000.0)));
     assert_eq!((history.tolerance, history.steps, history.points), (1e-8, 10_000_000, 4096));
@@ -28,10 +33,9 @@ fn a_motion_of_defaults() {
 
 #[test]
 fn a_motion_in_seconds_from_the_air() {
-    let kind = oscillator(
+    let history: History = oscillator(
         "kind = \"motion\"\nduration = \"50 s\"\ntransient = \"20 s\"\nstart = { y = -0.5, velocity_y = 1 }",
     );
-    let MotionAnalysis::History(history) = kind else { panic!("a history") };
     assert!(matches!(history.start, MotionStart::State { .. }));
     assert_eq!(history.start.state(), [None, Some(-0.5), None, Some(1.0)]);
     assert_eq!((history.duration, history.transient), (Value::si(50.0), Value::si(20.0)));
@@ -39,14 +43,12 @@ fn a_motion_in_seconds_from_the_air() {
 
 #[test]
 fn a_limit_cycle_and_a_diagram_have_tolerances_of_their_own() {
-    let MotionAnalysis::LimitCycle(cycle) = oscillator("kind = \"limit-cycle\"") else { panic!("a cycle") };
+    let cycle: LimitCycle = oscillator("kind = \"limit-cycle\"");
     assert_eq!((cycle.tolerance, cycle.duration), (1e-10, Value::group(2e4)));
-    let kind = oscillator(
+    let Bifurcation { sweep, diagram } = oscillator::<Bifurcation<OscillatorKey>>(
         "kind = \"bifurcation\"\nsweep = { key = \"contact.shear_strength\", from = 1e-4, to = 5e-2, points = 3 }\n\
          direction = \"backward\"\ntolerance = 1e-7",
     );
-    let MotionAnalysis::Bifurcation(bifurcation) = kind else { panic!("a diagram") };
-    let (sweep, diagram) = (bifurcation.sweep, bifurcation.diagram);
     assert_eq!((sweep.key, sweep.form, diagram.tolerance), (OscillatorKey::ShearStrength, Form::Group, 1e-7));
     assert_eq!(diagram.direction, SweepDirection::Backward);
     assert!(!diagram.branches, "branches take minutes where cycles stick and lift off");
@@ -95,7 +97,7 @@ sweep = { key = "operation.velocity", from = 1, to = 2, points = 5 }
 fn a_mass_on_a_belt() {
     let case = parse(BELT, &["friction.at_speed=0.4"]).unwrap().of::<BeltCase>().unwrap().clone();
     assert_eq!((case.inputs.number(BeltKey::Velocity), case.inputs.number(BeltKey::AtSpeed)), (1.5, 0.4));
-    let MotionAnalysis::Basin(basin) = &case.analyses[0].kind else { panic!("a basin") };
+    let basin = &case.analyses[0].settings::<Motion<Basin>>().unwrap().0;
     assert_eq!(basin.within.state(), [Some([-2.0, 2.0]), Some([0.0, 2.0])]);
     assert_eq!((basin.samples, basin.seed, basin.tolerance), (50, 7, 1e-6));
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_4, PI};
 
-use crate::parse;
+use super::parse;
 use judder_keys::keys::Keys;
 use judder_keys::numeric_key::{Form, Value};
 use judder_models::oscillator::case::OscillatorCase;

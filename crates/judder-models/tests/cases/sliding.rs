@@ -1,6 +1,6 @@
 //! Sliding cases that are read.
 
-use crate::parse;
+use super::parse;
 use judder_models::sliding::case::SlidingCase;
 use judder_models::sliding::case::contact::{Friction, FrictionTable, Interpolation};
 use judder_models::sliding::case::motion::Axis;

@@ -1,6 +1,6 @@
 //! Structure cases that are read.
 
-use crate::parse;
+use super::parse;
 use judder_models::structure::case::body::{BlockElement, EndCondition, Geometry};
 use judder_models::structure::case::damping::Damping;
 use judder_models::structure::case::damping::Rayleigh;

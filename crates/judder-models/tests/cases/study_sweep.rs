@@ -1,6 +1,6 @@
 //! Sweeps of the whole case: what is read, which points they have, and the case at a point.
 
-use crate::with_file;
+use super::with_file;
 use judder_keys::dimension::Dimension;
 use judder_keys::keys::Keys;
 use judder_keys::numeric_key::Form;

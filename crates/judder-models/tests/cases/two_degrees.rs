@@ -1,8 +1,10 @@
 //! Two-degrees cases that are read.
 
-use crate::parse;
+use super::parse;
 use judder_keys::cause::Cause;
-use judder_models::two_degrees::case::{TwoDegreesAnalysis, TwoDegreesCase};
+use judder_models::sweep::{ParameterKey, StabilityMap};
+use judder_models::two_degrees::case::TwoDegreesCase;
+use judder_models::two_degrees::critical::ParameterThresholds;
 
 /// The damped Hopf benchmark: damping of one degree destabilises.
 const HOPF: &str = r#"
@@ -34,15 +36,14 @@ fn matrices_follow_the_parameters() {
     assert_eq!(names, ["mu", "c2", "angle"]);
     let mut values = case.values();
     assert_eq!(values, [0.5, 0.01, 0.25]);
-    let TwoDegreesAnalysis::Critical(critical) = &case.analyses[0].kind else { panic!("critical") };
-    let sweep = &critical.sweep;
+    let sweep = &case.analyses[0].settings::<ParameterThresholds>().unwrap().sweep;
     assert_eq!((sweep.points, sweep.path.as_str()), (400, "parameters.mu"));
     sweep.set(&mut values, 0.75);
     let matrices = case.matrices(&values).unwrap();
     assert_eq!(matrices.mass, [[1.0, 0.0], [0.0, 1.0]]);
     assert_eq!(matrices.damping, [[0.02, 0.0], [0.0, 0.01]]);
     assert_eq!(matrices.stiffness, [[2.0, 0.0], [1.0, 2.4]]);
-    let TwoDegreesAnalysis::StabilityMap(map) = &case.analyses[1].kind else { panic!("map") };
+    let map = case.analyses[1].settings::<StabilityMap<ParameterKey>>().unwrap();
     assert_eq!((map.x.key.index(), map.y.key.index()), (0, 1));
 }
 

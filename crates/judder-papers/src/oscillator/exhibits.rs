@@ -5,7 +5,10 @@ use judder_keys::span::Span;
 use judder_models::contact::case::ContactCase;
 use judder_models::contact::settings::{FitSettings, LawMethod, LawSettings};
 use judder_models::contact::shape::Shape;
-use judder_models::motion::settings::{Bifurcation, MotionAnalysis};
+use judder_models::motion::Motion;
+use judder_models::motion::bifurcation::Bifurcation;
+use judder_models::motion::history::History;
+use judder_models::motion::limit_cycle::LimitCycle;
 use judder_models::oscillator::case::OscillatorCase;
 use judder_models::oscillator::engines::settings::EnginesSettings;
 use judder_models::oscillator::keys::OscillatorKey;
@@ -163,6 +166,7 @@ fn thin_out_oscillator(case: &mut OscillatorCase) {
     const CURVE: usize = 301;
     const THRESHOLDS: usize = 101;
     const MAP: usize = 400;
+    const CYCLE: f64 = 2000.0;
     for analysis in &mut case.analyses {
         if let Some(DampingCurves { sweep, .. }) = analysis.settings_mut() {
             sweep.points = sweep.points.min(CURVE);
@@ -173,8 +177,12 @@ fn thin_out_oscillator(case: &mut OscillatorCase) {
         } else if let Some(map) = analysis.settings_mut::<StabilityMap<OscillatorKey>>() {
             map.x.points = map.x.points.min(MAP);
             map.y.points = map.y.points.min(MAP);
-        } else if let Some(kind) = analysis.settings_mut::<MotionAnalysis<OscillatorKey>>() {
-            thin_out_motion(kind);
+        } else if let Some(Motion(diagram)) = analysis.settings_mut() {
+            thin_out_diagram(diagram);
+        } else if let Some(Motion(history)) = analysis.settings_mut() {
+            thin_out_history(history);
+        } else if let Some(Motion(LimitCycle { duration, .. })) = analysis.settings_mut() {
+            duration.number = duration.number.min(CYCLE);
         } else if let Some(settings) = analysis.settings_mut() {
             thin_out_engines(settings);
         }
@@ -182,32 +190,26 @@ fn thin_out_oscillator(case: &mut OscillatorCase) {
 }
 
 /// Fewer motions, and shorter ones.
-fn thin_out_motion<K>(kind: &mut MotionAnalysis<K>) {
-    const DIAGRAM: usize = 14;
+fn thin_out_diagram(Bifurcation { sweep, diagram }: &mut Bifurcation<OscillatorKey>) {
+    const POINTS: usize = 14;
     const SETTLING: f64 = 1500.0;
-    const HISTORY: f64 = 1000.0;
-    const CYCLE: f64 = 2000.0;
-    let shorten = |duration: &mut Value, transient: &mut Value, longest: f64| {
-        if duration.form == Form::Group && duration.number > longest {
-            transient.number *= longest / duration.number;
-            duration.number = longest;
-        }
-    };
-    match kind {
-        MotionAnalysis::Bifurcation(Bifurcation { sweep, diagram }) => {
-            sweep.points = sweep.points.min(DIAGRAM);
-            shorten(&mut diagram.duration, &mut diagram.transient, SETTLING);
-        }
-        MotionAnalysis::History(history) => {
-            let longer = history.duration.number;
-            shorten(&mut history.duration, &mut history.transient, HISTORY);
-            // as dense as before
-            history.points = (history.points as f64 * history.duration.number / longer) as usize;
-        }
-        MotionAnalysis::LimitCycle(cycle) => {
-            cycle.duration.number = cycle.duration.number.min(CYCLE);
-        }
-        MotionAnalysis::Basin(_) => (),
+    sweep.points = sweep.points.min(POINTS);
+    shorten(&mut diagram.duration, &mut diagram.transient, SETTLING);
+}
+
+/// A shorter motion, as dense as before.
+fn thin_out_history(history: &mut History) {
+    const LONGEST: f64 = 1000.0;
+    let longer = history.duration.number;
+    shorten(&mut history.duration, &mut history.transient, LONGEST);
+    history.points = (history.points as f64 * history.duration.number / longer) as usize;
+}
+
+/// A time of no more than this, in radians, and its part that averages leave out.
+fn shorten(duration: &mut Value, transient: &mut Value, longest: f64) {
+    if duration.form == Form::Group && duration.number > longest {
+        transient.number *= longest / duration.number;
+        duration.number = longest;
     }
 }
 
@@ -228,9 +230,11 @@ mod tests {
         for name in [LAW, FIT] {
             let (_, text) = CONTACT_CASES.into_iter().find(|(known, _)| *known == name).unwrap();
             let mut case = judder_models::parse(name, text, &[]).unwrap().case;
+            let held = case.clone();
             let full = case.resolved();
             thin_out(&mut case);
             assert_ne!(case.resolved(), full, "a quick result must not pass for a full one");
+            assert_eq!(held.resolved(), full, "what others hold of it stays");
             let Some(case) = case.of::<ContactCase>() else { panic!("{name}") };
             let law = law_of(&case.analyses[0]).unwrap();
             assert_eq!((&case.shape, law.method), (&Shape::Paraboloid, LawMethod::Collapse));

@@ -1,6 +1,7 @@
 //! Analyses: a name that serves as a file name, and a kind with its settings.
 
 use crate::registry::Registry;
+use dyn_clone::{DynClone, arc_make_mut};
 use judder_keys::cause::Cause;
 use judder_keys::declared::Declaration;
 use judder_keys::document::{Data, Node};
@@ -22,15 +23,15 @@ pub struct Planned<K> {
     pub kind: K,
 }
 
-impl<A: AsAny + ?Sized> Planned<Arc<A>> {
+impl<A: AsAny + DynClone + ?Sized> Planned<Arc<A>> {
     /// Its settings, where they are of this type.
     pub fn settings<T: Any>(&self) -> Option<&T> {
         self.kind.as_ref().as_any().downcast_ref()
     }
 
-    /// The same, to be changed; none where another clone of the case holds them too.
+    /// The same, to be changed; other clones of the case keep theirs.
     pub fn settings_mut<T: Any>(&mut self) -> Option<&mut T> {
-        Arc::get_mut(&mut self.kind)?.as_any_mut().downcast_mut()
+        arc_make_mut(&mut self.kind).as_any_mut().downcast_mut()
     }
 }
 

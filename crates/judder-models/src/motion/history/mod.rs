@@ -3,14 +3,88 @@
 pub(super) mod run;
 mod watched;
 
-pub(super) use run::{run, summary_keys};
-
-use super::pictures;
-use judder_study::case::analysis::Picture;
-
-/// The figure.
-pub(crate) const PICTURE: Picture = Picture {
-    draw: pictures::motion,
-    caption: "The whole motion; its end with the contact state shaded (white: slip); the phase portrait of that end with the changes of the contact \
-        state; the spectrum and the Poincaré section (where $x$ is largest) after the transient.",
+use super::model::Moving;
+use super::settings::{
+    DURATION, MOTION_STEPS, MotionKinds, MotionModel, MotionStart, STEPS, TOLERANCE, TRANSIENT, declared,
+    leave_some, read,
 };
+use super::{MotionOf, Size, USUAL_TIME, pictures};
+use crate::error::ModelError;
+use judder_keys::Settings;
+use judder_keys::declared::{Settings, Whole};
+use judder_keys::error::Fault;
+use judder_keys::numeric_key::{Form, Value};
+use judder_keys::section::Section;
+use judder_store::Declared;
+use judder_study::case::analysis::{Kind, Picture};
+use judder_study::model::Task;
+use judder_study::outcome::Outcome;
+use serde_json::{Map, Value as Json};
+
+/// The history of one motion.
+#[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(check = History::complete)]
+pub struct History {
+    /// Where the motion starts.
+    #[key(default = MotionStart::USUAL)]
+    pub start: MotionStart,
+    /// Time that the motion is followed.
+    #[key(rule = DURATION, symbol = "t", default = Value::group(2000.0))]
+    pub duration: Value,
+    /// First part of the duration, which averages leave out; half of it by default.
+    #[key(rule = TRANSIENT, symbol = "t", default = Value::group(1000.0))]
+    pub transient: Value,
+    /// Points of the uniform grid of time that is kept.
+    #[key(rule = Whole { from: 16, to: 1 << 22 }, default = 4096)]
+    pub points: usize,
+    /// Local error of a step, relative to the magnitudes of steady sliding.
+    #[key(rule = TOLERANCE, symbol = "ε", default = 1e-8)]
+    pub tolerance: f64,
+    /// The most steps of one motion.
+    #[key(rule = STEPS, default = MOTION_STEPS)]
+    pub steps: usize,
+}
+
+impl History {
+    fn complete(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        leave_some(&mut self.transient, self.duration, section)
+    }
+}
+
+impl<S: MotionModel> MotionKinds<S> {
+    /// The kind.
+    pub(crate) const HISTORY: Kind<S, S::Analysis> = Kind {
+        name: "motion",
+        doc: "the history of one motion: stick, slip, lift-off, its averages, its energy",
+        declared: declared::<S, History>,
+        read: |_, section| read::<S, History>(section).map(S::of_motion),
+        picture: Some(Picture {
+            draw: pictures::motion,
+            caption: "The whole motion; its end with the contact state shaded (white: slip); the phase portrait of that end with the changes of the contact \
+                state; the spectrum and the Poincaré section (where $x$ is largest) after the transient.",
+        }),
+    };
+}
+
+impl<S: MotionModel> MotionOf<S> for History {
+    fn summary_keys(&self) -> Vec<Declared> {
+        run::summary_keys()
+    }
+
+    fn run<M: Moving<N, Key = S::Key>, const N: usize>(
+        &self,
+        model: &M,
+        task: Task<'_>,
+    ) -> Result<Outcome, ModelError> {
+        run::run(model, self, task.progress, task.watch)
+    }
+
+    fn size(&self) -> Size {
+        let time = if self.duration.form == Form::Group { self.duration.number } else { USUAL_TIME };
+        Size { points: self.points, ..Size::of_motions(1, time) }
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
+    }
+}

@@ -3,8 +3,8 @@
 use super::watched::Blocks;
 use crate::error::ModelError;
 use crate::motion::amplitude_spectrum::amplitude_spectrum;
+use crate::motion::history::History as HistorySettings;
 use crate::motion::model::{Coordinate, Memory, Moving, Operating};
-use crate::motion::settings::History as HistorySettings;
 use judder_oscillator::motion::attractor::{distance, repetition};
 use judder_oscillator::motion::history::{
     MotionHistory, Oscillation, StateSample, TimeWindow, follow, follow_watched,

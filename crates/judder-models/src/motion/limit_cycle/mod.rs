@@ -3,14 +3,73 @@
 mod run;
 
 pub(crate) use run::shooting;
-pub(super) use run::{run, summary_keys};
 
-use super::pictures;
-use judder_study::case::analysis::Picture;
-
-/// The figure.
-pub(crate) const PICTURE: Picture = Picture {
-    draw: pictures::limit_cycle,
-    caption: "One period with the contact state shaded (white: slip), the phase portrait with the changes of the contact state, and the Floquet \
-        multipliers: the cycle is stable where all but the one at 1 lie within the unit circle.",
+use super::model::Moving;
+use super::settings::{
+    CYCLE_TOLERANCE, DURATION, MOTION_STEPS, MotionKinds, MotionModel, MotionStart, SETTLING_DURATION, STEPS,
+    TOLERANCE, declared, read,
 };
+use super::{MotionOf, Size, pictures, settling};
+use crate::error::ModelError;
+use judder_keys::Settings;
+use judder_keys::declared::Settings;
+use judder_keys::numeric_key::Value;
+use judder_store::Declared;
+use judder_study::case::analysis::{Kind, Picture};
+use judder_study::model::Task;
+use judder_study::outcome::Outcome;
+use serde_json::{Map, Value as Json};
+
+/// The cycle that a motion settles to.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub struct LimitCycle {
+    /// Where the motion starts.
+    #[key(default = MotionStart::USUAL)]
+    pub start: MotionStart,
+    /// Time within which the motion settles.
+    #[key(rule = DURATION, symbol = "t", default = SETTLING_DURATION)]
+    pub duration: Value,
+    /// Local error of a step, relative to the magnitudes of steady sliding.
+    #[key(rule = TOLERANCE, symbol = "ε", default = CYCLE_TOLERANCE)]
+    pub tolerance: f64,
+    /// The most steps of one motion.
+    #[key(rule = STEPS, default = MOTION_STEPS)]
+    pub steps: usize,
+}
+
+impl<S: MotionModel> MotionKinds<S> {
+    /// The kind.
+    pub(crate) const LIMIT_CYCLE: Kind<S, S::Analysis> = Kind {
+        name: "limit-cycle",
+        doc: "the cycle that a motion settles to, with its Floquet multipliers",
+        declared: declared::<S, LimitCycle>,
+        read: |_, section| read::<S, LimitCycle>(section).map(S::of_motion),
+        picture: Some(Picture {
+            draw: pictures::limit_cycle,
+            caption: "One period with the contact state shaded (white: slip), the phase portrait with the changes of the contact state, and the Floquet \
+                multipliers: the cycle is stable where all but the one at 1 lie within the unit circle.",
+        }),
+    };
+}
+
+impl<S: MotionModel> MotionOf<S> for LimitCycle {
+    fn summary_keys(&self) -> Vec<Declared> {
+        run::summary_keys()
+    }
+
+    fn run<M: Moving<N, Key = S::Key>, const N: usize>(
+        &self,
+        model: &M,
+        task: Task<'_>,
+    ) -> Result<Outcome, ModelError> {
+        run::run(model, &self.start, &self.following(), task.progress)
+    }
+
+    fn size(&self) -> Size {
+        Size::of_motions(1, settling(self.duration))
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
+    }
+}

@@ -8,7 +8,7 @@ pub mod settings;
 use super::{Operated, Subject};
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost};
-use crate::motion::check::USUAL_TIME;
+use crate::motion::USUAL_TIME;
 use crate::motion::model::OscillatorModel;
 use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::engines::settings::EnginesSettings;

@@ -1,7 +1,5 @@
 //! Case files from outside: what is read, what is refused and in which words.
 
-#![allow(clippy::expect_used, clippy::panic, clippy::unwrap_used, reason = "a test fails by panicking")]
-
 mod any_text;
 mod bad_analysis;
 mod bad_contact;

@@ -1,0 +1,52 @@
+//! `stability-map`: stable and unstable points over two parameters.
+
+mod run;
+
+use super::Varying;
+use crate::error::ModelError;
+use crate::estimate::{Estimate, cost};
+use crate::oscillator::stability_map::{ONE_WAY, ToldMap};
+use crate::read_sweep::{map_declarations, read_map, write_map};
+use crate::sweep::{ParameterKey, StabilityMap};
+use crate::swept_keys::ParameterKeys;
+use crate::two_degrees::case::TwoDegreesCase;
+use judder_store::Declared;
+use judder_study::case::analysis::Kind;
+use judder_study::model::{Analysis, Task};
+use judder_study::outcome::Outcome;
+use serde_json::{Map, Value as Json};
+use std::sync::Arc;
+
+/// The kind.
+pub(super) const KIND: Kind<ParameterKeys, Arc<dyn Varying>> = Kind {
+    name: "stability-map",
+    doc: "stable and unstable points over two parameters",
+    declared: map_declarations::<ParameterKeys>,
+    read: |keys, section| Ok(Arc::new(read_map(keys, section)?)),
+    picture: None,
+};
+
+impl Analysis<TwoDegreesCase> for StabilityMap<ParameterKey> {
+    fn summary_keys(&self) -> Vec<Declared> {
+        ToldMap::keys(ONE_WAY)
+    }
+
+    fn run(&self, case: &&TwoDegreesCase, _: Task<'_>) -> Result<Outcome, ModelError> {
+        run::run(case, self)
+    }
+
+    fn estimate(&self, name: &&str) -> Result<Estimate, ModelError> {
+        let points = self.x.points * self.y.points;
+        Ok(Estimate::of_points(name, points, points as f64 * cost::EIGENVALUES))
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        write_map::<ParameterKeys>(self, json);
+    }
+}
+
+impl Varying for StabilityMap<ParameterKey> {
+    fn swept(&self) -> Vec<usize> {
+        vec![self.x.key.index(), self.y.key.index()]
+    }
+}
